@@ -1,0 +1,36 @@
+#pragma once
+// The words and the rules that every test shares.
+//
+// Sets        All shapes are closed: a common point, even a single one, is an intersection.
+// Exactness   Every verdict is the true one for the real numbers that the floating-point arguments denote.
+// There is
+//             no hidden epsilon; a tolerance is a named argument.
+// Rays        r(t) = o + t d with t in a closed range, in units of |d|. A zero direction makes the ray a
+// point. Empty       An interval with lo > hi or a sphere with r < 0 has no point: it is disjoint from
+// everything. NaN, inf    A shape with a coordinate that is NaN or infinite meets nothing. Only a range of t
+// may be infinite. Signs       -0 equals +0. Frame       Right-handed, y up, radians, counter-clockwise seen
+// from outside.
+
+#include <cfloat>
+
+#if defined(__FAST_MATH__)
+#error "isect needs IEEE arithmetic: build without -ffast-math"
+#endif
+static_assert(FLT_EVAL_METHOD == 0, "isect needs arithmetic in the type itself: build with -mfpmath=sse");
+
+namespace isect {
+
+/// How two sets lie; the first that holds.
+enum class Relation {
+  disjoint,    ///< no common point
+  equal,       ///< the same set
+  a_inside_b,  ///< A is a subset of B, inner tangency included
+  b_inside_a,  ///< B is a subset of A, inner tangency included
+  touching,    ///< common points, but no common interior point
+  overlapping  ///< common interior points, and neither contains the other
+};
+
+/// Where a point lies with respect to a set: in its interior, on its boundary, or outside.
+enum class Location { in, on, out };
+
+}  // namespace isect

@@ -1,0 +1,36 @@
+#pragma once
+// What an algorithm tells while it runs, and how to listen.
+//
+// Every algorithm takes a last parameter `Trace&& trace = {}` and calls it with typed events that copy values
+// it has computed anyway. The default listener does nothing and costs nothing: the machine code equals that
+// of the text with its trace lines deleted (tests/core/zero_cost_trace.cmake compares the two).
+
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+namespace isect {
+
+/// Listens to nothing.
+struct NoTrace {
+  template <class Event>
+  constexpr void operator()(const Event&) const {}
+};
+
+/// Keeps every event in order. `Event` is the header's own std::variant, such as ray_sphere::Event<double,
+/// 3>.
+template <class Event>
+struct Record {
+  std::vector<Event> events;
+
+  template <class E>
+  void operator()(const E& event) {
+    events.emplace_back(event);
+  }
+};
+
+/// The arithmetic in use could not decide; the same text runs again in a finer one. Later events are rounded
+/// to S.
+struct Fallback {};
+
+}  // namespace isect
