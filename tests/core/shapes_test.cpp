@@ -1,0 +1,87 @@
+#include "core/shapes.h"
+
+#include <cmath>
+
+#include "core/conventions.h"
+#include "tests/catch.h"
+
+using namespace isect;
+
+namespace {
+constexpr double inf = std::numeric_limits<double>::infinity(),
+                 not_a_number = std::numeric_limits<double>::quiet_NaN();
+}
+
+TEMPLATE_TEST_CASE("an interval holds both of its ends", "[shapes]", float, double) {
+  const Interval<TestType> interval = {TestType(-1), TestType(2)};
+  CHECK(interval.contains(-1));
+  CHECK(interval.contains(0));
+  CHECK(interval.contains(2));
+  CHECK_FALSE(interval.contains(std::nextafter(TestType(2), TestType(3))));
+  CHECK_FALSE(interval.contains(std::nextafter(TestType(-1), TestType(-2))));
+}
+
+TEST_CASE("an interval with lo > hi holds nothing, not even its ends", "[shapes]") {
+  const Interval<double> empty = {1, -1};
+  CHECK_FALSE(empty.contains(1));
+  CHECK_FALSE(empty.contains(0));
+  CHECK_FALSE(empty.contains(-1));
+}
+
+TEST_CASE("an interval of one point holds that point, and minus zero equals zero", "[shapes]") {
+  const Interval<double> zero = {0, 0};
+  CHECK(zero.contains(0));
+  CHECK(zero.contains(-0.0));
+  CHECK(zero == Interval<double>{-0.0, -0.0});
+  CHECK_FALSE(zero.contains(5e-324));
+}
+
+TEST_CASE("NaN lies in no interval, and an interval with NaN holds nothing", "[shapes]") {
+  CHECK_FALSE(infinite<double>.contains(not_a_number));
+  CHECK_FALSE((Interval<double>{not_a_number, 1}).contains(0));
+  CHECK_FALSE((Interval<double>{0, not_a_number}).contains(0));
+  CHECK_FALSE(Interval<double>{not_a_number, 1} == Interval<double>{not_a_number, 1});
+}
+
+TEMPLATE_TEST_CASE("the named ranges reach as far as their names say", "[shapes]", float, double) {
+  constexpr TestType most = std::numeric_limits<TestType>::max();
+  CHECK(semi_infinite<TestType>.contains(0));
+  CHECK(semi_infinite<TestType>.contains(most));
+  CHECK_FALSE(semi_infinite<TestType>.contains(-std::numeric_limits<TestType>::denorm_min()));
+  CHECK(infinite<TestType>.contains(-most));
+  CHECK(infinite<TestType>.contains(most));
+}
+
+TEMPLATE_TEST_CASE_SIG("a ray is semi-infinite unless told otherwise", "[shapes]", ((class S, int N), S, N),
+                       (float, 2), (double, 2), (float, 3), (double, 3)) {
+  const Ray<S, N> ray = {Point<S, N>::Zero(), Vector<S, N>::Unit(0)};
+  CHECK(ray.range == semi_infinite<S>);
+}
+
+TEMPLATE_TEST_CASE_SIG("r(t) = o + t d, in units of the direction's length", "[shapes]",
+                       ((class S, int N), S, N), (float, 2), (double, 2), (float, 3), (double, 3)) {
+  const Ray<S, N> ray = {Point<S, N>::Constant(1), 4 * Vector<S, N>::Unit(1)};
+  CHECK(ray.at(0) == ray.origin);
+  CHECK(ray.at(S(0.5)) == Point<S, N>::Constant(1) + 2 * Vector<S, N>::Unit(1));
+  CHECK(ray.at(-1)[1] == -3);
+}
+
+TEMPLATE_TEST_CASE_SIG("a segment runs from t = 0 at p to t = 1 at q", "[shapes]", ((class S, int N), S, N),
+                       (float, 2), (double, 2), (float, 3), (double, 3)) {
+  const Point<S, N> p = Point<S, N>::Constant(-1), q = Point<S, N>::Constant(3);
+  const Ray<S, N> ray = segment<S, N>(p, q);
+  CHECK(ray.range == Interval<S>{0, 1});
+  CHECK(ray.at(0) == p);
+  CHECK(ray.at(1) == q);
+}
+
+TEST_CASE("a segment's direction is rounded, so that t = 1 may miss q by an ulp", "[shapes]") {
+  const Point<double, 2> p = {1e16, 0}, q = {1, 1};
+  CHECK(segment<double, 2>(p, q).at(1)[0] != q[0]);
+  CHECK(segment<double, 2>(p, q).at(1)[1] == q[1]);
+}
+
+TEST_CASE("an infinite range is a line, and t may be infinite only there", "[shapes]") {
+  CHECK(infinite<double> == Interval<double>{-inf, inf});
+  CHECK(std::isinf(semi_infinite<float>.hi));
+}

@@ -1,0 +1,89 @@
+# The trace costs nothing when nobody listens: the untraced calls compile to the machine code of a copy of the core with
+# every trace line deleted. The code is the same byte for byte, or the same instructions in another order with other
+# registers: deleting a line renumbers what the compiler sees, and its scheduler breaks ties by number. Then padding and
+# moves from register to register don't count; every calculation, load, store, jump and call does.
+# The comparison can fail: a listener must change the code.
+#
+#   cmake -DCOMPILER=c++ -DOBJDUMP=objdump -DROOT=<repository> -DWORK=<scratch> -DEIGEN=<include> -P zero_cost_trace.cmake
+cmake_minimum_required(VERSION 3.22)
+
+# Copies the core to WORK/untraced without its trace lines.
+file(REMOVE_RECURSE ${WORK})
+file(GLOB headers RELATIVE ${ROOT} ${ROOT}/core/*.h)
+set(deleted 0)
+foreach(header IN LISTS headers)
+  file(READ ${ROOT}/${header} text)
+  string(REGEX MATCHALL "\n *(if constexpr \\([^\n]*\\)[ \n]+)?trace\\(" starts "${text}")
+  list(LENGTH starts count)
+  math(EXPR deleted "${deleted} + ${count}")
+  string(REGEX REPLACE "\n *(if constexpr \\([^\n]*\\)[ \n]+)?trace\\([^;]*\\);" "" text "${text}")
+  if(text MATCHES "[^a-z_]trace\\(")
+    message(FATAL_ERROR "${header}: a trace call is no line of its own, so it can't be deleted")
+  endif()
+  file(WRITE ${WORK}/untraced/${header} "${text}")
+endforeach()
+if(deleted EQUAL 0)
+  message(FATAL_ERROR "no trace lines found under ${ROOT}/core")
+endif()
+message(STATUS "deleted ${deleted} trace lines")
+
+# disassemble(variable include flag...): the machine code of the calls against the core in `include`.
+function(disassemble variable include)
+  string(MAKE_C_IDENTIFIER "${variable}${ARGN}" name)
+  execute_process(
+    COMMAND ${COMPILER} -std=c++20 -ffp-contract=off ${ARGN} -I${include} -isystem ${EIGEN}
+      -c ${CMAKE_CURRENT_LIST_DIR}/zero_cost_trace.cpp -o ${WORK}/${name}.o
+    COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND ${OBJDUMP} -dr --no-show-raw-insn ${WORK}/${name}.o
+    OUTPUT_VARIABLE code COMMAND_ERROR_IS_FATAL ANY)
+  string(REGEX REPLACE "^[^\n]*\n*[^\n]*file format[^\n]*\n" "" code "${code}")  # the file's name
+  set(${variable} "${code}" PARENT_SCOPE)
+endfunction()
+
+# operations(variable code): its instructions without addresses, register names, padding and register moves, sorted.
+function(operations variable code)
+  string(REPLACE ";" "," code "${code}")
+  string(REGEX REPLACE "\n[ \t]+[0-9a-f]+:[ \t]" "\n" code "${code}")             # where it stands
+  string(REGEX REPLACE "[0-9a-f]+ <[^>\n]*>" "" code "${code}")                   # where it jumps
+  string(REGEX REPLACE "%[a-z]+[0-9]*[dwb]?" "%" code "${code}")                  # its registers
+  string(REGEX REPLACE "-?0x[0-9a-f]+" "" code "${code}")                         # its offsets
+  string(REGEX REPLACE "[ \t]+" " " code "${code}")
+  string(REGEX REPLACE "\n(data16 |cs )*(nop|xchg)[^\n]*" "" code "${code}")      # padding
+  string(REGEX REPLACE "\nmov[a-z]* %,%" "" code "${code}")                       # register moves
+  string(REGEX REPLACE "\n+" ";" code "${code}")
+  list(SORT code)
+  set(${variable} "${code}" PARENT_SCOPE)
+endfunction()
+
+foreach(calls INTERSECT METHODS)
+  foreach(level -O2 -O3)
+    disassemble(traced ${ROOT} ${level} -D${calls})
+    disassemble(untraced ${WORK}/untraced ${level} -D${calls})
+    operations(traced_operations "${traced}")
+    operations(untraced_operations "${untraced}")
+    list(LENGTH traced_operations count)
+    if(count LESS 300)
+      message(FATAL_ERROR "${calls} ${level}: only ${count} operations: there is nothing to compare")
+    endif()
+
+    if(traced STREQUAL untraced)
+      message(STATUS "${calls} ${level}: ${count} operations, the same code byte for byte")
+    elseif(traced_operations STREQUAL untraced_operations)
+      message(STATUS "${calls} ${level}: ${count} operations, the same in another order")
+    else()
+      foreach(code traced untraced)
+        string(REPLACE ";" "\n" text "${${code}_operations}")
+        file(WRITE ${WORK}/${code}.s "${text}\n")
+      endforeach()
+      execute_process(COMMAND diff -U0 ${WORK}/untraced.s ${WORK}/traced.s OUTPUT_VARIABLE difference)
+      string(SUBSTRING "${difference}" 0 4000 difference)
+      message(FATAL_ERROR "${calls} ${level}: the trace lines change the operations\n${difference}")
+    endif()
+  endforeach()
+
+  disassemble(heard ${ROOT} -O2 -D${calls} -DLISTEN)
+  operations(heard_operations "${heard}")
+  if(heard_operations STREQUAL traced_operations)
+    message(FATAL_ERROR "${calls}: a listener changes nothing, so this test proves nothing")
+  endif()
+endforeach()

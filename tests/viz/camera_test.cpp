@@ -1,0 +1,70 @@
+#include "viz/camera.h"
+
+#include <Eigen/Geometry>
+
+#include "tests/catch.h"
+
+using namespace isect::viz;
+
+namespace {
+
+const Vec3 some_point = {0.3, -1.2, 2.1};
+
+Camera camera(bool perspective) {
+  Camera c;
+  c.target = {0.5, 1, -0.25};
+  c.perspective = perspective;
+  return c;
+}
+
+}  // namespace
+
+TEST_CASE("the target is drawn in the middle of the viewport", "[camera]") {
+  for (const bool perspective : {false, true}) {
+    const View view(camera(perspective), 640, 400, {10, 20});
+    const Projected p = view.project(camera(perspective).target);
+    CHECK(p.at.x() == Approx(330));
+    CHECK(p.at.y() == Approx(220));
+    CHECK(p.depth > 0);
+  }
+}
+
+TEST_CASE("half_height reaches from the middle to the top edge at the target", "[camera]") {
+  for (const bool perspective : {false, true}) {
+    const View view(camera(perspective), 640, 400);
+    const Vec3 top = view.camera().target + view.camera().half_height * view.up();
+    CHECK(view.project(top).at.y() == Approx(0).margin(1e-9));
+    CHECK(view.scale_at(view.camera().target) == Approx(200 / view.camera().half_height));
+  }
+}
+
+TEST_CASE("a sight line through a point's pixel runs through the point", "[camera]") {
+  for (const bool perspective : {false, true}) {
+    const View view(camera(perspective), 640, 400, {5, 7});
+    const View::SightLine line = view.sight_line(view.project(some_point).at);
+    CHECK(line.direction.norm() == Approx(1));
+    const Vec3 off = (some_point - line.origin).cross(line.direction);
+    CHECK(off.norm() < 1e-9);
+    CHECK((line.direction + view.towards_eye(some_point)).norm() < 1e-9);
+  }
+}
+
+TEST_CASE("dragging keeps a point on its plane that faces the viewer", "[camera]") {
+  for (const bool perspective : {false, true}) {
+    const View view(camera(perspective), 640, 400);
+    const Vec2 pixel = {123, 321};
+    const Vec3 moved = view.on_facing_plane(pixel, some_point);
+    CHECK((view.project(moved).at - pixel).norm() < 1e-9);
+    CHECK((moved - some_point).dot(view.forward()) == Approx(0).margin(1e-9));
+  }
+}
+
+TEST_CASE("y is up, x to the right and z towards the viewer at azimuth and elevation 0", "[camera]") {
+  Camera c;
+  c.azimuth = c.elevation = 0;
+  const View view(c, 100, 100);
+  CHECK((view.right() - Vec3::UnitX()).norm() < 1e-15);
+  CHECK((view.up() - Vec3::UnitY()).norm() < 1e-15);
+  CHECK((view.forward() + Vec3::UnitZ()).norm() < 1e-15);
+  CHECK(view.project({0, 1, 0}).at.y() < view.project({0, 0, 0}).at.y());
+}

@@ -1,0 +1,132 @@
+#include "viz/compose.h"
+
+#include <algorithm>
+
+#include "tests/catch.h"
+#include "viz/text.h"
+
+using namespace isect::viz;
+
+namespace {
+
+Scene crowded() {
+  Scene s;
+  s.items = {Ball{{0, 0, 0}, 1, Role::second}, Ball{{1.6, 0.2, 0.4}, 0.8, Role::first}};
+  for (int i = 0; i < 6; ++i) {
+    const Vec3 p = {0.12 * i - 0.3, 0.05 * i, 0};
+    s.items.push_back(Dot{p, Mark::disc, Role::text});
+    s.items.push_back(Label{p, "*t*_" + std::to_string(i), Role::text});
+  }
+  s.items.push_back(Line{{-2, -1, 0}, {2, 1, 0}, Role::first, Pen::solid});
+  s.items.push_back(Label{{-2, -1, 0}, "*q*", Role::text, Vec3(2, 1, 0)});
+  return s;
+}
+
+bool meet(const TextBox& a, const TextBox& b) {
+  return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+}
+
+template <class T>
+std::vector<T> all(const std::vector<Shape>& shapes) {
+  std::vector<T> found;
+  for (const Shape& s : shapes)
+    if (const T* t = std::get_if<T>(&s)) found.push_back(*t);
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("labels of a crowded scene neither meet nor leave the picture", "[compose]") {
+  const Scene scene = crowded();
+  for (const auto& [w, h] : {std::pair{480.0, 360.0}, {960.0, 600.0}, {1920.0, 1080.0}}) {
+    const Camera camera = frame({}, {&scene}, w / h);
+    const Composed composed = compose(scene, View(camera, w, h), theme(ThemeName::screen, w, h));
+    REQUIRE(composed.labels.size() == 7);
+    for (std::size_t i = 0; i < composed.labels.size(); ++i) {
+      const TextBox& b = composed.labels[i].box;
+      CHECK(b.left >= 0);
+      CHECK(b.top >= 0);
+      CHECK(b.right <= w);
+      CHECK(b.bottom <= h);
+      for (std::size_t j = 0; j < i; ++j) CHECK_FALSE(meet(b, composed.labels[j].box));
+    }
+  }
+}
+
+TEST_CASE("the placed box is the box that the drawn text covers", "[compose]") {
+  const Scene scene = crowded();
+  const Composed composed = compose(scene, View(frame({}, {&scene}, 1.6), 960, 600), theme(ThemeName::print, 960, 600));
+  const std::vector<Text> texts = all<Text>(composed.shapes);
+  REQUIRE(texts.size() == composed.labels.size());
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    const TextBox box = measure(texts[i]);
+    CHECK(box.left == Approx(composed.labels[i].box.left));
+    CHECK(box.bottom == Approx(composed.labels[i].box.bottom));
+  }
+}
+
+TEST_CASE("framing keeps every item inside, whatever the shape of the picture", "[compose]") {
+  const Scene scene = crowded();
+  for (const double aspect : {0.5, 1.0, 2.5}) {
+    for (const bool perspective : {false, true}) {
+      Camera start;
+      start.perspective = perspective;
+      const View view(frame(start, {&scene}, aspect), 600 * aspect, 600);
+      for (const Item& item : scene.items) {
+        const Ball* ball = std::get_if<Ball>(&item);
+        if (ball == nullptr) continue;
+        for (const Vec3& d : {view.right(), view.up()}) {
+          for (const double side : {-1.0, 1.0}) {
+            const Vec2 p = view.project(ball->center + side * ball->radius * d).at;
+            CHECK(p.x() > 0);
+            CHECK(p.x() < view.width());
+            CHECK(p.y() > 0);
+            CHECK(p.y() < view.height());
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("a line through a ball is dashed where it is hidden and solid elsewhere", "[compose]") {
+  Scene scene;
+  scene.items = {Ball{{0, 0, 0}, 1, Role::second}, Line{{-3, 0, 0}, {3, 0, 0}, Role::first, Pen::solid}};
+  const Theme style = theme(ThemeName::print, 960, 600);
+  const View view(frame({}, {&scene}, 1.6), 960, 600);
+  const Composed composed = compose(scene, view, style);
+  double dashed = 0, solid = 0;
+  for (const Stroke& s : all<Stroke>(composed.shapes)) {
+    if (s.colour.b != style.ink(Role::first).b) continue;
+    const double length = (std::get<Vec2>(s.path.segments.back()) - s.path.start).norm();
+    (s.dash[0] > 0 ? dashed : solid) += length;
+  }
+  CHECK(dashed > 0);
+  CHECK(solid > dashed);
+  CHECK(dashed + solid == Approx((view.project({3, 0, 0}).at - view.project({-3, 0, 0}).at).norm()));
+}
+
+TEST_CASE("grey print hatches the second object, other themes shade it", "[compose]") {
+  Scene scene;
+  scene.items = {Ball{{0, 0, 0}, 1, Role::second}};
+  const View view(frame({}, {&scene}, 1.6), 960, 600);
+  const auto hatched = [&](ThemeName name) {
+    const std::vector<Fill> fills = all<Fill>(compose(scene, view, theme(name, 960, 600)).shapes);
+    return std::any_of(fills.begin(), fills.end(), [](const Fill& f) { return f.hatch_gap > 0; });
+  };
+  CHECK(hatched(ThemeName::grey));
+  CHECK_FALSE(hatched(ThemeName::print));
+  CHECK_FALSE(hatched(ThemeName::dark));
+}
+
+TEST_CASE("a figure's picture stands still when formula and verdict come and go", "[compose]") {
+  Step bare, full;
+  bare.scene = full.scene = crowded();
+  full.formula = "*q*^2 = *r*^2 − *m*^2";
+  full.verdict = {Verdict::Kind::yes, "hit"};
+  const Camera camera = frame({}, {&bare.scene}, 1.6);
+  const View a = figure(bare, camera, ThemeName::print, 960, 600).view;
+  const View b = figure(full, camera, ThemeName::print, 960, 600).view;
+  CHECK(a.height() == b.height());
+  CHECK((a.corner() - b.corner()).norm() == 0);
+}

@@ -1,0 +1,133 @@
+// Parameters and names: what goes in by text, by hand and by JSON, and how a wrong one is refused.
+
+#include "viz/lesson.h"
+
+#include <cmath>
+#include <limits>
+
+#include "tests/catch.h"
+#include "tests/viz/toy_lesson.h"
+
+using namespace isect::viz;
+using Catch::Matchers::Contains;
+using isect::test::toy;
+
+TEST_CASE("the nearest name is the one with the fewest edits", "[lesson]") {
+  CHECK(nearest("tangnt", {"two-roots", "tangent", "miss"}) == "tangent");
+  CHECK(nearest("Tangent", {"two-roots", "tangent", "miss"}) == "tangent");
+  CHECK(nearest("ceter", {"center", "meter"}) == "center");
+  CHECK(nearest("gray", {"screen", "print", "grey", "dark"}) == "grey");
+  CHECK(nearest("pirnt", {"point", "print"}) == "print");  // swapped neighbours count once
+  CHECK(nearest("", {"a"}) == "a");
+  CHECK(nearest("anything", {}).empty());
+}
+
+TEST_CASE("an unknown name is answered with field, word, nearest and all that is allowed", "[lesson]") {
+  const std::string what = unknown("theme", "gray", {"print", "grey"}).what();
+  CHECK_THAT(what, Contains("theme") && Contains("\"gray\"") && Contains("mean \"grey\"") &&
+                       Contains("print, grey"));
+  CHECK_THAT(unknown("lesson", "x", {}).what(), Contains("lesson") && Contains("none"));
+}
+
+TEST_CASE("a preset is found by its id", "[lesson]") {
+  CHECK(preset(toy(), "far").title == "far away");
+  CHECK_THROWS_WITH(preset(toy(), "fra"), Contains("\"fra\"") && Contains("mean \"far\""));
+}
+
+TEST_CASE("set reads numbers, points and choices", "[lesson]") {
+  Parameters p = toy().presets[0].parameters;
+  set(toy(), p, "radius", "2.5");
+  set(toy(), p, "origin", "1,-2e1,+0.5");
+  set(toy(), p, "method", "exact");
+  CHECK(std::get<double>(p["radius"]) == 2.5);
+  CHECK(std::get<Vec3>(p["origin"]) == Vec3(1, -20, 0.5));
+  CHECK(std::get<std::string>(p["method"]) == "exact");
+}
+
+TEST_CASE("set refuses what is no value of the parameter and changes nothing", "[lesson]") {
+  const Parameters before = toy().presets[0].parameters;
+  Parameters p = before;
+  for (const char* text :
+       {"", "abc", "1,2,3", "1x", " 1", "nan", "inf", "-inf", "1e999", "-1", "101", "0x10", "+-1"}) {
+    INFO(text);
+    CHECK_THROWS_WITH(set(toy(), p, "radius", text), Contains("radius") && Contains("from 0 to 100"));
+  }
+  for (const char* text : {"", "1", "1,2", "1,2,3,4", "1,,3", "1,2,x", "1,2,nan", "1,2,51", "1, 2, 3"}) {
+    INFO(text);
+    CHECK_THROWS_WITH(set(toy(), p, "origin", text), Contains("origin") && Contains("three numbers"));
+  }
+  CHECK_THROWS_WITH(set(toy(), p, "method", "exat"), Contains("method") && Contains("mean \"exact\""));
+  CHECK_THROWS_WITH(set(toy(), p, "radus", "1"), Contains("parameter") && Contains("mean \"radius\""));
+  CHECK(p == before);
+}
+
+TEST_CASE("set reads back exactly what to_text writes", "[lesson]") {
+  Parameters p = toy().presets[0].parameters;
+  for (const double x : {0.1, 1.0 / 3, 5e-324, 99.99999999999999, 1e-17}) {
+    set(toy(), p, "radius", to_text(Setting(x)));
+    CHECK(std::get<double>(p["radius"]) == x);
+  }
+  const Vec3 v(0.1, -1.0 / 3, 1e-300);
+  set(toy(), p, "origin", to_text(Setting(v)));
+  CHECK(std::get<Vec3>(p["origin"]) == v);
+  CHECK(to_text(Setting(2.0)) == "2");
+  CHECK(to_text(Setting(Vec3(1, 0.5, -2))) == "1,0.5,-2");
+}
+
+TEST_CASE("validate wants every parameter, its type and its range, and nothing else", "[lesson]") {
+  const Parameters good = toy().presets[0].parameters;
+  CHECK_NOTHROW(validate(toy(), good));
+  const auto changed = [&](const std::string& name, const Setting& value) {
+    Parameters p = good;
+    p.insert_or_assign(name, value);
+    return p;
+  };
+  Parameters missing = good;
+  missing.erase("origin");
+  CHECK_THROWS_WITH(validate(toy(), missing), Contains("origin") && Contains("missing"));
+  CHECK_THROWS_WITH(validate(toy(), changed("radius", std::string("x"))), Contains("radius"));
+  CHECK_THROWS_WITH(validate(toy(), changed("radius", NAN)), Contains("radius"));
+  CHECK_THROWS_WITH(validate(toy(), changed("radius", 100.5)), Contains("radius"));
+  CHECK_THROWS_WITH(validate(toy(), changed("origin", 1.0)), Contains("origin"));
+  CHECK_THROWS_WITH(validate(toy(), changed("method", std::string("fast"))), Contains("method"));
+  CHECK_THROWS_WITH(validate(toy(), changed("method", 1.0)), Contains("method") && Contains("exact"));
+  CHECK_THROWS_WITH(validate(toy(), changed("orign", Vec3(0, 0, 0))), Contains("mean \"origin\""));
+}
+
+TEST_CASE("dragging a handle moves its parameter and stops at the range's end", "[lesson]") {
+  Parameters p = toy().presets[0].parameters;
+  const Vec3 anchor(1, 1, 1);
+  drag(toy(), p, {"origin", Handle::Kind::point, {}}, Vec3(3, 4, -60));
+  CHECK(std::get<Vec3>(p["origin"]) == Vec3(3, 4, -50));
+  drag(toy(), p, {"origin", Handle::Kind::vector, {}, anchor}, Vec3(3, 4, 5));
+  CHECK(std::get<Vec3>(p["origin"]) == Vec3(2, 3, 4));
+  drag(toy(), p, {"radius", Handle::Kind::length, {}, anchor}, Vec3(1, 4, 5));
+  CHECK(std::get<double>(p["radius"]) == 5);
+  drag(toy(), p, {"radius", Handle::Kind::length, {}, anchor}, Vec3(1, 400, 1));
+  CHECK(std::get<double>(p["radius"]) == 100);
+
+  const Parameters before = p;
+  drag(toy(), p, {"origin", Handle::Kind::point, {}}, Vec3(NAN, 0, 0));
+  CHECK(p == before);
+  CHECK_THROWS_AS(drag(toy(), p, {"nothing", Handle::Kind::point, {}}, anchor), BadInput);
+}
+
+TEST_CASE("numbers are shown with about five digits, a real minus and thin spaces", "[lesson]") {
+  CHECK(shown(0) == "0");
+  CHECK(shown(-0.0) == "0");
+  CHECK(shown(2) == "2");
+  CHECK(shown(-1.5) == "−1.5");
+  CHECK(shown(1.0 / 3) == "0.33333");
+  CHECK(shown(4.4721359) == "4.4721");
+  CHECK(shown(100) == "100");
+  CHECK(shown(9.99999) == "10");
+  CHECK(shown(99999.7) == "100\u2009000");
+  CHECK(shown(26654) == "26\u2009654");
+  CHECK(shown(1234567) == "1\u2009234\u2009567");
+  CHECK(shown(0.00012345) == "0.00012345");
+  CHECK(shown(1.5e-7) == "1.5\u2009·\u200910⁻⁷");
+  CHECK(shown(-1e300) == "−1\u2009·\u200910³⁰⁰");
+  CHECK(shown(std::numeric_limits<double>::infinity()) == "∞");
+  CHECK(shown(-std::numeric_limits<double>::infinity()) == "−∞");
+  CHECK(shown(NAN) == "NaN");
+}

@@ -1,0 +1,310 @@
+#include "viz/player.h"
+
+#include "tests/catch.h"
+#include "tests/viz/sample_lesson.h"
+#include "viz/compose.h"
+
+using namespace isect::viz;
+
+namespace {
+
+const Lesson disc = sample::lesson(), ball = sample::other_lesson();
+const std::vector<const Lesson*> both = {&disc, &ball};
+
+Vec3 point_of(const Player& player, const std::string& name) { return std::get<Vec3>(player.parameters().at(name)); }
+double radius_of(const Player& player) { return std::get<double>(player.parameters().at("r")); }
+
+Handle handle(const Player& player, const std::string& name) {
+  for (const Handle& h : player.step().scene.handles)
+    if (h.parameter == name) return h;
+  throw std::runtime_error("no handle " + name);
+}
+
+}  // namespace
+
+TEST_CASE("a player starts paused at the first step of the first lesson's first preset", "[player]") {
+  const Player player(both);
+  CHECK(player.lesson().id == "point-disc");
+  CHECK(player.preset_id() == "squared-inside");
+  CHECK(player.index() == 0);
+  CHECK(player.count() == 5);
+  CHECK_FALSE(player.playing());
+  CHECK(player.asked() == nullptr);
+}
+
+TEST_CASE("a place opens lesson, preset, step, parameters and camera", "[player]") {
+  Place place;
+  place.lesson = "point-ball";
+  place.step = 2;
+  place.parameters = sample::parameters("distance", {3, 0, 0}, {1, 0, 0}, 2.5);
+  place.camera = Camera{};
+  place.camera->half_height = 7;
+  const Player player(both, place);
+  CHECK(player.lesson().id == "point-ball");
+  CHECK(player.preset_id().empty());
+  CHECK(player.index() == 2);
+  CHECK(player.method() == "distance");
+  CHECK(player.camera().now().half_height == 7);
+  CHECK((*player.place().parameters == *place.parameters));
+}
+
+TEST_CASE("a place that is none is refused and nothing changes", "[player]") {
+  Place place;
+  place.lesson = "point-dis";
+  CHECK_THROWS_AS(Player(both, place), BadInput);
+
+  Player player(both);
+  player.go_to(1);
+  CHECK_THROWS_AS(player.go(place), BadInput);
+  place.lesson = "point-ball";
+  place.preset = "nowhere";
+  CHECK_THROWS_AS(player.go(place), BadInput);
+  place.preset.clear();
+  place.parameters = sample::parameters("squared", {0, 0, 0}, {0, 0, 0}, -1);
+  CHECK_THROWS_AS(player.go(place), BadInput);
+  CHECK(player.lesson().id == "point-disc");
+  CHECK(player.index() == 1);
+  CHECK_FALSE(player.undo());
+}
+
+TEST_CASE("stepping stops at both ends", "[player]") {
+  Player player(both);
+  player.back();
+  CHECK(player.index() == 0);
+  player.last();
+  CHECK(player.at_end());
+  player.next();
+  CHECK(player.index() == 4);
+  player.go_to(99);
+  CHECK(player.index() == 4);
+  player.go_to(-3);
+  CHECK(player.index() == 0);
+}
+
+TEST_CASE("a question is asked before its step, and stepping on skips it", "[player]") {
+  Player player(both);
+  player.go_to(1);
+  player.next();
+  REQUIRE(player.asked());
+  CHECK(player.asked()->prompt == "Where is **p**?");
+  CHECK(player.index() == 1);
+  player.next();
+  CHECK(player.index() == 2);
+  CHECK_FALSE(player.asked());
+  CHECK_FALSE(player.answered());
+}
+
+TEST_CASE("an answer shows the step, and whether it was right", "[player]") {
+  Player player(both);
+  player.go_to(1);
+  player.next();
+  player.answer(7);  // no such choice
+  REQUIRE(player.asked());
+  player.answer(1);
+  CHECK(player.index() == 2);
+  REQUIRE(player.answered());
+  CHECK_FALSE(player.answered()->right());
+  CHECK(player.answered()->question->answer == 0);
+
+  player.restart();
+  CHECK_FALSE(player.answered());
+  player.go_to(1);
+  player.next();
+  player.answer(0);
+  CHECK(player.answered()->right());
+  player.back();
+  player.next();
+  CHECK(player.index() == 2);  // it is not asked twice
+}
+
+TEST_CASE("stepping back withdraws a question", "[player]") {
+  Player player(both);
+  player.go_to(1);
+  player.next();
+  player.back();
+  CHECK(player.index() == 1);
+  CHECK_FALSE(player.asked());
+}
+
+TEST_CASE("play takes 1.6 s a step, waits for answers, and ends with the walk", "[player]") {
+  Player player(both);
+  player.toggle_play();
+  player.advance(1.5);
+  CHECK(player.index() == 0);
+  player.advance(0.2);
+  CHECK(player.index() == 1);
+  player.advance(1.7);
+  REQUIRE(player.asked());
+  for (int i = 0; i < 10; ++i) player.advance(1.7);
+  CHECK(player.index() == 1);
+  player.answer(0);
+  player.set_speed(2);
+  player.advance(0.9);
+  CHECK(player.index() == 3);
+  player.advance(0.9);
+  CHECK(player.index() == 4);
+  CHECK_FALSE(player.playing());
+  player.toggle_play();
+  CHECK(player.index() == 0);
+  CHECK(player.playing());
+}
+
+TEST_CASE("the speed goes round from 0.5x to 2x", "[player]") {
+  Player player(both);
+  std::vector<double> speeds;
+  for (int i = 0; i < 5; ++i) {
+    speeds.push_back(player.speed());
+    player.next_speed();
+  }
+  CHECK(speeds == std::vector<double>{1, 1.5, 2, 0.5, 1});
+}
+
+TEST_CASE("presets of the present group are offered, and another method keeps the case", "[player]") {
+  Player player(both);
+  REQUIRE(player.group().size() == 3);
+  player.load(*player.group()[1]);
+  CHECK(player.preset_id() == "squared-outside");
+  CHECK(player.step().slug == "way");
+  CHECK(player.count() == 4);
+
+  REQUIRE(player.methods().size() == 2);
+  CHECK(player.methods()[1].title == "By distance");
+  player.load_method("distance");
+  CHECK(player.preset_id() == "distance-outside");
+  CHECK(player.group()[1]->id == "distance-outside");
+  CHECK_THROWS_AS(player.load_method("guess"), BadInput);
+  CHECK(player.method() == "distance");
+}
+
+TEST_CASE("parameters changed by hand are no preset, until they are one again", "[player]") {
+  Player player(both);
+  player.edit("r", 1.0);
+  CHECK(player.preset_id().empty());
+  CHECK(player.place().preset.empty());
+  player.edit("r", 1.5);
+  CHECK(player.preset_id() == "squared-inside");
+  CHECK_THROWS_AS(player.edit("r", -1.0), BadInput);
+  CHECK_THROWS_AS(player.edit("q", 1.0), BadInput);
+  CHECK_THROWS_AS(player.edit("r", Vec3(1, 1, 1)), BadInput);
+  CHECK(radius_of(player) == 1.5);
+}
+
+TEST_CASE("a dragged handle moves its parameter, and the walk follows at once", "[player]") {
+  Player player(both);
+  player.last();
+  CHECK(player.step().verdict.kind == Verdict::Kind::yes);
+  player.drag_handle(handle(player, "p"), {4, 0, 0});
+  CHECK(point_of(player, "p") == Vec3(4, 0, 0));
+  CHECK(player.step().verdict.kind == Verdict::Kind::no);
+  CHECK(player.at_end());
+  player.drag_handle(handle(player, "r"), {0, 5, 0});
+  CHECK(radius_of(player) == 5);
+  CHECK(player.step().verdict.kind == Verdict::Kind::yes);
+  CHECK(player.step().slug == "end");  // who stood at the end stays there, however long the walk becomes
+}
+
+TEST_CASE("a step that a drag took away comes back with its walk", "[player]") {
+  Player player(both);
+  player.go_to(3);
+  CHECK(player.step().slug == "in");
+  player.drag_handle(handle(player, "p"), {4, 0, 0});
+  CHECK(player.step().slug == "out");
+  player.drag_handle(handle(player, "p"), {0, 0, 0});
+  CHECK(player.step().slug == "in");
+}
+
+TEST_CASE("restart returns to the preset loaded last", "[player]") {
+  Player player(both);
+  player.load(*player.group()[2]);
+  player.edit("r", 4.0);
+  player.last();
+  player.restart();
+  CHECK(player.preset_id() == "squared-on");
+  CHECK(player.index() == 0);
+}
+
+TEST_CASE("the lessons before and after go round", "[player]") {
+  Player player(both);
+  player.open_neighbour(1);
+  CHECK(player.lesson().id == "point-ball");
+  player.open_neighbour(1);
+  CHECK(player.lesson().id == "point-disc");
+  player.open_neighbour(-1);
+  CHECK(player.lesson().id == "point-ball");
+}
+
+TEST_CASE("undo takes changes back one by one, a run of the same as one", "[player]") {
+  Player player(both, {}, true);
+  const Camera home = player.camera().now();
+  player.load(*player.group()[1]);
+  player.orbit({40, 0});
+  player.orbit({40, 10});
+  player.end_action();
+  player.orbit({-5, 0});
+  player.open_neighbour(1);
+
+  REQUIRE(player.undo());
+  CHECK(player.lesson().id == "point-disc");
+  CHECK(player.preset_id() == "squared-outside");
+  REQUIRE(player.undo());
+  REQUIRE(player.undo());
+  CHECK(player.camera().now().azimuth == home.azimuth);
+  CHECK(player.camera().now().elevation == home.elevation);
+  REQUIRE(player.undo());
+  CHECK(player.preset_id() == "squared-inside");
+  CHECK_FALSE(player.undo());
+}
+
+TEST_CASE("zoom keeps the point under the pointer, pan moves it with the pointer", "[player]") {
+  const bool perspective = GENERATE(false, true);
+  Player player(both, {}, true);
+  player.set_aspect(1.5);
+  player.set_perspective(perspective);
+  const Vec2 at(130, 440), to(300, 120);
+  const auto view = [&] { return View(player.camera().now(), 900, 600); };
+  const Vec3 there = view().on_facing_plane(at, player.camera().now().target);
+  player.zoom(view(), at, 1.7);
+  CHECK((view().project(there).at - at).norm() < 1e-6);
+  player.pan(view(), at, to);
+  CHECK((view().project(there).at - to).norm() < 1e-6);
+}
+
+TEST_CASE("a glide starts and ends where it should, and is a valid view on its way", "[player]") {
+  Player player(both);
+  player.set_aspect(1.5);
+  const Camera from = player.camera().now();
+  player.set_perspective(true);
+  CHECK(player.camera().goal().perspective);
+  double last_opening = 0;
+  for (int i = 0; i < 34; ++i) {
+    player.advance(0.01);
+    const Camera& now = player.camera().now();
+    CHECK(now.half_height == Approx(from.half_height));
+    CHECK(now.field_of_view >= last_opening);
+    last_opening = now.field_of_view;
+  }
+  CHECK(player.camera().moving());
+  player.advance(0.02);
+  CHECK_FALSE(player.camera().moving());
+  CHECK(player.camera().now().field_of_view == from.field_of_view);
+}
+
+TEST_CASE("orbit stops straight above and straight below", "[player]") {
+  Player player(both, {}, true);
+  player.orbit({0, 1e5});
+  CHECK(player.camera().now().elevation == Approx(std::numbers::pi / 2));
+  player.orbit({0, -1e5});
+  CHECK(player.camera().now().elevation == Approx(-std::numbers::pi / 2));
+}
+
+TEST_CASE("a view nobody has moved follows the window's shape, one that was moved does not", "[player]") {
+  Player player(both, {}, true);
+  player.set_aspect(2);
+  const double wide = player.camera().now().half_height;
+  player.set_aspect(0.25);
+  CHECK(player.camera().now().half_height > wide);
+  player.orbit({10, 0});
+  const double kept = player.camera().now().half_height;
+  player.set_aspect(2);
+  CHECK(player.camera().now().half_height == kept);
+}

@@ -1,0 +1,104 @@
+#include "viz/visibility.h"
+
+#include <Eigen/Geometry>
+
+#include "core/ray_sphere.h"
+#include "tests/catch.h"
+
+using namespace isect;
+using namespace isect::viz;
+
+namespace {
+
+View view_of(bool perspective) {
+  Camera c;
+  c.perspective = perspective;
+  c.target = {0.2, 0.1, 0};
+  return {c, 480, 300};
+}
+
+/// Whether the core's own ray through this pixel meets the ball.
+bool meets(const View& view, const Vec2& pixel, const Ball& ball) {
+  const View::SightLine line = view.sight_line(pixel);
+  return static_cast<bool>(intersect(Ray<double, 3>{line.origin, line.direction}, Sphere<double, 3>{ball.center, ball.radius}));
+}
+
+bool inside(const Outline& o, const Vec2& p) {
+  const Vec2 d = p - o.center;
+  const double u = d.dot(o.major) / o.major.squaredNorm(), v = d.dot(o.minor) / o.minor.squaredNorm();
+  return u * u + v * v <= 1;
+}
+
+}  // namespace
+
+TEST_CASE("a ball's outline is where the core's rays begin to meet it, pixel by pixel", "[visibility]") {
+  for (const bool perspective : {false, true}) {
+    const View view = view_of(perspective);
+    for (const Ball& ball : {Ball{{0, 0, 0}, 1}, Ball{{2, 1, -1}, 0.7}, Ball{{-1.5, -1, 2}, 0.4}}) {
+      const Outline o = outline(ball, view);
+      int differ = 0, met = 0;
+      for (int y = 0; y < 300; ++y) {
+        for (int x = 0; x < 480; ++x) {
+          const Vec2 pixel = {x + 0.5, y + 0.5};
+          const bool hit = meets(view, pixel, ball);
+          met += hit;
+          if (hit == inside(o, pixel)) continue;
+          // Only rounding on the outline itself may tell them apart.
+          const Vec2 d = pixel - o.center;
+          const double u = d.dot(o.major) / o.major.squaredNorm(), v = d.dot(o.minor) / o.minor.squaredNorm();
+          CHECK(std::abs(std::hypot(u, v) - 1) < 1e-9);
+          ++differ;
+        }
+      }
+      CHECK(met > 500);
+      CHECK(differ <= 2);
+    }
+  }
+}
+
+TEST_CASE("a segment behind a ball is hidden between the outline's two crossings", "[visibility]") {
+  const View view = view_of(false);
+  const std::vector<Ball> balls = {{{0, 0, 0}, 1}};
+  const Vec3 back = 3 * view.forward(), side = 2 * view.right();
+  const std::vector<Stretch> parts = stretches(back - side, back + side, view, balls);
+  REQUIRE(parts.size() == 3);
+  CHECK_FALSE(parts[0].hidden);
+  CHECK(parts[1].hidden);
+  CHECK_FALSE(parts[2].hidden);
+  const Vec3 cut = parts[1].points.front() - back;
+  CHECK(cut.dot(view.right()) == Approx(-1).epsilon(1e-6));
+  CHECK((parts[0].points.back() - parts[1].points.front()).norm() < 1e-9);
+}
+
+TEST_CASE("nothing in front of a ball is hidden, everything inside it is", "[visibility]") {
+  for (const bool perspective : {false, true}) {
+    const View view = view_of(perspective);
+    const std::vector<Ball> balls = {{{0, 0, 0}, 1}};
+    CHECK_FALSE(hidden(-2 * view.forward(), view, balls));
+    CHECK(hidden(Vec3::Zero(), view, balls));
+    CHECK(hidden(2 * view.forward(), view, balls));
+    CHECK_FALSE(hidden(2 * view.forward() + 3 * view.right(), view, balls));
+  }
+}
+
+TEST_CASE("a point on the near side of the surface is visible, on the far side hidden", "[visibility]") {
+  const View view = view_of(false);
+  const std::vector<Ball> balls = {{{0.3, 0.1, -0.2}, 1.5}};
+  for (int i = 1; i < 40; ++i) {
+    const double angle = 0.1 + 0.08 * i;  // from facing the eye to facing away
+    const Vec3 n = -std::cos(angle) * view.forward() + std::sin(angle) * view.right();
+    const Vec3 p = balls[0].center + balls[0].radius * n;
+    if (std::abs(std::cos(angle)) > 1e-3) CHECK(hidden(p, view, balls) == (std::cos(angle) < 0));
+  }
+}
+
+TEST_CASE("half of a ball's equator is hidden by the ball itself", "[visibility]") {
+  const View view = view_of(false);
+  const std::vector<Ball> balls = {{{0, 0, 0}, 1}};
+  double length[2] = {0, 0};
+  for (const Stretch& part : stretches(Vec3::Zero(), Vec3::UnitX(), Vec3::UnitZ(), view, balls, 0))
+    for (std::size_t i = 1; i < part.points.size(); ++i)
+      length[part.hidden] += (part.points[i] - part.points[i - 1]).norm();
+  CHECK(length[0] == Approx(std::numbers::pi).epsilon(1e-3));
+  CHECK(length[1] == Approx(std::numbers::pi).epsilon(1e-3));
+}

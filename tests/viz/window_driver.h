@@ -1,0 +1,140 @@
+#pragma once
+// The whole window without a display: an off-screen context, and hands on Dear ImGui's input. As in life, hover, down
+// and up are frames of their own.
+
+#include <glad/gl.h>
+#include <imgui.h>
+
+#include <cstring>
+#include <functional>
+#include <stdexcept>
+
+#include "viz/files.h"
+#include "viz/offscreen.h"
+#include "viz/window/key_codes.h"
+#include "viz/window/window_ui.h"
+
+namespace isect::viz {
+
+class WindowDriver {
+ public:
+  WindowDriver(const std::vector<const Lesson*>& lessons, float width = 1280, float height = 800, const Place& at = {},
+               const Settings& settings = {}, const WindowOptions& options = {.reduced_motion = true})
+      : ui(lessons, at, offscreen.renderer(), settings, options), scale_(static_cast<float>(options.scale)) {
+    resize(width, height);
+    ImGui::GetIO().MousePos = {-1, -1};
+    frames(3);
+  }
+
+  void resize(float width, float height) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = {width, height};
+    io.DisplayFramebufferScale = {scale_, scale_};
+  }
+  void frames(int n = 1) {
+    for (int i = 0; i < n; ++i) {
+      ImGui::GetIO().DeltaTime = 1.0f / 60;
+      ui.frame();
+    }
+  }
+  /// Lets time pass in one frame.
+  void wait(float seconds) {
+    ImGui::GetIO().DeltaTime = seconds;
+    ui.frame();
+  }
+
+  Rect rect(const std::string& name) const {
+    const auto found = ui.rects().find(name);
+    if (found == ui.rects().end()) throw std::runtime_error("no widget is called " + name);
+    return found->second;
+  }
+  bool has(const std::string& name) const { return ui.rects().contains(name); }
+
+  void move(float x, float y) {
+    ImGui::GetIO().MousePos = {x, y};
+    frames();
+  }
+  void button(bool down, int which = 0) {
+    ImGui::GetIO().MouseDown[which] = down;
+    frames();
+  }
+  void click(float x, float y) {
+    move(x, y);
+    button(true);
+    button(false);
+    frames();
+  }
+  void click(const std::string& name) {
+    const Rect r = rect(name);
+    click(r.middle_x(), r.middle_y());
+  }
+  /// Takes hold at one point and lets go at another, by way of the middle.
+  void drag(float x0, float y0, float x1, float y1, int which = 0) {
+    move(x0, y0);
+    button(true, which);
+    move((x0 + x1) / 2, (y0 + y1) / 2);
+    move(x1, y1);
+    button(false, which);
+  }
+  void drag(const std::string& name, float dx, float dy) {
+    const Rect r = rect(name);
+    drag(r.middle_x(), r.middle_y(), r.middle_x() + dx, r.middle_y() + dy);
+  }
+  void wheel(float turns) {
+    ImGui::GetIO().MouseWheel = turns;
+    frames();
+  }
+
+  /// A key that types nothing, or with Ctrl.
+  void key(int code, bool control = false) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.KeyCtrl = control;
+    io.KeyMods = control ? ImGuiKeyModFlags_Ctrl : ImGuiKeyModFlags_None;
+    io.KeysDown[code] = true;
+    frames();
+    io.KeysDown[code] = false;
+    io.KeyCtrl = false;
+    io.KeyMods = ImGuiKeyModFlags_None;
+    frames();
+  }
+  void type(const std::string& characters) {
+    ImGui::GetIO().AddInputCharactersUTF8(characters.c_str());
+    frames(2);
+  }
+
+  /// What the window looks like now.
+  Picture picture() {
+    const ImGuiIO& io = ImGui::GetIO();
+    const int width = static_cast<int>(io.DisplaySize.x * scale_), height = static_cast<int>(io.DisplaySize.y * scale_);
+    unsigned framebuffer = 0, colour = 0;
+    glGenFramebuffers(1, &framebuffer);
+    glGenRenderbuffers(1, &colour);
+    glBindRenderbuffer(GL_RENDERBUFFER, colour);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width, height);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour);
+    ui.draw(framebuffer);
+
+    const std::size_t row = static_cast<std::size_t>(width) * 4;
+    std::vector<std::uint8_t> upwards(row * height);
+    Picture picture{width, height, std::vector<std::uint8_t>(upwards.size())};
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, upwards.data());
+    for (int y = 0; y < height; ++y)
+      std::memcpy(picture.rgba.data() + y * row, upwards.data() + (height - 1 - y) * row, row);
+    for (std::size_t i = 3; i < picture.rgba.size(); i += 4) picture.rgba[i] = 255;
+    glDeleteRenderbuffers(1, &colour);
+    glDeleteFramebuffers(1, &framebuffer);
+    return picture;
+  }
+
+  Player& player() { return ui.player(); }
+
+  Offscreen offscreen;
+  WindowUi ui;
+
+ private:
+  float scale_;
+};
+
+}  // namespace isect::viz

@@ -1,0 +1,101 @@
+#include "viz/batch.h"
+
+#include <algorithm>
+
+namespace isect::viz {
+namespace {
+
+constexpr double tolerance_px = 0.08;
+
+/// A line thinner than a pixel would fall between the samples: it is drawn a pixel wide and as much fainter.
+struct Nib {
+  double width;
+  Colour colour;
+};
+Nib visible(double width, const Colour& colour, double scale) {
+  const double pixels = width * scale;
+  if (!(pixels > 0 && pixels < 1)) return {width, colour};
+  return {1 / scale, colour.with_alpha(colour.a * pixels)};
+}
+
+Vertex vertex(const Vec2& p, const Vec2& uv, const Colour& c) {
+  const auto f = [](double x) { return static_cast<float>(x); };
+  return {f(p.x()), f(p.y()), f(uv.x()), f(uv.y()), f(c.r), f(c.g), f(c.b), f(c.a)};
+}
+
+/// A focus on the rim would make the colour undefined there.
+Vec2 well_inside(const Vec2& focus) {
+  constexpr double most = 0.99;
+  if (!focus.allFinite()) return Vec2::Zero();
+  return focus.norm() > most ? Vec2(focus * (most / focus.norm())) : focus;
+}
+
+}  // namespace
+
+void Batch::add(const Fill& fill) {
+  const std::vector<Vec2> outline = flat(fill.path, tolerance_px / scale_).points;
+  if (outline.size() < 3) return;
+  const Nib nib = visible(fill.hatch_line, fill.hatch_colour, scale_);
+  const Box box = bounds(outline);
+  const Triangles lines = hatch(box, fill.hatch_gap, nib.width);
+  const Triangles triangles = triangulated(outline);
+  if (lines.empty() && is_convex(outline)) return add(Pass::paint, triangles, fill.colour);
+
+  add(Pass::winding, triangles, {});
+  if (lines.empty()) return add(Pass::finish, cover(box), fill.colour);
+  add(Pass::inside, cover(box), fill.colour);
+  add(Pass::inside, lines, nib.colour);
+  add(Pass::wipe, cover(box), {});
+}
+
+void Batch::add(const Stroke& s) {
+  const double tolerance = tolerance_px / scale_;
+  const Nib nib = visible(s.width, s.colour, scale_);
+  Triangles triangles;
+  for (const Polyline& line : dashes(flat(s.path, tolerance), s.dash)) {
+    const Triangles more = stroke(line, nib.width, s.round_cap, tolerance);
+    triangles.insert(triangles.end(), more.begin(), more.end());
+  }
+
+  if (nib.colour.a >= 1) return add(Pass::paint, triangles, nib.colour);
+  add(Pass::once, triangles, nib.colour);
+  add(Pass::wipe, triangles, {});
+}
+
+void Batch::add(const Gradient& gradient) {
+  const double major = gradient.major.squaredNorm(), minor = gradient.minor.squaredNorm();
+  if (!(major > 0 && minor > 0)) return;
+  Eigen::Matrix2d to_circle;
+  to_circle << gradient.major.transpose() / major, gradient.minor.transpose() / minor;
+  const Path rim = ellipse(gradient.center, gradient.major, gradient.minor);
+  const Triangles triangles = triangulated(flat(rim, tolerance_px / scale_).points);
+
+  Call& here = call(Pass::gradient);
+  here.radial = {well_inside(to_circle * (gradient.focus - gradient.center)), gradient.inner, gradient.outer};
+  here.count = static_cast<int>(triangles.size());
+  for (const Vec2& p : triangles) vertices_.push_back(vertex(p, to_circle * (p - gradient.center), {}));
+}
+
+void Batch::add_image(unsigned image, const Box& box) {
+  Call& here = call(Pass::image);
+  here.image = image;
+  here.count = 6;
+  const Vec2 size = box.high - box.low;
+  for (const Vec2& p : cover(box)) vertices_.push_back(vertex(p, (p - box.low).cwiseQuotient(size), {}));
+}
+
+void Batch::add(Pass pass, const Triangles& triangles, const Colour& colour) {
+  if (triangles.empty()) return;
+  call(pass).count += static_cast<int>(triangles.size());
+  for (const Vec2& p : triangles) vertices_.push_back(vertex(p, Vec2::Zero(), colour));
+}
+
+Call& Batch::call(Pass pass) {
+  // `once` marks one shape; two shapes that overlap must blend twice.
+  const bool joins = pass == Pass::paint || pass == Pass::inside || pass == Pass::wipe;
+  if (calls_.empty() || calls_.back().pass != pass || !joins)
+    calls_.push_back({.pass = pass, .first = static_cast<int>(vertices_.size())});
+  return calls_.back();
+}
+
+}  // namespace isect::viz

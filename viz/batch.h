@@ -1,0 +1,67 @@
+#pragma once
+// A drawing as one list of triangles and the passes that draw them. Knows no OpenGL, only what a stencil
+// does.
+
+#include <vector>
+
+#include "viz/drawing.h"
+#include "viz/tessellate.h"
+
+namespace isect::viz {
+
+/// A corner of a triangle: place in the drawing, place in the gradient or image, straight colour.
+struct Vertex {
+  float x, y, u, v, r, g, b, a;
+};
+
+/// How a run of triangles is drawn. Every shape leaves the stencil at 0 as it found it.
+enum class Pass {
+  paint,     ///< colour
+  gradient,  ///< colour by RadialColours; (u, v) is the place in the unit circle
+  image,     ///< colour from the image at (u, v)
+  winding,   ///< no colour; the stencil counts up under triangles of one orientation, down under the other
+  inside,    ///< colour where the stencil is not 0
+  finish,    ///< as inside, and the stencil becomes 0
+  once,      ///< colour where the stencil is 0, which becomes 1: overlapping triangles blend once
+  wipe       ///< no colour; the stencil becomes 0
+};
+
+/// From `inner` at the focus to `outer` on the unit circle: t such that the point lies on the circle of
+/// radius t round (1 - t) focus, cairo's and SVG's rule.
+struct RadialColours {
+  Vec2 focus = Vec2::Zero();
+  Colour inner, outer;
+};
+
+struct Call {
+  Pass pass;
+  int first = 0, count = 0;   ///< vertices
+  unsigned image = 0;         ///< for Pass::image
+  RadialColours radial = {};  ///< for Pass::gradient
+};
+
+class Batch {
+ public:
+  /// `scale` pixels per unit: curves are flattened to a twelfth of a pixel or better.
+  explicit Batch(double scale) : scale_(scale) {}
+
+  void add(const Fill&);
+  void add(const Stroke&);
+  void add(const Gradient&);
+  /// An image in a box, its first row on top.
+  void add_image(unsigned image, const Box&);
+
+  const std::vector<Vertex>& vertices() const { return vertices_; }
+  const std::vector<Call>& calls() const { return calls_; }
+
+ private:
+  void add(Pass, const Triangles&, const Colour&);
+  /// The call that the next vertices belong to: the last one when it can go on.
+  Call& call(Pass);
+
+  double scale_;
+  std::vector<Vertex> vertices_;
+  std::vector<Call> calls_;
+};
+
+}  // namespace isect::viz

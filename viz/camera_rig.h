@@ -1,0 +1,38 @@
+#pragma once
+// A camera that a hand moves: orbit, pan, zoom at a point, and eased glides between two views.
+
+#include "viz/camera.h"
+
+namespace isect::viz {
+
+class CameraRig {
+ public:
+  /// `reduced_motion`: glides arrive at once.
+  explicit CameraRig(bool reduced_motion = false) : reduced_motion_(reduced_motion) {}
+
+  /// The view at this moment, somewhere between two views while it glides.
+  const Camera& now() const { return now_; }
+  /// The view it will come to rest at.
+  const Camera& goal() const { return moving() ? to_ : now_; }
+  bool moving() const { return left_ > 0; }
+
+  void jump(const Camera&);
+  /// Moves there in 350 ms, slow at both ends. Every moment in between is a valid camera.
+  void glide(const Camera&);
+  void advance(double seconds);
+
+  /// Turns by a movement of the pointer in pixels; the elevation stops at straight up and straight down.
+  void orbit(const Vec2& pixels);
+  /// Moves the target so that what was under `from` comes under `to`.
+  void pan(const View&, const Vec2& from, const Vec2& to);
+  /// Scales by `factor` (> 1: closer); the point of the target's plane under `at` stays where it is.
+  void zoom(const View&, const Vec2& at, double factor);
+  void set_perspective(bool);
+
+ private:
+  Camera now_, from_, to_;
+  double left_ = 0;  ///< seconds still to glide
+  bool reduced_motion_;
+};
+
+}  // namespace isect::viz

@@ -1,0 +1,35 @@
+#pragma once
+// Scene + camera + theme -> drawing. Silhouettes are analytic, hidden edges dashed, labels placed so that no two meet.
+
+#include <optional>
+
+#include "viz/camera.h"
+#include "viz/drawing.h"
+#include "viz/lesson.h"
+#include "viz/theme.h"
+
+namespace isect::viz {
+
+/// What the pointer or a test may want to know of a composed scene.
+struct PlacedLabel { std::string text; TextBox box; };
+struct Composed {
+  std::vector<Shape> shapes;
+  std::vector<PlacedLabel> labels;
+};
+
+/// The scene alone, within the view's rectangle. With `handles`, draws the grips of the scene's handles.
+Composed compose(const Scene&, const View&, const Theme&, bool handles = false);
+
+/// A camera like `camera` whose target and half_height frame all the scenes in a viewport of this aspect
+/// (width / height), leaving `margin` (a share of the height) free all round.
+Camera frame(const Camera& camera, const std::vector<const Scene*>& scenes, double aspect, double margin = 0.08);
+
+/// A figure: title above, picture, the scene's t-axis and the step's formula or verdict below.
+struct Figure {
+  Drawing drawing;
+  std::vector<PlacedLabel> labels;
+  View view;   ///< of the picture part
+};
+Figure figure(const Step&, const Camera&, ThemeName, double width, double height);
+
+}  // namespace isect::viz

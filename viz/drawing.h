@@ -1,0 +1,87 @@
+#pragma once
+// A scene seen through a camera in a theme: flat shapes in painter's order, ready for any back end.
+//
+// Both back ends (OpenGL and cairo) draw this value and nothing else, so that a PNG, an SVG and the window
+// agree. Units: those of the drawing's size, x right, y down. Later shapes cover earlier ones.
+
+#include <array>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "viz/scene.h"
+#include "viz/theme.h"
+
+namespace isect::viz {
+
+/// Lines and cubic Bezier curves. Each segment goes on from the end of the one before.
+struct Path {
+  struct Cubic {
+    Vec2 control1, control2, to;
+  };
+  using Segment = std::variant<Vec2, Cubic>;
+  Vec2 start = Vec2::Zero();
+  std::vector<Segment> segments;
+  bool closed = false;
+};
+
+/// A filled outline (non-zero winding). `hatch` lines at 45 degrees (rising to the right) are drawn inside
+/// it.
+struct Fill {
+  Path path;
+  Colour colour;
+  double hatch_gap = 0, hatch_line = 0;  ///< 0: none
+  Colour hatch_colour = {};
+};
+
+/// A line of constant width with round joins. Dash: lengths on and off, {0, 0} for solid.
+struct Stroke {
+  Path path;
+  Colour colour;
+  double width = 1;
+  std::array<double, 2> dash = {0, 0};
+  bool round_cap = true;
+};
+
+/// An ellipse filled with a radial gradient from `inner` at `focus` to `outer` at its rim.
+struct Gradient {
+  Vec2 center;
+  Vec2 major, minor;  ///< half axes, perpendicular
+  Vec2 focus;         ///< the brightest point, inside
+  Colour inner, outer;
+};
+
+/// One line of markup. `at` is its anchor on the baseline; `align` 0 left, 0.5 middle, 1 right.
+struct Text {
+  std::string markup;
+  Vec2 at;
+  double size = 10;
+  Colour colour;
+  double align = 0;
+  bool bold = false;
+  double halo = 0;  ///< width of the background-coloured rim, 0: none
+  Colour halo_colour = {};
+};
+
+using Shape = std::variant<Fill, Stroke, Gradient, Text>;
+
+struct Drawing {
+  double width = 0, height = 0;
+  Colour background;
+  std::vector<Shape> shapes;
+};
+
+/// The box a text's ink covers, for layout and for the overlap check.
+struct TextBox {
+  double left, top, right, bottom;
+};
+
+Path polyline(const std::vector<Vec2>& points, bool closed = false);
+/// A closed ellipse of four cubic arcs (error below 3e-4 of the radius).
+Path ellipse(Vec2 center, Vec2 major, Vec2 minor);
+Path circle(Vec2 center, double radius);
+/// The path as points; the polyline through them stays within `tolerance` of the curve. No point follows its
+/// equal, and a closed path's start is not repeated at the end.
+std::vector<Vec2> flatten(const Path&, double tolerance = 0.05);
+
+}  // namespace isect::viz

@@ -1,0 +1,51 @@
+#pragma once
+// Pictures and drawings as files. Every writer writes beside and renames, so no file is ever half written.
+
+#include <map>
+#include <stdexcept>
+#include <string>
+
+#include "viz/drawing.h"
+#include "viz/text.h"
+
+namespace isect::viz {
+
+/// Names the file and the reason.
+struct FileError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Keyword -> text, carried inside the file: lesson, preset, step, parameters, version.
+using Metadata = std::map<std::string, std::string>;
+
+/// Replaces `path` in one step; makes its folder if needed. Throws FileError; what was there stays on
+/// failure.
+void write_file(const std::string& path, const std::string& bytes);
+std::string read_file(const std::string& path);  ///< Throws FileError.
+
+/// PNG with the metadata as iTXt chunks (keyword "isect:<key>"); same input, same bytes. Keys are printable
+/// ASCII without spaces, at most 73 characters: std::invalid_argument otherwise.
+std::string png(const Picture&, const Metadata& = {});
+/// Throws FileError on anything that is no PNG, and on pictures above 2^26 pixels.
+Picture read_png(const std::string& bytes);
+Metadata png_metadata(const std::string& bytes);  ///< Throws FileError; empty if it carries none of ours.
+
+/// How wide a vector file is on paper, in points; 0: one unit is one point.
+struct Paper {
+  double width_pt = 0;
+};
+/// SVG by cairo and Pango, text as embedded glyph outlines, metadata as a <metadata> element; same input,
+/// same bytes.
+std::string svg(const Drawing&, const Metadata& = {}, Paper = {});
+Metadata svg_metadata(const std::string& bytes);  ///< Throws FileError; empty if it carries none of ours.
+
+/// The gate of picture comparison: measured in the snapshot tests' own notes.
+struct Difference {
+  bool same_size = true;
+  int over_8 = 0, over_1 = 0;  ///< pixels that differ by more than 8 / by more than 1 in any channel
+  bool passes() const { return same_size && over_8 <= 24 && over_1 <= 256; }
+};
+Difference compare(const Picture& a, const Picture& b);
+Picture difference_picture(const Picture& a, const Picture& b);  ///< grey where equal, strong where not
+
+}  // namespace isect::viz

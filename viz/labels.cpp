@@ -1,0 +1,158 @@
+#include "viz/labels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "viz/rich_text.h"
+#include "viz/text.h"
+
+namespace isect::viz {
+namespace {
+
+struct Candidate {
+  Vec2 middle;
+  Vec2 anchor;    ///< the point named
+  double effort;  ///< how unusual this place is
+  bool far;
+};
+
+struct Fit { double cost; bool crossed; };
+
+/// The text's box around the point `middle`.
+TextBox box_around(const Vec2& middle, const Vec2& half) {
+  return {middle.x() - half.x(), middle.y() - half.y(), middle.x() + half.x(), middle.y() + half.y()};
+}
+
+TextBox grown(const TextBox& b, double by) { return {b.left - by, b.top - by, b.right + by, b.bottom + by}; }
+
+double overlap(const TextBox& a, const TextBox& b) {
+  const double w = std::min(a.right, b.right) - std::max(a.left, b.left);
+  const double h = std::min(a.bottom, b.bottom) - std::max(a.top, b.top);
+  return w > 0 && h > 0 ? w * h : 0;
+}
+
+/// The length of the segment's part inside the box: slabs, N12 per axis.
+double length_inside(const Vec2& from, const Vec2& to, const TextBox& b) {
+  double lo = 0, hi = 1;
+  const Vec2 d = to - from;
+  const double low[2] = {b.left, b.top}, high[2] = {b.right, b.bottom};
+  for (int i = 0; i < 2; ++i) {
+    if (d[i] == 0) {
+      if (from[i] < low[i] || from[i] > high[i]) return 0;
+      continue;
+    }
+    const double t0 = (low[i] - from[i]) / d[i], t1 = (high[i] - from[i]) / d[i];
+    lo = std::max(lo, std::min(t0, t1));
+    hi = std::min(hi, std::max(t0, t1));
+  }
+  if (lo > hi) return 0;
+  return std::max((hi - lo) * d.norm(), 1.0);  // a point inside counts too
+}
+
+/// Half the extent of a box, seen along a direction.
+double support(const Vec2& half, const Vec2& direction) {
+  return half.x() * std::abs(direction.x()) + half.y() * std::abs(direction.y());
+}
+
+std::vector<Candidate> beside_point(const Wanted& wanted, const Vec2& half, const Sizes& sizes) {
+  // NE, NW, SE, SW, N, S, then E and W; y runs down
+  static const Vec2 compass[] = {{1, -1}, {-1, -1}, {1, 1}, {-1, 1}, {0, -1}, {0, 1}, {1, 0}, {-1, 0}};
+  static const double rings[] = {0.16, 0.45, 0.9, 1.6, 2.6};
+  std::vector<Candidate> candidates;
+  double effort = 0;
+  for (const double ring : rings) {
+    const double gap = wanted.keep_off + ring * sizes.label_offset;
+    for (const Vec2& d : compass) {
+      const bool diagonal = d.x() != 0 && d.y() != 0;
+      const double reach = diagonal ? 0.72 * gap : gap;
+      const Vec2 middle = wanted.from + Vec2(d.x() * (half.x() + reach), d.y() * (half.y() + reach));
+      candidates.push_back({middle, wanted.from, effort, ring > 1});
+      effort += 0.6;
+    }
+    effort += 4;
+  }
+  return candidates;
+}
+
+std::vector<Candidate> beside_segment(const Wanted& wanted, const Vec2& half, const Sizes& sizes) {
+  const Vec2 along = (wanted.to - wanted.from).normalized();
+  const Vec2 across = {along.y(), -along.x()};
+  std::vector<Candidate> candidates;
+  double effort = 0;
+  for (const double ring : {0.08, 0.25, 0.6, 1.4}) {
+    for (const double share : {0.5, 0.38, 0.62, 0.25, 0.75}) {
+      for (const double side : {across.y() <= 0 ? 1.0 : -1.0, across.y() <= 0 ? -1.0 : 1.0}) {
+        const Vec2 anchor = wanted.from + share * (wanted.to - wanted.from);
+        const double reach = support(half, across) + wanted.keep_off + ring * sizes.label_offset;
+        candidates.push_back({anchor + side * reach * across, anchor, effort, ring > 1});
+        effort += 0.4;
+      }
+    }
+    effort += 8;
+  }
+  return candidates;
+}
+
+Fit fit(const Candidate& candidate, const Vec2& half, const std::vector<PlacedLabel>& placed,
+        const std::vector<Obstacle>& obstacles, const Bounds& bounds, const Sizes& sizes) {
+  Fit result = {candidate.effort, false};
+  const TextBox box = box_around(candidate.middle, half);
+  for (const PlacedLabel& other : placed)
+    if (overlap(grown(box, sizes.label_clear), other.box) > 0) result.cost += 2000;
+
+  const double outside = std::max({bounds.left - box.left, bounds.top - box.top, box.right - bounds.right,
+                                   box.bottom - bounds.bottom, 0.0});
+  if (outside > 0) result.cost += 5000 + outside;
+
+  const double size = half.x() + half.y();
+  for (const Obstacle& o : obstacles) {
+    const double touched = length_inside(o.from, o.to, grown(box, o.radius + 0.5 * sizes.label_clear));
+    if (touched <= 0) continue;
+    result.cost += (o.firm ? 14 : 6) + (o.firm ? 20 : 8) * touched / size;
+    result.crossed = result.crossed || length_inside(o.from, o.to, grown(box, o.radius)) > 0;
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<PlacedLabel> place_labels(const std::vector<Wanted>& labels, const std::vector<Obstacle>& obstacles,
+                                      const Bounds& bounds, const Theme& theme, std::vector<Shape>& out) {
+  const Sizes& sizes = theme.sizes;
+  std::vector<PlacedLabel> placed;
+  std::vector<Shape> leaders, texts;
+  for (const Wanted& wanted : labels) {
+    Text text = {wanted.markup, Vec2::Zero(), sizes.label, wanted.colour, 0, false, 0, theme.background};
+    const TextBox extent = measure(text);  // around the anchor at the origin
+    const Vec2 half = {(extent.right - extent.left) / 2, (extent.bottom - extent.top) / 2};
+    const Vec2 to_middle = {(extent.right + extent.left) / 2, (extent.bottom + extent.top) / 2};
+
+    const bool segment = (wanted.to - wanted.from).norm() > 1e-6;
+    const std::vector<Candidate> candidates =
+        segment ? beside_segment(wanted, half, sizes) : beside_point(wanted, half, sizes);
+    const Candidate* best = nullptr;
+    Fit best_fit = {std::numeric_limits<double>::infinity(), false};
+    for (const Candidate& candidate : candidates) {
+      const Fit f = fit(candidate, half, placed, obstacles, bounds, sizes);
+      if (f.cost < best_fit.cost) best = &candidate, best_fit = f;
+    }
+    if (best == nullptr) continue;  // a position that is no number
+
+    text.at = best->middle - to_middle;
+    if (best_fit.crossed) text.halo = sizes.label_halo;
+    texts.emplace_back(text);
+    placed.push_back({plain(wanted.markup), box_around(best->middle, half)});
+    if (best->far) {
+      const Vec2 d = (best->middle - best->anchor).normalized();
+      const double room = (best->middle - best->anchor).norm() - support(half, d) - sizes.label_clear / 2;
+      leaders.emplace_back(Stroke{polyline({best->anchor + wanted.keep_off * d, best->anchor + room * d}),
+                                  theme.ink(Role::construction), sizes.leader, {0, 0}, true});
+    }
+  }
+  out.insert(out.end(), leaders.begin(), leaders.end());
+  out.insert(out.end(), texts.begin(), texts.end());
+  return placed;
+}
+
+}  // namespace isect::viz

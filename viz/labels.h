@@ -1,0 +1,33 @@
+#pragma once
+// Where each label goes: beside what it names, off every line, clear of every other label, inside the picture.
+
+#include <vector>
+
+#include "viz/compose.h"
+#include "viz/drawing.h"
+
+namespace isect::viz {
+
+/// Something a label should keep off. Crossing a `firm` one (an outline, the ray) costs more than a dashed one.
+struct Obstacle {
+  Vec2 from, to;   ///< equal for a marker's middle
+  double radius;   ///< half the line's width, or the marker's radius
+  bool firm;
+};
+
+/// A label looking for its place: beside the segment from..to, or beside a point when they are equal.
+struct Wanted {
+  std::string markup;
+  Vec2 from, to;
+  double keep_off;  ///< radius of the marker it stands beside
+  Colour colour;
+};
+
+struct Bounds { double left, top, right, bottom; };
+
+/// Places the labels in order, tries the compass points near first and then further out, and takes the place that
+/// disturbs least. A label that had to go far gets a leader; one that crosses a line gets a halo.
+std::vector<PlacedLabel> place_labels(const std::vector<Wanted>&, const std::vector<Obstacle>&, const Bounds&,
+                                      const Theme&, std::vector<Shape>& out);
+
+}  // namespace isect::viz

@@ -1,0 +1,201 @@
+#include "viz/lesson.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace isect::viz {
+
+namespace {
+
+/// Edits that turn `a` into `b`: insert, delete, replace, swap neighbours. Case counts for nothing.
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+  const auto same = [](char x, char y) {
+    return std::tolower(static_cast<unsigned char>(x)) == std::tolower(static_cast<unsigned char>(y));
+  };
+  std::vector<std::size_t> before_last, last(b.size() + 1), row(b.size() + 1);
+  std::iota(last.begin(), last.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + !same(a[i - 1], b[j - 1])});
+      if (i > 1 && j > 1 && same(a[i - 1], b[j - 2]) && same(a[i - 2], b[j - 1]))
+        row[j] = std::min(row[j], before_last[j - 2] + 1);
+    }
+    before_last = std::exchange(last, row);
+  }
+  return last[b.size()];
+}
+
+/// The whole of `text` as a number, whatever the locale; a leading '+' is fine.
+std::optional<double> number(std::string_view text) {
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return {};
+  return value;
+}
+
+std::optional<Vec3> point(std::string_view text) {
+  Vec3 p;
+  for (int i = 0; i < 3; ++i) {
+    const std::size_t comma = text.find(',');
+    if ((comma == std::string_view::npos) != (i == 2)) return {};
+    const std::optional<double> x = number(text.substr(0, comma));
+    if (!x) return {};
+    p[i] = *x;
+    if (i < 2) text.remove_prefix(comma + 1);
+  }
+  return p;
+}
+
+std::string shortest(double x) {
+  std::array<char, 32> digits{};
+  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), x).ptr};
+}
+
+/// What a parameter takes, in words: "a number from 0 to 10".
+std::string wanted(const Parameter& p) {
+  std::string range;
+  if (p.lo > -1e300 && p.hi < 1e300)
+    range = fmt::format(" from {} to {}", shortest(p.lo), shortest(p.hi));
+  else if (p.lo > -1e300)
+    range = fmt::format(" of at least {}", shortest(p.lo));
+  else if (p.hi < 1e300)
+    range = fmt::format(" of at most {}", shortest(p.hi));
+  if (std::holds_alternative<double>(p.initial)) return "a number" + range;
+  return "three numbers" + (range.empty() ? range : ", each" + range) + ", such as " + to_text(p.initial);
+}
+
+std::vector<std::string> parameter_names(const Lesson& lesson) {
+  std::vector<std::string> names;
+  for (const Parameter& p : lesson.parameters) names.push_back(p.name);
+  return names;
+}
+
+const Parameter& parameter(const Lesson& lesson, const std::string& name) {
+  const auto found = std::ranges::find(lesson.parameters, name, &Parameter::name);
+  if (found == lesson.parameters.end()) throw unknown("parameter", name, parameter_names(lesson));
+  return *found;
+}
+
+/// `given` is the value as it was written.
+void check(const Parameter& p, const Setting& value, const std::string& given) {
+  const auto in_range = [&](double x) { return x >= p.lo && x <= p.hi; };  // no for NaN
+  bool good = value.index() == p.initial.index();
+  if (good && std::holds_alternative<std::string>(value)) {
+    const std::string& choice = std::get<std::string>(value);
+    if (std::ranges::find(p.choices, choice) == p.choices.end()) throw unknown(p.name, choice, p.choices);
+  } else if (good && std::holds_alternative<double>(value)) {
+    good = in_range(std::get<double>(value));
+  } else if (good) {
+    const Vec3& v = std::get<Vec3>(value);
+    good = in_range(v.x()) && in_range(v.y()) && in_range(v.z());
+  }
+  if (good) return;
+  if (!p.choices.empty()) throw unknown(p.name, given, p.choices);
+  throw BadInput(fmt::format("{}: \"{}\" does not do; give {}", p.name, given, wanted(p)));
+}
+
+}  // namespace
+
+std::string nearest(const std::string& word, const std::vector<std::string>& candidates) {
+  const auto rank = [&](const std::string& candidate) {
+    // Of equally distant names the one that begins alike is meant more often.
+    const auto [end, unused] = std::mismatch(word.begin(), word.end(), candidate.begin(), candidate.end());
+    return std::pair{edit_distance(word, candidate), word.end() - end};
+  };
+  const auto found = std::ranges::min_element(candidates, {}, rank);
+  return found == candidates.end() ? std::string{} : *found;
+}
+
+BadInput unknown(const std::string& field, const std::string& given,
+                 const std::vector<std::string>& allowed) {
+  if (allowed.empty())
+    return BadInput(fmt::format("{}: \"{}\" is unknown; there is none to choose from", field, given));
+  return BadInput(fmt::format("{}: \"{}\" is unknown; did you mean \"{}\"? Allowed: {}", field, given,
+                              nearest(given, allowed), fmt::join(allowed, ", ")));
+}
+
+const Preset& preset(const Lesson& lesson, const std::string& id) {
+  const auto found = std::ranges::find(lesson.presets, id, &Preset::id);
+  if (found != lesson.presets.end()) return *found;
+  std::vector<std::string> ids;
+  for (const Preset& p : lesson.presets) ids.push_back(p.id);
+  throw unknown("preset", id, ids);
+}
+
+void set(const Lesson& lesson, Parameters& to, const std::string& name, const std::string& text) {
+  const Parameter& p = parameter(lesson, name);
+  std::optional<Setting> value;
+  if (std::holds_alternative<std::string>(p.initial)) {
+    value = text;
+  } else if (std::holds_alternative<double>(p.initial)) {
+    value = number(text);
+  } else {
+    value = point(text);
+  }
+  if (!value) throw BadInput(fmt::format("{}: \"{}\" does not do; give {}", name, text, wanted(p)));
+  check(p, *value, text);
+  to.insert_or_assign(name, *value);
+}
+
+void validate(const Lesson& lesson, const Parameters& parameters) {
+  for (const auto& [name, value] : parameters) check(parameter(lesson, name), value, to_text(value));
+  for (const Parameter& p : lesson.parameters)
+    if (!parameters.contains(p.name))
+      throw BadInput(fmt::format("{}: missing; every parameter of {} is needed", p.name, lesson.id));
+}
+
+void drag(const Lesson& lesson, Parameters& parameters, const Handle& handle, const Vec3& p) {
+  if (!p.allFinite()) return;
+  const Parameter& knob = parameter(lesson, handle.parameter);
+  const Vec3 arm = p - handle.anchor;
+  if (handle.kind == Handle::Kind::length) {
+    parameters.insert_or_assign(knob.name, std::clamp(arm.norm(), knob.lo, knob.hi));
+  } else {
+    const Vec3 moved = handle.kind == Handle::Kind::point ? p : arm;
+    parameters.insert_or_assign(knob.name, Vec3(moved.cwiseMax(knob.lo).cwiseMin(knob.hi)));
+  }
+}
+
+std::string to_text(const Setting& setting) {
+  if (const auto* x = std::get_if<double>(&setting)) return shortest(*x);
+  if (const auto* v = std::get_if<Vec3>(&setting))
+    return shortest(v->x()) + "," + shortest(v->y()) + "," + shortest(v->z());
+  return std::get<std::string>(setting);
+}
+
+std::string shown(double value) {
+  if (std::isnan(value)) return "NaN";
+  const std::string sign = std::signbit(value) && value != 0 ? "−" : "";
+  if (std::isinf(value)) return sign + "∞";
+
+  // Five digits in scientific form say how large the number is once it has been rounded.
+  const std::string scientific = fmt::format("{:.4e}", std::abs(value));
+  const int exponent = std::stoi(scientific.substr(scientific.find('e') + 1));
+  const bool plain = exponent >= -4 && exponent <= 6;
+  std::string digits = plain ? fmt::format("{:.{}f}", std::abs(value), std::max(0, 4 - exponent))
+                             : scientific.substr(0, scientific.find('e'));
+  if (digits.find('.') != std::string::npos) {
+    digits.erase(digits.find_last_not_of('0') + 1);
+    if (digits.back() == '.') digits.pop_back();
+  } else if (digits.size() > 4) {
+    for (std::size_t i = digits.size(); i > 3; i -= 3)
+      if (i > 3) digits.insert(i - 3, "\u2009");  // a thin space: 26 654
+  }
+  if (plain) return sign + digits;
+
+  static constexpr std::array raised = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string power = exponent < 0 ? "⁻" : "";
+  for (const char digit : std::to_string(std::abs(exponent)))
+    power += raised[static_cast<std::size_t>(digit - '0')];
+  return sign + digits + "\u2009·\u200910" + power;
+}
+
+}  // namespace isect::viz

@@ -1,0 +1,139 @@
+#pragma once
+// A lesson is a value: parameters in, steps out. Nothing here draws, opens a file or knows a particular lesson.
+//
+// parameters -> core call with a Record -> events -> steps -> scene -> back end. No callbacks back up.
+// Texts are markup (see rich_text.h).
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "viz/camera.h"
+#include "viz/scene.h"
+
+namespace isect::viz {
+
+/// The value of a parameter: a number, a point or vector, or one of several named choices.
+using Setting = std::variant<double, Vec3, std::string>;
+
+/// One knob of a lesson. `initial` fixes its type.
+struct Parameter {
+  std::string name;    ///< as in `--set name=value`
+  std::string label;   ///< markup, for the window
+  std::string help;    ///< one plain sentence with the unit
+  Setting initial;
+  double lo = -1e300, hi = 1e300;       ///< allowed range of a number or of each coordinate
+  double drag_lo = -10, drag_hi = 10;   ///< comfortable range for a slider
+  std::vector<std::string> choices = {};  ///< allowed values of a choice
+};
+
+/// Values by parameter name; always complete for its lesson.
+using Parameters = std::map<std::string, Setting>;
+
+/// A named number of this step, with the text shown for it.
+struct Value {
+  std::string name;       ///< markup
+  double value = 0;
+  std::string unit = {};  ///< values of one unit share a bar scale; empty: no bar
+  Role role = Role::muted;
+  bool fresh = false;     ///< computed or changed in this step
+};
+
+/// An inequality shown as a bar against a tick: `left op right`.
+struct Comparison {
+  std::string text;       ///< markup, e.g. "*m*^2 ≤ *r*^2"
+  double left = 0, right = 0;
+  bool holds = false;
+  std::string meaning;    ///< "the line meets the ball"
+};
+
+/// Operations done so far, counted by running the same algorithm on a counting scalar.
+struct Counters {
+  int mul = 0, add = 0, div = 0, sqrt = 0, compare = 0;
+  bool early_out = false;
+};
+
+/// Predict, then reveal. The answer comes from the predicate itself.
+struct Question {
+  std::string prompt;                ///< markup
+  std::vector<std::string> choices;  ///< markup
+  int answer = 0;                    ///< index into choices
+  std::string because;               ///< markup, shown with the answer
+};
+
+/// What is known at this step.
+struct Verdict {
+  enum class Kind { open, yes, no, on };
+  Kind kind = Kind::open;
+  std::string text;                  ///< markup
+};
+
+struct Step {
+  std::string slug;       ///< for file names: lower case, digits, '-'
+  std::string title;      ///< markup, short
+  std::string caption;    ///< markup, sentences of at most 20 words; '\n' separates paragraphs
+  std::string formula;    ///< markup, at most one line, may be empty
+  std::string source;     ///< page of the note or book, may be empty
+  int line = -1;          ///< current pseudocode line, from 0; -1: none
+  std::vector<int> untaken = {};  ///< lines of branches not taken so far
+  std::vector<int> refused = {};  ///< `if` lines whose condition was false so far (marked "no")
+  bool decides = false;   ///< a branch is decided here
+  std::vector<Value> values = {};
+  std::optional<Comparison> comparison = {};
+  Counters counters = {};
+  Verdict verdict = {};
+  std::optional<Question> question = {};  ///< asked before this step is shown
+  Scene scene = {};
+};
+
+struct Preset {
+  std::string id;     ///< lower case, digits, '-'; names its snapshot folder
+  std::string title;  ///< short, for a button
+  std::string group;  ///< value of the lesson's `group_by` parameter, empty if it has none
+  Parameters parameters;
+};
+
+/// The steps for one setting of the parameters, with the text of the algorithm they walk through.
+struct Walk {
+  std::string method;                   ///< title of the variant, may be empty
+  std::vector<std::string> pseudocode;  ///< plain text lines
+  std::vector<Step> steps;
+  std::string alt;                      ///< what the picture shows, in plain words
+};
+
+struct Lesson {
+  std::string id;
+  std::string title;
+  std::string rows;      ///< note rows, "N16-N19"
+  std::string summary;   ///< one plain sentence
+  std::vector<Parameter> parameters;
+  std::string group_by;  ///< name of the choice parameter that groups the presets, may be empty
+  std::vector<Preset> presets;  ///< the first one is loaded at the start
+  Camera camera;         ///< the opening view; target and scale are set by framing all presets alike
+  Walk (*walk)(const Parameters&) = nullptr;
+};
+
+/// What is wrong with a name or a value: the message names the field, what was given and what is allowed.
+struct BadInput : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+const Preset& preset(const Lesson&, const std::string& id);        ///< throws BadInput with the nearest name
+/// Sets one parameter from text ("1.5", "1,2,3", "haines"). Throws BadInput; `to` is unchanged then.
+void set(const Lesson&, Parameters& to, const std::string& name, const std::string& text);
+/// Throws BadInput unless every parameter is present, of the right type, finite and in range.
+void validate(const Lesson&, const Parameters&);
+/// Moves what the handle holds to `p`, clamped to the parameter's range.
+void drag(const Lesson&, Parameters&, const Handle&, const Vec3& p);
+std::string to_text(const Setting&);                               ///< shortest text that `set` reads back exactly
+/// The candidate closest to `word` by edit distance; empty if there are none.
+std::string nearest(const std::string& word, const std::vector<std::string>& candidates);
+/// The answer to a name nobody knows: names the field, what was given, the nearest spelling and all that is allowed.
+BadInput unknown(const std::string& field, const std::string& given, const std::vector<std::string>& allowed);
+/// The number as shown to readers: about five significant digits, a real minus, no trailing zeros lost.
+std::string shown(double value);
+
+}  // namespace isect::viz

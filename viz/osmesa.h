@@ -1,0 +1,11 @@
+#pragma once
+// OSMesa: Mesa's software renderer as a plain library.
+
+#include "viz/context.h"
+
+namespace isect::viz {
+
+/// Throws NoBackend; always, where it was built without OSMesa.
+std::unique_ptr<Context> osmesa_context();
+
+}  // namespace isect::viz

@@ -1,0 +1,187 @@
+#include "viz/place.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace isect::viz {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json(const Vec3& v) { return Json::array({v.x(), v.y(), v.z()}); }
+
+Json json(const Parameters& parameters) {
+  Json object = Json::object();
+  for (const auto& [name, value] : parameters) {
+    if (const auto* v = std::get_if<Vec3>(&value)) {
+      object[name] = json(*v);
+    } else if (const auto* x = std::get_if<double>(&value)) {
+      object[name] = *x;
+    } else {
+      object[name] = std::get<std::string>(value);
+    }
+  }
+  return object;
+}
+
+Json json(const Camera& camera) {
+  return {{"target", json(camera.target)},     {"azimuth", camera.azimuth},
+          {"elevation", camera.elevation},     {"half_height", camera.half_height},
+          {"perspective", camera.perspective}, {"field_of_view", camera.field_of_view}};
+}
+
+Json parse(const std::string& field, const std::string& text) try {
+  return Json::parse(text);
+} catch (const Json::exception& e) {
+  const std::string why = e.what();  // "[json.exception...] parse error at line 1, column 3: ..."
+  throw BadInput(fmt::format("{}: not JSON; {}", field, why.substr(why.find(']') + 2)));
+}
+
+/// Fields of an object, each asked for by name; `path` says where it stands.
+void only_fields(const Json& object, const std::string& path, const std::vector<std::string>& allowed) {
+  if (!object.is_object()) throw BadInput(fmt::format("{}: {} is no JSON object", path, object.dump()));
+  for (const auto& item : object.items())
+    if (std::ranges::find(allowed, item.key()) == allowed.end())
+      throw unknown("field of " + path, item.key(), allowed);
+}
+
+std::string text_of(const Json& value, const std::string& field) {
+  if (!value.is_string()) throw BadInput(fmt::format("{}: {} is no text", field, value.dump()));
+  return value.get<std::string>();
+}
+
+double number_of(const Json& value, const std::string& field, double lo, double hi) {
+  const double x = value.is_number() ? value.get<double>() : NAN;
+  if (!(x >= lo && x <= hi))
+    throw BadInput(
+        fmt::format("{}: {} does not do; give a number from {} to {}", field, value.dump(), lo, hi));
+  return x;
+}
+
+Vec3 point_of(const Json& value, const std::string& field) {
+  const bool good = value.is_array() && value.size() == 3 &&
+                    std::ranges::all_of(value, [](const Json& x) { return x.is_number(); });
+  if (!good)
+    throw BadInput(
+        fmt::format("{}: {} does not do; give three numbers, such as [0, 1, 0]", field, value.dump()));
+  return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
+}
+
+Parameters parameters_of(const Json& object, const Lesson& lesson, Parameters parameters) {
+  std::vector<std::string> names;
+  for (const Parameter& p : lesson.parameters) names.push_back(p.name);
+  only_fields(object, "parameters", names);
+  for (const auto& item : object.items()) {
+    const Json& value = item.value();
+    if (value.is_number()) {
+      parameters.insert_or_assign(item.key(), value.get<double>());
+    } else if (value.is_string()) {
+      parameters.insert_or_assign(item.key(), value.get<std::string>());
+    } else {
+      parameters.insert_or_assign(item.key(), point_of(value, item.key()));
+    }
+  }
+  validate(lesson, parameters);
+  return parameters;
+}
+
+Camera camera_of(const Json& object) {
+  only_fields(object, "camera",
+              {"target", "azimuth", "elevation", "half_height", "perspective", "field_of_view"});
+  Camera camera;
+  const auto number = [&](const std::string& field, double& to, double lo, double hi) {
+    if (object.contains(field)) to = number_of(object[field], "camera " + field, lo, hi);
+  };
+  constexpr double pi = std::numbers::pi;
+  if (object.contains("target")) camera.target = point_of(object["target"], "camera target");
+  number("azimuth", camera.azimuth, -1e6, 1e6);
+  number("elevation", camera.elevation, -pi / 2, pi / 2);
+  number("half_height", camera.half_height, 1e-300, 1e300);
+  number("field_of_view", camera.field_of_view, 0.01, 3.1);
+  if (object.contains("perspective")) {
+    const Json& value = object["perspective"];
+    if (!value.is_boolean())
+      throw BadInput(fmt::format("camera perspective: {} does not do; give true or false", value.dump()));
+    camera.perspective = value.get<bool>();
+  }
+  return camera;
+}
+
+int step_of(const Json& value, std::size_t steps) {
+  const bool good = value.is_number_integer() && value.get<double>() >= 1 &&
+                    value.get<double>() <= static_cast<double>(steps);
+  if (!good)
+    throw BadInput(fmt::format("step: {} is unknown; give a number from 1 to {}", value.dump(), steps));
+  return value.get<int>() - 1;
+}
+
+Place place_of(const Json& object, const std::vector<const Lesson*>& lessons) {
+  only_fields(object, "the state", {"lesson", "preset", "step", "parameters", "camera"});
+  if (!object.contains("lesson")) throw BadInput("lesson: missing; the state of which lesson is it?");
+  const Lesson& lesson = lesson_named(lessons, text_of(object["lesson"], "lesson"));
+  Place place;
+  place.lesson = lesson.id;
+
+  Parameters parameters;
+  for (const Parameter& p : lesson.parameters) parameters.emplace(p.name, p.initial);
+  if (object.contains("preset")) place.preset = text_of(object["preset"], "preset");
+  if (!place.preset.empty()) parameters = preset(lesson, place.preset).parameters;
+  if (object.contains("parameters")) parameters = parameters_of(object["parameters"], lesson, parameters);
+  place.parameters = parameters;
+
+  if (object.contains("camera")) place.camera = camera_of(object["camera"]);
+  if (object.contains("step")) place.step = step_of(object["step"], lesson.walk(parameters).steps.size());
+  return place;
+}
+
+}  // namespace
+
+std::string to_json(const Parameters& parameters) { return json(parameters).dump(); }
+
+std::string to_json(const Place& place) {
+  std::string text = fmt::format("{{\n  \"lesson\": {}", Json(place.lesson).dump());
+  if (!place.preset.empty()) text += fmt::format(",\n  \"preset\": {}", Json(place.preset).dump());
+  text += fmt::format(",\n  \"step\": {}", place.step + 1);
+  if (place.parameters) text += fmt::format(",\n  \"parameters\": {}", to_json(*place.parameters));
+  if (place.camera) text += fmt::format(",\n  \"camera\": {}", json(*place.camera).dump());
+  return text + "\n}\n";
+}
+
+Place place_from_json(const std::string& text, const std::vector<const Lesson*>& lessons) {
+  return place_of(parse("the state", text), lessons);
+}
+
+Metadata metadata(const Place& place) {
+  Metadata data{{"lesson", place.lesson}, {"step", std::to_string(place.step + 1)}, {"version", version()}};
+  if (!place.preset.empty()) data["preset"] = place.preset;
+  if (place.parameters) data["parameters"] = to_json(*place.parameters);
+  if (place.camera) data["camera"] = json(*place.camera).dump();
+  return data;
+}
+
+Place place_from_metadata(const Metadata& data, const std::vector<const Lesson*>& lessons) {
+  if (!data.contains("lesson")) throw BadInput("lesson: the picture names none, so it was not made by isect");
+  Json object;
+  for (const std::string field : {"lesson", "preset"})
+    if (data.contains(field)) object[field] = data.at(field);
+  for (const std::string field : {"step", "parameters", "camera"})
+    if (data.contains(field)) object[field] = parse(field, data.at(field));
+  return place_of(object, lessons);
+}
+
+const Lesson& lesson_named(const std::vector<const Lesson*>& lessons, const std::string& id) {
+  std::vector<std::string> ids;
+  for (const Lesson* lesson : lessons) {
+    if (lesson->id == id) return *lesson;
+    ids.push_back(lesson->id);
+  }
+  throw unknown("lesson", id, ids);
+}
+
+std::string version() { return ISECT_VERSION; }
+
+}  // namespace isect::viz

@@ -1,0 +1,38 @@
+#pragma once
+// Where a reader is: everything needed to come back. The text of Ctrl+C / Ctrl+V, of preset files and of figures.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viz/camera.h"
+#include "viz/files.h"
+#include "viz/lesson.h"
+
+namespace isect::viz {
+
+struct Place {
+  std::string lesson, preset;  ///< preset empty: parameters were changed by hand
+  int step = 0;                ///< from 0; in every text steps are counted from 1
+  std::optional<Parameters> parameters = {};
+  std::optional<Camera> camera = {};
+};
+
+std::string to_json(const Place&);
+/// Reads what to_json writes, and less: parameters that are not given keep the values of the preset, or of the lesson
+/// where none is named. Throws BadInput naming the field.
+Place place_from_json(const std::string& text, const std::vector<const Lesson*>&);
+
+/// What a figure carries inside: lesson, preset, step, parameters, camera and version.
+Metadata metadata(const Place&);
+/// The place a figure was made at. Throws BadInput naming the field, also where the metadata is another program's.
+Place place_from_metadata(const Metadata&, const std::vector<const Lesson*>&);
+
+/// The parameters as a JSON object on one line.
+std::string to_json(const Parameters&);
+/// The lesson called `id`. Throws BadInput with the nearest name.
+const Lesson& lesson_named(const std::vector<const Lesson*>&, const std::string& id);
+/// Version of isect, carried by everything it writes.
+std::string version();
+
+}  // namespace isect::viz

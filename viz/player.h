@@ -1,0 +1,128 @@
+#pragma once
+// What the window shows and what a reader's actions do to it. No ImGui and no OpenGL, so tests drive it as it is.
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viz/camera_rig.h"
+#include "viz/lesson.h"
+#include "viz/window.h"
+
+namespace isect::viz {
+
+/// One value of the parameter that groups a lesson's presets, with the title of its variant.
+struct Method { std::string choice, title; };
+
+class Player {
+ public:
+  /// Starts paused at `at`; an empty place is the first lesson with its first preset. Throws BadInput.
+  explicit Player(std::vector<const Lesson*>, const Place& at = {}, bool reduced_motion = false);
+
+  const std::vector<const Lesson*>& lessons() const { return lessons_; }
+  const Lesson& lesson() const { return *lessons_[state_.lesson]; }
+  const Parameters& parameters() const { return state_.parameters; }
+  const Walk& walk() const { return walk_; }
+  int count() const { return static_cast<int>(walk_.steps.size()); }
+  int index() const { return std::min(state_.wanted, count() - 1); }
+  const Step& step() const { return walk_.steps[index()]; }
+  /// The preset whose parameters these are; empty when they were changed by hand.
+  const std::string& preset_id() const { return preset_; }
+  /// The presets of the current group, in order: what the keys 1 to 9 load.
+  std::vector<const Preset*> group() const;
+  const std::vector<Method>& methods() const { return methods_; }
+  /// The value of the grouping parameter; empty if the lesson has none.
+  std::string method() const;
+  Place place() const;
+  /// Grows with every change of what is shown, the camera excepted.
+  unsigned revision() const { return revision_; }
+
+  // Stepping. A step with a question is asked about before it is shown; stepping on again skips the question.
+  void next();
+  void back();
+  void go_to(int step);
+  void first() { go_to(0); }
+  void last() { go_to(count() - 1); }
+  bool at_end() const { return index() + 1 == count(); }
+
+  bool playing() const { return playing_; }
+  void toggle_play();
+  double speed() const { return speed_; }
+  /// 0.5x, 1x, 1.5x, 2x and round again.
+  void next_speed();
+  void set_speed(double);
+  /// Lets time pass for play and for the camera.
+  void advance(double seconds);
+
+  /// The question to be answered now, if any.
+  const Question* asked() const;
+  void answer(int choice);
+  /// The question of the current step, once it was answered, and the answer that was given.
+  struct Answered { const Question* question; int choice; bool right() const { return choice == question->answer; } };
+  std::optional<Answered> answered() const;
+
+  // Other lessons, presets and parameters. All that can be refused throws BadInput and changes nothing.
+  void open(const Lesson&);
+  void open_neighbour(int by);
+  void load(const Preset&);
+  void load_method(const std::string& choice);
+  void restart();
+  void edit(const std::string& name, const Setting&);
+  void drag_handle(const Handle&, const Vec3& to);
+  void go(const Place&);
+
+  const CameraRig& camera() const { return camera_; }
+  /// Width / height of the scene; a view that nobody has moved is framed anew.
+  void set_aspect(double);
+  void orbit(const Vec2& pixels);
+  void pan(const View&, const Vec2& from, const Vec2& to);
+  void zoom(const View&, const Vec2& at, double factor);
+  /// Glides to the lesson's opening direction with the whole walk in view.
+  void frame_all();
+  void set_perspective(bool);
+
+  /// Remembers the present state for undo(). A run of actions of one name counts as one, until end_action().
+  void remember(const std::string& action);
+  void end_action() { action_.clear(); }
+  /// Takes the last change of parameters, lesson or camera back; false if there is none.
+  bool undo();
+
+ private:
+  struct State {
+    std::size_t lesson = 0;
+    Parameters parameters;
+    std::string origin;  ///< the preset loaded last: where restart() returns
+    int wanted = 0;      ///< the step the reader chose; a shorter walk shows its last one meanwhile
+  };
+  struct Memory { State state; Camera camera; bool moved; };
+
+  std::size_t index_of(const std::string& lesson_id) const;
+  void show(State, bool same_lesson);
+
+  std::vector<const Lesson*> lessons_;
+  State state_;
+  Walk walk_;
+  std::string preset_;
+  std::vector<Method> methods_;
+  std::vector<Walk> samples_;  ///< one walk of each preset: the opening view frames them all alike
+  unsigned revision_ = 0;
+
+  bool asking_ = false;
+  std::map<int, std::optional<int>> asked_;  ///< by step: the answer, or none where it was skipped
+
+  bool playing_ = false;
+  double speed_ = 1, waited_ = 0;
+
+  CameraRig camera_;
+  double aspect_ = 1;
+  bool moved_ = false;  ///< the reader has moved the camera
+
+  std::vector<Memory> memory_;
+  std::string action_;
+};
+
+/// The lesson's opening view in a picture of this aspect (width / height), with every preset's whole walk in it.
+Camera opening_view(const Lesson&, const std::vector<Walk>&, double aspect);
+
+}  // namespace isect::viz

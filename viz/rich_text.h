@@ -1,0 +1,31 @@
+#pragma once
+// The markup of every text: `*t*` italic, `**o**` bold upright, `_1` or `_{1,2}` subscript, `^2` superscript,
+// `\*` `\_` `\^` `\\` the characters themselves. One text serves window, figures, alt text, terminal and TeX.
+
+#include <string>
+#include <vector>
+
+namespace isect::viz {
+
+struct Run {
+  enum class Script { base, sub, super };
+  std::string text;
+  bool italic = false, bold = false;
+  Script script = Script::base;
+};
+
+/// Never fails: an unclosed mark is ordinary text. Only letters slant: in italic text digits, signs and
+/// brackets stay upright. A script holds one character, a group in braces, or marked text: `*t*_1`,
+/// `*n*_{*i*}`, `*n*_*i*`, `*n_i*`.
+std::vector<Run> parse_markup(const std::string& markup);
+/// For terminals and screen readers: marks dropped, digits and signs in scripts as Unicode (t₁, m²) where
+/// they exist.
+std::string plain(const std::string& markup);
+/// Pango markup: subscripts at 70 %, down 0.16 em; superscripts at 70 %, up 0.34 em. Escapes &, < and >.
+/// `math_font`: the family for italic and bold runs and for scripts, empty for the surrounding one,
+/// `math_scale` times its size. `em`: the layout's font size in device units, which Pango needs for the
+/// rises.
+std::string pango(const std::string& markup, const std::string& math_font = {}, double math_scale = 1,
+                  double em = 10);
+
+}  // namespace isect::viz

@@ -1,0 +1,188 @@
+#include "viz/text.h"
+
+#include <fontconfig/fontconfig.h>
+#include <pango/pangocairo.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "viz/rich_text.h"
+#include "viz/typeset.h"
+
+namespace isect::viz {
+namespace {
+
+/// A transparent cairo canvas that becomes a Picture.
+class Canvas {
+ public:
+  Canvas(double width, double height) {
+    constexpr double most = 32767;  // cairo's limit
+    if (!(width <= most && height <= most)) throw std::invalid_argument("text larger than 32767 pixels");
+    surface_ =
+        cairo_image_surface_create(CAIRO_FORMAT_ARGB32, static_cast<int>(width), static_cast<int>(height));
+    cr_ = cairo_create(surface_);
+    cairo_set_antialias(cr_, CAIRO_ANTIALIAS_GOOD);
+  }
+  ~Canvas() {
+    cairo_destroy(cr_);
+    cairo_surface_destroy(surface_);
+  }
+  Canvas(const Canvas&) = delete;
+  Canvas& operator=(const Canvas&) = delete;
+
+  cairo_t* cr() const { return cr_; }
+
+  /// What was drawn, as straight alpha. Where nothing was, the colour is `under`: a filtered texture then has
+  /// no dark rim.
+  Picture picture(const Colour& under) const {
+    if (cairo_surface_status(surface_) != CAIRO_STATUS_SUCCESS)
+      throw std::runtime_error("no memory for a text");
+    cairo_surface_flush(surface_);
+    Picture out{cairo_image_surface_get_width(surface_), cairo_image_surface_get_height(surface_), {}};
+    out.rgba.reserve(std::size_t{4} * out.width * out.height);
+    const unsigned char* row = cairo_image_surface_get_data(surface_);
+    for (int y = 0; y < out.height; ++y, row += cairo_image_surface_get_stride(surface_)) {
+      const auto* pixels = reinterpret_cast<const std::uint32_t*>(row);
+      for (int x = 0; x < out.width; ++x) append_straight(out.rgba, pixels[x], under);
+    }
+    return out;
+  }
+
+ private:
+  static std::uint8_t byte(double channel) { return static_cast<std::uint8_t>(std::lround(255 * channel)); }
+
+  static void append_straight(std::vector<std::uint8_t>& rgba, std::uint32_t premultiplied,
+                              const Colour& under) {
+    const std::uint32_t alpha = premultiplied >> 24;
+    if (alpha == 0) {
+      rgba.insert(rgba.end(), {byte(under.r), byte(under.g), byte(under.b), 0});
+      return;
+    }
+    for (const int shift : {16, 8, 0}) {
+      const std::uint32_t channel = premultiplied >> shift & 255;
+      rgba.push_back(
+          static_cast<std::uint8_t>(std::min<std::uint32_t>(255, (channel * 255 + alpha / 2) / alpha)));
+    }
+    rgba.push_back(static_cast<std::uint8_t>(alpha));
+  }
+
+  cairo_surface_t* surface_;
+  cairo_t* cr_;
+};
+
+/// The first of `candidates` that fontconfig has, or its own choice for the last one.
+std::string installed_family(const std::vector<const char*>& candidates) {
+  std::string substitute;
+  for (const char* wanted : candidates) {
+    FcPattern* pattern = FcPatternCreate();
+    FcPatternAddString(pattern, FC_FAMILY, reinterpret_cast<const FcChar8*>(wanted));
+    FcConfigSubstitute(nullptr, pattern, FcMatchPattern);
+    FcDefaultSubstitute(pattern);
+    FcResult result = FcResultNoMatch;
+    FcPattern* match = FcFontMatch(nullptr, pattern, &result);
+    bool found = false;
+    FcChar8* family = nullptr;
+    for (int i = 0; match && FcPatternGetString(match, FC_FAMILY, i, &family) == FcResultMatch; ++i) {
+      if (i == 0) substitute = reinterpret_cast<const char*>(family);
+      found = found || FcStrCmpIgnoreCase(family, reinterpret_cast<const FcChar8*>(wanted)) == 0;
+    }
+    if (match) FcPatternDestroy(match);
+    FcPatternDestroy(pattern);
+    if (found) return wanted;
+  }
+  return substitute;
+}
+
+/// A paragraph's lines, each with its baseline in pixels from the top.
+struct Block {
+  Layout layout;
+  std::vector<std::pair<PangoLayoutLine*, double>> lines;
+  double left = 0, right = 0;  ///< of ink and advance together
+  double height = 0;
+};
+
+Block lay_out(const Paragraph& paragraph) {
+  const Fonts families = fonts();
+  constexpr double math_scale = 18.0 / 15;
+  const std::string markup = paragraph.math
+                                 ? pango(paragraph.markup, {}, 1, paragraph.size)
+                                 : pango(paragraph.markup, families.figure, math_scale, paragraph.size);
+  Block block{
+      make_layout(markup, paragraph.math ? families.figure : families.window, paragraph.size, paragraph.bold),
+      {}};
+  PangoLayout* layout = block.layout.get();
+  if (paragraph.width > 0) {
+    pango_layout_set_width(layout, static_cast<int>(std::lround(paragraph.width * PANGO_SCALE)));
+    pango_layout_set_wrap(layout, PANGO_WRAP_WORD_CHAR);
+  }
+
+  // Capitals, about 0.72 em high, stand in the middle of the pitch.
+  const double first_baseline = std::round((paragraph.line_pitch + 0.72 * paragraph.size) / 2);
+  const double paragraph_gap = std::round(0.3 * paragraph.line_pitch);
+  double top = 0;
+  for (GSList* at = pango_layout_get_lines_readonly(layout); at; at = at->next) {
+    auto* line = static_cast<PangoLayoutLine*>(at->data);
+    if (line->is_paragraph_start && !block.lines.empty()) top += paragraph_gap;
+    PangoRectangle ink, logical;
+    pango_layout_line_get_extents(line, &ink, &logical);
+    block.left = std::min(block.left, ink.x / static_cast<double>(PANGO_SCALE));
+    block.right =
+        std::max(block.right, std::max(ink.x + ink.width, logical.width) / static_cast<double>(PANGO_SCALE));
+    block.lines.emplace_back(line, top + first_baseline);
+    top += paragraph.line_pitch;
+  }
+  block.height = top;
+  return block;
+}
+
+}  // namespace
+
+TextBox measure(const Text& text) { return TypesetLine(text).box(); }
+
+Rastered raster(const Text& text, double scale) {
+  const TypesetLine line(text);
+  const TextBox box = line.box();
+  if (line.empty() || !(scale > 0)) return {{}, {box.left, box.top}};
+
+  // Whole pixels of the drawing's own grid, with a rim for the halo and the edges' smoothing.
+  const double rim = std::max(text.halo, 0.0) * scale + 1;
+  const double left = std::floor(box.left * scale - rim), top = std::floor(box.top * scale - rim);
+  const double right = std::ceil(box.right * scale + rim), bottom = std::ceil(box.bottom * scale + rim);
+  const Canvas canvas(right - left, bottom - top);
+  cairo_translate(canvas.cr(), -left, -top);
+  cairo_scale(canvas.cr(), scale, scale);
+  line.draw(canvas.cr(), TypesetLine::As::outlines);
+  return {canvas.picture(text.halo > 0 ? text.halo_colour : text.colour), {left / scale, top / scale}};
+}
+
+Picture raster(const Paragraph& paragraph, double scale) {
+  if (paragraph.markup.empty() || !(scale > 0)) return {};
+  const Block block = lay_out(paragraph);
+  const double width = std::max(paragraph.width, block.right - block.left);
+  const Canvas canvas(std::ceil(width * scale), std::ceil(block.height * scale));
+  cairo_t* cr = canvas.cr();
+  const Colour& ink = paragraph.colour;
+  cairo_set_source_rgba(cr, ink.r, ink.g, ink.b, ink.a);
+  cairo_scale(cr, scale, scale);
+  for (const auto& [line, baseline] : block.lines) {
+    cairo_move_to(cr, -block.left, baseline);
+    pango_cairo_layout_line_path(cr, line);
+    cairo_fill(cr);
+  }
+  return canvas.picture(ink);
+}
+
+Fonts fonts() {
+  static const Fonts found = [] {
+    const std::vector<const char*> figure = {"STIXGeneral",      "STIX Two Text", "STIX", "TeX Gyre Termes",
+                                             "Liberation Serif", "DejaVu Serif",  "serif"};
+    const std::vector<const char*> window = {"DejaVu Sans", "sans-serif"};
+    Fonts chosen{installed_family(figure), installed_family(window)};
+    chosen.exact = chosen.figure == figure.front() && chosen.window == window.front();
+    return chosen;
+  }();
+  return found;
+}
+
+}  // namespace isect::viz

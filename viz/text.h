@@ -1,0 +1,52 @@
+#pragma once
+// Text shaped by Pango and drawn by cairo: measured for layout, as pixels for OpenGL, as glyphs for vector
+// files.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "viz/drawing.h"
+
+namespace isect::viz {
+
+/// RGBA, 8 bits a channel, not premultiplied, rows from the top.
+struct Picture {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgba;
+};
+
+/// The box a Text covers in its drawing's units, halo excluded.
+TextBox measure(const Text&);
+
+/// A Text as pixels at `scale` pixels per unit, with the position of its top left corner in the drawing.
+/// Colours are straight alpha. Empty text gives an empty picture.
+struct Rastered {
+  Picture picture;
+  Vec2 corner;
+};
+Rastered raster(const Text&, double scale);
+
+/// Wrapped text for the window's panels: DejaVu Sans with STIX for the mathematics (18 px inline on 15 px
+/// text).
+struct Paragraph {
+  std::string markup;      ///< '\n' separates paragraphs
+  double width = 0;        ///< wrap width in px; <= 0: one line
+  double size = 15;        ///< px
+  double line_pitch = 23;  ///< px from baseline to baseline; 0.3 of it more between paragraphs
+  bool bold = false;
+  bool math = false;  ///< a formula: STIX throughout
+  Colour colour;
+};
+/// `width` px wide (as wide as its text on one line); one pitch high for each line, capitals in the middle of
+/// it.
+Picture raster(const Paragraph&, double scale = 1);
+
+/// Families used, found by fontconfig: {"STIXGeneral" or a named substitute, "DejaVu Sans"}. For `doctor`.
+struct Fonts {
+  std::string figure, window;
+  bool exact = true;
+};
+Fonts fonts();
+
+}  // namespace isect::viz

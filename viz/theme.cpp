@@ -1,0 +1,170 @@
+#include "viz/theme.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "viz/lesson.h"
+
+namespace isect::viz {
+namespace {
+
+/// One colour a role, in the order of Role: first, second, hit, miss, construction, highlight, text, muted,
+/// grid.
+struct Palette {
+  std::array<unsigned, 9> inks;
+  unsigned background, panel;
+};
+
+constexpr Palette print_palette = {
+    {0x0B60C8, 0xA34E00, 0x00624A, 0x7B1E7A, 0x66707C, 0xFFD54A, 0x14181D, 0x545D69, 0xDFE4E9},
+    0xFFFFFF,
+    0xF5F7F9};
+constexpr Palette dark_palette = {
+    {0x5FA8FF, 0xFF9A3D, 0x5CEBB0, 0xE3A6EE, 0x8C98A8, 0xFFDE59, 0xE9ECF0, 0xA3ADBA, 0x2B333E},
+    0x11151B,
+    0x1A2029};
+constexpr Palette grey_palette = {
+    {0x111111, 0x5A5A5A, 0x000000, 0x111111, 0x6E6E6E, 0xE2E2E2, 0x111111, 0x555555, 0xDDDDDD},
+    0xFFFFFF,
+    0xF4F4F4};
+
+/// Points, for a figure 227 x 142: 8 cm wide on paper.
+constexpr Sizes paper = {.outline = 0.75,
+                         .ray = 0.85,
+                         .shared = 1.7,
+                         .highlight = 2.3,
+                         .hidden = 0.4,
+                         .construction = 0.5,
+                         .hairline = 0.4,
+                         .hidden_dash = {1.3, 1.2},
+                         .construction_dash = {1.5, 1.1},
+                         .disc = 1.5,
+                         .ring = 1.3,
+                         .marker_line = 0.7,
+                         .halo = 0.6,
+                         .arrow = 3.6,
+                         .handle = 1.5,
+                         .handle_ring = 3.2,
+                         .title = 6.8,
+                         .label = 6.6,
+                         .axis = 6.3,
+                         .label_offset = 5,
+                         .label_clear = 1.4,
+                         .label_halo = 0.7,
+                         .leader = 0.4,
+                         .margin = 2,
+                         .gutter = 4,
+                         .hatch_gap = 2,
+                         .hatch_line = 0.2};
+
+/// Pixels at 1x, for a picture 960 x 600.
+constexpr Sizes pixels = {.outline = 2,
+                          .ray = 2.5,
+                          .shared = 3,
+                          .highlight = 5,
+                          .hidden = 1.2,
+                          .construction = 1.5,
+                          .hairline = 1,
+                          .hidden_dash = {5, 5},
+                          .construction_dash = {6, 5},
+                          .disc = 5.5,
+                          .ring = 5,
+                          .marker_line = 2.5,
+                          .halo = 2.5,
+                          .arrow = 14,
+                          .handle = 5.5,
+                          .handle_ring = 12,
+                          .title = 24,
+                          .label = 22,
+                          .axis = 18,
+                          .label_offset = 25,
+                          .label_clear = 6,
+                          .label_halo = 3,
+                          .leader = 1,
+                          .margin = 8,
+                          .gutter = 16,
+                          .hatch_gap = 8,
+                          .hatch_line = 0.8};
+
+/// Sizes holds lengths and nothing else, so all of them scale.
+Sizes scaled(const Sizes& sizes, double by) {
+  using Lengths = std::array<double, sizeof(Sizes) / sizeof(double)>;
+  Lengths lengths = std::bit_cast<Lengths>(sizes);
+  for (double& length : lengths) length *= by;
+  return std::bit_cast<Sizes>(lengths);
+}
+
+const Palette& palette(ThemeName name) {
+  switch (name) {
+    case ThemeName::grey:
+      return grey_palette;
+    case ThemeName::dark:
+      return dark_palette;
+    case ThemeName::screen:
+    case ThemeName::print:
+      break;
+  }
+  return print_palette;
+}
+
+Theme theme_with(ThemeName name, const Sizes& sizes) {
+  const Palette& colours = palette(name);
+  Theme theme;
+  theme.name = name;
+  theme.background = hex(colours.background);
+  theme.panel = hex(colours.panel);
+  theme.fill_alpha = 0.14;
+  theme.overlap_alpha = 0.30;
+  theme.hatch_second = name == ThemeName::grey;
+  theme.floor_grid = name == ThemeName::screen || name == ThemeName::dark;
+  theme.sizes = sizes;
+  std::transform(colours.inks.begin(), colours.inks.end(), theme.inks.begin(), hex);
+  return theme;
+}
+
+struct Named {
+  ThemeName name;
+  const char* text;
+};
+constexpr Named names[] = {{ThemeName::screen, "screen"},
+                           {ThemeName::print, "print"},
+                           {ThemeName::grey, "grey"},
+                           {ThemeName::dark, "dark"}};
+
+}  // namespace
+
+Colour hex(unsigned rgb) {
+  return {(rgb >> 16 & 255) / 255.0, (rgb >> 8 & 255) / 255.0, (rgb & 255) / 255.0, 1};
+}
+
+Colour Theme::ink(Role role) const { return inks[static_cast<std::size_t>(role)]; }
+
+Theme theme(ThemeName name, double width, double height) {
+  if (name == ThemeName::print || name == ThemeName::grey)
+    return theme_with(name, scaled(paper, std::min(width / 227, height / 142)));
+  return theme_with(name, scaled(pixels, std::min(width / 960, height / 600)));
+}
+
+Theme window_theme(ThemeName name, double scale) { return theme_with(name, scaled(pixels, scale)); }
+
+std::vector<std::string> theme_names() {
+  std::vector<std::string> all;
+  for (const Named& named : names) all.emplace_back(named.text);
+  return all;
+}
+
+ThemeName theme_named(const std::string& text) {
+  for (const Named& named : names)
+    if (text == named.text) return named.name;
+  const std::string likely = nearest(text, theme_names());
+  throw BadInput("theme: '" + text + "' is none of screen, print, grey, dark; did you mean '" + likely +
+                 "'?");
+}
+
+std::string name_of(ThemeName name) {
+  for (const Named& named : names)
+    if (name == named.name) return named.text;
+  return {};
+}
+
+}  // namespace isect::viz

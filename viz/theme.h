@@ -1,0 +1,56 @@
+#pragma once
+// Roles become ink here and nowhere else. Blue meets orange; green is where they meet.
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "viz/scene.h"
+
+namespace isect::viz {
+
+/// sRGB in 0..1, not premultiplied.
+struct Colour {
+  double r = 0, g = 0, b = 0, a = 1;
+  Colour with_alpha(double alpha) const { return {r, g, b, alpha}; }
+};
+Colour hex(unsigned rgb);
+
+/// `screen`: light, with floor grid. `print`: for paper. `grey`: for grey print. `dark`: the window's own.
+enum class ThemeName { screen, print, grey, dark };
+
+/// Lengths in units of the drawing (see `theme`).
+struct Sizes {
+  double outline, ray, shared, highlight, hidden, construction, hairline;
+  std::array<double, 2> hidden_dash, construction_dash;
+  double disc, ring, marker_line, halo, arrow;  ///< radii, line width, halo width, arrow length
+  double handle, handle_ring;
+  double title, label, axis;    ///< font sizes
+  double label_offset, label_clear, label_halo, leader;
+  double margin, gutter;
+  double hatch_gap, hatch_line;
+};
+
+struct Theme {
+  ThemeName name;
+  Colour ink(Role) const;
+  Colour background, panel;
+  double fill_alpha, overlap_alpha;
+  bool hatch_second;   ///< grey: the second object carries a 45 degree hatch
+  bool floor_grid;     ///< screen and dark: fading floor grid, drop lines, contact shadow
+  Sizes sizes;
+  std::array<Colour, 9> inks;
+};
+
+/// The theme with all lengths for a drawing of the given size. print and grey are designed at 227 x 142 pt,
+/// screen and dark at 960 x 600 px, and scale with the smaller ratio.
+Theme theme(ThemeName, double width, double height);
+/// The window's: px sizes at 1x, whatever the size of the scene, times `scale`.
+Theme window_theme(ThemeName, double scale = 1);
+
+std::vector<std::string> theme_names();
+/// Throws BadInput naming the nearest theme.
+ThemeName theme_named(const std::string&);
+std::string name_of(ThemeName);
+
+}  // namespace isect::viz

@@ -1,0 +1,117 @@
+#include "viz/typeset.h"
+
+#include <pango/pangocairo.h>
+
+#include "viz/rich_text.h"
+#include "viz/text.h"
+
+namespace isect::viz {
+namespace {
+
+/// Large enough that FreeType's and Pango's fixed-point positions lose nothing that could be seen.
+constexpr double reference_em = 100;
+
+struct Unref {
+  void operator()(void* object) const { g_object_unref(object); }
+};
+struct FreeFont {
+  void operator()(PangoFontDescription* font) const { pango_font_description_free(font); }
+};
+struct FreeOptions {
+  void operator()(cairo_font_options_t* options) const { cairo_font_options_destroy(options); }
+};
+
+/// A context whose results depend on the font files alone, never on the desktop's settings.
+std::unique_ptr<PangoContext, Unref> make_context() {
+  std::unique_ptr<PangoContext, Unref> context(
+      pango_font_map_create_context(pango_cairo_font_map_get_default()));
+  const std::unique_ptr<cairo_font_options_t, FreeOptions> options(cairo_font_options_create());
+  cairo_font_options_set_antialias(options.get(), CAIRO_ANTIALIAS_GRAY);
+  cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
+  cairo_font_options_set_hint_metrics(options.get(), CAIRO_HINT_METRICS_OFF);
+  pango_cairo_context_set_font_options(context.get(), options.get());
+  pango_cairo_context_set_resolution(context.get(), 96);
+  pango_context_set_round_glyph_positions(context.get(), FALSE);
+  pango_context_set_base_dir(context.get(), PANGO_DIRECTION_LTR);
+  pango_context_set_language(context.get(), pango_language_from_string("en"));
+  return context;
+}
+
+void set_markup(PangoLayout* layout, const std::string& markup) {
+  const auto length = static_cast<int>(markup.size());
+  if (g_utf8_validate(markup.data(), length, nullptr)) {
+    pango_layout_set_markup(layout, markup.data(), length);
+    return;
+  }
+  const std::unique_ptr<char, decltype(&g_free)> valid(g_utf8_make_valid(markup.data(), length), g_free);
+  pango_layout_set_markup(layout, valid.get(), -1);
+}
+
+void set_source(cairo_t* cr, const Colour& c) { cairo_set_source_rgba(cr, c.r, c.g, c.b, c.a); }
+
+}  // namespace
+
+void LayoutDeleter::operator()(_PangoLayout* layout) const { g_object_unref(layout); }
+
+Layout make_layout(const std::string& pango_markup, const std::string& family, double em, bool bold) {
+  Layout layout(pango_layout_new(make_context().get()));
+  const std::unique_ptr<PangoFontDescription, FreeFont> font(pango_font_description_new());
+  pango_font_description_set_family(font.get(), family.c_str());
+  pango_font_description_set_absolute_size(font.get(), em * PANGO_SCALE);
+  pango_font_description_set_weight(font.get(), bold ? PANGO_WEIGHT_BOLD : PANGO_WEIGHT_NORMAL);
+  pango_layout_set_font_description(layout.get(), font.get());
+  pango_layout_set_auto_dir(layout.get(), FALSE);
+  set_markup(layout.get(), pango_markup);
+  return layout;
+}
+
+TypesetLine::TypesetLine(const Text& text)
+    : text_(text),
+      layout_(make_layout(pango(text.markup, {}, 1, reference_em), fonts().figure, reference_em, text.bold)),
+      scale_(text.size / reference_em) {
+  pango_layout_set_single_paragraph_mode(layout_.get(), TRUE);
+  PangoRectangle ink, logical;
+  pango_layout_line_get_extents(pango_layout_get_line_readonly(layout_.get(), 0), &ink, &logical);
+  const auto units = [](int pango_units) { return pango_units / static_cast<double>(PANGO_SCALE); };
+  ink_ = {units(ink.x), units(ink.y), units(ink.x + ink.width), units(ink.y + ink.height)};
+  start_ = text.at.x() - text.align * scale_ * units(logical.width);
+}
+
+bool TypesetLine::empty() const { return !(ink_.right > ink_.left && ink_.bottom > ink_.top && scale_ > 0); }
+
+TextBox TypesetLine::box() const {
+  const double x = start_, y = text_.at.y();
+  if (empty()) return {x, y, x, y};
+  return {x + scale_ * ink_.left, y + scale_ * ink_.top, x + scale_ * ink_.right, y + scale_ * ink_.bottom};
+}
+
+void TypesetLine::draw(_cairo* cr, As as) const {
+  if (empty()) return;
+  PangoLayoutLine* line = pango_layout_get_line_readonly(layout_.get(), 0);
+  cairo_save(cr);
+  cairo_translate(cr, start_, text_.at.y());
+  cairo_scale(cr, scale_, scale_);
+  cairo_new_path(cr);
+
+  if (text_.halo > 0) {
+    cairo_move_to(cr, 0, 0);
+    pango_cairo_layout_line_path(cr, line);
+    cairo_set_line_width(cr, 2 * text_.halo / scale_);
+    cairo_set_line_join(cr, CAIRO_LINE_JOIN_ROUND);
+    cairo_set_dash(cr, nullptr, 0, 0);
+    set_source(cr, text_.halo_colour);
+    cairo_stroke(cr);
+  }
+
+  set_source(cr, text_.colour);
+  cairo_move_to(cr, 0, 0);
+  if (as == As::glyphs) {
+    pango_cairo_show_layout_line(cr, line);
+  } else {
+    pango_cairo_layout_line_path(cr, line);
+    cairo_fill(cr);
+  }
+  cairo_restore(cr);
+}
+
+}  // namespace isect::viz

@@ -1,0 +1,43 @@
+#pragma once
+// One line of markup laid out by Pango: it knows its extents and draws itself on a cairo context.
+//
+// Measuring, pixels and vector files all go through here, so that they agree. Lines are laid out once at a
+// large size, unhinted, and scaled: extents are proportional to the size, and the same at every resolution.
+
+#include <memory>
+#include <string>
+
+#include "viz/drawing.h"
+
+struct _cairo;
+struct _PangoLayout;
+
+namespace isect::viz {
+
+struct LayoutDeleter {
+  void operator()(_PangoLayout*) const;
+};
+using Layout = std::unique_ptr<_PangoLayout, LayoutDeleter>;
+
+/// A layout of Pango markup in `family` with an em of `em` device units.
+Layout make_layout(const std::string& pango_markup, const std::string& family, double em, bool bold);
+
+class TypesetLine {
+ public:
+  explicit TypesetLine(const Text&);
+
+  bool empty() const;   ///< no ink
+  TextBox box() const;  ///< of the ink, in the drawing's units, halo excluded
+  enum class As { outlines, glyphs };
+  /// `outlines` are placed exactly, `glyphs` are shared by a vector file.
+  void draw(_cairo*, As) const;
+
+ private:
+  Text text_;
+  Layout layout_;
+  double scale_ = 1;  ///< the drawing's units per unit of the layout
+  TextBox ink_ = {};  ///< in layout units from the line's start on the baseline
+  double start_ = 0;  ///< x of the line's start in the drawing
+};
+
+}  // namespace isect::viz

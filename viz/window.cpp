@@ -1,0 +1,135 @@
+#include "viz/window.h"
+
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+#include <imgui_impl_glfw.h>
+
+#include <cmath>
+#include <string>
+
+#include "viz/files.h"
+#include "viz/window/key_codes.h"
+#include "viz/window/window_ui.h"
+
+namespace isect::viz {
+namespace {
+
+static_assert(key::right == GLFW_KEY_RIGHT && key::left == GLFW_KEY_LEFT && key::home == GLFW_KEY_HOME &&
+              key::end == GLFW_KEY_END && key::escape == GLFW_KEY_ESCAPE && key::enter == GLFW_KEY_ENTER &&
+              key::tab == GLFW_KEY_TAB && key::f1 == GLFW_KEY_F1 && key::f12 == GLFW_KEY_F12 && key::z == GLFW_KEY_Z);
+
+std::string glfw_words() {
+  const char* words = nullptr;
+  return glfwGetError(&words) != GLFW_NO_ERROR && words ? words : "no reason given";
+}
+
+/// GLFW with its one window, the context of which is current.
+class Window {
+ public:
+  Window(int width, int height) {
+    if (!glfwInit()) throw NoDisplay("no display to open a window on (" + glfw_words() + ")");
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    handle_ = glfwCreateWindow(width, height, "isect", nullptr, nullptr);
+    if (!handle_) {
+      const std::string words = glfw_words();
+      glfwTerminate();
+      throw NoDisplay("the display opens no window with OpenGL 3.3 (" + words + ")");
+    }
+    glfwMakeContextCurrent(handle_);
+    glfwSwapInterval(1);
+    glfwSetWindowSizeLimits(handle_, 800, 500, GLFW_DONT_CARE, GLFW_DONT_CARE);
+  }
+  ~Window() {
+    glfwDestroyWindow(handle_);
+    glfwTerminate();
+  }
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  GLFWwindow* handle() const { return handle_; }
+
+  /// Framebuffer pixels per px of the layout.
+  double scale() const {
+    float x = 1, y = 1;
+    glfwGetWindowContentScale(handle_, &x, &y);
+    return x > 0 ? x : 1;
+  }
+
+ private:
+  GLFWwindow* handle_ = nullptr;
+};
+
+/// Dear ImGui's input from GLFW.
+struct Input {
+  explicit Input(GLFWwindow* window) { ImGui_ImplGlfw_InitForOpenGL(window, true); }
+  ~Input() { ImGui_ImplGlfw_Shutdown(); }
+  Input(const Input&) = delete;
+  Input& operator=(const Input&) = delete;
+};
+
+/// GLFW speaks of window coordinates; the layout has px of its own, `scale` framebuffer pixels each.
+void to_layout(GLFWwindow* window, double scale) {
+  int width = 1, height = 1, pixels_across = 1, pixels_down = 1;
+  glfwGetWindowSize(window, &width, &height);
+  glfwGetFramebufferSize(window, &pixels_across, &pixels_down);
+  ImGuiIO& io = ImGui::GetIO();
+  const float s = static_cast<float>(scale);
+  io.DisplaySize = {static_cast<float>(pixels_across) / s, static_cast<float>(pixels_down) / s};
+  io.DisplayFramebufferScale = {s, s};
+  if (width <= 0 || !(io.MousePos.x > -1e6f)) return;
+  const float to_px = static_cast<float>(pixels_across) / static_cast<float>(width) / s;
+  io.MousePos = {io.MousePos.x * to_px, io.MousePos.y * to_px};
+}
+
+void run(Window& window, WindowUi& ui, double scale) {
+  constexpr int settle = 3;  // frames that Dear ImGui may need to answer an event
+  int frames_due = settle;
+  std::string title;
+  while (!glfwWindowShouldClose(window.handle())) {
+    if (ui.animating()) frames_due = settle;
+    if (frames_due > 0) {
+      glfwPollEvents();
+    } else {
+      glfwWaitEventsTimeout(0.5);
+      frames_due = settle;
+    }
+    --frames_due;
+    ImGui_ImplGlfw_NewFrame();
+    to_layout(window.handle(), scale);
+    if (ImGui::GetIO().DisplaySize.x < 1 || ImGui::GetIO().DisplaySize.y < 1) continue;  // minimised
+    ui.frame();
+    ui.draw();
+    glfwSwapBuffers(window.handle());
+    if (ui.title() != title) glfwSetWindowTitle(window.handle(), (title = ui.title()).c_str());
+  }
+}
+
+void keep(const std::string& file, Settings settings, GLFWwindow* window) {
+  glfwGetWindowSize(window, &settings.width, &settings.height);
+  try {
+    write_settings(file, settings);
+  } catch (const FileError&) {
+    // A state folder that can't be written is no reason to end badly: the next run starts from the defaults.
+  }
+}
+
+}  // namespace
+
+void show(const std::vector<const Lesson*>& lessons, const Place& at) {
+  const std::string file = settings_file();
+  const Settings kept = read_settings(file, lessons);
+  const Place start = at.lesson.empty() && kept.place ? *kept.place : at;
+  Window window(kept.width, kept.height);
+  Renderer renderer([](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); });
+  const double scale = window.scale();
+  WindowUi ui(lessons, start, renderer, kept, {.scale = scale});
+  const Input input(window.handle());
+  run(window, ui, scale);
+  keep(file, ui.settings(), window.handle());
+}
+
+}  // namespace isect::viz

@@ -1,0 +1,76 @@
+#include <algorithm>
+
+#include "viz/window/key_codes.h"
+#include "viz/window/panels.h"
+
+namespace isect::viz {
+namespace {
+
+bool pressed(int code, bool repeat = false) { return ImGui::IsKeyPressed(code, repeat); }
+
+void paste(Session& s) {
+  const char* text = ImGui::GetClipboardText();
+  if (!text || !*text) return s.complain("The clipboard holds no text");
+  s.attempt([&] {
+    s.player.go(place_from_json(text, s.player.lessons()));
+    s.say("State pasted. Ctrl+Z goes back");
+  });
+}
+
+void with_control(Session& s) {
+  if (pressed(key::o)) s.open_next = Sheet::picker;
+  if (pressed(key::z) && !s.player.undo()) s.say("Nothing to take back");
+  if (pressed(key::v)) paste(s);
+  if (!pressed(key::c)) return;
+  ImGui::SetClipboardText(to_json(s.player.place()).c_str());
+  s.say("State copied as JSON");
+}
+
+void moving_keys(Session& s) {
+  Player& player = s.player;
+  if (pressed(key::right, true)) player.next();
+  if (pressed(key::left, true)) player.back();
+  if (pressed(key::home)) player.first();
+  if (pressed(key::end)) player.last();
+  if (pressed(key::tab)) s.panels = !s.panels;
+  if (pressed(key::f1)) s.open_next = Sheet::keys;
+  if (pressed(key::f12)) s.open_next = Sheet::save;
+}
+
+void load_number(Session& s, std::size_t number) {
+  const std::vector<const Preset*> group = s.player.group();
+  if (number <= group.size()) s.attempt([&] { s.player.load(*group[number - 1]); });
+}
+
+/// Characters, not keys: so they work on every keyboard layout.
+void character(Session& s, char c) {
+  Player& player = s.player;
+  if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  if (c >= '1' && c <= '9') return load_number(s, static_cast<std::size_t>(c - '0'));
+  if (player.asked() && c >= 'a' && c - 'a' < static_cast<int>(player.asked()->choices.size()))
+    return player.answer(c - 'a');
+  switch (c) {
+    case ' ': return player.toggle_play();
+    case '[': return s.attempt([&] { player.open_neighbour(-1); });
+    case ']': return s.attempt([&] { player.open_neighbour(1); });
+    case 'r': return s.attempt([&] { player.restart(); });
+    case 'p': return player.set_perspective(true);
+    case 'o': return player.set_perspective(false);
+    case 's': s.open_next = Sheet::save; return;
+    case '?': s.open_next = Sheet::keys; return;
+    default: return;
+  }
+}
+
+}  // namespace
+
+void keys(Session& s) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (io.WantTextInput || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) return;
+  if (io.KeyCtrl) return with_control(s);
+  moving_keys(s);
+  for (const ImWchar c : io.InputQueueCharacters)
+    if (c < 128) character(s, static_cast<char>(c));
+}
+
+}  // namespace isect::viz

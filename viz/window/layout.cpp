@@ -1,0 +1,31 @@
+#include "viz/window/layout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace isect::viz {
+
+WindowLayout window_layout(float width, float height, bool panels) {
+  constexpr float bar = 48, transport = 88;
+  // 304 and 344 from 1280 px on; a smaller window takes a little from both, the scene still loses most.
+  const float lesson = panels ? std::round(std::clamp(width * 0.2375f, 256.0f, 304.0f)) : 0;
+  const float code = panels ? std::round(std::clamp(width * 0.26875f, 304.0f, 344.0f)) : 0;
+  const float bottom = height - transport;
+  return {.top = {0, 0, width, bar},
+          .lesson = {0, bar, lesson, bottom},
+          .scene = {lesson, bar, width - code, bottom},
+          .code = {width - code, bar, width, bottom},
+          .transport = {0, bottom, width, height}};
+}
+
+std::vector<float> chip_widths(const std::vector<float>& wide, float narrow, float gap, float width, int chosen) {
+  std::vector<float> widths = wide;
+  const float gaps = gap * static_cast<float>(std::max<std::size_t>(wide.size(), 1) - 1);
+  const auto total = [&] { return std::accumulate(widths.begin(), widths.end(), gaps); };
+  for (int i = static_cast<int>(widths.size()) - 1; i >= 0 && total() > width; --i)
+    if (i != chosen) widths[i] = std::min(widths[i], narrow);
+  return widths;
+}
+
+}  // namespace isect::viz

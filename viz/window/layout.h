@@ -1,0 +1,29 @@
+#pragma once
+// Where the parts of the window lie: bars of fixed height, panels of almost fixed width, and all the rest the scene's.
+
+#include <string>
+#include <vector>
+
+namespace isect::viz {
+
+/// In px of the layout, y down.
+struct Rect {
+  float left = 0, top = 0, right = 0, bottom = 0;
+  float width() const { return right - left; }
+  float height() const { return bottom - top; }
+  float middle_x() const { return (left + right) / 2; }
+  float middle_y() const { return (top + bottom) / 2; }
+  bool contains(float x, float y) const { return x >= left && x < right && y >= top && y < bottom; }
+  Rect inset(float by) const { return {left + by, top + by, right - by, bottom - by}; }
+};
+
+struct WindowLayout { Rect top, lesson, scene, code, transport; };
+
+/// `panels`: false hides the lesson and the code, and the scene takes their place.
+WindowLayout window_layout(float width, float height, bool panels);
+
+/// The width each of the chips gets in a row of `width` px, `gap` apart: those of `wide` where they fit; otherwise the
+/// last ones shrink to `narrow`, the chosen one excepted.
+std::vector<float> chip_widths(const std::vector<float>& wide, float narrow, float gap, float width, int chosen);
+
+}  // namespace isect::viz

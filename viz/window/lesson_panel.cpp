@@ -1,0 +1,212 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "viz/rich_text.h"
+#include "viz/window/panels.h"
+
+namespace isect::viz {
+namespace {
+
+constexpr float padding = 20;
+
+/// Things set below each other in a column.
+struct Column {
+  Session& s;
+  float x, y, width;
+
+  void paragraph(const std::string& markup, const Colour& colour, double size = 15, double pitch = 23, bool bold = false) {
+    y += rich(s.ui, {.markup = markup, .width = width, .size = size, .line_pitch = pitch, .bold = bold, .colour = colour},
+              {x, y}).y;
+  }
+};
+
+void formula_card(Column& c, const std::string& markup) {
+  Ui& ui = c.s.ui;
+  constexpr float height = 60;
+  Paragraph p{.markup = markup, .size = 24, .line_pitch = 30, .math = true, .colour = ui.palette.text};
+  const float room = c.width - 24, natural = ui.texts.of(p).size.x;
+  if (natural > room) p.size = std::max(13.0, std::floor(p.size * room / natural));
+  filled({c.x, c.y, c.x + c.width, c.y + height}, ui.palette.card, 8);
+  ImGui::PushClipRect({c.x + 6, c.y}, {c.x + c.width - 6, c.y + height}, true);
+  rich_line(ui, p, c.x + c.width / 2, c.y + height / 2, 0.5f);
+  ImGui::PopClipRect();
+  c.y += height;
+}
+
+/// How an answer looks: before it is given, and after.
+struct Choice { std::string name, markup; char key; bool open, right, chosen; };
+
+bool choice_button(Ui& ui, const Choice& choice, const Rect& r) {
+  const Palette& c = ui.palette;
+  const Press p = press(ui, choice.name, r);
+  filled(r, choice.open && p.hovered ? c.hovered : c.frame);
+  if (choice.open && p.hovered) outlined(r, c.first);
+  if (!choice.open && (choice.right || choice.chosen)) outlined(r, choice.right ? c.hit : c.miss);
+  const float y = r.middle_y();
+  if (choice.open) text(ui.fonts.small, r.left + 9, y, packed(c.muted), std::string(1, choice.key));
+  if (!choice.open && choice.right) tick(r.left + 13, y, 11, packed(c.hit));
+  if (!choice.open && !choice.right && choice.chosen) cross(r.left + 13, y, 11, packed(c.miss));
+  const bool quiet = !choice.open && !choice.right && !choice.chosen;
+  rich_line(ui, {.markup = choice.markup, .colour = quiet ? c.muted : c.text}, r.middle_x() + 7, y, 0.5f);
+  return p.clicked && choice.open;
+}
+
+/// The question's answers, side by side if they fit. Returns the one that was pressed, or -1.
+int choices(Column& c, const Question& question, int given) {
+  Ui& ui = c.s.ui;
+  const int n = static_cast<int>(question.choices.size());
+  float widest = 0;
+  for (const std::string& markup : question.choices)
+    widest = std::max(widest, ui.texts.of({.markup = markup, .colour = ui.palette.text}).size.x);
+  const float share = (c.width - 8 * static_cast<float>(n - 1)) / static_cast<float>(std::max(n, 1));
+  const bool in_a_row = widest + 38 <= share;
+  int pressed = -1;
+  for (int i = 0; i < n; ++i) {
+    const float x = in_a_row ? c.x + static_cast<float>(i) * (share + 8) : c.x;
+    const Rect r{x, c.y, x + (in_a_row ? share : c.width), c.y + 36};
+    const Choice choice{"choice " + std::to_string(i), question.choices[i], static_cast<char>('A' + i), given < 0,
+                        i == question.answer, i == given};
+    if (choice_button(ui, choice, r)) pressed = i;
+    if (!in_a_row && i + 1 < n) c.y += 42;
+  }
+  c.y += 36;
+  return pressed;
+}
+
+void question(Column& c, bool fresh) {
+  Player& player = c.s.player;
+  const Palette& ink = c.s.ui.palette;
+  if (const Question* asked = player.asked()) {
+    c.y += 24;
+    if (fresh) ImGui::SetScrollFromPosY(c.y - ImGui::GetWindowPos().y, 0);
+    c.paragraph("Your turn", ink.text, 15, 23, true);
+    c.y += 2;
+    c.paragraph(asked->prompt, ink.text);
+    c.y += 10;
+    const int pressed = choices(c, *asked, -1);
+    if (pressed >= 0) player.answer(pressed);
+    return;
+  }
+  const auto answered = player.answered();
+  if (!answered) return;
+  c.y += 24;
+  const bool right = answered->right();
+  const Colour& colour = right ? ink.hit : ink.miss;
+  (right ? tick : cross)(c.x + 7, c.y + 11, 13, packed(colour));
+  c.x += 22, c.width -= 22;
+  c.paragraph(right ? "Right" : "Not quite", colour, 15, 23, true);
+  c.x -= 22, c.width += 22;
+  c.paragraph(answered->question->prompt, ink.muted);
+  c.y += 8;
+  choices(c, *answered->question, answered->choice);
+  c.y += 10;
+  c.paragraph(answered->question->because, ink.text);
+}
+
+/// `fresh`: these words were not yet there in the last frame.
+void lesson_text(Session& s, const Rect& r, bool fresh) {
+  const Step& step = s.player.step();
+  const Palette& ink = s.ui.palette;
+  const float top = ImGui::GetCursorScreenPos().y;  // moves with the scroll
+  Column c{s, r.left + padding, top + 18, r.width() - 2 * padding};
+  c.paragraph(step.title, ink.text, 19, 26, true);
+  c.y += 8;
+  c.paragraph(step.caption, ink.text);
+  if (!step.formula.empty()) {
+    c.y += 16;
+    formula_card(c, step.formula);
+  }
+  if (!step.source.empty()) {
+    c.y += 8;
+    c.paragraph(step.source, ink.muted, 13, 19);
+  }
+  question(c, fresh);
+  ImGui::SetCursorScreenPos({r.left, c.y});
+  ImGui::Dummy({1, 16});
+}
+
+/// "drag o or d", one line for each role that has handles.
+struct Hint { Role role; std::string markup; };
+std::vector<Hint> hints_of(const Player& player) {
+  std::vector<Hint> hints;
+  for (const Handle& h : player.step().scene.handles) {
+    std::string label = h.parameter;
+    for (const Parameter& p : player.lesson().parameters)
+      if (p.name == h.parameter && !p.label.empty()) label = p.label;
+    auto found = std::find_if(hints.begin(), hints.end(), [&](const Hint& hint) { return hint.role == h.role; });
+    if (found == hints.end())
+      hints.push_back({h.role, "drag " + label});
+    else if (found->markup.find(label) == std::string::npos)
+      found->markup += " or " + label;
+  }
+  return hints;
+}
+
+float hints_height(const std::vector<Hint>& hints) { return 32 * static_cast<float>(hints.size()); }
+
+void draw_hints(Session& s, const std::vector<Hint>& hints, float x, float y, float width) {
+  ImGui::PushClipRect({x, y}, {x + width, y + hints_height(hints)}, true);
+  for (const Hint& hint : hints) {
+    handle_sign(x + 9, y + 16, s.ui.palette.theme.ink(hint.role));
+    rich_line(s.ui, {.markup = hint.markup, .colour = s.ui.palette.muted}, x + 28, y + 16);
+    y += 32;
+  }
+  ImGui::PopClipRect();
+}
+
+void parameters_header(Session& s, const Rect& r) {
+  const Press p = press(s.ui, "parameters", r);
+  const Palette& ink = s.ui.palette;
+  caret(r.left + 6, r.middle_y(), s.settings.parameters_open, packed(p.hovered ? ink.text : ink.muted));
+  text(s.ui.fonts.bold, r.left + 20, r.middle_y(), packed(ink.text), "Parameters");
+  if (p.clicked) s.settings.parameters_open = !s.settings.parameters_open;
+}
+
+/// A part of the panel that scrolls by itself; `inside` draws it.
+template <class Inside>
+void scrolling(const char* name, const Rect& r, Inside&& inside) {
+  ImGui::SetCursorScreenPos(top_left(r));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{0, 0});
+  ImGui::BeginChild(name, {r.width(), r.height()}, false, 0);
+  ImGui::PopStyleVar();
+  inside();
+  ImGui::EndChild();
+}
+
+}  // namespace
+
+void lesson_panel(Session& s, const Rect& r) {
+  begin_region(s.ui, "lesson panel", r, s.ui.palette.window);
+  const float x = r.left + padding, width = r.width() - 2 * padding;
+  const bool open = s.settings.parameters_open && !s.player.lesson().parameters.empty();
+  const std::vector<Hint> hints = hints_of(s.player);
+  const bool hinting = !open && r.height() > 420;
+
+  const float below = 44 + (open ? std::min(s.fields_height, r.height() * 0.5f) + 12 : hinting ? hints_height(hints) + 12 : 0);
+  const Rect words{r.left, r.top, r.right - 1, r.bottom - below};
+  scrolling("words", words, [&] {
+    const bool fresh = std::exchange(s.words_seen, s.player.revision()) != s.player.revision();
+    if (fresh) ImGui::SetScrollY(0);
+    lesson_text(s, words, fresh);
+  });
+  s.ui.rects["lesson words"] = words;
+
+  rule(s.ui, x, r.right - padding, words.bottom);
+  parameters_header(s, {x, words.bottom + 8, r.right - padding, words.bottom + 38});
+  if (open) {
+    const Rect area{r.left, words.bottom + 42, r.right - 1, r.bottom - 4};
+    scrolling("fields", area, [&] {
+      const float top = ImGui::GetCursorScreenPos().y;
+      s.fields_height = parameter_fields(s, x, top, width) - top;
+    });
+    s.ui.rects["lesson fields"] = area;
+  } else if (hinting) {
+    draw_hints(s, hints, x, words.bottom + 44, width);
+  }
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled({r.right - 1, r.top}, {r.right, r.bottom}, packed(s.ui.palette.rule));
+  ImGui::End();
+}
+
+}  // namespace isect::viz

@@ -1,0 +1,27 @@
+#pragma once
+// The parts of the window around the scene, each in its rectangle.
+
+#include "viz/window/session.h"
+
+namespace isect::viz {
+
+/// Lesson, method and presets. (top_bar.cpp)
+void top_bar(Session&, const Rect&);
+/// What the lesson says here, its question, its parameters and what can be dragged. (lesson_panel.cpp)
+void lesson_panel(Session&, const Rect&);
+/// The fields of all parameters from (x, y) down; returns where they end. (parameters.cpp)
+float parameter_fields(Session&, float x, float y, float width);
+/// Pseudocode, values, comparison and operations. (code_panel.cpp, values.cpp)
+void code_panel(Session&, const Rect&);
+float values_height(const Step&, float pitch);
+void values_block(Session&, const Rect&, float pitch);
+void operations_block(Session&, const Rect&);
+/// Scrubber and buttons. (transport.cpp)
+void transport(Session&, const Rect&);
+/// The key sheet, the picker and the save sheet, over everything else. (sheets.cpp)
+void sheets(Session&, const Rect& window);
+
+/// Does what this frame's keys ask for. (keys.cpp)
+void keys(Session&);
+
+}  // namespace isect::viz

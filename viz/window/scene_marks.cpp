@@ -1,0 +1,148 @@
+#include "viz/window/scene_marks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/ray_sphere.h"
+#include "viz/rich_text.h"
+
+namespace isect::viz {
+namespace {
+
+const Colour& ink_of(const Palette& c, Verdict::Kind kind) {
+  switch (kind) {
+    case Verdict::Kind::yes: return c.hit;
+    case Verdict::Kind::no: return c.miss;
+    case Verdict::Kind::on: return c.highlight;
+    case Verdict::Kind::open: break;
+  }
+  return c.muted;
+}
+
+void verdict_sign(Verdict::Kind kind, float x, float y, ImU32 ink) {
+  switch (kind) {
+    case Verdict::Kind::yes: return tick(x, y, 16, ink);
+    case Verdict::Kind::no: return cross(x, y, 16, ink);
+    case Verdict::Kind::on: return diamond(x, y, 15, ink);
+    case Verdict::Kind::open: ImGui::GetWindowDrawList()->AddCircle({x, y}, 6, ink, 24, 1.8f);
+  }
+}
+
+std::string words_of(const Setting& value) {
+  if (const double* x = std::get_if<double>(&value)) return shown(*x);
+  if (const Vec3* v = std::get_if<Vec3>(&value))
+    return fmt::format("({}, {}, {})", shown(v->x()), shown(v->y()), shown(v->z()));
+  return std::get<std::string>(value);
+}
+
+Rect projection_rect(const Session& s, const Rect& scene) {
+  const char* name = s.player.camera().goal().perspective ? "perspective" : "orthographic";
+  const float width = text_width(s.ui.fonts.small, name);
+  return {scene.right - 28 - width, scene.bottom - 38, scene.right - 12, scene.bottom - 10};
+}
+
+}  // namespace
+
+void verdict_chip(Session& s, const Rect& scene) {
+  const Verdict& verdict = s.player.step().verdict;
+  if (verdict.text.empty()) return;
+  Ui& ui = s.ui;
+  const Colour& ink = ink_of(ui.palette, verdict.kind);
+  const Paragraph words{.markup = verdict.text, .colour = ui.palette.text};
+  const float width = std::min(ui.texts.of(words).size.x + 60, scene.width() - 40);
+  const Rect r{scene.left + 20, scene.top + 20, scene.left + 20 + width, scene.top + 56};
+  ui.rects["verdict"] = r;
+  filled(r, ui.palette.window, 8);
+  outlined(r, ink, 1.5f, 8);
+  verdict_sign(verdict.kind, r.left + 22, r.middle_y(), packed(ink));
+  ImGui::PushClipRect(top_left(r), {r.right - 4, r.bottom}, true);
+  rich_line(ui, words, r.left + 40, r.middle_y());
+  ImGui::PopClipRect();
+}
+
+void tripod(Session& s, const View& view, const Rect& scene) {
+  constexpr float length = 28;
+  const ImVec2 origin{scene.left + 46, scene.bottom - 44};
+  const Palette& c = s.ui.palette;
+  const ImU32 ink = packed(c.muted);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  for (int i = 0; i < 3; ++i) {
+    const ImVec2 way{static_cast<float>(view.right()[i]), static_cast<float>(-view.up()[i])};
+    const float size = std::hypot(way.x, way.y);
+    if (size < 0.15f) continue;  // it points at the viewer
+    const ImVec2 tip{origin.x + way.x * length, origin.y + way.y * length};
+    const ImVec2 u{way.x / size, way.y / size};
+    list.AddLine(origin, tip, ink, 1.2f);
+    list.AddTriangleFilled({tip.x + 5 * u.x, tip.y + 5 * u.y}, {tip.x - 2.5f * u.y, tip.y + 2.5f * u.x},
+                           {tip.x + 2.5f * u.y, tip.y - 2.5f * u.x}, ink);
+    const Paragraph name{.markup = std::array{"*x*", "*y*", "*z*"}[i], .colour = c.muted};
+    rich_line(s.ui, name, tip.x + 14 * u.x, tip.y + 15 * u.y, 0.5f);
+  }
+  list.AddCircleFilled(origin, 1.5f, ink, 8);
+}
+
+void projection_name(Session& s, const Rect& scene) {
+  if (press(s.ui, "projection", projection_rect(s, scene)).clicked)
+    s.player.set_perspective(!s.player.camera().goal().perspective);
+}
+
+void projection_text(Session& s, const Rect& scene) {
+  const Rect r = projection_rect(s, scene);
+  const bool hovered = ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r));
+  const Palette& c = s.ui.palette;
+  const char* name = s.player.camera().goal().perspective ? "perspective" : "orthographic";
+  text(s.ui.fonts.small, r.right - 8, r.middle_y(), packed(hovered ? c.text : c.muted), name, 1);
+}
+
+void toast(Session& s, const Rect& scene) {
+  const Session::Toast& toast = s.toast;
+  if (toast.seconds_left <= 0) return;
+  Ui& ui = s.ui;
+  const Colour& ink = toast.error ? ui.palette.miss : ui.palette.hit;
+  ImFont* font = ui.fonts.small;
+  const float room = std::min(scene.width() - 40, 560.0f), size = font->FontSize * font->Scale;
+  const ImVec2 words = font->CalcTextSizeA(size, room - 56, room - 56, toast.text.c_str());
+  const float width = words.x + 56, height = words.y + 22;
+  const float left = std::round(scene.middle_x() - width / 2), top = std::round(scene.bottom - 52 - height);
+  const Rect r{left, top, left + width, top + height};
+  ui.rects["message"] = r;
+  filled(r, ui.palette.window, 8);
+  outlined(r, ink, 1.5f, 8);
+  (toast.error ? cross : tick)(r.left + 20, r.middle_y(), 13, packed(ink));
+  ImGui::GetWindowDrawList()->AddText(font, size, {r.left + 38, r.top + 11}, packed(ui.palette.text),
+                                      toast.text.c_str(), nullptr, room - 56);
+}
+
+void handle_under_pointer(Session& s, const View& view, const Handle& handle) {
+  const Vec2 at = view.project(handle.at).at;
+  const ImVec2 middle{static_cast<float>(at.x()), static_cast<float>(at.y())};
+  ImGui::GetWindowDrawList()->AddCircle(middle, 14, packed(s.ui.palette.highlight), 32, 2);
+  std::string name = handle.parameter, help;
+  for (const Parameter& p : s.player.lesson().parameters)
+    if (p.name == handle.parameter) {
+      if (!p.label.empty()) name = plain(p.label);
+      help = "\n" + p.help;
+    }
+  tooltip(s.ui, name + " = " + words_of(s.player.parameters().at(handle.parameter)) + help);
+}
+
+void ball_under_pointer(Session& s, const View& view, const Vec2& pixel) {
+  const View::SightLine sight = view.sight_line(pixel);
+  const Ray<double, 3> ray{sight.origin, sight.direction};
+  const Ball* first = nullptr;
+  double nearest = 0;
+  for (const Item& item : s.player.step().scene.items) {
+    const Ball* ball = std::get_if<Ball>(&item);
+    if (!ball) continue;
+    const auto hit = intersect(ray, Sphere<double, 3>{ball->center, ball->radius});
+    if (!hit.surface || (first && *hit.surface >= nearest)) continue;
+    first = ball;
+    nearest = *hit.surface;
+  }
+  if (first) tooltip(s.ui, "ball: centre " + words_of(Setting(first->center)) + ", radius " + shown(first->radius));
+}
+
+}  // namespace isect::viz

@@ -1,0 +1,23 @@
+#pragma once
+// What lies over the scene: verdict, axes, projection, messages, and what the pointer is at.
+
+#include "viz/window/session.h"
+
+namespace isect::viz {
+
+/// The verdict in a chip at the top left.
+void verdict_chip(Session&, const Rect& scene);
+/// The directions of the axes at the bottom left.
+void tripod(Session&, const View&, const Rect& scene);
+/// The projection's name at the bottom right: a button (before the scene's own), and its text (over the picture).
+void projection_name(Session&, const Rect& scene);
+void projection_text(Session&, const Rect& scene);
+/// The message of the moment at the bottom.
+void toast(Session&, const Rect& scene);
+
+/// Rings a handle and names its parameter and value.
+void handle_under_pointer(Session&, const View&, const Handle&);
+/// Names the ball that the sight line through `pixel` meets first, asking the core's own ray test.
+void ball_under_pointer(Session&, const View&, const Vec2& pixel);
+
+}  // namespace isect::viz

@@ -1,0 +1,130 @@
+#include "viz/window/scene_view.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "viz/compose.h"
+#include "viz/window/scene_marks.h"
+
+namespace isect::viz {
+namespace {
+
+constexpr double hit_area = 14;
+
+Vec2 mouse() { return {ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y}; }
+
+std::string line_of(const Session& s, const Rect& r, double scale) {
+  const Camera& c = s.player.camera().now();
+  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {}", s.player.revision(), r.width(), r.height(), scale,
+                     name_of(s.settings.theme), c.target.x(), c.target.y(), c.target.z(), c.azimuth, c.elevation,
+                     c.half_height, c.perspective, c.field_of_view);
+}
+
+bool same_handle(const Handle& a, const Handle& b) { return a.parameter == b.parameter && a.kind == b.kind; }
+
+}  // namespace
+
+void SceneView::draw(const Session& s, const Rect& r, const View& view) {
+  const std::string wanted = line_of(s, r, scale_);
+  if (wanted == drawn_) return;
+  const Theme& theme = s.ui.palette.theme;
+  const View own(view.camera(), view.width(), view.height());
+  Drawing drawing{view.width(), view.height(), theme.background, {}};
+  drawing.shapes = compose(s.player.step().scene, own, theme, true).shapes;
+  renderer_.draw(drawing, scale_);
+  drawn_ = wanted;
+}
+
+std::optional<Handle> SceneView::handle_near(const Session& s, const View& view, const Vec2& pixel) const {
+  std::optional<Handle> nearest;
+  double least = hit_area;
+  for (const Handle& h : s.player.step().scene.handles) {
+    const Projected p = view.project(h.at);
+    const double distance = (p.at - pixel).norm();
+    if (!(p.depth > 0) || !(distance <= least)) continue;
+    least = distance;
+    nearest = h;
+  }
+  return nearest;
+}
+
+void SceneView::drag_held(Session& s, const View& view) {
+  if (mouse() == last_) return;
+  s.attempt([&] { s.player.drag_handle(*held_, view.on_facing_plane(mouse() - grip_, held_->at)); });
+  for (const Handle& h : s.player.step().scene.handles)
+    if (same_handle(h, *held_)) {
+      held_ = h;
+      return;
+    }
+}
+
+void SceneView::wheel(Session& s, const View& view) {
+  const double turns = ImGui::GetIO().MouseWheel;
+  if (turns != 0) s.player.zoom(view, mouse(), std::pow(1.15, turns));
+}
+
+void SceneView::pointer(Session& s, const View& view, bool hovered, bool active) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (hovered) wheel(s, view);
+  if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+    s.player.end_action();
+    held_ = handle_near(s, view, mouse());
+    if (held_) {
+      s.player.remember("drag");
+      grip_ = mouse() - view.project(held_->at).at;
+    } else if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+      s.player.frame_all();
+    }
+  }
+  if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) s.player.end_action();
+  if (!io.MouseDown[0]) held_.reset();
+
+  const bool moved = mouse() != last_;
+  if (held_) {
+    drag_held(s, view);
+  } else if (active && moved && io.MouseDown[0] && !s.player.camera().moving()) {
+    s.player.orbit(mouse() - last_);
+  } else if (active && moved && io.MouseDown[1]) {
+    s.player.pan(view, last_, mouse());
+  }
+  last_ = mouse();
+}
+
+void SceneView::show(Session& s, const Rect& r) {
+  Ui& ui = s.ui;
+  begin_region(ui, "scene", r, ui.palette.card);
+  s.player.set_aspect(r.width() / r.height());
+  const Vec2 corner(r.left, r.top);
+  const View before(s.player.camera().now(), r.width(), r.height(), corner);
+
+  projection_name(s, r);
+  ImGui::SetCursorScreenPos(top_left(r));
+  ImGui::InvisibleButton("picture", {r.width(), r.height()},
+                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+  const bool hovered = ImGui::IsItemHovered(), active = ImGui::IsItemActive();
+  pointer(s, before, hovered, active);
+
+  const View view(s.player.camera().now(), r.width(), r.height(), corner);
+  draw(s, r, view);
+  const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(renderer_.texture()));
+  ImGui::GetWindowDrawList()->AddImage(texture, top_left(r), bottom_right(r), {0, 1}, {1, 0});
+
+  for (const Handle& h : s.player.step().scene.handles) {
+    const Vec2 at = view.project(h.at).at;
+    const float x = static_cast<float>(at.x()), y = static_cast<float>(at.y());
+    ui.rects["handle " + h.parameter] = {x - 4, y - 4, x + 4, y + 4};
+  }
+  if (const std::optional<Handle> under = held_ ? held_ : hovered ? handle_near(s, view, mouse()) : std::nullopt)
+    handle_under_pointer(s, view, *under);
+  else if (hovered && !active)
+    ball_under_pointer(s, view, mouse());
+
+  verdict_chip(s, r);
+  tripod(s, view, r);
+  projection_text(s, r);
+  toast(s, r);
+  ImGui::End();
+}
+
+}  // namespace isect::viz

@@ -1,0 +1,36 @@
+#pragma once
+// The interactive scene: composed from the current step, drawn by the Renderer, held and turned by the pointer.
+
+#include <optional>
+
+#include "viz/renderer.h"
+#include "viz/window/session.h"
+
+namespace isect::viz {
+
+class SceneView {
+ public:
+  /// `scale`: framebuffer pixels per px of the layout.
+  SceneView(Renderer& renderer, double scale) : renderer_(renderer), scale_(scale) {}
+
+  /// Draws the scene with what lies over it, and does what the pointer asks for.
+  void show(Session&, const Rect&);
+  /// Draws anew in the next frame: the renderer was used for something else.
+  void invalidate() { drawn_.clear(); }
+
+ private:
+  void draw(const Session&, const Rect&, const View&);
+  void pointer(Session&, const View&, bool hovered, bool active);
+  void wheel(Session&, const View&);
+  void drag_held(Session&, const View&);
+  std::optional<Handle> handle_near(const Session&, const View&, const Vec2& pixel) const;
+
+  Renderer& renderer_;
+  double scale_;
+  std::string drawn_;            ///< what the texture shows, as one line; drawing it again is saved
+  std::optional<Handle> held_;   ///< while a handle is dragged: the handle as it is now
+  Vec2 grip_ = Vec2::Zero();     ///< from the held handle to the pointer that took it
+  Vec2 last_ = Vec2::Zero();     ///< the pointer in the frame before
+};
+
+}  // namespace isect::viz

@@ -1,0 +1,60 @@
+#pragma once
+// What the parts of the window share while it is open.
+
+#include <optional>
+#include <string>
+
+#include "viz/player.h"
+#include "viz/window/widgets.h"
+
+namespace isect::viz {
+
+/// What is kept between runs.
+struct Settings {
+  ThemeName theme = ThemeName::dark;
+  std::string save_format = "png";
+  ThemeName save_theme = ThemeName::print;
+  bool parameters_open = false;
+  double speed = 1;
+  int width = 1280, height = 800;
+  std::optional<Place> place = {};
+};
+
+/// The file of the user's state folder; empty where there is no home.
+std::string settings_file();
+/// A missing or spoilt file gives the defaults, a spoilt field its default.
+Settings read_settings(const std::string& file, const std::vector<const Lesson*>&);
+/// Throws FileError.
+void write_settings(const std::string& file, const Settings&);
+
+/// What lies over the window.
+enum class Sheet { none, keys, picker, save };
+
+struct Session {
+  Player& player;
+  Ui& ui;
+  Settings& settings;
+  std::string figures;            ///< folder for saved figures
+  bool panels = true;
+  Sheet open_next = Sheet::none;  ///< asked for by a key or a button, opened at the end of the frame
+  bool save_now = false;          ///< this frame's figure shall become a file
+  std::string search = {};        ///< words in the picker
+  float fields_height = 0;        ///< of the parameters' fields, as the last frame found it
+  unsigned words_seen = 0;        ///< revision whose words are on show
+
+  struct Toast { std::string text; bool error = false; double seconds_left = 0; } toast = {};
+
+  void say(const std::string& words) { toast = {words, false, 5}; }
+  void complain(const std::string& words) { toast = {words, true, 12}; }
+  /// Does what may be refused, and shows why it was.
+  template <class Action>
+  void attempt(Action&& action) {
+    try {
+      action();
+    } catch (const BadInput& refused) {
+      complain(refused.what());
+    }
+  }
+};
+
+}  // namespace isect::viz

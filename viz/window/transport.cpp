@@ -1,0 +1,102 @@
+#include <algorithm>
+#include <cmath>
+
+#include "viz/rich_text.h"
+#include "viz/window/panels.h"
+
+namespace isect::viz {
+namespace {
+
+/// Where step i of the scrubber stands.
+float place_of(const Rect& r, int i, int count) {
+  const float x0 = r.left + 32, x1 = r.right - 32;
+  return count < 2 ? x0 : x0 + (x1 - x0) * static_cast<float>(i) / static_cast<float>(count - 1);
+}
+
+int step_at(const Rect& r, float x, int count) {
+  if (count < 2) return 0;
+  const float share = (x - place_of(r, 0, count)) / (place_of(r, count - 1, count) - place_of(r, 0, count));
+  return std::clamp(static_cast<int>(std::lround(share * static_cast<float>(count - 1))), 0, count - 1);
+}
+
+void scrubber(Session& s, const Rect& r, float y) {
+  Ui& ui = s.ui;
+  Player& player = s.player;
+  const Palette& c = ui.palette;
+  const Press p = press(ui, "scrubber", {r.left + 16, y - 12, r.right - 16, y + 12});
+  const int under = step_at(r, ImGui::GetIO().MousePos.x, player.count());
+  if (p.held && under != player.index()) player.go_to(under);
+  if (p.hovered || p.held)
+    tooltip(ui, std::to_string(under + 1) + "  " + plain(player.walk().steps[under].title));
+
+  const float knob = place_of(r, player.index(), player.count());
+  filled({r.left + 24, y - 2, r.right - 24, y + 2}, c.frame, 2);
+  filled({r.left + 24, y - 2, knob, y + 2}, c.first, 2);
+  for (int i = 0; i < player.count(); ++i) {
+    const bool decides = player.walk().steps[i].decides;
+    const float x = std::round(place_of(r, i, player.count())), half = decides ? 8.0f : 5.0f;
+    const Colour& ink = i <= player.index() ? c.first : c.theme.ink(Role::construction);
+    filled({x - (decides ? 1.0f : 0.5f), y - half, x + (decides ? 1.0f : 0.5f), y + half}, ink, 0);
+  }
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddCircleFilled({knob, y}, p.held ? 11.0f : 9.0f, packed(c.first), 32);
+  list.AddCircleFilled({knob, y}, 3.5f, packed(c.window), 16);
+}
+
+void buttons(Session& s, float middle, float y) {
+  Player& player = s.player;
+  const auto at = [&](int i) {
+    const float x = middle + static_cast<float>(i) * 52;
+    return Rect{x - 22, y - 18, x + 22, y + 18};
+  };
+  Ui& ui = s.ui;
+  const bool start = player.index() == 0 && !player.asked();
+  if (icon_button(ui, "first", at(-2), Icon::first, false, !start)) player.first();
+  if (icon_button(ui, "back", at(-1), Icon::back, false, !start)) player.back();
+  if (icon_button(ui, "play", at(0), player.playing() ? Icon::pause : Icon::play, true, true)) player.toggle_play();
+  if (icon_button(ui, "next", at(1), Icon::next, false, !player.at_end())) player.next();
+  if (icon_button(ui, "last", at(2), Icon::last, false, !player.at_end())) player.last();
+
+  constexpr const char* speeds[] = {"0.5×", "1×", "1.5×", "2×"};
+  const Rect speed{at(2).right + 12, y - 15, at(2).right + 60, y + 15};
+  const Press p = press(ui, "speed", speed);
+  if (p.clicked) player.next_speed();
+  if (p.hovered) {
+    filled(speed, ui.palette.frame);
+    tooltip(ui, "Speed of play");
+  }
+  const int i = std::clamp(static_cast<int>(std::lround(player.speed() * 2)) - 1, 0, 3);
+  text(ui.fonts.small, speed.middle_x(), y, packed(ui.palette.muted), speeds[i], 0.5f);
+}
+
+void key_hints(const Ui& ui, float right, float room, float y) {
+  float x = right;
+  for (const char* hint : {"F1 keys", "space play", "← → step"}) {
+    const float width = text_width(ui.fonts.small, hint);
+    if (right - (x - width) > room) return;
+    text(ui.fonts.small, x, y, packed(ui.palette.muted), hint, 1);
+    x -= width + 18;
+  }
+}
+
+}  // namespace
+
+void transport(Session& s, const Rect& r) {
+  Ui& ui = s.ui;
+  const Player& player = s.player;
+  begin_region(ui, "transport", r, ui.palette.window);
+  rule(ui, r.left, r.right, r.top);
+  scrubber(s, r, r.top + 20);
+
+  const float y = r.top + 58, middle = std::round(r.middle_x());
+  const std::string where = "Step " + std::to_string(player.index() + 1) + " of " + std::to_string(player.count());
+  const float end = 24 + text(ui.fonts.body, 24, y, packed(ui.palette.text), where);
+  ImGui::PushClipRect({end, r.top}, {middle - 136, r.bottom}, true);
+  rich_line(ui, {.markup = player.step().title, .colour = ui.palette.muted}, end + 24, y);
+  ImGui::PopClipRect();
+  buttons(s, middle, y);
+  key_hints(ui, r.right - 24, r.right - 24 - (middle + 200), y);
+  ImGui::End();
+}
+
+}  // namespace isect::viz

@@ -1,0 +1,56 @@
+#include "viz/window/ui_fonts.h"
+
+#include <fontconfig/fontconfig.h>
+
+#include <memory>
+#include <stdexcept>
+
+namespace isect::viz {
+namespace {
+
+// Latin, Greek, punctuation, scripts, letterlike signs, arrows, mathematics, shapes, ticks and crosses.
+constexpr ImWchar signs[] = {0x0020, 0x00FF, 0x0391, 0x03C9, 0x2010, 0x2027, 0x2030, 0x203A, 0x2070,
+                             0x209C, 0x2102, 0x2124, 0x2190, 0x21FF, 0x2200, 0x22FF, 0x25A0, 0x25FF,
+                             0x2713, 0x2718, 0x27E8, 0x27E9, 0xFFFD, 0xFFFD, 0};
+
+/// Dear ImGui measures a font from its ascent to its descent, everybody else by its em. DejaVu's ratio of the two.
+constexpr double line_per_em = 1.164;
+
+ImFont* load(const std::string& pattern, double size, double scale) {
+  const std::string file = font_file(pattern);
+  if (file.empty())
+    throw std::runtime_error("no font for the window: fontconfig finds none for \"" + pattern +
+                             "\"; install fonts-dejavu-core");
+  const float pixels = static_cast<float>(size * line_per_em * scale);
+  ImFont* font = ImGui::GetIO().Fonts->AddFontFromFileTTF(file.c_str(), pixels, nullptr, signs);
+  if (!font) throw std::runtime_error("cannot read the font file " + file);
+  font->Scale = static_cast<float>(1 / scale);
+  return font;
+}
+
+}  // namespace
+
+std::string font_file(const std::string& pattern) {
+  const std::unique_ptr<FcPattern, decltype(&FcPatternDestroy)> wanted(
+      FcNameParse(reinterpret_cast<const FcChar8*>(pattern.c_str())), FcPatternDestroy);
+  if (!wanted) return {};
+  FcConfigSubstitute(nullptr, wanted.get(), FcMatchPattern);
+  FcDefaultSubstitute(wanted.get());
+  FcResult result = FcResultNoMatch;
+  const std::unique_ptr<FcPattern, decltype(&FcPatternDestroy)> found(FcFontMatch(nullptr, wanted.get(), &result),
+                                                                      FcPatternDestroy);
+  FcChar8* file = nullptr;
+  if (!found || FcPatternGetString(found.get(), FC_FILE, 0, &file) != FcResultMatch) return {};
+  return reinterpret_cast<const char*>(file);
+}
+
+UiFonts load_fonts(double scale) {
+  return {.body = load("DejaVu Sans", 15, scale),
+          .small = load("DejaVu Sans", 13, scale),
+          .bold = load("DejaVu Sans:bold", 15, scale),
+          .heading = load("DejaVu Sans:bold", 19, scale),
+          .mono = load("DejaVu Sans Mono", 15, scale),
+          .mono_small = load("DejaVu Sans Mono", 13, scale)};
+}
+
+}  // namespace isect::viz

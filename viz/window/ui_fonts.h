@@ -1,0 +1,19 @@
+#pragma once
+// The window's fonts: DejaVu Sans and DejaVu Sans Mono, found by fontconfig, with every sign the lessons use.
+
+#include <imgui.h>
+
+#include <string>
+
+namespace isect::viz {
+
+struct UiFonts { ImFont *body, *small, *bold, *heading, *mono, *mono_small; };
+
+/// Fills the atlas of the current Dear ImGui context; `scale`: framebuffer pixels per px. Throws std::runtime_error
+/// where no font file is found.
+UiFonts load_fonts(double scale);
+
+/// The file that fontconfig finds for a pattern such as "DejaVu Sans:bold"; empty if there is none.
+std::string font_file(const std::string& pattern);
+
+}  // namespace isect::viz

@@ -1,0 +1,150 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "viz/rich_text.h"
+#include "viz/window/panels.h"
+
+namespace isect::viz {
+namespace {
+
+/// Heights of the block's parts: rule with the heading, comparison card.
+constexpr float heading = 36, card = 72;
+
+/// A bar scale that several values share: where zero lies and what fills it.
+struct Scale {
+  double lo = 0, hi = 0;
+  void take(double value) {
+    if (!std::isfinite(value)) return;
+    lo = std::min(lo, value);
+    hi = std::max(hi, value);
+  }
+  /// Position of a value between x0 and x1.
+  float at(double value, float x0, float x1) const {
+    if (!(hi > lo)) return x0;
+    const double share = std::clamp((value - lo) / (hi - lo), 0.0, 1.0);
+    return x0 + (x1 - x0) * static_cast<float>(share);
+  }
+};
+
+std::map<std::string, Scale> scales_of(const Step& step) {
+  std::map<std::string, Scale> scales;
+  for (const Value& v : step.values)
+    if (!v.unit.empty()) scales[v.unit].take(v.value);
+  return scales;
+}
+
+void bar(const Ui& ui, const Scale& scale, const Value& v, float x0, float x1, float y) {
+  filled({x0, y - 4, x1, y + 4}, ui.palette.card, 4);
+  const float zero = scale.at(0, x0, x1), end = scale.at(v.value, x0, x1);
+  const float left = std::min(zero, end), right = std::max(zero, end);
+  if (!(right - left > 0.25f)) return;
+  const Colour& ink = v.role == Role::muted ? ui.palette.theme.ink(Role::construction) : ui.palette.theme.ink(v.role);
+  filled({left, y - 4, std::max(right, left + 3), y + 4}, ink, std::min(4.0f, (right - left) / 2));
+}
+
+/// Room for the word "new" beside the bars; all of a step's bars end alike, or they would not share a scale.
+float room_for_new(const Step& step) {
+  for (const Value& v : step.values)
+    if (v.fresh && !v.unit.empty()) return 38;
+  return 0;
+}
+
+void value_row(Session& s, const Value& v, const std::map<std::string, Scale>& scales, const Rect& r) {
+  Ui& ui = s.ui;
+  const Palette& c = ui.palette;
+  const float y = r.middle_y(), number = r.left + r.width() * 0.494f;
+  text(ui.fonts.mono, r.left + 10, y, packed(c.text), plain(v.name));
+  text(ui.fonts.mono, number, y, packed(c.text), shown(v.value), 1);
+  const float right = r.right - 10;
+  if (v.fresh) {
+    outlined({r.left, r.top + 1, r.right, r.bottom - 1}, c.fresh, 1.5f, 5);
+    text(ui.fonts.small, right - 2, y, packed(c.fresh_text), "new", 1);
+  }
+  const auto scale = scales.find(v.unit);
+  if (scale != scales.end()) bar(ui, scale->second, v, number + 26, right - room_for_new(s.player.step()), y);
+}
+
+void comparison_card(Session& s, const Comparison& comparison, const Rect& r) {
+  Ui& ui = s.ui;
+  const Palette& c = ui.palette;
+  s.ui.rects["comparison"] = r;
+  filled(r, c.card, 8);
+  const Colour& ink = comparison.holds ? c.hit : c.miss;
+  const float y = r.top + 20, x0 = r.left + 16, x1 = r.right - 16;
+  const float end = x0 + text(ui.fonts.mono, x0, y, packed(c.text), plain(comparison.text));
+  (comparison.holds ? tick : cross)(end + 16, y, 13, packed(ink));
+  ImGui::PushClipRect({end + 30, r.top}, bottom_right(r), true);
+  text(ui.fonts.small, x1, y, packed(c.muted), plain(comparison.meaning), 1);
+  ImGui::PopClipRect();
+
+  Scale scale;
+  scale.take(comparison.left);
+  scale.take(comparison.right);
+  const float bar_y = r.top + 45;
+  const float zero = scale.at(0, x0, x1), left = scale.at(comparison.left, x0, x1);
+  const float right = scale.at(comparison.right, x0, x1);
+  filled({x0, bar_y - 4, x1, bar_y + 4}, c.frame, 4);
+  filled({std::min(zero, right), bar_y - 4, std::max(zero, right), bar_y + 4}, c.second.with_alpha(0.35), 4);
+  filled({std::min(zero, left), bar_y - 4, std::max(zero, left), bar_y + 4}, ink, 4);
+  filled({right - 1, bar_y - 10, right + 1, bar_y + 10}, c.second, 0);
+}
+
+}  // namespace
+
+float values_height(const Step& step, float pitch) {
+  const float values = step.values.empty() ? 0 : heading + pitch * static_cast<float>(step.values.size());
+  return values + (step.comparison ? card + 8 : 0);
+}
+
+void values_block(Session& s, const Rect& r, float pitch) {
+  Ui& ui = s.ui;
+  const Step& step = s.player.step();
+  ui.rects["values"] = r;
+  ImGui::SetCursorScreenPos(top_left(r));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{0, 0});
+  ImGui::BeginChild("values", {r.width(), r.height()}, false, 0);
+  ImGui::PopStyleVar();
+  const float top = ImGui::GetCursorScreenPos().y;
+  float y = top;
+  if (!step.values.empty()) {
+    rule(ui, r.left + 10, r.right - 10, y + 5);
+    text(ui.fonts.bold, r.left + 10, y + 22, packed(ui.palette.text), "Values");
+    y += heading;
+    const std::map<std::string, Scale> scales = scales_of(step);
+    for (const Value& v : step.values) {
+      value_row(s, v, scales, {r.left, y, r.right, y + pitch});
+      y += pitch;
+    }
+  }
+  if (step.comparison) {
+    y += 8;
+    comparison_card(s, *step.comparison, {r.left + 10, y, r.right - 10, y + card - 10});
+    y += card;
+  }
+  ImGui::SetCursorScreenPos({r.left, top});
+  ImGui::Dummy({1, y - top});
+  ImGui::EndChild();
+}
+
+void operations_block(Session& s, const Rect& r) {
+  Ui& ui = s.ui;
+  const Counters& n = s.player.step().counters;
+  const Palette& c = ui.palette;
+  s.ui.rects["operations"] = r;
+  rule(ui, r.left + 10, r.right - 10, r.top);
+  if (r.height() > 50) text(ui.fonts.bold, r.left + 10, r.top + 16, packed(c.text), "Operations");
+  const float y = r.bottom - 18;
+  const std::pair<const char*, int> counts[] = {
+      {"mul", n.mul}, {"add", n.add}, {"div", n.div}, {"sqrt", n.sqrt}, {"cmp", n.compare}};
+  const float share = (r.width() - 20) / 5;
+  float x = r.left + 10;
+  for (const auto& [name, count] : counts) {
+    const float width = text(ui.fonts.small, x, y, packed(c.muted), name);
+    text(ui.fonts.mono, x + width + 6, y, packed(count ? c.text : c.muted), std::to_string(count));
+    x += share;
+  }
+  if (ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r))) tooltip(ui, "Operations up to this step");
+}
+
+}  // namespace isect::viz

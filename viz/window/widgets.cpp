@@ -1,0 +1,163 @@
+#include "viz/window/widgets.h"
+
+#include <cmath>
+
+namespace isect::viz {
+namespace {
+
+ImDrawList& list() { return *ImGui::GetWindowDrawList(); }
+
+void triangle(float x, float y, float way, float size, ImU32 colour) {
+  const float half = size / 2;
+  const ImVec2 tip{x + way * half, y}, high{x - way * half, y - half}, low{x - way * half, y + half};
+  if (way > 0)
+    list().AddTriangleFilled(high, tip, low, colour);
+  else
+    list().AddTriangleFilled(low, tip, high, colour);
+}
+
+void stop_bar(float x, float y, ImU32 colour) { list().AddRectFilled({x - 1.25f, y - 7}, {x + 1.25f, y + 7}, colour); }
+
+void draw_icon(Icon icon, float x, float y, ImU32 colour) {
+  switch (icon) {
+    case Icon::first:
+      stop_bar(x - 7, y, colour);
+      return triangle(x + 1.5f, y, -1, 13, colour);
+    case Icon::back: return triangle(x - 0.5f, y, -1, 13, colour);
+    case Icon::play: return triangle(x + 1, y, 1, 17, colour);
+    case Icon::pause:
+      list().AddRectFilled({x - 6, y - 8}, {x - 2, y + 8}, colour, 1);
+      list().AddRectFilled({x + 2, y - 8}, {x + 6, y + 8}, colour, 1);
+      return;
+    case Icon::next: return triangle(x + 0.5f, y, 1, 13, colour);
+    case Icon::last:
+      stop_bar(x + 7, y, colour);
+      return triangle(x - 1.5f, y, 1, 13, colour);
+  }
+}
+
+}  // namespace
+
+float text_width(ImFont* font, const std::string& s) {
+  return font->CalcTextSizeA(font->FontSize * font->Scale, FLT_MAX, 0, s.c_str()).x;
+}
+
+float text(ImFont* font, float x, float y, ImU32 colour, const std::string& s, float align) {
+  const float size = font->FontSize * font->Scale;
+  const float width = text_width(font, s);
+  list().AddText(font, size, {std::round(x - align * width), std::round(y - size / 2)}, colour, s.c_str());
+  return width;
+}
+
+ImVec2 rich(Ui& ui, const Paragraph& p, ImVec2 at) {
+  if (p.markup.empty()) return {0, 0};
+  const TextImage image = ui.texts.of(p);
+  const ImVec2 from{std::round(at.x), std::round(at.y)};
+  if (image.texture) list().AddImage(image.texture, from, {from.x + image.size.x, from.y + image.size.y});
+  return image.size;
+}
+
+ImVec2 rich_line(Ui& ui, const Paragraph& p, float x, float y, float align) {
+  if (p.markup.empty()) return {0, 0};
+  const ImVec2 size = ui.texts.of(p).size;
+  return rich(ui, p, {x - align * size.x, y - size.y / 2});
+}
+
+Press press(Ui& ui, const std::string& name, const Rect& r) {
+  ui.rects[name] = r;
+  ImGui::SetCursorScreenPos(top_left(r));
+  const bool clicked = ImGui::InvisibleButton(name.c_str(), {std::max(r.width(), 1.0f), std::max(r.height(), 1.0f)});
+  return {clicked, ImGui::IsItemHovered(), ImGui::IsItemActive()};
+}
+
+void begin_region(Ui& ui, const char* name, const Rect& r, const Colour& background) {
+  ui.rects[name] = r;
+  ImGui::SetNextWindowPos(top_left(r));
+  ImGui::SetNextWindowSize({r.width(), r.height()});
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, packed(background));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{0, 0});
+  ImGui::Begin(name, nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor();
+}
+
+void tooltip(const Ui& ui, const std::string& s) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{10, 7});
+  ImGui::PushFont(ui.fonts.small);
+  ImGui::SetTooltip("%s", s.c_str());
+  ImGui::PopFont();
+  ImGui::PopStyleVar();
+}
+
+void filled(const Rect& r, const Colour& colour, float rounding) {
+  list().AddRectFilled(top_left(r), bottom_right(r), packed(colour), rounding);
+}
+
+void outlined(const Rect& r, const Colour& colour, float width, float rounding) {
+  list().AddRect(top_left(r), bottom_right(r), packed(colour), rounding, 0, width);
+}
+
+void rule(const Ui& ui, float x0, float x1, float y) {
+  list().AddRectFilled({x0, std::round(y)}, {x1, std::round(y) + 1}, packed(ui.palette.rule));
+}
+
+bool chip(Ui& ui, const std::string& name, const Rect& r, const std::string& label, bool chosen, ImFont* font) {
+  const Press p = press(ui, name, r);
+  const Palette& c = ui.palette;
+  filled(r, chosen ? c.first : p.hovered ? c.hovered : c.frame);
+  if (p.held) outlined(r, c.first);
+  text(font ? font : ui.fonts.body, r.middle_x(), r.middle_y(), packed(chosen ? c.on_first : c.text), label, 0.5f);
+  return p.clicked;
+}
+
+bool icon_button(Ui& ui, const std::string& name, const Rect& r, Icon icon, bool primary, bool enabled) {
+  const Press p = press(ui, name, r);
+  const Palette& c = ui.palette;
+  filled(r, primary ? c.first : p.hovered && enabled ? c.hovered : c.frame);
+  if (p.held && enabled) outlined(r, primary ? c.text : c.first);
+  draw_icon(icon, r.middle_x(), r.middle_y(), packed(primary ? c.on_first : c.text, enabled ? 1 : 0.35));
+  return p.clicked && enabled;
+}
+
+void tick(float x, float y, float size, ImU32 colour) {
+  const float u = size / 14;
+  const ImVec2 points[] = {{x - 6 * u, y + 0.5f * u}, {x - 2 * u, y + 4.5f * u}, {x + 6 * u, y - 5 * u}};
+  list().AddPolyline(points, 3, colour, 0, 2.4f * u);
+}
+
+void cross(float x, float y, float size, ImU32 colour) {
+  const float h = size * 0.36f, width = size * 0.17f;
+  list().AddLine({x - h, y - h}, {x + h, y + h}, colour, width);
+  list().AddLine({x - h, y + h}, {x + h, y - h}, colour, width);
+}
+
+void diamond(float x, float y, float size, ImU32 colour) {
+  const float h = size * 0.46f;
+  list().AddQuadFilled({x, y - h}, {x + h, y}, {x, y + h}, {x - h, y}, colour);
+}
+
+void caret(float x, float y, bool open, ImU32 colour) {
+  if (open)
+    list().AddTriangleFilled({x - 4.5f, y - 2.5f}, {x + 4.5f, y - 2.5f}, {x, y + 3.5f}, colour);
+  else
+    list().AddTriangleFilled({x - 2.5f, y - 4.5f}, {x + 3.5f, y}, {x - 2.5f, y + 4.5f}, colour);
+}
+
+void handle_sign(float x, float y, const Colour& colour) {
+  list().AddCircleFilled({x, y}, 8.5f, packed(colour, 0.25), 24);
+  list().AddCircle({x, y}, 8.5f, packed(colour), 24, 1.2f);
+  list().AddCircleFilled({x, y}, 3.8f, packed(colour), 16);
+}
+
+void logo(const Ui& ui, float x, float y) {
+  const Palette& c = ui.palette;
+  list().AddCircleFilled({x, y}, 10.5f, packed(c.second, 0.16), 32);
+  list().AddCircle({x, y}, 10.5f, packed(c.second), 32, 2);
+  list().AddLine({x - 15, y + 5}, {x + 15, y - 6}, packed(c.first), 2.2f);
+  list().AddLine({x - 9.5f, y + 3}, {x + 10, y - 4.2f}, packed(c.hit), 3);
+  list().AddCircleFilled({x - 9.7f, y + 3.1f}, 2.2f, packed(c.hit), 12);
+}
+
+}  // namespace isect::viz

@@ -1,0 +1,65 @@
+#pragma once
+// The window's own small widgets, drawn with ImDrawList at given places. Each records where it stood, so that tests
+// click on names and not on guessed coordinates.
+
+#include <imgui.h>
+
+#include <map>
+#include <string>
+
+#include "viz/window/layout.h"
+#include "viz/window/palette.h"
+#include "viz/window/text_textures.h"
+#include "viz/window/ui_fonts.h"
+
+namespace isect::viz {
+
+/// What every widget needs.
+struct Ui {
+  Palette palette;
+  UiFonts fonts;
+  TextTextures texts;
+  std::map<std::string, Rect> rects = {};  ///< this frame's widgets by name
+};
+
+enum class Icon { first, back, play, pause, next, last };
+
+inline ImVec2 top_left(const Rect& r) { return {r.left, r.top}; }
+inline ImVec2 bottom_right(const Rect& r) { return {r.right, r.bottom}; }
+
+/// One line of plain text; `y` is its middle; align 0 left, 0.5 middle, 1 right. Returns its width.
+float text(ImFont*, float x, float y, ImU32, const std::string&, float align = 0);
+float text_width(ImFont*, const std::string&);
+
+/// Rich text from its top left corner. Returns its size.
+ImVec2 rich(Ui&, const Paragraph&, ImVec2 at);
+/// One line of rich text around the middle `y`; align as above.
+ImVec2 rich_line(Ui&, const Paragraph&, float x, float y, float align = 0);
+
+/// A place to press. `clicked`: the button came up again inside.
+struct Press { bool clicked, hovered, held; };
+Press press(Ui&, const std::string& name, const Rect&);
+/// A window that fills `r`, not moved, not decorated. End it with ImGui::End().
+void begin_region(Ui&, const char* name, const Rect& r, const Colour& background);
+void tooltip(const Ui&, const std::string&);
+
+void filled(const Rect&, const Colour&, float rounding = 6);
+void outlined(const Rect&, const Colour&, float width = 1.5f, float rounding = 6);
+void rule(const Ui&, float x0, float x1, float y);
+
+/// A button with a word on it.
+bool chip(Ui&, const std::string& name, const Rect&, const std::string& label, bool chosen, ImFont* = nullptr);
+/// A transport button.
+bool icon_button(Ui&, const std::string& name, const Rect&, Icon, bool primary, bool enabled);
+
+void tick(float x, float y, float size, ImU32);
+void cross(float x, float y, float size, ImU32);
+void diamond(float x, float y, float size, ImU32);
+/// A small triangle: pointing down when `open`, else to the right.
+void caret(float x, float y, bool open, ImU32);
+/// A handle's sign: a disc in a ring.
+void handle_sign(float x, float y, const Colour&);
+/// isect's mark: a ray through a ball, green where they meet.
+void logo(const Ui&, float x, float y);
+
+}  // namespace isect::viz

@@ -1,0 +1,165 @@
+#include "viz/window/window_ui.h"
+
+#include <glad/gl.h>
+#include <imgui_impl_opengl3.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "viz/files.h"
+#include "viz/rich_text.h"
+#include "viz/window/key_codes.h"
+#include "viz/window/panels.h"
+#include "viz/window/save_figure.h"
+#include "viz/window/scene_view.h"
+
+namespace isect::viz {
+namespace {
+
+/// A Dear ImGui context with its OpenGL side, for as long as the window is open.
+struct ImGuiScope {
+  ImGuiScope() : context(ImGui::CreateContext()) {
+    ImGui::SetCurrentContext(context);
+    ImGui::GetIO().IniFilename = nullptr;
+    if (!ImGui_ImplOpenGL3_Init("#version 330 core")) throw std::runtime_error("Dear ImGui cannot draw with this OpenGL");
+  }
+  ~ImGuiScope() {
+    ImGui::SetCurrentContext(context);
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui::DestroyContext(context);
+  }
+  ImGuiScope(const ImGuiScope&) = delete;
+  ImGuiScope& operator=(const ImGuiScope&) = delete;
+  ImGuiContext* context;
+};
+
+void map_keys() {
+  const std::pair<ImGuiKey, int> map[] = {
+      {ImGuiKey_Tab, key::tab},           {ImGuiKey_LeftArrow, key::left},    {ImGuiKey_RightArrow, key::right},
+      {ImGuiKey_UpArrow, key::up},        {ImGuiKey_DownArrow, key::down},    {ImGuiKey_PageUp, key::page_up},
+      {ImGuiKey_PageDown, key::page_down}, {ImGuiKey_Home, key::home},        {ImGuiKey_End, key::end},
+      {ImGuiKey_Insert, key::insert},     {ImGuiKey_Delete, key::del},        {ImGuiKey_Backspace, key::backspace},
+      {ImGuiKey_Space, key::space},       {ImGuiKey_Enter, key::enter},       {ImGuiKey_Escape, key::escape},
+      {ImGuiKey_KeyPadEnter, key::keypad_enter}, {ImGuiKey_A, key::a},        {ImGuiKey_C, key::c},
+      {ImGuiKey_V, key::v},               {ImGuiKey_X, key::x},               {ImGuiKey_Y, key::y},
+      {ImGuiKey_Z, key::z}};
+  for (const auto& [name, code] : map) ImGui::GetIO().KeyMap[name] = code;
+}
+
+UiFonts fonts_at(double scale) {
+  map_keys();
+  return load_fonts(scale);
+}
+
+}  // namespace
+
+struct WindowUi::Impl {
+  Impl(const std::vector<const Lesson*>& lessons, const Place& at, Renderer& gl, const Settings& kept,
+       const WindowOptions& options)
+      : renderer(gl),
+        player(lessons, at, options.reduced_motion),
+        settings(kept),
+        ui{palette(kept.theme), fonts_at(options.scale), TextTextures(options.scale)},
+        session{.player = player, .ui = ui, .settings = settings, .figures = options.figures},
+        scene(gl, options.scale) {
+    player.set_speed(kept.speed);
+  }
+
+  void save() {
+    try {
+      session.say("Saved " + save_figure(player, settings, renderer, session.figures));
+    } catch (const FileError& failed) {
+      session.complain(failed.what());
+    }
+    scene.invalidate();
+  }
+
+  ImGuiScope imgui;
+  Renderer& renderer;
+  Player player;
+  Settings settings;
+  Ui ui;
+  Session session;
+  SceneView scene;
+};
+
+WindowUi::WindowUi(const std::vector<const Lesson*>& lessons, const Place& at, Renderer& renderer,
+                   const Settings& settings, const WindowOptions& options)
+    : impl_(std::make_unique<Impl>(lessons, at, renderer, settings, options)) {}
+
+WindowUi::~WindowUi() = default;
+
+void WindowUi::frame() {
+  Impl& w = *impl_;
+  ImGui::SetCurrentContext(w.imgui.context);
+  const ImGuiIO& io = ImGui::GetIO();
+  w.ui.palette = palette(w.settings.theme);
+  dress(w.ui.palette);
+  w.ui.rects.clear();
+  w.session.toast.seconds_left -= io.DeltaTime;
+  w.player.advance(io.DeltaTime);
+  // Not before now: the frame built last has shown the scene's texture, which saving draws over.
+  if (std::exchange(w.session.save_now, false)) w.save();
+
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui::NewFrame();
+  ImGui::PushFont(w.ui.fonts.body);
+  keys(w.session);
+  const WindowLayout at = window_layout(io.DisplaySize.x, io.DisplaySize.y, w.session.panels);
+  w.scene.show(w.session, at.scene);
+  top_bar(w.session, at.top);
+  if (w.session.panels) {
+    lesson_panel(w.session, at.lesson);
+    code_panel(w.session, at.code);
+  }
+  transport(w.session, at.transport);
+  sheets(w.session, {0, 0, io.DisplaySize.x, io.DisplaySize.y});
+  ImGui::PopFont();
+  ImGui::Render();
+
+  w.ui.texts.next_frame();
+}
+
+void WindowUi::draw(unsigned framebuffer) {
+  ImGui::SetCurrentContext(impl_->imgui.context);
+  const ImGuiIO& io = ImGui::GetIO();
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  glViewport(0, 0, static_cast<int>(io.DisplaySize.x * io.DisplayFramebufferScale.x),
+             static_cast<int>(io.DisplaySize.y * io.DisplayFramebufferScale.y));
+  glDisable(GL_SCISSOR_TEST);
+  const Colour& c = impl_->ui.palette.window;
+  glClearColor(static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b), 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+std::string WindowUi::title() const {
+  const Player& p = impl_->player;
+  std::string preset_title = "changed";
+  for (const Preset& preset : p.lesson().presets)
+    if (preset.id == p.preset_id()) preset_title = plain(preset.title);
+  return plain(p.lesson().title) + ", " + preset_title + ", step " + std::to_string(p.index() + 1) + " of " +
+         std::to_string(p.count()) + " – isect";
+}
+
+bool WindowUi::animating() const {
+  return impl_->player.playing() || impl_->player.camera().moving() || impl_->session.toast.seconds_left > 0;
+}
+
+const std::map<std::string, Rect>& WindowUi::rects() const { return impl_->ui.rects; }
+
+std::string WindowUi::message() const {
+  return impl_->session.toast.seconds_left > 0 ? impl_->session.toast.text : std::string();
+}
+
+Player& WindowUi::player() { return impl_->player; }
+
+Settings WindowUi::settings() const {
+  Settings settings = impl_->settings;
+  settings.speed = impl_->player.speed();
+  settings.place = impl_->player.place();
+  return settings;
+}
+
+}  // namespace isect::viz
