@@ -1,0 +1,110 @@
+// isect explain: the lesson as text, for terminals and screen readers.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "lessons/program/options.h"
+#include "lessons/program/terminal.h"
+#include "viz/rich_text.h"
+
+namespace isect::program {
+
+namespace {
+
+constexpr std::size_t width = 80;
+
+std::string heading(const std::string& text, char line) {
+  return fmt::format("{}\n{}\n", inked(Ink::bold, text), std::string(length(text), line));
+}
+
+bool contains(const std::vector<int>& lines, int line) {
+  return std::ranges::find(lines, line) != lines.end();
+}
+
+/// The algorithm with the current line marked; what was not taken is dim, a condition that failed says "no".
+std::string pseudocode(const viz::Walk& walk, const viz::Step& step) {
+  std::string out;
+  for (int i = 0; i < static_cast<int>(walk.pseudocode.size()); ++i) {
+    const bool now = i == step.line;
+    std::string text =
+        fmt::format(" {} {:>2}  {}", now ? "▸" : " ", i + 1, walk.pseudocode[static_cast<std::size_t>(i)]);
+    if (contains(step.refused, i)) text += "   (no)";
+    const Ink ink = now ? Ink::mark : contains(step.untaken, i) ? Ink::dim : Ink::plain;
+    out += inked(ink, text) + "\n";
+  }
+  return out + "\n";
+}
+
+std::string values(const viz::Step& step) {
+  std::size_t widest = 0;
+  for (const viz::Value& v : step.values) widest = std::max(widest, length(viz::plain(v.name)));
+  std::string out;
+  for (const viz::Value& v : step.values) {
+    const std::string name = viz::plain(v.name);
+    out += fmt::format("     {}{} = {}{}\n", std::string(widest - length(name), ' '), name,
+                       viz::shown(v.value), v.fresh ? "   (new)" : "");
+  }
+  return out.empty() ? out : out + "\n";
+}
+
+std::string comparison(const viz::Comparison& c) {
+  const std::string meaning = c.meaning.empty() ? "" : ": " + viz::plain(c.meaning);
+  return wrapped(fmt::format("Is {}? {} ({} and {}){}.", viz::plain(c.text), c.holds ? "Yes" : "No",
+                             viz::shown(c.left), viz::shown(c.right), meaning),
+                 width, 0) +
+         "\n";
+}
+
+std::string question(const viz::Question& q) {
+  std::string out = wrapped("Question: " + viz::plain(q.prompt), width, 0);
+  for (std::size_t i = 0; i < q.choices.size(); ++i)
+    out += wrapped(fmt::format("{}. {}", i + 1, viz::plain(q.choices[i])), width, 4);
+  const std::string answer = viz::plain(q.choices.at(static_cast<std::size_t>(q.answer)));
+  return out + wrapped(fmt::format("Answer: {}. {}", answer, viz::plain(q.because)), width, 0) + "\n";
+}
+
+std::string told(const viz::Walk& walk, int index) {
+  const viz::Step& step = walk.steps[static_cast<std::size_t>(index)];
+  std::string out =
+      heading(fmt::format("Step {} of {}: {}", index + 1, walk.steps.size(), viz::plain(step.title)), '-');
+  out += wrapped(viz::plain(step.caption), width, 0) + "\n";
+  if (!step.formula.empty()) out += fmt::format("     {}\n\n", viz::plain(step.formula));
+  out += pseudocode(walk, step) + values(step);
+  if (step.comparison) out += comparison(*step.comparison);
+  if (step.verdict.kind != viz::Verdict::Kind::open)
+    out += inked(Ink::bold, wrapped("Verdict: " + viz::plain(step.verdict.text), width, 0)) + "\n";
+  if (step.question) out += question(*step.question);
+  if (!step.source.empty()) out += wrapped("Source: " + step.source, width, 0) + "\n";
+  return out;
+}
+
+int explain(const Program& program, const Selection& asked) {
+  const Excerpt e = excerpt(program, asked);
+  std::string out = heading(fmt::format("{} ({}), {}", e.lesson->title, e.lesson->rows, e.folder), '=');
+  out += wrapped(e.lesson->summary, width, 0) + "\n";
+  if (!e.walk.method.empty()) out += wrapped("Method: " + viz::plain(e.walk.method), width, 0) + "\n";
+  out += wrapped("Picture: " + viz::plain(e.walk.alt), width, 0) + "\n";
+  for (const int step : e.steps) out += told(e.walk, step);
+  out.pop_back();
+  print(out);
+  return done;
+}
+
+}  // namespace
+
+void add_explain(CLI::App& app, Program& program) {
+  CLI::App& sub = *app.add_subcommand("explain", "the lesson as text: captions, pseudocode, values");
+  const auto asked = std::make_shared<Selection>();
+  asked->step = "all";
+  add_lesson(sub, program, *asked, "a lesson's id");
+  add_preset(sub, *asked, "the first preset if not given");
+  add_step(sub, *asked, "counted from 1; all if not given");
+  add_set(sub, *asked);
+  sub.footer("Example: " + program.name + " explain" + (program.only ? "" : " ray-sphere") + " --step 3");
+  sub.callback(
+      [&program, asked] { program.chosen = [&program, asked] { return explain(program, *asked); }; });
+}
+
+}  // namespace isect::program

@@ -1,0 +1,56 @@
+#pragma once
+// Options that several subcommands share: which lesson, preset, parameters and steps; how large a figure.
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "lessons/program/program.h"
+#include "viz/lesson.h"
+
+namespace isect::program {
+
+/// As written on the command line.
+struct Selection {
+  std::vector<std::string> lessons;
+  bool all = false;
+  std::string preset;  ///< empty: the lesson's first (every one with `all`)
+  std::string step;
+  std::vector<std::string> changes;  ///< name=value
+};
+
+/// The lesson's name as a positional, where the program has more than one lesson.
+CLI::Option* add_lesson(CLI::App&, const Program&, Selection&, const std::string& help);
+void add_preset(CLI::App&, Selection&, const std::string& help);
+void add_step(CLI::App&, Selection&, const std::string& help);
+void add_set(CLI::App&, Selection&);
+
+/// One setting of a lesson's parameters, walked.
+struct Excerpt {
+  const viz::Lesson* lesson = nullptr;
+  std::string folder;  ///< the preset's id, or the name of the preset's file
+  std::string preset;  ///< empty where a parameter was changed by hand
+  viz::Parameters parameters;
+  viz::Walk walk;
+  std::vector<int> steps;  ///< chosen ones, from 0
+};
+
+/// Everything that is asked for. Throws viz::BadInput, or viz::FileError where a preset's file can't be read.
+std::vector<Excerpt> excerpts(const Program&, const Selection&);
+/// The same where only one lesson and preset make sense.
+Excerpt excerpt(const Program&, const Selection&);
+
+/// "960x600"; each side 16 to 8192.
+struct Size {
+  int width = 960, height = 600;
+};
+Size size_of(const std::string& text);
+/// A width on paper in points: "8cm", "80mm", "227pt", "3in"; 10 to 14400.
+double points_of(const std::string& text);
+/// "png,svg" as names without repeats.
+std::vector<std::string> formats_of(const std::string& text);
+/// A camera for all pictures of this lesson at this shape (width / height): every preset fits, and so does
+/// `walk`.
+viz::Camera camera_for(const viz::Lesson&, const viz::Walk&, double aspect);
+
+}  // namespace isect::program

@@ -1,0 +1,130 @@
+#include "lessons/program/program.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "lessons/program/terminal.h"
+#include "viz/files.h"
+#include "viz/offscreen.h"
+#include "viz/place.h"
+
+namespace isect::program {
+
+namespace {
+
+std::vector<std::string> names_of(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* sub : app.get_subcommands({})) names.push_back(sub->get_name());
+  return names;
+}
+
+std::vector<std::string> long_options(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+/// CLI11's help with plain option names: no "{failed}", no "Excludes: --size".
+class Help final : public CLI::Formatter {
+ public:
+  Help() {
+    column_width(26);
+    label("Positionals", "Arguments");
+  }
+  std::string make_option_name(const CLI::Option* option, bool is_positional) const override {
+    const std::string name = CLI::Formatter::make_option_name(option, is_positional);
+    return name.substr(0, name.find('{'));
+  }
+  std::string make_option_opts(const CLI::Option* option) const override {
+    return option->get_type_name().empty() ? "" : " " + option->get_type_name();
+  }
+};
+
+/// What CLI11 found wrong, in our words where a name is misspelt.
+std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
+  const std::vector<CLI::App*> chosen = const_cast<CLI::App&>(app).get_subcommands();
+  const CLI::App& sub = chosen.empty() ? app : *chosen.front();
+  if (dynamic_cast<const CLI::ExtrasError*>(&error)) {
+    const std::vector<std::string> extras = app.remaining(true);
+    if (!extras.empty() && extras[0].starts_with("-"))
+      return viz::unknown("option", extras[0].substr(0, extras[0].find('=')), long_options(sub)).what();
+    if (!extras.empty()) return fmt::format("{}: \"{}\" is one argument too many", sub.get_name(), extras[0]);
+  }
+  return error.what();
+}
+
+/// Without a subcommand the window is meant.
+void complete(const CLI::App& app, std::vector<std::string>& arguments) {
+  const std::string first = arguments.empty() ? "" : arguments.front();
+  if (first == "--help" || first == "-h" || first == "--version") return;
+  if (first.empty() || first.starts_with("-")) {
+    arguments.insert(arguments.begin(), "show");
+  } else if (const auto names = names_of(app); std::ranges::find(names, first) == names.end()) {
+    throw viz::unknown("subcommand", first, names);
+  }
+}
+
+void describe(CLI::App& app, Program& program) {
+  app.formatter(std::make_shared<Help>());  // subcommands inherit it
+  app.set_help_flag("-h,--help", "this text; every SUBCOMMAND has its own");
+  app.set_version_flag("--version", fmt::format("{} {}", program.name, viz::version()), "the version");
+  if (!program.only) add_list(app, program);
+  add_show(app, program);
+  add_explain(app, program);
+  add_render(app, program);
+  add_check(app, program);
+  if (!program.only) add_doctor(app, program);
+  for (CLI::App* sub : app.get_subcommands({})) sub->set_help_flag("-h,--help", "this text");
+  app.footer(fmt::format(
+      "Without a subcommand the window opens.\nExample: {} render{} --step 3\n\nExit status: 0 done; 1 a "
+      "check failed; "
+      "2 a wrong name, value or usage;\n3 a baseline is missing; 4 a file can't be read or written;\n"
+      "77 nowhere to draw: no rendering back end, or no display for the window.",
+      program.name, program.only ? "" : " ray-sphere"));
+}
+
+int parse_and_run(Program& program, std::vector<std::string> arguments) {
+  const std::string what = program.only ? program.only->title + ": " + program.only->summary
+                                        : "isect: intersection tests, step by step, exactly right";
+  CLI::App app(what, program.name);
+  describe(app, program);
+  complete(app, arguments);
+  std::ranges::reverse(arguments);  // as CLI11 wants them
+  try {
+    app.parse(arguments);
+  } catch (const CLI::CallForHelp&) {
+    const std::vector<CLI::App*> chosen = app.get_subcommands();
+    print(chosen.empty() ? app.help() : chosen.front()->help(program.name));
+    return done;
+  } catch (const CLI::CallForVersion& e) {
+    print(std::string(e.what()) + "\n");
+    return done;
+  } catch (const CLI::ParseError& e) {
+    throw viz::BadInput(complaint(app, e));
+  }
+  return program.chosen();
+}
+
+}  // namespace
+
+int run(Program& program, std::vector<std::string> arguments) {
+  const auto complain = [&](const std::exception& e, int status) {
+    say(fmt::format("{}: {}", program.name, e.what()));
+    return status;
+  };
+  try {
+    return parse_and_run(program, std::move(arguments));
+  } catch (const viz::BadInput& e) {
+    return complain(e, bad_input);
+  } catch (const viz::FileError& e) {
+    return complain(e, file_trouble);
+  } catch (const viz::NoBackend& e) {
+    return complain(e, nowhere_to_draw);
+  } catch (const std::exception& e) {
+    return complain(e, check_failed);
+  }
+}
+
+}  // namespace isect::program

@@ -1,0 +1,43 @@
+#pragma once
+// The program `isect`, and with `only` set the small program of one lesson: the same subcommands without
+// LESSON.
+//
+// Each subcommand is one file with one function that adds it to the command line. Parsing sets `chosen`; main
+// calls it.
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "viz/lesson.h"
+
+namespace isect::program {
+
+enum Exit {
+  done = 0,
+  check_failed = 1,  ///< outranks baseline_missing
+  bad_input = 2,     ///< usage, or a bad name or value
+  baseline_missing = 3,
+  file_trouble = 4,     ///< a file can't be read or written
+  nowhere_to_draw = 77  ///< no rendering back end, or a window without a display
+};
+
+struct Program {
+  std::string name;
+  std::vector<const viz::Lesson*> lessons;
+  const viz::Lesson* only = nullptr;
+  std::function<int()> chosen = {};
+};
+
+void add_list(CLI::App&, Program&);
+void add_show(CLI::App&, Program&);
+void add_explain(CLI::App&, Program&);
+void add_render(CLI::App&, Program&);
+void add_check(CLI::App&, Program&);
+void add_doctor(CLI::App&, Program&);
+
+/// `arguments` without the program's name. The exit status.
+int run(Program&, std::vector<std::string> arguments);
+
+}  // namespace isect::program

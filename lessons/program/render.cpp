@@ -1,0 +1,170 @@
+// isect render: figures as files.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "lessons/program/options.h"
+#include "lessons/program/terminal.h"
+#include "viz/compose.h"
+#include "viz/files.h"
+#include "viz/offscreen.h"
+#include "viz/place.h"
+#include "viz/rich_text.h"
+#include "viz/snapshot.h"
+
+namespace isect::program {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Options {
+  Selection asked;
+  std::string format = "png", theme = "screen", size, width, out = "figures", backend = "auto";
+};
+
+/// What every figure of this run shares.
+struct Style {
+  std::vector<std::string> formats;
+  viz::ThemeName theme;
+  Size size;
+  viz::Paper paper;
+};
+
+Style style_of(const Options& options) {
+  if (!options.size.empty() && !options.width.empty())
+    throw viz::BadInput("size: give either --size (pixels) or --width (on paper), not both");
+  Style style{formats_of(options.format),
+              viz::theme_named(options.theme),
+              options.size.empty() ? Size{} : size_of(options.size),
+              {}};
+  if (!options.width.empty()) {
+    style.paper.width_pt = points_of(options.width);
+    if (std::ranges::find(style.formats, "svg") == style.formats.end())
+      throw viz::BadInput("width: a picture of pixels has none on paper; give --size, or --format svg");
+  }
+  return style;
+}
+
+/// Draws the figures of one run. A rendering back end is started only where a format needs one.
+class Studio {
+ public:
+  Studio(const Style& style, const std::string& backend) : style_(style) {
+    const viz::Backend wanted = viz::backend_named(backend);
+    if (std::ranges::find(style.formats, "png") != style.formats.end())
+      offscreen_ = std::make_unique<viz::Offscreen>(wanted);
+  }
+
+  std::string draw(const Excerpt& e, const viz::Camera& camera, int step, const std::string& format) {
+    const viz::Place place{e.lesson->id, e.preset, step, e.parameters, {}};
+    const viz::Drawing drawing = viz::figure(e.walk.steps[static_cast<std::size_t>(step)], camera,
+                                             style_.theme, style_.size.width, style_.size.height)
+                                     .drawing;
+    if (format == "svg") return viz::svg(drawing, viz::metadata(place), style_.paper);
+    return viz::png(offscreen_->render(drawing), viz::metadata(place));
+  }
+
+  std::string renderer(const std::string& format) const {
+    return format == "svg" ? "cairo" : offscreen_->driver();
+  }
+
+ private:
+  const Style& style_;
+  std::unique_ptr<viz::Offscreen> offscreen_;
+};
+
+std::string alt_text(const Excerpt& e, const viz::Step& step) {
+  std::string text = fmt::format("{}: {}. {}\n\n{}\n", e.lesson->title, viz::plain(step.title),
+                                 viz::plain(e.walk.alt), viz::plain(step.caption));
+  if (step.verdict.kind != viz::Verdict::Kind::open)
+    text += fmt::format("\nVerdict: {}\n", viz::plain(step.verdict.text));
+  return text;
+}
+
+Json manifest_entry(const Excerpt& e, int step, const std::string& file, const std::string& renderer,
+                    const Style& style) {
+  const viz::Step& s = e.walk.steps[static_cast<std::size_t>(step)];
+  Json entry = {{"file", file},
+                {"lesson", e.lesson->id},
+                {"preset", e.preset.empty() ? Json(nullptr) : Json(e.preset)}};
+  entry.update({{"step", step + 1},
+                {"slug", s.slug},
+                {"title", viz::plain(s.title)},
+                {"caption", viz::plain(s.caption)}});
+  entry["parameters"] = Json::parse(viz::to_json(e.parameters));
+  entry.update({{"theme", viz::name_of(style.theme)}, {"renderer", renderer}});
+  entry["size"] = fmt::format("{}x{}", style.size.width, style.size.height);
+  if (style.paper.width_pt > 0 && file.ends_with(".svg")) entry["width_pt"] = style.paper.width_pt;
+  return entry;
+}
+
+int to_stdout(const std::vector<Excerpt>& chosen, const Style& style, const std::string& backend) {
+  if (chosen.size() != 1 || chosen[0].steps.size() != 1 || style.formats.size() != 1)
+    throw viz::BadInput(
+        "out: \"-\" takes exactly one figure in one format; give --step N, and one preset and format");
+  const Excerpt& e = chosen[0];
+  Studio studio(style, backend);
+  const viz::Camera camera = camera_for(*e.lesson, e.walk, 1.0 * style.size.width / style.size.height);
+  print(studio.draw(e, camera, e.steps[0], style.formats[0]));
+  return done;
+}
+
+int render(const Program& program, const Options& options) {
+  const Style style = style_of(options);
+  const std::vector<Excerpt> chosen = excerpts(program, options.asked);
+  if (options.out == "-") return to_stdout(chosen, style, options.backend);
+
+  Studio studio(style, options.backend);
+  Json figures = Json::array();
+  std::size_t count = 0;
+  for (const Excerpt& e : chosen) count += e.steps.size();
+  Progress progress(count);
+  for (const Excerpt& e : chosen) {
+    const viz::Camera camera = camera_for(*e.lesson, e.walk, 1.0 * style.size.width / style.size.height);
+    for (const int step : e.steps) {
+      const viz::Step& s = e.walk.steps[static_cast<std::size_t>(step)];
+      const std::string stem = fmt::format("{}/{}/{}", e.lesson->id, e.folder, viz::file_stem(step, s));
+      for (const std::string& format : style.formats) {
+        const std::string file = stem + "." + format;
+        viz::write_file(options.out + "/" + file, studio.draw(e, camera, step, format));
+        figures.push_back(manifest_entry(e, step, file, studio.renderer(format), style));
+        print(options.out + "/" + file + "\n");
+      }
+      viz::write_file(options.out + "/" + stem + ".txt", alt_text(e, s));
+      progress.done(stem);
+    }
+  }
+  const Json manifest = {{"program", "isect"}, {"version", viz::version()}, {"figures", figures}};
+  viz::write_file(options.out + "/manifest.json", manifest.dump(2) + "\n");
+  return done;
+}
+
+}  // namespace
+
+void add_render(CLI::App& app, Program& program) {
+  CLI::App& sub = *app.add_subcommand("render", "figures as files, with alt text and a manifest");
+  const auto options = std::make_shared<Options>();
+  options->asked.step = "all";
+  add_lesson(sub, program, options->asked, "one lesson or several, by id");
+  sub.add_flag("--all", options->asked.all, "every lesson, and every preset unless --preset is given");
+  add_preset(sub, options->asked, "a preset, a file with one, or all; the first if not given");
+  add_step(sub, options->asked, "counted from 1; all if not given");
+  add_set(sub, options->asked);
+  sub.add_option("--format", options->format, "png (if not given), svg, or png,svg")->type_name("FORMAT");
+  sub.add_option("--theme", options->theme, "screen (if not given), print, grey or dark")->type_name("THEME");
+  sub.add_option("--size", options->size, "in pixels; 960x600 if not given")->type_name("WxH");
+  sub.add_option("--width", options->width, "on paper, for svg: 8cm, 80mm, 227pt, 3in")->type_name("LENGTH");
+  sub.add_option("--out", options->out, "folder (figures if not given); - is stdout, for one figure")
+      ->type_name("DIR|-");
+  sub.add_option("--backend", options->backend, "auto (if not given), osmesa or egl")->type_name("NAME");
+  sub.footer("Example: " + program.name + " render" + (program.only ? "" : " ray-sphere") +
+             " --preset tangent --format svg --width 8cm");
+  sub.callback(
+      [&program, options] { program.chosen = [&program, options] { return render(program, *options); }; });
+}
+
+}  // namespace isect::program

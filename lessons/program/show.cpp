@@ -1,0 +1,72 @@
+// isect show: the window.
+
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "lessons/program/options.h"
+#include "lessons/program/terminal.h"
+#include "viz/files.h"
+#include "viz/place.h"
+#include "viz/window.h"
+
+namespace isect::program {
+
+namespace {
+
+/// The place where a PNG or SVG of ours was made.
+viz::Place place_in_figure(const Program& program, const std::string& path) try {
+  const std::string bytes = viz::read_file(path);
+  return viz::place_from_metadata(
+      path.ends_with(".png") ? viz::png_metadata(bytes) : viz::svg_metadata(bytes), program.lessons);
+} catch (const viz::BadInput& e) {
+  throw viz::BadInput(fmt::format("{}: {}", path, e.what()));
+}
+
+viz::Place place_of(const Program& program, Selection asked) {
+  const std::string first = asked.lessons.empty() ? std::string() : asked.lessons.front();
+  if (first.ends_with(".png") || first.ends_with(".svg")) return place_in_figure(program, first);
+  if (asked.lessons.empty() && asked.preset.empty()) asked.lessons = {program.lessons.front()->id};
+  if (asked.step == "all") throw viz::BadInput("step: \"all\" does not do here; give one");
+  const Excerpt e = excerpt(program, asked);
+  viz::Place place;
+  place.lesson = e.lesson->id;
+  place.preset = e.preset;
+  place.step = e.steps.front();
+  place.parameters = e.parameters;
+  return place;
+}
+
+int show(const Program& program, const Selection& asked) {
+  const viz::Place place = place_of(program, asked);
+  try {
+    viz::show(program.lessons, place);
+  } catch (const viz::NoDisplay& e) {
+    say(fmt::format("{}: {}", program.name, e.what()));
+    say(fmt::format(
+        "Without a display, `{} render{}` writes the figures, and `{} explain{}` tells them as text.",
+        program.name, program.only ? "" : " " + place.lesson, program.name,
+        program.only ? "" : " " + place.lesson));
+    return nowhere_to_draw;
+  }
+  return done;
+}
+
+}  // namespace
+
+void add_show(CLI::App& app, Program& program) {
+  CLI::App& sub = *app.add_subcommand("show", "the window, at that place");
+  const auto asked = std::make_shared<Selection>();
+  asked->step = "1";
+  add_lesson(sub, program, *asked,
+             "a lesson's id, or a figure (.png, .svg) made by isect: opens where it was made");
+  add_preset(sub, *asked, "where to start; the first preset if not given");
+  add_step(sub, *asked, "counted from 1");
+  add_set(sub, *asked);
+  sub.footer(program.only ? "Example: " + program.name + " show --step 3"
+                          : "Examples: isect show ray-sphere --step 3\n          isect show "
+                            "figures/ray-sphere/tangent/03-foot.svg");
+  sub.callback([&program, asked] { program.chosen = [&program, asked] { return show(program, *asked); }; });
+}
+
+}  // namespace isect::program

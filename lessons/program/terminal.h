@@ -1,0 +1,42 @@
+#pragma once
+// What goes to the terminal: data to stdout, talk to stderr, colour and progress only where somebody looks.
+
+#include <string>
+
+namespace isect::program {
+
+/// Makes sure that descriptors 0 to 2 are taken, so that no file opened later is mistaken for one of them,
+/// and that a closed pipe is an error to be handled instead of a signal.
+void guard_streams();
+
+/// Data. A reader who has gone away (a closed pipe) is no error; anything else throws viz::FileError.
+void print(const std::string& data);
+/// Talk: one line on stderr.
+void say(const std::string& line);
+
+bool is_terminal(int descriptor);
+/// Colours on stdout: on a terminal that has them, unless NO_COLOR is set.
+enum class Ink { plain, bold, dim, good, bad, mark };
+std::string inked(Ink, const std::string& text);
+
+/// One line on stderr that says how far the work is; silent in a pipe.
+class Progress {
+ public:
+  explicit Progress(std::size_t total);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  void done(const std::string& what);
+
+ private:
+  std::size_t total_, count_ = 0;
+  bool shown_;
+};
+
+/// `text` broken into lines of at most `width` characters, each after `indent` spaces; '\n' separates
+/// paragraphs.
+std::string wrapped(const std::string& text, std::size_t width, std::size_t indent);
+/// Characters, not bytes, of UTF-8 text.
+std::size_t length(const std::string& text);
+
+}  // namespace isect::program

@@ -1,0 +1,206 @@
+// Haines' geometric method (N19), one step for each event.
+
+#include "core/ray_sphere_methods.h"
+#include "lessons/ray_sphere/methods.h"
+#include "lessons/ray_sphere/picture.h"
+#include "lessons/ray_sphere/run.h"
+#include "lessons/script.h"
+
+namespace isect::lessons::ray_sphere_lesson {
+namespace {
+
+using namespace viz;
+using namespace isect::ray_sphere;
+using C = Counted<double>;
+
+const std::vector<std::string> pseudocode = {
+    "l ← c − o",                    // 0
+    "s ← l · d",                    // 1
+    "l² ← l · l",                   // 2
+    "if s < 0 and l² > r²",         // 3
+    "    return REJECT",            // 4
+    "m² ← l² − s²",                 // 5
+    "if m² > r²",                   // 6
+    "    return REJECT",            // 7
+    "q ← √(r² − m²)",               // 8
+    "if l² > r² or (= and s > 0)",  // 9
+    "    t ← s − q",                // 10
+    "else",                         // 11
+    "    t ← s + q",                // 12
+    "if t > t_max",                 // 13
+    "    return REJECT",            // 14
+    "return INTERSECT, t, o + t d"  // 15
+};
+
+class Teller {
+ public:
+  explicit Teller(const Setup& setup) : setup_(setup), script_(pseudocode) { script_.walk().method = "Haines"; }
+
+  Walk tell() {
+    for (const auto& [event, tally] : run<HainesEvent<C, 3>>(setup_, [](const auto& ray, const auto& sphere, auto& record) {
+           ray_sphere::haines(ray, sphere, record);
+         })) {
+      script_.count(tally);
+      std::visit([this](const auto& e) { say(e); }, event);
+    }
+    script_.walk().alt = alt_text(setup_);
+    return std::move(script_.walk());
+  }
+
+ private:
+  Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption, Focus focus,
+            const std::string& formula = {}) {
+    known_.focus = focus;
+    Step& step = script_.add(slug, title, line, caption, formula);
+    step.scene = picture(setup_, known_);
+    step.source = "Note, N19; Haines (1989), ch. 2";
+    return step;
+  }
+
+  void say(const ToCenter<C, 3>&) {
+    known_.center_line = true;
+    add("to-center", "From the origin to the centre", 0,
+        "Let **l** be the vector from the ray's origin to the centre of the ball.\n"
+        "The method needs a direction **d** of length 1, so the lesson has normalised it. Then *t* is a distance.",
+        Focus::center_line, "**l** = **c** − **o**");
+  }
+
+  void say(const AlongRay<C>& e) {
+    known_.foot = true;
+    script_.value("*s*", e.s.value);
+    add("along-the-ray", "How far along the ray", 1,
+        e.s.value < 0 ? "The projection of **l** onto **d** is negative: the centre lies behind the origin."
+                      : "The projection of **l** onto **d** tells where the ray passes nearest to the centre.\n"
+                        "The note calls this number *d* too, like the direction. We call it *s*.",
+        Focus::along, "*s* = **l** · **d** = " + shown(e.s.value));
+  }
+
+  void say(const CenterDistance<C>& e) {
+    script_.value("*l*^2", e.l2.value, "area");
+    const double r = setup_.sphere.radius;
+    script_.value("*r*^2", r * r, "area", Role::second);
+    add("distance", "Inside or outside?", 2,
+        "The squared distance to the centre tells, against *r*^2, on which side of the surface the origin lies.",
+        Focus::center_line, "*l*^2 = " + shown(e.l2.value) + ",  *r*^2 = " + shown(r * r));
+  }
+
+  void say(const Behind<C>& e) {
+    Step& step = add("early-reject", "A cheap rejection", 3,
+                     e.holds ? "The centre lies behind, and the origin outside: the ball is behind the ray.\n"
+                                     "No square root was needed to know it."
+                                   : "Only an origin outside, with the centre behind it, can be rejected here. This ray goes on.",
+                     Focus::none);
+    decide(step, {"*s* < 0", e.s.value, 0, e.s.value < 0,
+                  e.s.value < 0 ? "the centre lies behind" : "the centre lies ahead"});
+    step.question = behind_question(e.holds);
+    if (!e.holds) script_.refuse(3, {4});
+  }
+
+  void say(const PassingDistance<C>& e) {
+    known_.passing = true;
+    script_.value("*m*^2", e.m2.value, "area");
+    add("passing-distance", "How near the line passes", 5,
+        "Pythagoras in the triangle of **l** and *s* gives *m*, the distance of the line from the centre.",
+        Focus::passing, "*m*^2 = *l*^2 − *s*^2 = " + shown(e.m2.value));
+  }
+
+  void say(const PassesBy<C>& e) {
+    const bool tangent = setup_.truth.line_roots == 1;
+    Step& step = add("passes-by", "Does the line meet the ball?", 6,
+                     e.holds ? "The line stays further from the centre than *r*: it misses."
+                     : tangent     ? "The line passes at exactly *r*: it touches the ball in one point. Touching counts."
+                                   : "The line passes nearer than *r*: it meets the ball.",
+                     Focus::passing);
+    decide(step, {"*m*^2 ≤ *r*^2", e.m2.value, e.r2.value, !e.holds,
+                  e.holds ? "the line misses the ball" : "the line meets the ball"});
+    step.question = roots_question(setup_);
+    if (!e.holds) script_.refuse(6, {7});
+  }
+
+  void say(const HalfChord<C>& e) {
+    known_.half_chord = true;
+    script_.value("*q*", e.q.value);
+    add("half-chord", "Half the chord", 8,
+        "Inside the ball the line runs equally far before and after the foot of the perpendicular.\n"
+        "That half chord is *q*. This is the only square root in the whole test.",
+        Focus::half_chord, "*q* = √(*r*^2 − *m*^2) = " + shown(e.q.value));
+  }
+
+  void say(const FromOutside<C>& e) {
+    known_.roots = 2;
+    const bool on = e.l2.value == e.r2.value;
+    Step& step = add("which-root", "Which root comes first?", 9,
+                     on ? "The origin lies exactly on the surface. Heading inwards the first hit is *s* − *q*, else *s* + *q*: "
+                          "both give 0.\nThe note's form asks only *l*^2 > *r*^2, and so returns the exit for a ray that heads inwards."
+                     : e.holds ? "From outside the ray enters first, at *s* − *q*."
+                                     : "From inside the entry lies behind: the ray leaves at *s* + *q*.",
+                     Focus::none, "*t*_{1,2} = *s* ∓ *q*");
+    decide(step, {"*l*^2 > *r*^2", e.l2.value, e.r2.value, e.l2.value > e.r2.value,
+                  on ? "the origin is on the surface" : e.holds ? "the origin is outside" : "the origin is inside"});
+    step.question = first_hit_question(setup_, {"*s* − *q*", "*s* + *q*"});
+    if (e.holds) {
+      script_.refuse(11, {12});
+    } else {
+      script_.refuse(9, {10});
+    }
+    from_outside_ = e.holds;
+  }
+
+  void say(const Nearest<C>& e) {
+    script_.value("*t*", e.t.value, {}, Role::hit);
+    add("nearest-root", "The nearest root", from_outside_ ? 10 : 12,
+        from_outside_ ? "One half chord before the foot lies the entry." : "One half chord after the foot lies the exit.",
+        from_outside_ ? Focus::first_root : Focus::second_root,
+        (from_outside_ ? "*t* = *s* − *q* = " : "*t* = *s* + *q* = ") + shown(e.t.value));
+  }
+
+  void say(const TooFar<C>& e) {
+    const bool segment = setup_.segment();
+    if (segment) script_.value("*t*_{max}", e.limit.value, {}, Role::first);
+    Step& step = add("in-range", "Within the ray's range?", 13,
+                     !segment ? "A ray has no end, so every *t* ≥ 0 is on it."
+                     : e.holds ? "The segment ends before the ball begins. Its line would meet it, the segment does not."
+                                     : "The hit lies before the segment's end.",
+                     Focus::none);
+    if (segment) {
+      decide(step, {"*t* ≤ *t*_{max}", e.t.value, e.limit.value, !e.holds,
+                    e.holds ? "beyond the segment's end" : "on the segment"});
+    }
+    if (!e.holds) script_.refuse(13, {14});
+  }
+
+  void say(const Reject&) {
+    known_.settled = true;
+    script_.leave_early();
+    const int line = script_.walk().steps.back().line + 1;  // stands below the condition that led to it
+    script_.settle(viz::Verdict::Kind::no, verdict_text(setup_));
+    add("reject", "No intersection", line, miss_caption(setup_), Focus::none);
+  }
+
+  void say(const Intersect<C, 3>& e) {
+    known_.settled = true;
+    script_.settle(setup_.truth.origin == Location::on ? viz::Verdict::Kind::on : viz::Verdict::Kind::yes, verdict_text(setup_));
+    add("intersect", "The first hit", 15,
+        "The point follows from *t*: **p** = **o** + *t* **d**.\n" + solid_caption(setup_), Focus::none,
+        fmt::format("**p** = ({}, {}, {})", shown(e.p.x().value), shown(e.p.y().value), shown(e.p.z().value)));
+  }
+
+  static void decide(Step& step, const Comparison& comparison) {
+    step.decides = true;
+    step.comparison = comparison;
+  }
+
+  const Setup& setup_;
+  Script script_;
+  Known known_;
+  bool from_outside_ = false;
+};
+
+}  // namespace
+
+Walk haines(const Parameters& parameters) {
+  const Setup s = setup(parameters, true);
+  return Teller(s).tell();
+}
+
+}  // namespace isect::lessons::ray_sphere_lesson

@@ -1,0 +1,40 @@
+#pragma once
+// The picture of a ray and a ball: what is known so far is drawn, no more.
+
+#include "core/ray_sphere.h"
+#include "viz/lesson.h"
+
+namespace isect::lessons::ray_sphere_lesson {
+
+/// The scene's shapes, and what is true of them by the exact test.
+struct Setup {
+  Ray<double, 3> ray;
+  Sphere<double, 3> sphere;
+  RaySphere<double> truth;
+
+  double foot() const;   ///< t of the line's point nearest to the center
+  bool segment() const;  ///< the range is finite
+};
+
+/// Reads the parameters. `unit_direction`: the direction is normalised and the range's end measured in lengths.
+Setup setup(const viz::Parameters&, bool unit_direction);
+
+/// The one thing a step is about, drawn in the highlight colour.
+enum class Focus { none, center_line, direction, along, passing, half_chord, radius, first_root, second_root };
+
+/// What the steps so far have found.
+struct Known {
+  bool center_line = false;  ///< l or f
+  bool from_center = false;  ///< ... drawn from c to o, and called f
+  bool foot = false, passing = false, half_chord = false;
+  int roots = 0;             ///< how many of t1, t2
+  bool settled = false;
+  Focus focus = Focus::none;
+};
+
+viz::Scene picture(const Setup&, const Known&);
+
+/// One plain sentence for those who cannot see the picture.
+std::string alt_text(const Setup&);
+
+}  // namespace isect::lessons::ray_sphere_lesson

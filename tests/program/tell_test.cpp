@@ -1,0 +1,117 @@
+// What the program tells as text: list, explain, doctor, and the places show refuses.
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/catch.h"
+#include "tests/program/shell.h"
+
+using Catch::Matchers::Contains;
+using isect::test::Ran;
+using isect::test::Shell;
+
+namespace {
+
+/// Characters of the longest line.
+std::size_t widest(const std::string& text) {
+  std::size_t most = 0;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    most = std::max(most, static_cast<std::size_t>(
+                              std::ranges::count_if(line, [](char c) { return (c & 0xC0) != 0x80; })));
+  return most;
+}
+
+}  // namespace
+
+TEST_CASE("list names lessons, rows, steps and presets", "[list]") {
+  const Shell shell;
+  const Ran r = shell("isect list");
+  CHECK(r.status == 0);
+  CHECK_THAT(r.out, Contains("ray-sphere") && Contains("N16-N19") && Contains("27 presets") &&
+                        Contains("surface-out-half-b"));
+  CHECK(widest(r.out) <= 80);
+}
+
+TEST_CASE("list --json holds what a program needs", "[list]") {
+  const Shell shell;
+  const nlohmann::json all = nlohmann::json::parse(shell("isect list --json").out);
+  REQUIRE(all.size() == 1);
+  CHECK(all[0]["id"] == "ray-sphere");
+  REQUIRE(all[0]["presets"].size() == 27);
+  for (const auto& preset : all[0]["presets"]) CHECK(preset["steps"] >= 3);
+  for (const auto& parameter : all[0]["parameters"]) CHECK(parameter.contains("help"));
+}
+
+TEST_CASE("explain tells a step in eighty columns", "[explain]") {
+  const Shell shell;
+  const Ran r = shell("isect explain ray-sphere --step 8");
+  CHECK(r.status == 0);
+  CHECK(r.err.empty());
+  CHECK_THAT(r.out, Contains("Step 8 of 11: Which root comes first?") && Contains("▸ 10  if l² > r²") &&
+                        Contains("q = 1.0837") && Contains("Question:") && Contains("Answer: s − q"));
+  CHECK(widest(r.out) <= 80);
+  CHECK_THAT(r.out, !Contains("**") && !Contains("_{"));  // no markup
+}
+
+TEST_CASE("explain tells every step of every preset", "[explain]") {
+  const Shell shell;
+  for (const std::string preset : {"two-roots", "tangent-quadratic", "miss-half-b", "surface-out"}) {
+    INFO(preset);
+    const Ran r = shell("isect explain ray-sphere --preset " + preset);
+    CHECK(r.status == 0);
+    CHECK_THAT(r.out, Contains("Step 1 of") && Contains("Verdict:"));
+    CHECK(widest(r.out) <= 80);
+  }
+  CHECK_THAT(shell("isect explain ray-sphere --preset miss").out, !Contains("INTERSECT at"));
+}
+
+TEST_CASE("explain follows changed parameters", "[explain]") {
+  const Shell shell;
+  CHECK_THAT(shell("isect explain ray-sphere --set radius=0.25 --step 3").out, Contains("r² = 0.0625"));
+}
+
+TEST_CASE("explain and show refuse what does not exist", "[explain][show]") {
+  const Shell shell;
+  for (const std::string sub : {"explain", "show"}) {
+    const std::string isect = "isect " + sub;
+    CHECK_THAT(shell(isect + " ray-spere").err, Contains("lesson") && Contains("mean \"ray-sphere\""));
+    CHECK_THAT(shell(isect + " ray-sphere --preset tangnt").err,
+               Contains("preset") && Contains("mean \"tangent\""));
+    for (const std::string step : {"0", "12", "-1", "x", "1.5", "''"}) {
+      INFO(step);
+      const Ran r = shell(isect + " ray-sphere --step " + step);
+      CHECK(r.status == 2);
+      CHECK_THAT(r.err, Contains("step") && Contains("1 to 11"));
+    }
+    CHECK(shell(isect + " ray-sphere ray-sphere").status == 2);
+    CHECK(shell(isect + " ray-sphere --preset all").status == 2);
+  }
+  CHECK(shell("isect show ray-sphere --step all").status == 2);
+  CHECK(shell("isect explain").status == 2);
+}
+
+TEST_CASE("show opens a figure only if isect made it", "[show]") {
+  const Shell shell;
+  shell("isect render ray-sphere --preset tangent --step 3 --format png,svg --set radius=2 --out f");
+  // Nothing is refused but the missing display: the figure's place was understood.
+  CHECK(shell("isect show f/ray-sphere/tangent/03-distance.png").status == 77);
+  CHECK(shell("isect show f/ray-sphere/tangent/03-distance.svg").status == 77);
+
+  CHECK(shell("isect show nowhere.png").status == 4);
+  const Ran rubbish = shell("echo rubbish >r.png && isect show r.png");
+  CHECK((rubbish.status == 4 || rubbish.status == 2));
+  CHECK_THAT(rubbish.err, Contains("r.png"));
+  const Ran other = shell("echo '<svg xmlns=\"http://www.w3.org/2000/svg\"/>' >o.svg && isect show o.svg");
+  CHECK(other.status == 2);
+  CHECK_THAT(other.err, Contains("o.svg") && Contains("lesson"));
+}
+
+TEST_CASE("doctor tries each back end and names versions and fonts", "[doctor]") {
+  const Shell shell;
+  const Ran r = shell("isect doctor");
+  CHECK(r.status == 0);
+  CHECK_THAT(r.out, Contains("llvmpipe") && Contains("Mesa") && Contains("Eigen 3.") &&
+                        Contains("DejaVu Sans") && Contains("no window"));
+  CHECK_THAT(shell("DISPLAY=:7 isect doctor").out, Contains("DISPLAY=:7"));
+}
