@@ -25,7 +25,10 @@ class Random {
   double uniform(double lo, double hi) { return lo + (hi - lo) * unit(); }
   double sign() { return one_in(2) ? -1 : 1; }
   /// Either sign, and a size whose logarithm is uniform: 10^lo to 10^hi.
-  double magnitude(double lo, double hi) { return sign() * std::pow(10, uniform(lo, hi)); }
+  double magnitude(double lo, double hi) {
+    const double side = sign();  // in a statement of its own: operands are evaluated in any order
+    return side * std::pow(10, uniform(lo, hi));
+  }
 
   template <int N>
   Vector<double, N> in_box(double half) {

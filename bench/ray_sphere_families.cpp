@@ -1,6 +1,5 @@
 #include "bench/ray_sphere_families.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,94 +7,12 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "bench/ray_sphere_generators.h"
+
 namespace isect::bench {
 namespace {
 
-template <class S, int N>
-using Case = RaySphereCase<S, N>;
-template <int N>
-using Wide = RaySphereCase<double, N>;
-
-/// Sizes that S can hold with room for a factor of a million: 10^-reach to 10^reach.
-template <class S>
-constexpr double reach = std::numeric_limits<S>::max_exponent10 - 8;
-/// Exact families keep every integer below 2^bits, so that S holds it.
-template <class S>
-constexpr int bits = std::numeric_limits<S>::digits;
-
-template <class S, int N>
-Case<S, N> narrowed(const Wide<N>& c) {
-  return {{c.ray.origin.template cast<S>(),
-           c.ray.direction.template cast<S>(),
-           {static_cast<S>(c.ray.range.lo), static_cast<S>(c.ray.range.hi)}},
-          {c.sphere.center.template cast<S>(), static_cast<S>(c.sphere.radius)}};
-}
-
-/// x moved by up to `most` representable numbers, either way.
-template <class S>
-S nudged(Random& random, S x, int most) {
-  const S towards = static_cast<S>(random.sign()) * std::numeric_limits<S>::infinity();
-  for (int i = random.integer(0, most); i > 0; --i) x = std::nextafter(x, towards);
-  return x;
-}
-
-/// One number of the case moved by a few ulp.
-template <class S, int N>
-Case<S, N> nudged(Random& random, Case<S, N> c, int most = 4) {
-  const int i = random.below(N);
-  switch (random.below(4)) {
-    case 0:
-      c.ray.origin[i] = nudged(random, c.ray.origin[i], most);
-      break;
-    case 1:
-      c.ray.direction[i] = nudged(random, c.ray.direction[i], most);
-      break;
-    case 2:
-      c.sphere.center[i] = nudged(random, c.sphere.center[i], most);
-      break;
-    default:
-      c.sphere.radius = std::abs(nudged(random, c.sphere.radius, most));
-  }
-  return c;
-}
-
-/// Lengths times 2^across, the direction times 2^along, t to suit.
-template <class S, int N>
-Case<S, N> scaled(Case<S, N> c, int across, int along) {
-  const auto by = [](S x, int e) { return std::ldexp(x, e); };
-  for (int i = 0; i < N; ++i) {
-    c.ray.origin[i] = by(c.ray.origin[i], across);
-    c.ray.direction[i] = by(c.ray.direction[i], along);
-    c.sphere.center[i] = by(c.sphere.center[i], across);
-  }
-  c.sphere.radius = by(c.sphere.radius, across);
-  c.ray.range = {by(c.ray.range.lo, across - along), by(c.ray.range.hi, across - along)};
-  return c;
-}
-
-/// The same by random powers of two up to 2^most.
-template <class S, int N>
-Case<S, N> scaled(Random& random, const Case<S, N>& c, int most) {
-  const int across = random.integer(-most, most);
-  return scaled(c, across, random.integer(-most, most));
-}
-
-/// From how far a ray sets out, and at how many radii it passes the center.
-struct Aim {
-  double radius, distance, offset;
-};
-
-template <int N>
-Wide<N> aimed(Random& random, const Aim& aim) {
-  const auto [radius, distance, offset] = aim;
-  const Point<double, N> center = random.in_box<N>(2 * radius);
-  const Vector<double, N> from = random.heading<N>();
-  Vector<double, N> aside = random.heading<N>();
-  aside = (aside - aside.dot(from) * from).normalized();
-  const Point<double, N> origin = center + distance * from;
-  const Vector<double, N> direction = ((center + offset * radius * aside) - origin).normalized();
-  return {{origin, direction}, {center, radius}};
-}
+using namespace generators;
 
 template <int N>
 Wide<N> unit_scale(Random& random) {
@@ -105,70 +22,6 @@ Wide<N> unit_scale(Random& random) {
 template <class S, int N>
 Case<S, N> ordinary(Random& random) {
   return narrowed<S, N>(unit_scale<N>(random));
-}
-
-// Integers, for families that must be exact. A Pythagorean tuple gives a surface point p = c + k n with |n|
-// whole.
-
-template <int N>
-using Whole = Eigen::Matrix<long long, N, 1>;
-
-template <int N>
-struct Tangent {
-  Whole<N> center, point, along;  ///< a surface point, and a direction orthogonal to its radius
-  long long radius;
-};
-
-template <int N>
-Whole<N> small(Random& random, int most) {
-  Whole<N> v;
-  do {
-    for (int i = 0; i < N; ++i) v[i] = random.integer(-most, most);
-  } while ((v.array() == 0).all());
-  return v;
-}
-
-/// Integers n with |n| = length; their order and signs are random.
-template <int N>
-std::pair<Whole<N>, long long> pythagorean(Random& random, int most) {
-  const auto draw = [&] { return static_cast<long long>(random.integer(0, most)); };
-  const long long p = draw(), q = draw(), s = N == 2 ? 0 : draw(), t = N == 2 ? 0 : draw();
-  Whole<N> n;
-  if constexpr (N == 2)
-    n = {p * p - q * q, 2 * p * q};
-  else
-    n = {p * p + q * q - s * s - t * t, 2 * (p * t + q * s), 2 * (q * t - p * s)};
-  for (int i = 0; i < N; ++i) {
-    std::swap(n[i], n[random.below(N)]);
-    if (random.one_in(2)) n[i] = -n[i];
-  }
-  const long long length = p * p + q * q + s * s + t * t;
-  if (length == 0) return pythagorean<N>(random, most);
-  return {n, length};
-}
-
-/// Every number of o = point + 64 along and beyond stays below 2^bits.
-template <class S, int N>
-Tangent<N> tangent(Random& random) {
-  constexpr bool wide = bits < S >> 24;
-  const auto [n, length] = pythagorean<N>(random, wide ? 1000 : 15);
-  Whole<N> along;
-  if constexpr (N == 2)
-    along = {-n[1], n[0]};
-  else
-    do along = n.cross(small<3>(random, 8));
-    while ((along.array() == 0).all());
-  const long long k = random.integer(1, wide ? 100 : 8);
-  const Whole<N> center = small<N>(random, wide ? 1 << 30 : 1 << 20);
-  return {center, center + k * n, along, k * length};
-}
-
-/// Numbers of S from exact integers.
-template <class S, int N>
-Case<S, N> exactly(const Whole<N>& origin, const Whole<N>& direction, const Whole<N>& center,
-                   long long radius) {
-  return {{origin.template cast<S>(), direction.template cast<S>()},
-          {center.template cast<S>(), static_cast<S>(radius)}};
 }
 
 template <class S, int N>
@@ -265,7 +118,7 @@ Case<S, N> ranges(Random& random) {
 
 template <class S, int N>
 Case<S, N> far_small(Random& random) {
-  const double least = bits<S> > 24 ? 3 : 1, most = bits<S> > 24 ? 12 : 6;
+  const double least = wide<S> ? 3 : 1, most = wide<S> ? 12 : 6;
   return narrowed<S, N>(aimed<N>(
       random, {random.uniform(0.5, 2), std::pow(10, random.uniform(least, most)), random.uniform(0, 2)}));
 }
@@ -318,14 +171,16 @@ Case<S, N> tiny_offset(Random& random) {
   const int i = random.below(N), j = (i + 1) % N;
   Case<S, N> c = {{Point<S, N>::Zero(), Vector<S, N>::Zero()},
                   {Point<S, N>::Zero(), S(random.integer(0, 5))}};
-  c.ray.origin[i] = whole(9), c.ray.origin[j] = c.sphere.radius,
-  c.ray.direction[i] = random.one_in(2) ? S(1) : S(-1);
+  c.ray.origin[i] = whole(9);
+  c.ray.origin[j] = c.sphere.radius;
+  c.ray.direction[i] = static_cast<S>(random.sign());
   if (random.one_in(2)) c.ray.range = {whole(9), whole(9)};
   if (random.one_in(4)) c.ray.origin[j] = whole(5);
   constexpr int most = std::numeric_limits<S>::max_exponent - 8;
-  c = scaled(c, random.integer(-most / 2, most), random.integer(-20, 20));
+  const int across = random.integer(-most / 2, most);
+  c = scaled(c, across, random.integer(-20, 20));
 
-  const S tiny = std::ldexp(static_cast<S>(random.sign()), -random.integer(0, most));
+  const S side = static_cast<S>(random.sign()), tiny = std::ldexp(side, -random.integer(0, most));
   Vector<S, N>& changed = random.one_in(3)   ? c.ray.origin
                           : random.one_in(2) ? c.ray.direction
                                              : c.sphere.center;

@@ -296,4 +296,15 @@ Camera frame(const Camera& camera, const std::vector<const Scene*>& scenes, doub
   return framed;
 }
 
+Camera frame_alike(const Camera& camera, const Walk& walk, const std::vector<Walk>& all, double aspect) {
+  const auto framed = [&](const Walk& w) {
+    std::vector<const Scene*> scenes;
+    for (const Step& s : w.steps) scenes.push_back(&s.scene);
+    return frame(camera, scenes, aspect);
+  };
+  Camera result = framed(walk);
+  for (const Walk& other : all) result.half_height = std::max(result.half_height, framed(other).half_height);
+  return result;
+}
+
 }  // namespace isect::viz

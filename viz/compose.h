@@ -24,6 +24,9 @@ Composed compose(const Scene&, const View&, const Theme&, bool handles = false);
 /// (width / height), leaving `margin` (a share of the height) free all round.
 Camera frame(const Camera& camera, const std::vector<const Scene*>& scenes, double aspect, double margin = 0.08);
 
+/// A camera centred on `walk`, at the one scale at which each of `all` fits: presets side by side compare.
+Camera frame_alike(const Camera& camera, const Walk& walk, const std::vector<Walk>& all, double aspect);
+
 /// A figure: title above, picture, the scene's t-axis and the step's formula or verdict below.
 struct Figure {
   Drawing drawing;
@@ -31,5 +34,7 @@ struct Figure {
   View view;   ///< of the picture part
 };
 Figure figure(const Step&, const Camera&, ThemeName, double width, double height);
+/// Width / height of a figure's picture part, for framing. `walk` decides whether there is a t-axis below it.
+double picture_aspect(const Walk& walk, ThemeName, double width, double height);
 
 }  // namespace isect::viz

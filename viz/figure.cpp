@@ -20,8 +20,10 @@ class Page {
   /// Formula and verdict keep their rows when they are empty, so that the picture stands still from step to step.
   double bottom() const { return s().margin + 2 * 1.65 * s().label + (step_.scene.axis ? 3.1 * s().axis : 0); }
 
+  double picture_height() const { return std::max(height_ - top() - bottom(), 0.2 * height_); }
+
   Figure make(const Camera& camera) {
-    const double picture = std::max(height_ - top() - bottom(), 0.2 * height_);
+    const double picture = picture_height();
     Figure figure = {{width_, height_, theme_.background, {}}, {}, View(camera, width_, picture, {0, top()})};
     Composed composed = compose(step_.scene, figure.view, theme_);
     figure.drawing.shapes = std::move(composed.shapes);
@@ -133,6 +135,11 @@ class Page {
 Figure figure(const Step& step, const Camera& camera, ThemeName name, double width, double height) {
   const Theme styled = theme(name, width, height);
   return Page(step, styled, width, height).make(camera);
+}
+
+double picture_aspect(const Walk& walk, ThemeName name, double width, double height) {
+  const Theme styled = theme(name, width, height);
+  return width / Page(walk.steps.front(), styled, width, height).picture_height();
 }
 
 }  // namespace isect::viz

@@ -1,5 +1,5 @@
 #pragma once
-// The few OpenGL objects a Renderer is made of. Only renderer.cpp includes this.
+// The few OpenGL objects a Renderer is made of; the window keeps its texts as textures, too.
 
 #include <glad/gl.h>
 

@@ -43,8 +43,7 @@ Backend backend_named(const std::string& name) {
   const std::vector<std::string> names = backend_names();
   const auto found = std::find(names.begin(), names.end(), name);
   if (found != names.end()) return static_cast<Backend>(found - names.begin());
-  throw BadInput("no back end is called \"" + name + "\"; did you mean \"" + nearest(name, names) +
-                 "\"? Allowed: auto, osmesa, egl");
+  throw unknown("backend", name, names);
 }
 
 struct Offscreen::Impl {

@@ -1,5 +1,6 @@
 #pragma once
-// What the window shows and what a reader's actions do to it. No ImGui and no OpenGL, so tests drive it as it is.
+// What the window shows and what a reader's actions do to it. No ImGui and no OpenGL, so tests drive it as it
+// is.
 
 #include <map>
 #include <optional>
@@ -13,7 +14,9 @@
 namespace isect::viz {
 
 /// One value of the parameter that groups a lesson's presets, with the title of its variant.
-struct Method { std::string choice, title; };
+struct Method {
+  std::string choice, title;
+};
 
 class Player {
  public:
@@ -59,7 +62,11 @@ class Player {
   const Question* asked() const;
   void answer(int choice);
   /// The question of the current step, once it was answered, and the answer that was given.
-  struct Answered { const Question* question; int choice; bool right() const { return choice == question->answer; } };
+  struct Answered {
+    const Question* question;
+    int choice;
+    bool right() const { return choice == question->answer; }
+  };
   std::optional<Answered> answered() const;
 
   // Other lessons, presets and parameters. All that can be refused throws BadInput and changes nothing.
@@ -95,7 +102,11 @@ class Player {
     std::string origin;  ///< the preset loaded last: where restart() returns
     int wanted = 0;      ///< the step the reader chose; a shorter walk shows its last one meanwhile
   };
-  struct Memory { State state; Camera camera; bool moved; };
+  struct Memory {
+    State state;
+    Camera camera;
+    bool moved;
+  };
 
   std::size_t index_of(const std::string& lesson_id) const;
   void show(State, bool same_lesson);
@@ -122,7 +133,8 @@ class Player {
   std::string action_;
 };
 
-/// The lesson's opening view in a picture of this aspect (width / height), with every preset's whole walk in it.
+/// The lesson's opening view in a picture of this aspect (width / height), with every preset's whole walk in
+/// it.
 Camera opening_view(const Lesson&, const std::vector<Walk>&, double aspect);
 
 }  // namespace isect::viz

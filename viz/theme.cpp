@@ -156,9 +156,7 @@ std::vector<std::string> theme_names() {
 ThemeName theme_named(const std::string& text) {
   for (const Named& named : names)
     if (text == named.text) return named.name;
-  const std::string likely = nearest(text, theme_names());
-  throw BadInput("theme: '" + text + "' is none of screen, print, grey, dark; did you mean '" + likely +
-                 "'?");
+  throw unknown("theme", text, theme_names());
 }
 
 std::string name_of(ThemeName name) {

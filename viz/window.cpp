@@ -4,7 +4,8 @@
 #include <imgui.h>
 #include <imgui_impl_glfw.h>
 
-#include <cmath>
+#include <deque>
+#include <set>
 #include <string>
 
 #include "viz/files.h"
@@ -16,7 +17,8 @@ namespace {
 
 static_assert(key::right == GLFW_KEY_RIGHT && key::left == GLFW_KEY_LEFT && key::home == GLFW_KEY_HOME &&
               key::end == GLFW_KEY_END && key::escape == GLFW_KEY_ESCAPE && key::enter == GLFW_KEY_ENTER &&
-              key::tab == GLFW_KEY_TAB && key::f1 == GLFW_KEY_F1 && key::f12 == GLFW_KEY_F12 && key::z == GLFW_KEY_Z);
+              key::tab == GLFW_KEY_TAB && key::f1 == GLFW_KEY_F1 && key::f12 == GLFW_KEY_F12 &&
+              key::z == GLFW_KEY_Z);
 
 std::string glfw_words() {
   const char* words = nullptr;
@@ -63,12 +65,51 @@ class Window {
   GLFWwindow* handle_ = nullptr;
 };
 
-/// Dear ImGui's input from GLFW.
-struct Input {
-  explicit Input(GLFWwindow* window) { ImGui_ImplGlfw_InitForOpenGL(window, true); }
+/// Dear ImGui's input from GLFW. Keys wait in a queue, since Dear ImGui sees what is down in a frame and
+/// would miss a key that comes and goes between two.
+class Input {
+ public:
+  explicit Input(GLFWwindow* window) : window_(window) {
+    ImGui_ImplGlfw_InitForOpenGL(window, true);
+    glfwSetWindowUserPointer(window, this);
+    glfwSetKeyCallback(window, [](GLFWwindow* w, int code, int scancode, int action, int modifiers) {
+      if (action == GLFW_REPEAT) return;  // Dear ImGui repeats by itself
+      const KeyEvent event{by_layout(code, scancode), scancode, action, modifiers};
+      static_cast<Input*>(glfwGetWindowUserPointer(w))->waiting_.push_back(event);
+    });
+  }
   ~Input() { ImGui_ImplGlfw_Shutdown(); }
   Input(const Input&) = delete;
   Input& operator=(const Input&) = delete;
+
+  /// Some keys have not been seen yet.
+  bool waiting() const { return !waiting_.empty(); }
+
+  /// Starts a frame; each key changes at most once in it.
+  void new_frame() {
+    std::set<int> changed;
+    while (waiting() && changed.insert(waiting_.front().code).second) {
+      const KeyEvent e = waiting_.front();
+      waiting_.pop_front();
+      ImGui_ImplGlfw_KeyCallback(window_, e.code, e.scancode, e.action, e.modifiers);
+    }
+    ImGui_ImplGlfw_NewFrame();
+  }
+
+ private:
+  struct KeyEvent {
+    int code, scancode, action, modifiers;
+  };
+
+  /// GLFW numbers letters by their place on a US keyboard; Ctrl+Z means the key that says Z.
+  static int by_layout(int code, int scancode) {
+    if (code < GLFW_KEY_A || code > GLFW_KEY_Z) return code;
+    const char* name = glfwGetKeyName(code, scancode);
+    return name && name[0] >= 'a' && name[0] <= 'z' && !name[1] ? name[0] - 'a' + GLFW_KEY_A : code;
+  }
+
+  GLFWwindow* window_;
+  std::deque<KeyEvent> waiting_;
 };
 
 /// GLFW speaks of window coordinates; the layout has px of its own, `scale` framebuffer pixels each.
@@ -85,20 +126,21 @@ void to_layout(GLFWwindow* window, double scale) {
   io.MousePos = {io.MousePos.x * to_px, io.MousePos.y * to_px};
 }
 
-void run(Window& window, WindowUi& ui, double scale) {
+void run(Window& window, Input& input, WindowUi& ui, double scale) {
   constexpr int settle = 3;  // frames that Dear ImGui may need to answer an event
   int frames_due = settle;
   std::string title;
-  while (!glfwWindowShouldClose(window.handle())) {
-    if (ui.animating()) frames_due = settle;
+  while (!glfwWindowShouldClose(window.handle()) && !ui.wants_to_close()) {
+    if (ui.animating() || input.waiting()) frames_due = settle;
     if (frames_due > 0) {
       glfwPollEvents();
     } else {
-      glfwWaitEventsTimeout(0.5);
+      // An idle window costs nothing, but a text cursor blinks.
+      ImGui::GetIO().WantTextInput ? glfwWaitEventsTimeout(0.25) : glfwWaitEvents();
       frames_due = settle;
     }
     --frames_due;
-    ImGui_ImplGlfw_NewFrame();
+    input.new_frame();
     to_layout(window.handle(), scale);
     if (ImGui::GetIO().DisplaySize.x < 1 || ImGui::GetIO().DisplaySize.y < 1) continue;  // minimised
     ui.frame();
@@ -127,8 +169,8 @@ void show(const std::vector<const Lesson*>& lessons, const Place& at) {
   Renderer renderer([](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); });
   const double scale = window.scale();
   WindowUi ui(lessons, start, renderer, kept, {.scale = scale});
-  const Input input(window.handle());
-  run(window, ui, scale);
+  Input input(window.handle());
+  run(window, input, ui, scale);
   keep(file, ui.settings(), window.handle());
 }
 

@@ -64,6 +64,23 @@ Failure failure(Kind kind, const std::string& what, const std::string& baseline)
   return f;
 }
 
+/// Each step of the first group's presets has a picture. The other groups tell the same situations by other methods, so
+/// their traces are kept whole and the last picture is enough.
+bool has_picture(const Excerpt& e, int step) {
+  const viz::Lesson& lesson = *e.lesson;
+  if (lesson.group_by.empty() || step + 1 == static_cast<int>(e.walk.steps.size())) return true;
+  return e.parameters.at(lesson.group_by) == viz::Setting(lesson.presets.front().group);
+}
+
+/// What is not of one step first: a parameter that changed explains the steps.
+std::vector<std::string> in_words(std::vector<viz::Change> changes) {
+  std::ranges::stable_partition(changes, [](const viz::Change& c) { return c.step < 0; });
+  std::vector<std::string> lines;
+  for (const viz::Change& c : changes)
+    lines.push_back((c.step < 0 ? "" : fmt::format("step {}: ", c.step + 1)) + c.what);
+  return lines;
+}
+
 }  // namespace
 
 std::string name_of(Kind kind) {
@@ -101,9 +118,9 @@ bool Baselines::accepts(Kind kind) const {
 std::vector<Failure> Baselines::check(const Excerpt& e) {
   std::vector<Failure> found;
   check_trace(e, found);
-  const viz::Camera camera = camera_for(*e.lesson, e.walk, 1.0 * width / height);
+  const viz::Camera camera = camera_for(*e.lesson, e.walk, theme, {width, height});
   for (int step = 0; step < static_cast<int>(e.walk.steps.size()); ++step)
-    check_picture(e, step, camera, found);
+    if (has_picture(e, step)) check_picture(e, step, camera, found);
   return found;
 }
 
@@ -116,9 +133,7 @@ void Baselines::check_trace(const Excerpt& e, std::vector<Failure>& found) {
   } else if (const std::vector<viz::Change> changes = viz::compare_traces(viz::read_file(baseline), now);
              !changes.empty()) {
     f = about(e, changes[0].step, failure(Kind::trace, changes[0].what, baseline));
-    for (std::size_t i = 1; i < changes.size(); ++i)
-      f->more.push_back((changes[i].step < 0 ? "" : fmt::format("step {}: ", changes[i].step + 1)) +
-                        changes[i].what);
+    f->more = in_words({changes.begin() + 1, changes.end()});
   }
   if (update_ == Update::all || (f && accepts(f->kind))) viz::write_file(baseline, now);
   if (!f) return;
@@ -188,7 +203,7 @@ std::vector<Failure> Baselines::orphans(const std::vector<Excerpt>& checked, boo
     presets.insert(fs::path(folder_) / e.lesson->id / e.folder);
     wanted.insert(path(e, "trace.json"));
     for (int i = 0; i < static_cast<int>(e.walk.steps.size()); ++i)
-      wanted.insert(path(e, viz::file_stem(i, e.walk.steps[static_cast<std::size_t>(i)]) + ".png"));
+      if (has_picture(e, i)) wanted.insert(path(e, viz::file_stem(i, e.walk.steps[static_cast<std::size_t>(i)]) + ".png"));
   }
   std::vector<Failure> found;
   for (const fs::path& lesson : sorted_children(folder_)) {

@@ -28,7 +28,7 @@ int check(const Program& program, Options options) {
     if (e.folder != e.preset)
       throw viz::BadInput("preset: only the lesson's own presets have baselines, not a file");
 
-  Report report{program.name, options.snapshots, options.asked.lessons, chosen.size(), 0, {}};
+  Report report{program.name, options.snapshots, {}, chosen.size(), 0, {}};
   viz::Offscreen offscreen(backend);
   Baselines baselines(options.snapshots, update, offscreen);
   Progress progress(chosen.size());

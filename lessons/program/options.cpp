@@ -9,7 +9,6 @@
 
 #include "viz/files.h"
 #include "viz/place.h"
-#include "viz/player.h"
 
 namespace isect::program {
 
@@ -72,7 +71,10 @@ std::vector<const viz::Lesson*> lessons_of(const Program& program, const Selecti
     throw viz::BadInput("lesson: give either names or --all, not both");
   if (asked.all) return program.lessons;
   std::vector<const viz::Lesson*> lessons;
-  for (const std::string& id : asked.lessons) lessons.push_back(&viz::lesson_named(program.lessons, id));
+  for (const std::string& id : asked.lessons) {
+    const viz::Lesson* lesson = &viz::lesson_named(program.lessons, id);
+    if (std::ranges::find(lessons, lesson) == lessons.end()) lessons.push_back(lesson);
+  }
   return lessons;
 }
 
@@ -188,10 +190,10 @@ std::vector<std::string> formats_of(const std::string& text) {
   return formats;
 }
 
-viz::Camera camera_for(const viz::Lesson& lesson, const viz::Walk& walk, double aspect) {
-  std::vector<viz::Walk> walks = {walk};
-  for (const viz::Preset& p : lesson.presets) walks.push_back(lesson.walk(p.parameters));
-  return viz::opening_view(lesson, walks, aspect);
+viz::Camera camera_for(const viz::Lesson& lesson, const viz::Walk& walk, viz::ThemeName theme, const Size& size) {
+  std::vector<viz::Walk> all;
+  for (const viz::Preset& p : lesson.presets) all.push_back(lesson.walk(p.parameters));
+  return viz::frame_alike(lesson.camera, walk, all, viz::picture_aspect(walk, theme, size.width, size.height));
 }
 
 }  // namespace isect::program

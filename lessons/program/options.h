@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lessons/program/program.h"
+#include "viz/compose.h"
 #include "viz/lesson.h"
 
 namespace isect::program {
@@ -49,8 +50,7 @@ Size size_of(const std::string& text);
 double points_of(const std::string& text);
 /// "png,svg" as names without repeats.
 std::vector<std::string> formats_of(const std::string& text);
-/// A camera for all pictures of this lesson at this shape (width / height): every preset fits, and so does
-/// `walk`.
-viz::Camera camera_for(const viz::Lesson&, const viz::Walk&, double aspect);
+/// The camera for all pictures of this walk in figures of this size, at one scale for all presets of the lesson.
+viz::Camera camera_for(const viz::Lesson&, const viz::Walk&, viz::ThemeName, const Size&);
 
 }  // namespace isect::program

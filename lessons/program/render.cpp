@@ -108,7 +108,7 @@ int to_stdout(const std::vector<Excerpt>& chosen, const Style& style, const std:
         "out: \"-\" takes exactly one figure in one format; give --step N, and one preset and format");
   const Excerpt& e = chosen[0];
   Studio studio(style, backend);
-  const viz::Camera camera = camera_for(*e.lesson, e.walk, 1.0 * style.size.width / style.size.height);
+  const viz::Camera camera = camera_for(*e.lesson, e.walk, style.theme, style.size);
   print(studio.draw(e, camera, e.steps[0], style.formats[0]));
   return done;
 }
@@ -124,7 +124,7 @@ int render(const Program& program, const Options& options) {
   for (const Excerpt& e : chosen) count += e.steps.size();
   Progress progress(count);
   for (const Excerpt& e : chosen) {
-    const viz::Camera camera = camera_for(*e.lesson, e.walk, 1.0 * style.size.width / style.size.height);
+    const viz::Camera camera = camera_for(*e.lesson, e.walk, style.theme, style.size);
     for (const int step : e.steps) {
       const viz::Step& s = e.walk.steps[static_cast<std::size_t>(step)];
       const std::string stem = fmt::format("{}/{}/{}", e.lesson->id, e.folder, viz::file_stem(step, s));

@@ -15,12 +15,16 @@ namespace isect::program {
 namespace {
 
 /// The place where a PNG or SVG of ours was made.
-viz::Place place_in_figure(const Program& program, const std::string& path) try {
+viz::Place place_in_figure(const Program& program, const std::string& path) {
   const std::string bytes = viz::read_file(path);
-  return viz::place_from_metadata(
-      path.ends_with(".png") ? viz::png_metadata(bytes) : viz::svg_metadata(bytes), program.lessons);
-} catch (const viz::BadInput& e) {
-  throw viz::BadInput(fmt::format("{}: {}", path, e.what()));
+  try {
+    return viz::place_from_metadata(
+        path.ends_with(".png") ? viz::png_metadata(bytes) : viz::svg_metadata(bytes), program.lessons);
+  } catch (const viz::BadInput& e) {
+    throw viz::BadInput(fmt::format("{}: {}", path, e.what()));
+  } catch (const viz::FileError& e) {
+    throw viz::FileError(fmt::format("{}: {}", path, e.what()));
+  }
 }
 
 viz::Place place_of(const Program& program, Selection asked) {

@@ -166,8 +166,8 @@ class Painter {
 
   void axis() {
     Axis axis;
-    double lo = 0, hi = end_;
-    for (int i = 0; i < shown_roots_; ++i) lo = std::min(lo, t_[i]), hi = std::max(hi, t_[i]);
+    double lo = 0, hi = end_;  // with room for both roots from the start, so that the axis stands still
+    if (s_.truth.line_roots > 0) lo = std::min(lo, t_[0]), hi = std::max(hi, t_[1]);
     const double margin = 0.1 * (hi - lo);
     axis.lo = lo - margin, axis.hi = hi + margin;
     axis.range_lo = s_.ray.range.lo, axis.range_hi = s_.ray.range.hi;

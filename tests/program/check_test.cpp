@@ -20,8 +20,8 @@ using isect::test::write;
 
 namespace {
 
-const std::string check = "isect check ray-sphere --preset two-roots";
-const std::string folder = "snapshots/ray-sphere/two-roots";
+const std::string check = "isect check ray-sphere --preset behind";
+const std::string baselines = "snapshots/ray-sphere/behind";
 
 /// A scratch folder with accepted baselines of one preset.
 class Accepted : public Shell {
@@ -30,27 +30,27 @@ class Accepted : public Shell {
     const Ran r = (*this)(check + " --update");
     if (r.status != 0) throw std::runtime_error("could not make baselines: " + r.out + r.err);
   }
-  fs::path file(const std::string& name) const { return work() / folder / name; }
+  fs::path file(const std::string& name) const { return work() / baselines / name; }
 };
 
 /// The baselines as they would be had the sphere another radius: trace by the library, pictures by render.
 void accept_with_radius(const Accepted& shell, double radius) {
   const viz::Lesson& lesson = *isect::lessons::all_lessons()[0];
-  viz::Parameters parameters = viz::preset(lesson, "two-roots").parameters;
+  viz::Parameters parameters = viz::preset(lesson, "behind").parameters;
   parameters["radius"] = radius;
   const auto made = nlohmann::json::parse(contents(shell.file("trace.json")))["made with"];
   const viz::Stamp stamp{made["renderer"], made["font"], made["theme"], made["size"]};
   write(shell.file("trace.json"),
-        viz::trace_json(lesson, "two-roots", parameters, lesson.walk(parameters), stamp));
+        viz::trace_json(lesson, "behind", parameters, lesson.walk(parameters), stamp));
   const Ran r =
-      shell("isect render ray-sphere --preset two-roots --out other --set radius=" + viz::to_text(radius) +
-            " && cp other/ray-sphere/two-roots/*.png " + folder);
+      shell("isect render ray-sphere --preset behind --out other --set radius=" + viz::to_text(radius) +
+            " && cp other/ray-sphere/behind/*.png " + baselines);
   REQUIRE(r.status == 0);
 }
 
 double radius() {
   const viz::Lesson& lesson = *isect::lessons::all_lessons()[0];
-  return std::get<double>(viz::preset(lesson, "two-roots").parameters.at("radius"));
+  return std::get<double>(viz::preset(lesson, "behind").parameters.at("radius"));
 }
 
 }  // namespace
@@ -59,7 +59,7 @@ TEST_CASE("what was accepted passes, from any locale and with CI set", "[check]"
   const Accepted shell;
   const Ran r = shell(check);
   CHECK(r.status == 0);
-  CHECK_THAT(r.out, StartsWith("ok: 11 pictures of 1 presets"));
+  CHECK_THAT(r.out, StartsWith("ok: 5 pictures of 1 presets"));
   CHECK(r.err.empty());
   CHECK(shell("CI=1 LC_ALL=C LANG=de_DE.UTF-8 " + check + " --backend egl").status == 0);
 }
@@ -71,20 +71,20 @@ TEST_CASE("a radius larger by a thousandth fails and is named by lesson, step an
   const Ran r = shell(check);
   CHECK(r.status == 1);
   const std::string first = r.out.substr(0, r.out.find('\n'));
-  CHECK_THAT(first, StartsWith("FAILED ray-sphere two-roots, step "));
+  CHECK_THAT(first, StartsWith("FAILED ray-sphere behind, step "));
   CHECK_THAT(first, Contains("trace: r²") || Contains("trace: r was"));
   CHECK_THAT(r.out, Contains("parameter radius was"));
-  CHECK_THAT(r.out, Contains("step 8 (which-root): picture:") && Contains("pixels differ by more than 8"));
+  CHECK_THAT(r.out, Contains("step 3 (distance): picture:") && Contains("pixels differ by more than 8"));
   CHECK_THAT(r.out,
-             Contains(folder + "/08-which-root.new.png") && Contains(folder + "/08-which-root.diff.png"));
+             Contains(baselines + "/03-distance.new.png") && Contains(baselines + "/03-distance.diff.png"));
   CHECK_THAT(r.out, Contains("isect check ray-sphere --update=failed"));
-  CHECK(viz::read_png(contents(shell.file("08-which-root.diff.png"))).width == 960);
+  CHECK(viz::read_png(contents(shell.file("03-distance.diff.png"))).width == 960);
 
   CHECK(shell(check + " --update=missing").status == 1);  // nothing is missing
   CHECK(shell(check + " --update=failed").status == 0);
   CHECK(shell(check).status == 0);
-  CHECK_FALSE(fs::exists(shell.file("08-which-root.new.png")));
-  CHECK_FALSE(fs::exists(shell.file("08-which-root.diff.png")));
+  CHECK_FALSE(fs::exists(shell.file("03-distance.new.png")));
+  CHECK_FALSE(fs::exists(shell.file("03-distance.diff.png")));
 }
 
 TEST_CASE("a missing baseline exits 3, a failed check outranks it", "[check]") {
@@ -92,10 +92,10 @@ TEST_CASE("a missing baseline exits 3, a failed check outranks it", "[check]") {
   fs::remove(shell.file("02-along-the-ray.png"));
   const Ran missing = shell(check);
   CHECK(missing.status == 3);
-  CHECK_THAT(missing.out, Contains("MISSING ray-sphere two-roots, step 2 (along-the-ray)") &&
-                              Contains("--update=missing"));
+  CHECK_THAT(missing.out,
+             Contains("MISSING ray-sphere behind, step 2 (along-the-ray)") && Contains("--update=missing"));
 
-  fs::copy_file(shell.file("08-which-root.png"), shell.file("03-distance.png"),
+  fs::copy_file(shell.file("01-to-center.png"), shell.file("03-distance.png"),
                 fs::copy_options::overwrite_existing);
   CHECK(shell(check).status == 1);
   CHECK(shell(check + " --update=missing").status == 1);
@@ -115,12 +115,13 @@ TEST_CASE("all failures come in one run", "[check]") {
   const Accepted shell;
   fs::copy_file(shell.file("01-to-center.png"), shell.file("12-left-over.png"));
   write(shell.file("03-distance.png"), "no picture");
-  REQUIRE(shell("isect render ray-sphere --step 4 --size 480x300 --out - >" + folder + "/04-early-reject.png")
-              .status == 0);
-  fs::copy_file(shell.file("05-passing-distance.png"), shell.file("06-passes-by.png"),
+  REQUIRE(
+      shell("isect render ray-sphere --step 4 --size 480x300 --out - >" + baselines + "/04-early-reject.png")
+          .status == 0);
+  fs::copy_file(shell.file("05-reject.png"), shell.file("02-along-the-ray.png"),
                 fs::copy_options::overwrite_existing);
   write(shell.file("trace.json"), "{}");
-  fs::remove(shell.file("11-intersect.png"));
+  fs::remove(shell.file("05-reject.png"));
   const auto result = nlohmann::json::parse(shell(check + " --json --report report.html").out);
   CHECK(result["passed"] == false);
   std::map<std::string, nlohmann::json> failures;
@@ -129,9 +130,9 @@ TEST_CASE("all failures come in one run", "[check]") {
   CHECK_THAT(failures["trace"]["what"].get<std::string>(), Contains("damaged"));
   CHECK(failures["unreadable"]["step"] == 3);
   CHECK_THAT(failures["size"]["what"].get<std::string>(), Contains("480x300") && Contains("960x600"));
-  CHECK(failures["picture"]["slug"] == "passes-by");
+  CHECK(failures["picture"]["slug"] == "along-the-ray");
   CHECK(failures["picture"]["pixels_over_8"] > 24);
-  CHECK(failures["missing"]["step"] == 11);
+  CHECK(failures["missing"]["step"] == 5);
   CHECK_THAT(failures["orphan"]["baseline"].get<std::string>(), Contains("12-left-over.png"));
   CHECK(failures["orphan"]["accept"] == "isect check ray-sphere --update=failed");
 
@@ -164,7 +165,8 @@ TEST_CASE("baselines of a preset or lesson that is gone are left over", "[check]
   CHECK(one.status == 0);  // one preset was asked for, and that one is whole
   const auto orphans = [&](const std::string& command) {
     std::vector<std::string> files;
-    for (const auto& f : nlohmann::json::parse(shell(command).out)["failures"])
+    const auto result = nlohmann::json::parse(shell(command).out);
+    for (const auto& f : result["failures"])
       if (f["kind"] == "orphan") files.push_back(f["baseline"]);
     return files;
   };

@@ -35,29 +35,30 @@ class Shell {
   Shell() {
     std::string name = (std::filesystem::temp_directory_path() / "isect-test-XXXXXX").string();
     if (!mkdtemp(name.data())) throw std::runtime_error("no scratch folder");
-    folder = name;
+    folder_ = name;
     std::filesystem::create_directory(work());
   }
-  ~Shell() { std::filesystem::remove_all(folder); }
+  ~Shell() { std::filesystem::remove_all(folder_); }
   Shell(const Shell&) = delete;
   Shell& operator=(const Shell&) = delete;
 
   /// No display, no colour, no CI unless `command` sets them; stdin is empty.
   Ran operator()(const std::string& command) const {
-    write(folder / "command", "unset DISPLAY WAYLAND_DISPLAY CI NO_COLOR\nexport PATH=\"" ISECT_BIN
-                              ":$PATH\"\ncd '" +
-                                  work().string() + "'\n" + command + "\n");
-    const std::string run = "sh '" + (folder / "command").string() + "' </dev/null >'" +
-                            (folder / "out").string() + "' 2>'" + (folder / "err").string() + "'";
+    write(folder_ / "command", "unset DISPLAY WAYLAND_DISPLAY CI NO_COLOR\nexport PATH=\"" ISECT_BIN
+                               ":$PATH\"\ncd '" +
+                                   work().string() + "'\n" + command + "\n");
+    const std::string run = "sh '" + (folder_ / "command").string() + "' </dev/null >'" +
+                            (folder_ / "out").string() + "' 2>'" + (folder_ / "err").string() + "'";
     const int status = std::system(run.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(folder / "out"), contents(folder / "err")};
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(folder_ / "out"),
+            contents(folder_ / "err")};
   }
 
   /// Where commands run.
-  std::filesystem::path work() const { return folder / "work"; }
+  std::filesystem::path work() const { return folder_ / "work"; }
 
  private:
-  std::filesystem::path folder;
+  std::filesystem::path folder_;
 };
 
 }  // namespace isect::test

@@ -11,7 +11,9 @@ namespace {
 const Lesson disc = sample::lesson(), ball = sample::other_lesson();
 const std::vector<const Lesson*> both = {&disc, &ball};
 
-Vec3 point_of(const Player& player, const std::string& name) { return std::get<Vec3>(player.parameters().at(name)); }
+Vec3 point_of(const Player& player, const std::string& name) {
+  return std::get<Vec3>(player.parameters().at(name));
+}
 double radius_of(const Player& player) { return std::get<double>(player.parameters().at("r")); }
 
 Handle handle(const Player& player, const std::string& name) {

@@ -168,6 +168,6 @@ TEST_CASE("themes are found by name, and a wrong name is told the nearest", "[th
     theme_named("gray");
     FAIL("'gray' was taken for a theme");
   } catch (const BadInput& e) {
-    CHECK(std::string(e.what()).find("did you mean 'grey'") != std::string::npos);
+    CHECK(std::string(e.what()).find("did you mean \"grey\"") != std::string::npos);
   }
 }

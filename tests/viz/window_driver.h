@@ -1,6 +1,6 @@
 #pragma once
-// The whole window without a display: an off-screen context, and hands on Dear ImGui's input. As in life, hover, down
-// and up are frames of their own.
+// The whole window without a display: an off-screen context, and hands on Dear ImGui's input. As in life,
+// hover, down and up are frames of their own.
 
 #include <glad/gl.h>
 #include <imgui.h>
@@ -18,8 +18,9 @@ namespace isect::viz {
 
 class WindowDriver {
  public:
-  WindowDriver(const std::vector<const Lesson*>& lessons, float width = 1280, float height = 800, const Place& at = {},
-               const Settings& settings = {}, const WindowOptions& options = {.reduced_motion = true})
+  WindowDriver(const std::vector<const Lesson*>& lessons, float width = 1280, float height = 800,
+               const Place& at = {}, const Settings& settings = {},
+               const WindowOptions& options = {.reduced_motion = true})
       : ui(lessons, at, offscreen.renderer(), settings, options), scale_(static_cast<float>(options.scale)) {
     resize(width, height);
     ImGui::GetIO().MousePos = {-1, -1};
@@ -105,7 +106,8 @@ class WindowDriver {
   /// What the window looks like now.
   Picture picture() {
     const ImGuiIO& io = ImGui::GetIO();
-    const int width = static_cast<int>(io.DisplaySize.x * scale_), height = static_cast<int>(io.DisplaySize.y * scale_);
+    const int width = static_cast<int>(io.DisplaySize.x * scale_),
+              height = static_cast<int>(io.DisplaySize.y * scale_);
     unsigned framebuffer = 0, colour = 0;
     glGenFramebuffers(1, &framebuffer);
     glGenRenderbuffers(1, &colour);

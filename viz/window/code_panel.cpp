@@ -8,9 +8,11 @@ namespace {
 
 constexpr float padding = 20, code_top = 46;
 
-/// Pitches and heights of the panel: roomy where the whole walk fits, tighter where it does not. The walk's fullest
-/// step decides, so that lines keep their places while a reader steps.
-struct Fit { float code_pitch, value_pitch, operations, code_height, values_height; };
+/// Pitches and heights of the panel: roomy where the whole walk fits, tighter where it does not. The walk's
+/// fullest step decides, so that lines keep their places while a reader steps.
+struct Fit {
+  float code_pitch, value_pitch, operations, code_height, values_height;
+};
 
 float most_values(const Walk& walk, float pitch) {
   float most = 0;
@@ -18,7 +20,7 @@ float most_values(const Walk& walk, float pitch) {
   return most;
 }
 
-Fit fit(const Walk& walk, float height) {
+Fit fit(const Walk& walk, const Step& step, float height) {
   constexpr Fit sizes[] = {{26, 28, 58, 0, 0}, {23, 25, 34, 0, 0}, {21, 22, 34, 0, 0}};
   const float lines = static_cast<float>(walk.pseudocode.size());
   Fit f{};
@@ -31,12 +33,16 @@ Fit fit(const Walk& walk, float height) {
     if (f.code_height + f.values_height <= room) return f;
   }
   // Too much for this window: the code shows a part around its current line, the values scroll if they must.
-  f.values_height = std::min(f.values_height, room - std::min(f.code_height, 5 * f.code_pitch));
-  f.code_height = std::floor((room - f.values_height) / f.code_pitch) * f.code_pitch;
+  const float least_code = std::min(f.code_height, 5 * f.code_pitch);
+  f.values_height = std::min(values_height(step, f.value_pitch), room - least_code);
+  const float whole_lines = std::floor((room - f.values_height) / f.code_pitch) * f.code_pitch;
+  f.code_height = std::min(f.code_height, whole_lines);
   return f;
 }
 
-bool has(const std::vector<int>& lines, int line) { return std::find(lines.begin(), lines.end(), line) != lines.end(); }
+bool has(const std::vector<int>& lines, int line) {
+  return std::find(lines.begin(), lines.end(), line) != lines.end();
+}
 
 /// The next step, going round, that stands at this line; -1 if none does.
 int step_at_line(const Player& player, int line) {
@@ -62,11 +68,13 @@ void code_line(Session& s, int line, const Rect& r) {
 
   const Colour& ink = current ? c.on_highlight : has(step.untaken, line) ? c.muted : c.text;
   const float y = r.middle_y(), number = r.left + 26;
-  text(ui.fonts.mono_small, number, y, packed(current ? c.on_highlight : c.muted), std::to_string(line + 1), 1);
+  text(ui.fonts.mono_small, number, y, packed(current ? c.on_highlight : c.muted), std::to_string(line + 1),
+       1);
   const bool refused = has(step.refused, line);
   ImGui::PushClipRect({number + 8, r.top}, {r.right - (refused ? 38 : 4), r.bottom}, true);
   const std::string& words = s.player.walk().pseudocode[line];
-  ImFont* font = text_width(ui.fonts.mono, words) > r.right - number - 20 ? ui.fonts.mono_small : ui.fonts.mono;
+  ImFont* font =
+      text_width(ui.fonts.mono, words) > r.right - number - 20 ? ui.fonts.mono_small : ui.fonts.mono;
   text(font, number + 16, y, packed(ink), words);
   ImGui::PopClipRect();
   if (refused) text(ui.fonts.small, r.right - 12, y, packed(current ? c.on_highlight : c.miss), "no", 1);
@@ -79,7 +87,8 @@ void code(Session& s, const Rect& r, float pitch) {
   ImGui::BeginChild("code", {r.width(), r.height()}, false, ImGuiWindowFlags_NoScrollbar);
   ImGui::PopStyleVar();
   const int line = s.player.step().line;
-  if (line >= 0) ImGui::SetScrollY(static_cast<float>(line) * pitch + pitch / 2 - r.height() / 2);
+  const float lines_before = std::floor(static_cast<float>(line) - (r.height() / pitch - 1) / 2);
+  if (line >= 0) ImGui::SetScrollY(std::max(0.0f, lines_before * pitch));
   const float top = ImGui::GetCursorScreenPos().y;
   const int count = static_cast<int>(s.player.walk().pseudocode.size());
   for (int i = 0; i < count; ++i) {
@@ -95,7 +104,7 @@ void code_panel(Session& s, const Rect& r) {
   Ui& ui = s.ui;
   begin_region(ui, "code panel", r, ui.palette.window);
   ImGui::GetWindowDrawList()->AddRectFilled({r.left, r.top}, {r.left + 1, r.bottom}, packed(ui.palette.rule));
-  const Fit f = fit(s.player.walk(), r.height());
+  const Fit f = fit(s.player.walk(), s.player.step(), r.height());
   const float heading = r.top + 32;
   text(ui.fonts.bold, r.left + padding, heading, packed(ui.palette.text), "Pseudocode");
   if (s.player.step().counters.early_out)

@@ -21,6 +21,7 @@ void with_control(Session& s) {
   if (pressed(key::o)) s.open_next = Sheet::picker;
   if (pressed(key::z) && !s.player.undo()) s.say("Nothing to take back");
   if (pressed(key::v)) paste(s);
+  if (pressed(key::q)) s.close = true;
   if (!pressed(key::c)) return;
   ImGui::SetClipboardText(to_json(s.player.place()).c_str());
   s.say("State copied as JSON");
@@ -50,15 +51,26 @@ void character(Session& s, char c) {
   if (player.asked() && c >= 'a' && c - 'a' < static_cast<int>(player.asked()->choices.size()))
     return player.answer(c - 'a');
   switch (c) {
-    case ' ': return player.toggle_play();
-    case '[': return s.attempt([&] { player.open_neighbour(-1); });
-    case ']': return s.attempt([&] { player.open_neighbour(1); });
-    case 'r': return s.attempt([&] { player.restart(); });
-    case 'p': return player.set_perspective(true);
-    case 'o': return player.set_perspective(false);
-    case 's': s.open_next = Sheet::save; return;
-    case '?': s.open_next = Sheet::keys; return;
-    default: return;
+    case ' ':
+      return player.toggle_play();
+    case '[':
+      return s.attempt([&] { player.open_neighbour(-1); });
+    case ']':
+      return s.attempt([&] { player.open_neighbour(1); });
+    case 'r':
+      return s.attempt([&] { player.restart(); });
+    case 'p':
+      return player.set_perspective(true);
+    case 'o':
+      return player.set_perspective(false);
+    case 's':
+      s.open_next = Sheet::save;
+      return;
+    case '?':
+      s.open_next = Sheet::keys;
+      return;
+    default:
+      return;
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// Where the parts of the window lie: bars of fixed height, panels of almost fixed width, and all the rest the scene's.
+// Where the parts of the window lie: bars of fixed height, panels of almost fixed width, and all the rest the
+// scene's.
 
 #include <string>
 #include <vector>
@@ -17,13 +18,16 @@ struct Rect {
   Rect inset(float by) const { return {left + by, top + by, right - by, bottom - by}; }
 };
 
-struct WindowLayout { Rect top, lesson, scene, code, transport; };
+struct WindowLayout {
+  Rect top, lesson, scene, code, transport;
+};
 
 /// `panels`: false hides the lesson and the code, and the scene takes their place.
 WindowLayout window_layout(float width, float height, bool panels);
 
-/// The width each of the chips gets in a row of `width` px, `gap` apart: those of `wide` where they fit; otherwise the
-/// last ones shrink to `narrow`, the chosen one excepted.
-std::vector<float> chip_widths(const std::vector<float>& wide, float narrow, float gap, float width, int chosen);
+/// The width each of the chips gets in a row of `width` px, `gap` apart: those of `wide` where they fit;
+/// otherwise the last ones shrink to `narrow`, the chosen one excepted.
+std::vector<float> chip_widths(const std::vector<float>& wide, float narrow, float gap, float width,
+                               int chosen);
 
 }  // namespace isect::viz

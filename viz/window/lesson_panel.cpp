@@ -15,9 +15,17 @@ struct Column {
   Session& s;
   float x, y, width;
 
-  void paragraph(const std::string& markup, const Colour& colour, double size = 15, double pitch = 23, bool bold = false) {
-    y += rich(s.ui, {.markup = markup, .width = width, .size = size, .line_pitch = pitch, .bold = bold, .colour = colour},
-              {x, y}).y;
+  void paragraph(const std::string& markup, const Colour& colour, double size = 15, double pitch = 23,
+                 bool bold = false) {
+    y += rich(s.ui,
+              {.markup = markup,
+               .width = width,
+               .size = size,
+               .line_pitch = pitch,
+               .bold = bold,
+               .colour = colour},
+              {x, y})
+             .y;
   }
 };
 
@@ -35,7 +43,11 @@ void formula_card(Column& c, const std::string& markup) {
 }
 
 /// How an answer looks: before it is given, and after.
-struct Choice { std::string name, markup; char key; bool open, right, chosen; };
+struct Choice {
+  std::string name, markup;
+  char key;
+  bool open, right, chosen;
+};
 
 bool choice_button(Ui& ui, const Choice& choice, const Rect& r) {
   const Palette& c = ui.palette;
@@ -65,8 +77,9 @@ int choices(Column& c, const Question& question, int given) {
   for (int i = 0; i < n; ++i) {
     const float x = in_a_row ? c.x + static_cast<float>(i) * (share + 8) : c.x;
     const Rect r{x, c.y, x + (in_a_row ? share : c.width), c.y + 36};
-    const Choice choice{"choice " + std::to_string(i), question.choices[i], static_cast<char>('A' + i), given < 0,
-                        i == question.answer, i == given};
+    const Choice choice{"choice " + std::to_string(i), question.choices[i],
+                        static_cast<char>('A' + i),    given < 0,
+                        i == question.answer,          i == given};
     if (choice_button(ui, choice, r)) pressed = i;
     if (!in_a_row && i + 1 < n) c.y += 42;
   }
@@ -127,14 +140,18 @@ void lesson_text(Session& s, const Rect& r, bool fresh) {
 }
 
 /// "drag o or d", one line for each role that has handles.
-struct Hint { Role role; std::string markup; };
+struct Hint {
+  Role role;
+  std::string markup;
+};
 std::vector<Hint> hints_of(const Player& player) {
   std::vector<Hint> hints;
   for (const Handle& h : player.step().scene.handles) {
     std::string label = h.parameter;
     for (const Parameter& p : player.lesson().parameters)
       if (p.name == h.parameter && !p.label.empty()) label = p.label;
-    auto found = std::find_if(hints.begin(), hints.end(), [&](const Hint& hint) { return hint.role == h.role; });
+    auto found =
+        std::find_if(hints.begin(), hints.end(), [&](const Hint& hint) { return hint.role == h.role; });
     if (found == hints.end())
       hints.push_back({h.role, "drag " + label});
     else if (found->markup.find(label) == std::string::npos)
@@ -183,7 +200,9 @@ void lesson_panel(Session& s, const Rect& r) {
   const std::vector<Hint> hints = hints_of(s.player);
   const bool hinting = !open && r.height() > 420;
 
-  const float below = 44 + (open ? std::min(s.fields_height, r.height() * 0.5f) + 12 : hinting ? hints_height(hints) + 12 : 0);
+  const float below = 44 + (open      ? std::min(s.fields_height, r.height() * 0.5f) + 12
+                            : hinting ? hints_height(hints) + 12
+                                      : 0);
   const Rect words{r.left, r.top, r.right - 1, r.bottom - below};
   scrolling("words", words, [&] {
     const bool fresh = std::exchange(s.words_seen, s.player.revision()) != s.player.revision();

@@ -4,7 +4,8 @@ namespace isect::viz {
 namespace {
 
 ImVec4 vec4(const Colour& c, double alpha = 1) {
-  return {static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b), static_cast<float>(c.a * alpha)};
+  return {static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b),
+          static_cast<float>(c.a * alpha)};
 }
 
 void set_sizes(ImGuiStyle& s) {
@@ -31,8 +32,12 @@ Palette palette(ThemeName name) {
   Palette p{.theme = t,
             .window = t.panel,
             .card = t.background,
-            .frame = hex(dark ? 0x2B3540 : grey ? 0xE6E6E6 : 0xE6EBF0),
-            .hovered = hex(dark ? 0x374452 : grey ? 0xD8D8D8 : 0xD8E0E8),
+            .frame = hex(dark   ? 0x2B3540
+                         : grey ? 0xE6E6E6
+                                : 0xE6EBF0),
+            .hovered = hex(dark   ? 0x374452
+                           : grey ? 0xD8D8D8
+                                  : 0xD8E0E8),
             .text = t.ink(Role::text),
             .muted = t.ink(Role::muted),
             .rule = t.ink(Role::grid),

@@ -11,11 +11,11 @@ ImU32 packed(const Colour&, double alpha = 1);
 
 struct Palette {
   Theme theme;
-  Colour window, card;             ///< panels, and the cards, scene and bar tracks set into them
-  Colour frame, hovered;           ///< buttons and fields
+  Colour window, card;    ///< panels, and the cards, scene and bar tracks set into them
+  Colour frame, hovered;  ///< buttons and fields
   Colour text, muted, rule, first, second, hit, miss, highlight;
-  Colour fresh, fresh_text;        ///< the rim and the word of what is new; a light highlight colours no text
-  Colour on_first, on_highlight;   ///< text on a filled button or row
+  Colour fresh, fresh_text;       ///< the rim and the word of what is new; a light highlight colours no text
+  Colour on_first, on_highlight;  ///< text on a filled button or row
 };
 Palette palette(ThemeName);
 

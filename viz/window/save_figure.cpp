@@ -25,11 +25,12 @@ Picture halved(const Picture& from) {
 
 }  // namespace
 
-std::string save_figure(const Player& player, const Settings& settings, Renderer& renderer, const std::string& folder) {
+std::string save_figure(const Player& player, const Settings& settings, Renderer& renderer,
+                        const std::string& folder) {
   const Place place = player.place();
   const std::string preset = place.preset.empty() ? "changed" : place.preset;
-  const std::string path = folder + "/" + place.lesson + "/" + preset + "/" + file_stem(place.step, player.step()) +
-                           "." + settings.save_format;
+  const std::string path = folder + "/" + place.lesson + "/" + preset + "/" +
+                           file_stem(place.step, player.step()) + "." + settings.save_format;
   const Drawing drawing = figure(player.step(), *place.camera, settings.save_theme, width, height).drawing;
   if (settings.save_format == "svg") {
     write_file(path, svg(drawing, metadata(place)));

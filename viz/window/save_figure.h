@@ -5,8 +5,8 @@
 
 namespace isect::viz {
 
-/// Writes the current step, seen as it is now, to <folder>/<lesson>/<preset>/<NN>-<slug>.<format>, 960 x 600, in the
-/// theme of the settings. Returns the path. Throws FileError.
+/// Writes the current step, seen as it is now, to <folder>/<lesson>/<preset>/<NN>-<slug>.<format>, 960 x 600,
+/// in the theme of the settings. Returns the path. Throws FileError.
 std::string save_figure(const Player&, const Settings&, Renderer&, const std::string& folder);
 
 }  // namespace isect::viz

@@ -14,20 +14,28 @@ namespace {
 
 const Colour& ink_of(const Palette& c, Verdict::Kind kind) {
   switch (kind) {
-    case Verdict::Kind::yes: return c.hit;
-    case Verdict::Kind::no: return c.miss;
-    case Verdict::Kind::on: return c.highlight;
-    case Verdict::Kind::open: break;
+    case Verdict::Kind::yes:
+      return c.hit;
+    case Verdict::Kind::no:
+      return c.miss;
+    case Verdict::Kind::on:
+      return c.highlight;
+    case Verdict::Kind::open:
+      break;
   }
   return c.muted;
 }
 
 void verdict_sign(Verdict::Kind kind, float x, float y, ImU32 ink) {
   switch (kind) {
-    case Verdict::Kind::yes: return tick(x, y, 16, ink);
-    case Verdict::Kind::no: return cross(x, y, 16, ink);
-    case Verdict::Kind::on: return diamond(x, y, 15, ink);
-    case Verdict::Kind::open: ImGui::GetWindowDrawList()->AddCircle({x, y}, 6, ink, 24, 1.8f);
+    case Verdict::Kind::yes:
+      return tick(x, y, 16, ink);
+    case Verdict::Kind::no:
+      return cross(x, y, 16, ink);
+    case Verdict::Kind::on:
+      return diamond(x, y, 15, ink);
+    case Verdict::Kind::open:
+      ImGui::GetWindowDrawList()->AddCircle({x, y}, 6, ink, 24, 1.8f);
   }
 }
 
@@ -142,7 +150,12 @@ void ball_under_pointer(Session& s, const View& view, const Vec2& pixel) {
     first = ball;
     nearest = *hit.surface;
   }
-  if (first) tooltip(s.ui, "ball: centre " + words_of(Setting(first->center)) + ", radius " + shown(first->radius));
+  if (!first) return;
+  const Vec2 at = view.project(first->center).at;
+  const float x = static_cast<float>(at.x()), y = static_cast<float>(at.y());
+  const float radius = static_cast<float>(first->radius * view.scale_at(first->center));
+  s.ui.rects["ball under pointer"] = {x - radius, y - radius, x + radius, y + radius};
+  tooltip(s.ui, "ball: centre " + words_of(Setting(first->center)) + ", radius " + shown(first->radius));
 }
 
 }  // namespace isect::viz

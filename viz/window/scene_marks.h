@@ -9,7 +9,8 @@ namespace isect::viz {
 void verdict_chip(Session&, const Rect& scene);
 /// The directions of the axes at the bottom left.
 void tripod(Session&, const View&, const Rect& scene);
-/// The projection's name at the bottom right: a button (before the scene's own), and its text (over the picture).
+/// The projection's name at the bottom right: a button (before the scene's own), and its text (over the
+/// picture).
 void projection_name(Session&, const Rect& scene);
 void projection_text(Session&, const Rect& scene);
 /// The message of the moment at the bottom.

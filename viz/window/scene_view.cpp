@@ -16,9 +16,9 @@ Vec2 mouse() { return {ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y}; }
 
 std::string line_of(const Session& s, const Rect& r, double scale) {
   const Camera& c = s.player.camera().now();
-  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {}", s.player.revision(), r.width(), r.height(), scale,
-                     name_of(s.settings.theme), c.target.x(), c.target.y(), c.target.z(), c.azimuth, c.elevation,
-                     c.half_height, c.perspective, c.field_of_view);
+  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {}", s.player.revision(), r.width(), r.height(),
+                     scale, name_of(s.settings.theme), c.target.x(), c.target.y(), c.target.z(), c.azimuth,
+                     c.elevation, c.half_height, c.perspective, c.field_of_view);
 }
 
 bool same_handle(const Handle& a, const Handle& b) { return a.parameter == b.parameter && a.kind == b.kind; }
@@ -115,7 +115,9 @@ void SceneView::show(Session& s, const Rect& r) {
     const float x = static_cast<float>(at.x()), y = static_cast<float>(at.y());
     ui.rects["handle " + h.parameter] = {x - 4, y - 4, x + 4, y + 4};
   }
-  if (const std::optional<Handle> under = held_ ? held_ : hovered ? handle_near(s, view, mouse()) : std::nullopt)
+  if (const std::optional<Handle> under = held_     ? held_
+                                          : hovered ? handle_near(s, view, mouse())
+                                                    : std::nullopt)
     handle_under_pointer(s, view, *under);
   else if (hovered && !active)
     ball_under_pointer(s, view, mouse());

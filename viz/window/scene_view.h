@@ -1,5 +1,6 @@
 #pragma once
-// The interactive scene: composed from the current step, drawn by the Renderer, held and turned by the pointer.
+// The interactive scene: composed from the current step, drawn by the Renderer, held and turned by the
+// pointer.
 
 #include <optional>
 
@@ -27,10 +28,10 @@ class SceneView {
 
   Renderer& renderer_;
   double scale_;
-  std::string drawn_;            ///< what the texture shows, as one line; drawing it again is saved
-  std::optional<Handle> held_;   ///< while a handle is dragged: the handle as it is now
-  Vec2 grip_ = Vec2::Zero();     ///< from the held handle to the pointer that took it
-  Vec2 last_ = Vec2::Zero();     ///< the pointer in the frame before
+  std::string drawn_;           ///< what the texture shows, as one line; drawing it again is saved
+  std::optional<Handle> held_;  ///< while a handle is dragged: the handle as it is now
+  Vec2 grip_ = Vec2::Zero();    ///< from the held handle to the pointer that took it
+  Vec2 last_ = Vec2::Zero();    ///< the pointer in the frame before
 };
 
 }  // namespace isect::viz

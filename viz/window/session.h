@@ -34,15 +34,20 @@ struct Session {
   Player& player;
   Ui& ui;
   Settings& settings;
-  std::string figures;            ///< folder for saved figures
+  std::string figures;  ///< folder for saved figures
   bool panels = true;
   Sheet open_next = Sheet::none;  ///< asked for by a key or a button, opened at the end of the frame
   bool save_now = false;          ///< this frame's figure shall become a file
+  bool close = false;             ///< the reader wants to leave
   std::string search = {};        ///< words in the picker
   float fields_height = 0;        ///< of the parameters' fields, as the last frame found it
   unsigned words_seen = 0;        ///< revision whose words are on show
 
-  struct Toast { std::string text; bool error = false; double seconds_left = 0; } toast = {};
+  struct Toast {
+    std::string text;
+    bool error = false;
+    double seconds_left = 0;
+  } toast = {};
 
   void say(const std::string& words) { toast = {words, false, 5}; }
   void complain(const std::string& words) { toast = {words, true, 12}; }

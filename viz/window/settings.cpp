@@ -74,9 +74,12 @@ Settings read_settings(const std::string& file, const std::vector<const Lesson*>
 
 void write_settings(const std::string& file, const Settings& s) {
   if (file.empty()) return;
-  Json json = {{"theme", name_of(s.theme)},       {"save_theme", name_of(s.save_theme)},
-               {"save_format", s.save_format},    {"parameters_open", s.parameters_open},
-               {"speed", s.speed},                {"width", s.width},
+  Json json = {{"theme", name_of(s.theme)},
+               {"save_theme", name_of(s.save_theme)},
+               {"save_format", s.save_format},
+               {"parameters_open", s.parameters_open},
+               {"speed", s.speed},
+               {"width", s.width},
                {"height", s.height}};
   if (s.place) json["place"] = Json::parse(to_json(*s.place));
   write_file(file, json.dump(2) + "\n");

@@ -30,7 +30,9 @@ bool begin_sheet(Session& s, const char* name, const Rect& window, float width, 
 }
 
 void key_sheet(Session& s, const Rect& window) {
-  struct Row { const char *input, *action; };
+  struct Row {
+    const char *input, *action;
+  };
   constexpr Row rows[] = {
       {"← / →", "step back / on"},
       {"Home / End", "first / last step"},
@@ -51,6 +53,7 @@ void key_sheet(Session& s, const Rect& window) {
       {"S or F12", "save this figure"},
       {"Tab", "hide / show the panels"},
       {"F1 or ?", "this sheet"},
+      {"Ctrl+Q", "leave"},
   };
   constexpr float count = static_cast<float>(std::size(rows));
   const float row = std::min(26.0f, std::floor((window.height() - 140) / count));
@@ -78,17 +81,21 @@ std::optional<std::pair<std::string, std::string>> objects_of(const Lesson& less
 }
 
 std::string lower(std::string s) {
-  std::transform(s.begin(), s.end(), s.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(s.begin(), s.end(), s.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return s;
 }
 
 bool matches(const Lesson& lesson, const std::string& wanted) {
-  const std::string all = lower(lesson.id + " " + plain(lesson.title) + " " + lesson.rows + " " + lesson.summary);
+  const std::string all =
+      lower(lesson.id + " " + plain(lesson.title) + " " + lesson.rows + " " + lesson.summary);
   return all.find(lower(wanted)) != std::string::npos;
 }
 
-/// First objects down, second objects across, a dot where a lesson joins them. Returns the lesson that was pressed.
-const Lesson* object_grid(Session& s, const std::vector<const Lesson*>& lessons, float x, float& y, float width) {
+/// First objects down, second objects across, a dot where a lesson joins them. Returns the lesson that was
+/// pressed.
+const Lesson* object_grid(Session& s, const std::vector<const Lesson*>& lessons, float x, float& y,
+                          float width) {
   std::set<std::string> down, across;
   for (const Lesson* l : lessons)
     if (const auto pair = objects_of(*l)) down.insert(pair->first), across.insert(pair->second);
@@ -108,8 +115,9 @@ const Lesson* object_grid(Session& s, const std::vector<const Lesson*>& lessons,
     cx = x + names;
     for (const std::string& second : across) {
       const Rect r{cx + 2, y + 2, cx + cell - 2, y + 30};
-      const auto found = std::find_if(lessons.begin(), lessons.end(),
-                                      [&](const Lesson* l) { return objects_of(*l) == std::pair{first, second}; });
+      const auto found = std::find_if(lessons.begin(), lessons.end(), [&](const Lesson* l) {
+        return objects_of(*l) == std::pair{first, second};
+      });
       if (found == lessons.end())
         filled(r, c.card, 5);
       else if (chip(ui, "pair " + (*found)->id, r, "●", *found == &s.player.lesson(), ui.fonts.small))
@@ -122,7 +130,8 @@ const Lesson* object_grid(Session& s, const std::vector<const Lesson*>& lessons,
   return pressed;
 }
 
-const Lesson* lesson_rows(Session& s, const std::vector<const Lesson*>& lessons, float x, float& y, float width) {
+const Lesson* lesson_rows(Session& s, const std::vector<const Lesson*>& lessons, float x, float& y,
+                          float width) {
   Ui& ui = s.ui;
   const Palette& c = ui.palette;
   const Lesson* pressed = nullptr;
@@ -151,7 +160,8 @@ void picker(Session& s, const Rect& window) {
     ImGui::SetKeyboardFocusHere();
   }
   ImGui::SetNextItemWidth(-1);
-  const bool entered = ImGui::InputTextWithHint("##search", "Search lessons", &wanted, ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered =
+      ImGui::InputTextWithHint("##search", "Search lessons", &wanted, ImGuiInputTextFlags_EnterReturnsTrue);
   s.ui.rects["search"] = {ImGui::GetItemRectMin().x, ImGui::GetItemRectMin().y, ImGui::GetItemRectMax().x,
                           ImGui::GetItemRectMax().y};
   std::vector<const Lesson*> found;
@@ -185,7 +195,8 @@ void save_sheet(Session& s, const Rect& window) {
   y += 46;
   text(ui.fonts.body, x, y, packed(c.muted), "Format");
   for (const std::string format : {"png", "svg"}) {
-    if (chip(ui, "format " + format, {x + 80, y - 15, x + 140, y + 15}, format, s.settings.save_format == format))
+    if (chip(ui, "format " + format, {x + 80, y - 15, x + 140, y + 15}, format,
+             s.settings.save_format == format))
       s.settings.save_format = format;
     x += 66;
   }

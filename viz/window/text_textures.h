@@ -11,7 +11,10 @@
 namespace isect::viz {
 
 /// A picture on the graphics card, with its size in px of the layout.
-struct TextImage { ImTextureID texture; ImVec2 size; };
+struct TextImage {
+  ImTextureID texture;
+  ImVec2 size;
+};
 
 /// Needs the context that was current when it was made, in every call and at its end.
 class TextTextures {
@@ -28,7 +31,11 @@ class TextTextures {
   std::size_t size() const { return kept_.size(); }
 
  private:
-  struct Kept { TextImage image; unsigned name; int last_used; };
+  struct Kept {
+    TextImage image;
+    unsigned name;
+    int last_used;
+  };
   double scale_;
   int frame_ = 0;
   std::map<std::string, Kept> kept_;

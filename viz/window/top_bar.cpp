@@ -25,7 +25,8 @@ void method_menu(Session& s, float x, float bottom) {
   if (ImGui::BeginPopup("methods")) {
     ImVec2 at = ImGui::GetCursorScreenPos();
     float width = 120;
-    for (const Method& m : s.player.methods()) width = std::max(width, text_width(s.ui.fonts.body, plain(m.title)) + 28);
+    for (const Method& m : s.player.methods())
+      width = std::max(width, text_width(s.ui.fonts.body, plain(m.title)) + 28);
     for (const Method& m : s.player.methods()) {
       const Rect r{at.x, at.y, at.x + width, at.y + 30};
       if (chip(s.ui, "method " + m.choice, r, plain(m.title), m.choice == s.player.method())) {

@@ -13,7 +13,8 @@ constexpr ImWchar signs[] = {0x0020, 0x00FF, 0x0391, 0x03C9, 0x2010, 0x2027, 0x2
                              0x209C, 0x2102, 0x2124, 0x2190, 0x21FF, 0x2200, 0x22FF, 0x25A0, 0x25FF,
                              0x2713, 0x2718, 0x27E8, 0x27E9, 0xFFFD, 0xFFFD, 0};
 
-/// Dear ImGui measures a font from its ascent to its descent, everybody else by its em. DejaVu's ratio of the two.
+/// Dear ImGui measures a font from its ascent to its descent, everybody else by its em. DejaVu's ratio of the
+/// two.
 constexpr double line_per_em = 1.164;
 
 ImFont* load(const std::string& pattern, double size, double scale) {
@@ -37,8 +38,8 @@ std::string font_file(const std::string& pattern) {
   FcConfigSubstitute(nullptr, wanted.get(), FcMatchPattern);
   FcDefaultSubstitute(wanted.get());
   FcResult result = FcResultNoMatch;
-  const std::unique_ptr<FcPattern, decltype(&FcPatternDestroy)> found(FcFontMatch(nullptr, wanted.get(), &result),
-                                                                      FcPatternDestroy);
+  const std::unique_ptr<FcPattern, decltype(&FcPatternDestroy)> found(
+      FcFontMatch(nullptr, wanted.get(), &result), FcPatternDestroy);
   FcChar8* file = nullptr;
   if (!found || FcPatternGetString(found.get(), FC_FILE, 0, &file) != FcResultMatch) return {};
   return reinterpret_cast<const char*>(file);

@@ -7,10 +7,12 @@
 
 namespace isect::viz {
 
-struct UiFonts { ImFont *body, *small, *bold, *heading, *mono, *mono_small; };
+struct UiFonts {
+  ImFont *body, *small, *bold, *heading, *mono, *mono_small;
+};
 
-/// Fills the atlas of the current Dear ImGui context; `scale`: framebuffer pixels per px. Throws std::runtime_error
-/// where no font file is found.
+/// Fills the atlas of the current Dear ImGui context; `scale`: framebuffer pixels per px. Throws
+/// std::runtime_error where no font file is found.
 UiFonts load_fonts(double scale);
 
 /// The file that fontconfig finds for a pattern such as "DejaVu Sans:bold"; empty if there is none.

@@ -1,6 +1,6 @@
 #pragma once
-// The window's own small widgets, drawn with ImDrawList at given places. Each records where it stood, so that tests
-// click on names and not on guessed coordinates.
+// The window's own small widgets, drawn with ImDrawList at given places. Each records where it stood, so that
+// tests click on names and not on guessed coordinates.
 
 #include <imgui.h>
 
@@ -37,7 +37,9 @@ ImVec2 rich(Ui&, const Paragraph&, ImVec2 at);
 ImVec2 rich_line(Ui&, const Paragraph&, float x, float y, float align = 0);
 
 /// A place to press. `clicked`: the button came up again inside.
-struct Press { bool clicked, hovered, held; };
+struct Press {
+  bool clicked, hovered, held;
+};
 Press press(Ui&, const std::string& name, const Rect&);
 /// A window that fills `r`, not moved, not decorated. End it with ImGui::End().
 void begin_region(Ui&, const char* name, const Rect& r, const Colour& background);
@@ -48,7 +50,8 @@ void outlined(const Rect&, const Colour&, float width = 1.5f, float rounding = 6
 void rule(const Ui&, float x0, float x1, float y);
 
 /// A button with a word on it.
-bool chip(Ui&, const std::string& name, const Rect&, const std::string& label, bool chosen, ImFont* = nullptr);
+bool chip(Ui&, const std::string& name, const Rect&, const std::string& label, bool chosen,
+          ImFont* = nullptr);
 /// A transport button.
 bool icon_button(Ui&, const std::string& name, const Rect&, Icon, bool primary, bool enabled);
 

@@ -22,7 +22,8 @@ struct ImGuiScope {
   ImGuiScope() : context(ImGui::CreateContext()) {
     ImGui::SetCurrentContext(context);
     ImGui::GetIO().IniFilename = nullptr;
-    if (!ImGui_ImplOpenGL3_Init("#version 330 core")) throw std::runtime_error("Dear ImGui cannot draw with this OpenGL");
+    if (!ImGui_ImplOpenGL3_Init("#version 330 core"))
+      throw std::runtime_error("Dear ImGui cannot draw with this OpenGL");
   }
   ~ImGuiScope() {
     ImGui::SetCurrentContext(context);
@@ -35,15 +36,28 @@ struct ImGuiScope {
 };
 
 void map_keys() {
-  const std::pair<ImGuiKey, int> map[] = {
-      {ImGuiKey_Tab, key::tab},           {ImGuiKey_LeftArrow, key::left},    {ImGuiKey_RightArrow, key::right},
-      {ImGuiKey_UpArrow, key::up},        {ImGuiKey_DownArrow, key::down},    {ImGuiKey_PageUp, key::page_up},
-      {ImGuiKey_PageDown, key::page_down}, {ImGuiKey_Home, key::home},        {ImGuiKey_End, key::end},
-      {ImGuiKey_Insert, key::insert},     {ImGuiKey_Delete, key::del},        {ImGuiKey_Backspace, key::backspace},
-      {ImGuiKey_Space, key::space},       {ImGuiKey_Enter, key::enter},       {ImGuiKey_Escape, key::escape},
-      {ImGuiKey_KeyPadEnter, key::keypad_enter}, {ImGuiKey_A, key::a},        {ImGuiKey_C, key::c},
-      {ImGuiKey_V, key::v},               {ImGuiKey_X, key::x},               {ImGuiKey_Y, key::y},
-      {ImGuiKey_Z, key::z}};
+  const std::pair<ImGuiKey, int> map[] = {{ImGuiKey_Tab, key::tab},
+                                          {ImGuiKey_LeftArrow, key::left},
+                                          {ImGuiKey_RightArrow, key::right},
+                                          {ImGuiKey_UpArrow, key::up},
+                                          {ImGuiKey_DownArrow, key::down},
+                                          {ImGuiKey_PageUp, key::page_up},
+                                          {ImGuiKey_PageDown, key::page_down},
+                                          {ImGuiKey_Home, key::home},
+                                          {ImGuiKey_End, key::end},
+                                          {ImGuiKey_Insert, key::insert},
+                                          {ImGuiKey_Delete, key::del},
+                                          {ImGuiKey_Backspace, key::backspace},
+                                          {ImGuiKey_Space, key::space},
+                                          {ImGuiKey_Enter, key::enter},
+                                          {ImGuiKey_Escape, key::escape},
+                                          {ImGuiKey_KeyPadEnter, key::keypad_enter},
+                                          {ImGuiKey_A, key::a},
+                                          {ImGuiKey_C, key::c},
+                                          {ImGuiKey_V, key::v},
+                                          {ImGuiKey_X, key::x},
+                                          {ImGuiKey_Y, key::y},
+                                          {ImGuiKey_Z, key::z}};
   for (const auto& [name, code] : map) ImGui::GetIO().KeyMap[name] = code;
 }
 
@@ -146,6 +160,8 @@ std::string WindowUi::title() const {
 bool WindowUi::animating() const {
   return impl_->player.playing() || impl_->player.camera().moving() || impl_->session.toast.seconds_left > 0;
 }
+
+bool WindowUi::wants_to_close() const { return impl_->session.close; }
 
 const std::map<std::string, Rect>& WindowUi::rects() const { return impl_->ui.rects; }
 

@@ -1,6 +1,6 @@
 #pragma once
-// The whole window on top of any OpenGL context: one Dear ImGui frame at a time. The GLFW loop drives it, and so do
-// the tests, through ImGui's own input, with no display at all.
+// The whole window on top of any OpenGL context: one Dear ImGui frame at a time. The GLFW loop drives it, and
+// so do the tests, through ImGui's own input, with no display at all.
 
 #include <memory>
 
@@ -10,22 +10,23 @@
 namespace isect::viz {
 
 struct WindowOptions {
-  double scale = 1;               ///< framebuffer pixels per px of the layout
-  bool reduced_motion = false;    ///< the camera arrives at once
+  double scale = 1;             ///< framebuffer pixels per px of the layout
+  bool reduced_motion = false;  ///< the camera arrives at once
   std::string figures = "figures";
 };
 
 class WindowUi {
  public:
-  /// Needs a current context whose functions the renderer has loaded, and makes its own Dear ImGui context. Throws
-  /// BadInput for a place that is none.
+  /// Needs a current context whose functions the renderer has loaded, and makes its own Dear ImGui context.
+  /// Throws BadInput for a place that is none.
   WindowUi(const std::vector<const Lesson*>&, const Place& at, Renderer&, const Settings& = {},
            const WindowOptions& = {});
   ~WindowUi();
   WindowUi(const WindowUi&) = delete;
   WindowUi& operator=(const WindowUi&) = delete;
 
-  /// Builds one frame. Before it, the caller sets io.DisplaySize (px of the layout), io.DeltaTime and the input.
+  /// Builds one frame. Before it, the caller sets io.DisplaySize (px of the layout), io.DeltaTime and the
+  /// input.
   void frame();
   /// Draws the frame built last into a framebuffer of OpenGL (0: the window's own).
   void draw(unsigned framebuffer = 0);
@@ -34,6 +35,8 @@ class WindowUi {
   std::string title() const;
   /// Something moves by itself: the next frame should come at once.
   bool animating() const;
+  /// Ctrl+Q was pressed.
+  bool wants_to_close() const;
   /// The widgets of the frame built last, by name, in px.
   const std::map<std::string, Rect>& rects() const;
   /// The message on show; empty if there is none.
