@@ -17,7 +17,10 @@ class Random {
   /// An integer of [0, n), n > 0.
   int below(int n) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(n)); }
   /// An integer of [lo, hi].
-  int integer(int lo, int hi) { return lo + below(hi - lo + 1); }
+  int integer(int lo, int hi) {
+    const std::int64_t least = lo, count = hi - least + 1;  // may exceed an int
+    return static_cast<int>(least + static_cast<std::int64_t>(engine_() % static_cast<std::uint64_t>(count)));
+  }
   bool one_in(int n) { return below(n) == 0; }
 
   /// A multiple of 2^-53 in [0, 1).

@@ -162,7 +162,7 @@ std::optional<Verdict> decide(const Ray<double, N>& ray, const Sphere<double, N>
     if (!origin || !lo || !hi) return {};
     verdict = {verdict.line_roots, location(*origin), *lo, *hi};
   }
-  trace(Decision{rounded(a), rounded(discriminant), rounded(ff - rr), verdict});
+  if constexpr (heard<Trace>) trace(Decision{rounded(a), rounded(discriminant), rounded(ff - rr), verdict});
   return verdict;
 }
 
@@ -207,9 +207,8 @@ RaySphere<S> report(const Interval<S>& range, const Verdict& verdict, const Inte
   if (!(range.lo <= range.hi)) return result;
 
   const Place lo = verdict.lo, hi = verdict.hi;
-  const auto clamped = [&](S x) {
-    return std::min(std::max(x, range.lo), range.hi);
-  };  // two instructions, no branch
+  // min and max are one instruction each, std::clamp branches
+  const auto clamped = [&](S x) { return std::min(std::max(x, range.lo), range.hi); };
   const S entry = lo == Place::entry ? range.lo : clamped(result.roots.lo);
   const S exit = hi == Place::exit ? range.hi : clamped(result.roots.hi);
   if (lo <= Place::entry && hi >= Place::entry)
@@ -226,8 +225,10 @@ RaySphere<S> report(const Interval<S>& range, const Verdict& verdict, const Inte
 template <class S>
 inline constexpr double tolerance = std::numeric_limits<S>::epsilon() / 2;
 
+/// What intersect could not settle at once: see core/ray_sphere_settle.h.
 template <class S, int N, class Trace>
-RaySphere<S> settle(const Ray<double, N>&, const Sphere<double, N>&, const Interval<S>&, Trace&&);
+RaySphere<S> settle(const Ray<double, N>&, const Sphere<double, N>&, const Interval<S>&,
+                    const std::optional<Verdict>&, Trace&&);
 
 }  // namespace ray_sphere
 
@@ -250,7 +251,8 @@ template <class S, int N, class Trace = NoTrace>
                                {ray.range.lo, ray.range.hi}};
   const Sphere<double, N> ball = {sphere.center.template cast<double>(), sphere.radius};
 
-  if (const std::optional<Verdict> verdict = decide<double>(wide, ball, trace)) {
+  const std::optional<Verdict> verdict = decide<double>(wide, ball, trace);
+  if (verdict) {
     if (verdict->line_roots == 0) return {};
     using W = std::conditional_t<std::is_same_v<S, float>, double, Extended>;
     if (const std::optional<Interval<double>> t = roots<W>(wide, ball, tolerance<S>)) {
@@ -259,87 +261,9 @@ template <class S, int N, class Trace = NoTrace>
     }
   }
   trace(Fallback{});
-  return settle(wide, ball, ray.range, trace);
+  return settle(wide, ball, ray.range, verdict, trace);
 }
 
-namespace ray_sphere {
-
-/// The same problem in units in which squares neither overflow nor underflow: t = t' 2^exponent.
-template <int N>
-struct Scaled {
-  Ray<double, N> ray;
-  Sphere<double, N> sphere;
-  int exponent;
-};
-
-/// Scales lengths and direction by powers of two; nothing if that would lose a bit, or if there is no need.
-template <int N>
-std::optional<Scaled<N>> scaled(const Ray<double, N>& ray, const Sphere<double, N>& sphere) {
-  const auto exponent = [](double size) { return size > 0 ? std::ilogb(size) : 0; };
-  const int along = exponent(ray.direction.cwiseAbs().maxCoeff());
-  const int across = exponent(
-      std::max({ray.origin.cwiseAbs().maxCoeff(), sphere.center.cwiseAbs().maxCoeff(), sphere.radius}));
-  if (std::abs(along) < 40 && std::abs(across) < 40) return {};
-
-  bool exact = true;
-  const auto shrunk = [&exact](double x, int by) {
-    const double y = std::ldexp(x, -by);
-    exact = exact && std::ldexp(y, by) == x;
-    return y;
-  };
-  Scaled<N> s = {ray, sphere, across - along};
-  for (int i = 0; i < N; ++i) {
-    s.ray.direction[i] = shrunk(ray.direction[i], along);
-    s.ray.origin[i] = shrunk(ray.origin[i], across);
-    s.sphere.center[i] = shrunk(sphere.center[i], across);
-  }
-  s.sphere.radius = shrunk(sphere.radius, across);
-  s.ray.range = {shrunk(ray.range.lo, s.exponent), shrunk(ray.range.hi, s.exponent)};
-  return exact ? std::optional(s) : std::nullopt;
-}
-
-/// Verdict and values by one arithmetic, or nothing.
-template <Arithmetic W, class S, int N, class Trace>
-std::optional<RaySphere<S>> attempt(const Ray<double, N>& ray, const Sphere<double, N>& sphere,
-                                    const Interval<S>& range, int exponent, Trace&& trace) {
-  const std::optional<Verdict> verdict = decide<W>(ray, sphere, trace);
-  if (!verdict) return {};
-  if (verdict->line_roots == 0) return RaySphere<S>{};
-
-  const std::optional<Interval<double>> t = roots<W>(ray, sphere, tolerance<S>);
-  if (!t) return {};
-  const Interval<double> values = {std::ldexp(t->lo, exponent), std::ldexp(t->hi, exponent)};
-  trace(Values{values});
-  return report(range, *verdict, values);
-}
-
-/// What the fast path could not settle: sizes out of range, signs within their bounds, the direction 0.
-template <class S, int N, class Trace>
-[[gnu::noinline, gnu::cold]] RaySphere<S> settle(const Ray<double, N>& ray, const Sphere<double, N>& sphere,
-                                                 const Interval<S>& range, Trace&& trace) {
-  const bool bounded = ray.origin.allFinite() && ray.direction.allFinite() && sphere.center.allFinite() &&
-                       std::isfinite(sphere.radius) && !std::isnan(range.lo) && !std::isnan(range.hi);
-  if (!bounded) return {};
-
-  if ((ray.direction.array() == 0).all()) {
-    const Offset<Exact, N> f = from_center<Exact>(ray, sphere);
-    const int c = (dot<Exact, N>(f, f) - product<Exact>(sphere.radius, sphere.radius)).sign();
-    const bool some = c <= 0 && range.lo <= range.hi;
-    return {0,
-            {S(1), S(0)},
-            c < 0   ? Location::in
-            : c > 0 ? Location::out
-                    : Location::on,
-            some && c == 0 ? std::optional(range.lo) : std::nullopt,
-            some ? std::optional(range) : std::nullopt};
-  }
-
-  if (const auto answer = attempt<DoubleDouble>(ray, sphere, range, 0, trace)) return *answer;
-  if (const auto s = scaled(ray, sphere))
-    if (const auto answer = attempt<DoubleDouble>(s->ray, s->sphere, range, s->exponent, trace))
-      return *answer;
-  return *attempt<Exact>(ray, sphere, range, 0, trace);
-}
-
-}  // namespace ray_sphere
 }  // namespace isect
+
+#include "core/ray_sphere_settle.h"

@@ -29,6 +29,11 @@ struct Record {
   }
 };
 
+/// Whether anyone listens: where an event's values cost something to make, `if constexpr (heard<Trace>)`
+/// guards it.
+template <class Trace>
+inline constexpr bool heard = !std::is_same_v<std::remove_cvref_t<Trace>, NoTrace>;
+
 /// The arithmetic in use could not decide; the same text runs again in a finer one. Later events are rounded
 /// to S.
 struct Fallback {};

@@ -195,6 +195,9 @@ TEMPLATE_TEST_CASE_SIG("a zero direction makes the ray a point", "[ray_sphere]",
   CHECK(point(2).origin == Location::out);
   CHECK_FALSE(point(2));
   CHECK_FALSE(point(0.5, between<S>(1, -1)));
+  const S infinity = std::numeric_limits<S>::infinity();
+  CHECK_FALSE(point(0.5, {infinity, infinity}));  // no real t
+  CHECK_FALSE(point(1, {-infinity, -infinity}));
   CHECK(point(0.5).line_roots == 0);
   CHECK(point(0.5).roots.lo > point(0.5).roots.hi);
 }
