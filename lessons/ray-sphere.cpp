@@ -1,6 +1,7 @@
 // Ray and sphere: the root cases, by the note's three methods (N16-N19).
 //
-// The picture is drawn by ray_sphere/picture, the steps are told by ray_sphere/haines and ray_sphere/quadratic.
+// The picture is drawn by ray_sphere/picture, the steps are told by ray_sphere/haines and
+// ray_sphere/quadratic.
 
 #include "core/ray_sphere.h"
 #include "lessons/ray_sphere/methods.h"
@@ -14,12 +15,27 @@ using namespace ray_sphere_lesson;
 
 const std::vector<Parameter>& parameters() {
   static const std::vector<Parameter> all = {
-      {"method", "method", "The algorithm that is stepped through.", std::string("haines"), 0, 0, 0, 0,
+      {"method",
+       "method",
+       "The algorithm that is stepped through.",
+       std::string("haines"),
+       0,
+       0,
+       0,
+       0,
        {"haines", "quadratic", "half-b"}},
-      {"extent", "extent", "A ray has no end; a segment ends at t_max.", std::string("ray"), 0, 0, 0, 0,
+      {"extent",
+       "extent",
+       "A ray has no end; a segment ends at t_max.",
+       std::string("ray"),
+       0,
+       0,
+       0,
+       0,
        {"ray", "segment"}},
       {"origin", "**o**", "Origin of the ray, in world units.", in_plane(-3.5, 0.5), -1e6, 1e6, -6, 6},
-      {"direction", "**d**", "Direction of the ray, of any length but 0.", in_plane(2, 0.25), -1e6, 1e6, -4, 4},
+      {"direction", "**d**", "Direction of the ray, of any length but 0.", in_plane(2, 0.25), -1e6, 1e6, -4,
+       4},
       {"t_max", "*t*_{max}", "End of a segment, in lengths of the direction.", 1.0, 0, 1e6, 0, 4},
       {"center", "**c**", "Centre of the ball, in world units.", in_plane(1, 0), -1e6, 1e6, -6, 6},
       {"radius", "*r*", "Radius of the ball, in world units.", 1.5 * axis_length, 0, 1e6, 0.1, 4},
@@ -52,7 +68,9 @@ std::vector<Preset> presets() {
   for (const std::string& method : parameters().front().choices) {
     for (const Situation& s : situations) {
       const std::string id = method == "haines" ? s.id : std::string(s.id) + "-" + method;
-      all.push_back({id, s.title, method,
+      all.push_back({id,
+                     s.title,
+                     method,
                      {{"method", method},
                       {"extent", std::string(s.t_max > 0 ? "segment" : "ray")},
                       {"origin", in_plane(s.origin.x(), s.origin.y())},

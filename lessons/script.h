@@ -11,7 +11,8 @@
 
 namespace isect::lessons {
 
-/// Keeps each event with the operations counted up to it. Runs on Counted<double>: the core's own text, counted.
+/// Keeps each event with the operations counted up to it. Runs on Counted<double>: the core's own text,
+/// counted.
 template <class Event>
 struct CountingRecord {
   std::vector<std::pair<Event, Tally>> events;
@@ -22,8 +23,8 @@ struct CountingRecord {
   }
 };
 
-/// Writes the steps of a walk one after the other. What is said once stays: values, refused conditions, lines that
-/// were not taken and the verdict go on into the later steps.
+/// Writes the steps of a walk one after the other. What is said once stays: values, refused conditions, lines
+/// that were not taken and the verdict go on into the later steps.
 class Script {
  public:
   explicit Script(std::vector<std::string> pseudocode) { walk_.pseudocode = std::move(pseudocode); }

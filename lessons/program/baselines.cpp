@@ -64,8 +64,8 @@ Failure failure(Kind kind, const std::string& what, const std::string& baseline)
   return f;
 }
 
-/// Each step of the first group's presets has a picture. The other groups tell the same situations by other methods, so
-/// their traces are kept whole and the last picture is enough.
+/// Each step of the first group's presets has a picture. The other groups tell the same situations by other
+/// methods, so their traces are kept whole and the last picture is enough.
 bool has_picture(const Excerpt& e, int step) {
   const viz::Lesson& lesson = *e.lesson;
   if (lesson.group_by.empty() || step + 1 == static_cast<int>(e.walk.steps.size())) return true;
@@ -203,7 +203,8 @@ std::vector<Failure> Baselines::orphans(const std::vector<Excerpt>& checked, boo
     presets.insert(fs::path(folder_) / e.lesson->id / e.folder);
     wanted.insert(path(e, "trace.json"));
     for (int i = 0; i < static_cast<int>(e.walk.steps.size()); ++i)
-      if (has_picture(e, i)) wanted.insert(path(e, viz::file_stem(i, e.walk.steps[static_cast<std::size_t>(i)]) + ".png"));
+      if (has_picture(e, i))
+        wanted.insert(path(e, viz::file_stem(i, e.walk.steps[static_cast<std::size_t>(i)]) + ".png"));
   }
   std::vector<Failure> found;
   for (const fs::path& lesson : sorted_children(folder_)) {

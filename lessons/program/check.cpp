@@ -54,8 +54,8 @@ void add_check(CLI::App& app, Program& program) {
       *app.add_subcommand("check", "compare every step of every preset with its accepted baseline");
   const auto options = std::make_shared<Options>();
   options->asked.preset = "all";
-  add_lesson(sub, program, options->asked, "lessons by id; all if none is given");
-  add_preset(sub, options->asked, "only this one; all if not given");
+  add_lesson(sub, program, options->asked, Takes::many, "lessons by id; all if none is given");
+  sub.add_option("--preset", options->asked.preset, "only this one; all if not given")->type_name("NAME");
   sub.add_flag("--update{failed}", options->update,
                "accept what this run complains of (failed, if no more is\n"
                "said), what has no baseline yet (missing), or all anew")

@@ -98,9 +98,9 @@ void add_explain(CLI::App& app, Program& program) {
   CLI::App& sub = *app.add_subcommand("explain", "the lesson as text: captions, pseudocode, values");
   const auto asked = std::make_shared<Selection>();
   asked->step = "all";
-  add_lesson(sub, program, *asked, "a lesson's id");
-  add_preset(sub, *asked, "the first preset if not given");
-  add_step(sub, *asked, "counted from 1; all if not given");
+  add_lesson(sub, program, *asked, Takes::one, "a lesson's id");
+  add_preset(sub, *asked, "a preset, or a file with one; the first if not given");
+  add_step(sub, *asked, Takes::many, "counted from 1; all if not given");
   add_set(sub, *asked);
   sub.footer("Example: " + program.name + " explain" + (program.only ? "" : " ray-sphere") + " --step 3");
   sub.callback(

@@ -94,16 +94,18 @@ void walk(Excerpt& e, const std::string& step, bool one_of_many) {
 
 }  // namespace
 
-CLI::Option* add_lesson(CLI::App& sub, const Program& program, Selection& to, const std::string& help) {
-  return program.only ? nullptr : sub.add_option("LESSON", to.lessons, help)->type_name("");
+void add_lesson(CLI::App& sub, const Program& program, Selection& to, Takes takes, const std::string& help) {
+  if (program.only) return;
+  CLI::Option* lesson = sub.add_option("LESSON", to.lessons, help)->type_name("");
+  if (takes == Takes::one) lesson->expected(0, 1);
 }
 
 void add_preset(CLI::App& sub, Selection& to, const std::string& help) {
-  sub.add_option("--preset", to.preset, help)->type_name("PRESET|FILE.json");
+  sub.add_option("--preset", to.preset, help)->type_name("NAME|FILE");
 }
 
-void add_step(CLI::App& sub, Selection& to, const std::string& help) {
-  sub.add_option("--step", to.step, help)->type_name("N|all");
+void add_step(CLI::App& sub, Selection& to, Takes takes, const std::string& help) {
+  sub.add_option("--step", to.step, help)->type_name(takes == Takes::one ? "N" : "N|all");
 }
 
 void add_set(CLI::App& sub, Selection& to) {
@@ -146,7 +148,6 @@ std::vector<Excerpt> excerpts(const Program& program, const Selection& asked) {
 }
 
 Excerpt excerpt(const Program& program, const Selection& asked) {
-  if (asked.lessons.size() > 1) throw viz::BadInput("lesson: only one can be taken at a time");
   if (asked.preset == "all") throw viz::BadInput("preset: \"all\" does not do here; name one");
   return std::move(excerpts(program, asked).front());
 }
@@ -190,10 +191,12 @@ std::vector<std::string> formats_of(const std::string& text) {
   return formats;
 }
 
-viz::Camera camera_for(const viz::Lesson& lesson, const viz::Walk& walk, viz::ThemeName theme, const Size& size) {
+viz::Camera camera_for(const viz::Lesson& lesson, const viz::Walk& walk, viz::ThemeName theme,
+                       const Size& size) {
   std::vector<viz::Walk> all;
   for (const viz::Preset& p : lesson.presets) all.push_back(lesson.walk(p.parameters));
-  return viz::frame_alike(lesson.camera, walk, all, viz::picture_aspect(walk, theme, size.width, size.height));
+  return viz::frame_alike(lesson.camera, walk, all,
+                          viz::picture_aspect(walk, theme, size.width, size.height));
 }
 
 }  // namespace isect::program

@@ -21,9 +21,10 @@ struct Selection {
 };
 
 /// The lesson's name as a positional, where the program has more than one lesson.
-CLI::Option* add_lesson(CLI::App&, const Program&, Selection&, const std::string& help);
+enum class Takes { one, many };
+void add_lesson(CLI::App&, const Program&, Selection&, Takes, const std::string& help);
 void add_preset(CLI::App&, Selection&, const std::string& help);
-void add_step(CLI::App&, Selection&, const std::string& help);
+void add_step(CLI::App&, Selection&, Takes, const std::string& help);
 void add_set(CLI::App&, Selection&);
 
 /// One setting of a lesson's parameters, walked.
@@ -50,7 +51,8 @@ Size size_of(const std::string& text);
 double points_of(const std::string& text);
 /// "png,svg" as names without repeats.
 std::vector<std::string> formats_of(const std::string& text);
-/// The camera for all pictures of this walk in figures of this size, at one scale for all presets of the lesson.
+/// The camera for all pictures of this walk in figures of this size, at one scale for all presets of the
+/// lesson.
 viz::Camera camera_for(const viz::Lesson&, const viz::Walk&, viz::ThemeName, const Size&);
 
 }  // namespace isect::program

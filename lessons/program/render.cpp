@@ -149,10 +149,10 @@ void add_render(CLI::App& app, Program& program) {
   CLI::App& sub = *app.add_subcommand("render", "figures as files, with alt text and a manifest");
   const auto options = std::make_shared<Options>();
   options->asked.step = "all";
-  add_lesson(sub, program, options->asked, "one lesson or several, by id");
+  add_lesson(sub, program, options->asked, Takes::many, "one lesson or several, by id");
   sub.add_flag("--all", options->asked.all, "every lesson, and every preset unless --preset is given");
   add_preset(sub, options->asked, "a preset, a file with one, or all; the first if not given");
-  add_step(sub, options->asked, "counted from 1; all if not given");
+  add_step(sub, options->asked, Takes::many, "counted from 1; all if not given");
   add_set(sub, options->asked);
   sub.add_option("--format", options->format, "png (if not given), svg, or png,svg")->type_name("FORMAT");
   sub.add_option("--theme", options->theme, "screen (if not given), print, grey or dark")->type_name("THEME");

@@ -27,11 +27,15 @@ std::string where(const Failure& f) {
   return text;
 }
 
+std::string counted(std::size_t n, const std::string& what) {
+  return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
+}
+
 std::string summary(const Report& r) {
-  const std::string looked = fmt::format("{} pictures of {} presets", r.pictures, r.presets);
+  const std::string looked = counted(r.pictures, "picture") + " of " + counted(r.presets, "preset");
   const std::size_t accepted = r.failures.size() - open_failures(r);
   std::string text =
-      open_failures(r) == 0 ? "ok: " + looked : fmt::format("{} failures in {}", open_failures(r), looked);
+      open_failures(r) == 0 ? "ok: " + looked : counted(open_failures(r), "failure") + " in " + looked;
   if (accepted > 0) text += fmt::format("; {} accepted", accepted);
   return text;
 }

@@ -62,14 +62,14 @@ void add_show(CLI::App& app, Program& program) {
   CLI::App& sub = *app.add_subcommand("show", "the window, at that place");
   const auto asked = std::make_shared<Selection>();
   asked->step = "1";
-  add_lesson(sub, program, *asked,
-             "a lesson's id, or a figure (.png, .svg) made by isect: opens where it was made");
-  add_preset(sub, *asked, "where to start; the first preset if not given");
-  add_step(sub, *asked, "counted from 1");
+  add_lesson(sub, program, *asked, Takes::one,
+             "a lesson's id; or a figure made by isect (.png, .svg),\nto open it where it was made");
+  add_preset(sub, *asked, "a preset, or a file with one; the first if not given");
+  add_step(sub, *asked, Takes::one, "counted from 1; the first if not given");
   add_set(sub, *asked);
   sub.footer(program.only ? "Example: " + program.name + " show --step 3"
                           : "Examples: isect show ray-sphere --step 3\n          isect show "
-                            "figures/ray-sphere/tangent/03-foot.svg");
+                            "figures/ray-sphere/tangent/03-distance.svg");
   sub.callback([&program, asked] { program.chosen = [&program, asked] { return show(program, *asked); }; });
 }
 

@@ -2,9 +2,7 @@
 
 #include "core/ray_sphere_methods.h"
 #include "lessons/ray_sphere/methods.h"
-#include "lessons/ray_sphere/picture.h"
-#include "lessons/ray_sphere/run.h"
-#include "lessons/script.h"
+#include "lessons/ray_sphere/teller.h"
 
 namespace isect::lessons::ray_sphere_lesson {
 namespace {
@@ -32,36 +30,24 @@ const std::vector<std::string> pseudocode = {
     "return INTERSECT, t, o + t d"  // 15
 };
 
-class Teller {
+class HainesTeller : Teller {
  public:
-  explicit Teller(const Setup& setup) : setup_(setup), script_(pseudocode) { script_.walk().method = "Haines"; }
+  explicit HainesTeller(const Setup& setup)
+      : Teller(setup, "Haines", "Note, N19; Haines (1989), ch. 2", pseudocode) {}
 
   Walk tell() {
-    for (const auto& [event, tally] : run<HainesEvent<C, 3>>(setup_, [](const auto& ray, const auto& sphere, auto& record) {
-           ray_sphere::haines(ray, sphere, record);
-         })) {
-      script_.count(tally);
-      std::visit([this](const auto& e) { say(e); }, event);
-    }
-    script_.walk().alt = alt_text(setup_);
-    return std::move(script_.walk());
+    return Teller::tell<HainesEvent<C, 3>>(
+        [](const auto& ray, const auto& sphere, auto& record) { ray_sphere::haines(ray, sphere, record); },
+        [this](const auto& event) { say(event); });
   }
 
  private:
-  Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption, Focus focus,
-            const std::string& formula = {}) {
-    known_.focus = focus;
-    Step& step = script_.add(slug, title, line, caption, formula);
-    step.scene = picture(setup_, known_);
-    step.source = "Note, N19; Haines (1989), ch. 2";
-    return step;
-  }
-
   void say(const ToCenter<C, 3>&) {
     known_.center_line = true;
     add("to-center", "From the origin to the centre", 0,
         "Let **l** be the vector from the ray's origin to the centre of the ball.\n"
-        "The method needs a direction **d** of length 1, so the lesson has normalised it. Then *t* is a distance.",
+        "The method needs a direction **d** of length 1, so the lesson has normalised it. Then *t* is a "
+        "distance.",
         Focus::center_line, "**l** = **c** − **o**");
   }
 
@@ -69,9 +55,10 @@ class Teller {
     known_.foot = true;
     script_.value("*s*", e.s.value);
     add("along-the-ray", "How far along the ray", 1,
-        e.s.value < 0 ? "The projection of **l** onto **d** is negative: the centre lies behind the origin."
-                      : "The projection of **l** onto **d** tells where the ray passes nearest to the centre.\n"
-                        "The note calls this number *d* too, like the direction. We call it *s*.",
+        e.s.value < 0
+            ? "The projection of **l** onto **d** is negative: the centre lies behind the origin."
+            : "The projection of **l** onto **d** tells where the ray passes nearest to the centre.\n"
+              "The note calls this number *d* too, like the direction. We call it *s*.",
         Focus::along, "*s* = **l** · **d** = " + shown(e.s.value));
   }
 
@@ -80,16 +67,19 @@ class Teller {
     const double r = setup_.sphere.radius;
     script_.value("*r*^2", r * r, "area", Role::second);
     add("distance", "Inside or outside?", 2,
-        "The squared distance to the centre tells, against *r*^2, on which side of the surface the origin lies.",
+        "The squared distance to the centre tells, against *r*^2, on which side of the surface the origin "
+        "lies.",
         Focus::center_line, "*l*^2 = " + shown(e.l2.value) + ",  *r*^2 = " + shown(r * r));
   }
 
   void say(const Behind<C>& e) {
-    Step& step = add("early-reject", "A cheap rejection", 3,
-                     e.holds ? "The centre lies behind, and the origin outside: the ball is behind the ray.\n"
-                                     "No square root was needed to know it."
-                                   : "Only an origin outside, with the centre behind it, can be rejected here. This ray goes on.",
-                     Focus::none);
+    Step& step = add(
+        "early-reject", "A cheap rejection", 3,
+        e.holds
+            ? "The centre lies behind, and the origin outside: the ball is behind the ray.\n"
+              "No square root was needed to know it."
+            : "Only an origin outside, with the centre behind it, can be rejected here. This ray goes on.",
+        Focus::none);
     decide(step, {"*s* < 0", e.s.value, 0, e.s.value < 0,
                   e.s.value < 0 ? "the centre lies behind" : "the centre lies ahead"});
     step.question = behind_question(e.holds);
@@ -106,11 +96,12 @@ class Teller {
 
   void say(const PassesBy<C>& e) {
     const bool tangent = setup_.truth.line_roots == 1;
-    Step& step = add("passes-by", "Does the line meet the ball?", 6,
-                     e.holds ? "The line stays further from the centre than *r*: it misses."
-                     : tangent     ? "The line passes at exactly *r*: it touches the ball in one point. Touching counts."
-                                   : "The line passes nearer than *r*: it meets the ball.",
-                     Focus::passing);
+    Step& step =
+        add("passes-by", "Does the line meet the ball?", 6,
+            e.holds   ? "The line stays further from the centre than *r*: it misses."
+            : tangent ? "The line passes at exactly *r*: it touches the ball in one point. Touching counts."
+                      : "The line passes nearer than *r*: it meets the ball.",
+            Focus::passing);
     decide(step, {"*m*^2 ≤ *r*^2", e.m2.value, e.r2.value, !e.holds,
                   e.holds ? "the line misses the ball" : "the line meets the ball"});
     step.question = roots_question(setup_);
@@ -130,13 +121,17 @@ class Teller {
     known_.roots = 2;
     const bool on = e.l2.value == e.r2.value;
     Step& step = add("which-root", "Which root comes first?", 9,
-                     on ? "The origin lies exactly on the surface. Heading inwards the first hit is *s* − *q*, else *s* + *q*: "
-                          "both give 0.\nThe note's form asks only *l*^2 > *r*^2, and so returns the exit for a ray that heads inwards."
+                     on ? "The origin lies exactly on the surface. Heading inwards the first hit is *s* − "
+                          "*q*, else *s* + *q*: "
+                          "both give 0.\nThe note's form asks only *l*^2 > *r*^2, and so returns the exit "
+                          "for a ray that heads inwards."
                      : e.holds ? "From outside the ray enters first, at *s* − *q*."
-                                     : "From inside the entry lies behind: the ray leaves at *s* + *q*.",
+                               : "From inside the entry lies behind: the ray leaves at *s* + *q*.",
                      Focus::none, "*t*_{1,2} = *s* ∓ *q*");
     decide(step, {"*l*^2 > *r*^2", e.l2.value, e.r2.value, e.l2.value > e.r2.value,
-                  on ? "the origin is on the surface" : e.holds ? "the origin is outside" : "the origin is inside"});
+                  on        ? "the origin is on the surface"
+                  : e.holds ? "the origin is outside"
+                            : "the origin is inside"});
     step.question = first_hit_question(setup_, {"*s* − *q*", "*s* + *q*"});
     if (e.holds) {
       script_.refuse(11, {12});
@@ -149,7 +144,8 @@ class Teller {
   void say(const Nearest<C>& e) {
     script_.value("*t*", e.t.value, {}, Role::hit);
     add("nearest-root", "The nearest root", from_outside_ ? 10 : 12,
-        from_outside_ ? "One half chord before the foot lies the entry." : "One half chord after the foot lies the exit.",
+        from_outside_ ? "One half chord before the foot lies the entry."
+                      : "One half chord after the foot lies the exit.",
         from_outside_ ? Focus::first_root : Focus::second_root,
         (from_outside_ ? "*t* = *s* − *q* = " : "*t* = *s* + *q* = ") + shown(e.t.value));
   }
@@ -157,11 +153,12 @@ class Teller {
   void say(const TooFar<C>& e) {
     const bool segment = setup_.segment();
     if (segment) script_.value("*t*_{max}", e.limit.value, {}, Role::first);
-    Step& step = add("in-range", "Within the ray's range?", 13,
-                     !segment ? "A ray has no end, so every *t* ≥ 0 is on it."
-                     : e.holds ? "The segment ends before the ball begins. Its line would meet it, the segment does not."
-                                     : "The hit lies before the segment's end.",
-                     Focus::none);
+    Step& step = add(
+        "in-range", "Within the ray's range?", 13,
+        !segment  ? "A ray has no end, so every *t* ≥ 0 is on it."
+        : e.holds ? "The segment ends before the ball begins. Its line would meet it, the segment does not."
+                  : "The hit lies before the segment's end.",
+        Focus::none);
     if (segment) {
       decide(step, {"*t* ≤ *t*_{max}", e.t.value, e.limit.value, !e.holds,
                     e.holds ? "beyond the segment's end" : "on the segment"});
@@ -170,29 +167,20 @@ class Teller {
   }
 
   void say(const Reject&) {
-    known_.settled = true;
     script_.leave_early();
+    settle(viz::Verdict::Kind::no);
     const int line = script_.walk().steps.back().line + 1;  // stands below the condition that led to it
-    script_.settle(viz::Verdict::Kind::no, verdict_text(setup_));
     add("reject", "No intersection", line, miss_caption(setup_), Focus::none);
   }
 
   void say(const Intersect<C, 3>& e) {
-    known_.settled = true;
-    script_.settle(setup_.truth.origin == Location::on ? viz::Verdict::Kind::on : viz::Verdict::Kind::yes, verdict_text(setup_));
+    settle(setup_.truth.origin == Location::on ? viz::Verdict::Kind::on : viz::Verdict::Kind::yes);
     add("intersect", "The first hit", 15,
         "The point follows from *t*: **p** = **o** + *t* **d**.\n" + solid_caption(setup_), Focus::none,
-        fmt::format("**p** = ({}, {}, {})", shown(e.p.x().value), shown(e.p.y().value), shown(e.p.z().value)));
+        fmt::format("**p** = ({}, {}, {})", shown(e.p.x().value), shown(e.p.y().value),
+                    shown(e.p.z().value)));
   }
 
-  static void decide(Step& step, const Comparison& comparison) {
-    step.decides = true;
-    step.comparison = comparison;
-  }
-
-  const Setup& setup_;
-  Script script_;
-  Known known_;
   bool from_outside_ = false;
 };
 
@@ -200,7 +188,7 @@ class Teller {
 
 Walk haines(const Parameters& parameters) {
   const Setup s = setup(parameters, true);
-  return Teller(s).tell();
+  return HainesTeller(s).tell();
 }
 
 }  // namespace isect::lessons::ray_sphere_lesson

@@ -25,7 +25,8 @@ Setup setup(const Parameters& parameters, bool unit_direction) {
   if (std::get<std::string>(parameters.at("extent")) == "segment")
     s.ray.range.hi = std::get<double>(parameters.at("t_max"));
 
-  s.truth = intersect(s.ray, s.sphere);  // of the direction as given: a rounded unit vector may miss what it touches
+  s.truth = intersect(s.ray,
+                      s.sphere);  // of the direction as given: a rounded unit vector may miss what it touches
   const double length = s.ray.direction.norm();
   if (!unit_direction || !(length > 0)) return s;
 
@@ -74,7 +75,8 @@ class Painter {
     for (int i = 0; i < shown_roots_; ++i) lo = std::min(lo, t_[i]), hi = std::max(hi, t_[i]);
     const double margin = 0.12 * (end_ + 1);
     if (lo < 0) add(Line{at(0), at(lo - margin), Role::construction, Pen::construction});
-    if (s_.segment() && hi > end_) add(Line{at(end_), at(hi + margin), Role::construction, Pen::construction});
+    if (s_.segment() && hi > end_)
+      add(Line{at(end_), at(hi + margin), Role::construction, Pen::construction});
   }
 
   void ray() {
@@ -150,7 +152,10 @@ class Painter {
     const bool twin = s_.truth.line_roots == 1;
     for (int i = 0; i < (twin ? std::min(shown_roots_, 1) : shown_roots_); ++i) {
       if (!(on && t_[i] == 0)) add(Dot{at(t_[i]), mark_of(i), role_of(i)});
-      add(Label{at(t_[i]), twin ? "*t*_{1,2}" : i == 0 ? "*t*_1" : "*t*_2",
+      add(Label{at(t_[i]),
+                twin     ? "*t*_{1,2}"
+                : i == 0 ? "*t*_1"
+                         : "*t*_2",
                 role_of(i) == Role::hit ? Role::text : Role::muted});
     }
   }
@@ -181,7 +186,7 @@ class Painter {
 
   const Setup& s_;
   const Known& k_;
-  double end_;           ///< t where the drawn ray ends
+  double end_;  ///< t where the drawn ray ends
   double t_[2];
   int shown_roots_;
   Scene scene_;
@@ -194,15 +199,21 @@ Scene picture(const Setup& setup, const Known& known) { return Painter(setup, kn
 std::string alt_text(const Setup& s) {
   const std::string what = s.segment() ? "A segment" : "A ray";
   switch (s.truth.line_roots) {
-    case 0: return what + " passes a ball without touching it.";
-    case 1: return what + (s.truth.surface ? " touches a ball in one point." : "'s line touches a ball outside its range.");
-    default: break;
+    case 0:
+      return what + " passes a ball without touching it.";
+    case 1:
+      return what + (s.truth.surface ? " touches a ball in one point."
+                                     : "'s line touches a ball outside its range.");
+    default:
+      break;
   }
   if (!s.truth.solid) return what + "'s line crosses a ball, but only outside its range, so it misses.";
   if (!s.truth.surface) return what + " lies wholly inside a ball and does not meet its surface.";
   const std::string where = shown(*s.truth.surface);
-  if (s.truth.origin == Location::on) return what + " starts on the surface of a ball: its first hit is at t = 0.";
-  if (s.truth.origin == Location::in) return what + " starts inside a ball and leaves it at t = " + where + ".";
+  if (s.truth.origin == Location::on)
+    return what + " starts on the surface of a ball: its first hit is at t = 0.";
+  if (s.truth.origin == Location::in)
+    return what + " starts inside a ball and leaves it at t = " + where + ".";
   return what + " enters a ball at t = " + where + ".";
 }
 

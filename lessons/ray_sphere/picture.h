@@ -16,18 +16,29 @@ struct Setup {
   bool segment() const;  ///< the range is finite
 };
 
-/// Reads the parameters. `unit_direction`: the direction is normalised and the range's end measured in lengths.
+/// Reads the parameters. `unit_direction`: the direction is normalised and the range's end measured in
+/// lengths.
 Setup setup(const viz::Parameters&, bool unit_direction);
 
 /// The one thing a step is about, drawn in the highlight colour.
-enum class Focus { none, center_line, direction, along, passing, half_chord, radius, first_root, second_root };
+enum class Focus {
+  none,
+  center_line,
+  direction,
+  along,
+  passing,
+  half_chord,
+  radius,
+  first_root,
+  second_root
+};
 
 /// What the steps so far have found.
 struct Known {
   bool center_line = false;  ///< l or f
   bool from_center = false;  ///< ... drawn from c to o, and called f
   bool foot = false, passing = false, half_chord = false;
-  int roots = 0;             ///< how many of t1, t2
+  int roots = 0;  ///< how many of t1, t2
   bool settled = false;
   Focus focus = Focus::none;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// What the three walks share: running the core on counting scalars, and the questions and verdicts that come from the
+// What the three walks share: the run on counting scalars, and the questions and verdicts that come from the
 // exact test.
 
 #include "core/counted.h"
@@ -8,17 +8,45 @@
 
 namespace isect::lessons::ray_sphere_lesson {
 
-/// Runs `method(ray, sphere, record)` with every number counted; gives its events with the operations before each.
-template <class Event, class Method>
-std::vector<std::pair<Event, Tally>> run(const Setup& s, const Method& method) {
-  using C = Counted<double>;
-  const Ray<C, 3> ray = {s.ray.origin.cast<C>(), s.ray.direction.cast<C>(), {s.ray.range.lo, s.ray.range.hi}};
-  const Sphere<C, 3> sphere = {s.sphere.center.cast<C>(), s.sphere.radius};
-  CountingRecord<Event> record;
-  tally() = {};
-  method(ray, sphere, record);
-  return record.events;
-}
+/// Tells one run of one method. A method's own teller adds what to say of each event.
+class Teller {
+ protected:
+  Teller(const Setup& setup, const std::string& title, const std::string& source,
+         std::vector<std::string> pseudocode)
+      : setup_(setup), script_(std::move(pseudocode)), source_(source) {
+    script_.walk().method = title;
+    script_.walk().alt = alt_text(setup);
+  }
+
+  /// Runs `method(ray, sphere, record)` with every operation counted, and says each event.
+  template <class Event, class Method, class Say>
+  viz::Walk tell(const Method& method, const Say& say) {
+    using C = Counted<double>;
+    const Ray<double, 3>& r = setup_.ray;
+    const Ray<C, 3> ray = {r.origin.cast<C>(), r.direction.cast<C>(), {r.range.lo, r.range.hi}};
+    const Sphere<C, 3> sphere = {setup_.sphere.center.cast<C>(), setup_.sphere.radius};
+    CountingRecord<Event> record;
+    tally() = {};
+    method(ray, sphere, record);
+    for (const auto& [event, counts] : record.events) {
+      script_.count(counts);
+      std::visit(say, event);
+    }
+    return std::move(script_.walk());
+  }
+
+  viz::Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption,
+                 Focus focus, const std::string& formula = {});
+  static void decide(viz::Step&, const viz::Comparison&);
+  void settle(viz::Verdict::Kind);
+
+  const Setup& setup_;
+  Script script_;
+  Known known_;
+
+ private:
+  std::string source_;
+};
 
 /// "How many points does the line share with the sphere?"
 viz::Question roots_question(const Setup&);
