@@ -47,13 +47,6 @@ std::vector<Method> methods_of(const Lesson& lesson, Parameters parameters) {
 
 }  // namespace
 
-Camera opening_view(const Lesson& lesson, const std::vector<Walk>& walks, double aspect) {
-  std::vector<const Scene*> scenes;
-  for (const Walk& w : walks)
-    for (const Step& s : w.steps) scenes.push_back(&s.scene);
-  return frame(lesson.camera, scenes, aspect);
-}
-
 Player::Player(std::vector<const Lesson*> lessons, const Place& at, bool reduced_motion)
     : lessons_(std::move(lessons)), camera_(reduced_motion) {
   if (lessons_.empty()) throw BadInput("there is no lesson to show");
@@ -87,8 +80,10 @@ void Player::show(State next, bool same_lesson) {
   ++revision_;
   if (same_lesson) return;
   moved_ = false;
-  camera_.jump(opening_view(lesson, samples_, aspect_));
+  camera_.jump(opening_view());
 }
+
+Camera Player::opening_view() const { return frame_alike(lesson().camera, walk_, samples_, aspect_); }
 
 std::vector<const Preset*> Player::group() const {
   std::vector<const Preset*> group;
@@ -180,6 +175,7 @@ void Player::load(const Preset& preset) {
   next.wanted = 0;
   asking_ = false;
   show(std::move(next), true);
+  if (!moved_) camera_.glide(opening_view());
 }
 
 void Player::load_method(const std::string& choice) {
@@ -204,7 +200,7 @@ void Player::restart() {
   asking_ = playing_ = false;
   show(std::move(next), true);
   moved_ = false;
-  camera_.glide(opening_view(l, samples_, aspect_));
+  camera_.glide(opening_view());
 }
 
 void Player::edit(const std::string& name, const Setting& value) {
@@ -252,7 +248,7 @@ void Player::go(const Place& place) {
 void Player::set_aspect(double aspect) {
   if (aspect == aspect_) return;
   aspect_ = aspect;
-  if (!moved_) camera_.jump(opening_view(lesson(), samples_, aspect_));
+  if (!moved_) camera_.jump(opening_view());
 }
 
 void Player::orbit(const Vec2& pixels) {

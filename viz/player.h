@@ -110,13 +110,15 @@ class Player {
 
   std::size_t index_of(const std::string& lesson_id) const;
   void show(State, bool same_lesson);
+  /// The lesson's view of the walk, at the scale that all presets share.
+  Camera opening_view() const;
 
   std::vector<const Lesson*> lessons_;
   State state_;
   Walk walk_;
   std::string preset_;
   std::vector<Method> methods_;
-  std::vector<Walk> samples_;  ///< one walk of each preset: the opening view frames them all alike
+  std::vector<Walk> samples_;  ///< one walk of each preset
   unsigned revision_ = 0;
 
   bool asking_ = false;
@@ -132,9 +134,5 @@ class Player {
   std::vector<Memory> memory_;
   std::string action_;
 };
-
-/// The lesson's opening view in a picture of this aspect (width / height), with every preset's whole walk in
-/// it.
-Camera opening_view(const Lesson&, const std::vector<Walk>&, double aspect);
 
 }  // namespace isect::viz

@@ -85,13 +85,17 @@ class Input {
   /// Some keys have not been seen yet.
   bool waiting() const { return !waiting_.empty(); }
 
-  /// Starts a frame; each key changes at most once in it.
+  /// Starts a frame. It sees one key come, with the modifiers it came with, and never one key go and come
+  /// again.
   void new_frame() {
-    std::set<int> changed;
-    while (waiting() && changed.insert(waiting_.front().code).second) {
+    std::set<int> gone;
+    for (bool pressed = false; waiting() && !pressed;) {
       const KeyEvent e = waiting_.front();
+      if (e.action == GLFW_PRESS && gone.contains(e.code)) break;
       waiting_.pop_front();
       ImGui_ImplGlfw_KeyCallback(window_, e.code, e.scancode, e.action, e.modifiers);
+      if (e.action == GLFW_RELEASE) gone.insert(e.code);
+      pressed = e.action == GLFW_PRESS && !is_modifier(e.code);
     }
     ImGui_ImplGlfw_NewFrame();
   }
@@ -100,6 +104,8 @@ class Input {
   struct KeyEvent {
     int code, scancode, action, modifiers;
   };
+
+  static bool is_modifier(int code) { return code >= GLFW_KEY_LEFT_SHIFT && code <= GLFW_KEY_RIGHT_SUPER; }
 
   /// GLFW numbers letters by their place on a US keyboard; Ctrl+Z means the key that says Z.
   static int by_layout(int code, int scancode) {
