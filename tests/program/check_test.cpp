@@ -59,7 +59,7 @@ TEST_CASE("what was accepted passes, from any locale and with CI set", "[check]"
   const Accepted shell;
   const Ran r = shell(check);
   CHECK(r.status == 0);
-  CHECK_THAT(r.out, StartsWith("ok: 5 pictures of 1 presets"));
+  CHECK_THAT(r.out, StartsWith("ok: 5 pictures of 1 preset\n"));
   CHECK(r.err.empty());
   CHECK(shell("CI=1 LC_ALL=C LANG=de_DE.UTF-8 " + check + " --backend egl").status == 0);
 }

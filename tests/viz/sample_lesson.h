@@ -33,6 +33,7 @@ inline Walk walk(const Parameters& values) {
   w.pseudocode = {"l ← c − p", squared ? "l² ← l · l" : "d ← |l|", squared ? "if l² > r²" : "if d > r",
                   "  return OUT", "return IN"};
   w.alt = "A point and a disc.";
+  w.steps.reserve(5);  // references to steps stay good
   const auto add = [&](const char* slug, const char* title, int line) -> Step& {
     Step step;
     step.slug = slug;

@@ -99,7 +99,7 @@ TEST_CASE("a figure that can't be written is told, and the window goes on", "[wi
   std::filesystem::remove(file);
 }
 
-TEST_CASE("settings survive a run; a spoilt file or field gives defaults", "[window]") {
+TEST_CASE("settings survive a run, and a spoilt file or field gives defaults", "[window]") {
   const std::string file = (std::filesystem::temp_directory_path() / "isect-settings-test.json").string();
   Settings s;
   s.theme = ThemeName::grey;

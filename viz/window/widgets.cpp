@@ -90,6 +90,8 @@ void begin_region(Ui& ui, const char* name, const Rect& r, const Colour& backgro
 }
 
 void tooltip(const Ui& ui, const std::string& s) {
+  constexpr double patience = 3;  // a pointer left lying while the keys step must not cover the text for ever
+  if (ui.pointer_rest > patience) return;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{10, 7});
   ImGui::PushFont(ui.fonts.small);
   ImGui::SetTooltip("%s", s.c_str());

@@ -20,6 +20,7 @@ struct Ui {
   UiFonts fonts;
   TextTextures texts;
   std::map<std::string, Rect> rects = {};  ///< this frame's widgets by name
+  double pointer_rest = 1e9;               ///< seconds since the pointer last moved
 };
 
 enum class Icon { first, back, play, pause, next, last };

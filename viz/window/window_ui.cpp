@@ -118,6 +118,8 @@ void WindowUi::frame() {
 
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
+  const bool moved = io.MouseDelta.x != 0 || io.MouseDelta.y != 0;
+  w.ui.pointer_rest = moved ? 0 : w.ui.pointer_rest + io.DeltaTime;
   ImGui::PushFont(w.ui.fonts.body);
   keys(w.session);
   const WindowLayout at = window_layout(io.DisplaySize.x, io.DisplaySize.y, w.session.panels);
