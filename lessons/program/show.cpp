@@ -30,6 +30,9 @@ viz::Place place_in_figure(const Program& program, const std::string& path) {
 viz::Place place_of(const Program& program, Selection asked) {
   const std::string first = asked.lessons.empty() ? std::string() : asked.lessons.front();
   if (first.ends_with(".png") || first.ends_with(".svg")) return place_in_figure(program, first);
+  const bool anywhere =
+      asked.lessons.empty() && asked.preset.empty() && asked.changes.empty() && asked.step == "1";
+  if (anywhere && program.only == nullptr) return {};  // where the reader left off, or the first lesson
   if (asked.lessons.empty() && asked.preset.empty()) asked.lessons = {program.lessons.front()->id};
   if (asked.step == "all") throw viz::BadInput("step: \"all\" does not do here; give one");
   const Excerpt e = excerpt(program, asked);
@@ -47,10 +50,11 @@ int show(const Program& program, const Selection& asked) {
     viz::show(program.lessons, place);
   } catch (const viz::NoDisplay& e) {
     say(fmt::format("{}: {}", program.name, e.what()));
+    const std::string lesson = place.lesson.empty() ? program.lessons.front()->id : place.lesson;
+    const std::string which = program.only ? "" : " " + lesson;
     say(fmt::format(
-        "Without a display, `{} render{}` writes the figures, and `{} explain{}` tells them as text.",
-        program.name, program.only ? "" : " " + place.lesson, program.name,
-        program.only ? "" : " " + place.lesson));
+        "Without a display, `{0} render{1}` writes the figures, and `{0} explain{1}` tells them as text.",
+        program.name, which));
     return nowhere_to_draw;
   }
   return done;
