@@ -1,5 +1,6 @@
 #pragma once
-// Where a reader is: everything needed to come back. The text of Ctrl+C / Ctrl+V, of preset files and of figures.
+// Where a reader is: everything needed to come back. The text of Ctrl+C / Ctrl+V, of preset files and of
+// figures.
 
 #include <optional>
 #include <string>
@@ -19,13 +20,14 @@ struct Place {
 };
 
 std::string to_json(const Place&);
-/// Reads what to_json writes, and less: parameters that are not given keep the values of the preset, or of the lesson
-/// where none is named. Throws BadInput naming the field.
+/// Reads what to_json writes, and less: parameters that are not given keep the values of the preset, or of
+/// the lesson where none is named. Throws BadInput naming the field.
 Place place_from_json(const std::string& text, const std::vector<const Lesson*>&);
 
 /// What a figure carries inside: lesson, preset, step, parameters, camera and version.
 Metadata metadata(const Place&);
-/// The place a figure was made at. Throws BadInput naming the field, also where the metadata is another program's.
+/// The place a figure was made at. Throws BadInput naming the field, also where the metadata is another
+/// program's.
 Place place_from_metadata(const Metadata&, const std::vector<const Lesson*>&);
 
 /// The parameters as a JSON object on one line.

@@ -1,6 +1,6 @@
 #pragma once
-// A baseline is what a walk said (trace.json) and how each step looked (PNG). The trace is compared first: it names
-// what changed in words, where a picture only says how many pixels.
+// A baseline is what a walk said (trace.json) and how each step looked (PNG). The trace is compared first: it
+// names what changed in words, where a picture only says how many pixels.
 
 #include <string>
 #include <vector>
@@ -11,18 +11,22 @@
 namespace isect::viz {
 
 /// What pictures depend on besides the walk. Another renderer or font explains every other difference.
-struct Stamp { std::string renderer, font, theme, size; };
+struct Stamp {
+  std::string renderer, font, theme, size;
+};
 
 /// One walk as JSON with one step on a line, numbers to nine significant digits: same walk, same bytes.
-std::string trace_json(const Lesson&, const std::string& preset, const Parameters&, const Walk&, const Stamp&);
+std::string trace_json(const Lesson&, const std::string& preset, const Parameters&, const Walk&,
+                       const Stamp&);
 
 /// One thing that differs, in words: "m² < r² became = r²".
 struct Change {
-  int step = -1;        ///< from 0; -1: not of one step
+  int step = -1;  ///< from 0; -1: not of one step
   std::string what;
 };
-/// What leads from the accepted trace to the new one, what explains most first: stamp, then steps in order, then
-/// parameters and pseudocode. Empty if the traces are equal. An accepted trace that is damaged is a change, too.
+/// What leads from the accepted trace to the new one, what explains most first: stamp, then steps in order,
+/// then parameters and pseudocode. Empty if the traces are equal. An accepted trace that is damaged is a
+/// change, too.
 std::vector<Change> compare_traces(const std::string& accepted, const std::string& fresh);
 
 /// "03-foot": the name of a step's files.
