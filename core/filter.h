@@ -4,8 +4,8 @@
 //   x + y -> x (1 + e1) + y (1 + e2),   x y -> x y (1 + e),   |e| <= u,   u = unit<W>,
 //
 // so that one derivation of an error bound, written in u, serves them all; with u = 0 every sign is certain.
-// Derivations write g(k) = k u / (1 - k u) for k such factors (Higham, Accuracy and Stability, 2nd ed., ch.
-// 3).
+// Derivations write g(k) = k u / (1 - k u) for k such factors (Higham, Accuracy and Stability, 2nd ed.,
+// ch. 3).
 
 #include <concepts>
 #include <limits>

@@ -1,6 +1,5 @@
 #include "viz/camera.h"
 
-
 #include <Eigen/Geometry>
 
 #include <cmath>

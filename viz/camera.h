@@ -8,16 +8,19 @@
 namespace isect::viz {
 
 struct Camera {
-  Vec3 target = Vec3::Zero();                        ///< the point in the middle of the picture
-  double azimuth = 30 * std::numbers::pi / 180;      ///< 0: the eye on +z; positive: towards +x
-  double elevation = 22 * std::numbers::pi / 180;    ///< in [-pi/2, pi/2]
-  double half_height = 3;                            ///< world units from the middle to the top edge, at the target
+  Vec3 target = Vec3::Zero();                      ///< the point in the middle of the picture
+  double azimuth = 30 * std::numbers::pi / 180;    ///< 0: the eye on +z; positive: towards +x
+  double elevation = 22 * std::numbers::pi / 180;  ///< in [-pi/2, pi/2]
+  double half_height = 3;  ///< world units from the middle to the top edge, at the target
   bool perspective = false;
   double field_of_view = 35 * std::numbers::pi / 180;  ///< vertical, for perspective
 };
 
 /// A point on the picture: pixels from the top left corner (y down), and the distance along the view direction.
-struct Projected { Vec2 at; double depth = 0; };
+struct Projected {
+  Vec2 at;
+  double depth = 0;
+};
 
 /// A camera looking at a viewport of width x height pixels whose top left corner lies at `corner`.
 class View {
@@ -29,7 +32,9 @@ class View {
   /// Unit vector from `p` towards the eye.
   Vec3 towards_eye(const Vec3& p) const;
   /// The sight line through a pixel: a point on it and its unit direction away from the eye.
-  struct SightLine { Vec3 origin, direction; };
+  struct SightLine {
+    Vec3 origin, direction;
+  };
   SightLine sight_line(const Vec2& pixel) const;
   /// The point under `pixel` on the plane through `p` that faces the viewer: where a dragged handle goes.
   Vec3 on_facing_plane(const Vec2& pixel, const Vec3& p) const;

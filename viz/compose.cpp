@@ -19,7 +19,8 @@ Colour mixed(const Colour& a, const Colour& b, double share) {
 /// Collects the shapes of a scene in painter's order: floor, fills, hidden lines, visible lines, marks, labels.
 class Composer {
  public:
-  Composer(const Scene& scene, const View& view, const Theme& theme) : scene_(scene), view_(view), theme_(theme) {
+  Composer(const Scene& scene, const View& view, const Theme& theme)
+      : scene_(scene), view_(view), theme_(theme) {
     for (const Item& item : scene.items)
       if (const Ball* ball = std::get_if<Ball>(&item)) balls_.push_back(*ball);
     std::sort(balls_.begin(), balls_.end(), [&](const Ball& a, const Ball& b) {
@@ -39,7 +40,8 @@ class Composer {
       result.shapes.insert(result.shapes.end(), layer->begin(), layer->end());
     const Vec2 corner = view_.corner();
     const Bounds bounds = {corner.x() + sizes().margin, corner.y() + sizes().margin,
-                           corner.x() + view_.width() - sizes().margin, corner.y() + view_.height() - sizes().margin};
+                           corner.x() + view_.width() - sizes().margin,
+                           corner.y() + view_.height() - sizes().margin};
     result.labels = place_labels(labels_, obstacles_, bounds, theme_, result.shapes);
     return result;
   }
@@ -49,7 +51,8 @@ class Composer {
   Vec2 at(const Vec3& p) const { return view_.project(p).at; }
 
   void block(const std::vector<Vec2>& points, double radius, bool firm) {
-    for (std::size_t i = 1; i < points.size(); ++i) obstacles_.push_back({points[i - 1], points[i], radius, firm});
+    for (std::size_t i = 1; i < points.size(); ++i)
+      obstacles_.push_back({points[i - 1], points[i], radius, firm});
   }
 
   std::vector<Vec2> projected(const std::vector<Vec3>& points) const {
@@ -73,7 +76,8 @@ class Composer {
       return std::clamp(Vec2(p.x() - middle.x(), p.z() - middle.z()).norm() / reach, 0.0, 1.0);
     };
     const int count = static_cast<int>(std::ceil(reach / spacing));
-    const double x0 = spacing * std::round(middle.x() / spacing), z0 = spacing * std::round(middle.z() / spacing);
+    const double x0 = spacing * std::round(middle.x() / spacing),
+                 z0 = spacing * std::round(middle.z() / spacing);
     for (int i = -count; i <= count; ++i) {
       for (int k = -count; k < count; ++k) {
         const double a = i * spacing, b0 = k * spacing, b1 = (k + 1) * spacing;
@@ -92,17 +96,22 @@ class Composer {
       const Vec3 below = {b.center.x(), lowest, b.center.z()};
       const double scale = view_.scale_at(below) * b.radius;
       const Colour dark = theme_.name == ThemeName::dark ? hex(0x000000) : theme_.ink(Role::text);
-      ground_.emplace_back(Gradient{at(below), {scale, 0}, {0, scale * std::sin(view_.camera().elevation)}, at(below),
-                                    dark.with_alpha(theme_.name == ThemeName::dark ? 0.55 : 0.16), dark.with_alpha(0)});
+      ground_.emplace_back(Gradient{at(below),
+                                    {scale, 0},
+                                    {0, scale * std::sin(view_.camera().elevation)},
+                                    at(below),
+                                    dark.with_alpha(theme_.name == ThemeName::dark ? 0.55 : 0.16),
+                                    dark.with_alpha(0)});
     }
     for (const Item& item : scene_.items) {
       const Dot* dot = std::get_if<Dot>(&item);
       if (dot == nullptr || dot->role != Role::first || dot->at.y() - lowest < 1e-3 * reach) continue;
       const Vec3 foot = {dot->at.x(), lowest, dot->at.z()};
       const double w = sizes().hairline;
-      ground_.emplace_back(
-          Stroke{polyline({at(dot->at), at(foot)}), theme_.ink(Role::construction), w, {1.2 * w, 3.2 * w}, false});
+      ground_.emplace_back(Stroke{
+          polyline({at(dot->at), at(foot)}), theme_.ink(Role::construction), w, {1.2 * w, 3.2 * w}, false});
       ground_.emplace_back(Fill{circle(at(foot), 2.2 * w), theme_.ink(Role::construction), 0, 0, {}});
+      block({at(dot->at), at(foot)}, w, false);
     }
   }
 
@@ -116,7 +125,8 @@ class Composer {
     } else {
       const double radius = edge.major.norm();
       const Vec2 lit = edge.center + 0.42 * radius * Vec2(-0.35, -0.55);  // towards the light, upper left
-      fills_.emplace_back(Gradient{edge.center, edge.major, edge.minor, lit, ink.with_alpha(0.3 * theme_.fill_alpha),
+      fills_.emplace_back(Gradient{edge.center, edge.major, edge.minor, lit,
+                                   ink.with_alpha(0.3 * theme_.fill_alpha),
                                    ink.with_alpha(1.9 * theme_.fill_alpha)});
     }
 
@@ -164,11 +174,16 @@ class Composer {
 
   double width(Pen pen, Role role) const {
     switch (pen) {
-      case Pen::thick: return sizes().shared;
-      case Pen::highlight: return sizes().highlight;
-      case Pen::construction: return sizes().construction;
-      case Pen::hairline: return sizes().hairline;
-      case Pen::solid: break;
+      case Pen::thick:
+        return sizes().shared;
+      case Pen::highlight:
+        return sizes().highlight;
+      case Pen::construction:
+        return sizes().construction;
+      case Pen::hairline:
+        return sizes().hairline;
+      case Pen::solid:
+        break;
     }
     return role == Role::first ? sizes().ray : sizes().outline;
   }
@@ -183,9 +198,10 @@ class Composer {
     const std::vector<Vec2> ends = {at(from), at(to)};
     const bool dashed = pen == Pen::construction;
     if (pen == Pen::highlight && theme_.name != ThemeName::dark)  // yellow on white needs an edge to be seen
-      lines_.emplace_back(Stroke{polyline(ends), theme_.ink(Role::text), w + 2 * sizes().hairline, {0, 0}, true});
-    lines_.emplace_back(
-        Stroke{polyline(ends), colour, w, dashed ? sizes().construction_dash : std::array<double, 2>{0, 0}, !dashed});
+      lines_.emplace_back(
+          Stroke{polyline(ends), theme_.ink(Role::text), w + 2 * sizes().hairline, {0, 0}, true});
+    lines_.emplace_back(Stroke{polyline(ends), colour, w,
+                               dashed ? sizes().construction_dash : std::array<double, 2>{0, 0}, !dashed});
     block(ends, w / 2, !dashed);
   }
 
@@ -196,7 +212,9 @@ class Composer {
   void add(const Arrow& it) {
     const double length = (at(it.to) - at(it.from)).norm(), keep_off = dot_radius(it.to);
     const bool room = length > 1.2 * sizes().arrow + keep_off;  // an arrow towards the eye shows no head
-    const auto before_end = [&](double pixels) -> Vec3 { return it.to + (pixels / length) * (it.from - it.to); };
+    const auto before_end = [&](double pixels) -> Vec3 {
+      return it.to + (pixels / length) * (it.from - it.to);
+    };
     line(it.from, room ? before_end(keep_off + 0.8 * sizes().arrow) : it.to, it.role, it.pen);
     if (!room) return;
     const Vec2 tip = at(before_end(keep_off));
@@ -217,7 +235,8 @@ class Composer {
     const double side = 1.9 * sizes().disc / view_.scale_at(it.at);
     const Vec3 u = side * (it.a - it.at).normalized(), v = side * (it.b - it.at).normalized();
     const std::vector<Vec2> points = projected({it.at + u, it.at + u + v, it.at + v});
-    lines_.emplace_back(Stroke{polyline(points), theme_.ink(Role::construction), sizes().construction, {0, 0}, true});
+    lines_.emplace_back(
+        Stroke{polyline(points), theme_.ink(Role::construction), sizes().construction, {0, 0}, true});
     block(points, sizes().construction, false);
   }
 

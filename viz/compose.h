@@ -11,7 +11,10 @@
 namespace isect::viz {
 
 /// What the pointer or a test may want to know of a composed scene.
-struct PlacedLabel { std::string text; TextBox box; };
+struct PlacedLabel {
+  std::string text;
+  TextBox box;
+};
 struct Composed {
   std::vector<Shape> shapes;
   std::vector<PlacedLabel> labels;
@@ -22,7 +25,8 @@ Composed compose(const Scene&, const View&, const Theme&, bool handles = false);
 
 /// A camera like `camera` whose target and half_height frame all the scenes in a viewport of this aspect
 /// (width / height), leaving `margin` (a share of the height) free all round.
-Camera frame(const Camera& camera, const std::vector<const Scene*>& scenes, double aspect, double margin = 0.08);
+Camera frame(const Camera& camera, const std::vector<const Scene*>& scenes, double aspect,
+             double margin = 0.08);
 
 /// A camera centred on `walk`, at the one scale at which each of `all` fits: presets side by side compare.
 Camera frame_alike(const Camera& camera, const Walk& walk, const std::vector<Walk>& all, double aspect);
@@ -31,7 +35,7 @@ Camera frame_alike(const Camera& camera, const Walk& walk, const std::vector<Wal
 struct Figure {
   Drawing drawing;
   std::vector<PlacedLabel> labels;
-  View view;   ///< of the picture part
+  View view;  ///< of the picture part
 };
 Figure figure(const Step&, const Camera&, ThemeName, double width, double height);
 /// Width / height of a figure's picture part, for framing. `walk` decides whether there is a t-axis below it.

@@ -17,7 +17,10 @@ struct Candidate {
   bool far;
 };
 
-struct Fit { double cost; bool crossed; };
+struct Fit {
+  double cost;
+  bool crossed;
+};
 
 /// The text's box around the point `middle`.
 TextBox box_around(const Vec2& middle, const Vec2& half) {
@@ -117,8 +120,9 @@ Fit fit(const Candidate& candidate, const Vec2& half, const std::vector<PlacedLa
 
 }  // namespace
 
-std::vector<PlacedLabel> place_labels(const std::vector<Wanted>& labels, const std::vector<Obstacle>& obstacles,
-                                      const Bounds& bounds, const Theme& theme, std::vector<Shape>& out) {
+std::vector<PlacedLabel> place_labels(const std::vector<Wanted>& labels,
+                                      const std::vector<Obstacle>& obstacles, const Bounds& bounds,
+                                      const Theme& theme, std::vector<Shape>& out) {
   const Sizes& sizes = theme.sizes;
   std::vector<PlacedLabel> placed;
   std::vector<Shape> leaders, texts;
@@ -147,7 +151,10 @@ std::vector<PlacedLabel> place_labels(const std::vector<Wanted>& labels, const s
       const Vec2 d = (best->middle - best->anchor).normalized();
       const double room = (best->middle - best->anchor).norm() - support(half, d) - sizes.label_clear / 2;
       leaders.emplace_back(Stroke{polyline({best->anchor + wanted.keep_off * d, best->anchor + room * d}),
-                                  theme.ink(Role::construction), sizes.leader, {0, 0}, true});
+                                  theme.ink(Role::construction),
+                                  sizes.leader,
+                                  {0, 0},
+                                  true});
     }
   }
   out.insert(out.end(), leaders.begin(), leaders.end());

@@ -10,8 +10,8 @@ namespace isect::viz {
 
 /// Something a label should keep off. Crossing a `firm` one (an outline, the ray) costs more than a dashed one.
 struct Obstacle {
-  Vec2 from, to;   ///< equal for a marker's middle
-  double radius;   ///< half the line's width, or the marker's radius
+  Vec2 from, to;  ///< equal for a marker's middle
+  double radius;  ///< half the line's width, or the marker's radius
   bool firm;
 };
 
@@ -23,7 +23,9 @@ struct Wanted {
   Colour colour;
 };
 
-struct Bounds { double left, top, right, bottom; };
+struct Bounds {
+  double left, top, right, bottom;
+};
 
 /// Places the labels in order, tries the compass points near first and then further out, and takes the place that
 /// disturbs least. A label that had to go far gets a leader; one that crosses a line gets a halo.

@@ -21,12 +21,12 @@ using Setting = std::variant<double, Vec3, std::string>;
 
 /// One knob of a lesson. `initial` fixes its type.
 struct Parameter {
-  std::string name;    ///< as in `--set name=value`
-  std::string label;   ///< markup, for the window
-  std::string help;    ///< one plain sentence with the unit
+  std::string name;   ///< as in `--set name=value`
+  std::string label;  ///< markup, for the window
+  std::string help;   ///< one plain sentence with the unit
   Setting initial;
-  double lo = -1e300, hi = 1e300;       ///< allowed range of a number or of each coordinate
-  double drag_lo = -10, drag_hi = 10;   ///< comfortable range for a slider
+  double lo = -1e300, hi = 1e300;         ///< allowed range of a number or of each coordinate
+  double drag_lo = -10, drag_hi = 10;     ///< comfortable range for a slider
   std::vector<std::string> choices = {};  ///< allowed values of a choice
 };
 
@@ -35,19 +35,19 @@ using Parameters = std::map<std::string, Setting>;
 
 /// A named number of this step, with the text shown for it.
 struct Value {
-  std::string name;       ///< markup
+  std::string name;  ///< markup
   double value = 0;
   std::string unit = {};  ///< values of one unit share a bar scale; empty: no bar
   Role role = Role::muted;
-  bool fresh = false;     ///< computed or changed in this step
+  bool fresh = false;  ///< computed or changed in this step
 };
 
 /// An inequality shown as a bar against a tick: `left op right`.
 struct Comparison {
-  std::string text;       ///< markup, e.g. "*m*^2 ≤ *r*^2"
+  std::string text;  ///< markup, e.g. "*m*^2 ≤ *r*^2"
   double left = 0, right = 0;
   bool holds = false;
-  std::string meaning;    ///< "the line meets the ball"
+  std::string meaning;  ///< "the line meets the ball"
 };
 
 /// Operations done so far, counted by running the same algorithm on a counting scalar.
@@ -68,19 +68,19 @@ struct Question {
 struct Verdict {
   enum class Kind { open, yes, no, on };
   Kind kind = Kind::open;
-  std::string text;                  ///< markup
+  std::string text;  ///< markup
 };
 
 struct Step {
-  std::string slug;       ///< for file names: lower case, digits, '-'
-  std::string title;      ///< markup, short
-  std::string caption;    ///< markup, sentences of at most 20 words; '\n' separates paragraphs
-  std::string formula;    ///< markup, at most one line, may be empty
-  std::string source;     ///< page of the note or book, may be empty
-  int line = -1;          ///< current pseudocode line, from 0; -1: none
+  std::string slug;               ///< for file names: lower case, digits, '-'
+  std::string title;              ///< markup, short
+  std::string caption;            ///< markup, sentences of at most 20 words; '\n' separates paragraphs
+  std::string formula;            ///< markup, at most one line, may be empty
+  std::string source;             ///< page of the note or book, may be empty
+  int line = -1;                  ///< current pseudocode line, from 0; -1: none
   std::vector<int> untaken = {};  ///< lines of branches not taken so far
   std::vector<int> refused = {};  ///< `if` lines whose condition was false so far (marked "no")
-  bool decides = false;   ///< a branch is decided here
+  bool decides = false;           ///< a branch is decided here
   std::vector<Value> values = {};
   std::optional<Comparison> comparison = {};
   Counters counters = {};
@@ -101,18 +101,18 @@ struct Walk {
   std::string method;                   ///< title of the variant, may be empty
   std::vector<std::string> pseudocode;  ///< plain text lines
   std::vector<Step> steps;
-  std::string alt;                      ///< what the picture shows, in plain words
+  std::string alt;  ///< what the picture shows, in plain words
 };
 
 struct Lesson {
   std::string id;
   std::string title;
-  std::string rows;      ///< note rows, "N16-N19"
-  std::string summary;   ///< one plain sentence
+  std::string rows;     ///< note rows, "N16-N19"
+  std::string summary;  ///< one plain sentence
   std::vector<Parameter> parameters;
-  std::string group_by;  ///< name of the choice parameter that groups the presets, may be empty
+  std::string group_by;         ///< name of the choice parameter that groups the presets, may be empty
   std::vector<Preset> presets;  ///< the first one is loaded at the start
-  Camera camera;         ///< the opening view; target and scale are set by framing all presets alike
+  Camera camera;                ///< the opening view; target and scale are set by framing all presets alike
   Walk (*walk)(const Parameters&) = nullptr;
 };
 
@@ -121,14 +121,14 @@ struct BadInput : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-const Preset& preset(const Lesson&, const std::string& id);        ///< throws BadInput with the nearest name
+const Preset& preset(const Lesson&, const std::string& id);  ///< throws BadInput with the nearest name
 /// Sets one parameter from text ("1.5", "1,2,3", "haines"). Throws BadInput; `to` is unchanged then.
 void set(const Lesson&, Parameters& to, const std::string& name, const std::string& text);
 /// Throws BadInput unless every parameter is present, of the right type, finite and in range.
 void validate(const Lesson&, const Parameters&);
 /// Moves what the handle holds to `p`, clamped to the parameter's range.
 void drag(const Lesson&, Parameters&, const Handle&, const Vec3& p);
-std::string to_text(const Setting&);                               ///< shortest text that `set` reads back exactly
+std::string to_text(const Setting&);  ///< shortest text that `set` reads back exactly
 /// The candidate closest to `word` by edit distance; empty if there are none.
 std::string nearest(const std::string& word, const std::vector<std::string>& candidates);
 /// The answer to a name nobody knows: names the field, what was given, the nearest spelling and all that is allowed.

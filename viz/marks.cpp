@@ -6,10 +6,13 @@ namespace isect::viz {
 
 double mark_radius(Mark kind, const Sizes& sizes) {
   switch (kind) {
-    case Mark::double_disc: return 1.9 * sizes.disc;
+    case Mark::double_disc:
+      return 1.9 * sizes.disc;
     case Mark::cross:
-    case Mark::diamond: return 1.4 * sizes.disc;
-    default: return sizes.disc + sizes.marker_line / 2;
+    case Mark::diamond:
+      return 1.4 * sizes.disc;
+    default:
+      return sizes.disc + sizes.marker_line / 2;
   }
 }
 
@@ -19,14 +22,19 @@ void mark(std::vector<Shape>& out, Mark kind, const Vec2& p, Role role, const Th
   const auto disc = [&](double radius, const Colour& colour) {
     out.emplace_back(Fill{circle(p, radius), colour, 0, 0, {}});
   };
-  const auto ring = [&](double radius, double width, const Colour& colour, std::array<double, 2> dash = {0, 0}) {
+  const auto ring = [&](double radius, double width, const Colour& colour,
+                        std::array<double, 2> dash = {0, 0}) {
     out.emplace_back(Stroke{circle(p, radius), colour, width, dash, false});
   };
 
   if (kind != Mark::cross && kind != Mark::diamond) disc(mark_radius(kind, s) + s.halo, theme.background);
   switch (kind) {
-    case Mark::disc: disc(s.disc, ink); break;
-    case Mark::ring: ring(s.ring, s.marker_line, ink); break;
+    case Mark::disc:
+      disc(s.disc, ink);
+      break;
+    case Mark::ring:
+      ring(s.ring, s.marker_line, ink);
+      break;
     case Mark::double_disc:
       ring(1.8 * s.disc, 0.8 * s.marker_line, ink);
       disc(0.8 * s.disc, ink);
@@ -35,8 +43,11 @@ void mark(std::vector<Shape>& out, Mark kind, const Vec2& p, Role role, const Th
       const double a = 1.25 * s.disc;
       for (const bool halo : {true, false})
         for (const Vec2& d : {Vec2(a, a), Vec2(a, -a)})
-          out.emplace_back(Stroke{polyline({p - d, p + d}), halo ? theme.background : ink,
-                                  s.marker_line + (halo ? 2 * s.halo : 0), {0, 0}, true});
+          out.emplace_back(Stroke{polyline({p - d, p + d}),
+                                  halo ? theme.background : ink,
+                                  s.marker_line + (halo ? 2 * s.halo : 0),
+                                  {0, 0},
+                                  true});
       break;
     }
     case Mark::diamond: {
@@ -45,7 +56,8 @@ void mark(std::vector<Shape>& out, Mark kind, const Vec2& p, Role role, const Th
       const bool dark = theme.name == ThemeName::dark;
       out.emplace_back(Stroke{path, theme.background, 0.5 * s.marker_line + 2 * s.halo, {0, 0}, true});
       out.emplace_back(Fill{path, theme.ink(Role::highlight), 0, 0, {}});
-      out.emplace_back(Stroke{path, dark ? theme.background : theme.ink(Role::text), 0.5 * s.marker_line, {0, 0}, true});
+      out.emplace_back(
+          Stroke{path, dark ? theme.background : theme.ink(Role::text), 0.5 * s.marker_line, {0, 0}, true});
       break;
     }
     case Mark::excluded: {
@@ -53,7 +65,9 @@ void mark(std::vector<Shape>& out, Mark kind, const Vec2& p, Role role, const Th
       ring(s.ring, 0.65 * s.marker_line, theme.ink(Role::construction), {dash, dash});
       break;
     }
-    case Mark::uncounted: ring(0.85 * s.ring, 0.55 * s.marker_line, theme.ink(Role::construction)); break;
+    case Mark::uncounted:
+      ring(0.85 * s.ring, 0.55 * s.marker_line, theme.ink(Role::construction));
+      break;
   }
 }
 

@@ -21,13 +21,13 @@ enum class Role { first, second, hit, miss, construction, highlight, text, muted
 
 /// The shape of a point's marker.
 enum class Mark {
-  disc,           ///< entry, first hit, a plain point
-  ring,           ///< exit
-  double_disc,    ///< a double root: disc in ring
-  cross,          ///< a miss
-  diamond,        ///< exactly on
-  excluded,       ///< dashed ring: a root outside the ray's range
-  uncounted       ///< small ring: seen, not counted
+  disc,         ///< entry, first hit, a plain point
+  ring,         ///< exit
+  double_disc,  ///< a double root: disc in ring
+  cross,        ///< a miss
+  diamond,      ///< exactly on
+  excluded,     ///< dashed ring: a root outside the ray's range
+  uncounted     ///< small ring: seen, not counted
 };
 
 /// How a line is drawn. The part of a `solid` or `thick` line behind a solid is dashed and thinner by itself.
@@ -39,16 +39,39 @@ enum class Pen {
   hairline       ///< axes and drop lines
 };
 
-struct Dot { Vec3 at; Mark mark = Mark::disc; Role role = Role::text; };
-struct Line { Vec3 from, to; Role role = Role::text; Pen pen = Pen::solid; };
+struct Dot {
+  Vec3 at;
+  Mark mark = Mark::disc;
+  Role role = Role::text;
+};
+struct Line {
+  Vec3 from, to;
+  Role role = Role::text;
+  Pen pen = Pen::solid;
+};
 /// A line with an arrow head at `to`.
-struct Arrow { Vec3 from, to; Role role = Role::text; Pen pen = Pen::solid; };
+struct Arrow {
+  Vec3 from, to;
+  Role role = Role::text;
+  Pen pen = Pen::solid;
+};
 /// A ball with its silhouette and one equator.
-struct Ball { Vec3 center; double radius = 1; Role role = Role::second; };
+struct Ball {
+  Vec3 center;
+  double radius = 1;
+  Role role = Role::second;
+};
 /// The small square at `at` between the directions towards `a` and `b`.
-struct RightAngle { Vec3 at, a, b; };
+struct RightAngle {
+  Vec3 at, a, b;
+};
 /// Text beside `at`. With `until`, it belongs to the segment at..until and is set beside its middle.
-struct Label { Vec3 at; std::string text; Role role = Role::text; std::optional<Vec3> until = {}; };
+struct Label {
+  Vec3 at;
+  std::string text;
+  Role role = Role::text;
+  std::optional<Vec3> until = {};
+};
 
 using Item = std::variant<Ball, Line, Arrow, RightAngle, Dot, Label>;
 
@@ -61,16 +84,21 @@ struct Handle {
   };
   std::string parameter;  ///< the parameter it changes
   Kind kind = Kind::point;
-  Vec3 at;                ///< where it stands
+  Vec3 at;  ///< where it stands
   Vec3 anchor = Vec3::Zero();
   Role role = Role::first;
 };
 
 /// The same marks in one dimension: the ray's own t-axis under its picture. Positions are values of t.
 struct Axis {
-  struct Tick { double t; Mark mark; Role role; std::string label; };
-  double lo = 0, hi = 1;                ///< the ends drawn
-  double range_lo = 0, range_hi = 1;    ///< the ray's closed range; infinite ends are drawn as arrows
+  struct Tick {
+    double t;
+    Mark mark;
+    Role role;
+    std::string label;
+  };
+  double lo = 0, hi = 1;                  ///< the ends drawn
+  double range_lo = 0, range_hi = 1;      ///< the ray's closed range; infinite ends are drawn as arrows
   std::optional<Eigen::Vector2d> shared;  ///< [t_in, t_out] drawn thickest, if any
   std::vector<Tick> ticks;
 };

@@ -25,7 +25,7 @@ struct Sizes {
   std::array<double, 2> hidden_dash, construction_dash;
   double disc, ring, marker_line, halo, arrow;  ///< radii, line width, halo width, arrow length
   double handle, handle_ring;
-  double title, label, axis;    ///< font sizes
+  double title, label, axis;  ///< font sizes
   double label_offset, label_clear, label_halo, leader;
   double margin, gutter;
   double hatch_gap, hatch_line;
@@ -36,8 +36,8 @@ struct Theme {
   Colour ink(Role) const;
   Colour background, panel;
   double fill_alpha, overlap_alpha;
-  bool hatch_second;   ///< grey: the second object carries a 45 degree hatch
-  bool floor_grid;     ///< screen and dark: fading floor grid, drop lines, contact shadow
+  bool hatch_second;  ///< grey: the second object carries a 45 degree hatch
+  bool floor_grid;    ///< screen and dark: fading floor grid, drop lines, contact shadow
   Sizes sizes;
   std::array<Colour, 9> inks;
 };

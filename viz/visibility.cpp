@@ -9,8 +9,8 @@ namespace isect::viz {
 namespace {
 
 /// Samples a curve over s in [0, 1], finds each change between visible and hidden by bisection, and cuts there.
-std::vector<Stretch> split(const std::function<Vec3(double)>& at, const std::function<bool(const Vec3&)>& is_hidden,
-                           int samples) {
+std::vector<Stretch> split(const std::function<Vec3(double)>& at,
+                           const std::function<bool(const Vec3&)>& is_hidden, int samples) {
   std::vector<Stretch> result;
   double s = 0;
   bool now = is_hidden(at(0));
@@ -37,7 +37,8 @@ std::vector<Stretch> split(const std::function<Vec3(double)>& at, const std::fun
 
 bool hidden(const Vec3& p, const View& view, const std::vector<Ball>& balls, int own) {
   const Vec3 direction = view.towards_eye(p);
-  const Ray<double, 3> sight = {p, direction, {0, view.camera().perspective ? (view.eye() - p).norm() : HUGE_VAL}};
+  const Ray<double, 3> sight = {
+      p, direction, {0, view.camera().perspective ? (view.eye() - p).norm() : HUGE_VAL}};
   for (int i = 0; i < static_cast<int>(balls.size()); ++i) {
     if (i == own) continue;
     // A point computed on the surface may lie a rounding inside it: the ball is drawn that much smaller here.
@@ -48,9 +49,11 @@ bool hidden(const Vec3& p, const View& view, const std::vector<Ball>& balls, int
   return false;
 }
 
-std::vector<Stretch> stretches(const Vec3& from, const Vec3& to, const View& view, const std::vector<Ball>& balls) {
+std::vector<Stretch> stretches(const Vec3& from, const Vec3& to, const View& view,
+                               const std::vector<Ball>& balls) {
   const auto at = [&](double s) -> Vec3 { return from + s * (to - from); };
-  std::vector<Stretch> parts = split(at, [&](const Vec3& p) { return hidden(p, view, balls); }, 64);
+  std::vector<Stretch> parts = split(
+      at, [&](const Vec3& p) { return hidden(p, view, balls); }, 64);
   for (Stretch& part : parts) part.points = {part.points.front(), part.points.back()};
   return parts;
 }
@@ -84,7 +87,8 @@ Outline outline(const Ball& ball, const View& view) {
   const double near = focal * std::tan(theta - alpha), far = focal * std::tan(theta + alpha);
   const double e = std::sin(theta) / std::cos(alpha), a = (far - near) / 2;
 
-  const Vec2 axis = view.corner() + Vec2(view.width() / 2, view.height() / 2);  // where the view direction meets it
+  const Vec2 axis =
+      view.corner() + Vec2(view.width() / 2, view.height() / 2);  // where the view direction meets it
   const Vec2 outwards = (middle - axis).norm() > 1e-9 ? Vec2((middle - axis).normalized()) : Vec2(1, 0);
   const Vec2 across = {-outwards.y(), outwards.x()};
   return {axis + (near + far) / 2 * outwards, a * outwards, a * std::sqrt(std::max(0.0, 1 - e * e)) * across};

@@ -64,14 +64,6 @@ Failure failure(Kind kind, const std::string& what, const std::string& baseline)
   return f;
 }
 
-/// Each step of the first group's presets has a picture. The other groups tell the same situations by other
-/// methods, so their traces are kept whole and the last picture is enough.
-bool has_picture(const Excerpt& e, int step) {
-  const viz::Lesson& lesson = *e.lesson;
-  if (lesson.group_by.empty() || step + 1 == static_cast<int>(e.walk.steps.size())) return true;
-  return e.parameters.at(lesson.group_by) == viz::Setting(lesson.presets.front().group);
-}
-
 /// What is not of one step first: a parameter that changed explains the steps.
 std::vector<std::string> in_words(std::vector<viz::Change> changes) {
   std::ranges::stable_partition(changes, [](const viz::Change& c) { return c.step < 0; });
@@ -82,6 +74,12 @@ std::vector<std::string> in_words(std::vector<viz::Change> changes) {
 }
 
 }  // namespace
+
+bool has_picture(const Excerpt& e, int step) {
+  const viz::Lesson& lesson = *e.lesson;
+  if (lesson.group_by.empty() || step + 1 == static_cast<int>(e.walk.steps.size())) return true;
+  return e.parameters.at(lesson.group_by) == viz::Setting(lesson.presets.front().group);
+}
 
 std::string name_of(Kind kind) {
   constexpr std::array names = {"missing", "trace", "picture", "size", "blank", "unreadable", "orphan"};

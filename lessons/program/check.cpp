@@ -35,7 +35,8 @@ int check(const Program& program, Options options) {
   for (const Excerpt& e : chosen) {
     if (report.lessons.empty() || report.lessons.back() != e.lesson->id)
       report.lessons.push_back(e.lesson->id);
-    report.pictures += e.walk.steps.size();
+    for (int step = 0; step < static_cast<int>(e.walk.steps.size()); ++step)
+      report.pictures += has_picture(e, step);
     for (Failure& f : baselines.check(e)) report.failures.push_back(std::move(f));
     progress.done(e.lesson->id + " " + e.folder);
   }

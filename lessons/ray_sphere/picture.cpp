@@ -121,7 +121,8 @@ class Painter {
 
   void half_chord() {
     if (!k_.half_chord || s_.truth.line_roots < 2) return;
-    const Vec3 c = s_.sphere.center, foot = at(s_.foot()), rim = at(t_[1]);
+    const double t = t_[1] == 0 ? t_[0] : t_[1];  // not the origin, where l is drawn
+    const Vec3 c = s_.sphere.center, foot = at(s_.foot()), rim = at(t);
     const bool lit = focus(Focus::half_chord);
     if (lit) add(Line{foot, rim, Role::highlight, Pen::highlight});
     add(Label{foot, "*q*", lit ? Role::highlight : Role::text, rim});

@@ -86,7 +86,7 @@ TEST_CASE("the method's answer in the last step is the exact one", "[ray-sphere 
     INFO(p.id);
     const Walk walk = lesson().walk(p.parameters);
     const RaySphere<double> truth = intersect(ray_of(p.parameters), ball_of(p.parameters));
-    const Verdict::Kind expected = !truth.surface                   ? Verdict::Kind::no
+    const Verdict::Kind expected = !truth.surface                 ? Verdict::Kind::no
                                    : truth.origin == Location::on ? Verdict::Kind::on
                                                                   : Verdict::Kind::yes;
     CHECK(walk.steps.back().verdict.kind == expected);
@@ -96,7 +96,9 @@ TEST_CASE("the method's answer in the last step is the exact one", "[ray-sphere 
 }
 
 TEST_CASE("the counters are those of the run: no root before it is needed", "[ray-sphere lesson]") {
-  const auto last = [](const char* id) { return lesson().walk(preset(lesson(), id).parameters).steps.back().counters; };
+  const auto last = [](const char* id) {
+    return lesson().walk(preset(lesson(), id).parameters).steps.back().counters;
+  };
   CHECK(last("behind").sqrt == 0);
   CHECK(last("behind").early_out);
   CHECK(last("two-roots").sqrt == 1);
@@ -168,7 +170,8 @@ TEST_CASE("no label meets another or leaves the picture, in any theme and size",
           const Figure f = figure(s, camera, name, w, h);
           for (std::size_t i = 0; i < f.labels.size(); ++i) {
             const TextBox& b = f.labels[i].box;
-            INFO(p.id << ", " << s.slug << ", " << name_of(name) << " " << w << "x" << h << ": " << f.labels[i].text);
+            INFO(p.id << ", " << s.slug << ", " << name_of(name) << " " << w << "x" << h << ": "
+                      << f.labels[i].text);
             CHECK((b.left >= 0 && b.top >= 0 && b.right <= w && b.bottom <= h));
             for (std::size_t j = 0; j < i; ++j) {
               INFO("and " << f.labels[j].text);
@@ -193,7 +196,8 @@ TEST_CASE("a lesson bears any numbers a reader may drag or type", "[ray-sphere l
         REQUIRE_FALSE(walk.steps.empty());
         std::vector<const Scene*> scenes;
         for (const Step& s : walk.steps) scenes.push_back(&s.scene);
-        const Figure f = figure(walk.steps.back(), frame(lesson().camera, scenes, 1.6), ThemeName::print, 960, 600);
+        const Figure f =
+            figure(walk.steps.back(), frame(lesson().camera, scenes, 1.6), ThemeName::print, 960, 600);
         CHECK_FALSE(f.drawing.shapes.empty());
       }
     }

@@ -20,7 +20,8 @@ View view_of(bool perspective) {
 /// Whether the core's own ray through this pixel meets the ball.
 bool meets(const View& view, const Vec2& pixel, const Ball& ball) {
   const View::SightLine line = view.sight_line(pixel);
-  return static_cast<bool>(intersect(Ray<double, 3>{line.origin, line.direction}, Sphere<double, 3>{ball.center, ball.radius}));
+  return static_cast<bool>(
+      intersect(Ray<double, 3>{line.origin, line.direction}, Sphere<double, 3>{ball.center, ball.radius}));
 }
 
 bool inside(const Outline& o, const Vec2& p) {
