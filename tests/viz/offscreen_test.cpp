@@ -85,9 +85,15 @@ TEST_CASE("forty contexts made and destroyed leave the memory flat", "[offscreen
   for (const auto& [backend, cycles] : {std::pair{Backend::osmesa, 40}, {Backend::egl, 10}}) {
     const auto cycle = [&, b = backend] { Offscreen(b).render(drawing); };
     for (int i = 0; i < 6; ++i) cycle();
-    const double before = resident_megabytes();
-    for (int i = 0; i < cycles; ++i) cycle();
-    CHECK(resident_megabytes() - before < 12);  // one context's framebuffer alone takes 37
+    // A leak grows in both halves. An allocator that takes another arena once, when it likes, does in one.
+    double grown[2];
+    for (double& half : grown) {
+      const double before = resident_megabytes();
+      for (int i = 0; i < cycles / 2; ++i) cycle();
+      half = resident_megabytes() - before;
+    }
+    INFO("grown by " << grown[0] << " and " << grown[1] << " MB; one context's framebuffer alone takes 37");
+    CHECK(std::min(grown[0], grown[1]) < 6);
   }
 }
 
