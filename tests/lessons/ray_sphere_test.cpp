@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <map>
 #include <set>
 #include <sstream>
@@ -120,8 +121,12 @@ TEST_CASE("the values shown are those of the untraced call", "[ray-sphere lesson
   const Parameters& p = preset(lesson(), "two-roots-quadratic").parameters;
   const auto t = ray_sphere::quadratic(ray_of(p), ball_of(p));
   REQUIRE(t);
-  for (const Value& v : lesson().walk(p).steps.back().values)
-    if (v.name == "*t*_1") CHECK(v.value == *t);
+  const Walk walk = lesson().walk(p);
+  const std::vector<Value>& values = walk.steps.back().values;
+  const auto t1 =
+      std::find_if(values.begin(), values.end(), [](const Value& v) { return v.name == "*t*_1"; });
+  REQUIRE(t1 != values.end());
+  CHECK(t1->value == *t);
 }
 
 TEST_CASE("sentences are short, steps have names of their own and a source", "[ray-sphere lesson]") {
