@@ -93,7 +93,8 @@ TEST_CASE("forty contexts made and destroyed leave the memory flat", "[offscreen
       half = resident_megabytes() - before;
     }
     INFO("grown by " << grown[0] << " and " << grown[1] << " MB; one context's framebuffer alone takes 37");
-    CHECK(std::min(grown[0], grown[1]) < 6);
+    CHECK(std::min(grown[0], grown[1]) < 1);  // measured: 0.12 at most, with one-off steps of 12.6
+    CHECK(std::max(grown[0], grown[1]) < 37);
   }
 }
 
