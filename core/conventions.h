@@ -3,13 +3,14 @@
 //
 // Sets        All shapes are closed: a common point, even a single one, is an intersection.
 // Exactness   Every verdict is the true one for the real numbers that the floating-point arguments denote.
-// There is
-//             no hidden epsilon; a tolerance is a named argument.
-// Rays        r(t) = o + t d with t in a closed range, in units of |d|. A zero direction makes the ray a
-// point. Empty       An interval with lo > hi or a sphere with r < 0 has no point: it is disjoint from
-// everything. NaN, inf    A shape with a coordinate that is NaN or infinite meets nothing. Only a range of t
-// may be infinite. Signs       -0 equals +0. Frame       Right-handed, y up, radians, counter-clockwise seen
-// from outside.
+//             There is no hidden epsilon; a tolerance is a named argument.
+// Rays        r(t) = o + t d with t in a closed range, in units of |d|. A zero direction makes the ray a point.
+// Empty       An interval with lo > hi, a box with one of those, or a sphere with r < 0 has no point: it is
+//             disjoint from everything.
+// NaN, inf    A shape with a coordinate that is NaN or infinite meets nothing, even where its numbers are only
+//             compared. Only the range of a ray and an interval by itself may be infinite.
+// Signs       -0 equals +0.
+// Frame       Right-handed, y up, radians, counter-clockwise seen from outside.
 
 #include <cfloat>
 
@@ -29,6 +30,12 @@ enum class Relation {
   touching,    ///< common points, but no common interior point
   overlapping  ///< common interior points, and neither contains the other
 };
+
+/// The relation of B to A, from that of A to B.
+constexpr Relation reversed(Relation r) {
+  if (r == Relation::a_inside_b) return Relation::b_inside_a;
+  return r == Relation::b_inside_a ? Relation::a_inside_b : r;
+}
 
 /// Where a point lies with respect to a set: in its interior, on its boundary, or outside.
 enum class Location { in, on, out };

@@ -34,6 +34,8 @@ class Exact {
   friend Exact operator-(const Exact& x) { return {-x.mantissa_, x.exponent_}; }
   friend Exact operator-(const Exact& x, const Exact& y) { return x + (-y); }
 
+  friend Exact abs(const Exact& x) { return x.sign() < 0 ? -x : x; }
+
   int sign() const { return mantissa_.sign(); }
   /// The nearest double, infinite when there is none.
   double rounded() const { return quotient(*this, Exact(1.0)); }

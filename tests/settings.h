@@ -17,4 +17,7 @@ inline bool long_run() {
   return text && std::string(text) == "1";
 }
 
+/// How many random cases to draw: few in an ordinary run, many in a long one.
+inline int cases(int few, int many) { return long_run() ? many : few; }
+
 }  // namespace isect::tests

@@ -1,0 +1,148 @@
+// The bound of core/bounded.h and the signs of core/predicate.h against rational arithmetic.
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+
+#include "bench/random.h"
+#include "bench/rational.h"
+#include "core/orient.h"
+#include "tests/catch.h"
+#include "tests/settings.h"
+
+using namespace isect;
+using oracle::Rational;
+
+namespace {
+
+/// A number computed three ways at once.
+template <class T>
+struct Tracked {
+  Bounded<T> bounded;
+  Exact exact;
+  Rational truth;
+};
+
+template <class T>
+Tracked<T> leaf(bench::Random& random, double lo, double hi) {
+  // halves of the numbers are short: sums of them cancel exactly
+  const double x = random.one_in(2) ? random.integer(-4, 4) : random.magnitude(lo, hi);
+  const double y = random.one_in(2) ? x * (1 + random.integer(-2, 2) * 0x1p-52) : random.magnitude(lo, hi);
+  if (random.one_in(2)) return {Bounded<T>::difference(x, y), Exact(x) - Exact(y), Rational(x) - Rational(y)};
+  return {Bounded<T>(x), Exact(x), Rational(x)};
+}
+
+template <class T>
+Tracked<T> expression(bench::Random& random, int depth, double lo, double hi) {
+  if (depth == 0) return leaf<T>(random, lo, hi);
+  const Tracked<T> a = expression<T>(random, depth - 1, lo, hi);
+  const Tracked<T> b = random.one_in(8) ? a : expression<T>(random, random.below(depth), lo, hi);
+  switch (random.below(5)) {
+    case 0: return {a.bounded + b.bounded, a.exact + b.exact, a.truth + b.truth};
+    case 1: return {a.bounded - b.bounded, a.exact - b.exact, a.truth - b.truth};
+    case 2: return {-a.bounded, -a.exact, -a.truth};
+    case 3: return {abs(a.bounded), abs(a.exact), abs(a.truth)};
+    default: return {a.bounded * b.bounded, a.exact * b.exact, a.truth * b.truth};
+  }
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("the error of a random expression stays within its bound", "[bounded]", double, long double) {
+  bench::Random random(tests::seed());
+  const auto [lo, hi] = GENERATE(std::tuple{-2., 2.}, std::tuple{-300., 300.}, std::tuple{-308., -150.});
+  int certain = 0, zero = 0;
+  const int count = 3000;
+  for (int i = 0; i < count; ++i) {
+    const Tracked<TestType> x = expression<TestType>(random, 1 + random.below(4), lo, hi);
+    INFO("seed " << tests::seed() << ", expression " << i);
+    REQUIRE(x.exact.sign() == sign(x.truth));
+
+    const auto s = x.bounded.sign();
+    if (s) REQUIRE(*s == sign(x.truth));
+    certain += s.has_value();
+    zero += s == 0;
+    const double error = static_cast<double>(x.bounded.error()), value = static_cast<double>(x.bounded.value());
+    if (std::is_same_v<TestType, double> && std::isfinite(error) && std::isfinite(value))
+      REQUIRE(abs(Rational(value) - x.truth) <= Rational(error) + Rational(5e-324));
+  }
+  CHECK(certain > count / 3);  // the test means something: most signs are certain, some are not
+  CHECK(certain < count);
+  CHECK(zero > 0);
+}
+
+TEST_CASE("nothing is certain of infinities and NaN", "[bounded]") {
+  const double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK_FALSE(Bounded<double>(nan).sign());
+  CHECK_FALSE(Bounded<double>(inf).sign());
+  CHECK_FALSE((Bounded<double>(1e200) * Bounded<double>(1e200)).sign());
+  CHECK_FALSE((Bounded<double>(inf) * Bounded<double>(0)).sign());
+  CHECK_FALSE(Bounded<double>::difference(inf, 1).sign());
+}
+
+TEST_CASE("differences of doubles have certain signs, equal ones too", "[bounded]") {
+  CHECK(Bounded<double>::difference(.3, .1 + .2).sign() == -1);
+  CHECK(Bounded<double>::difference(5e-324, 0).sign() == 1);
+  CHECK(Bounded<double>::difference(.7, .7).sign() == 0);
+}
+
+TEST_CASE("a sign within its bound falls back, and says so", "[predicate]") {
+  // the cross terms cancel to 2^-104, which no double product shows
+  const auto text = []<class W>() -> W { return W(1 + 0x1p-52) * W(1 - 0x1p-52) - W(1); };
+  Record<std::variant<Fallback>> record;
+  CHECK(sign_of(text, record) == -1);
+  CHECK(record.events.size() == 1);
+  CHECK(sign_of([]<class W>() -> W { return W(2) * W(3) - W(5); }, record) == 1);
+  CHECK(record.events.size() == 1);
+}
+
+TEMPLATE_TEST_CASE("a quotient lies within 2 ulp of the truth", "[predicate]", float, double) {
+  bench::Random random(tests::seed());
+  const double top = std::is_same_v<TestType, float> ? 18 : 150;
+  int fallbacks = 0;
+  for (int i = 0; i < 20000; ++i) {
+    INFO("seed " << tests::seed() << ", quotient " << i);
+    const auto number = [&] { return static_cast<double>(static_cast<TestType>(random.magnitude(-top, top))); };
+    const double a = number(), b = number(), c = random.one_in(3) ? number() : 0;
+    double d = random.one_in(2) ? number() : (a - c) / a * b;  // the numerator cancels
+    d = static_cast<double>(static_cast<TestType>(d));
+    if (!std::isfinite(d) || d == 0) continue;
+    const auto text = [&]<class W>() -> Ratio<W> { return {difference<W>(a, c) * W(b) - W(a) * W(d), W(d)}; };
+    Record<std::variant<Fallback>> record;
+    const TestType t = value_of<TestType>(text, record);
+    fallbacks += static_cast<int>(record.events.size());
+    const Rational truth = ((Rational(a) - Rational(c)) * Rational(b) - Rational(a) * Rational(d)) / Rational(d);
+    REQUIRE(oracle::ulps(t, truth) <= 2);
+  }
+  CHECK(fallbacks > 0);
+}
+
+TEST_CASE("orientations on Kettner's grids are those of rational arithmetic", "[orient]") {
+  const auto truth = [](const auto& a, const auto& b, const auto& c) {
+    const auto p = oracle::rational(a), q = oracle::rational(b), r = oracle::rational(c);
+    return sign((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]));
+  };
+  using Point2 = Point<double, 2>;
+  const auto [corner, b, c] =
+      GENERATE(table<Point2, Point2, Point2>({{{.5, .5}, {12, 12}, {24, 24}},
+                                              {{.50000000000002531, .5000000000000171},
+                                               {17.300000000000001, 17.300000000000001},
+                                               {24.00000000000005, 24.0000000000000517765}},
+                                              {{.5, .5}, {8.8000000000000007, 8.8000000000000007}, {12.1, 12.1}}}));
+  int signs[3] = {};
+  for (int i = 0; i < 128; ++i)
+    for (int j = 0; j < 128; ++j) {
+      const Point2 a = {corner[0] + i * 0x1p-53, corner[1] + j * 0x1p-53};
+      const int s = orient2d(a, b, c);
+      REQUIRE(s == truth(a, b, c));
+      ++signs[s + 1];
+    }
+  CHECK(std::min(signs[0], signs[2]) > 0);
+}
+
+TEST_CASE("orient3d is +1 below a counter-clockwise triangle", "[orient]") {
+  const Point<double, 3> a = {0, 0, 0}, b = {1, 0, 0}, c = {0, 1, 0};
+  CHECK(orient3d(a, b, c, {0.2, 0.2, -1e-300}) == 1);
+  CHECK(orient3d(a, b, c, {0.2, 0.2, 5e-324}) == -1);
+  CHECK(orient3d(a, b, c, {7, -3, 0}) == 0);
+}
