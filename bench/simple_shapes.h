@@ -1,0 +1,36 @@
+#pragma once
+// Random intervals, boxes and balls from any family of numbers: flat and empty ones now and then, or made to meet.
+
+#include <algorithm>
+
+#include "bench/random_shapes.h"
+#include "core/shapes.h"
+
+namespace isect::bench {
+
+/// Inverted, so empty, once in a while.
+template <class S>
+Interval<S> interval(Random& random, Numbers numbers) {
+  const S x = number<S>(random, numbers), y = number<S>(random, numbers);
+  return random.one_in(30) ? Interval<S>{x, y} : Interval<S>{std::min(x, y), std::max(x, y)};
+}
+
+template <class S, int N>
+Aabb<S, N> box(Random& random, Numbers numbers) {
+  Aabb<S, N> b;
+  for (int i = 0; i < N; ++i) {
+    const Interval<S> side = interval<S>(random, numbers);
+    b.lo[i] = side.lo, b.hi[i] = side.hi;
+  }
+  return b;
+}
+
+/// Of radius 0, or empty, once in a while.
+template <class S, int N>
+Sphere<S, N> ball(Random& random, Numbers numbers) {
+  const Point<S, N> center = vector<S, N>(random, numbers);
+  const S radius = numbers == Numbers::distant ? static_cast<S>(random.integer(0, 8)) : number<S>(random, numbers);
+  return {center, random.one_in(20) ? S(0) : random.one_in(20) ? radius : std::abs(radius)};
+}
+
+}  // namespace isect::bench
