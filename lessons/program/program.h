@@ -16,7 +16,7 @@ namespace isect::program {
 
 enum Exit {
   done = 0,
-  check_failed = 1,  ///< outranks baseline_missing
+  check_failed = 1,  ///< or a case of `query` was an error; outranks baseline_missing
   bad_input = 2,     ///< usage, or a bad name or value
   baseline_missing = 3,
   file_trouble = 4,     ///< a file can't be read or written
@@ -35,6 +35,7 @@ void add_show(CLI::App&, Program&);
 void add_explain(CLI::App&, Program&);
 void add_render(CLI::App&, Program&);
 void add_check(CLI::App&, Program&);
+void add_query(CLI::App&, Program&);
 void add_doctor(CLI::App&, Program&);
 
 /// `arguments` without the program's name. The exit status.

@@ -1,57 +1,21 @@
-// Cases from public test suites, with the truth from rational arithmetic elsewhere. They judge the core, and
-// the oracle of the other tests too. The folder lies next to the repository, or where ISECT_PEER_CASES says.
+// Rays and spheres of public test suites judge the core, and the oracle of the other tests too.
 
-#include <algorithm>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
-#include <string>
-#include <vector>
+#include "tests/peer_cases.h"
 
 #include "bench/oracle.h"
 #include "core/ray_sphere.h"
 #include "tests/catch.h"
 
 using namespace isect;
+using isect::tests::peer_cases;
 using Json = nlohmann::json;
 
 namespace {
 
-std::filesystem::path folder() {
-  const char* given = std::getenv("ISECT_PEER_CASES");
-  return given ? given : ISECT_PEER_CASES_DEFAULT;
-}
-
-/// Every case of that kind, with the name of its file and its number in it.
-std::vector<std::pair<std::string, Json>> cases(const std::string& kind) {
-  std::vector<std::filesystem::path> files;
-  if (std::filesystem::is_directory(folder()))
-    for (const auto& entry : std::filesystem::directory_iterator(folder()))
-      if (entry.path().extension() == ".json") files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-
-  std::vector<std::pair<std::string, Json>> found;
-  for (const std::filesystem::path& file : files) {
-    const Json content = Json::parse(std::ifstream(file));
-    if (content.at("kind") != kind) continue;
-    for (const Json& c : content.at("cases"))
-      found.emplace_back(file.filename().string() + " #" + std::to_string(found.size()), c);
-  }
-  return found;
-}
-
-double number(const Json& json) {
-  if (!json.is_string()) return json.get<double>();
-  const std::string text = json;
-  if (text == "nan") return std::numeric_limits<double>::quiet_NaN();
-  return text == "-inf" ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
-}
-
 /// Two-dimensional cases lie in the plane z = 0.
 Vector<double, 3> vector(const Json& json) {
   Vector<double, 3> v = Vector<double, 3>::Zero();
-  for (std::size_t i = 0; i < json.size(); ++i) v[static_cast<int>(i)] = number(json[i]);
+  for (std::size_t i = 0; i < json.size(); ++i) v[static_cast<int>(i)] = tests::peer_number(json[i]);
   return v;
 }
 
@@ -87,9 +51,9 @@ Answer truth(const Ray<double, 3>& ray, const Sphere<double, 3>& sphere) {
 template <class Solve>
 void check(const Json& c, const Solve& solve, double allowed_ulps) {
   Ray<double, 3> ray = {vector(c.at("origin")), vector(c.at("dir"))};
-  ray.range = {c.contains("tmin") ? number(c["tmin"]) : 0,
-               c.contains("tmax") ? number(c["tmax"]) : std::numeric_limits<double>::infinity()};
-  const Sphere<double, 3> sphere = {vector(c.at("center")), number(c.at("radius"))};
+  ray.range = {c.contains("tmin") ? tests::peer_number(c["tmin"]) : 0,
+               c.contains("tmax") ? tests::peer_number(c["tmax"]) : std::numeric_limits<double>::infinity()};
+  const Sphere<double, 3> sphere = {vector(c.at("center")), tests::peer_number(c.at("radius"))};
   const Json& expected = c.at("expected");
   const Answer answer = solve(ray, sphere);
   if (expected.contains("policy")) {
@@ -100,7 +64,7 @@ void check(const Json& c, const Solve& solve, double allowed_ulps) {
   const auto value = [&](const char* key, const std::optional<double>& x) {
     if (!expected.contains(key)) return;
     CHECK(x.has_value() == !expected[key].is_null());
-    if (x && !expected[key].is_null()) CHECK(ulps(*x, number(expected[key])) <= allowed_ulps);
+    if (x && !expected[key].is_null()) CHECK(ulps(*x, tests::peer_number(expected[key])) <= allowed_ulps);
   };
   CHECK(answer.line_roots == expected.at("line_roots"));
   CHECK(answer.enter.has_value() == expected.at("ray_hit"));
@@ -120,20 +84,19 @@ void check(const Json& c, const Solve& solve, double allowed_ulps) {
 }  // namespace
 
 TEST_CASE("rays and spheres of public test suites get the true answers", "[ray_sphere][peer]") {
-  const auto found = cases("ray_sphere");
-  if (found.empty()) {
-    WARN("skipped: no peer cases in " << folder() << "; set ISECT_PEER_CASES to their folder");
-    return;
-  }
-  for (const auto& [name, c] : found) {
-    INFO(name << ": " << c);
-    check(c, core, 4);
+  const auto found = peer_cases("ray_sphere");
+  if (found.empty()) WARN(tests::no_peer_cases());
+  for (const auto& c : found) {
+    INFO(c.name << ": " << c.content);
+    check(c.content, core, 4);
   }
 }
 
 TEST_CASE("the oracle agrees with public test suites to the last bit", "[oracle][peer]") {
-  for (const auto& [name, c] : cases("ray_sphere")) {
-    INFO(name << ": " << c);
-    check(c, truth, 0);
+  const auto found = peer_cases("ray_sphere");
+  if (found.empty()) WARN(tests::no_peer_cases());
+  for (const auto& c : found) {
+    INFO(c.name << ": " << c.content);
+    check(c.content, truth, 0);
   }
 }

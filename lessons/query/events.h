@@ -1,0 +1,134 @@
+#pragma once
+// Events of the core as JSON: {"event": "Decision", "a": 1, ...}. A new event needs one line at the end of this file, or
+// of the handler file that alone knows it: its name and its members' in order.
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "core/trace.h"
+#include "lessons/query/reply.h"
+
+namespace isect::query {
+
+/// A text as a template argument.
+template <std::size_t Size>
+struct Text {
+  char text[Size];
+  constexpr Text(const char (&given)[Size]) { std::copy_n(given, Size, text); }
+};
+
+/// The name of a type, and those of its members, separated by spaces.
+template <Text Name, Text Members = "">
+struct Says {
+  static constexpr std::string_view name = Name.text, members = Members.text;
+  static constexpr int count =
+      members.empty() ? 0 : 1 + static_cast<int>(std::count(members.begin(), members.end(), ' '));
+};
+
+/// Specialised for every event and every aggregate inside one.
+template <class E>
+struct Told;
+
+template <class E>
+Json event(const E&);
+
+namespace detail {
+
+inline Json value(bool x) { return x; }
+inline Json value(Location x) { return name(x); }
+inline Json value(Relation x) { return name(x); }
+template <class S>
+requires(std::is_arithmetic_v<S> || std::is_enum_v<S>) Json value(S x) {
+  if constexpr (std::is_floating_point_v<S>)
+    return number(x);
+  else
+    return static_cast<int>(x);
+}
+template <class S, int N>
+Json value(const Vector<S, N>& v) {
+  return numbers<S, N>(v);
+}
+template <class S>
+Json value(const Interval<S>& x) {
+  return {number(x.lo), number(x.hi)};
+}
+template <class X, std::size_t N>
+Json value(const std::array<X, N>& list) {
+  Json all = Json::array();
+  for (const X& x : list) all.push_back(value(x));
+  return all;
+}
+template <class X>
+Json value(const std::optional<X>& x) {
+  return x ? value(*x) : Json(nullptr);
+}
+template <class E>
+requires requires { Told<E>::name; }
+Json value(const E& inner) {
+  Json object = event(inner);
+  object.erase("event");
+  return object;
+}
+
+/// The members by position; a wrong count of names does not compile.
+template <class E>
+std::vector<Json> members(const E& e) {
+  constexpr int count = Told<E>::count;
+  static_assert(count <= 6);
+  if constexpr (count == 0) {
+    static_assert(std::is_empty_v<E>);
+    return {};
+  } else if constexpr (count == 1) {
+    const auto& [a] = e;
+    return {value(a)};
+  } else if constexpr (count == 2) {
+    const auto& [a, b] = e;
+    return {value(a), value(b)};
+  } else if constexpr (count == 3) {
+    const auto& [a, b, c] = e;
+    return {value(a), value(b), value(c)};
+  } else if constexpr (count == 4) {
+    const auto& [a, b, c, d] = e;
+    return {value(a), value(b), value(c), value(d)};
+  } else if constexpr (count == 5) {
+    const auto& [a, b, c, d, f] = e;
+    return {value(a), value(b), value(c), value(d), value(f)};
+  } else {
+    const auto& [a, b, c, d, f, g] = e;
+    return {value(a), value(b), value(c), value(d), value(f), value(g)};
+  }
+}
+
+}  // namespace detail
+
+template <class E>
+Json event(const E& e) {
+  Json object = {{"event", Told<E>::name}};
+  std::string_view names = Told<E>::members;
+  for (Json& value : detail::members(e)) {
+    const std::size_t end = std::min(names.find(' '), names.size());
+    object[std::string(names.substr(0, end))] = std::move(value);
+    names.remove_prefix(std::min(end + 1, names.size()));
+  }
+  return object;
+}
+
+/// Runs call(trace), and keeps the events if they are wanted. `Event` is the test's own variant.
+template <class Event, class Call>
+auto run(Job& job, const Call& call) {
+  if (!job.traced) return call(NoTrace());
+  Record<Event> record;
+  auto answer = call(record);
+  for (const Event& e : record.events)
+    job.trace.push_back(std::visit([](const auto& one) { return event(one); }, e));
+  return answer;
+}
+
+template <>
+struct Told<Fallback> : Says<"Fallback"> {};
+
+}  // namespace isect::query

@@ -1,0 +1,212 @@
+// `isect query` as a pipe: answers in order, a clear error for every bad line, and never a crash.
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <vector>
+
+#include "bench/random.h"
+#include "tests/catch.h"
+#include "tests/program/shell.h"
+#include "tests/settings.h"
+
+using Catch::Matchers::Contains;
+using isect::test::Ran;
+using isect::test::Shell;
+using Json = nlohmann::json;
+
+namespace {
+
+const std::string orient = R"({"kind": "orient2d", "a": [0, 0], "b": [1, 0], "c": [0, 1]})";
+
+struct Replies {
+  int status;
+  std::string err;
+  std::vector<Json> lines;
+};
+
+Replies ask(const std::string& text) {
+  const Shell shell;
+  isect::test::write(shell.work() / "cases", text);
+  const Ran ran = shell("isect query <cases");
+  Replies replies = {ran.status, ran.err, {}};
+  std::istringstream out(ran.out);
+  for (std::string line; std::getline(out, line);) replies.lines.push_back(Json::parse(line));
+  return replies;
+}
+
+/// The error of a case that must have one.
+std::string error(const std::string& line) {
+  const Replies r = ask(line + "\n");
+  REQUIRE(r.lines.size() == 1);
+  CHECK(r.status == 1);
+  INFO(r.lines[0].dump());
+  REQUIRE(r.lines[0].contains("error"));
+  CHECK_FALSE(r.lines[0].contains("result"));
+  return r.lines[0]["error"];
+}
+
+}  // namespace
+
+TEST_CASE("cases are answered in order, whatever their id", "[query]") {
+  const Replies r =
+      ask(R"({"id": "first", "kind": "orient2d", "a": [0, 0], "b": [1, 0], "c": [0, 1]})"
+          "\n"
+          R"({"id": {"n": [1, null]}, "kind": "orient2d", "a": [0, 0], "b": [1, 0], "c": [0, -1]})"
+          "\r\n" +
+          orient);  // neither an id nor an end of line
+  CHECK(r.status == 0);
+  CHECK(r.err.empty());
+  REQUIRE(r.lines.size() == 3);
+  CHECK(r.lines[0] == Json::parse(R"({"id": "first", "result": {"sign": 1}})"));
+  CHECK(r.lines[1] == Json::parse(R"({"id": {"n": [1, null]}, "result": {"sign": -1}})"));
+  CHECK(r.lines[2] == Json::parse(R"({"id": null, "result": {"sign": 1}})"));
+}
+
+TEST_CASE("no case, no answer", "[query]") {
+  const Replies r = ask("");
+  CHECK(r.status == 0);
+  CHECK(r.lines.empty());
+}
+
+TEST_CASE("a bad line is an error by itself, and the next line goes on", "[query]") {
+  const Replies r =
+      ask(std::string("rubbish\n").append(orient).append("\n{\"id\": 3}\n\n").append(orient).append("\n"));
+  CHECK(r.status == 1);
+  REQUIRE(r.lines.size() == 5);
+  CHECK(r.lines[0]["id"].is_null());
+  CHECK(r.lines[0].contains("error"));
+  CHECK(r.lines[1]["result"]["sign"] == 1);
+  CHECK(r.lines[2]["id"] == 3);
+  CHECK(r.lines[2]["error"] == "field \"kind\" is missing");
+  CHECK(r.lines[3].contains("error"));  // an empty line is no JSON
+  CHECK(r.lines[4]["result"]["sign"] == 1);
+}
+
+TEST_CASE("an error names the field, what is allowed and what was found", "[query]") {
+  CHECK(error("{\"kind\": \"orient2d\", \"a\": [0, 0") == "no JSON: the line ends too early");
+  CHECK_THAT(error("{\"kind\": orient2d}"), Contains("no JSON: character 10"));
+  CHECK_THAT(error("[1, 2]"), Contains("an object is expected, not a list of 2"));
+  CHECK_THAT(error("7"), Contains("an object is expected, not the number 7"));
+  CHECK_THAT(error(R"({"kind": "orient4d"})"),
+             Contains("\"kind\"") && Contains("orient4d") && Contains("ray_sphere"));
+  CHECK_THAT(error(R"({"kind": 1})"), Contains("field \"kind\": a text is expected, not the number 1"));
+  CHECK(error(R"({"kind": "orient2d", "a": [0, 0], "b": [1, 0]})") == "field \"c\" is missing");
+  CHECK_THAT(error(R"({"kind": "orient2d", "a": [0, 0], "b": [1, 0], "c": [0, 1, 2]})"),
+             Contains("field \"c\": a list of 2 is expected, not a list of 3"));
+  CHECK_THAT(error(R"({"kind": "orient2d", "a": [0, 0], "b": [1, 0], "c": [0, "1"]})"),
+             Contains("field \"c[1]\": a finite number is expected, not the text \"1\""));
+  CHECK_THAT(error(R"({"kind": "orient2d", "a": [0, 0], "b": [1, 0], "c": [0, "nan"]})"),
+             Contains("field \"c[1]\""));
+  CHECK_THAT(error(R"({"kind": "orient2d", "a": [0, 0], "b": [1, 0], "c": [0, 1e999]})"),
+             Contains("too large"));
+  CHECK_THAT(error(R"({"kind": "orient2d", "a": [0, 0], "b": [1, 0], "c": [0, 1e99], "scalar": "f32"})"),
+             Contains("field \"c[1]\": a number within f32"));
+  CHECK_THAT(error(R"({"kind": "orient2d", "scalar": "f16"})"), Contains("allowed: f64 or f32"));
+  CHECK_THAT(error(R"({"kind": "ray_sphere", "variant": "newton"})"),
+             Contains("field \"variant\": \"newton\"") && Contains("half_b or haines"));
+  CHECK_THAT(error(R"({"kind": "orient2d", "trace": 1})"), Contains("field \"trace\": true or false"));
+  CHECK_THAT(error(R"({"kind": "ray_sphere", "origin": [0], "dir": [1], "center": [2], "radius": 1})"),
+             Contains("field \"origin\": a list of 2 or 3 numbers is expected, not a list of 1"));
+  CHECK_THAT(
+      error(R"({"kind": "ray_sphere", "origin": [0, 0], "dir": [1, 0], "center": [2, 0, 0], "radius": 1})"),
+      Contains("field \"center\": a list of 2 is expected"));
+}
+
+TEST_CASE("long lines are answered, rubbish refused, whatever the size", "[query]") {
+  std::string ring = R"({"kind": "orient2d", "a": [0, 0], "b": [1, 0], "c": [0, 1], "extra": [)";
+  while (ring.size() < 1'000'000) ring += "[0.12345678901234567, -7e-3], ";
+  CHECK(ask(ring + "0]}").lines.at(0)["result"]["sign"] == 1);
+
+  CHECK(error(std::string(1'000'000, '[')) == "no JSON: the line ends too early");
+  CHECK_THAT(error(Json(std::string(1'000'000, 'x')).dump()), Contains("a text of 1000000 bytes"));
+  CHECK_THAT(error(Json{{"kind", std::string(1'000'000, 'x')}}.dump()), Contains("a text of 1000000 bytes"));
+  CHECK_THAT(error(R"({"id": "\ud800", "kind": "orient2d"})"), Contains("no JSON"));
+}
+
+TEST_CASE("binary rubbish and damaged cases give errors, never a crash", "[query]") {
+  isect::bench::Random random(isect::tests::seed());
+  INFO("seed " << isect::tests::seed());
+  std::string text;
+  int count = 0;
+  for (int i = 0; i < 300; ++i) {
+    std::string line = i % 3 == 0 ? std::string() : orient;
+    for (int k = 1 + random.below(i % 3 == 0 ? 200 : 3); k > 0; --k) {
+      const char byte = static_cast<char>(random.below(256));
+      if (i % 3 == 0 || random.one_in(3))
+        line.insert(line.begin() + random.below(static_cast<int>(line.size()) + 1), byte);
+      else if (random.one_in(2))
+        line[static_cast<std::size_t>(random.below(static_cast<int>(line.size())))] = byte;
+      else
+        line.resize(static_cast<std::size_t>(random.below(static_cast<int>(line.size()) + 1)));
+      if (line.empty()) line.push_back('!');
+    }
+    std::erase(line, '\n');
+    text += line + "\n";
+    ++count;
+  }
+  const Replies r = ask(text);
+  CHECK(r.status == 1);
+  CHECK(r.lines.size() == static_cast<std::size_t>(count));
+}
+
+TEST_CASE("an answer comes as soon as its case, before the input ends", "[query]") {
+  const Shell shell;
+  isect::test::write(shell.work() / "case", orient + "\n");
+  // the second case is written only after the first answer has been read
+  const Ran r = shell(
+      "mkfifo in out; isect query <in >out & exec 3>in 4<out; cat case >&3; read -r first <&4; cat case >&3; "
+      "read -r second <&4; exec 3>&-; wait $!; echo \"$? $first $second\"");
+  CHECK(r.out == "0 {\"id\":null,\"result\":{\"sign\":1}} {\"id\":null,\"result\":{\"sign\":1}}\n");
+}
+
+TEST_CASE("memory does not grow with the number of cases", "[query]") {
+  const Shell shell;
+  isect::test::write(shell.work() / "case", orient + "\n");
+  const Ran r = shell(R"sh(
+    mkfifo in; isect query <in >out & exec 3>in
+    resident() {
+      until [ "$(wc -l <out)" = "$1" ]; do sleep 0.01; done
+      awk '/^VmRSS/ { print $2 }' /proc/$!/status
+    }
+    yes "$(cat case)" | head -n 1000 >&3; resident 1000
+    yes "$(cat case)" | head -n 99000 >&3; resident 100000
+    exec 3>&-; wait $!)sh");
+  std::istringstream kilobytes(r.out);
+  int early = 0, late = 0;
+  kilobytes >> early >> late;
+  CHECK(early > 1000);
+  CHECK(late < early + 500);  // 99,000 cases more: 5 bytes for each would show
+}
+
+TEST_CASE("a trace is told on request, and the note's naive methods are variants", "[query]") {
+  const Replies r = ask(
+      R"({"kind": "ray_sphere", "origin": [0, 0, -5], "dir": [0, 0, 1], "center": [1, 0, 0], "radius": 1, "trace": true})"
+      "\n"
+      R"({"kind": "ray_sphere", "origin": [0, 0, 0], "dir": [0, 0, 1], "center": [1.5, 0, 5000], "radius": 1, "scalar": "f32"})"
+      "\n"
+      R"({"kind": "ray_sphere", "origin": [0, 0, 0], "dir": [0, 0, 1], "center": [1.5, 0, 5000], "radius": 1, "scalar": "f32", "variant": "quadratic"})"
+      "\n");
+  CHECK(r.status == 0);
+  REQUIRE(r.lines.size() == 3);
+  CHECK(r.lines[0]["trace"][0]["event"] == "Fallback");  // tangent: doubles can't tell
+  CHECK(r.lines[0]["trace"][1]["discriminant"] == 0);
+  CHECK_FALSE(r.lines[1].contains("trace"));
+  CHECK(r.lines[1]["result"]["ray_hit"] == false);  // the true answer
+  CHECK(r.lines[2]["result"]["ray_hit"] == true);   // what float makes of it
+}
+
+TEST_CASE("query's files and usage", "[query]") {
+  const Shell shell;
+  const Ran missing = shell("isect query nothing.jsonl");
+  CHECK(missing.status == 4);
+  CHECK_THAT(missing.err, Contains("nothing.jsonl") && Contains("No such file"));
+  CHECK(shell("isect query a b").status == 2);
+  CHECK(shell("isect query --fast").status == 2);
+  isect::test::write(shell.work() / "cases", orient + "\n");
+  CHECK(shell("isect query cases").out == "{\"id\":null,\"result\":{\"sign\":1}}\n");
+  CHECK(shell("isect query - <cases").out == "{\"id\":null,\"result\":{\"sign\":1}}\n");
+  CHECK(shell("isect query . ").status == 4);
+  CHECK(shell("isect query cases >/dev/full").status == 4);
+  CHECK_THAT(shell("isect query --help").out,
+             Contains("ray_sphere") && Contains("haines") && Contains("Example"));
+}
