@@ -1,11 +1,9 @@
 #include "core/interval_interval.h"
 
-#include <array>
-
-#include "bench/random_shapes.h"
 #include "bench/simple_shapes.h"
 #include "core/counted.h"
 #include "tests/catch.h"
+#include "tests/core/by_points.h"
 #include "tests/settings.h"
 
 using namespace isect;
@@ -111,29 +109,6 @@ TEST_CASE("the events tell the comparisons and the common part", "[interval_inte
   CHECK(std::get<interval_interval::Common<double>>(record.events.back()).common == Interval<double>{1, 2});
 }
 
-namespace {
-
-/// The definition, over the numbers that matter: all ends, one between each pair of them, one beyond. As the ends are
-/// all that differs, they may be numbered.
-Relation by_points(const std::array<int, 4>& rank) {
-  bool common = false, inside = false, a_alone = false, b_alone = false;
-  for (int twice = -1; twice <= 9; ++twice) {  // odd numbers stand for what lies between two ends
-    const bool in_a = 2 * rank[0] <= twice && twice <= 2 * rank[1],
-               in_b = 2 * rank[2] <= twice && twice <= 2 * rank[3];
-    common |= in_a && in_b;
-    inside |= in_a && in_b && twice % 2 != 0;
-    a_alone |= in_a && !in_b;
-    b_alone |= in_b && !in_a;
-  }
-  if (!common) return Relation::disjoint;
-  if (!a_alone && !b_alone) return Relation::equal;
-  if (!a_alone) return Relation::a_inside_b;
-  if (!b_alone) return Relation::b_inside_a;
-  return inside ? Relation::overlapping : Relation::touching;
-}
-
-}  // namespace
-
 TEMPLATE_TEST_CASE("relations are those of the sets of points", "[interval_interval]", float, double) {
   using S = TestType;
   bench::Random random(tests::seed());
@@ -146,15 +121,9 @@ TEMPLATE_TEST_CASE("relations are those of the sets of points", "[interval_inter
       if (random.one_in(10)) (random.one_in(2) ? a.lo : b.lo) = -std::numeric_limits<S>::infinity();
       if (random.one_in(10)) (random.one_in(2) ? a.hi : b.hi) = std::numeric_limits<S>::infinity();
 
-      const std::array<S, 4> ends = {a.lo, a.hi, b.lo, b.hi};
-      std::array<int, 4> rank = {};
-      for (int j = 0; j < 4; ++j)
-        for (int k = 0; k < 4; ++k) {
-          bool first = true;  // of those that equal it
-          for (int l = 0; l < k; ++l) first &= ends[l] != ends[k];
-          rank[j] += first && ends[k] < ends[j];
-        }
-      const Relation truth = by_points(rank), r = relate(a, b);
+      const Relation r = relate(a, b);
+      const Relation truth =
+          tests::by_points<S, 1>({Point<S, 1>(a.lo), Point<S, 1>(a.hi)}, {Point<S, 1>(b.lo), Point<S, 1>(b.hi)});
       if (r != truth) FAIL("wrong");  // REQUIRE would take most of the time
       if (relate(b, a) != reversed(r) || intersects(a, b) != (r != Relation::disjoint)) FAIL("not consistent");
       ++seen[static_cast<int>(r)];
