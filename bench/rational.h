@@ -55,6 +55,13 @@ inline std::array<Rational, 3> cross(const std::array<Rational, 3>& x, const std
 
 inline int sign(const Rational& x) { return x.sign(); }
 
+/// Whether a range, whose ends may be infinite, holds t.
+template <class S>
+bool holds(const Interval<S>& range, const Rational& t) {
+  if (!(range.lo <= range.hi) || range.lo == infinite<S>.hi || range.hi == infinite<S>.lo) return false;
+  return (std::isinf(range.lo) || Rational(range.lo) <= t) && (std::isinf(range.hi) || t <= Rational(range.hi));
+}
+
 /// How far x lies from the true value, in units in the last place of S at the truth; the subnormal unit at least. An
 /// infinite x is right where the truth is beyond the largest S.
 template <class S>
