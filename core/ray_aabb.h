@@ -45,21 +45,24 @@ struct Slabs {
 template <int N>
 Estimate estimate(const Ray<double, N>& ray, const Aabb<double, N>& box) {
   double in = ray.range.lo, out = ray.range.hi, reach = 0;
+  bool ordered = true;
   for (int i = 0; i < N; ++i) {
     const double d = ray.direction[i], to_lo = box.lo[i] - ray.origin[i], to_hi = box.hi[i] - ray.origin[i];
     reach += std::abs(to_lo) + std::abs(to_hi);
+    ordered &= box.lo[i] <= box.hi[i];
     if (d == 0) {
       if (to_lo > 0 || to_hi < 0) return {in, out, -1};
       continue;
     }
     if (!(0x1p-1000 <= std::abs(d) && std::abs(d) <= 0x1p1000)) return {in, out, 0};
     const double inverse = 1 / d;
-    in = std::max(in, (d > 0 ? to_lo : to_hi) * inverse);
-    out = std::min(out, (d > 0 ? to_hi : to_lo) * inverse);
+    const double t1 = to_lo * inverse, t2 = to_hi * inverse;
+    in = std::max(in, std::min(t1, t2));
+    out = std::min(out, std::max(t1, t2));
   }
   const double gap = out - in;
   const double slack = 8 * unit<double> * (std::abs(in) + std::abs(out)) + 0x1p-1000;
-  if (!(reach <= std::numeric_limits<double>::max())) return {in, out, 0};
+  if (!ordered || !(reach <= std::numeric_limits<double>::max())) return {in, out, 0};
   return {in, out, (gap > slack) - (-gap > slack)};
 }
 
@@ -104,16 +107,18 @@ template <class S, int N>
 struct Prepared {
   Point<S, N> origin;
   Vector<S, N> inverse;
+  std::array<bool, N> backwards;  ///< d_i < 0, or -0
   Interval<S> range;
 };
 
 template <class S, int N>
 Prepared<S, N> prepare(const Ray<S, N>& ray) {
   using Limits = std::numeric_limits<S>;
-  Prepared<S, N> result = {ray.origin, ray.direction, ray.range};
+  Prepared<S, N> result = {ray.origin, ray.direction, {}, ray.range};
   for (int i = 0; i < N; ++i) {
     const S size = std::abs(ray.direction[i]);
     const bool accurate = size == 0 || (Limits::min() <= size && size <= 1 / Limits::min());
+    result.backwards[i] = std::signbit(ray.direction[i]);
     result.inverse[i] = accurate ? 1 / ray.direction[i] : Limits::quiet_NaN();
   }
   if (!finite(ray)) result.range = {Limits::infinity(), -Limits::infinity()};
@@ -143,9 +148,9 @@ bool may_intersect(const ray_aabb::Prepared<S, N>& ray, const Aabb<S, N>& box) {
   if (empty(box)) return false;
   S in = ray.range.lo, out = ray.range.hi;
   for (int i = 0; i < N; ++i) {
-    const bool backwards = ray.inverse[i] < 0;
-    const S entry = ((backwards ? box.hi[i] : box.lo[i]) - ray.origin[i]) * ray.inverse[i];
-    const S exit = ((backwards ? box.lo[i] : box.hi[i]) - ray.origin[i]) * ray.inverse[i];
+    const S t[2] = {(box.lo[i] - ray.origin[i]) * ray.inverse[i], (box.hi[i] - ray.origin[i]) * ray.inverse[i]};
+    const S entry = t[ray.backwards[i]],
+            exit = t[!ray.backwards[i]];  // an index, where a condition would be a branch
     in = entry > in ? entry : in;
     out = exit < out ? exit : out;
   }
