@@ -4,10 +4,13 @@
 // The balls |x - a| <= r and |x - b| <= s have a common point iff |a - b|^2 <= (r + s)^2, and the larger contains the
 // smaller iff |a - b|^2 <= (r - s)^2: no square root. Source: the note, N14, where touching counts as disjoint.
 
+#include <algorithm>
+#include <functional>
 #include <variant>
 
 #include "core/predicate.h"
 #include "core/shapes.h"
+#include "core/squares.h"
 #include "core/trace.h"
 
 namespace isect {
@@ -34,16 +37,24 @@ W gap(const Sphere<double, N>& a, const Sphere<double, N>& b, const Radii& radii
   return dot(f, f) - reach * reach;
 }
 
-template <int N, class Trace>
-int outer(const Sphere<double, N>& a, const Sphere<double, N>& b, Trace&& trace) {
-  return sign_of([&]<class W>() -> W { return gap<W>(a, b, [](const W& r, const W& s) -> W { return r + s; }); },
-                 trace);
+/// The sign of |a - b|^2 - (r + s)^2; 1 for NaN and infinite coordinates, near which nothing lies. Not inlined: the
+/// machine code of the seldom way stays out of the usual one's.
+template <class S, int N, class Trace>
+[[gnu::noinline]] int settled_outer(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trace) {
+  if (!finite(a) || !finite(b)) return 1;
+  return sign_of([&]<class W>() -> W { return gap<W, N>(cast<double>(a), cast<double>(b), std::plus<W>()); }, trace);
 }
-template <int N, class Trace>
-int inner(const Sphere<double, N>& a, const Sphere<double, N>& b, Trace&& trace) {
-  return sign_of([&]<class W>() -> W { return gap<W>(a, b, [](const W& r, const W& s) -> W { return r - s; }); },
-                 trace);
+/// The sign of |a - b|^2 - (r - s)^2, for finite balls.
+template <class S, int N, class Trace>
+[[gnu::noinline]] int settled_inner(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trace) {
+  return sign_of([&]<class W>() -> W { return gap<W, N>(cast<double>(a), cast<double>(b), std::minus<W>()); }, trace);
 }
+
+template <class S, int N>
+double distance2(const Sphere<S, N>& a, const Sphere<S, N>& b) {
+  return (a.center.template cast<double>() - b.center.template cast<double>()).squaredNorm();
+}
+inline double squared(double x) { return x * x; }
 
 /// Whether the spheres come nearer than touching, as the note prints it. Naive: rounding may decide.
 template <class S, int N, class Trace = NoTrace>
@@ -61,19 +72,25 @@ bool squared_distance(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trac
 /// Whether the balls have a common point. Exact; an empty ball, NaN or an infinite coordinate: no.
 template <class S, int N, class Trace = NoTrace>
 bool intersects(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trace = {}) {
-  if (empty(a) || empty(b) || !finite(a) || !finite(b)) return false;
-  return sphere_sphere::outer(cast<double>(a), cast<double>(b), trace) <= 0;
+  using namespace sphere_sphere;
+  const double d2 = distance2(a, b), sum2 = squared(double(a.radius) + double(b.radius));
+  if (!ordered(d2, sum2)) [[unlikely]]
+    return !empty(a) && !empty(b) && settled_outer(a, b, trace) <= 0;
+  return (d2 < sum2) & (std::min(a.radius, b.radius) >= 0);  // without a branch on the answer
 }
 
 /// How the balls lie. Exact. A ball of radius 0 is a point: it lies inside a ball whose surface it is on.
 template <class S, int N, class Trace = NoTrace>
 Relation relate(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trace = {}) {
-  if (empty(a) || empty(b) || !finite(a) || !finite(b)) return Relation::disjoint;
-  const Sphere<double, N> wide_a = cast<double>(a), wide_b = cast<double>(b);
+  using namespace sphere_sphere;
+  if (empty(a) || empty(b)) return Relation::disjoint;
 
-  const int outer = sphere_sphere::outer(wide_a, wide_b, trace);
-  const int inner = outer > 0 ? 1 : sphere_sphere::inner(wide_a, wide_b, trace);
-  trace(sphere_sphere::Decision{outer, inner});
+  const double d2 = distance2(a, b);
+  const double sum2 = squared(double(a.radius) + double(b.radius)),
+               rest2 = squared(double(a.radius) - double(b.radius));
+  const int outer = order_of_squares(d2, sum2, [&] { return settled_outer(a, b, trace); });
+  const int inner = outer > 0 ? 1 : order_of_squares(d2, rest2, [&] { return settled_inner(a, b, trace); });
+  trace(Decision{outer, inner});
 
   if (outer > 0) return Relation::disjoint;
   if (inner <= 0 && a.radius == b.radius) return Relation::equal;

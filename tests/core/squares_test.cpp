@@ -1,0 +1,52 @@
+#include "core/squares.h"
+
+#include <limits>
+
+#include "bench/random.h"
+#include "bench/rational.h"
+#include "tests/catch.h"
+#include "tests/settings.h"
+
+using namespace isect;
+using namespace isect::oracle;
+
+TEST_CASE("squared lengths that are trusted are in their true order, at every scale", "[squares]") {
+  bench::Random random(tests::seed());
+  int trusted = 0, less = 0, in_doubt = 0;
+  for (int i = 0; i < tests::cases(30000, 1000000); ++i) {
+    INFO("seed " << tests::seed() << ", case " << i);
+    // where squares are ordinary, vanish bit by bit, or overflow
+    const int scales[] = {0, random.integer(-545, -480), random.integer(500, 515)};
+    const double scale = std::ldexp(1.0, scales[random.below(3)]);
+    const Vector<double, 3> p = scale * random.in_box<3>(1), q = scale * random.in_box<3>(1);
+    const double distance = (p - q).stableNorm();
+    const double share = random.unit(), nudge = 1 + random.integer(-20, 20) * 0x1p-53 * (random.one_in(3) ? 1e6 : 1);
+    const double r = distance * share * nudge, s = distance * (1 - share) * nudge;
+    const double x = (p - q).squaredNorm(), y = (r + s) * (r + s);
+
+    const Coordinates<3> f = rational(p) - rational(q);
+    const Rational sum = Rational(r) + Rational(s);
+    const int truth = sign(dot(f, f) - sum * sum);
+    if (ordered(x, y) && (x < y ? -1 : 1) != truth) FAIL("wrong");
+    if (order_of_squares(x, y, [&] { return truth; }) != truth) FAIL("wrong");
+    if (ordered(x, y) != ordered(y, x)) FAIL("not symmetric");
+    trusted += ordered(x, y), in_doubt += !ordered(x, y), less += ordered(x, y) && x < y;
+  }
+  CHECK(less > 1000);
+  CHECK(trusted - less > 1000);
+  CHECK(in_doubt > 1000);
+}
+
+TEST_CASE("the order of NaN, infinities and what vanishes is never trusted", "[squares]") {
+  const double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double x : {inf, nan})
+    for (const double y : {0.0, 1.0, inf, nan}) {
+      CHECK_FALSE(ordered(x, y));
+      CHECK_FALSE(ordered(y, x));
+    }
+  CHECK_FALSE(ordered(0, 0));
+  CHECK_FALSE(ordered(0, 0x1p-1001));
+  CHECK_FALSE(ordered(1, 1 + 0x1p-51));
+  CHECK(ordered(1, 1 + 0x1p-47));
+  CHECK(ordered(0, 1e-300));
+}
