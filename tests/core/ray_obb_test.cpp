@@ -1,0 +1,316 @@
+#include "core/ray_obb.h"
+
+#include <cmath>
+#include <limits>
+
+#include "bench/random_obb.h"
+#include "bench/random_rays.h"
+#include "bench/rational.h"
+#include "core/counted.h"
+#include "core/ray_aabb.h"
+#include "tests/catch.h"
+#include "tests/settings.h"
+
+using namespace isect;
+using bench::Numbers;
+using bench::Random;
+using oracle::Rational;
+
+namespace {
+
+constexpr double inf = std::numeric_limits<double>::infinity(),
+                 not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+/// (x, y), or (x, y, 0).
+template <class S, int N>
+Vector<S, N> at(double x, double y = 0) {
+  Vector<S, N> v = Vector<S, N>::Zero();
+  v[0] = static_cast<S>(x), v[1] = static_cast<S>(y);
+  return v;
+}
+template <class S>
+std::optional<Interval<S>> between(double lo, double hi) {
+  return Interval<S>{static_cast<S>(lo), static_cast<S>(hi)};
+}
+
+/// The unit box about the origin, with axes times `length`.
+template <class S, int N>
+Obb<S, N> cube(double half = 1, double length = 1) {
+  const Eigen::Matrix<S, N, N> axes = Eigen::Matrix<S, N, N>::Identity() * static_cast<S>(length);
+  return {at<S, N>(0), axes, Vector<S, N>::Constant(static_cast<S>(half / length))};
+}
+/// The box { |x + y| <= 2, |x - y| <= 2, |z| <= 2 }: axes (1, 1) and (-1, 1) at 45 degrees, not of unit length.
+template <class S, int N>
+Obb<S, N> diamond() {
+  Obb<S, N> box = cube<S, N>();
+  box.axes(0, 0) = box.axes(1, 0) = box.axes(1, 1) = S(1), box.axes(0, 1) = S(-1);
+  if (N == 3) box.half[N - 1] = S(2);
+  return box;
+}
+
+template <class S, int N>
+struct Case {
+  Ray<S, N> ray;
+  Obb<S, N> box;
+};
+
+/// Any box, and a ray from anywhere or aimed: at a corner, an edge, a face or the center, ending there at times.
+template <class S, int N>
+Case<S, N> draw(Random& random, Numbers numbers) {
+  Case<S, N> c = {bench::ray<S, N>(random, numbers), bench::obb<S, N>(random, numbers)};
+  if (random.one_in(40)) c.box.half[0] = -c.box.half[0];
+  if (random.one_in(3)) return c;
+  Vector<S, N> across;
+  for (int i = 0; i < N; ++i) across[i] = c.box.half[i] * static_cast<S>(random.integer(-1, 1));
+  const Point<S, N> target = c.box.center + c.box.axes * across;
+  const Vector<S, N> d = target - c.ray.origin;
+  if (!finite(d)) return c;
+  c.ray.direction = d;
+  if (random.one_in(4)) c.ray.direction = c.box.axes.col(random.below(N)), c.ray.origin = target;
+  if (random.one_in(4)) c.ray.range.hi = S(1), c.ray.range.lo = std::min(c.ray.range.lo, S(1));
+  return c;
+}
+
+/// The coefficients s of v = sum s_i u_i, by Cramer's rule; nothing for dependent axes.
+template <class S, int N>
+std::optional<oracle::Coordinates<N>> coordinates(const Eigen::Matrix<S, N, N>& axes,
+                                                  const oracle::Coordinates<N>& v) {
+  std::array<oracle::Coordinates<N>, N> u;
+  for (int i = 0; i < N; ++i) u[i] = oracle::rational<S, N>(axes.col(i));
+  const auto determinant = [](const std::array<oracle::Coordinates<N>, N>& m) -> Rational {
+    if constexpr (N == 2)
+      return m[0][0] * m[1][1] - m[0][1] * m[1][0];
+    else
+      return oracle::dot(m[0], oracle::cross(m[1], m[2]));
+  };
+  const Rational whole = determinant(u);
+  if (whole == 0) return {};
+  oracle::Coordinates<N> s;
+  for (int i = 0; i < N; ++i) {
+    std::array<oracle::Coordinates<N>, N> replaced = u;
+    replaced[i] = v;
+    s[i] = determinant(replaced) / whole;
+  }
+  return s;
+}
+
+/// The feasible t among all candidates for an end, tried one by one in the box's own coordinates.
+template <class S, int N>
+std::optional<std::pair<Rational, Rational>> truth(const Case<S, N>& c) {
+  using oracle::operator-;
+  if (empty(c.ray.range) || empty(c.box)) return {};
+  const auto o =
+      coordinates<S, N>(c.box.axes, oracle::rational<S, N>(c.ray.origin) - oracle::rational<S, N>(c.box.center));
+  const auto d = coordinates<S, N>(c.box.axes, oracle::rational<S, N>(c.ray.direction));
+  if (!o || !d) return {};
+  const auto half = oracle::rational<S, N>(c.box.half);
+
+  std::vector<Rational> candidates;
+  for (int i = 0; i < N; ++i)
+    if ((*d)[i] != 0)
+      for (const int side : {-1, 1}) candidates.push_back((side * half[i] - (*o)[i]) / (*d)[i]);
+  const bool is_point = candidates.empty();
+  if (is_point) candidates.push_back(0);
+  for (const S end : {c.ray.range.lo, c.ray.range.hi})
+    if (!std::isinf(end)) candidates.push_back(Rational(end));
+
+  std::optional<std::pair<Rational, Rational>> result;
+  for (const Rational& t : candidates) {
+    bool inside = is_point || oracle::holds(c.ray.range, t);
+    for (int i = 0; inside && i < N; ++i) inside = abs(Rational((*o)[i] + t * (*d)[i])) <= half[i];
+    if (!inside) continue;
+    if (!result) result = {t, t};
+    result = {std::min(result->first, t), std::max(result->second, t)};
+  }
+  return result;
+}
+
+}  // namespace
+
+#define FLOATS_AND_DIMENSIONS ((class S, int N), S, N), (float, 2), (double, 2), (float, 3), (double, 3)
+
+TEMPLATE_TEST_CASE_SIG("a ray enters and leaves an aligned box", "[ray_obb]", FLOATS_AND_DIMENSIONS) {
+  for (const double length : {1., 0.25, 8.}) {
+    CHECK(intersect<S, N>({at<S, N>(-3), at<S, N>(1)}, cube<S, N>(1, length)) == between<S>(2, 4));
+    CHECK_FALSE(intersects<S, N>({at<S, N>(3), at<S, N>(1)}, cube<S, N>(1, length)));
+    CHECK(intersect<S, N>({at<S, N>(0), at<S, N>(1)}, cube<S, N>(1, length)) == between<S>(0, 1));
+    CHECK(intersect(line_through<S, N>(at<S, N>(3), at<S, N>(4)), cube<S, N>(1, length)) == between<S>(-4, -2));
+  }
+}
+
+TEMPLATE_TEST_CASE_SIG("a ray touches a turned box at its corner and misses beyond it", "[ray_obb]",
+                       FLOATS_AND_DIMENSIONS) {
+  CHECK(intersect<S, N>({at<S, N>(-3), at<S, N>(1)}, diamond<S, N>()) == between<S>(1, 5));
+  CHECK(intersect<S, N>({at<S, N>(-3, 2), at<S, N>(1)}, diamond<S, N>()) == between<S>(3, 3));
+  const S above = std::nextafter(S(2), S(3));
+  CHECK_FALSE(intersect<S, N>({at<S, N>(-3, static_cast<double>(above)), at<S, N>(1)}, diamond<S, N>()));
+  // along a face
+  CHECK(intersect<S, N>({at<S, N>(2), at<S, N>(-1, 1)}, diamond<S, N>()) == between<S>(0, 2));
+  CHECK_FALSE(intersect<S, N>({at<S, N>(static_cast<double>(above)), at<S, N>(-1, 1)}, diamond<S, N>()));
+}
+
+TEMPLATE_TEST_CASE_SIG("skew axes are taken literally", "[ray_obb]", FLOATS_AND_DIMENSIONS) {
+  Obb<S, N> box = cube<S, N>();
+  box.axes(0, 1) = S(1);  // the second axis is (1, 1): a parallelogram with corners (2, 1), (0, 1), (-2, -1), (0, -1)
+  CHECK(intersect<S, N>({at<S, N>(-5, 1), at<S, N>(1)}, box) == between<S>(5, 7));
+  CHECK(intersect<S, N>({at<S, N>(-5, -1), at<S, N>(1)}, box) == between<S>(3, 5));
+  CHECK(intersect<S, N>({at<S, N>(-2, 1), at<S, N>(0, -1)}, box) == between<S>(2, 2));
+}
+
+TEMPLATE_TEST_CASE_SIG("mirrored axes make the same box, dependent ones none", "[ray_obb]", FLOATS_AND_DIMENSIONS) {
+  const Ray<S, N> ray = {at<S, N>(-3), at<S, N>(1)};
+  Obb<S, N> box = cube<S, N>();
+  box.axes.col(1) *= S(-1);
+  CHECK(intersect(ray, box) == between<S>(2, 4));
+  box.axes.col(1) = box.axes.col(0);
+  CHECK_FALSE(intersect(ray, box));
+  box.axes.col(1) *= S(0);
+  CHECK_FALSE(intersect(ray, box));
+}
+
+TEMPLATE_TEST_CASE_SIG("points and flat boxes have answers", "[ray_obb]", FLOATS_AND_DIMENSIONS) {
+  CHECK(intersect<S, N>({at<S, N>(2), at<S, N>(0, -0.)}, diamond<S, N>()) == semi_infinite<S>);
+  CHECK_FALSE(intersect<S, N>({at<S, N>(2, 1), at<S, N>(0)}, diamond<S, N>()));
+  Obb<S, N> flat = diamond<S, N>();
+  flat.half[0] = S(0);  // x + y = 0
+  CHECK(intersect<S, N>({at<S, N>(-3), at<S, N>(1)}, flat) == between<S>(3, 3));
+  CHECK(intersect<S, N>({at<S, N>(-3, 1), at<S, N>(1)}, flat) == between<S>(2, 2));
+  CHECK_FALSE(intersect<S, N>({at<S, N>(-3, 1.5), at<S, N>(1)}, flat));
+}
+
+TEMPLATE_TEST_CASE_SIG("an empty box or range, infinities and NaN meet nothing", "[ray_obb]", FLOATS_AND_DIMENSIONS) {
+  const Ray<S, N> ray = {at<S, N>(-3), at<S, N>(1)};
+  CHECK_FALSE(intersect(ray, cube<S, N>(-1)));
+  CHECK_FALSE(intersect<S, N>({ray.origin, ray.direction, {S(9), S(1)}}, cube<S, N>()));
+  for (const double bad : {not_a_number, inf, -inf}) {
+    CHECK_FALSE(intersect<S, N>({at<S, N>(0, bad), at<S, N>(1)}, cube<S, N>()));
+    CHECK_FALSE(intersect<S, N>({at<S, N>(0), at<S, N>(1, bad)}, cube<S, N>()));
+    CHECK_FALSE(intersect(ray, cube<S, N>(bad)));
+    CHECK_FALSE(intersect(ray, cube<S, N>(1, bad)));
+    Obb<S, N> box = cube<S, N>();
+    box.center[1] = static_cast<S>(bad);
+    CHECK_FALSE(intersect(ray, box));
+  }
+  CHECK_FALSE(intersect<S, N>({at<S, N>(0), at<S, N>(1), {static_cast<S>(not_a_number), S(1)}}, cube<S, N>()));
+}
+
+TEST_CASE("oriented boxes of any size are met where they are", "[ray_obb]") {
+  for (const double size : {1e-300, 1e-150, 1., 1e150, 1e300}) {
+    Obb<double, 3> box = diamond<double, 3>();
+    box.half *= size;
+    CHECK(intersect<double, 3>({{-3 * size, 2 * size, 0}, {size, 0, 0}}, box));
+    CHECK_FALSE(intersect<double, 3>({{-3 * size, 2 * size * (1 + 1e-15), 0}, {size, 0, 0}}, box));
+    box = diamond<double, 3>();
+    box.axes *= size;
+    CHECK(intersect<double, 3>({{-3 * size, 2 * size, 0}, {1e-300, 0, 0}}, box));
+  }
+}
+
+TEST_CASE("projections agree on ordinary rays", "[ray_obb]") {
+  Random random(tests::seed());
+  int hits = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Ray<double, 3> ray = {random.in_box<3>(2), random.in_box<3>(1)};
+    const Obb<double, 3> box = {random.in_box<3>(1), bench::rotation<double, 3>(random, 3), {1, .5, .7}};
+    INFO("seed " << tests::seed() << ", case " << i);
+    const auto naive = ray_obb::projections(ray, box), exact = intersect(ray, box);
+    REQUIRE(naive.has_value() == exact.has_value());
+    if (!exact) continue;
+    ++hits;
+    REQUIRE(naive->lo == Approx(exact->lo));
+    REQUIRE(naive->hi == Approx(exact->hi));
+  }
+  CHECK(hits > 200);
+  using C = Counted<double>;
+  tally() = {};
+  const Obb<C, 2> box = {{C(0), C(0)}, Eigen::Matrix<C, 2, 2>{{C(1), C(0)}, {C(0), C(1)}}, {C(1), C(9)}};
+  CHECK(ray_obb::projections<C, 2>({{C(-3), C(0)}, {C(1), C(1)}, {C(0), C(9)}}, box));
+  CHECK(tally().div == 4);
+}
+
+TEMPLATE_TEST_CASE_SIG("every answer is that of rational arithmetic", "[ray_obb][random]", FLOATS_AND_DIMENSIONS) {
+  int hits = 0, misses = 0, touches = 0;
+  double worst = 0;
+  const int count = tests::cases(300, 125000);
+  for (const Numbers numbers : bench::all_numbers) {
+    Random random(tests::seed() + static_cast<int>(numbers));
+    for (int i = 0; i < count; ++i) {
+      const Case<S, N> c = draw<S, N>(random, numbers);
+      INFO("seed " << tests::seed() << ", numbers " << static_cast<int>(numbers) << ", case " << i);
+      const std::optional<Interval<S>> t = intersect(c.ray, c.box);
+      const auto expected = truth(c);
+      REQUIRE(t.has_value() == expected.has_value());
+      hits += t.has_value(), misses += !t;
+      if (!t) continue;
+      REQUIRE((c.ray.range.lo <= t->lo && t->lo <= t->hi && t->hi <= c.ray.range.hi));
+      if (c.ray.direction == Vector<S, N>::Zero()) {
+        REQUIRE(*t == c.ray.range);
+        continue;
+      }
+      touches += expected->first == expected->second;
+      worst = std::max({worst, oracle::ulps(t->lo, expected->first), oracle::ulps(t->hi, expected->second)});
+    }
+  }
+  CHECK(worst <= 2);
+  for (const int often : {hits, misses, touches}) CHECK(often > count / 4);
+}
+
+TEMPLATE_TEST_CASE_SIG("the identity's box is the aligned box", "[ray_obb][property]", FLOATS_AND_DIMENSIONS) {
+  int hits = 0;
+  for (const Numbers numbers : bench::all_numbers) {
+    Random random(tests::seed() + static_cast<int>(numbers));
+    for (int i = 0; i < 200; ++i) {
+      Case<S, N> c = draw<S, N>(random, numbers);
+      INFO("seed " << tests::seed() << ", numbers " << static_cast<int>(numbers) << ", case " << i);
+      c.box.axes = Eigen::Matrix<S, N, N>::Identity();
+      const Aabb<S, N> box = {c.box.center - c.box.half, c.box.center + c.box.half};
+      const bool exact = Point<S, N>(c.box.center - box.lo) == c.box.half &&
+                         Point<S, N>(box.hi - c.box.center) == c.box.half &&
+                         Point<S, N>(box.lo + c.box.half) == c.box.center && numbers == Numbers::grid;
+      if (!exact) continue;
+      REQUIRE(intersects(c.ray, c.box) == intersects(c.ray, box));
+      hits += intersects(c.ray, box);
+    }
+  }
+  CHECK(hits > 20);
+}
+
+TEMPLATE_TEST_CASE_SIG("listening, mirroring, swapping axes, scaling and moving change no answer",
+                       "[ray_obb][property]", FLOATS_AND_DIMENSIONS) {
+  for (const Numbers numbers : bench::all_numbers) {
+    Random random(tests::seed() + 100 + static_cast<int>(numbers));
+    for (int i = 0; i < 100; ++i) {
+      const Case<S, N> c = draw<S, N>(random, numbers);
+      INFO("seed " << tests::seed() << ", numbers " << static_cast<int>(numbers) << ", case " << i);
+      const std::optional<Interval<S>> t = intersect(c.ray, c.box);
+
+      Record<ray_obb::Event> record;
+      REQUIRE(intersect(c.ray, c.box, record) == t);
+
+      const Ray<S, N> mirrored = {c.ray.origin, -c.ray.direction, {-c.ray.range.hi, -c.ray.range.lo}};
+      REQUIRE(intersects(mirrored, c.box) == t.has_value());
+
+      Case<S, N> turned = c;  // the frame
+      for (Vector<S, N>* v : {&turned.ray.origin, &turned.ray.direction, &turned.box.center}) v->reverseInPlace();
+      turned.box.axes = c.box.axes.colwise().reverse();
+      REQUIRE(intersects(turned.ray, turned.box) == t.has_value());
+
+      Case<S, N> renamed = c;  // the axes
+      renamed.box.axes.col(0).swap(renamed.box.axes.col(1));
+      renamed.box.axes.col(0) *= S(-1);
+      std::swap(renamed.box.half[0], renamed.box.half[1]);
+      REQUIRE(intersects(renamed.ray, renamed.box) == t.has_value());
+
+      if (numbers != Numbers::grid) continue;
+      Case<S, N> scaled = c;
+      const S by = std::ldexp(S(1), random.integer(-8, 8));
+      scaled.ray.origin *= by, scaled.ray.direction *= by, scaled.box.center *= by, scaled.box.half *= by;
+      REQUIRE(intersects(scaled.ray, scaled.box) == t.has_value());
+
+      Case<S, N> moved = c;
+      const Vector<S, N> shift = at<S, N>(random.integer(-1000, 1000), random.integer(-1000, 1000));
+      moved.ray.origin += shift, moved.box.center += shift;
+      if (moved.ray.origin - shift == c.ray.origin) REQUIRE(intersects(moved.ray, moved.box) == t.has_value());
+    }
+  }
+}
