@@ -40,9 +40,8 @@ inline std::vector<PeerCase> peer_cases(const std::string& kind = "") {
     if (!kind.empty() && its_kind != kind) continue;
     int number = 0;
     for (nlohmann::json c : whole.at("cases")) {
-      if (c.contains("rings"))
-        for (nlohmann::json& ring : c["rings"])
-          if (ring.is_object()) ring = whole.at("rings_table").at(ring.at("$ref").get<std::size_t>());
+      if (c.contains("rings") && c["rings"].is_object())
+        c["rings"] = whole.at("rings_table").at(c["rings"].at("$ref").get<std::size_t>());
       found.push_back({file.filename().string() + " #" + std::to_string(number++), its_kind, std::move(c)});
     }
   }

@@ -56,6 +56,10 @@ template <class S>
 Json value(const Interval<S>& x) {
   return {number(x.lo), number(x.hi)};
 }
+template <class S, int N>
+Json value(const Aabb<S, N>& box) {
+  return {{"lo", numbers<S, N>(box.lo)}, {"hi", numbers<S, N>(box.hi)}};
+}
 template <class X, std::size_t N>
 Json value(const std::array<X, N>& list) {
   Json all = Json::array();

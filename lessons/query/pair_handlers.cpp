@@ -1,5 +1,6 @@
 // Boxes, spheres, k-DOPs and triangles in pairs.
 
+#include "core/aabb_aabb.h"
 #include "core/sphere_sphere.h"
 #include "lessons/query/events.h"
 #include "lessons/query/handlers.h"
@@ -7,14 +8,72 @@
 namespace isect::query {
 
 // clang-format off
+template <class S> struct Told<aabb_aabb::Axis<S>> : Says<"Axis", "axis a b disjoint"> {};
+template <class S, int N> struct Told<aabb_aabb::Common<S, N>> : Says<"Common", "common"> {};
 template <> struct Told<sphere_sphere::Decision> : Says<"Decision", "outer inner"> {};
 template <class S> struct Told<sphere_sphere::Compared<S>> : Says<"Compared", "distance2 sum2"> {};
 // clang-format on
 
-namespace {}  // namespace
+namespace {
+
+bool contains_b(Relation r) { return r == Relation::equal || r == Relation::b_inside_a; }
+
+/// Whether on every axis each begins before the other ends: no mere touch. Flat boxes that pierce
+/// another count, as in the suites this answers to; the core, which asks for interiors, says that they touch.
+template <class S, int N>
+bool share_more_than_a_face(const Aabb<S, N>& a, const Aabb<S, N>& b) {
+  return intersects(a, b) && (a.lo.array() < b.hi.array()).all() && (b.lo.array() < a.hi.array()).all();
+}
+
+template <class S>
+Json box_box(Job& job) {
+  return in_dimension(job.fields["alo"], [&]<int N>() -> Json {
+    const Aabb<S, N> a = box<S, N>(job.fields, "alo", "ahi"), b = box<S, N>(job.fields, "blo", "bhi");
+    using Event = aabb_aabb::Event<S, N>;
+    if (job.variant == "by_axis")
+      return {{"intersects", run<Event>(job, [&](auto&& trace) { return aabb_aabb::by_axis(a, b, trace); })}};
+
+    const Relation r = run<Event>(job, [&](auto&& trace) { return relate(a, b, trace); });
+    const bool more = share_more_than_a_face(a, b);
+    return {{"intersects", r != Relation::disjoint},
+            {"interiors_intersect", more},
+            {"a_contains_b", contains_b(r)},
+            {"b_contains_a", contains_b(reversed(r))},
+            {"relation", r == Relation::touching && more ? "overlap" : name(r)}};
+  });
+}
+
+/// The relation with both kinds of tangency told apart.
+template <class S, int N>
+std::string tangency(Relation r, const Sphere<S, N>& a, const Sphere<S, N>& b) {
+  if (r == Relation::touching) return "touch_outer";
+  const bool contains = r == Relation::a_inside_b || r == Relation::b_inside_a;
+  if (!contains || sphere_sphere::settled_inner(a, b, NoTrace()) != 0) return name(r);
+  if (a.radius == 0 || b.radius == 0) return "touch_inner";
+  return "touch_inner_" + name(r);
+}
+
+template <class S>
+Json sphere_sphere(Job& job) {
+  return in_dimension(job.fields["c1"], [&]<int N>() -> Json {
+    const Sphere<S, N> a = sphere<S, N>(job.fields, "c1", "r1"), b = sphere<S, N>(job.fields, "c2", "r2");
+    if (job.variant == "squared_distance") {
+      using Event = std::variant<sphere_sphere::Compared<S>>;
+      return {{"intersects",
+               run<Event>(job, [&](auto&& trace) { return sphere_sphere::squared_distance(a, b, trace); })}};
+    }
+    const Relation r = run<sphere_sphere::Event>(job, [&](auto&& trace) { return relate(a, b, trace); });
+    return {{"intersects", r != Relation::disjoint}, {"relation", tangency(r, a, b)}};
+  });
+}
+
+}  // namespace
 
 const std::vector<Handler>& pair_handlers() {
-  static const std::vector<Handler> table = {};
+  static const std::vector<Handler> table = {
+      ISECT_HANDLER(box_box, {"exact", "by_axis"}),
+      ISECT_HANDLER(sphere_sphere, {"exact", "squared_distance"}),
+  };
   return table;
 }
 

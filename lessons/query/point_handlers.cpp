@@ -1,10 +1,18 @@
 // Points, intervals and planes.
 
+#include "core/interval_interval.h"
 #include "core/orient.h"
+#include "core/point_obb.h"
 #include "lessons/query/events.h"
 #include "lessons/query/handlers.h"
 
 namespace isect::query {
+
+// clang-format off
+template <class S> struct Told<interval_interval::Common<S>> : Says<"Common", "common"> {};
+template <class S> struct Told<interval_interval::Beyond<S>> : Says<"Beyond", "lo hi holds"> {};
+template <> struct Told<point_obb::Slab> : Says<"Slab", "axis sign"> {};
+// clang-format on
 
 namespace {
 
@@ -18,11 +26,35 @@ Json orient2d(Job& job) {
            run<std::variant<Fallback>>(job, [&](auto&& trace) { return isect::orient2d(a, b, c, trace); })}};
 }
 
+template <class S>
+Json interval_interval(Job& job) {
+  const Interval<S> a = interval<S>(job.fields["a"]), b = interval<S>(job.fields["b"]);
+  using Event = interval_interval::Event<S>;
+  if (job.variant == "ends")
+    return {
+        {"intersects", run<Event>(job, [&](auto&& trace) { return interval_interval::ends(a, b, trace); })}};
+
+  const Relation r = run<Event>(job, [&](auto&& trace) { return relate(a, b, trace); });
+  return {{"intersects", r != Relation::disjoint}, {"relation", name(r)}};
+}
+
+template <class S>
+Json point_obb(Job& job) {
+  return in_dimension(job.fields["point"], [&]<int N>() -> Json {
+    const Point<S, N> point = vector<S, N>(job.fields["point"]);
+    const Obb<S, N> b = obb<S, N>(job.fields);
+    const Location where = run<point_obb::Event>(job, [&](auto&& trace) { return locate(point, b, trace); });
+    return {{"location", name(where)}};
+  });
+}
+
 }  // namespace
 
 const std::vector<Handler>& point_handlers() {
   static const std::vector<Handler> table = {
       ISECT_HANDLER(orient2d, {"exact"}),
+      ISECT_HANDLER(interval_interval, {"exact", "ends"}),
+      ISECT_HANDLER(point_obb, {"exact"}),
   };
   return table;
 }

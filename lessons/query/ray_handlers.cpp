@@ -1,5 +1,7 @@
 // Rays and segments.
 
+#include "core/ray_aabb.h"
+#include "core/ray_plane.h"
 #include "core/ray_sphere.h"
 
 #include "core/ray_sphere_methods.h"
@@ -34,6 +36,18 @@ template <class S> struct Told<ray_sphere::Nearest<S>> : Says<"Nearest", "t"> {}
 template <class S> struct Told<ray_sphere::TooFar<S>> : Says<"TooFar", "t limit holds"> {};
 template <> struct Told<ray_sphere::Reject> : Says<"Reject"> {};
 template <class S, int N> struct Told<ray_sphere::Intersect<S, N>> : Says<"Intersect", "t p"> {};
+template <> struct Told<ray_plane::Decision> : Says<"Decision", "heading side"> {};
+template <class S> struct Told<ray_plane::Hit<S>> : Says<"Hit", "t in_range"> {};
+template <class S> struct Told<ray_plane::Numerator<S>> : Says<"Numerator", "value"> {};
+template <class S> struct Told<ray_plane::Denominator<S>> : Says<"Denominator", "value"> {};
+template <class S> struct Told<ray_plane::Parallel<S>> : Says<"Parallel", "denominator holds"> {};
+template <class S> struct Told<ray_plane::InRange<S>> : Says<"InRange", "t holds"> {};
+template <> struct Told<slabs::Outside> : Says<"Outside", "slab"> {};
+template <> struct Told<slabs::Stretch> : Says<"Stretch", "entered left"> {};
+template <> struct Told<ray_aabb::Estimate> : Says<"Estimate", "in out meets"> {};
+template <class S> struct Told<ray_aabb::Beside<S>> : Says<"Beside", "axis origin outside"> {};
+template <class S> struct Told<ray_aabb::Crossing<S>> : Says<"Crossing", "axis entry exit"> {};
+template <class S> struct Told<ray_aabb::Remains<S>> : Says<"Remains", "in out holds"> {};
 // clang-format on
 
 namespace {
@@ -73,11 +87,56 @@ Json ray_sphere(Job& job) {
   });
 }
 
+template <class S>
+Json ray_plane(Job& job) {
+  return in_dimension(job.fields["origin"], [&]<int N>() -> Json {
+    Ray<S, N> r = ray<S, N>(job.fields);
+    const Plane<S, N> p = plane<S, N>(job.fields);
+    if (job.variant == "textbook") {
+      const auto t = run<ray_plane::TextbookEvent<S>>(
+          job, [&](auto&& trace) { return ray_plane::textbook(r, p, trace); });
+      return {{"ray_hit", t.has_value()}, {"t", number(t)}};
+    }
+    const RayPlane<S> shared =
+        run<ray_plane::Event<S>>(job, [&](auto&& trace) { return intersect(r, p, trace); });
+    r.range = {S(0), S(1)};
+    return {{"parallel", shared.parallel},
+            {"coplanar", shared.coplanar},
+            {"line_hit", shared.line.has_value() || shared.coplanar},
+            {"t", number(shared.line)},
+            {"ray_hit", shared.meets},
+            {"segment_hit_0_1", intersect(r, p).meets}};
+  });
+}
+
+/// The stretch of a ray inside a solid.
+template <class S>
+Json stretch(const std::optional<Interval<S>>& inside) {
+  return {{"hit", inside.has_value()},
+          {"t_in", inside ? number(inside->lo) : nullptr},
+          {"t_out", inside ? number(inside->hi) : nullptr}};
+}
+
+template <class S>
+Json ray_box(Job& job) {
+  return in_dimension(job.fields["origin"], [&]<int N>() -> Json {
+    const Ray<S, N> r = ray<S, N>(job.fields);
+    const Aabb<S, N> b = box<S, N>(job.fields);
+    if (job.variant == "conservative") return {{"hit", may_intersect(r, b)}};
+    if (job.variant == "slabs")
+      return stretch(
+          run<ray_aabb::SlabsEvent<S>>(job, [&](auto&& trace) { return ray_aabb::slabs(r, b, trace); }));
+    return stretch(run<ray_aabb::Event>(job, [&](auto&& trace) { return intersect(r, b, trace); }));
+  });
+}
+
 }  // namespace
 
 const std::vector<Handler>& ray_handlers() {
   static const std::vector<Handler> table = {
       ISECT_HANDLER(ray_sphere, {"exact", "robust", "quadratic", "half_b", "haines"}),
+      ISECT_HANDLER(ray_box, {"exact", "conservative", "slabs"}),
+      ISECT_HANDLER(ray_plane, {"exact", "textbook"}),
   };
   return table;
 }
