@@ -158,6 +158,20 @@ template <class S, int N>
 bool finite(const Obb<S, N>& x) {
   return finite(x.center) && finite(x.axes) && finite(x.half);
 }
+template <class S>
+bool finite(const Frustum<S>& x) {
+  for (const Plane<S, 3>& plane : x.planes)
+    if (!finite(plane)) return false;
+  return true;
+}
+template <class S, int N>
+bool finite(const Kdop<S, N>& x) {
+  for (const Vector<S, N>& n : x.normals)
+    if (!finite(n)) return false;
+  for (const Interval<S>& slab : x.slabs)
+    if (!finite(slab)) return false;
+  return true;
+}
 template <class S, int N>
 bool finite(const Triangle<S, N>& x) {
   return finite(x.vertices[0]) && finite(x.vertices[1]) && finite(x.vertices[2]);
@@ -182,6 +196,13 @@ bool empty(const Sphere<S, N>& x) {
 template <class S, int N>
 bool empty(const Aabb<S, N>& x) {
   return !(x.lo.array() <= x.hi.array()).all();
+}
+/// Slab by slab: slabs that contradict each other are not seen.
+template <class S, int N>
+bool empty(const Kdop<S, N>& x) {
+  for (const Interval<S>& slab : x.slabs)
+    if (empty(slab)) return true;
+  return false;
 }
 template <class S, int N>
 bool empty(const Obb<S, N>& x) {
