@@ -1,0 +1,308 @@
+#include "core/segment_segment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "bench/random_shapes.h"
+#include "bench/rational.h"
+#include "core/counted.h"
+#include "tests/catch.h"
+#include "tests/settings.h"
+
+using namespace isect;
+using bench::Numbers;
+using bench::Random;
+using oracle::Rational;
+using segment_segment::Meeting;
+
+namespace {
+
+constexpr double inf = std::numeric_limits<double>::infinity(),
+                 not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+template <class S>
+Segment<S, 2> line(double px, double py, double qx, double qy) {
+  const Segment<double, 2> s = {{px, py}, {qx, qy}};
+  return cast<S>(s);
+}
+template <class S>
+Segment<S, 2> flipped(const Segment<S, 2>& a) {
+  return {a.q, a.p};
+}
+
+template <class S>
+bool identical(const SegmentSegment<S>& a, const SegmentSegment<S>& b) {
+  if (a.shared && b.shared && (a.shared->p != b.shared->p || a.shared->q != b.shared->q)) return false;
+  return a.relation == b.relation && a.point == b.point && a.shared.has_value() == b.shared.has_value();
+}
+
+template <class S>
+struct Pair {
+  Segment<S, 2> a, b;
+};
+
+/// Two segments: any, or with ends of one on the other, shared ends, or on one line, as well as S can say it.
+template <class S>
+Pair<S> draw(Random& random, Numbers numbers) {
+  const auto any = [&] { return bench::vector<S, 2>(random, numbers); };
+  Pair<S> c = {{any(), any()}, {any(), any()}};
+  const auto on_a = [&](int most) {
+    const Point<S, 2> x =
+        c.a.p + (c.a.q - c.a.p) * static_cast<S>(random.integer(-most, 2 * most)) / static_cast<S>(most);
+    return finite(x) ? x : c.a.p;
+  };
+  switch (random.below(6)) {
+    case 0:
+      break;
+    case 1:
+      c.b.p = on_a(2);
+      break;
+    case 2:
+      c.b = {on_a(3), on_a(3)};
+      break;
+    case 3:
+      (random.one_in(2) ? c.b.p : c.b.q) = random.one_in(2) ? c.a.p : c.a.q;
+      break;
+    case 4:
+      if (finite(Vector<S, 2>(2 * on_a(4) - c.b.p))) c.b.q = 2 * on_a(4) - c.b.p;
+      break;
+    default:
+      c.b.p = on_a(1);
+      c.b.p[random.below(2)] = bench::moved(c.b.p[0], random.integer(-1, 1));
+  }
+  if (random.one_in(12)) c.b.q = c.b.p;
+  if (random.one_in(12)) c.a.q = c.a.p;
+  if (!finite(c.b)) c.b = {any(), any()};
+  return random.one_in(2) ? c : Pair<S>{c.b, c.a};
+}
+
+using P = oracle::Coordinates<2>;
+
+Rational cross2(const P& x, const P& y) { return x[0] * y[1] - x[1] * y[0]; }
+
+/// Whether x = p + k (q - p) for some k of [0, 1].
+bool holds(const P& p, const P& q, const P& x) {
+  using oracle::operator-;
+  const P d = q - p, f = x - p;
+  const int i = d[0] != 0 ? 0 : 1;
+  if (d[i] == 0) return x == p;
+  const Rational k = f[i] / d[i];
+  return 0 <= k && k <= 1 && k * d[0] == f[0] && k * d[1] == f[1];
+}
+
+struct Truth {
+  Meeting relation = Meeting::disjoint;
+  std::vector<P> points;  ///< the common point, or the ends of the common stretch in any order
+};
+
+/// By solving for the parameters; the end points one by one for parallel segments.
+template <class S>
+Truth truth(const Pair<S>& c) {
+  using oracle::operator-;
+  using oracle::operator+;
+  using oracle::operator*;
+  const P p = oracle::rational<S, 2>(c.a.p), q = oracle::rational<S, 2>(c.a.q), r = oracle::rational<S, 2>(c.b.p),
+          s = oracle::rational<S, 2>(c.b.q);
+  const P d = q - p, e = s - r;
+  const Rational determinant = cross2(d, e);
+  if (determinant != 0) {
+    const Rational t = cross2(r - p, e) / determinant, u = cross2(r - p, d) / determinant;
+    if (t < 0 || t > 1 || u < 0 || u > 1) return {};
+    const bool at_end = t == 0 || t == 1 || u == 0 || u == 1;
+    return {at_end ? Meeting::touch : Meeting::cross, {p + t * d}};
+  }
+  Truth result;
+  const auto add = [&](const P& x) {
+    if (std::find(result.points.begin(), result.points.end(), x) == result.points.end()) result.points.push_back(x);
+  };
+  for (const P& x : {p, q})
+    if (holds(r, s, x)) add(x);
+  for (const P& x : {r, s})
+    if (holds(p, q, x)) add(x);
+  constexpr Meeting by_count[] = {Meeting::disjoint, Meeting::touch, Meeting::overlap};
+  REQUIRE(result.points.size() <= 2);
+  result.relation = by_count[result.points.size()];
+  return result;
+}
+
+template <class S>
+bool is_end(const Pair<S>& c, const Point<S, 2>& x) {
+  return x == c.a.p || x == c.a.q || x == c.b.p || x == c.b.q;
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("two segments cross", "[segment_segment]", float, double) {
+  using S = TestType;
+  const auto r = intersect(line<S>(-1, -1, 3, 3), line<S>(-2, 2, 2, -2));
+  CHECK(r);
+  CHECK(r.relation == Meeting::cross);
+  CHECK(r.point == Point<S, 2>(0, 0));
+  CHECK_FALSE(r.shared);
+  CHECK(intersect(line<S>(0, 0, 4, 2), line<S>(0, 2, 4, 0)).point == Point<S, 2>(2, 1));
+}
+
+TEMPLATE_TEST_CASE("segments beside each other are disjoint", "[segment_segment]", float, double) {
+  using S = TestType;
+  for (const auto& b : {line<S>(0, 1, 4, 1), line<S>(5, -1, 5, 1), line<S>(1, 1, 2, 9), line<S>(5, 0, 7, 0),
+                        line<S>(4.001, 0, 4.002, 1)}) {
+    const auto r = intersect(line<S>(0, 0, 4, 0), b);
+    CHECK((!r && r.relation == Meeting::disjoint && !r.point && !r.shared));
+    CHECK_FALSE(intersects(line<S>(0, 0, 4, 0), b));
+  }
+  CHECK_FALSE(intersects(line<S>(0, 0, 4, 4), line<S>(1, 0, 4, 3.99)));  // the boxes overlap
+}
+
+TEMPLATE_TEST_CASE("an end on the other segment touches, and is given exactly", "[segment_segment]", float, double) {
+  using S = TestType;
+  const auto middle = intersect(line<S>(0, 0, 4, 0), line<S>(1, 0, 2, 5));
+  CHECK(middle.relation == Meeting::touch);
+  CHECK(middle.point == Point<S, 2>(1, 0));
+  const auto corner = intersect(line<S>(0, 0, 4, 0), line<S>(4, 0, 4, 5));
+  CHECK(corner.relation == Meeting::touch);
+  CHECK(corner.point == Point<S, 2>(4, 0));
+  const auto straight_on = intersect(line<S>(0, 0, 4, 0), line<S>(9, 0, 4, -0.));
+  CHECK(straight_on.relation == Meeting::touch);
+  CHECK(straight_on.point == Point<S, 2>(4, 0));
+}
+
+TEMPLATE_TEST_CASE("segments of one line share a stretch", "[segment_segment]", float, double) {
+  using S = TestType;
+  for (const auto& b : {line<S>(1, 2, 9, 18), line<S>(9, 18, 1, 2)}) {
+    const auto r = intersect(line<S>(0, 0, 3, 6), b);
+    CHECK(r.relation == Meeting::overlap);
+    CHECK_FALSE(r.point);
+    REQUIRE(r.shared);
+    CHECK(r.shared->p == Point<S, 2>(1, 2));
+    CHECK(r.shared->q == Point<S, 2>(3, 6));
+  }
+  const auto upright = intersect(line<S>(1, 5, 1, 0), line<S>(1, 3, 1, 2));
+  REQUIRE(upright.shared);
+  CHECK(upright.shared->p == Point<S, 2>(1, 2));
+  CHECK(upright.shared->q == Point<S, 2>(1, 3));
+  CHECK(intersect(line<S>(1, 5, 1, 0), line<S>(1, 5, 1, 0)).relation == Meeting::overlap);
+}
+
+TEMPLATE_TEST_CASE("a segment may be a point", "[segment_segment]", float, double) {
+  using S = TestType;
+  const auto point = line<S>(1, 1, 1, 1);
+  CHECK(intersect(point, line<S>(0, 0, 3, 3)).relation == Meeting::touch);
+  CHECK(intersect(line<S>(0, 0, 1, 1), point).point == Point<S, 2>(1, 1));
+  CHECK(intersect(point, point).relation == Meeting::touch);
+  CHECK_FALSE(intersect(point, line<S>(2, 2, 3, 3)));
+  CHECK_FALSE(intersect(point, line<S>(0, 0, 3, 2)));
+  CHECK_FALSE(intersect(point, line<S>(2, 1, 2, 1)));
+}
+
+TEMPLATE_TEST_CASE("NaN and infinities meet nothing", "[segment_segment]", float, double) {
+  using S = TestType;
+  for (const double bad : {not_a_number, inf, -inf}) {
+    CHECK_FALSE(intersect(line<S>(bad, 0, 1, 1), line<S>(0, 1, 1, 0)));
+    CHECK_FALSE(intersect(line<S>(0, 0, 1, 1), line<S>(0, 1, 1, bad)));
+    CHECK_FALSE(intersects(line<S>(0, bad, 1, 1), line<S>(0, 1, 1, 0)));
+  }
+}
+
+TEST_CASE("segments of any size cross where they cross", "[segment_segment]") {
+  for (const double k : {1e-300, 1e-160, 1., 1e160, 1e300}) {
+    const auto r = intersect<double>({{-k, -k}, {3 * k, 3 * k}}, {{0, 2 * k}, {2 * k, 0}});
+    CHECK(r.relation == Meeting::cross);
+    CHECK((*r.point)[0] == Approx(k).epsilon(1e-15));
+    CHECK(intersect<double>({{-k, -k}, {3 * k, 3 * k}}, {{k, k}, {2 * k, 0}}).relation == Meeting::touch);
+    CHECK_FALSE(intersects<double>({{-k, -k}, {3 * k, 3 * k}}, {{k, k * (1 - 1e-15)}, {2 * k, 0}}));
+  }
+}
+
+TEST_CASE("parameters agree on ordinary segments", "[segment_segment]") {
+  Random random(tests::seed());
+  int hits = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Segment<double, 2> a = {random.in_box<2>(1), random.in_box<2>(1)},
+                             b = {random.in_box<2>(1), random.in_box<2>(1)};
+    INFO("seed " << tests::seed() << ", case " << i);
+    const auto naive = segment_segment::parametric(a, b);
+    const auto exact = intersect(a, b);
+    REQUIRE(naive.has_value() == (exact.relation == Meeting::cross));
+    if (naive) REQUIRE((*naive - *exact.point).norm() < 1e-10);
+    hits += naive.has_value();
+  }
+  CHECK(hits > 200);
+  using C = Counted<double>;
+  tally() = {};
+  CHECK(segment_segment::parametric<C>({{C(0), C(0)}, {C(2), C(2)}}, {{C(0), C(2)}, {C(2), C(0)}}));
+  CHECK(tally().div == 2);
+}
+
+TEMPLATE_TEST_CASE("every answer is that of rational arithmetic", "[segment_segment][random]", float, double) {
+  using S = TestType;
+  int seen[4] = {};
+  double worst = 0;
+  const int count = tests::cases(2000, 320000);
+  for (const Numbers numbers : bench::all_numbers) {
+    Random random(tests::seed() + static_cast<int>(numbers));
+    for (int i = 0; i < count; ++i) {
+      const Pair<S> c = draw<S>(random, numbers);
+      INFO("seed " << tests::seed() << ", numbers " << static_cast<int>(numbers) << ", case " << i);
+      const SegmentSegment<S> r = intersect(c.a, c.b);
+      const Truth expected = truth(c);
+      REQUIRE(r.relation == expected.relation);
+      REQUIRE(intersects(c.a, c.b) == (expected.relation != Meeting::disjoint));
+      REQUIRE(r.point.has_value() == (r.relation == Meeting::touch || r.relation == Meeting::cross));
+      REQUIRE(r.shared.has_value() == (r.relation == Meeting::overlap));
+      ++seen[static_cast<int>(r.relation)];
+      if (r.relation == Meeting::touch) {
+        REQUIRE(is_end(c, *r.point));
+        REQUIRE(oracle::rational<S, 2>(*r.point) == expected.points[0]);
+      } else if (r.relation == Meeting::cross) {
+        for (int k = 0; k < 2; ++k) worst = std::max(worst, oracle::ulps((*r.point)[k], expected.points[0][k]));
+      } else if (r.relation == Meeting::overlap) {
+        const P p = oracle::rational<S, 2>(r.shared->p), q = oracle::rational<S, 2>(r.shared->q);
+        const std::vector<P>& ends = expected.points;
+        REQUIRE(((p == ends[0] && q == ends[1]) || (p == ends[1] && q == ends[0])));
+      }
+    }
+  }
+  CHECK(worst <= 2);
+  for (const int often : seen) CHECK(often > count / 8);
+}
+
+TEMPLATE_TEST_CASE("order, orientation, axes, scale and a listener change no answer", "[segment_segment][property]",
+                   float, double) {
+  using S = TestType;
+  for (const Numbers numbers : bench::all_numbers) {
+    Random random(tests::seed() + 100 + static_cast<int>(numbers));
+    for (int i = 0; i < 400; ++i) {
+      const Pair<S> c = draw<S>(random, numbers);
+      INFO("seed " << tests::seed() << ", numbers " << static_cast<int>(numbers) << ", case " << i);
+      const SegmentSegment<S> r = intersect(c.a, c.b);
+      Record<segment_segment::Event> record;
+      REQUIRE(identical(intersect(c.a, c.b, record), r));
+
+      REQUIRE(intersect(c.b, c.a).relation == r.relation);
+      REQUIRE(intersect(flipped(c.a), c.b).relation == r.relation);
+      REQUIRE(intersect(c.a, flipped(c.b)).relation == r.relation);
+      if (r.relation != Meeting::cross) REQUIRE(identical(intersect(c.b, flipped(c.a)), r));
+
+      const auto turned = [](const Segment<S, 2>& s) {
+        return Segment<S, 2>{Point<S, 2>(-s.p[1], s.p[0]), Point<S, 2>(-s.q[1], s.q[0])};
+      };
+      REQUIRE(intersect(turned(c.a), turned(c.b)).relation == r.relation);
+
+      if (numbers != Numbers::grid && numbers != Numbers::distant) continue;
+      const S k = std::ldexp(S(1), random.integer(-30, 30));
+      const Vector<S, 2> by(static_cast<S>(random.integer(-99, 99)), static_cast<S>(random.integer(-99, 99)));
+      const auto scaled = [&](const Segment<S, 2>& s) { return Segment<S, 2>{s.p * k, s.q * k}; };
+      const auto shifted = [&](const Segment<S, 2>& s) { return Segment<S, 2>{s.p + by, s.q + by}; };
+      const auto exact = [&](const Segment<S, 2>& s) {
+        const Segment<S, 2> m = shifted(s), n = scaled(s);
+        return m.p - by == s.p && m.q - by == s.q && n.p / k == s.p && n.q / k == s.q && numbers == Numbers::grid;
+      };
+      if (!exact(c.a) || !exact(c.b)) continue;
+      REQUIRE(intersect(scaled(c.a), scaled(c.b)).relation == r.relation);
+      if (c.b.p == c.b.p.array().round().matrix() && c.b.q == c.b.q.array().round().matrix() &&
+          c.a.p == c.a.p.array().round().matrix() && c.a.q == c.a.q.array().round().matrix())
+        REQUIRE(intersect(shifted(c.a), shifted(c.b)).relation == r.relation);
+    }
+  }
+}
