@@ -231,7 +231,7 @@ TEST_CASE("projections agree on ordinary rays", "[ray_obb]") {
 TEMPLATE_TEST_CASE_SIG("every answer is that of rational arithmetic", "[ray_obb][random]", FLOATS_AND_DIMENSIONS) {
   int hits = 0, misses = 0, touches = 0;
   double worst = 0;
-  const int count = tests::cases(300, 125000);
+  const int count = tests::cases(300, 90000);
   for (const Numbers numbers : bench::all_numbers) {
     Random random(tests::seed() + static_cast<int>(numbers));
     for (int i = 0; i < count; ++i) {
