@@ -18,10 +18,9 @@ struct Distance {
 };
 using Event = std::variant<Distance, Fallback>;
 
-/// The same, where doubles do not settle it; 1 for NaN and infinite coordinates.
+/// The same, where doubles do not settle it. Finite arguments.
 template <class S, int N, class Trace>
 [[gnu::noinline]] int settled(const Point<S, N>& point, const Sphere<S, N>& sphere, Trace&& trace) {
-  if (!finite(point) || !finite(sphere)) return 1;
   const Point<double, N> p = point.template cast<double>();
   const Sphere<double, N> ball = cast<double>(sphere);
   return sign_of(
@@ -42,8 +41,9 @@ Location locate(const Point<S, N>& point, const Sphere<S, N>& sphere, Trace&& tr
 
   const double distance2 = (point.template cast<double>() - sphere.center.template cast<double>()).squaredNorm();
   const double radius2 = double(sphere.radius) * double(sphere.radius);
-  const int sign =
-      order_of_squares(distance2, radius2, [&] { return point_sphere::settled<S, N>(point, sphere, trace); });
+  const int sign = order_of_squares(distance2, radius2, [&] {
+    return finite(point) && finite(sphere) ? point_sphere::settled<S, N>(point, sphere, trace) : 1;
+  });
   trace(point_sphere::Distance{sign});
 
   if (sign > 0) return Location::out;

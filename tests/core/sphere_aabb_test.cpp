@@ -1,0 +1,235 @@
+#include "core/sphere_aabb.h"
+
+#include "bench/rational.h"
+#include "bench/simple_shapes.h"
+#include "core/counted.h"
+#include "tests/catch.h"
+#include "tests/core/motion.h"
+#include "tests/settings.h"
+
+using namespace isect;
+using namespace isect::oracle;
+
+#define FLOATS_AND_DIMENSIONS ((class S, int N), S, N), (float, 2), (double, 2), (float, 3), (double, 3)
+
+namespace {
+
+constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
+
+template <class S, int N>
+Sphere<S, N> ball(double x, double y, double radius) {
+  Sphere<S, N> b = {Point<S, N>::Zero(), S(radius)};
+  b.center[0] = S(x), b.center[1] = S(y);
+  return b;
+}
+
+template <class S, int N>
+Aabb<S, N> cube(double lo, double hi) {
+  return {Point<S, N>::Constant(S(lo)), Point<S, N>::Constant(S(hi))};
+}
+
+template <class S, int N>
+Relation related(const Sphere<S, N>& a, const Aabb<S, N>& b) {
+  const Relation r = relate(a, b);
+  CHECK(intersects(a, b) == (r != Relation::disjoint));
+  return r;
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE_SIG("a ball and a box lie in one of six ways", "[sphere_aabb]", FLOATS_AND_DIMENSIONS) {
+  const Aabb<S, N> box = cube<S, N>(-1, 1);
+  CHECK(related(ball<S, N>(4, 5, 4), box) == Relation::disjoint);
+  CHECK(related(ball<S, N>(4, 5, 5), box) == Relation::touching);  // in an edge
+  CHECK(related(ball<S, N>(3, 0, 2), box) == Relation::touching);  // in a face
+  CHECK(related(ball<S, N>(4, 5, 6), box) == Relation::overlapping);
+  CHECK(related(ball<S, N>(0, 0, 1), box) == Relation::a_inside_b);  // inscribed
+  CHECK(related(ball<S, N>(0, 0, 0.5), box) == Relation::a_inside_b);
+  CHECK(related(ball<S, N>(0, 0, 2), box) == Relation::b_inside_a);
+  CHECK(related(ball<S, N>(1, 1, 0), cube<S, N>(1, 1)) == (N == 2 ? Relation::equal : Relation::disjoint));
+}
+
+TEST_CASE("a ball through all corners contains the box", "[sphere_aabb]") {
+  const Aabb<double, 3> box = {{-1, -2, -2}, {1, 2, 2}};
+  CHECK(relate<double, 3>({{0, 0, 0}, 3}, box) == Relation::b_inside_a);
+  CHECK(relate<double, 3>({{0, 0, 0}, std::nextafter(3., 0)}, box) == Relation::overlapping);
+  CHECK(relate<double, 3>({{0, 5e-324, 0}, 3}, box) == Relation::overlapping);
+}
+
+TEMPLATE_TEST_CASE_SIG("an ulp decides at faces and edges", "[sphere_aabb]", FLOATS_AND_DIMENSIONS) {
+  const Aabb<S, N> box = cube<S, N>(-1, 1);
+  CHECK(related(ball<S, N>(4, 5, std::nextafter(S(5), S(0))), box) == Relation::disjoint);
+  CHECK(related(ball<S, N>(4, 5, std::nextafter(S(5), S(6))), box) == Relation::overlapping);
+  CHECK(related(ball<S, N>(std::nextafter(S(3), S(4)), 0, 2), box) == Relation::disjoint);
+  CHECK(related(ball<S, N>(std::nextafter(S(3), S(2)), 0, 2), box) == Relation::overlapping);
+  CHECK(related(ball<S, N>(0, 0, std::nextafter(S(1), S(2))), box) == Relation::overlapping);
+}
+
+TEMPLATE_TEST_CASE_SIG("a point and a flat box have no interior", "[sphere_aabb]", FLOATS_AND_DIMENSIONS) {
+  Aabb<S, N> plate = cube<S, N>(-1, 1);
+  plate.lo[1] = plate.hi[1] = 0;
+  CHECK(related(ball<S, N>(1, 0, 0.5), plate) == Relation::touching);
+  CHECK(related(ball<S, N>(0, 0, 4), plate) == Relation::b_inside_a);
+  CHECK(related(ball<S, N>(1, 0, 0), plate) == Relation::a_inside_b);
+  CHECK(related(ball<S, N>(1, 0, 0), cube<S, N>(-1, 1)) == Relation::a_inside_b);
+  CHECK(related(ball<S, N>(2, 0, 0), cube<S, N>(-1, 1)) == Relation::disjoint);
+  CHECK(related(ball<S, N>(0, 0, 0), cube<S, N>(-0.0, 0)) == Relation::equal);
+  CHECK(related(ball<S, N>(0, 0, 1), cube<S, N>(0, 0)) == Relation::b_inside_a);
+}
+
+TEMPLATE_TEST_CASE_SIG("what is empty, NaN or infinite meets nothing", "[sphere_aabb]", FLOATS_AND_DIMENSIONS) {
+  const Aabb<S, N> box = cube<S, N>(-1, 1);
+  const Sphere<S, N> good = ball<S, N>(0, 0, 3);
+  CHECK(related(ball<S, N>(0, 0, -1), box) == Relation::disjoint);
+  for (int i = 0; i < N; ++i) {
+    Aabb<S, N> inverted = box;
+    inverted.lo[i] = 2;
+    CHECK(related(good, inverted) == Relation::disjoint);
+    for (const double bad : {nan_, inf, -inf}) {
+      Sphere<S, N> sphere = good;
+      sphere.center[i] = S(bad);
+      CHECK(related(sphere, box) == Relation::disjoint);
+      for (const bool low : {true, false}) {
+        Aabb<S, N> wrong = box;
+        (low ? wrong.lo : wrong.hi)[i] = S(bad);
+        CHECK(related(good, wrong) == Relation::disjoint);
+        CHECK(related(sphere, wrong) == Relation::disjoint);
+      }
+      CHECK(related(ball<S, N>(0, 0, bad), box) == Relation::disjoint);
+    }
+  }
+  CHECK(related(good, cube<S, N>(-inf, inf)) == Relation::disjoint);
+}
+
+TEMPLATE_TEST_CASE_SIG("lengths of any size give the same verdict", "[sphere_aabb]", FLOATS_AND_DIMENSIONS) {
+  constexpr int most = std::numeric_limits<S>::max_exponent - 4;
+  for (const int e : {-most, -most / 2, most / 2, most}) {
+    const double k = std::ldexp(1.0, e);
+    CHECK(related(ball<S, N>(4 * k, 5 * k, 4 * k), cube<S, N>(-k, k)) == Relation::disjoint);
+    CHECK(related(ball<S, N>(4 * k, 5 * k, 5 * k), cube<S, N>(-k, k)) == Relation::touching);
+    CHECK(related(ball<S, N>(4 * k, 5 * k, 6 * k), cube<S, N>(-k, k)) == Relation::overlapping);
+    CHECK(related(ball<S, N>(0, 0, k), cube<S, N>(-k, k)) == Relation::a_inside_b);
+    CHECK(related(ball<S, N>(0, 0, 2 * k), cube<S, N>(-k, k)) == Relation::b_inside_a);
+  }
+  const S top = std::numeric_limits<S>::max();
+  CHECK(related(ball<S, N>(0, 0, top), cube<S, N>(-top, top)) == Relation::a_inside_b);
+  CHECK(related(ball<S, N>(top, 0, top), cube<S, N>(-top, top)) == Relation::overlapping);
+}
+
+TEST_CASE("the note's sum over the axes calls touching and NaN what they are not", "[sphere_aabb]") {
+  using sphere_aabb::accumulate;
+  const Aabb<double, 3> box = {{-1, -1, -1}, {1, 1, 1}};
+  CHECK(accumulate<double, 3>({{2, 0, 0}, 1.5}, box));
+  CHECK_FALSE(accumulate<double, 3>({{4, 5, 0}, 4}, box));
+  CHECK_FALSE(accumulate<double, 3>({{3, 0, 0}, 2}, box));  // touching, and a strict <
+  CHECK(accumulate<double, 3>({{nan_, 0, 0}, 1}, box));
+  CHECK(accumulate<double, 3>({{0, 0, 0}, 3}, {{1, 1, 1}, {-1, -1, -1}}));  // inverted
+}
+
+TEST_CASE("the note's method needs seven multiplications at most, and no square root", "[sphere_aabb]") {
+  using C = Counted<double>;
+  tally() = {};
+  sphere_aabb::accumulate<C, 3>({{2., 2., 2.}, 1.}, {{-1., -1., -1.}, {1., 1., 1.}});
+  CHECK(tally() == Tally{.mul = 4, .add = 6, .compare = 7});
+}
+
+TEST_CASE("the events tell each axis, the comparison and the signs", "[sphere_aabb]") {
+  Record<sphere_aabb::Event<double>> record;
+  const Aabb<double, 2> box = {{-1, -1}, {1, 1}};
+  sphere_aabb::accumulate<double, 2>({{4, 5}, 5}, box, record);
+  REQUIRE(record.events.size() == 3);
+  const auto& last = std::get<sphere_aabb::Axis<double>>(record.events[1]);
+  CHECK((last.axis == 1 && last.gap == 4 && last.distance2 == 25));
+  CHECK(std::get<sphere_aabb::Compared<double>>(record.events[2]).radius2 == 25);
+
+  record.events.clear();
+  relate<double, 2>({{4, 5}, 5}, box, record);
+  CHECK(std::holds_alternative<Fallback>(record.events.front()));
+  const auto& decision = std::get<sphere_aabb::Decision>(record.events.back());
+  CHECK((decision.nearest == 0 && decision.farthest == 1 && !decision.ball_inside));
+}
+
+namespace {
+
+/// By the least and the largest distance to the box, over all its corners and faces.
+template <class S, int N>
+Relation truth(const Sphere<S, N>& sphere, const Aabb<S, N>& box) {
+  const Coordinates<N> c = rational(sphere.center), lo = rational(box.lo), hi = rational(box.hi);
+  const Rational r = sphere.radius;
+  if (r < 0) return Relation::disjoint;
+  Rational outside2 = 0, corner2 = 0;
+  bool ball_inside = true, flat = false;
+  for (int i = 0; i < N; ++i) {
+    if (lo[i] > hi[i]) return Relation::disjoint;
+    const Rational outside = c[i] < lo[i]   ? Rational(lo[i] - c[i])
+                             : c[i] > hi[i] ? Rational(c[i] - hi[i])
+                                            : Rational(0);
+    outside2 += outside * outside;
+    ball_inside &= lo[i] <= c[i] - r && c[i] + r <= hi[i];
+    flat |= lo[i] == hi[i];
+  }
+  for (int corner = 0; corner < 1 << N; ++corner) {
+    Rational d2 = 0;
+    for (int i = 0; i < N; ++i) {
+      const Rational d = c[i] - (corner >> i & 1 ? hi : lo)[i];
+      d2 += d * d;
+    }
+    if (d2 > corner2) corner2 = d2;
+  }
+  if (outside2 > r * r) return Relation::disjoint;
+  const bool box_inside = corner2 <= r * r;
+  if (ball_inside && box_inside) return Relation::equal;
+  if (ball_inside) return Relation::a_inside_b;
+  if (box_inside) return Relation::b_inside_a;
+  return flat || outside2 == r * r ? Relation::touching : Relation::overlapping;
+}
+
+/// A radius that makes the ball touch the box, or contain it, or fit into it, but for rounding.
+template <class S, int N>
+S critical_radius(bench::Random& random, const Point<S, N>& center, const Aabb<S, N>& box) {
+  const Vector<double, N> c = center.template cast<double>(), lo = box.lo.template cast<double>(),
+                          hi = box.hi.template cast<double>();
+  double r = 0;
+  switch (random.below(3)) {
+    case 0:
+      r = (c - c.cwiseMax(lo).cwiseMin(hi)).stableNorm();
+      break;
+    case 1:
+      r = (c - lo).cwiseAbs().cwiseMax((hi - c).cwiseAbs()).eval().stableNorm();
+      break;
+    default:
+      r = (c - lo).cwiseMin(hi - c).minCoeff();
+  }
+  return bench::moved(static_cast<S>(r), random.integer(-2, 2));
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE_SIG("relations are those of rational arithmetic", "[sphere_aabb]", FLOATS_AND_DIMENSIONS) {
+  bench::Random random(tests::seed());
+  int seen[6] = {};
+  for (const bench::Numbers numbers : bench::all_numbers)
+    for (int i = 0; i < tests::cases(1500, 125000); ++i) {
+      INFO("seed " << tests::seed() << ", numbers " << static_cast<int>(numbers) << ", case " << i);
+      Aabb<S, N> box = bench::box<S, N>(random, numbers);
+      if (random.one_in(20)) box.lo[random.below(N)] = box.hi[0];
+      Sphere<S, N> sphere = bench::ball<S, N>(random, numbers);
+      for (int axis = 0; axis < N; ++axis)  // often beside a face, or in the middle
+        if (random.one_in(3)) sphere.center[axis] = box.lo[axis] / 2 + box.hi[axis] / 2;
+      if (random.one_in(2)) sphere.radius = critical_radius(random, sphere.center, box);
+      if (random.one_in(30)) box = {sphere.center, sphere.center};
+      if (!finite(sphere)) continue;
+
+      const Relation r = relate(sphere, box);
+      if (r != truth(sphere, box)) FAIL("wrong");
+      if (intersects(sphere, box) != (r != Relation::disjoint)) FAIL("not the same by intersects");
+      Record<sphere_aabb::Event<double>> record;
+      if (relate(sphere, box, record) != r) FAIL("not the same when traced");
+      if (numbers <= bench::Numbers::distant) {
+        const tests::Motion<N> move = tests::motion<N>(random);
+        if (relate(move(sphere), move(box)) != r) FAIL("not the same when moved");
+      }
+      ++seen[static_cast<int>(r)];
+    }
+  for (const int count : seen) CHECK(count > 20);
+}
