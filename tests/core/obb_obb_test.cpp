@@ -1,0 +1,532 @@
+// Oriented box against oriented box: cases by name, properties, and hard families against projections of all corners
+// and against the vertices of the common part, in rationals.
+
+#include "core/obb_obb.h"
+
+#include <algorithm>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+#include "bench/random_obb.h"
+#include "bench/rational.h"
+#include "core/counted.h"
+#include "core/obb_obb_methods.h"
+#include "tests/catch.h"
+#include "tests/settings.h"
+
+using namespace isect;
+using oracle::Rational;
+using oracle::operator+;
+using oracle::operator-;
+using oracle::operator*;
+
+namespace {
+
+/// N is deduced from the boxes alone.
+template <int N>
+using Coordinates = std::type_identity_t<oracle::Coordinates<N>>;
+
+constexpr double inf = std::numeric_limits<double>::infinity(),
+                 not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+/// (x, y), or (x, y, 0).
+template <class S, int N>
+Vector<S, N> at(double x, double y = 0) {
+  Vector<S, N> v = Vector<S, N>::Zero();
+  v[0] = static_cast<S>(x), v[1] = static_cast<S>(y);
+  return v;
+}
+
+/// Half-lengths 2, 1, 1 along the frame's axes.
+template <class S, int N>
+Obb<S, N> brick(const Point<S, N>& center = at<S, N>(0)) {
+  Obb<S, N> box = {center, Eigen::Matrix<S, N, N>::Identity(), Vector<S, N>::Ones()};
+  box.half[0] = 2;
+  return box;
+}
+
+// The oracles.
+
+template <int N>
+struct Exactly {
+  Coordinates<N> center, half;
+  std::array<Coordinates<N>, N> axes;
+  std::vector<Coordinates<N>> corners;
+  bool flat = false;
+
+  template <class S>
+  explicit Exactly(const Obb<S, N>& box)
+      : center(oracle::rational<S, N>(box.center)), half(oracle::rational<S, N>(box.half)) {
+    corners = {center};
+    for (int i = 0; i < N; ++i) {
+      axes[i] = oracle::rational<S, N>(box.axes.col(i));
+      std::vector<Coordinates<N>> next;
+      for (const Coordinates<N>& c : corners) next.insert(next.end(), {c + half[i] * axes[i], c - half[i] * axes[i]});
+      corners = next;
+      flat = flat || half[i] == 0;
+    }
+  }
+};
+
+/// Solves m x = y by elimination; false when m is singular.
+template <int N>
+bool solve(std::array<Coordinates<N>, N> rows, Coordinates<N> y, Coordinates<N>& x) {
+  for (int column = 0; column < N; ++column) {
+    int pivot = column;
+    while (pivot < N && rows[pivot][column] == 0) ++pivot;
+    if (pivot == N) return false;
+    std::swap(rows[column], rows[pivot]), std::swap(y[column], y[pivot]);
+    for (int i = 0; i < N; ++i) {
+      if (i == column || rows[i][column] == 0) continue;
+      const Rational factor = rows[i][column] / rows[column][column];
+      rows[i] = rows[i] - factor * rows[column];
+      y[i] -= factor * y[column];
+    }
+  }
+  for (int i = 0; i < N; ++i) x[i] = y[i] / rows[i][i];
+  return true;
+}
+
+/// The coordinates of x in the box's frame.
+template <int N>
+bool coordinates(const Exactly<N>& box, const Coordinates<N>& x, Coordinates<N>& s) {
+  std::array<Coordinates<N>, N> rows;
+  for (int i = 0; i < N; ++i)
+    for (int j = 0; j < N; ++j) rows[i][j] = box.axes[j][i];
+  return solve<N>(rows, x - box.center, s);
+}
+
+template <int N>
+bool holds(const Exactly<N>& box, const Exactly<N>& inner) {
+  for (const Coordinates<N>& corner : inner.corners) {
+    Coordinates<N> s;
+    if (!coordinates(box, corner, s)) return false;
+    for (int i = 0; i < N; ++i)
+      if (abs(s[i]) > box.half[i]) return false;
+  }
+  return true;
+}
+
+/// 1 apart, 0 touching, -1 overlapping along l: from the projections of all corners.
+template <int N>
+int along(const Coordinates<N>& l, const Exactly<N>& a, const Exactly<N>& b) {
+  const auto range = [&](const Exactly<N>& box) {
+    std::vector<Rational> values;
+    for (const Coordinates<N>& c : box.corners) values.push_back(oracle::dot(l, c));
+    const auto [lo, hi] = std::minmax_element(values.begin(), values.end());
+    return std::pair(*lo, *hi);
+  };
+  const auto [a_lo, a_hi] = range(a);
+  const auto [b_lo, b_hi] = range(b);
+  return std::max(sign(b_lo - a_hi), sign(a_lo - b_hi));
+}
+
+template <int N>
+std::vector<Coordinates<N>> directions(const Exactly<N>& a, const Exactly<N>& b) {
+  std::vector<Coordinates<N>> result;
+  if constexpr (N == 2) {
+    for (const auto& box : {a, b})
+      for (const auto& u : box.axes) result.push_back({-u[1], u[0]});
+  } else {
+    std::vector<Coordinates<N>> edges(a.axes.begin(), a.axes.end());
+    edges.insert(edges.end(), b.axes.begin(), b.axes.end());
+    for (std::size_t i = 0; i < edges.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) result.push_back(oracle::cross(edges[i], edges[j]));
+  }
+  return result;
+}
+
+template <int N>
+bool exists(const Exactly<N>& box) {
+  Coordinates<N> s;
+  return coordinates(box, box.center, s);
+}
+
+template <int N>
+Relation relation(int outer, const Exactly<N>& a, const Exactly<N>& b) {
+  if (outer > 0) return Relation::disjoint;
+  const bool a_in_b = holds(b, a), b_in_a = holds(a, b);
+  if (a_in_b && b_in_a) return Relation::equal;
+  if (a_in_b || b_in_a) return a_in_b ? Relation::a_inside_b : Relation::b_inside_a;
+  return outer == 0 || a.flat || b.flat ? Relation::touching : Relation::overlapping;
+}
+
+/// By projections. All products of two edges are asked, in no order.
+template <int N>
+Relation by_projection(const Exactly<N>& a, const Exactly<N>& b) {
+  if (!exists(a) || !exists(b)) return Relation::disjoint;
+  int outer = -1;
+  for (const Coordinates<N>& l : directions(a, b))
+    if (l != Coordinates<N>{}) outer = std::max(outer, along(l, a, b));
+  return relation(outer, a, b);
+}
+
+/// By the vertices of the common part: points of the frame of A where N of the 4 N faces meet. Without one the boxes
+/// are apart; if all lie in one plane, they have no common interior. No separating axis is used.
+template <int N>
+Relation by_vertices(const Exactly<N>& a, const Exactly<N>& b) {
+  if (!exists(a) || !exists(b)) return Relation::disjoint;
+  struct Face {
+    Coordinates<N> normal;  // normal.s <= limit
+    Rational limit;
+  };
+  std::vector<Face> faces;
+  Coordinates<N> origin;  // of A in the frame of B
+  coordinates(b, a.center, origin);
+  std::array<Coordinates<N>, N> image;  // the axes of A in the frame of B
+  for (int i = 0; i < N; ++i) coordinates(b, b.center + a.axes[i], image[i]);
+  for (int i = 0; i < N; ++i)
+    for (const int side : {1, -1}) {
+      Coordinates<N> unit = {}, row;
+      unit[i] = side;
+      for (int j = 0; j < N; ++j) row[j] = side * image[j][i];
+      faces.push_back({unit, a.half[i]});
+      faces.push_back({row, b.half[i] - side * origin[i]});
+    }
+
+  std::vector<Coordinates<N>> vertices;
+  const auto add = [&](const std::array<int, N>& chosen) {
+    std::array<Coordinates<N>, N> rows;
+    Coordinates<N> limits, s;
+    for (int i = 0; i < N; ++i) rows[i] = faces[chosen[i]].normal, limits[i] = faces[chosen[i]].limit;
+    if (!solve<N>(rows, limits, s)) return;
+    for (const Face& face : faces)
+      if (oracle::dot(face.normal, s) > face.limit) return;
+    vertices.push_back(s);
+  };
+  const int count = 4 * N;
+  for (int i = 0; i < count; ++i)
+    for (int j = 0; j < i; ++j) {
+      if constexpr (N == 2) {
+        add({i, j});
+      } else {
+        for (int k = 0; k < j; ++k) add({i, j, k});
+      }
+    }
+  if (vertices.empty()) return Relation::disjoint;
+  // Volume: some N edges from the first vertex are independent.
+  Coordinates<N> s;
+  bool volume = false;
+  const std::size_t n = vertices.size();
+  for (std::size_t i = 1; i < n && !volume; ++i)
+    for (std::size_t j = 1; j < i && !volume; ++j) {
+      const Coordinates<N> p = vertices[i] - vertices[0], q = vertices[j] - vertices[0];
+      if constexpr (N == 2) {
+        volume = solve<N>({p, q}, p, s);
+      } else {
+        for (std::size_t k = 1; k < j && !volume; ++k) volume = solve<N>({p, q, vertices[k] - vertices[0]}, p, s);
+      }
+    }
+  return relation(volume ? -1 : 0, a, b);
+}
+
+/// Two boxes that lie close: of like axes, corner at corner, edge at edge or face at face, but for an ulp.
+template <class S, int N>
+std::array<Obb<S, N>, 2> close_pair(bench::Random& random, bench::Numbers numbers) {
+  Obb<S, N> a = bench::obb<S, N>(random, numbers), b = bench::obb<S, N>(random, numbers);
+  if (random.one_in(4)) a.half[0] *= S(1e5), a.half[N - 1] *= S(0.01);  // slender
+  if (random.one_in(4)) a.axes = bench::rotation<S, N>(random, 3);
+  if (random.one_in(2)) b.axes = a.axes * bench::permutation<S, N>(random);
+  if (random.one_in(2)) b.axes = b.axes * bench::rotation<S, N>(random, random.magnitude(-12, -6));
+  if (random.one_in(4)) b.half = a.half;
+  const S places[] = {S(-1), S(1), S(-1), S(1), S(0), static_cast<S>(random.uniform(-1, 1))};
+  Vector<S, N> s, t;
+  for (int i = 0; i < N; ++i) s[i] = a.half[i] * places[random.below(6)], t[i] = b.half[i] * places[random.below(6)];
+  b.center = a.center + a.axes * s + b.axes * t;  // a point of A at a point of B
+  if (random.one_in(3)) b.center = a.center + a.axes * s / 2, b.half = a.half / 2;  // one in the other, nearly
+  if (random.one_in(8)) {
+    const Eigen::Matrix<S, N, N> order = bench::permutation<S, N>(random);
+    b = {a.center, a.axes * order, (order.transpose() * a.half).cwiseAbs()};  // the same set
+  }
+  if (random.one_in(2)) std::swap(a, b);
+  const int axis = random.below(N);
+  if (random.one_in(2)) b.center[axis] = bench::moved(b.center[axis], random.integer(-2, 2));
+  return {a, b};
+}
+
+template <class S, int N>
+std::array<Obb<S, N>, 2> pair(bench::Random& random, bench::Numbers numbers) {
+  if (!random.one_in(4)) return close_pair<S, N>(random, numbers);
+  return {bench::obb<S, N>(random, numbers), bench::obb<S, N>(random, numbers)};
+}
+
+}  // namespace
+
+#define FLOATS_AND_DIMENSIONS ((class S, int N), S, N), (float, 2), (double, 2), (float, 3), (double, 3)
+
+TEMPLATE_TEST_CASE_SIG("boxes side by side are disjoint, touch or overlap", "[obb_obb]", FLOATS_AND_DIMENSIONS) {
+  const Obb<S, N> a = brick<S, N>();
+  CHECK(relate(a, brick<S, N>(at<S, N>(4.5))) == Relation::disjoint);
+  CHECK(relate(a, brick<S, N>(at<S, N>(4))) == Relation::touching);
+  CHECK(relate(a, brick<S, N>(at<S, N>(4, 2))) == Relation::touching);
+  CHECK(relate(a, brick<S, N>(at<S, N>(3, 1))) == Relation::overlapping);
+  CHECK(relate(a, brick<S, N>(at<S, N>(std::nextafter(S(4), S(5))))) == Relation::disjoint);
+  CHECK(relate(a, brick<S, N>(at<S, N>(std::nextafter(S(4), S(0))))) == Relation::overlapping);
+  CHECK_FALSE(intersects(a, brick<S, N>(at<S, N>(std::nextafter(S(4), S(5))))));
+  CHECK(intersects(a, brick<S, N>(at<S, N>(4, 2))));
+}
+
+TEMPLATE_TEST_CASE_SIG("a box within another is inside, its faces touching or not", "[obb_obb]",
+                       FLOATS_AND_DIMENSIONS) {
+  Obb<S, N> small = brick<S, N>(at<S, N>(0.5));
+  small.half *= S(0.5);
+  CHECK(relate(small, brick<S, N>()) == Relation::a_inside_b);
+  CHECK(relate(brick<S, N>(), small) == Relation::b_inside_a);
+  small.center[0] = 1;
+  CHECK(relate(small, brick<S, N>()) == Relation::a_inside_b);
+  small.center[0] = std::nextafter(S(1), S(2));
+  CHECK(relate(small, brick<S, N>()) == Relation::overlapping);
+  small.axes.col(0) = at<S, N>(0.6, 0.8), small.axes.col(1) = at<S, N>(-0.8, 0.6), small.center[0] = 0;
+  small.half.setConstant(S(0.5));
+  CHECK(relate(small, brick<S, N>()) == Relation::a_inside_b);
+}
+
+TEMPLATE_TEST_CASE_SIG("the same set is equal, whatever its axes' order, signs and lengths", "[obb_obb]",
+                       FLOATS_AND_DIMENSIONS) {
+  Obb<S, N> other = brick<S, N>();
+  other.axes.col(0) = at<S, N>(0, -4), other.axes.col(1) = at<S, N>(0.5);
+  other.half[0] = S(0.25), other.half[1] = 4;
+  CHECK(relate(brick<S, N>(), other) == Relation::equal);
+  CHECK(intersects(brick<S, N>(), other));
+}
+
+TEMPLATE_TEST_CASE_SIG("a turned box touches with its corner", "[obb_obb]", FLOATS_AND_DIMENSIONS) {
+  Obb<S, N> diamond = {at<S, N>(4), Eigen::Matrix<S, N, N>::Identity(), Vector<S, N>::Ones()};
+  diamond.axes.col(0) = at<S, N>(1, 1), diamond.axes.col(1) = at<S, N>(-1, 1);  // corners 2 away from the center
+  CHECK(relate(brick<S, N>(), diamond) == Relation::touching);
+  diamond.center[0] = std::nextafter(S(4), S(5));
+  CHECK(relate(brick<S, N>(), diamond) == Relation::disjoint);
+  diamond.center = at<S, N>(3.5, 2.5);  // past the corner: only the diamond's own normal separates
+  CHECK(relate(brick<S, N>(), diamond) == Relation::disjoint);
+  const auto axis = separating_axis(brick<S, N>(), diamond);
+  REQUIRE(axis);
+  CHECK(axis->kind == obb_obb::Kind::face_of_b);
+}
+
+TEMPLATE_TEST_CASE_SIG("flat boxes and points are met where they are", "[obb_obb]", FLOATS_AND_DIMENSIONS) {
+  Obb<S, N> plate = brick<S, N>(at<S, N>(1)), point = brick<S, N>();
+  plate.half[0] = 0, point.half.setZero();
+  CHECK(relate(plate, brick<S, N>()) == Relation::a_inside_b);
+  plate.half[1] = 3;
+  CHECK(relate(plate, brick<S, N>()) == Relation::touching);  // it sticks out, and has no interior
+  plate.center[0] = std::nextafter(S(2), S(3));
+  CHECK(relate(plate, brick<S, N>()) == Relation::disjoint);
+
+  CHECK(relate(point, brick<S, N>()) == Relation::a_inside_b);
+  CHECK(relate(point, point) == Relation::equal);
+  point.center = at<S, N>(2, 1);
+  CHECK(relate(brick<S, N>(), point) == Relation::b_inside_a);
+  point.center = at<S, N>(2, std::nextafter(1.0f, 2.0f));
+  CHECK(relate(brick<S, N>(), point) == Relation::disjoint);
+}
+
+TEMPLATE_TEST_CASE_SIG("nothing meets empty boxes, dependent axes, NaN and infinity", "[obb_obb]",
+                       FLOATS_AND_DIMENSIONS) {
+  std::vector<Obb<S, N>> nothings(2, brick<S, N>());
+  nothings[0].half[1] = -1;
+  nothings[1].axes.col(1) = nothings[1].axes.col(0);
+  for (const S bad : {static_cast<S>(not_a_number), static_cast<S>(inf), static_cast<S>(-inf)})
+    for (int i = 0; i < N; ++i) {
+      Obb<S, N> center = brick<S, N>(), axes = brick<S, N>(), half = brick<S, N>();
+      center.center[i] = bad, axes.axes(i, 0) = bad, half.half[i] = bad;
+      nothings.insert(nothings.end(), {center, axes, half});
+    }
+  for (const Obb<S, N>& nothing : nothings)
+    for (const Obb<S, N>& other : {brick<S, N>(), nothing}) {
+      CHECK_FALSE(intersects(nothing, other));
+      CHECK_FALSE(intersects(other, nothing));
+      CHECK(relate(nothing, other) == Relation::disjoint);
+      CHECK(relate(other, nothing) == Relation::disjoint);
+      CHECK_FALSE(separating_axis(nothing, other));
+    }
+}
+
+TEMPLATE_TEST_CASE_SIG("sizes from tiny to huge give the same verdict", "[obb_obb]", FLOATS_AND_DIMENSIONS) {
+  constexpr int most = std::numeric_limits<S>::max_exponent - 4;
+  for (const int e : {-most, -most / 2, most / 2, most}) {
+    const double k = std::ldexp(1.0, e);
+    const auto scaled = [&](double x, double y) {
+      Obb<S, N> box = brick<S, N>(at<S, N>(k * x, k * y));
+      box.half *= static_cast<S>(k);
+      return box;
+    };
+    CHECK(relate(scaled(0, 0), scaled(4, 1)) == Relation::touching);
+    CHECK(relate(scaled(0, 0), scaled(3.9, 1)) == Relation::overlapping);
+    CHECK(relate(scaled(0, 0), scaled(4.1, 1)) == Relation::disjoint);
+    CHECK_FALSE(intersects(scaled(0, 0), scaled(4.1, 1)));
+  }
+}
+
+TEST_CASE("crossed edges separate where no face does", "[obb_obb]") {
+  // two bars, their edges at right angles, turned so that they point at each other
+  const double c = std::sqrt(0.5);
+  Obb<double, 3> a = {{0, 0, 0}, Eigen::Matrix3d::Identity(), {5, 1, 1}}, b = a;
+  a.axes << 1, 0, 0, 0, c, -c, 0, c, c;  // along x, an edge on top
+  b.axes << 0, c, -c, 1, 0, 0, 0, c, c;  // along y, an edge below
+  b.center = {0, 0, 2.829};
+  CHECK_FALSE(intersects(a, b));
+  const auto axis = separating_axis(a, b);
+  REQUIRE(axis);
+  CHECK(axis->kind == obb_obb::Kind::edges);
+  b.center[2] = 2.828;
+  CHECK(relate(a, b) == Relation::overlapping);
+}
+
+TEST_CASE("the published hard cases are decided rightly", "[obb_obb]") {
+  SECTION("a corner a hair off a face (MathGeoLib issue 12)") {
+    const Obb<double, 3> a = {{.5, .5, .5}, Eigen::Matrix3d::Identity(), {.5, .5, .5}};
+    Obb<double, 3> b = {{1, 0.36602540378444004, -1.3660254037844402}, {}, {1, 1, 1}};
+    b.axes << 0, 0, 1, -0.5, 0.86602540378444, 0, -0.86602540378444, -0.5, 0;
+    CHECK_FALSE(intersects(a, b));
+  }
+  SECTION("slender boxes with a gap, which an absolute epsilon closes") {
+    const Obb<double, 3> a = {{0, 0, 0}, Eigen::Matrix3d::Identity(), {1e5, .01, .01}};
+    Obb<double, 3> b = a;
+    b.center[1] = 0.12;
+    CHECK_FALSE(intersects(a, b));
+    CHECK(obb_obb::gottschalk(a, b, 1e-6));
+    CHECK_FALSE(obb_obb::gottschalk(a, b, 1e-12));
+  }
+}
+
+TEMPLATE_TEST_CASE_SIG("verdicts are those of rational projections", "[obb_obb]", FLOATS_AND_DIMENSIONS) {
+  int count[6] = {};
+  const int cases = tests::cases(60, 8000);
+  for (const bench::Numbers numbers : bench::all_numbers) {
+    bench::Random random(tests::seed() + static_cast<unsigned>(numbers));
+    for (int i = 0; i < cases; ++i) {
+      INFO("seed " << tests::seed() << ", numbers " << static_cast<int>(numbers) << ", case " << i);
+      const auto [a, b] = pair<S, N>(random, numbers);
+      if (!finite(a) || !finite(b)) continue;
+      const Exactly<N> exact_a(a), exact_b(b);
+      const Relation truth = by_projection(exact_a, exact_b);
+      REQUIRE(relate(a, b) == truth);
+      REQUIRE(relate(b, a) == reversed(truth));
+      REQUIRE(intersects(a, b) == (truth != Relation::disjoint));
+      ++count[static_cast<int>(truth)];
+
+      const auto axis = separating_axis(a, b);
+      REQUIRE((axis.has_value() || !exists(exact_a) || !exists(exact_b)) == (truth == Relation::disjoint));
+      if (axis) {
+        const auto all = directions(exact_a, exact_b);
+        const auto l = obb_obb::direction<Exact>(cast<double>(a), cast<double>(b), *axis);
+        const auto same = [&](const Coordinates<N>& m) {
+          for (int k = 0; k < N; ++k)
+            if (l[k].sign() != sign(m[k]) && l[k].sign() != -sign(m[k])) return false;
+          return along(m, exact_a, exact_b) > 0;
+        };
+        CHECK(std::any_of(all.begin(), all.end(), same));
+      }
+    }
+  }
+  CHECK(*std::min_element(std::begin(count), std::end(count)) > cases / 20);
+}
+
+TEMPLATE_TEST_CASE_SIG("verdicts are those of the common part's vertices", "[obb_obb]", FLOATS_AND_DIMENSIONS) {
+  bench::Random random(tests::seed());
+  int count[6] = {};
+  const int cases = tests::cases(N == 2 ? 300 : 80, N == 2 ? 40000 : 1500);
+  for (int i = 0; i < cases; ++i) {
+    INFO("seed " << tests::seed() << ", case " << i);
+    const bench::Numbers numbers = bench::all_numbers[random.below(8)];
+    auto [a, b] = pair<S, N>(random, random.one_in(2) ? bench::Numbers::grid : numbers);
+    for (int k = 0; k < N; ++k)
+      if (random.one_in(4)) (random.one_in(2) ? a : b).half[k] = 0;  // flat boxes: are the axes enough?
+    if (!finite(a) || !finite(b)) continue;
+    const Relation truth = by_vertices(Exactly<N>(a), Exactly<N>(b));
+    REQUIRE(relate(a, b) == truth);
+    REQUIRE(intersects(a, b) == (truth != Relation::disjoint));
+    ++count[static_cast<int>(truth)];
+  }
+  for (const Relation r : {Relation::disjoint, Relation::touching, Relation::overlapping})
+    CHECK(count[static_cast<int>(r)] > 0);
+}
+
+TEMPLATE_TEST_CASE_SIG("exact motions, orders of axes and listeners change nothing", "[obb_obb]",
+                       FLOATS_AND_DIMENSIONS) {
+  bench::Random random(tests::seed());
+  for (int i = 0; i < 500; ++i) {
+    INFO("seed " << tests::seed() << ", case " << i);
+    const auto [a, b] = pair<S, N>(random, random.one_in(2) ? bench::Numbers::grid : bench::Numbers::ordinary);
+    const Relation relation = relate(a, b);
+    Record<obb_obb::Event<N>> record;
+    CHECK(relate(a, b, record) == relation);
+    CHECK(intersects(a, b, record) == (relation != Relation::disjoint));
+
+    const Eigen::Matrix<S, N, N> turn = bench::permutation<S, N>(random);
+    const auto turned = [&](const Obb<S, N>& x) -> Obb<S, N> { return {turn * x.center, turn * x.axes, x.half}; };
+    CHECK(relate<S, N>(turned(a), turned(b)) == relation);
+    const auto reordered = [&](const Obb<S, N>& x) -> Obb<S, N> {
+      return {x.center, x.axes * turn, (turn.transpose() * x.half).cwiseAbs()};
+    };
+    CHECK(relate<S, N>(a, reordered(b)) == relation);
+    CHECK(relate<S, N>(a, reordered(a)) == relate(a, a));
+    const S k = std::ldexp(S(1), random.integer(0, 20));
+    const auto scaled = [&](const Obb<S, N>& x) -> Obb<S, N> { return {k * x.center, x.axes, k * x.half}; };
+    CHECK(relate<S, N>(scaled(a), scaled(b)) == relation);
+    CHECK(relate<S, N>({a.center, k * a.axes, a.half / k}, b) == relation);
+  }
+}
+
+TEST_CASE("the first pass settles ordinary boxes, and is right about all it settles", "[obb_obb]") {
+  bench::Random random(tests::seed());
+  int open = 0, overlap = 0;
+  const int cases = tests::cases(1000, 100000);
+  for (int i = 0; i < cases; ++i) {
+    const auto box = [&]() -> Obb<double, 3> {
+      const Point<double, 3> center = random.in_box<3>(2);
+      const Eigen::Matrix3d axes = bench::rotation<double, 3>(random, 3);
+      return {center, axes, random.in_box<3>(1).cwiseAbs()};
+    };
+    const Obb<double, 3> a = box(), b = box();
+    const obb_obb::FirstPass first = obb_obb::first_pass(a, b, NoTrace{});
+    const bool truth = !obb_obb::settle(a, b, NoTrace{}).separating;
+    if (first.overlap) CHECK(truth);
+    if (first.separating) CHECK_FALSE(truth);
+    open += !first.overlap && !first.separating, overlap += first.overlap;
+  }
+  CHECK(open == 0);
+  CHECK(overlap > cases / 20);
+  CHECK(overlap < cases - cases / 20);
+}
+
+TEST_CASE("the events tell each axis, an open one twice, and a witness", "[obb_obb]") {
+  using Tested = obb_obb::Tested<3>;
+  const Obb<double, 3> a = brick<double, 3>();
+  Record<obb_obb::Event<3>> record;
+  CHECK_FALSE(intersects(a, brick<double, 3>({0, 3, 0}), record));
+  REQUIRE(record.events.size() == 2);
+  const Tested& last = std::get<Tested>(record.events[1]);
+  CHECK(last.axis == obb_obb::Axis{obb_obb::Kind::face_of_a, 1});
+  CHECK(last.distance == 3);
+  CHECK(last.radius_a == 1);
+  CHECK(last.radius_b == 1);
+  CHECK(last.sign == 1);
+
+  record.events.clear();
+  CHECK(intersects(a, brick<double, 3>({3, 1, 0}), record));
+  REQUIRE(record.events.size() == 7);
+  CHECK(std::get<obb_obb::Witness<3>>(record.events[6]).p == Point<double, 3>(2, 1, 0));
+
+  record.events.clear();
+  CHECK(intersects(a, brick<double, 3>({4, 0, 0}), record));  // touching is left open by doubles
+  CHECK_FALSE(std::get<Tested>(record.events[0]).sign);
+  const auto exactly_touching = [](const auto& event) {
+    const Tested* tested = std::get_if<Tested>(&event);
+    return tested != nullptr && tested->sign == 0;
+  };
+  CHECK(std::count_if(record.events.begin(), record.events.end(), exactly_touching) == 4);  // faces and products
+}
+
+TEST_CASE("the classical test counts, and tells its axes", "[obb_obb]") {
+  using C = Counted<double>;
+  Record<obb_obb::Compared<double>> record;
+  CHECK(obb_obb::gottschalk(brick<double, 3>(), brick<double, 3>({3, 0, 0}), 1e-12, record));
+  CHECK(record.events.size() == 15);
+  const Obb<C, 3> a = {Point<C, 3>::Zero(), Eigen::Matrix<C, 3, 3>::Identity(), Vector<C, 3>::Ones()};
+  tally() = {};
+  CHECK(obb_obb::gottschalk(a, a, C(1e-12)));
+  CHECK(tally().mul > 100);
+  CHECK(tally().div == 0);
+}
