@@ -56,7 +56,7 @@ bool before(const Point<S, 2>& a, const Point<S, 2>& b) {
 
 /// The ring as a convex polygon: counter-clockwise, without repeated vertices or those within an edge. Nothing when
 /// it is not convex, goes around more than once, has no area, turns back on itself, or has a NaN or infinite
-/// coordinate. Exact, in O(n).
+/// coordinate. The first vertex stays first, if it is one. Exact, in O(n).
 template <class S>
 std::optional<ConvexPolygon<S>> make_convex(const Ring<S, 2>& ring) {
   if (!finite(ring)) return {};
@@ -69,7 +69,7 @@ std::optional<ConvexPolygon<S>> make_convex(const Ring<S, 2>& ring) {
   ConvexPolygon<S> polygon;
   int sense = 0, reversals = 0;  // of the turns; and of the direction, forwards or backwards in `before`
   for (std::size_t i = 0; i < n; ++i) {
-    const Point<S, 2>&a = distinct[i], &b = distinct[(i + 1) % n], &c = distinct[(i + 2) % n];
+    const Point<S, 2>&a = distinct[i > 0 ? i - 1 : n - 1], &b = distinct[i], &c = distinct[i + 1 < n ? i + 1 : 0];
     const bool reverses = point_convex_polygon::before(a, b) != point_convex_polygon::before(b, c);
     const int turn = orient2d(a.template cast<double>(), b.template cast<double>(), c.template cast<double>());
     if (reverses) ++reversals;
@@ -81,7 +81,7 @@ std::optional<ConvexPolygon<S>> make_convex(const Ring<S, 2>& ring) {
   }
   // with turns of one sense the direction goes around once for every two reversals
   if (sense == 0 || reversals != 2) return {};
-  if (sense < 0) std::reverse(polygon.vertices.begin(), polygon.vertices.end());
+  if (sense < 0) std::reverse(polygon.vertices.begin() + 1, polygon.vertices.end());
   return polygon;
 }
 
