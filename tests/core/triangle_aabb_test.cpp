@@ -1,0 +1,311 @@
+// Triangle against axis-aligned box: cases by name, properties, and hard families against clipping in rationals.
+
+#include "core/triangle_aabb.h"
+
+#include <algorithm>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+#include "bench/random_obb.h"
+#include "bench/rational.h"
+#include "core/counted.h"
+#include "core/triangle_aabb_methods.h"
+#include "tests/catch.h"
+#include "tests/settings.h"
+
+using namespace isect;
+using oracle::Rational;
+using oracle::operator+;
+using oracle::operator-;
+using oracle::operator*;
+
+namespace {
+
+constexpr double inf = std::numeric_limits<double>::infinity(),
+                 not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+/// (x, y), or (x, y, z).
+template <class S, int N>
+Point<S, N> at(double x, double y, double z = 0) {
+  Point<S, N> p;
+  p[0] = static_cast<S>(x), p[1] = static_cast<S>(y);
+  if constexpr (N == 3) p[2] = static_cast<S>(z);
+  return p;
+}
+
+/// [-1, 1] in all directions.
+template <class S, int N>
+Aabb<S, N> cube() {
+  return {Point<S, N>::Constant(-1), Point<S, N>::Constant(1)};
+}
+
+// The oracle: what clipping leaves of the triangle.
+
+template <int N>
+using Corners = std::vector<oracle::Coordinates<N>>;
+
+/// The part with side (x_axis - limit) >= 0, by Sutherland and Hodgman.
+template <int N>
+std::type_identity_t<Corners<N>> clipped(const Corners<N>& polygon, int axis, const Rational& limit, int side) {
+  Corners<N> result;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const auto &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+    const Rational from = side * (p[axis] - limit), to = side * (q[axis] - limit);
+    if (from >= 0) result.push_back(p);
+    if ((from > 0 && to < 0) || (from < 0 && to > 0)) result.push_back(p + Rational(from / (from - to)) * (q - p));
+  }
+  return result;
+}
+
+template <class S, int N>
+Corners<N> common(const Triangle<S, N>& triangle, const Aabb<S, N>& box) {
+  Corners<N> polygon;
+  for (const Point<S, N>& v : triangle.vertices) polygon.push_back(oracle::rational<S, N>(v));
+  for (int k = 0; k < N; ++k) {
+    polygon = clipped<N>(polygon, k, Rational(box.lo[k]), 1);
+    polygon = clipped<N>(polygon, k, Rational(box.hi[k]), -1);
+  }
+  return polygon;
+}
+
+/// Whether the common part reaches into the box's interior: its centroid does if any point does.
+template <class S, int N>
+bool reaches_inside(const std::type_identity_t<Corners<N>>& part, const Aabb<S, N>& box) {
+  oracle::Coordinates<N> sum = part[0];
+  for (std::size_t i = 1; i < part.size(); ++i) sum = sum + part[i];
+  for (int k = 0; k < N; ++k) {
+    const Rational x = sum[k] / part.size();
+    if (x <= Rational(box.lo[k]) || x >= Rational(box.hi[k])) return false;
+  }
+  return true;
+}
+
+template <class S, int N>
+Relation oracle_relate(const Triangle<S, N>& triangle, const Aabb<S, N>& box) {
+  const Corners<N> part = common(triangle, box);
+  if (part.empty()) return Relation::disjoint;
+  bool a_in_b = true, b_in_a = true;
+  for (const Point<S, N>& v : triangle.vertices) a_in_b &= !common<S, N>({{v, v, v}}, box).empty();
+  for (int corner = 0; corner < 1 << N; ++corner) {
+    Point<S, N> c;
+    for (int k = 0; k < N; ++k) c[k] = corner & (1 << k) ? box.hi[k] : box.lo[k];
+    b_in_a &= !common<S, N>(triangle, {c, c}).empty();
+  }
+  if (a_in_b && b_in_a) return Relation::equal;
+  if (a_in_b || b_in_a) return a_in_b ? Relation::a_inside_b : Relation::b_inside_a;
+  return reaches_inside(part, box) ? Relation::overlapping : Relation::touching;
+}
+
+/// A box, some of its sides flat, and a triangle with vertices at its corners and faces or nearby, or with a face,
+/// an edge or the plane through one of its corners.
+template <class S, int N>
+std::pair<Triangle<S, N>, Aabb<S, N>> pair(bench::Random& random, bench::Numbers numbers) {
+  const Point<S, N> p = bench::vector<S, N>(random, numbers), q = bench::vector<S, N>(random, numbers);
+  Aabb<S, N> box = {p.cwiseMin(q), p.cwiseMax(q)};
+  if (random.one_in(4)) box.hi[random.below(N)] = box.lo[0] <= box.hi[0] ? box.hi[0] : box.lo[0];
+  for (int k = 0; k < N; ++k)
+    if (box.lo[k] > box.hi[k] || random.one_in(8)) box.hi[k] = box.lo[k];
+  const auto corner = [&] {
+    Point<S, N> c;
+    for (int k = 0; k < N; ++k) c[k] = random.one_in(2) ? box.lo[k] : box.hi[k];
+    return c;
+  };
+  Triangle<S, N> triangle;
+  for (Point<S, N>& v : triangle.vertices) {
+    v = bench::vector<S, N>(random, numbers);
+    if (random.one_in(3)) v = corner();
+    if (random.one_in(6)) v = box.lo / 2 + box.hi / 2;
+  }
+  auto& v = triangle.vertices;
+  const Point<S, N> c = corner();
+  if (random.one_in(4)) v[1] = 2 * c - v[0];                              // an edge through a corner
+  if (random.one_in(4)) v[2] = c + S(2) * (c - v[0] / 2 - v[1] / 2);      // or the plane
+  if (random.one_in(8)) v[1] = v[0];
+  if (random.one_in(8)) v[2] = v[0] / 2 + v[1] / 2;
+  if (random.one_in(16)) box.hi = box.lo, v = {box.lo, box.lo, box.lo};  // a point
+  if (random.one_in(4)) {
+    S& x = v[random.below(3)][random.below(N)];
+    x = bench::moved(x, random.integer(-2, 2));
+  }
+  return {triangle, box};
+}
+
+}  // namespace
+
+#define FLOATS_AND_DIMENSIONS ((class S, int N), S, N), (float, 2), (double, 2), (float, 3), (double, 3)
+
+TEMPLATE_TEST_CASE_SIG("a triangle is inside, across, at or away from a box", "[triangle_aabb]",
+                       FLOATS_AND_DIMENSIONS) {
+  const auto with = [](double x) {
+    return relate<S, N>({{at<S, N>(x, 0), at<S, N>(x + 1, 0), at<S, N>(x, 1)}}, cube<S, N>());
+  };
+  CHECK(with(0) == Relation::a_inside_b);
+  CHECK(with(0.5) == Relation::overlapping);
+  CHECK(with(1) == Relation::touching);
+  CHECK(with(std::nextafter(1.0f, 2.0f)) == Relation::disjoint);
+  CHECK(with(-2) == Relation::touching);
+  CHECK(with(-2.5) == Relation::disjoint);
+}
+
+TEMPLATE_TEST_CASE_SIG("an edge that passes a corner by is told by its normal alone", "[triangle_aabb]",
+                       FLOATS_AND_DIMENSIONS) {
+  const auto with = [](S y) {  // the hypotenuse runs from (y, 0) to (0, y)
+    return relate<S, N>({{at<S, N>(y, 0), at<S, N>(0, y), at<S, N>(y, y)}}, cube<S, N>());
+  };
+  CHECK(with(2) == Relation::touching);
+  CHECK(with(std::nextafter(S(2), S(3))) == Relation::disjoint);
+  CHECK(with(std::nextafter(S(2), S(0))) == Relation::overlapping);
+}
+
+TEMPLATE_TEST_CASE_SIG("degenerate triangles are segments and points", "[triangle_aabb]", FLOATS_AND_DIMENSIONS) {
+  const auto with = [](const Point<S, N>& p, const Point<S, N>& q) {
+    const Relation r = relate<S, N>({{p, q, q}}, cube<S, N>());
+    CHECK(relate<S, N>({{p, q, p}}, cube<S, N>()) == r);
+    CHECK(intersects<S, N>({{q, q, p}}, cube<S, N>()) == (r != Relation::disjoint));
+    return r;
+  };
+  CHECK(with(at<S, N>(0, 0), at<S, N>(1, 1)) == Relation::a_inside_b);
+  CHECK(with(at<S, N>(2, 0), at<S, N>(0, 2)) == Relation::touching);
+  CHECK(with(at<S, N>(2, 0.5), at<S, N>(0, 2.5)) == Relation::disjoint);
+  CHECK(with(at<S, N>(1, 0), at<S, N>(3, 0)) == Relation::touching);
+  CHECK(with(at<S, N>(0, 0), at<S, N>(3, 0)) == Relation::overlapping);
+  CHECK(with(at<S, N>(1, 1), at<S, N>(1, 1)) == Relation::a_inside_b);
+  CHECK(with(at<S, N>(1, 1.5), at<S, N>(1, 1.5)) == Relation::disjoint);
+}
+
+TEMPLATE_TEST_CASE_SIG("flat boxes lie in a triangle, or touch it", "[triangle_aabb]", FLOATS_AND_DIMENSIONS) {
+  const Triangle<S, N> triangle = {{at<S, N>(0, 0), at<S, N>(4, 0), at<S, N>(0, 4)}};
+  const auto with = [&](double x, double y, double X, double Y) {
+    return relate<S, N>(triangle, {at<S, N>(x, y), at<S, N>(X, Y)});
+  };
+  CHECK(with(1, 1, 2, 2) == Relation::b_inside_a);
+  CHECK(with(2, 2, 2, 2) == Relation::b_inside_a);
+  CHECK(with(3, 3, 3, 3) == Relation::disjoint);
+  CHECK(with(1, 1, 1, 5) == Relation::touching);
+  CHECK(relate<S, N>({{at<S, N>(1, 1), at<S, N>(2, 1), at<S, N>(1, 1)}}, {at<S, N>(1, 1), at<S, N>(2, 1)}) ==
+        Relation::equal);
+}
+
+TEMPLATE_TEST_CASE_SIG("nothing meets an empty box, NaN or infinity", "[triangle_aabb]", FLOATS_AND_DIMENSIONS) {
+  const Triangle<S, N> triangle = {{at<S, N>(0, 0), at<S, N>(1, 0), at<S, N>(0, 1)}};
+  Aabb<S, N> inverted = cube<S, N>();
+  inverted.lo[1] = 2;
+  CHECK_FALSE(intersects(triangle, inverted));
+  CHECK(relate(triangle, inverted) == Relation::disjoint);
+  for (const S bad : {static_cast<S>(not_a_number), static_cast<S>(inf), static_cast<S>(-inf)})
+    for (int k = 0; k < N; ++k) {
+      Triangle<S, N> t = triangle;
+      t.vertices[k][k] = bad;
+      Aabb<S, N> lo = cube<S, N>(), hi = cube<S, N>();
+      lo.lo[k] = bad, hi.hi[k] = bad;
+      CHECK_FALSE(intersects(t, cube<S, N>()));
+      CHECK_FALSE(intersects(triangle, lo));
+      CHECK_FALSE(meets_interior(triangle, hi));
+      CHECK(relate(triangle, hi) == Relation::disjoint);
+    }
+}
+
+TEMPLATE_TEST_CASE_SIG("sizes from tiny to huge give the same verdict", "[triangle_aabb]", FLOATS_AND_DIMENSIONS) {
+  constexpr int most = std::numeric_limits<S>::max_exponent - 4;
+  for (const int e : {-most, -most / 2, most / 2, most}) {
+    const double k = std::ldexp(1.0, e);
+    const Aabb<S, N> box = {Point<S, N>::Constant(static_cast<S>(-k)), Point<S, N>::Constant(static_cast<S>(k))};
+    const auto with = [&](double y) {
+      return relate<S, N>({{at<S, N>(k * y, 0), at<S, N>(0, k * y), at<S, N>(k * y, k * y)}}, box);
+    };
+    CHECK(with(2) == Relation::touching);
+    CHECK(with(2.125) == Relation::disjoint);
+    CHECK(with(1.875) == Relation::overlapping);
+  }
+}
+
+TEST_CASE("a triangle in a face of the box only touches its interior's rim", "[triangle_aabb]") {
+  const Triangle<double, 3> triangle = {{at<double, 3>(0, 0, 1), at<double, 3>(1, 0, 1), at<double, 3>(0, 1, 1)}};
+  CHECK(relate(triangle, cube<double, 3>()) == Relation::a_inside_b);
+  CHECK_FALSE(meets_interior(triangle, cube<double, 3>()));
+  const Triangle<double, 3> wide = {{at<double, 3>(-9, -9, 1), at<double, 3>(9, -9, 1), at<double, 3>(0, 9, 1)}};
+  CHECK(relate(wide, cube<double, 3>()) == Relation::touching);
+}
+
+TEMPLATE_TEST_CASE_SIG("verdicts are those of clipping in rationals", "[triangle_aabb]", FLOATS_AND_DIMENSIONS) {
+  int count[6] = {};
+  const int cases = tests::cases(150, 30000);
+  for (const bench::Numbers numbers : bench::all_numbers) {
+    bench::Random random(tests::seed() + static_cast<unsigned>(numbers));
+    for (int i = 0; i < cases; ++i) {
+      INFO("seed " << tests::seed() << ", numbers " << static_cast<int>(numbers) << ", case " << i);
+      const auto [triangle, box] = pair<S, N>(random, numbers);
+      if (!finite(triangle)) continue;
+      const Relation truth = oracle_relate(triangle, box);
+      REQUIRE(relate(triangle, box) == truth);
+      REQUIRE(intersects(triangle, box) == (truth != Relation::disjoint));
+      const bool inner = truth != Relation::disjoint && reaches_inside(common(triangle, box), box);
+      REQUIRE(meets_interior(triangle, box) == inner);
+      ++count[static_cast<int>(truth)];
+    }
+  }
+  CHECK(*std::min_element(std::begin(count), std::end(count)) > cases / 20);
+}
+
+TEMPLATE_TEST_CASE_SIG("exact motions, orders of vertices and listeners change nothing", "[triangle_aabb]",
+                       FLOATS_AND_DIMENSIONS) {
+  bench::Random random(tests::seed());
+  for (int i = 0; i < 500; ++i) {
+    INFO("seed " << tests::seed() << ", case " << i);
+    const bench::Numbers numbers = random.one_in(2) ? bench::Numbers::grid : bench::Numbers::ordinary;
+    const auto [triangle, box] = pair<S, N>(random, numbers);
+    const auto& [a, b, c] = triangle.vertices;
+    const Relation relation = relate(triangle, box);
+    Record<triangle_aabb::Event<N>> record;
+    CHECK(relate(triangle, box, record) == relation);
+    CHECK(relate<S, N>({{b, c, a}}, box) == relation);
+    CHECK(relate<S, N>({{b, a, c}}, box) == relation);
+    const Eigen::Matrix<S, N, N> turn = bench::permutation<S, N>(random);
+    const Point<S, N> p = turn * box.lo, q = turn * box.hi;
+    CHECK(relate<S, N>({{turn * a, turn * b, turn * c}}, {p.cwiseMin(q), p.cwiseMax(q)}) == relation);
+    const S k = std::ldexp(S(1), random.integer(0, 20));
+    CHECK(relate<S, N>({{k * a, k * b, k * c}}, {k * box.lo, k * box.hi}) == relation);
+  }
+}
+
+TEST_CASE("the events tell each axis, up to the one that separates", "[triangle_aabb]") {
+  Record<triangle_aabb::Event<3>> record;
+  const Triangle<double, 3> triangle = {{at<double, 3>(0, 2), at<double, 3>(1, 2), at<double, 3>(0, 3)}};
+  CHECK_FALSE(intersects(triangle, cube<double, 3>(), record));
+  REQUIRE(record.events.size() == 2);
+  const auto& last = std::get<triangle_aabb::Tested<3>>(record.events[1]);
+  CHECK(last.axis == triangle_aabb::Axis{triangle_aabb::Kind::box_normal, 1});
+  CHECK(last.triangle == Interval<double>{2, 3});
+  CHECK(last.box == Interval<double>{-1, 1});
+  CHECK(last.sign == 1);
+}
+
+TEST_CASE("the classical test is right for ordinary shapes, counts, and rounds", "[triangle_aabb]") {
+  bench::Random random(tests::seed());
+  for (int i = 0; i < 1000; ++i) {
+    const Point<double, 3> p = random.in_box<3>(1), q = random.in_box<3>(1);
+    const Aabb<double, 3> box = {p.cwiseMin(q), p.cwiseMax(q)};
+    Triangle<double, 3> triangle;
+    for (Point<double, 3>& v : triangle.vertices) v = random.in_box<3>(1);
+    CHECK(triangle_aabb::akenine_moller(triangle, box) == intersects(triangle, box));
+  }
+  // the box's center is not a double: half an ulp decides
+  const Triangle<double, 3> plate = {{at<double, 3>(.7, 0, 0), at<double, 3>(.7, 1, 0), at<double, 3>(.7, 0, 1)}};
+  const double before = std::nextafter(.7, 0);
+  int wrong = 0;
+  for (int i = 1; i < 100; ++i) {
+    const Aabb<double, 3> box = {at<double, 3>(-i * .1, 0, 0), at<double, 3>(before, 1, 1)};
+    CHECK_FALSE(intersects(plate, box));
+    wrong += triangle_aabb::akenine_moller(plate, box);
+  }
+  CHECK(wrong > 0);
+
+  using C = Counted<double>;
+  const Triangle<C, 3> t = {{Point<C, 3>::Zero(), Point<C, 3>::Ones(), Point<C, 3>(C(1), C(0), C(0))}};
+  Record<triangle_aabb::Compared<C>> record;
+  tally() = {};
+  CHECK(triangle_aabb::akenine_moller<C>(t, {Point<C, 3>::Zero(), Point<C, 3>::Ones()}, record));
+  CHECK(record.events.size() == 13);
+  CHECK(tally().mul > 100);
+}
