@@ -3,16 +3,13 @@
 // 65,536 distinct rays a family, in random order, so that branch prediction learns nothing; every method
 // makes the same passes over them, and reading them costs each the same ("read").
 
-#include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <optional>
-#include <string>
 #include <vector>
 
+#include "bench/measure.h"
 #include "bench/ray_sphere_families.h"
 #include "core/ray_sphere.h"
 #include "core/ray_sphere_methods.h"
@@ -44,33 +41,6 @@ std::optional<S> naive(const Ray<S, 3>& ray, const Sphere<S, 3>& sphere) {
   return {};
 }
 
-struct Timing {
-  double least, median;  ///< ns a ray
-  int hits;
-};
-
-/// Times `passes` passes of solve(case) -> optional t; the sum keeps the compiler from dropping the work.
-template <class S, class Solve>
-Timing timed(const Cases<S>& cases, int passes, const Solve& solve) {
-  std::vector<double> times;
-  int hits = 0;
-  double sum = 0;
-  for (int pass = 0; pass < passes; ++pass) {
-    hits = 0;
-    const auto start = std::chrono::steady_clock::now();
-    for (const RaySphereCase<S, 3>& c : cases)
-      if (const std::optional<S> t = solve(c)) {
-        ++hits;
-        sum += static_cast<double>(*t);
-      }
-    const std::chrono::duration<double, std::nano> passed = std::chrono::steady_clock::now() - start;
-    times.push_back(passed.count() / static_cast<double>(cases.size()));
-  }
-  asm volatile("" : : "g"(sum));
-  std::sort(times.begin(), times.end());
-  return {times.front(), times[times.size() / 2], hits};
-}
-
 template <class S>
 double fallback_share(const Cases<S>& cases) {
   int fell = 0;
@@ -90,7 +60,14 @@ void report(const RaySphereFamily<S, 3>& family, int passes) {
   Cases<S> cases;
   for (int i = 0; i < rays; ++i) cases.push_back(family.draw(random));
 
-  const auto time = [&](const auto& solve) { return timed<S>(cases, passes, solve); };
+  double sum = 0;  // of all t, so that none is dropped
+  const auto time = [&](const auto& solve) {
+    return timed(cases, passes, [&](const RaySphereCase<S, 3>& c) {
+      const std::optional<S> t = solve(c);
+      if (t) sum += static_cast<double>(*t);
+      return t.has_value();
+    });
+  };
   using Case = RaySphereCase<S, 3>;
   const Timing read = time([](const Case& c) -> std::optional<S> {
     return c.ray.origin[0] + c.sphere.radius < c.ray.range.hi ? std::optional(c.ray.direction[0])
@@ -101,7 +78,7 @@ void report(const RaySphereFamily<S, 3>& family, int passes) {
   const double fell = fallback_share(cases);
 
   const auto row = [&](const char* method, const Timing& t) {
-    std::printf("%-17s %-6s %-10s %8.2f %8.2f %7.2f %7d", family.name, sizeof(S) == 4 ? "float" : "double",
+    std::printf("%-17s %-6s %-10s %8.2f %8.2f %7.2f %7ld", family.name, sizeof(S) == 4 ? "float" : "double",
                 method, t.least, t.median, t.least / quick.least, t.hits);
   };
   const auto line = [&](const char* method, const Timing& t) { row(method, t), std::printf("\n"); };
@@ -112,13 +89,7 @@ void report(const RaySphereFamily<S, 3>& family, int passes) {
   line("haines", time([](const Case& c) { return ray_sphere::haines(c.ray, c.sphere); }));
   row("intersect", exact);
   std::printf("  %6.2f %%\n", 100 * fell);
-}
-
-std::string cpu() {
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);)
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-  return "unknown";
+  asm volatile("" : : "g"(sum));
 }
 
 }  // namespace

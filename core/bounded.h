@@ -11,9 +11,9 @@
 //   a + b, a - b       value              size a + size b      max + 1
 //   a b                value              size a size b + tiny sum + 1
 //
-// Underflow: a product errs by at most 2^-1075 more, which is below u tiny, tiny = 2^-1000. Overflow makes the
-// size infinite, and nothing certain. The size's own roundings, two for each of the value's, and those of the last
-// comparison are paid by one more u: (k + 1) u >= g(k) (1 - u)^-2k (1 + u)^3 for k < 2^20.
+// Underflow: a product errs by at most 2^-1075 more in double, 2^-1072 in DoubleDouble, which is below u tiny. Overflow
+// makes the size infinite or the value NaN, and nothing certain. The size's own roundings, two for each of the value's,
+// and those of the last comparison are paid by one more u: (k + 1) u >= g(k) (1 - u)^-2k (1 + u)^4 for k < 2^20.
 
 #include <algorithm>
 #include <cmath>
@@ -24,15 +24,16 @@
 
 namespace isect {
 
-template <std::floating_point T>
+/// T is double, Extended or DoubleDouble. The size stays a double, as x87 code for it would be slow.
+template <class T>
 class Bounded {
  public:
   Bounded() = default;
-  Bounded(double x) : value_(x), size_(std::abs(value_)) {}
+  Bounded(double x) : value_{x}, size_(std::abs(x)) {}
 
   static Bounded difference(double x, double y) {
-    const T value = T(x) - T(y);
-    return {value, std::abs(value), 1};
+    const T value = isect::difference<T>(x, y);
+    return {value, std::abs(leading(value)), 1};
   }
 
   friend Bounded operator+(const Bounded& a, const Bounded& b) {
@@ -42,35 +43,38 @@ class Bounded {
     return {a.value_ - b.value_, a.size_ + b.size_, std::max(a.roundings_, b.roundings_) + 1};
   }
   friend Bounded operator*(const Bounded& a, const Bounded& b) {
-    constexpr T tiny = 0x1p-1000;
+    constexpr double tiny = std::same_as<T, DoubleDouble> ? 0x1p-960 : 0x1p-1000;
     return {a.value_ * b.value_, a.size_ * b.size_ + tiny, a.roundings_ + b.roundings_ + 1};
   }
   friend Bounded operator-(const Bounded& a) { return {-a.value_, a.size_, a.roundings_}; }
-  friend Bounded abs(const Bounded& a) { return {std::abs(a.value_), a.size_, a.roundings_}; }
+  friend Bounded abs(const Bounded& a) { return leading(a.value_) < 0 ? -a : a; }
 
   /// 1, 0, -1, or nothing where the error could turn it.
   std::optional<int> sign() const {
-    if (std::abs(value_) > error()) return value_ > 0 ? 1 : -1;  // false for NaN
-    if (size_ == 0) return 0;                                    // nothing but zeros was summed
+    const double head = leading(value_);
+    if (std::abs(head) > error()) return head > 0 ? 1 : -1;  // false for NaN
+    if (size_ == 0) return 0;                                // nothing but zeros was summed
     return {};
   }
   /// Whether the value lies within a relative `tolerance` of the truth.
-  bool within(double tolerance) const { return error() <= T(tolerance) * std::abs(value_); }
+  bool within(double tolerance) const { return error() <= tolerance * std::abs(leading(value_)); }
 
-  T value() const { return value_; }
+  const T& value() const { return value_; }
   /// |value - truth| <= error(); infinite or NaN where nothing is known.
-  T error() const { return static_cast<T>((roundings_ + 1) * unit<T>) * size_; }
+  double error() const { return (roundings_ + 1) * unit<T> * size_; }
 
  private:
-  Bounded(T value, T size, int roundings) : value_(value), size_(size), roundings_(roundings) {}
+  Bounded(const T& value, double size, int roundings) : value_(value), size_(size), roundings_(roundings) {}
 
-  T value_ = 0, size_ = 0;
+  T value_ = {};
+  double size_ = 0;
   int roundings_ = 0;
 };
 
-/// What the polynomial texts of predicates run in: one of these, then Exact.
+/// What the polynomial texts of predicates run in: one after the other.
 template <class W>
-concept Filtered = std::same_as<W, Bounded<double>> || std::same_as<W, Bounded<long double>> || std::same_as<W, Exact>;
+concept Filtered = std::same_as<W, Bounded<double>> || std::same_as<W, Bounded<Extended>> ||
+    std::same_as<W, Bounded<DoubleDouble>> || std::same_as<W, Exact>;
 
 /// x - y of two doubles.
 template <Filtered W>

@@ -5,8 +5,8 @@
 //
 //   sign_of([&]<class W>() -> W { return difference<W>(a[0], c[0]) * difference<W>(b[1], c[1]) - ...; })
 //
-// It runs in Bounded<double>, whose proved error bound settles nearly every sign, and otherwise in Exact, where
-// every sign is certain. So the algorithms above read like the book's, branch on true signs alone, and are right
+// It runs in Bounded<double>, whose proved error bound settles nearly every sign, else in Bounded<DoubleDouble>, and at
+// last in Exact, where every sign is certain. So the algorithms above read like the book's, branch on true signs alone, and are right
 // for all finite input of any magnitude. Arguments must be finite.
 
 #include <limits>
@@ -21,7 +21,8 @@ namespace isect {
 namespace detail {
 /// Apart and not inlined: the machine code of the slow path stays out of the fast one's way.
 template <class Text>
-[[gnu::noinline, gnu::cold]] int exact_sign(const Text& text) {
+[[gnu::noinline, gnu::cold]] int settled_sign(const Text& text) {
+  if (const std::optional<int> s = text.template operator()<Bounded<DoubleDouble>>().sign()) return *s;
   return text.template operator()<Exact>().sign();
 }
 }  // namespace detail
@@ -31,7 +32,7 @@ template <class Text, class Trace = NoTrace>
 int sign_of(const Text& text, Trace&& trace = {}) {
   if (const std::optional<int> s = text.template operator()<Bounded<double>>().sign()) return *s;
   trace(Fallback{});
-  return detail::exact_sign(text);
+  return detail::settled_sign(text);
 }
 
 /// A quotient of two polynomials, not divided yet; den is not zero.
@@ -41,8 +42,18 @@ struct Ratio {
 };
 
 namespace detail {
+/// The quotient in V, if it is finite there and num and den are within a relative `tolerance`.
+template <class V, class Text>
+std::optional<double> bounded_quotient(const Text& text, double tolerance) {
+  const Ratio<Bounded<V>> r = text.template operator()<Bounded<V>>();
+  if (!r.num.within(tolerance) || !r.den.within(tolerance)) return {};
+  const double q = quotient(r.num.value(), r.den.value());
+  return std::isfinite(q) ? std::optional(q) : std::nullopt;  // beyond 2^996 DoubleDouble's steps overflow
+}
+
 template <class Text>
-[[gnu::noinline, gnu::cold]] double exact_quotient(const Text& text) {
+[[gnu::noinline, gnu::cold]] double settled_quotient(const Text& text, double tolerance) {
+  if (const std::optional<double> q = bounded_quotient<DoubleDouble>(text, tolerance)) return *q;
   const Ratio<Exact> r = text.template operator()<Exact>();
   return quotient(r.num, r.den);
 }
@@ -52,16 +63,15 @@ template <class Text>
 /// Ratio<W> whose den is not zero.
 ///
 /// Bound. Each of num and den is within a relative eps / 8 of the truth, eps that of S, or Exact takes over; so the
-/// quotient is within eps / 4 (1 + eps), rounded once in W and once in S: less than an ulp and a half of S in all.
-/// Subnormal results lose what S loses there: half a unit of the least subnormal more.
+/// quotient is within eps / 4 (1 + eps), rounded at most twice: less than an ulp and a half of S in all. Subnormal
+/// results lose what S loses there: half a unit of the least subnormal more.
 template <class S, class Text, class Trace = NoTrace>
 S value_of(const Text& text, Trace&& trace = {}) {
   using V = std::conditional_t<std::is_same_v<S, float>, double, Extended>;
   constexpr double tolerance = std::numeric_limits<S>::epsilon() / 8;
-  const Ratio<Bounded<V>> r = text.template operator()<Bounded<V>>();
-  if (r.num.within(tolerance) && r.den.within(tolerance)) return static_cast<S>(r.num.value() / r.den.value());
+  if (const std::optional<double> q = detail::bounded_quotient<V>(text, tolerance)) return static_cast<S>(*q);
   trace(Fallback{});
-  return static_cast<S>(detail::exact_quotient(text));
+  return static_cast<S>(detail::settled_quotient(text, tolerance));
 }
 
 // Vectors of any arithmetic, in as many components as the shape has.

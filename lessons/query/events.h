@@ -33,6 +33,10 @@ struct Says {
 template <class E>
 struct Told;
 
+/// The names of an enumeration's values in order, as `of`.
+template <class E>
+struct Names;
+
 template <class E>
 Json event(const E&);
 

@@ -1,6 +1,7 @@
 // Boxes, spheres, k-DOPs and triangles in pairs.
 
 #include "core/aabb_aabb.h"
+#include "core/sphere_aabb.h"
 #include "core/sphere_sphere.h"
 #include "lessons/query/events.h"
 #include "lessons/query/handlers.h"
@@ -12,6 +13,9 @@ template <class S> struct Told<aabb_aabb::Axis<S>> : Says<"Axis", "axis a b disj
 template <class S, int N> struct Told<aabb_aabb::Common<S, N>> : Says<"Common", "common"> {};
 template <> struct Told<sphere_sphere::Decision> : Says<"Decision", "outer inner"> {};
 template <class S> struct Told<sphere_sphere::Compared<S>> : Says<"Compared", "distance2 sum2"> {};
+template <class S> struct Told<sphere_aabb::Axis<S>> : Says<"Axis", "axis center interval gap distance2"> {};
+template <class S> struct Told<sphere_aabb::Compared<S>> : Says<"Compared", "distance2 radius2"> {};
+template <> struct Told<sphere_aabb::Decision> : Says<"Decision", "nearest farthest ball_inside"> {};
 // clang-format on
 
 namespace {
@@ -67,12 +71,32 @@ Json sphere_sphere(Job& job) {
   });
 }
 
+template <class S>
+Json sphere_box(Job& job) {
+  return in_dimension(job.fields["center"], [&]<int N>() -> Json {
+    const Sphere<S, N> ball = sphere<S, N>(job.fields);
+    const Aabb<S, N> b = box<S, N>(job.fields);
+    using Event = sphere_aabb::Event<S>;
+    if (job.variant == "accumulate")
+      return {{"intersects",
+               run<Event>(job, [&](auto&& trace) { return sphere_aabb::accumulate(ball, b, trace); })}};
+
+    const Relation r = run<Event>(job, [&](auto&& trace) { return relate(ball, b, trace); });
+    const bool in_box = r == Relation::a_inside_b || r == Relation::equal;  // equal: the same point
+    return {{"intersects", r != Relation::disjoint},
+            {"relation", in_box                      ? "box_contains_sphere"
+                         : r == Relation::b_inside_a ? "sphere_contains_box"
+                                                     : name(r)}};
+  });
+}
+
 }  // namespace
 
 const std::vector<Handler>& pair_handlers() {
   static const std::vector<Handler> table = {
       ISECT_HANDLER(box_box, {"exact", "by_axis"}),
       ISECT_HANDLER(sphere_sphere, {"exact", "squared_distance"}),
+      ISECT_HANDLER(sphere_box, {"exact", "accumulate"}),
   };
   return table;
 }

@@ -2,7 +2,10 @@
 
 #include "core/interval_interval.h"
 #include "core/orient.h"
+#include "core/point_aabb.h"
 #include "core/point_obb.h"
+#include "core/point_point.h"
+#include "core/point_sphere.h"
 #include "lessons/query/events.h"
 #include "lessons/query/handlers.h"
 
@@ -12,6 +15,10 @@ namespace isect::query {
 template <class S> struct Told<interval_interval::Common<S>> : Says<"Common", "common"> {};
 template <class S> struct Told<interval_interval::Beyond<S>> : Says<"Beyond", "lo hi holds"> {};
 template <> struct Told<point_obb::Slab> : Says<"Slab", "axis sign"> {};
+template <class S> struct Told<point_aabb::Axis<S>> : Says<"Axis", "axis x interval location"> {};
+template <> struct Told<point_sphere::Distance> : Says<"Distance", "sign"> {};
+template <class S> struct Told<point_point::Coordinate<S>> : Says<"Coordinate", "axis p q equal"> {};
+template <> struct Told<point_point::Distance> : Says<"Distance", "sign"> {};
 // clang-format on
 
 namespace {
@@ -48,13 +55,46 @@ Json point_obb(Job& job) {
   });
 }
 
+template <class S>
+Json point_point(Job& job) {
+  return in_dimension(job.fields["a"], [&]<int N>() -> Json {
+    const Point<S, N> a = vector<S, N>(job.fields["a"]), b = vector<S, N>(job.fields["b"]);
+    const auto given = job.fields.find("tol");
+    const S tolerance = given ? given->template number<S>() : S(0);
+    const bool same = run<point_point::Event<S>>(job, [&](auto&& trace) {
+      return tolerance == 0 ? equal(a, b, trace) : nearly_equal(a, b, tolerance, trace);
+    });
+    return {{"equal", same}};
+  });
+}
+
+template <class S>
+Json point_box(Job& job) {
+  return in_dimension(job.fields["point"], [&]<int N>() -> Json {
+    const Point<S, N> point = vector<S, N>(job.fields["point"]);
+    const Aabb<S, N> b = box<S, N>(job.fields);
+    return {{"location",
+             name(run<point_aabb::Event<S>>(job, [&](auto&& trace) { return locate(point, b, trace); }))}};
+  });
+}
+
+template <class S>
+Json point_sphere(Job& job) {
+  return in_dimension(job.fields["point"], [&]<int N>() -> Json {
+    const Point<S, N> point = vector<S, N>(job.fields["point"]);
+    const Sphere<S, N> ball = sphere<S, N>(job.fields);
+    return {{"location",
+             name(run<point_sphere::Event>(job, [&](auto&& trace) { return locate(point, ball, trace); }))}};
+  });
+}
+
 }  // namespace
 
 const std::vector<Handler>& point_handlers() {
   static const std::vector<Handler> table = {
-      ISECT_HANDLER(orient2d, {"exact"}),
-      ISECT_HANDLER(interval_interval, {"exact", "ends"}),
-      ISECT_HANDLER(point_obb, {"exact"}),
+      ISECT_HANDLER(orient2d, {"exact"}),  ISECT_HANDLER(interval_interval, {"exact", "ends"}),
+      ISECT_HANDLER(point_obb, {"exact"}), ISECT_HANDLER(point_point, {"exact"}),
+      ISECT_HANDLER(point_box, {"exact"}), ISECT_HANDLER(point_sphere, {"exact"}),
   };
   return table;
 }

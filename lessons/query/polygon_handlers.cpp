@@ -1,5 +1,7 @@
 // Polygons, hulls and fits.
 
+#include "core/convex_hull.h"
+#include "core/point_convex_polygon.h"
 #include "core/point_polygon.h"
 #include "lessons/query/events.h"
 #include "lessons/query/handlers.h"
@@ -11,6 +13,18 @@ template <> struct Told<point_polygon::Edge> : Says<"Edge", "ring index passage 
 template <> struct Told<point_polygon::Straddles> : Says<"Straddles", "index holds"> {};
 template <class S> struct Told<point_polygon::CrossesAt<S>> : Says<"CrossesAt", "index x holds"> {};
 template <class S> struct Told<point_polygon::LeftBy<S>> : Says<"LeftBy", "index area2"> {};
+template <> struct Told<convex_hull_2d::Remaining> : Says<"Remaining", "count"> {};
+template <class S> struct Told<convex_hull_2d::Added<S>> : Says<"Added", "p"> {};
+template <class S> struct Told<convex_hull_2d::Removed<S>> : Says<"Removed", "p next turn"> {};
+template <> struct Told<point_convex_polygon::Fan> : Says<"Fan", "first last"> {};
+template <> struct Told<point_convex_polygon::Wedge> : Says<"Wedge", "lo mid hi turn"> {};
+template <> struct Told<point_convex_polygon::Chord> : Says<"Chord", "lo hi turn"> {};
+template <class S> struct Told<point_convex_polygon::Centroid<S>> : Says<"Centroid", "q"> {};
+template <class S> struct Told<point_convex_polygon::WedgeAround<S>> : Says<"WedgeAround", "lo mid hi cross"> {};
+template <class S> struct Told<point_convex_polygon::EdgeSide<S>> : Says<"EdgeSide", "from to cross"> {};
+template <> struct Names<point_polygon::Passage> {
+  static constexpr const char* of[] = {"above", "below", "horizontal", "crossed_left", "crossed_right", "on"};
+};
 // clang-format on
 
 namespace {
@@ -52,6 +66,16 @@ Json pip(Job& job) {
     return {{"nonzero", in_or_out(winding != 0)}, {"winding", winding}};
   }
 
+  if (job.variant == "convex") {
+    if (p.rings.size() != 1) job.fields["rings"].complain("one ring is expected for the convex variant");
+    const auto convex = make_convex(p.rings[0]);
+    if (!convex)
+      throw BadCase("field \"rings[0]\": it is not convex with an area, so the convex variant can't be used");
+    const Location where =
+        run<point_convex_polygon::Event>(job, [&](auto&& trace) { return locate(point, *convex, trace); });
+    return {{"evenodd", name(where)}, {"nonzero", name(where)}};
+  }
+
   const Winding w = run<point_polygon::Event>(job, [&](auto&& trace) { return winding(point, p, trace); });
   const Json times = w.nonzero == Location::on ? Json(nullptr) : Json(w.winding);
   if (job.variant == "crossings") return {{"evenodd", name(w.even_odd)}};
@@ -59,11 +83,19 @@ Json pip(Job& job) {
   return {{"evenodd", name(w.even_odd)}, {"nonzero", name(w.nonzero)}, {"winding", times}};
 }
 
+template <class S>
+Json convex_hull2d(Job& job) {
+  const Ring<S, 2> points = ring<S, 2>(job.fields["points"]);
+  return {{"hull", numbers<S, 2>(run<convex_hull_2d::Event<S>>(
+                       job, [&](auto&& trace) { return isect::convex_hull(points, trace); }))}};
+}
+
 }  // namespace
 
 const std::vector<Handler>& polygon_handlers() {
   static const std::vector<Handler> table = {
-      ISECT_HANDLER(pip, {"exact", "crossings", "winding", "crossings_naive", "winding_naive"}),
+      ISECT_HANDLER(pip, {"exact", "crossings", "winding", "convex", "crossings_naive", "winding_naive"}),
+      ISECT_HANDLER(convex_hull2d, {"exact"}),
   };
   return table;
 }

@@ -4,7 +4,9 @@
 #include "core/ray_plane.h"
 #include "core/ray_sphere.h"
 
+#include "core/ray_obb.h"
 #include "core/ray_sphere_methods.h"
+#include "core/segment_segment.h"
 #include "lessons/query/events.h"
 #include "lessons/query/handlers.h"
 
@@ -48,6 +50,20 @@ template <> struct Told<ray_aabb::Estimate> : Says<"Estimate", "in out meets"> {
 template <class S> struct Told<ray_aabb::Beside<S>> : Says<"Beside", "axis origin outside"> {};
 template <class S> struct Told<ray_aabb::Crossing<S>> : Says<"Crossing", "axis entry exit"> {};
 template <class S> struct Told<ray_aabb::Remains<S>> : Says<"Remains", "in out holds"> {};
+template <class S> struct Told<ray_obb::Projected<S>> : Says<"Projected", "axis center rate"> {};
+template <class S> struct Told<ray_obb::Beside<S>> : Says<"Beside", "axis outside"> {};
+template <class S> struct Told<ray_obb::Crossing<S>> : Says<"Crossing", "axis entry exit"> {};
+template <class S> struct Told<ray_obb::Remains<S>> : Says<"Remains", "in out holds"> {};
+template <> struct Told<segment_segment::Apart> : Says<"Apart"> {};
+template <> struct Told<segment_segment::Sides> : Says<"Sides", "r s p q"> {};
+template <class S> struct Told<segment_segment::Determinant<S>> : Says<"Determinant", "value"> {};
+template <class S> struct Told<segment_segment::Parameters<S>> : Says<"Parameters", "t u holds"> {};
+template <> struct Names<ray_sphere::Place> {
+  static constexpr const char* of[] = {"before", "entry", "between", "exit", "after"};
+};
+template <> struct Names<segment_segment::Meeting> {
+  static constexpr const char* of[] = {"disjoint", "touch", "cross", "overlap"};
+};
 // clang-format on
 
 namespace {
@@ -130,6 +146,40 @@ Json ray_box(Job& job) {
   });
 }
 
+template <class S>
+Json ray_obb(Job& job) {
+  return in_dimension(job.fields["origin"], [&]<int N>() -> Json {
+    const Ray<S, N> r = ray<S, N>(job.fields);
+    const Obb<S, N> b = obb<S, N>(job.fields);
+    if (job.variant == "projections")
+      return stretch(run<ray_obb::ProjectionsEvent<S>>(
+          job, [&](auto&& trace) { return ray_obb::projections(r, b, trace); }));
+    return stretch(run<ray_obb::Event>(job, [&](auto&& trace) { return intersect(r, b, trace); }));
+  });
+}
+
+template <class S>
+Segment<S, 2> segment(const Field& field) {
+  const std::vector<Field> ends = field.list(2);
+  return {vector<S, 2>(ends[0]), vector<S, 2>(ends[1])};
+}
+
+template <class S>
+Json segment_segment(Job& job) {
+  const Segment<S, 2> a = segment<S>(job.fields["a"]), b = segment<S>(job.fields["b"]);
+  if (job.variant == "parametric") {
+    const auto point = run<segment_segment::ParametricEvent<S>>(
+        job, [&](auto&& trace) { return segment_segment::parametric(a, b, trace); });
+    return {{"point", point ? numbers<S, 2>(*point) : nullptr}};
+  }
+  const SegmentSegment<S> shared =
+      run<segment_segment::Event>(job, [&](auto&& trace) { return intersect(a, b, trace); });
+  Json result = {{"relation", Names<segment_segment::Meeting>::of[static_cast<int>(shared.relation)]}};
+  result["point"] = shared.point ? numbers<S, 2>(*shared.point) : nullptr;
+  if (shared.shared) result["shared"] = {numbers<S, 2>(shared.shared->p), numbers<S, 2>(shared.shared->q)};
+  return result;
+}
+
 }  // namespace
 
 const std::vector<Handler>& ray_handlers() {
@@ -137,6 +187,8 @@ const std::vector<Handler>& ray_handlers() {
       ISECT_HANDLER(ray_sphere, {"exact", "robust", "quadratic", "half_b", "haines"}),
       ISECT_HANDLER(ray_box, {"exact", "conservative", "slabs"}),
       ISECT_HANDLER(ray_plane, {"exact", "textbook"}),
+      ISECT_HANDLER(ray_obb, {"exact", "projections"}),
+      ISECT_HANDLER(segment_segment, {"exact", "parametric"}),
   };
   return table;
 }

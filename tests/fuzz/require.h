@@ -1,0 +1,12 @@
+#pragma once
+// What a fuzz target insists on: print and abort, so that the fuzzer keeps the input.
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+inline void require(bool holds, const char* what, const std::string& input) {
+  if (holds) return;
+  std::fprintf(stderr, "does not hold: %s\nfor %s\n", what, input.c_str());
+  std::abort();
+}
