@@ -210,7 +210,7 @@ TEMPLATE_TEST_CASE("every answer is that of rational arithmetic", "[ray_triangle
   using S = TestType;
   int hits = 0, misses = 0, on = 0, out_of_range = 0, coplanar = 0;
   double worst = 0;
-  const int count = tests::cases(1000, 250000);
+  const int count = tests::cases(1000, 200000);
   for (const Numbers numbers : bench::all_numbers) {
     Random random(tests::seed() + static_cast<int>(numbers));
     for (int i = 0; i < count; ++i) {
@@ -238,7 +238,7 @@ TEMPLATE_TEST_CASE("every answer is that of rational arithmetic", "[ray_triangle
 TEMPLATE_TEST_CASE("no ray leaves a closed surface unnoticed", "[ray_triangle][random]", float, double) {
   using S = TestType;
   int slipped = 0;
-  const int count = tests::cases(4000, 1000000);
+  const int count = tests::cases(4000, 500000);
   Random random(tests::seed());
   for (int i = 0; i < count; ++i) {
     const Numbers numbers = random.one_in(2) ? Numbers::decimal : Numbers::ordinary;
