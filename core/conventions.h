@@ -40,4 +40,7 @@ constexpr Relation reversed(Relation r) {
 /// Where a point lies with respect to a set: in its interior, on its boundary, or outside.
 enum class Location { in, on, out };
 
+/// What a view volume has of a shape. `crossing` is what remains: it may still be outside, near an edge of the volume.
+enum class Culling { outside, inside, crossing };
+
 }  // namespace isect
