@@ -85,9 +85,11 @@ template <class S, class Trace>
 std::optional<AreaVector> area_vector(const Ring<S, 3>& ring, Trace&& trace) {
   using V = std::conditional_t<std::is_same_v<S, float>, double, Extended>;
   const std::array<Bounded<V>, 3> n = newell<Bounded<V>>(ring);
-  V largest = 0, error = 0;
+  V largest = 0;
+  double error = 0;
   for (const Bounded<V>& x : n) largest = std::max(largest, std::abs(x.value())), error = std::max(error, x.error());
-  if (!(error <= static_cast<V>(std::numeric_limits<S>::epsilon() / 8) * largest)) {  // true for NaN
+  const V bound = static_cast<V>(std::numeric_limits<S>::epsilon() / 8) * largest;
+  if (!(error <= bound && std::isfinite(error))) {  // true for NaN
     trace(Fallback{});
     return exact_area_vector(ring);
   }
