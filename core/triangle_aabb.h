@@ -174,8 +174,8 @@ bool meets_interior(const Triangle<S, N>& triangle, const Aabb<S, N>& box, Trace
 }
 
 /// How triangle (A) and box (B) lie. Exact. A triangle in space has no interior of its own, so here `touching` means
-/// that no point of it lies in the interior of the box, and `overlapping` that some does; in the plane that agrees with
-/// the general rule, degenerate triangles apart. Only a flat box can lie in a triangle in space.
+/// that no point of it lies in the interior of the box, and `overlapping` that some does; in the plane that is the
+/// general rule, degenerate triangles apart. Only a flat box can lie in a triangle in space.
 template <class S, int N, class Trace = NoTrace>
 Relation relate(const Triangle<S, N>& triangle, const Aabb<S, N>& box, Trace&& trace = {}) {
   if (triangle_aabb::meaningless(triangle, box)) return Relation::disjoint;

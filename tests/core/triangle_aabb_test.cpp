@@ -230,7 +230,7 @@ TEST_CASE("a triangle in a face of the box only touches its interior's rim", "[t
 
 TEMPLATE_TEST_CASE_SIG("verdicts are those of clipping in rationals", "[triangle_aabb]", FLOATS_AND_DIMENSIONS) {
   int count[6] = {};
-  const int cases = tests::cases(150, 30000);
+  const int cases = tests::cases(150, 20000);
   for (const bench::Numbers numbers : bench::all_numbers) {
     bench::Random random(tests::seed() + static_cast<unsigned>(numbers));
     for (int i = 0; i < cases; ++i) {

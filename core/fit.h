@@ -1,0 +1,247 @@
+#pragma once
+// Bounding volumes of points that provably hold them all.
+//
+// A fit first picks its position and orientation, in rounded numbers and by any heuristic: that decides how tight it
+// is, never what it holds. Then each size, a radius, half-length or end of a slab, is the least number of S that
+// holds every point: the point farthest out is found by exact comparisons, and the number is moved by single steps until an
+// exact predicate says that it holds this point and its predecessor does not. So a fit is never wrong by rounding,
+// and never larger than its center and axes make it. Source: the note, N04, N06-N08.
+//
+// Of no points, or with a NaN or an infinity among them, the fit is empty. A size beyond the largest S is infinite.
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <variant>
+#include <vector>
+
+#include "core/point_obb.h"
+#include "core/predicate.h"
+#include "core/shapes.h"
+#include "core/trace.h"
+
+namespace isect {
+
+namespace fit {
+
+/// The point, by its index, that decides a size: of axis or normal `slab`, on the side of hi or of lo.
+struct Extreme {
+  int slab, side, point;
+};
+using Event = std::variant<Extreme, Fallback>;
+
+template <class S, int N>
+bool usable(const std::vector<Point<S, N>>& points) {
+  return !points.empty() && finite(points);
+}
+
+/// The index of the point farthest out, where farther(p, q) tells exactly whether p lies farther out than q.
+template <class S, int N, class Farther>
+std::size_t extreme(const std::vector<Point<S, N>>& points, const Farther& farther) {
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < points.size(); ++i)
+    if (farther(points[i].template cast<double>(), points[best].template cast<double>())) best = i;
+  return best;
+}
+
+/// The least x of S for which holds(x), a predicate that is true from some x on, near `guess`; infinite without one.
+template <class S, class Holds>
+S least(S guess, const Holds& holds) {
+  constexpr S most = std::numeric_limits<S>::max(), infinity = std::numeric_limits<S>::infinity();
+  S x = std::clamp(guess, -most, most);
+  while (!holds(x)) {
+    if (x == most) return infinity;
+    x = std::nextafter(x, infinity);
+  }
+  while (x > -most) {
+    const S less = std::nextafter(x, -infinity);
+    if (!holds(less)) break;
+    x = less;
+  }
+  return x;
+}
+
+/// The points relative to `origin` and at a scale near 1, rounded: p = origin + 2^exponent q. For heuristics.
+template <int N>
+struct Scaled {
+  Point<double, N> origin;
+  int exponent = 0;
+  std::vector<Point<double, N>> q;
+
+  /// The finite point of S nearest to the original of x, but for rounding.
+  template <class S>
+  Point<S, N> original(const Point<double, N>& x) const {
+    constexpr double most = std::numeric_limits<S>::max();
+    Point<S, N> p;
+    for (int k = 0; k < N; ++k)
+      p[k] = static_cast<S>(std::clamp(origin[k] + std::ldexp(x[k], exponent), -most, most));
+    return p;
+  }
+};
+
+/// Around the center of the points' box.
+template <class S, int N>
+Scaled<N> scaled(const std::vector<Point<S, N>>& points, const Aabb<S, N>& box) {
+  const Aabb<double, N> wide = cast<double>(box);
+  Scaled<N> result;
+  result.origin = wide.lo / 2 + wide.hi / 2;
+  std::frexp((wide.hi / 2 - wide.lo / 2).maxCoeff(), &result.exponent);
+  result.q.reserve(points.size());
+  for (const Point<S, N>& p : points) {
+    const Point<double, N> from_origin = p.template cast<double>() - result.origin;
+    result.q.push_back(from_origin.unaryExpr([&](double x) { return std::ldexp(x, -result.exponent); }));
+  }
+  return result;
+}
+
+/// A center near that of the smallest ball: towards the farthest point, by ever shorter steps.
+/// Source: Badoiu, Clarkson, Smaller core-sets for balls, SODA 2003.
+template <int N>
+Point<double, N> ball_center(const std::vector<Point<double, N>>& q) {
+  Point<double, N> center = Point<double, N>::Zero(), best = center;
+  double least2 = std::numeric_limits<double>::infinity();
+  constexpr int rounds = 32;
+  for (int round = 1; round <= rounds; ++round) {
+    const auto nearer = [&](const auto& x, const auto& y) {
+      return (x - center).squaredNorm() < (y - center).squaredNorm();
+    };
+    const Point<double, N> farthest = *std::max_element(q.begin(), q.end(), nearer);
+    const double distance2 = (farthest - center).squaredNorm();
+    if (distance2 < least2) least2 = distance2, best = center;
+    center += (farthest - center) / (round + 1);
+  }
+  return best;
+}
+
+/// The eigenvectors of the points' covariance.
+template <int N>
+Eigen::Matrix<double, N, N> principal_axes(const std::vector<Point<double, N>>& q) {
+  Point<double, N> mean = Point<double, N>::Zero();
+  for (const Point<double, N>& x : q) mean += x / static_cast<double>(q.size());
+  Eigen::Matrix<double, N, N> covariance = Eigen::Matrix<double, N, N>::Zero();
+  for (const Point<double, N>& x : q) covariance += (x - mean) * (x - mean).transpose();
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, N, N>>(covariance).eigenvectors();
+}
+
+}  // namespace fit
+
+/// The smallest axis-aligned box. Exact: nothing is rounded.
+template <class S, int N>
+Aabb<S, N> fit_aabb(const std::vector<Point<S, N>>& points) {
+  constexpr S infinity = std::numeric_limits<S>::infinity();
+  Aabb<S, N> box = {Point<S, N>::Constant(infinity), Point<S, N>::Constant(-infinity)};
+  if (!fit::usable(points)) return box;
+  for (const Point<S, N>& p : points) box = {box.lo.cwiseMin(p), box.hi.cwiseMax(p)};
+  return box;
+}
+
+/// A ball that holds all points, with the least radius of S for its center. The center is near that of the smallest
+/// ball; radius -1 of no points.
+template <class S, int N, class Trace = NoTrace>
+Sphere<S, N> fit_sphere(const std::vector<Point<S, N>>& points, Trace&& trace = {}) {
+  if (!fit::usable(points)) return {Point<S, N>::Zero(), S(-1)};
+  const fit::Scaled<N> scaled = fit::scaled(points, fit_aabb(points));
+  const Point<S, N> center = scaled.template original<S>(fit::ball_center<N>(scaled.q));
+  const Point<double, N> c = center.template cast<double>();
+
+  const auto farther = [&](const Point<double, N>& p, const Point<double, N>& q) {
+    return sign_of(
+               [&]<class W>() -> W {
+                 const Components<W, N> f = difference<W, N>(p, c), g = difference<W, N>(q, c);
+                 return dot(f, f) - dot(g, g);
+               },
+               trace) > 0;
+  };
+  const std::size_t farthest = fit::extreme(points, farther);
+  trace(fit::Extreme{0, 1, static_cast<int>(farthest)});
+
+  const Point<double, N> p = points[farthest].template cast<double>();
+  const auto holds = [&](S radius) {
+    const auto beyond = [&]<class W>() -> W {
+      const Components<W, N> f = difference<W, N>(p, c);
+      return dot(f, f) - W(radius) * W(radius);
+    };
+    return radius >= 0 && sign_of(beyond, trace) <= 0;
+  };
+  return {center, fit::least<S>(static_cast<S>((p - c).stableNorm()), holds)};
+}
+
+/// An oriented box along the principal axes, as rounded, that holds all points, with the least half-lengths of S for
+/// its center and axes; half-lengths -1 of no points. Points that lie nearly in a plane have a box nearly as thin.
+/// Source: Gottschalk, Lin, Manocha, OBBTree, SIGGRAPH 1996.
+template <class S, int N, class Trace = NoTrace>
+Obb<S, N> fit_obb(const std::vector<Point<S, N>>& points, Trace&& trace = {}) {
+  Obb<S, N> box = {Point<S, N>::Zero(), Eigen::Matrix<S, N, N>::Identity(), Vector<S, N>::Constant(-1)};
+  if (!fit::usable(points)) return box;
+  const fit::Scaled<N> scaled = fit::scaled(points, fit_aabb(points));
+  const Eigen::Matrix<double, N, N> axes = fit::principal_axes<N>(scaled.q);
+  Point<double, N> lo = axes.transpose() * scaled.q[0], hi = lo;
+  for (const Point<double, N>& x : scaled.q) {
+    const Point<double, N> along = axes.transpose() * x;
+    lo = lo.cwiseMin(along), hi = hi.cwiseMax(along);
+  }
+  box.axes = axes.template cast<S>();
+  box.center = scaled.template original<S>(axes * ((lo + hi) / 2));
+
+  const Obb<double, N> wide = cast<double>(box);
+  for (int i = 0; i < N; ++i) {
+    const auto along = [&]<class W>(const Point<double, N>& p) -> W {
+      return abs(dot(point_obb::normal<W>(wide.axes, i), difference<W, N>(p, wide.center)));
+    };
+    const auto farther = [&](const Point<double, N>& p, const Point<double, N>& q) {
+      const auto more = [&]<class W>() -> W {
+        return along.template operator()<W>(p) - along.template operator()<W>(q);
+      };
+      return sign_of(more, trace) > 0;
+    };
+    const std::size_t farthest = fit::extreme(points, farther);
+    trace(fit::Extreme{i, 1, static_cast<int>(farthest)});
+
+    const Point<double, N> p = points[farthest].template cast<double>();
+    const auto volume = [&]<class W>() -> W { return abs(point_obb::volume<W>(wide.axes, i)); };
+    const auto half = [&]<class W>() -> Ratio<W> {
+      return {along.template operator()<W>(p), volume.template operator()<W>()};
+    };
+    const auto holds = [&](S h) {
+      const auto beyond = [&]<class W>() -> W {
+        return along.template operator()<W>(p) - W(h) * volume.template operator()<W>();
+      };
+      return sign_of(beyond, trace) <= 0;
+    };
+    box.half[i] = fit::least<S>(value_of<S>(half, trace), holds);
+  }
+  return box;
+}
+
+/// The k-DOP of these normals that holds all points, each end the tightest of S: lo is the largest number that no n.x
+/// lies below, hi the least that none lies above. Inverted slabs of no points; all of space without normals.
+template <class S, int N, class Trace = NoTrace>
+Kdop<S, N> fit_kdop(const std::vector<Point<S, N>>& points, const std::vector<Vector<S, N>>& normals,
+                    Trace&& trace = {}) {
+  constexpr S infinity = std::numeric_limits<S>::infinity();
+  Kdop<S, N> kdop = {normals, std::vector<Interval<S>>(normals.size(), {infinity, -infinity})};
+  if (!fit::usable(points) || !finite(normals)) return kdop;
+
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    const auto end = [&](int side) {  // the least x that no side n.x lies above
+      const Vector<double, N> n = side * normals[i].template cast<double>();
+      const auto farther = [&](const Point<double, N>& p, const Point<double, N>& q) {
+        return sign_of([&]<class W>() -> W { return dot(exactly<W>(n), difference<W, N>(p, q)); }, trace) > 0;
+      };
+      const std::size_t farthest = fit::extreme(points, farther);
+      trace(fit::Extreme{static_cast<int>(i), side, static_cast<int>(farthest)});
+
+      const Point<double, N> p = points[farthest].template cast<double>();
+      const auto along = [&]<class W>() -> Ratio<W> { return {dot(exactly<W>(n), exactly<W>(p)), W(1)}; };
+      const auto holds = [&](S x) {
+        return sign_of([&]<class W>() -> W { return dot(exactly<W>(n), exactly<W>(p)) - W(x); }, trace) <= 0;
+      };
+      return fit::least<S>(value_of<S>(along, trace), holds);
+    };
+    kdop.slabs[i] = {-end(-1), end(1)};
+  }
+  return kdop;
+}
+
+}  // namespace isect
