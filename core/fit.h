@@ -3,19 +3,19 @@
 //
 // A fit first picks its position and orientation, in rounded numbers and by any heuristic: that decides how tight it
 // is, never what it holds. Then each size, a radius, half-length or end of a slab, is the least number of S that
-// holds every point: the point farthest out is found by exact comparisons, and the number is moved by single steps until an
-// exact predicate says that it holds this point and its predecessor does not. So a fit is never wrong by rounding,
-// and never larger than its center and axes make it. Source: the note, N04, N06-N08.
+// holds every point: the point farthest out is found by exact comparisons, and the number is moved by single steps
+// until an exact predicate says that it holds this point and its predecessor does not. So a fit is never wrong by
+// rounding, and never larger than its center and axes make it. Source: the note, N04, N06-N08.
 //
 // Of no points, or with a NaN or an infinity among them, the fit is empty. A size beyond the largest S is infinite.
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <variant>
 #include <vector>
 
+#include "core/fit_guess.h"
 #include "core/point_obb.h"
 #include "core/predicate.h"
 #include "core/shapes.h"
@@ -62,68 +62,6 @@ S least(S guess, const Holds& holds) {
   return x;
 }
 
-/// The points relative to `origin` and at a scale near 1, rounded: p = origin + 2^exponent q. For heuristics.
-template <int N>
-struct Scaled {
-  Point<double, N> origin;
-  int exponent = 0;
-  std::vector<Point<double, N>> q;
-
-  /// The finite point of S nearest to the original of x, but for rounding.
-  template <class S>
-  Point<S, N> original(const Point<double, N>& x) const {
-    constexpr double most = std::numeric_limits<S>::max();
-    Point<S, N> p;
-    for (int k = 0; k < N; ++k)
-      p[k] = static_cast<S>(std::clamp(origin[k] + std::ldexp(x[k], exponent), -most, most));
-    return p;
-  }
-};
-
-/// Around the center of the points' box.
-template <class S, int N>
-Scaled<N> scaled(const std::vector<Point<S, N>>& points, const Aabb<S, N>& box) {
-  const Aabb<double, N> wide = cast<double>(box);
-  Scaled<N> result;
-  result.origin = wide.lo / 2 + wide.hi / 2;
-  std::frexp((wide.hi / 2 - wide.lo / 2).maxCoeff(), &result.exponent);
-  result.q.reserve(points.size());
-  for (const Point<S, N>& p : points) {
-    const Point<double, N> from_origin = p.template cast<double>() - result.origin;
-    result.q.push_back(from_origin.unaryExpr([&](double x) { return std::ldexp(x, -result.exponent); }));
-  }
-  return result;
-}
-
-/// A center near that of the smallest ball: towards the farthest point, by ever shorter steps.
-/// Source: Badoiu, Clarkson, Smaller core-sets for balls, SODA 2003.
-template <int N>
-Point<double, N> ball_center(const std::vector<Point<double, N>>& q) {
-  Point<double, N> center = Point<double, N>::Zero(), best = center;
-  double least2 = std::numeric_limits<double>::infinity();
-  constexpr int rounds = 32;
-  for (int round = 1; round <= rounds; ++round) {
-    const auto nearer = [&](const auto& x, const auto& y) {
-      return (x - center).squaredNorm() < (y - center).squaredNorm();
-    };
-    const Point<double, N> farthest = *std::max_element(q.begin(), q.end(), nearer);
-    const double distance2 = (farthest - center).squaredNorm();
-    if (distance2 < least2) least2 = distance2, best = center;
-    center += (farthest - center) / (round + 1);
-  }
-  return best;
-}
-
-/// The eigenvectors of the points' covariance.
-template <int N>
-Eigen::Matrix<double, N, N> principal_axes(const std::vector<Point<double, N>>& q) {
-  Point<double, N> mean = Point<double, N>::Zero();
-  for (const Point<double, N>& x : q) mean += x / static_cast<double>(q.size());
-  Eigen::Matrix<double, N, N> covariance = Eigen::Matrix<double, N, N>::Zero();
-  for (const Point<double, N>& x : q) covariance += (x - mean) * (x - mean).transpose();
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, N, N>>(covariance).eigenvectors();
-}
-
 }  // namespace fit
 
 /// The smallest axis-aligned box. Exact: nothing is rounded.
@@ -167,22 +105,22 @@ Sphere<S, N> fit_sphere(const std::vector<Point<S, N>>& points, Trace&& trace = 
   return {center, fit::least<S>(static_cast<S>((p - c).stableNorm()), holds)};
 }
 
-/// An oriented box along the principal axes, as rounded, that holds all points, with the least half-lengths of S for
-/// its center and axes; half-lengths -1 of no points. Points that lie nearly in a plane have a box nearly as thin.
-/// Source: Gottschalk, Lin, Manocha, OBBTree, SIGGRAPH 1996.
+/// An oriented box that holds all points, with the least half-lengths of S for its center and axes; they are -1 of no
+/// points. The axes are the principal ones, as rounded, or those of the frame where their box is no larger. Points
+/// that lie nearly in a plane have a box nearly as thin. Source: Gottschalk, Lin, Manocha, OBBTree, SIGGRAPH 1996.
 template <class S, int N, class Trace = NoTrace>
 Obb<S, N> fit_obb(const std::vector<Point<S, N>>& points, Trace&& trace = {}) {
   Obb<S, N> box = {Point<S, N>::Zero(), Eigen::Matrix<S, N, N>::Identity(), Vector<S, N>::Constant(-1)};
   if (!fit::usable(points)) return box;
   const fit::Scaled<N> scaled = fit::scaled(points, fit_aabb(points));
-  const Eigen::Matrix<double, N, N> axes = fit::principal_axes<N>(scaled.q);
-  Point<double, N> lo = axes.transpose() * scaled.q[0], hi = lo;
-  for (const Point<double, N>& x : scaled.q) {
-    const Point<double, N> along = axes.transpose() * x;
-    lo = lo.cwiseMin(along), hi = hi.cwiseMax(along);
-  }
+  Eigen::Matrix<double, N, N> axes = Eigen::Matrix<double, N, N>::Identity();
+  const Eigen::Matrix<double, N, N> principal = fit::principal_axes<N>(scaled.q);
+  const Aabb<double, N> straight = fit::along<N>(axes, scaled.q), turned = fit::along<N>(principal, scaled.q);
+  const bool turn = (turned.hi - turned.lo).prod() < (straight.hi - straight.lo).prod();
+  if (turn) axes = principal;
+  const Aabb<double, N>& extent = turn ? turned : straight;
   box.axes = axes.template cast<S>();
-  box.center = scaled.template original<S>(axes * ((lo + hi) / 2));
+  box.center = scaled.template original<S>(axes * ((extent.lo + extent.hi) / 2));
 
   const Obb<double, N> wide = cast<double>(box);
   for (int i = 0; i < N; ++i) {

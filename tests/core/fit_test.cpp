@@ -96,7 +96,7 @@ void check_sizes(const Points<S, N>& points, const Kdop<S, N>& kdop, const Spher
 #define FLOATS_AND_DIMENSIONS ((class S, int N), S, N), (float, 2), (double, 2), (float, 3), (double, 3)
 
 TEMPLATE_TEST_CASE_SIG("every fit holds every point, and no smaller size would", "[fit]", FLOATS_AND_DIMENSIONS) {
-  const int cases = tests::cases(60, 20000);
+  const int cases = tests::cases(60, 25000);
   for (const bench::Numbers numbers : bench::all_numbers) {
     bench::Random random(tests::seed() + static_cast<unsigned>(numbers));
     for (int i = 0; i < cases; ++i) {
@@ -197,6 +197,18 @@ TEMPLATE_TEST_CASE_SIG("sizes beyond the largest number are infinite", "[fit]", 
   const Points<S, N> half = {points[0] / 2, points[1] / 2};
   CHECK(holds_all(fit_sphere(half), half));
   CHECK(holds_all(fit_obb(half), half));
+}
+
+TEMPLATE_TEST_CASE_SIG("the oriented box is no larger than the straight one, but for rounding", "[fit]",
+                       FLOATS_AND_DIMENSIONS) {
+  bench::Random random(tests::seed());
+  for (int i = 0; i < 300; ++i) {
+    const Points<S, N> points = cloud<S, N>(random, bench::Numbers::ordinary);
+    const Aabb<S, N> straight = fit_aabb(points);
+    const double volume = (straight.hi - straight.lo).template cast<double>().prod();
+    const double turned = fit_obb(points).half.template cast<double>().prod() * (1 << N);
+    CHECK(turned <= volume + 100 * std::numeric_limits<S>::epsilon());
+  }
 }
 
 TEST_CASE("the events tell which points decide", "[fit]") {
