@@ -153,7 +153,7 @@ Ring<S, 2> convex_hull(std::span<const Point<S, 2>> points, Trace&& trace = {}) 
       throw std::invalid_argument("convex_hull: point " + std::to_string(i) + " has a NaN or infinite coordinate");
 
   Ring<S, 2> candidates = convex_hull_2d::without_interior(points);
-  trace(convex_hull_2d::Remaining{candidates.size()});
+  if constexpr (heard<Trace>) trace(convex_hull_2d::Remaining{candidates.size()});
   return convex_hull_2d::monotone_chain(std::move(candidates), trace);
 }
 template <class S, class Trace = NoTrace>

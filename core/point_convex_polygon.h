@@ -165,7 +165,8 @@ bool wedge_naive(const Point<S, 2>& p, const ConvexPolygon<S>& polygon, Trace&& 
     const S side = cross(q, v[mid], p);
     const bool passed = p_left == mid_left ? side >= S(0) : mid_left;
     (passed ? lo : hi) = mid;
-    trace(WedgeAround<S>{static_cast<int>(lo), static_cast<int>(mid), static_cast<int>(hi), side});
+    if constexpr (heard<Trace>)
+      trace(WedgeAround<S>{static_cast<int>(lo), static_cast<int>(mid), static_cast<int>(hi), side});
   }
 
   const std::size_t to = hi < n ? hi : 0;
