@@ -44,7 +44,7 @@ std::optional<int> separating_slab(const Kdop<S, N>& a, const Kdop<S, N>& b, Tra
   assert(a.normals == b.normals && a.slabs.size() == b.slabs.size() && a.normals.size() == a.slabs.size());
   for (std::size_t i = 0; i < a.slabs.size(); ++i) {
     const bool disjoint = !intersects(a.slabs[i], b.slabs[i]);
-    trace(kdop_kdop::Slab<S>{static_cast<int>(i), a.slabs[i], b.slabs[i], disjoint});
+    if constexpr (heard<Trace>) trace(kdop_kdop::Slab<S>{static_cast<int>(i), a.slabs[i], b.slabs[i], disjoint});
     if (disjoint) return static_cast<int>(i);
   }
   return {};

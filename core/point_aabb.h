@@ -40,7 +40,7 @@ Location locate(const Point<S, N>& point, const Aabb<S, N>& box, Trace&& trace =
   Location location = Location::in;
   for (int axis = 0; axis < N; ++axis) {
     const Location along = point_aabb::locate(point[axis], box.along(axis));
-    trace(point_aabb::Axis<S>{axis, point[axis], box.along(axis), along});
+    if constexpr (heard<Trace>) trace(point_aabb::Axis<S>{axis, point[axis], box.along(axis), along});
     if (along == Location::out) return Location::out;  // NaN too
     if (along == Location::on) location = Location::on;
   }

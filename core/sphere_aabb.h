@@ -140,7 +140,7 @@ Relation relate(const Sphere<S, N>& sphere, const Aabb<S, N>& box, Trace&& trace
                                        [&] { return sphere_aabb::settled(sphere, box, trace); });
   const int farthest = nearest > 0 ? 1 : sphere_aabb::contained<N>(wide_box, ball, trace);
   const bool ball_inside = nearest <= 0 && sphere_aabb::contained<N>(ball, wide_box, trace);
-  trace(sphere_aabb::Decision{nearest, farthest, ball_inside});
+  if constexpr (heard<Trace>) trace(sphere_aabb::Decision{nearest, farthest, ball_inside});
 
   if (nearest > 0) return Relation::disjoint;
   if (ball_inside) return farthest <= 0 ? Relation::equal : Relation::a_inside_b;  // both: the same single point

@@ -90,7 +90,7 @@ Relation relate(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trace = {}
                rest2 = squared(double(a.radius) - double(b.radius));
   const int outer = order_of_squares(d2, sum2, [&] { return settled_outer(a, b, trace); });
   const int inner = outer > 0 ? 1 : order_of_squares(d2, rest2, [&] { return settled_inner(a, b, trace); });
-  trace(Decision{outer, inner});
+  if constexpr (heard<Trace>) trace(Decision{outer, inner});
 
   if (outer > 0) return Relation::disjoint;
   if (inner <= 0 && a.radius == b.radius) return Relation::equal;
