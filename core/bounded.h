@@ -57,7 +57,9 @@ class Bounded {
     return {};
   }
   /// Whether the value lies within a relative `tolerance` of the truth.
-  bool within(double tolerance) const { return error() <= tolerance * std::abs(leading(value_)); }
+  bool within(double tolerance) const {
+    return std::isfinite(size_) && error() <= tolerance * std::abs(leading(value_));  // infinity <= infinity
+  }
 
   const T& value() const { return value_; }
   /// |value - truth| <= error(); infinite or NaN where nothing is known.

@@ -123,6 +123,16 @@ TEMPLATE_TEST_CASE("a quotient lies within 2 ulp of the truth", "[predicate]", f
   CHECK(fallbacks > 0);
 }
 
+TEST_CASE("a quotient of numbers beyond the doubles is right all the same", "[predicate]") {
+  // both sizes are infinite, so that nothing is known: the numerator cancels, and the denominator might
+  const auto text = []<class W>() -> Ratio<W> {
+    const W x = W(1.1e200) * W(1.3e200);
+    return {x * W(1 + 0x1p-52) - x * W(1), x};
+  };
+  CHECK(value_of<double>(text) == 0x1p-52);
+  CHECK(value_of<float>(text) == 0x1p-52f);
+}
+
 TEST_CASE("orientations on Kettner's grids are those of rational arithmetic", "[orient]") {
   const auto truth = [](const auto& a, const auto& b, const auto& c) {
     const auto p = oracle::rational(a), q = oracle::rational(b), r = oracle::rational(c);
