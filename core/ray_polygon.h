@@ -71,7 +71,7 @@ PlanePoint<W> plane_point(const Ray<double, 3>& ray, const Ring<S, 3>& ring) {
   return result;
 }
 
-/// P, found once in the arithmetic of the filter and, where that can't decide, once exactly.
+/// P, found once in the arithmetic of the filter and, where that can't decide, once in each finer one.
 template <class S>
 class Crossing {
  public:
@@ -80,12 +80,18 @@ class Crossing {
 
   template <Filtered W>
   PlanePoint<W> point() const {
-    if constexpr (std::same_as<W, Bounded<double>>) return quick_;
-    if constexpr (std::same_as<W, Exact>) {
-      if (!exact_) exact_ = plane_point<Exact>(ray_, ring_);
-      return *exact_;
-    }
-    return plane_point<W>(ray_, ring_);
+    const auto once = [&](std::optional<PlanePoint<W>>& kept) -> PlanePoint<W> {
+      if (!kept) kept = plane_point<W>(ray_, ring_);
+      return *kept;
+    };
+    if constexpr (std::same_as<W, Bounded<double>>)
+      return quick_;
+    else if constexpr (std::same_as<W, Bounded<DoubleDouble>>)
+      return once(fine_);
+    else if constexpr (std::same_as<W, Exact>)
+      return once(exact_);
+    else
+      return plane_point<W>(ray_, ring_);
   }
   template <Filtered W>
   Ratio<W> parameter() const {
@@ -113,6 +119,7 @@ class Crossing {
   const Ray<double, 3>& ray_;
   const Ring<S, 3>& ring_;
   PlanePoint<Bounded<double>> quick_;
+  mutable std::optional<PlanePoint<Bounded<DoubleDouble>>> fine_;
   mutable std::optional<PlanePoint<Exact>> exact_;
 };
 
