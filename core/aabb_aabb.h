@@ -2,9 +2,9 @@
 // Axis-aligned box against box.
 //
 // Boxes are products of intervals, so they share a box: on every axis the interval from the larger lower end to the
-// smaller upper end. They are disjoint when that is inverted on *some* axis, and meet when they overlap in x and y and
-// z. The note says "or", and its figure returns OVERLAP after the first axis: only the end of the loop may say so.
-// Nothing but comparisons of inputs: exact for free. Source: the note, N13 (corrected), N12.
+// smaller upper end. They are disjoint when that is inverted on *some* axis, and meet when they overlap in x and y
+// and z. The note says "or", and its figure returns OVERLAP after the first axis: only the end of the loop may say
+// so. Nothing but comparisons of inputs: exact for free. Source: the note, N13 (corrected), N12.
 
 #include <limits>
 #include <variant>
@@ -42,8 +42,8 @@ bool same(const Aabb<S, N>& a, const Aabb<S, N>& b) {
   return a.lo == b.lo && a.hi == b.hi;
 }
 
-/// Whether the boxes meet, axis by axis, as the note prints it but for its errata. Naive: right for boxes that are what
-/// they claim to be, but it takes inverted ones and NaN for overlapping.
+/// Whether the boxes meet, axis by axis, as the note prints it but for its errata. Naive: right for boxes that are
+/// what they claim to be, but it takes inverted ones and NaN for overlapping.
 template <class S, int N, class Trace = NoTrace>
 bool by_axis(const Aabb<S, N>& a, const Aabb<S, N>& b, Trace&& trace = {}) {
   for (int axis = 0; axis < N; ++axis) {

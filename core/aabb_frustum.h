@@ -3,8 +3,8 @@
 //
 // As for a sphere (core/sphere_frustum.h): a box beyond one of the six planes is outside, one that no plane cuts is
 // inside, and what remains is left undecided, which draws too much near the frustum's edges. Each plane looks at the
-// box's two extreme corners, and at one only if that is outside. Source: the note, N01 (view-volume culling); Assarsson,
-// Moller, Optimized view frustum culling algorithms for bounding boxes, J. Graphics Tools 5 (2000).
+// box's two extreme corners, and at one only if that is outside. Source: the note, N01 (view-volume culling);
+// Assarsson, Moller, Optimized view frustum culling algorithms for bounding boxes, J. Graphics Tools 5 (2000).
 
 #include <variant>
 
@@ -32,9 +32,9 @@ Culling side(const Plane<S, 3>& plane, const Aabb<S, 3>& box, Trace&& trace) {
 
 }  // namespace aabb_frustum
 
-/// outside: for certain, the box lies beyond one plane. inside: for certain and exactly, the frustum contains the box,
-/// touching included. crossing: neither; the box may still be outside. A plane with a zero normal bounds nothing, or
-/// everything when its d < 0. An empty box, NaN or an infinite coordinate: outside.
+/// outside: for certain, the box lies beyond one plane. inside: for certain and exactly, the frustum contains the
+/// box, touching included. crossing: neither; the box may still be outside. A plane with a zero normal bounds
+/// nothing, or everything when its d < 0. An empty box, NaN or an infinite coordinate: outside.
 template <class S, class Trace = NoTrace>
 Culling cull(const Aabb<S, 3>& box, const Frustum<S>& frustum, Trace&& trace = {}) {
   if (empty(box) || !finite(box) || !finite(frustum)) return Culling::outside;

@@ -1,10 +1,11 @@
 #pragma once
 // Plane against axis-aligned box.
 //
-// Over the box, n.x + d is least and greatest at two opposite corners: at n, whose coordinate is lo where n_i > 0 and hi
-// where n_i < 0, and at p, the other way round. The box lies on one side when both have the same sign. So one corner
-// often decides; no other needs a look. Source: Haines, Wallace, Shaft culling for efficient ray-traced radiosity (1991);
-// Akenine-Moller, Haines, Real-Time Rendering, 2nd ed. (2002), ch. 13.9; the plane of the note, N20.
+// Over the box, n.x + d is least and greatest at two opposite corners: at n, whose coordinate is lo where n_i > 0 and
+// hi where n_i < 0, and at p, the other way round. The box lies on one side when both have the same sign. So one
+// corner often decides; no other needs a look. Source: Haines, Wallace, Shaft culling for efficient ray-traced
+// radiosity (1991); Akenine-Moller, Haines, Real-Time Rendering, 2nd ed. (2002), ch. 13.9; the plane of the note,
+// N20.
 
 #include <variant>
 
@@ -84,8 +85,8 @@ int side(const Plane<S, N>& plane, const Aabb<S, N>& box, Trace&& trace = {}) {
 }
 
 /// disjoint; touching, when the box has points in the plane and on one side of it at most, be it a face, an edge or a
-/// corner; or overlapping, when it has points on both sides. Exact. A zero normal makes no plane; it, an empty box, NaN
-/// or an infinite coordinate: disjoint.
+/// corner; or overlapping, when it has points on both sides. Exact. A zero normal makes no plane; it, an empty box,
+/// NaN or an infinite coordinate: disjoint.
 template <class S, int N, class Trace = NoTrace>
 Relation relate(const Plane<S, N>& plane, const Aabb<S, N>& box, Trace&& trace = {}) {
   if (!plane_aabb::meaningful(plane, box)) return Relation::disjoint;

@@ -1,9 +1,10 @@
 #pragma once
 // Plane against sphere.
 //
-// The center is |n.c + d| / |n| away from the plane: the plane misses the ball iff that exceeds r, touches it when it is
-// r, and cuts it when it is less. Without the quotient and the root: (n.c + d)^2 against r^2 n.n, whose difference is a
-// polynomial. Source: Akenine-Moller, Haines, Real-Time Rendering, 2nd ed. (2002), ch. 13.9; the plane of the note, N20.
+// The center is |n.c + d| / |n| away from the plane: the plane misses the ball iff that exceeds r, touches it when it
+// is r, and cuts it when it is less. Without the quotient and the root: (n.c + d)^2 against r^2 n.n, whose difference
+// is a polynomial. Source: Akenine-Moller, Haines, Real-Time Rendering, 2nd ed. (2002), ch. 13.9; the plane of the
+// note, N20.
 
 #include <variant>
 
@@ -53,8 +54,8 @@ bool meaningful(const Plane<S, N>& plane, const Sphere<S, N>& sphere) {
 
 }  // namespace plane_sphere
 
-/// The sign of n.x + d for all points x of the ball, or 0 where the ball meets the plane. Exact. A zero normal makes no
-/// plane; it, an empty ball, NaN or an infinite coordinate: 0.
+/// The sign of n.x + d for all points x of the ball, or 0 where the ball meets the plane. Exact. A zero normal makes
+/// no plane; it, an empty ball, NaN or an infinite coordinate: 0.
 template <class S, int N, class Trace = NoTrace>
 int side(const Plane<S, N>& plane, const Sphere<S, N>& sphere, Trace&& trace = {}) {
   if (!plane_sphere::meaningful(plane, sphere)) return 0;
@@ -62,9 +63,9 @@ int side(const Plane<S, N>& plane, const Sphere<S, N>& sphere, Trace&& trace = {
   return signs.clear > 0 ? signs.center : 0;
 }
 
-/// disjoint; touching, when the ball has points in the plane and on one side of it at most; or overlapping, when it has
-/// points on both sides. Exact. A ball of radius 0 can but touch. A zero normal makes no plane; it, an empty ball, NaN
-/// or an infinite coordinate: disjoint.
+/// disjoint; touching, when the ball has points in the plane and on one side of it at most; or overlapping, when it
+/// has points on both sides. Exact. A ball of radius 0 can but touch. A zero normal makes no plane; it, an empty
+/// ball, NaN or an infinite coordinate: disjoint.
 template <class S, int N, class Trace = NoTrace>
 Relation relate(const Plane<S, N>& plane, const Sphere<S, N>& sphere, Trace&& trace = {}) {
   if (!plane_sphere::meaningful(plane, sphere)) return Relation::disjoint;

@@ -1,8 +1,8 @@
 #pragma once
 // Point against k-DOP: n.x against both ends of every slab lo <= n.x <= hi.
 //
-// With normals and points on a grid the products are exact; else rounding could move a point across a slanted plane, so
-// each comparison is the sign of a polynomial, n.x - lo or n.x - hi. Source: the note, N08.
+// With normals and points on a grid the products are exact; else rounding could move a point across a slanted plane,
+// so each comparison is the sign of a polynomial, n.x - lo or n.x - hi. Source: the note, N08.
 
 #include <cassert>
 #include <variant>

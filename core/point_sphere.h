@@ -33,8 +33,8 @@ template <class S, int N, class Trace>
 
 }  // namespace point_sphere
 
-/// Where the point lies with respect to the ball. Exact. The center of a sphere of radius 0 is `on`. An empty ball, NaN
-/// or an infinite coordinate: out.
+/// Where the point lies with respect to the ball. Exact. The center of a sphere of radius 0 is `on`. An empty ball,
+/// NaN or an infinite coordinate: out.
 template <class S, int N, class Trace = NoTrace>
 Location locate(const Point<S, N>& point, const Sphere<S, N>& sphere, Trace&& trace = {}) {
   if (empty(sphere)) return Location::out;

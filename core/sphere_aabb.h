@@ -1,10 +1,10 @@
 #pragma once
 // Sphere against axis-aligned box.
 //
-// The box's point nearest to the center is the center itself, clamped to the box's interval on every axis; the farthest
-// is a corner. The ball meets the box iff it holds the nearest point, and contains the box iff it holds the farthest
-// one: squared distances against r^2, no square root. The box contains the ball iff on every axis both ends are at
-// least r away from the center.
+// The box's point nearest to the center is the center itself, clamped to the box's interval on every axis; the
+// farthest is a corner. The ball meets the box iff it holds the nearest point, and contains the box iff it holds the
+// farthest one: squared distances against r^2, no square root. The box contains the ball iff on every axis both ends
+// are at least r away from the center.
 //
 // Source: the note, N15; Arvo, A simple method for box-sphere intersection testing, Graphics Gems (1990).
 
@@ -112,8 +112,8 @@ bool contained(const Sphere<double, N>& ball, const Aabb<double, N>& box, Trace&
 
 /// Whether the ball and the box have a common point. Exact; an empty one, NaN or an infinite coordinate: no.
 ///
-/// No branch depends on the answer. A sum of widths that is NaN or infinite tells a box with such a coordinate, or one
-/// so large that the sum overflows; in the ball, NaN and infinities leave the squares in disorder.
+/// No branch depends on the answer. A sum of widths that is NaN or infinite tells a box with such a coordinate, or
+/// one so large that the sum overflows; in the ball, NaN and infinities leave the squares in disorder.
 template <class S, int N, class Trace = NoTrace>
 bool intersects(const Sphere<S, N>& sphere, const Aabb<S, N>& box, Trace&& trace = {}) {
   const Vector<double, N> gap =

@@ -1,10 +1,10 @@
 #pragma once
 // The order of two squared lengths, at the price of computing them.
 //
-// A squared distance is a sum of at most four squares of differences of doubles; the square of a radius, or of the sum
-// or difference of two, is one such term. No term is negative, so nothing cancels, and the computed x is close to the
-// true X relatively: a difference carries one rounding, its square three, four of them summed six. With g(k) =
-// k u / (1 - k u) (Higham, Accuracy and Stability, 2nd ed., ch. 3) and 2^-1075 for each product that underflows,
+// A squared distance is a sum of at most four squares of differences of doubles; the square of a radius, or of the
+// sum or difference of two, is one such term. No term is negative, so nothing cancels, and the computed x is close to
+// the true X relatively: a difference carries one rounding, its square three, four of them summed six. With g(k) = k
+// u / (1 - k u) (Higham, Accuracy and Stability, 2nd ed., ch. 3) and 2^-1075 for each product that underflows,
 //
 //   |x - X| <= g(6) X + 2^-1073,   so   |(x - y) - (X - Y)| <= g(6) (X + Y) + 2^-1072 < 6.1 u (x + y) + 2^-1071.
 //

@@ -7,8 +7,8 @@
 
 namespace isect::tests {
 
-/// Twice the place of each number among all of them: comparisons stay as they are, and odd numbers stand for what lies
-/// between two neighbours.
+/// Twice the place of each number among all of them: comparisons stay as they are, and odd numbers stand for what
+/// lies between two neighbours.
 template <class S, std::size_t K>
 std::array<int, K> doubled_ranks(const std::array<S, K>& numbers) {
   std::array<int, K> rank = {};

@@ -1,6 +1,6 @@
 #pragma once
-// Frustums for tests: a view pyramid whose planes have small integer coordinates, one with rounded planes, and any six
-// half-spaces.
+// Frustums for tests: a view pyramid whose planes have small integer coordinates, one with rounded planes, and any
+// six half-spaces.
 
 #include "bench/simple_shapes.h"
 
