@@ -34,9 +34,12 @@ template <class S, int N>
 Eigen::Matrix<S, N, N> axes(Random& random, Numbers numbers) {
   Eigen::Matrix<S, N, N> m;
   switch (random.below(5)) {
-    case 0: return permutation<S, N>(random);
-    case 1: return rotation<S, N>(random, 3);
-    case 2: return permutation<S, N>(random) * rotation<S, N>(random, random.magnitude(-16, -5));
+    case 0:
+      return permutation<S, N>(random);
+    case 1:
+      return rotation<S, N>(random, 3);
+    case 2:
+      return permutation<S, N>(random) * rotation<S, N>(random, random.magnitude(-16, -5));
     case 3:
       for (int i = 0; i < N; ++i) m.col(i) = vector<S, N>(random, Numbers::grid) / 2;
       return m;

@@ -36,14 +36,22 @@ S number(Random& random, Numbers numbers) {
   constexpr bool is_float = std::is_same_v<S, float>;
   const double grid = random.integer(-4, 4);
   switch (numbers) {
-    case Numbers::ordinary: return static_cast<S>(random.uniform(-1, 1));
-    case Numbers::grid: return static_cast<S>(grid);
-    case Numbers::nudged: return moved(static_cast<S>(grid), random.integer(-2, 2));
-    case Numbers::decimal: return static_cast<S>(random.integer(-20, 20) * 0.1);
-    case Numbers::distant: return static_cast<S>(1e8 + grid);
-    case Numbers::wide: return static_cast<S>(random.magnitude(is_float ? -37 : -300, is_float ? 37 : 300));
-    case Numbers::tiny: return static_cast<S>(std::ldexp(grid, is_float ? -120 : -996));
-    default: return static_cast<S>(std::ldexp(grid, is_float ? 124 : 993));
+    case Numbers::ordinary:
+      return static_cast<S>(random.uniform(-1, 1));
+    case Numbers::grid:
+      return static_cast<S>(grid);
+    case Numbers::nudged:
+      return moved(static_cast<S>(grid), random.integer(-2, 2));
+    case Numbers::decimal:
+      return static_cast<S>(random.integer(-20, 20) * 0.1);
+    case Numbers::distant:
+      return static_cast<S>(1e8 + grid);
+    case Numbers::wide:
+      return static_cast<S>(random.magnitude(is_float ? -37 : -300, is_float ? 37 : 300));
+    case Numbers::tiny:
+      return static_cast<S>(std::ldexp(grid, is_float ? -120 : -996));
+    default:
+      return static_cast<S>(std::ldexp(grid, is_float ? 124 : 993));
   }
 }
 

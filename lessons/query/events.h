@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/point_polygon.h"
 #include "core/trace.h"
 #include "lessons/query/reply.h"
 
@@ -128,15 +129,28 @@ Json event(const E& e) {
 /// Runs call(trace), and keeps the events if they are wanted. `Event` is the test's own variant.
 template <class Event, class Call>
 auto run(Job& job, const Call& call) {
-  if (!job.traced) return call(NoTrace());
-  Record<Event> record;
+  Record<Event> record;  // always: a call without it would be a second one to compile
   auto answer = call(record);
-  for (const Event& e : record.events)
-    job.trace.push_back(std::visit([](const auto& one) { return event(one); }, e));
+  if (job.traced)
+    for (const Event& e : record.events)
+      job.trace.push_back(std::visit([](const auto& one) { return event(one); }, e));
   return answer;
 }
 
 template <>
 struct Told<Fallback> : Says<"Fallback"> {};
+
+template <>
+struct Told<point_polygon::Edge> : Says<"Edge", "ring index passage turn"> {};
+template <>
+struct Told<point_polygon::Straddles> : Says<"Straddles", "index holds"> {};
+template <class S>
+struct Told<point_polygon::CrossesAt<S>> : Says<"CrossesAt", "index x holds"> {};
+template <class S>
+struct Told<point_polygon::LeftBy<S>> : Says<"LeftBy", "index area2"> {};
+template <>
+struct Names<point_polygon::Passage> {
+  static constexpr const char* of[] = {"above", "below", "horizontal", "crossed_left", "crossed_right", "on"};
+};
 
 }  // namespace isect::query

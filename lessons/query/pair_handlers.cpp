@@ -1,8 +1,12 @@
 // Boxes, spheres, k-DOPs and triangles in pairs.
 
 #include "core/aabb_aabb.h"
+#include "core/kdop_kdop.h"
+#include "core/obb_obb.h"
+#include "core/obb_obb_methods.h"
 #include "core/sphere_aabb.h"
 #include "core/sphere_sphere.h"
+#include "core/triangle_aabb.h"
 #include "lessons/query/events.h"
 #include "lessons/query/handlers.h"
 
@@ -16,6 +20,18 @@ template <class S> struct Told<sphere_sphere::Compared<S>> : Says<"Compared", "d
 template <class S> struct Told<sphere_aabb::Axis<S>> : Says<"Axis", "axis center interval gap distance2"> {};
 template <class S> struct Told<sphere_aabb::Compared<S>> : Says<"Compared", "distance2 radius2"> {};
 template <> struct Told<sphere_aabb::Decision> : Says<"Decision", "nearest farthest ball_inside"> {};
+template <class S> struct Told<kdop_kdop::Slab<S>> : Says<"Slab", "slab a b disjoint"> {};
+template <int N> struct Told<obb_obb::Tested<N>> : Says<"Tested", "axis l distance radius_a radius_b sign"> {};
+template <int N> struct Told<obb_obb::Witness<N>> : Says<"Witness", "p"> {};
+template <int N> struct Told<triangle_aabb::Tested<N>> : Says<"Tested", "axis l triangle box sign"> {};
+template <> struct Names<obb_obb::Kind> {
+  static constexpr const char* of[] = {"face_of_a", "face_of_b", "edges"};
+};
+template <> struct Names<triangle_aabb::Kind> {
+  static constexpr const char* of[] = {"box_normal", "triangle_normal", "edge"};
+};
+template <> struct Told<obb_obb::Axis> : Says<"Axis", "kind i j"> {};
+template <> struct Told<triangle_aabb::Axis> : Says<"Axis", "kind i j"> {};
 // clang-format on
 
 namespace {
@@ -90,6 +106,40 @@ Json sphere_box(Job& job) {
   });
 }
 
+template <class S>
+Json obb_obb(Job& job) {
+  return in_dimension(job.fields["a"]["c"], [&]<int N>() -> Json {
+    const Obb<S, N> a = obb<S, N>(job.fields["a"]), b = obb<S, N>(job.fields["b"]);
+    const Relation r = run<obb_obb::Event<N>>(job, [&](auto&& trace) { return relate(a, b, trace); });
+    return {{"intersects", r != Relation::disjoint}, {"relation", name(r)}};
+  });
+}
+
+template <class S>
+Json kdop_kdop(Job& job) {
+  const std::vector<Field> normals = job.fields["normals"].list();
+  if (normals.empty()) job.fields["normals"].complain("at least one normal is expected");
+  return in_dimension(normals[0], [&]<int N>() -> Json {
+    const Kdop<S, N> a = kdop<S, N>(job.fields["normals"], job.fields["a"]);
+    const Kdop<S, N> b = kdop<S, N>(job.fields["normals"], job.fields["b"]);
+    const bool may = run<kdop_kdop::Event<S>>(job, [&](auto&& trace) { return may_intersect(a, b, trace); });
+    return {{"slabs", may ? "overlap" : "disjoint"}};
+  });
+}
+
+template <class S>
+Json triangle_box(Job& job) {
+  const std::vector<Field> corners = job.fields["tri"].list(3);
+  return in_dimension(corners[0], [&]<int N>() -> Json {
+    const Triangle<S, N> t = {{vector<S, N>(corners[0]), vector<S, N>(corners[1]), vector<S, N>(corners[2])}};
+    const Aabb<S, N> b = box<S, N>(job.fields);
+    const bool meets =
+        run<triangle_aabb::Event<N>>(job, [&](auto&& trace) { return intersects(t, b, trace); });
+    const char* relation = !meets ? "disjoint" : meets_interior(t, b) ? "overlap" : "touch";
+    return {{"intersects", meets}, {"relation", relation}};
+  });
+}
+
 }  // namespace
 
 const std::vector<Handler>& pair_handlers() {
@@ -97,6 +147,9 @@ const std::vector<Handler>& pair_handlers() {
       ISECT_HANDLER(box_box, {"exact", "by_axis"}),
       ISECT_HANDLER(sphere_sphere, {"exact", "squared_distance"}),
       ISECT_HANDLER(sphere_box, {"exact", "accumulate"}),
+      ISECT_HANDLER(obb_obb, {"exact"}),
+      ISECT_HANDLER(kdop_kdop, {"exact"}),
+      ISECT_HANDLER(triangle_box, {"exact"}),
   };
   return table;
 }

@@ -2,6 +2,8 @@
 
 #include "core/interval_interval.h"
 #include "core/orient.h"
+#include "core/plane_aabb.h"
+#include "core/plane_sphere.h"
 #include "core/point_aabb.h"
 #include "core/point_obb.h"
 #include "core/point_point.h"
@@ -19,6 +21,9 @@ template <class S> struct Told<point_aabb::Axis<S>> : Says<"Axis", "axis x inter
 template <> struct Told<point_sphere::Distance> : Says<"Distance", "sign"> {};
 template <class S> struct Told<point_point::Coordinate<S>> : Says<"Coordinate", "axis p q equal"> {};
 template <> struct Told<point_point::Distance> : Says<"Distance", "sign"> {};
+template <class S, int N> struct Told<plane_aabb::Corners<S, N>> : Says<"Corners", "least greatest at_least at_greatest"> {};
+template <> struct Told<plane_aabb::Decision> : Says<"Decision", "least greatest"> {};
+template <> struct Told<plane_sphere::Decision> : Says<"Decision", "center clear"> {};
 // clang-format on
 
 namespace {
@@ -88,13 +93,34 @@ Json point_sphere(Job& job) {
   });
 }
 
+template <class S>
+Json plane_sphere(Job& job) {
+  return in_dimension(job.fields["normal"], [&]<int N>() -> Json {
+    const Plane<S, N> p = plane<S, N>(job.fields);
+    const Sphere<S, N> ball = sphere<S, N>(job.fields);
+    const Relation r = run<plane_sphere::Event>(job, [&](auto&& trace) { return relate(p, ball, trace); });
+    return {{"intersects", r != Relation::disjoint}, {"relation", name(r)}};
+  });
+}
+
+template <class S>
+Json plane_box(Job& job) {
+  return in_dimension(job.fields["normal"], [&]<int N>() -> Json {
+    const Plane<S, N> p = plane<S, N>(job.fields);
+    const Aabb<S, N> b = box<S, N>(job.fields);
+    const Relation r = run<plane_aabb::Event<S, N>>(job, [&](auto&& trace) { return relate(p, b, trace); });
+    return {{"intersects", r != Relation::disjoint}, {"relation", name(r)}};
+  });
+}
+
 }  // namespace
 
 const std::vector<Handler>& point_handlers() {
   static const std::vector<Handler> table = {
-      ISECT_HANDLER(orient2d, {"exact"}),  ISECT_HANDLER(interval_interval, {"exact", "ends"}),
-      ISECT_HANDLER(point_obb, {"exact"}), ISECT_HANDLER(point_point, {"exact"}),
-      ISECT_HANDLER(point_box, {"exact"}), ISECT_HANDLER(point_sphere, {"exact"}),
+      ISECT_HANDLER(orient2d, {"exact"}),     ISECT_HANDLER(interval_interval, {"exact", "ends"}),
+      ISECT_HANDLER(point_obb, {"exact"}),    ISECT_HANDLER(point_point, {"exact"}),
+      ISECT_HANDLER(point_box, {"exact"}),    ISECT_HANDLER(point_sphere, {"exact"}),
+      ISECT_HANDLER(plane_sphere, {"exact"}), ISECT_HANDLER(plane_box, {"exact"}),
   };
   return table;
 }

@@ -1,18 +1,16 @@
 // Polygons, hulls and fits.
 
 #include "core/convex_hull.h"
+#include "core/fit.h"
 #include "core/point_convex_polygon.h"
 #include "core/point_polygon.h"
+#include "core/polygon.h"
 #include "lessons/query/events.h"
 #include "lessons/query/handlers.h"
 
 namespace isect::query {
 
 // clang-format off
-template <> struct Told<point_polygon::Edge> : Says<"Edge", "ring index passage turn"> {};
-template <> struct Told<point_polygon::Straddles> : Says<"Straddles", "index holds"> {};
-template <class S> struct Told<point_polygon::CrossesAt<S>> : Says<"CrossesAt", "index x holds"> {};
-template <class S> struct Told<point_polygon::LeftBy<S>> : Says<"LeftBy", "index area2"> {};
 template <> struct Told<convex_hull_2d::Remaining> : Says<"Remaining", "count"> {};
 template <class S> struct Told<convex_hull_2d::Added<S>> : Says<"Added", "p"> {};
 template <class S> struct Told<convex_hull_2d::Removed<S>> : Says<"Removed", "p next turn"> {};
@@ -22,9 +20,7 @@ template <> struct Told<point_convex_polygon::Chord> : Says<"Chord", "lo hi turn
 template <class S> struct Told<point_convex_polygon::Centroid<S>> : Says<"Centroid", "q"> {};
 template <class S> struct Told<point_convex_polygon::WedgeAround<S>> : Says<"WedgeAround", "lo mid hi cross"> {};
 template <class S> struct Told<point_convex_polygon::EdgeSide<S>> : Says<"EdgeSide", "from to cross"> {};
-template <> struct Names<point_polygon::Passage> {
-  static constexpr const char* of[] = {"above", "below", "horizontal", "crossed_left", "crossed_right", "on"};
-};
+template <> struct Told<polygon_area::AreaVector> : Says<"AreaVector", "scaled largest"> {};
 // clang-format on
 
 namespace {
@@ -90,12 +86,65 @@ Json convex_hull2d(Job& job) {
                        job, [&](auto&& trace) { return isect::convex_hull(points, trace); }))}};
 }
 
+template <class S>
+Json polygon_normal(Job& job) {
+  const Ring<S, 3> outline = ring<S, 3>(job.fields["polygon"]);
+  const auto n = run<polygon_area::Event>(job, [&](auto&& trace) { return normal(outline, trace); });
+  return {{"normal", n ? numbers<S, 3>(*n) : nullptr}, {"area", number(area(outline))}};
+}
+
+/// The axes and the diagonals of the square or cube: an 8-DOP in the plane, a 14-DOP in space.
+template <class S, int N>
+std::vector<Vector<S, N>> usual_normals() {
+  if constexpr (N == 2)
+    return {{1, 0}, {0, 1}, {1, 1}, {1, -1}};
+  else
+    return {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}, {1, 1, -1}, {1, -1, 1}, {1, -1, -1}};
+}
+
+template <class S, int N>
+Json kdop_around(const Job& job, const Ring<S, N>& points) {
+  const auto given = job.fields.find("normals");
+  const Kdop<S, N> k = fit_kdop(points, given ? ring<S, N>(*given) : usual_normals<S, N>());
+  Json lo = Json::array(), hi = Json::array();
+  for (const Interval<S>& slab : k.slabs) lo.push_back(number(slab.lo)), hi.push_back(number(slab.hi));
+  return {{"normals", numbers<S, N>(k.normals)}, {"lo", lo}, {"hi", hi}};
+}
+
+template <class S>
+Json bounding_volume_fit(Job& job) {
+  const std::vector<Field> entries = job.fields["points"].list();
+  if (entries.empty()) job.fields["points"].complain("at least one point is expected");
+  return in_dimension(entries[0], [&]<int N>() -> Json {
+    const Ring<S, N> points = ring<S, N>(job.fields["points"]);
+    const std::string volume = job.fields["volume"].text();
+    if (volume == "aabb") {
+      const Aabb<S, N> b = fit_aabb(points);
+      return {{"lo", numbers<S, N>(b.lo)}, {"hi", numbers<S, N>(b.hi)}};
+    }
+    if (volume == "sphere") {
+      const Sphere<S, N> ball = fit_sphere(points);
+      return {{"center", numbers<S, N>(ball.center)}, {"radius", number(ball.radius)}};
+    }
+    if (volume == "obb") {
+      const Obb<S, N> b = fit_obb(points);
+      Json axes = Json::array();
+      for (int i = 0; i < N; ++i) axes.push_back(numbers<S, N>(b.axes.col(i)));
+      return {{"c", numbers<S, N>(b.center)}, {"u", axes}, {"e", numbers<S, N>(b.half)}};
+    }
+    if (volume == "kdop") return kdop_around(job, points);
+    job.fields["volume"].complain("aabb, sphere, obb or kdop is expected");
+  });
+}
+
 }  // namespace
 
 const std::vector<Handler>& polygon_handlers() {
   static const std::vector<Handler> table = {
       ISECT_HANDLER(pip, {"exact", "crossings", "winding", "convex", "crossings_naive", "winding_naive"}),
       ISECT_HANDLER(convex_hull2d, {"exact"}),
+      ISECT_HANDLER(polygon_normal, {"exact"}),
+      ISECT_HANDLER(bounding_volume_fit, {"exact"}),
   };
   return table;
 }

@@ -5,6 +5,7 @@
 #include "core/ray_sphere.h"
 
 #include "core/ray_obb.h"
+#include "core/ray_polygon.h"
 #include "core/ray_sphere_methods.h"
 #include "core/segment_segment.h"
 #include "lessons/query/events.h"
@@ -64,6 +65,12 @@ template <> struct Names<ray_sphere::Place> {
 template <> struct Names<segment_segment::Meeting> {
   static constexpr const char* of[] = {"disjoint", "touch", "cross", "overlap"};
 };
+template <> struct Told<ray_polygon::Decision> : Says<"Decision", "axis heading side"> {};
+template <class S> struct Told<ray_polygon::Hit<S>> : Says<"Hit", "t"> {};
+template <class S> struct Told<ray_polygon::Normal<S>> : Says<"Normal", "n"> {};
+template <class S> struct Told<ray_polygon::InPlane<S>> : Says<"InPlane", "t point"> {};
+template <class S> struct Told<ray_polygon::InRange<S>> : Says<"InRange", "t holds"> {};
+template <class S> struct Told<ray_polygon::Projected<S>> : Says<"Projected", "dropped point"> {};
 // clang-format on
 
 namespace {
@@ -180,6 +187,24 @@ Json segment_segment(Job& job) {
   return result;
 }
 
+template <class S>
+Json ray_polygon(Job& job) {
+  const Ray<S, 3> r = ray<S, 3>(job.fields);
+  const Ring<S, 3> outline = ring<S, 3>(job.fields["polygon"]);
+  if (job.variant == "projected") {
+    const auto t = run<ray_polygon::ProjectedEvent<S>>(
+        job, [&](auto&& trace) { return ray_polygon::projected(r, outline, trace); });
+    return {{"hit", t.has_value()}, {"t", number(t)}};
+  }
+  const RayPolygon<S> shared = run<ray_polygon::Event<S>>(
+      job, [&](auto&& trace) { return intersect(r, outline, FillRule::even_odd, trace); });
+  return {{"parallel", !shared.line},
+          {"coplanar", shared.coplanar},
+          {"hit", shared.flat || shared.coplanar ? Json(nullptr) : Json(shared.t.has_value())},
+          {"t", number(shared.line)},
+          {"plane_point_location", shared.line ? name(shared.location) : nullptr}};
+}
+
 }  // namespace
 
 const std::vector<Handler>& ray_handlers() {
@@ -189,6 +214,7 @@ const std::vector<Handler>& ray_handlers() {
       ISECT_HANDLER(ray_plane, {"exact", "textbook"}),
       ISECT_HANDLER(ray_obb, {"exact", "projections"}),
       ISECT_HANDLER(segment_segment, {"exact", "parametric"}),
+      ISECT_HANDLER(ray_polygon, {"exact", "projected"}),
   };
   return table;
 }

@@ -91,7 +91,9 @@ Sphere<S, N> sphere(const Field& request, const char* center = "center", const c
 }
 template <class S, int N>
 Aabb<S, N> box(const Field& request, const char* lo = "lo", const char* hi = "hi") {
-  return {vector_of_ends<S, N>(request[lo]), vector_of_ends<S, N>(request[hi])};
+  const Aabb<S, N> b = {vector_of_ends<S, N>(request[lo]), vector_of_ends<S, N>(request[hi])};
+  if (!finite(b) && !empty(b)) request[lo].complain("finite ends are expected of a box that is not inverted");
+  return b;
 }
 /// c, u: N rows, e
 template <class S, int N>
@@ -113,7 +115,7 @@ template <class S, int N>
 Kdop<S, N> kdop(const Field& normals, const Field& slabs) {
   Kdop<S, N> k = {ring<S, N>(normals), {}};
   const std::vector<Field> lo = slabs["lo"].list(k.normals.size()), hi = slabs["hi"].list(k.normals.size());
-  for (std::size_t i = 0; i < lo.size(); ++i) k.slabs.push_back({lo[i].end<S>(), hi[i].end<S>()});
+  for (std::size_t i = 0; i < lo.size(); ++i) k.slabs.push_back({lo[i].number<S>(), hi[i].number<S>()});
   return k;
 }
 

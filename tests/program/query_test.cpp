@@ -1,5 +1,6 @@
 // `isect query` as a pipe: answers in order, a clear error for every bad line, and never a crash.
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <vector>
@@ -209,4 +210,40 @@ TEST_CASE("query's files and usage", "[query]") {
   CHECK(shell("isect query cases >/dev/full").status == 4);
   CHECK_THAT(shell("isect query --help").out,
              Contains("ray_sphere") && Contains("haines") && Contains("Example"));
+}
+
+TEST_CASE("every kind has an example that every variant answers, in either scalar, with a trace", "[query]") {
+  std::map<std::string, Json> examples;
+  std::istringstream lines(isect::test::contents(ISECT_EXAMPLES));
+  for (std::string line; std::getline(lines, line);) {
+    const Json example = Json::parse(line);
+    examples[example["kind"]] = example;
+  }
+
+  std::istringstream help(Shell()("isect query --help").out);
+  int kinds = 0;
+  for (std::string line; std::getline(help, line);) {
+    std::istringstream words(line);
+    std::string kind, variant;
+    words >> kind >> variant;
+    if (!line.starts_with("  ") || variant != "exact") continue;
+    ++kinds;
+    REQUIRE(examples.contains(kind));
+    std::string text;
+    for (; words; words >> variant)
+      for (const char* scalar : {"f64", "f32"}) {
+        Json request = examples[kind];
+        request["variant"] = variant, request["scalar"] = scalar, request["trace"] = true;
+        if (variant == "convex") request["rings"] = {request["rings"][0]};
+        text += request.dump() + "\n";
+      }
+    for (const Json& reply : ask(text).lines) {
+      INFO(kind << ": " << reply.dump());
+      CHECK(reply.contains("result"));
+      CHECK(reply["id"] == kind);
+      CHECK(reply.contains("trace"));
+    }
+  }
+  CHECK(kinds == 24);
+  CHECK(examples.size() == 24);
 }
