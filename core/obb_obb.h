@@ -8,6 +8,7 @@
 // Ericson, Real-Time Collision Detection (2005), 4.4.1.
 
 #include <optional>
+#include <type_traits>
 
 #include "core/obb_obb_axes.h"
 #include "core/obb_obb_first_pass.h"
@@ -58,6 +59,15 @@ bool inside(const Obb<double, N>& a, const Obb<double, N>& b, Trace&& trace) {
   return true;
 }
 
+/// The box in doubles: itself, not a copy, if it is in doubles already.
+template <class S, int N>
+decltype(auto) in_doubles(const Obb<S, N>& box) {
+  if constexpr (std::is_same_v<S, double>)
+    return (box);
+  else
+    return cast<double>(box);
+}
+
 /// Whether there is such a box and it has a point.
 template <class S, int N, class Trace>
 bool exists(const Obb<S, N>& box, Trace&& trace) {
@@ -71,7 +81,7 @@ bool exists(const Obb<S, N>& box, Trace&& trace) {
 template <class S, int N, class Trace = NoTrace>
 std::optional<obb_obb::Axis> separating_axis(const Obb<S, N>& a, const Obb<S, N>& b, Trace&& trace = {}) {
   if (!obb_obb::exists(a, trace) || !obb_obb::exists(b, trace)) return {};
-  const Obb<double, N> wide_a = cast<double>(a), wide_b = cast<double>(b);
+  const Obb<double, N>&wide_a = obb_obb::in_doubles(a), &wide_b = obb_obb::in_doubles(b);
   const obb_obb::FirstPass first = obb_obb::first_pass(wide_a, wide_b, trace);
   if (first.separating || first.overlap) return first.separating;
   return obb_obb::settle(wide_a, wide_b, trace).separating;
@@ -82,7 +92,7 @@ std::optional<obb_obb::Axis> separating_axis(const Obb<S, N>& a, const Obb<S, N>
 template <class S, int N, class Trace = NoTrace>
 bool intersects(const Obb<S, N>& a, const Obb<S, N>& b, Trace&& trace = {}) {
   if (empty(a) || empty(b)) return false;
-  const Obb<double, N> wide_a = cast<double>(a), wide_b = cast<double>(b);
+  const Obb<double, N>&wide_a = obb_obb::in_doubles(a), &wide_b = obb_obb::in_doubles(b);
   const obb_obb::FirstPass first = obb_obb::first_pass(wide_a, wide_b, trace);
   if (first.separating || first.overlap) return first.overlap;
   if (!obb_obb::exists(a, trace) || !obb_obb::exists(b, trace)) return false;
@@ -95,7 +105,7 @@ bool intersects(const Obb<S, N>& a, const Obb<S, N>& b, Trace&& trace = {}) {
 template <class S, int N, class Trace = NoTrace>
 Relation relate(const Obb<S, N>& a, const Obb<S, N>& b, Trace&& trace = {}) {
   if (empty(a) || empty(b)) return Relation::disjoint;
-  const Obb<double, N> wide_a = cast<double>(a), wide_b = cast<double>(b);
+  const Obb<double, N>&wide_a = obb_obb::in_doubles(a), &wide_b = obb_obb::in_doubles(b);
 
   const obb_obb::FirstPass first = obb_obb::first_pass(wide_a, wide_b, trace);
   if (first.separating) return Relation::disjoint;

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <optional>
 #include <variant>
 
@@ -98,22 +99,34 @@ Tested<N> tested(const Triangle<double, N>& triangle, const Aabb<double, N>& box
 template <int N, class Trace>
 std::optional<int> gap(const Triangle<double, N>& triangle, const Aabb<double, N>& box, const Axis& axis,
                        Trace&& trace) {
+  const Components<Bounded<double>, N> rounded = direction<Bounded<double>>(triangle, axis);  // once for all signs
+  const auto l = [&]<class W>() -> Components<W, N> {
+    if constexpr (std::same_as<W, Bounded<double>>)
+      return rounded;
+    else
+      return direction<W>(triangle, axis);
+  };
+
   Point<double, N> first = box.lo, last = box.hi;  // corners along l
   bool vanishes = true;
   for (int k = 0; k < N; ++k) {
-    const int sign = sign_of([&]<class W>() -> W { return direction<W>(triangle, axis)[k]; }, trace);
+    const int sign = sign_of([&]<class W>() -> W { return l.template operator()<W>()[k]; }, trace);
     if (sign < 0) std::swap(first[k], last[k]);
     vanishes &= sign == 0;
   }
   if (vanishes) return {};
 
   int before = 1, behind = 1;  // the triangle, of the box
-  for (const Point<double, N>& v : triangle.vertices) {
+  for (int k = 0; k < 3; ++k) {
+    if (axis.kind == Kind::triangle_normal && k > 0) break;          // l.v is the same for all vertices
+    if (axis.kind == Kind::edge && k == (axis.j + 1) % 3) continue;  // and for the two of the edge
+    const Point<double, N>& v = triangle.vertices[k];
     const auto apart = [&](const Point<double, N>& x, const Point<double, N>& y) {
-      return sign_of([&]<class W>() -> W { return dot(direction<W>(triangle, axis), difference<W>(x, y)); }, trace);
+      return sign_of([&]<class W>() -> W { return dot(l.template operator()<W>(), difference<W, N>(x, y)); }, trace);
     };
     if (before >= 0) before = std::min(before, apart(first, v));
     if (behind >= 0) behind = std::min(behind, apart(v, last));
+    if (before < 0 && behind < 0) return -1;
   }
   return std::max(before, behind);
 }
