@@ -1,8 +1,8 @@
 #pragma once
 // Clipping a convex polygon at a half-space, or at the six (four) of a box.
 //
-// Walk around the ring. With h(v) the height of a vertex over the plane, keep v where h(v) >= 0; where an edge pq runs
-// from one side to the other, P = h(p) and Q = h(q) of opposite signs, put in the point where it crosses,
+// Walk around the ring. With h(v) the height of a vertex over the plane, keep v where h(v) >= 0; where an edge pq
+// runs from one side to the other, P = h(p) and Q = h(q) of opposite signs, put in the point where it crosses,
 //
 //   x = (p Q - q P) / (Q - P).
 //
@@ -33,8 +33,8 @@ struct Crossing {
 template <class S, int N>
 using Event = std::variant<Side, Crossing<S, N>, Fallback>;
 
-/// Where the edge pq crosses the plane of the heights: each coordinate within 2 ulp of S, between those of p and q. The
-/// same for qp, and for the plane seen from below: neighbours get the same new vertex.
+/// Where the edge pq crosses the plane of the heights: each coordinate within 2 ulp of S, between those of p and q.
+/// The same for qp, and for the plane seen from below: neighbours get the same new vertex.
 template <class S, int N, class Height, class Trace>
 Point<S, N> crossing(const Point<S, N>& p, const Point<S, N>& q, const Height& height, Trace&& trace) {
   const Point<double, N> a = p.template cast<double>(), b = q.template cast<double>();
@@ -92,10 +92,10 @@ Ring<S, N> sutherland_hodgman(const Ring<S, N>& ring, const Plane<S, N>& half_sp
 
 /// The part of a convex polygon on the plane or on the side that its normal points to, normal.x + d >= 0.
 ///
-/// Which vertices survive is true for all finite input of any magnitude; each coordinate of a new one lies within 2 ulp
-/// of S of the true one. A polygon that touches the plane from below keeps the vertices on it, one or two. Vertices may
-/// coincide. A ring that is not convex comes out with edges along the plane. Nothing kept: an empty ring; so too for a
-/// zero normal, which makes no half-space, NaN or an infinite coordinate.
+/// Which vertices survive is true for all finite input of any magnitude; each coordinate of a new one lies within 2
+/// ulp of S of the true one. A polygon that touches the plane from below keeps the vertices on it, one or two.
+/// Vertices may coincide. A ring that is not convex comes out with edges along the plane. Nothing kept: an empty
+/// ring; so too for a zero normal, which makes no half-space, NaN or an infinite coordinate.
 template <class S, int N, class Trace = NoTrace>
 Ring<S, N> clip(const Ring<S, N>& ring, const Plane<S, N>& half_space, Trace&& trace = {}) {
   if (!finite(ring) || !finite(half_space) || half_space.normal == Vector<S, N>::Zero()) return {};
@@ -110,9 +110,9 @@ Ring<S, N> clip(const Ring<S, N>& ring, const Plane<S, N>& half_space, Trace&& t
 /// The part of a convex polygon in the closed box.
 ///
 /// All its vertices lie in the box, exactly, and every input vertex in the box is among them, unchanged. Each plane
-/// cuts at coordinates within 2 ulp of S for the vertices that it is given; a cut of a cut moves on by as much, so that
-/// a polygon which passes a corner or an edge within rounding may be missed, or met. Otherwise as at one plane. An empty
-/// box keeps nothing.
+/// cuts at coordinates within 2 ulp of S for the vertices that it is given; a cut of a cut moves on by as much, so
+/// that a polygon which passes a corner or an edge within rounding may be missed, or met. Otherwise as at one plane.
+/// An empty box keeps nothing.
 template <class S, int N, class Trace = NoTrace>
 Ring<S, N> clip(const Ring<S, N>& ring, const Aabb<S, N>& box, Trace&& trace = {}) {
   if (empty(box) || !finite(ring) || !finite(box)) return {};

@@ -2,9 +2,10 @@
 // Clipping a ray, a line or a segment: which t are kept.
 //
 // A box keeps the stretch between the last entry and the first exit: core/ray_aabb.h. A half-space n.x + D >= 0 keeps
-// the t on one side of the crossing with its plane, t = -(n.o + D) / (n.d): beyond it where the ray heads up, n.d > 0,
-// before it where it heads down; all or nothing of a parallel ray, by the side of its origin. Source: the note, N01;
-// Cyrus, Beck, Computers & Graphics 3 (1978), and Liang, Barsky, ACM Trans. Graphics 3 (1984), for the parameters.
+// the t on one side of the crossing with its plane, t = -(n.o + D) / (n.d): beyond it where the ray heads up
+// (n.d > 0), before it where it heads down; all or nothing of a parallel ray, by the side of its origin. Source: the
+// note, N01; Cyrus, Beck, Computers & Graphics 3 (1978), and Liang, Barsky, ACM Trans. Graphics 3 (1984), for the
+// parameters.
 
 #include <optional>
 #include <variant>
@@ -66,8 +67,8 @@ std::optional<Interval<S>> clip(const Ray<S, N>& ray, const Aabb<S, N>& box, Tra
 
 /// The t of [0, 1] at which p + t (q - p) lies inside the closed box, both end points taken as given.
 ///
-/// Whether there is one is true for all finite input of any magnitude. The ends lie within 2 ulp of S of the true ones,
-/// in [0, 1], in order. An empty box, NaN or an infinite coordinate: nothing.
+/// Whether there is one is true for all finite input of any magnitude. The ends lie within 2 ulp of S of the true
+/// ones, in [0, 1], in order. An empty box, NaN or an infinite coordinate: nothing.
 template <class S, int N, class Trace = NoTrace>
 std::optional<Interval<S>> clip(const Segment<S, N>& segment, const Aabb<S, N>& box, Trace&& trace = {}) {
   if (empty(box) || !finite(segment) || !finite(box)) return {};
@@ -78,10 +79,10 @@ std::optional<Interval<S>> clip(const Segment<S, N>& segment, const Aabb<S, N>& 
 
 /// The t of the ray's range on the plane or on the side that its normal points to, normal.x + d >= 0.
 ///
-/// Whether there is one is true for all finite input of any magnitude; a ray that touches the plane with one end keeps
-/// that t. The new end lies within 2 ulp of S of the true one, in the range. A zero direction makes the ray a point:
-/// all or nothing. A zero normal makes no half-space: nothing is kept; nor of an empty range, NaN or an infinite
-/// coordinate.
+/// Whether there is one is true for all finite input of any magnitude; a ray that touches the plane with one end
+/// keeps that t. The new end lies within 2 ulp of S of the true one, in the range. A zero direction makes the ray a
+/// point: all or nothing. A zero normal makes no half-space: nothing is kept; nor of an empty range, NaN or an
+/// infinite coordinate.
 template <class S, int N, class Trace = NoTrace>
 std::optional<Interval<S>> clip(const Ray<S, N>& ray, const Plane<S, N>& half_space, Trace&& trace = {}) {
   if (!finite(ray) || !finite(half_space) || half_space.normal == Vector<S, N>::Zero()) return {};

@@ -101,8 +101,8 @@ std::optional<Interval<S>> slabs(const Ray<S, N>& ray, const Aabb<S, N>& box, Tr
   return Interval<S>{in, out};
 }
 
-/// A ray with the reciprocals of its direction, for many boxes. One that tells nothing, being too large or too small to
-/// be accurate, is NaN, and its slab is left out. A ray with NaN or an infinite coordinate has an empty range.
+/// A ray with the reciprocals of its direction, for many boxes. One that tells nothing, being too large or too small
+/// to be accurate, is NaN, and its slab is left out. A ray with NaN or an infinite coordinate has an empty range.
 template <class S, int N>
 struct Prepared {
   Point<S, N> origin;
@@ -125,8 +125,8 @@ Prepared<S, N> prepare(const Ray<S, N>& ray) {
   return result;
 }
 
-/// What may_intersect makes of infinite t: they come from a zero component, beside whose slab the ray may run, or from
-/// a difference that overflowed and tells nothing.
+/// What may_intersect makes of infinite t: they come from a zero component, beside whose slab the ray may run, or
+/// from a difference that overflowed and tells nothing.
 template <class S, int N>
 [[gnu::noinline, gnu::cold]] bool may_at_infinity(const Prepared<S, N>& ray, const Aabb<S, N>& box) {
   for (int i = 0; i < N; ++i)
@@ -169,8 +169,8 @@ bool may_intersect(const Ray<S, N>& ray, const Aabb<S, N>& box) {
 ///
 /// Whether there is one is true for all finite input of any magnitude; a ray that grazes a face, an edge or a corner
 /// meets the box. The ends lie within 4 ulp of S of the true ones, in the range, in order. A zero direction makes the
-/// ray a point: the whole range if it lies in the box. A box without thickness is a rectangle, a segment or a point. An
-/// empty box or range, NaN or an infinite coordinate: nothing.
+/// ray a point: the whole range if it lies in the box. A box without thickness is a rectangle, a segment or a point.
+/// An empty box or range, NaN or an infinite coordinate: nothing.
 template <class S, int N, class Trace = NoTrace>
 std::optional<Interval<S>> intersect(const Ray<S, N>& ray, const Aabb<S, N>& box, Trace&& trace = {}) {
   const Ray<double, N> wide = cast<double>(ray);

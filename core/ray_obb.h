@@ -1,14 +1,14 @@
 #pragma once
 // Ray against oriented box.
 //
-// The box is { c + sum s_i u_i, |s_i| <= e_i }. With n_i orthogonal to all axes but u_i, and n_i.u_i = +-D for every i
-// (see core/point_obb.h), the point o + t d lies between the faces of pair i iff
+// The box is { c + sum s_i u_i, |s_i| <= e_i }. With n_i orthogonal to all axes but u_i, and n_i.u_i = +-D for every
+// i (see core/point_obb.h), the point o + t d lies between the faces of pair i iff
 //
 //   -e_i |D| - n_i.(o - c)  <=  t n_i.d  <=  e_i |D| - n_i.(o - c):
 //
-// a slab with polynomials for coefficients, whatever the axes are. Source: the note, N07, for the box; Kay, Kajiya, Ray
-// tracing complex scenes, SIGGRAPH (1986), for the slabs; Akenine-Moller, Haines, Real-Time Rendering, 2nd ed. (2002),
-// ch. 13.6.1, for the textbook's form.
+// a slab with polynomials for coefficients, whatever the axes are. Source: the note, N07, for the box; Kay, Kajiya,
+// Ray tracing complex scenes, SIGGRAPH (1986), for the slabs; Akenine-Moller, Haines, Real-Time Rendering, 2nd ed.
+// (2002), ch. 13.6.1, for the textbook's form.
 
 #include <algorithm>
 #include <optional>
@@ -62,8 +62,8 @@ template <class S> struct Remains { S in, out; bool holds; };             ///< i
 template <class S>
 using ProjectionsEvent = std::variant<Projected<S>, Beside<S>, Crossing<S>, Remains<S>>;
 
-/// The part of the range in a box with orthonormal axes, by projection onto them. Naive: rounding may decide, and axes
-/// that are not quite orthonormal mean another box.
+/// The part of the range in a box with orthonormal axes, by projection onto them. Naive: rounding may decide, and
+/// axes that are not quite orthonormal mean another box.
 template <class S, int N, class Trace = NoTrace>
 std::optional<Interval<S>> projections(const Ray<S, N>& ray, const Obb<S, N>& box, Trace&& trace = {}) {
   const Vector<S, N> to_center = box.center - ray.origin;
@@ -99,8 +99,8 @@ std::optional<Interval<S>> projections(const Ray<S, N>& ray, const Obb<S, N>& bo
 /// Whether there is one is true for all finite input of any magnitude; a ray that grazes a face, an edge or a corner
 /// meets the box. The ends lie within 2 ulp of S of the true ones, in the range, in order. The axes are taken
 /// literally, need neither unit length nor right angles, but must be independent: otherwise there is no box. A zero
-/// direction makes the ray a point: the whole range if it lies in the box. Some half_i = 0 makes the box flat. An empty
-/// box or range, NaN or an infinite coordinate: nothing.
+/// direction makes the ray a point: the whole range if it lies in the box. Some half_i = 0 makes the box flat. An
+/// empty box or range, NaN or an infinite coordinate: nothing.
 template <class S, int N, class Trace = NoTrace>
 std::optional<Interval<S>> intersect(const Ray<S, N>& ray, const Obb<S, N>& box, Trace&& trace = {}) {
   if (empty(box) || !finite(ray) || !finite(box)) return {};

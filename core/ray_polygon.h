@@ -12,8 +12,8 @@
 //   (a_y - P_y) den = (a_y - o_y) den - num d_y,
 //   orient2d(a, b, P) den = den (a - o) x (b - o) - num d x (b - a),
 //
-// so that all verdicts are signs of polynomials. Source: the note, N21, with its question which axis to drop; Sutherland
-// et al., ACM Computing Surveys 6 (1974), for Newell's normal.
+// so that all verdicts are signs of polynomials. Source: the note, N21, with its question which axis to drop;
+// Sutherland et al., ACM Computing Surveys 6 (1974), for Newell's normal.
 
 #include <Eigen/Geometry>
 #include <optional>
@@ -202,8 +202,8 @@ template <class S>
 using ProjectedEvent = std::variant<Normal<S>, InPlane<S>, InRange<S>, Projected<S>, point_polygon::Straddles,
                                     point_polygon::CrossesAt<S>>;
 
-/// The note's way: meet the plane, round the point, drop a coordinate, count crossings. Naive: rounding may decide, and
-/// a ray at an edge that two polygons share may miss both. Source: the note, N20 to N22.
+/// The note's way: meet the plane, round the point, drop a coordinate, count crossings. Naive: rounding may decide,
+/// and a ray at an edge that two polygons share may miss both. Source: the note, N20 to N22.
 template <class S, class Trace = NoTrace>
 std::optional<S> projected(const Ray<S, 3>& ray, const Ring<S, 3>& ring, Trace&& trace = {}) {
   Vector<S, 3> n(S(0), S(0), S(0));
@@ -237,10 +237,10 @@ std::optional<S> projected(const Ray<S, 3>& ray, const Ring<S, 3>& ring, Trace&&
 ///
 /// Every verdict (flat, coplanar, location, whether line and t have values) is true for all finite input of any
 /// magnitude, for the polygon projected along the axis of the largest normal component: for vertices in one plane
-/// exactly, that is the polygon itself, and of two that share an edge of one plane a line through it meets both. Both t
-/// lie within 2 ulp of S of the true value, that of the range in the range. A zero direction makes the ray a point: no
-/// hit, coplanar if it lies in the plane. A first ring without area is flat: no hit. NaN or an infinite coordinate, or
-/// an empty range: no hit.
+/// exactly, that is the polygon itself, and of two that share an edge of one plane a line through it meets both. Both
+/// t lie within 2 ulp of S of the true value, that of the range in the range. A zero direction makes the ray a point:
+/// no hit, coplanar if it lies in the plane. A first ring without area is flat: no hit. NaN or an infinite
+/// coordinate, or an empty range: no hit.
 template <class S, class Trace = NoTrace>
 RayPolygon<S> intersect(const Ray<S, 3>& ray, const Polygon<S, 3>& polygon, FillRule rule = FillRule::even_odd,
                         Trace&& trace = {}) {

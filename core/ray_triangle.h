@@ -5,12 +5,13 @@
 //
 //   w_a = d.(B x C),   w_b = d.(C x A),   w_c = d.(A x B),
 //
-// which are the weights of a, b, c at the point where it meets the plane, times their sum: d.n, n = (b - a) x (c - a).
-// So it meets the triangle iff no two of them have opposite signs. Their signs are exact, and that of an edge is the
-// same for both triangles that share it: no line slips between them. t = n.A / n.d.
+// which are the weights of a, b, c at the point where it meets the plane, times their sum: d.n with
+// n = (b - a) x (c - a). So it meets the triangle iff no two of them have opposite signs. Their signs are exact, and that of an edge is
+// the same for both triangles that share it: no line slips between them. t = n.A / n.d.
 //
-// Source: Plucker coordinates, as in Shoemake, Ray Tracing News 11 (1998); Woop, Benthin, Wald, Watertight ray/triangle
-// intersection, J. Computer Graphics Techniques 2 (2013); Moller, Trumbore, J. Graphics Tools 2 (1997), for the naive.
+// Source: Plucker coordinates, as in Shoemake, Ray Tracing News 11 (1998); Woop, Benthin, Wald, Watertight
+// ray/triangle intersection, J. Computer Graphics Techniques 2 (2013); Moller, Trumbore, J. Graphics Tools 2 (1997),
+// for the naive.
 
 #include <Eigen/Geometry>
 #include <optional>
@@ -104,7 +105,8 @@ template <class S>
 using MollerTrumboreEvent = std::variant<Determinant<S>, WeightU<S>, WeightV<S>, InRange<S>>;
 
 /// t and the weights by Cramer's rule. Naive: rounding may decide, and a ray through an edge that two triangles share
-/// may miss both. Source: Moller, Trumbore, Fast, minimum storage ray-triangle intersection, J. Graphics Tools 2 (1997).
+/// may miss both. Source: Moller, Trumbore, Fast, minimum storage ray-triangle intersection, J. Graphics Tools 2
+/// (1997).
 template <class S, class Trace = NoTrace>
 std::optional<Hit<S>> moller_trumbore(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle, Trace&& trace = {}) {
   const auto& [a, b, c] = triangle.vertices;
@@ -137,9 +139,9 @@ std::optional<Hit<S>> moller_trumbore(const Ray<S, 3>& ray, const Triangle<S, 3>
 /// Where a ray, segment or line meets a triangle, from either side.
 ///
 /// Every verdict (coplanar, location, whether t has a value) is true for all finite input of any magnitude: a line
-/// through an edge or a vertex meets all triangles that share it. t lies within 2 ulp of S of its true value and in the
-/// range, u and v within 2 ulp of theirs. A zero direction makes the ray a point: no hit, coplanar if it lies in the
-/// plane. A triangle without area has no plane: no hit. NaN or an infinite coordinate, or an empty range: no hit.
+/// through an edge or a vertex meets all triangles that share it. t lies within 2 ulp of S of its true value and in
+/// the range, u and v within 2 ulp of theirs. A zero direction makes the ray a point: no hit, coplanar if it lies in
+/// the plane. A triangle without area has no plane: no hit. NaN or an infinite coordinate, or an empty range: no hit.
 template <class S, class Trace = NoTrace>
 RayTriangle<S> intersect(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle, Trace&& trace = {}) {
   if (!finite(ray) || !finite(triangle)) return {};

@@ -1,10 +1,10 @@
 #pragma once
 // Segment against segment in the plane.
 //
-// Let a = pq and b = rs. They meet in one point iff p and q do not lie on the same side of the line rs, nor r and s on
-// the same side of the line pq: four signs of orient2d. A sign of 0 names the end point that is the common one. All
-// four are 0 for segments of one line, where points are ordered as their coordinates are, x first: the shared stretch
-// runs from the greater lower end to the lesser upper end. Points are segments too, of any line through them.
+// Let a = pq and b = rs. They meet in one point iff p and q do not lie on the same side of the line rs, nor r and s
+// on the same side of the line pq: four signs of orient2d. A sign of 0 names the end point that is the common one.
+// All four are 0 for segments of one line, where points are ordered as their coordinates are, x first: the shared
+// stretch runs from the greater lower end to the lesser upper end. Points are segments too, of any line through them.
 //
 // Where they cross, with P and Q the areas of r s p and r s q, of opposite signs,
 //
@@ -109,8 +109,8 @@ template <class S> struct Parameters { S t, u; bool holds; };             ///< b
 template <class S>
 using ParametricEvent = std::variant<Determinant<S>, Parameters<S>>;
 
-/// The common point, by solving p + t (q - p) = r + u (s - r); nothing for parallel segments, even where they overlap.
-/// Naive: rounding may decide. Source: Antonio, Faster line segment intersection, Graphics Gems III (1992).
+/// The common point, by solving p + t (q - p) = r + u (s - r); nothing for parallel segments, even where they
+/// overlap. Naive: rounding may decide. Source: Antonio, Faster line segment intersection, Graphics Gems III (1992).
 template <class S, class Trace = NoTrace>
 std::optional<Point<S, 2>> parametric(const Segment<S, 2>& a, const Segment<S, 2>& b, Trace&& trace = {}) {
   const Vector<S, 2> d = a.q - a.p, e = b.q - b.p, between = b.p - a.p;
@@ -130,9 +130,10 @@ std::optional<Point<S, 2>> parametric(const Segment<S, 2>& a, const Segment<S, 2
 
 /// What two closed segments have in common, with their end points as given.
 ///
-/// The relation is true for all finite input of any magnitude. A touch's point and an overlap's ends are end points of
-/// the input, exactly; each coordinate of a crossing lies within 2 ulp of S of the true one, and within both bounding
-/// boxes. A segment whose ends coincide is a point: it touches or is disjoint. NaN or an infinite coordinate: disjoint.
+/// The relation is true for all finite input of any magnitude. A touch's point and an overlap's ends are end points
+/// of the input, exactly; each coordinate of a crossing lies within 2 ulp of S of the true one, and within both
+/// bounding boxes. A segment whose ends coincide is a point: it touches or is disjoint. NaN or an infinite
+/// coordinate: disjoint.
 template <class S, class Trace = NoTrace>
 SegmentSegment<S> intersect(const Segment<S, 2>& a, const Segment<S, 2>& b, Trace&& trace = {}) {
   using segment_segment::Meeting;

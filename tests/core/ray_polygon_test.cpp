@@ -55,8 +55,8 @@ struct Case {
   Ring<S, 3> ring;
 };
 
-/// A ring in a plane, as well as S can say it, or anywhere; and a ray from anywhere or aimed: at a vertex, an edge, or a
-/// point of the plane, ending there at times.
+/// A ring in a plane, as well as S can say it, or anywhere; and a ray from anywhere or aimed: at a vertex, an edge,
+/// or a point of the plane, ending there at times.
 template <class S>
 Case<S> draw(Random& random, Numbers numbers) {
   const auto any = [&] { return bench::vector<S, 3>(random, numbers); };
@@ -98,7 +98,8 @@ struct Truth {
 
 using P2 = std::array<Rational, 2>;
 
-/// On an edge by a parameter; else by counting the edges whose crossing with the line y = p.y, a quotient, is right of p.
+/// On an edge by a parameter; else by counting the edges whose crossing with the line y = p.y, a quotient, is right
+/// of p.
 Location locate_slowly(const P2& p, const std::vector<P2>& ring) {
   bool inside = false;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -267,7 +268,7 @@ TEMPLATE_TEST_CASE("every answer is that of rational arithmetic", "[ray_polygon]
   using S = TestType;
   int hits = 0, out = 0, on = 0, out_of_range = 0, coplanar = 0, flat = 0;
   double worst = 0;
-  const int count = tests::cases(500, 100000);
+  const int count = tests::cases(500, 150000);
   for (const Numbers numbers : bench::all_numbers) {
     Random random(tests::seed() + static_cast<int>(numbers));
     for (int i = 0; i < count; ++i) {
