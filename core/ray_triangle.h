@@ -6,8 +6,8 @@
 //   w_a = d.(B x C),   w_b = d.(C x A),   w_c = d.(A x B),
 //
 // which are the weights of a, b, c at the point where it meets the plane, times their sum: d.n with
-// n = (b - a) x (c - a). So it meets the triangle iff no two of them have opposite signs. Their signs are exact, and that of an edge is
-// the same for both triangles that share it: no line slips between them. t = n.A / n.d.
+// n = (b - a) x (c - a). So it meets the triangle iff no two of them have opposite signs. Their signs are exact, and
+// that of an edge is the same for both triangles that share it: no line slips between them. t = n.A / n.d.
 //
 // Source: Plucker coordinates, as in Shoemake, Ray Tracing News 11 (1998); Woop, Benthin, Wald, Watertight
 // ray/triangle intersection, J. Computer Graphics Techniques 2 (2013); Moller, Trumbore, J. Graphics Tools 2 (1997),
