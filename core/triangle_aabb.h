@@ -101,7 +101,7 @@ std::optional<int> gap(const Triangle<double, N>& triangle, const Aabb<double, N
                        Trace&& trace) {
   const Components<Bounded<double>, N> rounded = direction<Bounded<double>>(triangle, axis);  // once for all signs
   const auto l = [&]<class W>() -> Components<W, N> {
-    if constexpr (std::same_as<W, Bounded<double>>)
+    if constexpr (std::is_same_v<W, Bounded<double>>)
       return rounded;
     else
       return direction<W>(triangle, axis);
