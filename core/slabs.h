@@ -22,6 +22,45 @@ struct Stretch {
   int entered, left;
 };
 
+/// The slabs, whose coefficients in the arithmetic of the filter are found once.
+template <int N, class Slabs>
+class Kept {
+ public:
+  explicit Kept(const Slabs& slabs) : slabs_(slabs) {
+    for (int i = 0; i < N; ++i) {
+      rate_[i] = slabs.template rate<Quick>(i);
+      lo_[i] = slabs.template lo<Quick>(i), hi_[i] = slabs.template hi<Quick>(i);
+    }
+  }
+
+  template <Filtered W>
+  W rate(int i) const {
+    if constexpr (std::same_as<W, Quick>)
+      return rate_[i];
+    else
+      return slabs_.template rate<W>(i);
+  }
+  template <Filtered W>
+  W lo(int i) const {
+    if constexpr (std::same_as<W, Quick>)
+      return lo_[i];
+    else
+      return slabs_.template lo<W>(i);
+  }
+  template <Filtered W>
+  W hi(int i) const {
+    if constexpr (std::same_as<W, Quick>)
+      return hi_[i];
+    else
+      return slabs_.template hi<W>(i);
+  }
+
+ private:
+  using Quick = Bounded<double>;
+  const Slabs& slabs_;
+  std::array<Quick, N> rate_, lo_, hi_;
+};
+
 /// Two quotients of polynomials: the sign of a - b, when the dens have these signs.
 template <class A, class B, class Trace>
 int compare(const A& a, int den_a, const B& b, int den_b, Trace&& trace) {
@@ -32,11 +71,12 @@ int compare(const A& a, int den_a, const B& b, int den_b, Trace&& trace) {
   return den_a * den_b * sign_of(cross, trace);
 }
 
-/// The t of the range in all slabs. `slabs` has N of them, as templates rate<W>(i), lo<W>(i), hi<W>(i), lo <= hi.
+/// The t of the range in all slabs. `of_box` has N of them, as templates rate<W>(i), lo<W>(i), hi<W>(i), lo <= hi.
 /// Verdict exact; the ends within 2 ulp of S, in the range, in order. The whole range for a line beside all slabs.
 template <class S, int N, class Slabs, class Trace>
-std::optional<Interval<S>> clip(const Interval<S>& range, const Slabs& slabs, Trace&& trace) {
+std::optional<Interval<S>> clip(const Interval<S>& range, const Slabs& of_box, Trace&& trace) {
   if (!ray_range::has_points(range)) return {};
+  const Kept<N, Slabs> slabs(of_box);
 
   std::array<int, N> rates;
   for (int i = 0; i < N; ++i) {
