@@ -35,21 +35,21 @@ class Kept {
 
   template <Filtered W>
   W rate(int i) const {
-    if constexpr (std::same_as<W, Quick>)
+    if constexpr (std::is_same_v<W, Quick>)
       return rate_[i];
     else
       return slabs_.template rate<W>(i);
   }
   template <Filtered W>
   W lo(int i) const {
-    if constexpr (std::same_as<W, Quick>)
+    if constexpr (std::is_same_v<W, Quick>)
       return lo_[i];
     else
       return slabs_.template lo<W>(i);
   }
   template <Filtered W>
   W hi(int i) const {
-    if constexpr (std::same_as<W, Quick>)
+    if constexpr (std::is_same_v<W, Quick>)
       return hi_[i];
     else
       return slabs_.template hi<W>(i);
