@@ -43,8 +43,7 @@ class Bounded {
     return {a.value_ - b.value_, a.size_ + b.size_, std::max(a.roundings_, b.roundings_) + 1};
   }
   friend Bounded operator*(const Bounded& a, const Bounded& b) {
-    constexpr double tiny = std::same_as<T, DoubleDouble> ? 0x1p-960 : 0x1p-1000;
-    return {a.value_ * b.value_, a.size_ * b.size_ + tiny, a.roundings_ + b.roundings_ + 1};
+    return {a.value_ * b.value_, a.size_ * b.size_ + underflow(a, b), a.roundings_ + b.roundings_ + 1};
   }
   friend Bounded operator-(const Bounded& a) { return {-a.value_, a.size_, a.roundings_}; }
   friend Bounded abs(const Bounded& a) { return leading(a.value_) < 0 ? -a : a; }
@@ -66,6 +65,15 @@ class Bounded {
   double error() const { return (roundings_ + 1) * unit<T> * size_; }
 
  private:
+  /// What a product may lose, in units of u. Nothing when a factor is zero: that would make no sum of zeros certain. In
+  /// double asking for it would cost more than it saves.
+  static double underflow(const Bounded& a, const Bounded& b) {
+    if constexpr (std::is_same_v<T, DoubleDouble>)
+      return a.size_ == 0 || b.size_ == 0 ? 0 : 0x1p-960;
+    else
+      return 0x1p-1000;
+  }
+
   Bounded(const T& value, double size, int roundings) : value_(value), size_(size), roundings_(roundings) {}
 
   T value_ = {};

@@ -84,11 +84,11 @@ class Crossing {
       if (!kept) kept = plane_point<W>(ray_, ring_);
       return *kept;
     };
-    if constexpr (std::same_as<W, Bounded<double>>)
+    if constexpr (std::is_same_v<W, Bounded<double>>)
       return quick_;
-    else if constexpr (std::same_as<W, Bounded<DoubleDouble>>)
+    else if constexpr (std::is_same_v<W, Bounded<DoubleDouble>>)
       return once(fine_);
-    else if constexpr (std::same_as<W, Exact>)
+    else if constexpr (std::is_same_v<W, Exact>)
       return once(exact_);
     else
       return plane_point<W>(ray_, ring_);

@@ -156,6 +156,7 @@ Json verdicts(const Json& result) {
     if (value.is_string() || value.is_boolean() || value.is_number_integer()) kept[key] = value;
   kept.erase("t"), kept.erase("t0"), kept.erase("t1"), kept.erase("t_in"), kept.erase("t_out");
   kept.erase("t_first_surface"), kept.erase("t_enter_solid");  // "inf" is a text
+  kept.erase("segment_hit_0_1");                                // t grows with the lengths
   return kept;
 }
 
