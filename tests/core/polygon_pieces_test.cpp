@@ -1,0 +1,126 @@
+// The pieces of polygons by name, and against every pair of edges in rationals.
+
+#include "core/polygon_pieces.h"
+
+#include <map>
+
+#include "core/segment_segment.h"
+#include "tests/catch.h"
+#include "tests/core/point_location.h"
+#include "tests/settings.h"
+
+using namespace isect;
+
+namespace {
+
+PolygonPieces pieces(const tests::Rings<double>& rings) {
+  return make_polygon_pieces(std::span<const Ring<double, 2>>(rings));
+}
+/// "low high times above", with the vertices as given.
+std::vector<std::string> listed(const PolygonPieces& all) {
+  std::vector<std::string> list;
+  const auto name = [&](int v) {
+    std::string text;
+    for (const double x : all.vertex(v)) text += std::to_string(static_cast<int>(x)) + ' ';
+    return text;
+  };
+  for (const PolygonPieces::Piece& s : all.pieces)
+    list.push_back(name(s.low) + name(s.high) + std::to_string(s.times) + ' ' + std::to_string(s.above));
+  return list;
+}
+using List = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("the pieces of a square are its edges, with the winding number above", "[polygon_pieces]") {
+  const Ring<double, 2> square = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+  CHECK(listed(pieces({square})) == List{"0 0 2 0 1 1", "0 0 0 2 -1 0", "0 2 2 2 -1 0", "2 0 2 2 1 1"});
+  CHECK(listed(pieces({{square.rbegin(), square.rend()}})) ==
+        List{"0 0 2 0 -1 -1", "0 0 0 2 1 0", "0 2 2 2 1 0", "2 0 2 2 -1 -1"});
+}
+
+TEST_CASE("vertices cut the edges that hold them, and what coincides is one piece", "[polygon_pieces]") {
+  CHECK(listed(pieces({{{0, 0}, {4, 0}, {2, 0}}})) == List{"0 0 2 0 0 0", "2 0 4 0 0 0"});  // there and back
+  CHECK(listed(pieces({{{0, 0}, {4, 0}, {4, 1}}, {{2, 0}}})) ==
+        List{"0 0 2 0 1 1", "0 0 4 1 -1 0", "2 0 4 0 1 1", "4 0 4 1 1 1"});
+  CHECK(listed(pieces({{{0, 0}, {2, 0}, {4, 0}, {3, 0}, {1, 0}}})) ==
+        List{"0 0 1 0 0 0", "1 0 2 0 0 0", "2 0 3 0 0 0", "3 0 4 0 0 0"});
+  CHECK(listed(pieces({{{0, 0}, {2, 0}, {0, 2}}, {{0, 0}, {2, 0}, {0, 2}}})) ==
+        List{"0 0 2 0 2 2", "0 0 0 2 -2 0", "0 2 2 0 -2 0"});
+  CHECK(listed(pieces({{{0, 0}, {2, 2}}, {{0, 2}, {2, 0}}, {{1, 1}}})).size() == 4);  // crossing at a vertex
+}
+
+TEST_CASE("what has no length is a vertex, and what is not finite is nothing", "[polygon_pieces]") {
+  CHECK(pieces({}).vertices.empty());
+  CHECK(pieces({{}, {}}).vertices.empty());
+  const PolygonPieces points = pieces({{{1, 2}}, {{1, 2}, {1, 2}}, {{0.0, 5}, {-0.0, 5}}});
+  CHECK(points.vertices.size() == 2);
+  CHECK(points.pieces.empty());
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), infinite<double>.hi})
+    CHECK(pieces({{{0, 0}, {1, 0}, {0, 1}}, {{0, bad}}}).vertices.empty());
+}
+
+TEST_CASE("edges that cross without a vertex are refused by name", "[polygon_pieces]") {
+  const auto complaint = [](const tests::Rings<double>& rings) -> std::string {
+    try {
+      pieces(rings);
+    } catch (const std::invalid_argument& e) {
+      return e.what();
+    }
+    return "";
+  };
+  CHECK(complaint({{{0, 0}, {2, 2}, {2, 0}, {0, 2}}}) ==
+        "edge 0 of ring 0 and edge 2 of ring 0 cross where there is no vertex");
+  CHECK(complaint({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{1, 1}, {5, 1}, {5, 2}, {1, 2}}}).find("ring 1") !=
+        std::string::npos);
+  CHECK(complaint({{{0, 0}, {2, 2}, {2, 0}, {0, 2}}, {{1, 1}}}).empty());
+  CHECK(complaint({{{0, 0}, {0x1p-1074, 1}, {0, 2}}, {{0x1p-1074, 0}, {0, 1}, {0x1p-1074, 2}}}) != "");
+}
+
+TEST_CASE("pieces meet in common ends only and add up to the edges", "[polygon_pieces]") {
+  bench::Random random(tests::seed());
+  int refused = 0, taken = 0, cut = 0;
+  for (const bench::Numbers numbers : bench::all_numbers)
+    for (int i = 0; i < tests::cases(150, 20000); ++i) {
+      INFO("seed " << tests::seed() << ", family " << static_cast<int>(numbers) << ", case " << i);
+      const tests::Rings<double> rings = tests::random_rings<double>(random, numbers);
+      if (tests::cross_apart_from_vertices(rings)) {
+        REQUIRE_THROWS_AS(pieces(rings), std::invalid_argument);
+        ++refused;
+        continue;
+      }
+      const PolygonPieces all = pieces(rings);
+      ++taken;
+      using segment_segment::Meeting;
+      std::map<std::pair<int, int>, int>
+          balance;  // of each vertex: pieces that begin there, less those that end
+      for (std::size_t j = 0; j < all.pieces.size(); ++j) {
+        const PolygonPieces::Piece& s = all.pieces[j];
+        if (s.low >= s.high) REQUIRE(s.low < s.high);
+        balance[{s.low, 0}] += s.times, balance[{s.high, 0}] -= s.times;
+        for (std::size_t k = 0; k < j; ++k) {
+          const PolygonPieces::Piece& t = all.pieces[k];
+          const Meeting meeting = intersect(Segment<double, 2>{all.vertex(s.low), all.vertex(s.high)},
+                                            Segment<double, 2>{all.vertex(t.low), all.vertex(t.high)})
+                                      .relation;
+          const bool share = s.low == t.low || s.low == t.high || s.high == t.low || s.high == t.high;
+          if (meeting != (share ? Meeting::touch : Meeting::disjoint))
+            REQUIRE(meeting == (share ? Meeting::touch : Meeting::disjoint));
+        }
+      }
+      for (const auto& [vertex, sum] : balance) REQUIRE(sum == 0);  // as of closed rings
+
+      // each piece lies on the edge that it names
+      for (const PolygonPieces::Piece& s : all.pieces) {
+        const Ring<double, 2>& r = rings[static_cast<std::size_t>(s.edge.ring)];
+        const std::size_t index = static_cast<std::size_t>(s.edge.index);
+        const Ring<double, 2> edge = {r[index], r[(index + 1) % r.size()]};
+        for (const int v : {s.low, s.high}) cut += all.vertex(v) != edge[0] && all.vertex(v) != edge[1];
+        REQUIRE(locate(all.vertex(s.low), edge) == Location::on);
+        REQUIRE(locate(all.vertex(s.high), edge) == Location::on);
+      }
+    }
+  CHECK(refused > taken / 20);
+  CHECK(taken > refused / 4);
+  CHECK(cut > taken / 100);
+}
