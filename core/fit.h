@@ -62,6 +62,83 @@ S least(S guess, const Holds& holds) {
   return x;
 }
 
+/// The ball around this center with the least radius of S that holds all points.
+template <class S, int N, class Trace>
+Sphere<S, N> least_ball(const std::vector<Point<S, N>>& points, const Point<S, N>& center, Trace&& trace) {
+  const Point<double, N> c = center.template cast<double>();
+  const auto farther = [&](const Point<double, N>& p, const Point<double, N>& q) {
+    return sign_of(
+               [&]<class W>() -> W {
+                 const Components<W, N> f = difference<W, N>(p, c), g = difference<W, N>(q, c);
+                 return dot(f, f) - dot(g, g);
+               },
+               trace) > 0;
+  };
+  const auto rounded2 = [&](const Point<S, N>& p) { return (p.template cast<double>() - c).squaredNorm(); };
+  double most2 = 0;
+  for (const Point<S, N>& p : points) most2 = std::max(most2, rounded2(p));
+  // 5 roundings in each: what is less by 16 of them is not the farthest. Unless they over- or underflowed.
+  constexpr double unit = std::numeric_limits<double>::epsilon() / 2;
+  const double enough2 = most2 > 0x1p-900 && std::isfinite(most2) ? most2 * (1 - 16 * unit) : 0;
+  std::size_t farthest = points.size();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!(rounded2(points[i]) >= enough2)) continue;
+    const bool first = farthest == points.size();
+    if (first || farther(points[i].template cast<double>(), points[farthest].template cast<double>()))
+      farthest = i;
+  }
+  trace(Extreme{0, 1, static_cast<int>(farthest)});
+
+  const Point<double, N> p = points[farthest].template cast<double>();
+  const auto holds = [&](S radius) {
+    const auto beyond = [&]<class W>() -> W {
+      const Components<W, N> f = difference<W, N>(p, c);
+      return dot(f, f) - W(radius) * W(radius);
+    };
+    return radius >= 0 && sign_of(beyond, trace) <= 0;
+  };
+  return {center, least<S>(static_cast<S>((p - c).stableNorm()), holds)};
+}
+
+/// The box along these axes, rounded, with the least half-lengths of S that hold all points.
+template <class S, int N, class Trace>
+Obb<S, N> least_box(const std::vector<Point<S, N>>& points, const Scaled<N>& scaled,
+                    const Eigen::Matrix<double, N, N>& axes, Trace&& trace) {
+  const Aabb<double, N> extent = along<N>(axes, scaled.q);
+  Obb<S, N> box;
+  box.axes = axes.template cast<S>();
+  box.center = scaled.template original<S>(axes * ((extent.lo + extent.hi) / 2));
+
+  const Obb<double, N> wide = {box.center.template cast<double>(), box.axes.template cast<double>(), {}};
+  for (int i = 0; i < N; ++i) {
+    const auto along = [&]<class W>(const Point<double, N>& p) -> W {
+      return abs(dot(point_obb::normal<W>(wide.axes, i), difference<W, N>(p, wide.center)));
+    };
+    const auto farther = [&](const Point<double, N>& p, const Point<double, N>& q) {
+      const auto more = [&]<class W>() -> W {
+        return along.template operator()<W>(p) - along.template operator()<W>(q);
+      };
+      return sign_of(more, trace) > 0;
+    };
+    const std::size_t farthest = extreme(points, farther);
+    trace(Extreme{i, 1, static_cast<int>(farthest)});
+
+    const Point<double, N> p = points[farthest].template cast<double>();
+    const auto volume = [&]<class W>() -> W { return abs(point_obb::volume<W>(wide.axes, i)); };
+    const auto half = [&]<class W>() -> Ratio<W> {
+      return {along.template operator()<W>(p), volume.template operator()<W>()};
+    };
+    const auto holds = [&](S h) {
+      const auto beyond = [&]<class W>() -> W {
+        return along.template operator()<W>(p) - W(h) * volume.template operator()<W>();
+      };
+      return sign_of(beyond, trace) <= 0;
+    };
+    box.half[i] = least<S>(value_of<S>(half, trace), holds);
+  }
+  return box;
+}
+
 }  // namespace fit
 
 /// The smallest axis-aligned box. Exact: nothing is rounded.
@@ -80,29 +157,7 @@ template <class S, int N, class Trace = NoTrace>
 Sphere<S, N> fit_sphere(const std::vector<Point<S, N>>& points, Trace&& trace = {}) {
   if (!fit::usable(points)) return {Point<S, N>::Zero(), S(-1)};
   const fit::Scaled<N> scaled = fit::scaled(points, fit_aabb(points));
-  const Point<S, N> center = scaled.template original<S>(fit::ball_center<N>(scaled.q));
-  const Point<double, N> c = center.template cast<double>();
-
-  const auto farther = [&](const Point<double, N>& p, const Point<double, N>& q) {
-    return sign_of(
-               [&]<class W>() -> W {
-                 const Components<W, N> f = difference<W, N>(p, c), g = difference<W, N>(q, c);
-                 return dot(f, f) - dot(g, g);
-               },
-               trace) > 0;
-  };
-  const std::size_t farthest = fit::extreme(points, farther);
-  trace(fit::Extreme{0, 1, static_cast<int>(farthest)});
-
-  const Point<double, N> p = points[farthest].template cast<double>();
-  const auto holds = [&](S radius) {
-    const auto beyond = [&]<class W>() -> W {
-      const Components<W, N> f = difference<W, N>(p, c);
-      return dot(f, f) - W(radius) * W(radius);
-    };
-    return radius >= 0 && sign_of(beyond, trace) <= 0;
-  };
-  return {center, fit::least<S>(static_cast<S>((p - c).stableNorm()), holds)};
+  return fit::least_ball(points, scaled.template original<S>(fit::ball_center<N>(scaled.q)), trace);
 }
 
 /// An oriented box that holds all points, with the least half-lengths of S for its center and axes; they are -1 of no
@@ -110,46 +165,15 @@ Sphere<S, N> fit_sphere(const std::vector<Point<S, N>>& points, Trace&& trace = 
 /// that lie nearly in a plane have a box nearly as thin. Source: Gottschalk, Lin, Manocha, OBBTree, SIGGRAPH 1996.
 template <class S, int N, class Trace = NoTrace>
 Obb<S, N> fit_obb(const std::vector<Point<S, N>>& points, Trace&& trace = {}) {
-  Obb<S, N> box = {Point<S, N>::Zero(), Eigen::Matrix<S, N, N>::Identity(), Vector<S, N>::Constant(-1)};
-  if (!fit::usable(points)) return box;
+  if (!fit::usable(points))
+    return {Point<S, N>::Zero(), Eigen::Matrix<S, N, N>::Identity(), Vector<S, N>::Constant(-1)};
   const fit::Scaled<N> scaled = fit::scaled(points, fit_aabb(points));
-  Eigen::Matrix<double, N, N> axes = Eigen::Matrix<double, N, N>::Identity();
+  const Eigen::Matrix<double, N, N> frame = Eigen::Matrix<double, N, N>::Identity();
   const Eigen::Matrix<double, N, N> principal = fit::principal_axes<N>(scaled.q);
-  const Aabb<double, N> straight = fit::along<N>(axes, scaled.q), turned = fit::along<N>(principal, scaled.q);
+  const Aabb<double, N> straight = fit::along<N>(frame, scaled.q),
+                        turned = fit::along<N>(principal, scaled.q);
   const bool turn = (turned.hi - turned.lo).prod() < (straight.hi - straight.lo).prod();
-  if (turn) axes = principal;
-  const Aabb<double, N>& extent = turn ? turned : straight;
-  box.axes = axes.template cast<S>();
-  box.center = scaled.template original<S>(axes * ((extent.lo + extent.hi) / 2));
-
-  const Obb<double, N> wide = cast<double>(box);
-  for (int i = 0; i < N; ++i) {
-    const auto along = [&]<class W>(const Point<double, N>& p) -> W {
-      return abs(dot(point_obb::normal<W>(wide.axes, i), difference<W, N>(p, wide.center)));
-    };
-    const auto farther = [&](const Point<double, N>& p, const Point<double, N>& q) {
-      const auto more = [&]<class W>() -> W {
-        return along.template operator()<W>(p) - along.template operator()<W>(q);
-      };
-      return sign_of(more, trace) > 0;
-    };
-    const std::size_t farthest = fit::extreme(points, farther);
-    trace(fit::Extreme{i, 1, static_cast<int>(farthest)});
-
-    const Point<double, N> p = points[farthest].template cast<double>();
-    const auto volume = [&]<class W>() -> W { return abs(point_obb::volume<W>(wide.axes, i)); };
-    const auto half = [&]<class W>() -> Ratio<W> {
-      return {along.template operator()<W>(p), volume.template operator()<W>()};
-    };
-    const auto holds = [&](S h) {
-      const auto beyond = [&]<class W>() -> W {
-        return along.template operator()<W>(p) - W(h) * volume.template operator()<W>();
-      };
-      return sign_of(beyond, trace) <= 0;
-    };
-    box.half[i] = fit::least<S>(value_of<S>(half, trace), holds);
-  }
-  return box;
+  return fit::least_box(points, scaled, turn ? principal : frame, trace);
 }
 
 /// The k-DOP of these normals that holds all points, each end the tightest of S: lo is the largest number that no n.x
