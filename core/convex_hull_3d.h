@@ -13,8 +13,8 @@
 //
 // Strictly seen means that a point in the plane of a face leaves the face and extends it by coplanar ones, never by
 // one without area: a point on the line of a horizon edge would not see the face behind it. But vertices may thereby
-// end up within a face or an edge. At a strict vertex three planes or more meet, so three or more of its edges are sharp,
-// their two faces not coplanar; the others have two or none. They are dropped, and coplanar faces cut up anew.
+// end up within a face or an edge. At a strict vertex three planes or more meet, so three or more of its edges are
+// sharp, their two faces not coplanar; the others have two or none. They are dropped, and coplanar faces cut up anew.
 //
 // Source: C. B. Barber, D. P. Dobkin, H. Huhdanpaa, The quickhull algorithm for convex hulls, ACM TOMS 22 (1996).
 
