@@ -73,7 +73,7 @@ Location locate(const Point<S, N>& point, const Obb<S, N>& box, Trace&& trace = 
   Location location = Location::in;
   for (int i = 0; i < N; ++i) {
     const int sign = sign_of([&]<class W>() -> W { return point_obb::beyond<W>(x, wide, i); }, trace);
-    trace(point_obb::Slab{i, sign});
+    if constexpr (heard<Trace>) trace(point_obb::Slab{i, sign});
     if (sign > 0) return Location::out;
     if (sign == 0) location = Location::on;
   }

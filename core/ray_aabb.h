@@ -94,7 +94,7 @@ std::optional<Interval<S>> slabs(const Ray<S, N>& ray, const Aabb<S, N>& box, Tr
 
     in = std::max(in, entry), out = std::min(out, exit);
     const bool holds = in <= out;
-    trace(Remains<S>{in, out, holds});
+    if constexpr (heard<Trace>) trace(Remains<S>{in, out, holds});
     if (!holds) return {};
   }
   if (!(in <= out)) return {};

@@ -55,10 +55,10 @@ bool accumulate(const Sphere<S, N>& sphere, const Aabb<S, N>& box, Trace&& trace
     else if (c > box.hi[axis])
       gap = c - box.hi[axis];
     distance2 = distance2 + gap * gap;
-    trace(Axis<S>{axis, c, box.along(axis), gap, distance2});
+    if constexpr (heard<Trace>) trace(Axis<S>{axis, c, box.along(axis), gap, distance2});
   }
   const S radius2 = sphere.radius * sphere.radius;
-  trace(Compared<S>{distance2, radius2});
+  if constexpr (heard<Trace>) trace(Compared<S>{distance2, radius2});
   return distance2 < radius2;
 }
 

@@ -1,10 +1,35 @@
-// Compiled by zero_cost_trace.cmake, with and without the core's trace lines: the calls of one header, named
-// by INTERSECT or METHODS. LISTEN adds a listener.
+// Compiled by zero_cost_trace.cmake, with and without the core's trace lines: the calls of some headers, named by
+// INTERSECT, METHODS, RELATE, RAYS or POLYGONS. LISTEN adds a listener.
 
-#ifdef INTERSECT
+#if defined(INTERSECT)
 #include "core/ray_sphere.h"
-#else
+#elif defined(METHODS)
 #include "core/ray_sphere_methods.h"
+#elif defined(RELATE)
+#include "core/aabb_aabb.h"
+#include "core/interval_interval.h"
+#include "core/kdop_kdop.h"
+#include "core/obb_obb.h"
+#include "core/plane_aabb.h"
+#include "core/plane_sphere.h"
+#include "core/point_aabb.h"
+#include "core/point_obb.h"
+#include "core/point_sphere.h"
+#include "core/sphere_aabb.h"
+#include "core/sphere_sphere.h"
+#include "core/triangle_aabb.h"
+#elif defined(RAYS)
+#include "core/ray_aabb.h"
+#include "core/ray_obb.h"
+#include "core/ray_plane.h"
+#include "core/ray_polygon.h"
+#include "core/ray_triangle.h"
+#else
+#include "core/convex_hull.h"
+#include "core/convex_polygons.h"
+#include "core/point_convex_polygon.h"
+#include "core/point_polygon.h"
+#include "core/segment_segment.h"
 #endif
 
 using namespace isect;
@@ -19,12 +44,15 @@ struct Listener {
 #define HEAR(...)
 #endif
 
-#ifdef INTERSECT
+#if defined(INTERSECT)
 #define CALLS(S, N)                                                               \
   RaySphere<S> call_intersect(const Ray<S, N>& ray, const Sphere<S, N>& sphere) { \
     return intersect(ray, sphere HEAR(ray_sphere::Event));                        \
   }
-#else
+CALLS(float, 2)
+CALLS(double, 3)
+
+#elif defined(METHODS)
 #define CALLS(S, N)                                                                   \
   std::optional<S> call_quadratic(const Ray<S, N>& ray, const Sphere<S, N>& sphere) { \
     return ray_sphere::quadratic(ray, sphere HEAR(ray_sphere::QuadraticEvent<S, N>)); \
@@ -35,7 +63,46 @@ struct Listener {
   std::optional<S> call_haines(const Ray<S, N>& ray, const Sphere<S, N>& sphere) {    \
     return ray_sphere::haines(ray, sphere HEAR(ray_sphere::HainesEvent<S, N>));       \
   }
-#endif
-
 CALLS(float, 2)
 CALLS(double, 3)
+
+#else
+// clang-format off
+using Box = Aabb<double, 3>;
+using Ball = Sphere<double, 3>;
+using Line = Ray<double, 3>;
+using Spot = Point<double, 2>;
+#ifdef RELATE
+Relation call(const Interval<double>& a, const Interval<double>& b) { return relate(a, b HEAR(interval_interval::Event<double>)); }
+Relation call(const Box& a, const Box& b) { return relate(a, b HEAR(aabb_aabb::Event<double, 3>)); }
+bool call_by_axis(const Box& a, const Box& b) { return aabb_aabb::by_axis(a, b HEAR(aabb_aabb::Event<double, 3>)); }
+bool call_meets(const Box& a, const Box& b) { return intersects(a, b HEAR(aabb_aabb::Event<double, 3>)); }
+Relation call(const Ball& a, const Ball& b) { return relate(a, b HEAR(sphere_sphere::Event)); }
+bool call_meets(const Ball& a, const Ball& b) { return intersects(a, b HEAR(sphere_sphere::Event)); }
+Relation call(const Ball& a, const Box& b) { return relate(a, b HEAR(sphere_aabb::Event<double>)); }
+bool call_accumulate(const Ball& a, const Box& b) { return sphere_aabb::accumulate(a, b HEAR(sphere_aabb::Event<double>)); }
+bool call(const Kdop<double, 3>& a, const Kdop<double, 3>& b) { return may_intersect(a, b HEAR(kdop_kdop::Event<double>)); }
+Relation call(const Plane<double, 3>& a, const Box& b) { return relate(a, b HEAR(plane_aabb::Event<double, 3>)); }
+Relation call(const Plane<double, 3>& a, const Ball& b) { return relate(a, b HEAR(plane_sphere::Event)); }
+Location call(const Point<double, 3>& a, const Box& b) { return locate(a, b HEAR(point_aabb::Event<double>)); }
+Location call(const Point<double, 3>& a, const Ball& b) { return locate(a, b HEAR(point_sphere::Event)); }
+Location call(const Point<double, 3>& a, const Obb<double, 3>& b) { return locate(a, b HEAR(point_obb::Event)); }
+bool call(const Obb<double, 3>& a, const Obb<double, 3>& b) { return intersects(a, b HEAR(obb_obb::Event<3>)); }
+bool call(const Triangle<double, 3>& a, const Box& b) { return intersects(a, b HEAR(triangle_aabb::Event<3>)); }
+#elif defined(RAYS)
+std::optional<Interval<double>> call(const Line& a, const Box& b) { return intersect(a, b HEAR(ray_aabb::Event)); }
+std::optional<Interval<double>> call(const Line& a, const Obb<double, 3>& b) { return intersect(a, b HEAR(ray_obb::Event)); }
+RayPlane<double> call(const Line& a, const Plane<double, 3>& b) { return intersect(a, b HEAR(ray_plane::Event<double>)); }
+std::optional<double> call_textbook(const Line& a, const Plane<double, 3>& b) { return ray_plane::textbook(a, b HEAR(ray_plane::TextbookEvent<double>)); }
+RayTriangle<double> call(const Line& a, const Triangle<double, 3>& b) { return intersect(a, b HEAR(ray_triangle::Event<double>)); }
+RayPolygon<double> call(const Line& a, const Ring<double, 3>& b) { return intersect(a, b, FillRule::even_odd HEAR(ray_polygon::Event<double>)); }
+#else
+Winding call(const Spot& a, const Ring<double, 2>& b) { return winding(a, b HEAR(point_polygon::Event)); }
+bool call_crossings(const Spot& a, const Ring<double, 2>& b) { return point_polygon::crossings_naive(a, b HEAR(point_polygon::NaiveEvent<double>)); }
+Location call(const Spot& a, const ConvexPolygon<double>& b) { return locate(a, b HEAR(point_convex_polygon::Event)); }
+Ring<double, 2> call(const Ring<double, 2>& a) { return convex_hull(a HEAR(convex_hull_2d::Event<double>)); }
+Relation call(const ConvexPolygon<double>& a, const ConvexPolygon<double>& b) { return relate(a, b HEAR(convex_polygons::Event)); }
+SegmentSegment<double> call(const Segment<double, 2>& a, const Segment<double, 2>& b) { return intersect(a, b HEAR(segment_segment::Event)); }
+#endif
+// clang-format on
+#endif
