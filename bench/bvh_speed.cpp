@@ -1,0 +1,158 @@
+// Hierarchies of boxes: building one, and the closest hit of a ray on a mesh, as the mesh grows; brute force beside
+// it. As bvh_peer_speed also Embree, in float, with every answer compared.
+//
+// 65,536 distinct rays in random order from a sphere around the mesh, about three of four aimed at it.
+
+#include <cstdlib>
+#include <numbers>
+
+#include "bench/measure.h"
+#include "bench/random.h"
+#include "core/bvh_pairs.h"
+#include "core/triangle_mesh.h"
+#ifdef ISECT_PEERS
+#include "bench/embree.h"
+#endif
+
+using namespace isect;
+using namespace isect::bench;
+
+namespace {
+
+/// A sphere with bumps: 4 side^2 triangles of about equal size.
+template <class S>
+TriangleMesh<S> bumpy_sphere(int side) {
+  TriangleMesh<S> mesh;
+  const int rows = side, columns = 2 * side;
+  for (int i = 0; i <= rows; ++i)
+    for (int j = 0; j < columns; ++j) {
+      const double u = std::numbers::pi * i / rows, v = 2 * std::numbers::pi * j / columns;
+      const double r =
+          1 + 0.1 * std::sin(7 * u) * std::sin(9 * v) + 0.02 * std::sin(41 * u) * std::cos(37 * v);
+      const Point<double, 3> p(r * std::sin(u) * std::cos(v), r * std::cos(u), r * std::sin(u) * std::sin(v));
+      mesh.vertices.push_back(p.cast<S>());
+    }
+  for (int i = 0; i < rows; ++i)
+    for (int j = 0; j < columns; ++j) {
+      const int a = i * columns + j, b = i * columns + (j + 1) % columns;
+      mesh.triangles.push_back({a, b, a + columns});
+      mesh.triangles.push_back({b, b + columns, a + columns});
+    }
+  return mesh;
+}
+
+template <class S>
+std::vector<Ray<S, 3>> rays(int count) {
+  Random random(1);
+  std::vector<Ray<S, 3>> all;
+  for (int i = 0; i < count; ++i) {
+    const Point<double, 3> from = 3 * random.heading<3>();
+    const Point<double, 3> to = random.in_box<3>(1);
+    all.push_back({from.cast<S>(), (to - from).cast<S>()});
+  }
+  return all;
+}
+
+/// The slope of log(time) against log(n) by least squares.
+double exponent(const std::vector<double>& n, const std::vector<double>& time) {
+  double x = 0, y = 0, xx = 0, xy = 0;
+  const double count = static_cast<double>(n.size());
+  for (std::size_t i = 0; i < n.size(); ++i) {
+    const double a = std::log(n[i]), b = std::log(time[i]);
+    x += a / count, y += b / count, xx += a * a / count, xy += a * b / count;
+  }
+  return (xy - x * y) / (xx - x * x);
+}
+
+/// Times of one method at all sizes.
+struct Growth {
+  std::vector<double> n, time;
+
+  void add(double size, const Timing& t) { n.push_back(size), time.push_back(t.least); }
+  void print(const char* what) const { std::printf("growth of %-30s n^%.2f\n", what, exponent(n, time)); }
+};
+
+template <class S>
+std::optional<BvhHit<S>> brute_force(const TriangleMesh<S>& mesh, const Ray<S, 3>& ray) {
+  std::optional<BvhHit<S>> closest;
+  for (int i = 0; i < static_cast<int>(mesh.triangles.size()); ++i) {
+    const std::optional<S> t = intersect(ray, triangle(mesh, i)).t;
+    if (t && (!closest || *t < closest->t)) closest = BvhHit<S>{*t, i};
+  }
+  return closest;
+}
+
+template <class S>
+void describe(const Bvh<S, 3>& bvh, const TriangleMesh<S>& mesh, const std::vector<Ray<S, 3>>& all) {
+  const BvhStatistics s = statistics(bvh);
+  bvh_ray::Counts counts;
+  for (const Ray<S, 3>& ray : all) closest_hit(bvh, mesh, ray, counts);
+  const double rays = static_cast<double>(all.size());
+  std::printf(
+      "  %d nodes, depth %d, leaves of %d to %d (mean %.2f), cost %.1f, %.1f bytes a primitive;"
+      " a ray visits %.1f nodes, tests %.1f triangles\n",
+      s.nodes, s.depth, s.least_leaf, s.largest_leaf, double(s.primitives) / s.leaves, s.cost,
+      double(s.bytes) / s.primitives, double(counts.visited) / rays, double(counts.tested) / rays);
+}
+
+template <class S>
+void all_sizes(int passes, int largest) {
+  const char* scalar = sizeof(S) == 4 ? " float" : " double";
+  Growth build, closest, any, brute, pairs;
+  const std::vector<Ray<S, 3>> all = rays<S>(65536), few(all.begin(), all.begin() + 256);
+  for (const int side : {16, 50, 158, 500}) {
+    const std::vector<TriangleMesh<S>> one = {bumpy_sphere<S>(side)};
+    const TriangleMesh<S>& mesh = one[0];
+    const int n = static_cast<int>(mesh.triangles.size());
+    if (n > largest) break;
+    const std::vector<Aabb<S, 3>> around = boxes(mesh);
+    const Bvh<S, 3> bvh = build_bvh(around);
+    const std::string size = ", n = " + std::to_string(n) + scalar;
+
+    Table building("build" + size);
+    const Timing built =
+        timed(one, n > 200'000 ? 3 : passes, [](const auto& m) { return build_bvh(boxes(m)).nodes.size(); });
+    building.row("build_bvh (ns a mesh)", built);
+
+    Table rays("closest hit" + size);
+    const Timing hit =
+        timed(all, passes, [&](const auto& ray) { return closest_hit(bvh, mesh, ray).has_value(); });
+    rays.row("closest_hit", hit);
+    const Timing some = timed(all, passes, [&](const auto& ray) { return any_hit(bvh, mesh, ray); });
+    rays.row("any_hit", some);
+    if (n < 2000) {
+      const Timing slow = timed(few, 3, [&](const auto& ray) { return brute_force(mesh, ray).has_value(); });
+      rays.row("brute force (256 rays)", slow);
+    }
+#ifdef ISECT_PEERS
+    embree::rows(building, rays, one, bvh, all, passes);
+#endif
+    const std::vector<Bvh<S, 3>> trees = {bvh};
+    Table colliding("self collision" + size);
+    const Timing self = timed(trees, 3, [&](const auto& tree) {
+      long count = 0;
+      report_pairs(tree, around, [&](int, int) { ++count; });
+      return count;
+    });
+    colliding.row("report_pairs (ns a mesh)", self);
+    describe(bvh, mesh, all);
+    if (n < 2000) continue;
+    build.add(n, built), closest.add(n, hit), any.add(n, some), pairs.add(n, self);
+  }
+  if (build.n.size() < 2) return;
+  build.print("build"), closest.print("closest hit"), any.print("any hit"), pairs.print("self collision");
+}
+
+}  // namespace
+
+/// bvh_speed [passes [largest mesh]], 5 and 1,000,000 by default.
+int main(int argc, char** argv) {
+  const int passes = argc > 1 ? std::atoi(argv[1]) : 5, largest = argc > 2 ? std::atoi(argv[2]) : 1'000'000;
+  if (argc > 3 || passes < 1 || largest < 1) {
+    std::fprintf(stderr, "usage: %s [passes [largest mesh]]\n", argv[0]);
+    return 2;
+  }
+  Table::head(ISECT_FLAGS, "a bumpy sphere of n triangles; 65,536 rays, seed 1");
+  all_sizes<double>(passes, largest);
+  all_sizes<float>(passes, largest);
+}
