@@ -1,0 +1,216 @@
+// The smallest ball against all balls through some points in rationals; tighter boxes; and all hold every point.
+
+#include "core/fit_tight.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "bench/random_obb.h"
+#include "bench/rational.h"
+#include "core/point_obb.h"
+#include "core/point_sphere.h"
+#include "tests/catch.h"
+#include "tests/settings.h"
+
+using namespace isect;
+using bench::Numbers;
+using oracle::Rational;
+using oracle::operator-;
+using oracle::operator+;
+using oracle::operator*;
+
+namespace {
+
+template <class S, int N>
+using Points = std::vector<Point<S, N>>;
+
+template <class S, int N, class Shape>
+bool holds_all(const Shape& shape, const Points<S, N>& points) {
+  return std::all_of(points.begin(), points.end(),
+                     [&](const auto& p) { return locate(p, shape) != Location::out; });
+}
+
+/// The center in the affine hull of the points that is equally far from all; nothing when they are dependent. Cramer's
+/// rule would do as well: here Gram's matrix is eliminated.
+template <int N>
+std::optional<oracle::Coordinates<N>> circumcenter(const std::vector<oracle::Coordinates<N>>& p) {
+  const std::size_t m = p.size() - 1;
+  std::vector<std::vector<Rational>> rows(m, std::vector<Rational>(m + 1));
+  for (std::size_t i = 0; i < m; ++i) {
+    const auto u = p[i + 1] - p[0];
+    for (std::size_t j = 0; j < m; ++j) rows[i][j] = oracle::dot(u, p[j + 1] - p[0]);
+    rows[i][m] = oracle::dot(u, u) / 2;
+  }
+  for (std::size_t c = 0; c < m; ++c) {
+    if (rows[c][c] == 0) return {};  // Gram's matrix is positive definite, or the points dependent
+    for (std::size_t r = 0; r < m; ++r) {
+      const Rational factor = rows[r][c] / rows[c][c];
+      for (std::size_t k = c; k <= m && r != c; ++k) rows[r][k] -= factor * rows[c][k];
+    }
+  }
+  oracle::Coordinates<N> center = p[0];
+  for (std::size_t i = 0; i < m; ++i) center = center + Rational(rows[i][m] / rows[i][i]) * (p[i + 1] - p[0]);
+  return center;
+}
+
+/// The square of the least radius: of all balls through N + 1 points or fewer that hold the rest.
+template <class S, int N>
+Rational least_radius2(const Points<S, N>& points) {
+  std::vector<oracle::Coordinates<N>> p;
+  for (const Point<S, N>& x : points) p.push_back(oracle::rational<S, N>(x));
+  std::optional<Rational> least;
+  for (unsigned subset = 1; subset < 1u << p.size(); ++subset) {
+    std::vector<oracle::Coordinates<N>> through;
+    for (std::size_t i = 0; i < p.size(); ++i)
+      if (subset >> i & 1) through.push_back(p[i]);
+    if (through.size() > N + 1) continue;
+    const auto c = circumcenter<N>(through);
+    if (!c) continue;
+    const Rational radius2 = oracle::dot(p[0] - *c, p[0] - *c);
+    const Rational r2 = oracle::dot(through[0] - *c, through[0] - *c);
+    const bool holds =
+        std::all_of(p.begin(), p.end(), [&](const auto& x) { return oracle::dot(x - *c, x - *c) <= r2; });
+    if (holds && radius2 <= r2 && (!least || r2 < *least)) least = r2;
+  }
+  return *least;
+}
+
+/// Clouds, and all that is degenerate: duplicates, points on a line, in a plane or on a sphere.
+template <class S, int N>
+Points<S, N> cloud(bench::Random& random, Numbers numbers, int n) {
+  Points<S, N> points(n);
+  for (Point<S, N>& p : points) p = bench::vector<S, N>(random, numbers);
+  const int shape = random.below(6);
+  const Vector<S, N> u = points[0] / 4, v = points.back() / 4;
+  for (Point<S, N>& p : points) {
+    if (shape == 0) p = points[0];
+    if (shape == 1) p = u + static_cast<S>(random.uniform(-1, 1)) * v;
+    if (shape == 2) p = static_cast<S>(random.uniform(-1, 1)) * u + static_cast<S>(random.uniform(-1, 1)) * v;
+    if (shape == 3 && random.one_in(2)) p = points[0];
+    if (shape == 4 && numbers == Numbers::ordinary) p = random.heading<N>().template cast<S>();
+  }
+  return points;
+}
+
+template <class S, int N>
+double volume(const Obb<S, N>& box) {
+  return box.half.template cast<double>().prod() * (1 << N);
+}
+
+}  // namespace
+
+#define FLOATS_AND_DIMENSIONS ((class S, int N), S, N), (float, 2), (double, 2), (float, 3), (double, 3)
+
+TEMPLATE_TEST_CASE_SIG("every tighter fit holds every point", "[fit_tight]", FLOATS_AND_DIMENSIONS) {
+  for (const Numbers numbers : bench::all_numbers) {
+    bench::Random random(tests::seed() + static_cast<unsigned>(numbers));
+    for (int i = 0; i < tests::cases(10, 1000); ++i) {
+      INFO("seed " << tests::seed() << ", numbers " << static_cast<int>(numbers) << ", case " << i);
+      const Points<S, N> points = cloud<S, N>(random, numbers, 1 + random.below(12));
+      REQUIRE(holds_all(fit_sphere_smallest(points), points));
+      REQUIRE(holds_all(fit_sphere_ritter(points), points));
+      const Obb<S, N> tight = fit_obb_tight(points);
+      REQUIRE(holds_all(tight, points));
+      const Obb<S, N> principal = fit_obb(points);
+      REQUIRE_FALSE(fit_tight::smaller(principal, tight));
+      Record<fit_tight::Event> record;
+      REQUIRE(fit_sphere_smallest(points, record).radius == fit_sphere_smallest(points).radius);
+    }
+  }
+}
+
+TEMPLATE_TEST_CASE_SIG("the smallest ball is the smallest, but for a few ulps", "[fit_tight]",
+                       FLOATS_AND_DIMENSIONS) {
+  bench::Random random(tests::seed());
+  double worst = 0;
+  for (const Numbers numbers : {Numbers::ordinary, Numbers::grid, Numbers::nudged, Numbers::decimal})
+    for (int i = 0; i < tests::cases(10, 1500); ++i) {
+      INFO("seed " << tests::seed() << ", numbers " << static_cast<int>(numbers) << ", case " << i);
+      const Points<S, N> points = cloud<S, N>(random, numbers, 1 + random.below(7));
+      const Sphere<S, N> ball = fit_sphere_smallest(points);
+      const double least = std::sqrt(static_cast<double>(least_radius2<S, N>(points)));
+      const double unit =
+          std::numeric_limits<S>::epsilon() * (least + ball.center.template cast<double>().norm());
+      if (unit > 0) worst = std::max(worst, (static_cast<double>(ball.radius) - least) / unit);
+      REQUIRE(static_cast<double>(ball.radius) - least <= 8 * unit);
+      REQUIRE(static_cast<double>(fit_sphere_ritter(points).radius) >= least * (1 - 1e-15));
+    }
+  CAPTURE(worst);
+  CHECK(worst <= 8);
+}
+
+TEMPLATE_TEST_CASE_SIG("the smallest ball of many points is that of its support", "[fit_tight]",
+                       FLOATS_AND_DIMENSIONS) {
+  bench::Random random(tests::seed());
+  for (int i = 0; i < 20; ++i) {
+    const Points<S, N> points = cloud<S, N>(random, Numbers::ordinary, 500);
+    Record<fit_tight::Event> record;
+    const Sphere<S, N> ball = fit_sphere_smallest(points, record);
+    Points<S, N> support;
+    for (const auto& event : record.events)
+      if (const auto* by = std::get_if<fit_tight::Supported>(&event))
+        for (const int k : by->points) support.push_back(points[k]);
+    const double least =
+        std::sqrt(static_cast<double>(least_radius2<S, N>(support)));  // no smaller ball holds all
+    const double unit =
+        std::numeric_limits<S>::epsilon() * (least + ball.center.template cast<double>().norm());
+    REQUIRE(static_cast<double>(ball.radius) - least <= 8 * unit);
+  }
+}
+
+TEMPLATE_TEST_CASE_SIG("points no use for a fit have empty tight ones", "[fit_tight]",
+                       FLOATS_AND_DIMENSIONS) {
+  Points<S, N> points(3, Point<S, N>::Ones());
+  points[1][0] = std::numeric_limits<S>::quiet_NaN();
+  for (const Points<S, N>& unusable : std::vector<Points<S, N>>{{}, points}) {
+    CHECK(empty(fit_sphere_smallest(unusable)));
+    CHECK(empty(fit_sphere_ritter(unusable)));
+    CHECK(empty(fit_obb_tight(unusable)));
+  }
+  points[1] = points[0];
+  CHECK(fit_sphere_smallest(points).radius == 0);
+  CHECK(fit_obb_tight(points).half.isZero(0));
+}
+
+TEMPLATE_TEST_CASE_SIG("the tight box of a turned brick is the brick", "[fit_tight]", FLOATS_AND_DIMENSIONS) {
+  bench::Random random(tests::seed());
+  for (int i = 0; i < 20; ++i) {
+    const Eigen::Matrix<S, N, N> frame = bench::rotation<S, N>(random, 3);
+    Points<S, N> points;
+    for (int corner = 0; corner < 1 << N; ++corner) {
+      Point<S, N> c;
+      for (int k = 0; k < N; ++k) c[k] = static_cast<S>((corner >> k & 1 ? 1 : -1) * (k + 1));
+      points.push_back(frame * c);
+    }
+    CHECK(volume(fit_obb_tight(points)) == Approx(N == 2 ? 8 : 48).epsilon(1e-5));
+  }
+}
+
+TEST_CASE("tight boxes are as tight as the known ones", "[fit_tight]") {
+  const char* chosen = std::getenv("ISECT_PEER_CASES");
+  const std::filesystem::path folder = chosen ? chosen : ISECT_PEER_CASES_DEFAULT;
+  std::ifstream file(folder / "bounding_volume_fit.json");
+  if (!file) {
+    WARN("skipped: no peer cases");
+    return;
+  }
+  int count = 0;
+  const nlohmann::json all = nlohmann::json::parse(file);
+  for (const nlohmann::json& c : all.at("cases")) {
+    if (!c.contains("expected") || !c["expected"].contains("known_tight_obb")) continue;
+    Points<double, 3> points;
+    for (const nlohmann::json& p : c["points"])
+      points.emplace_back(p[0].get<double>(), p[1].get<double>(), p[2].get<double>());
+    const Obb<double, 3> tight = fit_obb_tight(points);
+    INFO("case " << count << ", " << points.size() << " points, by principal axes "
+                 << volume(fit_obb(points)));
+    CHECK(volume(tight) <= c["expected"]["volume_upper_bound"].get<double>() * (1 + 1e-4));
+    CHECK(holds_all(tight, points));
+    ++count;
+  }
+  CHECK(count > 0);
+}
