@@ -203,7 +203,7 @@ TEMPLATE_TEST_CASE_SIG("boxes meet when rational arithmetic says so", "[motion]"
   Random random(tests::seed());
   int hits = 0, misses = 0, later = 0;
   for (const Numbers numbers : bench::all_numbers)
-    for (int i = 0; i < tests::cases(1000, 60000); ++i) {
+    for (int i = 0; i < tests::cases(1000, 30000); ++i) {
       INFO("seed " << tests::seed() << ", numbers " << static_cast<int>(numbers) << ", case " << i);
       const auto draw = [&] { return bench::vector<S, N>(random, numbers); };
       Moving<Aabb, S, N> a = {bench::box<S, N>(random, numbers), draw()},
@@ -235,7 +235,7 @@ TEMPLATE_TEST_CASE_SIG("balls meet when rational arithmetic says so", "[motion]"
   Random random(tests::seed());
   int hits = 0, misses = 0, later = 0;
   for (const Numbers numbers : bench::all_numbers)
-    for (int i = 0; i < tests::cases(800, 25000); ++i) {
+    for (int i = 0; i < tests::cases(800, 12000); ++i) {
       INFO("seed " << tests::seed() << ", numbers " << static_cast<int>(numbers) << ", case " << i);
       const auto draw = [&] { return bench::vector<S, N>(random, numbers); };
       Moving<Sphere, S, N> a = {bench::ball<S, N>(random, numbers), draw()},
@@ -271,7 +271,7 @@ TEMPLATE_TEST_CASE_SIG("the swept box holds both ends of the way, and no more th
                        FLOATS_AND_DIMENSIONS) {
   Random random(tests::seed());
   for (const Numbers numbers : bench::all_numbers)
-    for (int i = 0; i < tests::cases(1000, 50000); ++i) {
+    for (int i = 0; i < tests::cases(1000, 20000); ++i) {
       INFO("seed " << tests::seed() << ", numbers " << static_cast<int>(numbers) << ", case " << i);
       const Aabb<S, N> box = bench::box<S, N>(random, numbers);
       const Vector<S, N> way = bench::vector<S, N>(random, random.one_in(3) ? Numbers::wide : numbers);
