@@ -247,6 +247,31 @@ TEMPLATE_TEST_CASE_SIG("every hierarchy is sound, the same each time, and told a
   }
 }
 
+TEST_CASE("what a split sends left has its center there, what it sends right as well", "[bvh]") {
+  Random random(tests::seed());
+  const auto boxes = tests::some_boxes<double, 3>(random, tests::Layout::uniform, 500);
+  Record<bvh::Event<double>> record;
+  const Bvh<double, 3> tree = build_bvh(boxes, {1}, record);
+  for (const auto& event : record.events) {
+    const auto* split = std::get_if<bvh::Split<double>>(&event);
+    if (!split) continue;
+    for (const int side : {0, 1}) {
+      std::vector<int> below = {tree.nodes[split->node].first + side}, held;
+      while (!below.empty()) {
+        const BvhNode<double, 3> node = tree.nodes[below.back()];
+        below.pop_back();
+        if (!node.leaf()) below.insert(below.end(), {node.first, node.first + 1});
+        for (int i = node.first; i < node.first + node.count; ++i) held.push_back(tree.primitives[i]);
+      }
+      REQUIRE(static_cast<int>(held.size()) == (side == 0 ? split->left : split->right));
+      for (const int i : held) {
+        const double center = (boxes[i].lo[split->axis] + boxes[i].hi[split->axis]) / 2;
+        REQUIRE((side == 0 ? split->at - center : center - split->at) >= -1e-12);
+      }
+    }
+  }
+}
+
 TEMPLATE_TEST_CASE_SIG("boxes in another scale by a power of two make the same hierarchy", "[bvh]",
                        ((class S, int N), S, N), (float, 2), (float, 3), (double, 2), (double, 3)) {
   Random random(tests::seed());
