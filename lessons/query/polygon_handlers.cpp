@@ -5,6 +5,8 @@
 #include "core/point_convex_polygon.h"
 #include "core/point_polygon.h"
 #include "core/polygon.h"
+#include "core/slab_map.h"
+#include "core/trapezoid_map.h"
 #include "lessons/query/events.h"
 #include "lessons/query/handlers.h"
 
@@ -21,6 +23,13 @@ template <class S> struct Told<point_convex_polygon::Centroid<S>> : Says<"Centro
 template <class S> struct Told<point_convex_polygon::WedgeAround<S>> : Says<"WedgeAround", "lo mid hi cross"> {};
 template <class S> struct Told<point_convex_polygon::EdgeSide<S>> : Says<"EdgeSide", "from to cross"> {};
 template <> struct Told<polygon_area::AreaVector> : Says<"AreaVector", "scaled largest"> {};
+template <> struct Told<slab_map::SlabFound> : Says<"SlabFound", "slab steps"> {};
+template <> struct Told<slab_map::OnLine> : Says<"OnLine", "slab steps holds"> {};
+template <> struct Told<slab_map::Compared> : Says<"Compared", "edge turn"> {};
+template <> struct Told<trapezoid_map::VertexAsked> : Says<"VertexAsked", "vertex side"> {};
+template <> struct Told<trapezoid_map::PieceAsked> : Says<"PieceAsked", "piece side"> {};
+template <> struct Told<trapezoid_map::Reached> : Says<"Reached", "trapezoid"> {};
+template <> struct Told<trapezoid_map::Inserted> : Says<"Inserted", "piece cut"> {};
 // clang-format on
 
 namespace {
@@ -43,6 +52,18 @@ int summed(Job& job, const Polygon<S, 2>& p, const Method& method) {
 }
 
 Json in_or_out(bool in) { return in ? "in" : "out"; }
+
+/// Point location after preprocessing: the winding number, none on the boundary, is all there is to know.
+template <class Event, class S, class Map>
+Json by_map(Job& job, const Point<S, 2>& point, const Map& map) {
+  const std::optional<int> times = run<Event>(job, [&](auto&& trace) { return winding(point, map, trace); });
+  const auto where = [&](bool inside) {
+    return name(!times ? Location::on : inside ? Location::in : Location::out);
+  };
+  return {{"evenodd", where(times.value_or(0) % 2 != 0)},
+          {"nonzero", where(times.value_or(0) != 0)},
+          {"winding", times ? Json(*times) : Json(nullptr)}};
+}
 
 template <class S>
 Json pip(Job& job) {
@@ -71,6 +92,10 @@ Json pip(Job& job) {
         run<point_convex_polygon::Event>(job, [&](auto&& trace) { return locate(point, *convex, trace); });
     return {{"evenodd", name(where)}, {"nonzero", name(where)}};
   }
+
+  if (job.variant == "slabs")
+    return by_map<slab_map::Event>(job, point, make_slab_map(p, std::size_t(256) << 20));
+  if (job.variant == "trapezoids") return by_map<trapezoid_map::Event>(job, point, make_trapezoid_map(p));
 
   const Winding w = run<point_polygon::Event>(job, [&](auto&& trace) { return winding(point, p, trace); });
   const Json times = w.nonzero == Location::on ? Json(nullptr) : Json(w.winding);
@@ -141,7 +166,8 @@ Json bounding_volume_fit(Job& job) {
 
 const std::vector<Handler>& polygon_handlers() {
   static const std::vector<Handler> table = {
-      ISECT_HANDLER(pip, {"exact", "crossings", "winding", "convex", "crossings_naive", "winding_naive"}),
+      ISECT_HANDLER(pip, {"exact", "crossings", "winding", "convex", "slabs", "trapezoids", "crossings_naive",
+                          "winding_naive"}),
       ISECT_HANDLER(convex_hull2d, {"exact"}),
       ISECT_HANDLER(polygon_normal, {"exact"}),
       ISECT_HANDLER(bounding_volume_fit, {"exact"}),

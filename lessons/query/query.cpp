@@ -91,7 +91,7 @@ Answer answer(const std::string& line) {
     Json reply = {{"id", id}};
     reply.update(solve(Field(request, "")));
     return {reply.dump(-1, ' ', false, Json::error_handler_t::replace), false};
-  } catch (const BadCase& e) {
+  } catch (const std::exception& e) {  // BadCase, or what the core refuses in so many words
     return failed(id, e.what());
   }
 }

@@ -56,6 +56,11 @@ void ask(const PeerCase& c, std::vector<Question>& questions) {
     in["tmin"] = 0, in["tmax"] = 1;
     questions.push_back({&c, in, {{"ray_hit", expected["segment_hit_0_1"]}}});
   }
+  if (c.kind == "pip")
+    for (const char* variant : {"slabs", "trapezoids"}) {
+      questions.push_back({&c, inputs(c), expected});
+      questions.back().request["variant"] = variant;
+    }
   if (c.kind == "bounding_volume_fit") {
     questions.pop_back();
     for (const char* volume : {"aabb", "sphere", "obb"}) {
@@ -76,7 +81,6 @@ std::vector<Json> answers(const std::vector<Question>& questions) {
   }
   test::write(shell.work() / "cases", lines.str());
   const test::Ran ran = shell("isect query cases");
-  CHECK(ran.status == 0);
   CHECK(ran.err.empty());
   std::vector<Json> all;
   std::istringstream out(ran.out);
@@ -92,6 +96,30 @@ double ulps(const Json& answer, const Json& expected, bool f32) {
 }
 
 bool is_t(const std::string& key) { return key[0] == 't'; }
+
+int side(const Json& a, const Json& b, const Json& p) {
+  const auto x = [](const Json& v) { return Rational(v[0].get<double>()); };
+  const auto y = [](const Json& v) { return Rational(v[1].get<double>()); };
+  return oracle::sign((x(b) - x(a)) * (y(p) - y(a)) - (y(b) - y(a)) * (x(p) - x(a)));
+}
+
+/// Whether a map of a polygon was rightly refused: the two edges that the error names cross where there is no vertex.
+bool refused(const Question& q, const Json& reply) {
+  if (!q.request.contains("variant") || !reply.contains("error")) return false;
+  int edge[2] = {}, ring[2] = {};
+  if (std::sscanf(reply["error"].get<std::string>().c_str(),
+                  "edge %d of ring %d and edge %d of ring %d cross", &edge[0], &ring[0], &edge[1],
+                  &ring[1]) != 4)
+    return false;
+  Json ends[4];
+  for (int i = 0; i < 4; ++i) {
+    const Json& vertices = q.request["rings"].at(static_cast<std::size_t>(ring[i / 2]));
+    ends[i] = vertices.at((static_cast<std::size_t>(edge[i / 2]) + static_cast<std::size_t>(i % 2)) %
+                          vertices.size());
+  }
+  return side(ends[0], ends[1], ends[2]) * side(ends[0], ends[1], ends[3]) < 0 &&
+         side(ends[2], ends[3], ends[0]) * side(ends[2], ends[3], ends[1]) < 0;
+}
 
 /// The expected fields that an answer holds under the same name, or what contradicts them.
 std::string contradiction(const Question& q, const Json& result) {
@@ -178,6 +206,7 @@ TEST_CASE("every case of the public test suites gets the true answer", "[query][
 
   const std::vector<Json> replies = answers(questions);
   REQUIRE(replies.size() == questions.size());
+  int refusals = 0;
   std::map<std::string, std::pair<int, int>> score;  // right, asked
   for (std::size_t i = 0; i < questions.size(); ++i) {
     const Question& q = questions[i];
@@ -185,6 +214,10 @@ TEST_CASE("every case of the public test suites gets the true answer", "[query][
     INFO(q.of->name << "\n  asked    " << q.request.dump() << "\n  expected " << q.expected.dump()
                     << "\n  answered " << reply.dump());
     REQUIRE(reply.at("id") == i);
+    if (refused(q, reply)) {
+      ++refusals;
+      continue;
+    }
     auto& [right, asked] = score[q.of->kind];
     ++asked;
     const bool may_refuse = q.expected.contains("policy") || q.expected.contains("degenerate");
@@ -195,6 +228,7 @@ TEST_CASE("every case of the public test suites gets the true answer", "[query][
     CHECK(wrong == "");
     right += wrong.empty();
   }
+  std::printf("%-20s %5d polygons with crossing edges refused by slabs and trapezoids\n", "pip", refusals);
   for (const auto& [kind, counts] : score)
     std::printf("%-20s %5d of %5d questions right\n", kind.c_str(), counts.first, counts.second);
 }
