@@ -15,11 +15,13 @@
 // polygon problem for arbitrary polygons, Comput. Geom. 20 (2001).
 
 #include <algorithm>
+#include <bit>
 #include <optional>
 #include <span>
 #include <variant>
 
 #include "core/orient.h"
+#include "core/point_polygon_fast.h"
 #include "core/shapes.h"
 #include "core/trace.h"
 
@@ -127,9 +129,33 @@ std::optional<Tally> wind(const Point<S, 2>& p, std::span<const Point<S, 2>> ver
     return std::all_of(run.begin(), run.end(), [](const Point<S, 2>& v) { return finite(v); });
   };
 
-  constexpr std::size_t length = 8;
+  constexpr std::size_t length = run_length;
   Tally tally;
-  for (std::size_t first = 0; first < vertices.size(); first += length) {
+  const auto count = [&](std::size_t first, std::size_t last) {
+    const Tally part = walk(vertices, first, last, height, abscissa, side, ring, trace);
+    tally = {tally.crossings + part.crossings, tally.winding + part.winding, part.on};
+    return !part.on;
+  };
+
+  std::size_t begin = 0;
+  if constexpr (!heard<Trace>) {
+    bool usable = true, sum_finite = true;
+    const auto visit = [&](const OpenRuns& open) __attribute__((noinline)) {
+      for (std::uint64_t rest = open.bits; rest != 0; rest &= rest - 1) {
+        const std::size_t run = static_cast<std::size_t>(std::countr_zero(rest) / open.lanes);
+        const std::size_t first = open.first + run * length;
+        usable = all_finite(vertices.subspan(first, length + 1));
+        if (!usable || !count(first, first + length)) return false;
+      }
+      return true;
+    };
+    if (vertices.size() > 256)  // below, it wins nothing
+      simd::run(widest(), Scan<S, decltype(visit)>{p, vertices, visit, begin, sum_finite});
+    if (!usable || (!sum_finite && !all_finite(vertices))) return {};
+    if (tally.on) return tally;
+  }
+
+  for (std::size_t first = begin; first < vertices.size(); first += length) {
     const std::size_t last = std::min(first + length, vertices.size());
     if (last < vertices.size()) {
       Point<S, 2> lo = vertices[first], hi = lo, sum = lo;
@@ -144,9 +170,7 @@ std::optional<Tally> wind(const Point<S, 2>& p, std::span<const Point<S, 2>> ver
       return {};
     }
 
-    const Tally part = walk(vertices, first, last, height, abscissa, side, ring, trace);
-    tally = {tally.crossings + part.crossings, tally.winding + part.winding, part.on};
-    if (part.on) return tally;
+    if (!count(first, last)) return tally;
   }
   return tally;
 }

@@ -303,6 +303,66 @@ TEMPLATE_TEST_CASE("answers do not depend on how a ring is written down", "[poin
     }
 }
 
+TEMPLATE_TEST_CASE("long rings, of which runs are skipped, get the same answers", "[point_polygon]", float, double) {
+  using S = TestType;
+  bench::Random random(tests::seed());
+  int counts[3] = {}, skipped = 0;
+  for (const Numbers numbers : bench::all_numbers)
+    for (int i = 0; i < tests::cases(25, 5000); ++i) {
+      INFO("seed " << tests::seed() << ", family " << static_cast<int>(numbers) << ", case " << i);
+      Point<S, 2> p = bench::vector<S, 2>(random, numbers);
+      Ring<S, 2> r;
+      while (r.size() < 300 || !random.one_in(40)) {
+        const Point<S, 2> around = bench::vector<S, 2>(random, numbers);
+        for (int k = random.below(30); k >= 0; --k) r.push_back(random.one_in(200) ? p : around);
+        for (Point<S, 2>* v = &r.back(); v > &r.front() && random.one_in(2); --v)
+          (*v)[random.below(2)] = bench::number<S>(random, numbers);
+      }
+      const std::size_t some = static_cast<std::size_t>(random.below(static_cast<int>(r.size())));
+      const S inf = std::numeric_limits<S>::infinity();
+      if (random.one_in(8)) r[some][random.below(2)] = random.one_in(2) ? inf : inf - inf;
+      if (random.one_in(2)) {  // then p is no vertex
+        for (Point<S, 2>& v : r)
+          if (v == p) v[0] = bench::moved(v[0], random.one_in(2) ? 1 : -1);
+      }
+      Record<point_polygon::Event> record;
+      const Winding w = winding(p, r), all = winding(p, r, record);
+      REQUIRE(both(w) == both(all));
+      REQUIRE(w.crossings == all.crossings);
+      ++counts[static_cast<int>(w.even_odd)];
+
+      const std::span<const Point<S, 2>> vertices(r);
+      for (int set = 0; set <= static_cast<int>(widest()); ++set) {
+        std::size_t end = 0, next = 0;
+        bool sum_finite = true, right = true;
+        const auto check = [&](std::size_t upto) {
+          for (; next < upto; next += point_polygon::run_length, ++skipped) {
+            bool above = true, below = true, left = true, good = true;
+            for (const Point<S, 2>& v : vertices.subspan(next, point_polygon::run_length + 1)) {
+              above &= v[1] > p[1], below &= v[1] < p[1], left &= v[0] < p[0], good &= finite(v);
+            }
+            right &= above || below || left || !good;
+          }
+        };
+        const auto visit = [&](const point_polygon::OpenRuns& open) {
+          for (std::uint64_t rest = open.bits; rest != 0; rest &= rest - 1) {
+            const int run = std::countr_zero(rest) / open.lanes;
+            const std::size_t first = open.first + static_cast<std::size_t>(run) * point_polygon::run_length;
+            check(first), next = first + point_polygon::run_length;
+          }
+          return true;
+        };
+        simd::run(static_cast<InstructionSet>(set),
+                  point_polygon::Scan<S, decltype(visit)>{p, vertices, visit, end, sum_finite});
+        check(end);
+        REQUIRE((right && end > 0 && end < r.size()));
+        if (!finite(r) && end + 256 > r.size() && some <= end) REQUIRE(!sum_finite);
+      }
+    }
+  for (const int count : counts) CHECK(count > 5);
+  CHECK(skipped > 1000);
+}
+
 TEST_CASE("the events tell every edge", "[point_polygon]") {
   using point_polygon::Edge, point_polygon::Passage;
   const Polygon<double, 2> polygon = {{{{0, 0}, {4, 0}, {4, 2}, {2, 2}, {2, 1}, {0, 1}}, {{0, 9}}}};
