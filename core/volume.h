@@ -1,0 +1,262 @@
+#pragma once
+// How large bounding volumes are, and how much of them is void.
+//
+// Volumes are polynomials of the numbers given, so they are found as all values are: rounded once, from arithmetic
+// that is fine enough. That of a closed surface is the sum of the signed tetrahedra from one point to its triangles,
+//
+//   6 V = sum (a - o) . (b - o) x (c - o),
+//
+// where all that lies outside cancels. Areas of slanted triangles have square roots; each is rounded, and their sum.
+// In 2D the volume is the area, and the surface the perimeter. Source: the note, N04.
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "core/convex_hull_3d.h"
+#include "core/kdop_polytope.h"
+#include "core/point_obb.h"
+#include "core/predicate.h"
+#include "core/shapes.h"
+
+namespace isect {
+
+namespace volume_of {
+
+/// Six times the signed volume within triangles, from the first vertex on.
+template <class W, class S>
+W volume6(const std::vector<Point<S, 3>>& vertices, const std::vector<std::array<int, 3>>& triangles) {
+  const auto from_first = [&](int i) {
+    return difference<W, 3>(vertices[i].template cast<double>(), vertices[0].template cast<double>());
+  };
+  W sum(0.0);
+  for (const auto& [a, b, c] : triangles) sum = sum + dot(from_first(a), cross(from_first(b), from_first(c)));
+  return sum;
+}
+
+/// A power of two by which these vectors are near 1, so that no square over- or underflows.
+template <int N>
+double scale(const std::vector<Vector<double, N>>& vectors) {
+  double most = 0;
+  for (const Vector<double, N>& v : vectors) most = std::max(most, v.cwiseAbs().maxCoeff());
+  return most > 0 ? std::ldexp(1.0, -std::clamp(std::ilogb(most), -1000, 1000)) : 1;
+}
+
+/// The square root of a sum of squares that is near 1.
+template <class Text>
+double root(const Text& text) {
+  return std::sqrt(value_of<double>([&]<class W>() -> Ratio<W> {
+    return {text.template operator()<W>(), W(1.0)};
+  }));
+}
+
+/// The area of a b c, within 3 ulp of double.
+inline double area(const Point<double, 3>& a, const Point<double, 3>& b, const Point<double, 3>& c) {
+  const Vector<double, 3> ab = b / 2 - a / 2, ac = c / 2 - a / 2;  // halves: no difference overflows
+  const double k = scale<3>({ab, ac});
+  const auto square = [&]<class W>() -> W {
+    Components<W, 3> u = difference<W, 3>(b, a), v = difference<W, 3>(c, a);
+    for (int i = 0; i < 3; ++i) u[i] = u[i] * W(k), v[i] = v[i] * W(k);
+    const Components<W, 3> n = cross(u, v);
+    return dot(n, n);
+  };
+  return root(square) / 2 / k / k;
+}
+
+template <class S>
+S area(const std::vector<Point<S, 3>>& vertices, const std::vector<std::array<int, 3>>& triangles) {
+  DoubleDouble sum;  // of numbers that are not negative: it adds no error to speak of
+  for (const auto& [a, b, c] : triangles)
+    sum = sum + DoubleDouble{area(vertices[a].template cast<double>(), vertices[b].template cast<double>(),
+                                  vertices[c].template cast<double>()),
+                             0};
+  return static_cast<S>(std::isfinite(sum.hi) ? sum.hi : std::numeric_limits<double>::infinity());
+}
+
+/// The faces cut into triangles.
+template <class S>
+std::vector<std::array<int, 3>> triangles(const Polytope<S, 3>& polytope) {
+  std::vector<std::array<int, 3>> all;
+  for (const std::vector<int>& ring : polytope.faces)
+    for (std::size_t i = 2; i < ring.size(); ++i) all.push_back({ring[0], ring[i - 1], ring[i]});
+  return all;
+}
+
+}  // namespace volume_of
+
+/// The volume within a closed surface: of triangles counter-clockwise seen from outside, of which every edge has its
+/// two. Within 2 ulp of S of the true one; negative when it is turned inside out. NaN with a NaN or an infinity.
+template <class S>
+S volume(const std::vector<Point<S, 3>>& vertices, const std::vector<std::array<int, 3>>& triangles) {
+  if (!finite(vertices)) return std::numeric_limits<S>::quiet_NaN();
+  if (triangles.empty()) return S(0);
+  return value_of<S>([&]<class W>() -> Ratio<W> {
+    return {volume_of::volume6<W, S>(vertices, triangles), W(6.0)};
+  });
+}
+/// The area of all triangles, within 4 ulp.
+template <class S>
+S surface_area(const std::vector<Point<S, 3>>& vertices, const std::vector<std::array<int, 3>>& triangles) {
+  if (!finite(vertices)) return std::numeric_limits<S>::quiet_NaN();
+  return volume_of::area(vertices, triangles);
+}
+
+// Of bounding volumes. Empty ones have volume and surface 0, those with an infinite number NaN.
+
+/// Within 2 ulp.
+template <class S, int N>
+S volume(const Aabb<S, N>& box) {
+  if (empty(box)) return S(0);
+  if (!finite(box)) return std::numeric_limits<S>::quiet_NaN();
+  const Aabb<double, N> wide = cast<double>(box);
+  return value_of<S>([&]<class W>() -> Ratio<W> {
+    const Components<W, N> size = difference<W, N>(wide.hi, wide.lo);
+    W product = size[0];
+    for (int i = 1; i < N; ++i) product = product * size[i];
+    return {product, W(1.0)};
+  });
+}
+/// Within 2 ulp. Twice the sum of all sides in 2D, of the products of two sides in 3D.
+template <class S, int N>
+S surface_area(const Aabb<S, N>& box) {
+  if (empty(box)) return S(0);
+  if (!finite(box)) return std::numeric_limits<S>::quiet_NaN();
+  const Aabb<double, N> wide = cast<double>(box);
+  return value_of<S>([&]<class W>() -> Ratio<W> {
+    const Components<W, N> size = difference<W, N>(wide.hi, wide.lo);
+    if constexpr (N == 2)
+      return {W(2.0) * (size[0] + size[1]), W(1.0)};
+    else
+      return {W(2.0) * (size[0] * size[1] + size[1] * size[2] + size[2] * size[0]), W(1.0)};
+  });
+}
+
+/// Within 4 ulp.
+template <class S, int N>
+S volume(const Sphere<S, N>& ball) {
+  if (empty(ball)) return S(0);
+  if (!finite(ball)) return std::numeric_limits<S>::quiet_NaN();
+  const double r = static_cast<double>(ball.radius), pi = std::numbers::pi;
+  return static_cast<S>(N == 2 ? pi * r * r : 4 * pi / 3 * r * r * r);
+}
+/// Within 4 ulp.
+template <class S, int N>
+S surface_area(const Sphere<S, N>& ball) {
+  if (empty(ball)) return S(0);
+  if (!finite(ball)) return std::numeric_limits<S>::quiet_NaN();
+  const double r = static_cast<double>(ball.radius), pi = std::numbers::pi;
+  return static_cast<S>(N == 2 ? 2 * pi * r : 4 * pi * r * r);
+}
+
+/// Within 2 ulp, whatever the axes.
+template <class S, int N>
+S volume(const Obb<S, N>& box) {
+  if (empty(box)) return S(0);
+  if (!finite(box)) return std::numeric_limits<S>::quiet_NaN();
+  const Obb<double, N> wide = cast<double>(box);
+  return value_of<S>([&]<class W>() -> Ratio<W> {
+    W product = W(N == 2 ? 4.0 : 8.0) * abs(point_obb::volume<W>(wide.axes, 0));
+    for (int i = 0; i < N; ++i) product = product * W(wide.half[i]);
+    return {product, W(1.0)};
+  });
+}
+
+/// Within 8 ulp, when the axes' lengths and the halves multiply in double's range.
+template <class S, int N>
+S surface_area(const Obb<S, N>& box) {
+  if (empty(box)) return S(0);
+  if (!finite(box)) return std::numeric_limits<S>::quiet_NaN();
+  const Obb<double, N> wide = cast<double>(box);
+  double sum = 0;
+  for (int i = 0; i < N; ++i) {
+    const double side = volume_of::root([&]<class W>() -> W {
+      const Components<W, N> n =
+          point_obb::normal<W>(wide.axes, i);  // as long as the side across from axis i
+      return dot(n, n);
+    });
+    double face = N == 2 ? 4 * side : 8 * side;
+    for (int j = 0; j < N; ++j)
+      if (j != i) face *= wide.half[j];
+    sum += face;
+  }
+  return static_cast<S>(sum);
+}
+
+/// The area and the perimeter of its polygon of rounded vertices, in the same way as in space below.
+template <class S>
+S volume(const Kdop<S, 2>& kdop) {
+  const std::vector<Point<S, 2>> ring = polytope(kdop).vertices;
+  if (ring.empty()) return S(0);
+  return value_of<S>([&]<class W>() -> Ratio<W> {
+    W sum(0.0);
+    for (std::size_t i = 2; i < ring.size(); ++i)
+      sum = sum + orient::area2<W>(ring[0].template cast<double>(), ring[i - 1].template cast<double>(),
+                                   ring[i].template cast<double>());
+    return {sum, W(2.0)};
+  });
+}
+template <class S>
+S surface_area(const Kdop<S, 2>& kdop) {
+  const std::vector<Point<S, 2>> ring = polytope(kdop).vertices;
+  double sum = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    sum +=
+        (ring[(i + 1) % ring.size()].template cast<double>() - ring[i].template cast<double>()).stableNorm();
+  return static_cast<S>(sum);
+}
+
+/// Of its rounded vertices; empty where its slabs contradict each other. Throws where it is unbounded. Within 2 ulp
+/// of that polytope's, whose vertices are within 2 ulp of the true ones.
+template <class S>
+S volume(const Kdop<S, 3>& kdop) {
+  const Polytope<S, 3> solid = polytope(kdop);
+  return volume(solid.vertices, volume_of::triangles(solid));
+}
+template <class S>
+S surface_area(const Kdop<S, 3>& kdop) {
+  const Polytope<S, 3> solid = polytope(kdop);
+  return surface_area(solid.vertices, volume_of::triangles(solid));
+}
+
+/// Within 2 ulp; 0 of a hull in a plane.
+template <class S>
+S volume(const Hull3<S>& hull) {
+  return volume(hull.vertices, hull.triangles);
+}
+/// Within 4 ulp; both sides of a hull in a plane.
+template <class S>
+S surface_area(const Hull3<S>& hull) {
+  return surface_area(hull.vertices, hull.triangles);
+}
+
+/// What of the bounding volume is not filled by the object in it: the volume of the one less that of the other, each
+/// as above. The smaller, the tighter the fit.
+template <class Bounding, class S>
+S void_volume(const Bounding& bounding, S object) {
+  return volume(bounding) - object;
+}
+
+// How many numbers a bounding volume is kept in. Normals are not counted, as all k-DOPs of a program share them.
+
+template <class S, int N>
+constexpr std::size_t numbers_kept(const Aabb<S, N>&) {
+  return 2 * N;
+}
+template <class S, int N>
+constexpr std::size_t numbers_kept(const Sphere<S, N>&) {
+  return N + 1;
+}
+template <class S, int N>
+constexpr std::size_t numbers_kept(const Obb<S, N>&) {
+  return N * (N + 2);
+}
+template <class S, int N>
+std::size_t numbers_kept(const Kdop<S, N>& kdop) {
+  return 2 * kdop.slabs.size();
+}
+template <class S>
+std::size_t numbers_kept(const Hull3<S>& hull) {
+  return 3 * hull.vertices.size();
+}
+
+}  // namespace isect
