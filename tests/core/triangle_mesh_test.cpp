@@ -159,7 +159,7 @@ TEMPLATE_TEST_CASE("the closest hit on a mesh is the true one", "[triangle_mesh]
   using S = TestType;
   Random random(tests::seed());
   int hits = 0, misses = 0, shared = 0;
-  for (int i = 0; i < tests::cases(300, 20'000); ++i) {
+  for (int i = 0; i < tests::cases(300, 6000); ++i) {
     const auto numbers = bench::all_numbers[random.below(static_cast<int>(std::size(bench::all_numbers)))];
     const TriangleMesh<S> mesh = soup<S>(random, numbers);
     const Bvh<S, 3> bvh = build_bvh(boxes(mesh), {random.integer(1, 3), 1});
