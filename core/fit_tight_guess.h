@@ -1,5 +1,6 @@
 #pragma once
-// Where the smallest ball has its center, and how the smallest box is turned: rounded numbers, which need not be right.
+// Where the smallest ball has its center, and how the smallest box is turned: rounded numbers, which need not be
+// right.
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -22,9 +23,9 @@ struct Support {
   double radius2 = std::numeric_limits<double>::infinity();
 };
 
-/// The center of the smallest sphere through the points, which are N + 1 at most. From the first it moves along e, the
-/// part of the next point orthogonal to those before, to equal distance. NaN where they are dependent.
-/// Source: Gaertner, Fast and robust smallest enclosing balls, ESA 1999.
+/// The center of the smallest sphere through the points, which are N + 1 at most. From the first it moves along e,
+/// the part of the next point orthogonal to those before, to equal distance. NaN where they are dependent. Source:
+/// Gaertner, Fast and robust smallest enclosing balls, ESA 1999.
 template <int N>
 Point<double, N> circumcenter(const std::vector<Point<double, N>>& q, const std::vector<int>& through) {
   std::vector<Vector<double, N>> basis;
@@ -41,8 +42,8 @@ Point<double, N> circumcenter(const std::vector<Point<double, N>>& q, const std:
   return origin + c;
 }
 
-/// The smallest ball of a few points with `fresh` on its surface: of all circumscribed ones, that which holds all with
-/// the least radius.
+/// The smallest ball of a few points with `fresh` on its surface: of all circumscribed ones, that which holds all
+/// with the least radius.
 template <int N>
 Support<N> ball_of_few(const std::vector<Point<double, N>>& q, const std::vector<int>& few, int fresh) {
   Support<N> best;
@@ -60,8 +61,8 @@ Support<N> ball_of_few(const std::vector<Point<double, N>>& q, const std::vector
 }
 
 /// The smallest ball: the farthest point joins its support, whose own smallest ball is larger, until none is farther.
-/// Some ten rounds, each a pass over all points. Source: Welzl, Smallest enclosing disks (balls and ellipsoids), 1991;
-/// Gaertner's rule for choosing the next point.
+/// Some ten rounds, each a pass over all points. Source: Welzl, Smallest enclosing disks (balls and ellipsoids),
+/// 1991; Gaertner's rule for choosing the next point.
 template <int N>
 Support<N> smallest_ball(const std::vector<Point<double, N>>& q) {
   Support<N> now = {{0}, q[0], 0}, best = now;
@@ -205,8 +206,8 @@ inline std::vector<Point<double, 3>> few_vertices(const std::vector<Point<double
   return few;
 }
 
-/// Axes of a box of small volume. The smallest one has two adjacent faces flush with edges of the hull (O'Rourke); those
-/// with a whole face flush are tried, by calipers in its plane, and those with a face along two edges of a small hull.
+/// Axes of a box of small volume. The smallest one has two adjacent faces flush with edges of the hull (O'Rourke);
+/// those with a whole face flush are tried, by calipers in its plane, and those along two edges of a small hull.
 /// What comes near the best is then turned about its axes. Source: O'Rourke, Finding minimal enclosing boxes, 1985;
 /// Chang, Gorissen, Melchior, Fast oriented bounding box optimization on the rotation group, ACM TOG 30 (2011).
 inline Eigen::Matrix3d tight_axes(const std::vector<Point<double, 3>>& q) {

@@ -108,7 +108,7 @@ double volume(const Obb<S, N>& box) {
 TEMPLATE_TEST_CASE_SIG("every tighter fit holds every point", "[fit_tight]", FLOATS_AND_DIMENSIONS) {
   for (const Numbers numbers : bench::all_numbers) {
     bench::Random random(tests::seed() + static_cast<unsigned>(numbers));
-    for (int i = 0; i < tests::cases(10, 1000); ++i) {
+    for (int i = 0; i < tests::cases(10, 600); ++i) {
       INFO("seed " << tests::seed() << ", numbers " << static_cast<int>(numbers) << ", case " << i);
       const Points<S, N> points = cloud<S, N>(random, numbers, 1 + random.below(12));
       REQUIRE(holds_all(fit_sphere_smallest(points), points));
@@ -128,7 +128,7 @@ TEMPLATE_TEST_CASE_SIG("the smallest ball is the smallest, but for a few ulps", 
   bench::Random random(tests::seed());
   double worst = 0;
   for (const Numbers numbers : {Numbers::ordinary, Numbers::grid, Numbers::nudged, Numbers::decimal})
-    for (int i = 0; i < tests::cases(10, 1500); ++i) {
+    for (int i = 0; i < tests::cases(10, 400); ++i) {
       INFO("seed " << tests::seed() << ", numbers " << static_cast<int>(numbers) << ", case " << i);
       const Points<S, N> points = cloud<S, N>(random, numbers, 1 + random.below(7));
       const Sphere<S, N> ball = fit_sphere_smallest(points);
