@@ -76,8 +76,10 @@ void between(const Tree<S, N>& a, const Tree<S, N>& b, int root_a, int root_b, c
     stack.pop_back();
     const BvhNode<S, N>&x = a[node_a], &y = b[node_b];
     const bool apart = !meet(x.box, y.box);
-    if (apart) trace(Pruned{node_a, node_b});
-    if (apart) continue;
+    if (apart) {
+      trace(Pruned{node_a, node_b});
+      continue;
+    }
     trace(Visited{node_a, node_b});
 
     if (x.leaf() && y.leaf()) {

@@ -125,7 +125,9 @@ std::optional<BvhHit<S>> closest_hit(const Bvh<S, N>& bvh, const Ray<S, N>& ray,
   S end = ray.range.hi;  // later the closest hit, and a little more
 
   const std::optional<S> root = entry(line, end, bvh.nodes[0].box);
-  if (!root) trace(Pruned{0, Why::missed});
+  if (!root) {
+    trace(Pruned{0, Why::missed});
+  }
   if (root) stack[waiting++] = {0, *root};
   while (waiting > 0) {
     const Waiting next = stack[--waiting];
@@ -153,8 +155,12 @@ std::optional<BvhHit<S>> closest_hit(const Bvh<S, N>& bvh, const Ray<S, N>& ray,
     std::optional<S> far_entry = entry(line, end, bvh.nodes[far].box);
     if (near_entry && far_entry && *far_entry < *near_entry)
       std::swap(near, far), std::swap(near_entry, far_entry);
-    if (!near_entry) trace(Pruned{near, Why::missed});
-    if (!far_entry) trace(Pruned{far, Why::missed});
+    if (!near_entry) {
+      trace(Pruned{near, Why::missed});
+    }
+    if (!far_entry) {
+      trace(Pruned{far, Why::missed});
+    }
     if (far_entry) stack[waiting++] = {far, *far_entry};
     if (near_entry) stack[waiting++] = {near, *near_entry};
   }

@@ -134,8 +134,10 @@ std::vector<std::pair<int, int>> overlapping_pairs(const SphereTree<S, N>& tree,
     stack.pop_back();
     const auto &x = tree.nodes[a], &y = tree.nodes[b];
     const bool meet = a == b || may_meet(x.ball, y.ball);
-    if (!meet) trace(Pruned{a, b});
-    if (!meet) continue;
+    if (!meet) {
+      trace(Pruned{a, b});
+      continue;
+    }
     trace(Visited{a, b});
 
     if (a == b) {
@@ -164,8 +166,10 @@ std::vector<int> hits(const SphereTree<S, N>& tree, const Ray<S, N>& ray, Trace&
     stack.pop_back();
     const auto& node = tree.nodes[index];
     const bool meet = std::isinf(node.ball.radius) || intersect(ray, node.ball);
-    if (!meet) trace(Pruned{index, -1});
-    if (!meet) continue;
+    if (!meet) {
+      trace(Pruned{index, -1});
+      continue;
+    }
     trace(Visited{index, -1});
 
     if (node.leaf()) {
