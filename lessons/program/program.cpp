@@ -79,9 +79,9 @@ void describe(CLI::App& app, Program& program) {
   if (!program.only) add_doctor(app, program);
   for (CLI::App* sub : app.get_subcommands({})) sub->set_help_flag("-h,--help", "this text");
   app.footer(fmt::format(
-      "Without a subcommand the window opens.\nExample: {} render{} --step 3\n\nExit status: 0 done; 1 a "
-      "check failed; "
-      "2 a wrong name, value or usage;\n3 a baseline is missing; 4 a file can't be read or written;\n"
+      "Without a subcommand the window opens.\nExample: {} render{} --step 3\n\n"
+      "Exit status: 0 done; 1 a check failed, or a case of a query was an error;\n"
+      "2 a wrong name, value or usage; 3 a baseline is missing; 4 a file can't be read or written;\n"
       "77 nowhere to draw: no rendering back end, or no display for the window.",
       program.name, program.only ? "" : " ray-sphere"));
 }
