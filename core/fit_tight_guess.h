@@ -163,6 +163,10 @@ inline Eigen::Matrix3d turned_about(const Vector<double, 3>& base, const std::ve
   return axes;
 }
 
+/// What a search is fine enough at: turning a box in its least place by this much, or shrinking it by this share, changes
+/// its volume by no more than about its own rounding, as the change there is of second order.
+inline const double resolution = std::sqrt(std::numeric_limits<double>::epsilon());
+
 /// Turns about one axis after the other, each time as well as can be, until none helps.
 inline Eigen::Matrix3d descended(Eigen::Matrix3d axes, const std::vector<Point<double, 3>>& q) {
   double volume = volume_along<3>(axes, q);
@@ -170,7 +174,7 @@ inline Eigen::Matrix3d descended(Eigen::Matrix3d axes, const std::vector<Point<d
     const Eigen::Matrix3d next = turned_about(axes.col(axis), q);
     const double less = volume_along<3>(next, q);
     ++since;
-    if (!(less < volume * (1 - 1e-9))) continue;
+    if (!(less < volume * (1 - resolution))) continue;
     axes = next, volume = less, since = 1, axis = 2;  // the axis turned about is the third now
   }
   return axes;
@@ -180,7 +184,7 @@ inline Eigen::Matrix3d descended(Eigen::Matrix3d axes, const std::vector<Point<d
 /// where no turn about a single axis of the box does.
 inline Eigen::Matrix3d polished(Eigen::Matrix3d axes, const std::vector<Point<double, 3>>& q) {
   double volume = volume_along<3>(axes, q);
-  for (double angle = 0.2; angle > 1e-8; angle /= 2)
+  for (double angle = 0.2; angle > resolution; angle /= 2)
     for (int since = 0, tries = 0; since < 26 && tries < 200; ++since, ++tries) {
       static const std::vector<Vector<double, 3>> about = directions<double, 3>(26);
       const double turn = tries % 2 ? angle : -angle;
