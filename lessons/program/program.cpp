@@ -76,6 +76,9 @@ void describe(CLI::App& app, Program& program) {
   add_render(app, program);
   add_check(app, program);
   if (!program.only) add_query(app, program);
+#ifdef ISECT_HAS_BENCH
+  if (!program.only) add_bench(app, program);
+#endif
   if (!program.only) add_doctor(app, program);
   for (CLI::App* sub : app.get_subcommands({})) sub->set_help_flag("-h,--help", "this text");
   app.footer(fmt::format(

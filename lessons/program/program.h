@@ -36,6 +36,7 @@ void add_explain(CLI::App&, Program&);
 void add_render(CLI::App&, Program&);
 void add_check(CLI::App&, Program&);
 void add_query(CLI::App&, Program&);
+void add_bench(CLI::App&, Program&);
 void add_doctor(CLI::App&, Program&);
 
 /// `arguments` without the program's name. The exit status.

@@ -74,7 +74,7 @@ std::string inked(Ink ink, const std::string& text) {
   return fmt::format("\x1b[{}m{}\x1b[0m", code, text);
 }
 
-Progress::Progress(std::size_t total) : total_(total), shown_(total > 1 && is_terminal(STDERR_FILENO)) {}
+Progress::Progress(std::size_t total) : total_(total), shown_(total != 1 && is_terminal(STDERR_FILENO)) {}
 
 Progress::~Progress() {
   if (shown_ && count_ > 0) write_all(STDERR_FILENO, "\r\x1b[K");
@@ -82,7 +82,9 @@ Progress::~Progress() {
 
 void Progress::done(const std::string& what) {
   ++count_;
-  if (shown_) write_all(STDERR_FILENO, fmt::format("\r\x1b[K[{}/{}] {}", count_, total_, what.substr(0, 60)));
+  if (!shown_) return;
+  const std::string of = total_ > 0 ? fmt::format("/{}", total_) : "";
+  write_all(STDERR_FILENO, fmt::format("\r\x1b[K[{}{}] {}", count_, of, what.substr(0, 60)));
 }
 
 std::size_t length(const std::string& text) {

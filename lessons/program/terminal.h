@@ -19,7 +19,7 @@ bool is_terminal(int descriptor);
 enum class Ink { plain, bold, dim, good, bad, mark };
 std::string inked(Ink, const std::string& text);
 
-/// One line on stderr that says how far the work is; silent in a pipe.
+/// One line on stderr that says how far the work is; silent in a pipe. A total of 0 is one that nobody knows yet.
 class Progress {
  public:
   explicit Progress(std::size_t total);

@@ -1,0 +1,269 @@
+#pragma once
+// Methods of one test against each other, on the same cases of one family: timed in turns, judged by one oracle.
+//
+//   Contest<S, Case> contest(session, family);
+//   contest.enter("quadratic", [](const Case& c) { return ray_sphere::quadratic(c.ray, c.sphere); });
+//   contest.enter("exact", [](const Case& c) { return intersect(c.ray, c.sphere).surface; }).exact();
+//   contest.run();
+//
+// A method answers with bool, an int (a sign, a location) or a std::optional of a number. Its whole pass over the cases
+// is compiled as one loop, so that it may be inlined; passes of all methods take turns, so that a busy moment of the
+// machine meets them all alike.
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <iomanip>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "bench/oracle.h"
+#include "bench/random.h"
+#include "bench/session.h"
+#include "core/trace.h"
+
+namespace isect::bench {
+
+/// What is true of one case.
+struct Truth {
+  int verdict = 0;                    ///< 0 no, 1 yes; or a sign, or a location as an int
+  std::optional<oracle::Real> value;  ///< t or a distance
+  double condition = 1;               ///< how much a relative error of the input grows in the value
+};
+
+/// A generator of cases and their oracle.
+template <class Case>
+struct CaseFamily {
+  std::string test, scalar, name;
+  bool hard = false;
+  std::function<Case(Random&)> draw;
+  std::function<Truth(const Case&)> truth;
+  std::function<std::string(const Case&)> text;  ///< the case in full precision
+  /// How far the point at `value` lies off the surface, relative to the surface's size; may be empty.
+  std::function<double(const Case&, double value)> residual = {};
+};
+
+/// What a method said: a verdict, and a value where it has one.
+struct Said {
+  int verdict = 0;
+  std::optional<double> value;
+};
+inline Said said(bool yes) { return {yes, {}}; }
+inline Said said(int verdict) { return {verdict, {}}; }
+template <class S>
+Said said(const std::optional<S>& value) {
+  return {value.has_value(), value ? std::optional<double>(static_cast<double>(*value)) : std::nullopt};
+}
+inline Said said(const Said& s) { return s; }
+
+/// Adds up answers so that none is dropped.
+struct Sum {
+  long count = 0;
+  double values = 0;
+  void operator+=(bool yes) { count += yes; }
+  void operator+=(int verdict) { count += verdict; }
+  void operator+=(const Said& s) {
+    count += s.verdict;
+    if (s.value) values += *s.value;
+  }
+  template <class S>
+  void operator+=(const std::optional<S>& value) {
+    count += value.has_value();
+    if (value) values += static_cast<double>(*value);
+  }
+};
+
+/// Of an unsorted list: its median, 99th percentile and greatest; quantiles by the nearest rank.
+struct Distribution {
+  explicit Distribution(std::vector<double> values);
+  double quantile(double share) const;
+  Errors errors() const { return {quantile(0.5), quantile(0.99), quantile(1)}; }
+  std::vector<double> curve() const;  ///< 41 quantiles, every 2.5 %
+  std::vector<double> sorted;
+};
+
+/// A method with its type gone: how to make a pass, how to ask one case.
+template <class Case>
+struct Entrant {
+  std::string name, library;
+  std::function<void()> pass;
+  std::function<Said(std::size_t)> ask;
+  std::function<bool(const Case&)> falls_back;
+  bool is_exact = false, is_standard = false, gives_values = true;
+
+  Entrant& exact() { return is_exact = true, *this; }
+  /// The others' times are shown divided by this one's.
+  Entrant& standard() { return is_standard = true, *this; }
+  /// Whether a case is beyond the floating-point part of the method.
+  Entrant& fallback(std::function<bool(const Case&)> falls) { return falls_back = std::move(falls), *this; }
+};
+
+template <class S, class Case>
+class Contest {
+ public:
+  Contest(Session& session, CaseFamily<Case> family) : session_(session), family_(std::move(family)) {
+    session_.progress(family_.test + ", " + family_.scalar + ", " + family_.name);
+    Random random(stream(session.seed, (family_.test + family_.scalar + family_.name).c_str()));
+    cases_.reserve(static_cast<std::size_t>(session.effort.cases));
+    for (long i = 0; i < session.effort.cases; ++i) cases_.push_back(family_.draw(random));
+  }
+  Contest(const Contest&) = delete;
+  Contest& operator=(const Contest&) = delete;
+
+  const std::vector<Case>& cases() const { return cases_; }
+
+  /// answer(case) -> bool, int, std::optional<number> or Said. The Entrant holds until run().
+  template <class Method>
+  Entrant<Case>& enter(const std::string& name, Method answer, const std::string& library = "isect") {
+    const auto pass = [this, answer] {
+      Sum sum;
+      for (const Case& c : cases_) sum += answer(c);
+      asm volatile("" : : "g"(sum.count), "x"(sum.values));
+    };
+    return enter_pass(
+        name, pass, [this, answer](std::size_t i) { return said(answer(cases_[i])); }, library);
+  }
+
+  /// A method that takes all cases at once: `pass` answers them all, `ask` says what it answered for one.
+  Entrant<Case>& enter_pass(const std::string& name, std::function<void()> pass,
+                            std::function<Said(std::size_t)> ask, const std::string& library = "isect") {
+    entrants_.push_back(
+        std::make_unique<Entrant<Case>>(Entrant<Case>{name, library, std::move(pass), std::move(ask), {}}));
+    return *entrants_.back();
+  }
+
+  /// Times and judges every entrant, and adds their rows to the session.
+  void run() {
+    const std::vector<std::vector<double>> times = timed();
+    judge_all();
+    for (std::size_t k = 0; k < entrants_.size(); ++k) session_.rows.push_back(row(*entrants_[k], times[k]));
+  }
+
+ private:
+  double once(const Entrant<Case>& entrant) const {
+    const auto start = std::chrono::steady_clock::now();
+    entrant.pass();
+    const std::chrono::duration<double, std::nano> passed = std::chrono::steady_clock::now() - start;
+    return passed.count() / static_cast<double>(cases_.size());
+  }
+
+  /// ns a case of each pass. The first pass warms up and tells how many fit the time.
+  std::vector<std::vector<double>> timed() const {
+    const Effort& effort = session_.effort;
+    std::vector<std::vector<double>> times(entrants_.size());
+    std::vector<int> wanted;
+    for (const auto& entrant : entrants_) {
+      const double seconds = once(*entrant) * 1e-9 * static_cast<double>(cases_.size());
+      wanted.push_back(std::clamp(static_cast<int>(effort.seconds / std::max(seconds, 1e-9)),
+                                  effort.least_passes, effort.most_passes));
+    }
+    for (int pass = 0; pass < effort.most_passes; ++pass)
+      for (std::size_t k = 0; k < entrants_.size(); ++k)
+        if (pass < wanted[k]) times[k].push_back(once(*entrants_[k]));
+    return times;
+  }
+
+  void judge_all() {
+    truths_.clear();
+    const std::size_t count =
+        std::min(cases_.size(), static_cast<std::size_t>(std::max(0L, session_.effort.judged)));
+    for (std::size_t i = 0; i < count; ++i) truths_.push_back(family_.truth(cases_[i]));
+  }
+
+  Row row(const Entrant<Case>& entrant, std::vector<double> times) const {
+    const Distribution passes(std::move(times));
+    Row r;
+    r.test = family_.test, r.method = entrant.name, r.library = entrant.library;
+    r.scalar = family_.scalar, r.family = family_.name;
+    r.hard = family_.hard, r.exact = entrant.is_exact, r.standard = entrant.is_standard;
+    r.ns = passes.quantile(0), r.median = passes.quantile(0.5);
+    r.spread = (passes.quantile(0.75) - passes.quantile(0.25)) / r.median;
+    r.cases = static_cast<long>(cases_.size()), r.judged = static_cast<long>(truths_.size());
+    judge(entrant, r);
+    if (entrant.falls_back) {
+      const long fell = std::count_if(cases_.begin(), cases_.end(), entrant.falls_back);
+      r.fallback = static_cast<double>(fell) / static_cast<double>(cases_.size());
+    }
+    return r;
+  }
+
+  void judge(const Entrant<Case>& entrant, Row& r) const {
+    std::vector<double> ulps, conditioned, residuals;
+    constexpr double u = static_cast<double>(std::numeric_limits<S>::epsilon()) / 2;
+    for (std::size_t i = 0; i < truths_.size(); ++i) {
+      const Truth& truth = truths_[i];
+      const Said answer = entrant.ask(i);
+      if (answer.verdict != truth.verdict) {
+        ++(truth.verdict == 0 ? r.false_yes : r.false_no);
+        if (r.first_wrong.empty()) r.first_wrong = family_.text(cases_[i]);
+      } else if (answer.value && truth.value) {
+        const S value = static_cast<S>(*answer.value);
+        const double error = oracle::ulps(value, *truth.value), size = std::abs(truth.value->nearest);
+        ulps.push_back(error);
+        if (size > 0) {
+          const double off = std::abs((*answer.value - truth.value->nearest) - truth.value->rest) / size;
+          conditioned.push_back(off / u / std::max(1.0, truth.condition));
+        }
+        if (family_.residual) residuals.push_back(family_.residual(cases_[i], *answer.value) / u);
+      }
+    }
+    if (ulps.empty()) return;
+    const Distribution errors(std::move(ulps));
+    r.ulps = errors.errors(), r.quantiles = errors.curve();
+    if (!conditioned.empty()) r.conditioned = Distribution(std::move(conditioned)).errors();
+    if (!residuals.empty()) r.residual = Distribution(std::move(residuals)).errors();
+  }
+
+  Session& session_;
+  CaseFamily<Case> family_;
+  std::vector<Case> cases_;
+  std::vector<Truth> truths_;
+  std::vector<std::unique_ptr<Entrant<Case>>> entrants_;
+};
+
+/// Whether a call reported Fallback: run(trace) makes the call.
+template <class Run>
+bool fell_back(const Run& run) {
+  bool once = false;
+  run([&once](const auto& event) {
+    if (std::is_same_v<std::decay_t<decltype(event)>, Fallback>) once = true;
+  });
+  return once;
+}
+
+template <class S>
+constexpr const char* scalar_name = std::is_same_v<S, float> ? "float" : "double";
+
+/// Numbers and vectors in full precision, for Row::first_wrong: text("origin", v, "radius", r).
+inline void write(std::ostringstream&) {}
+template <class... More>
+void write(std::ostringstream& out, const char* name, const auto& value, const More&... more) {
+  out << (out.tellp() > 0 ? " " : "") << name << ' ';
+  if constexpr (requires {
+                  value.size();
+                  value[0];
+                }) {
+    out << '(';
+    for (int i = 0; i < static_cast<int>(value.size()); ++i)
+      out << (i > 0 ? ", " : "") << value[static_cast<std::size_t>(i)];
+    out << ')';
+  } else {
+    out << value;
+  }
+  write(out, more...);
+}
+template <class... Parts>
+std::string text(const char* name, const auto& value, const Parts&... more) {
+  std::ostringstream out;
+  out << std::setprecision(17);
+  write(out, name, value, more...);
+  return out.str();
+}
+
+}  // namespace isect::bench

@@ -1,0 +1,92 @@
+#pragma once
+// What a run of the measurements found: speed against error, as plain values that JSON, CSV, table, plots and the
+// lesson all read.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace isect::bench {
+
+/// Errors of one method's values over one family.
+struct Errors {
+  double median = 0, p99 = 0, most = 0;
+};
+
+/// One method of one test, on one family of cases, in one scalar.
+struct Row {
+  std::string test;       ///< "ray-sphere"
+  std::string method;     ///< "half-B", "exact", or a peer's name with what was asked of it
+  std::string library;    ///< "isect" or the peer's
+  std::string scalar;     ///< "float" or "double"
+  std::string family;     ///< "ordinary", "near-tangent", ...
+  bool hard = false;      ///< a family made to break naive tests
+  bool exact = false;     ///< promises no wrong verdict at all
+  bool standard = false;  ///< what the others' times are divided by
+
+  double ns = 0;      ///< least time of the passes, a query
+  double median = 0;  ///< median of the passes
+  double spread = 0;  ///< (third - first quartile of the passes) / median
+  long cases = 0;     ///< distinct inputs timed, each once a pass
+
+  long judged = 0;          ///< of these, how many the oracle judged
+  long false_yes = 0;       ///< verdicts other than the truth where the truth is no (or zero)
+  long false_no = 0;        ///< all other wrong verdicts
+  std::string first_wrong;  ///< the first case judged wrong, in full precision; empty if none
+
+  std::optional<Errors> ulps;         ///< of t or the distance, where method and truth both have one
+  std::optional<Errors> conditioned;  ///< the relative error divided by u times the condition number
+  std::optional<Errors>
+      residual;  ///< how far the point found lies off the surface, relative to its size, over u
+  std::vector<double>
+      quantiles;  ///< of the error in ulps, 41 of them at 0, 2.5 %, ..., 100 %; empty without values
+  std::optional<double> fallback;  ///< share of the calls that needed exact or extended arithmetic
+
+  long wrong() const { return false_yes + false_no; }
+  double wrong_per_million() const {
+    return judged == 0 ? 0 : 1e6 * static_cast<double>(wrong()) / static_cast<double>(judged);
+  }
+};
+
+/// Time against the number of elements.
+struct Growth {
+  std::string test, method, library;
+  std::string unit;  ///< what one time is of: "query", "build", "all pairs"
+  std::vector<double> n, ns;
+  double exponent = 0;  ///< slope of log time against log n, fitted by least squares
+};
+
+/// A time that is no query's: starting the program, rendering a figure, a frame.
+struct Duty {
+  std::string what;
+  double value = 0;
+  std::string unit;              ///< "ms", "MB", "frames/s"
+  std::optional<double> target;  ///< at most, but at least for frames/s
+};
+
+struct Machine {
+  std::string cpu, compiler, flags, build;  ///< build: "portable" or "native"
+  int cores = 0;
+  double load = 0;   ///< of the last minute, when the run began
+  double noise = 0;  ///< how much slower than its least a fixed loop's 95th percentile is: 0.03 = 3 %
+  std::string date;
+};
+
+struct Report {
+  Machine machine;
+  unsigned long long seed = 1;
+  bool quick = false;
+  std::vector<Row> rows;
+  std::vector<Growth> growths;
+  std::vector<Duty> duties;
+};
+
+std::string json(const Report&);            ///< one row a line; doubles to four significant digits
+Report report_of(const std::string& json);  ///< Throws std::runtime_error that names what is wrong.
+std::string csv(const Report&);             ///< the rows, a header line first (RFC 4180)
+std::string table(const Report&);           ///< the rows for a terminal, one block a test, scalar and family
+
+/// Slope of log y against log x by least squares.
+double fitted_exponent(const std::vector<double>& x, const std::vector<double>& y);
+
+}  // namespace isect::bench

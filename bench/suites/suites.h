@@ -1,0 +1,10 @@
+#pragma once
+// One function a test of the note: it draws the families, enters the methods, and adds their rows to the session.
+
+#include "bench/session.h"
+
+namespace isect::bench {
+
+void measure_ray_sphere(Session&);
+
+}  // namespace isect::bench

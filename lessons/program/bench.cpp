@@ -1,0 +1,115 @@
+// isect bench: speed against error, measured here and now.
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "bench/session.h"
+#include "lessons/program/child.h"
+#include "lessons/program/program.h"
+#include "lessons/program/terminal.h"
+#include "viz/files.h"
+#include "viz/lesson.h"
+
+namespace isect::program {
+namespace {
+
+struct Wanted {
+  std::vector<std::string> tests;
+  std::string csv, json, from;
+  unsigned long long seed = 1;
+  bool quick = false, peers = false, native = false;
+};
+
+std::vector<std::string> names() {
+  std::vector<std::string> all;
+  for (const bench::Suite& suite : bench::suites()) all.emplace_back(suite.name);
+  return all;
+}
+
+/// A report by one of the programs beside this one.
+bench::Report measured_by(const std::string& program, const Wanted& wanted, Progress& progress) {
+  const std::string path = beside(program);
+  if (!std::filesystem::exists(path))
+    throw viz::BadInput(fmt::format(
+        "--{}: {} was not built. {}", wanted.peers ? "peers" : "native", program,
+        wanted.peers ? "It needs other libraries (libcgal-dev libbullet-dev libfcl-dev libembree-dev "
+                       "libgeos-dev): cmake --preset release -DISECT_PEERS=ON && cmake --build "
+                       "--preset release --target measure_peers"
+                     : "Build it: cmake --build --preset release --target measure_native"));
+  std::vector<std::string> command = {path, "--seed", std::to_string(wanted.seed)};
+  if (wanted.quick) command.emplace_back("--quick");
+  command.insert(command.end(), wanted.tests.begin(), wanted.tests.end());
+  std::string last;
+  const Child child = run_child(command, [&](const std::string& line) { progress.done(last = line); });
+  if (child.status != 0)
+    throw std::runtime_error(fmt::format("{} failed ({}): {}", program, child.status, last));
+  return bench::report_of(child.output);
+}
+
+bench::Report measured(const Wanted& wanted) {
+  if (!wanted.from.empty()) return bench::report_of(viz::read_file(wanted.from));
+  Progress progress(0);
+  if (wanted.peers) return measured_by("measure_peers", wanted, progress);
+  if (wanted.native) return measured_by("measure_native", wanted, progress);
+  return bench::measure(wanted.quick ? bench::Effort::quick() : bench::Effort(), wanted.seed, wanted.tests,
+                        [&](const std::string& next) { progress.done(next); });
+}
+
+std::string heading(const bench::Report& r) {
+  return fmt::format(
+      "{}, {} cores, load {:.2f}\n{}, {} ({} build)\nseed {}, {}{}\nnoise: a fixed loop takes {:.1f} % more "
+      "than its "
+      "least, at its 95th percentile\n",
+      r.machine.cpu, r.machine.cores, r.machine.load, r.machine.compiler, r.machine.flags, r.machine.build,
+      r.seed, r.machine.date, r.quick ? ", quick: few cases are judged" : "", 100 * r.machine.noise);
+}
+
+int bench(const Wanted& wanted) {
+  for (const std::string& test : wanted.tests)
+    if (const auto all = names(); std::ranges::find(all, test) == all.end())
+      throw viz::unknown("TEST", test, all);
+  const bench::Report report = measured(wanted);
+  if (!wanted.csv.empty() && wanted.csv != "-") viz::write_file(wanted.csv, bench::csv(report));
+  if (!wanted.json.empty() && wanted.json != "-") viz::write_file(wanted.json, bench::json(report));
+  if (wanted.csv == "-")
+    print(bench::csv(report));
+  else if (wanted.json == "-")
+    print(bench::json(report));
+  else
+    print(heading(report) + bench::table(report));
+  return done;
+}
+
+}  // namespace
+
+void add_bench(CLI::App& app, Program& program) {
+  CLI::App& sub =
+      *app.add_subcommand("bench", "speed against error: every method of every test, measured and judged");
+  const auto wanted = std::make_shared<Wanted>();
+  sub.add_option("TEST", wanted->tests, "only these; all if none is given");
+  sub.add_option("--csv", wanted->csv, "write the rows as CSV; - for standard output");
+  CLI::Option* json =
+      sub.add_option("--json", wanted->json, "write everything as JSON; - for standard output");
+  CLI::Option* from =
+      sub.add_option("--from", wanted->from, "read a file that --json wrote instead of measuring");
+  CLI::Option* seed = sub.add_option("--seed", wanted->seed, "of the random cases");
+  CLI::Option* quick =
+      sub.add_flag("--quick", wanted->quick, "within a minute: few passes, few cases judged");
+  CLI::Option* peers =
+      sub.add_flag("--peers", wanted->peers, "beside CGAL, Boost, Bullet, FCL, Embree, GEOS, Eigen");
+  CLI::Option* native = sub.add_flag("--native", wanted->native, "compiled for this machine's instructions");
+  peers->excludes(native);
+  for (CLI::Option* measuring : {seed, quick, peers, native}) from->excludes(measuring);
+  json->type_name("FILE"), from->type_name("FILE"), seed->type_name("N");
+  sub.get_option("--csv")->type_name("FILE");
+  std::string list;
+  for (const std::string& name : names()) list += " " + name;
+  sub.footer(
+      "Tests:" + list +
+      "\nTimes mean something on an idle machine only; the verdicts and errors are the same everywhere.\n"
+      "Example: isect bench ray-sphere --quick --csv rows.csv");
+  sub.callback([&program, wanted] { program.chosen = [wanted] { return bench(*wanted); }; });
+}
+
+}  // namespace isect::program

@@ -1,0 +1,21 @@
+#pragma once
+// A program of ours started by another: the measurements for this machine's instructions or beside other libraries.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace isect::program {
+
+/// The path of a program in the same folder as this one.
+std::string beside(const std::string& name);
+
+struct Child {
+  int status = 0;      ///< its exit status; 128 + n where signal n ended it
+  std::string output;  ///< what it wrote to stdout
+};
+/// Runs a program to its end; `told` gets each line of its stderr as it comes. Throws viz::FileError where it can't be
+/// started.
+Child run_child(const std::vector<std::string>& command, const std::function<void(const std::string&)>& told);
+
+}  // namespace isect::program
