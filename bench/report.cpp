@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -13,7 +14,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Four significant digits: no timing deserves more, and the file stays readable.
-double rounded(double x) { return std::isfinite(x) ? std::stod(fmt::format("{:.4g}", x)) : x; }
+double rounded(double x) {
+  return std::isfinite(x) ? std::strtod(fmt::format("{:.4g}", x).c_str(), nullptr) : x;
+}
 
 /// JSON has no infinity.
 Json number(double x) {
