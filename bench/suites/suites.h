@@ -6,5 +6,6 @@
 namespace isect::bench {
 
 void measure_ray_sphere(Session&);
+void measure_orient(Session&);
 
 }  // namespace isect::bench

@@ -1,0 +1,30 @@
+# The libraries that measure_peers asks the same questions, as far as they are installed.
+#   isect_add_peers(target) links those found and defines ISECT_PEERS and ISECT_HAS_<PEER> for each.
+find_package(CGAL QUIET)
+find_package(PkgConfig QUIET)
+if(PkgConfig_FOUND)
+  pkg_check_modules(BULLET QUIET IMPORTED_TARGET bullet)
+endif()
+find_library(FCL_LIBRARY fcl)  # its own CMake file asks for libraries that bounding volumes don't need
+find_library(EMBREE_LIBRARY embree3)
+find_library(GEOS_LIBRARY geos)
+find_library(QHULL_LIBRARY qhull_r)
+
+function(isect_add_peers target)
+  target_compile_options(${target} PRIVATE -w -Wno-error)  # other people's headers
+  # packaged FCL was compiled for 16 bytes; wider instructions would raise it
+  target_compile_definitions(${target} PRIVATE ISECT_PEERS ISECT_HAS_BOOST ISECT_HAS_EIGEN EIGEN_MAX_ALIGN_BYTES=16)
+  foreach(peer CGAL BULLET FCL EMBREE GEOS QHULL)
+    if(peer STREQUAL CGAL AND CGAL_FOUND)
+      set(library CGAL::CGAL)
+    elseif(peer STREQUAL BULLET AND BULLET_FOUND)
+      set(library PkgConfig::BULLET)
+    elseif(${peer}_LIBRARY)
+      set(library ${${peer}_LIBRARY})
+    else()
+      continue()
+    endif()
+    target_link_libraries(${target} PRIVATE ${library})
+    target_compile_definitions(${target} PRIVATE ISECT_HAS_${peer})
+  endforeach()
+endfunction()

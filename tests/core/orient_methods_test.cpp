@@ -1,0 +1,129 @@
+// The usual ways to write an orientation: right on small integers, and wrong where rounding must defeat them.
+
+#include "core/orient_methods.h"
+
+#include <string>
+
+#include "bench/orient_families.h"
+#include "core/counted.h"
+#include "tests/catch.h"
+#include "tests/settings.h"
+
+using namespace isect;
+using namespace isect::bench;
+using orient::Corner;
+
+namespace {
+
+/// Calls check(name, method) for each; a method takes a case.
+template <class S, class Check>
+void for_each_method(const Check& check) {
+  using Case = OrientCase<S>;
+  check("pivot a", [](const Case& t) { return orient::pivoted<Corner::a>(t.a, t.b, t.c); });
+  check("pivot b", [](const Case& t) { return orient::pivoted<Corner::b>(t.a, t.b, t.c); });
+  check("pivot c", [](const Case& t) { return orient::pivoted<Corner::c>(t.a, t.b, t.c); });
+  check("expanded", [](const Case& t) { return orient::expanded(t.a, t.b, t.c); });
+  check("fused", [](const Case& t) { return orient::fused(t.a, t.b, t.c); });
+}
+
+int sign(auto x) { return (x > 0) - (x < 0); }
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("every form gives twice the area of small triangles", "[orient_methods]", float, double) {
+  using S = TestType;
+  for_each_method<S>([](const std::string& name, const auto& method) {
+    INFO(name);
+    CHECK(method({{0, 0}, {4, 0}, {0, 3}}) == 12);
+    CHECK(method({{0, 0}, {0, 3}, {4, 0}}) == -12);
+    CHECK(method({{1, 1}, {2, 2}, {5, 5}}) == 0);
+    Random random(tests::seed());
+    for (int i = 0; i < 2000; ++i) {
+      const auto corner = [&] { return vector<S, 2>(random, Numbers::grid); };
+      const OrientCase<S> t = {corner(), corner(), corner()};
+      REQUIRE(sign(method(t)) == oracle::orientation(t.a, t.b, t.c));
+    }
+  });
+}
+
+TEMPLATE_TEST_CASE("every form is wrong near a line, and where products overflow or vanish",
+                   "[orient_methods][failure]", float, double) {
+  using S = TestType;
+  for_each_method<S>([](const std::string& name, const auto& method) {
+    for (const OrientFamily<S>& family : all_orient_families<S>()) {
+      const std::string_view drawn = family.name;
+      if (drawn != "near-collinear" && drawn != "decimal" && drawn != "range") continue;
+      Random random(stream(tests::seed(), family.name));
+      int wrong = 0;
+      for (int i = 0; i < 1000; ++i) {
+        const OrientCase<S> t = family.draw(random);
+        wrong += sign(method(t)) != oracle::orientation(t.a, t.b, t.c);
+      }
+      INFO(name << ", " << family.name);
+      CHECK(wrong > 5);
+    }
+  });
+}
+
+TEST_CASE("long double decides Kettner's grids, and not a small number beside a large one",
+          "[orient_methods][failure]") {
+  using L = long double;
+  for (const OrientFamily<double>& family : all_orient_families<double>()) {
+    const std::string_view drawn = family.name;
+    const bool grid = drawn.starts_with("Kettner");
+    if (!grid && drawn != "small beside large") continue;
+    Random random(stream(tests::seed(), family.name));
+    int wrong = 0;
+    for (int i = 0; i < 2000; ++i) {
+      const OrientCase<double> t = family.draw(random);
+      const L area2 = orient::pivoted<Corner::c, L>(t.a.cast<L>(), t.b.cast<L>(), t.c.cast<L>());
+      wrong += sign(area2) != oracle::orientation(t.a, t.b, t.c);
+    }
+    INFO(family.name);
+    if (grid && std::numeric_limits<L>::digits >= 64) CHECK(wrong == 0);
+    if (!grid && std::numeric_limits<L>::digits <= 64) CHECK(wrong > 50);
+  }
+}
+
+TEST_CASE("the expanded form turns a point that is there twice", "[orient_methods][failure]") {
+  Random random(tests::seed());
+  int turns = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const OrientCase<double> t = orient_families::ordinary<double>(random);
+    turns += orient::expanded(t.a, t.a, t.c) != 0;
+    REQUIRE(orient::pivoted<Corner::a>(t.a, t.a, t.c) == 0);
+    REQUIRE(orient::fused(t.a, t.a, t.c) == 0);
+  }
+  CHECK(turns > 100);
+}
+
+TEST_CASE("the forms cost what their formulas say, and tell each line", "[orient_methods]") {
+  using S = Counted<double>;
+  const Point<S, 2> a = {S(0), S(0)}, b = {S(4), S(0)}, c = {S(0), S(3)};
+  tally() = {};
+  CHECK(orient::pivoted<Corner::b>(a, b, c).value == 12);
+  CHECK((tally().mul == 2 && tally().add == 5));
+  tally() = {};
+  CHECK(orient::expanded(a, b, c).value == 12);
+  CHECK((tally().mul == 6 && tally().add == 5));
+
+  Record<orient::NaiveEvent<double>> record;
+  orient::pivoted<Corner::b>(Point<double, 2>(0, 0), Point<double, 2>(4, 0), Point<double, 2>(0, 3), record);
+  REQUIRE(record.events.size() == 3);
+  CHECK(std::get<orient::Pivot<double>>(record.events[0]).first == Vector<double, 2>(-4, 3));
+  CHECK(std::get<orient::Products<double>>(record.events[1]).second == -12);
+  CHECK(std::get<orient::Area2<double>>(record.events[2]).area2 == 12);
+
+  record.events.clear();
+  orient::fused(Point<double, 2>(0, 0), Point<double, 2>(4, 0), Point<double, 2>(0, 3), record);
+  REQUIRE(record.events.size() == 3);
+  CHECK(std::get<orient::Residue<double>>(record.events[1]).rest == 0);
+}
+
+TEST_CASE("NaN is no side", "[orient_methods]") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for_each_method<double>([&](const std::string& name, const auto& method) {
+    INFO(name);
+    CHECK(sign(method({{0, nan}, {4, 0}, {0, 3}})) == 0);
+  });
+}
