@@ -4,6 +4,8 @@
 
 #include <filesystem>
 
+#include "bench/maps.h"
+#include "bench/plots.h"
 #include "bench/session.h"
 #include "lessons/program/child.h"
 #include "lessons/program/program.h"
@@ -16,7 +18,7 @@ namespace {
 
 struct Wanted {
   std::vector<std::string> tests;
-  std::string csv, json, from;
+  std::string csv, json, from, plot;
   unsigned long long seed = 1;
   bool quick = false, peers = false, native = false;
 };
@@ -65,6 +67,20 @@ std::string heading(const bench::Report& r) {
       r.seed, r.machine.date, r.quick ? ", quick: few cases are judged" : "", 100 * r.machine.noise);
 }
 
+/// Every chart that the report has data for, as SVG for print and as PNG.
+void draw(const bench::Report& report, const std::string& folder) {
+  std::vector<bench::Plotted> plots = bench::plots(report);
+  for (bench::Plotted& map : bench::maps()) plots.push_back(std::move(map));
+  Progress progress(plots.size());
+  for (const bench::Plotted& plot : plots) {
+    progress.done(plot.name);
+    const std::string path = folder + '/' + plot.name;
+    viz::write_file(path + ".svg", bench::svg_of(plot, viz::ThemeName::print));
+    viz::write_file(path + ".png", bench::png_of(plot, viz::ThemeName::print));
+    viz::write_file(path + ".txt", plot.alt + '\n');
+  }
+}
+
 int bench(const Wanted& wanted) {
   for (const std::string& test : wanted.tests)
     if (const auto all = names(); std::ranges::find(all, test) == all.end())
@@ -72,6 +88,7 @@ int bench(const Wanted& wanted) {
   const bench::Report report = measured(wanted);
   if (!wanted.csv.empty() && wanted.csv != "-") viz::write_file(wanted.csv, bench::csv(report));
   if (!wanted.json.empty() && wanted.json != "-") viz::write_file(wanted.json, bench::json(report));
+  if (!wanted.plot.empty()) draw(report, wanted.plot);
   if (wanted.csv == "-")
     print(bench::csv(report));
   else if (wanted.json == "-")
@@ -91,6 +108,7 @@ void add_bench(CLI::App& app, Program& program) {
   sub.add_option("--csv", wanted->csv, "write the rows as CSV; - for standard output");
   CLI::Option* json =
       sub.add_option("--json", wanted->json, "write everything as JSON; - for standard output");
+  sub.add_option("--plot", wanted->plot, "draw every chart into this folder, as SVG and PNG")->type_name("DIR");
   CLI::Option* from =
       sub.add_option("--from", wanted->from, "read a file that --json wrote instead of measuring");
   CLI::Option* seed = sub.add_option("--seed", wanted->seed, "of the random cases");

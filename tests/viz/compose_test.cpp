@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tests/catch.h"
+#include "tests/viz/drawn.h"
 #include "viz/text.h"
 
 using namespace isect::viz;
@@ -20,18 +21,6 @@ Scene crowded() {
   s.items.push_back(Line{{-2, -1, 0}, {2, 1, 0}, Role::first, Pen::solid});
   s.items.push_back(Label{{-2, -1, 0}, "*q*", Role::text, Vec3(2, 1, 0)});
   return s;
-}
-
-bool meet(const TextBox& a, const TextBox& b) {
-  return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
-}
-
-template <class T>
-std::vector<T> all(const std::vector<Shape>& shapes) {
-  std::vector<T> found;
-  for (const Shape& s : shapes)
-    if (const T* t = std::get_if<T>(&s)) found.push_back(*t);
-  return found;
 }
 
 }  // namespace

@@ -1,0 +1,21 @@
+#pragma once
+// Where naive verdicts go wrong: 256 x 256 floating-point neighbours of a point, each asked of a naive method and of the
+// exact one. No measurement: the same pictures on every machine.
+
+#include "bench/plots.h"
+
+namespace isect::bench {
+
+/// Which side of a line, by three texts of the same determinant on three lines. Source: Kettner, Mehlhorn, Pion,
+/// Schirra, Yap, Classroom examples of robustness problems in geometric computations (ESA 2004).
+Plotted orientation_map();
+/// Points beside an edge of a triangle, by crossings and by winding.
+Plotted polygon_map();
+/// Rays that just touch or just miss a ball, by two of the note's methods and a stable one.
+Plotted tangent_map();
+/// Balls that just touch or just miss each other, near the origin and away from it.
+Plotted touching_map();
+
+std::vector<Plotted> maps();
+
+}  // namespace isect::bench

@@ -1,0 +1,331 @@
+#include "bench/plots.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "bench/rows.h"
+#include "viz/files.h"
+#include "viz/offscreen.h"
+
+namespace isect::bench {
+namespace {
+
+using viz::Glyph, viz::Role;
+
+/// Marker, colour and dash of each method, the same in all charts of a test. Stars promise exactness.
+class Legend {
+ public:
+  explicit Legend(const std::vector<const Row*>& rows) : names_(methods_of(rows)) {
+    constexpr Glyph plain[] = {Glyph::square, Glyph::diamond,  Glyph::disc,   Glyph::triangle,
+                               Glyph::down,   Glyph::pentagon, Glyph::right,  Glyph::hexagon,
+                               Glyph::left,   Glyph::plus,     Glyph::saltire};
+    constexpr Glyph stars[] = {Glyph::star, Glyph::star4, Glyph::star6};
+    constexpr Role roles[] = {Role::second, Role::first, Role::miss, Role::construction, Role::text};
+    std::size_t stars_used = 0, plain_used = 0;
+    for (const std::string& name : names_) {
+      const bool exact =
+          std::ranges::any_of(rows, [&](const Row* r) { return r->exact && name_of(*r) == name; });
+      const auto i = static_cast<int>(exact ? stars_used : plain_used + 1);
+      if (exact && stars_used < std::size(stars))
+        series_.push_back({name, stars[stars_used++], Role::hit, i});
+      else
+        series_.push_back(
+            {name, plain[plain_used % std::size(plain)], roles[plain_used % std::size(roles)], i}),
+            ++plain_used;
+    }
+  }
+  int index(const Row& r) const {
+    return static_cast<int>(std::ranges::find(names_, name_of(r)) - names_.begin());
+  }
+  /// Only what some panel shows, renumbered.
+  std::vector<viz::Series> shown(std::vector<viz::Panel>& panels) const {
+    std::set<int> used;
+    for (const viz::Panel& panel : panels) {
+      for (const viz::Spot& s : panel.spots) used.insert(s.series);
+      for (const viz::Curve& c : panel.curves) used.insert(c.series);
+    }
+    const auto rank = [&](int i) { return static_cast<int>(std::distance(used.begin(), used.find(i))); };
+    for (viz::Panel& panel : panels) {
+      for (viz::Spot& s : panel.spots) s.series = rank(s.series);
+      for (viz::Curve& c : panel.curves) c.series = rank(c.series);
+    }
+    std::vector<viz::Series> series;
+    for (const int i : used) series.push_back(series_[static_cast<std::size_t>(i)]);
+    return series;
+  }
+
+ private:
+  std::vector<std::string> names_;
+  std::vector<viz::Series> series_;
+};
+
+std::string lower(std::string text) {
+  for (char& c : text)
+    c = std::isalnum(static_cast<unsigned char>(c)) ? static_cast<char>(std::tolower(c)) : '-';
+  std::string slug;
+  for (const char c : text)
+    if (c != '-' || (!slug.empty() && slug.back() != '-')) slug += c;
+  return slug;
+}
+
+viz::Scale times(const std::vector<const Row*>& rows) {
+  double lo = INFINITY, hi = 0;
+  for (const Row* r : rows) lo = std::min(lo, r->ns), hi = std::max(hi, r->ns);
+  return {viz::Scale::Kind::log, lo / 1.5, hi * 1.4, {}};
+}
+
+std::vector<std::string> chosen(const std::vector<const Row*>& rows, const std::vector<std::string>& wanted) {
+  std::vector<std::string> families;
+  for (const std::string& f : families_of(rows))
+    if (wanted.empty() || std::ranges::find(wanted, f) != wanted.end()) families.push_back(f);
+  return families;
+}
+
+/// One panel a family, one marker a row; `spot` gives height and whisker, or nothing where a row has none.
+template <class SpotOf>
+std::vector<viz::Panel> panels(const std::vector<const Row*>& all, const std::vector<std::string>& families,
+                               const Legend& legend, bool by_value, const SpotOf& spot) {
+  std::vector<viz::Panel> result;
+  for (const std::string& family : families) {
+    std::vector<const Row*> rows;
+    for (const Row* r : all)
+      if (r->family == family) rows.push_back(r);
+    const std::vector<const Row*> front = front_of(rows, by_value);
+    viz::Panel panel = {words(family), rows.front()->hard ? "hard" : ""};
+    for (const Row* r : rows)
+      if (std::optional<viz::Spot> s = spot(*r)) {
+        s->series = legend.index(*r), s->x = r->ns;
+        s->front = std::ranges::find(front, r) != front.end();
+        panel.spots.push_back(*s);
+      }
+    result.push_back(std::move(panel));
+  }
+  return result;
+}
+
+bool any_note(const std::vector<viz::Panel>& panels) {
+  return std::ranges::any_of(panels, [](const viz::Panel& p) { return !p.note.empty(); });
+}
+
+std::string front_in_words(const std::vector<const Row*>& all, const std::vector<std::string>& families,
+                           bool by_value) {
+  std::string text;
+  for (const std::string& family : families) {
+    std::vector<const Row*> rows;
+    for (const Row* r : all)
+      if (r->family == family) rows.push_back(r);
+    std::vector<const Row*> front = front_of(rows, by_value);
+    std::ranges::sort(front, {}, &Row::ns);
+    std::string list;
+    for (const Row* r : front)
+      list += fmt::format("{}{} ({:.3g} ns, {})", list.empty() ? "" : ", ", name_of(*r), r->ns,
+                          by_value ? fmt::format("{:.3g} ulp", r->ulps->p99)
+                                   : fmt::format("{:.0f} wrong per million", r->wrong_per_million()));
+    text += fmt::format(" On the front of {}: {}.", words(family), list.empty() ? "none" : list);
+  }
+  return text;
+}
+
+}  // namespace
+
+Plotted error_plot(const Report& report, const std::string& test, const std::string& scalar,
+                   const std::vector<std::string>& wanted) {
+  const std::vector<const Row*> rows = rows_of(report, test, scalar);
+  const std::vector<std::string> families = chosen(rows, wanted);
+  const Legend legend(rows);
+  double most = 4;
+  const double cap = scalar == "float" ? 32 : 64;  // beyond this nothing of a value is left
+  for (const Row* r : rows)
+    if (r->ulps) most = std::max(most, bits(r->ulps->p99));
+  std::vector<viz::Panel> all =
+      panels(rows, families, legend, true, [](const Row& r) -> std::optional<viz::Spot> {
+        if (!r.ulps) return {};
+        return viz::Spot{0, 0, bits(r.ulps->p99), bits(r.ulps->median)};
+      });
+  viz::Plot plot = {
+      times(rows), {viz::Scale::Kind::linear, 0, 1.08 * most, "log_2(1 + error in ulp)"}, {}, std::move(all)};
+  plot.x.title = "time per call (ns). Marker: 99th percentile; bar: down to the median";
+  if (most >= cap) {
+    plot.y.hi = cap;
+    for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0})
+      plot.y.ticks.emplace_back(share * cap, fmt::format("{}{:.0f}", share == 1 ? "≥ " : "", share * cap));
+  }
+  plot.series = legend.shown(plot.panels);
+  return {
+      lower(test + "-" + scalar + "-error"),
+      fmt::format(
+          "{} in {}: the time of a call against the error of its value, where the verdict is right. The "
+          "marker stands at the 99th "
+          "percentile, the bar reaches down to the median. Steps join the methods on the front: no other is "
+          "both as fast and as accurate. The tinted side is beaten.{}",
+          test, scalar,
+          any_note(plot.panels) ? " Families marked hard are made to break naive methods." : ""),
+      fmt::format("Charts of time against error for {} in {}.{}", test, scalar,
+                  front_in_words(rows, families, true)),
+      {std::move(plot)}};
+}
+
+Plotted verdict_plot(const Report& report, const std::string& test, const std::string& scalar,
+                     const std::vector<std::string>& wanted) {
+  const std::vector<const Row*> rows = rows_of(report, test, scalar);
+  const std::vector<std::string> families = chosen(rows, wanted);
+  const Legend legend(rows);
+  double least = 1e5;
+  for (const Row* r : rows)
+    if (r->wrong() > 0) least = std::min(least, r->wrong_per_million());
+  std::vector<viz::Panel> all =
+      panels(rows, families, legend, false, [](const Row& r) -> std::optional<viz::Spot> {
+        return viz::Spot{0, 0, r.wrong_per_million()};
+      });
+  viz::Plot plot = {times(rows),
+                    {viz::Scale::Kind::log_zero, std::pow(10, std::floor(std::log10(least))), 1e6,
+                     "wrong verdicts per million"},
+                    {},
+                    std::move(all)};
+  plot.x.title = "time per call (ns)";
+  plot.series = legend.shown(plot.panels);
+  return {
+      lower(test + "-" + scalar + "-verdicts"),
+      fmt::format(
+          "{} in {}: the time of a call against its wrong verdicts, of a million. Steps join the methods on "
+          "the front: no other is both as fast and as often right.{}",
+          test, scalar,
+          any_note(plot.panels) ? " Families marked hard are made to break naive methods." : ""),
+      fmt::format("Charts of time against wrong verdicts for {} in {}.{}", test, scalar,
+                  front_in_words(rows, families, false)),
+      {std::move(plot)}};
+}
+
+Plotted distribution_plot(const Report& report, const std::string& test, const std::string& scalar,
+                          const std::vector<std::string>& wanted) {
+  const std::vector<const Row*> rows = rows_of(report, test, scalar);
+  const Legend legend(rows);
+  viz::Plot plot;
+  double most = 4;
+  std::string alt = fmt::format("Curves of the share of values within an error for {} in {}.", test, scalar);
+  for (const std::string& family : chosen(rows, wanted)) {
+    viz::Panel panel = {words(family)};
+    for (const Row* r : rows) {
+      if (r->family != family || r->quantiles.size() < 2) continue;
+      if (r->hard) panel.note = "hard";
+      viz::Curve curve = {legend.index(*r), {}};
+      for (std::size_t i = 0; i < r->quantiles.size(); ++i)
+        curve.points.emplace_back(bits(r->quantiles[i]),
+                                  static_cast<double>(i) / static_cast<double>(r->quantiles.size() - 1));
+      most = std::max(most, curve.points.back().x());
+      alt += fmt::format(" {}, {}: half within {:.3g} ulp, all within {:.3g}.", words(family), name_of(*r),
+                         r->quantiles[r->quantiles.size() / 2], r->quantiles.back());
+      panel.curves.push_back(std::move(curve));
+    }
+    if (!panel.curves.empty()) plot.panels.push_back(std::move(panel));
+  }
+  plot.x = {viz::Scale::Kind::linear, 0, 1.02 * most, "log_2(1 + error in ulp)"};
+  plot.y = {viz::Scale::Kind::linear,
+            0,
+            1,
+            "share of the values with at most this error",
+            {{0, "0"}, {0.5, "50 %"}, {1, "100 %"}}};
+  plot.series = legend.shown(plot.panels);
+  return {
+      lower(test + "-" + scalar + "-distribution"),
+      fmt::format(
+          "{} in {}: the share of the values whose error is at most the one below. The further left and the "
+          "steeper a line, the better.",
+          test, scalar),
+      alt,
+      {std::move(plot)}};
+}
+
+Plotted growth_plot(const Report& report, const std::string& test, const std::string& unit) {
+  viz::Plot plot;
+  viz::Panel panel;
+  double n_lo = INFINITY, n_hi = 0, lo = INFINITY, hi = 0;
+  std::string alt = fmt::format("Time against the number of elements for {}.", test);
+  constexpr Glyph glyphs[] = {Glyph::disc, Glyph::square,   Glyph::triangle, Glyph::diamond,
+                              Glyph::down, Glyph::pentagon, Glyph::right,    Glyph::hexagon};
+  constexpr Role roles[] = {Role::hit, Role::first, Role::second, Role::miss, Role::construction, Role::text};
+  for (const Growth& g : report.growths) {
+    if (g.test != test || g.unit != unit || g.n.empty()) continue;
+    const std::size_t i = plot.series.size();
+    plot.series.push_back(
+        {"", glyphs[i % std::size(glyphs)], roles[i % std::size(roles)], static_cast<int>(i)});
+    viz::Curve curve = {static_cast<int>(i), {}, fmt::format("{}, *n*^{{{:.2f}}}", name_of(g), g.exponent)};
+    for (std::size_t k = 0; k < g.n.size(); ++k) {
+      curve.points.emplace_back(g.n[k], g.ns[k]);
+      n_lo = std::min(n_lo, g.n[k]), n_hi = std::max(n_hi, g.n[k]), lo = std::min(lo, g.ns[k]),
+      hi = std::max(hi, g.ns[k]);
+    }
+    alt += fmt::format(" {}: {:.3g} ns at n = {:.0f}, {:.3g} ns at {:.0f}, growing as n to the {:.2f}.",
+                       name_of(g), g.ns.front(), g.n.front(), g.ns.back(), g.n.back(), g.exponent);
+    panel.curves.push_back(std::move(curve));
+  }
+  plot.panels = {panel};
+  plot.x = {viz::Scale::Kind::log, n_lo / 1.1, n_hi * 1.1, "number of elements *n*"};
+  plot.y = {viz::Scale::Kind::log, lo / 1.6, hi * 1.6, "time, " + unit + " (ns)"};
+  return {lower(test + "-" + unit + "-growth"),
+          fmt::format("{}: the time ({}) as the number of elements grows, both logarithmic. Beside each "
+                      "line: the power of "
+                      "n fitted to it.",
+                      test, unit),
+          alt,
+          {std::move(plot)}};
+}
+
+Plotted duty_plot(const Report& report) {
+  viz::Bars bars = {{viz::Scale::Kind::log, 0.5, 2, "measured, divided by the most that is allowed"},
+                    {{"measured", Glyph::disc, Role::hit}},
+                    {}};
+  std::string alt = "What starting and drawing take, against their targets.";
+  for (const Duty& d : report.duties) {
+    if (!d.target || !(d.value > 0)) continue;
+    const bool at_least = d.unit == "frames/s";
+    const double ratio = at_least ? *d.target / d.value : d.value / *d.target;
+    bars.x.lo = std::min(bars.x.lo, ratio / 1.3), bars.x.hi = std::max(bars.x.hi, ratio * 1.3);
+    bars.bars.push_back({d.what,
+                         {{0, ratio}},
+                         1.0,
+                         fmt::format("{:.3g} {}", d.value, d.unit),
+                         ratio <= 1 ? viz::Verdict::Kind::yes : viz::Verdict::Kind::no});
+    alt += fmt::format(" {}: {:.3g} {}, {} {:.3g} allowed.", d.what, d.value, d.unit,
+                       at_least ? "at least" : "at most", *d.target);
+  }
+  return {"duties",
+          "Starting and drawing: what was measured, divided by the target. Left of the bar is within it.",
+          alt,
+          {std::move(bars)}};
+}
+
+std::vector<Plotted> plots(const Report& report) {
+  std::vector<Plotted> all;
+  for (const std::string& test : tests_of(report))
+    for (const std::string& scalar : scalars_of(report, test)) {
+      const std::vector<const Row*> rows = rows_of(report, test, scalar);
+      if (std::ranges::any_of(rows, [](const Row* r) { return r->ulps.has_value(); })) {
+        all.push_back(error_plot(report, test, scalar));
+        all.push_back(distribution_plot(report, test, scalar));
+      }
+      if (std::ranges::any_of(rows, [](const Row* r) { return r->wrong() > 0; }))
+        all.push_back(verdict_plot(report, test, scalar));
+    }
+  std::set<std::pair<std::string, std::string>> grown;
+  for (const Growth& g : report.growths)
+    if (grown.insert({g.test, g.unit}).second) all.push_back(growth_plot(report, g.test, g.unit));
+  if (std::ranges::any_of(report.duties, [](const Duty& d) { return d.target.has_value(); }))
+    all.push_back(duty_plot(report));
+  return all;
+}
+
+std::string svg_of(const Plotted& plotted, viz::ThemeName theme) {
+  return viz::svg(viz::chart_figure(plotted.chart, theme, plotted.width).drawing, {{"figure", plotted.name}});
+}
+
+std::string png_of(const Plotted& plotted, viz::ThemeName theme) {
+  static viz::Offscreen offscreen;
+  return viz::png(offscreen.render(viz::chart_figure(plotted.chart, theme, 4 * plotted.width).drawing),
+                  {{"figure", plotted.name}});
+}
+
+}  // namespace isect::bench

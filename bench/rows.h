@@ -1,0 +1,35 @@
+#pragma once
+// Which rows of a report belong together, in the order in which they were measured.
+
+#include <string>
+#include <vector>
+
+#include "bench/report.h"
+
+namespace isect::bench {
+
+/// The rows of one test in one scalar; of one family if it is given.
+std::vector<const Row*> rows_of(const Report&, const std::string& test, const std::string& scalar,
+                                const std::string& family = {});
+std::vector<std::string> tests_of(const Report&);
+std::vector<std::string> scalars_of(const Report&, const std::string& test);
+std::vector<std::string> families_of(const std::vector<const Row*>&);
+/// "half-B"; a peer's with its library before it: "CGAL: do_intersect".
+std::string name_of(const Row&);
+std::string name_of(const Growth&);
+/// The names of the methods, isect's first.
+std::vector<std::string> methods_of(const std::vector<const Row*>&);
+
+/// Those that no other row of the same family beats: none is at most as slow and at most as wrong (or, `by_value`, as
+/// far off at its 99th percentile), and better in one of both.
+std::vector<const Row*> front_of(const std::vector<const Row*>& family, bool by_value);
+/// The row that the others are compared with, and the first of isect's that promises no wrong verdict; null if none.
+const Row* standard_of(const std::vector<const Row*>&);
+const Row* exact_of(const std::vector<const Row*>&);
+
+/// What the plots show of an error in ulps: log2(1 + it), at most 64.
+double bits(double ulps);
+/// "near-tangent" as words: "near tangent"; "point-in-polygon" stays.
+std::string words(std::string family);
+
+}  // namespace isect::bench

@@ -1,0 +1,48 @@
+#include "viz/chart.h"
+
+#include "viz/chart_parts.h"
+
+namespace isect::viz {
+namespace {
+
+/// Sizes follow the width alone: a chart is as high as it must be.
+Theme theme_for(ThemeName name, double width) { return theme(name, width, width); }
+
+}  // namespace
+
+Composed compose(const Chart& chart, Vec2 corner, double width, double height, const Theme& theme) {
+  ChartInk ink(theme);
+  const double m = theme.sizes.margin;
+  const Bounds room = {corner.x() + m, corner.y() + m, corner.x() + width - m, corner.y() + height - m};
+  std::visit([&](const auto& kind) { draw(ink, kind, room); }, chart.kind);
+  return ink.take();
+}
+
+double natural_height(const Chart& chart, double width, const Theme& theme) {
+  const ChartInk ink(theme);
+  const double inner = width - 2 * theme.sizes.margin;
+  return std::visit([&](const auto& kind) { return natural_height(ink, kind, inner); }, chart.kind) +
+         2 * theme.sizes.margin;
+}
+
+Figure chart_figure(const Chart& chart, ThemeName name, double width) {
+  const Theme styled = theme_for(name, width);
+  const double height = natural_height(chart, width, styled);
+  Composed composed = compose(chart, Vec2::Zero(), width, height, styled);
+  return {{width, height, styled.background, std::move(composed.shapes)},
+          std::move(composed.labels),
+          View({}, width, height)};
+}
+
+std::vector<bool> pareto_front(const std::vector<Vec2>& points) {
+  std::vector<bool> front;
+  for (const Vec2& p : points) {
+    bool beaten = !(p.x() <= p.x() && p.y() <= p.y());  // NaN is on no front
+    for (const Vec2& q : points)
+      beaten = beaten || (q.x() <= p.x() && q.y() <= p.y() && (q.x() < p.x() || q.y() < p.y()));
+    front.push_back(!beaten);
+  }
+  return front;
+}
+
+}  // namespace isect::viz

@@ -1,0 +1,86 @@
+#pragma once
+// What all kinds of chart are made of: text that is measured, markers, scales with their ticks, and the legend.
+
+#include "viz/chart.h"
+#include "viz/labels.h"
+
+namespace isect::viz {
+
+/// Collects shapes and labels in a theme.
+class ChartInk {
+ public:
+  explicit ChartInk(const Theme& theme) : theme_(theme) {}
+
+  const Theme& theme() const { return theme_; }
+  const Sizes& sizes() const { return theme_.sizes; }
+  double glyph_radius() const { return 1.55 * sizes().disc; }
+
+  struct Style {
+    double size;
+    Role role = Role::text;
+    double align = 0;
+    bool bold = false;
+  };
+  double width(const std::string& markup, double size, bool bold = false) const;
+  TextBox text(const std::string& markup, const Vec2& at, const Style&);
+  /// Words on as few lines as fit into `room`; a word wider than that stands alone.
+  std::vector<std::string> wrapped(const std::string& markup, double size, bool bold, double room) const;
+
+  void line(const std::vector<Vec2>& points, const Colour&, double width, std::array<double, 2> dash = {0, 0},
+            bool round_cap = false);
+  void fill(const std::vector<Vec2>& points, const Colour&);
+  void box(const Bounds&, const Colour&);
+  /// A marker with a halo; hollow ones are filled with the background.
+  void glyph(Glyph, const Vec2& at, double radius, const Colour&, bool hollow);
+
+  Composed take() { return std::move(out_); }
+
+ private:
+  const Theme& theme_;
+  Composed out_;
+};
+
+/// One scale over a stretch of the drawing (`from` may lie right of or below `to`).
+class ScaleLine {
+ public:
+  ScaleLine(const Scale& scale, double from, double to) : scale_(scale), from_(from), to_(to) {}
+  double at(double value) const;
+  /// Values with labels, as many as `room` gives each: the width of its text, or a line's height.
+  std::vector<std::pair<double, std::string>> ticks(const ChartInk&, bool across) const;
+
+ private:
+  const Scale& scale_;
+  double from_, to_;
+};
+
+/// The colour `share` of the way from the background to `ink`, opaque.
+Colour tinted(const Theme&, const Colour& ink, double share);
+std::array<double, 2> dash_of(int index, const Sizes&);
+/// "0.05", "5", "2 000", "10^{6}": short enough for an axis.
+std::string tick_text(double value);
+
+/// An entry of a legend: a marker (with a piece of its curve where there is one), or a filled square.
+struct LegendEntry {
+  std::string name;
+  std::optional<Glyph> glyph = {};
+  Colour colour = {};
+  bool hollow = false;
+  std::optional<std::array<double, 2>> dash = {};  ///< of the curve
+  bool tick = false;                               ///< a target's short upright line
+};
+double legend_height(const ChartInk&, const std::vector<LegendEntry>&, double width);
+/// In centred rows within `width`, from `corner` down.
+void legend(ChartInk&, const std::vector<LegendEntry>&, const Vec2& corner, double width);
+
+// The kinds, each in a file of its own.
+void draw(ChartInk&, const Plot&, const Bounds&);
+void draw(ChartInk&, const Maps&, const Bounds&);
+void draw(ChartInk&, const Bars&, const Bounds&);
+double natural_height(const ChartInk&, const Plot&, double width);
+double natural_height(const ChartInk&, const Maps&, double width);
+double natural_height(const ChartInk&, const Bars&, double width);
+
+/// One panel's data within its rectangle.
+void draw_data(ChartInk&, const Plot&, const Panel&, const Bounds&);
+
+}  // namespace isect::viz
