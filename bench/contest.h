@@ -187,8 +187,10 @@ class Contest {
     r.cases = static_cast<long>(cases_.size()), r.judged = static_cast<long>(truths_.size());
     judge(entrant, r);
     if (entrant.falls_back) {
-      const long fell = std::count_if(cases_.begin(), cases_.end(), entrant.falls_back);
-      r.fallback = static_cast<double>(fell) / static_cast<double>(cases_.size());
+      const std::size_t asked = std::min(cases_.size(), std::max<std::size_t>(truths_.size(), 1 << 12));
+      const long fell = std::count_if(cases_.begin(), cases_.begin() + static_cast<std::ptrdiff_t>(asked),
+                                      entrant.falls_back);
+      r.fallback = static_cast<double>(fell) / static_cast<double>(asked);
     }
     return r;
   }

@@ -4,6 +4,7 @@ namespace isect::bench {
 
 const std::vector<Suite>& suites() {
   static const std::vector<Suite> all = {
+      {"sphere-sphere", measure_sphere_sphere},
       {"ray-sphere", measure_ray_sphere},
       {"orient2d", measure_orient},
   };

@@ -6,6 +6,7 @@
 namespace isect::bench {
 
 void measure_ray_sphere(Session&);
+void measure_sphere_sphere(Session&);
 void measure_orient(Session&);
 
 }  // namespace isect::bench

@@ -1,20 +1,20 @@
 #include "core/sphere_sphere.h"
 
-#include "bench/rational.h"
-#include "bench/simple_shapes.h"
+#include "bench/sphere_sphere_families.h"
+#include "bench/sphere_sphere_oracle.h"
 #include "core/counted.h"
 #include "tests/catch.h"
 #include "tests/core/motion.h"
 #include "tests/settings.h"
 
 using namespace isect;
-using namespace isect::oracle;
 
 #define FLOATS_AND_DIMENSIONS ((class S, int N), S, N), (float, 2), (double, 2), (float, 3), (double, 3)
 
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity(),
+                 nan_ = std::numeric_limits<double>::quiet_NaN();
 
 template <class S, int N>
 Sphere<S, N> ball(double x, double y, double radius) {
@@ -95,7 +95,8 @@ TEMPLATE_TEST_CASE_SIG("empty balls, NaN and infinite coordinates meet nothing",
   }
 }
 
-TEMPLATE_TEST_CASE_SIG("lengths of any size give the same verdict", "[sphere_sphere]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("lengths of any size give the same verdict", "[sphere_sphere]",
+                       FLOATS_AND_DIMENSIONS) {
   constexpr int most = std::numeric_limits<S>::max_exponent - 5;
   for (const int e : {-most, -most / 2, 0, most / 2, most}) {
     const double k = std::ldexp(1.0, e);
@@ -119,7 +120,8 @@ TEST_CASE("the published cases that naive code gets wrong are decided rightly", 
   CHECK_FALSE(apart(3e19f, 1e19f));    // both squares are infinite
   const Sphere<float, 3> a = {{0, 0, 0}, .1f}, b = {{.3f, 0, 0}, .2f};
   CHECK(relate(a, b) == Relation::disjoint);  // .1f + .2f < .3f exactly, and rounds to it
-  CHECK_FALSE(sphere_sphere::squared_distance<float, 3>({{0, 0, 0}, 1}, {{2, 0, 0}, 1}));  // touching: the note's <
+  CHECK_FALSE(
+      sphere_sphere::squared_distance<float, 3>({{0, 0, 0}, 1}, {{2, 0, 0}, 1}));  // touching: the note's <
   CHECK(intersects<float, 3>({{0, 0, 0}, 1}, {{2, 0, 0}, 1}));
 }
 
@@ -148,39 +150,8 @@ TEST_CASE("the events tell the signs, the note's numbers and each fallback", "[s
   CHECK(naive.events.at(0).sum2 == 4);
 }
 
-namespace {
-
-/// By distances, each compared with a length: d <= k.
-template <class S, int N>
-Relation truth(const Sphere<S, N>& a, const Sphere<S, N>& b) {
-  const Rational r = a.radius, s = b.radius;
-  if (r < 0 || s < 0) return Relation::disjoint;
-  const auto f = rational(a.center) - rational(b.center);
-  const Rational d2 = dot(f, f);
-  const auto at_most = [&](const Rational& k) { return k >= 0 && d2 <= k * k; };
-  if (!at_most(r + s)) return Relation::disjoint;
-  if (d2 == 0 && r == s) return Relation::equal;
-  if (at_most(s - r)) return Relation::a_inside_b;
-  if (at_most(r - s)) return Relation::b_inside_a;
-  return d2 == (r + s) * (r + s) ? Relation::touching : Relation::overlapping;
-}
-
-/// A second ball that touches the first one, but for rounding: from outside, from inside, or around it.
-template <class S, int N>
-Sphere<S, N> neighbour(bench::Random& random, const Sphere<S, N>& a) {
-  const double r = a.radius, s = random.one_in(2) ? r : r * random.uniform(0, 2);
-  const bool outside = random.one_in(2);
-  // along an axis the touch is often exact
-  const Vector<double, N> heading = random.one_in(2) ? random.heading<N>() : Vector<double, N>::Unit(random.below(N));
-  Sphere<S, N> b = {a.center + ((outside ? r + s : r - s) * heading).template cast<S>(), S(0)};
-  const double d = (b.center - a.center).template cast<double>().norm();
-  b.radius = bench::moved(static_cast<S>(outside ? d - r : s < r ? r - d : r + d), random.integer(-2, 2));
-  return b;
-}
-
-}  // namespace
-
-TEMPLATE_TEST_CASE_SIG("relations are those of rational arithmetic", "[sphere_sphere]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("relations are those of rational arithmetic", "[sphere_sphere]",
+                       FLOATS_AND_DIMENSIONS) {
   bench::Random random(tests::seed());
   int seen[6] = {};
   for (const bench::Numbers numbers : bench::all_numbers)
@@ -188,14 +159,14 @@ TEMPLATE_TEST_CASE_SIG("relations are those of rational arithmetic", "[sphere_sp
       INFO("seed " << tests::seed() << ", numbers " << static_cast<int>(numbers) << ", case " << i);
       const Sphere<S, N> a = bench::ball<S, N>(random, numbers);
       Sphere<S, N> b = bench::ball<S, N>(random, numbers);
-      if (random.one_in(3)) b = neighbour(random, a);
+      if (random.one_in(3)) b = bench::neighbour(random, a);
       if (random.one_in(10)) b.center = a.center;
       if (random.one_in(20)) b = a;
       if (!finite(b)) continue;
 
       Record<sphere_sphere::Event> record;
       const Relation r = relate(a, b, record);
-      if (r != truth(a, b)) FAIL("wrong");
+      if (r != oracle::relation(a, b)) FAIL("wrong");
       if (relate(a, b) != r || relate(b, a) != reversed(r)) FAIL("not consistent");
       if (intersects(a, b) != (r != Relation::disjoint)) FAIL("not the same by intersects");
       if (numbers <= bench::Numbers::distant) {

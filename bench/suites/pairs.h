@@ -1,0 +1,37 @@
+#pragma once
+// What the suites of two shapes share: how a family is told and how the exact call enters.
+
+#include "bench/in_full.h"
+#include "bench/named_draw.h"
+
+namespace isect::bench {
+
+template <class S, class Case>
+CaseFamily<Case> family_of(const char* test, const NamedDraw<Case>& drawn, Truth (*truth)(const Case&)) {
+  return {test,
+          scalar_name<S>,
+          drawn.name,
+          drawn.hard(),
+          drawn.draw,
+          truth,
+          [](const Case& c) { return in_full(c); }};
+}
+
+/// intersects(a, b), as ADL finds it.
+template <class S, class Case>
+void enter_exact(Contest<S, Case>& contest) {
+  contest.enter("exact", [](const Case& c) { return intersects(c.a, c.b); })
+      .exact()
+      .fallback(
+          [](const Case& c) { return fell_back([&](const auto& trace) { intersects(c.a, c.b, trace); }); });
+}
+
+/// relate(a, b).
+template <class S, class Case>
+void enter_exact_relation(Contest<S, Case>& contest) {
+  contest.enter("exact", [](const Case& c) { return static_cast<int>(relate(c.a, c.b)); })
+      .exact()
+      .fallback([](const Case& c) { return fell_back([&](const auto& trace) { relate(c.a, c.b, trace); }); });
+}
+
+}  // namespace isect::bench
