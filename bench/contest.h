@@ -195,6 +195,11 @@ class Contest {
     return r;
   }
 
+  /// NaN can't be sorted, and is as wrong as can be.
+  static double or_infinite(double error) {
+    return std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
+  }
+
   void judge(const Entrant<Case>& entrant, Row& r) const {
     std::vector<double> ulps, conditioned, residuals;
     constexpr double u = static_cast<double>(std::numeric_limits<S>::epsilon()) / 2;
@@ -210,9 +215,10 @@ class Contest {
         ulps.push_back(error);
         if (size > 0) {
           const double off = std::abs((*answer.value - truth.value->nearest) - truth.value->rest) / size;
-          conditioned.push_back(off / u / std::max(1.0, truth.condition));
+          conditioned.push_back(or_infinite(off / u / std::max(1.0, truth.condition)));
         }
-        if (family_.residual) residuals.push_back(family_.residual(cases_[i], *answer.value) / u);
+        if (family_.residual)
+          residuals.push_back(or_infinite(family_.residual(cases_[i], *answer.value) / u));
       }
     }
     if (ulps.empty()) return;

@@ -157,6 +157,7 @@ template RaySphere ray_sphere<3>(const Ray<double, 3>&, const Sphere<double, 3>&
 
 template <class S>
 double ulps(S x, const Real& truth) {
+  if (std::isnan(x)) return INFINITY;
   const S nearest = static_cast<S>(truth.nearest);
   if (std::isinf(nearest) || std::isinf(x)) return x == nearest ? 0 : INFINITY;
   constexpr int lowest = std::numeric_limits<S>::min_exponent - 1, bits = std::numeric_limits<S>::digits - 1;

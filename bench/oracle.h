@@ -40,7 +40,7 @@ RaySphere ray_sphere(const Ray<float, N>& ray, const Sphere<float, N>& sphere) {
 }
 
 /// How far x lies from the true value, in units in the last place of S at the truth. An infinite x is right
-/// where the truth rounds to infinity.
+/// where the truth rounds to infinity; NaN is infinitely wrong.
 template <class S>
 double ulps(S x, const Real& truth);
 

@@ -25,7 +25,10 @@ Json number(double x) {
 }
 double number(const Json& x) {
   if (!x.is_string()) return x.get<double>();
-  return x == "inf" ? INFINITY : x == "-inf" ? -INFINITY : NAN;
+  if (x == "inf") return INFINITY;
+  if (x == "-inf") return -INFINITY;
+  if (x == "nan") return NAN;
+  throw std::runtime_error(x.dump() + " is no number");
 }
 
 Json numbers(const std::vector<double>& values) {
@@ -82,6 +85,7 @@ Row row(const Json& o) {
   r.first_wrong = o.value("first_wrong", "");
   r.ulps = errors(o, "ulps"), r.conditioned = errors(o, "conditioned"), r.residual = errors(o, "residual");
   if (o.contains("quantiles")) r.quantiles = numbers(o.at("quantiles"));
+  if (!r.quantiles.empty() && r.quantiles.size() != 41) throw std::runtime_error("quantiles are 41 numbers");
   if (o.contains("fallback")) r.fallback = number(o.at("fallback"));
   return r;
 }
@@ -91,8 +95,10 @@ Json value(const Growth& g) {
           {"n", g.n},       {"ns", numbers(g.ns)}, {"exponent", number(g.exponent)}};
 }
 Growth growth(const Json& o) {
-  return {o.at("test"), o.at("method"),      o.at("library"),         o.at("unit"),
-          o.at("n"),    numbers(o.at("ns")), number(o.at("exponent"))};
+  Growth g = {o.at("test"), o.at("method"),      o.at("library"),         o.at("unit"),
+              o.at("n"),    numbers(o.at("ns")), number(o.at("exponent"))};
+  if (g.n.size() != g.ns.size()) throw std::runtime_error("a growth has one time for each n");
+  return g;
 }
 
 Json value(const Duty& d) {
@@ -124,7 +130,7 @@ std::string lines(const List& list) {
 }
 
 std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string escaped;
   for (const char c : text) escaped += c == '"' ? "\"\"" : std::string(1, c);
   return '"' + escaped + '"';

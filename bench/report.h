@@ -75,7 +75,7 @@ struct Machine {
 struct Report {
   Machine machine;
   unsigned long long seed = 1;
-  bool quick = false;
+  bool quick = false;  ///< not all cases were judged
   std::vector<Row> rows;
   std::vector<Growth> growths;
   std::vector<Duty> duties;

@@ -72,6 +72,7 @@ Report measure(const Effort& effort, unsigned long long seed, const std::vector<
   Report report;
   report.machine = machine();
   report.seed = seed;
+  report.quick = effort.judged < effort.cases;
   const double before = noise();
   for (const Suite& suite : suites())
     if (only.empty() || std::ranges::find(only, suite.name) != only.end()) suite.run(session);

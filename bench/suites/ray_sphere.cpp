@@ -45,7 +45,8 @@ Truth truth(const Case<S>& c) {
 template <class S>
 double residual(const Case<S>& c, double t) {
   using oracle::Rational, oracle::operator+, oracle::operator-, oracle::operator*;
-  if (!std::isfinite(t) || c.sphere.radius == 0) return 0;
+  if (c.sphere.radius == 0) return 0;
+  if (!std::isfinite(t)) return std::numeric_limits<double>::infinity();
   const auto p = oracle::rational<S, 3>(c.ray.origin) +
                  Rational(t) * oracle::rational<S, 3>(c.ray.direction) -
                  oracle::rational<S, 3>(c.sphere.center);

@@ -49,8 +49,17 @@ bench::Report measured_by(const std::string& program, const Wanted& wanted, Prog
   return bench::report_of(child.output);
 }
 
+bench::Report read_from(const std::string& path) {
+  const std::string text = viz::read_file(path);
+  try {
+    return bench::report_of(text);
+  } catch (const std::exception& e) {
+    throw viz::BadInput(fmt::format("{}: {}", path, e.what()));
+  }
+}
+
 bench::Report measured(const Wanted& wanted) {
-  if (!wanted.from.empty()) return bench::report_of(viz::read_file(wanted.from));
+  if (!wanted.from.empty()) return read_from(wanted.from);
   Progress progress(0);
   if (wanted.peers) return measured_by("measure_peers", wanted, progress);
   if (wanted.native) return measured_by("measure_native", wanted, progress);
