@@ -76,9 +76,12 @@ std::vector<std::string> in_words(std::vector<viz::Change> changes) {
 }  // namespace
 
 bool has_picture(const Excerpt& e, int step) {
-  const viz::Lesson& lesson = *e.lesson;
-  if (lesson.group_by.empty() || step + 1 == static_cast<int>(e.walk.steps.size())) return true;
-  return e.parameters.at(lesson.group_by) == viz::Setting(lesson.presets.front().group);
+  const bool own_file = e.folder != e.preset;
+  if (own_file || step + 1 == static_cast<int>(e.walk.steps.size())) return true;
+  const std::vector<viz::Preset>& presets = e.lesson->presets;
+  const std::string& group = viz::preset(*e.lesson, e.preset).group;
+  const auto first = std::ranges::find(presets, group, &viz::Preset::group);
+  return first->id == e.preset;
 }
 
 std::string name_of(Kind kind) {

@@ -36,8 +36,8 @@ enum class Update { none, missing, failed, all };
 std::vector<std::string> update_names();
 Update update_named(const std::string&);
 
-/// Each step of the first group's presets has a picture. The other groups tell the same situations by other
-/// methods, so their traces are kept whole and the last picture is enough.
+/// Each step of the first preset of each group has a picture, and each step of presets of one's own. Of the other
+/// presets, whose traces are kept whole, the last picture is enough.
 bool has_picture(const Excerpt&, int step);
 
 class Baselines {

@@ -12,7 +12,7 @@ namespace {
 
 struct Options {
   Selection asked;
-  std::string snapshots = "snapshots", report, update, backend = "auto";
+  std::string snapshots = "snapshots", dir, report, update, backend = "auto";
   bool json = false;
 };
 
@@ -21,14 +21,17 @@ int check(const Program& program, Options options) {
   const viz::Backend backend = viz::backend_named(options.backend);
   const bool all = options.asked.lessons.empty() && !program.only;
   const bool all_presets = options.asked.preset == "all";
-  options.asked.all = all;
+  const bool others = !options.dir.empty();  // presets of the user's own
+  if (others) options.snapshots = options.dir, options.asked.files = preset_files(options.dir);
+  options.asked.all = all && !others;
   options.asked.step = "all";
   const std::vector<Excerpt> chosen = excerpts(program, options.asked);
   for (const Excerpt& e : chosen)
-    if (e.folder != e.preset)
-      throw viz::BadInput("preset: only the lesson's own presets have baselines, not a file");
+    if (e.folder != e.preset && !others)
+      throw viz::BadInput(
+          "preset: only the lesson's own presets have baselines here; for files of yours give --dir");
 
-  Report report{program.name, options.snapshots, {}, chosen.size(), 0, {}};
+  Report report{program.name, options.snapshots, others, {}, chosen.size(), 0, {}};
   viz::Offscreen offscreen(backend);
   Baselines baselines(options.snapshots, update, offscreen);
   Progress progress(chosen.size());
@@ -63,6 +66,11 @@ void add_check(CLI::App& app, Program& program) {
       ->type_name("[=MODE]");
   sub.add_option("--snapshots", options->snapshots, "folder of the baselines; snapshots if not given")
       ->type_name("DIR");
+  sub.add_option("--dir", options->dir,
+                 "check the preset files of this folder (*.json) against baselines beside them")
+      ->type_name("DIR")
+      ->excludes("--snapshots")
+      ->excludes("--preset");
   sub.add_option("--report", options->report, "one page with accepted, new and difference side by side")
       ->type_name("FILE.html");
   sub.add_flag("--json", options->json, "the result for programs");

@@ -114,10 +114,37 @@ void add_set(CLI::App& sub, Selection& to) {
       ->allow_extra_args(false);
 }
 
+std::vector<std::string> preset_files(const std::string& folder) {
+  std::error_code error;
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    const std::filesystem::path& path = entry.path();
+    if (path.extension() == ".json" && path.filename() != "manifest.json") files.push_back(path.string());
+  }
+  if (error) throw viz::FileError(fmt::format("{}: {}", folder, error.message()));
+  if (files.empty())
+    throw viz::BadInput(
+        fmt::format("dir: {} holds no preset files; put some there, NAME.json each, such as {{\"lesson\": "
+                    "\"ray-sphere\", "
+                    "\"parameters\": {{...}}}} (Ctrl+C in the window copies one)",
+                    folder));
+  std::ranges::sort(files);
+  return files;
+}
+
 std::vector<Excerpt> excerpts(const Program& program, const Selection& asked) {
   std::vector<const viz::Lesson*> lessons = lessons_of(program, asked);
   std::vector<Excerpt> found;
-  if (is_file(asked.preset)) {
+  if (!asked.files.empty()) {
+    for (const std::string& file : asked.files) {
+      Excerpt e = from_file(program, file);
+      if (lessons.empty() || std::ranges::find(lessons, e.lesson) != lessons.end())
+        found.push_back(std::move(e));
+    }
+    if (found.empty())
+      throw viz::BadInput(fmt::format("lesson: no preset file is for {}", fmt::join(asked.lessons, ", ")));
+    std::ranges::stable_sort(found, {}, [](const Excerpt& e) { return e.lesson->id; });
+  } else if (is_file(asked.preset)) {
     found.push_back(from_file(program, asked.preset));
     if (!lessons.empty() && std::ranges::find(lessons, found[0].lesson) == lessons.end())
       throw viz::BadInput(

@@ -18,6 +18,7 @@ struct Selection {
   std::string preset;  ///< empty: the lesson's first (every one with `all`)
   std::string step;
   std::vector<std::string> changes;  ///< name=value
+  std::vector<std::string> files;    ///< presets' files, in place of names
 };
 
 /// The lesson's name as a positional, where the program has more than one lesson.
@@ -36,6 +37,10 @@ struct Excerpt {
   viz::Walk walk;
   std::vector<int> steps;  ///< chosen ones, from 0
 };
+
+/// The presets' files of a folder, by name: its *.json but for a manifest, which `render` leaves. Throws viz::FileError
+/// where it can't be read, viz::BadInput where it holds none.
+std::vector<std::string> preset_files(const std::string& folder);
 
 /// Everything that is asked for. Throws viz::BadInput, or viz::FileError where a preset's file can't be read.
 std::vector<Excerpt> excerpts(const Program&, const Selection&);

@@ -72,7 +72,8 @@ std::string accept_command(const Report& r, const Failure& f) {
   if (f.kind == Kind::blank) return {};
   const bool known = std::ranges::find(r.lessons, f.lesson) != r.lessons.end();
   const std::string lesson = known && r.program == "isect" ? " " + f.lesson : "";
-  const std::string folder = r.folder == "snapshots" ? "" : " --snapshots " + r.folder;
+  const std::string option = r.presets_too ? " --dir " : " --snapshots ";
+  const std::string folder = r.folder == "snapshots" && !r.presets_too ? "" : option + r.folder;
   return fmt::format("{} check{}{} --update={}", r.program, lesson, folder,
                      f.kind == Kind::missing ? "missing" : "failed");
 }

@@ -11,6 +11,7 @@ namespace isect::program {
 struct Report {
   std::string program;  ///< how it was called
   std::string folder;   ///< of the baselines
+  bool presets_too;     ///< the folder holds the presets as well: --dir
   std::vector<std::string> lessons;
   std::size_t presets = 0, pictures = 0;
   std::vector<Failure> failures;

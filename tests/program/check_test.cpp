@@ -7,6 +7,7 @@
 #include "tests/catch.h"
 #include "tests/program/shell.h"
 #include "viz/files.h"
+#include "viz/place.h"
 #include "viz/snapshot.h"
 
 namespace fs = std::filesystem;
@@ -20,8 +21,8 @@ using isect::test::write;
 
 namespace {
 
-const std::string check = "isect check ray-sphere --preset behind";
-const std::string baselines = "snapshots/ray-sphere/behind";
+const std::string check = "isect check ray-sphere --preset two-roots";
+const std::string baselines = "snapshots/ray-sphere/two-roots";
 
 /// A scratch folder with accepted baselines of one preset.
 class Accepted : public Shell {
@@ -36,21 +37,27 @@ class Accepted : public Shell {
 /// The baselines as they would be had the sphere another radius: trace by the library, pictures by render.
 void accept_with_radius(const Accepted& shell, double radius) {
   const viz::Lesson& lesson = *isect::lessons::all_lessons()[0];
-  viz::Parameters parameters = viz::preset(lesson, "behind").parameters;
+  viz::Parameters parameters = viz::preset(lesson, "two-roots").parameters;
   parameters["radius"] = radius;
   const auto made = nlohmann::json::parse(contents(shell.file("trace.json")))["made with"];
   const viz::Stamp stamp{made["renderer"], made["font"], made["theme"], made["size"]};
   write(shell.file("trace.json"),
-        viz::trace_json(lesson, "behind", parameters, lesson.walk(parameters), stamp));
+        viz::trace_json(lesson, "two-roots", parameters, lesson.walk(parameters), stamp));
   const Ran r =
-      shell("isect render ray-sphere --preset behind --out other --set radius=" + viz::to_text(radius) +
-            " && cp other/ray-sphere/behind/*.png " + baselines);
+      shell("isect render ray-sphere --preset two-roots --out other --set radius=" + viz::to_text(radius) +
+            " && cp other/ray-sphere/two-roots/*.png " + baselines);
   REQUIRE(r.status == 0);
+}
+
+std::string contents_of_preset(const std::string& id) {
+  const viz::Lesson& lesson = *isect::lessons::all_lessons()[0];
+  return "{\"lesson\": \"" + lesson.id +
+         "\", \"parameters\": " + viz::to_json(viz::preset(lesson, id).parameters) + "}";
 }
 
 double radius() {
   const viz::Lesson& lesson = *isect::lessons::all_lessons()[0];
-  return std::get<double>(viz::preset(lesson, "behind").parameters.at("radius"));
+  return std::get<double>(viz::preset(lesson, "two-roots").parameters.at("radius"));
 }
 
 }  // namespace
@@ -59,7 +66,7 @@ TEST_CASE("what was accepted passes, from any locale and with CI set", "[check]"
   const Accepted shell;
   const Ran r = shell(check);
   CHECK(r.status == 0);
-  CHECK_THAT(r.out, StartsWith("ok: 5 pictures of 1 preset\n"));
+  CHECK_THAT(r.out, StartsWith("ok: 11 pictures of 1 preset\n"));
   CHECK(r.err.empty());
   CHECK(shell("CI=1 LC_ALL=C LANG=de_DE.UTF-8 " + check + " --backend egl").status == 0);
 }
@@ -71,7 +78,7 @@ TEST_CASE("a radius larger by a thousandth fails and is named by lesson, step an
   const Ran r = shell(check);
   CHECK(r.status == 1);
   const std::string first = r.out.substr(0, r.out.find('\n'));
-  CHECK_THAT(first, StartsWith("FAILED ray-sphere behind, step "));
+  CHECK_THAT(first, StartsWith("FAILED ray-sphere two-roots, step "));
   CHECK_THAT(first, Contains("trace: r²") || Contains("trace: r was"));
   CHECK_THAT(r.out, Contains("parameter radius was"));
   CHECK_THAT(r.out, Contains("step 3 (distance): picture:") && Contains("pixels differ by more than 8"));
@@ -92,8 +99,8 @@ TEST_CASE("a missing baseline exits 3, a failed check outranks it", "[check]") {
   fs::remove(shell.file("02-along-the-ray.png"));
   const Ran missing = shell(check);
   CHECK(missing.status == 3);
-  CHECK_THAT(missing.out,
-             Contains("MISSING ray-sphere behind, step 2 (along-the-ray)") && Contains("--update=missing"));
+  CHECK_THAT(missing.out, Contains("MISSING ray-sphere two-roots, step 2 (along-the-ray)") &&
+                              Contains("--update=missing"));
 
   fs::copy_file(shell.file("01-to-center.png"), shell.file("03-distance.png"),
                 fs::copy_options::overwrite_existing);
@@ -115,13 +122,13 @@ TEST_CASE("all failures come in one run", "[check]") {
   const Accepted shell;
   fs::copy_file(shell.file("01-to-center.png"), shell.file("12-left-over.png"));
   write(shell.file("03-distance.png"), "no picture");
-  REQUIRE(
-      shell("isect render ray-sphere --step 4 --size 480x300 --out - >" + baselines + "/04-early-reject.png")
-          .status == 0);
-  fs::copy_file(shell.file("05-reject.png"), shell.file("02-along-the-ray.png"),
+  REQUIRE(shell("isect render ray-sphere --preset two-roots --step 4 --size 480x300 --out - >" + baselines +
+                "/04-early-reject.png")
+              .status == 0);
+  fs::copy_file(shell.file("05-passing-distance.png"), shell.file("02-along-the-ray.png"),
                 fs::copy_options::overwrite_existing);
   write(shell.file("trace.json"), "{}");
-  fs::remove(shell.file("05-reject.png"));
+  fs::remove(shell.file("05-passing-distance.png"));
   const auto result = nlohmann::json::parse(shell(check + " --json --report report.html").out);
   CHECK(result["passed"] == false);
   std::map<std::string, nlohmann::json> failures;
@@ -190,4 +197,62 @@ TEST_CASE("check refuses wrong names and unwritable places", "[check]") {
   CHECK(shell("isect check --update=fialed").status == 2);
   CHECK(shell(check + " --update --snapshots /proc/nowhere").status == 4);
   CHECK(shell(check + " --report /proc/nowhere/r.html").status == 4);
+}
+
+TEST_CASE("the first preset of a group has a picture of each step, the others of the last", "[check]") {
+  const Shell shell;
+  CHECK_THAT(shell("isect check ray-sphere --preset two-roots --update").out,
+             Contains("ok: 11 pictures of 1 preset;"));
+  CHECK_THAT(shell("isect check ray-sphere --preset two-roots-half-b --update").out,
+             !Contains("ok: 1 picture of"));
+  CHECK_THAT(shell("isect check ray-sphere --preset behind --update").out,
+             Contains("ok: 1 picture of 1 preset;"));
+}
+
+TEST_CASE("presets of one's own are checked against baselines beside them", "[check]") {
+  const Shell shell;
+  write(shell.work() / "course/week-3.json", contents_of_preset("behind"));
+  write(shell.work() / "course/week-4.json", contents_of_preset("tangent"));
+  write(shell.work() / "course/manifest.json", "[]");
+
+  const Ran missing = shell("isect check --dir course");
+  CHECK(missing.status == 3);
+  CHECK_THAT(missing.out, Contains("isect check ray-sphere --dir course --update=missing"));
+
+  const Ran made = shell("isect check --dir course --update=missing");
+  CHECK(made.status == 0);
+  CHECK(fs::exists(shell.work() / "course/ray-sphere/week-3/trace.json"));
+  CHECK(fs::exists(shell.work() / "course/ray-sphere/week-4/11-intersect.png"));
+  CHECK_THAT(shell("isect check --dir course").out, StartsWith("ok: ") && Contains("2 presets"));
+
+  SECTION("a changed preset fails, and the other is left alone") {
+    write(shell.work() / "course/week-3.json", contents_of_preset("two-roots"));
+    const Ran r = shell("isect check --dir course");
+    CHECK(r.status == 1);
+    CHECK_THAT(r.out, Contains("FAILED ray-sphere week-3") && !Contains("week-4"));
+    CHECK_THAT(r.out, Contains("isect check ray-sphere --dir course --update=failed"));
+    CHECK(shell("isect check --dir course --update").status == 0);
+    CHECK(shell("isect check --dir course").status == 0);
+  }
+  SECTION("a preset that went away leaves orphans") {
+    fs::remove(shell.work() / "course/week-4.json");
+    const Ran r = shell("isect check --dir course");
+    CHECK(r.status == 1);
+    CHECK_THAT(r.out, Contains("belongs to no step of any preset"));
+  }
+}
+
+TEST_CASE("a folder of presets that does not do is told what is wrong", "[check]") {
+  const Shell shell;
+  CHECK(shell("isect check --dir nowhere").status == 4);
+  fs::create_directory(shell.work() / "empty");
+  const Ran empty = shell("isect check --dir empty");
+  CHECK(empty.status == 2);
+  CHECK_THAT(empty.err, Contains("empty holds no preset files"));
+
+  write(shell.work() / "bad/x.json", R"({"lesson": "ray-spere", "parameters": {}})");
+  const Ran bad = shell("isect check --dir bad");
+  CHECK(bad.status == 2);
+  CHECK_THAT(bad.err, Contains("bad/x.json") && Contains("ray-sphere"));
+  CHECK(shell("isect check --dir bad --snapshots bad").status == 2);
 }
