@@ -47,6 +47,8 @@ struct CaseFamily {
   std::function<std::string(const Case&)> text;  ///< the case in full precision
   /// How far the point at `value` lies off the surface, relative to the surface's size; may be empty.
   std::function<double(const Case&, double value)> residual = {};
+  /// Fewer cases do where each has many branches of its own.
+  long most_cases = std::numeric_limits<long>::max();
 };
 
 /// What a method said: a verdict, and a value where it has one.
@@ -110,8 +112,9 @@ class Contest {
   Contest(Session& session, CaseFamily<Case> family) : session_(session), family_(std::move(family)) {
     session_.progress(family_.test + ", " + family_.scalar + ", " + family_.name);
     Random random(stream(session.seed, (family_.test + family_.scalar + family_.name).c_str()));
-    cases_.reserve(static_cast<std::size_t>(session.effort.cases));
-    for (long i = 0; i < session.effort.cases; ++i) cases_.push_back(family_.draw(random));
+    const long count = std::min(session.effort.cases, family_.most_cases);
+    cases_.reserve(static_cast<std::size_t>(count));
+    for (long i = 0; i < count; ++i) cases_.push_back(family_.draw(random));
   }
   Contest(const Contest&) = delete;
   Contest& operator=(const Contest&) = delete;

@@ -7,6 +7,7 @@ const std::vector<Suite>& suites() {
       {"sphere-sphere", measure_sphere_sphere},
       {"ray-sphere", measure_ray_sphere},
       {"orient2d", measure_orient},
+      {"point-polygon", measure_point_polygon},
   };
   return all;
 }

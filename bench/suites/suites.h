@@ -8,5 +8,6 @@ namespace isect::bench {
 void measure_ray_sphere(Session&);
 void measure_sphere_sphere(Session&);
 void measure_orient(Session&);
+void measure_point_polygon(Session&);
 
 }  // namespace isect::bench

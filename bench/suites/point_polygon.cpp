@@ -1,0 +1,106 @@
+// Point in polygon in O(n): the question is whether the closed polygon holds the point, by the even-odd rule. The naive
+// forms decide as they like on the boundary, so points on it are wrong in some and right in others.
+
+#include "core/point_polygon.h"
+
+#include "bench/contest.h"
+#include "bench/polygon_families.h"
+#include "bench/suites/suites.h"
+#include "core/batch_point_polygon.h"
+#include "core/point_polygon_methods.h"
+#ifdef ISECT_PEERS
+#include "bench/suites/point_polygon_peers.h"
+#endif
+
+namespace isect::bench {
+namespace {
+
+template <class S>
+using Case = PolygonCase<S>;
+
+/// The point, and the edge that comes closest to it: alone, with a third vertex on either side, it fails alike.
+template <class S>
+std::string in_full(const Case<S>& c) {
+  const Ring<S, 2>& ring = *c.ring;
+  std::size_t nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vector<double, 2> a = (ring[i] - c.point).template cast<double>(),
+                            e = (ring[(i + 1) % ring.size()] - ring[i]).template cast<double>();
+    const double length2 = e.squaredNorm(), t = length2 > 0 ? std::clamp(-a.dot(e) / length2, 0.0, 1.0) : 0;
+    const double distance = (a + t * e).norm();
+    if (distance < least) least = distance, nearest = i;
+  }
+  return text("point", c.point, "nearest edge from", ring[nearest], "to", ring[(nearest + 1) % ring.size()],
+              "of edges", ring.size());
+}
+
+template <class S>
+void enter_batch(Contest<S, Case<S>>& contest, const Ring<S, 2>& ring,
+                 std::array<std::vector<S>, 2>& columns) {
+  for (const Case<S>& c : contest.cases())
+    for (int k = 0; k < 2; ++k) columns[static_cast<std::size_t>(k)].push_back(c.point[k]);
+  const PointBatch<S, 2> points = {{columns[0], columns[1]}};
+  const auto answers = std::make_shared<std::vector<Location>>(locate(points, ring));
+  contest
+      .enter_pass(
+          "batch",
+          [points, &ring] {
+            const std::vector<Location> where = locate(points, ring);
+            asm volatile("" : : "r"(where.data()) : "memory");
+          },
+          [answers](std::size_t i) { return said((*answers)[i] != Location::out); })
+      .exact();
+}
+
+template <class S>
+void compete(Session& session, const char* name, int n) {
+  using namespace point_polygon;
+  const PolygonFamily<S> family = polygon_family<S>(name, n);
+  const std::string test = n == 100 ? "point-polygon" : "point-polygon, n = " + std::to_string(n);
+  Contest<S, Case<S>> contest(session, {test,
+                                        scalar_name<S>,
+                                        name,
+                                        std::string_view(name) != "ordinary",
+                                        [&](Random& random) { return family.draw(random); },
+                                        [](const Case<S>& c) -> Truth {
+                                          return {oracle::location(c.point, *c.ring) != Location::out, {}};
+                                        },
+                                        in_full<S>,
+                                        {},
+                                        (1 << 21) / std::max(n, 32)});
+  contest.enter("division", [](const Case<S>& c) { return crossings_naive(c.point, *c.ring); }).standard();
+  contest.enter("multiplication", [](const Case<S>& c) { return crossings_multiplied(c.point, *c.ring); });
+  contest.enter("translated", [](const Case<S>& c) { return crossings_translated(c.point, *c.ring); });
+  contest.enter("winding", [](const Case<S>& c) { return winding_naive(c.point, *c.ring) % 2 != 0; });
+  contest.enter("exact", [](const Case<S>& c) { return locate(c.point, *c.ring) != Location::out; })
+      .exact()
+      .fallback([](const Case<S>& c) {
+        return fell_back([&](const auto& trace) { locate(c.point, *c.ring, FillRule::even_odd, trace); });
+      });
+  std::array<std::vector<S>, 2> columns;
+  if (family.rings.size() == 1) enter_batch(contest, family.rings[0], columns);
+#ifdef ISECT_PEERS
+  peers::point_polygon<S>(contest, family.simple);
+#endif
+  contest.run();
+}
+
+template <class S>
+void compete_all(Session& session) {
+  for (const char* name :
+       {"ordinary", "near-edge", "on-vertex", "horizontal", "degenerate", "bow-tie", "far 1e5"})
+    compete<S>(session, name, 100);
+}
+
+}  // namespace
+
+void measure_point_polygon(Session& session) {
+  compete_all<double>(session);
+  compete<double>(session, "far 1e8", 100);  // floats of that size are 8 apart
+  for (const int n : {10, 1000})
+    for (const char* name : {"ordinary", "near-edge"}) compete<double>(session, name, n);
+  compete_all<float>(session);
+}
+
+}  // namespace isect::bench
