@@ -173,7 +173,7 @@ Plotted verdict_plot(const Report& report, const std::string& test, const std::s
   const std::vector<const Row*> rows = rows_of(report, test, scalar);
   const std::vector<std::string> families = chosen(rows, wanted);
   const Legend legend(rows);
-  double least = 1e5;
+  double least = 1e4;
   for (const Row* r : rows)
     if (r->wrong() > 0) least = std::min(least, r->wrong_per_million());
   std::vector<viz::Panel> all =
@@ -181,7 +181,7 @@ Plotted verdict_plot(const Report& report, const std::string& test, const std::s
         return viz::Spot{0, 0, r.wrong_per_million()};
       });
   viz::Plot plot = {times(rows),
-                    {viz::Scale::Kind::log_zero, std::pow(10, std::floor(std::log10(least))), 1e6,
+                    {viz::Scale::Kind::log_zero, std::pow(10, std::floor(std::log10(least)) - 1), 1e6,
                      "wrong verdicts per million"},
                     {},
                     std::move(all)};

@@ -64,7 +64,7 @@ void draw(ChartInk& ink, const Bars& chart, const Bounds& room) {
   const double width = room.right - room.left;
   const Layout layout(ink, chart, width);
   const double left = room.left + layout.names, right = room.right - layout.texts;
-  const ScaleLine x(chart.x, left, right);
+  const ScaleLine x(chart.x, left, right, s.label);
   const double stretch = (room.bottom - room.top - layout.foot) / layout.tops.back();
   const double bottom = room.bottom - layout.foot;
 

@@ -176,11 +176,18 @@ std::vector<std::pair<double, std::string>> ScaleLine::ticks(const ChartInk& ink
     if (long_scale || scale_.kind == Scale::Kind::log_zero)
       choices.erase(choices.begin(), choices.begin() + 3);
     for (int every = 2; every < 20; ++every) choices.push_back(log_ticks(scale_.lo, scale_.hi, {1}, every));
-    if (scale_.kind == Scale::Kind::log_zero)
-      for (std::vector<double>& values : choices) values.insert(values.begin(), 0);
+    if (scale_.kind == Scale::Kind::log_zero) {  // the lowest decade may stand too near to zero for a label
+      std::vector<std::vector<double>> with_zero;
+      for (std::vector<double>& values : choices) {
+        values.insert(values.begin(), 0);
+        with_zero.push_back(values);
+        if (values.size() > 2) values.erase(values.begin() + 1), with_zero.push_back(values);
+      }
+      choices = with_zero;
+    }
   }
 
-  const double size = ink.sizes().axis, gap = across ? 1.5 * ink.sizes().label_clear : 1.1 * size;
+  const double size = ink.sizes().axis, gap = across ? 0.55 * size : 1.1 * size;
   for (const std::vector<double>& values : choices) {
     bool fits = true;
     double end = -INFINITY;
@@ -189,7 +196,9 @@ std::vector<std::pair<double, std::string>> ScaleLine::ticks(const ChartInk& ink
         std::ranges::any_of(values, [](double v) { return tick_text(v).find('^') != std::string::npos; });
     for (const double v : values) {
       const std::string text = powers && v == 1000 ? "10^{3}" : tick_text(v);
-      const double half = (across ? ink.width(text, size) : 0.7 * size) / 2, p = std::abs(at(v) - from_);
+      const double half = (across ? ink.width(text, size) : 0.7 * size) / 2;
+      const double p =
+          std::min(std::abs(at(v) - from_), std::abs(to_ - from_) + (across ? reach_ : INFINITY) - half);
       fits = fits && p - half >= end + gap;
       end = p + half;
       ticks.emplace_back(v, text);

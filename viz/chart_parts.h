@@ -43,14 +43,16 @@ class ChartInk {
 /// One scale over a stretch of the drawing (`from` may lie right of or below `to`).
 class ScaleLine {
  public:
-  ScaleLine(const Scale& scale, double from, double to) : scale_(scale), from_(from), to_(to) {}
+  /// Labels may reach beyond both ends by `reach`.
+  ScaleLine(const Scale& scale, double from, double to, double reach = 0)
+      : scale_(scale), from_(from), to_(to), reach_(reach) {}
   double at(double value) const;
   /// Values with labels, as many as `room` gives each: the width of its text, or a line's height.
   std::vector<std::pair<double, std::string>> ticks(const ChartInk&, bool across) const;
 
  private:
   const Scale& scale_;
-  double from_, to_;
+  double from_, to_, reach_;
 };
 
 /// The colour `share` of the way from the background to `ink`, opaque.

@@ -97,7 +97,8 @@ void heading(ChartInk& ink, const Layout& layout, const Panel& panel, const Boun
 void scales(ChartInk& ink, const Plot& plot, const Layout& layout, const Bounds& b, bool numbers) {
   const Sizes& s = ink.sizes();
   const Theme& t = ink.theme();
-  const ScaleLine x(plot.x, b.left, b.right), y(plot.y, b.bottom, b.top);
+  const double reach = layout.gutter() / 3;  // numbers stay under their own panel
+  const ScaleLine x(plot.x, b.left, b.right, reach), y(plot.y, b.bottom, b.top);
   for (const auto& [value, text] : layout.y_ticks(b.bottom - b.top)) {
     const double level = y.at(value);
     ink.line({{b.left, level}, {b.right, level}}, t.ink(Role::grid), s.hairline);
@@ -107,10 +108,8 @@ void scales(ChartInk& ink, const Plot& plot, const Layout& layout, const Bounds&
   for (const auto& [value, text] : x.ticks(ink, true)) {
     const double p = x.at(value);
     ink.line({{p, b.bottom}, {p, b.bottom + 0.3 * s.axis}}, t.ink(Role::construction), s.construction);
-    const double half = ink.width(text, s.axis) / 2;  // numbers stay under their own panel
-    ink.text(text,
-             {std::clamp(p, b.left - layout.gutter() / 3 + half, b.right + layout.gutter() / 3 - half),
-              b.bottom + 1.3 * s.axis},
+    const double half = ink.width(text, s.axis) / 2;
+    ink.text(text, {std::clamp(p, b.left - reach + half, b.right + reach - half), b.bottom + 1.3 * s.axis},
              {s.axis, Role::muted, 0.5});
   }
 }
