@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/orient.h"
+#include "core/orient_methods.h"
 #include "core/point_polygon.h"
 #include "core/ray_sphere.h"
 #include "core/ray_sphere_methods.h"
@@ -43,14 +44,6 @@ std::string listed(const std::vector<viz::Map>& maps) {
 
 int sign(double x) { return (x > 0) - (x < 0); }
 
-/// The determinant with its differences taken from one point, or multiplied out.
-double pivot(const Point2& p, const Point2& q, const Point2& r) {
-  return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
-}
-double expanded(const Point2& p, const Point2& q, const Point2& r) {
-  return (p[0] * q[1] - p[1] * q[0]) + (q[0] * r[1] - q[1] * r[0]) + (r[0] * p[1] - r[1] * p[0]);
-}
-
 /// 0 left and 1 right as in truth, 2 on, 3 called on but is not, 4 called a wrong side.
 int side_kind(int naive, int truth) {
   if (naive == truth) return truth > 0 ? 0 : truth < 0 ? 1 : 2;
@@ -79,11 +72,11 @@ Plotted orientation_map() {
   };
   const struct {
     const char* name;
-    double (*value)(const Point2&, const Point2&, const Point2&);
+    double (*value)(const Point2&, const Point2&, const Point2&, NoTrace&&);
   } texts[] = {
-      {"from **p**", pivot},
-      {"from **q**", [](const Point2& p, const Point2& q, const Point2& r) { return pivot(q, r, p); }},
-      {"multiplied out", expanded},
+      {"pivot **p**", orient::pivoted<orient::Corner::a, double>},
+      {"pivot **q**", orient::pivoted<orient::Corner::b, double>},
+      {"expanded", orient::expanded<double>},
   };
   const double u = 0x1p-53;
   viz::Maps chart = {{{"left", Tone::first},
@@ -97,7 +90,7 @@ Plotted orientation_map() {
     for (const auto& line : lines)
       chart.maps.push_back(map_of(fmt::format("{}, {}", line.name, text.name), 5, 2, [&](int i, int j) {
         const Point2 p = line.p + Point2(i * u, j * u);
-        return side_kind(sign(text.value(p, line.q, line.r)), orient2d(p, line.q, line.r));
+        return side_kind(sign(text.value(p, line.q, line.r, {})), orient2d(p, line.q, line.r));
       }));
   const std::string percent = listed(chart.maps);
   return {"map-orientation",
@@ -136,7 +129,7 @@ Plotted polygon_map() {
   const std::string percent = listed(chart.maps);
   return {"map-point-in-polygon",
           "Whether a point beside an edge lies in a triangle, by crossings and by winding, for 256 x 256 "
-          "points 2^-48 "
+          "points 2^{−48} "
           "apart. The exact call is right in every cell.",
           "Maps of the verdicts of two naive point-in-polygon tests beside an edge." + percent,
           {std::move(chart)}};
@@ -168,7 +161,7 @@ Plotted tangent_map() {
   return {"map-ray-sphere",
           "Whether a ray that all but touches a circle hits it, by two of the note's methods and by a stable "
           "one, for "
-          "256 x 256 origins 2^-48 "
+          "256 x 256 origins 2^{−48} "
           "apart. The exact call is right in every cell.",
           "Maps of the verdicts of ray-sphere methods near tangency." + percent,
           {std::move(chart)}};

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "bench/prose.h"
 #include "bench/rows.h"
 #include "viz/files.h"
 #include "viz/offscreen.h"
@@ -119,13 +120,12 @@ std::string front_in_words(const std::vector<const Row*>& all, const std::vector
       if (r->family == family) rows.push_back(r);
     std::vector<const Row*> front = front_of(rows, by_value);
     std::ranges::sort(front, {}, &Row::ns);
-    std::string list;
-    for (const Row* r : front)
-      list += fmt::format("{}{} ({:.3g} ns, {})", list.empty() ? "" : ", ", name_of(*r), r->ns,
-                          by_value ? fmt::format("{:.3g} ulp", r->ulps->p99)
-                                   : fmt::format("{:.0f} wrong per million", r->wrong_per_million()));
-    text += fmt::format(" On the front of {}: {}.", words(family), list.empty() ? "none" : list);
+    std::vector<std::string> names;
+    for (const Row* r : front) names.push_back(name_of(*r));
+    text += fmt::format("{} {}: {}", text.empty() ? " On the front, from fast to right:" : ";", words(family),
+                        names.empty() ? "none" : listed(names));
   }
+  text += '.';
   return text;
 }
 
@@ -216,8 +216,9 @@ Plotted distribution_plot(const Report& report, const std::string& test, const s
         curve.points.emplace_back(bits(r->quantiles[i]),
                                   static_cast<double>(i) / static_cast<double>(r->quantiles.size() - 1));
       most = std::max(most, curve.points.back().x());
-      alt += fmt::format(" {}, {}: half within {:.3g} ulp, all within {:.3g}.", words(family), name_of(*r),
-                         r->quantiles[r->quantiles.size() / 2], r->quantiles.back());
+      if (r->standard || r->exact)
+        alt += fmt::format(" {}, {}: half within {} ulp.", words(family), name_of(*r),
+                           number(r->quantiles[r->quantiles.size() / 2]));
       panel.curves.push_back(std::move(curve));
     }
     if (!panel.curves.empty()) plot.panels.push_back(std::move(panel));

@@ -6,6 +6,7 @@
 
 #include "bench/maps.h"
 #include "bench/plots.h"
+#include "bench/report_text.h"
 #include "bench/session.h"
 #include "lessons/program/child.h"
 #include "lessons/program/program.h"
@@ -18,7 +19,8 @@ namespace {
 
 struct Wanted {
   std::vector<std::string> tests;
-  std::string csv, json, from, plot;
+  std::string csv, json, plot, publish;
+  std::vector<std::string> from;
   unsigned long long seed = 1;
   bool quick = false, peers = false, native = false;
 };
@@ -59,7 +61,7 @@ bench::Report read_from(const std::string& path) {
 }
 
 bench::Report measured(const Wanted& wanted) {
-  if (!wanted.from.empty()) return read_from(wanted.from);
+  if (!wanted.from.empty()) return read_from(wanted.from.front());
   Progress progress(0);
   if (wanted.peers) return measured_by("measure_peers", wanted, progress);
   if (wanted.native) return measured_by("measure_native", wanted, progress);
@@ -90,10 +92,34 @@ void draw(const bench::Report& report, const std::string& folder) {
   }
 }
 
+/// The report as text and figures: from the files given, or measured here by every program that was built.
+int publish(const Wanted& wanted) {
+  std::vector<bench::Report> reports;
+  for (const std::string& path : wanted.from) reports.push_back(read_from(path));
+  if (wanted.from.empty()) {
+    Wanted one = wanted;
+    reports.push_back(measured(one));
+    one.native = true;
+    if (std::filesystem::exists(beside("measure_native"))) reports.push_back(measured(one));
+    one.native = false, one.peers = true;
+    if (std::filesystem::exists(beside("measure_peers"))) reports.push_back(measured(one));
+  }
+  try {
+    bench::publish(bench::measured_of(std::move(reports)), wanted.publish);
+  } catch (const viz::FileError&) {
+    throw;
+  } catch (const std::runtime_error& e) {
+    throw viz::BadInput(fmt::format("--publish: {}", e.what()));
+  }
+  return done;
+}
+
 int bench(const Wanted& wanted) {
   for (const std::string& test : wanted.tests)
     if (const auto all = names(); std::ranges::find(all, test) == all.end())
       throw viz::unknown("TEST", test, all);
+  if (!wanted.publish.empty()) return publish(wanted);
+  if (wanted.from.size() > 1) throw viz::BadInput("--from: several files make sense with --publish only");
   const bench::Report report = measured(wanted);
   if (!wanted.csv.empty() && wanted.csv != "-") viz::write_file(wanted.csv, bench::csv(report));
   if (!wanted.json.empty() && wanted.json != "-") viz::write_file(wanted.json, bench::json(report));
@@ -117,9 +143,14 @@ void add_bench(CLI::App& app, Program& program) {
   sub.add_option("--csv", wanted->csv, "write the rows as CSV; - for standard output");
   CLI::Option* json =
       sub.add_option("--json", wanted->json, "write everything as JSON; - for standard output");
-  sub.add_option("--plot", wanted->plot, "draw every chart into this folder, as SVG and PNG")->type_name("DIR");
+  sub.add_option("--plot", wanted->plot, "draw every chart into this folder, as SVG and PNG")
+      ->type_name("DIR");
   CLI::Option* from =
       sub.add_option("--from", wanted->from, "read a file that --json wrote instead of measuring");
+  CLI::Option* publish =
+      sub.add_option("--publish", wanted->publish,
+                     "write REPORT.md with its figures and results.json into this folder: from "
+                     "--from's files, or from new runs of all builds that are there");
   CLI::Option* seed = sub.add_option("--seed", wanted->seed, "of the random cases");
   CLI::Option* quick =
       sub.add_flag("--quick", wanted->quick, "within a minute: few passes, few cases judged");
@@ -128,7 +159,9 @@ void add_bench(CLI::App& app, Program& program) {
   CLI::Option* native = sub.add_flag("--native", wanted->native, "compiled for this machine's instructions");
   peers->excludes(native);
   for (CLI::Option* measuring : {seed, quick, peers, native}) from->excludes(measuring);
-  json->type_name("FILE"), from->type_name("FILE"), seed->type_name("N");
+  for (CLI::Option* one : {peers, native, json, sub.get_option("--csv"), sub.get_option("--plot")})
+    publish->excludes(one);
+  publish->type_name("DIR"), json->type_name("FILE"), from->type_name("FILE"), seed->type_name("N");
   sub.get_option("--csv")->type_name("FILE");
   std::string list;
   for (const std::string& name : names()) list += " " + name;

@@ -1,0 +1,235 @@
+#include "bench/report_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <regex>
+#include <set>
+#include <stdexcept>
+
+#include "bench/maps.h"
+#include "bench/prose.h"
+#include "bench/rows.h"
+#include "bench/targets.h"
+#include "viz/files.h"
+#include "viz/rich_text.h"
+
+namespace isect::bench {
+namespace {
+
+constexpr double wide = 340;  ///< points: 12 cm, as the text's own width on paper
+
+/// Coordinates to an eightieth of a point: half the bytes, and no eye sees it.
+std::string compact(const std::string& svg) {
+  static const std::regex numbers(R"((\d+\.\d)\d+)"), places(R"( (d|x|y)="[^"]*")");
+  std::string out;
+  std::size_t from = 0;
+  for (std::sregex_iterator it(svg.begin(), svg.end(), places), end; it != end; ++it) {
+    out += svg.substr(from, static_cast<std::size_t>(it->position()) - from);
+    out += std::regex_replace(it->str(), numbers, "$1");
+    from = static_cast<std::size_t>(it->position() + it->length());
+  }
+  return out + svg.substr(from);
+}
+
+/// Figures in the order in which the text names them.
+class Figures {
+ public:
+  std::string show(Plotted plot, bool as_pixels = false) {
+    const std::string file = plot.name + (as_pixels ? ".png" : ".svg");
+    if (!as_pixels) plot.width = wide;
+    files.emplace_back(
+        file, as_pixels ? png_of(plot, viz::ThemeName::print) : compact(svg_of(plot, viz::ThemeName::print)));
+    std::string alt = viz::plain(plot.alt);
+    std::ranges::replace(alt, '[', '(');
+    std::ranges::replace(alt, ']', ')');
+    return fmt::format("![{}](report/{})\n\nFigure {}. {}\n\n", alt, file, files.size(),
+                       viz::plain(plot.caption));
+  }
+  std::vector<std::pair<std::string, std::string>> files;
+};
+
+bool any(const std::vector<const Row*>& rows, bool (*has)(const Row&)) {
+  return std::ranges::any_of(rows, [has](const Row* r) { return has(*r); });
+}
+bool has_value(const Row& r) { return r.ulps.has_value(); }
+bool is_wrong(const Row& r) { return r.wrong() > 0; }
+
+std::string opening(const Measured& m) {
+  return "# Speed against error\n\n"
+         "How long each test takes, and how often and how far it is wrong: every method, on ordinary input "
+         "and on input "
+         "made to break it. `isect bench` measures, an exact oracle judges, and this text, its tables and "
+         "its figures "
+         "are written from the measurements by one command (at the end).\n\n" +
+         machine_text(m);
+}
+
+std::string reading() {
+  return "## How to read it\n\n"
+         "A time is the least of several passes over distinct random inputs, in nanoseconds a call. Methods "
+         "of one "
+         "family take turns, so that a busy moment of the machine meets them all. A ratio compares times of "
+         "one run "
+         "only.\n\n"
+         "A verdict is wrong if it differs from the true one for the numbers as given. The error of a value "
+         "is counted "
+         "in units in the last place (ulp) of the true value, where the verdict is right: half the cases lie "
+         "below the "
+         "median, all but one in a hundred below the 99th percentile. An error of n ulp loses about log2(1 + "
+         "n) bits.\n\n"
+         "In a figure, down is more accurate and left is faster. A method is on the front if no other is "
+         "both at least "
+         "as fast and at least as accurate. What lies on the tinted side is beaten.\n\n";
+}
+
+std::string families(const Report& report) {
+  std::string text = "## The hard families\n\n";
+  std::string last;
+  std::set<std::string> told;
+  for (const Row& r : report.rows) {
+    if (!r.hard || !told.insert(r.test + '/' + r.family).second) continue;
+    const std::string note = family_note(r.test, r.family);
+    if (note.empty()) continue;
+    if (r.test != last) text += (last.empty() ? "" : "\n") + sentence(r.test) + ":\n\n";
+    last = r.test;
+    text += fmt::format("- {}: {}\n", words(r.family), note);
+  }
+  return last.empty() ? "" : text + '\n';
+}
+
+std::string tests(const Measured& m, Figures& figures) {
+  std::string text = "## Test by test\n\n";
+  for (const std::string& test : tests_of(m.portable)) {
+    text += fmt::format("### {}\n\n{}", sentence(test), test_text(m, test));
+    const std::vector<const Row*> rows = rows_of(m.portable, test, "double");
+    if (families_of(rows).size() < 2) continue;
+    if (any(rows, has_value)) text += figures.show(error_plot(m.portable, test, "double"));
+    if (any(rows, is_wrong)) text += figures.show(verdict_plot(m.portable, test, "double"));
+    if (test == "ray-sphere") text += figures.show(distribution_plot(m.portable, test, "double"));
+  }
+  return text;
+}
+
+std::string growths(const Report& report, Figures& figures) {
+  std::string text;
+  std::set<std::pair<std::string, std::string>> told;
+  for (const Growth& g : report.growths) {
+    if (!told.insert({g.test, g.unit}).second) continue;
+    if (text.empty()) text = "## As the number of elements grows\n\n";
+    std::vector<const Growth*> all;
+    for (const Growth& other : report.growths)
+      if (other.test == g.test && other.unit == g.unit && !other.n.empty()) all.push_back(&other);
+    std::vector<std::string> parts;
+    for (const Growth* other : all)
+      parts.push_back(fmt::format("{} as n^{:.2f}", name_of(*other), other->exponent));
+    text += fmt::format("{}, {}: {}.\n\n", sentence(g.test), g.unit, listed(parts));
+    text += figures.show(growth_plot(report, g.test, g.unit));
+  }
+  return text;
+}
+
+std::string pictures(Figures& figures) {
+  std::string text =
+      "## Where naive verdicts fall\n\n"
+      "Each cell is one floating-point neighbour of a point. Yellow and violet cells are wrong. These maps "
+      "are computed, "
+      "not measured: they are the same on every machine that rounds as IEEE 754 asks.\n\n";
+  for (Plotted& map : maps()) text += figures.show(std::move(map), true);
+  return text;
+}
+
+std::string duties(const Report& report, Figures& figures) {
+  if (report.duties.empty()) return {};
+  std::string text = "## Starting and drawing\n\n| what | measured | target |\n| --- | --- | --- |\n";
+  bool targets = false;
+  for (const Duty& d : report.duties) {
+    targets = targets || d.target;
+    text += fmt::format("| {} | {} {} | {} |\n", d.what, number(d.value), d.unit,
+                        d.target ? fmt::format("{} {} {}", d.unit == "frames/s" ? "at least" : "at most",
+                                               number(*d.target), d.unit)
+                                 : "");
+  }
+  return text + '\n' + (targets ? figures.show(duty_plot(report)) : "");
+}
+
+std::string ending() {
+  return "## How to make this report again\n\n"
+         "On an idle machine, from the root of the repository:\n\n"
+         "```\n"
+         "cmake --preset release -DISECT_PEERS=ON && cmake --build --preset release --target isect "
+         "measure_native "
+         "measure_peers\n"
+         "build/release/bin/isect bench --publish bench\n"
+         "```\n\n"
+         "It measures three times: for any machine of the kind, for this machine's own instructions, and "
+         "beside the other "
+         "libraries that are installed. The last two are left out if their programs were not built. "
+         "`--json FILE` keeps a run, `--publish bench --from FILE --from FILE` writes the report from runs "
+         "that were "
+         "kept. Times differ from machine to machine; verdicts and errors do not.\n";
+}
+
+}  // namespace
+
+Measured measured_of(std::vector<Report> reports) {
+  std::optional<Measured> measured;
+  for (Report& r : reports)
+    if (r.machine.build == "portable") {
+      if (measured) throw std::runtime_error("two reports of the portable build were given");
+      measured = Measured{std::move(r)};
+    }
+  if (!measured) throw std::runtime_error("none of the reports is of the portable build");
+  for (Report& r : reports) {
+    if (r.machine.build == "portable" || r.machine.build.empty()) continue;
+    std::optional<Report>& place = r.machine.build == "native" ? measured->native : measured->peers;
+    if (place) throw std::runtime_error("two reports of the " + r.machine.build + " build were given");
+    place = std::move(r);
+  }
+  return std::move(*measured);
+}
+
+Publication publication(const Measured& m) {
+  Figures figures;
+  const Report& growing = m.peers && !m.peers->growths.empty() ? *m.peers : m.portable;
+  std::string text = opening(m) + reading() + families(m.portable);
+  text += tests(m, figures);
+  text += growths(growing, figures);
+  text += pictures(figures);
+  text += duties(m.portable, figures);
+  text += target_text(m) + loss_text(m) + ending();
+  return {text, std::move(figures.files)};
+}
+
+Report lesson_excerpt(const Report& report) {
+  const std::set<std::string> tests = {"ray-sphere",       "sphere-sphere", "orient2d",
+                                       "point-in-polygon", "sphere-aabb",   "obb-obb"};
+  Report excerpt = {report.machine, report.seed, report.quick, {}, {}, {}};
+  for (Row r : report.rows) {
+    if (!tests.contains(r.test) || (r.scalar != "double" && r.test != "ray-sphere")) continue;
+    r.first_wrong.clear(), r.quantiles.clear();
+    r.conditioned.reset(), r.residual.reset();
+    excerpt.rows.push_back(std::move(r));
+  }
+  return excerpt;
+}
+
+void publish(const Measured& m, const std::string& folder) {
+  const Publication p = publication(m);
+  const std::string pictures = folder + "/report";
+  std::set<std::string> named;
+  for (const auto& [name, bytes] : p.files) {
+    viz::write_file(pictures + '/' + name, bytes);
+    named.insert(name);
+  }
+  for (const auto& entry : std::filesystem::directory_iterator(pictures)) {  // figures of an earlier report
+    const std::string extension = entry.path().extension().string();
+    if ((extension == ".svg" || extension == ".png") && !named.contains(entry.path().filename().string()))
+      std::filesystem::remove(entry.path());
+  }
+  viz::write_file(folder + "/results.json", json(lesson_excerpt(m.portable)));
+  viz::write_file(folder + "/REPORT.md", p.text);
+}
+
+}  // namespace isect::bench

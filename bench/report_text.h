@@ -1,0 +1,47 @@
+#pragma once
+// The measurements as a text to be read, with its figures: bench/REPORT.md. Every sentence is computed from the rows, so
+// that none contradicts them.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/plots.h"
+#include "bench/report.h"
+
+namespace isect::bench {
+
+/// One run for any machine, and if they were made: one compiled for this machine, one beside other libraries.
+struct Measured {
+  Report portable;
+  std::optional<Report> native = {}, peers = {};
+};
+/// Sorts reports by their build. Throws std::runtime_error unless there is exactly one portable and at most one of each
+/// other kind.
+Measured measured_of(std::vector<Report>);
+
+/// The text and the figures that it names: as SVG, maps as PNG.
+struct Publication {
+  std::string text;
+  std::vector<std::pair<std::string, std::string>> files;  ///< name in the folder report/, bytes
+};
+Publication publication(const Measured&);
+
+// Its parts.
+std::string machine_text(const Measured&);
+/// What one test found: a paragraph, what to choose, a table.
+std::string test_text(const Measured&, const std::string& test);
+/// Which targets were met and which missed, as a table.
+std::string target_text(const Measured&);
+/// Everything in which a naive method or another library is ahead.
+std::string loss_text(const Measured&);
+/// What a hard family is made of, in one line; empty for one nobody wrote about.
+std::string family_note(const std::string& test, const std::string& family);
+
+/// The rows that the lesson `speed-against-error` reads, without what it does not: bench/results.json.
+Report lesson_excerpt(const Report&);
+
+/// Writes REPORT.md, report/* and results.json into `folder`; figures of an earlier report go. Throws viz::FileError.
+void publish(const Measured&, const std::string& folder);
+
+}  // namespace isect::bench
