@@ -118,15 +118,16 @@ template <int Bytes, class S, std::size_t K, class Filter, std::size_t... I>
   using Of = simd::Of<S, Bytes>;
   using Vector = typename Of::Vector;
   using Unaligned = typename Of::Unaligned;
-  alignas(64) S no[simd::block], sure[simd::block];
+  const Vector zero = {};
+  Bits bits = {0, 0};
   for (std::size_t i = 0; i < simd::block; i += Of::lanes) {
     const std::array<Vector, K> entries = {Vector(*reinterpret_cast<const Unaligned*>(at[I] + i))...};
     Filtered<Vector> f;
     filter(entries, f);
-    *reinterpret_cast<Unaligned*>(no + i) = f.no;
-    *reinterpret_cast<Unaligned*>(sure + i) = f.sure;
+    bits.yes |= simd::greater(f.no, zero) << i;
+    bits.sure |= simd::greater(f.sure, zero) << i;
   }
-  return {~simd::positive<Bytes>(no), simd::positive<Bytes>(sure)};
+  return {~bits.yes, bits.sure};
 }
 
 /// The loop over all blocks of 64, as a text for simd::run; finish(first, count, bits) hears of each in order. A last

@@ -6,11 +6,12 @@
 // as a function object whose calls are all inlined. Every set rounds alike: products are never fused with sums
 // (-ffp-contract=off, see core/CMakeLists.txt). On other machines there is one set, `any`.
 //
-// A comparison of vectors yields a mask in the one form that only the set's own instructions turn into bits; so the
-// texts store numbers whose sign is the answer, and `positive` makes bits of them.
+// A comparison of vectors yields a mask in the one form that only the set's own instructions turn into bits: `greater`
+// and `equal` do that.
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #if defined(__x86_64__)
 #include <immintrin.h>
@@ -58,78 +59,78 @@ template <class V>
   x = y > x ? y : x;
 }
 
+/// x becomes a, b, a, b, ...; I counts its lanes.
+template <class V, class S, std::size_t... I>
+[[gnu::always_inline]] inline void alternate(V& x, S a, S b, std::index_sequence<I...>) {
+  const V zero = {}, odd = {S(I % 2)...};
+  x = odd > zero ? zero + b : zero + a;
+}
+
 /// How many numbers make a word of bits.
 inline constexpr std::size_t block = 64;
 
-// Bit i of the result: whether x[i] > 0. All 64 are read; x is aligned to 64 bytes.
+// The bits of comparisons: inlined once the text around them is compiled for their set, which always_inline won't wait
+// for.
 #if ISECT_X86
-[[gnu::target("avx512f,avx512dq"), gnu::noinline]] inline std::uint64_t positive_avx512(const double* x) {
-  std::uint64_t word = 0;
-  for (int i = 0; i < 64; i += 8)
-    word |= std::uint64_t{_mm512_cmp_pd_mask(_mm512_load_pd(x + i), _mm512_setzero_pd(), _CMP_GT_OQ)} << i;
-  return word;
+#define ISECT_AVX512 "avx512f,avx512dq"
+#define ISECT_AVX2 "avx2"
+template <int predicate>
+[[gnu::target(ISECT_AVX512)]] inline unsigned compared(const __m512d& x, const __m512d& y) {
+  return _mm512_cmp_pd_mask(x, y, predicate);
 }
-[[gnu::target("avx512f,avx512dq"), gnu::noinline]] inline std::uint64_t positive_avx512(const float* x) {
-  std::uint64_t word = 0;
-  for (int i = 0; i < 64; i += 16)
-    word |= std::uint64_t{_mm512_cmp_ps_mask(_mm512_load_ps(x + i), _mm512_setzero_ps(), _CMP_GT_OQ)} << i;
-  return word;
+template <int predicate>
+[[gnu::target(ISECT_AVX512)]] inline unsigned compared(const __m512& x, const __m512& y) {
+  return _mm512_cmp_ps_mask(x, y, predicate);
 }
-[[gnu::target("avx2"), gnu::noinline]] inline std::uint64_t positive_avx2(const double* x) {
-  std::uint64_t word = 0;
-  for (int i = 0; i < 64; i += 4) {
-    const __m256d above = _mm256_cmp_pd(_mm256_load_pd(x + i), _mm256_setzero_pd(), _CMP_GT_OQ);
-    word |= static_cast<std::uint64_t>(_mm256_movemask_pd(above)) << i;
-  }
-  return word;
+template <int predicate>
+[[gnu::target(ISECT_AVX2)]] inline unsigned compared(const __m256d& x, const __m256d& y) {
+  return static_cast<unsigned>(_mm256_movemask_pd(_mm256_cmp_pd(x, y, predicate)));
 }
-[[gnu::target("avx2"), gnu::noinline]] inline std::uint64_t positive_avx2(const float* x) {
-  std::uint64_t word = 0;
-  for (int i = 0; i < 64; i += 8) {
-    const __m256 above = _mm256_cmp_ps(_mm256_load_ps(x + i), _mm256_setzero_ps(), _CMP_GT_OQ);
-    word |= static_cast<std::uint64_t>(_mm256_movemask_ps(above)) << i;
-  }
-  return word;
+template <int predicate>
+[[gnu::target(ISECT_AVX2)]] inline unsigned compared(const __m256& x, const __m256& y) {
+  return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(x, y, predicate)));
 }
-inline std::uint64_t positive_any(const double* x) {
-  std::uint64_t word = 0;
-  for (int i = 0; i < 64; i += 2)
-    word |= static_cast<std::uint64_t>(_mm_movemask_pd(_mm_cmpgt_pd(_mm_load_pd(x + i), _mm_setzero_pd())))
-            << i;
-  return word;
+template <int predicate>
+inline unsigned compared(const __m128d& x, const __m128d& y) {
+  return static_cast<unsigned>(
+      _mm_movemask_pd(predicate == _CMP_GT_OQ ? _mm_cmpgt_pd(x, y) : _mm_cmpeq_pd(x, y)));
 }
-inline std::uint64_t positive_any(const float* x) {
-  std::uint64_t word = 0;
-  for (int i = 0; i < 64; i += 4)
-    word |= static_cast<std::uint64_t>(_mm_movemask_ps(_mm_cmpgt_ps(_mm_load_ps(x + i), _mm_setzero_ps())))
-            << i;
-  return word;
-}
-#else
-template <class S>
-std::uint64_t positive_any(const S* x) {
-  std::uint64_t word = 0;
-  for (int i = 0; i < 64; ++i) word |= std::uint64_t{x[i] > 0} << i;
-  return word;
+template <int predicate>
+inline unsigned compared(const __m128& x, const __m128& y) {
+  return static_cast<unsigned>(
+      _mm_movemask_ps(predicate == _CMP_GT_OQ ? _mm_cmpgt_ps(x, y) : _mm_cmpeq_ps(x, y)));
 }
 #endif
 
-template <int Bytes, class S>
-[[gnu::always_inline]] inline std::uint64_t positive(const S* x) {
+/// Bit k of the result: whether x[k] > y[k]; of `equal`, x[k] == y[k].
+template <class V>
+[[gnu::always_inline]] inline std::uint64_t greater(const V& x, const V& y) {
 #if ISECT_X86
-  if constexpr (Bytes == 64) return positive_avx512(x);
-  if constexpr (Bytes == 32) return positive_avx2(x);
+  return compared<_CMP_GT_OQ>(x, y);
+#else
+  std::uint64_t word = 0;
+  for (std::size_t k = 0; k < sizeof(V) / sizeof x[0]; ++k) word |= std::uint64_t{x[k] > y[k]} << k;
+  return word;
 #endif
-  return positive_any(x);
+}
+template <class V>
+[[gnu::always_inline]] inline std::uint64_t equal(const V& x, const V& y) {
+#if ISECT_X86
+  return compared<_CMP_EQ_OQ>(x, y);
+#else
+  std::uint64_t word = 0;
+  for (std::size_t k = 0; k < sizeof(V) / sizeof x[0]; ++k) word |= std::uint64_t{x[k] == y[k]} << k;
+  return word;
+#endif
 }
 
 #if ISECT_X86
 template <class Text>
-[[gnu::target("avx512f,avx512dq"), gnu::noinline]] void run_avx512(const Text& text) {
+[[gnu::target(ISECT_AVX512), gnu::noinline]] void run_avx512(const Text& text) {
   text.template operator()<64>();
 }
 template <class Text>
-[[gnu::target("avx2"), gnu::noinline]] void run_avx2(const Text& text) {
+[[gnu::target(ISECT_AVX2), gnu::noinline]] void run_avx2(const Text& text) {
   text.template operator()<32>();
 }
 #endif

@@ -15,6 +15,7 @@
 // polygon problem for arbitrary polygons, Comput. Geom. 20 (2001).
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <optional>
 #include <span>
@@ -33,7 +34,7 @@ enum class FillRule { even_odd, nonzero };
 /// Where a point lies, by either rule.
 struct Winding {
   Location even_odd, nonzero;
-  int winding;    ///< how many times the rings go around the point, counter-clockwise; meaningless on the boundary
+  int winding;  ///< how many times the rings go around the point, counter-clockwise; meaningless on the boundary
   int crossings;  ///< how many edges the ray to the right crosses; meaningless on the boundary
 };
 
@@ -101,7 +102,8 @@ Tally walk(std::span<const Vertex> vertices, std::size_t first, std::size_t last
     }
     const int turn = side(a, b);
     tally.on = turn == 0;
-    if (turn == up) ++tally.crossings, tally.winding += up;
+    const bool counts = turn == up;
+    tally.crossings += counts, tally.winding += counts ? up : 0;
     trace(Edge{ring, index, crossed(turn, up), turn});
     if (tally.on) return tally;
   }
@@ -116,76 +118,68 @@ Tally wind(std::span<const Vertex> vertices, const Height& height, const Absciss
   return walk(vertices, 0, vertices.size(), height, abscissa, side, ring, trace);
 }
 
-/// What the ray meets of a ring with coordinates; nothing when one of those looked at is not finite. Most runs of
-/// eight edges lie above, below or on the left of the point: the box around them tells.
+/// What the ray meets of a ring with coordinates; nothing when one of those looked at is not finite. Comparisons, many
+/// at once, settle most edges.
 template <class S, class Trace>
-std::optional<Tally> wind(const Point<S, 2>& p, std::span<const Point<S, 2>> vertices, int ring, Trace&& trace) {
+std::optional<Tally> wind(const Point<S, 2>& p, std::span<const Point<S, 2>> vertices, int ring,
+                          Trace&& trace) {
   const auto height = [&](const Point<S, 2>& v) { return (v[1] > p[1]) - (v[1] < p[1]); };
   const auto abscissa = [&](const Point<S, 2>& v) { return (v[0] > p[0]) - (v[0] < p[0]); };
   const auto side = [&](const Point<S, 2>& a, const Point<S, 2>& b) {
     return orient2d(a.template cast<double>(), b.template cast<double>(), p.template cast<double>(), trace);
   };
-  const auto all_finite = [](std::span<const Point<S, 2>> run) {
-    return std::all_of(run.begin(), run.end(), [](const Point<S, 2>& v) { return finite(v); });
+  const auto all_finite = [&] {
+    return std::all_of(vertices.begin(), vertices.end(), [](const Point<S, 2>& v) { return finite(v); });
   };
 
-  constexpr std::size_t length = run_length;
-  Tally tally;
-  const auto count = [&](std::size_t first, std::size_t last) {
-    const Tally part = walk(vertices, first, last, height, abscissa, side, ring, trace);
-    tally = {tally.crossings + part.crossings, tally.winding + part.winding, part.on};
-    return !part.on;
-  };
-
-  std::size_t begin = 0;
-  if constexpr (!heard<Trace>) {
-    bool usable = true, sum_finite = true;
-    const auto visit = [&](const OpenRuns& open) __attribute__((noinline)) {
-      for (std::uint64_t rest = open.bits; rest != 0; rest &= rest - 1) {
-        const std::size_t run = static_cast<std::size_t>(std::countr_zero(rest) / open.lanes);
-        const std::size_t first = open.first + run * length;
-        usable = all_finite(vertices.subspan(first, length + 1));
-        if (!usable || !count(first, first + length)) return false;
-      }
-      return true;
-    };
-    if (vertices.size() > 256)  // below, it wins nothing
-      simd::run(widest(), Scan<S, decltype(visit)>{p, vertices, visit, begin, sum_finite});
-    if (!usable || (!sum_finite && !all_finite(vertices))) return {};
-    if (tally.on) return tally;
-  }
-
-  for (std::size_t first = begin; first < vertices.size(); first += length) {
-    const std::size_t last = std::min(first + length, vertices.size());
-    if (last < vertices.size()) {
-      Point<S, 2> lo = vertices[first], hi = lo, sum = lo;
-      for (std::size_t i = first + 1; i <= first + length; ++i) {
-        lo = lo.cwiseMin(vertices[i]), hi = hi.cwiseMax(vertices[i]);
-        sum += vertices[i];
-      }
-      // a sum is finite only if its terms are; it may overflow by itself
-      if (!finite(sum) && !all_finite(vertices.subspan(first, length + 1))) return {};
-      if (!heard<Trace> && (p[1] < lo[1] || p[1] > hi[1] || p[0] > hi[0])) continue;
-    } else if (!all_finite(vertices.subspan(first))) {
-      return {};
+  using Fast = Scan<S>;
+  constexpr std::size_t few = 8;  // of which a scan costs more than it saves
+  if (!heard<Trace> && vertices.size() >= few) {
+    const Point<S, 2>* from = vertices.data();
+    std::array<Point<S, 2>, Fast::word> filled;
+    if (vertices.size() < Fast::word) {
+      std::fill(std::copy(vertices.begin(), vertices.end(), filled.begin()), filled.end(), vertices.back());
+      from = filled.data();
     }
-
-    if (!count(first, last)) return tally;
+    Tally tally;
+    for (std::size_t first = 0; first < vertices.size(); first += Fast::most) {
+      Scanned scanned;
+      const std::size_t last = std::min(first + Fast::most, vertices.size());
+      const Point<S, 2>& before = first > 0 ? vertices[first - 1] : vertices.back();
+      simd::run(widest(), Fast{p, from, before, first, last, scanned});
+      if (!scanned.finite) return {};
+      tally.crossings += scanned.crossings, tally.winding += scanned.winding;
+      for (std::size_t word = 0; word < scanned.words; ++word)
+        for (std::uint64_t rest = scanned.open[word].bits; rest != 0; rest &= rest - 1) {
+          const std::size_t end =
+              scanned.open[word].first + static_cast<std::size_t>(std::countr_zero(rest)) / 2;
+          const std::size_t edge = (end > 0 ? end : vertices.size()) - 1;
+          if (!finite(vertices[edge])) return {};  // of the first edge it is the last vertex, not scanned yet
+          const Tally part = walk(vertices, edge, edge + 1, height, abscissa, side);
+          tally = {tally.crossings + part.crossings, tally.winding + part.winding, part.on};
+          if (part.on) return tally;
+        }
+    }
+    return tally;
   }
-  return tally;
+  if (!all_finite()) return {};
+  return wind(vertices, height, abscissa, side, ring, trace);
 }
 
 template <class S, class Trace>
 Winding winding(const Point<S, 2>& p, std::span<const Ring<S, 2>> rings, Trace&& trace) {
-  constexpr Winding outside = {Location::out, Location::out, 0, 0}, boundary = {Location::on, Location::on, 0, 0};
+  constexpr Winding outside = {Location::out, Location::out, 0, 0},
+                    boundary = {Location::on, Location::on, 0, 0};
   if (!finite(p)) return outside;
 
   Tally sum;
   for (std::size_t i = 0; i < rings.size(); ++i) {
-    const std::optional<Tally> part = wind(p, std::span<const Point<S, 2>>(rings[i]), static_cast<int>(i), trace);
+    const std::optional<Tally> part =
+        wind(p, std::span<const Point<S, 2>>(rings[i]), static_cast<int>(i), trace);
     if (!part) return outside;
     if (part->on) {
-      const bool usable = std::all_of(rings.begin(), rings.end(), [](const Ring<S, 2>& r) { return finite(r); });
+      const bool usable =
+          std::all_of(rings.begin(), rings.end(), [](const Ring<S, 2>& r) { return finite(r); });
       return usable ? boundary : outside;
     }
     sum.crossings += part->crossings, sum.winding += part->winding;
