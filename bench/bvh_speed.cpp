@@ -9,6 +9,7 @@
 #include "bench/measure.h"
 #include "bench/random.h"
 #include "core/bvh_pairs.h"
+#include "core/ray_mesh.h"
 #include "core/triangle_mesh.h"
 #ifdef ISECT_PEERS
 #include "bench/embree.h"
@@ -113,6 +114,8 @@ void all_sizes(int passes, int largest) {
     const Timing built =
         timed(one, n > 200'000 ? 3 : passes, [](const auto& m) { return build_bvh(boxes(m)).nodes.size(); });
     building.row("build_bvh (ns a mesh)", built);
+    building.row("make_ray_mesh", timed(one, n > 200'000 ? 3 : passes,
+                                        [](const auto& m) { return make_ray_mesh(m).nodes.size(); }));
 
     Table rays("closest hit" + size);
     const Timing hit =
@@ -120,6 +123,11 @@ void all_sizes(int passes, int largest) {
     rays.row("closest_hit", hit);
     const Timing some = timed(all, passes, [&](const auto& ray) { return any_hit(bvh, mesh, ray); });
     rays.row("any_hit", some);
+    const RayMesh<S> prepared = make_ray_mesh(mesh);
+    rays.row("closest_hit, ray_mesh",
+             timed(all, passes, [&](const auto& ray) { return closest_hit(prepared, ray).has_value(); }));
+    rays.row("any_hit, ray_mesh",
+             timed(all, passes, [&](const auto& ray) { return any_hit(prepared, ray); }));
     if (n < 2000) {
       const Timing slow = timed(few, 3, [&](const auto& ray) { return brute_force(mesh, ray).has_value(); });
       rays.row("brute force (256 rays)", slow);

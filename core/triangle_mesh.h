@@ -49,19 +49,21 @@ std::vector<Aabb<S, 3>> boxes(const TriangleMesh<S>& mesh) {
 
 namespace triangle_mesh {
 
-/// The t of intersect(ray, triangle) alone: its weights cost more than all of a ray's way through a hierarchy.
+/// The t of intersect(ray, triangle) alone: its weights cost more than all of a ray's way through a hierarchy. All is
+/// finite; `sign` is that of the volumes where it is known, else 0.
 template <class S>
-std::optional<S> first_t(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle) {
-  if (!finite(ray) || !finite(triangle)) return {};
+std::optional<S> first_t(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle, int sign) {
   const Ray<double, 3> wide = cast<double>(ray);
   const Triangle<double, 3> x = cast<double>(triangle);
-
-  const ray_triangle::Volumes side = ray_triangle::volumes(wide, x, NoTrace());
-  const bool positive = side.a > 0 || side.b > 0 || side.c > 0,
-             negative = side.a < 0 || side.b < 0 || side.c < 0;
-  if (positive == negative) return {};
+  if (sign == 0) {
+    const ray_triangle::Volumes side = ray_triangle::volumes(wide, x, NoTrace());
+    const bool positive = side.a > 0 || side.b > 0 || side.c > 0,
+               negative = side.a < 0 || side.b < 0 || side.c < 0;
+    if (positive == negative) return {};
+    sign = positive ? 1 : -1;
+  }
   const auto t = [&]<class W>() -> Ratio<W> { return ray_triangle::parameter<W>(wide, x); };
-  if (!ray_range::holds(wide.range, t, positive ? 1 : -1)) return {};
+  if (!ray_range::holds(wide.range, t, sign)) return {};
   return ray_range::clamped(value_of<S>(t), ray.range);
 }
 
@@ -73,7 +75,10 @@ std::optional<S> first_t(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle) {
 template <class S, class Trace = NoTrace>
 std::optional<BvhHit<S>> closest_hit(const Bvh<S, 3>& bvh, const TriangleMesh<S>& mesh, const Ray<S, 3>& ray,
                                      Trace&& trace = {}) {
-  const auto hit = [&](int index) { return triangle_mesh::first_t(ray, triangle(mesh, index)); };
+  const auto hit = [&](int index) -> std::optional<S> {
+    const Triangle<S, 3> x = triangle(mesh, index);
+    return finite(ray) && finite(x) ? triangle_mesh::first_t(ray, x, 0) : std::nullopt;
+  };
   return closest_hit(bvh, ray, hit, trace);
 }
 
