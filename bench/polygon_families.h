@@ -71,6 +71,40 @@ Ring<S, 2> steps(Random& random, int n) {
   return ring;
 }
 
+/// Thin teeth whose edges all lead from one side to the other, the tips up to 1e-9 apart: nearly along `axis`, and so
+/// nearly along slabs or walls.
+template <class S>
+Ring<S, 2> comb(Random& random, int n, int axis) {
+  Ring<S, 2> ring;
+  double height = 0;
+  for (int i = 0; i < n - 2; ++i) {
+    height += random.uniform(0.1, 1) * (std::is_same_v<S, float> ? 1e-5 : 1e-9);
+    Point<S, 2> v = {static_cast<S>(i % 2 == 0 ? 0 : 1 + random.unit()), static_cast<S>(height)};
+    if (axis == 1) std::swap(v[0], v[1]), v[0] = -v[0];
+    ring.push_back(v);
+  }
+  const Point<S, 2> far = axis == 0 ? Point<S, 2>(-1, S(height)) : Point<S, 2>(-S(height), -1);
+  ring.push_back(far);
+  ring.push_back(axis == 0 ? Point<S, 2>(-1, 0) : Point<S, 2>(0, -1));
+  return ring;
+}
+
+/// Two chains from bottom to top, one up to 2 ulp right of the other: every slab holds two edges that roundoff can't tell
+/// apart, many times over as the chains wind.
+template <class S>
+Ring<S, 2> coincident(Random& random, int n) {
+  Ring<S, 2> up, down;
+  S y = 0;
+  for (int i = 0; i < n / 2; ++i) {
+    const S x = static_cast<S>(random.uniform(-1, 1));
+    y += static_cast<S>(random.uniform(0.01, 1));
+    down.push_back({x, y});
+    up.push_back({moved(x, random.integer(1, 2)), y});
+  }
+  up.insert(up.end(), down.rbegin(), down.rend());
+  return up;
+}
+
 /// Vertices that are repeated, within edges, back on the way they came, or all on one line.
 template <class S>
 Ring<S, 2> degenerate(Random& random, int n) {
@@ -153,6 +187,13 @@ PolygonFamily<S> polygon_family(const std::string& name, int n) {
     return {"bow-tie", false, several<S>(64, [=](Random& r) { return bow_tie<S>(r, n); }), near_edge<S>};
   if (name == "far 1e5") return {"far 1e5", true, stars(1e5), near_edge<S>};
   if (name == "far 1e8") return {"far 1e8", true, stars(1e8), near_edge<S>};
+  if (name == "near-horizontal")
+    return {"near-horizontal", true, several<S>(1, [=](Random& r) { return comb<S>(r, n, 0); }),
+            near_edge<S>};
+  if (name == "near-vertical")
+    return {"near-vertical", true, several<S>(1, [=](Random& r) { return comb<S>(r, n, 1); }), near_edge<S>};
+  if (name == "coincident")
+    return {"coincident", true, several<S>(1, [=](Random& r) { return coincident<S>(r, n); }), near_edge<S>};
   throw std::invalid_argument(name);
 }
 

@@ -4,6 +4,8 @@
 #include "core/point_polygon.h"
 
 #include "bench/contest.h"
+#include "bench/growth.h"
+#include "bench/growth_shapes.h"
 #include "bench/polygon_families.h"
 #include "bench/suites/suites.h"
 #include "core/batch_point_polygon.h"
@@ -93,6 +95,29 @@ void compete_all(Session& session) {
     compete<S>(session, name, 100);
 }
 
+/// Fewer queries of larger polygons.
+Ring<double, 2> queries(int n) { return points_in_square(std::clamp(50'000'000 / n, 64, 1 << 16)); }
+
+void grow(Session& session) {
+  using namespace point_polygon;
+  Grown naive("point-in-polygon", "division", "query"), exact("point-in-polygon", "exact", "query"),
+      batch("point-in-polygon", "batch", "query");
+  for (const int n : sizes(session, 100)) {
+    const Ring<double, 2> ring = polygon_family<double>("ordinary", n).rings.at(0), points = queries(n);
+    naive.add(n, least_each(session, points, [&](const auto& p) { return crossings_naive(p, ring); }));
+    exact.add(n,
+              least_each(session, points, [&](const auto& p) { return locate(p, ring) != Location::out; }));
+    std::array<std::vector<double>, 2> columns;
+    for (const Point<double, 2>& p : points) columns[0].push_back(p[0]), columns[1].push_back(p[1]);
+    const PointBatch<double, 2> all = {{columns[0], columns[1]}};
+    batch.add(n, least_time(session, [&] { return locate(all, ring); }) / static_cast<double>(points.size()));
+  }
+  for (Grown* g : {&naive, &exact, &batch}) g->report(session);
+#ifdef ISECT_PEERS
+  peers::grow_point_polygon(session, queries);
+#endif
+}
+
 }  // namespace
 
 void measure_point_polygon(Session& session) {
@@ -101,6 +126,8 @@ void measure_point_polygon(Session& session) {
   for (const int n : {10, 1000})
     for (const char* name : {"ordinary", "near-edge"}) compete<double>(session, name, n);
   compete_all<float>(session);
+  session.progress("point-polygon, growth");
+  grow(session);
 }
 
 }  // namespace isect::bench

@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "bench/growth.h"
 #include "bench/polygon_families.h"
 #include "bench/suites/peer.h"
 #ifdef ISECT_HAS_BOOST
@@ -83,6 +84,27 @@ void point_polygon([[maybe_unused]] Contest<S, PolygonCase<S>>& contest, [[maybe
   if (!simple) return;
   cgal_polygon<CGAL::Simple_cartesian<double>>(contest, "bounded_side_2, inexact");
   cgal_polygon<CGAL::Exact_predicates_inexact_constructions_kernel>(contest, "bounded_side_2, EPICK").exact();
+#endif
+}
+
+/// Boost's fastest way, at the sizes and queries(n) of the suite.
+template <class Queries>
+void grow_point_polygon([[maybe_unused]] Session& session, [[maybe_unused]] const Queries& queries) {
+#ifdef ISECT_HAS_BOOST
+  namespace bg = boost::geometry;
+  using TheirPoint = bg::model::d2::point_xy<double>;
+  Grown crossings("point-in-polygon", "within, crossings_multiply", "query", "Boost");
+  for (const int n : sizes(session, 100)) {
+    bg::model::polygon<TheirPoint, false> polygon;
+    for (const Point<double, 2>& v : polygon_family<double>("ordinary", n).rings.at(0))
+      polygon.outer().emplace_back(v[0], v[1]);
+    polygon.outer().push_back(polygon.outer()[0]);
+    crossings.add(n, least_each(session, queries(n), [&](const Point<double, 2>& p) {
+                    return bg::within(TheirPoint(p[0], p[1]), polygon,
+                                      bg::strategy::within::crossings_multiply<TheirPoint>());
+                  }));
+  }
+  crossings.report(session);
 #endif
 }
 

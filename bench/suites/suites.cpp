@@ -8,6 +8,8 @@ const std::vector<Suite>& suites() {
       {"ray-sphere", measure_ray_sphere},
       {"orient2d", measure_orient},
       {"point-polygon", measure_point_polygon},
+      {"convex-polygon", measure_convex_polygon},
+      {"point-location", measure_point_location},
   };
   return all;
 }

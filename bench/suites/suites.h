@@ -9,5 +9,7 @@ void measure_ray_sphere(Session&);
 void measure_sphere_sphere(Session&);
 void measure_orient(Session&);
 void measure_point_polygon(Session&);
+void measure_convex_polygon(Session&);
+void measure_point_location(Session&);
 
 }  // namespace isect::bench

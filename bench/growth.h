@@ -1,0 +1,71 @@
+#pragma once
+// Time against size: the least of a few passes at each size, gathered into the growths of a session.
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "bench/session.h"
+
+namespace isect::bench {
+
+/// Powers of ten from `least` to `most`, but to 10^4 only in a quick run.
+inline std::vector<int> sizes(const Session& session, int least, int most = 1'000'000) {
+  std::vector<int> all;
+  for (int n = least; n <= std::min(most, session.effort.all_sizes ? 1'000'000 : 10'000); n *= 10)
+    all.push_back(n);
+  return all;
+}
+
+/// Nanoseconds of one call of run(), which returns something that depends on its work: the least of so many passes as
+/// take half a second, three at least; in a quick run, as fit the session's effort.
+template <class Run>
+double least_time(const Session& session, const Run& run) {
+  double least = std::numeric_limits<double>::infinity(), spent = 0;
+  const double budget = session.effort.all_sizes ? 0.5e9 : 1e9 * session.effort.seconds;
+  const int passes = session.effort.all_sizes ? 3 : 1;
+  for (int pass = 0; pass < passes || (spent < budget && pass < session.effort.most_passes); ++pass) {
+    const auto start = std::chrono::steady_clock::now();
+    const auto result = run();
+    asm volatile("" : : "r"(&result) : "memory");
+    const std::chrono::duration<double, std::nano> passed = std::chrono::steady_clock::now() - start;
+    least = std::min(least, passed.count()), spent += passed.count();
+  }
+  return least;
+}
+
+/// Nanoseconds of one of the cases: the least pass over all of them, answer(case) -> a number to add up. Where one takes
+/// long, give fewer.
+template <class Case, class Answer>
+double least_each(const Session& session, const std::vector<Case>& cases, const Answer& answer) {
+  const auto pass = [&] {
+    long sum = 0;
+    for (const Case& c : cases) sum += static_cast<long>(answer(c));
+    return sum;
+  };
+  return least_time(session, pass) / static_cast<double>(cases.size());
+}
+
+/// One curve, point by point.
+class Grown {
+ public:
+  Grown(std::string test, std::string method, std::string unit, std::string library = "isect") {
+    curve_.test = std::move(test), curve_.method = std::move(method);
+    curve_.library = std::move(library), curve_.unit = std::move(unit);
+  }
+  void add(double n, double ns) { curve_.n.push_back(n), curve_.ns.push_back(ns); }
+  /// Adds it to the session, with its exponent; not without two points.
+  void report(Session& session) {
+    if (curve_.n.size() < 2) return;
+    curve_.exponent = fitted_exponent(curve_.n, curve_.ns);
+    session.growths.push_back(curve_);
+  }
+
+ private:
+  Growth curve_;
+};
+
+}  // namespace isect::bench
