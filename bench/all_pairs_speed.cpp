@@ -8,8 +8,8 @@
 #include <cstdlib>
 #include <map>
 
+#include "bench/growth_shapes.h"
 #include "bench/measure.h"
-#include "bench/random.h"
 #include "core/all_pairs.h"
 #include "core/overlapping_pairs.h"
 #ifdef ISECT_PEERS
@@ -24,22 +24,6 @@ namespace {
 template <class S>
 using Boxes = std::vector<Aabb<S, 3>>;
 using List = std::vector<IndexPair>;
-
-template <class S>
-Boxes<S> scattered(int n, bool heavy) {
-  Random random(1);
-  const double side = std::cbrt(n * 8.0 / 3);
-  Boxes<S> boxes;
-  boxes.reserve(static_cast<std::size_t>(n));
-  for (int i = 0; i < n; ++i) {
-    const Point<double, 3> center = random.in_box<3>(side / 2);
-    const double scale = heavy && i % 100 == 0 ? 20 : 1;
-    Vector<double, 3> half;
-    for (int k = 0; k < 3; ++k) half[k] = scale * random.uniform(0.4, 0.6);
-    boxes.push_back({(center - half).cast<S>(), (center + half).cast<S>()});
-  }
-  return boxes;
-}
 
 /// log time = exponent log n + const, by least squares.
 double growth(const std::map<int, double>& times) {
@@ -56,7 +40,7 @@ template <class S>
 class Race {
  public:
   Race(bool heavy, int passes) : heavy_(heavy), passes_(passes) {
-    for (int n = 1000; n <= 1'000'000; n *= 10) boxes_[n] = scattered<S>(n, heavy);
+    for (int n = 1000; n <= 1'000'000; n *= 10) boxes_[n] = scattered_boxes<S>(n, heavy);
     std::printf("\n%s, %s\n%-32s %10s %10s %10s %10s %9s\n", heavy ? "heavy-tailed" : "near-equal",
                 sizeof(S) == 4 ? "float" : "double", "ms", "1e3", "1e4", "1e5", "1e6", "exponent");
   }

@@ -4,10 +4,9 @@
 // 65,536 distinct rays in random order from a sphere around the mesh, about three of four aimed at it.
 
 #include <cstdlib>
-#include <numbers>
 
+#include "bench/growth_shapes.h"
 #include "bench/measure.h"
-#include "bench/random.h"
 #include "core/bvh_pairs.h"
 #include "core/ray_mesh.h"
 #include "core/triangle_mesh.h"
@@ -19,40 +18,6 @@ using namespace isect;
 using namespace isect::bench;
 
 namespace {
-
-/// A sphere with bumps: 4 side^2 triangles of about equal size.
-template <class S>
-TriangleMesh<S> bumpy_sphere(int side) {
-  TriangleMesh<S> mesh;
-  const int rows = side, columns = 2 * side;
-  for (int i = 0; i <= rows; ++i)
-    for (int j = 0; j < columns; ++j) {
-      const double u = std::numbers::pi * i / rows, v = 2 * std::numbers::pi * j / columns;
-      const double r =
-          1 + 0.1 * std::sin(7 * u) * std::sin(9 * v) + 0.02 * std::sin(41 * u) * std::cos(37 * v);
-      const Point<double, 3> p(r * std::sin(u) * std::cos(v), r * std::cos(u), r * std::sin(u) * std::sin(v));
-      mesh.vertices.push_back(p.cast<S>());
-    }
-  for (int i = 0; i < rows; ++i)
-    for (int j = 0; j < columns; ++j) {
-      const int a = i * columns + j, b = i * columns + (j + 1) % columns;
-      mesh.triangles.push_back({a, b, a + columns});
-      mesh.triangles.push_back({b, b + columns, a + columns});
-    }
-  return mesh;
-}
-
-template <class S>
-std::vector<Ray<S, 3>> rays(int count) {
-  Random random(1);
-  std::vector<Ray<S, 3>> all;
-  for (int i = 0; i < count; ++i) {
-    const Point<double, 3> from = 3 * random.heading<3>();
-    const Point<double, 3> to = random.in_box<3>(1);
-    all.push_back({from.cast<S>(), (to - from).cast<S>()});
-  }
-  return all;
-}
 
 /// The slope of log(time) against log(n) by least squares.
 double exponent(const std::vector<double>& n, const std::vector<double>& time) {
@@ -100,7 +65,7 @@ template <class S>
 void all_sizes(int passes, int largest) {
   const char* scalar = sizeof(S) == 4 ? " float" : " double";
   Growth build, closest, any, brute, pairs;
-  const std::vector<Ray<S, 3>> all = rays<S>(65536), few(all.begin(), all.begin() + 256);
+  const std::vector<Ray<S, 3>> all = rays_inwards<S>(65536), few(all.begin(), all.begin() + 256);
   for (const int side : {16, 50, 158, 500}) {
     const std::vector<TriangleMesh<S>> one = {bumpy_sphere<S>(side)};
     const TriangleMesh<S>& mesh = one[0];

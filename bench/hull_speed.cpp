@@ -2,15 +2,16 @@
 
 #include <functional>
 
+#include "bench/growth_shapes.h"
 #include "bench/measure.h"
-#include "bench/random.h"
 #include "core/convex_hull_3d.h"
 
 #ifdef ISECT_PEERS
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/convex_hull_3.h>
-#include <libqhull_r/qhull_ra.h>
+
+#include "bench/qhull.h"
 #endif
 
 using namespace isect;
@@ -18,16 +19,6 @@ using namespace isect;
 namespace {
 
 using Points = std::vector<Point<double, 3>>;
-
-Points cloud(int n, bool ball) {
-  bench::Random random(1);
-  Points points;
-  for (int i = 0; i < n; ++i) {
-    const Point<double, 3> p = random.heading<3>();
-    points.push_back(ball ? Point<double, 3>(p * std::cbrt(random.unit())) : p);
-  }
-  return points;
-}
 
 /// The whole set is one case; its time is told for each point.
 void row(bench::Table& table, const char* method, std::size_t n, const std::function<std::size_t()>& count) {
@@ -38,26 +29,15 @@ void row(bench::Table& table, const char* method, std::size_t n, const std::func
 }
 
 #ifdef ISECT_PEERS
-std::size_t qhull_vertices(Points points) {
-  qhT state;
-  qhT* qh = &state;
-  qh_zero(qh, stderr);
-  char command[] = "qhull";
-  qh_new_qhull(qh, 3, static_cast<int>(points.size()), points[0].data(), False, command, nullptr, stderr);
-  const std::size_t vertices = static_cast<std::size_t>(qh->num_vertices);
-  qh_freeqhull(qh, qh_ALL);
-  return vertices;
-}
-
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 #endif
 
 void hulls(int n, bool ball) {
-  const Points points = cloud(n, ball);
+  const Points points = bench::cloud(n, ball);
   bench::Table table("hull 3D, " + std::string(ball ? "ball" : "sphere") + ", n = " + std::to_string(n));
   row(table, "isect exact", points.size(), [&] { return convex_hull(points).vertices.size(); });
 #ifdef ISECT_PEERS
-  row(table, "qhull", points.size(), [&] { return qhull_vertices(points); });
+  row(table, "qhull", points.size(), [&] { return bench::peers::qhull_vertices(points); });
   std::vector<Kernel::Point_3> same;
   for (const Point<double, 3>& p : points) same.emplace_back(p[0], p[1], p[2]);
   row(table, "CGAL", points.size(), [&] {

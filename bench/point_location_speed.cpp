@@ -4,8 +4,8 @@
 
 #include <cstdlib>
 #include <map>
-#include <numbers>
 
+#include "bench/growth_shapes.h"
 #include "bench/measure.h"
 #include "bench/random.h"
 #include "core/point_convex_polygon.h"
@@ -23,22 +23,7 @@ namespace {
 
 constexpr std::size_t most_slab_bytes = std::size_t{1} << 30;
 
-enum class Outline { convex, smooth, spiky };
 constexpr const char* names[] = {"convex", "smooth", "spiky"};
-
-/// Around the origin; a smooth one has five waves, a spiky one a random radius at each vertex.
-Ring<double, 2> outline(Outline kind, int n) {
-  Random random(stream(1, "outline"));
-  Ring<double, 2> ring;
-  for (int i = 0; i < n; ++i) {
-    const double angle = 2 * std::numbers::pi * i / n;
-    double radius = 1;
-    if (kind == Outline::smooth) radius = 0.7 + 0.3 * std::sin(5 * angle);
-    if (kind == Outline::spiky) radius = random.uniform(0.1, 1);
-    ring.push_back({radius * std::cos(angle), radius * std::sin(angle)});
-  }
-  return ring;
-}
 
 /// Anywhere in the square around, or within 1e-4 of the boundary.
 Ring<double, 2> query_points(const Ring<double, 2>& ring, int count, bool near) {
@@ -101,7 +86,7 @@ void row(Outline kind, const char* method, const Ring<double, 2>& ring, int quer
 }
 
 void rows(Outline kind, int n) {
-  const Ring<double, 2> ring = outline(kind, n);
+  const Ring<double, 2> ring = outline_of(kind, n);
   const auto in = [](const auto& map, const Point<double, 2>& p) { return locate(p, map) != Location::out; };
   row(
       kind, "crossings", ring, std::clamp(100'000'000 / n, 64, 65536), [](const auto& r) { return &r; },

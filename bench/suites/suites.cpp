@@ -10,6 +10,10 @@ const std::vector<Suite>& suites() {
       {"point-polygon", measure_point_polygon},
       {"convex-polygon", measure_convex_polygon},
       {"point-location", measure_point_location},
+      {"all-pairs", measure_all_pairs},
+      {"bvh", measure_bvh},
+      {"hulls", measure_hulls},
+      {"smallest-sphere", measure_smallest_sphere},
   };
   return all;
 }

@@ -11,5 +11,9 @@ void measure_orient(Session&);
 void measure_point_polygon(Session&);
 void measure_convex_polygon(Session&);
 void measure_point_location(Session&);
+void measure_all_pairs(Session&);
+void measure_bvh(Session&);
+void measure_hulls(Session&);
+void measure_smallest_sphere(Session&);
 
 }  // namespace isect::bench
