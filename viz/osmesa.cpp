@@ -4,11 +4,44 @@
 
 #if ISECT_OSMESA
 #include <GL/osmesa.h>
+#include <dlfcn.h>
 
 #include <array>
 
 namespace isect::viz {
 namespace {
+
+/// OSMesa, loaded at its first use. It brings a compiler along, LLVM, whose loading takes longer than all else that
+/// `isect --help` does; most commands draw nothing in pixels.
+class Library {
+ public:
+  static const Library& get() {
+    static const Library library;
+    return library;
+  }
+
+  decltype(&OSMesaCreateContextAttribs) create = nullptr;
+  decltype(&OSMesaDestroyContext) destroy = nullptr;
+  decltype(&OSMesaMakeCurrent) make_current = nullptr;
+  decltype(&OSMesaGetProcAddress) address = nullptr;
+
+ private:
+  Library() {
+    void* library = nullptr;
+    for (const char* name : {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"})
+      if (!library) library = dlopen(name, RTLD_LAZY | RTLD_LOCAL);
+    if (!library) throw NoBackend("osmesa: libOSMesa is not installed");
+    load(library, create, "OSMesaCreateContextAttribs");
+    load(library, destroy, "OSMesaDestroyContext");
+    load(library, make_current, "OSMesaMakeCurrent");
+    load(library, address, "OSMesaGetProcAddress");
+  }
+  template <class Function>
+  static void load(void* library, Function& function, const char* name) {
+    function = reinterpret_cast<Function>(dlsym(library, name));
+    if (!function) throw NoBackend(std::string("osmesa: this libOSMesa has no ") + name);
+  }
+};
 
 class OsMesa : public Context {
  public:
@@ -22,23 +55,24 @@ class OsMesa : public Context {
                           OSMESA_CONTEXT_MINOR_VERSION,
                           3,
                           0};
-    context_ = OSMesaCreateContextAttribs(wanted, nullptr);
+    context_ = mesa_.create(wanted, nullptr);
     if (!context_) throw NoBackend("osmesa: this libOSMesa makes no OpenGL 3.3 core context");
   }
-  ~OsMesa() override { OSMesaDestroyContext(context_); }
+  ~OsMesa() override { mesa_.destroy(context_); }
 
   void bind() override {
-    if (!OSMesaMakeCurrent(context_, unused_.data(), GL_UNSIGNED_BYTE, side, side))
+    if (!mesa_.make_current(context_, unused_.data(), GL_UNSIGNED_BYTE, side, side))
       throw NoBackend("osmesa: the context can't be made current");
   }
-  void release() override { OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0); }
+  void release() override { mesa_.make_current(nullptr, nullptr, 0, 0, 0); }
   GetProc get_proc() const override {
-    return [](const char* name) { return reinterpret_cast<void*>(OSMesaGetProcAddress(name)); };
+    return [](const char* name) { return reinterpret_cast<void*>(Library::get().address(name)); };
   }
 
  private:
   static constexpr int side =
       16;  // OSMesa insists on a buffer; all drawing goes into a framebuffer of our own
+  const Library& mesa_ = Library::get();
   std::array<unsigned char, side * side * 4> unused_{};
   OSMesaContext context_ = nullptr;
 };

@@ -9,6 +9,7 @@
 #include "bench/report_text.h"
 #include "bench/session.h"
 #include "lessons/program/child.h"
+#include "lessons/program/duties.h"
 #include "lessons/program/program.h"
 #include "lessons/program/terminal.h"
 #include "viz/files.h"
@@ -25,9 +26,13 @@ struct Wanted {
   bool quick = false, peers = false, native = false;
 };
 
+/// What is measured by starting this program, beside the suites.
+constexpr const char* starting = "starting";
+
 std::vector<std::string> names() {
   std::vector<std::string> all;
   for (const bench::Suite& suite : bench::suites()) all.emplace_back(suite.name);
+  all.emplace_back(starting);
   return all;
 }
 
@@ -60,13 +65,19 @@ bench::Report read_from(const std::string& path) {
   }
 }
 
-bench::Report measured(const Wanted& wanted) {
+bench::Report measured(const Program& program, const Wanted& wanted) {
   if (!wanted.from.empty()) return read_from(wanted.from.front());
   Progress progress(0);
   if (wanted.peers) return measured_by("measure_peers", wanted, progress);
   if (wanted.native) return measured_by("measure_native", wanted, progress);
-  return bench::measure(wanted.quick ? bench::Effort::quick() : bench::Effort(), wanted.seed, wanted.tests,
-                        [&](const std::string& next) { progress.done(next); });
+  const auto told = [&](const std::string& next) { progress.done(next); };
+  std::vector<bench::Duty> starts;  // first, as long as this program is small
+  if (wanted.tests.empty() || std::ranges::find(wanted.tests, starting) != wanted.tests.end())
+    starts = duties(program, wanted.quick, told);
+  bench::Report report = bench::measure(wanted.quick ? bench::Effort::quick() : bench::Effort(), wanted.seed,
+                                        wanted.tests, told);
+  report.duties = std::move(starts);
+  return report;
 }
 
 std::string heading(const bench::Report& r) {
@@ -93,16 +104,16 @@ void draw(const bench::Report& report, const std::string& folder) {
 }
 
 /// The report as text and figures: from the files given, or measured here by every program that was built.
-int publish(const Wanted& wanted) {
+int publish(const Program& program, const Wanted& wanted) {
   std::vector<bench::Report> reports;
   for (const std::string& path : wanted.from) reports.push_back(read_from(path));
   if (wanted.from.empty()) {
     Wanted one = wanted;
-    reports.push_back(measured(one));
+    reports.push_back(measured(program, one));
     one.native = true;
-    if (std::filesystem::exists(beside("measure_native"))) reports.push_back(measured(one));
+    if (std::filesystem::exists(beside("measure_native"))) reports.push_back(measured(program, one));
     one.native = false, one.peers = true;
-    if (std::filesystem::exists(beside("measure_peers"))) reports.push_back(measured(one));
+    if (std::filesystem::exists(beside("measure_peers"))) reports.push_back(measured(program, one));
   }
   try {
     bench::publish(bench::measured_of(std::move(reports)), wanted.publish);
@@ -114,13 +125,13 @@ int publish(const Wanted& wanted) {
   return done;
 }
 
-int bench(const Wanted& wanted) {
+int bench(const Program& program, const Wanted& wanted) {
   for (const std::string& test : wanted.tests)
     if (const auto all = names(); std::ranges::find(all, test) == all.end())
       throw viz::unknown("TEST", test, all);
-  if (!wanted.publish.empty()) return publish(wanted);
+  if (!wanted.publish.empty()) return publish(program, wanted);
   if (wanted.from.size() > 1) throw viz::BadInput("--from: several files make sense with --publish only");
-  const bench::Report report = measured(wanted);
+  const bench::Report report = measured(program, wanted);
   if (!wanted.csv.empty() && wanted.csv != "-") viz::write_file(wanted.csv, bench::csv(report));
   if (!wanted.json.empty() && wanted.json != "-") viz::write_file(wanted.json, bench::json(report));
   if (!wanted.plot.empty()) draw(report, wanted.plot);
@@ -169,7 +180,8 @@ void add_bench(CLI::App& app, Program& program) {
       "Tests:" + list +
       "\nTimes mean something on an idle machine only; the verdicts and errors are the same everywhere.\n"
       "Example: isect bench ray-sphere --quick --csv rows.csv");
-  sub.callback([&program, wanted] { program.chosen = [wanted] { return bench(*wanted); }; });
+  sub.callback(
+      [&program, wanted] { program.chosen = [&program, wanted] { return bench(program, *wanted); }; });
 }
 
 }  // namespace isect::program

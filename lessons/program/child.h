@@ -13,6 +13,9 @@ std::string beside(const std::string& name);
 struct Child {
   int status = 0;      ///< its exit status; 128 + n where signal n ended it
   std::string output;  ///< what it wrote to stdout
+  double seconds = 0;  ///< from its start to its end
+  /// The most memory it had at once, in MB; never less than what this program had when it started it, as Linux counts.
+  double peak = 0;
 };
 /// Runs a program to its end; `told` gets each line of its stderr as it comes. Throws viz::FileError where it can't be
 /// started.

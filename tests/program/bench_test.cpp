@@ -73,6 +73,27 @@ TEST_CASE("the same seed gives the same verdicts, another seed other cases", "[b
   CHECK(one != verdicts("2"));
 }
 
+TEST_CASE("the program tells how long it takes to start and to draw", "[bench]") {
+  const Shell shell;
+  const Ran ran = shell("isect bench starting --quick --json -");
+  INFO(ran.err);
+  CHECK(ran.status == 0);
+  const Report report = isect::bench::report_of(ran.out);
+  CHECK(report.rows.empty());
+  const auto duty = [&](const std::string& what) {
+    const auto found = std::ranges::find(report.duties, what, &isect::bench::Duty::what);
+    REQUIRE(found != report.duties.end());
+    CHECK(found->value > 0);
+    return *found;
+  };
+  CHECK(duty("isect --help").unit == "ms");
+  CHECK(duty("isect --help").target == 30.0);
+  CHECK(duty("isect render, one figure, png").target == 400.0);
+  CHECK(duty("isect render, one figure, svg").unit == "ms");
+  CHECK(duty("memory of isect --help").unit == "MB");
+  CHECK(duty("window in software, another step each frame").unit == "frames/s");
+}
+
 TEST_CASE("a wrong name or value is refused with what is allowed", "[bench]") {
   const Shell shell;
   const auto refuses = [&](const std::string& arguments, const std::string& with) {
@@ -130,5 +151,9 @@ TEST_CASE("the help lists every test", "[bench]") {
   const Shell shell;
   const Ran ran = shell("isect bench --help");
   CHECK(ran.status == 0);
-  CHECK_THAT(ran.out, Contains("Tests: ray-sphere orient2d"));
+  const std::size_t at = ran.out.find("Tests: ");
+  REQUIRE(at != std::string::npos);
+  const std::string list = ran.out.substr(at, ran.out.find('\n', at) - at);
+  for (const char* test : {" ray-sphere", " orient2d", " point-polygon", " all-pairs", " starting"})
+    CHECK_THAT(list, Contains(test));
 }
