@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 
+#include "bench/brute_force.h"
 #include "bench/growth_shapes.h"
 #include "bench/measure.h"
 #include "core/bvh_pairs.h"
@@ -37,16 +38,6 @@ struct Growth {
   void add(double size, const Timing& t) { n.push_back(size), time.push_back(t.least); }
   void print(const char* what) const { std::printf("growth of %-30s n^%.2f\n", what, exponent(n, time)); }
 };
-
-template <class S>
-std::optional<BvhHit<S>> brute_force(const TriangleMesh<S>& mesh, const Ray<S, 3>& ray) {
-  std::optional<BvhHit<S>> closest;
-  for (int i = 0; i < static_cast<int>(mesh.triangles.size()); ++i) {
-    const std::optional<S> t = intersect(ray, triangle(mesh, i)).t;
-    if (t && (!closest || *t < closest->t)) closest = BvhHit<S>{*t, i};
-  }
-  return closest;
-}
 
 template <class S>
 void describe(const Bvh<S, 3>& bvh, const TriangleMesh<S>& mesh, const std::vector<Ray<S, 3>>& all) {

@@ -135,16 +135,5 @@ inline Ring<double, 2> query_points(int count, double half) {
   for (int i = 0; i < count; ++i) points.push_back(random.in_box<2>(half));
   return points;
 }
-/// In a disc, or on a circle but for rounding.
-inline Ring<double, 2> scattered(int count, bool circle) {
-  Random random(stream(1, "scattered"));
-  Ring<double, 2> points;
-  for (int i = 0; i < count; ++i) {
-    const double angle = random.uniform(0, 2 * std::numbers::pi),
-                 radius = circle ? 1 : std::sqrt(random.unit());
-    points.push_back({radius * std::cos(angle), radius * std::sin(angle)});
-  }
-  return points;
-}
 
 }  // namespace isect::bench

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <numbers>
 
+#include "bench/growth_shapes.h"
 #include "bench/measure.h"
 #include "bench/pair_cases.h"
 #include "core/aabb_aabb.h"
@@ -170,7 +171,7 @@ void convex_rows(std::size_t vertices) {
 }
 
 void hull_rows(bool circle) {
-  const std::vector<Ring<double, 2>> one = {scattered(1'000'000, circle)};
+  const std::vector<Ring<double, 2>> one = {disc(1'000'000, circle)};
   Table table(circle ? "hull of 1e6 points on a circle" : "hull of 1e6 points in a disc");
   table.row("convex_hull", timed(one, 3, [](const auto& points) { return convex_hull(points).size(); }));
   peers::hull(table, one);

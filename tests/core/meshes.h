@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "bench/brute_force.h"
 #include "bench/random_rays.h"
 #include "core/triangle_mesh.h"
 
@@ -56,14 +57,6 @@ Ray<S, 3> aimed(bench::Random& random, const TriangleMesh<S>& mesh, bench::Numbe
   return ray;
 }
 
-template <class S>
-std::optional<BvhHit<S>> brute_force(const TriangleMesh<S>& mesh, const Ray<S, 3>& ray) {
-  std::optional<BvhHit<S>> closest;
-  for (int i = 0; i < static_cast<int>(mesh.triangles.size()); ++i) {
-    const std::optional<S> t = intersect(ray, triangle(mesh, i)).t;
-    if (t && (!closest || *t < closest->t)) closest = BvhHit<S>{*t, i};
-  }
-  return closest;
-}
+using bench::brute_force;
 
 }  // namespace isect::tests

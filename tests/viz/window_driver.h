@@ -2,7 +2,6 @@
 // The whole window without a display: an off-screen context, and hands on Dear ImGui's input. As in life,
 // hover, down and up are frames of their own.
 
-#include <glad/gl.h>
 #include <imgui.h>
 
 #include <cstring>
@@ -11,6 +10,7 @@
 
 #include "viz/files.h"
 #include "viz/offscreen.h"
+#include "viz/window/frame_target.h"
 #include "viz/window/key_codes.h"
 #include "viz/window/window_ui.h"
 
@@ -108,14 +108,8 @@ class WindowDriver {
     const ImGuiIO& io = ImGui::GetIO();
     const int width = static_cast<int>(io.DisplaySize.x * scale_),
               height = static_cast<int>(io.DisplaySize.y * scale_);
-    unsigned framebuffer = 0, colour = 0;
-    glGenFramebuffers(1, &framebuffer);
-    glGenRenderbuffers(1, &colour);
-    glBindRenderbuffer(GL_RENDERBUFFER, colour);
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width, height);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour);
-    ui.draw(framebuffer);
+    const FrameTarget target(width, height);
+    ui.draw(target.framebuffer());
 
     const std::size_t row = static_cast<std::size_t>(width) * 4;
     std::vector<std::uint8_t> upwards(row * height);
@@ -125,8 +119,6 @@ class WindowDriver {
     for (int y = 0; y < height; ++y)
       std::memcpy(picture.rgba.data() + y * row, upwards.data() + (height - 1 - y) * row, row);
     for (std::size_t i = 3; i < picture.rgba.size(); i += 4) picture.rgba[i] = 255;
-    glDeleteRenderbuffers(1, &colour);
-    glDeleteFramebuffers(1, &framebuffer);
     return picture;
   }
 

@@ -1,48 +1,20 @@
 #include "viz/window/frame_rate.h"
 
-#include <glad/gl.h>
 #include <imgui.h>
 
 #include <chrono>
 
 #include "viz/offscreen.h"
+#include "viz/window/frame_target.h"
 #include "viz/window/window_ui.h"
 
 namespace isect::viz {
-namespace {
-
-constexpr int width = 1280, height = 800;
-
-/// Where the frames go.
-class Target {
- public:
-  Target() {
-    glGenFramebuffers(1, &framebuffer_);
-    glGenRenderbuffers(1, &colour_);
-    glBindRenderbuffer(GL_RENDERBUFFER, colour_);
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width, height);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour_);
-  }
-  ~Target() {
-    glDeleteRenderbuffers(1, &colour_);
-    glDeleteFramebuffers(1, &framebuffer_);
-  }
-  Target(const Target&) = delete;
-  Target& operator=(const Target&) = delete;
-
-  unsigned framebuffer() const { return framebuffer_; }
-
- private:
-  unsigned framebuffer_ = 0, colour_ = 0;
-};
-
-}  // namespace
 
 double frames_per_second(const std::vector<const Lesson*>& lessons, double seconds) {
+  constexpr int width = 1280, height = 800;
   Offscreen offscreen;
   WindowUi ui(lessons, {}, offscreen.renderer(), {}, {.reduced_motion = true});
-  const Target target;
+  const FrameTarget target(width, height);
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {width, height};
   const auto frame = [&] {
