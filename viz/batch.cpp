@@ -33,15 +33,23 @@ Vec2 well_inside(const Vec2& focus) {
 }  // namespace
 
 void Batch::add(const Fill& fill) {
-  const std::vector<Vec2> outline = flat(fill.path, tolerance_px / scale_).points;
+  std::vector<Vec2> outline = flat(fill.path, tolerance_px / scale_).points;
   if (outline.size() < 3) return;
   const Nib nib = visible(fill.hatch_line, fill.hatch_colour, scale_);
+  Triangles triangles = triangulated(outline);
+  const bool simple = fill.more.empty() && is_convex(outline);
+  for (const Path& path : fill.more) {
+    const std::vector<Vec2> ring = flat(path, tolerance_px / scale_).points;
+    if (ring.size() < 3) continue;
+    const Triangles more = triangulated(ring);
+    triangles.insert(triangles.end(), more.begin(), more.end());
+    outline.insert(outline.end(), ring.begin(), ring.end());
+  }
   const Box box = bounds(outline);
   const Triangles lines = hatch(box, fill.hatch_gap, nib.width);
-  const Triangles triangles = triangulated(outline);
-  if (lines.empty() && is_convex(outline)) return add(Pass::paint, triangles, fill.colour);
+  if (lines.empty() && simple) return add(Pass::paint, triangles, fill.colour);
 
-  add(Pass::winding, triangles, {});
+  add(fill.more.empty() ? Pass::winding : Pass::parity, triangles, {});
   if (lines.empty()) return add(Pass::finish, cover(box), fill.colour);
   add(Pass::inside, cover(box), fill.colour);
   add(Pass::inside, lines, nib.colour);

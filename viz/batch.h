@@ -20,6 +20,7 @@ enum class Pass {
   gradient,  ///< colour by RadialColours; (u, v) is the place in the unit circle
   image,     ///< colour from the image at (u, v)
   winding,   ///< no colour; the stencil counts up under triangles of one orientation, down under the other
+  parity,    ///< no colour; the stencil turns over under every triangle: even-odd
   inside,    ///< colour where the stencil is not 0
   finish,    ///< as inside, and the stencil becomes 0
   once,      ///< colour where the stencil is 0, which becomes 1: overlapping triangles blend once

@@ -23,6 +23,12 @@ struct Composed {
 /// The scene alone, within the view's rectangle. With `handles`, draws the grips of the scene's handles.
 Composed compose(const Scene&, const View&, const Theme&, bool handles = false);
 
+/// What a scene's items cover on the plane that faces the camera: right and up, in world units from the origin.
+struct Box2 {
+  Vec2 lo, hi;
+};
+Box2 extent(const Scene&, const Camera&);
+
 /// A camera like `camera` whose target and half_height frame all the scenes in a viewport of this aspect
 /// (width / height), leaving `margin` (a share of the height) free all round.
 Camera frame(const Camera& camera, const std::vector<const Scene*>& scenes, double aspect,

@@ -25,13 +25,14 @@ struct Path {
   bool closed = false;
 };
 
-/// A filled outline (non-zero winding). `hatch` lines at 45 degrees (rising to the right) are drawn inside
+/// A filled outline (non-zero winding), or one with `more` outlines (even-odd: holes, islands). `hatch` lines at 45 degrees (rising to the right) are drawn inside
 /// it.
 struct Fill {
   Path path;
   Colour colour;
   double hatch_gap = 0, hatch_line = 0;  ///< 0: none
   Colour hatch_colour = {};
+  std::vector<Path> more = {};
 };
 
 /// A line of constant width with round joins. Dash: lengths on and off, {0, 0} for solid.

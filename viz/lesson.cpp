@@ -158,6 +158,8 @@ void drag(const Lesson& lesson, Parameters& parameters, const Handle& handle, co
   const Vec3 arm = p - handle.anchor;
   if (handle.kind == Handle::Kind::length) {
     parameters.insert_or_assign(knob.name, std::clamp(arm.norm(), knob.lo, knob.hi));
+  } else if (handle.kind == Handle::Kind::along) {
+    parameters.insert_or_assign(knob.name, std::clamp(arm.dot(handle.direction), knob.lo, knob.hi));
   } else {
     const Vec3 moved = handle.kind == Handle::Kind::point ? p : arm;
     parameters.insert_or_assign(knob.name, Vec3(moved.cwiseMax(knob.lo).cwiseMin(knob.hi)));

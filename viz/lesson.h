@@ -114,6 +114,8 @@ struct Lesson {
   std::vector<Preset> presets;  ///< the first one is loaded at the start
   Camera camera;                ///< the opening view; target and scale are set by framing all presets alike
   Walk (*walk)(const Parameters&) = nullptr;
+  /// All lies in z = 0 and is seen straight on: `camera` has azimuth and elevation 0, a drag pans, nothing turns.
+  bool flat = false;
 };
 
 /// What is wrong with a name or a value: the message names the field, what was given and what is allowed.

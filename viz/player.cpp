@@ -252,6 +252,7 @@ void Player::set_aspect(double aspect) {
 }
 
 void Player::orbit(const Vec2& pixels) {
+  if (lesson().flat) return;
   remember("orbit");
   camera_.orbit(pixels);
   moved_ = true;
@@ -278,7 +279,7 @@ void Player::frame_all() {
 }
 
 void Player::set_perspective(bool on) {
-  if (camera_.goal().perspective == on) return;
+  if (lesson().flat || camera_.goal().perspective == on) return;
   remember("");
   camera_.set_perspective(on);
   moved_ = true;

@@ -82,12 +82,12 @@ class Player {
   const CameraRig& camera() const { return camera_; }
   /// Width / height of the scene; a view that nobody has moved is framed anew.
   void set_aspect(double);
-  void orbit(const Vec2& pixels);
+  void orbit(const Vec2& pixels);  ///< a flat lesson does not turn
   void pan(const View&, const Vec2& from, const Vec2& to);
   void zoom(const View&, const Vec2& at, double factor);
   /// Glides to the lesson's opening direction with the whole walk in view.
   void frame_all();
-  void set_perspective(bool);
+  void set_perspective(bool);  ///< a flat lesson has none
 
   /// Remembers the present state for undo(). A run of actions of one name counts as one, until end_action().
   void remember(const std::string& action);

@@ -113,7 +113,7 @@ class TextTextures {
 
 /// What the pass does to the stencil and whether it colours.
 void set_pass(Pass pass) {
-  const bool coloured = pass != Pass::winding && pass != Pass::wipe;
+  const bool coloured = pass != Pass::winding && pass != Pass::parity && pass != Pass::wipe;
   glColorMask(coloured, coloured, coloured, coloured);
   const auto stencil = [](GLenum test, GLenum then) {
     glEnable(GL_STENCIL_TEST);
@@ -130,6 +130,9 @@ void set_pass(Pass pass) {
       stencil(GL_ALWAYS, GL_KEEP);
       glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_INCR_WRAP, GL_INCR_WRAP);
       glStencilOpSeparate(GL_BACK, GL_KEEP, GL_DECR_WRAP, GL_DECR_WRAP);
+      break;
+    case Pass::parity:
+      stencil(GL_ALWAYS, GL_INVERT);
       break;
     case Pass::inside:
       stencil(GL_NOTEQUAL, GL_KEEP);

@@ -5,6 +5,7 @@
 // `*t*` italic scalar, `**o**` bold vector, `_{1}` or `_1` subscript, `^2` superscript.
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 #include <string>
 #include <variant>
@@ -30,12 +31,14 @@ enum class Mark {
   uncounted     ///< small ring: seen, not counted
 };
 
-/// How a line is drawn. The part of a `solid` or `thick` line behind a solid is dashed and thinner by itself.
+/// How a line is drawn. What of a `solid` line lies behind something is dashed and thinner by itself; of a chain, a
+/// circle or a region's outline also where it is `thick`.
 enum class Pen {
   solid,         ///< an object's own outline or the ray
-  thick,         ///< the shared part, drawn thickest and never hidden
+  thick,         ///< the shared part, drawn thickest; as a line or an arrow never hidden
   highlight,     ///< as thick, widest: the one thing this step is about
   construction,  ///< dashed, never hidden
+  excluded,      ///< thick and dashed: seen, but left out
   hairline       ///< axes and drop lines
 };
 
@@ -61,6 +64,66 @@ struct Ball {
   double radius = 1;
   Role role = Role::second;
 };
+/// Lines from point to point, in the plane or in space: the chain of a hull, the curve where two surfaces meet.
+struct Chain {
+  std::vector<Vec3> points;
+  bool closed = false;
+  Role role = Role::first;
+  Pen pen = Pen::solid;
+};
+/// A circle, in the plane z = 0 unless it has another normal (of any length but 0). `filled`: the disc.
+struct Circle {
+  Vec3 center;
+  double radius = 1;
+  Role role = Role::second;
+  Pen pen = Pen::solid;
+  bool filled = false;
+  Vec3 normal = Vec3::UnitZ();
+};
+/// An interval on a number line: a dot at an end that belongs to it, an arrow head where it goes on for ever.
+struct Span {
+  Vec3 from, to;
+  Role role = Role::first;
+  Pen pen = Pen::thick;
+  bool open_from = false, open_to = false;  ///< goes on for ever
+};
+/// A filled polygon in one plane, by the even-odd rule: an outline, or several with holes.
+struct Region {
+  std::vector<std::vector<Vec3>> rings;
+  Role role = Role::second;
+  Pen pen = Pen::solid;  ///< of the outline
+  bool outlined = true;
+  bool corners = false;  ///< a small disc on each vertex
+  bool hides = false;    ///< what lies behind is dashed, as behind a solid: a plane, a polygon in space
+};
+/// A convex polyhedron: a box, a k-DOP, a hull, a frustum, a wedge. A face lists its vertices in order, either way
+/// round; edges between faces of one plane are not drawn. viz/solids.h makes one from the core's shapes.
+struct Solid {
+  std::vector<Vec3> vertices;
+  std::vector<std::vector<int>> faces;
+  Role role = Role::second;
+};
+/// A surface of triangles, counter-clockwise seen from outside; opaque, so it need not be convex: what a bounding
+/// volume contains.
+struct Mesh {
+  std::vector<Vec3> vertices;
+  std::vector<std::array<int, 3>> triangles;
+  Role role = Role::first;
+};
+/// One cell of a raster. An object's cell is a light tint of its colour, any other has the full ink, unless `light` says
+/// how brightly it is lit, from 0 to 1. Grey print adds a hatch where colours would look alike.
+struct Cell {
+  Role role = Role::first;
+  std::optional<double> light = {};
+};
+/// A picture of few cells with sharp edges, laid out in the plane: the first cell lies at `corner`, `columns` of them
+/// make a row along `across`, the rows follow each other along `down`.
+struct Raster {
+  Vec3 corner = Vec3::Zero(), across = Vec3::UnitX(), down = -Vec3::UnitY();
+  int columns = 1;
+  std::vector<Cell> cells;
+  bool framed = true;
+};
 /// The small square at `at` between the directions towards `a` and `b`.
 struct RightAngle {
   Vec3 at, a, b;
@@ -73,20 +136,32 @@ struct Label {
   std::optional<Vec3> until = {};
 };
 
-using Item = std::variant<Ball, Line, Arrow, RightAngle, Dot, Label>;
+/// A heading, bold or not, whose middle stands at `at`, come what may: labels keep off it. It shrinks to `room` world units.
+struct Heading {
+  Vec3 at;
+  std::string text;
+  Role role = Role::text;
+  double room = 0;  ///< 0: as wide as it is
+  bool bold = true;
+};
+
+using Item = std::variant<Ball, Line, Arrow, RightAngle, Dot, Label, Chain, Circle, Span, Region, Solid, Mesh,
+                          Raster, Heading>;
 
 /// What a handle changes when it is dragged to the point p.
 struct Handle {
   enum class Kind {
     point,   ///< parameter = p
     vector,  ///< parameter = p - anchor
-    length   ///< parameter = |p - anchor|
+    length,  ///< parameter = |p - anchor|
+    along    ///< parameter = (p - anchor) . direction
   };
   std::string parameter;  ///< the parameter it changes
   Kind kind = Kind::point;
   Vec3 at;  ///< where it stands
   Vec3 anchor = Vec3::Zero();
   Role role = Role::first;
+  Vec3 direction = Vec3::UnitX();  ///< for `along`
 };
 
 /// The same marks in one dimension: the ray's own t-axis under its picture. Positions are values of t.

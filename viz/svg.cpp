@@ -22,8 +22,7 @@ constexpr const char* metadata_close = "</metadata>";
 
 void set_source(cairo_t* cr, const Colour& c) { cairo_set_source_rgba(cr, c.r, c.g, c.b, c.a); }
 
-void trace(cairo_t* cr, const Path& path) {
-  cairo_new_path(cr);
+void add_outline(cairo_t* cr, const Path& path) {
   cairo_move_to(cr, path.start.x(), path.start.y());
   for (const Path::Segment& segment : path.segments) {
     if (const Vec2* to = std::get_if<Vec2>(&segment)) {
@@ -36,11 +35,22 @@ void trace(cairo_t* cr, const Path& path) {
   if (path.closed) cairo_close_path(cr);
 }
 
+void trace(cairo_t* cr, const Path& path) {
+  cairo_new_path(cr);
+  add_outline(cr, path);
+}
+
+void trace(cairo_t* cr, const Fill& fill) {
+  trace(cr, fill.path);
+  for (const Path& path : fill.more) add_outline(cr, path);
+  cairo_set_fill_rule(cr, fill.more.empty() ? CAIRO_FILL_RULE_WINDING : CAIRO_FILL_RULE_EVEN_ODD);
+}
+
 /// Lines x + y = k gap sqrt 2 through the path's box, clipped to the path. They hang on the drawing's origin,
 /// so that the hatches of neighbours go on in each other.
 void hatch(cairo_t* cr, const Fill& fill) {
   double left, top, right, bottom;
-  trace(cr, fill.path);
+  trace(cr, fill);
   cairo_path_extents(cr, &left, &top, &right, &bottom);
   if (!(right > left && bottom > top)) return;
   cairo_save(cr);
@@ -59,7 +69,7 @@ void hatch(cairo_t* cr, const Fill& fill) {
 }
 
 void draw(cairo_t* cr, const Fill& fill) {
-  trace(cr, fill.path);
+  trace(cr, fill);
   set_source(cr, fill.colour);
   cairo_fill(cr);
   if (fill.hatch_gap > 0 && fill.hatch_line > 0) hatch(cr, fill);

@@ -139,6 +139,26 @@ Colour hex(unsigned rgb) {
 
 Colour Theme::ink(Role role) const { return inks[static_cast<std::size_t>(role)]; }
 
+Colour Theme::tint(Role role) const {
+  switch (role) {
+    case Role::hit:
+    case Role::miss:
+      return ink(role).with_alpha(overlap_alpha);
+    case Role::highlight:
+      return ink(role).with_alpha(0.55);
+    case Role::grid:
+      return ink(role).with_alpha(0.5);
+    case Role::construction:
+    case Role::text:
+    case Role::muted:
+      return ink(role).with_alpha(fill_alpha / 2);
+    case Role::first:
+    case Role::second:
+      break;
+  }
+  return ink(role).with_alpha(hatched(role) ? fill_alpha / 2 : fill_alpha);
+}
+
 Theme theme(ThemeName name, double width, double height) {
   if (name == ThemeName::print || name == ThemeName::grey)
     return theme_with(name, scaled(paper, std::min(width / 227, height / 142)));

@@ -34,6 +34,10 @@ struct Sizes {
 struct Theme {
   ThemeName name;
   Colour ink(Role) const;
+  /// The fill of a flat area: translucent, densest where objects overlap.
+  Colour tint(Role) const;
+  /// Whether an area of this role carries the 45 degree hatch.
+  bool hatched(Role role) const { return hatch_second && role == Role::second; }
   Colour background, panel;
   double fill_alpha, overlap_alpha;
   bool hatch_second;  ///< grey: the second object carries a 45 degree hatch

@@ -1,22 +1,41 @@
 #include "viz/visibility.h"
 
+#include <Eigen/Geometry>
+
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 
+#include "core/clip_segment.h"
+#include "core/ray_polygon.h"
 #include "core/ray_sphere.h"
+#include "core/sphere_sphere.h"
 
 namespace isect::viz {
 namespace {
 
-/// Samples a curve over s in [0, 1], finds each change between visible and hidden by bisection, and cuts there.
-std::vector<Stretch> split(const std::function<Vec3(double)>& at,
-                           const std::function<bool(const Vec3&)>& is_hidden, int samples) {
+/// What is rounded on a surface may lie a little inside: solids are drawn in by this share of their size here.
+constexpr double drawn_in = 0x1p-30;
+
+using Curve = std::function<Vec3(double)>;
+using Test = std::function<bool(const Vec3&)>;
+
+std::vector<double> even(int samples) {
+  std::vector<double> places;
+  for (int i = 0; i <= samples; ++i) places.push_back(static_cast<double>(i) / samples);
+  return places;
+}
+
+/// Looks at a curve over s in [0, 1] in the given places, finds each change between visible and hidden by bisection,
+/// and cuts there. What holds in the first and the last place holds up to the ends.
+std::vector<Stretch> split(const Curve& at, const Test& is_hidden, const std::vector<double>& places) {
   std::vector<Stretch> result;
-  double s = 0;
-  bool now = is_hidden(at(0));
+  double s = places.front();
+  bool now = is_hidden(at(s));
   result.push_back({{at(0)}, now});
-  for (int i = 1; i <= samples; ++i) {
-    const double next_s = static_cast<double>(i) / samples;
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    const double next_s = places[i];
     const bool next = is_hidden(at(next_s));
     if (next != now) {
       double lo = s, hi = next_s;
@@ -27,48 +46,222 @@ std::vector<Stretch> split(const std::function<Vec3(double)>& at,
       result.back().points.push_back(at(lo));
       result.push_back({{at(lo)}, next});
     }
-    result.back().points.push_back(at(next_s));
+    if (i + 1 < places.size()) result.back().points.push_back(at(next_s));
     s = next_s, now = next;
   }
+  result.back().points.push_back(at(1));
   return result;
+}
+
+bool runs_through(Ray<double, 3> sight, const Shell& solid) {
+  for (const Plane<double, 3>& half_space : solid.inside) {
+    const auto kept = clip(sight, half_space);
+    if (!kept) return false;
+    sight.range = *kept;
+  }
+  return !solid.inside.empty() && sight.range.hi > sight.range.lo;
+}
+
+/// Whether the ball lies in the solid, up to a rounding.
+bool contains(const Shell& solid, const Vec3& center, double radius) {
+  return !solid.inside.empty() &&
+         std::all_of(solid.inside.begin(), solid.inside.end(), [&](const Plane<double, 3>& p) {
+           return p.normal.dot(center) + p.d >= radius - 2 * drawn_in * solid.size;
+         });
+}
+
+/// Where the segment o + s d, s in [0, 1], may begin or cease to be hidden: where it passes before or behind an edge,
+/// as the eye sees it, and where it enters or leaves a solid or crosses a screen.
+class Cuts {
+ public:
+  Cuts(const Vec3& from, const Vec3& to, const View& view) : from_(from), d_(to - from), view_(view) {}
+
+  void behind(const Shell& solid) {
+    for (const Shell::Edge& edge : solid.edges) behind(edge.from, edge.to);
+    double lo = 0, hi = 1;
+    for (const Plane<double, 3>& p : solid.inside) {
+      const double rate = p.normal.dot(d_), height = p.normal.dot(from_) + p.d;
+      if (rate > 0) lo = std::max(lo, -height / rate);
+      if (rate < 0) hi = std::min(hi, -height / rate);
+    }
+    if (lo < hi) add(lo), add(hi);
+  }
+
+  void behind(const Polygon<double, 3>& screen) {
+    for (const Ring<double, 3>& ring : screen.rings)
+      for (std::size_t i = 0; i < ring.size(); ++i) behind(ring[i], ring[(i + 1) % ring.size()]);
+    const auto crossing = intersect(Ray<double, 3>{from_, d_, {0, 1}}, screen);
+    if (crossing.t) add(*crossing.t);
+  }
+
+  /// A place in each stretch between two cuts that are more than a rounding apart.
+  std::vector<double> places() {
+    std::sort(found_.begin(), found_.end());
+    std::vector<double> middles;
+    for (std::size_t i = 1; i < found_.size(); ++i)
+      if (found_[i] > found_[i - 1] + 1e-9) middles.push_back((found_[i - 1] + found_[i]) / 2);
+    return middles;
+  }
+
+ private:
+  void add(double s) {
+    if (s > 0 && s < 1) found_.push_back(s);
+  }
+  Vec3 sight(const Vec3& p) const {
+    return view_.camera().perspective ? Vec3(p - view_.eye()) : view_.forward();
+  }
+  void behind(const Vec3& a, const Vec3& b) {
+    const Vec3 across_edge = (b - a).cross(sight(a)), across = d_.cross(sight(from_));
+    const double s = -across_edge.dot(from_ - a) / across_edge.dot(d_);
+    const double on_edge = -across.dot(a - from_) / across.dot(b - a);
+    if (on_edge > -1e-6 && on_edge < 1 + 1e-6) add(s);  // a place too many does no harm
+  }
+
+  Vec3 from_, d_;
+  const View& view_;
+  std::vector<double> found_ = {0, 1};
+};
+
+/// The places to look at on a segment.
+std::vector<double> places(const Vec3& from, const Vec3& to, const View& view, const Occluders& occluders) {
+  if (occluders.solids.empty() && occluders.screens.empty()) return even(occluders.balls.empty() ? 1 : 64);
+  Cuts cuts(from, to, view);
+  for (const Shell& solid : occluders.solids) cuts.behind(solid);
+  for (const Polygon<double, 3>& screen : occluders.screens) cuts.behind(screen);
+  std::vector<double> all = cuts.places();
+  if (!occluders.balls.empty()) {
+    for (int i = 0; i < 64; ++i) all.push_back((i + 0.5) / 64);
+    std::sort(all.begin(), all.end());
+  }
+  return all.empty() ? even(1) : all;
+}
+
+/// Twice the face's area, along its normal (Newell).
+Vec3 area(const Solid& solid, const std::vector<int>& face) {
+  Vec3 sum = Vec3::Zero();
+  const Vec3& first = solid.vertices[face.front()];
+  for (std::size_t i = 1; i + 1 < face.size(); ++i)
+    sum += (solid.vertices[face[i]] - first).cross(solid.vertices[face[i + 1]] - first);
+  return sum;
 }
 
 }  // namespace
 
-bool hidden(const Vec3& p, const View& view, const std::vector<Ball>& balls, int own) {
+Shell shell(const Solid& solid) {
+  Shell result;
+  if (solid.vertices.empty()) return result;
+  Vec3 middle = Vec3::Zero();
+  for (const Vec3& p : solid.vertices) middle += p / static_cast<double>(solid.vertices.size());
+  for (const Vec3& p : solid.vertices) result.size = std::max(result.size, (p - middle).norm());
+
+  std::map<std::pair<int, int>, std::vector<int>> faces_of;
+  for (const std::vector<int>& face : solid.faces) {
+    const int index = static_cast<int>(result.normals.size());
+    result.normals.push_back(Vec3::Zero());
+    if (face.size() < 3) continue;
+    for (std::size_t i = 0; i < face.size(); ++i)
+      faces_of[std::minmax(face[i], face[(i + 1) % face.size()])].push_back(index);
+    Vec3 n = area(solid, face);
+    if (!(n.squaredNorm() > 0)) continue;
+    n.normalize();
+    const Vec3& on = solid.vertices[face.front()];
+    if (n.dot(on - middle) < 0) n = -n;
+    result.normals.back() = n;
+    result.inside.push_back({-n, n.dot(on) - drawn_in * result.size});
+  }
+  for (const auto& [ends, faces] : faces_of)
+    result.edges.push_back({solid.vertices[ends.first], solid.vertices[ends.second], faces});
+  return result;
+}
+
+Occluders around_ball(const Occluders& all, int index) {
+  const Ball& ball = all.balls[index];
+  Occluders left = {{}, {}, all.screens};
+  for (int i = 0; i < static_cast<int>(all.balls.size()); ++i) {
+    const Relation how = relate(Sphere<double, 3>{ball.center, ball.radius},
+                                Sphere<double, 3>{all.balls[i].center, all.balls[i].radius});
+    if (i == index || how != Relation::a_inside_b) left.balls.push_back(all.balls[i]);
+  }
+  std::copy_if(all.solids.begin(), all.solids.end(), std::back_inserter(left.solids),
+               [&](const Shell& solid) { return !contains(solid, ball.center, ball.radius); });
+  return left;
+}
+
+Occluders around_solid(const Occluders& all, int index, const std::vector<Vec3>& vertices) {
+  Occluders left = {{}, {}, all.screens};
+  const auto holds_all = [&](const auto& inside) {
+    return std::all_of(vertices.begin(), vertices.end(), inside);
+  };
+  for (const Ball& ball : all.balls)
+    if (!holds_all([&](const Vec3& p) { return (p - ball.center).norm() <= ball.radius; }))
+      left.balls.push_back(ball);
+  for (int i = 0; i < static_cast<int>(all.solids.size()); ++i)
+    if (i == index || !holds_all([&](const Vec3& p) { return contains(all.solids[i], p, 0); }))
+      left.solids.push_back(all.solids[i]);
+  return left;
+}
+
+bool hidden(const Vec3& p, const View& view, const Occluders& occluders, int own) {
   const Vec3 direction = view.towards_eye(p);
-  const Ray<double, 3> sight = {
-      p, direction, {0, view.camera().perspective ? (view.eye() - p).norm() : HUGE_VAL}};
-  for (int i = 0; i < static_cast<int>(balls.size()); ++i) {
+  const double to_eye = view.camera().perspective ? (view.eye() - p).norm() : HUGE_VAL;
+  const Ray<double, 3> sight = {p, direction, {0, to_eye}};
+  for (int i = 0; i < static_cast<int>(occluders.balls.size()); ++i) {
     if (i == own) continue;
-    // A point computed on the surface may lie a rounding inside it: the ball is drawn that much smaller here.
-    const Sphere<double, 3> solid = {balls[i].center, balls[i].radius * (1 - 0x1p-30)};
-    const RaySphere<double> shared = intersect(sight, solid);
+    const Ball& ball = occluders.balls[i];
+    const RaySphere<double> shared =
+        intersect(sight, Sphere<double, 3>{ball.center, ball.radius * (1 - drawn_in)});
     if (shared && shared.solid->hi > shared.solid->lo) return true;
   }
+  for (const Shell& solid : occluders.solids)
+    if (runs_through(sight, solid)) return true;
+  const double beyond =
+      drawn_in * std::max(view.camera().half_height, p.norm());  // p may lie on the screen itself
+  for (const Polygon<double, 3>& screen : occluders.screens)
+    if (intersect(Ray<double, 3>{p, direction, {beyond, to_eye}}, screen).t) return true;
   return false;
 }
 
 std::vector<Stretch> stretches(const Vec3& from, const Vec3& to, const View& view,
-                               const std::vector<Ball>& balls) {
-  const auto at = [&](double s) -> Vec3 { return from + s * (to - from); };
+                               const Occluders& occluders) {
+  const auto at = [&](double s) -> Vec3 { return s == 1 ? to : Vec3(from + s * (to - from)); };
   std::vector<Stretch> parts = split(
-      at, [&](const Vec3& p) { return hidden(p, view, balls); }, 64);
+      at, [&](const Vec3& p) { return hidden(p, view, occluders); }, places(from, to, view, occluders));
   for (Stretch& part : parts) part.points = {part.points.front(), part.points.back()};
   return parts;
 }
 
+std::vector<Stretch> stretches(const std::vector<Vec3>& points, bool closed, const View& view,
+                               const Occluders& occluders) {
+  std::vector<Stretch> all;
+  const std::size_t n = points.size(), edges = closed ? n : n - std::min<std::size_t>(n, 1);
+  for (std::size_t i = 0; i < edges; ++i) {
+    for (Stretch& part : stretches(points[i], points[(i + 1) % n], view, occluders)) {
+      if (all.empty() || all.back().hidden != part.hidden)
+        all.push_back(std::move(part));
+      else
+        all.back().points.insert(all.back().points.end(), part.points.begin() + 1, part.points.end());
+    }
+  }
+  const bool around = closed && all.size() > 1 && all.front().hidden == all.back().hidden;
+  if (around) {  // the start is no end
+    all.back().points.insert(all.back().points.end(), all.front().points.begin() + 1,
+                             all.front().points.end());
+    all.erase(all.begin());
+  }
+  return all;
+}
+
 std::vector<Stretch> stretches(const Vec3& center, const Vec3& u, const Vec3& v, const View& view,
-                               const std::vector<Ball>& balls, int own) {
+                               const Occluders& occluders, int own) {
   const auto at = [&](double s) -> Vec3 {
     const double angle = 2 * std::numbers::pi * s;
     return center + std::cos(angle) * u + std::sin(angle) * v;
   };
   const auto is_hidden = [&](const Vec3& p) {
-    if (own >= 0 && (p - balls[own].center).dot(view.towards_eye(p)) < 0) return true;
-    return hidden(p, view, balls, own);
+    if (own >= 0 && (p - occluders.balls[own].center).dot(view.towards_eye(p)) < 0) return true;
+    return hidden(p, view, occluders, own);
   };
-  return split(at, is_hidden, 96);
+  return split(at, is_hidden, even(96));
 }
 
 Outline outline(const Ball& ball, const View& view) {

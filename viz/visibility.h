@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/shapes.h"
 #include "viz/camera.h"
 #include "viz/scene.h"
 
@@ -14,15 +15,46 @@ struct Stretch {
   bool hidden;
 };
 
-/// Whether the sight line from `p` to the eye runs through the inside of a ball. Ball number `own` is left out.
-bool hidden(const Vec3& p, const View&, const std::vector<Ball>&, int own = -1);
+/// A solid as sight lines meet it: its half-spaces n.x + d >= 0, moved inwards by a rounding, and its edges.
+struct Shell {
+  std::vector<Plane<double, 3>> inside;
+  struct Edge {
+    Vec3 from, to;
+    std::vector<int> faces;  ///< those it borders, by their index in `normals`
+  };
+  std::vector<Edge> edges;
+  double size = 0;            ///< from the middle to the farthest vertex
+  std::vector<Vec3> normals;  ///< unit, outwards; of each face of the solid, in order; 0 for one without area
+};
+Shell shell(const Solid&);
 
-/// Splits the segment where it passes behind a ball's silhouette.
-std::vector<Stretch> stretches(const Vec3& from, const Vec3& to, const View&, const std::vector<Ball>&);
+/// What hides: the balls, the solids and the regions that say so, of one scene.
+struct Occluders {
+  std::vector<Ball> balls = {};
+  std::vector<Shell> solids = {};
+  std::vector<Polygon<double, 3>> screens = {};
+
+  bool none() const { return balls.empty() && solids.empty() && screens.empty(); }
+};
+
+/// What hides ball number `index`, or solid number `index`: all but the solids and balls it lies in wholly. Contents are
+/// seen through their container.
+Occluders around_ball(const Occluders&, int index);
+Occluders around_solid(const Occluders&, int index, const std::vector<Vec3>& vertices);
+
+/// Whether the sight line from `p` to the eye runs through the inside of a ball or a solid, or through a screen. Ball
+/// number `own` is left out.
+bool hidden(const Vec3& p, const View&, const Occluders&, int own = -1);
+
+/// Splits the segment where it passes behind an outline. Behind solids and screens no stretch is missed that
+/// is longer than 1e-9 of it, behind balls none longer than 1/64.
+std::vector<Stretch> stretches(const Vec3& from, const Vec3& to, const View&, const Occluders&);
+/// Splits a chain of segments; stretches run on over the vertices.
+std::vector<Stretch> stretches(const std::vector<Vec3>& points, bool closed, const View&, const Occluders&);
 /// Splits a circle around `center`, spanned by two perpendicular radii. Points on ball number `own` are hidden where
 /// its surface turns away from the eye.
 std::vector<Stretch> stretches(const Vec3& center, const Vec3& u, const Vec3& v, const View&,
-                               const std::vector<Ball>&, int own);
+                               const Occluders&, int own);
 
 /// A ball's outline: the circle on its surface where sight lines touch it, as an exact ellipse on the picture.
 struct Outline {

@@ -59,7 +59,7 @@ TEST_CASE("a ball's outline is where the core's rays begin to meet it, pixel by 
 
 TEST_CASE("a segment behind a ball is hidden between the outline's two crossings", "[visibility]") {
   const View view = view_of(false);
-  const std::vector<Ball> balls = {{{0, 0, 0}, 1}};
+  const Occluders balls = {{{{0, 0, 0}, 1}}};
   const Vec3 back = 3 * view.forward(), side = 2 * view.right();
   const std::vector<Stretch> parts = stretches(back - side, back + side, view, balls);
   REQUIRE(parts.size() == 3);
@@ -74,7 +74,7 @@ TEST_CASE("a segment behind a ball is hidden between the outline's two crossings
 TEST_CASE("nothing in front of a ball is hidden, everything inside it is", "[visibility]") {
   for (const bool perspective : {false, true}) {
     const View view = view_of(perspective);
-    const std::vector<Ball> balls = {{{0, 0, 0}, 1}};
+    const Occluders balls = {{{{0, 0, 0}, 1}}};
     CHECK_FALSE(hidden(-2 * view.forward(), view, balls));
     CHECK(hidden(Vec3::Zero(), view, balls));
     CHECK(hidden(2 * view.forward(), view, balls));
@@ -84,18 +84,18 @@ TEST_CASE("nothing in front of a ball is hidden, everything inside it is", "[vis
 
 TEST_CASE("a point on the near side of the surface is visible, on the far side hidden", "[visibility]") {
   const View view = view_of(false);
-  const std::vector<Ball> balls = {{{0.3, 0.1, -0.2}, 1.5}};
+  const Occluders balls = {{{{0.3, 0.1, -0.2}, 1.5}}};
   for (int i = 1; i < 40; ++i) {
     const double angle = 0.1 + 0.08 * i;  // from facing the eye to facing away
     const Vec3 n = -std::cos(angle) * view.forward() + std::sin(angle) * view.right();
-    const Vec3 p = balls[0].center + balls[0].radius * n;
+    const Vec3 p = balls.balls[0].center + balls.balls[0].radius * n;
     if (std::abs(std::cos(angle)) > 1e-3) CHECK(hidden(p, view, balls) == (std::cos(angle) < 0));
   }
 }
 
 TEST_CASE("half of a ball's equator is hidden by the ball itself", "[visibility]") {
   const View view = view_of(false);
-  const std::vector<Ball> balls = {{{0, 0, 0}, 1}};
+  const Occluders balls = {{{{0, 0, 0}, 1}}};
   double length[2] = {0, 0};
   for (const Stretch& part : stretches(Vec3::Zero(), Vec3::UnitX(), Vec3::UnitZ(), view, balls, 0))
     for (std::size_t i = 1; i < part.points.size(); ++i)

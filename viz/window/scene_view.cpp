@@ -84,7 +84,10 @@ void SceneView::pointer(Session& s, const View& view, bool hovered, bool active)
   if (held_) {
     drag_held(s, view);
   } else if (active && moved && io.MouseDown[0] && !s.player.camera().moving()) {
-    s.player.orbit(mouse() - last_);
+    if (s.player.lesson().flat)
+      s.player.pan(view, last_, mouse());
+    else
+      s.player.orbit(mouse() - last_);
   } else if (active && moved && io.MouseDown[1]) {
     s.player.pan(view, last_, mouse());
   }
@@ -98,7 +101,7 @@ void SceneView::show(Session& s, const Rect& r) {
   const Vec2 corner(r.left, r.top);
   const View before(s.player.camera().now(), r.width(), r.height(), corner);
 
-  projection_name(s, r);
+  if (!s.player.lesson().flat) projection_name(s, r);
   ImGui::SetCursorScreenPos(top_left(r));
   ImGui::InvisibleButton("picture", {r.width(), r.height()},
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
@@ -124,7 +127,7 @@ void SceneView::show(Session& s, const Rect& r) {
 
   verdict_chip(s, r);
   tripod(s, view, r);
-  projection_text(s, r);
+  if (!s.player.lesson().flat) projection_text(s, r);
   toast(s, r);
   ImGui::End();
 }

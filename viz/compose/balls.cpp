@@ -1,0 +1,69 @@
+// Balls: a gradient lit from the upper left, the analytic silhouette and one equator.
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+#include "viz/compose/canvas.h"
+
+namespace isect::viz {
+namespace {
+
+bool same(const Ball& a, const Ball& b) { return a.center == b.center && a.radius == b.radius; }
+
+/// The circle in space whose picture is the ball's outline.
+std::vector<Stretch> silhouette(const Canvas& c, int index) {
+  const Ball& b = c.occluders.balls[index];
+  const Vec3 n = c.view.towards_eye(b.center);
+  Vec3 middle = b.center;
+  double radius = b.radius;
+  if (c.view.camera().perspective) {
+    const double share = b.radius / (c.view.eye() - b.center).norm();
+    middle += share * b.radius * n;
+    radius *= std::sqrt(1 - share * share);
+  }
+  const Vec3 u = n.cross(c.view.up()).normalized(), v = n.cross(u);
+  Occluders others = around_ball(c.occluders, index);
+  std::erase_if(others.balls, [&](const Ball& other) { return same(other, b); });
+  return stretches(middle, radius * u, radius * v, c.view, others, -1);
+}
+
+bool alone(const Occluders& occluders) {
+  return occluders.balls.size() == 1 && occluders.solids.empty() && occluders.screens.empty();
+}
+
+}  // namespace
+
+void draw_ball(Canvas& c, int index) {
+  const Ball& b = c.occluders.balls[index];
+  const Sizes& s = c.sizes();
+  const Outline edge = outline(b, c.view);
+  const Colour ink = c.theme.ink(b.role);
+  const Path rim = ellipse(edge.center, edge.major, edge.minor);
+  if (c.theme.hatched(b.role)) {
+    c.fills.emplace_back(Fill{rim, ink.with_alpha(0.07), s.hatch_gap, s.hatch_line, ink});
+  } else {
+    const double radius = edge.major.norm();
+    const Vec2 lit = edge.center + 0.42 * radius * Vec2(-0.35, -0.55);  // towards the light, upper left
+    c.fills.emplace_back(Gradient{edge.center, edge.major, edge.minor, lit,
+                                  ink.with_alpha(0.3 * c.theme.fill_alpha),
+                                  ink.with_alpha(1.9 * c.theme.fill_alpha)});
+  }
+
+  const Vec3 u = b.radius * Vec3::UnitX(), v = b.radius * Vec3::UnitZ();
+  const Occluders around = around_ball(c.occluders, index);
+  const auto own =
+      std::find_if(around.balls.begin(), around.balls.end(), [&](const Ball& o) { return same(o, b); });
+  c.curve(stretches(b.center, u, v, c.view, around, static_cast<int>(own - around.balls.begin())),
+          ink.with_alpha(0.75), s.hidden * 1.1, false);
+  if (alone(c.occluders))
+    c.lines.emplace_back(Stroke{rim, ink, s.outline, {0, 0}, true});
+  else
+    c.curve(silhouette(c, index), ink, s.outline, false);
+  std::vector<Vec2> points = flatten(rim, 0.5);
+  points.push_back(points.front());
+  c.block(points, s.outline / 2, true);
+}
+
+}  // namespace isect::viz

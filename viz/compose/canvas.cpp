@@ -1,0 +1,142 @@
+#include "viz/compose/canvas.h"
+
+#include <algorithm>
+
+#include "viz/marks.h"
+#include "viz/rich_text.h"
+#include "viz/text.h"
+
+namespace isect::viz {
+
+Colour mixed(const Colour& a, const Colour& b, double share) {
+  return {a.r + share * (b.r - a.r), a.g + share * (b.g - a.g), a.b + share * (b.b - a.b), 1};
+}
+
+Canvas::Canvas(const Scene& s, const View& v, const Theme& t, bool grips)
+    : scene(s), view(v), theme(t), handles(grips) {
+  for (const Item& item : scene.items) {
+    if (const Ball* ball = std::get_if<Ball>(&item)) occluders.balls.push_back(*ball);
+    if (const Solid* solid = std::get_if<Solid>(&item)) occluders.solids.push_back(shell(*solid));
+    if (const Region* region = std::get_if<Region>(&item); region && region->hides)
+      occluders.screens.push_back({region->rings});
+  }
+  std::sort(occluders.balls.begin(), occluders.balls.end(), [&](const Ball& a, const Ball& b) {
+    return view.project(a.center).depth > view.project(b.center).depth;
+  });
+}
+
+std::vector<Vec2> Canvas::projected(const std::vector<Vec3>& points) const {
+  std::vector<Vec2> flat;
+  for (const Vec3& p : points) flat.push_back(at(p));
+  return flat;
+}
+
+double Canvas::width(Pen pen, Role role) const {
+  switch (pen) {
+    case Pen::thick:
+    case Pen::excluded:
+      return sizes().shared;
+    case Pen::highlight:
+      return sizes().highlight;
+    case Pen::construction:
+      return sizes().construction;
+    case Pen::hairline:
+      return sizes().hairline;
+    case Pen::solid:
+      break;
+  }
+  return role == Role::first ? sizes().ray : sizes().outline;
+}
+
+void Canvas::block(const std::vector<Vec2>& points, double radius, bool firm) {
+  for (std::size_t i = 1; i < points.size(); ++i)
+    obstacles.push_back({points[i - 1], points[i], radius, firm});
+}
+
+void Canvas::curve(const std::vector<Stretch>& parts, const Colour& colour, double width, bool firm) {
+  const bool bold = width >= sizes().shared;  // the shared part stays the boldest where it is hidden
+  for (const Stretch& part : parts) {
+    const std::vector<Vec2> points = projected(part.points);
+    if (part.hidden) {
+      std::array<double, 2> dash = sizes().hidden_dash;
+      if (bold) dash = {1.3 * dash[0], 1.3 * dash[1]};
+      hidden.emplace_back(Stroke{polyline(points), colour, bold ? 0.5 * width : sizes().hidden, dash, false});
+    } else {
+      lines.emplace_back(Stroke{polyline(points), colour, width, {0, 0}, true});
+    }
+    block(points, width / 2, firm && !part.hidden);
+  }
+}
+
+void Canvas::plain_line(const std::vector<Vec2>& points, bool closed, Role role, Pen pen) {
+  const double w = width(pen, role);
+  const bool dashed = pen == Pen::construction || pen == Pen::excluded;
+  if (pen == Pen::highlight && theme.name != ThemeName::dark)  // yellow on white needs an edge to be seen
+    lines.emplace_back(
+        Stroke{polyline(points, closed), theme.ink(Role::text), w + 2 * sizes().hairline, {0, 0}, true});
+  std::array<double, 2> dash = {0, 0};
+  if (pen == Pen::construction) dash = sizes().construction_dash;
+  if (pen == Pen::excluded) dash = {w, 0.7 * w};
+  lines.emplace_back(Stroke{polyline(points, closed), theme.ink(role), w, dash, !dashed});
+  std::vector<Vec2> chain = points;
+  if (closed) chain.push_back(points.front());
+  block(chain, w / 2, !dashed);
+}
+
+double Canvas::dot_radius(const Vec3& p) const {
+  double radius = 0;
+  for (const Item& other : scene.items)
+    if (const Dot* dot = std::get_if<Dot>(&other); dot != nullptr && dot->at == p)
+      radius = std::max(radius, mark_radius(dot->mark, sizes()) + sizes().halo);
+  return radius;
+}
+
+Fill area(const Canvas& c, const Path& outline, Role role) {
+  Fill fill = {outline, c.theme.tint(role), 0, 0, {}};
+  if (c.theme.hatched(role))
+    fill.hatch_gap = c.sizes().hatch_gap, fill.hatch_line = c.sizes().hatch_line,
+    fill.hatch_colour = c.theme.ink(role);
+  return fill;
+}
+
+void draw(Canvas& c, const Dot& it) {
+  mark(c.marks, it.mark, c.at(it.at), it.role, c.theme);
+  c.obstacles.push_back({c.at(it.at), c.at(it.at), mark_radius(it.mark, c.sizes()), true});
+}
+
+void draw(Canvas& c, const Label& it) {
+  const Vec2 from = c.at(it.at), to = it.until ? c.at(*it.until) : from;
+  double keep_off = it.until ? c.sizes().outline : c.dot_radius(it.at);
+  for (const Handle& handle : c.scene.handles)
+    if (!it.until && handle.at == it.at && c.handles) keep_off = c.sizes().handle_ring;
+  const Role role = it.role == Role::highlight && c.theme.name != ThemeName::dark ? Role::text : it.role;
+  c.labels.push_back({it.text, from, to, keep_off, c.theme.ink(role)});
+}
+
+void draw(Canvas& c, const Heading& it) {
+  Text text = {
+      it.text, c.at(it.at), it.bold ? c.sizes().title : c.sizes().label, c.theme.ink(it.role), 0.5, it.bold,
+      0,       {}};
+  TextBox box = measure(text);
+  const double room = it.room * c.view.scale_at(it.at);
+  if (room > 0 && box.right - box.left > room) text.size *= room / (box.right - box.left);
+  text.at.y() +=
+      0.34 * text.size;  // half the height of capitals, so that headings side by side share a baseline
+  box = measure(text);
+  c.marks.emplace_back(text);
+  const double height = (box.top + box.bottom) / 2;
+  c.block({{box.left, height}, {box.right, height}}, (box.bottom - box.top) / 2, true);
+  c.placed.push_back({plain(it.text), box});
+}
+
+void draw(Canvas& c, const Handle& handle) {
+  const Vec2 p = c.at(handle.at);
+  const Colour ink = c.theme.ink(handle.role);
+  const Sizes& s = c.sizes();
+  c.marks.emplace_back(Fill{circle(p, s.handle_ring), ink.with_alpha(0.16), 0, 0, {}});
+  c.marks.emplace_back(Stroke{circle(p, s.handle_ring), ink, s.construction, {0, 0}, true});
+  c.marks.emplace_back(Fill{circle(p, s.handle), ink, 0, 0, {}});
+  c.obstacles.push_back({p, p, s.handle_ring, true});
+}
+
+}  // namespace isect::viz

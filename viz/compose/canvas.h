@@ -1,0 +1,73 @@
+#pragma once
+// What the items of a scene are drawn on: layers in painter's order, and what labels keep off. Each family of items
+// has a file of its own beside this one.
+
+#include <vector>
+
+#include "viz/compose.h"
+#include "viz/labels.h"
+#include "viz/visibility.h"
+
+namespace isect::viz {
+
+Colour mixed(const Colour& a, const Colour& b, double share);
+
+class Canvas {
+ public:
+  Canvas(const Scene&, const View&, const Theme&, bool handles);
+
+  const Scene& scene;
+  const View& view;
+  const Theme& theme;
+  const bool handles;   ///< the grips of the handles are drawn
+  Occluders occluders;  ///< balls far to near
+
+  // Painter's order: floor, curved fills and rasters, hidden lines, what lies within solids, their front faces, visible
+  // lines, markers.
+  std::vector<Shape> ground, fills, hidden, contents, fronts, lines, marks;
+  std::vector<Wanted> labels;
+  std::vector<Obstacle> obstacles;
+  std::vector<PlacedLabel> placed;  ///< texts that stand where they stand
+
+  const Sizes& sizes() const { return theme.sizes; }
+  Vec2 at(const Vec3& p) const { return view.project(p).at; }
+  std::vector<Vec2> projected(const std::vector<Vec3>&) const;
+
+  /// The line's width on the picture.
+  double width(Pen, Role) const;
+  /// Labels keep off the chain of points.
+  void block(const std::vector<Vec2>&, double radius, bool firm);
+  /// The parts of a curve, dashed and thinner where hidden.
+  void curve(const std::vector<Stretch>&, const Colour&, double width, bool firm);
+  /// A line on the picture in a pen that is never hidden.
+  void plain_line(const std::vector<Vec2>&, bool closed, Role, Pen);
+  /// Whether the parts of a line in this pen behind something are dashed. `split_thick`: also the thick ones.
+  static bool is_split(Pen pen, bool split_thick) {
+    return pen == Pen::solid || (split_thick && (pen == Pen::thick || pen == Pen::highlight));
+  }
+  /// The radius to keep off the marker at `p`, 0 where there is none.
+  double dot_radius(const Vec3& p) const;
+};
+
+/// A flat area of this role, hatched where the theme says so.
+Fill area(const Canvas&, const Path& outline, Role);
+
+// One function a kind of item. `draw` draws it whole, fill and lines.
+void draw_floor(Canvas&);
+void draw_ball(Canvas&, int index);  ///< into canvas.occluders.balls
+void draw(Canvas&, const Line&);
+void draw(Canvas&, const Arrow&);
+void draw(Canvas&, const Chain&);
+void draw(Canvas&, const Circle&);
+void draw(Canvas&, const Span&);
+void draw(Canvas&, const RightAngle&);
+void draw(Canvas&, const Region&);
+void draw(Canvas&, const Raster&);
+void draw_solids(Canvas&);  ///< all of them: the farther ones first
+void draw(Canvas&, const Mesh&);
+void draw(Canvas&, const Dot&);
+void draw(Canvas&, const Label&);
+void draw(Canvas&, const Heading&);
+void draw(Canvas&, const Handle&);
+
+}  // namespace isect::viz

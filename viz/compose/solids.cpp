@@ -1,0 +1,119 @@
+// Solids: faces shaded by the light, edges solid or dashed; and opaque meshes.
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <numeric>
+
+#include "viz/compose/canvas.h"
+
+namespace isect::viz {
+namespace {
+
+/// How directly the light, from the upper left in front, falls on a face: 0 (from behind) to 1.
+double lit(const Vec3& normal) {
+  static const Vec3 light = Vec3(-0.35, 0.85, 0.55).normalized();
+  return std::clamp(normal.dot(light), 0.0, 1.0);
+}
+
+/// The lighter a face, the less ink. What two objects share is dense from all sides.
+double alpha(const Theme& theme, Role role, double light) {
+  if (role == Role::hit) return theme.overlap_alpha * (1.3 - 0.5 * light);
+  return theme.fill_alpha * (1.9 - 1.45 * light);
+}
+
+Vec3 middle(const std::vector<Vec3>& points) {
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& p : points) sum += p;
+  return sum / static_cast<double>(std::max<std::size_t>(points.size(), 1));
+}
+
+void faces(Canvas& c, const Solid& solid, const Shell& shell) {
+  const Colour ink = c.theme.ink(solid.role);
+  const bool hatched = c.theme.hatched(solid.role);
+  for (std::size_t i = 0; i < solid.faces.size(); ++i) {
+    const Vec3& n = shell.normals[i];
+    std::vector<Vec3> corners;
+    for (const int v : solid.faces[i]) corners.push_back(solid.vertices[v]);
+    if (n.squaredNorm() == 0 || n.dot(c.view.towards_eye(middle(corners))) <= 0) continue;
+    Fill face = {
+        polyline(c.projected(corners), true), ink.with_alpha(alpha(c.theme, solid.role, lit(n))), 0, 0, {}};
+    if (hatched) {
+      face.colour = ink.with_alpha(0.7 * face.colour.a);
+      face.hatch_gap = c.sizes().hatch_gap, face.hatch_line = c.sizes().hatch_line, face.hatch_colour = ink;
+    }
+    c.fronts.emplace_back(face);
+  }
+}
+
+/// An edge between two faces of one plane is none.
+bool is_edge(const Shell& shell, const Shell::Edge& edge) {
+  if (edge.faces.size() != 2) return true;
+  const Vec3 &a = shell.normals[edge.faces[0]], &b = shell.normals[edge.faces[1]];
+  return !(a.dot(b) > 1 - 1e-12);
+}
+
+/// From so many edges on a solid is round: only its silhouette is drawn strong, and its far side not at all.
+constexpr std::size_t fine_from = 60;
+
+bool is_silhouette(const Shell& shell, const Shell::Edge& edge, const View& view) {
+  const Vec3 eye = view.towards_eye(edge.from);
+  return edge.faces.size() != 2 ||
+         shell.normals[edge.faces[0]].dot(eye) * shell.normals[edge.faces[1]].dot(eye) <= 0;
+}
+
+}  // namespace
+
+void draw_solids(Canvas& c) {
+  std::vector<const Solid*> solids;
+  for (const Item& item : c.scene.items)
+    if (const Solid* solid = std::get_if<Solid>(&item)) solids.push_back(solid);
+  std::vector<std::size_t> order(solids.size());  // of the scene, and so of the shells
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto depth = [&](std::size_t i) { return c.view.project(middle(solids[i]->vertices)).depth; };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return depth(a) > depth(b); });
+
+  for (const std::size_t i : order) {
+    const Shell& shell = c.occluders.solids[i];
+    faces(c, *solids[i], shell);
+    const Role role = solids[i]->role;
+    const double width = role == Role::hit ? c.sizes().shared : c.sizes().outline;
+    const Occluders around =
+        role == Role::hit ? c.occluders : around_solid(c.occluders, static_cast<int>(i), solids[i]->vertices);
+    const bool fine = shell.edges.size() > fine_from;
+    for (const Shell::Edge& edge : shell.edges) {
+      if (!is_edge(shell, edge)) continue;
+      std::vector<Stretch> parts = stretches(edge.from, edge.to, c.view, around);
+      if (fine) std::erase_if(parts, [](const Stretch& part) { return part.hidden; });
+      c.curve(parts, c.theme.ink(role),
+              fine && !is_silhouette(shell, edge, c.view) ? c.sizes().hidden : width, !fine);
+    }
+  }
+}
+
+void draw(Canvas& c, const Mesh& it) {
+  struct Facet {
+    double depth;
+    Fill fill;
+  };
+  std::vector<Facet> facets;
+  for (const std::array<int, 3>& t : it.triangles) {
+    const std::vector<Vec3> corners = {it.vertices[t[0]], it.vertices[t[1]], it.vertices[t[2]]};
+    const Vec3 n = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
+    if (!(n.dot(c.view.towards_eye(corners[0])) > 0)) continue;
+    const Colour colour = mixed(c.theme.ink(it.role), c.theme.background, 0.08 + 0.45 * lit(n));
+    facets.push_back(
+        {c.view.project(middle(corners)).depth, {polyline(c.projected(corners), true), colour, 0, 0, {}}});
+  }
+  std::stable_sort(facets.begin(), facets.end(),
+                   [](const Facet& a, const Facet& b) { return a.depth > b.depth; });
+  for (const Facet& facet : facets) {
+    // A hairline of the same colour closes the seams that smoothing leaves between neighbours.
+    c.contents.emplace_back(facet.fill);
+    c.contents.emplace_back(
+        Stroke{facet.fill.path, facet.fill.colour, 0.3 * c.sizes().hairline, {0, 0}, true});
+  }
+}
+
+}  // namespace isect::viz

@@ -1,0 +1,75 @@
+#include "viz/grid.h"
+
+#include <algorithm>
+
+#include "viz/compose.h"
+
+namespace isect::viz {
+namespace {
+
+/// Moves every point of an item.
+struct Move {
+  Vec3 by;
+
+  void operator()(Ball& it) const { it.center += by; }
+  void operator()(Circle& it) const { it.center += by; }
+  void operator()(Line& it) const { it.from += by, it.to += by; }
+  void operator()(Arrow& it) const { it.from += by, it.to += by; }
+  void operator()(Span& it) const { it.from += by, it.to += by; }
+  void operator()(RightAngle& it) const { it.at += by, it.a += by, it.b += by; }
+  void operator()(Dot& it) const { it.at += by; }
+  void operator()(Heading& it) const { it.at += by; }
+  void operator()(Raster& it) const { it.corner += by; }
+  void operator()(Chain& it) const { points(it.points); }
+  void operator()(Solid& it) const { points(it.vertices); }
+  void operator()(Mesh& it) const { points(it.vertices); }
+  void operator()(Region& it) const {
+    for (std::vector<Vec3>& ring : it.rings) points(ring);
+  }
+  void operator()(Label& it) const {
+    it.at += by;
+    if (it.until) *it.until += by;
+  }
+
+ private:
+  void points(std::vector<Vec3>& all) const {
+    for (Vec3& p : all) p += by;
+  }
+};
+
+}  // namespace
+
+std::vector<Item> moved(std::vector<Item> items, const Vec3& by) {
+  for (Item& item : items) std::visit(Move{by}, item);
+  return items;
+}
+
+std::vector<Item> in_grid(const std::vector<Inset>& insets, int columns, const Camera& camera) {
+  const View view(camera, 1, 1);  // for its axes only
+  std::vector<Box2> boxes;
+  Vec2 size = Vec2::Zero();
+  for (const Inset& inset : insets) {
+    boxes.push_back(extent({inset.items, {}, {}}, camera));
+    size = size.cwiseMax(boxes.back().hi - boxes.back().lo);
+  }
+  const double line = 0.2 * size.y(), gap = 0.12 * std::max(size.x(), size.y());
+  const Vec2 pitch = size + Vec2(gap, 1.5 * gap + 2 * line);
+
+  std::vector<Item> all;
+  for (std::size_t i = 0; i < insets.size(); ++i) {
+    const int column = static_cast<int>(i) % columns, row = static_cast<int>(i) / columns;
+    const Vec2 middle(column * pitch.x(), -row * pitch.y());
+    const Vec2 by = middle - (boxes[i].lo + boxes[i].hi) / 2;
+    const auto at = [&](const Vec2& p) -> Vec3 { return p.x() * view.right() + p.y() * view.up(); };
+    for (const Item& item : moved(insets[i].items, at(by))) all.push_back(item);
+    const double text = size.y() / 2 + 0.75 * line;
+    if (!insets[i].heading.empty())
+      all.push_back(Heading{at(middle + Vec2(0, text)), insets[i].heading, Role::text, size.x() + gap});
+    if (!insets[i].note.empty())
+      all.push_back(
+          Heading{at(middle - Vec2(0, text)), insets[i].note, insets[i].role, size.x() + gap, false});
+  }
+  return all;
+}
+
+}  // namespace isect::viz

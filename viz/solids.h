@@ -1,0 +1,25 @@
+#pragma once
+// The core's convex shapes as solids of a scene.
+
+#include "core/convex_hull_3d.h"
+#include "core/kdop_polytope.h"
+#include "core/shapes.h"
+#include "viz/scene.h"
+
+namespace isect::viz {
+
+/// The box whose corner number i is corners[i], bit k of i telling on which side of axis k it lies.
+Solid hexahedron(const std::array<Vec3, 8>& corners, Role);
+
+Solid solid(const Aabb<double, 3>&, Role);
+Solid solid(const Obb<double, 3>&, Role);
+Solid solid(const Kdop<double, 3>&, Role);  ///< without vertices when it is empty
+Solid solid(const Hull3<double>&,
+            Role);  ///< faces of one plane stay triangles; no edge is drawn between them
+/// Its corners are those of three planes each. Assumes that opposite planes are not parallel to the ones beside them.
+Solid solid(const Frustum<double>&, Role);
+
+/// The box's faces as the core numbers its axes: what the plane x_axis = coordinate cuts out of the box.
+Region face(const Aabb<double, 3>&, int axis, double coordinate, Role);
+
+}  // namespace isect::viz
