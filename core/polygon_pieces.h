@@ -19,6 +19,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/orient.h"
@@ -63,7 +64,8 @@ inline bool before(const Point<double, 2>& a, const Point<double, 2>& b) {
 /// The pieces on the sweeping line, and what is still to come.
 class Sweep {
  public:
-  explicit Sweep(PolygonPieces& out) : out_(out), line_(Below{&out}), first_(out.vertices.size(), none) {}
+  explicit Sweep(PolygonPieces& out)
+      : out_(out), first_(out.vertices.size(), none), last_(out.vertices.size(), none) {}
 
   /// An edge, or what is left of one, that will be met at its low end.
   void add(int low, int high, int times, const PolygonEdge& edge) {
@@ -73,16 +75,16 @@ class Sweep {
   }
 
   void visit(int v) {
-    auto [from, to] = line_.equal_range(Vertex{v});
+    const auto [from, to] = through(v);
     for (auto it = from; it != to; ++it) {
-      PolygonPieces::Piece& piece = out_.pieces[static_cast<std::size_t>(*it)];
+      PolygonPieces::Piece& piece = out_.pieces[static_cast<std::size_t>(it->piece)];
       if (piece.high != v) add(v, piece.high, piece.times, piece.edge);
       piece.high = v;
     }
     const Line::iterator above = line_.erase(from, to);
-    const int below = above == line_.begin() ? none : *std::prev(above);
+    const Line::iterator below = above == line_.begin() ? line_.end() : std::prev(above);
 
-    int lowest = none, winding = below == none ? 0 : piece_above(below), last = below;
+    int winding = below == line_.end() ? 0 : out_.pieces[static_cast<std::size_t>(below->piece)].above;
     collect(v);
     for (std::size_t i = 0; i < around_.size();) {
       const Strand head = strands_[static_cast<std::size_t>(around_[i])];
@@ -93,14 +95,15 @@ class Sweep {
         if (strand.high != head.high) add(head.high, strand.high, strand.times, strand.edge);
       }
       winding += times;
-      last = static_cast<int>(out_.pieces.size());
+      const int piece = static_cast<int>(out_.pieces.size());
       out_.pieces.push_back({v, head.high, times, winding, head.edge});
-      line_.emplace_hint(above, last);
-      if (lowest == none) lowest = last;
+      places_.push_back(line_.insert(above, {out_.vertex(v), out_.vertex(head.high), piece}));
+      last_[static_cast<std::size_t>(head.high)] = piece;
     }
 
-    if (lowest != none) refuse_crossing(below, lowest);
-    if (above != line_.end()) refuse_crossing(last, *above);
+    const Line::iterator highest = above == line_.begin() ? line_.end() : std::prev(above);
+    if (highest != below) refuse_crossing(below, below == line_.end() ? line_.begin() : std::next(below));
+    refuse_crossing(highest, above);
   }
 
  private:
@@ -110,26 +113,39 @@ class Sweep {
     PolygonEdge edge;
     int next;  ///< another one with the same low end
   };
-  struct Vertex {
-    int index;
+  /// A piece on the line. It has its points with it: a search that went to look for them would wait for memory. When the
+  /// piece is cut, `high` stays; that is on the same line.
+  struct Standing {
+    Point<double, 2> low, high;
+    int piece;
+
+    int side(const Point<double, 2>& p) const { return orient2d(low, high, p); }
   };
   /// The order on the line. Pieces are compared where the later of them starts.
   struct Below {
     using is_transparent = void;
-    const PolygonPieces* all;
 
-    bool operator()(int a, const Vertex& v) const { return all->side(a, all->vertex(v.index)) > 0; }
-    bool operator()(const Vertex& v, int a) const { return all->side(a, all->vertex(v.index)) < 0; }
-    bool operator()(int a, int b) const {
-      const PolygonPieces::Piece &s = all->pieces[static_cast<std::size_t>(a)],
-                                 &t = all->pieces[static_cast<std::size_t>(b)];
-      if (s.low > t.low) return all->side(b, all->vertex(s.low)) < 0;
-      return all->side(a, all->vertex(s.low < t.low ? t.low : t.high)) > 0;
+    bool operator()(const Standing& a, const Point<double, 2>& v) const { return a.side(v) > 0; }
+    bool operator()(const Point<double, 2>& v, const Standing& a) const { return a.side(v) < 0; }
+    bool operator()(const Standing& a, const Standing& b) const {
+      if (before(b.low, a.low)) return b.side(a.low) < 0;
+      return a.side(before(a.low, b.low) ? b.low : b.high) > 0;
     }
   };
-  using Line = std::set<int, Below>;
+  using Line = std::set<Standing, Below>;
 
-  int piece_above(int piece) const { return out_.pieces[static_cast<std::size_t>(piece)].above; }
+  /// The pieces on the line that hold a vertex. Most vertices end a piece, whose place is known: its neighbours may
+  /// hold the vertex too. Else it is searched for.
+  std::pair<Line::iterator, Line::iterator> through(int v) const {
+    const int known = last_[static_cast<std::size_t>(v)];
+    if (known == none || out_.pieces[static_cast<std::size_t>(known)].high != v)
+      return line_.equal_range(out_.vertex(v));
+    const auto holds = [&](const Standing& other) { return other.side(out_.vertex(v)) == 0; };
+    Line::iterator from = places_[static_cast<std::size_t>(known)], to = std::next(from);
+    while (from != line_.begin() && holds(*std::prev(from))) --from;
+    while (to != line_.end() && holds(*to)) ++to;
+    return {from, to};
+  }
 
   /// What starts at a vertex, from below to above, of one direction the nearest end first.
   void collect(int v) {
@@ -150,15 +166,13 @@ class Sweep {
   }
 
   /// Neighbours may cross at a vertex, where both will be cut.
-  void refuse_crossing(int a, int b) const {
-    if (a == none || b == none) return;
-    const PolygonPieces::Piece &s = out_.pieces[static_cast<std::size_t>(a)],
-                               &t = out_.pieces[static_cast<std::size_t>(b)];
-    if (out_.side(a, out_.vertex(t.low)) * out_.side(a, out_.vertex(t.high)) >= 0 ||
-        out_.side(b, out_.vertex(s.low)) * out_.side(b, out_.vertex(s.high)) >= 0)
-      return;
+  void refuse_crossing(Line::iterator a, Line::iterator b) const {
+    if (a == line_.end() || b == line_.end()) return;
+    if (a->side(b->low) * a->side(b->high) >= 0 || b->side(a->low) * b->side(a->high) >= 0) return;
+    const PolygonPieces::Piece &s = out_.pieces[static_cast<std::size_t>(a->piece)],
+                               &t = out_.pieces[static_cast<std::size_t>(b->piece)];
     for (int v = std::max(s.low, t.low) + 1; v < std::min(s.high, t.high); ++v)
-      if (out_.side(a, out_.vertex(v)) == 0 && out_.side(b, out_.vertex(v)) == 0) return;
+      if (a->side(out_.vertex(v)) == 0 && b->side(out_.vertex(v)) == 0) return;
     const auto name = [](const PolygonEdge& e) {
       return "edge " + std::to_string(e.index) + " of ring " + std::to_string(e.ring);
     };
@@ -168,7 +182,9 @@ class Sweep {
   PolygonPieces& out_;
   Line line_;
   std::vector<Strand> strands_;
-  std::vector<int> first_;  ///< a strand that starts at each vertex
+  std::vector<int> first_;              ///< a strand that starts at each vertex
+  std::vector<int> last_;               ///< a piece that ends at each vertex, unless it was cut before
+  std::vector<Line::iterator> places_;  ///< of each piece, while it is on the line
   std::vector<int> around_;
 };
 
@@ -187,15 +203,19 @@ PolygonPieces make_polygon_pieces(std::span<const Ring<S, 2>> rings) {
   if (all.vertices.size() >= std::size_t{1} << 30)
     throw std::length_error("a polygon of 2^30 vertices or more");
 
-  std::vector<int> sorted(all.vertices.size());
-  for (std::size_t i = 0; i < sorted.size(); ++i) sorted[i] = static_cast<int>(i);
+  struct Numbered {
+    Point<double, 2> at;
+    std::size_t number;
+  };
+  std::vector<Numbered> sorted;
+  for (const Point<double, 2>& v : all.vertices) sorted.push_back({v, sorted.size()});
   std::sort(sorted.begin(), sorted.end(),
-            [&](int a, int b) { return polygon_pieces::before(all.vertex(a), all.vertex(b)); });
+            [](const Numbered& a, const Numbered& b) { return polygon_pieces::before(a.at, b.at); });
   std::vector<Point<double, 2>> distinct;
   std::vector<int> number(sorted.size());  // of each vertex, among the distinct ones
-  for (const int i : sorted) {
-    if (distinct.empty() || all.vertex(i) != distinct.back()) distinct.push_back(all.vertex(i));
-    number[static_cast<std::size_t>(i)] = static_cast<int>(distinct.size()) - 1;
+  for (const Numbered& v : sorted) {
+    if (distinct.empty() || v.at != distinct.back()) distinct.push_back(v.at);
+    number[v.number] = static_cast<int>(distinct.size()) - 1;
   }
   all.vertices = std::move(distinct);
 

@@ -15,7 +15,8 @@
 // edges are edges like others. Above and below are signs of orient2d: all of it is exact.
 //
 // Source: Mulmuley, A fast planar partition algorithm, J. Symb. Comput. 10 (1990); Seidel, A simple and fast
-// incremental randomized algorithm, Comput. Geom. 1 (1991); de Berg et al., Computational Geometry (2008), ch. 6.
+// incremental randomized algorithm, Comput. Geom. 1 (1991); de Berg et al., Computational Geometry (2008), ch. 6; Amenta,
+// Choi, Rote, Incremental constructions con BRIO, SoCG (2003), for the rounds.
 
 #include <algorithm>
 #include <cstdint>
@@ -23,6 +24,7 @@
 #include <optional>
 #include <random>
 #include <span>
+#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -230,6 +232,20 @@ class Builder {
   std::vector<int> cut_;
 };
 
+/// Brings an order drawn at random into rounds, each as large as all before, and a round's pieces into the order of the
+/// boundary: neighbours are added one after the other, and what they touch is still in the cache. An early round is a
+/// random sample as before, so paths stay short. The first pieces keep their order.
+inline void order_rounds(std::vector<int>& order, const std::vector<PolygonPieces::Piece>& pieces) {
+  const auto along = [&](int a, int b) {
+    const PolygonEdge &x = pieces[static_cast<std::size_t>(a)].edge,
+                      &y = pieces[static_cast<std::size_t>(b)].edge;
+    return std::tie(x.ring, x.index, a) < std::tie(y.ring, y.index, b);
+  };
+  const std::ptrdiff_t size = std::ssize(order);
+  for (std::ptrdiff_t begin = 256; begin < size; begin *= 2)
+    std::sort(order.begin() + begin, order.begin() + std::min(2 * begin, size), along);
+}
+
 }  // namespace trapezoid_map
 
 /// The map of a polygon; another seed draws another order, and gives the same answers. Throws std::invalid_argument
@@ -252,6 +268,7 @@ TrapezoidMap make_trapezoid_map(std::span<const Ring<S, 2>> rings, std::uint64_t
   std::iota(order.begin(), order.end(), 0);
   std::mt19937_64 random(seed);
   for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);
+  trapezoid_map::order_rounds(order, pieces);
 
   trapezoid_map::Builder builder(map);
   for (const int piece : order) {
