@@ -44,8 +44,8 @@ std::string in_full(const Triangle<S, N>& x) {
 }
 template <class S, int N>
 std::string in_full(const Ring<S, N>& x) {
-  std::string all;
-  for (const Point<S, N>& v : x) all += (all.empty() ? "" : " ") + text("vertex", v);
+  std::string all = "ring";
+  for (const Point<S, N>& v : x) all += text(" vertex", v);
   return all;
 }
 template <class A, class B>

@@ -55,6 +55,26 @@ S number(Random& random, Numbers numbers) {
   }
 }
 
+/// An exponent of two at which the squares of lengths around one overflow or vanish, and the lengths don't.
+template <class S>
+int beyond_squares(Random& random) {
+  constexpr int most = std::numeric_limits<S>::max_exponent;
+  const int size = random.integer(most / 2 + 2, most - 6);
+  return random.one_in(2) ? size : -size;
+}
+
+/// Multiplies numbers and vectors by 2^exponent.
+template <class... Lengths>
+void scale(int exponent, Lengths&... lengths) {
+  const auto one = [exponent](auto& x) {
+    if constexpr (requires { x.size(); })
+      for (auto& coordinate : x) coordinate = std::ldexp(coordinate, exponent);
+    else
+      x = std::ldexp(x, exponent);
+  };
+  (one(lengths), ...);
+}
+
 template <class S, int N>
 Vector<S, N> vector(Random& random, Numbers numbers) {
   Vector<S, N> v;

@@ -8,6 +8,7 @@
 #include <boost/multiprecision/gmp.hpp>
 #include <cmath>
 
+#include "bench/oracle.h"
 #include "core/shapes.h"
 
 namespace isect::oracle {
@@ -55,6 +56,13 @@ inline std::array<Rational, 3> cross(const std::array<Rational, 3>& x, const std
 }
 
 inline int sign(const Rational& x) { return x.sign(); }
+
+/// x as a double and what that leaves; infinite beyond the largest double.
+inline Real real(const Rational& x) {
+  const double nearest = static_cast<double>(x);
+  if (std::isinf(nearest)) return {nearest, 0};
+  return {nearest, static_cast<double>(Rational(x - Rational(nearest)))};
+}
 
 /// Whether a range, whose ends may be infinite, holds t.
 template <class S>

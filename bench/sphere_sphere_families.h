@@ -15,7 +15,8 @@ using Balls = Pair<Sphere<S, N>, Sphere<S, N>>;
 
 enum class Touch { outside, inside, either };
 
-/// A second ball that touches the first one, but for rounding and `most` ulps: from outside, from inside, or around it.
+/// A second ball that touches the first one, but for rounding and `most` ulps: from outside, from inside, or around
+/// it.
 template <class S, int N>
 Sphere<S, N> neighbour(Random& random, const Sphere<S, N>& a, Touch touch = Touch::either, int most = 2) {
   const double r = a.radius, s = random.one_in(2) ? r : r * random.uniform(0, 2);
@@ -49,12 +50,9 @@ Balls<S, 3> exact_touch(Random& random) {
   const auto [n, length] = generators::pythagorean<3>(random, generators::wide<S> ? 1000 : 15);
   const generators::Whole<3> center = generators::small<3>(random, generators::wide<S> ? 1 << 30 : 1 << 16);
   const long long r = random.integer(0, static_cast<int>(length));
-  const int across = random.integer(-20, 20);
-  const auto scaled = [across](long long x) {
-    return static_cast<S>(std::ldexp(static_cast<double>(x), across));
-  };
-  Balls<S, 3> c = {{{}, scaled(r)}, {{}, scaled(length - r)}};
-  for (int i = 0; i < 3; ++i) c.a.center[i] = scaled(center[i]), c.b.center[i] = scaled(center[i] + n[i]);
+  Balls<S, 3> c = {{center.cast<S>(), static_cast<S>(r)},
+                   {(center + n).eval().template cast<S>(), static_cast<S>(length - r)}};
+  bench::scale(random.integer(-20, 20), c.a.center, c.a.radius, c.b.center, c.b.radius);
   return c;
 }
 
@@ -82,13 +80,8 @@ Balls<S, 3> concentric(Random& random) {
 /// Where squares overflow or vanish.
 template <class S>
 Balls<S, 3> scale(Random& random) {
-  constexpr int most = std::numeric_limits<S>::max_exponent;
-  const int across = random.integer(most / 2 + 2, most - 6) * (random.one_in(2) ? 1 : -1);
   Balls<S, 3> c = ordinary<S>(random);
-  for (Sphere<S, 3>* ball : {&c.a, &c.b}) {
-    for (S& x : ball->center) x = std::ldexp(x, across);
-    ball->radius = std::ldexp(ball->radius, across);
-  }
+  bench::scale(beyond_squares<S>(random), c.a.center, c.a.radius, c.b.center, c.b.radius);
   return c;
 }
 

@@ -1,16 +1,17 @@
 #include "core/interval_interval.h"
 
+#include "bench/by_points.h"
 #include "bench/simple_shapes.h"
 #include "core/counted.h"
 #include "tests/catch.h"
-#include "tests/core/by_points.h"
 #include "tests/settings.h"
 
 using namespace isect;
 
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity(),
+                 nan_ = std::numeric_limits<double>::quiet_NaN();
 
 template <class S>
 Relation related(double a_lo, double a_hi, double b_lo, double b_hi) {
@@ -70,8 +71,8 @@ TEMPLATE_TEST_CASE("half-lines and the line are intervals too", "[interval_inter
   CHECK(related<TestType>(-inf, 0, 1, inf) == Relation::disjoint);
 }
 
-TEMPLATE_TEST_CASE("inverted intervals, NaN and an end at infinity alone hold nothing", "[interval_interval]", float,
-                   double) {
+TEMPLATE_TEST_CASE("inverted intervals, NaN and an end at infinity alone hold nothing", "[interval_interval]",
+                   float, double) {
   const auto [lo, hi] = GENERATE(table<double, double>(
       {{1, -1}, {inf, -inf}, {nan_, 1}, {-1, nan_}, {nan_, nan_}, {inf, inf}, {-inf, -inf}, {nan_, inf}}));
   CHECK(related<TestType>(lo, hi, -5, 5) == Relation::disjoint);
@@ -122,10 +123,11 @@ TEMPLATE_TEST_CASE("relations are those of the sets of points", "[interval_inter
       if (random.one_in(10)) (random.one_in(2) ? a.hi : b.hi) = std::numeric_limits<S>::infinity();
 
       const Relation r = relate(a, b);
-      const Relation truth =
-          tests::by_points<S, 1>({Point<S, 1>(a.lo), Point<S, 1>(a.hi)}, {Point<S, 1>(b.lo), Point<S, 1>(b.hi)});
+      const Relation truth = oracle::by_points<S, 1>({Point<S, 1>(a.lo), Point<S, 1>(a.hi)},
+                                                     {Point<S, 1>(b.lo), Point<S, 1>(b.hi)});
       if (r != truth) FAIL("wrong");  // REQUIRE would take most of the time
-      if (relate(b, a) != reversed(r) || intersects(a, b) != (r != Relation::disjoint)) FAIL("not consistent");
+      if (relate(b, a) != reversed(r) || intersects(a, b) != (r != Relation::disjoint))
+        FAIL("not consistent");
       ++seen[static_cast<int>(r)];
     }
   for (const int count : seen) CHECK(count > 100);

@@ -5,27 +5,19 @@
 
 #include <algorithm>
 #include <limits>
-#include <type_traits>
 #include <vector>
 
+#include "bench/obb_obb_oracle.h"
 #include "bench/random_obb.h"
-#include "bench/rational.h"
 #include "core/counted.h"
 #include "core/obb_obb_methods.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 
 using namespace isect;
-using oracle::Rational;
-using oracle::operator+;
-using oracle::operator-;
-using oracle::operator*;
+using oracle::obb::Exactly;
 
 namespace {
-
-/// N is deduced from the boxes alone.
-template <int N>
-using Coordinates = std::type_identity_t<oracle::Coordinates<N>>;
 
 constexpr double inf = std::numeric_limits<double>::infinity(),
                  not_a_number = std::numeric_limits<double>::quiet_NaN();
@@ -46,97 +38,6 @@ Obb<S, N> brick(const Point<S, N>& center = at<S, N>(0)) {
   return box;
 }
 
-// The oracles.
-
-template <int N>
-struct Exactly {
-  Coordinates<N> center, half;
-  std::array<Coordinates<N>, N> axes;
-  std::vector<Coordinates<N>> corners;
-  bool flat = false;
-
-  template <class S>
-  explicit Exactly(const Obb<S, N>& box)
-      : center(oracle::rational<S, N>(box.center)), half(oracle::rational<S, N>(box.half)) {
-    corners = {center};
-    for (int i = 0; i < N; ++i) {
-      axes[i] = oracle::rational<S, N>(box.axes.col(i));
-      std::vector<Coordinates<N>> next;
-      for (const Coordinates<N>& c : corners) next.insert(next.end(), {c + half[i] * axes[i], c - half[i] * axes[i]});
-      corners = next;
-      flat = flat || half[i] == 0;
-    }
-  }
-};
-
-/// Solves m x = y by elimination; false when m is singular.
-template <int N>
-bool solve(std::array<Coordinates<N>, N> rows, Coordinates<N> y, Coordinates<N>& x) {
-  for (int column = 0; column < N; ++column) {
-    int pivot = column;
-    while (pivot < N && rows[pivot][column] == 0) ++pivot;
-    if (pivot == N) return false;
-    std::swap(rows[column], rows[pivot]), std::swap(y[column], y[pivot]);
-    for (int i = 0; i < N; ++i) {
-      if (i == column || rows[i][column] == 0) continue;
-      const Rational factor = rows[i][column] / rows[column][column];
-      rows[i] = rows[i] - factor * rows[column];
-      y[i] -= factor * y[column];
-    }
-  }
-  for (int i = 0; i < N; ++i) x[i] = y[i] / rows[i][i];
-  return true;
-}
-
-/// The coordinates of x in the box's frame.
-template <int N>
-bool coordinates(const Exactly<N>& box, const Coordinates<N>& x, Coordinates<N>& s) {
-  std::array<Coordinates<N>, N> rows;
-  for (int i = 0; i < N; ++i)
-    for (int j = 0; j < N; ++j) rows[i][j] = box.axes[j][i];
-  return solve<N>(rows, x - box.center, s);
-}
-
-template <int N>
-bool holds(const Exactly<N>& box, const Exactly<N>& inner) {
-  for (const Coordinates<N>& corner : inner.corners) {
-    Coordinates<N> s;
-    if (!coordinates(box, corner, s)) return false;
-    for (int i = 0; i < N; ++i)
-      if (abs(s[i]) > box.half[i]) return false;
-  }
-  return true;
-}
-
-/// 1 apart, 0 touching, -1 overlapping along l: from the projections of all corners.
-template <int N>
-int along(const Coordinates<N>& l, const Exactly<N>& a, const Exactly<N>& b) {
-  const auto range = [&](const Exactly<N>& box) {
-    std::vector<Rational> values;
-    for (const Coordinates<N>& c : box.corners) values.push_back(oracle::dot(l, c));
-    const auto [lo, hi] = std::minmax_element(values.begin(), values.end());
-    return std::pair(*lo, *hi);
-  };
-  const auto [a_lo, a_hi] = range(a);
-  const auto [b_lo, b_hi] = range(b);
-  return std::max(sign(b_lo - a_hi), sign(a_lo - b_hi));
-}
-
-template <int N>
-std::vector<Coordinates<N>> directions(const Exactly<N>& a, const Exactly<N>& b) {
-  std::vector<Coordinates<N>> result;
-  if constexpr (N == 2) {
-    for (const auto& box : {a, b})
-      for (const auto& u : box.axes) result.push_back({-u[1], u[0]});
-  } else {
-    std::vector<Coordinates<N>> edges(a.axes.begin(), a.axes.end());
-    edges.insert(edges.end(), b.axes.begin(), b.axes.end());
-    for (std::size_t i = 0; i < edges.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j) result.push_back(oracle::cross(edges[i], edges[j]));
-  }
-  return result;
-}
-
 /// The direction that an axis names.
 template <int N>
 oracle::Coordinates<N> direction_of(const obb_obb::Axis& axis, const Exactly<N>& a, const Exactly<N>& b) {
@@ -147,90 +48,6 @@ oracle::Coordinates<N> direction_of(const obb_obb::Axis& axis, const Exactly<N>&
   else
     return axis.kind == obb_obb::Kind::edges ? oracle::cross(a.axes[i], b.axes[axis.j])
                                              : oracle::cross(u[(i + 1) % 3], u[(i + 2) % 3]);
-}
-
-template <int N>
-bool exists(const Exactly<N>& box) {
-  Coordinates<N> s;
-  return coordinates(box, box.center, s);
-}
-
-template <int N>
-Relation relation(int outer, const Exactly<N>& a, const Exactly<N>& b) {
-  if (outer > 0) return Relation::disjoint;
-  const bool a_in_b = holds(b, a), b_in_a = holds(a, b);
-  if (a_in_b && b_in_a) return Relation::equal;
-  if (a_in_b || b_in_a) return a_in_b ? Relation::a_inside_b : Relation::b_inside_a;
-  return outer == 0 || a.flat || b.flat ? Relation::touching : Relation::overlapping;
-}
-
-/// By projections. All products of two edges are asked, in no order.
-template <int N>
-Relation by_projection(const Exactly<N>& a, const Exactly<N>& b) {
-  if (!exists(a) || !exists(b)) return Relation::disjoint;
-  int outer = -1;
-  for (const Coordinates<N>& l : directions(a, b))
-    if (l != Coordinates<N>{}) outer = std::max(outer, along(l, a, b));
-  return relation(outer, a, b);
-}
-
-/// By the vertices of the common part: points of the frame of A where N of the 4 N faces meet. Without one the boxes
-/// are apart; if all lie in one plane, they have no common interior. No separating axis is used.
-template <int N>
-Relation by_vertices(const Exactly<N>& a, const Exactly<N>& b) {
-  if (!exists(a) || !exists(b)) return Relation::disjoint;
-  struct Face {
-    Coordinates<N> normal;  // normal.s <= limit
-    Rational limit;
-  };
-  std::vector<Face> faces;
-  Coordinates<N> origin;  // of A in the frame of B
-  coordinates(b, a.center, origin);
-  std::array<Coordinates<N>, N> image;  // the axes of A in the frame of B
-  for (int i = 0; i < N; ++i) coordinates(b, b.center + a.axes[i], image[i]);
-  for (int i = 0; i < N; ++i)
-    for (const int side : {1, -1}) {
-      Coordinates<N> unit = {}, row;
-      unit[i] = side;
-      for (int j = 0; j < N; ++j) row[j] = side * image[j][i];
-      faces.push_back({unit, a.half[i]});
-      faces.push_back({row, b.half[i] - side * origin[i]});
-    }
-
-  std::vector<Coordinates<N>> vertices;
-  const auto add = [&](const std::array<int, N>& chosen) {
-    std::array<Coordinates<N>, N> rows;
-    Coordinates<N> limits, s;
-    for (int i = 0; i < N; ++i) rows[i] = faces[chosen[i]].normal, limits[i] = faces[chosen[i]].limit;
-    if (!solve<N>(rows, limits, s)) return;
-    for (const Face& face : faces)
-      if (oracle::dot(face.normal, s) > face.limit) return;
-    vertices.push_back(s);
-  };
-  const int count = 4 * N;
-  for (int i = 0; i < count; ++i)
-    for (int j = 0; j < i; ++j) {
-      if constexpr (N == 2) {
-        add({i, j});
-      } else {
-        for (int k = 0; k < j; ++k) add({i, j, k});
-      }
-    }
-  if (vertices.empty()) return Relation::disjoint;
-  // Volume: some N edges from the first vertex are independent.
-  Coordinates<N> s;
-  bool volume = false;
-  const std::size_t n = vertices.size();
-  for (std::size_t i = 1; i < n && !volume; ++i)
-    for (std::size_t j = 1; j < i && !volume; ++j) {
-      const Coordinates<N> p = vertices[i] - vertices[0], q = vertices[j] - vertices[0];
-      if constexpr (N == 2) {
-        volume = solve<N>({p, q}, p, s);
-      } else {
-        for (std::size_t k = 1; k < j && !volume; ++k) volume = solve<N>({p, q, vertices[k] - vertices[0]}, p, s);
-      }
-    }
-  return relation(volume ? -1 : 0, a, b);
 }
 
 /// Two boxes that lie close: of like axes, corner at corner, edge at edge or face at face, but for an ulp.
@@ -244,9 +61,11 @@ std::array<Obb<S, N>, 2> close_pair(bench::Random& random, bench::Numbers number
   if (random.one_in(4)) b.half = a.half;
   const S places[] = {S(-1), S(1), S(-1), S(1), S(0), static_cast<S>(random.uniform(-1, 1))};
   Vector<S, N> s, t;
-  for (int i = 0; i < N; ++i) s[i] = a.half[i] * places[random.below(6)], t[i] = b.half[i] * places[random.below(6)];
+  for (int i = 0; i < N; ++i)
+    s[i] = a.half[i] * places[random.below(6)], t[i] = b.half[i] * places[random.below(6)];
   b.center = a.center + a.axes * s + b.axes * t;  // a point of A at a point of B
-  if (random.one_in(3)) b.center = a.center + a.axes * s / 2, b.half = a.half / 2;  // one in the other, nearly
+  if (random.one_in(3))
+    b.center = a.center + a.axes * s / 2, b.half = a.half / 2;  // one in the other, nearly
   if (random.one_in(8)) {
     const Eigen::Matrix<S, N, N> order = bench::permutation<S, N>(random);
     b = {a.center, a.axes * order, (order.transpose() * a.half).cwiseAbs()};  // the same set
@@ -267,7 +86,8 @@ std::array<Obb<S, N>, 2> pair(bench::Random& random, bench::Numbers numbers) {
 
 #define FLOATS_AND_DIMENSIONS ((class S, int N), S, N), (float, 2), (double, 2), (float, 3), (double, 3)
 
-TEMPLATE_TEST_CASE_SIG("boxes side by side are disjoint, touch or overlap", "[obb_obb]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("boxes side by side are disjoint, touch or overlap", "[obb_obb]",
+                       FLOATS_AND_DIMENSIONS) {
   const Obb<S, N> a = brick<S, N>();
   CHECK(relate(a, brick<S, N>(at<S, N>(4.5))) == Relation::disjoint);
   CHECK(relate(a, brick<S, N>(at<S, N>(4))) == Relation::touching);
@@ -305,7 +125,8 @@ TEMPLATE_TEST_CASE_SIG("the same set is equal, whatever its axes' order, signs a
 
 TEMPLATE_TEST_CASE_SIG("a turned box touches with its corner", "[obb_obb]", FLOATS_AND_DIMENSIONS) {
   Obb<S, N> diamond = {at<S, N>(4), Eigen::Matrix<S, N, N>::Identity(), Vector<S, N>::Ones()};
-  diamond.axes.col(0) = at<S, N>(1, 1), diamond.axes.col(1) = at<S, N>(-1, 1);  // corners 2 away from the center
+  diamond.axes.col(0) = at<S, N>(1, 1),
+  diamond.axes.col(1) = at<S, N>(-1, 1);  // corners 2 away from the center
   CHECK(relate(brick<S, N>(), diamond) == Relation::touching);
   diamond.center[0] = std::nextafter(S(4), S(5));
   CHECK(relate(brick<S, N>(), diamond) == Relation::disjoint);
@@ -426,7 +247,8 @@ TEMPLATE_TEST_CASE_SIG("verdicts are those of rational projections", "[obb_obb]"
   CHECK(*std::min_element(std::begin(count), std::end(count)) > cases / 20);
 }
 
-TEMPLATE_TEST_CASE_SIG("verdicts are those of the common part's vertices", "[obb_obb]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("verdicts are those of the common part's vertices", "[obb_obb]",
+                       FLOATS_AND_DIMENSIONS) {
   bench::Random random(tests::seed());
   int count[6] = {};
   const int cases = tests::cases(N == 2 ? 300 : 80, N == 2 ? 40000 : 1500);
@@ -451,14 +273,17 @@ TEMPLATE_TEST_CASE_SIG("exact motions, orders of axes and listeners change nothi
   bench::Random random(tests::seed());
   for (int i = 0; i < 500; ++i) {
     INFO("seed " << tests::seed() << ", case " << i);
-    const auto [a, b] = pair<S, N>(random, random.one_in(2) ? bench::Numbers::grid : bench::Numbers::ordinary);
+    const auto [a, b] =
+        pair<S, N>(random, random.one_in(2) ? bench::Numbers::grid : bench::Numbers::ordinary);
     const Relation relation = relate(a, b);
     Record<obb_obb::Event<N>> record;
     CHECK(relate(a, b, record) == relation);
     CHECK(intersects(a, b, record) == (relation != Relation::disjoint));
 
     const Eigen::Matrix<S, N, N> turn = bench::permutation<S, N>(random);
-    const auto turned = [&](const Obb<S, N>& x) -> Obb<S, N> { return {turn * x.center, turn * x.axes, x.half}; };
+    const auto turned = [&](const Obb<S, N>& x) -> Obb<S, N> {
+      return {turn * x.center, turn * x.axes, x.half};
+    };
     CHECK(relate<S, N>(turned(a), turned(b)) == relation);
     const auto reordered = [&](const Obb<S, N>& x) -> Obb<S, N> {
       return {x.center, x.axes * turn, (turn.transpose() * x.half).cwiseAbs()};
@@ -519,7 +344,8 @@ TEST_CASE("the events tell each axis, an open one twice, and a witness", "[obb_o
     const Tested* tested = std::get_if<Tested>(&event);
     return tested != nullptr && tested->sign == 0;
   };
-  CHECK(std::count_if(record.events.begin(), record.events.end(), exactly_touching) == 4);  // faces and products
+  CHECK(std::count_if(record.events.begin(), record.events.end(), exactly_touching) ==
+        4);  // faces and products
 }
 
 TEST_CASE("the classical test counts, and tells its axes", "[obb_obb]") {

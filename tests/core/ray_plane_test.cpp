@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "bench/random_rays.h"
-#include "bench/rational.h"
+#include "bench/ray_plane_oracle.h"
 #include "core/counted.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
@@ -39,7 +39,8 @@ bool nothing(const RayPlane<S>& r) {
 }
 template <class S>
 bool identical(const RayPlane<S>& a, const RayPlane<S>& b) {
-  return a.parallel == b.parallel && a.coplanar == b.coplanar && a.line == b.line && a.t == b.t && a.meets == b.meets;
+  return a.parallel == b.parallel && a.coplanar == b.coplanar && a.line == b.line && a.t == b.t &&
+         a.meets == b.meets;
 }
 template <class S>
 bool same_verdicts(const RayPlane<S>& a, const RayPlane<S>& b) {
@@ -69,29 +70,6 @@ Case<S, N> draw(Random& random, Numbers numbers) {
   return c;
 }
 
-/// The height over the plane is linear along the ray: two values of it tell all.
-template <class S, int N>
-struct Truth {
-  bool parallel, coplanar;
-  std::optional<Rational> line;
-  bool meets;
-};
-template <class S, int N>
-Truth<S, N> truth(const Case<S, N>& c) {
-  using oracle::operator+;
-  const auto o = oracle::rational<S, N>(c.ray.origin), d = oracle::rational<S, N>(c.ray.direction);
-  const auto height = [&](const oracle::Coordinates<N>& x) -> Rational {
-    return oracle::dot(oracle::rational<S, N>(c.plane.normal), x) + Rational(c.plane.d);
-  };
-  const Rational at_0 = height(o), at_1 = height(o + d);
-  if (at_0 == at_1) {
-    const bool coplanar = at_0 == 0;
-    return {true, coplanar, {}, coplanar && c.ray.range.lo <= c.ray.range.hi};
-  }
-  const Rational t = at_0 / (at_0 - at_1);
-  return {false, false, t, oracle::holds(c.ray.range, t)};
-}
-
 }  // namespace
 
 #define FLOATS_AND_DIMENSIONS ((class S, int N), S, N), (float, 2), (double, 2), (float, 3), (double, 3)
@@ -104,7 +82,8 @@ TEMPLATE_TEST_CASE_SIG("a ray towards a plane meets it once", "[ray_plane]", FLO
   CHECK(r.t == S(2));
 }
 
-TEMPLATE_TEST_CASE_SIG("a ray away from a plane misses it, its line does not", "[ray_plane]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("a ray away from a plane misses it, its line does not", "[ray_plane]",
+                       FLOATS_AND_DIMENSIONS) {
   Ray<S, N> ray = {at<S, N>(3), at<S, N>(1)};
   CHECK_FALSE(intersect(ray, wall<S, N>(1)));
   CHECK(intersect(ray, wall<S, N>(1)).line == S(-2));
@@ -121,7 +100,8 @@ TEMPLATE_TEST_CASE_SIG("both ends of a segment belong to it", "[ray_plane]", FLO
   CHECK(intersect(line_through<S, N>(at<S, N>(1), at<S, N>(4)), wall<S, N>(-5)).t == S(-2));
 }
 
-TEMPLATE_TEST_CASE_SIG("a parallel ray lies beside the plane or in it", "[ray_plane]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("a parallel ray lies beside the plane or in it", "[ray_plane]",
+                       FLOATS_AND_DIMENSIONS) {
   const RayPlane<S> beside = intersect<S, N>({at<S, N>(0), at<S, N>(0, 1)}, wall<S, N>(1));
   CHECK((!beside && beside.parallel && !beside.coplanar && !beside.line));
   const RayPlane<S> within = intersect<S, N>({at<S, N>(1, 7), at<S, N>(-0., 1)}, wall<S, N>(1));
@@ -136,7 +116,8 @@ TEMPLATE_TEST_CASE_SIG("a zero direction makes the ray a point", "[ray_plane]", 
   CHECK((!off && off.parallel && !off.coplanar));
 }
 
-TEMPLATE_TEST_CASE_SIG("a zero normal, an empty range and NaN meet nothing", "[ray_plane]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("a zero normal, an empty range and NaN meet nothing", "[ray_plane]",
+                       FLOATS_AND_DIMENSIONS) {
   const Ray<S, N> ray = {at<S, N>(-3), at<S, N>(1)};
   CHECK(nothing(intersect(ray, Plane<S, N>{at<S, N>(0), S(0)})));
   CHECK(nothing(intersect(ray, Plane<S, N>{at<S, N>(-0.), S(1)})));
@@ -149,13 +130,15 @@ TEMPLATE_TEST_CASE_SIG("a zero normal, an empty range and NaN meet nothing", "[r
     CHECK(nothing(intersect(ray, Plane<S, N>{at<S, N>(1, bad), S(1)})));
     CHECK(nothing(intersect(ray, Plane<S, N>{at<S, N>(1), static_cast<S>(bad)})));
   }
-  CHECK(nothing(intersect<S, N>({at<S, N>(0), at<S, N>(1), {static_cast<S>(not_a_number), S(1)}}, wall<S, N>(1))));
+  CHECK(nothing(
+      intersect<S, N>({at<S, N>(0), at<S, N>(1), {static_cast<S>(not_a_number), S(1)}}, wall<S, N>(1))));
 }
 
 TEST_CASE("a plane of any length meets a ray of any length", "[ray_plane]") {
   for (const double length : {1e-300, 1e-200, 1., 1e200, 1e300})
     for (const double speed : {1e-300, 1e-9, 1., 1e9, 1e300}) {
-      const RayPlane<double> r = intersect<double, 3>({{-3, 1, 0}, {speed, speed, 0}}, {{length, 0, 0}, -length});
+      const RayPlane<double> r =
+          intersect<double, 3>({{-3, 1, 0}, {speed, speed, 0}}, {{length, 0, 0}, -length});
       REQUIRE(r);
       const Rational t = Rational(4) / Rational(speed);
       CHECK(oracle::ulps(*r.t, t) <= 2);
@@ -170,7 +153,8 @@ TEST_CASE("the far plane of the report is met where it is", "[ray_plane]") {
   const float n = 1 / std::sqrt(3.f);
   const Ray<float, 3> ray = {{1e6f, 1e6f, 1e6f}, {-n, -n, -n}, infinite<float>};
   const Plane<float, 3> plane = {{n, n, n}, -1732050.9f};
-  const Rational truth = (3 * Rational(n) * Rational(1e6f) - Rational(1732050.9f)) / (3 * Rational(n) * Rational(n));
+  const Rational truth =
+      (3 * Rational(n) * Rational(1e6f) - Rational(1732050.9f)) / (3 * Rational(n) * Rational(n));
   CHECK(oracle::ulps(*intersect(ray, plane).t, truth) <= 2);
   CHECK(oracle::ulps(*ray_plane::textbook(ray, plane), truth) > 1000);
 }
@@ -194,7 +178,8 @@ TEST_CASE("the textbook's method agrees on ordinary rays", "[ray_plane]") {
   CHECK(tally().div == 1);
 }
 
-TEMPLATE_TEST_CASE_SIG("every answer is that of rational arithmetic", "[ray_plane][random]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("every answer is that of rational arithmetic", "[ray_plane][random]",
+                       FLOATS_AND_DIMENSIONS) {
   int hits = 0, misses = 0, parallel = 0, coplanar = 0, at_ends = 0;
   double worst = 0;
   const int count = tests::cases(1000, 320000);
@@ -205,7 +190,7 @@ TEMPLATE_TEST_CASE_SIG("every answer is that of rational arithmetic", "[ray_plan
       if (c.plane.normal == Vector<S, N>::Zero()) continue;
       INFO("seed " << tests::seed() << ", numbers " << static_cast<int>(numbers) << ", case " << i);
       const RayPlane<S> r = intersect(c.ray, c.plane);
-      const Truth<S, N> t = truth(c);
+      const oracle::RayPlane t = oracle::ray_plane(c.ray, c.plane);
       REQUIRE(r.parallel == t.parallel);
       REQUIRE(r.coplanar == t.coplanar);
       REQUIRE(r.meets == t.meets);
@@ -224,8 +209,8 @@ TEMPLATE_TEST_CASE_SIG("every answer is that of rational arithmetic", "[ray_plan
   for (const int often : {hits, misses, parallel, coplanar, at_ends}) CHECK(often > count / 8);
 }
 
-TEMPLATE_TEST_CASE_SIG("listening, mirroring, swapping axes and scaling change no verdict", "[ray_plane][property]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("listening, mirroring, swapping axes and scaling change no verdict",
+                       "[ray_plane][property]", FLOATS_AND_DIMENSIONS) {
   for (const Numbers numbers : bench::all_numbers) {
     Random random(tests::seed() + 100 + static_cast<int>(numbers));
     for (int i = 0; i < 300; ++i) {
@@ -250,7 +235,8 @@ TEMPLATE_TEST_CASE_SIG("listening, mirroring, swapping axes and scaling change n
 
       if (numbers == Numbers::wide || numbers == Numbers::tiny || numbers == Numbers::huge) continue;
       Case<S, N> scaled = c;
-      const S lengths = std::ldexp(S(1), random.integer(-20, 20)), normal = std::ldexp(S(1), random.integer(-20, 20));
+      const S lengths = std::ldexp(S(1), random.integer(-20, 20)),
+              normal = std::ldexp(S(1), random.integer(-20, 20));
       scaled.ray.origin *= lengths, scaled.ray.direction *= lengths;
       scaled.plane.normal *= normal, scaled.plane.d *= normal * lengths;
       if (scaled.ray.origin / lengths != c.ray.origin || scaled.ray.direction / lengths != c.ray.direction ||
@@ -261,8 +247,8 @@ TEMPLATE_TEST_CASE_SIG("listening, mirroring, swapping axes and scaling change n
   }
 }
 
-TEMPLATE_TEST_CASE_SIG("moving ray and plane together by whole numbers changes nothing", "[ray_plane][property]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("moving ray and plane together by whole numbers changes nothing",
+                       "[ray_plane][property]", FLOATS_AND_DIMENSIONS) {
   Random random(tests::seed());
   for (int i = 0; i < 2000; ++i) {
     const Case<S, N> c = draw<S, N>(random, Numbers::grid);

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "bench/random_rays.h"
-#include "bench/rational.h"
+#include "bench/ray_polygon_oracle.h"
 #include "core/counted.h"
 #include "core/ray_triangle.h"
 #include "tests/catch.h"
@@ -14,7 +14,6 @@
 using namespace isect;
 using bench::Numbers;
 using bench::Random;
-using oracle::Rational;
 
 namespace {
 
@@ -41,7 +40,8 @@ Ray<S, 3> down(double x, double y) {
 }
 template <class S>
 bool identical(const RayPolygon<S>& a, const RayPolygon<S>& b) {
-  return a.flat == b.flat && a.coplanar == b.coplanar && a.line == b.line && a.location == b.location && a.t == b.t;
+  return a.flat == b.flat && a.coplanar == b.coplanar && a.line == b.line && a.location == b.location &&
+         a.t == b.t;
 }
 template <class S>
 bool same_verdicts(const RayPolygon<S>& a, const RayPolygon<S>& b) {
@@ -87,67 +87,6 @@ Case<S> draw(Random& random, Numbers numbers) {
   if (random.one_in(8)) c.ray.origin = target, c.ray.direction = u;
   if (random.one_in(4)) c.ray.range.hi = S(1), c.ray.range.lo = std::min(c.ray.range.lo, S(1));
   return c;
-}
-
-struct Truth {
-  bool flat = false, coplanar = false, parallel = true;
-  Location location = Location::out;
-  Rational t;
-  bool hit = false;
-};
-
-using P2 = std::array<Rational, 2>;
-
-/// On an edge by a parameter; else by counting the edges whose crossing with the line y = p.y, a quotient, is right
-/// of p.
-Location locate_slowly(const P2& p, const std::vector<P2>& ring) {
-  bool inside = false;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const P2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
-    if (a[1] == b[1]) {
-      if (p[1] == a[1] && std::min(a[0], b[0]) <= p[0] && p[0] <= std::max(a[0], b[0])) return Location::on;
-      continue;
-    }
-    const Rational k = (p[1] - a[1]) / (b[1] - a[1]), x = a[0] + k * (b[0] - a[0]);
-    if (0 <= k && k <= 1 && x == p[0]) return Location::on;
-    if ((a[1] <= p[1]) != (b[1] <= p[1]) && x > p[0]) inside = !inside;
-  }
-  return inside ? Location::in : Location::out;
-}
-
-template <class S>
-Truth truth(const Case<S>& c) {
-  using oracle::operator-;
-  using oracle::operator+;
-  using oracle::operator*;
-  Truth result;
-  const auto o = oracle::rational<S, 3>(c.ray.origin), d = oracle::rational<S, 3>(c.ray.direction);
-  std::vector<oracle::Coordinates<3>> v;
-  for (const Point<S, 3>& x : c.ring) v.push_back(oracle::rational<S, 3>(x));
-  oracle::Coordinates<3> n = {0, 0, 0};
-  for (std::size_t i = 0; i < v.size(); ++i)  // Newell's form, by trapezoids
-    for (int k = 0; k < 3; ++k) {
-      const auto &a = v[i], &b = v[(i + 1) % v.size()];
-      n[k] += (a[(k + 1) % 3] - b[(k + 1) % 3]) * (a[(k + 2) % 3] + b[(k + 2) % 3]);
-    }
-  result.flat = oracle::dot(n, n) == 0;
-  if (result.flat) return result;
-  const Rational at_0 = oracle::dot(n, o - v[0]), at_1 = oracle::dot(n, o + d - v[0]);
-  result.parallel = at_0 == at_1;
-  result.coplanar = result.parallel && at_0 == 0;
-  if (result.parallel) return result;
-
-  result.t = at_0 / (at_0 - at_1);
-  const auto p = o + result.t * d;
-  int axis = 0;
-  for (int k = 1; k < 3; ++k)
-    if (abs(n[k]) > abs(n[axis])) axis = k;
-  const int x = axis == 0 ? 1 : 0, y = axis == 2 ? 1 : 2;
-  std::vector<P2> outline;
-  for (const auto& q : v) outline.push_back({q[x], q[y]});
-  result.location = locate_slowly({p[x], p[y]}, outline);
-  result.hit = result.location != Location::out && oracle::holds(c.ray.range, result.t);
-  return result;
 }
 
 }  // namespace
@@ -198,7 +137,8 @@ TEMPLATE_TEST_CASE("holes and islands follow the fill rule", "[ray_polygon]", fl
   CHECK(intersect(down<S>(2.5, 2.5), nested, FillRule::nonzero).t == S(2));
 }
 
-TEMPLATE_TEST_CASE("a coplanar ray, a point and a flat polygon have answers", "[ray_polygon]", float, double) {
+TEMPLATE_TEST_CASE("a coplanar ray, a point and a flat polygon have answers", "[ray_polygon]", float,
+                   double) {
   using S = TestType;
   const auto within = intersect(Ray<S, 3>{at<S>(-1, 1), at<S>(1, 0, -0.)}, angle<S>());
   CHECK((!within && within.coplanar && !within.line && !within.flat));
@@ -275,7 +215,7 @@ TEMPLATE_TEST_CASE("every answer is that of rational arithmetic", "[ray_polygon]
       const Case<S> c = draw<S>(random, numbers);
       INFO("seed " << tests::seed() << ", numbers " << static_cast<int>(numbers) << ", case " << i);
       const RayPolygon<S> r = intersect(c.ray, c.ring);
-      const Truth expected = truth(c);
+      const oracle::RayPolygon expected = oracle::ray_polygon(c.ray, c.ring);
       REQUIRE(r.flat == expected.flat);
       REQUIRE(r.coplanar == expected.coplanar);
       REQUIRE(r.line.has_value() == (!expected.flat && !expected.parallel));
@@ -327,7 +267,8 @@ TEMPLATE_TEST_CASE("no ray slips between neighbours of one plane", "[ray_polygon
       return Point<S, 3>(corner + u * static_cast<S>(x) + v * static_cast<S>(y));
     };
     const Point<S, 3> a = in_plane(0, 0), b = in_plane(7, 3);
-    const Ring<S, 3> left = {a, b, in_plane(4, 9), in_plane(-1, 5)}, right = {b, a, in_plane(5, -2), in_plane(9, 0)};
+    const Ring<S, 3> left = {a, b, in_plane(4, 9), in_plane(-1, 5)},
+                     right = {b, a, in_plane(5, -2), in_plane(9, 0)};
     const Point<S, 3> target = a + (b - a) * static_cast<S>(random.uniform(0.01, 0.99));
     const Point<S, 3> origin = 50 * bench::vector<S, 3>(random, Numbers::ordinary);
     const Ray<S, 3> ray = {origin, (target - origin) * static_cast<S>(random.uniform(0.1, 10))};
@@ -343,8 +284,8 @@ TEMPLATE_TEST_CASE("no ray slips between neighbours of one plane", "[ray_polygon
   CHECK(slipped > 0);  // through the naive ones
 }
 
-TEMPLATE_TEST_CASE("vertex order, axes, mirroring, scale and a listener change no verdict", "[ray_polygon][property]",
-                   float, double) {
+TEMPLATE_TEST_CASE("vertex order, axes, mirroring, scale and a listener change no verdict",
+                   "[ray_polygon][property]", float, double) {
   using S = TestType;
   for (const Numbers numbers : bench::all_numbers) {
     Random random(tests::seed() + 100 + static_cast<int>(numbers));

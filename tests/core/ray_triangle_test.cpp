@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "bench/random_rays.h"
-#include "bench/rational.h"
+#include "bench/ray_triangle_oracle.h"
 #include "core/counted.h"
 #include "core/orient.h"
 #include "tests/catch.h"
@@ -13,7 +13,6 @@
 using namespace isect;
 using bench::Numbers;
 using bench::Random;
-using oracle::Rational;
 
 namespace {
 
@@ -73,37 +72,6 @@ Case<S> draw(Random& random, Numbers numbers) {
   return c;
 }
 
-struct Truth {
-  bool coplanar = false;
-  Location location = Location::out;
-  Rational t, u, v;
-  bool hit = false;
-};
-
-/// Solves o + t d = a + u (b - a) + v (c - a).
-template <class S>
-Truth truth(const Case<S>& c) {
-  using oracle::operator-;
-  const auto vertex = [&](int i) { return oracle::rational<S, 3>(c.triangle.vertices[i]); };
-  const auto o = oracle::rational<S, 3>(c.ray.origin), d = oracle::rational<S, 3>(c.ray.direction);
-  const auto e = vertex(1) - vertex(0), f = vertex(2) - vertex(0), from = o - vertex(0);
-  const auto det = [](const auto& x, const auto& y, const auto& z) { return oracle::dot(oracle::cross(x, y), z); };
-  Truth result;
-  const Rational whole = det(e, f, d);
-  if (whole == 0) {
-    const auto n = oracle::cross(e, f);
-    result.coplanar = oracle::dot(n, n) != 0 && oracle::dot(n, from) == 0;
-    return result;
-  }
-  result.t = -det(e, f, from) / whole;
-  result.u = det(from, f, d) / whole;
-  result.v = det(e, from, d) / whole;
-  const Rational least = std::min({result.u, result.v, Rational(1 - result.u - result.v)});
-  result.location = least > 0 ? Location::in : least == 0 ? Location::on : Location::out;
-  result.hit = least >= 0 && oracle::holds(c.ray.range, result.t);
-  return result;
-}
-
 }  // namespace
 
 TEMPLATE_TEST_CASE("a ray meets a triangle from either side", "[ray_triangle]", float, double) {
@@ -144,7 +112,8 @@ TEMPLATE_TEST_CASE("a triangle behind or beyond is missed", "[ray_triangle]", fl
   CHECK(intersect(Ray<S, 3>{at<S>(1, 1, 0), at<S>(0, 0, 1)}, floor_tile<S>()).t == S(0));
 }
 
-TEMPLATE_TEST_CASE("a coplanar ray, a point and a flat triangle have answers", "[ray_triangle]", float, double) {
+TEMPLATE_TEST_CASE("a coplanar ray, a point and a flat triangle have answers", "[ray_triangle]", float,
+                   double) {
   using S = TestType;
   const auto within = intersect(Ray<S, 3>{at<S>(-1, 1, 0), at<S>(1, 0, -0.)}, floor_tile<S>());
   CHECK((!within && within.coplanar));
@@ -217,7 +186,7 @@ TEMPLATE_TEST_CASE("every answer is that of rational arithmetic", "[ray_triangle
       const Case<S> c = draw<S>(random, numbers);
       INFO("seed " << tests::seed() << ", numbers " << static_cast<int>(numbers) << ", case " << i);
       const RayTriangle<S> r = intersect(c.ray, c.triangle);
-      const Truth expected = truth(c);
+      const oracle::RayTriangle expected = oracle::ray_triangle(c.ray, c.triangle);
       REQUIRE(r.coplanar == expected.coplanar);
       REQUIRE(r.location == expected.location);
       REQUIRE(r.t.has_value() == expected.hit);
@@ -227,8 +196,8 @@ TEMPLATE_TEST_CASE("every answer is that of rational arithmetic", "[ray_triangle
       if (!r) continue;
       REQUIRE((c.ray.range.lo <= *r.t && *r.t <= c.ray.range.hi));
       REQUIRE((0 <= r.u && r.u <= 1 && 0 <= r.v && r.v <= 1));
-      worst = std::max(
-          {worst, oracle::ulps(*r.t, expected.t), oracle::ulps(r.u, expected.u), oracle::ulps(r.v, expected.v)});
+      worst = std::max({worst, oracle::ulps(*r.t, expected.t), oracle::ulps(r.u, expected.u),
+                        oracle::ulps(r.v, expected.v)});
     }
   }
   CHECK(worst <= 2);
@@ -300,7 +269,8 @@ TEMPLATE_TEST_CASE("vertex order, axes, mirroring, scale and a listener change n
       if (numbers != Numbers::grid) continue;
       const S k = std::ldexp(S(1), random.integer(-20, 20));
       const Triangle<S, 3> scaled = {{Point<S, 3>(p * k), Point<S, 3>(q * k), Point<S, 3>(s * k)}};
-      REQUIRE(same_verdicts(intersect(Ray<S, 3>{c.ray.origin * k, c.ray.direction * k, c.ray.range}, scaled), r));
+      REQUIRE(
+          same_verdicts(intersect(Ray<S, 3>{c.ray.origin * k, c.ray.direction * k, c.ray.range}, scaled), r));
       const Vector<S, 3> by = at<S>(64, -128, 32);
       const Triangle<S, 3> moved = {{Point<S, 3>(p + by), Point<S, 3>(q + by), Point<S, 3>(s + by)}};
       REQUIRE(same_verdicts(intersect(Ray<S, 3>{c.ray.origin + by, c.ray.direction, c.ray.range}, moved), r));
@@ -320,7 +290,8 @@ TEMPLATE_TEST_CASE("every hit lies on the triangle", "[ray_triangle][property]",
     const S eps = std::numeric_limits<S>::epsilon(),
             size = std::max({p.cwiseAbs().maxCoeff(), q.cwiseAbs().maxCoeff(), s.cwiseAbs().maxCoeff()});
     const S bound =
-        4 * eps * (c.ray.origin.cwiseAbs().maxCoeff() + std::abs(*r.t) * c.ray.direction.cwiseAbs().maxCoeff()) +
+        4 * eps *
+            (c.ray.origin.cwiseAbs().maxCoeff() + std::abs(*r.t) * c.ray.direction.cwiseAbs().maxCoeff()) +
         16 * eps * size;
     REQUIRE((c.ray.at(*r.t) - (p + r.u * (q - p) + r.v * (s - p))).cwiseAbs().maxCoeff() <= bound);
   }

@@ -1,20 +1,20 @@
 #include "core/sphere_aabb.h"
 
-#include "bench/rational.h"
-#include "bench/simple_shapes.h"
+#include "bench/sphere_aabb_families.h"
+#include "bench/sphere_aabb_oracle.h"
 #include "core/counted.h"
 #include "tests/catch.h"
 #include "tests/core/motion.h"
 #include "tests/settings.h"
 
 using namespace isect;
-using namespace isect::oracle;
 
 #define FLOATS_AND_DIMENSIONS ((class S, int N), S, N), (float, 2), (double, 2), (float, 3), (double, 3)
 
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity(),
+                 nan_ = std::numeric_limits<double>::quiet_NaN();
 
 template <class S, int N>
 Sphere<S, N> ball(double x, double y, double radius) {
@@ -77,7 +77,8 @@ TEMPLATE_TEST_CASE_SIG("a point and a flat box have no interior", "[sphere_aabb]
   CHECK(related(ball<S, N>(0, 0, 1), cube<S, N>(0, 0)) == Relation::b_inside_a);
 }
 
-TEMPLATE_TEST_CASE_SIG("what is empty, NaN or infinite meets nothing", "[sphere_aabb]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("what is empty, NaN or infinite meets nothing", "[sphere_aabb]",
+                       FLOATS_AND_DIMENSIONS) {
   const Aabb<S, N> box = cube<S, N>(-1, 1);
   const Sphere<S, N> good = ball<S, N>(0, 0, 3);
   CHECK(related(ball<S, N>(0, 0, -1), box) == Relation::disjoint);
@@ -149,62 +150,6 @@ TEST_CASE("the events tell each axis, the comparison and the signs", "[sphere_aa
   CHECK((decision.nearest == 0 && decision.farthest == 1 && !decision.ball_inside));
 }
 
-namespace {
-
-/// By the least and the largest distance to the box, over all its corners and faces.
-template <class S, int N>
-Relation truth(const Sphere<S, N>& sphere, const Aabb<S, N>& box) {
-  const Coordinates<N> c = rational(sphere.center), lo = rational(box.lo), hi = rational(box.hi);
-  const Rational r = sphere.radius;
-  if (r < 0) return Relation::disjoint;
-  Rational outside2 = 0, corner2 = 0;
-  bool ball_inside = true, flat = false;
-  for (int i = 0; i < N; ++i) {
-    if (lo[i] > hi[i]) return Relation::disjoint;
-    const Rational outside = c[i] < lo[i]   ? Rational(lo[i] - c[i])
-                             : c[i] > hi[i] ? Rational(c[i] - hi[i])
-                                            : Rational(0);
-    outside2 += outside * outside;
-    ball_inside &= lo[i] <= c[i] - r && c[i] + r <= hi[i];
-    flat |= lo[i] == hi[i];
-  }
-  for (int corner = 0; corner < 1 << N; ++corner) {
-    Rational d2 = 0;
-    for (int i = 0; i < N; ++i) {
-      const Rational d = c[i] - (corner >> i & 1 ? hi : lo)[i];
-      d2 += d * d;
-    }
-    if (d2 > corner2) corner2 = d2;
-  }
-  if (outside2 > r * r) return Relation::disjoint;
-  const bool box_inside = corner2 <= r * r;
-  if (ball_inside && box_inside) return Relation::equal;
-  if (ball_inside) return Relation::a_inside_b;
-  if (box_inside) return Relation::b_inside_a;
-  return flat || outside2 == r * r ? Relation::touching : Relation::overlapping;
-}
-
-/// A radius that makes the ball touch the box, or contain it, or fit into it, but for rounding.
-template <class S, int N>
-S critical_radius(bench::Random& random, const Point<S, N>& center, const Aabb<S, N>& box) {
-  const Vector<double, N> c = center.template cast<double>(), lo = box.lo.template cast<double>(),
-                          hi = box.hi.template cast<double>();
-  double r = 0;
-  switch (random.below(3)) {
-    case 0:
-      r = (c - c.cwiseMax(lo).cwiseMin(hi)).stableNorm();
-      break;
-    case 1:
-      r = (c - lo).cwiseAbs().cwiseMax((hi - c).cwiseAbs()).eval().stableNorm();
-      break;
-    default:
-      r = (c - lo).cwiseMin(hi - c).minCoeff();
-  }
-  return bench::moved(static_cast<S>(r), random.integer(-2, 2));
-}
-
-}  // namespace
-
 TEMPLATE_TEST_CASE_SIG("relations are those of rational arithmetic", "[sphere_aabb]", FLOATS_AND_DIMENSIONS) {
   bench::Random random(tests::seed());
   int seen[6] = {};
@@ -216,12 +161,12 @@ TEMPLATE_TEST_CASE_SIG("relations are those of rational arithmetic", "[sphere_aa
       Sphere<S, N> sphere = bench::ball<S, N>(random, numbers);
       for (int axis = 0; axis < N; ++axis)  // often beside a face, or in the middle
         if (random.one_in(3)) sphere.center[axis] = box.lo[axis] / 2 + box.hi[axis] / 2;
-      if (random.one_in(2)) sphere.radius = critical_radius(random, sphere.center, box);
+      if (random.one_in(2)) sphere.radius = bench::critical_radius(random, sphere.center, box);
       if (random.one_in(30)) box = {sphere.center, sphere.center};
       if (!finite(sphere)) continue;
 
       const Relation r = relate(sphere, box);
-      if (r != truth(sphere, box)) FAIL("wrong");
+      if (r != oracle::relation(sphere, box)) FAIL("wrong");
       if (intersects(sphere, box) != (r != Relation::disjoint)) FAIL("not the same by intersects");
       Record<sphere_aabb::Event<double>> record;
       if (relate(sphere, box, record) != r) FAIL("not the same when traced");

@@ -5,7 +5,7 @@
 
 #include "core/shapes.h"
 
-namespace isect::tests {
+namespace isect::oracle {
 
 /// Twice the place of each number among all of them: comparisons stay as they are, and odd numbers stand for what
 /// lies between two neighbours.
@@ -51,4 +51,4 @@ Relation by_points(const Aabb<S, N>& a, const Aabb<S, N>& b) {
   return interiors ? Relation::overlapping : Relation::touching;
 }
 
-}  // namespace isect::tests
+}  // namespace isect::oracle

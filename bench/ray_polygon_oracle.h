@@ -1,0 +1,71 @@
+#pragma once
+// Where a ray meets a polygon in space, in rationals.
+
+#include <algorithm>
+#include <vector>
+
+#include "bench/rational.h"
+
+namespace isect::oracle {
+
+/// What a ray and a polygon truly have in common.
+struct RayPolygon {
+  bool flat = false, coplanar = false, parallel = true;
+  Location location = Location::out;
+  Rational t;
+  bool hit = false;
+};
+
+using P2 = Coordinates<2>;
+
+/// On an edge by a parameter; else by counting the edges whose crossing with the line y = p.y, a quotient, is right
+/// of p.
+inline Location locate(const P2& p, const std::vector<P2>& ring) {
+  bool inside = false;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const P2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
+    if (a[1] == b[1]) {
+      if (p[1] == a[1] && std::min(a[0], b[0]) <= p[0] && p[0] <= std::max(a[0], b[0])) return Location::on;
+      continue;
+    }
+    const Rational k = (p[1] - a[1]) / (b[1] - a[1]), x = a[0] + k * (b[0] - a[0]);
+    if (0 <= k && k <= 1 && x == p[0]) return Location::on;
+    if ((a[1] <= p[1]) != (b[1] <= p[1]) && x > p[0]) inside = !inside;
+  }
+  return inside ? Location::in : Location::out;
+}
+
+/// By Newell's plane, and the outline without the coordinate of its largest component. For finite shapes.
+template <class S>
+RayPolygon ray_polygon(const Ray<S, 3>& ray, const Ring<S, 3>& ring) {
+  RayPolygon result;
+  const auto o = rational<S, 3>(ray.origin), d = rational<S, 3>(ray.direction);
+  std::vector<Coordinates<3>> v;
+  for (const Point<S, 3>& x : ring) v.push_back(rational<S, 3>(x));
+  Coordinates<3> n = {0, 0, 0};
+  for (std::size_t i = 0; i < v.size(); ++i)  // Newell's form, by trapezoids
+    for (int k = 0; k < 3; ++k) {
+      const auto &a = v[i], &b = v[(i + 1) % v.size()];
+      n[k] += (a[(k + 1) % 3] - b[(k + 1) % 3]) * (a[(k + 2) % 3] + b[(k + 2) % 3]);
+    }
+  result.flat = dot(n, n) == 0;
+  if (result.flat) return result;
+  const Rational at_0 = dot(n, o - v[0]), at_1 = dot(n, o + d - v[0]);
+  result.parallel = at_0 == at_1;
+  result.coplanar = result.parallel && at_0 == 0;
+  if (result.parallel) return result;
+
+  result.t = at_0 / (at_0 - at_1);
+  const auto p = o + result.t * d;
+  int axis = 0;
+  for (int k = 1; k < 3; ++k)
+    if (abs(n[k]) > abs(n[axis])) axis = k;
+  const int x = axis == 0 ? 1 : 0, y = axis == 2 ? 1 : 2;
+  std::vector<P2> outline;
+  for (const auto& q : v) outline.push_back({q[x], q[y]});
+  result.location = locate({p[x], p[y]}, outline);
+  result.hit = result.location != Location::out && holds(ray.range, result.t);
+  return result;
+}
+
+}  // namespace isect::oracle
