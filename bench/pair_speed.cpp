@@ -1,8 +1,8 @@
-// What exactness costs, pair by pair: the default calls against the naive ones and, as peer_speed, against the libraries
-// that are installed, side by side in one run.
+// What exactness costs, pair by pair: the default calls against the naive ones and, as peer_speed, against CGAL and
+// Boost in the plane, side by side in one run. `isect bench --peers` asks the others.
 //
-// 65,536 distinct cases of each question in random order, so that branch prediction learns nothing. The first row of a
-// question is what the others are compared with.
+// 65,536 distinct cases of each question in random order, so that branch prediction learns nothing. The first row of
+// a question is what the others are compared with.
 
 #include <Eigen/Geometry>
 #include <cstdlib>
@@ -28,10 +28,6 @@
 #else
 namespace isect::bench::peers {
 // clang-format off
-inline void aabb_aabb(...) {}
-inline void sphere_sphere(...) {}
-inline void sphere_aabb(...) {}
-inline void obb_obb(...) {}
 inline void orientation(...) {}
 inline void polygon(...) {}
 inline void hull(...) {}
@@ -68,7 +64,6 @@ void aabb_aabb_rows() {
             timed(cases, passes, [](const auto& c) { return aabb_aabb::by_axis(c.a, c.b); }));
   table.row("relate",
             timed(cases, passes, [](const auto& c) { return relate(c.a, c.b) != Relation::disjoint; }));
-  peers::aabb_aabb(table, cases, passes);
 }
 
 template <class S>
@@ -80,7 +75,6 @@ void sphere_sphere_rows() {
   table.row("intersects", timed(cases, passes, [](const auto& c) { return intersects(c.a, c.b); }));
   table.row("relate",
             timed(cases, passes, [](const auto& c) { return relate(c.a, c.b) != Relation::disjoint; }));
-  peers::sphere_sphere(table, cases, passes);
 }
 
 template <class S>
@@ -92,7 +86,6 @@ void sphere_aabb_rows() {
   table.row("intersects", timed(cases, passes, [](const auto& c) { return intersects(c.a, c.b); }));
   table.row("relate",
             timed(cases, passes, [](const auto& c) { return relate(c.a, c.b) != Relation::disjoint; }));
-  peers::sphere_aabb(table, cases, passes);
 }
 
 template <class S>
@@ -104,7 +97,6 @@ void obb_obb_rows(double spread, const char* question) {
   table.row("intersects", timed(cases, passes, [](const auto& c) { return intersects(c.a, c.b); }));
   table.row("relate",
             timed(cases, passes, [](const auto& c) { return relate(c.a, c.b) != Relation::disjoint; }));
-  peers::obb_obb(table, cases, passes);
 }
 
 template <class S>

@@ -15,7 +15,7 @@ struct Effort {
   int least_passes = 7, most_passes = 31;
   double seconds = 0.06;  ///< aimed at for all passes of one method
   bool all_sizes = true;  ///< growth up to a million
-  static Effort quick() { return {1 << 16, 1 << 10, 1, 7, 0.008, false}; }
+  static Effort quick() { return {1 << 16, 1 << 10, 2, 7, 0.008, false}; }
 };
 
 class Session {
