@@ -24,16 +24,11 @@
 #include <vector>
 
 #include "core/aabb_aabb.h"
+#include "core/index_pair.h"
 #include "core/shapes.h"
 #include "core/trace.h"
 
 namespace isect {
-
-/// Two boxes by their numbers, i < j.
-struct IndexPair {
-  int i, j;
-  friend auto operator<=>(const IndexPair&, const IndexPair&) = default;
-};
 
 namespace all_pairs {
 

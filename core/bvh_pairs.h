@@ -13,6 +13,7 @@
 
 #include "core/aabb_aabb.h"
 #include "core/bvh.h"
+#include "core/index_pair.h"
 
 namespace isect {
 
@@ -138,18 +139,16 @@ void report_pairs(const Bvh<S, N>& a, const std::vector<Aabb<S, N>>& boxes_a, co
 
 /// The pairs that report_pairs finds, in its order.
 template <class S, int N>
-std::vector<std::pair<int, int>> overlapping_pairs(const Bvh<S, N>& bvh,
-                                                   const std::vector<Aabb<S, N>>& boxes) {
-  std::vector<std::pair<int, int>> pairs;
-  report_pairs(bvh, boxes, [&](int i, int j) { pairs.emplace_back(i, j); });
+std::vector<IndexPair> overlapping_pairs(const Bvh<S, N>& bvh, const std::vector<Aabb<S, N>>& boxes) {
+  std::vector<IndexPair> pairs;
+  report_pairs(bvh, boxes, [&](int i, int j) { pairs.push_back({i, j}); });
   return pairs;
 }
 template <class S, int N>
-std::vector<std::pair<int, int>> overlapping_pairs(const Bvh<S, N>& a, const std::vector<Aabb<S, N>>& boxes_a,
-                                                   const Bvh<S, N>& b,
-                                                   const std::vector<Aabb<S, N>>& boxes_b) {
-  std::vector<std::pair<int, int>> pairs;
-  report_pairs(a, boxes_a, b, boxes_b, [&](int i, int j) { pairs.emplace_back(i, j); });
+std::vector<IndexPair> overlapping_pairs(const Bvh<S, N>& a, const std::vector<Aabb<S, N>>& boxes_a,
+                                         const Bvh<S, N>& b, const std::vector<Aabb<S, N>>& boxes_b) {
+  std::vector<IndexPair> pairs;
+  report_pairs(a, boxes_a, b, boxes_b, [&](int i, int j) { pairs.push_back({i, j}); });
   return pairs;
 }
 

@@ -14,6 +14,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/index_pair.h"
 #include "core/ray_sphere.h"
 #include "core/sphere_sphere.h"
 
@@ -125,9 +126,9 @@ SphereTree<S, N> build_sphere_tree(const std::vector<Sphere<S, N>>& spheres) {
 
 /// The pairs (i, j), i < j, of spheres in the tree that have a common point, each once. Exact.
 template <class S, int N, class Trace = NoTrace>
-std::vector<std::pair<int, int>> overlapping_pairs(const SphereTree<S, N>& tree, Trace&& trace = {}) {
+std::vector<IndexPair> overlapping_pairs(const SphereTree<S, N>& tree, Trace&& trace = {}) {
   using namespace sphere_tree;
-  std::vector<std::pair<int, int>> found, stack;
+  std::vector<IndexPair> found, stack;
   if (!tree.nodes.empty()) stack.push_back({0, 0});
   while (!stack.empty()) {
     const auto [a, b] = stack.back();
@@ -144,8 +145,8 @@ std::vector<std::pair<int, int>> overlapping_pairs(const SphereTree<S, N>& tree,
       if (x.leaf()) continue;
       stack.insert(stack.end(), {{x.left, x.left + 1}, {x.left + 1, x.left + 1}, {x.left, x.left}});
     } else if (x.leaf() && y.leaf()) {
-      found.push_back(std::minmax(x.sphere, y.sphere));
-      trace(Found{found.back().first, found.back().second});
+      found.push_back({std::min(x.sphere, y.sphere), std::max(x.sphere, y.sphere)});
+      trace(Found{found.back().i, found.back().j});
     } else if (y.leaf() || (!x.leaf() && x.ball.radius >= y.ball.radius)) {
       stack.insert(stack.end(), {{x.left + 1, b}, {x.left, b}});
     } else {

@@ -11,7 +11,7 @@ using bench::Random;
 
 namespace {
 
-using Pairs = std::vector<std::pair<int, int>>;
+using Pairs = std::vector<IndexPair>;
 
 Pairs sorted(Pairs pairs) {
   std::sort(pairs.begin(), pairs.end());
@@ -23,7 +23,7 @@ Pairs brute_force(const std::vector<Aabb<S, N>>& boxes) {
   Pairs pairs;
   for (int i = 0; i < static_cast<int>(boxes.size()); ++i)
     for (int j = i + 1; j < static_cast<int>(boxes.size()); ++j)
-      if (intersects(boxes[i], boxes[j])) pairs.emplace_back(i, j);
+      if (intersects(boxes[i], boxes[j])) pairs.push_back({i, j});
   return pairs;
 }
 template <class S, int N>
@@ -31,7 +31,7 @@ Pairs brute_force(const std::vector<Aabb<S, N>>& a, const std::vector<Aabb<S, N>
   Pairs pairs;
   for (int i = 0; i < static_cast<int>(a.size()); ++i)
     for (int j = 0; j < static_cast<int>(b.size()); ++j)
-      if (intersects(a[i], b[j])) pairs.emplace_back(i, j);
+      if (intersects(a[i], b[j])) pairs.push_back({i, j});
   return pairs;
 }
 
@@ -75,7 +75,7 @@ TEMPLATE_TEST_CASE_SIG("the cells of a row touch their neighbours", "[bvh_pairs]
   const auto boxes = cells<S, N>(100), later = cells<S, N>(10, 100);
   const Bvh<S, N> tree = build_bvh(boxes), other = build_bvh(later);
   Pairs neighbours;
-  for (int i = 0; i < 99; ++i) neighbours.emplace_back(i, i + 1);
+  for (int i = 0; i < 99; ++i) neighbours.push_back({i, i + 1});
   CHECK(sorted(overlapping_pairs(tree, boxes)) == neighbours);
   CHECK(overlapping_pairs(tree, boxes, other, later) == Pairs{{99, 0}});
   CHECK(overlapping_pairs(other, later, tree, boxes) == Pairs{{0, 99}});
@@ -140,12 +140,12 @@ TEMPLATE_TEST_CASE_SIG("the pairs are those of brute force, each once", "[bvh_pa
     Pairs heard;
     Record<bvh_pairs::Event> record;
     report_pairs(
-        first, a, [&](int i, int j) { heard.emplace_back(i, j); }, record);
+        first, a, [&](int i, int j) { heard.push_back({i, j}); }, record);
     REQUIRE(heard == own);
     Pairs met;
     for (const auto& event : record.events)
       if (const auto* tested = std::get_if<bvh_pairs::Tested>(&event); tested && tested->meet)
-        met.push_back(std::minmax(tested->i, tested->j));
+        met.push_back({std::min(tested->i, tested->j), std::max(tested->i, tested->j)});
     REQUIRE(met == own);
   }
   CHECK(self > 1000);

@@ -13,7 +13,7 @@ using oracle::Rational;
 
 namespace {
 
-using Pairs = std::vector<std::pair<int, int>>;
+using Pairs = std::vector<IndexPair>;
 
 template <class T>
 std::vector<T> sorted(std::vector<T> all) {
@@ -91,7 +91,7 @@ TEMPLATE_TEST_CASE_SIG("a row of touching balls has the pairs of neighbours", "[
   const SphereTree<S, N> tree = build_sphere_tree(row);
   CHECK(tree.nodes.size() == 65);
   Pairs neighbours;
-  for (int i = 0; i < 32; ++i) neighbours.emplace_back(i, i + 1);
+  for (int i = 0; i < 32; ++i) neighbours.push_back({i, i + 1});
   CHECK(sorted(overlapping_pairs(tree)) == neighbours);
 
   Ray<S, N> across = {Point<S, N>::Constant(S(-5)), Vector<S, N>::Zero()};
@@ -151,7 +151,7 @@ TEMPLATE_TEST_CASE_SIG(
     Pairs truth;
     for (int i = 0; i < static_cast<int>(spheres.size()); ++i)
       for (int j = i + 1; j < static_cast<int>(spheres.size()); ++j)
-        if (intersects(spheres[i], spheres[j])) truth.emplace_back(i, j);
+        if (intersects(spheres[i], spheres[j])) truth.push_back({i, j});
     Record<sphere_tree::Event> record;
     REQUIRE(sorted(overlapping_pairs(tree)) == truth);
     REQUIRE(sorted(overlapping_pairs(tree, record)) == truth);
