@@ -88,6 +88,8 @@ Child run_child(const std::vector<std::string>& command,
   while (::wait4(pid, &status, 0, &used) < 0 && errno == EINTR) {
   }
   child.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  for (const timeval& part : {used.ru_utime, used.ru_stime})
+    child.processor += static_cast<double>(part.tv_sec) + 1e-6 * static_cast<double>(part.tv_usec);
   child.peak = static_cast<double>(used.ru_maxrss) * 1024e-6;
   child.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return child;

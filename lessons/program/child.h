@@ -14,6 +14,8 @@ struct Child {
   int status = 0;      ///< its exit status; 128 + n where signal n ended it
   std::string output;  ///< what it wrote to stdout
   double seconds = 0;  ///< from its start to its end
+  double processor =
+      0;  ///< of all its threads, and the system for them, in seconds: what a busy machine does not change
   /// The most memory it had at once, in MB; never less than what this program had when it started it, as Linux counts.
   double peak = 0;
 };

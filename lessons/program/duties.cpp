@@ -44,6 +44,13 @@ std::optional<Child> run_self(std::vector<std::string> arguments, int runs) {
   return all[static_cast<std::size_t>(runs / 2)];
 }
 
+/// What a run took. The target is in ms, from start to end.
+void tell(std::vector<bench::Duty>& all, const std::string& what, const Child& run, double target) {
+  all.push_back({what, 1000 * run.seconds, "ms", target});
+  all.push_back({what + ", processor time", 1000 * run.processor, "ms", {}});
+  all.push_back({what + ", memory", run.peak, "MB", {}});
+}
+
 /// The command for all figures of a lesson, as PNG.
 std::vector<std::string> rendering(const Program& program, const viz::Lesson& lesson,
                                    const std::string& folder) {
@@ -58,20 +65,15 @@ std::vector<bench::Duty> duties(const Program& program, bool quick,
                                 const std::function<void(const std::string&)>& told) {
   std::vector<bench::Duty> all;
   told("isect --help");
-  if (const auto help = run_self({"--help"}, quick ? 5 : 15)) {
-    all.push_back({"isect --help", 1000 * help->seconds, "ms", 30});
-    all.push_back({"memory of isect --help", help->peak, "MB", {}});
-  }
+  if (const auto help = run_self({"--help"}, quick ? 5 : 15)) tell(all, "isect --help", *help, 30);
 
   told("isect render, one figure");
   const viz::Lesson& first = program.only ? *program.only : *program.lessons.front();
   for (const std::string format : {"png", "svg"}) {
     std::vector<std::string> words = {"render", "--step", "1", "--format", format, "--out", "-"};
     if (!program.only) words.insert(words.begin() + 1, first.id);
-    const auto figure = run_self(words, quick ? 3 : 9);
-    if (!figure) continue;
-    all.push_back({"isect render, one figure, " + format, 1000 * figure->seconds, "ms", 400});
-    all.push_back({"memory of that", figure->peak, "MB", {}});
+    if (const auto figure = run_self(words, quick ? 3 : 9))
+      tell(all, "isect render, one figure, " + format, *figure, 400);
   }
 
   told("frames of the window");
@@ -85,17 +87,20 @@ std::vector<bench::Duty> duties(const Program& program, bool quick,
 
   if (quick) return all;
   const Scratch scratch;
-  double seconds = 0, peak = 0;
+  double seconds = 0, processor = 0, peak = 0;
   int lessons = 0;
   for (const viz::Lesson* lesson : program.only ? std::vector{program.only} : program.lessons) {
     told("all figures of " + lesson->id);
     const auto figures = run_self(rendering(program, *lesson, scratch.path()), 1);
     if (!figures) continue;
-    seconds += figures->seconds, peak = std::max(peak, figures->peak), ++lessons;
+    seconds += figures->seconds, processor += figures->processor, ++lessons;
+    peak = std::max(peak, figures->peak);
   }
   if (lessons > 0) {
-    all.push_back({"all figures of all " + std::to_string(lessons) + " lessons, png", seconds, "s", {}});
-    all.push_back({"most memory of one lesson's", peak, "MB", {}});
+    const std::string what = "all figures of all " + std::to_string(lessons) + " lessons, png";
+    all.push_back({what, seconds, "s", {}});
+    all.push_back({what + ", processor time", processor, "s", {}});
+    all.push_back({what + ", most memory", peak, "MB", {}});
   }
   return all;
 }

@@ -90,7 +90,8 @@ TEST_CASE("the program tells how long it takes to start and to draw", "[bench]")
   CHECK(duty("isect --help").target == 30.0);
   CHECK(duty("isect render, one figure, png").target == 400.0);
   CHECK(duty("isect render, one figure, svg").unit == "ms");
-  CHECK(duty("memory of isect --help").unit == "MB");
+  CHECK(duty("isect --help, processor time").unit == "ms");
+  CHECK(duty("isect --help, memory").unit == "MB");
   CHECK(duty("window in software, another step each frame").unit == "frames/s");
 }
 
