@@ -35,6 +35,17 @@ struct Slab {
 template <class S>
 using Event = std::variant<Slab<S>>;
 
+/// The first slab whose intervals are disjoint, or one of which is empty or NaN.
+template <class S, int N, class Trace>
+std::optional<int> first_apart(const Kdop<S, N>& a, const Kdop<S, N>& b, Trace&& trace) {
+  for (std::size_t i = 0; i < a.slabs.size(); ++i) {
+    const bool disjoint = !intersects(a.slabs[i], b.slabs[i]);
+    if constexpr (heard<Trace>) trace(Slab<S>{static_cast<int>(i), a.slabs[i], b.slabs[i], disjoint});
+    if (disjoint) return static_cast<int>(i);
+  }
+  return {};
+}
+
 }  // namespace kdop_kdop
 
 /// The first slab whose intervals are disjoint, so that its normal separates a from b; nothing when all overlap.
@@ -43,19 +54,14 @@ using Event = std::variant<Slab<S>>;
 template <class S, int N, class Trace = NoTrace>
 std::optional<int> separating_slab(const Kdop<S, N>& a, const Kdop<S, N>& b, Trace&& trace = {}) {
   assert(a.normals == b.normals && a.slabs.size() == b.slabs.size() && a.normals.size() == a.slabs.size());
-  for (std::size_t i = 0; i < a.slabs.size(); ++i) {
-    const bool disjoint = !intersects(a.slabs[i], b.slabs[i]);
-    if constexpr (heard<Trace>) trace(kdop_kdop::Slab<S>{static_cast<int>(i), a.slabs[i], b.slabs[i], disjoint});
-    if (disjoint) return static_cast<int>(i);
-  }
-  return {};
+  return kdop_kdop::first_apart(a, b, trace);
 }
 
 /// Whether the k-DOPs may have a common point: false is certain, true only possible. The normals of both must be the
 /// same, in the same order. An empty slab, NaN or an infinite coordinate: no.
 template <class S, int N, class Trace = NoTrace>
 bool may_intersect(const Kdop<S, N>& a, const Kdop<S, N>& b, Trace&& trace = {}) {
-  return finite(a) && finite(b) && !separating_slab(a, b, trace);
+  return !kdop_kdop::first_apart(a, b, trace) && finite(a) && finite(b);
 }
 
 }  // namespace isect

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 #include "core/conventions.h"
@@ -30,7 +31,8 @@ template <class S>
 inline constexpr Interval<S> semi_infinite = {S(0), std::numeric_limits<S>::infinity()};
 /// Every t.
 template <class S>
-inline constexpr Interval<S> infinite = {-std::numeric_limits<S>::infinity(), std::numeric_limits<S>::infinity()};
+inline constexpr Interval<S> infinite = {-std::numeric_limits<S>::infinity(),
+                                         std::numeric_limits<S>::infinity()};
 
 /// The points origin + t direction with t in the closed `range`: a ray by default, a segment when both ends are
 /// finite, a line when neither is. The direction may have any length; t is measured in it. Source: the note, N16.
@@ -166,7 +168,14 @@ bool finite(const Frustum<S>& x) {
 }
 template <class S, int N>
 bool finite(const Kdop<S, N>& x) {
-  for (const Vector<S, N>& n : x.normals)
+  Vector<S, N> normals = Vector<S, N>::Zero();
+  S lo = 0, hi = 0;
+  for (const Vector<S, N>& n : x.normals) normals += n;
+  for (const Interval<S>& slab : x.slabs) lo += slab.lo, hi += slab.hi;
+  if (finite(normals) && std::isfinite(lo) && std::isfinite(hi)) [[likely]]
+    return true;
+
+  for (const Vector<S, N>& n : x.normals)  // the sums may also have overflowed
     if (!finite(n)) return false;
   for (const Interval<S>& slab : x.slabs)
     if (!finite(slab)) return false;
@@ -241,7 +250,17 @@ Obb<T, N> cast(const Obb<S, N>& x) {
 }
 template <class T, class S, int N>
 Triangle<T, N> cast(const Triangle<S, N>& x) {
-  return {{x.vertices[0].template cast<T>(), x.vertices[1].template cast<T>(), x.vertices[2].template cast<T>()}};
+  return {
+      {x.vertices[0].template cast<T>(), x.vertices[1].template cast<T>(), x.vertices[2].template cast<T>()}};
+}
+
+/// The shape in doubles: itself, not a copy, if it is in doubles already.
+template <template <class, int> class Shape, class S, int N>
+decltype(auto) in_doubles(const Shape<S, N>& x) {
+  if constexpr (std::is_same_v<S, double>)
+    return (x);
+  else
+    return cast<double>(x);
 }
 
 }  // namespace isect
