@@ -73,7 +73,8 @@ Point<double, N> farthest(const Point<double, N>& center, const Aabb<double, N>&
   Point<double, N> corner;
   for (int i = 0; i < N; ++i) {
     const double c = center[i], lo = box.lo[i], hi = box.hi[i];
-    const int side = sign_of([&]<class W>() -> W { return difference<W>(c, lo) - difference<W>(hi, c); }, trace);
+    const int side =
+        sign_of([&]<class W>() -> W { return difference<W>(c, lo) - difference<W>(hi, c); }, trace);
     corner[i] = side > 0 ? lo : hi;
   }
   return corner;
@@ -116,15 +117,14 @@ bool contained(const Sphere<double, N>& ball, const Aabb<double, N>& box, Trace&
 /// one so large that the sum overflows; in the ball, NaN and infinities leave the squares in disorder.
 template <class S, int N, class Trace = NoTrace>
 bool intersects(const Sphere<S, N>& sphere, const Aabb<S, N>& box, Trace&& trace = {}) {
-  const Vector<double, N> gap =
-      sphere.center.template cast<double>() - sphere.center.cwiseMax(box.lo).cwiseMin(box.hi).template cast<double>();
-  const Vector<double, N> widths = box.hi.template cast<double>() - box.lo.template cast<double>();
-  const double distance2 = gap.squaredNorm(), radius2 = double(sphere.radius) * double(sphere.radius);
+  const Vector<S, N> gap = sphere.center - sphere.center.cwiseMax(box.lo).cwiseMin(box.hi);
+  const Vector<S, N> widths = box.hi - box.lo;
+  const S distance2 = gap.squaredNorm(), radius2 = sphere.radius * sphere.radius;
 
-  const bool plain = ordered(distance2, radius2) & (widths.sum() <= std::numeric_limits<double>::max());
+  const bool plain = ordered(distance2, radius2) & (widths.sum() <= std::numeric_limits<S>::max());
   if (!plain) [[unlikely]]
     return sphere_aabb::settled(sphere, box, trace) <= 0;
-  return (distance2 < radius2) & (std::min(widths.minCoeff(), double(sphere.radius)) >= 0);  // neither is empty
+  return (distance2 < radius2) & (std::min(widths.minCoeff(), sphere.radius) >= 0);  // neither is empty
 }
 
 /// How the ball and the box lie, the ball being a. Exact. A flat box has no interior, so that the ball can only touch
@@ -143,7 +143,8 @@ Relation relate(const Sphere<S, N>& sphere, const Aabb<S, N>& box, Trace&& trace
   if constexpr (heard<Trace>) trace(sphere_aabb::Decision{nearest, farthest, ball_inside});
 
   if (nearest > 0) return Relation::disjoint;
-  if (ball_inside) return farthest <= 0 ? Relation::equal : Relation::a_inside_b;  // both: the same single point
+  if (ball_inside)
+    return farthest <= 0 ? Relation::equal : Relation::a_inside_b;  // both: the same single point
   if (farthest <= 0) return Relation::b_inside_a;
   const bool flat = (box.lo.array() == box.hi.array()).any();
   return nearest == 0 || flat ? Relation::touching : Relation::overlapping;

@@ -42,19 +42,24 @@ W gap(const Sphere<double, N>& a, const Sphere<double, N>& b, const Radii& radii
 template <class S, int N, class Trace>
 [[gnu::noinline]] int settled_outer(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trace) {
   if (!finite(a) || !finite(b)) return 1;
-  return sign_of([&]<class W>() -> W { return gap<W, N>(cast<double>(a), cast<double>(b), std::plus<W>()); }, trace);
+  return sign_of([&]<class W>() -> W { return gap<W, N>(cast<double>(a), cast<double>(b), std::plus<W>()); },
+                 trace);
 }
 /// The sign of |a - b|^2 - (r - s)^2, for finite balls.
 template <class S, int N, class Trace>
 [[gnu::noinline]] int settled_inner(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trace) {
-  return sign_of([&]<class W>() -> W { return gap<W, N>(cast<double>(a), cast<double>(b), std::minus<W>()); }, trace);
+  return sign_of([&]<class W>() -> W { return gap<W, N>(cast<double>(a), cast<double>(b), std::minus<W>()); },
+                 trace);
 }
 
 template <class S, int N>
-double distance2(const Sphere<S, N>& a, const Sphere<S, N>& b) {
-  return (a.center.template cast<double>() - b.center.template cast<double>()).squaredNorm();
+S distance2(const Sphere<S, N>& a, const Sphere<S, N>& b) {
+  return (a.center - b.center).squaredNorm();
 }
-inline double squared(double x) { return x * x; }
+template <class S>
+S squared(S x) {
+  return x * x;
+}
 
 /// Whether the spheres come nearer than touching, as the note prints it. Naive: rounding may decide.
 template <class S, int N, class Trace = NoTrace>
@@ -73,7 +78,7 @@ bool squared_distance(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trac
 template <class S, int N, class Trace = NoTrace>
 bool intersects(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trace = {}) {
   using namespace sphere_sphere;
-  const double d2 = distance2(a, b), sum2 = squared(double(a.radius) + double(b.radius));
+  const S d2 = distance2(a, b), sum2 = squared(a.radius + b.radius);
   if (!ordered(d2, sum2)) [[unlikely]]
     return !empty(a) && !empty(b) && settled_outer(a, b, trace) <= 0;
   return (d2 < sum2) & (std::min(a.radius, b.radius) >= 0);  // without a branch on the answer
@@ -85,9 +90,7 @@ Relation relate(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trace = {}
   using namespace sphere_sphere;
   if (empty(a) || empty(b)) return Relation::disjoint;
 
-  const double d2 = distance2(a, b);
-  const double sum2 = squared(double(a.radius) + double(b.radius)),
-               rest2 = squared(double(a.radius) - double(b.radius));
+  const S d2 = distance2(a, b), sum2 = squared(a.radius + b.radius), rest2 = squared(a.radius - b.radius);
   const int outer = order_of_squares(d2, sum2, [&] { return settled_outer(a, b, trace); });
   const int inner = outer > 0 ? 1 : order_of_squares(d2, rest2, [&] { return settled_inner(a, b, trace); });
   if constexpr (heard<Trace>) trace(Decision{outer, inner});

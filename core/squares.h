@@ -8,22 +8,28 @@
 //
 //   |x - X| <= g(6) X + 2^-1073,   so   |(x - y) - (X - Y)| <= g(6) (X + Y) + 2^-1072 < 6.1 u (x + y) + 2^-1071.
 //
-// What overflows becomes infinite and stays so, and then x + y is infinite too.
+// In float the same with 2^-150 for 2^-1075, so that floats need no doubles where they are not in doubt. What overflows becomes infinite and stays so, and then x + y is infinite too.
 
 #include <cmath>
+#include <concepts>
+#include <limits>
 
 #include "core/filter.h"
 
 namespace isect {
 
-/// Whether squared lengths X and Y, computed in double as above, are ordered as x and y are: x < y or x > y can be
-/// trusted. The factor 8 and the last term have room for the roundings of the comparison itself. Never true where a
-/// number in them is NaN or infinite.
-inline bool ordered(double x, double y) { return std::abs(x - y) > 8 * unit<double> * (x + y) + 0x1p-1000; }
+/// Whether squared lengths X and Y, computed in S as above, are ordered as x and y are: x < y or x > y can be trusted. The
+/// factor 8 and the last term, 2^-1000 or 2^-104, have room for the roundings of the comparison itself. Never true where
+/// a number in them is NaN or infinite.
+template <std::floating_point S>
+bool ordered(S x, S y) {
+  constexpr S relative = static_cast<S>(8 * unit<S>), absolute = S(0x1p22) * std::numeric_limits<S>::min();
+  return std::abs(x - y) > relative * (x + y) + absolute;
+}
 
 /// The sign of X - Y: that of x - y, or where that can't be trusted what `settle()` finds.
-template <class Settle>
-int order_of_squares(double x, double y, const Settle& settle) {
+template <std::floating_point S, class Settle>
+int order_of_squares(S x, S y, const Settle& settle) {
   if (ordered(x, y)) [[likely]]
     return x < y ? -1 : 1;
   return settle();

@@ -20,7 +20,8 @@ TEST_CASE("squared lengths that are trusted are in their true order, at every sc
     const double scale = std::ldexp(1.0, scales[random.below(3)]);
     const Vector<double, 3> p = scale * random.in_box<3>(1), q = scale * random.in_box<3>(1);
     const double distance = (p - q).stableNorm();
-    const double share = random.unit(), nudge = 1 + random.integer(-20, 20) * 0x1p-53 * (random.one_in(3) ? 1e6 : 1);
+    const double share = random.unit(),
+                 nudge = 1 + random.integer(-20, 20) * 0x1p-53 * (random.one_in(3) ? 1e6 : 1);
     const double r = distance * share * nudge, s = distance * (1 - share) * nudge;
     const double x = (p - q).squaredNorm(), y = (r + s) * (r + s);
 
@@ -44,9 +45,9 @@ TEST_CASE("the order of NaN, infinities and what vanishes is never trusted", "[s
       CHECK_FALSE(ordered(x, y));
       CHECK_FALSE(ordered(y, x));
     }
-  CHECK_FALSE(ordered(0, 0));
-  CHECK_FALSE(ordered(0, 0x1p-1001));
-  CHECK_FALSE(ordered(1, 1 + 0x1p-51));
-  CHECK(ordered(1, 1 + 0x1p-47));
-  CHECK(ordered(0, 1e-300));
+  CHECK_FALSE(ordered(0., 0.));
+  CHECK_FALSE(ordered(0., 0x1p-1001));
+  CHECK_FALSE(ordered(1., 1 + 0x1p-51));
+  CHECK(ordered(1., 1 + 0x1p-47));
+  CHECK(ordered(0., 1e-300));
 }
