@@ -22,6 +22,7 @@
 #include "core/predicate.h"
 #include "core/shapes.h"
 #include "core/trace.h"
+#include "core/triangle_aabb_first_pass.h"
 
 namespace isect {
 
@@ -99,7 +100,8 @@ Tested<N> tested(const Triangle<double, N>& triangle, const Aabb<double, N>& box
 template <int N, class Trace>
 std::optional<int> gap(const Triangle<double, N>& triangle, const Aabb<double, N>& box, const Axis& axis,
                        Trace&& trace) {
-  const Components<Bounded<double>, N> rounded = direction<Bounded<double>>(triangle, axis);  // once for all signs
+  const Components<Bounded<double>, N> rounded =
+      direction<Bounded<double>>(triangle, axis);  // once for all signs
   const auto l = [&]<class W>() -> Components<W, N> {
     if constexpr (std::is_same_v<W, Bounded<double>>)
       return rounded;
@@ -122,7 +124,8 @@ std::optional<int> gap(const Triangle<double, N>& triangle, const Aabb<double, N
     if (axis.kind == Kind::edge && k == (axis.j + 1) % 3) continue;  // and for the two of the edge
     const Point<double, N>& v = triangle.vertices[k];
     const auto apart = [&](const Point<double, N>& x, const Point<double, N>& y) {
-      return sign_of([&]<class W>() -> W { return dot(l.template operator()<W>(), difference<W, N>(x, y)); }, trace);
+      return sign_of([&]<class W>() -> W { return dot(l.template operator()<W>(), difference<W, N>(x, y)); },
+                     trace);
     };
     if (before >= 0) before = std::min(before, apart(first, v));
     if (behind >= 0) behind = std::min(behind, apart(v, last));
@@ -133,7 +136,8 @@ std::optional<int> gap(const Triangle<double, N>& triangle, const Aabb<double, N
 
 /// What all axes say together: 1 some separates, 0 some touches, -1 all overlap.
 template <int N, class Trace>
-int outer(const Triangle<double, N>& triangle, const Aabb<double, N>& box, Trace&& trace) {
+[[gnu::noinline, gnu::cold]] int settle(const Triangle<double, N>& triangle, const Aabb<double, N>& box,
+                                        Trace&& trace) {
   int most = -1;
   for (const Axis& axis : all_axes<N>()) {
     const std::optional<int> sign = gap(triangle, box, axis, trace);
@@ -142,6 +146,15 @@ int outer(const Triangle<double, N>& triangle, const Aabb<double, N>& box, Trace
     if (most > 0) break;
   }
   return most;
+}
+
+/// The same; plain doubles settle most of it. A listener hears all axes.
+template <int N, class Trace>
+int outer(const Triangle<double, N>& triangle, const Aabb<double, N>& box, Trace&& trace) {
+  if constexpr (!heard<Trace>)
+    if (const std::optional<int> sign = first_pass(triangle, box)) [[likely]]
+      return *sign;
+  return settle(triangle, box, trace);
 }
 
 template <class S, int N>
@@ -197,7 +210,8 @@ Relation relate(const Triangle<S, N>& triangle, const Aabb<S, N>& box, Trace&& t
 
   const int outer = triangle_aabb::outer(wide_triangle, wide_box, trace);
   if (outer > 0) return Relation::disjoint;
-  const bool a_in_b = triangle_aabb::inside(triangle, box), b_in_a = triangle_aabb::holds(wide_triangle, wide_box);
+  const bool a_in_b = triangle_aabb::inside(triangle, box),
+             b_in_a = triangle_aabb::holds(wide_triangle, wide_box);
   if (a_in_b) return b_in_a ? Relation::equal : Relation::a_inside_b;
   if (b_in_a) return Relation::b_inside_a;
   const bool flat = (box.lo.array() == box.hi.array()).any();
