@@ -7,6 +7,7 @@
 // Derivations write g(k) = k u / (1 - k u) for k such factors (Higham, Accuracy and Stability, 2nd ed.,
 // ch. 3).
 
+#include <cmath>
 #include <concepts>
 #include <limits>
 #include <optional>
@@ -55,6 +56,8 @@ W product(const X& x, const Y& y) {
   else
     return x * y;
 }
+
+inline Extended abs(Extended x) { return std::abs(x); }
 
 /// The double that leads x, for sizes and bounds; 0 for Exact, whose bounds are 0.
 template <std::floating_point W>

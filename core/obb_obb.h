@@ -59,13 +59,13 @@ bool inside(const Obb<double, N>& a, const Obb<double, N>& b, Trace&& trace) {
   return true;
 }
 
-/// The box in doubles: itself, not a copy, if it is in doubles already.
-template <class S, int N>
-decltype(auto) in_doubles(const Obb<S, N>& box) {
-  if constexpr (std::is_same_v<S, double>)
-    return (box);
+/// The first pass for a verdict alone: in S, but a listener hears doubles.
+template <class S, int N, class Trace>
+FirstPass verdict(const Obb<S, N>& a, const Obb<S, N>& b, Trace&& trace) {
+  if constexpr (heard<Trace>)
+    return first_pass(cast<double>(a), cast<double>(b), trace);
   else
-    return cast<double>(box);
+    return first_pass(a, b, trace);
 }
 
 /// Whether there is such a box and it has a point.
@@ -81,7 +81,7 @@ bool exists(const Obb<S, N>& box, Trace&& trace) {
 template <class S, int N, class Trace = NoTrace>
 std::optional<obb_obb::Axis> separating_axis(const Obb<S, N>& a, const Obb<S, N>& b, Trace&& trace = {}) {
   if (!obb_obb::exists(a, trace) || !obb_obb::exists(b, trace)) return {};
-  const Obb<double, N>&wide_a = obb_obb::in_doubles(a), &wide_b = obb_obb::in_doubles(b);
+  const Obb<double, N>&wide_a = in_doubles(a), &wide_b = in_doubles(b);
   const obb_obb::FirstPass first = obb_obb::first_pass(wide_a, wide_b, trace);
   if (first.separating || first.overlap) return first.separating;
   return obb_obb::settle(wide_a, wide_b, trace).separating;
@@ -92,11 +92,11 @@ std::optional<obb_obb::Axis> separating_axis(const Obb<S, N>& a, const Obb<S, N>
 template <class S, int N, class Trace = NoTrace>
 bool intersects(const Obb<S, N>& a, const Obb<S, N>& b, Trace&& trace = {}) {
   if (empty(a) || empty(b)) return false;
-  const Obb<double, N>&wide_a = obb_obb::in_doubles(a), &wide_b = obb_obb::in_doubles(b);
-  const obb_obb::FirstPass first = obb_obb::first_pass(wide_a, wide_b, trace);
-  if (first.separating || first.overlap) return first.overlap;
+  const obb_obb::FirstPass first = obb_obb::verdict(a, b, trace);
+  if (first.separating || first.overlap) [[likely]]
+    return first.overlap;
   if (!obb_obb::exists(a, trace) || !obb_obb::exists(b, trace)) return false;
-  return !obb_obb::settle(wide_a, wide_b, trace).separating;
+  return !obb_obb::settle<N>(in_doubles(a), in_doubles(b), trace).separating;
 }
 
 /// How the boxes lie. Exact. Equal means the same set, whatever the order, signs and lengths of the axes. A flat box,
@@ -105,9 +105,9 @@ bool intersects(const Obb<S, N>& a, const Obb<S, N>& b, Trace&& trace = {}) {
 template <class S, int N, class Trace = NoTrace>
 Relation relate(const Obb<S, N>& a, const Obb<S, N>& b, Trace&& trace = {}) {
   if (empty(a) || empty(b)) return Relation::disjoint;
-  const Obb<double, N>&wide_a = obb_obb::in_doubles(a), &wide_b = obb_obb::in_doubles(b);
+  const Obb<double, N>&wide_a = in_doubles(a), &wide_b = in_doubles(b);
 
-  const obb_obb::FirstPass first = obb_obb::first_pass(wide_a, wide_b, trace);
+  const obb_obb::FirstPass first = obb_obb::verdict(a, b, trace);
   if (first.separating) return Relation::disjoint;
   obb_obb::Settled settled;
   if (!first.overlap) {

@@ -58,6 +58,23 @@ W beyond(const Point<double, N>& x, const Obb<double, N>& box, int i) {
   return abs(along) - W(box.half[i]) * abs(volume<W>(box.axes, i));
 }
 
+/// Column i of x times column j of y.
+template <class X, class Y>
+typename X::Scalar dot_columns(const X& x, int i, const Y& y, int j) {
+  typename X::Scalar sum = x(0, i) * y(0, j);
+  for (int k = 1; k < X::RowsAtCompileTime; ++k) sum += x(k, i) * y(k, j);
+  return sum;
+}
+
+/// A bound of |U^T U - 1| (its spectral norm), but for 20 u: the sum of its entries on and above the diagonal.
+template <class S, int N>
+S skew(const Eigen::Matrix<S, N, N>& u) {
+  S sum = 0;
+  for (int i = 0; i < N; ++i)
+    for (int j = 0; j <= i; ++j) sum += std::abs(dot_columns(u, i, u, j) - S(i == j));
+  return sum;
+}
+
 }  // namespace point_obb
 
 /// Whether the point lies in the box's interior, on its boundary, or outside. Exact. A flat box, some half_i = 0, has

@@ -11,6 +11,7 @@
 // (2002), ch. 13.6.1, for the textbook's form.
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <variant>
 
@@ -41,16 +42,59 @@ struct Slabs {
   W hi(int i) const {
     return reach<W>(i) - along<W>(i);
   }
-
- private:
   template <Filtered W>
   W reach(int i) const {
-    return W(box.half[i]) * abs(point_obb::volume<W>(box.axes, i));
+    return W(box.half[i]) * abs(point_obb::volume<W>(box.axes, 0));
   }
   template <Filtered W>
   W along(int i) const {
     return dot(point_obb::normal<W>(box.axes, i), difference<W>(ray.origin, box.center));
   }
+};
+
+/// The same by the faces at -half_i and half_i, whichever comes first on the axis n_i.
+template <int N>
+struct Faces : Slabs<N> {
+  template <Filtered W>
+  W lo(int i) const {
+    return -W(this->box.half[i]) * point_obb::volume<W>(this->box.axes, i) - this->template along<W>(i);
+  }
+  template <Filtered W>
+  W hi(int i) const {
+    return W(this->box.half[i]) * point_obb::volume<W>(this->box.axes, i) - this->template along<W>(i);
+  }
+};
+
+/// The same for a first look, divided by D, when the axes are nearly orthonormal: then u_i is nearly n_i / D.
+///
+/// Bound. n_i / D is row i of U^-1. Let d be the spectral norm of U^T U - 1, at most 2^-10, so that the singular values
+/// p of U have |p^2 - 1| <= d. Then U^-1 and U^T, whose singular values are 1 / p and p for the same vectors, differ by
+/// at most |1 / p - p| <= 1.001 d. The computed d lacks 20 u, and the rest adds 6 u (|o - c| + half_i) or 5 u |d|.
+template <int N>
+class Look {
+ public:
+  Look(const Ray<double, N>& ray, const Obb<double, N>& box)
+      : ray_(ray), box_(box), from_(ray.origin - box.center) {
+    const double skew = point_obb::skew(box.axes);
+    const double size =
+        skew <= 0x1p-10 ? 1.01 / unit<double> * skew + 32 : std::numeric_limits<double>::infinity();
+    size_ = size * (from_.cwiseAbs().sum() + box.half.sum()) + 0x1p-1000;
+    rate_size_ = size * ray.direction.cwiseAbs().sum() + 0x1p-1000;
+  }
+
+  // clang-format off
+  template <class W> W rate(int i) const { return {point_obb::dot_columns(box_.axes, i, ray_.direction, 0), rate_size_, 0}; }
+  template <class W> W lo(int i) const { return {-box_.half[i] - along(i), size_, 0}; }
+  template <class W> W hi(int i) const { return {box_.half[i] - along(i), size_, 0}; }
+  // clang-format on
+
+ private:
+  double along(int i) const { return point_obb::dot_columns(box_.axes, i, from_, 0); }
+
+  const Ray<double, N>& ray_;
+  const Obb<double, N>& box_;
+  Vector<double, N> from_;
+  double size_, rate_size_;
 };
 
 // clang-format off
@@ -92,6 +136,23 @@ std::optional<Interval<S>> projections(const Ray<S, N>& ray, const Obb<S, N>& bo
   return Interval<S>{in, out};
 }
 
+template <class S, int N, class Trace>
+std::optional<Interval<S>> meet(const Ray<S, N>& ray, const Obb<S, N>& box, Trace& trace) {
+  if (empty(box)) return {};
+  const Ray<double, N>& wide = in_doubles(ray);
+  const Obb<double, N>& bounds = in_doubles(box);
+
+  if constexpr (first_try<Trace>) {
+    const slabs::Sight<N> seen = slabs::sight<S, N>(ray.range, Look<N>(wide, bounds));
+    trace.open |= seen.meets == 0;
+    if (seen.meets <= 0) return {};
+    return slabs::stretch<S, N>(ray.range, seen, Faces<N>{wide, bounds}, trace);
+  } else {
+    if (!finite(ray) || !finite(box) || !point_obb::independent(bounds.axes, trace)) return {};
+    return slabs::clip<S, N>(ray.range, Slabs<N>{wide, bounds}, trace);
+  }
+}
+
 }  // namespace ray_obb
 
 /// The part of the ray's range inside the closed box, in units of |direction|.
@@ -103,17 +164,18 @@ std::optional<Interval<S>> projections(const Ray<S, N>& ray, const Obb<S, N>& bo
 /// empty box or range, NaN or an infinite coordinate: nothing.
 template <class S, int N, class Trace = NoTrace>
 std::optional<Interval<S>> intersect(const Ray<S, N>& ray, const Obb<S, N>& box, Trace&& trace = {}) {
-  if (empty(box) || !finite(ray) || !finite(box)) return {};
-  const Ray<double, N> wide = cast<double>(ray);
-  const Obb<double, N> bounds = cast<double>(box);
-
-  if (!point_obb::independent(bounds.axes, trace)) return {};
-  return slabs::clip<S, N>(ray.range, ray_obb::Slabs<N>{wide, bounds}, trace);
+  return in_doubles_first([&](auto& pass) { return ray_obb::meet(ray, box, pass); }, trace);
 }
 
 /// Whether ray and box have a common point; see intersect.
 template <class S, int N, class Trace = NoTrace>
 bool intersects(const Ray<S, N>& ray, const Obb<S, N>& box, Trace&& trace = {}) {
+  if constexpr (!heard<Trace>) {
+    const slabs::Sight<N> seen =
+        slabs::sight<S, N>(ray.range, ray_obb::Look<N>(in_doubles(ray), in_doubles(box)));
+    if (seen.meets != 0) [[likely]]
+      return seen.meets > 0 && !empty(box);
+  }
   return intersect(ray, box, trace).has_value();
 }
 

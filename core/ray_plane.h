@@ -78,27 +78,19 @@ std::optional<S> textbook(const Ray<S, N>& ray, const Plane<S, N>& plane, Trace&
   return t;
 }
 
-}  // namespace ray_plane
-
-/// Where a ray, segment or line meets a plane.
-///
-/// Every verdict (parallel, coplanar, whether line and t have a value, meets) is the true one for all finite input of
-/// any magnitude. Both t lie within 2 ulp of S of the true value, that of the range in the range; one too large for S
-/// is infinite. `line` is given whatever the range says. A zero direction makes the ray a point: parallel, and
-/// coplanar iff it lies on the plane. A zero normal makes no plane, an empty range no ray; NaN or an infinite
-/// coordinate: no hit.
-template <class S, int N, class Trace = NoTrace>
-RayPlane<S> intersect(const Ray<S, N>& ray, const Plane<S, N>& plane, Trace&& trace = {}) {
-  if (!finite(ray) || !finite(plane) || plane.normal == Vector<S, N>::Zero()) return {};
-  const Ray<double, N> wide = cast<double>(ray);
-  const Plane<double, N> wall = cast<double>(plane);
+template <class S, int N, class Trace>
+RayPlane<S> meet(const Ray<S, N>& ray, const Plane<S, N>& plane, Trace& trace) {
+  RayPlane<S> result;
+  if constexpr (!first_try<Trace>)
+    if (!finite(ray) || !finite(plane) || plane.normal == Vector<S, N>::Zero()) return result;
+  const Ray<double, N>& wide = in_doubles(ray);
+  const Plane<double, N>& wall = in_doubles(plane);
   const auto t = [&]<class W>() -> Ratio<W> { return ray_plane::parameter<W>(wide, wall); };
 
   const int heading = sign_of([&]<class W>() -> W { return t.template operator()<W>().den; }, trace);
   const int side = -sign_of([&]<class W>() -> W { return t.template operator()<W>().num; }, trace);
   trace(ray_plane::Decision{heading, side});
 
-  RayPlane<S> result;
   result.parallel = heading == 0;
   result.coplanar = result.parallel && side == 0;
   if (result.parallel) {
@@ -111,6 +103,20 @@ RayPlane<S> intersect(const Ray<S, N>& ray, const Plane<S, N>& plane, Trace&& tr
   trace(ray_plane::Hit<S>{*result.line, result.meets});
   if (result.meets) result.t = ray_range::clamped(*result.line, ray.range);
   return result;
+}
+
+}  // namespace ray_plane
+
+/// Where a ray, segment or line meets a plane.
+///
+/// Every verdict (parallel, coplanar, whether line and t have a value, meets) is the true one for all finite input of
+/// any magnitude. Both t lie within 2 ulp of S of the true value, that of the range in the range; one too large for S
+/// is infinite. `line` is given whatever the range says. A zero direction makes the ray a point: parallel, and
+/// coplanar iff it lies on the plane. A zero normal makes no plane, an empty range no ray; NaN or an infinite
+/// coordinate: no hit.
+template <class S, int N, class Trace = NoTrace>
+RayPlane<S> intersect(const Ray<S, N>& ray, const Plane<S, N>& plane, Trace&& trace = {}) {
+  return in_doubles_first([&](auto& pass) { return ray_plane::meet(ray, plane, pass); }, trace);
 }
 
 }  // namespace isect

@@ -28,9 +28,9 @@ namespace isect {
 /// What a ray and a polygon in space have in common. All t in units of |direction|.
 template <class S>
 struct RayPolygon {
-  bool flat = false;                  ///< the outline has no area, and so no plane
-  bool coplanar = false;              ///< the line lies in the plane of the polygon: an answer of its own, no hit
-  std::optional<S> line;              ///< t in the plane, on the whole line; none when parallel
+  bool flat = false;      ///< the outline has no area, and so no plane
+  bool coplanar = false;  ///< the line lies in the plane of the polygon: an answer of its own, no hit
+  std::optional<S> line;  ///< t in the plane, on the whole line; none when parallel
   Location location = Location::out;  ///< of that point, in the projected polygon
   std::optional<S> t;                 ///< where the ray meets the polygon
 
@@ -60,7 +60,7 @@ struct PlanePoint {
 template <Filtered W, class S>
 PlanePoint<W> plane_point(const Ray<double, 3>& ray, const Ring<S, 3>& ring) {
   const auto vertex = [&](std::size_t i) -> Point<double, 3> { return ring[i].template cast<double>(); };
-  PlanePoint<W> result;
+  PlanePoint<W> result = {};
   const Point<double, 3> first = vertex(0);
   for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
     const Components<W, 3> area = cross(difference<W>(vertex(i), first), difference<W>(vertex(i + 1), first));
@@ -109,9 +109,10 @@ class Crossing {
   W area2(const Point<S, 3>& a, const Point<S, 3>& b, int x, int y) const {
     const PlanePoint<W> p = point<W>();
     const Point<double, 3>& o = ray_.origin;
-    const W ab =
-        difference<W>(a[x], o[x]) * difference<W>(b[y], o[y]) - difference<W>(a[y], o[y]) * difference<W>(b[x], o[x]);
-    const W d = W(ray_.direction[x]) * difference<W>(b[y], a[y]) - W(ray_.direction[y]) * difference<W>(b[x], a[x]);
+    const W ab = difference<W>(a[x], o[x]) * difference<W>(b[y], o[y]) -
+                 difference<W>(a[y], o[y]) * difference<W>(b[x], o[x]);
+    const W d =
+        W(ray_.direction[x]) * difference<W>(b[y], a[y]) - W(ray_.direction[y]) * difference<W>(b[x], a[x]);
     return p.den * ab - p.num * d;
   }
 
@@ -139,8 +140,8 @@ int steepest(const Crossing<S>& crossing, Trace&& trace) {
 
 /// Where P lies in the polygon projected along `axis`; `den` is the sign of the denominator.
 template <class S, class Trace>
-Location locate(const Crossing<S>& crossing, int den, int axis, std::span<const Ring<S, 3>> rings, FillRule rule,
-                Trace&& trace) {
+Location locate(const Crossing<S>& crossing, int den, int axis, std::span<const Ring<S, 3>> rings,
+                FillRule rule, Trace&& trace) {
   const int x = (axis + 1) % 3, y = (axis + 2) % 3;
   const auto along = [&](const Point<S, 3>& v, int i) -> int {
     return den * sign_of([&]<class W>() -> W { return crossing.template offset<W>(v, i); }, trace);
@@ -154,7 +155,8 @@ Location locate(const Crossing<S>& crossing, int den, int axis, std::span<const 
   point_polygon::Tally sum;
   for (std::size_t i = 0; i < rings.size(); ++i) {
     const std::span<const Point<S, 3>> ring = rings[i];
-    const point_polygon::Tally part = point_polygon::wind(ring, height, abscissa, side, static_cast<int>(i), trace);
+    const point_polygon::Tally part =
+        point_polygon::wind(ring, height, abscissa, side, static_cast<int>(i), trace);
     if (part.on) return Location::on;
     sum.crossings += part.crossings, sum.winding += part.winding;
   }
@@ -162,20 +164,22 @@ Location locate(const Crossing<S>& crossing, int den, int axis, std::span<const 
   return inside ? Location::in : Location::out;
 }
 
+/// The first ring and the ray are in the signs of the plane, so that in a first try NaN and infinity leave those open.
 template <class S, class Trace>
-RayPolygon<S> intersect(const Ray<S, 3>& ray, std::span<const Ring<S, 3>> rings, FillRule rule, Trace&& trace) {
+RayPolygon<S> meet(const Ray<S, 3>& ray, std::span<const Ring<S, 3>> rings, FillRule rule, Trace& trace) {
   RayPolygon<S> result;
-  if (!finite(ray)) return result;
-  for (const Ring<S, 3>& ring : rings)
-    if (!finite(ring)) return result;
+  if (!first_try<Trace> && !finite(ray)) return result;
+  for (std::size_t i = first_try<Trace> ? 1 : 0; i < rings.size(); ++i)
+    if (!finite(rings[i])) return result;
   result.flat = rings.empty() || rings[0].empty();
   if (result.flat) return result;
 
-  const Ray<double, 3> wide = cast<double>(ray);
+  const Ray<double, 3>& wide = in_doubles(ray);
   const Crossing<S> crossing(wide, rings[0]);
   const auto t = [&]<class W>() -> Ratio<W> { return crossing.template parameter<W>(); };
   const int axis = steepest(crossing, trace);
-  result.flat = sign_of([&]<class W>() -> W { return crossing.template point<W>().normal[axis]; }, trace) == 0;
+  result.flat =
+      sign_of([&]<class W>() -> W { return crossing.template point<W>().normal[axis]; }, trace) == 0;
   if (result.flat) return result;
 
   const int heading = sign_of([&]<class W>() -> W { return t.template operator()<W>().den; }, trace);
@@ -190,6 +194,12 @@ RayPolygon<S> intersect(const Ray<S, 3>& ray, std::span<const Ring<S, 3>> rings,
   result.t = ray_range::clamped(*result.line, ray.range);
   trace(Hit<S>{*result.t});
   return result;
+}
+
+template <class S, class Trace>
+RayPolygon<S> intersect(const Ray<S, 3>& ray, std::span<const Ring<S, 3>> rings, FillRule rule,
+                        Trace&& trace) {
+  return in_doubles_first([&](auto& pass) { return meet(ray, rings, rule, pass); }, trace);
 }
 
 // clang-format off
@@ -222,7 +232,9 @@ std::optional<S> projected(const Ray<S, 3>& ray, const Ring<S, 3>& ring, Trace&&
   const auto size = [&](int i) -> S { return n[i] < S(0) ? -n[i] : n[i]; };
   int axis = size(1) > size(0) ? 1 : 0;
   if (size(2) > size(axis)) axis = 2;
-  const auto flatten = [&](const Point<S, 3>& v) { return Point<S, 2>(v[(axis + 1) % 3], v[(axis + 2) % 3]); };
+  const auto flatten = [&](const Point<S, 3>& v) {
+    return Point<S, 2>(v[(axis + 1) % 3], v[(axis + 2) % 3]);
+  };
   Ring<S, 2> outline;
   for (const Point<S, 3>& v : ring) outline.push_back(flatten(v));
   trace(Projected<S>{axis, flatten(point)});
@@ -242,8 +254,8 @@ std::optional<S> projected(const Ray<S, 3>& ray, const Ring<S, 3>& ring, Trace&&
 /// no hit, coplanar if it lies in the plane. A first ring without area is flat: no hit. NaN or an infinite
 /// coordinate, or an empty range: no hit.
 template <class S, class Trace = NoTrace>
-RayPolygon<S> intersect(const Ray<S, 3>& ray, const Polygon<S, 3>& polygon, FillRule rule = FillRule::even_odd,
-                        Trace&& trace = {}) {
+RayPolygon<S> intersect(const Ray<S, 3>& ray, const Polygon<S, 3>& polygon,
+                        FillRule rule = FillRule::even_odd, Trace&& trace = {}) {
   return ray_polygon::intersect(ray, std::span<const Ring<S, 3>>(polygon.rings), rule, trace);
 }
 template <class S, class Trace = NoTrace>

@@ -25,7 +25,11 @@ int compare(const Text& t, int den, double e, Trace&& trace = {}) {
 /// Whether the range holds num / den.
 template <class Text, class Trace = NoTrace>
 bool holds(const Interval<double>& range, const Text& t, int den, Trace&& trace = {}) {
-  return range.lo <= range.hi && compare(t, den, range.lo, trace) >= 0 && compare(t, den, range.hi, trace) <= 0;
+  if (!(range.lo <= range.hi)) {  // empty, or NaN
+    if constexpr (first_try<Trace>) trace.open = true;
+    return false;
+  }
+  return compare(t, den, range.lo, trace) >= 0 && compare(t, den, range.hi, trace) <= 0;
 }
 
 /// Whether some real t lies in the range.

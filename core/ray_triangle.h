@@ -25,10 +25,10 @@ namespace isect {
 /// What a ray and a triangle have in common. t in units of |direction|.
 template <class S>
 struct RayTriangle {
-  bool coplanar = false;              ///< the line lies in the plane of the triangle: an answer of its own, no hit
+  bool coplanar = false;  ///< the line lies in the plane of the triangle: an answer of its own, no hit
   Location location = Location::out;  ///< of the line's point in the plane; out when there is none
   std::optional<S> t;                 ///< where the ray meets the triangle
-  S u = 0, v = 0;                     ///< the weights of b and c at that point, of [0, 1]; that of a is 1 - u - v
+  S u = 0, v = 0;  ///< the weights of b and c at that point, of [0, 1]; that of a is 1 - u - v
 
   explicit operator bool() const { return t.has_value(); }
 };
@@ -108,7 +108,8 @@ using MollerTrumboreEvent = std::variant<Determinant<S>, WeightU<S>, WeightV<S>,
 /// may miss both. Source: Moller, Trumbore, Fast, minimum storage ray-triangle intersection, J. Graphics Tools 2
 /// (1997).
 template <class S, class Trace = NoTrace>
-std::optional<Hit<S>> moller_trumbore(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle, Trace&& trace = {}) {
+std::optional<Hit<S>> moller_trumbore(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle,
+                                      Trace&& trace = {}) {
   const auto& [a, b, c] = triangle.vertices;
   const Vector<S, 3> e1 = b - a, e2 = c - a, p = ray.direction.cross(e2);
   const S determinant = p.dot(e1);
@@ -134,6 +135,52 @@ std::optional<Hit<S>> moller_trumbore(const Ray<S, 3>& ray, const Triangle<S, 3>
   return Hit<S>{t, u, v};
 }
 
+template <class S, class Trace>
+RayTriangle<S> meet(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle, Trace& trace) {
+  RayTriangle<S> result;
+  if constexpr (!first_try<Trace>)
+    if (!finite(ray) || !finite(triangle)) return result;
+  const Ray<double, 3>& wide = in_doubles(ray);
+  const Triangle<double, 3>& x = in_doubles(triangle);
+
+  const Volumes side = volumes(wide, x, trace);
+  trace(side);
+  const bool positive = side.a > 0 || side.b > 0 || side.c > 0,
+             negative = side.a < 0 || side.b < 0 || side.c < 0;
+  if (positive && negative) return result;
+
+  const auto t = [&]<class W>() -> Ratio<W> { return parameter<W>(wide, x); };
+  if (!positive && !negative) {  // in the plane, a point, or no triangle
+    const auto height = [&]<class W>() -> W { return t.template operator()<W>().num; };
+    result.coplanar = sign_of(height, trace) == 0 && !flat(x, trace);
+    return result;
+  }
+
+  result.location = side.a != 0 && side.b != 0 && side.c != 0 ? Location::in : Location::on;
+  if (!ray_range::holds(wide.range, t, positive ? 1 : -1, trace)) return result;
+  result.t = ray_range::clamped(value_of<S>(t, trace), ray.range);
+  result.u = weight<S>(wide, x, 2, 0, side.b, trace);
+  result.v = weight<S>(wide, x, 0, 1, side.c, trace);
+  trace(Hit<S>{*result.t, result.u, result.v});
+  return result;
+}
+
+template <class S, class Trace>
+bool met(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle, Trace& trace) {
+  if constexpr (!first_try<Trace>)
+    if (!finite(ray) || !finite(triangle)) return false;
+  const Ray<double, 3>& wide = in_doubles(ray);
+  const Triangle<double, 3>& x = in_doubles(triangle);
+
+  const Volumes side = volumes(wide, x, trace);
+  trace(side);
+  const bool positive = side.a > 0 || side.b > 0 || side.c > 0,
+             negative = side.a < 0 || side.b < 0 || side.c < 0;
+  if (positive == negative) return false;
+  const auto t = [&]<class W>() -> Ratio<W> { return parameter<W>(wide, x); };
+  return ray_range::holds(wide.range, t, positive ? 1 : -1, trace);
+}
+
 }  // namespace ray_triangle
 
 /// Where a ray, segment or line meets a triangle, from either side.
@@ -144,45 +191,13 @@ std::optional<Hit<S>> moller_trumbore(const Ray<S, 3>& ray, const Triangle<S, 3>
 /// the plane. A triangle without area has no plane: no hit. NaN or an infinite coordinate, or an empty range: no hit.
 template <class S, class Trace = NoTrace>
 RayTriangle<S> intersect(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle, Trace&& trace = {}) {
-  if (!finite(ray) || !finite(triangle)) return {};
-  const Ray<double, 3> wide = cast<double>(ray);
-  const Triangle<double, 3> x = cast<double>(triangle);
-
-  const ray_triangle::Volumes side = ray_triangle::volumes(wide, x, trace);
-  trace(side);
-  const bool positive = side.a > 0 || side.b > 0 || side.c > 0, negative = side.a < 0 || side.b < 0 || side.c < 0;
-  if (positive && negative) return {};
-
-  RayTriangle<S> result;
-  const auto t = [&]<class W>() -> Ratio<W> { return ray_triangle::parameter<W>(wide, x); };
-  if (!positive && !negative) {  // in the plane, a point, or no triangle
-    const auto height = [&]<class W>() -> W { return t.template operator()<W>().num; };
-    result.coplanar = sign_of(height, trace) == 0 && !ray_triangle::flat(x, trace);
-    return result;
-  }
-
-  result.location = side.a != 0 && side.b != 0 && side.c != 0 ? Location::in : Location::on;
-  if (!ray_range::holds(wide.range, t, positive ? 1 : -1, trace)) return result;
-  result.t = ray_range::clamped(value_of<S>(t, trace), ray.range);
-  result.u = ray_triangle::weight<S>(wide, x, 2, 0, side.b, trace);
-  result.v = ray_triangle::weight<S>(wide, x, 0, 1, side.c, trace);
-  trace(ray_triangle::Hit<S>{*result.t, result.u, result.v});
-  return result;
+  return in_doubles_first([&](auto& pass) { return ray_triangle::meet(ray, triangle, pass); }, trace);
 }
 
 /// Whether the ray meets the triangle; see intersect. No for a coplanar ray.
 template <class S, class Trace = NoTrace>
 bool intersects(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle, Trace&& trace = {}) {
-  if (!finite(ray) || !finite(triangle)) return false;
-  const Ray<double, 3> wide = cast<double>(ray);
-  const Triangle<double, 3> x = cast<double>(triangle);
-
-  const ray_triangle::Volumes side = ray_triangle::volumes(wide, x, trace);
-  trace(side);
-  const bool positive = side.a > 0 || side.b > 0 || side.c > 0, negative = side.a < 0 || side.b < 0 || side.c < 0;
-  if (positive == negative) return false;
-  const auto t = [&]<class W>() -> Ratio<W> { return ray_triangle::parameter<W>(wide, x); };
-  return ray_range::holds(wide.range, t, positive ? 1 : -1, trace);
+  return in_doubles_first([&](auto& pass) { return ray_triangle::met(ray, triangle, pass); }, trace);
 }
 
 }  // namespace isect

@@ -71,6 +71,73 @@ int compare(const A& a, int den_a, const B& b, int den_b, Trace&& trace) {
   return den_a * den_b * sign_of(cross, trace);
 }
 
+/// What doubles see of a line and slabs: the t at which it enters and leaves each, off by `error` in all.
+template <int N>
+struct Sight {
+  std::array<double, N> entries, exits;
+  std::array<bool, N> backwards;
+  double error;
+  int meets;  ///< 1: some t of the range is in all slabs; -1: none is; 0: rounding may decide, or NaN
+};
+
+/// The slabs are asked in doubles only; their lo may be the larger.
+///
+/// Bound. Let n and d be a num and the rate as computed, off by at most e and f < |d| / 4. The true quotient is off n / d
+/// by at most (e + |n / d| f) / (3/4 |d|); dividing by a reciprocal adds 2.1 u |n / d|, and f is more than 0.9 u |d|. So
+/// 4 (e + |n / d| f) / |d| has room for both and for its own roundings, where reciprocals are normal; 2^-1000 is for
+/// underflow. The largest of such numbers is off by no more than the sum of all.
+template <class S, int N, class Slabs>
+Sight<N> sight(const Interval<S>& range, const Slabs& slabs) {
+  Sight<N> seen;
+  double in = range.lo, out = range.hi, error = 0x1p-1000;
+  bool certain = range.lo <= range.hi;
+  for (int i = 0; i < N; ++i) {
+    const Bounded<double> rate = slabs.template rate<Bounded<double>>(i),
+                          lo = slabs.template lo<Bounded<double>>(i),
+                          hi = slabs.template hi<Bounded<double>>(i);
+    const double size = std::abs(rate.value()), inverse = 1 / rate.value();
+    certain &=
+        4 * rate.error() < size && 0x1p-1000 < size && size < 0x1p1000;  // else beside the slab, or nearly
+
+    const double t1 = lo.value() * inverse, t2 = hi.value() * inverse;
+    const double both = std::max(lo.error(), hi.error()) + (std::abs(t1) + std::abs(t2)) * rate.error();
+    error += 4 * both * std::abs(inverse);
+    seen.backwards[i] = inverse < 0;
+    seen.entries[i] = std::min(t1, t2), seen.exits[i] = std::max(t1, t2);
+    in = std::max(in, seen.entries[i]), out = std::min(out, seen.exits[i]);
+  }
+  certain &= error <= std::numeric_limits<double>::max();
+  seen.error = error;
+  seen.meets = certain ? (out - in > error) - (in - out > error) : 0;
+  return seen;
+}
+
+/// `clip` where `seen` shows that some t is in all slabs. Open when two of them may be the last, or the first.
+template <class S, int N, class Slabs>
+Interval<S> stretch(const Interval<S>& range, const Sight<N>& seen, const Slabs& slabs, FirstTry& first) {
+  int last = 0, left = 0;  // the slab entered last, the slab left first
+  for (int i = 1; i < N; ++i) {
+    last = seen.entries[i] > seen.entries[last] ? i : last;
+    left = seen.exits[i] < seen.exits[left] ? i : left;
+  }
+  const double in = seen.entries[last], out = seen.exits[left];
+  int contenders = 0;
+  for (int i = 0; i < N; ++i)
+    contenders += (in - seen.entries[i] <= 2 * seen.error) + (seen.exits[i] - out <= 2 * seen.error);
+  first.open |= contenders > 2;
+
+  const auto crossing = [&](int i, bool at_lo) {
+    return [&slabs, i, at_lo]<class W>() -> Ratio<W> {
+      return {at_lo ? slabs.template lo<W>(i) : slabs.template hi<W>(i), slabs.template rate<W>(i)};
+    };
+  };
+  S lo = range.lo, hi = range.hi;
+  if (in + seen.error >= lo) lo = std::max(lo, value_of<S>(crossing(last, !seen.backwards[last]), first));
+  if (out - seen.error <= hi) hi = std::min(hi, value_of<S>(crossing(left, seen.backwards[left]), first));
+  lo = std::min(lo, range.hi);
+  return {lo, std::max(lo, hi)};
+}
+
 /// The t of the range in all slabs. `of_box` has N of them, as templates rate<W>(i), lo<W>(i), hi<W>(i), lo <= hi.
 /// Verdict exact; the ends within 2 ulp of S, in the range, in order. The whole range for a line beside all slabs.
 template <class S, int N, class Slabs, class Trace>

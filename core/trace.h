@@ -31,7 +31,7 @@ struct Record {
 /// Whether anyone listens: where an event's values cost something to make, `if constexpr (heard<Trace>)`
 /// guards it.
 template <class Trace>
-inline constexpr bool heard = !std::is_same_v<std::remove_cvref_t<Trace>, NoTrace>;
+inline constexpr bool heard = !std::is_base_of_v<NoTrace, std::remove_cvref_t<Trace>>;
 
 /// The arithmetic in use could not decide; the same text runs again in a finer one. Later events are rounded
 /// to S.

@@ -25,7 +25,8 @@ struct Tracked {
 
 template <std::floating_point T>
 Rational rational(T x) {
-  return Rational(static_cast<double>(x)) + Rational(static_cast<double>(x - static_cast<T>(static_cast<double>(x))));
+  return Rational(static_cast<double>(x)) +
+         Rational(static_cast<double>(x - static_cast<T>(static_cast<double>(x))));
 }
 Rational rational(const DoubleDouble& x) { return Rational(x.hi) + Rational(x.lo); }
 
@@ -44,17 +45,23 @@ Tracked<T> expression(bench::Random& random, int depth, double lo, double hi) {
   const Tracked<T> a = expression<T>(random, depth - 1, lo, hi);
   const Tracked<T> b = random.one_in(8) ? a : expression<T>(random, random.below(depth), lo, hi);
   switch (random.below(5)) {
-    case 0: return {a.bounded + b.bounded, a.exact + b.exact, a.truth + b.truth};
-    case 1: return {a.bounded - b.bounded, a.exact - b.exact, a.truth - b.truth};
-    case 2: return {-a.bounded, -a.exact, -a.truth};
-    case 3: return {abs(a.bounded), abs(a.exact), abs(a.truth)};
-    default: return {a.bounded * b.bounded, a.exact * b.exact, a.truth * b.truth};
+    case 0:
+      return {a.bounded + b.bounded, a.exact + b.exact, a.truth + b.truth};
+    case 1:
+      return {a.bounded - b.bounded, a.exact - b.exact, a.truth - b.truth};
+    case 2:
+      return {-a.bounded, -a.exact, -a.truth};
+    case 3:
+      return {abs(a.bounded), abs(a.exact), abs(a.truth)};
+    default:
+      return {a.bounded * b.bounded, a.exact * b.exact, a.truth * b.truth};
   }
 }
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("the error of a random expression stays within its bound", "[bounded]", double, Extended, DoubleDouble) {
+TEMPLATE_TEST_CASE("the error of a random expression stays within its bound", "[bounded]", double, Extended,
+                   DoubleDouble) {
   bench::Random random(tests::seed());
   const auto [lo, hi] = GENERATE(std::tuple{-2., 2.}, std::tuple{-300., 300.}, std::tuple{-308., -150.});
   int certain = 0, zero = 0;
@@ -77,6 +84,87 @@ TEMPLATE_TEST_CASE("the error of a random expression stays within its bound", "[
   CHECK(zero > 0);
 }
 
+namespace {
+
+struct TrackedVector {
+  std::array<Bounded<double>, 3> bounded;
+  oracle::Coordinates<3> truth;
+};
+TrackedVector vector(bench::Random& random, double lo, double hi) {
+  TrackedVector v;
+  for (int i = 0; i < 3; ++i) {
+    const Tracked<double> x = leaf<double>(random, lo, hi);
+    v.bounded[i] = x.bounded, v.truth[i] = x.truth;
+  }
+  return v;
+}
+
+/// Whether it was certain.
+bool stays_within_its_bound(const Bounded<double>& x, const Rational& truth) {
+  if (std::isfinite(x.error()) && std::isfinite(x.value()))
+    REQUIRE(abs(Rational(x.value()) - truth) <= Rational(x.error()) + Rational(5e-324));
+  if (x.sign()) REQUIRE(*x.sign() == sign(truth));
+  return x.sign().has_value();
+}
+
+}  // namespace
+
+TEST_CASE("products of vectors stay within the bound of their largest sizes", "[bounded]") {
+  bench::Random random(tests::seed());
+  const auto [lo, hi] =
+      GENERATE(std::tuple{-2., 2.}, std::tuple{-1., 1.}, std::tuple{-300., 300.}, std::tuple{-308., -100.});
+  int certain = 0;
+  const int count = 3000;
+  for (int i = 0; i < count; ++i) {
+    INFO("seed " << tests::seed() << ", vectors " << i);
+    const TrackedVector a = vector(random, lo, hi), b = vector(random, lo, hi),
+                        c = random.one_in(3) ? a : vector(random, lo, hi);
+    certain += stays_within_its_bound(dot(a.bounded, b.bounded), oracle::dot(a.truth, b.truth));
+    const auto n = cross(a.bounded, b.bounded);
+    const auto truth = oracle::cross(a.truth, b.truth);
+    for (int k = 0; k < 3; ++k) stays_within_its_bound(n[k], truth[k]);
+    stays_within_its_bound(dot(n, c.bounded), oracle::dot(truth, c.truth));
+  }
+  CHECK(certain > count / 4);
+  CHECK(certain < count);
+}
+
+TEST_CASE("sums of the least doubles are certain, where error bounds underflow", "[bounded]") {
+  const Bounded<double> least(5e-324), two(1e-323);
+  CHECK((least + least - two).sign() == 0);
+  CHECK((least + two - least).sign() == 1);
+  CHECK((least - two).sign() == -1);
+}
+
+TEST_CASE("an algorithm whose signs doubles leave open runs again, and only then", "[predicate]") {
+  const double beyond = 1 + 0x1p-52, below = 1 - 0x1p-52;
+  for (const double x : {beyond, 2.}) {
+    int runs = 0;
+    NoTrace silent;
+    const auto algorithm = [&](auto& pass) {
+      ++runs;
+      return sign_of([&]<class W>() -> W { return W(x) * W(below) - W(1); }, pass);
+    };
+    CHECK(in_doubles_first(algorithm, silent) == (x == 2 ? 1 : -1));
+    CHECK(runs == (x == 2 ? 1 : 2));
+    Record<std::variant<Fallback>> record;
+    runs = 0;
+    CHECK(in_doubles_first(algorithm, record) == (x == 2 ? 1 : -1));
+    CHECK(runs == 1);
+    CHECK(record.events.size() == (x == 2 ? 0 : 1));
+  }
+}
+
+TEST_CASE("a value that doubles can't tell is found all the same", "[predicate]") {
+  const auto text = []<class W>() -> Ratio<W> { return {W(1 + 0x1p-52) * W(1 - 0x1p-52) - W(1), W(1)}; };
+  NoTrace silent;
+  const auto value = [&]<class S>(S) {
+    return in_doubles_first([&](auto& pass) { return value_of<S>(text, pass); }, silent);
+  };
+  CHECK(value(0.) == -0x1p-104);
+  CHECK(value(0.f) == -0x1p-104f);
+}
+
 TEST_CASE("nothing is certain of infinities and NaN", "[bounded]") {
   const double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
   CHECK_FALSE(Bounded<double>(nan).sign());
@@ -84,6 +172,14 @@ TEST_CASE("nothing is certain of infinities and NaN", "[bounded]") {
   CHECK_FALSE((Bounded<double>(1e200) * Bounded<double>(1e200)).sign());
   CHECK_FALSE((Bounded<double>(inf) * Bounded<double>(0)).sign());
   CHECK_FALSE(Bounded<double>::difference(inf, 1).sign());
+  for (const double bad : {inf, -inf, nan})
+    for (int i = 0; i < 3; ++i) {
+      std::array<Bounded<double>, 3> x = {1., 2., 3.}, y = {3., 2., 1.};
+      x[i] = bad;
+      CHECK_FALSE(dot(x, y).sign());
+      CHECK_FALSE(dot(y, x).sign());
+      CHECK_FALSE(dot(cross(x, y), y).sign());
+    }
 }
 
 TEST_CASE("differences of doubles have certain signs, equal ones too", "[bounded]") {
@@ -108,7 +204,9 @@ TEMPLATE_TEST_CASE("a quotient lies within 2 ulp of the truth", "[predicate]", f
   int fallbacks = 0;
   for (int i = 0; i < 20000; ++i) {
     INFO("seed " << tests::seed() << ", quotient " << i);
-    const auto number = [&] { return static_cast<double>(static_cast<TestType>(random.magnitude(-top, top))); };
+    const auto number = [&] {
+      return static_cast<double>(static_cast<TestType>(random.magnitude(-top, top)));
+    };
     const double a = number(), b = number(), c = random.one_in(3) ? number() : 0;
     double d = random.one_in(2) ? number() : (a - c) / a * b;  // the numerator cancels
     d = static_cast<double>(static_cast<TestType>(d));
@@ -117,7 +215,8 @@ TEMPLATE_TEST_CASE("a quotient lies within 2 ulp of the truth", "[predicate]", f
     Record<std::variant<Fallback>> record;
     const TestType t = value_of<TestType>(text, record);
     fallbacks += static_cast<int>(record.events.size());
-    const Rational truth = ((Rational(a) - Rational(c)) * Rational(b) - Rational(a) * Rational(d)) / Rational(d);
+    const Rational truth =
+        ((Rational(a) - Rational(c)) * Rational(b) - Rational(a) * Rational(d)) / Rational(d);
     REQUIRE(oracle::ulps(t, truth) <= 2);
   }
   CHECK(fallbacks > 0);
@@ -139,12 +238,12 @@ TEST_CASE("orientations on Kettner's grids are those of rational arithmetic", "[
     return sign((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]));
   };
   using Point2 = Point<double, 2>;
-  const auto [corner, b, c] =
-      GENERATE(table<Point2, Point2, Point2>({{{.5, .5}, {12, 12}, {24, 24}},
-                                              {{.50000000000002531, .5000000000000171},
-                                               {17.300000000000001, 17.300000000000001},
-                                               {24.00000000000005, 24.0000000000000517765}},
-                                              {{.5, .5}, {8.8000000000000007, 8.8000000000000007}, {12.1, 12.1}}}));
+  const auto [corner, b, c] = GENERATE(
+      table<Point2, Point2, Point2>({{{.5, .5}, {12, 12}, {24, 24}},
+                                     {{.50000000000002531, .5000000000000171},
+                                      {17.300000000000001, 17.300000000000001},
+                                      {24.00000000000005, 24.0000000000000517765}},
+                                     {{.5, .5}, {8.8000000000000007, 8.8000000000000007}, {12.1, 12.1}}}));
   int signs[3] = {};
   for (int i = 0; i < 128; ++i)
     for (int j = 0; j < 128; ++j) {
