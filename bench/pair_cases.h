@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "bench/random.h"
+#include "core/directions.h"
+#include "core/fit.h"
 #include "core/shapes.h"
 
 namespace isect::bench {
@@ -81,13 +83,50 @@ auto ray_box_pairs() {
   return pairs<Ray<S, 3>, Aabb<S, 3>>("ray-aabb", ordinary_ray<S>, ordinary_box<S>);
 }
 template <class S>
+Triangle<S, 3> ordinary_triangle(Random& random) {
+  const auto corner = [&] { return Point<S, 3>(random.in_box<3>(1.5).template cast<S>()); };
+  const Point<S, 3> a = corner(), b = corner();
+  return {{a, b, corner()}};
+}
+template <class S>
 auto ray_triangle_pairs() {
-  return pairs<Ray<S, 3>, Triangle<S, 3>>(
-      "ray-triangle", ordinary_ray<S>, [](Random& random) -> Triangle<S, 3> {
-        const auto corner = [&] { return Point<S, 3>(random.in_box<3>(1.5).template cast<S>()); };
-        const Point<S, 3> a = corner(), b = corner();
-        return {{a, b, corner()}};
-      });
+  return pairs<Ray<S, 3>, Triangle<S, 3>>("ray-triangle", ordinary_ray<S>, ordinary_triangle<S>);
+}
+template <class S>
+auto triangle_box_pairs() {
+  return pairs<Triangle<S, 3>, Aabb<S, 3>>("triangle-aabb", ordinary_triangle<S>, ordinary_box<S>);
+}
+template <class S>
+auto ray_obb_pairs() {
+  return pairs<Ray<S, 3>, Obb<S, 3>>("ray-obb", ordinary_ray<S>,
+                                     [](Random& random) { return ordinary_obb<S>(random, 1); });
+}
+/// A star of n vertices in a plane, but for rounding.
+template <class S>
+auto ray_polygon_pairs(int n) {
+  return pairs<Ray<S, 3>, Ring<S, 3>>("ray-polygon", ordinary_ray<S>, [n](Random& random) -> Ring<S, 3> {
+    const Vector<double, 3> center = random.in_box<3>(0.5), u = random.heading<3>(),
+                            v = u.cross(random.heading<3>()).normalized();
+    Ring<S, 3> ring;
+    for (int i = 0; i < n; ++i) {
+      const double angle = 2 * std::numbers::pi * i / n, radius = random.uniform(0.4, 1.5);
+      const Point<double, 3> p = center + radius * (std::cos(angle) * u + std::sin(angle) * v);
+      ring.push_back(p.cast<S>());
+    }
+    return ring;
+  });
+}
+/// 18-DOPs around a dozen points each.
+template <class S>
+auto kdop_pairs() {
+  const auto normals = directions<S, 3>(18);
+  const auto draw = [&](Random& random) -> Kdop<S, 3> {
+    const Point<double, 3> center = random.in_box<3>(1);
+    std::vector<Point<S, 3>> points;
+    for (int i = 0; i < 12; ++i) points.push_back((center + random.in_box<3>(0.8)).template cast<S>());
+    return fit_kdop(points, normals);
+  };
+  return pairs<Kdop<S, 3>, Kdop<S, 3>>("kdop-kdop", draw, draw);
 }
 template <class S>
 auto ray_plane_pairs() {

@@ -13,16 +13,21 @@
 #include "bench/pair_cases.h"
 #include "core/aabb_aabb.h"
 #include "core/convex_hull.h"
+#include "core/kdop_kdop.h"
 #include "core/obb_obb.h"
 #include "core/obb_obb_methods.h"
 #include "core/orient.h"
 #include "core/point_convex_polygon.h"
 #include "core/point_polygon.h"
 #include "core/ray_aabb.h"
+#include "core/ray_obb.h"
 #include "core/ray_plane.h"
+#include "core/ray_polygon.h"
 #include "core/ray_triangle.h"
 #include "core/sphere_aabb.h"
 #include "core/sphere_sphere.h"
+#include "core/triangle_aabb.h"
+#include "core/triangle_aabb_methods.h"
 #ifdef ISECT_PEERS
 #include "bench/peers.h"
 #else
@@ -100,6 +105,24 @@ void obb_obb_rows(double spread, const char* question) {
 }
 
 template <class S>
+void triangle_aabb_rows() {
+  const auto cases = triangle_box_pairs<S>();
+  Table table(titled<S>("triangle-aabb"));
+  table.row("akenine_moller (naive)",
+            timed(cases, passes, [](const auto& c) { return triangle_aabb::akenine_moller(c.a, c.b); }));
+  table.row("intersects", timed(cases, passes, [](const auto& c) { return intersects(c.a, c.b); }));
+}
+
+template <class S>
+void kdop_kdop_rows() {
+  const auto cases = kdop_pairs<S>();
+  Table table(titled<S>("18-dop pair"));
+  table.row("separating_slab",
+            timed(cases, passes, [](const auto& c) { return !separating_slab(c.a, c.b); }));
+  table.row("may_intersect", timed(cases, passes, [](const auto& c) { return may_intersect(c.a, c.b); }));
+}
+
+template <class S>
 void ray_rows() {
   const auto boxes = ray_box_pairs<S>();
   Table box(titled<S>("ray-aabb"));
@@ -115,6 +138,22 @@ void ray_rows() {
                }));
   triangle.row("intersect",
                timed(triangles, passes, [](const auto& c) { return intersect(c.a, c.b).t.has_value(); }));
+  triangle.row("intersects", timed(triangles, passes, [](const auto& c) { return intersects(c.a, c.b); }));
+
+  const auto obbs = ray_obb_pairs<S>();
+  Table obb(titled<S>("ray-obb"));
+  obb.row("projections (naive)",
+          timed(obbs, passes, [](const auto& c) { return ray_obb::projections(c.a, c.b).has_value(); }));
+  obb.row("intersect", timed(obbs, passes, [](const auto& c) { return intersect(c.a, c.b).has_value(); }));
+  obb.row("intersects", timed(obbs, passes, [](const auto& c) { return intersects(c.a, c.b); }));
+
+  const auto polygons = ray_polygon_pairs<S>(6);
+  Table polygon(titled<S>("ray-polygon, n = 6"));
+  polygon.row("projected (naive)", timed(polygons, passes, [](const auto& c) {
+                return ray_polygon::projected(c.a, c.b).has_value();
+              }));
+  polygon.row("intersect",
+              timed(polygons, passes, [](const auto& c) { return intersect(c.a, c.b).t.has_value(); }));
 
   const auto planes = ray_plane_pairs<S>();
   Table plane(titled<S>("ray-plane"));
@@ -176,6 +215,8 @@ void all_pairs() {
   sphere_aabb_rows<S>();
   obb_obb_rows<S>(1.5, "obb-obb, near");
   obb_obb_rows<S>(4, "obb-obb, apart");
+  triangle_aabb_rows<S>();
+  kdop_kdop_rows<S>();
   ray_rows<S>();
 }
 
