@@ -107,7 +107,7 @@ std::optional<double> rough_quotient(const Text& text, double tolerance) {
   else
     r = text.template operator()<V>();
   const Bounded<V> fine_num(r.num, num.size(), num.roundings()), fine_den(r.den, den.size(), den.roundings());
-  if (!(fine_num.within(tolerance) & fine_den.within(tolerance))) return {};
+  if (!fine_num.within(tolerance) || !fine_den.within(tolerance)) return {};
   return static_cast<double>(r.num / r.den);
 }
 

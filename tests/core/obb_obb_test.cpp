@@ -297,24 +297,25 @@ TEMPLATE_TEST_CASE_SIG("exact motions, orders of axes and listeners change nothi
   }
 }
 
-TEST_CASE("the first pass settles ordinary boxes, and is right about all it settles", "[obb_obb]") {
+TEMPLATE_TEST_CASE("the first pass settles ordinary boxes, and is right about all it settles", "[obb_obb]", float,
+                   double) {
+  using S = TestType;
   bench::Random random(tests::seed());
   int open = 0, overlap = 0;
   const int cases = tests::cases(1000, 100000);
   for (int i = 0; i < cases; ++i) {
-    const auto box = [&]() -> Obb<double, 3> {
-      const Point<double, 3> center = random.in_box<3>(2);
-      const Eigen::Matrix3d axes = bench::rotation<double, 3>(random, 3);
-      return {center, axes, random.in_box<3>(1).cwiseAbs()};
+    const auto box = [&]() -> Obb<S, 3> {
+      const Point<double, 3> center = random.in_box<3>(2), half = random.in_box<3>(1).cwiseAbs();
+      return {center.cast<S>(), bench::rotation<S, 3>(random, 3), half.cast<S>()};
     };
-    const Obb<double, 3> a = box(), b = box();
+    const Obb<S, 3> a = box(), b = box();
     const obb_obb::FirstPass first = obb_obb::first_pass(a, b, NoTrace{});
-    const bool truth = !obb_obb::settle(a, b, NoTrace{}).separating;
+    const bool truth = !obb_obb::settle<3>(in_doubles(a), in_doubles(b), NoTrace{}).separating;
     if (first.overlap) CHECK(truth);
     if (first.separating) CHECK_FALSE(truth);
     open += !first.overlap && !first.separating, overlap += first.overlap;
   }
-  CHECK(open == 0);
+  CHECK(open <= (std::is_same_v<S, float> ? cases / 500 : 0));
   CHECK(overlap > cases / 20);
   CHECK(overlap < cases - cases / 20);
 }

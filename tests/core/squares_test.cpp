@@ -10,22 +10,27 @@
 using namespace isect;
 using namespace isect::oracle;
 
-TEST_CASE("squared lengths that are trusted are in their true order, at every scale", "[squares]") {
+TEMPLATE_TEST_CASE("squared lengths that are trusted are in their true order, at every scale", "[squares]",
+                   float, double) {
+  using S = TestType;
+  constexpr bool is_float = std::is_same_v<S, float>;
   bench::Random random(tests::seed());
   int trusted = 0, less = 0, in_doubt = 0;
   for (int i = 0; i < tests::cases(30000, 1000000); ++i) {
     INFO("seed " << tests::seed() << ", case " << i);
     // where squares are ordinary, vanish bit by bit, or overflow
-    const int scales[] = {0, random.integer(-545, -480), random.integer(500, 515)};
+    const int scales[] = {0, is_float ? random.integer(-78, -45) : random.integer(-545, -480),
+                          is_float ? random.integer(58, 67) : random.integer(500, 515)};
     const double scale = std::ldexp(1.0, scales[random.below(3)]);
-    const Vector<double, 3> p = scale * random.in_box<3>(1), q = scale * random.in_box<3>(1);
-    const double distance = (p - q).stableNorm();
-    const double share = random.unit(),
-                 nudge = 1 + random.integer(-20, 20) * 0x1p-53 * (random.one_in(3) ? 1e6 : 1);
-    const double r = distance * share * nudge, s = distance * (1 - share) * nudge;
-    const double x = (p - q).squaredNorm(), y = (r + s) * (r + s);
+    const Vector<S, 3> p = (scale * random.in_box<3>(1)).template cast<S>(),
+                       q = (scale * random.in_box<3>(1)).template cast<S>();
+    const double distance = (p - q).template cast<double>().stableNorm();
+    const double nudge = 1 + random.integer(-20, 20) * double(unit<S>) * (random.one_in(3) ? 1e6 : 1);
+    const double share = random.unit();
+    const S r = static_cast<S>(distance * share * nudge), s = static_cast<S>(distance * (1 - share) * nudge);
+    const S x = (p - q).squaredNorm(), y = (r + s) * (r + s);
 
-    const Coordinates<3> f = rational(p) - rational(q);
+    const Coordinates<3> f = rational<S, 3>(p) - rational<S, 3>(q);
     const Rational sum = Rational(r) + Rational(s);
     const int truth = sign(dot(f, f) - sum * sum);
     if (ordered(x, y) && (x < y ? -1 : 1) != truth) FAIL("wrong");

@@ -47,13 +47,15 @@ using Corners = std::vector<oracle::Coordinates<N>>;
 
 /// The part with side (x_axis - limit) >= 0, by Sutherland and Hodgman.
 template <int N>
-std::type_identity_t<Corners<N>> clipped(const Corners<N>& polygon, int axis, const Rational& limit, int side) {
+std::type_identity_t<Corners<N>> clipped(const Corners<N>& polygon, int axis, const Rational& limit,
+                                         int side) {
   Corners<N> result;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const auto &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
     const Rational from = side * (p[axis] - limit), to = side * (q[axis] - limit);
     if (from >= 0) result.push_back(p);
-    if ((from > 0 && to < 0) || (from < 0 && to > 0)) result.push_back(p + Rational(from / (from - to)) * (q - p));
+    if ((from > 0 && to < 0) || (from < 0 && to > 0))
+      result.push_back(p + Rational(from / (from - to)) * (q - p));
   }
   return result;
 }
@@ -119,8 +121,8 @@ std::pair<Triangle<S, N>, Aabb<S, N>> pair(bench::Random& random, bench::Numbers
   }
   auto& v = triangle.vertices;
   const Point<S, N> c = corner();
-  if (random.one_in(4)) v[1] = 2 * c - v[0];                              // an edge through a corner
-  if (random.one_in(4)) v[2] = c + S(2) * (c - v[0] / 2 - v[1] / 2);      // or the plane
+  if (random.one_in(4)) v[1] = 2 * c - v[0];                          // an edge through a corner
+  if (random.one_in(4)) v[2] = c + S(2) * (c - v[0] / 2 - v[1] / 2);  // or the plane
   if (random.one_in(8)) v[1] = v[0];
   if (random.one_in(8)) v[2] = v[0] / 2 + v[1] / 2;
   if (random.one_in(16)) box.hi = box.lo, v = {box.lo, box.lo, box.lo};  // a point
@@ -158,7 +160,8 @@ TEMPLATE_TEST_CASE_SIG("an edge that passes a corner by is told by its normal al
   CHECK(with(std::nextafter(S(2), S(0))) == Relation::overlapping);
 }
 
-TEMPLATE_TEST_CASE_SIG("degenerate triangles are segments and points", "[triangle_aabb]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("degenerate triangles are segments and points", "[triangle_aabb]",
+                       FLOATS_AND_DIMENSIONS) {
   const auto with = [](const Point<S, N>& p, const Point<S, N>& q) {
     const Relation r = relate<S, N>({{p, q, q}}, cube<S, N>());
     CHECK(relate<S, N>({{p, q, p}}, cube<S, N>()) == r);
@@ -174,7 +177,8 @@ TEMPLATE_TEST_CASE_SIG("degenerate triangles are segments and points", "[triangl
   CHECK(with(at<S, N>(1, 1.5), at<S, N>(1, 1.5)) == Relation::disjoint);
 }
 
-TEMPLATE_TEST_CASE_SIG("flat boxes lie in a triangle, or touch it", "[triangle_aabb]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("flat boxes lie in a triangle, or touch it", "[triangle_aabb]",
+                       FLOATS_AND_DIMENSIONS) {
   const Triangle<S, N> triangle = {{at<S, N>(0, 0), at<S, N>(4, 0), at<S, N>(0, 4)}};
   const auto with = [&](double x, double y, double X, double Y) {
     return relate<S, N>(triangle, {at<S, N>(x, y), at<S, N>(X, Y)});
@@ -187,7 +191,8 @@ TEMPLATE_TEST_CASE_SIG("flat boxes lie in a triangle, or touch it", "[triangle_a
         Relation::equal);
 }
 
-TEMPLATE_TEST_CASE_SIG("nothing meets an empty box, NaN or infinity", "[triangle_aabb]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("nothing meets an empty box, NaN or infinity", "[triangle_aabb]",
+                       FLOATS_AND_DIMENSIONS) {
   const Triangle<S, N> triangle = {{at<S, N>(0, 0), at<S, N>(1, 0), at<S, N>(0, 1)}};
   Aabb<S, N> inverted = cube<S, N>();
   inverted.lo[1] = 2;
@@ -206,11 +211,13 @@ TEMPLATE_TEST_CASE_SIG("nothing meets an empty box, NaN or infinity", "[triangle
     }
 }
 
-TEMPLATE_TEST_CASE_SIG("sizes from tiny to huge give the same verdict", "[triangle_aabb]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("sizes from tiny to huge give the same verdict", "[triangle_aabb]",
+                       FLOATS_AND_DIMENSIONS) {
   constexpr int most = std::numeric_limits<S>::max_exponent - 4;
   for (const int e : {-most, -most / 2, most / 2, most}) {
     const double k = std::ldexp(1.0, e);
-    const Aabb<S, N> box = {Point<S, N>::Constant(static_cast<S>(-k)), Point<S, N>::Constant(static_cast<S>(k))};
+    const Aabb<S, N> box = {Point<S, N>::Constant(static_cast<S>(-k)),
+                            Point<S, N>::Constant(static_cast<S>(k))};
     const auto with = [&](double y) {
       return relate<S, N>({{at<S, N>(k * y, 0), at<S, N>(0, k * y), at<S, N>(k * y, k * y)}}, box);
     };
@@ -221,14 +228,17 @@ TEMPLATE_TEST_CASE_SIG("sizes from tiny to huge give the same verdict", "[triang
 }
 
 TEST_CASE("a triangle in a face of the box only touches its interior's rim", "[triangle_aabb]") {
-  const Triangle<double, 3> triangle = {{at<double, 3>(0, 0, 1), at<double, 3>(1, 0, 1), at<double, 3>(0, 1, 1)}};
+  const Triangle<double, 3> triangle = {
+      {at<double, 3>(0, 0, 1), at<double, 3>(1, 0, 1), at<double, 3>(0, 1, 1)}};
   CHECK(relate(triangle, cube<double, 3>()) == Relation::a_inside_b);
   CHECK_FALSE(meets_interior(triangle, cube<double, 3>()));
-  const Triangle<double, 3> wide = {{at<double, 3>(-9, -9, 1), at<double, 3>(9, -9, 1), at<double, 3>(0, 9, 1)}};
+  const Triangle<double, 3> wide = {
+      {at<double, 3>(-9, -9, 1), at<double, 3>(9, -9, 1), at<double, 3>(0, 9, 1)}};
   CHECK(relate(wide, cube<double, 3>()) == Relation::touching);
 }
 
-TEMPLATE_TEST_CASE_SIG("verdicts are those of clipping in rationals", "[triangle_aabb]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("verdicts are those of clipping in rationals", "[triangle_aabb]",
+                       FLOATS_AND_DIMENSIONS) {
   int count[6] = {};
   const int cases = tests::cases(150, 20000);
   for (const bench::Numbers numbers : bench::all_numbers) {
@@ -291,7 +301,8 @@ TEST_CASE("the classical test is right for ordinary shapes, counts, and rounds",
     CHECK(triangle_aabb::akenine_moller(triangle, box) == intersects(triangle, box));
   }
   // the box's center is not a double: half an ulp decides
-  const Triangle<double, 3> plate = {{at<double, 3>(.7, 0, 0), at<double, 3>(.7, 1, 0), at<double, 3>(.7, 0, 1)}};
+  const Triangle<double, 3> plate = {
+      {at<double, 3>(.7, 0, 0), at<double, 3>(.7, 1, 0), at<double, 3>(.7, 0, 1)}};
   const double before = std::nextafter(.7, 0);
   int wrong = 0;
   for (int i = 1; i < 100; ++i) {
@@ -308,4 +319,38 @@ TEST_CASE("the classical test is right for ordinary shapes, counts, and rounds",
   CHECK(triangle_aabb::akenine_moller<C>(t, {Point<C, 3>::Zero(), Point<C, 3>::Ones()}, record));
   CHECK(record.events.size() == 13);
   CHECK(tally().mul > 100);
+}
+
+TEMPLATE_TEST_CASE_SIG("the first pass settles ordinary shapes, and is right about all it settles",
+                       "[triangle_aabb]", ((int N), N), 2, 3) {
+  bench::Random random(tests::seed());
+  int open = 0, apart = 0, overlap = 0;
+  const int cases = tests::cases(2000, 200000);
+  for (int i = 0; i < cases; ++i) {
+    INFO("seed " << tests::seed() << ", case " << i);
+    const auto vertex = [&] { return Point<double, N>(random.in_box<N>(1.5)); };
+    const Point<double, N> a = vertex(), b = vertex(), c = vertex(), p = vertex(), q = vertex();
+    const Triangle<double, N> triangle = {
+        {a, b, random.one_in(4) ? a + (b - a) * random.unit() : c}};  // or none to speak of
+    const Aabb<double, N> box = {p.cwiseMin(q), p.cwiseMax(q)};
+    const std::optional<int> sign = triangle_aabb::first_pass(triangle, box);
+    if (sign) REQUIRE(*sign == triangle_aabb::settle(triangle, box, NoTrace{}));
+    open += !sign, apart += sign == 1, overlap += sign == -1;
+  }
+  CHECK(open < cases / 3);  // of flat triangles, those that are not apart
+  CHECK(apart > cases / 10);
+  CHECK(overlap > cases / 10);
+}
+
+TEST_CASE("the first pass takes no infinity or NaN for settled", "[triangle_aabb]") {
+  const Aabb<double, 3> box = {{-1, -1, -1}, {1, 1, 1}};
+  for (const double bad : {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
+                           std::numeric_limits<double>::quiet_NaN()})
+    for (int k = 0; k < 9; ++k) {
+      Triangle<double, 3> triangle = {
+          {Point<double, 3>(5, 5, 5), Point<double, 3>(6, 5, 5), Point<double, 3>(5, 6, 5)}};
+      CHECK(triangle_aabb::first_pass(triangle, box) == 1);
+      triangle.vertices[k / 3][k % 3] = bad;
+      CHECK_FALSE(triangle_aabb::first_pass(triangle, box));
+    }
 }
