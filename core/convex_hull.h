@@ -23,6 +23,7 @@
 #include "core/orient.h"
 #include "core/point_convex_polygon.h"
 #include "core/shapes.h"
+#include "core/sort_points.h"
 #include "core/trace.h"
 
 namespace isect {
@@ -69,7 +70,7 @@ Ring<S, 2> left_turning(Iterator first, Iterator last, Trace&& trace) {
 /// The hull by sorting.
 template <class S, class Trace = NoTrace>
 Ring<S, 2> monotone_chain(Ring<S, 2> points, Trace&& trace = {}) {
-  std::sort(points.begin(), points.end(), point_convex_polygon::before<S>);
+  sort_points(points);
   points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() < 2) return points;
 
@@ -97,13 +98,14 @@ Interval<S> heights(const Ring<S, 2>& polygon, S x) {
 template <class S>
 struct Columns {
   static constexpr int count = 256;
-  S left, width;  ///< width: of one column
+  S left, per_unit;  ///< per_unit: columns
   std::array<Aabb<S, 2>, count> boxes;
 
   explicit Columns(const ConvexPolygon<S>& polygon) {
-    const auto [least, most] =
-        std::minmax_element(polygon.vertices.begin(), polygon.vertices.end(), point_convex_polygon::before<S>);
-    left = (*least)[0], width = ((*most)[0] - left) / count;
+    const auto [least, most] = std::minmax_element(polygon.vertices.begin(), polygon.vertices.end(),
+                                                   point_convex_polygon::before<S>);
+    const S width = ((*most)[0] - (*least)[0]) / count;
+    left = (*least)[0], per_unit = 1 / width;
     for (int i = 0; i < count; ++i) {
       const S from = left + S(i) * width, to = left + S(i + 1) * width;
       const Interval<S> a = heights(polygon.vertices, from), b = heights(polygon.vertices, to);
@@ -116,27 +118,42 @@ struct Columns {
 
   /// Whether p is certainly in the interior: rounding may choose a wrong column, but not put p in its box.
   bool hold(const Point<S, 2>& p) const {
-    const S column = (p[0] - left) / width;
+    const S column = (p[0] - left) * per_unit;
     if (!(column >= S(0) && column < S(count))) return false;
     const Aabb<S, 2>& box = boxes[static_cast<std::size_t>(column)];
     return (box.lo[0] <= p[0]) & (p[0] <= box.hi[0]) & (box.lo[1] <= p[1]) & (p[1] <= box.hi[1]);
   }
 };
 
-/// The points but for many that are certainly no vertices of their hull.
+/// Throws where a coordinate is NaN or infinite.
+template <class S>
+void demand_finite(std::span<const Point<S, 2>> points) {
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!finite(points[i]))
+      throw std::invalid_argument("convex_hull: point " + std::to_string(i) +
+                                  " has a NaN or infinite coordinate");
+}
+
+/// The points but for many that are certainly no vertices of their hull. Throws where a coordinate is NaN or infinite.
 template <class S>
 Ring<S, 2> without_interior(std::span<const Point<S, 2>> points) {
   constexpr std::size_t few = 1000;
-  if (points.size() < 10 * few) return {points.begin(), points.end()};
   Ring<S, 2> sample;
-  for (std::size_t i = 0; i < few; ++i) sample.push_back(points[i * (points.size() / few)]);
-  const ConvexPolygon<S> inner = {monotone_chain(std::move(sample))};
-  if (inner.vertices.size() < 3) return {points.begin(), points.end()};
+  for (std::size_t i = 0; i < few && points.size() >= 10 * few; ++i)
+    sample.push_back(points[i * (points.size() / few)]);
+  ConvexPolygon<S> inner;
+  if (finite(sample)) inner = {monotone_chain(std::move(sample))};
+  if (inner.vertices.size() < 3) {
+    demand_finite(points);
+    return {points.begin(), points.end()};
+  }
 
   const Columns<S> columns(inner);
   Ring<S, 2> rest;
+  bool usable = true;  // a point in a box is
   for (const Point<S, 2>& p : points)
-    if (!columns.hold(p)) rest.push_back(p);
+    if (!columns.hold(p)) rest.push_back(p), usable &= finite(p);
+  if (!usable) demand_finite(points);
   return rest;
 }
 
@@ -148,10 +165,6 @@ Ring<S, 2> without_interior(std::span<const Point<S, 2>> points) {
 /// std::invalid_argument where a coordinate is NaN or infinite.
 template <class S, class Trace = NoTrace>
 Ring<S, 2> convex_hull(std::span<const Point<S, 2>> points, Trace&& trace = {}) {
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (!finite(points[i]))
-      throw std::invalid_argument("convex_hull: point " + std::to_string(i) + " has a NaN or infinite coordinate");
-
   Ring<S, 2> candidates = convex_hull_2d::without_interior(points);
   if constexpr (heard<Trace>) trace(convex_hull_2d::Remaining{candidates.size()});
   return convex_hull_2d::monotone_chain(std::move(candidates), trace);

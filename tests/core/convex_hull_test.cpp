@@ -31,7 +31,8 @@ Ring<S, 2> cloud(bench::Random& random, Cloud kind, Numbers numbers, int n) {
   for (int i = 0; i < n; ++i) {
     const S t = static_cast<S>(random.integer(0, 16)) / 16;
     Point<S, 2> p = a * (S(1) - t) + b * t;  // within the range of both, however large they are
-    if (kind == Cloud::near_line) p[random.below(2)] = bench::moved(p[random.below(2)], random.integer(-1, 1));
+    if (kind == Cloud::near_line)
+      p[random.below(2)] = bench::moved(p[random.below(2)], random.integer(-1, 1));
     if (kind == Cloud::circle) p = random.heading<2>().cast<S>();
     if (kind == Cloud::cluster)
       p = {bench::moved(a[0], random.integer(-2, 2)), bench::moved(a[1], random.integer(-2, 2))};
@@ -44,12 +45,13 @@ Ring<S, 2> cloud(bench::Random& random, Cloud kind, Numbers numbers, int n) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("the hull holds strict vertices, counter-clockwise from the lowest x", "[convex_hull]", float,
-                   double) {
+TEMPLATE_TEST_CASE("the hull holds strict vertices, counter-clockwise from the lowest x", "[convex_hull]",
+                   float, double) {
   using S = TestType;
   CHECK(convex_hull(points<S>({{2, 2}, {0, 0}, {1, 1}, {2, 0}, {0, 2}, {1, 0}, {2, 1}, {2, 2}})) ==
         points<S>({{0, 0}, {2, 0}, {2, 2}, {0, 2}}));
-  CHECK(convex_hull(points<S>({{0, 1}, {-1, 0}, {0, -1}, {1, 0}})) == points<S>({{-1, 0}, {0, -1}, {1, 0}, {0, 1}}));
+  CHECK(convex_hull(points<S>({{0, 1}, {-1, 0}, {0, -1}, {1, 0}})) ==
+        points<S>({{-1, 0}, {0, -1}, {1, 0}, {0, 1}}));
   CHECK(convex_hull(points<S>({{0, 0}, {3, 3}, {3, 4}})) == points<S>({{0, 0}, {3, 3}, {3, 4}}));
 }
 
@@ -101,7 +103,8 @@ TEMPLATE_TEST_CASE("hulls agree with gift wrapping in rationals", "[convex_hull]
         if (hull.size() > 2) REQUIRE(make_convex(hull)->vertices.size() == hull.size());
 
         for (std::size_t k = cloud_points.size(); k > 1; --k)
-          std::swap(cloud_points[k - 1], cloud_points[static_cast<std::size_t>(random.below(static_cast<int>(k)))]);
+          std::swap(cloud_points[k - 1],
+                    cloud_points[static_cast<std::size_t>(random.below(static_cast<int>(k)))]);
         Record<convex_hull_2d::Event<S>> record;
         REQUIRE(convex_hull(cloud_points, record) == hull);
 
@@ -112,7 +115,8 @@ TEMPLATE_TEST_CASE("hulls agree with gift wrapping in rationals", "[convex_hull]
   CHECK(sizes[4] > sizes[0]);
 }
 
-TEMPLATE_TEST_CASE("discarding points of the interior does not change the hull", "[convex_hull]", float, double) {
+TEMPLATE_TEST_CASE("discarding points of the interior does not change the hull", "[convex_hull]", float,
+                   double) {
   using S = TestType;
   bench::Random random(tests::seed());
   for (const Numbers numbers : bench::all_numbers)
@@ -134,6 +138,39 @@ TEMPLATE_TEST_CASE("discarding points of the interior does not change the hull",
   CHECK(convex_hull_2d::without_interior(std::span<const Point<S, 2>>(square)).size() < 1500);
   square[9999] = {S(3), S(0)};  // outside all columns
   CHECK(convex_hull(square) == convex_hull_2d::monotone_chain(square));
+}
+
+TEMPLATE_TEST_CASE("points are sorted wherever they lie", "[convex_hull]", float, double) {
+  using S = TestType;
+  bench::Random random(tests::seed());
+  const S most = std::numeric_limits<S>::max();
+  for (const std::size_t count : {0, 1, 7, 4095, 4096, 9000})
+    for (int kind = 0; kind < 5; ++kind) {
+      Ring<S, 2> points;
+      while (points.size() < count) {
+        Point<S, 2> p = random.in_box<2>(1).template cast<S>();
+        if (kind == 1) p[0] = S(3);                                               // one column
+        if (kind == 2 && !random.one_in(100)) p *= S(1e-6);                       // nearly all in one
+        if (kind == 3) p = {S(random.integer(-5, 5)), S(random.integer(-5, 5))};  // repeated
+        if (kind == 4) p *= most;                                                 // the extent overflows
+        points.push_back(p);
+      }
+      Ring<S, 2> sorted = points;
+      sort_points(points);
+      std::sort(sorted.begin(), sorted.end(), point_convex_polygon::before<S>);
+      REQUIRE(points == sorted);
+    }
+}
+
+TEST_CASE("a NaN or infinite coordinate among many points is refused by its number", "[convex_hull]") {
+  bench::Random random(tests::seed());
+  for (const std::size_t bad : {0, 20, 12345, 19999}) {
+    Ring<double, 2> points;
+    while (points.size() < 20000) points.push_back(random.in_box<2>(1));
+    points[bad][1] = std::numeric_limits<double>::infinity();
+    CHECK_THROWS_WITH(convex_hull(points),
+                      "convex_hull: point " + std::to_string(bad) + " has a NaN or infinite coordinate");
+  }
 }
 
 TEST_CASE("the events tell each turn of the chain", "[convex_hull]") {
