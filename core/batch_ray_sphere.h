@@ -11,7 +11,7 @@
 // of |o_i| + 2 |t d_i|: that moves D and c by less than 5 u |f| w + 3 u w^2 <= 6 u (f.f + w^2). So all signs are
 // certain beyond m = 64 u (f.f + r^2) + 64 u w^2 + tiny; `tiny`, the least normal number, covers what underflows.
 // Where c > m and D > m also the sign of b is certain, as b^2 = D + c. Twice f.f + r^2 is formed first: where it is
-// finite, so is b^2.
+// finite, so is b^2. Where a set fuses products with sums there are fewer roundings; the bounds serve both.
 
 #include <cmath>
 #include <limits>
@@ -67,11 +67,17 @@ struct Signs {
 template <class S, int N, class V>
 [[gnu::always_inline]] inline void signs(const Station<S, N>& station, const Vector<S, N>& unit,
                                          const std::array<V, N + 1>& sphere, Signs<V>& s) {
+  using simd::add_product;
+  const V zero = {};
   V f = station.at[0] - sphere[0], b = f * unit[0], ff = f * f;
-  for (int k = 1; k < N; ++k) f = station.at[k] - sphere[k], b += f * unit[k], ff += f * f;
+  for (int k = 1; k < N; ++k) {
+    f = station.at[k] - sphere[k];
+    add_product(b, f, zero + unit[k]), add_product(ff, f, f);
+  }
   const V rr = sphere[N] * sphere[N], twice = S(2) * (ff + rr);
-  s.b = b, s.c = ff - rr, s.discriminant = b * b - s.c;
-  s.m = S(16) * std::numeric_limits<S>::epsilon() * twice + station.slack;
+  s.b = b, s.c = ff - rr, s.discriminant = -s.c, s.m = zero + station.slack;
+  add_product(s.discriminant, b, b);
+  add_product(s.m, twice, zero + S(16) * std::numeric_limits<S>::epsilon());
 }
 
 /// Whether the ray's range holds a root: `ends` of its ends are finite, lo where it is one.

@@ -3,8 +3,8 @@
 // and the one to run is chosen when the program runs.
 //
 // The text is written on vectors of `Bytes` bytes (GCC's and clang's own, with + - * and comparisons) and handed over
-// as a function object whose calls are all inlined. Every set rounds alike: products are never fused with sums
-// (-ffp-contract=off, see core/CMakeLists.txt). On other machines there is one set, `any`.
+// as a function object whose calls are all inlined. Every set rounds alike, but in add_product: elsewhere products are
+// never fused with sums (-ffp-contract=off, see core/CMakeLists.txt). On other machines there is one set, `any`.
 //
 // A comparison of vectors yields a mask in the one form that only the set's own instructions turn into bits: `greater`
 // and `equal` do that.
@@ -31,7 +31,8 @@ inline InstructionSet widest() {
   static const InstructionSet set = [] {
     if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq"))
       return InstructionSet::avx512;
-    return __builtin_cpu_supports("avx2") ? InstructionSet::avx2 : InstructionSet::any;
+    const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    return avx2 ? InstructionSet::avx2 : InstructionSet::any;
   }();
   return set;
 #else
@@ -73,7 +74,7 @@ inline constexpr std::size_t block = 64;
 // for.
 #if ISECT_X86
 #define ISECT_AVX512 "avx512f,avx512dq"
-#define ISECT_AVX2 "avx2"
+#define ISECT_AVX2 "avx2,fma"
 template <int predicate>
 [[gnu::target(ISECT_AVX512)]] inline unsigned compared(const __m512d& x, const __m512d& y) {
   return _mm512_cmp_pd_mask(x, y, predicate);
@@ -101,6 +102,30 @@ inline unsigned compared(const __m128& x, const __m128& y) {
       _mm_movemask_ps(predicate == _CMP_GT_OQ ? _mm_cmpgt_ps(x, y) : _mm_cmpeq_ps(x, y)));
 }
 #endif
+
+#if ISECT_X86
+[[gnu::target(ISECT_AVX512)]] inline void fuse(__m512d& x, const __m512d& a, const __m512d& b) {
+  x = _mm512_fmadd_pd(a, b, x);
+}
+[[gnu::target(ISECT_AVX512)]] inline void fuse(__m512& x, const __m512& a, const __m512& b) {
+  x = _mm512_fmadd_ps(a, b, x);
+}
+[[gnu::target(ISECT_AVX2)]] inline void fuse(__m256d& x, const __m256d& a, const __m256d& b) {
+  x = _mm256_fmadd_pd(a, b, x);
+}
+[[gnu::target(ISECT_AVX2)]] inline void fuse(__m256& x, const __m256& a, const __m256& b) {
+  x = _mm256_fmadd_ps(a, b, x);
+}
+#endif
+
+/// x becomes x + a b, rounded once where the set can, else twice.
+template <class V>
+[[gnu::always_inline]] inline void add_product(V& x, const V& a, const V& b) {
+  if constexpr (ISECT_X86 && sizeof(V) > 16)
+    fuse(x, a, b);
+  else
+    x += a * b;
+}
 
 /// Bit k of the result: whether x[k] > y[k]; of `equal`, x[k] == y[k].
 template <class V>
