@@ -85,6 +85,14 @@ std::vector<std::string> chosen(const std::vector<const Row*>& rows, const std::
   return families;
 }
 
+std::vector<const Row*> of_families(const std::vector<const Row*>& rows,
+                                    const std::vector<std::string>& families) {
+  std::vector<const Row*> some;
+  for (const Row* r : rows)
+    if (std::ranges::find(families, r->family) != families.end()) some.push_back(r);
+  return some;
+}
+
 /// One panel a family, one marker a row; `spot` gives height and whisker, or nothing where a row has none.
 template <class SpotOf>
 std::vector<viz::Panel> panels(const std::vector<const Row*>& all, const std::vector<std::string>& families,
@@ -135,10 +143,11 @@ Plotted error_plot(const Report& report, const std::string& test, const std::str
                    const std::vector<std::string>& wanted) {
   const std::vector<const Row*> rows = rows_of(report, test, scalar);
   const std::vector<std::string> families = chosen(rows, wanted);
+  const std::vector<const Row*> seen = of_families(rows, families);
   const Legend legend(rows);
   double most = 4;
   const double cap = scalar == "float" ? 32 : 64;  // beyond this nothing of a value is left
-  for (const Row* r : rows)
+  for (const Row* r : seen)
     if (r->ulps) most = std::max(most, bits(r->ulps->p99));
   std::vector<viz::Panel> all =
       panels(rows, families, legend, true, [](const Row& r) -> std::optional<viz::Spot> {
@@ -146,7 +155,7 @@ Plotted error_plot(const Report& report, const std::string& test, const std::str
         return viz::Spot{0, 0, bits(r.ulps->p99), bits(r.ulps->median)};
       });
   viz::Plot plot = {
-      times(rows), {viz::Scale::Kind::linear, 0, 1.08 * most, "log_2(1 + error in ulp)"}, {}, std::move(all)};
+      times(seen), {viz::Scale::Kind::linear, 0, 1.08 * most, "log_2(1 + error in ulp)"}, {}, std::move(all)};
   plot.x.title = "time per call (ns). Marker: 99th percentile; bar: down to the median";
   if (most >= cap) {
     plot.y.hi = cap;
@@ -172,15 +181,16 @@ Plotted verdict_plot(const Report& report, const std::string& test, const std::s
                      const std::vector<std::string>& wanted) {
   const std::vector<const Row*> rows = rows_of(report, test, scalar);
   const std::vector<std::string> families = chosen(rows, wanted);
+  const std::vector<const Row*> seen = of_families(rows, families);
   const Legend legend(rows);
   double least = 1e4;
-  for (const Row* r : rows)
+  for (const Row* r : seen)
     if (r->wrong() > 0) least = std::min(least, r->wrong_per_million());
   std::vector<viz::Panel> all =
       panels(rows, families, legend, false, [](const Row& r) -> std::optional<viz::Spot> {
         return viz::Spot{0, 0, r.wrong_per_million()};
       });
-  viz::Plot plot = {times(rows),
+  viz::Plot plot = {times(seen),
                     {viz::Scale::Kind::log_zero, std::pow(10, std::floor(std::log10(least)) - 1), 1e6,
                      "wrong verdicts per million"},
                     {},

@@ -97,7 +97,7 @@ void heading(ChartInk& ink, const Layout& layout, const Panel& panel, const Boun
 void scales(ChartInk& ink, const Plot& plot, const Layout& layout, const Bounds& b, bool numbers) {
   const Sizes& s = ink.sizes();
   const Theme& t = ink.theme();
-  const double reach = layout.gutter() / 3;  // numbers stay under their own panel
+  const double reach = layout.gutter() / 4;  // numbers stay under their own panel
   const ScaleLine x(plot.x, b.left, b.right, reach), y(plot.y, b.bottom, b.top);
   for (const auto& [value, text] : layout.y_ticks(b.bottom - b.top)) {
     const double level = y.at(value);

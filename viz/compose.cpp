@@ -1,5 +1,6 @@
 #include "viz/compose.h"
 
+#include "viz/chart.h"
 #include "viz/compose/canvas.h"
 
 namespace isect::viz {
@@ -12,6 +13,7 @@ void draw(Canvas&, const Solid&) {}
 }  // namespace
 
 Composed compose(const Scene& scene, const View& view, const Theme& theme, bool handles) {
+  if (scene.chart) return compose(*scene.chart, view.corner(), view.width(), view.height(), theme);
   Canvas canvas(scene, view, theme, handles);
   if (theme.floor_grid && view.camera().elevation > 0.05) draw_floor(canvas);
   for (int i = 0; i < static_cast<int>(canvas.occluders.balls.size()); ++i) draw_ball(canvas, i);

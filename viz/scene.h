@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -178,10 +179,13 @@ struct Axis {
   std::vector<Tick> ticks;
 };
 
+struct Chart;
+
 struct Scene {
   std::vector<Item> items;
   std::vector<Handle> handles;
   std::optional<Axis> axis;
+  std::shared_ptr<const Chart> chart = {};  ///< drawn in place of the items, flat, whatever the camera
 };
 
 }  // namespace isect::viz
