@@ -12,6 +12,7 @@
 #include "core/ray_sphere_methods.h"
 #include "core/ray_sphere_stable.h"
 #include "core/sphere_sphere.h"
+#include "viz/rich_text.h"
 
 namespace isect::bench {
 namespace {
@@ -38,7 +39,7 @@ viz::Map map_of(const std::string& title, int kinds, int wrong, const Kind& kind
 
 std::string listed(const std::vector<viz::Map>& maps) {
   std::string text;
-  for (const viz::Map& map : maps) text += fmt::format(" {}: {}.", map.title, map.note);
+  for (const viz::Map& map : maps) text += fmt::format(" {}: {}.", viz::plain(map.title), map.note);
   return text;
 }
 
@@ -129,7 +130,7 @@ Plotted polygon_map() {
   const std::string percent = listed(chart.maps);
   return {"map-point-in-polygon",
           "Whether a point beside an edge lies in a triangle, by crossings and by winding, for 256 x 256 "
-          "points 2^{−48} "
+          "points 2⁻⁵³ "
           "apart. The exact call is right in every cell.",
           "Maps of the verdicts of two naive point-in-polygon tests beside an edge." + percent,
           {std::move(chart)}};
@@ -161,7 +162,7 @@ Plotted tangent_map() {
   return {"map-ray-sphere",
           "Whether a ray that all but touches a circle hits it, by two of the note's methods and by a stable "
           "one, for "
-          "256 x 256 origins 2^{−48} "
+          "256 x 256 origins 2⁻⁴⁸ "
           "apart. The exact call is right in every cell.",
           "Maps of the verdicts of ray-sphere methods near tangency." + percent,
           {std::move(chart)}};

@@ -66,9 +66,11 @@ std::string cost(const Findings& d, const Findings& f) {
       number(d.exact->ns), name_of(*d.naive), number(d.naive->ns), ratio(d.exact->ns / d.naive->ns));
   if (f.exact != nullptr && f.naive != nullptr)
     text += fmt::format("In float they take {} and {} ns. ", number(f.exact->ns), number(f.naive->ns));
+  std::vector<std::string> equals;
   for (const Row* r : d.ordinary)
     if (r->exact && r != d.exact && r->library == "isect")
-      text += fmt::format("As exact: {}, {} ns a case. ", name_of(*r), number(r->ns));
+      equals.push_back(fmt::format("{} ({} ns a case)", name_of(*r), number(r->ns)));
+  if (!equals.empty()) text += fmt::format("Equally exact: {}. ", listed(equals));
   return text;
 }
 

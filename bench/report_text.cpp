@@ -14,7 +14,6 @@
 #include "bench/rows.h"
 #include "bench/targets.h"
 #include "viz/files.h"
-#include "viz/rich_text.h"
 
 namespace isect::bench {
 namespace {
@@ -60,11 +59,10 @@ class Figures {
     if (!as_pixels) plot.width = wide;
     files.emplace_back(
         file, as_pixels ? png_of(plot, viz::ThemeName::print) : compact(svg_of(plot, viz::ThemeName::print)));
-    std::string alt = viz::plain(plot.alt);
+    std::string alt = plot.alt;
     std::ranges::replace(alt, '[', '(');
     std::ranges::replace(alt, ']', ')');
-    return fmt::format("![{}](report/{})\n\nFigure {}. {}\n\n", alt, file, files.size(),
-                       viz::plain(plot.caption));
+    return fmt::format("![{}](report/{})\n\nFigure {}. {}\n\n", alt, file, files.size(), plot.caption);
   }
   std::vector<std::pair<std::string, std::string>> files;
 };
@@ -123,7 +121,8 @@ std::string tests(const Measured& m, Figures& figures) {
   for (const std::string& test : tests_of(m.portable)) {
     text += fmt::format("### {}\n\n{}", sentence(test), test_text(m, test));
     const std::vector<const Row*> rows = rows_of(m.portable, test, "double");
-    if (families_of(rows).size() < 2) continue;
+    if (families_of(rows).size() < 2 || test.find(',') != std::string::npos)
+      continue;  // a variant has its table only
     if (any(rows, has_value)) text += figures.show(error_plot(m.portable, test, "double"));
     if (any(rows, is_wrong)) text += figures.show(verdict_plot(m.portable, test, "double"));
     if (test == "ray-sphere") text += figures.show(distribution_plot(m.portable, test, "double"));
@@ -143,7 +142,8 @@ std::string growths(const Report& report, Figures& figures) {
     std::vector<std::string> parts;
     for (const Growth* other : all)
       parts.push_back(fmt::format("{} as n^{:.2f}", name_of(*other), other->exponent));
-    text += fmt::format("{}, {}: {}.\n\n", sentence(g.test), g.unit, listed(parts));
+    const std::string unit = g.test.find(g.unit) == std::string::npos ? ", " + g.unit : "";
+    text += fmt::format("{}{}: {}.\n\n", sentence(g.test), unit, listed(parts));
     text += figures.show(growth_plot(report, g.test, g.unit));
   }
   return text;

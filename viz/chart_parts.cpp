@@ -196,6 +196,7 @@ std::vector<std::pair<double, std::string>> ScaleLine::ticks(const ChartInk& ink
         std::ranges::any_of(values, [](double v) { return tick_text(v).find('^') != std::string::npos; });
     for (const double v : values) {
       const std::string text = powers && v == 1000 ? "10^{3}" : tick_text(v);
+      fits = fits && !(powers && v > 1000 && text.find('^') == std::string::npos);  // no 2000 beside 10^4
       const double half = (across ? ink.width(text, size) : 0.7 * size) / 2;
       const double p =
           std::min(std::abs(at(v) - from_), std::abs(to_ - from_) + (across ? reach_ : INFINITY) - half);

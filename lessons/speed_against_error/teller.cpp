@@ -194,7 +194,7 @@ void Teller::hard_family(const std::string& family, bool first) {
         share(static_cast<double>(naive(family).wrong()), static_cast<double>(naive(family).judged)),
         name_of(naive(family)));
   Plot p = plot({ordinary_, family});
-  for (Panel& panel : p.panels) panel.muted = panel.title != words(family);
+  for (Panel& panel : p.panels) panel.muted = panel.title != as_markup(words(family));
   std::string slug = words(family);
   std::ranges::transform(slug, slug.begin(), [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) ? static_cast<char>(std::tolower(c)) : '-';
@@ -229,7 +229,15 @@ void Teller::fall() {
   long wrong = 0, judged = 0;
   for (const Row* r : rows_)
     if (r->exact && r->library == "isect") wrong += r->wrong(), judged += r->judged;
-  const Plotted plotted = verdict_plot(report_, test_, "double");
+  std::vector<std::string> families = {
+      ordinary_};  // and the three on which the naive method is wrong most often
+  Rows rows;
+  for (const std::string& family : families_of(rows_))
+    if (const Row* r = standard_of(of(family)); r != nullptr && r->hard) rows.push_back(r);
+  std::ranges::stable_sort(rows, std::greater{}, &Row::wrong_per_million);
+  for (const Row* r : rows)
+    if (families.size() < 4) families.push_back(r->family);
+  const Plotted plotted = verdict_plot(report_, test_, "double", families);
   Step& step =
       script_.add("wrong-verdicts", "Where naive methods fall", wrong_line,
                   fmt::format("A wrong verdict is worse than lost bits: yes became no. {} does worst on {}: "
@@ -251,7 +259,7 @@ void Teller::cost() {
   for (const std::string& family : families_of(rows_)) {
     if (standard_of(of(family)) == nullptr || exact_of(of(family)) == nullptr) continue;
     const double times = exact(family).ns / naive(family).ns;
-    bars.bars.push_back({words(family), {{0, times}}, 1.0, ratio(times), Verdict::Kind::open});
+    bars.bars.push_back({as_markup(words(family)), {{0, times}}, 1.0, ratio(times), Verdict::Kind::open});
     bars.x.lo = std::min(bars.x.lo, times / 1.5), bars.x.hi = std::max(bars.x.hi, 1.5 * times);
     if (times > most) most = times, worst = family;
   }
@@ -282,7 +290,8 @@ void Teller::fallback() {
   for (const std::string& family : families_of(rows_))
     if (exact_of(of(family)) != nullptr && exact(family).fallback) {
       const double part = *exact(family).fallback;
-      bars.bars.push_back({words(family), {{0, 100 * part}}, {}, share(part, 1), Verdict::Kind::open});
+      bars.bars.push_back(
+          {as_markup(words(family)), {{0, 100 * part}}, {}, share(part, 1), Verdict::Kind::open});
     }
   Step& step = script_.add(
       "fall-back", "When floating point is not enough", cost_line,
