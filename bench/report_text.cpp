@@ -106,11 +106,12 @@ std::string families(const Report& report) {
   std::string last;
   std::set<std::string> told;
   for (const Row& r : report.rows) {
-    if (!r.hard || !told.insert(r.test + '/' + r.family).second) continue;
+    const std::string base = r.test.substr(0, r.test.find_first_of(" ,"));  // variants have the same families
+    if (!r.hard || !told.insert(base + '/' + r.family).second) continue;
     const std::string note = family_note(r.test, r.family);
     if (note.empty()) continue;
-    if (r.test != last) text += (last.empty() ? "" : "\n") + sentence(r.test) + ":\n\n";
-    last = r.test;
+    if (base != last) text += (last.empty() ? "" : "\n") + sentence(base) + ":\n\n";
+    last = base;
     text += fmt::format("- {}: {}\n", words(r.family), note);
   }
   return last.empty() ? "" : text + '\n';
