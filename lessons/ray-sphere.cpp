@@ -4,8 +4,8 @@
 // ray_sphere/quadratic.
 
 #include "core/ray_sphere.h"
+#include "lessons/plane.h"
 #include "lessons/ray_sphere/methods.h"
-#include "lessons/ray_sphere/plane.h"
 
 namespace isect::lessons {
 namespace {

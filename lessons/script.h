@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "core/counted.h"
@@ -23,11 +25,37 @@ struct CountingRecord {
   }
 };
 
+/// What stands at the head of a walk.
+struct Opening {
+  std::string source;  ///< of every step: page of the note or book
+  std::string alt;     ///< what the picture shows, in plain words
+  std::vector<std::string> pseudocode;
+  std::string method = {};  ///< title of the variant, where a lesson has several
+};
+
 /// Writes the steps of a walk one after the other. What is said once stays: values, refused conditions, lines
 /// that were not taken and the verdict go on into the later steps.
 class Script {
  public:
-  explicit Script(std::vector<std::string> pseudocode) { walk_.pseudocode = std::move(pseudocode); }
+  explicit Script(Opening opening) {
+    walk_.method = std::move(opening.method);
+    walk_.alt = std::move(opening.alt);
+    walk_.pseudocode = std::move(opening.pseudocode);
+    state_.source = std::move(opening.source);
+  }
+
+  /// Runs `run(record)` with every operation counted, and hands each event to `say`, with the counters as they stood.
+  /// The algorithm runs to its end before the first event is told.
+  template <class Event, class Run, class Say>
+  void tell(const Run& run, const Say& say) {
+    CountingRecord<Event> record;
+    tally() = {};
+    run(record);
+    for (const auto& [event, counts] : record.events) {
+      count(counts);
+      std::visit(say, event);
+    }
+  }
 
   /// The operations done up to the next step.
   void count(const Tally& t) {
@@ -59,6 +87,12 @@ class Script {
     for (viz::Value& v : state_.values) v.fresh = false;
     walk_.steps.push_back(std::move(step));
     return walk_.steps.back();
+  }
+
+  /// The inequality that a step decides.
+  static void decide(viz::Step& step, const viz::Comparison& comparison) {
+    step.decides = true;
+    step.comparison = comparison;
   }
 
   viz::Walk& walk() { return walk_; }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lessons/ray_sphere/plane.h"
+#include "lessons/plane.h"
 
 namespace isect::lessons::ray_sphere_lesson {
 

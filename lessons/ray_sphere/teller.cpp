@@ -9,13 +9,7 @@ Step& Teller::add(const std::string& slug, const std::string& title, int line, c
   known_.focus = focus;
   Step& step = script_.add(slug, title, line, caption, formula);
   step.scene = picture(setup_, known_);
-  step.source = source_;
   return step;
-}
-
-void Teller::decide(Step& step, const Comparison& comparison) {
-  step.decides = true;
-  step.comparison = comparison;
 }
 
 void Teller::settle(viz::Verdict::Kind kind) {

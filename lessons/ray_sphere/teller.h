@@ -13,10 +13,7 @@ class Teller {
  protected:
   Teller(const Setup& setup, const std::string& title, const std::string& source,
          std::vector<std::string> pseudocode)
-      : setup_(setup), script_(std::move(pseudocode)), source_(source) {
-    script_.walk().method = title;
-    script_.walk().alt = alt_text(setup);
-  }
+      : setup_(setup), script_({source, alt_text(setup), std::move(pseudocode), title}) {}
 
   /// Runs `method(ray, sphere, record)` with every operation counted, and says each event.
   template <class Event, class Method, class Say>
@@ -25,27 +22,18 @@ class Teller {
     const Ray<double, 3>& r = setup_.ray;
     const Ray<C, 3> ray = {r.origin.cast<C>(), r.direction.cast<C>(), {r.range.lo, r.range.hi}};
     const Sphere<C, 3> sphere = {setup_.sphere.center.cast<C>(), setup_.sphere.radius};
-    CountingRecord<Event> record;
-    tally() = {};
-    method(ray, sphere, record);
-    for (const auto& [event, counts] : record.events) {
-      script_.count(counts);
-      std::visit(say, event);
-    }
+    script_.tell<Event>([&](auto& record) { method(ray, sphere, record); }, say);
     return std::move(script_.walk());
   }
 
   viz::Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption,
                  Focus focus, const std::string& formula = {});
-  static void decide(viz::Step&, const viz::Comparison&);
+  static void decide(viz::Step& step, const viz::Comparison& comparison) { Script::decide(step, comparison); }
   void settle(viz::Verdict::Kind);
 
   const Setup& setup_;
   Script script_;
   Known known_;
-
- private:
-  std::string source_;
 };
 
 /// "How many points does the line share with the sphere?"

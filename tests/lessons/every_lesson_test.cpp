@@ -1,0 +1,161 @@
+// What holds of every lesson, present and future: nothing here knows one by name.
+
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "lessons/lessons.h"
+#include "tests/catch.h"
+#include "viz/compose.h"
+#include "viz/rich_text.h"
+
+using namespace isect;
+using namespace isect::viz;
+
+namespace {
+
+bool meet(const TextBox& a, const TextBox& b) {
+  return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+}
+
+/// What is wrong with a figure's labels: those that leave the picture, and pairs that meet.
+std::vector<std::string> label_faults(const Figure& figure) {
+  std::vector<std::string> faults;
+  const double w = figure.drawing.width, h = figure.drawing.height;
+  for (std::size_t i = 0; i < figure.labels.size(); ++i) {
+    const auto& [text, b] = figure.labels[i];
+    if (!(b.left >= 0 && b.top >= 0 && b.right <= w && b.bottom <= h)) faults.push_back(text + " is clipped");
+    for (std::size_t j = 0; j < i; ++j)
+      if (meet(b, figure.labels[j].box)) faults.push_back(text + " meets " + figure.labels[j].text);
+  }
+  return faults;
+}
+
+/// An `else` alone does nothing to step on.
+bool is_else(const std::string& line) {
+  const std::size_t first = line.find_first_not_of(' ');
+  return first != std::string::npos && line.substr(first) == "else";
+}
+
+}  // namespace
+
+TEST_CASE("labels neither meet nor leave the picture, in any preset, step, theme and size",
+          "[every lesson]") {
+  for (const Lesson* lesson : lessons::all_lessons()) {
+    std::vector<Walk> walks;
+    for (const Preset& p : lesson->presets) walks.push_back(lesson->walk(p.parameters));
+    for (const ThemeName name : {ThemeName::screen, ThemeName::print, ThemeName::grey, ThemeName::dark}) {
+      for (const auto& [w, h] : {std::pair{480, 360}, {960, 600}, {1920, 1080}}) {
+        for (std::size_t i = 0; i < walks.size(); ++i) {
+          const double aspect = picture_aspect(walks[i], name, w, h);
+          const Camera camera = frame_alike(lesson->camera, walks[i], walks, aspect);
+          for (const Step& s : walks[i].steps) {
+            for (const std::string& fault : label_faults(figure(s, camera, name, w, h)))
+              FAIL_CHECK(lesson->id << " " << lesson->presets[i].id << ", " << s.slug << ", " << name_of(name)
+                                    << " " << w << "x" << h << ": " << fault);
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("every line of the pseudocode is reached by a preset", "[every lesson]") {
+  for (const Lesson* lesson : lessons::all_lessons()) {
+    std::map<std::vector<std::string>, std::set<int>> reached;
+    for (const Preset& p : lesson->presets) {
+      const Walk walk = lesson->walk(p.parameters);
+      for (const Step& s : walk.steps) {
+        reached[walk.pseudocode].insert(s.line);
+        for (const int line : s.untaken) CHECK(line != s.line);
+      }
+    }
+    for (const auto& [pseudocode, lines] : reached)
+      for (int line = 0; line < static_cast<int>(pseudocode.size()); ++line) {
+        INFO(lesson->id << ", line " << line << ": " << pseudocode[static_cast<std::size_t>(line)]);
+        CHECK((lines.count(line) == 1 || is_else(pseudocode[static_cast<std::size_t>(line)])));
+      }
+  }
+}
+
+TEST_CASE("sentences are short, steps have names of their own and a source", "[every lesson]") {
+  for (const Lesson* lesson : lessons::all_lessons()) {
+    CHECK_FALSE(lesson->rows.empty());
+    CHECK_FALSE(lesson->summary.empty());
+    for (const Preset& p : lesson->presets) {
+      CHECK_NOTHROW(validate(*lesson, p.parameters));
+      std::set<std::string> slugs;
+      const Walk walk = lesson->walk(p.parameters);
+      CHECK_FALSE(walk.alt.empty());
+      for (const Step& s : walk.steps) {
+        INFO(lesson->id << " " << p.id << ", " << s.slug << ": " << s.caption);
+        CHECK(slugs.insert(s.slug).second);
+        CHECK_FALSE(s.source.empty());
+        CHECK_FALSE(s.caption.empty());
+        int words = 0;
+        std::istringstream text(plain(s.caption));
+        for (std::string word; text >> word;) {
+          if (word.find_first_not_of("−=<>≤≥+,.") != std::string::npos) ++words;
+          CHECK(words <= 20);
+          if (word.find_last_of(".:?!") == word.size() - 1) words = 0;
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("each walk ends with a verdict, and steps before it leave it open or keep to it",
+          "[every lesson]") {
+  for (const Lesson* lesson : lessons::all_lessons()) {
+    int questions = 0;
+    for (const Preset& p : lesson->presets) {
+      INFO(lesson->id << " " << p.id);
+      const Walk walk = lesson->walk(p.parameters);
+      REQUIRE_FALSE(walk.steps.empty());
+      CHECK(walk.steps.back().verdict.kind != Verdict::Kind::open);
+      CHECK_FALSE(walk.steps.back().verdict.text.empty());
+      int before = 0;
+      for (const Step& s : walk.steps) {
+        const Counters& c = s.counters;
+        CHECK(c.mul + c.add + c.div + c.sqrt + c.compare >= before);
+        before = c.mul + c.add + c.div + c.sqrt + c.compare;
+        if (!s.question) continue;
+        ++questions;
+        CHECK((s.question->answer >= 0 && s.question->answer < static_cast<int>(s.question->choices.size())));
+        CHECK_FALSE(s.question->because.empty());
+      }
+    }
+    CHECK(questions > 0);
+  }
+}
+
+TEST_CASE("a flat lesson lies in one plane and is seen straight on", "[every lesson]") {
+  for (const Lesson* lesson : lessons::all_lessons()) {
+    if (!lesson->flat) continue;
+    CHECK((lesson->camera.azimuth == 0 && lesson->camera.elevation == 0));
+    CHECK_FALSE(lesson->camera.perspective);
+    for (const Preset& p : lesson->presets)
+      for (const Step& s : lesson->walk(p.parameters).steps)
+        for (const Handle& handle : s.scene.handles) CHECK(handle.at.z() == 0);
+  }
+}
+
+TEST_CASE("a handle that is dragged stays under the pointer, and one that is not moved stays",
+          "[every lesson]") {
+  for (const Lesson* lesson : lessons::all_lessons()) {
+    for (const Preset& p : lesson->presets) {
+      const Walk walk = lesson->walk(p.parameters);
+      const std::vector<Handle>& handles = walk.steps.front().scene.handles;
+      CHECK_FALSE(handles.empty());
+      for (std::size_t i = 0; i < handles.size(); ++i) {
+        INFO(lesson->id << " " << p.id << ", " << handles[i].parameter);
+        Parameters parameters = p.parameters;
+        drag(*lesson, parameters, handles[i], handles[i].at);
+        const Walk again = lesson->walk(parameters);
+        REQUIRE(again.steps.front().scene.handles.size() == handles.size());
+        const Vec3& now = again.steps.front().scene.handles[i].at;
+        CHECK((now - handles[i].at).norm() <= 1e-9 * (1 + handles[i].at.norm()));
+      }
+    }
+  }
+}
