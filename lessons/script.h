@@ -45,16 +45,19 @@ class Script {
   }
 
   /// Runs `run(record)` with every operation counted, and hands each event to `say`, with the counters as they stood.
+  /// Steps added after that have the counters of the whole run.
   /// The algorithm runs to its end before the first event is told.
   template <class Event, class Run, class Say>
   void tell(const Run& run, const Say& say) {
     CountingRecord<Event> record;
     tally() = {};
     run(record);
+    const Tally total = tally();
     for (const auto& [event, counts] : record.events) {
       count(counts);
       std::visit(say, event);
     }
+    count(total);
   }
 
   /// The operations done up to the next step.

@@ -103,7 +103,8 @@ class Telling {
     const Ball3 a = s_.tested(s_.a), b = s_.tested(s_.b);
     script_.tell<std::variant<sphere_sphere::Compared<C>>>(
         [&](auto& record) { sphere_sphere::squared_distance(cast<C>(a), cast<C>(b), record); },
-        [&](const sphere_sphere::Compared<C>& e) { say(e.distance2.value, e.sum2.value); });
+        [&](const sphere_sphere::Compared<C>& e) { measured(e.distance2.value, e.sum2.value); });
+    compared();
     return std::move(script_.walk());
   }
 
@@ -115,7 +116,8 @@ class Telling {
     return step;
   }
 
-  void say(double d2, double s2) {
+  void measured(double d2, double s2) {
+    d2_ = d2, s2_ = s2;
     add("difference", "From centre to centre", 0,
         "Only the line between the centres matters. Two balls are nearest to each other along it.",
         Focus::line, "**l** = **a** − **b**");
@@ -127,7 +129,10 @@ class Telling {
         "Together the balls reach as far as the sum of their radii.\n"
         "Both sides are positive, so their squares compare as they do. No square root is needed.",
         Focus::radii, "*s*^2 = (*r*_1 + *r*_2)^2 = " + shown(s2));
+  }
 
+  void compared() {
+    const double d2 = d2_, s2 = s2_;
     const bool near = d2 < s2;
     Step& step = add("compare", "Nearer than they reach?", 3, compare_caption(d2, s2), Focus::none,
                      "*d*^2 = " + shown(d2) + (near ? " < " : " ≥ ") + shown(s2) + " = *s*^2");
@@ -205,6 +210,7 @@ class Telling {
 
   const Setup s_;
   Script script_;
+  double d2_ = 0, s2_ = 0;
 };
 
 Walk walk(const Parameters& p) { return Telling(setup(p)).walk(); }

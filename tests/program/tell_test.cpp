@@ -36,11 +36,13 @@ TEST_CASE("list names lessons, rows, steps and presets", "[list]") {
 TEST_CASE("list --json holds what a program needs", "[list]") {
   const Shell shell;
   const nlohmann::json all = nlohmann::json::parse(shell("isect list --json").out);
-  REQUIRE(all.size() == 1);
+  REQUIRE(all.size() >= 1);
   CHECK(all[0]["id"] == "ray-sphere");
   REQUIRE(all[0]["presets"].size() == 27);
-  for (const auto& preset : all[0]["presets"]) CHECK(preset["steps"] >= 3);
-  for (const auto& parameter : all[0]["parameters"]) CHECK(parameter.contains("help"));
+  for (const auto& lesson : all) {
+    for (const auto& preset : lesson["presets"]) CHECK(preset["steps"] >= 2);
+    for (const auto& parameter : lesson["parameters"]) CHECK(parameter.contains("help"));
+  }
 }
 
 TEST_CASE("explain tells a step in eighty columns", "[explain]") {
