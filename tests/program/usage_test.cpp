@@ -43,7 +43,6 @@ TEST_CASE("an unknown subcommand or option is refused with the nearest", "[progr
   CHECK(sub.out.empty());
   CHECK_THAT(sub.err, StartsWith("isect: subcommand") && Contains("\"rendr\"") &&
                           Contains("mean \"render\"") && Contains("list, "));
-  CHECK(shell("isect bench").status == 2);  // not built
 
   const Ran option = shell("isect render ray-sphere --frmat png");
   CHECK(option.status == 2);
