@@ -34,8 +34,9 @@ const Lesson& speed_against_error() {
                       0, 0, tests(results())}},
       .group_by = "",
       .presets = presets(),
-      .camera = {},
+      .camera = {.azimuth = 0, .elevation = 0},
       .walk = walk,
+      .flat = true,
   };
   return lesson;
 }
