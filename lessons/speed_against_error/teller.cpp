@@ -58,7 +58,7 @@ std::vector<std::string> tests(const Report& report) {
 }
 
 Teller::Teller(const Report& report, const std::string& test)
-    : report_(report), test_(test), rows_(rows_of(report, test, "double")), script_(pseudocode()) {
+    : report_(report), test_(test), rows_(rows_of(report, test, "double")), script_({"", "", pseudocode()}) {
   by_value_ = std::ranges::any_of(rows_, [](const Row* r) { return r->ulps.has_value(); });
   for (const Row* r : rows_) {
     if (!r->standard) continue;
