@@ -32,6 +32,15 @@ const std::vector<std::string>& pseudocode() {
   return lines;
 }
 
+Opening opening(const Report& report, const std::string& test) {
+  const Machine& m = report.machine;
+  return {.source = fmt::format("measured on {}, {}, {}, {}", m.cpu, m.compiler, m.flags, m.date),
+          .alt = fmt::format(
+              "Charts of the time of a call against its error, for every method of {} in double.", test),
+          .pseudocode = pseudocode(),
+          .method = test};
+}
+
 /// The only element with the greatest value, or none where two share it.
 template <class List, class Value>
 std::optional<std::size_t> only_greatest(const List& list, const Value& value) {
@@ -58,7 +67,7 @@ std::vector<std::string> tests(const Report& report) {
 }
 
 Teller::Teller(const Report& report, const std::string& test)
-    : report_(report), test_(test), rows_(rows_of(report, test, "double")), script_({"", "", pseudocode()}) {
+    : report_(report), test_(test), rows_(rows_of(report, test, "double")), script_(opening(report, test)) {
   by_value_ = std::ranges::any_of(rows_, [](const Row* r) { return r->ulps.has_value(); });
   for (const Row* r : rows_) {
     if (!r->standard) continue;
@@ -101,8 +110,6 @@ Plot Teller::plot(const std::vector<std::string>& families) const {
 
 void Teller::show(Step& step, Chart chart) const {
   step.scene.chart = std::make_shared<const Chart>(std::move(chart));
-  const Machine& m = report_.machine;
-  step.source = fmt::format("measured on {}, {}, {}, {}", m.cpu, m.compiler, m.flags, m.date);
 }
 
 /// Times and errors of the naive and of the exact method, for the step that comes next.
@@ -337,9 +344,6 @@ Walk Teller::walk() {
   cost();
   fallback();
   choose();
-  script_.walk().method = test_;
-  script_.walk().alt =
-      fmt::format("Charts of the time of a call against its error, for every method of {} in double.", test_);
   return std::move(script_.walk());
 }
 
