@@ -1,5 +1,5 @@
-// What exactness costs, pair by pair: the default calls against the naive ones and, as peer_speed, against CGAL and
-// Boost in the plane, side by side in one run. `isect bench --peers` asks the others.
+// What exactness costs, pair by pair: the default calls against the naive ones, side by side in one run. It is for work
+// on one loop; `isect bench` judges the answers too, and with --peers asks other libraries.
 //
 // 65,536 distinct cases of each question in random order, so that branch prediction learns nothing. The first row of
 // a question is what the others are compared with.
@@ -28,17 +28,6 @@
 #include "core/sphere_sphere.h"
 #include "core/triangle_aabb.h"
 #include "core/triangle_aabb_methods.h"
-#ifdef ISECT_PEERS
-#include "bench/peers.h"
-#else
-namespace isect::bench::peers {
-// clang-format off
-inline void orientation(...) {}
-inline void polygon(...) {}
-inline void hull(...) {}
-// clang-format on
-}  // namespace isect::bench::peers
-#endif
 
 using namespace isect;
 using namespace isect::bench;
@@ -170,7 +159,6 @@ void orientation_rows() {
               return (t.a[0] - t.c[0]) * (t.b[1] - t.c[1]) > (t.a[1] - t.c[1]) * (t.b[0] - t.c[0]);
             }));
   table.row("orient2d", timed(cases, passes, [](const auto& t) { return orient2d(t.a, t.b, t.c) > 0; }));
-  peers::orientation(table, cases, passes);
 }
 
 /// Fewer queries on larger polygons: about a second for each row.
@@ -186,7 +174,6 @@ void polygon_rows(std::size_t vertices) {
   table.row("crossings_naive",
             timed(points, rounds, [&](const auto& p) { return point_polygon::crossings_naive(p, ring); }));
   table.row("locate", timed(points, rounds, [&](const auto& p) { return locate(p, ring) != Location::out; }));
-  peers::polygon(table, ring, points, rounds);
 }
 
 void convex_rows(std::size_t vertices) {
@@ -205,7 +192,6 @@ void hull_rows(bool circle) {
   const std::vector<Ring<double, 2>> one = {disc(1'000'000, circle)};
   Table table(circle ? "hull of 1e6 points on a circle" : "hull of 1e6 points in a disc");
   table.row("convex_hull", timed(one, 3, [](const auto& points) { return convex_hull(points).size(); }));
-  peers::hull(table, one);
 }
 
 template <class S>

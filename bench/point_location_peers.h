@@ -1,5 +1,5 @@
 #pragma once
-// GEOS and CGAL asked what point_location_speed.cpp asks.
+// GEOS and CGAL asked where a point lies in a prepared polygon.
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
