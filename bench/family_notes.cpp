@@ -20,7 +20,7 @@ std::string family_note(const std::string& test, const std::string& family) {
        "directions from 1e-300 to 1e300 long: their squares overflow or vanish."},
       {{"ray-sphere", "zero-radius"}, "balls that are points."},
       {{"sphere-sphere", "near-touch"}, "balls that touch from outside but for a few ulp."},
-      {{"sphere-sphere", "inner-touch"}, "the same from inside."},
+      {{"sphere-sphere", "inner-touch"}, "balls that touch from inside but for a few ulp."},
       {{"sphere-sphere", "exact-touch"},
        "integers whose distance is whole, so that the balls have one point in common."},
       {{"sphere-sphere", "decimal"},
