@@ -29,6 +29,13 @@ struct SideKnown {
   int index;
   bool holds;
 };
+/// Whether the edge has a point at the height of the point.
+struct Reaches {
+  int index;
+  bool holds;
+};
+template <class S>
+using ClosedEvent = std::variant<Reaches, CrossesAt<S>>;
 template <class S>
 using FormEvent = std::variant<Straddles, ProductsCompared<S>, EdgeMoved<S>, SideKnown, CrossesAt<S>>;
 
@@ -77,6 +84,26 @@ bool crossings_translated(const Point<S, 2>& p, const Ring<S, 2>& ring, Trace&& 
     if (crosses) inside = !inside;
   }
   return inside;
+}
+
+/// How many edges meet the ray to the right, each with its ends: what "count the edges that the ray crosses" says when it
+/// is read plainly. Wrong by more than rounding: a vertex on the ray counts for both of its edges, and an edge along the
+/// ray divides 0 by 0, which compares as false. It is here to be shown beside the half-open rule. Source: the note, N22.
+template <class S, class Trace = NoTrace>
+int crossings_closed(const Point<S, 2>& p, const Ring<S, 2>& ring, Trace&& trace = {}) {
+  int crossings = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point<S, 2>&a = ring[i], &b = ring[i + 1 < ring.size() ? i + 1 : 0];
+    const bool reaches = !(a[1] < p[1] && b[1] < p[1]) && !(a[1] > p[1] && b[1] > p[1]);
+    trace(Reaches{static_cast<int>(i), reaches});
+    if (!reaches) continue;
+
+    const S x = (b[0] - a[0]) * (p[1] - a[1]) / (b[1] - a[1]) + a[0];
+    const bool crosses = p[0] < x;
+    trace(CrossesAt<S>{static_cast<int>(i), x, crosses});
+    if (crosses) ++crossings;
+  }
+  return crossings;
 }
 
 }  // namespace isect::point_polygon

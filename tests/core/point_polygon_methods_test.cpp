@@ -113,3 +113,22 @@ TEMPLATE_TEST_CASE("the exact call agrees with the oracle in every family", "[po
   }
   for (const int count : counts) CHECK(count > 100);
 }
+
+TEST_CASE("the closed rule counts a vertex on the ray twice, and is right where there is none",
+          "[point_polygon_methods]") {
+  using point_polygon::crossings_closed;
+  const Point<double, 2> p = {-0.75, 0};
+  const Ring<double, 2> through = {{-2, -1.5}, {0.75, -1.75}, {2.25, 0}, {0.5, 2}, {-1.5, 1.5}};
+  CHECK(crossings_closed(p, through) == 2);
+  CHECK(winding(p, through).crossings == 1);
+  CHECK(crossings_closed<double>({-0.75, 0.25}, through) == 1);
+
+  const Ring<double, 2> step = {{-2, -1.75}, {2.25, -1.75}, {2.25, 0}, {0.25, 0}, {-0.25, 2}, {-1.75, 1.75}};
+  Record<point_polygon::ClosedEvent<double>> record;
+  CHECK(crossings_closed<double>({-1.25, 0}, step, record) == 2);  // the edge along the ray is 0 / 0
+  int not_a_number = 0;
+  for (const auto& event : record.events)
+    if (const auto* e = std::get_if<point_polygon::CrossesAt<double>>(&event))
+      not_a_number += std::isnan(e->x);
+  CHECK(not_a_number == 1);
+}
