@@ -1,0 +1,30 @@
+#pragma once
+// Points, chains, the hull and a bounding volume around it.
+
+#include "core/shapes.h"
+#include "viz/lesson.h"
+
+namespace isect::lessons::convex_hull_lesson {
+
+enum class Bounding { none, ball, aabb, obb };
+
+struct Drawn {
+  Ring<double, 2> points;
+  std::vector<Ring<double, 2>> done;  ///< finished chains
+  Ring<double, 2> chain, removed;
+  Ring<double, 2> hull;
+  bool upper = false;
+  Bounding bounding = Bounding::none;
+};
+viz::Scene picture(const Drawn&);
+
+/// A bounding volume of points as it is told: names, how many numbers keep it, and its area.
+struct Measured {
+  const char *slug, *name;
+  std::size_t numbers;
+  double area;
+};
+Measured measured(const Ring<double, 2>& points, Bounding);
+double area(const Ring<double, 2>& convex);
+
+}  // namespace isect::lessons::convex_hull_lesson

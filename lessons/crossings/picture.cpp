@@ -1,0 +1,110 @@
+#include "lessons/crossings/picture.h"
+
+#include <fmt/format.h>
+
+namespace isect::lessons::crossings_lesson {
+
+using namespace viz;
+
+namespace {
+
+Vec3 flat(const Point<double, 2>& p) { return {p.x(), p.y(), 0}; }
+
+const char* word(Location l) { return l == Location::in ? "IN" : l == Location::on ? "ON" : "OUT"; }
+
+/// Right of everything, so that the ray leaves the picture last.
+double end_of_ray(const Setup& s) {
+  double end = s.p.x();
+  for (const Ring<double, 2>& ring : s.situation.polygon.rings)
+    for (const Point<double, 2>& v : ring) end = std::max(end, v.x());
+  return end + 0.75;
+}
+
+void add_meetings(const Known& known, Scene& scene) {
+  for (std::size_t i = 0; i < known.meetings.size(); ++i) {
+    const Meeting& m = known.meetings[i];
+    std::string numbers;
+    int counted = 0;
+    bool first = true;
+    for (std::size_t k = 0; k < known.meetings.size(); ++k) {
+      if (known.meetings[k].at != m.at) continue;
+      first = first && k >= i;
+      if (known.meetings[k].number == 0) continue;
+      numbers += (counted++ > 0 ? ", " : "") + std::to_string(known.meetings[k].number);
+    }
+    if (!first) continue;  // drawn with the first at this place
+    const Mark mark = counted == 0 ? Mark::uncounted : counted == 1 ? Mark::disc : Mark::double_disc;
+    scene.items.emplace_back(Dot{flat(m.at), mark, counted == 0 ? Role::construction : Role::hit});
+    if (counted > 0) scene.items.emplace_back(Label{flat(m.at), numbers, Role::hit});
+  }
+}
+
+}  // namespace
+
+std::array<Point<double, 2>, 2> ends(const Setup& s, const EdgeOf& e) {
+  const Ring<double, 2>& ring = s.situation.polygon.rings[static_cast<std::size_t>(e.ring)];
+  const std::size_t i = static_cast<std::size_t>(e.index);
+  return {ring[i], ring[(i + 1) % ring.size()]};
+}
+
+Point<double, 2> meeting(const Setup& s, const EdgeOf& e) {
+  const auto [a, b] = ends(s, e);
+  if (a.y() == s.p.y()) return a;
+  if (b.y() == s.p.y()) return b;
+  return {a.x() + (b.x() - a.x()) * (s.p.y() - a.y()) / (b.y() - a.y()), s.p.y()};
+}
+
+Scene picture(const Setup& s, const Known& known) {
+  Scene scene;
+  Region region;
+  for (const Ring<double, 2>& ring : s.situation.polygon.rings) {
+    region.rings.emplace_back();
+    for (const Point<double, 2>& v : ring) region.rings.back().push_back(flat(v));
+  }
+  region.corners = true;
+  scene.items.emplace_back(region);
+
+  const Vec3 p = flat(s.p), end = {end_of_ray(s), s.p.y(), 0};
+  if (known.on)
+    scene.items.emplace_back(Arrow{p, end, Role::construction, Pen::construction});
+  else if (known.ray)
+    scene.items.emplace_back(Arrow{p, end, Role::first, Pen::solid});
+  for (const EdgeOf& e : known.along) {
+    const auto [a, b] = ends(s, e);
+    scene.items.emplace_back(Line{flat(a), flat(b), Role::construction, Pen::excluded});
+  }
+  if (known.edge) {
+    const auto [a, b] = ends(s, *known.edge);
+    scene.items.emplace_back(Line{flat(a), flat(b), Role::highlight, Pen::highlight});
+    scene.items.emplace_back(Label{flat(a), "**a**", Role::second});
+    scene.items.emplace_back(Label{flat(b), "**b**", Role::second});
+  }
+  add_meetings(known, scene);
+  scene.items.emplace_back(known.on ? Dot{p, Mark::diamond, Role::highlight}
+                                    : Dot{p, Mark::disc, Role::first});
+  scene.items.emplace_back(Label{p, "**p**", Role::first});
+  scene.handles.push_back({"p", Handle::Kind::point, p, Vec3::Zero(), Role::first});
+  return scene;
+}
+
+std::string verdict_text(const Winding& w) {
+  if (w.even_odd == Location::on) return "ON the boundary: no counting";
+  const std::string odd = w.crossings % 2 != 0 ? "odd" : "even";
+  std::string text =
+      fmt::format("{} crossing{}: {}, {}", w.crossings, w.crossings == 1 ? "" : "s", odd, word(w.even_odd));
+  if (w.nonzero != w.even_odd)
+    text += fmt::format(" (winding number {}: {})", shown(w.winding), word(w.nonzero));
+  return text;
+}
+
+std::string alt_text(const Setup& s) {
+  const std::size_t rings = s.situation.polygon.rings.size();
+  return fmt::format(
+      "A point and a polygon{}, with a ray from the point to the right. {}", rings > 1 ? " with a hole" : "",
+      s.truth.even_odd == Location::on
+          ? "The point lies on the boundary."
+          : fmt::format("The ray crosses the boundary {} times: the point lies {}.", s.truth.crossings,
+                        s.truth.even_odd == Location::in ? "inside" : "outside"));
+}
+
+}  // namespace isect::lessons::crossings_lesson

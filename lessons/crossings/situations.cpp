@@ -1,0 +1,83 @@
+#include "lessons/crossings/situations.h"
+
+#include <algorithm>
+
+namespace isect::lessons::crossings_lesson {
+
+const std::vector<Situation>& situations() {
+  static const std::vector<Situation> all = {
+      {"vertex-passed",
+       "vertex passed",
+       {-0.75, 0},
+       {{{{-2, -1.5}, {0.75, -1.75}, {2.25, 0}, {0.5, 2}, {-1.5, 1.5}}}},
+       "The ray goes through a vertex, where the boundary passes from one side to the other."},
+      {"inside",
+       "inside",
+       {-0.75, 0.25},
+       {{{{-2, -1.5}, {0.75, -1.75}, {2.25, -0.5}, {1.5, 1.75}, {-1.5, 1.5}}}},
+       "No vertex lies at the height of the point."},
+      {"outside",
+       "outside",
+       {-2.75, -0.5},
+       {{{{-2, -1.5}, {0.75, -1.75}, {2.25, 0.25}, {1.5, 1.75}, {-1.5, 1.5}}}},
+       "The ray enters the polygon and leaves it again."},
+      {"grazed-none",
+       "vertex grazed: none",
+       {-1.25, 0},
+       {{{{-2, -1.5}, {-0.75, -1.75}, {0.25, 0}, {1.25, -1.5}, {2.25, -1.25}, {1.75, 2}, {-1.75, 1.5}}}},
+       "The boundary comes up to the ray and turns back: both edges lie below."},
+      {"grazed-two",
+       "vertex grazed: two",
+       {-1.25, 0},
+       {{{{-2, -1.5}, {0, -2}, {2.25, -1.5}, {2, 1.5}, {0.5, 0}, {-0.5, 2}, {-1.75, 1.5}}}},
+       "The boundary comes down to the ray and turns back: both edges lie above, so both count."},
+      {"edge-along-z",
+       "edge along, Z",
+       {-1.25, 0},
+       {{{{-2, -1.75}, {2.25, -1.75}, {2.25, 0}, {0.25, 0}, {-0.25, 2}, {-1.75, 1.75}}}},
+       "An edge lies along the ray, and the boundary goes on to the other side."},
+      {"edge-along-u",
+       "edge along, U",
+       {-2.75, 0},
+       {{{{-2, -1.75}, {2.25, -1.5}, {2, 2}, {1.5, 1.75}, {1.25, 0}, {0, 0}, {-0.5, 1.75}, {-1.75, 1.5}}}},
+       "An edge lies along the ray, and the boundary turns back to the side it came from."},
+      {"on-edge",
+       "on an edge",
+       {-1.75, 0},
+       {{{{-2.25, -1.5}, {1.75, -1.25}, {1.5, 1.75}, {-1.25, 1.5}}}},
+       "The point lies on an edge."},
+      {"on-vertex",
+       "on a vertex",
+       {-1.5, 0},
+       {{{{-1.5, 0}, {0.5, -1.75}, {2.25, -0.25}, {0.5, 1.75}}}},
+       "The point is a vertex."},
+      {"on-horizontal",
+       "on a horizontal edge",
+       {-0.5, 0},
+       {{{{-2, 0}, {1.75, 0}, {1.25, 1.75}, {-1.25, 2}}}},
+       "The point lies on an edge that is parallel to the ray."},
+      {"spike",
+       "spike",
+       {-1.25, 0},
+       {{{{-2, -1.5}, {1.5, -1.5}, {1.25, 0.5}, {2.5, -0.5}, {1.25, 0.5}, {1, 1.75}, {-1.75, 1.5}}}},
+       "Two edges run out to a tip and back: they cancel."},
+      {"hole",
+       "hole",
+       {-0.25, 0.25},
+       {{{{-2.25, -1.75}, {2.25, -1.75}, {2.25, 1.75}, {-2.25, 1.75}},
+         {{-1, -0.75}, {-1, 1}, {1, 1.25}, {1, -0.75}}}},
+       "The point lies in a hole, which is a ring of its own."},
+      {"pentagram",
+       "crosses itself",
+       {0, 0.125},
+       {{{{-1.25, -1.75}, {0, 2.25}, {1.25, -1.75}, {-2, 0.75}, {2, 0.75}}}},
+       "The boundary goes around the point twice."},
+  };
+  return all;
+}
+
+const Situation& situation(const std::string& id) {
+  return *std::ranges::find_if(situations(), [&](const Situation& s) { return s.id == id; });
+}
+
+}  // namespace isect::lessons::crossings_lesson

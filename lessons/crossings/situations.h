@@ -1,0 +1,33 @@
+#pragma once
+// Polygons and points in which the crossings' special cases occur, each exactly.
+
+#include <string>
+#include <vector>
+
+#include "core/point_polygon.h"
+
+namespace isect::lessons::crossings_lesson {
+
+struct Situation {
+  const char* id;
+  const char* title;
+  Point<double, 2> p;
+  Polygon<double, 2> polygon;
+  const char* note;  ///< one sentence on what is special
+};
+
+/// The first is the one to start with.
+const std::vector<Situation>& situations();
+const Situation& situation(const std::string& id);
+
+/// A situation with its point perhaps moved, and what is true of it by the exact test.
+struct Setup {
+  Setup(const Situation& the_situation, const Point<double, 2>& the_point)
+      : situation(the_situation), p(the_point), truth(winding(p, situation.polygon)) {}
+
+  const Situation& situation;
+  Point<double, 2> p;
+  Winding truth;
+};
+
+}  // namespace isect::lessons::crossings_lesson

@@ -1,0 +1,162 @@
+#include "lessons/robustness/settings.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "core/orient_methods.h"
+#include "core/point_polygon.h"
+#include "core/ray_sphere.h"
+#include "core/ray_sphere_methods.h"
+#include "core/sphere_sphere.h"
+
+namespace isect::lessons::robustness_lesson {
+
+using namespace viz;
+
+namespace {
+
+int sign(double x) { return (x > 0) - (x < 0); }
+
+/// The neighbour of x, so many representable numbers of S on.
+template <class S>
+S neighbour(double x, int steps) {
+  S y = static_cast<S>(x);
+  const S end = steps < 0 ? -std::numeric_limits<S>::infinity() : std::numeric_limits<S>::infinity();
+  for (int k = 0; k < std::abs(steps); ++k) y = std::nextafter(y, end);
+  return y;
+}
+
+template <class S>
+Point<S, 2> neighbour(const Vec3& p, int i, int j) {
+  return {neighbour<S>(p.x(), i), neighbour<S>(p.y(), j)};
+}
+
+template <class S>
+Setting orientation(const Vec3& p) {
+  Setting s;
+  s.title = "On which side of a line?";
+  s.naive = "(**b** − **a**) × (**c** − **a**), pivot **a**";
+  s.cell = "**a** moved to a neighbour";
+  s.why =
+      "The differences from **a** to the far points are rounded. The signs of a whole block of neighbours "
+      "come out equal.";
+  s.verdicts = {"right", "on the line", "left"};
+  const Point<S, 2> b = {S(1.5), S(1.5)}, c = {S(3), S(3)};
+  s.answer = [=](int i, int j) {
+    return sign(static_cast<double>(orient::pivoted<orient::Corner::a, S>(neighbour<S>(p, i, j), b, c)));
+  };
+  s.truth = [=](int i, int j) {
+    return orient2d(neighbour<S>(p, i, j).template cast<double>(), b.template cast<double>(),
+                    c.template cast<double>());
+  };
+  s.scene.items = {Line{{-0.25, -0.25, 0}, {3.25, 3.25, 0}, Role::second, Pen::solid},
+                   Dot{{1.5, 1.5, 0}, Mark::disc, Role::second},
+                   Label{{1.5, 1.5, 0}, "**b**", Role::second},
+                   Dot{{3, 3, 0}, Mark::disc, Role::second},
+                   Label{{3, 3, 0}, "**c**", Role::second},
+                   Dot{p, Mark::disc, Role::first},
+                   Label{p, "**a**", Role::first}};
+  return s;
+}
+
+template <class S>
+Setting crossings(const Vec3& p) {
+  Setting s;
+  s.title = "Inside the polygon?";
+  s.naive = "count edges with *p*_x < *x*, by a division";
+  s.cell = "**p** moved to a neighbour";
+  s.why = "The abscissa *x* where the edge crosses is rounded, and the point lies within that error.";
+  s.verdicts = {"outside", "on the edge", "inside"};
+  const Ring<S, 2> ring = {{S(-1.1), S(-0.9)}, {S(1.3), S(0.7)}, {S(-0.7), S(1.3)}};
+  s.answer = [=](int i, int j) {
+    return point_polygon::crossings_naive(neighbour<S>(p, i, j), ring) ? 1 : -1;
+  };
+  s.truth = [=](int i, int j) {
+    const Location l = locate(neighbour<S>(p, i, j), ring);
+    return l == Location::in ? 1 : l == Location::on ? 0 : -1;
+  };
+  Region region;
+  region.rings.emplace_back();
+  for (const Point<S, 2>& v : ring)
+    region.rings[0].push_back({static_cast<double>(v.x()), static_cast<double>(v.y()), 0});
+  region.corners = true;
+  s.scene.items = {region, Dot{p, Mark::disc, Role::first}, Label{p, "**p**", Role::first}};
+  return s;
+}
+
+template <class S>
+Setting tangent(const Vec3& p) {
+  Setting s;
+  s.title = "Does the ray hit the circle?";
+  s.naive = "*B*^2 − 4 *A* *C* ≥ 0";
+  s.cell = "the origin moved to a neighbour";
+  s.why = "*B*^2 and 4 *A* *C* are nearly equal: what is left of their difference is rounding.";
+  s.verdicts = {"miss", "tangent", "hit"};
+  const Sphere<S, 2> circle = {{S(0.1), S(0.2)}, S(1)};
+  const Vector<S, 2> d = {S(2), S(1)};
+  s.answer = [=](int i, int j) {
+    return ray_sphere::quadratic(Ray<S, 2>{neighbour<S>(p, i, j), d}, circle) ? 1 : -1;
+  };
+  s.truth = [=](int i, int j) {
+    const RaySphere<S> exact = intersect(Ray<S, 2>{neighbour<S>(p, i, j), d}, circle);
+    return exact.line_roots == 0 ? -1 : exact.line_roots == 1 ? 0 : 1;
+  };
+  s.scene.items = {Circle{{0.1, 0.2, 0}, 1, Role::second, Pen::solid, true},
+                   Arrow{p, p + Vec3(5, 2.5, 0), Role::first, Pen::solid}, Dot{p, Mark::disc, Role::first},
+                   Label{p, "**o**", Role::first}};
+  return s;
+}
+
+template <class S>
+Setting spheres(const Vec3& p) {
+  Setting s;
+  s.title = "Do the circles meet?";
+  s.naive = "distance^2 < (*r*_1 + *r*_2)^2";
+  s.cell = "a centre moved to a neighbour";
+  s.why = "The sum of the radii and both squares are rounded. Near touching that decides.";
+  s.verdicts = {"disjoint", "touching", "overlapping"};
+  const Sphere<S, 2> a = {{S(0), S(0)}, S(0.7)};
+  const S r = S(0.3);
+  s.answer = [=](int i, int j) {
+    return sphere_sphere::squared_distance(a, Sphere<S, 2>{neighbour<S>(p, i, j), r}) ? 1 : -1;
+  };
+  s.truth = [=](int i, int j) {
+    const Relation relation = relate(a, Sphere<S, 2>{neighbour<S>(p, i, j), r});
+    return relation == Relation::disjoint ? -1 : relation == Relation::touching ? 0 : 1;
+  };
+  s.scene.items = {Circle{{0, 0, 0}, 0.7, Role::second, Pen::solid, true},
+                   Circle{p, 0.3, Role::first, Pen::solid, true}, Dot{p, Mark::disc, Role::first},
+                   Label{p, "**c**", Role::first}};
+  return s;
+}
+
+template <class S>
+Setting of(const std::string& test, const Vec3& p) {
+  if (test == "orientation") return orientation<S>(p);
+  if (test == "crossings") return crossings<S>(p);
+  if (test == "tangent") return tangent<S>(p);
+  return spheres<S>(p);
+}
+
+}  // namespace
+
+const std::vector<std::string>& tests() {
+  static const std::vector<std::string> all = {"orientation", "crossings", "tangent", "spheres"};
+  return all;
+}
+
+Vec3 standard_point(const std::string& test) {
+  if (test == "orientation") return {0.0625, 0.0625, 0};
+  if (test == "crossings") return {0.1, -0.1, 0};
+  if (test == "tangent") return {-3.03, -0.2469660112501051, 0};
+  return {0.6, 0.8, 0};
+}
+
+Setting setting(const std::string& test, const std::string& scalar, const Vec3& p) {
+  Setting s = scalar == "float" ? of<float>(test, p) : of<double>(test, p);
+  s.scene.handles.push_back({"p", Handle::Kind::point, p, Vec3::Zero(), Role::first});
+  return s;
+}
+
+}  // namespace isect::lessons::robustness_lesson

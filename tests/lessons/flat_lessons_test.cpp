@@ -1,0 +1,103 @@
+// What the flat lessons say in the end is what the core's exact tests say: crossings, convex polygon, hull, collision.
+
+#include "core/all_pairs.h"
+#include "core/convex_hull.h"
+#include "lessons/convex_polygon/methods.h"
+#include "lessons/crossings/situations.h"
+#include "lessons/lessons.h"
+#include "lessons/robustness/settings.h"
+#include "tests/catch.h"
+
+using namespace isect;
+using namespace isect::viz;
+
+namespace {
+
+const Lesson& lesson(const std::string& id) {
+  for (const Lesson* l : lessons::all_lessons())
+    if (l->id == id) return *l;
+  throw std::runtime_error("no lesson " + id);
+}
+
+Verdict::Kind kind_of(Location l) {
+  return l == Location::in ? Verdict::Kind::yes : l == Location::on ? Verdict::Kind::on : Verdict::Kind::no;
+}
+const Verdict& verdict(const Walk& walk) { return walk.steps.back().verdict; }
+
+double value(const Step& step, const std::string& name) {
+  for (const Value& v : step.values)
+    if (v.name == name) return v.value;
+  throw std::runtime_error("no value " + name);
+}
+
+}  // namespace
+
+TEST_CASE("the half-open rule ends with the exact location, in every situation", "[crossings lesson]") {
+  for (const auto& s : lessons::crossings_lesson::situations()) {
+    INFO(s.id);
+    const Winding truth = winding(s.p, s.polygon);
+    const Walk walk = lesson("crossings").walk(preset(lesson("crossings"), s.id).parameters);
+    CHECK(verdict(walk).kind == kind_of(truth.even_odd));
+    if (truth.even_odd != Location::on) CHECK(value(walk.steps.back(), "count") == truth.crossings);
+  }
+}
+
+TEST_CASE("the closed rule is wrong where a vertex lies on the ray between two sides", "[crossings lesson]") {
+  const auto text = [](const char* id) {
+    return verdict(lesson("crossings").walk(preset(lesson("crossings"), id).parameters)).text;
+  };
+  CHECK_THAT(text("vertex-passed-closed"), Catch::Matchers::Contains("Wrong"));
+  CHECK_THAT(text("edge-along-z-closed"), Catch::Matchers::Contains("Wrong"));
+  CHECK_THAT(text("inside-closed"), !Catch::Matchers::Contains("Wrong"));
+}
+
+TEST_CASE("the fan ends with the exact location, in twenty bisections for a million",
+          "[convex-polygon lesson]") {
+  const Lesson& l = lesson("convex-polygon");
+  for (const Preset& p : l.presets) {
+    if (p.group != "fan") continue;
+    INFO(p.id);
+    const Vec3& at = std::get<Vec3>(p.parameters.at("p"));
+    const lessons::convex_polygon_lesson::Setup setup(std::stoi(std::get<std::string>(p.parameters.at("n"))),
+                                                      {at.x(), at.y()});
+    const Walk walk = l.walk(p.parameters);
+    CHECK(verdict(walk).kind == kind_of(setup.truth));
+    CHECK(make_convex(setup.polygon.vertices).has_value());
+    CHECK(walk.steps.size() <= 25);
+  }
+}
+
+TEST_CASE("collisions: each method finds the pairs of brute force", "[collision lesson]") {
+  const auto last = [](const char* id) {
+    return lesson("collision").walk(preset(lesson("collision"), id).parameters).steps.back();
+  };
+  for (const char* id : {"sweep", "hierarchy"}) {
+    CHECK(value(last(id), "pairs") == value(last("brute-force"), "pairs"));
+    CHECK(value(last((std::string(id) + "-apart").c_str()), "pairs") ==
+          value(last("brute-force-apart"), "pairs"));
+  }
+  CHECK(value(last("brute-force"), "tests") == 15);
+  CHECK(value(last("brute-force"), "brute force, *n* = 1000") == 499500);
+  CHECK(value(last("brute-force"), "sweep, *n* = 1000") < 499500);
+  CHECK(verdict(lesson("collision").walk(preset(lesson("collision"), "tunnelling").parameters)).kind ==
+        Verdict::Kind::yes);
+}
+
+TEST_CASE("under the microscope each naive test is wrong somewhere, as counted", "[robustness lesson]") {
+  for (const std::string& test : lessons::robustness_lesson::tests())
+    for (const std::string scalar : {"float", "double"}) {
+      INFO(test << ", " << scalar);
+      const auto s =
+          lessons::robustness_lesson::setting(test, scalar, lessons::robustness_lesson::standard_point(test));
+      int wrong = 0;
+      for (int i = -32; i <= 32; ++i)
+        for (int j = -32; j <= 32; ++j) {
+          const int truth = s.truth(i, j), answer = s.answer(i, j);
+          wrong += answer != truth && (truth != 0 || answer == 0);
+        }
+      CHECK(wrong > 0);
+      const Parameters parameters = {
+          {"test", test}, {"scalar", scalar}, {"p", lessons::robustness_lesson::standard_point(test)}};
+      CHECK(value(lesson("robustness").walk(parameters).steps.back(), "wrong") == wrong);
+    }
+}
