@@ -50,7 +50,7 @@ Walk walk(const Parameters& values) {
 const Lesson& convex_polygon() {
   static const Lesson lesson = {
       .id = "convex-polygon",
-      .title = "Convex polygon: a point in O(lg n)",
+      .title = "Point in convex polygon",
       .rows = "N23",
       .summary =
           "Whether a point lies in a convex polygon, by bisecting wedges: twenty steps for a million "

@@ -54,7 +54,7 @@ Walk walk(const Parameters& values) {
 const Lesson& crossings() {
   static const Lesson lesson = {
       .id = "crossings",
-      .title = "Crossings: a point in a polygon",
+      .title = "Point in polygon: crossings",
       .rows = "N22",
       .summary =
           "Whether a point lies in a polygon, by counting the edges that a ray crosses; every special case.",
