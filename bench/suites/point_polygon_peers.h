@@ -96,9 +96,9 @@ void grow_point_polygon([[maybe_unused]] Session& session, [[maybe_unused]] cons
   Grown crossings("point-in-polygon", "within, crossings_multiply", "query", "Boost");
   for (const int n : sizes(session, 100)) {
     bg::model::polygon<TheirPoint, false> polygon;
-    for (const Point<double, 2>& v : polygon_family<double>("ordinary", n).rings.at(0))
-      polygon.outer().emplace_back(v[0], v[1]);
-    polygon.outer().push_back(polygon.outer()[0]);
+    const Ring<double, 2> ring = polygon_family<double>("ordinary", n).rings.at(0);
+    for (const Point<double, 2>& v : ring) polygon.outer().emplace_back(v[0], v[1]);
+    polygon.outer().emplace_back(ring[0][0], ring[0][1]);
     crossings.add(n, least_each(session, queries(n), [&](const Point<double, 2>& p) {
                     return bg::within(TheirPoint(p[0], p[1]), polygon,
                                       bg::strategy::within::crossings_multiply<TheirPoint>());
