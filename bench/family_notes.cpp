@@ -22,8 +22,7 @@ std::string family_note(const std::string& test, const std::string& family) {
       {{"sphere-sphere", "near-touch"}, "balls that touch from outside but for a few ulp."},
       {{"sphere-sphere", "inner-touch"}, "balls that touch from inside but for a few ulp."},
       {{"sphere-sphere", "exact-touch"},
-       "integers whose distance is whole, so that the balls have one point in common; a strict < calls that "
-       "disjoint, by "
+       "integers whose distance is whole: the balls share one point, which a strict < leaves out by "
        "convention."},
       {{"sphere-sphere", "decimal"},
        "radii of .1 and .2 at a distance of .3, as users type them: rounding decides what is true."},
