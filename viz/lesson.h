@@ -104,6 +104,26 @@ struct Walk {
   std::string alt;  ///< what the picture shows, in plain words
 };
 
+/// What one of several methods that should agree says of the same setting.
+struct Opinion {
+  std::string method;  ///< markup: "quadratic formula"
+  std::string says;    ///< markup: "two roots"
+  bool agrees = true;  ///< with the exact method
+};
+
+/// The plane of a lesson's two natural parameters, coloured by the branch that the core takes at each point of it.
+/// viz/case_map.h draws it.
+struct CaseMap {
+  std::string x_title, y_title;  ///< markup
+  Vec2 lo, hi;                   ///< the part shown
+  std::vector<std::string>
+      branches;  ///< markup, short; some may be no more than a line or a point of the plane
+  int (*branch)(const Parameters&) = nullptr;  ///< index into `branches`
+  Vec2 (*place)(const Parameters&) = nullptr;  ///< where the setting lies
+  Parameters (*moved)(const Parameters&,
+                      const Vec2&) = nullptr;  ///< the setting brought to a place; the rest stays
+};
+
 struct Lesson {
   std::string id;
   std::string title;
@@ -116,6 +136,10 @@ struct Lesson {
   Walk (*walk)(const Parameters&) = nullptr;
   /// All lies in z = 0 and is seen straight on: `camera` has azimuth and elevation 0, a drag pans, nothing turns.
   bool flat = false;
+  /// Methods that should agree, asked side by side; the first is exact. None where a lesson has one method.
+  std::vector<Opinion> (*opinions)(const Parameters&) = nullptr;
+  /// Where the lesson's walks end with a map of cases; see lessons/case_map.h.
+  const CaseMap* map = nullptr;
 };
 
 /// What is wrong with a name or a value: the message names the field, what was given and what is allowed.
