@@ -1,5 +1,6 @@
 // What holds of every lesson, present and future: nothing here knows one by name.
 
+#include <cstdlib>
 #include <map>
 #include <set>
 #include <sstream>
@@ -13,6 +14,15 @@ using namespace isect;
 using namespace isect::viz;
 
 namespace {
+
+/// All lessons, or the one that ISECT_LESSON names.
+std::vector<const Lesson*> those_asked_for() {
+  const char* const only = std::getenv("ISECT_LESSON");
+  std::vector<const Lesson*> lessons = lessons::all_lessons();
+  if (only) std::erase_if(lessons, [&](const Lesson* lesson) { return lesson->id != only; });
+  REQUIRE_FALSE(lessons.empty());
+  return lessons;
+}
 
 bool meet(const TextBox& a, const TextBox& b) {
   return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
@@ -41,7 +51,7 @@ bool is_else(const std::string& line) {
 
 TEST_CASE("labels neither meet nor leave the picture, in any preset, step, theme and size",
           "[every lesson]") {
-  for (const Lesson* lesson : lessons::all_lessons()) {
+  for (const Lesson* lesson : those_asked_for()) {
     std::vector<Walk> walks;
     for (const Preset& p : lesson->presets) walks.push_back(lesson->walk(p.parameters));
     for (const ThemeName name : {ThemeName::screen, ThemeName::print, ThemeName::grey, ThemeName::dark}) {
@@ -61,7 +71,7 @@ TEST_CASE("labels neither meet nor leave the picture, in any preset, step, theme
 }
 
 TEST_CASE("every line of the pseudocode is reached by a preset", "[every lesson]") {
-  for (const Lesson* lesson : lessons::all_lessons()) {
+  for (const Lesson* lesson : those_asked_for()) {
     std::map<std::vector<std::string>, std::set<int>> reached;
     for (const Preset& p : lesson->presets) {
       const Walk walk = lesson->walk(p.parameters);
@@ -79,7 +89,7 @@ TEST_CASE("every line of the pseudocode is reached by a preset", "[every lesson]
 }
 
 TEST_CASE("sentences are short, steps have names of their own and a source", "[every lesson]") {
-  for (const Lesson* lesson : lessons::all_lessons()) {
+  for (const Lesson* lesson : those_asked_for()) {
     CHECK_FALSE(lesson->rows.empty());
     CHECK_FALSE(lesson->summary.empty());
     for (const Preset& p : lesson->presets) {
@@ -106,7 +116,7 @@ TEST_CASE("sentences are short, steps have names of their own and a source", "[e
 
 TEST_CASE("each walk ends with a verdict, and steps before it leave it open or keep to it",
           "[every lesson]") {
-  for (const Lesson* lesson : lessons::all_lessons()) {
+  for (const Lesson* lesson : those_asked_for()) {
     int questions = 0;
     for (const Preset& p : lesson->presets) {
       INFO(lesson->id << " " << p.id);
@@ -130,7 +140,7 @@ TEST_CASE("each walk ends with a verdict, and steps before it leave it open or k
 }
 
 TEST_CASE("a flat lesson lies in one plane and is seen straight on", "[every lesson]") {
-  for (const Lesson* lesson : lessons::all_lessons()) {
+  for (const Lesson* lesson : those_asked_for()) {
     if (!lesson->flat) continue;
     CHECK((lesson->camera.azimuth == 0 && lesson->camera.elevation == 0));
     CHECK_FALSE(lesson->camera.perspective);
@@ -142,7 +152,7 @@ TEST_CASE("a flat lesson lies in one plane and is seen straight on", "[every les
 
 TEST_CASE("a handle that is dragged stays under the pointer, and one that is not moved stays",
           "[every lesson]") {
-  for (const Lesson* lesson : lessons::all_lessons()) {
+  for (const Lesson* lesson : those_asked_for()) {
     for (const Preset& p : lesson->presets) {
       const Walk walk = lesson->walk(p.parameters);
       const std::vector<Handle>& handles = walk.steps.front().scene.handles;
