@@ -5,7 +5,7 @@
 // the t on one side of the crossing with its plane, t = -(n.o + D) / (n.d): beyond it where the ray heads up
 // (n.d > 0), before it where it heads down; all or nothing of a parallel ray, by the side of its origin. Source: the
 // note, N01; Cyrus, Beck, Computers & Graphics 3 (1978), and Liang, Barsky, ACM Trans. Graphics 3 (1984), for the
-// parameters.
+// parameters; Newman, Sproull, Principles of Interactive Computer Graphics (1973), for Cohen and Sutherland's outcodes.
 
 #include <optional>
 #include <variant>
@@ -57,6 +57,62 @@ std::optional<Interval<S>> keep_above(const Interval<S>& range, const Text& t, T
   return heading > 0 ? Interval<S>{cut, range.hi} : Interval<S>{range.lo, cut};
 }
 
+/// The sides of the box that a point lies beyond: bit 2i the lower one on axis i, bit 2i + 1 the upper one. 0: none, the
+/// point is in the box. Comparisons only: exact.
+template <class S, int N>
+int outcode(const Point<S, N>& point, const Aabb<S, N>& box) {
+  int code = 0;
+  for (int i = 0; i < N; ++i) {
+    if (point[i] < box.lo[i]) code |= 1 << 2 * i;
+    if (point[i] > box.hi[i]) code |= 2 << 2 * i;
+  }
+  return code;
+}
+
+/// liang_barsky: the outcodes of both ends.
+struct Outcodes {
+  int p, q;
+};
+/// One side of the box, which the line enters (heading 1), leaves (-1) or runs along (0), and what it leaves of the
+/// range; `holds`: something. t is where the line crosses the side; of a line along it, 0.
+template <class S>
+struct Narrowed {
+  int axis;
+  bool upper;
+  int heading;
+  S t;
+  Interval<S> range;
+  bool holds;
+};
+template <class S>
+using LiangBarskyEvent = std::variant<Outcodes, Narrowed<S>>;
+
+/// The t of [0, 1] in the box, side by side, after the trivial acceptance and rejection by outcodes. Naive: where the
+/// last entry nearly is the first exit, at a corner, rounding may decide. Finite arguments.
+template <class S, int N, class Trace = NoTrace>
+std::optional<Interval<S>> liang_barsky(const Segment<S, N>& segment, const Aabb<S, N>& box,
+                                        Trace&& trace = {}) {
+  const Outcodes codes = {outcode(segment.p, box), outcode(segment.q, box)};
+  trace(codes);
+  if ((codes.p & codes.q) != 0) return {};
+  if ((codes.p | codes.q) == 0) return Interval<S>{S(0), S(1)};
+
+  Interval<S> range = {S(0), S(1)};
+  for (int i = 0; i < N; ++i)
+    for (const bool upper : {false, true}) {  // inside: room + t rate >= 0
+      const S room = upper ? box.hi[i] - segment.p[i] : segment.p[i] - box.lo[i];
+      const S rate = upper ? segment.p[i] - segment.q[i] : segment.q[i] - segment.p[i];
+      const int heading = rate > S(0) ? 1 : rate < S(0) ? -1 : 0;
+      const S t = heading == 0 ? S(0) : -room / rate;
+      if (heading > 0) range.lo = std::max(range.lo, t);
+      if (heading < 0) range.hi = std::min(range.hi, t);
+      const bool holds = heading == 0 ? room >= S(0) : range.lo <= range.hi;
+      trace(Narrowed<S>{i, upper, heading, t, range, holds});
+      if (!holds) return {};
+    }
+  return range;
+}
+
 }  // namespace clip_segment
 
 /// The t of the ray's range inside the closed box: intersect by its other name. See core/ray_aabb.h.
@@ -94,7 +150,8 @@ std::optional<Interval<S>> clip(const Ray<S, N>& ray, const Plane<S, N>& half_sp
 
 /// The t of [0, 1] at which p + t (q - p) lies there, both end points taken as given; otherwise as for a ray.
 template <class S, int N, class Trace = NoTrace>
-std::optional<Interval<S>> clip(const Segment<S, N>& segment, const Plane<S, N>& half_space, Trace&& trace = {}) {
+std::optional<Interval<S>> clip(const Segment<S, N>& segment, const Plane<S, N>& half_space,
+                                Trace&& trace = {}) {
   if (!finite(segment) || !finite(half_space) || half_space.normal == Vector<S, N>::Zero()) return {};
   const Segment<double, N> wide = cast<double>(segment);
   const Plane<double, N> plane = cast<double>(half_space);

@@ -5,6 +5,7 @@
 
 #include "bench/random_rays.h"
 #include "bench/rational.h"
+#include "core/counted.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 
@@ -127,7 +128,8 @@ TEMPLATE_TEST_CASE_SIG("a box keeps the part inside", "[clip_segment]", FLOATS_A
   CHECK(clip(Segment<S, N>{at<S, N>(1), at<S, N>(1)}, box) == between<S>(0, 1));
 }
 
-TEMPLATE_TEST_CASE_SIG("empty, infinite and NaN shapes keep nothing", "[clip_segment]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("empty, infinite and NaN shapes keep nothing", "[clip_segment]",
+                       FLOATS_AND_DIMENSIONS) {
   const Ray<S, N> ray = {at<S, N>(2), at<S, N>(1)};
   const Segment<S, N> whole = {at<S, N>(2), at<S, N>(3)};
   CHECK_FALSE(clip(ray, Plane<S, N>{at<S, N>(0), S(1)}));
@@ -191,8 +193,8 @@ TEMPLATE_TEST_CASE_SIG("every answer is that of rational arithmetic", "[clip_seg
   for (const int often : {kept, lost, whole, points}) CHECK(often > count / 8);
 }
 
-TEMPLATE_TEST_CASE_SIG("segments are clipped at boxes as rational arithmetic clips them", "[clip_segment][random]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("segments are clipped at boxes as rational arithmetic clips them",
+                       "[clip_segment][random]", FLOATS_AND_DIMENSIONS) {
   int kept = 0, lost = 0, touches = 0;
   double worst = 0;
   const int count = tests::cases(500, 65000);
@@ -209,8 +211,8 @@ TEMPLATE_TEST_CASE_SIG("segments are clipped at boxes as rational arithmetic cli
       for (int k = 0; k < N && expected; ++k)
         for (const int side : {1, -1}) {
           const Rational bound = Rational(side > 0 ? box.lo[k] : box.hi[k]);
-          const auto part =
-              truth(Interval<S>{S(0), S(1)}, side * (Rational(s.p[k]) - bound), side * (Rational(s.q[k]) - bound));
+          const auto part = truth(Interval<S>{S(0), S(1)}, side * (Rational(s.p[k]) - bound),
+                                  side * (Rational(s.q[k]) - bound));
           if (!part || !expected) {
             expected.reset();
             break;
@@ -228,4 +230,62 @@ TEMPLATE_TEST_CASE_SIG("segments are clipped at boxes as rational arithmetic cli
   }
   CHECK(worst <= 2);
   for (const int often : {kept, lost, touches}) CHECK(often > count / 8);
+}
+
+TEMPLATE_TEST_CASE_SIG("an outcode names the sides that a point lies beyond", "[clip_segment]",
+                       FLOATS_AND_DIMENSIONS) {
+  const Aabb<S, N> box = {Point<S, N>::Constant(S(-1)), Point<S, N>::Constant(S(1))};
+  CHECK(clip_segment::outcode(at<S, N>(1, -1), box) == 0);
+  CHECK(clip_segment::outcode(at<S, N>(-2, 0), box) == 1);
+  CHECK(clip_segment::outcode(at<S, N>(2, 0), box) == 2);
+  CHECK(clip_segment::outcode(at<S, N>(2, -2), box) == 6);
+  CHECK(clip_segment::outcode(at<S, N>(0, 2), box) == 8);
+}
+
+TEMPLATE_TEST_CASE_SIG("on a grid Liang and Barsky's range is the exact one", "[clip_segment][random]",
+                       FLOATS_AND_DIMENSIONS) {
+  using clip_segment::LiangBarskyEvent;
+  Random random(tests::seed());
+  int kept = 0, lost = 0, trivial = 0, parallel = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const auto number = [&] { return static_cast<S>(random.integer(-4, 4)); };
+    Segment<S, N> s;
+    Aabb<S, N> box;
+    for (int k = 0; k < N; ++k) s.p[k] = number(), s.q[k] = number(), box.lo[k] = S(-2), box.hi[k] = S(1);
+    Record<LiangBarskyEvent<S>> record;
+    const auto naive = clip_segment::liang_barsky(s, box, record), exact = clip(s, box);
+    INFO("seed " << tests::seed() << ", case " << i);
+    REQUIRE(naive.has_value() == exact.has_value());  // equal quotients of small integers round alike
+    REQUIRE(naive == clip_segment::liang_barsky(s, box));
+    (naive ? kept : lost) += 1;
+    trivial += record.events.size() == 1;
+    for (const auto& event : record.events)
+      if (const auto* e = std::get_if<clip_segment::Narrowed<S>>(&event)) parallel += e->heading == 0;
+    if (!naive) continue;
+    REQUIRE(std::abs(naive->lo - exact->lo) <= std::numeric_limits<S>::epsilon());
+    REQUIRE(std::abs(naive->hi - exact->hi) <= std::numeric_limits<S>::epsilon());
+  }
+  for (const int often : {kept, lost, trivial, parallel}) CHECK(often > 1000);
+}
+
+TEST_CASE("Liang and Barsky's method counts its operations, and rounding may decide it", "[clip_segment]") {
+  using C = Counted<double>;
+  const Aabb<double, 2> box = {{-2, -1}, {2, 1}};
+  const auto counted = [&](const Segment<double, 2>& s) {
+    tally() = {};
+    clip_segment::liang_barsky(cast<C>(s), cast<C>(box));
+    return tally();
+  };
+  CHECK(counted({{-1, 0}, {1, 1}}).div == 0);
+  CHECK(counted({{-3, 0}, {-3, 1}}).div == 0);
+  CHECK(counted({{-3, 0}, {3, 0.5}}).div == 4);
+  // through the corner (2, 1) for certain, but 0.1, 0.7 and their like are rounded
+  int wrong = 0;
+  for (int i = 1; i < 40; ++i)
+    for (int j = 1; j < 40; ++j) {
+      const double x = 0.1 * i, y = 0.7 * j;
+      const Segment<double, 2> s = {{2 - x, 1 + y}, {2 + 3 * x, 1 - 3 * y}};
+      wrong += clip_segment::liang_barsky(s, box).has_value() != clip(s, box).has_value();
+    }
+  CHECK(wrong > 0);
 }

@@ -1,0 +1,49 @@
+#include "lessons/clipping/methods.h"
+
+namespace isect::lessons::clipping_lesson {
+
+using namespace viz;
+
+std::string name_of(const Side& s) {
+  if (s.axis == 0) return s.upper ? "the right side" : "the left side";
+  return s.upper ? "the top side" : "the bottom side";
+}
+
+Plane<double, 2> half_plane(const Side& s, const Box& box) {
+  Vector<double, 2> n = Vector<double, 2>::Zero();
+  n[s.axis] = s.upper ? -1 : 1;
+  return {n, s.upper ? box.hi[s.axis] : -box.lo[s.axis]};
+}
+
+Vec3 flat(const Point<double, 2>& p) { return {p.x(), p.y(), 0}; }
+
+std::vector<Vec3> flat(const Ring<double, 2>& ring) {
+  std::vector<Vec3> points;
+  for (const Point<double, 2>& p : ring) points.push_back(flat(p));
+  return points;
+}
+
+Region region(const Box& b) {
+  Region r;
+  r.rings = {flat({b.lo, {b.hi.x(), b.lo.y()}, b.hi, {b.lo.x(), b.hi.y()}})};
+  return r;
+}
+
+void add_side(const Side& s, const Box& box, Scene& scene) {
+  const int along = 1 - s.axis;
+  const double beyond = 0.625;
+  Point<double, 2> lo = box.lo, hi = box.hi;
+  lo[s.axis] = hi[s.axis] = s.upper ? box.hi[s.axis] : box.lo[s.axis];
+  Point<double, 2> from = lo, to = hi;
+  from[along] -= beyond, to[along] += beyond;
+  scene.items.emplace_back(Line{flat(from), flat(lo), Role::construction, Pen::construction});
+  scene.items.emplace_back(Line{flat(hi), flat(to), Role::construction, Pen::construction});
+  scene.items.emplace_back(Line{flat(lo), flat(hi), Role::highlight, Pen::highlight});
+  const Vector<double, 2> inwards =
+      half_plane(s, box).normal;  // at the dashed end, where the box's inside is free
+  const Point<double, 2> foot = to, tip = foot + 0.75 * inwards;
+  scene.items.emplace_back(Arrow{flat(foot), flat(tip), Role::text});
+  scene.items.emplace_back(Label{flat(tip), "**n**", Role::text});
+}
+
+}  // namespace isect::lessons::clipping_lesson
