@@ -1,0 +1,30 @@
+#pragma once
+// The picture of a ball and a box: the way from the centre to the box's nearest point, one leg an axis.
+
+#include "core/sphere_aabb.h"
+#include "viz/lesson.h"
+
+namespace isect::lessons::sphere_aabb_lesson {
+
+struct Setup {
+  Sphere<double, 3> ball;
+  Aabb<double, 3> box;
+  Relation truth;
+  bool in_grown;  ///< the box, grown by r on every side, holds the centre
+
+  viz::Vec3 nearest() const { return sphere_aabb::nearest<3>(ball.center, box); }
+  /// On how many axes the centre lies beside the box's interval: 0 in the box, 1 before a face, 2 an edge, 3 a corner.
+  int gaps() const;
+};
+Setup setup(const viz::Parameters&);
+
+/// What a step shows.
+struct Shown {
+  int legs = 0;          ///< so many axes are done
+  bool current = false;  ///< the last of them is the step's own
+  bool grown = false;    ///< the box grown by r, and the set of centres that do meet
+  bool settled = false;  ///< the straight way, and what they share
+};
+viz::Scene picture(const Setup&, const Shown&);
+
+}  // namespace isect::lessons::sphere_aabb_lesson
