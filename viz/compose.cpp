@@ -1,5 +1,7 @@
 #include "viz/compose.h"
 
+#include <algorithm>
+
 #include "viz/chart.h"
 #include "viz/compose/canvas.h"
 
@@ -10,12 +12,18 @@ namespace {
 void draw(Canvas&, const Ball&) {}
 void draw(Canvas&, const Solid&) {}
 
+/// Small drawings under headings are a page: nothing stands on a floor there.
+bool is_page(const Scene& scene) {
+  return std::ranges::any_of(scene.items,
+                             [](const Item& item) { return std::holds_alternative<Heading>(item); });
+}
+
 }  // namespace
 
 Composed compose(const Scene& scene, const View& view, const Theme& theme, bool handles) {
   if (scene.chart) return compose(*scene.chart, view.corner(), view.width(), view.height(), theme);
   Canvas canvas(scene, view, theme, handles);
-  if (theme.floor_grid && view.camera().elevation > 0.05) draw_floor(canvas);
+  if (theme.floor_grid && view.camera().elevation > 0.05 && !is_page(scene)) draw_floor(canvas);
   for (int i = 0; i < static_cast<int>(canvas.occluders.balls.size()); ++i) draw_ball(canvas, i);
   draw_solids(canvas);
   for (const Item& item : scene.items) std::visit([&](const auto& it) { draw(canvas, it); }, item);

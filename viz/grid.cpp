@@ -1,6 +1,7 @@
 #include "viz/grid.h"
 
 #include <algorithm>
+#include <span>
 
 #include "viz/compose.h"
 
@@ -53,21 +54,28 @@ std::vector<Item> in_grid(const std::vector<Inset>& insets, int columns, const C
     size = size.cwiseMax(boxes.back().hi - boxes.back().lo);
   }
   const double line = 0.2 * size.y(), gap = 0.12 * std::max(size.x(), size.y());
-  const Vec2 pitch = size + Vec2(gap, 1.5 * gap + 2 * line);
+  const bool notes = std::ranges::any_of(insets, [](const Inset& inset) { return !inset.note.empty(); });
 
   std::vector<Item> all;
+  double middle_y = 0;  // of the row
   for (std::size_t i = 0; i < insets.size(); ++i) {
-    const int column = static_cast<int>(i) % columns, row = static_cast<int>(i) / columns;
-    const Vec2 middle(column * pitch.x(), -row * pitch.y());
+    const int column = static_cast<int>(i) % columns;
+    if (column == 0 && i > 0) {  // room for headings and notes where there are any
+      const std::size_t in_row = std::min(insets.size() - i, static_cast<std::size_t>(columns));
+      const bool headings = std::ranges::any_of(std::span(insets).subspan(i, in_row),
+                                                [](const Inset& inset) { return !inset.heading.empty(); });
+      middle_y -= size.y() + 1.5 * gap + (headings ? line : 0) + (notes ? line : 0);
+    }
+    const Vec2 middle(column * (size.x() + gap), middle_y);
     const Vec2 by = middle - (boxes[i].lo + boxes[i].hi) / 2;
     const auto at = [&](const Vec2& p) -> Vec3 { return p.x() * view.right() + p.y() * view.up(); };
     for (const Item& item : moved(insets[i].items, at(by))) all.push_back(item);
     const double text = size.y() / 2 + 0.75 * line;
     if (!insets[i].heading.empty())
-      all.push_back(Heading{at(middle + Vec2(0, text)), insets[i].heading, Role::text, size.x() + gap});
+      all.push_back(Heading{at(middle + Vec2(0, text)), insets[i].heading, Role::text, size.x() + gap / 2});
     if (!insets[i].note.empty())
       all.push_back(
-          Heading{at(middle - Vec2(0, text)), insets[i].note, insets[i].role, size.x() + gap, false});
+          Heading{at(middle - Vec2(0, text)), insets[i].note, insets[i].role, size.x() + gap / 2, false});
   }
   return all;
 }

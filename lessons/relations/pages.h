@@ -1,0 +1,18 @@
+#pragma once
+// Pages of many pairs: all relations of one kind, the same pose of all kinds, all of both.
+
+#include "lessons/plane.h"
+#include "lessons/relations/pair.h"
+
+namespace isect::lessons::relations_lesson {
+
+extern const std::vector<std::string> pseudocode;
+inline constexpr const char* all_kinds = "all kinds";  ///< a choice beside the kinds
+inline const viz::Camera camera = {.azimuth = azimuth, .elevation = elevation};
+
+/// The six pairs of a kind, each with the answer of the yes or no test below.
+viz::Scene six(Kind);
+/// The same pose for all kinds, then every relation of every kind.
+viz::Walk page_of_all(const Pose&);
+
+}  // namespace isect::lessons::relations_lesson
