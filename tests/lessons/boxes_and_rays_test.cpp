@@ -1,9 +1,11 @@
 // The lessons of boxes and of rays: what their presets show, against numbers worked out by hand.
 
+#include <Eigen/Geometry>
 #include <map>
 
 #include "core/sphere_aabb.h"
 #include "lessons/lessons.h"
+#include "lessons/obb_obb/picture.h"
 #include "lessons/relation.h"
 #include "tests/catch.h"
 #include "viz/place.h"
@@ -98,4 +100,92 @@ TEST_CASE("a box with exchanged corners meets no ball", "[sphere-aabb]") {
   Parameters p = lesson("sphere-aabb").presets.front().parameters;
   p["b_max"] = Vec3(-3, 1, 1);
   CHECK(lesson("sphere-aabb").walk(p).steps.back().verdict.kind == Verdict::Kind::no);
+}
+
+namespace {
+
+/// The least of 15 numbers that are positive where the axis separates, each divided by the axis's length: from the
+/// corners themselves, without the core's polynomials.
+double widest_gap(const Obb<double, 3>& a, const Obb<double, 3>& b) {
+  std::vector<Vec3> axes;
+  for (int i = 0; i < 3; ++i) axes.insert(axes.end(), {Vec3(a.axes.col(i)), Vec3(b.axes.col(i))});
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) axes.push_back(a.axes.col(i).cross(b.axes.col(j)));
+  double widest = -1e300;
+  for (const Vec3& l : axes) {
+    if (l.norm() < 1e-9) continue;
+    const auto ends = [&](const Obb<double, 3>& box) {
+      Interval<double> range = {1e300, -1e300};
+      for (int i = 0; i < 8; ++i) {
+        const Vec3 s((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
+        const double at = l.normalized().dot(box.center + box.axes * box.half.cwiseProduct(s));
+        range = {std::min(range.lo, at), std::max(range.hi, at)};
+      }
+      return range;
+    };
+    const Interval<double> of_a = ends(a), of_b = ends(b);
+    widest = std::max(widest, std::max(of_a.lo - of_b.hi, of_b.lo - of_a.hi));
+  }
+  return widest;
+}
+
+}  // namespace
+
+TEST_CASE("the oriented-box lesson: each kind of axis separates in a preset, alone of the kinds so far",
+          "[obb-obb]") {
+  const auto slugs = [](const char* id) {
+    std::vector<std::string> all;
+    for (const Step& s : walk_of("obb-obb", id).steps) all.push_back(s.slug);
+    return all;
+  };
+  CHECK(slugs("normal-of-a") == std::vector<std::string>{"axes", "normals-a", "relation"});
+  CHECK(slugs("normal-of-b") == std::vector<std::string>{"axes", "normals-a", "normals-b", "relation"});
+  CHECK(slugs("edges") == std::vector<std::string>{"axes", "normals-a", "normals-b", "edges", "relation"});
+  for (const char* id : {"normal-of-a", "normal-of-b", "edges"}) {
+    INFO(id);
+    const Step& last = walk_of("obb-obb", id).steps.back();
+    CHECK(last.verdict.kind == Verdict::Kind::no);
+    CHECK(last.counters.early_out);
+    CHECK(widest_gap(lessons::obb_obb_lesson::setup(preset(lesson("obb-obb"), id).parameters).a,
+                     lessons::obb_obb_lesson::setup(preset(lesson("obb-obb"), id).parameters).b) > 0.25);
+  }
+}
+
+TEST_CASE("the oriented-box lesson ends with the true relation", "[obb-obb]") {
+  const std::map<std::string, Relation> expected = {
+      {"overlapping", Relation::overlapping}, {"normal-of-a", Relation::disjoint},
+      {"normal-of-b", Relation::disjoint},    {"edges", Relation::disjoint},
+      {"touching", Relation::touching},       {"b-inside-a", Relation::b_inside_a},
+      {"parallel", Relation::overlapping},    {"slender", Relation::disjoint}};
+  CHECK(expected.size() == lesson("obb-obb").presets.size());
+  for (const auto& [id, relation] : expected) {
+    INFO(id);
+    const auto setup = lessons::obb_obb_lesson::setup(preset(lesson("obb-obb"), id).parameters);
+    const double gap = widest_gap(setup.a, setup.b);
+    if (relation == Relation::touching)
+      CHECK(std::abs(gap) < 1e-15);
+    else
+      CHECK((gap > 0) == (relation == Relation::disjoint));
+    CHECK(walk_of("obb-obb", id).steps.back().verdict.text == lessons::words(relation, "the boxes"));
+  }
+  CHECK(value_of(walk_of("obb-obb", "overlapping").steps.back(), "axes asked") == 15);
+}
+
+TEST_CASE(
+    "the classical test errs on parallel edges without its epsilon, and on thin boxes with a coarse one",
+    "[obb-obb]") {
+  const Walk parallel = walk_of("obb-obb", "parallel");
+  CHECK(step_of(parallel, "edges").line == 6);  // DISJOINT, by rounding errors
+  CHECK(value_of(step_of(parallel, "edges"), "*d* = |**l** · **t**|") < 1e-15);
+  CHECK(parallel.steps.back().verdict.kind == Verdict::Kind::yes);
+  CHECK(dissenters("obb-obb", "parallel").front() == "classical, ε = 0");
+  CHECK(walk_of("obb-obb", "slender").steps.back().line == 7);  // OVERLAP
+  CHECK(dissenters("obb-obb", "slender") == std::vector<std::string>{"classical, ε = 0.125"});
+  CHECK(dissenters("obb-obb", "overlapping").empty());
+}
+
+TEST_CASE("directions that make no frame make no box", "[obb-obb]") {
+  Parameters p = lesson("obb-obb").presets.front().parameters;
+  p["b_v"] = p["b_u"];
+  CHECK(lesson("obb-obb").walk(p).steps.back().verdict.kind == Verdict::Kind::no);
 }

@@ -1,0 +1,13 @@
+#pragma once
+// What two boxes share, for the eye: computed in rounded numbers, beside the exact verdict.
+
+#include "core/conventions.h"
+#include "core/shapes.h"
+#include "viz/scene.h"
+
+namespace isect::lessons::obb_obb_lesson {
+
+/// The common body, or the point, segment or face where the boxes touch; as `truth` says which.
+void shared_part(viz::Scene&, const Obb<double, 3>& a, const Obb<double, 3>& b, Relation truth);
+
+}  // namespace isect::lessons::obb_obb_lesson
