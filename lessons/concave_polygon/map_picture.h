@@ -1,0 +1,38 @@
+#pragma once
+// A trapezoidal map, and the questions by which it is searched, as pictures.
+
+#include <vector>
+
+#include "core/trapezoid_map.h"
+#include "lessons/concave_polygon/setup.h"
+
+namespace isect::lessons::concave_polygon_lesson {
+
+/// The trapezoids that a search from this question may end in.
+std::vector<int> reachable(const TrapezoidMap&, int node);
+/// How many questions and trapezoids there are.
+struct Sizes {
+  int questions, trapezoids;
+};
+Sizes sizes(const TrapezoidMap&);
+
+/// Name of an x-node's vertex or a y-node's edge.
+std::string name(const TrapezoidMap::Node&);
+
+/// The trapezoid within the frame.
+viz::Region trapezoid(const TrapezoidMap&, const TrapezoidMap::Trapezoid&, viz::Role);
+/// The walls of all trapezoids.
+void add_walls(viz::Scene&, const TrapezoidMap&);
+/// The edge of a piece.
+viz::Line edge(const TrapezoidMap&, int piece, viz::Role, viz::Pen);
+/// All questions, in the table's place: circles for vertices, squares for edges, dots for trapezoids.
+void add_graph(viz::Scene&, const TrapezoidMap&, bool named);
+
+/// A question on the way of a search, and how it was answered.
+struct Asked {
+  int node, side;
+};
+/// The questions asked, one below the other; the last one is the one of this step.
+void add_path(viz::Scene&, const TrapezoidMap&, const std::vector<Asked>&);
+
+}  // namespace isect::lessons::concave_polygon_lesson

@@ -1,0 +1,248 @@
+// The trapezoidal map: built edge by edge, then searched by the questions that the building left behind.
+
+#include "core/trapezoid_map.h"
+
+#include <fmt/format.h>
+
+#include <tuple>
+
+#include "lessons/concave_polygon/map_picture.h"
+#include "lessons/script.h"
+
+namespace isect::lessons::concave_polygon_lesson {
+
+using namespace viz;
+
+namespace {
+
+using Index = std::size_t;
+using Trapezoid = TrapezoidMap::Trapezoid;
+
+auto key(const Trapezoid& t) { return std::tuple(t.bottom, t.top, t.left, t.right); }
+
+class Trapezoids {
+ public:
+  explicit Trapezoids(const Setup& setup)
+      : s_(setup),
+        script_({"Note, N24; Seidel (1991); de Berg et al. (2008), ch. 6",
+                 alt_text(setup, "cut into trapezoids by walls at its vertices"),
+                 {"for each edge, in random order",                        // 0
+                  "    follow it through the trapezoids that it cuts",     // 1
+                  "    put a question in the place of each: x or y",       // 2
+                  "x: is p left or right of the vertex? next question",    // 3
+                  "y: is p below or above the edge? next question",        // 4
+                  "exactly on it: return ON",                              // 5
+                  "no more questions: return the mark of the trapezoid"},  // 6
+                 "trapezoidal map"}) {}
+
+  Walk tell() {
+    Record<trapezoid_map::BuildEvent> record;
+    map_ = make_trapezoid_map(s_.ring, seed, record);
+    build(record.events);
+    search();
+    return std::move(script_.walk());
+  }
+
+ private:
+  static constexpr std::uint64_t seed = 1;
+
+  Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption,
+            Scene scene) {
+    Step& step = script_.add(slug, title, line, caption);
+    add_point(scene, s_, done_ && s_.truth == Location::on);
+    step.scene = std::move(scene);
+    return step;
+  }
+
+  void count(const TrapezoidMap& map) {
+    const Sizes now = sizes(map);
+    script_.value("trapezoids", now.trapezoids, {}, Role::second);
+    script_.value("questions", now.questions, {}, Role::first);
+  }
+
+  /// The map grows as the core's own builder lets it, in the core's own order.
+  void build(const std::vector<trapezoid_map::BuildEvent>& events) {
+    TrapezoidMap grown;
+    grown.boundary = map_.boundary;
+    trapezoid_map::Builder builder(grown);
+    script_.value("*n*", s_.size());
+    Scene start;
+    start.items = {polygon(s_),
+                   trapezoid(grown, {-1, -1, -1, static_cast<int>(s_.ring.size())}, Role::highlight)};
+    add("edges", "One trapezoid: the whole plane", 0,
+        "The map starts with one trapezoid. Edges are added one by one, in random order, so that no polygon "
+        "is bad.",
+        start);
+    const auto cuts = [](const auto& event) { return std::get<trapezoid_map::Inserted>(event).cut; };
+    const Index most = static_cast<Index>(std::ranges::max_element(events, {}, cuts) - events.begin());
+    for (Index k = 0; k < events.size(); ++k) {
+      const auto& inserted = std::get<trapezoid_map::Inserted>(events[k]);
+      const TrapezoidMap before = grown;
+      builder.insert(inserted.piece);
+      done_edges_.push_back(inserted.piece);
+      if (k == 0 || k == most) tell_insert(before, grown, inserted, static_cast<int>(k));
+    }
+    Scene all = grown_picture(grown, -1);
+    all.items.emplace_back(
+        table_heading(fmt::format("{} nodes", sizes(grown).questions + sizes(grown).trapezoids)));
+    add_graph(all, grown, false);
+    count(grown);
+    add("map", "All edges added", 2,
+        "Every vertex has a wall up and down to the next edge: at most 3*n* + 1 trapezoids.\n"
+        "The questions form a graph. It takes O(*n*) space and O(*n* lg *n*) time, on average over the "
+        "orders.",
+        std::move(all));
+  }
+
+  void tell_insert(const TrapezoidMap& before, const TrapezoidMap& now,
+                   const trapezoid_map::Inserted& inserted, int k) {
+    Scene scene = grown_picture(now, inserted.piece);
+    std::vector<Item> cut;
+    for (const int i : reachable(before, 0)) {
+      const Trapezoid& t = before.trapezoids[static_cast<Index>(i)];
+      const std::vector<int> left = reachable(now, 0);
+      const bool stays = std::ranges::any_of(
+          left, [&](int j) { return key(now.trapezoids[static_cast<Index>(j)]) == key(t); });
+      if (!stays) cut.emplace_back(trapezoid(before, t, Role::highlight));
+    }
+    scene.items.insert(scene.items.begin() + 1, cut.begin(), cut.end());
+    add_graph(scene, now, k == 0);
+    count(now);
+    Step& step = add(
+        fmt::format("insert-{}", k + 1), fmt::format("Edge *e*_{{{}}} is added", inserted.piece),
+        k == 0 ? 2 : 1,
+        k == 0 ? "Walls run up and down from its two ends. Four trapezoids replace the one.\n"
+                 "Questions lead to them: circles ask left or right, squares below or above."
+               : fmt::format("It cuts {} trapezoid{}, shaded here: questions take {} place. The rest stays "
+                             "as it was.",
+                             inserted.cut, inserted.cut == 1 ? "" : "s", inserted.cut == 1 ? "its" : "their"),
+        std::move(scene));
+    if (k > 0) {
+      step.question = Question{"How many trapezoids does the new edge cut?", {}, 0, "Those it runs through."};
+      for (int c = 1; c <= 4; ++c) step.question->choices.push_back(std::to_string(c));
+      step.question->answer = std::min(inserted.cut, 4) - 1;
+    }
+  }
+
+  Scene grown_picture(const TrapezoidMap& map, int fresh) const {
+    Scene scene;
+    scene.items.emplace_back(polygon(s_, false));
+    add_walls(scene, map);
+    for (int piece = 0; piece < static_cast<int>(map.boundary.pieces.size()); ++piece) {
+      const bool in = std::ranges::find(done_edges_, piece) != done_edges_.end();
+      scene.items.emplace_back(edge(map, piece, in ? Role::second : Role::construction,
+                                    piece == fresh ? Pen::highlight
+                                    : in           ? Pen::solid
+                                                   : Pen::construction));
+    }
+    return scene;
+  }
+
+  void search() {
+    Record<trapezoid_map::Event> record;
+    winding(s_.p, map_, record);
+    for (const auto& event : record.events) std::visit([&](const auto& e) { say(e); }, event);
+  }
+
+  void say(const trapezoid_map::VertexAsked& e) {
+    ask(e.side, 3,
+        e.side < 0   ? "Left of the vertex"
+        : e.side > 0 ? "Right of the vertex"
+                     : "On the vertex",
+        e.side == 0 ? "**p** is the vertex: on the boundary."
+                    : "Comparing abscissas answers it. The shaded trapezoids can still be reached.");
+  }
+  void say(const trapezoid_map::PieceAsked& e) {
+    ask(e.side, 4,
+        e.side < 0   ? "Below the edge"
+        : e.side > 0 ? "Above the edge"
+                     : "On the edge",
+        e.side == 0 ? "The orientation is exactly zero: **p** lies on the edge."
+                    : "The sign of an orientation answers it. The shaded trapezoids can still be reached.");
+  }
+  void say(const trapezoid_map::Reached& e) { finish(e.trapezoid); }
+  void say(const Fallback&) {}
+
+  void ask(int side, int line, const std::string& title, const std::string& caption) {
+    const TrapezoidMap::Node& node = map_.nodes[static_cast<Index>(at_)];
+    path_.push_back({at_, side});
+    const int next = side < 0 ? node.first : node.second;
+    script_.value("questions asked", static_cast<double>(path_.size()));
+    Scene scene = search_picture(side == 0 ? -1 : next);
+    Step& step = add(fmt::format("ask-{}", path_.size()), title, side == 0 ? 5 : line, caption, scene);
+    step.decides = true;
+    if (side == 0) return finish(-1);
+    at_ = next;
+    script_.value("trapezoids left", static_cast<double>(reachable(map_, at_).size()));
+  }
+
+  Scene search_picture(int next) const {
+    Scene scene;
+    scene.items.emplace_back(polygon(s_, false));
+    if (next >= 0)
+      for (const int t : reachable(map_, next))
+        scene.items.emplace_back(trapezoid(map_, map_.trapezoids[static_cast<Index>(t)], Role::highlight));
+    add_walls(scene, map_);
+    for (int piece = 0; piece < static_cast<int>(map_.boundary.pieces.size()); ++piece)
+      scene.items.emplace_back(edge(map_, piece, Role::second, Pen::solid));
+    const TrapezoidMap::Node& node = map_.nodes[static_cast<Index>(path_.back().node)];
+    if (node.ask == TrapezoidMap::Ask::piece) {
+      scene.items.emplace_back(edge(map_, node.index, Role::text, Pen::thick));
+      const Line l = edge(map_, node.index, Role::text, Pen::thick);
+      scene.items.emplace_back(Label{l.from, name(node), Role::text, l.to});
+    } else {
+      const Vec3 v = flat(map_.boundary.vertex(node.index));
+      scene.items.emplace_back(
+          Line{{v.x(), frame.low, 0}, {v.x(), frame.high, 0}, Role::text, Pen::hairline});
+      scene.items.emplace_back(Dot{v, Mark::disc, Role::text});
+      scene.items.emplace_back(Label{v, name(node), Role::text});
+    }
+    add_path(scene, map_, path_);
+    return scene;
+  }
+
+  void finish(int trapezoid_reached) {
+    done_ = true;
+    const bool on = trapezoid_reached < 0;
+    script_.settle(verdict_kind(s_.truth), verdict_text(s_.truth));
+    if (on) script_.leave_early();
+    if (!on) path_.push_back({at_, 0});
+    Scene scene = end_picture(trapezoid_reached);
+    const Index questions = on ? path_.size() : path_.size() - 1;
+    Step& step = add(
+        "verdict", on ? "On the boundary" : "A trapezoid is reached", on ? 5 : 6,
+        fmt::format("{}\n{} questions for {} vertices: O(lg *n*), on average over the orders of insertion.",
+                    on ? "A question that is answered by \"on it\" ends the search."
+                    : s_.truth == Location::in
+                        ? "All of this trapezoid is inside: the mark was computed beforehand."
+                        : "All of this trapezoid is outside: the mark was computed beforehand.",
+                    questions, s_.size()),
+        std::move(scene));
+    step.question = where(s_, "The exact test by crossings says the same.");
+  }
+
+  Scene end_picture(int reached) const {
+    Scene scene;
+    scene.items.emplace_back(polygon(s_));
+    if (reached >= 0)
+      scene.items.emplace_back(trapezoid(map_, map_.trapezoids[static_cast<Index>(reached)],
+                                         s_.truth == Location::in ? Role::hit : Role::miss));
+    add_walls(scene, map_);
+    add_path(scene, map_, path_);
+    return scene;
+  }
+
+  const Setup& s_;
+  TrapezoidMap map_;
+  Script script_;
+  std::vector<int> done_edges_;
+  std::vector<Asked> path_;
+  int at_ = 0;  ///< the node that is asked next
+  bool done_ = false;
+};
+
+}  // namespace
+
+Walk trapezoids(const Setup& setup) { return Trapezoids(setup).tell(); }
+
+}  // namespace isect::lessons::concave_polygon_lesson
