@@ -1,14 +1,19 @@
 // Axis-aligned boxes (N13): one interval test an axis, and the first gap ends it.
 
-#include "core/aabb_aabb.h"
+#include "core/aabb_aabb_methods.h"
 
 #include <algorithm>
 
+#include "lessons/case_map.h"
+#include "lessons/opinions.h"
 #include "lessons/relation.h"
 #include "lessons/script.h"
 #include "viz/solids.h"
 
 namespace isect::lessons {
+
+const viz::Lesson& aabb_aabb();
+
 namespace {
 
 using namespace viz;
@@ -194,7 +199,57 @@ class Telling {
   bool disjoint_ = false;
 };
 
-Walk walk(const Parameters& p) { return Telling(setup(p)).walk(); }
+Walk walk(const Parameters& p) {
+  return with_case_map(Telling(setup(p)).walk(), aabb_aabb(), p,
+                       "The second box is shifted along *x* and *y*; its size and its place on *z* stay.\n"
+                       "A gap on *x* ends the test first, so *y* is asked only between those bands.");
+}
+
+std::vector<Opinion> opinions(const Parameters& p) {
+  const Setup s = setup(p);
+  const auto says = [](bool meet) { return meet ? "they meet" : "disjoint"; };
+  Opinions all(says(s.truth != Relation::disjoint));
+  all.add("axis by axis, the note's", says(aabb_aabb::by_axis(s.a, s.b)));
+  all.add("largest low, smallest high corner", says(aabb_aabb::min_max(s.a, s.b)));
+  all.add("middles and half-sizes", says(aabb_aabb::by_centers(s.a, s.b)));
+  return all.take();
+}
+
+enum Case { z_gap, x_gap, y_gap, overlapping, touching, inside, equal };
+
+int branch(const Parameters& p) {
+  const Setup s = setup(p);
+  for (int axis = 0; axis < 3; ++axis)
+    if (!intersects(s.a.along(axis), s.b.along(axis)))
+      return std::array{x_gap, y_gap, z_gap}[static_cast<std::size_t>(axis)];
+  return s.truth == Relation::overlapping ? overlapping
+         : s.truth == Relation::touching  ? touching
+         : s.truth == Relation::equal     ? equal
+                                          : inside;
+}
+/// From the middle of a to the middle of b.
+Vec2 place(const Parameters& p) {
+  const Setup s = setup(p);
+  return ((s.b.lo + s.b.hi) / 2 - (s.a.lo + s.a.hi) / 2).head<2>();
+}
+Parameters moved(const Parameters& p, const Vec2& to) {
+  const Setup s = setup(p);
+  const Vec2 by = to - place(p);
+  Parameters there = p;
+  there["b_min"] = Vec3(s.b.lo + Vec3(by.x(), by.y(), 0));
+  there["b_max"] = Vec3(s.b.hi + Vec3(by.x(), by.y(), 0));
+  return there;
+}
+
+const CaseMap cases = {
+    "*x* from the middle of a to the middle of b",
+    "*y* from the middle of a to the middle of b",
+    {-4, -3},
+    {4, 3},
+    {"gap on *z*", "gap on *x*", "gap on *y*", "overlapping", "touching", "one inside the other", "equal"},
+    branch,
+    place,
+    moved};
 
 Preset preset_of(const char* id, const char* title, const Vec3& b_min, const Vec3& b_max, double grow = 0) {
   const Vec3 more = Vec3::Constant(grow);
@@ -237,6 +292,8 @@ const Lesson& aabb_aabb() {
                   preset_of("equal", "equal", {-2, -1, -1}, {0, 1, 1})},
       .camera = {},
       .walk = walk,
+      .opinions = opinions,
+      .map = &cases,
   };
   return lesson;
 }

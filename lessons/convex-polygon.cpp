@@ -1,7 +1,9 @@
 // Convex polygon in O(lg n): wedges, bisection, one edge (N23); by the core's fan from a vertex, and by the note's wedges
 // around a centroid.
 
+#include "core/point_polygon.h"
 #include "lessons/convex_polygon/methods.h"
+#include "lessons/opinions.h"
 
 namespace isect::lessons {
 namespace {
@@ -45,6 +47,20 @@ Walk walk(const Parameters& values) {
   return std::get<std::string>(values.at("method")) == "fan" ? fan(setup) : centroid(setup);
 }
 
+/// A yes/no method cannot say "on the boundary": either answer will do there.
+std::vector<Opinion> opinions(const Parameters& values) {
+  const Vec3& at = std::get<Vec3>(values.at("p"));
+  const Setup s(std::stoi(std::get<std::string>(values.at("n"))), {at.x(), at.y()});
+  Opinions all(s.truth == Location::on ? "on the boundary" : s.truth == Location::in ? "inside" : "outside");
+  const auto ask = [&](const std::string& method, bool inside) {
+    all.add(method, inside ? "inside" : "outside",
+            s.truth == Location::on || inside == (s.truth == Location::in));
+  };
+  ask("wedges around a centroid", point_convex_polygon::wedge_naive(s.p, s.polygon));
+  ask("crossings, every edge", point_polygon::crossings_naive(s.p, s.polygon.vertices));
+  return all.take();
+}
+
 }  // namespace
 
 const Lesson& convex_polygon() {
@@ -80,6 +96,7 @@ const Lesson& convex_polygon() {
       .camera = {.azimuth = 0, .elevation = 0},
       .walk = walk,
       .flat = true,
+      .opinions = opinions,
   };
   return lesson;
 }

@@ -3,8 +3,10 @@
 // The situations stand in crossings/situations, the picture in crossings/picture, the steps of both rules in
 // crossings/rules.
 
+#include "core/point_polygon_methods.h"
 #include "lessons/crossings/rules.h"
 #include "lessons/crossings/situations.h"
+#include "lessons/opinions.h"
 
 namespace isect::lessons {
 namespace {
@@ -49,6 +51,29 @@ Walk walk(const Parameters& values) {
   return std::get<std::string>(values.at("rule")) == "closed" ? closed(setup) : half_open(setup);
 }
 
+/// Even-odd answers. A yes/no method cannot say "on the boundary": either answer will do there.
+std::vector<Opinion> opinions(const Parameters& values) {
+  const Vec3& at = std::get<Vec3>(values.at("p"));
+  const Setup s(situation(std::get<std::string>(values.at("polygon"))), {at.x(), at.y()});
+  const Location truth = s.truth.even_odd;
+  Opinions all(truth == Location::on ? "on the boundary" : truth == Location::in ? "inside" : "outside");
+  const auto ask = [&](const std::string& method, auto&& crossings) {
+    bool inside = false;
+    for (const Ring<double, 2>& ring : s.situation.polygon.rings) inside = inside != crossings(s.p, ring);
+    all.add(method, inside ? "inside" : "outside",
+            truth == Location::on || inside == (truth == Location::in));
+  };
+  ask("with a division",
+      [](const auto& p, const auto& ring) { return point_polygon::crossings_naive(p, ring); });
+  ask("multiplied out",
+      [](const auto& p, const auto& ring) { return point_polygon::crossings_multiplied(p, ring); });
+  ask("shifted to the origin",
+      [](const auto& p, const auto& ring) { return point_polygon::crossings_translated(p, ring); });
+  ask("closed rule",
+      [](const auto& p, const auto& ring) { return point_polygon::crossings_closed(p, ring) % 2 == 1; });
+  return all.take();
+}
+
 }  // namespace
 
 const Lesson& crossings() {
@@ -64,6 +89,7 @@ const Lesson& crossings() {
       .camera = {.azimuth = 0, .elevation = 0},
       .walk = walk,
       .flat = true,
+      .opinions = opinions,
   };
   return lesson;
 }

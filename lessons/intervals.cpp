@@ -1,13 +1,18 @@
 // Interval against interval (N12), with points as intervals of one number (N11): the test that boxes are made of.
 
-#include "core/interval_interval.h"
+#include "core/interval_interval_methods.h"
 
 #include <algorithm>
 
+#include "lessons/case_map.h"
+#include "lessons/opinions.h"
 #include "lessons/relation.h"
 #include "lessons/script.h"
 
 namespace isect::lessons {
+
+const viz::Lesson& intervals();
+
 namespace {
 
 using namespace viz;
@@ -164,7 +169,66 @@ class Telling {
   int asked_ = 0, line_ = 4;
 };
 
-Walk walk(const Parameters& p) { return Telling(setup(p)).walk(); }
+Walk walk(const Parameters& p) {
+  return with_case_map(Telling(setup(p)).walk(), intervals(), p,
+                       "Each point of the plane is an interval *b*; *a* runs from 0 to 1 on both axes.\n"
+                       "Below the diagonal *b* ends before it begins: it is empty.");
+}
+
+std::vector<Opinion> opinions(const Parameters& p) {
+  const Setup s = setup(p);
+  const auto says = [](bool meet) { return meet ? "they meet" : "disjoint"; };
+  Opinions all(says(s.truth != Relation::disjoint));
+  all.add("two ends, the note's", says(interval_interval::ends(s.a, s.b)));
+  all.add("larger lower, smaller upper end", says(interval_interval::min_max(s.a, s.b)));
+  all.add("middles and half-lengths", says(interval_interval::by_middles(s.a, s.b)));
+  return all.take();
+}
+
+enum Case { none, inner, outer, overlap, before, after, touch, same };
+
+int branch(const Parameters& p) {
+  const Setup s = setup(p);
+  if (empty(s.a) || empty(s.b)) return none;
+  switch (s.truth) {
+    case Relation::disjoint:
+      return s.b.hi < s.a.lo ? before : after;
+    case Relation::b_inside_a:
+      return inner;
+    case Relation::a_inside_b:
+      return outer;
+    case Relation::overlapping:
+      return overlap;
+    case Relation::touching:
+      return touch;
+    case Relation::equal:
+      break;
+  }
+  return same;
+}
+/// In lengths of a, from its lower end; nowhere if a is a point.
+Vec2 place(const Parameters& p) {
+  const Setup s = setup(p);
+  const double unit = s.a.hi - s.a.lo;
+  return {(s.b.lo - s.a.lo) / unit, (s.b.hi - s.a.lo) / unit};
+}
+Parameters moved(const Parameters& p, const Vec2& to) {
+  const Setup s = setup(p);
+  Parameters there = p;
+  there["b_min"] = s.a.lo + to.x() * (s.a.hi - s.a.lo);
+  there["b_max"] = s.a.lo + to.y() * (s.a.hi - s.a.lo);
+  return there;
+}
+
+const CaseMap cases = {
+    "*b*_{min}, where *a* runs from 0 to 1",
+    "*b*_{max}",
+    {-2, -2},
+    {3, 3},
+    {"b is empty", "b inside a", "a inside b", "overlapping", "b before a", "b after a", "touching", "equal"},
+    branch,
+    place,
+    moved};
 
 Preset preset_of(const char* id, const char* title, double a_min, double a_max, double b_min, double b_max) {
   return {id, title, "", {{"a_min", a_min}, {"a_max", a_max}, {"b_min", b_min}, {"b_max", b_max}}};
@@ -193,12 +257,14 @@ const Lesson& intervals() {
                   preset_of("touching", "touching", -3, 0, 0, 3),
                   preset_of("a-inside-b", "a inside b", -1, 1, -3, 3),
                   preset_of("b-inside-a", "b inside a", -3, 3, -1, 3),
-                  preset_of("equal", "equal", -2, 2, -2, 2),
+                  preset_of("equal", "equal", -2, 2, -2, 2), preset_of("empty", "b is empty", -2, 2, 1, -1),
                   preset_of("same-point", "the same point", 1, 1, 1, 1),
                   preset_of("near-points", "0.1 + 0.2 and 0.3", 0.1 + 0.2, 0.1 + 0.2, 0.3, 0.3)},
       .camera = {.azimuth = 0, .elevation = 0},
       .walk = walk,
       .flat = true,
+      .opinions = opinions,
+      .map = &cases,
   };
   return lesson;
 }

@@ -1,13 +1,16 @@
 // Ray and sphere: the root cases, by the note's three methods (N16-N19).
 //
-// The picture is drawn by ray_sphere/picture, the steps are told by ray_sphere/haines and
-// ray_sphere/quadratic.
+// The picture is drawn by ray_sphere/picture, the steps are told by ray_sphere/haines and ray_sphere/quadratic;
+// ray_sphere/cases has the map of all cases and the methods side by side.
 
-#include "core/ray_sphere.h"
+#include "lessons/case_map.h"
 #include "lessons/plane.h"
 #include "lessons/ray_sphere/methods.h"
 
 namespace isect::lessons {
+
+const viz::Lesson& ray_sphere();
+
 namespace {
 
 using namespace viz;
@@ -83,11 +86,18 @@ std::vector<Preset> presets() {
   return all;
 }
 
-Walk walk(const Parameters& values) {
+Walk told(const Parameters& values) {
   const std::string& method = std::get<std::string>(values.at("method"));
   if (method == "quadratic") return quadratic(values);
   if (method == "half-b") return half_b(values);
   return haines(values);
+}
+
+Walk walk(const Parameters& values) {
+  return with_case_map(
+      told(values), ray_sphere(), values,
+      "Two numbers settle it: how far the line passes the centre, and where on it the ray begins.\n"
+      "The half circle is the sphere itself: on it the origin lies on the surface.");
 }
 
 }  // namespace
@@ -103,6 +113,8 @@ const Lesson& ray_sphere() {
       .presets = presets(),
       .camera = {.azimuth = azimuth, .elevation = elevation},
       .walk = walk,
+      .opinions = opinions,
+      .map = &cases(),
   };
   return lesson;
 }

@@ -42,4 +42,26 @@ inline viz::Question relation_question(Relation r, const std::string& they, cons
           because};
 }
 
+/// The relations as branches of a map of cases.
+inline std::vector<std::string> relation_cases() {
+  return {"disjoint", "b inside a", "a inside b", "overlapping", "touching", "equal"};
+}
+inline int case_of(Relation r) {
+  switch (r) {
+    case Relation::disjoint:
+      return 0;
+    case Relation::b_inside_a:
+      return 1;
+    case Relation::a_inside_b:
+      return 2;
+    case Relation::overlapping:
+      return 3;
+    case Relation::touching:
+      return 4;
+    case Relation::equal:
+      break;
+  }
+  return 5;
+}
+
 }  // namespace isect::lessons

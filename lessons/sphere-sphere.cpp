@@ -1,14 +1,19 @@
 // Sphere against sphere by squared distances (N14), and what the exact test adds: all six relations, touching included.
 
-#include "core/sphere_sphere.h"
+#include "core/sphere_sphere_methods.h"
 
 #include <cmath>
 
+#include "lessons/case_map.h"
+#include "lessons/opinions.h"
 #include "lessons/plane.h"
 #include "lessons/relation.h"
 #include "lessons/script.h"
 
 namespace isect::lessons {
+
+const viz::Lesson& sphere_sphere();
+
 namespace {
 
 using namespace viz;
@@ -213,7 +218,49 @@ class Telling {
   double d2_ = 0, s2_ = 0;
 };
 
-Walk walk(const Parameters& p) { return Telling(setup(p)).walk(); }
+Walk walk(const Parameters& p) {
+  return with_case_map(
+      Telling(setup(p)).walk(), sphere_sphere(), p,
+      "Only two numbers matter: the distance and the second radius, both in lengths of *r*_1.\n"
+      "Touching is no region but the line *d* = *r*_1 + *r*_2; equal balls are one point.");
+}
+
+std::vector<Opinion> opinions(const Parameters& p) {
+  const Setup s = setup(p);
+  const Ball3 a = s.tested(s.a), b = s.tested(s.b);
+  const auto says = [](bool meet) { return meet ? "they meet" : "disjoint"; };
+  Opinions all(says(s.truth != Relation::disjoint));
+  all.add("*d*^2 < *s*^2, the note's", says(sphere_sphere::squared_distance(a, b)));
+  all.add("*d*^2 ≤ *s*^2", says(sphere_sphere::closed_squared_distance(a, b)));
+  all.add("*d* ≤ *s*, by a root", says(sphere_sphere::by_distance(a, b)));
+  all.add("*d* ≤ *s*, by hypot", says(sphere_sphere::by_hypot(a, b)));
+  return all.take();
+}
+
+int branch(const Parameters& p) { return case_of(setup(p).truth); }
+Vec2 place(const Parameters& p) {
+  const Setup s = setup(p);
+  return {(s.b.center - s.a.center).norm() / s.a.radius, s.b.radius / s.a.radius};
+}
+/// The second ball at that distance, in the direction in which it lies, and of that radius.
+Parameters moved(const Parameters& p, const Vec2& to) {
+  const Setup s = setup(p);
+  const Vec3 l = s.b.center - s.a.center;
+  const Vec3 direction = l.norm() > 0 ? Vec3(l.normalized()) : Vec3(across() / axis_length);
+  Parameters there = p;
+  there["b"] = Vec3(s.a.center + to.x() * s.a.radius * direction);
+  there["r2"] = to.y() * s.a.radius;
+  return there;
+}
+
+const CaseMap cases = {"distance *d* of the centres, in lengths of *r*_1",
+                       "radius *r*_2, in lengths of *r*_1",
+                       {0, 0},
+                       {3, 3},
+                       relation_cases(),
+                       branch,
+                       place,
+                       moved};
 
 Preset preset_of(const char* id, const char* title, const Vec2& b, double r1, double r2,
                  const char* unit = "one") {
@@ -260,6 +307,8 @@ const Lesson& sphere_sphere() {
                   preset_of("underflow", "tiny: underflow", {1, 0}, 1.5, 1, "tiny")},
       .camera = {.azimuth = azimuth, .elevation = elevation},
       .walk = walk,
+      .opinions = opinions,
+      .map = &cases,
   };
   return lesson;
 }

@@ -8,12 +8,16 @@ namespace {
 /// Sizes follow the width alone: a chart is as high as it must be.
 Theme theme_for(ThemeName name, double width) { return theme(name, width, width); }
 
+Bounds room_of(Vec2 corner, double width, double height, const Theme& theme) {
+  const double m = theme.sizes.margin;
+  return {corner.x() + m, corner.y() + m, corner.x() + width - m, corner.y() + height - m};
+}
+
 }  // namespace
 
 Composed compose(const Chart& chart, Vec2 corner, double width, double height, const Theme& theme) {
   ChartInk ink(theme);
-  const double m = theme.sizes.margin;
-  const Bounds room = {corner.x() + m, corner.y() + m, corner.x() + width - m, corner.y() + height - m};
+  const Bounds room = room_of(corner, width, height, theme);
   std::visit([&](const auto& kind) { draw(ink, kind, room); }, chart.kind);
   return ink.take();
 }
@@ -23,6 +27,12 @@ double natural_height(const Chart& chart, double width, const Theme& theme) {
   const double inner = width - 2 * theme.sizes.margin;
   return std::visit([&](const auto& kind) { return natural_height(ink, kind, inner); }, chart.kind) +
          2 * theme.sizes.margin;
+}
+
+Box2 plane_of(const Cases& cases, Vec2 corner, double width, double height, const Theme& theme) {
+  const ChartInk ink(theme);
+  const Bounds b = plane_within(ink, cases, room_of(corner, width, height, theme));
+  return {{b.left, b.top}, {b.right, b.bottom}};
 }
 
 Figure chart_figure(const Chart& chart, ThemeName name, double width) {

@@ -115,14 +115,37 @@ struct Bars {
   std::string target_name = "target";  ///< in the legend, if any row has one
 };
 
+/// A plane of two parameters in regions, one for each branch. viz/case_map.h makes one.
+struct Cases {
+  /// The part of a region between two levels: lower left, lower right, upper right, upper left.
+  struct Patch {
+    std::array<Vec2, 4> corners;
+    int branch = 0;
+  };
+  struct Spot {
+    Vec2 at;
+    int branch = 0;
+  };
+  Scale x, y;
+  std::vector<std::string> branches;  ///< names, written into the regions; the first one has no colour
+  std::vector<Patch> patches;
+  std::vector<std::vector<Vec2>> borders;
+  int columns = 0, rows = 0;
+  std::vector<unsigned char> cells;  ///< the branch in the middle of each cell, row by row from the bottom
+  std::vector<Spot> presets;         ///< small rings; a branch without an area gets its name beside one
+  std::optional<Spot> here = {};     ///< the setting that is shown
+};
+
 struct Chart {
-  std::variant<Plot, Maps, Bars> kind;
+  std::variant<Plot, Maps, Bars, Cases> kind;
 };
 
 /// The shapes of a chart within a rectangle, and all of its labels.
 Composed compose(const Chart&, Vec2 corner, double width, double height, const Theme&);
 /// The height at which a chart of this width reads well.
 double natural_height(const Chart&, double width, const Theme&);
+/// Where the plane lies in a chart composed within this rectangle: what a pointer needs.
+Box2 plane_of(const Cases&, Vec2 corner, double width, double height, const Theme&);
 /// A chart as a figure of its own, sizes as in a figure of this width.
 Figure chart_figure(const Chart&, ThemeName, double width);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "viz/marks.h"
 #include "viz/rich_text.h"
 #include "viz/text.h"
 
@@ -135,6 +136,13 @@ void ChartInk::box(const Bounds& b, const Colour& colour) {
   fill({{b.left, b.top}, {b.right, b.top}, {b.right, b.bottom}, {b.left, b.bottom}}, colour);
 }
 
+void ChartInk::place(const std::vector<Wanted>& wanted, const std::vector<Obstacle>& obstacles,
+                     const Bounds& room) {
+  out_.labels = place_labels(wanted, obstacles, room, theme_, out_.shapes, std::move(out_.labels));
+}
+
+void ChartInk::mark(Mark mark, const Vec2& at, Role role) { viz::mark(out_.shapes, mark, at, role, theme_); }
+
 void ChartInk::glyph(Glyph glyph, const Vec2& at, double radius, const Colour& colour, bool hollow) {
   const Path path = outline_of(glyph, at, radius);
   const double pen = 0.75 * sizes().outline;
@@ -224,7 +232,7 @@ std::string tick_text(double value) {
   const double exponent = value > 0 ? std::round(std::log10(value)) : 0;
   if (value > 0 && std::abs(value / std::pow(10.0, exponent) - 1) < 1e-9 && (exponent > 3 || exponent < -2))
     return fmt::format("10^{{{}{:.0f}}}", exponent < 0 ? "−" : "", std::abs(exponent));
-  return fmt::format("{:g}", value + 0.0);  // no -0
+  return fmt::format("{}{:g}", value < 0 ? "−" : "", std::abs(value));
 }
 
 namespace {

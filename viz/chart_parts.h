@@ -30,6 +30,10 @@ class ChartInk {
             bool round_cap = false);
   void fill(const std::vector<Vec2>& points, const Colour&);
   void box(const Bounds&, const Colour&);
+  /// Labels with places of their own choice within `room`, clear of each other, of the texts so far and of the obstacles.
+  void place(const std::vector<Wanted>&, const std::vector<Obstacle>&, const Bounds& room);
+  /// A scene's marker.
+  void mark(Mark, const Vec2& at, Role);
   /// A marker with a halo; hollow ones are filled with the background.
   void glyph(Glyph, const Vec2& at, double radius, const Colour&, bool hollow);
 
@@ -78,9 +82,13 @@ void legend(ChartInk&, const std::vector<LegendEntry>&, const Vec2& corner, doub
 void draw(ChartInk&, const Plot&, const Bounds&);
 void draw(ChartInk&, const Maps&, const Bounds&);
 void draw(ChartInk&, const Bars&, const Bounds&);
+void draw(ChartInk&, const Cases&, const Bounds&);
 double natural_height(const ChartInk&, const Plot&, double width);
 double natural_height(const ChartInk&, const Maps&, double width);
 double natural_height(const ChartInk&, const Bars&, double width);
+double natural_height(const ChartInk&, const Cases&, double width);
+/// The plane itself, within a chart's rectangle.
+Bounds plane_within(const ChartInk&, const Cases&, const Bounds&);
 
 /// One panel's data within its rectangle.
 void draw_data(ChartInk&, const Plot&, const Panel&, const Bounds&);

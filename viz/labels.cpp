@@ -122,9 +122,9 @@ Fit fit(const Candidate& candidate, const Vec2& half, const std::vector<PlacedLa
 
 std::vector<PlacedLabel> place_labels(const std::vector<Wanted>& labels,
                                       const std::vector<Obstacle>& obstacles, const Bounds& bounds,
-                                      const Theme& theme, std::vector<Shape>& out) {
+                                      const Theme& theme, std::vector<Shape>& out,
+                                      std::vector<PlacedLabel> placed) {
   const Sizes& sizes = theme.sizes;
-  std::vector<PlacedLabel> placed;
   std::vector<Shape> leaders, texts;
   for (const Wanted& wanted : labels) {
     Text text = {wanted.markup, Vec2::Zero(), sizes.label, wanted.colour, 0, false, 0, theme.background};

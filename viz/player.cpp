@@ -74,6 +74,7 @@ void Player::show(State next, bool same_lesson) {
   }
   state_ = std::move(next);
   walk_ = std::move(walk);
+  opinions_ = lesson.opinions ? lesson.opinions(state_.parameters) : std::vector<Opinion>();
   preset_ = matching_preset(lesson, state_.parameters);
   asked_.clear();
   asking_ = asking_ && !at_end() && walk_.steps[index() + 1].question;
@@ -214,6 +215,18 @@ void Player::edit(const std::string& name, const Setting& value) {
 void Player::drag_handle(const Handle& handle, const Vec3& to) {
   State next = state_;
   drag(lesson(), next.parameters, handle, to);
+  if (next.parameters != state_.parameters) show(std::move(next), true);
+}
+
+bool Player::methods_differ() const {
+  return std::ranges::any_of(opinions_, [](const Opinion& o) { return !o.agrees; });
+}
+
+void Player::go_to_case(const Vec2& at) {
+  const CaseMap& map = *lesson().map;
+  State next = state_;
+  next.parameters = map.moved(parameters(), at.cwiseMax(map.lo).cwiseMin(map.hi));
+  validate(lesson(), next.parameters);
   if (next.parameters != state_.parameters) show(std::move(next), true);
 }
 

@@ -30,6 +30,9 @@ class Player {
   int count() const { return static_cast<int>(walk_.steps.size()); }
   int index() const { return std::min(state_.wanted, count() - 1); }
   const Step& step() const { return walk_.steps[index()]; }
+  /// What the lesson's methods say of these parameters, where it has several that should agree.
+  const std::vector<Opinion>& opinions() const { return opinions_; }
+  bool methods_differ() const;
   /// The preset whose parameters these are; empty when they were changed by hand.
   const std::string& preset_id() const { return preset_; }
   /// The presets of the current group, in order: what the keys 1 to 9 load.
@@ -77,6 +80,8 @@ class Player {
   void restart();
   void edit(const std::string& name, const Setting&);
   void drag_handle(const Handle&, const Vec3& to);
+  /// Brings the setting to a place on the lesson's map of cases; what lies beyond it is taken to its rim.
+  void go_to_case(const Vec2&);
   void go(const Place&);
 
   const CameraRig& camera() const { return camera_; }
@@ -116,6 +121,7 @@ class Player {
   std::vector<const Lesson*> lessons_;
   State state_;
   Walk walk_;
+  std::vector<Opinion> opinions_;
   std::string preset_;
   std::vector<Method> methods_;
   std::vector<Walk> samples_;  ///< one walk of each preset

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "viz/case_map.h"
 #include "viz/compose.h"
 #include "viz/place.h"
 
@@ -77,7 +78,7 @@ std::vector<std::string> in_words(std::vector<viz::Change> changes) {
 
 bool has_picture(const Excerpt& e, int step) {
   const bool own_file = e.folder != e.preset;
-  if (own_file || step + 1 == static_cast<int>(e.walk.steps.size())) return true;
+  if (own_file || step == viz::outcome(e.walk)) return true;
   const std::vector<viz::Preset>& presets = e.lesson->presets;
   const std::string& group = viz::preset(*e.lesson, e.preset).group;
   const auto first = std::ranges::find(presets, group, &viz::Preset::group);

@@ -65,6 +65,23 @@ std::string question(const viz::Question& q) {
   return out + wrapped(fmt::format("Answer: {}. {}", answer, viz::plain(q.because)), width, 0) + "\n";
 }
 
+/// What the methods say that should agree.
+std::string side_by_side(const Excerpt& e) {
+  const std::vector<viz::Opinion> opinions =
+      e.lesson->opinions ? e.lesson->opinions(e.parameters) : std::vector<viz::Opinion>();
+  if (opinions.empty()) return {};
+  std::size_t widest = 0;
+  for (const viz::Opinion& o : opinions) widest = std::max(widest, length(viz::plain(o.method)));
+  std::string out = "Methods side by side:\n";
+  for (const viz::Opinion& o : opinions) {
+    const std::string method = viz::plain(o.method), says = viz::plain(o.says);
+    const std::string line = fmt::format(" {} {}{}  {}", o.agrees ? "✓" : "✗", method,
+                                         std::string(widest - length(method), ' '), says);
+    out += (o.agrees ? line : inked(Ink::bold, line)) + "\n";
+  }
+  return out + "\n";
+}
+
 std::string told(const viz::Walk& walk, int index) {
   const viz::Step& step = walk.steps[static_cast<std::size_t>(index)];
   std::string out =
@@ -86,6 +103,7 @@ int explain(const Program& program, const Selection& asked) {
   out += wrapped(e.lesson->summary, width, 0) + "\n";
   if (!e.walk.method.empty()) out += wrapped("Method: " + viz::plain(e.walk.method), width, 0) + "\n";
   out += wrapped("Picture: " + viz::plain(e.walk.alt), width, 0) + "\n";
+  out += side_by_side(e);
   for (const int step : e.steps) out += told(e.walk, step);
   out.pop_back();
   print(out);

@@ -7,6 +7,8 @@
 
 #include "lessons/lessons.h"
 #include "tests/catch.h"
+#include "viz/case_map.h"
+#include "viz/chart.h"
 #include "viz/compose.h"
 #include "viz/rich_text.h"
 
@@ -167,6 +169,33 @@ TEST_CASE("a handle that is dragged stays under the pointer, and one that is not
         const Vec3& now = again.steps.front().scene.handles[i].at;
         CHECK((now - handles[i].at).norm() <= 1e-9 * (1 + handles[i].at.norm()));
       }
+    }
+  }
+}
+
+TEST_CASE("presets visit every branch of a map of cases, and a setting brought to a place lies there",
+          "[every lesson]") {
+  for (const Lesson* lesson : those_asked_for()) {
+    if (!lesson->map) continue;
+    const CaseMap& map = *lesson->map;
+    std::set<int> visited;
+    for (const Preset& p : lesson->presets) {
+      INFO(lesson->id << " " << p.id);
+      visited.insert(map.branch(p.parameters));
+      const Vec2 at = map.place(p.parameters);
+      const bool on_map = (at.array() >= map.lo.array()).all() && (at.array() <= map.hi.array()).all();
+      const Step last = lesson->walk(p.parameters).steps.back();
+      CHECK((last.slug == case_map_slug) == on_map);
+      if (!on_map) continue;
+      CHECK(std::get<Cases>(last.scene.chart->kind).here->branch == map.branch(p.parameters));
+      for (const Vec2& share : {Vec2(0.21, 0.37), Vec2(0.83, 0.62)}) {
+        const Vec2 to = map.lo + share.cwiseProduct(map.hi - map.lo);
+        CHECK((map.place(map.moved(p.parameters, to)) - to).norm() <= 1e-9 * (map.hi - map.lo).norm());
+      }
+    }
+    for (int i = 0; i < static_cast<int>(map.branches.size()); ++i) {
+      INFO(lesson->id << ": " << map.branches[static_cast<std::size_t>(i)]);
+      CHECK(visited.contains(i));
     }
   }
 }

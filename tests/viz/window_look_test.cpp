@@ -27,9 +27,9 @@ std::array<int, 3> bytes(const Colour& c) {
 
 /// What a person aims at; the rest are areas that hold such things, or lie over others for a while.
 bool is_widget(const std::string& name) {
-  static const std::set<std::string> areas = {"scene",     "lesson panel", "code panel",    "top bar",
-                                              "transport", "lesson words", "lesson fields", "code lines",
-                                              "values",    "message"};
+  static const std::set<std::string> areas = {
+      "scene",         "lesson panel", "code panel", "top bar", "transport",           "lesson words",
+      "lesson fields", "code lines",   "values",     "message", "methods side by side"};
   return !areas.contains(name) && !name.starts_with("handle ");
 }
 
@@ -42,6 +42,7 @@ bool meet(const Rect& a, const Rect& b) {
 Rect visible(const WindowDriver& window, const std::string& name, Rect r) {
   const char* area = name.starts_with("line ")        ? "code lines"
                      : name.starts_with("choice ")    ? "lesson words"
+                     : name == "save preset"          ? "lesson words"
                      : name.starts_with("parameter ") ? "lesson fields"
                      : name == "comparison"           ? "values"
                                                       : nullptr;

@@ -117,6 +117,29 @@ void question(Column& c, bool fresh) {
   c.paragraph(answered->question->because, ink.text);
 }
 
+/// What each method says of this setting, and a button to keep one in which they differ.
+void side_by_side(Column& c) {
+  const std::vector<Opinion>& said = c.s.player.opinions();
+  if (said.empty()) return;
+  Ui& ui = c.s.ui;
+  c.y += 24;
+  c.paragraph("Methods side by side", ui.palette.text, 15, 23, true);
+  const float top = c.y;
+  for (const Opinion& o : said) {
+    const Colour& ink = o.agrees ? ui.palette.hit : ui.palette.miss;
+    (o.agrees ? tick : cross)(c.x + 7, c.y + 11, 11, packed(ink));
+    c.x += 22, c.width -= 22;
+    c.paragraph(o.method + ": " + o.says, o.agrees ? ui.palette.muted : ui.palette.text);
+    c.x -= 22, c.width += 22;
+  }
+  ui.rects["methods side by side"] = {c.x, top, c.x + c.width, c.y};
+  if (!c.s.player.methods_differ()) return;
+  c.y += 8;
+  if (chip(ui, "save preset", {c.x, c.y, c.x + 180, c.y + 34}, "Save as preset", false))
+    c.s.save_preset = true;
+  c.y += 34;
+}
+
 /// `fresh`: these words were not yet there in the last frame.
 void lesson_text(Session& s, const Rect& r, bool fresh) {
   const Step& step = s.player.step();
@@ -135,6 +158,7 @@ void lesson_text(Session& s, const Rect& r, bool fresh) {
     c.paragraph(step.source, ink.muted, 13, 19);
   }
   question(c, fresh);
+  side_by_side(c);
   ImGui::SetCursorScreenPos({r.left, c.y});
   ImGui::Dummy({1, 16});
 }
@@ -146,6 +170,8 @@ struct Hint {
 };
 std::vector<Hint> hints_of(const Player& player) {
   std::vector<Hint> hints;
+  if (player.lesson().map && player.step().scene.chart)
+    hints.push_back({Role::text, "drag the setting over the map"});
   for (const Handle& h : player.step().scene.handles) {
     std::string label = h.parameter;
     for (const Parameter& p : player.lesson().parameters)

@@ -1,5 +1,7 @@
 #include "viz/window/save_figure.h"
 
+#include <filesystem>
+
 #include "viz/compose.h"
 #include "viz/files.h"
 #include "viz/snapshot.h"
@@ -38,6 +40,16 @@ std::string save_figure(const Player& player, const Settings& settings, Renderer
   }
   renderer.draw(drawing, 2);
   write_file(path, png(halved(renderer.read()), metadata(place)));
+  return path;
+}
+
+std::string save_preset(const Player& player, const std::string& folder) {
+  Place place = player.place();
+  place.preset.clear(), place.camera.reset(), place.step = 0;
+  std::string path;
+  for (int i = 1; path.empty() || std::filesystem::exists(path); ++i)
+    path = folder + "/" + place.lesson + "/disagreement-" + std::to_string(i) + ".json";
+  write_file(path, to_json(place));
   return path;
 }
 

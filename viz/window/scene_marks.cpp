@@ -71,6 +71,28 @@ void verdict_chip(Session& s, const Rect& scene) {
   ImGui::PopClipRect();
 }
 
+void alarm_chip(Session& s, const Rect& scene) {
+  if (!s.player.methods_differ()) return;
+  Ui& ui = s.ui;
+  const std::vector<Opinion>& said = s.player.opinions();
+  const auto differ = std::ranges::count_if(said, [](const Opinion& o) { return !o.agrees; });
+  const std::string words =
+      fmt::format("{} of {} methods {}", differ, said.size(), differ == 1 ? "differs" : "differ");
+  const float top = scene.top + (s.player.step().verdict.text.empty() ? 20 : 64);
+  const Rect r{scene.left + 20, top, scene.left + 66 + text_width(ui.fonts.small, words), top + 32};
+  ui.rects["alarm"] = r;
+  filled(r, ui.palette.window, 8);
+  outlined(r, ui.palette.miss, 1.5f, 8);
+  cross(r.left + 20, r.middle_y(), 11, packed(ui.palette.miss));
+  text(ui.fonts.small, r.left + 40, r.middle_y(), packed(ui.palette.text), words);
+  if (!ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r))) return;
+  std::string all;
+  for (const Opinion& o : said)
+    all += fmt::format("{}{}: {}{}", all.empty() ? "" : "\n", plain(o.method), plain(o.says),
+                       o.agrees ? "" : "  (differs)");
+  tooltip(ui, all);
+}
+
 void tripod(Session& s, const View& view, const Rect& scene) {
   constexpr float length = 28;
   const ImVec2 origin{scene.left + 46, scene.bottom - 44};

@@ -7,6 +7,8 @@ namespace isect::viz {
 
 /// The verdict in a chip at the top left.
 void verdict_chip(Session&, const Rect& scene);
+/// Below it, where methods that should agree do not: how many differ, and with the pointer on it what each says.
+void alarm_chip(Session&, const Rect& scene);
 /// The directions of the axes at the bottom left.
 void tripod(Session&, const View&, const Rect& scene);
 /// The projection's name at the bottom right: a button (before the scene's own), and its text (over the

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "viz/chart.h"
 #include "viz/compose.h"
 #include "viz/window/scene_marks.h"
 
@@ -21,6 +22,18 @@ std::string line_of(const Session& s, const Rect& r, double scale) {
                      c.elevation, c.half_height, c.perspective, c.field_of_view);
 }
 
+/// What a chart leaves to the chips above it, where the scene's are drawn over.
+double head_of(const Session& s) {
+  if (!s.player.step().scene.chart) return 0;
+  return (s.player.step().verdict.text.empty() ? 12 : 64) + (s.player.methods_differ() ? 40 : 0);
+}
+
+/// The map of cases that this step shows, if any.
+const Cases* map_of(const Session& s) {
+  const Scene& scene = s.player.step().scene;
+  return scene.chart && s.player.lesson().map ? std::get_if<Cases>(&scene.chart->kind) : nullptr;
+}
+
 bool same_handle(const Handle& a, const Handle& b) { return a.parameter == b.parameter && a.kind == b.kind; }
 
 }  // namespace
@@ -29,7 +42,8 @@ void SceneView::draw(const Session& s, const Rect& r, const View& view) {
   const std::string wanted = line_of(s, r, scale_);
   if (wanted == drawn_) return;
   const Theme& theme = s.ui.palette.theme;
-  const View own(view.camera(), view.width(), view.height());
+  const double head = head_of(s);
+  const View own(view.camera(), view.width(), view.height() - head, {0, head});
   Drawing drawing{view.width(), view.height(), theme.background, {}};
   drawing.shapes = compose(s.player.step().scene, own, theme, true).shapes;
   renderer_.draw(drawing, scale_);
@@ -59,6 +73,28 @@ void SceneView::drag_held(Session& s, const View& view) {
     }
 }
 
+/// The setting follows the pointer over the map.
+void SceneView::drag_case(Session& s, const View& view, bool hovered) {
+  const Cases& cases = *map_of(s);
+  const Vec2 head(0, head_of(s));
+  const Box2 plane =
+      plane_of(cases, view.corner() + head, view.width(), view.height() - head.y(), s.ui.palette.theme);
+  const Vec2 share = (mouse() - plane.lo).cwiseQuotient(plane.hi - plane.lo);
+  const bool inside = (share.array() >= 0).all() && (share.array() <= 1).all();
+  if (hovered && inside && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+    s.player.end_action();
+    s.player.remember("drag");
+    on_map_ = true;
+  } else if (mouse() == last_) {
+    return;
+  }
+  if (on_map_)
+    s.attempt([&] {
+      s.player.go_to_case({cases.x.lo + share.x() * (cases.x.hi - cases.x.lo),
+                           cases.y.hi - share.y() * (cases.y.hi - cases.y.lo)});
+    });
+}
+
 void SceneView::wheel(Session& s, const View& view) {
   const double turns = ImGui::GetIO().MouseWheel;
   if (turns != 0) s.player.zoom(view, mouse(), std::pow(1.15, turns));
@@ -66,6 +102,12 @@ void SceneView::wheel(Session& s, const View& view) {
 
 void SceneView::pointer(Session& s, const View& view, bool hovered, bool active) {
   const ImGuiIO& io = ImGui::GetIO();
+  if (!io.MouseDown[0]) on_map_ = false;
+  if (map_of(s)) {
+    drag_case(s, view, hovered);
+    last_ = mouse();
+    return;
+  }
   if (hovered) wheel(s, view);
   if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
     s.player.end_action();
@@ -101,7 +143,7 @@ void SceneView::show(Session& s, const Rect& r) {
   const Vec2 corner(r.left, r.top);
   const View before(s.player.camera().now(), r.width(), r.height(), corner);
 
-  if (!s.player.lesson().flat) projection_name(s, r);
+  if (!s.player.lesson().flat && !s.player.step().scene.chart) projection_name(s, r);
   ImGui::SetCursorScreenPos(top_left(r));
   ImGui::InvisibleButton("picture", {r.width(), r.height()},
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
@@ -126,8 +168,10 @@ void SceneView::show(Session& s, const Rect& r) {
     ball_under_pointer(s, view, mouse());
 
   verdict_chip(s, r);
-  tripod(s, view, r);
-  if (!s.player.lesson().flat) projection_text(s, r);
+  alarm_chip(s, r);
+  const bool in_space = !s.player.step().scene.chart;
+  if (in_space) tripod(s, view, r);
+  if (in_space && !s.player.lesson().flat) projection_text(s, r);
   toast(s, r);
   ImGui::End();
 }

@@ -24,12 +24,14 @@ class SceneView {
   void pointer(Session&, const View&, bool hovered, bool active);
   void wheel(Session&, const View&);
   void drag_held(Session&, const View&);
+  void drag_case(Session&, const View&, bool hovered);
   std::optional<Handle> handle_near(const Session&, const View&, const Vec2& pixel) const;
 
   Renderer& renderer_;
   double scale_;
   std::string drawn_;           ///< what the texture shows, as one line; drawing it again is saved
   std::optional<Handle> held_;  ///< while a handle is dragged: the handle as it is now
+  bool on_map_ = false;         ///< while the setting is dragged on the map of cases
   Vec2 grip_ = Vec2::Zero();    ///< from the held handle to the pointer that took it
   Vec2 last_ = Vec2::Zero();    ///< the pointer in the frame before
 };

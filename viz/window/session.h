@@ -38,6 +38,7 @@ struct Session {
   bool panels = true;
   Sheet open_next = Sheet::none;  ///< asked for by a key or a button, opened at the end of the frame
   bool save_now = false;          ///< this frame's figure shall become a file
+  bool save_preset = false;       ///< the setting shall become a preset file
   bool close = false;             ///< the reader wants to leave
   std::string search = {};        ///< words in the picker
   float fields_height = 0;        ///< of the parameters' fields, as the last frame found it

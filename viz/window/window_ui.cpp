@@ -89,6 +89,14 @@ struct WindowUi::Impl {
     scene.invalidate();
   }
 
+  void keep_setting() {
+    try {
+      session.say("Saved " + save_preset(player, session.figures));
+    } catch (const FileError& failed) {
+      session.complain(failed.what());
+    }
+  }
+
   ImGuiScope imgui;
   Renderer& renderer;
   Player player;
@@ -115,6 +123,7 @@ void WindowUi::frame() {
   w.player.advance(io.DeltaTime);
   // Not before now: the frame built last has shown the scene's texture, which saving draws over.
   if (std::exchange(w.session.save_now, false)) w.save();
+  if (std::exchange(w.session.save_preset, false)) w.keep_setting();
 
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();

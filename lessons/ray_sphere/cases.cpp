@@ -1,0 +1,82 @@
+// All cases of a ray and a sphere in the plane of two numbers, and the methods side by side.
+
+#include <Eigen/Geometry>
+
+#include "core/ray_sphere_methods.h"
+#include "core/ray_sphere_stable.h"
+#include "lessons/opinions.h"
+#include "lessons/plane.h"
+#include "lessons/ray_sphere/methods.h"
+#include "lessons/ray_sphere/picture.h"
+
+namespace isect::lessons::ray_sphere_lesson {
+namespace {
+
+using namespace viz;
+
+enum Case { miss, ends_inside, inside, two_hits, behind, ends_before, tangent, heading_in, heading_out };
+
+int branch(const Parameters& p) {
+  const Setup s = setup(p, false);
+  if (s.truth.line_roots == 0) return miss;
+  if (s.truth.line_roots == 1) return tangent;
+  if (s.truth.origin == Location::in) return inside;
+  if (s.truth.origin == Location::on) return s.foot() > 0 ? heading_in : heading_out;
+  if (!s.truth) return s.foot() < 0 ? behind : ends_before;
+  return s.ray.range.hi < s.truth.roots.hi ? ends_inside : two_hits;
+}
+/// Along the ray from the line's point nearest to the centre, and from the centre to that point; in radii.
+Vec2 place(const Parameters& p) {
+  const Setup s = setup(p, true);
+  const Vec3 from_center = s.ray.origin - s.sphere.center;
+  const double along = from_center.dot(s.ray.direction);
+  return Vec2(along, (from_center - along * s.ray.direction).norm()) / s.sphere.radius;
+}
+/// The ray keeps its direction and passes on the side on which it did, or above.
+Parameters moved(const Parameters& p, const Vec2& to) {
+  const Setup s = setup(p, true);
+  const Vec3& d = s.ray.direction;
+  const Vec3 from_center = s.ray.origin - s.sphere.center;
+  Vec3 aside = from_center - from_center.dot(d) * d;
+  if (!(aside.norm() > 1e-9 * s.sphere.radius)) aside = across().cross(upwards()).cross(d);
+  if (!(aside.norm() > 0)) aside = d.unitOrthogonal();
+  Parameters there = p;
+  there["origin"] =
+      Vec3(s.sphere.center + s.sphere.radius * (to.x() * d + std::max(to.y(), 0.0) * aside.normalized()));
+  return there;
+}
+
+}  // namespace
+
+const CaseMap& cases() {
+  static const CaseMap map = {"where the ray begins, along it from the point nearest to the centre, in radii",
+                              "how far the line passes the centre, in radii",
+                              {-3.5, 0},
+                              {2.5, 1.75},
+                              {"no real root", "ends inside", "from inside", "two hits", "behind",
+                               "ends before", "tangent", "on it, heading in", "on it, heading out"},
+                              branch,
+                              place,
+                              moved};
+  return map;
+}
+
+/// First hits to five digits, in units of the direction as given.
+std::vector<Opinion> opinions(const Parameters& p) {
+  const Setup s = setup(p, false), unit = setup(p, true);
+  const double length = s.ray.direction.norm();
+  const auto says = [](const std::optional<double>& t) {
+    return t ? "*t* = " + shown(*t) : std::string("no hit");
+  };
+  std::optional<double> t = ray_sphere::haines(unit.ray, unit.sphere);
+  if (t) *t /= length;
+  Opinions all(says(s.truth.surface));
+  all.add("Haines", says(t));
+  all.add("quadratic formula", says(ray_sphere::quadratic(s.ray, s.sphere)));
+  all.add("half of *B*", says(ray_sphere::half_b(s.ray, s.sphere)));
+  all.add("stable roots", says(ray_sphere::stable_roots(s.ray, s.sphere)));
+  all.add("robust discriminant", says(ray_sphere::robust(s.ray, s.sphere)));
+  return all.take();
+}
+
+}  // namespace isect::lessons::ray_sphere_lesson

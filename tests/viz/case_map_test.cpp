@@ -1,0 +1,98 @@
+// The map of cases, of a lesson made up for the purpose: a disc, a circle and a half-plane.
+
+#include "viz/case_map.h"
+
+#include "tests/catch.h"
+
+using namespace isect::viz;
+
+namespace {
+
+enum Case { outside, disc, rim, right };
+
+Vec2 place(const Parameters& p) { return {std::get<double>(p.at("x")), std::get<double>(p.at("y"))}; }
+Parameters moved(const Parameters& p, const Vec2& to) {
+  Parameters there = p;
+  there["x"] = to.x(), there["y"] = to.y();
+  return there;
+}
+int branch(const Parameters& p) {
+  const Vec2 at = place(p);
+  if (at.squaredNorm() == 1) return rim;
+  return at.squaredNorm() < 1 ? disc : at.x() > 1.5 ? right : outside;
+}
+
+const CaseMap map = {"x", "y", {-2, -2}, {2, 2}, {"outside", "disc", "rim", "right"}, branch, place, moved};
+
+Preset preset_at(const char* id, double x, double y) { return {id, id, "", {{"x", x}, {"y", y}}}; }
+
+Lesson lesson() {
+  Lesson l;
+  l.id = "made-up";
+  l.presets = {preset_at("a", 0.5, 0), preset_at("b", 0, 1), preset_at("c", 5, 0), preset_at("d", 0.5, 0)};
+  l.map = &map;
+  return l;
+}
+
+double area(const Cases& cases, int of) {
+  double sum = 0;
+  for (const Cases::Patch& patch : cases.patches) {
+    if (patch.branch != of) continue;
+    const auto& [a, b, c, d] = patch.corners;
+    sum += (b.x() - a.x() + c.x() - d.x()) / 2 * (d.y() - a.y());
+  }
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("regions have the areas that the branches have", "[case_map]") {
+  const Lesson l = lesson();
+  const Cases cases = std::get<Cases>(case_map(l, l.presets[0].parameters).kind);
+  CHECK(std::abs(area(cases, disc) - 3.14159265) < 0.01);
+  CHECK(std::abs(area(cases, right) - 2) < 0.005);
+  CHECK(area(cases, rim) == 0);
+  CHECK(std::abs(area(cases, outside) + area(cases, disc) + area(cases, right) - 16) < 1e-9);
+}
+
+TEST_CASE("borders lie where the branch changes", "[case_map]") {
+  const Lesson l = lesson();
+  const Cases cases = std::get<Cases>(case_map(l, l.presets[0].parameters).kind);
+  REQUIRE_FALSE(cases.borders.empty());
+  for (const std::vector<Vec2>& border : cases.borders)
+    for (const Vec2& p : border) {
+      const bool on_line = std::abs(p.x() - 1.5) < 0.001, on_rim = std::abs(p.norm() - 1) < 0.005;
+      CHECK((on_line || on_rim));
+    }
+}
+
+TEST_CASE("presets on the map are marked once, with their own branch", "[case_map]") {
+  const Lesson l = lesson();
+  const Cases cases = std::get<Cases>(case_map(l, preset_at("", -1.75, 1.75).parameters).kind);
+  REQUIRE(cases.presets.size() == 2);  // c lies beyond it, d where a is
+  CHECK(cases.presets[0].branch == disc);
+  CHECK(cases.presets[1].branch == rim);
+  REQUIRE(cases.here);
+  CHECK(cases.here->branch == outside);
+  CHECK_FALSE(std::get<Cases>(case_map(l, preset_at("", 9, 0).parameters).kind).here);
+}
+
+TEST_CASE("a map names its regions and its lines, inside its plane", "[case_map]") {
+  const Lesson l = lesson();
+  const Chart chart = case_map(l, l.presets[0].parameters);
+  for (const ThemeName name : {ThemeName::screen, ThemeName::print, ThemeName::grey, ThemeName::dark}) {
+    const Theme styled = theme(name, 600, 400);
+    const Composed composed = compose(chart, {0, 0}, 600, 400, styled);
+    const Box2 plane = plane_of(std::get<Cases>(chart.kind), {0, 0}, 600, 400, styled);
+    for (const std::string& branch : map.branches) {
+      int found = 0;
+      for (const PlacedLabel& label : composed.labels)
+        if (label.text == branch) {
+          ++found;
+          CHECK((label.box.left >= plane.lo.x() && label.box.right <= plane.hi.x()));
+          CHECK((label.box.top >= plane.lo.y() && label.box.bottom <= plane.hi.y()));
+        }
+      CHECK(found == 1);
+    }
+  }
+}

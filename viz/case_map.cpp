@@ -1,0 +1,196 @@
+#include "viz/case_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace isect::viz {
+namespace {
+
+constexpr int columns = 60, rows = 36;
+
+/// One level of the plane: from left to right, `branches[i]` up to `cuts[i]`, and the last one up to the end.
+struct Level {
+  double y = 0;
+  std::vector<double> cuts;
+  std::vector<int> branches;
+
+  int at(double x) const {
+    std::size_t i = 0;
+    while (i < cuts.size() && !(x < cuts[i])) ++i;
+    return branches[i];
+  }
+};
+
+class Sweep {
+ public:
+  Sweep(const CaseMap& map, const Parameters& here, Cases& out) : map_(map), here_(here), out_(out) {}
+
+  void run() {
+    const double step = (map_.hi.y() - map_.lo.y()) / rows;
+    Level below = level(map_.lo.y());
+    for (int j = 0; j < rows; ++j) {
+      const Level above = level(j + 1 == rows ? map_.hi.y() : map_.lo.y() + (j + 1) * step);
+      between(below, above, 7);
+      below = above;
+    }
+    end_borders();
+    for (int j = 0; j < rows; ++j) {
+      const Level middle = level(map_.lo.y() + (j + 0.5) * step);
+      for (int i = 0; i < columns; ++i)
+        out_.cells.push_back(static_cast<unsigned char>(middle.at(abscissa(i + 0.5))));
+    }
+  }
+
+ private:
+  double width() const { return map_.hi.x() - map_.lo.x(); }
+  double abscissa(double i) const { return map_.lo.x() + i * width() / columns; }
+  int branch(double x, double y) const { return map_.branch(map_.moved(here_, {x, y})); }
+
+  /// The samples keep off round numbers, where lines and points of the plane have branches of their own.
+  Level level(double y) const {
+    Level l{y, {}, {}};
+    const double off = 1.234e-5;
+    const double at = y + off * (y == map_.hi.y() ? -1 : 1) * (map_.hi.y() - map_.lo.y());
+    double left = map_.lo.x() + off * width();
+    l.branches.push_back(branch(left, at));
+    for (int i = 1; i <= columns; ++i) {
+      const double right = abscissa(i) + (i == columns ? -off : off) * width();
+      const int there = branch(right, at);
+      if (there != l.branches.back()) l.cuts.push_back(change(left, right, at)), l.branches.push_back(there);
+      left = right;
+    }
+    return l;
+  }
+
+  /// Where the branch at `left` ends.
+  double change(double left, double right, double y) const {
+    const int before = branch(left, y);
+    for (int i = 0; i < 10; ++i) {
+      const double middle = (left + right) / 2;
+      (branch(middle, y) == before ? left : right) = middle;
+    }
+    return (left + right) / 2;
+  }
+
+  void between(const Level& below, const Level& above, int depth) {
+    const bool alike = below.branches == above.branches;
+    double moved = 0;  // of the cut that moves most
+    if (alike)
+      for (std::size_t i = 0; i < below.cuts.size(); ++i)
+        moved = std::max(moved, std::abs(below.cuts[i] - above.cuts[i]));
+    if (depth > 0 && (!alike || moved > 2.5 * width() / columns)) {
+      const Level middle = level((below.y + above.y) / 2);
+      between(below, middle, depth - 1);
+      between(middle, above, depth - 1);
+    } else if (alike) {
+      strip(below, above);
+    } else {
+      step(below, above);
+    }
+  }
+
+  void strip(const Level& below, const Level& above) {
+    for (std::size_t i = 0; i < below.branches.size(); ++i) {
+      const double a = i == 0 ? map_.lo.x() : below.cuts[i - 1], b = i == 0 ? map_.lo.x() : above.cuts[i - 1];
+      const bool last = i == below.cuts.size();
+      const double c = last ? map_.hi.x() : below.cuts[i], d = last ? map_.hi.x() : above.cuts[i];
+      out_.patches.push_back(
+          {{Vec2(a, below.y), Vec2(c, below.y), Vec2(d, above.y), Vec2(b, above.y)}, below.branches[i]});
+    }
+    if (open_.size() != below.cuts.size()) end_borders();
+    open_.resize(below.cuts.size());
+    for (std::size_t i = 0; i < open_.size(); ++i) {
+      if (open_[i].empty()) open_[i].emplace_back(below.cuts[i], below.y);
+      open_[i].emplace_back(above.cuts[i], above.y);
+    }
+  }
+
+  /// Regions begin or end between the two: each goes on to the middle, where the borders run across.
+  void step(const Level& below, const Level& above) {
+    const double y = (below.y + above.y) / 2;
+    Level up = below, down = above;
+    up.y = y, down.y = y;
+    strip(below, up);
+    end_borders();
+    std::vector<double> ends = {map_.lo.x(), map_.hi.x()};
+    ends.insert(ends.end(), below.cuts.begin(), below.cuts.end());
+    ends.insert(ends.end(), above.cuts.begin(), above.cuts.end());
+    std::ranges::sort(ends);
+    for (std::size_t i = 1; i < ends.size(); ++i) {
+      const double middle = (ends[i - 1] + ends[i]) / 2;
+      if (below.at(middle) != above.at(middle))
+        out_.borders.push_back({Vec2(ends[i - 1], y), Vec2(ends[i], y)});
+    }
+    strip(down, above);
+  }
+
+  void end_borders() {
+    for (std::vector<Vec2>& border : open_)
+      if (border.size() > 1) out_.borders.push_back(std::move(border));
+    open_.clear();
+  }
+
+  const CaseMap& map_;
+  const Parameters& here_;
+  Cases& out_;
+  std::vector<std::vector<Vec2>> open_;  ///< one for each cut, while the sequence stays the same
+};
+
+/// Few and round: halves, ones, twos, fives.
+std::vector<std::pair<double, std::string>> ticks(double lo, double hi) {
+  double step = 0.5;
+  for (const double wider : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0})
+    if ((hi - lo) / step > 6) step = wider;
+  std::vector<std::pair<double, std::string>> ticks;
+  for (double k = std::ceil(lo / step); k * step <= hi; ++k)
+    ticks.emplace_back(k * step, shown(k * step + 0.0));
+  return ticks;
+}
+
+bool within(const CaseMap& map, const Vec2& p) {
+  return (p.array() >= map.lo.array()).all() && (p.array() <= map.hi.array()).all();  // not where NaN
+}
+
+/// Whether a preset with this branch belongs on the map of `here`: there, too, its place has that branch, or lies on a
+/// border, where rounding may take it to either side.
+bool belongs(const CaseMap& map, const Parameters& here, const Cases::Spot& preset) {
+  const Vec2 nearby = 1e-9 * (map.hi - map.lo);
+  const auto branch_at = [&](double i, double j) {
+    return map.branch(map.moved(here, preset.at + Vec2(i, j).cwiseProduct(nearby)));
+  };
+  const int there = branch_at(0, 0);
+  if (there == preset.branch) return true;
+  for (const Vec2& d : {Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)})
+    if (branch_at(d.x(), d.y()) != there) return true;
+  return false;
+}
+
+}  // namespace
+
+int outcome(const Walk& walk) {
+  int step = static_cast<int>(walk.steps.size()) - 1;
+  while (step > 0 && walk.steps[static_cast<std::size_t>(step)].slug == case_map_slug) --step;
+  return step;
+}
+
+Chart case_map(const Lesson& lesson, const Parameters& here) {
+  const CaseMap& map = *lesson.map;
+  Cases cases;
+  cases.x = {Scale::Kind::linear, map.lo.x(), map.hi.x(), map.x_title, ticks(map.lo.x(), map.hi.x())};
+  cases.y = {Scale::Kind::linear, map.lo.y(), map.hi.y(), map.y_title, ticks(map.lo.y(), map.hi.y())};
+  cases.branches = map.branches;
+  cases.columns = columns, cases.rows = rows;
+  Sweep(map, here, cases).run();
+  for (const Preset& preset : lesson.presets) {
+    const Cases::Spot spot = {map.place(preset.parameters), map.branch(preset.parameters)};
+    const bool twice = std::ranges::any_of(cases.presets, [&](const Cases::Spot& s) {
+      return s.branch == spot.branch && (s.at - spot.at).norm() < 1e-9;
+    });
+    if (!twice && within(map, spot.at) && belongs(map, here, spot)) cases.presets.push_back(spot);
+  }
+  const Vec2 at = map.place(here);
+  if (within(map, at)) cases.here = Cases::Spot{at, map.branch(here)};
+  return {cases};
+}
+
+}  // namespace isect::viz

@@ -1,0 +1,21 @@
+#pragma once
+// The map of cases: the plane of a lesson's two natural parameters, in regions by the branch that the core takes.
+//
+// Nothing of a region is known beforehand. The plane is swept in level lines; on each, a change of branch between two
+// samples is found by bisection, and where the sequence of branches changes from line to line, so is the level.
+
+#include "viz/chart.h"
+#include "viz/lesson.h"
+
+namespace isect::viz {
+
+/// The slug of the step that shows it.
+inline constexpr const char* case_map_slug = "cases";
+
+/// The last step that shows the scene itself: a map of cases may follow it.
+int outcome(const Walk&);
+
+/// The map with the lesson's presets and this setting on it. `lesson.map` must be there.
+Chart case_map(const Lesson& lesson, const Parameters& here);
+
+}  // namespace isect::viz
