@@ -1,0 +1,245 @@
+// Many boxes under a hierarchy: what lies outside as a whole is skipped as a whole.
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "bench/random.h"
+#include "core/bvh.h"
+#include "lessons/culling/view.h"
+#include "lessons/script.h"
+#include "viz/chart.h"
+
+namespace isect::lessons::culling_lesson {
+
+using namespace viz;
+
+namespace {
+
+/// Four clusters of four boxes.
+std::vector<Box> few() {
+  const Vec3 half = Vec3::Constant(0.3125);
+  std::vector<Box> boxes;
+  for (const Vec3& cluster : {Vec3(1.25, 0, -0.5), Vec3(-2, 0, -2.5), Vec3(-1, 0, 3), Vec3(3.25, 0.25, 2)})
+    for (const Vec3& at :
+         {Vec3(-0.625, -0.25, 0.5), Vec3(0.5, -0.25, -0.5), Vec3(-0.5, 0.25, -0.5), Vec3(0.5, 0.25, 0.5)})
+      boxes.push_back({cluster + at - half, cluster + at + half});
+  return boxes;
+}
+
+/// So many boxes around the eye, on every side: the same on every machine.
+std::vector<Box> many(int n, const Vec3& eye) {
+  bench::Random random(static_cast<std::uint64_t>(n));
+  std::vector<Box> boxes;
+  for (int i = 0; i < n; ++i) {
+    const Vec3 at = eye + Vec3(random.uniform(-8, 8), random.uniform(-2, 2), random.uniform(-8, 8));
+    const Vec3 half = Vec3::Constant(2 / std::cbrt(n));
+    boxes.push_back({at - half, at + half});
+  }
+  return boxes;
+}
+
+/// A node that was tested, and what became of the boxes below it.
+struct Visit {
+  int node;
+  Answer answer;
+  std::vector<std::pair<int, Answer>> tested;  ///< boxes of a leaf that crosses, each tested itself
+};
+
+/// What is drawn, in what order nodes are asked, and how many boxes were tested against the frustum.
+struct Culled {
+  std::vector<Visit> visits;
+  std::vector<int> drawn;
+  int tests = 0;
+};
+
+void draw_all_below(const Bvh<double, 3>& bvh, int node, Culled& result) {
+  const BvhNode<double, 3>& n = bvh.nodes[static_cast<std::size_t>(node)];
+  for (int k = 0; k < n.count; ++k)
+    result.drawn.push_back(bvh.primitives[static_cast<std::size_t>(n.first + k)]);
+  if (n.leaf()) return;
+  draw_all_below(bvh, n.first, result);
+  draw_all_below(bvh, n.first + 1, result);
+}
+
+void visit(const Bvh<double, 3>& bvh, const std::vector<Box>& boxes, const Frustum<double>& view, int node,
+           Culled& result) {
+  const BvhNode<double, 3>& n = bvh.nodes[static_cast<std::size_t>(node)];
+  Visit visited = {node, ask(n.box, view), {}};
+  ++result.tests;
+  if (visited.answer.culling == Culling::inside) draw_all_below(bvh, node, result);
+  if (visited.answer.culling == Culling::crossing)
+    for (int k = 0; k < n.count; ++k) {
+      const int box = bvh.primitives[static_cast<std::size_t>(n.first + k)];
+      visited.tested.emplace_back(box, ask(boxes[static_cast<std::size_t>(box)], view));
+      ++result.tests;
+      if (visited.tested.back().second.culling != Culling::outside) result.drawn.push_back(box);
+    }
+  result.visits.push_back(visited);
+  if (visited.answer.culling != Culling::crossing || n.leaf()) return;
+  visit(bvh, boxes, view, n.first, result);
+  visit(bvh, boxes, view, n.first + 1, result);
+}
+
+Culled culled(const Bvh<double, 3>& bvh, const std::vector<Box>& boxes, const Frustum<double>& view) {
+  Culled result;
+  visit(bvh, boxes, view, 0, result);
+  return result;
+}
+
+class Teller {
+ public:
+  Teller(const Frustum<double>& view, const Vec3& eye)
+      : view_(view),
+        eye_(eye),
+        boxes_(few()),
+        bvh_(build_bvh(boxes_, {.largest_leaf = 4, .visit = 4})),
+        script_({"Note, N01, N09; Assarsson and Möller (2000)",
+                 "A view frustum with its eye, and sixteen boxes in four clusters, each in a node's box.",
+                 {"cull(node): test the node's box against the frustum",       // 0
+                  "    outside: skip all below it",                            // 1
+                  "    inside: draw all below it, with no more tests",         // 2
+                  "    crossing: cull both children; test what a leaf holds",  // 3
+                  "cull(root)"},                                               // 4
+                 "a hierarchy"}),
+        known_(boxes_.size()) {}
+
+  Walk tell() {
+    const Culled all = culled(bvh_, boxes_, view_);
+    Step& first =
+        script_.add("build", "Boxes in boxes", 4,
+                    "Each node's box holds all boxes below it. What is true of the whole node, outside or "
+                    "inside, is true of each of them.");
+    first.scene = picture();
+    for (const BvhNode<double, 3>& node : bvh_.nodes)
+      if (node.leaf()) wire(node.box, Role::construction, Pen::construction, first.scene);
+    for (const Visit& v : all.visits) say(v);
+    total(all);
+    growth();
+    return std::move(script_.walk());
+  }
+
+ private:
+  static void wire(const Box& b, Role role, Pen pen, Scene& scene) {
+    const auto ring = [&](double y) -> std::vector<Vec3> {
+      return {
+          {b.lo.x(), y, b.lo.z()}, {b.hi.x(), y, b.lo.z()}, {b.hi.x(), y, b.hi.z()}, {b.lo.x(), y, b.hi.z()}};
+    };
+    const std::vector<Vec3> low = ring(b.lo.y()), high = ring(b.hi.y());
+    scene.items.emplace_back(Chain{low, true, role, pen});
+    scene.items.emplace_back(Chain{high, true, role, pen});
+    for (std::size_t i = 0; i < 4; ++i) scene.items.emplace_back(Chain{{low[i], high[i]}, false, role, pen});
+  }
+
+  Scene picture() const {
+    Scene scene;
+    add_view(view_, eye_, scene);
+    for (std::size_t i = 0; i < boxes_.size(); ++i) {
+      if (known_[i])
+        add(boxes_[i], {*known_[i], -1, 0}, scene);
+      else
+        add(boxes_[i], Role::muted, scene);
+    }
+    scene.handles = {{"eye", Handle::Kind::point, eye_, Vec3::Zero(), Role::first}};
+    return scene;
+  }
+
+  /// All boxes below a node share its answer.
+  int know(int node, Culling culling) {
+    const BvhNode<double, 3>& n = bvh_.nodes[static_cast<std::size_t>(node)];
+    for (int k = 0; k < n.count; ++k)
+      known_[static_cast<std::size_t>(bvh_.primitives[static_cast<std::size_t>(n.first + k)])] = culling;
+    return n.leaf() ? n.count : know(n.first, culling) + know(n.first + 1, culling);
+  }
+
+  void say(const Visit& v) {
+    const Culling culling = v.answer.culling;
+    const Box& box = bvh_.nodes[static_cast<std::size_t>(v.node)].box;
+    tests_ += 1 + static_cast<int>(v.tested.size());
+    const int below = culling == Culling::crossing ? 0 : know(v.node, culling);
+    for (const auto& [i, answer] : v.tested) known_[static_cast<std::size_t>(i)] = answer.culling;
+    script_.value("tests", tests_);
+    const bool leaf = !v.tested.empty();
+    Step& step = script_.add(
+        fmt::format("node-{}", v.node),
+        fmt::format("{} is {}", v.node == 0 ? "The root" : fmt::format("Node {}", v.node), word(culling)),
+        v.node == 0                   ? 0
+        : culling == Culling::outside ? 1
+        : culling == Culling::inside  ? 2
+                                      : 3,
+        culling == Culling::outside
+            ? fmt::format("The node's box lies beyond the {} plane. One test skips {} boxes.",
+                          plane_names[v.answer.plane], below)
+        : culling == Culling::inside
+            ? fmt::format("The node's box lies inside. One test accepts {} boxes.", below)
+        : leaf ? fmt::format("The leaf crosses, so each of its {} boxes is tested itself.", v.tested.size())
+               : "The node's box crosses the frustum, which says nothing of what it holds. Its children are "
+                 "next.");
+    step.decides = true;
+    step.scene = picture();
+    wire(box, Role::highlight, Pen::highlight, step.scene);
+    const Vec3 at = middle(box);
+    if (v.answer.plane >= 0)
+      step.scene.items.emplace_back(Label{at, plane_names[v.answer.plane], Role::miss});
+    step.question = {"How does the node's box lie?",
+                     {"outside", "inside", "crossing"},
+                     culling == Culling::outside  ? 0
+                     : culling == Culling::inside ? 1
+                                                  : 2,
+                     "The same six planes decide as for any box."};
+  }
+
+  void total(const Culled& all) {
+    const int n = static_cast<int>(boxes_.size());
+    script_.settle(all.drawn.empty() ? Verdict::Kind::no : Verdict::Kind::yes,
+                   fmt::format("{} of {} boxes are drawn, {} tests", all.drawn.size(), n, all.tests));
+    script_.value("drawn", static_cast<double>(all.drawn.size()), {}, Role::hit);
+    Step& step = script_.add(
+        "total", "What is drawn", 4,
+        fmt::format("{} tests of boxes, nodes included. One by one it would be {}.", all.tests, n));
+    step.scene = picture();
+  }
+
+  void growth() {
+    Panel panel;
+    panel.curves = {{0, {}, "one by one"}, {1, {}, "hierarchy"}};
+    int tests = 0;
+    for (const int n : {16, 64, 256, 1024, 4096}) {
+      const std::vector<Box> boxes = many(n, eye_);
+      tests = culled(build_bvh(boxes), boxes, view_).tests;
+      panel.curves[0].points.emplace_back(n, n);
+      panel.curves[1].points.emplace_back(n, tests);
+      script_.value(fmt::format("hierarchy, *n* = {}", n), tests, "tests", Role::hit);
+    }
+    Step& step =
+        script_.add("growth", "As *n* grows", 4,
+                    fmt::format("Of 4,096 boxes all around the eye a hierarchy tests {}, nodes included. It "
+                                "draws the same boxes.",
+                                tests));
+    const auto scale = [](const char* title) { return Scale{Scale::Kind::log, 10, 10000, title}; };
+    const Plot plot = {
+        scale("boxes"),
+        scale("tests"),
+        {{"one by one", Glyph::disc, Role::second, 0}, {"hierarchy", Glyph::square, Role::hit, 1}},
+        {panel}};
+    step.scene.chart = std::make_shared<const Chart>(Chart{plot});
+    step.question = {"Which boxes cost the tests?",
+                     {"those outside", "those inside", "those near the frustum's sides"},
+                     2,
+                     "What lies outside or inside as a whole is settled with its node."};
+  }
+
+  const Frustum<double> view_;
+  const Vec3 eye_;
+  const std::vector<Box> boxes_;
+  const Bvh<double, 3> bvh_;
+  Script script_;
+  std::vector<std::optional<Culling>> known_;
+  int tests_ = 0;
+};
+
+}  // namespace
+
+Walk hierarchy(const Frustum<double>& view, const Vec3& eye) { return Teller(view, eye).tell(); }
+
+}  // namespace isect::lessons::culling_lesson

@@ -1,0 +1,225 @@
+// One volume against the six planes.
+
+#include <fmt/format.h>
+
+#include "lessons/culling/view.h"
+#include "lessons/script.h"
+#include "viz/solids.h"
+
+namespace isect::lessons::culling_lesson {
+
+using namespace viz;
+using C = Counted<double>;
+
+namespace {
+
+const std::vector<std::string> pseudocode = {
+    "result ← INSIDE",                                      // 0
+    "for each plane n · x + d ≥ 0 of the frustum",          // 1
+    "    if the volume lies beyond it: return OUTSIDE",     // 2
+    "    if the plane cuts the volume: result ← CROSSING",  // 3
+    "return result"                                         // 4
+};
+
+class Teller {
+ public:
+  Teller(const Frustum<double>& view, const Vec3& eye, const Volume& asked)
+      : view_(view),
+        eye_(eye),
+        asked_(asked),
+        ball_(std::holds_alternative<Ball>(asked)),
+        truth_(ask(asked, view)),
+        they_(ball_ ? "ball" : "box"),
+        script_({"Note, N01; Akenine-Möller and Haines (2002), ch. 13.13; Assarsson and Möller (2000)",
+                 fmt::format(
+                     "A view frustum with its eye, and a {} that is {}{}.", they_, word(truth_.culling),
+                     truth_.plane < 0 ? "" : fmt::format(": beyond the {} plane", plane_names[truth_.plane])),
+                 pseudocode, std::string("one ") + they_}) {}
+
+  Walk tell() {
+    Step& first = script_.add(
+        "view-volume", "What the eye can see", 0,
+        "The eye sees what lies in the frustum: six planes, and their inner half-spaces in common.\n"
+        "Only that need be drawn. So each object's bounding volume is tested first.");
+    first.scene = picture(-1, Role::second);
+    tally() = {};
+    for (int i = 0; i < truth_.planes_asked; ++i) plane(i);
+    answer();
+    return std::move(script_.walk());
+  }
+
+ private:
+  Scene picture(int plane, Role role) const {
+    Scene scene;
+    add_view(view_, eye_, scene);
+    add(asked_, role, scene);
+    if (plane >= 0) add_plane(view_, plane, scene);
+    const Vec3 at = middle(asked_);
+    scene.handles = {{"p", Handle::Kind::point, at, Vec3::Zero(), Role::second},
+                     {"eye", Handle::Kind::point, eye_, Vec3::Zero(), Role::first}};
+    return scene;
+  }
+
+  const Plane<double, 3>& plane_at(int i) const { return view_.planes[static_cast<std::size_t>(i)]; }
+
+  /// The side of one plane by the exact test.
+  Culling side(int i) const {
+    NoTrace none;
+    if (ball_) return sphere_frustum::side(plane_at(i), std::get<Ball>(asked_), none);
+    return aabb_frustum::side(plane_at(i), std::get<Box>(asked_), none);
+  }
+
+  void plane(int i) {
+    const Culling side = this->side(i);
+    const std::string name = plane_names[i];
+    Scene scene = picture(i, side == Culling::outside ? Role::miss : Role::second);
+    Comparison comparison = ball_ ? ask_ball(i, side, scene) : ask_box(i, side, scene);
+    comparison.meaning = side == Culling::outside ? "all of the " + they_ + " lies beyond"
+                                                  : "some of the " + they_ + " lies on the inner side";
+    if (side == Culling::outside) script_.leave_early();
+    Step& step = script_.add("plane-" + name, fmt::format("The {} plane", name),
+                             side == Culling::outside    ? 2
+                             : side == Culling::crossing ? 3
+                                                         : 1,
+                             caption(side));
+    step.scene = std::move(scene);
+    Script::decide(step, comparison);
+    step.question = {fmt::format("Where does the {} lie, by this plane?", they_),
+                     {"on the inner side", "on both sides", "beyond it"},
+                     side == Culling::inside     ? 0
+                     : side == Culling::crossing ? 1
+                                                 : 2,
+                     ball_ ? "The distance of the centre against the radius tells."
+                           : "Two opposite corners of the box tell: the greatest and the least along **n**."};
+  }
+
+  Comparison ask_box(int i, Culling side, Scene& scene) {
+    Record<plane_aabb::Corners<C, 3>> record;
+    plane_aabb::corners(cast<C>(plane_at(i)), cast<C>(std::get<Box>(asked_)), record);
+    script_.count(tally());
+    const auto& e = record.events.front();
+    const auto at = [](const Point<C, 3>& p) -> Vec3 { return {p[0].value, p[1].value, p[2].value}; };
+    const double greatest = e.at_greatest.value, least = e.at_least.value;
+    const double length = plane_at(i).normal.norm();
+    script_.value("greatest", greatest / length, "length", greatest < 0 ? Role::miss : Role::hit);
+    if (side != Culling::outside)
+      script_.value("least", least / length, "length", least < 0 ? Role::miss : Role::hit);
+    const auto corner = [&](const Vec3& p, double height, const char* name) {
+      scene.items.emplace_back(Dot{p,
+                                   height < 0   ? Mark::cross
+                                   : height > 0 ? Mark::disc
+                                                : Mark::diamond,
+                                   height < 0   ? Role::miss
+                                   : height > 0 ? Role::hit
+                                                : Role::highlight});
+      scene.items.emplace_back(Label{p, name, Role::text});
+    };
+    corner(at(e.greatest), greatest, "greatest");
+    if (side != Culling::outside) corner(at(e.least), least, "least");
+    return {"0 ≤ **n** · **x** + *d*", 0, greatest / length, greatest >= 0, ""};
+  }
+
+  Comparison ask_ball(int i, Culling side, Scene& scene) {
+    const Ball& ball = std::get<Ball>(asked_);
+    const Plane<double, 3>& plane = plane_at(i);
+    const double length = plane.normal.norm(), height = (plane.normal.dot(ball.center) + plane.d) / length;
+    script_.value("distance", height, "length", height < 0 ? Role::miss : Role::hit);
+    script_.value("*r*", ball.radius, "length", Role::second);
+    const Vec3 foot = ball.center - height / length * plane.normal;
+    scene.items.emplace_back(Line{ball.center, foot, Role::construction, Pen::construction});
+    scene.items.emplace_back(Dot{ball.center, Mark::disc, Role::second});
+    scene.items.emplace_back(Label{ball.center, "**c**", Role::second});
+    return {"−*r* ≤ distance", -ball.radius, height, side != Culling::outside, ""};
+  }
+
+  std::string caption(Culling side) const {
+    if (side == Culling::outside)
+      return ball_ ? "The centre lies beyond by more than *r*: no point of the ball is on the inner side.\n"
+                     "One plane is enough to reject it, and no other is asked."
+                   : "Even the corner greatest along **n** lies beyond. So all of the box does.\n"
+                     "One plane is enough to reject it, and no other is asked.";
+    if (side == Culling::crossing)
+      return ball_ ? "The plane cuts the ball: its centre is nearer to the plane than *r*. It may be visible."
+                   : "The greatest corner lies on the inner side, the least one beyond: the plane cuts the "
+                     "box.";
+    return ball_
+               ? "The whole ball lies on the inner side. That alone says nothing yet: each plane must agree."
+               : "Even the corner least along **n** lies on the inner side, so the whole box does.";
+  }
+
+  bool in_vain() const {
+    return truth_.culling == Culling::crossing && !ball_ && !meet(std::get<Box>(asked_), view_);
+  }
+
+  /// Whether the box has points in one of the planes, and none on its inner side.
+  bool touches() const {
+    if (ball_) return false;
+    for (const Plane<double, 3>& plane : view_.planes)
+      if (plane_aabb::sign_at(plane, std::get<Box>(asked_), true, NoTrace{}) == 0) return true;
+    return false;
+  }
+
+  void answer() {
+    const Culling culling = truth_.culling;
+    using Kind = Verdict::Kind;
+    script_.settle(culling == Culling::inside    ? Kind::yes
+                   : culling == Culling::outside ? Kind::no
+                                                 : Kind::on,
+                   culling == Culling::inside ? "inside: drawn, and nothing in it is tested again"
+                   : culling == Culling::outside
+                       ? fmt::format("outside: beyond the {} plane", plane_names[truth_.plane])
+                   : in_vain() ? "crossing: drawn, though it is not visible"
+                               : "crossing: drawn, as it may be visible");
+    script_.value("planes asked", truth_.planes_asked);
+    Step& step = script_.add("answer",
+                             fmt::format("The {} {}", they_,
+                                         culling == Culling::crossing ? "crosses"
+                                         : culling == Culling::inside ? "is inside"
+                                                                      : "is outside"),
+                             culling == Culling::outside ? 2 : 4, answer_caption());
+    step.scene = Scene{};
+    add_view(view_, eye_, step.scene);
+    add(asked_, truth_, step.scene);
+    if (culling == Culling::crossing && !ball_)
+      for (const Ring<double, 3>& part : faces_inside(std::get<Box>(asked_), view_))
+        step.scene.items.emplace_back(Region{.rings = {part}, .role = Role::hit});
+    if (culling == Culling::crossing)
+      step.question = {fmt::format("Is any of the {} sure to be visible?", they_),
+                       {"yes", "no"},
+                       1,
+                       "Each plane alone leaves something. What is left may differ from plane to plane."};
+  }
+
+  std::string answer_caption() const {
+    if (truth_.culling == Culling::inside)
+      return "All six planes agree, so the frustum holds it. Nothing inside it needs a test or a cut.";
+    if (truth_.culling == Culling::outside)
+      return fmt::format("The {} is not drawn. That is certain: outside is never said of what can be seen.",
+                         they_);
+    if (in_vain())
+      return "No plane rejects the box, and yet it misses the frustum: it lies beyond an edge.\n"
+             "The test is conservative. To draw too much is harmless, to draw too little is not.";
+    if (touches())
+      return "The box touches a plane from outside, and the sets are closed: only a box beyond is rejected.\n"
+             "What the two share (green) has no volume.";
+    if (ball_)
+      return "Crossing means only: perhaps. Beyond an edge a ball may cut two planes and miss the frustum.";
+    return "Crossing means only: perhaps. Here part of it is inside (green), found by clipping its faces.";
+  }
+
+  const Frustum<double> view_;
+  const Vec3 eye_;
+  const Volume asked_;
+  const bool ball_;
+  const Answer truth_;
+  const std::string they_;
+  Script script_;
+};
+
+}  // namespace
+
+Walk one_volume(const Frustum<double>& view, const Vec3& eye, const Volume& asked) {
+  return Teller(view, eye, asked).tell();
+}
+
+}  // namespace isect::lessons::culling_lesson

@@ -1,0 +1,48 @@
+#pragma once
+// The view volume, what stands in and around it, and how a volume is drawn when its answer is known.
+
+#include "core/aabb_frustum.h"
+#include "core/sphere_frustum.h"
+#include "viz/lesson.h"
+
+namespace isect::lessons::culling_lesson {
+
+using Box = Aabb<double, 3>;
+using Ball = Sphere<double, 3>;
+using Volume = std::variant<Box, Ball>;
+
+viz::Walk one_volume(const Frustum<double>&, const viz::Vec3& eye, const Volume& asked);
+viz::Walk whole_scene(const Frustum<double>&, const viz::Vec3& eye);
+viz::Walk hierarchy(const Frustum<double>&, const viz::Vec3& eye);
+
+/// The eye looks along +x. All planes have small dyadic coordinates, so that touching is exact.
+Frustum<double> frustum(const viz::Vec3& eye);
+/// left, right, bottom, top, near, far
+extern const char* const plane_names[6];
+
+/// The answer, and the plane that gave it: the one beyond which the volume lies; -1: none.
+struct Answer {
+  Culling culling;
+  int plane;
+  int planes_asked;
+};
+Answer ask(const Volume&, const Frustum<double>&);
+
+/// The parts of the box's faces that lie in the frustum: nothing of a box around it, or outside.
+std::vector<Ring<double, 3>> faces_inside(const Box&, const Frustum<double>&);
+/// Whether they truly have a common point.
+bool meet(const Box&, const Frustum<double>&);
+
+viz::Vec3 middle(const Volume&);
+const char* word(Culling);  ///< "inside"
+viz::Role role_of(Culling);
+viz::Mark mark_of(Culling);
+void add(const Volume&, viz::Role, viz::Scene&);
+/// With the sign of the answer in its middle, and beside it the name of the plane that rejects it.
+void add(const Volume&, const Answer&, viz::Scene&);
+/// The eye, dashed sight lines and the frustum itself.
+void add_view(const Frustum<double>&, const viz::Vec3& eye, viz::Scene&);
+/// One plane's face with its normal.
+void add_plane(const Frustum<double>&, int plane, viz::Scene&);
+
+}  // namespace isect::lessons::culling_lesson
