@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "lessons/robustness/settings.h"
 #include "lessons/script.h"
@@ -27,8 +29,10 @@ Cells asked(const Setting& s) {
 
 class Teller {
  public:
-  Teller(const std::string& scalar, Setting setting)
+  /// `look`: the neighbour that is asked about, so many to the right and up.
+  Teller(const std::string& scalar, Setting setting, const std::array<int, 2>& look)
       : scalar_(scalar),
+        look_(look),
         s_(std::move(setting)),
         cells_(asked(s_)),
         wrong_(static_cast<int>(
@@ -49,7 +53,7 @@ class Teller {
         .scene = s_.scene;
     raster("truth", "What is true", 1,
            fmt::format("One cell is one {} number to the side or up: {}.\nThe exact test tells the sides "
-                       "apart in every cell.",
+                       "apart in every cell.\nThe grips at the rim choose the neighbour that is ringed.",
                        scalar_, s_.cell),
            [](int truth, int) { return role(truth); });
     raster("naive", "What the naive test says", 2, s_.why, [](int, int answer) { return role(answer); });
@@ -89,14 +93,15 @@ class Teller {
   Step& raster(const std::string& slug, const std::string& title, int line, const std::string& caption,
                const Choose& choose) {
     Step& step = add(slug, title, line, caption);
-    Raster picture = {{-2, 2, 0}, {4, 0, 0}, {0, -4, 0}, 2 * half + 1, {}, true};
+    Raster picture = {{left, bottom + side, 0}, {side, 0, 0}, {0, -side, 0}, 2 * half + 1, {}, true};
     for (const auto& [truth, answer] : cells_) picture.cells.push_back({choose(truth, answer), {}});
     step.scene.items.emplace_back(picture);
-    double y = 1.6;
+    crosshair(step);
+    double y = bottom + side - 0.4;
     const auto key = [&](Mark mark, Role ink, const std::string& text) {
-      step.scene.items.emplace_back(Dot{{2.6, y, 0}, mark, ink});
-      step.scene.items.emplace_back(
-          viz::Heading{{3.8, y - 0.08, 0}, text, ink == Role::highlight ? Role::text : ink, 1.9, false});
+      step.scene.items.emplace_back(Dot{{left + side + 0.6, y, 0}, mark, ink});
+      step.scene.items.emplace_back(viz::Heading{
+          {left + side + 1.8, y - 0.08, 0}, text, ink == Role::highlight ? Role::text : ink, 1.9, false});
       y -= 0.6;
     };
     key(Mark::disc, Role::first, s_.verdicts[2]);
@@ -106,7 +111,29 @@ class Teller {
     return step;
   }
 
+  /// Two lines that meet in the neighbour looked at, each with a grip at the rim.
+  void crosshair(Step& step) const {
+    const double cell = side / (2 * half + 1), rim = 0.25;
+    const Vec3 middle = {left + side / 2, bottom + side / 2, 0};
+    const Vec3 at = middle + cell * Vec3(look_[0], look_[1], 0);
+    const Vec3 below = {at.x(), bottom - rim, 0}, beside = {left - rim, at.y(), 0};
+    step.scene.items.emplace_back(Line{below, at, Role::construction, Pen::construction});
+    step.scene.items.emplace_back(Line{beside, at, Role::construction, Pen::construction});
+    step.scene.items.emplace_back(Dot{at, Mark::ring, Role::text});
+    step.scene.handles = {
+        {"right", Handle::Kind::along, below, {middle.x(), below.y(), 0}, Role::text, Vec3::UnitX() / cell},
+        {"up", Handle::Kind::along, beside, {beside.x(), middle.y(), 0}, Role::text, Vec3::UnitY() / cell}};
+    const auto& [truth, answer] =
+        cells_[static_cast<std::size_t>((half - look_[1]) * (2 * half + 1) + half + look_[0])];
+    const auto words = [&](int verdict) { return s_.verdicts[static_cast<std::size_t>(verdict + 1)]; };
+    step.formula = "ringed: " + (step.line == 1   ? words(truth)
+                                 : step.line == 2 ? "naive says " + words(answer)
+                                                  : words(truth) + ", naive says " + words(answer));
+  }
+
+  static constexpr double side = 5.2, left = -2.3, bottom = -2;  ///< of the raster
   const std::string& scalar_;
+  const std::array<int, 2> look_;
   const Setting s_;
   const Cells cells_;
   const int wrong_;
@@ -115,22 +142,39 @@ class Teller {
 
 Walk walk(const Parameters& values) {
   const std::string& scalar = std::get<std::string>(values.at("scalar"));
+  const auto cells = [&](const char* name) {
+    return static_cast<int>(std::round(std::get<double>(values.at(name))));
+  };
   return Teller(scalar,
-                setting(std::get<std::string>(values.at("test")), scalar, std::get<Vec3>(values.at("p"))))
+                setting(std::get<std::string>(values.at("test")), scalar, std::get<Vec3>(values.at("p"))),
+                {cells("right"), cells("up")})
       .tell();
 }
+
+/// A neighbour that the naive test has wrong, for each test and scalar.
+struct Look {
+  const char *test, *scalar;
+  double right, up;
+};
+const Look looks[] = {{"orientation", "double", 6, -6}, {"orientation", "float", 6, -6},
+                      {"crossings", "double", 10, 6},   {"crossings", "float", 12, 11},
+                      {"tangent", "double", -2, 3},     {"tangent", "float", -3, -6},
+                      {"spheres", "double", -5, 3},     {"spheres", "float", -8, 5}};
 
 }  // namespace
 
 const Lesson& robustness() {
   static const Lesson lesson = [] {
     std::vector<Preset> presets;
-    for (const std::string& test : tests())
-      for (const char* scalar : {"double", "float"})
-        presets.push_back({test + (scalar == std::string("float") ? "-float" : ""),
-                           test + ", " + scalar,
-                           {},
-                           {{"test", test}, {"scalar", std::string(scalar)}, {"p", standard_point(test)}}});
+    for (const auto& [test, scalar, right, up] : looks)
+      presets.push_back({test + std::string(scalar == std::string("float") ? "-float" : ""),
+                         std::string(test) + ", " + scalar,
+                         {},
+                         {{"test", std::string(test)},
+                          {"scalar", std::string(scalar)},
+                          {"p", standard_point(test)},
+                          {"right", right},
+                          {"up", up}}});
     return Lesson{
         .id = "robustness",
         .title = "Robustness: a microscope",
@@ -138,20 +182,23 @@ const Lesson& robustness() {
         .summary =
             "Neighbouring floating-point numbers, coloured by the verdict of a naive test and by the true "
             "one.",
-        .parameters = {{"test", "test", "The naive test under the microscope.", tests().front(), 0, 0, 0, 0,
-                        tests()},
-                       {"scalar",
-                        "scalar",
-                        "The numbers: 53 bits or 24.",
-                        std::string("double"),
-                        0,
-                        0,
-                        0,
-                        0,
-                        {"double", "float"}},
-                       {"p", "**p**",
-                        "The point in the middle, in world units; its third coordinate is not used.",
-                        standard_point(tests().front()), -1e6, 1e6, -4, 4}},
+        .parameters =
+            {{"test", "test", "The naive test under the microscope.", tests().front(), 0, 0, 0, 0, tests()},
+             {"scalar",
+              "scalar",
+              "The numbers: 53 bits or 24.",
+              std::string("double"),
+              0,
+              0,
+              0,
+              0,
+              {"double", "float"}},
+             {"p", "**p**", "The point in the middle, in world units; its third coordinate is not used.",
+              standard_point(tests().front()), -1e6, 1e6, -4, 4},
+             {"right", "right", "Which neighbour is ringed: so many numbers to the right, -32 to 32.", 0.0,
+              -half, half, -half, half},
+             {"up", "up", "Which neighbour is ringed: so many numbers up, -32 to 32.", 0.0, -half, half,
+              -half, half}},
         .group_by = {},
         .presets = presets,
         .camera = {.azimuth = 0, .elevation = 0},

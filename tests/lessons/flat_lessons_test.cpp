@@ -83,6 +83,24 @@ TEST_CASE("collisions: each method finds the pairs of brute force", "[collision 
         Verdict::Kind::yes);
 }
 
+TEST_CASE("the neighbour that a preset rings is one that the naive test has wrong", "[robustness lesson]") {
+  for (const Preset& p : lesson("robustness").presets) {
+    INFO(p.id);
+    const auto text = [&](const char* name) { return std::get<std::string>(p.parameters.at(name)); };
+    const auto number = [&](const char* name) {
+      return static_cast<int>(std::get<double>(p.parameters.at(name)));
+    };
+    const auto s = lessons::robustness_lesson::setting(text("test"), text("scalar"),
+                                                       std::get<Vec3>(p.parameters.at("p")));
+    const int truth = s.truth(number("right"), number("up")),
+              answer = s.answer(number("right"), number("up"));
+    CHECK(truth != answer);
+    const std::string told = lesson("robustness").walk(p.parameters).steps.back().formula;
+    CHECK(told == "ringed: " + s.verdicts[static_cast<std::size_t>(truth + 1)] + ", naive says " +
+                      s.verdicts[static_cast<std::size_t>(answer + 1)]);
+  }
+}
+
 TEST_CASE("under the microscope each naive test is wrong somewhere, as counted", "[robustness lesson]") {
   for (const std::string& test : lessons::robustness_lesson::tests())
     for (const std::string scalar : {"float", "double"}) {
@@ -96,8 +114,11 @@ TEST_CASE("under the microscope each naive test is wrong somewhere, as counted",
           wrong += answer != truth && (truth != 0 || answer == 0);
         }
       CHECK(wrong > 0);
-      const Parameters parameters = {
-          {"test", test}, {"scalar", scalar}, {"p", lessons::robustness_lesson::standard_point(test)}};
+      const Parameters parameters = {{"test", test},
+                                     {"scalar", scalar},
+                                     {"p", lessons::robustness_lesson::standard_point(test)},
+                                     {"right", 0.0},
+                                     {"up", 0.0}};
       CHECK(value(lesson("robustness").walk(parameters).steps.back(), "wrong") == wrong);
     }
 }
