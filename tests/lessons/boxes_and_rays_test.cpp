@@ -1,6 +1,7 @@
 // The lessons of boxes and of rays: what their presets show, against numbers worked out by hand.
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <map>
 
 #include "core/sphere_aabb.h"
@@ -188,4 +189,42 @@ TEST_CASE("directions that make no frame make no box", "[obb-obb]") {
   Parameters p = lesson("obb-obb").presets.front().parameters;
   p["b_v"] = p["b_u"];
   CHECK(lesson("obb-obb").walk(p).steps.back().verdict.kind == Verdict::Kind::no);
+}
+
+TEST_CASE("the rays lesson: t counts lengths of the direction, and the range says whether it counts",
+          "[rays]") {
+  const auto t_of = [](const char* id) { return value_of(step_of(walk_of("rays", id), "wall"), "*t*"); };
+  const auto kind = [](const char* id) { return walk_of("rays", id).steps.back().verdict.kind; };
+  CHECK(t_of("ray") == 3);
+  CHECK(t_of("unit") == Approx(3 * std::hypot(1.5, 0.5)).epsilon(1e-15));
+  CHECK(t_of("ray-behind") == -1);
+  CHECK(t_of("line") == -1);
+  CHECK(t_of("segment-on") == 1);
+  CHECK(t_of("segment") > 1);
+  for (const char* id : {"ray", "unit", "line", "segment-on"}) CHECK(kind(id) == Verdict::Kind::yes);
+  for (const char* id : {"ray-behind", "segment", "parallel", "slow-bullet"})
+    CHECK(kind(id) == Verdict::Kind::no);
+  CHECK_FALSE(has_step(walk_of("rays", "parallel"), "wall"));
+  CHECK(walk_of("rays", "ray").steps.back().counters.sqrt == 0);
+  CHECK(walk_of("rays", "unit").steps.back().counters.sqrt == 1);
+  CHECK(walk_of("rays", "unit").steps.back().counters.div ==
+        walk_of("rays", "ray").steps.back().counters.div + 2);
+}
+
+TEST_CASE("the rays lesson: the bullet hits between two frames that both miss it", "[rays]") {
+  const Walk walk = walk_of("rays", "bullet");
+  CHECK(step_of(walk, "frames").question->answer == 1);
+  CHECK(walk.steps.back().verdict.kind == Verdict::Kind::yes);
+  CHECK(value_of(walk.steps.back(), "*t*_{in}") == Approx(2.75 / 4.5).epsilon(1e-15));
+}
+
+TEST_CASE("a ray without a direction is a point, and the rays lesson does not stumble over it", "[rays]") {
+  for (const char* made : {"direction", "unit", "points", "motion"}) {
+    INFO(made);
+    Parameters p = lesson("rays").presets.front().parameters;
+    p["made"] = std::string(made);
+    p["d"] = Vec3(0, 0, 0);
+    p["q"] = p["o"];
+    CHECK(lesson("rays").walk(p).steps.back().verdict.kind == Verdict::Kind::no);
+  }
 }
