@@ -52,6 +52,13 @@ std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
       return viz::unknown("option", extras[0].substr(0, extras[0].find('=')), long_options(sub)).what();
     if (!extras.empty()) return fmt::format("{}: \"{}\" is one argument too many", sub.get_name(), extras[0]);
   }
+  if (dynamic_cast<const CLI::ConversionError*>(&error)) {  // "Could not convert: --seed = abc"
+    const std::string text = error.what();
+    const std::size_t name = text.find(": "), value = text.find(" = ");
+    if (name < value && value != std::string::npos)
+      return fmt::format("{}: \"{}\" is no whole number from 0 on", text.substr(name + 2, value - name - 2),
+                         text.substr(value + 3));
+  }
   return error.what();
 }
 

@@ -58,6 +58,12 @@ TEST_CASE("one test is measured and judged, and its files read back", "[bench]")
   CHECK(shell("isect bench --from all.json --json -").out == contents(shell.work() / "all.json"));
 }
 
+TEST_CASE("a seed that is none is refused by name", "[bench]") {
+  const Ran ran = shell("isect bench orient2d --quick --seed abc");
+  CHECK(ran.status == 2);
+  CHECK_THAT(ran.err, Contains("--seed: \"abc\" is no whole number"));
+}
+
 TEST_CASE("the same seed gives the same verdicts, another seed other cases", "[bench]") {
   const Shell shell;
   const auto verdicts = [&](const std::string& seed) {

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/ray_sphere.h"
+#include "viz/pick.h"
 #include "viz/rich_text.h"
 
 namespace isect::viz {
@@ -50,6 +50,12 @@ Rect projection_rect(const Session& s, const Rect& scene) {
   const char* name = s.player.camera().goal().perspective ? "perspective" : "orthographic";
   const float width = text_width(s.ui.fonts.small, name);
   return {scene.right - 28 - width, scene.bottom - 38, scene.right - 12, scene.bottom - 10};
+}
+
+std::size_t corners_of(const Region& region) {
+  std::size_t corners = 0;
+  for (const std::vector<Vec3>& ring : region.rings) corners += ring.size();
+  return corners;
 }
 
 }  // namespace
@@ -159,25 +165,26 @@ void handle_under_pointer(Session& s, const View& view, const Handle& handle) {
   tooltip(s.ui, name + " = " + words_of(s.player.parameters().at(handle.parameter)) + help);
 }
 
-void ball_under_pointer(Session& s, const View& view, const Vec2& pixel) {
-  const View::SightLine sight = view.sight_line(pixel);
-  const Ray<double, 3> ray{sight.origin, sight.direction};
-  const Ball* first = nullptr;
-  double nearest = 0;
-  for (const Item& item : s.player.step().scene.items) {
-    const Ball* ball = std::get_if<Ball>(&item);
-    if (!ball) continue;
-    const auto hit = intersect(ray, Sphere<double, 3>{ball->center, ball->radius});
-    if (!hit.surface || (first && *hit.surface >= nearest)) continue;
-    first = ball;
-    nearest = *hit.surface;
-  }
-  if (!first) return;
-  const Vec2 at = view.project(first->center).at;
-  const float x = static_cast<float>(at.x()), y = static_cast<float>(at.y());
-  const float radius = static_cast<float>(first->radius * view.scale_at(first->center));
-  s.ui.rects["ball under pointer"] = {x - radius, y - radius, x + radius, y + radius};
-  tooltip(s.ui, "ball: centre " + words_of(Setting(first->center)) + ", radius " + shown(first->radius));
+void item_under_pointer(Session& s, const View& view, const Vec2& pixel) {
+  const auto picked = pick(s.player.step().scene, view.sight_line(pixel));
+  if (!picked) return;
+  const float x = static_cast<float>(pixel.x()), y = static_cast<float>(pixel.y());
+  s.ui.rects["item under pointer"] = {x, y, x + 1, y + 1};
+  std::string name = "surface";
+  if (const Ball* ball = std::get_if<Ball>(picked->item)) {
+    name = "ball: centre " + words_of(Setting(ball->center)) + ", radius " + shown(ball->radius);
+    const Vec2 middle = view.project(ball->center).at;
+    const double radius = ball->radius * view.scale_at(ball->center);
+    s.ui.rects["ball under pointer"] = {
+        static_cast<float>(middle.x() - radius), static_cast<float>(middle.y() - radius),
+        static_cast<float>(middle.x() + radius), static_cast<float>(middle.y() + radius)};
+  } else if (const Solid* solid = std::get_if<Solid>(picked->item))
+    name = fmt::format("solid: {} corners, {} faces", solid->vertices.size(), solid->faces.size());
+  else if (const Mesh* mesh = std::get_if<Mesh>(picked->item))
+    name = fmt::format("mesh: {} triangles", mesh->triangles.size());
+  else if (const Region* region = std::get_if<Region>(picked->item))
+    name = fmt::format("polygon: {} corners", corners_of(*region));
+  tooltip(s.ui, name + "\nthe sight line meets it at " + words_of(Setting(picked->at)));
 }
 
 }  // namespace isect::viz

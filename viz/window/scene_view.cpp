@@ -165,7 +165,7 @@ void SceneView::show(Session& s, const Rect& r) {
                                                     : std::nullopt)
     handle_under_pointer(s, view, *under);
   else if (hovered && !active)
-    ball_under_pointer(s, view, mouse());
+    item_under_pointer(s, view, mouse());
 
   verdict_chip(s, r);
   alarm_chip(s, r);
