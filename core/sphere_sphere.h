@@ -66,10 +66,10 @@ template <class S, int N, class Trace = NoTrace>
 bool squared_distance(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trace = {}) {
   const Vector<S, N> l = a.center - b.center;
   const S distance2 = l.dot(l);
-  const S sum = a.radius + b.radius;
-  trace(Compared<S>{distance2, sum * sum});
+  const S sum = a.radius + b.radius, sum2 = sum * sum;
+  trace(Compared<S>{distance2, sum2});
 
-  return distance2 < sum * sum;
+  return distance2 < sum2;
 }
 
 }  // namespace sphere_sphere

@@ -1,14 +1,22 @@
 // The lessons of relations, bounding volumes and hierarchies: what they show against computations of their own.
 
 #include <algorithm>
+#include <map>
 
 #include "core/convex_polygons.h"
 #include "core/obb_obb.h"
+#include "core/point_aabb.h"
+#include "core/point_kdop.h"
+#include "core/point_obb.h"
+#include "core/point_sphere.h"
 #include "core/sphere_sphere.h"
+#include "core/triangle_aabb.h"
+#include "lessons/bounding_volumes/object.h"
 #include "lessons/lessons.h"
 #include "lessons/relation.h"
 #include "lessons/relations/pair.h"
 #include "tests/catch.h"
+#include "viz/chart.h"
 #include "viz/place.h"
 
 using namespace isect;
@@ -114,4 +122,103 @@ TEST_CASE("five of the six relations say yes, and the walks' verdicts name them"
   REQUIRE(notes.size() == 4);
   CHECK(notes[0] == "they touch");
   CHECK(notes[1] == "they overlap");
+}
+
+namespace volumes = isect::lessons::bounding_volumes_lesson;
+
+TEST_CASE("each bounding volume holds every vertex, and the hull is the tightest", "[bounding volumes]") {
+  for (const std::string& name : volumes::objects)
+    for (const Vec3& tip : {Vec3(0.875, 1.25, -0.625), Vec3(0, 1.5, 0), Vec3(0, 0, 0)}) {
+      INFO(name << " to " << tip.transpose());
+      const TriangleMesh<double> mesh = volumes::object(name, tip);
+      REQUIRE(valid(mesh));
+      const volumes::Fitted fitted(mesh, 14);
+      for (const Vec3& p : mesh.vertices) {
+        CHECK(locate(p, fitted.ball) != Location::out);
+        CHECK(locate(p, fitted.aabb) != Location::out);
+        CHECK(locate(p, fitted.obb) != Location::out);
+        CHECK(locate(p, fitted.kdop) != Location::out);
+      }
+      CHECK(fitted.object > 0);  // turned outside out
+      const std::vector<volumes::Measured> all = volumes::measured(fitted);
+      REQUIRE(all.size() == 5);
+      for (const volumes::Measured& m : all) {
+        CHECK(m.volume >= fitted.object * (1 - 1e-12));
+        CHECK(m.volume >= all[4].volume * (1 - 1e-12));
+      }
+      CHECK(all[3].volume <= all[1].volume);  // a 14-DOP has the AABB's slabs and more
+    }
+}
+
+TEST_CASE("the objects' surfaces are closed: each edge has its two triangles", "[bounding volumes]") {
+  for (const std::string& name : volumes::objects) {
+    INFO(name);
+    std::map<std::pair<int, int>, int> edges;
+    for (const auto& t : volumes::object(name, {0.875, 1.25, -0.625}).triangles)
+      for (int i = 0; i < 3; ++i) ++edges[{t[i], t[(i + 1) % 3]}];
+    for (const auto& [edge, times] : edges) {
+      CHECK(times == 1);
+      CHECK(edges.count({edge.second, edge.first}) == 1);
+    }
+  }
+}
+
+TEST_CASE("numbers kept and operations are those of the definitions", "[bounding volumes]") {
+  const volumes::Fitted fitted(volumes::object("pin", {0.875, 1.25, -0.625}), 18);
+  const std::vector<volumes::Measured> all = volumes::measured(fitted);
+  CHECK(all[0].numbers == 4);
+  CHECK(all[1].numbers == 6);
+  CHECK(all[2].numbers == 15);
+  CHECK(all[3].numbers == 18);
+  CHECK(all[0].tally == Tally{4, 6, 0, 0, 1});  // differences, dot product, sum of radii and its square
+  CHECK(all[1].tally == Tally{0, 0, 0, 0, 6});  // two comparisons an axis
+  CHECK(all[3].tally == Tally{0, 0, 0, 0, 18});
+  CHECK(all[2].tally.compare >= 15);  // one for each axis, at least
+  CHECK(all[2].operations() > 10 * all[0].operations());
+}
+
+TEST_CASE("a trivial answer asks no triangle, potential overlap asks them all", "[bounding volumes]") {
+  const auto operations = [](const Step& s) {
+    const Counters& c = s.counters;
+    return c.mul + c.add + c.div + c.sqrt + c.compare;
+  };
+  const Lesson& lesson = lesson_named(lessons::all_lessons(), "bounding-volumes");
+  for (const Preset& p : lesson.presets) {
+    if (std::get<std::string>(p.parameters.at("walk")) != "test") continue;
+    INFO(p.id);
+    const Walk walk = lesson.walk(p.parameters);
+    const TriangleMesh<double> mesh = volumes::object(std::get<std::string>(p.parameters.at("object")),
+                                                      std::get<Vec3>(p.parameters.at("tip")));
+    const Vec3 q = std::get<Vec3>(p.parameters.at("q")),
+               reach = Vec3::Constant(std::get<double>(p.parameters.at("reach")));
+    const Aabb<double, 3> window = {q - reach, q + reach};
+    int inside = 0, meet = 0;
+    for (const Vec3& v : mesh.vertices) inside += locate(v, window) != Location::out ? 1 : 0;
+    for (int i = 0; i < static_cast<int>(mesh.triangles.size()); ++i)
+      meet += intersects(triangle(mesh, i), window) ? 1 : 0;
+
+    const Step& last = walk.steps.back();
+    if (p.id == "reject" || p.id == "accept") {
+      CHECK(operations(last) <= 18);  // two boxes disjoint, one in the other
+      CHECK(last.counters.early_out);
+      CHECK(inside == (p.id == "accept" ? static_cast<int>(mesh.vertices.size()) : 0));
+      CHECK(last.verdict.kind == (p.id == "accept" ? Verdict::Kind::yes : Verdict::Kind::no));
+    } else {
+      CHECK(operations(last) > 1000);
+      CHECK((meet > 0) == (p.id == "overlap"));
+      CHECK((last.verdict.kind == Verdict::Kind::yes) == (p.id == "overlap"));
+    }
+  }
+}
+
+TEST_CASE("the best of the chart are beaten by none", "[bounding volumes]") {
+  const Walk walk = walk_of("bounding-volumes", "tilted");
+  const Plot& plot = std::get<Plot>(walk.steps.back().scene.chart->kind);
+  REQUIRE(plot.panels.size() == 1);
+  const std::vector<Spot>& spots = plot.panels[0].spots;
+  CHECK(spots.size() == 6);
+  for (const Spot& s : spots)
+    CHECK(s.front == std::ranges::none_of(spots, [&](const Spot& other) {
+            return other.x <= s.x && other.y <= s.y && (other.x < s.x || other.y < s.y);
+          }));
 }

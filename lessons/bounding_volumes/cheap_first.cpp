@@ -1,0 +1,187 @@
+#include "lessons/bounding_volumes/cheap_first.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/aabb_aabb.h"
+#include "core/fit.h"
+#include "core/triangle_aabb.h"
+#include "core/triangle_aabb_methods.h"
+#include "lessons/bounding_volumes/picture.h"
+#include "lessons/script.h"
+#include "viz/solids.h"
+
+namespace isect::lessons::bounding_volumes_lesson {
+
+using namespace viz;
+
+namespace {
+
+using C = Counted<double>;
+using Mesh3 = TriangleMesh<double>;
+using Box = Aabb<double, 3>;
+
+int operations(const Tally& t) { return t.mul + t.add + t.div + t.sqrt + t.compare; }
+
+/// Whether the box `inner` lies in `outer`, axis by axis.
+bool inside(const Aabb<C, 3>& inner, const Aabb<C, 3>& outer) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const Interval<C> room = outer.along(axis);
+    if (!room.contains(inner.lo[axis]) || !room.contains(inner.hi[axis])) return false;
+  }
+  return true;
+}
+
+/// The object against the box, with what is counted on the way.
+struct Tested {
+  Tested(const Mesh3& mesh, const Box& window)
+      : around(fit_aabb(mesh.vertices)), truth(relate(around, window)) {
+    tally() = {};
+    rejected = !aabb_aabb::by_axis(cast<C>(around), cast<C>(window));
+    accepted = !rejected && inside(cast<C>(around), cast<C>(window));
+    cheap = tally();
+    tally() = {};
+    for (int i = 0; i < static_cast<int>(mesh.triangles.size()); ++i)
+      triangle_aabb::akenine_moller(cast<C>(triangle(mesh, i)), cast<C>(window));
+    expensive = tally();
+    for (int i = 0; i < static_cast<int>(mesh.triangles.size()); ++i)
+      if (intersects(triangle(mesh, i), window)) hits.push_back(i);
+  }
+
+  Box around;
+  Relation truth;
+  bool rejected, accepted;
+  Tally cheap, expensive;  ///< of the volume's tests; of all triangles'
+  std::vector<int> hits;   ///< triangles that meet the window, exactly
+};
+
+class Telling {
+ public:
+  Telling(const Mesh3& mesh, const Vec3& tip, const Vec3& middle, double reach)
+      : mesh_(mesh),
+        window_{middle - Vec3::Constant(reach), middle + Vec3::Constant(reach)},
+        test_(mesh, window_),
+        script_({"Note, N03",
+                 "An object in its bounding box, and another box, b: " + outcome() + ".",
+                 {"if the volume of a and b are disjoint: return OUTSIDE",  // 0
+                  "if the volume of a lies in b: return INSIDE",            // 1
+                  "for each triangle of a",                                 // 2
+                  "    if it meets b: return CROSSING",                     // 3
+                  "return OUTSIDE"},                                        // 4
+                 "cheap test first"}) {
+    handles_ = {{"q", Handle::Kind::point, middle, Vec3::Zero(), Role::second},
+                {"tip", Handle::Kind::point, tip, Vec3::Zero(), Role::first}};
+  }
+
+  Walk walk() {
+    script_.value("triangles", static_cast<double>(mesh_.triangles.size()));
+    add("question", "How much of a lies in b?", 0,
+        fmt::format("All of the object, none, or a part? Its {} triangles may all have to be asked.\n"
+                    "Its bounding box answers first, if it can.",
+                    mesh_.triangles.size()),
+        false, false);
+    volume_first();
+    if (!test_.rejected && !test_.accepted) triangles_then();
+    return std::move(script_.walk());
+  }
+
+ private:
+  Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption,
+            bool volume, bool hits, const std::string& formula = {}) {
+    Step& step = script_.add(slug, title, line, caption, formula);
+    Scene& scene = step.scene;
+    Mesh3 plain = mesh_, hit = mesh_;
+    if (hits) {
+      plain.triangles.clear(), hit.triangles.clear();
+      for (int i = 0; i < static_cast<int>(mesh_.triangles.size()); ++i)
+        (std::ranges::binary_search(test_.hits, i) ? hit : plain)
+            .triangles.push_back(mesh_.triangles[static_cast<std::size_t>(i)]);
+    }
+    scene.items.push_back(drawn(plain, Role::first));
+    if (hits && !test_.hits.empty()) scene.items.push_back(drawn(hit, Role::hit));
+    scene.items.push_back(solid(window_, Role::second));
+    if (volume) scene.items.push_back(solid(test_.around, Role::first));
+    scene.items.push_back(Label{{window_.hi.x(), window_.hi.y(), window_.lo.z()}, "b", Role::second});
+    if (volume)
+      scene.items.push_back(
+          Label{{test_.around.lo.x(), test_.around.hi.y(), test_.around.lo.z()}, "volume of a", Role::first});
+    scene.handles = handles_;
+    return step;
+  }
+
+  std::string outcome() const {
+    if (test_.rejected) return "trivial reject";
+    if (test_.accepted) return "trivial accept";
+    return test_.hits.empty() ? "only the volume overlaps" : "the object crosses the boundary or lies within";
+  }
+
+  void volume_first() {
+    const int cheap = operations(test_.cheap), all = operations(test_.expensive);
+    script_.count(test_.cheap);
+    script_.value("volume tests", cheap, "operations", Role::hit);
+    script_.value("all triangles", all, "operations", Role::muted);
+    const bool trivial = test_.rejected || test_.accepted;
+    if (!test_.rejected) script_.refuse(0, {});
+    if (!trivial) script_.refuse(1, {});
+    if (trivial) {
+      script_.leave_early();
+      script_.settle(test_.rejected ? Verdict::Kind::no : Verdict::Kind::yes,
+                     test_.rejected ? "trivial reject: OUTSIDE" : "trivial accept: INSIDE");
+    }
+    Step& step =
+        add("volume-first", "The volume first", test_.rejected ? 0 : 1,
+            test_.rejected ? "The volume misses b, so all that it holds does. No triangle is asked."
+            : test_.accepted
+                ? "The volume lies in b, so all that it holds does. No triangle is asked."
+                : "The volume and b overlap. That is no answer for the object: only potential overlap.",
+            true, false, fmt::format("{} operations, where all triangles take {}", cheap, all));
+    step.decides = true;
+    step.question = Question{"What does the volume's test tell?",
+                             {"trivial reject", "trivial accept", "potential overlap"},
+                             test_.rejected   ? 0
+                             : test_.accepted ? 1
+                                              : 2,
+                             "Two boxes are compared: at most eighteen comparisons."};
+  }
+
+  void triangles_then() {
+    const bool meets = !test_.hits.empty();
+    const Tally &c = test_.cheap, &e = test_.expensive;
+    script_.count({c.mul + e.mul, c.add + e.add, c.div + e.div, c.sqrt + e.sqrt, c.compare + e.compare});
+    script_.value("triangles in b", static_cast<double>(test_.hits.size()), {},
+                  meets ? Role::hit : Role::miss);
+    add("triangles", "Now every triangle", 2,
+        meets ? "Green triangles meet b. A yes or no could stop at the first of them."
+              : "No triangle meets b. Each of them had to be asked to learn that.",
+        true, true, fmt::format("{} of {} triangles meet b", test_.hits.size(), mesh_.triangles.size()));
+    script_.settle(meets ? Verdict::Kind::yes : Verdict::Kind::no,
+                   meets ? "CROSSING: the object itself meets b" : "OUTSIDE: only void met b");
+    if (!meets) script_.refuse(3, {});
+    Step& step =
+        add("verdict", meets ? "A true overlap" : "A false alarm", meets ? 3 : 4,
+            meets ? "The volume's test was not wasted: for most pairs of a scene it is the last one."
+                  : "b lies in the void of the volume. Less void, fewer false alarms: that is why tightness "
+                    "counts.",
+            true, true);
+    step.decides = true;
+    step.question = Question{"Does the object itself meet b?",
+                             {"yes", "no: only its void does"},
+                             meets ? 0 : 1,
+                             "The exact test of each triangle decides."};
+  }
+
+  const Mesh3& mesh_;
+  const Box window_;
+  const Tested test_;
+  Script script_;
+  std::vector<Handle> handles_;
+};
+
+}  // namespace
+
+Walk cheap_first(const Mesh3& mesh, const Vec3& tip, const Vec3& middle, double reach) {
+  return Telling(mesh, tip, middle, reach).walk();
+}
+
+}  // namespace isect::lessons::bounding_volumes_lesson

@@ -1,0 +1,47 @@
+#pragma once
+// An object as a mesh, and the volumes around it.
+
+#include <string>
+#include <vector>
+
+#include "core/convex_hull_3d.h"
+#include "core/counted.h"
+#include "core/triangle_mesh.h"
+#include "viz/lesson.h"
+
+namespace isect::lessons::bounding_volumes_lesson {
+
+inline const std::vector<std::string> objects = {"pin", "bracket", "ball"};
+inline const std::vector<std::string> sizes_of_dops = {"6", "14", "18", "26"};
+
+/// The mesh of an object whose long axis runs from -tip to tip.
+TriangleMesh<double> object(const std::string& name, const viz::Vec3& tip);
+
+/// The volumes around a mesh. Every one holds all of its vertices, exactly.
+struct Fitted {
+  Fitted(const TriangleMesh<double>&, int k);
+
+  double object;  ///< its volume
+  Sphere<double, 3> ball;
+  Aabb<double, 3> aabb;
+  Obb<double, 3> obb;
+  Kdop<double, 3> kdop;
+  Hull3<double> hull;
+};
+
+/// One volume in numbers.
+struct Measured {
+  std::string name;
+  double volume;
+  std::size_t numbers;  ///< kept
+  Tally tally;          ///< of one overlap test with a copy that it meets; nothing for the hull
+  viz::Item drawn;
+
+  int operations() const { return tally.mul + tally.add + tally.div + tally.sqrt + tally.compare; }
+};
+/// Sphere, AABB, OBB, k-DOP, hull.
+std::vector<Measured> measured(const Fitted&);
+/// The k-DOP of another k around the same object.
+Measured measured_kdop(const TriangleMesh<double>&, int k);
+
+}  // namespace isect::lessons::bounding_volumes_lesson
