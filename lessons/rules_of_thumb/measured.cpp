@@ -1,0 +1,173 @@
+// Rule 7: time and profile. Operations are counted here, times are those of bench/results.json.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bench/random.h"
+#include "bench/rows.h"
+#include "core/ray_sphere_methods.h"
+#include "lessons/rules_of_thumb/experiment.h"
+#include "lessons/script.h"
+#include "lessons/speed_against_error/results.h"
+#include "viz/chart.h"
+
+namespace isect::lessons::rules_lesson {
+
+using namespace viz;
+
+namespace {
+
+using C = Counted<double>;
+
+struct Method {
+  std::string name;
+  double operations, ns;
+};
+
+/// Operations a call, on average over rays at a ball, about half of which hit.
+std::vector<Method> methods() {
+  const char* const names[] = {"quadratic", "half-B", "Haines"};
+  std::vector<Method> all;
+  for (int m = 0; m < 3; ++m) {
+    bench::Random random(1);
+    int sum = 0;
+    constexpr int rays = 1000;
+    for (int k = 0; k < rays; ++k) {
+      const Vector<double, 3> target = random.in_box<3>(1.2), d = random.heading<3>();
+      const Point<double, 3> o = target - 4 * d;
+      const Ray<C, 3> ray = {o.cast<C>(), d.cast<C>(), {C(0), C(infinite<double>.hi)}};
+      const Sphere<C, 3> ball = {Point<C, 3>(C(0), C(0), C(0)), C(1)};
+      sum += total(counted([&] {
+        if (m == 0) ray_sphere::quadratic(ray, ball);
+        if (m == 1) ray_sphere::half_b(ray, ball);
+        if (m == 2) ray_sphere::haines(ray, ball);
+      }));
+    }
+    Method method = {names[m], static_cast<double>(sum) / rays, 0};
+    for (const bench::Row* r : bench::rows_of(speed_lesson::results(), "ray-sphere", "double", "ordinary"))
+      if (r->library == "isect" && r->method == names[m]) method.ns = r->ns;
+    all.push_back(method);
+  }
+  return all;
+}
+
+class Measuring {
+ public:
+  Measuring()
+      : methods_(methods()),
+        script_({source(),
+                 "Bars of counted operations and of measured times of three methods for ray and ball.",
+                 {"count the operations of each method", "time each method on the same cases",
+                  "compare: which counts foretell the times?", "time on your own cases, too"},
+                 "7: time and profile"}) {}
+
+  Walk tell() {
+    for (const Method& m : methods_) script_.value(m.name + ", operations", m.operations, "operations");
+    show("rule", "What the counts promise", 0,
+         "Operations of three methods for ray and ball, as shares of the first. Fewer operations promise "
+         "less time.",
+         bars(false));
+    for (const Method& m : methods_) script_.value(m.name + ", time", m.ns, "ns", Role::first);
+    Step& step = show(
+        "before", "What the clock says", 1,
+        fmt::format("Times as measured on {}, as shares of the first.\nA division or a root takes longer "
+                    "than a sum; some operations run side by side.",
+                    speed_lesson::results().machine.cpu),
+        bars(true));
+    step.question = question();
+    show("how", "Counts are no times", 2, farthest(), bars(true));
+    families();
+    return std::move(script_.walk());
+  }
+
+ private:
+  static std::string source() {
+    const bench::Machine& m = speed_lesson::results().machine;
+    return fmt::format("Note, N10 (7); measured on {}, {}, {}, {}", m.cpu, m.compiler, m.flags, m.date);
+  }
+
+  Step& show(const std::string& slug, const std::string& title, int line, const std::string& caption,
+             Bars chart) {
+    Step& step = script_.add(slug, title, line, caption);
+    step.scene.chart = std::make_shared<const Chart>(Chart{std::move(chart)});
+    return step;
+  }
+
+  static std::string percent(double share) { return shown(std::round(100 * share)); }
+  double operations(const Method& m) const { return m.operations / methods_.front().operations; }
+  double time(const Method& m) const { return m.ns / methods_.front().ns; }
+
+  Bars bars(bool times) const {
+    Bars all = {{Scale::Kind::linear, 0, 1.25, "share of the quadratic formula"},
+                {{"operations", Glyph::disc, Role::second}},
+                {}};
+    if (times) all.series.push_back({"time", Glyph::star, Role::first});
+    for (const Method& m : methods_) {
+      Bar bar = {m.name, {{0, operations(m)}}};
+      bar.text = fmt::format("{:.1f} operations", m.operations);
+      if (times) bar.dots.emplace_back(1, time(m)), bar.text = fmt::format("{} ns", shown(m.ns));
+      for (const auto& [_, x] : bar.dots) all.x.hi = std::max(all.x.hi, 1.1 * x);
+      all.bars.push_back(bar);
+    }
+    return all;
+  }
+
+  Question question() const {
+    const auto fastest = std::ranges::min_element(methods_, {}, &Method::ns);
+    Question q = {"Which is the fastest, measured on ordinary cases?", {}, 0, ""};
+    for (const Method& m : methods_) q.choices.push_back(m.name);
+    q.answer = static_cast<int>(fastest - methods_.begin());
+    q.because = fmt::format("It takes {} ns.", shown(fastest->ns));
+    return q;
+  }
+
+  /// The method whose time differs most from what its count promised.
+  std::string farthest() const {
+    const auto off = [&](const Method& m) { return std::abs(std::log(time(m) / operations(m))); };
+    const Method& m = *std::ranges::max_element(methods_, {}, off);
+    const Method& half = methods_[1];  // the note's warning, N18
+    return fmt::format(
+        "Worst foretold is {}: {} % of the operations, but {} % of the time.\n"
+        "The note warns of tweaks such as half-B. It saves {} % of the operations and {} % of the time.",
+        m.name, percent(operations(m)), percent(time(m)), percent(1 - operations(half)),
+        percent(1 - time(half)));
+  }
+
+  /// The same call on other families of cases.
+  void families() {
+    const auto rows = bench::rows_of(speed_lesson::results(), "ray-sphere", "double");
+    Bars all = {{Scale::Kind::log, 5, 50, "time a call (ns)"},
+                {{methods_.back().name, Glyph::disc, Role::second}, {"exact", Glyph::star, Role::hit}},
+                {}};
+    double least = INFINITY, most = 0;
+    for (const std::string& family : bench::families_of(rows)) {
+      Bar bar = {bench::words(family), {}};
+      for (const bench::Row* r : rows) {
+        if (r->family != family || r->library != "isect") continue;
+        if (r->method == methods_.back().name) bar.dots.emplace_back(0, r->ns);
+        if (r->exact)
+          bar.dots.emplace_back(1, r->ns), least = std::min(least, r->ns), most = std::max(most, r->ns);
+      }
+      for (const auto& [_, ns] : bar.dots)
+        all.x.lo = std::min(all.x.lo, ns / 1.3), all.x.hi = std::max(all.x.hi, 1.3 * ns);
+      all.bars.push_back(bar);
+    }
+    script_.settle(Verdict::Kind::yes, "counts guide, the clock decides");
+    show("after", "The cases matter", 3,
+         fmt::format("The exact call takes {} to {} ns, by the family of cases. Time on cases like your own.",
+                     shown(least), shown(most)),
+         all)
+        .decides = true;
+  }
+
+  const std::vector<Method> methods_;
+  Script script_;
+};
+
+}  // namespace
+
+Walk measure() { return Measuring().tell(); }
+
+}  // namespace isect::lessons::rules_lesson
