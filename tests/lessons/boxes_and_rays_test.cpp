@@ -1,12 +1,14 @@
 // The lessons of boxes and of rays: what their presets show, against numbers worked out by hand.
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 #include <map>
 
 #include "core/sphere_aabb.h"
 #include "lessons/lessons.h"
 #include "lessons/obb_obb/picture.h"
+#include "lessons/ray_polygon/picture.h"
 #include "lessons/relation.h"
 #include "tests/catch.h"
 #include "viz/place.h"
@@ -227,4 +229,50 @@ TEST_CASE("a ray without a direction is a point, and the rays lesson does not st
     p["q"] = p["o"];
     CHECK(lesson("rays").walk(p).steps.back().verdict.kind == Verdict::Kind::no);
   }
+}
+
+TEST_CASE("the ray-polygon lesson drops the coordinate whose projection has the largest area",
+          "[ray-polygon]") {
+  for (const Preset& p : lesson("ray-polygon").presets) {
+    INFO(p.id);
+    const auto setup = lessons::ray_polygon_lesson::setup(p.parameters);
+    const Walk walk = lesson("ray-polygon").walk(p.parameters);
+    std::array<double, 3> area2 = {};  // by the shoelace formula, of each projection
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto flat = lessons::ray_polygon_lesson::flattened(setup, {0, 0, 0}, axis);
+      for (std::size_t i = 0; i < flat.ring.size(); ++i) {
+        const auto &a = flat.ring[i], &b = flat.ring[(i + 1) % flat.ring.size()];
+        area2[axis] += a.x() * b.y() - a.y() * b.x();
+      }
+      CHECK(value_of(walk.steps.front(), std::string("*n*_") + "xyz"[axis]) ==
+            Approx(area2[axis]).margin(1e-12));
+    }
+    if (!has_step(walk, "drop")) continue;
+    const int dropped = step_of(walk, "drop").question->answer;
+    for (const double other : area2) CHECK(std::abs(area2[dropped]) >= std::abs(other));
+  }
+}
+
+TEST_CASE("the ray-polygon lesson shows every way to hit and to miss", "[ray-polygon]") {
+  using enum Verdict::Kind;
+  const std::map<std::string, std::pair<Verdict::Kind, int>> expected = {
+      {"hit", {yes, 6}},     {"notch", {no, 6}},    {"behind", {no, 3}}, {"parallel", {no, 1}},
+      {"coplanar", {on, 1}}, {"upright", {yes, 6}}, {"on-edge", {on, 6}}};
+  CHECK(expected.size() == lesson("ray-polygon").presets.size());
+  for (const auto& [id, what] : expected) {
+    INFO(id);
+    const Step& last = walk_of("ray-polygon", id).steps.back();
+    CHECK(last.verdict.kind == what.first);
+    CHECK(last.line == what.second);
+  }
+  CHECK(value_of(walk_of("ray-polygon", "hit").steps.back(), "*t*") == 2);
+  CHECK(step_of(walk_of("ray-polygon", "hit"), "crossings").question->answer == 1);
+  CHECK(step_of(walk_of("ray-polygon", "notch"), "crossings").question->answer == 2);
+}
+
+TEST_CASE("the wrong coordinate dropped collapses an upright polygon, and nothing is inside",
+          "[ray-polygon]") {
+  CHECK(value_of(walk_of("ray-polygon", "upright").steps.back(), "*n*_y") == 0);
+  CHECK(dissenters("ray-polygon", "upright") == std::vector<std::string>{"*y* dropped"});
+  CHECK(dissenters("ray-polygon", "hit").empty());
 }
