@@ -5,11 +5,15 @@
 #include <fmt/format.h>
 
 #include "core/obb_obb_methods.h"
+#include "lessons/case_map.h"
 #include "lessons/obb_obb/picture.h"
 #include "lessons/relation.h"
 #include "lessons/script.h"
 
 namespace isect::lessons {
+
+const viz::Lesson& obb_obb();
+
 namespace {
 
 using namespace viz;
@@ -208,7 +212,12 @@ class Telling {
   int asked_ = 0;
 };
 
-Walk walk(const Parameters& p) { return Telling(setup(p)).walk(); }
+Walk walk(const Parameters& p) {
+  return with_case_map(
+      Telling(setup(p)).walk(), obb_obb(), p,
+      "The second box moves along the line of the centres and turns about the upright axis.\n"
+      "A region tells which axis separates first, or that none does.");
+}
 
 std::vector<Opinion> opinions(const Parameters& p) {
   const Setup s = setup(p);
@@ -294,6 +303,7 @@ const Lesson& obb_obb() {
       .camera = {},
       .walk = walk,
       .opinions = opinions,
+      .map = &cases(),
   };
   return lesson;
 }

@@ -5,11 +5,15 @@
 #include <fmt/format.h>
 
 #include "core/sphere_aabb_methods.h"
+#include "lessons/case_map.h"
 #include "lessons/relation.h"
 #include "lessons/script.h"
 #include "lessons/sphere_aabb/picture.h"
 
 namespace isect::lessons {
+
+const viz::Lesson& sphere_aabb();
+
 namespace {
 
 using namespace viz;
@@ -173,7 +177,12 @@ class Telling {
   double distance2_ = 0;
 };
 
-Walk walk(const Parameters& p) { return Telling(setup(p)).walk(); }
+Walk walk(const Parameters& p) {
+  return with_case_map(Telling(setup(p)).walk(), sphere_aabb(), p,
+                       "The centre moves over *x* and *y*; its *z* and the radius stay.\n"
+                       "Face, edge, corner: where the nearest point lies. A box grown by *r* has square "
+                       "corners, and holds too much.");
+}
 
 std::vector<Opinion> opinions(const Parameters& p) {
   const Setup s = setup(p);
@@ -213,6 +222,10 @@ const Lesson& sphere_aabb() {
       .group_by = "",
       .presets = {preset_of("corner", "near a corner", {0.75, 1.375, -1.375}, 1.5),
                   preset_of("corner-miss", "passing a corner", {0.625, 1.375, -1.375}, 0.75),
+                  preset_of("face", "near a face", {0.75, 0.25, 0}, 1.25),
+                  preset_of("edge", "near an edge", {0.5, 1.25, 0.25}, 1.25),
+                  preset_of("apart", "apart", {1.75, 0.5, 0}, 1),
+                  preset_of("centre-inside", "centre inside", {-0.25, 0.375, 0}, 1),
                   preset_of("touching-face", "touching: a face", {1, 0.125, 0}, 1),
                   preset_of("touching-edge", "touching: an edge", {0.5625, 1.5, 0}, 0.9375),
                   preset_of("touching-corner", "touching: a corner", {0.75, 1.125, -1}, 0.875),
@@ -221,6 +234,7 @@ const Lesson& sphere_aabb() {
       .camera = {},
       .walk = walk,
       .opinions = opinions,
+      .map = &cases(),
   };
   return lesson;
 }

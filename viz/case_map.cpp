@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace isect::viz {
 namespace {
@@ -56,20 +57,24 @@ class Sweep {
     for (int i = 1; i <= columns; ++i) {
       const double right = abscissa(i) + (i == columns ? -off : off) * width();
       const int there = branch(right, at);
-      if (there != l.branches.back()) l.cuts.push_back(change(left, right, at)), l.branches.push_back(there);
+      for (int thinner = 0; l.branches.back() != there && thinner < 4; ++thinner) {
+        left = end_of(l.branches.back(), left, right, at);
+        l.cuts.push_back(left);
+        l.branches.push_back(branch(left, at));
+      }
+      if (l.branches.back() != there) l.branches.back() = there;
       left = right;
     }
     return l;
   }
 
-  /// Where the branch at `left` ends.
-  double change(double left, double right, double y) const {
-    const int before = branch(left, y);
-    for (int i = 0; i < 10; ++i) {
+  /// The first place found between `left`, where this branch is taken, and `right`, where it is not, that has another.
+  double end_of(int before, double left, double right, double y) const {
+    for (int i = 0; i < 12; ++i) {
       const double middle = (left + right) / 2;
       (branch(middle, y) == before ? left : right) = middle;
     }
-    return (left + right) / 2;
+    return right;
   }
 
   void between(const Level& below, const Level& above, int depth) {
@@ -151,18 +156,21 @@ bool within(const CaseMap& map, const Vec2& p) {
   return (p.array() >= map.lo.array()).all() && (p.array() <= map.hi.array()).all();  // not where NaN
 }
 
-/// Whether a preset with this branch belongs on the map of `here`: there, too, its place has that branch, or lies on a
-/// border, where rounding may take it to either side.
-bool belongs(const CaseMap& map, const Parameters& here, const Cases::Spot& preset) {
-  const Vec2 nearby = 1e-9 * (map.hi - map.lo);
-  const auto branch_at = [&](double i, double j) {
-    return map.branch(map.moved(here, preset.at + Vec2(i, j).cwiseProduct(nearby)));
-  };
-  const int there = branch_at(0, 0);
-  if (there == preset.branch) return true;
+/// The branches at and closely around a place, with the rest as in `setting`.
+std::set<int> around(const CaseMap& map, const Parameters& setting, const Vec2& at) {
+  std::set<int> branches;
   for (const Vec2& d : {Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)})
-    if (branch_at(d.x(), d.y()) != there) return true;
-  return false;
+    branches.insert(map.branch(map.moved(setting, at + 1e-9 * d.cwiseProduct(map.hi - map.lo))));
+  return branches;
+}
+
+/// Whether a preset belongs on the map of `here`: its place has the same branch there, or lies on the same border,
+/// where rounding may take it to either side.
+bool belongs(const CaseMap& map, const Parameters& here, const Parameters& preset, const Vec2& at) {
+  const int branch = map.branch(preset);
+  const std::set<int> there = around(map, here, at);
+  if (there.size() == 1) return map.branch(map.moved(here, at)) == branch;
+  return there == around(map, preset, at);
 }
 
 }  // namespace
@@ -186,7 +194,8 @@ Chart case_map(const Lesson& lesson, const Parameters& here) {
     const bool twice = std::ranges::any_of(cases.presets, [&](const Cases::Spot& s) {
       return s.branch == spot.branch && (s.at - spot.at).norm() < 1e-9;
     });
-    if (!twice && within(map, spot.at) && belongs(map, here, spot)) cases.presets.push_back(spot);
+    if (!twice && within(map, spot.at) && belongs(map, here, preset.parameters, spot.at))
+      cases.presets.push_back(spot);
   }
   const Vec2 at = map.place(here);
   if (within(map, at)) cases.here = Cases::Spot{at, map.branch(here)};

@@ -17,8 +17,8 @@ Colour colour_of(int branch, const Theme& theme) {
     return tinted(theme, hex(0), levels[static_cast<std::size_t>(branch) % std::size(levels)]);
   }
   constexpr std::pair<Role, double> inks[] = {
-      {Role::grid, 0},   {Role::first, 0.22},        {Role::second, 0.22},  {Role::hit, 0.26},
-      {Role::miss, 0.2}, {Role::construction, 0.25}, {Role::highlight, 0.4}};
+      {Role::grid, 0},   {Role::first, 0.22},        {Role::second, 0.22},   {Role::hit, 0.26},
+      {Role::miss, 0.2}, {Role::construction, 0.25}, {Role::highlight, 0.4}, {Role::text, 0.1}};
   const auto& [role, share] = inks[static_cast<std::size_t>(branch) % std::size(inks)];
   return tinted(theme, theme.ink(role), share);
 }

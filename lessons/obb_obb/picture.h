@@ -30,4 +30,7 @@ enum class Focus {
 };
 viz::Scene picture(const Setup&, Focus, const std::optional<obb_obb::Axis>& = {});
 
+/// Distance against turn: which axis separates first. (cases.cpp)
+const viz::CaseMap& cases();
+
 }  // namespace isect::lessons::obb_obb_lesson

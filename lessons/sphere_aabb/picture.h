@@ -27,4 +27,7 @@ struct Shown {
 };
 viz::Scene picture(const Setup&, const Shown&);
 
+/// The centre's plane, *z* as it is. (cases.cpp)
+const viz::CaseMap& cases();
+
 }  // namespace isect::lessons::sphere_aabb_lesson

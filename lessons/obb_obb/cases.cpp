@@ -1,0 +1,67 @@
+// All cases of two oriented boxes in the plane of distance and turn.
+
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+#include "lessons/obb_obb/picture.h"
+
+namespace isect::lessons::obb_obb_lesson {
+namespace {
+
+using namespace viz;
+
+enum Case { edges, normal_of_a, normal_of_b, overlapping, inside, touching };
+
+int branch(const Parameters& p) {
+  const Setup s = setup(p);
+  switch (s.truth) {
+    case Relation::overlapping:
+      return overlapping;
+    case Relation::touching:
+      return touching;
+    case Relation::disjoint: {
+      const std::optional<obb_obb::Axis> axis = separating_axis(s.a, s.b);
+      return axis->kind == obb_obb::Kind::face_of_a   ? normal_of_a
+             : axis->kind == obb_obb::Kind::face_of_b ? normal_of_b
+                                                      : edges;
+    }
+    default:
+      return inside;
+  }
+}
+
+double degrees(const Vec3& u) { return std::atan2(-u.z(), u.x()) * 180 / std::numbers::pi; }
+
+/// The centres' distance, and the turn of b's first side about the upright axis, from *x*.
+Vec2 place(const Parameters& p) {
+  const Setup s = setup(p);
+  return {(s.b.center - s.a.center).norm(), degrees(s.b_u)};
+}
+Parameters moved(const Parameters& p, const Vec2& to) {
+  const Setup s = setup(p);
+  const Vec3 l = s.b.center - s.a.center;
+  const Eigen::AngleAxisd turn((to.y() - degrees(s.b_u)) * std::numbers::pi / 180, Vec3::UnitY());
+  Parameters there = p;
+  there["b"] = Vec3(s.a.center + to.x() * (l.norm() > 0 ? Vec3(l.normalized()) : Vec3(Vec3::UnitX())));
+  for (const char* side : {"b_u", "b_v"}) there[side] = Vec3(turn * std::get<Vec3>(p.at(side)));
+  return there;
+}
+
+}  // namespace
+
+const CaseMap& cases() {
+  static const CaseMap map = {
+      "distance of the centres",
+      "turn of b about the upright axis, in degrees",
+      {0, -180},
+      {4, 180},
+      {"edge × edge", "a normal of a", "a normal of b", "overlapping", "one inside the other", "touching"},
+      branch,
+      place,
+      moved};
+  return map;
+}
+
+}  // namespace isect::lessons::obb_obb_lesson
