@@ -1,14 +1,20 @@
 // The lessons on what intersection detection is used for: their last word is that of the core's exact tests.
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numbers>
 
 #include "core/clip_polygon.h"
 #include "core/clip_segment.h"
 #include "lessons/culling/view.h"
 #include "lessons/lessons.h"
+#include "lessons/ray_tracing/tracer.h"
 #include "tests/catch.h"
+#include "tests/viz/pixels.h"
+#include "viz/compose.h"
 #include "viz/place.h"
+#include "viz/solids.h"
 
 using namespace isect;
 using namespace isect::viz;
@@ -198,4 +204,153 @@ TEST_CASE("the first plane that rejects a volume ends its test", "[culling lesso
   CHECK(last.counters.early_out);
   CHECK(
       (last.counters.mul > 0 && last.counters.mul < walk_of("culling", "inside").steps.back().counters.mul));
+}
+
+namespace {
+
+using namespace lessons::ray_tracing_lesson;
+using lessons::sight::Object;
+
+/// A ball of many facets, counter-clockwise seen from outside.
+Mesh mesh_of(const Sphere<double, 3>& ball, Role role) {
+  const int around = 96, down = 48;
+  Mesh mesh{{}, {}, role};
+  for (int j = 0; j <= down; ++j)
+    for (int i = 0; i < around; ++i) {
+      const double u = 2 * std::numbers::pi * i / around, v = std::numbers::pi * j / down;
+      const Vec3 n = {std::sin(v) * std::sin(u), std::cos(v), std::sin(v) * std::cos(u)};
+      mesh.vertices.push_back(ball.center + ball.radius * n);
+    }
+  for (int j = 0; j < down; ++j)
+    for (int i = 0; i < around; ++i) {
+      const int a = j * around + i, b = j * around + (i + 1) % around, c = a + around, d = b + around;
+      mesh.triangles.push_back({a, c, d});
+      mesh.triangles.push_back({a, d, b});
+    }
+  return mesh;
+}
+
+Mesh mesh_of(const lessons::sight::Shape& shape, Role role) {
+  if (const auto* ball = std::get_if<Sphere<double, 3>>(&shape)) return mesh_of(*ball, role);
+  if (const auto* ring = std::get_if<Ring<double, 3>>(&shape)) return {*ring, {{0, 1, 2}, {0, 2, 3}}, role};
+  const Solid box = solid(std::get<Aabb<double, 3>>(shape), role);
+  Mesh mesh{box.vertices, {}, role};
+  for (const std::vector<int>& f : box.faces) {
+    mesh.triangles.push_back({f[0], f[1], f[2]});
+    mesh.triangles.push_back({f[0], f[2], f[3]});
+  }
+  return mesh;
+}
+
+/// The object whose ink the pixel has, whatever its share of paper; -1: paper.
+int object_of(const Picture& picture, int x, int y, const std::vector<Object>& objects, const Theme& theme) {
+  const auto vector = [&](const Colour& c) -> Vec3 {
+    return Vec3(theme.background.r - c.r, theme.background.g - c.g, theme.background.b - c.b);
+  };
+  Vec3 seen;
+  for (int k = 0; k < 3; ++k) seen[k] = channel(picture, x, y, k) / 255.0;
+  seen = vector({seen[0], seen[1], seen[2], 1});
+  if (seen.norm() < 0.03) return -1;
+  int best = -1;
+  double nearest = 0;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const double along = vector(theme.ink(objects[i].role)).normalized().dot(seen.normalized());
+    if (along > nearest) nearest = along, best = static_cast<int>(i);
+  }
+  return best;
+}
+
+}  // namespace
+
+TEST_CASE("the traced picture shows what the rasteriser draws, pixel by pixel", "[ray-tracing lesson]") {
+  const lessons::sight::World world(scene_objects());
+  const lessons::sight::Eye eye(columns, rows);
+  const Image image = trace(world, eye, {-1, 2.25, -1.5});
+
+  // Opaque meshes in painter's order: the floor, then what stands on it, far to near. A pixel is sampled in its middle.
+  constexpr int fine = 9;
+  std::vector<int> order = {4, 2, 0, 1, 3};
+  Scene scene;
+  for (const int i : order) scene.items.emplace_back(mesh_of(world.object(i).shape, world.object(i).role));
+  const Theme style = theme(ThemeName::print, columns * fine, rows * fine);
+  const View view(lessons::sight::eye_camera(), columns * fine, rows * fine);
+  const Drawing drawing = {columns * fine, rows * fine, style.background, compose(scene, view, style).shapes};
+  const Picture picture = offscreen().render(drawing);
+
+  const auto traced = [&](int x, int y) {
+    const auto& hit = image.pixels[static_cast<std::size_t>(y * columns + x)].hit;
+    return hit ? hit->primitive : -1;
+  };
+  int agree = 0, inner = 0;
+  std::map<int, int> shown;
+  for (int y = 0; y < rows; ++y)
+    for (int x = 0; x < columns; ++x) {
+      const int mine = traced(x, y);
+      const int drawn = object_of(picture, x * fine + fine / 2, y * fine + fine / 2, world.objects, style);
+      bool silhouette = false;  // a neighbour shows something else
+      for (int j = std::max(y - 1, 0); j <= std::min(y + 1, rows - 1); ++j)
+        for (int i = std::max(x - 1, 0); i <= std::min(x + 1, columns - 1); ++i)
+          silhouette = silhouette || traced(i, j) != mine;
+      INFO("pixel " << x << ", " << y << ": traced " << mine << ", drawn " << drawn);
+      if (!silhouette) CHECK(mine == drawn);
+      inner += !silhouette, agree += mine == drawn;
+      ++shown[mine];
+    }
+  const double share = 1.0 * agree / (columns * rows);
+  INFO("share of pixels that agree: " << share);
+  CHECK(share > 0.99);
+  CHECK(inner > columns * rows / 2);
+  CHECK(shown.size() == 6);  // all five, and the sky
+  for (const auto& [object, count] : shown) CHECK(count > 50);
+}
+
+TEST_CASE("each pixel of the lesson's picture is the closest of all hits, shaded", "[ray-tracing lesson]") {
+  const lessons::sight::World world(scene_objects());
+  const Vec3 lamp = {-1, 2.25, -1.5};
+  const lessons::sight::Eye eye(columns, rows);
+  const Image image = trace(world, eye, lamp);
+  int lit = 0, shadow = 0, away = 0, sky = 0;
+  for (int y = 0; y < rows; ++y)
+    for (int x = 0; x < columns; ++x) {
+      const Traced& t = image.pixels[static_cast<std::size_t>(y * columns + x)];
+      const auto ray = eye.through(eye.on_plane({x + 0.5, y + 0.5}));
+      std::optional<double> least;
+      for (const Object& o : world.objects)
+        if (const auto hit = lessons::sight::first_hit(ray, o.shape); hit && (!least || *hit < *least))
+          least = hit;
+      REQUIRE(least.has_value() == t.hit.has_value());
+      sky += !least;
+      if (!least) continue;
+      CHECK(t.hit->t == *least);
+      CHECK_THAT(t.normal.norm(), Catch::Matchers::WithinAbs(1, 1e-12));
+      if (t.cosine <= 0) {
+        ++away;
+        CHECK(t.light == 0.2);
+        continue;
+      }
+      bool blocked = false;  // a little off the surface, where the lesson leaves the object out
+      const lessons::sight::Ray3 shadow_ray = {t.point + 1e-9 * t.normal, lamp - t.point, {0, 1}};
+      for (const Object& o : world.objects)
+        blocked = blocked || lessons::sight::first_hit(shadow_ray, o.shape);
+      CHECK(blocked == t.blocker.has_value());
+      CHECK((t.light > 0.2) != blocked);
+      (blocked ? shadow : lit) += 1;
+    }
+  for (const int often : {lit, shadow, away, sky}) CHECK(often > 50);
+  CHECK(image.work.eye_rays == columns * rows);
+  CHECK(image.work.shadow_rays == lit + shadow);
+  CHECK(image.work.tests < 5 * (image.work.eye_rays + image.work.shadow_rays) / 2);
+}
+
+TEST_CASE("the ray-tracing presets are what their names say", "[ray-tracing lesson]") {
+  const auto last = [](const char* id) { return walk_of("ray-tracing", id).steps.back(); };
+  CHECK(last("lit").verdict.kind == Verdict::Kind::yes);
+  CHECK(last("lit").line == 0);
+  CHECK(value(last("lit"), "objects met") >= 2);
+  CHECK_THAT(last("shadow").verdict.text, Catch::Matchers::Contains("shadow of"));
+  CHECK_THAT(last("turned-away").verdict.text, Catch::Matchers::Contains("turned away"));
+  CHECK_THAT(last("sky").verdict.text, Catch::Matchers::Contains("sky"));
+  const auto* raster = std::get_if<Raster>(&last("sky").scene.items.front());
+  REQUIRE(raster);
+  CHECK(raster->cells.size() == 48 * 36);
 }

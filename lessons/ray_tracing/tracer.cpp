@@ -1,0 +1,62 @@
+#include "lessons/ray_tracing/tracer.h"
+
+#include <algorithm>
+
+namespace isect::lessons::ray_tracing_lesson {
+
+using namespace viz;
+using namespace sight;
+
+std::vector<Object> scene_objects() {
+  return {{"ball **a**", Sphere<double, 3>{{2, -0.125, -0.875}, 0.875}, Role::first},
+          {"ball **b**", Sphere<double, 3>{{1, -0.5, 0.625}, 0.5}, Role::second},
+          {"ball **c**", Sphere<double, 3>{{3.25, 0, 1.125}, 1}, Role::miss},
+          {"box", Aabb<double, 3>{{0.75, -1, -1.625}, {1.375, -0.25, -1}}, Role::hit},
+          {"floor", Ring<double, 3>{{0.25, -1, 2.5}, {4.5, -1, 2.5}, {4.5, -1, -2.5}, {0.25, -1, -2.5}},
+           Role::muted}};
+}
+
+Traced trace(const World& world, const Ray3& ray, const Vec3& lamp, Work& work) {
+  Traced result;
+  bvh_ray::Counts counts;
+  result.hit = world.closest(ray, counts);
+  ++work.eye_rays, work.tests += static_cast<int>(counts.tested);
+  if (!result.hit) return result;
+
+  const int own = result.hit->primitive;
+  result.point = ray.at(result.hit->t);
+  result.normal = normal_at(world.object(own).shape, result.point);
+  result.to_lamp = lamp - result.point;
+  result.cosine = result.normal.dot(result.to_lamp.normalized());
+  const double ambient = 0.2;
+  result.light = ambient;
+  if (!(result.cosine > 0)) return result;
+
+  // A convex object never shades the side that faces the lamp: leaving it out, rounding of the point does no harm.
+  const Ray3 shadow = {result.point, result.to_lamp, {0, 1}};
+  const auto blocks = [&](int i) {
+    ++work.tests;
+    const std::optional<double> t = i == own ? std::nullopt : first_hit(shadow, world.object(i).shape);
+    if (t) result.blocker = i;
+    return t;
+  };
+  ++work.shadow_rays;
+  if (!any_hit(world.bvh, shadow, blocks)) result.light = ambient + (1 - ambient) * result.cosine;
+  return result;
+}
+
+Cell cell_of(const World& world, const Traced& traced) {
+  if (!traced.hit) return {Role::grid, {}};
+  return {world.object(traced.hit->primitive).role, traced.light};
+}
+
+Image trace(const World& world, const Eye& eye, const Vec3& lamp) {
+  Image image;
+  for (int row = 0; row < eye.rows; ++row)
+    for (int column = 0; column < eye.columns; ++column)
+      image.pixels.push_back(
+          trace(world, eye.through(eye.on_plane({column + 0.5, row + 0.5})), lamp, image.work));
+  return image;
+}
+
+}  // namespace isect::lessons::ray_tracing_lesson

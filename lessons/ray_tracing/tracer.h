@@ -1,0 +1,37 @@
+#pragma once
+// A small ray tracer: the closest hit of a sight line, its normal, and a shadow ray to the lamp.
+
+#include "lessons/sight/sight.h"
+
+namespace isect::lessons::ray_tracing_lesson {
+
+inline constexpr int columns = 48, rows = 36;
+
+/// Balls, a box and a floor.
+std::vector<sight::Object> scene_objects();
+
+/// What one sight line finds.
+struct Traced {
+  std::optional<BvhHit<double>> hit;
+  viz::Vec3 point = viz::Vec3::Zero(), normal = viz::Vec3::Zero(), to_lamp = viz::Vec3::Zero();
+  double cosine = 0;           ///< of the angle between the normal and the way to the lamp
+  std::optional<int> blocker;  ///< an object between the point and the lamp; not asked for what faces away
+  double light = 0;            ///< 0 to 1
+};
+
+/// How many rays were sent, and how many objects were asked.
+struct Work {
+  int eye_rays = 0, shadow_rays = 0, tests = 0;
+};
+
+Traced trace(const sight::World&, const sight::Ray3&, const viz::Vec3& lamp, Work&);
+viz::Cell cell_of(const sight::World&, const Traced&);
+
+/// The picture, row by row.
+struct Image {
+  std::vector<Traced> pixels;
+  Work work;
+};
+Image trace(const sight::World&, const sight::Eye&, const viz::Vec3& lamp);
+
+}  // namespace isect::lessons::ray_tracing_lesson

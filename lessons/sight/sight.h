@@ -1,0 +1,69 @@
+#pragma once
+// An eye, its picture plane and what it sees: shared by the lessons that send sight lines through pixels.
+
+#include <optional>
+#include <span>
+
+#include "core/bvh_ray.h"
+#include "viz/lesson.h"
+
+namespace isect::lessons::sight {
+
+using Ray3 = Ray<double, 3>;
+/// A ball, a box, or a plane polygon.
+using Shape = std::variant<Sphere<double, 3>, Aabb<double, 3>, Ring<double, 3>>;
+
+struct Object {
+  const char* name;  ///< markup, "ball **a**"
+  Shape shape;
+  viz::Role role;
+};
+
+/// The least t of the ray's range at which it meets the shape: the core's own ray tests.
+std::optional<double> first_hit(const Ray3&, const Shape&);
+/// Unit, outwards; of a polygon upwards.
+viz::Vec3 normal_at(const Shape&, const viz::Vec3& p);
+Aabb<double, 3> bounds(const Shape&);
+viz::Vec3 middle(const Shape&);
+
+/// Objects under a hierarchy with a leaf each.
+struct World {
+  explicit World(std::vector<Object>);
+
+  std::vector<Object> objects;
+  Bvh<double, 3> bvh;
+
+  /// The closest hit of a ray.
+  template <class Trace = NoTrace>
+  std::optional<BvhHit<double>> closest(const Ray3& ray, Trace&& trace = {}) const {
+    return closest_hit(
+        bvh, ray, [&](int i) { return first_hit(ray, objects[static_cast<std::size_t>(i)].shape); }, trace);
+  }
+  const Object& object(int i) const { return objects[static_cast<std::size_t>(i)]; }
+};
+
+/// The eye looks along +x through a picture of columns x rows pixels.
+struct Eye {
+  Eye(int columns, int rows);
+
+  int columns, rows;
+  viz::View view;  ///< in pixels
+
+  /// Where the sight line through a point of the picture, in pixels, meets the picture plane.
+  viz::Vec3 on_plane(const viz::Vec2& pixel) const;
+  /// Back again; the point's x is not used.
+  viz::Vec2 pixel(const viz::Vec3& on_plane) const;
+  /// From the eye, t = 1 on the picture plane.
+  Ray3 through(const viz::Vec3& on_plane) const { return {view.eye(), on_plane - view.eye()}; }
+};
+inline constexpr double plane_x = -1.5;
+viz::Camera eye_camera();
+
+void add(const Object&, viz::Scene&, bool lit = true);  ///< not lit: muted, without a colour of its own
+void add_name(const Object&, viz::Scene&);
+/// The eye and the frame of its picture plane, with the lines from one to the other.
+void add(const Eye&, viz::Scene&);
+/// From outside: the eye on the left, the objects on the right.
+viz::Camera from_outside();
+
+}  // namespace isect::lessons::sight
