@@ -11,6 +11,7 @@
 #include "core/volume.h"
 #include "lessons/bounding_volumes/cheap_first.h"
 #include "lessons/bounding_volumes/picture.h"
+#include "lessons/parameters.h"
 #include "lessons/script.h"
 #include "viz/chart.h"
 
@@ -236,11 +237,6 @@ Preset test_preset(const char* id, const char* title, const Vec3& q, double reac
            {"k", std::string("14")},
            {"q", q},
            {"reach", reach}}};
-}
-
-Parameter choice(const char* name, const char* label, const char* help,
-                 const std::vector<std::string>& choices, std::size_t initial = 0) {
-  return {name, label, help, choices[initial], 0, 0, 0, 0, choices};
 }
 
 }  // namespace

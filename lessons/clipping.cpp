@@ -3,6 +3,7 @@
 // The walks stand in clipping/segment and clipping/polygon.
 
 #include "lessons/clipping/methods.h"
+#include "lessons/parameters.h"
 
 namespace isect::lessons {
 namespace {
@@ -74,15 +75,7 @@ const Lesson& clipping() {
       .rows = "N01",
       .summary =
           "The part of a segment or a polygon that lies in a box: each side cuts, one after the other.",
-      .parameters = {{"shape",
-                      "shape",
-                      "What is clipped at the box.",
-                      std::string("segment"),
-                      0,
-                      0,
-                      0,
-                      0,
-                      {"segment", "polygon"}},
+      .parameters = {choice("shape", "shape", "What is clipped at the box.", {"segment", "polygon"}),
                      point("p", "First end or vertex, in world units; its third coordinate is not used.", 0),
                      point("q", "Second end or vertex, in world units.", 1),
                      point("r", "Third vertex of the polygon; a segment has none.", 2),

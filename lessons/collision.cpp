@@ -8,6 +8,7 @@
 #include "core/bvh_pairs.h"
 #include "lessons/collision/boxes.h"
 #include "lessons/collision/tunnelling.h"
+#include "lessons/parameters.h"
 #include "lessons/script.h"
 
 namespace isect::lessons {
@@ -260,15 +261,8 @@ const Lesson& collision() {
         .title = "Collision",
         .rows = "N25",
         .summary = "All pairs of boxes that overlap, in three ways, and what discrete times miss.",
-        .parameters = {{"method",
-                        "method",
-                        "How pairs are found, or one moving box.",
-                        std::string("brute-force"),
-                        0,
-                        0,
-                        0,
-                        0,
-                        {"brute-force", "sweep", "hierarchy", "motion"}},
+        .parameters = {choice("method", "method", "How pairs are found, or one moving box.",
+                              {"brute-force", "sweep", "hierarchy", "motion"}),
                        {"p", "**p**",
                         "The centre of box 0 or of the moving box; its third coordinate is not used.", near,
                         -1e6, 1e6, -4, 4},

@@ -1,6 +1,7 @@
 // Concave polygon in O(lg n) (N24): slabs, the trapezoidal map, and Kirkpatrick's hierarchy: built, searched, and what they keep.
 
 #include "lessons/concave_polygon/setup.h"
+#include "lessons/parameters.h"
 
 namespace isect::lessons {
 namespace {
@@ -32,10 +33,6 @@ Walk walk(const Parameters& values) {
   return method == "trapezoids" ? trapezoids(setup) : hierarchy(setup);
 }
 
-Parameter choice(const char* name, const char* help, const std::vector<std::string>& choices) {
-  return {name, name, help, choices.front(), 0, 0, 0, 0, choices};
-}
-
 }  // namespace
 
 const Lesson& concave_polygon() {
@@ -44,8 +41,9 @@ const Lesson& concave_polygon() {
       .title = "Point in concave polygon",
       .rows = "N24",
       .summary = "Whether a point lies in a concave polygon, in O(lg n) after preparing it in three ways.",
-      .parameters = {choice("method", "How the polygon is prepared.", {"slabs", "trapezoids", "hierarchy"}),
-                     choice("polygon", "With bays, or with long spikes.", {"concave", "spiky"}),
+      .parameters = {choice("method", "method", "How the polygon is prepared.",
+                            {"slabs", "trapezoids", "hierarchy"}),
+                     choice("polygon", "polygon", "With bays, or with long spikes.", {"concave", "spiky"}),
                      {"p", "**p**", "The point, in world units; its third coordinate is not used.",
                       Vec3(-0.875, 1, 0), -1e6, 1e6, -4, 4}},
       .group_by = "method",

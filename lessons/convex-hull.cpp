@@ -8,6 +8,7 @@
 
 #include "core/convex_hull.h"
 #include "lessons/convex_hull/picture.h"
+#include "lessons/parameters.h"
 #include "lessons/script.h"
 
 namespace isect::lessons {
@@ -189,8 +190,7 @@ const Lesson& convex_hull() {
         .title = "Convex hull",
         .rows = "N05",
         .summary = "The hull of points, built step by step, and why no convex volume is tighter.",
-        .parameters = {{"points", "points", "The points, by their situation.", names.front(), 0, 0, 0, 0,
-                        names},
+        .parameters = {choice("points", "points", "The points, by their situation.", names),
                        {"p", "**p**", "One more point, in world units; its third coordinate is not used.",
                         situations().front().moved, -1e6, 1e6, -4, 4}},
         .group_by = {},

@@ -4,6 +4,7 @@
 #include "core/point_polygon.h"
 #include "lessons/convex_polygon/methods.h"
 #include "lessons/opinions.h"
+#include "lessons/parameters.h"
 
 namespace isect::lessons {
 namespace {
@@ -71,24 +72,10 @@ const Lesson& convex_polygon() {
       .summary =
           "Whether a point lies in a convex polygon, by bisecting wedges: twenty steps for a million "
           "vertices.",
-      .parameters = {{"method",
-                      "method",
-                      "Wedges from a vertex, or around a centroid.",
-                      std::string("fan"),
-                      0,
-                      0,
-                      0,
-                      0,
-                      {"fan", "centroid"}},
-                     {"n",
-                      "*n*",
-                      "How many vertices the polygon has.",
-                      std::string("12"),
-                      0,
-                      0,
-                      0,
-                      0,
-                      {"4", "5", "12", "64", "1000", "1000000"}},
+      .parameters = {choice("method", "method", "Wedges from a vertex, or around a centroid.",
+                            {"fan", "centroid"}),
+                     choice("n", "*n*", "How many vertices the polygon has.",
+                            {"4", "5", "12", "64", "1000", "1000000"}, 2),
                      {"p", "**p**", "The point, in world units; its third coordinate is not used.",
                       Vec3(0, 0, 0), -1e6, 1e6, -4, 4}},
       .group_by = "method",

@@ -7,6 +7,7 @@
 #include "lessons/crossings/rules.h"
 #include "lessons/crossings/situations.h"
 #include "lessons/opinions.h"
+#include "lessons/parameters.h"
 
 namespace isect::lessons {
 namespace {
@@ -17,17 +18,8 @@ using namespace crossings_lesson;
 std::vector<Parameter> parameters() {
   std::vector<std::string> shapes;
   for (const Situation& s : situations()) shapes.emplace_back(s.id);
-  return {{"rule",
-           "rule",
-           "What counts as a crossing.",
-           std::string("half-open"),
-           0,
-           0,
-           0,
-           0,
-           {"half-open", "closed"}},
-          {"polygon", "polygon", "The polygon, by the situation it belongs to.", shapes.front(), 0, 0, 0, 0,
-           shapes},
+  return {choice("rule", "rule", "What counts as a crossing.", {"half-open", "closed"}),
+          choice("polygon", "polygon", "The polygon, by the situation it belongs to.", shapes),
           {"p", "**p**", "The point, in world units; its third coordinate is not used.", Vec3(0, 0, 0), -1e6,
            1e6, -4, 4}};
 }

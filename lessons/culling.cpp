@@ -3,6 +3,7 @@
 // The walks stand in culling/one_volume, culling/whole_scene and culling/hierarchy, the view volume in culling/view.
 
 #include "lessons/culling/view.h"
+#include "lessons/parameters.h"
 
 namespace isect::lessons {
 namespace {
@@ -60,15 +61,9 @@ const Lesson& culling() {
       .title = "View-volume culling",
       .rows = "N01, N03, N09",
       .summary = "Which volumes a view frustum holds, cuts or rejects, one by one and under a hierarchy.",
-      .parameters = {{"volume",
-                      "volume",
-                      "What is tested: one box, one ball, a scene, or boxes under a hierarchy.",
-                      std::string("box"),
-                      0,
-                      0,
-                      0,
-                      0,
-                      {"box", "ball", "scene", "hierarchy"}},
+      .parameters = {choice("volume", "volume",
+                            "What is tested: one box, one ball, a scene, or boxes under a hierarchy.",
+                            {"box", "ball", "scene", "hierarchy"}),
                      {"p", "**p**", "Centre of the box or ball, in world units; others have none.",
                       situations[0].p, -1e6, 1e6, -5, 5},
                      {"size", "size", "Half the edge of the box, or the radius of the ball, in world units.",

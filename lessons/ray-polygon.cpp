@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/ray_polygon_methods.h"
+#include "lessons/parameters.h"
 #include "lessons/ray_polygon/picture.h"
 #include "lessons/script.h"
 
@@ -224,15 +225,7 @@ const Lesson& ray_polygon() {
       .title = "Ray and polygon",
       .rows = "N21, N20",
       .summary = "Whether a ray hits a polygon in space: its plane, a coordinate to drop, and crossings.",
-      .parameters = {{"polygon",
-                      "polygon",
-                      "How the polygon stands.",
-                      std::string("tilted"),
-                      0,
-                      0,
-                      0,
-                      0,
-                      {"tilted", "upright"}},
+      .parameters = {choice("polygon", "polygon", "How the polygon stands.", {"tilted", "upright"}),
                      {"o", "**o**", "Origin of the ray, in world units.", Vec3(-2.5, 0, 1), -1e6, 1e6, -6, 6},
                      {"d", "**d**", "Direction of the ray, of any length but 0.", inwards, -1e6, 1e6, -4, 4}},
       .group_by = "",

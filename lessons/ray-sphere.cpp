@@ -4,6 +4,7 @@
 // ray_sphere/cases has the map of all cases and the methods side by side.
 
 #include "lessons/case_map.h"
+#include "lessons/parameters.h"
 #include "lessons/plane.h"
 #include "lessons/ray_sphere/methods.h"
 
@@ -18,24 +19,8 @@ using namespace ray_sphere_lesson;
 
 const std::vector<Parameter>& parameters() {
   static const std::vector<Parameter> all = {
-      {"method",
-       "method",
-       "The algorithm that is stepped through.",
-       std::string("haines"),
-       0,
-       0,
-       0,
-       0,
-       {"haines", "quadratic", "half-b"}},
-      {"extent",
-       "extent",
-       "A ray has no end; a segment ends at t_max.",
-       std::string("ray"),
-       0,
-       0,
-       0,
-       0,
-       {"ray", "segment"}},
+      choice("method", "method", "The algorithm that is stepped through.", {"haines", "quadratic", "half-b"}),
+      choice("extent", "extent", "A ray has no end; a segment ends at t_max.", {"ray", "segment"}),
       {"origin", "**o**", "Origin of the ray, in world units.", in_plane(-3.5, 0.5), -1e6, 1e6, -6, 6},
       {"direction", "**d**", "Direction of the ray, of any length but 0.", in_plane(2, 0.25), -1e6, 1e6, -4,
        4},

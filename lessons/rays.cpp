@@ -1,5 +1,6 @@
 // Rays (N16): a point and a direction, or two points; finite, semi-infinite or infinite; and what t means.
 
+#include "lessons/parameters.h"
 #include "lessons/rays/methods.h"
 
 namespace isect::lessons {
@@ -44,9 +45,6 @@ Walk walk(const Parameters& p) {
   return bullet(flat("o"), flat("d"));
 }
 
-Parameter choice(const char* name, const char* help, const std::vector<std::string>& choices) {
-  return {name, name, help, choices.front(), 0, 0, 0, 0, choices};
-}
 Parameter vector_of(const char* name, const char* label, const char* help, const Vec3& initial) {
   return {name, label, help, initial, -1e6, 1e6, -4, 4};
 }
@@ -59,16 +57,15 @@ const Lesson& rays() {
       .title = "Rays",
       .rows = "N16, N20",
       .summary = "A ray by a point and a direction or by two points, its range, and what t means.",
-      .parameters = {choice("made", "How the ray is given.", {"direction", "points", "unit", "motion"}),
-                     choice("extent", "Which t belong to it.", {"ray", "segment", "line"}),
-                     vector_of("o", "**o**",
-                               "Origin or first point, in world units; the third coordinate is not used.",
-                               {-3, -0.5, 0}),
-                     vector_of("d", "**d**",
-                               "Direction or velocity, where the ray is not given by two points.",
-                               {1.5, 0.5, 0}),
-                     vector_of("q", "**p**_2", "Second point, where the ray is given by two.", {0, 0.5, 0}),
-                     {"wall", "wall", "Where the wall stands on x, in world units.", 1.5, -1e6, 1e6, -3, 3}},
+      .parameters =
+          {choice("made", "made", "How the ray is given.", {"direction", "points", "unit", "motion"}),
+           choice("extent", "extent", "Which t belong to it.", {"ray", "segment", "line"}),
+           vector_of("o", "**o**", "Origin or first point, in world units; the third coordinate is not used.",
+                     {-3, -0.5, 0}),
+           vector_of("d", "**d**", "Direction or velocity, where the ray is not given by two points.",
+                     {1.5, 0.5, 0}),
+           vector_of("q", "**p**_2", "Second point, where the ray is given by two.", {0, 0.5, 0}),
+           {"wall", "wall", "Where the wall stands on x, in world units.", 1.5, -1e6, 1e6, -3, 3}},
       .group_by = "made",
       .presets = presets(),
       .camera = {.azimuth = 0, .elevation = 0},

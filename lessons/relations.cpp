@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "lessons/parameters.h"
 #include "lessons/plane.h"
 #include "lessons/relation.h"
 #include "lessons/relations/pages.h"
@@ -216,12 +217,11 @@ const Lesson& relations() {
         .title = "How two sets can lie",
         .rows = "N02",
         .summary = "Six ways in which two sets can lie, and what a yes or no test loses of them.",
-        .parameters = {{"kind", "kind", "What the two sets are.", name(Kind::polygons), 0, 0, 0, 0, choices},
+        .parameters = {choice("kind", "kind", "What the two sets are.", choices),
                        {"b", "**b**", "The place of b, in units; a stays at the origin.", Vec3(0, 0, 0), -1e6,
                         1e6, -4, 4},
                        {"size", "size of b", "The size of b, in sizes of a.", 1.0, 0.0625, 64, 0.25, 2},
-                       {"turn", "turn of b", "How b is turned; balls and AABBs are not.", turns[0], 0, 0, 0,
-                        0, turns}},
+                       choice("turn", "turn of b", "How b is turned; balls and AABBs are not.", turns)},
         .group_by = "",
         .presets = presets(),
         .camera = camera,

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 
+#include "lessons/parameters.h"
 #include "lessons/robustness/settings.h"
 #include "lessons/script.h"
 
@@ -182,23 +183,16 @@ const Lesson& robustness() {
         .summary =
             "Neighbouring floating-point numbers, coloured by the verdict of a naive test and by the true "
             "one.",
-        .parameters =
-            {{"test", "test", "The naive test under the microscope.", tests().front(), 0, 0, 0, 0, tests()},
-             {"scalar",
-              "scalar",
-              "The numbers: 53 bits or 24.",
-              std::string("double"),
-              0,
-              0,
-              0,
-              0,
-              {"double", "float"}},
-             {"p", "**p**", "The point in the middle, in world units; its third coordinate is not used.",
-              standard_point(tests().front()), -1e6, 1e6, -4, 4},
-             {"right", "right", "Which neighbour is ringed: so many numbers to the right, -32 to 32.", 0.0,
-              -half, half, -half, half},
-             {"up", "up", "Which neighbour is ringed: so many numbers up, -32 to 32.", 0.0, -half, half,
-              -half, half}},
+        .parameters = {choice("test", "test", "The naive test under the microscope.", tests()),
+                       choice("scalar", "scalar", "The numbers: 53 bits or 24.", {"double", "float"}),
+                       {"p", "**p**",
+                        "The point in the middle, in world units; its third coordinate is not used.",
+                        standard_point(tests().front()), -1e6, 1e6, -4, 4},
+                       {"right", "right",
+                        "Which neighbour is ringed: so many numbers to the right, -32 to 32.", 0.0, -half,
+                        half, -half, half},
+                       {"up", "up", "Which neighbour is ringed: so many numbers up, -32 to 32.", 0.0, -half,
+                        half, -half, half}},
         .group_by = {},
         .presets = presets,
         .camera = {.azimuth = 0, .elevation = 0},

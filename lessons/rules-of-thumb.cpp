@@ -2,6 +2,7 @@
 //
 // The experiments stand in rules_of_thumb/.
 
+#include "lessons/parameters.h"
 #include "lessons/rules_of_thumb/experiment.h"
 
 namespace isect::lessons {
@@ -51,7 +52,7 @@ const Lesson& rules_of_thumb() {
         .rows = "N10",
         .summary = "The note's eight rules as experiments: counted without the rule, and with it.",
         .parameters =
-            {{"rule", "rule", "Which rule.", ids.front(), 0, 0, 0, 0, ids},
+            {choice("rule", "rule", "Which rule.", ids),
              {"p", "**p**",
               "Where the object that asks stands, in world units; its third coordinate is not used.",
               rules.front().p, -1e6, 1e6, -4, 4}},

@@ -3,6 +3,7 @@
 // The numbers are those of bench/results.json, so that every run of the lesson says the same; `isect bench` makes new
 // ones. What is said of them is computed in speed_against_error/teller.
 
+#include "lessons/parameters.h"
 #include "lessons/speed_against_error/results.h"
 #include "lessons/speed_against_error/teller.h"
 
@@ -30,8 +31,7 @@ const Lesson& speed_against_error() {
       .title = "Speed against error",
       .rows = "N10",
       .summary = "What each method costs and how often it errs, as measured: what the exact call is worth.",
-      .parameters = {{"test", "test", "The test whose measurements are read.", tests(results()).front(), 0, 0,
-                      0, 0, tests(results())}},
+      .parameters = {choice("test", "test", "The test whose measurements are read.", tests(results()))},
       .group_by = "",
       .presets = presets(),
       .camera = {.azimuth = 0, .elevation = 0},

@@ -6,6 +6,7 @@
 
 #include "lessons/case_map.h"
 #include "lessons/opinions.h"
+#include "lessons/parameters.h"
 #include "lessons/plane.h"
 #include "lessons/relation.h"
 #include "lessons/script.h"
@@ -287,15 +288,8 @@ const Lesson& sphere_sphere() {
                       4},
                      {"b", "**b**", "Centre of the second ball, in units.", in_plane(2, 0), -1e6, 1e6, -6, 6},
                      {"r2", "*r*_2", "Radius of the second ball, in units.", axis_length, 0, 1e6, 0.1, 4},
-                     {"unit",
-                      "unit",
-                      "The unit of all lengths: 1, 2^600 or 2^-600.",
-                      std::string("one"),
-                      0,
-                      0,
-                      0,
-                      0,
-                      {"one", "huge", "tiny"}}},
+                     choice("unit", "unit", "The unit of all lengths: 1, 2^600 or 2^-600.",
+                            {"one", "huge", "tiny"})},
       .group_by = "",
       .presets = {preset_of("overlapping", "overlapping", {1, 0}, 1.5, 1),
                   preset_of("disjoint", "disjoint", {2, 0.5}, 1.5, 1),
