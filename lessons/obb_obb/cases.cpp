@@ -23,6 +23,7 @@ int branch(const Parameters& p) {
       return touching;
     case Relation::disjoint: {
       const std::optional<obb_obb::Axis> axis = separating_axis(s.a, s.b);
+      if (!axis) return normal_of_a;  // directions that make no box
       return axis->kind == obb_obb::Kind::face_of_a   ? normal_of_a
              : axis->kind == obb_obb::Kind::face_of_b ? normal_of_b
                                                       : edges;

@@ -11,6 +11,7 @@
 #include "lessons/ray_polygon/picture.h"
 #include "lessons/relation.h"
 #include "tests/catch.h"
+#include "viz/case_map.h"
 #include "viz/place.h"
 
 using namespace isect;
@@ -71,7 +72,9 @@ TEST_CASE("the ball-and-box lesson shows every region and every relation", "[sph
       {"corner", {3, Verdict::Kind::yes}},         {"corner-miss", {3, Verdict::Kind::no}},
       {"touching-face", {1, Verdict::Kind::on}},   {"touching-edge", {2, Verdict::Kind::on}},
       {"touching-corner", {3, Verdict::Kind::on}}, {"ball-inside", {0, Verdict::Kind::yes}},
-      {"box-inside", {0, Verdict::Kind::yes}}};
+      {"box-inside", {0, Verdict::Kind::yes}},     {"face", {1, Verdict::Kind::yes}},
+      {"edge", {2, Verdict::Kind::yes}},           {"apart", {1, Verdict::Kind::no}},
+      {"centre-inside", {0, Verdict::Kind::yes}}};
   CHECK(expected.size() == lesson("sphere-aabb").presets.size());
   for (const auto& [id, what] : expected) {
     INFO(id);
@@ -138,7 +141,8 @@ TEST_CASE("the oriented-box lesson: each kind of axis separates in a preset, alo
           "[obb-obb]") {
   const auto slugs = [](const char* id) {
     std::vector<std::string> all;
-    for (const Step& s : walk_of("obb-obb", id).steps) all.push_back(s.slug);
+    for (const Step& s : walk_of("obb-obb", id).steps)
+      if (s.slug != case_map_slug) all.push_back(s.slug);
     return all;
   };
   CHECK(slugs("normal-of-a") == std::vector<std::string>{"axes", "normals-a", "relation"});
@@ -185,6 +189,25 @@ TEST_CASE(
   CHECK(walk_of("obb-obb", "slender").steps.back().line == 7);  // OVERLAP
   CHECK(dissenters("obb-obb", "slender") == std::vector<std::string>{"classical, ε = 0.125"});
   CHECK(dissenters("obb-obb", "overlapping").empty());
+}
+
+TEST_CASE("the map of oriented boxes agrees with the projections of their corners", "[obb-obb]") {
+  const CaseMap& map = *lesson("obb-obb").map;
+  const auto says = [&](const Parameters& p) {
+    return map.branches[static_cast<std::size_t>(map.branch(p))];
+  };
+  const Parameters edges = preset(lesson("obb-obb"), "edges").parameters;
+  CHECK(says(edges) == "edge × edge");
+  int apart = 0;
+  for (int i = 0; i < 64; ++i) {
+    const Vec2 share((i % 8 + 0.4) / 8, (i / 8 + 0.6) / 8);
+    const Parameters there = map.moved(edges, map.lo + share.cwiseProduct(map.hi - map.lo));
+    const auto setup = lessons::obb_obb_lesson::setup(there);
+    const bool disjoint = widest_gap(setup.a, setup.b) > 0;
+    CHECK((says(there) == "edge × edge" || says(there).starts_with("a normal")) == disjoint);
+    apart += disjoint ? 1 : 0;
+  }
+  CHECK((apart > 8 && apart < 56));
 }
 
 TEST_CASE("directions that make no frame make no box", "[obb-obb]") {
