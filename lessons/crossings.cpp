@@ -63,6 +63,11 @@ std::vector<Opinion> opinions(const Parameters& values) {
       [](const auto& p, const auto& ring) { return point_polygon::crossings_translated(p, ring); });
   ask("closed rule",
       [](const auto& p, const auto& ring) { return point_polygon::crossings_closed(p, ring) % 2 == 1; });
+  int turns = 0;
+  for (const Ring<double, 2>& ring : s.situation.polygon.rings)
+    turns += point_polygon::winding_naive(s.p, ring);
+  all.add("winding number", turns != 0 ? "inside by the non-zero rule" : "outside by the non-zero rule",
+          s.truth.nonzero == Location::on || (turns != 0) == (s.truth.nonzero == Location::in));
   return all.take();
 }
 

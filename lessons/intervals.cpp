@@ -1,11 +1,9 @@
 // Interval against interval (N12), with points as intervals of one number (N11): the test that boxes are made of.
 
-#include "core/interval_interval_methods.h"
-
 #include <algorithm>
 
 #include "lessons/case_map.h"
-#include "lessons/opinions.h"
+#include "lessons/intervals/parts.h"
 #include "lessons/relation.h"
 #include "lessons/script.h"
 
@@ -16,6 +14,7 @@ const viz::Lesson& intervals();
 namespace {
 
 using namespace viz;
+using namespace intervals_lesson;
 using C = Counted<double>;
 
 const std::vector<std::string> pseudocode = {
@@ -25,59 +24,6 @@ const std::vector<std::string> pseudocode = {
     "    return DISJOINT",  // 3
     "return OVERLAP"        // 4
 };
-
-struct Setup {
-  Interval<double> a, b;
-  Relation truth;
-};
-
-Setup setup(const Parameters& p) {
-  const auto number = [&](const char* name) { return std::get<double>(p.at(name)); };
-  Setup s = {{number("a_min"), number("a_max")}, {number("b_min"), number("b_max")}, {}};
-  s.truth = relate(s.a, s.b);
-  return s;
-}
-
-constexpr double a_height = 2, b_height = 1;
-
-/// The two intervals above their number line. `looked_at`: the two ends that a step compares.
-Scene picture(const Setup& s, const std::optional<Vec2>& looked_at, bool settled) {
-  Scene scene;
-  std::vector<Item>& items = scene.items;
-  const double lo = std::min(s.a.lo, s.b.lo), hi = std::max(s.a.hi, s.b.hi), margin = 0.12 * (hi - lo) + 0.5;
-  items.push_back(Arrow{{lo - margin, 0, 0}, {hi + margin, 0, 0}, Role::muted, Pen::hairline});
-  items.push_back(Label{{hi + margin, 0, 0}, "*x*", Role::muted});
-
-  const auto interval = [&](const Interval<double>& i, double y, Role role, const std::string& name) {
-    for (const double x : {i.lo, i.hi})
-      items.push_back(Line{{x, y, 0}, {x, 0, 0}, Role::construction, Pen::construction});
-    if (i.lo < i.hi) items.push_back(Span{{i.lo, y, 0}, {i.hi, y, 0}, role, Pen::thick});
-    items.push_back(Dot{{i.lo, y, 0}, Mark::disc, role});
-    if (i.lo < i.hi) items.push_back(Dot{{i.hi, y, 0}, Mark::disc, role});
-    items.push_back(Label{{i.lo, y, 0}, i.lo < i.hi ? name + "_{min}" : name, role});
-    if (i.lo < i.hi) items.push_back(Label{{i.hi, y, 0}, name + "_{max}", role});
-  };
-  interval(s.a, a_height, Role::first, "*a*");
-  interval(s.b, b_height, Role::second, "*b*");
-
-  if (looked_at && looked_at->x() != looked_at->y())
-    items.push_back(Line{{looked_at->x(), 0, 0}, {looked_at->y(), 0, 0}, Role::highlight, Pen::highlight});
-  const Interval<double> common = {std::max(s.a.lo, s.b.lo), std::min(s.a.hi, s.b.hi)};
-  if (settled && common.lo < common.hi)
-    items.push_back(Span{{common.lo, 0, 0}, {common.hi, 0, 0}, Role::hit, Pen::thick});
-  if (settled && common.lo == common.hi) items.push_back(Dot{{common.lo, 0, 0}, Mark::disc, Role::hit});
-  if (settled && common.lo > common.hi)
-    items.push_back(Dot{{(common.lo + common.hi) / 2, 0, 0}, Mark::cross, Role::miss});
-
-  const auto handle = [&](const char* name, double x, double y, Role role) {
-    scene.handles.push_back({name, Handle::Kind::along, {x, y, 0}, {0, y, 0}, role, Vec3::UnitX()});
-  };
-  handle("a_min", s.a.lo, a_height, Role::first);
-  handle("a_max", s.a.hi, a_height, Role::first);
-  handle("b_min", s.b.lo, b_height, Role::second);
-  handle("b_max", s.b.hi, b_height, Role::second);
-  return scene;
-}
 
 bool points(const Setup& s) { return s.a.lo == s.a.hi && s.b.lo == s.b.hi; }
 std::string they(const Setup& s) { return points(s) ? "the points" : "the intervals"; }
@@ -175,61 +121,6 @@ Walk walk(const Parameters& p) {
                        "Below the diagonal *b* ends before it begins: it is empty.");
 }
 
-std::vector<Opinion> opinions(const Parameters& p) {
-  const Setup s = setup(p);
-  const auto says = [](bool meet) { return meet ? "they meet" : "disjoint"; };
-  Opinions all(says(s.truth != Relation::disjoint));
-  all.add("two ends, the note's", says(interval_interval::ends(s.a, s.b)));
-  all.add("larger lower, smaller upper end", says(interval_interval::min_max(s.a, s.b)));
-  all.add("middles and half-lengths", says(interval_interval::by_middles(s.a, s.b)));
-  return all.take();
-}
-
-enum Case { none, inner, outer, overlap, before, after, touch, same };
-
-int branch(const Parameters& p) {
-  const Setup s = setup(p);
-  if (empty(s.a) || empty(s.b)) return none;
-  switch (s.truth) {
-    case Relation::disjoint:
-      return s.b.hi < s.a.lo ? before : after;
-    case Relation::b_inside_a:
-      return inner;
-    case Relation::a_inside_b:
-      return outer;
-    case Relation::overlapping:
-      return overlap;
-    case Relation::touching:
-      return touch;
-    case Relation::equal:
-      break;
-  }
-  return same;
-}
-/// In lengths of a, from its lower end; nowhere if a is a point.
-Vec2 place(const Parameters& p) {
-  const Setup s = setup(p);
-  const double unit = s.a.hi - s.a.lo;
-  return {(s.b.lo - s.a.lo) / unit, (s.b.hi - s.a.lo) / unit};
-}
-Parameters moved(const Parameters& p, const Vec2& to) {
-  const Setup s = setup(p);
-  Parameters there = p;
-  there["b_min"] = s.a.lo + to.x() * (s.a.hi - s.a.lo);
-  there["b_max"] = s.a.lo + to.y() * (s.a.hi - s.a.lo);
-  return there;
-}
-
-const CaseMap cases = {
-    "*b*_{min}, where *a* runs from 0 to 1",
-    "*b*_{max}",
-    {-2, -2},
-    {3, 3},
-    {"b is empty", "b inside a", "a inside b", "overlapping", "b before a", "b after a", "touching", "equal"},
-    branch,
-    place,
-    moved};
-
 Preset preset_of(const char* id, const char* title, double a_min, double a_max, double b_min, double b_max) {
   return {id, title, "", {{"a_min", a_min}, {"a_max", a_max}, {"b_min", b_min}, {"b_max", b_max}}};
 }
@@ -264,7 +155,7 @@ const Lesson& intervals() {
       .walk = walk,
       .flat = true,
       .opinions = opinions,
-      .map = &cases,
+      .map = &cases(),
   };
   return lesson;
 }

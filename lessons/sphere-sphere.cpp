@@ -1,15 +1,13 @@
 // Sphere against sphere by squared distances (N14), and what the exact test adds: all six relations, touching included.
 
-#include "core/sphere_sphere_methods.h"
-
 #include <cmath>
 
 #include "lessons/case_map.h"
-#include "lessons/opinions.h"
 #include "lessons/parameters.h"
 #include "lessons/plane.h"
 #include "lessons/relation.h"
 #include "lessons/script.h"
+#include "lessons/sphere_sphere/parts.h"
 
 namespace isect::lessons {
 
@@ -18,8 +16,8 @@ const viz::Lesson& sphere_sphere();
 namespace {
 
 using namespace viz;
+using namespace sphere_sphere_lesson;
 using C = Counted<double>;
-using Ball3 = isect::Sphere<double, 3>;
 
 const std::vector<std::string> pseudocode = {
     "l ← a − b",           // 0
@@ -29,75 +27,6 @@ const std::vector<std::string> pseudocode = {
     "    return OVERLAP",  // 4
     "return DISJOINT"      // 5
 };
-
-/// The balls as drawn, the same balls as tested (times `unit`), and how these lie by the exact test.
-struct Setup {
-  Ball3 a, b;
-  double unit;
-  Relation truth;
-
-  Ball3 tested(const Ball3& ball) const { return {unit * ball.center, unit * ball.radius}; }
-};
-
-Setup setup(const Parameters& p) {
-  Setup s;
-  s.a = {std::get<Vec3>(p.at("a")), std::get<double>(p.at("r1"))};
-  s.b = {std::get<Vec3>(p.at("b")), std::get<double>(p.at("r2"))};
-  const std::string& unit = std::get<std::string>(p.at("unit"));
-  s.unit = unit == "huge" ? 0x1p600 : unit == "tiny" ? 0x1p-600 : 1;
-  s.truth = relate(s.tested(s.a), s.tested(s.b));
-  return s;
-}
-
-enum class Focus { none, line, distance, radii, settled };
-
-/// The circle or the point that the two surfaces share, if any.
-void shared(Scene& scene, const Setup& s) {
-  const Vec3 l = s.b.center - s.a.center;
-  const double d = l.norm(), r1 = s.a.radius, r2 = s.b.radius;
-  if (!(d > 0) || s.truth == Relation::disjoint) return;
-  const double along = (d * d + r1 * r1 - r2 * r2) / (2 * d), rest = r1 * r1 - along * along;
-  const Vec3 middle = s.a.center + along / d * l;
-  if (s.truth == Relation::overlapping && rest > 0)
-    scene.items.push_back(Circle{middle, std::sqrt(rest), Role::hit, Pen::thick, true, l});
-  const bool inner = s.truth == Relation::a_inside_b || s.truth == Relation::b_inside_a;
-  const bool touch = s.truth == Relation::touching || (inner && d == std::abs(r1 - r2));
-  if (touch) scene.items.push_back(Dot{middle, Mark::disc, Role::hit});
-}
-
-Scene picture(const Setup& s, Focus focus) {
-  Scene scene;
-  const Vec3 a = s.a.center, b = s.b.center, l = b - a;
-  const double d = l.norm();
-  scene.items = {Ball{a, s.a.radius, Role::first}, Ball{b, s.b.radius, Role::second}};
-  const bool lit = focus == Focus::line || focus == Focus::distance;
-  if (d > 0) {
-    const Role role = lit ? Role::highlight : Role::construction;
-    const Pen pen = lit ? Pen::highlight : Pen::construction;
-    scene.items.push_back(focus == Focus::line ? Item(Arrow{b, a, role, pen}) : Item(Line{a, b, role, pen}));
-    const bool radii = focus == Focus::radii;
-    const Vec3 e = l / d;
-    if (radii) {
-      scene.items.push_back(Line{a, a + s.a.radius * e, Role::first, Pen::thick});
-      scene.items.push_back(Line{b, b - s.b.radius * e, Role::second, Pen::thick});
-      scene.items.push_back(Label{a, "*r*_1", Role::first, a + s.a.radius * e});
-      scene.items.push_back(Label{b, "*r*_2", Role::second, b - s.b.radius * e});
-    } else {
-      scene.items.push_back(Label{a, focus == Focus::line ? "**l**" : "*d*", Role::text, b});
-    }
-  }
-  scene.items.push_back(Dot{a, Mark::disc, Role::first});
-  scene.items.push_back(Dot{b, Mark::disc, Role::second});
-  scene.items.push_back(Label{a, "**a**", Role::first});
-  scene.items.push_back(Label{b, "**b**", Role::second});
-  if (focus == Focus::settled) shared(scene, s);
-  const Vec3 down = -upwards() / axis_length;
-  scene.handles = {{"a", Handle::Kind::point, a, Vec3::Zero(), Role::first},
-                   {"b", Handle::Kind::point, b, Vec3::Zero(), Role::second},
-                   {"r1", Handle::Kind::length, a + s.a.radius * down, a, Role::first},
-                   {"r2", Handle::Kind::length, b + s.b.radius * down, b, Role::second}};
-  return scene;
-}
 
 std::string alt(const Setup& s) { return "Two balls, a and b: " + words(s.truth, "the balls") + "."; }
 
@@ -226,43 +155,6 @@ Walk walk(const Parameters& p) {
       "Touching is no region but the line *d* = *r*_1 + *r*_2; equal balls are one point.");
 }
 
-std::vector<Opinion> opinions(const Parameters& p) {
-  const Setup s = setup(p);
-  const Ball3 a = s.tested(s.a), b = s.tested(s.b);
-  const auto says = [](bool meet) { return meet ? "they meet" : "disjoint"; };
-  Opinions all(says(s.truth != Relation::disjoint));
-  all.add("*d*^2 < *s*^2, the note's", says(sphere_sphere::squared_distance(a, b)));
-  all.add("*d*^2 ≤ *s*^2", says(sphere_sphere::closed_squared_distance(a, b)));
-  all.add("*d* ≤ *s*, by a root", says(sphere_sphere::by_distance(a, b)));
-  all.add("*d* ≤ *s*, by hypot", says(sphere_sphere::by_hypot(a, b)));
-  return all.take();
-}
-
-int branch(const Parameters& p) { return case_of(setup(p).truth); }
-Vec2 place(const Parameters& p) {
-  const Setup s = setup(p);
-  return {(s.b.center - s.a.center).norm() / s.a.radius, s.b.radius / s.a.radius};
-}
-/// The second ball at that distance, in the direction in which it lies, and of that radius.
-Parameters moved(const Parameters& p, const Vec2& to) {
-  const Setup s = setup(p);
-  const Vec3 l = s.b.center - s.a.center;
-  const Vec3 direction = l.norm() > 0 ? Vec3(l.normalized()) : Vec3(across() / axis_length);
-  Parameters there = p;
-  there["b"] = Vec3(s.a.center + to.x() * s.a.radius * direction);
-  there["r2"] = to.y() * s.a.radius;
-  return there;
-}
-
-const CaseMap cases = {"distance *d* of the centres, in lengths of *r*_1",
-                       "radius *r*_2, in lengths of *r*_1",
-                       {0, 0},
-                       {3, 3},
-                       relation_cases(),
-                       branch,
-                       place,
-                       moved};
-
 Preset preset_of(const char* id, const char* title, const Vec2& b, double r1, double r2,
                  const char* unit = "one") {
   return {id,
@@ -302,7 +194,7 @@ const Lesson& sphere_sphere() {
       .camera = {.azimuth = azimuth, .elevation = elevation},
       .walk = walk,
       .opinions = opinions,
-      .map = &cases,
+      .map = &cases(),
   };
   return lesson;
 }

@@ -44,6 +44,7 @@ void key_sheet(Session& s, const Rect& window) {
       {"R", "restart the preset"},
       {"P / O", "perspective / orthographic"},
       {"drag a handle", "move the object"},
+      {"drag on a map", "move the setting to another case"},
       {"drag, right-drag", "orbit, pan"},
       {"wheel", "zoom at the pointer"},
       {"double click", "frame all"},

@@ -1,0 +1,66 @@
+// All cases of two boxes, one shifted along two axes, and the methods side by side.
+
+#include <array>
+
+#include "core/aabb_aabb_methods.h"
+#include "lessons/aabb_aabb/parts.h"
+#include "lessons/opinions.h"
+
+namespace isect::lessons::aabb_aabb_lesson {
+
+using namespace viz;
+
+namespace {
+
+enum Case { z_gap, x_gap, y_gap, overlapping, touching, inside, equal };
+
+int branch(const Parameters& p) {
+  const Setup s = setup(p);
+  for (int axis = 0; axis < 3; ++axis)
+    if (!intersects(s.a.along(axis), s.b.along(axis)))
+      return std::array{x_gap, y_gap, z_gap}[static_cast<std::size_t>(axis)];
+  return s.truth == Relation::overlapping ? overlapping
+         : s.truth == Relation::touching  ? touching
+         : s.truth == Relation::equal     ? equal
+                                          : inside;
+}
+/// From the middle of a to the middle of b.
+Vec2 place(const Parameters& p) {
+  const Setup s = setup(p);
+  return ((s.b.lo + s.b.hi) / 2 - (s.a.lo + s.a.hi) / 2).head<2>();
+}
+Parameters moved(const Parameters& p, const Vec2& to) {
+  const Setup s = setup(p);
+  const Vec2 by = to - place(p);
+  Parameters there = p;
+  there["b_min"] = Vec3(s.b.lo + Vec3(by.x(), by.y(), 0));
+  there["b_max"] = Vec3(s.b.hi + Vec3(by.x(), by.y(), 0));
+  return there;
+}
+
+}  // namespace
+
+const CaseMap& cases() {
+  static const CaseMap map = {
+      "*x* from the middle of a to the middle of b",
+      "*y* from the middle of a to the middle of b",
+      {-4, -3},
+      {4, 3},
+      {"gap on *z*", "gap on *x*", "gap on *y*", "overlapping", "touching", "one inside the other", "equal"},
+      branch,
+      place,
+      moved};
+  return map;
+}
+
+std::vector<Opinion> opinions(const Parameters& p) {
+  const Setup s = setup(p);
+  const auto says = [](bool meet) { return meet ? "they meet" : "disjoint"; };
+  Opinions all(says(s.truth != Relation::disjoint));
+  all.add("axis by axis, the note's", says(aabb_aabb::by_axis(s.a, s.b)));
+  all.add("largest low, smallest high corner", says(aabb_aabb::min_max(s.a, s.b)));
+  all.add("middles and half-sizes", says(aabb_aabb::by_centers(s.a, s.b)));
+  return all.take();
+}
+
+}  // namespace isect::lessons::aabb_aabb_lesson

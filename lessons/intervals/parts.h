@@ -1,0 +1,24 @@
+#pragma once
+// What the lesson's parts share: the two intervals, their picture, and the cases there are.
+
+#include "core/interval_interval.h"
+#include "viz/lesson.h"
+
+namespace isect::lessons::intervals_lesson {
+
+struct Setup {
+  Interval<double> a, b;
+  Relation truth;
+};
+
+Setup setup(const viz::Parameters&);
+
+/// The two intervals above their number line. `looked_at`: the two ends that a step compares.
+viz::Scene picture(const Setup&, const std::optional<viz::Vec2>& looked_at, bool settled);
+
+/// The lower and the upper end of b, where a runs from 0 to 1. (cases.cpp)
+const viz::CaseMap& cases();
+/// Whether the intervals meet, by each method. (cases.cpp)
+std::vector<viz::Opinion> opinions(const viz::Parameters&);
+
+}  // namespace isect::lessons::intervals_lesson

@@ -1,0 +1,57 @@
+// All cases of two balls in the plane of two numbers, and the methods side by side.
+
+#include "core/sphere_sphere_methods.h"
+#include "lessons/opinions.h"
+#include "lessons/plane.h"
+#include "lessons/relation.h"
+#include "lessons/sphere_sphere/parts.h"
+
+namespace isect::lessons::sphere_sphere_lesson {
+
+using namespace viz;
+
+namespace {
+
+int branch(const Parameters& p) { return case_of(setup(p).truth); }
+Vec2 place(const Parameters& p) {
+  const Setup s = setup(p);
+  return {(s.b.center - s.a.center).norm() / s.a.radius, s.b.radius / s.a.radius};
+}
+/// The second ball at that distance, in the direction in which it lies, and of that radius.
+Parameters moved(const Parameters& p, const Vec2& to) {
+  const Setup s = setup(p);
+  const Vec3 l = s.b.center - s.a.center;
+  const Vec3 direction = l.norm() > 0 ? Vec3(l.normalized()) : Vec3(across() / axis_length);
+  Parameters there = p;
+  there["b"] = Vec3(s.a.center + to.x() * s.a.radius * direction);
+  there["r2"] = to.y() * s.a.radius;
+  return there;
+}
+
+}  // namespace
+
+const CaseMap& cases() {
+  static const CaseMap map = {"distance *d* of the centres, in lengths of *r*_1",
+                              "radius *r*_2, in lengths of *r*_1",
+                              {0, 0},
+                              {3, 3},
+                              relation_cases(),
+                              branch,
+                              place,
+                              moved};
+  return map;
+}
+
+std::vector<Opinion> opinions(const Parameters& p) {
+  const Setup s = setup(p);
+  const Ball3 a = s.tested(s.a), b = s.tested(s.b);
+  const auto says = [](bool meet) { return meet ? "they meet" : "disjoint"; };
+  Opinions all(says(s.truth != Relation::disjoint));
+  all.add("*d*^2 < *s*^2, the note's", says(sphere_sphere::squared_distance(a, b)));
+  all.add("*d*^2 ≤ *s*^2", says(sphere_sphere::closed_squared_distance(a, b)));
+  all.add("*d* ≤ *s*, by a root", says(sphere_sphere::by_distance(a, b)));
+  all.add("*d* ≤ *s*, by hypot", says(sphere_sphere::by_hypot(a, b)));
+  return all.take();
+}
+
+}  // namespace isect::lessons::sphere_sphere_lesson

@@ -1,0 +1,31 @@
+#pragma once
+// What the lesson's parts share: the two balls, their picture, and the cases there are.
+
+#include "core/sphere_sphere.h"
+#include "viz/lesson.h"
+
+namespace isect::lessons::sphere_sphere_lesson {
+
+using Ball3 = isect::Sphere<double, 3>;
+
+/// The balls as drawn, the same balls as tested (times `unit`), and how these lie by the exact test.
+struct Setup {
+  Ball3 a, b;
+  double unit;
+  Relation truth;
+
+  Ball3 tested(const Ball3& ball) const { return {unit * ball.center, unit * ball.radius}; }
+};
+
+Setup setup(const viz::Parameters&);
+
+enum class Focus { none, line, distance, radii, settled };
+
+viz::Scene picture(const Setup&, Focus);
+
+/// Distance against second radius, both in lengths of the first. (cases.cpp)
+const viz::CaseMap& cases();
+/// Whether the balls meet, by each method. (cases.cpp)
+std::vector<viz::Opinion> opinions(const viz::Parameters&);
+
+}  // namespace isect::lessons::sphere_sphere_lesson
