@@ -1,17 +1,22 @@
 // The lessons of relations, bounding volumes and hierarchies: what they show against computations of their own.
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <optional>
 
+#include "core/aabb_aabb.h"
 #include "core/convex_polygons.h"
 #include "core/obb_obb.h"
 #include "core/point_aabb.h"
 #include "core/point_kdop.h"
 #include "core/point_obb.h"
 #include "core/point_sphere.h"
+#include "core/ray_aabb.h"
 #include "core/sphere_sphere.h"
 #include "core/triangle_aabb.h"
 #include "lessons/bounding_volumes/object.h"
+#include "lessons/hierarchy/tree.h"
 #include "lessons/lessons.h"
 #include "lessons/relation.h"
 #include "lessons/relations/pair.h"
@@ -221,4 +226,97 @@ TEST_CASE("the best of the chart are beaten by none", "[bounding volumes]") {
     CHECK(s.front == std::ranges::none_of(spots, [&](const Spot& other) {
             return other.x <= s.x && other.y <= s.y && (other.x < s.x || other.y < s.y);
           }));
+}
+
+namespace hierarchy = isect::lessons::hierarchy_lesson;
+
+namespace {
+
+double value_of(const Step& step, const std::string& name) {
+  const auto it = std::ranges::find_if(step.values, [&](const Value& v) { return v.name == name; });
+  REQUIRE(it != step.values.end());
+  return it->value;
+}
+
+Vec3 vector(const Parameters& p, const char* name) { return std::get<Vec3>(p.at(name)); }
+
+}  // namespace
+
+TEST_CASE("the walk of a ray ends with the closest box of all, and each box is tested or ruled out",
+          "[hierarchy]") {
+  const Lesson& lesson = lesson_named(lessons::all_lessons(), "hierarchy");
+  int hits = 0, pruned_beyond = 0;
+  for (Preset p : lesson.presets) {
+    if (p.group != "ray") continue;
+    for (const double aside : {0.0, 0.25, -0.5, 1.25, 40.0}) {  // other rays, too
+      p.parameters["o"] = Vec3(vector(p.parameters, "o") + Vec3(0, aside, 0));
+      INFO(p.id << ", " << aside);
+      const Vec3 o = vector(p.parameters, "o"), d = vector(p.parameters, "d");
+      const hierarchy::Boxes boxes = hierarchy::scattered(vector(p.parameters, "p"));
+      std::optional<std::pair<double, int>> closest;
+      for (int i = 0; i < static_cast<int>(boxes.size()); ++i) {
+        const auto part =
+            intersect(Ray<double, 2>{o.head<2>(), d.head<2>()}, boxes[static_cast<std::size_t>(i)]);
+        if (part && (!closest || part->lo < closest->first)) closest = {part->lo, i};
+      }
+      const Walk walk = lesson.walk(p.parameters);
+      const Step& last = walk.steps.back();
+      CHECK((last.verdict.kind == Verdict::Kind::yes) == closest.has_value());
+      if (closest)
+        CHECK(last.verdict.text ==
+              "box " + std::to_string(closest->second) + " at *t* = " + shown(closest->first));
+      CHECK(value_of(last, "box tests") + value_of(last, "ruled out") == 12);
+      hits += closest ? 1 : 0;
+      for (const Step& s : walk.steps) pruned_beyond += s.slug.starts_with("farther") ? 1 : 0;
+    }
+  }
+  CHECK(hits >= 5);
+  CHECK(pruned_beyond >= 2);
+}
+
+TEST_CASE("two hierarchies find the pairs that each with each finds, and account for all of them",
+          "[hierarchy]") {
+  const Lesson& lesson = lesson_named(lessons::all_lessons(), "hierarchy");
+  Parameters parameters = preset(lesson, "pairs").parameters;
+  for (const Vec3& q : {vector(parameters, "q"), Vec3(-2.5, 0.75, 0), Vec3(-1.5, -1.25, 0), Vec3(50, 0, 0)}) {
+    INFO(q.transpose());
+    parameters["q"] = q;
+    const hierarchy::Boxes a = hierarchy::scattered(vector(parameters, "p")), b = hierarchy::cluster(q);
+    int found = 0;
+    for (const auto& x : a)
+      for (const auto& y : b) found += intersects(x, y) ? 1 : 0;
+    const Walk walk = lesson.walk(parameters);
+    const Step& last = walk.steps.back();
+    CHECK(value_of(last, "found") == found);
+    CHECK((found == 0) == (last.verdict.kind == Verdict::Kind::no));
+    const bool any_apart =
+        std::ranges::any_of(walk.steps, [](const Step& s) { return s.slug.starts_with("apart"); });
+    const double ruled_out = any_apart ? value_of(last, "pairs ruled out") : 0;
+    CHECK(value_of(last, "box pairs") + ruled_out == static_cast<double>(a.size() * b.size()));
+  }
+}
+
+TEST_CASE("nodes hold what is below them, and the walk of building ends with them all", "[hierarchy]") {
+  const hierarchy::Tree tree(hierarchy::scattered({-3.5, 1.25, 0}));
+  CHECK(tree.below(0).size() == 12);
+  for (int i = 0; i < tree.size(); ++i)
+    for (const int k : tree.below(i)) CHECK(relate(tree.box(k), tree.node(i).box) != Relation::overlapping);
+  const Walk walk = walk_of("hierarchy", "build");
+  CHECK(value_of(walk.steps.back(), "nodes") == tree.size());
+  CHECK(value_of(walk.steps.back(), "depth") == tree.height(0));
+}
+
+TEST_CASE("a hierarchy's costs grow slowly with n", "[hierarchy]") {
+  const std::vector<hierarchy::Cost>& costs = hierarchy::costs();
+  for (const hierarchy::Cost& c : costs) {
+    INFO("n = " << c.n);
+    if (c.n >= 100) CHECK(c.ray < c.n / 3.0);
+    if (c.n >= 100) CHECK(c.pairs < 0.1 * c.n * c.n);
+    CHECK(c.pairs >= c.n - 1);  // no pair of siblings is forgotten
+    CHECK(c.depth < 40 + std::log2(c.n));
+  }
+  const hierarchy::Cost &some = costs[4], &most = costs.back();
+  REQUIRE((some.n == 1000 && most.n == 100000));
+  CHECK(most.ray < 4 * some.ray);
+  CHECK(most.pairs / most.n < 4 * some.pairs / some.n);
 }

@@ -1,0 +1,115 @@
+// What questions cost as the number of boxes grows: counted, never timed.
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "bench/random.h"
+#include "core/bvh_pairs.h"
+#include "core/bvh_ray.h"
+#include "lessons/collision/boxes.h"
+#include "lessons/hierarchy/tree.h"
+#include "lessons/script.h"
+#include "viz/chart.h"
+
+namespace isect::lessons::hierarchy_lesson {
+
+using namespace viz;
+
+namespace {
+
+/// Node and box tests of a ray from anywhere among the boxes, on average.
+double ray_tests(const Bvh<double, 2>& bvh, const Boxes& boxes) {
+  constexpr int rays = 64;
+  bench::Random random(boxes.size());
+  bvh_ray::Counts counts;
+  const double extent = std::sqrt(boxes.size());
+  for (int i = 0; i < rays; ++i) {
+    const Point<double, 2> o(random.uniform(0, extent), random.uniform(0, extent));
+    const Ray<double, 2> ray = {o, random.heading<2>()};
+    closest_hit(
+        bvh, ray,
+        [&](int k) -> std::optional<double> {
+          const std::optional<Interval<double>> part = intersect(ray, boxes[static_cast<std::size_t>(k)]);
+          if (!part) return {};
+          return part->lo;
+        },
+        counts);
+  }
+  return static_cast<double>(counts.visited + counts.missed + counts.farther + counts.tested) / rays;
+}
+
+Cost cost(int n) {
+  const Boxes boxes = collision_lesson::many(n);
+  const Bvh<double, 2> bvh = build_bvh(boxes);
+  bvh_pairs::Counts counts;
+  report_pairs(
+      bvh, boxes, [](int, int) {}, counts);
+  return {n, ray_tests(bvh, boxes), static_cast<double>(counts.visited + counts.pruned + counts.tested),
+          statistics(bvh).depth};
+}
+
+/// What it takes without a hierarchy and with one, over n.
+std::shared_ptr<const Chart> chart(const std::string& title, const std::string& name, double (*plain)(double),
+                                   double Cost::*with) {
+  const double n = costs().back().n;
+  Plot plot = {{Scale::Kind::log, 0.7 * costs().front().n, n, "number of boxes *n*"},
+               {Scale::Kind::log, 1, plain(n), title},
+               {{"", Glyph::square, Role::second, 0}, {"", Glyph::disc, Role::hit, 1}},
+               {}};
+  Curve each = {0, {}, name}, tree = {1, {}, "hierarchy"};
+  for (const Cost& c : costs()) {
+    each.points.emplace_back(c.n, plain(c.n));
+    tree.points.emplace_back(c.n, c.*with);
+  }
+  plot.panels = {{.title = {}, .curves = {each, tree}}};
+  return std::make_shared<const Chart>(Chart{plot});
+}
+
+}  // namespace
+
+const std::vector<Cost>& costs() {
+  static const std::vector<Cost> all = [] {
+    std::vector<Cost> result;
+    for (const int n : {10, 30, 100, 300, 1000, 3000, 10000, 30000, 100000}) result.push_back(cost(n));
+    return result;
+  }();
+  return all;
+}
+
+Walk growth() {
+  const Cost &some = costs()[4], &most = costs().back();
+  Script script({"Note, N09",
+                 "Curves of how many tests a ray, and all pairs, need among ever more boxes.",
+                 {"for a ray: ask the nodes that it meets",            // 0
+                  "for all pairs: ask the pairs of nodes that meet"},  // 1
+                 "growth"});
+  script.value("a ray, *n* = 1,000", some.ray, "tests");
+  script.value("a ray, *n* = 100,000", most.ray, "tests");
+  Step& rays =
+      script.add("rays", "A ray among *n* boxes", 0,
+                 fmt::format("A hundred times as many boxes, but only {:.1f} times as many tests: the depth "
+                             "grows as lg *n*.\n"
+                             "Without a hierarchy a ray asks all *n* boxes.",
+                             most.ray / some.ray));
+  rays.scene.chart = chart(
+      "tests for a ray", "every box", [](double n) { return n; }, &Cost::ray);
+  rays.question = Question{"How do the tests of a ray grow with *n*?",
+                           {"as *n*", "as lg *n*"},
+                           most.ray < 10 * some.ray ? 1 : 0,
+                           "Counted over 64 rays among boxes of one density."};
+  script.value("all pairs, *n* = 100,000", most.pairs, "tests");
+  script.value("each with each, *n* = 100,000", 0.5 * most.n * (most.n - 1.0), "tests");
+  script.settle(Verdict::Kind::yes, fmt::format("depth {} for 100,000 boxes", most.depth));
+  Step& pairs = script.add(
+      "pairs", "All pairs among *n* boxes", 1,
+      fmt::format("Each with each takes *n* (*n* − 1) / 2 tests. The hierarchy takes {:.1f} a box at "
+                  "*n* = 1,000, and {:.1f} at 100,000.\n"
+                  "O(*n*^2) becomes O(*n* lg *n*) or even O(*n*), where few pairs meet.",
+                  some.pairs / some.n, most.pairs / most.n));
+  pairs.scene.chart = chart(
+      "tests for all pairs", "every pair", [](double n) { return n * (n - 1) / 2; }, &Cost::pairs);
+  return std::move(script.walk());
+}
+
+}  // namespace isect::lessons::hierarchy_lesson

@@ -1,0 +1,153 @@
+// Two hierarchies: a pair of nodes apart rules out all pairs below them.
+
+#include <fmt/format.h>
+
+#include "core/bvh_pairs.h"
+#include "lessons/hierarchy/changes.h"
+#include "lessons/hierarchy/tree.h"
+
+namespace isect::lessons::hierarchy_lesson {
+
+using namespace viz;
+
+namespace {
+
+class Colliding {
+ public:
+  Colliding(const Vec3& p, const Vec3& q)
+      : p_(p),
+        q_(q),
+        a_(scattered(p)),
+        b_(cluster(q)),
+        script_({"Note, N09; Gottschalk, Lin and Manocha (1996)",
+                 fmt::format("{} boxes of one object and {} of another, with their trees.", a_.boxes.size(),
+                             b_.boxes.size()),
+                 {"push the pair of both roots",                             // 0
+                  "pop a pair of nodes; if their boxes are apart: prune",    // 1
+                  "both are leaves: test what they hold",                    // 2
+                  "else open the larger, push its children with the other",  // 3
+                  "return the pairs found"},                                 // 4
+                 "two hierarchies"}) {
+    drawn_a_.role = Role::second, drawn_b_.role = Role::first;
+    drawn_b_.prefix = "b";
+    clear();
+  }
+
+  Walk walk() {
+    using namespace bvh_pairs;
+    script_.value("pairs of boxes", static_cast<double>(a_.boxes.size() * b_.boxes.size()), "tests");
+    count();
+    show(0, 0, State::waiting);
+    add("roots", "Two objects of many boxes", 0,
+        fmt::format("{} times {} pairs of boxes might meet. Two nodes apart rule out all pairs below them.",
+                    b_.boxes.size(), a_.boxes.size()));
+    Record<bvh_pairs::Event> record;
+    report_pairs(
+        b_.bvh, b_.boxes, a_.bvh, a_.boxes, [](int, int) {}, record);
+    const auto& all = record.events;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (const auto* e = std::get_if<Visited>(&all[i])) {
+        ++nodes_;
+        std::vector<Tested> tested;
+        for (std::size_t k = i + 1; k < all.size() && std::get_if<Tested>(&all[k]); ++k)
+          tested.push_back(std::get<Tested>(all[k]));
+        visited(*e, tested);
+      }
+      if (const auto* e = std::get_if<Pruned>(&all[i])) pruned(*e);
+    }
+    finish();
+    return std::move(script_.walk());
+  }
+
+ private:
+  void clear() {
+    drawn_a_.states.assign(static_cast<std::size_t>(a_.size()), State::unseen);
+    drawn_b_.states.assign(static_cast<std::size_t>(b_.size()), State::unseen);
+  }
+  void show(int in_b, int in_a, State state) {
+    clear();
+    drawn_b_.states[static_cast<std::size_t>(in_b)] = drawn_a_.states[static_cast<std::size_t>(in_a)] = state;
+  }
+  void count() {
+    changes_.tell(script_, "node pairs", nodes_, "tests");
+    changes_.tell(script_, "box pairs", boxes_, "tests");
+    changes_.tell(script_, "found", static_cast<double>(found_), {}, Role::hit);
+  }
+
+  Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption) {
+    Step& step = script_.add(slug, title, line, caption);
+    Scene& scene = step.scene;
+    for (const auto& [tree, drawn] : {std::pair{&a_, &drawn_a_}, {&b_, &drawn_b_}})
+      for (const Item& item : nested(*tree, *drawn)) scene.items.push_back(item);
+    for (const Aabb<double, 2>& box : shared_)
+      scene.items.push_back(Region{.rings = {corners(box)}, .role = Role::hit});
+    for (const Item& item : branches(b_, drawn_b_, {2, 0.75}, {5, 1.75})) scene.items.push_back(item);
+    for (const Item& item : branches(a_, drawn_a_, {2, -1.625}, {5, -0.125})) scene.items.push_back(item);
+    scene.handles = {{"p", Handle::Kind::point, p_, Vec3::Zero(), Role::second},
+                     {"q", Handle::Kind::point, q_, Vec3::Zero(), Role::first}};
+    return step;
+  }
+
+  void visited(const bvh_pairs::Visited& e, const std::vector<bvh_pairs::Tested>& tested) {
+    show(e.a, e.b, State::current);
+    int met = 0;
+    for (const bvh_pairs::Tested& t : tested) {
+      ++boxes_;
+      if (!t.meet) continue;
+      ++met, ++found_;
+      shared_.push_back(aabb_aabb::common(b_.box(t.i), a_.box(t.j)));
+    }
+    count();
+    const bool leaves = b_.node(e.a).leaf() && a_.node(e.b).leaf();
+    Step& step =
+        add(fmt::format("meet-{}", ++number_), leaves ? "Two leaves meet" : "Two nodes meet", leaves ? 2 : 3,
+            leaves ? fmt::format("Both are leaves: {} of {} pairs of boxes in them meet.", met, tested.size())
+                   : "Their boxes share points, so the larger node is opened.");
+    step.decides = leaves;
+  }
+
+  void pruned(const bvh_pairs::Pruned& e) {
+    ++nodes_;
+    show(e.a, e.b, State::pruned);
+    const std::size_t spared = b_.below(e.a).size() * a_.below(e.b).size();
+    spared_ += spared;
+    script_.value("pairs ruled out", static_cast<double>(spared_), {}, Role::miss);
+    count();
+    Step& step = add(fmt::format("apart-{}", ++number_), "Two nodes apart", 1,
+                     fmt::format("Their boxes share no point: one test rules out {} pair{} of boxes.", spared,
+                                 spared == 1 ? "" : "s"));
+    step.decides = true;
+    if (asked_) return;
+    asked_ = true;
+    step.question =
+        Question{"Do the two nodes' boxes meet?", {"yes", "no"}, 1, "Some axis has a gap between them."};
+  }
+
+  void finish() {
+    clear();
+    const bool any = found_ > 0;
+    script_.settle(
+        any ? Verdict::Kind::yes : Verdict::Kind::no,
+        any ? fmt::format("{} pair{} meet{}", found_, found_ == 1 ? "" : "s", found_ == 1 ? "s" : "")
+            : std::string("no pair meets"));
+    add("result", any ? "All pairs that meet" : "No pair meets", 4,
+        fmt::format("{} tests of nodes and {} of boxes, where each with each takes {}.", nodes_, boxes_,
+                    a_.boxes.size() * b_.boxes.size()));
+  }
+
+  const Vec3 p_, q_;
+  const Tree a_, b_;
+  Script script_;
+  Changes changes_;
+  Drawn drawn_a_, drawn_b_;
+  int nodes_ = 0, boxes_ = 0, found_ = 0, number_ = 0;
+  std::vector<Aabb<double, 2>> shared_;  ///< by pairs that meet
+  std::size_t spared_ = 0;
+  bool asked_ = false;
+};
+
+}  // namespace
+
+Walk pairs(const Vec3& p, const Vec3& q) { return Colliding({p.x(), p.y(), 0}, {q.x(), q.y(), 0}).walk(); }
+
+}  // namespace isect::lessons::hierarchy_lesson

@@ -1,0 +1,75 @@
+#pragma once
+// Boxes in the plane, the hierarchy that the core builds of them, and both as pictures: nested boxes beside a tree.
+
+#include <string>
+#include <vector>
+
+#include "core/bvh.h"
+#include "viz/lesson.h"
+
+namespace isect::lessons::hierarchy_lesson {
+
+using Boxes = std::vector<Aabb<double, 2>>;
+
+Boxes scattered(const viz::Vec3& p);     ///< twelve; the middle of box 0 is p
+Boxes cluster(const viz::Vec3& middle);  ///< six, for a second object
+
+inline viz::Vec3 flat(const Point<double, 2>& p) { return {p.x(), p.y(), 0}; }
+std::vector<viz::Vec3> corners(const Aabb<double, 2>&);
+
+/// Leaves of up to three boxes, as a node's test costs twice a box's here: small trees, that are drawn clearly.
+inline constexpr BvhOptions options = {.largest_leaf = 3, .visit = 2};
+
+struct Tree {
+  explicit Tree(Boxes);
+
+  Boxes boxes;
+  Bvh<double, 2> bvh;
+
+  int size() const { return static_cast<int>(bvh.nodes.size()); }
+  const BvhNode<double, 2>& node(int i) const { return bvh.nodes[static_cast<std::size_t>(i)]; }
+  const Aabb<double, 2>& box(int i) const { return boxes[static_cast<std::size_t>(i)]; }
+  std::vector<int> below(int node) const;  ///< primitives, in order
+  int height(int node) const;              ///< 0 of a leaf
+};
+
+/// What a step shows of a node.
+enum class State {
+  hidden,   ///< not built yet
+  unseen,   ///< not asked yet
+  seen,     ///< opened
+  waiting,  ///< met, to be opened later
+  pruned,   ///< ruled out with all below it
+  current
+};
+
+struct Drawn {
+  std::vector<State> states;  ///< of each node
+  std::vector<int> hits;      ///< primitives drawn as hit
+  viz::Role role = viz::Role::second;
+  std::string prefix = {};  ///< before a primitive's number
+};
+
+/// The boxes, and around them those of the nodes: dashed, crossed out where pruned.
+std::vector<viz::Item> nested(const Tree&, const Drawn&);
+/// The tree within a rectangle; what its leaves hold stands below them.
+std::vector<viz::Item> branches(const Tree&, const Drawn&, const viz::Vec2& lo, const viz::Vec2& hi);
+
+// The walks.
+
+viz::Walk build(const viz::Vec3& p);
+/// The closest hit of the ray from o along d.
+viz::Walk ray(const viz::Vec3& p, const viz::Vec3& o, const viz::Vec3& d);
+/// All pairs between the boxes and a second object's.
+viz::Walk pairs(const viz::Vec3& p, const viz::Vec3& q);
+viz::Walk growth();
+
+/// What a question costs in n boxes: node and box tests, on average of many rays, and of all pairs.
+struct Cost {
+  int n;
+  double ray, pairs;
+  int depth;
+};
+const std::vector<Cost>& costs();
+
+}  // namespace isect::lessons::hierarchy_lesson
