@@ -39,6 +39,7 @@ class Ruler {
     away_ = beside(-view.up());
     if (away_.norm() < 0.6) away_ = beside(view.right());
     away_.normalize();
+    clear_ = 0.3 + 0.6 * std::abs(e_.dot(view.forward()));  // what recedes is seen from above
     middle_ = (s.a.center + s.b.center) / 2;
     for (const Box* box : {&s.a, &s.b})
       for (int i = 0; i < 8; ++i) reach_ = std::max(reach_, (corner(*box, i) - middle_).dot(away_));
@@ -54,13 +55,13 @@ class Ruler {
     scene.items.push_back(Line{at(a, 0), at(a, 2), Role::construction, Pen::construction});
     scene.items.push_back(Line{at(b, 1), at(b, 2), Role::construction, Pen::construction});
     scene.items.push_back(Line{at(a, 2), at(b, 2), Role::highlight, Pen::highlight});
-    if (std::abs(a - b) > 0.2) scene.items.push_back(Label{at(a, 2), "*d*", Role::text, at(b, 2)});
+    if (std::abs(a - b) > 0.5) scene.items.push_back(Label{at(a, 2), "*d*", Role::text, at(b, 2)});
   }
 
  private:
   Vec3 beside(const Vec3& direction) const { return direction - direction.dot(e_) * e_; }
   Vec3 at(double t, int row) const {
-    return middle_ + (t - middle_.dot(e_)) * e_ + (reach_ + 0.3 + 0.36 * row) * away_;
+    return middle_ + (t - middle_.dot(e_)) * e_ + (reach_ + clear_ + 0.36 * row) * away_;
   }
   double radius(const Box& box) const { return box.half.dot((box.axes.transpose() * e_).cwiseAbs()); }
 
@@ -82,7 +83,7 @@ class Ruler {
 
   const Setup& s_;
   Vec3 e_, away_, middle_;
-  double reach_ = 0;
+  double reach_ = 0, clear_;
 };
 
 /// The face whose normal is asked, on the side of the other box.
