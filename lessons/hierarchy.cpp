@@ -3,6 +3,7 @@
 // Each walk stands in a file of its own in hierarchy/, the pictures in hierarchy/tree.
 
 #include "lessons/hierarchy/tree.h"
+#include "lessons/parameters.h"
 
 namespace isect::lessons {
 namespace {
@@ -40,7 +41,7 @@ const Lesson& hierarchy() {
       .rows = "N09",
       .summary = "Boxes in boxes: how a hierarchy is built, what it rules out, and how that grows.",
       .parameters =
-          {{"walk", "walk", "What is done with the hierarchy.", walks[0], 0, 0, 0, 0, walks},
+          {choice("walk", "walk", "What is done with the hierarchy.", walks),
            vector("p", "**p**", "The middle of box 0, in units; its third coordinate is not used.", beside),
            vector("o", "**o**", "The origin of the ray, in units; its third coordinate is not used.",
                   Vec3::Zero()),

@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "lessons/case_map.h"
 #include "lessons/parameters.h"
 #include "lessons/plane.h"
 #include "lessons/relation.h"
@@ -13,6 +15,9 @@
 #include "lessons/script.h"
 
 namespace isect::lessons {
+
+const viz::Lesson& relations();
+
 namespace {
 
 using namespace viz;
@@ -60,13 +65,20 @@ class Telling {
     return step;
   }
 
+  /// Polygons are a page, on which nothing stands: their names have fixed places.
+  Item name_of(const Shape& shape, const Vec3& direction, const char* name, Role role) const {
+    const Vec3 at = farthest(shape, direction);
+    if (pair_.kind != Kind::polygons) return Label{at, name, role};
+    return viz::Heading{at + 0.2 * direction.normalized(), name, role, 0, false};
+  }
+
   Scene picture(Focus focus) const {
     Scene scene;
     scene.items = drawn(pair_, focus == Focus::settled);
     const bool equal = pair_.truth == Relation::equal;
     const Vec3 high_left = upwards() - across(), high_right = across() + upwards();
-    scene.items.push_back(Label{farthest(pair_.a, high_left), equal ? "a = b" : "a", Role::first});
-    if (!equal) scene.items.push_back(Label{farthest(pair_.b, high_right), "b", Role::second});
+    scene.items.push_back(name_of(pair_.a, high_left, equal ? "a = b" : "a", Role::first));
+    if (!equal) scene.items.push_back(name_of(pair_.b, high_right, "b", Role::second));
     if (focus == Focus::containment)
       for (const auto& p : {left_over(pair_.a, pair_.b), left_over(pair_.b, pair_.a)})
         if (p) scene.items.push_back(Dot{*p, Mark::cross, Role::miss});
@@ -174,11 +186,47 @@ class Telling {
   Script script_;
 };
 
+// The map of cases: the place of b across the picture, and its size.
+
+/// Of all kinds at once there is no map.
+const Kind* kind_of(const Parameters& p) {
+  for (const Kind& kind : kinds)
+    if (name(kind) == std::get<std::string>(p.at("kind"))) return &kind;
+  return nullptr;
+}
+int branch(const Parameters& p) {
+  const Kind* kind = kind_of(p);
+  return case_of(Pair(kind ? *kind : Kind::balls, pose(p)).truth);
+}
+Vec2 place_of(const Parameters& p) {
+  const Pose here = pose(p);
+  return {kind_of(p) ? place(here.b).x() : NAN, here.size};
+}
+Parameters moved(const Parameters& p, const Vec2& to) {
+  const Pose here = pose(p);
+  Parameters there = p;
+  there["b"] = Vec3(here.b + (to.x() - place(here.b).x()) * across());
+  there["size"] = to.y();
+  return there;
+}
+const CaseMap& cases() {
+  static const CaseMap map = {"how far b lies to the right of a",
+                              "size of b, in sizes of a",
+                              {-3, 0.0625},
+                              {3, 2},
+                              relation_cases(),
+                              branch,
+                              place_of,
+                              moved};
+  return map;
+}
+
 Walk walk(const Parameters& p) {
-  const std::string& id = std::get<std::string>(p.at("kind"));
-  for (const Kind kind : kinds)
-    if (name(kind) == id) return Telling(kind, pose(p)).walk();
-  return page_of_all(pose(p));
+  const Kind* const kind = kind_of(p);
+  if (!kind) return page_of_all(pose(p));
+  return with_case_map(Telling(*kind, pose(p)).walk(), relations(), p,
+                       "The second set is shifted to the right and grows; the rest stays.\n"
+                       "Touching is a border, and being equal is one point.");
 }
 
 Preset preset_of(const std::string& kind, const std::string& id, const std::string& title, const Pose& pose) {
@@ -187,8 +235,8 @@ Preset preset_of(const std::string& kind, const std::string& id, const std::stri
 
 std::vector<Preset> presets() {
   const std::vector<std::pair<Kind, std::vector<std::string>>> chosen = {
-      {Kind::polygons, {"overlapping", "touching"}},
-      {Kind::balls, {"disjoint", "overlapping", "a-inside-b"}},
+      {Kind::polygons, {"overlapping", "touching", "disjoint", "b-inside-a"}},
+      {Kind::balls, {"overlapping", "a-inside-b"}},
       {Kind::aabbs, {"touching"}},
       {Kind::obbs, {"touching", "equal"}}};
   std::vector<Preset> result;
@@ -226,6 +274,7 @@ const Lesson& relations() {
         .presets = presets(),
         .camera = camera,
         .walk = walk,
+        .map = &cases(),
     };
   }();
   return lesson;
