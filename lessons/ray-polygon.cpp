@@ -173,9 +173,10 @@ class Telling {
     if (*truth.line < 0)
       return "A ray starts at **o**. What lies behind it does not count, so no outline is asked.";
     if (truth.t && truth.location == Location::on)
-      return "The point lies on an edge, and closed sets hold their edges. The plain crossings may say "
-             "either.\n"
-             "So a ray could slip between two polygons that share that edge. Ours tells *on* exactly.";
+      return fmt::format(
+          "The point lies on an edge, and closed sets hold their edges. The plain crossings say {} here.\n"
+          "Ours tells *on* exactly, so that no ray slips between two polygons with a common edge.",
+          flattened(s_, point_, chosen_).inside ? "IN" : "OUT");
     return truth.t ? "The point lies inside the outline, so the ray hits. It costs one division."
                    : "The point lies in the plane, but outside the outline: here in the notch.";
   }
@@ -235,7 +236,7 @@ const Lesson& ray_polygon() {
                   preset_of("parallel", "parallel", "tilted", {-0.25, -1.75}, 0, {0.125, 1, -0.0625}, 1.25),
                   preset_of("coplanar", "coplanar", "tilted", {-2.25, -0.5}, 0, {1, 0, 0.5}),
                   preset_of("upright", "two coordinates left", "upright", {-0.5, -0.375}, 2, inwards),
-                  preset_of("on-edge", "on an edge", "tilted", {-0.25, -1}, 2, inwards)},
+                  preset_of("on-edge", "on an edge", "tilted", {1.125, 0}, 2, inwards)},
       .camera = {},
       .walk = walk,
       .opinions = opinions,

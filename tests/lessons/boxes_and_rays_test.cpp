@@ -298,4 +298,5 @@ TEST_CASE("the wrong coordinate dropped collapses an upright polygon, and nothin
   CHECK(value_of(walk_of("ray-polygon", "upright").steps.back(), "*n*_y") == 0);
   CHECK(dissenters("ray-polygon", "upright") == std::vector<std::string>{"*y* dropped"});
   CHECK(dissenters("ray-polygon", "hit").empty());
+  CHECK(dissenters("ray-polygon", "on-edge").front() == "projected (the note)");
 }
