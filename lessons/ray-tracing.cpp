@@ -114,10 +114,9 @@ class Teller {
     for (int i = 0; show_hits_ && i < static_cast<int>(world_.objects.size()); ++i) {
       const std::optional<double> t = first_hit(ray_, world_.object(i).shape);
       if (!t || *t > axis.hi) continue;
-      const std::string name = world_.object(i).name;
       const bool closest = traced_.hit->primitive == i;
       axis.ticks.push_back({*t, closest ? Mark::disc : Mark::uncounted,
-                            closest ? Role::hit : Role::construction, name.substr(name.find(' ') + 1)});
+                            closest ? Role::hit : Role::construction, short_name(world_.object(i))});
     }
     return axis;
   }
@@ -227,24 +226,15 @@ class Teller {
                                       "were asked, not {}.",
                                       all.work.eye_rays, all.work.shadow_rays, all.work.tests,
                                       each * (all.work.eye_rays + all.work.shadow_rays)));
-    const View outside(from_outside(), 1, 1);
-    const double height = 5, width = height * columns / rows;
-    const Vec3 center = {0.25, 0, 0};
-    Raster raster;
-    raster.columns = columns;
-    raster.across = width * outside.right(), raster.down = -height * outside.up();
-    raster.corner = center - raster.across / 2 - raster.down / 2;
-    for (const Traced& t : all.pixels) raster.cells.push_back(cell_of(world_, t));
-    const auto at = [&](double x, double y) -> Vec3 {
-      return raster.corner + x / columns * raster.across + y / rows * raster.down;
-    };
+    std::vector<Cell> cells;
+    for (const Traced& t : all.pixels) cells.push_back(cell_of(world_, t));
+    const Raster raster = sight::picture(eye_, std::move(cells), {0.25, 0, 0}, 5);
+    std::vector<Vec3> pixel;
+    for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}})
+      pixel.push_back(on_picture(raster, eye_, {column_ + x, row_ + y}));
     s.scene.axis = axis();
     s.scene.items.emplace_back(raster);
-    s.scene.items.emplace_back(
-        Chain{{at(column_, row_), at(column_ + 1, row_), at(column_ + 1, row_ + 1), at(column_, row_ + 1)},
-              true,
-              Role::highlight,
-              Pen::highlight});
+    s.scene.items.emplace_back(Chain{pixel, true, Role::highlight, Pen::highlight});
   }
 
   const World world_;

@@ -1,5 +1,7 @@
 #include "lessons/sight/sight.h"
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -7,6 +9,7 @@
 #include "core/ray_aabb.h"
 #include "core/ray_polygon.h"
 #include "core/ray_sphere.h"
+#include "core/ray_triangle.h"
 #include "viz/solids.h"
 
 namespace isect::lessons::sight {
@@ -25,6 +28,47 @@ Match(F...) -> Match<F...>;
 using Sphere3 = Sphere<double, 3>;
 using Box3 = Aabb<double, 3>;
 using Ring3 = Ring<double, 3>;
+
+std::optional<double> least(const Ray3& ray, const Triangles& triangles) {
+  std::optional<double> first;
+  for (const Triangle<double, 3>& triangle : triangles)
+    if (const std::optional<double> t = intersect(ray, triangle).t; t && (!first || *t < *first)) first = t;
+  return first;
+}
+
+Ring3 corners(const Triangles& triangles) {
+  Ring3 points;
+  for (const Triangle<double, 3>& t : triangles)
+    points.insert(points.end(), t.vertices.begin(), t.vertices.end());
+  return points;
+}
+
+/// Of the triangle whose plane is nearest to p.
+Vec3 normal_of(const Triangles& triangles, const Vec3& p) {
+  Vec3 best = Vec3::UnitY();
+  double nearest = INFINITY;
+  for (const Triangle<double, 3>& t : triangles) {
+    const Vec3 n = (t.vertices[1] - t.vertices[0]).cross(t.vertices[2] - t.vertices[0]).normalized();
+    const double away = std::abs(n.dot(p - t.vertices[0]));
+    if (away < nearest) nearest = away, best = n;
+  }
+  return best;
+}
+
+/// With each vertex once, so that faces of one plane are seen to be neighbours.
+Solid body(const Triangles& triangles, Role role) {
+  Solid solid;
+  solid.role = role;
+  for (const Triangle<double, 3>& t : triangles) {
+    solid.faces.emplace_back();
+    for (const Vec3& p : t.vertices) {
+      const auto found = std::ranges::find(solid.vertices, p);
+      solid.faces.back().push_back(static_cast<int>(found - solid.vertices.begin()));
+      if (found == solid.vertices.end()) solid.vertices.push_back(p);
+    }
+  }
+  return solid;
+}
 
 Box3 around(const Ring3& ring) {
   Box3 box = {ring.front(), ring.front()};
@@ -47,7 +91,8 @@ std::optional<double> first_hit(const Ray3& ray, const Shape& shape) {
               const auto inside = intersect(ray, b);
               return inside ? std::optional(inside->lo) : std::nullopt;
             },
-            [&](const Ring3& r) -> std::optional<double> { return intersect(ray, r).t; }},
+            [&](const Ring3& r) -> std::optional<double> { return intersect(ray, r).t; },
+            [&](const Triangles& all) -> std::optional<double> { return least(ray, all); }},
       shape);
 }
 
@@ -64,7 +109,8 @@ Vec3 normal_at(const Shape& shape, const Vec3& p) {
                           [&](const Ring3& r) -> Vec3 {
                             const Vec3 n = normal(r).value_or(Vec3::UnitY());
                             return n.y() < 0 ? Vec3(-n) : n;
-                          }},
+                          },
+                          [&](const Triangles& all) -> Vec3 { return normal_of(all, p); }},
                     shape);
 }
 
@@ -74,7 +120,8 @@ Box3 bounds(const Shape& shape) {
               const Vec3 r = Vec3::Constant(s.radius);
               return {s.center - r, s.center + r};
             },
-            [](const Box3& b) -> Box3 { return b; }, [](const Ring3& r) -> Box3 { return around(r); }},
+            [](const Box3& b) -> Box3 { return b; }, [](const Ring3& r) -> Box3 { return around(r); },
+            [](const Triangles& all) -> Box3 { return around(corners(all)); }},
       shape);
 }
 
@@ -118,14 +165,19 @@ void add(const Object& object, Scene& scene, bool lit) {
                    [&](const Ring3& r) {
                      scene.items.emplace_back(Region{
                          .rings = {r}, .role = role == Role::muted ? Role::grid : role, .hides = true});
-                   }},
+                   },
+                   [&](const Triangles& all) { scene.items.emplace_back(body(all, role)); }},
              object.shape);
+}
+
+std::string short_name(const Object& object) {
+  const std::string name = object.name;
+  return name.substr(name.find(' ') + 1);  // npos + 1 = 0: all of it
 }
 
 void add_name(const Object& object, Scene& scene) {
   const Box3 box = bounds(object.shape);
-  const std::string name = object.name;
-  const std::string label = name.substr(name.find(' ') + 1);  // npos + 1 = 0: all of it
+  const std::string label = short_name(object);
   if (std::holds_alternative<Ring3>(object.shape)) {
     scene.items.emplace_back(Label{{box.hi.x(), box.hi.y(), box.hi.z()}, label, object.role});
   } else {
@@ -140,10 +192,24 @@ void add(const Eye& eye, Scene& scene) {
   for (const Vec2& corner : {Vec2(0, 0), Vec2(w, 0), Vec2(w, h), Vec2(0, h)})
     frame.push_back(eye.on_plane(corner));
   for (const Vec3& corner : frame)
-    scene.items.emplace_back(Line{eye.view.eye(), corner, Role::construction, Pen::hairline});
+    scene.items.emplace_back(Line{Eye::eye_point(), corner, Role::construction, Pen::hairline});
   scene.items.emplace_back(Region{.rings = {frame}, .role = Role::muted});
-  scene.items.emplace_back(Dot{eye.view.eye(), Mark::disc, Role::first});
-  scene.items.emplace_back(Label{eye.view.eye(), "eye", Role::first});
+  scene.items.emplace_back(Dot{Eye::eye_point(), Mark::disc, Role::first});
+  scene.items.emplace_back(Label{Eye::eye_point(), "eye", Role::first});
+}
+
+Raster picture(const Eye& eye, std::vector<Cell> cells, const Vec3& center, double height) {
+  const View outside(from_outside(), 1, 1);  // for its axes only
+  Raster raster;
+  raster.columns = eye.columns;
+  raster.across = height * eye.columns / eye.rows * outside.right(), raster.down = -height * outside.up();
+  raster.corner = center - raster.across / 2 - raster.down / 2;
+  raster.cells = std::move(cells);
+  return raster;
+}
+
+Vec3 on_picture(const Raster& raster, const Eye& eye, const Vec2& pixel) {
+  return raster.corner + pixel.x() / eye.columns * raster.across + pixel.y() / eye.rows * raster.down;
 }
 
 Camera from_outside() { return {.azimuth = -0.5, .elevation = 0.6}; }

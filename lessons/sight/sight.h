@@ -10,8 +10,10 @@
 namespace isect::lessons::sight {
 
 using Ray3 = Ray<double, 3>;
-/// A ball, a box, or a plane polygon.
-using Shape = std::variant<Sphere<double, 3>, Aabb<double, 3>, Ring<double, 3>>;
+/// The surface of a convex body.
+using Triangles = std::vector<Triangle<double, 3>>;
+/// A ball, a box, a plane polygon, or triangles.
+using Shape = std::variant<Sphere<double, 3>, Aabb<double, 3>, Ring<double, 3>, Triangles>;
 
 struct Object {
   const char* name;  ///< markup, "ball **a**"
@@ -54,15 +56,20 @@ struct Eye {
   /// Back again; the point's x is not used.
   viz::Vec2 pixel(const viz::Vec3& on_plane) const;
   /// From the eye, t = 1 on the picture plane.
-  Ray3 through(const viz::Vec3& on_plane) const { return {view.eye(), on_plane - view.eye()}; }
+  Ray3 through(const viz::Vec3& on_plane) const { return {eye_point(), on_plane - eye_point()}; }
+  static viz::Vec3 eye_point() { return {-4.5, 0.25, 0}; }  ///< exact; the view's own is rounded
 };
 inline constexpr double plane_x = -1.5;
 viz::Camera eye_camera();
 
 void add(const Object&, viz::Scene&, bool lit = true);  ///< not lit: muted, without a colour of its own
 void add_name(const Object&, viz::Scene&);
+std::string short_name(const Object&);  ///< without "ball"
 /// The eye and the frame of its picture plane, with the lines from one to the other.
 void add(const Eye&, viz::Scene&);
+/// The eye's picture, a cell a pixel, facing the viewer outside; and where a point of it, in pixels, lies.
+viz::Raster picture(const Eye&, std::vector<viz::Cell>, const viz::Vec3& center, double height);
+viz::Vec3 on_picture(const viz::Raster&, const Eye&, const viz::Vec2& pixel);
 /// From outside: the eye on the left, the objects on the right.
 viz::Camera from_outside();
 

@@ -1,5 +1,6 @@
 // The lessons on what intersection detection is used for: their last word is that of the core's exact tests.
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -7,12 +8,15 @@
 
 #include "core/clip_polygon.h"
 #include "core/clip_segment.h"
+#include "core/point_sphere.h"
 #include "lessons/culling/view.h"
 #include "lessons/lessons.h"
+#include "lessons/picking/objects.h"
 #include "lessons/ray_tracing/tracer.h"
 #include "tests/catch.h"
 #include "tests/viz/pixels.h"
 #include "viz/compose.h"
+#include "viz/pick.h"
 #include "viz/place.h"
 #include "viz/solids.h"
 
@@ -353,4 +357,82 @@ TEST_CASE("the ray-tracing presets are what their names say", "[ray-tracing less
   const auto* raster = std::get_if<Raster>(&last("sky").scene.items.front());
   REQUIRE(raster);
   CHECK(raster->cells.size() == 48 * 36);
+}
+
+namespace {
+
+/// The object that the window's own picking finds there; -1: none.
+int picked_by_window(const std::vector<Object>& objects, const View::SightLine& line) {
+  Scene scene;
+  for (const Object& o : objects) lessons::sight::add(o, scene);
+  const std::optional<Picked> found = pick(scene, line);
+  return found ? static_cast<int>(found->item - scene.items.data()) : -1;
+}
+
+}  // namespace
+
+TEST_CASE("the lesson picks what the window would pick, at every pixel", "[picking lesson]") {
+  const lessons::sight::World world(lessons::picking_lesson::objects());
+  const lessons::sight::Eye eye(48, 36);
+  std::map<int, int> seen;
+  for (int y = 0; y < 36; ++y)
+    for (int x = 0; x < 48; ++x) {
+      INFO("pixel " << x << ", " << y);
+      const Vec2 pixel = {x + 0.5, y + 0.5};
+      const auto hit = world.closest(eye.through(eye.on_plane(pixel)));
+      const int mine = hit ? hit->primitive : -1;
+      CHECK(mine == picked_by_window(world.objects, eye.view.sight_line(pixel)));
+      ++seen[mine];
+    }
+  CHECK(seen.size() == 5);
+  for (const auto& [object, count] : seen) CHECK(count > 30);
+}
+
+TEST_CASE("the picking presets are what their names say", "[picking lesson]") {
+  const lessons::sight::World world(lessons::picking_lesson::objects());
+  const lessons::sight::Eye eye(48, 36);
+  const auto step = [](const char* id) { return walk_of("picking", id).steps.back(); };
+  const auto ray = [&](const char* id) {
+    return eye.through(std::get<Vec3>(preset(lesson("picking"), id).parameters.at("pointer")));
+  };
+  const auto t = [&](const char* id, int object) {
+    return lessons::sight::first_hit(ray(id), world.object(object).shape);
+  };
+  const auto in_ball = [&](const char* id, int object) {
+    return lessons::sight::first_hit(ray(id),
+                                     lessons::picking_lesson::bounding_ball(world.object(object).shape));
+  };
+  REQUIRE((t("front", 0) && t("front", 1)));
+  CHECK(*t("front", 1) < *t("front", 0));
+  CHECK_THAT(step("front").verdict.text, Catch::Matchers::Contains("gem"));
+
+  CHECK((t("behind", 0) && !t("behind", 1) && in_ball("behind", 1)));  // through the void of the gem's ball
+  CHECK_THAT(step("behind").verdict.text, Catch::Matchers::Contains("crate"));
+
+  for (int i = 0; i < 4; ++i) CHECK_FALSE(in_ball("miss", i));
+  CHECK(step("miss").verdict.kind == Verdict::Kind::no);
+  CHECK(value(step("miss"), "tests, balls first") == 4);
+  CHECK(value(step("miss"), "tests without") == 8 + 12 + 2);
+  CHECK(value(step("miss"), "tests, mean of all pixels") < 11);
+
+  REQUIRE((t("tie", 2) && t("tie", 3)));
+  CHECK(*t("tie", 2) == *t("tie", 3));
+  CHECK(step("tie").verdict.kind == Verdict::Kind::on);
+  CHECK_THAT(step("tie").verdict.text, Catch::Matchers::Contains("**b**"));
+}
+
+TEST_CASE("a bounding ball holds every vertex of what it bounds", "[picking lesson]") {
+  for (const Object& o : lessons::picking_lesson::objects()) {
+    const auto* all = std::get_if<lessons::sight::Triangles>(&o.shape);
+    if (!all) continue;
+    const Sphere<double, 3> ball = lessons::picking_lesson::bounding_ball(o.shape);
+    Vec3 outwards = Vec3::Zero();
+    for (const Triangle<double, 3>& triangle : *all) {
+      for (const Vec3& v : triangle.vertices) CHECK(locate(v, ball) != Location::out);
+      const auto& [a, b, c] = triangle.vertices;
+      CHECK((b - a).cross(c - a).dot(a - ball.center) > 0);  // counter-clockwise seen from outside
+      outwards += (b - a).cross(c - a);
+    }
+    CHECK(outwards.norm() < 1e-12);  // closed
+  }
 }
