@@ -45,7 +45,7 @@ class Fit {
         fmt::format("A mesh of {} triangles: an exact test may have to ask them all.\n"
                     "A bounding volume holds them all, and is cheap to test instead.",
                     mesh_.triangles.size()));
-    sphere(), aabb(), obb(), slab_of_dop(), dop();
+    sphere(), aabb(), obb(), slab_of_dop(), dops();
     tightness();
     trade_off();
     return std::move(script_.walk());
@@ -130,13 +130,19 @@ class Fit {
     items.push_back(below(items, "2 numbers"));
   }
 
-  void dop() {
-    volume_step(
-        3, 3, fmt::format("{}-DOP: {} slabs", k_, k_ / 2),
-        fmt::format("{} fixed normals, the same for all objects: only the ends are kept, {} numbers.\n"
-                    "6 normals' planes make the AABB; more cut its corners off.",
-                    k_ / 2, k_),
-        {}, "*lo_i* ≤ **n***_i* · **x** ≤ *hi_i* for each *i*");
+  void dops() {
+    std::vector<Measured> all;
+    for (const std::string& k : sizes_of_dops) all.push_back(measured_kdop(mesh_, std::stoi(k)));
+    script_.value(all_[3].name, all_[3].volume, "volume", Role::second);
+    Step& step = add("k-dops", "k-DOPs: more slabs, less void", 3,
+                     "The normals are the same for all objects, so only the ends are kept: *k* numbers.\n"
+                     "With 6 planes it is the AABB. More planes cut off its corners and edges.",
+                     "*lo_i* ≤ **n***_i* · **x** ≤ *hi_i* for each *i*");
+    step.scene.items = side_by_side(mesh_, fitted_.object, all);
+    step.question = Question{"Can a 14-DOP have more void than the AABB?",
+                             {"yes", "no"},
+                             all[1].volume > all[0].volume ? 0 : 1,
+                             "Its normals are those of the AABB and four more."};
   }
 
   /// The tightest of the four, the hull apart.
@@ -193,7 +199,7 @@ class Fit {
         script_.add("trade-off", "Tightness against cost", -1,
                     "Those on the steps are best for some cost: none is cheaper and tighter. The others lose "
                     "to one of these.\n"
-                    "Another object, another order: drag its tip.");
+                    "Another object, another order: drag its tip in an earlier step.");
     step.scene.chart = std::make_shared<const Chart>(Chart{plot});
   }
 
