@@ -1,6 +1,8 @@
 // Concave polygon in O(lg n) (N24): slabs, the trapezoidal map, and Kirkpatrick's hierarchy: built, searched, and what they keep.
 
+#include "core/slab_map_methods.h"
 #include "lessons/concave_polygon/setup.h"
+#include "lessons/opinions.h"
 #include "lessons/parameters.h"
 
 namespace isect::lessons {
@@ -33,6 +35,21 @@ Walk walk(const Parameters& values) {
   return method == "trapezoids" ? trapezoids(setup) : hierarchy(setup);
 }
 
+/// A yes/no method cannot say "on the boundary": either answer will do there.
+std::vector<Opinion> opinions(const Parameters& values) {
+  using slab_map::Abscissa, slab_map::make_naive_slabs;
+  const Setup s(std::get<std::string>(values.at("polygon")), std::get<Vec3>(values.at("p")));
+  Opinions all(s.truth == Location::on ? "on the boundary" : s.truth == Location::in ? "inside" : "outside");
+  const auto ask = [&](const std::string& method, bool inside) {
+    all.add(method, inside ? "inside" : "outside",
+            s.truth == Location::on || inside == (s.truth == Location::in));
+  };
+  ask("slabs, *x* = *m* *y* + *k*", slabs_naive(s.p, make_naive_slabs(s.ring, Abscissa::line)));
+  ask("slabs, interpolated", slabs_naive(s.p, make_naive_slabs(s.ring, Abscissa::interpolated)));
+  ask("crossings, every edge", point_polygon::crossings_naive(s.p, s.ring));
+  return all.take();
+}
+
 }  // namespace
 
 const Lesson& concave_polygon() {
@@ -51,6 +68,7 @@ const Lesson& concave_polygon() {
       .camera = {.azimuth = 0, .elevation = 0},
       .walk = walk,
       .flat = true,
+      .opinions = opinions,
   };
   return lesson;
 }

@@ -2,6 +2,7 @@
 
 #include "core/point_point.h"
 #include "lessons/opinions.h"
+#include "lessons/parameters.h"
 #include "lessons/points/setup.h"
 
 namespace isect::lessons {
@@ -64,10 +65,6 @@ std::vector<Preset> presets() {
       preset_of("chain", "not transitive", "chain", {.p = {-1, -0.375, 0}, .q = {-0.125, 0, 0}})};
 }
 
-Parameter choice(const char* name, const char* help, const std::vector<std::string>& choices) {
-  return {name, name, help, choices.front(), 0, 0, 0, 0, choices};
-}
-
 }  // namespace
 
 const Lesson& points() {
@@ -76,14 +73,14 @@ const Lesson& points() {
       .title = "Point and point",
       .rows = "N11",
       .summary = "When points are the same, when they are near, and what a tolerance changes.",
-      .parameters = {choice("question", "What is asked of the points.", {"equal", "near", "chain"}),
-                     {"p", "**p**", "The first point, in units.", Vec3(1, 0, 0.5), -1e6, 1e6, -2, 2},
-                     {"q", "**q**", "The second point, in units.", Vec3(1, 0, 0.5), -1e6, 1e6, -2, 2},
-                     {"r", "**r**", "The third point, in units.", Vec3(0.75, -0.375, 0), -1e6, 1e6, -2, 2},
-                     {"tolerance", "tolerance", "How far apart near points may be, in units.", 1.0, 0, 1e6, 0,
-                      2},
-                     choice("unit", "The unit of all lengths: 1, 2^600 or 2^-600.", {"one", "huge", "tiny"}),
-                     choice("z", "The third coordinate of q: as given, or NaN.", {"given", "NaN"})},
+      .parameters =
+          {choice("question", "question", "What is asked of the points.", {"equal", "near", "chain"}),
+           {"p", "**p**", "The first point, in units.", Vec3(1, 0, 0.5), -1e6, 1e6, -2, 2},
+           {"q", "**q**", "The second point, in units.", Vec3(1, 0, 0.5), -1e6, 1e6, -2, 2},
+           {"r", "**r**", "The third point, in units.", Vec3(0.75, -0.375, 0), -1e6, 1e6, -2, 2},
+           {"tolerance", "tolerance", "How far apart near points may be, in units.", 1.0, 0, 1e6, 0, 2},
+           choice("unit", "unit", "The unit of all lengths: 1, 2^600 or 2^-600.", {"one", "huge", "tiny"}),
+           choice("z", "*z* of **q**", "The third coordinate of q: as given, or NaN.", {"given", "NaN"})},
       .group_by = "question",
       .presets = presets(),
       .camera = points_lesson::camera,

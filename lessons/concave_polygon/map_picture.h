@@ -1,6 +1,7 @@
 #pragma once
 // A trapezoidal map, and the questions by which it is searched, as pictures.
 
+#include <map>
 #include <vector>
 
 #include "core/trapezoid_map.h"
@@ -8,6 +9,8 @@
 
 namespace isect::lessons::concave_polygon_lesson {
 
+/// How deep each question or trapezoid stands below the root, by its longest way.
+std::map<int, int> depths(const TrapezoidMap&, int root = 0);
 /// The trapezoids that a search from this question may end in.
 std::vector<int> reachable(const TrapezoidMap&, int node);
 /// How many questions and trapezoids there are.
@@ -34,5 +37,12 @@ struct Asked {
 };
 /// The questions asked, one below the other; the last one is the one of this step.
 void add_path(viz::Scene&, const TrapezoidMap&, const std::vector<Asked>&);
+
+/// The map while it grows: with these edges inserted, the last one `fresh`; -1: none.
+viz::Scene grown(const Setup&, const TrapezoidMap&, const std::vector<int>& inserted, int fresh);
+/// During a search, with what can be reached from the node `next`; -1: none.
+viz::Scene searched(const Setup&, const TrapezoidMap&, const std::vector<Asked>&, int next);
+/// With the trapezoid found; -1: on an edge.
+viz::Scene found(const Setup&, const TrapezoidMap&, const std::vector<Asked>&, int reached);
 
 }  // namespace isect::lessons::concave_polygon_lesson

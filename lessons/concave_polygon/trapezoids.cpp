@@ -62,13 +62,13 @@ class Trapezoids {
 
   /// The map grows as the core's own builder lets it, in the core's own order.
   void build(const std::vector<trapezoid_map::BuildEvent>& events) {
-    TrapezoidMap grown;
-    grown.boundary = map_.boundary;
-    trapezoid_map::Builder builder(grown);
+    TrapezoidMap map;
+    map.boundary = map_.boundary;
+    trapezoid_map::Builder builder(map);
     script_.value("*n*", s_.size());
     Scene start;
     start.items = {polygon(s_),
-                   trapezoid(grown, {-1, -1, -1, static_cast<int>(s_.ring.size())}, Role::highlight)};
+                   trapezoid(map, {-1, -1, -1, static_cast<int>(s_.ring.size())}, Role::highlight)};
     add("edges", "One trapezoid: the whole plane", 0,
         "The map starts with one trapezoid. Edges are added one by one, in random order, so that no polygon "
         "is bad.",
@@ -77,16 +77,16 @@ class Trapezoids {
     const Index most = static_cast<Index>(std::ranges::max_element(events, {}, cuts) - events.begin());
     for (Index k = 0; k < events.size(); ++k) {
       const auto& inserted = std::get<trapezoid_map::Inserted>(events[k]);
-      const TrapezoidMap before = grown;
+      const TrapezoidMap before = map;
       builder.insert(inserted.piece);
-      done_edges_.push_back(inserted.piece);
-      if (k == 0 || k == most) tell_insert(before, grown, inserted, static_cast<int>(k));
+      inserted_.push_back(inserted.piece);
+      if (k == 0 || k == most) tell_insert(before, map, inserted, static_cast<int>(k));
     }
-    Scene all = grown_picture(grown, -1);
+    Scene all = grown(s_, map, inserted_, -1);
     all.items.emplace_back(
-        table_heading(fmt::format("{} nodes", sizes(grown).questions + sizes(grown).trapezoids)));
-    add_graph(all, grown, false);
-    count(grown);
+        table_heading(fmt::format("{} nodes", sizes(map).questions + sizes(map).trapezoids)));
+    add_graph(all, map, false);
+    count(map);
     add("map", "All edges added", 2,
         "Every vertex has a wall up and down to the next edge: at most 3*n* + 1 trapezoids.\n"
         "The questions form a graph. It takes O(*n*) space and O(*n* lg *n*) time, on average over the "
@@ -96,7 +96,7 @@ class Trapezoids {
 
   void tell_insert(const TrapezoidMap& before, const TrapezoidMap& now,
                    const trapezoid_map::Inserted& inserted, int k) {
-    Scene scene = grown_picture(now, inserted.piece);
+    Scene scene = grown(s_, now, inserted_, inserted.piece);
     std::vector<Item> cut;
     for (const int i : reachable(before, 0)) {
       const Trapezoid& t = before.trapezoids[static_cast<Index>(i)];
@@ -122,20 +122,6 @@ class Trapezoids {
       for (int c = 1; c <= 4; ++c) step.question->choices.push_back(std::to_string(c));
       step.question->answer = std::min(inserted.cut, 4) - 1;
     }
-  }
-
-  Scene grown_picture(const TrapezoidMap& map, int fresh) const {
-    Scene scene;
-    scene.items.emplace_back(polygon(s_, false));
-    add_walls(scene, map);
-    for (int piece = 0; piece < static_cast<int>(map.boundary.pieces.size()); ++piece) {
-      const bool in = std::ranges::find(done_edges_, piece) != done_edges_.end();
-      scene.items.emplace_back(edge(map, piece, in ? Role::second : Role::construction,
-                                    piece == fresh ? Pen::highlight
-                                    : in           ? Pen::solid
-                                                   : Pen::construction));
-    }
-    return scene;
   }
 
   void search() {
@@ -168,37 +154,12 @@ class Trapezoids {
     path_.push_back({at_, side});
     const int next = side < 0 ? node.first : node.second;
     script_.value("questions asked", static_cast<double>(path_.size()));
-    Scene scene = search_picture(side == 0 ? -1 : next);
+    Scene scene = searched(s_, map_, path_, side == 0 ? -1 : next);
     Step& step = add(fmt::format("ask-{}", path_.size()), title, side == 0 ? 5 : line, caption, scene);
     step.decides = true;
     if (side == 0) return finish(-1);
     at_ = next;
     script_.value("trapezoids left", static_cast<double>(reachable(map_, at_).size()));
-  }
-
-  Scene search_picture(int next) const {
-    Scene scene;
-    scene.items.emplace_back(polygon(s_, false));
-    if (next >= 0)
-      for (const int t : reachable(map_, next))
-        scene.items.emplace_back(trapezoid(map_, map_.trapezoids[static_cast<Index>(t)], Role::highlight));
-    add_walls(scene, map_);
-    for (int piece = 0; piece < static_cast<int>(map_.boundary.pieces.size()); ++piece)
-      scene.items.emplace_back(edge(map_, piece, Role::second, Pen::solid));
-    const TrapezoidMap::Node& node = map_.nodes[static_cast<Index>(path_.back().node)];
-    if (node.ask == TrapezoidMap::Ask::piece) {
-      scene.items.emplace_back(edge(map_, node.index, Role::text, Pen::thick));
-      const Line l = edge(map_, node.index, Role::text, Pen::thick);
-      scene.items.emplace_back(Label{l.from, name(node), Role::text, l.to});
-    } else {
-      const Vec3 v = flat(map_.boundary.vertex(node.index));
-      scene.items.emplace_back(
-          Line{{v.x(), frame.low, 0}, {v.x(), frame.high, 0}, Role::text, Pen::hairline});
-      scene.items.emplace_back(Dot{v, Mark::disc, Role::text});
-      scene.items.emplace_back(Label{v, name(node), Role::text});
-    }
-    add_path(scene, map_, path_);
-    return scene;
   }
 
   void finish(int trapezoid_reached) {
@@ -207,7 +168,7 @@ class Trapezoids {
     script_.settle(verdict_kind(s_.truth), verdict_text(s_.truth));
     if (on) script_.leave_early();
     if (!on) path_.push_back({at_, 0});
-    Scene scene = end_picture(trapezoid_reached);
+    Scene scene = found(s_, map_, path_, trapezoid_reached);
     const Index questions = on ? path_.size() : path_.size() - 1;
     Step& step = add(
         "verdict", on ? "On the boundary" : "A trapezoid is reached", on ? 5 : 6,
@@ -221,21 +182,10 @@ class Trapezoids {
     step.question = where(s_, "The exact test by crossings says the same.");
   }
 
-  Scene end_picture(int reached) const {
-    Scene scene;
-    scene.items.emplace_back(polygon(s_));
-    if (reached >= 0)
-      scene.items.emplace_back(trapezoid(map_, map_.trapezoids[static_cast<Index>(reached)],
-                                         s_.truth == Location::in ? Role::hit : Role::miss));
-    add_walls(scene, map_);
-    add_path(scene, map_, path_);
-    return scene;
-  }
-
   const Setup& s_;
   TrapezoidMap map_;
   Script script_;
-  std::vector<int> done_edges_;
+  std::vector<int> inserted_;
   std::vector<Asked> path_;
   int at_ = 0;  ///< the node that is asked next
   bool done_ = false;

@@ -58,6 +58,10 @@ TEST_CASE("each way ends with the exact location, wherever the point is dragged"
         parameters["p"] = Vec3(x, y, 0);
         const Location truth = locate(Point<double, 2>(x, y), setup.ring);
         ++(truth == Location::in ? in : truth == Location::on ? on : out);
+        CHECK(lesson().opinions(parameters).front().says == (truth == Location::in   ? "inside"
+                                                             : truth == Location::on ? "on the boundary"
+                                                                                     : "outside"));
+        for (const Opinion& o : lesson().opinions(parameters)) CHECK(o.agrees);  // of points so round
         const Verdict verdict = lesson().walk(parameters).steps.back().verdict;
         CHECK(verdict.kind == (truth == Location::in   ? Verdict::Kind::yes
                                : truth == Location::on ? Verdict::Kind::on

@@ -1,0 +1,88 @@
+// Three points: near to near need not be near.
+
+#include "core/point_point.h"
+#include "lessons/points/setup.h"
+#include "lessons/script.h"
+
+namespace isect::lessons::points_lesson {
+
+using namespace viz;
+
+namespace {
+
+class Chain {
+ public:
+  explicit Chain(const Setup& setup)
+      : s_(setup),
+        script_({"Note, N11 (with a tolerance)",
+                 "Three points in space, and balls of one tolerance around two of them.",
+                 {"is q near to p?", "is r near to q?", "does it follow that r is near to p? test it",
+                  "return whether nearness was transitive here"},
+                 "nearness of three"}) {}
+
+  Walk tell() {
+    const bool pq =
+        ask("p-q", "First and second", 0, s_.p, s_.q, nearly_equal(s_.tp, s_.tq, s_.tested_within), "p", "q");
+    const bool qr =
+        ask("q-r", "Second and third", 1, s_.q, s_.r, nearly_equal(s_.tq, s_.tr, s_.tested_within), "q", "r");
+    const bool pr = nearly_equal(s_.tp, s_.tr, s_.tested_within);
+    ask("p-r", "First and third", 2, s_.p, s_.r, pr, "p", "r");
+    const bool broken = pq && qr && !pr;
+    script_.walk().steps.back().question =
+        Question{"Is **r** near to **p**, too?", {"yes", "no"}, pr ? 0 : 1, "The exact test says so."};
+    script_.settle(broken ? Verdict::Kind::no : Verdict::Kind::yes,
+                   broken ? "not transitive: **p** ~ **q** and **q** ~ **r**, but not **p** ~ **r**"
+                          : "no contradiction here");
+    Step& step = script_.add(
+        "verdict", broken ? "Nearness is not transitive" : "No contradiction", 3,
+        broken ? "So near points fall into no groups: merging **q** into **p** first leaves **r** alone, "
+                 "merging "
+                 "into **r** leaves **p**.\nThe result depends on the order. Equality has no such trouble."
+               : "Here it causes no trouble. Drag **r** away from **p**, but keep it near to **q**.");
+    step.scene = picture(s_.p);
+    for (const auto& [from, to, near] : asked_)
+      step.scene.items.emplace_back(
+          Line{from, to, near ? Role::hit : Role::miss, near ? Pen::thick : Pen::excluded});
+    return std::move(script_.walk());
+  }
+
+ private:
+  struct Asked {
+    Vec3 from, to;
+    bool near;
+  };
+
+  bool ask(const char* slug, const char* title, int line, const Vec3& from, const Vec3& to, bool near,
+           const std::string& a, const std::string& b) {
+    asked_.push_back({from, to, near});
+    script_.value("|**" + a + "** − **" + b + "**|", (from - to).norm(), "length",
+                  near ? Role::hit : Role::miss);
+    Step& step = script_.add(slug, title, line,
+                             near ? "**" + b + "** lies in the ball of tolerance around **" + a + "**: near."
+                                  : "**" + b + "** lies outside of the ball around **" + a + "**: far.");
+    step.scene = picture(from);
+    step.scene.items.emplace_back(
+        Line{from, to, near ? Role::hit : Role::miss, near ? Pen::thick : Pen::excluded});
+    step.decides = true;
+    return near;
+  }
+
+  Scene picture(const Vec3& around) const {
+    Scene scene;
+    add_tolerance(scene, s_, around);
+    add_point(scene, "p", s_.p, "**p**", Role::first);
+    add_point(scene, "q", s_.q, "**q**", Role::second);
+    add_point(scene, "r", s_.r, "**r**", Role::text);
+    return scene;
+  }
+
+  const Setup& s_;
+  Script script_;
+  std::vector<Asked> asked_;
+};
+
+}  // namespace
+
+Walk chain(const Setup& setup) { return Chain(setup).tell(); }
+
+}  // namespace isect::lessons::points_lesson
