@@ -2,10 +2,14 @@
 //
 // The walks stand in culling/one_volume, culling/whole_scene and culling/hierarchy, the view volume in culling/view.
 
+#include "lessons/case_map.h"
 #include "lessons/culling/view.h"
 #include "lessons/parameters.h"
 
 namespace isect::lessons {
+
+const viz::Lesson& culling();
+
 namespace {
 
 using namespace viz;
@@ -50,7 +54,9 @@ Walk walk(const Parameters& values) {
   if (volume == "scene") return whole_scene(view, eye);
   if (volume == "ball") return one_volume(view, eye, Ball{p, size});
   const Vec3 half = Vec3::Constant(size);
-  return one_volume(view, eye, Box{p - half, p + half});
+  return with_case_map(one_volume(view, eye, Box{p - half, p + half}), culling(), values,
+                       "The box moves to and fro and sideways; its height and its size stay.\n"
+                       "In vain: no plane rejects it, and yet it has no point of the frustum.");
 }
 
 }  // namespace
@@ -74,6 +80,7 @@ const Lesson& culling() {
       .presets = presets(),
       .camera = {.azimuth = 0.35, .elevation = 0.8},
       .walk = walk,
+      .map = &cases(),
   };
   return lesson;
 }

@@ -15,6 +15,8 @@ viz::Walk one_volume(const Frustum<double>&, const viz::Vec3& eye, const Volume&
 viz::Walk whole_scene(const Frustum<double>&, const viz::Vec3& eye);
 viz::Walk hierarchy(const Frustum<double>&, const viz::Vec3& eye);
 
+const viz::CaseMap& cases();  ///< of one box
+
 /// The eye looks along +x. All planes have small dyadic coordinates, so that touching is exact.
 Frustum<double> frustum(const viz::Vec3& eye);
 /// left, right, bottom, top, near, far
