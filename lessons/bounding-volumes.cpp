@@ -11,11 +11,15 @@
 #include "core/volume.h"
 #include "lessons/bounding_volumes/cheap_first.h"
 #include "lessons/bounding_volumes/picture.h"
+#include "lessons/case_map.h"
 #include "lessons/parameters.h"
 #include "lessons/script.h"
 #include "viz/chart.h"
 
 namespace isect::lessons {
+
+const viz::Lesson& bounding_volumes();
+
 namespace {
 
 using namespace viz;
@@ -217,7 +221,10 @@ Walk walk(const Parameters& p) {
   if (std::get<std::string>(p.at("walk")) == "fit")
     return Fit(name, tip, std::stoi(std::get<std::string>(p.at("k")))).walk();
   const Mesh3 mesh = object(name, tip);
-  return cheap_first(mesh, tip, std::get<Vec3>(p.at("q")), std::get<double>(p.at("reach")));
+  Walk first = cheap_first(mesh, tip, std::get<Vec3>(p.at("q")), std::get<double>(p.at("reach")));
+  return with_case_map(std::move(first), bounding_volumes(), p,
+                       "The box b is shifted along *x* and *y*; its size and its place on *z* stay.\n"
+                       "Between a trivial reject and a true overlap lies void: the price of a loose fit.");
 }
 
 const Vec3 tilted = {0.875, 1.25, -0.625};
@@ -272,6 +279,7 @@ const Lesson& bounding_volumes() {
                   test_preset("void", "only void overlaps", {1, -1, -0.25}, 0.5)},
       .camera = camera,
       .walk = walk,
+      .map = &cases(),
   };
   return lesson;
 }

@@ -9,4 +9,7 @@ namespace isect::lessons::bounding_volumes_lesson {
 viz::Walk cheap_first(const TriangleMesh<double>&, const viz::Vec3& tip, const viz::Vec3& middle,
                       double reach);
 
+/// What becomes of the test as b is moved across and up.
+const viz::CaseMap& cases();
+
 }  // namespace isect::lessons::bounding_volumes_lesson

@@ -203,6 +203,9 @@ TEST_CASE("a trivial answer asks no triangle, potential overlap asks them all", 
       meet += intersects(triangle(mesh, i), window) ? 1 : 0;
 
     const Step& last = walk.steps.back();
+    const std::vector<std::string> branches = {"reject", "accept", "void",
+                                               "overlap"};  // as the presets are named
+    CHECK(branches[static_cast<std::size_t>(lesson.map->branch(p.parameters))] == p.id);
     if (p.id == "reject" || p.id == "accept") {
       CHECK(operations(last) <= 18);  // two boxes disjoint, one in the other
       CHECK(last.counters.early_out);
