@@ -18,7 +18,7 @@ struct Rule {
   Vec3 p;
 };
 const std::vector<Rule> rules = {
-    {"1-trivial", "trivial accept, reject", trivial, {-0.875, 0.125, 0}},
+    {"1-trivial", "trivial accept, reject", trivial, {-0.625, 0.375, 0}},
     {"2-reuse", "reuse results", reuse, {-2.5, 0.25, 0}},
     {"3-reorder", "reorder the tests", reorder, {-1, 0.0625, 0}},
     {"4-postpone", "postpone the expensive", postpone, {-1.875, -0.5, 0}},

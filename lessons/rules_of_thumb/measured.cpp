@@ -138,7 +138,7 @@ class Measuring {
   /// The same call on other families of cases.
   void families() {
     const auto rows = bench::rows_of(speed_lesson::results(), "ray-sphere", "double");
-    Bars all = {{Scale::Kind::log, 5, 50, "time a call (ns)"},
+    Bars all = {{Scale::Kind::log, 5, 50, "time a call (ns), " + speed_lesson::results().machine.cpu},
                 {{methods_.back().name, Glyph::disc, Role::second}, {"exact", Glyph::star, Role::hit}},
                 {}};
     double least = INFINITY, most = 0;
