@@ -273,7 +273,7 @@ const Lesson& ray_tracing() {
                      {"lamp", "lamp", "Where the lamp hangs, in world units.", standard_lamp, -1e6, 1e6, -5,
                       5}},
       .group_by = "",
-      .presets = {preset_of("lit", "lit", 33, 23), preset_of("shadow", "in shadow", 24, 29),
+      .presets = {preset_of("lit", "lit", 7, 25), preset_of("shadow", "in shadow", 24, 29),
                   preset_of("turned-away", "turned away", 19, 28), preset_of("sky", "sky", 24, 5)},
       .camera = from_outside(),
       .walk = walk,

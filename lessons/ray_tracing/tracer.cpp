@@ -9,9 +9,9 @@ using namespace sight;
 
 std::vector<Object> scene_objects() {
   return {{"ball **a**", Sphere<double, 3>{{2, -0.125, -0.875}, 0.875}, Role::first},
-          {"ball **b**", Sphere<double, 3>{{1, -0.5, 0.625}, 0.5}, Role::second},
+          {"ball **b**", Sphere<double, 3>{{1, -0.5, 0.625}, 0.5}, Role::hit},
           {"ball **c**", Sphere<double, 3>{{3.25, 0, 1.125}, 1}, Role::miss},
-          {"box", Aabb<double, 3>{{0.75, -1, -1.625}, {1.375, -0.25, -1}}, Role::hit},
+          {"box", Aabb<double, 3>{{0.75, -1, -1.625}, {1.375, -0.25, -1}}, Role::second},
           {"floor", Ring<double, 3>{{0.25, -1, 2.5}, {4.5, -1, 2.5}, {4.5, -1, -2.5}, {0.25, -1, -2.5}},
            Role::muted}};
 }
