@@ -2,6 +2,9 @@
 
 #include <Eigen/LU>
 
+#include "core/convex_hull_3d.h"
+#include "core/kdop_polytope.h"
+
 namespace isect::viz {
 
 Solid hexahedron(const std::array<Vec3, 8>& corners, Role role) {

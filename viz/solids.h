@@ -1,10 +1,13 @@
 #pragma once
 // The core's convex shapes as solids of a scene.
 
-#include "core/convex_hull_3d.h"
-#include "core/kdop_polytope.h"
 #include "core/shapes.h"
 #include "viz/scene.h"
+
+namespace isect {
+template <class S>
+struct Hull3;  // core/convex_hull_3d.h
+}
 
 namespace isect::viz {
 

@@ -1,17 +1,21 @@
-// isect, or the program of one lesson where ISECT_LESSON names it.
+// isect, or the program of one lesson.
 
 #include "lessons/lessons.h"
 #include "lessons/program/program.h"
 #include "lessons/program/terminal.h"
 #include "viz/place.h"
 
+namespace isect::program {
+extern const char* const only_lesson;  ///< its id, or null: for all of them. CMake writes it for each program.
+}
+
 int main(int argc, char** argv) {
   using namespace isect;
   program::guard_streams();
   program::Program program{"isect", lessons::all_lessons()};
-#ifdef ISECT_LESSON
-  program.name = ISECT_LESSON;
-  program.only = &viz::lesson_named(program.lessons, ISECT_LESSON);
-#endif
+  if (program::only_lesson) {
+    program.name = program::only_lesson;
+    program.only = &viz::lesson_named(program.lessons, program::only_lesson);
+  }
   return program::run(program, {argv + 1, argv + argc});
 }

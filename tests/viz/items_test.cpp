@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/convex_hull_3d.h"
 #include "tests/catch.h"
 #include "tests/viz/pixels.h"
 #include "viz/compose.h"
