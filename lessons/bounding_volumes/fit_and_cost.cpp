@@ -1,0 +1,213 @@
+#include "lessons/bounding_volumes/fit_and_cost.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/fit_tight.h"
+#include "core/volume.h"
+#include "lessons/bounding_volumes/picture.h"
+#include "lessons/script.h"
+#include "viz/chart.h"
+
+namespace isect::lessons::bounding_volumes_lesson {
+
+using namespace viz;
+using Mesh3 = TriangleMesh<double>;
+
+namespace {
+
+class Fit {
+ public:
+  Fit(const std::string& name, const Vec3& tip, int k)
+      : mesh_(object(name, tip)),
+        k_(k),
+        fitted_(mesh_, k),
+        all_(measured(fitted_)),
+        tip_(tip),
+        script_({"Note, N04, N06-N08",
+                 fmt::format("A {} in a sphere, an AABB, an OBB, a {}-DOP and its convex hull.", name, k),
+                 {"sphere: a centre, and the distance of the farthest vertex",  // 0
+                  "AABB: on each axis the least and the greatest coordinate",   // 1
+                  "OBB: the same along three axes of its own",                  // 2
+                  "k-DOP: the least and the greatest n·x for each normal n",    // 3
+                  "void ← volume of the bounding volume − volume of a"},        // 4
+                 "four kinds of volume"}) {}
+
+  Walk walk() {
+    script_.value("object", fitted_.object, "volume", Role::first);
+    add("object", "An object of many parts", 4,
+        fmt::format("A mesh of {} triangles: an exact test may have to ask them all.\n"
+                    "A bounding volume holds them all, and is cheap to test instead.",
+                    mesh_.triangles.size()));
+    sphere(), aabb(), obb(), slab_of_dop(), dops();
+    tightness();
+    trade_off();
+    return std::move(script_.walk());
+  }
+
+ private:
+  Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption,
+            const std::string& formula = {}) {
+    Step& step = script_.add(slug, title, line, caption, formula);
+    step.scene.items = {drawn(mesh_, Role::first)};
+    step.scene.items.push_back(below(step.scene.items, fmt::format("{} triangles", mesh_.triangles.size())));
+    step.scene.handles = {{"tip", Handle::Kind::point, tip_, Vec3::Zero(), Role::first}};
+    return step;
+  }
+
+  /// A step about volume `i` of all, with its own numbers drawn on it.
+  Step& volume_step(std::size_t i, int line, const std::string& title, const std::string& caption,
+                    const std::vector<Item>& own, const std::string& formula) {
+    const Measured& m = all_[i];
+    script_.value(m.name, m.volume, "volume", Role::second);
+    std::string slug = m.name;
+    std::ranges::transform(slug, slug.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    Step& step = add(slug, title, line, caption, formula);
+    std::vector<Item>& items = step.scene.items;
+    items = {drawn(mesh_, Role::first), m.drawn};
+    for (const Item& item : own) items.push_back(item);
+    items.push_back(below(items, fmt::format("{} numbers, {}", m.numbers, void_of(m, fitted_.object))));
+    return step;
+  }
+
+  void sphere() {
+    Record<fit_tight::Event> record;
+    fit_sphere_smallest(mesh_.vertices, record);
+    int farthest = 0;
+    for (const auto& event : record.events)
+      if (const auto* e = std::get_if<fit::Extreme>(&event)) farthest = e->point;
+    volume_step(
+        0, 0, "Sphere: a centre and a radius",
+        "The smallest ball. The farthest vertex decides the radius. Four numbers, and turning the object "
+        "changes nothing.",
+        radius(fitted_.ball, mesh_.vertices[static_cast<std::size_t>(farthest)]), "|**x** − **c**| ≤ *r*");
+  }
+
+  void aabb() {
+    Step& step =
+        volume_step(1, 1, "AABB: two extreme points",
+                    "The least and the greatest coordinate on each axis. Six numbers, found and tested by "
+                    "comparisons alone.",
+                    corners(fitted_.aabb), "*a*_{min,*i*} ≤ *x_i* ≤ *a*_{max,*i*} for *i* = x, y, z");
+    const bool smaller = all_[1].volume < all_[0].volume;
+    step.question = Question{"Is the AABB smaller than the sphere?",
+                             {"yes", "no"},
+                             smaller ? 0 : 1,
+                             fmt::format("{} against {}.", shown(all_[1].volume), shown(all_[0].volume))};
+  }
+
+  void obb() {
+    volume_step(
+        2, 2, "OBB: axes and half-lengths",
+        "A centre, three axes at right angles, and a half-length along each. It turns with the object.\n"
+        "Which axes are best is hard to find: the core searches.",
+        axes(fitted_.obb), "|(**x** − **b**_c) · **b***_i*| ≤ *h_i* for *i* = u, v, w");
+  }
+
+  void slab_of_dop() {
+    const std::size_t i = seen_best(fitted_.kdop);
+    const Interval<double>& s = fitted_.kdop.slabs[i];
+    const Vec3& n = fitted_.kdop.normals[i];
+    script_.value("*lo* = −*d*_{max}", s.lo);
+    script_.value("*hi* = −*d*_{min}", s.hi);
+    Step& step =
+        add("slab", "A slab between two planes", 3,
+            "The note's planes are **n** · **x** + *d* = 0, so its slab is −*d*_{max} ≤ **n** · **x** ≤ "
+            "−*d*_{min}. Mind the sign.\n"
+            "Its normals have length 1; integers keep touching exact.",
+            fmt::format("{} ≤ **n** · **x** ≤ {},  **n** = ({}, {}, {})", shown(s.lo), shown(s.hi),
+                        shown(n.x()), shown(n.y()), shown(n.z())));
+    std::vector<Item>& items = step.scene.items;
+    items = {drawn(mesh_, Role::first)};
+    for (const Item& item : slab(fitted_.kdop, i)) items.push_back(item);
+    items.push_back(below(items, "2 numbers"));
+  }
+
+  void dops() {
+    std::vector<Measured> all;
+    for (const std::string& k : sizes_of_dops) all.push_back(measured_kdop(mesh_, std::stoi(k)));
+    script_.value(all_[3].name, all_[3].volume, "volume", Role::second);
+    Step& step = add("k-dops", "k-DOPs: more slabs, less void", 3,
+                     "The normals are the same for all objects, so only the ends are kept: *k* numbers.\n"
+                     "With 6 planes it is the AABB. More planes cut off its corners and edges.",
+                     "*lo_i* ≤ **n***_i* · **x** ≤ *hi_i* for each *i*");
+    step.scene.items = side_by_side(mesh_, fitted_.object, all);
+    step.question = Question{"Can a 14-DOP have more void than the AABB?",
+                             {"yes", "no"},
+                             all[1].volume > all[0].volume ? 0 : 1,
+                             "Its normals are those of the AABB and four more."};
+  }
+
+  /// The tightest of the four, the hull apart.
+  std::size_t tightest() const {
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < 4; ++i)
+      if (all_[i].volume < all_[best].volume) best = i;
+    return best;
+  }
+
+  void tightness() {
+    script_.value("hull", all_[4].volume, "volume", Role::second);
+    const std::size_t best = tightest();
+    Step& step =
+        add("side-by-side", "Tightness, storage, cost", 4,
+            "Blue is the object's own volume, the hatched part is void. The hull is tightest of all that are "
+            "convex.\n"
+            "A cell is a number kept; operations are of one test that finds an overlap.");
+    step.scene.items = side_by_side(mesh_, fitted_.object, all_);
+    step.question =
+        Question{"Which has the least void, the hull apart?",
+                 {all_[0].name, all_[1].name, all_[2].name, all_[3].name},
+                 static_cast<int>(best),
+                 fmt::format("Its void is {} × the object.", shown(all_[best].volume / fitted_.object - 1))};
+  }
+
+  void trade_off() {
+    std::vector<Measured> points = {all_[0], all_[1], all_[2]};
+    for (const std::string& k : sizes_of_dops)
+      if (k != "6") points.push_back(measured_kdop(mesh_, std::stoi(k)));
+    std::vector<Vec2> places;
+    Plot plot;
+    double least = 1e300, greatest = 0;
+    constexpr Glyph glyphs[] = {Glyph::disc,     Glyph::square,   Glyph::diamond,
+                                Glyph::triangle, Glyph::pentagon, Glyph::hexagon};
+    for (const Measured& m : points) {
+      const double empty = m.volume / fitted_.object - 1;
+      places.emplace_back(m.operations(), empty);
+      least = std::min(least, empty), greatest = std::max(greatest, empty);
+      const bool dop = m.name.ends_with("DOP");
+      plot.series.push_back({m.name, glyphs[plot.series.size()], dop ? Role::first : Role::second});
+    }
+    const std::vector<bool> front = pareto_front(places);
+    Panel panel;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      panel.spots.push_back({static_cast<int>(i), places[i].x(), places[i].y(), {}, front[i]});
+    plot.x = {Scale::Kind::log, 5, 400, "operations of a test that finds an overlap"};
+    plot.y = {Scale::Kind::linear, 0, 1.15 * greatest, "void / object"};
+    plot.panels = {panel};
+    const auto kept = static_cast<int>(std::ranges::count(front, true));
+    script_.settle(Verdict::Kind::yes,
+                   fmt::format("{} of {} are worth their cost here", kept, points.size()));
+    Step& step =
+        script_.add("trade-off", "Tightness against cost", -1,
+                    "Those on the steps are best for some cost: none is cheaper and tighter. The others lose "
+                    "to one of these.\n"
+                    "Another object, another order: drag its tip in an earlier step.");
+    step.scene.chart = std::make_shared<const Chart>(Chart{plot});
+  }
+
+  const Mesh3 mesh_;
+  const int k_;
+  const Fitted fitted_;
+  const std::vector<Measured> all_;
+  const Vec3 tip_;
+  Script script_;
+};
+
+}  // namespace
+
+Walk fit_and_cost(const std::string& name, const Vec3& tip, int k) { return Fit(name, tip, k).walk(); }
+
+}  // namespace isect::lessons::bounding_volumes_lesson
