@@ -135,7 +135,7 @@ const Lesson& intervals() {
   static const Lesson lesson = {
       .id = "intervals",
       .title = "Interval and interval",
-      .rows = "N11, N12",
+      .rows = "N12, N11",
       .summary = "Whether two intervals, or two points on a line, have a number in common.",
       .parameters = {end("a_min", "*a*_{min}", "Lower end of the first interval.", -3),
                      end("a_max", "*a*_{max}", "Upper end of the first interval.", 1),
