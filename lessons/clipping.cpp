@@ -2,10 +2,14 @@
 //
 // The walks stand in clipping/segment and clipping/polygon.
 
+#include "lessons/case_map.h"
 #include "lessons/clipping/methods.h"
 #include "lessons/parameters.h"
 
 namespace isect::lessons {
+
+const viz::Lesson& clipping();
+
 namespace {
 
 using namespace viz;
@@ -61,8 +65,12 @@ Walk walk(const Parameters& values) {
   const auto at = [&](const char* name) -> Point<double, 2> {
     return std::get<Vec3>(values.at(name)).head<2>();
   };
-  const Box box = {{-2, -1.25}, {2, 1.25}};
-  if (std::get<std::string>(values.at("shape")) == "segment") return clip_a_segment({at("p"), at("q")}, box);
+  const Box box = box_of_lesson();
+  if (std::get<std::string>(values.at("shape")) == "segment")
+    return with_case_map(
+        clip_a_segment({at("p"), at("q")}, box), clipping(), values,
+        "The end **q** moves, and **p** stays. Comparisons alone settle the regions beyond one side.\n"
+        "Past a corner nothing is kept either, but only the range of *t* can tell.");
   return clip_a_polygon({at("p"), at("q"), at("r"), at("s")}, box);
 }
 
@@ -85,6 +93,7 @@ const Lesson& clipping() {
       .camera = {.azimuth = 0, .elevation = 0},
       .walk = walk,
       .flat = true,
+      .map = &cases(),
   };
   return lesson;
 }

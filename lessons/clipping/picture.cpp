@@ -4,6 +4,12 @@ namespace isect::lessons::clipping_lesson {
 
 using namespace viz;
 
+bool runs_along_a_side(const Segment<double, 2>& s, const Box& box) {
+  for (int i = 0; i < 2; ++i)
+    if (s.p[i] == s.q[i] && (s.p[i] == box.lo[i] || s.p[i] == box.hi[i])) return true;
+  return false;
+}
+
 std::string name_of(const Side& s) {
   if (s.axis == 0) return s.upper ? "the right side" : "the left side";
   return s.upper ? "the top side" : "the bottom side";

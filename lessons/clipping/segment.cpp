@@ -209,19 +209,13 @@ class Teller {
                        : "**n** · **d** < 0: the line goes out here.";
   }
 
-  bool along_a_side() const {
-    for (int i = 0; i < 2; ++i)
-      if (s_.p[i] == s_.q[i] && (s_.p[i] == box_.lo[i] || s_.p[i] == box_.hi[i])) return true;
-    return false;
-  }
-
   void end() {
     settled_ = true, left_ = !truth_, started_ = true;
     range_ = truth_.value_or(Interval<double>{0, 0});
     const bool one = truth_ && truth_->lo == truth_->hi;
-    script_.settle(!truth_                 ? Verdict::Kind::no
-                   : one || along_a_side() ? Verdict::Kind::on
-                                           : Verdict::Kind::yes,
+    script_.settle(!truth_                              ? Verdict::Kind::no
+                   : one || runs_along_a_side(s_, box_) ? Verdict::Kind::on
+                                                        : Verdict::Kind::yes,
                    !truth_ ? "nothing is kept"
                    : one   ? "one point is kept: *t* = " + shown(range_.lo)
                            : fmt::format("kept: *t* from {} to {}", shown(range_.lo), shown(range_.hi)));
@@ -244,7 +238,7 @@ class Teller {
     if (one)
       return "Last entry and first exit are the same *t*: the segment touches the box at a corner.\n"
              "The sets are closed, so touching counts, and the part kept is a point.";
-    if (along_a_side())
+    if (runs_along_a_side(s_, box_))
       return "The part kept lies in a side. The sets are closed, so the boundary belongs to the box.";
     if (trivial_) return "No side was crossed, so there was nothing to divide: the segment is kept as it is.";
     return "The part kept runs from the last entry to the first exit.\n"
