@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "viz/window/panels.h"
 
@@ -7,6 +8,51 @@ namespace isect::viz {
 namespace {
 
 constexpr float padding = 20, code_top = 46;
+constexpr float code_left = 42, row_pitch = 18;  ///< of a line's words; from row to row of a long line
+
+/// A line of pseudocode on as many rows as it takes, the later ones indented further.
+struct CodeLine {
+  std::vector<std::string> rows;
+  ImFont* font;
+
+  float height(float pitch) const { return pitch + row_pitch * static_cast<float>(rows.size() - 1); }
+};
+
+CodeLine laid_out(const std::string& words, ImFont* font, float room) {
+  const std::string indent(words.find_first_not_of(' ') + 4, ' ');
+  CodeLine line{{}, font};
+  std::string row = words;
+  while (text_width(font, row) > room) {
+    std::size_t end = row.rfind(' ');
+    while (end != std::string::npos && end > indent.size() && text_width(font, row.substr(0, end)) > room)
+      end = row.rfind(' ', end - 1);
+    if (end == std::string::npos || end <= indent.size()) break;  // one long word
+    line.rows.push_back(row.substr(0, end));
+    row = indent + row.substr(end + 1);
+  }
+  line.rows.push_back(row);
+  return line;
+}
+
+/// All lines of the walk, smaller where one is long. Where a condition may fail there is room for its "no".
+std::vector<CodeLine> code_lines(const Ui& ui, const Walk& walk, float width) {
+  const auto room = [&](const std::string& words) {
+    const bool asks = words.find("if ") != std::string::npos || words.find("else") != std::string::npos;
+    return width - code_left - (asks ? 38 : 6);
+  };
+  const bool fits = std::ranges::all_of(walk.pseudocode, [&](const std::string& words) {
+    return text_width(ui.fonts.mono, words) <= room(words);
+  });
+  std::vector<CodeLine> lines;
+  for (const std::string& words : walk.pseudocode)
+    lines.push_back(laid_out(words, fits ? ui.fonts.mono : ui.fonts.mono_small, room(words)));
+  return lines;
+}
+
+float height_of(const std::vector<CodeLine>& lines, float pitch) {
+  return std::accumulate(lines.begin(), lines.end(), 0.0f,
+                         [&](float sum, const CodeLine& line) { return sum + line.height(pitch); });
+}
 
 /// Pitches and heights of the panel: roomy where the whole walk fits, tighter where it does not. The walk's
 /// fullest step decides, so that lines keep their places while a reader steps.
@@ -20,14 +66,13 @@ float most_values(const Walk& walk, float pitch) {
   return most;
 }
 
-Fit fit(const Walk& walk, const Step& step, float height) {
+Fit fit(const Walk& walk, const std::vector<CodeLine>& lines, const Step& step, float height) {
   constexpr Fit sizes[] = {{26, 28, 58, 0, 0}, {23, 25, 34, 0, 0}, {21, 22, 34, 0, 0}};
-  const float lines = static_cast<float>(walk.pseudocode.size());
   Fit f{};
   float room = 0;
   for (const Fit& size : sizes) {
     f = size;
-    f.code_height = lines * f.code_pitch;
+    f.code_height = height_of(lines, f.code_pitch);
     f.values_height = most_values(walk, f.value_pitch);
     room = height - code_top - f.operations;
     if (f.code_height + f.values_height <= room) return f;
@@ -35,8 +80,7 @@ Fit fit(const Walk& walk, const Step& step, float height) {
   // Too much for this window: the code shows a part around its current line, the values scroll if they must.
   const float least_code = std::min(f.code_height, 5 * f.code_pitch);
   f.values_height = std::min(values_height(step, f.value_pitch), room - least_code);
-  const float whole_lines = std::floor((room - f.values_height) / f.code_pitch) * f.code_pitch;
-  f.code_height = std::min(f.code_height, whole_lines);
+  f.code_height = std::min(f.code_height, room - f.values_height);
   return f;
 }
 
@@ -53,7 +97,7 @@ int step_at_line(const Player& player, int line) {
   return -1;
 }
 
-void code_line(Session& s, int line, const Rect& r) {
+void code_line(Session& s, int line, const CodeLine& words, float pitch, const Rect& r) {
   Ui& ui = s.ui;
   const Palette& c = ui.palette;
   const Step& step = s.player.step();
@@ -67,34 +111,39 @@ void code_line(Session& s, int line, const Rect& r) {
   if (p.clicked && to >= 0) s.player.go_to(to);
 
   const Colour& ink = current ? c.on_highlight : has(step.untaken, line) ? c.muted : c.text;
-  const float y = r.middle_y(), number = r.left + 26;
+  float y = r.top + pitch / 2;
+  const float number = r.left + 26;
   text(ui.fonts.mono_small, number, y, packed(current ? c.on_highlight : c.muted), std::to_string(line + 1),
        1);
   const bool refused = has(step.refused, line);
   ImGui::PushClipRect({number + 8, r.top}, {r.right - (refused ? 38 : 4), r.bottom}, true);
-  const std::string& words = s.player.walk().pseudocode[line];
-  ImFont* font =
-      text_width(ui.fonts.mono, words) > r.right - number - 20 ? ui.fonts.mono_small : ui.fonts.mono;
-  text(font, number + 16, y, packed(ink), words);
+  for (const std::string& row : words.rows) {
+    text(words.font, r.left + code_left, y, packed(ink), row);
+    y += row_pitch;
+  }
   ImGui::PopClipRect();
+  y = r.top + pitch / 2;
   if (refused) text(ui.fonts.small, r.right - 12, y, packed(current ? c.on_highlight : c.miss), "no", 1);
 }
 
-void code(Session& s, const Rect& r, float pitch) {
+void code(Session& s, const std::vector<CodeLine>& lines, const Rect& r, float pitch) {
   s.ui.rects["code lines"] = r;
   ImGui::SetCursorScreenPos(top_left(r));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{0, 0});
   ImGui::BeginChild("code", {r.width(), r.height()}, false, ImGuiWindowFlags_NoScrollbar);
   ImGui::PopStyleVar();
   const int line = s.player.step().line;
-  const float lines_before = std::floor(static_cast<float>(line) - (r.height() / pitch - 1) / 2);
-  if (line >= 0) ImGui::SetScrollY(std::max(0.0f, lines_before * pitch));
   const float top = ImGui::GetCursorScreenPos().y;
-  const int count = static_cast<int>(s.player.walk().pseudocode.size());
-  for (int i = 0; i < count; ++i) {
-    const float y = top + static_cast<float>(i) * pitch;
-    code_line(s, i, {r.left, y, r.right, y + pitch});
+  float y = top;
+  for (int i = 0; i < static_cast<int>(lines.size()); ++i) {
+    const CodeLine& words = lines[static_cast<std::size_t>(i)];
+    const float height = words.height(pitch);
+    code_line(s, i, words, pitch, {r.left, y, r.right, y + height});
+    if (i == line) ImGui::SetScrollFromPosY(y + height / 2 - ImGui::GetWindowPos().y, 0.5f);
+    y += height;
   }
+  ImGui::SetCursorScreenPos({r.left, top});
+  ImGui::Dummy({1, y - top});
   ImGui::EndChild();
 }
 
@@ -104,13 +153,14 @@ void code_panel(Session& s, const Rect& r) {
   Ui& ui = s.ui;
   begin_region(ui, "code panel", r, ui.palette.window);
   ImGui::GetWindowDrawList()->AddRectFilled({r.left, r.top}, {r.left + 1, r.bottom}, packed(ui.palette.rule));
-  const Fit f = fit(s.player.walk(), s.player.step(), r.height());
+  const std::vector<CodeLine> lines = code_lines(ui, s.player.walk(), r.width() - 20);
+  const Fit f = fit(s.player.walk(), lines, s.player.step(), r.height());
   const float heading = r.top + 32;
   text(ui.fonts.bold, r.left + padding, heading, packed(ui.palette.text), "Pseudocode");
   if (s.player.step().counters.early_out)
     text(ui.fonts.small, r.right - padding, heading, packed(ui.palette.fresh_text), "early out", 1);
   const float code_bottom = r.top + code_top + f.code_height;
-  code(s, {r.left + 10, r.top + code_top, r.right - 10, code_bottom}, f.code_pitch);
+  code(s, lines, {r.left + 10, r.top + code_top, r.right - 10, code_bottom}, f.code_pitch);
   values_block(s, {r.left + 10, code_bottom, r.right - 10, code_bottom + f.values_height}, f.value_pitch);
   operations_block(s, {r.left + 10, r.bottom - f.operations, r.right - 10, r.bottom});
   ImGui::End();

@@ -51,11 +51,24 @@ float room_for_new(const Step& step) {
   return 0;
 }
 
+/// Where the numbers end: beside the longest name that comes with its number, or further left where all are short.
+float number_column(const Ui& ui, const Step& step, const Rect& r) {
+  float column = r.width() * 0.494f;
+  for (const Value& v : step.values)
+    column = std::max(column, 10 + text_width(ui.fonts.mono, plain(v.name)) + 14 +
+                                  text_width(ui.fonts.mono, shown(v.value)));
+  return r.left + std::min(column, r.width() - 10 - room_for_new(step));
+}
+
 void value_row(Session& s, const Value& v, const std::map<std::string, Scale>& scales, const Rect& r) {
   Ui& ui = s.ui;
   const Palette& c = ui.palette;
-  const float y = r.middle_y(), number = r.left + r.width() * 0.494f;
-  text(ui.fonts.mono, r.left + 10, y, packed(c.text), plain(v.name));
+  const float y = r.middle_y(), number = number_column(ui, s.player.step(), r);
+  const float room = number - text_width(ui.fonts.mono, shown(v.value)) - 8 - (r.left + 10);
+  const bool long_name = text_width(ui.fonts.mono, plain(v.name)) > room;
+  ImGui::PushClipRect({r.left + 10, r.top}, {r.left + 10 + room, r.bottom}, true);
+  text(long_name ? ui.fonts.mono_small : ui.fonts.mono, r.left + 10, y, packed(c.text), plain(v.name));
+  ImGui::PopClipRect();
   text(ui.fonts.mono, number, y, packed(c.text), shown(v.value), 1);
   const float right = r.right - 10;
   if (v.fresh) {
@@ -63,7 +76,9 @@ void value_row(Session& s, const Value& v, const std::map<std::string, Scale>& s
     text(ui.fonts.small, right - 2, y, packed(c.fresh_text), "new", 1);
   }
   const auto scale = scales.find(v.unit);
-  if (scale != scales.end()) bar(ui, scale->second, v, number + 26, right - room_for_new(s.player.step()), y);
+  const bool room_for_bar = right - room_for_new(s.player.step()) - number - 26 > 20;
+  if (scale != scales.end() && room_for_bar)
+    bar(ui, scale->second, v, number + 26, right - room_for_new(s.player.step()), y);
 }
 
 void comparison_card(Session& s, const Comparison& comparison, const Rect& r) {
