@@ -1,0 +1,26 @@
+#pragma once
+// One pixel's ray among the objects, seen from outside, and the whole picture.
+
+#include "lessons/ray_tracing/tracer.h"
+
+namespace isect::lessons::ray_tracing_lesson {
+
+struct OnePixel {
+  /// Of the pixel that holds the point of the picture plane.
+  OnePixel(const viz::Vec3& point, const viz::Vec3& lamp);
+
+  sight::World world;
+  sight::Eye eye;
+  viz::Vec3 lamp, handle, aim;  ///< the point as given; the middle of its pixel
+  int column, row;
+  sight::Ray3 ray;
+  Traced traced;
+};
+struct Shown {
+  bool ray = false, hits = false, normal = false, shadow_ray = false;
+};
+
+viz::Scene picture(const OnePixel&, const Shown&);
+viz::Scene picture(const OnePixel&, const Shown&, const Image&);  ///< as the eye sees it
+
+}  // namespace isect::lessons::ray_tracing_lesson
