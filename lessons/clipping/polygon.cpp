@@ -7,7 +7,7 @@
 #include "core/clip_polygon.h"
 #include "core/clip_segment.h"
 #include "core/point_convex_polygon.h"
-#include "lessons/clipping/methods.h"
+#include "lessons/clipping/pictures.h"
 #include "lessons/script.h"
 
 namespace isect::lessons::clipping_lesson {
@@ -26,13 +26,11 @@ const std::vector<std::string> pseudocode = {
     "    if none is left: return NONE",                                // 5
     "return the polygon"                                               // 6
 };
-const char* const names[] = {"p", "q", "r", "s"};
 
 class Teller {
  public:
   Teller(const Ring<double, 2>& ring, const Box& box)
-      : original_(ring),
-        box_(box),
+      : box_(box),
         truth_(isect::clip(ring, box)),
         script_(
             {"Note, N01; Sutherland and Hodgman (1974)",
@@ -40,68 +38,25 @@ class Teller {
                          truth_.empty() ? "No part of it lies in the box."
                                         : fmt::format("The part in the box has {} vertices.", truth_.size())),
              pseudocode, "a polygon"}),
-        ring_(ring) {}
+        known_{ring, box, ring} {}
 
   Walk tell() {
-    script_.value("vertices", static_cast<double>(ring_.size()));
+    script_.value("vertices", static_cast<double>(known_.ring.size()));
     if (!trivial()) {
       add_sides();
       tally() = {};
       for (const int axis : {0, 1})
         for (const bool upper : {false, true})
-          if (!ring_.empty()) cut({axis, upper});
+          if (!known_.ring.empty()) cut({axis, upper});
     }
     end();
     return std::move(script_.walk());
   }
 
  private:
-  /// The ring before a cut, what each vertex's side is, and the ring after it.
-  struct Cut {
-    Side side;
-    Ring<double, 2> before;
-    std::vector<int> signs;
-    Ring<double, 2> fresh;
-  };
-
-  static bool among(const Ring<double, 2>& ring, const Point<double, 2>& p) {
-    return std::ranges::find(ring, p) != ring.end();
-  }
-
-  Scene picture(const Cut* cut = nullptr) const {
-    Scene scene;
-    scene.items.emplace_back(region(box_));
-    if (cut || settled_)
-      scene.items.emplace_back(Chain{flat(cut ? cut->before : original_), true,
-                                     cut ? Role::first : Role::construction,
-                                     cut ? Pen::solid : Pen::construction});
-    Region rest;
-    rest.rings = {flat(ring_)}, rest.role = settled_ || cut ? Role::hit : Role::first;
-    rest.pen = settled_ ? Pen::thick : Pen::solid;
-    if (!ring_.empty()) scene.items.emplace_back(rest);
-    if (cut) {
-      add_side(cut->side, box_, scene);
-      for (std::size_t i = 0; i < cut->before.size(); ++i)
-        scene.items.emplace_back(Dot{flat(cut->before[i]), cut->signs[i] < 0 ? Mark::cross : Mark::disc,
-                                     cut->signs[i] < 0 ? Role::miss : Role::first});
-      for (const Point<double, 2>& x : cut->fresh)
-        scene.items.emplace_back(Dot{flat(x), Mark::ring, Role::hit});
-    } else {
-      for (const Point<double, 2>& x : ring_)
-        scene.items.emplace_back(
-            Dot{flat(x), Mark::disc, settled_ && !among(original_, x) ? Role::hit : Role::first});
-    }
-    for (std::size_t i = 0; i < original_.size(); ++i) {
-      if (!cut || among(cut->before, original_[i]))
-        scene.items.emplace_back(Label{flat(original_[i]), fmt::format("**{}**", names[i]), Role::first});
-      scene.handles.push_back({names[i], Handle::Kind::point, flat(original_[i]), Vec3::Zero(), Role::first});
-    }
-    return scene;
-  }
-
   bool trivial() {
     int all = ~0, any = 0;
-    for (const Point<double, 2>& v : ring_) {
+    for (const Point<double, 2>& v : known_.ring) {
       const int code = clip_segment::outcode(v, box_);
       all &= code, any |= code;
     }
@@ -114,7 +69,7 @@ class Teller {
         : all != 0 ? "All vertices lie beyond one and the same side, so the whole polygon does."
                    : "Some vertices lie outside, but not all beyond one side. So the polygon must be cut.");
     step.decides = true;
-    step.scene = picture();
+    step.scene = picture(known_);
     step.question = {"Is the answer known from comparisons alone?",
                      {"yes: all is kept", "yes: nothing is kept", "no"},
                      any == 0   ? 0
@@ -122,7 +77,7 @@ class Teller {
                                 : 2,
                      "Each vertex is compared with the four sides, and nothing is computed."};
     if (trivial_) script_.leave_early();
-    if (all != 0) ring_.clear();
+    if (all != 0) known_.ring.clear();
     return trivial_;
   }
 
@@ -131,7 +86,7 @@ class Teller {
         "sides", "Side after side", 2,
         "A box is what four half-planes have in common. So four simple cuts do the work of one hard one.\n"
         "Each takes the ring that the one before has left.");
-    step.scene = picture();
+    step.scene = picture(known_);
     const Point<double, 2>&lo = box_.lo, &hi = box_.hi;
     const double more = 0.625;
     for (const bool upper : {false, true}) {
@@ -144,9 +99,9 @@ class Teller {
   }
 
   void cut(const Side& side) {
-    Cut cut = {side, ring_, {}, {}};
+    Cut cut = {side, known_.ring, {}, {}};
     Ring<C, 2> wide;
-    for (const Point<double, 2>& v : ring_) wide.push_back(v.cast<C>());
+    for (const Point<double, 2>& v : known_.ring) wide.push_back(v.cast<C>());
     const Plane<double, 2> plane = half_plane(side, box_);
     Record<clip_polygon::Event<C, 2>> record;
     const Ring<C, 2> rest =
@@ -156,26 +111,26 @@ class Teller {
       if (const auto* e = std::get_if<clip_polygon::Crossing<C, 2>>(&event))
         cut.fresh.push_back({e->point[0].value, e->point[1].value});
     }
-    ring_.clear();
-    for (const Point<C, 2>& v : rest) ring_.push_back({v[0].value, v[1].value});
+    known_.ring.clear();
+    for (const Point<C, 2>& v : rest) known_.ring.push_back({v[0].value, v[1].value});
 
     const auto out = std::ranges::count_if(cut.signs, [](int sign) { return sign < 0; });
     script_.count(tally());
-    script_.value("vertices", static_cast<double>(ring_.size()));
+    script_.value("vertices", static_cast<double>(known_.ring.size()));
     script_.value("removed", static_cast<double>(out), {}, Role::miss);
     script_.value("new", static_cast<double>(cut.fresh.size()), {}, Role::hit);
-    Step& step = script_.add(
-        std::string("side-") + (side.upper ? "upper-" : "lower-") + "xy"[side.axis],
-        "Cut at " + name_of(side), line_of(cut), caption(out, cut),
-        fmt::format("{} − {} + {} = {} vertices", cut.before.size(), out, cut.fresh.size(), ring_.size()));
+    Step& step = script_.add(std::string("side-") + (side.upper ? "upper-" : "lower-") + "xy"[side.axis],
+                             "Cut at " + name_of(side), line_of(cut), caption(out, cut),
+                             fmt::format("{} − {} + {} = {} vertices", cut.before.size(), out,
+                                         cut.fresh.size(), known_.ring.size()));
     step.decides = true;
-    step.scene = picture(&cut);
+    step.scene = picture(known_, &cut);
     step.question = {"How many vertices are left after this side?",
                      {},
                      0,
                      "Old ones beyond go, and each edge that "
                      "crosses the side gives a new one."};
-    choices(*step.question, static_cast<int>(cut.before.size()), static_cast<int>(ring_.size()));
+    choices(*step.question, static_cast<int>(cut.before.size()), static_cast<int>(known_.ring.size()));
   }
 
   /// The true count among its neighbours, smallest first.
@@ -192,10 +147,10 @@ class Teller {
     }
   }
 
-  int line_of(const Cut& cut) const { return ring_.empty() ? 5 : cut.fresh.empty() ? 3 : 4; }
+  int line_of(const Cut& cut) const { return known_.ring.empty() ? 5 : cut.fresh.empty() ? 3 : 4; }
 
   std::string caption(std::int64_t out, const Cut& cut) const {
-    if (ring_.empty()) return "All that was left lies beyond this side. Nothing remains.";
+    if (known_.ring.empty()) return "All that was left lies beyond this side. Nothing remains.";
     if (out == 0) return "No vertex lies beyond this side, so it cuts nothing off.";
     if (cut.fresh.empty())
       return "The vertices beyond go. No edge passes strictly from one side to the other, so there is no new "
@@ -205,8 +160,8 @@ class Teller {
   }
 
   void end() {
-    settled_ = true;
-    if (ring_.empty() == truth_.empty()) ring_ = truth_;
+    known_.settled = true;
+    if (known_.ring.empty() == truth_.empty()) known_.ring = truth_;
     Ring<double, 2> different;
     for (const Point<double, 2>& v : truth_)
       if (!among(different, v)) different.push_back(v);
@@ -220,7 +175,7 @@ class Teller {
                             : fmt::format("kept: {} vertices", n));
     const int line = trivial_ ? script_.walk().steps.back().line : truth_.empty() ? 5 : 6;
     script_.add("kept", truth_.empty() ? "Nothing is kept" : "What is kept", line, end_caption(n)).scene =
-        picture();
+        picture(known_);
   }
 
   std::string end_caption(std::size_t n) const {
@@ -232,20 +187,19 @@ class Teller {
       return "The polygon touches the box, and the sets are closed. What they share has no area.\n"
              "Whoever draws areas may drop it. Whoever asks for contact must not.";
     if (trivial_) return "No edge was cut, so the polygon is kept as it is.";
-    if (!make_convex(original_))
+    if (!make_convex(known_.original))
       return "The polygon is not convex, so what is kept may fall into parts.\n"
              "The method returns one ring. Its parts then hang together by edges along the side.";
     return fmt::format(
         "A convex polygon of {} vertices and four sides: at most {} vertices can be left, here {}.",
-        original_.size(), original_.size() + 4, n);
+        known_.original.size(), known_.original.size() + 4, n);
   }
 
-  const Ring<double, 2> original_;
   const Box box_;
   const Ring<double, 2> truth_;
   Script script_;
-  Ring<double, 2> ring_;
-  bool trivial_ = false, settled_ = false;
+  Rest known_;
+  bool trivial_ = false;
 };
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/clip_segment.h"
-#include "lessons/clipping/methods.h"
+#include "lessons/clipping/pictures.h"
 #include "lessons/script.h"
 
 namespace isect::lessons::clipping_lesson {
@@ -31,15 +31,15 @@ const std::vector<std::string> pseudocode = {
 class Teller {
  public:
   Teller(const Segment<double, 2>& segment, const Box& box)
-      : s_(segment),
-        box_(box),
+      : box_(box),
         truth_(isect::clip(segment, box)),
-        script_({"Note, N01; Liang and Barsky (1984)", alt(), pseudocode, "a segment"}) {}
+        script_({"Note, N01; Liang and Barsky (1984)", alt(), pseudocode, "a segment"}),
+        known_{segment, box} {}
 
   Walk tell() {
     script_.tell<clip_segment::LiangBarskyEvent<C>>(
         [&](auto& record) {
-          found_ = clip_segment::liang_barsky(cast<C>(s_), cast<C>(box_), record).has_value();
+          found_ = clip_segment::liang_barsky(cast<C>(known_.segment), cast<C>(box_), record).has_value();
         },
         [&](const auto& event) { say(event); });
     end();
@@ -52,57 +52,6 @@ class Teller {
            (!truth_                    ? "No part of the segment lies in the box."
             : truth_->lo == truth_->hi ? "They share one point."
                                        : "The part of the segment in the box is drawn thick.");
-  }
-
-  Point<double, 2> at(double t) const { return s_.p + t * (s_.q - s_.p); }
-
-  void add_line(Scene& scene, const Side* side, const double* crossing) const {
-    const auto line = [&](double from, double to, Role role, Pen pen) {
-      if (from < to) scene.items.emplace_back(Line{flat(at(from)), flat(at(to)), role, pen});
-    };
-    line(0, left_ ? 1 : range_.lo, Role::construction, Pen::construction);
-    line(range_.hi, left_ ? range_.hi : 1, Role::construction, Pen::construction);
-    if (!left_)
-      line(range_.lo, range_.hi, settled_ ? Role::hit : Role::first, settled_ ? Pen::thick : Pen::solid);
-    if (side) add_side(*side, box_, scene);
-    if (crossing && -0.25 <= *crossing && *crossing <= 1.25) {
-      line(*crossing, 0, Role::construction, Pen::construction);
-      line(1, *crossing, Role::construction, Pen::construction);
-      const bool new_end = !left_ && (*crossing == range_.lo || *crossing == range_.hi);
-      scene.items.emplace_back(Dot{flat(at(*crossing)), new_end ? Mark::disc : Mark::uncounted,
-                                   new_end ? Role::hit : Role::construction});
-      scene.items.emplace_back(Label{flat(at(*crossing)), "*t*", Role::text});
-    }
-  }
-
-  Scene picture(const Side* side = nullptr, const double* crossing = nullptr) const {
-    Scene scene;
-    scene.items.emplace_back(region(box_));
-    add_line(scene, side, crossing);
-    if (settled_ && !left_ && truth_->lo == truth_->hi)
-      scene.items.emplace_back(Dot{flat(at(truth_->lo)), Mark::diamond, Role::highlight});
-    for (const auto& [point, name] : {std::pair{s_.p, "p"}, {s_.q, "q"}}) {
-      scene.items.emplace_back(Dot{flat(point), Mark::disc, Role::first});
-      scene.items.emplace_back(Label{flat(point), fmt::format("**{}**", name), Role::first});
-      scene.handles.push_back({name, Handle::Kind::point, flat(point), Vec3::Zero(), Role::first});
-    }
-    scene.axis = axis(crossing);
-    return scene;
-  }
-
-  Axis axis(const double* crossing) const {
-    Axis axis;
-    axis.lo = -0.25, axis.hi = 1.25;
-    if (!left_ && started_) axis.shared = Vec2(range_.lo, range_.hi);
-    if (!left_ && started_) {
-      axis.ticks.push_back(
-          {range_.lo, Mark::disc, Role::hit, range_.lo == range_.hi ? "*t*_{in} = *t*_{out}" : "*t*_{in}"});
-      if (range_.lo != range_.hi) axis.ticks.push_back({range_.hi, Mark::ring, Role::hit, "*t*_{out}"});
-    }
-    const bool apart = crossing && *crossing != range_.lo && *crossing != range_.hi;
-    if (crossing && (apart || left_) && axis.lo <= *crossing && *crossing <= axis.hi)
-      axis.ticks.push_back({*crossing, Mark::uncounted, Role::construction, "*t*"});
-    return axis;
   }
 
   Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption,
@@ -124,7 +73,7 @@ class Teller {
             : "The ends do not both lie in the box, nor both beyond one side. Only now is there a need to "
               "compute.");
     step.decides = true;
-    step.scene = picture();
+    step.scene = picture(known_);
     step.question = {"Is the answer known from comparisons alone?",
                      {"yes: all is kept", "yes: nothing is kept", "no"},
                      inside   ? 0
@@ -135,38 +84,38 @@ class Teller {
     if (trivial_) script_.leave_early();
     if (trivial_) return;
 
-    started_ = true;
+    known_.started = true;
     script_.value("*t*_{in}", 0, "t");
     script_.value("*t*_{out}", 1, "t");
     Step& begin = add("range", "The range of *t*", 2,
                       "The segment is **p** + *t* **d** with 0 ≤ *t* ≤ 1, where **d** = **q** − **p**.\n"
                       "Each side of the box will cut this range. What is left at the end lies in the box.",
                       "[*t*_{in}, *t*_{out}] = [0, 1]");
-    begin.scene = picture();
+    begin.scene = picture(known_);
   }
 
   void say(const clip_segment::Narrowed<C>& e) {
     const Side side = {e.axis, e.upper};
     const double t = e.t.value;
-    const Interval<double> before = std::exchange(range_, {e.range.lo.value, e.range.hi.value});
-    const bool narrowed = !(before == range_);
-    left_ = !e.holds;
-    if (e.heading > 0 && narrowed) script_.value("*t*_{in}", range_.lo, "t", Role::hit);
-    if (e.heading < 0 && narrowed) script_.value("*t*_{out}", range_.hi, "t", Role::hit);
-    if (left_) script_.leave_early();
-    Step& step =
-        add(std::string("side-") + (e.upper ? "upper-" : "lower-") + "xy"[e.axis], title(e.heading, side),
-            left_ && e.heading != 0 ? 7 : line_of(e.heading, narrowed), caption(e.heading, narrowed, side),
-            e.heading == 0
-                ? "**n** · **d** = 0"
-                : fmt::format("*t* = {},  range [{}, {}]", shown(t), shown(range_.lo), shown(range_.hi)));
-    step.scene = picture(&side, e.heading == 0 ? nullptr : &t);
+    const Interval<double> before = std::exchange(known_.range, {e.range.lo.value, e.range.hi.value});
+    const bool narrowed = !(before == known_.range);
+    known_.left = !e.holds;
+    if (e.heading > 0 && narrowed) script_.value("*t*_{in}", known_.range.lo, "t", Role::hit);
+    if (e.heading < 0 && narrowed) script_.value("*t*_{out}", known_.range.hi, "t", Role::hit);
+    if (known_.left) script_.leave_early();
+    Step& step = add(std::string("side-") + (e.upper ? "upper-" : "lower-") + "xy"[e.axis],
+                     title(e.heading, side), known_.left && e.heading != 0 ? 7 : line_of(e.heading, narrowed),
+                     caption(e.heading, narrowed, side),
+                     e.heading == 0 ? "**n** · **d** = 0"
+                                    : fmt::format("*t* = {},  range [{}, {}]", shown(t),
+                                                  shown(known_.range.lo), shown(known_.range.hi)));
+    step.scene = picture(known_, &side, e.heading == 0 ? nullptr : &t);
     if (e.heading != 0)
-      Script::decide(step, {"*t*_{in} ≤ *t*_{out}", range_.lo, range_.hi, e.holds,
+      Script::decide(step, {"*t*_{in} ≤ *t*_{out}", known_.range.lo, known_.range.hi, e.holds,
                             e.holds ? "something is left" : "nothing is left"});
     step.question = {"What does this side do to the range?",
                      {"it cuts its beginning", "it cuts its end", "nothing", "it leaves nothing"},
-                     left_           ? 3
+                     known_.left     ? 3
                      : !narrowed     ? 2
                      : e.heading > 0 ? 0
                                      : 1,
@@ -187,9 +136,9 @@ class Teller {
 
   std::string caption(int heading, bool narrowed, const Side& side) const {
     if (heading == 0)
-      return left_ ? "The line runs along this side, and beyond it: nothing is left."
-                   : "The line runs along this side, and not beyond it. The side cuts nothing off.";
-    if (left_)
+      return known_.left ? "The line runs along this side, and beyond it: nothing is left."
+                         : "The line runs along this side, and not beyond it. The side cuts nothing off.";
+    if (known_.left)
       return "The line leaves one side before it has entered the other. No *t* lies within both: nothing is "
              "left.";
     const std::string way = heading > 0
@@ -202,29 +151,32 @@ class Teller {
   }
 
   std::string because(int heading, bool narrowed) const {
-    if (heading == 0) return left_ ? "Every point lies beyond the side." : "No point lies beyond the side.";
-    if (left_) return "The last entry comes after the first exit.";
+    if (heading == 0)
+      return known_.left ? "Every point lies beyond the side." : "No point lies beyond the side.";
+    if (known_.left) return "The last entry comes after the first exit.";
     if (!narrowed) return "This crossing lies outside the range that is left.";
     return heading > 0 ? "**n** · **d** > 0: the line comes in here."
                        : "**n** · **d** < 0: the line goes out here.";
   }
 
   void end() {
-    settled_ = true, left_ = !truth_, started_ = true;
-    range_ = truth_.value_or(Interval<double>{0, 0});
+    known_.settled = true, known_.left = !truth_, known_.started = true;
+    known_.range = truth_.value_or(Interval<double>{0, 0});
     const bool one = truth_ && truth_->lo == truth_->hi;
-    script_.settle(!truth_                              ? Verdict::Kind::no
-                   : one || runs_along_a_side(s_, box_) ? Verdict::Kind::on
-                                                        : Verdict::Kind::yes,
-                   !truth_ ? "nothing is kept"
-                   : one   ? "one point is kept: *t* = " + shown(range_.lo)
-                           : fmt::format("kept: *t* from {} to {}", shown(range_.lo), shown(range_.hi)));
+    script_.settle(
+        !truth_                                          ? Verdict::Kind::no
+        : one || runs_along_a_side(known_.segment, box_) ? Verdict::Kind::on
+                                                         : Verdict::Kind::yes,
+        !truth_ ? "nothing is kept"
+        : one   ? "one point is kept: *t* = " + shown(known_.range.lo)
+                : fmt::format("kept: *t* from {} to {}", shown(known_.range.lo), shown(known_.range.hi)));
     const int last = script_.walk().steps.back().line;
     const int line = trivial_ || !truth_ ? last : 8;
     add("kept", truth_ ? "What is kept" : "Nothing is kept", line, end_caption(one),
-        truth_ && !one ? fmt::format("**p** + *t* **d**,  {} ≤ *t* ≤ {}", shown(range_.lo), shown(range_.hi))
-                       : "")
-        .scene = picture();
+        truth_ && !one
+            ? fmt::format("**p** + *t* **d**,  {} ≤ *t* ≤ {}", shown(known_.range.lo), shown(known_.range.hi))
+            : "")
+        .scene = picture(known_);
   }
 
   std::string end_caption(bool one) const {
@@ -238,20 +190,18 @@ class Teller {
     if (one)
       return "Last entry and first exit are the same *t*: the segment touches the box at a corner.\n"
              "The sets are closed, so touching counts, and the part kept is a point.";
-    if (runs_along_a_side(s_, box_))
+    if (runs_along_a_side(known_.segment, box_))
       return "The part kept lies in a side. The sets are closed, so the boundary belongs to the box.";
     if (trivial_) return "No side was crossed, so there was nothing to divide: the segment is kept as it is.";
     return "The part kept runs from the last entry to the first exit.\n"
            "The new ends are **p** + *t* **d** with these two *t*: one formula for all cases.";
   }
 
-  const Segment<double, 2> s_;
   const Box box_;
   const std::optional<Interval<double>> truth_;
   Script script_;
-  Interval<double> range_ = {0, 1};
-  bool found_ = false, started_ = false, trivial_ = false, settled_ = false;
-  bool left_ = false;  ///< nothing of the range is left
+  Narrowing known_;
+  bool found_ = false, trivial_ = false;
 };
 
 }  // namespace
