@@ -9,7 +9,7 @@
 #include "core/clip_polygon.h"
 #include "core/clip_segment.h"
 #include "core/point_sphere.h"
-#include "lessons/culling/view.h"
+#include "lessons/culling/culled.h"
 #include "lessons/lessons.h"
 #include "lessons/picking/objects.h"
 #include "lessons/ray_tracing/tracer.h"
@@ -194,6 +194,22 @@ TEST_CASE("beyond an edge no plane rejects a box that has no point of the frustu
   CHECK(map.branches[static_cast<std::size_t>(map.branch(p))] == "crossing in vain");
   CHECK(lessons::culling_lesson::meet({{0, 0, 0}, {1, 1, 1}}, view));
   CHECK(lessons::culling_lesson::meet({{-9, -9, -9}, {9, 9, 9}}, view));
+}
+
+TEST_CASE("under a hierarchy the same boxes are drawn as one by one", "[culling lesson]") {
+  const Vec3 eye = {-4, 0, 0};
+  const Frustum<double> view = lessons::culling_lesson::frustum(eye);
+  for (const int n : {16, 256, 4096}) {
+    const auto boxes = lessons::culling_lesson::many(n, eye);
+    const auto found = lessons::culling_lesson::culled(build_bvh(boxes), boxes, view);
+    std::vector<int> drawn = found.drawn, expected;
+    std::ranges::sort(drawn);
+    for (int i = 0; i < n; ++i)
+      if (cull(boxes[static_cast<std::size_t>(i)], view) != Culling::outside) expected.push_back(i);
+    CHECK(drawn == expected);
+    CHECK_FALSE(expected.empty());
+    if (n > 16) CHECK(found.tests < n / 2);
+  }
 }
 
 TEST_CASE("the first plane that rejects a volume ends its test", "[culling lesson]") {
