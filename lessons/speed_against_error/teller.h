@@ -19,6 +19,7 @@ class Teller {
 
  private:
   using Rows = std::vector<const bench::Row*>;
+  enum Line { time_line, judge_line, front_line, hard_line, wrong_line, cost_line, choose_line };
 
   Rows of(const std::string& family) const;
   const bench::Row& naive(const std::string& family) const;
@@ -29,11 +30,14 @@ class Teller {
   void values(const std::string& family);
   void show(viz::Step&, viz::Chart) const;
 
+  // ordinary.cpp
   void axes();
   void methods();
   void front();
+  // hard.cpp
   void hard_family(const std::string& family, bool first);
   void fall();
+  // cost.cpp
   void cost();
   void fallback();
   void choose();

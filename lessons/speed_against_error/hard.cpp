@@ -1,0 +1,101 @@
+// The hard families: how far the methods err on each, and where their verdicts are wrong.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bench/prose.h"
+#include "bench/report_text.h"
+#include "bench/rows.h"
+#include "lessons/speed_against_error/teller.h"
+
+namespace isect::lessons::speed_lesson {
+
+using namespace viz;
+using namespace bench;
+
+namespace {
+
+/// The only element with the greatest value, or none where two share it.
+template <class List, class Value>
+std::optional<std::size_t> only_greatest(const List& list, const Value& value) {
+  if (list.empty()) return {};
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < list.size(); ++i)
+    if (value(*list[i]) > value(*list[best])) best = i;
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (i != best && !(value(*list[i]) < value(*list[best]))) return {};
+  return best;
+}
+
+}  // namespace
+
+void Teller::hard_family(const std::string& family, bool first) {
+  values(family);
+  const std::string note = family_note(test_, family);
+  std::string text =
+      note.empty() ? fmt::format("A family made to break naive methods: {}.", words(family)) : sentence(note);
+  text += fmt::format("\n{}: {}. The exact call: {}, in {} ns.", sentence(name_of(naive(family))),
+                      error_text(naive(family)), error_text(exact(family)), number(exact(family).ns));
+  if (by_value_ && naive(family).wrong() > 0)
+    text += fmt::format(
+        " Besides, {} of the verdicts of {} are wrong.",
+        share(static_cast<double>(naive(family).wrong()), static_cast<double>(naive(family).judged)),
+        name_of(naive(family)));
+  Plot p = plot({ordinary_, family});
+  for (Panel& panel : p.panels) panel.muted = panel.title != as_markup(words(family));
+  std::string slug = words(family);
+  std::ranges::transform(slug, slug.begin(), [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) ? static_cast<char>(std::tolower(c)) : '-';
+  });
+  Step& step = script_.add(slug, sentence(words(family)), hard_line, text);
+  show(step, {p});
+  if (!first) return;
+
+  const Rows rows = of(family);
+  const auto greatest =
+      only_greatest(rows, [&](const Row& r) { return by_value_ ? bits(error(r)) : error(r); });
+  if (!greatest || rows.size() < 3) return;
+  Question q = {fmt::format("Which method errs most on the family “{}”?", words(family)), {}, 0, ""};
+  for (std::size_t i = 0; i < rows.size() && q.choices.size() < 4; ++i) {
+    const bool room = q.choices.size() < 3 || i >= *greatest;
+    if (i == *greatest) q.answer = static_cast<int>(q.choices.size());
+    if (room) q.choices.push_back(name_of(*rows[i]));
+  }
+  if (q.answer >= static_cast<int>(q.choices.size()) ||
+      q.choices[static_cast<std::size_t>(q.answer)] != name_of(*rows[*greatest]))
+    return;
+  q.because = fmt::format("{}: {}.", sentence(name_of(*rows[*greatest])), error_text(*rows[*greatest]));
+  step.question = q;
+}
+
+void Teller::fall() {
+  const Row* worst = nullptr;
+  for (const Row* r : rows_)
+    if (r->wrong() > 0 && (worst == nullptr || r->wrong_per_million() > worst->wrong_per_million()))
+      worst = r;
+  if (worst == nullptr) return;
+  long wrong = 0, judged = 0;
+  for (const Row* r : rows_)
+    if (r->exact && r->library == "isect") wrong += r->wrong(), judged += r->judged;
+  std::vector<std::string> families = {
+      ordinary_};  // and the three on which the naive method is wrong most often
+  Rows rows;
+  for (const std::string& family : families_of(rows_))
+    if (const Row* r = standard_of(of(family)); r != nullptr && r->hard) rows.push_back(r);
+  std::ranges::stable_sort(rows, std::greater{}, &Row::wrong_per_million);
+  for (const Row* r : rows)
+    if (families.size() < 4) families.push_back(r->family);
+  const Plotted plotted = verdict_plot(report_, test_, "double", families);
+  Step& step =
+      script_.add("wrong-verdicts", "Where naive methods fall", wrong_line,
+                  fmt::format("A wrong verdict is worse than lost bits: yes became no. {} does worst on {}: "
+                              "{} of its verdicts are wrong.\n"
+                              "Exact calls were wrong {} times in {}.",
+                              sentence(name_of(*worst)), words(worst->family),
+                              share(static_cast<double>(worst->wrong()), static_cast<double>(worst->judged)),
+                              wrong, count(judged)));
+  show(step, plotted.chart);
+}
+
+}  // namespace isect::lessons::speed_lesson

@@ -1,0 +1,84 @@
+// The ordinary cases: what the axes mean, how all methods do, and which of them nothing beats.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bench/prose.h"
+#include "bench/rows.h"
+#include "lessons/speed_against_error/teller.h"
+
+namespace isect::lessons::speed_lesson {
+
+using namespace viz;
+using namespace bench;
+
+void Teller::axes() {
+  Plot p = plot({ordinary_});
+  const std::string name = name_of(naive(ordinary_));
+  const auto series = std::ranges::find_if(p.series, [&](const Series& s) { return s.name == name; });
+  const int index = static_cast<int>(series - p.series.begin());
+  for (Panel& panel : p.panels) {
+    std::erase_if(panel.spots, [&](const Spot& s) { return s.series != index; });
+    for (Spot& s : panel.spots) s.front = false;
+  }
+  values(ordinary_);
+  show(script_.add("axes", "Time across, error up", time_line,
+                   fmt::format("One marker is one method: here {}, which takes {} ns a call. Further right "
+                               "is slower. {}\nThe time is the "
+                               "least of several passes over {} different cases.",
+                               name, number(naive(ordinary_).ns),
+                               by_value_ ? "Higher up, its value is further off. The marker stands at the "
+                                           "99th percentile, the bar reaches down to the median."
+                                         : "Higher up, more of its verdicts are wrong.",
+                               count(naive(ordinary_).cases))),
+       {p});
+}
+
+void Teller::methods() {
+  Plot p = plot({ordinary_});
+  for (Panel& panel : p.panels)
+    for (Spot& s : panel.spots) s.front = false;
+  const Rows rows = of(ordinary_);
+  const Row* fastest = *std::ranges::min_element(rows, {}, &Row::ns);
+  show(script_.add(
+           "ordinary", "Ordinary cases", judge_line,
+           fmt::format("All {} methods on the same ordinary cases, judged by an exact oracle. The fastest is "
+                       "{}, at {} ns. The exact call takes {} ns.\n{}",
+                       rows.size(), name_of(*fastest), number(fastest->ns), number(exact(ordinary_).ns),
+                       by_value_
+                           ? fmt::format("Up to the 99th percentile {} errs by {}, the exact call by {}.",
+                                         name_of(naive(ordinary_)), error_text(naive(ordinary_)),
+                                         error_text(exact(ordinary_)))
+                           : fmt::format("{}: {}.", sentence(name_of(naive(ordinary_))),
+                                         error_text(naive(ordinary_))))),
+       {p});
+}
+
+void Teller::front() {
+  const Rows rows = of(ordinary_), front = front_of(rows, by_value_);
+  std::vector<std::string> names;
+  for (const Row* r : front) names.push_back(name_of(*r));
+  Step& step = script_.add(
+      "front", "What nothing beats", front_line,
+      fmt::format(
+          "Steps join the methods on the front. No other is both as fast and as accurate. What lies on the "
+          "tinted side is beaten.\nOn the front here: {}.",
+          listed(names)));
+  show(step, {plot({ordinary_})});
+
+  Question q = {"Which of these does no other method beat in both time and error?", {}, 0, ""};
+  for (const Row* r : rows) {
+    if (std::ranges::find(front, r) != front.end() || q.choices.size() > 2) continue;
+    q.choices.push_back(name_of(*r));
+  }
+  if (q.choices.empty()) return;
+  q.answer = static_cast<int>(q.choices.size() / 2);
+  q.choices.insert(q.choices.begin() + q.answer, name_of(*front.front()));
+  q.because =
+      fmt::format("{} takes {} ns, with {}. Each of the others is beaten by some method.",
+                  sentence(name_of(*front.front())), number(front.front()->ns), error_text(*front.front()));
+  step.question = q;
+}
+
+}  // namespace isect::lessons::speed_lesson
