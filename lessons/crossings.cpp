@@ -1,7 +1,7 @@
 // Crossings: a point in a polygon (N22), every special case, by the half-open rule and by the closed one that fails.
 //
-// The situations stand in crossings/situations, the picture in crossings/picture, the steps of both rules in
-// crossings/rules.
+// The situations stand in crossings/situations, the picture in crossings/picture, the steps of the rules in
+// crossings/half_open and crossings/closed.
 
 #include "core/point_polygon_methods.h"
 #include "lessons/crossings/rules.h"

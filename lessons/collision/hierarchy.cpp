@@ -1,0 +1,68 @@
+// Pairs by a hierarchy of boxes: what misses a node misses all that is in it.
+
+#include <fmt/format.h>
+
+#include "core/bvh_pairs.h"
+#include "lessons/collision/teller.h"
+
+namespace isect::lessons::collision_lesson {
+
+using namespace viz;
+
+namespace {
+
+class Hierarchy : Teller {
+ public:
+  explicit Hierarchy(const Boxes& boxes)
+      : Teller(boxes, "hierarchy",
+               {"build a hierarchy of boxes",                   // 0
+                "for two nodes a, b",                           // 1
+                "    if their boxes are apart: prune",          // 2
+                "    if both are leaves: test what they hold",  // 3
+                "    else open the larger one"}) {}             // 4
+
+  Walk tell() {
+    using namespace bvh_pairs;
+    const Bvh<double, 2> bvh = build_bvh(boxes_);
+    for (const BvhNode<double, 2>& node : bvh.nodes) drawn_.nodes.push_back(node.box);
+    add("build", "Boxes in boxes", 0,
+        "Each node's box holds all boxes below it. What misses a node misses them all.");
+    drawn_.nodes.clear();
+    Record<bvh_pairs::Event> record;
+    report_pairs(
+        bvh, boxes_, [](int, int) {}, record);
+    int number = 0;
+    for (const auto& event : record.events) {
+      drawn_.i = drawn_.j = -1;
+      if (const auto* e = std::get_if<Pruned>(&event)) {
+        drawn_.compared = {bvh.nodes[static_cast<std::size_t>(e->a)].box,
+                           bvh.nodes[static_cast<std::size_t>(e->b)].box};
+        script_.value("tests", ++tests_);
+        add(fmt::format("prune-{}", ++number), "Two nodes apart", 2,
+            "Their boxes share no point: one test rules out all pairs between them.")
+            .decides = true;
+      }
+      if (const auto* e = std::get_if<Visited>(&event)) {
+        drawn_.compared = {bvh.nodes[static_cast<std::size_t>(e->a)].box,
+                           bvh.nodes[static_cast<std::size_t>(e->b)].box};
+        script_.value("tests", ++tests_);
+        const bool leaves = bvh.nodes[static_cast<std::size_t>(e->a)].leaf() &&
+                            bvh.nodes[static_cast<std::size_t>(e->b)].leaf();
+        add(fmt::format("visit-{}", ++number), "Two nodes overlap", leaves ? 3 : 4,
+            leaves ? "Both are leaves: the boxes in them are tested."
+                   : "Their boxes overlap, so the larger one is opened.");
+      }
+      if (const auto* e = std::get_if<Tested>(&event))
+        tested(std::min(e->i, e->j), std::max(e->i, e->j), e->meet, 3, 3);
+    }
+    drawn_.compared.clear();
+    total(1, "Six boxes are too few to gain from a hierarchy. A thousand are not.");
+    return std::move(script_.walk());
+  }
+};
+
+}  // namespace
+
+Walk hierarchy(const Boxes& boxes) { return Hierarchy(boxes).tell(); }
+
+}  // namespace isect::lessons::collision_lesson

@@ -1,0 +1,80 @@
+// Sweep and prune: only boxes that a sweeping plane cuts together are tested.
+
+#include <fmt/format.h>
+
+#include "core/all_pairs.h"
+#include "lessons/collision/teller.h"
+
+namespace isect::lessons::collision_lesson {
+
+using namespace viz;
+
+namespace {
+
+class Sweep : Teller {
+ public:
+  explicit Sweep(const Boxes& boxes)
+      : Teller(boxes, "sweep and prune",
+               {"sort the boxes by their lower ends",                      // 0
+                "for each box b",                                          // 1
+                "    remove what ended before b begins",                   // 2
+                "    for each active a: if a and b overlap: report a, b",  // 3
+                "    add b to the active boxes"}) {}                       // 4
+
+  Walk tell() {
+    Record<all_pairs::Event<2>> record;
+    all_pairs::sweep_and_prune(
+        boxes_, [](int, int) {}, record);
+    int box = 0;
+    for (const auto& event : record.events) {
+      if (const auto* e = std::get_if<all_pairs::Axis>(&event)) axis_ = e->axis, begin();
+      if (const auto* e = std::get_if<all_pairs::Leaves>(&event))
+        std::erase(drawn_.active, e->box), left_.push_back(e->box);
+      if (const auto* e = std::get_if<all_pairs::Tested>(&event)) {
+        enter(box);
+        tested(e->i, e->j, e->overlap, 3, 3);
+      }
+      if (const auto* e = std::get_if<all_pairs::Enters>(&event)) {
+        enter(box);
+        box = e->box, fresh_ = true;
+      }
+    }
+    enter(box);
+    total(1, "Only boxes that the plane cuts together are tested.");
+    return std::move(script_.walk());
+  }
+
+ private:
+  void begin() {
+    add("sort", "Sort along an axis", 0,
+        axis_ == 0 ? "A plane will sweep to the right. Boxes that it never cuts together cannot overlap."
+                   : "The boxes spread most along *y*, so the sweep runs along it.");
+    drawn_.sweeping = axis_ == 0;
+  }
+
+  /// The plane reaches a box; told after what it leaves.
+  void enter(int box) {
+    if (!fresh_) return;
+    fresh_ = false;
+    drawn_.i = drawn_.j = -1;
+    drawn_.sweep = boxes_[static_cast<std::size_t>(box)].lo[axis_];
+    drawn_.active.push_back(box);
+    std::string gone;
+    for (const int k : left_) gone += fmt::format("{}{}", gone.empty() ? "" : ", ", k);
+    left_.clear();
+    script_.value("active", static_cast<double>(drawn_.active.size()));
+    add(fmt::format("enter-{}", box), fmt::format("Box {} begins", box), gone.empty() ? 4 : 2,
+        fmt::format("The plane cuts {} box{} now.{}", drawn_.active.size(),
+                    drawn_.active.size() == 1 ? "" : "es", gone.empty() ? "" : " It has left " + gone + "."));
+  }
+
+  int axis_ = 0;
+  bool fresh_ = false;
+  std::vector<int> left_;
+};
+
+}  // namespace
+
+Walk sweep(const Boxes& boxes) { return Sweep(boxes).tell(); }
+
+}  // namespace isect::lessons::collision_lesson
