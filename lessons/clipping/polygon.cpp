@@ -1,19 +1,16 @@
-// A polygon against a box: one side after the other, each cutting what the ones before have left.
+// A polygon against a box: what comparisons tell, the sides in turn, and what is kept in the end.
+
+#include "lessons/clipping/polygon.h"
 
 #include <fmt/format.h>
-
-#include <algorithm>
 
 #include "core/clip_polygon.h"
 #include "core/clip_segment.h"
 #include "core/point_convex_polygon.h"
-#include "lessons/clipping/pictures.h"
-#include "lessons/script.h"
 
 namespace isect::lessons::clipping_lesson {
 
 using namespace viz;
-using C = Counted<double>;
 
 namespace {
 
@@ -27,183 +24,112 @@ const std::vector<std::string> pseudocode = {
     "return the polygon"                                               // 6
 };
 
-class Teller {
- public:
-  Teller(const Ring<double, 2>& ring, const Box& box)
-      : box_(box),
-        truth_(isect::clip(ring, box)),
-        script_(
-            {"Note, N01; Sutherland and Hodgman (1974)",
-             fmt::format("A polygon of {} vertices and a box. {}", ring.size(),
-                         truth_.empty() ? "No part of it lies in the box."
-                                        : fmt::format("The part in the box has {} vertices.", truth_.size())),
-             pseudocode, "a polygon"}),
-        known_{ring, box, ring} {}
-
-  Walk tell() {
-    script_.value("vertices", static_cast<double>(known_.ring.size()));
-    if (!trivial()) {
-      add_sides();
-      tally() = {};
-      for (const int axis : {0, 1})
-        for (const bool upper : {false, true})
-          if (!known_.ring.empty()) cut({axis, upper});
-    }
-    end();
-    return std::move(script_.walk());
-  }
-
- private:
-  bool trivial() {
-    int all = ~0, any = 0;
-    for (const Point<double, 2>& v : known_.ring) {
-      const int code = clip_segment::outcode(v, box_);
-      all &= code, any |= code;
-    }
-    trivial_ = any == 0 || all != 0;
-    if (any != 0) script_.refuse(0, {});
-    if (!trivial_) script_.refuse(1, {});
-    Step& step = script_.add(
-        "trivial", "A trivial answer?", any == 0 ? 0 : 1,
-        any == 0   ? "All vertices lie in the box. It is convex, so it holds the whole polygon."
-        : all != 0 ? "All vertices lie beyond one and the same side, so the whole polygon does."
-                   : "Some vertices lie outside, but not all beyond one side. So the polygon must be cut.");
-    step.decides = true;
-    step.scene = picture(known_);
-    step.question = {"Is the answer known from comparisons alone?",
-                     {"yes: all is kept", "yes: nothing is kept", "no"},
-                     any == 0   ? 0
-                     : all != 0 ? 1
-                                : 2,
-                     "Each vertex is compared with the four sides, and nothing is computed."};
-    if (trivial_) script_.leave_early();
-    if (all != 0) known_.ring.clear();
-    return trivial_;
-  }
-
-  void add_sides() {
-    Step& step = script_.add(
-        "sides", "Side after side", 2,
-        "A box is what four half-planes have in common. So four simple cuts do the work of one hard one.\n"
-        "Each takes the ring that the one before has left.");
-    step.scene = picture(known_);
-    const Point<double, 2>&lo = box_.lo, &hi = box_.hi;
-    const double more = 0.625;
-    for (const bool upper : {false, true}) {
-      const double x = upper ? hi.x() : lo.x(), y = upper ? hi.y() : lo.y();
-      step.scene.items.emplace_back(
-          Line{{x, lo.y() - more, 0}, {x, hi.y() + more, 0}, Role::construction, Pen::construction});
-      step.scene.items.emplace_back(
-          Line{{lo.x() - more, y, 0}, {hi.x() + more, y, 0}, Role::construction, Pen::construction});
-    }
-  }
-
-  void cut(const Side& side) {
-    Cut cut = {side, known_.ring, {}, {}};
-    Ring<C, 2> wide;
-    for (const Point<double, 2>& v : known_.ring) wide.push_back(v.cast<C>());
-    const Plane<double, 2> plane = half_plane(side, box_);
-    Record<clip_polygon::Event<C, 2>> record;
-    const Ring<C, 2> rest =
-        clip_polygon::sutherland_hodgman(wide, Plane<C, 2>{plane.normal.cast<C>(), C(plane.d)}, record);
-    for (const auto& event : record.events) {
-      if (const auto* e = std::get_if<clip_polygon::Side>(&event)) cut.signs.push_back(e->sign);
-      if (const auto* e = std::get_if<clip_polygon::Crossing<C, 2>>(&event))
-        cut.fresh.push_back({e->point[0].value, e->point[1].value});
-    }
-    known_.ring.clear();
-    for (const Point<C, 2>& v : rest) known_.ring.push_back({v[0].value, v[1].value});
-
-    const auto out = std::ranges::count_if(cut.signs, [](int sign) { return sign < 0; });
-    script_.count(tally());
-    script_.value("vertices", static_cast<double>(known_.ring.size()));
-    script_.value("removed", static_cast<double>(out), {}, Role::miss);
-    script_.value("new", static_cast<double>(cut.fresh.size()), {}, Role::hit);
-    Step& step = script_.add(std::string("side-") + (side.upper ? "upper-" : "lower-") + "xy"[side.axis],
-                             "Cut at " + name_of(side), line_of(cut), caption(out, cut),
-                             fmt::format("{} − {} + {} = {} vertices", cut.before.size(), out,
-                                         cut.fresh.size(), known_.ring.size()));
-    step.decides = true;
-    step.scene = picture(known_, &cut);
-    step.question = {"How many vertices are left after this side?",
-                     {},
-                     0,
-                     "Old ones beyond go, and each edge that "
-                     "crosses the side gives a new one."};
-    choices(*step.question, static_cast<int>(cut.before.size()), static_cast<int>(known_.ring.size()));
-  }
-
-  /// The true count among its neighbours, smallest first.
-  static void choices(Question& q, int before, int after) {
-    std::vector<int> numbers = {before, after};
-    for (int k = 1; numbers.size() < 4; ++k)
-      for (const int n : {after + k, after - k})
-        if (n >= 0 && numbers.size() < 4) numbers.push_back(n);
-    std::ranges::sort(numbers);
-    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-    for (const int n : numbers) {
-      if (n == after) q.answer = static_cast<int>(q.choices.size());
-      q.choices.push_back(std::to_string(n));
-    }
-  }
-
-  int line_of(const Cut& cut) const { return known_.ring.empty() ? 5 : cut.fresh.empty() ? 3 : 4; }
-
-  std::string caption(std::int64_t out, const Cut& cut) const {
-    if (known_.ring.empty()) return "All that was left lies beyond this side. Nothing remains.";
-    if (out == 0) return "No vertex lies beyond this side, so it cuts nothing off.";
-    if (cut.fresh.empty())
-      return "The vertices beyond go. No edge passes strictly from one side to the other, so there is no new "
-             "vertex.";
-    return "Walk around the ring. A vertex that is not beyond stays; one beyond goes (cross).\n"
-           "Where an edge passes from one side to the other, a new vertex (ring) is put in.";
-  }
-
-  void end() {
-    known_.settled = true;
-    if (known_.ring.empty() == truth_.empty()) known_.ring = truth_;
-    Ring<double, 2> different;
-    for (const Point<double, 2>& v : truth_)
-      if (!among(different, v)) different.push_back(v);
-    const std::size_t n = different.size();
-    script_.settle(n == 0  ? Verdict::Kind::no
-                   : n < 3 ? Verdict::Kind::on
-                           : Verdict::Kind::yes,
-                   n == 0   ? "nothing is kept"
-                   : n == 1 ? "one point is kept"
-                   : n == 2 ? "an edge is kept"
-                            : fmt::format("kept: {} vertices", n));
-    const int line = trivial_ ? script_.walk().steps.back().line : truth_.empty() ? 5 : 6;
-    script_.add("kept", truth_.empty() ? "Nothing is kept" : "What is kept", line, end_caption(n)).scene =
-        picture(known_);
-  }
-
-  std::string end_caption(std::size_t n) const {
-    if (n == 0)
-      return trivial_ ? "Comparisons were enough: no vertex was computed."
-                      : "No single side had all vertices beyond it, yet the polygon misses the box.\n"
-                        "The four cuts have found that out together.";
-    if (n < 3)
-      return "The polygon touches the box, and the sets are closed. What they share has no area.\n"
-             "Whoever draws areas may drop it. Whoever asks for contact must not.";
-    if (trivial_) return "No edge was cut, so the polygon is kept as it is.";
-    if (!make_convex(known_.original))
-      return "The polygon is not convex, so what is kept may fall into parts.\n"
-             "The method returns one ring. Its parts then hang together by edges along the side.";
-    return fmt::format(
-        "A convex polygon of {} vertices and four sides: at most {} vertices can be left, here {}.",
-        known_.original.size(), known_.original.size() + 4, n);
-  }
-
-  const Box box_;
-  const Ring<double, 2> truth_;
-  Script script_;
-  Rest known_;
-  bool trivial_ = false;
-};
-
 }  // namespace
 
-Walk clip_a_polygon(const Ring<double, 2>& ring, const Box& box) { return Teller(ring, box).tell(); }
+PolygonTeller::PolygonTeller(const Ring<double, 2>& ring, const Box& box)
+    : box_(box),
+      truth_(isect::clip(ring, box)),
+      script_(
+          {"Note, N01; Sutherland and Hodgman (1974)",
+           fmt::format("A polygon of {} vertices and a box. {}", ring.size(),
+                       truth_.empty() ? "No part of it lies in the box."
+                                      : fmt::format("The part in the box has {} vertices.", truth_.size())),
+           pseudocode, "a polygon"}),
+      known_{ring, box, ring} {}
+
+Walk PolygonTeller::tell() {
+  script_.value("vertices", static_cast<double>(known_.ring.size()));
+  if (!trivial()) {
+    add_sides();
+    tally() = {};
+    for (const int axis : {0, 1})
+      for (const bool upper : {false, true})
+        if (!known_.ring.empty()) cut({axis, upper});
+  }
+  end();
+  return std::move(script_.walk());
+}
+
+bool PolygonTeller::trivial() {
+  int all = ~0, any = 0;
+  for (const Point<double, 2>& v : known_.ring) {
+    const int code = clip_segment::outcode(v, box_);
+    all &= code, any |= code;
+  }
+  trivial_ = any == 0 || all != 0;
+  if (any != 0) script_.refuse(0, {});
+  if (!trivial_) script_.refuse(1, {});
+  Step& step = script_.add(
+      "trivial", "A trivial answer?", any == 0 ? 0 : 1,
+      any == 0   ? "All vertices lie in the box. It is convex, so it holds the whole polygon."
+      : all != 0 ? "All vertices lie beyond one and the same side, so the whole polygon does."
+                 : "Some vertices lie outside, but not all beyond one side. So the polygon must be cut.");
+  step.decides = true;
+  step.scene = picture(known_);
+  step.question = {"Is the answer known from comparisons alone?",
+                   {"yes: all is kept", "yes: nothing is kept", "no"},
+                   any == 0   ? 0
+                   : all != 0 ? 1
+                              : 2,
+                   "Each vertex is compared with the four sides, and nothing is computed."};
+  if (trivial_) script_.leave_early();
+  if (all != 0) known_.ring.clear();
+  return trivial_;
+}
+
+void PolygonTeller::add_sides() {
+  Step& step = script_.add(
+      "sides", "Side after side", 2,
+      "A box is what four half-planes have in common. So four simple cuts do the work of one hard one.\n"
+      "Each takes the ring that the one before has left.");
+  step.scene = picture(known_);
+  const Point<double, 2>&lo = box_.lo, &hi = box_.hi;
+  const double more = 0.625;
+  for (const bool upper : {false, true}) {
+    const double x = upper ? hi.x() : lo.x(), y = upper ? hi.y() : lo.y();
+    step.scene.items.emplace_back(
+        Line{{x, lo.y() - more, 0}, {x, hi.y() + more, 0}, Role::construction, Pen::construction});
+    step.scene.items.emplace_back(
+        Line{{lo.x() - more, y, 0}, {hi.x() + more, y, 0}, Role::construction, Pen::construction});
+  }
+}
+
+void PolygonTeller::end() {
+  known_.settled = true;
+  if (known_.ring.empty() == truth_.empty()) known_.ring = truth_;
+  Ring<double, 2> different;
+  for (const Point<double, 2>& v : truth_)
+    if (!among(different, v)) different.push_back(v);
+  const std::size_t n = different.size();
+  script_.settle(n == 0  ? Verdict::Kind::no
+                 : n < 3 ? Verdict::Kind::on
+                         : Verdict::Kind::yes,
+                 n == 0   ? "nothing is kept"
+                 : n == 1 ? "one point is kept"
+                 : n == 2 ? "an edge is kept"
+                          : fmt::format("kept: {} vertices", n));
+  const int line = trivial_ ? script_.walk().steps.back().line : truth_.empty() ? 5 : 6;
+  script_.add("kept", truth_.empty() ? "Nothing is kept" : "What is kept", line, end_caption(n)).scene =
+      picture(known_);
+}
+
+std::string PolygonTeller::end_caption(std::size_t n) const {
+  if (n == 0)
+    return trivial_ ? "Comparisons were enough: no vertex was computed."
+                    : "No single side had all vertices beyond it, yet the polygon misses the box.\n"
+                      "The four cuts have found that out together.";
+  if (n < 3)
+    return "The polygon touches the box, and the sets are closed. What they share has no area.\n"
+           "Whoever draws areas may drop it. Whoever asks for contact must not.";
+  if (trivial_) return "No edge was cut, so the polygon is kept as it is.";
+  if (!make_convex(known_.original))
+    return "The polygon is not convex, so what is kept may fall into parts.\n"
+           "The method returns one ring. Its parts then hang together by edges along the side.";
+  return fmt::format(
+      "A convex polygon of {} vertices and four sides: at most {} vertices can be left, here {}.",
+      known_.original.size(), known_.original.size() + 4, n);
+}
+
+Walk clip_a_polygon(const Ring<double, 2>& ring, const Box& box) { return PolygonTeller(ring, box).tell(); }
 
 }  // namespace isect::lessons::clipping_lesson

@@ -1,13 +1,10 @@
-// A segment against a box: the range of t narrows, side by side.
+// A segment against a box: what comparisons tell, and what is kept in the end.
+
+#include "lessons/clipping/segment.h"
 
 #include <fmt/format.h>
 
 #include <bit>
-#include <utility>
-
-#include "core/clip_segment.h"
-#include "lessons/clipping/pictures.h"
-#include "lessons/script.h"
 
 namespace isect::lessons::clipping_lesson {
 
@@ -28,184 +25,107 @@ const std::vector<std::string> pseudocode = {
     "return [t_in, t_out]"                                         // 8
 };
 
-class Teller {
- public:
-  Teller(const Segment<double, 2>& segment, const Box& box)
-      : box_(box),
-        truth_(isect::clip(segment, box)),
-        script_({"Note, N01; Liang and Barsky (1984)", alt(), pseudocode, "a segment"}),
-        known_{segment, box} {}
-
-  Walk tell() {
-    script_.tell<clip_segment::LiangBarskyEvent<C>>(
-        [&](auto& record) {
-          found_ = clip_segment::liang_barsky(cast<C>(known_.segment), cast<C>(box_), record).has_value();
-        },
-        [&](const auto& event) { say(event); });
-    end();
-    return std::move(script_.walk());
-  }
-
- private:
-  std::string alt() const {
-    return std::string("A segment from p to q and a box. ") +
-           (!truth_                    ? "No part of the segment lies in the box."
-            : truth_->lo == truth_->hi ? "They share one point."
-                                       : "The part of the segment in the box is drawn thick.");
-  }
-
-  Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption,
-            const std::string& formula = {}) {
-    return script_.add(slug, title, line, caption, formula);
-  }
-
-  void say(const clip_segment::Outcodes& e) {
-    const bool inside = (e.p | e.q) == 0, beyond = (e.p & e.q) != 0;
-    script_.value("sides beyond, **p**", std::popcount(static_cast<unsigned>(e.p)));
-    script_.value("sides beyond, **q**", std::popcount(static_cast<unsigned>(e.q)));
-    if (!inside) script_.refuse(0, {});
-    if (!inside && !beyond) script_.refuse(1, {});
-    Step& step = add(
-        "trivial", "A trivial answer?", inside ? 0 : 1,
-        inside ? "Both ends lie in the box. It is convex, so it holds all between them: trivial acceptance."
-        : beyond
-            ? "Both ends lie beyond one and the same side, so all between them does: trivial rejection."
-            : "The ends do not both lie in the box, nor both beyond one side. Only now is there a need to "
-              "compute.");
-    step.decides = true;
-    step.scene = picture(known_);
-    step.question = {"Is the answer known from comparisons alone?",
-                     {"yes: all is kept", "yes: nothing is kept", "no"},
-                     inside   ? 0
-                     : beyond ? 1
-                              : 2,
-                     "Each end is compared with the four sides, and nothing is computed."};
-    trivial_ = inside || beyond;
-    if (trivial_) script_.leave_early();
-    if (trivial_) return;
-
-    known_.started = true;
-    script_.value("*t*_{in}", 0, "t");
-    script_.value("*t*_{out}", 1, "t");
-    Step& begin = add("range", "The range of *t*", 2,
-                      "The segment is **p** + *t* **d** with 0 ≤ *t* ≤ 1, where **d** = **q** − **p**.\n"
-                      "Each side of the box will cut this range. What is left at the end lies in the box.",
-                      "[*t*_{in}, *t*_{out}] = [0, 1]");
-    begin.scene = picture(known_);
-  }
-
-  void say(const clip_segment::Narrowed<C>& e) {
-    const Side side = {e.axis, e.upper};
-    const double t = e.t.value;
-    const Interval<double> before = std::exchange(known_.range, {e.range.lo.value, e.range.hi.value});
-    const bool narrowed = !(before == known_.range);
-    known_.left = !e.holds;
-    if (e.heading > 0 && narrowed) script_.value("*t*_{in}", known_.range.lo, "t", Role::hit);
-    if (e.heading < 0 && narrowed) script_.value("*t*_{out}", known_.range.hi, "t", Role::hit);
-    if (known_.left) script_.leave_early();
-    Step& step = add(std::string("side-") + (e.upper ? "upper-" : "lower-") + "xy"[e.axis],
-                     title(e.heading, side), known_.left && e.heading != 0 ? 7 : line_of(e.heading, narrowed),
-                     caption(e.heading, narrowed, side),
-                     e.heading == 0 ? "**n** · **d** = 0"
-                                    : fmt::format("*t* = {},  range [{}, {}]", shown(t),
-                                                  shown(known_.range.lo), shown(known_.range.hi)));
-    step.scene = picture(known_, &side, e.heading == 0 ? nullptr : &t);
-    if (e.heading != 0)
-      Script::decide(step, {"*t*_{in} ≤ *t*_{out}", known_.range.lo, known_.range.hi, e.holds,
-                            e.holds ? "something is left" : "nothing is left"});
-    step.question = {"What does this side do to the range?",
-                     {"it cuts its beginning", "it cuts its end", "nothing", "it leaves nothing"},
-                     known_.left     ? 3
-                     : !narrowed     ? 2
-                     : e.heading > 0 ? 0
-                                     : 1,
-                     because(e.heading, narrowed)};
-  }
-
-  /// An unchanged end is told at the line that computes t, so that this too is stepped on.
-  static int line_of(int heading, bool narrowed) {
-    if (heading == 0) return 3;
-    if (!narrowed) return 4;
-    return heading > 0 ? 5 : 6;
-  }
-
-  static std::string title(int heading, const Side& side) {
-    if (heading == 0) return "Along " + name_of(side);
-    return (heading > 0 ? "In across " : "Out across ") + name_of(side);
-  }
-
-  std::string caption(int heading, bool narrowed, const Side& side) const {
-    if (heading == 0)
-      return known_.left ? "The line runs along this side, and beyond it: nothing is left."
-                         : "The line runs along this side, and not beyond it. The side cuts nothing off.";
-    if (known_.left)
-      return "The line leaves one side before it has entered the other. No *t* lies within both: nothing is "
-             "left.";
-    const std::string way = heading > 0
-                                ? "The line comes in across " + name_of(side) + ": what lies before *t* goes."
-                                : "The line goes out across " + name_of(side) + ": what lies after *t* goes.";
-    if (narrowed) return way;
-    return way + (heading > 0
-                      ? "\nThe range begins later already, so *t*_{in} stays: the last entry counts."
-                      : "\nThe range ends earlier already, so *t*_{out} stays: the first exit counts.");
-  }
-
-  std::string because(int heading, bool narrowed) const {
-    if (heading == 0)
-      return known_.left ? "Every point lies beyond the side." : "No point lies beyond the side.";
-    if (known_.left) return "The last entry comes after the first exit.";
-    if (!narrowed) return "This crossing lies outside the range that is left.";
-    return heading > 0 ? "**n** · **d** > 0: the line comes in here."
-                       : "**n** · **d** < 0: the line goes out here.";
-  }
-
-  void end() {
-    known_.settled = true, known_.left = !truth_, known_.started = true;
-    known_.range = truth_.value_or(Interval<double>{0, 0});
-    const bool one = truth_ && truth_->lo == truth_->hi;
-    script_.settle(
-        !truth_                                          ? Verdict::Kind::no
-        : one || runs_along_a_side(known_.segment, box_) ? Verdict::Kind::on
-                                                         : Verdict::Kind::yes,
-        !truth_ ? "nothing is kept"
-        : one   ? "one point is kept: *t* = " + shown(known_.range.lo)
-                : fmt::format("kept: *t* from {} to {}", shown(known_.range.lo), shown(known_.range.hi)));
-    const int last = script_.walk().steps.back().line;
-    const int line = trivial_ || !truth_ ? last : 8;
-    add("kept", truth_ ? "What is kept" : "Nothing is kept", line, end_caption(one),
-        truth_ && !one
-            ? fmt::format("**p** + *t* **d**,  {} ≤ *t* ≤ {}", shown(known_.range.lo), shown(known_.range.hi))
-            : "")
-        .scene = picture(known_);
-  }
-
-  std::string end_caption(bool one) const {
-    if (found_ != truth_.has_value())
-      return "The exact test says otherwise. At a corner the last entry is the first exit, and rounding "
-             "moved them.";
-    if (!truth_)
-      return trivial_ ? "Most of what a renderer clips is far off. So the cheap rejection comes first."
-                      : "Neither end was beyond the same side, yet the segment misses the box: it passes a "
-                        "corner.";
-    if (one)
-      return "Last entry and first exit are the same *t*: the segment touches the box at a corner.\n"
-             "The sets are closed, so touching counts, and the part kept is a point.";
-    if (runs_along_a_side(known_.segment, box_))
-      return "The part kept lies in a side. The sets are closed, so the boundary belongs to the box.";
-    if (trivial_) return "No side was crossed, so there was nothing to divide: the segment is kept as it is.";
-    return "The part kept runs from the last entry to the first exit.\n"
-           "The new ends are **p** + *t* **d** with these two *t*: one formula for all cases.";
-  }
-
-  const Box box_;
-  const std::optional<Interval<double>> truth_;
-  Script script_;
-  Narrowing known_;
-  bool found_ = false, trivial_ = false;
-};
-
 }  // namespace
 
-Walk clip_a_segment(const Segment<double, 2>& segment, const Box& box) { return Teller(segment, box).tell(); }
+SegmentTeller::SegmentTeller(const Segment<double, 2>& segment, const Box& box)
+    : box_(box),
+      truth_(isect::clip(segment, box)),
+      script_({"Note, N01; Liang and Barsky (1984)", alt(), pseudocode, "a segment"}),
+      known_{segment, box} {}
+
+Walk SegmentTeller::tell() {
+  script_.tell<clip_segment::LiangBarskyEvent<C>>(
+      [&](auto& record) {
+        found_ = clip_segment::liang_barsky(cast<C>(known_.segment), cast<C>(box_), record).has_value();
+      },
+      [&](const auto& event) { say(event); });
+  end();
+  return std::move(script_.walk());
+}
+
+std::string SegmentTeller::alt() const {
+  return std::string("A segment from p to q and a box. ") +
+         (!truth_                    ? "No part of the segment lies in the box."
+          : truth_->lo == truth_->hi ? "They share one point."
+                                     : "The part of the segment in the box is drawn thick.");
+}
+
+void SegmentTeller::say(const clip_segment::Outcodes& e) {
+  const bool inside = (e.p | e.q) == 0, beyond = (e.p & e.q) != 0;
+  script_.value("sides beyond, **p**", std::popcount(static_cast<unsigned>(e.p)));
+  script_.value("sides beyond, **q**", std::popcount(static_cast<unsigned>(e.q)));
+  if (!inside) script_.refuse(0, {});
+  if (!inside && !beyond) script_.refuse(1, {});
+  Step& step = script_.add(
+      "trivial", "A trivial answer?", inside ? 0 : 1,
+      inside   ? "Both ends lie in the box. It is convex, so it holds all between them: trivial acceptance."
+      : beyond ? "Both ends lie beyond one and the same side, so all between them does: trivial rejection."
+               : "The ends do not both lie in the box, nor both beyond one side. Only now is there a need to "
+                 "compute.");
+  step.decides = true;
+  step.scene = picture(known_);
+  step.question = {"Is the answer known from comparisons alone?",
+                   {"yes: all is kept", "yes: nothing is kept", "no"},
+                   inside   ? 0
+                   : beyond ? 1
+                            : 2,
+                   "Each end is compared with the four sides, and nothing is computed."};
+  trivial_ = inside || beyond;
+  if (trivial_) script_.leave_early();
+  if (trivial_) return;
+
+  known_.started = true;
+  script_.value("*t*_{in}", 0, "t");
+  script_.value("*t*_{out}", 1, "t");
+  Step& begin =
+      script_.add("range", "The range of *t*", 2,
+                  "The segment is **p** + *t* **d** with 0 ≤ *t* ≤ 1, where **d** = **q** − **p**.\n"
+                  "Each side of the box will cut this range. What is left at the end lies in the box.",
+                  "[*t*_{in}, *t*_{out}] = [0, 1]");
+  begin.scene = picture(known_);
+}
+
+void SegmentTeller::end() {
+  known_.settled = true, known_.left = !truth_, known_.started = true;
+  known_.range = truth_.value_or(Interval<double>{0, 0});
+  const bool one = truth_ && truth_->lo == truth_->hi;
+  script_.settle(
+      !truth_                                          ? Verdict::Kind::no
+      : one || runs_along_a_side(known_.segment, box_) ? Verdict::Kind::on
+                                                       : Verdict::Kind::yes,
+      !truth_ ? "nothing is kept"
+      : one   ? "one point is kept: *t* = " + shown(known_.range.lo)
+              : fmt::format("kept: *t* from {} to {}", shown(known_.range.lo), shown(known_.range.hi)));
+  const int last = script_.walk().steps.back().line;
+  const int line = trivial_ || !truth_ ? last : 8;
+  script_
+      .add("kept", truth_ ? "What is kept" : "Nothing is kept", line, end_caption(one),
+           truth_ && !one ? fmt::format("**p** + *t* **d**,  {} ≤ *t* ≤ {}", shown(known_.range.lo),
+                                        shown(known_.range.hi))
+                          : "")
+      .scene = picture(known_);
+}
+
+std::string SegmentTeller::end_caption(bool one) const {
+  if (found_ != truth_.has_value())
+    return "The exact test says otherwise. At a corner the last entry is the first exit, and rounding "
+           "moved them.";
+  if (!truth_)
+    return trivial_ ? "Most of what a renderer clips is far off. So the cheap rejection comes first."
+                    : "Neither end was beyond the same side, yet the segment misses the box: it passes a "
+                      "corner.";
+  if (one)
+    return "Last entry and first exit are the same *t*: the segment touches the box at a corner.\n"
+           "The sets are closed, so touching counts, and the part kept is a point.";
+  if (runs_along_a_side(known_.segment, box_))
+    return "The part kept lies in a side. The sets are closed, so the boundary belongs to the box.";
+  if (trivial_) return "No side was crossed, so there was nothing to divide: the segment is kept as it is.";
+  return "The part kept runs from the last entry to the first exit.\n"
+         "The new ends are **p** + *t* **d** with these two *t*: one formula for all cases.";
+}
+
+Walk clip_a_segment(const Segment<double, 2>& segment, const Box& box) {
+  return SegmentTeller(segment, box).tell();
+}
 
 }  // namespace isect::lessons::clipping_lesson

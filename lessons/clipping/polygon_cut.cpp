@@ -1,0 +1,82 @@
+// A polygon against a box, one side of it: which vertices go, and which come new.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/clip_polygon.h"
+#include "lessons/clipping/polygon.h"
+
+namespace isect::lessons::clipping_lesson {
+
+using namespace viz;
+using C = Counted<double>;
+
+namespace {
+
+/// The true count among its neighbours, smallest first.
+void choices(Question& q, int before, int after) {
+  std::vector<int> numbers = {before, after};
+  for (int k = 1; numbers.size() < 4; ++k)
+    for (const int n : {after + k, after - k})
+      if (n >= 0 && numbers.size() < 4) numbers.push_back(n);
+  std::ranges::sort(numbers);
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  for (const int n : numbers) {
+    if (n == after) q.answer = static_cast<int>(q.choices.size());
+    q.choices.push_back(std::to_string(n));
+  }
+}
+
+}  // namespace
+
+void PolygonTeller::cut(const Side& side) {
+  Cut cut = {side, known_.ring, {}, {}};
+  Ring<C, 2> wide;
+  for (const Point<double, 2>& v : known_.ring) wide.push_back(v.cast<C>());
+  const Plane<double, 2> plane = half_plane(side, box_);
+  Record<clip_polygon::Event<C, 2>> record;
+  const Ring<C, 2> rest =
+      clip_polygon::sutherland_hodgman(wide, Plane<C, 2>{plane.normal.cast<C>(), C(plane.d)}, record);
+  for (const auto& event : record.events) {
+    if (const auto* e = std::get_if<clip_polygon::Side>(&event)) cut.signs.push_back(e->sign);
+    if (const auto* e = std::get_if<clip_polygon::Crossing<C, 2>>(&event))
+      cut.fresh.push_back({e->point[0].value, e->point[1].value});
+  }
+  known_.ring.clear();
+  for (const Point<C, 2>& v : rest) known_.ring.push_back({v[0].value, v[1].value});
+
+  const auto out = std::ranges::count_if(cut.signs, [](int sign) { return sign < 0; });
+  script_.count(tally());
+  script_.value("vertices", static_cast<double>(known_.ring.size()));
+  script_.value("removed", static_cast<double>(out), {}, Role::miss);
+  script_.value("new", static_cast<double>(cut.fresh.size()), {}, Role::hit);
+  Step& step = script_.add(std::string("side-") + (side.upper ? "upper-" : "lower-") + "xy"[side.axis],
+                           "Cut at " + name_of(side), line_of(cut), caption(out, cut),
+                           fmt::format("{} − {} + {} = {} vertices", cut.before.size(), out, cut.fresh.size(),
+                                       known_.ring.size()));
+  step.decides = true;
+  step.scene = picture(known_, &cut);
+  step.question = {"How many vertices are left after this side?",
+                   {},
+                   0,
+                   "Old ones beyond go, and each edge that "
+                   "crosses the side gives a new one."};
+  choices(*step.question, static_cast<int>(cut.before.size()), static_cast<int>(known_.ring.size()));
+}
+
+int PolygonTeller::line_of(const Cut& cut) const {
+  return known_.ring.empty() ? 5 : cut.fresh.empty() ? 3 : 4;
+}
+
+std::string PolygonTeller::caption(std::int64_t out, const Cut& cut) const {
+  if (known_.ring.empty()) return "All that was left lies beyond this side. Nothing remains.";
+  if (out == 0) return "No vertex lies beyond this side, so it cuts nothing off.";
+  if (cut.fresh.empty())
+    return "The vertices beyond go. No edge passes strictly from one side to the other, so there is no new "
+           "vertex.";
+  return "Walk around the ring. A vertex that is not beyond stays; one beyond goes (cross).\n"
+         "Where an edge passes from one side to the other, a new vertex (ring) is put in.";
+}
+
+}  // namespace isect::lessons::clipping_lesson

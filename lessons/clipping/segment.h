@@ -1,0 +1,34 @@
+#pragma once
+// The walk of a segment against a box: comparisons first, then a range of t that narrows side by side.
+
+#include "core/clip_segment.h"
+#include "lessons/clipping/pictures.h"
+#include "lessons/script.h"
+
+namespace isect::lessons::clipping_lesson {
+
+class SegmentTeller {
+ public:
+  SegmentTeller(const Segment<double, 2>&, const Box&);
+  viz::Walk tell();
+
+ private:
+  // segment.cpp
+  std::string alt() const;
+  void say(const clip_segment::Outcodes&);
+  void end();
+  std::string end_caption(bool one) const;
+
+  // segment_sides.cpp
+  void say(const clip_segment::Narrowed<Counted<double>>&);
+  std::string caption(int heading, bool narrowed, const Side&) const;
+  std::string because(int heading, bool narrowed) const;
+
+  const Box box_;
+  const std::optional<Interval<double>> truth_;
+  Script script_;
+  Narrowing known_;
+  bool found_ = false, trivial_ = false;
+};
+
+}  // namespace isect::lessons::clipping_lesson

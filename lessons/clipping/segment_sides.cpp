@@ -1,0 +1,81 @@
+// A segment against a box, one side of it: where the line crosses it, and what that leaves of the range of t.
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "lessons/clipping/segment.h"
+
+namespace isect::lessons::clipping_lesson {
+
+using namespace viz;
+
+namespace {
+
+/// An unchanged end is told at the line that computes t, so that this too is stepped on.
+int line_of(int heading, bool narrowed) {
+  if (heading == 0) return 3;
+  if (!narrowed) return 4;
+  return heading > 0 ? 5 : 6;
+}
+
+std::string title(int heading, const Side& side) {
+  if (heading == 0) return "Along " + name_of(side);
+  return (heading > 0 ? "In across " : "Out across ") + name_of(side);
+}
+
+}  // namespace
+
+void SegmentTeller::say(const clip_segment::Narrowed<Counted<double>>& e) {
+  const Side side = {e.axis, e.upper};
+  const double t = e.t.value;
+  const Interval<double> before = std::exchange(known_.range, {e.range.lo.value, e.range.hi.value});
+  const bool narrowed = !(before == known_.range);
+  known_.left = !e.holds;
+  if (e.heading > 0 && narrowed) script_.value("*t*_{in}", known_.range.lo, "t", Role::hit);
+  if (e.heading < 0 && narrowed) script_.value("*t*_{out}", known_.range.hi, "t", Role::hit);
+  if (known_.left) script_.leave_early();
+  Step& step = script_.add(
+      std::string("side-") + (e.upper ? "upper-" : "lower-") + "xy"[e.axis], title(e.heading, side),
+      known_.left && e.heading != 0 ? 7 : line_of(e.heading, narrowed), caption(e.heading, narrowed, side),
+      e.heading == 0 ? "**n** · **d** = 0"
+                     : fmt::format("*t* = {},  range [{}, {}]", shown(t), shown(known_.range.lo),
+                                   shown(known_.range.hi)));
+  step.scene = picture(known_, &side, e.heading == 0 ? nullptr : &t);
+  if (e.heading != 0)
+    Script::decide(step, {"*t*_{in} ≤ *t*_{out}", known_.range.lo, known_.range.hi, e.holds,
+                          e.holds ? "something is left" : "nothing is left"});
+  step.question = {"What does this side do to the range?",
+                   {"it cuts its beginning", "it cuts its end", "nothing", "it leaves nothing"},
+                   known_.left     ? 3
+                   : !narrowed     ? 2
+                   : e.heading > 0 ? 0
+                                   : 1,
+                   because(e.heading, narrowed)};
+}
+
+std::string SegmentTeller::caption(int heading, bool narrowed, const Side& side) const {
+  if (heading == 0)
+    return known_.left ? "The line runs along this side, and beyond it: nothing is left."
+                       : "The line runs along this side, and not beyond it. The side cuts nothing off.";
+  if (known_.left)
+    return "The line leaves one side before it has entered the other. No *t* lies within both: nothing is "
+           "left.";
+  const std::string way = heading > 0
+                              ? "The line comes in across " + name_of(side) + ": what lies before *t* goes."
+                              : "The line goes out across " + name_of(side) + ": what lies after *t* goes.";
+  if (narrowed) return way;
+  return way + (heading > 0 ? "\nThe range begins later already, so *t*_{in} stays: the last entry counts."
+                            : "\nThe range ends earlier already, so *t*_{out} stays: the first exit counts.");
+}
+
+std::string SegmentTeller::because(int heading, bool narrowed) const {
+  if (heading == 0)
+    return known_.left ? "Every point lies beyond the side." : "No point lies beyond the side.";
+  if (known_.left) return "The last entry comes after the first exit.";
+  if (!narrowed) return "This crossing lies outside the range that is left.";
+  return heading > 0 ? "**n** · **d** > 0: the line comes in here."
+                     : "**n** · **d** < 0: the line goes out here.";
+}
+
+}  // namespace isect::lessons::clipping_lesson
