@@ -1,195 +1,20 @@
 // Ray against polygon (N20, N21): the plane, the coordinate to drop, and the crossings of what is left.
+//
+// The steps stand in ray_polygon/telling.
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "core/ray_polygon_methods.h"
 #include "lessons/parameters.h"
-#include "lessons/ray_polygon/picture.h"
-#include "lessons/script.h"
+#include "lessons/ray_polygon/telling.h"
 
 namespace isect::lessons {
 namespace {
 
 using namespace viz;
 using namespace ray_polygon_lesson;
-using C = Counted<double>;
 
-const std::vector<std::string> pseudocode = {
-    "n ← Σ (p_i − p₀) × (p_{i+1} − p₀)",           // 0
-    "if n · d = 0: return MISS",                   // 1
-    "t ← n · (p₀ − o) / (n · d)",                  // 2
-    "if t < 0: return MISS",                       // 3
-    "drop the coordinate i of the largest |n_i|",  // 4
-    "count the edges that r(t) has on its right",  // 5
-    "return the count is odd ? HIT at t : MISS"    // 6
-};
-const char* const names[] = {"*x*", "*y*", "*z*"};
-
-std::string verdict_text(const RayPolygon<double>& truth) {
-  if (truth.coplanar) return "the ray lies in the polygon's plane";
-  if (!truth.line) return "the ray is parallel to the polygon's plane";
-  if (truth.t)
-    return fmt::format("the ray {} the polygon at *t* = {}",
-                       truth.location == Location::on ? "meets an edge of" : "hits", shown(*truth.t));
-  return *truth.line < 0 ? "the polygon's plane lies behind the ray" : "the ray passes beside the polygon";
-}
-
-class Telling {
- public:
-  explicit Telling(const Setup& setup)
-      : s_(setup),
-        script_({"Note, N20, N21; Sutherland et al. (1974)",
-                 "A ray and a polygon with a notch, in space: " + plain(verdict_text(s_.truth)) + ".",
-                 pseudocode}) {}
-
-  Walk walk() {
-    script_.tell<ray_polygon::ProjectedEvent<C>>(
-        [&](auto& record) {
-          Ring<C, 3> ring;
-          for (const Vec3& v : s_.ring) ring.push_back(v.cast<C>());
-          ray_polygon::projected(cast<C>(s_.ray), ring, record);
-        },
-        [&](const auto& event) { say(event); });
-    if (chosen_ >= 0) counted();
-    verdict();
-    return std::move(script_.walk());
-  }
-
- private:
-  static std::string plain(std::string text) {
-    std::erase(text, '*');
-    return text;
-  }
-
-  void say(const ray_polygon::Normal<C>& e) {
-    for (int i = 0; i < 3; ++i) {
-      normal_[i] = e.n[i].value;
-      script_.value(std::string("*n*_") + "xyz"[i], normal_[i], "area");
-    }
-    known_.normal = true;
-    Step& step =
-        script_.add("normal", "The polygon's plane", 0,
-                    "All vertices lie in one plane. Products of edges, summed up, give its normal **n**.\n"
-                    "This also works for a concave polygon, where a single corner may point the wrong way.");
-    step.scene = picture(s_, known_, normal_);
-    known_.normal = false;
-  }
-
-  void say(const ray_polygon::InPlane<C>& e) {
-    point_ = {e.point[0].value, e.point[1].value, e.point[2].value};
-  }
-
-  void say(const ray_polygon::InRange<C>& e) {
-    const double t = e.t.value;
-    known_.plane = true;
-    script_.value("*t*", t, {}, e.holds ? Role::hit : Role::muted);
-    Step& step = script_.add(
-        "plane", "Where the line meets the plane", 2,
-        e.holds ? "The line meets the plane (dashed) in one point, and *t* ≥ 0: it lies ahead of **o**."
-                : "The line meets the plane (dashed) in one point, but *t* < 0: it lies behind **o**.",
-        "*t* = **n** · (**p**_0 − **o**) / (**n** · **d**) = " + shown(t));
-    step.scene = picture(s_, known_, normal_);
-    Script::decide(step, {"*t* ≥ 0", t, 0, e.holds, e.holds ? "ahead of the origin" : "behind the origin"});
-    step.question = where_question();
-    script_.refuse(1, {});
-    if (e.holds) script_.refuse(3, {});
-  }
-
-  void say(const ray_polygon::Projected<C>& e) {
-    chosen_ = e.dropped;
-    Step& step =
-        script_.add("drop", "Which coordinate to drop?", 4, drop_caption(),
-                    fmt::format("|*n*_x| = {},  |*n*_y| = {},  |*n*_z| = {}", shown(std::abs(normal_.x())),
-                                shown(std::abs(normal_.y())), shown(std::abs(normal_.z()))));
-    step.scene = projections(s_, point_, normal_, chosen_);
-    step.question = {"Which coordinate is best dropped?",
-                     {names[0], names[1], names[2]},
-                     chosen_,
-                     "Its component of the normal is the largest, so the projection keeps most area."};
-  }
-
-  void say(const point_polygon::Straddles&) {}
-  void say(const point_polygon::CrossesAt<C>& e) { passing_.push_back({e.index, e.x.value, e.holds}); }
-
-  std::string drop_caption() const {
-    const double least = normal_.cwiseAbs().minCoeff();
-    return std::string(
-               "|*n_i*| is twice the area of the projection without coordinate *i*. Keep the largest.\n") +
-           (least == 0 ? "Another choice may collapse the polygon to a segment: then nothing is inside."
-                       : "Another choice may leave a sliver, where rounding moves the point over an edge.");
-  }
-
-  void counted() {
-    const auto count =
-        std::count_if(passing_.begin(), passing_.end(), [](const Passing& p) { return p.counted; });
-    Step& step = script_.add(
-        "crossings", "Inside the outline?", 5,
-        fmt::format("What is left is a point and a polygon in the plane.\n"
-                    "Its ray to the right crosses {} edge{}: {}.",
-                    count, count == 1 ? "" : "s", count % 2 == 1 ? "odd, so inside" : "even, so outside"));
-    step.scene = crossings(s_, flattened(s_, point_, chosen_), passing_);
-    step.question = {"How many edges does the point have on its right?",
-                     {"none", "one", "two", "more"},
-                     static_cast<int>(std::min<std::ptrdiff_t>(count, 3)),
-                     "An odd number means inside (Jordan); the lesson on crossings shows why."};
-  }
-
-  Question where_question() const {
-    const int answer = !s_.truth.line ? 2 : *s_.truth.line < 0 ? 1 : 0;
-    return {
-        "Where does the line meet the plane?",
-        {"ahead of the origin", "behind it", "in no single point"},
-        answer,
-        answer == 2 ? "**n** · **d** = 0: it runs beside the plane, or in it." : "The sign of *t* tells."};
-  }
-
-  void verdict() {
-    const RayPolygon<double>& truth = s_.truth;
-    const Verdict::Kind met = truth.location == Location::on ? Verdict::Kind::on : Verdict::Kind::yes;
-    script_.settle(truth.t          ? met
-                   : truth.coplanar ? Verdict::Kind::on
-                                    : Verdict::Kind::no,
-                   verdict_text(truth));
-    if (chosen_ < 0) script_.leave_early();
-    known_.plane = known_.settled = true;
-    Step& step = script_.add("verdict", "Hit or miss?",
-                             chosen_ >= 0 ? 6
-                             : truth.line ? 3
-                                          : 1,
-                             verdict_caption(), truth.line ? "" : "**n** · **d** = 0");
-    step.scene = picture(s_, known_, normal_);
-    if (!truth.line) step.question = where_question();
-  }
-
-  std::string verdict_caption() const {
-    const RayPolygon<double>& truth = s_.truth;
-    if (truth.flat) return "The polygon has no area, and so no plane.";
-    if (truth.coplanar)
-      return "The whole line lies in the plane: no single *t*. The note's formula would divide 0 by 0.\n"
-             "Ours reports it as an answer of its own, not as a hit.";
-    if (!truth.line) return "The line runs beside the plane. The note's formula would divide by 0.";
-    if (*truth.line < 0)
-      return "A ray starts at **o**. What lies behind it does not count, so no outline is asked.";
-    if (truth.t && truth.location == Location::on)
-      return fmt::format(
-          "The point lies on an edge, and closed sets hold their edges. The plain crossings say {} here.\n"
-          "Ours tells *on* exactly, so that no ray slips between two polygons with a common edge.",
-          flattened(s_, point_, chosen_).inside ? "IN" : "OUT");
-    return truth.t ? "The point lies inside the outline, so the ray hits. It costs one division."
-                   : "The point lies in the plane, but outside the outline: here in the notch.";
-  }
-
-  const Setup s_;
-  Script script_;
-  Shown known_;
-  Vec3 normal_ = Vec3::Zero(), point_ = Vec3::Zero();
-  int chosen_ = -1;
-  std::vector<Passing> passing_;
-};
-
-Walk walk(const Parameters& p) { return Telling(setup(p)).walk(); }
+Walk walk(const Parameters& p) { return told(setup(p)); }
 
 std::vector<Opinion> opinions(const Parameters& p) {
   const Setup s = setup(p);
@@ -202,7 +27,7 @@ std::vector<Opinion> opinions(const Parameters& p) {
   if (s.truth.line && *s.truth.line >= 0)
     for (int axis = 0; axis < 3; ++axis)
       all.push_back(
-          said(fmt::format("{} dropped", names[axis]), flattened(s, s.ray.at(*s.truth.line), axis).inside));
+          said(fmt::format("*{}* dropped", "xyz"[axis]), flattened(s, s.ray.at(*s.truth.line), axis).inside));
   return all;
 }
 

@@ -1,0 +1,12 @@
+#pragma once
+// The walk of a ray to a polygon: the plane, the coordinate to drop, and the crossings.
+
+#include "lessons/ray_polygon/picture.h"
+
+namespace isect::lessons::ray_polygon_lesson {
+
+/// "the ray hits the polygon at *t* = 2"
+std::string verdict_text(const RayPolygon<double>&);
+viz::Walk told(const Setup&);
+
+}  // namespace isect::lessons::ray_polygon_lesson
