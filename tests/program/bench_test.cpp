@@ -59,6 +59,7 @@ TEST_CASE("one test is measured and judged, and its files read back", "[bench]")
 }
 
 TEST_CASE("a seed that is none is refused by name", "[bench]") {
+  const Shell shell;
   const Ran ran = shell("isect bench orient2d --quick --seed abc");
   CHECK(ran.status == 2);
   CHECK_THAT(ran.err, Contains("--seed: \"abc\" is no whole number"));

@@ -66,7 +66,7 @@ TEST_CASE("what was accepted passes, from any locale and with CI set", "[check]"
   const Accepted shell;
   const Ran r = shell(check);
   CHECK(r.status == 0);
-  CHECK_THAT(r.out, StartsWith("ok: 11 pictures of 1 preset\n"));
+  CHECK_THAT(r.out, StartsWith("ok: 12 pictures of 1 preset\n"));
   CHECK(r.err.empty());
   CHECK(shell("CI=1 LC_ALL=C LANG=de_DE.UTF-8 " + check + " --backend egl").status == 0);
 }
@@ -120,7 +120,7 @@ TEST_CASE("with no baselines at all every one is missing, and nothing is written
 
 TEST_CASE("all failures come in one run", "[check]") {
   const Accepted shell;
-  fs::copy_file(shell.file("01-to-center.png"), shell.file("12-left-over.png"));
+  fs::copy_file(shell.file("01-to-center.png"), shell.file("13-left-over.png"));
   write(shell.file("03-distance.png"), "no picture");
   REQUIRE(shell("isect render ray-sphere --preset two-roots --step 4 --size 480x300 --out - >" + baselines +
                 "/04-early-reject.png")
@@ -140,7 +140,7 @@ TEST_CASE("all failures come in one run", "[check]") {
   CHECK(failures["picture"]["slug"] == "along-the-ray");
   CHECK(failures["picture"]["pixels_over_8"] > 24);
   CHECK(failures["missing"]["step"] == 5);
-  CHECK_THAT(failures["orphan"]["baseline"].get<std::string>(), Contains("12-left-over.png"));
+  CHECK_THAT(failures["orphan"]["baseline"].get<std::string>(), Contains("13-left-over.png"));
   CHECK(failures["orphan"]["accept"] == "isect check ray-sphere --update=failed");
 
   const std::string report = contents(shell.work() / "report.html");
@@ -149,7 +149,7 @@ TEST_CASE("all failures come in one run", "[check]") {
   CHECK_THAT(report, !Contains("src=\"snapshots") && !Contains("http"));
 
   CHECK(shell(check + " --update").status == 0);
-  CHECK_FALSE(fs::exists(shell.file("12-left-over.png")));
+  CHECK_FALSE(fs::exists(shell.file("13-left-over.png")));
   CHECK(shell(check).status == 0);
 }
 
@@ -202,7 +202,7 @@ TEST_CASE("check refuses wrong names and unwritable places", "[check]") {
 TEST_CASE("the first preset of a group has a picture of each step, the others of the last", "[check]") {
   const Shell shell;
   CHECK_THAT(shell("isect check ray-sphere --preset two-roots --update").out,
-             Contains("ok: 11 pictures of 1 preset;"));
+             Contains("ok: 12 pictures of 1 preset;"));
   CHECK_THAT(shell("isect check ray-sphere --preset two-roots-half-b --update").out,
              !Contains("ok: 1 picture of"));
   CHECK_THAT(shell("isect check ray-sphere --preset behind --update").out,

@@ -50,7 +50,7 @@ TEST_CASE("explain tells a step in eighty columns", "[explain]") {
   const Ran r = shell("isect explain ray-sphere --step 8");
   CHECK(r.status == 0);
   CHECK(r.err.empty());
-  CHECK_THAT(r.out, Contains("Step 8 of 11: Which root comes first?") && Contains("▸ 10  if l² > r²") &&
+  CHECK_THAT(r.out, Contains("Step 8 of 12: Which root comes first?") && Contains("▸ 10  if l² > r²") &&
                         Contains("q = 1.0837") && Contains("Question:") && Contains("Answer: s − q"));
   CHECK(widest(r.out) <= 80);
   CHECK_THAT(r.out, !Contains("**") && !Contains("_{"));  // no markup
@@ -80,11 +80,11 @@ TEST_CASE("explain and show refuse what does not exist", "[explain][show]") {
     CHECK_THAT(shell(isect + " ray-spere").err, Contains("lesson") && Contains("mean \"ray-sphere\""));
     CHECK_THAT(shell(isect + " ray-sphere --preset tangnt").err,
                Contains("preset") && Contains("mean \"tangent\""));
-    for (const std::string step : {"0", "12", "-1", "x", "1.5", "''"}) {
+    for (const std::string step : {"0", "13", "-1", "x", "1.5", "''"}) {
       INFO(step);
       const Ran r = shell(isect + " ray-sphere --step " + step);
       CHECK(r.status == 2);
-      CHECK_THAT(r.err, Contains("step") && Contains("1 to 11"));
+      CHECK_THAT(r.err, Contains("step") && Contains("1 to 12"));
     }
     CHECK(shell(isect + " ray-sphere ray-sphere").status == 2);
     CHECK(shell(isect + " ray-sphere --preset all").status == 2);
