@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <map>
 #include <optional>
 
 #include "viz/files.h"
@@ -218,11 +219,22 @@ std::vector<std::string> formats_of(const std::string& text) {
   return formats;
 }
 
+namespace {
+
+/// The walks of all presets, made once for each lesson: presets stay as they are.
+const std::vector<viz::Walk>& walks_of(const viz::Lesson& lesson) {
+  static std::map<const viz::Lesson*, std::vector<viz::Walk>> known;
+  std::vector<viz::Walk>& walks = known[&lesson];
+  if (walks.empty())
+    for (const viz::Preset& p : lesson.presets) walks.push_back(lesson.walk(p.parameters));
+  return walks;
+}
+
+}  // namespace
+
 viz::Camera camera_for(const viz::Lesson& lesson, const viz::Walk& walk, viz::ThemeName theme,
                        const Size& size) {
-  std::vector<viz::Walk> all;
-  for (const viz::Preset& p : lesson.presets) all.push_back(lesson.walk(p.parameters));
-  return viz::frame_alike(lesson.camera, walk, all,
+  return viz::frame_alike(lesson.camera, walk, walks_of(lesson),
                           viz::picture_aspect(walk, theme, size.width, size.height));
 }
 
