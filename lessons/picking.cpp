@@ -139,12 +139,20 @@ class Teller {
     }
   }
 
+  /// Over all pixels; once, as neither eye nor objects move.
+  double mean_tests() const {
+    static const double mean = [&] {
+      int sum = 0;
+      for (int y = 0; y < s_.eye.rows; ++y)
+        for (int x = 0; x < s_.eye.columns; ++x)
+          sum += tests(s_.eye.through(s_.eye.on_plane({x + 0.5, y + 0.5})));
+      return 1.0 * sum / (s_.eye.rows * s_.eye.columns);
+    }();
+    return mean;
+  }
+
   void last(const std::string& caption, const std::string& formula) {
-    int sum = 0;
-    for (int y = 0; y < s_.eye.rows; ++y)
-      for (int x = 0; x < s_.eye.columns; ++x)
-        sum += tests(s_.eye.through(s_.eye.on_plane({x + 0.5, y + 0.5})));
-    script_.value("tests, mean of all pixels", 1.0 * sum / (s_.eye.rows * s_.eye.columns), "tests");
+    script_.value("tests, mean of all pixels", mean_tests(), "tests");
     script_.add("picked", "What the eye sees there", 4, caption, formula).scene = seen(s_, known_);
   }
 

@@ -77,19 +77,30 @@ Scene picture(const Pointed& s, const Known& known) {
   return scene;
 }
 
+/// The object that each pixel shows, or -1; once, as neither eye nor objects move.
+const std::vector<int>& objects_seen(const Pointed& s) {
+  static const std::vector<int> seen = [&] {
+    std::vector<int> objects;
+    for (int y = 0; y < s.eye.rows; ++y)
+      for (int x = 0; x < s.eye.columns; ++x) {
+        const auto hit = s.world.closest(s.eye.through(s.eye.on_plane({x + 0.5, y + 0.5})));
+        objects.push_back(hit ? hit->primitive : -1);
+      }
+    return objects;
+  }();
+  return seen;
+}
+
 Scene seen(const Pointed& s, const Known& known) {
   std::vector<Cell> cells;
-  for (int y = 0; y < s.eye.rows; ++y)
-    for (int x = 0; x < s.eye.columns; ++x) {
-      const auto hit = s.world.closest(s.eye.through(s.eye.on_plane({x + 0.5, y + 0.5})));
-      if (!hit)
-        cells.push_back({Role::grid, {}});
-      else if (s.truth && hit->primitive == s.truth->primitive)
-        cells.push_back({Role::highlight, {}});
-      else
-        cells.push_back(
-            {s.world.object(hit->primitive).role, 0.4 + 0.15 * hit->primitive});  // apart in grey, too
-    }
+  for (const int i : objects_seen(s)) {
+    if (i < 0)
+      cells.push_back({Role::grid, {}});
+    else if (s.truth && i == s.truth->primitive)
+      cells.push_back({Role::highlight, {}});
+    else
+      cells.push_back({s.world.object(i).role, 0.4 + 0.15 * i});  // apart in grey, too
+  }
   Scene scene;
   const Raster raster = sight::picture(s.eye, std::move(cells), Vec3::Zero(), 4.5);
   scene.items.emplace_back(raster);
