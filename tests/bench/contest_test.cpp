@@ -4,6 +4,7 @@
 
 #include "tests/catch.h"
 
+namespace contest_test {
 using namespace isect;
 using namespace isect::bench;
 
@@ -173,3 +174,5 @@ TEST_CASE("a case is told in full precision", "[contest]") {
   CHECK(text("p", Point<double, 2>(0.1, 2), "r", 1.0 / 3) ==
         "p (0.10000000000000001, 2) r 0.33333333333333331");
 }
+
+}  // namespace contest_test

@@ -4,6 +4,7 @@
 
 #include "tests/catch.h"
 
+namespace growth_test {
 using namespace isect::bench;
 
 TEST_CASE("sizes are powers of ten, few of them in a quick run", "[growth]") {
@@ -47,3 +48,5 @@ TEST_CASE("a curve enters the session with its exponent, and not without two poi
   CHECK(g.exponent == Approx(2));
   CHECK((g.n == std::vector{10.0, 100.0} && g.ns == std::vector{30.0, 3000.0}));
 }
+
+}  // namespace growth_test

@@ -9,6 +9,7 @@
 
 #include "tests/catch.h"
 
+namespace report_test {
 using namespace isect::bench;
 using Catch::Matchers::Contains;
 
@@ -179,3 +180,5 @@ TEST_CASE("wrong verdicts are told a million", "[report]") {
   CHECK(full_row().wrong_per_million() == 7812.5);
   CHECK(bare_row().wrong_per_million() == 0);
 }
+
+}  // namespace report_test

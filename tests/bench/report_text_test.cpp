@@ -11,6 +11,7 @@
 #include "viz/files.h"
 #include "viz/rich_text.h"
 
+namespace report_text_test {
 using namespace isect;
 using namespace isect::bench;
 
@@ -217,3 +218,5 @@ TEST_CASE("the front of a family is what neither time nor verdicts beat", "[repo
   CHECK(names(front_of(rows_of(r, "ray-sphere", "double", "ordinary"), true)) ==
         std::vector<std::string>{"quadratic", "robust", "exact"});
 }
+
+}  // namespace report_text_test

@@ -7,6 +7,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace aabb_aabb_methods_test {
 using namespace isect;
 using namespace isect::aabb_aabb;
 
@@ -47,3 +48,5 @@ TEST_CASE("the events tell each axis, all of them by min and max", "[aabb_aabb_m
   REQUIRE(record.events.size() == 1);
   CHECK(std::get<interval_interval::Middles<double>>(record.events[0]).distance == 2);
 }
+
+}  // namespace aabb_aabb_methods_test

@@ -7,9 +7,8 @@
 #include "tests/core/motion.h"
 #include "tests/settings.h"
 
+namespace aabb_aabb_test {
 using namespace isect;
-
-#define FLOATS_AND_DIMENSIONS ((class S, int N), S, N), (float, 2), (double, 2), (float, 3), (double, 3)
 
 namespace {
 
@@ -150,7 +149,8 @@ TEST_CASE("relate tells the shared box", "[aabb_aabb]") {
   CHECK((common.lo == Point<double, 2>(1, 1) && common.hi == Point<double, 2>(2, 2)));
 }
 
-TEMPLATE_TEST_CASE_SIG("relations are those of the sets of points", "[aabb_aabb]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("two boxes: relations are those of the sets of points", "[aabb_aabb]",
+                       FLOATS_AND_DIMENSIONS) {
   bench::Random random(tests::seed());
   int seen[6] = {};
   for (const bench::Numbers numbers : bench::all_numbers)
@@ -183,3 +183,5 @@ TEMPLATE_TEST_CASE_SIG("relations are those of the sets of points", "[aabb_aabb]
     }
   for (const int count : seen) CHECK(count > 100);
 }
+
+}  // namespace aabb_aabb_test

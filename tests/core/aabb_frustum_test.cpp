@@ -5,6 +5,7 @@
 #include "tests/core/frustums.h"
 #include "tests/settings.h"
 
+namespace aabb_frustum_test {
 using namespace isect;
 using namespace isect::oracle;
 
@@ -61,7 +62,8 @@ TEST_CASE("near an edge a box may be outside and called crossing", "[aabb_frustu
   CHECK(cull(cube<double>(-2, 0, 0, 1), sharp) == Culling::crossing);  // all of the frustum has x >= 0
 }
 
-TEMPLATE_TEST_CASE("what is empty, NaN or infinite is outside", "[aabb_frustum]", float, double) {
+TEMPLATE_TEST_CASE("box and frustum: what is empty, NaN or infinite is outside", "[aabb_frustum]", float,
+                   double) {
   using S = TestType;
   CHECK(culled(cube<S>(0, 0, 5, -1)) == Culling::outside);
   for (const double bad : {nan_, inf, -inf}) {
@@ -76,7 +78,8 @@ TEMPLATE_TEST_CASE("what is empty, NaN or infinite is outside", "[aabb_frustum]"
   }
 }
 
-TEMPLATE_TEST_CASE("a zero normal bounds nothing, or everything", "[aabb_frustum]", float, double) {
+TEMPLATE_TEST_CASE("box and frustum: a zero normal bounds nothing, or everything", "[aabb_frustum]", float,
+                   double) {
   using S = TestType;
   Frustum<S> f = tests::pyramid<S>();
   f.planes[5] = {Vector<S, 3>::Zero(), S(1)};
@@ -87,7 +90,8 @@ TEMPLATE_TEST_CASE("a zero normal bounds nothing, or everything", "[aabb_frustum
   CHECK(cull(cube<S>(0, 0, 5, 1), f) == Culling::outside);
 }
 
-TEMPLATE_TEST_CASE("lengths of any size give the same verdict", "[aabb_frustum]", float, double) {
+TEMPLATE_TEST_CASE("box and frustum: lengths of any size give the same verdict", "[aabb_frustum]", float,
+                   double) {
   using S = TestType;
   constexpr int most = std::numeric_limits<S>::max_exponent - 5;
   for (const int e : {-most, -most / 2, most / 2, most}) {
@@ -107,7 +111,8 @@ TEST_CASE("the events tell each plane up to the first that shuts the box out", "
   CHECK((last.plane == 5 && last.side == Culling::outside));
 }
 
-TEMPLATE_TEST_CASE("culling is that of rational arithmetic", "[aabb_frustum]", float, double) {
+TEMPLATE_TEST_CASE("box and frustum: culling is that of rational arithmetic", "[aabb_frustum]", float,
+                   double) {
   using S = TestType;
   bench::Random random(tests::seed());
   int seen[3] = {};
@@ -150,3 +155,5 @@ TEMPLATE_TEST_CASE("culling is that of rational arithmetic", "[aabb_frustum]", f
     }
   for (const int count : seen) CHECK(count > 500);
 }
+
+}  // namespace aabb_frustum_test

@@ -15,8 +15,6 @@ using namespace isect;
 using bench::Numbers;
 using bench::Random;
 
-#define FLOATS_AND_DIMENSIONS ((class S, int N), S, N), (float, 2), (double, 2), (float, 3), (double, 3)
-
 namespace {
 std::size_t in_use = 0, most_in_use = 0;  // bytes on the heap
 }  // namespace

@@ -13,10 +13,9 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace batch_test {
 using namespace isect;
 using bench::Numbers;
-
-#define FLOATS_AND_DIMENSIONS ((class S, int N), S, N), (float, 2), (float, 3), (double, 2), (double, 3)
 
 namespace {
 
@@ -260,3 +259,5 @@ TEMPLATE_TEST_CASE("points of a batch lie where they lie one by one", "[batch]",
     }
   for (const int count : counts) CHECK(count > (counts[0] + counts[1] + counts[2]) / 50);
 }
+
+}  // namespace batch_test

@@ -10,6 +10,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace bounded_test {
 using namespace isect;
 using oracle::Rational;
 
@@ -261,3 +262,5 @@ TEST_CASE("orient3d is +1 below a counter-clockwise triangle", "[orient]") {
   CHECK(orient3d(a, b, c, {0.2, 0.2, 5e-324}) == -1);
   CHECK(orient3d(a, b, c, {7, -3, 0}) == 0);
 }
+
+}  // namespace bounded_test

@@ -6,6 +6,7 @@
 #include "tests/core/box_families.h"
 #include "tests/settings.h"
 
+namespace bvh_pairs_test {
 using namespace isect;
 using bench::Random;
 
@@ -152,3 +153,5 @@ TEMPLATE_TEST_CASE_SIG("the pairs are those of brute force, each once", "[bvh_pa
   CHECK(between > 1000);
   CHECK(none > 3);
 }
+
+}  // namespace bvh_pairs_test

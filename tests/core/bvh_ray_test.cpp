@@ -9,6 +9,7 @@
 #include "tests/core/box_families.h"
 #include "tests/settings.h"
 
+namespace bvh_ray_test {
 using namespace isect;
 using bench::Random;
 
@@ -288,3 +289,5 @@ TEMPLATE_TEST_CASE_SIG("signed permutations of the axes and powers of two change
             closest_hit(build_bvh(moved_boxes), turned, solid(turned, moved_boxes)));
   }
 }
+
+}  // namespace bvh_ray_test

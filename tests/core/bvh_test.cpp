@@ -7,6 +7,7 @@
 #include "tests/core/box_families.h"
 #include "tests/settings.h"
 
+namespace bvh_test {
 using namespace isect;
 using bench::Random;
 
@@ -296,3 +297,5 @@ TEST_CASE("a million boxes make a hierarchy within the stated memory", "[bvh]") 
     CHECK(bytes(tree) <= 68u * boxes.size());
   }
 }
+
+}  // namespace bvh_test

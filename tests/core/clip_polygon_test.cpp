@@ -10,6 +10,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace clip_polygon_test {
 using namespace isect;
 using bench::Numbers;
 using bench::Random;
@@ -83,8 +84,6 @@ Rational area2(const std::vector<oracle::Coordinates<N>>& r) {
 }
 
 }  // namespace
-
-#define FLOATS_AND_DIMENSIONS ((class S, int N), S, N), (float, 2), (double, 2), (float, 3), (double, 3)
 
 TEMPLATE_TEST_CASE_SIG("a plane cuts a square in two", "[clip_polygon]", FLOATS_AND_DIMENSIONS) {
   const Ring<S, N> right = clip(square<S, N>(), Plane<S, N>{at<S, N>(1), S(-1)});
@@ -283,3 +282,5 @@ TEST_CASE("a triangle and a box share the area that rational arithmetic gives", 
   }
   CHECK(shared > 300);
 }
+
+}  // namespace clip_polygon_test

@@ -9,6 +9,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace clip_segment_test {
 using namespace isect;
 using bench::Numbers;
 using bench::Random;
@@ -94,8 +95,6 @@ double distance(const Interval<S>& kept, const Stretch& expected) {
 
 }  // namespace
 
-#define FLOATS_AND_DIMENSIONS ((class S, int N), S, N), (float, 2), (double, 2), (float, 3), (double, 3)
-
 TEMPLATE_TEST_CASE_SIG("a half-space keeps the part on its side", "[clip_segment]", FLOATS_AND_DIMENSIONS) {
   const Ray<S, N> up = {at<S, N>(-2), at<S, N>(2)}, down = {at<S, N>(4), at<S, N>(-2)};
   const S infinity = infinite<S>.hi;
@@ -155,8 +154,8 @@ TEST_CASE("a segment's end points count as they are, whatever their difference r
     CHECK(clip(Segment<double, 2>{{-k, 0}, {k, 0}}, Plane<double, 2>{{k, 0}, 0}) == between<double>(.5, 1));
 }
 
-TEMPLATE_TEST_CASE_SIG("every answer is that of rational arithmetic", "[clip_segment][random]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("segment and box: every answer is that of rational arithmetic",
+                       "[clip_segment][random]", FLOATS_AND_DIMENSIONS) {
   using oracle::operator+;
   int kept = 0, lost = 0, whole = 0, points = 0;
   double worst = 0;
@@ -289,3 +288,5 @@ TEST_CASE("Liang and Barsky's method counts its operations, and rounding may dec
     }
   CHECK(wrong > 0);
 }
+
+}  // namespace clip_segment_test

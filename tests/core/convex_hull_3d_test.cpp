@@ -11,6 +11,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace convex_hull_3d_test {
 using namespace isect;
 using bench::Numbers;
 using oracle::Rational;
@@ -338,3 +339,5 @@ TEST_CASE("all of many points on a sphere are vertices where none is in a plane 
   check_closed(inner);
   check_below(inner, inner.vertices, 10);
 }
+
+}  // namespace convex_hull_3d_test

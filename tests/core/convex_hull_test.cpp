@@ -9,6 +9,7 @@
 #include "tests/core/hull_oracle.h"
 #include "tests/settings.h"
 
+namespace convex_hull_test {
 using namespace isect;
 using bench::Numbers;
 
@@ -185,3 +186,5 @@ TEST_CASE("the events tell each turn of the chain", "[convex_hull]") {
   CHECK(removed.turn == -1);
   CHECK(std::get<Added<double>>(record.events[4]).p == Point<double, 2>(2, 0));
 }
+
+}  // namespace convex_hull_test

@@ -8,6 +8,7 @@
 #include "tests/core/hull_oracle.h"
 #include "tests/settings.h"
 
+namespace convex_polygons_test {
 using namespace isect;
 using bench::Numbers;
 using oracle::Rational;
@@ -121,7 +122,8 @@ TEMPLATE_TEST_CASE("the separating edge may belong to either", "[convex_polygons
   CHECK_FALSE(separating_edge(a, a));
 }
 
-TEMPLATE_TEST_CASE("an ulp decides between apart, touching and overlapping", "[convex_polygons]", float, double) {
+TEMPLATE_TEST_CASE("two polygons: an ulp decides between apart, touching and overlapping",
+                   "[convex_polygons]", float, double) {
   using S = TestType;
   const ConvexPolygon<S> a = box<S>(0, 0, 1, 1);
   const auto with_left = [&](S x) { return relate(a, box<S>(x, 0.25, 3, 0.5)); };
@@ -213,3 +215,5 @@ TEST_CASE("the events tell the farthest vertex of each edge", "[convex_polygons]
   CHECK(record.events.size() == 7);
   CHECK(std::get<Contained>(record.events.back()).b_in_a);
 }
+
+}  // namespace convex_polygons_test

@@ -3,6 +3,7 @@
 #include "core/ray_sphere_methods.h"
 #include "tests/catch.h"
 
+namespace counted_test {
 using namespace isect;
 using C = Counted<double>;
 
@@ -88,3 +89,5 @@ TEST_CASE("counting changes no result", "[counted][ray_sphere_methods]") {
   CHECK(ray_sphere::half_b(ray(0.25), unit_sphere)->value == *ray_sphere::half_b(plain, ball));
   CHECK(ray_sphere::haines(ray(0.25), unit_sphere)->value == *ray_sphere::haines(plain, ball));
 }
+
+}  // namespace counted_test

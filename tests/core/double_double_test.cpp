@@ -10,6 +10,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace double_double_test {
 using namespace isect;
 using Rational =
     boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
@@ -126,3 +127,5 @@ TEST_CASE("a quotient rounds once, after a relative error of at most 8 u^2", "[d
     REQUIRE(size(exact(t) - truth) <= half_ulp + 8 * u2 * size(truth));
   }
 }
+
+}  // namespace double_double_test

@@ -9,6 +9,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace exact_test {
 using namespace isect;
 namespace mp = boost::multiprecision;
 using Rational = mp::number<mp::gmp_rational, mp::et_off>;
@@ -111,3 +112,5 @@ TEST_CASE("square roots are truncated, by a relative 2^-126 at most", "[exact]")
     check(Exact(a) * b + random.unit());
   }
 }
+
+}  // namespace exact_test

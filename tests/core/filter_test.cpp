@@ -6,6 +6,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace filter_test {
 using namespace isect;
 
 namespace {
@@ -103,3 +104,5 @@ TEST_CASE("the leading double of a pair is its high part", "[filter]") {
   CHECK(leading(Exact(7.0)) == 0);
   CHECK(rounded(Exact(7.0)) == 7);
 }
+
+}  // namespace filter_test

@@ -14,6 +14,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace fit_test {
 using namespace isect;
 using oracle::Rational;
 using oracle::operator-;
@@ -92,8 +93,6 @@ void check_sizes(const Points<S, N>& points, const Kdop<S, N>& kdop, const Spher
 }
 
 }  // namespace
-
-#define FLOATS_AND_DIMENSIONS ((class S, int N), S, N), (float, 2), (double, 2), (float, 3), (double, 3)
 
 TEMPLATE_TEST_CASE_SIG("every fit holds every point, and no smaller size would", "[fit]", FLOATS_AND_DIMENSIONS) {
   const int cases = tests::cases(60, 25000);
@@ -222,3 +221,5 @@ TEST_CASE("the events tell which points decide", "[fit]") {
   CHECK(extremes[0].side == -extremes[1].side);
   for (const fit::Extreme& extreme : extremes) CHECK(extreme.point == (extreme.side == 1 ? 1 : 2));
 }
+
+}  // namespace fit_test

@@ -16,6 +16,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace fit_tight_test {
 using namespace isect;
 using bench::Numbers;
 using oracle::Rational;
@@ -97,13 +98,11 @@ Points<S, N> cloud(bench::Random& random, Numbers numbers, int n) {
 }
 
 template <class S, int N>
-double volume(const Obb<S, N>& box) {
+double volume_of(const Obb<S, N>& box) {
   return box.half.template cast<double>().prod() * (1 << N);
 }
 
 }  // namespace
-
-#define FLOATS_AND_DIMENSIONS ((class S, int N), S, N), (float, 2), (double, 2), (float, 3), (double, 3)
 
 TEMPLATE_TEST_CASE_SIG("every tighter fit holds every point", "[fit_tight]", FLOATS_AND_DIMENSIONS) {
   for (const Numbers numbers : bench::all_numbers) {
@@ -186,7 +185,7 @@ TEMPLATE_TEST_CASE_SIG("the tight box of a turned brick is the brick", "[fit_tig
       for (int k = 0; k < N; ++k) c[k] = static_cast<S>((corner >> k & 1 ? 1 : -1) * (k + 1));
       points.push_back(frame * c);
     }
-    CHECK(volume(fit_obb_tight(points)) == Approx(N == 2 ? 8 : 48).epsilon(1e-5));
+    CHECK(volume_of(fit_obb_tight(points)) == Approx(N == 2 ? 8 : 48).epsilon(1e-5));
   }
 }
 
@@ -207,10 +206,12 @@ TEST_CASE("tight boxes are as tight as the known ones", "[fit_tight]") {
       points.emplace_back(p[0].get<double>(), p[1].get<double>(), p[2].get<double>());
     const Obb<double, 3> tight = fit_obb_tight(points);
     INFO("case " << count << ", " << points.size() << " points, by principal axes "
-                 << volume(fit_obb(points)));
-    CHECK(volume(tight) <= c["expected"]["volume_upper_bound"].get<double>() * (1 + 1e-4));
+                 << volume_of(fit_obb(points)));
+    CHECK(volume_of(tight) <= c["expected"]["volume_upper_bound"].get<double>() * (1 + 1e-4));
     CHECK(holds_all(tight, points));
     ++count;
   }
   CHECK(count > 0);
 }
+
+}  // namespace fit_tight_test

@@ -4,6 +4,7 @@
 
 #include "tests/catch.h"
 
+namespace interval_interval_methods_test {
 using namespace isect;
 using namespace isect::interval_interval;
 
@@ -51,3 +52,5 @@ TEST_CASE("the events tell the common part and the middles", "[interval_interval
   CHECK(std::get<Middles<double>>(record.events[1]).distance == 1);
   CHECK(std::get<Middles<double>>(record.events[1]).reach == 2);
 }
+
+}  // namespace interval_interval_methods_test

@@ -6,6 +6,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace interval_interval_test {
 using namespace isect;
 
 namespace {
@@ -42,7 +43,7 @@ TEMPLATE_TEST_CASE("a point is an interval", "[interval_interval]", float, doubl
   CHECK(related<TestType>(-0.0, 0, 0, -0.0) == Relation::equal);
 }
 
-TEMPLATE_TEST_CASE("an ulp decides", "[interval_interval]", float, double) {
+TEMPLATE_TEST_CASE("two intervals: an ulp decides", "[interval_interval]", float, double) {
   const TestType one = 1, above = std::nextafter(one, TestType(2)),
                  tiny = std::numeric_limits<TestType>::denorm_min();
   CHECK(related<TestType>(0, one, one, 2) == Relation::touching);
@@ -110,7 +111,8 @@ TEST_CASE("the events tell the comparisons and the common part", "[interval_inte
   CHECK(std::get<interval_interval::Common<double>>(record.events.back()).common == Interval<double>{1, 2});
 }
 
-TEMPLATE_TEST_CASE("relations are those of the sets of points", "[interval_interval]", float, double) {
+TEMPLATE_TEST_CASE("two intervals: relations are those of the sets of points", "[interval_interval]", float,
+                   double) {
   using S = TestType;
   bench::Random random(tests::seed());
   int seen[6] = {};
@@ -132,3 +134,5 @@ TEMPLATE_TEST_CASE("relations are those of the sets of points", "[interval_inter
     }
   for (const int count : seen) CHECK(count > 100);
 }
+
+}  // namespace interval_interval_test

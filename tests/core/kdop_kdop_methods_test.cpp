@@ -6,6 +6,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace kdop_kdop_methods_test {
 using namespace isect;
 using namespace isect::kdop_kdop;
 
@@ -44,3 +45,5 @@ TEMPLATE_TEST_CASE("unit normals part tetrahedra that touch on a grid, integer n
   }
   CHECK(parted > 20);
 }
+
+}  // namespace kdop_kdop_methods_test

@@ -7,10 +7,9 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace kdop_kdop_test {
 using namespace isect;
 using namespace isect::oracle;
-
-#define FLOATS_AND_DIMENSIONS ((class S, int N), S, N), (float, 2), (double, 2), (float, 3), (double, 3)
 
 namespace {
 
@@ -70,7 +69,8 @@ TEST_CASE("a true may be wrong, as another direction separates", "[kdop_kdop]") 
   CHECK(may_intersect(a, b));  // yet x - 2 y is at least 0 on one segment, at most -1 on the other
 }
 
-TEMPLATE_TEST_CASE_SIG("what is empty, NaN or infinite meets nothing", "[kdop_kdop]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("two k-DOPs: what is empty, NaN or infinite meets nothing", "[kdop_kdop]",
+                       FLOATS_AND_DIMENSIONS) {
   const Kdop<S, N> good = around<S, N>(octagon_normals<S, N>(), {at<S, N>(-1, -1), at<S, N>(1, 1)});
   CHECK(may_intersect(good, good));
   for (const double bad : {nan_, inf, -inf, 7.})
@@ -157,3 +157,5 @@ TEMPLATE_TEST_CASE_SIG("slabs are compared as rational numbers are", "[kdop_kdop
     }
   CHECK(std::min(separated, together) > 500);
 }
+
+}  // namespace kdop_kdop_test

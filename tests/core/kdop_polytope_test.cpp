@@ -15,6 +15,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace kdop_polytope_test {
 using namespace isect;
 using bench::Numbers;
 using oracle::Rational;
@@ -120,8 +121,6 @@ Kdop<S, N> random_kdop(bench::Random& random, Numbers numbers) {
 }
 
 }  // namespace
-
-#define FLOATS_AND_DIMENSIONS ((class S, int N), S, N), (float, 2), (double, 2), (float, 3), (double, 3)
 
 TEST_CASE("the usual directions are so many, and none twice", "[directions]") {
   for (const int k : {4, 8}) CHECK(static_cast<int>(directions<double, 2>(k).size()) == k / 2);
@@ -264,3 +263,5 @@ TEMPLATE_TEST_CASE("rings turn counter-clockwise seen from outside", "[kdop_poly
     }
   }
 }
+
+}  // namespace kdop_polytope_test

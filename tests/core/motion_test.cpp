@@ -7,12 +7,11 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace motion_test {
 using namespace isect;
 using bench::Numbers;
 using bench::Random;
 using namespace isect::oracle;
-
-#define FLOATS_AND_DIMENSIONS ((class S, int N), S, N), (float, 2), (double, 2), (float, 3), (double, 3)
 
 namespace {
 
@@ -286,3 +285,5 @@ TEMPLATE_TEST_CASE_SIG("the swept box holds both ends of the way, and no more th
       if (way == Vector<S, N>::Zero() && !aabb_aabb::same(swept, box)) FAIL("grown for nothing");
     }
 }
+
+}  // namespace motion_test

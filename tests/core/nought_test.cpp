@@ -6,6 +6,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace nought_test {
 using namespace isect;
 using oracle::Rational;
 
@@ -65,3 +66,5 @@ TEST_CASE("products of vectors along different axes are 0 to it", "[nought]") {
   CHECK(cross(exactly<Nought>(x), exactly<Nought>(x))[1].sign() == 0);
   CHECK_FALSE(dot(exactly<Nought>(y), exactly<Nought>(y)).sign());
 }
+
+}  // namespace nought_test

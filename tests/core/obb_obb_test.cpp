@@ -14,6 +14,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace obb_obb_test {
 using namespace isect;
 using oracle::obb::Exactly;
 
@@ -83,8 +84,6 @@ std::array<Obb<S, N>, 2> pair(bench::Random& random, bench::Numbers numbers) {
 }
 
 }  // namespace
-
-#define FLOATS_AND_DIMENSIONS ((class S, int N), S, N), (float, 2), (double, 2), (float, 3), (double, 3)
 
 TEMPLATE_TEST_CASE_SIG("boxes side by side are disjoint, touch or overlap", "[obb_obb]",
                        FLOATS_AND_DIMENSIONS) {
@@ -175,7 +174,8 @@ TEMPLATE_TEST_CASE_SIG("nothing meets empty boxes, dependent axes, NaN and infin
     }
 }
 
-TEMPLATE_TEST_CASE_SIG("sizes from tiny to huge give the same verdict", "[obb_obb]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("two OBBs: sizes from tiny to huge give the same verdict", "[obb_obb]",
+                       FLOATS_AND_DIMENSIONS) {
   constexpr int most = std::numeric_limits<S>::max_exponent - 4;
   for (const int e : {-most, -most / 2, most / 2, most}) {
     const double k = std::ldexp(1.0, e);
@@ -206,7 +206,7 @@ TEST_CASE("crossed edges separate where no face does", "[obb_obb]") {
   CHECK(relate(a, b) == Relation::overlapping);
 }
 
-TEST_CASE("the published hard cases are decided rightly", "[obb_obb]") {
+TEST_CASE("two OBBs: the published hard cases are decided rightly", "[obb_obb]") {
   SECTION("a corner a hair off a face (MathGeoLib issue 12)") {
     const Obb<double, 3> a = {{.5, .5, .5}, Eigen::Matrix3d::Identity(), {.5, .5, .5}};
     Obb<double, 3> b = {{1, 0.36602540378444004, -1.3660254037844402}, {}, {1, 1, 1}};
@@ -268,7 +268,7 @@ TEMPLATE_TEST_CASE_SIG("verdicts are those of the common part's vertices", "[obb
     CHECK(count[static_cast<int>(r)] > 0);
 }
 
-TEMPLATE_TEST_CASE_SIG("exact motions, orders of axes and listeners change nothing", "[obb_obb]",
+TEMPLATE_TEST_CASE_SIG("two OBBs: exact motions, orders of axes and listeners change nothing", "[obb_obb]",
                        FLOATS_AND_DIMENSIONS) {
   bench::Random random(tests::seed());
   for (int i = 0; i < 500; ++i) {
@@ -360,3 +360,5 @@ TEST_CASE("the classical test counts, and tells its axes", "[obb_obb]") {
   CHECK(tally().mul > 100);
   CHECK(tally().div == 0);
 }
+
+}  // namespace obb_obb_test

@@ -9,6 +9,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace orient_methods_test {
 using namespace isect;
 using namespace isect::bench;
 using orient::Corner;
@@ -127,3 +128,5 @@ TEST_CASE("NaN is no side", "[orient_methods]") {
     CHECK(sign(method({{0, nan}, {4, 0}, {0, 3}})) == 0);
   });
 }
+
+}  // namespace orient_methods_test

@@ -6,6 +6,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace orient_test {
 using namespace isect;
 using namespace isect::bench;
 
@@ -47,3 +48,5 @@ TEST_CASE("four points turn as rationals say", "[orient]") {
   for (const int count : counts) CHECK(count > 100);
   CHECK(orient3d({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}) == 1);
 }
+
+}  // namespace orient_test

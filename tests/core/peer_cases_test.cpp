@@ -6,6 +6,7 @@
 #include "core/ray_sphere.h"
 #include "tests/catch.h"
 
+namespace peer_cases_test {
 using namespace isect;
 using isect::tests::peer_cases;
 using Json = nlohmann::json;
@@ -23,7 +24,7 @@ Location location(const std::string& name) {
   return name == "in" ? Location::in : name == "on" ? Location::on : Location::out;
 }
 
-double ulps(double x, double expected) { return oracle::ulps(x, {expected, 0}); }
+double ulps(double x, double expected) { return oracle::ulps(x, oracle::Real{expected, 0}); }
 
 /// The answer over t >= 0 and over [0, 1] against the file's; both kinds of answer have the same members
 /// there.
@@ -100,3 +101,5 @@ TEST_CASE("the oracle agrees with public test suites to the last bit", "[oracle]
     check(c.content, truth, 0);
   }
 }
+
+}  // namespace peer_cases_test

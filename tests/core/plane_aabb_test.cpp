@@ -7,10 +7,9 @@
 #include "tests/core/motion.h"
 #include "tests/settings.h"
 
+namespace plane_aabb_test {
 using namespace isect;
 using namespace isect::oracle;
-
-#define FLOATS_AND_DIMENSIONS ((class S, int N), S, N), (float, 2), (double, 2), (float, 3), (double, 3)
 
 namespace {
 
@@ -61,7 +60,7 @@ TEMPLATE_TEST_CASE_SIG("a plane touches a flat box in it, and a point", "[plane_
   CHECK(related(Plane<S, N>{at<S, N>(1, 1), S(-2)}, cube<S, N>(1, 1)) == Relation::touching);
 }
 
-TEMPLATE_TEST_CASE_SIG("the normal may have any length, and lengths any size", "[plane_aabb]",
+TEMPLATE_TEST_CASE_SIG("plane and box: the normal may have any length, and lengths any size", "[plane_aabb]",
                        FLOATS_AND_DIMENSIONS) {
   constexpr int most = std::numeric_limits<S>::max_exponent - 4;
   for (const int e : {-most, -most / 2, 0, most / 2, most}) {
@@ -73,8 +72,9 @@ TEMPLATE_TEST_CASE_SIG("the normal may have any length, and lengths any size", "
   }
 }
 
-TEMPLATE_TEST_CASE_SIG("a zero normal is no plane; what is empty, NaN or infinite meets nothing", "[plane_aabb]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG(
+    "plane and box: a zero normal is no plane, and what is empty, NaN or infinite meets nothing", "[plane_aabb]",
+    FLOATS_AND_DIMENSIONS) {
   const Aabb<S, N> box = cube<S, N>(-1, 1);
   const Plane<S, N> good = {at<S, N>(1, 0), S(0)};
   const auto nothing = [](const Plane<S, N>& plane, const Aabb<S, N>& b) {
@@ -119,7 +119,8 @@ TEST_CASE("the events tell the corners and the signs", "[plane_aabb]") {
   CHECK((decision.least == -1 && decision.greatest == 1));
 }
 
-TEMPLATE_TEST_CASE_SIG("verdicts are those of rational arithmetic", "[plane_aabb]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("plane and box: verdicts are those of rational arithmetic", "[plane_aabb]",
+                       FLOATS_AND_DIMENSIONS) {
   bench::Random random(tests::seed());
   int seen[6] = {}, sides[3] = {};
   for (const bench::Numbers numbers : bench::all_numbers)
@@ -161,3 +162,5 @@ TEMPLATE_TEST_CASE_SIG("verdicts are those of rational arithmetic", "[plane_aabb
     CHECK(seen[static_cast<int>(r)] > 200);
   for (const int count : sides) CHECK(count > 300);
 }
+
+}  // namespace plane_aabb_test

@@ -6,10 +6,9 @@
 #include "tests/core/motion.h"
 #include "tests/settings.h"
 
+namespace plane_sphere_test {
 using namespace isect;
 using namespace isect::oracle;
-
-#define FLOATS_AND_DIMENSIONS ((class S, int N), S, N), (float, 2), (double, 2), (float, 3), (double, 3)
 
 namespace {
 
@@ -53,8 +52,8 @@ TEMPLATE_TEST_CASE_SIG("a ball of radius 0 touches the planes through it", "[pla
   CHECK(side(plane, Sphere<S, N>{at<S, N>(1, 1), S(0)}) == -1);
 }
 
-TEMPLATE_TEST_CASE_SIG("the normal may have any length, and lengths any size", "[plane_sphere]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("plane and sphere: the normal may have any length, and lengths any size",
+                       "[plane_sphere]", FLOATS_AND_DIMENSIONS) {
   constexpr int most = std::numeric_limits<S>::max_exponent - 6;
   for (const int e : {-most, -most / 2, 0, most / 2, most}) {
     const double k = std::ldexp(1.0, e);
@@ -66,8 +65,9 @@ TEMPLATE_TEST_CASE_SIG("the normal may have any length, and lengths any size", "
   }
 }
 
-TEMPLATE_TEST_CASE_SIG("a zero normal is no plane; what is empty, NaN or infinite meets nothing", "[plane_sphere]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG(
+    "plane and sphere: a zero normal is no plane, and what is empty, NaN or infinite meets nothing",
+    "[plane_sphere]", FLOATS_AND_DIMENSIONS) {
   const Sphere<S, N> ball = {at<S, N>(1, 2), S(3)};
   const Plane<S, N> good = {at<S, N>(1, 0), S(0)};
   const auto nothing = [](const Plane<S, N>& plane, const Sphere<S, N>& sphere) {
@@ -93,7 +93,8 @@ TEST_CASE("the events tell both signs, and each fallback", "[plane_sphere]") {
   CHECK((decision.center == -1 && decision.clear == 0));
 }
 
-TEMPLATE_TEST_CASE_SIG("verdicts are those of rational arithmetic", "[plane_sphere]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("plane and sphere: verdicts are those of rational arithmetic", "[plane_sphere]",
+                       FLOATS_AND_DIMENSIONS) {
   bench::Random random(tests::seed());
   int seen[6] = {}, sides[3] = {};
   for (const bench::Numbers numbers : bench::all_numbers)
@@ -134,3 +135,5 @@ TEMPLATE_TEST_CASE_SIG("verdicts are those of rational arithmetic", "[plane_sphe
     CHECK(seen[static_cast<int>(r)] > 300);
   for (const int count : sides) CHECK(count > 300);
 }
+
+}  // namespace plane_sphere_test

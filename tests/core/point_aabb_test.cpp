@@ -6,10 +6,9 @@
 #include "tests/core/motion.h"
 #include "tests/settings.h"
 
+namespace point_aabb_test {
 using namespace isect;
 using namespace isect::oracle;
-
-#define FLOATS_AND_DIMENSIONS ((class S, int N), S, N), (float, 2), (double, 2), (float, 3), (double, 3)
 
 namespace {
 
@@ -76,7 +75,8 @@ TEST_CASE("the events tell each axis up to the first that shuts the point out", 
   CHECK((last.x == 5 && last.interval == Interval<double>{0, 2} && last.location == Location::out));
 }
 
-TEMPLATE_TEST_CASE_SIG("locations are those of rational arithmetic", "[point_aabb]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("point and box: locations are those of rational arithmetic", "[point_aabb]",
+                       FLOATS_AND_DIMENSIONS) {
   bench::Random random(tests::seed());
   int seen[3] = {};
   for (const bench::Numbers numbers : bench::all_numbers)
@@ -108,3 +108,5 @@ TEMPLATE_TEST_CASE_SIG("locations are those of rational arithmetic", "[point_aab
     }
   for (const int count : seen) CHECK(count > 500);
 }
+
+}  // namespace point_aabb_test

@@ -9,6 +9,7 @@
 #include "tests/core/hull_oracle.h"
 #include "tests/settings.h"
 
+namespace point_convex_polygon_test {
 using namespace isect;
 using bench::Numbers;
 using oracle::Rational;
@@ -269,3 +270,5 @@ TEST_CASE("the naive wedges are right in plump polygons, and wrong in slivers", 
   CHECK(tally().div == 2);
   CHECK(record.events.size() == 4);
 }
+
+}  // namespace point_convex_polygon_test

@@ -5,10 +5,9 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace point_kdop_test {
 using namespace isect;
 using namespace isect::oracle;
-
-#define FLOATS_AND_DIMENSIONS ((class S, int N), S, N), (float, 2), (double, 2), (float, 3), (double, 3)
 
 namespace {
 
@@ -58,7 +57,8 @@ TEMPLATE_TEST_CASE_SIG("a flat slab has no interior, an inverted one no point", 
   CHECK(locate(at<S, N>(0, 0), k) == Location::out);
 }
 
-TEMPLATE_TEST_CASE_SIG("a zero normal bounds nothing, or everything", "[point_kdop]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("point and k-DOP: a zero normal bounds nothing, or everything", "[point_kdop]",
+                       FLOATS_AND_DIMENSIONS) {
   Kdop<S, N> k = hexagon<S, N>();
   k.normals[2] = at<S, N>(0, -0.0);
   CHECK(locate(at<S, N>(0.9, 0.9), k) == Location::in);
@@ -69,7 +69,8 @@ TEMPLATE_TEST_CASE_SIG("a zero normal bounds nothing, or everything", "[point_kd
   CHECK(locate(at<S, N>(0.9, 0.9), Kdop<S, N>{}) == Location::in);
 }
 
-TEMPLATE_TEST_CASE_SIG("NaN and infinite coordinates are outside", "[point_kdop]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("point and k-DOP: NaN and infinite coordinates are outside", "[point_kdop]",
+                       FLOATS_AND_DIMENSIONS) {
   for (const double bad : {nan_, inf, -inf}) {
     Kdop<S, N> k = hexagon<S, N>();
     CHECK(locate(at<S, N>(bad, 0), k) == Location::out);
@@ -92,7 +93,8 @@ TEST_CASE("the events tell each slab up to the one that shuts the point out", "[
   CHECK((last.slab == 1 && last.from_lo == 1 && last.from_hi == 1));
 }
 
-TEMPLATE_TEST_CASE_SIG("locations are those of rational arithmetic", "[point_kdop]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("point and k-DOP: locations are those of rational arithmetic", "[point_kdop]",
+                       FLOATS_AND_DIMENSIONS) {
   bench::Random random(tests::seed());
   int seen[3] = {};
   for (const bench::Numbers numbers : bench::all_numbers)
@@ -133,3 +135,5 @@ TEMPLATE_TEST_CASE_SIG("locations are those of rational arithmetic", "[point_kdo
     }
   for (const int count : seen) CHECK(count > 500);
 }
+
+}  // namespace point_kdop_test

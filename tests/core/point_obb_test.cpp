@@ -10,6 +10,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace point_obb_test {
 using namespace isect;
 using oracle::Rational;
 
@@ -79,8 +80,6 @@ Point<S, N> near(bench::Random& random, const Obb<S, N>& box, bench::Numbers num
 
 }  // namespace
 
-#define FLOATS_AND_DIMENSIONS ((class S, int N), S, N), (float, 2), (double, 2), (float, 3), (double, 3)
-
 TEMPLATE_TEST_CASE_SIG("a point is in, on or out of a box", "[point_obb]", FLOATS_AND_DIMENSIONS) {
   CHECK(locate(at<S, N>(0), brick<S, N>()) == Location::in);
   CHECK(locate(at<S, N>(1.5, 0.5), brick<S, N>()) == Location::in);
@@ -90,7 +89,7 @@ TEMPLATE_TEST_CASE_SIG("a point is in, on or out of a box", "[point_obb]", FLOAT
   CHECK(locate(at<S, N>(0, -1.5), brick<S, N>()) == Location::out);
 }
 
-TEMPLATE_TEST_CASE_SIG("an ulp decides", "[point_obb]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("point and OBB: an ulp decides", "[point_obb]", FLOATS_AND_DIMENSIONS) {
   CHECK(locate(at<S, N>(std::nextafter(S(2), S(0))), brick<S, N>()) == Location::in);
   CHECK(locate(at<S, N>(std::nextafter(S(2), S(3))), brick<S, N>()) == Location::out);
 }
@@ -142,7 +141,8 @@ TEMPLATE_TEST_CASE_SIG("empty boxes, dependent axes, NaN and infinity hold no po
   }
 }
 
-TEMPLATE_TEST_CASE_SIG("sizes from tiny to huge give the same verdict", "[point_obb]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("point and OBB: sizes from tiny to huge give the same verdict", "[point_obb]",
+                       FLOATS_AND_DIMENSIONS) {
   constexpr int most = std::numeric_limits<S>::max_exponent - 4;
   for (const int e : {-most, -most / 2, most / 2, most}) {
     const double k = std::ldexp(1.0, e);
@@ -175,8 +175,8 @@ TEMPLATE_TEST_CASE_SIG("locations are those of rational coordinates", "[point_ob
   }
 }
 
-TEMPLATE_TEST_CASE_SIG("exact motions, orders of axes and listeners change nothing", "[point_obb]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("point and OBB: exact motions, orders of axes and listeners change nothing",
+                       "[point_obb]", FLOATS_AND_DIMENSIONS) {
   bench::Random random(tests::seed());
   for (int i = 0; i < 2000; ++i) {
     INFO("seed " << tests::seed() << ", case " << i);
@@ -207,3 +207,5 @@ TEST_CASE("the events tell each slab, the last one that of the verdict", "[point
   CHECK(std::get<point_obb::Slab>(record.events[1]).axis == 1);
   CHECK(std::get<point_obb::Slab>(record.events[1]).sign == 1);
 }
+
+}  // namespace point_obb_test

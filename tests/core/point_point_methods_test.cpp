@@ -4,6 +4,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace point_point_methods_test {
 using namespace isect;
 using namespace isect::point_point;
 
@@ -36,7 +37,7 @@ TEST_CASE("squares that vanish make points near", "[point_point_methods]") {
   CHECK_FALSE(near_by_coordinates(p, q, 1e-24f));
 }
 
-TEST_CASE("the events tell what is compared", "[point_point_methods]") {
+TEST_CASE("two points: the events tell what is compared", "[point_point_methods]") {
   Record<MethodEvent<double>> record;
   near_by_squares<double, 2>({0, 0}, {3, 4}, 6, record);
   near_by_distance<double, 2>({0, 0}, {3, 4}, 6, record);
@@ -46,3 +47,5 @@ TEST_CASE("the events tell what is compared", "[point_point_methods]") {
   CHECK(std::get<Compared<double>>(record.events[1]).distance == 5);
   CHECK(std::get<Compared<double>>(record.events[2]).distance == 3);
 }
+
+}  // namespace point_point_methods_test

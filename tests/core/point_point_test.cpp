@@ -6,10 +6,9 @@
 #include "tests/core/motion.h"
 #include "tests/settings.h"
 
+namespace point_point_test {
 using namespace isect;
 using namespace isect::oracle;
-
-#define FLOATS_AND_DIMENSIONS ((class S, int N), S, N), (float, 2), (double, 2), (float, 3), (double, 3)
 
 namespace {
 
@@ -91,7 +90,8 @@ TEST_CASE("the events tell the coordinates up to the first that differs", "[poin
   CHECK(std::get<point_point::Distance>(record.events.back()).sign == 0);
 }
 
-TEMPLATE_TEST_CASE_SIG("verdicts are those of rational arithmetic", "[point_point]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("two points: verdicts are those of rational arithmetic", "[point_point]",
+                       FLOATS_AND_DIMENSIONS) {
   bench::Random random(tests::seed());
   int near = 0, far = 0, same = 0, exact = 0;
   for (const bench::Numbers numbers : bench::all_numbers)
@@ -119,3 +119,5 @@ TEMPLATE_TEST_CASE_SIG("verdicts are those of rational arithmetic", "[point_poin
     }
   for (const int count : {near, far, same, exact}) CHECK(count > 300);
 }
+
+}  // namespace point_point_test

@@ -7,6 +7,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace point_polygon_methods_test {
 using namespace isect;
 using namespace isect::bench;
 using point_polygon::crossings_multiplied;
@@ -132,3 +133,5 @@ TEST_CASE("the closed rule counts a vertex on the ray twice, and is right where 
       not_a_number += std::isnan(e->x);
   CHECK(not_a_number == 1);
 }
+
+}  // namespace point_polygon_methods_test

@@ -11,6 +11,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace point_polygon_test {
 using namespace isect;
 using bench::Numbers;
 using oracle::Rational;
@@ -222,7 +223,7 @@ TEMPLATE_TEST_CASE("the largest and the smallest numbers are as good as others",
   CHECK(locate(at<S>(0, 0), many) == Location::on);
 }
 
-TEST_CASE("the published hard cases are decided rightly", "[point_polygon]") {
+TEST_CASE("point and polygon: the published hard cases are decided rightly", "[point_polygon]") {
   const Ring<double, 2> triangle = {{0, 0}, {0, 172}, {100, 0}};
   CHECK(locate(Point<double, 2>(25.374625374625374, 128.35564435564436), triangle) == Location::out);
 }
@@ -439,3 +440,5 @@ TEST_CASE("the naive methods are right away from edges, and wrong next to them",
   CHECK(point_polygon::winding_naive(Point<S, 2>(S(1), S(1)), square, record) == 1);
   CHECK(record.events.size() == 6);
 }
+
+}  // namespace point_polygon_test

@@ -6,10 +6,9 @@
 #include "tests/core/motion.h"
 #include "tests/settings.h"
 
+namespace point_sphere_test {
 using namespace isect;
 using namespace isect::oracle;
-
-#define FLOATS_AND_DIMENSIONS ((class S, int N), S, N), (float, 2), (double, 2), (float, 3), (double, 3)
 
 namespace {
 
@@ -43,7 +42,8 @@ TEMPLATE_TEST_CASE_SIG("a sphere of radius 0 is its center, one of negative radi
   CHECK(locate(c, Sphere<S, N>{c, S(-1)}) == Location::out);
 }
 
-TEMPLATE_TEST_CASE_SIG("NaN and infinite coordinates are outside", "[point_sphere]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("point and sphere: NaN and infinite coordinates are outside", "[point_sphere]",
+                       FLOATS_AND_DIMENSIONS) {
   const Sphere<S, N> ball = {at<S, N>(1, 2), S(5)};
   for (const double bad : {nan_, inf, -inf}) {
     for (int i = 0; i < N; ++i) {
@@ -57,7 +57,8 @@ TEMPLATE_TEST_CASE_SIG("NaN and infinite coordinates are outside", "[point_spher
   }
 }
 
-TEMPLATE_TEST_CASE_SIG("lengths of any size give the same verdict", "[point_sphere]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("point and sphere: lengths of any size give the same verdict", "[point_sphere]",
+                       FLOATS_AND_DIMENSIONS) {
   constexpr int most = std::numeric_limits<S>::max_exponent - 4;
   for (const int e : {-most, -most / 2, most / 2, most}) {
     const double k = std::ldexp(1.0, e);
@@ -75,7 +76,8 @@ TEST_CASE("the events tell the sign, and each fallback", "[point_sphere]") {
   CHECK(std::get<point_sphere::Distance>(record.events[1]).sign == 0);
 }
 
-TEMPLATE_TEST_CASE_SIG("locations are those of rational arithmetic", "[point_sphere]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("point and sphere: locations are those of rational arithmetic", "[point_sphere]",
+                       FLOATS_AND_DIMENSIONS) {
   bench::Random random(tests::seed());
   int seen[3] = {};
   for (const bench::Numbers numbers : bench::all_numbers)
@@ -102,3 +104,5 @@ TEMPLATE_TEST_CASE_SIG("locations are those of rational arithmetic", "[point_sph
     }
   for (const int count : seen) CHECK(count > 300);
 }
+
+}  // namespace point_sphere_test

@@ -8,6 +8,7 @@
 #include "tests/core/point_location.h"
 #include "tests/settings.h"
 
+namespace polygon_grid_test {
 using namespace isect;
 
 namespace {
@@ -145,3 +146,5 @@ TEST_CASE("the events of a grid tell the cell and the crossed edges", "[polygon_
   CHECK(std::get<polygon_grid::Crossed>(record.events[1]).vertex == 3);
   CHECK(std::get<polygon_grid::Crossed>(record.events[1]).change == 1);
 }
+
+}  // namespace polygon_grid_test

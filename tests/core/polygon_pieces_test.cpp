@@ -9,6 +9,7 @@
 #include "tests/core/point_location.h"
 #include "tests/settings.h"
 
+namespace polygon_pieces_test {
 using namespace isect;
 
 namespace {
@@ -124,3 +125,5 @@ TEST_CASE("pieces meet in common ends only and add up to the edges", "[polygon_p
   CHECK(taken > refused / 4);
   CHECK(cut > taken / 100);
 }
+
+}  // namespace polygon_pieces_test

@@ -10,6 +10,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace polygon_test {
 using namespace isect;
 using bench::Numbers;
 using oracle::Rational;
@@ -205,3 +206,5 @@ TEST_CASE("the events tell the area vector, and the fallback before it", "[polyg
   normal(ring<double, 3>({{.1, .1, .1}, {.2, .2, .2}, {.3, .3, .3}}), record);
   CHECK(std::holds_alternative<Fallback>(record.events.front()));
 }
+
+}  // namespace polygon_test

@@ -7,6 +7,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace ray_aabb_methods_test {
 using namespace isect;
 using namespace isect::ray_aabb;
 
@@ -64,3 +65,5 @@ TEST_CASE("the events tell each slab", "[ray_aabb_methods]") {
   CHECK(std::get<Crossing<double>>(record.events[1]).exit == 1);
   CHECK(std::get<Remains<double>>(record.events[2]).holds);
 }
+
+}  // namespace ray_aabb_methods_test

@@ -9,6 +9,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace ray_aabb_test {
 using namespace isect;
 using bench::Numbers;
 using bench::Random;
@@ -70,8 +71,6 @@ bool is_point(const Ray<S, N>& ray) {
 
 }  // namespace
 
-#define FLOATS_AND_DIMENSIONS ((class S, int N), S, N), (float, 2), (double, 2), (float, 3), (double, 3)
-
 TEMPLATE_TEST_CASE_SIG("a ray towards a box enters and leaves it", "[ray_aabb]", FLOATS_AND_DIMENSIONS) {
   CHECK(intersect<S, N>({at<S, N>(-3), at<S, N>(1)}, cube<S, N>()) == between<S>(2, 4));
   CHECK(intersect<S, N>({at<S, N>(3), at<S, N>(-2)}, cube<S, N>()) == between<S>(1, 2));
@@ -117,7 +116,8 @@ TEST_CASE("the report's rays hit: a zero component on a slab, a negative zero", 
   CHECK_FALSE(may_intersect(Ray<double, 3>{{2, .5, -1}, {-0., 0, 1}}, box));
 }
 
-TEMPLATE_TEST_CASE_SIG("a zero direction makes the ray a point", "[ray_aabb]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("ray and box: a zero direction makes the ray a point", "[ray_aabb]",
+                       FLOATS_AND_DIMENSIONS) {
   CHECK(intersect<S, N>({at<S, N>(1, 1), at<S, N>(0, -0.)}, cube<S, N>()) == semi_infinite<S>);
   CHECK(intersect<S, N>({at<S, N>(1), at<S, N>(0), {S(2), S(5)}}, cube<S, N>()) == between<S>(2, 5));
   CHECK_FALSE(intersect<S, N>({at<S, N>(1.5), at<S, N>(0)}, cube<S, N>()));
@@ -128,7 +128,7 @@ TEMPLATE_TEST_CASE_SIG("a box without thickness is met", "[ray_aabb]", FLOATS_AN
   CHECK_FALSE(intersect<S, N>({at<S, N>(-3), at<S, N>(1)}, {at<S, N>(1, 1), at<S, N>(1, 1)}));
 }
 
-TEMPLATE_TEST_CASE_SIG("an empty box or range, infinities and NaN meet nothing", "[ray_aabb]",
+TEMPLATE_TEST_CASE_SIG("ray and box: an empty box or range, infinities and NaN meet nothing", "[ray_aabb]",
                        FLOATS_AND_DIMENSIONS) {
   const Ray<S, N> ray = {at<S, N>(-3), at<S, N>(1)};
   const auto never = [](const Ray<S, N>& r, const Aabb<S, N>& b) {
@@ -185,7 +185,7 @@ TEST_CASE("the slab method agrees on ordinary rays", "[ray_aabb]") {
   CHECK(tally().div == 4);
 }
 
-TEMPLATE_TEST_CASE_SIG("every answer is that of rational arithmetic", "[ray_aabb][random]",
+TEMPLATE_TEST_CASE_SIG("ray and box: every answer is that of rational arithmetic", "[ray_aabb][random]",
                        FLOATS_AND_DIMENSIONS) {
   int hits = 0, misses = 0, touches = 0, may_miss = 0;
   double worst = 0;
@@ -240,8 +240,9 @@ TEMPLATE_TEST_CASE_SIG("the conservative test misses no ray that is aimed at an 
   CHECK(naive > count / 1000);  // the textbook's test misses some
 }
 
-TEMPLATE_TEST_CASE_SIG("listening, mirroring, swapping axes, scaling and moving change no answer",
-                       "[ray_aabb][property]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG(
+    "ray and box: listening, mirroring, swapping axes, scaling and moving change no answer",
+    "[ray_aabb][property]", FLOATS_AND_DIMENSIONS) {
   for (const Numbers numbers : bench::all_numbers) {
     Random random(tests::seed() + 100 + static_cast<int>(numbers));
     for (int i = 0; i < 300; ++i) {
@@ -300,3 +301,5 @@ TEMPLATE_TEST_CASE_SIG("both ends of the stretch lie in the box", "[ray_aabb][pr
     }
   }
 }
+
+}  // namespace ray_aabb_test

@@ -8,6 +8,7 @@
 #include "tests/core/meshes.h"
 #include "tests/settings.h"
 
+namespace ray_mesh_test {
 using namespace isect;
 using bench::Random;
 using tests::aimed, tests::ball, tests::brute_force, tests::soup;
@@ -128,3 +129,5 @@ TEST_CASE("the screen is sure of the truth only, and nearly always sure", "[ray_
   CHECK(missed > all / 20);
   CHECK(sure > all / 100);
 }
+
+}  // namespace ray_mesh_test

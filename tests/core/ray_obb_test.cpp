@@ -11,6 +11,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace ray_obb_test {
 using namespace isect;
 using bench::Numbers;
 using bench::Random;
@@ -127,8 +128,6 @@ std::optional<std::pair<Rational, Rational>> truth(const Case<S, N>& c) {
 
 }  // namespace
 
-#define FLOATS_AND_DIMENSIONS ((class S, int N), S, N), (float, 2), (double, 2), (float, 3), (double, 3)
-
 TEMPLATE_TEST_CASE_SIG("a ray enters and leaves an aligned box", "[ray_obb]", FLOATS_AND_DIMENSIONS) {
   for (const double length : {1., 0.25, 8.}) {
     CHECK(intersect<S, N>({at<S, N>(-3), at<S, N>(1)}, cube<S, N>(1, length)) == between<S>(2, 4));
@@ -178,7 +177,8 @@ TEMPLATE_TEST_CASE_SIG("points and flat boxes have answers", "[ray_obb]", FLOATS
   CHECK_FALSE(intersect<S, N>({at<S, N>(-3, 1.5), at<S, N>(1)}, flat));
 }
 
-TEMPLATE_TEST_CASE_SIG("an empty box or range, infinities and NaN meet nothing", "[ray_obb]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("ray and OBB: an empty box or range, infinities and NaN meet nothing", "[ray_obb]",
+                       FLOATS_AND_DIMENSIONS) {
   const Ray<S, N> ray = {at<S, N>(-3), at<S, N>(1)};
   CHECK_FALSE(intersect(ray, cube<S, N>(-1)));
   CHECK_FALSE(intersect<S, N>({ray.origin, ray.direction, {S(9), S(1)}}, cube<S, N>()));
@@ -228,7 +228,8 @@ TEST_CASE("projections agree on ordinary rays", "[ray_obb]") {
   CHECK(tally().div == 4);
 }
 
-TEMPLATE_TEST_CASE_SIG("every answer is that of rational arithmetic", "[ray_obb][random]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("ray and OBB: every answer is that of rational arithmetic", "[ray_obb][random]",
+                       FLOATS_AND_DIMENSIONS) {
   int hits = 0, misses = 0, touches = 0;
   double worst = 0;
   const int count = tests::cases(300, 90000);
@@ -275,8 +276,9 @@ TEMPLATE_TEST_CASE_SIG("the identity's box is the aligned box", "[ray_obb][prope
   CHECK(hits > 20);
 }
 
-TEMPLATE_TEST_CASE_SIG("listening, mirroring, swapping axes, scaling and moving change no answer",
-                       "[ray_obb][property]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG(
+    "ray and OBB: listening, mirroring, swapping axes, scaling and moving change no answer",
+    "[ray_obb][property]", FLOATS_AND_DIMENSIONS) {
   for (const Numbers numbers : bench::all_numbers) {
     Random random(tests::seed() + 100 + static_cast<int>(numbers));
     for (int i = 0; i < 100; ++i) {
@@ -314,3 +316,5 @@ TEMPLATE_TEST_CASE_SIG("listening, mirroring, swapping axes, scaling and moving 
     }
   }
 }
+
+}  // namespace ray_obb_test

@@ -5,6 +5,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace ray_plane_methods_test {
 using namespace isect;
 using namespace isect::ray_plane;
 
@@ -55,3 +56,5 @@ TEST_CASE("the events tell the vector and both products", "[ray_plane_methods]")
   CHECK(std::get<Denominator<double>>(record.events[2]).value == -2);
   CHECK(std::get<InRange<double>>(record.events[4]).t == 0.5);
 }
+
+}  // namespace ray_plane_methods_test

@@ -9,6 +9,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace ray_plane_test {
 using namespace isect;
 using bench::Numbers;
 using bench::Random;
@@ -72,8 +73,6 @@ Case<S, N> draw(Random& random, Numbers numbers) {
 
 }  // namespace
 
-#define FLOATS_AND_DIMENSIONS ((class S, int N), S, N), (float, 2), (double, 2), (float, 3), (double, 3)
-
 TEMPLATE_TEST_CASE_SIG("a ray towards a plane meets it once", "[ray_plane]", FLOATS_AND_DIMENSIONS) {
   const RayPlane<S> r = intersect<S, N>({at<S, N>(-3, 1), at<S, N>(2, 1)}, wall<S, N>(1));
   CHECK(r);
@@ -110,7 +109,8 @@ TEMPLATE_TEST_CASE_SIG("a parallel ray lies beside the plane or in it", "[ray_pl
   CHECK((!empty && empty.coplanar));
 }
 
-TEMPLATE_TEST_CASE_SIG("a zero direction makes the ray a point", "[ray_plane]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("ray and plane: a zero direction makes the ray a point", "[ray_plane]",
+                       FLOATS_AND_DIMENSIONS) {
   CHECK(intersect<S, N>({at<S, N>(1), at<S, N>(0)}, wall<S, N>(1)).coplanar);
   const RayPlane<S> off = intersect<S, N>({at<S, N>(2), at<S, N>(0)}, wall<S, N>(1));
   CHECK((!off && off.parallel && !off.coplanar));
@@ -178,7 +178,7 @@ TEST_CASE("the textbook's method agrees on ordinary rays", "[ray_plane]") {
   CHECK(tally().div == 1);
 }
 
-TEMPLATE_TEST_CASE_SIG("every answer is that of rational arithmetic", "[ray_plane][random]",
+TEMPLATE_TEST_CASE_SIG("ray and plane: every answer is that of rational arithmetic", "[ray_plane][random]",
                        FLOATS_AND_DIMENSIONS) {
   int hits = 0, misses = 0, parallel = 0, coplanar = 0, at_ends = 0;
   double worst = 0;
@@ -279,3 +279,5 @@ TEMPLATE_TEST_CASE_SIG("every hit lies on the plane", "[ray_plane][property]", F
     REQUIRE(std::abs(n.dot(x) + c.plane.d) <= n.template lpNorm<1>() * coordinate + measuring);
   }
 }
+
+}  // namespace ray_plane_test

@@ -5,6 +5,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace ray_polygon_methods_test {
 using namespace isect;
 
 namespace {
@@ -48,3 +49,5 @@ TEST_CASE("the events tell each triangle", "[ray_polygon_methods]") {
   CHECK(std::get<ray_polygon::FanTriangle<double>>(record.events[0]).hit);
   CHECK_FALSE(std::get<ray_polygon::FanTriangle<double>>(record.events[3]).hit);
 }
+
+}  // namespace ray_polygon_methods_test

@@ -11,6 +11,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace ray_polygon_test {
 using namespace isect;
 using bench::Numbers;
 using bench::Random;
@@ -160,7 +161,7 @@ TEMPLATE_TEST_CASE("a plane is found from collinear first vertices", "[ray_polyg
   CHECK(intersect(down<S>(1, 1), ring).location == Location::on);
 }
 
-TEMPLATE_TEST_CASE("NaN and infinities meet nothing", "[ray_polygon]", float, double) {
+TEMPLATE_TEST_CASE("ray and polygon: NaN and infinities meet nothing", "[ray_polygon]", float, double) {
   using S = TestType;
   for (const double bad : {not_a_number, inf, -inf}) {
     CHECK_FALSE(intersect(Ray<S, 3>{at<S>(1, 1, bad), at<S>(0, 0, -1)}, angle<S>()));
@@ -204,7 +205,8 @@ TEST_CASE("the note's projection agrees on ordinary rays", "[ray_polygon]") {
   CHECK(tally().div >= 2);
 }
 
-TEMPLATE_TEST_CASE("every answer is that of rational arithmetic", "[ray_polygon][random]", float, double) {
+TEMPLATE_TEST_CASE("ray and polygon: every answer is that of rational arithmetic", "[ray_polygon][random]",
+                   float, double) {
   using S = TestType;
   int hits = 0, out = 0, on = 0, out_of_range = 0, coplanar = 0, flat = 0;
   double worst = 0;
@@ -284,7 +286,7 @@ TEMPLATE_TEST_CASE("no ray slips between neighbours of one plane", "[ray_polygon
   CHECK(slipped > 0);  // through the naive ones
 }
 
-TEMPLATE_TEST_CASE("vertex order, axes, mirroring, scale and a listener change no verdict",
+TEMPLATE_TEST_CASE("ray and polygon: vertex order, axes, mirroring, scale and a listener change no verdict",
                    "[ray_polygon][property]", float, double) {
   using S = TestType;
   for (const Numbers numbers : bench::all_numbers) {
@@ -320,3 +322,5 @@ TEMPLATE_TEST_CASE("vertex order, axes, mirroring, scale and a listener change n
     }
   }
 }
+
+}  // namespace ray_polygon_test

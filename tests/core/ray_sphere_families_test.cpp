@@ -6,6 +6,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace ray_sphere_families_test {
 using namespace isect;
 using namespace isect::bench;
 
@@ -101,3 +102,5 @@ TEST_CASE("random bits are those that the standard fixes", "[families]") {
   Random random(5489);
   CHECK(random.bits() == 14514284786278117030u);
 }
+
+}  // namespace ray_sphere_families_test

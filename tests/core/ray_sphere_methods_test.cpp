@@ -8,6 +8,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace ray_sphere_methods_test {
 using namespace isect;
 using namespace isect::bench;
 using ray_sphere::haines;
@@ -37,8 +38,6 @@ void for_each_method(const Check& check) {
 }
 
 }  // namespace
-
-#define FLOATS_AND_DIMENSIONS ((class S, int N), S, N), (float, 2), (double, 2), (float, 3), (double, 3)
 
 TEMPLATE_TEST_CASE_SIG("all three methods find the first surface point", "[ray_sphere_methods]",
                        FLOATS_AND_DIMENSIONS) {
@@ -235,3 +234,5 @@ TEMPLATE_TEST_CASE_SIG("listening changes no answer of the methods", "[ray_spher
     REQUIRE(haines(c.ray, c.sphere, steps) == haines(c.ray, c.sphere));
   }
 }
+
+}  // namespace ray_sphere_methods_test

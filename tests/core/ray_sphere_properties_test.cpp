@@ -6,6 +6,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace ray_sphere_properties_test {
 using namespace isect;
 using namespace isect::bench;
 
@@ -78,8 +79,6 @@ RaySphereCase<S, N> on_grid(Random& random) {
 }
 
 }  // namespace
-
-#define FLOATS_AND_DIMENSIONS ((class S, int N), S, N), (float, 2), (double, 2), (float, 3), (double, 3)
 
 TEMPLATE_TEST_CASE_SIG("the reversed direction mirrors every t", "[ray_sphere][property]",
                        FLOATS_AND_DIMENSIONS) {
@@ -205,3 +204,5 @@ TEMPLATE_TEST_CASE_SIG("floats meet as the doubles meet that they denote", "[ray
     if (narrow.surface) REQUIRE(near(*narrow.surface, static_cast<float>(*wide.surface)));
   });
 }
+
+}  // namespace ray_sphere_properties_test

@@ -10,6 +10,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace ray_sphere_stable_test {
 using namespace isect;
 using namespace isect::bench;
 using ray_sphere::robust;
@@ -55,8 +56,6 @@ Score<S> score(const char* family, const Method& method) {
 }
 
 }  // namespace
-
-#define FLOATS_AND_DIMENSIONS ((class S, int N), S, N), (float, 2), (double, 2), (float, 3), (double, 3)
 
 TEMPLATE_TEST_CASE_SIG("both find the first surface point of the range", "[ray_sphere_stable]",
                        FLOATS_AND_DIMENSIONS) {
@@ -135,3 +134,5 @@ TEST_CASE("they tell the lines of half-B", "[ray_sphere_stable]") {
   CHECK_FALSE(robust(along_x<double, 3>(-3, 2), ball, record));
   CHECK(std::holds_alternative<ray_sphere::Miss>(record.events.back()));
 }
+
+}  // namespace ray_sphere_stable_test

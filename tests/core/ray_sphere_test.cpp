@@ -7,7 +7,9 @@
 #include <limits>
 
 #include "tests/catch.h"
+#include "tests/settings.h"
 
+namespace ray_sphere_test {
 using namespace isect;
 
 namespace {
@@ -34,8 +36,6 @@ Interval<S> between(double lo, double hi) {
 }
 
 }  // namespace
-
-#define FLOATS_AND_DIMENSIONS ((class S, int N), S, N), (float, 2), (double, 2), (float, 3), (double, 3)
 
 TEMPLATE_TEST_CASE_SIG("a ray towards a sphere enters and leaves it", "[ray_sphere]", FLOATS_AND_DIMENSIONS) {
   const RaySphere<S> r = intersect<S, N>({at<S, N>(-3), at<S, N>(1)}, ball<S, N>());
@@ -182,7 +182,8 @@ TEMPLATE_TEST_CASE_SIG("a sphere of negative radius is empty", "[ray_sphere]", F
   CHECK(r.line_roots == 0);
 }
 
-TEMPLATE_TEST_CASE_SIG("a zero direction makes the ray a point", "[ray_sphere]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("ray and sphere: a zero direction makes the ray a point", "[ray_sphere]",
+                       FLOATS_AND_DIMENSIONS) {
   const auto point = [](double x, const Interval<S>& range = semi_infinite<S>) {
     return intersect<S, N>({at<S, N>(x), at<S, N>(0, -0.0), range}, ball<S, N>());
   };
@@ -253,7 +254,8 @@ TEMPLATE_TEST_CASE_SIG("directions of any length give the same verdict", "[ray_s
   }
 }
 
-TEMPLATE_TEST_CASE_SIG("lengths of any size give the same verdict", "[ray_sphere]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("ray and sphere: lengths of any size give the same verdict", "[ray_sphere]",
+                       FLOATS_AND_DIMENSIONS) {
   constexpr int most = std::numeric_limits<S>::max_exponent - 4;
   for (const int e : {-most, -most / 2, most / 2, most}) {
     const double k = std::ldexp(1.0, e);
@@ -309,3 +311,5 @@ TEST_CASE("the events tell the signs and the values, and each fallback", "[ray_s
   CHECK(std::get<ray_sphere::Decision>(*(record.events.end() - 2)).verdict.line_roots == 1);
   CHECK(std::get<ray_sphere::Values>(record.events.back()).roots == Interval<double>{3, 3});
 }
+
+}  // namespace ray_sphere_test

@@ -5,6 +5,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace ray_triangle_methods_test {
 using namespace isect;
 using namespace isect::ray_triangle;
 
@@ -76,3 +77,5 @@ TEST_CASE("the events tell the volumes, the shear and each corner", "[ray_triang
   CHECK(std::get<Corner<double>>(record.events[3]).index == 2);
   CHECK(std::get<InRange<double>>(record.events[6]).t == 2);
 }
+
+}  // namespace ray_triangle_methods_test

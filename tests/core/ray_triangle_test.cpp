@@ -10,6 +10,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace ray_triangle_test {
 using namespace isect;
 using bench::Numbers;
 using bench::Random;
@@ -175,7 +176,8 @@ TEST_CASE("the method of Moller and Trumbore agrees on ordinary rays", "[ray_tri
   CHECK(tally().div == 3);
 }
 
-TEMPLATE_TEST_CASE("every answer is that of rational arithmetic", "[ray_triangle][random]", float, double) {
+TEMPLATE_TEST_CASE("ray and triangle: every answer is that of rational arithmetic", "[ray_triangle][random]",
+                   float, double) {
   using S = TestType;
   int hits = 0, misses = 0, on = 0, out_of_range = 0, coplanar = 0;
   double worst = 0;
@@ -241,7 +243,7 @@ TEMPLATE_TEST_CASE("no ray leaves a closed surface unnoticed", "[ray_triangle][r
   CHECK(slipped > 0);  // through the naive surface
 }
 
-TEMPLATE_TEST_CASE("vertex order, axes, mirroring, scale and a listener change no verdict",
+TEMPLATE_TEST_CASE("ray and triangle: vertex order, axes, mirroring, scale and a listener change no verdict",
                    "[ray_triangle][property]", float, double) {
   using S = TestType;
   for (const Numbers numbers : bench::all_numbers) {
@@ -296,3 +298,5 @@ TEMPLATE_TEST_CASE("every hit lies on the triangle", "[ray_triangle][property]",
     REQUIRE((c.ray.at(*r.t) - (p + r.u * (q - p) + r.v * (s - p))).cwiseAbs().maxCoeff() <= bound);
   }
 }
+
+}  // namespace ray_triangle_test

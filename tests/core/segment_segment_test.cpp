@@ -10,6 +10,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace segment_segment_test {
 using namespace isect;
 using bench::Numbers;
 using bench::Random;
@@ -195,7 +196,7 @@ TEMPLATE_TEST_CASE("a segment may be a point", "[segment_segment]", float, doubl
   CHECK_FALSE(intersect(point, line<S>(2, 1, 2, 1)));
 }
 
-TEMPLATE_TEST_CASE("NaN and infinities meet nothing", "[segment_segment]", float, double) {
+TEMPLATE_TEST_CASE("two segments: NaN and infinities meet nothing", "[segment_segment]", float, double) {
   using S = TestType;
   for (const double bad : {not_a_number, inf, -inf}) {
     CHECK_FALSE(intersect(line<S>(bad, 0, 1, 1), line<S>(0, 1, 1, 0)));
@@ -234,7 +235,8 @@ TEST_CASE("parameters agree on ordinary segments", "[segment_segment]") {
   CHECK(tally().div == 2);
 }
 
-TEMPLATE_TEST_CASE("every answer is that of rational arithmetic", "[segment_segment][random]", float, double) {
+TEMPLATE_TEST_CASE("two segments: every answer is that of rational arithmetic", "[segment_segment][random]",
+                   float, double) {
   using S = TestType;
   int seen[4] = {};
   double worst = 0;
@@ -306,3 +308,5 @@ TEMPLATE_TEST_CASE("order, orientation, axes, scale and a listener change no ans
     }
   }
 }
+
+}  // namespace segment_segment_test

@@ -5,6 +5,7 @@
 #include "core/conventions.h"
 #include "tests/catch.h"
 
+namespace shapes_test {
 using namespace isect;
 
 namespace {
@@ -85,3 +86,5 @@ TEST_CASE("an infinite range is a line, and t may be infinite only there", "[sha
   CHECK(infinite<double> == Interval<double>{-inf, inf});
   CHECK(std::isinf(semi_infinite<float>.hi));
 }
+
+}  // namespace shapes_test

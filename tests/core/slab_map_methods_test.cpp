@@ -7,6 +7,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace slab_map_methods_test {
 using namespace isect;
 using namespace isect::bench;
 using slab_map::Abscissa;
@@ -70,3 +71,5 @@ TEST_CASE("the events tell the slab and the edges compared", "[slab_map_methods]
   CHECK(std::get<slab_map::AbscissaCompared<double>>(record.events[1]).x == 4);
   CHECK(std::get<slab_map::AbscissaCompared<double>>(record.events[2]).left);
 }
+
+}  // namespace slab_map_methods_test

@@ -8,6 +8,7 @@
 #include "tests/core/point_location.h"
 #include "tests/settings.h"
 
+namespace slab_map_test {
 using namespace isect;
 
 namespace {
@@ -144,3 +145,5 @@ TEST_CASE("the events of slabs tell the slab and the edges", "[slab_map]") {
   CHECK(std::get<slab_map::Compared>(record.events[3]).turn == 1);
   CHECK(map.edges[1].source == PolygonEdge{0, 1});
 }
+
+}  // namespace slab_map_test

@@ -7,6 +7,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace sphere_aabb_methods_test {
 using namespace isect;
 using namespace isect::sphere_aabb;
 
@@ -63,3 +64,5 @@ TEST_CASE("the events tell the nearest point, each axis, and what rejects", "[sp
   CHECK(std::get<Axis<double>>(record.events[0]).gap == 1);
   CHECK(std::get<Rejected<double>>(record.events[1]).axis == 1);
 }
+
+}  // namespace sphere_aabb_methods_test

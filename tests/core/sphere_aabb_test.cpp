@@ -7,9 +7,8 @@
 #include "tests/core/motion.h"
 #include "tests/settings.h"
 
+namespace sphere_aabb_test {
 using namespace isect;
-
-#define FLOATS_AND_DIMENSIONS ((class S, int N), S, N), (float, 2), (double, 2), (float, 3), (double, 3)
 
 namespace {
 
@@ -77,7 +76,7 @@ TEMPLATE_TEST_CASE_SIG("a point and a flat box have no interior", "[sphere_aabb]
   CHECK(related(ball<S, N>(0, 0, 1), cube<S, N>(0, 0)) == Relation::b_inside_a);
 }
 
-TEMPLATE_TEST_CASE_SIG("what is empty, NaN or infinite meets nothing", "[sphere_aabb]",
+TEMPLATE_TEST_CASE_SIG("sphere and box: what is empty, NaN or infinite meets nothing", "[sphere_aabb]",
                        FLOATS_AND_DIMENSIONS) {
   const Aabb<S, N> box = cube<S, N>(-1, 1);
   const Sphere<S, N> good = ball<S, N>(0, 0, 3);
@@ -102,7 +101,8 @@ TEMPLATE_TEST_CASE_SIG("what is empty, NaN or infinite meets nothing", "[sphere_
   CHECK(related(good, cube<S, N>(-inf, inf)) == Relation::disjoint);
 }
 
-TEMPLATE_TEST_CASE_SIG("lengths of any size give the same verdict", "[sphere_aabb]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("sphere and box: lengths of any size give the same verdict", "[sphere_aabb]",
+                       FLOATS_AND_DIMENSIONS) {
   constexpr int most = std::numeric_limits<S>::max_exponent - 4;
   for (const int e : {-most, -most / 2, most / 2, most}) {
     const double k = std::ldexp(1.0, e);
@@ -150,7 +150,8 @@ TEST_CASE("the events tell each axis, the comparison and the signs", "[sphere_aa
   CHECK((decision.nearest == 0 && decision.farthest == 1 && !decision.ball_inside));
 }
 
-TEMPLATE_TEST_CASE_SIG("relations are those of rational arithmetic", "[sphere_aabb]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("sphere and box: relations are those of rational arithmetic", "[sphere_aabb]",
+                       FLOATS_AND_DIMENSIONS) {
   bench::Random random(tests::seed());
   int seen[6] = {};
   for (const bench::Numbers numbers : bench::all_numbers)
@@ -178,3 +179,5 @@ TEMPLATE_TEST_CASE_SIG("relations are those of rational arithmetic", "[sphere_aa
     }
   for (const int count : seen) CHECK(count > 20);
 }
+
+}  // namespace sphere_aabb_test

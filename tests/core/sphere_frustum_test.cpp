@@ -5,6 +5,7 @@
 #include "tests/core/frustums.h"
 #include "tests/settings.h"
 
+namespace sphere_frustum_test {
 using namespace isect;
 using namespace isect::oracle;
 
@@ -51,7 +52,8 @@ TEST_CASE("near an edge a ball may be outside and called crossing", "[sphere_fru
   CHECK(cull(ball<double>(-2, 0, 0, 1), sharp) == Culling::crossing);  // all of the frustum has x >= 0
 }
 
-TEMPLATE_TEST_CASE("what is empty, NaN or infinite is outside", "[sphere_frustum]", float, double) {
+TEMPLATE_TEST_CASE("sphere and frustum: what is empty, NaN or infinite is outside", "[sphere_frustum]", float,
+                   double) {
   using S = TestType;
   CHECK(culled(ball<S>(0, 0, 5, -1)) == Culling::outside);
   for (const double bad : {nan_, inf, -inf}) {
@@ -66,7 +68,8 @@ TEMPLATE_TEST_CASE("what is empty, NaN or infinite is outside", "[sphere_frustum
   }
 }
 
-TEMPLATE_TEST_CASE("a zero normal bounds nothing, or everything", "[sphere_frustum]", float, double) {
+TEMPLATE_TEST_CASE("sphere and frustum: a zero normal bounds nothing, or everything", "[sphere_frustum]",
+                   float, double) {
   using S = TestType;
   Frustum<S> f = tests::pyramid<S>();
   f.planes[5] = {Vector<S, 3>::Zero(), S(1)};
@@ -77,7 +80,8 @@ TEMPLATE_TEST_CASE("a zero normal bounds nothing, or everything", "[sphere_frust
   CHECK(cull(ball<S>(0, 0, 5, 1), f) == Culling::outside);
 }
 
-TEMPLATE_TEST_CASE("lengths of any size give the same verdict", "[sphere_frustum]", float, double) {
+TEMPLATE_TEST_CASE("sphere and frustum: lengths of any size give the same verdict", "[sphere_frustum]", float,
+                   double) {
   using S = TestType;
   constexpr int most = std::numeric_limits<S>::max_exponent - 5;
   for (const int e : {-most, -most / 2, most / 2, most}) {
@@ -97,7 +101,8 @@ TEST_CASE("the events tell each plane up to the first that shuts the ball out", 
   CHECK((last.plane == 5 && last.side == Culling::outside));
 }
 
-TEMPLATE_TEST_CASE("culling is that of rational arithmetic", "[sphere_frustum]", float, double) {
+TEMPLATE_TEST_CASE("sphere and frustum: culling is that of rational arithmetic", "[sphere_frustum]", float,
+                   double) {
   using S = TestType;
   bench::Random random(tests::seed());
   int seen[3] = {};
@@ -141,3 +146,5 @@ TEMPLATE_TEST_CASE("culling is that of rational arithmetic", "[sphere_frustum]",
     }
   for (const int count : seen) CHECK(count > 500);
 }
+
+}  // namespace sphere_frustum_test

@@ -7,6 +7,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace sphere_sphere_methods_test {
 using namespace isect;
 using namespace isect::sphere_sphere;
 
@@ -53,7 +54,7 @@ TEST_CASE("empty balls and NaN may meet by the naive methods", "[sphere_sphere_m
   CHECK(squared_relation(nan, nan) == Relation::overlapping);
 }
 
-TEST_CASE("the events tell what is compared", "[sphere_sphere_methods]") {
+TEST_CASE("two spheres: the events tell what is compared", "[sphere_sphere_methods]") {
   Record<MethodEvent<double>> record;
   by_distance<double, 3>({{0, 0, 0}, 1}, {{3, 4, 0}, 2}, record);
   squared_relation<double, 3>({{0, 0, 0}, 4}, {{3, 4, 0}, 2}, record);
@@ -62,3 +63,5 @@ TEST_CASE("the events tell what is compared", "[sphere_sphere_methods]") {
   CHECK(std::get<Compared<double>>(record.events[1]).sum2 == 36);
   CHECK(std::get<Compared<double>>(record.events[2]).sum2 == 4);
 }
+
+}  // namespace sphere_sphere_methods_test

@@ -7,9 +7,8 @@
 #include "tests/core/motion.h"
 #include "tests/settings.h"
 
+namespace sphere_sphere_test {
 using namespace isect;
-
-#define FLOATS_AND_DIMENSIONS ((class S, int N), S, N), (float, 2), (double, 2), (float, 3), (double, 3)
 
 namespace {
 
@@ -53,8 +52,8 @@ TEMPLATE_TEST_CASE_SIG("inner tangency is containment, and an ulp ends it", "[sp
   CHECK(related(a, ball<S, N>(3, std::nextafter(S(4), S(5)), 5)) == Relation::overlapping);
 }
 
-TEMPLATE_TEST_CASE_SIG("an ulp decides between apart, touching and overlapping", "[sphere_sphere]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("two spheres: an ulp decides between apart, touching and overlapping",
+                       "[sphere_sphere]", FLOATS_AND_DIMENSIONS) {
   const Sphere<S, N> a = ball<S, N>(-3, -4, 4);
   CHECK(related(a, ball<S, N>(0, 0, 1)) == Relation::touching);
   CHECK(related(a, ball<S, N>(0, 0, std::nextafter(S(1), S(0)))) == Relation::disjoint);
@@ -95,7 +94,7 @@ TEMPLATE_TEST_CASE_SIG("empty balls, NaN and infinite coordinates meet nothing",
   }
 }
 
-TEMPLATE_TEST_CASE_SIG("lengths of any size give the same verdict", "[sphere_sphere]",
+TEMPLATE_TEST_CASE_SIG("two spheres: lengths of any size give the same verdict", "[sphere_sphere]",
                        FLOATS_AND_DIMENSIONS) {
   constexpr int most = std::numeric_limits<S>::max_exponent - 5;
   for (const int e : {-most, -most / 2, 0, most / 2, most}) {
@@ -122,7 +121,7 @@ TEST_CASE("the published cases that naive code gets wrong are decided rightly", 
   CHECK(relate(a, b) == Relation::disjoint);  // .1f + .2f < .3f exactly, and rounds to it
   CHECK_FALSE(
       sphere_sphere::squared_distance<float, 3>({{0, 0, 0}, 1}, {{2, 0, 0}, 1}));  // touching: the note's <
-  CHECK(intersects<float, 3>({{0, 0, 0}, 1}, {{2, 0, 0}, 1}));
+  CHECK(intersects(Sphere<float, 3>{{0, 0, 0}, 1}, Sphere<float, 3>{{2, 0, 0}, 1}));
 }
 
 TEST_CASE("the note's test needs no square root", "[sphere_sphere]") {
@@ -136,13 +135,14 @@ TEST_CASE("the note's test needs no square root", "[sphere_sphere]") {
 }
 
 TEST_CASE("the events tell the signs, the note's numbers and each fallback", "[sphere_sphere]") {
+  using Ball = Sphere<double, 3>;
   Record<sphere_sphere::Event> record;
-  relate<double, 3>({{0, 0, 0}, 1}, {{1, 0, 0}, 1}, record);
+  relate(Ball{{0, 0, 0}, 1}, Ball{{1, 0, 0}, 1}, record);
   REQUIRE(record.events.size() == 1);
   CHECK(std::get<sphere_sphere::Decision>(record.events[0]).outer == -1);
   CHECK(std::get<sphere_sphere::Decision>(record.events[0]).inner == 1);
   record.events.clear();
-  relate<double, 3>({{0, 0, 0}, .1}, {{.3, 0, 0}, .2}, record);
+  relate(Ball{{0, 0, 0}, .1}, Ball{{.3, 0, 0}, .2}, record);
   CHECK(std::holds_alternative<Fallback>(record.events.front()));
   Record<sphere_sphere::Compared<double>> naive;
   sphere_sphere::squared_distance<double, 3>({{0, 0, 0}, 1}, {{3, 0, 0}, 1}, naive);
@@ -150,7 +150,7 @@ TEST_CASE("the events tell the signs, the note's numbers and each fallback", "[s
   CHECK(naive.events.at(0).sum2 == 4);
 }
 
-TEMPLATE_TEST_CASE_SIG("relations are those of rational arithmetic", "[sphere_sphere]",
+TEMPLATE_TEST_CASE_SIG("two spheres: relations are those of rational arithmetic", "[sphere_sphere]",
                        FLOATS_AND_DIMENSIONS) {
   bench::Random random(tests::seed());
   int seen[6] = {};
@@ -177,3 +177,5 @@ TEMPLATE_TEST_CASE_SIG("relations are those of rational arithmetic", "[sphere_sp
     }
   for (const int count : seen) CHECK(count > 50);
 }
+
+}  // namespace sphere_sphere_test

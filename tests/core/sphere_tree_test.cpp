@@ -7,6 +7,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace sphere_tree_test {
 using namespace isect;
 using bench::Random;
 using oracle::Rational;
@@ -171,3 +172,5 @@ TEMPLATE_TEST_CASE_SIG(
   CHECK(missed > 500);
   CHECK(infinite_balls > 0);
 }
+
+}  // namespace sphere_tree_test

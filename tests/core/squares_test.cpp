@@ -7,6 +7,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace squares_test {
 using namespace isect;
 using namespace isect::oracle;
 
@@ -56,3 +57,5 @@ TEST_CASE("the order of NaN, infinities and what vanishes is never trusted", "[s
   CHECK(ordered(1., 1 + 0x1p-47));
   CHECK(ordered(0., 1e-300));
 }
+
+}  // namespace squares_test

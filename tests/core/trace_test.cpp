@@ -5,6 +5,7 @@
 
 #include "tests/catch.h"
 
+namespace trace_test {
 using namespace isect;
 
 namespace {
@@ -63,3 +64,5 @@ TEST_CASE("any callable can listen, and choose its events by type", "[trace]") {
   CHECK(sum_to(2, listener) == 3);
   CHECK(heard == "ss.");
 }
+
+}  // namespace trace_test

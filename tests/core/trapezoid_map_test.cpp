@@ -8,6 +8,7 @@
 #include "tests/core/point_location.h"
 #include "tests/settings.h"
 
+namespace trapezoid_map_test {
 using namespace isect;
 
 namespace {
@@ -166,3 +167,5 @@ TEST_CASE("the events of trapezoids tell the questions", "[trapezoid_map]") {
   CHECK(map.boundary.pieces[static_cast<std::size_t>(t.top)].edge == PolygonEdge{0, 1});
   CHECK(winding(P(4, 1), map) == std::nullopt);
 }
+
+}  // namespace trapezoid_map_test

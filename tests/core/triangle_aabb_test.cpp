@@ -14,6 +14,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace triangle_aabb_test {
 using namespace isect;
 using oracle::Rational;
 using oracle::operator+;
@@ -135,8 +136,6 @@ std::pair<Triangle<S, N>, Aabb<S, N>> pair(bench::Random& random, bench::Numbers
 
 }  // namespace
 
-#define FLOATS_AND_DIMENSIONS ((class S, int N), S, N), (float, 2), (double, 2), (float, 3), (double, 3)
-
 TEMPLATE_TEST_CASE_SIG("a triangle is inside, across, at or away from a box", "[triangle_aabb]",
                        FLOATS_AND_DIMENSIONS) {
   const auto with = [](double x) {
@@ -211,7 +210,7 @@ TEMPLATE_TEST_CASE_SIG("nothing meets an empty box, NaN or infinity", "[triangle
     }
 }
 
-TEMPLATE_TEST_CASE_SIG("sizes from tiny to huge give the same verdict", "[triangle_aabb]",
+TEMPLATE_TEST_CASE_SIG("triangle and box: sizes from tiny to huge give the same verdict", "[triangle_aabb]",
                        FLOATS_AND_DIMENSIONS) {
   constexpr int most = std::numeric_limits<S>::max_exponent - 4;
   for (const int e : {-most, -most / 2, most / 2, most}) {
@@ -354,3 +353,5 @@ TEST_CASE("the first pass takes no infinity or NaN for settled", "[triangle_aabb
       CHECK_FALSE(triangle_aabb::first_pass(triangle, box));
     }
 }
+
+}  // namespace triangle_aabb_test

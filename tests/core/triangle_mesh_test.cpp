@@ -8,6 +8,7 @@
 #include "tests/core/meshes.h"
 #include "tests/settings.h"
 
+namespace triangle_mesh_test {
 using namespace isect;
 using bench::Random;
 using oracle::Rational;
@@ -136,3 +137,5 @@ TEMPLATE_TEST_CASE("the closest hit on a mesh is the true one", "[triangle_mesh]
   CHECK(misses > 100);
   CHECK(shared > 50);
 }
+
+}  // namespace triangle_mesh_test

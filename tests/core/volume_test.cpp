@@ -18,6 +18,7 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 
+namespace volume_test {
 using namespace isect;
 using oracle::Rational;
 using oracle::operator-;
@@ -156,3 +157,5 @@ TEST_CASE("tightness, storage and the cost of the pair test", "[.table]") {
     row(("k-DOP " + std::to_string(k)).c_str(),
         [&](const P& p) { return fit_kdop(p, directions<double, 3>(k)); }, slabs);
 }
+
+}  // namespace volume_test

@@ -14,6 +14,7 @@
 #include "viz/case_map.h"
 #include "viz/place.h"
 
+namespace boxes_and_rays_test {
 using namespace isect;
 using namespace isect::viz;
 
@@ -300,3 +301,5 @@ TEST_CASE("the wrong coordinate dropped collapses an upright polygon, and nothin
   CHECK(dissenters("ray-polygon", "hit").empty());
   CHECK(dissenters("ray-polygon", "on-edge").front() == "projected (the note)");
 }
+
+}  // namespace boxes_and_rays_test

@@ -11,6 +11,7 @@
 #include "tests/catch.h"
 #include "viz/chart.h"
 
+namespace concave_polygon_test {
 using namespace isect;
 using namespace isect::viz;
 using namespace isect::lessons::concave_polygon_lesson;
@@ -152,3 +153,5 @@ TEST_CASE("every level of the hierarchy tiles the box, and links tell what share
     }
   CHECK(descend(h, {5, 0}).empty());
 }
+
+}  // namespace concave_polygon_test

@@ -12,6 +12,7 @@
 #include "viz/compose.h"
 #include "viz/rich_text.h"
 
+namespace every_lesson_test {
 using namespace isect;
 using namespace isect::viz;
 
@@ -199,3 +200,5 @@ TEST_CASE("presets visit every branch of a map of cases, and a setting brought t
     }
   }
 }
+
+}  // namespace every_lesson_test

@@ -8,6 +8,7 @@
 #include "lessons/robustness/settings.h"
 #include "tests/catch.h"
 
+namespace flat_lessons_test {
 using namespace isect;
 using namespace isect::viz;
 
@@ -122,3 +123,5 @@ TEST_CASE("under the microscope each naive test is wrong somewhere, as counted",
       CHECK(value(lesson("robustness").walk(parameters).steps.back(), "wrong") == wrong);
     }
 }
+
+}  // namespace flat_lessons_test

@@ -11,6 +11,7 @@
 #include "viz/case_map.h"
 #include "viz/place.h"
 
+namespace pairs_test {
 using namespace isect;
 using namespace isect::viz;
 
@@ -123,3 +124,5 @@ TEST_CASE("exchanged ends make a shape empty, and the lessons say so", "[pair le
   p["a_max"] = Vec3(1e6, -1e6, 0);
   CHECK_FALSE(boxes.walk(p).steps.empty());
 }
+
+}  // namespace pairs_test

@@ -8,6 +8,7 @@
 #include "lessons/points/setup.h"
 #include "tests/catch.h"
 
+namespace points_test {
 using namespace isect;
 using namespace isect::lessons::points_lesson;
 namespace viz = isect::viz;
@@ -113,3 +114,5 @@ TEST_CASE("near to near need not be near, and the lesson tells when it is", "[po
   parameters["r"] = viz::Vec3(-0.5, 0, 0);
   CHECK(lesson().walk(parameters).steps.back().verdict.kind == viz::Verdict::Kind::yes);
 }
+
+}  // namespace points_test

@@ -8,6 +8,7 @@
 #include "viz/case_map.h"
 #include "viz/compose.h"
 
+namespace ray_sphere_test {
 using namespace isect;
 using namespace isect::viz;
 
@@ -138,3 +139,5 @@ TEST_CASE("a lesson bears any numbers a reader may drag or type", "[ray-sphere l
     }
   }
 }
+
+}  // namespace ray_sphere_test

@@ -12,6 +12,7 @@
 #include "tests/catch.h"
 #include "viz/chart.h"
 
+namespace rules_of_thumb_test {
 using namespace isect;
 using namespace isect::lessons::rules_lesson;
 namespace viz = isect::viz;
@@ -151,3 +152,5 @@ TEST_CASE("the rounded sign errs as often as the lesson says", "[rules-of-thumb 
   CHECK(e.before == wrong);
   CHECK(e.after == 0);
 }
+
+}  // namespace rules_of_thumb_test

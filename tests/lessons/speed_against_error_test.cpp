@@ -13,6 +13,7 @@
 #include "viz/compose.h"
 #include "viz/rich_text.h"
 
+namespace speed_against_error_test {
 using namespace isect;
 using namespace isect::viz;
 using lessons::speed_lesson::results;
@@ -169,3 +170,5 @@ TEST_CASE("no label of the lesson's charts meets another or leaves the picture",
         }
   }
 }
+
+}  // namespace speed_against_error_test

@@ -21,6 +21,7 @@
 #include "viz/place.h"
 #include "viz/solids.h"
 
+namespace uses_test {
 using namespace isect;
 using namespace isect::viz;
 
@@ -455,3 +456,5 @@ TEST_CASE("a bounding ball holds every vertex of what it bounds", "[picking less
     CHECK(outwards.norm() < 1e-12);  // closed
   }
 }
+
+}  // namespace uses_test

@@ -24,6 +24,7 @@
 #include "viz/chart.h"
 #include "viz/place.h"
 
+namespace volumes_test {
 using namespace isect;
 using namespace isect::viz;
 
@@ -323,3 +324,5 @@ TEST_CASE("a hierarchy's costs grow slowly with n", "[hierarchy]") {
   CHECK(most.ray < 4 * some.ray);
   CHECK(most.pairs / most.n < 4 * some.pairs / some.n);
 }
+
+}  // namespace volumes_test

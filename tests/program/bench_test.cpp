@@ -7,6 +7,7 @@
 #include "tests/catch.h"
 #include "tests/program/shell.h"
 
+namespace bench_test {
 using Catch::Matchers::Contains;
 using isect::bench::Report;
 using isect::bench::Row;
@@ -165,3 +166,5 @@ TEST_CASE("the help lists every test", "[bench]") {
   for (const char* test : {" ray-sphere", " orient2d", " point-polygon", " all-pairs", " starting"})
     CHECK_THAT(list, Contains(test));
 }
+
+}  // namespace bench_test

@@ -10,6 +10,7 @@
 #include "viz/place.h"
 #include "viz/snapshot.h"
 
+namespace check_test {
 namespace fs = std::filesystem;
 namespace viz = isect::viz;
 using Catch::Matchers::Contains;
@@ -256,3 +257,5 @@ TEST_CASE("a folder of presets that does not do is told what is wrong", "[check]
   CHECK_THAT(bad.err, Contains("bad/x.json") && Contains("ray-sphere"));
   CHECK(shell("isect check --dir bad --snapshots bad").status == 2);
 }
+
+}  // namespace check_test

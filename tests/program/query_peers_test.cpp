@@ -10,6 +10,7 @@
 #include "tests/peer_cases.h"
 #include "tests/program/shell.h"
 
+namespace query_peers_test {
 using namespace isect;
 using Json = nlohmann::json;
 using oracle::cross, oracle::dot, oracle::operator-;
@@ -232,3 +233,5 @@ TEST_CASE("every case of the public test suites gets the true answer", "[query][
   for (const auto& [kind, counts] : score)
     std::printf("%-20s %5d of %5d questions right\n", kind.c_str(), counts.first, counts.second);
 }
+
+}  // namespace query_peers_test

@@ -10,6 +10,7 @@
 #include "tests/program/shell.h"
 #include "tests/settings.h"
 
+namespace query_test {
 using Catch::Matchers::Contains;
 using isect::test::Ran;
 using isect::test::Shell;
@@ -247,3 +248,5 @@ TEST_CASE("every kind has an example that every variant answers, in either scala
   CHECK(kinds == 24);
   CHECK(examples.size() == 24);
 }
+
+}  // namespace query_test

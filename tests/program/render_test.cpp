@@ -7,6 +7,7 @@
 #include "tests/program/shell.h"
 #include "viz/files.h"
 
+namespace render_test {
 namespace fs = std::filesystem;
 namespace viz = isect::viz;
 using Catch::Matchers::Contains;
@@ -236,3 +237,5 @@ TEST_CASE("svg needs no rendering back end, png says what is missing", "[render]
   CHECK(shell(broken + "isect check ray-sphere --preset miss").status == 77);
   CHECK(shell(broken + "isect doctor").status == 77);
 }
+
+}  // namespace render_test

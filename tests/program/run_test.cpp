@@ -6,6 +6,7 @@
 #include "tests/catch.h"
 #include "tests/program/shell.h"
 
+namespace run_test {
 namespace fs = std::filesystem;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
@@ -82,3 +83,5 @@ TEST_CASE("another system is told what is needed", "[run]") {
                         Contains("cmake --preset release"));
   CHECK(machine.log().empty());
 }
+
+}  // namespace run_test

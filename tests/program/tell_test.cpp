@@ -6,6 +6,7 @@
 #include "tests/catch.h"
 #include "tests/program/shell.h"
 
+namespace tell_test {
 using Catch::Matchers::Contains;
 using isect::test::Ran;
 using isect::test::Shell;
@@ -117,3 +118,5 @@ TEST_CASE("doctor tries each back end and names versions and fonts", "[doctor]")
                         Contains("DejaVu Sans") && Contains("no window"));
   CHECK_THAT(shell("DISPLAY=:7 isect doctor").out, Contains("DISPLAY=:7"));
 }
+
+}  // namespace tell_test

@@ -3,6 +3,7 @@
 #include "tests/catch.h"
 #include "tests/program/shell.h"
 
+namespace usage_test {
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 using isect::test::Ran;
@@ -111,3 +112,5 @@ TEST_CASE("a lesson is also a program of its own", "[program]") {
   CHECK_THAT(check.out, Contains("ray-sphere check --update=missing"));
   CHECK_THAT(shell("ray-sphere --preset mis").err, Contains("mean \"miss\""));
 }
+
+}  // namespace usage_test

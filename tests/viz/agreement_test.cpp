@@ -9,6 +9,7 @@
 #include "viz/compose.h"
 #include "viz/files.h"
 
+namespace agreement_test {
 using namespace isect::viz;
 
 namespace {
@@ -98,3 +99,5 @@ TEST_CASE("PNG and SVG of one scene agree about where things are, within a pixel
     }
   }
 }
+
+}  // namespace agreement_test

@@ -4,6 +4,7 @@
 
 #include "tests/catch.h"
 
+namespace camera_test {
 using namespace isect::viz;
 
 namespace {
@@ -68,3 +69,5 @@ TEST_CASE("y is up, x to the right and z towards the viewer at azimuth and eleva
   CHECK((view.forward() + Vec3::UnitZ()).norm() < 1e-15);
   CHECK(view.project({0, 1, 0}).at.y() < view.project({0, 0, 0}).at.y());
 }
+
+}  // namespace camera_test

@@ -4,6 +4,7 @@
 
 #include "tests/catch.h"
 
+namespace case_map_test {
 using namespace isect::viz;
 
 namespace {
@@ -96,3 +97,5 @@ TEST_CASE("a map names its regions and its lines, inside its plane", "[case_map]
     }
   }
 }
+
+}  // namespace case_map_test

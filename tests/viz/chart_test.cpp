@@ -10,6 +10,7 @@
 #include "viz/rich_text.h"
 #include "viz/text.h"
 
+namespace chart_test {
 using namespace isect::viz;
 
 namespace {
@@ -236,3 +237,5 @@ TEST_CASE("every cell of a map shows its own kind", "[chart]") {
     CHECK(different.size() == 5);
   }
 }
+
+}  // namespace chart_test

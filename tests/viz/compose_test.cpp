@@ -6,6 +6,7 @@
 #include "tests/viz/drawn.h"
 #include "viz/text.h"
 
+namespace compose_test {
 using namespace isect::viz;
 
 namespace {
@@ -120,3 +121,5 @@ TEST_CASE("a figure's picture stands still when formula and verdict come and go"
   CHECK(a.height() == b.height());
   CHECK((a.corner() - b.corner()).norm() == 0);
 }
+
+}  // namespace compose_test

@@ -6,6 +6,7 @@
 
 #include "tests/catch.h"
 
+namespace drawing_test {
 using namespace isect::viz;
 
 namespace {
@@ -85,3 +86,5 @@ TEST_CASE("a straight, huge or undefined cubic flattens to a bounded number of p
   CHECK(count({{1e9, 1e9}, {-1e9, 1e9}, {0, 5}}) <= 4097);
   CHECK(count({{std::nan(""), 0}, {1, 1}, {2, 2}}) == 2);
 }
+
+}  // namespace drawing_test

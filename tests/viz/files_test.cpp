@@ -10,6 +10,7 @@
 
 #include "tests/catch.h"
 
+namespace files_test {
 using namespace isect::viz;
 namespace fs = std::filesystem;
 
@@ -291,3 +292,5 @@ TEST_CASE("the difference picture is grey where equal and strong where not", "[f
   CHECK(uneven.height == 3);
   CHECK(uneven.rgba.size() == 36);
 }
+
+}  // namespace files_test

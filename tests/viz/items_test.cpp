@@ -10,6 +10,7 @@
 #include "viz/solids.h"
 #include "viz/text.h"
 
+namespace items_test {
 using namespace isect;
 using namespace isect::viz;
 
@@ -246,3 +247,5 @@ TEST_CASE("a handle along a direction sets a number", "[items]") {
   drag(lesson, parameters, handle, {-9, 0, 0});
   CHECK(std::get<double>(parameters.at("x")) == -2);
 }
+
+}  // namespace items_test

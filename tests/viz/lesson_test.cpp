@@ -8,6 +8,7 @@
 #include "tests/catch.h"
 #include "tests/viz/toy_lesson.h"
 
+namespace lesson_test {
 using namespace isect::viz;
 using Catch::Matchers::Contains;
 using isect::test::toy;
@@ -131,3 +132,5 @@ TEST_CASE("numbers are shown with about five digits, a real minus and thin space
   CHECK(shown(-std::numeric_limits<double>::infinity()) == "−∞");
   CHECK(shown(NAN) == "NaN");
 }
+
+}  // namespace lesson_test

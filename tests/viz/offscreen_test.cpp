@@ -10,6 +10,7 @@
 #include "tests/viz/pixels.h"
 #include "viz/lesson.h"
 
+namespace offscreen_test {
 using namespace isect::viz;
 
 namespace {
@@ -152,3 +153,5 @@ TEST_CASE("another driver than llvmpipe is refused with the reason and the remed
   const std::string command = "GALLIUM_DRIVER=softpipe \"" + self + "\" '[.softpipe]' > /dev/null";
   CHECK(std::system(command.c_str()) == 0);
 }
+
+}  // namespace offscreen_test

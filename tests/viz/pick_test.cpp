@@ -3,6 +3,7 @@
 #include "tests/catch.h"
 #include "viz/solids.h"
 
+namespace pick_test {
 using namespace isect;
 using namespace isect::viz;
 
@@ -50,3 +51,5 @@ TEST_CASE("of two items met at the same place the later one is picked", "[pick]"
   REQUIRE(picked);
   CHECK(std::get<Ball>(*picked->item).radius == 2);
 }
+
+}  // namespace pick_test

@@ -5,6 +5,7 @@
 #include "tests/catch.h"
 #include "tests/viz/toy_lesson.h"
 
+namespace place_test {
 using namespace isect::viz;
 using Catch::Matchers::Contains;
 using isect::test::toy;
@@ -94,3 +95,5 @@ TEST_CASE("a figure of another program is refused", "[place]") {
   CHECK_THROWS_WITH(place_from_metadata({{"lesson", "toy"}, {"parameters", "{"}}, lessons),
                     Contains("parameters"));
 }
+
+}  // namespace place_test

@@ -4,6 +4,7 @@
 #include "tests/viz/sample_lesson.h"
 #include "viz/compose.h"
 
+namespace player_test {
 using namespace isect::viz;
 
 namespace {
@@ -310,3 +311,5 @@ TEST_CASE("a view nobody has moved follows the window's shape, one that was move
   player.set_aspect(2);
   CHECK(player.camera().now().half_height == kept);
 }
+
+}  // namespace player_test

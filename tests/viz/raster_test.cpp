@@ -7,6 +7,7 @@
 #include "viz/compose.h"
 #include "viz/files.h"
 
+namespace raster_test {
 using namespace isect::viz;
 
 namespace {
@@ -143,3 +144,5 @@ TEST_CASE("a raster of no cells, or of fewer than a row, draws nothing", "[raste
     CHECK(composed.shapes.empty());
   }
 }
+
+}  // namespace raster_test

@@ -8,6 +8,7 @@
 #include "tests/catch.h"
 #include "tests/viz/pixels.h"
 
+namespace renderer_test {
 using namespace isect::viz;
 
 namespace {
@@ -295,3 +296,5 @@ TEST_CASE("a picture is opaque", "[renderer]") {
   const Picture p = window_frame(one_of_everything());
   for (std::size_t i = 3; i < p.rgba.size(); i += 4) REQUIRE(p.rgba[i] == 255);
 }
+
+}  // namespace renderer_test

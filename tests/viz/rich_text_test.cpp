@@ -2,6 +2,7 @@
 
 #include "tests/catch.h"
 
+namespace rich_text_test {
 using namespace isect::viz;
 
 namespace {
@@ -106,3 +107,5 @@ TEST_CASE("mathematics in a paragraph has its own font and size", "[rich_text]")
   CHECK(line.starts_with("the <span font_family=\"STIX &amp; co\" style=\"italic\" size=\"120%\">t</span>"));
   CHECK(contains(line, "size=\"84%\" rise=\"-2949\">1</span> of 2"));
 }
+
+}  // namespace rich_text_test

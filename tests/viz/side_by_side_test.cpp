@@ -12,6 +12,7 @@
 #include "viz/place.h"
 #include "viz/window/palette.h"
 
+namespace side_by_side_test {
 using namespace isect;
 using namespace isect::viz;
 
@@ -113,3 +114,5 @@ TEST_CASE("what methods say is held against the exact one, which comes first", "
   CHECK(lessons_with_opinions >= 5);
   CHECK(alarms > 0);
 }
+
+}  // namespace side_by_side_test

@@ -6,6 +6,7 @@
 #include "tests/viz/toy_lesson.h"
 #include "viz/place.h"
 
+namespace snapshot_test {
 using namespace isect::viz;
 using Catch::Matchers::Contains;
 using isect::test::toy;
@@ -128,3 +129,5 @@ TEST_CASE("a picture of one colour is blank", "[snapshot]") {
 TEST_CASE("files are named by number and slug", "[snapshot]") {
   CHECK(file_stem(2, toy().walk(at(0)).steps[2]) == "03-inside");
 }
+
+}  // namespace snapshot_test

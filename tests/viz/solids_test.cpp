@@ -9,6 +9,7 @@
 #include "tests/catch.h"
 #include "viz/visibility.h"
 
+namespace solids_test {
 using namespace isect;
 using namespace isect::viz;
 
@@ -212,3 +213,5 @@ TEST_CASE("a box's face is the rectangle its plane cuts out", "[solids]") {
   CHECK(area == Vec3(0, 21, 0));
   for (const Vec3& p : side.rings[0]) CHECK(p.y() == 4);
 }
+
+}  // namespace solids_test

@@ -5,6 +5,7 @@
 #include "tests/catch.h"
 #include "viz/files.h"
 
+namespace svg_test {
 using namespace isect::viz;
 
 namespace {
@@ -169,3 +170,5 @@ TEST_CASE("a drawing without size is refused", "[svg]") {
   CHECK_THROWS_AS(svg({-1, 5, blue, {}}), FileError);
   CHECK_THROWS_AS(svg({std::nan(""), 5, blue, {}}), FileError);
 }
+
+}  // namespace svg_test

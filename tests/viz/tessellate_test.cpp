@@ -8,6 +8,7 @@
 
 #include "tests/catch.h"
 
+namespace tessellate_test {
 using namespace isect::viz;
 
 namespace {
@@ -249,3 +250,5 @@ TEST_CASE("a closed outline does not repeat its first point", "[tessellate]") {
   const Polyline line = flat(polyline({{0, 0}, {1, 0}, {1, 0}, {1, 1}, {0, 0}}, true), 0.1);
   CHECK(line.points == std::vector<Vec2>{{0, 0}, {1, 0}, {1, 1}});
 }
+
+}  // namespace tessellate_test

@@ -6,6 +6,7 @@
 
 #include "tests/catch.h"
 
+namespace text_test {
 using namespace isect::viz;
 
 namespace {
@@ -240,3 +241,5 @@ TEST_CASE("an empty paragraph is an empty picture", "[text]") {
   CHECK(raster(paragraph("", 100)).rgba.empty());
   CHECK(raster(paragraph("a", 100), 0).rgba.empty());
 }
+
+}  // namespace text_test

@@ -6,6 +6,7 @@
 #include "tests/catch.h"
 #include "viz/lesson.h"
 
+namespace theme_test {
 using namespace isect::viz;
 
 namespace {
@@ -171,3 +172,5 @@ TEST_CASE("themes are found by name, and a wrong name is told the nearest", "[th
     CHECK(std::string(e.what()).find("did you mean \"grey\"") != std::string::npos);
   }
 }
+
+}  // namespace theme_test

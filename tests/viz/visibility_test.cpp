@@ -5,6 +5,7 @@
 #include "core/ray_sphere.h"
 #include "tests/catch.h"
 
+namespace visibility_test {
 using namespace isect;
 using namespace isect::viz;
 
@@ -103,3 +104,5 @@ TEST_CASE("half of a ball's equator is hidden by the ball itself", "[visibility]
   CHECK(length[0] == Approx(std::numbers::pi).epsilon(1e-3));
   CHECK(length[1] == Approx(std::numbers::pi).epsilon(1e-3));
 }
+
+}  // namespace visibility_test

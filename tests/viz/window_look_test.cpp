@@ -8,6 +8,7 @@
 #include "tests/viz/window_driver.h"
 #include "viz/window/layout.h"
 
+namespace window_look_test {
 using namespace isect::viz;
 
 namespace {
@@ -152,3 +153,5 @@ TEST_CASE("chips shrink from the end, but never the chosen one", "[window]") {
   CHECK(chip_widths(wide, 30, 10, 310, 3) == std::vector<float>{80, 80, 30, 80});
   CHECK(chip_widths({}, 30, 10, 310, -1).empty());
 }
+
+}  // namespace window_look_test

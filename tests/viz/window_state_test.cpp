@@ -8,6 +8,7 @@
 #include "tests/viz/window_driver.h"
 #include "viz/window.h"
 
+namespace window_state_test {
 using namespace isect::viz;
 
 namespace {
@@ -137,3 +138,5 @@ TEST_CASE("without a display the window says so", "[window]") {
   unsetenv("WAYLAND_DISPLAY");
   CHECK_THROWS_AS(show(both, {}), NoDisplay);
 }
+
+}  // namespace window_state_test

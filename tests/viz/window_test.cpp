@@ -6,6 +6,7 @@
 #include "tests/viz/sample_lesson.h"
 #include "tests/viz/window_driver.h"
 
+namespace window_test {
 using namespace isect::viz;
 
 namespace {
@@ -257,3 +258,5 @@ TEST_CASE("a line of pseudocode leads to its step", "[window]") {
   window.click("line 3");
   CHECK(window.player().step().slug == "compare");
 }
+
+}  // namespace window_test
