@@ -37,7 +37,7 @@ viz::Map map_of(const std::string& title, int kinds, int wrong, const Kind& kind
   return map;
 }
 
-std::string listed(const std::vector<viz::Map>& maps) {
+std::string percentages(const std::vector<viz::Map>& maps) {
   std::string text;
   for (const viz::Map& map : maps) text += fmt::format(" {}: {}.", viz::plain(map.title), map.note);
   return text;
@@ -93,7 +93,7 @@ Plotted orientation_map() {
         const Point2 p = line.p + Point2(i * u, j * u);
         return side_kind(sign(text.value(p, line.q, line.r, {})), orient2d(p, line.q, line.r));
       }));
-  const std::string percent = listed(chart.maps);
+  const std::string percent = percentages(chart.maps);
   return {"map-orientation",
           "On which side of the line through q and r a point p lies, by three texts of one determinant, for "
           "256 x 256 "
@@ -127,7 +127,7 @@ Plotted polygon_map() {
   add("crossings, dividing", [&](const Point2& p) { return point_polygon::crossings_naive(p, triangle); });
   add("winding, multiplying",
       [&](const Point2& p) { return point_polygon::winding_naive(p, triangle) != 0; });
-  const std::string percent = listed(chart.maps);
+  const std::string percent = percentages(chart.maps);
   return {"map-point-in-polygon",
           "Whether a point beside an edge lies in a triangle, by crossings and by winding, for 256 x 256 "
           "points 2⁻⁵³ "
@@ -158,7 +158,7 @@ Plotted tangent_map() {
   add("quadratic", [&](const Ray2& ray) { return ray_sphere::quadratic(ray, ball).has_value(); });
   add("Haines", [&](const Ray2& ray) { return ray_sphere::haines(ray, ball).has_value(); });
   add("robust", [&](const Ray2& ray) { return ray_sphere::robust(ray, ball).has_value(); });
-  const std::string percent = listed(chart.maps);
+  const std::string percent = percentages(chart.maps);
   return {"map-ray-sphere",
           "Whether a ray that all but touches a circle hits it, by two of the note's methods and by a stable "
           "one, for "
@@ -192,7 +192,7 @@ Plotted touching_map() {
       return yes_kind(sphere_sphere::squared_distance(first, second), truth != Relation::disjoint,
                       truth == Relation::touching);
     }));
-  const std::string percent = listed(chart.maps);
+  const std::string percent = percentages(chart.maps);
   return {"map-sphere-sphere",
           "Whether two circles that all but touch overlap, by the squared distance of their centres, for 256 "
           "x 256 "

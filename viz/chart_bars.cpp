@@ -9,14 +9,14 @@
 namespace isect::viz {
 namespace {
 
-struct Layout {
+struct BarsLayout {
   double names = 0, texts = 0, pitch = 0, foot = 0;
   std::vector<LegendEntry> entries;
   std::vector<std::vector<std::string>> lines;  ///< of each name
   std::vector<double> tops;                     ///< of each row, and the end of the last
   std::vector<std::string> title;
 
-  Layout(const ChartInk& ink, const Bars& chart, double width) {
+  BarsLayout(const ChartInk& ink, const Bars& chart, double width) {
     const Sizes& s = ink.sizes();
     pitch = 1.3 * s.label;
     bool targets = false;
@@ -54,7 +54,7 @@ void sign(ChartInk& ink, Verdict::Kind kind, const Vec2& p, const Colour& colour
 }  // namespace
 
 double natural_height(const ChartInk& ink, const Bars& chart, double width) {
-  const Layout layout(ink, chart, width);
+  const BarsLayout layout(ink, chart, width);
   return layout.tops.back() + layout.foot;
 }
 
@@ -62,7 +62,7 @@ void draw(ChartInk& ink, const Bars& chart, const Bounds& room) {
   const Sizes& s = ink.sizes();
   const Theme& t = ink.theme();
   const double width = room.right - room.left;
-  const Layout layout(ink, chart, width);
+  const BarsLayout layout(ink, chart, width);
   const double left = room.left + layout.names, right = room.right - layout.texts;
   const ScaleLine x(chart.x, left, right, s.label);
   const double stretch = (room.bottom - room.top - layout.foot) / layout.tops.back();

@@ -28,12 +28,12 @@ Colour colour_of(Tone tone, const Theme& theme) {
   return theme.ink(Role::miss);
 }
 
-struct Layout {
+struct MapsLayout {
   int columns = 1, rows = 1;
   double side = 0, head = 0, below = 0;
   std::vector<LegendEntry> entries;
 
-  Layout(const ChartInk& ink, const Maps& chart, double width) {
+  MapsLayout(const ChartInk& ink, const Maps& chart, double width) {
     const Sizes& s = ink.sizes();
     const int count = static_cast<int>(chart.maps.size());
     columns = std::min(count, 3);
@@ -101,7 +101,7 @@ void cells(ChartInk& ink, const Maps& chart, const Map& map, const Bounds& b) {
 }  // namespace
 
 double natural_height(const ChartInk& ink, const Maps& chart, double width) {
-  const Layout layout(ink, chart, width);
+  const MapsLayout layout(ink, chart, width);
   return layout.rows * (layout.head + layout.side + layout.below) + layout.foot(ink, chart, width);
 }
 
@@ -109,7 +109,7 @@ void draw(ChartInk& ink, const Maps& chart, const Bounds& room) {
   const Sizes& s = ink.sizes();
   const Theme& t = ink.theme();
   const double width = room.right - room.left;
-  const Layout layout(ink, chart, width);
+  const MapsLayout layout(ink, chart, width);
   const double foot = layout.foot(ink, chart, width);
   const double row = (room.bottom - room.top - foot) / layout.rows;
   const double side = std::min(layout.side, row - layout.head - layout.below);
@@ -144,7 +144,7 @@ void draw(ChartInk& ink, const Maps& chart, const Bounds& room) {
 
   double y = room.bottom - foot + 1.1 * s.axis;
   if (!chart.below.empty())
-    for (const std::string& text : Layout::lines(ink, chart, width)) {
+    for (const std::string& text : MapsLayout::lines(ink, chart, width)) {
       ink.text(text, {room.left + width / 2, y}, {s.axis, Role::muted, 0.5});
       y += 1.35 * s.axis;
     }

@@ -9,9 +9,9 @@ namespace isect::viz {
 namespace {
 
 /// How the panels stand, and what stands round them. One place decides it for drawing and for measuring.
-class Layout {
+class PlotLayout {
  public:
-  Layout(const ChartInk& ink, const Plot& plot, double width) : ink_(ink), plot_(plot), width_(width) {
+  PlotLayout(const ChartInk& ink, const Plot& plot, double width) : ink_(ink), plot_(plot), width_(width) {
     const Sizes& s = ink.sizes();
     for (const auto& [value, text] : y_ticks(1e3)) left_ = std::max(left_, ink.width(text, s.axis));
     left_ += s.label_clear + 0.35 * s.axis;
@@ -82,7 +82,7 @@ class Layout {
   std::vector<LegendEntry> entries_;
 };
 
-void heading(ChartInk& ink, const Layout& layout, const Panel& panel, const Bounds& b, double top) {
+void heading(ChartInk& ink, const PlotLayout& layout, const Panel& panel, const Bounds& b, double top) {
   const Sizes& s = ink.sizes();
   const auto lines = layout.title_of(panel);
   const double middle = (b.left + b.right) / 2;
@@ -94,7 +94,7 @@ void heading(ChartInk& ink, const Layout& layout, const Panel& panel, const Boun
   if (!panel.note.empty()) ink.text(panel.note, {middle, y - 0.1 * s.title}, {s.axis, Role::muted, 0.5});
 }
 
-void scales(ChartInk& ink, const Plot& plot, const Layout& layout, const Bounds& b, bool numbers) {
+void scales(ChartInk& ink, const Plot& plot, const PlotLayout& layout, const Bounds& b, bool numbers) {
   const Sizes& s = ink.sizes();
   const Theme& t = ink.theme();
   const double reach = layout.gutter() / 4;  // numbers stay under their own panel
@@ -117,7 +117,7 @@ void scales(ChartInk& ink, const Plot& plot, const Layout& layout, const Bounds&
 }  // namespace
 
 double natural_height(const ChartInk& ink, const Plot& plot, double width) {
-  const Layout layout(ink, plot, width);
+  const PlotLayout layout(ink, plot, width);
   const bool one = plot.panels.size() == 1;  // in one row panels may be higher than wide
   const double panel =
       one ? 0.52 * width
@@ -128,7 +128,7 @@ double natural_height(const ChartInk& ink, const Plot& plot, double width) {
 void draw(ChartInk& ink, const Plot& plot, const Bounds& room) {
   const Sizes& s = ink.sizes();
   const double width = room.right - room.left;
-  const Layout layout(ink, plot, width);
+  const PlotLayout layout(ink, plot, width);
   if (!plot.y.title.empty()) ink.text(plot.y.title, {room.left, room.top + s.axis}, {s.axis, Role::muted});
 
   const double row = (room.bottom - room.top - layout.top() - layout.bottom()) / layout.rows();

@@ -52,8 +52,10 @@ void main() {
   pixel = mix(inner, outer, clamp(t, 0.0, 1.0));
 })";
 
+}  // namespace
+
 /// A text's pixels on the card. Texts move more often than they change, so its place is kept apart.
-class TextTextures {
+class TextCache {
  public:
   struct Entry {
     unsigned texture = 0;
@@ -62,12 +64,12 @@ class TextTextures {
     bool used = true;            // in this frame
   };
 
-  TextTextures() = default;
-  ~TextTextures() {
+  TextCache() = default;
+  ~TextCache() {
     for (auto& [key, entry] : entries_) glDeleteTextures(1, &entry.texture);
   }
-  TextTextures(const TextTextures&) = delete;
-  TextTextures& operator=(const TextTextures&) = delete;
+  TextCache(const TextCache&) = delete;
+  TextCache& operator=(const TextCache&) = delete;
 
   const Entry& find(const Text& text, double scale) {
     Entry& entry = entries_[key(text, scale)];
@@ -110,6 +112,8 @@ class TextTextures {
   std::map<Key, Entry> entries_;
   long pixels_ = 0;  // of all entries
 };
+
+namespace {
 
 /// What the pass does to the stencil and whether it colours.
 void set_pass(Pass pass) {
@@ -189,7 +193,7 @@ struct Renderer::Impl {
   static void add(Batch& out, const auto& shape, double) { out.add(shape); }
   void add(Batch& out, const Text& text, double scale) {
     if (!(text.size > 0) || !text.at.allFinite()) return;
-    const TextTextures::Entry& entry = texts.find(text, scale);
+    const TextCache::Entry& entry = texts.find(text, scale);
     if (entry.width == 0) return;
     // On whole pixels, texel over pixel, the glyphs stay as sharp as they were drawn.
     const Vec2 at = (text.at * scale).array().round() / scale;
@@ -235,7 +239,7 @@ struct Renderer::Impl {
   gl::Program image{vertex_shader, image_shader};
   gl::Program gradient{vertex_shader, gradient_shader};
   gl::Target target;
-  TextTextures texts;
+  TextCache texts;
 };
 
 PixelBox pixels(const Drawing& drawing, double scale) {

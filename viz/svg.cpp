@@ -20,8 +20,6 @@ constexpr double oversize = 8;
 constexpr const char* metadata_open = "<metadata id=\"isect\">";
 constexpr const char* metadata_close = "</metadata>";
 
-void set_source(cairo_t* cr, const Colour& c) { cairo_set_source_rgba(cr, c.r, c.g, c.b, c.a); }
-
 void add_outline(cairo_t* cr, const Path& path) {
   cairo_move_to(cr, path.start.x(), path.start.y());
   for (const Path::Segment& segment : path.segments) {

@@ -162,15 +162,14 @@ Picture raster(const Paragraph& paragraph, double scale) {
   const double width = std::max(paragraph.width, block.right - block.left);
   const Canvas canvas(std::ceil(width * scale), std::ceil(block.height * scale));
   cairo_t* cr = canvas.cr();
-  const Colour& ink = paragraph.colour;
-  cairo_set_source_rgba(cr, ink.r, ink.g, ink.b, ink.a);
+  set_source(cr, paragraph.colour);
   cairo_scale(cr, scale, scale);
   for (const auto& [line, baseline] : block.lines) {
     cairo_move_to(cr, -block.left, baseline);
     pango_cairo_layout_line_path(cr, line);
     cairo_fill(cr);
   }
-  return canvas.picture(ink);
+  return canvas.picture(paragraph.colour);
 }
 
 Fonts fonts() {

@@ -47,9 +47,9 @@ void set_markup(PangoLayout* layout, const std::string& markup) {
   pango_layout_set_markup(layout, valid.get(), -1);
 }
 
-void set_source(cairo_t* cr, const Colour& c) { cairo_set_source_rgba(cr, c.r, c.g, c.b, c.a); }
-
 }  // namespace
+
+void set_source(cairo_t* cr, const Colour& c) { cairo_set_source_rgba(cr, c.r, c.g, c.b, c.a); }
 
 void LayoutDeleter::operator()(_PangoLayout* layout) const { g_object_unref(layout); }
 

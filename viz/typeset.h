@@ -22,6 +22,9 @@ using Layout = std::unique_ptr<_PangoLayout, LayoutDeleter>;
 /// A layout of Pango markup in `family` with an em of `em` device units.
 Layout make_layout(const std::string& pango_markup, const std::string& family, double em, bool bold);
 
+/// What is drawn next on a cairo context has this colour.
+void set_source(_cairo*, const Colour&);
+
 class TypesetLine {
  public:
   explicit TypesetLine(const Text&);

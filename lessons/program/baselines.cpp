@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using Kind = Failure::Kind;
 
-constexpr int width = 960, height = 600;
+constexpr Size picture_size = {960, 600};
 constexpr viz::ThemeName theme = viz::ThemeName::screen;
 
 /// "llvmpipe (LLVM 15.0.6, 256 bits)" -> "llvmpipe": the rest names the processor, which may differ.
@@ -104,7 +104,7 @@ Baselines::Baselines(std::string folder, Update update, viz::Offscreen& offscree
     : folder_(std::move(folder)), update_(update), offscreen_(offscreen) {
   const viz::Fonts fonts = viz::fonts();
   stamp_ = {family(offscreen.driver()), fonts.figure + ", " + fonts.window, viz::name_of(theme),
-            fmt::format("{}x{}", width, height)};
+            fmt::format("{}x{}", picture_size.width, picture_size.height)};
 }
 
 std::string Baselines::path(const Excerpt& e, const std::string& file) const {
@@ -120,7 +120,7 @@ bool Baselines::accepts(Kind kind) const {
 std::vector<Failure> Baselines::check(const Excerpt& e) {
   std::vector<Failure> found;
   check_trace(e, found);
-  const viz::Camera camera = camera_for(*e.lesson, e.walk, theme, {width, height});
+  const viz::Camera camera = camera_for(*e.lesson, e.walk, theme, picture_size);
   for (int step = 0; step < static_cast<int>(e.walk.steps.size()); ++step)
     if (has_picture(e, step)) check_picture(e, step, camera, found);
   return found;
@@ -177,7 +177,7 @@ void Baselines::check_picture(const Excerpt& e, int index, const viz::Camera& ca
     found.push_back(about(e, index, failure(Kind::missing, "no picture was accepted yet", baseline)));
     return;
   }
-  const viz::Picture now = offscreen_.render(viz::figure(step, camera, theme, width, height).drawing);
+  const viz::Picture now = offscreen_.render(viz::figure(step, camera, theme, picture_size.width, picture_size.height).drawing);
   const auto bytes = [&] {
     return viz::png(now, viz::metadata({e.lesson->id, e.preset, index, e.parameters, {}}));
   };

@@ -13,7 +13,7 @@ namespace isect::program {
 
 namespace {
 
-constexpr std::size_t width = 80;
+constexpr std::size_t columns = 80;
 
 std::string heading(const std::string& text, char line) {
   return fmt::format("{}\n{}\n", inked(Ink::bold, text), std::string(length(text), line));
@@ -53,16 +53,16 @@ std::string comparison(const viz::Comparison& c) {
   const std::string meaning = c.meaning.empty() ? "" : ": " + viz::plain(c.meaning);
   return wrapped(fmt::format("Is {}? {} ({} and {}){}.", viz::plain(c.text), c.holds ? "Yes" : "No",
                              viz::shown(c.left), viz::shown(c.right), meaning),
-                 width, 0) +
+                 columns, 0) +
          "\n";
 }
 
 std::string question(const viz::Question& q) {
-  std::string out = wrapped("Question: " + viz::plain(q.prompt), width, 0);
+  std::string out = wrapped("Question: " + viz::plain(q.prompt), columns, 0);
   for (std::size_t i = 0; i < q.choices.size(); ++i)
-    out += wrapped(fmt::format("{}. {}", i + 1, viz::plain(q.choices[i])), width, 4);
+    out += wrapped(fmt::format("{}. {}", i + 1, viz::plain(q.choices[i])), columns, 4);
   const std::string answer = viz::plain(q.choices.at(static_cast<std::size_t>(q.answer)));
-  return out + wrapped(fmt::format("Answer: {}. {}", answer, viz::plain(q.because)), width, 0) + "\n";
+  return out + wrapped(fmt::format("Answer: {}. {}", answer, viz::plain(q.because)), columns, 0) + "\n";
 }
 
 /// What the methods say that should agree.
@@ -86,23 +86,23 @@ std::string told(const viz::Walk& walk, int index) {
   const viz::Step& step = walk.steps[static_cast<std::size_t>(index)];
   std::string out =
       heading(fmt::format("Step {} of {}: {}", index + 1, walk.steps.size(), viz::plain(step.title)), '-');
-  out += wrapped(viz::plain(step.caption), width, 0) + "\n";
+  out += wrapped(viz::plain(step.caption), columns, 0) + "\n";
   if (!step.formula.empty()) out += fmt::format("     {}\n\n", viz::plain(step.formula));
   out += pseudocode(walk, step) + values(step);
   if (step.comparison) out += comparison(*step.comparison);
   if (step.verdict.kind != viz::Verdict::Kind::open)
-    out += inked(Ink::bold, wrapped("Verdict: " + viz::plain(step.verdict.text), width, 0)) + "\n";
+    out += inked(Ink::bold, wrapped("Verdict: " + viz::plain(step.verdict.text), columns, 0)) + "\n";
   if (step.question) out += question(*step.question);
-  if (!step.source.empty()) out += wrapped("Source: " + step.source, width, 0) + "\n";
+  if (!step.source.empty()) out += wrapped("Source: " + step.source, columns, 0) + "\n";
   return out;
 }
 
 int explain(const Program& program, const Selection& asked) {
   const Excerpt e = excerpt(program, asked);
   std::string out = heading(fmt::format("{} ({}), {}", e.lesson->title, e.lesson->rows, e.folder), '=');
-  out += wrapped(e.lesson->summary, width, 0) + "\n";
-  if (!e.walk.method.empty()) out += wrapped("Method: " + viz::plain(e.walk.method), width, 0) + "\n";
-  out += wrapped("Picture: " + viz::plain(e.walk.alt), width, 0) + "\n";
+  out += wrapped(e.lesson->summary, columns, 0) + "\n";
+  if (!e.walk.method.empty()) out += wrapped("Method: " + viz::plain(e.walk.method), columns, 0) + "\n";
+  out += wrapped("Picture: " + viz::plain(e.walk.alt), columns, 0) + "\n";
   out += side_by_side(e);
   for (const int step : e.steps) out += told(e.walk, step);
   out.pop_back();

@@ -8,7 +8,7 @@
 namespace isect::viz {
 namespace {
 
-constexpr float padding = 20;
+constexpr float margin = 20;
 
 /// Things set below each other in a column.
 struct Column {
@@ -145,7 +145,7 @@ void lesson_text(Session& s, const Rect& r, bool fresh) {
   const Step& step = s.player.step();
   const Palette& ink = s.ui.palette;
   const float top = ImGui::GetCursorScreenPos().y;  // moves with the scroll
-  Column c{s, r.left + padding, top + 18, r.width() - 2 * padding};
+  Column c{s, r.left + margin, top + 18, r.width() - 2 * margin};
   c.paragraph(step.title, ink.text, 19, 26, true);
   c.y += 8;
   c.paragraph(step.caption, ink.text);
@@ -221,7 +221,7 @@ void scrolling(const char* name, const Rect& r, Inside&& inside) {
 
 void lesson_panel(Session& s, const Rect& r) {
   begin_region(s.ui, "lesson panel", r, s.ui.palette.window);
-  const float x = r.left + padding, width = r.width() - 2 * padding;
+  const float x = r.left + margin, width = r.width() - 2 * margin;
   const bool open = s.settings.parameters_open && !s.player.lesson().parameters.empty();
   const std::vector<Hint> hints = hints_of(s.player);
   const bool hinting = !open && r.height() > 420;
@@ -237,8 +237,8 @@ void lesson_panel(Session& s, const Rect& r) {
   });
   s.ui.rects["lesson words"] = words;
 
-  rule(s.ui, x, r.right - padding, words.bottom);
-  parameters_header(s, {x, words.bottom + 8, r.right - padding, words.bottom + 38});
+  rule(s.ui, x, r.right - margin, words.bottom);
+  parameters_header(s, {x, words.bottom + 8, r.right - margin, words.bottom + 38});
   if (open) {
     const Rect area{r.left, words.bottom + 42, r.right - 1, r.bottom - 4};
     scrolling("fields", area, [&] {

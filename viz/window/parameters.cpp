@@ -7,7 +7,7 @@
 namespace isect::viz {
 namespace {
 
-constexpr float row = 32;
+constexpr float field_height = 32;
 
 /// A number to drag along; Ctrl+click types it. `edited` gets the new value.
 bool number_field(Session& s, const std::string& name, const Parameter& p, double& value, const Rect& r,
@@ -86,13 +86,13 @@ float parameter_fields(Session& s, float x, float y, float width) {
   for (const Parameter& p : s.player.lesson().parameters) {
     const Setting& value = now.at(p.name);
     const Rect r{x + labels, y, x + width, y + 26};
-    ImGui::PushClipRect({x, y}, {r.left - 4, y + row}, true);
+    ImGui::PushClipRect({x, y}, {r.left - 4, y + field_height}, true);
     rich_line(s.ui, {.markup = label_of(p), .colour = s.ui.palette.text}, x, y + 13);
     ImGui::PopClipRect();
     if (const double* real = std::get_if<double>(&value)) number(s, p, *real, r);
     if (const Vec3* v = std::get_if<Vec3>(&value)) vector(s, p, *v, r);
     if (const std::string* word = std::get_if<std::string>(&value)) y += choice(s, p, *word, r);
-    y += row;
+    y += field_height;
   }
   ImGui::SetCursorScreenPos({x, y});
   ImGui::Dummy({1, 4});

@@ -9,7 +9,7 @@
 namespace isect::viz {
 namespace {
 
-constexpr int width = 960, height = 600;
+constexpr int figure_width = 960, figure_height = 600;
 
 /// Each pixel of the result is the mean of four, as where figures are made without a window.
 Picture halved(const Picture& from) {
@@ -33,7 +33,7 @@ std::string save_figure(const Player& player, const Settings& settings, Renderer
   const std::string preset = place.preset.empty() ? "changed" : place.preset;
   const std::string path = folder + "/" + place.lesson + "/" + preset + "/" +
                            file_stem(place.step, player.step()) + "." + settings.save_format;
-  const Drawing drawing = figure(player.step(), *place.camera, settings.save_theme, width, height).drawing;
+  const Drawing drawing = figure(player.step(), *place.camera, settings.save_theme, figure_width, figure_height).drawing;
   if (settings.save_format == "svg") {
     write_file(path, svg(drawing, metadata(place)));
     return path;

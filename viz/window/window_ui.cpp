@@ -15,7 +15,6 @@
 #include "viz/window/scene_view.h"
 
 namespace isect::viz {
-namespace {
 
 /// A Dear ImGui context with its OpenGL side, for as long as the window is open.
 struct ImGuiScope {
@@ -34,6 +33,8 @@ struct ImGuiScope {
   ImGuiScope& operator=(const ImGuiScope&) = delete;
   ImGuiContext* context;
 };
+
+namespace {
 
 void map_keys() {
   const std::pair<ImGuiKey, int> map[] = {{ImGuiKey_Tab, key::tab},
