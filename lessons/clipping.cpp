@@ -2,8 +2,11 @@
 //
 // The walks stand in clipping/segment and clipping/polygon.
 
+#include "core/clip_segment.h"
+#include "core/ray_aabb_methods.h"
 #include "lessons/case_map.h"
 #include "lessons/clipping/methods.h"
+#include "lessons/opinions.h"
 #include "lessons/parameters.h"
 
 namespace isect::lessons {
@@ -54,24 +57,40 @@ std::vector<Preset> presets() {
   return all;
 }
 
-Parameter point(const char* name, const char* help, int index) {
+Parameter vertex(const char* name, const char* help, int index) {
   return {name, std::string("**") + name + "**",
           help, flat(polygons[0].points[static_cast<std::size_t>(index)]),
           -1e6, 1e6,
           -4,   4};
 }
 
+bool is_segment(const Parameters& values) { return std::get<std::string>(values.at("shape")) == "segment"; }
+Point<double, 2> point(const Parameters& values, const char* name) {
+  return std::get<Vec3>(values.at(name)).head<2>();
+}
+
 Walk walk(const Parameters& values) {
-  const auto at = [&](const char* name) -> Point<double, 2> {
-    return std::get<Vec3>(values.at(name)).head<2>();
-  };
+  const auto at = [&](const char* name) { return point(values, name); };
   const Box box = box_of_lesson();
-  if (std::get<std::string>(values.at("shape")) == "segment")
+  if (is_segment(values))
     return with_case_map(
         clip_a_segment({at("p"), at("q")}, box), clipping(), values,
         "The end **q** moves, and **p** stays. Comparisons alone settle the regions beyond one side.\n"
         "Past a corner nothing is kept either, but only the range of *t* can tell.");
   return clip_a_polygon({at("p"), at("q"), at("r"), at("s")}, box);
+}
+
+/// Whether anything of a segment is kept.
+std::vector<Opinion> opinions(const Parameters& values) {
+  if (!is_segment(values)) return {};
+  const Segment<double, 2> s = {point(values, "p"), point(values, "q")};
+  const Box box = box_of_lesson();
+  const auto says = [](const auto& kept) { return kept ? "a part is kept" : "nothing is kept"; };
+  Opinions all(says(clip(s, box)));
+  all.add("Liang and Barsky", says(clip_segment::liang_barsky(s, box)));
+  all.add("slabs, min and max", says(ray_aabb::by_min_max(segment(s.p, s.q), box)));
+  all.add("slabs, by sign", says(ray_aabb::by_sign(segment(s.p, s.q), box)));
+  return all.take();
 }
 
 }  // namespace
@@ -84,15 +103,16 @@ const Lesson& clipping() {
       .summary =
           "The part of a segment or a polygon that lies in a box: each side cuts, one after the other.",
       .parameters = {choice("shape", "shape", "What is clipped at the box.", {"segment", "polygon"}),
-                     point("p", "First end or vertex, in world units; its third coordinate is not used.", 0),
-                     point("q", "Second end or vertex, in world units.", 1),
-                     point("r", "Third vertex of the polygon; a segment has none.", 2),
-                     point("s", "Fourth vertex of the polygon; a segment has none.", 3)},
+                     vertex("p", "First end or vertex, in world units; its third coordinate is not used.", 0),
+                     vertex("q", "Second end or vertex, in world units.", 1),
+                     vertex("r", "Third vertex of the polygon; a segment has none.", 2),
+                     vertex("s", "Fourth vertex of the polygon; a segment has none.", 3)},
       .group_by = "shape",
       .presets = presets(),
       .camera = {.azimuth = 0, .elevation = 0},
       .walk = walk,
       .flat = true,
+      .opinions = opinions,
       .map = &cases(),
   };
   return lesson;

@@ -9,6 +9,9 @@
 
 namespace isect::lessons {
 
+/// What a yes/no test of two sets says.
+inline std::string says_meet(bool meet) { return meet ? "they meet" : "disjoint"; }
+
 /// Gathers what the methods say. The exact one comes first, and the others are held against it.
 class Opinions {
  public:

@@ -1,9 +1,13 @@
 // Rays (N16): a point and a direction, or two points; finite, semi-infinite or infinite; and what t means.
 
+#include "lessons/case_map.h"
 #include "lessons/parameters.h"
 #include "lessons/rays/methods.h"
 
 namespace isect::lessons {
+
+const viz::Lesson& rays();
+
 namespace {
 
 using namespace viz;
@@ -36,7 +40,10 @@ std::vector<Preset> presets() {
 }
 
 Walk walk(const Parameters& p) {
-  if (std::get<std::string>(p.at("made")) != "motion") return told(setup(p));
+  if (std::get<std::string>(p.at("made")) != "motion")
+    return with_case_map(told(setup(p)), lessons::rays(), p,
+                         "The wall moves along *x*, and **d** changes; **o** stays.\n"
+                         "To a segment the first region counts, to a ray the first two, to a line all three.");
   const auto flat = [&](const char* name) {
     Vec3 v = std::get<Vec3>(p.at(name));
     v.z() = 0;
@@ -71,6 +78,7 @@ const Lesson& rays() {
       .camera = {.azimuth = 0, .elevation = 0},
       .walk = walk,
       .flat = true,
+      .map = &cases(),
   };
   return lesson;
 }

@@ -55,11 +55,10 @@ const CaseMap& cases() {
 
 std::vector<Opinion> opinions(const Parameters& p) {
   const Setup s = setup(p);
-  const auto says = [](bool meet) { return meet ? "they meet" : "disjoint"; };
-  Opinions all(says(s.truth != Relation::disjoint));
-  all.add("axis by axis, the note's", says(aabb_aabb::by_axis(s.a, s.b)));
-  all.add("largest low, smallest high corner", says(aabb_aabb::min_max(s.a, s.b)));
-  all.add("middles and half-sizes", says(aabb_aabb::by_centers(s.a, s.b)));
+  Opinions all(says_meet(s.truth != Relation::disjoint));
+  all.add("axis by axis, the note's", says_meet(aabb_aabb::by_axis(s.a, s.b)));
+  all.add("largest low, smallest high corner", says_meet(aabb_aabb::min_max(s.a, s.b)));
+  all.add("middles and half-sizes", says_meet(aabb_aabb::by_centers(s.a, s.b)));
   return all.take();
 }
 

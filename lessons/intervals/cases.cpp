@@ -62,11 +62,10 @@ const CaseMap& cases() {
 
 std::vector<Opinion> opinions(const Parameters& p) {
   const Setup s = setup(p);
-  const auto says = [](bool meet) { return meet ? "they meet" : "disjoint"; };
-  Opinions all(says(s.truth != Relation::disjoint));
-  all.add("two ends, the note's", says(interval_interval::ends(s.a, s.b)));
-  all.add("larger lower, smaller upper end", says(interval_interval::min_max(s.a, s.b)));
-  all.add("middles and half-lengths", says(interval_interval::by_middles(s.a, s.b)));
+  Opinions all(says_meet(s.truth != Relation::disjoint));
+  all.add("two ends, the note's", says_meet(interval_interval::ends(s.a, s.b)));
+  all.add("larger lower, smaller upper end", says_meet(interval_interval::min_max(s.a, s.b)));
+  all.add("middles and half-lengths", says_meet(interval_interval::by_middles(s.a, s.b)));
   return all.take();
 }
 

@@ -37,6 +37,7 @@ Interval<double> drawn(const Ray<double, 2>&);
 /// Small strokes across the line at every `spacing` of t, named, and a line through all of them.
 void draw_marks(viz::Scene&, const Ray<double, 2>&, const Interval<double>& t);
 
+const viz::CaseMap& cases();                                      ///< of the wall's place and the direction
 viz::Walk told(const Setup&);                                     ///< a ray against the wall
 viz::Walk bullet(const viz::Vec3& p, const viz::Vec3& velocity);  ///< a moving point, as a ray
 

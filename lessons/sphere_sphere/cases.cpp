@@ -45,12 +45,11 @@ const CaseMap& cases() {
 std::vector<Opinion> opinions(const Parameters& p) {
   const Setup s = setup(p);
   const Ball3 a = s.tested(s.a), b = s.tested(s.b);
-  const auto says = [](bool meet) { return meet ? "they meet" : "disjoint"; };
-  Opinions all(says(s.truth != Relation::disjoint));
-  all.add("*d*^2 < *s*^2, the note's", says(sphere_sphere::squared_distance(a, b)));
-  all.add("*d*^2 ≤ *s*^2", says(sphere_sphere::closed_squared_distance(a, b)));
-  all.add("*d* ≤ *s*, by a root", says(sphere_sphere::by_distance(a, b)));
-  all.add("*d* ≤ *s*, by hypot", says(sphere_sphere::by_hypot(a, b)));
+  Opinions all(says_meet(s.truth != Relation::disjoint));
+  all.add("*d*^2 < *s*^2, the note's", says_meet(sphere_sphere::squared_distance(a, b)));
+  all.add("*d*^2 ≤ *s*^2", says_meet(sphere_sphere::closed_squared_distance(a, b)));
+  all.add("*d* ≤ *s*, by a root", says_meet(sphere_sphere::by_distance(a, b)));
+  all.add("*d* ≤ *s*, by hypot", says_meet(sphere_sphere::by_hypot(a, b)));
   return all.take();
 }
 

@@ -237,6 +237,22 @@ TEST_CASE("the rays lesson: t counts lengths of the direction, and the range say
         walk_of("rays", "ray").steps.back().counters.div + 2);
 }
 
+TEST_CASE("the map of rays is that of t = distance / direction, however the ray is made", "[rays]") {
+  const CaseMap& map = *lesson("rays").map;
+  std::map<std::string, int> seen;
+  for (const char* id : {"ray", "line", "segment", "unit"})
+    for (int i = 0; i < 64; ++i) {
+      const Vec2 to(1.5 * (i % 8) - 5.25, i / 8 - 3.0);  // exact, with a row of parallel rays
+      const Parameters there = map.moved(preset(lesson("rays"), id).parameters, to);
+      const std::string says = map.branches[static_cast<std::size_t>(map.branch(there))];
+      INFO(id << " at " << to.transpose());
+      const double t = to.x() / to.y();
+      CHECK(says == (to.y() == 0 ? "parallel" : t < 0 ? "*t* < 0" : t <= 1 ? "0 ≤ *t* ≤ 1" : "*t* > 1"));
+      ++seen[says];
+    }
+  CHECK(seen.size() == 4);
+}
+
 TEST_CASE("the rays lesson: the bullet hits between two frames that both miss it", "[rays]") {
   const Walk walk = walk_of("rays", "bullet");
   CHECK(step_of(walk, "frames").question->answer == 1);

@@ -83,6 +83,21 @@ TEST_CASE("trivial answers cost no division, others one a side at most", "[clipp
   CHECK(last("along-a-side").verdict.kind == Verdict::Kind::on);
 }
 
+TEST_CASE("slabs by reciprocals lose a segment along an upper side, and nothing else here",
+          "[clipping lesson]") {
+  for (const Preset& p : lesson("clipping").presets) {
+    INFO(p.id);
+    std::string wrong;
+    for (const Opinion& o : lesson("clipping").opinions(p.parameters))
+      if (!o.agrees) wrong += o.method + ";";
+    CHECK(wrong == (p.id == "along-a-side" ? "slabs, min and max;" : ""));
+  }
+  Parameters along = preset(lesson("clipping"), "along-a-side").parameters;
+  for (const char* end : {"p", "q"}) std::get<Vec3>(along.at(end)).y() = clipping_box.lo.y();
+  for (const Opinion& o : lesson("clipping").opinions(along))
+    CHECK(o.agrees);  // there NaN falls the other way
+}
+
 TEST_CASE("a polygon's lesson ends with the exact test's ring", "[clipping lesson]") {
   for (const Preset& p : lesson("clipping").presets) {
     if (p.group != "polygon") continue;
