@@ -11,15 +11,17 @@ using namespace viz;
 
 enum Case { reached, farther, behind, parallel };
 
+/// By the lesson's own ranges: a unit direction's segment ends at |d|, any other one's at 1.
 int branch(const Parameters& p) {
-  const Setup s = setup(p);
-  if (s.truth.parallel) return parallel;
-  const auto meets = [&](double lo, double hi) {
-    return intersect(Ray<double, 2>{s.ray.origin, s.ray.direction, {lo, hi}}, s.plane).meets;
+  const auto truth = [&](const char* extent) {
+    Parameters as = p;
+    as["extent"] = std::string(extent);
+    return setup(as).truth;
   };
-  const double end = s.made == Made::unit ? s.d.norm() : 1;
-  if (meets(0, end)) return reached;
-  return meets(0, infinite<double>.hi) ? farther : behind;
+  const RayPlane<double> segment = truth("segment");
+  if (segment.parallel) return parallel;
+  if (segment.meets) return reached;
+  return truth("ray").meets ? farther : behind;
 }
 
 bool moves(const Parameters& p) { return std::get<std::string>(p.at("made")) == "motion"; }
@@ -46,7 +48,7 @@ const CaseMap& cases() {
                               "*x* of **d**",
                               {-6, -4},
                               {6, 4.5},
-                              {"0 ≤ *t* ≤ 1", "*t* > 1", "*t* < 0", "parallel"},
+                              {"within **d**", "beyond **d**", "behind **o**", "parallel"},
                               branch,
                               place,
                               moved};

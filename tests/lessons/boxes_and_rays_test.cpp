@@ -247,7 +247,10 @@ TEST_CASE("the map of rays is that of t = distance / direction, however the ray 
       const std::string says = map.branches[static_cast<std::size_t>(map.branch(there))];
       INFO(id << " at " << to.transpose());
       const double t = to.x() / to.y();
-      CHECK(says == (to.y() == 0 ? "parallel" : t < 0 ? "*t* < 0" : t <= 1 ? "0 ≤ *t* ≤ 1" : "*t* > 1"));
+      CHECK(says == (to.y() == 0 ? "parallel"
+                     : t < 0     ? "behind **o**"
+                     : t <= 1    ? "within **d**"
+                                 : "beyond **d**"));
       ++seen[says];
     }
   CHECK(seen.size() == 4);
