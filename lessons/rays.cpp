@@ -43,7 +43,7 @@ Walk walk(const Parameters& p) {
   if (std::get<std::string>(p.at("made")) != "motion")
     return with_case_map(told(setup(p)), lessons::rays(), p,
                          "The wall moves along *x*, and **d** changes; **o** stays.\n"
-                         "To a segment the first region counts, to a ray the first two, to a line all three.");
+                         "What lies within **d** always counts, beyond **d** for rays and lines, behind **o** for lines.");
   const auto flat = [&](const char* name) {
     Vec3 v = std::get<Vec3>(p.at(name));
     v.z() = 0;
