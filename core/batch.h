@@ -130,7 +130,7 @@ template <int Bytes, class S, std::size_t K, class Filter, std::size_t... I>
   return {~bits.yes, bits.sure};
 }
 
-/// The loop over all blocks of 64, as a text for simd::run; finish(first, count, bits) hears of each in order. A last
+/// The loop over all blocks of 64, as a text for simd::run; finish(first, bits) hears of each in order. A last
 /// block of fewer entries is filled up with copies of its last one, whose bits are zero.
 template <class S, std::size_t K, class Filter, class Finish>
 struct Loop {

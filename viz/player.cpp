@@ -61,30 +61,43 @@ std::size_t Player::index_of(const std::string& lesson_id) const {
   return static_cast<std::size_t>(std::find(lessons_.begin(), lessons_.end(), found) - lessons_.begin());
 }
 
-/// The one way the state changes: first everything that may be refused, then the change.
+std::shared_ptr<const Player::Overview> Player::overview_of(const Lesson& lesson, const Walk& walk,
+                                                            const Parameters& parameters) {
+  Overview overview;
+  for (const Preset& p : lesson.presets) overview.samples.push_back(walk_of(lesson, p.parameters));
+  if (overview.samples.empty()) overview.samples.push_back(walk);
+  overview.methods = methods_of(lesson, parameters);
+  return std::make_shared<const Overview>(std::move(overview));
+}
+
+/// A copy is cheap, as what is large in it is shared.
+template <class Action>
+void Player::all_or_nothing(const Action& action) {
+  static_assert(std::is_nothrow_move_assignable_v<Player>);
+  Player next = *this;
+  action(next);
+  *this = std::move(next);
+}
+
+/// The one way the state changes.
 void Player::show(State next, bool same_lesson) {
   const Lesson& lesson = *lessons_[next.lesson];
-  Walk walk = walk_of(lesson, next.parameters);
-  if (!same_lesson) {
-    std::vector<Walk> samples;
-    for (const Preset& p : lesson.presets) samples.push_back(walk_of(lesson, p.parameters));
-    if (samples.empty()) samples.push_back(walk);
-    samples_ = std::move(samples);
-    methods_ = methods_of(lesson, next.parameters);
-  }
+  walk_ = std::make_shared<const Walk>(walk_of(lesson, next.parameters));
+  if (!same_lesson) overview_ = overview_of(lesson, *walk_, next.parameters);
   state_ = std::move(next);
-  walk_ = std::move(walk);
   opinions_ = lesson.opinions ? lesson.opinions(state_.parameters) : std::vector<Opinion>();
   preset_ = matching_preset(lesson, state_.parameters);
   asked_.clear();
-  asking_ = asking_ && !at_end() && walk_.steps[index() + 1].question;
+  asking_ = asking_ && !at_end() && walk().steps[index() + 1].question;
   ++revision_;
   if (same_lesson) return;
   moved_ = false;
   camera_.jump(opening_view());
 }
 
-Camera Player::opening_view() const { return frame_alike(lesson().camera, walk_, samples_, aspect_); }
+Camera Player::opening_view() const {
+  return frame_alike(lesson().camera, walk(), overview_->samples, aspect_);
+}
 
 std::vector<const Preset*> Player::group() const {
   std::vector<const Preset*> group;
@@ -113,7 +126,7 @@ void Player::next() {
   if (at_end()) return;
   const int to = index() + 1;
   if (asking_) asked_[to] = std::nullopt;
-  if (!walk_.steps[to].question || asked_.contains(to)) return go_to(to);
+  if (!walk().steps[to].question || asked_.contains(to)) return go_to(to);
   asking_ = true;
   ++revision_;
 }
@@ -143,7 +156,7 @@ void Player::advance(double seconds) {
   if (at_end()) playing_ = false;
 }
 
-const Question* Player::asked() const { return asking_ ? &*walk_.steps[index() + 1].question : nullptr; }
+const Question* Player::asked() const { return asking_ ? &*walk().steps[index() + 1].question : nullptr; }
 
 void Player::answer(int choice) {
   if (!asking_ || choice < 0 || choice >= static_cast<int>(asked()->choices.size())) return;
@@ -169,53 +182,64 @@ void Player::open_neighbour(int by) {
 }
 
 void Player::load(const Preset& preset) {
-  remember("");
-  State next = state_;
-  next.parameters = preset.parameters;
-  next.origin = preset.id;
-  next.wanted = 0;
-  asking_ = false;
-  show(std::move(next), true);
-  if (!moved_) camera_.glide(opening_view());
+  all_or_nothing([&](Player& next) {
+    next.remember("");
+    State state = state_;
+    state.parameters = preset.parameters;
+    state.origin = preset.id;
+    state.wanted = 0;
+    next.asking_ = false;
+    next.show(std::move(state), true);
+    if (!moved_) next.camera_.glide(next.opening_view());
+  });
 }
 
 void Player::load_method(const std::string& choice) {
-  remember("");
-  const bool was_preset = !preset_.empty();
-  Parameters same = parameters();
-  same[lesson().group_by] = choice;
-  State next = state_;
-  next.parameters = std::move(same);
-  next.wanted = 0;
-  asking_ = false;
-  show(std::move(next), true);
-  if (was_preset && !preset_.empty()) state_.origin = preset_;
+  all_or_nothing([&](Player& next) {
+    next.remember("");
+    State state = state_;
+    state.parameters[lesson().group_by] = choice;
+    state.wanted = 0;
+    next.asking_ = false;
+    next.show(std::move(state), true);
+    if (!preset_.empty() && !next.preset_.empty()) next.state_.origin = next.preset_;
+  });
 }
 
 void Player::restart() {
-  remember("");
-  const Lesson& l = lesson();
-  State next = state_;
-  if (!l.presets.empty()) next.parameters = preset(l, state_.origin).parameters;
-  next.wanted = 0;
-  asking_ = playing_ = false;
-  show(std::move(next), true);
-  moved_ = false;
-  camera_.glide(opening_view());
+  all_or_nothing([&](Player& next) {
+    next.remember("");
+    const Lesson& l = lesson();
+    State state = state_;
+    if (!l.presets.empty()) state.parameters = preset(l, state_.origin).parameters;
+    state.wanted = 0;
+    next.asking_ = next.playing_ = false;
+    next.show(std::move(state), true);
+    next.moved_ = false;
+    next.camera_.glide(next.opening_view());
+  });
+}
+
+void Player::set_parameters(Parameters parameters) {
+  if (parameters == state_.parameters) return;
+  all_or_nothing([&](Player& next) {
+    State state = state_;
+    state.parameters = std::move(parameters);
+    next.show(std::move(state), true);
+  });
 }
 
 void Player::edit(const std::string& name, const Setting& value) {
   if (!parameters().contains(name)) throw BadInput("lesson " + lesson().id + " has no parameter " + name);
-  if (parameters().at(name) == value) return;
-  State next = state_;
-  next.parameters[name] = value;
-  show(std::move(next), true);
+  Parameters edited = parameters();
+  edited[name] = value;
+  set_parameters(std::move(edited));
 }
 
 void Player::drag_handle(const Handle& handle, const Vec3& to) {
-  State next = state_;
-  drag(lesson(), next.parameters, handle, to);
-  if (next.parameters != state_.parameters) show(std::move(next), true);
+  Parameters dragged = parameters();
+  drag(lesson(), dragged, handle, to);
+  set_parameters(std::move(dragged));
 }
 
 bool Player::methods_differ() const {
@@ -224,44 +248,41 @@ bool Player::methods_differ() const {
 
 void Player::go_to_case(const Vec2& at) {
   const CaseMap& map = *lesson().map;
-  State next = state_;
-  next.parameters = map.moved(parameters(), at.cwiseMax(map.lo).cwiseMin(map.hi));
-  validate(lesson(), next.parameters);
-  if (next.parameters != state_.parameters) show(std::move(next), true);
+  Parameters moved = map.moved(parameters(), at.cwiseMax(map.lo).cwiseMin(map.hi));
+  validate(lesson(), moved);
+  set_parameters(std::move(moved));
 }
 
 void Player::go(const Place& place) {
-  State next;
-  next.lesson = index_of(place.lesson);
-  const Lesson& l = *lessons_[next.lesson];
-  if (!l.presets.empty()) next.origin = l.presets.front().id;
-  if (!place.preset.empty()) next.origin = preset(l, place.preset).id;
+  State state;
+  state.lesson = index_of(place.lesson);
+  const Lesson& l = *lessons_[state.lesson];
+  if (!l.presets.empty()) state.origin = l.presets.front().id;
+  if (!place.preset.empty()) state.origin = preset(l, place.preset).id;
   if (place.parameters)
-    next.parameters = *place.parameters;
-  else if (!next.origin.empty())
-    next.parameters = preset(l, next.origin).parameters;
+    state.parameters = *place.parameters;
+  else if (!state.origin.empty())
+    state.parameters = preset(l, state.origin).parameters;
   else
-    for (const Parameter& p : l.parameters) next.parameters[p.name] = p.initial;
+    for (const Parameter& p : l.parameters) state.parameters[p.name] = p.initial;
 
-  const bool starting = walk_.steps.empty();
-  if (!starting) remember("");
-  try {
-    show(std::move(next), false);
-  } catch (...) {
-    if (!starting) memory_.pop_back();
-    throw;
-  }
-  asking_ = playing_ = false;
-  go_to(place.step);
-  if (!place.camera) return;
-  camera_.jump(*place.camera);
-  moved_ = true;
+  all_or_nothing([&](Player& next) {
+    if (walk_) next.remember("");
+    next.show(std::move(state), false);
+    next.asking_ = next.playing_ = false;
+    next.go_to(place.step);
+    if (!place.camera) return;
+    next.camera_.jump(*place.camera);
+    next.moved_ = true;
+  });
 }
 
 void Player::set_aspect(double aspect) {
   if (aspect == aspect_) return;
-  aspect_ = aspect;
-  if (!moved_) camera_.jump(opening_view());
+  all_or_nothing([&](Player& next) {
+    next.aspect_ = aspect;
+    if (!moved_) next.camera_.jump(next.opening_view());
+  });
 }
 
 void Player::orbit(const Vec2& pixels) {
@@ -284,10 +305,11 @@ void Player::zoom(const View& view, const Vec2& at, double factor) {
 }
 
 void Player::frame_all() {
-  remember("");
   Camera from = lesson().camera;
   from.perspective = camera_.goal().perspective;
-  camera_.glide(frame(from, scenes_of(walk_), aspect_));
+  const Camera framed = frame(from, scenes_of(walk()), aspect_);
+  remember("");
+  camera_.glide(framed);
   moved_ = true;
 }
 
@@ -300,21 +322,23 @@ void Player::set_perspective(bool on) {
 
 void Player::remember(const std::string& action) {
   if (!action.empty() && action == action_) return;
-  action_ = action;
+  std::string name = action;  // what may fail comes first
   memory_.push_back({state_, camera_.goal(), moved_});
   if (memory_.size() > memories_kept) memory_.erase(memory_.begin());
+  action_ = std::move(name);
 }
 
 bool Player::undo() {
   if (memory_.empty()) return false;
-  const Memory last = memory_.back();
-  memory_.pop_back();
-  action_.clear();
-  const bool same_lesson = last.state.lesson == state_.lesson;
-  asking_ = false;
-  show(last.state, same_lesson);
-  camera_.glide(last.camera);
-  moved_ = last.moved;
+  all_or_nothing([](Player& next) {
+    const Memory last = std::move(next.memory_.back());
+    next.memory_.pop_back();
+    next.action_.clear();
+    next.asking_ = false;
+    next.show(last.state, last.state.lesson == next.state_.lesson);
+    next.camera_.glide(last.camera);
+    next.moved_ = last.moved;
+  });
   return true;
 }
 

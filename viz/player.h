@@ -3,6 +3,7 @@
 // is.
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,10 +27,10 @@ class Player {
   const std::vector<const Lesson*>& lessons() const { return lessons_; }
   const Lesson& lesson() const { return *lessons_[state_.lesson]; }
   const Parameters& parameters() const { return state_.parameters; }
-  const Walk& walk() const { return walk_; }
-  int count() const { return static_cast<int>(walk_.steps.size()); }
+  const Walk& walk() const { return *walk_; }
+  int count() const { return static_cast<int>(walk().steps.size()); }
   int index() const { return std::min(state_.wanted, count() - 1); }
-  const Step& step() const { return walk_.steps[index()]; }
+  const Step& step() const { return walk().steps[index()]; }
   /// What the lesson's methods say of these parameters, where it has several that should agree.
   const std::vector<Opinion>& opinions() const { return opinions_; }
   bool methods_differ() const;
@@ -37,7 +38,7 @@ class Player {
   const std::string& preset_id() const { return preset_; }
   /// The presets of the current group, in order: what the keys 1 to 9 load.
   std::vector<const Preset*> group() const;
-  const std::vector<Method>& methods() const { return methods_; }
+  const std::vector<Method>& methods() const { return overview_->methods; }
   /// The value of the grouping parameter; empty if the lesson has none.
   std::string method() const;
   Place place() const;
@@ -72,7 +73,8 @@ class Player {
   };
   std::optional<Answered> answered() const;
 
-  // Other lessons, presets and parameters. All that can be refused throws BadInput and changes nothing.
+  // Other lessons, presets and parameters. What can't be had throws BadInput. Where one of these throws, for whatever
+  // reason, nothing has changed: neither what is shown, nor the camera, nor what undo() knows.
   void open(const Lesson&);
   void open_neighbour(int by);
   void load(const Preset&);
@@ -113,18 +115,28 @@ class Player {
     bool moved;
   };
 
+  /// What is known of a lesson whatever its parameters.
+  struct Overview {
+    std::vector<Walk> samples;  ///< one of each preset
+    std::vector<Method> methods;
+  };
+
+  static std::shared_ptr<const Overview> overview_of(const Lesson&, const Walk&, const Parameters&);
   std::size_t index_of(const std::string& lesson_id) const;
+  /// Calls action(copy of this player), and becomes that copy if nothing was thrown.
+  template <class Action>
+  void all_or_nothing(const Action&);
   void show(State, bool same_lesson);
+  void set_parameters(Parameters);
   /// The lesson's view of the walk, at the scale that all presets share.
   Camera opening_view() const;
 
   std::vector<const Lesson*> lessons_;
   State state_;
-  Walk walk_;
+  std::shared_ptr<const Walk> walk_;  ///< shared with copies of this player, as the overview is
+  std::shared_ptr<const Overview> overview_;
   std::vector<Opinion> opinions_;
   std::string preset_;
-  std::vector<Method> methods_;
-  std::vector<Walk> samples_;  ///< one walk of each preset
   unsigned revision_ = 0;
 
   bool asking_ = false;

@@ -1,0 +1,206 @@
+// Whatever throws within an action of the player - memory, or the lesson itself - leaves the player as it was.
+
+#include <cstdlib>
+#include <functional>
+#include <new>
+
+#include "tests/catch.h"
+#include "tests/viz/sample_lesson.h"
+#include "viz/place.h"
+#include "viz/player.h"
+
+namespace player_throws_test {
+
+/// How many more allocations succeed; negative: all of them.
+inline thread_local long allocations_left = -1;
+
+}  // namespace player_throws_test
+
+void* operator new(std::size_t size) {
+  using player_throws_test::allocations_left;
+  if (allocations_left == 0) throw std::bad_alloc();
+  if (allocations_left > 0) --allocations_left;
+  if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace player_throws_test {
+using namespace isect::viz;
+
+namespace {
+
+/// The sample lesson, whose functions throw once as many calls as this are over; negative: never.
+int calls_left = -1;
+
+void call() {
+  if (calls_left == 0) throw BadInput("the lesson fails");
+  if (calls_left > 0) --calls_left;
+}
+
+Walk failing_walk(const Parameters& values) {
+  call();
+  return sample::walk(values);
+}
+std::vector<Opinion> failing_opinions(const Parameters&) {
+  call();
+  return {{"by squares", "inside", true}, {"by distance", "outside", false}};
+}
+const CaseMap map = {
+    "x", "y", {0, 0}, {4, 4}, {"all"}, nullptr, nullptr, [](const Parameters& from, const Vec2& at) {
+      call();
+      Parameters moved = from;
+      moved["p"] = Vec3(at.x(), at.y(), 0);
+      return moved;
+    }};
+
+Lesson failing(Lesson lesson) {
+  lesson.walk = failing_walk;
+  lesson.opinions = failing_opinions;
+  lesson.map = &map;
+  return lesson;
+}
+const Lesson disc = failing(sample::lesson()), ball = failing(sample::other_lesson());
+
+/// All that can be seen of a player, also by taking back all that it remembers.
+struct Seen {
+  std::string place;
+  unsigned revision;
+  bool playing, asking, answered;
+  std::vector<std::string> methods, opinions, behind;
+
+  bool operator==(const Seen&) const = default;
+};
+
+Seen seen(Player player) {
+  Seen s = {to_json(player.place()),
+            player.revision(),
+            player.playing(),
+            player.asked() != nullptr,
+            player.answered().has_value(),
+            {},
+            {},
+            {}};
+  for (const Method& m : player.methods()) s.methods.push_back(m.title);
+  for (const Opinion& o : player.opinions()) s.opinions.push_back(o.method + o.says);
+  while (player.undo()) s.behind.push_back(to_json(player.place()));
+  return s;
+}
+
+/// In the middle of things: much to undo, a step answered, another one asked about, a view of the reader's own.
+Player busy() {
+  Player player({&disc, &ball});
+  for (int i = 0; i < 101; ++i) player.load(disc.presets[i % 2]);  // one more than is kept
+  player.edit("r", 1.5);
+  player.go_to(1);
+  player.next();
+  player.toggle_play();
+  player.remember("zoom");
+  player.orbit({40, 20});
+  return player;
+}
+
+struct Action {
+  const char* name;
+  std::function<void(Player&)> act;
+};
+
+const std::vector<Action> actions = {
+    {"open another lesson", [](Player& p) { p.open(ball); }},
+    {"open the lesson after", [](Player& p) { p.open_neighbour(1); }},
+    {"load a preset", [](Player& p) { p.load(disc.presets.back()); }},
+    {"load a method", [](Player& p) { p.load_method("distance"); }},
+    {"restart", [](Player& p) { p.restart(); }},
+    {"edit", [](Player& p) { p.edit("r", 2.25); }},
+    {"drag",
+     [](Player& p) {
+       p.drag_handle(p.step().scene.handles.front(), {1, 0.25, 0});
+     }},
+    {"go to a case",
+     [](Player& p) {
+       p.go_to_case({3, 2});
+     }},
+    {"go to a place",
+     [](Player& p) {
+       Place place;
+       place.lesson = "point-ball";
+       place.step = 2;
+       place.camera = Camera{};
+       p.go(place);
+     }},
+    {"another aspect", [](Player& p) { p.set_aspect(2); }},
+    {"frame all", [](Player& p) { p.frame_all(); }},
+    {"turn",
+     [](Player& p) {
+       p.end_action(), p.orbit({5, 5});
+     }},
+    {"perspective", [](Player& p) { p.set_perspective(!p.camera().goal().perspective); }},
+    {"remember", [](Player& p) { p.remember("a name that is too long for a string without memory"); }},
+    {"answer", [](Player& p) { p.answer(0); }},
+    {"skip the question", [](Player& p) { p.next(); }},
+    {"take back", [](Player& p) { p.undo(); }},
+};
+
+/// Lets the action fail at the k-th chance that `left` counts, for ever later chances, until it succeeds. How often
+/// it failed.
+template <class Count>
+int fail_everywhere(const Action& action, Count& left, const std::function<Count(Count)>& next) {
+  const Player before = busy();
+  const Seen seen_before = seen(before);
+  int failures = 0;
+  for (Count k = 0;; k = next(k)) {
+    Player player = before;
+    bool failed = false;
+    left = k;
+    try {
+      action.act(player);
+    } catch (const std::exception&) {
+      failed = true;
+    }
+    left = -1;
+    if (!failed) return failures;
+    ++failures;
+    INFO(action.name << ", failing at " << k);
+    REQUIRE((seen(player) == seen_before));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("an action whose lesson throws at any of its calls changes nothing", "[player]") {
+  int failures = 0;
+  for (const Action& action : actions)
+    failures += fail_everywhere<int>(action, calls_left, [](int k) { return k + 1; });
+  CHECK(failures > 30);  // the lesson is called by most of the actions, several times
+}
+
+TEST_CASE("an action that runs out of memory anywhere changes nothing", "[player]") {
+  for (const Action& action : actions) {
+    if (action.name == std::string("turn") || action.name == std::string("another aspect")) continue;
+    const int failures =
+        fail_everywhere<long>(action, allocations_left, [](long k) { return k + 1 + k / 16; });
+    INFO(action.name);
+    CHECK(failures > 0);
+  }
+}
+
+TEST_CASE("an action that failed once does its whole work when it is tried again", "[player]") {
+  for (const Action& action : actions) {
+    Player once = busy(), again = busy();
+    action.act(once);
+    bool failed = false;
+    calls_left = 0;
+    try {
+      action.act(again);
+    } catch (const BadInput&) {
+      failed = true;
+    }
+    calls_left = -1;
+    if (failed) action.act(again);
+    INFO(action.name);
+    CHECK((seen(again) == seen(once)));
+  }
+}
+
+}  // namespace player_throws_test
