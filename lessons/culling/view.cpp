@@ -1,7 +1,6 @@
 #include "lessons/culling/view.h"
 
 #include "core/clip_polygon.h"
-#include "core/point_aabb.h"
 #include "viz/solids.h"
 
 namespace isect::lessons::culling_lesson {
@@ -42,12 +41,6 @@ std::vector<Ring<double, 3>> faces_inside(const Box& box, const Frustum<double>&
       if (!ring.empty()) parts.push_back(ring);
     }
   return parts;
-}
-
-bool meet(const Box& box, const Frustum<double>& view) {
-  if (!faces_inside(box, view).empty()) return true;
-  return locate(Point<double, 3>(solid(view, Role::first).vertices[0]), box) !=
-         Location::out;  // all of it inside
 }
 
 Vec3 middle(const Volume& volume) {

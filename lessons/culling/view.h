@@ -30,9 +30,9 @@ struct Answer {
 };
 Answer ask(const Volume&, const Frustum<double>&);
 
-/// The parts of the box's faces that lie in the frustum: nothing of a box around it, or outside.
+/// The parts of the box's faces that lie in the frustum, rounded, for a picture: nothing of a box around it, or outside.
 std::vector<Ring<double, 3>> faces_inside(const Box&, const Frustum<double>&);
-/// Whether they truly have a common point.
+/// Whether they have a common point, touching included. Exact for the planes as given. Finite box, not empty.
 bool meet(const Box&, const Frustum<double>&);
 
 viz::Vec3 middle(const Volume&);
