@@ -1,6 +1,7 @@
 #include "viz/files.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -38,15 +39,45 @@ class Descriptor {
   int fd_;
 };
 
-/// Writes all bytes into a new file; 0, or the reason why not, and then there is no file.
-int write_new(const std::string& path, const std::string& bytes) {
+/// Sends all bytes; 0, or the reason why not.
+int send(int descriptor, const std::string& bytes) {
+  for (std::size_t done = 0; done < bytes.size();) {
+    const ssize_t n = ::write(descriptor, bytes.data() + done, bytes.size() - done);
+    if (n < 0 && errno != EINTR) return errno;
+    if (n > 0) done += static_cast<std::size_t>(n);
+  }
+  return 0;
+}
+
+/// Standard output or error where that is what `file` is, however it is named; -1 where it is neither.
+int own_stream(const struct stat& file) {
+  for (const int descriptor : {STDOUT_FILENO, STDERR_FILENO}) {
+    struct stat own;
+    if (::fstat(descriptor, &own) == 0 && own.st_dev == file.st_dev && own.st_ino == file.st_ino)
+      return descriptor;
+  }
+  return -1;
+}
+
+/// Into what is there, as it comes; 0, or the reason why not.
+int write_in_place(const std::string& path, const struct stat& there, const std::string& bytes) {
+  if (const int stream = own_stream(there); stream >= 0) return send(stream, bytes);
+  Descriptor file(path, O_WRONLY | O_NOCTTY);
+  if (!file.open()) return errno;
+  const int reason = send(file.get(), bytes);
+  return !file.close() && reason == 0 ? errno : reason;
+}
+
+/// Writes all bytes into a new file that takes mode and owner of `old`, if there is one; 0, or the reason why not, and
+/// then there is no file.
+int write_new(const std::string& path, const std::string& bytes, const struct stat* old) {
   Descriptor file(path, O_WRONLY | O_CREAT | O_EXCL);
   if (!file.open()) return errno;
-  int reason = 0;
-  for (std::size_t done = 0; done < bytes.size() && reason == 0;) {
-    const ssize_t n = ::write(file.get(), bytes.data() + done, bytes.size() - done);
-    if (n < 0 && errno != EINTR) reason = errno;
-    if (n > 0) done += static_cast<std::size_t>(n);
+  int reason = send(file.get(), bytes);
+  // Another's file stays another's where this user may give files away; the mode last, as a new owner clears bits of it.
+  if (old && reason == 0) {
+    [[maybe_unused]] const int given = ::fchown(file.get(), old->st_uid, old->st_gid);
+    if (::fchmod(file.get(), old->st_mode & 07777) != 0) reason = errno;
   }
   if (!file.close() && reason == 0) reason = errno;
   if (reason != 0) ::unlink(path.c_str());
@@ -59,25 +90,48 @@ std::string name_beside(const std::string& path) {
   return path + ".tmp-" + std::to_string(::getpid()) + "-" + std::to_string(count++);
 }
 
-}  // namespace
+/// The file at the end of all links, which need not be there. Loops are found before this is asked.
+std::string without_links(std::filesystem::path path) {
+  std::error_code none;  // no link: this is the file
+  for (std::filesystem::path to; to = std::filesystem::read_symlink(path, none), !none;)
+    path = to.is_absolute() ? to : path.parent_path() / to;
+  return path;
+}
 
-void write_file(const std::string& path, const std::string& bytes) {
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  std::error_code error;
-  if (!folder.empty()) std::filesystem::create_directories(folder, error);
-  if (error) fail("write", path, error.value());
-
+/// Beside, then renamed; 0, or the reason why not.
+int replace(const std::string& path, const std::string& bytes, const struct stat* old) {
   std::string beside;
   int reason = 0;
   do {
     beside = name_beside(path);
-    reason = write_new(beside, bytes);
+    reason = write_new(beside, bytes, old);
   } while (reason == EEXIST);
-  if (reason != 0) fail("write", path, reason);
-  if (::rename(beside.c_str(), path.c_str()) == 0) return;
+  if (reason != 0 || ::rename(beside.c_str(), path.c_str()) == 0) return reason;
   reason = errno;
   ::unlink(beside.c_str());
-  fail("write", path, reason);
+  return reason;
+}
+
+}  // namespace
+
+void write_file(const std::string& path, const std::string& bytes) {
+  struct stat there;
+  const bool exists = ::stat(path.c_str(), &there) == 0;
+  if (!exists && (errno != ENOENT || path.empty())) fail("write", path, errno);
+  if (exists && S_ISDIR(there.st_mode)) fail("write", path, EISDIR);
+  if (exists && (!S_ISREG(there.st_mode) || own_stream(there) >= 0)) {
+    if (const int reason = write_in_place(path, there, bytes); reason != 0) fail("write", path, reason);
+    return;
+  }
+  if (exists && ::euidaccess(path.c_str(), W_OK) != 0) fail("write", path, errno);  // rename would not ask
+
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  std::error_code error;
+  if (!folder.empty()) std::filesystem::create_directories(folder, error);
+  if (error) fail("write", path, error.value());
+  const std::string target = without_links(path);
+  if (const int reason = replace(target, bytes, exists ? &there : nullptr); reason != 0)
+    fail("write", target == path ? path : path + "', a link to '" + target, reason);
 }
 
 std::string read_file(const std::string& path) {

@@ -1,5 +1,5 @@
 #pragma once
-// Pictures and drawings as files. Every writer writes beside and renames, so no file is ever half written.
+// Pictures and drawings as files. A file is written beside and renamed, so none is ever half written.
 
 #include <map>
 #include <stdexcept>
@@ -18,8 +18,8 @@ struct FileError : std::runtime_error {
 /// Keyword -> text, carried inside the file: lesson, preset, step, parameters, version.
 using Metadata = std::map<std::string, std::string>;
 
-/// Replaces `path` in one step; makes its folder if needed. Throws FileError; what was there stays on
-/// failure.
+/// Replaces a file in one step, links followed and mode kept; makes its folder if needed. What is no file (a
+/// device, a pipe, our own stdout) is written to. Throws FileError; a file that was there stays on failure.
 void write_file(const std::string& path, const std::string& bytes);
 std::string read_file(const std::string& path);  ///< Throws FileError.
 

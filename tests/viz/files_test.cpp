@@ -1,12 +1,14 @@
 #include "viz/files.h"
 
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <csignal>
 #include <filesystem>
 #include <functional>
 #include <random>
+#include <thread>
 
 #include "tests/catch.h"
 
@@ -139,6 +141,70 @@ TEST_CASE("a path that cannot be written is named with the reason", "[files]") {
   CHECK(contains(message_of([&] { write_file(folder / "full", "y"); }), "Is a directory"));
   CHECK(folder.entries() == 2);
   CHECK(contains(message_of([] { write_file("", "y"); }), "cannot write ''"));
+}
+
+TEST_CASE("a link is written through and stays, to a file, to a link, and to a file yet to be made",
+          "[files]") {
+  const Folder folder;
+  write_file(folder / "real/figure.svg", "old");
+  fs::create_symlink("real/figure.svg", folder / "first");
+  fs::create_symlink(folder / "first", folder / "second");
+  write_file(folder / "second", "new");
+  CHECK(read_file(folder / "real/figure.svg") == "new");
+  CHECK(fs::read_symlink(folder / "first") == "real/figure.svg");
+  CHECK(fs::is_symlink(folder / "second"));
+
+  fs::create_symlink("real/later.svg", folder / "dangling");
+  write_file(folder / "dangling", "made");
+  CHECK(fs::is_symlink(folder / "dangling"));
+  CHECK(read_file(folder / "real/later.svg") == "made");
+  CHECK(std::distance(fs::directory_iterator(folder / "real"), fs::directory_iterator()) == 2);
+}
+
+TEST_CASE("a link that leads nowhere, in a circle or to a folder is refused and stays", "[files]") {
+  const Folder folder;
+  fs::create_symlink("no/such/folder", folder / "nowhere");
+  fs::create_symlink("a", folder / "b");
+  fs::create_symlink("b", folder / "a");
+  fs::create_directory(folder / "full");
+  fs::create_symlink("full", folder / "to-folder");
+  const std::string nowhere = message_of([&] { write_file(folder / "nowhere", "x"); });
+  CHECK(contains(nowhere, folder / "nowhere"));
+  CHECK(contains(nowhere, "no/such/folder"));
+  CHECK(contains(message_of([&] { write_file(folder / "a", "x"); }), "Too many levels"));
+  CHECK(contains(message_of([&] { write_file(folder / "to-folder", "x"); }), "Is a directory"));
+  for (const std::string link : {"nowhere", "a", "b", "to-folder"}) CHECK(fs::is_symlink(folder / link));
+  CHECK(folder.entries() == 5);
+}
+
+TEST_CASE("a device and a pipe are written to, never replaced", "[files]") {
+  const Folder folder;
+  CHECK(contains(message_of([] { write_file("/dev/full", "x"); }), "No space left"));
+  CHECK(fs::is_character_file("/dev/full"));
+  fs::create_symlink("/dev/null", folder / "null");
+  write_file(folder / "null", "x");
+  CHECK(fs::is_character_file("/dev/null"));
+  CHECK(fs::is_symlink(folder / "null"));
+
+  REQUIRE(::mkfifo((folder / "pipe").c_str(), 0600) == 0);
+  const std::string sent(200000, 'x');  // more than a pipe holds at once
+  std::string got;
+  std::thread reader([&] { got = read_file(folder / "pipe"); });
+  write_file(folder / "pipe", sent);
+  reader.join();
+  CHECK(got == sent);
+  CHECK(fs::is_fifo(folder / "pipe"));
+}
+
+TEST_CASE("an old file keeps its mode", "[files]") {
+  const Folder folder;
+  const std::string path = folder / "figure.svg";
+  for (const auto mode : {fs::perms(0600), fs::perms(0664), fs::perms(0755)}) {
+    write_file(path, "old");
+    fs::permissions(path, mode);
+    write_file(path, "new");
+    CHECK(fs::status(path).permissions() == mode);
+  }
 }
 
 TEST_CASE("a path that cannot be read is named with the reason", "[files]") {
