@@ -18,6 +18,7 @@
 #include <Eigen/Geometry>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <variant>
 
 #include "core/point_polygon.h"
@@ -71,7 +72,8 @@ PlanePoint<W> plane_point(const Ray<double, 3>& ray, const Ring<S, 3>& ring) {
   return result;
 }
 
-/// P, found once in the arithmetic of the filter and, where that can't decide, once in each finer one.
+/// P, found once in the arithmetic of the filter and, where that can't decide, once in each of the others: a sum over
+/// all vertices each time, which no sign of a vertex or an edge may cost.
 template <class S>
 class Crossing {
  public:
@@ -79,35 +81,30 @@ class Crossing {
       : ray_(ray), ring_(ring), quick_(plane_point<Bounded<double>>(ray, ring)) {}
 
   template <Filtered W>
-  PlanePoint<W> point() const {
-    const auto once = [&](std::optional<PlanePoint<W>>& kept) -> PlanePoint<W> {
+  const PlanePoint<W>& point() const {
+    if constexpr (std::is_same_v<W, Bounded<double>>) {
+      return quick_;
+    } else {
+      std::optional<PlanePoint<W>>& kept = std::get<std::optional<PlanePoint<W>>>(others_);
       if (!kept) kept = plane_point<W>(ray_, ring_);
       return *kept;
-    };
-    if constexpr (std::is_same_v<W, Bounded<double>>)
-      return quick_;
-    else if constexpr (std::is_same_v<W, Bounded<DoubleDouble>>)
-      return once(fine_);
-    else if constexpr (std::is_same_v<W, Exact>)
-      return once(exact_);
-    else
-      return plane_point<W>(ray_, ring_);
+    }
   }
   template <Filtered W>
   Ratio<W> parameter() const {
-    const PlanePoint<W> p = point<W>();
+    const PlanePoint<W>& p = point<W>();
     return {p.num, p.den};
   }
   /// (a_i - P_i) den
   template <Filtered W>
   W offset(const Point<S, 3>& a, int i) const {
-    const PlanePoint<W> p = point<W>();
+    const PlanePoint<W>& p = point<W>();
     return difference<W>(a[i], ray_.origin[i]) * p.den - p.num * W(ray_.direction[i]);
   }
   /// orient2d(a, b, P) den, on the axes x, y.
   template <Filtered W>
   W area2(const Point<S, 3>& a, const Point<S, 3>& b, int x, int y) const {
-    const PlanePoint<W> p = point<W>();
+    const PlanePoint<W>& p = point<W>();
     const Point<double, 3>& o = ray_.origin;
     const W ab = difference<W>(a[x], o[x]) * difference<W>(b[y], o[y]) -
                  difference<W>(a[y], o[y]) * difference<W>(b[x], o[x]);
@@ -120,8 +117,9 @@ class Crossing {
   const Ray<double, 3>& ray_;
   const Ring<S, 3>& ring_;
   PlanePoint<Bounded<double>> quick_;
-  mutable std::optional<PlanePoint<Bounded<DoubleDouble>>> fine_;
-  mutable std::optional<PlanePoint<Exact>> exact_;
+  template <Filtered... W>
+  using Each = std::tuple<std::optional<PlanePoint<W>>...>;
+  mutable Each<Nought, Bounded<Extended>, Extended, Bounded<DoubleDouble>, Exact> others_;
 };
 
 /// The axis of the largest |n_i|, the first of several.
@@ -130,7 +128,7 @@ int steepest(const Crossing<S>& crossing, Trace&& trace) {
   int axis = 0;
   for (int i = 1; i < 3; ++i) {
     const auto excess = [&]<class W>() -> W {
-      const PlanePoint<W> p = crossing.template point<W>();
+      const PlanePoint<W>& p = crossing.template point<W>();
       return abs(p.normal[i]) - abs(p.normal[axis]);
     };
     if (sign_of(excess, trace) > 0) axis = i;

@@ -12,6 +12,17 @@
 #include "tests/settings.h"
 
 namespace ray_polygon_test {
+/// A double that counts how often it is looked at.
+struct Watched {
+  double value = 0;
+  static inline long looks = 0;
+  operator double() const { return ++looks, value; }
+};
+}  // namespace ray_polygon_test
+template <>
+struct Eigen::NumTraits<ray_polygon_test::Watched> : Eigen::NumTraits<double> {};
+
+namespace ray_polygon_test {
 using namespace isect;
 using bench::Numbers;
 using bench::Random;
@@ -180,6 +191,32 @@ TEST_CASE("polygons of any size are met", "[ray_polygon]") {
     CHECK(at_size(4, 3).location == Location::on);
     CHECK(at_size(4.0000000000000009, 3).location == Location::out);
   }
+}
+
+TEST_CASE("an outline along the axes is looked at a few times, however many signs doubles leave open",
+          "[ray_polygon]") {
+  const auto looks_per_vertex = [](int teeth) {
+    Ring<Watched, 3> comb;
+    const auto add = [&](double x, double y) { comb.push_back({Watched{x}, Watched{y}, Watched{0}}); };
+    for (int i = 0; i < teeth; ++i) add(4. * i, 0), add(4. * i, 1), add(4. * i + 2, 1), add(4. * i + 2, 0);
+    add(4. * teeth, 0), add(4. * teeth, -1), add(0, -1);
+
+    Watched::looks = 0;
+    const Ray<double, 3> ray = {{-1, 1, 5}, {0, 0, -1}};  // in line with the tips of all teeth
+    const ray_polygon::Crossing<Watched> crossing(ray, comb);
+    Record<ray_polygon::Event<double>> record;
+    const int axis = ray_polygon::steepest(crossing, record);
+    CHECK(axis == 2);
+    const std::span<const Ring<Watched, 3>> rings(&comb, 1);
+    CHECK(ray_polygon::locate(crossing, -1, axis, rings, FillRule::even_odd, record) == Location::out);
+    CHECK(std::ranges::count_if(record.events, [](const auto& event) {
+            return std::holds_alternative<Fallback>(event);
+          }) > 2 * teeth);
+    return static_cast<double>(Watched::looks) / static_cast<double>(comb.size());
+  };
+  const double few = looks_per_vertex(10), many = looks_per_vertex(1000);
+  CHECK(few < 100);
+  CHECK(many < 1.1 * few);
 }
 
 TEST_CASE("the note's projection agrees on ordinary rays", "[ray_polygon]") {
