@@ -130,16 +130,44 @@ inline void take(SlabMap& map, const PolygonPieces& boundary) {
             [](const auto& a, const auto& b) { return a.lower < b.lower; });
 }
 
+/// Puts the edges from, ..., to - 1, which begin in the last slab, in their places among those that run on through it,
+/// from `first` in the order on. They are brought into their own order, then all of the slab is merged in one pass.
+inline void put_in(SlabMap& map, std::size_t first, int from, int to) {
+  const auto edge = [&](int e) -> const SlabMap::Edge& { return map.edges[static_cast<std::size_t>(e)]; };
+  const auto side = [&](int e, int v) {
+    return turn(map, e, map.vertices[static_cast<std::size_t>(v)], NoTrace{});
+  };
+  std::vector<std::int32_t> begun;
+  for (int e = from; e < to; ++e) begun.push_back(e);
+  std::sort(begun.begin(), begun.end(), [&](int a, int b) {
+    if (edge(a).lower != edge(b).lower) return edge(a).lower < edge(b).lower;
+    return side(b, edge(a).upper) > 0;
+  });
+
+  std::size_t left = map.order.size(),
+              place = left + begun.size();  // one past what is to be merged, and its place
+  map.order.resize(place);
+  const auto order = [&](std::size_t i) { return map.order.begin() + static_cast<std::ptrdiff_t>(i); };
+  for (std::size_t i = begun.size(); i > 0; --i) {
+    const int e = begun[i - 1];
+    const auto stays = std::partition_point(order(first), order(left), [&](int standing) {
+      const int lower = side(standing, edge(e).lower);
+      return (lower != 0 ? lower : side(standing, edge(e).upper)) < 0;
+    });
+    const std::size_t run = static_cast<std::size_t>(order(left) - stays);
+    std::copy_backward(stays, order(left), order(place));
+    left -= run, place -= run + 1;
+    map.order[place] = e;
+  }
+}
+
 }  // namespace slab_map
 
-/// The map of a polygon. Throws std::length_error when it would take more than `most_bytes`, before it takes them,
-/// and std::invalid_argument that names two edges that cross where there is no vertex (a bow-tie): see
-/// make_polygon_pieces. Any other polygon will do: several rings, of any orientation, with repeated vertices,
-/// spikes, and edges that touch or coincide.
-template <class S>
-SlabMap make_slab_map(std::span<const Ring<S, 2>> rings, std::size_t most_bytes = std::size_t{1} << 30) {
+/// The map of a boundary. Throws std::length_error when it would take more than `most_bytes`, before it takes them:
+/// they bound the time, too.
+inline SlabMap make_slab_map(const PolygonPieces& boundary, std::size_t most_bytes = std::size_t{1} << 30) {
   SlabMap map;
-  slab_map::take(map, make_polygon_pieces(rings));
+  slab_map::take(map, boundary);
 
   std::vector<int> slab_of(map.vertices.size());
   for (std::size_t i = 0; i < map.vertices.size(); ++i) {
@@ -164,23 +192,22 @@ SlabMap make_slab_map(std::span<const Ring<S, 2>> rings, std::size_t most_bytes 
       if (const int e = map.order[below]; slab(map.edges[static_cast<std::size_t>(e)].upper) != s)
         map.order.push_back(e);
 
-    for (; begun < static_cast<int>(map.edges.size()); ++begun) {
-      const SlabMap::Edge& edge = map.edges[static_cast<std::size_t>(begun)];
-      if (slab(edge.lower) != s) break;
-      const auto right = std::partition_point(
-          map.order.begin() + static_cast<std::ptrdiff_t>(first), map.order.end(), [&](int e) {
-            const int side =
-                slab_map::turn(map, e, map.vertices[static_cast<std::size_t>(edge.lower)], NoTrace{});
-            return (side != 0 ? side
-                              : slab_map::turn(map, e, map.vertices[static_cast<std::size_t>(edge.upper)],
-                                               NoTrace{})) < 0;
-          });
-      map.order.insert(right, begun);
-    }
+    const int from = begun;
+    while (begun < static_cast<int>(map.edges.size()) &&
+           slab(map.edges[static_cast<std::size_t>(begun)].lower) == s)
+      ++begun;
+    slab_map::put_in(map, first, from, begun);
   }
   if (!map.slabs.empty())
     map.slabs.push_back({infinite<double>.hi, static_cast<int>(map.vertices.size()), map.order.size()});
   return map;
+}
+/// The map of a polygon. Throws std::invalid_argument that names two edges that cross where there is no vertex (a
+/// bow-tie): see make_polygon_pieces. Any other polygon will do: several rings, of any orientation, with repeated
+/// vertices, spikes, and edges that touch or coincide.
+template <class S>
+SlabMap make_slab_map(std::span<const Ring<S, 2>> rings, std::size_t most_bytes = std::size_t{1} << 30) {
+  return make_slab_map(make_polygon_pieces(rings), most_bytes);
 }
 template <class S>
 SlabMap make_slab_map(const Polygon<S, 2>& polygon, std::size_t most_bytes = std::size_t{1} << 30) {

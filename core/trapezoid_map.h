@@ -25,6 +25,7 @@
 #include <random>
 #include <span>
 #include <tuple>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -248,14 +249,11 @@ inline void order_rounds(std::vector<int>& order, const std::vector<PolygonPiece
 
 }  // namespace trapezoid_map
 
-/// The map of a polygon; another seed draws another order, and gives the same answers. Throws std::invalid_argument
-/// that names two edges that cross where there is no vertex (a bow-tie): see make_polygon_pieces. Any other polygon
-/// will do: several rings, of any orientation, with repeated vertices, spikes, and edges that touch or coincide.
-template <class S, class Trace = NoTrace>
-TrapezoidMap make_trapezoid_map(std::span<const Ring<S, 2>> rings, std::uint64_t seed = 1,
-                                Trace&& trace = {}) {
+/// The map of a boundary; another seed draws another order, and gives the same answers.
+template <class Trace = NoTrace>
+TrapezoidMap make_trapezoid_map(PolygonPieces boundary, std::uint64_t seed = 1, Trace&& trace = {}) {
   TrapezoidMap map;
-  map.boundary = make_polygon_pieces(rings);
+  map.boundary = std::move(boundary);
   const std::vector<PolygonPieces::Piece>& pieces = map.boundary.pieces;
 
   std::vector<bool> used(map.boundary.vertices.size());
@@ -276,6 +274,14 @@ TrapezoidMap make_trapezoid_map(std::span<const Ring<S, 2>> rings, std::uint64_t
     trace(trapezoid_map::Inserted{piece, cut});
   }
   return map;
+}
+/// The map of a polygon. Throws std::invalid_argument that names two edges that cross where there is no vertex (a
+/// bow-tie): see make_polygon_pieces. Any other polygon will do: several rings, of any orientation, with repeated
+/// vertices, spikes, and edges that touch or coincide.
+template <class S, class Trace = NoTrace>
+TrapezoidMap make_trapezoid_map(std::span<const Ring<S, 2>> rings, std::uint64_t seed = 1,
+                                Trace&& trace = {}) {
+  return make_trapezoid_map(make_polygon_pieces(rings), seed, trace);
 }
 template <class S, class Trace = NoTrace>
 TrapezoidMap make_trapezoid_map(const Polygon<S, 2>& polygon, std::uint64_t seed = 1, Trace&& trace = {}) {

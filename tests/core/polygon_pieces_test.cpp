@@ -2,6 +2,7 @@
 
 #include "core/polygon_pieces.h"
 
+#include <chrono>
 #include <map>
 
 #include "core/segment_segment.h"
@@ -76,6 +77,48 @@ TEST_CASE("edges that cross without a vertex are refused by name", "[polygon_pie
         std::string::npos);
   CHECK(complaint({{{0, 0}, {2, 2}, {2, 0}, {0, 2}}, {{1, 1}}}).empty());
   CHECK(complaint({{{0, 0}, {0x1p-1074, 1}, {0, 2}}, {{0x1p-1074, 0}, {0, 1}, {0x1p-1074, 2}}}) != "");
+}
+
+TEST_CASE("edges along one line are cut as one, however many there are", "[polygon_pieces]") {
+  bench::Random random(tests::seed());
+  INFO("seed " << tests::seed());
+  const int n = 60'000;  // edge by edge it would be 10^9 cuts
+  Ring<double, 2> ring;
+  for (int i = 0; i < n; ++i) ring.push_back({double(i), 3. * i});
+  for (std::size_t i = ring.size() - 1; i > 0; --i)
+    std::swap(ring[i], ring[static_cast<std::size_t>(random.below(static_cast<int>(i) + 1))]);
+
+  const auto start = std::chrono::steady_clock::now();
+  const PolygonPieces all = pieces({ring});
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(100));
+  CHECK(all.pieces.size() == static_cast<std::size_t>(n) - 1);
+  CHECK(std::ranges::all_of(all.pieces, [](const auto& s) { return s.high == s.low + 1 && s.times == 0; }));
+
+  // the way back from the last vertex to the first by another point: the line is left between their places
+  ring.push_back({-1, 1});
+  const PolygonPieces open = pieces({ring});
+  int outward = 0;
+  const auto [from, to] = std::minmax(ring.front()[0], ring[ring.size() - 2][0]);
+  for (const PolygonPieces::Piece& s : open.pieces) {
+    const double x = open.vertex(s.low)[0];
+    if (open.vertex(s.low)[1] != 3 * x || open.vertex(s.high)[1] != 3 * open.vertex(s.high)[0]) continue;
+    REQUIRE(std::abs(s.times) == (from <= x && x < to));
+    outward += std::abs(s.times);
+  }
+  CHECK(outward == static_cast<int>(to - from));
+}
+
+TEST_CASE("a mesh of lines that cross at vertices is a planar graph", "[polygon_pieces]") {
+  const int k = 120;
+  tests::Rings<double> rings;
+  for (int i = 0; i < k; ++i) {
+    rings.push_back({{0, double(i)}, {k - 1., double(i)}});
+    rings.push_back({{double(i), 0}, {double(i), k - 1.}});
+    for (int j = 0; j < k; ++j) rings.push_back({{double(i), double(j)}});
+  }
+  CHECK(pieces(rings).pieces.size() == static_cast<std::size_t>(2 * k * (k - 1)));
+  rings[static_cast<std::size_t>(7 * (k + 2) + 2 + 60)] = {{0, 0}};  // without (7, 60)
+  CHECK_THROWS_AS(pieces(rings), std::invalid_argument);
 }
 
 TEST_CASE("pieces meet in common ends only and add up to the edges", "[polygon_pieces]") {
