@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "lessons/program/leftovers.h"
 #include "viz/case_map.h"
 #include "viz/compose.h"
 #include "viz/place.h"
@@ -21,31 +22,6 @@ constexpr viz::ThemeName theme = viz::ThemeName::screen;
 
 /// "llvmpipe (LLVM 15.0.6, 256 bits)" -> "llvmpipe": the rest names the processor, which may differ.
 std::string family(const std::string& driver) { return driver.substr(0, driver.find(' ')); }
-
-bool is_picture(const fs::path& p) {
-  const std::string name = p.filename();
-  return name.ends_with(".png") && !name.ends_with(".new.png") && !name.ends_with(".diff.png");
-}
-
-std::string beside(const std::string& baseline, const std::string& ending) {
-  return baseline.substr(0, baseline.size() - std::string(".png").size()) + ending;
-}
-
-/// Leftovers of an earlier failure that is mended now.
-void remove_leftovers(const std::string& baseline) {
-  std::error_code ignored;  // nothing is lost where they stay
-  fs::remove(beside(baseline, ".new.png"), ignored);
-  fs::remove(beside(baseline, ".diff.png"), ignored);
-}
-
-std::vector<fs::path> sorted_children(const fs::path& folder) {
-  std::error_code absent;  // an absent folder has no children
-  std::vector<fs::path> children;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, absent))
-    children.push_back(entry.path());
-  std::ranges::sort(children);
-  return children;
-}
 
 /// A failure of this walk, or of one of its steps.
 Failure about(const Excerpt& e, int step, Failure f) {
@@ -86,7 +62,8 @@ bool has_picture(const Excerpt& e, int step) {
 }
 
 std::string name_of(Kind kind) {
-  constexpr std::array names = {"missing", "trace", "picture", "size", "blank", "unreadable", "orphan"};
+  constexpr std::array names = {"missing", "trace",      "picture", "size",
+                                "blank",   "unreadable", "orphan",  "preset"};
   return names.at(static_cast<std::size_t>(kind));
 }
 
@@ -100,8 +77,8 @@ Update update_named(const std::string& name) {
   throw viz::unknown("update", name, update_names());
 }
 
-Baselines::Baselines(std::string folder, Update update, viz::Offscreen& offscreen)
-    : folder_(std::move(folder)), update_(update), offscreen_(offscreen) {
+Baselines::Baselines(std::string folder, Update update, bool keep_pictures, viz::Offscreen& offscreen)
+    : folder_(std::move(folder)), update_(update), keep_pictures_(keep_pictures), offscreen_(offscreen) {
   const viz::Fonts fonts = viz::fonts();
   stamp_ = {family(offscreen.driver()), fonts.figure + ", " + fonts.window, viz::name_of(theme),
             fmt::format("{}x{}", picture_size.width, picture_size.height)};
@@ -126,34 +103,60 @@ std::vector<Failure> Baselines::check(const Excerpt& e) {
   return found;
 }
 
+const std::optional<OwnTrace>& Baselines::trace_of(const std::string& folder) {
+  const auto known = traces_.find(folder);
+  if (known != traces_.end()) return known->second;
+  std::optional<OwnTrace> trace = own_trace(fs::path(folder_) / folder / "trace.json");
+  if (trace && trace->folder != folder) trace.reset();
+  return traces_[folder] = std::move(trace);
+}
+
+bool Baselines::settle(const std::string& baseline, bool ours, std::optional<Failure>& f) {
+  if (f) f->foreign = !ours;
+  if (!(f ? accepts(f->kind) : update_ == Update::all)) return false;
+  if (f)
+    f->accepted = ours;
+  else if (!ours)
+    left_alone_.insert(baseline);
+  return ours;
+}
+
 void Baselines::check_trace(const Excerpt& e, std::vector<Failure>& found) {
   const std::string baseline = path(e, "trace.json");
   const std::string now = viz::trace_json(*e.lesson, e.folder, e.parameters, e.walk, stamp_);
+  const bool ours = trace_of(folder_of(e)).has_value() || !fs::exists(baseline);
   std::optional<Failure> f;
   if (!fs::exists(baseline)) {
     f = about(e, -1, failure(Kind::missing, "no trace was accepted yet", baseline));
-  } else if (const std::vector<viz::Change> changes = viz::compare_traces(viz::read_file(baseline), now);
-             !changes.empty()) {
-    f = about(e, changes[0].step, failure(Kind::trace, changes[0].what, baseline));
-    f->more = in_words({changes.begin() + 1, changes.end()});
+  } else {
+    try {
+      const std::vector<viz::Change> changes = viz::compare_traces(viz::read_file(baseline), now);
+      if (!changes.empty()) {
+        f = about(e, changes[0].step, failure(Kind::trace, changes[0].what, baseline));
+        f->more = in_words({changes.begin() + 1, changes.end()});
+      }
+    } catch (const viz::FileError& error) {
+      f = about(e, -1, failure(Kind::unreadable, error.what(), baseline));
+    }
   }
-  if (update_ == Update::all || (f && accepts(f->kind))) viz::write_file(baseline, now);
-  if (!f) return;
-  f->accepted = accepts(f->kind);
-  found.push_back(*f);
+  if (settle(baseline, ours, f)) viz::write_file(baseline, now);
+  if (f) found.push_back(*f);
 }
 
 std::optional<Failure> Baselines::compare_with_baseline(const viz::Picture& now,
                                                         const std::string& baseline) const {
   if (viz::blank(now)) return failure(Kind::blank, "the picture is blank", baseline);
   if (!fs::exists(baseline)) return failure(Kind::missing, "no picture was accepted yet", baseline);
+  std::string bytes;
   viz::Picture accepted;
   try {
-    accepted = viz::read_png(viz::read_file(baseline));
+    bytes = viz::read_file(baseline);
+    accepted = viz::read_png(bytes);
   } catch (const viz::FileError& error) {
     return failure(Kind::unreadable, error.what(), baseline);
   }
   Failure f = failure(Kind::picture, {}, baseline);
+  f.accepted_png = std::move(bytes);
   f.pixels = viz::compare(accepted, now);
   if (f.pixels.passes()) return {};
   if (!f.pixels.same_size) {
@@ -164,8 +167,6 @@ std::optional<Failure> Baselines::compare_with_baseline(const viz::Picture& now,
   }
   f.what = fmt::format("{} pixels differ by more than 8 (24 may), {} by more than 1 (256 may)",
                        f.pixels.over_8, f.pixels.over_1);
-  f.difference = beside(baseline, ".diff.png");
-  viz::write_file(f.difference, viz::png(viz::difference_picture(accepted, now)));
   return f;
 }
 
@@ -173,66 +174,29 @@ void Baselines::check_picture(const Excerpt& e, int index, const viz::Camera& ca
                               std::vector<Failure>& found) {
   const viz::Step& step = e.walk.steps[static_cast<std::size_t>(index)];
   const std::string baseline = path(e, viz::file_stem(index, step) + ".png");
-  if (!fs::exists(baseline) && !accepts(Kind::missing)) {  // nothing to compare with, so nothing is drawn
+  const bool absent = !fs::exists(baseline);
+  if (absent && !accepts(Kind::missing) && !keep_pictures_) {  // nobody would see it, so nothing is drawn
     found.push_back(about(e, index, failure(Kind::missing, "no picture was accepted yet", baseline)));
     return;
   }
-  const viz::Picture now = offscreen_.render(viz::figure(step, camera, theme, picture_size.width, picture_size.height).drawing);
-  const auto bytes = [&] {
-    return viz::png(now, viz::metadata({e.lesson->id, e.preset, index, e.parameters, {}}));
-  };
-
+  const viz::Picture now =
+      offscreen_.render(viz::figure(step, camera, theme, picture_size.width, picture_size.height).drawing);
   std::optional<Failure> f = compare_with_baseline(now, baseline);
-  const bool accept = f ? accepts(f->kind) : update_ == Update::all;
-  if (accept) viz::write_file(baseline, bytes());
-  if (!f || accept) remove_leftovers(baseline);
+  const std::string folder = folder_of(e);
+  const bool ours =
+      absent || ((f || update_ == Update::all) && made_for(metadata_in(baseline), folder, trace_of(folder)));
+  const bool replaced = settle(baseline, ours, f);
+  if (replaced) viz::write_file(baseline, viz::png(now, metadata_of(e, index)));
+  if (!f || replaced) remove_leftovers(baseline, folder);
   if (!f) return;
-  f->accepted = accept;
-  if (accept) {
-    f->difference.clear();
-  } else {
-    f->fresh = beside(baseline, ".new.png");
-    viz::write_file(f->fresh, bytes());
-  }
+
+  f->fresh_png = viz::png(now, metadata_of(e, index));
+  if (f->kind == Kind::picture)
+    f->difference_png =
+        viz::png(viz::difference_picture(viz::read_png(f->accepted_png), now), metadata_of(e, index));
+  if (!replaced && !absent) write_leftovers(*f, folder);
+  if (!keep_pictures_) f->accepted_png.clear(), f->fresh_png.clear(), f->difference_png.clear();
   found.push_back(about(e, index, *f));
-}
-
-std::vector<Failure> Baselines::orphans(const std::vector<Excerpt>& checked, bool all_lessons,
-                                        bool all_presets) {
-  std::set<fs::path> wanted, lessons, presets;
-  for (const Excerpt& e : checked) {
-    lessons.insert(fs::path(folder_) / e.lesson->id);
-    presets.insert(fs::path(folder_) / e.lesson->id / e.folder);
-    wanted.insert(path(e, "trace.json"));
-    for (int i = 0; i < static_cast<int>(e.walk.steps.size()); ++i)
-      if (has_picture(e, i))
-        wanted.insert(path(e, viz::file_stem(i, e.walk.steps[static_cast<std::size_t>(i)]) + ".png"));
-  }
-  std::vector<Failure> found;
-  for (const fs::path& lesson : sorted_children(folder_)) {
-    if (!all_lessons && !lessons.contains(lesson)) continue;
-    for (const fs::path& preset : sorted_children(lesson))
-      if (all_presets || presets.contains(preset)) orphans_in(preset, wanted, found);
-  }
-  return found;
-}
-
-void Baselines::orphans_in(const fs::path& preset, const std::set<fs::path>& wanted,
-                           std::vector<Failure>& found) const {
-  for (const fs::path& file : sorted_children(preset)) {
-    if (!(is_picture(file) || file.filename() == "trace.json") || wanted.contains(file)) continue;
-    Failure f = failure(Kind::orphan, "belongs to no step of any preset", file);
-    f.lesson = preset.parent_path().filename();
-    f.preset = preset.filename();
-    f.accepted = accepts(f.kind);
-    if (f.accepted) {
-      fs::remove(file);
-      remove_leftovers(file);
-    }
-    found.push_back(f);
-  }
-  std::error_code kept;  // a folder with other files in it stays
-  if (update_ != Update::none && fs::is_empty(preset, kept)) fs::remove(preset, kept);
 }
 
 }  // namespace isect::program

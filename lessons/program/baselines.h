@@ -1,14 +1,16 @@
 #pragma once
 // Baselines on disk: DIR/<lesson>/<preset>/<NN>-<slug>.png and trace.json. Compares them with what the lesson
-// does now and, where asked, accepts what it does now.
+// does now and, where asked, accepts what it does now. A file that isect did not make is never changed or removed.
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "lessons/program/options.h"
+#include "lessons/program/ownership.h"
 #include "viz/files.h"
 #include "viz/offscreen.h"
 #include "viz/snapshot.h"
@@ -17,17 +19,21 @@ namespace isect::program {
 
 /// One thing `check` complains of.
 struct Failure {
-  enum class Kind { missing, trace, picture, size, blank, unreadable, orphan };
+  enum class Kind { missing, trace, picture, size, blank, unreadable, orphan, preset };
   Kind kind;
   std::string lesson, preset;
-  int step = -1;                  ///< from 0; -1: not of one step
-  std::string slug;               ///< of that step
-  std::string what;               ///< in words, the first difference first
-  std::string baseline;           ///< the file it is about
-  std::string fresh, difference;  ///< pictures written beside it, if any
+  int step = -1;                            ///< from 0; -1: not of one step
+  std::string slug = {};                    ///< of that step
+  std::string what = {};                    ///< in words, the first difference first
+  std::string baseline = {};                ///< the file it is about
+  std::string fresh = {}, difference = {};  ///< pictures written beside it, if any
   viz::Difference pixels = {};
-  std::vector<std::string> more = {};  ///< further differences, in words
-  bool accepted = false;               ///< by --update
+  std::vector<std::string> more = {};   ///< further differences, in words
+  std::vector<std::string> notes = {};  ///< what could not be done about it, and why
+  bool foreign = false;                 ///< isect did not make the file in the baseline's place
+  bool accepted = false;                ///< by --update; an orphan is removed
+  /// The pictures themselves, as PNG, where a report asks for them.
+  std::string accepted_png = {}, fresh_png = {}, difference_png = {};
 };
 std::string name_of(Failure::Kind);
 
@@ -42,27 +48,43 @@ bool has_picture(const Excerpt&, int step);
 
 class Baselines {
  public:
-  Baselines(std::string folder, Update update, viz::Offscreen&);
+  /// Failures carry their pictures where `keep_pictures`.
+  Baselines(std::string folder, Update update, bool keep_pictures, viz::Offscreen&);
 
   /// Trace first, then each picture. The failures, those that were accepted marked so.
   std::vector<Failure> check(const Excerpt&);
-  /// Pictures and traces that belong to no step of these presets. With `all_presets` also those of no preset
-  /// of these lessons, with `all_lessons` also those of no lesson at all.
-  std::vector<Failure> orphans(const std::vector<Excerpt>&, bool all_lessons, bool all_presets);
+
+  /// Which presets are looked through for what belongs to no step.
+  struct Reach {
+    bool all_lessons = false, all_presets = false;  ///< also of lessons and presets that there are no more
+    std::set<std::string> spared = {};              ///< presets whose steps nobody knows
+  };
+  /// Pictures and traces that isect made and that belong to no step of these presets.
+  std::vector<Failure> orphans(const std::vector<Excerpt>&, const Reach&);
+
+  /// Pictures and traces among the baselines that are not isect's.
+  const std::set<std::string>& left_alone() const { return left_alone_; }
 
  private:
   std::string path(const Excerpt&, const std::string& file) const;
   bool accepts(Failure::Kind) const;
+  /// The accepted trace of a folder as it was before this run.
+  const std::optional<OwnTrace>& trace_of(const std::string& folder);
+  /// Whether the file is to be replaced by what is new. Marks the failure, if there is one.
+  bool settle(const std::string& baseline, bool ours, std::optional<Failure>&);
   void check_trace(const Excerpt&, std::vector<Failure>&);
   void check_picture(const Excerpt&, int step, const viz::Camera&, std::vector<Failure>&);
-  void orphans_in(const std::filesystem::path& preset, const std::set<std::filesystem::path>& wanted,
-                  std::vector<Failure>& found) const;
   std::optional<Failure> compare_with_baseline(const viz::Picture& now, const std::string& baseline) const;
+  void orphans_in(const std::string& lesson, const std::string& preset,
+                  const std::set<std::filesystem::path>& wanted, std::vector<Failure>& found);
 
   std::string folder_;
   Update update_;
+  bool keep_pictures_;
   viz::Offscreen& offscreen_;
   viz::Stamp stamp_;
+  std::map<std::string, std::optional<OwnTrace>> traces_;
+  std::set<std::string> left_alone_;
 };
 
 }  // namespace isect::program

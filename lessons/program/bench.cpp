@@ -10,6 +10,7 @@
 #include "bench/session.h"
 #include "lessons/program/child.h"
 #include "lessons/program/duties.h"
+#include "lessons/program/options.h"
 #include "lessons/program/program.h"
 #include "lessons/program/terminal.h"
 #include "viz/files.h"
@@ -172,6 +173,8 @@ void add_bench(CLI::App& app, Program& program) {
   for (CLI::Option* measuring : {seed, quick, peers, native}) from->excludes(measuring);
   for (CLI::Option* one : {peers, native, json, sub.get_option("--csv"), sub.get_option("--plot")})
     publish->excludes(one);
+  for (CLI::Option* path : {sub.get_option("--csv"), json, sub.get_option("--plot"), from, publish})
+    path->check(not_empty());
   publish->type_name("DIR"), json->type_name("FILE"), from->type_name("FILE"), seed->type_name("N");
   sub.get_option("--csv")->type_name("FILE");
   std::string list;

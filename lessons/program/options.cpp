@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 
+#include "lessons/program/setting_name.h"
 #include "viz/files.h"
 #include "viz/place.h"
 
@@ -38,6 +39,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
 }
 
 void change(Excerpt& to, const std::vector<std::string>& changes) {
+  const viz::Parameters before = to.parameters;
   for (const std::string& text : changes) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos)
@@ -46,20 +48,21 @@ void change(Excerpt& to, const std::vector<std::string>& changes) {
                                       viz::to_text(to.lesson->parameters.front().initial)));
     viz::set(*to.lesson, to.parameters, text.substr(0, equals), text.substr(equals + 1));
   }
+  to.folder += name_of_change(before, to.parameters);
   if (!to.preset.empty() && to.parameters != viz::preset(*to.lesson, to.preset).parameters) to.preset.clear();
 }
 
 /// The preset of a file, whose name becomes the folder's.
-Excerpt from_file(const Program& program, const std::string& path) {
+Excerpt from_file(const Program& program, const PresetFile& file) {
   viz::Place place;
   try {
-    place = viz::place_from_json(viz::read_file(path), program.lessons);
+    place = viz::place_from_json(viz::read_file(file.path), program.lessons);
   } catch (const viz::BadInput& e) {
-    throw viz::BadInput(fmt::format("{}: {}", path, e.what()));
+    throw viz::BadInput(fmt::format("{}: {}", file.path, e.what()));
   }
   Excerpt e;
   e.lesson = &viz::lesson_named(program.lessons, place.lesson);
-  e.folder = std::filesystem::path(path).stem();
+  e.folder = file.name;
   e.preset = place.preset;
   e.parameters = *place.parameters;
   return e;
@@ -102,7 +105,7 @@ void add_lesson(CLI::App& sub, const Program& program, Selection& to, Takes take
 }
 
 void add_preset(CLI::App& sub, Selection& to, const std::string& help) {
-  sub.add_option("--preset", to.preset, help)->type_name("NAME|FILE");
+  sub.add_option("--preset", to.preset, help)->type_name("NAME|FILE")->check(not_empty());
 }
 
 void add_step(CLI::App& sub, Selection& to, Takes takes, const std::string& help) {
@@ -115,29 +118,21 @@ void add_set(CLI::App& sub, Selection& to) {
       ->allow_extra_args(false);
 }
 
-std::vector<std::string> preset_files(const std::string& folder) {
-  std::error_code error;
-  std::vector<std::string> files;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-    const std::filesystem::path& path = entry.path();
-    if (path.extension() == ".json" && path.filename() != "manifest.json") files.push_back(path.string());
-  }
-  if (error) throw viz::FileError(fmt::format("{}: {}", folder, error.message()));
-  if (files.empty())
-    throw viz::BadInput(
-        fmt::format("dir: {} holds no preset files; put some there, NAME.json each, such as {{\"lesson\": "
-                    "\"ray-sphere\", "
-                    "\"parameters\": {{...}}}} (Ctrl+C in the window copies one)",
-                    folder));
-  std::ranges::sort(files);
-  return files;
+CLI::Validator not_empty() {
+  const auto complaint = [](const std::string& value) { return value.empty() ? "empty; give a name" : ""; };
+  return {complaint, ""};
+}
+
+CLI::Option* add_path(CLI::App& sub, const std::string& name, std::string& to, const std::string& help,
+                      const std::string& type) {
+  return sub.add_option(name, to, help)->type_name(type)->check(not_empty());
 }
 
 std::vector<Excerpt> excerpts(const Program& program, const Selection& asked) {
   std::vector<const viz::Lesson*> lessons = lessons_of(program, asked);
   std::vector<Excerpt> found;
   if (!asked.files.empty()) {
-    for (const std::string& file : asked.files) {
+    for (const PresetFile& file : asked.files) {
       Excerpt e = from_file(program, file);
       if (lessons.empty() || std::ranges::find(lessons, e.lesson) != lessons.end())
         found.push_back(std::move(e));
@@ -146,7 +141,7 @@ std::vector<Excerpt> excerpts(const Program& program, const Selection& asked) {
       throw viz::BadInput(fmt::format("lesson: no preset file is for {}", fmt::join(asked.lessons, ", ")));
     std::ranges::stable_sort(found, {}, [](const Excerpt& e) { return e.lesson->id; });
   } else if (is_file(asked.preset)) {
-    found.push_back(from_file(program, asked.preset));
+    found.push_back(from_file(program, {asked.preset, std::filesystem::path(asked.preset).stem()}));
     if (!lessons.empty() && std::ranges::find(lessons, found[0].lesson) == lessons.end())
       throw viz::BadInput(
           fmt::format("preset: {} is for {}, not for {}", asked.preset, found[0].lesson->id, lessons[0]->id));

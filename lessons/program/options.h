@@ -11,6 +11,12 @@
 
 namespace isect::program {
 
+/// A file with a preset. Its name is where it lies below the folder that was asked for, "week-3/tangent", or the file's
+/// own where it was asked for itself; figures and baselines are named after it.
+struct PresetFile {
+  std::string path, name;
+};
+
 /// As written on the command line.
 struct Selection {
   std::vector<std::string> lessons;
@@ -18,7 +24,7 @@ struct Selection {
   std::string preset;  ///< empty: the lesson's first (every one with `all`)
   std::string step;
   std::vector<std::string> changes;  ///< name=value
-  std::vector<std::string> files;    ///< presets' files, in place of names
+  std::vector<PresetFile> files;     ///< in place of names
 };
 
 /// The lesson's name as a positional, where the program has more than one lesson.
@@ -27,20 +33,21 @@ void add_lesson(CLI::App&, const Program&, Selection&, Takes, const std::string&
 void add_preset(CLI::App&, Selection&, const std::string& help);
 void add_step(CLI::App&, Selection&, Takes, const std::string& help);
 void add_set(CLI::App&, Selection&);
+/// Refuses an empty value, which is most often a shell's variable that is not set.
+CLI::Validator not_empty();
+/// A file or a folder.
+CLI::Option* add_path(CLI::App&, const std::string& name, std::string& to, const std::string& help,
+                      const std::string& type);
 
 /// One setting of a lesson's parameters, walked.
 struct Excerpt {
   const viz::Lesson* lesson = nullptr;
-  std::string folder;  ///< the preset's id, or the name of the preset's file
+  std::string folder;  ///< the preset's id, or the name of the preset's file; and what was changed by hand
   std::string preset;  ///< empty where a parameter was changed by hand
   viz::Parameters parameters;
   viz::Walk walk;
   std::vector<int> steps;  ///< chosen ones, from 0
 };
-
-/// The presets' files of a folder, by name: its *.json but for a manifest, which `render` leaves. Throws viz::FileError
-/// where it can't be read, viz::BadInput where it holds none.
-std::vector<std::string> preset_files(const std::string& folder);
 
 /// Everything that is asked for. Throws viz::BadInput, or viz::FileError where a preset's file can't be read.
 std::vector<Excerpt> excerpts(const Program&, const Selection&);

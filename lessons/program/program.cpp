@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "lessons/program/terminal.h"
 #include "viz/files.h"
@@ -130,6 +131,8 @@ int run(Program& program, std::vector<std::string> arguments) {
   } catch (const viz::BadInput& e) {
     return complain(e, bad_input);
   } catch (const viz::FileError& e) {
+    return complain(e, file_trouble);
+  } catch (const std::filesystem::filesystem_error& e) {
     return complain(e, file_trouble);
   } catch (const viz::NoBackend& e) {
     return complain(e, nowhere_to_draw);

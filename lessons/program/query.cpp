@@ -11,6 +11,7 @@
 #include <cstring>
 #include <memory>
 
+#include "lessons/program/options.h"
 #include "lessons/program/program.h"
 #include "lessons/program/terminal.h"
 #include "viz/files.h"
@@ -130,7 +131,7 @@ void add_query(CLI::App& app, Program& program) {
   CLI::App& sub =
       *app.add_subcommand("query", "the exact oracle: a JSON case a line in, a JSON answer a line out");
   const auto path = std::make_shared<std::string>("-");
-  sub.add_option("FILE", *path, "the cases; standard input if none is given");
+  sub.add_option("FILE", *path, "the cases; standard input if none is given")->check(not_empty());
   sub.footer(footer());
   sub.callback([&program, path] { program.chosen = [path] { return answer_all(*path); }; });
 }

@@ -3,18 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "lessons/program/gallery.h"
 #include "lessons/program/options.h"
+#include "lessons/program/ownership.h"
 #include "lessons/program/terminal.h"
 #include "viz/compose.h"
 #include "viz/files.h"
 #include "viz/offscreen.h"
-#include "viz/place.h"
-#include "viz/rich_text.h"
-#include "viz/snapshot.h"
 
 namespace isect::program {
 
@@ -60,12 +58,11 @@ class Studio {
   }
 
   std::string draw(const Excerpt& e, const viz::Camera& camera, int step, const std::string& format) {
-    const viz::Place place{e.lesson->id, e.preset, step, e.parameters, {}};
     const viz::Drawing drawing = viz::figure(e.walk.steps[static_cast<std::size_t>(step)], camera,
                                              style_.theme, style_.size.width, style_.size.height)
                                      .drawing;
-    if (format == "svg") return viz::svg(drawing, viz::metadata(place), style_.paper);
-    return viz::png(offscreen_->render(drawing), viz::metadata(place));
+    if (format == "svg") return viz::svg(drawing, metadata_of(e, step), style_.paper);
+    return viz::png(offscreen_->render(drawing), metadata_of(e, step));
   }
 
   std::string renderer(const std::string& format) const {
@@ -77,29 +74,12 @@ class Studio {
   std::unique_ptr<viz::Offscreen> offscreen_;
 };
 
-std::string alt_text(const Excerpt& e, const viz::Step& step) {
-  std::string text = fmt::format("{}: {}. {}\n\n{}\n", e.lesson->title, viz::plain(step.title),
-                                 viz::plain(e.walk.alt), viz::plain(step.caption));
-  if (step.verdict.kind != viz::Verdict::Kind::open)
-    text += fmt::format("\nVerdict: {}\n", viz::plain(step.verdict.text));
-  return text;
-}
-
-Json manifest_entry(const Excerpt& e, int step, const std::string& file, const std::string& renderer,
-                    const Style& style) {
-  const viz::Step& s = e.walk.steps[static_cast<std::size_t>(step)];
-  Json entry = {{"file", file},
-                {"lesson", e.lesson->id},
-                {"preset", e.preset.empty() ? Json(nullptr) : Json(e.preset)}};
-  entry.update({{"step", step + 1},
-                {"slug", s.slug},
-                {"title", viz::plain(s.title)},
-                {"caption", viz::plain(s.caption)}});
-  entry["parameters"] = Json::parse(viz::to_json(e.parameters));
-  entry.update({{"theme", viz::name_of(style.theme)}, {"renderer", renderer}});
-  entry["size"] = fmt::format("{}x{}", style.size.width, style.size.height);
-  if (style.paper.width_pt > 0 && file.ends_with(".svg")) entry["width_pt"] = style.paper.width_pt;
-  return entry;
+/// What the manifest says of a figure besides its step.
+Json made_with(const Style& style, const std::string& format, const std::string& renderer) {
+  Json made = {{"theme", viz::name_of(style.theme)}, {"renderer", renderer}};
+  made["size"] = fmt::format("{}x{}", style.size.width, style.size.height);
+  if (style.paper.width_pt > 0 && format == "svg") made["width_pt"] = style.paper.width_pt;
+  return made;
 }
 
 int to_stdout(const std::vector<Excerpt>& chosen, const Style& style, const std::string& backend) {
@@ -113,33 +93,43 @@ int to_stdout(const std::vector<Excerpt>& chosen, const Style& style, const std:
   return done;
 }
 
-int render(const Program& program, const Options& options) {
-  const Style style = style_of(options);
-  const std::vector<Excerpt> chosen = excerpts(program, options.asked);
-  if (options.out == "-") return to_stdout(chosen, style, options.backend);
-
-  Studio studio(style, options.backend);
-  Json figures = Json::array();
+void draw_all(const std::vector<Excerpt>& chosen, const Style& style, Studio& studio, Gallery& gallery) {
   std::size_t count = 0;
   for (const Excerpt& e : chosen) count += e.steps.size();
   Progress progress(count);
   for (const Excerpt& e : chosen) {
     const viz::Camera camera = camera_for(*e.lesson, e.walk, style.theme, style.size);
     for (const int step : e.steps) {
-      const viz::Step& s = e.walk.steps[static_cast<std::size_t>(step)];
-      const std::string stem = fmt::format("{}/{}/{}", e.lesson->id, e.folder, viz::file_stem(step, s));
-      for (const std::string& format : style.formats) {
-        const std::string file = stem + "." + format;
-        viz::write_file(options.out + "/" + file, studio.draw(e, camera, step, format));
-        figures.push_back(manifest_entry(e, step, file, studio.renderer(format), style));
-        print(options.out + "/" + file + "\n");
-      }
-      viz::write_file(options.out + "/" + stem + ".txt", alt_text(e, s));
-      progress.done(stem);
+      for (const std::string& format : style.formats)
+        print(gallery.add(e, step, format, studio.draw(e, camera, step, format),
+                          made_with(style, format, studio.renderer(format))) +
+              "\n");
+      progress.done(file_of(e, step));
     }
+    if (const std::size_t gone = gallery.remove_stale(e); gone > 0)
+      say(fmt::format("removed {} figure{} of steps that {} no longer has", gone, gone == 1 ? "" : "s",
+                      folder_of(e)));
   }
-  const Json manifest = {{"program", "isect"}, {"version", viz::version()}, {"figures", figures}};
-  viz::write_file(options.out + "/manifest.json", manifest.dump(2) + "\n");
+}
+
+int render(const Program& program, const Options& options) {
+  const Style style = style_of(options);
+  const std::vector<Excerpt> chosen = excerpts(program, options.asked);
+  if (options.out == "-") return to_stdout(chosen, style, options.backend);
+
+  Gallery gallery(options.out, program, chosen, style.formats);
+  Studio studio(style, options.backend);
+  try {
+    draw_all(chosen, style, studio, gallery);
+  } catch (...) {
+    try {
+      gallery.list();  // what stands by now
+    } catch (const viz::FileError&) {
+      // What went wrong first is what is told.
+    }
+    throw;
+  }
+  gallery.list();
   return done;
 }
 
@@ -158,11 +148,15 @@ void add_render(CLI::App& app, Program& program) {
   sub.add_option("--theme", options->theme, "screen (if not given), print, grey or dark")->type_name("THEME");
   sub.add_option("--size", options->size, "in pixels; 960x600 if not given")->type_name("WxH");
   sub.add_option("--width", options->width, "on paper, for svg: 8cm, 80mm, 227pt, 3in")->type_name("LENGTH");
-  sub.add_option("--out", options->out, "folder (figures if not given); - is stdout, for one figure")
-      ->type_name("DIR|-");
+  add_path(sub, "--out", options->out, "folder (figures if not given); - is stdout, for one figure", "DIR|-");
   sub.add_option("--backend", options->backend, "auto (if not given), osmesa or egl")->type_name("NAME");
-  sub.footer("Example: " + program.name + " render" + (program.only ? "" : " ray-sphere") +
-             " --preset tangent --format svg --width 8cm");
+  sub.footer(
+      "Figures go to DIR/<lesson>/<preset>/; with --set to a folder that names what was set. What isect made "
+      "there of\n"
+      "steps that are gone is removed, in every format; nothing else ever is.\n"
+      "Example: " +
+      program.name + " render" + (program.only ? "" : " ray-sphere") +
+      " --preset tangent --format svg --width 8cm");
   sub.callback(
       [&program, options] { program.chosen = [&program, options] { return render(program, *options); }; });
 }

@@ -13,21 +13,10 @@ namespace viz = isect::viz;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 using isect::test::contents;
+using isect::test::files_in;
 using isect::test::Ran;
 using isect::test::Shell;
 using isect::test::write;
-
-namespace {
-
-std::vector<std::string> files_in(const fs::path& folder) {
-  std::vector<std::string> names;
-  for (const auto& entry : fs::recursive_directory_iterator(folder))
-    if (entry.is_regular_file()) names.push_back(fs::relative(entry.path(), folder).string());
-  std::ranges::sort(names);
-  return names;
-}
-
-}  // namespace
 
 TEST_CASE("render writes figures, alt text and a manifest, and prints the figures", "[render]") {
   const Shell shell;
@@ -62,7 +51,7 @@ TEST_CASE("render writes figures, alt text and a manifest, and prints the figure
 TEST_CASE("a figure carries lesson, preset, step and parameters inside", "[render]") {
   const Shell shell;
   shell("isect render ray-sphere --preset miss --step 3 --format png,svg --set radius=0.5");
-  const std::string stem = (shell.work() / "figures/ray-sphere/miss/03-distance").string();
+  const std::string stem = (shell.work() / "figures/ray-sphere/miss+radius=0.5/03-distance").string();
   for (const viz::Metadata& data :
        {viz::png_metadata(contents(stem + ".png")), viz::svg_metadata(contents(stem + ".svg"))}) {
     CHECK(data.at("lesson") == "ray-sphere");
@@ -219,7 +208,7 @@ TEST_CASE("a figure that can't be written is named, and what was there stays who
   REQUIRE(shell(render + "f").status == 0);
   const fs::path figure = shell.work() / "f/ray-sphere/two-roots/01-to-center.svg";
   const std::string before = contents(figure);
-  const Ran cut = shell("trap '' XFSZ; ulimit -f 4; " + render + "f --set radius=2");
+  const Ran cut = shell("trap '' XFSZ; ulimit -f 4; " + render + "f");
   CHECK(cut.status == 4);
   CHECK_THAT(cut.err, Contains("01-to-center.svg"));
   CHECK(contents(figure) == before);

@@ -109,8 +109,27 @@ TEST_CASE("a lesson is also a program of its own", "[program]") {
         shell("isect render ray-sphere --step 2 --format svg --out -").out);
   const Ran check = shell("ray-sphere check --preset miss");
   CHECK(check.status == 3);
-  CHECK_THAT(check.out, Contains("ray-sphere check --update=missing"));
+  CHECK_THAT(check.out, Contains("ray-sphere check --preset miss --update=missing"));
   CHECK_THAT(shell("ray-sphere --preset mis").err, Contains("mean \"miss\""));
+}
+
+TEST_CASE("a file or folder with an empty name is refused", "[usage]") {
+  const Shell shell;
+  const std::vector<std::pair<std::string, std::vector<std::string>>> options = {
+      {"render ray-sphere --step 1", {"--out", "--preset"}},
+      {"check ray-sphere", {"--dir", "--snapshots", "--report", "--junit", "--preset"}},
+      {"bench orient2d", {"--csv", "--json", "--plot", "--from", "--publish"}}};
+  for (const auto& [command, names] : options)
+    for (const std::string& name : names)
+      for (const std::string empty : {" \"$UNSET\"", "=\"$UNSET\""}) {
+        INFO(command << " " << name << empty);
+        const Ran r = shell("isect " + command + " " + name + empty);
+        CHECK(r.status == 2);
+        CHECK_THAT(r.err, Contains(name));
+        if (empty[0] == ' ') CHECK_THAT(r.err, Contains(name + ": empty"));
+      }
+  CHECK(shell("isect query \"\"").status == 2);
+  CHECK(std::filesystem::is_empty(shell.work()));
 }
 
 }  // namespace usage_test

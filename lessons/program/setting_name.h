@@ -1,0 +1,14 @@
+#pragma once
+// The name of a setting made by hand, so that its figures have a folder of their own.
+
+#include <string>
+
+#include "viz/lesson.h"
+
+namespace isect::program {
+
+/// "+origin=-4,1,0+radius=1.25": what `to` changes in `from`, by name; empty where it changes nothing. Fit for a file's
+/// name, and short: a long one ends in a digest. The same change has the same name, another change another.
+std::string name_of_change(const viz::Parameters& from, const viz::Parameters& to);
+
+}  // namespace isect::program
