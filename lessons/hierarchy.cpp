@@ -45,8 +45,11 @@ const Lesson& hierarchy() {
            vector("p", "**p**", "The middle of box 0, in units; its third coordinate is not used.", beside),
            vector("o", "**o**", "The origin of the ray, in units; its third coordinate is not used.",
                   Vec3::Zero()),
-           vector("d", "**d**", "The direction of the ray; its third coordinate is not used.", Vec3::UnitX()),
+           vector("d", "**d**",
+                  "The direction of the ray, of any length but 0; its third coordinate is not used.",
+                  Vec3::UnitX()),
            vector("q", "**q**", "The middle of the second object, in units.", Vec3::Zero())},
+      .conditions = {not_zero("d", true)},
       .group_by = "walk",
       .presets =
           {preset_of("build", "build", "build"),

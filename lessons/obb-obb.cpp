@@ -4,9 +4,13 @@
 
 #include "core/obb_obb.h"
 
+#include <Eigen/Geometry>
+#include <algorithm>
+
 #include "core/obb_obb_methods.h"
 #include "lessons/case_map.h"
 #include "lessons/obb_obb/telling.h"
+#include "lessons/parameters.h"
 
 namespace isect::lessons {
 
@@ -80,8 +84,18 @@ std::vector<Preset> presets() {
   };
 }
 
-Parameter vector_of(const char* name, const char* label, const char* help, const Vec3& initial) {
-  return {name, label, help, initial, -1e6, 1e6, -4, 4};
+Parameter vector_of(const char* name, const char* label, const char* help, const Vec3& initial,
+                    double lo = -1e6) {
+  return {name, label, help, initial, lo, 1e6, std::max(lo, -4.0), 4};
+}
+
+/// Two directions span the sides' plane, a microradian apart or more.
+Condition aside(const char* v, const char* u) {
+  return {v, std::string("a vector that is neither 0 nor along ") + u, [=](const Parameters& p) {
+            const Vec3 one = std::get<Vec3>(p.at(u)).normalized(),
+                       other = std::get<Vec3>(p.at(v)).normalized();
+            return one.cross(other).norm() >= 1e-6;
+          }};
 }
 
 }  // namespace
@@ -92,17 +106,22 @@ const Lesson& obb_obb() {
       .title = "Oriented boxes",
       .rows = "N07, N04",
       .summary = "Whether two oriented boxes meet, by separating axes: fifteen at most.",
-      .parameters =
-          {vector_of("a", "**a**", "Centre of the first box, in world units.", at_left.center),
-           vector_of("a_half", "**h**_a", "Half-lengths of the first box, in world units.", at_left.half),
-           vector_of("a_u", "**a**_u", "First side direction of a, of any length but 0.", ex),
-           vector_of("a_v", "**a**_v", "Second side direction of a; made orthogonal to the first.", ey),
-           vector_of("b", "**b**", "Centre of the second box, in world units.", {0.5, 0.375, 0.25}),
-           vector_of("b_half", "**h**_b", "Half-lengths of the second box, in world units.", {1, 0.625, 0.5}),
-           vector_of("b_u", "**b**_u", "First side direction of b, of any length but 0.", {1, 0.5, 0.25}),
-           vector_of("b_v", "**b**_v", "Second side direction of b; made orthogonal to the first.",
-                     {-0.5, 1, 0.25}),
-           {"epsilon", "ε", "Added to every |a_i · b_j|, without a unit.", 1e-9, 0, 1, 0, 0.1}},
+      .parameters = {vector_of("a", "**a**", "Centre of the first box, in world units.", at_left.center),
+                     vector_of("a_half", "**h**_a", "Half-lengths of the first box, in world units.",
+                               at_left.half, 0),
+                     vector_of("a_u", "**a**_u", "First side direction of a, of any length but 0.", ex),
+                     vector_of("a_v", "**a**_v",
+                               "Second side direction of a, not along the first; made orthogonal to it.", ey),
+                     vector_of("b", "**b**", "Centre of the second box, in world units.", {0.5, 0.375, 0.25}),
+                     vector_of("b_half", "**h**_b", "Half-lengths of the second box, in world units.",
+                               {1, 0.625, 0.5}, 0),
+                     vector_of("b_u", "**b**_u", "First side direction of b, of any length but 0.",
+                               {1, 0.5, 0.25}),
+                     vector_of("b_v", "**b**_v",
+                               "Second side direction of b, not along the first; made orthogonal to it.",
+                               {-0.5, 1, 0.25}),
+                     {"epsilon", "ε", "Added to every |a_i · b_j|, without a unit.", 1e-9, 0, 1, 0, 0.1}},
+      .conditions = {not_zero("a_u"), aside("a_v", "a_u"), not_zero("b_u"), aside("b_v", "b_u")},
       .group_by = "",
       .presets = presets(),
       .camera = {},

@@ -54,6 +54,7 @@ const Lesson& ray_polygon() {
       .parameters = {choice("polygon", "polygon", "How the polygon stands.", {"tilted", "upright"}),
                      {"o", "**o**", "Origin of the ray, in world units.", Vec3(-2.5, 0, 1), -1e6, 1e6, -6, 6},
                      {"d", "**d**", "Direction of the ray, of any length but 0.", inwards, -1e6, 1e6, -4, 4}},
+      .conditions = {not_zero("d")},
       .group_by = "",
       .presets = {preset_of("hit", "a hit", "tilted", {-0.5, -0.375}, 2, inwards),
                   preset_of("notch", "through the notch", "tilted", {0.125, 0.625}, 2, inwards),

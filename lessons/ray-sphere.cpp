@@ -94,6 +94,7 @@ const Lesson& ray_sphere() {
       .rows = "N16-N19",
       .summary = "Where a ray, a segment or a line meets a sphere, by three methods.",
       .parameters = parameters(),
+      .conditions = {not_zero("direction")},
       .group_by = "method",
       .presets = presets(),
       .camera = {.azimuth = azimuth, .elevation = elevation},

@@ -41,9 +41,10 @@ std::vector<Preset> presets() {
 
 Walk walk(const Parameters& p) {
   if (std::get<std::string>(p.at("made")) != "motion")
-    return with_case_map(told(setup(p)), lessons::rays(), p,
-                         "The wall moves along *x*, and **d** changes; **o** stays.\n"
-                         "What lies within **d** always counts, beyond **d** for rays and lines, behind **o** for lines.");
+    return with_case_map(
+        told(setup(p)), lessons::rays(), p,
+        "The wall moves along *x*, and **d** changes; **o** stays.\n"
+        "What lies within **d** always counts, beyond **d** for rays and lines, behind **o** for lines.");
   const auto flat = [&](const char* name) {
     Vec3 v = std::get<Vec3>(p.at(name));
     v.z() = 0;
@@ -54,6 +55,18 @@ Walk walk(const Parameters& p) {
 
 Parameter vector_of(const char* name, const char* label, const char* help, const Vec3& initial) {
   return {name, label, help, initial, -1e6, 1e6, -4, 4};
+}
+
+bool given_by_direction(const Parameters& p) {
+  const std::string& made = std::get<std::string>(p.at("made"));
+  return made == "direction" || made == "unit";
+}
+
+Condition second_point() {
+  return {"q", "a point that is not the first one again", [](const Parameters& p) {
+            const Vec3 &o = std::get<Vec3>(p.at("o")), &q = std::get<Vec3>(p.at("q"));
+            return std::get<std::string>(p.at("made")) != "points" || q.head<2>() != o.head<2>();
+          }};
 }
 
 }  // namespace
@@ -69,10 +82,13 @@ const Lesson& rays() {
            choice("extent", "extent", "Which t belong to it.", {"ray", "segment", "line"}),
            vector_of("o", "**o**", "Origin or first point, in world units; the third coordinate is not used.",
                      {-3, -0.5, 0}),
-           vector_of("d", "**d**", "Direction or velocity, where the ray is not given by two points.",
+           vector_of("d", "**d**",
+                     "Direction, of any length but 0, or velocity, where no two points give the ray.",
                      {1.5, 0.5, 0}),
-           vector_of("q", "**p**_2", "Second point, where the ray is given by two.", {0, 0.5, 0}),
+           vector_of("q", "**p**_2", "Second point, where the ray is given by two; not the first one again.",
+                     {0, 0.5, 0}),
            {"wall", "wall", "Where the wall stands on x, in world units.", 1.5, -1e6, 1e6, -3, 3}},
+      .conditions = {not_zero("d", true, given_by_direction), second_point()},
       .group_by = "made",
       .presets = presets(),
       .camera = {.azimuth = 0, .elevation = 0},

@@ -59,19 +59,6 @@ std::string shortest(double x) {
   return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), x).ptr};
 }
 
-/// What a parameter takes, in words: "a number from 0 to 10".
-std::string wanted(const Parameter& p) {
-  std::string range;
-  if (p.lo > -1e300 && p.hi < 1e300)
-    range = fmt::format(" from {} to {}", shortest(p.lo), shortest(p.hi));
-  else if (p.lo > -1e300)
-    range = fmt::format(" of at least {}", shortest(p.lo));
-  else if (p.hi < 1e300)
-    range = fmt::format(" of at most {}", shortest(p.hi));
-  if (std::holds_alternative<double>(p.initial)) return "a number" + range;
-  return "three numbers" + (range.empty() ? range : ", each" + range) + ", such as " + to_text(p.initial);
-}
-
 std::vector<std::string> parameter_names(const Lesson& lesson) {
   std::vector<std::string> names;
   for (const Parameter& p : lesson.parameters) names.push_back(p.name);
@@ -102,7 +89,42 @@ void check(const Parameter& p, const Setting& value, const std::string& given) {
   throw BadInput(fmt::format("{}: \"{}\" does not do; give {}", p.name, given, wanted(p)));
 }
 
+/// The first condition that these parameters break, if any.
+const Condition* broken(const Lesson& lesson, const Parameters& parameters) {
+  const auto found =
+      std::ranges::find_if_not(lesson.conditions, [&](const Condition& c) { return c.holds(parameters); });
+  return found == lesson.conditions.end() ? nullptr : &*found;
+}
+
+/// What a handle that is dragged to `to` sets, stopped at the ends of the parameter's range.
+Setting clamped(const Parameter& p, const Handle& handle, const Vec3& to) {
+  const Vec3 arm = to - handle.anchor;
+  if (handle.kind == Handle::Kind::length) return std::clamp(arm.norm(), p.lo, p.hi);
+  if (handle.kind == Handle::Kind::along) return std::clamp(arm.dot(handle.direction), p.lo, p.hi);
+  const Vec3 moved = handle.kind == Handle::Kind::point ? to : arm;
+  return Vec3(moved.cwiseMax(p.lo).cwiseMin(p.hi));
+}
+
 }  // namespace
+
+Camera opening(const Lesson& lesson) {
+  Camera camera = lesson.camera;
+  if (lesson.flat) camera.azimuth = camera.elevation = 0, camera.perspective = false;
+  return camera;
+}
+
+std::string wanted(const Parameter& p) {
+  if (!p.choices.empty()) return fmt::format("one of {}", fmt::join(p.choices, ", "));
+  std::string range;
+  if (p.lo > -1e300 && p.hi < 1e300)
+    range = fmt::format(" from {} to {}", shortest(p.lo), shortest(p.hi));
+  else if (p.lo > -1e300)
+    range = fmt::format(" of at least {}", shortest(p.lo));
+  else if (p.hi < 1e300)
+    range = fmt::format(" of at most {}", shortest(p.hi));
+  if (std::holds_alternative<double>(p.initial)) return "a number" + range;
+  return "three numbers" + (range.empty() ? range : ", each" + range) + ", such as " + to_text(p.initial);
+}
 
 std::string nearest(const std::string& word, const std::vector<std::string>& candidates) {
   const auto rank = [&](const std::string& candidate) {
@@ -150,20 +172,17 @@ void validate(const Lesson& lesson, const Parameters& parameters) {
   for (const Parameter& p : lesson.parameters)
     if (!parameters.contains(p.name))
       throw BadInput(fmt::format("{}: missing; every parameter of {} is needed", p.name, lesson.id));
+  if (const Condition* c = broken(lesson, parameters))
+    throw BadInput(fmt::format("{}: \"{}\" does not do; give {}", c->parameter,
+                               to_text(parameters.at(c->parameter)), c->allowed));
 }
 
 void drag(const Lesson& lesson, Parameters& parameters, const Handle& handle, const Vec3& p) {
   if (!p.allFinite()) return;
   const Parameter& knob = parameter(lesson, handle.parameter);
-  const Vec3 arm = p - handle.anchor;
-  if (handle.kind == Handle::Kind::length) {
-    parameters.insert_or_assign(knob.name, std::clamp(arm.norm(), knob.lo, knob.hi));
-  } else if (handle.kind == Handle::Kind::along) {
-    parameters.insert_or_assign(knob.name, std::clamp(arm.dot(handle.direction), knob.lo, knob.hi));
-  } else {
-    const Vec3 moved = handle.kind == Handle::Kind::point ? p : arm;
-    parameters.insert_or_assign(knob.name, Vec3(moved.cwiseMax(knob.lo).cwiseMin(knob.hi)));
-  }
+  const Setting before = parameters.at(knob.name);
+  parameters.at(knob.name) = clamped(knob, handle, p);
+  if (broken(lesson, parameters)) parameters.at(knob.name) = before;
 }
 
 std::string to_text(const Setting& setting) {

@@ -33,6 +33,13 @@ struct Parameter {
 /// Values by parameter name; always complete for its lesson.
 using Parameters = std::map<std::string, Setting>;
 
+/// What a parameter must keep besides its own range: a direction that is not zero, a side that is not along another.
+struct Condition {
+  std::string parameter;  ///< the one to blame
+  std::string allowed;    ///< what to give, in plain words: "a vector of any length but 0"
+  std::function<bool(const Parameters&)> holds;
+};
+
 /// A named number of this step, with the text shown for it.
 struct Value {
   std::string name;  ///< markup
@@ -130,11 +137,12 @@ struct Lesson {
   std::string rows;     ///< note rows, "N16-N19"
   std::string summary;  ///< one plain sentence
   std::vector<Parameter> parameters;
+  std::vector<Condition> conditions = {};
   std::string group_by;         ///< name of the choice parameter that groups the presets, may be empty
   std::vector<Preset> presets;  ///< the first one is loaded at the start
-  Camera camera;                ///< the opening view; target and scale are set by framing all presets alike
+  Camera camera;                ///< see opening(); target and scale are set by framing all presets alike
   Walk (*walk)(const Parameters&) = nullptr;
-  /// All lies in z = 0 and is seen straight on: `camera` has azimuth and elevation 0, a drag pans, nothing turns.
+  /// All lies in z = 0 and is seen straight on, whatever `camera` says: a drag pans, nothing turns.
   bool flat = false;
   /// Methods that should agree, asked side by side; the first is exact. None where a lesson has one method.
   std::vector<Opinion> (*opinions)(const Parameters&) = nullptr;
@@ -147,12 +155,17 @@ struct BadInput : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The lesson's own view. A flat lesson is seen straight on, whatever its camera says.
+Camera opening(const Lesson&);
 const Preset& preset(const Lesson&, const std::string& id);  ///< throws BadInput with the nearest name
-/// Sets one parameter from text ("1.5", "1,2,3", "haines"). Throws BadInput; `to` is unchanged then.
+/// Sets one parameter from text ("1.5", "1,2,3", "haines"). Throws BadInput; `to` is unchanged then. The lesson's
+/// conditions are left to `validate`, as they may hold only when all parameters are set.
 void set(const Lesson&, Parameters& to, const std::string& name, const std::string& text);
-/// Throws BadInput unless every parameter is present, of the right type, finite and in range.
+/// What a parameter takes, in words: "a number from 0 to 10".
+std::string wanted(const Parameter&);
+/// Throws BadInput unless every parameter is present, of the right type, finite and in range, and keeps the conditions.
 void validate(const Lesson&, const Parameters&);
-/// Moves what the handle holds to `p`, clamped to the parameter's range.
+/// Moves what the handle holds to `p`, clamped to the parameter's range. Where a condition forbids that, it stays.
 void drag(const Lesson&, Parameters&, const Handle&, const Vec3& p);
 std::string to_text(const Setting&);  ///< shortest text that `set` reads back exactly
 /// The candidate closest to `word` by edit distance; empty if there are none.

@@ -89,10 +89,10 @@ Parameters parameters_of(const Json& object, const Lesson& lesson, Parameters pa
   return parameters;
 }
 
-Camera camera_of(const Json& object) {
+Camera camera_of(const Json& object, const Lesson& lesson) {
   only_fields(object, "camera",
               {"target", "azimuth", "elevation", "half_height", "perspective", "field_of_view"});
-  Camera camera;
+  Camera camera = opening(lesson);
   const auto number = [&](const std::string& field, double& to, double lo, double hi) {
     if (object.contains(field)) to = number_of(object[field], "camera " + field, lo, hi);
   };
@@ -108,6 +108,10 @@ Camera camera_of(const Json& object) {
       throw BadInput(fmt::format("camera perspective: {} does not do; give true or false", value.dump()));
     camera.perspective = value.get<bool>();
   }
+  if (lesson.flat && (camera.azimuth != 0 || camera.elevation != 0 || camera.perspective))
+    throw BadInput(fmt::format(
+        "camera: {} lies in one plane and is seen straight on; leave azimuth, elevation and perspective out",
+        lesson.id));
   return camera;
 }
 
@@ -133,7 +137,7 @@ Place place_of(const Json& object, const std::vector<const Lesson*>& lessons) {
   if (object.contains("parameters")) parameters = parameters_of(object["parameters"], lesson, parameters);
   place.parameters = parameters;
 
-  if (object.contains("camera")) place.camera = camera_of(object["camera"]);
+  if (object.contains("camera")) place.camera = camera_of(object["camera"], lesson);
   if (object.contains("step")) place.step = step_of(object["step"], lesson.walk(parameters).steps.size());
   return place;
 }
@@ -145,7 +149,7 @@ std::string to_json(const Parameters& parameters) { return json(parameters).dump
 std::string to_json(const Place& place) {
   std::string text = fmt::format("{{\n  \"lesson\": {}", Json(place.lesson).dump());
   if (!place.preset.empty()) text += fmt::format(",\n  \"preset\": {}", Json(place.preset).dump());
-  text += fmt::format(",\n  \"step\": {}", place.step + 1);
+  if (place.step) text += fmt::format(",\n  \"step\": {}", *place.step + 1);
   if (place.parameters) text += fmt::format(",\n  \"parameters\": {}", to_json(*place.parameters));
   if (place.camera) text += fmt::format(",\n  \"camera\": {}", json(*place.camera).dump());
   return text + "\n}\n";
@@ -156,7 +160,8 @@ Place place_from_json(const std::string& text, const std::vector<const Lesson*>&
 }
 
 Metadata metadata(const Place& place) {
-  Metadata data{{"lesson", place.lesson}, {"step", std::to_string(place.step + 1)}, {"version", version()}};
+  Metadata data{{"lesson", place.lesson}, {"version", version()}};
+  if (place.step) data["step"] = std::to_string(*place.step + 1);
   if (!place.preset.empty()) data["preset"] = place.preset;
   if (place.parameters) data["parameters"] = to_json(*place.parameters);
   if (place.camera) data["camera"] = json(*place.camera).dump();

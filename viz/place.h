@@ -13,15 +13,15 @@
 namespace isect::viz {
 
 struct Place {
-  std::string lesson, preset;  ///< preset empty: parameters were changed by hand
-  int step = 0;                ///< from 0; in every text steps are counted from 1
+  std::string lesson, preset;    ///< preset empty: parameters were changed by hand
+  std::optional<int> step = {};  ///< from 0, in every text from 1; none: the whole walk
   std::optional<Parameters> parameters = {};
   std::optional<Camera> camera = {};
 };
 
 std::string to_json(const Place&);
 /// Reads what to_json writes, and less: parameters that are not given keep the values of the preset, or of
-/// the lesson where none is named. Throws BadInput naming the field.
+/// the lesson where none is named, and what a camera leaves out is the lesson's own. Throws BadInput naming the field.
 Place place_from_json(const std::string& text, const std::vector<const Lesson*>&);
 
 /// What a figure carries inside: lesson, preset, step, parameters, camera and version.

@@ -96,7 +96,7 @@ void Player::show(State next, bool same_lesson) {
 }
 
 Camera Player::opening_view() const {
-  return frame_alike(lesson().camera, walk(), overview_->samples, aspect_);
+  return frame_alike(opening(lesson()), walk(), overview_->samples, aspect_);
 }
 
 std::vector<const Preset*> Player::group() const {
@@ -270,7 +270,7 @@ void Player::go(const Place& place) {
     if (walk_) next.remember("");
     next.show(std::move(state), false);
     next.asking_ = next.playing_ = false;
-    next.go_to(place.step);
+    next.go_to(place.step.value_or(0));
     if (!place.camera) return;
     next.camera_.jump(*place.camera);
     next.moved_ = true;
@@ -305,7 +305,7 @@ void Player::zoom(const View& view, const Vec2& at, double factor) {
 }
 
 void Player::frame_all() {
-  Camera from = lesson().camera;
+  Camera from = opening(lesson());
   from.perspective = camera_.goal().perspective;
   const Camera framed = frame(from, scenes_of(walk()), aspect_);
   remember("");

@@ -145,8 +145,8 @@ TEST_CASE("each walk ends with a verdict, and steps before it leave it open or k
 TEST_CASE("a flat lesson lies in one plane and is seen straight on", "[every lesson]") {
   for (const Lesson* lesson : those_asked_for()) {
     if (!lesson->flat) continue;
-    CHECK((lesson->camera.azimuth == 0 && lesson->camera.elevation == 0));
-    CHECK_FALSE(lesson->camera.perspective);
+    CHECK((opening(*lesson).azimuth == 0 && opening(*lesson).elevation == 0));
+    CHECK_FALSE(opening(*lesson).perspective);
     for (const Preset& p : lesson->presets)
       for (const Step& s : lesson->walk(p.parameters).steps)
         for (const Handle& handle : s.scene.handles) CHECK(handle.at.z() == 0);

@@ -113,6 +113,40 @@ TEST_CASE("dragging a handle moves its parameter and stops at the range's end", 
   CHECK_THROWS_AS(drag(toy(), p, {"nothing", Handle::Kind::point, {}}, anchor), BadInput);
 }
 
+TEST_CASE("what a lesson's conditions forbid is refused once all is set, and a drag does not go there",
+          "[lesson]") {
+  Lesson lesson = toy();
+  lesson.conditions = {{"origin", "a point that is not 0",
+                        [](const Parameters& p) { return std::get<Vec3>(p.at("origin")).norm() > 0; }}};
+  Parameters p = lesson.presets[0].parameters;
+  CHECK_NOTHROW(validate(lesson, p));
+  set(lesson, p, "origin", "0,0,0");  // what is set next may mend it
+  CHECK_THROWS_WITH(validate(lesson, p), "origin: \"0,0,0\" does not do; give a point that is not 0");
+
+  p = lesson.presets[0].parameters;
+  drag(lesson, p, {"origin", Handle::Kind::point, {}}, Vec3(0, 0, 0));
+  CHECK(p == lesson.presets[0].parameters);
+  drag(lesson, p, {"origin", Handle::Kind::point, {}}, Vec3(0, 0, 1));
+  CHECK(std::get<Vec3>(p["origin"]) == Vec3(0, 0, 1));
+}
+
+TEST_CASE("a flat lesson opens straight on, whatever its camera says", "[lesson]") {
+  Lesson lesson = toy();
+  lesson.camera.perspective = true;
+  CHECK(opening(lesson).azimuth == lesson.camera.azimuth);
+  CHECK(opening(lesson).perspective);
+  lesson.flat = true;
+  CHECK(opening(lesson).azimuth == 0);
+  CHECK(opening(lesson).elevation == 0);
+  CHECK_FALSE(opening(lesson).perspective);
+}
+
+TEST_CASE("what a parameter takes is told in words", "[lesson]") {
+  CHECK(wanted(toy().parameters[0]) == "a number from 0 to 100");
+  CHECK(wanted(toy().parameters[1]) == "three numbers, each from -50 to 50, such as 0,0,0");
+  CHECK(wanted(toy().parameters[2]) == "one of quick, exact");
+}
+
 TEST_CASE("numbers are shown with about five digits, a real minus and thin spaces", "[lesson]") {
   CHECK(shown(0) == "0");
   CHECK(shown(-0.0) == "0");

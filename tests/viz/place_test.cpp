@@ -60,8 +60,12 @@ TEST_CASE("what a file leaves out comes from the preset, or from the lesson", "[
   const Place changed = read(R"({"lesson": "toy", "parameters": {"radius": 3}})");
   CHECK(std::get<double>(changed.parameters->at("radius")) == 3);
   CHECK(std::get<Vec3>(changed.parameters->at("origin")) == Vec3(0, 0, 0));
-  CHECK(changed.step == 0);
+  CHECK_FALSE(changed.step);  // the walk as a whole
   CHECK_FALSE(changed.camera);
+  CHECK_THAT(to_json(changed), !Contains("step"));
+  const Place seen = read(R"({"lesson": "toy", "camera": {"half_height": 2}})");
+  CHECK(seen.camera->half_height == 2);
+  CHECK(seen.camera->azimuth == toy().camera.azimuth);
 }
 
 TEST_CASE("a wrong field of a place is named", "[place]") {
@@ -87,6 +91,16 @@ TEST_CASE("a wrong field of a place is named", "[place]") {
   for (const std::string camera : {"3", R"({"target": 1})", R"({"half_height": 0})", R"({"elevation": 2})",
                                    R"({"perspective": 1})", R"({"azimut": 1})"})
     CHECK_THROWS_WITH(read(R"({"lesson": "toy", "camera": )" + camera + "}"), Contains("camera"));
+}
+
+TEST_CASE("a flat lesson's camera does not turn", "[place]") {
+  Lesson flat = toy();
+  flat.flat = true;
+  const std::vector<const Lesson*> one = {&flat};
+  CHECK(place_from_json(R"({"lesson": "toy", "camera": {"half_height": 2}})", one).camera->azimuth == 0);
+  for (const std::string turned : {R"({"azimuth": 0.5})", R"({"elevation": 1})", R"({"perspective": true})"})
+    CHECK_THROWS_WITH(place_from_json(R"({"lesson": "toy", "camera": )" + turned + "}", one),
+                      Contains("camera") && Contains("straight on"));
 }
 
 TEST_CASE("a figure of another program is refused", "[place]") {

@@ -51,6 +51,18 @@ TEST_CASE("a place opens lesson, preset, step, parameters and camera", "[player]
   CHECK((*player.place().parameters == *place.parameters));
 }
 
+TEST_CASE("a number that is typed or a handle that is dragged keeps the lesson's conditions", "[player]") {
+  Lesson lesson = disc;
+  lesson.conditions = {{"p", "a point that is not 0",
+                        [](const Parameters& p) { return std::get<Vec3>(p.at("p")).norm() > 0; }}};
+  Player player({&lesson});
+  player.edit("p", Vec3(1, 0, 0));
+  CHECK_THROWS_AS(player.edit("p", Vec3(0, 0, 0)), BadInput);
+  CHECK(point_of(player, "p") == Vec3(1, 0, 0));
+  player.drag_handle(handle(player, "p"), Vec3(0, 0, 0));
+  CHECK(point_of(player, "p") == Vec3(1, 0, 0));
+}
+
 TEST_CASE("a place that is none is refused and nothing changes", "[player]") {
   Place place;
   place.lesson = "point-dis";

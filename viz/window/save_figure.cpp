@@ -32,7 +32,7 @@ std::string save_figure(const Player& player, const Settings& settings, Renderer
   const Place place = player.place();
   const std::string preset = place.preset.empty() ? "changed" : place.preset;
   const std::string path = folder + "/" + place.lesson + "/" + preset + "/" +
-                           file_stem(place.step, player.step()) + "." + settings.save_format;
+                           file_stem(*place.step, player.step()) + "." + settings.save_format;
   const Drawing drawing = figure(player.step(), *place.camera, settings.save_theme, figure_width, figure_height).drawing;
   if (settings.save_format == "svg") {
     write_file(path, svg(drawing, metadata(place)));
@@ -45,7 +45,7 @@ std::string save_figure(const Player& player, const Settings& settings, Renderer
 
 std::string save_preset(const Player& player, const std::string& folder) {
   Place place = player.place();
-  place.preset.clear(), place.camera.reset(), place.step = 0;
+  place.preset.clear(), place.camera.reset(), place.step.reset();
   std::string path;
   for (int i = 1; path.empty() || std::filesystem::exists(path); ++i)
     path = folder + "/" + place.lesson + "/disagreement-" + std::to_string(i) + ".json";
