@@ -97,7 +97,7 @@ bool Baselines::accepts(Kind kind) const {
 std::vector<Failure> Baselines::check(const Excerpt& e) {
   std::vector<Failure> found;
   check_trace(e, found);
-  const viz::Camera camera = camera_for(*e.lesson, e.walk, theme, picture_size);
+  const viz::Camera camera = camera_for(e, theme, picture_size);
   for (int step = 0; step < static_cast<int>(e.walk.steps.size()); ++step)
     if (has_picture(e, step)) check_picture(e, step, camera, found);
   return found;

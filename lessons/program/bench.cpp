@@ -164,6 +164,10 @@ void add_bench(CLI::App& app, Program& program) {
                      "write REPORT.md with its figures and results.json into this folder: from "
                      "--from's files, or from new runs of all builds that are there");
   CLI::Option* seed = sub.add_option("--seed", wanted->seed, "of the random cases");
+  seed->check([](const std::string& text) {  // CLI11 would take -1 for 2^64 - 1
+    const bool whole = !text.empty() && text.find_first_not_of("0123456789") == text.npos;
+    return whole ? "" : fmt::format("\"{}\" is no whole number from 0 on; write --seed N", text);
+  });
   CLI::Option* quick =
       sub.add_flag("--quick", wanted->quick, "within a minute: few passes, few cases judged");
   CLI::Option* peers =

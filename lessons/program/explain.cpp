@@ -115,10 +115,9 @@ int explain(const Program& program, const Selection& asked) {
 void add_explain(CLI::App& app, Program& program) {
   CLI::App& sub = *app.add_subcommand("explain", "the lesson as text: captions, pseudocode, values");
   const auto asked = std::make_shared<Selection>();
-  asked->step = "all";
   add_lesson(sub, program, *asked, Takes::one, "a lesson's id");
-  add_preset(sub, *asked, "a preset, or a file with one; the first if not given");
-  add_step(sub, *asked, Takes::many, "counted from 1; all if not given");
+  add_preset(sub, *asked, Takes::one, "a preset, or a file with one (its step is honoured);\nthe first if not given");
+  add_step(sub, *asked, Takes::many, "counted from 1: 3, 3-6, 3,5,7-9 or all; if not given, that of\nthe preset's file, or all");
   add_set(sub, *asked);
   sub.footer("Example: " + program.name + " explain" + (program.only ? "" : " ray-sphere") + " --step 3");
   sub.callback(

@@ -2,10 +2,12 @@
 // Options that several subcommands share: which lesson, preset, parameters and steps; how large a figure.
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "lessons/program/program.h"
+#include "lessons/program/values.h"
 #include "viz/compose.h"
 #include "viz/lesson.h"
 
@@ -17,12 +19,13 @@ struct PresetFile {
   std::string path, name;
 };
 
-/// As written on the command line.
+/// As written on the command line. A preset is a name or a file: a word that ends in .json or has a slash.
 struct Selection {
-  std::vector<std::string> lessons;
+  std::vector<std::string> lessons;  ///< or presets' files
   bool all = false;
-  std::string preset;  ///< empty: the lesson's first (every one with `all`)
-  std::string step;
+  std::string preset;                ///< empty: the lesson's first (every one with `all`)
+  std::vector<std::string> presets;  ///< several, in place of one
+  std::string step;                  ///< empty: the step of the preset's file, or all where it names none
   std::vector<std::string> changes;  ///< name=value
   std::vector<PresetFile> files;     ///< in place of names
 };
@@ -30,7 +33,7 @@ struct Selection {
 /// The lesson's name as a positional, where the program has more than one lesson.
 enum class Takes { one, many };
 void add_lesson(CLI::App&, const Program&, Selection&, Takes, const std::string& help);
-void add_preset(CLI::App&, Selection&, const std::string& help);
+void add_preset(CLI::App&, Selection&, Takes, const std::string& help);
 void add_step(CLI::App&, Selection&, Takes, const std::string& help);
 void add_set(CLI::App&, Selection&);
 /// Refuses an empty value, which is most often a shell's variable that is not set.
@@ -46,7 +49,9 @@ struct Excerpt {
   std::string preset;  ///< empty where a parameter was changed by hand
   viz::Parameters parameters;
   viz::Walk walk;
-  std::vector<int> steps;  ///< chosen ones, from 0
+  std::vector<int> steps;                  ///< chosen ones, from 0
+  std::optional<viz::Camera> camera = {};  ///< of the preset's file
+  std::optional<int> step = {};            ///< of the preset's file, from 0
 };
 
 /// Everything that is asked for. Throws viz::BadInput, or viz::FileError where a preset's file can't be read.
@@ -54,17 +59,8 @@ std::vector<Excerpt> excerpts(const Program&, const Selection&);
 /// The same where only one lesson and preset make sense.
 Excerpt excerpt(const Program&, const Selection&);
 
-/// "960x600"; each side 16 to 8192.
-struct Size {
-  int width = 960, height = 600;
-};
-Size size_of(const std::string& text);
-/// A width on paper in points: "8cm", "80mm", "227pt", "3in"; 10 to 14400.
-double points_of(const std::string& text);
-/// "png,svg" as names without repeats.
-std::vector<std::string> formats_of(const std::string& text);
-/// The camera for all pictures of this walk in figures of this size, at one scale for all presets of the
-/// lesson.
-viz::Camera camera_for(const viz::Lesson&, const viz::Walk&, viz::ThemeName, const Size&);
+/// The camera for all pictures of this excerpt in figures of this size: the one of the preset's file, which shows as much
+/// from the middle to the top edge as where it was copied; otherwise at one scale for all presets of the lesson.
+viz::Camera camera_for(const Excerpt&, viz::ThemeName, const Size&);
 
 }  // namespace isect::program

@@ -31,7 +31,7 @@ std::string file_of(const Excerpt& e, int step) {
 }
 
 viz::Metadata metadata_of(const Excerpt& e, int step) {
-  viz::Metadata data = viz::metadata({e.lesson->id, e.preset, step, e.parameters, {}});
+  viz::Metadata data = viz::metadata({e.lesson->id, e.preset, step, e.parameters, e.camera});
   data["file"] = file_of(e, step);
   return data;
 }

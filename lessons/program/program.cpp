@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "lessons/program/command_line.h"
 #include "lessons/program/terminal.h"
 #include "viz/files.h"
 #include "viz/offscreen.h"
@@ -17,13 +18,6 @@ namespace {
 std::vector<std::string> names_of(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::App* sub : app.get_subcommands({})) names.push_back(sub->get_name());
-  return names;
-}
-
-std::vector<std::string> long_options(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::Option* option : app.get_options())
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
   return names;
 }
 
@@ -43,31 +37,11 @@ class Help final : public CLI::Formatter {
   }
 };
 
-/// What CLI11 found wrong, in our words where a name is misspelt.
-std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
-  const std::vector<CLI::App*> chosen = const_cast<CLI::App&>(app).get_subcommands();
-  const CLI::App& sub = chosen.empty() ? app : *chosen.front();
-  if (dynamic_cast<const CLI::ExtrasError*>(&error)) {
-    const std::vector<std::string> extras = app.remaining(true);
-    if (!extras.empty() && extras[0].starts_with("-"))
-      return viz::unknown("option", extras[0].substr(0, extras[0].find('=')), long_options(sub)).what();
-    if (!extras.empty()) return fmt::format("{}: \"{}\" is one argument too many", sub.get_name(), extras[0]);
-  }
-  if (dynamic_cast<const CLI::ConversionError*>(&error)) {  // "Could not convert: --seed = abc"
-    const std::string text = error.what();
-    const std::size_t name = text.find(": "), value = text.find(" = ");
-    if (name < value && value != std::string::npos)
-      return fmt::format("{}: \"{}\" is no whole number from 0 on", text.substr(name + 2, value - name - 2),
-                         text.substr(value + 3));
-  }
-  return error.what();
-}
-
 /// Without a subcommand the window is meant.
 void complete(const CLI::App& app, std::vector<std::string>& arguments) {
   const std::string first = arguments.empty() ? "" : arguments.front();
   if (first == "--help" || first == "-h" || first == "--version") return;
-  if (first.empty() || first.starts_with("-")) {
+  if (arguments.empty() || first.starts_with("-")) {
     arguments.insert(arguments.begin(), "show");
   } else if (const auto names = names_of(app); std::ranges::find(names, first) == names.end()) {
     throw viz::unknown("subcommand", first, names);
@@ -103,6 +77,7 @@ int parse_and_run(Program& program, std::vector<std::string> arguments) {
   CLI::App app(what, program.name);
   describe(app, program);
   complete(app, arguments);
+  check_values(app, arguments);
   std::ranges::reverse(arguments);  // as CLI11 wants them
   try {
     app.parse(arguments);

@@ -9,6 +9,7 @@
 #include "lessons/program/gallery.h"
 #include "lessons/program/options.h"
 #include "lessons/program/ownership.h"
+#include "lessons/program/preset_folder.h"
 #include "lessons/program/terminal.h"
 #include "viz/compose.h"
 #include "viz/files.h"
@@ -22,7 +23,7 @@ using Json = nlohmann::ordered_json;
 
 struct Options {
   Selection asked;
-  std::string format = "png", theme = "screen", size, width, out = "figures", backend = "auto";
+  std::string format = "png", theme = "screen", size, width, dir, out = "figures", backend = "auto";
 };
 
 /// What every figure of this run shares.
@@ -88,7 +89,7 @@ int to_stdout(const std::vector<Excerpt>& chosen, const Style& style, const std:
         "out: \"-\" takes exactly one figure in one format; give --step N, and one preset and format");
   const Excerpt& e = chosen[0];
   Studio studio(style, backend);
-  const viz::Camera camera = camera_for(*e.lesson, e.walk, style.theme, style.size);
+  const viz::Camera camera = camera_for(e, style.theme, style.size);
   print(studio.draw(e, camera, e.steps[0], style.formats[0]));
   return done;
 }
@@ -98,7 +99,7 @@ void draw_all(const std::vector<Excerpt>& chosen, const Style& style, Studio& st
   for (const Excerpt& e : chosen) count += e.steps.size();
   Progress progress(count);
   for (const Excerpt& e : chosen) {
-    const viz::Camera camera = camera_for(*e.lesson, e.walk, style.theme, style.size);
+    const viz::Camera camera = camera_for(e, style.theme, style.size);
     for (const int step : e.steps) {
       for (const std::string& format : style.formats)
         print(gallery.add(e, step, format, studio.draw(e, camera, step, format),
@@ -112,8 +113,19 @@ void draw_all(const std::vector<Excerpt>& chosen, const Style& style, Studio& st
   }
 }
 
-int render(const Program& program, const Options& options) {
+/// The presets of a folder in place of those that words name. Whether all of them can be read: the others are told.
+bool choose_folder(const Program& program, Options& options) {
+  const PresetFolder folder = preset_folder(options.dir, program);
+  say_passed_over(folder);
+  for (const BrokenPreset& broken : folder.broken) say(fmt::format("{}: {}", program.name, broken.what));
+  options.asked.files = folder.presets;
+  return folder.broken.empty();
+}
+
+int render(const Program& program, Options options) {
   const Style style = style_of(options);
+  const bool whole = options.dir.empty() || choose_folder(program, options);
+  if (!whole && options.asked.files.empty()) return bad_input;
   const std::vector<Excerpt> chosen = excerpts(program, options.asked);
   if (options.out == "-") return to_stdout(chosen, style, options.backend);
 
@@ -130,7 +142,7 @@ int render(const Program& program, const Options& options) {
     throw;
   }
   gallery.list();
-  return done;
+  return whole ? done : bad_input;
 }
 
 }  // namespace
@@ -138,11 +150,16 @@ int render(const Program& program, const Options& options) {
 void add_render(CLI::App& app, Program& program) {
   CLI::App& sub = *app.add_subcommand("render", "figures as files, with alt text and a manifest");
   const auto options = std::make_shared<Options>();
-  options->asked.step = "all";
-  add_lesson(sub, program, options->asked, Takes::many, "one lesson or several, by id");
+  add_lesson(sub, program, options->asked, Takes::many, "one lesson or several, by id; or presets' files");
   sub.add_flag("--all", options->asked.all, "every lesson, and every preset unless --preset is given");
-  add_preset(sub, options->asked, "a preset, a file with one, or all; the first if not given");
-  add_step(sub, options->asked, Takes::many, "counted from 1; all if not given");
+  add_preset(sub, options->asked, Takes::many,
+             "presets, files with one each, or all; the first if not given.\nA word that ends in .json or "
+             "has a slash is a file, whose\nstep and camera are honoured");
+  add_path(sub, "--dir", options->dir, "all preset files of this folder and of those below it", "DIR")
+      ->excludes("--preset")
+      ->excludes("--all");
+  add_step(sub, options->asked, Takes::many,
+           "counted from 1: 3, 3-6, 3,5,7-9 or all; if not given, that of\nthe preset's file, or all");
   add_set(sub, options->asked);
   sub.add_option("--format", options->format, "png (if not given), svg, or png,svg")->type_name("FORMAT");
   sub.add_option("--theme", options->theme, "screen (if not given), print, grey or dark")->type_name("THEME");

@@ -31,16 +31,18 @@ viz::Place place_of(const Program& program, Selection asked) {
   const std::string first = asked.lessons.empty() ? std::string() : asked.lessons.front();
   if (first.ends_with(".png") || first.ends_with(".svg")) return place_in_figure(program, first);
   const bool anywhere =
-      asked.lessons.empty() && asked.preset.empty() && asked.changes.empty() && asked.step == "1";
+      asked.lessons.empty() && asked.preset.empty() && asked.changes.empty() && asked.step.empty();
   if (anywhere && program.only == nullptr) return {};  // where the reader left off, or the first lesson
   if (asked.lessons.empty() && asked.preset.empty()) asked.lessons = {program.lessons.front()->id};
-  if (asked.step == "all") throw viz::BadInput("step: \"all\" does not do here; give one");
   const Excerpt e = excerpt(program, asked);
+  if (!asked.step.empty() && e.steps.size() != 1)
+    throw viz::BadInput(fmt::format("step: \"{}\" does not do here; give one", asked.step));
   viz::Place place;
   place.lesson = e.lesson->id;
   place.preset = e.preset;
   place.step = e.steps.front();
   place.parameters = e.parameters;
+  place.camera = e.camera;
   return place;
 }
 
@@ -65,11 +67,10 @@ int show(const Program& program, const Selection& asked) {
 void add_show(CLI::App& app, Program& program) {
   CLI::App& sub = *app.add_subcommand("show", "the window, at that place");
   const auto asked = std::make_shared<Selection>();
-  asked->step = "1";
   add_lesson(sub, program, *asked, Takes::one,
              "a lesson's id; or a figure made by isect (.png, .svg),\nto open it where it was made");
-  add_preset(sub, *asked, "a preset, or a file with one; the first if not given");
-  add_step(sub, *asked, Takes::one, "counted from 1; the first if not given");
+  add_preset(sub, *asked, Takes::one, "a preset, or a file with one (its step and camera are\nhonoured); the first if not given");
+  add_step(sub, *asked, Takes::one, "counted from 1; if not given, that of the preset's file, or 1");
   add_set(sub, *asked);
   sub.footer(program.only ? "Example: " + program.name + " show --step 3"
                           : "Examples: isect show ray-sphere --step 3\n          isect show "

@@ -25,7 +25,7 @@ std::size_t widest(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("list names lessons, rows, steps and presets", "[list]") {
+TEST_CASE("list names lessons, rows and presets", "[list]") {
   const Shell shell;
   const Ran r = shell("isect list");
   CHECK(r.status == 0);
@@ -40,9 +40,50 @@ TEST_CASE("list --json holds what a program needs", "[list]") {
   REQUIRE(all.size() >= 1);
   CHECK(all[0]["id"] == "ray-sphere");
   REQUIRE(all[0]["presets"].size() == 27);
-  for (const auto& lesson : all) {
-    for (const auto& preset : lesson["presets"]) CHECK(preset["steps"] >= 2);
-    for (const auto& parameter : lesson["parameters"]) CHECK(parameter.contains("help"));
+  for (const auto& lesson : all)
+    for (const auto& parameter : lesson["parameters"]) {
+      CHECK(parameter.contains("help"));
+      CHECK(parameter.contains("default"));
+      CHECK(parameter.contains("choices") != parameter.contains("from"));
+    }
+}
+
+TEST_CASE("list walks no lesson, and so it is there at once", "[list]") {
+  const Shell shell;
+  // One second of processor time, where walking every preset takes more; at once is a few hundredths.
+  CHECK(shell("ulimit -t 1; isect list").status == 0);
+  CHECK(shell("ulimit -t 1; isect list --json").status == 0);
+  for (const auto& lesson : nlohmann::json::parse(shell("isect list --json").out))
+    for (const auto& preset : lesson["presets"]) CHECK_FALSE(preset.contains("steps"));
+}
+
+TEST_CASE(
+    "list of one lesson tells its parameters with range, unit, default and choices, and the presets' steps",
+    "[list]") {
+  const Shell shell;
+  const Ran r = shell("isect list ray-sphere");
+  CHECK(r.status == 0);
+  CHECK(widest(r.out) <= 80);
+  CHECK_THAT(r.out, Contains("method") && Contains("one of haines, quadratic, half-b. Default: haines") &&
+                        Contains("in world units") && Contains("a number from 0 to 1") &&
+                        Contains("Default: 1.56640625,0.234375") && Contains("two-roots") &&
+                        Contains("12 steps") && !Contains("sphere-aabb"));
+
+  const auto one = nlohmann::json::parse(shell("isect list ray-sphere --json").out);
+  CHECK(one["id"] == "ray-sphere");
+  for (const auto& preset : one["presets"]) CHECK(preset["steps"] >= 2);
+  REQUIRE(one["parameters"].size() == 7);
+  CHECK(one["parameters"][0]["choices"].size() == 3);
+  CHECK(one["parameters"][3]["condition"] == "a vector of any length but 0");
+  CHECK(one["parameters"][6]["name"] == "radius");
+  CHECK(one["parameters"][6]["from"] == 0);
+
+  const Ran wrong = shell("isect list ray-spere");
+  CHECK(wrong.status == 2);
+  CHECK_THAT(wrong.err, Contains("lesson") && Contains("mean \"ray-sphere\""));
+  for (const char* lesson : {"relations", "robustness", "obb-obb", "culling"}) {
+    INFO(lesson);
+    CHECK(widest(shell(std::string("isect list ") + lesson).out) <= 80);
   }
 }
 
@@ -81,12 +122,13 @@ TEST_CASE("explain and show refuse what does not exist", "[explain][show]") {
     CHECK_THAT(shell(isect + " ray-spere").err, Contains("lesson") && Contains("mean \"ray-sphere\""));
     CHECK_THAT(shell(isect + " ray-sphere --preset tangnt").err,
                Contains("preset") && Contains("mean \"tangent\""));
-    for (const std::string step : {"0", "13", "-1", "x", "1.5", "''"}) {
+    for (const std::string step : {"0", "13", "-1", "x", "1.5"}) {
       INFO(step);
       const Ran r = shell(isect + " ray-sphere --step " + step);
       CHECK(r.status == 2);
       CHECK_THAT(r.err, Contains("step") && Contains("1 to 12"));
     }
+    CHECK_THAT(shell(isect + " ray-sphere --step ''").err, Contains("--step: empty"));
     CHECK(shell(isect + " ray-sphere ray-sphere").status == 2);
     CHECK(shell(isect + " ray-sphere --preset all").status == 2);
   }

@@ -50,7 +50,6 @@ TEST_CASE("an unknown subcommand or option is refused with the nearest", "[progr
   CHECK(option.status == 2);
   CHECK_THAT(option.err, Contains("option") && Contains("mean \"--format\""));
   CHECK(shell("isect render ray-sphere --step").status == 2);
-  CHECK(shell("isect list ray-sphere").status == 2);
   CHECK(shell("isect --vresion").status == 2);
 }
 
