@@ -126,25 +126,22 @@ int list_one(const viz::Lesson& lesson, bool as_json) {
 }  // namespace
 
 void add_list(CLI::App& app, Program& program) {
-  struct Asked {
-    std::string lesson;
-    bool as_json = false;
-  };
   CLI::App& sub = *app.add_subcommand("list", "the lessons and their presets; of one: parameters and steps");
-  const auto asked = std::make_shared<Asked>();
+  const auto lesson = std::make_shared<std::string>();
+  const auto as_json = std::make_shared<bool>(false);
   if (!program.only)
-    sub.add_option("LESSON", asked->lesson,
+    sub.add_option("LESSON", *lesson,
                    "tell of this one its parameters (range, unit, default,\nchoices) and how many steps each "
                    "preset has")
         ->type_name("");
-  sub.add_flag("--json", asked->as_json, "for programs: also parameters; of one lesson also the steps");
+  sub.add_flag("--json", *as_json, "for programs: also parameters; of one lesson also the steps");
   sub.footer(program.only ? "Example: " + program.name + " list --json"
                           : "Examples: isect list\n          isect list ray-sphere");
-  sub.callback([&program, asked] {
-    program.chosen = [&program, asked] {
-      if (program.only) return list_one(*program.only, asked->as_json);
-      if (asked->lesson.empty()) return list_all(program.lessons, asked->as_json);
-      return list_one(viz::lesson_named(program.lessons, asked->lesson), asked->as_json);
+  sub.callback([&program, lesson, as_json] {
+    program.chosen = [&program, lesson, as_json] {
+      if (program.only) return list_one(*program.only, *as_json);
+      if (lesson->empty()) return list_all(program.lessons, *as_json);
+      return list_one(viz::lesson_named(program.lessons, *lesson), *as_json);
     };
   });
 }

@@ -135,6 +135,29 @@ TEST_CASE("files of one name are told apart by where they lie, and nothing is wr
   CHECK_FALSE(fs::exists(shell.work() / "o"));
 }
 
+TEST_CASE("a folder of presets is rendered with those below it, past what is broken or none", "[select]") {
+  const Shell shell;
+  write(shell.work() / "notes/a.json", tangent);
+  write(shell.work() / "notes/week-2/a.json", tangent);
+  write(shell.work() / "notes/package.json", R"({"name": "course"})");
+  const std::string render = "isect render --dir notes --step 1 --format svg --out o";
+  const Ran r = shell(render);
+  CHECK(r.status == 0);
+  CHECK(r.out == "o/ray-sphere/a/01-to-center.svg\no/ray-sphere/week-2/a/01-to-center.svg\n");
+  CHECK(lines_of(r.err).size() == 1);
+  CHECK_THAT(r.err, Contains("package.json"));
+
+  write(shell.work() / "notes/broken.json", R"({"lesson": "ray-sphere", "parameters": {"radus": 1}})");
+  const Ran broken = shell(render);
+  CHECK(broken.status == 2);
+  CHECK(lines_of(broken.out).size() == 2);  // the others are done
+  CHECK_THAT(broken.err, Contains("broken.json") && Contains("mean \"radius\""));
+  CHECK(shell("isect render --dir notes rays").status == 2);  // no preset is for that lesson
+  CHECK(shell("isect render --dir absent").status == 4);
+  CHECK_THAT(shell("isect render --dir notes --preset a.json").err,
+             Contains("--dir") && Contains("not both"));
+}
+
 TEST_CASE("steps are given one by one, as ranges and as lists", "[select]") {
   const Shell shell;
   const auto steps = [&](const std::string& text) {
