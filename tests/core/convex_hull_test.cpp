@@ -6,12 +6,14 @@
 #include <string>
 
 #include "tests/catch.h"
+#include "tests/core/clouds.h"
 #include "tests/core/hull_oracle.h"
 #include "tests/settings.h"
 
 namespace convex_hull_test {
 using namespace isect;
 using bench::Numbers;
+using namespace tests::clouds;
 
 namespace {
 
@@ -19,28 +21,6 @@ template <class S>
 Ring<S, 2> points(std::initializer_list<std::array<double, 2>> coordinates) {
   Ring<S, 2> r;
   for (const auto& [x, y] : coordinates) r.push_back({static_cast<S>(x), static_cast<S>(y)});
-  return r;
-}
-
-enum class Cloud { family, line, near_line, circle, cluster };
-
-/// Points that make hulls hard: on a line but for rounding, on a circle, many equal.
-template <class S>
-Ring<S, 2> cloud(bench::Random& random, Cloud kind, Numbers numbers, int n) {
-  Ring<S, 2> r;
-  const Point<S, 2> a = bench::vector<S, 2>(random, numbers), b = bench::vector<S, 2>(random, numbers);
-  for (int i = 0; i < n; ++i) {
-    const S t = static_cast<S>(random.integer(0, 16)) / 16;
-    Point<S, 2> p = a * (S(1) - t) + b * t;  // within the range of both, however large they are
-    if (kind == Cloud::near_line)
-      p[random.below(2)] = bench::moved(p[random.below(2)], random.integer(-1, 1));
-    if (kind == Cloud::circle) p = random.heading<2>().cast<S>();
-    if (kind == Cloud::cluster)
-      p = {bench::moved(a[0], random.integer(-2, 2)), bench::moved(a[1], random.integer(-2, 2))};
-    if (kind == Cloud::family) p = bench::vector<S, 2>(random, numbers);
-    if (i > 0 && random.one_in(6)) p = r[static_cast<std::size_t>(random.below(i))];
-    r.push_back(p);
-  }
   return r;
 }
 

@@ -12,11 +12,13 @@
 #include "core/point_kdop.h"
 #include "core/point_sphere.h"
 #include "tests/catch.h"
+#include "tests/core/clouds.h"
 #include "tests/settings.h"
 
 namespace fit_test {
 using namespace isect;
 using oracle::Rational;
+using tests::clouds::cloud;
 using oracle::operator-;
 
 namespace {
@@ -46,22 +48,6 @@ std::vector<Vector<S, N>> normals(bench::Random& random) {
   result.push_back(Vector<S, N>::Unit(0) - Vector<S, N>::Unit(1));
   result.push_back(random.heading<N>().template cast<S>());
   return result;
-}
-
-/// Clouds, and all that is degenerate: one point, duplicates, points on a line or in a plane.
-template <class S, int N>
-Points<S, N> cloud(bench::Random& random, bench::Numbers numbers) {
-  Points<S, N> points(1 + random.below(12));
-  for (Point<S, N>& p : points) p = bench::vector<S, N>(random, numbers);
-  const int shape = random.below(6);
-  const Vector<S, N> u = points[0] / 4, v = points.back() / 4;
-  for (Point<S, N>& p : points) {
-    if (shape == 0) p = points[0];
-    if (shape == 1) p = u + static_cast<S>(random.uniform(-1, 1)) * v;
-    if (shape == 2) p = static_cast<S>(random.uniform(-1, 1)) * u + static_cast<S>(random.uniform(-1, 1)) * v;
-    if (shape == 3 && random.one_in(2)) p = points[0];
-  }
-  return points;
 }
 
 /// x in rationals against what holds it, by division where the core multiplies.
