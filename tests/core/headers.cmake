@@ -1,0 +1,84 @@
+# Every header of the core has a test: core/<name>.h in tests/core/<name>_test.cpp, or a part of another header in the
+# test named here, which must include it, directly or by way of others.
+#   cmake -D ROOT=... -P headers.cmake
+cmake_minimum_required(VERSION 3.22)
+set(tested_by
+  batch_aabb=batch
+  batch_point_polygon=batch
+  batch_ray_sphere=batch
+  bvh_split=bvh
+  conventions=shapes
+  convex_hull_3d_growth=convex_hull_3d
+  directions=kdop_polytope
+  fit_guess=fit
+  fit_tight_guess=fit_tight
+  index_pair=all_pairs
+  instruction_set=batch
+  obb_obb_axes=obb_obb
+  obb_obb_first_pass=obb_obb
+  obb_obb_methods=obb_obb
+  overlapping_pairs=all_pairs
+  overlapping_pairs_corners=all_pairs
+  overlapping_pairs_level=all_pairs
+  point_polygon_fast=point_polygon
+  predicate=bounded
+  ray_mesh_parts=ray_mesh
+  ray_range=ray_plane
+  ray_sphere_settle=ray_sphere
+  slabs=ray_aabb
+  sort_points=convex_hull
+  triangle_aabb_first_pass=triangle_aabb
+  triangle_aabb_methods=triangle_aabb)
+
+# All files of ours that a file includes.
+function(includes_of file result)
+  set(seen ${file})
+  set(open ${file})
+  while(open)
+    list(POP_FRONT open next)
+    file(STRINGS ${ROOT}/${next} lines REGEX "^#include \"")
+    foreach(line ${lines})
+      string(REGEX REPLACE "^#include \"([^\"]*)\".*" "\\1" included ${line})
+      if(NOT included IN_LIST seen AND EXISTS ${ROOT}/${included})
+        list(APPEND seen ${included})
+        list(APPEND open ${included})
+      endif()
+    endforeach()
+  endwhile()
+  set(${result} "${seen}" PARENT_SCOPE)
+endfunction()
+
+set(complaints "")
+file(GLOB headers RELATIVE ${ROOT}/core ${ROOT}/core/*.h)
+list(LENGTH headers count)
+if(count LESS 90)
+  message(FATAL_ERROR "only ${count} headers in ${ROOT}/core")
+endif()
+foreach(header ${headers})
+  string(REPLACE ".h" "" name ${header})
+  set(test ${name})
+  set(listed ${tested_by})
+  list(FILTER listed INCLUDE REGEX "^${name}=")
+  list(REMOVE_ITEM tested_by "${listed}")
+  if(listed)
+    string(REPLACE "${name}=" "" test ${listed})
+    if(EXISTS ${ROOT}/tests/core/${name}_test.cpp)
+      string(APPEND complaints "core/${header} has a test of its own, so it needs no line in headers.cmake\n")
+    endif()
+  endif()
+  set(file tests/core/${test}_test.cpp)
+  if(NOT EXISTS ${ROOT}/${file})
+    string(APPEND complaints "core/${header} has no test: write ${file}, or name the test in headers.cmake\n")
+    continue()
+  endif()
+  includes_of(${file} included)
+  if(NOT core/${header} IN_LIST included)
+    string(APPEND complaints "${file} doesn't include core/${header}\n")
+  endif()
+endforeach()
+foreach(entry ${tested_by})
+  string(APPEND complaints "${entry}: there is no such header\n")
+endforeach()
+if(complaints)
+  message(FATAL_ERROR "${complaints}")
+endif()
