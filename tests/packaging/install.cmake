@@ -1,4 +1,5 @@
-# Installs isect to a fresh prefix, then configures, builds and runs the consumer in another folder.
+# Installs isect to a fresh prefix, then configures, builds and runs the consumer in another folder, and
+# compiles every installed header alone.
 #   cmake -D ISECT_BUILD=... -D CONSUMER=... -D SCRATCH=... -D CXX=... -P install.cmake
 function(must)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE status OUTPUT_VARIABLE text ERROR_VARIABLE text)
@@ -13,7 +14,12 @@ file(REMOVE_RECURSE ${SCRATCH})
 must(${CMAKE_COMMAND} --install ${ISECT_BUILD} --prefix ${SCRATCH}/prefix)
 must(${CMAKE_COMMAND} -S ${CONSUMER} -B ${SCRATCH}/build -D CMAKE_PREFIX_PATH=${SCRATCH}/prefix
   -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_BUILD_TYPE=Release)
-must(${CMAKE_COMMAND} --build ${SCRATCH}/build --verbose)
+file(GLOB headers ${CONSUMER}/../../core/*.h)
+list(LENGTH headers count)
+if(NOT text MATCHES "-- ${count} installed headers")
+  message(FATAL_ERROR "not all of ${count} headers are installed:\n${text}")
+endif()
+must(${CMAKE_COMMAND} --build ${SCRATCH}/build --target consumer --verbose)
 if(NOT text MATCHES "-ffp-contract=off")
   message(FATAL_ERROR "isect::core does not export -ffp-contract=off:\n${text}")
 endif()
@@ -21,3 +27,5 @@ must(${SCRATCH}/build/consumer)
 if(NOT text STREQUAL "hit at 1.5 and 2.5\n")
   message(FATAL_ERROR "the consumer said: ${text}")
 endif()
+cmake_host_system_information(RESULT cores QUERY NUMBER_OF_LOGICAL_CORES)
+must(${CMAKE_COMMAND} --build ${SCRATCH}/build --target every_header --parallel ${cores})

@@ -1,15 +1,7 @@
-// Every installed header, and one question: the exact one.
+// One question to the installed core: the exact one. Every installed header is compiled alone beside this.
 #include <cstdio>
 
-#include "core/conventions.h"
-#include "core/counted.h"
-#include "core/double_double.h"
-#include "core/exact.h"
-#include "core/filter.h"
 #include "core/ray_sphere.h"
-#include "core/ray_sphere_methods.h"
-#include "core/shapes.h"
-#include "core/trace.h"
 
 int main() {
   const isect::Ray<double, 3> ray = {{-3, 0, 0}, {2, 0, 0}};
