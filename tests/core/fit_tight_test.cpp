@@ -2,11 +2,7 @@
 
 #include "core/fit_tight.h"
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "bench/random_obb.h"
@@ -14,6 +10,7 @@
 #include "core/point_obb.h"
 #include "core/point_sphere.h"
 #include "tests/catch.h"
+#include "tests/peer_cases.h"
 #include "tests/settings.h"
 
 namespace fit_tight_test {
@@ -190,22 +187,15 @@ TEMPLATE_TEST_CASE_SIG("the tight box of a turned brick is the brick", "[fit_tig
 }
 
 TEST_CASE("tight boxes are as tight as the known ones", "[fit_tight]") {
-  const char* chosen = std::getenv("ISECT_PEER_CASES");
-  const std::filesystem::path folder = chosen ? chosen : ISECT_PEER_CASES_DEFAULT;
-  std::ifstream file(folder / "bounding_volume_fit.json");
-  if (!file) {
-    WARN("skipped: no peer cases");
-    return;
-  }
   int count = 0;
-  const nlohmann::json all = nlohmann::json::parse(file);
-  for (const nlohmann::json& c : all.at("cases")) {
-    if (!c.contains("expected") || !c["expected"].contains("known_tight_obb")) continue;
+  for (const tests::PeerCase& found : tests::all_cases("bounding_volume_fit")) {
+    const nlohmann::json& c = found.content;
+    if (!c["expected"].contains("known_tight_obb")) continue;
     Points<double, 3> points;
     for (const nlohmann::json& p : c["points"])
       points.emplace_back(p[0].get<double>(), p[1].get<double>(), p[2].get<double>());
     const Obb<double, 3> tight = fit_obb_tight(points);
-    INFO("case " << count << ", " << points.size() << " points, by principal axes "
+    INFO(found.name << ", " << points.size() << " points, by principal axes "
                  << volume_of(fit_obb(points)));
     CHECK(volume_of(tight) <= c["expected"]["volume_upper_bound"].get<double>() * (1 + 1e-4));
     CHECK(holds_all(tight, points));

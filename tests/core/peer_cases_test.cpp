@@ -1,22 +1,26 @@
-// Rays and spheres of public test suites judge the core, and the oracle of the other tests too.
+// Rays and spheres of the project's own cases and of public test suites judge the core, and the oracle of the other
+// tests too. The files of the former are held to what their generator writes.
 
 #include "tests/peer_cases.h"
 
+#include <set>
+#include <sstream>
+
 #include "bench/oracle.h"
 #include "core/ray_sphere.h"
+#include "tests/cases/case_file.h"
 #include "tests/catch.h"
 
 namespace peer_cases_test {
 using namespace isect;
-using isect::tests::peer_cases;
 using Json = nlohmann::json;
 
 namespace {
 
 /// Two-dimensional cases lie in the plane z = 0.
-Vector<double, 3> vector(const Json& json) {
+Vector<double, 3> vector(const Json& json, bool f32) {
   Vector<double, 3> v = Vector<double, 3>::Zero();
-  for (std::size_t i = 0; i < json.size(); ++i) v[static_cast<int>(i)] = tests::peer_number(json[i]);
+  for (std::size_t i = 0; i < json.size(); ++i) v[static_cast<int>(i)] = tests::peer_number(json[i], f32);
   return v;
 }
 
@@ -51,10 +55,11 @@ Answer truth(const Ray<double, 3>& ray, const Sphere<double, 3>& sphere) {
 
 template <class Solve>
 void check(const Json& c, const Solve& solve, double allowed_ulps) {
-  Ray<double, 3> ray = {vector(c.at("origin")), vector(c.at("dir"))};
-  ray.range = {c.contains("tmin") ? tests::peer_number(c["tmin"]) : 0,
-               c.contains("tmax") ? tests::peer_number(c["tmax"]) : std::numeric_limits<double>::infinity()};
-  const Sphere<double, 3> sphere = {vector(c.at("center")), tests::peer_number(c.at("radius"))};
+  const bool f32 = tests::asks_for_floats(c);
+  Ray<double, 3> ray = {vector(c.at("origin"), f32), vector(c.at("dir"), f32)};
+  if (c.contains("tmin")) ray.range.lo = tests::peer_number(c["tmin"], f32);
+  if (c.contains("tmax")) ray.range.hi = tests::peer_number(c["tmax"], f32);
+  const Sphere<double, 3> sphere = {vector(c.at("center"), f32), tests::peer_number(c.at("radius"), f32)};
   const Json& expected = c.at("expected");
   const Answer answer = solve(ray, sphere);
   if (expected.contains("policy")) {
@@ -84,22 +89,38 @@ void check(const Json& c, const Solve& solve, double allowed_ulps) {
 
 }  // namespace
 
-TEST_CASE("rays and spheres of public test suites get the true answers", "[ray_sphere][peer]") {
-  const auto found = peer_cases("ray_sphere");
-  if (found.empty()) WARN(tests::no_peer_cases());
-  for (const auto& c : found) {
+TEST_CASE("rays and spheres of every set of cases get the true answers", "[ray_sphere][peer]") {
+  for (const auto& c : tests::all_cases("ray_sphere")) {
     INFO(c.name << ": " << c.content);
     check(c.content, core, 4);
   }
 }
 
-TEST_CASE("the oracle agrees with public test suites to the last bit", "[oracle][peer]") {
-  const auto found = peer_cases("ray_sphere");
-  if (found.empty()) WARN(tests::no_peer_cases());
-  for (const auto& c : found) {
+TEST_CASE("the oracle agrees with every set of cases to the last bit", "[oracle][peer]") {
+  for (const auto& c : tests::all_cases("ray_sphere")) {
     INFO(c.name << ": " << c.content);
     check(c.content, truth, 0);
   }
+}
+
+TEST_CASE("the project's cases are what their generator writes", "[peer]") {
+  std::size_t bytes = 0;
+  std::set<std::filesystem::path> written;
+  for (const cases::CaseFile& file : cases::all()) {
+    const std::filesystem::path path = tests::own_cases() / (file.kind() + ".json");
+    std::ostringstream kept;
+    kept << std::ifstream(path, std::ios::binary).rdbuf();
+    const std::string text = file.text();
+    INFO(path << ": write it again by the target make_cases, and look at what changed");
+    CHECK((kept.str() == text));
+    CHECK(file.size() >= 30);
+    CHECK(text.size() < 100'000);
+    bytes += text.size();
+    written.insert(path);
+  }
+  CHECK(bytes < 1'000'000);
+  for (const auto& entry : std::filesystem::directory_iterator(tests::own_cases()))
+    if (entry.path().extension() == ".json") CHECK(written.contains(entry.path()));
 }
 
 }  // namespace peer_cases_test

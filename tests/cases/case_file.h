@@ -1,0 +1,88 @@
+#pragma once
+// A file of hard cases of one kind, in the schema of `isect query`: inputs, what is hard about them, the true answer.
+
+#include <cmath>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/random_shapes.h"
+#include "bench/rational.h"
+#include "core/shapes.h"
+
+namespace isect::cases {
+
+using Json = nlohmann::ordered_json;
+using bench::Numbers;
+using bench::Random;
+using oracle::Rational;
+
+/// Inputs by the names that `isect query` reads, and the truth by those that it answers.
+struct Case {
+  Json inputs, expected;
+  bool f32 = false;  ///< asked in floats, which the inputs are
+};
+
+/// What is asked of input that has no meaning: NaN, or an infinity where none belongs.
+inline Case policy(Json inputs, bool f32) {
+  return {std::move(inputs), {{"policy", "an error or a plain no"}}, f32};
+}
+
+class CaseFile {
+ public:
+  explicit CaseFile(std::string kind) : kind_(std::move(kind)) {}
+
+  const std::string& kind() const { return kind_; }
+  std::size_t size() const { return cases_.size(); }
+
+  /// `note` says what is hard about the case.
+  void add(const std::string& note, const Case&);
+
+  /// Cases from a generator with a seed of its own: `count` of them, their verdicts mixed as evenly as they come. It
+  /// may draw nothing.
+  void family(const std::string& note, int count, const std::function<std::optional<Case>(Random&)>& draw);
+
+  /// One case a line; numbers in as few digits as name them.
+  std::string text() const;
+
+ private:
+  struct Noted {
+    std::string note;
+    Case what;
+  };
+  std::string kind_;
+  std::vector<Noted> cases_;
+};
+
+/// Every kind, in the order of `isect query --help`.
+std::vector<CaseFile> all();
+
+// What a file of the project's own generators holds.
+CaseFile orient2d();
+CaseFile interval_interval();
+CaseFile point_point();
+CaseFile point_box();
+CaseFile point_sphere();
+CaseFile point_obb();
+CaseFile plane_sphere();
+CaseFile plane_box();
+CaseFile box_box();
+CaseFile sphere_sphere();
+CaseFile sphere_box();
+CaseFile obb_obb();
+CaseFile kdop_kdop();
+CaseFile triangle_box();
+CaseFile ray_sphere();
+CaseFile ray_box();
+CaseFile ray_plane();
+CaseFile ray_obb();
+CaseFile segment_segment();
+CaseFile ray_polygon();
+CaseFile pip();
+CaseFile convex_hull2d();
+CaseFile polygon_normal();
+CaseFile bounding_volume_fit();
+
+}  // namespace isect::cases
