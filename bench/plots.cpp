@@ -336,7 +336,8 @@ std::vector<Plotted> plots(const Report& report) {
 }
 
 std::string svg_of(const Plotted& plotted, viz::ThemeName theme) {
-  return viz::svg(viz::chart_figure(plotted.chart, theme, plotted.width).drawing, {{"figure", plotted.name}});
+  return viz::svg(viz::chart_figure(plotted.chart, theme, plotted.width).drawing, {{"figure", plotted.name}},
+                  {plotted.width});
 }
 
 std::string png_of(const Plotted& plotted, viz::ThemeName theme) {

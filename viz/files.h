@@ -30,7 +30,7 @@ std::string png(const Picture&, const Metadata& = {});
 Picture read_png(const std::string& bytes);
 Metadata png_metadata(const std::string& bytes);  ///< Throws FileError; empty if it carries none of ours.
 
-/// How wide a vector file is on paper, in points; 0: one unit is one point.
+/// How wide a vector file is on paper, in points; 0: one unit is a pixel of CSS, 96 an inch, and so of the PNG.
 struct Paper {
   double width_pt = 0;
 };

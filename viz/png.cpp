@@ -75,6 +75,9 @@ bool opaque(const Picture& picture) {
   return true;
 }
 
+/// pHYs: 3780 pixels a metre, 96 an inch as CSS has it. So a picture is as wide on a page as the SVG of its size.
+constexpr std::string_view density("\0\0\0\x09pHYs\0\0\x0e\xc4\0\0\x0e\xc4\x01\x95\x2b\x0e\x1b", 21);
+
 std::string encode(const Picture& picture) {
   const bool rgb = opaque(picture);
   const std::vector<std::uint8_t> pixels = rgb ? without_alpha(picture.rgba) : picture.rgba;
@@ -87,7 +90,7 @@ std::string encode(const Picture& picture) {
   if (!png_image_write_to_memory(&png.image, bytes.data(), &size, 0, pixels.data(), 0, nullptr))
     throw FileError(std::string("cannot write PNG: ") + png.image.message);
   bytes.resize(size);
-  return bytes;
+  return bytes.insert(8 + header_chunk_size, density);
 }
 
 }  // namespace

@@ -187,11 +187,13 @@ std::string svg(const Drawing& drawing, const Metadata& metadata, Paper paper) {
     throw FileError("cannot write SVG: cairo wrote no <svg> element");
 
   const double scale = paper.width_pt > 0 ? paper.width_pt / drawing.width : 1;
+  const char* const unit = paper.width_pt > 0 ? "pt" : "";  // without one: CSS pixels
   const std::string opening = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
       "version=\"1.1\" "
-      "width=\"{:.7g}pt\" height=\"{:.7g}pt\" viewBox=\"0 0 {:.7g} {:.7g}\">\n",
-      drawing.width * scale, drawing.height * scale, drawing.width * oversize, drawing.height * oversize);
+      "width=\"{:.7g}{}\" height=\"{:.7g}{}\" viewBox=\"0 0 {:.7g} {:.7g}\">\n",
+      drawing.width * scale, unit, drawing.height * scale, unit, drawing.width * oversize,
+      drawing.height * oversize);
   bytes.replace(tag, tag_end + 1 - tag, opening + metadata_element(metadata));
   return bytes;
 }

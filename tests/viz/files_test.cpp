@@ -100,6 +100,17 @@ void put(std::string& bytes, std::size_t at, std::uint32_t value) {
 
 }  // namespace
 
+TEST_CASE("a PNG has 96 pixels an inch, as an SVG without a width on paper", "[files]") {
+  const std::string bytes = png(plain_picture(3, 2, 9), {{"lesson", "toy"}});
+  const std::size_t at = bytes.find("pHYs");
+  REQUIRE(at < bytes.find("IDAT"));
+  const std::string chunk = bytes.substr(at, 4 + 9), per_metre("\0\0\x0e\xc4", 4);  // 3780
+  CHECK(chunk == "pHYs" + per_metre + per_metre + '\1');
+  std::string sum(4, '\0');
+  put(sum, 0, crc(chunk));
+  CHECK(bytes.substr(at + 4 + 9, 4) == sum);
+}
+
 TEST_CASE("what is written is read, in a folder made for it", "[files]") {
   const Folder folder;
   const std::string bytes("zero \0 and \xff\n", 13);

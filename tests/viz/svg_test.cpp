@@ -118,8 +118,8 @@ TEST_CASE("every reference within an SVG has its id, and no id stands twice", "[
 
 TEST_CASE("an SVG has the width of its paper, and keeps its shape", "[svg]") {
   const std::string plain = svg(drawing());
-  CHECK(attribute(plain, "width") == "200pt");
-  CHECK(attribute(plain, "height") == "100pt");
+  CHECK(attribute(plain, "width") == "200");
+  CHECK(attribute(plain, "height") == "100");
   const std::string paper = svg(drawing(), {}, {226.772});
   CHECK(attribute(paper, "width") == "226.772pt");
   CHECK(attribute(paper, "height") == "113.386pt");
