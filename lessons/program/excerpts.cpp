@@ -8,6 +8,7 @@
 #include <set>
 
 #include "lessons/program/options.h"
+#include "lessons/program/preset_folder.h"
 #include "lessons/program/setting_name.h"
 #include "lessons/program/terminal.h"
 #include "viz/files.h"
@@ -42,6 +43,7 @@ void change(Excerpt& to, const std::vector<std::string>& changes) {
 Excerpt from_file(const Program& program, const PresetFile& file) {
   viz::Place place;
   try {
+    require_utf8(file);
     place = viz::place_from_json(viz::read_file(file.path), program.lessons);
   } catch (const viz::BadInput& e) {
     throw viz::BadInput(fmt::format("{}: {}", file.path, e.what()));

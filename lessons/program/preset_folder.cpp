@@ -55,6 +55,7 @@ PresetFolder preset_folder(const std::string& folder, const Program& program) {
         found.foreign.push_back(file.path);
         continue;
       }
+      require_utf8(file);
       viz::place_from_json(text, program.lessons);
       found.presets.push_back(file);
     } catch (const viz::FileError& e) {
@@ -69,6 +70,12 @@ PresetFolder preset_folder(const std::string& folder, const Program& program) {
                     "\"parameters\": {{...}}}} (Ctrl+C in the window copies one)",
                     folder));
   return found;
+}
+
+void require_utf8(const PresetFile& file) try {
+  static_cast<void>(Json(file.name).dump());
+} catch (const Json::exception&) {
+  throw viz::BadInput("the file's name is not UTF-8; rename it");
 }
 
 void say_passed_over(const PresetFolder& folder) {

@@ -23,6 +23,8 @@ struct PresetFolder {
 /// The *.json of the folder and of those below it, but for hidden ones, `snapshots`, and what isect itself leaves there.
 /// Throws viz::FileError where the folder can't be read, viz::BadInput where no file in it is meant as a preset.
 PresetFolder preset_folder(const std::string& folder, const Program&);
+/// Throws viz::BadInput where the file's name can't go into traces and metadata, which are UTF-8.
+void require_utf8(const PresetFile&);
 /// One line on stderr for each foreign file, but not for hundreds.
 void say_passed_over(const PresetFolder&);
 

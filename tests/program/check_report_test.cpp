@@ -102,15 +102,16 @@ TEST_CASE("a result as JUnit XML is read by programs, whatever the names", "[che
              Contains("<testsuites name=\"isect check\" tests=\"1\" failures=\"0\" errors=\"0\">") &&
                  Contains("<testcase classname=\"ray-sphere\" name=\"two-roots\"/>"));
 
-  const std::string odd = "q <&> \"'\x01\xff ]]>";
+  const std::string odd = "q <&> \"'\x01 ]]>";
   write(shell.work() / "odd" / (odd + ".json"), scene("overlapping"));
+  write(shell.work() / "odd/\xff.json", scene("overlapping"));
   write(shell.work() / "odd/broken.json", R"({"lesson": "ray-sphere", "parameters": {"radus<": 1}})");
   const Ran r = shell("isect check --dir odd --json --junit odd.xml");
   CHECK(r.status == 2);
   CHECK(nlohmann::json::accept(r.out));
-  CHECK_THAT(read("odd.xml"), Contains("tests=\"2\" failures=\"1\" errors=\"1\"") &&
+  CHECK_THAT(read("odd.xml"), Contains("tests=\"3\" failures=\"1\" errors=\"2\"") &&
                                   Contains("q &lt;&amp;&gt; &quot;") && Contains("<error type=\"preset\"") &&
-                                  Contains("radus&lt;"));
+                                  Contains("radus&lt;") && Contains("not UTF-8"));
   CHECK(shell("isect check --dir odd --report odd.html --junit /dev/stdout >out").status == 2);
   CHECK_THAT(contents(shell.work() / "out"), StartsWith("<?xml") && Contains("failure"));
   const Ran full = shell(check + " --junit /dev/full");

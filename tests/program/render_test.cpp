@@ -223,7 +223,7 @@ TEST_CASE("svg needs no rendering back end, png says what is missing", "[render]
   const Ran r = shell(broken + "isect render ray-sphere --step 1");
   CHECK(r.status == 77);
   CHECK_THAT(r.err, Contains("softpipe"));
-  CHECK(shell(broken + "isect check ray-sphere --preset miss").status == 77);
+  CHECK(shell(broken + "isect check ray-sphere --preset miss --update").status == 77);
   CHECK(shell(broken + "isect doctor").status == 77);
 }
 
