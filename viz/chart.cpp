@@ -39,7 +39,7 @@ Figure chart_figure(const Chart& chart, ThemeName name, double width) {
   const Theme styled = theme_for(name, width);
   const double height = natural_height(chart, width, styled);
   Composed composed = compose(chart, Vec2::Zero(), width, height, styled);
-  return {{width, height, styled.background, std::move(composed.shapes)},
+  return {{width, height, styled.background, std::move(composed.shapes), std::move(composed.objects)},
           std::move(composed.labels),
           View({}, width, height)};
 }

@@ -72,6 +72,7 @@ void draw(ChartInk& ink, const Bars& chart, const Bounds& room) {
     const Bar& bar = chart.bars[i];
     const double top = room.top + stretch * layout.tops[i], end = room.top + stretch * layout.tops[i + 1];
     const double middle = (top + end) / 2;
+    ink.part("row", bar.name);
     double y = middle - 0.5 * layout.pitch * static_cast<double>(layout.lines[i].size() - 1) + 0.32 * s.label;
     for (const std::string& line : layout.lines[i]) {
       ink.text(line, {room.left, y}, {s.label});
@@ -95,6 +96,7 @@ void draw(ChartInk& ink, const Bars& chart, const Bounds& room) {
     sign(ink, bar.kind, {box.left - 0.65 * s.label, middle}, t.ink(role));
   }
 
+  ink.part("chart", "scales");
   ink.line({{left, bottom}, {right, bottom}}, t.ink(Role::construction), s.construction);
   for (const auto& [value, text] : x.ticks(ink, true)) {
     const double p = x.at(value), half = ink.width(text, s.axis) / 2;

@@ -89,16 +89,21 @@ class Plane {
 
   void draw() {
     regions();
+    ink_.part("chart", "borders");
     for (const std::vector<Vec2>& border : cases_.borders)
       ink_.line(placed(border), ink_.theme().ink(Role::text), 0.6 * ink_.sizes().outline);
+    ink_.part("chart", "setting");
     here();
+    ink_.part("chart", "names");
     names();
+    ink_.part("chart", "presets");
     for (const Cases::Spot& preset : cases_.presets)
       if (!is_here(preset)) {
         const bool thin = is_thin(cases_, preset.branch);
         ink_.mark(thin ? Mark::diamond : Mark::uncounted, at(preset.at),
                   thin ? Role::highlight : Role::muted);
       }
+    ink_.part("chart", "setting");
     if (cases_.here) ink_.mark(Mark::double_disc, at(cases_.here->at), Role::text);
   }
 
@@ -117,6 +122,7 @@ class Plane {
     for (const Cases::Patch& patch : cases_.patches) {
       if (patch.branch == 0) continue;
       const auto& [a, b, c, d] = patch.corners;
+      ink_.part("region", cases_.branches[static_cast<std::size_t>(patch.branch)]);
       ink_.fill({at(a) + Vec2(-over, over), at(b) + Vec2(over, over), at(c) + Vec2(over, -over),
                  at(d) + Vec2(-over, -over)},
                 colour_of(patch.branch, ink_.theme()));
@@ -225,6 +231,7 @@ void draw(ChartInk& ink, const Cases& cases, const Bounds& room) {
   const Theme& t = ink.theme();
   const Bounds b = plane_within(ink, cases, room);
   Plane(ink, cases, b).draw();
+  ink.part("chart", "scales");
   ink.line({{b.left, b.top}, {b.right, b.top}, {b.right, b.bottom}, {b.left, b.bottom}, {b.left, b.top}},
            t.ink(Role::construction), s.hairline);
 

@@ -118,6 +118,7 @@ void draw(ChartInk& ink, const Maps& chart, const Bounds& room) {
     const Map& map = chart.maps[static_cast<std::size_t>(i)];
     const double left = room.left + indent + pitch * (i % layout.columns),
                  top = room.top + row * (i / layout.columns);
+    ink.part("map", map.title);
     const auto title = ink.wrapped(map.title, s.title, true, side);
     double y = top + layout.head - 0.45 * s.title - 1.25 * s.title * static_cast<double>(title.size() - 1);
     for (const std::string& line : title) {
@@ -142,6 +143,7 @@ void draw(ChartInk& ink, const Maps& chart, const Bounds& room) {
       }
   }
 
+  ink.part("chart", "legend");
   double y = room.bottom - foot + 1.1 * s.axis;
   if (!chart.below.empty())
     for (const std::string& text : MapsLayout::lines(ink, chart, width)) {

@@ -95,6 +95,21 @@ std::vector<double> linear_ticks(double lo, double hi, double step) {
 
 }  // namespace
 
+void ChartInk::part(const std::string& kind, const std::string& markup, Role role) {
+  assign(out_.shapes, assigned_, part_);
+  assigned_ = out_.shapes.size();
+  const Object wanted = {kind, plain(markup), role};
+  const auto known = std::ranges::find_if(
+      out_.objects, [&](const Object& o) { return o.kind == wanted.kind && o.name == wanted.name; });
+  part_ = known == out_.objects.end() ? add_object(out_.objects, wanted)
+                                      : static_cast<int>(known - out_.objects.begin());
+}
+
+Composed ChartInk::take() {
+  assign(out_.shapes, assigned_, part_);
+  return std::move(out_);
+}
+
 double ChartInk::width(const std::string& markup, double size, bool bold) const {
   const TextBox b = measure(Text{markup, {0, 0}, size, {}, 0, bold, 0, {}});
   return b.right - b.left;
@@ -268,6 +283,7 @@ double legend_height(const ChartInk& ink, const std::vector<LegendEntry>& entrie
 
 void legend(ChartInk& ink, const std::vector<LegendEntry>& entries, const Vec2& corner, double width) {
   const double size = ink.sizes().label, r = ink.glyph_radius();
+  ink.part("chart", "legend");
   double y = corner.y() + 1.1 * size;
   for (const LegendRow& row : legend_rows(ink, entries, width)) {
     double x = corner.x() + (width - row.width) / 2;

@@ -15,6 +15,9 @@ class ChartInk {
   const Sizes& sizes() const { return theme_.sizes; }
   double glyph_radius() const { return 1.55 * sizes().disc; }
 
+  /// What is drawn from now on belongs to this part of the chart; a part may be gone on with.
+  void part(const std::string& kind, const std::string& markup = {}, Role role = Role::text);
+
   struct Style {
     double size;
     Role role = Role::text;
@@ -37,11 +40,13 @@ class ChartInk {
   /// A marker with a halo; hollow ones are filled with the background.
   void glyph(Glyph, const Vec2& at, double radius, const Colour&, bool hollow);
 
-  Composed take() { return std::move(out_); }
+  Composed take();
 
  private:
   const Theme& theme_;
   Composed out_;
+  int part_ = no_object;
+  std::size_t assigned_ = 0;  ///< so many shapes know their part
 };
 
 /// One scale over a stretch of the drawing (`from` may lie right of or below `to`).

@@ -129,6 +129,7 @@ void draw(ChartInk& ink, const Plot& plot, const Bounds& room) {
   const Sizes& s = ink.sizes();
   const double width = room.right - room.left;
   const PlotLayout layout(ink, plot, width);
+  ink.part("chart", "scales");
   if (!plot.y.title.empty()) ink.text(plot.y.title, {room.left, room.top + s.axis}, {s.axis, Role::muted});
 
   const double row = (room.bottom - room.top - layout.top() - layout.bottom()) / layout.rows();
@@ -138,11 +139,13 @@ void draw(ChartInk& ink, const Plot& plot, const Bounds& room) {
     const double top = room.top + layout.top() + row * (i / layout.columns());
     const double left = room.left + layout.left(column);
     const Bounds b = {left, top + layout.head(), left + layout.panel_width(), top + row - layout.foot()};
+    ink.part("panel", panel.title + (panel.note.empty() ? "" : ", " + panel.note));
     heading(ink, layout, panel, b, top);
     scales(ink, plot, layout, b, column == 0);
     draw_data(ink, plot, panel, b);
   }
 
+  ink.part("chart", "scales");
   double y = room.bottom - layout.bottom() + 1.1 * s.axis;
   for (const std::string& line : layout.x_title()) {
     ink.text(line, {room.left + width / 2, y}, {s.axis, Role::muted, 0.5});

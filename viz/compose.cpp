@@ -4,6 +4,7 @@
 
 #include "viz/chart.h"
 #include "viz/compose/canvas.h"
+#include "viz/objects.h"
 
 namespace isect::viz {
 namespace {
@@ -23,16 +24,22 @@ bool is_page(const Scene& scene) {
 Composed compose(const Scene& scene, const View& view, const Theme& theme, bool handles) {
   if (scene.chart) return compose(*scene.chart, view.corner(), view.width(), view.height(), theme);
   Canvas canvas(scene, view, theme, handles);
-  if (theme.floor_grid && view.camera().elevation > 0.05 && !is_page(scene)) draw_floor(canvas);
-  for (int i = 0; i < static_cast<int>(canvas.occluders.balls.size()); ++i) draw_ball(canvas, i);
-  draw_solids(canvas);
-  for (const Item& item : scene.items) std::visit([&](const auto& it) { draw(canvas, it); }, item);
-  if (handles)
-    for (const Handle& handle : scene.handles) draw(canvas, handle);
-
   Composed result;
-  for (const std::vector<Shape>* layer : {&canvas.ground, &canvas.fills, &canvas.hidden, &canvas.contents,
-                                          &canvas.fronts, &canvas.lines, &canvas.marks})
+  result.objects = objects_of(scene);
+  if (theme.floor_grid && view.camera().elevation > 0.05 && !is_page(scene))
+    canvas.own(add_object(result.objects, {"floor", "grid", Role::grid}), [&] { draw_floor(canvas); });
+  for (std::size_t i = 0; i < canvas.ball_items.size(); ++i)
+    canvas.own(canvas.ball_items[i], [&] { draw_ball(canvas, static_cast<int>(i)); });
+  draw_solids(canvas);
+  for (std::size_t i = 0; i < scene.items.size(); ++i)
+    canvas.own(static_cast<int>(i),
+               [&] { std::visit([&](const auto& it) { draw(canvas, it); }, scene.items[i]); });
+  if (handles)
+    for (const Handle& handle : scene.handles)
+      canvas.own(add_object(result.objects, {"handle", handle.parameter, handle.role}),
+                 [&] { draw(canvas, handle); });
+
+  for (const std::vector<Shape>* layer : canvas.layers())
     result.shapes.insert(result.shapes.end(), layer->begin(), layer->end());
   const Vec2 corner = view.corner();
   const double margin = theme.sizes.margin;

@@ -18,6 +18,7 @@ struct PlacedLabel {
 struct Composed {
   std::vector<Shape> shapes;
   std::vector<PlacedLabel> labels;
+  std::vector<Object> objects = {};  ///< of a scene: its items, in order, then the floor and the handles
 };
 
 /// The scene alone, within the view's rectangle. With `handles`, draws the grips of the scene's handles.

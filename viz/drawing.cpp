@@ -28,6 +28,29 @@ Vec2 point_on(const Vec2& from, const Path::Cubic& cubic, double u) {
 
 }  // namespace
 
+std::string full_name(const Object& o) {
+  const std::string name = o.name.empty() ? "(" + name_of(o.role) + ")" : o.name;
+  return o.kind + ' ' + name + (o.number > 1 ? (o.name.empty() ? " " : " #") + std::to_string(o.number) : "");
+}
+
+int object_of(const Shape& shape) {
+  return std::visit([](const auto& s) { return s.object; }, shape);
+}
+
+void assign(std::vector<Shape>& shapes, std::size_t first, int object) {
+  for (std::size_t i = first; i < shapes.size(); ++i)
+    std::visit([object](auto& s) { s.object = s.object == no_object ? object : s.object; }, shapes[i]);
+}
+
+int add_object(std::vector<Object>& objects, Object object) {
+  const auto alike = [&](const Object& o) {
+    return o.kind == object.kind && o.name == object.name && (!o.name.empty() || o.role == object.role);
+  };
+  object.number = 1 + static_cast<int>(std::ranges::count_if(objects, alike));
+  objects.push_back(std::move(object));
+  return static_cast<int>(objects.size()) - 1;
+}
+
 Path polyline(const std::vector<Vec2>& points, bool closed) {
   Path path;
   if (points.empty()) return path;

@@ -25,6 +25,19 @@ struct Path {
   bool closed = false;
 };
 
+/// What shapes belong to: an item of the scene, or a part of the page. No two objects of a drawing are called alike.
+struct Object {
+  std::string kind;  ///< "ball", "label", "title"
+  std::string name;  ///< plain: the text of its label; may be empty
+  Role role = Role::text;
+  int number = 1;  ///< among those of the same kind and name, and of the same role where they have no name
+};
+/// "ball b", "line (construction) 2"
+std::string full_name(const Object&);
+
+/// The last member of every shape is the object it belongs to, as an index into the drawing's objects.
+constexpr int no_object = -1;
+
 /// A filled outline (non-zero winding), or one with `more` outlines (even-odd: holes, islands). `hatch` lines at 45 degrees (rising to the right) are drawn inside
 /// it.
 struct Fill {
@@ -33,6 +46,7 @@ struct Fill {
   double hatch_gap = 0, hatch_line = 0;  ///< 0: none
   Colour hatch_colour = {};
   std::vector<Path> more = {};
+  int object = no_object;
 };
 
 /// A line of constant width with round joins. Dash: lengths on and off, {0, 0} for solid.
@@ -42,6 +56,7 @@ struct Stroke {
   double width = 1;
   std::array<double, 2> dash = {0, 0};
   bool round_cap = true;
+  int object = no_object;
 };
 
 /// An ellipse filled with a radial gradient from `inner` at `focus` to `outer` at its rim.
@@ -50,6 +65,7 @@ struct Gradient {
   Vec2 major, minor;  ///< half axes, perpendicular
   Vec2 focus;         ///< the brightest point, inside
   Colour inner, outer;
+  int object = no_object;
 };
 
 /// One line of markup. `at` is its anchor on the baseline; `align` 0 left, 0.5 middle, 1 right.
@@ -62,6 +78,7 @@ struct Text {
   bool bold = false;
   double halo = 0;  ///< width of the background-coloured rim, 0: none
   Colour halo_colour = {};
+  int object = no_object;
 };
 
 using Shape = std::variant<Fill, Stroke, Gradient, Text>;
@@ -70,7 +87,14 @@ struct Drawing {
   double width = 0, height = 0;
   Colour background;
   std::vector<Shape> shapes;
+  std::vector<Object> objects = {};
 };
+
+int object_of(const Shape&);
+/// The shapes from `first` on that belong to nothing yet now belong to `object`.
+void assign(std::vector<Shape>&, std::size_t first, int object);
+/// Adds an object, numbered. Returns its index.
+int add_object(std::vector<Object>&, Object);
 
 /// The box a text's ink covers, for layout and for the overlap check.
 struct TextBox {

@@ -29,23 +29,36 @@ class Page {
     Figure figure = {{width_, height_, theme_.background, {}}, {}, View(camera, width_, picture, {0, top()})};
     Composed composed = compose(step_.scene, figure.view, theme_);
     figure.drawing.shapes = std::move(composed.shapes);
+    figure.drawing.objects = std::move(composed.objects);
     figure.labels = std::move(composed.labels);
     out_ = &figure;
 
-    text(step_.title, {width_ / 2, 1.45 * s().title}, s().title, theme_.ink(Role::text), 0.5, true);
+    part("title", [&] {
+      text(step_.title, {width_ / 2, 1.45 * s().title}, s().title, theme_.ink(Role::text), 0.5, true);
+    });
     double y = top() + picture;
     if (step_.scene.axis) {
-      axis(*step_.scene.axis, y + 1.75 * s().axis);
+      part("t-axis", [&] { axis(*step_.scene.axis, y + 1.75 * s().axis); });
       y += 3.1 * s().axis;
     }
+    const double formula = y + 1.15 * s().label;
     if (!step_.formula.empty())
-      text(step_.formula, {width_ / 2, y + 1.15 * s().label}, s().label, theme_.ink(Role::text), 0.5);
-    if (!step_.verdict.text.empty()) verdict(y + (1.15 + 1.65) * s().label);
+      part("formula", [&] {
+        text(step_.formula, {width_ / 2, formula}, s().label, theme_.ink(Role::text), 0.5);
+      });
+    if (!step_.verdict.text.empty()) part("verdict", [&] { verdict(formula + 1.65 * s().label); });
     return figure;
   }
 
  private:
   const Sizes& s() const { return theme_.sizes; }
+  /// Calls `draw`, and all that it draws is this part of the page.
+  template <class Draw>
+  void part(const std::string& kind, const Draw& draw) {
+    const std::size_t first = out_->drawing.shapes.size();
+    draw();
+    assign(out_->drawing.shapes, first, add_object(out_->drawing.objects, {"page", kind, Role::text}));
+  }
   void add(Shape shape) { out_->drawing.shapes.push_back(std::move(shape)); }
 
   TextBox text(const std::string& markup, Vec2 at, double size, Colour colour, double align,

@@ -145,6 +145,7 @@ std::vector<PlacedLabel> place_labels(const std::vector<Wanted>& labels,
 
     text.at = best->middle - to_middle;
     if (best_fit.crossed) text.halo = sizes.label_halo;
+    text.object = wanted.object;
     texts.emplace_back(text);
     placed.push_back({plain(wanted.markup), box_around(best->middle, half)});
     if (best->far) {
@@ -154,7 +155,8 @@ std::vector<PlacedLabel> place_labels(const std::vector<Wanted>& labels,
                                   theme.ink(Role::construction),
                                   sizes.leader,
                                   {0, 0},
-                                  true});
+                                  true,
+                                  wanted.object});
     }
   }
   out.insert(out.end(), leaders.begin(), leaders.end());

@@ -21,6 +21,7 @@ struct Wanted {
   Vec2 from, to;
   double keep_off;  ///< radius of the marker it stands beside
   Colour colour;
+  int object = no_object;
 };
 
 struct Bounds {

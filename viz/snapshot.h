@@ -1,10 +1,11 @@
 #pragma once
-// A baseline is what a walk said (trace.json) and how each step looked (PNG). The trace is compared first: it
+// A baseline is what a walk said and drew (trace.json) and how its steps looked (PNG). The trace is compared first: it
 // names what changed in words, where a picture only says how many pixels.
 
 #include <string>
 #include <vector>
 
+#include "viz/drawing.h"
 #include "viz/lesson.h"
 #include "viz/text.h"
 
@@ -15,18 +16,21 @@ struct Stamp {
   std::string renderer, font, theme, size;
 };
 
-/// One walk as JSON with one step on a line, numbers to nine significant digits: same walk, same bytes.
+/// One walk as JSON: all that its steps say, numbers to nine significant digits, and what their drawings show, object by
+/// object (viz/snapshot/look.h), each told where it is first drawn and where it changes. Same walk, same bytes.
+/// `drawings`: one a step.
 std::string trace_json(const Lesson&, const std::string& preset, const Parameters&, const Walk&,
-                       const Stamp&);
+                       const std::vector<Drawing>& drawings, const Stamp&);
 
-/// One thing that differs, in words: "m² < r² became = r²".
+/// One thing that differs, in words: "m² < r² became = r²", "the ball b moved 3 px".
 struct Change {
   int step = -1;  ///< from 0; -1: not of one step
   std::string what;
+  bool drawn = false;  ///< seen in the drawing
 };
-/// What leads from the accepted trace to the new one, what explains most first: stamp, then steps in order,
-/// then parameters and pseudocode. Empty if the traces are equal. An accepted trace that is damaged is a
-/// change, too.
+/// What leads from the accepted trace to the new one, what explains most first: stamp, then steps in order, what each says
+/// before what it shows, then parameters and pseudocode. Empty if the traces say the same, though a drawing's numbers may
+/// be rounded otherwise. An accepted trace that is damaged or of another format is one change.
 std::vector<Change> compare_traces(const std::string& accepted, const std::string& fresh);
 
 /// "03-foot": the name of a step's files.

@@ -167,6 +167,12 @@ Theme theme(ThemeName name, double width, double height) {
 
 Theme window_theme(ThemeName name, double scale) { return theme_with(name, scaled(pixels, scale)); }
 
+std::string name_of(Role role) {
+  constexpr std::array roles = {"first",     "second", "hit",   "miss", "construction",
+                                "highlight", "text",   "muted", "grid"};
+  return roles.at(static_cast<std::size_t>(role));
+}
+
 std::vector<std::string> theme_names() {
   std::vector<std::string> all;
   for (const Named& named : names) all.emplace_back(named.text);

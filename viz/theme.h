@@ -56,5 +56,6 @@ std::vector<std::string> theme_names();
 /// Throws BadInput naming the nearest theme.
 ThemeName theme_named(const std::string&);
 std::string name_of(ThemeName);
+std::string name_of(Role);
 
 }  // namespace isect::viz

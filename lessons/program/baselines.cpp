@@ -50,6 +50,17 @@ std::vector<std::string> in_words(std::vector<viz::Change> changes) {
   return lines;
 }
 
+/// What the trace tells of this step's drawing, before the pixels: "the ball b moved 3 px; the label r is gone: ".
+std::string drawn(const std::vector<viz::Change>& changes, int step) {
+  constexpr int enough = 3;
+  std::string text;
+  int count = 0;
+  for (const viz::Change& c : changes)
+    if (c.drawn && c.step == step && ++count <= enough) text += (text.empty() ? "" : "; ") + c.what;
+  if (count > enough) text += fmt::format("; {} more", count - enough);
+  return text.empty() ? text : text + ": ";
+}
+
 }  // namespace
 
 bool has_picture(const Excerpt& e, int step) {
@@ -96,10 +107,14 @@ bool Baselines::accepts(Kind kind) const {
 
 std::vector<Failure> Baselines::check(const Excerpt& e) {
   std::vector<Failure> found;
-  check_trace(e, found);
   const viz::Camera camera = camera_for(e, theme, picture_size);
+  std::vector<viz::Drawing> drawings;
+  for (const viz::Step& step : e.walk.steps)
+    drawings.push_back(viz::figure(step, camera, theme, picture_size.width, picture_size.height).drawing);
+  const std::vector<viz::Change> changes = check_trace(e, drawings, found);
   for (int step = 0; step < static_cast<int>(e.walk.steps.size()); ++step)
-    if (has_picture(e, step)) check_picture(e, step, camera, found);
+    if (has_picture(e, step))
+      check_picture(e, step, drawings[static_cast<std::size_t>(step)], changes, found);
   return found;
 }
 
@@ -121,16 +136,18 @@ bool Baselines::settle(const std::string& baseline, bool ours, std::optional<Fai
   return ours;
 }
 
-void Baselines::check_trace(const Excerpt& e, std::vector<Failure>& found) {
+std::vector<viz::Change> Baselines::check_trace(const Excerpt& e, const std::vector<viz::Drawing>& drawings,
+                                                std::vector<Failure>& found) {
   const std::string baseline = path(e, "trace.json");
-  const std::string now = viz::trace_json(*e.lesson, e.folder, e.parameters, e.walk, stamp_);
+  const std::string now = viz::trace_json(*e.lesson, e.folder, e.parameters, e.walk, drawings, stamp_);
   const bool ours = trace_of(folder_of(e)).has_value() || !fs::exists(baseline);
   std::optional<Failure> f;
+  std::vector<viz::Change> changes;
   if (!fs::exists(baseline)) {
     f = about(e, -1, failure(Kind::missing, "no trace was accepted yet", baseline));
   } else {
     try {
-      const std::vector<viz::Change> changes = viz::compare_traces(viz::read_file(baseline), now);
+      changes = viz::compare_traces(viz::read_file(baseline), now);
       if (!changes.empty()) {
         f = about(e, changes[0].step, failure(Kind::trace, changes[0].what, baseline));
         f->more = in_words({changes.begin() + 1, changes.end()});
@@ -141,6 +158,7 @@ void Baselines::check_trace(const Excerpt& e, std::vector<Failure>& found) {
   }
   if (settle(baseline, ours, f)) viz::write_file(baseline, now);
   if (f) found.push_back(*f);
+  return changes;
 }
 
 std::optional<Failure> Baselines::compare_with_baseline(const viz::Picture& now,
@@ -170,8 +188,8 @@ std::optional<Failure> Baselines::compare_with_baseline(const viz::Picture& now,
   return f;
 }
 
-void Baselines::check_picture(const Excerpt& e, int index, const viz::Camera& camera,
-                              std::vector<Failure>& found) {
+void Baselines::check_picture(const Excerpt& e, int index, const viz::Drawing& drawing,
+                              const std::vector<viz::Change>& changes, std::vector<Failure>& found) {
   const viz::Step& step = e.walk.steps[static_cast<std::size_t>(index)];
   const std::string baseline = path(e, viz::file_stem(index, step) + ".png");
   const bool absent = !fs::exists(baseline);
@@ -179,9 +197,9 @@ void Baselines::check_picture(const Excerpt& e, int index, const viz::Camera& ca
     found.push_back(about(e, index, failure(Kind::missing, "no picture was accepted yet", baseline)));
     return;
   }
-  const viz::Picture now =
-      offscreen_.render(viz::figure(step, camera, theme, picture_size.width, picture_size.height).drawing);
+  const viz::Picture now = offscreen_.render(drawing);
   std::optional<Failure> f = compare_with_baseline(now, baseline);
+  if (f && f->kind == Kind::picture) f->what = drawn(changes, index) + f->what;
   const std::string folder = folder_of(e);
   const bool ours =
       absent || ((f || update_ == Update::all) && made_for(metadata_in(baseline), folder, trace_of(folder)));

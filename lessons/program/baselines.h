@@ -72,8 +72,11 @@ class Baselines {
   const std::optional<OwnTrace>& trace_of(const std::string& folder);
   /// Whether the file is to be replaced by what is new. Marks the failure, if there is one.
   bool settle(const std::string& baseline, bool ours, std::optional<Failure>&);
-  void check_trace(const Excerpt&, std::vector<Failure>&);
-  void check_picture(const Excerpt&, int step, const viz::Camera&, std::vector<Failure>&);
+  /// Returns what differs.
+  std::vector<viz::Change> check_trace(const Excerpt&, const std::vector<viz::Drawing>&,
+                                       std::vector<Failure>&);
+  void check_picture(const Excerpt&, int step, const viz::Drawing&, const std::vector<viz::Change>&,
+                     std::vector<Failure>&);
   std::optional<Failure> compare_with_baseline(const viz::Picture& now, const std::string& baseline) const;
   void orphans_in(const std::string& lesson, const std::string& preset,
                   const std::set<std::filesystem::path>& wanted, std::vector<Failure>& found);

@@ -10,6 +10,7 @@
 #include "lessons/lessons.h"
 #include "tests/catch.h"
 #include "tests/program/shell.h"
+#include "viz/compose.h"
 #include "viz/files.h"
 #include "viz/place.h"
 #include "viz/snapshot.h"
@@ -62,8 +63,16 @@ inline void accept_with_radius(const Accepted& shell, double radius) {
   parameters["radius"] = radius;
   const auto made = nlohmann::json::parse(contents(shell.file("trace.json")))["made with"];
   const viz::Stamp stamp{made["renderer"], made["font"], made["theme"], made["size"]};
-  write(shell.file("trace.json"),
-        viz::trace_json(lesson, "two-roots", parameters, lesson.walk(parameters), stamp));
+  const viz::Walk walk = lesson.walk(parameters);
+  std::vector<viz::Walk> walks;
+  for (const viz::Preset& p : lesson.presets) walks.push_back(lesson.walk(p.parameters));
+  constexpr viz::ThemeName theme = viz::ThemeName::screen;
+  const viz::Camera camera =
+      viz::frame_alike(lesson.camera, walk, walks, viz::picture_aspect(walk, theme, 960, 600));
+  std::vector<viz::Drawing> drawings;
+  for (const viz::Step& step : walk.steps)
+    drawings.push_back(viz::figure(step, camera, theme, 960, 600).drawing);
+  write(shell.file("trace.json"), viz::trace_json(lesson, "two-roots", parameters, walk, drawings, stamp));
   REQUIRE(shell("isect render ray-sphere --preset two-roots --out other --set radius=" + viz::to_text(radius))
               .status == 0);
   for (const auto& folder : fs::directory_iterator(shell.work() / "other/ray-sphere"))

@@ -4,6 +4,7 @@
 
 #include "tests/catch.h"
 #include "tests/viz/toy_lesson.h"
+#include "viz/compose.h"
 #include "viz/place.h"
 
 namespace snapshot_test {
@@ -23,7 +24,7 @@ Parameters at(double x, double radius = 1) {
 }
 
 std::string trace(const Parameters& p, const Stamp& s = stamp) {
-  return trace_json(toy(), "near", p, toy().walk(p), s);
+  return trace_json(toy(), "near", p, toy().walk(p), {}, s);
 }
 
 std::vector<std::string> told(const std::vector<Change>& changes) {
@@ -88,7 +89,7 @@ TEST_CASE("verdicts, lines, counts, questions and pseudocode are compared", "[sn
   const auto changed = [&](const auto& change) {
     Walk walk = toy().walk(p);
     change(walk);
-    return differences(trace(p), trace_json(toy(), "near", p, walk, stamp));
+    return differences(trace(p), trace_json(toy(), "near", p, walk, {}, stamp));
   };
   CHECK(changed([](Walk& w) { w.steps[2].verdict.text = "deep inside"; }) ==
         Lines{"step 3: verdict was yes: inside, is yes: deep inside"});
@@ -102,15 +103,225 @@ TEST_CASE("verdicts, lines, counts, questions and pseudocode are compared", "[sn
   CHECK(changed([](Walk& w) { w.steps[0].values.pop_back(); }) == Lines{"step 1: r² was 1, is absent"});
   CHECK(changed([](Walk& w) {
           w.steps[0].question = Question{"Where?", {"inside", "outside"}, 1, ""};
-        }) == Lines{"step 1: answer was absent, is outside"});
+        }) == Lines{"step 1: asks “Where?” now"});
+}
+
+TEST_CASE("each thing that a step says is compared and told in words", "[snapshot]") {
+  const Parameters p = at(0.5);
+  Walk walk = toy().walk(p);
+  walk.alt = "A ray that hits a ball.";
+  walk.method = "quick";
+  Step& step = walk.steps[1];
+  step.caption = "The line meets the ball twice.\nSo the ray *hits* it.";
+  step.formula = "*d*^2 ≤ *r*^2";
+  step.source = "N19";
+  step.untaken = {3};
+  step.refused = {1};
+  step.question = Question{"How many *roots*?", {"one", "two"}, 1, "The sign is positive."};
+  step.values[0].unit = "length²";
+  const std::string before = trace_json(toy(), "near", p, walk, {}, stamp);
+  const auto changed = [&](const auto& change) {
+    Walk other = walk;
+    change(other, other.steps[1]);
+    return differences(before, trace_json(toy(), "near", p, other, {}, stamp));
+  };
+  CHECK(changed([](Walk&, Step&) {}).empty());
+  CHECK(changed([](Walk&, Step& s) { s.title = "Compare"; }) ==
+        Lines{"step 2: title was Comparison, is Compare"});
+  CHECK(changed([](Walk&, Step& s) { s.caption.replace(s.caption.find("*hits*"), 6, "*misses*"); }) ==
+        Lines{"step 2: caption was … the ray hits it., is … the ray misses it."});
+  CHECK(changed([](Walk&, Step& s) { s.caption.replace(s.caption.find("*hits*"), 6, "hits"); }).size() == 1);
+  CHECK(changed([](Walk&, Step& s) { s.formula = "*d*^2 < *r*^2"; }) ==
+        Lines{"step 2: formula was d² ≤ r², is d² < r²"});
+  CHECK(changed([](Walk&, Step& s) { s.source = "N91"; }) == Lines{"step 2: source was N19, is N91"});
+  CHECK(changed([](Walk&, Step& s) { s.untaken.clear(); }) ==
+        Lines{"step 2: untaken lines was [4], is absent"});
+  CHECK(changed([](Walk&, Step& s) { s.refused = {2}; }) == Lines{"step 2: refused lines was [2], is [3]"});
+  CHECK(changed([](Walk&, Step& s) { s.decides = true; }) == Lines{"step 2: decides was false, is true"});
+  CHECK(changed([](Walk&, Step& s) { s.comparison->meaning = "outside"; }) ==
+        Lines{"step 2: meaning of the comparison was the origin is inside, is outside"});
+  CHECK(changed([](Walk&, Step& s) { s.values[0].unit = "length"; }) ==
+        Lines{"step 2: unit of d² was length², is length"});
+  CHECK(changed([](Walk&, Step& s) { s.values[0].role = Role::hit; }) ==
+        Lines{"step 2: role of d² was first, is hit"});
+  CHECK(changed([](Walk&, Step& s) { s.values[1].fresh = false; }) ==
+        Lines{"step 2: light of r² was fresh, is none"});
+  CHECK(changed([](Walk&, Step& s) { std::swap(s.values[0], s.values[1]); }).size() == 1);
+  CHECK(changed([](Walk&, Step& s) { s.question->prompt = "How many?"; }) ==
+        Lines{"step 2: question was How many roots?, is How many?"});
+  CHECK(changed([](Walk&, Step& s) { std::swap(s.question->choices[0], s.question->choices[1]); }) ==
+        Lines{"step 2: answer was two, is one", R"(step 2: choices was ["one","two"], is ["two","one"])"});
+  CHECK(changed([](Walk&, Step& s) { s.question->answer = 0; }) == Lines{"step 2: answer was two, is one"});
+  CHECK(changed([](Walk&, Step& s) { s.question->because = "The sign is negative."; }) ==
+        Lines{"step 2: reason of the answer was … sign is positive., is … sign is negative."});
+  CHECK(changed([](Walk& w, Step&) { w.alt = "A ray that misses a ball."; }) ==
+        Lines{"alt text was … ray that hits a ball., is … ray that misses a ball."});
+  CHECK(changed([](Walk& w, Step&) { w.method = "exact"; }) == Lines{"method was quick, is exact"});
+}
+
+TEST_CASE("opinions of other methods are kept and compared", "[snapshot]") {
+  Lesson with = toy();
+  with.opinions = [](const Parameters& p) {
+    const bool near = std::get<Vec3>(p.at("origin")).x() < 1;
+    return std::vector<Opinion>{{"exact", "inside", true}, {"quick", near ? "inside" : "outside", near}};
+  };
+  const Parameters near = at(0.5);
+  const auto told_by = [&](const Lesson& lesson) {
+    return trace_json(lesson, "near", near, toy().walk(near), {}, stamp);
+  };
+  Lesson other = with;
+  other.opinions = [](const Parameters&) {
+    return std::vector<Opinion>{{"exact", "inside", true}, {"quick", "outside", false}};
+  };
+  CHECK(differences(told_by(with), told_by(other)) ==
+        Lines{"opinion of the quick was inside, is outside",
+              "opinion of the quick agrees: was true, is false"});
+  CHECK(differences(told_by(toy()), told_by(with)) == Lines{"other methods are asked side by side"});
+}
+
+TEST_CASE("a trace of an earlier format is one difference that says what to do", "[snapshot]") {
+  std::string earlier = trace(at(2));
+  earlier.replace(earlier.find("\"format\": 2"), 11, "\"format\": 1");
+  const Lines lines = differences(earlier, trace(at(0.5)));
+  REQUIRE(lines.size() == 1);
+  CHECK_THAT(lines[0], Contains("format 1") && Contains("format 2") && Contains("accept it anew"));
+}
+
+namespace {
+
+const View straight({}, 640, 400);
+
+/// Three objects: a ball with its name and a line with its own, drawn as in a figure.
+Scene ball_and_line() {
+  Scene scene;
+  scene.items = {Ball{{0, 0, 0}, 1, Role::second}, Line{{-1.5, -1.5, 0}, {1.5, -1.5, 0}, Role::first},
+                 Label{{0, 0, 0}, "*b*"}, Label{{-1.5, -1.5, 0}, "*t*", Role::text, Vec3(1.5, -1.5, 0)}};
+  return scene;
+}
+
+Drawing drawn(const Scene& scene, const View& view = straight) {
+  const Theme style = theme(ThemeName::print, 640, 400);
+  Composed composed = compose(scene, view, style);
+  return {640, 400, style.background, std::move(composed.shapes), std::move(composed.objects)};
+}
+
+/// What is told of the drawings of the three steps when the second one is another.
+Lines told_of(const Drawing& was, const Drawing& is) {
+  const Parameters p = at(0.5);
+  const auto with = [&](const Drawing& second) {
+    return trace_json(toy(), "near", p, toy().walk(p), {was, second, was}, stamp);
+  };
+  Lines lines;
+  for (const Change& c : compare_traces(with(was), with(is))) {
+    CHECK(c.drawn);
+    CHECK(c.step == 1);
+    lines.push_back(c.what);
+  }
+  return lines;
+}
+
+Lines told_of(const Scene& changed) { return told_of(drawn(ball_and_line()), drawn(changed)); }
+
+template <class S>
+S& of_object(Drawing& d, const std::string& name) {
+  for (Shape& shape : d.shapes)
+    if (std::holds_alternative<S>(shape) &&
+        full_name(d.objects.at(static_cast<std::size_t>(object_of(shape)))) == name)
+      return std::get<S>(shape);
+  throw std::runtime_error("nothing drawn of " + name);
+}
+
+}  // namespace
+
+TEST_CASE("an object that is gone, new or moved is told by its name", "[snapshot]") {
+  Scene scene = ball_and_line();
+  scene.items.pop_back();
+  CHECK(told_of(scene)[0] == "the line t and the label t are gone");  // the line's name was its label's
+  scene = ball_and_line();
+  scene.items.push_back(Dot{{1, 1, 0}, Mark::disc, Role::hit});
+  CHECK(told_of(scene) == Lines{"the point (hit) is new"});
+  Drawing drawing = drawn(ball_and_line());
+  of_object<Text>(drawing, "label b").at += Vec2(0.3, 0.4);
+  CHECK(told_of(drawn(ball_and_line()), drawing) == Lines{"the label b moved 0.5 px"});
+}
+
+TEST_CASE("a ball larger by a thousandth is told as larger", "[snapshot]") {
+  Scene scene = ball_and_line();
+  std::get<Ball>(scene.items[0]).radius *= 1.001;
+  CHECK(told_of(scene) == Lines{"the ball b is 1.001 times as large"});
+}
+
+TEST_CASE("a camera turned by 0.002 rad or widened by a thousandth is seen by the drawing's numbers alone",
+          "[snapshot]") {
+  Camera camera;
+  CHECK_FALSE(told_of(drawn(ball_and_line()), drawn(ball_and_line(), View({}, 640, 400))).size() > 0);
+  for (double Camera::*member : {&Camera::azimuth, &Camera::elevation}) {
+    Camera turned;
+    turned.*member += 0.002;
+    CHECK_FALSE(told_of(drawn(ball_and_line()), drawn(ball_and_line(), View(turned, 640, 400))).empty());
+  }
+  Camera near, nearer;
+  near.perspective = nearer.perspective = true;
+  nearer.field_of_view *= 1.005;
+  CHECK_FALSE(
+      told_of(drawn(ball_and_line(), View(near, 640, 400)), drawn(ball_and_line(), View(nearer, 640, 400)))
+          .empty());
+}
+
+TEST_CASE("pen, dash, colour, text and order of an object are told", "[snapshot]") {
+  const Drawing was = drawn(ball_and_line());
+  const auto changed = [&](const auto& change) {
+    Drawing is = was;
+    change(is);
+    return told_of(was, is);
+  };
+  using D = Drawing;
+  CHECK_THAT(changed([](D& d) { of_object<Stroke>(d, "line t").width += 0.1; })[0],
+             Contains("the line t is ") && Contains(" px wide, was "));
+  CHECK(changed([](D& d) { of_object<Stroke>(d, "line t").dash = {4, 3}; })[0] == "the line t is dashed now");
+  CHECK_THAT(changed([](D& d) { of_object<Stroke>(d, "line t").colour.g += 1 / 255.0; })[0],
+             Contains("the line t has the colour #"));
+  CHECK(changed([](D& d) { of_object<Text>(d, "label b").markup = "**b**"; })[0] ==
+        "the label b says \"**b**\", said \"*b*\"");
+  CHECK_THAT(changed([](D& d) { of_object<Text>(d, "label b").size += 0.1; })[0],
+             Contains("the label b has size"));
+  CHECK_THAT(changed([](D& d) { d.objects[0].role = Role::hit; })[0],
+             Contains("the ball b plays the part hit, was second"));
+  CHECK_THAT(changed([](D& d) {
+               d.background = Colour{0, 0, 0, 1};
+             })[0],
+             Contains("the page has the colour #000000"));
+  CHECK(changed([](D& d) {
+          std::swap(of_object<Text>(d, "label b").at.x(), of_object<Text>(d, "label b").at.y());
+        }).size() == 1);
+  CHECK_FALSE(changed([](D& d) { std::ranges::reverse(d.shapes); }).empty());
+}
+
+TEST_CASE("numbers that differ by less than an eye sees are no difference", "[snapshot]") {
+  const Drawing was = drawn(ball_and_line());
+  for (const double by : {1e-12, 1e-3, 0.01}) {
+    Drawing is = was;
+    for (Shape& shape : is.shapes)
+      if (Text* text = std::get_if<Text>(&shape)) text->at += Vec2(by, -by);
+    INFO(by);
+    CHECK(told_of(was, is).empty());
+  }
+  for (int i = 0; i < 400; ++i) {  // on and beside every edge between two roundings
+    Drawing is = was, next = was;
+    of_object<Text>(is, "label b").at.x() += i / 2000.0 - 1e-9;
+    of_object<Text>(next, "label b").at.x() += i / 2000.0 + 1e-9;
+    CHECK(told_of(is, next).empty());
+  }
 }
 
 TEST_CASE("a damaged trace is a difference, not a crash", "[snapshot]") {
   const std::string now = trace(at(0.5));
-  for (const std::string was :
-       {"", "{", "[]", "7", "{}", R"({"steps": 3})", R"({"steps": [1, {}, null]})",
-        R"({"format": 1, "steps": [1, {"values": [[]], "comparison": 3}, null]})",
-        R"({"format": 1, "steps": [], "made with": 1, "parameters": [], "pseudocode": {}})"}) {
+  for (
+      const std::string was :
+      {"", "{", "[]", "7", "{}", R"({"steps": 3})", R"({"steps": [1, {}, null]})",
+       R"({"format": 2, "steps": [1, {"values": [[]], "comparison": 3, "question": 1, "drawing": 2}, null]})",
+       R"({"format": 2, "steps": [{"drawing": {"order": [1, []], "objects": {"a": 1, "b": {"parts": [1, {}]}}}}]})",
+       R"({"format": 2, "steps": [], "made with": 1, "parameters": [], "pseudocode": {}, "opinions": 1})"}) {
     INFO(was);
     CHECK_FALSE(compare_traces(was, now).empty());
   }

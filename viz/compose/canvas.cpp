@@ -14,15 +14,18 @@ Colour mixed(const Colour& a, const Colour& b, double share) {
 
 Canvas::Canvas(const Scene& s, const View& v, const Theme& t, bool grips)
     : scene(s), view(v), theme(t), handles(grips) {
-  for (const Item& item : scene.items) {
-    if (const Ball* ball = std::get_if<Ball>(&item)) occluders.balls.push_back(*ball);
+  for (std::size_t i = 0; i < scene.items.size(); ++i) {
+    const Item& item = scene.items[i];
+    if (std::holds_alternative<Ball>(item)) ball_items.push_back(static_cast<int>(i));
     if (const Solid* solid = std::get_if<Solid>(&item)) occluders.solids.push_back(shell(*solid));
     if (const Region* region = std::get_if<Region>(&item); region && region->hides)
       occluders.screens.push_back({region->rings});
   }
-  std::sort(occluders.balls.begin(), occluders.balls.end(), [&](const Ball& a, const Ball& b) {
-    return view.project(a.center).depth > view.project(b.center).depth;
+  const auto ball = [&](int i) { return std::get<Ball>(scene.items[static_cast<std::size_t>(i)]); };
+  std::sort(ball_items.begin(), ball_items.end(), [&](int a, int b) {
+    return view.project(ball(a).center).depth > view.project(ball(b).center).depth;
   });
+  for (const int i : ball_items) occluders.balls.push_back(ball(i));
 }
 
 std::vector<Vec2> Canvas::projected(const std::vector<Vec3>& points) const {

@@ -2,6 +2,7 @@
 // What the items of a scene are drawn on: layers in painter's order, and what labels keep off. Each family of items
 // has a file of its own beside this one.
 
+#include <array>
 #include <vector>
 
 #include "viz/compose.h"
@@ -21,6 +22,7 @@ class Canvas {
   const Theme& theme;
   const bool handles;   ///< the grips of the handles are drawn
   Occluders occluders;  ///< balls far to near
+  std::vector<int> ball_items;  ///< the place of each of them among the scene's items
 
   // Painter's order: floor, curved fills and rasters, hidden lines, what lies within solids, their front faces, visible
   // lines, markers.
@@ -28,6 +30,20 @@ class Canvas {
   std::vector<Wanted> labels;
   std::vector<Obstacle> obstacles;
   std::vector<PlacedLabel> placed;  ///< texts that stand where they stand
+
+  std::array<std::vector<Shape>*, 7> layers() {
+    return {&ground, &fills, &hidden, &contents, &fronts, &lines, &marks};
+  }
+  /// Calls `draw`, and all that it draws belongs to `object`.
+  template <class Draw>
+  void own(int object, const Draw& draw) {
+    std::array<std::size_t, 7> before;
+    for (std::size_t i = 0; i < before.size(); ++i) before[i] = layers()[i]->size();
+    const std::size_t labels_before = labels.size();
+    draw();
+    for (std::size_t i = 0; i < before.size(); ++i) assign(*layers()[i], before[i], object);
+    for (std::size_t i = labels_before; i < labels.size(); ++i) labels[i].object = object;
+  }
 
   const Sizes& sizes() const { return theme.sizes; }
   Vec2 at(const Vec3& p) const { return view.project(p).at; }

@@ -62,34 +62,38 @@ bool is_silhouette(const Shell& shell, const Shell::Edge& edge, const View& view
          shell.normals[edge.faces[0]].dot(eye) * shell.normals[edge.faces[1]].dot(eye) <= 0;
 }
 
+/// Number `index` of the scene's solids: faces and edges.
+void draw_solid(Canvas& c, const Solid& solid, int index) {
+  const Shell& shell = c.occluders.solids[static_cast<std::size_t>(index)];
+  faces(c, solid, shell);
+  const double width = solid.role == Role::hit ? c.sizes().shared : c.sizes().outline;
+  const Occluders around =
+      solid.role == Role::hit ? c.occluders : around_solid(c.occluders, index, solid.vertices);
+  const bool fine = shell.edges.size() > fine_from;
+  for (const Shell::Edge& edge : shell.edges) {
+    if (!is_edge(shell, edge)) continue;
+    std::vector<Stretch> parts = stretches(edge.from, edge.to, c.view, around);
+    if (fine) std::erase_if(parts, [](const Stretch& part) { return part.hidden; });
+    c.curve(parts, c.theme.ink(solid.role),
+            fine && !is_silhouette(shell, edge, c.view) ? c.sizes().hidden : width, !fine);
+  }
+}
+
 }  // namespace
 
 void draw_solids(Canvas& c) {
   std::vector<const Solid*> solids;
-  for (const Item& item : c.scene.items)
-    if (const Solid* solid = std::get_if<Solid>(&item)) solids.push_back(solid);
+  std::vector<int> items;  // the place of each among the scene's
+  for (std::size_t i = 0; i < c.scene.items.size(); ++i)
+    if (const Solid* solid = std::get_if<Solid>(&c.scene.items[i]))
+      solids.push_back(solid), items.push_back(static_cast<int>(i));
   std::vector<std::size_t> order(solids.size());  // of the scene, and so of the shells
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto depth = [&](std::size_t i) { return c.view.project(middle(solids[i]->vertices)).depth; };
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return depth(a) > depth(b); });
 
-  for (const std::size_t i : order) {
-    const Shell& shell = c.occluders.solids[i];
-    faces(c, *solids[i], shell);
-    const Role role = solids[i]->role;
-    const double width = role == Role::hit ? c.sizes().shared : c.sizes().outline;
-    const Occluders around =
-        role == Role::hit ? c.occluders : around_solid(c.occluders, static_cast<int>(i), solids[i]->vertices);
-    const bool fine = shell.edges.size() > fine_from;
-    for (const Shell::Edge& edge : shell.edges) {
-      if (!is_edge(shell, edge)) continue;
-      std::vector<Stretch> parts = stretches(edge.from, edge.to, c.view, around);
-      if (fine) std::erase_if(parts, [](const Stretch& part) { return part.hidden; });
-      c.curve(parts, c.theme.ink(role),
-              fine && !is_silhouette(shell, edge, c.view) ? c.sizes().hidden : width, !fine);
-    }
-  }
+  for (const std::size_t i : order) c.own(items[i], [&] { draw_solid(c, *solids[i], static_cast<int>(i)); });
 }
 
 void draw(Canvas& c, const Mesh& it) {

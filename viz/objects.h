@@ -1,0 +1,13 @@
+#pragma once
+// What the items of a scene are called, so that a drawing can say what each of its shapes belongs to.
+
+#include <vector>
+
+#include "viz/drawing.h"
+
+namespace isect::viz {
+
+/// One object for each item, in order: named by the label that stands at it, else by a number.
+std::vector<Object> objects_of(const Scene&);
+
+}  // namespace isect::viz

@@ -1,0 +1,38 @@
+#pragma once
+// What a step says, as JSON, and what differs between two of them, in words.
+
+#include <string>
+#include <vector>
+
+#include "viz/lesson.h"
+#include "viz/snapshot.h"
+#include "viz/snapshot/json.h"
+
+namespace isect::viz::snap {
+
+/// Everything but the scene. What is empty or false is left out; texts keep their markup.
+Json said(const Step&);
+Json said(const std::vector<Opinion>&);
+
+/// Collects the changes of one step, or of none.
+class Changes {
+ public:
+  void of_step(int step) { step_ = step; }
+  /// What is said already (a value that is also compared) is not said twice.
+  void add(const std::string& what, bool drawn = false);
+  void compare(const std::string& name, const Json& was, const Json& is);
+  /// A text with markup: shows the words around what differs.
+  void compare_texts(const std::string& name, const Json& was, const Json& is);
+  /// Every key of either object.
+  void compare_all(const std::string& prefix, const Json& was, const Json& is);
+  std::size_t count() const { return found_.size(); }
+  std::vector<Change> take() { return std::move(found_); }
+
+ private:
+  int step_ = -1;
+  std::vector<Change> found_;
+};
+
+void compare_steps(const Json& was, const Json& is, Changes&);
+
+}  // namespace isect::viz::snap
