@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <ranges>
 #include <set>
 #include <span>
 #include <stdexcept>
@@ -203,12 +202,16 @@ class Sweep {
     if (a->side(b->low) * a->side(b->high) >= 0 || b->side(a->low) * b->side(a->high) >= 0) return;
     const PolygonPieces::Piece &s = out_.pieces[static_cast<std::size_t>(a->piece)],
                                &t = out_.pieces[static_cast<std::size_t>(b->piece)];
-    const auto between = std::views::iota(std::max(s.low, t.low) + 1, std::min(s.high, t.high));
-    const auto meeting = std::ranges::partition_point(
-        between, [&](int v) { return comes_before_crossing(out_.vertex(v), *a, *b); });
-    if (meeting != between.end() && a->side(out_.vertex(*meeting)) == 0 &&
-        b->side(out_.vertex(*meeting)) == 0)
-      return;
+    int first = std::max(s.low, t.low) + 1,
+        last = std::min(s.high, t.high);  // the crossing lies between them
+    while (first < last) {
+      const int middle = first + (last - first) / 2;
+      if (comes_before_crossing(out_.vertex(middle), *a, *b))
+        first = middle + 1;
+      else
+        last = middle;
+    }
+    if (a->side(out_.vertex(first)) == 0 && b->side(out_.vertex(first)) == 0) return;
     const auto name = [](const PolygonEdge& e) {
       return "edge " + std::to_string(e.index) + " of ring " + std::to_string(e.ring);
     };
