@@ -138,10 +138,18 @@ TEMPLATE_TEST_CASE_SIG("lengths of any size give the same times", "[motion]", FL
 
 namespace {
 
+/// The duration, or a time after which nothing new happens: beyond all quotients of differences of numbers.
+template <class S>
+Rational rational_duration(S duration) {
+  if (!std::isinf(duration)) return duration;
+  const Rational most = std::numeric_limits<S>::max();
+  return most * most * most;
+}
+
 /// The first time at which boxes meet, by dividing; nothing if they don't.
 template <class S, int N>
 std::optional<Rational> truth(const Moving<Aabb, S, N>& a, const Moving<Aabb, S, N>& b, S duration) {
-  Rational in = 0, out = duration;
+  Rational in = 0, out = rational_duration(duration);
   for (int i = 0; i < N; ++i) {
     const Rational w = Rational(b.velocity[i]) - Rational(a.velocity[i]);
     const Rational lo = Rational(a.shape.lo[i]) - Rational(b.shape.hi[i]);
@@ -179,11 +187,13 @@ struct Distance {
   }
 };
 
-/// Whether t is the first time at which they are not apart, but for 8 ulp.
+/// Whether t is the first time at which they are not apart, but for 8 ulp; infinite only where that is beyond S.
 template <class S, int N>
 bool is_first(const Distance<S, N>& distance, S t) {
+  constexpr S most = std::numeric_limits<S>::max();
   if (!distance.apart(0)) return t == 0;
-  const S unit = std::nextafter(t, std::numeric_limits<S>::max()) - t;
+  if (std::isinf(t)) return distance.apart(distance.nearest(Rational(most)));
+  const S unit = t == most ? t - std::nextafter(t, S(0)) : std::nextafter(t, most) - t;
   const Rational before = Rational(t) - 8 * Rational(unit), after = Rational(t) + 8 * Rational(unit);
   return (before <= 0 || distance.apart(distance.nearest(before))) &&
          !distance.apart(distance.nearest(after));
@@ -254,7 +264,7 @@ TEMPLATE_TEST_CASE_SIG("balls meet when rational arithmetic says so", "[motion]"
 
       const bool real = !empty(a.shape) && !empty(b.shape);
       const Distance<S, N> distance(a, b);
-      const bool meet = real && !distance.apart(distance.nearest(Rational(duration)));
+      const bool meet = real && !distance.apart(distance.nearest(rational_duration(duration)));
       const std::optional<S> found = first(a, b, double(duration));
       if (found.has_value() != meet) FAIL("wrong");
       if (found && (*found > duration || !is_first(distance, *found))) FAIL("wrong time");
@@ -264,6 +274,138 @@ TEMPLATE_TEST_CASE_SIG("balls meet when rational arithmetic says so", "[motion]"
       later += found && *found > 0;
     }
   CHECK((hits > 500 && misses > 500 && later > 200));
+}
+
+// Up to the ends of the range: huge and subnormal speeds, gaps, radii and durations, and times near the largest and the
+// least number of S.
+
+TEST_CASE("balls meet at times near the largest double", "[motion]") {
+  constexpr double most = std::numeric_limits<double>::max();
+  const auto meet = [](double radius_a, double radius_b, double x, double speed, double duration) {
+    return first<Sphere, double, 3>({{at<double, 3>(0), radius_a}, at<double, 3>(0)},
+                                    {{at<double, 3>(x), radius_b}, at<double, 3>(speed)}, duration);
+  };
+  CHECK(meet(1e307, 1e307, 1.2e308, -0.6, most).value() == Approx(1e308 / 0.6).epsilon(1e-14));
+  CHECK(meet(5e307, 5e307, 1.5e308, -0.3, inf).value() == Approx(5e307 / 0.3).epsilon(1e-14));
+  CHECK(meet(0.9, 0, 1, -1e-309, inf).value() == Approx(1e308).epsilon(1e-14));
+  CHECK(meet(0.9, 0, 1, -1e-309, 1.5e308).value() == Approx(1e308).epsilon(1e-14));
+  CHECK_FALSE(meet(0.9, 0, 1, -1e-309, 0.99e308));
+  CHECK(meet(0.9, 0, 1, -1e-310, inf) == inf);  // at 1e309
+}
+
+namespace {
+
+/// A number of any size, or at an end: near the largest, the least normal or the least of all.
+template <class S>
+S of_any_size(Random& random) {
+  using Limits = std::numeric_limits<S>;
+  switch (random.below(5)) {
+    case 0:
+      return static_cast<S>(random.sign()) * bench::moved(Limits::max(), -random.below(4));
+    case 1:
+      return static_cast<S>(random.sign()) * bench::moved(Limits::min(), random.integer(-3, 3));
+    case 2:
+      return static_cast<S>(random.integer(-4, 4)) * Limits::denorm_min();
+    default:
+      return static_cast<S>(
+          std::ldexp(random.uniform(-1, 1), random.integer(Limits::min_exponent - 24, Limits::max_exponent)));
+  }
+}
+
+/// Ends of a gap that closes with a speed in a time near an end of the range, as far as S can hold it.
+template <class S>
+struct Race {
+  S x = 0, speed = 0, duration = 0;
+
+  explicit Race(Random& random) {
+    using Limits = std::numeric_limits<S>;
+    const int time = random.one_in(2)   ? Limits::max_exponent + random.integer(-2, 1)
+                     : random.one_in(2) ? Limits::min_exponent - random.below(Limits::digits)
+                                        : random.integer(Limits::min_exponent, Limits::max_exponent);
+    const int rate = random.integer(std::max(Limits::min_exponent - 24, Limits::min_exponent - time),
+                                    std::min(Limits::max_exponent, Limits::max_exponent - time));
+    const double t = std::ldexp(random.uniform(0.5, 1), time), w = std::ldexp(random.uniform(0.5, 1), rate);
+    x = static_cast<S>(std::min(t * w, double(Limits::max())));
+    speed = -static_cast<S>(w);
+    const S quotient = std::min(static_cast<S>(t), Limits::max());
+    const S durations[] = {static_cast<S>(inf), Limits::max(), bench::moved(quotient, random.integer(-3, 3)),
+                           std::abs(of_any_size<S>(random))};
+    duration = std::abs(durations[random.below(4)]);
+  }
+};
+
+}  // namespace
+
+TEMPLATE_TEST_CASE_SIG("balls meet up to the ends of the range when rational arithmetic says so", "[motion]",
+                       FLOATS_AND_DIMENSIONS) {
+  Random random(bench::stream(tests::seed(), "balls at the ends"));
+  int hits = 0, misses = 0, late = 0, early = 0, beyond = 0;
+  for (int i = 0; i < tests::cases(2500, 100000); ++i) {
+    INFO("seed " << tests::seed() << ", case " << i);
+    const auto draw = [&] { return of_any_size<S>(random); };
+    Moving<Sphere, S, N> a = {{at<S, N>(0), S(0)}, at<S, N>(0)}, b = a;
+    const Race<S> race(random);
+    if (random.one_in(4)) {
+      for (int k = 0; k < N; ++k)
+        a.shape.center[k] = draw(), b.shape.center[k] = draw(), b.velocity[k] = draw();
+      a.shape.radius = std::abs(draw()), b.shape.radius = draw();
+    } else {
+      a.shape.radius = random.one_in(2) ? S(0) : race.x * static_cast<S>(random.uniform(0, 0.5));
+      b.shape.radius = random.one_in(2) ? S(0) : std::abs(draw());
+      b.shape.center[0] = race.x / 2, a.shape.center[0] = -(race.x / 2);
+      b.velocity[0] = race.speed / 2, a.velocity[0] = -(race.speed / 2);
+      if (random.one_in(2)) b.shape.center[1] = random.one_in(2) ? a.shape.radius : draw();
+      if (random.one_in(4)) b.velocity[1] = draw();
+    }
+    if (!finite(b.velocity) || !finite(b.shape) || !finite(a.shape)) continue;
+
+    const Distance<S, N> distance(a, b);
+    const bool meet = !empty(a.shape) && !empty(b.shape) &&
+                      !distance.apart(distance.nearest(rational_duration(race.duration)));
+    const std::optional<S> found = first(a, b, double(race.duration));
+    if (found.has_value() != meet) FAIL("wrong");
+    if (found && (*found > race.duration || !is_first(distance, *found))) FAIL("wrong time");
+    ++(found ? hits : misses);
+    late += found && *found > std::numeric_limits<S>::max() / 4;
+    early += found && *found > 0 && *found < std::numeric_limits<S>::min();
+    beyond += found && std::isinf(*found);
+  }
+  CAPTURE(hits, misses, late, early, beyond);
+  CHECK((hits > 200 && misses > 200 && late > 100 && early > 20 && beyond > 10));
+}
+
+TEMPLATE_TEST_CASE_SIG("boxes meet up to the ends of the range when rational arithmetic says so", "[motion]",
+                       FLOATS_AND_DIMENSIONS) {
+  Random random(bench::stream(tests::seed(), "boxes at the ends"));
+  int hits = 0, misses = 0, late = 0, early = 0, beyond = 0;
+  for (int i = 0; i < tests::cases(2500, 100000); ++i) {
+    INFO("seed " << tests::seed() << ", case " << i);
+    const auto draw = [&] { return of_any_size<S>(random); };
+    const Race<S> race(random);
+    Moving<Aabb, S, N> a = {{at<S, N>(0), at<S, N>(0)}, at<S, N>(0)}, b = a;
+    for (int k = 0; k < N; ++k) {
+      const bool raced = k == 0 ? !random.one_in(4) : random.one_in(3);
+      const S lo = raced ? S(0) : draw(), hi = raced ? race.x : draw();
+      a.shape.lo[k] = std::min(lo, draw()), a.shape.hi[k] = lo;
+      b.shape.lo[k] = hi, b.shape.hi[k] = std::max(hi, draw());
+      if (!raced && random.one_in(2)) b.shape.lo[k] = std::min(lo, hi), b.shape.hi[k] = std::max(lo, hi);
+      b.velocity[k] = raced ? race.speed / 2 : random.one_in(2) ? S(0) : draw();
+      a.velocity[k] = raced ? -(race.speed / 2) : random.one_in(2) ? S(0) : draw();
+    }
+    if (!finite(b.velocity) || !finite(a.velocity)) continue;
+
+    const std::optional<Rational> t =
+        empty(a.shape) || empty(b.shape) ? std::nullopt : truth(a, b, race.duration);
+    const std::optional<S> found = first(a, b, double(race.duration));
+    if (found.has_value() != t.has_value()) FAIL("wrong");
+    if (found && oracle::ulps(*found, *t) > 4) FAIL("wrong time");
+    ++(found ? hits : misses);
+    late += found && *found > std::numeric_limits<S>::max() / 4;
+    early += found && *found > 0 && *found < std::numeric_limits<S>::min();
+    beyond += found && std::isinf(*found);
+  }
+  CAPTURE(hits, misses, late, early, beyond);
+  CHECK((hits > 200 && misses > 200 && late > 30 && early > 20 && beyond > 0));
 }
 
 TEMPLATE_TEST_CASE_SIG("the swept box holds both ends of the way, and no more than an ulp beyond", "[motion]",
