@@ -35,6 +35,9 @@ class Exact {
   friend Exact operator-(const Exact& x, const Exact& y) { return x + (-y); }
 
   friend Exact abs(const Exact& x) { return x.sign() < 0 ? -x : x; }
+  friend Exact ldexp(const Exact& x, int exponent) { return {x.mantissa_, x.exponent_ + exponent}; }
+  /// The greatest e with 2^e <= |x|, x != 0.
+  friend int ilogb(const Exact& x) { return bits(x.mantissa_) - 1 + x.exponent_; }
 
   int sign() const { return mantissa_.sign(); }
   /// The nearest double, infinite when there is none.
@@ -48,11 +51,12 @@ class Exact {
     return {boost::multiprecision::sqrt(Integer(x.mantissa_ << shift)), (x.exponent_ - shift) / 2};
   }
 
-  /// The double nearest to x / y, y != 0; infinite when too large, at most one ulp off when subnormal.
+  /// The double nearest to x / y, y != 0; infinite when too large.
   friend double quotient(const Exact& x, const Exact& y) {
     if (x.sign() == 0) return 0;
     const Integer n = abs(x.mantissa_), d = abs(y.mantissa_);
-    const int shift = 63 + bits(d) - bits(n);  // so that the integer quotient has 63 or 64 bits
+    // so that the integer quotient has 63 or 64 bits, or fewer: two behind the last of a subnormal
+    const int shift = std::min(63 + bits(d) - bits(n), x.exponent_ - y.exponent_ + 1076);
     Integer q, rest;
     divide_qr(Integer(shift > 0 ? n << shift : n), Integer(shift < 0 ? d << -shift : d), q, rest);
     const std::uint64_t sticky = rest.is_zero() ? 0 : 1;  // keeps the rounding below right

@@ -20,7 +20,8 @@
 namespace isect {
 
 /// The widest type that the machine computes in by itself: 64 bits on x86, else the 53 of double. It serves
-/// values, where it is five times as fast as DoubleDouble, never verdicts.
+/// values, where it is five times as fast as DoubleDouble, never verdicts. So a machine without it gives the same
+/// verdicts, and values within the same bounds unless a header states wider ones there; last digits may differ.
 using Extended = std::conditional_t<LDBL_MANT_DIG == 64, long double, double>;
 
 /// The unit roundoff u of an arithmetic: 2^-53, 2^-64, 2^-103, 0.

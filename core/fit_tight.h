@@ -10,6 +10,7 @@
 
 #include "core/fit.h"
 #include "core/fit_tight_guess.h"
+#include "core/smallest_ball.h"
 
 namespace isect {
 
@@ -37,13 +38,23 @@ bool smaller(const Obb<S, N>& a, const Obb<S, N>& b) {
 
 /// The smallest ball that holds all points, but for the rounding of its center to S; the radius is the least of S for
 /// that center. Radius -1 of no points, or with a NaN or an infinity among them.
+///
+/// Bound. Let the smallest ball have the center c and the radius R. Each coordinate of the center found is the number of
+/// S nearest to c's, within 0.501 ulp; so it lies within d <= 0.87 ulp of c's largest coordinate from c, and the radius
+/// is at most R + d, rounded up. Any ball around x != c is larger too: c lies in the simplex of points at the distance
+/// R, so one of them has (p - c).(x - c) <= 0, hence |p - x|^2 >= R^2 + |x - c|^2. As no x of S is nearer to c, none
+/// has a smaller radius than sqrt(R^2 + d^2): the ball found exceeds the best one of S by d and an ulp at most, and by
+/// a factor of 1.42, sqrt 2 and rounding, however small it is and however far away. Where no coordinate of c exceeds R,
+/// the radius is within 2 ulp of R.
 template <class S, int N, class Trace = NoTrace>
 Sphere<S, N> fit_sphere_smallest(const std::vector<Point<S, N>>& points, Trace&& trace = {}) {
   if (!fit::usable(points)) return {Point<S, N>::Zero(), S(-1)};
   const fit::Scaled<N> scaled = fit::scaled(points, fit_aabb(points));
-  const fit::Support<N> ball = fit::smallest_ball<N>(scaled.q);
-  trace(fit_tight::Supported{ball.points});
-  return fit::least_ball(points, scaled.template original<S>(ball.center), trace);
+  decltype(auto) wide = smallest_ball::in_doubles(points);
+  const std::vector<int> support = smallest_ball::support(wide, scaled);
+  trace(fit_tight::Supported{support});
+  const Point<S, N> center = smallest_ball::center<S>(smallest_ball::through(wide, support));
+  return fit::least_ball(points, center, trace);
 }
 
 /// Ritter's ball, in two passes: some percent larger than the smallest, and as safe. Empty as above.

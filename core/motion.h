@@ -205,6 +205,23 @@ Moving<Shape, double, N> wide(const Moving<Shape, S, N>& a) {
   return {cast<double>(a.shape), a.velocity.template cast<double>()};
 }
 
+/// When balls that meet by the duration do so, where C / -B overflows. Its half may not: it is t at most. Infinite only
+/// where they have not met by the largest S.
+template <class S, int N>
+[[gnu::noinline, gnu::cold]] S late_contact(const Moving<Sphere, S, N>& a, const Moving<Sphere, S, N>& b,
+                                            S duration, double root) {
+  const Moving<Sphere, double, N> wide_a = wide(a), wide_b = wide(b);
+  const Flight<N> flight = {wide_a, wide_b};
+  const double time = value_of<double>([&]<class W>() -> Ratio<W> {
+                        const W b_ = flight.template receding<W>(0);
+                        return {flight.template apart<W>(0), -(b_ + b_)};
+                      }) /
+                      ((1 + root) / 2);
+  const S rounded = std::min(static_cast<S>(time), duration);
+  constexpr S most = std::numeric_limits<S>::max();
+  return std::isinf(rounded) && first_contact(a, b, most) ? most : rounded;
+}
+
 }  // namespace motion
 
 /// The times from 0 to duration at which the boxes meet. Exact: whether there are any; the ends lie within 4 ulp of
@@ -230,9 +247,8 @@ std::optional<S> first_contact(const Moving<Aabb, S, N>& a, const Moving<Aabb, S
 /// of the true one, and a subnormal one within 8 subnormal units. Otherwise as for boxes.
 ///
 /// Balls that are apart at first meet if they approach (B < 0), come near enough at some time (D >= 0), and by the
-/// end are not apart any more, or have passed each other. Then t = (-B - sqrt D) / A, without cancellation
-/// C / (-B + sqrt D), which is computed as (C / -2B) / (1/2 + sqrt(D / B^2) / 2): the first quotient lies between t / 2
-/// and t, and so in the range of numbers wherever t does.
+/// end are not apart any more, or have passed each other. Then t = (-B - sqrt D) / A, without cancellation (C / -B) /
+/// (1 + sqrt(D / B^2)). The quotient errs by at most 4 u, the sum by 2.5 u, the division by u.
 template <class S, int N, class Trace = NoTrace>
 std::optional<S> first_contact(const Moving<Sphere, S, N>& a, const Moving<Sphere, S, N>& b, S duration,
                                Trace&& trace = {}) {
@@ -259,19 +275,16 @@ std::optional<S> first_contact(const Moving<Sphere, S, N>& a, const Moving<Spher
   if (signs.receding >= 0 || signs.discriminant < 0) return {};
   if (signs.apart_at_end > 0 && signs.receding_at_end < 0) return {};
 
-  const auto half_pace = [&]<class W>() -> Ratio<W> {
-    const W b_ = flight.template receding<W>(0);
-    return {flight.template apart<W>(0), -(b_ + b_)};
+  const auto pace = [&]<class W>() -> Ratio<W> {
+    return {flight.template apart<W>(0), -flight.template receding<W>(0)};
   };
   const auto depth = [&]<class W>() -> Ratio<W> {
     const W b_ = flight.template receding<W>(0);
     return {flight.template discriminant<W>(), b_ * b_};
   };
-  const double time =
-      value_of<double>(half_pace, trace) / (0.5 + std::sqrt(value_of<double>(depth, trace)) / 2);
-  const S rounded = std::min(static_cast<S>(time), duration);
-  constexpr S most = std::numeric_limits<S>::max();  // rounding alone makes no time infinite
-  return std::isinf(rounded) && (apart(most) <= 0 || receding(most) >= 0) ? most : rounded;
+  const double root = std::sqrt(value_of<double>(depth, trace));
+  const S time = static_cast<S>(value_of<double>(pace, trace) / (1 + root));
+  return std::isinf(time) ? motion::late_contact(a, b, duration, root) : std::min(time, duration);
 }
 
 }  // namespace isect

@@ -42,6 +42,7 @@ struct Ray {
   Vector<S, N> direction;
   Interval<S> range = semi_infinite<S>;
 
+  /// Each coordinate within eps (|o_i| + |t d_i|) and the least number of S, where t d_i is not beyond the largest.
   Point<S, N> at(const S& t) const { return origin + t * direction; }
 };
 

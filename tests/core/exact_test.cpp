@@ -85,12 +85,12 @@ TEST_CASE("quotients are the nearest doubles", "[exact]") {
   }
 }
 
-TEST_CASE("quotients below the normal numbers are at most one ulp off", "[exact]") {
+TEST_CASE("quotients below the normal numbers are the nearest too", "[exact]") {
   bench::Random random(bench::stream(tests::seed(), "subnormal"));
   INFO("ISECT_SEED=" << tests::seed());
   for (int i = 0; i < 5000; ++i) {
-    const double a = random.magnitude(-170, -150), b = random.magnitude(150, 160);
-    REQUIRE(std::abs(quotient(Exact(a), Exact(b)) - nearest(Rational(a) / Rational(b))) <= 5e-324);
+    const double a = random.magnitude(-170, -150), b = random.magnitude(150, 160);  // 0 now and then
+    REQUIRE(quotient(Exact(a), Exact(b)) == nearest(Rational(a) / Rational(b)));
   }
 }
 

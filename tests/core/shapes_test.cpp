@@ -1,9 +1,13 @@
 #include "core/shapes.h"
 
 #include <cmath>
+#include <limits>
 
+#include "bench/random_shapes.h"
+#include "bench/rational.h"
 #include "core/conventions.h"
 #include "tests/catch.h"
+#include "tests/settings.h"
 
 namespace shapes_test {
 using namespace isect;
@@ -85,6 +89,28 @@ TEST_CASE("a segment's direction is rounded, so that t = 1 may miss q by an ulp"
 TEST_CASE("an infinite range is a line, and t may be infinite only there", "[shapes]") {
   CHECK(infinite<double> == Interval<double>{-inf, inf});
   CHECK(std::isinf(semi_infinite<float>.hi));
+}
+
+TEMPLATE_TEST_CASE_SIG("a point of a ray is within its bound of the true one", "[shapes]",
+                       FLOATS_AND_DIMENSIONS) {
+  bench::Random random(bench::stream(tests::seed(), "points of rays"));
+  using oracle::Rational;
+  const Rational eps = std::numeric_limits<S>::epsilon(), least = std::numeric_limits<S>::denorm_min();
+  int asked = 0;
+  for (const bench::Numbers numbers : bench::all_numbers)
+    for (int i = 0; i < tests::cases(2000, 50000); ++i) {
+      INFO("seed " << tests::seed() << ", numbers " << static_cast<int>(numbers) << ", case " << i);
+      const Ray<S, N> ray = {bench::vector<S, N>(random, numbers), bench::vector<S, N>(random, numbers)};
+      const S t = bench::number<S>(random, random.one_in(2) ? numbers : bench::Numbers::ordinary);
+      const Point<S, N> p = ray.at(t);
+      for (int k = 0; k < N; ++k) {
+        if (!std::isfinite(p[k])) continue;
+        const Rational o = ray.origin[k], way = Rational(t) * Rational(ray.direction[k]);
+        REQUIRE(abs(Rational(p[k]) - (o + way)) <= eps * (abs(o) + abs(way)) + least);
+        ++asked;
+      }
+    }
+  CHECK(asked > 10000);
 }
 
 }  // namespace shapes_test
