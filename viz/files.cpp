@@ -1,6 +1,7 @@
 #include "viz/files.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -68,26 +69,69 @@ int write_in_place(const std::string& path, const struct stat& there, const std:
   return !file.close() && reason == 0 ? errno : reason;
 }
 
-/// Writes all bytes into a new file that takes mode and owner of `old`, if there is one; 0, or the reason why not, and
-/// then there is no file.
-int write_new(const std::string& path, const std::string& bytes, const struct stat* old) {
-  Descriptor file(path, O_WRONLY | O_CREAT | O_EXCL);
-  if (!file.open()) return errno;
-  int reason = send(file.get(), bytes);
-  // Another's file stays another's where this user may give files away; the mode last, as a new owner clears bits of it.
-  if (old && reason == 0) {
-    [[maybe_unused]] const int given = ::fchown(file.get(), old->st_uid, old->st_gid);
-    if (::fchmod(file.get(), old->st_mode & 07777) != 0) reason = errno;
+/// A file made anew, which nobody else writes or sweeps away as long as it is open.
+class NewFile {
+ public:
+  explicit NewFile(const std::string& path) : file_(path, O_WRONLY | O_CREAT | O_EXCL), path_(path) {
+    struct stat made;
+    if (!file_.open()) {
+      reason_ = errno;
+    } else if (::flock(file_.get(), LOCK_EX | LOCK_NB) == 0 && ::fstat(file_.get(), &made) == 0 &&
+               made.st_nlink == 0) {
+      reason_ = EEXIST;  // swept away before it was locked
+    }
   }
-  if (!file.close() && reason == 0) reason = errno;
-  if (reason != 0) ::unlink(path.c_str());
-  return reason;
+
+  int reason() const { return reason_; }  ///< 0, or why there is no such file
+
+  /// Takes these bytes, mode and owner of `old`, if there is one, and another name; 0, or the reason why not, and then
+  /// there is no file.
+  int become(const std::string& name, const std::string& bytes, const struct stat* old) {
+    int reason = send(file_.get(), bytes);
+    // Another's file stays another's where this user may give files away; the mode last, as a new owner clears bits of it.
+    if (old && reason == 0) {
+      [[maybe_unused]] const int given = ::fchown(file_.get(), old->st_uid, old->st_gid);
+      if (::fchmod(file_.get(), old->st_mode & 07777) != 0) reason = errno;
+    }
+    if (reason == 0 && !flushed()) reason = errno;
+    if (reason == 0 && ::rename(path_.c_str(), name.c_str()) != 0) reason = errno;
+    if (reason != 0) ::unlink(path_.c_str());
+    return reason;
+  }
+
+ private:
+  /// Some file systems report a failed write only at a close, and this descriptor must stay open: it holds the lock.
+  bool flushed() {
+    const int copy = ::dup(file_.get());
+    return copy >= 0 && ::close(copy) == 0;
+  }
+
+  Descriptor file_;
+  std::string path_;
+  int reason_ = 0;
+};
+
+constexpr const char* beside_mark = ".tmp-";
+
+/// Removes what writes of this very file left behind that were killed: nobody holds its lock.
+void sweep(const std::filesystem::path& path) {
+  const std::string prefix = path.filename().string() + beside_mark;
+  std::error_code unreadable;  // then nothing is swept
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  for (const auto& entry : std::filesystem::directory_iterator(folder, unreadable)) {
+    const std::string name = entry.path().filename();
+    const bool ours =
+        name.starts_with(prefix) && name.find_first_not_of("-0123456789", prefix.size()) == name.npos;
+    if (!ours) continue;
+    const Descriptor left(entry.path(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK);
+    if (left.open() && ::flock(left.get(), LOCK_EX | LOCK_NB) == 0) ::unlink(entry.path().c_str());
+  }
 }
 
 /// A name beside `path`, another one at each call.
 std::string name_beside(const std::string& path) {
   static std::atomic<unsigned> count = 0;
-  return path + ".tmp-" + std::to_string(::getpid()) + "-" + std::to_string(count++);
+  return path + beside_mark + std::to_string(::getpid()) + "-" + std::to_string(count++);
 }
 
 /// The file at the end of all links, which need not be there. Loops are found before this is asked.
@@ -100,16 +144,12 @@ std::string without_links(std::filesystem::path path) {
 
 /// Beside, then renamed; 0, or the reason why not.
 int replace(const std::string& path, const std::string& bytes, const struct stat* old) {
-  std::string beside;
-  int reason = 0;
-  do {
-    beside = name_beside(path);
-    reason = write_new(beside, bytes, old);
-  } while (reason == EEXIST);
-  if (reason != 0 || ::rename(beside.c_str(), path.c_str()) == 0) return reason;
-  reason = errno;
-  ::unlink(beside.c_str());
-  return reason;
+  sweep(path);
+  for (;;) {
+    NewFile beside(name_beside(path));
+    if (beside.reason() == 0) return beside.become(path, bytes, old);
+    if (beside.reason() != EEXIST) return beside.reason();
+  }
 }
 
 }  // namespace
@@ -134,7 +174,7 @@ void write_file(const std::string& path, const std::string& bytes) {
     fail("write", target == path ? path : path + "', a link to '" + target, reason);
 }
 
-std::string read_file(const std::string& path) {
+std::string read_file(const std::string& path, std::size_t most) {
   const Descriptor file(path, O_RDONLY);
   if (!file.open()) fail("read", path, errno);
   std::string bytes;
@@ -145,6 +185,7 @@ std::string read_file(const std::string& path) {
     if (n < 0) fail("read", path, errno);
     if (n == 0) return bytes;
     bytes.append(block, static_cast<std::size_t>(n));
+    if (bytes.size() > most) fail("read", path, EFBIG);
   }
 }
 

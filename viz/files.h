@@ -21,23 +21,28 @@ using Metadata = std::map<std::string, std::string>;
 /// Replaces a file in one step, links followed and mode kept; makes its folder if needed. What is no file (a
 /// device, a pipe, our own stdout) is written to. Throws FileError; a file that was there stays on failure.
 void write_file(const std::string& path, const std::string& bytes);
-std::string read_file(const std::string& path);  ///< Throws FileError.
+/// Throws FileError, also where there are more than `most` bytes.
+std::string read_file(const std::string& path, std::size_t most = std::string::npos);
 
 /// PNG with the metadata as iTXt chunks (keyword "isect:<key>"); same input, same bytes. Keys are printable
 /// ASCII without spaces, at most 73 characters: std::invalid_argument otherwise.
 std::string png(const Picture&, const Metadata& = {});
 /// Throws FileError on anything that is no PNG, and on pictures above 2^26 pixels.
 Picture read_png(const std::string& bytes);
-Metadata png_metadata(const std::string& bytes);  ///< Throws FileError; empty if it carries none of ours.
+/// From any of PNG's text chunks, compressed or not: what saves a picture again may choose another one. Throws
+/// FileError; empty if it carries none of ours.
+Metadata png_metadata(const std::string& bytes);
 
 /// How wide a vector file is on paper, in points; 0: one unit is a pixel of CSS, 96 an inch, and so of the PNG.
 struct Paper {
   double width_pt = 0;
 };
-/// SVG by cairo and Pango, text as embedded glyph outlines, metadata as a <metadata> element; same input,
-/// same bytes.
+/// SVG by cairo and Pango, text as embedded glyph outlines, metadata as the attribute `data-isect` of the root, in JSON;
+/// same input, same bytes.
 std::string svg(const Drawing&, const Metadata& = {}, Paper = {});
-Metadata svg_metadata(const std::string& bytes);  ///< Throws FileError; empty if it carries none of ours.
+/// Also where another program has saved the file since, if that kept it, and where an older version of ours wrote it.
+/// Throws FileError on anything that is no well-formed SVG; empty if it carries none of ours.
+Metadata svg_metadata(const std::string& bytes);
 
 /// The gate of picture comparison: measured in the snapshot tests' own notes.
 struct Difference {

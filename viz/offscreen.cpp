@@ -5,7 +5,9 @@
 
 #include "viz/egl.h"
 #include "viz/lesson.h"
+#include "viz/mesa.h"
 #include "viz/osmesa.h"
+#include "viz/resources.h"
 
 namespace isect::viz {
 namespace {
@@ -20,6 +22,9 @@ std::unique_ptr<Context> make_context(Backend backend) {
 
 /// Side of the parts a picture is drawn in, in pixels of the result. A snapshot fits in one.
 constexpr int part_width = 1024, part_height = 640;
+
+/// What Mesa may still take for one picture.
+constexpr std::size_t needed_room = std::size_t{64} << 20;
 
 /// The means of 2 x 2 pixels, rounded to nearest, written into `to` with the top left corner at (left, top).
 void reduce(const Picture& from, Picture& to, int left, int top) {
@@ -81,6 +86,7 @@ struct Offscreen::Impl {
 };
 
 Offscreen::Offscreen(Backend wanted) {
+  prepare_mesa();
   const bool any = wanted == Backend::automatic;
   std::string tried;
   for (const Backend backend : {Backend::osmesa, Backend::egl}) {
@@ -117,6 +123,7 @@ Picture Offscreen::render(const Drawing& drawing) {
   const PixelBox whole = pixels(drawing, 1);
   const int width = whole.width, height = whole.height;
   Picture out{width, height, std::vector<std::uint8_t>(static_cast<std::size_t>(4) * width * height)};
+  if (!has_room(needed_room)) throw std::bad_alloc();
   const int wide = std::min(width, part_width), high = std::min(height, part_height);
   for (int top = 0; top < height; top += high)
     for (int left = 0; left < width; left += wide) {

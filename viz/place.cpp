@@ -34,8 +34,15 @@ Json json(const Camera& camera) {
           {"perspective", camera.perspective}, {"field_of_view", camera.field_of_view}};
 }
 
+/// Nothing of ours nests deeper. What does would crash whoever shows it: the library writes JSON by recursion.
+constexpr int deepest = 16;
+
 Json parse(const std::string& field, const std::string& text) try {
-  return Json::parse(text);
+  return Json::parse(text, [&](int depth, Json::parse_event_t, const Json&) {
+    if (depth > deepest)
+      throw BadInput(fmt::format("{}: nested more than {} levels deep", field, deepest));
+    return true;
+  });
 } catch (const Json::exception& e) {
   const std::string why = e.what();  // "[json.exception...] parse error at line 1, column 3: ..."
   throw BadInput(fmt::format("{}: not JSON; {}", field, why.substr(why.find(']') + 2)));

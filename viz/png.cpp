@@ -1,55 +1,18 @@
 // Pictures as PNG, through libpng's simplified interface: it reports errors by value, so that no longjmp
-// crosses C++ frames. That interface knows no text chunks; the few lines for them are here.
+// crosses C++ frames.
 
 #include <png.h>
-#include <zlib.h>
 
 #include <algorithm>
-#include <cstring>
 
-#include "viz/files.h"
+#include "viz/png_metadata.h"
 
 namespace isect::viz {
 namespace {
 
-constexpr std::size_t signature_size = 8;
 constexpr std::size_t header_chunk_size = 25;  ///< IHDR with length, type and CRC
-constexpr const char* key_prefix = "isect:";
 /// 256 MB as RGBA: far above any figure, low enough that a forged header cannot exhaust memory.
 constexpr std::uint64_t most_pixels = std::uint64_t{1} << 26;
-
-std::string big_endian(std::uint32_t value) {
-  return {static_cast<char>(value >> 24), static_cast<char>(value >> 16), static_cast<char>(value >> 8),
-          static_cast<char>(value)};
-}
-
-std::uint32_t read_big_endian(const std::string& bytes, std::size_t at) {
-  std::uint32_t value = 0;
-  for (std::size_t i = at; i < at + 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[i]);
-  return value;
-}
-
-std::string chunk(const std::string& type, const std::string& data) {
-  const std::string body = type + data;
-  const auto crc = ::crc32(0, reinterpret_cast<const Bytef*>(body.data()), static_cast<uInt>(body.size()));
-  return big_endian(static_cast<std::uint32_t>(data.size())) + body +
-         big_endian(static_cast<std::uint32_t>(crc));
-}
-
-/// iTXt: keyword, 0, uncompressed, method 0, no language, no translated keyword, UTF-8 text.
-std::string text_chunk(const std::string& key, const std::string& text) {
-  const std::string keyword = key_prefix + key;
-  const bool printable = std::all_of(key.begin(), key.end(), [](char c) { return c > ' ' && c <= '~'; });
-  if (key.empty() || keyword.size() > 79 || !printable)
-    throw std::invalid_argument("metadata keyword '" + key +
-                                "': 1 to 73 printable ASCII characters, no space");
-  return chunk("iTXt", keyword + std::string(5, '\0') + text);
-}
-
-bool is_png(const std::string& bytes) {
-  static constexpr unsigned char signature[signature_size] = {137, 'P', 'N', 'G', 13, 10, 26, 10};
-  return bytes.size() >= signature_size && std::memcmp(bytes.data(), signature, signature_size) == 0;
-}
 
 /// What libpng holds for one picture; freed on every way out.
 struct Image {
@@ -102,9 +65,7 @@ std::string png(const Picture& picture, const Metadata& metadata) {
     throw FileError("cannot write PNG: a picture of " + std::to_string(picture.width) + " x " +
                     std::to_string(picture.height) + " pixels with " + std::to_string(picture.rgba.size()) +
                     " bytes");
-  std::string texts;
-  for (const auto& [key, text] : metadata) texts += text_chunk(key, text);
-  return encode(picture).insert(signature_size + header_chunk_size, texts);
+  return encode(picture).insert(png_signature_size + header_chunk_size, png_text_chunks(metadata));
 }
 
 Picture read_png(const std::string& bytes) {
@@ -121,26 +82,6 @@ Picture read_png(const std::string& bytes) {
   if (!png_image_finish_read(&png.image, nullptr, picture.rgba.data(), 0, nullptr))
     throw FileError(std::string("broken PNG: ") + png.image.message);
   return picture;
-}
-
-Metadata png_metadata(const std::string& bytes) {
-  if (!is_png(bytes)) throw FileError("not a PNG file");
-  constexpr std::size_t around_data = 12;  // length and type before, CRC after
-  Metadata metadata;
-  for (std::size_t at = signature_size; bytes.size() - at >= around_data;) {
-    const std::size_t length = read_big_endian(bytes, at);
-    if (length > bytes.size() - at - around_data) throw FileError("broken PNG: it ends within a chunk");
-    const std::string data = bytes.substr(at + 8, length);
-    const std::size_t key_end = data.find('\0');
-    const bool ours = bytes.compare(at + 4, 4, "iTXt") == 0 && data.starts_with(key_prefix) &&
-                      data.compare(std::min(key_end, data.size()), 5, std::string(5, '\0')) == 0;
-    if (ours) {
-      const std::size_t key_begin = std::strlen(key_prefix);
-      metadata[data.substr(key_begin, key_end - key_begin)] = data.substr(key_end + 5);
-    }
-    at += length + around_data;
-  }
-  return metadata;
 }
 
 }  // namespace isect::viz

@@ -17,9 +17,6 @@ namespace {
 /// that their steps stay below 1/500 of a unit; the view box undoes it.
 constexpr double oversize = 8;
 
-constexpr const char* metadata_open = "<metadata id=\"isect\">";
-constexpr const char* metadata_close = "</metadata>";
-
 void add_outline(cairo_t* cr, const Path& path) {
   cairo_move_to(cr, path.start.x(), path.start.y());
   for (const Path::Segment& segment : path.segments) {
@@ -166,13 +163,15 @@ std::string with_own_ids(const std::string& bytes) {
   return out;
 }
 
-/// JSON with &, < and > escaped for XML; control characters and broken UTF-8 never leave JSON's own escapes.
-std::string metadata_element(const Metadata& metadata) {
-  std::string json = nlohmann::json(metadata).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+/// As an attribute of the root: Inkscape, SVGO and scour keep it, whereas most that make a file small drop a <metadata>
+/// element. JSON in ASCII, escaped for XML: control characters and broken UTF-8 never leave JSON's own escapes.
+std::string metadata_attribute(const Metadata& metadata) {
+  std::string json = nlohmann::json(metadata).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
   replace_all(json, "&", "&amp;");
   replace_all(json, "<", "&lt;");
   replace_all(json, ">", "&gt;");
-  return metadata_open + json + metadata_close;
+  replace_all(json, "'", "&apos;");
+  return fmt::format("data-isect='{}'", json);
 }
 
 }  // namespace
@@ -191,29 +190,11 @@ std::string svg(const Drawing& drawing, const Metadata& metadata, Paper paper) {
   const std::string opening = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
       "version=\"1.1\" "
-      "width=\"{:.7g}{}\" height=\"{:.7g}{}\" viewBox=\"0 0 {:.7g} {:.7g}\">\n",
+      "width=\"{:.7g}{}\" height=\"{:.7g}{}\" viewBox=\"0 0 {:.7g} {:.7g}\" {}>",
       drawing.width * scale, unit, drawing.height * scale, unit, drawing.width * oversize,
-      drawing.height * oversize);
-  bytes.replace(tag, tag_end + 1 - tag, opening + metadata_element(metadata));
+      drawing.height * oversize, metadata_attribute(metadata));
+  bytes.replace(tag, tag_end + 1 - tag, opening);
   return bytes;
-}
-
-Metadata svg_metadata(const std::string& bytes) {
-  if (bytes.find("<svg") == bytes.npos) throw FileError("not an SVG file");
-  const std::size_t open = bytes.find(metadata_open);
-  if (open == bytes.npos) return {};
-  const std::size_t begin = open + std::string_view(metadata_open).size();
-  const std::size_t end = bytes.find(metadata_close, begin);
-  if (end == bytes.npos) throw FileError("broken SVG: its metadata does not end");
-  std::string json = bytes.substr(begin, end - begin);
-  replace_all(json, "&lt;", "<");
-  replace_all(json, "&gt;", ">");
-  replace_all(json, "&amp;", "&");
-  try {
-    return nlohmann::json::parse(json).get<Metadata>();
-  } catch (const nlohmann::json::exception&) {
-    throw FileError("broken SVG: its metadata cannot be read");
-  }
 }
 
 }  // namespace isect::viz

@@ -178,6 +178,10 @@ Fonts fonts() {
                                              "Liberation Serif", "DejaVu Serif",  "serif"};
     const std::vector<const char*> window = {"DejaVu Sans", "sans-serif"};
     Fonts chosen{installed_family(figure), installed_family(window)};
+    if (chosen.figure.empty() || chosen.window.empty())
+      throw NoFonts(
+          "fonts: fontconfig finds none, and figures need letters; on Debian: apt install fonts-stix "
+          "fonts-dejavu-core");
     chosen.exact = chosen.figure == figure.front() && chosen.window == window.front();
     return chosen;
   }();

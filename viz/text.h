@@ -3,6 +3,7 @@
 // files.
 
 #include <cstdint>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -42,11 +43,16 @@ struct Paragraph {
 /// it.
 Picture raster(const Paragraph&, double scale = 1);
 
-/// Families used, found by fontconfig: {"STIXGeneral" or a named substitute, "DejaVu Sans"}. For `doctor`.
+/// Families used, found by fontconfig: {"STIXGeneral" or a named substitute, "DejaVu Sans"}.
 struct Fonts {
   std::string figure, window;
   bool exact = true;
 };
+/// No font is installed at all, so nothing that has letters can be drawn.
+struct NoFonts : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+/// Whatever sets a text asks here first. Throws NoFonts.
 Fonts fonts();
 
 }  // namespace isect::viz

@@ -10,6 +10,7 @@
 #include "lessons/program/ownership.h"
 #include "lessons/program/preset_folder.h"
 #include "lessons/program/report.h"
+#include "lessons/program/surroundings.h"
 #include "lessons/program/terminal.h"
 
 namespace isect::program {
@@ -139,6 +140,7 @@ int check(const Program& program, const Options& options) {
   if (report.nothing_there && !pages) {
     all_is_missing(chosen, report);
   } else if (!chosen.empty()) {
+    need_surroundings(program);
     viz::Offscreen offscreen(backend);
     Baselines baselines(report.folder, update, !options.report.empty(), offscreen);
     compare(chosen, reach, baselines, report);

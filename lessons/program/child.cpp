@@ -48,10 +48,15 @@ class Pipe {
 
 }  // namespace
 
-std::string beside(const std::string& name) {
+std::string this_program() {
   std::error_code error;
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
-  return (error ? std::filesystem::path(name) : self.parent_path() / name).string();
+  if (error) throw viz::FileError(fmt::format("/proc/self/exe: {}", error.message()));
+  return self.string();
+}
+
+std::string beside(const std::string& name) {
+  return (std::filesystem::path(this_program()).parent_path() / name).string();
 }
 
 Child run_child(const std::vector<std::string>& command,

@@ -7,6 +7,7 @@
 
 namespace isect::program {
 
+std::string this_program();  ///< its path
 /// The path of a program in the same folder as this one.
 std::string beside(const std::string& name);
 

@@ -33,8 +33,7 @@ class Scratch {
 
 /// This program with these arguments: the run of median time; nothing where one failed.
 std::optional<Child> run_self(std::vector<std::string> arguments, int runs) {
-  arguments.insert(arguments.begin(), "/proc/self/exe");
-  arguments[0] = std::filesystem::read_symlink(arguments[0]).string();
+  arguments.insert(arguments.begin(), this_program());
   std::vector<Child> all;
   for (int i = 0; i < runs; ++i) {
     all.push_back(run_child(arguments, [](const std::string&) {}));

@@ -1,5 +1,7 @@
 // isect, or the program of one lesson.
 
+#include <new>
+
 #include "lessons/lessons.h"
 #include "lessons/program/program.h"
 #include "lessons/program/terminal.h"
@@ -9,7 +11,7 @@ namespace isect::program {
 extern const char* const only_lesson;  ///< its id, or null: for all of them. CMake writes it for each program.
 }
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   using namespace isect;
   program::guard_streams();
   program::Program program{"isect", lessons::all_lessons()};
@@ -18,4 +20,7 @@ int main(int argc, char** argv) {
     program.only = &viz::lesson_named(program.lessons, program::only_lesson);
   }
   return program::run(program, {argv + 1, argv + argc});
+} catch (const std::bad_alloc&) {  // before a command was chosen
+  isect::program::say("isect: out of memory");
+  return isect::program::file_trouble;
 }

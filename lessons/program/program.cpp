@@ -10,6 +10,7 @@
 #include "viz/files.h"
 #include "viz/offscreen.h"
 #include "viz/place.h"
+#include "viz/text.h"
 
 namespace isect::program {
 
@@ -66,8 +67,9 @@ void describe(CLI::App& app, Program& program) {
   app.footer(fmt::format(
       "Without a subcommand the window opens.\nExample: {} render{} --step 3\n\n"
       "Exit status: 0 done; 1 a check failed, or a case of a query was an error;\n"
-      "2 a wrong name, value or usage; 3 a baseline is missing; 4 a file can't be read or written;\n"
-      "77 nowhere to draw: no rendering back end, or no display for the window.",
+      "2 a wrong name, value or usage; 3 a baseline is missing; 4 a file can't be read or written,\n"
+      "or out of memory; 77 nowhere to draw: no rendering back end, no fonts, or no display for the\n"
+      "window. A reader who goes away (isect list | head -1) ends it as it ends cat: by SIGPIPE (141).",
       program.name, program.only ? "" : " ray-sphere"));
 }
 
@@ -111,8 +113,15 @@ int run(Program& program, std::vector<std::string> arguments) {
     return complain(e, file_trouble);
   } catch (const viz::NoBackend& e) {
     return complain(e, nowhere_to_draw);
+  } catch (const viz::NoFonts& e) {
+    return complain(e, nowhere_to_draw);
+  } catch (const std::bad_alloc&) {
+    say(program.name + ": out of memory");
+    return file_trouble;
   } catch (const std::exception& e) {
     return complain(e, check_failed);
+  } catch (const ReaderGone&) {
+    end_by_closed_pipe();
   }
 }
 

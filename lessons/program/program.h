@@ -19,8 +19,8 @@ enum Exit {
   check_failed = 1,  ///< or a case of `query` was an error; outranks baseline_missing
   bad_input = 2,     ///< usage, or a bad name or value
   baseline_missing = 3,
-  file_trouble = 4,     ///< a file can't be read or written
-  nowhere_to_draw = 77  ///< no rendering back end, or a window without a display
+  file_trouble = 4,     ///< a file can't be read or written, or memory has run out
+  nowhere_to_draw = 77  ///< no rendering back end, no fonts, or a window without a display
 };
 
 struct Program {

@@ -85,7 +85,7 @@ class File {
 
 void write_line(const std::string& text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fputc('\n', stdout) == EOF)
-    throw viz::FileError(fmt::format("the answers can't be written: {}", std::strerror(errno)));
+    printing_failed();
 }
 
 int answer_all(const std::string& path) {
@@ -96,8 +96,7 @@ int answer_all(const std::string& path) {
   std::string line;
   bool errors = false;
   const auto flush = [] {
-    if (std::fflush(stdout) != 0)
-      throw viz::FileError(fmt::format("the answers can't be written: {}", std::strerror(errno)));
+    if (std::fflush(stdout) != 0) printing_failed();
   };
   for (;;) {
     const Lines::Next next = lines.next(line, flush);

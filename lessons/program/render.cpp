@@ -10,6 +10,7 @@
 #include "lessons/program/options.h"
 #include "lessons/program/ownership.h"
 #include "lessons/program/preset_folder.h"
+#include "lessons/program/surroundings.h"
 #include "lessons/program/terminal.h"
 #include "viz/compose.h"
 #include "viz/files.h"
@@ -127,6 +128,7 @@ int render(const Program& program, Options options) {
   const bool whole = options.dir.empty() || choose_folder(program, options);
   if (!whole && options.asked.files.empty()) return bad_input;
   const std::vector<Excerpt> chosen = excerpts(program, options.asked);
+  need_surroundings(program);
   if (options.out == "-") return to_stdout(chosen, style, options.backend);
 
   Gallery gallery(options.out, program, chosen, style.formats);

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "lessons/program/options.h"
+#include "lessons/program/surroundings.h"
 #include "lessons/program/terminal.h"
 #include "viz/files.h"
 #include "viz/place.h"
@@ -14,12 +15,21 @@ namespace isect::program {
 
 namespace {
 
+/// Far above any figure's, far below what would take minutes.
+constexpr std::size_t most_bytes = std::size_t{64} << 20;
+
 /// The place where a PNG or SVG of ours was made.
 viz::Place place_in_figure(const Program& program, const std::string& path) {
-  const std::string bytes = viz::read_file(path);
+  const std::string bytes = viz::read_file(path, most_bytes);
   try {
-    return viz::place_from_metadata(
-        path.ends_with(".png") ? viz::png_metadata(bytes) : viz::svg_metadata(bytes), program.lessons);
+    const viz::Metadata data = path.ends_with(".png") ? viz::png_metadata(bytes) : viz::svg_metadata(bytes);
+    if (data.empty())
+      throw viz::BadInput(
+          fmt::format("it carries no isect metadata: isect did not make it, or the program that saved it "
+                      "last removed it. "
+                      "Name its place instead: {} show{} --preset P --step N",
+                      program.name, program.only ? "" : " LESSON"));
+    return viz::place_from_metadata(data, program.lessons);
   } catch (const viz::BadInput& e) {
     throw viz::BadInput(fmt::format("{}: {}", path, e.what()));
   } catch (const viz::FileError& e) {
@@ -48,6 +58,7 @@ viz::Place place_of(const Program& program, Selection asked) {
 
 int show(const Program& program, const Selection& asked) {
   const viz::Place place = place_of(program, asked);
+  need_surroundings(program);
   try {
     viz::show(program.lessons, place);
   } catch (const viz::NoDisplay& e) {

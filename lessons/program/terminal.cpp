@@ -52,11 +52,26 @@ void guard_streams() {
     ++descriptor;
   }
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 void print(const std::string& data) {
-  if (!write_all(STDOUT_FILENO, data) && errno != EPIPE)
-    throw viz::FileError(fmt::format("standard output: {}", std::strerror(errno)));
+  if (!write_all(STDOUT_FILENO, data)) printing_failed();
+}
+
+void printing_failed() {
+  if (errno == EPIPE) throw ReaderGone();
+  throw viz::FileError(fmt::format("standard output: {}", std::strerror(errno)));
+}
+
+void end_by_closed_pipe() {
+  sigset_t pipe;
+  sigemptyset(&pipe);
+  sigaddset(&pipe, SIGPIPE);
+  std::signal(SIGPIPE, SIG_DFL);
+  ::sigprocmask(SIG_UNBLOCK, &pipe, nullptr);
+  std::raise(SIGPIPE);
+  std::_Exit(128 + SIGPIPE);  // never reached
 }
 
 // Nothing is left to be done where even stderr is closed.

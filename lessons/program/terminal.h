@@ -6,11 +6,18 @@
 namespace isect::program {
 
 /// Makes sure that descriptors 0 to 2 are taken, so that no file opened later is mistaken for one of them,
-/// and that a closed pipe is an error to be handled instead of a signal.
+/// and that a closed pipe or a limit on a file's size is an error to be handled instead of a signal.
 void guard_streams();
 
-/// Data. A reader who has gone away (a closed pipe) is no error; anything else throws viz::FileError.
+/// The reader of stdout has gone away (a closed pipe): nobody is left to work for.
+struct ReaderGone {};
+/// Data. Throws ReaderGone, or viz::FileError where it can't be written for another reason.
 void print(const std::string& data);
+/// Throws what print throws, by errno.
+[[noreturn]] void printing_failed();
+/// Ends the process as a closed pipe ends other programs: by SIGPIPE, which a shell shows as 141. To be called when
+/// everything has been put in order.
+[[noreturn]] void end_by_closed_pipe();
 /// Talk: one line on stderr.
 void say(const std::string& line);
 

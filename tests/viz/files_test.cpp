@@ -1,11 +1,14 @@
 #include "viz/files.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <random>
 #include <thread>
@@ -142,6 +145,33 @@ TEST_CASE("a write that fails half-way leaves the old file and no other, and say
   CHECK(contains(message, "too large"));
   CHECK(read_file(path) == "old");
   CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("a write sweeps up what a killed write of this file left, and nothing else", "[files]") {
+  const Folder folder;
+  const std::string left = folder / "a.txt.tmp-4711-0", held = folder / "a.txt.tmp-4711-1";
+  const std::vector<std::string> others = {folder / "a.txt.tmp-notes", folder / "b.txt.tmp-4711-0"};
+  for (const std::string& file : {left, held, others[0], others[1]}) std::ofstream(file) << "half";
+  const int lock = ::open(held.c_str(), O_RDONLY);  // as the process that writes it holds it
+  REQUIRE(::flock(lock, LOCK_EX) == 0);
+
+  write_file(folder / "a.txt", "whole");
+  CHECK(read_file(folder / "a.txt") == "whole");
+  CHECK_FALSE(fs::exists(left));
+  CHECK(fs::exists(held));
+  for (const std::string& file : others) CHECK(fs::exists(file));
+
+  ::close(lock);
+  write_file(folder / "a.txt", "again");
+  CHECK_FALSE(fs::exists(held));
+}
+
+TEST_CASE("a file is read up to a limit only", "[files]") {
+  const Folder folder;
+  write_file(folder / "a", std::string(100000, 'x'));
+  CHECK(read_file(folder / "a", 100000).size() == 100000);
+  CHECK_THROWS_WITH(read_file(folder / "a", 99999), Catch::Matchers::Contains("File too large"));
+  CHECK_THROWS_AS(read_file("/dev/zero", 1 << 20), FileError);
 }
 
 TEST_CASE("a path that cannot be written is named with the reason", "[files]") {

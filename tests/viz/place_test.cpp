@@ -110,4 +110,13 @@ TEST_CASE("a figure of another program is refused", "[place]") {
                     Contains("parameters"));
 }
 
+TEST_CASE("JSON that nests without end is refused, wherever it stands", "[place]") {
+  const std::string deep = std::string(100000, '[') + std::string(100000, ']');
+  for (const std::string& text : {deep, std::string(100000, '['), "{\"lesson\": " + deep + "}",
+                                  "{\"lesson\": \"toy\", \"parameters\": {\"x\": " + deep + "}}"})
+    CHECK_THROWS_WITH(place_from_json(text, lessons), Contains("nested more than 16 levels deep"));
+  CHECK_THROWS_WITH(place_from_metadata({{"lesson", "toy"}, {"camera", deep}}, lessons),
+                    Contains("camera: nested"));
+}
+
 }  // namespace place_test

@@ -137,15 +137,6 @@ TEST_CASE("an SVG carries its metadata, escaped", "[svg]") {
   CHECK(svg_metadata(svg(everything())).empty());
 }
 
-TEST_CASE("foreign and broken metadata is told apart", "[svg]") {
-  CHECK(svg_metadata("<svg></svg>").empty());
-  CHECK(svg_metadata("<svg><metadata>mine</metadata></svg>").empty());
-  CHECK_THROWS_AS(svg_metadata("no drawing"), FileError);
-  CHECK_THROWS_AS(svg_metadata("<svg><metadata id=\"isect\">{\"a\":</metadata></svg>"), FileError);
-  CHECK_THROWS_AS(svg_metadata("<svg><metadata id=\"isect\">{\"a\": 1}</metadata></svg>"), FileError);
-  CHECK_THROWS_AS(svg_metadata("<svg><metadata id=\"isect\">{}"), FileError);
-}
-
 TEST_CASE("text in an SVG is outlines, not references to fonts", "[svg]") {
   const std::string text = svg(everything());
   CHECK_FALSE(contains(text, "<text"));

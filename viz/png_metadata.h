@@ -1,0 +1,16 @@
+#pragma once
+// Text chunks of PNG, which libpng's simplified interface does not know. png.cpp writes pictures with them.
+
+#include <string>
+
+#include "viz/files.h"
+
+namespace isect::viz {
+
+bool is_png(const std::string& bytes);
+/// One iTXt chunk for each entry. Throws std::invalid_argument on a key that PNG can't hold.
+std::string png_text_chunks(const Metadata&);
+
+constexpr std::size_t png_signature_size = 8;
+
+}  // namespace isect::viz
