@@ -75,9 +75,9 @@ double disagreement(const Lesson& lesson, const Preset& preset, const Page& page
   return worst_window(rasterised(svg(drawing), page), offscreen().render(drawing));
 }
 
-/// Measured over 138 figures of six lessons in three themes: at most 18.4 of 255. A picture 0.1 % too large differs by 40
-/// and more, one moved by half a pixel by 28, texts a pixel too low by 38, lines a tenth too thick by 28.
-constexpr double limit = 21;
+/// Measured over all these figures: at most 24.3 of 255, where many thin lines cross. At half this size a picture 0.5 % too
+/// large differed by 168 and more, one 0.1 % too large by 41, texts a pixel too low by 38, and here they stand twice as far.
+constexpr double limit = 28;
 
 }  // namespace
 
@@ -85,16 +85,16 @@ TEST_CASE("PNG and SVG of every lesson agree, lines, areas and texts", "[vector_
   for (const Lesson* lesson : all_lessons())
     for (const int from_end : {0, 1}) {
       INFO(lesson->id << ", " << from_end << " steps before the last");
-      CHECK(disagreement(*lesson, lesson->presets.front(), {ThemeName::screen, 960, 600}, from_end) < limit);
+      CHECK(disagreement(*lesson, lesson->presets.front(), {ThemeName::screen, 1920, 1200}, from_end) < limit);
     }
 }
 
 TEST_CASE("PNG and SVG agree in every theme and at other sizes", "[vector_agreement]") {
-  const Page pages[] = {{ThemeName::print, 908, 568},
-                        {ThemeName::grey, 908, 568},
-                        {ThemeName::grey, 1000, 400},
-                        {ThemeName::dark, 640, 400},
-                        {ThemeName::screen, 500, 700}};
+  const Page pages[] = {{ThemeName::print, 1816, 1136},
+                        {ThemeName::grey, 1816, 1136},
+                        {ThemeName::grey, 2000, 800},
+                        {ThemeName::dark, 1600, 1000},
+                        {ThemeName::screen, 1400, 1500}};
   for (const Lesson* lesson : all_lessons()) {
     if (lesson->id != "ray-sphere" && lesson->id != "aabb-aabb" && lesson->id != "crossings") continue;
     for (const Page& page : pages) {

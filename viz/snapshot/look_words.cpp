@@ -279,7 +279,7 @@ void compare_orders(const Json& was, const Json& is, std::vector<Saying>& out) {
       out.push_back({Said::order, "the " + (over ? a : b)->first,
                      old_turns.back() == new_turns.back()
                          ? fmt::format("and the {} are painted in another order", (over ? b : a)->first)
-                         : fmt::format("lies over the {}, was under it", (over ? b : a)->first)});
+                         : fmt::format("lies over the {} now", (over ? b : a)->first)});
     }
 }
 
