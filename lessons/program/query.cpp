@@ -4,12 +4,14 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <new>
 
 #include "lessons/program/options.h"
 #include "lessons/program/program.h"
@@ -23,32 +25,41 @@ namespace {
 /// Lines of a file or pipe, as they come, in memory for one line.
 class Lines {
  public:
-  static constexpr std::size_t limit = std::size_t(64) << 20;
-
   explicit Lines(int file) : file_(file) {}
 
-  enum class Next { line, too_long, end };
-  /// The next line without its end; the last may lack one. Calls `idle` before it has to wait for more.
+  enum class Next { line, too_long, out_of_memory, end };
+  /// The next line without its end; the last may lack one. Of what can't be kept nothing is. Calls `idle` before it has
+  /// to wait for more.
   template <class Idle>
   Next next(std::string& line, const Idle& idle) {
     line.clear();
-    bool some = false, long_line = false;
+    Next kept = Next::end;
     for (;;) {
-      if (at_ == chunk_.size() && !refill(idle))
-        return !some ? Next::end : long_line ? Next::too_long : Next::line;
-      some = true;
+      if (at_ == chunk_.size() && !refill(idle)) return kept;
+      if (kept == Next::end) kept = Next::line;
       const std::size_t stop = chunk_.find('\n', at_), end = std::min(stop, chunk_.size());
-      long_line = long_line || line.size() + (end - at_) > limit;
-      if (long_line)
-        line.clear();
-      else
-        line.append(chunk_, at_, end - at_);
+      if (kept == Next::line) kept = keep(line, end);
       at_ = stop == std::string::npos ? end : end + 1;
-      if (stop != std::string::npos) return long_line ? Next::too_long : Next::line;
+      if (stop != std::string::npos) return kept;
     }
   }
 
  private:
+  /// Appends what stands before `end`.
+  Next keep(std::string& line, std::size_t end) {
+    if (line.size() + (end - at_) > query::most_bytes()) {
+      line.clear();
+      return Next::too_long;
+    }
+    try {
+      line.append(chunk_, at_, end - at_);
+      return Next::line;
+    } catch (const std::bad_alloc&) {
+      std::string().swap(line);
+      return Next::out_of_memory;
+    }
+  }
+
   template <class Idle>
   bool refill(const Idle& idle) {
     idle();
@@ -88,6 +99,17 @@ void write_line(const std::string& text) {
     printing_failed();
 }
 
+query::Answer answer(Lines::Next next, const std::string& line) {
+  switch (next) {
+    case Lines::Next::too_long:
+      return query::too_long();
+    case Lines::Next::out_of_memory:
+      return query::out_of_memory();
+    default:
+      return query::answer(line);
+  }
+}
+
 int answer_all(const std::string& path) {
   const File file(path);
   if (path == "-" && ::isatty(STDIN_FILENO))
@@ -101,27 +123,33 @@ int answer_all(const std::string& path) {
   for (;;) {
     const Lines::Next next = lines.next(line, flush);
     if (next == Lines::Next::end) break;
-    const query::Answer answer =
-        next == Lines::Next::too_long ? query::too_long(Lines::limit) : query::answer(line);
-    write_line(answer.text);
-    errors = errors || answer.error;
+    if (next == Lines::Next::line && query::blank(line)) continue;
+    const query::Answer reply = answer(next, line);
+    write_line(reply.text);
+    errors = errors || reply.error;
+    if (line.capacity() > (1 << 20)) std::string().swap(line);  // a long one leaves no memory behind
   }
   flush();
   return errors ? check_failed : done;
 }
 
 std::string footer() {
-  std::string text = "Kinds, with their variants:\n";
-  for (const query::Kind& kind : query::kinds()) {
-    text += fmt::format("  {:<20}", kind.name);
-    for (const std::string& variant : kind.variants) text += " " + variant;
-    text += '\n';
-  }
-  return text + R"(
-Every case is an object on one line: "kind", the kind's inputs, and if wanted "id", "scalar" ("f64" or "f32"),
-"variant" and "trace" (true). Numbers may be "inf" or "-inf" where a range or a box ends.
+  std::string text = "Kinds, with their variants and inputs:\n";
+  for (const query::Kind& kind : query::kinds())
+    text += fmt::format("  {:<20} {}\n  {:<20} inputs: {}\n", kind.name, fmt::join(kind.variants, " "), "",
+                        kind.inputs);
+  return text + fmt::format(R"(
+Every case is an object on one line: "kind", the kind's inputs ([those] may be missing), and if wanted "id", "scalar" ("f64"
+or "f32"), "variant" and "trace" (true). A point is a list of 2 or 3 numbers; a and b of obb_obb are {{"c", "u", "e"}}, of
+kdop_kdop {{"lo", "hi"}}. Numbers may be "inf" or "-inf" where a range or a box ends; each is rounded once, to the scalar.
+The id comes back as it was sent, to the letter; null for a line that is no JSON.
+These fields may stand beside them and are not looked at: {}.
+Any other field, a field given twice, and bytes behind the end are errors. Lines of blanks get no answer.
+Limits, beyond which an error answers: a line of {} MiB; {} levels of lists and objects; slabs that would take 256 MiB;
+2^26 normals times points of a k-DOP around points; and the memory that there is.
 Exit status: 0 every line was answered; 1 some line was an error; 2 usage; 4 FILE can't be read.
-Example: echo '{"kind": "orient2d", "a": [0, 0], "b": [1, 0], "c": [0, 1]}' | isect query)";
+Example: echo '{{"kind": "orient2d", "a": [0, 0], "b": [1, 0], "c": [0, 1]}}' | isect query)",
+                            fmt::join(query::notes(), ", "), query::most_bytes() >> 20, query::most_levels());
 }
 
 }  // namespace

@@ -126,15 +126,27 @@ Json event(const E& e) {
   return object;
 }
 
-/// Runs call(trace), and keeps the events if they are wanted. `Event` is the test's own variant.
+/// Tells the events as they come, if they are wanted. One that is not heard would be a second call to compile.
+struct Teller {
+  Job& job;
+
+  template <class E>
+  void operator()(const E& e) const {
+    if (job.traced) tell(job, e);
+  }
+
+ private:
+  template <class E>
+  [[gnu::noinline, gnu::cold]] static void tell(Job& job,
+                                                const E& e) {  // once, not at every place that tells it
+    job.tell(event(e));
+  }
+};
+
+/// Runs call(trace). `Event` is the test's own variant: what may be told.
 template <class Event, class Call>
 auto run(Job& job, const Call& call) {
-  Record<Event> record;  // always: a call without it would be a second one to compile
-  auto answer = call(record);
-  if (job.traced)
-    for (const Event& e : record.events)
-      job.trace.push_back(std::visit([](const auto& one) { return event(one); }, e));
-  return answer;
+  return call(Teller{job});
 }
 
 template <>

@@ -1,5 +1,5 @@
 #pragma once
-// The tables of the handler files: a kind's name, its variants, and what answers it in either scalar.
+// The tables of the handler files: a kind's name, its inputs, its variants, and what answers it in either scalar.
 
 #include <string>
 #include <vector>
@@ -10,12 +10,13 @@ namespace isect::query {
 
 struct Handler {
   const char* kind;
+  const char* inputs;                 ///< the names of its fields, [optional] ones in brackets
   std::vector<std::string> variants;  ///< the exact default is called "exact"
   Json (*f32)(Job&);
   Json (*f64)(Job&);
 };
 
-/// Handler{"kind", {variants}, function<float>, function<double>}
+/// Handler{"kind", "inputs", {variants}, function<float>, function<double>}
 #define ISECT_HANDLER(kind, ...) \
   Handler { #kind, __VA_ARGS__, kind < float>, kind < double> }
 

@@ -108,6 +108,7 @@ Json sphere_box(Job& job) {
 
 template <class S>
 Json obb_obb(Job& job) {
+  for (const char* box : {"a", "b"}) job.fields[box].only(obb_fields);
   return in_dimension(job.fields["a"]["c"], [&]<int N>() -> Json {
     const Obb<S, N> a = obb<S, N>(job.fields["a"]), b = obb<S, N>(job.fields["b"]);
     const Relation r = run<obb_obb::Event<N>>(job, [&](auto&& trace) { return relate(a, b, trace); });
@@ -117,9 +118,9 @@ Json obb_obb(Job& job) {
 
 template <class S>
 Json kdop_kdop(Job& job) {
-  const std::vector<Field> normals = job.fields["normals"].list();
+  const Field::Entries normals = job.fields["normals"].list();
   if (normals.empty()) job.fields["normals"].complain("at least one normal is expected");
-  return in_dimension(normals[0], [&]<int N>() -> Json {
+  return in_dimension(normals.front(), [&]<int N>() -> Json {
     const Kdop<S, N> a = kdop<S, N>(job.fields["normals"], job.fields["a"]);
     const Kdop<S, N> b = kdop<S, N>(job.fields["normals"], job.fields["b"]);
     const bool may = run<kdop_kdop::Event<S>>(job, [&](auto&& trace) { return may_intersect(a, b, trace); });
@@ -129,7 +130,7 @@ Json kdop_kdop(Job& job) {
 
 template <class S>
 Json triangle_box(Job& job) {
-  const std::vector<Field> corners = job.fields["tri"].list(3);
+  const std::array<Field, 3> corners = job.fields["tri"].list_of<3>();
   return in_dimension(corners[0], [&]<int N>() -> Json {
     const Triangle<S, N> t = {{vector<S, N>(corners[0]), vector<S, N>(corners[1]), vector<S, N>(corners[2])}};
     const Aabb<S, N> b = box<S, N>(job.fields);
@@ -144,12 +145,12 @@ Json triangle_box(Job& job) {
 
 const std::vector<Handler>& pair_handlers() {
   static const std::vector<Handler> table = {
-      ISECT_HANDLER(box_box, {"exact", "by_axis"}),
-      ISECT_HANDLER(sphere_sphere, {"exact", "squared_distance"}),
-      ISECT_HANDLER(sphere_box, {"exact", "accumulate"}),
-      ISECT_HANDLER(obb_obb, {"exact"}),
-      ISECT_HANDLER(kdop_kdop, {"exact"}),
-      ISECT_HANDLER(triangle_box, {"exact"}),
+      ISECT_HANDLER(box_box, "alo ahi blo bhi", {"exact", "by_axis"}),
+      ISECT_HANDLER(sphere_sphere, "c1 r1 c2 r2", {"exact", "squared_distance"}),
+      ISECT_HANDLER(sphere_box, "center radius lo hi", {"exact", "accumulate"}),
+      ISECT_HANDLER(obb_obb, "a b", {"exact"}),
+      ISECT_HANDLER(kdop_kdop, "normals a b", {"exact"}),
+      ISECT_HANDLER(triangle_box, "tri lo hi", {"exact"}),
   };
   return table;
 }

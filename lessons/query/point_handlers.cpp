@@ -117,10 +117,14 @@ Json plane_box(Job& job) {
 
 const std::vector<Handler>& point_handlers() {
   static const std::vector<Handler> table = {
-      ISECT_HANDLER(orient2d, {"exact"}),     ISECT_HANDLER(interval_interval, {"exact", "ends"}),
-      ISECT_HANDLER(point_obb, {"exact"}),    ISECT_HANDLER(point_point, {"exact"}),
-      ISECT_HANDLER(point_box, {"exact"}),    ISECT_HANDLER(point_sphere, {"exact"}),
-      ISECT_HANDLER(plane_sphere, {"exact"}), ISECT_HANDLER(plane_box, {"exact"}),
+      ISECT_HANDLER(orient2d, "a b c", {"exact"}),
+      ISECT_HANDLER(interval_interval, "a b", {"exact", "ends"}),
+      ISECT_HANDLER(point_obb, "point c u e", {"exact"}),
+      ISECT_HANDLER(point_point, "a b [tol]", {"exact"}),
+      ISECT_HANDLER(point_box, "point lo hi", {"exact"}),
+      ISECT_HANDLER(point_sphere, "point center radius", {"exact"}),
+      ISECT_HANDLER(plane_sphere, "normal d center radius", {"exact"}),
+      ISECT_HANDLER(plane_box, "normal d lo hi", {"exact"}),
   };
   return table;
 }

@@ -34,10 +34,14 @@ template <> struct Told<trapezoid_map::Inserted> : Says<"Inserted", "piece cut">
 
 namespace {
 
+// What would take more is refused; `isect query --help` has both.
+constexpr std::size_t most_slab_bytes = std::size_t{256} << 20, most_fit_products = std::size_t{1} << 26;
+
 template <class S>
 Polygon<S, 2> polygon(const Field& rings) {
   Polygon<S, 2> p;
-  for (const Field& entry : rings.list()) p.rings.push_back(ring<S, 2>(entry));
+  p.rings.reserve(rings.size());
+  for (const Field entry : rings.list()) p.rings.push_back(ring<S, 2>(entry));
   return p;
 }
 
@@ -54,8 +58,15 @@ int summed(Job& job, const Polygon<S, 2>& p, const Method& method) {
 Json in_or_out(bool in) { return in ? "in" : "out"; }
 
 /// Point location after preprocessing: the winding number, none on the boundary, is all there is to know.
-template <class Event, class S, class Map>
-Json by_map(Job& job, const Point<S, 2>& point, const Map& map) {
+template <class Event, class S, class Make>
+Json by_map(Job& job, const Polygon<S, 2>& polygon, const Point<S, 2>& point, const Make& make) {
+  const auto map = [&] {
+    try {
+      return make(polygon);
+    } catch (const std::logic_error& e) {  // edges that cross, or too large a map
+      job.fields["rings"].refuse(e.what());
+    }
+  }();
   const std::optional<int> times = run<Event>(job, [&](auto&& trace) { return winding(point, map, trace); });
   const auto where = [&](bool inside) {
     return name(!times ? Location::on : inside ? Location::in : Location::out);
@@ -87,15 +98,18 @@ Json pip(Job& job) {
     if (p.rings.size() != 1) job.fields["rings"].complain("one ring is expected for the convex variant");
     const auto convex = make_convex(p.rings[0]);
     if (!convex)
-      throw BadCase("field \"rings[0]\": it is not convex with an area, so the convex variant can't be used");
+      job.fields["rings"].list().front().refuse(
+          "it is not convex with an area, so the convex variant can't be used");
     const Location where =
         run<point_convex_polygon::Event>(job, [&](auto&& trace) { return locate(point, *convex, trace); });
     return {{"evenodd", name(where)}, {"nonzero", name(where)}};
   }
 
   if (job.variant == "slabs")
-    return by_map<slab_map::Event>(job, point, make_slab_map(p, std::size_t(256) << 20));
-  if (job.variant == "trapezoids") return by_map<trapezoid_map::Event>(job, point, make_trapezoid_map(p));
+    return by_map<slab_map::Event>(job, p, point,
+                                   [](const auto& of) { return make_slab_map(of, most_slab_bytes); });
+  if (job.variant == "trapezoids")
+    return by_map<trapezoid_map::Event>(job, p, point, [](const auto& of) { return make_trapezoid_map(of); });
 
   const Winding w = run<point_polygon::Event>(job, [&](auto&& trace) { return winding(point, p, trace); });
   const Json times = w.nonzero == Location::on ? Json(nullptr) : Json(w.winding);
@@ -130,6 +144,10 @@ std::vector<Vector<S, N>> usual_normals() {
 template <class S, int N>
 Json kdop_around(const Job& job, const Ring<S, N>& points) {
   const auto given = job.fields.find("normals");
+  if (given && given->size() * points.size() > most_fit_products)
+    given->refuse(std::to_string(given->size()) + " normals for " + std::to_string(points.size()) +
+                  " points are too many; allowed: normals times points up to " +
+                  std::to_string(most_fit_products));
   const Kdop<S, N> k = fit_kdop(points, given ? ring<S, N>(*given) : usual_normals<S, N>());
   Json lo = Json::array(), hi = Json::array();
   for (const Interval<S>& slab : k.slabs) lo.push_back(number(slab.lo)), hi.push_back(number(slab.hi));
@@ -138,11 +156,13 @@ Json kdop_around(const Job& job, const Ring<S, N>& points) {
 
 template <class S>
 Json bounding_volume_fit(Job& job) {
-  const std::vector<Field> entries = job.fields["points"].list();
+  const Field::Entries entries = job.fields["points"].list();
   if (entries.empty()) job.fields["points"].complain("at least one point is expected");
-  return in_dimension(entries[0], [&]<int N>() -> Json {
+  return in_dimension(entries.front(), [&]<int N>() -> Json {
     const Ring<S, N> points = ring<S, N>(job.fields["points"]);
     const std::string volume = job.fields["volume"].text();
+    if (const auto given = job.fields.find("normals"); given && volume != "kdop")
+      given->refuse("normals are for the volume kdop");
     if (volume == "aabb") {
       const Aabb<S, N> b = fit_aabb(points);
       return {{"lo", numbers<S, N>(b.lo)}, {"hi", numbers<S, N>(b.hi)}};
@@ -166,11 +186,12 @@ Json bounding_volume_fit(Job& job) {
 
 const std::vector<Handler>& polygon_handlers() {
   static const std::vector<Handler> table = {
-      ISECT_HANDLER(pip, {"exact", "crossings", "winding", "convex", "slabs", "trapezoids", "crossings_naive",
-                          "winding_naive"}),
-      ISECT_HANDLER(convex_hull2d, {"exact"}),
-      ISECT_HANDLER(polygon_normal, {"exact"}),
-      ISECT_HANDLER(bounding_volume_fit, {"exact"}),
+      ISECT_HANDLER(pip, "rings point",
+                    {"exact", "crossings", "winding", "convex", "slabs", "trapezoids", "crossings_naive",
+                     "winding_naive"}),
+      ISECT_HANDLER(convex_hull2d, "points", {"exact"}),
+      ISECT_HANDLER(polygon_normal, "polygon", {"exact"}),
+      ISECT_HANDLER(bounding_volume_fit, "points volume [normals]", {"exact"}),
   };
   return table;
 }

@@ -167,8 +167,8 @@ Json ray_obb(Job& job) {
 
 template <class S>
 Segment<S, 2> segment(const Field& field) {
-  const std::vector<Field> ends = field.list(2);
-  return {vector<S, 2>(ends[0]), vector<S, 2>(ends[1])};
+  const auto [p, q] = field.list_of<2>();
+  return {vector<S, 2>(p), vector<S, 2>(q)};
 }
 
 template <class S>
@@ -209,12 +209,13 @@ Json ray_polygon(Job& job) {
 
 const std::vector<Handler>& ray_handlers() {
   static const std::vector<Handler> table = {
-      ISECT_HANDLER(ray_sphere, {"exact", "robust", "quadratic", "half_b", "haines"}),
-      ISECT_HANDLER(ray_box, {"exact", "conservative", "slabs"}),
-      ISECT_HANDLER(ray_plane, {"exact", "textbook"}),
-      ISECT_HANDLER(ray_obb, {"exact", "projections"}),
-      ISECT_HANDLER(segment_segment, {"exact", "parametric"}),
-      ISECT_HANDLER(ray_polygon, {"exact", "projected"}),
+      ISECT_HANDLER(ray_sphere, "origin dir center radius [tmin] [tmax]",
+                    {"exact", "robust", "quadratic", "half_b", "haines"}),
+      ISECT_HANDLER(ray_box, "origin dir lo hi [tmin] [tmax]", {"exact", "conservative", "slabs"}),
+      ISECT_HANDLER(ray_plane, "origin dir normal d [tmin] [tmax]", {"exact", "textbook"}),
+      ISECT_HANDLER(ray_obb, "origin dir c u e [tmin] [tmax]", {"exact", "projections"}),
+      ISECT_HANDLER(segment_segment, "a b", {"exact", "parametric"}),
+      ISECT_HANDLER(ray_polygon, "origin dir polygon [tmin] [tmax]", {"exact", "projected"}),
   };
   return table;
 }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
@@ -11,6 +12,13 @@
 #include "lessons/query/request.h"
 
 namespace isect::query {
+
+using Json = nlohmann::ordered_json;
+
+/// On one line, and UTF-8 whatever the texts are.
+inline std::string written(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
 
 /// The number, "inf" or "-inf"; -0 as it is.
 template <class S>
@@ -26,6 +34,7 @@ Json number(const std::optional<S>& x) {
 template <class S, int N>
 Json numbers(const Vector<S, N>& v) {
   Json list = Json::array();
+  list.get_ref<Json::array_t&>().reserve(N);
   for (int i = 0; i < N; ++i) list.push_back(number(v[i]));
   return list;
 }
@@ -61,7 +70,9 @@ struct Job {
   const Field& fields;
   std::string variant;
   bool traced;
-  Json trace = Json::array();
+  std::string trace;  ///< events as JSON, with commas between
+
+  void tell(const Json& event) { trace += (trace.empty() ? "" : ",") + written(event); }
 };
 
 }  // namespace isect::query

@@ -16,10 +16,25 @@ cmake --build "$build" --target fuzz >&2
 cd "$build"
 mkdir -p seeds/query_fuzz
 split -l 1 "$root/tests/program/query_examples.jsonl" seeds/query_fuzz/example-
+
+# seed FILE BEFORE REPEATED COUNT AFTER: deep or wide lines, that no short input grows into
+seed() {
+  awk -v before="$2" -v part="$3" -v count="$4" -v after="$5" \
+    'BEGIN { printf "%s", before; for (i = 0; i < count; i++) printf part, i, i; printf "%s", after }' >"seeds/query_fuzz/$1"
+}
+seed deep-id '{"id":' '[' 75000 ''
+seed deep-object '' '{"a":' 65 ''
+seed closed "{\"id\":$(printf '[%.0s' $(seq 100))" ']' 100 ',"kind":"orient2d","a":[0,0],"b":[1,0],"c":[0,1]}'
+seed wide-keys '{"kind":"orient2d"' ',"k%d":%d' 40000 '}'
+seed wide-points '{"kind":"convex_hull2d","points":[[0,0]' ',[%d,0.%d]' 20000 ']}'
+seed wide-ring '{"kind":"pip","variant":"trapezoids","point":[1,1],"rings":[[[0,9]' ',[%d,0.%d]' 5000 ']]}'
+seed long-text '{"id":"' 'abcdefgh' 60000 '"}'
 for target in ${*:-query_fuzz cases_fuzz polygon_fuzz}; do
   mkdir -p "corpus/$target" "seeds/$target"
   echo "fuzz: $target for $seconds s" >&2
-  "tests/fuzz/$target" -max_total_time="$seconds" -timeout=20 -max_len=4096 -print_final_stats=1 \
+  size=4096 words=-verbosity=1  # the others draw numbers from the bytes, and need no more
+  [ "$target" != query_fuzz ] || size=1000000 words=-dict=$root/tests/fuzz/query.dict
+  "tests/fuzz/$target" -max_total_time="$seconds" -timeout=20 -max_len=$size "$words" -print_final_stats=1 \
     -artifact_prefix="$target-" "corpus/$target" "seeds/$target" 2>"$target.log" || { tail -n 40 "$target.log" >&2; exit 1; }
   grep -E 'number_of_executed_units|cov:.*DONE|DONE' "$target.log" >&2
 done

@@ -77,7 +77,8 @@ inline std::vector<Json> answers(const std::vector<Question>& questions) {
   const test::Shell shell;
   std::ostringstream lines;
   for (std::size_t i = 0; i < questions.size(); ++i) {
-    Json request = questions[i].request;
+    Json request = questions[i].of->content;  // as it stands in its file, with what is expected and the notes
+    request.update(questions[i].request);
     request["id"] = i;
     lines << request.dump() << '\n';
   }
@@ -110,8 +111,8 @@ inline bool refused(const Question& of, const Json& reply) {
   if (!of.request.contains("variant") || !reply.contains("error")) return false;
   int edge[2] = {}, ring[2] = {};
   if (std::sscanf(reply["error"].get<std::string>().c_str(),
-                  "edge %d of ring %d and edge %d of ring %d cross", &edge[0], &ring[0], &edge[1],
-                  &ring[1]) != 4)
+                  "field \"rings\": edge %d of ring %d and edge %d of ring %d cross", &edge[0], &ring[0],
+                  &edge[1], &ring[1]) != 4)
     return false;
   Json ends[4];
   for (int i = 0; i < 4; ++i) {
