@@ -77,6 +77,15 @@ bool Gallery::is_ours(const std::string& file) const {
   return metadata_in(there).contains("lesson");
 }
 
+bool Gallery::is_our_text(const std::string& stem, const std::string& now) const {
+  const std::string file = path(stem + ".txt");
+  if (!fs::exists(fs::status(file))) return true;
+  const std::string there = viz::read_file(file);
+  return there == now || std::ranges::any_of(listed_, [&](const auto& entry) {
+           return fs::path(entry.first).replace_extension() == stem && entry.second.value("alt", "") == there;
+         });
+}
+
 Gallery::Entries Gallery::read_manifest() const {
   const std::string file = path("manifest.json");
   if (!fs::exists(fs::status(file))) return {};
@@ -96,8 +105,12 @@ std::string Gallery::add(const Excerpt& e, int step, const std::string& format, 
                          Json about) {
   const viz::Step& s = e.walk.steps[static_cast<std::size_t>(step)];
   const std::string stem = file_of(e, step), file = stem + "." + format;
+  const std::string alt = alt_text(e, s);
   viz::write_file(path(file), bytes);
-  viz::write_file(path(stem + ".txt"), alt_text(e, s));
+  if (is_our_text(stem, alt))
+    viz::write_file(path(stem + ".txt"), alt);
+  else
+    left_alone_.insert(path(stem + ".txt"));
 
   Json entry = {{"file", file},
                 {"lesson", e.lesson->id},
@@ -105,7 +118,8 @@ std::string Gallery::add(const Excerpt& e, int step, const std::string& format, 
   entry.update({{"step", step + 1},
                 {"slug", s.slug},
                 {"title", viz::plain(s.title)},
-                {"caption", viz::plain(s.caption)}});
+                {"caption", viz::plain(s.caption)},
+                {"alt", alt}});
   entry["parameters"] = Json::parse(viz::to_json(e.parameters));
   entry.update(about);
   entry["version"] = viz::version();
@@ -130,7 +144,11 @@ std::size_t Gallery::remove_stale(const Excerpt& e) {
   for (const fs::path& figure :
        figures_in(path(folder_of(e))))  // another's figure of that name keeps the text
     gone.erase(folder_of(e) + "/" + figure.stem().string());
-  for (const std::string& stem : gone) fs::remove(path(stem + ".txt"));
+  for (const std::string& stem : gone)
+    if (is_our_text(stem, {}))
+      fs::remove(path(stem + ".txt"));
+    else
+      left_alone_.insert(path(stem + ".txt"));
   return removed;
 }
 

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,8 @@ class Gallery {
   /// Takes away figures that isect made for this folder, of steps that the walk no longer has, with their alt texts.
   /// Returns how many.
   std::size_t remove_stale(const Excerpt&);
+  /// Alt texts that someone has edited: neither written nor removed.
+  const std::set<std::string>& left_alone() const { return left_alone_; }
   /// Merges what was added into the manifest, which may have grown meanwhile.
   void list();
 
@@ -33,10 +36,13 @@ class Gallery {
   std::string path(const std::string& file) const;
   Entries read_manifest() const;
   bool is_ours(const std::string& file) const;
+  /// Whether a step's alt text is absent, as it is now, or as the manifest says that isect wrote it.
+  bool is_our_text(const std::string& stem, const std::string& now) const;
 
   std::string folder_;
   Entries listed_;  ///< before this run
   Entries added_;
+  std::set<std::string> left_alone_;
 };
 
 }  // namespace isect::program

@@ -144,6 +144,8 @@ int render(const Program& program, Options options) {
     throw;
   }
   gallery.list();
+  for (const std::string& text : gallery.left_alone())
+    say(fmt::format("left alone: {} was edited; remove it to have isect's own text again", text));
   return whole ? done : bad_input;
 }
 

@@ -76,6 +76,27 @@ TEST_CASE("a setting of fewer steps leaves no figures of the longer one behind",
   CHECK(shell("isect render --preset mine.json --format svg").err.empty());
 }
 
+TEST_CASE("an alt text that someone has edited is neither written over nor removed", "[render]") {
+  const Shell shell;
+  const auto folder = shell.work() / "figures/ray-sphere/mine";
+  const auto render = [&](const std::string& preset) {
+    write(shell.work() / "mine.json", R"({"lesson": "ray-sphere", "preset": ")" + preset + "\"}");
+    return shell("isect render --preset mine.json --format svg");
+  };
+  REQUIRE(render("two-roots").err.empty());
+  write(folder / "01-to-center.txt", "My own words.");
+  write(folder / "11-intersect.txt", "Where they meet.");
+
+  const Ran r = render("miss");  // its first step says something else, and it has no eleventh one
+  CHECK(r.status == 0);
+  for (const std::string name : {"01-to-center.txt", "11-intersect.txt"})
+    CHECK_THAT(r.err, Contains("left alone: figures/ray-sphere/mine/" + name));
+  CHECK(contents(folder / "01-to-center.txt") == "My own words.");
+  CHECK(contents(folder / "11-intersect.txt") == "Where they meet.");
+  CHECK_FALSE(fs::exists(folder / "11-intersect.svg"));
+  CHECK_THAT(contents(folder / "07-reject.txt"), Contains("Verdict"));
+}
+
 TEST_CASE("the manifest lists what is in the folder, from whichever run", "[render]") {
   const Shell shell;
   const auto listed = [&] {
