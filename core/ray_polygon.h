@@ -117,7 +117,7 @@ class Crossing {
   const Ray<double, 3>& ray_;
   const Ring<S, 3>& ring_;
   PlanePoint<Bounded<double>> quick_;
-  template <Filtered... W>
+  template <class... W>
   using Each = std::tuple<std::optional<PlanePoint<W>>...>;
   mutable Each<Nought, Bounded<Extended>, Extended, Bounded<DoubleDouble>, Exact> others_;
 };
