@@ -17,6 +17,9 @@ struct Candidate {
   bool far;
 };
 
+/// Ties are ties whatever the machine rounds: in pixels, in costs, and for a direction's part.
+constexpr double slack = 1e-6;
+
 struct Fit {
   double cost;
   bool crossed;
@@ -32,14 +35,14 @@ TextBox grown(const TextBox& b, double by) { return {b.left - by, b.top - by, b.
 double overlap(const TextBox& a, const TextBox& b) {
   const double w = std::min(a.right, b.right) - std::max(a.left, b.left);
   const double h = std::min(a.bottom, b.bottom) - std::max(a.top, b.top);
-  return w > 0 && h > 0 ? w * h : 0;
+  return w > slack && h > slack ? w * h : 0;
 }
 
 /// The length of the segment's part inside the box: slabs, N12 per axis.
 double length_inside(const Vec2& from, const Vec2& to, const TextBox& b) {
   double lo = 0, hi = 1;
   const Vec2 d = to - from;
-  const double low[2] = {b.left, b.top}, high[2] = {b.right, b.bottom};
+  const double low[2] = {b.left - slack, b.top - slack}, high[2] = {b.right + slack, b.bottom + slack};
   for (int i = 0; i < 2; ++i) {
     if (d[i] == 0) {
       if (from[i] < low[i] || from[i] > high[i]) return 0;
@@ -85,7 +88,8 @@ std::vector<Candidate> beside_segment(const Wanted& wanted, const Vec2& half, co
   double effort = 0;
   for (const double ring : {0.08, 0.25, 0.6, 1.4}) {
     for (const double share : {0.5, 0.38, 0.62, 0.25, 0.75}) {
-      for (const double side : {across.y() <= 0 ? 1.0 : -1.0, across.y() <= 0 ? -1.0 : 1.0}) {
+      const double above = across.y() <= slack ? 1 : -1;
+      for (const double side : {above, -above}) {
         const Vec2 anchor = wanted.from + share * (wanted.to - wanted.from);
         const double reach = support(half, across) + wanted.keep_off + ring * sizes.label_offset;
         candidates.push_back({anchor + side * reach * across, anchor, effort, ring > 1});
@@ -139,7 +143,7 @@ std::vector<PlacedLabel> place_labels(const std::vector<Wanted>& labels,
     Fit best_fit = {std::numeric_limits<double>::infinity(), false};
     for (const Candidate& candidate : candidates) {
       const Fit f = fit(candidate, half, placed, obstacles, bounds, sizes);
-      if (f.cost < best_fit.cost) best = &candidate, best_fit = f;
+      if (f.cost < best_fit.cost - slack) best = &candidate, best_fit = f;  // of equals, the first
     }
     if (best == nullptr) continue;  // a position that is no number
 

@@ -148,6 +148,8 @@ std::vector<viz::Change> Baselines::check_trace(const Excerpt& e, const std::vec
   } else {
     try {
       changes = viz::compare_traces(viz::read_file(baseline), now);
+      std::ranges::stable_partition(changes,
+                                    [](const viz::Change& c) { return !c.drawn; });  // said, then drawn
       if (!changes.empty()) {
         f = about(e, changes[0].step, failure(Kind::trace, changes[0].what, baseline));
         f->more = in_words({changes.begin() + 1, changes.end()});

@@ -37,7 +37,8 @@ TEST_CASE("a radius larger by a thousandth fails and is named by lesson, step an
   CHECK_THAT(first, StartsWith("FAILED ray-sphere two-roots, step "));
   CHECK_THAT(first, Contains("trace: r²") || Contains("trace: r was"));
   CHECK_THAT(r.out, Contains("parameter radius was"));
-  CHECK_THAT(r.out, Contains("step 3 (distance): picture: the ball") && Contains("times as large") &&
+  CHECK_THAT(r.out, Contains("step 3 (distance): picture: the page formula says") &&
+                        Contains("the ball c are 1.001 times as large") &&
                         Contains("pixels differ by more than 8"));
   CHECK_THAT(r.out,
              Contains(baselines + "/03-distance.new.png") && Contains(baselines + "/03-distance.diff.png"));

@@ -136,7 +136,7 @@ TEST_CASE("a preset's file that is wrong is refused by field, one that can't be 
   CHECK_THAT(refused(R"({"lesson": "ray-spere"})"), Contains("mean \"ray-sphere\""));
   CHECK_THAT(refused(R"({"lesson": "ray-sphere", "parameters": {"radus": 1}})"), Contains("mean \"radius\""));
   CHECK_THAT(refused(R"({"lesson": "ray-sphere", "parameters": {"radius": "big"}})"), Contains("radius"));
-  CHECK_THAT(refused(std::string(100000, '[')), Contains("not JSON"));
+  CHECK_THAT(refused(std::string(100000, '[')), Contains("nested more than 16 levels deep"));
   CHECK(shell("isect render --preset absent.json").status == 4);
   CHECK(shell("mkdir d.json && isect render --preset d.json").status == 4);
   CHECK_FALSE(fs::exists(shell.work() / "figures"));

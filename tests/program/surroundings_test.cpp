@@ -176,8 +176,8 @@ TEST_CASE("little memory is told, or is enough; nothing crashes", "[surroundings
 TEST_CASE("a picture too large for the memory is told by name", "[surroundings]") {
   const Shell shell;
   const Ran r = shell("ulimit -v 600000; isect render ray-sphere --step 1 --size 8192x8192");
-  CHECK(r.status == 4);
-  CHECK(r.err == "isect: out of memory\n");
+  CHECK((r.status == 4 || r.status == 77));  // the second where even the start is refused
+  CHECK_THAT(r.err, StartsWith("isect: ") && Contains("memory"));
 }
 
 TEST_CASE("few descriptors, no room for a file, closed streams: an error or nothing, never a crash",

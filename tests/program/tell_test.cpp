@@ -140,8 +140,8 @@ TEST_CASE("show opens a figure only if isect made it", "[show]") {
   const Shell shell;
   shell("isect render ray-sphere --preset tangent --step 3 --format png,svg --set radius=2 --out f");
   // Nothing is refused but the missing display: the figure's place was understood.
-  CHECK(shell("isect show f/ray-sphere/tangent/03-distance.png").status == 77);
-  CHECK(shell("isect show f/ray-sphere/tangent/03-distance.svg").status == 77);
+  CHECK(shell("isect show f/ray-sphere/tangent+radius=2/03-distance.png").status == 77);
+  CHECK(shell("isect show f/ray-sphere/tangent+radius=2/03-distance.svg").status == 77);
 
   CHECK(shell("isect show nowhere.png").status == 4);
   const Ran rubbish = shell("echo rubbish >r.png && isect show r.png");
@@ -149,7 +149,7 @@ TEST_CASE("show opens a figure only if isect made it", "[show]") {
   CHECK_THAT(rubbish.err, Contains("r.png"));
   const Ran other = shell("echo '<svg xmlns=\"http://www.w3.org/2000/svg\"/>' >o.svg && isect show o.svg");
   CHECK(other.status == 2);
-  CHECK_THAT(other.err, Contains("o.svg") && Contains("lesson"));
+  CHECK_THAT(other.err, Contains("o.svg") && Contains("no isect metadata") && Contains("isect show LESSON"));
 }
 
 TEST_CASE("doctor tries each back end and names versions and fonts", "[doctor]") {

@@ -53,11 +53,6 @@ TEST_CASE("an unknown subcommand or option is refused with the nearest", "[progr
   CHECK(shell("isect --vresion").status == 2);
 }
 
-TEST_CASE("a reader who leaves early is no error", "[program]") {
-  const Shell shell;
-  CHECK(shell("{ isect list --json; echo $? >status; } | true; cat status").out == "0\n");
-}
-
 TEST_CASE("a closed or full standard output is a file that can't be written", "[program]") {
   const Shell shell;
   const Ran closed = shell("isect list >&-");

@@ -1,6 +1,7 @@
 #include "viz/compose/canvas.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "viz/marks.h"
 #include "viz/rich_text.h"
@@ -22,9 +23,10 @@ Canvas::Canvas(const Scene& s, const View& v, const Theme& t, bool grips)
       occluders.screens.push_back({region->rings});
   }
   const auto ball = [&](int i) { return std::get<Ball>(scene.items[static_cast<std::size_t>(i)]); };
-  std::sort(ball_items.begin(), ball_items.end(), [&](int a, int b) {
-    return view.project(ball(a).center).depth > view.project(ball(b).center).depth;
-  });
+  const auto depth = [&](int i) {  // equal depths stay equal whatever the machine rounds
+    return std::round(view.project(ball(i).center).depth / (1e-9 * view.camera().half_height));
+  };
+  std::stable_sort(ball_items.begin(), ball_items.end(), [&](int a, int b) { return depth(a) > depth(b); });
   for (const int i : ball_items) occluders.balls.push_back(ball(i));
 }
 
