@@ -17,6 +17,7 @@
 #if defined(__FAST_MATH__)
 #error "isect needs IEEE arithmetic: build without -ffast-math"
 #endif
+// See core/CMakeLists.txt for the options that no macro tells: -ffp-contract=off, and -fno-tree-slp-vectorize with GCC.
 static_assert(FLT_EVAL_METHOD == 0, "isect needs arithmetic in the type itself: build with -mfpmath=sse");
 
 namespace isect {

@@ -5,9 +5,11 @@
 # jump and call does.
 # The comparison can fail: a listener must change the code.
 #
-# An ordinary run compiles as a release does, at -O3; a long one (ISECT_LONG=1) at -O2 too.
+# An ordinary run compiles as a release does, at -O3, and listens to the METHODS alone; a long one (ISECT_LONG=1) compiles
+# at -O2 too and listens to all.
 #
-#   cmake -DCOMPILER=c++ -DOBJDUMP=objdump -DROOT=<repository> -DWORK=<scratch> -DEIGEN=<include> -P zero_cost_trace.cmake
+#   cmake -DCALLS=RELATE -DCOMPILER=c++ "-DOPTIONS=<of isect::core>" -DOBJDUMP=objdump -DROOT=<repository> -DWORK=<scratch>
+#     -DEIGEN=<include> -P zero_cost_trace.cmake
 cmake_minimum_required(VERSION 3.22)
 
 # Copies the core to WORK/traced as it is and to WORK/untraced without its trace lines, both with big numbers out of line.
@@ -38,7 +40,7 @@ message(STATUS "deleted ${deleted} trace lines")
 function(disassemble variable include)
   string(MAKE_C_IDENTIFIER "${variable}${ARGN}" name)
   execute_process(
-    COMMAND ${COMPILER} -std=c++20 -ffp-contract=off ${ARGN} -I${include} -isystem ${EIGEN}
+    COMMAND ${COMPILER} -std=c++20 ${OPTIONS} ${ARGN} -I${include} -isystem ${EIGEN}
       -c ${CMAKE_CURRENT_LIST_DIR}/zero_cost_trace.cpp -o ${WORK}/${name}.o
     COMMAND_ERROR_IS_FATAL ANY)
   execute_process(COMMAND ${OBJDUMP} -dr --no-show-raw-insn ${WORK}/${name}.o
@@ -63,42 +65,42 @@ function(operations variable code)
   set(${variable} "${code}" PARENT_SCOPE)
 endfunction()
 
-foreach(calls INTERSECT METHODS RELATE RAYS POLYGONS)
-  set(levels -O3)
-  if(calls STREQUAL RAYS)
-    set(levels -O2)  # at -O3 GCC schedules ray_plane::parameter, which has no trace line, in two ways
-  elseif("$ENV{ISECT_LONG}" STREQUAL 1)
-    set(levels -O2 -O3)
+set(levels -O3)
+if(CALLS STREQUAL RAYS)
+  set(levels -O2)  # at -O3 GCC schedules ray_plane::parameter, which has no trace line, in two ways
+elseif("$ENV{ISECT_LONG}" STREQUAL 1)
+  set(levels -O2 -O3)
+endif()
+foreach(level ${levels})
+  disassemble(traced ${WORK}/traced ${level} -D${CALLS})
+  disassemble(untraced ${WORK}/untraced ${level} -D${CALLS})
+  operations(traced_operations "${traced}")
+  operations(untraced_operations "${untraced}")
+  list(LENGTH traced_operations count)
+  if(count LESS 300)
+    message(FATAL_ERROR "${CALLS} ${level}: only ${count} operations: there is nothing to compare")
   endif()
-  foreach(level ${levels})
-    disassemble(traced ${WORK}/traced ${level} -D${calls})
-    disassemble(untraced ${WORK}/untraced ${level} -D${calls})
-    operations(traced_operations "${traced}")
-    operations(untraced_operations "${untraced}")
-    list(LENGTH traced_operations count)
-    if(count LESS 300)
-      message(FATAL_ERROR "${calls} ${level}: only ${count} operations: there is nothing to compare")
-    endif()
 
-    if(traced STREQUAL untraced)
-      message(STATUS "${calls} ${level}: ${count} operations, the same code byte for byte")
-    elseif(traced_operations STREQUAL untraced_operations)
-      message(STATUS "${calls} ${level}: ${count} operations, the same in another order")
-    else()
-      foreach(code traced untraced)
-        string(REPLACE ";" "\n" text "${${code}_operations}")
-        file(WRITE ${WORK}/${code}.s "${text}\n")
-      endforeach()
-      execute_process(COMMAND diff -U0 ${WORK}/untraced.s ${WORK}/traced.s OUTPUT_VARIABLE difference)
-      string(SUBSTRING "${difference}" 0 4000 difference)
-      message(FATAL_ERROR "${calls} ${level}: the trace lines change the operations\n${difference}")
-    endif()
-  endforeach()
-
-  list(GET levels -1 level)  # that of traced_operations
-  disassemble(heard ${WORK}/traced ${level} -D${calls} -DLISTEN)
-  operations(heard_operations "${heard}")
-  if(heard_operations STREQUAL traced_operations)
-    message(FATAL_ERROR "${calls}: a listener changes nothing, so this test proves nothing")
+  if(traced STREQUAL untraced)
+    message(STATUS "${CALLS} ${level}: ${count} operations, the same code byte for byte")
+  elseif(traced_operations STREQUAL untraced_operations)
+    message(STATUS "${CALLS} ${level}: ${count} operations, the same in another order")
+  else()
+    foreach(code traced untraced)
+      string(REPLACE ";" "\n" text "${${code}_operations}")
+      file(WRITE ${WORK}/${code}.s "${text}\n")
+    endforeach()
+    execute_process(COMMAND diff -U0 ${WORK}/untraced.s ${WORK}/traced.s OUTPUT_VARIABLE difference)
+    string(SUBSTRING "${difference}" 0 4000 difference)
+    message(FATAL_ERROR "${CALLS} ${level}: the trace lines change the operations\n${difference}")
   endif()
 endforeach()
+
+if(CALLS STREQUAL METHODS OR "$ENV{ISECT_LONG}" STREQUAL 1)
+  list(GET levels -1 level)  # that of traced_operations
+  disassemble(heard ${WORK}/traced ${level} -D${CALLS} -DLISTEN)
+  operations(heard_operations "${heard}")
+  if(heard_operations STREQUAL traced_operations)
+    message(FATAL_ERROR "${CALLS}: a listener changes nothing, so this test proves nothing")
+  endif()
+endif()

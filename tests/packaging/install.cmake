@@ -1,6 +1,6 @@
 # Installs isect to a fresh prefix, then configures, builds and runs the consumer in another folder, and
 # compiles every installed header alone.
-#   cmake -D ISECT_BUILD=... -D CONSUMER=... -D SCRATCH=... -D CXX=... -P install.cmake
+#   cmake -D ISECT_BUILD=... -D CONSUMER=... -D SCRATCH=... -D CXX=... "-D OPTIONS=<of isect::core>" -P install.cmake
 function(must)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE status OUTPUT_VARIABLE text ERROR_VARIABLE text)
   if(NOT status EQUAL 0)
@@ -20,9 +20,11 @@ if(NOT text MATCHES "-- ${count} installed headers")
   message(FATAL_ERROR "not all of ${count} headers are installed:\n${text}")
 endif()
 must(${CMAKE_COMMAND} --build ${SCRATCH}/build --target consumer --verbose)
-if(NOT text MATCHES "-ffp-contract=off")
-  message(FATAL_ERROR "isect::core does not export -ffp-contract=off:\n${text}")
-endif()
+foreach(option IN LISTS OPTIONS)
+  if(NOT text MATCHES " ${option} ")
+    message(FATAL_ERROR "isect::core does not export ${option}:\n${text}")
+  endif()
+endforeach()
 must(${SCRATCH}/build/consumer)
 if(NOT text STREQUAL "hit at 1.5 and 2.5\n")
   message(FATAL_ERROR "the consumer said: ${text}")
