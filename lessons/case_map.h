@@ -8,11 +8,10 @@
 namespace isect::lessons {
 
 /// The walk with the map of cases after its last step; as it is where the map has no place for the setting.
-/// `told` says what the plane means, in sentences of at most 20 words.
+/// `told` says what the plane means, in sentences of at most 20 words. The lesson must outlive the walk.
 inline viz::Walk with_case_map(viz::Walk walk, const viz::Lesson& lesson, const viz::Parameters& here,
                                const std::string& told) {
-  viz::Chart chart = viz::case_map(lesson, here);
-  const std::optional<viz::Cases::Spot> place = std::get<viz::Cases>(chart.kind).here;
+  const std::optional<viz::Cases::Spot> place = viz::spot_on(*lesson.map, here);
   if (!place) return walk;
   viz::Step step = walk.steps.back();  // what is known stays
   step.slug = viz::case_map_slug, step.title = "Where this case lies";
@@ -22,7 +21,7 @@ inline viz::Walk with_case_map(viz::Walk walk, const viz::Lesson& lesson, const 
   step.comparison.reset(), step.question.reset();
   for (viz::Value& value : step.values) value.fresh = false;
   step.scene = {};
-  step.scene.chart = std::make_shared<const viz::Chart>(std::move(chart));
+  step.scene.chart = viz::DeferredChart([&lesson, here] { return viz::case_map(lesson, here); });
   walk.steps.push_back(std::move(step));
   return walk;
 }

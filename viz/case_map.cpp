@@ -181,6 +181,12 @@ int outcome(const Walk& walk) {
   return step;
 }
 
+std::optional<Cases::Spot> spot_on(const CaseMap& map, const Parameters& here) {
+  const Vec2 at = map.place(here);
+  if (!within(map, at)) return {};
+  return Cases::Spot{at, map.branch(here)};
+}
+
 Chart case_map(const Lesson& lesson, const Parameters& here) {
   const CaseMap& map = *lesson.map;
   Cases cases;
@@ -197,8 +203,7 @@ Chart case_map(const Lesson& lesson, const Parameters& here) {
     if (!twice && within(map, spot.at) && belongs(map, here, preset.parameters, spot.at))
       cases.presets.push_back(spot);
   }
-  const Vec2 at = map.place(here);
-  if (within(map, at)) cases.here = Cases::Spot{at, map.branch(here)};
+  cases.here = spot_on(map, here);
   return {cases};
 }
 

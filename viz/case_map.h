@@ -15,6 +15,9 @@ inline constexpr const char* case_map_slug = "cases";
 /// The last step that shows the scene itself: a map of cases may follow it.
 int outcome(const Walk&);
 
+/// Where this setting lies on the map, and its branch; none where the map does not reach.
+std::optional<Cases::Spot> spot_on(const CaseMap&, const Parameters& here);
+
 /// The map with the lesson's presets and this setting on it. `lesson.map` must be there.
 Chart case_map(const Lesson& lesson, const Parameters& here);
 

@@ -12,6 +12,8 @@
 #include <variant>
 #include <vector>
 
+#include "viz/deferred_chart.h"
+
 namespace isect::viz {
 
 using Vec2 = Eigen::Vector2d;
@@ -179,13 +181,11 @@ struct Axis {
   std::vector<Tick> ticks;
 };
 
-struct Chart;
-
 struct Scene {
   std::vector<Item> items;
   std::vector<Handle> handles;
   std::optional<Axis> axis;
-  std::shared_ptr<const Chart> chart = {};  ///< drawn in place of the items, flat, whatever the camera
+  DeferredChart chart = {};  ///< drawn in place of the items, flat, whatever the camera
 };
 
 }  // namespace isect::viz

@@ -105,12 +105,19 @@ bool Baselines::accepts(Kind kind) const {
          (update_ == Update::missing && kind == Kind::missing);
 }
 
+std::vector<viz::Drawing> Baselines::drawings_of(const Excerpt& e) const {
+  std::vector<viz::Drawing> drawings(e.walk.steps.size());
+  if (!fs::exists(path(e, "")) && !accepts(Kind::missing) && !keep_pictures_) return drawings;
+  const viz::Camera camera = camera_for(e, theme, picture_size);
+  std::ranges::transform(e.walk.steps, drawings.begin(), [&](const viz::Step& step) {
+    return viz::figure(step, camera, theme, picture_size.width, picture_size.height).drawing;
+  });
+  return drawings;
+}
+
 std::vector<Failure> Baselines::check(const Excerpt& e) {
   std::vector<Failure> found;
-  const viz::Camera camera = camera_for(e, theme, picture_size);
-  std::vector<viz::Drawing> drawings;
-  for (const viz::Step& step : e.walk.steps)
-    drawings.push_back(viz::figure(step, camera, theme, picture_size.width, picture_size.height).drawing);
+  const std::vector<viz::Drawing> drawings = drawings_of(e);
   const std::vector<viz::Change> changes = check_trace(e, drawings, found);
   for (int step = 0; step < static_cast<int>(e.walk.steps.size()); ++step)
     if (has_picture(e, step))
@@ -139,7 +146,9 @@ bool Baselines::settle(const std::string& baseline, bool ours, std::optional<Fai
 std::vector<viz::Change> Baselines::check_trace(const Excerpt& e, const std::vector<viz::Drawing>& drawings,
                                                 std::vector<Failure>& found) {
   const std::string baseline = path(e, "trace.json");
-  const std::string now = viz::trace_json(*e.lesson, e.folder, e.parameters, e.walk, drawings, stamp_);
+  const std::string now = fs::exists(baseline) || accepts(Kind::missing)
+                              ? viz::trace_json(*e.lesson, e.folder, e.parameters, e.walk, drawings, stamp_)
+                              : "";
   const bool ours = trace_of(folder_of(e)).has_value() || !fs::exists(baseline);
   std::optional<Failure> f;
   std::vector<viz::Change> changes;
@@ -206,15 +215,19 @@ void Baselines::check_picture(const Excerpt& e, int index, const viz::Drawing& d
   const bool ours =
       absent || ((f || update_ == Update::all) && made_for(metadata_in(baseline), folder, trace_of(folder)));
   const bool replaced = settle(baseline, ours, f);
-  if (replaced) viz::write_file(baseline, viz::png(now, metadata_of(e, index)));
+  const bool beside = f && !replaced && !absent;  // are the pictures written beside the baseline?
+  const bool shown = f && (beside || keep_pictures_);
+  std::string png;
+  if (replaced || shown) png = viz::png(now, metadata_of(e, index));
+  if (replaced) viz::write_file(baseline, png);
   if (!f || replaced) remove_leftovers(baseline, folder);
   if (!f) return;
 
-  f->fresh_png = viz::png(now, metadata_of(e, index));
-  if (f->kind == Kind::picture)
+  f->fresh_png = std::move(png);
+  if (shown && f->kind == Kind::picture)
     f->difference_png =
         viz::png(viz::difference_picture(viz::read_png(f->accepted_png), now), metadata_of(e, index));
-  if (!replaced && !absent) write_leftovers(*f, folder);
+  if (beside) write_leftovers(*f, folder);
   if (!keep_pictures_) f->accepted_png.clear(), f->fresh_png.clear(), f->difference_png.clear();
   found.push_back(about(e, index, *f));
 }

@@ -72,6 +72,8 @@ class Baselines {
   const std::optional<OwnTrace>& trace_of(const std::string& folder);
   /// Whether the file is to be replaced by what is new. Marks the failure, if there is one.
   bool settle(const std::string& baseline, bool ours, std::optional<Failure>&);
+  /// One for each step; empty ones where nothing was accepted or will be, for nobody would see them.
+  std::vector<viz::Drawing> drawings_of(const Excerpt&) const;
   /// Returns what differs.
   std::vector<viz::Change> check_trace(const Excerpt&, const std::vector<viz::Drawing>&,
                                        std::vector<Failure>&);

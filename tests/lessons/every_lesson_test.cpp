@@ -159,7 +159,7 @@ TEST_CASE("a handle that is dragged stays under the pointer, and one that is not
     for (const Preset& p : lesson->presets) {
       const Walk walk = lesson->walk(p.parameters);
       const std::vector<Handle>& handles = walk.steps.front().scene.handles;
-      const bool measured = walk.steps.front().scene.chart != nullptr;  // what was measured is not dragged
+      const bool measured = bool(walk.steps.front().scene.chart);  // what was measured is not dragged
       CHECK(handles.empty() == measured);
       for (std::size_t i = 0; i < handles.size(); ++i) {
         INFO(lesson->id << " " << p.id << ", " << handles[i].parameter);

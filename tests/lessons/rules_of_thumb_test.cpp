@@ -130,7 +130,7 @@ TEST_CASE("the chart of times is that of the measurements", "[rules-of-thumb les
   }
   CHECK(value(walk, "half-B, operations") < value(walk, "quadratic, operations"));
   for (const viz::Step& s : walk.steps) {
-    CHECK(s.scene.chart != nullptr);
+    CHECK(bool(s.scene.chart));
     CHECK_THAT(s.source, Catch::Matchers::Contains(lessons::speed_lesson::results().machine.cpu));
   }
 }

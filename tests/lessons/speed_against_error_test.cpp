@@ -89,7 +89,7 @@ TEST_CASE("every line of the reading is reached, and each step says it shortly",
       reached.insert(s.line);
       CHECK(slugs.insert(s.slug).second);
       CHECK(s.source.find(results().machine.flags) != std::string::npos);
-      CHECK(s.scene.chart != nullptr);
+      CHECK(bool(s.scene.chart));
       CHECK(s.caption.find("nan") == std::string::npos);
       int words = 0;
       std::istringstream text(plain(s.caption));

@@ -7,15 +7,15 @@ namespace fs = std::filesystem;
 namespace viz = isect::viz;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
-using isect::test::accept_with_radius;
+using isect::test::accept_other_interval;
 using isect::test::Accepted;
 using isect::test::as_of;
 using isect::test::baselines;
 using isect::test::check;
 using isect::test::contents;
 using isect::test::files_in;
+using isect::test::intervals;
 using isect::test::photo;
-using isect::test::radius;
 using isect::test::Ran;
 using isect::test::Shell;
 using isect::test::write;
@@ -62,51 +62,53 @@ TEST_CASE("no update changes or removes what isect did not make", "[check]") {
 
 TEST_CASE("a file of another's in the place of a baseline is an error, and stays", "[check]") {
   const Accepted shell;
-  write(shell.file("03-distance.png"), photo());
+  write(shell.file("03-relation.png"), photo());
   write(shell.file("trace.json"), R"({"traceEvents": []})");
   for (const std::string mode : {"", " --update=missing", " --update", " --update=all"}) {
     INFO(mode);
     const Ran r = shell(check + mode);
     CHECK(r.status == 1);
-    CHECK_THAT(r.out, Contains("FAILED ray-sphere two-roots, step 3 (distance): size:"));
+    CHECK_THAT(r.out, Contains("FAILED intervals overlapping, step 3 (relation): size:"));
     CHECK_THAT(r.out, Contains("the file in its place was not made by isect"));
     CHECK_THAT(r.out, !Contains("to accept"));
-    CHECK(contents(shell.file("03-distance.png")) == photo());
+    CHECK(contents(shell.file("03-relation.png")) == photo());
     CHECK(contents(shell.file("trace.json")) == R"({"traceEvents": []})");
   }
-  SECTION("a baseline without its metadata still serves, but is not replaced") {
-    REQUIRE(shell("rm -r snapshots && " + check + " --update").status == 0);
-    const std::string stripped = viz::png(viz::read_png(contents(shell.file("03-distance.png"))));
-    write(shell.file("03-distance.png"), stripped);
-    CHECK(shell(check).status == 0);
-    CHECK_THAT(shell(check + " --update=all").out, Contains("left alone: " + baselines + "/03-distance.png"));
-    CHECK(contents(shell.file("03-distance.png")) == stripped);
-  }
-  SECTION("nor are pictures of another's replaced by the new one and the difference") {
-    REQUIRE(shell("rm -r snapshots && " + check + " --update").status == 0);
-    fs::copy_file(shell.file("01-to-center.png"), shell.file("03-distance.png"),
-                  fs::copy_options::overwrite_existing);
-    write(shell.file("03-distance.new.png"), photo());
-    write(shell.file("03-distance.diff.png"), photo());
-    CHECK_THAT(shell(check).out, Contains("not written: " + baselines + "/03-distance.new.png is there"));
-    CHECK(shell(check + " --update").status == 0);
-    CHECK(contents(shell.file("03-distance.new.png")) == photo());
-    CHECK(contents(shell.file("03-distance.diff.png")) == photo());
-  }
+}
+
+TEST_CASE("a baseline without its metadata still serves, but is not replaced", "[check]") {
+  const Accepted shell;
+  const std::string stripped = viz::png(viz::read_png(contents(shell.file("03-relation.png"))));
+  write(shell.file("03-relation.png"), stripped);
+  CHECK(shell(check).status == 0);
+  CHECK_THAT(shell(check + " --update=all").out, Contains("left alone: " + baselines + "/03-relation.png"));
+  CHECK(contents(shell.file("03-relation.png")) == stripped);
+}
+
+TEST_CASE("pictures of another's are not replaced by the new one and the difference", "[check]") {
+  const Accepted shell;
+  fs::copy_file(shell.file("01-a-beyond-b.png"), shell.file("03-relation.png"),
+                fs::copy_options::overwrite_existing);
+  write(shell.file("03-relation.new.png"), photo());
+  write(shell.file("03-relation.diff.png"), photo());
+  CHECK_THAT(shell(check).out, Contains("not written: " + baselines + "/03-relation.new.png is there"));
+  CHECK(shell(check + " --update").status == 0);
+  CHECK(contents(shell.file("03-relation.new.png")) == photo());
+  CHECK(contents(shell.file("03-relation.diff.png")) == photo());
 }
 
 TEST_CASE("a baseline that is a link is followed", "[check]") {
   const Accepted shell;
   fs::create_directory(shell.work() / "store");
-  fs::rename(shell.file("03-distance.png"), shell.work() / "store/a.png");
-  fs::create_symlink("../../../store/a.png", shell.file("03-distance.png"));
+  fs::rename(shell.file("03-relation.png"), shell.work() / "store/a.png");
+  fs::create_symlink("../../../store/a.png", shell.file("03-relation.png"));
   fs::rename(shell.file("trace.json"), shell.work() / "store/t.json");
   fs::create_symlink("../../../store/t.json", shell.file("trace.json"));
   CHECK(shell(check).status == 0);
-  accept_with_radius(shell, radius() / 2);
+  accept_other_interval(shell);
   CHECK(shell(check).status == 1);
   CHECK(shell(check + " --update").status == 0);
-  CHECK(fs::is_symlink(shell.file("03-distance.png")));
+  CHECK(fs::is_symlink(shell.file("03-relation.png")));
   CHECK(fs::is_symlink(shell.file("trace.json")));
   CHECK(viz::png_metadata(contents(shell.work() / "store/a.png")).contains("file"));
   CHECK(shell(check).status == 0);
@@ -120,10 +122,11 @@ TEST_CASE("a baseline that is a link is followed", "[check]") {
 TEST_CASE("baselines of a preset or lesson that is gone are left over", "[check]") {
   const Accepted shell;
   std::string trace = contents(shell.file("trace.json"));
-  trace.replace(trace.find("\"two-roots\""), 11, "\"gone\"");
-  write(shell.work() / "snapshots/ray-sphere/gone/trace.json", trace);
-  const std::string picture = contents(shell.file("01-to-center.png"));
-  write(shell.work() / "snapshots/ray-sphere/gone/01-to-center.png", as_of(picture, "gone", "01"));
+  trace.replace(trace.find("\"overlapping\""), 13, "\"gone\"");
+  write(shell.work() / "snapshots/intervals/gone/trace.json", trace);
+  const std::string picture = contents(shell.file("01-a-beyond-b.png"));
+  write(shell.work() / "snapshots/intervals/gone/01-a-beyond-b.png",
+        as_of(picture, {intervals.lesson, "gone"}, "01"));
   write(shell.work() / "snapshots/no-lesson/x/01-a.png",
         viz::png(viz::read_png(picture), {{"lesson", "no-lesson"}, {"file", "no-lesson/x/01-a"}}));
   write(shell.work() / "snapshots/README.md", "no baseline");
@@ -133,12 +136,12 @@ TEST_CASE("baselines of a preset or lesson that is gone are left over", "[check]
   std::vector<std::string> files;
   for (const auto& f : result["failures"])
     if (f["kind"] == "orphan") files.push_back(f["baseline"]);
-  CHECK(files == std::vector<std::string>{"snapshots/no-lesson/x/01-a.png",
-                                          "snapshots/ray-sphere/gone/01-to-center.png",
-                                          "snapshots/ray-sphere/gone/trace.json"});
+  CHECK(files == std::vector<std::string>{"snapshots/intervals/gone/01-a-beyond-b.png",
+                                          "snapshots/intervals/gone/trace.json",
+                                          "snapshots/no-lesson/x/01-a.png"});
   CHECK(result["accept"] == "isect check --update=failed");
-  CHECK_THAT(shell("isect check ray-sphere --update").out, Contains("removed ray-sphere gone: "));
-  CHECK_FALSE(fs::exists(shell.work() / "snapshots/ray-sphere/gone"));
+  CHECK_THAT(shell("isect check intervals --update").out, Contains("removed intervals gone: "));
+  CHECK_FALSE(fs::exists(shell.work() / "snapshots/intervals/gone"));
   CHECK(fs::exists(shell.work() / "snapshots/no-lesson/x/01-a.png"));
 }
 

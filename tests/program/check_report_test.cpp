@@ -7,11 +7,10 @@ namespace fs = std::filesystem;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 using isect::test::accept_command;
-using isect::test::accept_with_radius;
+using isect::test::accept_other_interval;
 using isect::test::Accepted;
 using isect::test::check;
 using isect::test::contents;
-using isect::test::radius;
 using isect::test::Ran;
 using isect::test::scene;
 using isect::test::Shell;
@@ -37,7 +36,7 @@ TEST_CASE("one command accepts all that failed, word by word", "[check]") {
   follow(dir + " --preset sub/a");
   follow(dir + " sphere-sphere");
   follow(dir);
-  follow("isect check ray-sphere --preset two-roots --snapshots 'a b'");
+  follow("isect check ray-sphere --preset miss --snapshots 'a b'");
 
   // A lesson that changed is named where others did not.
   write(shell.work() / "my 'notes'/b.json", R"({"lesson": "sphere-sphere", "preset": "touching"})");
@@ -55,17 +54,17 @@ TEST_CASE("one command accepts all that failed, word by word", "[check]") {
 
 TEST_CASE("where nothing can be written a difference is still told in words", "[check]") {
   const Accepted shell;
-  accept_with_radius(shell, radius() / 1.001);
+  accept_other_interval(shell);
   // A folder where the picture should go stops root as well.
-  fs::create_directories(shell.file("03-distance.new.png"));
-  fs::create_directories(shell.file("03-distance.diff.png/x"));
-  const Ran r = shell("isect check ray-sphere --preset two-roots");
+  fs::create_directories(shell.file("03-relation.new.png"));
+  fs::create_directories(shell.file("03-relation.diff.png/x"));
+  const Ran r = shell(check);
   CHECK(r.status == 1);
-  CHECK_THAT(r.out, Contains("step 3 (distance): picture:") && Contains("parameter radius was") &&
-                        Contains("note "));
+  CHECK_THAT(r.out,
+             Contains("step 3 (relation): picture:") && Contains("parameter b_min was") && Contains("note "));
   CHECK(shell(check + " --update").status == 0);
 
-  accept_with_radius(shell, radius() / 1.001);
+  accept_other_interval(shell);
   const Ran mounted = shell(
       "unshare -rm true 2>/dev/null || exit 99\nunshare -rm sh -c 'mount --bind . . && mount -o "
       "remount,bind,ro . && cd . && cd \"$PWD\" && " +
@@ -73,7 +72,7 @@ TEST_CASE("where nothing can be written a difference is still told in words", "[
   if (mounted.status != 99) {
     INFO(mounted.out << mounted.err);
     CHECK(mounted.status == 1);
-    CHECK_THAT(mounted.out, Contains("parameter radius was") && Contains("Read-only file system"));
+    CHECK_THAT(mounted.out, Contains("parameter b_min was") && Contains("Read-only file system"));
   }
 }
 
@@ -85,7 +84,7 @@ TEST_CASE("a report shows what would be accepted for the first time", "[check]")
   const std::string page = contents(shell.work() / "new.html");
   std::size_t pictures = 0;
   for (std::size_t at = 0; (at = page.find("<img alt=\"New\"", at)) != std::string::npos; ++at) ++pictures;
-  CHECK(pictures == 12);
+  CHECK(pictures == 4);
   CHECK_THAT(page, Contains(check + " --update=missing"));
 }
 
@@ -100,7 +99,7 @@ TEST_CASE("a result as JUnit XML is read by programs, whatever the names", "[che
   CHECK(shell(check + " --junit good.xml").status == 0);
   CHECK_THAT(read("good.xml"),
              Contains("<testsuites name=\"isect check\" tests=\"1\" failures=\"0\" errors=\"0\">") &&
-                 Contains("<testcase classname=\"ray-sphere\" name=\"two-roots\"/>"));
+                 Contains("<testcase classname=\"intervals\" name=\"overlapping\"/>"));
 
   const std::string odd = "q <&> \"'\x01 ]]>";
   write(shell.work() / "odd" / (odd + ".json"), scene("overlapping"));
@@ -121,19 +120,19 @@ TEST_CASE("a result as JUnit XML is read by programs, whatever the names", "[che
 
 TEST_CASE("where there are no baselines it is said once, with the place and the way out", "[check]") {
   const Shell shell;
-  const Ran r = shell("isect check ray-sphere");
+  const Ran r = shell("isect check intervals");
   CHECK(r.status == 3);
-  CHECK_THAT(r.out, StartsWith("no baselines here: those of ray-sphere are looked for in " +
+  CHECK_THAT(r.out, StartsWith("no baselines here: those of intervals are looked for in " +
                                fs::canonical(shell.work()).string() + "/snapshots\n"));
   CHECK_THAT(r.out, Contains("--snapshots DIR") && Contains("--dir DIR") && !Contains("MISSING"));
   CHECK(fs::is_empty(shell.work()));
-  CHECK(nlohmann::json::parse(shell(check + " --json").out)["failures"].size() == 13);
+  CHECK(nlohmann::json::parse(shell(check + " --json").out)["failures"].size() == 5);
 
   // Where others have theirs, those without are named, a line each.
   REQUIRE(shell(check + " --update").status == 0);
-  const Ran some = shell("isect check ray-sphere");
+  const Ran some = shell("isect check intervals");
   CHECK(some.status == 3);
-  CHECK_THAT(some.out, Contains("MISSING ray-sphere tangent: snapshots/ray-sphere/tangent\n"));
+  CHECK_THAT(some.out, Contains("MISSING intervals touching: snapshots/intervals/touching\n"));
   CHECK_THAT(some.out, !Contains(".png") && !Contains("trace.json"));
 }
 

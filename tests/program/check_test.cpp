@@ -8,12 +8,14 @@ namespace viz = isect::viz;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 using isect::test::accept_command;
-using isect::test::accept_with_radius;
+using isect::test::accept_other_interval;
+using isect::test::accept_with;
 using isect::test::Accepted;
+using isect::test::ball;
 using isect::test::baselines;
 using isect::test::check;
 using isect::test::contents;
-using isect::test::radius;
+using isect::test::number;
 using isect::test::Ran;
 using isect::test::Shell;
 using isect::test::write;
@@ -22,16 +24,16 @@ TEST_CASE("what was accepted passes, from any locale and with CI set", "[check]"
   const Accepted shell;
   const Ran r = shell(check);
   CHECK(r.status == 0);
-  CHECK_THAT(r.out, StartsWith("ok: 12 pictures of 1 preset\n"));
+  CHECK_THAT(r.out, StartsWith("ok: 4 pictures of 1 preset\n"));
   CHECK(r.err.empty());
   CHECK(shell("CI=1 LC_ALL=C LANG=de_DE.UTF-8 " + check + " --backend egl").status == 0);
 }
 
 TEST_CASE("a radius larger by a thousandth fails and is named by lesson, step and first difference",
           "[check]") {
-  const Accepted shell;
-  accept_with_radius(shell, radius() / 1.001);
-  const Ran r = shell(check);
+  const Accepted shell(ball);
+  accept_with(shell, "radius", number(ball, "radius") / 1.001);
+  const Ran r = shell(ball.check());
   CHECK(r.status == 1);
   const std::string first = r.out.substr(0, r.out.find('\n'));
   CHECK_THAT(first, StartsWith("FAILED ray-sphere two-roots, step 3 (distance): trace: formula was "));
@@ -40,31 +42,38 @@ TEST_CASE("a radius larger by a thousandth fails and is named by lesson, step an
   CHECK_THAT(r.out, Contains("step 3 (distance): picture: the page formula says") &&
                         Contains("the ball c are 1.001 times as large") &&
                         Contains("pixels differ by more than 8"));
+  CHECK(accept_command(r.out) == ball.check() + " --update=failed");
+}
+
+TEST_CASE("the new picture and the difference lie beside the baseline until they are accepted", "[check]") {
+  const Accepted shell;
+  accept_other_interval(shell);
+  const Ran r = shell(check);
+  CHECK(r.status == 1);
   CHECK_THAT(r.out,
-             Contains(baselines + "/03-distance.new.png") && Contains(baselines + "/03-distance.diff.png"));
-  CHECK(accept_command(r.out) == check + " --update=failed");
-  CHECK(viz::read_png(contents(shell.file("03-distance.diff.png"))).width == 960);
+             Contains(baselines + "/03-relation.new.png") && Contains(baselines + "/03-relation.diff.png"));
+  CHECK(viz::read_png(contents(shell.file("03-relation.diff.png"))).width == 960);
 
   CHECK(shell(check + " --update=missing").status == 1);  // nothing is missing
   CHECK(shell(check + " --update=failed").status == 0);
   CHECK(shell(check).status == 0);
-  CHECK_FALSE(fs::exists(shell.file("03-distance.new.png")));
-  CHECK_FALSE(fs::exists(shell.file("03-distance.diff.png")));
+  CHECK_FALSE(fs::exists(shell.file("03-relation.new.png")));
+  CHECK_FALSE(fs::exists(shell.file("03-relation.diff.png")));
 }
 
 TEST_CASE("a missing baseline exits 3, a failed check outranks it", "[check]") {
   const Accepted shell;
-  fs::remove(shell.file("02-along-the-ray.png"));
+  fs::remove(shell.file("02-b-beyond-a.png"));
   const Ran missing = shell(check);
   CHECK(missing.status == 3);
-  CHECK_THAT(missing.out, Contains("MISSING ray-sphere two-roots, step 2 (along-the-ray)") &&
-                              Contains("--update=missing"));
+  CHECK_THAT(missing.out,
+             Contains("MISSING intervals overlapping, step 2 (b-beyond-a)") && Contains("--update=missing"));
 
-  fs::copy_file(shell.file("01-to-center.png"), shell.file("03-distance.png"),
+  fs::copy_file(shell.file("01-a-beyond-b.png"), shell.file("03-relation.png"),
                 fs::copy_options::overwrite_existing);
   CHECK(shell(check).status == 1);
   CHECK(shell(check + " --update=missing").status == 1);
-  CHECK(fs::exists(shell.file("02-along-the-ray.png")));
+  CHECK(fs::exists(shell.file("02-b-beyond-a.png")));
   CHECK(shell(check + " --update").status == 0);
   CHECK(shell(check).status == 0);
 }
@@ -78,17 +87,17 @@ TEST_CASE("with no baselines at all every one is missing, and nothing is written
 
 TEST_CASE("all failures come in one run", "[check]") {
   const Accepted shell;
-  write(shell.file("13-left-over.png"),
-        viz::png(viz::read_png(contents(shell.file("01-to-center.png"))),
-                 {{"lesson", "ray-sphere"}, {"file", "ray-sphere/two-roots/13-left-over"}}));
-  write(shell.file("03-distance.png"), "no picture");
-  REQUIRE(shell("isect render ray-sphere --preset two-roots --step 4 --size 480x300 --out - >" + baselines +
-                "/04-early-reject.png")
+  write(shell.file("05-left-over.png"),
+        viz::png(viz::read_png(contents(shell.file("01-a-beyond-b.png"))),
+                 {{"lesson", "intervals"}, {"file", "intervals/overlapping/05-left-over"}}));
+  write(shell.file("03-relation.png"), "no picture");
+  REQUIRE(shell("isect render intervals --preset overlapping --step 4 --size 480x300 --out - >" + baselines +
+                "/04-cases.png")
               .status == 0);
-  fs::copy_file(shell.file("05-passing-distance.png"), shell.file("02-along-the-ray.png"),
+  fs::copy_file(shell.file("01-a-beyond-b.png"), shell.file("02-b-beyond-a.png"),
                 fs::copy_options::overwrite_existing);
   write(shell.file("trace.json"), "{}");
-  fs::remove(shell.file("05-passing-distance.png"));
+  fs::remove(shell.file("01-a-beyond-b.png"));
   const auto result = nlohmann::json::parse(shell(check + " --json --report report.html").out);
   CHECK(result["passed"] == false);
   std::map<std::string, nlohmann::json> failures;
@@ -97,10 +106,10 @@ TEST_CASE("all failures come in one run", "[check]") {
   CHECK_THAT(failures["trace"]["what"].get<std::string>(), Contains("damaged"));
   CHECK(failures["unreadable"]["step"] == 3);
   CHECK_THAT(failures["size"]["what"].get<std::string>(), Contains("480x300") && Contains("960x600"));
-  CHECK(failures["picture"]["slug"] == "along-the-ray");
+  CHECK(failures["picture"]["slug"] == "b-beyond-a");
   CHECK(failures["picture"]["pixels_over_8"] > 24);
-  CHECK(failures["missing"]["step"] == 5);
-  CHECK_THAT(failures["orphan"]["baseline"].get<std::string>(), Contains("13-left-over.png"));
+  CHECK(failures["missing"]["step"] == 1);
+  CHECK_THAT(failures["orphan"]["baseline"].get<std::string>(), Contains("05-left-over.png"));
   CHECK(failures["orphan"]["accept"] == check + " --update=failed");
   CHECK(failures["unreadable"]["foreign"] == true);
   CHECK_FALSE(failures["unreadable"].contains("accept"));
@@ -112,13 +121,13 @@ TEST_CASE("all failures come in one run", "[check]") {
 
   const Ran update = shell(check + " --update");
   CHECK(update.status == 1);  // two files there are not isect's
-  CHECK_THAT(update.out, Contains("removed ray-sphere two-roots: ") && Contains("; 3 accepted; 1 removed"));
-  CHECK_FALSE(fs::exists(shell.file("13-left-over.png")));
-  CHECK(contents(shell.file("03-distance.png")) == "no picture");
+  CHECK_THAT(update.out, Contains("removed intervals overlapping: ") && Contains("; 3 accepted; 1 removed"));
+  CHECK_FALSE(fs::exists(shell.file("05-left-over.png")));
+  CHECK(contents(shell.file("03-relation.png")) == "no picture");
   CHECK(contents(shell.file("trace.json")) == "{}");
   CHECK_THAT(update.out, Contains("was not made by isect") && Contains("move it away"));
   CHECK_THAT(update.out, !Contains("to accept"));
-  fs::remove(shell.file("03-distance.png")), fs::remove(shell.file("trace.json"));
+  fs::remove(shell.file("03-relation.png")), fs::remove(shell.file("trace.json"));
   CHECK(shell(check + " --update=missing").status == 0);
   CHECK(shell(check).status == 0);
 }
@@ -146,12 +155,11 @@ TEST_CASE("check refuses wrong names and unwritable places", "[check]") {
 
 TEST_CASE("the first preset of a group has a picture of each step, the others of the last", "[check]") {
   const Shell shell;
-  CHECK_THAT(shell("isect check ray-sphere --preset two-roots --update").out,
-             Contains("ok: 12 pictures of 1 preset;"));
-  CHECK_THAT(shell("isect check ray-sphere --preset two-roots-half-b --update").out,
-             !Contains("ok: 1 picture of"));
-  CHECK_THAT(shell("isect check ray-sphere --preset behind --update").out,
-             Contains("ok: 1 picture of 1 preset;"));
+  CHECK_THAT(shell("isect check points --preset copied --update").out,
+             Contains("ok: 5 pictures of 1 preset;"));
+  CHECK_THAT(shell("isect check points --preset chain --update").out,
+             Contains("ok: 4 pictures of 1 preset;"));
+  CHECK_THAT(shell("isect check points --preset nan --update").out, Contains("ok: 1 picture of 1 preset;"));
 }
 
 }  // namespace check_test
