@@ -15,7 +15,7 @@ namespace {
 
 using snap::at, snap::Changes, snap::Json;
 
-constexpr int format_version = 2;
+constexpr int format_version = 3;
 
 /// A list with one element on a line.
 std::string lines_of(const Json& list) {

@@ -181,10 +181,10 @@ TEST_CASE("opinions of other methods are kept and compared", "[snapshot]") {
 
 TEST_CASE("a trace of an earlier format is one difference that says what to do", "[snapshot]") {
   std::string earlier = trace(at(2));
-  earlier.replace(earlier.find("\"format\": 2"), 11, "\"format\": 1");
+  earlier.replace(earlier.find("\"format\": 3"), 11, "\"format\": 2");
   const Lines lines = differences(earlier, trace(at(0.5)));
   REQUIRE(lines.size() == 1);
-  CHECK_THAT(lines[0], Contains("format 1") && Contains("format 2") && Contains("accept it anew"));
+  CHECK_THAT(lines[0], Contains("format 2") && Contains("format 3") && Contains("accept it anew"));
 }
 
 namespace {
@@ -297,6 +297,25 @@ TEST_CASE("pen, dash, colour, text and order of an object are told", "[snapshot]
   CHECK_FALSE(changed([](D& d) { std::ranges::reverse(d.shapes); }).empty());
 }
 
+TEST_CASE("one tint of a hundred that is a level off is told of what is shaded", "[snapshot]") {
+  Scene scene;
+  Raster cells = {{-1, 1, 0}, {2, 0, 0}, {0, -2, 0}, 17, {}, true};
+  for (const Role role : {Role::first, Role::second, Role::hit, Role::miss, Role::text, Role::muted})
+    for (int light = 0; light <= 16; ++light) cells.cells.push_back({role, light / 16.0});
+  scene.items = {cells};
+  const Drawing was = drawn(scene);
+  for (std::size_t i = 0; i < was.shapes.size(); ++i) {
+    Drawing is = was;
+    Fill* fill = std::get_if<Fill>(&is.shapes[i]);
+    if (fill == nullptr) continue;
+    fill->colour.r += 1 / 255.0;
+    INFO("fill " << i);
+    const Lines lines = told_of(was, is);
+    REQUIRE(lines.size() == 1);
+    CHECK_THAT(lines[0], Contains("the raster (text) has the mean colour rgb("));
+  }
+}
+
 TEST_CASE("numbers that differ by less than an eye sees are no difference", "[snapshot]") {
   const Drawing was = drawn(ball_and_line());
   for (const double by : {1e-12, 1e-3, 0.01}) {
@@ -319,9 +338,9 @@ TEST_CASE("a damaged trace is a difference, not a crash", "[snapshot]") {
   for (
       const std::string was :
       {"", "{", "[]", "7", "{}", R"({"steps": 3})", R"({"steps": [1, {}, null]})",
-       R"({"format": 2, "steps": [1, {"values": [[]], "comparison": 3, "question": 1, "drawing": 2}, null]})",
-       R"({"format": 2, "steps": [{"drawing": {"order": [1, []], "objects": {"a": 1, "b": {"parts": [1, {}]}}}}]})",
-       R"({"format": 2, "steps": [], "made with": 1, "parameters": [], "pseudocode": {}, "opinions": 1})"}) {
+       R"({"format": 3, "steps": [1, {"values": [[]], "comparison": 3, "question": 1, "drawing": 2}, null]})",
+       R"({"format": 3, "steps": [{"drawing": {"order": [1, []], "objects": {"a": 1, "b": {"parts": [1, {}]}}}}]})",
+       R"({"format": 3, "steps": [], "made with": 1, "parameters": [], "pseudocode": {}, "opinions": 1})"}) {
     INFO(was);
     CHECK_FALSE(compare_traces(was, now).empty());
   }

@@ -29,17 +29,17 @@ Json place(const Vec2& p) { return places({p.x(), p.y()}); }
 using Tint = std::array<double, 4>;  ///< red, green, blue, alpha, each up to 255
 Tint tint(const Colour& c) { return {255 * c.r, 255 * c.g, 255 * c.b, 255 * c.a}; }
 /// "#0b60c8", with the alpha behind it where it is not opaque; a list where a channel is no whole number.
-Json json_of(const Tint& t) {
+Json json_of(const Tint& t, int decimals = 1) {
   const bool whole =
       std::all_of(t.begin(), t.begin() + 3, [](double x) { return std::abs(x - std::round(x)) < 1e-6; });
   if (!whole) {
     Json list = Json::array();
-    for (const double x : t) list.push_back(rounded(x, 1));
+    for (const double x : t) list.push_back(rounded(x, decimals));
     return list;
   }
   const std::string hex =
       fmt::format("#{:02x}{:02x}{:02x}", std::lround(t[0]), std::lround(t[1]), std::lround(t[2]));
-  return t[3] == 255 ? hex : fmt::format("{} {}", hex, rounded(t[3], 1).dump());
+  return t[3] == 255 ? hex : fmt::format("{} {}", hex, rounded(t[3], decimals).dump());
 }
 
 /// Box, length, middle and slant of lines, by their length: what tells a figure from one that is moved, larger, turned
@@ -129,6 +129,10 @@ Colour colour_of(const S& s) {
   return s.colour;
 }
 
+std::string colour_key(const Shape& shape) {
+  return json_of(tint(std::visit([](const auto& s) { return colour_of(s); }, shape))).dump();
+}
+
 void measure_into(Extent& e, const Fill& f) {
   e.add(f.path);
   for (const Path& path : f.more) e.add(path);
@@ -142,11 +146,14 @@ struct Part {
   Json style;
   std::string key;  ///< the style, and the colour where colours are told apart
   Extent extent;
+  bool shaded;
   Tint colour = {};  ///< by length
   double weight = 0;
 
-  explicit Part(const Shape& shape)
-      : style(std::visit([](const auto& s) { return snap::style(s); }, shape)), key(style.dump()) {
+  Part(const Shape& shape, bool is_shaded)
+      : style(std::visit([](const auto& s) { return snap::style(s); }, shape)),
+        key(style.dump() + (is_shaded ? "" : colour_key(shape))),
+        shaded(is_shaded) {
     std::visit([&](const auto& s) { measure_into(extent, s); }, shape);
     weight = std::max(extent.length(), 1e-6);
     colour = tint(std::visit([](const auto& s) { return colour_of(s); }, shape));
@@ -157,12 +164,13 @@ struct Part {
     for (std::size_t i = 0; i < colour.size(); ++i) colour[i] += other.colour[i];
     weight += other.weight;
   }
+  /// The mean of a shaded object is kept to thousandths: one tint of hundreds hardly moves it.
   Json told() const {
     Json part = style;
     Tint mean = colour;
     for (double& x : mean) x /= weight;
     if (std::abs(mean[3] - 255) < 1e-6) mean[3] = 255;
-    part["colour"] = json_of(mean);
+    part[shaded ? "mean colour" : "colour"] = json_of(mean, shaded ? 3 : 1);
     extent.tell(part);
     if (part.contains("dash") && part.contains("box")) part["start"] = place(extent.first());
     return part;
@@ -186,10 +194,6 @@ struct Run {
 /// An object painted in more turns than this lies among others like a mosaic: its parts are told as one.
 constexpr std::size_t most_runs = 6;
 
-std::string colour_key(const Shape& shape) {
-  return json_of(tint(std::visit([](const auto& s) { return colour_of(s); }, shape))).dump();
-}
-
 /// Into the part of the same style, or as a new one.
 void join(std::vector<Part>& parts, const Part& part) {
   const auto same = std::ranges::find(parts, part.key, &Part::key);
@@ -204,9 +208,7 @@ std::vector<Run> runs_of(const Drawing& drawing, const std::map<int, std::set<st
   for (const Shape& shape : drawing.shapes) {
     const int object = object_of(shape);
     if (runs.empty() || runs.back().object != object) runs.push_back({object, {}});
-    Part part(shape);
-    if (colours.at(object).size() <= most_colours) part.key += colour_key(shape);
-    join(runs.back().parts, part);
+    join(runs.back().parts, Part(shape, colours.at(object).size() > most_colours));
   }
   return runs;
 }

@@ -30,8 +30,10 @@ double number(const Json& list, std::size_t i) {
   return list.is_array() && i < list.size() && list[i].is_number() ? list[i].get<double>() : NAN;
 }
 
-/// Two steps of what is kept: places to a hundredth of a pixel, tints to a tenth of a level, pens to a thousandth.
+/// Two steps of what is kept: places to a hundredth of a pixel, tints to a tenth of a level, pens and the means of many
+/// tints to a thousandth.
 double tolerance(const std::string& key) {
+  if (key == "mean colour") return 0.0025;
   if (is_colour(key)) return 0.25;
   if (key == "width" || key == "dash" || key == "hatch" || key == "halo" || key == "align") return 0.0025;
   return 0.025;
@@ -103,7 +105,7 @@ std::string in_words(const Json& colour) {
   const std::vector<double> t = tint_of(colour);
   if (t.size() != 4) return shown(colour);
   std::string text = colour.is_string() ? shown(colour).substr(0, 7)
-                                        : fmt::format("rgb({:.1f} {:.1f} {:.1f})", t[0], t[1], t[2]);
+                                        : fmt::format("rgb({:.6g} {:.6g} {:.6g})", t[0], t[1], t[2]);
   return t[3] == 255 ? text : text + fmt::format(" at {:.1f} %", t[3] / 2.55);
 }
 
