@@ -30,8 +30,7 @@ FAULTS = [
      "  auto layers = canvas.layers();\n  if (FAULT) std::swap(layers[5], layers[6]);\n"
      "  for (const std::vector<Shape>* layer : layers)", RAY),
     ("near balls under far ones", "viz/compose/canvas.cpp",
-     "return view.project(ball(a).center).depth > view.project(ball(b).center).depth;",
-     "return view.project(ball(FAULT ? b : a).center).depth > view.project(ball(FAULT ? a : b).center).depth;", "picking front"),
+     "depth(a) > depth(b)", "depth(b) > depth(a)", "picking front"),
     ("line width 0.1 more", "viz/compose/canvas.cpp", "sizes().ray", "sizes().ray + 0.1", RAY),
     ("another font", "viz/typeset.cpp", "pango_font_description_set_family(font.get(), family.c_str());",
      'pango_font_description_set_family(font.get(), FAULT ? "DejaVu Sans" : family.c_str());', RAY),
