@@ -141,4 +141,23 @@ TEST_CASE("a folder of presets that does not do is told what is wrong", "[check]
   CHECK(shell("isect check --dir bad --snapshots bad").status == 2);
 }
 
+TEST_CASE("a camera that is another in a preset's file is a difference", "[check]") {
+  const Shell shell;
+  const auto seen_from = [](const std::string& camera) {
+    return R"({"lesson": "intervals", "camera": {)" + camera + "}}";
+  };
+  write(shell.work() / "course/week-3.json", seen_from(R"("half_height": 2)"));
+  CHECK(shell("isect check --dir course --update=missing").status == 0);
+  CHECK(shell("isect check --dir course").status == 0);
+
+  for (const std::string camera :
+       {R"("half_height": 2.001)", R"("half_height": 2, "target": [0.001, 0, 0])", ""}) {
+    INFO(camera);
+    write(shell.work() / "course/week-3.json", seen_from(camera));
+    const Ran r = shell("isect check --dir course");
+    CHECK(r.status == 1);
+    CHECK_THAT(r.out, Contains("FAILED intervals week-3, step 1"));
+  }
+}
+
 }  // namespace check_dir_test
