@@ -1,5 +1,6 @@
 #include "core/bvh.h"
 
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -182,6 +183,37 @@ TEMPLATE_TEST_CASE_SIG("centers at powers of two make no deep hierarchy", "[bvh]
     CHECK(flaw(tree, boxes, {largest}) == nullptr);
     CHECK(statistics(tree).depth <= 40 + 13);
     if (sizeof(S) == 8) CHECK(statistics(tree).depth > 40);
+  }
+}
+
+TEMPLATE_TEST_CASE_SIG("building a hierarchy looks at O(n lg n) boxes, however they lie", "[bvh]",
+                       ((class S, int N), S, N), (float, 2), (double, 3)) {
+  const auto looked_at = [](const std::vector<Aabb<S, N>>& boxes) {
+    Record<bvh::Event<S>> record;
+    build_bvh(boxes, {1}, record);
+    double count = 0;
+    for (const auto& event : record.events) {
+      if (const auto* split = std::get_if<bvh::Split<S>>(&event)) count += split->left + split->right;
+      if (const auto* leaf = std::get_if<bvh::Leaf>(&event)) count += leaf->count;
+    }
+    return count;
+  };
+  Random random(tests::seed());
+  constexpr int most = std::numeric_limits<S>::max_exponent - 2;
+  for (const int n : {1000, 10'000, 100'000}) {
+    std::vector<Aabb<S, N>> even, equal(n, {Point<S, N>::Zero(), Point<S, N>::Ones()}), powers;
+    for (int i = 0; i < n; ++i) {
+      const Point<S, N> p = random.in_box<N>(1).template cast<S>();
+      even.push_back({p, p});
+      const Point<S, N> q = Point<S, N>::Constant(std::ldexp(S(1), i % (2 * most) - most));
+      powers.push_back({q, q});
+    }
+    const double levels = std::log2(n);
+    INFO(n << " boxes");
+    CHECK(looked_at(even) <= 2 * n * levels);
+    CHECK(looked_at(equal) <= n * (2 + levels));
+    CHECK(looked_at(powers) <= n * (41 + levels));
+    CHECK(looked_at(powers) > n * levels);
   }
 }
 

@@ -68,7 +68,8 @@ std::vector<oracle::Coordinates<N>> truth(const Ring<S, N>& r, const Plane<S, N>
     const Rational from = height(p, a), to = height(p, b);
     const auto x = oracle::rational<S, N>(a), y = oracle::rational<S, N>(b);
     if (from >= 0) kept.push_back(x);
-    if (from != 0 && to != 0 && (from > 0) != (to > 0)) kept.push_back(x + Rational(from / (from - to)) * (y - x));
+    if (from != 0 && to != 0 && (from > 0) != (to > 0))
+      kept.push_back(x + Rational(from / (from - to)) * (y - x));
   }
   return kept;
 }
@@ -92,7 +93,8 @@ TEMPLATE_TEST_CASE_SIG("a plane cuts a square in two", "[clip_polygon]", FLOATS_
   CHECK(corner == Ring<S, N>{at<S, N>(0, 0), at<S, N>(2, 0), at<S, N>(0, 2)});
 }
 
-TEMPLATE_TEST_CASE_SIG("a plane beside a square keeps all or nothing", "[clip_polygon]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("a plane beside a square keeps all or nothing", "[clip_polygon]",
+                       FLOATS_AND_DIMENSIONS) {
   CHECK(clip(square<S, N>(), Plane<S, N>{at<S, N>(1), S(1)}) == square<S, N>());
   CHECK(clip(square<S, N>(), Plane<S, N>{at<S, N>(-1), S(-1)}).empty());
   CHECK(clip(square<S, N>(), Plane<S, N>{at<S, N>(1), S(0)}) == square<S, N>());
@@ -115,6 +117,27 @@ TEMPLATE_TEST_CASE_SIG("a box keeps what lies in it", "[clip_polygon]", FLOATS_A
   CHECK(clip(square<S, N>(), Aabb<S, N>{at<S, N>(5, 1), at<S, N>(2, 2)}).empty());
 }
 
+TEMPLATE_TEST_CASE_SIG("what a box's plane leaves nothing of stays nothing at the planes after it",
+                       "[clip_polygon]", FLOATS_AND_DIMENSIONS) {
+  using namespace clip_polygon;
+  const Aabb<S, N> box = {at<S, N>(5, 0), at<S, N>(9, 2)};
+  Record<Event<S, N>> record;
+  CHECK(clip(square<S, N>(), box, record).empty());  // all of it lies beside the first plane
+  int sides = 0;
+  for (const auto& event : record.events)
+    if (const Side* side = std::get_if<Side>(&event)) sides += side->sign == -1;
+  CHECK(sides == 4);
+  CHECK(record.events.size() == 4);  // an empty ring has no vertex to ask about
+
+  // past the corner of the box: the planes of x leave a part, those of y nothing
+  const Ring<S, N> past = {at<S, N>(4, 4), at<S, N>(6, 6), at<S, N>(4, 6)};
+  CHECK_FALSE(clip(past, Plane<S, N>{at<S, N>(1), S(-5)}).empty());
+  CHECK(clip(past, box).empty());
+  // a vertex on the first plane survives it alone
+  CHECK(clip(Ring<S, N>{at<S, N>(5, 4), at<S, N>(4, 6), at<S, N>(4, 3)}, box).empty());
+  CHECK(clip(Ring<S, N>{at<S, N>(5, 1), at<S, N>(4, 6), at<S, N>(4, 3)}, box).size() == 1);
+}
+
 TEMPLATE_TEST_CASE_SIG("points and segments are polygons", "[clip_polygon]", FLOATS_AND_DIMENSIONS) {
   const Plane<S, N> right = {at<S, N>(1), S(-1)};
   CHECK(clip(Ring<S, N>{at<S, N>(1)}, right).size() == 1);
@@ -124,7 +147,8 @@ TEMPLATE_TEST_CASE_SIG("points and segments are polygons", "[clip_polygon]", FLO
     CHECK((v[0] == S(1) || v[0] == S(4)));
 }
 
-TEMPLATE_TEST_CASE_SIG("NaN, infinities and a zero normal keep nothing", "[clip_polygon]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("NaN, infinities and a zero normal keep nothing", "[clip_polygon]",
+                       FLOATS_AND_DIMENSIONS) {
   CHECK(clip(square<S, N>(), Plane<S, N>{at<S, N>(0), S(1)}).empty());
   for (const double bad : {not_a_number, inf, -inf}) {
     CHECK(clip(square<S, N>(), Plane<S, N>{at<S, N>(1, bad), S(1)}).empty());

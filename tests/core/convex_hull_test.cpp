@@ -167,4 +167,25 @@ TEST_CASE("the events tell each turn of the chain", "[convex_hull]") {
   CHECK(std::get<Added<double>>(record.events[4]).p == Point<double, 2>(2, 0));
 }
 
+TEMPLATE_TEST_CASE("the chain of n sorted points asks for fewer than 4 n turns", "[convex_hull]", float,
+                   double) {
+  using S = TestType;
+  bench::Random random(tests::seed());
+  for (const std::size_t n : {1000, 10'000, 100'000})
+    for (const int kind : {0, 1, 2}) {
+      Ring<S, 2> given;
+      while (given.size() < n) {
+        const Point<double, 2> p = kind == 0 ? random.heading<2>() : random.in_box<2>(1);
+        given.push_back(p.template cast<S>());
+        if (kind == 2) given.back()[1] = given.back()[0] * given.back()[0];  // all of them vertices
+      }
+      Record<convex_hull_2d::Event<S>> record;
+      convex_hull_2d::monotone_chain(given, record);
+      std::size_t turns = 0;  // each either takes a point off the chain or lets one join it
+      for (const auto& event : record.events) turns += !std::holds_alternative<Fallback>(event);
+      INFO(n << " points, kind " << kind);
+      CHECK(turns < 4 * n);
+    }
+}
+
 }  // namespace convex_hull_test

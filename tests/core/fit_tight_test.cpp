@@ -10,6 +10,7 @@
 #include "core/point_sphere.h"
 #include "tests/catch.h"
 #include "tests/core/ball_oracle.h"
+#include "tests/core/hull_oracle.h"
 #include "tests/peer_cases.h"
 #include "tests/settings.h"
 
@@ -48,6 +49,74 @@ Points<S, N> cloud(bench::Random& random, Numbers numbers, int n) {
 template <class S, int N>
 double volume_of(const Obb<S, N>& box) {
   return box.half.template cast<double>().prod() * (1 << N);
+}
+
+template <class S, int N>
+oracle::Rational exact_volume(const Obb<S, N>& box) {
+  std::array<oracle::Coordinates<N>, N> a;
+  for (int i = 0; i < N; ++i) a[i] = oracle::rational<S, N>(box.axes.col(i));
+  oracle::Rational volume;
+  if constexpr (N == 2)
+    volume = abs(oracle::Rational(a[0][0] * a[1][1] - a[0][1] * a[1][0]));
+  else
+    volume = abs(oracle::dot(oracle::cross(a[0], a[1]), a[2]));
+  for (int i = 0; i < N; ++i) volume *= 2 * oracle::Rational(box.half[i]);
+  return volume;
+}
+
+/// The area of the smallest rectangle around points: of those with a side along an edge of their hull.
+template <class S>
+oracle::Rational least_rectangle(const Points<S, 2>& points) {
+  const Ring<S, 2> hull = oracle::hull(points);
+  oracle::Rational least = -1;
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    using oracle::operator-;
+    const auto u = oracle::rational(hull[(i + 1) % hull.size()]) - oracle::rational(hull[i]);
+    const std::array axes = {u, oracle::Coordinates<2>{-u[1], u[0]}};
+    oracle::Rational area = 1;
+    for (const auto& axis : axes) {
+      std::vector<oracle::Rational> along;
+      for (const Point<S, 2>& p : hull) along.push_back(oracle::dot(axis, oracle::rational(p)));
+      const auto [lo, hi] = std::minmax_element(along.begin(), along.end());
+      area *= *hi - *lo;
+    }
+    const oracle::Rational length2 = oracle::dot(u, u);
+    if (length2 == 0) return 0;
+    area /= length2;
+    if (least < 0 || area < least) least = area;
+  }
+  return least;
+}
+
+/// What makes boxes hard to fit: many points on a sphere, needles, discs, all far away from the origin, a lattice with
+/// every point twice, and sizes near both ends of the range.
+template <class S, int N>
+std::vector<Points<S, N>> families(bench::Random& random) {
+  const Eigen::Matrix<double, N, N> turn = bench::rotation<double, N>(random, 3);
+  const auto made = [&](int n, const auto& point) {
+    Points<S, N> points;
+    for (int i = 0; i < n; ++i) points.push_back((turn * point()).template cast<S>());
+    return points;
+  };
+  const auto stretched = [&](double first, double others) {
+    return [&random, first, others] {
+      Vector<double, N> p = others * random.in_box<N>(1);
+      p[0] *= first / others;
+      return p;
+    };
+  };
+  const auto far = [&] { return Vector<double, N>(Vector<double, N>::Constant(1e6) + random.in_box<N>(1)); };
+  std::vector<Points<S, N>> all = {made(200, [&] { return random.heading<N>(); }),
+                                   made(40, stretched(1, 1e-9)), made(40, stretched(1e-9, 1)), made(40, far)};
+  Points<S, N> lattice;
+  for (int i = 0; i < 2 * 27; ++i) {
+    lattice.push_back(Point<S, N>::Zero());
+    for (int k = 0, rest = i / 2; k < N; ++k, rest /= 3) lattice.back()[k] = static_cast<S>(rest % 3);
+  }
+  all.push_back(lattice);
+  for (const double size : {8.0 * std::numeric_limits<S>::denorm_min(), std::numeric_limits<S>::max() / 8.0})
+    all.push_back(made(20, [&] { return Vector<double, N>(size * random.in_box<N>(1)); }));
+  return all;
 }
 
 }  // namespace
@@ -110,6 +179,54 @@ TEMPLATE_TEST_CASE_SIG("the tight box of a turned brick is the brick", "[fit_tig
   }
 }
 
+TEMPLATE_TEST_CASE_SIG(
+    "a tight box of points that are hard to fit holds them and is no larger than the principal one",
+    "[fit_tight]", FLOATS_AND_DIMENSIONS) {
+  bench::Random random(tests::seed());
+  for (int i = 0; i < tests::cases(2, 50); ++i)
+    for (const Points<S, N>& points : families<S, N>(random)) {
+      INFO("seed " << tests::seed() << ", case " << i << ", " << points.size() << " points, "
+                   << points[0].transpose());
+      const Obb<S, N> tight = fit_obb_tight(points), principal = fit_obb(points);
+      REQUIRE(finite(tight.half));
+      REQUIRE(holds_all(tight, points));
+      // they are compared in doubles
+      REQUIRE(exact_volume(tight) <= exact_volume(principal) * oracle::Rational(1 + 0x1p-49));
+    }
+}
+
+TEMPLATE_TEST_CASE("in the plane the tight box is the smallest but for rounding", "[fit_tight]", float,
+                   double) {
+  using S = TestType;
+  bench::Random random(tests::seed());
+  double worst = 0;
+  int areas = 0;
+  const auto attack = [&](const Points<S, 2>& points) {
+    const Aabb<S, 2> around = fit_aabb(points);
+    // of the points, and from the origin: the center is rounded, to a subnormal unit at least
+    oracle::Rational size = 0, reach(std::numeric_limits<S>::min());
+    for (int k = 0; k < 2; ++k) {
+      const oracle::Rational lo(around.lo[k]), hi(around.hi[k]);
+      size += hi - lo, reach = std::max({reach, oracle::Rational(abs(lo)), oracle::Rational(abs(hi))});
+    }
+    const oracle::Rational least = least_rectangle(points);
+    const Obb<S, 2> tight = fit_obb_tight(points);
+    if (size == 0 || !finite(tight.half)) return;
+    const oracle::Rational more = (exact_volume(tight) - least) / (size * (size + reach));
+    worst = std::max(worst, static_cast<double>(more) / std::numeric_limits<S>::epsilon());
+    areas += least > 0;
+  };
+  for (const Numbers numbers : {Numbers::ordinary, Numbers::grid, Numbers::nudged, Numbers::decimal})
+    for (int i = 0; i < tests::cases(100, 5000); ++i)
+      attack(cloud<S, 2>(random, numbers, 1 + random.below(12)));
+  for (int i = 0; i < tests::cases(2, 50); ++i)
+    for (const Points<S, 2>& points : families<S, 2>(random))
+      if (std::abs(points[0][0]) > std::numeric_limits<S>::min()) attack(points);
+  INFO("larger by " << worst << " eps of size and reach");
+  CHECK(worst < 4);
+  CHECK(areas > 100);
+}
+
 TEST_CASE("tight boxes are as tight as the known ones", "[fit_tight]") {
   int count = 0;
   for (const tests::PeerCase& found : tests::all_cases("bounding_volume_fit")) {
@@ -119,8 +236,7 @@ TEST_CASE("tight boxes are as tight as the known ones", "[fit_tight]") {
     for (const nlohmann::json& p : c["points"])
       points.emplace_back(p[0].get<double>(), p[1].get<double>(), p[2].get<double>());
     const Obb<double, 3> tight = fit_obb_tight(points);
-    INFO(found.name << ", " << points.size() << " points, by principal axes "
-                 << volume_of(fit_obb(points)));
+    INFO(found.name << ", " << points.size() << " points, by principal axes " << volume_of(fit_obb(points)));
     CHECK(volume_of(tight) <= c["expected"]["volume_upper_bound"].get<double>() * (1 + 1e-4));
     CHECK(holds_all(tight, points));
     ++count;
