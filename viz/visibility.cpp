@@ -53,7 +53,16 @@ std::vector<Stretch> split(const Curve& at, const Test& is_hidden, const std::ve
   return result;
 }
 
+/// Whether the line passes the ball around the solid, by more than it may be rounded. Most do.
+bool passes_far(const Ray<double, 3>& sight, const Shell& solid) {
+  constexpr double more = 1.001;
+  const double reach = more * solid.size;
+  return (solid.middle - sight.origin).cross(sight.direction).squaredNorm() >
+         reach * reach * sight.direction.squaredNorm();
+}
+
 bool runs_through(Ray<double, 3> sight, const Shell& solid) {
+  if (passes_far(sight, solid)) return false;
   for (const Plane<double, 3>& half_space : solid.inside) {
     const auto kept = clip(sight, half_space);
     if (!kept) return false;
@@ -150,7 +159,7 @@ Vec3 area(const Solid& solid, const std::vector<int>& face) {
 Shell shell(const Solid& solid) {
   Shell result;
   if (solid.vertices.empty()) return result;
-  Vec3 middle = Vec3::Zero();
+  Vec3& middle = result.middle;
   for (const Vec3& p : solid.vertices) middle += p / static_cast<double>(solid.vertices.size());
   for (const Vec3& p : solid.vertices) result.size = std::max(result.size, (p - middle).norm());
 

@@ -23,7 +23,8 @@ struct Shell {
     std::vector<int> faces;  ///< those it borders, by their index in `normals`
   };
   std::vector<Edge> edges;
-  double size = 0;            ///< from the middle to the farthest vertex
+  Vec3 middle = Vec3::Zero();  ///< of the vertices
+  double size = 0;             ///< from the middle to the farthest vertex
   std::vector<Vec3> normals;  ///< unit, outwards; of each face of the solid, in order; 0 for one without area
 };
 Shell shell(const Solid&);

@@ -1,5 +1,7 @@
 // What holds of every lesson, present and future: nothing here knows one by name.
 
+#include <array>
+#include <bit>
 #include <cstdlib>
 #include <map>
 #include <set>
@@ -50,6 +52,16 @@ bool is_else(const std::string& line) {
   return first != std::string::npos && line.substr(first) == "else";
 }
 
+struct Page {
+  ThemeName theme;
+  int width, height;
+};
+/// Dark and grey have the lengths of screen and print, so they are tried at one size each.
+constexpr Page pages[] = {{ThemeName::screen, 480, 360},   {ThemeName::screen, 960, 600},
+                          {ThemeName::screen, 1920, 1080}, {ThemeName::print, 480, 360},
+                          {ThemeName::print, 960, 600},    {ThemeName::print, 1920, 1080},
+                          {ThemeName::dark, 960, 600},     {ThemeName::grey, 480, 360}};
+
 }  // namespace
 
 TEST_CASE("labels neither meet nor leave the picture, in any preset, step, theme and size",
@@ -57,19 +69,28 @@ TEST_CASE("labels neither meet nor leave the picture, in any preset, step, theme
   for (const Lesson* lesson : those_asked_for()) {
     std::vector<Walk> walks;
     for (const Preset& p : lesson->presets) walks.push_back(lesson->walk(p.parameters));
-    for (const ThemeName name : {ThemeName::screen, ThemeName::print, ThemeName::grey, ThemeName::dark}) {
-      for (const auto& [w, h] : {std::pair{480, 360}, {960, 600}, {1920, 1080}}) {
-        for (std::size_t i = 0; i < walks.size(); ++i) {
-          const double aspect = picture_aspect(walks[i], name, w, h);
-          const Camera camera = frame_alike(lesson->camera, walks[i], walks, aspect);
-          for (const Step& s : walks[i].steps) {
-            for (const std::string& fault : label_faults(figure(s, camera, name, w, h)))
-              FAIL_CHECK(lesson->id << " " << lesson->presets[i].id << ", " << s.slug << ", " << name_of(name)
-                                    << " " << w << "x" << h << ": " << fault);
-          }
+    for (const auto& [name, w, h] : pages) {
+      for (std::size_t i = 0; i < walks.size(); ++i) {
+        const double aspect = picture_aspect(walks[i], name, w, h);
+        const Camera camera = frame_alike(lesson->camera, walks[i], walks, aspect);
+        for (const Step& s : walks[i].steps) {
+          for (const std::string& fault : label_faults(figure(s, camera, name, w, h)))
+            FAIL_CHECK(lesson->id << " " << lesson->presets[i].id << ", " << s.slug << ", " << name_of(name)
+                                  << " " << w << "x" << h << ": " << fault);
         }
       }
     }
+  }
+}
+
+TEST_CASE("dark has the lengths of screen, and grey of print", "[every lesson]") {
+  using Lengths = std::array<double, sizeof(Sizes) / sizeof(double)>;
+  const auto lengths = [](ThemeName name, const Page& page) {
+    return std::bit_cast<Lengths>(theme(name, page.width, page.height).sizes);
+  };
+  for (const Page& page : pages) {
+    CHECK(lengths(ThemeName::dark, page) == lengths(ThemeName::screen, page));
+    CHECK(lengths(ThemeName::grey, page) == lengths(ThemeName::print, page));
   }
 }
 
