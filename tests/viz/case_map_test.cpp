@@ -98,4 +98,20 @@ TEST_CASE("a map names its regions and its lines, inside its plane", "[case_map]
   }
 }
 
+TEST_CASE("a deferred chart is made at the first look, once for all copies", "[case_map]") {
+  int made = 0;
+  const DeferredChart chart([&made] {
+    ++made;
+    return Chart{Bars{}};
+  });
+  const DeferredChart copy = chart;
+  CHECK(bool(copy));
+  CHECK(made == 0);
+  CHECK(std::holds_alternative<Bars>(copy->kind));
+  CHECK(&*copy == &*chart);
+  CHECK(made == 1);
+  CHECK_FALSE(bool(DeferredChart()));
+  CHECK_FALSE(bool(DeferredChart(std::shared_ptr<const Chart>())));
+}
+
 }  // namespace case_map_test
