@@ -167,7 +167,8 @@ void keep(const std::string& file, Settings settings, GLFWwindow* window) {
 
 }  // namespace
 
-void show(const std::vector<const Lesson*>& lessons, const Place& at) {
+void show(const std::vector<const Lesson*>& lessons, const Place& at,
+          const std::function<void(const std::string&)>& say) {
   const std::string file = settings_file();
   const Settings kept = read_settings(file, lessons);
   const Place start = at.lesson.empty() && kept.place ? *kept.place : at;
@@ -175,6 +176,10 @@ void show(const std::vector<const Lesson*>& lessons, const Place& at) {
   Renderer renderer([](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); });
   const double scale = window.scale();
   WindowUi ui(lessons, start, renderer, kept, {.scale = scale});
+  if (const std::string damage = set_spoilt_settings_aside(file); !damage.empty()) {
+    if (say) say(damage);
+    ui.complain(damage);
+  }
   Input input(window.handle());
   run(window, input, ui, scale);
   keep(file, ui.settings(), window.handle());

@@ -1,7 +1,9 @@
 #pragma once
 // The window: a player for any list of lessons.
 
+#include <functional>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "viz/lesson.h"
@@ -14,7 +16,9 @@ struct NoDisplay : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Opens the window at `at` and returns when it is closed. Throws NoDisplay.
-void show(const std::vector<const Lesson*>&, const Place& at);
+/// Opens the window at `at` and returns when it is closed. What the reader must hear of beside, such as a state file that
+/// is damaged, is shown there and given to `say`. Throws NoDisplay.
+void show(const std::vector<const Lesson*>&, const Place& at,
+          const std::function<void(const std::string&)>& say = {});
 
 }  // namespace isect::viz

@@ -60,7 +60,8 @@ int show(const Program& program, const Selection& asked) {
   const viz::Place place = place_of(program, asked);
   need_surroundings(program);
   try {
-    viz::show(program.lessons, place);
+    viz::show(program.lessons, place,
+              [&](const std::string& words) { say(fmt::format("{}: {}", program.name, words)); });
   } catch (const viz::NoDisplay& e) {
     say(fmt::format("{}: {}", program.name, e.what()));
     const std::string lesson = place.lesson.empty() ? program.lessons.front()->id : place.lesson;
@@ -80,7 +81,8 @@ void add_show(CLI::App& app, Program& program) {
   const auto asked = std::make_shared<Selection>();
   add_lesson(sub, program, *asked, Takes::one,
              "a lesson's id; or a figure made by isect (.png, .svg),\nto open it where it was made");
-  add_preset(sub, *asked, Takes::one, "a preset, or a file with one (its step and camera are\nhonoured); the first if not given");
+  add_preset(sub, *asked, Takes::one,
+             "a preset, or a file with one (its step and camera are\nhonoured); the first if not given");
   add_step(sub, *asked, Takes::one, "counted from 1; if not given, that of the preset's file, or 1");
   add_set(sub, *asked);
   sub.footer(program.only ? "Example: " + program.name + " show --step 3"

@@ -133,6 +133,29 @@ TEST_CASE("settings survive a run, and a spoilt file or field gives defaults", "
   CHECK(read_settings(file, both).height == 800);
 }
 
+TEST_CASE("a spoilt file of settings is set aside, and none that was set aside before is lost", "[window]") {
+  const std::string file = (std::filesystem::temp_directory_path() / "isect-spoilt-test.json").string();
+  const auto remove_all = [&] {
+    for (const std::string end : {"", ".damaged", ".damaged-2"}) std::filesystem::remove(file + end);
+  };
+  remove_all();
+  CHECK(set_spoilt_settings_aside("").empty());
+  CHECK(set_spoilt_settings_aside(file).empty());  // there is none
+  write_settings(file, {});
+  CHECK(set_spoilt_settings_aside(file).empty());
+  CHECK(std::filesystem::exists(file));
+
+  write_file(file, R"({"theme": "grey", "pla)");
+  CHECK(set_spoilt_settings_aside(file) ==
+        file + " is damaged, and the window starts afresh. It is kept as " + file + ".damaged");
+  CHECK_FALSE(std::filesystem::exists(file));
+  write_file(file, "[]");
+  CHECK(set_spoilt_settings_aside(file).ends_with(".damaged-2"));
+  CHECK(read_file(file + ".damaged") == R"({"theme": "grey", "pla)");
+  CHECK(read_file(file + ".damaged-2") == "[]");
+  remove_all();
+}
+
 TEST_CASE("without a display the window says so", "[window]") {
   unsetenv("DISPLAY");
   unsetenv("WAYLAND_DISPLAY");

@@ -30,12 +30,23 @@ export DISPLAY=":$(cat "$folder/display")"
 export XDG_STATE_HOME="$folder/state" LIBGL_ALWAYS_SOFTWARE=1
 unset WAYLAND_DISPLAY
 
-(cd "$folder" && exec "$isect" show ray-sphere) 2>"$folder/isect.log" &
-program=$!
-
 find_window() { window=$(xdotool search --onlyvisible --name ' – isect$' 2>/dev/null | head -n 1) && [ -n "$window" ]; }
-wait_for 60 find_window || { echo "FAILED: no window"; cat "$folder/isect.log"; exit 1; }
-xdotool windowmove "$window" 0 0 windowfocus "$window" mousemove 700 700
+# start ARGS...: isect with these, until its window is there
+start() {
+  (cd "$folder" && exec "$isect" "$@") 2>"$folder/isect.log" &
+  program=$!
+  wait_for 60 find_window || { echo "FAILED: no window"; cat "$folder/isect.log"; exit 1; }
+  xdotool windowmove "$window" 0 0 windowfocus "$window" mousemove 700 700
+}
+# leave: Ctrl+Q, until the program has ended well
+leave() {
+  xdotool key ctrl+q
+  closed() { ! kill -0 $program 2>/dev/null; }
+  wait_for 20 closed || { echo "FAILED: Ctrl+Q does not close the window"; exit 1; }
+  wait $program || { echo "FAILED: isect ended with $?"; cat "$folder/isect.log"; exit 1; }
+  program=
+}
+start show ray-sphere
 title() { xdotool getwindowname "$window"; }
 
 # expect PATTERN WHAT: the window's title comes to match
@@ -68,10 +79,17 @@ if command -v import >/dev/null; then import -window "$window" "$folder/window.p
 xdotool key ctrl+z; expect 'two roots, step' "Ctrl+Z takes the drag back"
 
 xdotool key space; expect 'step [2-9] of' "Space plays"
-xdotool key space ctrl+q
-closed() { ! kill -0 $program 2>/dev/null; }
-wait_for 20 closed || { echo "FAILED: Ctrl+Q does not close the window"; exit 1; }
-wait $program || { echo "FAILED: isect ended with $?"; cat "$folder/isect.log"; exit 1; }
-program=
-grep -q '"lesson": "ray-sphere"' "$folder/state/isect/window.json" || { echo "FAILED: the state was not kept"; exit 1; }
+xdotool key space
+leave
+state="$folder/state/isect/window.json"
+grep -q '"lesson": "ray-sphere"' "$state" || { echo "FAILED: the state was not kept"; exit 1; }
 echo "ok: it closes, and its state is kept"
+
+printf '{"theme": "grey", "pla' >"$state"
+start
+expect 'Ray and sphere, two roots, step 1 of' "the window opens though its state is damaged"
+grep -q "window.json is damaged" "$folder/isect.log" || { echo "FAILED: it does not say what is damaged"; exit 1; }
+leave
+[ "$(cat "$state.damaged")" = '{"theme": "grey", "pla' ] || { echo "FAILED: the damaged state is lost"; exit 1; }
+grep -q '"lesson": "ray-sphere"' "$state" || { echo "FAILED: no new state was kept"; exit 1; }
+echo "ok: it says so, keeps the damaged file, and a new state beside it"

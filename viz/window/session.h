@@ -24,6 +24,9 @@ struct Settings {
 std::string settings_file();
 /// A missing or spoilt file gives the defaults, a spoilt field its default.
 Settings read_settings(const std::string& file, const std::vector<const Lesson*>&);
+/// What is there but can't be read as settings would be overwritten at the end: moves it to a name of its own beside it.
+/// What to say of that; empty where there was nothing to do.
+std::string set_spoilt_settings_aside(const std::string& file);
 /// Throws FileError.
 void write_settings(const std::string& file, const Settings&);
 

@@ -1,4 +1,7 @@
+#include <fmt/format.h>
+
 #include <cstdlib>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "viz/files.h"
@@ -39,12 +42,13 @@ std::optional<Place> place_field(const Json& from, const std::vector<const Lesso
   }
 }
 
+/// Empty if it is no JSON object.
 Json parsed(const std::string& file) {
   try {
     const Json json = Json::parse(read_file(file), nullptr, false);
-    return json.is_object() ? json : Json::object();
+    return json.is_object() ? json : Json();
   } catch (const FileError&) {
-    return Json::object();
+    return {};
   }
 }
 
@@ -61,6 +65,7 @@ Settings read_settings(const std::string& file, const std::vector<const Lesson*>
   Settings s;
   if (file.empty()) return s;
   const Json json = parsed(file);
+  if (json.is_null()) return s;
   s.theme = theme_field(json, "theme", s.theme);
   s.save_theme = theme_field(json, "save_theme", s.save_theme);
   s.save_format = field(json, "save_format", s.save_format) == "svg" ? "svg" : "png";
@@ -70,6 +75,18 @@ Settings read_settings(const std::string& file, const std::vector<const Lesson*>
   s.height = std::clamp(field(json, "height", s.height), 500, 16000);
   s.place = place_field(json, lessons);
   return s;
+}
+
+std::string set_spoilt_settings_aside(const std::string& file) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  if (file.empty() || !fs::exists(file, error) || !parsed(file).is_null()) return {};
+  std::string aside = file + ".damaged";
+  for (int i = 2; fs::exists(aside, error); ++i) aside = fmt::format("{}.damaged-{}", file, i);
+  fs::rename(file, aside, error);
+  return error ? fmt::format("{} is damaged, and the window starts afresh. It can't be moved aside: {}", file,
+                             error.message())
+               : fmt::format("{} is damaged, and the window starts afresh. It is kept as {}", file, aside);
 }
 
 void write_settings(const std::string& file, const Settings& s) {

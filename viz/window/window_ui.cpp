@@ -177,6 +177,7 @@ bool WindowUi::wants_to_close() const { return impl_->session.close; }
 
 const std::map<std::string, Rect>& WindowUi::rects() const { return impl_->ui.rects; }
 
+void WindowUi::complain(const std::string& words) { impl_->session.complain(words); }
 std::string WindowUi::message() const {
   return impl_->session.toast.seconds_left > 0 ? impl_->session.toast.text : std::string();
 }

@@ -41,6 +41,8 @@ class WindowUi {
   const std::map<std::string, Rect>& rects() const;
   /// The message on show; empty if there is none.
   std::string message() const;
+  /// Shows a message as an error.
+  void complain(const std::string& words);
   Player& player();
   /// What is to be kept for the next run.
   Settings settings() const;
