@@ -60,6 +60,19 @@ const std::vector<Fault> full_or_closed = {
      "standard output", "test -c /dev/full"},
 };
 
+/// By a user who has to keep to permissions: nobody, where the tests run as root.
+const std::string as_user =
+    "test $(id -u) != 0 || user='setpriv --reuid=65534 --regid=65534 --clear-groups'; chmod 755 . ..; ";
+
+const std::vector<Fault> forbidden = {
+    {"a folder without write permission, under figures", as_user + "chmod 555 disk", "$user " + svg, 4,
+     "Permission denied", "! ls disk | grep ."},
+    {"a folder without write permission, under baselines", as_user + "chmod 555 disk", "$user " + accept, 4,
+     "Permission denied", "! ls disk | grep ."},
+    {"a file without read permission", as_user + a_state + "; chmod 0 preset.json",
+     "$user isect render --preset preset.json", 4, "preset.json': Permission denied", "test ! -e figures"},
+};
+
 const std::vector<Fault> surroundings = {
     {"no HOME", "unset HOME XDG_CACHE_HOME XDG_STATE_HOME", svg, 0, "01-to-center.svg", all_whole("disk")},
     {"a HOME that is not there", "export HOME=/nowhere", svg, 0, "01-to-center.svg", all_whole("disk")},
@@ -167,6 +180,13 @@ void meet(const std::vector<Fault>& faults) {
 }  // namespace
 
 TEST_CASE("faults of the disk are told, and leave every file whole", "[faults]") { meet(full_or_closed); }
+
+TEST_CASE("what may not be written or read is told", "[faults]") {
+  if (Shell()(as_user + "$user isect --version").status != 0)
+    WARN("not tried: the tests run as root, and nobody may not run isect or setpriv is missing");
+  else
+    meet(forbidden);
+}
 
 TEST_CASE("odd surroundings change nothing", "[faults]") { meet(surroundings); }
 
