@@ -6,12 +6,12 @@
 #include <cstdlib>
 #include <vector>
 
+#include <isect/batch.h>
+#include <isect/batch_aabb.h>
+#include <isect/batch_point_polygon.h>
+#include <isect/batch_ray_sphere.h>
 #include "bench/measure.h"
 #include "bench/pair_cases.h"
-#include "core/batch.h"
-#include "core/batch_aabb.h"
-#include "core/batch_point_polygon.h"
-#include "core/batch_ray_sphere.h"
 
 using namespace isect;
 using namespace isect::bench;
@@ -102,13 +102,13 @@ void ray_rows(std::size_t entries, const char* where, int passes) {
   table.row("exact, one by one", each(rays, entries, passes, count([](const auto& ray, const auto& sphere) {
                                         return intersect(ray, sphere).surface.has_value();
                                       })));
-  table.row("read", each(rays, entries, passes,
-                         [&](const auto&) { return read<S>(batch::columns(spheres), entries); }));
+  table.row("read",
+            each(rays, entries, passes, [&](const auto&) { return read<S>(batch::columns(spheres), entries); }));
   for (const InstructionSet set : sets())
     table.row((std::string("hits, ") + name(set)).c_str(),
               each(rays, entries, passes, [&](const auto& ray) { return hits(ray, spheres, set).count(); }));
-  table.row("first_hit", each(rays, entries, passes,
-                              [&](const auto& ray) { return first_hit(ray, spheres).has_value(); }));
+  table.row("first_hit",
+            each(rays, entries, passes, [&](const auto& ray) { return first_hit(ray, spheres).has_value(); }));
 }
 
 template <class S>
@@ -119,7 +119,7 @@ void box_rows(std::size_t entries, const char* where, int passes) {
   for (std::size_t i = 0; i < entries; ++i) {
     scattered.push_back(ordinary_box<S>(random));
     for (int k = 0; k < 3; ++k) {
-      store.columns[static_cast<std::size_t>(k)].push_back(scattered[i].lo[k]);
+      store.columns[k].push_back(scattered[i].lo[k]);
       store.columns[static_cast<std::size_t>(k) + 3].push_back(scattered[i].hi[k]);
     }
   }
@@ -142,12 +142,10 @@ void box_rows(std::size_t entries, const char* where, int passes) {
               for (const Aabb<S, 3>& b : scattered) sum += intersects(box, b);
               return sum;
             }));
-  table.row("read", each(boxes, entries, passes,
-                         [&](const auto&) { return read<S>(batch::columns(batch), entries); }));
+  table.row("read", each(boxes, entries, passes, [&](const auto&) { return read<S>(batch::columns(batch), entries); }));
   for (const InstructionSet set : sets())
-    table.row(
-        (std::string("intersects, ") + name(set)).c_str(),
-        each(boxes, entries, passes, [&](const auto& box) { return intersects(box, batch, set).count(); }));
+    table.row((std::string("intersects, ") + name(set)).c_str(),
+              each(boxes, entries, passes, [&](const auto& box) { return intersects(box, batch, set).count(); }));
 }
 
 void polygon_rows(std::size_t vertices, int passes) {
@@ -158,9 +156,7 @@ void polygon_rows(std::size_t vertices, int passes) {
   const std::vector<int> once = {0};
 
   Table table("polygon of " + std::to_string(vertices) + ", points");
-  const auto inside = [](const std::vector<Location>& all) {
-    return std::count(all.begin(), all.end(), Location::in);
-  };
+  const auto inside = [](const std::vector<Location>& all) { return std::count(all.begin(), all.end(), Location::in); };
   table.row("naive, one by one", each(once, points.size(), passes, [&](int) {
               std::size_t sum = 0;
               for (const Point<double, 2>& p : points) sum += point_polygon::crossings_naive(p, ring);

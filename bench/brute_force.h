@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "core/bvh_ray.h"
-#include "core/triangle_mesh.h"
+#include <isect/bvh_ray.h>
+#include <isect/triangle_mesh.h>
 
 namespace isect::bench {
 

@@ -23,10 +23,11 @@
 #include <type_traits>
 #include <vector>
 
+#include <isect/trace.h>
+#include "bench/distribution.h"
 #include "bench/oracle.h"
 #include "bench/random.h"
 #include "bench/session.h"
-#include "core/trace.h"
 
 namespace isect::bench {
 
@@ -81,15 +82,6 @@ struct Sum {
   }
 };
 
-/// Of an unsorted list: its median, 99th percentile and greatest; quantiles by the nearest rank.
-struct Distribution {
-  explicit Distribution(std::vector<double> values);
-  double quantile(double share) const;
-  Errors errors() const { return {quantile(0.5), quantile(0.99), quantile(1)}; }
-  std::vector<double> curve() const;  ///< 41 quantiles, every 2.5 %
-  std::vector<double> sorted;
-};
-
 /// A method with its type gone: how to make a pass, how to ask one case.
 template <class Case>
 struct Entrant {
@@ -134,8 +126,8 @@ class Contest {
   }
 
   /// A method that takes all cases at once: `pass` answers them all, `ask` says what it answered for one.
-  Entrant<Case>& enter_pass(const std::string& name, std::function<void()> pass,
-                            std::function<Said(std::size_t)> ask, const std::string& library = "isect") {
+  Entrant<Case>& enter_pass(const std::string& name, std::function<void()> pass, std::function<Said(std::size_t)> ask,
+                            const std::string& library = "isect") {
     entrants_.push_back(
         std::make_unique<Entrant<Case>>(Entrant<Case>{name, library, std::move(pass), std::move(ask), {}}));
     return *entrants_.back();
@@ -163,8 +155,8 @@ class Contest {
     std::vector<int> wanted;
     for (const auto& entrant : entrants_) {
       const double seconds = once(*entrant) * 1e-9 * static_cast<double>(cases_.size());
-      wanted.push_back(std::clamp(static_cast<int>(effort.seconds / std::max(seconds, 1e-9)),
-                                  effort.least_passes, effort.most_passes));
+      wanted.push_back(std::clamp(static_cast<int>(effort.seconds / std::max(seconds, 1e-9)), effort.least_passes,
+                                  effort.most_passes));
     }
     for (int pass = 0; pass < effort.most_passes; ++pass)
       for (std::size_t k = 0; k < entrants_.size(); ++k)
@@ -174,8 +166,7 @@ class Contest {
 
   void judge_all() {
     truths_.clear();
-    const std::size_t count =
-        std::min(cases_.size(), static_cast<std::size_t>(std::max(0L, session_.effort.judged)));
+    const std::size_t count = std::min(cases_.size(), static_cast<std::size_t>(std::max(0L, session_.effort.judged)));
     for (std::size_t i = 0; i < count; ++i) truths_.push_back(family_.truth(cases_[i]));
   }
 
@@ -191,8 +182,8 @@ class Contest {
     judge(entrant, r);
     if (entrant.falls_back) {
       const std::size_t asked = std::min(cases_.size(), std::max<std::size_t>(truths_.size(), 1 << 12));
-      const long fell = std::count_if(cases_.begin(), cases_.begin() + static_cast<std::ptrdiff_t>(asked),
-                                      entrant.falls_back);
+      const long fell =
+          std::count_if(cases_.begin(), cases_.begin() + static_cast<std::ptrdiff_t>(asked), entrant.falls_back);
       r.fallback = static_cast<double>(fell) / static_cast<double>(asked);
     }
     return r;
@@ -220,8 +211,7 @@ class Contest {
           const double off = std::abs((*answer.value - truth.value->nearest) - truth.value->rest) / size;
           conditioned.push_back(or_infinite(off / u / std::max(1.0, truth.condition)));
         }
-        if (family_.residual)
-          residuals.push_back(or_infinite(family_.residual(cases_[i], *answer.value) / u));
+        if (family_.residual) residuals.push_back(or_infinite(family_.residual(cases_[i], *answer.value) / u));
       }
     }
     if (ulps.empty()) return;
@@ -261,8 +251,7 @@ void write(std::ostringstream& out, const char* name, const auto& value, const M
                   value[0];
                 }) {
     out << '(';
-    for (int i = 0; i < static_cast<int>(value.size()); ++i)
-      out << (i > 0 ? ", " : "") << value[static_cast<std::size_t>(i)];
+    for (int i = 0; i < static_cast<int>(value.size()); ++i) out << (i > 0 ? ", " : "") << value[i];
     out << ')';
   } else {
     out << value;

@@ -16,8 +16,7 @@ namespace isect::bench {
 /// Powers of ten from `least` to `most`, but to 10^4 only in a quick run.
 inline std::vector<int> sizes(const Session& session, int least, int most = 1'000'000) {
   std::vector<int> all;
-  for (int n = least; n <= std::min(most, session.effort.all_sizes ? 1'000'000 : 10'000); n *= 10)
-    all.push_back(n);
+  for (int n = least; n <= std::min(most, session.effort.all_sizes ? 1'000'000 : 10'000); n *= 10) all.push_back(n);
   return all;
 }
 
@@ -46,8 +45,8 @@ double least_time(const Session& session, const Run& run) {
   return least;
 }
 
-/// Nanoseconds of one of the cases: the least pass over all of them, answer(case) -> a number to add up. Where one takes
-/// long, give fewer.
+/// Nanoseconds of one of the cases: the least pass over all of them, answer(case) -> a number to add up. Where one
+/// takes long, give fewer.
 template <class Case, class Answer>
 double least_each(const Session& session, const std::vector<Case>& cases, const Answer& answer) {
   const auto pass = [&] {
@@ -76,5 +75,18 @@ class Grown {
  private:
   Growth curve_;
 };
+
+/// One method at all sizes from a thousand on: make(n) makes what run(it) is timed on.
+template <class Make, class Run>
+void grow(Session& session, const char* test, const char* method, const char* unit, const Make& make, const Run& run,
+          const char* library = "isect") {
+  session.progress(std::string(test) + ", " + (library == std::string("isect") ? method : library));
+  Grown grown(test, method, unit, library);
+  for (const int n : sizes(session, 1000)) {
+    const auto made = make(n);
+    grown.add(n, least_time(session, [&] { return run(made); }));
+  }
+  grown.report(session);
+}
 
 }  // namespace isect::bench

@@ -5,9 +5,9 @@
 #include <numbers>
 #include <vector>
 
+#include <isect/shapes.h>
+#include <isect/triangle_mesh.h>
 #include "bench/random.h"
-#include "core/shapes.h"
-#include "core/triangle_mesh.h"
 
 namespace isect::bench {
 
@@ -61,8 +61,7 @@ TriangleMesh<S> bumpy_sphere(int side) {
   for (int i = 0; i <= rows; ++i)
     for (int j = 0; j < columns; ++j) {
       const double u = std::numbers::pi * i / rows, v = 2 * std::numbers::pi * j / columns;
-      const double r =
-          1 + 0.1 * std::sin(7 * u) * std::sin(9 * v) + 0.02 * std::sin(41 * u) * std::cos(37 * v);
+      const double r = 1 + 0.1 * std::sin(7 * u) * std::sin(9 * v) + 0.02 * std::sin(41 * u) * std::cos(37 * v);
       const Point<double, 3> p(r * std::sin(u) * std::cos(v), r * std::cos(u), r * std::sin(u) * std::sin(v));
       mesh.vertices.push_back(p.cast<S>());
     }
@@ -102,8 +101,7 @@ inline Ring<double, 2> disc(int n, bool circle) {
   Random random(stream(1, "scattered"));
   Ring<double, 2> points;
   for (int i = 0; i < n; ++i) {
-    const double angle = random.uniform(0, 2 * std::numbers::pi),
-                 radius = circle ? 1 : std::sqrt(random.unit());
+    const double angle = random.uniform(0, 2 * std::numbers::pi), radius = circle ? 1 : std::sqrt(random.unit());
     points.push_back({radius * std::cos(angle), radius * std::sin(angle)});
   }
   return points;

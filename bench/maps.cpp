@@ -5,13 +5,13 @@
 #include <array>
 #include <cmath>
 
-#include "core/orient.h"
-#include "core/orient_methods.h"
-#include "core/point_polygon.h"
-#include "core/ray_sphere.h"
-#include "core/ray_sphere_methods.h"
-#include "core/ray_sphere_stable.h"
-#include "core/sphere_sphere.h"
+#include <isect/orient.h>
+#include <isect/orient_methods.h>
+#include <isect/point_polygon.h>
+#include <isect/ray_sphere.h>
+#include <isect/ray_sphere_methods.h>
+#include <isect/ray_sphere_stable.h>
+#include <isect/sphere_sphere.h>
 #include "viz/rich_text.h"
 
 namespace isect::bench {
@@ -22,7 +22,8 @@ using viz::Tone;
 
 constexpr int side = 256;
 
-/// The cell for each neighbour (i, j): `kind(i, j)` indexes the kinds of the chart, of which the last `wrong` are wrong.
+/// The cell for each neighbour (i, j): `kind(i, j)` indexes the kinds of the chart, of which the last `wrong` are
+/// wrong.
 template <class Kind>
 viz::Map map_of(const std::string& title, int kinds, int wrong, const Kind& kind) {
   viz::Map map = {title, {}, side, side, {}};
@@ -125,8 +126,7 @@ Plotted polygon_map() {
     }));
   };
   add("crossings, dividing", [&](const Point2& p) { return point_polygon::crossings_naive(p, triangle); });
-  add("winding, multiplying",
-      [&](const Point2& p) { return point_polygon::winding_naive(p, triangle) != 0; });
+  add("winding, multiplying", [&](const Point2& p) { return point_polygon::winding_naive(p, triangle) != 0; });
   const std::string percent = percentages(chart.maps);
   return {"map-point-in-polygon",
           "Whether a point beside an edge lies in a triangle, by crossings and by winding, for 256 x 256 "

@@ -24,11 +24,10 @@ int main(int argc, char** argv) {
       return std::fprintf(stderr, "usage: %s [--quick] [--seed N] [TEST...]\n", argv[0]), 2;
   }
   try {
-    const Report report = measure(
-        effort, seed, only, [](const std::string& next) { std::fprintf(stderr, "%s\n", next.c_str()); });
+    const Report report =
+        measure(effort, seed, only, [](const std::string& next) { std::fprintf(stderr, "%s\n", next.c_str()); });
     const std::string text = json(report);
-    return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0 ? 0
-                                                                                                       : 4;
+    return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0 ? 0 : 4;
   } catch (const std::exception& e) {
     std::fprintf(stderr, "%s: %s\n", argv[0], e.what());
     return 1;

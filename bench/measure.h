@@ -62,10 +62,8 @@ class Table {
     std::fflush(stdout);
   }
   static void head(const char* flags, const char* cases) {
-    std::printf("compiler %s\nflags    %s\ncpu      %s\ncases    %s\n\n", __VERSION__, flags, cpu().c_str(),
-                cases);
-    std::printf("%-34s %-26s %10s %10s %8s %9s\n", "question", "method", "ns least", "median", "/first",
-                "hits");
+    std::printf("compiler %s\nflags    %s\ncpu      %s\ncases    %s\n\n", __VERSION__, flags, cpu().c_str(), cases);
+    std::printf("%-34s %-26s %10s %10s %8s %9s\n", "question", "method", "ns least", "median", "/first", "hits");
   }
 
  private:

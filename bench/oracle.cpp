@@ -110,8 +110,7 @@ RaySphere point(const Quadratic& q, const Interval<double>& range) {
   const int c = q.c.sign();
   RaySphere truth;
   truth.origin = c < 0 ? Location::in : c > 0 ? Location::out : Location::on;
-  const bool some =
-      range.lo <= range.hi && std::isless(range.lo, INFINITY) && std::isgreater(range.hi, -INFINITY);
+  const bool some = range.lo <= range.hi && std::isless(range.lo, INFINITY) && std::isgreater(range.hi, -INFINITY);
   if (!some || c > 0) return truth;
   if (c == 0) truth.surface = Real{range.lo};
   truth.enter = Real{range.lo};

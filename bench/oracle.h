@@ -8,7 +8,7 @@
 
 #include <optional>
 
-#include "core/shapes.h"
+#include <isect/shapes.h>
 
 namespace isect::oracle {
 
@@ -33,10 +33,10 @@ RaySphere ray_sphere(const Ray<double, N>& ray, const Sphere<double, N>& sphere)
 /// The same for the reals that float arguments denote.
 template <int N>
 RaySphere ray_sphere(const Ray<float, N>& ray, const Sphere<float, N>& sphere) {
-  return ray_sphere<N>(Ray<double, N>{ray.origin.template cast<double>(),
-                                      ray.direction.template cast<double>(),
-                                      {ray.range.lo, ray.range.hi}},
-                       Sphere<double, N>{sphere.center.template cast<double>(), sphere.radius});
+  return ray_sphere<N>(
+      Ray<double, N>{
+          ray.origin.template cast<double>(), ray.direction.template cast<double>(), {ray.range.lo, ray.range.hi}},
+      Sphere<double, N>{sphere.center.template cast<double>(), sphere.radius});
 }
 
 /// How far x lies from the true value, in units in the last place of S at the truth. An infinite x is right

@@ -7,10 +7,10 @@
 #include <numbers>
 #include <vector>
 
+#include <isect/fit.h>
+#include <isect/parts/directions.h>
+#include <isect/shapes.h>
 #include "bench/random.h"
-#include "core/directions.h"
-#include "core/fit.h"
-#include "core/shapes.h"
 
 namespace isect::bench {
 
@@ -39,8 +39,7 @@ std::vector<Pair<A, B>> pairs(const char* name, const DrawA& draw_a, const DrawB
 
 template <class S>
 Aabb<S, 3> ordinary_box(Random& random) {
-  const Point<double, 3> center = random.in_box<3>(1),
-                         half = random.in_box<3>(0.3) + Vector<double, 3>::Constant(0.4);
+  const Point<double, 3> center = random.in_box<3>(1), half = random.in_box<3>(0.3) + Vector<double, 3>::Constant(0.4);
   return {(center - half).cast<S>(), (center + half).cast<S>()};
 }
 template <class S>
@@ -55,8 +54,7 @@ Ray<S, 3> ordinary_ray(Random& random) {
 template <class S>
 Obb<S, 3> ordinary_obb(Random& random, double spread) {
   const Eigen::Quaterniond turn =
-      Eigen::AngleAxisd(random.uniform(0, 2 * std::numbers::pi), random.heading<3>()) *
-      Eigen::Quaterniond::Identity();
+      Eigen::AngleAxisd(random.uniform(0, 2 * std::numbers::pi), random.heading<3>()) * Eigen::Quaterniond::Identity();
   const Vector<double, 3> half = random.in_box<3>(0.4) + Vector<double, 3>::Constant(0.6);
   return {random.in_box<3>(spread).template cast<S>(), turn.toRotationMatrix().cast<S>(), half.cast<S>()};
 }

@@ -8,26 +8,26 @@
 #include <cstdlib>
 #include <numbers>
 
+#include <isect/aabb_aabb.h>
+#include <isect/convex_hull.h>
+#include <isect/kdop_kdop.h>
+#include <isect/obb_obb.h>
+#include <isect/obb_obb_methods.h>
+#include <isect/orient.h>
+#include <isect/point_convex_polygon.h>
+#include <isect/point_polygon.h>
+#include <isect/ray_aabb.h>
+#include <isect/ray_obb.h>
+#include <isect/ray_plane.h>
+#include <isect/ray_polygon.h>
+#include <isect/ray_triangle.h>
+#include <isect/sphere_aabb.h>
+#include <isect/sphere_sphere.h>
+#include <isect/triangle_aabb.h>
+#include <isect/triangle_aabb_methods.h>
 #include "bench/growth_shapes.h"
 #include "bench/measure.h"
 #include "bench/pair_cases.h"
-#include "core/aabb_aabb.h"
-#include "core/convex_hull.h"
-#include "core/kdop_kdop.h"
-#include "core/obb_obb.h"
-#include "core/obb_obb_methods.h"
-#include "core/orient.h"
-#include "core/point_convex_polygon.h"
-#include "core/point_polygon.h"
-#include "core/ray_aabb.h"
-#include "core/ray_obb.h"
-#include "core/ray_plane.h"
-#include "core/ray_polygon.h"
-#include "core/ray_triangle.h"
-#include "core/sphere_aabb.h"
-#include "core/sphere_sphere.h"
-#include "core/triangle_aabb.h"
-#include "core/triangle_aabb_methods.h"
 
 using namespace isect;
 using namespace isect::bench;
@@ -54,10 +54,8 @@ void aabb_aabb_rows() {
   Table table(titled<S>("aabb-aabb"));
   table.row("Eigen AlignedBox", timed(boxes, passes, [](const Case& c) { return c.a.intersects(c.b); }));
   table.row("intersects", timed(cases, passes, [](const auto& c) { return intersects(c.a, c.b); }));
-  table.row("by_axis (naive)",
-            timed(cases, passes, [](const auto& c) { return aabb_aabb::by_axis(c.a, c.b); }));
-  table.row("relate",
-            timed(cases, passes, [](const auto& c) { return relate(c.a, c.b) != Relation::disjoint; }));
+  table.row("by_axis (naive)", timed(cases, passes, [](const auto& c) { return aabb_aabb::by_axis(c.a, c.b); }));
+  table.row("relate", timed(cases, passes, [](const auto& c) { return relate(c.a, c.b) != Relation::disjoint; }));
 }
 
 template <class S>
@@ -67,8 +65,7 @@ void sphere_sphere_rows() {
   table.row("squared_distance (naive)",
             timed(cases, passes, [](const auto& c) { return sphere_sphere::squared_distance(c.a, c.b); }));
   table.row("intersects", timed(cases, passes, [](const auto& c) { return intersects(c.a, c.b); }));
-  table.row("relate",
-            timed(cases, passes, [](const auto& c) { return relate(c.a, c.b) != Relation::disjoint; }));
+  table.row("relate", timed(cases, passes, [](const auto& c) { return relate(c.a, c.b) != Relation::disjoint; }));
 }
 
 template <class S>
@@ -78,8 +75,7 @@ void sphere_aabb_rows() {
   table.row("accumulate (naive)",
             timed(cases, passes, [](const auto& c) { return sphere_aabb::accumulate(c.a, c.b); }));
   table.row("intersects", timed(cases, passes, [](const auto& c) { return intersects(c.a, c.b); }));
-  table.row("relate",
-            timed(cases, passes, [](const auto& c) { return relate(c.a, c.b) != Relation::disjoint; }));
+  table.row("relate", timed(cases, passes, [](const auto& c) { return relate(c.a, c.b) != Relation::disjoint; }));
 }
 
 template <class S>
@@ -89,8 +85,7 @@ void obb_obb_rows(double spread, const char* question) {
   table.row("gottschalk (naive)",
             timed(cases, passes, [](const auto& c) { return obb_obb::gottschalk(c.a, c.b, S(1e-6)); }));
   table.row("intersects", timed(cases, passes, [](const auto& c) { return intersects(c.a, c.b); }));
-  table.row("relate",
-            timed(cases, passes, [](const auto& c) { return relate(c.a, c.b) != Relation::disjoint; }));
+  table.row("relate", timed(cases, passes, [](const auto& c) { return relate(c.a, c.b) != Relation::disjoint; }));
 }
 
 template <class S>
@@ -106,8 +101,7 @@ template <class S>
 void kdop_kdop_rows() {
   const auto cases = kdop_pairs<S>();
   Table table(titled<S>("18-dop pair"));
-  table.row("separating_slab",
-            timed(cases, passes, [](const auto& c) { return !separating_slab(c.a, c.b); }));
+  table.row("separating_slab", timed(cases, passes, [](const auto& c) { return !separating_slab(c.a, c.b); }));
   table.row("may_intersect", timed(cases, passes, [](const auto& c) { return may_intersect(c.a, c.b); }));
 }
 
@@ -115,8 +109,7 @@ template <class S>
 void ray_rows() {
   const auto boxes = ray_box_pairs<S>();
   Table box(titled<S>("ray-aabb"));
-  box.row("slabs (naive)",
-          timed(boxes, passes, [](const auto& c) { return ray_aabb::slabs(c.a, c.b).has_value(); }));
+  box.row("slabs (naive)", timed(boxes, passes, [](const auto& c) { return ray_aabb::slabs(c.a, c.b).has_value(); }));
   box.row("intersect", timed(boxes, passes, [](const auto& c) { return intersect(c.a, c.b).has_value(); }));
   box.row("may_intersect", timed(boxes, passes, [](const auto& c) { return may_intersect(c.a, c.b); }));
 
@@ -125,8 +118,7 @@ void ray_rows() {
   triangle.row("moller_trumbore (naive)", timed(triangles, passes, [](const auto& c) {
                  return ray_triangle::moller_trumbore(c.a, c.b).has_value();
                }));
-  triangle.row("intersect",
-               timed(triangles, passes, [](const auto& c) { return intersect(c.a, c.b).t.has_value(); }));
+  triangle.row("intersect", timed(triangles, passes, [](const auto& c) { return intersect(c.a, c.b).t.has_value(); }));
   triangle.row("intersects", timed(triangles, passes, [](const auto& c) { return intersects(c.a, c.b); }));
 
   const auto obbs = ray_obb_pairs<S>();
@@ -138,18 +130,15 @@ void ray_rows() {
 
   const auto polygons = ray_polygon_pairs<S>(6);
   Table polygon(titled<S>("ray-polygon, n = 6"));
-  polygon.row("projected (naive)", timed(polygons, passes, [](const auto& c) {
-                return ray_polygon::projected(c.a, c.b).has_value();
-              }));
-  polygon.row("intersect",
-              timed(polygons, passes, [](const auto& c) { return intersect(c.a, c.b).t.has_value(); }));
+  polygon.row("projected (naive)",
+              timed(polygons, passes, [](const auto& c) { return ray_polygon::projected(c.a, c.b).has_value(); }));
+  polygon.row("intersect", timed(polygons, passes, [](const auto& c) { return intersect(c.a, c.b).t.has_value(); }));
 
   const auto planes = ray_plane_pairs<S>();
   Table plane(titled<S>("ray-plane"));
   plane.row("textbook (naive)",
             timed(planes, passes, [](const auto& c) { return ray_plane::textbook(c.a, c.b).has_value(); }));
-  plane.row("intersect",
-            timed(planes, passes, [](const auto& c) { return intersect(c.a, c.b).t.has_value(); }));
+  plane.row("intersect", timed(planes, passes, [](const auto& c) { return intersect(c.a, c.b).t.has_value(); }));
 }
 
 void orientation_rows() {
@@ -181,11 +170,9 @@ void convex_rows(std::size_t vertices) {
   if (!convex) return;
   const auto points = query_points(65536, 1);
   Table table("point in convex polygon, n = " + std::to_string(convex->vertices.size()));
-  table.row("wedge_naive", timed(points, passes, [&](const auto& p) {
-              return point_convex_polygon::wedge_naive(p, *convex);
-            }));
-  table.row("locate",
-            timed(points, passes, [&](const auto& p) { return locate(p, *convex) != Location::out; }));
+  table.row("wedge_naive",
+            timed(points, passes, [&](const auto& p) { return point_convex_polygon::wedge_naive(p, *convex); }));
+  table.row("locate", timed(points, passes, [&](const auto& p) { return locate(p, *convex) != Location::out; }));
 }
 
 void hull_rows(bool circle) {

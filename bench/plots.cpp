@@ -27,20 +27,16 @@ class Legend {
     constexpr Role roles[] = {Role::second, Role::first, Role::miss, Role::construction, Role::text};
     std::size_t stars_used = 0, plain_used = 0;
     for (const std::string& name : names_) {
-      const bool exact =
-          std::ranges::any_of(rows, [&](const Row* r) { return r->exact && name_of(*r) == name; });
+      const bool exact = std::ranges::any_of(rows, [&](const Row* r) { return r->exact && name_of(*r) == name; });
       const auto i = static_cast<int>(exact ? stars_used : plain_used + 1);
       if (exact && stars_used < std::size(stars))
         series_.push_back({name, stars[stars_used++], Role::hit, i});
       else
-        series_.push_back(
-            {name, plain[plain_used % std::size(plain)], roles[plain_used % std::size(roles)], i}),
+        series_.push_back({name, plain[plain_used % std::size(plain)], roles[plain_used % std::size(roles)], i}),
             ++plain_used;
     }
   }
-  int index(const Row& r) const {
-    return static_cast<int>(std::ranges::find(names_, name_of(r)) - names_.begin());
-  }
+  int index(const Row& r) const { return static_cast<int>(std::ranges::find(names_, name_of(r)) - names_.begin()); }
   /// Only what some panel shows, renumbered.
   std::vector<viz::Series> shown(std::vector<viz::Panel>& panels) const {
     std::set<int> used;
@@ -55,7 +51,7 @@ class Legend {
     }
     std::vector<viz::Series> series;
     for (const int i : used) {
-      series.push_back(series_[static_cast<std::size_t>(i)]);
+      series.push_back(series_[i]);
       series.back().name = as_markup(series.back().name);
     }
     return series;
@@ -67,8 +63,7 @@ class Legend {
 };
 
 std::string lower(std::string text) {
-  for (char& c : text)
-    c = std::isalnum(static_cast<unsigned char>(c)) ? static_cast<char>(std::tolower(c)) : '-';
+  for (char& c : text) c = std::isalnum(static_cast<unsigned char>(c)) ? static_cast<char>(std::tolower(c)) : '-';
   std::string slug;
   for (const char c : text)
     if (c != '-' || (!slug.empty() && slug.back() != '-')) slug += c;
@@ -88,8 +83,7 @@ std::vector<std::string> chosen(const std::vector<const Row*>& rows, const std::
   return families;
 }
 
-std::vector<const Row*> of_families(const std::vector<const Row*>& rows,
-                                    const std::vector<std::string>& families) {
+std::vector<const Row*> of_families(const std::vector<const Row*>& rows, const std::vector<std::string>& families) {
   std::vector<const Row*> some;
   for (const Row* r : rows)
     if (std::ranges::find(families, r->family) != families.end()) some.push_back(r);
@@ -152,11 +146,10 @@ Plotted error_plot(const Report& report, const std::string& test, const std::str
   const double cap = scalar == "float" ? 32 : 64;  // beyond this nothing of a value is left
   for (const Row* r : seen)
     if (r->ulps) most = std::max(most, bits(r->ulps->p99));
-  std::vector<viz::Panel> all =
-      panels(rows, families, legend, true, [](const Row& r) -> std::optional<viz::Spot> {
-        if (!r.ulps) return {};
-        return viz::Spot{0, 0, bits(r.ulps->p99), bits(r.ulps->median)};
-      });
+  std::vector<viz::Panel> all = panels(rows, families, legend, true, [](const Row& r) -> std::optional<viz::Spot> {
+    if (!r.ulps) return {};
+    return viz::Spot{0, 0, bits(r.ulps->p99), bits(r.ulps->median)};
+  });
   viz::Plot plot = {
       times(seen), {viz::Scale::Kind::linear, 0, 1.08 * most, "log_2(1 + error in ulp)"}, {}, std::move(all)};
   plot.x.title = "time per call (ns). Marker: 99th percentile; bar: down to the median";
@@ -168,15 +161,12 @@ Plotted error_plot(const Report& report, const std::string& test, const std::str
   plot.series = legend.shown(plot.panels);
   return {
       lower(test + "-" + scalar + "-error"),
-      fmt::format(
-          "{} in {}: the time of a call against the error of its value, where the verdict is right. The "
-          "marker stands at the 99th "
-          "percentile, the bar reaches down to the median. Steps join the methods on the front: no other is "
-          "both as fast and as accurate. The tinted side is beaten.{}",
-          test, scalar,
-          any_note(plot.panels) ? " Families marked hard are made to break naive methods." : ""),
-      fmt::format("Charts of time against error for {} in {}.{}", test, scalar,
-                  front_in_words(rows, families, true)),
+      fmt::format("{} in {}: the time of a call against the error of its value, where the verdict is right. The "
+                  "marker stands at the 99th "
+                  "percentile, the bar reaches down to the median. Steps join the methods on the front: no other is "
+                  "both as fast and as accurate. The tinted side is beaten.{}",
+                  test, scalar, any_note(plot.panels) ? " Families marked hard are made to break naive methods." : ""),
+      fmt::format("Charts of time against error for {} in {}.{}", test, scalar, front_in_words(rows, families, true)),
       {std::move(plot)}};
 }
 
@@ -189,24 +179,21 @@ Plotted verdict_plot(const Report& report, const std::string& test, const std::s
   double least = 1e4;
   for (const Row* r : seen)
     if (r->wrong() > 0) least = std::min(least, r->wrong_per_million());
-  std::vector<viz::Panel> all =
-      panels(rows, families, legend, false, [](const Row& r) -> std::optional<viz::Spot> {
-        return viz::Spot{0, 0, r.wrong_per_million()};
-      });
-  viz::Plot plot = {times(seen),
-                    {viz::Scale::Kind::log_zero, std::pow(10, std::floor(std::log10(least)) - 1), 1e6,
-                     "wrong verdicts per million"},
-                    {},
-                    std::move(all)};
+  std::vector<viz::Panel> all = panels(rows, families, legend, false, [](const Row& r) -> std::optional<viz::Spot> {
+    return viz::Spot{0, 0, r.wrong_per_million()};
+  });
+  viz::Plot plot = {
+      times(seen),
+      {viz::Scale::Kind::log_zero, std::pow(10, std::floor(std::log10(least)) - 1), 1e6, "wrong verdicts per million"},
+      {},
+      std::move(all)};
   plot.x.title = "time per call (ns)";
   plot.series = legend.shown(plot.panels);
   return {
       lower(test + "-" + scalar + "-verdicts"),
-      fmt::format(
-          "{} in {}: the time of a call against its wrong verdicts, of a million. Steps join the methods on "
-          "the front: no other is both as fast and as often right.{}",
-          test, scalar,
-          any_note(plot.panels) ? " Families marked hard are made to break naive methods." : ""),
+      fmt::format("{} in {}: the time of a call against its wrong verdicts, of a million. Steps join the methods on "
+                  "the front: no other is both as fast and as often right.{}",
+                  test, scalar, any_note(plot.panels) ? " Families marked hard are made to break naive methods." : ""),
       fmt::format("Charts of time against wrong verdicts for {} in {}.{}", test, scalar,
                   front_in_words(rows, families, false)),
       {std::move(plot)}};
@@ -245,10 +232,9 @@ Plotted distribution_plot(const Report& report, const std::string& test, const s
   plot.series = legend.shown(plot.panels);
   return {
       lower(test + "-" + scalar + "-distribution"),
-      fmt::format(
-          "{} in {}: the share of the values whose error is at most the one below. The further left and the "
-          "steeper a line, the better.",
-          test, scalar),
+      fmt::format("{} in {}: the share of the values whose error is at most the one below. The further left and the "
+                  "steeper a line, the better.",
+                  test, scalar),
       alt,
       {std::move(plot)}};
 }
@@ -264,19 +250,18 @@ Plotted growth_plot(const Report& report, const std::string& test, const std::st
   for (const Growth& g : report.growths) {
     if (g.test != test || g.unit != unit || g.n.empty()) continue;
     const std::size_t i = plot.series.size();
-    plot.series.push_back(
-        {"", glyphs[i % std::size(glyphs)], roles[i % std::size(roles)], static_cast<int>(i)});
-    viz::Curve curve = {static_cast<int>(i),
-                        {},
-                        fmt::format("{}, *n*^{{{}{:.2f}}}", as_markup(name_of(g)), g.exponent < 0 ? "−" : "",
-                                    std::abs(g.exponent))};
+    plot.series.push_back({"", glyphs[i % std::size(glyphs)], roles[i % std::size(roles)], static_cast<int>(i)});
+    viz::Curve curve = {
+        static_cast<int>(i),
+        {},
+        fmt::format("{}, *n*^{{{}{:.2f}}}", as_markup(name_of(g)), g.exponent < 0 ? "−" : "", std::abs(g.exponent))};
     for (std::size_t k = 0; k < g.n.size(); ++k) {
       curve.points.emplace_back(g.n[k], g.ns[k]);
       n_lo = std::min(n_lo, g.n[k]), n_hi = std::max(n_hi, g.n[k]), lo = std::min(lo, g.ns[k]),
       hi = std::max(hi, g.ns[k]);
     }
-    alt += fmt::format(" {}: {:.3g} ns at n = {:.0f}, {:.3g} ns at {:.0f}, growing as n to the {:.2f}.",
-                       name_of(g), g.ns.front(), g.n.front(), g.ns.back(), g.n.back(), g.exponent);
+    alt += fmt::format(" {}: {:.3g} ns at n = {:.0f}, {:.3g} ns at {:.0f}, growing as n to the {:.2f}.", name_of(g),
+                       g.ns.front(), g.n.front(), g.ns.back(), g.n.back(), g.exponent);
     panel.curves.push_back(std::move(curve));
   }
   plot.panels = {panel};
@@ -306,8 +291,8 @@ Plotted duty_plot(const Report& report) {
                          1.0,
                          fmt::format("{:.3g} {}", d.value, d.unit),
                          ratio <= 1 ? viz::Verdict::Kind::yes : viz::Verdict::Kind::no});
-    alt += fmt::format(" {}: {:.3g} {}, {} {:.3g} allowed.", d.what, d.value, d.unit,
-                       at_least ? "at least" : "at most", *d.target);
+    alt += fmt::format(" {}: {:.3g} {}, {} {:.3g} allowed.", d.what, d.value, d.unit, at_least ? "at least" : "at most",
+                       *d.target);
   }
   return {"duties",
           "Starting and drawing: what was measured, divided by the target. Left of the bar is within it.",

@@ -32,8 +32,7 @@ std::string share(double wrong, double of) {
   if (!(wrong > 0)) return "none";
   const double part = wrong / of;
   if (part < 1e-4) return fmt::format("{:.0f} in a million", 1e6 * part);
-  return fmt::format("{} %",
-                     part >= 0.1 ? fmt::format("{:.0f}", 100 * part) : fmt::format("{:.2g}", 100 * part));
+  return fmt::format("{} %", part >= 0.1 ? fmt::format("{:.0f}", 100 * part) : fmt::format("{:.2g}", 100 * part));
 }
 
 std::string listed(const std::vector<std::string>& parts) {
@@ -57,8 +56,6 @@ std::string sentence(std::string text) {
   return text;
 }
 
-std::string ratio(double x) {
-  return x >= 10 ? number(std::stod(fmt::format("{:.2g}", x))) : fmt::format("{:.2g}", x);
-}
+std::string ratio(double x) { return x >= 10 ? number(std::stod(fmt::format("{:.2g}", x))) : fmt::format("{:.2g}", x); }
 
 }  // namespace isect::bench

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <random>
 
-#include "core/shapes.h"
+#include <isect/shapes.h>
 
 namespace isect::bench {
 

@@ -1,5 +1,5 @@
 #pragma once
-// Rational numbers for oracles: GMP's, which share nothing with core/exact.h.
+// Rational numbers for oracles: GMP's, which share nothing with isect/numbers/exact.h.
 //
 // An oracle states a test's meaning in the plainest way, with divisions, projections of all corners, or brute force
 // over candidates: whatever differs from the core's text.
@@ -8,13 +8,12 @@
 #include <boost/multiprecision/gmp.hpp>
 #include <cmath>
 
+#include <isect/shapes.h>
 #include "bench/oracle.h"
-#include "core/shapes.h"
 
 namespace isect::oracle {
 
-using Rational =
-    boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
+using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
 
 template <int N>
 using Coordinates = std::array<Rational, N>;
@@ -68,8 +67,7 @@ inline Real real(const Rational& x) {
 template <class S>
 bool holds(const Interval<S>& range, const Rational& t) {
   if (!(range.lo <= range.hi) || range.lo == infinite<S>.hi || range.hi == infinite<S>.lo) return false;
-  return (std::isinf(range.lo) || Rational(range.lo) <= t) &&
-         (std::isinf(range.hi) || t <= Rational(range.hi));
+  return (std::isinf(range.lo) || Rational(range.lo) <= t) && (std::isinf(range.hi) || t <= Rational(range.hi));
 }
 
 /// How far x lies from the true value, in units in the last place of S at the truth; the subnormal unit at least. An
@@ -77,15 +75,12 @@ bool holds(const Interval<S>& range, const Rational& t) {
 template <class S>
 double ulps(S x, const Rational& truth) {
   using Limits = std::numeric_limits<S>;
-  const S nearest =
-      static_cast<S>(static_cast<double>(truth));  // as good as its neighbours for finding the unit
-  if (std::isinf(x))
-    return abs(truth) >= Rational(Limits::max()) && (x > 0) == (truth > 0) ? 0 : Limits::infinity();
+  const S nearest = static_cast<S>(static_cast<double>(truth));  // as good as its neighbours for finding the unit
+  if (std::isinf(x)) return abs(truth) >= Rational(Limits::max()) && (x > 0) == (truth > 0) ? 0 : Limits::infinity();
   if (std::isnan(x)) return Limits::infinity();
   const S size = std::isinf(nearest) ? Limits::max() : std::abs(nearest);
-  const S unit =
-      std::max(std::ldexp(Limits::epsilon(), size > 0 ? std::ilogb(size) : Limits::min_exponent - 1),
-               Limits::denorm_min());
+  const S unit = std::max(std::ldexp(Limits::epsilon(), size > 0 ? std::ilogb(size) : Limits::min_exponent - 1),
+                          Limits::denorm_min());
   return static_cast<double>(Rational(abs(Rational(x) - truth) / Rational(unit)));
 }
 

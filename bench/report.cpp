@@ -14,9 +14,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Four significant digits: no timing deserves more, and the file stays readable.
-double rounded(double x) {
-  return std::isfinite(x) ? std::strtod(fmt::format("{:.4g}", x).c_str(), nullptr) : x;
-}
+double rounded(double x) { return std::isfinite(x) ? std::strtod(fmt::format("{:.4g}", x).c_str(), nullptr) : x; }
 
 /// JSON has no infinity.
 Json number(double x) {
@@ -140,9 +138,7 @@ std::string csv(const std::optional<Errors>& e) {
   return e ? fmt::format("{:.4g},{:.4g},{:.4g}", e->median, e->p99, e->most) : ",,";
 }
 
-std::string percent(const std::optional<double>& share) {
-  return share ? fmt::format("{:.2f} %", 100 * *share) : "";
-}
+std::string percent(const std::optional<double>& share) { return share ? fmt::format("{:.2f} %", 100 * *share) : ""; }
 
 }  // namespace
 
@@ -154,8 +150,8 @@ std::string json(const Report& report) {
 "growths": {},
 "duties": {}}}
 )",
-                     value(report.machine).dump(), report.seed, report.quick, lines(report.rows),
-                     lines(report.growths), lines(report.duties));
+                     value(report.machine).dump(), report.seed, report.quick, lines(report.rows), lines(report.growths),
+                     lines(report.duties));
 }
 
 Report report_of(const std::string& text) {
@@ -177,11 +173,10 @@ std::string csv(const Report& report) {
       "ulps_median,ulps_p99,ulps_max,conditioned_median,conditioned_p99,conditioned_max,"
       "residual_median,residual_p99,residual_max,fallback,first_wrong\r\n";
   for (const Row& r : report.rows)
-    text += fmt::format("{},{},{},{},{},{},{:.4g},{:.4g},{:.4g},{},{},{},{},{},{},{},{},{}\r\n",
-                        quoted(r.test), quoted(r.method), quoted(r.library), r.scalar, quoted(r.family),
-                        r.hard ? 1 : 0, r.ns, r.median, r.spread, r.cases, r.judged, r.false_yes, r.false_no,
-                        csv(r.ulps), csv(r.conditioned), csv(r.residual),
-                        r.fallback ? fmt::format("{:.4g}", *r.fallback) : "", quoted(r.first_wrong));
+    text += fmt::format("{},{},{},{},{},{},{:.4g},{:.4g},{:.4g},{},{},{},{},{},{},{},{},{}\r\n", quoted(r.test),
+                        quoted(r.method), quoted(r.library), r.scalar, quoted(r.family), r.hard ? 1 : 0, r.ns, r.median,
+                        r.spread, r.cases, r.judged, r.false_yes, r.false_no, csv(r.ulps), csv(r.conditioned),
+                        csv(r.residual), r.fallback ? fmt::format("{:.4g}", *r.fallback) : "", quoted(r.first_wrong));
   return text;
 }
 
@@ -197,8 +192,8 @@ std::string table(const Report& report) {
                               report.rows[k].scalar == r.scalar && report.rows[k].family == r.family;
            ++k)
         if (report.rows[k].standard) standard = report.rows[k].ns;
-      text += fmt::format("\n{:<50} {:>9} {:>7} {:>7}  {:>9} {:>9}  {:>8} {:>8} {:>8} {:>9}\n", title, "ns",
-                          "spread", "ratio", "false yes", "false no", "ulp med", "p99", "max", "fallback");
+      text += fmt::format("\n{:<50} {:>9} {:>7} {:>7}  {:>9} {:>9}  {:>8} {:>8} {:>8} {:>9}\n", title, "ns", "spread",
+                          "ratio", "false yes", "false no", "ulp med", "p99", "max", "fallback");
     }
     const std::string method = r.library == "isect" ? r.method : r.library + ": " + r.method;
     text += fmt::format("  {:<48} {:>9.2f} {:>5.1f} % {:>7}  {:>9} {:>9}  ", method, r.ns, 100 * r.spread,
@@ -210,9 +205,8 @@ std::string table(const Report& report) {
   }
   if (!report.growths.empty()) text += "\ngrowth\n";
   for (const Growth& g : report.growths) {
-    text += fmt::format(
-        "  {:<48} n^{:.2f} a {}:", g.test + ", " + (g.library == "isect" ? "" : g.library + ": ") + g.method,
-        g.exponent, g.unit);
+    text += fmt::format("  {:<48} n^{:.2f} a {}:",
+                        g.test + ", " + (g.library == "isect" ? "" : g.library + ": ") + g.method, g.exponent, g.unit);
     for (std::size_t i = 0; i < g.n.size(); ++i) text += fmt::format("  {:.0f}: {:.4g} ns", g.n[i], g.ns[i]);
     text += '\n';
   }

@@ -36,10 +36,8 @@ struct Row {
 
   std::optional<Errors> ulps;         ///< of t or the distance, where method and truth both have one
   std::optional<Errors> conditioned;  ///< the relative error divided by u times the condition number
-  std::optional<Errors>
-      residual;  ///< how far the point found lies off the surface, relative to its size, over u
-  std::vector<double>
-      quantiles;  ///< of the error in ulps, 41 of them at 0, 2.5 %, ..., 100 %; empty without values
+  std::optional<Errors> residual;     ///< how far the point found lies off the surface, relative to its size, over u
+  std::vector<double> quantiles;   ///< of the error in ulps, 41 of them at 0, 2.5 %, ..., 100 %; empty without values
   std::optional<double> fallback;  ///< share of the calls that needed exact or extended arithmetic
 
   long wrong() const { return false_yes + false_no; }

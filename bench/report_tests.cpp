@@ -54,16 +54,15 @@ std::vector<std::string> wrong_on(std::vector<const Row*> rows, std::size_t most
   std::vector<std::string> parts;
   for (const Row* r : rows)
     if (r->hard && r->wrong() > 0 && parts.size() < most)
-      parts.push_back(fmt::format("{} of {}",
-                                  share(static_cast<double>(r->wrong()), static_cast<double>(r->judged)),
+      parts.push_back(fmt::format("{} of {}", share(static_cast<double>(r->wrong()), static_cast<double>(r->judged)),
                                   words(r->family)));
   return parts;
 }
 
 std::string cost(const Findings& d, const Findings& f) {
-  std::string text = fmt::format(
-      "On ordinary cases in double the exact call takes {} ns and {} {} ns: a ratio of {}. ",
-      number(d.exact->ns), name_of(*d.naive), number(d.naive->ns), ratio(d.exact->ns / d.naive->ns));
+  std::string text =
+      fmt::format("On ordinary cases in double the exact call takes {} ns and {} {} ns: a ratio of {}. ",
+                  number(d.exact->ns), name_of(*d.naive), number(d.naive->ns), ratio(d.exact->ns / d.naive->ns));
   if (f.exact != nullptr && f.naive != nullptr)
     text += fmt::format("In float they take {} and {} ns. ", number(f.exact->ns), number(f.naive->ns));
   std::vector<std::string> equals;
@@ -77,9 +76,9 @@ std::string cost(const Findings& d, const Findings& f) {
 std::string naive_errors(const Findings& d) {
   const double wrong = static_cast<double>(d.naive->wrong()), judged = static_cast<double>(d.naive->judged);
   const std::string who = sentence(name_of(*d.naive));
-  std::string text =
-      wrong > 0 ? fmt::format("{} is wrong on {} of the ordinary cases. ", who, share(wrong, judged))
-                : fmt::format("{} is right on all {} ordinary cases judged. ", who, count(d.naive->judged));
+  std::string text = wrong > 0
+                         ? fmt::format("{} is wrong on {} of the ordinary cases. ", who, share(wrong, judged))
+                         : fmt::format("{} is right on all {} ordinary cases judged. ", who, count(d.naive->judged));
   const std::vector<std::string> parts = wrong_on(d.of(*d.naive), 3);
   if (!parts.empty()) text += fmt::format("Of the hard families it gets wrong {}. ", listed(parts));
   return text;
@@ -90,27 +89,24 @@ std::string exact_promise(const Findings& d, const Findings& f) {
   for (const Row* r : f.rows)
     if (name_of(*r) == name_of(*d.exact)) rows.push_back(r);
   const long wrong = total_wrong(rows);
-  std::string text = wrong == 0
-                         ? fmt::format("The exact call is right on all {} cases judged of all families. ",
-                                       count(total_judged(rows)))
-                         : fmt::format("The exact call is wrong on {} of {} cases judged: a fault. ",
-                                       count(wrong), count(total_judged(rows)));
+  std::string text = wrong == 0 ? fmt::format("The exact call is right on all {} cases judged of all families. ",
+                                              count(total_judged(rows)))
+                                : fmt::format("The exact call is wrong on {} of {} cases judged: a fault. ",
+                                              count(wrong), count(total_judged(rows)));
   double most = -1;
   for (const Row* r : rows)
     if (r->ulps) most = std::max(most, r->ulps->most);
   if (most >= 0) text += fmt::format("Its value is never further off than {} ulp. ", number(most));
 
   if (d.exact->fallback)
-    text +=
-        fmt::format("Of the ordinary calls {} need more than floating point. ", share(*d.exact->fallback, 1));
+    text += fmt::format("Of the ordinary calls {} need more than floating point. ", share(*d.exact->fallback, 1));
   const Row* slowest = nullptr;
   for (const Row* r : d.of(*d.exact))
     if (r->hard && (slowest == nullptr || r->ns > slowest->ns)) slowest = r;
   if (slowest != nullptr && slowest->ns > 1.5 * d.exact->ns)
-    text += fmt::format("It is slowest on {}: {} ns{}. ", words(slowest->family), number(slowest->ns),
-                        slowest->fallback && d.exact->fallback
-                            ? fmt::format(", where {} do", share(*slowest->fallback, 1))
-                            : "");
+    text += fmt::format(
+        "It is slowest on {}: {} ns{}. ", words(slowest->family), number(slowest->ns),
+        slowest->fallback && d.exact->fallback ? fmt::format(", where {} do", share(*slowest->fallback, 1)) : "");
   return text;
 }
 
@@ -118,15 +114,12 @@ std::string exact_promise(const Findings& d, const Findings& f) {
 std::string runner_up(const Findings& d) {
   const Row* best = nullptr;
   for (const Row* r : d.ordinary)
-    if (r->library == "isect" && !r->exact &&
-        (best == nullptr || total_wrong(d.of(*r)) < total_wrong(d.of(*best))))
+    if (r->library == "isect" && !r->exact && (best == nullptr || total_wrong(d.of(*r)) < total_wrong(d.of(*best))))
       best = r;
-  if (best == nullptr || best == d.naive || total_wrong(d.of(*best)) >= total_wrong(d.of(*d.naive)))
-    return {};
+  if (best == nullptr || best == d.naive || total_wrong(d.of(*best)) >= total_wrong(d.of(*d.naive))) return {};
   const std::vector<std::string> parts = wrong_on(d.of(*best), 2);
   return fmt::format("Of the inexact methods {} errs least, at a ratio of {}: {}. ", name_of(*best),
-                     ratio(best->ns / d.naive->ns),
-                     parts.empty() ? "on no case judged" : "still on " + listed(parts));
+                     ratio(best->ns / d.naive->ns), parts.empty() ? "on no case judged" : "still on " + listed(parts));
 }
 
 std::string choice(const Findings& d) {
@@ -158,9 +151,8 @@ std::string beside_peers(const Measured& m, const std::string& test) {
     const std::vector<const Row*> all = p.of(*r);
     const std::vector<std::string> wrong = wrong_on(all, 1);
     parts.push_back(fmt::format("{} {} ns ({})", name_of(*r), number(r->ns),
-                                wrong.empty()
-                                    ? total_wrong(all) == 0 ? "no wrong verdict" : "wrong on ordinary cases"
-                                    : "wrong on " + wrong.front()));
+                                wrong.empty() ? total_wrong(all) == 0 ? "no wrong verdict" : "wrong on ordinary cases"
+                                              : "wrong on " + wrong.front()));
   }
   if (parts.empty()) return {};
   return fmt::format("Beside other libraries, in one run, where the exact call takes {} ns: {}.\n\n",
@@ -181,12 +173,11 @@ std::string table(const Findings& d) {
         hard.push_back(q);
         if (q->ulps) most = std::max(most, q->ulps->most);
       }
-    text += fmt::format("| {} | {} | {} | {} | {} |", name_of(*r), number(r->ns),
-                        d.naive != nullptr ? fmt::format("{:.2g}", r->ns / d.naive->ns) : "",
-                        share(static_cast<double>(r->wrong()), static_cast<double>(r->judged)),
-                        hard.empty() ? ""
-                                     : share(static_cast<double>(total_wrong(hard)),
-                                             static_cast<double>(total_judged(hard))));
+    text += fmt::format(
+        "| {} | {} | {} | {} | {} |", name_of(*r), number(r->ns),
+        d.naive != nullptr ? fmt::format("{:.2g}", r->ns / d.naive->ns) : "",
+        share(static_cast<double>(r->wrong()), static_cast<double>(r->judged)),
+        hard.empty() ? "" : share(static_cast<double>(total_wrong(hard)), static_cast<double>(total_judged(hard))));
     if (values)
       text += r->ulps ? fmt::format(" {} | {} | {} |", number(r->ulps->median), number(r->ulps->p99),
                                     most < 0 ? "" : number(most))
@@ -205,8 +196,8 @@ std::vector<const Report*> all_of(const Measured& m) {
 
 std::string machine_line(const Report& r) {
   const Machine& m = r.machine;
-  return fmt::format("- {} build: {}, `{}`, seed {}, {}; load {}, noise {:.1f} %{}\n", m.build, m.compiler,
-                     m.flags, r.seed, m.date, number(m.load), 100 * m.noise,
+  return fmt::format("- {} build: {}, `{}`, seed {}, {}; load {}, noise {:.1f} %{}\n", m.build, m.compiler, m.flags,
+                     r.seed, m.date, number(m.load), 100 * m.noise,
                      r.quick ? "; a quick run, in which fewer cases are judged" : "");
 }
 
@@ -222,8 +213,8 @@ std::string machine_text(const Measured& m) {
   if (!m.peers) text += "- beside other libraries: not measured\n";
   text += "\nNoise is how much more than its least a fixed loop takes, at its 95th percentile.";
   if (noise > 0.1)
-    text += fmt::format(" At {:.0f} % the machine was not idle: ratios below {:.1f} mean nothing here.",
-                        100 * noise, 1 + noise);
+    text += fmt::format(" At {:.0f} % the machine was not idle: ratios below {:.1f} mean nothing here.", 100 * noise,
+                        1 + noise);
   return text + "\n\n";
 }
 
@@ -288,9 +279,8 @@ std::string loss_text(const Measured& m) {
       if (const Row* naive = d.same_family(*r, *d.naive); naive != nullptr && r->ns / naive->ns > most)
         worst = r, most = r->ns / naive->ns;
     if (worst != nullptr && most > 2)
-      lines.push_back(fmt::format("{}: the exact call takes up to {} times the time of {} ({}: {} ns).",
-                                  sentence(test), ratio(most), name_of(*d.naive), words(worst->family),
-                                  number(worst->ns)));
+      lines.push_back(fmt::format("{}: the exact call takes up to {} times the time of {} ({}: {} ns).", sentence(test),
+                                  ratio(most), name_of(*d.naive), words(worst->family), number(worst->ns)));
   }
   if (m.peers)
     for (const std::string& test : tests_of(*m.peers)) {
@@ -298,8 +288,8 @@ std::string loss_text(const Measured& m) {
       if (p.exact == nullptr) continue;
       for (const Row* r : p.ordinary)
         if (r->library != "isect" && r->ns < p.exact->ns)
-          lines.push_back(fmt::format("{}: {} is faster on ordinary cases, {} ns against {} ns{}.",
-                                      sentence(test), name_of(*r), number(r->ns), number(p.exact->ns),
+          lines.push_back(fmt::format("{}: {} is faster on ordinary cases, {} ns against {} ns{}.", sentence(test),
+                                      name_of(*r), number(r->ns), number(p.exact->ns),
                                       total_wrong(p.of(*r)) == 0
                                           ? ", and was never wrong"
                                           : fmt::format("; it is wrong on {} of all cases judged",

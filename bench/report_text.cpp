@@ -35,8 +35,7 @@ std::string changed(const std::string& text, const std::regex& pattern, const Ch
 
 /// The same picture in half the bytes: coordinates to an eightieth of a point, and each style written once.
 std::string compact(const std::string& svg) {
-  static const std::regex digits(R"((\d+\.\d)\d+)"), places(R"( (d|x|y)="[^"]*")"),
-      styles(R"re(style="([^"]*)")re");
+  static const std::regex digits(R"((\d+\.\d)\d+)"), places(R"( (d|x|y)="[^"]*")"), styles(R"re(style="([^"]*)")re");
   const std::string rounded =
       changed(svg, places, [](const std::smatch& m) { return std::regex_replace(m.str(), digits, "$1"); });
   std::map<std::string, std::string> classes;
@@ -47,8 +46,7 @@ std::string compact(const std::string& svg) {
     return fmt::format("class=\"{}\"", it->second);
   });
   const std::size_t at = styled.find("<defs>");
-  return at == styled.npos ? rounded
-                           : styled.substr(0, at) + "<style>\n" + sheet + "</style>\n" + styled.substr(at);
+  return at == styled.npos ? rounded : styled.substr(0, at) + "<style>\n" + sheet + "</style>\n" + styled.substr(at);
 }
 
 /// Figures in the order in which the text names them.
@@ -57,8 +55,8 @@ class Figures {
   std::string show(Plotted plot, bool as_pixels = false) {
     const std::string file = plot.name + (as_pixels ? ".png" : ".svg");
     if (!as_pixels) plot.width = wide;
-    files.emplace_back(
-        file, as_pixels ? png_of(plot, viz::ThemeName::print) : compact(svg_of(plot, viz::ThemeName::print)));
+    files.emplace_back(file,
+                       as_pixels ? png_of(plot, viz::ThemeName::print) : compact(svg_of(plot, viz::ThemeName::print)));
     std::string alt = plot.alt;
     std::ranges::replace(alt, '[', '(');
     std::ranges::replace(alt, ']', ')');
@@ -122,8 +120,7 @@ std::string tests(const Measured& m, Figures& figures) {
   for (const std::string& test : tests_of(m.portable)) {
     text += fmt::format("### {}\n\n{}", sentence(test), test_text(m, test));
     const std::vector<const Row*> rows = rows_of(m.portable, test, "double");
-    if (families_of(rows).size() < 2 || test.find(',') != std::string::npos)
-      continue;  // a variant has its table only
+    if (families_of(rows).size() < 2 || test.find(',') != std::string::npos) continue;  // a variant has its table only
     if (any(rows, has_value)) text += figures.show(error_plot(m.portable, test, "double"));
     if (any(rows, is_wrong)) text += figures.show(verdict_plot(m.portable, test, "double"));
     if (test == "ray-sphere") text += figures.show(distribution_plot(m.portable, test, "double"));
@@ -141,8 +138,7 @@ std::string growths(const Report& report, Figures& figures) {
     for (const Growth& other : report.growths)
       if (other.test == g.test && other.unit == g.unit && !other.n.empty()) all.push_back(&other);
     std::vector<std::string> parts;
-    for (const Growth* other : all)
-      parts.push_back(fmt::format("{} as n^{:.2f}", name_of(*other), other->exponent));
+    for (const Growth* other : all) parts.push_back(fmt::format("{} as n^{:.2f}", name_of(*other), other->exponent));
     const std::string unit = g.test.find(g.unit) == std::string::npos ? ", " + g.unit : "";
     text += fmt::format("{}{}: {}.\n\n", sentence(g.test), unit, listed(parts));
     text += figures.show(growth_plot(report, g.test, g.unit));
@@ -166,10 +162,10 @@ std::string duties(const Report& report, Figures& figures) {
   bool targets = false;
   for (const Duty& d : report.duties) {
     targets = targets || d.target;
-    text += fmt::format("| {} | {} {} | {} |\n", d.what, number(d.value), d.unit,
-                        d.target ? fmt::format("{} {} {}", d.unit == "frames/s" ? "at least" : "at most",
-                                               number(*d.target), d.unit)
-                                 : "");
+    text += fmt::format(
+        "| {} | {} {} | {} |\n", d.what, number(d.value), d.unit,
+        d.target ? fmt::format("{} {} {}", d.unit == "frames/s" ? "at least" : "at most", number(*d.target), d.unit)
+                 : "");
   }
   return text + '\n' + (targets ? figures.show(duty_plot(report)) : "");
 }

@@ -1,6 +1,6 @@
 #pragma once
-// The measurements as a text to be read, with its figures: bench/REPORT.md. Every sentence is computed from the rows, so
-// that none contradicts them.
+// The measurements as a text to be read, with its figures: bench/REPORT.md. Every sentence is computed from the rows,
+// so that none contradicts them.
 
 #include <optional>
 #include <string>

@@ -69,8 +69,7 @@ const Row* standard_of(const std::vector<const Row*>& rows) {
 }
 
 const Row* exact_of(const std::vector<const Row*>& rows) {
-  const auto found =
-      std::ranges::find_if(rows, [](const Row* r) { return r->exact && r->library == "isect"; });
+  const auto found = std::ranges::find_if(rows, [](const Row* r) { return r->exact && r->library == "isect"; });
   return found == rows.end() ? nullptr : *found;
 }
 

@@ -42,28 +42,11 @@ Machine machine() {
   const std::time_t now = std::time(nullptr);
   char day[16] = "";
   std::tm parts{};
-  if (gmtime_r(&now, &parts) != nullptr && std::strftime(day, sizeof day, "%Y-%m-%d", &parts) > 0)
-    m.date = day;
+  if (gmtime_r(&now, &parts) != nullptr && std::strftime(day, sizeof day, "%Y-%m-%d", &parts) > 0) m.date = day;
   return m;
 }
 
 }  // namespace
-
-Distribution::Distribution(std::vector<double> values) : sorted(std::move(values)) {
-  std::sort(sorted.begin(), sorted.end());
-}
-
-double Distribution::quantile(double share) const {
-  if (sorted.empty()) return 0;
-  const double rank = std::ceil(share * static_cast<double>(sorted.size())) - 1;
-  return sorted[static_cast<std::size_t>(std::clamp(rank, 0.0, static_cast<double>(sorted.size() - 1)))];
-}
-
-std::vector<double> Distribution::curve() const {
-  std::vector<double> points;
-  for (int i = 0; i <= 40; ++i) points.push_back(quantile(i / 40.0));
-  return points;
-}
 
 Report measure(const Effort& effort, unsigned long long seed, const std::vector<std::string>& only,
                const std::function<void(const std::string&)>& progress) {

@@ -29,12 +29,12 @@ class Session {
   std::function<void(const std::string&)> progress = [](const std::string&) {};  ///< told what comes next
 };
 
-/// The measurements of one test or structure; `name` is what `--only` selects.
+/// The measurements of one test or structure, by the name that a command line selects.
 struct Suite {
   const char* name;
   void (*run)(Session&);
 };
-/// All of them, in the note's order.
+/// All of them, in the order of the report.
 const std::vector<Suite>& suites();
 
 /// Runs the suites named (all if none; unknown names run nothing) and says on which machine.

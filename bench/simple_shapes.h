@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include <isect/shapes.h>
 #include "bench/random_shapes.h"
-#include "core/shapes.h"
 
 namespace isect::bench {
 
@@ -29,8 +29,7 @@ Aabb<S, N> box(Random& random, Numbers numbers) {
 template <class S, int N>
 Sphere<S, N> ball(Random& random, Numbers numbers) {
   const Point<S, N> center = vector<S, N>(random, numbers);
-  const S radius =
-      numbers == Numbers::distant ? static_cast<S>(random.integer(0, 8)) : number<S>(random, numbers);
+  const S radius = numbers == Numbers::distant ? static_cast<S>(random.integer(0, 8)) : number<S>(random, numbers);
   return {center, random.one_in(20) ? S(0) : random.one_in(20) ? radius : std::abs(radius)};
 }
 

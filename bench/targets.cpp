@@ -33,8 +33,7 @@ std::optional<double> at(const Target& t, const Report& report, const std::strin
 }
 
 std::optional<double> ratio(const Target& t, const Report& report) {
-  const std::vector<const Row*> rows =
-      rows_of(report, t.test, "double", t.family.empty() ? "ordinary" : t.family);
+  const std::vector<const Row*> rows = rows_of(report, t.test, "double", t.family.empty() ? "ordinary" : t.family);
   const Row *ours = nullptr, *theirs = nullptr;
   for (const Row* r : rows) {
     const bool own = r->library == "isect";
@@ -71,36 +70,25 @@ const std::vector<Target>& targets() {
       {"sphere-AABB", Kind::ratio, "sphere-aabb", "", "exact", "CGAL", 0, 0.15},
       {"OBB-OBB", Kind::ratio, "obb-obb", "", "exact", "Bullet", 0, 1.0},
       {"OBB-OBB: wrong verdicts", Kind::wrong, "obb-obb", "", "exact", "", 0, 0},
-      {"point in polygon, 100 vertices", Kind::growth, "point-in-polygon", "", "exact", "Boost", 100, 0.4,
+      {"point in polygon, 100 vertices", Kind::growth, "point-in-polygon", "", "exact", "Boost", 100, 0.4, "query"},
+      {"point in polygon, 10^4 vertices", Kind::growth, "point-in-polygon", "", "exact", "Boost", 1e4, 0.4, "query"},
+      {"point in polygon, 10^6 vertices", Kind::growth, "point-in-polygon", "", "exact", "Boost", 1e6, 0.4, "query"},
+      {"point in a smooth polygon, preprocessed, 10^6", Kind::growth, "point location, smooth", "", "grid", "GEOS", 1e6,
+       0.15, "query"},
+      {"point in a spiky polygon, preprocessed, 10^6", Kind::growth, "point location, spiky", "", "grid", "CGAL", 1e6,
+       0.35, "query"},
+      {"preprocessing a smooth polygon, 10^6", Kind::growth, "point location, smooth", "", "grid", "GEOS", 1e6, 1.5,
+       "build"},
+      {"point in a convex polygon, 10^6 vertices", Kind::time, "point-in-convex-polygon", "", "exact", "", 1e6, 60,
        "query"},
-      {"point in polygon, 10^4 vertices", Kind::growth, "point-in-polygon", "", "exact", "Boost", 1e4, 0.4,
-       "query"},
-      {"point in polygon, 10^6 vertices", Kind::growth, "point-in-polygon", "", "exact", "Boost", 1e6, 0.4,
-       "query"},
-      {"point in a smooth polygon, preprocessed, 10^6", Kind::growth, "point location, smooth", "", "grid",
-       "GEOS", 1e6, 0.15, "query"},
-      {"point in a spiky polygon, preprocessed, 10^6", Kind::growth, "point location, spiky", "", "grid",
-       "CGAL", 1e6, 0.35, "query"},
-      {"preprocessing a smooth polygon, 10^6", Kind::growth, "point location, smooth", "", "grid", "GEOS",
-       1e6, 1.5, "build"},
-      {"point in a convex polygon, 10^6 vertices", Kind::time, "point-in-convex-polygon", "", "exact", "",
-       1e6, 60, "query"},
-      {"all overlapping pairs of like boxes, 10^6", Kind::growth, "all pairs", "", "overlapping_pairs",
-       "Embree", 1e6, 0.2},
+      {"all overlapping pairs of like boxes, 10^6", Kind::growth, "all pairs", "", "overlapping_pairs", "Embree", 1e6,
+       0.2},
       {"all overlapping pairs, some boxes large, 10^6", Kind::growth, "all pairs, heavy-tailed", "",
        "overlapping_pairs", "Embree", 1e6, 0.7},
       {"hull of 10^6 points in a disc", Kind::growth, "hull 2D, disc", "", "exact", "CGAL", 1e6, 0.2},
       {"hull of 10^6 points on a circle", Kind::growth, "hull 2D, circle", "", "exact", "CGAL", 1e6, 1.1},
       {"hull of 10^6 points in space", Kind::growth, "hull 3D", "", "exact", "qhull", 1e6, {}},
-      {"building a hierarchy of 10^6 triangles",
-       Kind::growth,
-       "bvh",
-       "",
-       "exact",
-       "Embree",
-       1e6,
-       {},
-       "build"},
+      {"building a hierarchy of 10^6 triangles", Kind::growth, "bvh", "", "exact", "Embree", 1e6, {}, "build"},
       {"closest hit among 10^6 triangles", Kind::growth, "bvh", "", "exact", "Embree", 1e6, 3, "query"},
       {"smallest sphere around 10^6 points", Kind::growth, "smallest sphere", "", "exact", "CGAL", 1e6, {}},
   };

@@ -20,11 +20,11 @@ struct Target {
   };
   std::string work;  ///< what is done, for the table
   Kind kind;
-  std::string test;    ///< of Row or Growth
-  std::string family;  ///< of Row; empty: "ordinary"
-  std::string ours;    ///< method of isect
-  std::string theirs;  ///< method of isect, or library; "naive": the row that others are divided by
-  double n = 0;        ///< of Growth
+  std::string test;               ///< of Row or Growth
+  std::string family;             ///< of Row; empty: "ordinary"
+  std::string ours;               ///< method of isect
+  std::string theirs;             ///< method of isect, or library; "naive": the row that others are divided by
+  double n = 0;                   ///< of Growth
   std::optional<double> at_most;  ///< none: reported only
   std::string unit = {};          ///< of Growth: "query", "build"; empty: any
 };

@@ -52,8 +52,7 @@ inline std::vector<PeerCase> cases_in(const std::filesystem::path& folder, const
     for (nlohmann::json c : whole.at("cases")) {
       if (c.contains("rings") && c["rings"].is_object())
         c["rings"] = whole.at("rings_table").at(c["rings"].at("$ref").get<std::size_t>());
-      const std::string name =
-          file.filename().string() + " #" + std::to_string(number++) + " " + c.value("note", "");
+      const std::string name = file.filename().string() + " #" + std::to_string(number++) + " " + c.value("note", "");
       found.push_back({name, its_kind, std::move(c), folder == own_cases()});
     }
   }

@@ -18,8 +18,7 @@ View::View(const Camera& camera, double width, double height, Vec2 corner)
   pixels_per_unit_ = height / (2 * camera.half_height);
 
   const double far_away = 1e3 * camera.half_height;
-  const double distance =
-      camera.perspective ? camera.half_height / std::tan(camera.field_of_view / 2) : far_away;
+  const double distance = camera.perspective ? camera.half_height / std::tan(camera.field_of_view / 2) : far_away;
   eye_ = camera.target + distance * backward;
 }
 

@@ -11,7 +11,7 @@ struct Camera {
   Vec3 target = Vec3::Zero();                      ///< the point in the middle of the picture
   double azimuth = 30 * std::numbers::pi / 180;    ///< 0: the eye on +z; positive: towards +x
   double elevation = 22 * std::numbers::pi / 180;  ///< in [-pi/2, pi/2]
-  double half_height = 3;  ///< world units from the middle to the top edge, at the target
+  double half_height = 3;                          ///< world units from the middle to the top edge, at the target
   bool perspective = false;
   double field_of_view = 35 * std::numbers::pi / 180;  ///< vertical, for perspective
 };

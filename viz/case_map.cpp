@@ -37,8 +37,7 @@ class Sweep {
     end_borders();
     for (int j = 0; j < rows; ++j) {
       const Level middle = level(map_.lo.y() + (j + 0.5) * step);
-      for (int i = 0; i < columns; ++i)
-        out_.cells.push_back(static_cast<unsigned char>(middle.at(abscissa(i + 0.5))));
+      for (int i = 0; i < columns; ++i) out_.cells.push_back(static_cast<unsigned char>(middle.at(abscissa(i + 0.5))));
     }
   }
 
@@ -123,8 +122,7 @@ class Sweep {
     std::ranges::sort(ends);
     for (std::size_t i = 1; i < ends.size(); ++i) {
       const double middle = (ends[i - 1] + ends[i]) / 2;
-      if (below.at(middle) != above.at(middle))
-        out_.borders.push_back({Vec2(ends[i - 1], y), Vec2(ends[i], y)});
+      if (below.at(middle) != above.at(middle)) out_.borders.push_back({Vec2(ends[i - 1], y), Vec2(ends[i], y)});
     }
     strip(down, above);
   }
@@ -147,8 +145,7 @@ std::vector<std::pair<double, std::string>> ticks(double lo, double hi) {
   for (const double wider : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0})
     if ((hi - lo) / step > 6) step = wider;
   std::vector<std::pair<double, std::string>> ticks;
-  for (double k = std::ceil(lo / step); k * step <= hi; ++k)
-    ticks.emplace_back(k * step, shown(k * step + 0.0));
+  for (double k = std::ceil(lo / step); k * step <= hi; ++k) ticks.emplace_back(k * step, shown(k * step + 0.0));
   return ticks;
 }
 
@@ -177,7 +174,7 @@ bool belongs(const CaseMap& map, const Parameters& here, const Parameters& prese
 
 int outcome(const Walk& walk) {
   int step = static_cast<int>(walk.steps.size()) - 1;
-  while (step > 0 && walk.steps[static_cast<std::size_t>(step)].slug == case_map_slug) --step;
+  while (step > 0 && walk.steps[step].slug == case_map_slug) --step;
   return step;
 }
 
@@ -197,14 +194,38 @@ Chart case_map(const Lesson& lesson, const Parameters& here) {
   Sweep(map, here, cases).run();
   for (const Preset& preset : lesson.presets) {
     const Cases::Spot spot = {map.place(preset.parameters), map.branch(preset.parameters)};
-    const bool twice = std::ranges::any_of(cases.presets, [&](const Cases::Spot& s) {
-      return s.branch == spot.branch && (s.at - spot.at).norm() < 1e-9;
-    });
-    if (!twice && within(map, spot.at) && belongs(map, here, preset.parameters, spot.at))
-      cases.presets.push_back(spot);
+    const bool twice = std::ranges::any_of(
+        cases.presets, [&](const Cases::Spot& s) { return s.branch == spot.branch && (s.at - spot.at).norm() < 1e-9; });
+    if (!twice && within(map, spot.at) && belongs(map, here, preset.parameters, spot.at)) cases.presets.push_back(spot);
   }
   cases.here = spot_on(map, here);
   return {cases};
+}
+
+namespace {
+
+/// The step that shows where `here` lies among all cases; what `before` has told stays.
+Step map_step(const Lesson& lesson, const Parameters& here, const Cases::Spot& spot, const Step& before) {
+  Step step = before;
+  step.slug = case_map_slug, step.title = "Where this case lies";
+  step.caption = lesson.map->told + "\nThe dashed lines lead to this setting. Small rings are the other presets.";
+  step.formula = "here: " + lesson.map->branches[spot.branch];
+  step.decides = false;
+  step.comparison.reset(), step.question.reset();
+  for (Value& value : step.values) value.fresh = false;
+  step.scene = {};
+  step.scene.chart = DeferredChart([&lesson, here] { return case_map(lesson, here); });
+  return step;
+}
+
+}  // namespace
+
+Walk Lesson::walk(const Parameters& here) const {
+  Walk walk = steps(here);
+  if (!map || walk.steps.empty()) return walk;
+  if (const std::optional<Cases::Spot> spot = spot_on(*map, here))
+    walk.steps.push_back(map_step(*this, here, *spot, walk.steps.back()));
+  return walk;
 }
 
 }  // namespace isect::viz

@@ -32,8 +32,7 @@ struct BarsLayout {
     names += 0.8 * s.label;
     if (texts > 0) texts += 1.0 * s.label;
     for (const Series& series : chart.series)
-      entries.push_back(
-          {series.name, series.glyph, ink.theme().ink(series.role), series.role == Role::construction});
+      entries.push_back({series.name, series.glyph, ink.theme().ink(series.role), series.role == Role::construction});
     if (targets) entries.push_back({chart.target_name, {}, ink.theme().ink(Role::text), false, {}, true});
     title = ink.wrapped(chart.x.title, s.axis, false, width);
     foot = 1.75 * s.axis + 1.35 * s.axis * static_cast<double>(title.size()) + 0.3 * s.axis +
@@ -44,8 +43,7 @@ struct BarsLayout {
 void sign(ChartInk& ink, Verdict::Kind kind, const Vec2& p, const Colour& colour) {
   const double a = 0.26 * ink.sizes().label, w = ink.sizes().marker_line;
   if (kind == Verdict::Kind::yes)
-    ink.line({p + Vec2(-a, 0), p + Vec2(-0.25 * a, 0.8 * a), p + Vec2(1.1 * a, -0.9 * a)}, colour, w, {0, 0},
-             true);
+    ink.line({p + Vec2(-a, 0), p + Vec2(-0.25 * a, 0.8 * a), p + Vec2(1.1 * a, -0.9 * a)}, colour, w, {0, 0}, true);
   if (kind == Verdict::Kind::no)
     for (const Vec2& d : {Vec2(0.8 * a, 0.8 * a), Vec2(0.8 * a, -0.8 * a)})
       ink.line({p - d, p + d}, colour, w, {0, 0}, true);
@@ -84,7 +82,7 @@ void draw(ChartInk& ink, const Bars& chart, const Bounds& room) {
       ink.line({{p, middle - h}, {p, middle + h}}, t.ink(Role::text), s.shared);
     }
     for (std::size_t k = bar.dots.size(); k-- > 0;) {
-      const Series& series = chart.series[static_cast<std::size_t>(bar.dots[k].first)];
+      const Series& series = chart.series[bar.dots[k].first];
       ink.glyph(series.glyph, {x.at(bar.dots[k].second), middle}, ink.glyph_radius(), t.ink(series.role),
                 series.role == Role::construction);
     }

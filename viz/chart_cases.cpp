@@ -16,20 +16,20 @@ Colour colour_of(int branch, const Theme& theme) {
     constexpr double levels[] = {0, 0.2, 0.09, 0.27, 0.04, 0.15, 0.12, 0.3};
     return tinted(theme, hex(0), levels[static_cast<std::size_t>(branch) % std::size(levels)]);
   }
-  constexpr std::pair<Role, double> inks[] = {
-      {Role::grid, 0},   {Role::first, 0.22},        {Role::second, 0.22},   {Role::hit, 0.26},
-      {Role::miss, 0.2}, {Role::construction, 0.25}, {Role::highlight, 0.4}, {Role::text, 0.1}};
+  constexpr std::pair<Role, double> inks[] = {{Role::grid, 0},        {Role::first, 0.22}, {Role::second, 0.22},
+                                              {Role::hit, 0.26},      {Role::miss, 0.2},   {Role::construction, 0.25},
+                                              {Role::highlight, 0.4}, {Role::text, 0.1}};
   const auto& [role, share] = inks[static_cast<std::size_t>(branch) % std::size(inks)];
   return tinted(theme, theme.ink(role), share);
 }
 
 /// A branch that is only a line or a point of the plane.
 bool is_thin(const Cases& cases, int branch) {
-  return std::ranges::none_of(cases.patches,
-                              [&](const Cases::Patch& patch) { return patch.branch == branch; });
+  return std::ranges::none_of(cases.patches, [&](const Cases::Patch& patch) { return patch.branch == branch; });
 }
 
-/// Where in the plane a name has most room around it: the middle of the largest box of its shape that lies in its region.
+/// Where in the plane a name has most room around it: the middle of the largest box of its shape that lies in its
+/// region.
 struct Room {
   Vec2 middle;       ///< in cells
   double scale = 0;  ///< of that box to the name's; below 1 it does not fit
@@ -41,8 +41,8 @@ class Cells {
     sums_.assign(static_cast<std::size_t>(columns_ + 1) * (rows_ + 1), 0);
     for (int y = 0; y < rows_; ++y)
       for (int x = 0; x < columns_; ++x)
-        at(x + 1, y + 1) = (cases.cells[static_cast<std::size_t>(y) * columns_ + x] == branch) +
-                           at(x, y + 1) + at(x + 1, y) - at(x, y);
+        at(x + 1, y + 1) = (cases.cells[static_cast<std::size_t>(y) * columns_ + x] == branch) + at(x, y + 1) +
+                           at(x + 1, y) - at(x, y);
   }
 
   /// Keeps names off a marker, `half` its size in cells.
@@ -67,8 +67,9 @@ class Cells {
  private:
   int& at(int x, int y) { return sums_[static_cast<std::size_t>(y) * (columns_ + 1) + x]; }
   int count(int x0, int y0, int x1, int y1) { return at(x1, y1) - at(x0, y1) - at(x1, y0) + at(x0, y0); }
+  /// What only rounding could decide counts as filled: a name's place is the same however a machine rounds.
   bool filled(const Vec2& middle, const Vec2& half) {
-    const Vec2 lo = middle - half, hi = middle + half;
+    const Vec2 slack = Vec2::Constant(1e-6), lo = middle - half + slack, hi = middle + half - slack;
     for (const Box2& b : taken_)
       if ((lo.array() < b.hi.array()).all() && (b.lo.array() < hi.array()).all()) return false;
     const int x0 = static_cast<int>(std::floor(lo.x())), y0 = static_cast<int>(std::floor(lo.y())),
@@ -100,8 +101,7 @@ class Plane {
     for (const Cases::Spot& preset : cases_.presets)
       if (!is_here(preset)) {
         const bool thin = is_thin(cases_, preset.branch);
-        ink_.mark(thin ? Mark::diamond : Mark::uncounted, at(preset.at),
-                  thin ? Role::highlight : Role::muted);
+        ink_.mark(thin ? Mark::diamond : Mark::uncounted, at(preset.at), thin ? Role::highlight : Role::muted);
       }
     ink_.part("chart", "setting");
     if (cases_.here) ink_.mark(Mark::double_disc, at(cases_.here->at), Role::text);
@@ -122,10 +122,10 @@ class Plane {
     for (const Cases::Patch& patch : cases_.patches) {
       if (patch.branch == 0) continue;
       const auto& [a, b, c, d] = patch.corners;
-      ink_.part("region", cases_.branches[static_cast<std::size_t>(patch.branch)]);
-      ink_.fill({at(a) + Vec2(-over, over), at(b) + Vec2(over, over), at(c) + Vec2(over, -over),
-                 at(d) + Vec2(-over, -over)},
-                colour_of(patch.branch, ink_.theme()));
+      ink_.part("region", cases_.branches[patch.branch]);
+      ink_.fill(
+          {at(a) + Vec2(-over, over), at(b) + Vec2(over, over), at(c) + Vec2(over, -over), at(d) + Vec2(-over, -over)},
+          colour_of(patch.branch, ink_.theme()));
     }
   }
 
@@ -144,7 +144,7 @@ class Plane {
     const Sizes& s = ink_.sizes();
     std::vector<Wanted> wanted;
     for (int i = 0; i < static_cast<int>(cases_.branches.size()); ++i) {
-      const std::string& name = cases_.branches[static_cast<std::size_t>(i)];
+      const std::string& name = cases_.branches[i];
       if (is_thin(cases_, i)) {
         const auto preset = std::ranges::find(cases_.presets, i, &Cases::Spot::branch);
         if (preset == cases_.presets.end()) continue;
@@ -218,13 +218,10 @@ double left_of(const ChartInk& ink, const Cases& cases) {
 
 Bounds plane_within(const ChartInk& ink, const Cases& cases, const Bounds& room) {
   const double axis = ink.sizes().axis;
-  return {room.left + left_of(ink, cases), room.top + 1.9 * axis, room.right - axis,
-          room.bottom - 3.4 * axis};
+  return {room.left + left_of(ink, cases), room.top + 1.9 * axis, room.right - axis, room.bottom - 3.4 * axis};
 }
 
-double natural_height(const ChartInk& ink, const Cases&, double width) {
-  return 0.58 * width + 5.3 * ink.sizes().axis;
-}
+double natural_height(const ChartInk& ink, const Cases&, double width) { return 0.58 * width + 5.3 * ink.sizes().axis; }
 
 void draw(ChartInk& ink, const Cases& cases, const Bounds& room) {
   const Sizes& s = ink.sizes();

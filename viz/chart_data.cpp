@@ -37,8 +37,8 @@ class Stacker {
       // never to the left, where it would look faster than it is
       for (const Vec2& way : {Vec2(0, -1), Vec2(0.5, -0.9), Vec2(0.9, -0.5), Vec2(1, 0), Vec2(0.7, 0.7)}) {
         const Placed p = {at + 0.35 * ring * radius * way, radius};
-        if (p.at.x() > room_.left + radius && p.at.x() < room_.right - radius &&
-            p.at.y() > room_.top - radius && p.at.y() < room_.bottom - 0.4 * radius && free(p))
+        if (p.at.x() > room_.left + radius && p.at.x() < room_.right - radius && p.at.y() > room_.top - radius &&
+            p.at.y() < room_.bottom - 0.4 * radius && free(p))
           return p;
       }
     return {at, radius};
@@ -52,21 +52,15 @@ class Stacker {
 class PanelInk {
  public:
   PanelInk(ChartInk& ink, const Plot& plot, const Panel& panel, const Bounds& b)
-      : ink_(ink),
-        plot_(plot),
-        panel_(panel),
-        b_(b),
-        x_(plot.x, b.left, b.right),
-        y_(plot.y, b.bottom, b.top) {}
+      : ink_(ink), plot_(plot), panel_(panel), b_(b), x_(plot.x, b.left, b.right), y_(plot.y, b.bottom, b.top) {}
 
   void run() {
     front();
     curves();
     std::vector<const Spot*> spots;
     for (const Spot& spot : panel_.spots) spots.push_back(&spot);
-    std::stable_sort(spots.begin(), spots.end(), [](const Spot* a, const Spot* b) {
-      return a->front != b->front ? a->front : a->x < b->x;
-    });
+    std::stable_sort(spots.begin(), spots.end(),
+                     [](const Spot* a, const Spot* b) { return a->front != b->front ? a->front : a->x < b->x; });
     for (const Spot* spot : spots) whisker(*spot);
     markers(spots);
   }
@@ -114,19 +108,18 @@ class PanelInk {
     for (const Spot* spot : spots) {
       const Vec2 true_place = at(spot->x, spot->y);
       places.push_back(stacker.place(true_place));
-      if ((places.back().at - true_place).norm() >
-          3.2 * places.back().radius)  // too far to be seen as its own
+      if ((places.back().at - true_place).norm() > 3.2 * places.back().radius)  // too far to be seen as its own
         ink_.line({true_place, places.back().at}, colour(*spot), s().hairline);
     }
     for (std::size_t i = spots.size(); i-- > 0;)
-      ink_.glyph(plot_.series[static_cast<std::size_t>(spots[i]->series)].glyph, places[i].at,
-                 places[i].radius, colour(*spots[i]), !spots[i]->front);
+      ink_.glyph(plot_.series[spots[i]->series].glyph, places[i].at, places[i].radius, colour(*spots[i]),
+                 !spots[i]->front);
   }
 
   void curves() {
     int order = 0;
     for (const Curve& curve : panel_.curves) {
-      const Series& series = plot_.series[static_cast<std::size_t>(curve.series)];
+      const Series& series = plot_.series[curve.series];
       std::vector<Vec2> points;
       for (const Vec2& p : curve.points) points.push_back(at(p.x(), p.y()));
       if (points.empty()) continue;
@@ -147,8 +140,7 @@ class PanelInk {
     for (std::size_t i = 1; i < points.size(); ++i) {
       const Vec2 &a = points[i - 1], &b = points[i];
       if ((a.y() - level) * (b.y() - level) > 0 || a.y() == b.y()) continue;
-      ink_.glyph(series.glyph, a + (level - a.y()) / (b.y() - a.y()) * (b - a), 0.8 * ink_.glyph_radius(),
-                 ink, false);
+      ink_.glyph(series.glyph, a + (level - a.y()) / (b.y() - a.y()) * (b - a), 0.8 * ink_.glyph_radius(), ink, false);
       return;
     }
   }
@@ -177,9 +169,8 @@ class PanelInk {
         all[i].y = std::clamp(all[i].y, b_.top + 0.4 * s().label, b_.bottom + 0.2 * s().label);
       }
     for (const Name& name : all) {
-      const Series& series = plot_.series[static_cast<std::size_t>(name.curve->series)];
-      const Vec2 from = name.end + Vec2(0.9 * ink_.glyph_radius(), 0),
-                 to = {b_.right + 1.0 * s().label, name.y};
+      const Series& series = plot_.series[name.curve->series];
+      const Vec2 from = name.end + Vec2(0.9 * ink_.glyph_radius(), 0), to = {b_.right + 1.0 * s().label, name.y};
       if (std::abs(name.y - name.end.y()) > 0.4 * s().label || to.x() - from.x() > 1.5 * s().label)
         ink_.line({from, to - Vec2(0.15 * s().label, 0)}, ink_.theme().ink(Role::construction), s().leader);
       ink_.text(name.curve->label, {to.x(), name.y + 0.32 * s().label}, {s().label, series.role});

@@ -44,17 +44,15 @@ struct MapsLayout {
     std::size_t lines = 0, notes = 0;
     for (const Map& map : chart.maps) {
       lines = std::max(lines, ink.wrapped(map.title, s.title, true, side).size());
-      if (!map.note.empty())
-        notes = std::max(notes, ink.wrapped(map.note, s.axis, false, side + s.gutter).size());
+      if (!map.note.empty()) notes = std::max(notes, ink.wrapped(map.note, s.axis, false, side + s.gutter).size());
     }
     head = (1.25 * static_cast<double>(lines) + 0.3) * s.title;
     below = (1.25 * static_cast<double>(notes) + 0.6) * s.axis;
     for (const auto& [name, tone] : chart.kinds) entries.push_back({name, {}, colour_of(tone, ink.theme())});
   }
   double foot(const ChartInk& ink, const Maps& chart, double width) const {
-    const double text = chart.below.empty()
-                            ? 0
-                            : 1.35 * ink.sizes().axis * static_cast<double>(lines(ink, chart, width).size());
+    const double text =
+        chart.below.empty() ? 0 : 1.35 * ink.sizes().axis * static_cast<double>(lines(ink, chart, width).size());
     return text + 0.3 * ink.sizes().axis + legend_height(ink, entries, width);
   }
   static std::vector<std::string> lines(const ChartInk& ink, const Maps& chart, double width) {
@@ -69,8 +67,7 @@ void cells(ChartInk& ink, const Maps& chart, const Map& map, const Bounds& b) {
   const auto kind = [&](int x, int y) { return map.cells[static_cast<std::size_t>(y) * map.columns + x]; };
   std::vector<long> counts(chart.kinds.size(), 0);
   for (const unsigned char c : map.cells) ++counts[c];
-  const auto most =
-      static_cast<unsigned char>(std::max_element(counts.begin(), counts.end()) - counts.begin());
+  const auto most = static_cast<unsigned char>(std::max_element(counts.begin(), counts.end()) - counts.begin());
   ink.box(b, colour_of(chart.kinds[most].second, ink.theme()));
 
   std::vector<bool> done(map.cells.size(), false);
@@ -115,9 +112,8 @@ void draw(ChartInk& ink, const Maps& chart, const Bounds& room) {
   const double side = std::min(layout.side, row - layout.head - layout.below);
   const double pitch = side + 2 * s.gutter, indent = (width - layout.columns * pitch + 2 * s.gutter) / 2;
   for (int i = 0; i < static_cast<int>(chart.maps.size()); ++i) {
-    const Map& map = chart.maps[static_cast<std::size_t>(i)];
-    const double left = room.left + indent + pitch * (i % layout.columns),
-                 top = room.top + row * (i / layout.columns);
+    const Map& map = chart.maps[i];
+    const double left = room.left + indent + pitch * (i % layout.columns), top = room.top + row * (i / layout.columns);
     ink.part("map", map.title);
     const auto title = ink.wrapped(map.title, s.title, true, side);
     double y = top + layout.head - 0.45 * s.title - 1.25 * s.title * static_cast<double>(title.size() - 1);

@@ -18,8 +18,7 @@ std::vector<Vec2> star(const Vec2& at, std::vector<double> radii, int corners, d
   std::vector<Vec2> points;
   for (int i = 0; i < corners; ++i) {
     const double angle = 2 * std::numbers::pi * (start + static_cast<double>(i) / corners);
-    points.push_back(at + radii[static_cast<std::size_t>(i) % radii.size()] *
-                              Vec2(std::cos(angle), -std::sin(angle)));
+    points.push_back(at + radii[static_cast<std::size_t>(i) % radii.size()] * Vec2(std::cos(angle), -std::sin(angle)));
   }
   return points;
 }
@@ -73,8 +72,7 @@ Path outline_of(Glyph glyph, const Vec2& at, double r) {
 /// The values at which a tick may stand: `of_decade` of each decade, every `every`-th decade.
 std::vector<double> log_ticks(double lo, double hi, const std::vector<double>& of_decade, int every) {
   std::vector<double> values;
-  const int first = static_cast<int>(std::floor(std::log10(lo))),
-            last = static_cast<int>(std::ceil(std::log10(hi)));
+  const int first = static_cast<int>(std::floor(std::log10(lo))), last = static_cast<int>(std::ceil(std::log10(hi)));
   for (int k = first; k <= last; ++k)
     for (const double m : of_decade) {
       const double v = m * std::pow(10.0, k);
@@ -101,8 +99,8 @@ void ChartInk::part(const std::string& kind, const std::string& markup, Role rol
   const Object wanted = {kind, plain(markup), role};
   const auto known = std::ranges::find_if(
       out_.objects, [&](const Object& o) { return o.kind == wanted.kind && o.name == wanted.name; });
-  part_ = known == out_.objects.end() ? add_object(out_.objects, wanted)
-                                      : static_cast<int>(known - out_.objects.begin());
+  part_ =
+      known == out_.objects.end() ? add_object(out_.objects, wanted) : static_cast<int>(known - out_.objects.begin());
 }
 
 Composed ChartInk::take() {
@@ -123,8 +121,7 @@ TextBox ChartInk::text(const std::string& markup, const Vec2& at, const Style& s
   return b;
 }
 
-std::vector<std::string> ChartInk::wrapped(const std::string& markup, double size, bool bold,
-                                           double room) const {
+std::vector<std::string> ChartInk::wrapped(const std::string& markup, double size, bool bold, double room) const {
   std::vector<std::string> lines;
   for (std::size_t at = 0; at < markup.size();) {
     const std::size_t end = std::min(markup.find(' ', at), markup.size());
@@ -138,8 +135,8 @@ std::vector<std::string> ChartInk::wrapped(const std::string& markup, double siz
   return lines;
 }
 
-void ChartInk::line(const std::vector<Vec2>& points, const Colour& colour, double width,
-                    std::array<double, 2> dash, bool round_cap) {
+void ChartInk::line(const std::vector<Vec2>& points, const Colour& colour, double width, std::array<double, 2> dash,
+                    bool round_cap) {
   out_.shapes.emplace_back(Stroke{polyline(points), colour, width, dash, round_cap});
 }
 
@@ -151,8 +148,7 @@ void ChartInk::box(const Bounds& b, const Colour& colour) {
   fill({{b.left, b.top}, {b.right, b.top}, {b.right, b.bottom}, {b.left, b.bottom}}, colour);
 }
 
-void ChartInk::place(const std::vector<Wanted>& wanted, const std::vector<Obstacle>& obstacles,
-                     const Bounds& room) {
+void ChartInk::place(const std::vector<Wanted>& wanted, const std::vector<Obstacle>& obstacles, const Bounds& room) {
   out_.labels = place_labels(wanted, obstacles, room, theme_, out_.shapes, std::move(out_.labels));
 }
 
@@ -178,8 +174,8 @@ double ScaleLine::at(double value) const {
       break;
     case Scale::Kind::log_zero:
       if (value > 0)
-        share = zero_gap +
-                (1 - zero_gap) * std::max(0.0, std::log(value / scale_.lo) / std::log(scale_.hi / scale_.lo));
+        share =
+            zero_gap + (1 - zero_gap) * std::max(0.0, std::log(value / scale_.lo) / std::log(scale_.hi / scale_.lo));
       break;
   }
   return from_ + std::clamp(share, 0.0, 1.0) * (to_ - from_);
@@ -190,14 +186,12 @@ std::vector<std::pair<double, std::string>> ScaleLine::ticks(const ChartInk& ink
   std::vector<std::vector<double>> choices;  // from dense to sparse
   if (scale_.kind == Scale::Kind::linear) {
     for (int k = -6; k <= 6; ++k)
-      for (const double m : {1, 2, 4, 5})
-        choices.push_back(linear_ticks(scale_.lo, scale_.hi, m * std::pow(10.0, k)));
+      for (const double m : {1, 2, 4, 5}) choices.push_back(linear_ticks(scale_.lo, scale_.hi, m * std::pow(10.0, k)));
   } else {
     for (const auto& of_decade : {std::vector<double>{1, 2, 3, 5}, {1, 2, 5}, {1, 3}, {1}})
       choices.push_back(log_ticks(scale_.lo, scale_.hi, of_decade, 1));
     const bool long_scale = scale_.hi > 200 * scale_.lo;  // whole decades alone
-    if (long_scale || scale_.kind == Scale::Kind::log_zero)
-      choices.erase(choices.begin(), choices.begin() + 3);
+    if (long_scale || scale_.kind == Scale::Kind::log_zero) choices.erase(choices.begin(), choices.begin() + 3);
     for (int every = 2; every < 20; ++every) choices.push_back(log_ticks(scale_.lo, scale_.hi, {1}, every));
     if (scale_.kind == Scale::Kind::log_zero) {  // the lowest decade may stand too near to zero for a label
       std::vector<std::vector<double>> with_zero;
@@ -221,8 +215,7 @@ std::vector<std::pair<double, std::string>> ScaleLine::ticks(const ChartInk& ink
       const std::string text = powers && v == 1000 ? "10^{3}" : tick_text(v);
       fits = fits && !(powers && v > 1000 && text.find('^') == std::string::npos);  // no 2000 beside 10^4
       const double half = (across ? ink.width(text, size) : 0.7 * size) / 2;
-      const double p =
-          std::min(std::abs(at(v) - from_), std::abs(to_ - from_) + (across ? reach_ : INFINITY) - half);
+      const double p = std::min(std::abs(at(v) - from_), std::abs(to_ - from_) + (across ? reach_ : INFINITY) - half);
       fits = fits && p - half >= end + gap;
       end = p + half;
       ticks.emplace_back(v, text);
@@ -261,13 +254,12 @@ double sample_width(const ChartInk& ink, const LegendEntry& e) {
   return e.dash ? 8 * ink.glyph_radius() : 2.6 * ink.glyph_radius();
 }
 
-std::vector<LegendRow> legend_rows(const ChartInk& ink, const std::vector<LegendEntry>& entries,
-                                   double width) {
+std::vector<LegendRow> legend_rows(const ChartInk& ink, const std::vector<LegendEntry>& entries, double width) {
   const double between = 1.6 * ink.sizes().label;
   std::vector<LegendRow> rows(entries.empty() ? 0 : 1);
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    const double own = sample_width(ink, entries[i]) + 0.45 * ink.sizes().label +
-                       ink.width(entries[i].name, ink.sizes().label);
+    const double own =
+        sample_width(ink, entries[i]) + 0.45 * ink.sizes().label + ink.width(entries[i].name, ink.sizes().label);
     if (!rows.back().entries.empty() && rows.back().width + between + own > width) rows.emplace_back();
     rows.back().width += own + (rows.back().entries.empty() ? 0 : between);
     rows.back().entries.push_back(i);
@@ -292,17 +284,15 @@ void legend(ChartInk& ink, const std::vector<LegendEntry>& entries, const Vec2& 
       const double room = sample_width(ink, e), middle = y - 0.3 * size;
       if (e.dash) ink.line({{x, middle}, {x + room, middle}}, e.colour, ink.sizes().outline, *e.dash);
       if (e.tick)
-        ink.line({{x + room / 2, middle - 1.3 * r}, {x + room / 2, middle + 1.3 * r}}, e.colour,
-                 ink.sizes().shared);
+        ink.line({{x + room / 2, middle - 1.3 * r}, {x + room / 2, middle + 1.3 * r}}, e.colour, ink.sizes().shared);
       else if (e.glyph)
         ink.glyph(*e.glyph, {x + room / 2, middle}, r, e.colour, e.hollow);
       else if (!e.dash) {
         const double h = 1.25 * r;
         const Bounds b = {x + room / 2 - h, middle - h, x + room / 2 + h, middle + h};
         ink.box(b, e.colour);
-        ink.line(
-            {{b.left, b.top}, {b.right, b.top}, {b.right, b.bottom}, {b.left, b.bottom}, {b.left, b.top}},
-            ink.theme().ink(Role::construction), ink.sizes().hairline);
+        ink.line({{b.left, b.top}, {b.right, b.top}, {b.right, b.bottom}, {b.left, b.bottom}, {b.left, b.top}},
+                 ink.theme().ink(Role::construction), ink.sizes().hairline);
       }
       const TextBox box = ink.text(e.name, {x + room + 0.45 * size, y}, {size});
       x += room + 0.45 * size + (box.right - box.left) + 1.6 * size;

@@ -33,7 +33,8 @@ class ChartInk {
             bool round_cap = false);
   void fill(const std::vector<Vec2>& points, const Colour&);
   void box(const Bounds&, const Colour&);
-  /// Labels with places of their own choice within `room`, clear of each other, of the texts so far and of the obstacles.
+  /// Labels with places of their own choice within `room`, clear of each other, of the texts so far and of the
+  /// obstacles.
   void place(const std::vector<Wanted>&, const std::vector<Obstacle>&, const Bounds& room);
   /// A scene's marker.
   void mark(Mark, const Vec2& at, Role);

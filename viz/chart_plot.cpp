@@ -50,9 +50,7 @@ class PlotLayout {
   }
   double foot() const { return 1.75 * ink_.sizes().axis; }
   double top() const { return plot_.y.title.empty() ? 0 : 1.5 * ink_.sizes().axis; }
-  std::vector<std::string> x_title() const {
-    return ink_.wrapped(plot_.x.title, ink_.sizes().axis, false, width_);
-  }
+  std::vector<std::string> x_title() const { return ink_.wrapped(plot_.x.title, ink_.sizes().axis, false, width_); }
   double bottom() const {
     return 1.35 * ink_.sizes().axis * static_cast<double>(x_title().size()) + 0.3 * ink_.sizes().axis +
            legend_height(ink_, entries_, width_);
@@ -66,8 +64,7 @@ class PlotLayout {
   LegendEntry entry(const Series& series) const {
     bool curves = false;
     for (const Panel& panel : plot_.panels)
-      for (const Curve& curve : panel.curves)
-        curves = curves || &plot_.series[static_cast<std::size_t>(curve.series)] == &series;
+      for (const Curve& curve : panel.curves) curves = curves || &plot_.series[curve.series] == &series;
     LegendEntry e = {series.name, series.glyph, ink_.theme().ink(curves ? series.role : Role::text)};
     if (curves) e.dash = dash_of(series.dash, ink_.sizes());
     return e;
@@ -134,7 +131,7 @@ void draw(ChartInk& ink, const Plot& plot, const Bounds& room) {
 
   const double row = (room.bottom - room.top - layout.top() - layout.bottom()) / layout.rows();
   for (int i = 0; i < static_cast<int>(plot.panels.size()); ++i) {
-    const Panel& panel = plot.panels[static_cast<std::size_t>(i)];
+    const Panel& panel = plot.panels[i];
     const int column = i % layout.columns();
     const double top = room.top + layout.top() + row * (i / layout.columns());
     const double left = room.left + layout.left(column);

@@ -15,8 +15,7 @@ void draw(Canvas&, const Solid&) {}
 
 /// Small drawings under headings are a page: nothing stands on a floor there.
 bool is_page(const Scene& scene) {
-  return std::ranges::any_of(scene.items,
-                             [](const Item& item) { return std::holds_alternative<Heading>(item); });
+  return std::ranges::any_of(scene.items, [](const Item& item) { return std::holds_alternative<Heading>(item); });
 }
 
 }  // namespace
@@ -32,12 +31,10 @@ Composed compose(const Scene& scene, const View& view, const Theme& theme, bool 
     canvas.own(canvas.ball_items[i], [&] { draw_ball(canvas, static_cast<int>(i)); });
   draw_solids(canvas);
   for (std::size_t i = 0; i < scene.items.size(); ++i)
-    canvas.own(static_cast<int>(i),
-               [&] { std::visit([&](const auto& it) { draw(canvas, it); }, scene.items[i]); });
+    canvas.own(static_cast<int>(i), [&] { std::visit([&](const auto& it) { draw(canvas, it); }, scene.items[i]); });
   if (handles)
     for (const Handle& handle : scene.handles)
-      canvas.own(add_object(result.objects, {"handle", handle.parameter, handle.role}),
-                 [&] { draw(canvas, handle); });
+      canvas.own(add_object(result.objects, {"handle", handle.parameter, handle.role}), [&] { draw(canvas, handle); });
 
   for (const std::vector<Shape>* layer : canvas.layers())
     result.shapes.insert(result.shapes.end(), layer->begin(), layer->end());

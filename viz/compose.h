@@ -32,8 +32,7 @@ Box2 extent(const Scene&, const Camera&);
 
 /// A camera like `camera` whose target and half_height frame all the scenes in a viewport of this aspect
 /// (width / height), leaving `margin` (a share of the height) free all round.
-Camera frame(const Camera& camera, const std::vector<const Scene*>& scenes, double aspect,
-             double margin = 0.08);
+Camera frame(const Camera& camera, const std::vector<const Scene*>& scenes, double aspect, double margin = 0.08);
 
 /// A camera centred on `walk`, at the one scale at which each of `all` fits: presets side by side compare.
 Camera frame_alike(const Camera& camera, const Walk& walk, const std::vector<Walk>& all, double aspect);

@@ -16,8 +16,7 @@ DeferredChart::DeferredChart(std::shared_ptr<const Chart> made) {
   if (made) once_ = std::make_shared<Once>(std::move(made), nullptr);
 }
 
-DeferredChart::DeferredChart(std::function<Chart()> make)
-    : once_(std::make_shared<Once>(nullptr, std::move(make))) {}
+DeferredChart::DeferredChart(std::function<Chart()> make) : once_(std::make_shared<Once>(nullptr, std::move(make))) {}
 
 const Chart& DeferredChart::operator*() const {
   std::call_once(once_->flag, [&] {

@@ -22,8 +22,7 @@ int chords(const Vec2& from, const Path::Cubic& cubic, double tolerance) {
 
 Vec2 point_on(const Vec2& from, const Path::Cubic& cubic, double u) {
   const double v = 1 - u;
-  return v * v * v * from + 3 * v * v * u * cubic.control1 + 3 * v * u * u * cubic.control2 +
-         u * u * u * cubic.to;
+  return v * v * v * from + 3 * v * v * u * cubic.control1 + 3 * v * u * u * cubic.control2 + u * u * u * cubic.to;
 }
 
 }  // namespace

@@ -38,8 +38,8 @@ std::string full_name(const Object&);
 /// The last member of every shape is the object it belongs to, as an index into the drawing's objects.
 constexpr int no_object = -1;
 
-/// A filled outline (non-zero winding), or one with `more` outlines (even-odd: holes, islands). `hatch` lines at 45 degrees (rising to the right) are drawn inside
-/// it.
+/// A filled outline (non-zero winding), or one with `more` outlines (even-odd: holes, islands). `hatch` lines at 45
+/// degrees (rising to the right) are drawn inside it.
 struct Fill {
   Path path;
   Colour colour;

@@ -37,8 +37,7 @@ class SoftwareOnly {
 /// EGL gives every caller the same display, so it stays open: closing it would end the other contexts too.
 EGLDisplay open_display() {
   const SoftwareOnly software_only;
-  const EGLDisplay display =
-      eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+  const EGLDisplay display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
   if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr))
     throw NoBackend("egl: this libEGL opens no display without a surface");
   return display;
@@ -48,13 +47,9 @@ class Egl : public Context {
  public:
   Egl() {
     const EGLint no_surface[] = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
-    const EGLint wanted[] = {EGL_CONTEXT_MAJOR_VERSION,
-                             3,
-                             EGL_CONTEXT_MINOR_VERSION,
-                             3,
-                             EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                             EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                             EGL_NONE};
+    const EGLint wanted[] = {
+        EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
     EGLConfig config = nullptr;
     EGLint count = 0;
     if (eglBindAPI(EGL_OPENGL_API) && eglChooseConfig(display_, no_surface, &config, 1, &count) && count > 0)
@@ -87,9 +82,7 @@ std::unique_ptr<Context> egl_context() { return std::make_unique<Egl>(); }
 
 namespace isect::viz {
 
-std::unique_ptr<Context> egl_context() {
-  throw NoBackend("egl: not built in; install libegl-dev and build again");
-}
+std::unique_ptr<Context> egl_context() { throw NoBackend("egl: not built in; install libegl-dev and build again"); }
 
 }  // namespace isect::viz
 #endif

@@ -18,9 +18,7 @@ class Page {
 
   double top() const { return 2.1 * s().title; }
   /// Formula and verdict keep their rows when they are empty, so that the picture stands still from step to step.
-  double bottom() const {
-    return s().margin + 2 * 1.65 * s().label + (step_.scene.axis ? 3.1 * s().axis : 0);
-  }
+  double bottom() const { return s().margin + 2 * 1.65 * s().label + (step_.scene.axis ? 3.1 * s().axis : 0); }
 
   double picture_height() const { return std::max(height_ - top() - bottom(), 0.2 * height_); }
 
@@ -43,9 +41,7 @@ class Page {
     }
     const double formula = y + 1.15 * s().label;
     if (!step_.formula.empty())
-      part("formula", [&] {
-        text(step_.formula, {width_ / 2, formula}, s().label, theme_.ink(Role::text), 0.5);
-      });
+      part("formula", [&] { text(step_.formula, {width_ / 2, formula}, s().label, theme_.ink(Role::text), 0.5); });
     if (!step_.verdict.text.empty()) part("verdict", [&] { verdict(formula + 1.65 * s().label); });
     return figure;
   }
@@ -61,8 +57,7 @@ class Page {
   }
   void add(Shape shape) { out_->drawing.shapes.push_back(std::move(shape)); }
 
-  TextBox text(const std::string& markup, Vec2 at, double size, Colour colour, double align,
-               bool bold = false) {
+  TextBox text(const std::string& markup, Vec2 at, double size, Colour colour, double align, bool bold = false) {
     Text t = {markup, at, size, colour, align, bold, 0, {}};
     TextBox box = measure(t);
     const double room = width_ - 2 * s().margin;
@@ -81,8 +76,7 @@ class Page {
     const Kind kind = step_.verdict.kind;
     const Role role = kind == Kind::yes ? Role::hit : kind == Kind::no ? Role::miss : Role::text;
     const double sign = kind == Kind::open ? 0 : 1.3 * s().label;
-    const TextBox box =
-        text(step_.verdict.text, {width_ / 2 + sign / 2, baseline}, s().label, theme_.ink(role), 0.5);
+    const TextBox box = text(step_.verdict.text, {width_ / 2 + sign / 2, baseline}, s().label, theme_.ink(role), 0.5);
     const Vec2 p = {box.left - 0.75 * s().label, baseline - 0.32 * s().label};
     const double a = 0.26 * s().label;
     if (kind == Kind::yes)
@@ -103,8 +97,7 @@ class Page {
     const auto x = [&](double t) {
       return left + std::clamp((t - axis.lo) / (axis.hi - axis.lo), 0.0, 1.0) * (right - left);
     };
-    const auto line = [&](double from, double to, Colour colour, double width,
-                          std::array<double, 2> dash = {0, 0}) {
+    const auto line = [&](double from, double to, Colour colour, double width, std::array<double, 2> dash = {0, 0}) {
       if (to > from) add(Stroke{polyline({{from, y}, {to, y}}), colour, width, dash, false});
     };
     const Colour first = theme_.ink(Role::first), muted = theme_.ink(Role::muted);
@@ -124,8 +117,7 @@ class Page {
     if (std::isfinite(axis.range_lo)) end(axis.range_lo, shown(axis.range_lo));
     if (std::isfinite(axis.range_hi)) end(axis.range_hi, shown(axis.range_hi));
 
-    for (const Axis::Tick& tick : axis.ticks)
-      mark(out_->drawing.shapes, tick.mark, {x(tick.t), y}, tick.role, theme_);
+    for (const Axis::Tick& tick : axis.ticks) mark(out_->drawing.shapes, tick.mark, {x(tick.t), y}, tick.role, theme_);
     tick_labels(axis, y, x);
   }
 

@@ -54,8 +54,7 @@ int send(int descriptor, const std::string& bytes) {
 int own_stream(const struct stat& file) {
   for (const int descriptor : {STDOUT_FILENO, STDERR_FILENO}) {
     struct stat own;
-    if (::fstat(descriptor, &own) == 0 && own.st_dev == file.st_dev && own.st_ino == file.st_ino)
-      return descriptor;
+    if (::fstat(descriptor, &own) == 0 && own.st_dev == file.st_dev && own.st_ino == file.st_ino) return descriptor;
   }
   return -1;
 }
@@ -76,8 +75,7 @@ class NewFile {
     struct stat made;
     if (!file_.open()) {
       reason_ = errno;
-    } else if (::flock(file_.get(), LOCK_EX | LOCK_NB) == 0 && ::fstat(file_.get(), &made) == 0 &&
-               made.st_nlink == 0) {
+    } else if (::flock(file_.get(), LOCK_EX | LOCK_NB) == 0 && ::fstat(file_.get(), &made) == 0 && made.st_nlink == 0) {
       reason_ = EEXIST;  // swept away before it was locked
     }
   }
@@ -88,7 +86,8 @@ class NewFile {
   /// there is no file.
   int become(const std::string& name, const std::string& bytes, const struct stat* old) {
     int reason = send(file_.get(), bytes);
-    // Another's file stays another's where this user may give files away; the mode last, as a new owner clears bits of it.
+    // Another's file stays another's where this user may give files away; the mode last, as a new owner clears bits of
+    // it.
     if (old && reason == 0) {
       [[maybe_unused]] const int given = ::fchown(file_.get(), old->st_uid, old->st_gid);
       if (::fchmod(file_.get(), old->st_mode & 07777) != 0) reason = errno;
@@ -120,8 +119,7 @@ void sweep(const std::filesystem::path& path) {
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
   for (const auto& entry : std::filesystem::directory_iterator(folder, unreadable)) {
     const std::string name = entry.path().filename();
-    const bool ours =
-        name.starts_with(prefix) && name.find_first_not_of("-0123456789", prefix.size()) == name.npos;
+    const bool ours = name.starts_with(prefix) && name.find_first_not_of("-0123456789", prefix.size()) == name.npos;
     if (!ours) continue;
     const Descriptor left(entry.path(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK);
     if (left.open() && ::flock(left.get(), LOCK_EX | LOCK_NB) == 0) ::unlink(entry.path().c_str());

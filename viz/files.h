@@ -37,8 +37,8 @@ Metadata png_metadata(const std::string& bytes);
 struct Paper {
   double width_pt = 0;
 };
-/// SVG by cairo and Pango, text as embedded glyph outlines, metadata as the attribute `data-isect` of the root, in JSON;
-/// same input, same bytes.
+/// SVG by cairo and Pango, text as embedded glyph outlines, metadata as the attribute `data-isect` of the root, in
+/// JSON; same input, same bytes.
 std::string svg(const Drawing&, const Metadata& = {}, Paper = {});
 /// Also where another program has saved the file since, if that kept it, and where an older version of ours wrote it.
 /// Throws FileError on anything that is no well-formed SVG; empty if it carries none of ours.

@@ -41,9 +41,7 @@ class Extent {
   }
 
  private:
-  Vec3 along(const Vec3& p) const {
-    return {p.dot(view_.right()), p.dot(view_.up()), p.dot(view_.forward())};
-  }
+  Vec3 along(const Vec3& p) const { return {p.dot(view_.right()), p.dot(view_.up()), p.dot(view_.forward())}; }
   void grow(const Vec3& p, const Vec3& reach = Vec3::Zero()) {
     const Vec3 q = along(p);
     lo = lo.cwiseMin(q - reach);

@@ -74,8 +74,7 @@ std::vector<Item> in_grid(const std::vector<Inset>& insets, int columns, const C
     if (!insets[i].heading.empty())
       all.push_back(Heading{at(middle + Vec2(0, text)), insets[i].heading, Role::text, size.x() + gap / 2});
     if (!insets[i].note.empty())
-      all.push_back(
-          Heading{at(middle - Vec2(0, text)), insets[i].note, insets[i].role, size.x() + gap / 2, false});
+      all.push_back(Heading{at(middle - Vec2(0, text)), insets[i].note, insets[i].role, size.x() + gap / 2, false});
   }
   return all;
 }

@@ -108,8 +108,8 @@ Fit fit(const Candidate& candidate, const Vec2& half, const std::vector<PlacedLa
   for (const PlacedLabel& other : placed)
     if (overlap(grown(box, sizes.label_clear), other.box) > 0) result.cost += 2000;
 
-  const double outside = std::max({bounds.left - box.left, bounds.top - box.top, box.right - bounds.right,
-                                   box.bottom - bounds.bottom, 0.0});
+  const double outside = std::max(
+      {bounds.left - box.left, bounds.top - box.top, box.right - bounds.right, box.bottom - bounds.bottom, 0.0});
   if (outside > 0) result.cost += 5000 + outside;
 
   const double size = half.x() + half.y();
@@ -124,9 +124,8 @@ Fit fit(const Candidate& candidate, const Vec2& half, const std::vector<PlacedLa
 
 }  // namespace
 
-std::vector<PlacedLabel> place_labels(const std::vector<Wanted>& labels,
-                                      const std::vector<Obstacle>& obstacles, const Bounds& bounds,
-                                      const Theme& theme, std::vector<Shape>& out,
+std::vector<PlacedLabel> place_labels(const std::vector<Wanted>& labels, const std::vector<Obstacle>& obstacles,
+                                      const Bounds& bounds, const Theme& theme, std::vector<Shape>& out,
                                       std::vector<PlacedLabel> placed) {
   const Sizes& sizes = theme.sizes;
   std::vector<Shape> leaders, texts;

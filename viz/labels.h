@@ -29,10 +29,9 @@ struct Bounds {
 };
 
 /// Places the labels in order, tries the compass points near first and then further out, and takes the place that
-/// disturbs least. A label that had to go far gets a leader; one that crosses a line gets a halo. Those `there` already keep
-/// their places; all are returned.
+/// disturbs least. A label that had to go far gets a leader; one that crosses a line gets a halo. Those `there` already
+/// keep their places; all are returned.
 std::vector<PlacedLabel> place_labels(const std::vector<Wanted>&, const std::vector<Obstacle>&, const Bounds&,
-                                      const Theme&, std::vector<Shape>& out,
-                                      std::vector<PlacedLabel> there = {});
+                                      const Theme&, std::vector<Shape>& out, std::vector<PlacedLabel> there = {});
 
 }  // namespace isect::viz

@@ -136,8 +136,7 @@ std::string nearest(const std::string& word, const std::vector<std::string>& can
   return found == candidates.end() ? std::string{} : *found;
 }
 
-BadInput unknown(const std::string& field, const std::string& given,
-                 const std::vector<std::string>& allowed) {
+BadInput unknown(const std::string& field, const std::string& given, const std::vector<std::string>& allowed) {
   if (allowed.empty())
     return BadInput(fmt::format("{}: \"{}\" is unknown; there is none to choose from", field, given));
   return BadInput(fmt::format("{}: \"{}\" is unknown; did you mean \"{}\"? Allowed: {}", field, given,
@@ -173,8 +172,8 @@ void validate(const Lesson& lesson, const Parameters& parameters) {
     if (!parameters.contains(p.name))
       throw BadInput(fmt::format("{}: missing; every parameter of {} is needed", p.name, lesson.id));
   if (const Condition* c = broken(lesson, parameters))
-    throw BadInput(fmt::format("{}: \"{}\" does not do; give {}", c->parameter,
-                               to_text(parameters.at(c->parameter)), c->allowed));
+    throw BadInput(
+        fmt::format("{}: \"{}\" does not do; give {}", c->parameter, to_text(parameters.at(c->parameter)), c->allowed));
 }
 
 void drag(const Lesson& lesson, Parameters& parameters, const Handle& handle, const Vec3& p) {
@@ -214,8 +213,7 @@ std::string shown(double value) {
 
   static constexpr std::array raised = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   std::string power = exponent < 0 ? "⁻" : "";
-  for (const char digit : std::to_string(std::abs(exponent)))
-    power += raised[static_cast<std::size_t>(digit - '0')];
+  for (const char digit : std::to_string(std::abs(exponent))) power += raised[digit - '0'];
   return sign + digits + "\u2009·\u200910" + power;
 }
 

@@ -120,16 +120,16 @@ struct Opinion {
 };
 
 /// The plane of a lesson's two natural parameters, coloured by the branch that the core takes at each point of it.
-/// viz/case_map.h draws it.
+/// viz/case_map.h draws it, and a walk ends with it.
 struct CaseMap {
-  std::string x_title, y_title;  ///< markup
-  Vec2 lo, hi;                   ///< the part shown
-  std::vector<std::string>
-      branches;  ///< markup, short; some may be no more than a line or a point of the plane
+  std::string x_title, y_title;       ///< markup
+  Vec2 lo, hi;                        ///< the part shown
+  std::vector<std::string> branches;  ///< markup, short; some may be no more than a line or a point of the plane
   int (*branch)(const Parameters&) = nullptr;  ///< index into `branches`
-  Vec2 (*place)(const Parameters&) = nullptr;  ///< where the setting lies
+  Vec2 (*place)(const Parameters&) = nullptr;  ///< where the setting lies; NaN: nowhere
   Parameters (*moved)(const Parameters&,
                       const Vec2&) = nullptr;  ///< the setting brought to a place; the rest stays
+  std::string told = {};                       ///< markup: what the plane means, in sentences of at most 20 words
 };
 
 struct Lesson {
@@ -139,16 +139,19 @@ struct Lesson {
   std::string summary;  ///< one plain sentence
   std::vector<Parameter> parameters;
   std::vector<Condition> conditions = {};
-  std::string group_by;         ///< name of the choice parameter that groups the presets, may be empty
-  std::vector<Preset> presets;  ///< the first one is loaded at the start
-  Camera camera;                ///< see opening(); target and scale are set by framing all presets alike
-  Walk (*walk)(const Parameters&) = nullptr;
+  std::string group_by;                        ///< name of the choice parameter that groups the presets, may be empty
+  std::vector<Preset> presets;                 ///< the first one is loaded at the start
+  Camera camera;                               ///< see opening(); target and scale are set by framing all presets alike
+  Walk (*steps)(const Parameters&) = nullptr;  ///< asked by `walk`
   /// All lies in z = 0 and is seen straight on, whatever `camera` says: a drag pans, nothing turns.
   bool flat = false;
   /// Methods that should agree, asked side by side; the first is exact. None where a lesson has one method.
   std::vector<Opinion> (*opinions)(const Parameters&) = nullptr;
-  /// Where the lesson's walks end with a map of cases; see lessons/case_map.h.
+  /// Where the setting lies among all cases; the last step of a walk whose setting has a place there.
   const CaseMap* map = nullptr;
+
+  /// What the lesson tells of a setting: its steps, then its map of cases, for which the lesson must outlive the walk.
+  Walk walk(const Parameters&) const;
 };
 
 /// What is wrong with a name or a value: the message names the field, what was given and what is allowed.

@@ -22,8 +22,7 @@ void mark(std::vector<Shape>& out, Mark kind, const Vec2& p, Role role, const Th
   const auto disc = [&](double radius, const Colour& colour) {
     out.emplace_back(Fill{circle(p, radius), colour, 0, 0, {}});
   };
-  const auto ring = [&](double radius, double width, const Colour& colour,
-                        std::array<double, 2> dash = {0, 0}) {
+  const auto ring = [&](double radius, double width, const Colour& colour, std::array<double, 2> dash = {0, 0}) {
     out.emplace_back(Stroke{circle(p, radius), colour, width, dash, false});
   };
 

@@ -24,8 +24,8 @@ constexpr int ample_threads = 24;
 void refuse_unless(const char* variable, const std::vector<std::string>& allowed, const char* why) {
   const char* value = std::getenv(variable);
   if (!value || !*value || std::ranges::count(allowed, value) > 0) return;
-  throw NoBackend(fmt::format("{}={} is set: {}; unset it, or give {}", variable, value, why,
-                              fmt::join(allowed, " or ")));
+  throw NoBackend(
+      fmt::format("{}={} is set: {}; unset it, or give {}", variable, value, why, fmt::join(allowed, " or ")));
 }
 
 }  // namespace

@@ -70,8 +70,7 @@ class OsMesa : public Context {
   }
 
  private:
-  static constexpr int side =
-      16;  // OSMesa insists on a buffer; all drawing goes into a framebuffer of our own
+  static constexpr int side = 16;  // OSMesa insists on a buffer; all drawing goes into a framebuffer of our own
   const Library& mesa_ = Library::get();
   std::array<unsigned char, side * side * 4> unused_{};
   OSMesaContext context_ = nullptr;

@@ -1,8 +1,8 @@
 #include "viz/pick.h"
 
-#include "core/ray_polygon.h"
-#include "core/ray_sphere.h"
-#include "core/ray_triangle.h"
+#include <isect/ray_polygon.h>
+#include <isect/ray_sphere.h>
+#include <isect/ray_triangle.h>
 
 namespace isect::viz {
 namespace {
@@ -43,7 +43,7 @@ struct FirstHit {
 
  private:
   std::optional<double> triangle(const std::vector<Vec3>& vertices, int a, int b, int c) const {
-    const auto at = [&](int i) -> const Vec3& { return vertices[static_cast<std::size_t>(i)]; };
+    const auto at = [&](int i) -> const Vec3& { return vertices[i]; };
     return intersect(ray, Triangle<double, 3>{{at(a), at(b), at(c)}}).t;
   }
 };

@@ -39,8 +39,7 @@ constexpr int deepest = 16;
 
 Json parse(const std::string& field, const std::string& text) try {
   return Json::parse(text, [&](int depth, Json::parse_event_t, const Json&) {
-    if (depth > deepest)
-      throw BadInput(fmt::format("{}: nested more than {} levels deep", field, deepest));
+    if (depth > deepest) throw BadInput(fmt::format("{}: nested more than {} levels deep", field, deepest));
     return true;
   });
 } catch (const Json::exception& e) {
@@ -52,8 +51,7 @@ Json parse(const std::string& field, const std::string& text) try {
 void only_fields(const Json& object, const std::string& path, const std::vector<std::string>& allowed) {
   if (!object.is_object()) throw BadInput(fmt::format("{}: {} is no JSON object", path, object.dump()));
   for (const auto& item : object.items())
-    if (std::ranges::find(allowed, item.key()) == allowed.end())
-      throw unknown("field of " + path, item.key(), allowed);
+    if (std::ranges::find(allowed, item.key()) == allowed.end()) throw unknown("field of " + path, item.key(), allowed);
 }
 
 std::string text_of(const Json& value, const std::string& field) {
@@ -64,17 +62,15 @@ std::string text_of(const Json& value, const std::string& field) {
 double number_of(const Json& value, const std::string& field, double lo, double hi) {
   const double x = value.is_number() ? value.get<double>() : NAN;
   if (!(x >= lo && x <= hi))
-    throw BadInput(
-        fmt::format("{}: {} does not do; give a number from {} to {}", field, value.dump(), lo, hi));
+    throw BadInput(fmt::format("{}: {} does not do; give a number from {} to {}", field, value.dump(), lo, hi));
   return x;
 }
 
 Vec3 point_of(const Json& value, const std::string& field) {
-  const bool good = value.is_array() && value.size() == 3 &&
-                    std::ranges::all_of(value, [](const Json& x) { return x.is_number(); });
+  const bool good =
+      value.is_array() && value.size() == 3 && std::ranges::all_of(value, [](const Json& x) { return x.is_number(); });
   if (!good)
-    throw BadInput(
-        fmt::format("{}: {} does not do; give three numbers, such as [0, 1, 0]", field, value.dump()));
+    throw BadInput(fmt::format("{}: {} does not do; give three numbers, such as [0, 1, 0]", field, value.dump()));
   return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
 }
 
@@ -97,8 +93,7 @@ Parameters parameters_of(const Json& object, const Lesson& lesson, Parameters pa
 }
 
 Camera camera_of(const Json& object, const Lesson& lesson) {
-  only_fields(object, "camera",
-              {"target", "azimuth", "elevation", "half_height", "perspective", "field_of_view"});
+  only_fields(object, "camera", {"target", "azimuth", "elevation", "half_height", "perspective", "field_of_view"});
   Camera camera = opening(lesson);
   const auto number = [&](const std::string& field, double& to, double lo, double hi) {
     if (object.contains(field)) to = number_of(object[field], "camera " + field, lo, hi);
@@ -123,10 +118,9 @@ Camera camera_of(const Json& object, const Lesson& lesson) {
 }
 
 int step_of(const Json& value, std::size_t steps) {
-  const bool good = value.is_number_integer() && value.get<double>() >= 1 &&
-                    value.get<double>() <= static_cast<double>(steps);
-  if (!good)
-    throw BadInput(fmt::format("step: {} is unknown; give a number from 1 to {}", value.dump(), steps));
+  const bool good =
+      value.is_number_integer() && value.get<double>() >= 1 && value.get<double>() <= static_cast<double>(steps);
+  if (!good) throw BadInput(fmt::format("step: {} is unknown; give a number from 1 to {}", value.dump(), steps));
   return value.get<int>() - 1;
 }
 

@@ -95,9 +95,7 @@ void Player::show(State next, bool same_lesson) {
   camera_.jump(opening_view());
 }
 
-Camera Player::opening_view() const {
-  return frame_alike(opening(lesson()), walk(), overview_->samples, aspect_);
-}
+Camera Player::opening_view() const { return frame_alike(opening(lesson()), walk(), overview_->samples, aspect_); }
 
 std::vector<const Preset*> Player::group() const {
   std::vector<const Preset*> group;

@@ -63,8 +63,7 @@ std::string png(const Picture& picture, const Metadata& metadata) {
   const auto height = static_cast<std::uint64_t>(std::max(picture.height, 0));
   if (width == 0 || height == 0 || height > most_pixels / width || picture.rgba.size() != 4 * width * height)
     throw FileError("cannot write PNG: a picture of " + std::to_string(picture.width) + " x " +
-                    std::to_string(picture.height) + " pixels with " + std::to_string(picture.rgba.size()) +
-                    " bytes");
+                    std::to_string(picture.height) + " pixels with " + std::to_string(picture.rgba.size()) + " bytes");
   return encode(picture).insert(png_signature_size + header_chunk_size, png_text_chunks(metadata));
 }
 
@@ -74,8 +73,7 @@ Picture read_png(const std::string& bytes) {
   if (!png_image_begin_read_from_memory(&png.image, bytes.data(), bytes.size()))
     throw FileError(std::string("broken PNG: ") + png.image.message);
   if (std::uint64_t{png.image.height} > most_pixels / png.image.width)
-    throw FileError("PNG too large: " + std::to_string(png.image.width) + " x " +
-                    std::to_string(png.image.height));
+    throw FileError("PNG too large: " + std::to_string(png.image.width) + " x " + std::to_string(png.image.height));
   png.image.format = PNG_FORMAT_RGBA;
   Picture picture{static_cast<int>(png.image.width), static_cast<int>(png.image.height), {}};
   picture.rgba.resize(PNG_IMAGE_SIZE(png.image));

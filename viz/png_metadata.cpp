@@ -43,8 +43,7 @@ std::string text_chunk(const std::string& key, const std::string& text) {
   const std::string keyword = std::string(key_prefix) + key;
   const bool printable = std::all_of(key.begin(), key.end(), [](char c) { return c > ' ' && c <= '~'; });
   if (key.empty() || keyword.size() > 79 || !printable)
-    throw std::invalid_argument("metadata keyword '" + key +
-                                "': 1 to 73 printable ASCII characters, no space");
+    throw std::invalid_argument("metadata keyword '" + key + "': 1 to 73 printable ASCII characters, no space");
   return chunk("iTXt", keyword + std::string(5, '\0') + text);
 }
 

@@ -16,14 +16,11 @@ template <class Look>
 std::vector<std::vector<Corner>> outlines(const std::vector<Look>& cells, int columns, const Look& wanted) {
   const int rows = static_cast<int>(cells.size()) / columns;
   const auto inside = [&](int x, int y) {
-    return x >= 0 && y >= 0 && x < columns && y < rows &&
-           cells[static_cast<std::size_t>(y * columns + x)] == wanted;
+    return x >= 0 && y >= 0 && x < columns && y < rows && cells[y * columns + x] == wanted;
   };
 
   // Each border edge, with the cell on its right hand (y runs down). At most two leave a corner.
-  const auto less = [](const Corner& a, const Corner& b) {
-    return a.y() != b.y() ? a.y() < b.y() : a.x() < b.x();
-  };
+  const auto less = [](const Corner& a, const Corner& b) { return a.y() != b.y() ? a.y() < b.y() : a.x() < b.x(); };
   std::map<Corner, std::vector<Corner>, decltype(less)> edges(less);
   for (int y = 0; y < rows; ++y) {
     for (int x = 0; x < columns; ++x) {

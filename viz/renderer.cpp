@@ -153,13 +153,10 @@ void set_pass(Pass pass) {
   }
 }
 
-void set_uniform(int at, const Vec2& v) {
-  glUniform2f(at, static_cast<float>(v.x()), static_cast<float>(v.y()));
-}
+void set_uniform(int at, const Vec2& v) { glUniform2f(at, static_cast<float>(v.x()), static_cast<float>(v.y())); }
 
 void set_uniform(int at, const Colour& c) {
-  glUniform4f(at, static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b),
-              static_cast<float>(c.a));
+  glUniform4f(at, static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b), static_cast<float>(c.a));
 }
 
 }  // namespace

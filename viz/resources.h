@@ -1,6 +1,6 @@
 #pragma once
-// What the system grants this process. Mesa, GLib and Pango crash where they are refused memory or a thread, so they are
-// asked for beforehand.
+// What the system grants this process. Mesa, GLib and Pango crash where they are refused memory or a thread, so they
+// are asked for beforehand.
 
 #include <cstddef>
 

@@ -45,8 +45,8 @@ class Parser {
 
   void add(std::string_view character, Run style) {
     style.italic = style.italic && (is_letter(character) || character == " ");
-    const bool same = !runs_.empty() && runs_.back().italic == style.italic &&
-                      runs_.back().bold == style.bold && runs_.back().script == style.script;
+    const bool same = !runs_.empty() && runs_.back().italic == style.italic && runs_.back().bold == style.bold &&
+                      runs_.back().script == style.script;
     if (!same) runs_.push_back(style);
     runs_.back().text += character;
   }
@@ -129,9 +129,8 @@ class Parser {
 /// Unicode's small digits and signs. A comma has no small form and is near enough as it is.
 const std::map<std::string_view, const char*>& small_forms(Script script) {
   static const std::map<std::string_view, const char*> sub = {
-      {"0", "₀"}, {"1", "₁"}, {"2", "₂"}, {"3", "₃"}, {"4", "₄"}, {"5", "₅"},
-      {"6", "₆"}, {"7", "₇"}, {"8", "₈"}, {"9", "₉"}, {"+", "₊"}, {"-", "₋"},
-      {"−", "₋"}, {"=", "₌"}, {"(", "₍"}, {")", "₎"}, {",", ","}};
+      {"0", "₀"}, {"1", "₁"}, {"2", "₂"}, {"3", "₃"}, {"4", "₄"}, {"5", "₅"}, {"6", "₆"}, {"7", "₇"}, {"8", "₈"},
+      {"9", "₉"}, {"+", "₊"}, {"-", "₋"}, {"−", "₋"}, {"=", "₌"}, {"(", "₍"}, {")", "₎"}, {",", ","}};
   static const std::map<std::string_view, const char*> super = {
       {"0", "⁰"}, {"1", "¹"}, {"2", "²"}, {"3", "³"}, {"4", "⁴"}, {"5", "⁵"}, {"6", "⁶"}, {"7", "⁷"},
       {"8", "⁸"}, {"9", "⁹"}, {"+", "⁺"}, {"-", "⁻"}, {"−", "⁻"}, {"=", "⁼"}, {"(", "⁽"}, {")", "⁾"}};
@@ -210,8 +209,7 @@ std::string pango(const std::string& markup, const std::string& math_font, doubl
       const double rise = run.script == Script::sub ? sub_rise : super_rise;
       attributes += " rise=\"" + whole(rise * (math ? math_scale : 1) * em * pango_units) + "\"";
     }
-    out +=
-        attributes.empty() ? escaped(run.text) : "<span" + attributes + ">" + escaped(run.text) + "</span>";
+    out += attributes.empty() ? escaped(run.text) : "<span" + attributes + ">" + escaped(run.text) + "</span>";
   }
   return out;
 }

@@ -25,7 +25,6 @@ std::string plain(const std::string& markup);
 /// `math_font`: the family for italic and bold runs and for scripts, empty for the surrounding one,
 /// `math_scale` times its size. `em`: the layout's font size in device units, which Pango needs for the
 /// rises.
-std::string pango(const std::string& markup, const std::string& math_font = {}, double math_scale = 1,
-                  double em = 10);
+std::string pango(const std::string& markup, const std::string& math_font = {}, double math_scale = 1, double em = 10);
 
 }  // namespace isect::viz

@@ -113,8 +113,8 @@ struct Mesh {
   std::vector<std::array<int, 3>> triangles;
   Role role = Role::first;
 };
-/// One cell of a raster. An object's cell is a light tint of its colour, any other has the full ink, unless `light` says
-/// how brightly it is lit, from 0 to 1. Grey print adds a hatch where colours would look alike.
+/// One cell of a raster. An object's cell is a light tint of its colour, any other has the full ink, unless `light`
+/// says how brightly it is lit, from 0 to 1. Grey print adds a hatch where colours would look alike.
 struct Cell {
   Role role = Role::first;
   std::optional<double> light = {};
@@ -139,7 +139,8 @@ struct Label {
   std::optional<Vec3> until = {};
 };
 
-/// A heading, bold or not, whose middle stands at `at`, come what may: labels keep off it. It shrinks to `room` world units.
+/// A heading, bold or not, whose middle stands at `at`, come what may: labels keep off it. It shrinks to `room` world
+/// units.
 struct Heading {
   Vec3 at;
   std::string text;
@@ -148,8 +149,8 @@ struct Heading {
   bool bold = true;
 };
 
-using Item = std::variant<Ball, Line, Arrow, RightAngle, Dot, Label, Chain, Circle, Span, Region, Solid, Mesh,
-                          Raster, Heading>;
+using Item =
+    std::variant<Ball, Line, Arrow, RightAngle, Dot, Label, Chain, Circle, Span, Region, Solid, Mesh, Raster, Heading>;
 
 /// What a handle changes when it is dragged to the point p.
 struct Handle {

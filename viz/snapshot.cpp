@@ -44,8 +44,7 @@ std::string text_of(const Json& said, const Json& drawing) {
 /// The pseudocode line by line, if there are as many lines.
 void compare_pseudocode(const Json& was, const Json& is, Changes& changes) {
   if (!was.is_array() || was.size() != is.size()) return changes.add("the pseudocode has other lines");
-  for (std::size_t i = 0; i < is.size(); ++i)
-    changes.compare(fmt::format("pseudocode line {}", i + 1), was[i], is[i]);
+  for (std::size_t i = 0; i < is.size(); ++i) changes.compare(fmt::format("pseudocode line {}", i + 1), was[i], is[i]);
 }
 
 void compare_opinions(const Json& was, const Json& is, Changes& changes) {
@@ -54,8 +53,7 @@ void compare_opinions(const Json& was, const Json& is, Changes& changes) {
     return changes.add("other methods are asked side by side");
   for (std::size_t i = 0; i < is.size(); ++i) {
     const std::string name = "opinion of the " + snap::shown(at(is[i], "method"));
-    for (const std::string key : {"method", "says"})
-      changes.compare_texts(name, at(was[i], key), at(is[i], key));
+    for (const std::string key : {"method", "says"}) changes.compare_texts(name, at(was[i], key), at(is[i], key));
     changes.compare(name + " agrees:", at(was[i], "agrees"), at(is[i], "agrees"));
   }
 }
@@ -80,17 +78,15 @@ void compare_all_steps(const Json& were, const Json& are, Changes& changes) {
 
 }  // namespace
 
-std::string trace_json(const Lesson& lesson, const std::string& preset, const Parameters& parameters,
-                       const Walk& walk, const std::vector<Drawing>& drawings, const Stamp& stamp) {
+std::string trace_json(const Lesson& lesson, const std::string& preset, const Parameters& parameters, const Walk& walk,
+                       const std::vector<Drawing>& drawings, const Stamp& stamp) {
   std::string text = fmt::format("{{\n\"format\": {},\n\"lesson\": {},\n\"preset\": {},\n", format_version,
                                  Json(lesson.id).dump(), Json(preset).dump());
-  const Json made = {
-      {"renderer", stamp.renderer}, {"font", stamp.font}, {"theme", stamp.theme}, {"size", stamp.size}};
-  text += fmt::format("\"made with\": {},\n\"parameters\": {},\n\"method\": {},\n\"pseudocode\": {},\n",
-                      made.dump(), to_json(parameters), Json(walk.method).dump(), lines_of(walk.pseudocode));
+  const Json made = {{"renderer", stamp.renderer}, {"font", stamp.font}, {"theme", stamp.theme}, {"size", stamp.size}};
+  text += fmt::format("\"made with\": {},\n\"parameters\": {},\n\"method\": {},\n\"pseudocode\": {},\n", made.dump(),
+                      to_json(parameters), Json(walk.method).dump(), lines_of(walk.pseudocode));
   text += fmt::format("\"alt\": {},\n", Json(walk.alt).dump());
-  if (lesson.opinions)
-    text += fmt::format("\"opinions\": {},\n", lines_of(snap::said(lesson.opinions(parameters))));
+  if (lesson.opinions) text += fmt::format("\"opinions\": {},\n", lines_of(snap::said(lesson.opinions(parameters))));
   text += "\"steps\": [";
   Json before;
   for (std::size_t i = 0; i < walk.steps.size(); ++i) {
@@ -111,14 +107,12 @@ std::vector<Change> compare_traces(const std::string& accepted, const std::strin
   if (!was.is_object() || !at(was, "steps").is_array())
     return {{-1, "the accepted trace is damaged: no JSON with steps"}};
   if (at(was, "format") != at(is, "format"))
-    return {
-        {-1, fmt::format("the accepted trace has format {}, this program writes format {}, which tells more: "
-                         "accept it anew, and nothing else is compared until then",
-                         snap::shown(at(was, "format")), at(is, "format").dump())}};
+    return {{-1, fmt::format("the accepted trace has format {}, this program writes format {}, which tells more: "
+                             "accept it anew, and nothing else is compared until then",
+                             snap::shown(at(was, "format")), at(is, "format").dump())}};
 
   Changes changes;
-  changes.compare_all("", at(was, "made with").is_object() ? was["made with"] : Json::object(),
-                      is["made with"]);
+  changes.compare_all("", at(was, "made with").is_object() ? was["made with"] : Json::object(), is["made with"]);
   compare_all_steps(was["steps"], is["steps"], changes);
   for (const std::string key : {"lesson", "preset", "method"}) changes.compare(key, at(was, key), is[key]);
   changes.compare_all("parameter ", at(was, "parameters").is_object() ? was["parameters"] : Json::object(),

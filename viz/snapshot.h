@@ -16,8 +16,8 @@ struct Stamp {
   std::string renderer, font, theme, size;
 };
 
-/// One walk as JSON: all that its steps say, numbers to nine significant digits, and what their drawings show, object by
-/// object (viz/snapshot/look.h), each told where it is first drawn and where it changes. Same walk, same bytes.
+/// One walk as JSON: all that its steps say, numbers to nine significant digits, and what their drawings show, object
+/// by object (viz/snapshot/look.h), each told where it is first drawn and where it changes. Same walk, same bytes.
 /// `drawings`: one a step.
 std::string trace_json(const Lesson&, const std::string& preset, const Parameters&, const Walk&,
                        const std::vector<Drawing>& drawings, const Stamp&);
@@ -28,9 +28,9 @@ struct Change {
   std::string what;
   bool drawn = false;  ///< seen in the drawing
 };
-/// What leads from the accepted trace to the new one, what explains most first: stamp, then steps in order, what each says
-/// before what it shows, then parameters and pseudocode. Empty if the traces say the same, though a drawing's numbers may
-/// be rounded otherwise. An accepted trace that is damaged or of another format is one change.
+/// What leads from the accepted trace to the new one, what explains most first: stamp, then steps in order, what each
+/// says before what it shows, then parameters and pseudocode. Empty if the traces say the same, though a drawing's
+/// numbers may be rounded otherwise. An accepted trace that is damaged or of another format is one change.
 std::vector<Change> compare_traces(const std::string& accepted, const std::string& fresh);
 
 /// "03-foot": the name of a step's files.

@@ -2,8 +2,8 @@
 
 #include <Eigen/LU>
 
-#include "core/convex_hull_3d.h"
-#include "core/kdop_polytope.h"
+#include <isect/convex_hull_3d.h>
+#include <isect/kdop_polytope.h>
 
 namespace isect::viz {
 
@@ -17,8 +17,7 @@ Solid hexahedron(const std::array<Vec3, 8>& corners, Role role) {
 Solid solid(const Aabb<double, 3>& box, Role role) {
   std::array<Vec3, 8> corners;
   for (int i = 0; i < 8; ++i)
-    for (int axis = 0; axis < 3; ++axis)
-      corners[i][axis] = (i >> axis & 1) != 0 ? box.hi[axis] : box.lo[axis];
+    for (int axis = 0; axis < 3; ++axis) corners[i][axis] = (i >> axis & 1) != 0 ? box.hi[axis] : box.lo[axis];
   return hexahedron(corners, role);
 }
 
@@ -50,7 +49,7 @@ Solid solid(const Frustum<double>& frustum, Role role) {
     Eigen::Matrix3d normals;
     Vec3 d;
     for (int axis = 0; axis < 3; ++axis) {
-      const Plane<double, 3>& plane = frustum.planes[static_cast<std::size_t>(2 * axis + (i >> axis & 1))];
+      const Plane<double, 3>& plane = frustum.planes[2 * axis + (i >> axis & 1)];
       normals.row(axis) = plane.normal.transpose();
       d[axis] = -plane.d;
     }

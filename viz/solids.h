@@ -1,12 +1,12 @@
 #pragma once
 // The core's convex shapes as solids of a scene.
 
-#include "core/shapes.h"
+#include <isect/shapes.h>
 #include "viz/scene.h"
 
 namespace isect {
 template <class S>
-struct Hull3;  // core/convex_hull_3d.h
+struct Hull3;  // isect/convex_hull_3d.h
 }
 
 namespace isect::viz {

@@ -97,8 +97,7 @@ void draw(cairo_t* cr, const Gradient& gradient) {
   add_stop(0, gradient.inner);
   add_stop(1, gradient.outer);
   cairo_matrix_t matrix;
-  cairo_matrix_init(&matrix, major.x(), major.y(), minor.x(), minor.y(), gradient.center.x(),
-                    gradient.center.y());
+  cairo_matrix_init(&matrix, major.x(), major.y(), minor.x(), minor.y(), gradient.center.x(), gradient.center.y());
   if (cairo_matrix_invert(&matrix) == CAIRO_STATUS_SUCCESS) cairo_pattern_set_matrix(pattern, &matrix);
 
   trace(cr, ellipse(gradient.center, gradient.major, gradient.minor));
@@ -115,8 +114,8 @@ std::string cairo_svg(const Drawing& drawing) {
     static_cast<std::string*>(out)->append(reinterpret_cast<const char*>(data), length);
     return CAIRO_STATUS_SUCCESS;
   };
-  cairo_surface_t* surface = cairo_svg_surface_create_for_stream(append, &bytes, drawing.width * oversize,
-                                                                 drawing.height * oversize);
+  cairo_surface_t* surface =
+      cairo_svg_surface_create_for_stream(append, &bytes, drawing.width * oversize, drawing.height * oversize);
   cairo_svg_surface_restrict_to_version(surface, CAIRO_SVG_VERSION_1_1);
   cairo_t* cr = cairo_create(surface);
   cairo_scale(cr, oversize, oversize);
@@ -146,9 +145,8 @@ std::string with_own_ids(const std::string& bytes) {
   std::map<std::string, std::string> renamed;
   std::string out;
   for (std::size_t i = 0; i < bytes.size();) {
-    const auto mark = std::find_if(std::begin(marks), std::end(marks), [&](const auto& m) {
-      return bytes.compare(i, m.first.size(), m.first) == 0;
-    });
+    const auto mark = std::find_if(std::begin(marks), std::end(marks),
+                                   [&](const auto& m) { return bytes.compare(i, m.first.size(), m.first) == 0; });
     const std::size_t begin = mark == std::end(marks) ? bytes.npos : i + mark->first.size();
     const std::size_t end = begin == bytes.npos ? begin : bytes.find(mark->second, begin);
     if (end == bytes.npos) {
@@ -182,8 +180,7 @@ std::string svg(const Drawing& drawing, const Metadata& metadata, Paper paper) {
   std::string bytes = with_own_ids(cairo_svg(drawing));
   const std::size_t tag = bytes.find("<svg ");
   const std::size_t tag_end = bytes.find('>', tag);
-  if (tag == bytes.npos || tag_end == bytes.npos)
-    throw FileError("cannot write SVG: cairo wrote no <svg> element");
+  if (tag == bytes.npos || tag_end == bytes.npos) throw FileError("cannot write SVG: cairo wrote no <svg> element");
 
   const double scale = paper.width_pt > 0 ? paper.width_pt / drawing.width : 1;
   const char* const unit = paper.width_pt > 0 ? "pt" : "";  // without one: CSS pixels
@@ -191,8 +188,8 @@ std::string svg(const Drawing& drawing, const Metadata& metadata, Paper paper) {
       "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
       "version=\"1.1\" "
       "width=\"{:.7g}{}\" height=\"{:.7g}{}\" viewBox=\"0 0 {:.7g} {:.7g}\" {}>",
-      drawing.width * scale, unit, drawing.height * scale, unit, drawing.width * oversize,
-      drawing.height * oversize, metadata_attribute(metadata));
+      drawing.width * scale, unit, drawing.height * scale, unit, drawing.width * oversize, drawing.height * oversize,
+      metadata_attribute(metadata));
   bytes.replace(tag, tag_end + 1 - tag, opening);
   return bytes;
 }

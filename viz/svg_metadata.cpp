@@ -41,8 +41,7 @@ class Reader {
     XML_Status status = XML_STATUS_OK;
     for (std::size_t at = 0; at <= bytes.size() && status == XML_STATUS_OK; at += block) {
       const std::size_t length = std::min(block, bytes.size() - at);
-      status =
-          XML_Parse(parser_.get(), bytes.data() + at, static_cast<int>(length), at + block > bytes.size());
+      status = XML_Parse(parser_.get(), bytes.data() + at, static_cast<int>(length), at + block > bytes.size());
     }
     if (!svg_) throw FileError("not an SVG file");
     if (status == XML_STATUS_ERROR)

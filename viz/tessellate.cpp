@@ -82,8 +82,7 @@ Polyline flat(const Path& path, double tolerance) {
     if (!p.allFinite()) return {};
     if (line.points.empty() || p != line.points.back()) line.points.push_back(p);
   }
-  while (line.closed && line.points.size() > 1 && line.points.front() == line.points.back())
-    line.points.pop_back();
+  while (line.closed && line.points.size() > 1 && line.points.front() == line.points.back()) line.points.pop_back();
   return line;
 }
 
@@ -153,8 +152,7 @@ Triangles stroke(const Polyline& line, double width, bool round_cap, double tole
   // An arm reaches from the line to its border, half a width to the side.
   const std::size_t edges = line.closed ? n : n - 1;
   std::vector<Vec2> arms, starts, ends;
-  for (std::size_t i = 0; i < edges; ++i)
-    arms.push_back(half * turned((points[(i + 1) % n] - points[i]).normalized()));
+  for (std::size_t i = 0; i < edges; ++i) arms.push_back(half * turned((points[(i + 1) % n] - points[i]).normalized()));
   starts = ends = arms;
 
   for (std::size_t i = 0; i < (line.closed ? n : n - 2); ++i) {

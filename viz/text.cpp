@@ -19,8 +19,7 @@ class Canvas {
   Canvas(double width, double height) {
     constexpr double most = 32767;  // cairo's limit
     if (!(width <= most && height <= most)) throw std::invalid_argument("text larger than 32767 pixels");
-    surface_ =
-        cairo_image_surface_create(CAIRO_FORMAT_ARGB32, static_cast<int>(width), static_cast<int>(height));
+    surface_ = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, static_cast<int>(width), static_cast<int>(height));
     cr_ = cairo_create(surface_);
     cairo_set_antialias(cr_, CAIRO_ANTIALIAS_GOOD);
   }
@@ -36,8 +35,7 @@ class Canvas {
   /// What was drawn, as straight alpha. Where nothing was, the colour is `under`: a filtered texture then has
   /// no dark rim.
   Picture picture(const Colour& under) const {
-    if (cairo_surface_status(surface_) != CAIRO_STATUS_SUCCESS)
-      throw std::runtime_error("no memory for a text");
+    if (cairo_surface_status(surface_) != CAIRO_STATUS_SUCCESS) throw std::runtime_error("no memory for a text");
     cairo_surface_flush(surface_);
     Picture out{cairo_image_surface_get_width(surface_), cairo_image_surface_get_height(surface_), {}};
     out.rgba.reserve(std::size_t{4} * out.width * out.height);
@@ -52,8 +50,7 @@ class Canvas {
  private:
   static std::uint8_t byte(double channel) { return static_cast<std::uint8_t>(std::lround(255 * channel)); }
 
-  static void append_straight(std::vector<std::uint8_t>& rgba, std::uint32_t premultiplied,
-                              const Colour& under) {
+  static void append_straight(std::vector<std::uint8_t>& rgba, std::uint32_t premultiplied, const Colour& under) {
     const std::uint32_t alpha = premultiplied >> 24;
     if (alpha == 0) {
       rgba.insert(rgba.end(), {byte(under.r), byte(under.g), byte(under.b), 0});
@@ -61,8 +58,7 @@ class Canvas {
     }
     for (const int shift : {16, 8, 0}) {
       const std::uint32_t channel = premultiplied >> shift & 255;
-      rgba.push_back(
-          static_cast<std::uint8_t>(std::min<std::uint32_t>(255, (channel * 255 + alpha / 2) / alpha)));
+      rgba.push_back(static_cast<std::uint8_t>(std::min<std::uint32_t>(255, (channel * 255 + alpha / 2) / alpha)));
     }
     rgba.push_back(static_cast<std::uint8_t>(alpha));
   }
@@ -105,12 +101,10 @@ struct Block {
 Block lay_out(const Paragraph& paragraph) {
   const Fonts families = fonts();
   constexpr double math_scale = 18.0 / 15;
-  const std::string markup = paragraph.math
-                                 ? pango(paragraph.markup, {}, 1, paragraph.size)
-                                 : pango(paragraph.markup, families.figure, math_scale, paragraph.size);
-  Block block{
-      make_layout(markup, paragraph.math ? families.figure : families.window, paragraph.size, paragraph.bold),
-      {}};
+  const std::string markup = paragraph.math ? pango(paragraph.markup, {}, 1, paragraph.size)
+                                            : pango(paragraph.markup, families.figure, math_scale, paragraph.size);
+  Block block{make_layout(markup, paragraph.math ? families.figure : families.window, paragraph.size, paragraph.bold),
+              {}};
   PangoLayout* layout = block.layout.get();
   if (paragraph.width > 0) {
     pango_layout_set_width(layout, static_cast<int>(std::lround(paragraph.width * PANGO_SCALE)));
@@ -127,8 +121,7 @@ Block lay_out(const Paragraph& paragraph) {
     PangoRectangle ink, logical;
     pango_layout_line_get_extents(line, &ink, &logical);
     block.left = std::min(block.left, ink.x / static_cast<double>(PANGO_SCALE));
-    block.right =
-        std::max(block.right, std::max(ink.x + ink.width, logical.width) / static_cast<double>(PANGO_SCALE));
+    block.right = std::max(block.right, std::max(ink.x + ink.width, logical.width) / static_cast<double>(PANGO_SCALE));
     block.lines.emplace_back(line, top + first_baseline);
     top += paragraph.line_pitch;
   }

@@ -16,17 +16,11 @@ struct Palette {
 };
 
 constexpr Palette print_palette = {
-    {0x0B60C8, 0xA34E00, 0x00624A, 0x7B1E7A, 0x66707C, 0xFFD54A, 0x14181D, 0x545D69, 0xDFE4E9},
-    0xFFFFFF,
-    0xF5F7F9};
+    {0x0B60C8, 0xA34E00, 0x00624A, 0x7B1E7A, 0x66707C, 0xFFD54A, 0x14181D, 0x545D69, 0xDFE4E9}, 0xFFFFFF, 0xF5F7F9};
 constexpr Palette dark_palette = {
-    {0x5FA8FF, 0xFF9A3D, 0x5CEBB0, 0xE3A6EE, 0x8C98A8, 0xFFDE59, 0xE9ECF0, 0xA3ADBA, 0x2B333E},
-    0x11151B,
-    0x1A2029};
+    {0x5FA8FF, 0xFF9A3D, 0x5CEBB0, 0xE3A6EE, 0x8C98A8, 0xFFDE59, 0xE9ECF0, 0xA3ADBA, 0x2B333E}, 0x11151B, 0x1A2029};
 constexpr Palette grey_palette = {
-    {0x111111, 0x5A5A5A, 0x000000, 0x111111, 0x6E6E6E, 0xE2E2E2, 0x111111, 0x555555, 0xDDDDDD},
-    0xFFFFFF,
-    0xF4F4F4};
+    {0x111111, 0x5A5A5A, 0x000000, 0x111111, 0x6E6E6E, 0xE2E2E2, 0x111111, 0x555555, 0xDDDDDD}, 0xFFFFFF, 0xF4F4F4};
 
 /// Points, for a figure 227 x 142: 8 cm wide on paper.
 constexpr Sizes paper = {.outline = 0.75,
@@ -126,16 +120,12 @@ struct Named {
   ThemeName name;
   const char* text;
 };
-constexpr Named names[] = {{ThemeName::screen, "screen"},
-                           {ThemeName::print, "print"},
-                           {ThemeName::grey, "grey"},
-                           {ThemeName::dark, "dark"}};
+constexpr Named names[] = {
+    {ThemeName::screen, "screen"}, {ThemeName::print, "print"}, {ThemeName::grey, "grey"}, {ThemeName::dark, "dark"}};
 
 }  // namespace
 
-Colour hex(unsigned rgb) {
-  return {(rgb >> 16 & 255) / 255.0, (rgb >> 8 & 255) / 255.0, (rgb & 255) / 255.0, 1};
-}
+Colour hex(unsigned rgb) { return {(rgb >> 16 & 255) / 255.0, (rgb >> 8 & 255) / 255.0, (rgb & 255) / 255.0, 1}; }
 
 Colour Theme::ink(Role role) const { return inks[static_cast<std::size_t>(role)]; }
 
@@ -168,8 +158,7 @@ Theme theme(ThemeName name, double width, double height) {
 Theme window_theme(ThemeName name, double scale) { return theme_with(name, scaled(pixels, scale)); }
 
 std::string name_of(Role role) {
-  constexpr std::array roles = {"first",     "second", "hit",   "miss", "construction",
-                                "highlight", "text",   "muted", "grid"};
+  constexpr std::array roles = {"first", "second", "hit", "miss", "construction", "highlight", "text", "muted", "grid"};
   return roles.at(static_cast<std::size_t>(role));
 }
 

@@ -23,8 +23,7 @@ struct FreeOptions {
 
 /// A context whose results depend on the font files alone, never on the desktop's settings.
 std::unique_ptr<PangoContext, Unref> make_context() {
-  std::unique_ptr<PangoContext, Unref> context(
-      pango_font_map_create_context(pango_cairo_font_map_get_default()));
+  std::unique_ptr<PangoContext, Unref> context(pango_font_map_create_context(pango_cairo_font_map_get_default()));
   const std::unique_ptr<cairo_font_options_t, FreeOptions> options(cairo_font_options_create());
   cairo_font_options_set_antialias(options.get(), CAIRO_ANTIALIAS_GRAY);
   cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);

@@ -7,10 +7,10 @@
 #include <functional>
 #include <map>
 
-#include "core/clip_segment.h"
-#include "core/ray_polygon.h"
-#include "core/ray_sphere.h"
-#include "core/sphere_sphere.h"
+#include <isect/clip_segment.h>
+#include <isect/ray_polygon.h>
+#include <isect/ray_sphere.h>
+#include <isect/sphere_sphere.h>
 
 namespace isect::viz {
 namespace {
@@ -73,10 +73,9 @@ bool runs_through(Ray<double, 3> sight, const Shell& solid) {
 
 /// Whether the ball lies in the solid, up to a rounding.
 bool contains(const Shell& solid, const Vec3& center, double radius) {
-  return !solid.inside.empty() &&
-         std::all_of(solid.inside.begin(), solid.inside.end(), [&](const Plane<double, 3>& p) {
-           return p.normal.dot(center) + p.d >= radius - 2 * drawn_in * solid.size;
-         });
+  return !solid.inside.empty() && std::all_of(solid.inside.begin(), solid.inside.end(), [&](const Plane<double, 3>& p) {
+    return p.normal.dot(center) + p.d >= radius - 2 * drawn_in * solid.size;
+  });
 }
 
 /// Where the segment o + s d, s in [0, 1], may begin or cease to be hidden: where it passes before or behind an edge,
@@ -116,9 +115,7 @@ class Cuts {
   void add(double s) {
     if (s > 0 && s < 1) found_.push_back(s);
   }
-  Vec3 sight(const Vec3& p) const {
-    return view_.camera().perspective ? Vec3(p - view_.eye()) : view_.forward();
-  }
+  Vec3 sight(const Vec3& p) const { return view_.camera().perspective ? Vec3(p - view_.eye()) : view_.forward(); }
   void behind(const Vec3& a, const Vec3& b) {
     const Vec3 across_edge = (b - a).cross(sight(a)), across = d_.cross(sight(from_));
     const double s = -across_edge.dot(from_ - a) / across_edge.dot(d_);
@@ -198,12 +195,9 @@ Occluders around_ball(const Occluders& all, int index) {
 
 Occluders around_solid(const Occluders& all, int index, const std::vector<Vec3>& vertices) {
   Occluders left = {{}, {}, all.screens};
-  const auto holds_all = [&](const auto& inside) {
-    return std::all_of(vertices.begin(), vertices.end(), inside);
-  };
+  const auto holds_all = [&](const auto& inside) { return std::all_of(vertices.begin(), vertices.end(), inside); };
   for (const Ball& ball : all.balls)
-    if (!holds_all([&](const Vec3& p) { return (p - ball.center).norm() <= ball.radius; }))
-      left.balls.push_back(ball);
+    if (!holds_all([&](const Vec3& p) { return (p - ball.center).norm() <= ball.radius; })) left.balls.push_back(ball);
   for (int i = 0; i < static_cast<int>(all.solids.size()); ++i)
     if (i == index || !holds_all([&](const Vec3& p) { return contains(all.solids[i], p, 0); }))
       left.solids.push_back(all.solids[i]);
@@ -217,21 +211,18 @@ bool hidden(const Vec3& p, const View& view, const Occluders& occluders, int own
   for (int i = 0; i < static_cast<int>(occluders.balls.size()); ++i) {
     if (i == own) continue;
     const Ball& ball = occluders.balls[i];
-    const RaySphere<double> shared =
-        intersect(sight, Sphere<double, 3>{ball.center, ball.radius * (1 - drawn_in)});
+    const RaySphere<double> shared = intersect(sight, Sphere<double, 3>{ball.center, ball.radius * (1 - drawn_in)});
     if (shared && shared.solid->hi > shared.solid->lo) return true;
   }
   for (const Shell& solid : occluders.solids)
     if (runs_through(sight, solid)) return true;
-  const double beyond =
-      drawn_in * std::max(view.camera().half_height, p.norm());  // p may lie on the screen itself
+  const double beyond = drawn_in * std::max(view.camera().half_height, p.norm());  // p may lie on the screen itself
   for (const Polygon<double, 3>& screen : occluders.screens)
     if (intersect(Ray<double, 3>{p, direction, {beyond, to_eye}}, screen).t) return true;
   return false;
 }
 
-std::vector<Stretch> stretches(const Vec3& from, const Vec3& to, const View& view,
-                               const Occluders& occluders) {
+std::vector<Stretch> stretches(const Vec3& from, const Vec3& to, const View& view, const Occluders& occluders) {
   const auto at = [&](double s) -> Vec3 { return s == 1 ? to : Vec3(from + s * (to - from)); };
   std::vector<Stretch> parts = split(
       at, [&](const Vec3& p) { return hidden(p, view, occluders); }, places(from, to, view, occluders));
@@ -253,8 +244,7 @@ std::vector<Stretch> stretches(const std::vector<Vec3>& points, bool closed, con
   }
   const bool around = closed && all.size() > 1 && all.front().hidden == all.back().hidden;
   if (around) {  // the start is no end
-    all.back().points.insert(all.back().points.end(), all.front().points.begin() + 1,
-                             all.front().points.end());
+    all.back().points.insert(all.back().points.end(), all.front().points.begin() + 1, all.front().points.end());
     all.erase(all.begin());
   }
   return all;
@@ -289,8 +279,7 @@ Outline outline(const Ball& ball, const View& view) {
   const double near = focal * std::tan(theta - alpha), far = focal * std::tan(theta + alpha);
   const double e = std::sin(theta) / std::cos(alpha), a = (far - near) / 2;
 
-  const Vec2 axis =
-      view.corner() + Vec2(view.width() / 2, view.height() / 2);  // where the view direction meets it
+  const Vec2 axis = view.corner() + Vec2(view.width() / 2, view.height() / 2);  // where the view direction meets it
   const Vec2 outwards = (middle - axis).norm() > 1e-9 ? Vec2((middle - axis).normalized()) : Vec2(1, 0);
   const Vec2 across = {-outwards.y(), outwards.x()};
   return {axis + (near + far) / 2 * outwards, a * outwards, a * std::sqrt(std::max(0.0, 1 - e * e)) * across};

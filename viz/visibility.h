@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/shapes.h"
+#include <isect/shapes.h>
 #include "viz/camera.h"
 #include "viz/scene.h"
 
@@ -25,7 +25,7 @@ struct Shell {
   std::vector<Edge> edges;
   Vec3 middle = Vec3::Zero();  ///< of the vertices
   double size = 0;             ///< from the middle to the farthest vertex
-  std::vector<Vec3> normals;  ///< unit, outwards; of each face of the solid, in order; 0 for one without area
+  std::vector<Vec3> normals;   ///< unit, outwards; of each face of the solid, in order; 0 for one without area
 };
 Shell shell(const Solid&);
 
@@ -38,8 +38,8 @@ struct Occluders {
   bool none() const { return balls.empty() && solids.empty() && screens.empty(); }
 };
 
-/// What hides ball number `index`, or solid number `index`: all but the solids and balls it lies in wholly. Contents are
-/// seen through their container.
+/// What hides ball number `index`, or solid number `index`: all but the solids and balls it lies in wholly. Contents
+/// are seen through their container.
 Occluders around_ball(const Occluders&, int index);
 Occluders around_solid(const Occluders&, int index, const std::vector<Vec3>& vertices);
 
@@ -54,8 +54,8 @@ std::vector<Stretch> stretches(const Vec3& from, const Vec3& to, const View&, co
 std::vector<Stretch> stretches(const std::vector<Vec3>& points, bool closed, const View&, const Occluders&);
 /// Splits a circle around `center`, spanned by two perpendicular radii. Points on ball number `own` are hidden where
 /// its surface turns away from the eye.
-std::vector<Stretch> stretches(const Vec3& center, const Vec3& u, const Vec3& v, const View&,
-                               const Occluders&, int own);
+std::vector<Stretch> stretches(const Vec3& center, const Vec3& u, const Vec3& v, const View&, const Occluders&,
+                               int own);
 
 /// A ball's outline: the circle on its surface where sight lines touch it, as an exact ellipse on the picture.
 struct Outline {

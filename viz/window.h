@@ -16,9 +16,8 @@ struct NoDisplay : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Opens the window at `at` and returns when it is closed. What the reader must hear of beside, such as a state file that
-/// is damaged, is shown there and given to `say`. Throws NoDisplay.
-void show(const std::vector<const Lesson*>&, const Place& at,
-          const std::function<void(const std::string&)>& say = {});
+/// Opens the window at `at` and returns when it is closed. What the reader must hear of beside, such as a state file
+/// that is damaged, is shown there and given to `say`. Throws NoDisplay.
+void show(const std::vector<const Lesson*>&, const Place& at, const std::function<void(const std::string&)>& say = {});
 
 }  // namespace isect::viz

@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "core/aabb_aabb_methods.h"
+#include <isect/aabb_aabb_methods.h>
 #include "lessons/aabb_aabb/parts.h"
-#include "lessons/opinions.h"
+#include "lessons/shared/opinions.h"
 
 namespace isect::lessons::aabb_aabb_lesson {
 
@@ -17,8 +17,7 @@ enum Case { z_gap, x_gap, y_gap, overlapping, touching, inside, equal };
 int branch(const Parameters& p) {
   const Setup s = setup(p);
   for (int axis = 0; axis < 3; ++axis)
-    if (!intersects(s.a.along(axis), s.b.along(axis)))
-      return std::array{x_gap, y_gap, z_gap}[static_cast<std::size_t>(axis)];
+    if (!intersects(s.a.along(axis), s.b.along(axis))) return std::array{x_gap, y_gap, z_gap}[axis];
   return s.truth == Relation::overlapping ? overlapping
          : s.truth == Relation::touching  ? touching
          : s.truth == Relation::equal     ? equal
@@ -49,7 +48,9 @@ const CaseMap& cases() {
       {"gap on *z*", "gap on *x*", "gap on *y*", "overlapping", "touching", "one inside the other", "equal"},
       branch,
       place,
-      moved};
+      moved,
+      "The second box is shifted along *x* and *y*; its size and its place on *z* stay.\n"
+      "A gap on *x* ends the test first, so *y* is asked only between those bands."};
   return map;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // What the lesson's parts share: the two boxes, their picture, and the cases there are.
 
-#include "core/aabb_aabb.h"
+#include <isect/aabb_aabb.h>
 #include "viz/lesson.h"
 
 namespace isect::lessons::aabb_aabb_lesson {

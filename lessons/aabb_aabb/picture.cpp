@@ -69,8 +69,7 @@ Scene picture(const Setup& s, int axis, bool settled) {
   scene.items = {solid(s.a, Role::first), solid(s.b, Role::second)};
   if (axis >= 0) rulers(scene, s, axis);
   if (settled) shared(scene, s);
-  if (s.truth !=
-      Relation::equal) {  // at corners of the silhouette: low, left and in front; high, right and behind
+  if (s.truth != Relation::equal) {  // at corners of the silhouette: low, left and in front; high, right and behind
     scene.items.push_back(Label{{s.a.lo.x(), s.a.lo.y(), s.a.hi.z()}, "a", Role::first});
     scene.items.push_back(Label{{s.b.hi.x(), s.b.hi.y(), s.b.lo.z()}, "b", Role::second});
   } else {

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "core/aabb_aabb.h"
-#include "core/fit.h"
-#include "core/triangle_aabb.h"
+#include <isect/aabb_aabb.h>
+#include <isect/fit.h>
+#include <isect/triangle_aabb.h>
 #include "lessons/bounding_volumes/cheap_first.h"
 
 namespace isect::lessons::bounding_volumes_lesson {
@@ -16,11 +16,7 @@ namespace {
 /// An object with the boxes around it and around its triangles.
 struct Prepared {
   Prepared(const std::string& the_name, const Vec3& the_tip)
-      : name(the_name),
-        tip(the_tip),
-        mesh(object(name, tip)),
-        around(fit_aabb(mesh.vertices)),
-        parts(boxes(mesh)) {}
+      : name(the_name), tip(the_tip), mesh(object(name, tip)), around(fit_aabb(mesh.vertices)), parts(boxes(mesh)) {}
 
   std::string name;
   Vec3 tip;
@@ -72,7 +68,9 @@ const CaseMap& cases() {
                               {"trivial reject", "trivial accept", "only void", "true overlap"},
                               branch,
                               place,
-                              moved};
+                              moved,
+                              "The box b is shifted along *x* and *y*; its size and its place on *z* stay.\n"
+                              "Between a trivial reject and a true overlap lies void: the price of a loose fit."};
   return map;
 }
 

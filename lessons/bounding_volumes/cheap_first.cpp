@@ -4,12 +4,12 @@
 
 #include <algorithm>
 
-#include "core/aabb_aabb.h"
-#include "core/fit.h"
-#include "core/triangle_aabb.h"
-#include "core/triangle_aabb_methods.h"
+#include <isect/aabb_aabb.h>
+#include <isect/fit.h>
+#include <isect/triangle_aabb.h>
+#include <isect/triangle_aabb_methods.h>
 #include "lessons/bounding_volumes/picture.h"
-#include "lessons/script.h"
+#include "lessons/shared/script.h"
 #include "viz/solids.h"
 
 namespace isect::lessons::bounding_volumes_lesson {
@@ -35,8 +35,7 @@ bool inside(const Aabb<C, 3>& inner, const Aabb<C, 3>& outer) {
 
 /// The object against the box, with what is counted on the way.
 struct Tested {
-  Tested(const Mesh3& mesh, const Box& window)
-      : around(fit_aabb(mesh.vertices)), truth(relate(around, window)) {
+  Tested(const Mesh3& mesh, const Box& window) : around(fit_aabb(mesh.vertices)), truth(relate(around, window)) {
     tally() = {};
     rejected = !aabb_aabb::by_axis(cast<C>(around), cast<C>(window));
     accepted = !rejected && inside(cast<C>(around), cast<C>(window));
@@ -87,16 +86,15 @@ class Telling {
   }
 
  private:
-  Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption,
-            bool volume, bool hits, const std::string& formula = {}) {
+  Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption, bool volume,
+            bool hits, const std::string& formula = {}) {
     Step& step = script_.add(slug, title, line, caption, formula);
     Scene& scene = step.scene;
     Mesh3 plain = mesh_, hit = mesh_;
     if (hits) {
       plain.triangles.clear(), hit.triangles.clear();
       for (int i = 0; i < static_cast<int>(mesh_.triangles.size()); ++i)
-        (std::ranges::binary_search(test_.hits, i) ? hit : plain)
-            .triangles.push_back(mesh_.triangles[static_cast<std::size_t>(i)]);
+        (std::ranges::binary_search(test_.hits, i) ? hit : plain).triangles.push_back(mesh_.triangles[i]);
     }
     scene.items.push_back(drawn(plain, Role::first));
     if (hits && !test_.hits.empty()) scene.items.push_back(drawn(hit, Role::hit));
@@ -131,10 +129,9 @@ class Telling {
     }
     Step& step =
         add("volume-first", "The volume first", test_.rejected ? 0 : 1,
-            test_.rejected ? "The volume misses b, so all that it holds does. No triangle is asked."
-            : test_.accepted
-                ? "The volume lies in b, so all that it holds does. No triangle is asked."
-                : "The volume and b overlap. That is no answer for the object: only potential overlap.",
+            test_.rejected   ? "The volume misses b, so all that it holds does. No triangle is asked."
+            : test_.accepted ? "The volume lies in b, so all that it holds does. No triangle is asked."
+                             : "The volume and b overlap. That is no answer for the object: only potential overlap.",
             true, false, fmt::format("{} operations, where all triangles take {}", cheap, all));
     step.decides = true;
     step.question = Question{"What does the volume's test tell?",
@@ -149,8 +146,7 @@ class Telling {
     const bool meets = !test_.hits.empty();
     const Tally &c = test_.cheap, &e = test_.expensive;
     script_.count({c.mul + e.mul, c.add + e.add, c.div + e.div, c.sqrt + e.sqrt, c.compare + e.compare});
-    script_.value("triangles in b", static_cast<double>(test_.hits.size()), {},
-                  meets ? Role::hit : Role::miss);
+    script_.value("triangles in b", static_cast<double>(test_.hits.size()), {}, meets ? Role::hit : Role::miss);
     add("triangles", "Now every triangle", 2,
         meets ? "Green triangles meet b. A yes or no could stop at the first of them."
               : "No triangle meets b. Each of them had to be asked to learn that.",
@@ -158,12 +154,11 @@ class Telling {
     script_.settle(meets ? Verdict::Kind::yes : Verdict::Kind::no,
                    meets ? "CROSSING: the object itself meets b" : "OUTSIDE: only void met b");
     if (!meets) script_.refuse(3, {});
-    Step& step =
-        add("verdict", meets ? "A true overlap" : "A false alarm", meets ? 3 : 4,
-            meets ? "The volume's test was not wasted: for most pairs of a scene it is the last one."
-                  : "b lies in the void of the volume. Less void, fewer false alarms: that is why tightness "
-                    "counts.",
-            true, true);
+    Step& step = add("verdict", meets ? "A true overlap" : "A false alarm", meets ? 3 : 4,
+                     meets ? "The volume's test was not wasted: for most pairs of a scene it is the last one."
+                           : "b lies in the void of the volume. Less void, fewer false alarms: that is why tightness "
+                             "counts.",
+                     true, true);
     step.decides = true;
     step.question = Question{"Does the object itself meet b?",
                              {"yes", "no: only its void does"},

@@ -6,8 +6,7 @@
 namespace isect::lessons::bounding_volumes_lesson {
 
 /// The object against a box around `middle`, of half-length `reach`.
-viz::Walk cheap_first(const TriangleMesh<double>&, const viz::Vec3& tip, const viz::Vec3& middle,
-                      double reach);
+viz::Walk cheap_first(const TriangleMesh<double>&, const viz::Vec3& tip, const viz::Vec3& middle, double reach);
 
 /// What becomes of the test as b is moved across and up.
 const viz::CaseMap& cases();

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "core/fit_tight.h"
-#include "core/volume.h"
+#include <isect/fit_tight.h>
+#include <isect/volume.h>
 #include "lessons/bounding_volumes/picture.h"
-#include "lessons/script.h"
+#include "lessons/shared/script.h"
 #include "viz/chart.h"
 
 namespace isect::lessons::bounding_volumes_lesson {
@@ -62,8 +62,7 @@ class Fit {
     const Measured& m = all_[i];
     script_.value(m.name, m.volume, "volume", Role::second);
     std::string slug = m.name;
-    std::ranges::transform(slug, slug.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::ranges::transform(slug, slug.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     Step& step = add(slug, title, line, caption, formula);
     std::vector<Item>& items = step.scene.items;
     items = {drawn(mesh_, Role::first), m.drawn};
@@ -78,19 +77,17 @@ class Fit {
     int farthest = 0;
     for (const auto& event : record.events)
       if (const auto* e = std::get_if<fit::Extreme>(&event)) farthest = e->point;
-    volume_step(
-        0, 0, "Sphere: a centre and a radius",
-        "The smallest ball. The farthest vertex decides the radius. Four numbers, and turning the object "
-        "changes nothing.",
-        radius(fitted_.ball, mesh_.vertices[static_cast<std::size_t>(farthest)]), "|**x** − **c**| ≤ *r*");
+    volume_step(0, 0, "Sphere: a centre and a radius",
+                "The smallest ball. The farthest vertex decides the radius. Four numbers, and turning the object "
+                "changes nothing.",
+                radius(fitted_.ball, mesh_.vertices[farthest]), "|**x** − **c**| ≤ *r*");
   }
 
   void aabb() {
-    Step& step =
-        volume_step(1, 1, "AABB: two extreme points",
-                    "The least and the greatest coordinate on each axis. Six numbers, found and tested by "
-                    "comparisons alone.",
-                    corners(fitted_.aabb), "*a*_{min,*i*} ≤ *x_i* ≤ *a*_{max,*i*} for *i* = x, y, z");
+    Step& step = volume_step(1, 1, "AABB: two extreme points",
+                             "The least and the greatest coordinate on each axis. Six numbers, found and tested by "
+                             "comparisons alone.",
+                             corners(fitted_.aabb), "*a*_{min,*i*} ≤ *x_i* ≤ *a*_{max,*i*} for *i* = x, y, z");
     const bool smaller = all_[1].volume < all_[0].volume;
     step.question = Question{"Is the AABB smaller than the sphere?",
                              {"yes", "no"},
@@ -99,11 +96,10 @@ class Fit {
   }
 
   void obb() {
-    volume_step(
-        2, 2, "OBB: axes and half-lengths",
-        "A centre, three axes at right angles, and a half-length along each. It turns with the object.\n"
-        "Which axes are best is hard to find: the core searches.",
-        axes(fitted_.obb), "|(**x** − **b**_c) · **b***_i*| ≤ *h_i* for *i* = u, v, w");
+    volume_step(2, 2, "OBB: axes and half-lengths",
+                "A centre, three axes at right angles, and a half-length along each. It turns with the object.\n"
+                "Which axes are best is hard to find: the core searches.",
+                axes(fitted_.obb), "|(**x** − **b**_c) · **b***_i*| ≤ *h_i* for *i* = u, v, w");
   }
 
   void slab_of_dop() {
@@ -112,13 +108,12 @@ class Fit {
     const Vec3& n = fitted_.kdop.normals[i];
     script_.value("*lo* = −*d*_{max}", s.lo);
     script_.value("*hi* = −*d*_{min}", s.hi);
-    Step& step =
-        add("slab", "A slab between two planes", 3,
-            "The note's planes are **n** · **x** + *d* = 0, so its slab is −*d*_{max} ≤ **n** · **x** ≤ "
-            "−*d*_{min}. Mind the sign.\n"
-            "Its normals have length 1; integers keep touching exact.",
-            fmt::format("{} ≤ **n** · **x** ≤ {},  **n** = ({}, {}, {})", shown(s.lo), shown(s.hi),
-                        shown(n.x()), shown(n.y()), shown(n.z())));
+    Step& step = add("slab", "A slab between two planes", 3,
+                     "The note's planes are **n** · **x** + *d* = 0, so its slab is −*d*_{max} ≤ **n** · **x** ≤ "
+                     "−*d*_{min}. Mind the sign.\n"
+                     "Its normals have length 1; integers keep touching exact.",
+                     fmt::format("{} ≤ **n** · **x** ≤ {},  **n** = ({}, {}, {})", shown(s.lo), shown(s.hi),
+                                 shown(n.x()), shown(n.y()), shown(n.z())));
     std::vector<Item>& items = step.scene.items;
     items = {drawn(mesh_, Role::first)};
     for (const Item& item : slab(fitted_.kdop, i)) items.push_back(item);
@@ -151,11 +146,10 @@ class Fit {
   void tightness() {
     script_.value("hull", all_[4].volume, "volume", Role::second);
     const std::size_t best = tightest();
-    Step& step =
-        add("side-by-side", "Tightness, storage, cost", 4,
-            "Blue is the object's own volume, the hatched part is void. The hull is tightest of all that are "
-            "convex.\n"
-            "A cell is a number kept; operations are of one test that finds an overlap.");
+    Step& step = add("side-by-side", "Tightness, storage, cost", 4,
+                     "Blue is the object's own volume, the hatched part is void. The hull is tightest of all that are "
+                     "convex.\n"
+                     "A cell is a number kept; operations are of one test that finds an overlap.");
     step.scene.items = side_by_side(mesh_, fitted_.object, all_);
     step.question =
         Question{"Which has the least void, the hull apart?",
@@ -188,13 +182,11 @@ class Fit {
     plot.y = {Scale::Kind::linear, 0, 1.15 * greatest, "void / object"};
     plot.panels = {panel};
     const auto kept = static_cast<int>(std::ranges::count(front, true));
-    script_.settle(Verdict::Kind::yes,
-                   fmt::format("{} of {} are worth their cost here", kept, points.size()));
-    Step& step =
-        script_.add("trade-off", "Tightness against cost", -1,
-                    "Those on the steps are best for some cost: none is cheaper and tighter. The others lose "
-                    "to one of these.\n"
-                    "Another object, another order: drag its tip in an earlier step.");
+    script_.settle(Verdict::Kind::yes, fmt::format("{} of {} are worth their cost here", kept, points.size()));
+    Step& step = script_.add("trade-off", "Tightness against cost", -1,
+                             "Those on the steps are best for some cost: none is cheaper and tighter. The others lose "
+                             "to one of these.\n"
+                             "Another object, another order: drag its tip in an earlier step.");
     step.scene.chart = std::make_shared<const Chart>(Chart{plot});
   }
 

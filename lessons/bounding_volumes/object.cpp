@@ -6,14 +6,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/aabb_aabb.h"
-#include "core/directions.h"
-#include "core/fit.h"
-#include "core/fit_tight.h"
-#include "core/kdop_kdop.h"
-#include "core/obb_obb_methods.h"
-#include "core/sphere_sphere.h"
-#include "core/volume.h"
+#include <isect/aabb_aabb.h>
+#include <isect/fit.h>
+#include <isect/fit_tight.h>
+#include <isect/kdop_kdop.h>
+#include <isect/obb_obb_methods.h>
+#include <isect/parts/directions.h>
+#include <isect/sphere_sphere.h>
+#include <isect/volume.h>
 #include "viz/solids.h"
 
 namespace isect::lessons::bounding_volumes_lesson {
@@ -45,8 +45,7 @@ Mesh3 revolved(const std::vector<Vec2>& profile, double half_length, const Eigen
   for (const Vec2& p : profile)
     for (int j = 0; j < columns; ++j) {
       const double angle = 2 * std::numbers::pi * j / columns;
-      mesh.vertices.emplace_back(axes *
-                                 Vec3(p.x() * half_length, p.y() * std::cos(angle), p.y() * std::sin(angle)));
+      mesh.vertices.emplace_back(axes * Vec3(p.x() * half_length, p.y() * std::cos(angle), p.y() * std::sin(angle)));
     }
   const auto at = [&](int i, int j) { return 2 + i * columns + j % columns; };
   for (int j = 0; j < columns; ++j) {
@@ -92,8 +91,7 @@ Mesh3 ball(double half_length, const Eigen::Matrix3d& axes) {
 /// Two arms at a right angle, the longer one along the first axis.
 Mesh3 bracket(double half_length, const Eigen::Matrix3d& axes) {
   const double end = std::max(half_length, 0.5), thick = 0.5, arm = 1.5, deep = 0.375;
-  const Vec2 outline[] = {{-end, 0},          {end, 0},   {end, thick}, {thick - end, thick},
-                          {thick - end, arm}, {-end, arm}};
+  const Vec2 outline[] = {{-end, 0}, {end, 0}, {end, thick}, {thick - end, thick}, {thick - end, arm}, {-end, arm}};
   Mesh3 mesh;
   for (const double z : {-deep, deep})
     for (const Vec2& p : outline) mesh.vertices.emplace_back(axes * Vec3(p.x(), p.y() - arm / 3, z));

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "core/convex_hull_3d.h"
-#include "core/counted.h"
-#include "core/triangle_mesh.h"
+#include <isect/convex_hull_3d.h>
+#include <isect/numbers/counted.h>
+#include <isect/triangle_mesh.h>
 #include "viz/lesson.h"
 
 namespace isect::lessons::bounding_volumes_lesson {

@@ -56,8 +56,7 @@ Items corners(const Aabb<double, 3>& box) {
 }
 
 Items radius(const Sphere<double, 3>& ball, const Vec3& farthest) {
-  Items items = {Line{ball.center, farthest, Role::highlight, Pen::highlight},
-                 Dot{farthest, Mark::disc, Role::hit}};
+  Items items = {Line{ball.center, farthest, Role::highlight, Pen::highlight}, Dot{farthest, Mark::disc, Role::hit}};
   append(items, named(ball.center, ball.center + in_view(-1.2 * ball.radius, 0.1), "**c**", true));
   const Vec3 middle = (ball.center + farthest) / 2;
   append(items, named(middle, middle + in_view(1.1 * ball.radius, 0.1), "*r*", false));
@@ -92,17 +91,14 @@ Items slab(const Kdop<double, 3>& kdop, std::size_t i) {
   };
   plane(kdop.slabs[i].lo, "*lo*");
   plane(kdop.slabs[i].hi, "*hi*");
-  items.push_back(
-      Arrow{on(kdop.slabs[i].hi), on(kdop.slabs[i].hi) + 0.6 * n.normalized(), Role::text, Pen::thick});
+  items.push_back(Arrow{on(kdop.slabs[i].hi), on(kdop.slabs[i].hi) + 0.6 * n.normalized(), Role::text, Pen::thick});
   items.push_back(Label{on(kdop.slabs[i].hi) + 0.6 * n.normalized(), "**n**", Role::text});
   return items;
 }
 
 std::size_t seen_best(const Kdop<double, 3>& kdop) {
   const View view(camera, 1, 1);
-  const auto slant = [&](const Vec3& n) {
-    return std::abs(std::abs(n.normalized().dot(view.forward())) - 0.4);
-  };
+  const auto slant = [&](const Vec3& n) { return std::abs(std::abs(n.normalized().dot(view.forward())) - 0.4); };
   const std::size_t axes = 3;
   std::size_t best = kdop.normals.size() > axes ? axes : 0;
   for (std::size_t i = best; i < kdop.normals.size(); ++i)
@@ -123,16 +119,15 @@ class Page {
     items.push_back(viz::Heading{at(x, y), what, Role::text, 0.94 * pitch, bold});
   }
   void box(double x, double y, double width, double height, Role role) {
-    items.push_back(Region{
-        .rings = {{at(x, y), at(x + width, y), at(x + width, y + height), at(x, y + height)}}, .role = role});
+    items.push_back(
+        Region{.rings = {{at(x, y), at(x + width, y), at(x + width, y + height), at(x, y + height)}}, .role = role});
   }
   /// Hatched at 45 degrees, in the box's own colour.
   void hatched(double x, double y, double width, double height, Role role) {
     box(x, y, width, height, role);
     for (double s = 0.05 - height; s < width; s += 0.07) {
       const double from = std::max(s, 0.0), to = std::min(s + height, width);
-      if (from < to)
-        items.push_back(Line{at(x + from, y + from - s), at(x + to, y + to - s), role, Pen::hairline});
+      if (from < to) items.push_back(Line{at(x + from, y + from - s), at(x + to, y + to - s), role, Pen::hairline});
     }
   }
   /// So many small cells, in rows; no more than fit.
@@ -182,8 +177,7 @@ Items side_by_side(const TriangleMesh<double>& mesh, double object, const std::v
     page.text(x, 1.8, m.name, true);
     const Vec2 middle = k * (extents[i].lo + extents[i].hi) / 2;
     const Items both = {scaled(drawn(mesh, Role::first), k), scaled(m.drawn, k)};
-    for (const Item& item : moved(both, page.at(x - middle.x(), 0.8 - middle.y())))
-      page.items.push_back(item);
+    for (const Item& item : moved(both, page.at(x - middle.x(), 0.8 - middle.y()))) page.items.push_back(item);
 
     page.text(x, -0.2, void_of(m, object));
     page.box(left, -0.5, unit * object, 0.13, Role::first);

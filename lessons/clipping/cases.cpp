@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "core/clip_segment.h"
+#include <isect/clip_segment.h>
 #include "lessons/clipping/methods.h"
 
 namespace isect::lessons::clipping_lesson {
@@ -42,14 +42,17 @@ Parameters moved(const Parameters& p, const Vec2& to) {
 }  // namespace
 
 const CaseMap& cases() {
-  static const CaseMap map = {"*x* of **q**",
-                              "*y* of **q**",
-                              {-4, -2.5},
-                              {4, 2.5},
-                              {"beyond one side", "cut", "touching", "all kept", "past a corner"},
-                              branch,
-                              place,
-                              moved};
+  static const CaseMap map = {
+      "*x* of **q**",
+      "*y* of **q**",
+      {-4, -2.5},
+      {4, 2.5},
+      {"beyond one side", "cut", "touching", "all kept", "past a corner"},
+      branch,
+      place,
+      moved,
+      "The end **q** moves, and **p** stays. Comparisons alone settle the regions beyond one side.\n"
+      "Past a corner nothing is kept either, but only the range of *t* can tell."};
   return map;
 }
 

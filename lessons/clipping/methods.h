@@ -1,7 +1,7 @@
 #pragma once
 // A segment and a polygon against a box in the plane: the two walks, and what their pictures share.
 
-#include "core/shapes.h"
+#include <isect/shapes.h>
 #include "viz/lesson.h"
 
 namespace isect::lessons::clipping_lesson {

@@ -45,8 +45,7 @@ void add_side(const Side& s, const Box& box, Scene& scene) {
   scene.items.emplace_back(Line{flat(from), flat(lo), Role::construction, Pen::construction});
   scene.items.emplace_back(Line{flat(hi), flat(to), Role::construction, Pen::construction});
   scene.items.emplace_back(Line{flat(lo), flat(hi), Role::highlight, Pen::highlight});
-  const Vector<double, 2> inwards =
-      half_plane(s, box).normal;  // at the dashed end, where the box's inside is free
+  const Vector<double, 2> inwards = half_plane(s, box).normal;  // at the dashed end, where the box's inside is free
   const Point<double, 2> foot = to, tip = foot + 0.75 * inwards;
   scene.items.emplace_back(Arrow{flat(foot), flat(tip), Role::text});
   scene.items.emplace_back(Label{flat(tip), "**n**", Role::text});

@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "core/clip_polygon.h"
-#include "core/clip_segment.h"
-#include "core/point_convex_polygon.h"
+#include <isect/clip_polygon.h>
+#include <isect/clip_segment.h>
+#include <isect/point_convex_polygon.h>
 
 namespace isect::lessons::clipping_lesson {
 
@@ -29,12 +29,11 @@ const std::vector<std::string> pseudocode = {
 PolygonTeller::PolygonTeller(const Ring<double, 2>& ring, const Box& box)
     : box_(box),
       truth_(isect::clip(ring, box)),
-      script_(
-          {"Note, N01; Sutherland and Hodgman (1974)",
-           fmt::format("A polygon of {} vertices and a box. {}", ring.size(),
-                       truth_.empty() ? "No part of it lies in the box."
-                                      : fmt::format("The part in the box has {} vertices.", truth_.size())),
-           pseudocode, "a polygon"}),
+      script_({"Note, N01; Sutherland and Hodgman (1974)",
+               fmt::format("A polygon of {} vertices and a box. {}", ring.size(),
+                           truth_.empty() ? "No part of it lies in the box."
+                                          : fmt::format("The part in the box has {} vertices.", truth_.size())),
+               pseudocode, "a polygon"}),
       known_{ring, box, ring} {}
 
 Walk PolygonTeller::tell() {
@@ -59,11 +58,11 @@ bool PolygonTeller::trivial() {
   trivial_ = any == 0 || all != 0;
   if (any != 0) script_.refuse(0, {});
   if (!trivial_) script_.refuse(1, {});
-  Step& step = script_.add(
-      "trivial", "A trivial answer?", any == 0 ? 0 : 1,
-      any == 0   ? "All vertices lie in the box. It is convex, so it holds the whole polygon."
-      : all != 0 ? "All vertices lie beyond one and the same side, so the whole polygon does."
-                 : "Some vertices lie outside, but not all beyond one side. So the polygon must be cut.");
+  Step& step =
+      script_.add("trivial", "A trivial answer?", any == 0 ? 0 : 1,
+                  any == 0   ? "All vertices lie in the box. It is convex, so it holds the whole polygon."
+                  : all != 0 ? "All vertices lie beyond one and the same side, so the whole polygon does."
+                             : "Some vertices lie outside, but not all beyond one side. So the polygon must be cut.");
   step.decides = true;
   step.scene = picture(known_);
   step.question = {"Is the answer known from comparisons alone?",
@@ -78,10 +77,10 @@ bool PolygonTeller::trivial() {
 }
 
 void PolygonTeller::add_sides() {
-  Step& step = script_.add(
-      "sides", "Side after side", 2,
-      "A box is what four half-planes have in common. So four simple cuts do the work of one hard one.\n"
-      "Each takes the ring that the one before has left.");
+  Step& step =
+      script_.add("sides", "Side after side", 2,
+                  "A box is what four half-planes have in common. So four simple cuts do the work of one hard one.\n"
+                  "Each takes the ring that the one before has left.");
   step.scene = picture(known_);
   const Point<double, 2>&lo = box_.lo, &hi = box_.hi;
   const double more = 0.625;
@@ -125,9 +124,8 @@ std::string PolygonTeller::end_caption(std::size_t n) const {
   if (!make_convex(known_.original))
     return "The polygon is not convex, so what is kept may fall into parts.\n"
            "The method returns one ring. Its parts then hang together by edges along the side.";
-  return fmt::format(
-      "A convex polygon of {} vertices and four sides: at most {} vertices can be left, here {}.",
-      known_.original.size(), known_.original.size() + 4, n);
+  return fmt::format("A convex polygon of {} vertices and four sides: at most {} vertices can be left, here {}.",
+                     known_.original.size(), known_.original.size() + 4, n);
 }
 
 Walk clip_a_polygon(const Ring<double, 2>& ring, const Box& box) { return PolygonTeller(ring, box).tell(); }

@@ -2,7 +2,7 @@
 // The walk of a polygon against a box: comparisons first, then a cut at each side.
 
 #include "lessons/clipping/pictures.h"
-#include "lessons/script.h"
+#include "lessons/shared/script.h"
 
 namespace isect::lessons::clipping_lesson {
 

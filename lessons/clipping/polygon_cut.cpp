@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/clip_polygon.h"
+#include <isect/clip_polygon.h>
 #include "lessons/clipping/polygon.h"
 
 namespace isect::lessons::clipping_lesson {
@@ -51,10 +51,10 @@ void PolygonTeller::cut(const Side& side) {
   script_.value("vertices", static_cast<double>(known_.ring.size()));
   script_.value("removed", static_cast<double>(out), {}, Role::miss);
   script_.value("new", static_cast<double>(cut.fresh.size()), {}, Role::hit);
-  Step& step = script_.add(std::string("side-") + (side.upper ? "upper-" : "lower-") + "xy"[side.axis],
-                           "Cut at " + name_of(side), line_of(cut), caption(out, cut),
-                           fmt::format("{} − {} + {} = {} vertices", cut.before.size(), out, cut.fresh.size(),
-                                       known_.ring.size()));
+  Step& step = script_.add(
+      std::string("side-") + (side.upper ? "upper-" : "lower-") + "xy"[side.axis], "Cut at " + name_of(side),
+      line_of(cut), caption(out, cut),
+      fmt::format("{} − {} + {} = {} vertices", cut.before.size(), out, cut.fresh.size(), known_.ring.size()));
   step.decides = true;
   step.scene = picture(known_, &cut);
   step.question = {"How many vertices are left after this side?",
@@ -65,9 +65,7 @@ void PolygonTeller::cut(const Side& side) {
   choices(*step.question, static_cast<int>(cut.before.size()), static_cast<int>(known_.ring.size()));
 }
 
-int PolygonTeller::line_of(const Cut& cut) const {
-  return known_.ring.empty() ? 5 : cut.fresh.empty() ? 3 : 4;
-}
+int PolygonTeller::line_of(const Cut& cut) const { return known_.ring.empty() ? 5 : cut.fresh.empty() ? 3 : 4; }
 
 std::string PolygonTeller::caption(std::int64_t out, const Cut& cut) const {
   if (known_.ring.empty()) return "All that was left lies beyond this side. Nothing remains.";

@@ -77,11 +77,10 @@ void SegmentTeller::say(const clip_segment::Outcodes& e) {
   known_.started = true;
   script_.value("*t*_{in}", 0, "t");
   script_.value("*t*_{out}", 1, "t");
-  Step& begin =
-      script_.add("range", "The range of *t*", 2,
-                  "The segment is **p** + *t* **d** with 0 ≤ *t* ≤ 1, where **d** = **q** − **p**.\n"
-                  "Each side of the box will cut this range. What is left at the end lies in the box.",
-                  "[*t*_{in}, *t*_{out}] = [0, 1]");
+  Step& begin = script_.add("range", "The range of *t*", 2,
+                            "The segment is **p** + *t* **d** with 0 ≤ *t* ≤ 1, where **d** = **q** − **p**.\n"
+                            "Each side of the box will cut this range. What is left at the end lies in the box.",
+                            "[*t*_{in}, *t*_{out}] = [0, 1]");
   begin.scene = picture(known_);
 }
 
@@ -89,20 +88,19 @@ void SegmentTeller::end() {
   known_.settled = true, known_.left = !truth_, known_.started = true;
   known_.range = truth_.value_or(Interval<double>{0, 0});
   const bool one = truth_ && truth_->lo == truth_->hi;
-  script_.settle(
-      !truth_                                          ? Verdict::Kind::no
-      : one || runs_along_a_side(known_.segment, box_) ? Verdict::Kind::on
-                                                       : Verdict::Kind::yes,
-      !truth_ ? "nothing is kept"
-      : one   ? "one point is kept: *t* = " + shown(known_.range.lo)
-              : fmt::format("kept: *t* from {} to {}", shown(known_.range.lo), shown(known_.range.hi)));
+  script_.settle(!truth_                                          ? Verdict::Kind::no
+                 : one || runs_along_a_side(known_.segment, box_) ? Verdict::Kind::on
+                                                                  : Verdict::Kind::yes,
+                 !truth_ ? "nothing is kept"
+                 : one   ? "one point is kept: *t* = " + shown(known_.range.lo)
+                         : fmt::format("kept: *t* from {} to {}", shown(known_.range.lo), shown(known_.range.hi)));
   const int last = script_.walk().steps.back().line;
   const int line = trivial_ || !truth_ ? last : 8;
   script_
       .add("kept", truth_ ? "What is kept" : "Nothing is kept", line, end_caption(one),
-           truth_ && !one ? fmt::format("**p** + *t* **d**,  {} ≤ *t* ≤ {}", shown(known_.range.lo),
-                                        shown(known_.range.hi))
-                          : "")
+           truth_ && !one
+               ? fmt::format("**p** + *t* **d**,  {} ≤ *t* ≤ {}", shown(known_.range.lo), shown(known_.range.hi))
+               : "")
       .scene = picture(known_);
 }
 
@@ -124,8 +122,6 @@ std::string SegmentTeller::end_caption(bool one) const {
          "The new ends are **p** + *t* **d** with these two *t*: one formula for all cases.";
 }
 
-Walk clip_a_segment(const Segment<double, 2>& segment, const Box& box) {
-  return SegmentTeller(segment, box).tell();
-}
+Walk clip_a_segment(const Segment<double, 2>& segment, const Box& box) { return SegmentTeller(segment, box).tell(); }
 
 }  // namespace isect::lessons::clipping_lesson

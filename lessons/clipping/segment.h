@@ -1,9 +1,9 @@
 #pragma once
 // The walk of a segment against a box: comparisons first, then a range of t that narrows side by side.
 
-#include "core/clip_segment.h"
+#include <isect/clip_segment.h>
 #include "lessons/clipping/pictures.h"
-#include "lessons/script.h"
+#include "lessons/shared/script.h"
 
 namespace isect::lessons::clipping_lesson {
 

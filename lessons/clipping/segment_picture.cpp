@@ -14,15 +14,14 @@ void add_line(const Narrowing& k, const Side* side, const double* crossing, Scen
   };
   line(0, k.left ? 1 : k.range.lo, Role::construction, Pen::construction);
   line(k.range.hi, k.left ? k.range.hi : 1, Role::construction, Pen::construction);
-  if (!k.left)
-    line(k.range.lo, k.range.hi, k.settled ? Role::hit : Role::first, k.settled ? Pen::thick : Pen::solid);
+  if (!k.left) line(k.range.lo, k.range.hi, k.settled ? Role::hit : Role::first, k.settled ? Pen::thick : Pen::solid);
   if (side) add_side(*side, k.box, scene);
   if (crossing && -0.25 <= *crossing && *crossing <= 1.25) {
     line(*crossing, 0, Role::construction, Pen::construction);
     line(1, *crossing, Role::construction, Pen::construction);
     const bool new_end = !k.left && (*crossing == k.range.lo || *crossing == k.range.hi);
-    scene.items.emplace_back(Dot{flat(k.at(*crossing)), new_end ? Mark::disc : Mark::uncounted,
-                                 new_end ? Role::hit : Role::construction});
+    scene.items.emplace_back(
+        Dot{flat(k.at(*crossing)), new_end ? Mark::disc : Mark::uncounted, new_end ? Role::hit : Role::construction});
     scene.items.emplace_back(Label{flat(k.at(*crossing)), "*t*", Role::text});
   }
 }

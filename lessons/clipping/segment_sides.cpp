@@ -38,9 +38,9 @@ void SegmentTeller::say(const clip_segment::Narrowed<Counted<double>>& e) {
   Step& step = script_.add(
       std::string("side-") + (e.upper ? "upper-" : "lower-") + "xy"[e.axis], title(e.heading, side),
       known_.left && e.heading != 0 ? 7 : line_of(e.heading, narrowed), caption(e.heading, narrowed, side),
-      e.heading == 0 ? "**n** · **d** = 0"
-                     : fmt::format("*t* = {},  range [{}, {}]", shown(t), shown(known_.range.lo),
-                                   shown(known_.range.hi)));
+      e.heading == 0
+          ? "**n** · **d** = 0"
+          : fmt::format("*t* = {},  range [{}, {}]", shown(t), shown(known_.range.lo), shown(known_.range.hi)));
   step.scene = picture(known_, &side, e.heading == 0 ? nullptr : &t);
   if (e.heading != 0)
     Script::decide(step, {"*t*_{in} ≤ *t*_{out}", known_.range.lo, known_.range.hi, e.holds,
@@ -61,21 +61,18 @@ std::string SegmentTeller::caption(int heading, bool narrowed, const Side& side)
   if (known_.left)
     return "The line leaves one side before it has entered the other. No *t* lies within both: nothing is "
            "left.";
-  const std::string way = heading > 0
-                              ? "The line comes in across " + name_of(side) + ": what lies before *t* goes."
-                              : "The line goes out across " + name_of(side) + ": what lies after *t* goes.";
+  const std::string way = heading > 0 ? "The line comes in across " + name_of(side) + ": what lies before *t* goes."
+                                      : "The line goes out across " + name_of(side) + ": what lies after *t* goes.";
   if (narrowed) return way;
   return way + (heading > 0 ? "\nThe range begins later already, so *t*_{in} stays: the last entry counts."
                             : "\nThe range ends earlier already, so *t*_{out} stays: the first exit counts.");
 }
 
 std::string SegmentTeller::because(int heading, bool narrowed) const {
-  if (heading == 0)
-    return known_.left ? "Every point lies beyond the side." : "No point lies beyond the side.";
+  if (heading == 0) return known_.left ? "Every point lies beyond the side." : "No point lies beyond the side.";
   if (known_.left) return "The last entry comes after the first exit.";
   if (!narrowed) return "This crossing lies outside the range that is left.";
-  return heading > 0 ? "**n** · **d** > 0: the line comes in here."
-                     : "**n** · **d** < 0: the line goes out here.";
+  return heading > 0 ? "**n** · **d** > 0: the line comes in here." : "**n** · **d** < 0: the line goes out here.";
 }
 
 }  // namespace isect::lessons::clipping_lesson

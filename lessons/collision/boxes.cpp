@@ -43,37 +43,32 @@ Scene picture(const Boxes& boxes, const Drawn& d) {
   Scene scene;
   for (const Aabb<double, 2>& node : d.nodes)
     scene.items.emplace_back(Chain{corners(node), true, Role::construction, Pen::construction});
-  const auto among = [](const std::vector<int>& list, int k) {
-    return std::ranges::find(list, k) != list.end();
-  };
+  const auto among = [](const std::vector<int>& list, int k) { return std::ranges::find(list, k) != list.end(); };
   for (int k = 0; k < static_cast<int>(boxes.size()); ++k) {
     const bool first = k == d.i || (d.i < 0 && d.sweeping && among(d.active, k));
     Region box;
-    box.rings = {corners(boxes[static_cast<std::size_t>(k)])};
+    box.rings = {corners(boxes[k])};
     box.role = first ? Role::first : Role::second;
     scene.items.emplace_back(box);
   }
   for (const Aabb<double, 2>& node : d.compared)
     scene.items.emplace_back(Chain{corners(node), true, Role::highlight, Pen::highlight});
   for (const auto& [i, j] : d.found) {
-    const Aabb<double, 2>&a = boxes[static_cast<std::size_t>(i)], &b = boxes[static_cast<std::size_t>(j)];
+    const Aabb<double, 2>&a = boxes[i], &b = boxes[j];
     Region shared;
     shared.rings = {corners({a.lo.cwiseMax(b.lo), a.hi.cwiseMin(b.hi)})};
     shared.role = Role::hit;
     scene.items.emplace_back(shared);
   }
   if (d.j >= 0 && d.j != d.i) {
-    const Vec3 a = middle(boxes[static_cast<std::size_t>(d.i)]),
-               b = middle(boxes[static_cast<std::size_t>(d.j)]);
+    const Vec3 a = middle(boxes[d.i]), b = middle(boxes[d.j]);
     scene.items.emplace_back(
         Line{a, b, d.overlap ? Role::hit : Role::miss, d.overlap ? Pen::thick : Pen::construction});
   }
-  if (d.sweeping)
-    scene.items.emplace_back(Line{{d.sweep, -2.5, 0}, {d.sweep, 2, 0}, Role::highlight, Pen::highlight});
+  if (d.sweeping) scene.items.emplace_back(Line{{d.sweep, -2.5, 0}, {d.sweep, 2, 0}, Role::highlight, Pen::highlight});
   for (int k = 0; k < static_cast<int>(boxes.size()); ++k) {
-    const Aabb<double, 2>& b = boxes[static_cast<std::size_t>(k)];
-    scene.items.emplace_back(
-        Label{{b.lo.x(), b.lo.y(), 0}, std::to_string(k), k == d.i ? Role::first : Role::second});
+    const Aabb<double, 2>& b = boxes[k];
+    scene.items.emplace_back(Label{{b.lo.x(), b.lo.y(), 0}, std::to_string(k), k == d.i ? Role::first : Role::second});
   }
   scene.handles.push_back({"p", Handle::Kind::point, middle(boxes[0]), Vec3::Zero(), Role::second});
   return scene;

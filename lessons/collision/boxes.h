@@ -1,7 +1,7 @@
 #pragma once
 // Boxes in the plane for the collision lesson: a fixed layout with one that can be dragged, and many for counting.
 
-#include "core/shapes.h"
+#include <isect/shapes.h>
 #include "viz/lesson.h"
 
 namespace isect::lessons::collision_lesson {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "core/all_pairs.h"
+#include <isect/all_pairs.h>
 #include "lessons/collision/teller.h"
 
 namespace isect::lessons::collision_lesson {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "core/bvh_pairs.h"
+#include <isect/bvh_pairs.h>
 #include "lessons/collision/teller.h"
 
 namespace isect::lessons::collision_lesson {
@@ -25,8 +25,7 @@ class Hierarchy : Teller {
     using namespace bvh_pairs;
     const Bvh<double, 2> bvh = build_bvh(boxes_);
     for (const BvhNode<double, 2>& node : bvh.nodes) drawn_.nodes.push_back(node.box);
-    add("build", "Boxes in boxes", 0,
-        "Each node's box holds all boxes below it. What misses a node misses them all.");
+    add("build", "Boxes in boxes", 0, "Each node's box holds all boxes below it. What misses a node misses them all.");
     drawn_.nodes.clear();
     Record<bvh_pairs::Event> record;
     report_pairs(
@@ -35,19 +34,16 @@ class Hierarchy : Teller {
     for (const auto& event : record.events) {
       drawn_.i = drawn_.j = -1;
       if (const auto* e = std::get_if<Pruned>(&event)) {
-        drawn_.compared = {bvh.nodes[static_cast<std::size_t>(e->a)].box,
-                           bvh.nodes[static_cast<std::size_t>(e->b)].box};
+        drawn_.compared = {bvh.nodes[e->a].box, bvh.nodes[e->b].box};
         script_.value("tests", ++tests_);
         add(fmt::format("prune-{}", ++number), "Two nodes apart", 2,
             "Their boxes share no point: one test rules out all pairs between them.")
             .decides = true;
       }
       if (const auto* e = std::get_if<Visited>(&event)) {
-        drawn_.compared = {bvh.nodes[static_cast<std::size_t>(e->a)].box,
-                           bvh.nodes[static_cast<std::size_t>(e->b)].box};
+        drawn_.compared = {bvh.nodes[e->a].box, bvh.nodes[e->b].box};
         script_.value("tests", ++tests_);
-        const bool leaves = bvh.nodes[static_cast<std::size_t>(e->a)].leaf() &&
-                            bvh.nodes[static_cast<std::size_t>(e->b)].leaf();
+        const bool leaves = bvh.nodes[e->a].leaf() && bvh.nodes[e->b].leaf();
         add(fmt::format("visit-{}", ++number), "Two nodes overlap", leaves ? 3 : 4,
             leaves ? "Both are leaves: the boxes in them are tested."
                    : "Their boxes overlap, so the larger one is opened.");

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "core/all_pairs.h"
+#include <isect/all_pairs.h>
 #include "lessons/collision/teller.h"
 
 namespace isect::lessons::collision_lesson {
@@ -57,15 +57,15 @@ class Sweep : Teller {
     if (!fresh_) return;
     fresh_ = false;
     drawn_.i = drawn_.j = -1;
-    drawn_.sweep = boxes_[static_cast<std::size_t>(box)].lo[axis_];
+    drawn_.sweep = boxes_[box].lo[axis_];
     drawn_.active.push_back(box);
     std::string gone;
     for (const int k : left_) gone += fmt::format("{}{}", gone.empty() ? "" : ", ", k);
     left_.clear();
     script_.value("active", static_cast<double>(drawn_.active.size()));
     add(fmt::format("enter-{}", box), fmt::format("Box {} begins", box), gone.empty() ? 4 : 2,
-        fmt::format("The plane cuts {} box{} now.{}", drawn_.active.size(),
-                    drawn_.active.size() == 1 ? "" : "es", gone.empty() ? "" : " It has left " + gone + "."));
+        fmt::format("The plane cuts {} box{} now.{}", drawn_.active.size(), drawn_.active.size() == 1 ? "" : "es",
+                    gone.empty() ? "" : " It has left " + gone + "."));
   }
 
   int axis_ = 0;

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "core/all_pairs.h"
-#include "core/bvh_pairs.h"
+#include <isect/all_pairs.h>
+#include <isect/bvh_pairs.h>
 
 namespace isect::lessons::collision_lesson {
 
@@ -50,9 +50,8 @@ Step& Teller::tested(int i, int j, bool overlap, int yes, int no) {
   if (overlap) drawn_.found.emplace_back(i, j);
   script_.value("tests", ++tests_);
   script_.value("pairs", static_cast<double>(drawn_.found.size()), {}, Role::hit);
-  Step& step =
-      add(fmt::format("test-{}-{}", i, j), fmt::format("Boxes {} and {}", i, j), overlap ? yes : no,
-          overlap ? "They share points on each axis: a pair." : "Some axis separates them: no pair.");
+  Step& step = add(fmt::format("test-{}-{}", i, j), fmt::format("Boxes {} and {}", i, j), overlap ? yes : no,
+                   overlap ? "They share points on each axis: a pair." : "Some axis separates them: no pair.");
   step.decides = overlap;
   return step;
 }
@@ -69,12 +68,12 @@ void Teller::total(int line, const std::string& caption) {
     script_.value(fmt::format("hierarchy, *n* = {}", n), static_cast<double>(t.tree), "tests");
   }
   const Tests t = tests(1000);
-  Step& step = add(
-      "growth", "As *n* grows", line,
-      fmt::format("1,000 boxes as dense as these: {} tests by brute force, {} by the sweep, {} node and pair "
-                  "tests by a hierarchy. All find the same {} pairs.",
-                  t.brute, t.sweep, t.tree, t.found),
-      "*n* (*n* − 1) / 2 = O(*n*^2)");
+  Step& step =
+      add("growth", "As *n* grows", line,
+          fmt::format("1,000 boxes as dense as these: {} tests by brute force, {} by the sweep, {} node and pair "
+                      "tests by a hierarchy. All find the same {} pairs.",
+                      t.brute, t.sweep, t.tree, t.found),
+          "*n* (*n* − 1) / 2 = O(*n*^2)");
   step.question = Question{"Which needs fewest tests for 1,000 boxes?",
                            {"brute force", "sweep", "hierarchy"},
                            t.tree < t.sweep ? 2 : 1,

@@ -2,7 +2,7 @@
 // What the three ways to find pairs share: a step for each test, and what they cost together.
 
 #include "lessons/collision/methods.h"
-#include "lessons/script.h"
+#include "lessons/shared/script.h"
 
 namespace isect::lessons::collision_lesson {
 

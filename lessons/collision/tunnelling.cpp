@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "core/motion.h"
-#include "lessons/script.h"
+#include <isect/motion.h>
+#include "lessons/shared/script.h"
 
 namespace isect::lessons::collision_lesson {
 
@@ -17,8 +17,7 @@ constexpr int times = 6;
 
 Region region(const Box& b, Role role) {
   Region r;
-  r.rings = {
-      {{b.lo.x(), b.lo.y(), 0}, {b.hi.x(), b.lo.y(), 0}, {b.hi.x(), b.hi.y(), 0}, {b.lo.x(), b.hi.y(), 0}}};
+  r.rings = {{{b.lo.x(), b.lo.y(), 0}, {b.hi.x(), b.lo.y(), 0}, {b.hi.x(), b.hi.y(), 0}, {b.lo.x(), b.hi.y(), 0}}};
   r.role = role;
   return r;
 }
@@ -61,16 +60,13 @@ class Flight {
     Scene scene;
     scene.items.emplace_back(region(wall_.shape, Role::second));
     if (swept_)
-      scene.items.emplace_back(
-          Chain{region(way(), Role::first).rings[0], true, Role::construction, Pen::construction});
+      scene.items.emplace_back(Chain{region(way(), Role::first).rings[0], true, Role::construction, Pen::construction});
     for (const double t : seen_)
-      scene.items.emplace_back(
-          Chain{region(place(t), Role::first).rings[0], true, Role::first, Pen::construction});
+      scene.items.emplace_back(Chain{region(place(t), Role::first).rings[0], true, Role::first, Pen::construction});
     if (grown_) {
       const Vector<double, 2> half = (bullet_.shape.hi - bullet_.shape.lo) / 2;
       const Box grown = {wall_.shape.lo - half, wall_.shape.hi + half};
-      scene.items.emplace_back(
-          Chain{region(grown, Role::second).rings[0], true, Role::second, Pen::construction});
+      scene.items.emplace_back(Chain{region(grown, Role::second).rings[0], true, Role::second, Pen::construction});
       scene.items.emplace_back(Arrow{middle(place(0)), middle(place(duration)), Role::first, Pen::solid});
       if (truth_) {
         scene.items.emplace_back(Dot{middle(place(truth_->lo)), Mark::disc, Role::hit});
@@ -111,25 +107,24 @@ class Flight {
   void swept(const std::vector<double>& hits) {
     swept_ = true;
     const bool may = may_collide(bullet_, wall_, duration);
-    Step& step =
-        add("swept", "All that the box sweeps", may ? 3 : 4,
-            may ? "A box around the whole way meets the wall: they may collide. It never says no wrongly."
-                : "A box around the whole way misses the wall: they cannot collide.");
+    Step& step = add("swept", "All that the box sweeps", may ? 3 : 4,
+                     may ? "A box around the whole way meets the wall: they may collide. It never says no wrongly."
+                         : "A box around the whole way misses the wall: they cannot collide.");
     step.decides = true;
-    step.question = Question{"Do they collide between the times?",
-                             {"yes", "no"},
-                             truth_ ? 0 : 1,
-                             hits.empty() && truth_ ? "Before the wall at one time, behind it at the next."
-                                                    : "The exact test tells."};
+    step.question = Question{
+        "Do they collide between the times?",
+        {"yes", "no"},
+        truth_ ? 0 : 1,
+        hits.empty() && truth_ ? "Before the wall at one time, behind it at the next." : "The exact test tells."};
   }
 
   void ray(const std::vector<double>& hits) {
     swept_ = false, grown_ = true;
     const bool tunnels = truth_ && hits.empty();
     if (truth_) script_.value("*t*_{in}", truth_->lo, {}, Role::hit);
-    script_.settle(truth_ ? Verdict::Kind::yes : Verdict::Kind::no,
-                   truth_ ? fmt::format("they meet from t = {} to {}", shown(truth_->lo), shown(truth_->hi))
-                          : "they never meet");
+    script_.settle(
+        truth_ ? Verdict::Kind::yes : Verdict::Kind::no,
+        truth_ ? fmt::format("they meet from t = {} to {}", shown(truth_->lo), shown(truth_->hi)) : "they never meet");
     add("ray", "The box as a ray", 5,
         std::string("Grow the wall by the box, and the box becomes a point that moves along a ray.\n") +
             (tunnels  ? "The discrete times missed it: the box tunnelled through."

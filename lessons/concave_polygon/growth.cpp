@@ -5,8 +5,8 @@
 #include <cmath>
 #include <map>
 
-#include "core/slab_map.h"
-#include "core/trapezoid_map.h"
+#include <isect/slab_map.h>
+#include <isect/trapezoid_map.h>
 #include "lessons/concave_polygon/setup.h"
 #include "viz/chart.h"
 

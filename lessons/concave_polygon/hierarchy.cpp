@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "lessons/concave_polygon/level_picture.h"
-#include "lessons/script.h"
+#include "lessons/shared/script.h"
 
 namespace isect::lessons::concave_polygon_lesson {
 
@@ -40,8 +40,7 @@ class Coarsening {
   }
 
  private:
-  Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption,
-            Index level) {
+  Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption, Index level) {
     Step& step = script_.add(slug, title, line, caption);
     step.scene = picture(s_, h_, drawn_, level);
     return step;
@@ -60,9 +59,7 @@ class Coarsening {
   /// The first level that is coarser, or the last one.
   void coarsen(Index level) {
     drawn_.gone = h_.levels[level - 1].removed;
-    const auto count = [&] {
-      script_.value("triangles", static_cast<double>(h_.levels[level].triangles.size()));
-    };
+    const auto count = [&] { script_.value("triangles", static_cast<double>(h_.levels[level].triangles.size())); };
     if (level > 1) {
       count();
       script_.value("levels", static_cast<double>(h_.levels.size()));
@@ -74,8 +71,7 @@ class Coarsening {
     }
     Step& step =
         add("removed", fmt::format("{} vertices to remove", drawn_.gone.size()), 2,
-            "Crosses mark vertices that are removed. No two are joined by an edge, so the holes are apart.",
-            level - 1);
+            "Crosses mark vertices that are removed. No two are joined by an edge, so the holes are apart.", level - 1);
     step.question = Question{"May two vertices be removed at once that an edge joins?",
                              {"yes", "no"},
                              1,
@@ -107,26 +103,23 @@ class Coarsening {
       if (k > 0 && level != told) continue;  // as there
       Step& step = add(
           fmt::format("search-{}", level), fmt::format("Level {}", level), k == 0 ? 4 : 5,
-          k == 0 ? "The search starts with the two coarsest triangles: one holds **p**."
-          : k > 1
-              ? fmt::format("From triangle to linked triangle, level by level. Here {} are linked, shaded.",
-                            candidates.size())
+          k == 0  ? "The search starts with the two coarsest triangles: one holds **p**."
+          : k > 1 ? fmt::format("From triangle to linked triangle, level by level. Here {} are linked, shaded.",
+                                candidates.size())
           : candidates.size() == 1
               ? "The triangle did not change: its only link is itself."
-              : fmt::format("Only {} triangles are linked, shaded here. One of them holds **p**.",
-                            candidates.size()),
+              : fmt::format("Only {} triangles are linked, shaded here. One of them holds **p**.", candidates.size()),
           level);
       step.decides = true;
     }
     drawn_.done = true;
     script_.settle(verdict_kind(s_.truth), verdict_text(s_.truth));
-    Step& step =
-        add("verdict", "The mark of the finest triangle", 6,
-            std::string(s_.truth == Location::on   ? "**p** lies on an edge of the polygon."
-                        : s_.truth == Location::in ? "The triangle is one of the polygon's: inside."
-                                                   : "The triangle is one of the rest: outside.") +
-                "\nO(lg *n*) levels with a few tests each, O(*n*) space: optimal, with large constants.",
-            0);
+    Step& step = add("verdict", "The mark of the finest triangle", 6,
+                     std::string(s_.truth == Location::on   ? "**p** lies on an edge of the polygon."
+                                 : s_.truth == Location::in ? "The triangle is one of the polygon's: inside."
+                                                            : "The triangle is one of the rest: outside.") +
+                         "\nO(lg *n*) levels with a few tests each, O(*n*) space: optimal, with large constants.",
+                     0);
     step.question = where(s_, "The exact test by crossings says the same.");
   }
 

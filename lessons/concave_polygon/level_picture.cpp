@@ -20,13 +20,11 @@ class Picture {
     for (const int k : d_.linked)
       scene.items.emplace_back(filled(outline(triangles[static_cast<Index>(k)]), Role::highlight));
     for (const Triangle& t : triangles)
-      scene.items.emplace_back(
-          Chain{outline(t), true, Role::construction, level == 0 ? Pen::hairline : Pen::solid});
+      scene.items.emplace_back(Chain{outline(t), true, Role::construction, level == 0 ? Pen::hairline : Pen::solid});
     if (d_.here >= 0) {
-      Region region =
-          filled(outline(triangles[static_cast<Index>(d_.here)]), !d_.done                    ? Role::first
-                                                                  : s_.truth == Location::out ? Role::miss
-                                                                                              : Role::hit);
+      Region region = filled(outline(triangles[static_cast<Index>(d_.here)]), !d_.done                    ? Role::first
+                                                                              : s_.truth == Location::out ? Role::miss
+                                                                                                          : Role::hit);
       region.outlined = true, region.pen = Pen::thick;
       scene.items.emplace_back(region);
     }
@@ -52,16 +50,11 @@ class Picture {
     for (Index l = 0; l < shown; ++l) {
       const std::vector<Triangle>& triangles = h_.levels[l].triangles;
       const double y = -1.4 + 0.5 * static_cast<double>(l);
-      scene.items.emplace_back(viz::Heading{{frame.table - 0.18, y, 0},
-                                            std::to_string(l),
-                                            l == level ? Role::text : Role::muted,
-                                            0.2,
-                                            l == level});
+      scene.items.emplace_back(viz::Heading{
+          {frame.table - 0.18, y, 0}, std::to_string(l), l == level ? Role::text : Role::muted, 0.2, l == level});
       add_bar(scene, y, size, pitch * static_cast<double>(triangles.size()),
               l == level ? Role::second : Role::construction);
-      const auto mark = [&](int k, Role role) {
-        add_cell(scene, frame.table + (k + 0.5) * pitch, y, size, role);
-      };
+      const auto mark = [&](int k, Role role) { add_cell(scene, frame.table + (k + 0.5) * pitch, y, size, role); };
       if (l == level)
         for (const int k : d_.linked) mark(k, Role::highlight);
       const Index down = h_.levels.size() - 1 - l;

@@ -40,8 +40,7 @@ class Layout {
     int deepest = 1;
     for (const auto& [_, d] : depth_) deepest = std::max(deepest, d);
     const double height = std::min(3.2, 0.5 * deepest);
-    return {frame.table + frame.table_width * (x_.at(i) + 0.5) / leaves_,
-            1.4 - height * depth_.at(i) / deepest, 0};
+    return {frame.table + frame.table_width * (x_.at(i) + 0.5) / leaves_, 1.4 - height * depth_.at(i) / deepest, 0};
   }
   const std::map<int, int>& all() const { return depth_; }
 
@@ -88,8 +87,7 @@ void add_graph(Scene& scene, const TrapezoidMap& map, bool named) {
   }
   for (const auto& [i, _] : layout.all()) {
     const Node& n = node_of(map, i);
-    add_mark(scene, layout.at(i), n.ask, n.ask == Ask::nothing ? Role::second : Role::first,
-             named ? 0.14 : 0.1);
+    add_mark(scene, layout.at(i), n.ask, n.ask == Ask::nothing ? Role::second : Role::first, named ? 0.14 : 0.1);
     if (named && n.ask != Ask::nothing) scene.items.emplace_back(Label{layout.at(i), name(n), Role::first});
   }
 }
@@ -107,18 +105,14 @@ void add_path(Scene& scene, const TrapezoidMap& map, const std::vector<Asked>& p
     }
     const double side = path[k].side < 0 ? stub : -stub;  // the way not taken
     if (path[k].side != 0) {
-      scene.items.emplace_back(
-          Line{{x, y, 0}, {x + side, y - 0.6 * pitch, 0}, Role::construction, Pen::construction});
+      scene.items.emplace_back(Line{{x, y, 0}, {x + side, y - 0.6 * pitch, 0}, Role::construction, Pen::construction});
       scene.items.emplace_back(Line{{x, y, 0}, {x, y - pitch, 0}, Role::text, Pen::solid});
     }
     add_mark(scene, {x, y, 0}, n.ask, last ? Role::highlight : Role::first, 0.17);
-    const char* const word = n.ask == Ask::vertex ? (path[k].side < 0 ? "left of " : "right of ")
-                                                  : (path[k].side < 0 ? "below " : "above ");
-    scene.items.emplace_back(viz::Heading{{x + 1.05, y, 0},
-                                          (path[k].side == 0 ? "on " : word) + name(n),
-                                          last ? Role::text : Role::muted,
-                                          1.5,
-                                          false});
+    const char* const word =
+        n.ask == Ask::vertex ? (path[k].side < 0 ? "left of " : "right of ") : (path[k].side < 0 ? "below " : "above ");
+    scene.items.emplace_back(viz::Heading{
+        {x + 1.05, y, 0}, (path[k].side == 0 ? "on " : word) + name(n), last ? Role::text : Role::muted, 1.5, false});
   }
 }
 

@@ -28,8 +28,7 @@ double height(const TrapezoidMap& map, int piece, double x, double none) {
 
 double wall(const TrapezoidMap& map, int vertex) {
   if (vertex < 0) return frame.left;
-  return vertex < static_cast<int>(map.boundary.vertices.size()) ? map.boundary.vertex(vertex).x()
-                                                                 : frame.right;
+  return vertex < static_cast<int>(map.boundary.vertices.size()) ? map.boundary.vertex(vertex).x() : frame.right;
 }
 
 void visit(const TrapezoidMap& map, int i, int depth, std::map<int, int>& depths) {
@@ -68,9 +67,7 @@ std::string name(const Node& n) {
 
 Region trapezoid(const TrapezoidMap& map, const TrapezoidMap::Trapezoid& t, Role role) {
   const double x0 = wall(map, t.left), x1 = wall(map, t.right);
-  const auto y = [&](int piece, double x) {
-    return height(map, piece, x, piece == t.bottom ? frame.low : frame.high);
-  };
+  const auto y = [&](int piece, double x) { return height(map, piece, x, piece == t.bottom ? frame.low : frame.high); };
   const double top0 = height(map, t.top, x0, frame.high), top1 = height(map, t.top, x1, frame.high);
   return filled({{x0, y(t.bottom, x0), 0}, {x1, y(t.bottom, x1), 0}, {x1, top1, 0}, {x0, top0, 0}}, role);
 }
@@ -137,8 +134,8 @@ Scene found(const Setup& s, const TrapezoidMap& map, const std::vector<Asked>& p
   Scene scene;
   scene.items.emplace_back(polygon(s));
   if (reached >= 0)
-    scene.items.emplace_back(trapezoid(map, map.trapezoids[static_cast<Index>(reached)],
-                                       s.truth == Location::in ? Role::hit : Role::miss));
+    scene.items.emplace_back(
+        trapezoid(map, map.trapezoids[static_cast<Index>(reached)], s.truth == Location::in ? Role::hit : Role::miss));
   add_walls(scene, map);
   add_path(scene, map, path);
   return scene;

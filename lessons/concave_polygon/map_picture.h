@@ -4,7 +4,7 @@
 #include <map>
 #include <vector>
 
-#include "core/trapezoid_map.h"
+#include <isect/trapezoid_map.h>
 #include "lessons/concave_polygon/setup.h"
 
 namespace isect::lessons::concave_polygon_lesson {

@@ -82,8 +82,7 @@ Verdict::Kind verdict_kind(Location l) {
 }
 
 Question where(const Setup& s, const std::string& because) {
-  return {
-      "Where does **p** lie?", {"inside", "on the boundary", "outside"}, static_cast<int>(s.truth), because};
+  return {"Where does **p** lie?", {"inside", "on the boundary", "outside"}, static_cast<int>(s.truth), because};
 }
 
 }  // namespace isect::lessons::concave_polygon_lesson

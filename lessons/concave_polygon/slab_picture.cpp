@@ -12,30 +12,26 @@ using Index = std::size_t;
 
 class Picture {
  public:
-  Picture(const Setup& setup, const SlabMap& map, const DrawnSlabs& drawn)
-      : s_(setup), map_(map), d_(drawn) {}
+  Picture(const Setup& setup, const SlabMap& map, const DrawnSlabs& drawn) : s_(setup), map_(map), d_(drawn) {}
 
   Scene all() const {
     Scene scene;
     scene.items.emplace_back(polygon(s_));
     if (real(d_.slab) && !(d_.done && s_.truth == Location::on)) scene.items.emplace_back(possible());
     for (int i = 0; i <= count(); ++i)
-      scene.items.emplace_back(Line{{frame.left, slab(i).bottom, 0},
-                                    {frame.right, slab(i).bottom, 0},
-                                    Role::construction,
-                                    Pen::construction});
+      scene.items.emplace_back(Line{
+          {frame.left, slab(i).bottom, 0}, {frame.right, slab(i).bottom, 0}, Role::construction, Pen::construction});
     for (Index k = 0; k < d_.probed.size(); ++k) {
       if (d_.probed[k] > count()) continue;
       const double y = slab(d_.probed[k]).bottom;
       scene.items.emplace_back(Line{{frame.left, y, 0}, {frame.right, y, 0}, Role::text, Pen::solid});
-      scene.items.emplace_back(viz::Heading{
-          {frame.left - (k % 2 == 0 ? 0.12 : 0.3), y, 0}, std::to_string(k + 1), Role::text, 0.2});
+      scene.items.emplace_back(
+          viz::Heading{{frame.left - (k % 2 == 0 ? 0.12 : 0.3), y, 0}, std::to_string(k + 1), Role::text, 0.2});
     }
     if (d_.asked >= 0) {
       const SlabMap::Edge& e = map_.edges[static_cast<Index>(d_.asked)];
       scene.items.emplace_back(Line{flat(map_.vertices[static_cast<Index>(e.lower)]),
-                                    flat(map_.vertices[static_cast<Index>(e.upper)]), Role::highlight,
-                                    Pen::highlight});
+                                    flat(map_.vertices[static_cast<Index>(e.upper)]), Role::highlight, Pen::highlight});
     }
     if (d_.table) table(scene);
     add_point(scene, s_, d_.done && s_.truth == Location::on);
@@ -67,8 +63,7 @@ class Picture {
     const Role role = !d_.done || s_.truth == Location::on ? Role::highlight
                       : s_.truth == Location::in           ? Role::hit
                                                            : Role::miss;
-    return filled({{x(true, y0), y0, 0}, {x(false, y0), y0, 0}, {x(false, y1), y1, 0}, {x(true, y1), y1, 0}},
-                  role);
+    return filled({{x(true, y0), y0, 0}, {x(false, y0), y0, 0}, {x(false, y1), y1, 0}, {x(true, y1), y1, 0}}, role);
   }
 
   /// What is stored: beside each slab a square for each of its edges.

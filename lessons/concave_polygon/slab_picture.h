@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/slab_map.h"
+#include <isect/slab_map.h>
 #include "lessons/concave_polygon/setup.h"
 
 namespace isect::lessons::concave_polygon_lesson {

@@ -1,11 +1,11 @@
 // Slabs: a line through every vertex, and in each slab its edges from left to right.
 
-#include "core/slab_map.h"
+#include <isect/slab_map.h>
 
 #include <fmt/format.h>
 
 #include "lessons/concave_polygon/slab_picture.h"
-#include "lessons/script.h"
+#include "lessons/shared/script.h"
 #include "viz/chart.h"
 
 namespace isect::lessons::concave_polygon_lesson {
@@ -72,11 +72,10 @@ class Slabs {
     });
     heights_ = e.steps;
     script_.value("heights compared", e.steps);
-    Step& step =
-        add("slab", "Bisect the heights", 2,
-            real(drawn_.slab) ? "The numbers show which lines are asked, in turn. Comparing heights finds "
-                                "the slab of **p** in O(lg *n*)."
-                              : "**p** lies below or above all vertices, so outside.");
+    Step& step = add("slab", "Bisect the heights", 2,
+                     real(drawn_.slab) ? "The numbers show which lines are asked, in turn. Comparing heights finds "
+                                         "the slab of **p** in O(lg *n*)."
+                                       : "**p** lies below or above all vertices, so outside.");
     step.decides = true;
     drawn_.probed.clear();
   }
@@ -98,17 +97,16 @@ class Slabs {
     drawn_.narrowed = true;
     if (e.turn > 0) drawn_.hi = mid;
     if (e.turn < 0) drawn_.lo = mid + 1;
-    Step& step = add(
-        fmt::format("edge-{}", turns_),
-        e.turn > 0   ? "Left of the edge"
-        : e.turn < 0 ? "Right of the edge"
-                     : "On the edge",
-        e.turn == 0 ? 5 : 4,
-        e.turn == 0  ? "The orientation is exactly zero: **p** lies on the edge."
-        : e.turn > 0 ? "The middle one of the edges left is asked: **p** lies left of it. What lies right "
-                       "is gone."
-                     : "The middle one of the edges left is asked: **p** lies right of it. What lies left "
-                       "is gone.");
+    Step& step = add(fmt::format("edge-{}", turns_),
+                     e.turn > 0   ? "Left of the edge"
+                     : e.turn < 0 ? "Right of the edge"
+                                  : "On the edge",
+                     e.turn == 0 ? 5 : 4,
+                     e.turn == 0  ? "The orientation is exactly zero: **p** lies on the edge."
+                     : e.turn > 0 ? "The middle one of the edges left is asked: **p** lies left of it. What lies right "
+                                    "is gone."
+                                  : "The middle one of the edges left is asked: **p** lies right of it. What lies left "
+                                    "is gone.");
     step.decides = true;
     if (turns_ == 1)
       step.question = Question{"On which side of the slab's middle edge is **p**?",
@@ -124,20 +122,20 @@ class Slabs {
   void finish() {
     drawn_.done = true;
     script_.settle(verdict_kind(s_.truth), verdict_text(s_.truth));
-    const std::string cost = fmt::format("\n{} heights and {} edge{} for {} vertices: O(lg *n*).", heights_,
-                                         turns_, turns_ == 1 ? "" : "s", s_.size());
+    const std::string cost = fmt::format("\n{} heights and {} edge{} for {} vertices: O(lg *n*).", heights_, turns_,
+                                         turns_ == 1 ? "" : "s", s_.size());
     if (on_line_ || on_edge_ || !real(drawn_.slab)) script_.leave_early();
-    Step& step = add("verdict", s_.truth == Location::on ? "On the boundary" : "The answer is stored",
-                     on_line_             ? 3
-                     : on_edge_           ? 5
-                     : !real(drawn_.slab) ? 2
-                                          : 6,
-                     (s_.truth == Location::on ? "The boundary is a case of its own."
-                      : !real(drawn_.slab)     ? "No slab there has an edge."
-                      : s_.truth == Location::in
-                          ? "Between these two edges all is inside: the mark was computed beforehand."
-                          : "Between these two edges all is outside: the mark was computed beforehand.") +
-                         cost);
+    Step& step =
+        add("verdict", s_.truth == Location::on ? "On the boundary" : "The answer is stored",
+            on_line_             ? 3
+            : on_edge_           ? 5
+            : !real(drawn_.slab) ? 2
+                                 : 6,
+            (s_.truth == Location::on   ? "The boundary is a case of its own."
+             : !real(drawn_.slab)       ? "No slab there has an edge."
+             : s_.truth == Location::in ? "Between these two edges all is inside: the mark was computed beforehand."
+                                        : "Between these two edges all is outside: the mark was computed beforehand.") +
+                cost);
     step.question = where(s_, "The exact test by crossings says the same.");
   }
 

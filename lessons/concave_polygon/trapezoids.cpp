@@ -1,13 +1,13 @@
 // The trapezoidal map: built edge by edge, then searched by the questions that the building left behind.
 
-#include "core/trapezoid_map.h"
+#include <isect/trapezoid_map.h>
 
 #include <fmt/format.h>
 
 #include <tuple>
 
 #include "lessons/concave_polygon/map_picture.h"
-#include "lessons/script.h"
+#include "lessons/shared/script.h"
 
 namespace isect::lessons::concave_polygon_lesson {
 
@@ -46,8 +46,7 @@ class Trapezoids {
  private:
   static constexpr std::uint64_t seed = 1;
 
-  Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption,
-            Scene scene) {
+  Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption, Scene scene) {
     Step& step = script_.add(slug, title, line, caption);
     add_point(scene, s_, done_ && s_.truth == Location::on);
     step.scene = std::move(scene);
@@ -67,8 +66,7 @@ class Trapezoids {
     trapezoid_map::Builder builder(map);
     script_.value("*n*", s_.size());
     Scene start;
-    start.items = {polygon(s_),
-                   trapezoid(map, {-1, -1, -1, static_cast<int>(s_.ring.size())}, Role::highlight)};
+    start.items = {polygon(s_), trapezoid(map, {-1, -1, -1, static_cast<int>(s_.ring.size())}, Role::highlight)};
     add("edges", "One trapezoid: the whole plane", 0,
         "The map starts with one trapezoid. Edges are added one by one, in random order, so that no polygon "
         "is bad.",
@@ -83,8 +81,7 @@ class Trapezoids {
       if (k == 0 || k == most) tell_insert(before, map, inserted, static_cast<int>(k));
     }
     Scene all = grown(s_, map, inserted_, -1);
-    all.items.emplace_back(
-        table_heading(fmt::format("{} nodes", sizes(map).questions + sizes(map).trapezoids)));
+    all.items.emplace_back(table_heading(fmt::format("{} nodes", sizes(map).questions + sizes(map).trapezoids)));
     add_graph(all, map, false);
     count(map);
     add("map", "All edges added", 2,
@@ -94,29 +91,28 @@ class Trapezoids {
         std::move(all));
   }
 
-  void tell_insert(const TrapezoidMap& before, const TrapezoidMap& now,
-                   const trapezoid_map::Inserted& inserted, int k) {
+  void tell_insert(const TrapezoidMap& before, const TrapezoidMap& now, const trapezoid_map::Inserted& inserted,
+                   int k) {
     Scene scene = grown(s_, now, inserted_, inserted.piece);
     std::vector<Item> cut;
     for (const int i : reachable(before, 0)) {
       const Trapezoid& t = before.trapezoids[static_cast<Index>(i)];
       const std::vector<int> left = reachable(now, 0);
-      const bool stays = std::ranges::any_of(
-          left, [&](int j) { return key(now.trapezoids[static_cast<Index>(j)]) == key(t); });
+      const bool stays =
+          std::ranges::any_of(left, [&](int j) { return key(now.trapezoids[static_cast<Index>(j)]) == key(t); });
       if (!stays) cut.emplace_back(trapezoid(before, t, Role::highlight));
     }
     scene.items.insert(scene.items.begin() + 1, cut.begin(), cut.end());
     add_graph(scene, now, k == 0);
     count(now);
-    Step& step = add(
-        fmt::format("insert-{}", k + 1), fmt::format("Edge *e*_{{{}}} is added", inserted.piece),
-        k == 0 ? 2 : 1,
-        k == 0 ? "Walls run up and down from its two ends. Four trapezoids replace the one.\n"
-                 "Questions lead to them: circles ask left or right, squares below or above."
-               : fmt::format("It cuts {} trapezoid{}, shaded here: questions take {} place. The rest stays "
-                             "as it was.",
-                             inserted.cut, inserted.cut == 1 ? "" : "s", inserted.cut == 1 ? "its" : "their"),
-        std::move(scene));
+    Step& step =
+        add(fmt::format("insert-{}", k + 1), fmt::format("Edge *e*_{{{}}} is added", inserted.piece), k == 0 ? 2 : 1,
+            k == 0 ? "Walls run up and down from its two ends. Four trapezoids replace the one.\n"
+                     "Questions lead to them: circles ask left or right, squares below or above."
+                   : fmt::format("It cuts {} trapezoid{}, shaded here: questions take {} place. The rest stays "
+                                 "as it was.",
+                                 inserted.cut, inserted.cut == 1 ? "" : "s", inserted.cut == 1 ? "its" : "their"),
+            std::move(scene));
     if (k > 0) {
       step.question = Question{"How many trapezoids does the new edge cut?", {}, 0, "Those it runs through."};
       for (int c = 1; c <= 4; ++c) step.question->choices.push_back(std::to_string(c));
@@ -173,10 +169,9 @@ class Trapezoids {
     Step& step = add(
         "verdict", on ? "On the boundary" : "A trapezoid is reached", on ? 5 : 6,
         fmt::format("{}\n{} questions for {} vertices: O(lg *n*), on average over the orders of insertion.",
-                    on ? "A question that is answered by \"on it\" ends the search."
-                    : s_.truth == Location::in
-                        ? "All of this trapezoid is inside: the mark was computed beforehand."
-                        : "All of this trapezoid is outside: the mark was computed beforehand.",
+                    on                         ? "A question that is answered by \"on it\" ends the search."
+                    : s_.truth == Location::in ? "All of this trapezoid is inside: the mark was computed beforehand."
+                                               : "All of this trapezoid is outside: the mark was computed beforehand.",
                     questions, s_.size()),
         std::move(scene));
     step.question = where(s_, "The exact test by crossings says the same.");

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "core/convex_polygons.h"
-#include "core/orient.h"
-#include "core/point_convex_polygon.h"
+#include <isect/convex_polygons.h>
+#include <isect/orient.h>
+#include <isect/point_convex_polygon.h>
 
 namespace isect::lessons::concave_polygon_lesson {
 namespace {
@@ -71,8 +71,7 @@ Outline around(const Level& level, int v) {
       if (t.corners[k] == v) edges.push_back({t.corners[(k + 1) % 3], t.corners[(k + 2) % 3]});
   outline.push_back(edges.front()[0]);
   while (outline.size() < edges.size())
-    outline.push_back(
-        (*std::ranges::find_if(edges, [&](const auto& e) { return e[0] == outline.back(); }))[1]);
+    outline.push_back((*std::ranges::find_if(edges, [&](const auto& e) { return e[0] == outline.back(); }))[1]);
   return outline;
 }
 
@@ -96,8 +95,7 @@ std::vector<int> independent(const Level& level, int vertices) {
 Level coarser(const Hierarchy& h, const Level& fine) {
   Level level;
   for (const Triangle& t : fine.triangles)
-    if (std::ranges::none_of(fine.removed, [&](int v) { return has(t, v); }))
-      level.triangles.push_back({t.corners});
+    if (std::ranges::none_of(fine.removed, [&](int v) { return has(t, v); })) level.triangles.push_back({t.corners});
   for (const int v : fine.removed) Clipper(h.vertices).clip(around(fine, v), false, level.triangles);
   for (Triangle& t : level.triangles)
     for (Index k = 0; k < fine.triangles.size(); ++k) {

@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-#include "core/shapes.h"
+#include <isect/shapes.h>
 
 namespace isect::lessons::concave_polygon_lesson {
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "core/fit.h"
-#include "core/fit_tight.h"
-#include "core/volume.h"
+#include <isect/fit.h>
+#include <isect/fit_tight.h>
+#include <isect/volume.h>
 
 namespace isect::lessons::convex_hull_lesson {
 
@@ -27,8 +27,7 @@ void add_bounding(const Ring<double, 2>& points, Bounding what, Scene& scene) {
   }
   if (what == Bounding::aabb) {
     const Aabb<double, 2> box = fit_aabb(points);
-    scene.items.emplace_back(
-        Region{{flat({box.lo, {box.hi.x(), box.lo.y()}, box.hi, {box.lo.x(), box.hi.y()}})}});
+    scene.items.emplace_back(Region{{flat({box.lo, {box.hi.x(), box.lo.y()}, box.hi, {box.lo.x(), box.hi.y()}})}});
   }
   if (what == Bounding::obb) {
     const Obb<double, 2> box = fit_obb_tight(points);
@@ -57,8 +56,7 @@ Scene picture(const Drawn& d) {
         Line{flat(d.chain[d.chain.size() - 2]), flat(d.chain.back()), Role::highlight, Pen::highlight});
   }
   for (const Point<double, 2>& p : d.removed)
-    if (!d.chain.empty())
-      scene.items.emplace_back(Line{flat(p), flat(d.chain.back()), Role::miss, Pen::construction});
+    if (!d.chain.empty()) scene.items.emplace_back(Line{flat(p), flat(d.chain.back()), Role::miss, Pen::construction});
 
   const auto among = [](const Ring<double, 2>& ring, const Point<double, 2>& p) {
     return std::ranges::find(ring, p) != ring.end();

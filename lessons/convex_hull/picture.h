@@ -1,7 +1,7 @@
 #pragma once
 // Points, chains, the hull and a bounding volume around it.
 
-#include "core/shapes.h"
+#include <isect/shapes.h>
 #include "viz/lesson.h"
 
 namespace isect::lessons::convex_hull_lesson {

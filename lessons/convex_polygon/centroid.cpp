@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "lessons/convex_polygon/methods.h"
-#include "lessons/script.h"
+#include "lessons/shared/script.h"
 
 namespace isect::lessons::convex_polygon_lesson {
 
@@ -67,14 +67,12 @@ class Around {
     shown_.lo = e.from, shown_.hi = e.to == 0 ? s_.size() : e.to, shown_.edge = true;
     const bool right = inside_ == (s_.truth != Location::out);
     script_.value("cross", e.cross.value);
-    script_.settle(
-        inside_ ? Verdict::Kind::yes : Verdict::Kind::no,
-        std::string(inside_ ? "IN" : "OUT") + (right ? "" : " (wrong: " + verdict_text(s_.truth) + ")"));
+    script_.settle(inside_ ? Verdict::Kind::yes : Verdict::Kind::no,
+                   std::string(inside_ ? "IN" : "OUT") + (right ? "" : " (wrong: " + verdict_text(s_.truth) + ")"));
     Step& step = add(
         "verdict", "One edge decides", 3,
         fmt::format("{} bisections for {} vertices, then one edge.", rounds_, s_.size()) +
-            (s_.truth == Location::on ? "\nA point on the boundary counts as inside here, if rounding allows."
-                                      : ""));
+            (s_.truth == Location::on ? "\nA point on the boundary counts as inside here, if rounding allows." : ""));
     step.decides = true;
     step.question = Question{"Which side of the wedge's edge is **p** on?",
                              {"the inner side", "the outer side"},

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "lessons/convex_polygon/methods.h"
-#include "lessons/script.h"
+#include "lessons/shared/script.h"
 
 namespace isect::lessons::convex_polygon_lesson {
 
@@ -62,10 +62,8 @@ class Fan {
                      left_ ? "**p** lies outside one of the two edges at **v**_0, so outside of all."
                            : "**p** lies on the inner side of both edges at **v**_0: some wedge holds it.");
     step.decides = true;
-    step.question = Question{"Does some wedge hold **p**?",
-                             {"yes", "no"},
-                             left_ ? 1 : 0,
-                             "The two edges at **v**_0 bound the fan."};
+    step.question = Question{
+        "Does some wedge hold **p**?", {"yes", "no"}, left_ ? 1 : 0, "The two edges at **v**_0 bound the fan."};
     if (left_) script_.leave_early();
   }
 
@@ -79,8 +77,7 @@ class Fan {
     shown_.edge = false;
     turns_ += 1;
     ++rounds_;
-    const auto* edge =
-        i + 1 < events.size() ? std::get_if<point_convex_polygon::Chord>(&events[i + 1]) : nullptr;
+    const auto* edge = i + 1 < events.size() ? std::get_if<point_convex_polygon::Chord>(&events[i + 1]) : nullptr;
     const bool out = edge != nullptr && edge->turn < 0;
     shown_.mid = e.mid;
     const int line = out ? 5 : e.turn >= 0 ? 3 : 4;
@@ -88,8 +85,8 @@ class Fan {
     script_.value("*lo*", e.lo);
     script_.value("*hi*", e.hi);
     add(fmt::format("bisect-{}", rounds_), e.turn >= 0 ? "The upper half" : "The lower half", line,
-        out ? "**p** lies beyond the edge after **v**_{mid}. The polygon lies on the inner side of each "
-              "edge: outside."
+        out           ? "**p** lies beyond the edge after **v**_{mid}. The polygon lies on the inner side of each "
+                        "edge: outside."
         : e.turn >= 0 ? "**p** lies left of the ray through **v**_{mid}: the wedges before it are gone."
                       : "**p** lies right of the ray through **v**_{mid}: the wedges after it are gone.");
     shown_.mid = -1;
@@ -104,20 +101,19 @@ class Fan {
                    : on                     ? Verdict::Kind::on
                                             : Verdict::Kind::no,
                    verdict_text(s_.truth));
-    const std::string cost = fmt::format("\n{} orientation{} for {} vertices: the cost grows as lg *n*.",
-                                         turns_, turns_ == 1 ? "" : "s", s_.size());
-    Step& step =
-        add("verdict", "The last edge",
-            s_.truth == Location::out && !left_ ? 6
-            : left_                             ? (rounds_ == 0 ? 1 : 5)
-                                                : 7,
-            (left_ ? "One edge was enough to reject."
-             : s_.truth == Location::in && s_.size() - 2 > shown_.hi - shown_.lo && shown_.hi - shown_.lo > 1
-                 ? "**p** lies in the triangle of a wider wedge already, so in the polygon."
-             : on                       ? "The last orientation is exactly zero: **p** lies on the boundary."
-             : s_.truth == Location::in ? "**p** lies on the inner side of the last edge."
-                                        : "**p** lies beyond the last edge.") +
-                cost);
+    const std::string cost = fmt::format("\n{} orientation{} for {} vertices: the cost grows as lg *n*.", turns_,
+                                         turns_ == 1 ? "" : "s", s_.size());
+    Step& step = add("verdict", "The last edge",
+                     s_.truth == Location::out && !left_ ? 6
+                     : left_                             ? (rounds_ == 0 ? 1 : 5)
+                                                         : 7,
+                     (left_ ? "One edge was enough to reject."
+                      : s_.truth == Location::in && s_.size() - 2 > shown_.hi - shown_.lo && shown_.hi - shown_.lo > 1
+                          ? "**p** lies in the triangle of a wider wedge already, so in the polygon."
+                      : on                       ? "The last orientation is exactly zero: **p** lies on the boundary."
+                      : s_.truth == Location::in ? "**p** lies on the inner side of the last edge."
+                                                 : "**p** lies beyond the last edge.") +
+                         cost);
     step.decides = true;
     step.question = Question{"Where does **p** lie?",
                              {"inside", "on the boundary", "outside"},

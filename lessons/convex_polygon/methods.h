@@ -1,7 +1,7 @@
 #pragma once
 // The two walks, and the picture they share.
 
-#include "core/point_convex_polygon.h"
+#include <isect/point_convex_polygon.h>
 #include "viz/lesson.h"
 
 namespace isect::lessons::convex_polygon_lesson {
@@ -15,9 +15,7 @@ struct Setup {
   Location truth;
 
   int size() const { return static_cast<int>(polygon.vertices.size()); }
-  const Point<double, 2>& vertex(int i) const {
-    return polygon.vertices[static_cast<std::size_t>(i % size())];
-  }
+  const Point<double, 2>& vertex(int i) const { return polygon.vertices[i % size()]; }
 };
 
 viz::Walk fan(const Setup&);       ///< from vertex 0, exact

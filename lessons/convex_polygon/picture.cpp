@@ -74,12 +74,10 @@ Scene picture(const Setup& s, const Shown& shown) {
   }
   if (shown.mid >= 0) scene.items.emplace_back(Line{apex, flat(s.vertex(shown.mid)), Role::text, Pen::solid});
   if (shown.edge && shown.lo >= 0)
-    scene.items.emplace_back(
-        Line{flat(s.vertex(shown.lo)), flat(s.vertex(shown.hi)), Role::highlight, Pen::highlight});
+    scene.items.emplace_back(Line{flat(s.vertex(shown.lo)), flat(s.vertex(shown.hi)), Role::highlight, Pen::highlight});
   scene.items.emplace_back(Dot{apex, Mark::disc, Role::second});
   scene.items.emplace_back(Label{apex, shown.apex_name, Role::second});
-  scene.items.emplace_back(shown.on ? Dot{p, Mark::diamond, Role::highlight}
-                                    : Dot{p, Mark::disc, Role::first});
+  scene.items.emplace_back(shown.on ? Dot{p, Mark::diamond, Role::highlight} : Dot{p, Mark::disc, Role::first});
   scene.items.emplace_back(Label{p, "**p**", Role::first});
   scene.handles.push_back({"p", Handle::Kind::point, p, Vec3::Zero(), Role::first});
   return scene;

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "core/point_polygon_methods.h"
+#include <isect/point_polygon_methods.h>
 #include "lessons/crossings/teller.h"
 
 namespace isect::lessons::crossings_lesson {
@@ -32,7 +32,7 @@ class Closed : Teller {
     const std::vector<Ring<double, 2>>& rings = setup_.situation.polygon.rings;
     for (int r = 0; r < static_cast<int>(rings.size()); ++r) {
       Ring<C, 2> ring;
-      for (const Point<double, 2>& v : rings[static_cast<std::size_t>(r)]) ring.push_back(v.cast<C>());
+      for (const Point<double, 2>& v : rings[r]) ring.push_back(v.cast<C>());
       CountingRecord<point_polygon::ClosedEvent<C>> record;
       point_polygon::crossings_closed<C>(setup_.p.cast<C>(), ring, record);
       for (const auto& [event, counts] : record.events) {
@@ -56,18 +56,18 @@ class Closed : Teller {
     const auto [a, b] = ends(setup_, *known_.edge);
     const bool along = a.y() == b.y(), vertex = a.y() == setup_.p.y() || b.y() == setup_.p.y();
     if (e.holds) meet(*known_.edge, true);
-    Step& step = add(
-        slug(*known_.edge),
-        along    ? "An edge along the ray"
-        : vertex ? "A vertex on the ray"
-                 : "Crossed",
-        along     ? 3
-        : e.holds ? 5
-                  : 4,
-        along      ? "The formula divides 0 by 0. NaN compares as false, so nothing is counted, by luck."
-        : !e.holds ? "The edge meets the line on the left of **p**: it does not count."
-        : vertex ? "Its end lies on the ray, so it counts. The next edge has the same end, and counts again."
-                 : "The edge meets the line on the right of **p**: it counts.");
+    Step& step =
+        add(slug(*known_.edge),
+            along    ? "An edge along the ray"
+            : vertex ? "A vertex on the ray"
+                     : "Crossed",
+            along     ? 3
+            : e.holds ? 5
+                      : 4,
+            along      ? "The formula divides 0 by 0. NaN compares as false, so nothing is counted, by luck."
+            : !e.holds ? "The edge meets the line on the left of **p**: it does not count."
+            : vertex   ? "Its end lies on the ray, so it counts. The next edge has the same end, and counts again."
+                       : "The edge meets the line on the right of **p**: it counts.");
     step.decides = e.holds;
   }
 

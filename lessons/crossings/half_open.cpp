@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "core/point_polygon.h"
+#include <isect/point_polygon.h>
 #include "lessons/crossings/teller.h"
 
 namespace isect::lessons::crossings_lesson {
@@ -35,7 +35,7 @@ class HalfOpen : Teller {
     const std::vector<Ring<double, 2>>& rings = setup_.situation.polygon.rings;
     for (int r = 0; r < static_cast<int>(rings.size()) && !known_.on; ++r) {
       CountingRecord<point_polygon::Event> record;
-      run(rings[static_cast<std::size_t>(r)], r, record);
+      run(rings[r], r, record);
       for (const auto& [event, counts] : record.events) {
         script_.count(counts);
         if (const Edge* edge = std::get_if<Edge>(&event)) say(*edge);
@@ -53,8 +53,7 @@ class HalfOpen : Teller {
     const auto height = [&](const Point<double, 2>& v) { return sign(v.y(), p.y()); };
     const auto abscissa = [&](const Point<double, 2>& v) { return sign(v.x(), p.x()); };
     const auto side = [&](const Point<double, 2>& a, const Point<double, 2>& b) {
-      const C area2 =
-          (C(a.x()) - C(p.x())) * (C(b.y()) - C(p.y())) - (C(a.y()) - C(p.y())) * (C(b.x()) - C(p.x()));
+      const C area2 = (C(a.x()) - C(p.x())) * (C(b.y()) - C(p.y())) - (C(a.y()) - C(p.y())) * (C(b.x()) - C(p.x()));
       (void)(area2 > C(0)), (void)(area2 < C(0));
       return orient2d(a, b, p);
     };
@@ -75,9 +74,8 @@ class HalfOpen : Teller {
         return below(edge, a.y() == y || b.y() == y);
       case Passage::horizontal: {
         known_.along.push_back(edge);
-        Step& step =
-            add(slug(edge), "An edge along the ray", 4,
-                "Neither end lies above **p**: an edge along the line never counts. Its neighbours decide.");
+        Step& step = add(slug(edge), "An edge along the ray", 4,
+                         "Neither end lies above **p**: an edge along the line never counts. Its neighbours decide.");
         ask(step, false, "Both ends count as below, so it has no side to cross to.");
         return;
       }
@@ -105,10 +103,9 @@ class HalfOpen : Teller {
 
   void right(const EdgeOf& edge, bool vertex) {
     meet(edge, true);
-    Step& step =
-        add(slug(edge), vertex ? "A vertex on the ray" : "Crossed on the right", 7,
-            vertex ? "The end on the ray counts as below, the other lies above: the edge crosses, once."
-                   : "The edge crosses the line, and **p** lies on its left: it counts.");
+    Step& step = add(slug(edge), vertex ? "A vertex on the ray" : "Crossed on the right", 7,
+                     vertex ? "The end on the ray counts as below, the other lies above: the edge crosses, once."
+                            : "The edge crosses the line, and **p** lies on its left: it counts.");
     step.decides = true;
     ask(step, true,
         vertex ? "A vertex on the line counts as below it; the other end lies above."
@@ -119,12 +116,11 @@ class HalfOpen : Teller {
     known_.on = true;
     script_.settle(Verdict::Kind::on, verdict_text(setup_.truth));
     script_.leave_early();
-    Step& step =
-        add("on", "On the boundary", line,
-            line == 2 ? "**p** is an end of this edge, or lies between them at the same height.\n"
-                        "Neither inside nor outside: counting would give either, by chance."
-                      : "The orientation of **a**, **b**, **p** is exactly zero: the edge holds the point.\n"
-                        "Neither inside nor outside: counting would give either, by chance.");
+    Step& step = add("on", "On the boundary", line,
+                     line == 2 ? "**p** is an end of this edge, or lies between them at the same height.\n"
+                                 "Neither inside nor outside: counting would give either, by chance."
+                               : "The orientation of **a**, **b**, **p** is exactly zero: the edge holds the point.\n"
+                                 "Neither inside nor outside: counting would give either, by chance.");
     step.decides = true;
     step.question = where_question();
   }
@@ -133,8 +129,7 @@ class HalfOpen : Teller {
     known_.edge.reset();
     const Winding& truth = setup_.truth;
     const bool differs = truth.nonzero != truth.even_odd;
-    script_.settle(truth.even_odd == Location::in ? Verdict::Kind::yes : Verdict::Kind::no,
-                   verdict_text(truth));
+    script_.settle(truth.even_odd == Location::in ? Verdict::Kind::yes : Verdict::Kind::no, verdict_text(truth));
     script_.value("winding", truth.winding);
     Step& step = add("verdict", "Odd or even", 8,
                      std::string(count_ % 2 != 0 ? "The count is odd: **p** lies inside."

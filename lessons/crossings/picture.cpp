@@ -42,7 +42,7 @@ void add_meetings(const Known& known, Scene& scene) {
 }  // namespace
 
 std::array<Point<double, 2>, 2> ends(const Setup& s, const EdgeOf& e) {
-  const Ring<double, 2>& ring = s.situation.polygon.rings[static_cast<std::size_t>(e.ring)];
+  const Ring<double, 2>& ring = s.situation.polygon.rings[e.ring];
   const std::size_t i = static_cast<std::size_t>(e.index);
   return {ring[i], ring[(i + 1) % ring.size()]};
 }
@@ -80,8 +80,7 @@ Scene picture(const Setup& s, const Known& known) {
     scene.items.emplace_back(Label{flat(b), "**b**", Role::second});
   }
   add_meetings(known, scene);
-  scene.items.emplace_back(known.on ? Dot{p, Mark::diamond, Role::highlight}
-                                    : Dot{p, Mark::disc, Role::first});
+  scene.items.emplace_back(known.on ? Dot{p, Mark::diamond, Role::highlight} : Dot{p, Mark::disc, Role::first});
   scene.items.emplace_back(Label{p, "**p**", Role::first});
   scene.handles.push_back({"p", Handle::Kind::point, p, Vec3::Zero(), Role::first});
   return scene;
@@ -92,19 +91,18 @@ std::string verdict_text(const Winding& w) {
   const std::string odd = w.crossings % 2 != 0 ? "odd" : "even";
   std::string text =
       fmt::format("{} crossing{}: {}, {}", w.crossings, w.crossings == 1 ? "" : "s", odd, word(w.even_odd));
-  if (w.nonzero != w.even_odd)
-    text += fmt::format(" (winding number {}: {})", shown(w.winding), word(w.nonzero));
+  if (w.nonzero != w.even_odd) text += fmt::format(" (winding number {}: {})", shown(w.winding), word(w.nonzero));
   return text;
 }
 
 std::string alt_text(const Setup& s) {
   const std::size_t rings = s.situation.polygon.rings.size();
-  return fmt::format(
-      "A point and a polygon{}, with a ray from the point to the right. {}", rings > 1 ? " with a hole" : "",
-      s.truth.even_odd == Location::on
-          ? "The point lies on the boundary."
-          : fmt::format("The ray crosses the boundary {} times: the point lies {}.", s.truth.crossings,
-                        s.truth.even_odd == Location::in ? "inside" : "outside"));
+  return fmt::format("A point and a polygon{}, with a ray from the point to the right. {}",
+                     rings > 1 ? " with a hole" : "",
+                     s.truth.even_odd == Location::on
+                         ? "The point lies on the boundary."
+                         : fmt::format("The ray crosses the boundary {} times: the point lies {}.", s.truth.crossings,
+                                       s.truth.even_odd == Location::in ? "inside" : "outside"));
 }
 
 }  // namespace isect::lessons::crossings_lesson

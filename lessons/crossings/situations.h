@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/point_polygon.h"
+#include <isect/point_polygon.h>
 
 namespace isect::lessons::crossings_lesson {
 

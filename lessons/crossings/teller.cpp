@@ -4,8 +4,7 @@ namespace isect::lessons::crossings_lesson {
 
 using namespace viz;
 
-Teller::Teller(const Setup& setup, const std::string& title, const std::string& source,
-               std::vector<std::string> lines)
+Teller::Teller(const Setup& setup, const std::string& title, const std::string& source, std::vector<std::string> lines)
     : setup_(setup), script_({source, alt_text(setup), std::move(lines), title}) {}
 
 Step& Teller::add(const std::string& slug, const std::string& title, int line, const std::string& caption) {
@@ -24,8 +23,7 @@ void Teller::first_step(const std::string& rule) {
 
 std::string Teller::slug(const EdgeOf& e) const {
   int number = e.index + 1;
-  for (int r = 0; r < e.ring; ++r)
-    number += static_cast<int>(setup_.situation.polygon.rings[static_cast<std::size_t>(r)].size());
+  for (int r = 0; r < e.ring; ++r) number += static_cast<int>(setup_.situation.polygon.rings[r].size());
   return "edge-" + std::to_string(number);
 }
 

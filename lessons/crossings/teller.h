@@ -3,7 +3,7 @@
 
 #include "lessons/crossings/picture.h"
 #include "lessons/crossings/rules.h"
-#include "lessons/script.h"
+#include "lessons/shared/script.h"
 
 namespace isect::lessons::crossings_lesson {
 

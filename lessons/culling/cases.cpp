@@ -33,8 +33,7 @@ int branch(const Parameters& p) {
 
 /// Before the eye and to its right. Only a single box has a place.
 Vec2 place(const Parameters& p) {
-  if (std::get<std::string>(p.at("volume")) != "box")
-    return Vec2::Constant(std::numeric_limits<double>::quiet_NaN());
+  if (std::get<std::string>(p.at("volume")) != "box") return Vec2::Constant(std::numeric_limits<double>::quiet_NaN());
   const Vec3 from_eye = std::get<Vec3>(p.at("p")) - std::get<Vec3>(p.at("eye"));
   return {from_eye.x(), from_eye.z()};
 }
@@ -55,7 +54,9 @@ const CaseMap& cases() {
                               {"outside", "crossing in vain", "crossing", "inside"},
                               branch,
                               place,
-                              moved};
+                              moved,
+                              "The box moves to and fro and sideways; its height and its size stay.\n"
+                              "In vain: no plane rejects it, and yet it has no point of the frustum."};
   return map;
 }
 

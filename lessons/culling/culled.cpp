@@ -32,9 +32,8 @@ std::vector<Box> many(int n, const Vec3& eye) {
 namespace {
 
 void draw_all_below(const Bvh<double, 3>& bvh, int node, Culled& result) {
-  const BvhNode<double, 3>& n = bvh.nodes[static_cast<std::size_t>(node)];
-  for (int k = 0; k < n.count; ++k)
-    result.drawn.push_back(bvh.primitives[static_cast<std::size_t>(n.first + k)]);
+  const BvhNode<double, 3>& n = bvh.nodes[node];
+  for (int k = 0; k < n.count; ++k) result.drawn.push_back(bvh.primitives[n.first + k]);
   if (n.leaf()) return;
   draw_all_below(bvh, n.first, result);
   draw_all_below(bvh, n.first + 1, result);
@@ -42,14 +41,14 @@ void draw_all_below(const Bvh<double, 3>& bvh, int node, Culled& result) {
 
 void visit(const Bvh<double, 3>& bvh, const std::vector<Box>& boxes, const Frustum<double>& view, int node,
            Culled& result) {
-  const BvhNode<double, 3>& n = bvh.nodes[static_cast<std::size_t>(node)];
+  const BvhNode<double, 3>& n = bvh.nodes[node];
   Visit visited = {node, ask(n.box, view), {}};
   ++result.tests;
   if (visited.answer.culling == Culling::inside) draw_all_below(bvh, node, result);
   if (visited.answer.culling == Culling::crossing)
     for (int k = 0; k < n.count; ++k) {
-      const int box = bvh.primitives[static_cast<std::size_t>(n.first + k)];
-      visited.tested.emplace_back(box, ask(boxes[static_cast<std::size_t>(box)], view));
+      const int box = bvh.primitives[n.first + k];
+      visited.tested.emplace_back(box, ask(boxes[box], view));
       ++result.tests;
       if (visited.tested.back().second.culling != Culling::outside) result.drawn.push_back(box);
     }

@@ -1,7 +1,7 @@
 #pragma once
 // Boxes under a hierarchy against a frustum: which nodes are asked, and what is drawn.
 
-#include "core/bvh.h"
+#include <isect/bvh.h>
 #include "lessons/culling/view.h"
 
 namespace isect::lessons::culling_lesson {

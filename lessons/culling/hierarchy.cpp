@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "lessons/culling/culled.h"
-#include "lessons/script.h"
+#include "lessons/shared/script.h"
 #include "viz/chart.h"
 
 namespace isect::lessons::culling_lesson {
@@ -31,10 +31,9 @@ class Teller {
 
   Walk tell() {
     const Culled all = culled(bvh_, boxes_, view_);
-    Step& first =
-        script_.add("build", "Boxes in boxes", 4,
-                    "Each node's box holds all boxes below it. What is true of the whole node, outside or "
-                    "inside, is true of each of them.");
+    Step& first = script_.add("build", "Boxes in boxes", 4,
+                              "Each node's box holds all boxes below it. What is true of the whole node, outside or "
+                              "inside, is true of each of them.");
     first.scene = picture();
     for (const BvhNode<double, 3>& node : bvh_.nodes)
       if (node.leaf()) wire(node.box, Role::construction, Pen::construction, first.scene);
@@ -47,8 +46,7 @@ class Teller {
  private:
   static void wire(const Box& b, Role role, Pen pen, Scene& scene) {
     const auto ring = [&](double y) -> std::vector<Vec3> {
-      return {
-          {b.lo.x(), y, b.lo.z()}, {b.hi.x(), y, b.lo.z()}, {b.hi.x(), y, b.hi.z()}, {b.lo.x(), y, b.hi.z()}};
+      return {{b.lo.x(), y, b.lo.z()}, {b.hi.x(), y, b.lo.z()}, {b.hi.x(), y, b.hi.z()}, {b.lo.x(), y, b.hi.z()}};
     };
     const std::vector<Vec3> low = ring(b.lo.y()), high = ring(b.hi.y());
     scene.items.emplace_back(Chain{low, true, role, pen});
@@ -71,18 +69,17 @@ class Teller {
 
   /// All boxes below a node share its answer.
   int know(int node, Culling culling) {
-    const BvhNode<double, 3>& n = bvh_.nodes[static_cast<std::size_t>(node)];
-    for (int k = 0; k < n.count; ++k)
-      known_[static_cast<std::size_t>(bvh_.primitives[static_cast<std::size_t>(n.first + k)])] = culling;
+    const BvhNode<double, 3>& n = bvh_.nodes[node];
+    for (int k = 0; k < n.count; ++k) known_[bvh_.primitives[n.first + k]] = culling;
     return n.leaf() ? n.count : know(n.first, culling) + know(n.first + 1, culling);
   }
 
   void say(const Visit& v) {
     const Culling culling = v.answer.culling;
-    const Box& box = bvh_.nodes[static_cast<std::size_t>(v.node)].box;
+    const Box& box = bvh_.nodes[v.node].box;
     tests_ += 1 + static_cast<int>(v.tested.size());
     const int below = culling == Culling::crossing ? 0 : know(v.node, culling);
-    for (const auto& [i, answer] : v.tested) known_[static_cast<std::size_t>(i)] = answer.culling;
+    for (const auto& [i, answer] : v.tested) known_[i] = answer.culling;
     script_.value("tests", tests_);
     const bool leaf = !v.tested.empty();
     Step& step = script_.add(
@@ -92,11 +89,9 @@ class Teller {
         : culling == Culling::outside ? 1
         : culling == Culling::inside  ? 2
                                       : 3,
-        culling == Culling::outside
-            ? fmt::format("The node's box lies beyond the {} plane. One test skips {} boxes.",
-                          plane_names[v.answer.plane], below)
-        : culling == Culling::inside
-            ? fmt::format("The node's box lies inside. One test accepts {} boxes.", below)
+        culling == Culling::outside  ? fmt::format("The node's box lies beyond the {} plane. One test skips {} boxes.",
+                                                   plane_names[v.answer.plane], below)
+        : culling == Culling::inside ? fmt::format("The node's box lies inside. One test accepts {} boxes.", below)
         : leaf ? fmt::format("The leaf crosses, so each of its {} boxes is tested itself.", v.tested.size())
                : "The node's box crosses the frustum, which says nothing of what it holds. Its children are "
                  "next.");
@@ -104,8 +99,7 @@ class Teller {
     step.scene = picture();
     wire(box, Role::highlight, Pen::highlight, step.scene);
     const Vec3 at = middle(box);
-    if (v.answer.plane >= 0)
-      step.scene.items.emplace_back(Label{at, plane_names[v.answer.plane], Role::miss});
+    if (v.answer.plane >= 0) step.scene.items.emplace_back(Label{at, plane_names[v.answer.plane], Role::miss});
     step.question = {"How does the node's box lie?",
                      {"outside", "inside", "crossing"},
                      culling == Culling::outside  ? 0
@@ -119,9 +113,9 @@ class Teller {
     script_.settle(all.drawn.empty() ? Verdict::Kind::no : Verdict::Kind::yes,
                    fmt::format("{} of {} boxes are drawn, {} tests", all.drawn.size(), n, all.tests));
     script_.value("drawn", static_cast<double>(all.drawn.size()), {}, Role::hit);
-    Step& step = script_.add(
-        "total", "What is drawn", 4,
-        fmt::format("{} tests of boxes, nodes included. One by one it would be {}.", all.tests, n));
+    Step& step =
+        script_.add("total", "What is drawn", 4,
+                    fmt::format("{} tests of boxes, nodes included. One by one it would be {}.", all.tests, n));
     step.scene = picture();
   }
 
@@ -136,17 +130,15 @@ class Teller {
       panel.curves[1].points.emplace_back(n, tests);
       script_.value(fmt::format("hierarchy, *n* = {}", n), tests, "tests", Role::hit);
     }
-    Step& step =
-        script_.add("growth", "As *n* grows", 4,
-                    fmt::format("Of 4,096 boxes all around the eye a hierarchy tests {}, nodes included. It "
-                                "draws the same boxes.",
-                                tests));
+    Step& step = script_.add("growth", "As *n* grows", 4,
+                             fmt::format("Of 4,096 boxes all around the eye a hierarchy tests {}, nodes included. It "
+                                         "draws the same boxes.",
+                                         tests));
     const auto scale = [](const char* title) { return Scale{Scale::Kind::log, 10, 10000, title}; };
-    const Plot plot = {
-        scale("boxes"),
-        scale("tests"),
-        {{"one by one", Glyph::disc, Role::second, 0}, {"hierarchy", Glyph::square, Role::hit, 1}},
-        {panel}};
+    const Plot plot = {scale("boxes"),
+                       scale("tests"),
+                       {{"one by one", Glyph::disc, Role::second, 0}, {"hierarchy", Glyph::square, Role::hit, 1}},
+                       {panel}};
     step.scene.chart = std::make_shared<const Chart>(Chart{plot});
     step.question = {"Which boxes cost the tests?",
                      {"those outside", "those inside", "those near the frustum's sides"},

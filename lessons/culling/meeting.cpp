@@ -4,7 +4,7 @@
 // points. Each face is clipped by the six planes. Its corners are homogeneous, (x, y, z) / w with w > 0, so that no
 // step divides: where the heights over a plane are a > 0 > b, the side from A to B meets it at a B - b A.
 
-#include "core/predicate.h"
+#include <isect/numbers/predicate.h>
 #include "lessons/culling/view.h"
 
 namespace isect::lessons::culling_lesson {
@@ -21,7 +21,7 @@ using Outline = std::vector<Corner<W>>;
 /// Over n.x + d = 0, in any unit.
 template <class W>
 W height(const Plane<double, 3>& plane, const Corner<W>& c) {
-  const auto n = [&](int axis) { return W(plane.normal[axis]) * c.x[static_cast<std::size_t>(axis)]; };
+  const auto n = [&](int axis) { return W(plane.normal[axis]) * c.x[axis]; };
   return n(0) + n(1) + n(2) + W(plane.d) * c.w;
 }
 
@@ -69,8 +69,8 @@ Outline<W> face(const Box& box, int axis, double at) {
   for (const auto& [on_u, on_v] : {std::pair{box.lo[u], box.lo[v]}, std::pair{box.hi[u], box.lo[v]},
                                    std::pair{box.hi[u], box.hi[v]}, std::pair{box.lo[u], box.hi[v]}}) {
     std::array<double, 3> x{};
-    x[static_cast<std::size_t>(axis)] = at;
-    x[static_cast<std::size_t>(u)] = on_u, x[static_cast<std::size_t>(v)] = on_v;
+    x[axis] = at;
+    x[u] = on_u, x[v] = on_v;
     outline.push_back({{W(x[0]), W(x[1]), W(x[2])}, W(1)});
   }
   return outline;

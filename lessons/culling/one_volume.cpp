@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "lessons/culling/view.h"
-#include "lessons/script.h"
+#include "lessons/shared/script.h"
 #include "viz/solids.h"
 
 namespace isect::lessons::culling_lesson {
@@ -31,16 +31,15 @@ class Teller {
         truth_(ask(asked, view)),
         they_(ball_ ? "ball" : "box"),
         script_({"Note, N01; Akenine-Möller and Haines (2002), ch. 13.13; Assarsson and Möller (2000)",
-                 fmt::format(
-                     "A view frustum with its eye, and a {} that is {}{}.", they_, word(truth_.culling),
-                     truth_.plane < 0 ? "" : fmt::format(": beyond the {} plane", plane_names[truth_.plane])),
+                 fmt::format("A view frustum with its eye, and a {} that is {}{}.", they_, word(truth_.culling),
+                             truth_.plane < 0 ? "" : fmt::format(": beyond the {} plane", plane_names[truth_.plane])),
                  pseudocode, std::string("one ") + they_}) {}
 
   Walk tell() {
-    Step& first = script_.add(
-        "view-volume", "What the eye can see", 0,
-        "The eye sees what lies in the frustum: six planes, and their inner half-spaces in common.\n"
-        "Only that need be drawn. So each object's bounding volume is tested first.");
+    Step& first =
+        script_.add("view-volume", "What the eye can see", 0,
+                    "The eye sees what lies in the frustum: six planes, and their inner half-spaces in common.\n"
+                    "Only that need be drawn. So each object's bounding volume is tested first.");
     first.scene = picture(-1, Role::second);
     tally() = {};
     for (int i = 0; i < truth_.planes_asked; ++i) plane(i);
@@ -60,7 +59,7 @@ class Teller {
     return scene;
   }
 
-  const Plane<double, 3>& plane_at(int i) const { return view_.planes[static_cast<std::size_t>(i)]; }
+  const Plane<double, 3>& plane_at(int i) const { return view_.planes[i]; }
 
   /// The side of one plane by the exact test.
   Culling side(int i) const {
@@ -102,8 +101,7 @@ class Teller {
     const double greatest = e.at_greatest.value, least = e.at_least.value;
     const double length = plane_at(i).normal.norm();
     script_.value("greatest", greatest / length, "length", greatest < 0 ? Role::miss : Role::hit);
-    if (side != Culling::outside)
-      script_.value("least", least / length, "length", least < 0 ? Role::miss : Role::hit);
+    if (side != Culling::outside) script_.value("least", least / length, "length", least < 0 ? Role::miss : Role::hit);
     const auto corner = [&](const Vec3& p, double height, const char* name) {
       scene.items.emplace_back(Dot{p,
                                    height < 0   ? Mark::cross
@@ -142,14 +140,11 @@ class Teller {
       return ball_ ? "The plane cuts the ball: its centre is nearer to the plane than *r*. It may be visible."
                    : "The greatest corner lies on the inner side, the least one beyond: the plane cuts the "
                      "box.";
-    return ball_
-               ? "The whole ball lies on the inner side. That alone says nothing yet: each plane must agree."
-               : "Even the corner least along **n** lies on the inner side, so the whole box does.";
+    return ball_ ? "The whole ball lies on the inner side. That alone says nothing yet: each plane must agree."
+                 : "Even the corner least along **n** lies on the inner side, so the whole box does.";
   }
 
-  bool in_vain() const {
-    return truth_.culling == Culling::crossing && !ball_ && !meet(std::get<Box>(asked_), view_);
-  }
+  bool in_vain() const { return truth_.culling == Culling::crossing && !ball_ && !meet(std::get<Box>(asked_), view_); }
 
   /// Whether the box has points in one of the planes, and none on its inner side.
   bool touches() const {
@@ -194,16 +189,14 @@ class Teller {
     if (truth_.culling == Culling::inside)
       return "All six planes agree, so the frustum holds it. Nothing inside it needs a test or a cut.";
     if (truth_.culling == Culling::outside)
-      return fmt::format("The {} is not drawn. That is certain: outside is never said of what can be seen.",
-                         they_);
+      return fmt::format("The {} is not drawn. That is certain: outside is never said of what can be seen.", they_);
     if (in_vain())
       return "No plane rejects the box, and yet it misses the frustum: it lies beyond an edge.\n"
              "The test is conservative. To draw too much is harmless, to draw too little is not.";
     if (touches())
       return "The box touches a plane from outside, and the sets are closed: only a box beyond is rejected.\n"
              "What the two share (green) has no volume.";
-    if (ball_)
-      return "Crossing means only: perhaps. Beyond an edge a ball may cut two planes and miss the frustum.";
+    if (ball_) return "Crossing means only: perhaps. Beyond an edge a ball may cut two planes and miss the frustum.";
     return "Crossing means only: perhaps. Here part of it is inside (green), found by clipping its faces.";
   }
 

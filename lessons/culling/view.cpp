@@ -1,6 +1,6 @@
 #include "lessons/culling/view.h"
 
-#include "core/clip_polygon.h"
+#include <isect/clip_polygon.h>
 #include "viz/solids.h"
 
 namespace isect::lessons::culling_lesson {
@@ -13,8 +13,8 @@ Frustum<double> frustum(const Vec3& eye) {
   const auto plane = [&](const Vec3& normal, double distance) {
     return Plane<double, 3>{normal, -normal.dot(eye) - distance};
   };
-  return {{plane({3, 0, 8}, 0), plane({3, 0, -8}, 0), plane({1, 4, 0}, 0), plane({1, -4, 0}, 0),
-           plane({1, 0, 0}, 1.5), plane({-1, 0, 0}, -7)}};
+  return {{plane({3, 0, 8}, 0), plane({3, 0, -8}, 0), plane({1, 4, 0}, 0), plane({1, -4, 0}, 0), plane({1, 0, 0}, 1.5),
+           plane({-1, 0, 0}, -7)}};
 }
 
 Answer ask(const Volume& volume, const Frustum<double>& view) {
@@ -49,13 +49,9 @@ Vec3 middle(const Volume& volume) {
   return (box.lo + box.hi) / 2;
 }
 
-const char* word(Culling c) {
-  return c == Culling::inside ? "inside" : c == Culling::outside ? "outside" : "crossing";
-}
+const char* word(Culling c) { return c == Culling::inside ? "inside" : c == Culling::outside ? "outside" : "crossing"; }
 
-Role role_of(Culling c) {
-  return c == Culling::inside ? Role::hit : c == Culling::outside ? Role::miss : Role::second;
-}
+Role role_of(Culling c) { return c == Culling::inside ? Role::hit : c == Culling::outside ? Role::miss : Role::second; }
 
 Mark mark_of(Culling c) {
   return c == Culling::inside ? Mark::disc : c == Culling::outside ? Mark::cross : Mark::diamond;
@@ -80,8 +76,7 @@ void add_view(const Frustum<double>& view, const Vec3& eye, Scene& scene) {
   const Solid body = solid(view, Role::first);
   scene.items.emplace_back(body);
   for (const int corner : {0, 1, 2, 3})
-    scene.items.emplace_back(
-        Line{eye, body.vertices[static_cast<std::size_t>(corner)], Role::construction, Pen::construction});
+    scene.items.emplace_back(Line{eye, body.vertices[corner], Role::construction, Pen::construction});
   scene.items.emplace_back(Dot{eye, Mark::disc, Role::first});
   scene.items.emplace_back(Label{eye, "eye", Role::first});
 }
@@ -93,12 +88,12 @@ void add_plane(const Frustum<double>& view, int plane, Scene& scene) {
   side.role = Role::highlight, side.pen = Pen::highlight;
   side.rings.emplace_back();
   Vec3 center = Vec3::Zero();
-  for (const int i : body.faces[static_cast<std::size_t>(face_of[plane])]) {
-    side.rings[0].push_back(body.vertices[static_cast<std::size_t>(i)]);
+  for (const int i : body.faces[face_of[plane]]) {
+    side.rings[0].push_back(body.vertices[i]);
     center += side.rings[0].back() / 4;
   }
   scene.items.emplace_back(side);
-  const Vec3 tip = center + 1.4 * view.planes[static_cast<std::size_t>(plane)].normal.normalized();
+  const Vec3 tip = center + 1.4 * view.planes[plane].normal.normalized();
   scene.items.emplace_back(Arrow{center, tip, Role::text, Pen::thick});
   scene.items.emplace_back(Label{tip, "**n**", Role::text});
 }

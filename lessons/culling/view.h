@@ -1,8 +1,8 @@
 #pragma once
 // The view volume, what stands in and around it, and how a volume is drawn when its answer is known.
 
-#include "core/aabb_frustum.h"
-#include "core/sphere_frustum.h"
+#include <isect/aabb_frustum.h>
+#include <isect/sphere_frustum.h>
 #include "viz/lesson.h"
 
 namespace isect::lessons::culling_lesson {
@@ -30,7 +30,8 @@ struct Answer {
 };
 Answer ask(const Volume&, const Frustum<double>&);
 
-/// The parts of the box's faces that lie in the frustum, rounded, for a picture: nothing of a box around it, or outside.
+/// The parts of the box's faces that lie in the frustum, rounded, for a picture: nothing of a box around it, or
+/// outside.
 std::vector<Ring<double, 3>> faces_inside(const Box&, const Frustum<double>&);
 /// Whether they have a common point, touching included. Exact for the planes as given. Finite box, not empty.
 bool meet(const Box&, const Frustum<double>&);

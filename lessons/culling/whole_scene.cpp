@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "lessons/culling/view.h"
-#include "lessons/script.h"
+#include "lessons/shared/script.h"
 
 namespace isect::lessons::culling_lesson {
 
@@ -53,19 +53,17 @@ class Teller {
     script_.value("inside", inside, {}, Role::hit);
     script_
         .add("inside", "Inside all six", 2,
-             fmt::format(
-                 "No plane cuts {} of them: they lie inside. What they bound needs no test and no clipping.",
-                 inside))
+             fmt::format("No plane cuts {} of them: they lie inside. What they bound needs no test and no clipping.",
+                         inside))
         .scene = picture(6, true, false);
     script_.value("crossing", crossing);
     script_.settle(inside + crossing > 0 ? Verdict::Kind::yes : Verdict::Kind::no,
                    fmt::format("{} of {} volumes are drawn", inside + crossing, size()));
     script_
         .add("all", "All volumes of the scene", 3,
-             fmt::format(
-                 "{} cross and may be visible, so they are drawn too. What they bound is clipped later.\n"
-                 "Early rejection saves planes: {} were asked, not {}.",
-                 crossing, planes_asked(), 6 * size()))
+             fmt::format("{} cross and may be visible, so they are drawn too. What they bound is clipped later.\n"
+                         "Early rejection saves planes: {} were asked, not {}.",
+                         crossing, planes_asked(), 6 * size()))
         .scene = picture(6, true, true);
     return std::move(script_.walk());
   }
@@ -76,8 +74,7 @@ class Teller {
     return static_cast<int>(std::ranges::count_if(answers_, [&](const Answer& a) { return a.culling == c; }));
   }
   int rejected_by(int plane) const {
-    return static_cast<int>(
-        std::ranges::count_if(answers_, [&](const Answer& a) { return a.plane == plane; }));
+    return static_cast<int>(std::ranges::count_if(answers_, [&](const Answer& a) { return a.plane == plane; }));
   }
   int planes_asked() const {
     int sum = 0;
@@ -107,10 +104,10 @@ class Teller {
     const int gone = rejected_by(plane), left = size() - (rejected_ += gone);
     const std::string name = plane_names[plane];
     script_.value("outside", rejected_, {}, Role::miss);
-    Step& step = script_.add(
-        "plane-" + name, fmt::format("The {} plane", name), 1,
-        gone == 0 ? fmt::format("No volume that is left lies beyond it. {} go on to the next plane.", left)
-                  : fmt::format("Beyond it lies what it rejects: {} here. {} go on.", gone, left));
+    Step& step =
+        script_.add("plane-" + name, fmt::format("The {} plane", name), 1,
+                    gone == 0 ? fmt::format("No volume that is left lies beyond it. {} go on to the next plane.", left)
+                              : fmt::format("Beyond it lies what it rejects: {} here. {} go on.", gone, left));
     step.decides = gone > 0;
     step.scene = picture(plane, false, false);
     add_plane(view_, plane, step.scene);

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "lessons/hierarchy/tree.h"
-#include "lessons/script.h"
+#include "lessons/shared/script.h"
 
 namespace isect::lessons::hierarchy_lesson {
 
@@ -30,8 +30,7 @@ class Building {
     set(0, State::current);
     script_.value("*n*", static_cast<double>(tree_.boxes.size()));
     add("root", "One box around all", 0,
-        "Bounding volumes nest. The outermost one holds all objects: what misses it misses them all.",
-        nullptr);
+        "Bounding volumes nest. The outermost one holds all objects: what misses it misses them all.", nullptr);
     Record<bvh::Event<double>> record;
     build_bvh(tree_.boxes, options, record);
     int number = 0;
@@ -42,7 +41,7 @@ class Building {
   }
 
  private:
-  void set(int node, State state) { drawn_.states[static_cast<std::size_t>(node)] = state; }
+  void set(int node, State state) { drawn_.states[node] = state; }
 
   Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption,
             const bvh::Split<double>* split) {
@@ -66,14 +65,13 @@ class Building {
       if (s == State::current) s = State::seen;
     set(split.node, State::current), set(first, State::waiting), set(first + 1, State::waiting);
     const char* const axis = split.axis == 0 ? "*x*" : "*y*";
-    Step& step = add(
-        fmt::format("cut-{}", number), fmt::format("Cut along {}", axis), number == 1 ? 1 : 3,
-        number == 1 ? fmt::format("Centres spread most along {}. Of the cuts tried the cheapest is taken: "
-                                  "small boxes, with many objects in the smaller one.",
-                                  axis)
-                    : fmt::format("The part is cut in the same way: {} go one way, {} the other.", split.left,
-                                  split.right),
-        &split);
+    Step& step = add(fmt::format("cut-{}", number), fmt::format("Cut along {}", axis), number == 1 ? 1 : 3,
+                     number == 1 ? fmt::format("Centres spread most along {}. Of the cuts tried the cheapest is taken: "
+                                               "small boxes, with many objects in the smaller one.",
+                                               axis)
+                                 : fmt::format("The part is cut in the same way: {} go one way, {} the other.",
+                                               split.left, split.right),
+                     &split);
     step.formula = fmt::format("{} + {} boxes", split.left, split.right);
     if (number > 1) return;
     step.decides = true;

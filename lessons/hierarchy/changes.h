@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "lessons/script.h"
+#include "lessons/shared/script.h"
 
 namespace isect::lessons::hierarchy_lesson {
 

@@ -4,12 +4,12 @@
 
 #include <cmath>
 
+#include <isect/bvh_pairs.h>
+#include <isect/bvh_ray.h>
 #include "bench/random.h"
-#include "core/bvh_pairs.h"
-#include "core/bvh_ray.h"
 #include "lessons/collision/boxes.h"
 #include "lessons/hierarchy/tree.h"
-#include "lessons/script.h"
+#include "lessons/shared/script.h"
 #include "viz/chart.h"
 
 namespace isect::lessons::hierarchy_lesson {
@@ -30,7 +30,7 @@ double ray_tests(const Bvh<double, 2>& bvh, const Boxes& boxes) {
     closest_hit(
         bvh, ray,
         [&](int k) -> std::optional<double> {
-          const std::optional<Interval<double>> part = intersect(ray, boxes[static_cast<std::size_t>(k)]);
+          const std::optional<Interval<double>> part = intersect(ray, boxes[k]);
           if (!part) return {};
           return part->lo;
         },
@@ -86,12 +86,11 @@ Walk growth() {
                  "growth"});
   script.value("a ray, *n* = 1,000", some.ray, "tests");
   script.value("a ray, *n* = 100,000", most.ray, "tests");
-  Step& rays =
-      script.add("rays", "A ray among *n* boxes", 0,
-                 fmt::format("A hundred times as many boxes, but only {:.1f} times as many tests: the depth "
-                             "grows as lg *n*.\n"
-                             "Without a hierarchy a ray asks all *n* boxes.",
-                             most.ray / some.ray));
+  Step& rays = script.add("rays", "A ray among *n* boxes", 0,
+                          fmt::format("A hundred times as many boxes, but only {:.1f} times as many tests: the depth "
+                                      "grows as lg *n*.\n"
+                                      "Without a hierarchy a ray asks all *n* boxes.",
+                                      most.ray / some.ray));
   rays.scene.chart = chart(
       "tests for a ray", "every box", [](double n) { return n; }, &Cost::ray);
   rays.question = Question{"How do the tests of a ray grow with *n*?",
@@ -101,12 +100,12 @@ Walk growth() {
   script.value("all pairs, *n* = 100,000", most.pairs, "tests");
   script.value("each with each, *n* = 100,000", 0.5 * most.n * (most.n - 1.0), "tests");
   script.settle(Verdict::Kind::yes, fmt::format("depth {} for 100,000 boxes", most.depth));
-  Step& pairs = script.add(
-      "pairs", "All pairs among *n* boxes", 1,
-      fmt::format("Each with each takes *n* (*n* − 1) / 2 tests. The hierarchy takes {:.1f} a box at "
-                  "*n* = 1,000, and {:.1f} at 100,000.\n"
-                  "O(*n*^2) becomes O(*n* lg *n*) or even O(*n*), where few pairs meet.",
-                  some.pairs / some.n, most.pairs / most.n));
+  Step& pairs =
+      script.add("pairs", "All pairs among *n* boxes", 1,
+                 fmt::format("Each with each takes *n* (*n* − 1) / 2 tests. The hierarchy takes {:.1f} a box at "
+                             "*n* = 1,000, and {:.1f} at 100,000.\n"
+                             "O(*n*^2) becomes O(*n* lg *n*) or even O(*n*), where few pairs meet.",
+                             some.pairs / some.n, most.pairs / most.n));
   pairs.scene.chart = chart(
       "tests for all pairs", "every pair", [](double n) { return n * (n - 1) / 2; }, &Cost::pairs);
   return std::move(script.walk());

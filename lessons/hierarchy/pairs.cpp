@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "core/bvh_pairs.h"
+#include <isect/bvh_pairs.h>
 #include "lessons/hierarchy/changes.h"
 #include "lessons/hierarchy/tree.h"
 
@@ -66,7 +66,7 @@ class Colliding {
   }
   void show(int in_b, int in_a, State state) {
     clear();
-    drawn_b_.states[static_cast<std::size_t>(in_b)] = drawn_a_.states[static_cast<std::size_t>(in_a)] = state;
+    drawn_b_.states[in_b] = drawn_a_.states[in_a] = state;
   }
   void count() {
     changes_.tell(script_, "node pairs", nodes_, "tests");
@@ -99,10 +99,9 @@ class Colliding {
     }
     count();
     const bool leaves = b_.node(e.a).leaf() && a_.node(e.b).leaf();
-    Step& step =
-        add(fmt::format("meet-{}", ++number_), leaves ? "Two leaves meet" : "Two nodes meet", leaves ? 2 : 3,
-            leaves ? fmt::format("Both are leaves: {} of {} pairs of boxes in them meet.", met, tested.size())
-                   : "Their boxes share points, so the larger node is opened.");
+    Step& step = add(fmt::format("meet-{}", ++number_), leaves ? "Two leaves meet" : "Two nodes meet", leaves ? 2 : 3,
+                     leaves ? fmt::format("Both are leaves: {} of {} pairs of boxes in them meet.", met, tested.size())
+                            : "Their boxes share points, so the larger node is opened.");
     step.decides = leaves;
   }
 
@@ -119,17 +118,15 @@ class Colliding {
     step.decides = true;
     if (asked_) return;
     asked_ = true;
-    step.question =
-        Question{"Do the two nodes' boxes meet?", {"yes", "no"}, 1, "Some axis has a gap between them."};
+    step.question = Question{"Do the two nodes' boxes meet?", {"yes", "no"}, 1, "Some axis has a gap between them."};
   }
 
   void finish() {
     clear();
     const bool any = found_ > 0;
-    script_.settle(
-        any ? Verdict::Kind::yes : Verdict::Kind::no,
-        any ? fmt::format("{} pair{} meet{}", found_, found_ == 1 ? "" : "s", found_ == 1 ? "s" : "")
-            : std::string("no pair meets"));
+    script_.settle(any ? Verdict::Kind::yes : Verdict::Kind::no,
+                   any ? fmt::format("{} pair{} meet{}", found_, found_ == 1 ? "" : "s", found_ == 1 ? "s" : "")
+                       : std::string("no pair meets"));
     add("result", any ? "All pairs that meet" : "No pair meets", 4,
         fmt::format("{} tests of nodes and {} of boxes, where each with each takes {}.", nodes_, boxes_,
                     a_.boxes.size() * b_.boxes.size()));

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "core/bvh_ray.h"
+#include <isect/bvh_ray.h>
 #include "lessons/hierarchy/changes.h"
 #include "lessons/hierarchy/tree.h"
 
@@ -62,10 +62,8 @@ class Shooting {
   }
 
  private:
-  void set(int node, State state) { drawn_.states[static_cast<std::size_t>(node)] = state; }
-  void rule_out(int node) {
-    set(node, State::pruned), ruled_out_ += static_cast<int>(tree_.below(node).size());
-  }
+  void set(int node, State state) { drawn_.states[node] = state; }
+  void rule_out(int node) { set(node, State::pruned), ruled_out_ += static_cast<int>(tree_.below(node).size()); }
 
   Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption) {
     changes_.tell(script_, "node tests", asked_, "tests");
@@ -97,8 +95,7 @@ class Shooting {
     std::vector<int> missed, hits;
     for (std::size_t k = i + 1; k < all.size(); ++k) {
       if (std::get_if<Visited>(&all[k])) break;
-      if (const auto* t = std::get_if<Tested>(&all[k]))
-        ++tested_, t->t ? hits.push_back(t->primitive) : void();
+      if (const auto* t = std::get_if<Tested>(&all[k])) ++tested_, t->t ? hits.push_back(t->primitive) : void();
       if (const auto* c = std::get_if<Closer>(&all[k])) hit_ = c->t, drawn_.hits = {c->primitive};
       const auto* pruned = std::get_if<Pruned>(&all[k]);
       if (pruned && pruned->why == bvh_ray::Why::farther) break;
@@ -110,28 +107,27 @@ class Shooting {
     }
     asked_ += 2;
     for (const int child : {node.first, node.first + 1})
-      if (drawn_.states[static_cast<std::size_t>(child)] == State::unseen) set(child, State::waiting);
+      if (drawn_.states[child] == State::unseen) set(child, State::waiting);
     inner(missed);
   }
 
   void leaf(const BvhNode<double, 2>& node, const std::vector<int>& hits) {
-    Step& step = add(
-        fmt::format("leaf-{}", ++number_), "A leaf", 2,
-        hits.empty() ? fmt::format("{} held here, but the ray misses {}.",
-                                   node.count == 1 ? "One box is" : fmt::format("{} boxes are", node.count),
-                                   node.count == 1 ? "it" : "them")
-                     : fmt::format("The ray meets box {}. The closest hit so far is box {}, at *t* = {}.",
-                                   fmt::join(hits, " and box "), drawn_.hits.front(), shown(*hit_)));
+    Step& step =
+        add(fmt::format("leaf-{}", ++number_), "A leaf", 2,
+            hits.empty() ? fmt::format("{} held here, but the ray misses {}.",
+                                       node.count == 1 ? "One box is" : fmt::format("{} boxes are", node.count),
+                                       node.count == 1 ? "it" : "them")
+                         : fmt::format("The ray meets box {}. The closest hit so far is box {}, at *t* = {}.",
+                                       fmt::join(hits, " and box "), drawn_.hits.front(), shown(*hit_)));
     step.decides = true;
   }
 
   void inner(const std::vector<int>& missed) {
-    Step& step =
-        add(fmt::format("open-{}", ++number_), "Open a node", 3,
-            missed.empty()
-                ? "The ray meets both children. The nearer one is opened first: its hits may prune the other."
-            : missed.size() == 1 ? "The ray misses one child: all below it is ruled out by one test."
-                                 : "The ray meets the node, but neither child. Both are ruled out.");
+    Step& step = add(fmt::format("open-{}", ++number_), "Open a node", 3,
+                     missed.empty()
+                         ? "The ray meets both children. The nearer one is opened first: its hits may prune the other."
+                     : missed.size() == 1 ? "The ray misses one child: all below it is ruled out by one test."
+                                          : "The ray meets the node, but neither child. Both are ruled out.");
     step.decides = true;
     if (asked_question_) return;
     asked_question_ = true;
@@ -158,11 +154,10 @@ class Shooting {
                    closest_ ? fmt::format("box {} at *t* = {}", closest_->primitive, shown(closest_->t))
                             : std::string("no box is hit"));
     add("result", closest_ ? "The closest hit" : "No hit", root_missed ? 0 : 4,
-        root_missed
-            ? "The ray misses the outermost box, so it misses all. One test was enough: trivial reject."
-            : fmt::format("{} tests of nodes, {} of boxes. {} of {} boxes were ruled out unseen.\n"
-                          "Few boxes gain little; the gain grows with *n*.",
-                          asked_, tested_, ruled_out_, tree_.boxes.size()));
+        root_missed ? "The ray misses the outermost box, so it misses all. One test was enough: trivial reject."
+                    : fmt::format("{} tests of nodes, {} of boxes. {} of {} boxes were ruled out unseen.\n"
+                                  "Few boxes gain little; the gain grows with *n*.",
+                                  asked_, tested_, ruled_out_, tree_.boxes.size()));
   }
 
   const Vec3 p_;
@@ -181,8 +176,6 @@ Vec3 in_plane(const Vec3& p) { return {p.x(), p.y(), 0}; }
 
 }  // namespace
 
-Walk ray(const Vec3& p, const Vec3& o, const Vec3& d) {
-  return Shooting(in_plane(p), in_plane(o), in_plane(d)).walk();
-}
+Walk ray(const Vec3& p, const Vec3& o, const Vec3& d) { return Shooting(in_plane(p), in_plane(o), in_plane(d)).walk(); }
 
 }  // namespace isect::lessons::hierarchy_lesson

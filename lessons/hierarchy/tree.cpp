@@ -32,11 +32,10 @@ std::string held(const Tree& tree, int leaf, const std::string& prefix) {
 }  // namespace
 
 Boxes scattered(const Vec3& p) {
-  return {
-      around(p.x(), p.y(), 0.3, 0.25),  around(-2.75, 1.5, 0.25, 0.25),  around(-3.25, 0.5, 0.375, 0.2),
-      around(-1.75, 1.25, 0.2, 0.375),  around(-1, 1.625, 0.3, 0.2),     around(-1.125, 0.625, 0.25, 0.25),
-      around(-3.5, -0.75, 0.25, 0.3),   around(-2.75, -1.5, 0.375, 0.2), around(-1.875, -0.875, 0.25, 0.3),
-      around(-0.875, -0.625, 0.3, 0.2), around(-0.25, -1.5, 0.25, 0.3),  around(0.125, 0.5, 0.2, 0.375)};
+  return {around(p.x(), p.y(), 0.3, 0.25),  around(-2.75, 1.5, 0.25, 0.25),  around(-3.25, 0.5, 0.375, 0.2),
+          around(-1.75, 1.25, 0.2, 0.375),  around(-1, 1.625, 0.3, 0.2),     around(-1.125, 0.625, 0.25, 0.25),
+          around(-3.5, -0.75, 0.25, 0.3),   around(-2.75, -1.5, 0.375, 0.2), around(-1.875, -0.875, 0.25, 0.3),
+          around(-0.875, -0.625, 0.3, 0.2), around(-0.25, -1.5, 0.25, 0.3),  around(0.125, 0.5, 0.2, 0.375)};
 }
 
 Boxes cluster(const Vec3& middle) {
@@ -73,11 +72,11 @@ Items nested(const Tree& tree, const Drawn& drawn) {
     const bool hit = std::ranges::find(drawn.hits, i) != drawn.hits.end();
     items.push_back(Region{.rings = {corners(tree.box(i))}, .role = hit ? Role::hit : drawn.role});
     const Vec2 middle = (tree.box(i).lo + tree.box(i).hi) / 2;
-    items.push_back(viz::Heading{flat(middle), fmt::format("{}{}", drawn.prefix, i),
-                                 hit ? Role::hit : drawn.role, 0.36, false});
+    items.push_back(
+        viz::Heading{flat(middle), fmt::format("{}{}", drawn.prefix, i), hit ? Role::hit : drawn.role, 0.36, false});
   }
   for (int i = 0; i < tree.size(); ++i) {
-    const State state = drawn.states[static_cast<std::size_t>(i)];
+    const State state = drawn.states[i];
     const Aabb<double, 2> box = padded(tree, i);
     if (state == State::seen || state == State::waiting)
       items.push_back(Chain{corners(box), true, Role::construction, Pen::construction});
@@ -95,48 +94,45 @@ Items branches(const Tree& tree, const Drawn& drawn, const Vec2& lo, const Vec2&
   std::vector<double> widths(drawn.states.size());  // of leaves, as their texts need
   double all = 0;
   for (int i = 0; i < tree.size(); ++i)
-    if (tree.node(i).leaf())
-      all += widths[static_cast<std::size_t>(i)] =
-          1.5 + static_cast<double>(held(tree, i, drawn.prefix).size());
+    if (tree.node(i).leaf()) all += widths[i] = 1.5 + static_cast<double>(held(tree, i, drawn.prefix).size());
   for (double& width : widths) width *= (hi.x() - lo.x()) / all;
   const double row = (hi.y() - lo.y()) / std::max(1, tree.height(0));
   double next = lo.x();
   const std::function<void(int, int)> place = [&](int i, int depth) {
     const BvhNode<double, 2>& n = tree.node(i);
-    const double width = widths[static_cast<std::size_t>(i)];
+    const double width = widths[i];
     double x = next + width / 2;
     if (n.leaf()) {
       next += width;
     } else {
       place(n.first, depth + 1), place(n.first + 1, depth + 1);
-      x = (at[static_cast<std::size_t>(n.first)].x() + at[static_cast<std::size_t>(n.first + 1)].x()) / 2;
+      x = (at[n.first].x() + at[n.first + 1].x()) / 2;
     }
-    at[static_cast<std::size_t>(i)] = {x, hi.y() - depth * row, 0};
+    at[i] = {x, hi.y() - depth * row, 0};
   };
   place(0, 0);
 
   Items items;
-  const auto state = [&](int i) { return drawn.states[static_cast<std::size_t>(i)]; };
+  const auto state = [&](int i) { return drawn.states[i]; };
   for (int i = 0; i < tree.size(); ++i) {
     const BvhNode<double, 2>& n = tree.node(i);
     if (n.leaf() || state(n.first) == State::hidden) continue;
     for (const int child : {n.first, n.first + 1}) {
       const bool unseen = state(child) == State::unseen, pruned = state(child) == State::pruned;
-      items.push_back(Line{at[static_cast<std::size_t>(i)], at[static_cast<std::size_t>(child)],
-                           pruned ? Role::miss : Role::muted,
-                           unseen || pruned ? Pen::construction : Pen::solid});
+      items.push_back(
+          Line{at[i], at[child], pruned ? Role::miss : Role::muted, unseen || pruned ? Pen::construction : Pen::solid});
     }
   }
   for (int i = 0; i < tree.size(); ++i) {
-    const Vec3& p = at[static_cast<std::size_t>(i)];
+    const Vec3& p = at[i];
     if (state(i) == State::hidden) continue;
     items.push_back(state(i) == State::current  ? Dot{p, Mark::diamond, Role::highlight}
                     : state(i) == State::pruned ? Dot{p, Mark::cross, Role::miss}
                     : state(i) == State::seen   ? Dot{p, Mark::disc, drawn.role}
                                                 : Dot{p, Mark::ring, drawn.role});
     if (tree.node(i).leaf())
-      items.push_back(viz::Heading{p - Vec3(0, 0.28, 0), held(tree, i, drawn.prefix), drawn.role,
-                                   0.8 * widths[static_cast<std::size_t>(i)], false});
+      items.push_back(
+          viz::Heading{p - Vec3(0, 0.28, 0), held(tree, i, drawn.prefix), drawn.role, 0.8 * widths[i], false});
   }
   return items;
 }

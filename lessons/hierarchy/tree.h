@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/bvh.h"
+#include <isect/bvh.h>
 #include "viz/lesson.h"
 
 namespace isect::lessons::hierarchy_lesson {
@@ -27,8 +27,8 @@ struct Tree {
   Bvh<double, 2> bvh;
 
   int size() const { return static_cast<int>(bvh.nodes.size()); }
-  const BvhNode<double, 2>& node(int i) const { return bvh.nodes[static_cast<std::size_t>(i)]; }
-  const Aabb<double, 2>& box(int i) const { return boxes[static_cast<std::size_t>(i)]; }
+  const BvhNode<double, 2>& node(int i) const { return bvh.nodes[i]; }
+  const Aabb<double, 2>& box(int i) const { return boxes[i]; }
   std::vector<int> below(int node) const;  ///< primitives, in order
   int height(int node) const;              ///< 0 of a leaf
 };

@@ -1,8 +1,8 @@
 // All cases of two intervals in the plane of one's ends, and the methods side by side.
 
-#include "core/interval_interval_methods.h"
+#include <isect/interval_interval_methods.h>
 #include "lessons/intervals/parts.h"
-#include "lessons/opinions.h"
+#include "lessons/shared/opinions.h"
 
 namespace isect::lessons::intervals_lesson {
 
@@ -48,15 +48,17 @@ Parameters moved(const Parameters& p, const Vec2& to) {
 }  // namespace
 
 const CaseMap& cases() {
-  static const CaseMap map = {"*b*_{min}, where *a* runs from 0 to 1",
-                              "*b*_{max}",
-                              {-2, -2},
-                              {3, 3},
-                              {"b is empty", "b inside a", "a inside b", "overlapping", "b before a",
-                               "b after a", "touching", "equal"},
-                              branch,
-                              place,
-                              moved};
+  static const CaseMap map = {
+      "*b*_{min}, where *a* runs from 0 to 1",
+      "*b*_{max}",
+      {-2, -2},
+      {3, 3},
+      {"b is empty", "b inside a", "a inside b", "overlapping", "b before a", "b after a", "touching", "equal"},
+      branch,
+      place,
+      moved,
+      "Each point of the plane is an interval *b*; *a* runs from 0 to 1 on both axes.\n"
+      "Below the diagonal *b* ends before it begins: it is empty."};
   return map;
 }
 

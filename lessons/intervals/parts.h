@@ -1,7 +1,7 @@
 #pragma once
 // What the lesson's parts share: the two intervals, their picture, and the cases there are.
 
-#include "core/interval_interval.h"
+#include <isect/interval_interval.h>
 #include "viz/lesson.h"
 
 namespace isect::lessons::intervals_lesson {

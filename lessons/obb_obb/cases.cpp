@@ -61,7 +61,9 @@ const CaseMap& cases() {
       {"edge × edge", "a normal of a", "a normal of b", "overlapping", "one inside the other", "touching"},
       branch,
       place,
-      moved};
+      moved,
+      "The second box moves along the line of the centres and turns about the upright axis.\n"
+      "A region tells which axis separates first, or that none does."};
   return map;
 }
 

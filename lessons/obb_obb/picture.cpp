@@ -65,8 +65,7 @@ class Ruler {
   }
   double radius(const Box& box) const { return box.half.dot((box.axes.transpose() * e_).cwiseAbs()); }
 
-  void span(Scene& scene, double center, double r, double towards, int row, Role role,
-            const std::string& name) const {
+  void span(Scene& scene, double center, double r, double towards, int row, Role role, const std::string& name) const {
     scene.items.push_back(Span{at(center - r, row), at(center + r, row), role, Pen::thick});
     scene.items.push_back(Dot{at(center, row), Mark::ring, role});
     scene.items.push_back(Label{at(center, row), name, role, at(center + towards * r, row)});

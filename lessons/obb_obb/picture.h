@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "core/obb_obb.h"
+#include <isect/obb_obb.h>
 #include "viz/lesson.h"
 
 namespace isect::lessons::obb_obb_lesson {

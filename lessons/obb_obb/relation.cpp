@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "lessons/obb_obb/telling.h"
-#include "lessons/relation.h"
+#include "lessons/shared/relation.h"
 
 namespace isect::lessons::obb_obb_lesson {
 
@@ -17,8 +17,7 @@ void Telling::relation() {
   script_.value("axes asked", asked_);
   const int line = overlap_ ? 7 : script_.walk().steps.back().line;
   Step& step = script_.add("relation", "How they lie", line, end_caption());
-  step.scene =
-      gap_ && s_.truth == Relation::disjoint ? picture(s_, Focus::axis, gap_) : picture(s_, Focus::settled);
+  step.scene = gap_ && s_.truth == Relation::disjoint ? picture(s_, Focus::axis, gap_) : picture(s_, Focus::settled);
   step.question = relation_question(s_.truth, "the two boxes", because());
 }
 
@@ -47,8 +46,7 @@ std::string Telling::end_caption() const {
         shown(s_.epsilon));
   switch (s_.truth) {
     case Relation::disjoint:
-      return fmt::format("Disjoint after {} of 15 axes. To reject is cheap; to accept takes them all.",
-                         asked_);
+      return fmt::format("Disjoint after {} of 15 axes. To reject is cheap; to accept takes them all.", asked_);
     case Relation::touching:
       return "They share points, but none inside both. The sets are closed, so touching counts as OVERLAP.";
     case Relation::overlapping:

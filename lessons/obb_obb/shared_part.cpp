@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/clip_polygon.h"
+#include <isect/clip_polygon.h>
 #include "viz/solids.h"
 
 namespace isect::lessons::obb_obb_lesson {
@@ -53,7 +53,7 @@ void add_faces(Body& body, const Box& of, const Box& in) {
   const Solid whole = solid(of, Role::hit);
   for (const std::vector<int>& face : whole.faces) {
     Ring<double, 3> ring;
-    for (const int i : face) ring.push_back(whole.vertices[static_cast<std::size_t>(i)]);
+    for (const int i : face) ring.push_back(whole.vertices[i]);
     body.add(clipped(ring, in));
   }
 }
@@ -78,7 +78,7 @@ void shared_part(Scene& scene, const Box& a, const Box& b, Relation truth) {
                                           [](const auto& x, const auto& y) { return x.size() < y.size(); });
     Region face;
     face.rings.emplace_back(), face.role = Role::hit, face.pen = Pen::thick;
-    for (const int i : *largest) face.rings[0].push_back(flat.vertices[static_cast<std::size_t>(i)]);
+    for (const int i : *largest) face.rings[0].push_back(flat.vertices[i]);
     scene.items.push_back(face);
   }
 }

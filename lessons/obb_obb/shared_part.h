@@ -1,8 +1,8 @@
 #pragma once
 // What two boxes share, for the eye: computed in rounded numbers, beside the exact verdict.
 
-#include "core/conventions.h"
-#include "core/shapes.h"
+#include <isect/conventions.h>
+#include <isect/shapes.h>
 #include "viz/scene.h"
 
 namespace isect::lessons::obb_obb_lesson {

@@ -38,15 +38,14 @@ const Group groups[] = {{Kind::face_of_a, "normals-a", "The normals of a", "the 
 
 Telling::Telling(const Setup& setup)
     : s_(setup),
-      script_({"Note, N07; Gottschalk, Lin, Manocha (1996)",
-               "Two oriented boxes, a and b: " + in_words(s_.truth) + ".", pseudocode}) {}
+      script_({"Note, N07; Gottschalk, Lin, Manocha (1996)", "Two oriented boxes, a and b: " + in_words(s_.truth) + ".",
+               pseudocode}) {}
 
 Walk Telling::walk() {
-  Step& first =
-      script_.add("axes", "Which axes can separate?", 0,
-                  "Convex sets are disjoint exactly if some axis separates their projections.\n"
-                  "For boxes 15 axes suffice: 3 normals of a, 3 of b, and 9 products of an edge of each.",
-                  "|**l** · **t**| > *r*_a + *r*_b separates");
+  Step& first = script_.add("axes", "Which axes can separate?", 0,
+                            "Convex sets are disjoint exactly if some axis separates their projections.\n"
+                            "For boxes 15 axes suffice: 3 normals of a, 3 of b, and 9 products of an edge of each.",
+                            "|**l** · **t**| > *r*_a + *r*_b separates");
   first.scene = picture(s_, Focus::centers);
   CountingRecord<std::variant<Compared>> record;
   tally() = {};
@@ -87,20 +86,18 @@ void Telling::say(const Group& group, const std::vector<Compared>& all) {
   script_.value("*d* = |**l** · **t**|", d, "length", Role::highlight);
   script_.value("*r*_a", r_a, "length", Role::first);
   script_.value("*r*_b", r_b, "length", Role::second);
-  Step& step =
-      script_.add(group.slug, group.title, group.line + (e.separates ? 1 : 0),
-                  e.separates ? separated(group, e, l, static_cast<int>(all.size())) : passed(group, e),
-                  fmt::format("**l** = {}: {} {} {} + {}", name_of(e.axis), shown(d), e.separates ? ">" : "≤",
-                              shown(r_a), shown(r_b)));
+  Step& step = script_.add(group.slug, group.title, group.line + (e.separates ? 1 : 0),
+                           e.separates ? separated(group, e, l, static_cast<int>(all.size())) : passed(group, e),
+                           fmt::format("**l** = {}: {} {} {} + {}", name_of(e.axis), shown(d), e.separates ? ">" : "≤",
+                                       shown(r_a), shown(r_b)));
   step.scene = picture(s_, l > noise ? Focus::axis : Focus::edges, e.axis);
   Script::decide(step, {"*d* ≤ *r*_a + *r*_b", d, r_a + r_b, !e.separates,
                         e.separates ? "the test finds a gap" : "no gap on this axis"});
   step.question = {fmt::format("Does the test find a gap on one of {}?", group.of),
                    {"yes", "no"},
                    e.separates ? 0 : 1,
-                   e.separates
-                       ? "It takes the centres to lie further apart than the projections reach together."
-                       : "On each of them the projections overlap, or touch."};
+                   e.separates ? "It takes the centres to lie further apart than the projections reach together."
+                               : "On each of them the projections overlap, or touch."};
   if (!e.separates) script_.refuse(group.line + 1, {});
   if (e.separates) gap_ = e.axis;
 }
@@ -124,9 +121,8 @@ std::string Telling::separated(const Group& group, const Compared& e, double l, 
 
 std::string Telling::passed(const Group& group, const Compared& e) const {
   const bool touch = e.distance.value == e.radius_a.value + e.radius_b.value;
-  const std::string which =
-      fmt::format("None of {} separates. The tightest is drawn: {}.",
-                  group.kind == Kind::edges ? "the nine" : "these three", name_of(e.axis));
+  const std::string which = fmt::format("None of {} separates. The tightest is drawn: {}.",
+                                        group.kind == Kind::edges ? "the nine" : "these three", name_of(e.axis));
   if (touch) return which + "\nThe projections share exactly one number: no gap.";
   if (widened(e)) return which + "\nIts radii overlap only because ε has widened them.";
   if (group.kind == Kind::face_of_a)
@@ -138,8 +134,7 @@ std::string Telling::passed(const Group& group, const Compared& e) const {
 
 bool Telling::widened(const Compared& e) const {
   const obb_obb::Tested<3> exact = projections(s_, e.axis);
-  return !e.separates && exact.l.norm() > noise &&
-         exact.distance > (exact.radius_a + exact.radius_b) * (1 + 1e-12);
+  return !e.separates && exact.l.norm() > noise && exact.distance > (exact.radius_a + exact.radius_b) * (1 + 1e-12);
 }
 
 }  // namespace isect::lessons::obb_obb_lesson

@@ -1,9 +1,9 @@
 #pragma once
 // The walk through the axes of two boxes, in three groups, and how the boxes lie.
 
-#include "core/obb_obb_methods.h"
+#include <isect/obb_obb_methods.h>
 #include "lessons/obb_obb/picture.h"
-#include "lessons/script.h"
+#include "lessons/shared/script.h"
 
 namespace isect::lessons::obb_obb_lesson {
 

@@ -1,6 +1,6 @@
 #include "lessons/picking/objects.h"
 
-#include "core/fit_tight.h"
+#include <isect/fit_tight.h>
 
 namespace isect::lessons::picking_lesson {
 
@@ -38,8 +38,7 @@ Triangles crate(const Vec3& lo, const Vec3& hi) {
         p[u] = high_u ? hi[u] : lo[u], p[v] = high_v ? hi[v] : lo[v];
         return p;
       };
-      const Vec3 a = corner(false, false), b = corner(true, false), c = corner(true, true),
-                 d = corner(false, true);
+      const Vec3 a = corner(false, false), b = corner(true, false), c = corner(true, true), d = corner(false, true);
       if (upper) {
         all.push_back({{a, b, c}}), all.push_back({{a, c, d}});
       } else {
@@ -62,8 +61,7 @@ Sphere<double, 3> bounding_ball(const Shape& shape) {
   if (const auto* ball = std::get_if<Sphere<double, 3>>(&shape)) return *ball;
   std::vector<Point<double, 3>> points;
   if (const auto* all = std::get_if<Triangles>(&shape))
-    for (const Triangle<double, 3>& t : *all)
-      points.insert(points.end(), t.vertices.begin(), t.vertices.end());
+    for (const Triangle<double, 3>& t : *all) points.insert(points.end(), t.vertices.begin(), t.vertices.end());
   return fit_sphere_smallest(points);
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // What can be picked: bodies of triangles with a bounding ball, and balls.
 
-#include "lessons/sight/sight.h"
+#include "lessons/shared/sight.h"
 
 namespace isect::lessons::picking_lesson {
 

@@ -14,9 +14,7 @@ Pointed::Pointed(const Vec3& the_pointer)
       ray(eye.through(pointer)),
       truth(world.closest(ray)) {}
 
-Mark Known::mark_of(int i) const {
-  return tied() ? Mark::double_disc : i == kept ? Mark::disc : Mark::uncounted;
-}
+Mark Known::mark_of(int i) const { return tied() ? Mark::double_disc : i == kept ? Mark::disc : Mark::uncounted; }
 
 namespace {
 
@@ -69,8 +67,7 @@ Scene picture(const Pointed& s, const Known& known) {
     scene.items.emplace_back(Arrow{s.ray.origin, s.ray.at(far), Role::first});
     for (const auto& [i, t] : known.hits)
       if (!known.tied() || i == known.kept)
-        scene.items.emplace_back(
-            Dot{s.ray.at(t), known.mark_of(i), i == known.kept ? Role::hit : Role::construction});
+        scene.items.emplace_back(Dot{s.ray.at(t), known.mark_of(i), i == known.kept ? Role::hit : Role::construction});
   }
   scene.axis = axis(s, known);
   scene.handles = {{"pointer", Handle::Kind::point, s.pointer, Vec3::Zero(), Role::highlight}};

@@ -1,8 +1,8 @@
 // Three points: near to near need not be near.
 
-#include "core/point_point.h"
+#include <isect/point_point.h>
 #include "lessons/points/setup.h"
-#include "lessons/script.h"
+#include "lessons/shared/script.h"
 
 namespace isect::lessons::points_lesson {
 
@@ -30,19 +30,18 @@ class Chain {
     const bool broken = pq && qr && !pr;
     script_.walk().steps.back().question =
         Question{"Is **r** near to **p**, too?", {"yes", "no"}, pr ? 0 : 1, "The exact test says so."};
-    script_.settle(broken ? Verdict::Kind::no : Verdict::Kind::yes,
-                   broken ? "not transitive: **p** ~ **q** and **q** ~ **r**, but not **p** ~ **r**"
-                          : "no contradiction here");
-    Step& step = script_.add(
-        "verdict", broken ? "Nearness is not transitive" : "No contradiction", 3,
-        broken ? "So near points fall into no groups: merging **q** into **p** first leaves **r** alone, "
-                 "merging "
-                 "into **r** leaves **p**.\nThe result depends on the order. Equality has no such trouble."
-               : "Here it causes no trouble. Drag **r** away from **p**, but keep it near to **q**.");
+    script_.settle(
+        broken ? Verdict::Kind::no : Verdict::Kind::yes,
+        broken ? "not transitive: **p** ~ **q** and **q** ~ **r**, but not **p** ~ **r**" : "no contradiction here");
+    Step& step =
+        script_.add("verdict", broken ? "Nearness is not transitive" : "No contradiction", 3,
+                    broken ? "So near points fall into no groups: merging **q** into **p** first leaves **r** alone, "
+                             "merging "
+                             "into **r** leaves **p**.\nThe result depends on the order. Equality has no such trouble."
+                           : "Here it causes no trouble. Drag **r** away from **p**, but keep it near to **q**.");
     step.scene = picture(s_.p);
     for (const auto& [from, to, near] : asked_)
-      step.scene.items.emplace_back(
-          Line{from, to, near ? Role::hit : Role::miss, near ? Pen::thick : Pen::excluded});
+      step.scene.items.emplace_back(Line{from, to, near ? Role::hit : Role::miss, near ? Pen::thick : Pen::excluded});
     return std::move(script_.walk());
   }
 
@@ -55,14 +54,12 @@ class Chain {
   bool ask(const char* slug, const char* title, int line, const Vec3& from, const Vec3& to, bool near,
            const std::string& a, const std::string& b) {
     asked_.push_back({from, to, near});
-    script_.value("|**" + a + "** − **" + b + "**|", (from - to).norm(), "length",
-                  near ? Role::hit : Role::miss);
+    script_.value("|**" + a + "** − **" + b + "**|", (from - to).norm(), "length", near ? Role::hit : Role::miss);
     Step& step = script_.add(slug, title, line,
                              near ? "**" + b + "** lies in the ball of tolerance around **" + a + "**: near."
                                   : "**" + b + "** lies outside of the ball around **" + a + "**: far.");
     step.scene = picture(from);
-    step.scene.items.emplace_back(
-        Line{from, to, near ? Role::hit : Role::miss, near ? Pen::thick : Pen::excluded});
+    step.scene.items.emplace_back(Line{from, to, near ? Role::hit : Role::miss, near ? Pen::thick : Pen::excluded});
     step.decides = true;
     return near;
   }

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "core/point_point.h"
+#include <isect/point_point.h>
 #include "lessons/points/setup.h"
-#include "lessons/script.h"
+#include "lessons/shared/script.h"
 
 namespace isect::lessons::points_lesson {
 
@@ -55,9 +55,8 @@ class Equality {
     script_.value("*p*" + i, a, "", Role::first);
     script_.value("*q*" + i, b, "", Role::second);
     told_ = e.axis + 1;
-    Step& step =
-        add(std::string("axis-") + "xyz"[e.axis], "Equal on " + axis + "?", 1, caption(a, b, e.axis), e.axis,
-            "*p*" + i + " = " + digits(a, b) + (e.equal ? " = " : " ≠ ") + digits(b, a) + " = *q*" + i);
+    Step& step = add(std::string("axis-") + "xyz"[e.axis], "Equal on " + axis + "?", 1, caption(a, b, e.axis), e.axis,
+                     "*p*" + i + " = " + digits(a, b) + (e.equal ? " = " : " ≠ ") + digits(b, a) + " = *q*" + i);
     step.decides = true;
     step.question = Question{"Are the coordinates on " + axis + " equal?",
                              {"yes", "no"},
@@ -78,8 +77,7 @@ class Equality {
     if (std::isnan(b)) return "NaN is no number and equal to none, not even to itself.";
     if (a == b && std::signbit(a) != std::signbit(b))
       return "0 and −0 are stored differently, but compare as equal: they are the same number.";
-    if (a == b)
-      return axis < 2 ? "The same number. The next axis may still tell them apart." : "The same number.";
+    if (a == b) return axis < 2 ? "The same number. The next axis may still tell them apart." : "The same number.";
     if (std::abs(a - b) < 1e-9)
       return "Ten steps of 0.1 do not add up to 1: each sum was rounded. The marks look alike, the numbers "
              "are not.";
@@ -98,8 +96,7 @@ class Equality {
       return "Exact equality is right where numbers are copied: a vertex that two triangles share, a point "
              "in a "
              "list.\nIt is transitive: equal points can be sorted, counted and merged.";
-    if (s_.is_nan)
-      return "A point with NaN is equal to none. So it is found in no list, and near to nothing.";
+    if (s_.is_nan) return "A point with NaN is equal to none. So it is found in no list, and near to nothing.";
     if ((s_.tp - s_.tq).norm() < 1e-9)
       return "The test is right: these are two points. The error was made before, when **q** was computed.\n"
              "Whoever expects a computed number must say how near is near enough.";
@@ -113,8 +110,7 @@ class Equality {
       Vec3 end = corner;
       end[i] += 2.25;
       const bool here = i == axis;
-      scene.items.emplace_back(
-          Arrow{corner, end, here ? Role::text : Role::muted, here ? Pen::solid : Pen::hairline});
+      scene.items.emplace_back(Arrow{corner, end, here ? Role::text : Role::muted, here ? Pen::solid : Pen::hairline});
       end[i] += 0.18;
       scene.items.emplace_back(viz::Heading{end, names[i], here ? Role::text : Role::muted, 0, here});
     }

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/point_point.h"
-#include "core/point_point_methods.h"
+#include <isect/point_point.h>
+#include <isect/point_point_methods.h>
 #include "lessons/points/setup.h"
-#include "lessons/script.h"
+#include "lessons/shared/script.h"
 #include "viz/solids.h"
 
 namespace isect::lessons::points_lesson {
@@ -48,8 +48,7 @@ class Nearness {
     const C t(s_.tested_within);
     by([&](auto& r) { near_by_squares(p, q, t, r); }, 0, "By squares", "*d*^2", "tolerance^2");
     by([&](auto& r) { near_by_distance(p, q, t, r); }, 1, "By the distance", "*d*", "tolerance");
-    by([&](auto& r) { near_by_coordinates(p, q, t, r); }, 2, "By coordinates", "largest |*p*_i − *q*_i|",
-       "tolerance");
+    by([&](auto& r) { near_by_coordinates(p, q, t, r); }, 2, "By coordinates", "largest |*p*_i − *q*_i|", "tolerance");
     end();
     return std::move(script_.walk());
   }
@@ -63,8 +62,7 @@ class Nearness {
   }
 
   template <class Run>
-  void by(const Run& run, int method, const std::string& title, const std::string& name,
-          const std::string& limit) {
+  void by(const Run& run, int method, const std::string& title, const std::string& name, const std::string& limit) {
     CountingRecord<point_point::MethodEvent<C>> record;
     tally() = {};
     run(record);
@@ -95,8 +93,7 @@ class Nearness {
 
   std::string caption(int method, bool near) const {
     const bool right = near == said_[0].near;
-    const std::string verdict =
-        right ? "Here it is right." : "Here it says " + word(near) + ", and is wrong.";
+    const std::string verdict = right ? "Here it is right." : "Here it says " + word(near) + ", and is wrong.";
     if (s_.is_nan) return "NaN makes the comparison fail, so the answer is FAR. " + verdict;
     if (method == 0 && s_.unit > 1)
       return "The squares overflow: both sides are infinite, and ∞ ≤ ∞ holds for all points.\n" + verdict;
@@ -108,21 +105,19 @@ class Nearness {
       return "The square under the root has vanished before, so the distance is 0.\n" + verdict;
     if (!right && method < 2)
       return "The two sides differ in the last bits only. Rounded, they come in the wrong order.\n" + verdict;
-    if (method == 0)
-      return "Both sides are positive, so their squares compare alike. No root is needed.\n" + verdict;
+    if (method == 0) return "Both sides are positive, so their squares compare alike. No root is needed.\n" + verdict;
     if (method == 1)
       return "One square root more, and no better: the sum under it has been rounded before.\n" + verdict;
-    return "Axis by axis the points of a cube are near: at its corners up to √3 times the tolerance.\n" +
-           verdict;
+    return "Axis by axis the points of a cube are near: at its corners up to √3 times the tolerance.\n" + verdict;
   }
 
   void end() {
     const bool near = said_[0].near;
     script_.settle(near ? Verdict::Kind::yes : Verdict::Kind::no, word(near));
     const auto wrong = std::ranges::count_if(said_, [&](const Said& s) { return s.near != near; });
-    const char* const counts[] = {
-        "All four methods agree here.", "One of the three rounded methods is wrong here.",
-        "Two of the three rounded methods are wrong here.", "All three rounded methods are wrong here."};
+    const char* const counts[] = {"All four methods agree here.", "One of the three rounded methods is wrong here.",
+                                  "Two of the three rounded methods are wrong here.",
+                                  "All three rounded methods are wrong here."};
     std::string text = counts[wrong];
     if (s_.is_nan)
       text += " A point with NaN is near to none.";

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/point_point.h"
-#include "core/point_point_methods.h"
+#include <isect/point_point.h>
+#include <isect/point_point_methods.h>
 #include "viz/camera.h"
 
 namespace isect::lessons::points_lesson {
@@ -35,8 +35,7 @@ std::vector<Said> said(const Setup& s) {
           {"coordinates", "coordinates", near_by_coordinates(s.tp, s.tq, s.tested_within)}};
 }
 
-void add_point(Scene& scene, const char* parameter, const Vec3& at, const std::string& label, Role role,
-               Mark mark) {
+void add_point(Scene& scene, const char* parameter, const Vec3& at, const std::string& label, Role role, Mark mark) {
   scene.items.emplace_back(Dot{at, mark, role});
   scene.items.emplace_back(Label{at, label, role});
   scene.handles.push_back({parameter, Handle::Kind::point, at, Vec3::Zero(), role});
@@ -49,8 +48,7 @@ void add_tolerance(Scene& scene, const Setup& s, const Vec3& center) {
       viz::Heading{1.7 * view.up(), "tolerance: " + shown(s.tolerance) + unit, Role::first, 1.8, false});
   scene.items.emplace_back(Ball{center, s.tolerance, Role::first});
   const Vec3 down = -Vec3::UnitY();
-  scene.handles.push_back(
-      {"tolerance", Handle::Kind::along, s.p + s.tolerance * down, s.p, Role::first, down});
+  scene.handles.push_back({"tolerance", Handle::Kind::along, s.p + s.tolerance * down, s.p, Role::first, down});
 }
 
 void add_range(Scene& scene, double distance_exponent, bool squared) {
@@ -71,10 +69,8 @@ void add_range(Scene& scene, double distance_exponent, bool squared) {
   if (!squared) return;
   const double square = 2 * distance_exponent;
   const bool outside = square < least || square > most;
-  scene.items.emplace_back(
-      Dot{at(square), outside ? Mark::cross : Mark::disc, outside ? Role::miss : Role::text});
-  scene.items.emplace_back(
-      viz::Heading{at(square, 0.25), "*d*^2", outside ? Role::miss : Role::text, 0, false});
+  scene.items.emplace_back(Dot{at(square), outside ? Mark::cross : Mark::disc, outside ? Role::miss : Role::text});
+  scene.items.emplace_back(viz::Heading{at(square, 0.25), "*d*^2", outside ? Role::miss : Role::text, 0, false});
 }
 
 }  // namespace isect::lessons::points_lesson

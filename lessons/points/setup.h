@@ -1,7 +1,7 @@
 #pragma once
 // Points in space as drawn and as tested, and the three walks: equality, nearness, and nearness of three.
 
-#include "core/shapes.h"
+#include <isect/shapes.h>
 #include "viz/lesson.h"
 
 namespace isect::lessons::points_lesson {

@@ -71,8 +71,7 @@ void meeting(Scene& scene, const Setup& s, bool settled) {
   Dot dot = {p, Mark::disc, Role::text};
   if (*s.truth.line < 0) dot = {p, Mark::excluded, Role::construction};
   if (settled && s.truth.t)
-    dot = s.truth.location == Location::on ? Dot{p, Mark::diamond, Role::highlight}
-                                           : Dot{p, Mark::disc, Role::hit};
+    dot = s.truth.location == Location::on ? Dot{p, Mark::diamond, Role::highlight} : Dot{p, Mark::disc, Role::hit};
   if (settled && !s.truth.t && *s.truth.line >= 0) dot = {p, Mark::cross, Role::miss};
   scene.items.emplace_back(dot);
   scene.items.emplace_back(Label{p, "**r**(*t*)", dot.role == Role::construction ? Role::muted : Role::text});
@@ -112,9 +111,7 @@ Scene picture(const Setup& s, const Shown& shown, const Vec3& normal) {
 }
 
 Flat flattened(const Setup& s, const Vec3& point, int dropped) {
-  const auto flatten = [&](const Vec3& v) {
-    return Point<double, 2>(v[(dropped + 1) % 3], v[(dropped + 2) % 3]);
-  };
+  const auto flatten = [&](const Vec3& v) { return Point<double, 2>(v[(dropped + 1) % 3], v[(dropped + 2) % 3]); };
   Flat flat = {dropped, {}, flatten(point), false};
   for (const Vec3& v : s.ring) flat.ring.push_back(flatten(v));
   flat.inside = point_polygon::crossings_naive(flat.point, flat.ring);
@@ -129,8 +126,8 @@ Scene projections(const Setup& s, const Vec3& point, const Vec3& normal, int cho
     Inset inset;
     inset.items = {outline(flat.ring, scale), Dot{facing(flat.point, scale), Mark::disc, Role::text}};
     inset.heading = fmt::format("{} dropped", names[axis]);
-    inset.note = fmt::format("{}area {}: {}", axis == chosen ? "largest " : "",
-                             shown(std::abs(normal[axis]) / 2), flat.inside ? "IN" : "OUT");
+    inset.note = fmt::format("{}area {}: {}", axis == chosen ? "largest " : "", shown(std::abs(normal[axis]) / 2),
+                             flat.inside ? "IN" : "OUT");
     inset.role = axis == chosen ? Role::hit : Role::muted;
     insets.push_back(inset);
   }

@@ -1,7 +1,7 @@
 #pragma once
 // The pictures of a ray and a polygon in space, and of the polygon's three projections.
 
-#include "core/ray_polygon.h"
+#include <isect/ray_polygon.h>
 #include "viz/lesson.h"
 
 namespace isect::lessons::ray_polygon_lesson {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "core/ray_polygon_methods.h"
-#include "lessons/script.h"
+#include <isect/ray_polygon_methods.h>
+#include "lessons/shared/script.h"
 
 namespace isect::lessons::ray_polygon_lesson {
 
@@ -30,8 +30,7 @@ class Telling {
   explicit Telling(const Setup& setup)
       : s_(setup),
         script_({"Note, N20, N21; Sutherland et al. (1974)",
-                 "A ray and a polygon with a notch, in space: " + plain(verdict_text(s_.truth)) + ".",
-                 pseudocode}) {}
+                 "A ray and a polygon with a notch, in space: " + plain(verdict_text(s_.truth)) + ".", pseudocode}) {}
 
   Walk walk() {
     script_.tell<ray_polygon::ProjectedEvent<C>>(
@@ -58,27 +57,24 @@ class Telling {
       script_.value(std::string("*n*_") + "xyz"[i], normal_[i], "area");
     }
     known_.normal = true;
-    Step& step =
-        script_.add("normal", "The polygon's plane", 0,
-                    "All vertices lie in one plane. Products of edges, summed up, give its normal **n**.\n"
-                    "This also works for a concave polygon, where a single corner may point the wrong way.");
+    Step& step = script_.add("normal", "The polygon's plane", 0,
+                             "All vertices lie in one plane. Products of edges, summed up, give its normal **n**.\n"
+                             "This also works for a concave polygon, where a single corner may point the wrong way.");
     step.scene = picture(s_, known_, normal_);
     known_.normal = false;
   }
 
-  void say(const ray_polygon::InPlane<C>& e) {
-    point_ = {e.point[0].value, e.point[1].value, e.point[2].value};
-  }
+  void say(const ray_polygon::InPlane<C>& e) { point_ = {e.point[0].value, e.point[1].value, e.point[2].value}; }
 
   void say(const ray_polygon::InRange<C>& e) {
     const double t = e.t.value;
     known_.plane = true;
     script_.value("*t*", t, {}, e.holds ? Role::hit : Role::muted);
-    Step& step = script_.add(
-        "plane", "Where the line meets the plane", 2,
-        e.holds ? "The line meets the plane (dashed) in one point, and *t* ≥ 0: it lies ahead of **o**."
-                : "The line meets the plane (dashed) in one point, but *t* < 0: it lies behind **o**.",
-        "*t* = **n** · (**p**_0 − **o**) / (**n** · **d**) = " + shown(t));
+    Step& step =
+        script_.add("plane", "Where the line meets the plane", 2,
+                    e.holds ? "The line meets the plane (dashed) in one point, and *t* ≥ 0: it lies ahead of **o**."
+                            : "The line meets the plane (dashed) in one point, but *t* < 0: it lies behind **o**.",
+                    "*t* = **n** · (**p**_0 − **o**) / (**n** · **d**) = " + shown(t));
     step.scene = picture(s_, known_, normal_);
     Script::decide(step, {"*t* ≥ 0", t, 0, e.holds, e.holds ? "ahead of the origin" : "behind the origin"});
     step.question = where_question();
@@ -88,10 +84,9 @@ class Telling {
 
   void say(const ray_polygon::Projected<C>& e) {
     chosen_ = e.dropped;
-    Step& step =
-        script_.add("drop", "Which coordinate to drop?", 4, drop_caption(),
-                    fmt::format("|*n*_x| = {},  |*n*_y| = {},  |*n*_z| = {}", shown(std::abs(normal_.x())),
-                                shown(std::abs(normal_.y())), shown(std::abs(normal_.z()))));
+    Step& step = script_.add("drop", "Which coordinate to drop?", 4, drop_caption(),
+                             fmt::format("|*n*_x| = {},  |*n*_y| = {},  |*n*_z| = {}", shown(std::abs(normal_.x())),
+                                         shown(std::abs(normal_.y())), shown(std::abs(normal_.z()))));
     step.scene = projections(s_, point_, normal_, chosen_);
     step.question = {"Which coordinate is best dropped?",
                      {names[0], names[1], names[2]},
@@ -104,20 +99,18 @@ class Telling {
 
   std::string drop_caption() const {
     const double least = normal_.cwiseAbs().minCoeff();
-    return std::string(
-               "|*n_i*| is twice the area of the projection without coordinate *i*. Keep the largest.\n") +
+    return std::string("|*n_i*| is twice the area of the projection without coordinate *i*. Keep the largest.\n") +
            (least == 0 ? "Another choice may collapse the polygon to a segment: then nothing is inside."
                        : "Another choice may leave a sliver, where rounding moves the point over an edge.");
   }
 
   void counted() {
-    const auto count =
-        std::count_if(passing_.begin(), passing_.end(), [](const Passing& p) { return p.counted; });
-    Step& step = script_.add(
-        "crossings", "Inside the outline?", 5,
-        fmt::format("What is left is a point and a polygon in the plane.\n"
-                    "Its ray to the right crosses {} edge{}: {}.",
-                    count, count == 1 ? "" : "s", count % 2 == 1 ? "odd, so inside" : "even, so outside"));
+    const auto count = std::count_if(passing_.begin(), passing_.end(), [](const Passing& p) { return p.counted; });
+    Step& step =
+        script_.add("crossings", "Inside the outline?", 5,
+                    fmt::format("What is left is a point and a polygon in the plane.\n"
+                                "Its ray to the right crosses {} edge{}: {}.",
+                                count, count == 1 ? "" : "s", count % 2 == 1 ? "odd, so inside" : "even, so outside"));
     step.scene = crossings(s_, flattened(s_, point_, chosen_), passing_);
     step.question = {"How many edges does the point have on its right?",
                      {"none", "one", "two", "more"},
@@ -127,20 +120,16 @@ class Telling {
 
   Question where_question() const {
     const int answer = !s_.truth.line ? 2 : *s_.truth.line < 0 ? 1 : 0;
-    return {
-        "Where does the line meet the plane?",
-        {"ahead of the origin", "behind it", "in no single point"},
-        answer,
-        answer == 2 ? "**n** · **d** = 0: it runs beside the plane, or in it." : "The sign of *t* tells."};
+    return {"Where does the line meet the plane?",
+            {"ahead of the origin", "behind it", "in no single point"},
+            answer,
+            answer == 2 ? "**n** · **d** = 0: it runs beside the plane, or in it." : "The sign of *t* tells."};
   }
 
   void verdict() {
     const RayPolygon<double>& truth = s_.truth;
     const Verdict::Kind met = truth.location == Location::on ? Verdict::Kind::on : Verdict::Kind::yes;
-    script_.settle(truth.t          ? met
-                   : truth.coplanar ? Verdict::Kind::on
-                                    : Verdict::Kind::no,
-                   verdict_text(truth));
+    script_.settle(truth.t ? met : truth.coplanar ? Verdict::Kind::on : Verdict::Kind::no, verdict_text(truth));
     if (chosen_ < 0) script_.leave_early();
     known_.plane = known_.settled = true;
     Step& step = script_.add("verdict", "Hit or miss?",
@@ -159,8 +148,7 @@ class Telling {
       return "The whole line lies in the plane: no single *t*. The note's formula would divide 0 by 0.\n"
              "Ours reports it as an answer of its own, not as a hit.";
     if (!truth.line) return "The line runs beside the plane. The note's formula would divide by 0.";
-    if (*truth.line < 0)
-      return "A ray starts at **o**. What lies behind it does not count, so no outline is asked.";
+    if (*truth.line < 0) return "A ray starts at **o**. What lies behind it does not count, so no outline is asked.";
     if (truth.t && truth.location == Location::on)
       return fmt::format(
           "The point lies on an edge, and closed sets hold their edges. The plain crossings say {} here.\n"

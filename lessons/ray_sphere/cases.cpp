@@ -2,12 +2,12 @@
 
 #include <Eigen/Geometry>
 
-#include "core/ray_sphere_methods.h"
-#include "core/ray_sphere_stable.h"
-#include "lessons/opinions.h"
-#include "lessons/plane.h"
+#include <isect/ray_sphere_methods.h>
+#include <isect/ray_sphere_stable.h>
 #include "lessons/ray_sphere/methods.h"
 #include "lessons/ray_sphere/picture.h"
+#include "lessons/shared/opinions.h"
+#include "lessons/shared/plane.h"
 
 namespace isect::lessons::ray_sphere_lesson {
 namespace {
@@ -41,23 +41,25 @@ Parameters moved(const Parameters& p, const Vec2& to) {
   if (!(aside.norm() > 1e-9 * s.sphere.radius)) aside = across().cross(upwards()).cross(d);
   if (!(aside.norm() > 0)) aside = d.unitOrthogonal();
   Parameters there = p;
-  there["origin"] =
-      Vec3(s.sphere.center + s.sphere.radius * (to.x() * d + std::max(to.y(), 0.0) * aside.normalized()));
+  there["origin"] = Vec3(s.sphere.center + s.sphere.radius * (to.x() * d + std::max(to.y(), 0.0) * aside.normalized()));
   return there;
 }
 
 }  // namespace
 
 const CaseMap& cases() {
-  static const CaseMap map = {"where the ray begins, along it from the point nearest to the centre, in radii",
-                              "how far the line passes the centre, in radii",
-                              {-3.5, 0},
-                              {2.5, 1.75},
-                              {"no real root", "ends inside", "from inside", "two hits", "behind",
-                               "ends before", "tangent", "on it, heading in", "on it, heading out"},
-                              branch,
-                              place,
-                              moved};
+  static const CaseMap map = {
+      "where the ray begins, along it from the point nearest to the centre, in radii",
+      "how far the line passes the centre, in radii",
+      {-3.5, 0},
+      {2.5, 1.75},
+      {"no real root", "ends inside", "from inside", "two hits", "behind", "ends before", "tangent",
+       "on it, heading in", "on it, heading out"},
+      branch,
+      place,
+      moved,
+      "Two numbers settle it: how far the line passes the centre, and where on it the ray begins.\n"
+      "The half circle is the sphere itself: on it the origin lies on the surface."};
   return map;
 }
 
@@ -65,9 +67,7 @@ const CaseMap& cases() {
 std::vector<Opinion> opinions(const Parameters& p) {
   const Setup s = setup(p, false), unit = setup(p, true);
   const double length = s.ray.direction.norm();
-  const auto says = [](const std::optional<double>& t) {
-    return t ? "*t* = " + shown(*t) : std::string("no hit");
-  };
+  const auto says = [](const std::optional<double>& t) { return t ? "*t* = " + shown(*t) : std::string("no hit"); };
   std::optional<double> t = ray_sphere::haines(unit.ray, unit.sphere);
   if (t) *t /= length;
   Opinions all(says(s.truth.surface));

@@ -1,6 +1,6 @@
 // Haines' geometric method (N19), one step for each event.
 
-#include "core/ray_sphere_methods.h"
+#include <isect/ray_sphere_methods.h>
 #include "lessons/ray_sphere/methods.h"
 #include "lessons/ray_sphere/teller.h"
 
@@ -32,8 +32,7 @@ const std::vector<std::string> pseudocode = {
 
 class HainesTeller : Teller {
  public:
-  explicit HainesTeller(const Setup& setup)
-      : Teller(setup, "Haines", "Note, N19; Haines (1989), ch. 2", pseudocode) {}
+  explicit HainesTeller(const Setup& setup) : Teller(setup, "Haines", "Note, N19; Haines (1989), ch. 2", pseudocode) {}
 
   Walk tell() {
     return Teller::tell<HainesEvent<C, 3>>(
@@ -55,10 +54,9 @@ class HainesTeller : Teller {
     known_.foot = true;
     script_.value("*s*", e.s.value);
     add("along-the-ray", "How far along the ray", 1,
-        e.s.value < 0
-            ? "The projection of **l** onto **d** is negative: the centre lies behind the origin."
-            : "The projection of **l** onto **d** tells where the ray passes nearest to the centre.\n"
-              "The note calls this number *d* too, like the direction. We call it *s*.",
+        e.s.value < 0 ? "The projection of **l** onto **d** is negative: the centre lies behind the origin."
+                      : "The projection of **l** onto **d** tells where the ray passes nearest to the centre.\n"
+                        "The note calls this number *d* too, like the direction. We call it *s*.",
         Focus::along, "*s* = **l** · **d** = " + shown(e.s.value));
   }
 
@@ -73,13 +71,12 @@ class HainesTeller : Teller {
   }
 
   void say(const Behind<C>& e) {
-    Step& step = add(
-        "early-reject", "A cheap rejection", 3,
-        e.holds
-            ? "The centre lies behind, and the origin outside: the ball is behind the ray.\n"
-              "No square root was needed to know it."
-            : "Only an origin outside, with the centre behind it, can be rejected here. This ray goes on.",
-        Focus::none);
+    Step& step =
+        add("early-reject", "A cheap rejection", 3,
+            e.holds ? "The centre lies behind, and the origin outside: the ball is behind the ray.\n"
+                      "No square root was needed to know it."
+                    : "Only an origin outside, with the centre behind it, can be rejected here. This ray goes on.",
+            Focus::none);
     decide(step, {"*s* < 0", e.s.value, 0, e.s.value < 0,
                   e.s.value < 0 ? "the centre lies behind" : "the centre lies ahead"});
     step.question = behind_question(e.holds);
@@ -96,12 +93,11 @@ class HainesTeller : Teller {
 
   void say(const PassesBy<C>& e) {
     const bool tangent = setup_.truth.line_roots == 1;
-    Step& step =
-        add("passes-by", "Does the line meet the ball?", 6,
-            e.holds   ? "The line stays further from the centre than *r*: it misses."
-            : tangent ? "The line passes at exactly *r*: it touches the ball in one point. Touching counts."
-                      : "The line passes nearer than *r*: it meets the ball.",
-            Focus::passing);
+    Step& step = add("passes-by", "Does the line meet the ball?", 6,
+                     e.holds   ? "The line stays further from the centre than *r*: it misses."
+                     : tangent ? "The line passes at exactly *r*: it touches the ball in one point. Touching counts."
+                               : "The line passes nearer than *r*: it meets the ball.",
+                     Focus::passing);
     decide(step, {"*m*^2 ≤ *r*^2", e.m2.value, e.r2.value, !e.holds,
                   e.holds ? "the line misses the ball" : "the line meets the ball"});
     step.question = roots_question(setup_);
@@ -121,10 +117,10 @@ class HainesTeller : Teller {
     known_.roots = 2;
     const bool on = e.l2.value == e.r2.value;
     Step& step = add("which-root", "Which root comes first?", 9,
-                     on ? "The origin lies exactly on the surface. Heading inwards the first hit is *s* − "
-                          "*q*, else *s* + *q*: "
-                          "both give 0.\nThe note's form asks only *l*^2 > *r*^2, and so returns the exit "
-                          "for a ray that heads inwards."
+                     on        ? "The origin lies exactly on the surface. Heading inwards the first hit is *s* − "
+                                 "*q*, else *s* + *q*: "
+                                 "both give 0.\nThe note's form asks only *l*^2 > *r*^2, and so returns the exit "
+                                 "for a ray that heads inwards."
                      : e.holds ? "From outside the ray enters first, at *s* − *q*."
                                : "From inside the entry lies behind: the ray leaves at *s* + *q*.",
                      Focus::none, "*t*_{1,2} = *s* ∓ *q*");
@@ -153,12 +149,12 @@ class HainesTeller : Teller {
   void say(const TooFar<C>& e) {
     const bool segment = setup_.segment();
     if (segment) script_.value("*t*_{max}", e.limit.value, {}, Role::first);
-    Step& step = add(
-        "in-range", "Within the ray's range?", 13,
-        !segment  ? "A ray has no end, so every *t* ≥ 0 is on it."
-        : e.holds ? "The segment ends before the ball begins. Its line would meet it, the segment does not."
-                  : "The hit lies before the segment's end.",
-        Focus::none);
+    Step& step =
+        add("in-range", "Within the ray's range?", 13,
+            !segment  ? "A ray has no end, so every *t* ≥ 0 is on it."
+            : e.holds ? "The segment ends before the ball begins. Its line would meet it, the segment does not."
+                      : "The hit lies before the segment's end.",
+            Focus::none);
     if (segment) {
       decide(step, {"*t* ≤ *t*_{max}", e.t.value, e.limit.value, !e.holds,
                     e.holds ? "beyond the segment's end" : "on the segment"});
@@ -177,8 +173,7 @@ class HainesTeller : Teller {
     settle(setup_.truth.origin == Location::on ? viz::Verdict::Kind::on : viz::Verdict::Kind::yes);
     add("intersect", "The first hit", 15,
         "The point follows from *t*: **p** = **o** + *t* **d**.\n" + solid_caption(setup_), Focus::none,
-        fmt::format("**p** = ({}, {}, {})", shown(e.p.x().value), shown(e.p.y().value),
-                    shown(e.p.z().value)));
+        fmt::format("**p** = ({}, {}, {})", shown(e.p.x().value), shown(e.p.y().value), shown(e.p.z().value)));
   }
 
   bool from_outside_ = false;

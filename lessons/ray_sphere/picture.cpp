@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lessons/plane.h"
+#include "lessons/shared/plane.h"
 
 namespace isect::lessons::ray_sphere_lesson {
 
@@ -75,8 +75,7 @@ class Painter {
     for (int i = 0; i < shown_roots_; ++i) lo = std::min(lo, t_[i]), hi = std::max(hi, t_[i]);
     const double margin = 0.12 * (end_ + 1);
     if (lo < 0) add(Line{at(0), at(lo - margin), Role::construction, Pen::construction});
-    if (s_.segment() && hi > end_)
-      add(Line{at(end_), at(hi + margin), Role::construction, Pen::construction});
+    if (s_.segment() && hi > end_) add(Line{at(end_), at(hi + margin), Role::construction, Pen::construction});
   }
 
   void ray() {
@@ -177,8 +176,7 @@ class Painter {
     const double margin = 0.1 * (hi - lo);
     axis.lo = lo - margin, axis.hi = hi + margin;
     axis.range_lo = s_.ray.range.lo, axis.range_hi = s_.ray.range.hi;
-    if (k_.settled && s_.truth.solid)
-      axis.shared = Vec2(s_.truth.solid->lo, std::min(s_.truth.solid->hi, axis.hi));
+    if (k_.settled && s_.truth.solid) axis.shared = Vec2(s_.truth.solid->lo, std::min(s_.truth.solid->hi, axis.hi));
     const bool twin = s_.truth.line_roots == 1;
     for (int i = 0; i < (twin ? std::min(shown_roots_, 1) : shown_roots_); ++i)
       axis.ticks.push_back({t_[i], mark_of(i), role_of(i), twin ? "*t*_{1,2}" : i == 0 ? "*t*_1" : "*t*_2"});
@@ -203,18 +201,15 @@ std::string alt_text(const Setup& s) {
     case 0:
       return what + " passes a ball without touching it.";
     case 1:
-      return what + (s.truth.surface ? " touches a ball in one point."
-                                     : "'s line touches a ball outside its range.");
+      return what + (s.truth.surface ? " touches a ball in one point." : "'s line touches a ball outside its range.");
     default:
       break;
   }
   if (!s.truth.solid) return what + "'s line crosses a ball, but only outside its range, so it misses.";
   if (!s.truth.surface) return what + " lies wholly inside a ball and does not meet its surface.";
   const std::string where = shown(*s.truth.surface);
-  if (s.truth.origin == Location::on)
-    return what + " starts on the surface of a ball: its first hit is at t = 0.";
-  if (s.truth.origin == Location::in)
-    return what + " starts inside a ball and leaves it at t = " + where + ".";
+  if (s.truth.origin == Location::on) return what + " starts on the surface of a ball: its first hit is at t = 0.";
+  if (s.truth.origin == Location::in) return what + " starts inside a ball and leaves it at t = " + where + ".";
   return what + " enters a ball at t = " + where + ".";
 }
 

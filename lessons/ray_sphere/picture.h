@@ -1,7 +1,7 @@
 #pragma once
 // The picture of a ray and a ball: what is known so far is drawn, no more.
 
-#include "core/ray_sphere.h"
+#include <isect/ray_sphere.h>
 #include "viz/lesson.h"
 
 namespace isect::lessons::ray_sphere_lesson {
@@ -21,17 +21,7 @@ struct Setup {
 Setup setup(const viz::Parameters&, bool unit_direction);
 
 /// The one thing a step is about, drawn in the highlight colour.
-enum class Focus {
-  none,
-  center_line,
-  direction,
-  along,
-  passing,
-  half_chord,
-  radius,
-  first_root,
-  second_root
-};
+enum class Focus { none, center_line, direction, along, passing, half_chord, radius, first_root, second_root };
 
 /// What the steps so far have found.
 struct Known {

@@ -1,7 +1,7 @@
 // The quadratic (N17) and its half-B form (N18), one step for each event. They differ in the factors 2 and 4
 // alone.
 
-#include "core/ray_sphere_methods.h"
+#include <isect/ray_sphere_methods.h>
 #include "lessons/ray_sphere/methods.h"
 #include "lessons/ray_sphere/teller.h"
 
@@ -34,8 +34,8 @@ std::vector<std::string> pseudocode(bool half) {
 class QuadraticTeller : Teller {
  public:
   QuadraticTeller(const Setup& setup, bool half)
-      : Teller(setup, half ? "half-B" : "quadratic",
-               half ? "Note, N18" : "Note, N17; Möller and Haines (2002), ch. 13", pseudocode(half)),
+      : Teller(setup, half ? "half-B" : "quadratic", half ? "Note, N18" : "Note, N17; Möller and Haines (2002), ch. 13",
+               pseudocode(half)),
         half_(half) {}
 
   Walk tell() {
@@ -92,18 +92,16 @@ class QuadraticTeller : Teller {
         half_ ? "Its sign tells how many roots there are.\n"
                 "With the full *B* this line would be wrong: the tweak gains little and breeds bugs."
               : "Its sign tells how many roots there are: it compares *r* with the distance *m* of the line.",
-        Focus::passing,
-        (half_ ? "*D* = *B*^2 − *A* *C* = " : "*D* = *B*^2 − 4 *A* *C* = ") + shown(e.d.value));
+        Focus::passing, (half_ ? "*D* = *B*^2 − *A* *C* = " : "*D* = *B*^2 − 4 *A* *C* = ") + shown(e.d.value));
   }
 
   void say(const LineMisses<C>& e) {
     const int roots = setup_.truth.line_roots;
     Step& step =
         add("real-roots", "Are there real roots?", 5,
-            roots == 0 ? "A negative discriminant has no real root: the line misses the sphere."
-            : roots == 1
-                ? "It is exactly zero: both roots coincide, the line touches the sphere."
-                : "It is positive: the line meets the sphere twice. Whether the *ray* does is still open.",
+            roots == 0   ? "A negative discriminant has no real root: the line misses the sphere."
+            : roots == 1 ? "It is exactly zero: both roots coincide, the line touches the sphere."
+                         : "It is positive: the line meets the sphere twice. Whether the *ray* does is still open.",
             Focus::passing);
     decide(step, {"*D* ≥ 0", e.d.value, 0, !e.holds,
                   roots == 0   ? "no real root"
@@ -118,8 +116,8 @@ class QuadraticTeller : Teller {
     known_.roots = e.index + 1;
     known_.half_chord = true;
     script_.value(first ? "*t*_1" : "*t*_2", e.t.value, {}, Role::hit);
-    const std::string formula = std::string(first ? "*t*_1 = (−*B* − √*D*) / " : "*t*_2 = (−*B* + √*D*) / ") +
-                                (half_ ? "*A* = " : "2*A* = ");
+    const std::string formula =
+        std::string(first ? "*t*_1 = (−*B* − √*D*) / " : "*t*_2 = (−*B* + √*D*) / ") + (half_ ? "*A* = " : "2*A* = ");
     add(first ? "first-root" : "second-root", first ? "The smaller root" : "The larger root", first ? 7 : 8,
         first ? "The smaller root: where the line enters.\n"
                 "For a ball ahead, −*B* and √*D* nearly cancel here. That costs digits far away."
@@ -132,16 +130,14 @@ class QuadraticTeller : Teller {
     const bool first = e.index == 0;
     const std::string name = first ? "*t*_1" : "*t*_2";
     const double t = e.t.value, limit = setup_.ray.range.hi;
-    Step& step =
-        add(first ? "first-in-range" : "second-in-range", "Is " + name + " in the range?", first ? 9 : 11,
-            e.holds ? name + " lies in the ray's closed range: it is the first hit."
-            : t < 0 ? name + " is negative: that point lies behind the origin."
-                    : name + " lies beyond the segment's end.",
-            Focus::none);
+    Step& step = add(first ? "first-in-range" : "second-in-range", "Is " + name + " in the range?", first ? 9 : 11,
+                     e.holds ? name + " lies in the ray's closed range: it is the first hit."
+                     : t < 0 ? name + " is negative: that point lies behind the origin."
+                             : name + " lies beyond the segment's end.",
+                     Focus::none);
     const bool beyond = t > limit;
-    decide(step, beyond
-                     ? Comparison{name + " ≤ *t*_{max}", t, limit, false, "beyond the segment's end"}
-                     : Comparison{name + " ≥ 0", t, 0, t >= 0, t >= 0 ? "on the ray" : "behind the origin"});
+    decide(step, beyond ? Comparison{name + " ≤ *t*_{max}", t, limit, false, "beyond the segment's end"}
+                        : Comparison{name + " ≥ 0", t, 0, t >= 0, t >= 0 ? "on the ray" : "behind the origin"});
     if (first) {
       step.question = first_hit_question(setup_, {"*t*_1", "*t*_2"});
     }

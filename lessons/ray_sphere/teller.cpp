@@ -4,8 +4,8 @@ namespace isect::lessons::ray_sphere_lesson {
 
 using namespace viz;
 
-Step& Teller::add(const std::string& slug, const std::string& title, int line, const std::string& caption,
-                  Focus focus, const std::string& formula) {
+Step& Teller::add(const std::string& slug, const std::string& title, int line, const std::string& caption, Focus focus,
+                  const std::string& formula) {
   known_.focus = focus;
   Step& step = script_.add(slug, title, line, caption, formula);
   step.scene = picture(setup_, known_);
@@ -30,10 +30,10 @@ Question roots_question(const Setup& s) {
 Question first_hit_question(const Setup& s, const std::vector<std::string>& roots) {
   const bool first = s.truth.surface && *s.truth.surface == s.truth.roots.lo;
   const int answer = !s.truth.surface ? 2 : first ? 0 : 1;
-  const std::string because =
-      answer == 2   ? "Neither root lies in the ray's range."
-      : answer == 0 ? roots[0] + " is the smaller root, and it lies in the ray's range."
-                    : roots[0] + " lies behind the origin, so " + roots[1] + " is the first hit.";
+  const std::string because = answer == 2 ? "Neither root lies in the ray's range."
+                              : answer == 0
+                                  ? roots[0] + " is the smaller root, and it lies in the ray's range."
+                                  : roots[0] + " lies behind the origin, so " + roots[1] + " is the first hit.";
   return {"Which root is the ray's first hit?", {roots[0], roots[1], "none"}, answer, because};
 }
 

@@ -2,17 +2,16 @@
 // What the three walks share: the run on counting scalars, and the questions and verdicts that come from the
 // exact test.
 
-#include "core/counted.h"
+#include <isect/numbers/counted.h>
 #include "lessons/ray_sphere/picture.h"
-#include "lessons/script.h"
+#include "lessons/shared/script.h"
 
 namespace isect::lessons::ray_sphere_lesson {
 
 /// Tells one run of one method. A method's own teller adds what to say of each event.
 class Teller {
  protected:
-  Teller(const Setup& setup, const std::string& title, const std::string& source,
-         std::vector<std::string> pseudocode)
+  Teller(const Setup& setup, const std::string& title, const std::string& source, std::vector<std::string> pseudocode)
       : setup_(setup), script_({source, alt_text(setup), std::move(pseudocode), title}) {}
 
   /// Runs `method(ray, sphere, record)` with every operation counted, and says each event.
@@ -26,8 +25,8 @@ class Teller {
     return std::move(script_.walk());
   }
 
-  viz::Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption,
-                 Focus focus, const std::string& formula = {});
+  viz::Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption, Focus focus,
+                 const std::string& formula = {});
   static void decide(viz::Step& step, const viz::Comparison& comparison) { Script::decide(step, comparison); }
   void settle(viz::Verdict::Kind);
 

@@ -30,8 +30,8 @@ Axis axis(const OnePixel& s, const Shown& shown) {
     const std::optional<double> t = first_hit(s.ray, s.world.object(i).shape);
     if (!t || *t > axis.hi) continue;
     const bool closest = s.traced.hit->primitive == i;
-    axis.ticks.push_back({*t, closest ? Mark::disc : Mark::uncounted,
-                          closest ? Role::hit : Role::construction, short_name(s.world.object(i))});
+    axis.ticks.push_back({*t, closest ? Mark::disc : Mark::uncounted, closest ? Role::hit : Role::construction,
+                          short_name(s.world.object(i))});
   }
   return axis;
 }
@@ -58,8 +58,7 @@ void add_ray(const OnePixel& s, const Shown& shown, Scene& scene) {
     const bool closest = s.traced.hit->primitive == i;
     scene.items.emplace_back(
         Dot{s.ray.at(*t), closest ? Mark::disc : Mark::uncounted, closest ? Role::hit : Role::construction});
-    if (!closest)
-      scene.items.emplace_back(Line{s.traced.point, s.ray.at(*t), Role::construction, Pen::construction});
+    if (!closest) scene.items.emplace_back(Line{s.traced.point, s.ray.at(*t), Role::construction, Pen::construction});
   }
 }
 

@@ -12,8 +12,7 @@ std::vector<Object> scene_objects() {
           {"ball **b**", Sphere<double, 3>{{1, -0.5, 0.625}, 0.5}, Role::hit},
           {"ball **c**", Sphere<double, 3>{{3.25, 0, 1.125}, 1}, Role::miss},
           {"box", Aabb<double, 3>{{0.75, -1, -1.625}, {1.375, -0.25, -1}}, Role::second},
-          {"floor", Ring<double, 3>{{0.25, -1, 2.5}, {4.5, -1, 2.5}, {4.5, -1, -2.5}, {0.25, -1, -2.5}},
-           Role::muted}};
+          {"floor", Ring<double, 3>{{0.25, -1, 2.5}, {4.5, -1, 2.5}, {4.5, -1, -2.5}, {0.25, -1, -2.5}}, Role::muted}};
 }
 
 Traced trace(const World& world, const Ray3& ray, const Vec3& lamp, Work& work) {
@@ -54,8 +53,7 @@ Image trace(const World& world, const Eye& eye, const Vec3& lamp) {
   Image image;
   for (int row = 0; row < eye.rows; ++row)
     for (int column = 0; column < eye.columns; ++column)
-      image.pixels.push_back(
-          trace(world, eye.through(eye.on_plane({column + 0.5, row + 0.5})), lamp, image.work));
+      image.pixels.push_back(trace(world, eye.through(eye.on_plane({column + 0.5, row + 0.5})), lamp, image.work));
   return image;
 }
 

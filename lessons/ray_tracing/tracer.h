@@ -1,7 +1,7 @@
 #pragma once
 // A small ray tracer: the closest hit of a sight line, its normal, and a shadow ray to the lamp.
 
-#include "lessons/sight/sight.h"
+#include "lessons/shared/sight.h"
 
 namespace isect::lessons::ray_tracing_lesson {
 

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "core/motion.h"
+#include <isect/motion.h>
 #include "lessons/rays/methods.h"
-#include "lessons/script.h"
+#include "lessons/shared/script.h"
 
 namespace isect::lessons::rays_lesson {
 
@@ -79,8 +79,7 @@ class Flight {
     axis.range_lo = 0, axis.range_hi = segment_ ? frame : infinite<double>.hi;
     if (settled_ && truth_) {
       axis.shared = Vec2(truth_->lo, truth_->hi);
-      axis.ticks = {{truth_->lo, Mark::disc, Role::hit, "*t*_{in}"},
-                    {truth_->hi, Mark::ring, Role::hit, "*t*_{out}"}};
+      axis.ticks = {{truth_->lo, Mark::disc, Role::hit, "*t*_{in}"}, {truth_->hi, Mark::ring, Role::hit, "*t*_{out}"}};
     }
     return axis;
   }
@@ -95,10 +94,9 @@ class Flight {
   void frames() {
     frames_ = true;
     const bool seen = !discrete_hits(bullet_, wall_, frame, 1).empty();
-    Step& step =
-        add("frames", "Two frames", 1,
-            seen ? "A program that tests frame by frame sees the bullet in the wall."
-                 : "A program that tests frame by frame sees the bullet twice, each time outside the wall.");
+    Step& step = add("frames", "Two frames", 1,
+                     seen ? "A program that tests frame by frame sees the bullet in the wall."
+                          : "A program that tests frame by frame sees the bullet twice, each time outside the wall.");
     step.decides = true;
     step.question = {
         "Does one of the two tests see the bullet in the wall?",
@@ -118,14 +116,12 @@ class Flight {
   void hit() {
     settled_ = true;
     if (truth_) script_.value("*t*_{in}", truth_->lo, "time", Role::hit);
-    script_.settle(
-        truth_ ? Verdict::Kind::yes : Verdict::Kind::no,
-        truth_ ? "the bullet hits the wall at *t* = " + shown(truth_->lo) : "the bullet misses the wall");
-    Step& step =
-        add("hit", "The ray tells", 3,
-            truth_ ? "The segment meets the wall, and *t* tells when. No frame rate is needed for that.\n"
-                     "A larger object works the same: grow the wall by it, and follow its centre."
-                   : "The segment ends before the wall or passes it, so the bullet does not hit.");
+    script_.settle(truth_ ? Verdict::Kind::yes : Verdict::Kind::no,
+                   truth_ ? "the bullet hits the wall at *t* = " + shown(truth_->lo) : "the bullet misses the wall");
+    Step& step = add("hit", "The ray tells", 3,
+                     truth_ ? "The segment meets the wall, and *t* tells when. No frame rate is needed for that.\n"
+                              "A larger object works the same: grow the wall by it, and follow its centre."
+                            : "The segment ends before the wall or passes it, so the bullet does not hit.");
     step.question = {"Does the bullet hit the wall within the frame?",
                      {"yes", "no"},
                      truth_ ? 0 : 1,

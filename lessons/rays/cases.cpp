@@ -44,14 +44,17 @@ Parameters moved(const Parameters& p, const Vec2& to) {
 }  // namespace
 
 const CaseMap& cases() {
-  static const CaseMap map = {"from **o** to the wall",
-                              "*x* of **d**",
-                              {-6, -4},
-                              {6, 4.5},
-                              {"within **d**", "beyond **d**", "behind **o**", "parallel"},
-                              branch,
-                              place,
-                              moved};
+  static const CaseMap map = {
+      "from **o** to the wall",
+      "*x* of **d**",
+      {-6, -4},
+      {6, 4.5},
+      {"within **d**", "beyond **d**", "behind **o**", "parallel"},
+      branch,
+      place,
+      moved,
+      "The wall moves along *x*, and **d** changes; **o** stays.\n"
+      "What lies within **d** always counts, beyond **d** for rays and lines, behind **o** for lines."};
   return map;
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 // The ways a ray is made, the walk of each, and the picture they share.
 
-#include "core/ray_aabb.h"
-#include "core/ray_plane.h"
+#include <isect/ray_aabb.h>
+#include <isect/ray_plane.h>
 #include "viz/lesson.h"
 
 namespace isect::lessons::rays_lesson {

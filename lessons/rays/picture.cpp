@@ -81,8 +81,7 @@ class Painter {
     else
       scene_.handles.push_back({"d", Handle::Kind::vector, s_.o + s_.d, s_.o, Role::first});
     const Vec3 foot = {0, view.lo.y(), 0};
-    scene_.handles.push_back(
-        {"wall", Handle::Kind::along, foot + s_.wall * Vec3::UnitX(), foot, Role::second});
+    scene_.handles.push_back({"wall", Handle::Kind::along, foot + s_.wall * Vec3::UnitX(), foot, Role::second});
   }
 
   void axis() {
@@ -92,8 +91,8 @@ class Painter {
     axis.range_hi = k_.range ? s_.ray.range.hi : infinite<double>.hi;
     if (k_.hit && s_.truth.line) {
       const bool counts = s_.ray.range.contains(*s_.truth.line);
-      axis.ticks.push_back({*s_.truth.line, counts ? Mark::disc : Mark::excluded,
-                            counts ? Role::hit : Role::construction, "*t*"});
+      axis.ticks.push_back(
+          {*s_.truth.line, counts ? Mark::disc : Mark::excluded, counts ? Role::hit : Role::construction, "*t*"});
     }
     scene_.axis = axis;
   }
@@ -136,8 +135,7 @@ void draw_wall(Scene& scene, const Interval<double>& x) {
     return;
   }
   Region wall;
-  wall.rings = {
-      {{x.lo, view.lo.y(), 0}, {x.hi, view.lo.y(), 0}, {x.hi, view.hi.y(), 0}, {x.lo, view.hi.y(), 0}}};
+  wall.rings = {{{x.lo, view.lo.y(), 0}, {x.hi, view.lo.y(), 0}, {x.hi, view.hi.y(), 0}, {x.lo, view.hi.y(), 0}}};
   scene.items.emplace_back(wall);
 }
 

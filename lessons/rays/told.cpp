@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "core/orient.h"
-#include "core/ray_plane_methods.h"
+#include <isect/orient.h>
+#include <isect/ray_plane_methods.h>
 #include "lessons/rays/methods.h"
-#include "lessons/script.h"
+#include "lessons/shared/script.h"
 
 namespace isect::lessons::rays_lesson {
 
@@ -35,13 +35,12 @@ class Telling {
  public:
   explicit Telling(const Setup& setup)
       : s_(setup),
-        script_(
-            {"Note, N16, N20",
-             fmt::format("A {} and a wall: {}.", noun(s_), s_.truth.meets ? "they meet" : "they do not meet"),
-             pseudocode(setup),
-             s_.made == Made::points ? "two points"
-             : s_.made == Made::unit ? "unit direction"
-                                     : "point and direction"}) {}
+        script_({"Note, N16, N20",
+                 fmt::format("A {} and a wall: {}.", noun(s_), s_.truth.meets ? "they meet" : "they do not meet"),
+                 pseudocode(setup),
+                 s_.made == Made::points ? "two points"
+                 : s_.made == Made::unit ? "unit direction"
+                                         : "point and direction"}) {}
 
   Walk tell() {
     made();
@@ -94,11 +93,10 @@ class Telling {
 
   void marks() {
     known_.marks = true;
-    const std::string unit =
-        s_.made == Made::unit ? "As |**u**| = 1, *t* is the distance from **o**."
-        : s_.made == Made::points
-            ? "*t* = 0 is **p**_1, *t* = 1 is **p**_2: *t* counts lengths of **d**."
-            : "*t* counts lengths of **d**: **r**(1) = **o** + **d**. It is no distance.";
+    const std::string unit = s_.made == Made::unit ? "As |**u**| = 1, *t* is the distance from **o**."
+                             : s_.made == Made::points
+                                 ? "*t* = 0 is **p**_1, *t* = 1 is **p**_2: *t* counts lengths of **d**."
+                                 : "*t* counts lengths of **d**: **r**(1) = **o** + **d**. It is no distance.";
     add("parameter", "One number for each point", 1, "Each *t* has its point on the line. " + unit,
         fmt::format("**r**(*t*) = **o** + *t* **{}**", letter(s_)));
   }
@@ -125,17 +123,14 @@ class Telling {
                      "The three kinds differ in nothing but the range of *t*."};
   }
 
-  void say(const ray_plane::Numerator<C>& e) {
-    script_.value("**n** · **o** + *D*", e.value.value, "length");
-  }
+  void say(const ray_plane::Numerator<C>& e) { script_.value("**n** · **o** + *D*", e.value.value, "length"); }
   void say(const ray_plane::Denominator<C>& e) {
     script_.value(fmt::format("**n** · **{}**", letter(s_)), e.value.value, "length");
   }
   void say(const ray_plane::Parallel<C>& e) {
     if (e.holds)
       add("parallel", "Parallel", 3,
-          fmt::format("**n** · **{}** = 0: the line never comes nearer to the wall, or lies in it.",
-                      letter(s_)));
+          fmt::format("**n** · **{}** = 0: the line never comes nearer to the wall, or lies in it.", letter(s_)));
   }
   void say(const ray_plane::InRange<C>& e) {
     const double t = e.t.value;
@@ -152,18 +147,16 @@ class Telling {
     known_.settled = true;
     const bool meets = s_.truth.meets;
     script_.settle(meets ? Verdict::Kind::yes : Verdict::Kind::no,
-                   !meets ? "the " + noun(s_) + " misses the wall"
-                   : s_.truth.coplanar
-                       ? "the " + noun(s_) + " lies in the wall"
-                       : "the " + noun(s_) + " meets the wall at *t* = " + shown(*s_.truth.t));
+                   !meets              ? "the " + noun(s_) + " misses the wall"
+                   : s_.truth.coplanar ? "the " + noun(s_) + " lies in the wall"
+                                       : "the " + noun(s_) + " meets the wall at *t* = " + shown(*s_.truth.t));
     Step& step = add("verdict", "Does it count?", 4, verdict_caption());
     if (s_.truth.line) {
       const bool below = *s_.truth.line < s_.ray.range.lo;
       const double end = below ? s_.ray.range.lo : s_.ray.range.hi;
       if (std::isfinite(end))
-        Script::decide(step,
-                       {below ? "*t*_{min} ≤ *t*" : "*t* ≤ *t*_{max}", below ? end : *s_.truth.line,
-                        below ? *s_.truth.line : end, meets, meets ? "in the range" : "outside the range"});
+        Script::decide(step, {below ? "*t*_{min} ≤ *t*" : "*t* ≤ *t*_{max}", below ? end : *s_.truth.line,
+                              below ? *s_.truth.line : end, meets, meets ? "in the range" : "outside the range"});
     }
     step.question = {"Does the " + noun(s_) + " meet the wall?",
                      {"yes", "no"},

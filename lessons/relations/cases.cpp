@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "lessons/plane.h"
-#include "lessons/relation.h"
 #include "lessons/relations/questions.h"
+#include "lessons/shared/plane.h"
+#include "lessons/shared/relation.h"
 
 namespace isect::lessons::relations_lesson {
 
@@ -48,7 +48,9 @@ const CaseMap& cases() {
                               relation_cases(),
                               branch,
                               place_of,
-                              moved};
+                              moved,
+                              "The second set is shifted to the right and grows; the rest stays.\n"
+                              "Touching is a border, and being equal is one point."};
   return map;
 }
 

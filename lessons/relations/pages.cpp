@@ -4,8 +4,8 @@
 
 #include <set>
 
-#include "lessons/relation.h"
-#include "lessons/script.h"
+#include "lessons/shared/relation.h"
+#include "lessons/shared/script.h"
 #include "viz/compose.h"
 #include "viz/grid.h"
 
@@ -80,11 +80,10 @@ Walk page_of_all(const Pose& pose) {
   }
   Script script({"Note, N02", "Small pictures of two shapes: each of six relations, for each of four kinds.",
                  pseudocode, all_kinds});
-  Step& same =
-      script.add("same-place", "The same places, four kinds", -1,
-                 fmt::format("All four pairs have the same centres and sizes, yet {} relations.\n"
-                             "How two things lie is a matter of their shapes, not of where they are.",
-                             found.size()));
+  Step& same = script.add("same-place", "The same places, four kinds", -1,
+                          fmt::format("All four pairs have the same centres and sizes, yet {} relations.\n"
+                                      "How two things lie is a matter of their shapes, not of where they are.",
+                                      found.size()));
   same.scene.items = centred(insets, 4);
   same.question = Question{"Are all four pairs related alike?",
                            {"yes", "no"},

@@ -1,10 +1,10 @@
 #include "lessons/relations/pair.h"
 
-#include "core/aabb_aabb.h"
-#include "core/convex_polygons.h"
-#include "core/obb_obb.h"
-#include "core/sphere_sphere.h"
-#include "lessons/plane.h"
+#include <isect/aabb_aabb.h>
+#include <isect/convex_polygons.h>
+#include <isect/obb_obb.h>
+#include <isect/sphere_sphere.h>
+#include "lessons/shared/plane.h"
 
 namespace isect::lessons::relations_lesson {
 
@@ -85,8 +85,8 @@ std::string they(Kind kind) { return "the " + name(kind); }
 
 const std::vector<Situation>& situations(Kind kind) {
   using enum Relation;
-  const auto six = [](const Pose& apart, const Pose& touch, const Pose& overlap, const Pose& around,
-                      const Pose& within, const Pose& same) {
+  const auto six = [](const Pose& apart, const Pose& touch, const Pose& overlap, const Pose& around, const Pose& within,
+                      const Pose& same) {
     return std::vector<Situation>{{"disjoint", "disjoint", disjoint, apart},
                                   {"touching", "touching", touching, touch},
                                   {"overlapping", "overlapping", overlapping, overlap},

@@ -6,8 +6,8 @@
 #include <variant>
 #include <vector>
 
-#include "core/point_convex_polygon.h"
-#include "core/shapes.h"
+#include <isect/point_convex_polygon.h>
+#include <isect/shapes.h>
 #include "viz/lesson.h"
 
 namespace isect::lessons::relations_lesson {

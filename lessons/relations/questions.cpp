@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "lessons/plane.h"
-#include "lessons/relation.h"
 #include "lessons/relations/pages.h"
-#include "lessons/script.h"
+#include "lessons/shared/plane.h"
+#include "lessons/shared/relation.h"
+#include "lessons/shared/script.h"
 
 namespace isect::lessons::relations_lesson {
 
@@ -23,8 +23,8 @@ class Telling {
       : pair_(kind, pose),
         pose_(pose),
         they_(they(kind)),
-        script_({"Note, N02", fmt::format("Two {}, a and b: {}.", name(kind), words(pair_.truth, they_)),
-                 pseudocode, name(kind)}) {}
+        script_({"Note, N02", fmt::format("Two {}, a and b: {}.", name(kind), words(pair_.truth, they_)), pseudocode,
+                 name(kind)}) {}
 
   Walk walk() {
     add("pair", fmt::format("Two {}", name(pair_.kind)), 0,
@@ -46,8 +46,8 @@ class Telling {
   }
 
  private:
-  Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption,
-            Focus focus, const std::string& formula = {}) {
+  Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption, Focus focus,
+            const std::string& formula = {}) {
     Step& step = script_.add(slug, title, line, caption, formula);
     step.scene = picture(focus);
     return step;
@@ -83,12 +83,11 @@ class Telling {
   void settle() { script_.settle(verdict_kind(pair_.truth), words(pair_.truth, they_)); }
 
   void yes_or_no() {
-    Step& step =
-        add("yes-or-no", "A common point?", 0,
-            pair_.meet ? "Yes: some point lies in both. This is all that the note's pseudocode tells."
-                       : "No point lies in both. Here \"no\" says it all: the sets are disjoint.\n"
-                         "Exclusion, in the note's words.",
-            Focus::none, pair_.meet ? "a ∩ b ≠ ∅" : "a ∩ b = ∅");
+    Step& step = add("yes-or-no", "A common point?", 0,
+                     pair_.meet ? "Yes: some point lies in both. This is all that the note's pseudocode tells."
+                                : "No point lies in both. Here \"no\" says it all: the sets are disjoint.\n"
+                                  "Exclusion, in the note's words.",
+                     Focus::none, pair_.meet ? "a ∩ b ≠ ∅" : "a ∩ b = ∅");
     step.decides = true;
     step.question = Question{"Do " + they_ + " have a common point?",
                              {"yes", "no"},
@@ -100,16 +99,14 @@ class Telling {
   void what_it_loses() {
     script_.refuse(0, {});
     const auto& all = situations(pair_.kind);
-    const auto yes =
-        std::ranges::count_if(all, [&](const Situation& s) { return Pair(pair_.kind, s.pose).meet; });
+    const auto yes = std::ranges::count_if(all, [&](const Situation& s) { return Pair(pair_.kind, s.pose).meet; });
     script_.value("pairs that meet", static_cast<double>(yes));
     Step& step = script_.add(
         "what-it-loses", "What a yes loses", 0,
-        fmt::format(
-            "{} of these {} pairs have the same answer: yes.\n"
-            "A hierarchy may stop where one contains the other, and physics starts where two touch. A "
-            "good test tells them apart.",
-            yes, all.size()));
+        fmt::format("{} of these {} pairs have the same answer: yes.\n"
+                    "A hierarchy may stop where one contains the other, and physics starts where two touch. A "
+                    "good test tells them apart.",
+                    yes, all.size()));
     step.scene = six(pair_.kind);
   }
 
@@ -119,9 +116,9 @@ class Telling {
     const bool a_in_b = r == equal || r == a_inside_b, b_in_a = r == equal || r == b_inside_a;
     const int line = r == equal ? 1 : r == a_inside_b ? 2 : r == b_inside_a ? 3 : 0;
     for (int before = 1; before < (line == 0 ? 4 : line); ++before) script_.refuse(before, {});
-    Step& step = add("containment", "One within the other?", line == 0 ? 3 : line, contained_caption(),
-                     Focus::containment,
-                     fmt::format("a ⊆ b: {},  b ⊆ a: {}", a_in_b ? "yes" : "no", b_in_a ? "yes" : "no"));
+    Step& step =
+        add("containment", "One within the other?", line == 0 ? 3 : line, contained_caption(), Focus::containment,
+            fmt::format("a ⊆ b: {},  b ⊆ a: {}", a_in_b ? "yes" : "no", b_in_a ? "yes" : "no"));
     step.decides = true;
     step.question = Question{"Does each point of one lie in the other?",
                              {"a lies in b", "b lies in a", "each in the other", "neither"},
@@ -153,14 +150,13 @@ class Telling {
   void interiors() {
     const bool touch = pair_.truth == Relation::touching;
     if (!touch) script_.refuse(4, {});
-    Step& step = add(
-        "interiors", "Do they share inner points?", touch ? 4 : 5,
-        touch
-            ? "No: what they share lies on both boundaries. Our sets are closed, so it counts: they touch.\n"
-              "The note counts touching boxes as OVERLAP, but touching spheres as DISJOINT."
-            : "Yes: some point lies inside both, not just on the boundaries. Green is what they share.\n"
-              "The note's partial intersection.",
-        Focus::settled);
+    Step& step =
+        add("interiors", "Do they share inner points?", touch ? 4 : 5,
+            touch ? "No: what they share lies on both boundaries. Our sets are closed, so it counts: they touch.\n"
+                    "The note counts touching boxes as OVERLAP, but touching spheres as DISJOINT."
+                  : "Yes: some point lies inside both, not just on the boundaries. Green is what they share.\n"
+                    "The note's partial intersection.",
+            Focus::settled);
     step.decides = true;
     step.question = Question{"Does a point lie inside both?",
                              {"yes", "no, only on the boundaries"},

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/clip_polygon.h"
-#include "core/kdop_polytope.h"
-#include "core/point_aabb.h"
-#include "core/point_obb.h"
-#include "lessons/plane.h"
+#include <isect/clip_polygon.h>
+#include <isect/kdop_polytope.h>
+#include <isect/point_aabb.h>
+#include <isect/point_obb.h>
 #include "lessons/relations/pair.h"
+#include "lessons/shared/plane.h"
 #include "viz/solids.h"
 
 namespace isect::lessons::relations_lesson {
@@ -64,7 +64,7 @@ Items part(const Box& a, const Box& b) {
   std::vector<Vec3> ring;
   if (common.faces.empty()) ring = common.vertices;
   if (!common.faces.empty())
-    for (const int i : common.faces[0]) ring.push_back(common.vertices[static_cast<std::size_t>(i)]);
+    for (const int i : common.faces[0]) ring.push_back(common.vertices[i]);
   return {flat_part(ring)};
 }
 
@@ -103,8 +103,7 @@ std::vector<Vec3> corners(const Obb<double, 3>& box) { return solid(box, Role::f
 std::optional<Vec3> clearest(const std::vector<Vec3>& left, const Vec3& middle) {
   const Vec3 viewer = across().cross(upwards());
   if (left.empty()) return {};
-  return *std::ranges::max_element(left, {},
-                                   [&](const Vec3& p) { return (p - middle).norm() + p.dot(viewer) / 2; });
+  return *std::ranges::max_element(left, {}, [&](const Vec3& p) { return (p - middle).norm() + p.dot(viewer) / 2; });
 }
 
 template <class Box>
@@ -135,8 +134,7 @@ std::optional<Vec3> left_over(const Shape& of, const Shape& other) {
 }
 
 Items drawn(const Shape& shape, Role role) {
-  if (const auto* ball = std::get_if<Sphere<double, 3>>(&shape))
-    return {Ball{ball->center, ball->radius, role}};
+  if (const auto* ball = std::get_if<Sphere<double, 3>>(&shape)) return {Ball{ball->center, ball->radius, role}};
   if (const auto* box = std::get_if<Aabb<double, 3>>(&shape)) return {solid(*box, role)};
   if (const auto* box = std::get_if<Obb<double, 3>>(&shape)) return {solid(*box, role)};
   return {Region{.rings = {in_space(std::get<ConvexPolygon<double>>(shape).vertices)}, .role = role}};

@@ -4,11 +4,11 @@
 
 #include <limits>
 
-#include "core/orient_methods.h"
-#include "core/point_polygon.h"
-#include "core/ray_sphere.h"
-#include "core/ray_sphere_methods.h"
-#include "core/sphere_sphere.h"
+#include <isect/orient_methods.h>
+#include <isect/point_polygon.h>
+#include <isect/ray_sphere.h>
+#include <isect/ray_sphere_methods.h>
+#include <isect/sphere_sphere.h>
 
 namespace isect::lessons::robustness_lesson {
 
@@ -69,9 +69,7 @@ Setting crossings(const Vec3& p) {
   s.why = "The abscissa *x* where the edge crosses is rounded, and the point lies within that error.";
   s.verdicts = {"outside", "on the edge", "inside"};
   const Ring<S, 2> ring = {{S(-1.1), S(-0.9)}, {S(1.3), S(0.7)}, {S(-0.7), S(1.3)}};
-  s.answer = [=](int i, int j) {
-    return point_polygon::crossings_naive(neighbour<S>(p, i, j), ring) ? 1 : -1;
-  };
+  s.answer = [=](int i, int j) { return point_polygon::crossings_naive(neighbour<S>(p, i, j), ring) ? 1 : -1; };
   s.truth = [=](int i, int j) {
     const Location l = locate(neighbour<S>(p, i, j), ring);
     return l == Location::in ? 1 : l == Location::on ? 0 : -1;
@@ -95,9 +93,7 @@ Setting tangent(const Vec3& p) {
   s.verdicts = {"miss", "tangent", "hit"};
   const Sphere<S, 2> circle = {{S(0.1), S(0.2)}, S(1)};
   const Vector<S, 2> d = {S(2), S(1)};
-  s.answer = [=](int i, int j) {
-    return ray_sphere::quadratic(Ray<S, 2>{neighbour<S>(p, i, j), d}, circle) ? 1 : -1;
-  };
+  s.answer = [=](int i, int j) { return ray_sphere::quadratic(Ray<S, 2>{neighbour<S>(p, i, j), d}, circle) ? 1 : -1; };
   s.truth = [=](int i, int j) {
     const RaySphere<S> exact = intersect(Ray<S, 2>{neighbour<S>(p, i, j), d}, circle);
     return exact.line_roots == 0 ? -1 : exact.line_roots == 1 ? 0 : 1;

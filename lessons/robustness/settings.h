@@ -1,5 +1,6 @@
 #pragma once
-// What is put under the microscope: a naive test and the exact one, asked of one floating-point neighbour after another.
+// What is put under the microscope: a naive test and the exact one, asked of one floating-point neighbour after
+// another.
 
 #include <functional>
 #include <string>

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
+#include <isect/obb_obb.h>
+#include <isect/obb_obb_methods.h>
+#include <isect/sphere_sphere_methods.h>
 #include "bench/random.h"
-#include "core/obb_obb.h"
-#include "core/obb_obb_methods.h"
-#include "core/sphere_sphere_methods.h"
 #include "lessons/rules_of_thumb/experiment.h"
 
 namespace isect::lessons::rules_lesson {
@@ -29,8 +29,7 @@ Box upright(const Flat& center, double degrees, double u, double v) {
 
 Flat above(const Box& box) { return box.center.head<2>(); }
 std::vector<Flat> corners(const Box& box) {
-  const Flat u = box.half[0] * box.axes.col(0).head<2>(), v = box.half[1] * box.axes.col(1).head<2>(),
-             c = above(box);
+  const Flat u = box.half[0] * box.axes.col(0).head<2>(), v = box.half[1] * box.axes.col(1).head<2>(), c = above(box);
   return {c - u - v, c + u - v, c + u + v, c - u + v};
 }
 double outer(const Box& box) { return box.half.norm(); }
@@ -49,8 +48,7 @@ std::vector<Box> scattered() {
   for (int i = 0; i < 14; ++i) {
     const double x = -2.9 + 0.95 * (i % 5), y = -1.5 + 1.45 * (i / 5);
     const Flat at(x + random.uniform(-0.2, 0.2), y + random.uniform(-0.2, 0.2));
-    const double degrees = random.uniform(0, 90), u = random.uniform(0.25, 0.45),
-                 v = random.uniform(0.15, 0.3);
+    const double degrees = random.uniform(0, 90), u = random.uniform(0.25, 0.45), v = random.uniform(0.15, 0.3);
     boxes.push_back(upright(at, degrees, u, v));
   }
   return boxes;
@@ -93,8 +91,7 @@ Experiment trivial(const Flat& p) {
       e.parts[3].items.emplace_back(outline(corners(b), Role::construction, Pen::hairline));
     else
       e.parts[3].items.emplace_back(region(corners(b), found));
-    if (!apart && !surely)
-      e.parts[3].items.emplace_back(line(p, above(b), Role::construction, Pen::construction));
+    if (!apart && !surely) e.parts[3].items.emplace_back(line(p, above(b), Role::construction, Pen::construction));
   }
   const int others = static_cast<int>(boxes.size());
   e.details = {{"rejected by balls", rejected},
@@ -104,29 +101,28 @@ Experiment trivial(const Flat& p) {
   e.parts[0].caption = "Which boxes meet box a, around **p**? Most lie far away: a cheap test should say so.";
   e.parts[1].title = "Every pair in full";
   e.parts[1].caption = fmt::format(
-      "The separating axes are tested for all {} boxes. Far boxes cost as much to set up as near ones.",
-      others);
+      "The separating axes are tested for all {} boxes. Far boxes cost as much to set up as near ones.", others);
   e.parts[2].title = "Two balls a box";
   e.parts[2].caption =
       "A dashed ball holds the box, a solid one lies in it; both are stored.\n"
       "Outer balls apart: surely disjoint. Inner balls meet: surely overlapping.";
   e.parts[3].title = "Only the doubtful in full";
   e.parts[3].caption =
-      fmt::format("{} boxes are rejected and {} accepted by balls. {} {} left to the axes.", rejected,
-                  accepted, others - rejected - accepted, others - rejected - accepted == 1 ? "is" : "are");
+      fmt::format("{} boxes are rejected and {} accepted by balls. {} {} left to the axes.", rejected, accepted,
+                  others - rejected - accepted, others - rejected - accepted == 1 ? "is" : "are");
   e.saving = "Two squared distances are far cheaper than fifteen axes.";
   return e;
 }
 
 Experiment reuse(const Flat& p) {
   const Box b = upright({-1.05, -0.9}, 0, 1.9, 0.4);
-  Experiment e = {.title = "2: reuse results",
-                  .source = "Note, N10 (2); Ericson (2005), 4.4",
-                  .alt = "A slender box glides past a flat one, seen at twelve times.",
-                  .pseudocode = {"for each time", "    without: test axis after axis until one separates",
-                                 "    with: test the axis that separated before",
-                                 "    only if it fails: test axis after axis"},
-                  .unit = "axes tested"};
+  Experiment e = {
+      .title = "2: reuse results",
+      .source = "Note, N10 (2); Ericson (2005), 4.4",
+      .alt = "A slender box glides past a flat one, seen at twelve times.",
+      .pseudocode = {"for each time", "    without: test axis after axis until one separates",
+                     "    with: test the axis that separated before", "    only if it fails: test axis after axis"},
+      .unit = "axes tested"};
   constexpr int frames = 12;
   std::optional<obb_obb::Axis> last;
   bool top_or_bottom = false;  // what separates is that face of b
@@ -160,8 +156,7 @@ Experiment reuse(const Flat& p) {
   }
   const double face = b.center.y() + (p.y() > b.center.y() ? b.half[1] : -b.half[1]);
   for (const std::size_t i : {std::size_t{2}, std::size_t{3}})
-    if (top_or_bottom)
-      e.parts[i].items.emplace_back(line({-3.2, face}, {1.1, face}, Role::highlight, Pen::highlight));
+    if (top_or_bottom) e.parts[i].items.emplace_back(line({-3.2, face}, {1.1, face}, Role::highlight, Pen::highlight));
   e.details = {{"times", frames}, {"axis still separates", kept}};
   e.parts[0].title = "Reuse what was found";
   e.parts[0].caption =
@@ -170,11 +165,10 @@ Experiment reuse(const Flat& p) {
   e.parts[1].title = "From scratch each time";
   e.parts[1].caption = "At each time the axes are tried in the same order, until one separates the boxes.";
   e.parts[2].title = "Keep the last axis";
-  e.parts[2].caption =
-      "The axis that separated the boxes last time is tried first. Failed tests are results, too.";
+  e.parts[2].caption = "The axis that separated the boxes last time is tried first. Failed tests are results, too.";
   e.parts[3].title = "One axis is enough";
-  e.parts[3].caption = fmt::format(
-      "At {} of {} times the axis kept from before still separates: one test, and done.", kept, frames);
+  e.parts[3].caption =
+      fmt::format("At {} of {} times the axis kept from before still separates: one test, and done.", kept, frames);
   e.saving = "Motion is coherent: what separated the boxes a moment ago mostly does so still.";
   return e;
 }

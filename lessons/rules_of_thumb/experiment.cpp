@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "lessons/script.h"
+#include "lessons/shared/script.h"
 
 namespace isect::lessons::rules_lesson {
 
@@ -19,18 +19,16 @@ std::vector<Vec3> in_space(const std::vector<Flat>& ring) {
 }
 
 /// A count as a bar beside the scene.
-void add_bar(Scene& scene, const std::string& name, double count, double most, const std::string& unit,
-             double y, Role role) {
+void add_bar(Scene& scene, const std::string& name, double count, double most, const std::string& unit, double y,
+             Role role) {
   const double left = 1.7, width = 2.5, height = 0.22;
   const double right = left + width * (most > 0 ? count / most : 0);
   scene.items.emplace_back(text({left + width / 2, y + 0.36}, name, Role::text));
   if (count > 0)
     scene.items.emplace_back(region(
-        {{left, y - height / 2}, {right, y - height / 2}, {right, y + height / 2}, {left, y + height / 2}},
-        role));
+        {{left, y - height / 2}, {right, y - height / 2}, {right, y + height / 2}, {left, y + height / 2}}, role));
   scene.items.emplace_back(line({left, y - 0.2}, {left, y + 0.2}, Role::muted, Pen::hairline));
-  scene.items.emplace_back(
-      viz::Heading{{left + width / 2, y - 0.36, 0}, number_of(count, unit), role, 3, false});
+  scene.items.emplace_back(viz::Heading{{left + width / 2, y - 0.36, 0}, number_of(count, unit), role, 3, false});
 }
 
 /// How much of the count is left.
@@ -58,14 +56,11 @@ Circle circle(const Flat& center, double radius, Role role, Pen pen, bool filled
   return {flat(center), radius, role, pen, filled};
 }
 Line line(const Flat& from, const Flat& to, Role role, Pen pen) { return {flat(from), flat(to), role, pen}; }
-viz::Heading text(const Flat& at, const std::string& what, Role role) {
-  return {flat(at), what, role, 0, false};
-}
+viz::Heading text(const Flat& at, const std::string& what, Role role) { return {flat(at), what, role, 0, false}; }
 
 std::string number_of(double count, const std::string& unit) {
   std::string digits = fmt::format("{:.0f}", count);
-  for (int i = static_cast<int>(digits.size()) - 3; i > 0; i -= 3)
-    digits.insert(static_cast<std::size_t>(i), "\u2009");
+  for (int i = static_cast<int>(digits.size()) - 3; i > 0; i -= 3) digits.insert(static_cast<std::size_t>(i), "\u2009");
   return unit.empty() ? digits : digits + " " + unit;
 }
 
@@ -83,8 +78,7 @@ Walk tell(const Experiment& e, const Flat& p) {
                         ? fmt::format("{} instead of {}", number_of(e.after, e.unit), number_of(e.before, ""))
                         : "the rule saves nothing here");
     }
-    Step& step =
-        script.add(slugs[k], e.parts[k].title, static_cast<int>(k), e.parts[k].caption, e.parts[k].formula);
+    Step& step = script.add(slugs[k], e.parts[k].title, static_cast<int>(k), e.parts[k].caption, e.parts[k].formula);
     step.scene.items = e.parts[k].items;
     step.scene.items.emplace_back(Dot{flat(p), Mark::disc, Role::first});
     step.scene.items.emplace_back(Label{flat(p), "**p**", Role::first});

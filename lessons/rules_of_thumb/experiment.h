@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/counted.h"
-#include "core/shapes.h"
+#include <isect/numbers/counted.h>
+#include <isect/shapes.h>
 #include "viz/lesson.h"
 
 namespace isect::lessons::rules_lesson {

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include <isect/ray_sphere_methods.h>
 #include "bench/random.h"
 #include "bench/rows.h"
-#include "core/ray_sphere_methods.h"
 #include "lessons/rules_of_thumb/experiment.h"
-#include "lessons/script.h"
+#include "lessons/shared/script.h"
 #include "lessons/speed_against_error/results.h"
 #include "viz/chart.h"
 
@@ -70,12 +70,11 @@ class Measuring {
          "less time.",
          bars(false));
     for (const Method& m : methods_) script_.value(m.name + ", time", m.ns, "ns", Role::first);
-    Step& step = show(
-        "before", "What the clock says", 1,
-        fmt::format("Times as measured on {}, as shares of the first.\nA division or a root takes longer "
-                    "than a sum; some operations run side by side.",
-                    speed_lesson::results().machine.cpu),
-        bars(true));
+    Step& step = show("before", "What the clock says", 1,
+                      fmt::format("Times as measured on {}, as shares of the first.\nA division or a root takes longer "
+                                  "than a sum; some operations run side by side.",
+                                  speed_lesson::results().machine.cpu),
+                      bars(true));
     step.question = question();
     show("how", "Counts are no times", 2, farthest(), bars(true));
     families();
@@ -88,8 +87,7 @@ class Measuring {
     return fmt::format("Note, N10 (7); measured on {}, {}, {}, {}", m.cpu, m.compiler, m.flags, m.date);
   }
 
-  Step& show(const std::string& slug, const std::string& title, int line, const std::string& caption,
-             Bars chart) {
+  Step& show(const std::string& slug, const std::string& title, int line, const std::string& caption, Bars chart) {
     Step& step = script_.add(slug, title, line, caption);
     step.scene.chart = std::make_shared<const Chart>(Chart{std::move(chart)});
     return step;
@@ -131,8 +129,7 @@ class Measuring {
     return fmt::format(
         "Worst foretold is {}: {} % of the operations, but {} % of the time.\n"
         "The note warns of tweaks such as half-B. It saves {} % of the operations and {} % of the time.",
-        m.name, percent(operations(m)), percent(time(m)), percent(1 - operations(half)),
-        percent(1 - time(half)));
+        m.name, percent(operations(m)), percent(time(m)), percent(1 - operations(half)), percent(1 - time(half)));
   }
 
   /// The same call on other families of cases.
@@ -147,8 +144,7 @@ class Measuring {
       for (const bench::Row* r : rows) {
         if (r->family != family || r->library != "isect") continue;
         if (r->method == methods_.back().name) bar.dots.emplace_back(0, r->ns);
-        if (r->exact)
-          bar.dots.emplace_back(1, r->ns), least = std::min(least, r->ns), most = std::max(most, r->ns);
+        if (r->exact) bar.dots.emplace_back(1, r->ns), least = std::min(least, r->ns), most = std::max(most, r->ns);
       }
       for (const auto& [_, ns] : bar.dots)
         all.x.lo = std::min(all.x.lo, ns / 1.3), all.x.hi = std::max(all.x.hi, 1.3 * ns);

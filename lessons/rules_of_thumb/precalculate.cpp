@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
+#include <isect/point_polygon.h>
+#include <isect/slab_map.h>
 #include "bench/random.h"
-#include "core/point_polygon.h"
-#include "core/slab_map.h"
 #include "lessons/rules_of_thumb/experiment.h"
 #include "viz/lesson.h"
 
@@ -52,27 +52,24 @@ Experiment precalculate(const Flat& p) {
     points.emplace_back(x, random.uniform(-1.95, 1.95));
   }
   const int n = static_cast<int>(ring.size()), many = static_cast<int>(points.size());
-  Experiment e = {
-      .title = "6: many against one, precalculate",
-      .source = "Note, N10 (6), N24",
-      .alt = fmt::format("A jagged polygon of {} vertices and {} points.", n, many),
-      .pseudocode = {"for each of many points, and one polygon", "    without: look at every edge",
-                     "    with: once, store the edges of each slab in order",
-                     "    then bisect heights and edges for each point"},
-      .unit = "steps"};
+  Experiment e = {.title = "6: many against one, precalculate",
+                  .source = "Note, N10 (6), N24",
+                  .alt = fmt::format("A jagged polygon of {} vertices and {} points.", n, many),
+                  .pseudocode = {"for each of many points, and one polygon", "    without: look at every edge",
+                                 "    with: once, store the edges of each slab in order",
+                                 "    then bisect heights and edges for each point"},
+                  .unit = "steps"};
   const auto stored = static_cast<double>(map.order.size());
   e.after = stored;
   for (const Flat& q : points) {
     Record<point_polygon::NaiveEvent<double>> record;
     point_polygon::crossings_naive(q, ring, record);
-    for (const auto& event : record.events)
-      e.before += std::holds_alternative<point_polygon::Straddles>(event);
+    for (const auto& event : record.events) e.before += std::holds_alternative<point_polygon::Straddles>(event);
     e.after += asked(q, map);
     const Location truth = locate(q, map);
     for (std::size_t k = 0; k < 4; ++k)
       if (k != 2 && (&q != &points[0]))
-        e.parts[k].items.emplace_back(Dot{flat(q),
-                                          k > 0 && truth == Location::out ? Mark::uncounted : Mark::disc,
+        e.parts[k].items.emplace_back(Dot{flat(q), k > 0 && truth == Location::out ? Mark::uncounted : Mark::disc,
                                           k == 0                   ? Role::muted
                                           : truth == Location::out ? Role::muted
                                                                    : Role::hit});
@@ -80,22 +77,18 @@ Experiment precalculate(const Flat& p) {
   for (Part& part : e.parts) part.items.insert(part.items.begin(), region(ring, Role::second));
   for (const SlabMap::Slab& s : map.slabs)
     if (std::isfinite(s.bottom))
-      e.parts[2].items.emplace_back(
-          line({-3.3, s.bottom}, {1.2, s.bottom}, Role::construction, Pen::hairline));
+      e.parts[2].items.emplace_back(line({-3.3, s.bottom}, {1.2, s.bottom}, Role::construction, Pen::hairline));
   const double a_point = (e.after - stored) / many;
   e.details = {{"stored once", stored},
                {"steps a point", a_point},
                {"pays from so many points", std::ceil(stored / (n - a_point))}};
   e.parts[0].title = "Many points, one polygon";
-  e.parts[0].caption =
-      fmt::format("{} points are to be told inside or outside of one polygon with {} edges.", many, n);
+  e.parts[0].caption = fmt::format("{} points are to be told inside or outside of one polygon with {} edges.", many, n);
   e.parts[1].title = "Every edge for every point";
-  e.parts[1].caption =
-      "Crossings look at all edges for each point: *n* steps a point, and nothing is remembered.";
+  e.parts[1].caption = "Crossings look at all edges for each point: *n* steps a point, and nothing is remembered.";
   e.parts[2].title = "Prepare once";
-  e.parts[2].caption =
-      fmt::format("Slabs keep the edges in order: {} entries, stored once. Each counts as a step, too.",
-                  static_cast<int>(stored));
+  e.parts[2].caption = fmt::format(
+      "Slabs keep the edges in order: {} entries, stored once. Each counts as a step, too.", static_cast<int>(stored));
   e.parts[3].title = "Then ask quickly";
   e.parts[3].caption = fmt::format(
       "A point now takes {} steps on average instead of {}. With the preparation, it pays from {} "

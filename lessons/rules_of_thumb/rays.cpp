@@ -4,8 +4,8 @@
 
 #include <array>
 
-#include "core/ray_polygon_methods.h"
-#include "core/ray_sphere_methods.h"
+#include <isect/ray_polygon_methods.h>
+#include <isect/ray_sphere_methods.h>
 #include "lessons/rules_of_thumb/experiment.h"
 
 namespace isect::lessons::rules_lesson {
@@ -22,9 +22,8 @@ int expensive(const Tally& t) { return t.sqrt + t.div; }
 
 Experiment postpone(const Flat& p) {
   constexpr double radius = 0.4375;
-  const std::vector<Flat> centers = {{-2.75, 1.25},   {-2.5, -0.25}, {-2.25, -1.25}, {-1.5, 0.75},
-                                     {-1.25, -0.875}, {-0.5, 0.25},  {-0.25, 1.5},   {0.125, -1.5},
-                                     {0.5, -0.25},    {0.75, 1}};
+  const std::vector<Flat> centers = {{-2.75, 1.25}, {-2.5, -0.25}, {-2.25, -1.25}, {-1.5, 0.75}, {-1.25, -0.875},
+                                     {-0.5, 0.25},  {-0.25, 1.5},  {0.125, -1.5},  {0.5, -0.25}, {0.75, 1}};
   Experiment e = {.title = "4: postpone expensive calculations",
                   .source = "Note, N10 (4), N17, N19",
                   .alt = "A ray to the right and ten balls: some behind it, some beside it, some hit.",
@@ -35,8 +34,7 @@ Experiment postpone(const Flat& p) {
   const Ray<C, 2> ray = {p.cast<C>(), {C(1), C(0)}, {C(0), C(infinite<double>.hi)}};
   double all_before = 0, all_after = 0;
   int behind = 0, beside = 0, hits = 0;
-  for (Part& part : e.parts)
-    part.items.emplace_back(Arrow{flat(p), {1.2, p.y(), 0}, Role::first, Pen::solid});
+  for (Part& part : e.parts) part.items.emplace_back(Arrow{flat(p), {1.2, p.y(), 0}, Role::first, Pen::solid});
   e.parts[1].items.emplace_back(line({-3.3, p.y()}, p, Role::first, Pen::construction));
   for (const Flat& c : centers) {
     const Sphere<C, 2> ball = {c.cast<C>(), C(radius)};
@@ -69,8 +67,7 @@ Experiment postpone(const Flat& p) {
       e.parts[1].items.emplace_back(
           text({c.x(), c.y() + radius + 0.16}, std::to_string(expensive(without)), Role::muted));
     if (expensive(with) > 0)
-      e.parts[3].items.emplace_back(
-          text({c.x(), c.y() + radius + 0.16}, std::to_string(expensive(with)), Role::muted));
+      e.parts[3].items.emplace_back(text({c.x(), c.y() + radius + 0.16}, std::to_string(expensive(with)), Role::muted));
   }
   e.details = {{"all operations, without", all_before}, {"all operations, with", all_after}};
   e.parts[0].title = "Expensive operations last";
@@ -82,13 +79,13 @@ Experiment postpone(const Flat& p) {
       "The quadratic formula takes a root and two divisions wherever the *line* meets a ball, even "
       "behind **p**.\nThe numbers count them.";
   e.parts[2].title = "Reject by products alone";
-  e.parts[2].caption = fmt::format(
-      "Haines' method rejects {} balls as behind and {} as beside the ray, with sums and products only.",
-      behind, beside);
+  e.parts[2].caption =
+      fmt::format("Haines' method rejects {} balls as behind and {} as beside the ray, with sums and products only.",
+                  behind, beside);
   e.parts[3].title = "One root a hit";
   e.parts[3].caption =
-      fmt::format("A root is taken for {} ball{} hit, and no division at all: the direction has unit length.",
-                  hits, hits == 1 ? "" : "s");
+      fmt::format("A root is taken for {} ball{} hit, and no division at all: the direction has unit length.", hits,
+                  hits == 1 ? "" : "s");
   e.saving = "Balls behind or beside the ray cost no root at all.";
   return e;
 }
@@ -96,13 +93,12 @@ Experiment postpone(const Flat& p) {
 Experiment fewer_axes(const Flat& p) {
   const std::vector<Flat> shape = {{-2.75, -1.25}, {-1.25, -1.75}, {-0.75, -0.5}, {0.5, -1.25},
                                    {0.875, 1.25},  {-0.5, 0.5},    {-1.5, 1.75},  {-2.25, 0.5}};
-  Experiment e = {
-      .title = "5: reduce the dimension",
-      .source = "Note, N10 (5), N21",
-      .alt = "A polygon in a tilted plane, seen from above, and a ray that comes down at a point.",
-      .pseudocode = {"a ray and a polygon in space", "    without: meet the triangles of a fan, in space",
-                     "    with: meet the plane; drop a coordinate", "    count crossings in the plane"},
-      .unit = "operations"};
+  Experiment e = {.title = "5: reduce the dimension",
+                  .source = "Note, N10 (5), N21",
+                  .alt = "A polygon in a tilted plane, seen from above, and a ray that comes down at a point.",
+                  .pseudocode = {"a ray and a polygon in space", "    without: meet the triangles of a fan, in space",
+                                 "    with: meet the plane; drop a coordinate", "    count crossings in the plane"},
+                  .unit = "operations"};
   Ring<C, 3> ring;
   for (const Flat& v : shape) ring.push_back(Point<double, 3>(v.x(), v.y(), (v.x() + v.y()) / 4).cast<C>());
   const Ray<C, 3> ray = {Point<double, 3>(p.x(), p.y(), 4).cast<C>(),
@@ -132,22 +128,18 @@ Experiment fewer_axes(const Flat& p) {
   }
   e.details = {{"triangles", static_cast<double>(shape.size()) - 2}, {"of these for the normal", normal}};
   e.parts[0].title = "Space, plane, line";
-  e.parts[0].caption =
-      "A ray comes straight down at **p**. Does it hit the polygon, which lies tilted in space?";
+  e.parts[0].caption = "A ray comes straight down at **p**. Does it hit the polygon, which lies tilted in space?";
   e.parts[1].title = "Six triangles in space";
-  e.parts[1].caption =
-      "A fan of triangles, each met in space: cross products and dot products of three coordinates.";
+  e.parts[1].caption = "A fan of triangles, each met in space: cross products and dot products of three coordinates.";
   e.parts[2].title = "Into the plane";
-  e.parts[2].caption =
-      "The plane is met once. Then the coordinate is dropped along which the normal is largest: *z*.";
+  e.parts[2].caption = "The plane is met once. Then the coordinate is dropped along which the normal is largest: *z*.";
   e.parts[3].title = "A test of two coordinates";
   e.parts[3].caption = fmt::format(
       "Now {} crossing{} of a ray in the plane decide{}. The answer is the same.\n{} of these operations "
       "find "
       "the normal. Stored once (rule 6), it leaves {}.",
       crossings, crossings == 1 ? "" : "s", crossings == 1 ? "s" : "", normal, e.after - normal);
-  e.saving =
-      fan == hit ? "Comparisons in the plane replace products in space." : "Rounding decides on the outline.";
+  e.saving = fan == hit ? "Comparisons in the plane replace products in space." : "Rounding decides on the outline.";
   return e;
 }
 

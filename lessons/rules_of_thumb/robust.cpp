@@ -4,9 +4,9 @@
 
 #include <cmath>
 
+#include <isect/orient.h>
+#include <isect/orient_methods.h>
 #include "bench/rows.h"
-#include "core/orient.h"
-#include "core/orient_methods.h"
 #include "lessons/rules_of_thumb/experiment.h"
 #include "lessons/speed_against_error/results.h"
 #include "viz/lesson.h"
@@ -80,12 +80,11 @@ Experiment robust(const Flat& p) {
       "Points said to lie left are drawn above the line, right below. Crosses mark wrong answers.\n"
       "Each may break what builds on it: a hull, a map, a mesh.";
   e.parts[2].title = "Know when you do not know";
-  e.parts[2].caption = fmt::format(
-      "A bound of the rounding error stands beside the value. Rings: {} signs that it leaves open.", open);
+  e.parts[2].caption =
+      fmt::format("A bound of the rounding error stands beside the value. Rings: {} signs that it leaves open.", open);
   e.parts[3].title = "Exact where needed";
   e.parts[3].caption =
-      "Open signs are computed again, exactly: none is wrong. The note expects 80 % of the work here." +
-      price();
+      "Open signs are computed again, exactly: none is wrong. The note expects 80 % of the work here." + price();
   e.saving = "The exact test is right on every input: that is its promise.";
   return e;
 }

@@ -39,12 +39,11 @@ void Teller::cost() {
   show(step, {bars});
 
   const int bucket = usual <= 1.1 ? 0 : usual <= 3 ? 1 : usual <= 10 ? 2 : 3;
-  step.question =
-      Question{"How much longer than the naive method does the exact call take on ordinary cases?",
-               {"no longer", "up to 3 times as long", "3 to 10 times as long", "more than 10 times as long"},
-               bucket,
-               fmt::format("It takes {} ns, the naive method {} ns.", number(exact(ordinary_).ns),
-                           number(naive(ordinary_).ns))};
+  step.question = Question{
+      "How much longer than the naive method does the exact call take on ordinary cases?",
+      {"no longer", "up to 3 times as long", "3 to 10 times as long", "more than 10 times as long"},
+      bucket,
+      fmt::format("It takes {} ns, the naive method {} ns.", number(exact(ordinary_).ns), number(naive(ordinary_).ns))};
 }
 
 void Teller::fallback() {
@@ -55,15 +54,14 @@ void Teller::fallback() {
   for (const std::string& family : families_of(rows_))
     if (exact_of(of(family)) != nullptr && exact(family).fallback) {
       const double part = *exact(family).fallback;
-      bars.bars.push_back(
-          {as_markup(words(family)), {{0, 100 * part}}, {}, share(part, 1), Verdict::Kind::open});
+      bars.bars.push_back({as_markup(words(family)), {{0, 100 * part}}, {}, share(part, 1), Verdict::Kind::open});
     }
-  Step& step = script_.add(
-      "fall-back", "When floating point is not enough", cost_line,
-      fmt::format("The exact call first computes in floating point, with a proved bound of the error. Only "
-                  "where the bound leaves "
-                  "the sign open, it computes again, exactly.\nOf the ordinary calls this happens to {}.",
-                  share(*exact(ordinary_).fallback, 1)));
+  Step& step =
+      script_.add("fall-back", "When floating point is not enough", cost_line,
+                  fmt::format("The exact call first computes in floating point, with a proved bound of the error. Only "
+                              "where the bound leaves "
+                              "the sign open, it computes again, exactly.\nOf the ordinary calls this happens to {}.",
+                              share(*exact(ordinary_).fallback, 1)));
   show(step, {bars});
 }
 

@@ -38,10 +38,9 @@ void Teller::hard_family(const std::string& family, bool first) {
   text += fmt::format("\n{}: {}. The exact call: {}, in {} ns.", sentence(name_of(naive(family))),
                       error_text(naive(family)), error_text(exact(family)), number(exact(family).ns));
   if (by_value_ && naive(family).wrong() > 0)
-    text += fmt::format(
-        " Besides, {} of the verdicts of {} are wrong.",
-        share(static_cast<double>(naive(family).wrong()), static_cast<double>(naive(family).judged)),
-        name_of(naive(family)));
+    text += fmt::format(" Besides, {} of the verdicts of {} are wrong.",
+                        share(static_cast<double>(naive(family).wrong()), static_cast<double>(naive(family).judged)),
+                        name_of(naive(family)));
   Plot p = plot({ordinary_, family});
   for (Panel& panel : p.panels) panel.muted = panel.title != as_markup(words(family));
   std::string slug = words(family);
@@ -53,8 +52,7 @@ void Teller::hard_family(const std::string& family, bool first) {
   if (!first) return;
 
   const Rows rows = of(family);
-  const auto greatest =
-      only_greatest(rows, [&](const Row& r) { return by_value_ ? bits(error(r)) : error(r); });
+  const auto greatest = only_greatest(rows, [&](const Row& r) { return by_value_ ? bits(error(r)) : error(r); });
   if (!greatest || rows.size() < 3) return;
   Question q = {fmt::format("Which method errs most on the family “{}”?", words(family)), {}, 0, ""};
   for (std::size_t i = 0; i < rows.size() && q.choices.size() < 4; ++i) {
@@ -62,9 +60,7 @@ void Teller::hard_family(const std::string& family, bool first) {
     if (i == *greatest) q.answer = static_cast<int>(q.choices.size());
     if (room) q.choices.push_back(name_of(*rows[i]));
   }
-  if (q.answer >= static_cast<int>(q.choices.size()) ||
-      q.choices[static_cast<std::size_t>(q.answer)] != name_of(*rows[*greatest]))
-    return;
+  if (q.answer >= static_cast<int>(q.choices.size()) || q.choices[q.answer] != name_of(*rows[*greatest])) return;
   q.because = fmt::format("{}: {}.", sentence(name_of(*rows[*greatest])), error_text(*rows[*greatest]));
   step.question = q;
 }
@@ -72,14 +68,12 @@ void Teller::hard_family(const std::string& family, bool first) {
 void Teller::fall() {
   const Row* worst = nullptr;
   for (const Row* r : rows_)
-    if (r->wrong() > 0 && (worst == nullptr || r->wrong_per_million() > worst->wrong_per_million()))
-      worst = r;
+    if (r->wrong() > 0 && (worst == nullptr || r->wrong_per_million() > worst->wrong_per_million())) worst = r;
   if (worst == nullptr) return;
   long wrong = 0, judged = 0;
   for (const Row* r : rows_)
     if (r->exact && r->library == "isect") wrong += r->wrong(), judged += r->judged;
-  std::vector<std::string> families = {
-      ordinary_};  // and the three on which the naive method is wrong most often
+  std::vector<std::string> families = {ordinary_};  // and the three on which the naive method is wrong most often
   Rows rows;
   for (const std::string& family : families_of(rows_))
     if (const Row* r = standard_of(of(family)); r != nullptr && r->hard) rows.push_back(r);
@@ -87,14 +81,13 @@ void Teller::fall() {
   for (const Row* r : rows)
     if (families.size() < 4) families.push_back(r->family);
   const Plotted plotted = verdict_plot(report_, test_, "double", families);
-  Step& step =
-      script_.add("wrong-verdicts", "Where naive methods fall", wrong_line,
-                  fmt::format("A wrong verdict is worse than lost bits: yes became no. {} does worst on {}: "
-                              "{} of its verdicts are wrong.\n"
-                              "Exact calls were wrong {} times in {}.",
-                              sentence(name_of(*worst)), words(worst->family),
-                              share(static_cast<double>(worst->wrong()), static_cast<double>(worst->judged)),
-                              wrong, count(judged)));
+  Step& step = script_.add("wrong-verdicts", "Where naive methods fall", wrong_line,
+                           fmt::format("A wrong verdict is worse than lost bits: yes became no. {} does worst on {}: "
+                                       "{} of its verdicts are wrong.\n"
+                                       "Exact calls were wrong {} times in {}.",
+                                       sentence(name_of(*worst)), words(worst->family),
+                                       share(static_cast<double>(worst->wrong()), static_cast<double>(worst->judged)),
+                                       wrong, count(judged)));
   show(step, plotted.chart);
 }
 

@@ -41,17 +41,15 @@ void Teller::methods() {
     for (Spot& s : panel.spots) s.front = false;
   const Rows rows = of(ordinary_);
   const Row* fastest = *std::ranges::min_element(rows, {}, &Row::ns);
-  show(script_.add(
-           "ordinary", "Ordinary cases", judge_line,
-           fmt::format("All {} methods on the same ordinary cases, judged by an exact oracle. The fastest is "
-                       "{}, at {} ns. The exact call takes {} ns.\n{}",
-                       rows.size(), name_of(*fastest), number(fastest->ns), number(exact(ordinary_).ns),
-                       by_value_
-                           ? fmt::format("Up to the 99th percentile {} errs by {}, the exact call by {}.",
-                                         name_of(naive(ordinary_)), error_text(naive(ordinary_)),
-                                         error_text(exact(ordinary_)))
-                           : fmt::format("{}: {}.", sentence(name_of(naive(ordinary_))),
-                                         error_text(naive(ordinary_))))),
+  show(script_.add("ordinary", "Ordinary cases", judge_line,
+                   fmt::format("All {} methods on the same ordinary cases, judged by an exact oracle. The fastest is "
+                               "{}, at {} ns. The exact call takes {} ns.\n{}",
+                               rows.size(), name_of(*fastest), number(fastest->ns), number(exact(ordinary_).ns),
+                               by_value_ ? fmt::format("Up to the 99th percentile {} errs by {}, the exact call by {}.",
+                                                       name_of(naive(ordinary_)), error_text(naive(ordinary_)),
+                                                       error_text(exact(ordinary_)))
+                                         : fmt::format("{}: {}.", sentence(name_of(naive(ordinary_))),
+                                                       error_text(naive(ordinary_))))),
        {p});
 }
 
@@ -61,10 +59,9 @@ void Teller::front() {
   for (const Row* r : front) names.push_back(name_of(*r));
   Step& step = script_.add(
       "front", "What nothing beats", front_line,
-      fmt::format(
-          "Steps join the methods on the front. No other is both as fast and as accurate. What lies on the "
-          "tinted side is beaten.\nOn the front here: {}.",
-          listed(names)));
+      fmt::format("Steps join the methods on the front. No other is both as fast and as accurate. What lies on the "
+                  "tinted side is beaten.\nOn the front here: {}.",
+                  listed(names)));
   show(step, {plot({ordinary_})});
 
   Question q = {"Which of these does no other method beat in both time and error?", {}, 0, ""};
@@ -75,9 +72,8 @@ void Teller::front() {
   if (q.choices.empty()) return;
   q.answer = static_cast<int>(q.choices.size() / 2);
   q.choices.insert(q.choices.begin() + q.answer, name_of(*front.front()));
-  q.because =
-      fmt::format("{} takes {} ns, with {}. Each of the others is beaten by some method.",
-                  sentence(name_of(*front.front())), number(front.front()->ns), error_text(*front.front()));
+  q.because = fmt::format("{} takes {} ns, with {}. Each of the others is beaten by some method.",
+                          sentence(name_of(*front.front())), number(front.front()->ns), error_text(*front.front()));
   step.question = q;
 }
 

@@ -32,8 +32,7 @@ const std::vector<std::string>& pseudocode() {
 Opening opening(const Report& report, const std::string& test) {
   const Machine& m = report.machine;
   return {.source = fmt::format("measured on {}, {}, {}, {}", m.cpu, m.compiler, m.flags, m.date),
-          .alt = fmt::format(
-              "Charts of the time of a call against its error, for every method of {} in double.", test),
+          .alt = fmt::format("Charts of the time of a call against its error, for every method of {} in double.", test),
           .pseudocode = pseudocode(),
           .method = test};
 }
@@ -44,8 +43,7 @@ std::vector<std::string> tests(const Report& report) {
   std::vector<std::string> all;
   for (const std::string& test : tests_of(report)) {
     const std::vector<const Row*> rows = rows_of(report, test, "double");
-    if (standard_of(rows) != nullptr && exact_of(rows) != nullptr && families_of(rows).size() > 1)
-      all.push_back(test);
+    if (standard_of(rows) != nullptr && exact_of(rows) != nullptr && families_of(rows).size() > 1) all.push_back(test);
   }
   std::ranges::stable_partition(all, [](const std::string& test) { return test == "ray-sphere"; });  // first
   return all;
@@ -61,14 +59,12 @@ Teller::Teller(const Report& report, const std::string& test)
   }
   // Of rays and spheres these tell most, in this order; of other tests, what breaks the naive method worst.
   const std::vector<std::string> telling = {"near-tangent", "far-small", "planet"};
-  if (std::ranges::all_of(telling,
-                          [&](const std::string& f) { return std::ranges::find(hard_, f) != hard_.end(); })) {
+  if (std::ranges::all_of(telling, [&](const std::string& f) { return std::ranges::find(hard_, f) != hard_.end(); })) {
     hard_ = telling;
     return;
   }
   std::ranges::stable_sort(hard_, std::greater{}, [&](const std::string& f) {
-    return naive(f).wrong_per_million() +
-           (by_value_ && naive(f).ulps ? 1e4 * bits(naive(f).ulps->median) : 0);
+    return naive(f).wrong_per_million() + (by_value_ && naive(f).ulps ? 1e4 * bits(naive(f).ulps->median) : 0);
   });
   if (hard_.size() > 3) hard_.resize(3);
 }
@@ -77,9 +73,7 @@ Teller::Rows Teller::of(const std::string& family) const { return rows_of(report
 const Row& Teller::naive(const std::string& family) const { return *standard_of(of(family)); }
 const Row& Teller::exact(const std::string& family) const { return *exact_of(of(family)); }
 
-double Teller::error(const Row& r) const {
-  return !by_value_ ? r.wrong_per_million() : r.ulps ? r.ulps->p99 : NAN;
-}
+double Teller::error(const Row& r) const { return !by_value_ ? r.wrong_per_million() : r.ulps ? r.ulps->p99 : NAN; }
 
 std::string Teller::error_text(const Row& r) const {
   if (by_value_) return number(error(r)) + " ulp";
@@ -88,14 +82,12 @@ std::string Teller::error_text(const Row& r) const {
 }
 
 Plot Teller::plot(const std::vector<std::string>& families) const {
-  const Plotted plotted = by_value_ ? error_plot(report_, test_, "double", families)
-                                    : verdict_plot(report_, test_, "double", families);
+  const Plotted plotted =
+      by_value_ ? error_plot(report_, test_, "double", families) : verdict_plot(report_, test_, "double", families);
   return std::get<Plot>(plotted.chart.kind);
 }
 
-void Teller::show(Step& step, Chart chart) const {
-  step.scene.chart = std::make_shared<const Chart>(std::move(chart));
-}
+void Teller::show(Step& step, Chart chart) const { step.scene.chart = std::make_shared<const Chart>(std::move(chart)); }
 
 /// Times and errors of the naive and of the exact method, for the step that comes next.
 void Teller::values(const std::string& family) {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bench/plots.h"
-#include "lessons/script.h"
+#include "lessons/shared/script.h"
 
 namespace isect::lessons::speed_lesson {
 
@@ -24,7 +24,7 @@ class Teller {
   Rows of(const std::string& family) const;
   const bench::Row& naive(const std::string& family) const;
   const bench::Row& exact(const std::string& family) const;
-  double error(const bench::Row&) const;  ///< ulp at the 99th percentile, or wrong verdicts of a million
+  double error(const bench::Row&) const;            ///< ulp at the 99th percentile, or wrong verdicts of a million
   std::string error_text(const bench::Row&) const;  ///< with its unit
   viz::Plot plot(const std::vector<std::string>& families) const;
   void values(const std::string& family);

@@ -24,7 +24,7 @@ int branch(const Parameters& p) {
     case Relation::overlapping:
       break;
   }
-  return std::array{within, face, edge, corner}[static_cast<std::size_t>(s.gaps())];
+  return std::array{within, face, edge, corner}[s.gaps()];
 }
 
 /// From the middle of the box to the centre of the ball.
@@ -43,15 +43,18 @@ Parameters moved(const Parameters& p, const Vec2& to) {
 }  // namespace
 
 const CaseMap& cases() {
-  static const CaseMap map = {"*x* from the middle of the box to **c**",
-                              "*y* from the middle of the box to **c**",
-                              {-4, -2.5},
-                              {4, 2.5},
-                              {"disjoint", "face", "edge", "corner", "grown box only", "**c** inside",
-                               "ball inside", "box inside", "touching"},
-                              branch,
-                              place,
-                              moved};
+  static const CaseMap map = {
+      "*x* from the middle of the box to **c**",
+      "*y* from the middle of the box to **c**",
+      {-4, -2.5},
+      {4, 2.5},
+      {"disjoint", "face", "edge", "corner", "grown box only", "**c** inside", "ball inside", "box inside", "touching"},
+      branch,
+      place,
+      moved,
+      "The centre moves over *x* and *y*; its *z* and the radius stay.\n"
+      "Face, edge, corner: where the nearest point lies. A box grown by *r* has square "
+      "corners, and holds too much."};
   return map;
 }
 

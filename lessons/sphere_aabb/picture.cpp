@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/clip_polygon.h"
-#include "core/point_aabb.h"
+#include <isect/clip_polygon.h>
+#include <isect/point_aabb.h>
 #include "viz/solids.h"
 
 namespace isect::lessons::sphere_aabb_lesson {

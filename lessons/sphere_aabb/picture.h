@@ -1,7 +1,7 @@
 #pragma once
 // The picture of a ball and a box: the way from the centre to the box's nearest point, one leg an axis.
 
-#include "core/sphere_aabb.h"
+#include <isect/sphere_aabb.h>
 #include "viz/lesson.h"
 
 namespace isect::lessons::sphere_aabb_lesson {

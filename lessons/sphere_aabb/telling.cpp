@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "core/sphere_aabb_methods.h"
-#include "lessons/relation.h"
-#include "lessons/script.h"
+#include <isect/sphere_aabb_methods.h>
+#include "lessons/shared/relation.h"
+#include "lessons/shared/script.h"
 
 namespace isect::lessons::sphere_aabb_lesson {
 
@@ -28,7 +28,7 @@ class Telling {
       : s_(setup),
         script_({"Note, N15; Arvo, Graphics Gems (1990)",
                  fmt::format("A ball and an axis-aligned box: {}. The box's point nearest to the centre {}.",
-                             in_words(s_.truth), places[static_cast<std::size_t>(s_.gaps())]),
+                             in_words(s_.truth), places[s_.gaps()]),
                  pseudocode}) {}
 
   Walk walk() {
@@ -54,12 +54,11 @@ class Telling {
     shown_.legs = e.axis + 1, shown_.current = true;
     script_.value("*g*_" + letter, gap, "length");
     script_.value("*d*^2", distance2_, "area", Role::highlight);
-    const std::string formula = "*d*^2 = " + (e.axis == 0 ? std::string() : shown(before) + " + ") + "(" +
-                                shown(gap) + ")^2 = " + shown(distance2_);
+    const std::string formula = "*d*^2 = " + (e.axis == 0 ? std::string() : shown(before) + " + ") + "(" + shown(gap) +
+                                ")^2 = " + shown(distance2_);
     const int line = gap == 0 ? 0 : e.center.value < e.interval.lo.value ? 1 : 2;
-    Step& step =
-        add("axis-" + letter, "How far on " + axis + "?", line, axis_caption(e.axis, line, gap, before),
-            e.axis == 0 && gap == 0 ? "*d*^2 = 0" : formula);
+    Step& step = add("axis-" + letter, "How far on " + axis + "?", line, axis_caption(e.axis, line, gap, before),
+                     e.axis == 0 && gap == 0 ? "*d*^2 = 0" : formula);
     step.question = {"What does " + axis + " add to the squared distance?",
                      {"nothing", "a square greater than 0"},
                      gap == 0 ? 0 : 1,
@@ -72,8 +71,7 @@ class Telling {
   static std::string axis_caption(int number, int line, double gap, double before) {
     const std::string axis = std::string("*") + "xyz"[number] + "*";
     std::string text;
-    if (number == 0)
-      text = "The ball meets the box exactly if it holds the box's point nearest to its centre **c**.\n";
+    if (number == 0) text = "The ball meets the box exactly if it holds the box's point nearest to its centre **c**.\n";
     if (line == 0)
       return text + "The box's interval on " + axis +
              " holds the coordinate of **c**. The nearest point has the same one.";
@@ -91,11 +89,11 @@ class Telling {
     script_.settle(verdict_kind(s_.truth), in_words(s_.truth));
     if (!near) script_.refuse(3, {});
     shown_.settled = true;
-    Step& step = add("relation", "Nearer than the radius?", near ? 3 : 4,
-                     reach_caption(d2, near) + "\n" + end_caption(),
-                     "*d*^2 = " + shown(d2) + sign + shown(r2) + " = *r*^2");
-    Script::decide(step, {"*d*^2 < *r*^2", d2, r2, near,
-                          near ? "the nearest point lies in the ball" : "the note says: disjoint"});
+    Step& step =
+        add("relation", "Nearer than the radius?", near ? 3 : 4, reach_caption(d2, near) + "\n" + end_caption(),
+            "*d*^2 = " + shown(d2) + sign + shown(r2) + " = *r*^2");
+    Script::decide(
+        step, {"*d*^2 < *r*^2", d2, r2, near, near ? "the nearest point lies in the ball" : "the note says: disjoint"});
     step.question = relation_question(s_.truth, "the ball and the box", because());
     shown_.settled = false;
   }

@@ -1,9 +1,9 @@
 // All cases of two balls in the plane of two numbers, and the methods side by side.
 
-#include "core/sphere_sphere_methods.h"
-#include "lessons/opinions.h"
-#include "lessons/plane.h"
-#include "lessons/relation.h"
+#include <isect/sphere_sphere_methods.h>
+#include "lessons/shared/opinions.h"
+#include "lessons/shared/plane.h"
+#include "lessons/shared/relation.h"
 #include "lessons/sphere_sphere/parts.h"
 
 namespace isect::lessons::sphere_sphere_lesson {
@@ -38,7 +38,9 @@ const CaseMap& cases() {
                               relation_cases(),
                               branch,
                               place,
-                              moved};
+                              moved,
+                              "Only two numbers matter: the distance and the second radius, both in lengths of *r*_1.\n"
+                              "Touching is no region but the line *d* = *r*_1 + *r*_2; equal balls are one point."};
   return map;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // What the lesson's parts share: the two balls, their picture, and the cases there are.
 
-#include "core/sphere_sphere.h"
+#include <isect/sphere_sphere.h>
 #include "viz/lesson.h"
 
 namespace isect::lessons::sphere_sphere_lesson {

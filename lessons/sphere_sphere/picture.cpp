@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "lessons/plane.h"
+#include "lessons/shared/plane.h"
 #include "lessons/sphere_sphere/parts.h"
 
 namespace isect::lessons::sphere_sphere_lesson {

@@ -55,8 +55,7 @@ TEST_CASE("a right method is never counted as wrong, and its values have no erro
   CHECK((r.ns > 0 && r.median >= r.ns && r.spread >= 0));
 }
 
-TEST_CASE("a method that always says yes is wrong wherever the truth is no, and the other way round",
-          "[contest]") {
+TEST_CASE("a method that always says yes is wrong wherever the truth is no, and the other way round", "[contest]") {
   std::vector<Case> cases;
   const Row yes = only_row([&](auto& contest) {
     contest.enter("yes", [](const Case&) { return true; });
@@ -75,8 +74,8 @@ TEST_CASE("a method that always says yes is wrong wherever the truth is no, and 
 TEST_CASE("signs count as wrong when they differ, zero as no", "[contest]") {
   CaseFamily<Case> signs = family();
   signs.truth = [](const Case& c) -> Truth { return {c.x < 0.25 ? -1 : c.x < 0.5 ? 0 : 1, {}}; };
-  const Row r = only_row([](auto& contest) { contest.enter("positive", [](const Case&) { return 1; }); },
-                         std::move(signs));
+  const Row r =
+      only_row([](auto& contest) { contest.enter("positive", [](const Case&) { return 1; }); }, std::move(signs));
   CHECK(r.false_yes > 80);  // a zero taken for positive
   CHECK(r.false_no > 80);   // a negative taken for positive
   CHECK(r.wrong() < 400);
@@ -98,9 +97,8 @@ TEST_CASE("errors are in ulps of the truth, and divided by the condition", "[con
 }
 
 TEST_CASE("values are judged only where method and truth both have one", "[contest]") {
-  const Row r = only_row([](auto& contest) {
-    contest.enter("value everywhere", [](const Case& c) { return std::optional(2 * c.x); });
-  });
+  const Row r = only_row(
+      [](auto& contest) { contest.enter("value everywhere", [](const Case& c) { return std::optional(2 * c.x); }); });
   CHECK(r.false_yes > 200);
   REQUIRE(r.ulps);
   CHECK(r.ulps->most == 0);
@@ -171,8 +169,7 @@ TEST_CASE("quantiles are by the nearest rank", "[contest]") {
 }
 
 TEST_CASE("a case is told in full precision", "[contest]") {
-  CHECK(text("p", Point<double, 2>(0.1, 2), "r", 1.0 / 3) ==
-        "p (0.10000000000000001, 2) r 0.33333333333333331");
+  CHECK(text("p", Point<double, 2>(0.1, 2), "r", 1.0 / 3) == "p (0.10000000000000001, 2) r 0.33333333333333331");
 }
 
 }  // namespace contest_test

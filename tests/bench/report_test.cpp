@@ -19,8 +19,7 @@ const double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_l
 
 Row full_row() {
   Row r;
-  r.test = "ray-sphere", r.method = "half-B", r.library = "isect", r.scalar = "double",
-  r.family = "near-tangent";
+  r.test = "ray-sphere", r.method = "half-B", r.library = "isect", r.scalar = "double", r.family = "near-tangent";
   r.hard = true, r.exact = false, r.standard = true;
   r.ns = 2.5, r.median = 2.75, r.spread = 0.125, r.cases = 65536;
   r.judged = 1024, r.false_yes = 3, r.false_no = 5, r.first_wrong = "origin (1, 2, 3) \"x\"\nradius 0.1";
@@ -77,8 +76,7 @@ TEST_CASE("a report reads back from its JSON, infinities and all", "[report]") {
   for (std::size_t i = 0; i < 2; ++i) check_same(read.rows[i], wrote.rows[i]);
   CHECK(read.machine.cpu == "a cpu");
   CHECK(read.machine.compiler == "a compiler");
-  CHECK(
-      (read.machine.flags == "-O3" && read.machine.build == "portable" && read.machine.date == "2026-01-31"));
+  CHECK((read.machine.flags == "-O3" && read.machine.build == "portable" && read.machine.date == "2026-01-31"));
   CHECK((read.machine.cores == 2 && read.machine.load == 0.5 && read.machine.noise == 0.03));
   CHECK((read.seed == wrote.seed && read.quick));
   REQUIRE(read.growths.size() == 1);
@@ -141,8 +139,7 @@ TEST_CASE("CSV has one line a row, and quotes what needs it", "[report]") {
 TEST_CASE("the table shows each row beside its standard, growths and duties", "[report]") {
   Report report = full_report();
   Row slower = full_row();
-  slower.method = "exact", slower.standard = false, slower.ns = 5, slower.first_wrong.clear(),
-  slower.fallback = {};
+  slower.method = "exact", slower.standard = false, slower.ns = 5, slower.first_wrong.clear(), slower.fallback = {};
   Row peer = slower;
   peer.library = "CGAL", peer.method = "EPICK", peer.ns = 10;
   report.rows = {slower, full_row(), peer};  // the standard need not stand first
@@ -161,8 +158,7 @@ TEST_CASE("the table shows each row beside its standard, growths and duties", "[
   CHECK_THAT(text, Contains("isect --help") && Contains("12.5 ms  (target 30)"));
 }
 
-TEST_CASE("the fitted exponent is the power in an exact power law, and the least squares' otherwise",
-          "[report]") {
+TEST_CASE("the fitted exponent is the power in an exact power law, and the least squares' otherwise", "[report]") {
   const std::vector<double> n = {10, 100, 1000, 10000};
   for (const double power : {0.0, 0.5, 1.0, 2.0}) {
     std::vector<double> time;

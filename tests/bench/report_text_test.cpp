@@ -37,20 +37,17 @@ Report report(const std::string& build, double exact_ns) {
   r.seed = 7;
   for (const char* family : {"ordinary", "planet", "near-tangent"}) {
     const bool hard = std::string(family) != "ordinary";
-    Row naive =
-        with_error(row("quadratic", 10, family, hard ? 250 : 0), 1, hard ? 1e6 : 20, hard ? INFINITY : 60);
+    Row naive = with_error(row("quadratic", 10, family, hard ? 250 : 0), 1, hard ? 1e6 : 20, hard ? INFINITY : 60);
     naive.standard = true;
     Row exact = with_error(row("exact", hard ? 900 : exact_ns, family, 0), 0.2, 0.5, 0.5);
     exact.exact = true, exact.fallback = hard ? 0.5 : 0;
-    r.rows.insert(r.rows.end(),
-                  {naive, with_error(row("robust", 14, family, hard ? 10 : 0), 0.6, 6, 50), exact});
+    r.rows.insert(r.rows.end(), {naive, with_error(row("robust", 14, family, hard ? 10 : 0), 0.6, 6, 50), exact});
     if (build == "peers") r.rows.push_back(row("do_intersect", 5, family, hard ? 3 : 0, "CGAL"));
   }
   r.growths.push_back({"all pairs", "overlapping_pairs", "isect", "all pairs", {1e3, 1e6}, {1e5, 1e8}, 1});
   if (build == "peers")
     r.growths.push_back({"all pairs", "rtcCollide", "Embree", "all pairs", {1e3, 1e6}, {6e5, 1e9}, 1.07});
-  r.duties = {
-      {"start the program", 20, "ms", 100.0}, {"window", 25, "frames/s", 30.0}, {"memory", 90, "MB", {}}};
+  r.duties = {{"start the program", 20, "ms", 100.0}, {"window", 25, "frames/s", 30.0}, {"memory", 90, "MB", {}}};
   return r;
 }
 
@@ -137,12 +134,10 @@ TEST_CASE("the report says where others are ahead", "[report_text]") {
   CHECK(contains(text,
                  "CGAL: do_intersect is faster on ordinary cases, 5 ns against 21 ns; it is wrong on 0.2 % "
                  "of all cases judged."));
-  CHECK(contains(text,
-                 "Ray-sphere: the exact call takes up to 90 times the time of quadratic (planet: 900 ns)."));
+  CHECK(contains(text, "Ray-sphere: the exact call takes up to 90 times the time of quadratic (planet: 900 ns)."));
 }
 
-TEST_CASE("the text names every figure once, with alt text and caption, and no figure is missing",
-          "[report_text]") {
+TEST_CASE("the text names every figure once, with alt text and caption, and no figure is missing", "[report_text]") {
   const Publication p = publication({report("portable", 29), report("native", 20), report("peers", 29)});
   std::vector<std::string> named;
   const std::regex figure(R"(!\[([^\]]+)\]\(report/([^)]+)\))");
@@ -185,8 +180,7 @@ TEST_CASE("reports are sorted by their build", "[report_text]") {
   CHECK_FALSE(m.native.has_value());
   CHECK_THROWS_AS(measured_of({report("native", 1)}), std::runtime_error);
   CHECK_THROWS_AS(measured_of({report("portable", 1), report("portable", 1)}), std::runtime_error);
-  CHECK_THROWS_AS(measured_of({report("portable", 1), report("peers", 1), report("peers", 1)}),
-                  std::runtime_error);
+  CHECK_THROWS_AS(measured_of({report("portable", 1), report("peers", 1), report("peers", 1)}), std::runtime_error);
 }
 
 TEST_CASE("publishing writes text, figures and the lesson's rows, and clears figures of an earlier report",

@@ -1,10 +1,10 @@
 // Balls and aligned boxes in pairs.
 
-#include "bench/aabb_aabb_families.h"
-#include "bench/sphere_aabb_families.h"
-#include "bench/sphere_aabb_oracle.h"
-#include "bench/sphere_sphere_families.h"
-#include "bench/sphere_sphere_oracle.h"
+#include "bench/aabb_aabb/families.h"
+#include "bench/sphere_aabb/families.h"
+#include "bench/sphere_aabb/oracle.h"
+#include "bench/sphere_sphere/families.h"
+#include "bench/sphere_sphere/oracle.h"
 #include "tests/cases/shapes.h"
 
 namespace isect::cases {
@@ -72,9 +72,7 @@ Case ball_and_box(const Sphere<S, N>& ball, const Aabb<S, N>& box) {
 
 CaseFile box_box() {
   CaseFile file("box_box");
-  const auto add = [&](const char* note, Aabb<double, 2> a, Aabb<double, 2> b) {
-    file.add(note, boxes(a, b));
-  };
+  const auto add = [&](const char* note, Aabb<double, 2> a, Aabb<double, 2> b) { file.add(note, boxes(a, b)); };
   add("a corner at a corner", {{0, 0}, {.7, .7}}, {{.7, .7}, {.9, .9}});
   add("an ulp beside that corner", {{0, 0}, {.7, .7}}, {{std::nextafter(.7, 1), .7}, {.9, .9}});
   add("zeros of either sign touch", {{-1, -1}, {-0., 1}}, {{0, -1}, {1, 1}});
@@ -91,9 +89,7 @@ CaseFile box_box() {
 
 CaseFile sphere_sphere() {
   CaseFile file("sphere_sphere");
-  const auto add = [&](const char* note, Sphere<double, 2> a, Sphere<double, 2> b) {
-    file.add(note, balls(a, b));
-  };
+  const auto add = [&](const char* note, Sphere<double, 2> a, Sphere<double, 2> b) { file.add(note, balls(a, b)); };
   add(".1 and .2, .3 apart: a touch as typed, not as rounded", {{0, 0}, .1}, {{.3, 0}, .2});
   add("a square that vanishes in floats", {{0, 0}, 0x1p-80}, {{0x1p-76, 0}, 0x1p-80});
   add("a square that overflows in floats", {{0, 0}, 0x1p63}, {{0x1p65, 0}, 0x1p63});

@@ -18,8 +18,7 @@ std::string shortest(S x) {
 std::string number(double x, bool f32) {
   if (!f32) return shortest(x);
   const std::string text = shortest(static_cast<float>(x));
-  return static_cast<double>(static_cast<float>(std::strtod(text.c_str(), nullptr))) == x ? text
-                                                                                          : shortest(x);
+  return static_cast<double>(static_cast<float>(std::strtod(text.c_str(), nullptr))) == x ? text : shortest(x);
 }
 
 void write(std::string& out, const Json& json, bool f32) {
@@ -52,8 +51,7 @@ std::string verdict(const Case& c) {
 
 void CaseFile::add(const std::string& note, const Case& c) { cases_.push_back({note, c}); }
 
-void CaseFile::family(const std::string& note, int count,
-                      const std::function<std::optional<Case>(Random&)>& draw) {
+void CaseFile::family(const std::string& note, int count, const std::function<std::optional<Case>(Random&)>& draw) {
   Random random(bench::stream(1, (kind_ + ": " + note).c_str()));
   std::map<std::string, int> often;
   constexpr int patience = 200;  // draws, until any verdict is welcome
@@ -68,8 +66,7 @@ void CaseFile::family(const std::string& note, int count,
 }
 
 std::string CaseFile::text() const {
-  std::string out =
-      "{\"source\": \"tests/cases, written by make_cases\", \"kind\": \"" + kind_ + "\", \"cases\": [\n";
+  std::string out = "{\"source\": \"tests/cases, written by make_cases\", \"kind\": \"" + kind_ + "\", \"cases\": [\n";
   for (const auto& [note, c] : cases_) {
     out += "{\"note\": " + Json(note).dump() + ", ";
     if (c.f32) out += "\"scalar\": \"f32\", ";
@@ -83,12 +80,11 @@ std::string CaseFile::text() const {
 }
 
 std::vector<CaseFile> all() {
-  return {orient2d(),  interval_interval(), point_obb(),       point_point(),
-          point_box(), point_sphere(),      plane_sphere(),    plane_box(),
-          box_box(),   sphere_sphere(),     sphere_box(),      obb_obb(),
-          kdop_kdop(), triangle_box(),      ray_sphere(),      ray_box(),
-          ray_plane(), ray_obb(),           segment_segment(), ray_polygon(),
-          pip(),       convex_hull2d(),     polygon_normal(),  bounding_volume_fit()};
+  return {
+      orient2d(),        interval_interval(), point_obb(),  point_point(),   point_box(),      point_sphere(),
+      plane_sphere(),    plane_box(),         box_box(),    sphere_sphere(), sphere_box(),     obb_obb(),
+      kdop_kdop(),       triangle_box(),      ray_sphere(), ray_box(),       ray_plane(),      ray_obb(),
+      segment_segment(), ray_polygon(),       pip(),        convex_hull2d(), polygon_normal(), bounding_volume_fit()};
 }
 
 }  // namespace isect::cases

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include <isect/shapes.h>
 #include "bench/random_shapes.h"
 #include "bench/rational.h"
-#include "core/shapes.h"
 
 namespace isect::cases {
 
@@ -26,9 +26,7 @@ struct Case {
 };
 
 /// What is asked of input that has no meaning: NaN, or an infinity where none belongs.
-inline Case policy(Json inputs, bool f32) {
-  return {std::move(inputs), {{"policy", "an error or a plain no"}}, f32};
-}
+inline Case policy(Json inputs, bool f32) { return {std::move(inputs), {{"policy", "an error or a plain no"}}, f32}; }
 
 class CaseFile {
  public:

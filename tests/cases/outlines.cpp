@@ -1,8 +1,8 @@
 // Polygons with points and rays, and segments.
 
-#include "bench/polygon_families.h"
-#include "bench/ray_polygon_families.h"
-#include "bench/ray_polygon_oracle.h"
+#include "bench/point_polygon/families.h"
+#include "bench/ray_polygon/families.h"
+#include "bench/ray_polygon/oracle.h"
 #include "tests/cases/shapes.h"
 #include "tests/core/point_location.h"
 #include "tests/core/segment_pairs.h"
@@ -23,9 +23,7 @@ Case located(const Point<S, 2>& p, const Rings<S>& rings) {
   for (const Ring<S, 2>& r : rings) outlines.push_back(json<S, 2>(r));
   Random any(1);  // directions of rays, which the truth doesn't depend on
   const std::optional<int> winding = tests::true_winding(any, p, rings);
-  const auto where = [&](bool inside) {
-    return word(!winding ? Location::on : inside ? Location::in : Location::out);
-  };
+  const auto where = [&](bool inside) { return word(!winding ? Location::on : inside ? Location::in : Location::out); };
   const Json expected = {{"evenodd", where(winding.value_or(0) % 2 != 0)},
                          {"nonzero", where(winding.value_or(0) != 0)},
                          {"winding", winding ? Json(*winding) : Json(nullptr)}};
@@ -96,8 +94,7 @@ CaseFile pip() {
   add("level with an antenna", {{{0, 0}, {4, 0}, {4, 2}, {8, 2}, {4, 2}, {4, 4}, {0, 4}}}, {2, 2});
   add("a bow-tie, in one wing", {{{0, 0}, {4, 4}, {4, 0}, {0, 4}}}, {1, 2});
   add("a bow-tie, at the crossing", {{{0, 0}, {4, 4}, {4, 0}, {0, 4}}}, {2, 2});
-  add("wound twice: the rules differ", {{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {4, 0}, {4, 4}, {0, 4}}},
-      {1, 1});
+  add("wound twice: the rules differ", {{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {4, 0}, {4, 4}, {0, 4}}}, {1, 1});
   add("a pentagram: the rules differ in the middle", {{{0, 3}, {2, -3}, {-3, 1}, {3, 1}, {-2, -3}}}, {0, 0});
   add("in a hole", {square, {{1, 1}, {3, 1}, {3, 3}, {1, 3}}}, {2, 2});
   add("in a hole that turns the other way", {square, {{1, 1}, {1, 3}, {3, 3}, {3, 1}}}, {2, 2});
@@ -113,16 +110,15 @@ CaseFile pip() {
   add("the smallest numbers there are", {{{0, 0}, {2 * least, 0}, {0, 2 * least}}}, {least, least});
   add("the largest numbers there are", {{{-most, -most}, {most, -most}, {0, most}}}, {0, 0});
   add("1e-300 beside 1e300", {{{0, 0}, {1e300, 1e-300}, {0, 1e300}}}, {1e299, 1e-301});
-  for (const char* name : {"near-edge", "on-vertex", "horizontal", "degenerate", "bow-tie", "far 1e5",
-                           "far 1e8", "near-horizontal", "near-vertical", "coincident"}) {
+  for (const char* name : {"near-edge", "on-vertex", "horizontal", "degenerate", "bow-tie", "far 1e5", "far 1e8",
+                           "near-horizontal", "near-vertical", "coincident"}) {
     const auto draw = [&]<class S>(Random& random) {
       const bench::PolygonFamily<S> rings = bench::polygon_family<S>(name, 8);
       const bench::PolygonCase<S> c = rings.draw(random);
       return located<S>(c.point, {*c.ring});
     };
     file.family(name, 6, [&](Random& r) { return draw.template operator()<double>(r); });
-    file.family(std::string(name) + ", in floats", 3,
-                [&](Random& r) { return draw.template operator()<float>(r); });
+    file.family(std::string(name) + ", in floats", 3, [&](Random& r) { return draw.template operator()<float>(r); });
   }
   const auto almost = [&]<class S>(Random& random) -> std::optional<Case> {
     const Ring<S, 2> ring = bench::polygon_families::star<S>(random, 6);
@@ -131,8 +127,7 @@ CaseFile pip() {
   };
   const char* nearer = "nearer to an edge than rounding sees";
   file.family(nearer, 20, [&](Random& r) { return almost.template operator()<double>(r); });
-  file.family(std::string(nearer) + ", in floats", 10,
-              [&](Random& r) { return almost.template operator()<float>(r); });
+  file.family(std::string(nearer) + ", in floats", 10, [&](Random& r) { return almost.template operator()<float>(r); });
   by_numbers(file, 2, [&]<class S>(Random& random, Numbers numbers) -> std::optional<Case> {
     const Rings<S> rings = tests::random_rings<S>(random, numbers);
     std::size_t vertices = 0;
@@ -162,8 +157,7 @@ CaseFile ray_polygon() {
   add("no area: all vertices on a line", {.5, .5, 1}, {0, 0, -1}, {{0, 0, 0}, {1, 1, 0}, {2, 2, 0}});
   add("no area: there and back", {.5, .5, 1}, {0, 0, -1}, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 0, 0}});
   add("two vertices", {.5, 0, 1}, {0, 0, -1}, {{0, 0, 0}, {1, 0, 0}});
-  add("the first three vertices on a line", {.5, .5, 1}, {0, 0, -1},
-      {{0, 0, 0}, {.5, 0, 0}, {1, 0, 0}, {1, 1, 0}});
+  add("the first three vertices on a line", {.5, .5, 1}, {0, 0, -1}, {{0, 0, 0}, {.5, 0, 0}, {1, 0, 0}, {1, 1, 0}});
   add("repeated vertices", {.25, .5, 1}, {0, 0, -1}, {{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, 0}});
   add("a bow-tie with area, at its crossing", {1, .5, 1}, {0, 0, -1},
       {{0, 0, 0}, {2, 1, 0}, {2, 0, 0}, {0, 1, 0}, {-1, 0, 0}});
@@ -172,10 +166,8 @@ CaseFile ray_polygon() {
   add("a segment that ends in it", {.5, .5, 1}, {0, 0, -1}, square, {0, 1});
   add("a segment that ends an ulp before it", {.5, .5, 1}, {0, 0, -1}, square, {0, std::nextafter(1., 0.)});
   add("from inside the outline", {.5, .5, 0}, {0, 0, 1}, square);
-  add("a triangle of size 1e-300", {2e-301, 2e-301, 1e-300}, {0, 0, -1},
-      {{0, 0, 0}, {1e-300, 0, 0}, {0, 1e-300, 0}});
-  add("a triangle of size 1e300", {2e299, 2e299, 1e300}, {0, 0, -1},
-      {{0, 0, 0}, {1e300, 0, 0}, {0, 1e300, 0}});
+  add("a triangle of size 1e-300", {2e-301, 2e-301, 1e-300}, {0, 0, -1}, {{0, 0, 0}, {1e-300, 0, 0}, {0, 1e-300, 0}});
+  add("a triangle of size 1e300", {2e299, 2e299, 1e300}, {0, 0, -1}, {{0, 0, 0}, {1e300, 0, 0}, {0, 1e300, 0}});
   const auto ask = [](const auto& c) { return ray_and_polygon(c.a, c.b); };
   by_families(file, 4, bench::ray_polygon_draws<double>, bench::ray_polygon_draws<float>, ask);
   return file;

@@ -2,9 +2,9 @@
 
 #include <string_view>
 
-#include "bench/kdop_kdop_families.h"
-#include "bench/obb_obb_families.h"
-#include "bench/obb_obb_oracle.h"
+#include "bench/kdop_kdop/families.h"
+#include "bench/obb_obb/families.h"
+#include "bench/obb_obb/oracle.h"
 #include "tests/cases/shapes.h"
 #include "tests/core/triangle_box_pairs.h"
 
@@ -24,8 +24,7 @@ Case obbs(const Obb<S, N>& a, const Obb<S, N>& b) {
 template <class S, int N>
 Case kdops(const std::vector<Vector<S, N>>& normals, const std::vector<Interval<S>>& a,
            const std::vector<Interval<S>>& b) {
-  Json slabs[2] = {{{"lo", Json::array()}, {"hi", Json::array()}},
-                   {{"lo", Json::array()}, {"hi", Json::array()}}};
+  Json slabs[2] = {{{"lo", Json::array()}, {"hi", Json::array()}}, {{"lo", Json::array()}, {"hi", Json::array()}}};
   bool apart = false;
   for (std::size_t i = 0; i < normals.size(); ++i) {
     slabs[0]["lo"].push_back(json(a[i].lo)), slabs[0]["hi"].push_back(json(a[i].hi));
@@ -63,7 +62,8 @@ Case triangle_and_box(const Triangle<S, N>& triangle, const Aabb<S, N>& box) {
   return {both({{"tri", corners}}, fields(box)), {{"intersects", meet}, {"relation", relation}}, is_f32<S>};
 }
 
-/// A triangle in a plane that touches the box at a corner, or with an edge that touches one of the box's, but for rounding.
+/// A triangle in a plane that touches the box at a corner, or with an edge that touches one of the box's, but for
+/// rounding.
 template <class S>
 Case almost_touching(Random& random, bool edges) {
   const Aabb<S, 3> box = bench::ordinary_box<S>(random);
@@ -112,17 +112,13 @@ CaseFile kdop_kdop() {
   CaseFile file("kdop_kdop");
   const auto normals = std::vector<Vector<double, 2>>{{1, 0}, {0, 1}, {1, 1}};
   using Slabs = std::vector<Interval<double>>;
-  const auto add = [&](const char* note, Slabs a, Slabs b) {
-    file.add(note, kdops<double, 2>(normals, a, b));
-  };
+  const auto add = [&](const char* note, Slabs a, Slabs b) { file.add(note, kdops<double, 2>(normals, a, b)); };
   add("the diagonal alone parts them", {{0, 1}, {0, 1}, {0, 1}}, {{.5, 2}, {.5, 2}, {1.5, 4}});
   add("the diagonals touch", {{0, 1}, {0, 1}, {0, 1.5}}, {{.5, 2}, {.5, 2}, {1.5, 4}});
-  add("an ulp between the diagonals", {{0, 1}, {0, 1}, {0, std::nextafter(1.5, 0.)}},
-      {{.5, 2}, {.5, 2}, {1.5, 4}});
+  add("an ulp between the diagonals", {{0, 1}, {0, 1}, {0, std::nextafter(1.5, 0.)}}, {{.5, 2}, {.5, 2}, {1.5, 4}});
   add("an empty slab", {{0, 1}, {0, 1}, {1, 0}}, {{0, 1}, {0, 1}, {0, 1}});
   add("zeros of either sign touch", {{-1, -0.}, {0, 1}, {-1, 1}}, {{0, 1}, {0, 1}, {0, 1}});
-  add("the largest numbers there are", {{-most, most}, {0, 0}, {-most, most}},
-      {{most, most}, {0, 0}, {most, most}});
+  add("the largest numbers there are", {{-most, most}, {0, 0}, {-most, most}}, {{most, most}, {0, 0}, {most, most}});
   const auto tetrahedra = [](const auto& c) {
     using S = typename std::decay_t<decltype(c.a[0])>::Scalar;
     const std::vector<Vector<S, 3>> all = directions<S, 3>(14);
@@ -153,8 +149,7 @@ CaseFile triangle_box() {
   add("half an ulp beside a box whose center is no double", {{P{.7, 0, 0}, P{.7, 1, 0}, P{.7, 0, 1}}},
       {{-.3, 0, 0}, {before, 1, 1}});
   for (const bool edges : {false, true}) {
-    const std::string note =
-        edges ? "an edge at an edge, but for rounding" : "the plane at a corner, but for rounding";
+    const std::string note = edges ? "an edge at an edge, but for rounding" : "the plane at a corner, but for rounding";
     file.family(note, 8, [&](Random& r) { return almost_touching<double>(r, edges); });
     file.family(note + ", in floats", 4, [&](Random& r) { return almost_touching<float>(r, edges); });
   }

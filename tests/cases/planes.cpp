@@ -1,7 +1,7 @@
 // Planes against balls, boxes and rays.
 
-#include "bench/ray_plane_families.h"
-#include "bench/ray_plane_oracle.h"
+#include "bench/ray_plane/families.h"
+#include "bench/ray_plane/oracle.h"
 #include "tests/cases/shapes.h"
 
 namespace isect::cases {
@@ -17,9 +17,7 @@ Case plane_and_ball(const Plane<S, N>& plane, const Sphere<S, N>& ball) {
   const Rational h = dot(n, rational(ball.center)) + Rational(plane.d), r = ball.radius;
   const auto foot = Rational(h / dot(n, n)) * n;
   const int clear = r < 0 ? 1 : oracle::sign(dot(foot, foot) - r * r);
-  const Relation relation = clear > 0    ? Relation::disjoint
-                            : clear == 0 ? Relation::touching
-                                         : Relation::overlapping;
+  const Relation relation = clear > 0 ? Relation::disjoint : clear == 0 ? Relation::touching : Relation::overlapping;
   return {both(fields(plane), fields(ball)), related(relation), is_f32<S>};
 }
 
@@ -29,13 +27,10 @@ Case plane_and_box(const Plane<S, N>& plane, const Aabb<S, N>& box) {
   bool above = false, below = false, within = false;
   for (int corner = 0; corner < 1 << N; ++corner) {
     Rational h = plane.d;
-    for (int i = 0; i < N; ++i)
-      h += Rational(plane.normal[i]) * Rational((corner >> i & 1 ? box.hi : box.lo)[i]);
+    for (int i = 0; i < N; ++i) h += Rational(plane.normal[i]) * Rational((corner >> i & 1 ? box.hi : box.lo)[i]);
     above |= h > 0, below |= h < 0, within |= h == 0;
   }
-  Relation relation = above && below ? Relation::overlapping
-                      : within       ? Relation::touching
-                                     : Relation::disjoint;
+  Relation relation = above && below ? Relation::overlapping : within ? Relation::touching : Relation::disjoint;
   if (empty(box)) relation = Relation::disjoint;
   return {both(fields(plane), fields(box)), related(relation), is_f32<S>};
 }
@@ -87,8 +82,7 @@ CaseFile plane_sphere() {
     Plane<S, 3> plane = plane_through<S, 3>(random, numbers, bench::vector<double, 3>(random, numbers));
     if (random.one_in(3)) plane.normal = Vector<S, 3>::Unit(random.below(3));  // so that some touch
     const Vector<double, 3> n = plane.normal.template cast<double>();
-    const double height =
-        std::abs(n.dot(ball.center.template cast<double>()) + double(plane.d)) / n.stableNorm();
+    const double height = std::abs(n.dot(ball.center.template cast<double>()) + double(plane.d)) / n.stableNorm();
     ball.radius = bench::moved(static_cast<S>(height), random.integer(-1, 1));
     if (!finite(ball) || !usable(plane)) return {};
     return plane_and_ball(plane, ball);
@@ -138,8 +132,7 @@ CaseFile ray_plane() {
   add("from the plane", {1, 0, 0}, {1, 0, 0}, {1, 0, 0}, -1);
   add("behind by the smallest number", {least, 0, 0}, {1, 0, 0}, {1, 0, 0}, -0.);
   add("a segment that ends in the plane", {0, 0, 0}, {1, 1, 0}, {1, 0, 0}, -1, {0, 1});
-  add("a segment that ends an ulp before the plane", {0, 0, 0}, {1, 1, 0}, {1, 0, 0}, -std::nextafter(1., 2.),
-      {0, 1});
+  add("a segment that ends an ulp before the plane", {0, 0, 0}, {1, 1, 0}, {1, 0, 0}, -std::nextafter(1., 2.), {0, 1});
   add("products that overflow", {0, 0, 0}, {1e200, 0, 0}, {1e200, 0, 0}, -1e300);
   add("products that vanish", {0, 0, 0}, {1e-200, 0, 0}, {1e-200, 0, 0}, -1e-300);
   add("t is beyond the largest number", {0, 0, 0}, {1e-200, 0, 0}, {1, 0, 0}, -1e200);

@@ -25,9 +25,8 @@ Case normal_of(const Ring<S, 3>& ring) {
   Json normal;
   if (length != 0)
     for (const Rational& x : twice) normal.push_back(nearest(Rational(x / length)));
-  return {{{"polygon", json<S, 3>(ring)}},
-          {{"normal", normal}, {"area", json(nearest(Rational(length / 2)))}},
-          is_f32<S>};
+  return {
+      {{"polygon", json<S, 3>(ring)}}, {{"normal", normal}, {"area", json(nearest(Rational(length / 2)))}}, is_f32<S>};
 }
 
 /// The aligned box is the only one that fits; of the others, that they hold every point and are the least about their
@@ -41,10 +40,8 @@ Case fits(const std::vector<Point<S, N>>& points) {
 
 /// The corners of a turned brick, and points within: its volume bounds that of the tightest box.
 std::optional<Case> brick(Random& random) {
-  const Vector<double, 3> half = random.in_box<3>(0.4) + Vector<double, 3>::Constant(0.6),
-                          axis = random.heading<3>();
-  const Eigen::Matrix3d turn =
-      Eigen::AngleAxisd(random.uniform(0, std::numbers::pi), axis).toRotationMatrix();
+  const Vector<double, 3> half = random.in_box<3>(0.4) + Vector<double, 3>::Constant(0.6), axis = random.heading<3>();
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(random.uniform(0, std::numbers::pi), axis).toRotationMatrix();
   std::vector<Point<double, 3>> points;
   for (int corner = 0; corner < 8; ++corner) {
     const Vector<double, 3> sides(corner & 1 ? -1 : 1, corner & 2 ? -1 : 1, corner & 4 ? -1 : 1);
@@ -77,8 +74,7 @@ CaseFile convex_hull2d() {
       return hull_of(tests::clouds::cloud<S>(r, kind, Numbers::decimal, 10));
     };
     file.family(name, 4, [&](Random& r) { return draw.template operator()<double>(r); });
-    file.family(std::string(name) + ", in floats", 2,
-                [&](Random& r) { return draw.template operator()<float>(r); });
+    file.family(std::string(name) + ", in floats", 2, [&](Random& r) { return draw.template operator()<float>(r); });
   }
   by_numbers(file, 2, [&]<class S>(Random& random, Numbers numbers) -> std::optional<Case> {
     const Ring<S, 2> points = tests::clouds::cloud<S>(random, tests::clouds::Cloud::family, numbers, 9);
@@ -103,10 +99,8 @@ CaseFile polygon_normal() {
   add("squares vanish in floats", {{0, 0, 0}, {0x1p-76, 0, 0}, {0, 0x1p-76, 0}});
   add("squares overflow", {{0, 0, 0}, {1e300, 0, 0}, {0, 1e300, 0}});
   add("the smallest numbers there are", {{0, 0, 0}, {least, 0, 0}, {0, least, 0}});
-  add("a small quad far away", {{1e4, 1e4, 1e4},
-                                {1e4 + .1, 1e4, 1e4 + .05},
-                                {1e4 + .1, 1e4 + .1, 1e4 + .1},
-                                {1e4, 1e4 + .1, 1e4 + .05}});
+  add("a small quad far away",
+      {{1e4, 1e4, 1e4}, {1e4 + .1, 1e4, 1e4 + .05}, {1e4 + .1, 1e4 + .1, 1e4 + .1}, {1e4, 1e4 + .1, 1e4 + .05}});
   by_numbers(file, 5, [&]<class S>(Random& random, Numbers numbers) -> std::optional<Case> {
     const Ring<S, 3> ring = tests::area_rings::random_ring<S, 3>(random, numbers);
     return finite(ring) ? std::optional(normal_of(ring)) : std::nullopt;

@@ -1,8 +1,8 @@
 // Points against points, intervals, boxes and balls.
 
-#include "bench/aabb_aabb_families.h"
-#include "bench/orient_families.h"
-#include "bench/point_point_families.h"
+#include "bench/aabb_aabb/families.h"
+#include "bench/orient2d/families.h"
+#include "bench/point_point/families.h"
 #include "tests/cases/shapes.h"
 #include "tests/core/point_obb_pairs.h"
 
@@ -95,9 +95,7 @@ CaseFile orient2d() {
 
 CaseFile interval_interval() {
   CaseFile file("interval_interval");
-  const auto add = [&](const char* note, Interval<double> a, Interval<double> b) {
-    file.add(note, intervals(a, b));
-  };
+  const auto add = [&](const char* note, Interval<double> a, Interval<double> b) { file.add(note, intervals(a, b)); };
   add("a touch that centers and half-lengths miss", {.1, .7}, {.7, .9});
   add("an inverted interval is empty", {1, -1}, {-5, 5});
   add("[inf, -inf] is empty", {inf, -inf}, {-inf, inf});
@@ -145,8 +143,7 @@ CaseFile point_box() {
     const Aabb<S, 3> box = {a.cwiseMin(b), a.cwiseMax(b)};
     Point<S, 3> p = bench::vector<S, 3>(random, numbers);
     for (int i = 0; i < 3; ++i)
-      if (!random.one_in(4))
-        p[i] = random.one_in(3) ? box.lo[i] / 2 + box.hi[i] / 2 : (random.one_in(2) ? a : b)[i];
+      if (!random.one_in(4)) p[i] = random.one_in(3) ? box.lo[i] / 2 + box.hi[i] / 2 : (random.one_in(2) ? a : b)[i];
     if (random.one_in(2)) p[0] = bench::moved(p[0], random.integer(-1, 1));
     return in_box(p, box);
   });

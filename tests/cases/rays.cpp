@@ -1,9 +1,9 @@
 // Rays against balls and boxes.
 
 #include "bench/oracle.h"
-#include "bench/ray_aabb_families.h"
-#include "bench/ray_aabb_oracle.h"
-#include "bench/ray_sphere_families.h"
+#include "bench/ray_aabb/families.h"
+#include "bench/ray_aabb/oracle.h"
+#include "bench/ray_sphere/families.h"
 #include "tests/cases/shapes.h"
 #include "tests/core/ray_obb_pairs.h"
 
@@ -33,8 +33,7 @@ Case ray_and_ball(const Ray<S, N>& ray, const Sphere<S, N>& ball) {
 template <class S, int N>
 Json stretch(const Ray<S, N>& ray, const std::optional<std::pair<Rational, Rational>>& ends) {
   if (!ends || empty(ray.range)) return {{"hit", false}, {"t_in", nullptr}, {"t_out", nullptr}};
-  if (ray.direction.isZero(0))
-    return {{"hit", true}, {"t_in", json(ray.range.lo)}, {"t_out", json(ray.range.hi)}};
+  if (ray.direction.isZero(0)) return {{"hit", true}, {"t_in", json(ray.range.lo)}, {"t_out", json(ray.range.hi)}};
   return {{"hit", true}, {"t_in", json(nearest(ends->first))}, {"t_out", json(nearest(ends->second))}};
 }
 template <class S, int N>
@@ -76,10 +75,8 @@ CaseFile ray_sphere() {
   add("from inside", {0, 0, 0}, {0, 0, 1}, {0, 0, .5}, 1);
   add("behind", {0, 0, 5}, {0, 0, 1}, {0, 0, 0}, 1);
   add("a segment that ends on the ball", {0, 0, -3}, {0, 0, 2}, {0, 0, 0}, 1, {0, 1});
-  add("a segment that ends an ulp before the ball", {0, 0, -3}, {0, 0, 2}, {0, 0, 0}, 1,
-      {0, std::nextafter(1., 0.)});
-  add("a segment within the ball meets the solid, not its surface", {0, 0, -.5}, {0, 0, 1}, {0, 0, 0}, 1,
-      {0, 1});
+  add("a segment that ends an ulp before the ball", {0, 0, -3}, {0, 0, 2}, {0, 0, 0}, 1, {0, std::nextafter(1., 0.)});
+  add("a segment within the ball meets the solid, not its surface", {0, 0, -.5}, {0, 0, 1}, {0, 0, 0}, 1, {0, 1});
   add("a line to both sides", {0, 0, 5}, {0, 0, 1}, {0, 0, 0}, 1, {-inf, inf});
   add("an empty range", {0, 0, -5}, {0, 0, 1}, {0, 0, 0}, 1, {9, 0});
   add("a ball of radius 0 on the ray", {0, 0, -5}, {0, 0, 1}, {0, 0, 0}, 0);

@@ -8,8 +8,7 @@
 
 namespace isect::cases {
 
-inline constexpr double most = std::numeric_limits<double>::max(),
-                        least = std::numeric_limits<double>::denorm_min(),
+inline constexpr double most = std::numeric_limits<double>::max(), least = std::numeric_limits<double>::denorm_min(),
                         inf = std::numeric_limits<double>::infinity();
 
 template <class S>
@@ -115,8 +114,7 @@ template <class Doubles, class Floats, class Ask>
 void by_families(CaseFile& file, int count, const Doubles& doubles, const Floats& floats, const Ask& ask) {
   for (const auto& f : doubles) file.family(f.name, count, [&](Random& r) { return ask(f.draw(r)); });
   for (const auto& f : floats)
-    file.family(std::string(f.name) + ", in floats", (count + 1) / 2,
-                [&](Random& r) { return ask(f.draw(r)); });
+    file.family(std::string(f.name) + ", in floats", (count + 1) / 2, [&](Random& r) { return ask(f.draw(r)); });
 }
 
 }  // namespace isect::cases

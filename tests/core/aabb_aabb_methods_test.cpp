@@ -1,9 +1,9 @@
-#include "core/aabb_aabb_methods.h"
+#include <isect/aabb_aabb_methods.h>
 
 #include <limits>
 
-#include "bench/aabb_aabb_families.h"
-#include "bench/by_points.h"
+#include "bench/aabb_aabb/families.h"
+#include "bench/aabb_aabb/oracle.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 
@@ -11,8 +11,8 @@ namespace aabb_aabb_methods_test {
 using namespace isect;
 using namespace isect::aabb_aabb;
 
-TEMPLATE_TEST_CASE("every method agrees with the sets of points on ordinary boxes", "[aabb_aabb_methods]",
-                   float, double) {
+TEMPLATE_TEST_CASE("every method agrees with the sets of points on ordinary boxes", "[aabb_aabb_methods]", float,
+                   double) {
   bench::Random random(tests::seed());
   for (int i = 0; i < tests::cases(2000, 100000); ++i) {
     INFO("seed " << tests::seed() << ", case " << i);

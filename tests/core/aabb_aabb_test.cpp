@@ -1,8 +1,8 @@
-#include "core/aabb_aabb.h"
+#include <isect/aabb_aabb.h>
 
-#include "bench/by_points.h"
+#include <isect/numbers/counted.h>
+#include "bench/aabb_aabb/oracle.h"
 #include "bench/simple_shapes.h"
-#include "core/counted.h"
 #include "tests/catch.h"
 #include "tests/core/motion.h"
 #include "tests/settings.h"
@@ -12,8 +12,7 @@ using namespace isect;
 
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity(),
-                 nan_ = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
 
 /// From lo to hi on the first axis, from y to y + height on the others.
 template <class S, int N>
@@ -47,8 +46,8 @@ TEMPLATE_TEST_CASE_SIG("two boxes lie in one of six ways", "[aabb_aabb]", FLOATS
   CHECK_FALSE(interiors_intersect(a, bar<S, N>(2, 4)));
 }
 
-TEMPLATE_TEST_CASE_SIG("boxes that overlap on one axis only are disjoint, whichever axis it is",
-                       "[aabb_aabb]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("boxes that overlap on one axis only are disjoint, whichever axis it is", "[aabb_aabb]",
+                       FLOATS_AND_DIMENSIONS) {
   for (int axis = 0; axis < N; ++axis) {
     const Aabb<S, N> a = {Point<S, N>::Zero(), Point<S, N>::Ones()};
     Aabb<S, N> b = {Point<S, N>::Constant(2), Point<S, N>::Constant(3)};
@@ -111,8 +110,7 @@ TEMPLATE_TEST_CASE_SIG("boxes whose widths overflow are boxes", "[aabb_aabb]", F
   CHECK(related(bar<S, N>(-most, 0), bar<S, N>(least, most)) == Relation::disjoint);
 }
 
-TEST_CASE("the note's loop says yes after the last axis only, and no at the first disjoint one",
-          "[aabb_aabb]") {
+TEST_CASE("the note's loop says yes after the last axis only, and no at the first disjoint one", "[aabb_aabb]") {
   using Box = Aabb<double, 3>;
   Record<aabb_aabb::Event<double, 3>> record;
   const Box a = {{0, 0, 0}, {1, 1, 1}}, b = {{0.5, 2, 0}, {2, 3, 1}};
@@ -149,8 +147,7 @@ TEST_CASE("relate tells the shared box", "[aabb_aabb]") {
   CHECK((common.lo == Point<double, 2>(1, 1) && common.hi == Point<double, 2>(2, 2)));
 }
 
-TEMPLATE_TEST_CASE_SIG("two boxes: relations are those of the sets of points", "[aabb_aabb]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("two boxes: relations are those of the sets of points", "[aabb_aabb]", FLOATS_AND_DIMENSIONS) {
   bench::Random random(tests::seed());
   int seen[6] = {};
   for (const bench::Numbers numbers : bench::all_numbers)
@@ -168,11 +165,9 @@ TEMPLATE_TEST_CASE_SIG("two boxes: relations are those of the sets of points", "
       const Relation truth = finite(b) ? oracle::by_points(a, b) : Relation::disjoint;
       const Relation r = relate(a, b);
       if (r != truth) FAIL("wrong");
-      if (relate(b, a) != reversed(r) || intersects(a, b) != (r != Relation::disjoint))
-        FAIL("not consistent");
+      if (relate(b, a) != reversed(r) || intersects(a, b) != (r != Relation::disjoint)) FAIL("not consistent");
       if (r == Relation::overlapping && !interiors_intersect(a, b)) FAIL("no interiors");
-      if ((r == Relation::touching || r == Relation::disjoint) && interiors_intersect(a, b))
-        FAIL("interiors");
+      if ((r == Relation::touching || r == Relation::disjoint) && interiors_intersect(a, b)) FAIL("interiors");
       if (intersects(a, b) && !aabb_aabb::by_axis(a, b)) FAIL("the note's loop misses");
 
       if (numbers <= bench::Numbers::distant) {

@@ -1,4 +1,4 @@
-#include "core/aabb_frustum.h"
+#include <isect/aabb_frustum.h>
 
 #include "bench/rational.h"
 #include "tests/catch.h"
@@ -62,8 +62,7 @@ TEST_CASE("near an edge a box may be outside and called crossing", "[aabb_frustu
   CHECK(cull(cube<double>(-2, 0, 0, 1), sharp) == Culling::crossing);  // all of the frustum has x >= 0
 }
 
-TEMPLATE_TEST_CASE("box and frustum: what is empty, NaN or infinite is outside", "[aabb_frustum]", float,
-                   double) {
+TEMPLATE_TEST_CASE("box and frustum: what is empty, NaN or infinite is outside", "[aabb_frustum]", float, double) {
   using S = TestType;
   CHECK(culled(cube<S>(0, 0, 5, -1)) == Culling::outside);
   for (const double bad : {nan_, inf, -inf}) {
@@ -78,8 +77,7 @@ TEMPLATE_TEST_CASE("box and frustum: what is empty, NaN or infinite is outside",
   }
 }
 
-TEMPLATE_TEST_CASE("box and frustum: a zero normal bounds nothing, or everything", "[aabb_frustum]", float,
-                   double) {
+TEMPLATE_TEST_CASE("box and frustum: a zero normal bounds nothing, or everything", "[aabb_frustum]", float, double) {
   using S = TestType;
   Frustum<S> f = tests::pyramid<S>();
   f.planes[5] = {Vector<S, 3>::Zero(), S(1)};
@@ -90,8 +88,7 @@ TEMPLATE_TEST_CASE("box and frustum: a zero normal bounds nothing, or everything
   CHECK(cull(cube<S>(0, 0, 5, 1), f) == Culling::outside);
 }
 
-TEMPLATE_TEST_CASE("box and frustum: lengths of any size give the same verdict", "[aabb_frustum]", float,
-                   double) {
+TEMPLATE_TEST_CASE("box and frustum: lengths of any size give the same verdict", "[aabb_frustum]", float, double) {
   using S = TestType;
   constexpr int most = std::numeric_limits<S>::max_exponent - 5;
   for (const int e : {-most, -most / 2, most / 2, most}) {
@@ -111,8 +108,7 @@ TEST_CASE("the events tell each plane up to the first that shuts the box out", "
   CHECK((last.plane == 5 && last.side == Culling::outside));
 }
 
-TEMPLATE_TEST_CASE("box and frustum: culling is that of rational arithmetic", "[aabb_frustum]", float,
-                   double) {
+TEMPLATE_TEST_CASE("box and frustum: culling is that of rational arithmetic", "[aabb_frustum]", float, double) {
   using S = TestType;
   bench::Random random(tests::seed());
   int seen[3] = {};

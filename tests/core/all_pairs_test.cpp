@@ -1,4 +1,4 @@
-#include "core/all_pairs.h"
+#include <isect/all_pairs.h>
 
 #include <malloc.h>
 
@@ -6,8 +6,8 @@
 #include <limits>
 #include <new>
 
+#include <isect/parts/overlapping_pairs.h>
 #include "bench/simple_shapes.h"
-#include "core/overlapping_pairs.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 
@@ -34,8 +34,7 @@ void operator delete(void* p, std::size_t) noexcept { operator delete(p); }
 
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity(),
-                 nan_ = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
 
 template <class S, int N>
 using Boxes = std::vector<Aabb<S, N>>;
@@ -152,8 +151,7 @@ Boxes<S, N> draw(Random& random, Spread spread, int n) {
     if (spread == Spread::sticks) boxes.back().hi[random.below(N)] += S(side / 3);
     if (random.one_in(50)) boxes.push_back(boxes[random.below(i + 1)]);  // a duplicate
     const int axis = random.below(N);
-    if (random.one_in(50))
-      boxes.back().hi[axis] = boxes.back().lo[axis] - S(random.below(2));  // flat, or empty
+    if (random.one_in(50)) boxes.back().hi[axis] = boxes.back().lo[axis] - S(random.below(2));  // flat, or empty
   }
   return boxes;
 }
@@ -172,8 +170,7 @@ TEMPLATE_TEST_CASE_SIG("none, one and two boxes", "[all_pairs]", FLOATS_AND_DIME
 
 TEMPLATE_TEST_CASE_SIG("an ulp ends touching", "[all_pairs]", FLOATS_AND_DIMENSIONS) {
   for (int axis = 0; axis < N; ++axis) {
-    Boxes<S, N> boxes = {cube<S, N>(Point<double, N>::Zero(), 1),
-                         cube<S, N>(2 * Point<double, N>::Unit(axis), 1)};
+    Boxes<S, N> boxes = {cube<S, N>(Point<double, N>::Zero(), 1), cube<S, N>(2 * Point<double, N>::Unit(axis), 1)};
     CHECK(check(boxes) == 1);
     boxes[1].lo[axis] = std::nextafter(S(1), S(2));
     CHECK(check(boxes) == 0);
@@ -283,8 +280,8 @@ TEST_CASE("the events tell every test, and what the plane cuts", "[all_pairs]") 
   CHECK(tested == tests);
 }
 
-TEMPLATE_TEST_CASE_SIG("every method finds the pairs of brute force, however the boxes are spread",
-                       "[all_pairs]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("every method finds the pairs of brute force, however the boxes are spread", "[all_pairs]",
+                       FLOATS_AND_DIMENSIONS) {
   Random random(tests::seed());
   for (int spread = 0; spread < static_cast<int>(Spread::count); ++spread)
     for (int i = 0; i < tests::cases(6, 25); ++i) {
@@ -315,8 +312,7 @@ TEMPLATE_TEST_CASE_SIG("every method finds the pairs of brute force, whatever th
 TEMPLATE_TEST_CASE_SIG("the default takes the memory that it states", "[all_pairs]", FLOATS_AND_DIMENSIONS) {
   Random random(tests::seed());
   const double stated = sizeof(S) == 4 ? 64 : 80;
-  for (const Spread spread :
-       {Spread::even, Spread::heavy_tailed, Spread::all_sizes, Spread::outliers, Spread::plane}) {
+  for (const Spread spread : {Spread::even, Spread::heavy_tailed, Spread::all_sizes, Spread::outliers, Spread::plane}) {
     const bool many_pairs = spread == Spread::heavy_tailed || spread == Spread::all_sizes;
     const int n = tests::cases(20000, many_pairs ? 20000 : 1000000);
     const Boxes<S, N> boxes = draw<S, N>(random, spread, n);
@@ -325,8 +321,7 @@ TEMPLATE_TEST_CASE_SIG("the default takes the memory that it states", "[all_pair
     most_in_use = in_use;
     overlapping_pairs(boxes, [&](int, int) { ++pairs; });
     const double bytes = static_cast<double>(most_in_use - before);
-    INFO("spread " << static_cast<int>(spread) << ", " << bytes / static_cast<double>(boxes.size())
-                   << " bytes a box");
+    INFO("spread " << static_cast<int>(spread) << ", " << bytes / static_cast<double>(boxes.size()) << " bytes a box");
     CHECK(pairs > 0);
     CHECK(bytes < 1.02 * stated * static_cast<double>(boxes.size()) + 100000);  // and what does not grow
   }

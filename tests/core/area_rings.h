@@ -13,8 +13,7 @@ using oracle::Rational;
 
 /// The square root of x >= 0 within a relative 2^-127.
 inline Rational root(const Rational& x) {
-  using Integer =
-      boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
+  using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
   const Integer a = numerator(x), b = denominator(x), scale = Integer(1) << 128;
   return Rational(Integer(sqrt(Integer(a * b * scale * scale)))) / Rational(Integer(b * scale));
 }

@@ -1,15 +1,15 @@
 // Batches against the scalar exact tests, entry by entry, in every instruction set that the machine has.
 
-#include "core/batch.h"
+#include <isect/batch.h>
 
 #include <cstring>
 #include <limits>
 
+#include <isect/batch_aabb.h>
+#include <isect/batch_point_polygon.h>
+#include <isect/batch_ray_sphere.h>
 #include "bench/random_shapes.h"
-#include "bench/ray_sphere_families.h"
-#include "core/batch_aabb.h"
-#include "core/batch_point_polygon.h"
-#include "core/batch_ray_sphere.h"
+#include "bench/ray_sphere/families.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 
@@ -128,16 +128,13 @@ TEST_CASE("the first of several spheres is found with its place", "[batch]") {
   CHECK(hits(ray, s.batch()).indices() == std::vector<std::size_t>{0, 1, 2, 4});
   CHECK(first_hit(ray, s.batch()) == FirstHit<double>{4, 1});
   CHECK(first_hit(Ray<double, 3>{{0, 0, 0}, {0, 1, 0}}, s.batch()) == std::nullopt);
-  CHECK(first_hit(Ray<double, 3>{{0, 0, 0}, {2, 0, 0}, infinite<double>}, s.batch()) ==
-        FirstHit<double>{-2, 3});
+  CHECK(first_hit(Ray<double, 3>{{0, 0, 0}, {2, 0, 0}, infinite<double>}, s.batch()) == FirstHit<double>{-2, 3});
   CHECK(first_hit(Ray<double, 3>{{0, 0, 0}, {1, 0, 0}, {4.5, 100}}, s.batch()) == FirstHit<double>{6, 1});
-  CHECK(hits(Ray<double, 3>{{0, 0, 0}, {1, 0, 0}, {4.5, 5.5}}, s.batch()).count() ==
-        0);  // within two, short of two
+  CHECK(hits(Ray<double, 3>{{0, 0, 0}, {1, 0, 0}, {4.5, 5.5}}, s.batch()).count() == 0);  // within two, short of two
   CHECK(first_hit(ray, SphereBatch<double, 3>{}) == std::nullopt);
 }
 
-TEMPLATE_TEST_CASE_SIG("rays hit the spheres of a batch that they hit one by one", "[batch]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("rays hit the spheres of a batch that they hit one by one", "[batch]", FLOATS_AND_DIMENSIONS) {
   bench::Random random(tests::seed());
   std::size_t hit = 0;
   for (const auto& family : bench::ray_sphere_families<S, N>())
@@ -164,8 +161,7 @@ TEMPLATE_TEST_CASE_SIG("rays hit the spheres of a batch that they hit one by one
   CHECK(hit > 150);
 }
 
-TEMPLATE_TEST_CASE_SIG("rays and spheres of all numbers agree with one by one", "[batch]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("rays and spheres of all numbers agree with one by one", "[batch]", FLOATS_AND_DIMENSIONS) {
   bench::Random random(tests::seed());
   std::size_t hit = 0;
   for (const Numbers numbers : bench::all_numbers)
@@ -184,8 +180,7 @@ TEMPLATE_TEST_CASE_SIG("rays and spheres of all numbers agree with one by one", 
   CHECK(hit > 300);
 }
 
-TEMPLATE_TEST_CASE_SIG("a box meets the boxes of a batch that it meets one by one", "[batch]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("a box meets the boxes of a batch that it meets one by one", "[batch]", FLOATS_AND_DIMENSIONS) {
   bench::Random random(tests::seed());
   std::size_t met = 0, all = 0;
   for (const Numbers numbers : bench::all_numbers)
@@ -230,11 +225,9 @@ TEMPLATE_TEST_CASE("points of a batch lie where they lie one by one", "[batch]",
         for (int k = length(random); k > 0; --k) ring.push_back(bench::vector<S, 2>(random, numbers));
         polygon.rings.push_back(ring);
       } while (random.one_in(4));
-      Ring<S, 2>& some =
-          polygon.rings[static_cast<std::size_t>(random.below(static_cast<int>(polygon.rings.size())))];
+      Ring<S, 2>& some = polygon.rings[random.below(static_cast<int>(polygon.rings.size()))];
       if (random.one_in(40) && !some.empty())
-        some[static_cast<std::size_t>(random.below(static_cast<int>(some.size())))][random.below(2)] =
-            bad<S>(random);
+        some[random.below(static_cast<int>(some.size()))][random.below(2)] = bad<S>(random);
 
       Columns<S, 2> points(random);
       for (int k = length(random); k > 0; --k) {

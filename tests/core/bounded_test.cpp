@@ -1,12 +1,12 @@
-// The bound of core/bounded.h and the signs of core/predicate.h against rational arithmetic.
+// The bound of isect/numbers/bounded.h and the signs of isect/numbers/predicate.h against rational arithmetic.
 
 #include <algorithm>
 #include <limits>
 #include <tuple>
 
+#include <isect/orient.h>
 #include "bench/random.h"
 #include "bench/rational.h"
-#include "core/orient.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 
@@ -26,8 +26,7 @@ struct Tracked {
 
 template <std::floating_point T>
 Rational rational(T x) {
-  return Rational(static_cast<double>(x)) +
-         Rational(static_cast<double>(x - static_cast<T>(static_cast<double>(x))));
+  return Rational(static_cast<double>(x)) + Rational(static_cast<double>(x - static_cast<T>(static_cast<double>(x))));
 }
 Rational rational(const DoubleDouble& x) { return Rational(x.hi) + Rational(x.lo); }
 
@@ -205,9 +204,7 @@ TEMPLATE_TEST_CASE("a quotient lies within 2 ulp of the truth", "[predicate]", f
   int fallbacks = 0;
   for (int i = 0; i < 20000; ++i) {
     INFO("seed " << tests::seed() << ", quotient " << i);
-    const auto number = [&] {
-      return static_cast<double>(static_cast<TestType>(random.magnitude(-top, top)));
-    };
+    const auto number = [&] { return static_cast<double>(static_cast<TestType>(random.magnitude(-top, top))); };
     const double a = number(), b = number(), c = random.one_in(3) ? number() : 0;
     double d = random.one_in(2) ? number() : (a - c) / a * b;  // the numerator cancels
     d = static_cast<double>(static_cast<TestType>(d));
@@ -216,8 +213,7 @@ TEMPLATE_TEST_CASE("a quotient lies within 2 ulp of the truth", "[predicate]", f
     Record<std::variant<Fallback>> record;
     const TestType t = value_of<TestType>(text, record);
     fallbacks += static_cast<int>(record.events.size());
-    const Rational truth =
-        ((Rational(a) - Rational(c)) * Rational(b) - Rational(a) * Rational(d)) / Rational(d);
+    const Rational truth = ((Rational(a) - Rational(c)) * Rational(b) - Rational(a) * Rational(d)) / Rational(d);
     REQUIRE(oracle::ulps(t, truth) <= 2);
   }
   CHECK(fallbacks > 0);
@@ -239,12 +235,12 @@ TEST_CASE("orientations on Kettner's grids are those of rational arithmetic", "[
     return sign((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]));
   };
   using Point2 = Point<double, 2>;
-  const auto [corner, b, c] = GENERATE(
-      table<Point2, Point2, Point2>({{{.5, .5}, {12, 12}, {24, 24}},
-                                     {{.50000000000002531, .5000000000000171},
-                                      {17.300000000000001, 17.300000000000001},
-                                      {24.00000000000005, 24.0000000000000517765}},
-                                     {{.5, .5}, {8.8000000000000007, 8.8000000000000007}, {12.1, 12.1}}}));
+  const auto [corner, b, c] =
+      GENERATE(table<Point2, Point2, Point2>({{{.5, .5}, {12, 12}, {24, 24}},
+                                              {{.50000000000002531, .5000000000000171},
+                                               {17.300000000000001, 17.300000000000001},
+                                               {24.00000000000005, 24.0000000000000517765}},
+                                              {{.5, .5}, {8.8000000000000007, 8.8000000000000007}, {12.1, 12.1}}}));
   int signs[3] = {};
   for (int i = 0; i < 128; ++i)
     for (int j = 0; j < 128; ++j) {

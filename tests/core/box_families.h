@@ -21,9 +21,9 @@ enum class Layout {
   points,      ///< no extent at all
   crowded      ///< large boxes, most of which meet
 };
-inline constexpr Layout all_layouts[] = {
-    Layout::uniform,    Layout::clustered, Layout::tailed,    Layout::gridded, Layout::duplicate,
-    Layout::concentric, Layout::flat,      Layout::collinear, Layout::points,  Layout::crowded};
+inline constexpr Layout all_layouts[] = {Layout::uniform,   Layout::clustered,  Layout::tailed, Layout::gridded,
+                                         Layout::duplicate, Layout::concentric, Layout::flat,   Layout::collinear,
+                                         Layout::points,    Layout::crowded};
 
 template <class S, int N>
 Aabb<S, N> box_around(const Vector<double, N>& center, const Vector<double, N>& half) {

@@ -1,4 +1,4 @@
-#include "core/bvh_pairs.h"
+#include <isect/bvh_pairs.h>
 
 #include <set>
 
@@ -61,8 +61,8 @@ std::vector<Aabb<S, N>> cells(int count, int from = 0) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE_SIG("no boxes and one box make no pairs", "[bvh_pairs]", ((class S, int N), S, N),
-                       (float, 2), (float, 3), (double, 2), (double, 3)) {
+TEMPLATE_TEST_CASE_SIG("no boxes and one box make no pairs", "[bvh_pairs]", ((class S, int N), S, N), (float, 2),
+                       (float, 3), (double, 2), (double, 3)) {
   const std::vector<Aabb<S, N>> none, one = cells<S, N>(1);
   CHECK(overlapping_pairs(build_bvh(none), none).empty());
   CHECK(overlapping_pairs(build_bvh(one), one).empty());
@@ -71,8 +71,8 @@ TEMPLATE_TEST_CASE_SIG("no boxes and one box make no pairs", "[bvh_pairs]", ((cl
   CHECK(overlapping_pairs(build_bvh(one), one, build_bvh(one), one) == Pairs{{0, 0}});
 }
 
-TEMPLATE_TEST_CASE_SIG("the cells of a row touch their neighbours", "[bvh_pairs]", ((class S, int N), S, N),
-                       (float, 2), (float, 3), (double, 2), (double, 3)) {
+TEMPLATE_TEST_CASE_SIG("the cells of a row touch their neighbours", "[bvh_pairs]", ((class S, int N), S, N), (float, 2),
+                       (float, 3), (double, 2), (double, 3)) {
   const auto boxes = cells<S, N>(100), later = cells<S, N>(10, 100);
   const Bvh<S, N> tree = build_bvh(boxes), other = build_bvh(later);
   Pairs neighbours;
@@ -82,8 +82,8 @@ TEMPLATE_TEST_CASE_SIG("the cells of a row touch their neighbours", "[bvh_pairs]
   CHECK(overlapping_pairs(other, later, tree, boxes) == Pairs{{0, 99}});
 }
 
-TEMPLATE_TEST_CASE_SIG("equal boxes make all pairs", "[bvh_pairs]", ((class S, int N), S, N), (float, 2),
-                       (float, 3), (double, 2), (double, 3)) {
+TEMPLATE_TEST_CASE_SIG("equal boxes make all pairs", "[bvh_pairs]", ((class S, int N), S, N), (float, 2), (float, 3),
+                       (double, 2), (double, 3)) {
   const std::vector<Aabb<S, N>> boxes(50, {Point<S, N>::Zero(), Point<S, N>::Zero()});
   CHECK(overlapping_pairs(build_bvh(boxes), boxes).size() == 50 * 49 / 2);
   CHECK(overlapping_pairs(build_bvh(boxes), boxes, build_bvh(boxes), boxes).size() == 50 * 50);
@@ -118,14 +118,13 @@ TEST_CASE("far fewer tests than all pairs find few pairs among many boxes", "[bv
   CHECK(counts.visited + counts.pruned + counts.tested < 4000 * 3999 / 2 / 20);
 }
 
-TEMPLATE_TEST_CASE_SIG("the pairs are those of brute force, each once", "[bvh_pairs]",
-                       ((class S, int N), S, N), (float, 2), (float, 3), (double, 2), (double, 3)) {
+TEMPLATE_TEST_CASE_SIG("the pairs are those of brute force, each once", "[bvh_pairs]", ((class S, int N), S, N),
+                       (float, 2), (float, 3), (double, 2), (double, 3)) {
   Random random(tests::seed());
   long self = 0, between = 0, none = 0;
   for (int round = 0; round < tests::cases(150, 15'000); ++round) {
     const auto a = draw<S, N>(random), b = draw<S, N>(random);
-    INFO("seed " << tests::seed() << ", round " << round << ", " << a.size() << " and " << b.size()
-                 << " boxes");
+    INFO("seed " << tests::seed() << ", round " << round << ", " << a.size() << " and " << b.size() << " boxes");
     const BvhOptions options = {random.integer(1, 5), 1};
     const Bvh<S, N> first = build_bvh(a, options), second = build_bvh(b, options);
     const Pairs own = overlapping_pairs(first, a), cross = overlapping_pairs(first, a, second, b);
@@ -141,7 +140,11 @@ TEMPLATE_TEST_CASE_SIG("the pairs are those of brute force, each once", "[bvh_pa
     Pairs heard;
     Record<bvh_pairs::Event> record;
     report_pairs(
-        first, a, [&](int i, int j) { heard.push_back({i, j}); }, record);
+        first, a,
+        [&](int i, int j) {
+          heard.push_back({i, j});
+        },
+        record);
     REQUIRE(heard == own);
     Pairs met;
     for (const auto& event : record.events)

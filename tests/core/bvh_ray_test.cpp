@@ -1,4 +1,4 @@
-#include "core/bvh_ray.h"
+#include <isect/bvh_ray.h>
 
 #include <limits>
 #include <set>
@@ -39,9 +39,7 @@ template <class S, int N>
 Ray<S, N> aimed(Random& random, const std::vector<Aabb<S, N>>& boxes, bench::Numbers numbers) {
   Ray<S, N> ray = bench::ray<S, N>(random, numbers);
   if (boxes.empty()) return ray;
-  const auto some = [&]() -> const Aabb<S, N>& {
-    return boxes[random.below(static_cast<int>(boxes.size()))];
-  };
+  const auto some = [&]() -> const Aabb<S, N>& { return boxes[random.below(static_cast<int>(boxes.size()))]; };
   const auto inside = [&](const Aabb<S, N>& box) {
     Point<S, N> p;
     for (int i = 0; i < N; ++i) {
@@ -101,8 +99,7 @@ TEMPLATE_TEST_CASE("a ray hits the nearest of three boxes", "[bvh_ray]", float, 
   CHECK(closest_hit(tree, ray, solid(ray, boxes)) == BvhHit<S>{S(5), 1});
   CHECK(any_hit(tree, ray, solid(ray, boxes)));
 }
-TEMPLATE_TEST_CASE("a ray that grazes the boxes hits, and one beside them misses", "[bvh_ray]", float,
-                   double) {
+TEMPLATE_TEST_CASE("a ray that grazes the boxes hits, and one beside them misses", "[bvh_ray]", float, double) {
   using S = TestType;
   const auto boxes = three<S>();
   const Bvh<S, 2> tree = build_bvh(boxes);
@@ -119,8 +116,7 @@ TEMPLATE_TEST_CASE("a ray from inside a box hits it at its origin", "[bvh_ray]",
   CHECK(closest_hit(tree, inside, solid(inside, boxes)) == BvhHit<S>{S(0), 0});
   CHECK(!closest_hit(tree, behind, solid(behind, boxes)));
 }
-TEMPLATE_TEST_CASE("the range of a segment ends where it ends, both ends included", "[bvh_ray]", float,
-                   double) {
+TEMPLATE_TEST_CASE("the range of a segment ends where it ends, both ends included", "[bvh_ray]", float, double) {
   using S = TestType;
   const auto boxes = three<S>();
   const Bvh<S, 2> tree = build_bvh(boxes);
@@ -143,8 +139,8 @@ TEMPLATE_TEST_CASE("of equal hits the least index counts", "[bvh_ray]", float, d
   const Ray<S, 2> ray = along_x<S>(20);
   CHECK(closest_hit(build_bvh(boxes, {1}), ray, solid(ray, boxes)) == BvhHit<S>{S(5), 10});
 }
-TEMPLATE_TEST_CASE("NaN and infinite rays, zero directions and empty hierarchies have answers", "[bvh_ray]",
-                   float, double) {
+TEMPLATE_TEST_CASE("NaN and infinite rays, zero directions and empty hierarchies have answers", "[bvh_ray]", float,
+                   double) {
   using S = TestType;
   using Limits = std::numeric_limits<S>;
   const auto boxes = three<S>();
@@ -183,8 +179,8 @@ TEST_CASE("a listener hears every visit, prune, test and new closest hit", "[bvh
   CHECK(std::get<bvh_ray::Visited<double>>(record.events[0]).entry == 1);
 }
 
-TEMPLATE_TEST_CASE_SIG("the closest hit is that of asking every primitive", "[bvh_ray]",
-                       ((class S, int N), S, N), (float, 2), (float, 3), (double, 2), (double, 3)) {
+TEMPLATE_TEST_CASE_SIG("the closest hit is that of asking every primitive", "[bvh_ray]", ((class S, int N), S, N),
+                       (float, 2), (float, 3), (double, 2), (double, 3)) {
   Random random(tests::seed());
   int hits = 0, misses = 0, wrong = 0;
   for (int i = 0; i < tests::cases(60, 20'000); ++i) {
@@ -207,9 +203,8 @@ TEMPLATE_TEST_CASE_SIG("the closest hit is that of asking every primitive", "[bv
   CHECK(misses > 50);
 }
 
-TEMPLATE_TEST_CASE_SIG("only what cannot hold the closest hit is pruned, and nothing is forgotten",
-                       "[bvh_ray]", ((class S, int N), S, N), (float, 2), (float, 3), (double, 2),
-                       (double, 3)) {
+TEMPLATE_TEST_CASE_SIG("only what cannot hold the closest hit is pruned, and nothing is forgotten", "[bvh_ray]",
+                       ((class S, int N), S, N), (float, 2), (float, 3), (double, 2), (double, 3)) {
   Random random(tests::seed());
   for (int i = 0; i < tests::cases(100, 5000); ++i) {
     const Round<S, N> round = draw<S, N>(random);
@@ -272,12 +267,11 @@ TEMPLATE_TEST_CASE_SIG("signed permutations of the axes and powers of two change
   for (int i = 0; i < tests::cases(200, 20'000); ++i) {
     const auto boxes = tests::some_boxes<S, N>(random, bench::Numbers::grid, 40);
     const Ray<S, N> ray = aimed<S, N>(random, boxes, bench::Numbers::grid);
-    const auto moved_point =
-        [&](const Vector<S, N>& p) {  // the last axis first, turned round, and twice as large
-          Vector<S, N> q;
-          for (int k = 0; k < N; ++k) q[(k + 1) % N] = 2 * (k == 0 ? -p[k] : p[k]);
-          return q;
-        };
+    const auto moved_point = [&](const Vector<S, N>& p) {  // the last axis first, turned round, and twice as large
+      Vector<S, N> q;
+      for (int k = 0; k < N; ++k) q[(k + 1) % N] = 2 * (k == 0 ? -p[k] : p[k]);
+      return q;
+    };
     std::vector<Aabb<S, N>> moved_boxes;
     for (const auto& box : boxes) {
       const Point<S, N> a = moved_point(box.lo), b = moved_point(box.hi);

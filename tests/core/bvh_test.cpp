@@ -1,4 +1,4 @@
-#include "core/bvh.h"
+#include <isect/bvh.h>
 
 #include <cmath>
 #include <limits>
@@ -44,8 +44,7 @@ template <class S, int N>
 const char* flaw(const Bvh<S, N>& bvh, const std::vector<Aabb<S, N>>& boxes, const BvhOptions& options = {}) {
   std::vector<int> usable;
   for (std::size_t i = 0; i < boxes.size(); ++i)
-    if (finite(boxes[i]) && (boxes[i].lo.array() <= boxes[i].hi.array()).all())
-      usable.push_back(static_cast<int>(i));
+    if (finite(boxes[i]) && (boxes[i].lo.array() <= boxes[i].hi.array()).all()) usable.push_back(static_cast<int>(i));
   std::vector<int> held = bvh.primitives;
   std::sort(held.begin(), held.end());
   if (held != usable) return "not every usable primitive is there once";
@@ -82,15 +81,14 @@ const char* flaw(const Bvh<S, N>& bvh, const std::vector<Aabb<S, N>>& boxes, con
     }
     if (!same(all, node.box)) return "a box that is not that of its content";
   }
-  if (std::count(seen.begin(), seen.end(), 1) != static_cast<long>(seen.size()))
-    return "a node without a parent";
+  if (std::count(seen.begin(), seen.end(), 1) != static_cast<long>(seen.size())) return "a node without a parent";
   return nullptr;
 }
 
 }  // namespace
 
-TEMPLATE_TEST_CASE_SIG("a hierarchy of nothing has no nodes", "[bvh]", ((class S, int N), S, N), (float, 2),
-                       (float, 3), (double, 2), (double, 3)) {
+TEMPLATE_TEST_CASE_SIG("a hierarchy of nothing has no nodes", "[bvh]", ((class S, int N), S, N), (float, 2), (float, 3),
+                       (double, 2), (double, 3)) {
   const Bvh<S, N> none = build_bvh(std::vector<Aabb<S, N>>());
   CHECK(none.nodes.empty());
   CHECK(statistics(none).depth == 0);
@@ -98,8 +96,8 @@ TEMPLATE_TEST_CASE_SIG("a hierarchy of nothing has no nodes", "[bvh]", ((class S
   CHECK(statistics(none).cost == 0);
 }
 
-TEMPLATE_TEST_CASE_SIG("one primitive is a leaf at the root", "[bvh]", ((class S, int N), S, N), (float, 2),
-                       (float, 3), (double, 2), (double, 3)) {
+TEMPLATE_TEST_CASE_SIG("one primitive is a leaf at the root", "[bvh]", ((class S, int N), S, N), (float, 2), (float, 3),
+                       (double, 2), (double, 3)) {
   const auto boxes = row<S, N>({3});
   const Bvh<S, N> one = build_bvh(boxes);
   REQUIRE(one.nodes.size() == 1);
@@ -108,8 +106,8 @@ TEMPLATE_TEST_CASE_SIG("one primitive is a leaf at the root", "[bvh]", ((class S
   CHECK(statistics(one).cost == 1);
 }
 
-TEMPLATE_TEST_CASE_SIG("two heaps far apart are split between them", "[bvh]", ((class S, int N), S, N),
-                       (float, 2), (float, 3), (double, 2), (double, 3)) {
+TEMPLATE_TEST_CASE_SIG("two heaps far apart are split between them", "[bvh]", ((class S, int N), S, N), (float, 2),
+                       (float, 3), (double, 2), (double, 3)) {
   const auto boxes = row<S, N>({0, 100, 1, 101, 2, 102});
   Record<bvh::Event<S>> record;
   const Bvh<S, N> tree = build_bvh(boxes, {}, record);
@@ -135,8 +133,8 @@ TEMPLATE_TEST_CASE_SIG("primitives with equal centers are halved by index", "[bv
   CHECK(std::is_sorted(tree.primitives.begin(), tree.primitives.end()));
 }
 
-TEMPLATE_TEST_CASE_SIG("what is empty, NaN or infinite is left out", "[bvh]", ((class S, int N), S, N),
-                       (float, 2), (float, 3), (double, 2), (double, 3)) {
+TEMPLATE_TEST_CASE_SIG("what is empty, NaN or infinite is left out", "[bvh]", ((class S, int N), S, N), (float, 2),
+                       (float, 3), (double, 2), (double, 3)) {
   using Limits = std::numeric_limits<S>;
   auto boxes = row<S, N>({0, 1, 2, 3, 4});
   boxes[0].lo[1] = Limits::quiet_NaN();
@@ -150,17 +148,14 @@ TEMPLATE_TEST_CASE_SIG("what is empty, NaN or infinite is left out", "[bvh]", ((
   CHECK(build_bvh(boxes).nodes.empty());
 }
 
-TEMPLATE_TEST_CASE_SIG("boxes of the largest and the least sizes are split", "[bvh]",
-                       ((class S, int N), S, N), (float, 2), (float, 3), (double, 2), (double, 3)) {
+TEMPLATE_TEST_CASE_SIG("boxes of the largest and the least sizes are split", "[bvh]", ((class S, int N), S, N),
+                       (float, 2), (float, 3), (double, 2), (double, 3)) {
   using Limits = std::numeric_limits<S>;
   std::vector<Aabb<S, N>> huge, tiny;
   for (int i = -8; i < 8; ++i) {
-    const auto between = [&](S a, S b) {
-      return Aabb<S, N>{Point<S, N>::Constant(a), Point<S, N>::Constant(b)};
-    };
+    const auto between = [&](S a, S b) { return Aabb<S, N>{Point<S, N>::Constant(a), Point<S, N>::Constant(b)}; };
     huge.push_back(between(Limits::max() / 8 * static_cast<S>(i), Limits::max() / 8 * static_cast<S>(i + 1)));
-    tiny.push_back(
-        between(Limits::denorm_min() * static_cast<S>(i), Limits::denorm_min() * static_cast<S>(i + 1)));
+    tiny.push_back(between(Limits::denorm_min() * static_cast<S>(i), Limits::denorm_min() * static_cast<S>(i + 1)));
   }
   for (const auto& boxes : {huge, tiny}) {
     const Bvh<S, N> tree = build_bvh(boxes, {1});
@@ -169,8 +164,8 @@ TEMPLATE_TEST_CASE_SIG("boxes of the largest and the least sizes are split", "[b
   }
 }
 
-TEMPLATE_TEST_CASE_SIG("centers at powers of two make no deep hierarchy", "[bvh]", ((class S, int N), S, N),
-                       (float, 2), (float, 3), (double, 2), (double, 3)) {
+TEMPLATE_TEST_CASE_SIG("centers at powers of two make no deep hierarchy", "[bvh]", ((class S, int N), S, N), (float, 2),
+                       (float, 3), (double, 2), (double, 3)) {
   constexpr int most = std::numeric_limits<S>::max_exponent - 2;
   std::vector<Aabb<S, N>> boxes;
   for (int i = -most; i < most; ++i)
@@ -253,8 +248,8 @@ TEMPLATE_TEST_CASE_SIG("every hierarchy is sound, the same each time, and told a
     const int count = random.one_in(4) ? random.below(8) : random.below(400);
     INFO("seed " << tests::seed() << ", round " << round << ", by layout " << by_layout << " " << int(layout)
                  << ", numbers " << int(numbers) << ", " << count << " boxes");
-    auto boxes = by_layout ? tests::some_boxes<S, N>(random, layout, count)
-                           : tests::some_boxes<S, N>(random, numbers, count);
+    auto boxes =
+        by_layout ? tests::some_boxes<S, N>(random, layout, count) : tests::some_boxes<S, N>(random, numbers, count);
     if (random.one_in(3)) tests::spoil(random, boxes, 5);
     const BvhOptions options = {random.integer(1, 6), random.uniform(0, 3)};
 

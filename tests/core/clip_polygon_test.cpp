@@ -1,12 +1,12 @@
-#include "core/clip_polygon.h"
+#include <isect/clip_polygon.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include <isect/numbers/counted.h>
 #include "bench/random_shapes.h"
 #include "bench/rational.h"
-#include "core/counted.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 
@@ -18,8 +18,7 @@ using oracle::Rational;
 
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity(),
-                 not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity(), not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// (x, y), or (x, y, 0).
 template <class S, int N>
@@ -68,8 +67,7 @@ std::vector<oracle::Coordinates<N>> truth(const Ring<S, N>& r, const Plane<S, N>
     const Rational from = height(p, a), to = height(p, b);
     const auto x = oracle::rational<S, N>(a), y = oracle::rational<S, N>(b);
     if (from >= 0) kept.push_back(x);
-    if (from != 0 && to != 0 && (from > 0) != (to > 0))
-      kept.push_back(x + Rational(from / (from - to)) * (y - x));
+    if (from != 0 && to != 0 && (from > 0) != (to > 0)) kept.push_back(x + Rational(from / (from - to)) * (y - x));
   }
   return kept;
 }
@@ -93,8 +91,7 @@ TEMPLATE_TEST_CASE_SIG("a plane cuts a square in two", "[clip_polygon]", FLOATS_
   CHECK(corner == Ring<S, N>{at<S, N>(0, 0), at<S, N>(2, 0), at<S, N>(0, 2)});
 }
 
-TEMPLATE_TEST_CASE_SIG("a plane beside a square keeps all or nothing", "[clip_polygon]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("a plane beside a square keeps all or nothing", "[clip_polygon]", FLOATS_AND_DIMENSIONS) {
   CHECK(clip(square<S, N>(), Plane<S, N>{at<S, N>(1), S(1)}) == square<S, N>());
   CHECK(clip(square<S, N>(), Plane<S, N>{at<S, N>(-1), S(-1)}).empty());
   CHECK(clip(square<S, N>(), Plane<S, N>{at<S, N>(1), S(0)}) == square<S, N>());
@@ -117,8 +114,8 @@ TEMPLATE_TEST_CASE_SIG("a box keeps what lies in it", "[clip_polygon]", FLOATS_A
   CHECK(clip(square<S, N>(), Aabb<S, N>{at<S, N>(5, 1), at<S, N>(2, 2)}).empty());
 }
 
-TEMPLATE_TEST_CASE_SIG("what a box's plane leaves nothing of stays nothing at the planes after it",
-                       "[clip_polygon]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("what a box's plane leaves nothing of stays nothing at the planes after it", "[clip_polygon]",
+                       FLOATS_AND_DIMENSIONS) {
   using namespace clip_polygon;
   const Aabb<S, N> box = {at<S, N>(5, 0), at<S, N>(9, 2)};
   Record<Event<S, N>> record;
@@ -143,12 +140,10 @@ TEMPLATE_TEST_CASE_SIG("points and segments are polygons", "[clip_polygon]", FLO
   CHECK(clip(Ring<S, N>{at<S, N>(1)}, right).size() == 1);
   CHECK(clip(Ring<S, N>{at<S, N>(0.5)}, right).empty());
   CHECK(clip(Ring<S, N>{}, right).empty());
-  for (const Point<S, N>& v : clip(Ring<S, N>{at<S, N>(0), at<S, N>(4)}, right))
-    CHECK((v[0] == S(1) || v[0] == S(4)));
+  for (const Point<S, N>& v : clip(Ring<S, N>{at<S, N>(0), at<S, N>(4)}, right)) CHECK((v[0] == S(1) || v[0] == S(4)));
 }
 
-TEMPLATE_TEST_CASE_SIG("NaN, infinities and a zero normal keep nothing", "[clip_polygon]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("NaN, infinities and a zero normal keep nothing", "[clip_polygon]", FLOATS_AND_DIMENSIONS) {
   CHECK(clip(square<S, N>(), Plane<S, N>{at<S, N>(0), S(1)}).empty());
   for (const double bad : {not_a_number, inf, -inf}) {
     CHECK(clip(square<S, N>(), Plane<S, N>{at<S, N>(1, bad), S(1)}).empty());
@@ -293,8 +288,7 @@ TEST_CASE("a triangle and a box share the area that rational arithmetic gives", 
           using oracle::operator-;
           using oracle::operator+;
           using oracle::operator*;
-          if ((from > 0 && to < 0) || (from < 0 && to > 0))
-            next.push_back(x + Rational(from / (from - to)) * (y - x));
+          if ((from > 0 && to < 0) || (from < 0 && to > 0)) next.push_back(x + Rational(from / (from - to)) * (y - x));
         }
         exact = next;
       }

@@ -1,11 +1,11 @@
-#include "core/clip_segment.h"
+#include <isect/clip_segment.h>
 
 #include <cmath>
 #include <limits>
 
+#include <isect/numbers/counted.h>
 #include "bench/random_rays.h"
 #include "bench/rational.h"
-#include "core/counted.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 
@@ -17,8 +17,7 @@ using oracle::Rational;
 
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity(),
-                 not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity(), not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// (x, y), or (x, y, 0).
 template <class S, int N>
@@ -127,8 +126,7 @@ TEMPLATE_TEST_CASE_SIG("a box keeps the part inside", "[clip_segment]", FLOATS_A
   CHECK(clip(Segment<S, N>{at<S, N>(1), at<S, N>(1)}, box) == between<S>(0, 1));
 }
 
-TEMPLATE_TEST_CASE_SIG("empty, infinite and NaN shapes keep nothing", "[clip_segment]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("empty, infinite and NaN shapes keep nothing", "[clip_segment]", FLOATS_AND_DIMENSIONS) {
   const Ray<S, N> ray = {at<S, N>(2), at<S, N>(1)};
   const Segment<S, N> whole = {at<S, N>(2), at<S, N>(3)};
   CHECK_FALSE(clip(ray, Plane<S, N>{at<S, N>(0), S(1)}));
@@ -154,8 +152,8 @@ TEST_CASE("a segment's end points count as they are, whatever their difference r
     CHECK(clip(Segment<double, 2>{{-k, 0}, {k, 0}}, Plane<double, 2>{{k, 0}, 0}) == between<double>(.5, 1));
 }
 
-TEMPLATE_TEST_CASE_SIG("segment and box: every answer is that of rational arithmetic",
-                       "[clip_segment][random]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("segment and box: every answer is that of rational arithmetic", "[clip_segment][random]",
+                       FLOATS_AND_DIMENSIONS) {
   using oracle::operator+;
   int kept = 0, lost = 0, whole = 0, points = 0;
   double worst = 0;
@@ -192,8 +190,8 @@ TEMPLATE_TEST_CASE_SIG("segment and box: every answer is that of rational arithm
   for (const int often : {kept, lost, whole, points}) CHECK(often > count / 8);
 }
 
-TEMPLATE_TEST_CASE_SIG("segments are clipped at boxes as rational arithmetic clips them",
-                       "[clip_segment][random]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("segments are clipped at boxes as rational arithmetic clips them", "[clip_segment][random]",
+                       FLOATS_AND_DIMENSIONS) {
   int kept = 0, lost = 0, touches = 0;
   double worst = 0;
   const int count = tests::cases(500, 65000);
@@ -210,8 +208,8 @@ TEMPLATE_TEST_CASE_SIG("segments are clipped at boxes as rational arithmetic cli
       for (int k = 0; k < N && expected; ++k)
         for (const int side : {1, -1}) {
           const Rational bound = Rational(side > 0 ? box.lo[k] : box.hi[k]);
-          const auto part = truth(Interval<S>{S(0), S(1)}, side * (Rational(s.p[k]) - bound),
-                                  side * (Rational(s.q[k]) - bound));
+          const auto part =
+              truth(Interval<S>{S(0), S(1)}, side * (Rational(s.p[k]) - bound), side * (Rational(s.q[k]) - bound));
           if (!part || !expected) {
             expected.reset();
             break;
@@ -231,8 +229,7 @@ TEMPLATE_TEST_CASE_SIG("segments are clipped at boxes as rational arithmetic cli
   for (const int often : {kept, lost, touches}) CHECK(often > count / 8);
 }
 
-TEMPLATE_TEST_CASE_SIG("an outcode names the sides that a point lies beyond", "[clip_segment]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("an outcode names the sides that a point lies beyond", "[clip_segment]", FLOATS_AND_DIMENSIONS) {
   const Aabb<S, N> box = {Point<S, N>::Constant(S(-1)), Point<S, N>::Constant(S(1))};
   CHECK(clip_segment::outcode(at<S, N>(1, -1), box) == 0);
   CHECK(clip_segment::outcode(at<S, N>(-2, 0), box) == 1);

@@ -19,13 +19,12 @@ Ring<S, 2> cloud(bench::Random& random, Cloud kind, Numbers numbers, int n) {
   for (int i = 0; i < n; ++i) {
     const S t = static_cast<S>(random.integer(0, 16)) / 16;
     Point<S, 2> p = a * (S(1) - t) + b * t;  // within the range of both, however large they are
-    if (kind == Cloud::near_line)
-      p[random.below(2)] = bench::moved(p[random.below(2)], random.integer(-1, 1));
+    if (kind == Cloud::near_line) p[random.below(2)] = bench::moved(p[random.below(2)], random.integer(-1, 1));
     if (kind == Cloud::circle) p = random.heading<2>().cast<S>();
     if (kind == Cloud::cluster)
       p = {bench::moved(a[0], random.integer(-2, 2)), bench::moved(a[1], random.integer(-2, 2))};
     if (kind == Cloud::family) p = bench::vector<S, 2>(random, numbers);
-    if (i > 0 && random.one_in(6)) p = r[static_cast<std::size_t>(random.below(i))];
+    if (i > 0 && random.one_in(6)) p = r[random.below(i)];
     r.push_back(p);
   }
   return r;

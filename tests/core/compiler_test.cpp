@@ -1,6 +1,6 @@
 // What isect::core asks of the compiler: arithmetic as it is written. The options come with the target.
 
-#include <catch2/catch.hpp>
+#include "tests/catch.h"
 
 namespace compiler_test {
 
@@ -25,9 +25,7 @@ TEST_CASE("a double that becomes a float and a double again is rounded", "[compi
 }
 
 #if defined(__x86_64__)
-[[gnu::noinline, gnu::target("fma")]] double product_and_sum(double a, double b, double c) {
-  return a * b + c;
-}
+[[gnu::noinline, gnu::target("fma")]] double product_and_sum(double a, double b, double c) { return a * b + c; }
 
 TEST_CASE("a product is rounded before it is added", "[compiler]") {
   if (!__builtin_cpu_supports("fma")) return;

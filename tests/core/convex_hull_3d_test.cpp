@@ -1,6 +1,6 @@
 // Hulls in space by name, by property, and against Caratheodory's theorem in rationals.
 
-#include "core/convex_hull_3d.h"
+#include <isect/convex_hull_3d.h>
 
 #include <cstring>
 #include <limits>
@@ -27,8 +27,7 @@ using Exactly = std::vector<oracle::Coordinates<3>>;
 /// length, and equals none. The signs of all volumes are found once.
 class Oracle {
  public:
-  explicit Oracle(Exactly points)
-      : p_(std::move(points)), signs_(p_.size() * p_.size() * p_.size() * p_.size(), 0) {
+  explicit Oracle(Exactly points) : p_(std::move(points)), signs_(p_.size() * p_.size() * p_.size() * p_.size(), 0) {
     const int n = static_cast<int>(p_.size());
     for (int a = 0; a < n; ++a)
       for (int b = 0; b < a; ++b)
@@ -70,9 +69,7 @@ class Oracle {
  private:
   std::size_t place(int a, int b, int c, int d) const {
     const std::size_t n = p_.size();
-    return ((static_cast<std::size_t>(a) * n + static_cast<std::size_t>(b)) * n +
-            static_cast<std::size_t>(c)) *
-               n +
+    return ((static_cast<std::size_t>(a) * n + static_cast<std::size_t>(b)) * n + static_cast<std::size_t>(c)) * n +
            static_cast<std::size_t>(d);
   }
   bool in_tetrahedron(int p, int a, int b, int c, int d) const {
@@ -131,8 +128,7 @@ template <class S>
 void check_below(const Hull3<S>& hull, const Points<S>& points, std::size_t step = 1) {
   for (std::size_t t = 0; t < hull.triangles.size(); t += step) {
     const auto [a, b, c] = hull.triangles[t];
-    const Point<double, 3> p = hull.vertices[a].template cast<double>(),
-                           q = hull.vertices[b].template cast<double>(),
+    const Point<double, 3> p = hull.vertices[a].template cast<double>(), q = hull.vertices[b].template cast<double>(),
                            r = hull.vertices[c].template cast<double>();
     REQUIRE(convex_hull_3d::projection(p, q, r, NoTrace{}) >= 0);
     for (const Point<S, 3>& x : points) REQUIRE(orient3d(p, q, r, x.template cast<double>()) >= 0);
@@ -160,7 +156,7 @@ Points<S> cloud(bench::Random& random, Cloud kind, Numbers numbers, int n) {
     if (kind == Cloud::cluster)
       for (int k = 0; k < 3; ++k) p[k] = bench::moved(a[k], random.integer(-2, 2));
     if (kind == Cloud::box) p[flat] = random.one_in(2) ? a[flat] : b[flat];
-    if (i > 0 && random.one_in(8)) p = r[static_cast<std::size_t>(random.below(i))];
+    if (i > 0 && random.one_in(8)) p = r[random.below(i)];
     r.push_back(p);
   }
   return r;
@@ -180,8 +176,7 @@ Points<S> grid(int n) {
 
 template <class S>
 void shuffle(Points<S>& points, bench::Random& random) {
-  for (std::size_t k = points.size(); k > 1; --k)
-    std::swap(points[k - 1], points[static_cast<std::size_t>(random.below(static_cast<int>(k)))]);
+  for (std::size_t k = points.size(); k > 1; --k) std::swap(points[k - 1], points[random.below(static_cast<int>(k))]);
 }
 
 }  // namespace
@@ -202,8 +197,7 @@ TEMPLATE_TEST_CASE("a grid has the eight corners of its cube", "[convex_hull_3d]
   }
 }
 
-TEMPLATE_TEST_CASE("points without volume give a polygon, two, one or no vertices", "[convex_hull_3d]", float,
-                   double) {
+TEMPLATE_TEST_CASE("points without volume give a polygon, two, one or no vertices", "[convex_hull_3d]", float, double) {
   using S = TestType;
   using P = Point<S, 3>;
   CHECK(convex_hull(Points<S>{}).dimension == -1);
@@ -238,8 +232,7 @@ TEMPLATE_TEST_CASE("an ulp above a face makes a vertex of a point", "[convex_hul
   CHECK(with(std::nextafter(S(1), S(2))).vertices.size() == 5);
   for (const S size : {std::numeric_limits<S>::max(), std::numeric_limits<S>::denorm_min()}) {
     Points<S> octahedron = {P::Zero()};
-    for (int k = 0; k < 3; ++k)
-      octahedron.push_back(P::Unit(k) * size), octahedron.push_back(P::Unit(k) * -size);
+    for (int k = 0; k < 3; ++k) octahedron.push_back(P::Unit(k) * size), octahedron.push_back(P::Unit(k) * -size);
     const Hull3<S> hull = convex_hull(octahedron);
     CHECK(hull.vertices.size() == 6);
     CHECK(hull.triangles.size() == 8);
@@ -247,8 +240,8 @@ TEMPLATE_TEST_CASE("an ulp above a face makes a vertex of a point", "[convex_hul
   }
 }
 
-TEMPLATE_TEST_CASE("a NaN or infinite coordinate in space is refused by its number", "[convex_hull_3d]",
-                   float, double) {
+TEMPLATE_TEST_CASE("a NaN or infinite coordinate in space is refused by its number", "[convex_hull_3d]", float,
+                   double) {
   using S = TestType;
   for (const S bad : {std::numeric_limits<S>::quiet_NaN(), std::numeric_limits<S>::infinity()}) {
     Points<S> points = grid<S>(2);
@@ -290,8 +283,7 @@ TEMPLATE_TEST_CASE("hulls in space agree with Caratheodory in rationals", "[conv
         shuffle(points, random);
         Record<convex_hull_3d::Event> record;
         REQUIRE(vertex_set(convex_hull(points, record).vertices) == found);
-        for (const auto& event : record.events)
-          dropped += std::holds_alternative<convex_hull_3d::Dropped>(event);
+        for (const auto& event : record.events) dropped += std::holds_alternative<convex_hull_3d::Dropped>(event);
         for (Point<S, 3>& p : points) p = Point<S, 3>(-p[1], p[2], -p[0]);  // a rotation
         const Hull3<S> turned = convex_hull(points);
         REQUIRE(turned.vertices.size() == found.size());
@@ -301,8 +293,8 @@ TEMPLATE_TEST_CASE("hulls in space agree with Caratheodory in rationals", "[conv
   CHECK(dropped > 0);
 }
 
-TEMPLATE_TEST_CASE("larger hulls are closed, convex, and the same in any order and size", "[convex_hull_3d]",
-                   float, double) {
+TEMPLATE_TEST_CASE("larger hulls are closed, convex, and the same in any order and size", "[convex_hull_3d]", float,
+                   double) {
   using S = TestType;
   bench::Random random(tests::seed());
   for (const Numbers numbers : bench::all_numbers)
@@ -325,8 +317,7 @@ TEMPLATE_TEST_CASE("larger hulls are closed, convex, and the same in any order a
       }
 }
 
-TEST_CASE("all of many points on a sphere are vertices where none is in a plane of others",
-          "[convex_hull_3d]") {
+TEST_CASE("all of many points on a sphere are vertices where none is in a plane of others", "[convex_hull_3d]") {
   bench::Random random(tests::seed());
   Points<double> points;
   for (int i = 0; i < 20000; ++i) points.push_back(random.heading<3>());

@@ -1,6 +1,6 @@
 // Hulls by name, by property, and against gift wrapping in rationals.
 
-#include "core/convex_hull.h"
+#include <isect/convex_hull.h>
 
 #include <limits>
 #include <string>
@@ -26,13 +26,12 @@ Ring<S, 2> points(std::initializer_list<std::array<double, 2>> coordinates) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("the hull holds strict vertices, counter-clockwise from the lowest x", "[convex_hull]",
-                   float, double) {
+TEMPLATE_TEST_CASE("the hull holds strict vertices, counter-clockwise from the lowest x", "[convex_hull]", float,
+                   double) {
   using S = TestType;
   CHECK(convex_hull(points<S>({{2, 2}, {0, 0}, {1, 1}, {2, 0}, {0, 2}, {1, 0}, {2, 1}, {2, 2}})) ==
         points<S>({{0, 0}, {2, 0}, {2, 2}, {0, 2}}));
-  CHECK(convex_hull(points<S>({{0, 1}, {-1, 0}, {0, -1}, {1, 0}})) ==
-        points<S>({{-1, 0}, {0, -1}, {1, 0}, {0, 1}}));
+  CHECK(convex_hull(points<S>({{0, 1}, {-1, 0}, {0, -1}, {1, 0}})) == points<S>({{-1, 0}, {0, -1}, {1, 0}, {0, 1}}));
   CHECK(convex_hull(points<S>({{0, 0}, {3, 3}, {3, 4}})) == points<S>({{0, 0}, {3, 3}, {3, 4}}));
 }
 
@@ -54,8 +53,7 @@ TEMPLATE_TEST_CASE("an ulp makes a vertex", "[convex_hull]", float, double) {
   CHECK(convex_hull(points<S>({{0, 0}, {1, below}, {3, 3}, {0, 3}})).size() == 4);
   CHECK(convex_hull(points<S>({{0, 0}, {1, above}, {3, 3}, {0, 3}})).size() == 3);
   const S most = std::numeric_limits<S>::max(), least = std::numeric_limits<S>::denorm_min();
-  for (const S k : {most, least})
-    CHECK(convex_hull(Ring<S, 2>{{-k, 0}, {k, 0}, {0, k}, {0, -k}, {0, 0}}).size() == 4);
+  for (const S k : {most, least}) CHECK(convex_hull(Ring<S, 2>{{-k, 0}, {k, 0}, {0, k}, {0, -k}, {0, 0}}).size() == 4);
 }
 
 TEMPLATE_TEST_CASE("a NaN or infinite coordinate is refused by its number", "[convex_hull]", float, double) {
@@ -84,8 +82,7 @@ TEMPLATE_TEST_CASE("hulls agree with gift wrapping in rationals", "[convex_hull]
         if (hull.size() > 2) REQUIRE(make_convex(hull)->vertices.size() == hull.size());
 
         for (std::size_t k = cloud_points.size(); k > 1; --k)
-          std::swap(cloud_points[k - 1],
-                    cloud_points[static_cast<std::size_t>(random.below(static_cast<int>(k)))]);
+          std::swap(cloud_points[k - 1], cloud_points[random.below(static_cast<int>(k))]);
         Record<convex_hull_2d::Event<S>> record;
         REQUIRE(convex_hull(cloud_points, record) == hull);
 
@@ -96,8 +93,7 @@ TEMPLATE_TEST_CASE("hulls agree with gift wrapping in rationals", "[convex_hull]
   CHECK(sizes[4] > sizes[0]);
 }
 
-TEMPLATE_TEST_CASE("discarding points of the interior does not change the hull", "[convex_hull]", float,
-                   double) {
+TEMPLATE_TEST_CASE("discarding points of the interior does not change the hull", "[convex_hull]", float, double) {
   using S = TestType;
   bench::Random random(tests::seed());
   for (const Numbers numbers : bench::all_numbers)
@@ -167,8 +163,7 @@ TEST_CASE("the events tell each turn of the chain", "[convex_hull]") {
   CHECK(std::get<Added<double>>(record.events[4]).p == Point<double, 2>(2, 0));
 }
 
-TEMPLATE_TEST_CASE("the chain of n sorted points asks for fewer than 4 n turns", "[convex_hull]", float,
-                   double) {
+TEMPLATE_TEST_CASE("the chain of n sorted points asks for fewer than 4 n turns", "[convex_hull]", float, double) {
   using S = TestType;
   bench::Random random(tests::seed());
   for (const std::size_t n : {1000, 10'000, 100'000})

@@ -1,6 +1,6 @@
 // Convex polygons against each other: by name, by property, and against their common part, clipped in rationals.
 
-#include "core/convex_polygons.h"
+#include <isect/convex_polygons.h>
 
 #include <limits>
 
@@ -70,7 +70,7 @@ Relation truth(const ConvexPolygon<S>& a, const ConvexPolygon<S>& b) {
 template <class S>
 std::optional<ConvexPolygon<S>> random_polygon(bench::Random& random, Numbers numbers, const Ring<S, 2>& other) {
   Ring<S, 2> r;
-  const auto any = [&] { return other[static_cast<std::size_t>(random.below(static_cast<int>(other.size())))]; };
+  const auto any = [&] { return other[random.below(static_cast<int>(other.size()))]; };
   const bool near = !other.empty() && random.one_in(2);
   for (int n = 3 + random.below(random.one_in(4) ? 12 : 3); n > 0; --n) {
     Point<S, 2> p = bench::vector<S, 2>(random, numbers);
@@ -122,8 +122,8 @@ TEMPLATE_TEST_CASE("the separating edge may belong to either", "[convex_polygons
   CHECK_FALSE(separating_edge(a, a));
 }
 
-TEMPLATE_TEST_CASE("two polygons: an ulp decides between apart, touching and overlapping",
-                   "[convex_polygons]", float, double) {
+TEMPLATE_TEST_CASE("two polygons: an ulp decides between apart, touching and overlapping", "[convex_polygons]", float,
+                   double) {
   using S = TestType;
   const ConvexPolygon<S> a = box<S>(0, 0, 1, 1);
   const auto with_left = [&](S x) { return relate(a, box<S>(x, 0.25, 3, 0.5)); };

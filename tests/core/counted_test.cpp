@@ -1,6 +1,6 @@
-#include "core/counted.h"
+#include <isect/numbers/counted.h>
 
-#include "core/ray_sphere_methods.h"
+#include <isect/ray_sphere_methods.h>
 #include "tests/catch.h"
 
 namespace counted_test {
@@ -69,8 +69,7 @@ TEST_CASE("a miss costs the quadratic neither a root nor a division", "[counted]
   CHECK(miss.div == 0);
 }
 
-TEST_CASE("Haines' method never divides, and rejects a sphere behind at once",
-          "[counted][ray_sphere_methods]") {
+TEST_CASE("Haines' method never divides, and rejects a sphere behind at once", "[counted][ray_sphere_methods]") {
   const Tally hit = counted([] { CHECK(ray_sphere::haines(ray(0), unit_sphere)->value == 2); });
   CHECK(hit.div == 0);
   CHECK(hit.sqrt == 1);

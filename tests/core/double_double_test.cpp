@@ -1,6 +1,6 @@
-// Every bound that core/double_double.h states, against rational numbers.
+// Every bound that isect/numbers/double_double.h states, against rational numbers.
 
-#include "core/double_double.h"
+#include <isect/numbers/double_double.h>
 
 #include <array>
 #include <boost/multiprecision/gmp.hpp>
@@ -12,8 +12,7 @@
 
 namespace double_double_test {
 using namespace isect;
-using Rational =
-    boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
+using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
 
 namespace {
 
@@ -31,8 +30,7 @@ struct Operands {
 
   double number() { return random.magnitude(-40, 40); }
   DoubleDouble pair() {
-    if (random.one_in(4))
-      return last = {-last.hi, -last.lo + random.integer(-4, 4) * std::ldexp(last.hi, -105)};
+    if (random.one_in(4)) return last = {-last.hi, -last.lo + random.integer(-4, 4) * std::ldexp(last.hi, -105)};
     const double hi = number();
     return last = fast_two_sum(hi, random.uniform(-0.5, 0.5) * std::ldexp(1.0, std::ilogb(hi) - 52));
   }
@@ -46,8 +44,7 @@ TEST_CASE("sums and products of two doubles are exact", "[double_double]") {
   Operands operands;
   INFO("ISECT_SEED=" << tests::seed());
   for (int i = 0; i < rounds; ++i) {
-    const double a = operands.number(),
-                 b = operands.random.one_in(4) ? -a * (1 + 0x1p-50) : operands.number();
+    const double a = operands.number(), b = operands.random.one_in(4) ? -a * (1 + 0x1p-50) : operands.number();
     REQUIRE(exact(two_sum(a, b)) == exact(a) + exact(b));
     REQUIRE(exact(two_product(a, b)) == exact(a) * exact(b));
     const bool ordered = std::abs(a) >= std::abs(b);
@@ -96,8 +93,7 @@ TEMPLATE_TEST_CASE_SIG("compensated dot products err by at most 11 n u^2 sum |x_
     Rational sum = 0, sizes = 0, plain_sum = 0, plain_sizes = 0;
     for (int k = 0; k < N; ++k) {
       x[k] = operands.pair(), y[k] = operands.pair(), plain[k] = y[k].hi;
-      if (k > 0 && operands.random.one_in(2))
-        x[k] = -x[k - 1], y[k] = y[k - 1], plain[k] = plain[k - 1];  // cancels
+      if (k > 0 && operands.random.one_in(2)) x[k] = -x[k - 1], y[k] = y[k - 1], plain[k] = plain[k - 1];  // cancels
       sum += exact(x[k]) * exact(y[k]), sizes += size(exact(x[k]) * exact(y[k]));
       plain_sum += exact(x[k]) * exact(plain[k]), plain_sizes += size(exact(x[k]) * exact(plain[k]));
     }

@@ -1,6 +1,6 @@
 #pragma once
-// The exact scalar without its code, for zero_cost_trace.cmake: big numbers are some other library's text on both sides of
-// its comparison, and the compiler inlines them as the wind blows.
+// The exact scalar without its code, for zero_cost_trace.cmake: big numbers are some other library's text on both sides
+// of its comparison, and the compiler inlines them as the wind blows.
 
 namespace isect {
 

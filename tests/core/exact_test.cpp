@@ -1,4 +1,4 @@
-#include "core/exact.h"
+#include <isect/numbers/exact.h>
 
 #include <boost/multiprecision/gmp.hpp>
 #include <boost/multiprecision/mpfr.hpp>
@@ -41,9 +41,7 @@ TEST_CASE("polynomials have the sign and the value that rationals give", "[exact
   INFO("ISECT_SEED=" << tests::seed());
   for (int i = 0; i < 5000; ++i) {
     const double reach = random.one_in(2) ? 2 : 90;
-    const auto number = [&] {
-      return random.one_in(6) ? random.integer(-3, 3) : random.magnitude(-reach, reach);
-    };
+    const auto number = [&] { return random.one_in(6) ? random.integer(-3, 3) : random.magnitude(-reach, reach); };
     const double a = number(), b = number(), c = random.one_in(3) ? -a : number();
     const double d = random.one_in(3) ? -b : number(), e = number();
     const Rational truth = polynomial<Rational>(a, b, c, d, e);

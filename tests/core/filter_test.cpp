@@ -1,4 +1,4 @@
-#include "core/filter.h"
+#include <isect/numbers/filter.h>
 
 #include <cmath>
 
@@ -10,8 +10,7 @@ namespace filter_test {
 using namespace isect;
 
 namespace {
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN(),
-                 inf = std::numeric_limits<double>::infinity();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
 }
 
 TEST_CASE("the unit roundoff is half the gap above 1, and 0 for exact numbers", "[filter]") {
@@ -30,8 +29,8 @@ TEST_CASE("differences of doubles are exact in the finer arithmetics", "[filter]
   CHECK((difference<Exact>(1, 0x1p-60) - Exact(1.0)).rounded() == -0x1p-60);
 }
 
-TEMPLATE_TEST_CASE("every arithmetic multiplies doubles and itself", "[filter]", double, Extended,
-                   DoubleDouble, Exact) {
+TEMPLATE_TEST_CASE("every arithmetic multiplies doubles and itself", "[filter]", double, Extended, DoubleDouble,
+                   Exact) {
   const TestType three = product<TestType>(1.5, 2.0);
   CHECK(rounded(three) == 3);
   CHECK(rounded(product<TestType>(three, 2.0)) == 6);

@@ -1,16 +1,16 @@
 // Bounding volumes of points: they hold every point, and no smaller number would.
 
-#include "core/fit.h"
+#include <isect/fit.h>
 
 #include <algorithm>
 #include <limits>
 #include <vector>
 
+#include <isect/point_aabb.h>
+#include <isect/point_kdop.h>
+#include <isect/point_sphere.h>
 #include "bench/random_obb.h"
 #include "bench/rational.h"
-#include "core/point_aabb.h"
-#include "core/point_kdop.h"
-#include "core/point_sphere.h"
 #include "tests/catch.h"
 #include "tests/core/clouds.h"
 #include "tests/settings.h"
@@ -23,8 +23,7 @@ using oracle::operator-;
 
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity(),
-                 not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity(), not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 template <class S, int N>
 using Points = std::vector<Point<S, N>>;

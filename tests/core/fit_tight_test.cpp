@@ -1,13 +1,13 @@
 // Tighter balls and boxes hold every point; the smallest ball has a test of its own, smallest_ball_test.cpp.
 
-#include "core/fit_tight.h"
+#include <isect/fit_tight.h>
 
 #include <limits>
 
+#include <isect/point_obb.h>
+#include <isect/point_sphere.h>
 #include "bench/random_obb.h"
 #include "bench/rational.h"
-#include "core/point_obb.h"
-#include "core/point_sphere.h"
 #include "tests/catch.h"
 #include "tests/core/ball_oracle.h"
 #include "tests/core/hull_oracle.h"
@@ -25,8 +25,7 @@ using Points = std::vector<Point<S, N>>;
 
 template <class S, int N, class Shape>
 bool holds_all(const Shape& shape, const Points<S, N>& points) {
-  return std::all_of(points.begin(), points.end(),
-                     [&](const auto& p) { return locate(p, shape) != Location::out; });
+  return std::all_of(points.begin(), points.end(), [&](const auto& p) { return locate(p, shape) != Location::out; });
 }
 
 /// Clouds, and all that is degenerate: duplicates, points on a line, in a plane or on a sphere.
@@ -106,8 +105,8 @@ std::vector<Points<S, N>> families(bench::Random& random) {
     };
   };
   const auto far = [&] { return Vector<double, N>(Vector<double, N>::Constant(1e6) + random.in_box<N>(1)); };
-  std::vector<Points<S, N>> all = {made(200, [&] { return random.heading<N>(); }),
-                                   made(40, stretched(1, 1e-9)), made(40, stretched(1e-9, 1)), made(40, far)};
+  std::vector<Points<S, N>> all = {made(200, [&] { return random.heading<N>(); }), made(40, stretched(1, 1e-9)),
+                                   made(40, stretched(1e-9, 1)), made(40, far)};
   Points<S, N> lattice;
   for (int i = 0; i < 2 * 27; ++i) {
     lattice.push_back(Point<S, N>::Zero());
@@ -151,8 +150,7 @@ TEMPLATE_TEST_CASE_SIG("no ball is smaller than the smallest one", "[fit_tight]"
     }
 }
 
-TEMPLATE_TEST_CASE_SIG("points no use for a fit have empty tight ones", "[fit_tight]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("points no use for a fit have empty tight ones", "[fit_tight]", FLOATS_AND_DIMENSIONS) {
   Points<S, N> points(3, Point<S, N>::Ones());
   points[1][0] = std::numeric_limits<S>::quiet_NaN();
   for (const Points<S, N>& unusable : std::vector<Points<S, N>>{{}, points}) {
@@ -179,14 +177,12 @@ TEMPLATE_TEST_CASE_SIG("the tight box of a turned brick is the brick", "[fit_tig
   }
 }
 
-TEMPLATE_TEST_CASE_SIG(
-    "a tight box of points that are hard to fit holds them and is no larger than the principal one",
-    "[fit_tight]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("a tight box of points that are hard to fit holds them and is no larger than the principal one",
+                       "[fit_tight]", FLOATS_AND_DIMENSIONS) {
   bench::Random random(tests::seed());
   for (int i = 0; i < tests::cases(2, 50); ++i)
     for (const Points<S, N>& points : families<S, N>(random)) {
-      INFO("seed " << tests::seed() << ", case " << i << ", " << points.size() << " points, "
-                   << points[0].transpose());
+      INFO("seed " << tests::seed() << ", case " << i << ", " << points.size() << " points, " << points[0].transpose());
       const Obb<S, N> tight = fit_obb_tight(points), principal = fit_obb(points);
       REQUIRE(finite(tight.half));
       REQUIRE(holds_all(tight, points));
@@ -195,8 +191,7 @@ TEMPLATE_TEST_CASE_SIG(
     }
 }
 
-TEMPLATE_TEST_CASE("in the plane the tight box is the smallest but for rounding", "[fit_tight]", float,
-                   double) {
+TEMPLATE_TEST_CASE("in the plane the tight box is the smallest but for rounding", "[fit_tight]", float, double) {
   using S = TestType;
   bench::Random random(tests::seed());
   double worst = 0;
@@ -217,8 +212,7 @@ TEMPLATE_TEST_CASE("in the plane the tight box is the smallest but for rounding"
     areas += least > 0;
   };
   for (const Numbers numbers : {Numbers::ordinary, Numbers::grid, Numbers::nudged, Numbers::decimal})
-    for (int i = 0; i < tests::cases(100, 5000); ++i)
-      attack(cloud<S, 2>(random, numbers, 1 + random.below(12)));
+    for (int i = 0; i < tests::cases(100, 5000); ++i) attack(cloud<S, 2>(random, numbers, 1 + random.below(12)));
   for (int i = 0; i < tests::cases(2, 50); ++i)
     for (const Points<S, 2>& points : families<S, 2>(random))
       if (std::abs(points[0][0]) > std::numeric_limits<S>::min()) attack(points);

@@ -1,4 +1,4 @@
-#include "core/interval_interval_methods.h"
+#include <isect/interval_interval_methods.h>
 
 #include <limits>
 
@@ -35,8 +35,7 @@ TEST_CASE("middles come apart where ends touch", "[interval_interval_methods]") 
   CHECK_FALSE(by_middles<double>({.1, .7}, {.7, .9}));
 }
 
-TEST_CASE("the larger lower end shows an inverted interval, and may hide NaN",
-          "[interval_interval_methods]") {
+TEST_CASE("the larger lower end shows an inverted interval, and may hide NaN", "[interval_interval_methods]") {
   CHECK_FALSE(min_max<double>({1, -1}, {-5, 5}));
   CHECK(ends<double>({1, -1}, {-5, 5}));
   CHECK(min_max<double>({0, 1}, {nan_, nan_}));

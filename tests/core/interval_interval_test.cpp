@@ -1,8 +1,8 @@
-#include "core/interval_interval.h"
+#include <isect/interval_interval.h>
 
-#include "bench/by_points.h"
+#include <isect/numbers/counted.h>
+#include "bench/aabb_aabb/oracle.h"
 #include "bench/simple_shapes.h"
-#include "core/counted.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 
@@ -11,8 +11,7 @@ using namespace isect;
 
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity(),
-                 nan_ = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
 
 template <class S>
 Relation related(double a_lo, double a_hi, double b_lo, double b_hi) {
@@ -44,8 +43,7 @@ TEMPLATE_TEST_CASE("a point is an interval", "[interval_interval]", float, doubl
 }
 
 TEMPLATE_TEST_CASE("two intervals: an ulp decides", "[interval_interval]", float, double) {
-  const TestType one = 1, above = std::nextafter(one, TestType(2)),
-                 tiny = std::numeric_limits<TestType>::denorm_min();
+  const TestType one = 1, above = std::nextafter(one, TestType(2)), tiny = std::numeric_limits<TestType>::denorm_min();
   CHECK(related<TestType>(0, one, one, 2) == Relation::touching);
   CHECK(related<TestType>(0, one, above, 2) == Relation::disjoint);
   CHECK(related<TestType>(0, above, one, 2) == Relation::overlapping);
@@ -72,8 +70,8 @@ TEMPLATE_TEST_CASE("half-lines and the line are intervals too", "[interval_inter
   CHECK(related<TestType>(-inf, 0, 1, inf) == Relation::disjoint);
 }
 
-TEMPLATE_TEST_CASE("inverted intervals, NaN and an end at infinity alone hold nothing", "[interval_interval]",
-                   float, double) {
+TEMPLATE_TEST_CASE("inverted intervals, NaN and an end at infinity alone hold nothing", "[interval_interval]", float,
+                   double) {
   const auto [lo, hi] = GENERATE(table<double, double>(
       {{1, -1}, {inf, -inf}, {nan_, 1}, {-1, nan_}, {nan_, nan_}, {inf, inf}, {-inf, -inf}, {nan_, inf}}));
   CHECK(related<TestType>(lo, hi, -5, 5) == Relation::disjoint);
@@ -111,8 +109,7 @@ TEST_CASE("the events tell the comparisons and the common part", "[interval_inte
   CHECK(std::get<interval_interval::Common<double>>(record.events.back()).common == Interval<double>{1, 2});
 }
 
-TEMPLATE_TEST_CASE("two intervals: relations are those of the sets of points", "[interval_interval]", float,
-                   double) {
+TEMPLATE_TEST_CASE("two intervals: relations are those of the sets of points", "[interval_interval]", float, double) {
   using S = TestType;
   bench::Random random(tests::seed());
   int seen[6] = {};
@@ -125,11 +122,10 @@ TEMPLATE_TEST_CASE("two intervals: relations are those of the sets of points", "
       if (random.one_in(10)) (random.one_in(2) ? a.hi : b.hi) = std::numeric_limits<S>::infinity();
 
       const Relation r = relate(a, b);
-      const Relation truth = oracle::by_points<S, 1>({Point<S, 1>(a.lo), Point<S, 1>(a.hi)},
-                                                     {Point<S, 1>(b.lo), Point<S, 1>(b.hi)});
+      const Relation truth =
+          oracle::by_points<S, 1>({Point<S, 1>(a.lo), Point<S, 1>(a.hi)}, {Point<S, 1>(b.lo), Point<S, 1>(b.hi)});
       if (r != truth) FAIL("wrong");  // REQUIRE would take most of the time
-      if (relate(b, a) != reversed(r) || intersects(a, b) != (r != Relation::disjoint))
-        FAIL("not consistent");
+      if (relate(b, a) != reversed(r) || intersects(a, b) != (r != Relation::disjoint)) FAIL("not consistent");
       ++seen[static_cast<int>(r)];
     }
   for (const int count : seen) CHECK(count > 100);

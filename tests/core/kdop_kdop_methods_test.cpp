@@ -1,8 +1,8 @@
-#include "core/kdop_kdop_methods.h"
+#include <isect/kdop_kdop_methods.h>
 
-#include "bench/kdop_kdop_families.h"
-#include "core/fit.h"
-#include "core/kdop_kdop.h"
+#include <isect/fit.h>
+#include <isect/kdop_kdop.h>
+#include "bench/kdop_kdop/families.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 
@@ -29,8 +29,8 @@ TEST_CASE("slabs go from the least product to the largest", "[kdop_kdop_methods]
   CHECK(std::get<Projected<double>>(record.events[4]).so_far == Interval<double>{0, 4});
 }
 
-TEMPLATE_TEST_CASE("unit normals part tetrahedra that touch on a grid, integer normals do not",
-                   "[kdop_kdop_methods]", float, double) {
+TEMPLATE_TEST_CASE("unit normals part tetrahedra that touch on a grid, integer normals do not", "[kdop_kdop_methods]",
+                   float, double) {
   using S = TestType;
   const auto normals = directions<S, 3>(14), unit = unit_normals(normals);
   bench::Random random(tests::seed());

@@ -1,4 +1,4 @@
-#include "core/kdop_kdop.h"
+#include <isect/kdop_kdop.h>
 
 #include <cmath>
 

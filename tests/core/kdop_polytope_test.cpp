@@ -1,6 +1,6 @@
 // k-DOPs as polytopes, by name and against all choices of planes solved in rationals; the usual directions.
 
-#include "core/kdop_polytope.h"
+#include <isect/kdop_polytope.h>
 
 #include <Eigen/Geometry>
 #include <limits>
@@ -8,10 +8,10 @@
 #include <optional>
 #include <set>
 
+#include <isect/fit.h>
+#include <isect/parts/directions.h>
 #include "bench/random_shapes.h"
 #include "bench/rational.h"
-#include "core/directions.h"
-#include "core/fit.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 
@@ -81,8 +81,7 @@ void check_closed(const Polytope<S, 3>& polytope) {
   int count = 0;
   for (const std::vector<int>& ring : polytope.faces)
     for (std::size_t i = 0; i < ring.size(); ++i) ++edges[{ring[i], ring[(i + 1) % ring.size()]}], ++count;
-  for (const auto& [edge, times] : edges)
-    REQUIRE((times == 1 && edges.count({edge.second, edge.first}) == 1));
+  for (const auto& [edge, times] : edges) REQUIRE((times == 1 && edges.count({edge.second, edge.first}) == 1));
   REQUIRE(static_cast<int>(polytope.vertices.size() + polytope.faces.size()) - count / 2 == 2);
 }
 
@@ -113,8 +112,7 @@ Kdop<S, N> random_kdop(bench::Random& random, Numbers numbers) {
     return fit_kdop(points, kdop.normals);
   }
   for (std::size_t i = 0; i < kdop.normals.size(); ++i) {
-    const S a = bench::number<S>(random, numbers),
-            b = random.one_in(8) ? a : bench::number<S>(random, numbers);
+    const S a = bench::number<S>(random, numbers), b = random.one_in(8) ? a : bench::number<S>(random, numbers);
     kdop.slabs.push_back({std::min(a, b), std::max(a, b)});
   }
   return kdop;
@@ -154,8 +152,8 @@ TEMPLATE_TEST_CASE("solids of the usual directions have their faces", "[kdop_pol
   CHECK(polytope(octahedron).faces.size() == 8);
 }
 
-TEMPLATE_TEST_CASE("slabs that contradict each other are empty, an ulp earlier they are not",
-                   "[kdop_polytope]", float, double) {
+TEMPLATE_TEST_CASE("slabs that contradict each other are empty, an ulp earlier they are not", "[kdop_polytope]", float,
+                   double) {
   using S = TestType;
   Kdop<S, 2> kdop = {{{S(1), S(0)}, {S(0), S(1)}, {S(1), S(1)}}, {{0, 1}, {0, 1}, {2, 3}}};
   CHECK(polytope(kdop).vertices == std::vector<Point<S, 2>>{{1, 1}});

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include <isect/triangle_mesh.h>
 #include "bench/brute_force.h"
 #include "bench/random_rays.h"
-#include "core/triangle_mesh.h"
 
 namespace isect::tests {
 
@@ -21,9 +21,7 @@ TriangleMesh<S> ball(int rows, int columns, const Vector<double, 3>& center, dou
   add(0, 0), add(std::numbers::pi, 0);
   for (int i = 1; i < rows; ++i)
     for (int j = 0; j < columns; ++j) add(std::numbers::pi * i / rows, 2 * std::numbers::pi * j / columns);
-  const auto at = [&](int i, int j) {
-    return i == 0 ? 0 : i == rows ? 1 : 2 + (i - 1) * columns + j % columns;
-  };
+  const auto at = [&](int i, int j) { return i == 0 ? 0 : i == rows ? 1 : 2 + (i - 1) * columns + j % columns; };
   for (int i = 0; i < rows; ++i)
     for (int j = 0; j < columns; ++j) {
       if (i < rows - 1) mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i + 1, j)});

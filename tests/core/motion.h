@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include <isect/shapes.h>
 #include "bench/random.h"
-#include "core/shapes.h"
 
 namespace isect::tests {
 

@@ -1,4 +1,4 @@
-#include "core/motion.h"
+#include <isect/motion.h>
 
 #include <limits>
 
@@ -15,8 +15,7 @@ using namespace isect::oracle;
 
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity(),
-                 nan_ = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
 
 template <class S, int N>
 Vector<S, N> at(double x, double y = 0) {
@@ -46,8 +45,7 @@ std::optional<S> first(const Moving<Shape, S, N>& a, const Moving<Shape, S, N>& 
 
 }  // namespace
 
-TEMPLATE_TEST_CASE_SIG("a bullet tunnels through a wall at discrete times", "[motion]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("a bullet tunnels through a wall at discrete times", "[motion]", FLOATS_AND_DIMENSIONS) {
   const Moving<Aabb, S, N> bullet = {{at<S, N>(-10), at<S, N>(-9.75, 0.25)}, at<S, N>(64)};
   Moving<Aabb, S, N> wall = {{at<S, N>(-0.5, -5), at<S, N>(0.5, 5)}, at<S, N>(0)};
   CHECK(discrete_hits(bullet, wall, S(1), 16).empty());  // every 4 units of length
@@ -79,8 +77,8 @@ TEMPLATE_TEST_CASE_SIG("the trace tells each time, and what is swept", "[motion]
   CHECK(swept.lo[1] == S(-1));
 
   record.events.clear();
-  CHECK(first_contact(ball<S, N>(at<S, N>(0), at<S, N>(0)), ball<S, N>(at<S, N>(6), at<S, N>(-4)), S(2),
-                      record) == S(1));
+  CHECK(first_contact(ball<S, N>(at<S, N>(0), at<S, N>(0)), ball<S, N>(at<S, N>(6), at<S, N>(-4)), S(2), record) ==
+        S(1));
   CHECK(std::get<motion::Approach>(record.events.back()).discriminant == 1);
 }
 
@@ -195,15 +193,13 @@ bool is_first(const Distance<S, N>& distance, S t) {
   if (std::isinf(t)) return distance.apart(distance.nearest(Rational(most)));
   const S unit = t == most ? t - std::nextafter(t, S(0)) : std::nextafter(t, most) - t;
   const Rational before = Rational(t) - 8 * Rational(unit), after = Rational(t) + 8 * Rational(unit);
-  return (before <= 0 || distance.apart(distance.nearest(before))) &&
-         !distance.apart(distance.nearest(after));
+  return (before <= 0 || distance.apart(distance.nearest(before))) && !distance.apart(distance.nearest(after));
 }
 
 template <class S>
 S a_duration(Random& random, Numbers numbers) {
-  return random.one_in(8)
-             ? S(0)
-             : std::abs(random.one_in(2) ? bench::number<S>(random, numbers) : S(random.integer(0, 9)));
+  return random.one_in(8) ? S(0)
+                          : std::abs(random.one_in(2) ? bench::number<S>(random, numbers) : S(random.integer(0, 9)));
 }
 
 }  // namespace
@@ -227,8 +223,7 @@ TEMPLATE_TEST_CASE_SIG("boxes meet when rational arithmetic says so", "[motion]"
       const S duration = a_duration<S>(random, numbers);
       if (!finite(b.velocity)) continue;
 
-      const std::optional<Rational> t =
-          empty(a.shape) || empty(b.shape) ? std::nullopt : truth(a, b, duration);
+      const std::optional<Rational> t = empty(a.shape) || empty(b.shape) ? std::nullopt : truth(a, b, duration);
       const std::optional<S> found = first(a, b, double(duration));
       if (found.has_value() != t.has_value()) FAIL("wrong");
       if (found && oracle::ulps(*found, *t) > 4) FAIL("wrong time");
@@ -346,8 +341,7 @@ TEMPLATE_TEST_CASE_SIG("balls meet up to the ends of the range when rational ari
     Moving<Sphere, S, N> a = {{at<S, N>(0), S(0)}, at<S, N>(0)}, b = a;
     const Race<S> race(random);
     if (random.one_in(4)) {
-      for (int k = 0; k < N; ++k)
-        a.shape.center[k] = draw(), b.shape.center[k] = draw(), b.velocity[k] = draw();
+      for (int k = 0; k < N; ++k) a.shape.center[k] = draw(), b.shape.center[k] = draw(), b.velocity[k] = draw();
       a.shape.radius = std::abs(draw()), b.shape.radius = draw();
     } else {
       a.shape.radius = random.one_in(2) ? S(0) : race.x * static_cast<S>(random.uniform(0, 0.5));
@@ -360,8 +354,8 @@ TEMPLATE_TEST_CASE_SIG("balls meet up to the ends of the range when rational ari
     if (!finite(b.velocity) || !finite(b.shape) || !finite(a.shape)) continue;
 
     const Distance<S, N> distance(a, b);
-    const bool meet = !empty(a.shape) && !empty(b.shape) &&
-                      !distance.apart(distance.nearest(rational_duration(race.duration)));
+    const bool meet =
+        !empty(a.shape) && !empty(b.shape) && !distance.apart(distance.nearest(rational_duration(race.duration)));
     const std::optional<S> found = first(a, b, double(race.duration));
     if (found.has_value() != meet) FAIL("wrong");
     if (found && (*found > race.duration || !is_first(distance, *found))) FAIL("wrong time");
@@ -394,8 +388,7 @@ TEMPLATE_TEST_CASE_SIG("boxes meet up to the ends of the range when rational ari
     }
     if (!finite(b.velocity) || !finite(a.velocity)) continue;
 
-    const std::optional<Rational> t =
-        empty(a.shape) || empty(b.shape) ? std::nullopt : truth(a, b, race.duration);
+    const std::optional<Rational> t = empty(a.shape) || empty(b.shape) ? std::nullopt : truth(a, b, race.duration);
     const std::optional<S> found = first(a, b, double(race.duration));
     if (found.has_value() != t.has_value()) FAIL("wrong");
     if (found && oracle::ulps(*found, *t) > 4) FAIL("wrong time");

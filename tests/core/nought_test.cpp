@@ -1,8 +1,8 @@
-#include "core/nought.h"
+#include <isect/numbers/nought.h>
 
+#include <isect/numbers/predicate.h>
 #include "bench/random.h"
 #include "bench/rational.h"
-#include "core/predicate.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 

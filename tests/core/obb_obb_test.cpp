@@ -1,16 +1,16 @@
 // Oriented box against oriented box: cases by name, properties, and hard families against projections of all corners
 // and against the vertices of the common part, in rationals.
 
-#include "core/obb_obb.h"
+#include <isect/obb_obb.h>
 
 #include <algorithm>
 #include <limits>
 #include <vector>
 
-#include "bench/obb_obb_oracle.h"
+#include <isect/numbers/counted.h>
+#include <isect/obb_obb_methods.h>
+#include "bench/obb_obb/oracle.h"
 #include "bench/random_obb.h"
-#include "core/counted.h"
-#include "core/obb_obb_methods.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 
@@ -20,8 +20,7 @@ using oracle::obb::Exactly;
 
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity(),
-                 not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity(), not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// (x, y), or (x, y, 0).
 template <class S, int N>
@@ -62,11 +61,9 @@ std::array<Obb<S, N>, 2> close_pair(bench::Random& random, bench::Numbers number
   if (random.one_in(4)) b.half = a.half;
   const S places[] = {S(-1), S(1), S(-1), S(1), S(0), static_cast<S>(random.uniform(-1, 1))};
   Vector<S, N> s, t;
-  for (int i = 0; i < N; ++i)
-    s[i] = a.half[i] * places[random.below(6)], t[i] = b.half[i] * places[random.below(6)];
-  b.center = a.center + a.axes * s + b.axes * t;  // a point of A at a point of B
-  if (random.one_in(3))
-    b.center = a.center + a.axes * s / 2, b.half = a.half / 2;  // one in the other, nearly
+  for (int i = 0; i < N; ++i) s[i] = a.half[i] * places[random.below(6)], t[i] = b.half[i] * places[random.below(6)];
+  b.center = a.center + a.axes * s + b.axes * t;                                    // a point of A at a point of B
+  if (random.one_in(3)) b.center = a.center + a.axes * s / 2, b.half = a.half / 2;  // one in the other, nearly
   if (random.one_in(8)) {
     const Eigen::Matrix<S, N, N> order = bench::permutation<S, N>(random);
     b = {a.center, a.axes * order, (order.transpose() * a.half).cwiseAbs()};  // the same set
@@ -85,8 +82,7 @@ std::array<Obb<S, N>, 2> pair(bench::Random& random, bench::Numbers numbers) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE_SIG("boxes side by side are disjoint, touch or overlap", "[obb_obb]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("boxes side by side are disjoint, touch or overlap", "[obb_obb]", FLOATS_AND_DIMENSIONS) {
   const Obb<S, N> a = brick<S, N>();
   CHECK(relate(a, brick<S, N>(at<S, N>(4.5))) == Relation::disjoint);
   CHECK(relate(a, brick<S, N>(at<S, N>(4))) == Relation::touching);
@@ -124,8 +120,7 @@ TEMPLATE_TEST_CASE_SIG("the same set is equal, whatever its axes' order, signs a
 
 TEMPLATE_TEST_CASE_SIG("a turned box touches with its corner", "[obb_obb]", FLOATS_AND_DIMENSIONS) {
   Obb<S, N> diamond = {at<S, N>(4), Eigen::Matrix<S, N, N>::Identity(), Vector<S, N>::Ones()};
-  diamond.axes.col(0) = at<S, N>(1, 1),
-  diamond.axes.col(1) = at<S, N>(-1, 1);  // corners 2 away from the center
+  diamond.axes.col(0) = at<S, N>(1, 1), diamond.axes.col(1) = at<S, N>(-1, 1);  // corners 2 away from the center
   CHECK(relate(brick<S, N>(), diamond) == Relation::touching);
   diamond.center[0] = std::nextafter(S(4), S(5));
   CHECK(relate(brick<S, N>(), diamond) == Relation::disjoint);
@@ -174,8 +169,7 @@ TEMPLATE_TEST_CASE_SIG("nothing meets empty boxes, dependent axes, NaN and infin
     }
 }
 
-TEMPLATE_TEST_CASE_SIG("two OBBs: sizes from tiny to huge give the same verdict", "[obb_obb]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("two OBBs: sizes from tiny to huge give the same verdict", "[obb_obb]", FLOATS_AND_DIMENSIONS) {
   constexpr int most = std::numeric_limits<S>::max_exponent - 4;
   for (const int e : {-most, -most / 2, most / 2, most}) {
     const double k = std::ldexp(1.0, e);
@@ -247,8 +241,7 @@ TEMPLATE_TEST_CASE_SIG("verdicts are those of rational projections", "[obb_obb]"
   CHECK(*std::min_element(std::begin(count), std::end(count)) > cases / 20);
 }
 
-TEMPLATE_TEST_CASE_SIG("verdicts are those of the common part's vertices", "[obb_obb]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("verdicts are those of the common part's vertices", "[obb_obb]", FLOATS_AND_DIMENSIONS) {
   bench::Random random(tests::seed());
   int count[6] = {};
   const int cases = tests::cases(N == 2 ? 300 : 80, N == 2 ? 40000 : 1500);
@@ -273,17 +266,14 @@ TEMPLATE_TEST_CASE_SIG("two OBBs: exact motions, orders of axes and listeners ch
   bench::Random random(tests::seed());
   for (int i = 0; i < 500; ++i) {
     INFO("seed " << tests::seed() << ", case " << i);
-    const auto [a, b] =
-        pair<S, N>(random, random.one_in(2) ? bench::Numbers::grid : bench::Numbers::ordinary);
+    const auto [a, b] = pair<S, N>(random, random.one_in(2) ? bench::Numbers::grid : bench::Numbers::ordinary);
     const Relation relation = relate(a, b);
     Record<obb_obb::Event<N>> record;
     CHECK(relate(a, b, record) == relation);
     CHECK(intersects(a, b, record) == (relation != Relation::disjoint));
 
     const Eigen::Matrix<S, N, N> turn = bench::permutation<S, N>(random);
-    const auto turned = [&](const Obb<S, N>& x) -> Obb<S, N> {
-      return {turn * x.center, turn * x.axes, x.half};
-    };
+    const auto turned = [&](const Obb<S, N>& x) -> Obb<S, N> { return {turn * x.center, turn * x.axes, x.half}; };
     CHECK(relate<S, N>(turned(a), turned(b)) == relation);
     const auto reordered = [&](const Obb<S, N>& x) -> Obb<S, N> {
       return {x.center, x.axes * turn, (turn.transpose() * x.half).cwiseAbs()};
@@ -345,8 +335,7 @@ TEST_CASE("the events tell each axis, an open one twice, and a witness", "[obb_o
     const Tested* tested = std::get_if<Tested>(&event);
     return tested != nullptr && tested->sign == 0;
   };
-  CHECK(std::count_if(record.events.begin(), record.events.end(), exactly_touching) ==
-        4);  // faces and products
+  CHECK(std::count_if(record.events.begin(), record.events.end(), exactly_touching) == 4);  // faces and products
 }
 
 TEST_CASE("the classical test counts, and tells its axes", "[obb_obb]") {

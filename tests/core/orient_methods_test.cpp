@@ -1,11 +1,11 @@
 // The usual ways to write an orientation: right on small integers, and wrong where rounding must defeat them.
 
-#include "core/orient_methods.h"
+#include <isect/orient_methods.h>
 
 #include <string>
 
-#include "bench/orient_families.h"
-#include "core/counted.h"
+#include <isect/numbers/counted.h>
+#include "bench/orient2d/families.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 

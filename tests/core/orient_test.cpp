@@ -1,8 +1,8 @@
 // Orientations against rational arithmetic, over every hard family.
 
-#include "core/orient.h"
+#include <isect/orient.h>
 
-#include "bench/orient_families.h"
+#include "bench/orient2d/families.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 
@@ -36,11 +36,10 @@ TEST_CASE("four points turn as rationals say", "[orient]") {
   int counts[3] = {};
   for (const Numbers numbers : all_numbers)
     for (int i = tests::cases(2000, 50'000); i > 0; --i) {
-      const Point<double, 3> a = corner(numbers), b = corner(numbers), c = corner(numbers),
-                             d = corner(numbers);
+      const Point<double, 3> a = corner(numbers), b = corner(numbers), c = corner(numbers), d = corner(numbers);
       const auto o = oracle::rational(a);
-      const int truth = -oracle::sign(oracle::dot(
-          oracle::cross(oracle::rational(b) - o, oracle::rational(c) - o), oracle::rational(d) - o));
+      const int truth = -oracle::sign(
+          oracle::dot(oracle::cross(oracle::rational(b) - o, oracle::rational(c) - o), oracle::rational(d) - o));
       REQUIRE(orient3d(a, b, c, d) == truth);
       REQUIRE(orient3d(b, a, c, d) == -truth);
       ++counts[truth + 1];

@@ -6,8 +6,8 @@
 #include <set>
 #include <sstream>
 
+#include <isect/ray_sphere.h>
 #include "bench/oracle.h"
-#include "core/ray_sphere.h"
 #include "tests/cases/case_file.h"
 #include "tests/catch.h"
 
@@ -47,9 +47,7 @@ Answer core(const Ray<double, 3>& ray, const Sphere<double, 3>& sphere) {
 
 Answer truth(const Ray<double, 3>& ray, const Sphere<double, 3>& sphere) {
   const oracle::RaySphere r = oracle::ray_sphere(ray, sphere);
-  const auto value = [](const std::optional<oracle::Real>& x) {
-    return x ? std::optional(x->nearest) : std::nullopt;
-  };
+  const auto value = [](const std::optional<oracle::Real>& x) { return x ? std::optional(x->nearest) : std::nullopt; };
   return {r.line_roots, r.origin, r.t0.nearest, r.t1.nearest, value(r.surface), value(r.enter)};
 }
 

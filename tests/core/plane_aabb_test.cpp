@@ -1,8 +1,8 @@
-#include "core/plane_aabb.h"
+#include <isect/plane_aabb.h>
 
+#include <isect/numbers/counted.h>
 #include "bench/rational.h"
 #include "bench/simple_shapes.h"
-#include "core/counted.h"
 #include "tests/catch.h"
 #include "tests/core/motion.h"
 #include "tests/settings.h"
@@ -72,9 +72,8 @@ TEMPLATE_TEST_CASE_SIG("plane and box: the normal may have any length, and lengt
   }
 }
 
-TEMPLATE_TEST_CASE_SIG(
-    "plane and box: a zero normal is no plane, and what is empty, NaN or infinite meets nothing", "[plane_aabb]",
-    FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("plane and box: a zero normal is no plane, and what is empty, NaN or infinite meets nothing",
+                       "[plane_aabb]", FLOATS_AND_DIMENSIONS) {
   const Aabb<S, N> box = cube<S, N>(-1, 1);
   const Plane<S, N> good = {at<S, N>(1, 0), S(0)};
   const auto nothing = [](const Plane<S, N>& plane, const Aabb<S, N>& b) {

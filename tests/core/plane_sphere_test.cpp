@@ -1,4 +1,4 @@
-#include "core/plane_sphere.h"
+#include <isect/plane_sphere.h>
 
 #include "bench/rational.h"
 #include "bench/simple_shapes.h"
@@ -52,8 +52,8 @@ TEMPLATE_TEST_CASE_SIG("a ball of radius 0 touches the planes through it", "[pla
   CHECK(side(plane, Sphere<S, N>{at<S, N>(1, 1), S(0)}) == -1);
 }
 
-TEMPLATE_TEST_CASE_SIG("plane and sphere: the normal may have any length, and lengths any size",
-                       "[plane_sphere]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("plane and sphere: the normal may have any length, and lengths any size", "[plane_sphere]",
+                       FLOATS_AND_DIMENSIONS) {
   constexpr int most = std::numeric_limits<S>::max_exponent - 6;
   for (const int e : {-most, -most / 2, 0, most / 2, most}) {
     const double k = std::ldexp(1.0, e);
@@ -65,9 +65,8 @@ TEMPLATE_TEST_CASE_SIG("plane and sphere: the normal may have any length, and le
   }
 }
 
-TEMPLATE_TEST_CASE_SIG(
-    "plane and sphere: a zero normal is no plane, and what is empty, NaN or infinite meets nothing",
-    "[plane_sphere]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("plane and sphere: a zero normal is no plane, and what is empty, NaN or infinite meets nothing",
+                       "[plane_sphere]", FLOATS_AND_DIMENSIONS) {
   const Sphere<S, N> ball = {at<S, N>(1, 2), S(3)};
   const Plane<S, N> good = {at<S, N>(1, 0), S(0)};
   const auto nothing = [](const Plane<S, N>& plane, const Sphere<S, N>& sphere) {

@@ -1,4 +1,4 @@
-#include "core/point_aabb.h"
+#include <isect/point_aabb.h>
 
 #include "bench/rational.h"
 #include "bench/simple_shapes.h"
@@ -52,8 +52,8 @@ TEMPLATE_TEST_CASE_SIG("a flat box has no interior", "[point_aabb]", FLOATS_AND_
   CHECK(locate<S, N>(Point<S, N>::Zero(), plate) == Location::out);
 }
 
-TEMPLATE_TEST_CASE_SIG("every point is outside an empty box, and one with NaN or infinite coordinates",
-                       "[point_aabb]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("every point is outside an empty box, and one with NaN or infinite coordinates", "[point_aabb]",
+                       FLOATS_AND_DIMENSIONS) {
   const Point<S, N> p = Point<S, N>::Ones();
   CHECK(locate(p, cube<S, N>(2, 0)) == Location::out);
   for (int axis = 0; axis < N; ++axis)

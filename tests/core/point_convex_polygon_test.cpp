@@ -1,10 +1,10 @@
 // Convex polygons: what is one, and where a point lies, by name, by property and against half-planes in rationals.
 
-#include "core/point_convex_polygon.h"
+#include <isect/point_convex_polygon.h>
 
 #include <limits>
 
-#include "core/counted.h"
+#include <isect/numbers/counted.h>
 #include "tests/catch.h"
 #include "tests/core/hull_oracle.h"
 #include "tests/settings.h"
@@ -58,8 +58,7 @@ bool goes_around(const Ring<S, 2>& r, const Ring<S, 2>& hull) {
       const Point<S, 2>&a = hull[i], &b = hull[(i + 1) % hull.size()];
       if (p == b || oracle::area2(a, b, p) != 0) continue;
       const int axis = a[0] != b[0] ? 0 : 1;
-      places.push_back(Rational(i) +
-                       (Rational(p[axis]) - Rational(a[axis])) / (Rational(b[axis]) - Rational(a[axis])));
+      places.push_back(Rational(i) + (Rational(p[axis]) - Rational(a[axis])) / (Rational(b[axis]) - Rational(a[axis])));
     }
     if (places.size() == before) return false;
   }
@@ -85,8 +84,7 @@ TEMPLATE_TEST_CASE("a point lies in, on or out of a convex polygon", "[point_con
   const auto square = make_convex(ring<S>({{0, 0}, {2, 0}, {2, 2}, {0, 2}}));
   REQUIRE(square);
   CHECK(locate(at<S>(1, 1), *square) == Location::in);
-  for (const auto& [x, y] :
-       {std::array{0., 0.}, {2., 0.}, {2., 2.}, {0., 2.}, {1., 0.}, {2., 1.}, {1., 2.}, {0., 1.}})
+  for (const auto& [x, y] : {std::array{0., 0.}, {2., 0.}, {2., 2.}, {0., 2.}, {1., 0.}, {2., 1.}, {1., 2.}, {0., 1.}})
     CHECK(locate(at<S>(x, y), *square) == Location::on);
   for (const auto& [x, y] :
        {std::array{3., 0.}, {-1., 0.}, {0., 3.}, {0., -1.}, {3., 3.}, {-1., -1.}, {2., 3.}, {3., 2.}})
@@ -109,11 +107,10 @@ TEMPLATE_TEST_CASE("points and segments have a boundary only", "[point_convex_po
   CHECK(locate(at<S>(3, 3), segment) == Location::out);
 }
 
-TEMPLATE_TEST_CASE("a convex ring of either orientation is taken, cleaned and turned", "[point_convex_polygon]",
-                   float, double) {
+TEMPLATE_TEST_CASE("a convex ring of either orientation is taken, cleaned and turned", "[point_convex_polygon]", float,
+                   double) {
   using S = TestType;
-  const Ring<S, 2> untidy =
-      ring<S>({{1, 0}, {2, 0}, {2, 0}, {2, 1}, {2, 2}, {0, 2}, {0, 1}, {0, 0}, {0.5, 0}, {1, 0}});
+  const Ring<S, 2> untidy = ring<S>({{1, 0}, {2, 0}, {2, 0}, {2, 1}, {2, 2}, {0, 2}, {0, 1}, {0, 0}, {0.5, 0}, {1, 0}});
   for (const Ring<S, 2>& r : {untidy, Ring<S, 2>(untidy.rbegin(), untidy.rend())}) {
     const auto c = make_convex(r);
     REQUIRE(c);
@@ -200,9 +197,8 @@ TEMPLATE_TEST_CASE("locations agree with half-planes in rationals", "[point_conv
       if (!c) continue;
       const Ring<S, 2>& v = c->vertices;
       for (int k = 0; k < 40; ++k) {
-        INFO("seed " << tests::seed() << ", family " << static_cast<int>(numbers) << ", case " << i << ", point "
-                     << k);
-        const auto any = [&] { return v[static_cast<std::size_t>(random.below(static_cast<int>(v.size())))]; };
+        INFO("seed " << tests::seed() << ", family " << static_cast<int>(numbers) << ", case " << i << ", point " << k);
+        const auto any = [&] { return v[random.below(static_cast<int>(v.size()))]; };
         const S t = random.one_in(2) ? S(0.5) : static_cast<S>(random.unit());
         Point<S, 2> p = bench::vector<S, 2>(random, numbers);
         if (!random.one_in(4)) p = any() * (S(1) - t) + any() * t;

@@ -1,4 +1,4 @@
-#include "core/point_kdop.h"
+#include <isect/point_kdop.h>
 
 #include "bench/rational.h"
 #include "bench/simple_shapes.h"
@@ -47,8 +47,7 @@ TEST_CASE("the last bit of a slanted projection decides", "[point_kdop]") {
   CHECK(locate<double, 2>({1, 0}, k) == Location::on);
 }
 
-TEMPLATE_TEST_CASE_SIG("a flat slab has no interior, an inverted one no point", "[point_kdop]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("a flat slab has no interior, an inverted one no point", "[point_kdop]", FLOATS_AND_DIMENSIONS) {
   Kdop<S, N> k = hexagon<S, N>();
   k.slabs[2] = {S(0), S(-0.0)};
   CHECK(locate(at<S, N>(0.5, -0.5), k) == Location::on);

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
+#include <isect/point_polygon.h>
+#include <isect/polygon_pieces.h>
 #include "bench/random_shapes.h"
 #include "bench/rational.h"
-#include "core/point_polygon.h"
-#include "core/polygon_pieces.h"
 
 namespace isect::tests {
 
@@ -86,8 +86,7 @@ Ring<S, 2> monotone(bench::Random& random, bench::Numbers numbers, int n) {
   std::sort(lower.begin(), lower.end(), [](const auto& a, const auto& b) { return a[0] < b[0]; });
   upper = lower;
   for (Point<S, 2>& v : upper)
-    if (!random.one_in(3))
-      v[1] = random.one_in(2) ? bench::moved(v[1], random.integer(0, 2)) : v[1] + std::abs(v[1]);
+    if (!random.one_in(3)) v[1] = random.one_in(2) ? bench::moved(v[1], random.integer(0, 2)) : v[1] + std::abs(v[1]);
   lower.insert(lower.end(), upper.rbegin(), upper.rend());
   return lower;
 }
@@ -124,8 +123,7 @@ Rings<S> random_rings(bench::Random& random, bench::Numbers numbers) {
     Ring<S, 2> r;
     for (int i = random.below(6); i > 0; --i) {
       r.push_back(bench::vector<S, 2>(random, numbers));
-      if (random.one_in(8))
-        r.push_back(r[static_cast<std::size_t>(random.below(static_cast<int>(r.size())))]);
+      if (random.one_in(8)) r.push_back(r[random.below(static_cast<int>(r.size()))]);
     }
     rings.push_back(r);
   }
@@ -146,7 +144,7 @@ Rings<S> random_rings(bench::Random& random, bench::Numbers numbers) {
 template <class S>
 Point<S, 2> random_point(bench::Random& random, bench::Numbers numbers, const Rings<S>& rings) {
   Point<S, 2> p = bench::vector<S, 2>(random, numbers);
-  const Ring<S, 2>& r = rings[static_cast<std::size_t>(random.below(static_cast<int>(rings.size())))];
+  const Ring<S, 2>& r = rings[random.below(static_cast<int>(rings.size()))];
   if (r.empty() || random.one_in(4)) return p;
   const auto any = [&] { return static_cast<std::size_t>(random.below(static_cast<int>(r.size()))); };
   if (random.one_in(3)) {

@@ -1,6 +1,6 @@
 // Point against oriented box: cases by name, properties, and hard families against rational coordinates.
 
-#include "core/point_obb.h"
+#include <isect/point_obb.h>
 
 #include <algorithm>
 #include <limits>
@@ -15,8 +15,7 @@ using namespace tests::point_obb_pairs;
 
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity(),
-                 not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity(), not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// (x, y), or (x, y, 0).
 template <class S, int N>
@@ -131,8 +130,8 @@ TEMPLATE_TEST_CASE_SIG("locations are those of rational coordinates", "[point_ob
   }
 }
 
-TEMPLATE_TEST_CASE_SIG("point and OBB: exact motions, orders of axes and listeners change nothing",
-                       "[point_obb]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("point and OBB: exact motions, orders of axes and listeners change nothing", "[point_obb]",
+                       FLOATS_AND_DIMENSIONS) {
   bench::Random random(tests::seed());
   for (int i = 0; i < 2000; ++i) {
     INFO("seed " << tests::seed() << ", case " << i);

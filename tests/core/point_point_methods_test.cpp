@@ -1,6 +1,6 @@
-#include "core/point_point_methods.h"
+#include <isect/point_point_methods.h>
 
-#include "bench/point_point_families.h"
+#include "bench/point_point/families.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 
@@ -8,8 +8,8 @@ namespace point_point_methods_test {
 using namespace isect;
 using namespace isect::point_point;
 
-TEMPLATE_TEST_CASE("squares and roots agree with the exact answer on ordinary points",
-                   "[point_point_methods]", float, double) {
+TEMPLATE_TEST_CASE("squares and roots agree with the exact answer on ordinary points", "[point_point_methods]", float,
+                   double) {
   bench::Random random(tests::seed());
   for (int i = 0; i < tests::cases(2000, 100000); ++i) {
     INFO("seed " << tests::seed() << ", case " << i);

@@ -1,4 +1,4 @@
-#include "core/point_point.h"
+#include <isect/point_point.h>
 
 #include "bench/random_shapes.h"
 #include "bench/rational.h"

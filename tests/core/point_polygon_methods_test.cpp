@@ -1,9 +1,9 @@
 // Two more forms of the crossings: right away from edges, and wrong next to them.
 
-#include "core/point_polygon_methods.h"
+#include <isect/point_polygon_methods.h>
 
-#include "bench/polygon_families.h"
-#include "core/counted.h"
+#include <isect/numbers/counted.h>
+#include "bench/point_polygon/families.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 
@@ -24,8 +24,8 @@ void for_each_method(const Check& check) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("both count crossings as the exact call does, away from edges", "[point_polygon_methods]",
-                   float, double) {
+TEMPLATE_TEST_CASE("both count crossings as the exact call does, away from edges", "[point_polygon_methods]", float,
+                   double) {
   using S = TestType;
   for_each_method([](const char* name, const auto& method) {
     INFO(name);
@@ -46,8 +46,7 @@ TEMPLATE_TEST_CASE("both count crossings as the exact call does, away from edges
   });
 }
 
-TEMPLATE_TEST_CASE("both are wrong within 2 ulp of an edge", "[point_polygon_methods][failure]", float,
-                   double) {
+TEMPLATE_TEST_CASE("both are wrong within 2 ulp of an edge", "[point_polygon_methods][failure]", float, double) {
   using S = TestType;
   for_each_method([](const char* name, const auto& method) {
     INFO(name);
@@ -95,8 +94,7 @@ TEST_CASE("the forms cost and tell what they say", "[point_polygon_methods]") {
   CHECK(tally().div == 1);
 }
 
-TEMPLATE_TEST_CASE("the exact call agrees with the oracle in every family", "[point_polygon_methods]", float,
-                   double) {
+TEMPLATE_TEST_CASE("the exact call agrees with the oracle in every family", "[point_polygon_methods]", float, double) {
   using S = TestType;
   int counts[3] = {};
   for (const char* name :
@@ -129,8 +127,7 @@ TEST_CASE("the closed rule counts a vertex on the ray twice, and is right where 
   CHECK(crossings_closed<double>({-1.25, 0}, step, record) == 2);  // the edge along the ray is 0 / 0
   int not_a_number = 0;
   for (const auto& event : record.events)
-    if (const auto* e = std::get_if<point_polygon::CrossesAt<double>>(&event))
-      not_a_number += std::isnan(e->x);
+    if (const auto* e = std::get_if<point_polygon::CrossesAt<double>>(&event)) not_a_number += std::isnan(e->x);
   CHECK(not_a_number == 1);
 }
 

@@ -1,13 +1,13 @@
 // Points in polygons by name, by property, and against a ray in a direction that meets no vertex, in rationals.
 
-#include "core/point_polygon.h"
+#include <isect/point_polygon.h>
 
 #include <limits>
 #include <string>
 
+#include <isect/numbers/counted.h>
 #include "bench/random_shapes.h"
 #include "bench/rational.h"
-#include "core/counted.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 
@@ -75,7 +75,7 @@ Ring<S, 2> random_ring(bench::Random& random, Numbers numbers, const Point<S, 2>
     if (random.one_in(6)) v[1] = point[1];
     if (random.one_in(6)) v[0] = point[0];
     if (random.one_in(20)) v = point;
-    if (i > 0 && random.one_in(8)) v = r[static_cast<std::size_t>(random.below(i))];
+    if (i > 0 && random.one_in(8)) v = r[random.below(i)];
     r.push_back(v);
   }
   return r;
@@ -94,8 +94,7 @@ void bring_to_an_edge(bench::Random& random, Point<S, 2>& p, const Ring<S, 2>& r
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("a point lies in, on or out of a square of either orientation", "[point_polygon]", float,
-                   double) {
+TEMPLATE_TEST_CASE("a point lies in, on or out of a square of either orientation", "[point_polygon]", float, double) {
   using S = TestType;
   const Ring<S, 2> square = ring<S>({{0, 0}, {2, 0}, {2, 2}, {0, 2}}), turned(square.rbegin(), square.rend());
   CHECK(both(winding(at<S>(1, 1), square)) == "in in 1");
@@ -109,8 +108,7 @@ TEMPLATE_TEST_CASE("a point lies in, on or out of a square of either orientation
   }
   CHECK(locate(at<S>(std::nextafter(S(2), S(3)), 1), square) == Location::out);
   CHECK(locate(at<S>(std::nextafter(S(2), S(0)), 1), square) == Location::in);
-  for (const double y : {0., 2.})
-    CHECK(locate(at<S>(-1, y), square) == Location::out);  // in line with an edge
+  for (const double y : {0., 2.}) CHECK(locate(at<S>(-1, y), square) == Location::out);  // in line with an edge
 }
 
 TEMPLATE_TEST_CASE("a ray through vertices counts each passage once", "[point_polygon]", float, double) {
@@ -133,8 +131,7 @@ TEMPLATE_TEST_CASE("a ray through vertices counts each passage once", "[point_po
 
 TEMPLATE_TEST_CASE("edges along the ray, steps and spikes are right", "[point_polygon]", float, double) {
   using S = TestType;
-  const Ring<S, 2> steps =
-      ring<S>({{0, 0}, {4, 0}, {4, 1}, {3, 1}, {3, 2}, {2, 2}, {2, 1}, {1, 1}, {1, 3}, {0, 3}});
+  const Ring<S, 2> steps = ring<S>({{0, 0}, {4, 0}, {4, 1}, {3, 1}, {3, 2}, {2, 2}, {2, 1}, {1, 1}, {1, 3}, {0, 3}});
   CHECK(both(winding(at<S>(0.5, 1), steps)) == "in in 1");
   CHECK(both(winding(at<S>(2.5, 1), steps)) == "in in 1");
   CHECK(both(winding(at<S>(1.5, 1), steps)) == "on on");
@@ -161,8 +158,7 @@ TEMPLATE_TEST_CASE("the two rules differ where a polygon covers itself", "[point
   CHECK(locate(at<S>(1, 1), twice, FillRule::nonzero) == Location::in);
   CHECK(locate(at<S>(1, 1), twice) == Location::out);
 
-  const Ring<S, 2> outer = ring<S>({{0, 0}, {9, 0}, {9, 9}, {0, 9}}),
-                   hole = ring<S>({{3, 3}, {6, 3}, {6, 6}, {3, 6}});
+  const Ring<S, 2> outer = ring<S>({{0, 0}, {9, 0}, {9, 9}, {0, 9}}), hole = ring<S>({{3, 3}, {6, 3}, {6, 6}, {3, 6}});
   CHECK(both(winding(at<S>(4, 4), Polygon<S, 2>{{outer, hole}})) == "out in 2");
   CHECK(both(winding(at<S>(4, 4), Polygon<S, 2>{{outer, {hole.rbegin(), hole.rend()}}})) == "out out 0");
   CHECK(both(winding(at<S>(4, 3), Polygon<S, 2>{{outer, hole}})) == "on on");
@@ -183,8 +179,7 @@ TEMPLATE_TEST_CASE("rings without area have a boundary only", "[point_polygon]",
   CHECK(both(winding(at<S>(-0.0, 0.0), ring<S>({{0.0, -0.0}}))) == "on on");
 }
 
-TEMPLATE_TEST_CASE("NaN and infinite coordinates meet nothing, wherever they stand", "[point_polygon]", float,
-                   double) {
+TEMPLATE_TEST_CASE("NaN and infinite coordinates meet nothing, wherever they stand", "[point_polygon]", float, double) {
   using S = TestType;
   const S inf = std::numeric_limits<S>::infinity(), nan = std::numeric_limits<S>::quiet_NaN();
   const Ring<S, 2> square = ring<S>({{0, 0}, {2, 0}, {2, 2}, {0, 2}});
@@ -206,8 +201,7 @@ TEMPLATE_TEST_CASE("NaN and infinite coordinates meet nothing, wherever they sta
     }
 }
 
-TEMPLATE_TEST_CASE("the largest and the smallest numbers are as good as others", "[point_polygon]", float,
-                   double) {
+TEMPLATE_TEST_CASE("the largest and the smallest numbers are as good as others", "[point_polygon]", float, double) {
   using S = TestType;
   for (const S k :
        {std::numeric_limits<S>::max(), std::numeric_limits<S>::min(), std::numeric_limits<S>::denorm_min()}) {
@@ -233,8 +227,7 @@ TEST_CASE("points of Kettner's grids lie on their true side of an edge", "[point
   using Case = std::pair<Point<double, 2>, Ring<double, 2>>;
   const Case cases[] = {
       {{.5, .5}, {{-24, -24}, {24, 24}, {24, -24}}},
-      {{.5, .5},
-       {{-17.300000000000001, -17.300000000000001}, {24.00000000000005, 24.0000000000000517765}, {24, -30}}},
+      {{.5, .5}, {{-17.300000000000001, -17.300000000000001}, {24.00000000000005, 24.0000000000000517765}, {24, -30}}},
       {{.5, .5}, {{-8.8000000000000007, -8.8000000000000007}, {12.1, 12.1}, {12, -12}}}};
   for (const auto& [corner, triangle] : cases) {
     int counts[3] = {};
@@ -308,8 +301,7 @@ TEMPLATE_TEST_CASE("answers do not depend on how a ring is written down", "[poin
     }
 }
 
-TEMPLATE_TEST_CASE("rings of any length get the same answers in the widest vectors", "[point_polygon]", float,
-                   double) {
+TEMPLATE_TEST_CASE("rings of any length get the same answers in the widest vectors", "[point_polygon]", float, double) {
   using S = TestType;
   bench::Random random(tests::seed());
   int counts[3] = {}, certain = 0, open = 0;
@@ -360,8 +352,8 @@ TEMPLATE_TEST_CASE("rings of any length get the same answers in the widest vecto
               ++open;
               if ((a[1] > p[1]) == (b[1] > p[1]) || !finite(a) || !finite(b)) continue;
               const int up = b[1] > p[1] ? 1 : -1;
-              const bool counts_too = up == orient2d(a.template cast<double>(), b.template cast<double>(),
-                                                     p.template cast<double>());
+              const bool counts_too =
+                  up == orient2d(a.template cast<double>(), b.template cast<double>(), p.template cast<double>());
               crossings += counts_too, turns += counts_too ? up : 0;
             }
           first = last;

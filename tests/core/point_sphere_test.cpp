@@ -1,4 +1,4 @@
-#include "core/point_sphere.h"
+#include <isect/point_sphere.h>
 
 #include "bench/rational.h"
 #include "bench/simple_shapes.h"

@@ -1,6 +1,6 @@
 // Point location by a grid by name, against crossings and rationals, and its costs.
 
-#include "core/polygon_grid.h"
+#include <isect/polygon_grid.h>
 
 #include <cmath>
 
@@ -28,8 +28,8 @@ tests::Rings<S> crowd(bench::Random& random, bench::Numbers numbers) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("a grid locates points in, on and out of polygons that cross themselves", "[polygon_grid]",
-                   float, double) {
+TEMPLATE_TEST_CASE("a grid locates points in, on and out of polygons that cross themselves", "[polygon_grid]", float,
+                   double) {
   using S = TestType;
   const Ring<S, 2> bow_tie = {{0, 0}, {2, 2}, {2, 0}, {0, 2}};
   const PolygonGrid grid = make_polygon_grid(bow_tie);
@@ -74,8 +74,7 @@ TEST_CASE("a grid takes degenerate rings, and NaN and infinity meet nothing", "[
   CHECK(locate(P(-most, 0), make_polygon_grid(largest)) == Location::on);
 }
 
-TEMPLATE_TEST_CASE("a grid agrees with crossings and rationals, whatever crosses", "[polygon_grid]", float,
-                   double) {
+TEMPLATE_TEST_CASE("a grid agrees with crossings and rationals, whatever crosses", "[polygon_grid]", float, double) {
   using S = TestType;
   bench::Random random(tests::seed());
   int counts[3] = {}, with_edges = 0, differ = 0;
@@ -96,8 +95,7 @@ TEMPLATE_TEST_CASE("a grid agrees with crossings and rationals, whatever crosses
         const std::optional<int> w = winding(p, grid), traced = winding(p, grid, record);
         const bool on = truth.even_odd == Location::on;
         if (on ? w.has_value() : w != truth.winding) REQUIRE(w == truth.winding);
-        if (k == 0 && w != tests::true_winding(random, p, rings))
-          REQUIRE(w == tests::true_winding(random, p, rings));
+        if (k == 0 && w != tests::true_winding(random, p, rings)) REQUIRE(w == tests::true_winding(random, p, rings));
         REQUIRE(traced == w);
         if (locate(p, grid) != truth.even_odd || locate(p, grid, FillRule::nonzero) != truth.nonzero)
           REQUIRE(locate(p, grid) == truth.even_odd);
@@ -123,8 +121,7 @@ TEST_CASE("a grid takes O(n) memory, and few edges stand in its cells", "[polygo
       const R ring = tests::around(random, n, spiky);
       const PolygonGrid grid = make_polygon_grid(ring);
       // 16 for a vertex, 8 for each of 4 n cells, 4 for each of 12 n entries, and 64 more of each
-      CHECK(grid.bytes() <
-            16u * (static_cast<std::size_t>(n) + 1) + 96u * (static_cast<std::size_t>(n) + 65));
+      CHECK(grid.bytes() < 16u * (static_cast<std::size_t>(n) + 1) + 96u * (static_cast<std::size_t>(n) + 65));
       double edges = 0;
       for (int i = 0; i < 2000; ++i) {
         const P p = random.in_box<2>(1);

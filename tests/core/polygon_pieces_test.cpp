@@ -1,11 +1,11 @@
 // The pieces of polygons by name, and against every pair of edges in rationals.
 
-#include "core/polygon_pieces.h"
+#include <isect/polygon_pieces.h>
 
 #include <chrono>
 #include <map>
 
-#include "core/segment_segment.h"
+#include <isect/segment_segment.h>
 #include "tests/catch.h"
 #include "tests/core/point_location.h"
 #include "tests/settings.h"
@@ -85,8 +85,7 @@ TEST_CASE("edges along one line are cut as one, however many there are", "[polyg
   const int n = 60'000;  // edge by edge it would be 10^9 cuts
   Ring<double, 2> ring;
   for (int i = 0; i < n; ++i) ring.push_back({double(i), 3. * i});
-  for (std::size_t i = ring.size() - 1; i > 0; --i)
-    std::swap(ring[i], ring[static_cast<std::size_t>(random.below(static_cast<int>(i) + 1))]);
+  for (std::size_t i = ring.size() - 1; i > 0; --i) std::swap(ring[i], ring[random.below(static_cast<int>(i) + 1)]);
 
   const auto start = std::chrono::steady_clock::now();
   const PolygonPieces all = pieces({ring});
@@ -117,7 +116,7 @@ TEST_CASE("a mesh of lines that cross at vertices is a planar graph", "[polygon_
     for (int j = 0; j < k; ++j) rings.push_back({{double(i), double(j)}});
   }
   CHECK(pieces(rings).pieces.size() == static_cast<std::size_t>(2 * k * (k - 1)));
-  rings[static_cast<std::size_t>(7 * (k + 2) + 2 + 60)] = {{0, 0}};  // without (7, 60)
+  rings[7 * (k + 2) + 2 + 60] = {{0, 0}};  // without (7, 60)
   CHECK_THROWS_AS(pieces(rings), std::invalid_argument);
 }
 
@@ -136,8 +135,7 @@ TEST_CASE("pieces meet in common ends only and add up to the edges", "[polygon_p
       const PolygonPieces all = pieces(rings);
       ++taken;
       using segment_segment::Meeting;
-      std::map<std::pair<int, int>, int>
-          balance;  // of each vertex: pieces that begin there, less those that end
+      std::map<std::pair<int, int>, int> balance;  // of each vertex: pieces that begin there, less those that end
       for (std::size_t j = 0; j < all.pieces.size(); ++j) {
         const PolygonPieces::Piece& s = all.pieces[j];
         if (s.low >= s.high) REQUIRE(s.low < s.high);
@@ -156,7 +154,7 @@ TEST_CASE("pieces meet in common ends only and add up to the edges", "[polygon_p
 
       // each piece lies on the edge that it names
       for (const PolygonPieces::Piece& s : all.pieces) {
-        const Ring<double, 2>& r = rings[static_cast<std::size_t>(s.edge.ring)];
+        const Ring<double, 2>& r = rings[s.edge.ring];
         const std::size_t index = static_cast<std::size_t>(s.edge.index);
         const Ring<double, 2> edge = {r[index], r[(index + 1) % r.size()]};
         for (const int v : {s.low, s.high}) cut += all.vertex(v) != edge[0] && all.vertex(v) != edge[1];

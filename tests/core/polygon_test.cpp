@@ -1,10 +1,10 @@
 // Areas and normals by name, by property, and against Newell's sum in rationals.
 
-#include "core/polygon.h"
+#include <isect/polygon.h>
 
 #include <Eigen/Geometry>
 
-#include "core/counted.h"
+#include <isect/numbers/counted.h>
 #include "tests/catch.h"
 #include "tests/core/area_rings.h"
 #include "tests/settings.h"
@@ -22,7 +22,7 @@ Ring<S, N> ring(std::initializer_list<std::array<double, N>> vertices) {
   Ring<S, N> r;
   for (const auto& coordinates : vertices) {
     r.emplace_back();
-    for (int k = 0; k < N; ++k) r.back()[k] = static_cast<S>(coordinates[static_cast<std::size_t>(k)]);
+    for (int k = 0; k < N; ++k) r.back()[k] = static_cast<S>(coordinates[k]);
   }
   return r;
 }
@@ -69,8 +69,7 @@ TEMPLATE_TEST_CASE("no area, no normal", "[polygon]", float, double) {
 
 TEMPLATE_TEST_CASE("the least and the largest polygons have normals", "[polygon]", float, double) {
   using S = TestType;
-  for (const S k :
-       {std::numeric_limits<S>::denorm_min(), std::numeric_limits<S>::min(), std::numeric_limits<S>::max()})
+  for (const S k : {std::numeric_limits<S>::denorm_min(), std::numeric_limits<S>::min(), std::numeric_limits<S>::max()})
     CHECK(normal(Ring<S, 3>{{0, 0, 0}, {k, 0, 0}, {0, k, 0}}) == Vector<S, 3>(0, 0, 1));
   CHECK(normal(ring<S, 3>({{0, 0, 0}, {1e-23, 0, 0}, {0, 1e-23, 0}})) == Vector<S, 3>(0, 0, 1));
   const S most = std::numeric_limits<S>::max();
@@ -85,8 +84,7 @@ TEST_CASE("a small tilted quad far away keeps its normal, and Newell's own sum d
   REQUIRE(n);
   const auto exact = truth(quad);
   const Rational length = root(oracle::dot(exact, exact));
-  for (int k = 0; k < 3; ++k)
-    CHECK((*n)[k] == Approx(static_cast<double>(exact[static_cast<std::size_t>(k)] / length)).margin(1e-7));
+  for (int k = 0; k < 3; ++k) CHECK((*n)[k] == Approx(static_cast<double>(exact[k] / length)).margin(1e-7));
   const Vector<float, 3> naive = polygon_area::newell_naive(quad).normalized();
   CHECK((naive - *n).norm() > 1e-3F);
 }
@@ -119,7 +117,7 @@ TEMPLATE_TEST_CASE("areas and normals agree with rationals", "[polygon]", float,
         continue;
       }
       for (int k = 0; k < 3; ++k) {
-        const Rational error = abs(Rational((*n)[k]) - twice[static_cast<std::size_t>(k)] / length);
+        const Rational error = abs(Rational((*n)[k]) - twice[k] / length);
         if (error > worst) worst = error;
         REQUIRE(error <= eps);
       }

@@ -1,9 +1,9 @@
-#include "core/ray_aabb_methods.h"
+#include <isect/ray_aabb_methods.h>
 
 #include <limits>
 
-#include "bench/ray_aabb_families.h"
-#include "bench/ray_aabb_oracle.h"
+#include "bench/ray_aabb/families.h"
+#include "bench/ray_aabb/oracle.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 
@@ -17,8 +17,7 @@ const Aabb<double, 3> unit_cube = {{0, 0, 0}, {1, 1, 1}};
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("every method agrees with rationals on ordinary rays", "[ray_aabb_methods]", float,
-                   double) {
+TEMPLATE_TEST_CASE("every method agrees with rationals on ordinary rays", "[ray_aabb_methods]", float, double) {
   using S = TestType;
   bench::Random random(tests::seed());
   for (int i = 0; i < tests::cases(2000, 100000); ++i) {

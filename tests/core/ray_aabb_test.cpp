@@ -1,11 +1,11 @@
-#include "core/ray_aabb.h"
+#include <isect/ray_aabb.h>
 
 #include <cmath>
 #include <limits>
 
+#include <isect/numbers/counted.h>
 #include "bench/random_rays.h"
-#include "bench/ray_aabb_oracle.h"
-#include "core/counted.h"
+#include "bench/ray_aabb/oracle.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 
@@ -17,8 +17,7 @@ using oracle::Rational;
 
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity(),
-                 not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity(), not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// (x, y), or (x, y, 0).
 template <class S, int N>
@@ -82,8 +81,7 @@ TEMPLATE_TEST_CASE_SIG("a ray from inside starts there", "[ray_aabb]", FLOATS_AN
   CHECK(intersect<S, N>({at<S, N>(0), at<S, N>(1), infinite<S>}, cube<S, N>()) == between<S>(-1, 1));
 }
 
-TEMPLATE_TEST_CASE_SIG("a box behind is missed by the ray, not by the line", "[ray_aabb]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("a box behind is missed by the ray, not by the line", "[ray_aabb]", FLOATS_AND_DIMENSIONS) {
   const Ray<S, N> ray = {at<S, N>(3), at<S, N>(1)};
   CHECK_FALSE(intersect(ray, cube<S, N>()));
   CHECK(intersect(line_through<S, N>(at<S, N>(3), at<S, N>(4)), cube<S, N>()) == between<S>(-4, -2));
@@ -96,8 +94,7 @@ TEMPLATE_TEST_CASE_SIG("a segment meets what it reaches", "[ray_aabb]", FLOATS_A
   CHECK(intersect(segment<S, N>(from, at<S, N>(1)), cube<S, N>()) == between<S>(0.5, 1));
 }
 
-TEMPLATE_TEST_CASE_SIG("a ray along a face or through a corner touches", "[ray_aabb]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("a ray along a face or through a corner touches", "[ray_aabb]", FLOATS_AND_DIMENSIONS) {
   for (const double zero : {0., -0.})
     for (const double y : {-1., 1.}) {
       CHECK(intersect<S, N>({at<S, N>(-3, y), at<S, N>(1, zero)}, cube<S, N>()) == between<S>(2, 4));
@@ -116,8 +113,7 @@ TEST_CASE("the report's rays hit: a zero component on a slab, a negative zero", 
   CHECK_FALSE(may_intersect(Ray<double, 3>{{2, .5, -1}, {-0., 0, 1}}, box));
 }
 
-TEMPLATE_TEST_CASE_SIG("ray and box: a zero direction makes the ray a point", "[ray_aabb]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("ray and box: a zero direction makes the ray a point", "[ray_aabb]", FLOATS_AND_DIMENSIONS) {
   CHECK(intersect<S, N>({at<S, N>(1, 1), at<S, N>(0, -0.)}, cube<S, N>()) == semi_infinite<S>);
   CHECK(intersect<S, N>({at<S, N>(1), at<S, N>(0), {S(2), S(5)}}, cube<S, N>()) == between<S>(2, 5));
   CHECK_FALSE(intersect<S, N>({at<S, N>(1.5), at<S, N>(0)}, cube<S, N>()));
@@ -131,9 +127,7 @@ TEMPLATE_TEST_CASE_SIG("a box without thickness is met", "[ray_aabb]", FLOATS_AN
 TEMPLATE_TEST_CASE_SIG("ray and box: an empty box or range, infinities and NaN meet nothing", "[ray_aabb]",
                        FLOATS_AND_DIMENSIONS) {
   const Ray<S, N> ray = {at<S, N>(-3), at<S, N>(1)};
-  const auto never = [](const Ray<S, N>& r, const Aabb<S, N>& b) {
-    return !intersect(r, b) && !may_intersect(r, b);
-  };
+  const auto never = [](const Ray<S, N>& r, const Aabb<S, N>& b) { return !intersect(r, b) && !may_intersect(r, b); };
   CHECK(never(ray, cube<S, N>(-1)));
   CHECK(never({ray.origin, ray.direction, {S(9), S(1)}}, cube<S, N>()));
   for (const double bad : {not_a_number, inf, -inf}) {
@@ -158,8 +152,7 @@ TEST_CASE("boxes and directions of any size meet where they meet", "[ray_aabb]")
       REQUIRE(t);
       CHECK(oracle::ulps(t->lo, (Rational(3 * size) - Rational(size)) / Rational(speed)) <= 4);
       CHECK(may_intersect(ray, cube<double, 3>(size)));
-      CHECK_FALSE(
-          intersect<double, 3>({{-3 * size, size * (1 + 1e-15), 0}, {speed, 0, 0}}, cube<double, 3>(size)));
+      CHECK_FALSE(intersect<double, 3>({{-3 * size, size * (1 + 1e-15), 0}, {speed, 0, 0}}, cube<double, 3>(size)));
     }
   const double most = std::numeric_limits<double>::max();
   CHECK(intersect<double, 2>({{-most, -most}, {most, most}}, cube<double, 2>(most)) == between<double>(0, 2));
@@ -215,8 +208,8 @@ TEMPLATE_TEST_CASE_SIG("ray and box: every answer is that of rational arithmetic
   for (const int often : {hits, misses, touches, may_miss}) CHECK(often > count / 4);
 }
 
-TEMPLATE_TEST_CASE_SIG("the conservative test misses no ray that is aimed at an edge or a corner",
-                       "[ray_aabb][random]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("the conservative test misses no ray that is aimed at an edge or a corner", "[ray_aabb][random]",
+                       FLOATS_AND_DIMENSIONS) {
   Random random(tests::seed());
   int needless = 0, hits = 0, naive = 0;
   const int count = tests::cases(20000, 1000000);
@@ -240,9 +233,8 @@ TEMPLATE_TEST_CASE_SIG("the conservative test misses no ray that is aimed at an 
   CHECK(naive > count / 1000);  // the textbook's test misses some
 }
 
-TEMPLATE_TEST_CASE_SIG(
-    "ray and box: listening, mirroring, swapping axes, scaling and moving change no answer",
-    "[ray_aabb][property]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("ray and box: listening, mirroring, swapping axes, scaling and moving change no answer",
+                       "[ray_aabb][property]", FLOATS_AND_DIMENSIONS) {
   for (const Numbers numbers : bench::all_numbers) {
     Random random(tests::seed() + 100 + static_cast<int>(numbers));
     for (int i = 0; i < 300; ++i) {
@@ -267,23 +259,20 @@ TEMPLATE_TEST_CASE_SIG(
       const S by = std::ldexp(S(1), random.integer(-8, 8));
       Case<S, N> scaled = c;
       scaled.ray.origin *= by, scaled.ray.direction *= by, scaled.box.lo *= by, scaled.box.hi *= by;
-      const bool exact = scaled.ray.origin / by == c.ray.origin &&
-                         scaled.ray.direction / by == c.ray.direction && scaled.box.lo / by == c.box.lo &&
-                         scaled.box.hi / by == c.box.hi;
+      const bool exact = scaled.ray.origin / by == c.ray.origin && scaled.ray.direction / by == c.ray.direction &&
+                         scaled.box.lo / by == c.box.lo && scaled.box.hi / by == c.box.hi;
       if (exact) REQUIRE(intersects(scaled.ray, scaled.box) == t.has_value());
 
       if (numbers != Numbers::grid) continue;
       Case<S, N> moved = c;
       const Vector<S, N> shift = at<S, N>(random.integer(-1000, 1000), random.integer(-1000, 1000));
       moved.ray.origin += shift, moved.box.lo += shift, moved.box.hi += shift;
-      if (moved.ray.origin - shift == c.ray.origin)
-        REQUIRE(intersects(moved.ray, moved.box) == t.has_value());
+      if (moved.ray.origin - shift == c.ray.origin) REQUIRE(intersects(moved.ray, moved.box) == t.has_value());
     }
   }
 }
 
-TEMPLATE_TEST_CASE_SIG("both ends of the stretch lie in the box", "[ray_aabb][property]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("both ends of the stretch lie in the box", "[ray_aabb][property]", FLOATS_AND_DIMENSIONS) {
   Random random(tests::seed());
   for (int i = 0; i < 4000; ++i) {
     const Case<S, N> c = draw<S, N>(random, i % 2 ? Numbers::decimal : Numbers::distant);
@@ -292,9 +281,8 @@ TEMPLATE_TEST_CASE_SIG("both ends of the stretch lie in the box", "[ray_aabb][pr
     if (!stretch) continue;
     for (const S t : {stretch->lo, stretch->hi}) {
       if (std::isinf(t)) continue;
-      const S near =
-          4 * std::numeric_limits<S>::epsilon() *
-          (c.ray.origin.cwiseAbs().maxCoeff() + std::abs(t) * c.ray.direction.cwiseAbs().maxCoeff());
+      const S near = 4 * std::numeric_limits<S>::epsilon() *
+                     (c.ray.origin.cwiseAbs().maxCoeff() + std::abs(t) * c.ray.direction.cwiseAbs().maxCoeff());
       const Point<S, N> x = c.ray.at(t);
       REQUIRE(((x - c.box.lo).array() >= -near).all());
       REQUIRE(((c.box.hi - x).array() >= -near).all());

@@ -1,6 +1,6 @@
-// Prepared meshes against core/triangle_mesh.h, and their parts against what they are a bound of.
+// Prepared meshes against isect/triangle_mesh.h, and their parts against what they are a bound of.
 
-#include "core/ray_mesh.h"
+#include <isect/ray_mesh.h>
 
 #include <limits>
 
@@ -13,8 +13,7 @@ using namespace isect;
 using bench::Random;
 using tests::aimed, tests::ball, tests::brute_force, tests::soup;
 
-TEMPLATE_TEST_CASE("a prepared mesh gets the answers of the mesh, from any numbers", "[ray_mesh]", float,
-                   double) {
+TEMPLATE_TEST_CASE("a prepared mesh gets the answers of the mesh, from any numbers", "[ray_mesh]", float, double) {
   using S = TestType;
   Random random(tests::seed());
   int hits = 0, misses = 0, wide = 0;
@@ -37,8 +36,7 @@ TEMPLATE_TEST_CASE("a prepared mesh gets the answers of the mesh, from any numbe
   CHECK(wide > 100);
 }
 
-TEMPLATE_TEST_CASE("a large prepared mesh, far and near, gets the answers of the mesh", "[ray_mesh]", float,
-                   double) {
+TEMPLATE_TEST_CASE("a large prepared mesh, far and near, gets the answers of the mesh", "[ray_mesh]", float, double) {
   using S = TestType;
   Random random(tests::seed());
   int hits = 0, misses = 0;

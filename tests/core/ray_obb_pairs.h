@@ -40,8 +40,7 @@ Case<S, N> draw(Random& random, Numbers numbers) {
 
 /// The coefficients s of v = sum s_i u_i, by Cramer's rule; nothing for dependent axes.
 template <class S, int N>
-std::optional<oracle::Coordinates<N>> coordinates(const Eigen::Matrix<S, N, N>& axes,
-                                                  const oracle::Coordinates<N>& v) {
+std::optional<oracle::Coordinates<N>> coordinates(const Eigen::Matrix<S, N, N>& axes, const oracle::Coordinates<N>& v) {
   std::array<oracle::Coordinates<N>, N> u;
   for (int i = 0; i < N; ++i) u[i] = oracle::rational<S, N>(axes.col(i));
   const auto determinant = [](const std::array<oracle::Coordinates<N>, N>& m) -> Rational {
@@ -66,8 +65,8 @@ template <class S, int N>
 std::optional<std::pair<Rational, Rational>> truth(const Case<S, N>& c) {
   using oracle::operator-;
   if (empty(c.ray.range) || empty(c.box)) return {};
-  const auto o = coordinates<S, N>(
-      c.box.axes, oracle::rational<S, N>(c.ray.origin) - oracle::rational<S, N>(c.box.center));
+  const auto o =
+      coordinates<S, N>(c.box.axes, oracle::rational<S, N>(c.ray.origin) - oracle::rational<S, N>(c.box.center));
   const auto d = coordinates<S, N>(c.box.axes, oracle::rational<S, N>(c.ray.direction));
   if (!o || !d) return {};
   const auto half = oracle::rational<S, N>(c.box.half);

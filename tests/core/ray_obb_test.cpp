@@ -1,10 +1,10 @@
-#include "core/ray_obb.h"
+#include <isect/ray_obb.h>
 
 #include <cmath>
 #include <limits>
 
-#include "core/counted.h"
-#include "core/ray_aabb.h"
+#include <isect/numbers/counted.h>
+#include <isect/ray_aabb.h>
 #include "tests/catch.h"
 #include "tests/core/ray_obb_pairs.h"
 #include "tests/settings.h"
@@ -18,8 +18,7 @@ using namespace tests::ray_obb_pairs;
 
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity(),
-                 not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity(), not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// (x, y), or (x, y, 0).
 template <class S, int N>
@@ -198,9 +197,8 @@ TEMPLATE_TEST_CASE_SIG("the identity's box is the aligned box", "[ray_obb][prope
   CHECK(hits > 20);
 }
 
-TEMPLATE_TEST_CASE_SIG(
-    "ray and OBB: listening, mirroring, swapping axes, scaling and moving change no answer",
-    "[ray_obb][property]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("ray and OBB: listening, mirroring, swapping axes, scaling and moving change no answer",
+                       "[ray_obb][property]", FLOATS_AND_DIMENSIONS) {
   for (const Numbers numbers : bench::all_numbers) {
     Random random(tests::seed() + 100 + static_cast<int>(numbers));
     for (int i = 0; i < 100; ++i) {

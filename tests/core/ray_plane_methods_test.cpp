@@ -1,7 +1,7 @@
-#include "core/ray_plane_methods.h"
+#include <isect/ray_plane_methods.h>
 
-#include "bench/ray_plane_families.h"
-#include "bench/ray_plane_oracle.h"
+#include "bench/ray_plane/families.h"
+#include "bench/ray_plane/oracle.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 
@@ -9,8 +9,7 @@ namespace ray_plane_methods_test {
 using namespace isect;
 using namespace isect::ray_plane;
 
-TEMPLATE_TEST_CASE("a point of the plane gives the same t on ordinary rays", "[ray_plane_methods]", float,
-                   double) {
+TEMPLATE_TEST_CASE("a point of the plane gives the same t on ordinary rays", "[ray_plane_methods]", float, double) {
   using S = TestType;
   bench::Random random(tests::seed());
   int hits = 0;

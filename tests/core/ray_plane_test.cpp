@@ -1,11 +1,11 @@
-#include "core/ray_plane.h"
+#include <isect/ray_plane.h>
 
 #include <cmath>
 #include <limits>
 
+#include <isect/numbers/counted.h>
 #include "bench/random_rays.h"
-#include "bench/ray_plane_oracle.h"
-#include "core/counted.h"
+#include "bench/ray_plane/oracle.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 
@@ -17,8 +17,7 @@ using oracle::Rational;
 
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity(),
-                 not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity(), not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// (x, y), or (x, y, 0).
 template <class S, int N>
@@ -40,8 +39,7 @@ bool nothing(const RayPlane<S>& r) {
 }
 template <class S>
 bool identical(const RayPlane<S>& a, const RayPlane<S>& b) {
-  return a.parallel == b.parallel && a.coplanar == b.coplanar && a.line == b.line && a.t == b.t &&
-         a.meets == b.meets;
+  return a.parallel == b.parallel && a.coplanar == b.coplanar && a.line == b.line && a.t == b.t && a.meets == b.meets;
 }
 template <class S>
 bool same_verdicts(const RayPlane<S>& a, const RayPlane<S>& b) {
@@ -81,8 +79,7 @@ TEMPLATE_TEST_CASE_SIG("a ray towards a plane meets it once", "[ray_plane]", FLO
   CHECK(r.t == S(2));
 }
 
-TEMPLATE_TEST_CASE_SIG("a ray away from a plane misses it, its line does not", "[ray_plane]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("a ray away from a plane misses it, its line does not", "[ray_plane]", FLOATS_AND_DIMENSIONS) {
   Ray<S, N> ray = {at<S, N>(3), at<S, N>(1)};
   CHECK_FALSE(intersect(ray, wall<S, N>(1)));
   CHECK(intersect(ray, wall<S, N>(1)).line == S(-2));
@@ -99,8 +96,7 @@ TEMPLATE_TEST_CASE_SIG("both ends of a segment belong to it", "[ray_plane]", FLO
   CHECK(intersect(line_through<S, N>(at<S, N>(1), at<S, N>(4)), wall<S, N>(-5)).t == S(-2));
 }
 
-TEMPLATE_TEST_CASE_SIG("a parallel ray lies beside the plane or in it", "[ray_plane]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("a parallel ray lies beside the plane or in it", "[ray_plane]", FLOATS_AND_DIMENSIONS) {
   const RayPlane<S> beside = intersect<S, N>({at<S, N>(0), at<S, N>(0, 1)}, wall<S, N>(1));
   CHECK((!beside && beside.parallel && !beside.coplanar && !beside.line));
   const RayPlane<S> within = intersect<S, N>({at<S, N>(1, 7), at<S, N>(-0., 1)}, wall<S, N>(1));
@@ -109,15 +105,13 @@ TEMPLATE_TEST_CASE_SIG("a parallel ray lies beside the plane or in it", "[ray_pl
   CHECK((!empty && empty.coplanar));
 }
 
-TEMPLATE_TEST_CASE_SIG("ray and plane: a zero direction makes the ray a point", "[ray_plane]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("ray and plane: a zero direction makes the ray a point", "[ray_plane]", FLOATS_AND_DIMENSIONS) {
   CHECK(intersect<S, N>({at<S, N>(1), at<S, N>(0)}, wall<S, N>(1)).coplanar);
   const RayPlane<S> off = intersect<S, N>({at<S, N>(2), at<S, N>(0)}, wall<S, N>(1));
   CHECK((!off && off.parallel && !off.coplanar));
 }
 
-TEMPLATE_TEST_CASE_SIG("a zero normal, an empty range and NaN meet nothing", "[ray_plane]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("a zero normal, an empty range and NaN meet nothing", "[ray_plane]", FLOATS_AND_DIMENSIONS) {
   const Ray<S, N> ray = {at<S, N>(-3), at<S, N>(1)};
   CHECK(nothing(intersect(ray, Plane<S, N>{at<S, N>(0), S(0)})));
   CHECK(nothing(intersect(ray, Plane<S, N>{at<S, N>(-0.), S(1)})));
@@ -130,15 +124,13 @@ TEMPLATE_TEST_CASE_SIG("a zero normal, an empty range and NaN meet nothing", "[r
     CHECK(nothing(intersect(ray, Plane<S, N>{at<S, N>(1, bad), S(1)})));
     CHECK(nothing(intersect(ray, Plane<S, N>{at<S, N>(1), static_cast<S>(bad)})));
   }
-  CHECK(nothing(
-      intersect<S, N>({at<S, N>(0), at<S, N>(1), {static_cast<S>(not_a_number), S(1)}}, wall<S, N>(1))));
+  CHECK(nothing(intersect<S, N>({at<S, N>(0), at<S, N>(1), {static_cast<S>(not_a_number), S(1)}}, wall<S, N>(1))));
 }
 
 TEST_CASE("a plane of any length meets a ray of any length", "[ray_plane]") {
   for (const double length : {1e-300, 1e-200, 1., 1e200, 1e300})
     for (const double speed : {1e-300, 1e-9, 1., 1e9, 1e300}) {
-      const RayPlane<double> r =
-          intersect<double, 3>({{-3, 1, 0}, {speed, speed, 0}}, {{length, 0, 0}, -length});
+      const RayPlane<double> r = intersect<double, 3>({{-3, 1, 0}, {speed, speed, 0}}, {{length, 0, 0}, -length});
       REQUIRE(r);
       const Rational t = Rational(4) / Rational(speed);
       CHECK(oracle::ulps(*r.t, t) <= 2);
@@ -153,8 +145,7 @@ TEST_CASE("the far plane of the report is met where it is", "[ray_plane]") {
   const float n = 1 / std::sqrt(3.f);
   const Ray<float, 3> ray = {{1e6f, 1e6f, 1e6f}, {-n, -n, -n}, infinite<float>};
   const Plane<float, 3> plane = {{n, n, n}, -1732050.9f};
-  const Rational truth =
-      (3 * Rational(n) * Rational(1e6f) - Rational(1732050.9f)) / (3 * Rational(n) * Rational(n));
+  const Rational truth = (3 * Rational(n) * Rational(1e6f) - Rational(1732050.9f)) / (3 * Rational(n) * Rational(n));
   CHECK(oracle::ulps(*intersect(ray, plane).t, truth) <= 2);
   CHECK(oracle::ulps(*ray_plane::textbook(ray, plane), truth) > 1000);
 }
@@ -172,8 +163,8 @@ TEST_CASE("the textbook's method agrees on ordinary rays", "[ray_plane]") {
   CHECK_FALSE(ray_plane::textbook<double, 2>({{0, 1}, {1, 0}}, {{0, 1}, 0}));
   using C = Counted<double>;
   tally() = {};
-  CHECK(ray_plane::textbook<C, 3>({{C(-3), C(0), C(0)}, {C(1), C(0), C(0)}, {C(0), C(9)}},
-                                  {{C(1), C(0), C(0)}, C(-1)}));
+  CHECK(
+      ray_plane::textbook<C, 3>({{C(-3), C(0), C(0)}, {C(1), C(0), C(0)}, {C(0), C(9)}}, {{C(1), C(0), C(0)}, C(-1)}));
   CHECK(tally().mul == 6);
   CHECK(tally().div == 1);
 }
@@ -209,8 +200,8 @@ TEMPLATE_TEST_CASE_SIG("ray and plane: every answer is that of rational arithmet
   for (const int often : {hits, misses, parallel, coplanar, at_ends}) CHECK(often > count / 8);
 }
 
-TEMPLATE_TEST_CASE_SIG("listening, mirroring, swapping axes and scaling change no verdict",
-                       "[ray_plane][property]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("listening, mirroring, swapping axes and scaling change no verdict", "[ray_plane][property]",
+                       FLOATS_AND_DIMENSIONS) {
   for (const Numbers numbers : bench::all_numbers) {
     Random random(tests::seed() + 100 + static_cast<int>(numbers));
     for (int i = 0; i < 300; ++i) {
@@ -235,8 +226,7 @@ TEMPLATE_TEST_CASE_SIG("listening, mirroring, swapping axes and scaling change n
 
       if (numbers == Numbers::wide || numbers == Numbers::tiny || numbers == Numbers::huge) continue;
       Case<S, N> scaled = c;
-      const S lengths = std::ldexp(S(1), random.integer(-20, 20)),
-              normal = std::ldexp(S(1), random.integer(-20, 20));
+      const S lengths = std::ldexp(S(1), random.integer(-20, 20)), normal = std::ldexp(S(1), random.integer(-20, 20));
       scaled.ray.origin *= lengths, scaled.ray.direction *= lengths;
       scaled.plane.normal *= normal, scaled.plane.d *= normal * lengths;
       if (scaled.ray.origin / lengths != c.ray.origin || scaled.ray.direction / lengths != c.ray.direction ||
@@ -247,8 +237,8 @@ TEMPLATE_TEST_CASE_SIG("listening, mirroring, swapping axes and scaling change n
   }
 }
 
-TEMPLATE_TEST_CASE_SIG("moving ray and plane together by whole numbers changes nothing",
-                       "[ray_plane][property]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("moving ray and plane together by whole numbers changes nothing", "[ray_plane][property]",
+                       FLOATS_AND_DIMENSIONS) {
   Random random(tests::seed());
   for (int i = 0; i < 2000; ++i) {
     const Case<S, N> c = draw<S, N>(random, Numbers::grid);

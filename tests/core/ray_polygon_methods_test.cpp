@@ -1,7 +1,7 @@
-#include "core/ray_polygon_methods.h"
+#include <isect/ray_polygon_methods.h>
 
-#include "bench/ray_polygon_families.h"
-#include "bench/ray_polygon_oracle.h"
+#include "bench/ray_polygon/families.h"
+#include "bench/ray_polygon/oracle.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 
@@ -27,8 +27,8 @@ TEST_CASE("a fan from a vertex that does not see all counts by parity", "[ray_po
   }
 }
 
-TEMPLATE_TEST_CASE("the fan nearly always agrees with rationals on ordinary rays", "[ray_polygon_methods]",
-                   float, double) {
+TEMPLATE_TEST_CASE("the fan nearly always agrees with rationals on ordinary rays", "[ray_polygon_methods]", float,
+                   double) {
   using S = TestType;
   bench::Random random(tests::seed());
   int wrong = 0, hits = 0;

@@ -1,13 +1,13 @@
-#include "core/ray_polygon.h"
+#include <isect/ray_polygon.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include <isect/numbers/counted.h>
+#include <isect/ray_triangle.h>
 #include "bench/random_rays.h"
-#include "bench/ray_polygon_oracle.h"
-#include "core/counted.h"
-#include "core/ray_triangle.h"
+#include "bench/ray_polygon/oracle.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 
@@ -29,8 +29,7 @@ using bench::Random;
 
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity(),
-                 not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity(), not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 template <class S>
 Point<S, 3> at(double x, double y, double z = 0) {
@@ -52,8 +51,7 @@ Ray<S, 3> down(double x, double y) {
 }
 template <class S>
 bool identical(const RayPolygon<S>& a, const RayPolygon<S>& b) {
-  return a.flat == b.flat && a.coplanar == b.coplanar && a.line == b.line && a.location == b.location &&
-         a.t == b.t;
+  return a.flat == b.flat && a.coplanar == b.coplanar && a.line == b.line && a.location == b.location && a.t == b.t;
 }
 template <class S>
 bool same_verdicts(const RayPolygon<S>& a, const RayPolygon<S>& b) {
@@ -149,8 +147,7 @@ TEMPLATE_TEST_CASE("holes and islands follow the fill rule", "[ray_polygon]", fl
   CHECK(intersect(down<S>(2.5, 2.5), nested, FillRule::nonzero).t == S(2));
 }
 
-TEMPLATE_TEST_CASE("a coplanar ray, a point and a flat polygon have answers", "[ray_polygon]", float,
-                   double) {
+TEMPLATE_TEST_CASE("a coplanar ray, a point and a flat polygon have answers", "[ray_polygon]", float, double) {
   using S = TestType;
   const auto within = intersect(Ray<S, 3>{at<S>(-1, 1), at<S>(1, 0, -0.)}, angle<S>());
   CHECK((!within && within.coplanar && !within.line && !within.flat));
@@ -209,9 +206,8 @@ TEST_CASE("an outline along the axes is looked at a few times, however many sign
     CHECK(axis == 2);
     const std::span<const Ring<Watched, 3>> rings(&comb, 1);
     CHECK(ray_polygon::locate(crossing, -1, axis, rings, FillRule::even_odd, record) == Location::out);
-    CHECK(std::ranges::count_if(record.events, [](const auto& event) {
-            return std::holds_alternative<Fallback>(event);
-          }) > 2 * teeth);
+    CHECK(std::ranges::count_if(record.events,
+                                [](const auto& event) { return std::holds_alternative<Fallback>(event); }) > 2 * teeth);
     return static_cast<double>(Watched::looks) / static_cast<double>(comb.size());
   };
   const double few = looks_per_vertex(10), many = looks_per_vertex(1000);
@@ -242,8 +238,8 @@ TEST_CASE("the note's projection agrees on ordinary rays", "[ray_polygon]") {
   CHECK(tally().div >= 2);
 }
 
-TEMPLATE_TEST_CASE("ray and polygon: every answer is that of rational arithmetic", "[ray_polygon][random]",
-                   float, double) {
+TEMPLATE_TEST_CASE("ray and polygon: every answer is that of rational arithmetic", "[ray_polygon][random]", float,
+                   double) {
   using S = TestType;
   int hits = 0, out = 0, on = 0, out_of_range = 0, coplanar = 0, flat = 0;
   double worst = 0;
@@ -306,8 +302,7 @@ TEMPLATE_TEST_CASE("no ray slips between neighbours of one plane", "[ray_polygon
       return Point<S, 3>(corner + u * static_cast<S>(x) + v * static_cast<S>(y));
     };
     const Point<S, 3> a = in_plane(0, 0), b = in_plane(7, 3);
-    const Ring<S, 3> left = {a, b, in_plane(4, 9), in_plane(-1, 5)},
-                     right = {b, a, in_plane(5, -2), in_plane(9, 0)};
+    const Ring<S, 3> left = {a, b, in_plane(4, 9), in_plane(-1, 5)}, right = {b, a, in_plane(5, -2), in_plane(9, 0)};
     const Point<S, 3> target = a + (b - a) * static_cast<S>(random.uniform(0.01, 0.99));
     const Point<S, 3> origin = 50 * bench::vector<S, 3>(random, Numbers::ordinary);
     const Ray<S, 3> ray = {origin, (target - origin) * static_cast<S>(random.uniform(0.1, 10))};

@@ -2,7 +2,7 @@
 
 #include <iostream>
 
-#include "bench/ray_sphere_judge.h"
+#include "bench/ray_sphere/judge.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 
@@ -29,8 +29,7 @@ Score score(const RaySphereFamily<S, N>& family, int rays) {
     score.hits += truth.enter.has_value();
     score.ulps = std::max(score.ulps, judgement.ulps);
     if (!judgement.wrong && judgement.ulps <= promised_ulps) continue;
-    if (++score.wrong == 1)
-      score.first = std::string(judgement.wrong ? judgement.wrong : "t") + ": " + text(c);
+    if (++score.wrong == 1) score.first = std::string(judgement.wrong ? judgement.wrong : "t") + ": " + text(c);
   }
   return score;
 }
@@ -39,9 +38,8 @@ template <class S, int N>
 std::string table_row(const RaySphereFamily<S, N>& family, int rays, const Score& score) {
   std::ostringstream row;
   row << (sizeof(S) == 4 ? "float  " : "double ") << N << "D  " << std::left << std::setw(18) << family.name
-      << std::right << std::setw(9) << rays << " rays " << std::setw(9) << score.hits << " hits "
-      << std::setw(6) << score.wrong << " wrong   max " << std::fixed << std::setprecision(3) << score.ulps
-      << " ulp\n";
+      << std::right << std::setw(9) << rays << " rays " << std::setw(9) << score.hits << " hits " << std::setw(6)
+      << score.wrong << " wrong   max " << std::fixed << std::setprecision(3) << score.ulps << " ulp\n";
   return row.str();
 }
 
@@ -53,15 +51,15 @@ TEMPLATE_TEST_CASE_SIG("every verdict and every t is right on the hard families"
   for (const RaySphereFamily<S, N>& family : ray_sphere_families<S, N>()) {
     const Score result = score(family, rays);
     if (tests::long_run()) std::cout << table_row(family, rays, result) << std::flush;
-    INFO(family.name << " (" << family.about << "), ISECT_SEED=" << tests::seed() << ", off by up to "
-                     << result.ulps << " ulp; first " << result.first);
+    INFO(family.name << " (" << family.about << "), ISECT_SEED=" << tests::seed() << ", off by up to " << result.ulps
+                     << " ulp; first " << result.first);
     CHECK(result.wrong == 0);
     CHECK(result.hits > 0);
   }
 }
 
-TEMPLATE_TEST_CASE_SIG("the families are what they say", "[families]", ((class S, int N), S, N), (float, 2),
-                       (float, 3), (double, 2), (double, 3)) {
+TEMPLATE_TEST_CASE_SIG("the families are what they say", "[families]", ((class S, int N), S, N), (float, 2), (float, 3),
+                       (double, 2), (double, 3)) {
   const auto count = [](const char* name, const auto& property) {
     Random random(stream(tests::seed(), name));
     int holds = 0;

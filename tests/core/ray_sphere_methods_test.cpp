@@ -1,10 +1,10 @@
 // The note's three methods: right on ordinary rays, and wrong where rounding must defeat them.
 
-#include "core/ray_sphere_methods.h"
+#include <isect/ray_sphere_methods.h>
 
 #include <cmath>
 
-#include "bench/ray_sphere_judge.h"
+#include "bench/ray_sphere/judge.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 
@@ -63,8 +63,8 @@ TEMPLATE_TEST_CASE_SIG("the closed range decides, where the note takes the small
   });
 }
 
-TEMPLATE_TEST_CASE_SIG("an origin on the surface is a hit at t = 0 heading in and heading out",
-                       "[ray_sphere_methods]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("an origin on the surface is a hit at t = 0 heading in and heading out", "[ray_sphere_methods]",
+                       FLOATS_AND_DIMENSIONS) {
   for_each_method<S, N>([](const char* name, const auto& method) {
     INFO(name);
     CHECK(method(along_x<S, N>(-1), unit_sphere<S, N>) == S(0));
@@ -128,8 +128,7 @@ TEMPLATE_TEST_CASE_SIG("on ordinary rays the methods agree with the truth", "[ra
 
 // What follows is wrong, and known to be: the cases that the robustness pages show.
 
-TEST_CASE("a float quadratic hits a sphere that the ray misses by half a radius",
-          "[ray_sphere_methods][failure]") {
+TEST_CASE("a float quadratic hits a sphere that the ray misses by half a radius", "[ray_sphere_methods][failure]") {
   const Ray<float, 3> ray = {{0, 0, 0}, {0, 0, 1}};
   const Sphere<float, 3> sphere = {{1.5f, 0, 5000}, 1};
   REQUIRE_FALSE(oracle::ray_sphere(ray, sphere).surface);

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "bench/ray_sphere_judge.h"
+#include "bench/ray_sphere/judge.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 
@@ -38,14 +38,13 @@ bool near(S x, S y) {
 
 template <class S>
 bool same_verdicts(const RaySphere<S>& x, const RaySphere<S>& y) {
-  return x.line_roots == y.line_roots && x.origin == y.origin &&
-         x.surface.has_value() == y.surface.has_value() && x.solid.has_value() == y.solid.has_value();
+  return x.line_roots == y.line_roots && x.origin == y.origin && x.surface.has_value() == y.surface.has_value() &&
+         x.solid.has_value() == y.solid.has_value();
 }
 
 template <class S>
 bool same_values(const RaySphere<S>& x, const RaySphere<S>& y) {
-  return near(x.roots.lo, y.roots.lo) && near(x.roots.hi, y.roots.hi) &&
-         (!x.surface || near(*x.surface, *y.surface)) &&
+  return near(x.roots.lo, y.roots.lo) && near(x.roots.hi, y.roots.hi) && (!x.surface || near(*x.surface, *y.surface)) &&
          (!x.solid || (near(x.solid->lo, y.solid->lo) && near(x.solid->hi, y.solid->hi)));
 }
 
@@ -80,8 +79,7 @@ RaySphereCase<S, N> on_grid(Random& random) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE_SIG("the reversed direction mirrors every t", "[ray_sphere][property]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("the reversed direction mirrors every t", "[ray_sphere][property]", FLOATS_AND_DIMENSIONS) {
   for_all<S, N>([](const RaySphereCase<S, N>& c, Random&) {
     const Ray<S, N> mirrored = {c.ray.origin, -c.ray.direction, {-c.ray.range.hi, -c.ray.range.lo}};
     const RaySphere<S> one = intersect(c.ray, c.sphere), two = intersect(mirrored, c.sphere);
@@ -94,8 +92,8 @@ TEMPLATE_TEST_CASE_SIG("the reversed direction mirrors every t", "[ray_sphere][p
   });
 }
 
-TEMPLATE_TEST_CASE_SIG("scaling by powers of two scales every t and changes no verdict",
-                       "[ray_sphere][property]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("scaling by powers of two scales every t and changes no verdict", "[ray_sphere][property]",
+                       FLOATS_AND_DIMENSIONS) {
   int compared = 0;
   for_all<S, N>([&](const RaySphereCase<S, N>& c, Random& random) {
     constexpr int most = std::numeric_limits<S>::max_exponent / 4;
@@ -111,8 +109,7 @@ TEMPLATE_TEST_CASE_SIG("scaling by powers of two scales every t and changes no v
                              S y) {  // where neither lost bits below the normal numbers or above the largest
       return !std::isnormal(x) || !std::isnormal(y) || near(by(x), y);
     };
-    if (one.line_roots > 0)
-      REQUIRE((matches(one.roots.lo, two.roots.lo) && matches(one.roots.hi, two.roots.hi)));
+    if (one.line_roots > 0) REQUIRE((matches(one.roots.lo, two.roots.lo) && matches(one.roots.hi, two.roots.hi)));
   });
   CHECK(compared > 2000);
 }
@@ -133,8 +130,7 @@ TEMPLATE_TEST_CASE_SIG("moving ray and sphere together changes nothing", "[ray_s
   }
 }
 
-TEMPLATE_TEST_CASE_SIG("swapping and mirroring axes changes nothing", "[ray_sphere][property]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("swapping and mirroring axes changes nothing", "[ray_sphere][property]", FLOATS_AND_DIMENSIONS) {
   for_all<S, N>([](const RaySphereCase<S, N>& c, Random& random) {
     const int i = random.below(N), j = (i + 1) % N, flipped = random.below(N);
     RaySphereCase<S, N> d = c;
@@ -188,8 +184,8 @@ TEMPLATE_TEST_CASE_SIG("a larger ball meets whatever the smaller one meets", "[r
   });
 }
 
-TEMPLATE_TEST_CASE_SIG("floats meet as the doubles meet that they denote", "[ray_sphere][property]",
-                       ((int N), N), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("floats meet as the doubles meet that they denote", "[ray_sphere][property]", ((int N), N), 2,
+                       3) {
   for_all<float, N>([](const RaySphereCase<float, N>& c, Random&) {
     const Ray<double, N> ray = {c.ray.origin.template cast<double>(),
                                 c.ray.direction.template cast<double>(),

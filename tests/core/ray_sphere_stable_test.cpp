@@ -1,12 +1,12 @@
 // Quadratics that cancel less: right where the textbook is, closer to the truth, and wrong all the same where B and C
 // cancel.
 
-#include "core/ray_sphere_stable.h"
+#include <isect/ray_sphere_stable.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "bench/ray_sphere_judge.h"
+#include "bench/ray_sphere/judge.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 
@@ -57,8 +57,7 @@ Score<S> score(const char* family, const Method& method) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE_SIG("both find the first surface point of the range", "[ray_sphere_stable]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("both find the first surface point of the range", "[ray_sphere_stable]", FLOATS_AND_DIMENSIONS) {
   for_each_method<S, N>([](const char* name, const auto& method) {
     INFO(name);
     const Sphere<S, N> ball = {Point<S, N>::Zero(), S(1)};
@@ -94,8 +93,8 @@ TEMPLATE_TEST_CASE_SIG("directions of any length do, NaN and none at all miss", 
   });
 }
 
-TEMPLATE_TEST_CASE("they come closer to the truth than the textbook on ordinary rays", "[ray_sphere_stable]",
-                   float, double) {
+TEMPLATE_TEST_CASE("they come closer to the truth than the textbook on ordinary rays", "[ray_sphere_stable]", float,
+                   double) {
   using S = TestType;
   const Score<S> textbook =
       score<S>("ordinary", [](const auto& r, const auto& s) { return ray_sphere::quadratic(r, s); });
@@ -104,15 +103,14 @@ TEMPLATE_TEST_CASE("they come closer to the truth than the textbook on ordinary 
   CHECK(better.median <= textbook.median);
 }
 
-TEMPLATE_TEST_CASE("only the robust discriminant decides far away", "[ray_sphere_stable][failure]", float,
-                   double) {
+TEMPLATE_TEST_CASE("only the robust discriminant decides far away", "[ray_sphere_stable][failure]", float, double) {
   using S = TestType;
   CHECK(score<S>("far-small", [](const auto& r, const auto& s) { return stable_roots(r, s); }).wrong > 100);
   CHECK(score<S>("far-small", [](const auto& r, const auto& s) { return robust(r, s); }).wrong == 0);
 }
 
-TEMPLATE_TEST_CASE("both are wrong near tangency and beyond the range of squares",
-                   "[ray_sphere_stable][failure]", float, double) {
+TEMPLATE_TEST_CASE("both are wrong near tangency and beyond the range of squares", "[ray_sphere_stable][failure]",
+                   float, double) {
   using S = TestType;
   for_each_method<S, 3>([](const char* name, const auto& method) {
     INFO(name);

@@ -1,7 +1,7 @@
 // The cases by name. Random and hard shapes stand in ray_sphere_properties_test.cpp and
 // ray_sphere_families_test.cpp.
 
-#include "core/ray_sphere.h"
+#include <isect/ray_sphere.h>
 
 #include <cmath>
 #include <limits>
@@ -14,8 +14,7 @@ using namespace isect;
 
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity(),
-                 not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity(), not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// (x, y), or (x, y, 0).
 template <class S, int N>
@@ -61,9 +60,7 @@ TEMPLATE_TEST_CASE_SIG("a tangent ray touches once", "[ray_sphere]", FLOATS_AND_
 }
 
 TEMPLATE_TEST_CASE_SIG("an ulp decides between miss, graze and hit", "[ray_sphere]", FLOATS_AND_DIMENSIONS) {
-  const auto roots = [](S y) {
-    return intersect<S, N>({at<S, N>(-3, y), at<S, N>(1)}, ball<S, N>()).line_roots;
-  };
+  const auto roots = [](S y) { return intersect<S, N>({at<S, N>(-3, y), at<S, N>(1)}, ball<S, N>()).line_roots; };
   CHECK(roots(std::nextafter(S(1), S(2))) == 0);
   CHECK(roots(S(1)) == 1);
   CHECK(roots(std::nextafter(S(1), S(0))) == 2);
@@ -87,8 +84,7 @@ TEMPLATE_TEST_CASE_SIG("a ray from inside leaves the ball once", "[ray_sphere]",
   CHECK(r.roots == between<S>(-1.5, 0.5));
 }
 
-TEMPLATE_TEST_CASE_SIG("a sphere behind is met by the line, not by the ray", "[ray_sphere]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("a sphere behind is met by the line, not by the ray", "[ray_sphere]", FLOATS_AND_DIMENSIONS) {
   Ray<S, N> ray = {at<S, N>(3), at<S, N>(1)};
   const RaySphere<S> r = intersect<S, N>(ray, ball<S, N>());
   CHECK_FALSE(r);
@@ -122,8 +118,7 @@ TEMPLATE_TEST_CASE_SIG("a segment within the ball meets the solid and not the su
   CHECK(r.solid == between<S>(-0.5, 0.5));
 }
 
-TEMPLATE_TEST_CASE_SIG("a range that starts at the exit holds that one point", "[ray_sphere]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("a range that starts at the exit holds that one point", "[ray_sphere]", FLOATS_AND_DIMENSIONS) {
   const RaySphere<S> r = intersect<S, N>({at<S, N>(-3), at<S, N>(1), between<S>(4, inf)}, ball<S, N>());
   CHECK(r.surface == S(4));
   CHECK(r.solid == between<S>(4, 4));
@@ -131,9 +126,7 @@ TEMPLATE_TEST_CASE_SIG("a range that starts at the exit holds that one point", "
 
 TEMPLATE_TEST_CASE_SIG("an origin on the surface is a hit at t = 0, whatever the heading", "[ray_sphere]",
                        FLOATS_AND_DIMENSIONS) {
-  const auto heading = [](double x, double y) {
-    return intersect<S, N>({at<S, N>(-1), at<S, N>(x, y)}, ball<S, N>());
-  };
+  const auto heading = [](double x, double y) { return intersect<S, N>({at<S, N>(-1), at<S, N>(x, y)}, ball<S, N>()); };
 
   const RaySphere<S> in = heading(1, 0), out = heading(-1, 0), along = heading(0, 1);
   for (const RaySphere<S>& r : {in, out, along}) {
@@ -157,8 +150,8 @@ TEMPLATE_TEST_CASE_SIG("a range of one point asks for that point", "[ray_sphere]
   CHECK_FALSE(only(1));
 }
 
-TEMPLATE_TEST_CASE_SIG("an empty range meets nothing, but the line and the origin keep their answers",
-                       "[ray_sphere]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("an empty range meets nothing, but the line and the origin keep their answers", "[ray_sphere]",
+                       FLOATS_AND_DIMENSIONS) {
   const RaySphere<S> r = intersect<S, N>({at<S, N>(0), at<S, N>(1), between<S>(1, -1)}, ball<S, N>());
   CHECK_FALSE(r);
   CHECK_FALSE(r.surface);
@@ -171,8 +164,7 @@ TEMPLATE_TEST_CASE_SIG("a sphere of radius 0 is a point", "[ray_sphere]", FLOATS
   const RaySphere<S> through = intersect<S, N>({at<S, N>(-3), at<S, N>(1)}, ball<S, N>(0));
   CHECK(through.line_roots == 1);
   CHECK(through.solid == between<S>(3, 3));
-  CHECK_FALSE(
-      intersect<S, N>({at<S, N>(-3, std::numeric_limits<S>::denorm_min()), at<S, N>(1)}, ball<S, N>(0)));
+  CHECK_FALSE(intersect<S, N>({at<S, N>(-3, std::numeric_limits<S>::denorm_min()), at<S, N>(1)}, ball<S, N>(0)));
   CHECK(intersect<S, N>({at<S, N>(0), at<S, N>(1)}, ball<S, N>(-0.0)).surface == S(0));
 }
 
@@ -233,8 +225,8 @@ TEMPLATE_TEST_CASE_SIG("NaN at an end of the range never hits", "[ray_sphere]", 
   }
 }
 
-TEMPLATE_TEST_CASE_SIG("the range may be infinite at either end, and beyond every t is nothing",
-                       "[ray_sphere]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("the range may be infinite at either end, and beyond every t is nothing", "[ray_sphere]",
+                       FLOATS_AND_DIMENSIONS) {
   const auto over = [](double lo, double hi) {
     return intersect<S, N>({at<S, N>(3), at<S, N>(1), between<S>(lo, hi)}, ball<S, N>());
   };
@@ -244,8 +236,7 @@ TEMPLATE_TEST_CASE_SIG("the range may be infinite at either end, and beyond ever
   CHECK_FALSE(over(-inf, -inf));
 }
 
-TEMPLATE_TEST_CASE_SIG("directions of any length give the same verdict", "[ray_sphere]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("directions of any length give the same verdict", "[ray_sphere]", FLOATS_AND_DIMENSIONS) {
   constexpr int most = std::numeric_limits<S>::max_exponent - 4;
   for (const int e : {-most, -most / 2, 0, most / 2, most}) {
     const RaySphere<S> r = intersect<S, N>({at<S, N>(-3), at<S, N>(std::ldexp(1.0, e))}, ball<S, N>());
@@ -265,8 +256,7 @@ TEMPLATE_TEST_CASE_SIG("ray and sphere: lengths of any size give the same verdic
   }
 }
 
-TEMPLATE_TEST_CASE_SIG("a hit too far for the scalar is a hit at infinity", "[ray_sphere]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("a hit too far for the scalar is a hit at infinity", "[ray_sphere]", FLOATS_AND_DIMENSIONS) {
   const double huge = std::numeric_limits<S>::max() / 8, tiny = std::numeric_limits<S>::min();
   const RaySphere<S> r = intersect<S, N>({at<S, N>(-huge), at<S, N>(tiny)}, ball<S, N>());
   CHECK(r);

@@ -1,7 +1,7 @@
-#include "core/ray_triangle_methods.h"
+#include <isect/ray_triangle_methods.h>
 
-#include "bench/ray_triangle_families.h"
-#include "bench/ray_triangle_oracle.h"
+#include "bench/ray_triangle/families.h"
+#include "bench/ray_triangle/oracle.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 
@@ -11,13 +11,11 @@ using namespace isect::ray_triangle;
 
 namespace {
 
-const Triangle<double, 3> tile = {
-    {Point<double, 3>{0, 0, 0}, Point<double, 3>{4, 0, 0}, Point<double, 3>{0, 4, 0}}};
+const Triangle<double, 3> tile = {{Point<double, 3>{0, 0, 0}, Point<double, 3>{4, 0, 0}, Point<double, 3>{0, 4, 0}}};
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("signed volumes agree with rationals on ordinary rays", "[ray_triangle_methods]", float,
-                   double) {
+TEMPLATE_TEST_CASE("signed volumes agree with rationals on ordinary rays", "[ray_triangle_methods]", float, double) {
   using S = TestType;
   bench::Random random(tests::seed());
   int hits = 0;
@@ -29,8 +27,7 @@ TEMPLATE_TEST_CASE("signed volumes agree with rationals on ordinary rays", "[ray
     if (abs(least) < 1e-4 || abs(truth.t) < 1e-4) continue;  // an edge, where rounding may decide
     for (const auto& hit : {signed_volumes(ray, triangle), woop(ray, triangle)}) {
       if (hit.has_value() != truth.hit) FAIL("wrong");
-      if (hit && std::abs(hit->t / static_cast<S>(static_cast<double>(truth.t)) - 1) > S(1e-3))
-        FAIL("inaccurate");
+      if (hit && std::abs(hit->t / static_cast<S>(static_cast<double>(truth.t)) - 1) > S(1e-3)) FAIL("inaccurate");
       if (hit && std::abs(hit->u - static_cast<S>(static_cast<double>(truth.u))) > S(1e-2)) FAIL("u");
       if (hit && std::abs(hit->v - static_cast<S>(static_cast<double>(truth.v))) > S(1e-2)) FAIL("v");
       hits += truth.hit;
@@ -39,8 +36,7 @@ TEMPLATE_TEST_CASE("signed volumes agree with rationals on ordinary rays", "[ray
   CHECK(hits > 200);
 }
 
-TEST_CASE("a ray meets the triangle from either side, inside, on an edge and at a vertex",
-          "[ray_triangle_methods]") {
+TEST_CASE("a ray meets the triangle from either side, inside, on an edge and at a vertex", "[ray_triangle_methods]") {
   for (const double z : {2., -2.})
     for (const auto& [x, y] : {std::pair{1., 2.}, {2., 0.}, {2., 2.}, {0., 4.}}) {
       const Ray<double, 3> ray = {{x, y, z}, {0, 0, -z / 2}};

@@ -1,12 +1,12 @@
-#include "core/ray_triangle.h"
+#include <isect/ray_triangle.h>
 
 #include <cmath>
 #include <limits>
 
+#include <isect/numbers/counted.h>
+#include <isect/orient.h>
 #include "bench/random_rays.h"
-#include "bench/ray_triangle_oracle.h"
-#include "core/counted.h"
-#include "core/orient.h"
+#include "bench/ray_triangle/oracle.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 
@@ -17,8 +17,7 @@ using bench::Random;
 
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity(),
-                 not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity(), not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 template <class S>
 Point<S, 3> at(double x, double y, double z) {
@@ -113,8 +112,7 @@ TEMPLATE_TEST_CASE("a triangle behind or beyond is missed", "[ray_triangle]", fl
   CHECK(intersect(Ray<S, 3>{at<S>(1, 1, 0), at<S>(0, 0, 1)}, floor_tile<S>()).t == S(0));
 }
 
-TEMPLATE_TEST_CASE("a coplanar ray, a point and a flat triangle have answers", "[ray_triangle]", float,
-                   double) {
+TEMPLATE_TEST_CASE("a coplanar ray, a point and a flat triangle have answers", "[ray_triangle]", float, double) {
   using S = TestType;
   const auto within = intersect(Ray<S, 3>{at<S>(-1, 1, 0), at<S>(1, 0, -0.)}, floor_tile<S>());
   CHECK((!within && within.coplanar));
@@ -144,8 +142,7 @@ TEST_CASE("triangles of any size are met", "[ray_triangle]") {
     CHECK(r.t == 1);
     CHECK(r.u == .25);
     CHECK(r.v == .5);
-    CHECK(intersect(Ray<double, 3>{{2 * k, 2 * k, k}, {0, 0, -k}}, floor_tile<double>(4 * k)).location ==
-          Location::on);
+    CHECK(intersect(Ray<double, 3>{{2 * k, 2 * k, k}, {0, 0, -k}}, floor_tile<double>(4 * k)).location == Location::on);
     const double off = 2 * k * (1 + 1e-15);
     CHECK_FALSE(intersect(Ray<double, 3>{{2 * k, off, k}, {0, 0, -k}}, floor_tile<double>(4 * k)));
   }
@@ -176,8 +173,8 @@ TEST_CASE("the method of Moller and Trumbore agrees on ordinary rays", "[ray_tri
   CHECK(tally().div == 3);
 }
 
-TEMPLATE_TEST_CASE("ray and triangle: every answer is that of rational arithmetic", "[ray_triangle][random]",
-                   float, double) {
+TEMPLATE_TEST_CASE("ray and triangle: every answer is that of rational arithmetic", "[ray_triangle][random]", float,
+                   double) {
   using S = TestType;
   int hits = 0, misses = 0, on = 0, out_of_range = 0, coplanar = 0;
   double worst = 0;
@@ -198,8 +195,8 @@ TEMPLATE_TEST_CASE("ray and triangle: every answer is that of rational arithmeti
       if (!r) continue;
       REQUIRE((c.ray.range.lo <= *r.t && *r.t <= c.ray.range.hi));
       REQUIRE((0 <= r.u && r.u <= 1 && 0 <= r.v && r.v <= 1));
-      worst = std::max({worst, oracle::ulps(*r.t, expected.t), oracle::ulps(r.u, expected.u),
-                        oracle::ulps(r.v, expected.v)});
+      worst = std::max(
+          {worst, oracle::ulps(*r.t, expected.t), oracle::ulps(r.u, expected.u), oracle::ulps(r.v, expected.v)});
     }
   }
   CHECK(worst <= 2);
@@ -271,8 +268,7 @@ TEMPLATE_TEST_CASE("ray and triangle: vertex order, axes, mirroring, scale and a
       if (numbers != Numbers::grid) continue;
       const S k = std::ldexp(S(1), random.integer(-20, 20));
       const Triangle<S, 3> scaled = {{Point<S, 3>(p * k), Point<S, 3>(q * k), Point<S, 3>(s * k)}};
-      REQUIRE(
-          same_verdicts(intersect(Ray<S, 3>{c.ray.origin * k, c.ray.direction * k, c.ray.range}, scaled), r));
+      REQUIRE(same_verdicts(intersect(Ray<S, 3>{c.ray.origin * k, c.ray.direction * k, c.ray.range}, scaled), r));
       const Vector<S, 3> by = at<S>(64, -128, 32);
       const Triangle<S, 3> moved = {{Point<S, 3>(p + by), Point<S, 3>(q + by), Point<S, 3>(s + by)}};
       REQUIRE(same_verdicts(intersect(Ray<S, 3>{c.ray.origin + by, c.ray.direction, c.ray.range}, moved), r));
@@ -292,8 +288,7 @@ TEMPLATE_TEST_CASE("every hit lies on the triangle", "[ray_triangle][property]",
     const S eps = std::numeric_limits<S>::epsilon(),
             size = std::max({p.cwiseAbs().maxCoeff(), q.cwiseAbs().maxCoeff(), s.cwiseAbs().maxCoeff()});
     const S bound =
-        4 * eps *
-            (c.ray.origin.cwiseAbs().maxCoeff() + std::abs(*r.t) * c.ray.direction.cwiseAbs().maxCoeff()) +
+        4 * eps * (c.ray.origin.cwiseAbs().maxCoeff() + std::abs(*r.t) * c.ray.direction.cwiseAbs().maxCoeff()) +
         16 * eps * size;
     REQUIRE((c.ray.at(*r.t) - (p + r.u * (q - p) + r.v * (s - p))).cwiseAbs().maxCoeff() <= bound);
   }

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <vector>
 
+#include <isect/segment_segment.h>
 #include "bench/random_shapes.h"
 #include "bench/rational.h"
-#include "core/segment_segment.h"
 
 namespace isect::tests::segment_pairs {
 
@@ -79,8 +79,8 @@ Truth truth(const Pair<S>& c) {
   using oracle::operator-;
   using oracle::operator+;
   using oracle::operator*;
-  const P p = oracle::rational<S, 2>(c.a.p), q = oracle::rational<S, 2>(c.a.q),
-          r = oracle::rational<S, 2>(c.b.p), s = oracle::rational<S, 2>(c.b.q);
+  const P p = oracle::rational<S, 2>(c.a.p), q = oracle::rational<S, 2>(c.a.q), r = oracle::rational<S, 2>(c.b.p),
+          s = oracle::rational<S, 2>(c.b.q);
   const P d = q - p, e = s - r;
   const Rational determinant = cross2(d, e);
   if (determinant != 0) {
@@ -91,8 +91,7 @@ Truth truth(const Pair<S>& c) {
   }
   Truth result;
   const auto add = [&](const P& x) {
-    if (std::find(result.points.begin(), result.points.end(), x) == result.points.end())
-      result.points.push_back(x);
+    if (std::find(result.points.begin(), result.points.end(), x) == result.points.end()) result.points.push_back(x);
   };
   for (const P& x : {p, q})
     if (holds(r, s, x)) add(x);

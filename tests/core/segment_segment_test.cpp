@@ -1,10 +1,10 @@
-#include "core/segment_segment.h"
+#include <isect/segment_segment.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "core/counted.h"
+#include <isect/numbers/counted.h>
 #include "tests/catch.h"
 #include "tests/core/segment_pairs.h"
 #include "tests/settings.h"
@@ -19,8 +19,7 @@ using namespace tests::segment_pairs;
 
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity(),
-                 not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity(), not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 template <class S>
 Segment<S, 2> line(double px, double py, double qx, double qy) {
@@ -146,8 +145,8 @@ TEST_CASE("parameters agree on ordinary segments", "[segment_segment]") {
   CHECK(tally().div == 2);
 }
 
-TEMPLATE_TEST_CASE("two segments: every answer is that of rational arithmetic", "[segment_segment][random]",
-                   float, double) {
+TEMPLATE_TEST_CASE("two segments: every answer is that of rational arithmetic", "[segment_segment][random]", float,
+                   double) {
   using S = TestType;
   int seen[4] = {};
   double worst = 0;

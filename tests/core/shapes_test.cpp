@@ -1,11 +1,11 @@
-#include "core/shapes.h"
+#include <isect/shapes.h>
 
 #include <cmath>
 #include <limits>
 
+#include <isect/conventions.h>
 #include "bench/random_shapes.h"
 #include "bench/rational.h"
-#include "core/conventions.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 
@@ -13,8 +13,7 @@ namespace shapes_test {
 using namespace isect;
 
 namespace {
-constexpr double inf = std::numeric_limits<double>::infinity(),
-                 not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity(), not_a_number = std::numeric_limits<double>::quiet_NaN();
 }
 
 TEMPLATE_TEST_CASE("an interval holds both of its ends", "[shapes]", float, double) {
@@ -57,22 +56,22 @@ TEMPLATE_TEST_CASE("the named ranges reach as far as their names say", "[shapes]
   CHECK(infinite<TestType>.contains(most));
 }
 
-TEMPLATE_TEST_CASE_SIG("a ray is semi-infinite unless told otherwise", "[shapes]", ((class S, int N), S, N),
-                       (float, 2), (double, 2), (float, 3), (double, 3)) {
+TEMPLATE_TEST_CASE_SIG("a ray is semi-infinite unless told otherwise", "[shapes]", ((class S, int N), S, N), (float, 2),
+                       (double, 2), (float, 3), (double, 3)) {
   const Ray<S, N> ray = {Point<S, N>::Zero(), Vector<S, N>::Unit(0)};
   CHECK(ray.range == semi_infinite<S>);
 }
 
-TEMPLATE_TEST_CASE_SIG("r(t) = o + t d, in units of the direction's length", "[shapes]",
-                       ((class S, int N), S, N), (float, 2), (double, 2), (float, 3), (double, 3)) {
+TEMPLATE_TEST_CASE_SIG("r(t) = o + t d, in units of the direction's length", "[shapes]", ((class S, int N), S, N),
+                       (float, 2), (double, 2), (float, 3), (double, 3)) {
   const Ray<S, N> ray = {Point<S, N>::Constant(1), 4 * Vector<S, N>::Unit(1)};
   CHECK(ray.at(0) == ray.origin);
   CHECK(ray.at(S(0.5)) == Point<S, N>::Constant(1) + 2 * Vector<S, N>::Unit(1));
   CHECK(ray.at(-1)[1] == -3);
 }
 
-TEMPLATE_TEST_CASE_SIG("a segment runs from t = 0 at p to t = 1 at q", "[shapes]", ((class S, int N), S, N),
-                       (float, 2), (double, 2), (float, 3), (double, 3)) {
+TEMPLATE_TEST_CASE_SIG("a segment runs from t = 0 at p to t = 1 at q", "[shapes]", ((class S, int N), S, N), (float, 2),
+                       (double, 2), (float, 3), (double, 3)) {
   const Point<S, N> p = Point<S, N>::Constant(-1), q = Point<S, N>::Constant(3);
   const Ray<S, N> ray = segment<S, N>(p, q);
   CHECK(ray.range == Interval<S>{0, 1});
@@ -91,8 +90,7 @@ TEST_CASE("an infinite range is a line, and t may be infinite only there", "[sha
   CHECK(std::isinf(semi_infinite<float>.hi));
 }
 
-TEMPLATE_TEST_CASE_SIG("a point of a ray is within its bound of the true one", "[shapes]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("a point of a ray is within its bound of the true one", "[shapes]", FLOATS_AND_DIMENSIONS) {
   bench::Random random(bench::stream(tests::seed(), "points of rays"));
   using oracle::Rational;
   const Rational eps = std::numeric_limits<S>::epsilon(), least = std::numeric_limits<S>::denorm_min();

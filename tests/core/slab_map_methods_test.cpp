@@ -1,9 +1,9 @@
 // Slabs in floating point: right where edges lie apart, and wrong where they don't.
 
-#include "core/slab_map_methods.h"
+#include <isect/slab_map_methods.h>
 
-#include "bench/polygon_families.h"
-#include "core/point_polygon.h"
+#include <isect/point_polygon.h>
+#include "bench/point_polygon/families.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 
@@ -35,8 +35,7 @@ int wrong(const char* name, Abscissa form, int count) {
 
 TEMPLATE_TEST_CASE("both forms locate points away from edges", "[slab_map_methods]", float, double) {
   using S = TestType;
-  const Ring<S, 2> square = {{0, 0}, {4, 0}, {4, 4}, {0, 4}},
-                   notched = {{0, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}};
+  const Ring<S, 2> square = {{0, 0}, {4, 0}, {4, 4}, {0, 4}}, notched = {{0, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}};
   for (const Abscissa form : {Abscissa::line, Abscissa::interpolated}) {
     CHECK(slabs_naive(Point<S, 2>(1, 1), make_naive_slabs(square, form)));
     CHECK_FALSE(slabs_naive(Point<S, 2>(5, 1), make_naive_slabs(square, form)));
@@ -49,8 +48,8 @@ TEMPLATE_TEST_CASE("both forms locate points away from edges", "[slab_map_method
   }
 }
 
-TEMPLATE_TEST_CASE("both are wrong near edges, and among edges that nearly coincide",
-                   "[slab_map_methods][failure]", float, double) {
+TEMPLATE_TEST_CASE("both are wrong near edges, and among edges that nearly coincide", "[slab_map_methods][failure]",
+                   float, double) {
   using S = TestType;
   for (const char* name : {"near-edge", "near-vertical", "coincident"})
     for (const Abscissa form : {Abscissa::line, Abscissa::interpolated}) {
@@ -58,8 +57,7 @@ TEMPLATE_TEST_CASE("both are wrong near edges, and among edges that nearly coinc
       CHECK(wrong<S>(name, form, 5000) > 10);
     }
   // a line that is nearly horizontal has a slope and an intercept too large to subtract
-  CHECK(wrong<S>("near-horizontal", Abscissa::line, 5000) >
-        wrong<S>("near-horizontal", Abscissa::interpolated, 5000));
+  CHECK(wrong<S>("near-horizontal", Abscissa::line, 5000) > wrong<S>("near-horizontal", Abscissa::interpolated, 5000));
 }
 
 TEST_CASE("the events tell the slab and the edges compared", "[slab_map_methods]") {

@@ -1,6 +1,6 @@
 // Point location by slabs by name, against crossings and rationals, and its costs.
 
-#include "core/slab_map.h"
+#include <isect/slab_map.h>
 
 #include <cmath>
 
@@ -18,13 +18,11 @@ using P = Point<double, 2>;
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("slabs locate points in, on and out of a polygon with a hole", "[slab_map]", float,
-                   double) {
+TEMPLATE_TEST_CASE("slabs locate points in, on and out of a polygon with a hole", "[slab_map]", float, double) {
   using S = TestType;
   const Ring<S, 2> outer = {{0, 0}, {9, 0}, {9, 9}, {0, 9}}, hole = {{3, 3}, {6, 3}, {6, 6}, {3, 6}};
   for (const bool turned : {false, true}) {
-    const SlabMap map =
-        make_slab_map(Polygon<S, 2>{{outer, turned ? Ring<S, 2>(hole.rbegin(), hole.rend()) : hole}});
+    const SlabMap map = make_slab_map(Polygon<S, 2>{{outer, turned ? Ring<S, 2>(hole.rbegin(), hole.rend()) : hole}});
     const auto both = [&](S x, S y) {
       return std::pair(locate(Point<S, 2>(x, y), map), locate(Point<S, 2>(x, y), map, FillRule::nonzero));
     };
@@ -33,11 +31,9 @@ TEMPLATE_TEST_CASE("slabs locate points in, on and out of a polygon with a hole"
     CHECK(both(4, 4) == std::pair(out, turned ? out : in));
     CHECK(both(1, 3) == std::pair(in, in));  // in line with an edge of the hole
     CHECK(both(7, 6) == std::pair(in, in));
-    for (const auto& [x, y] :
-         {std::pair<S, S>{0, 0}, {9, 9}, {3, 3}, {4, 3}, {6, 6}, {5, 6}, {9, 4}, {0, 3}, {3, 4}})
+    for (const auto& [x, y] : {std::pair<S, S>{0, 0}, {9, 9}, {3, 3}, {4, 3}, {6, 6}, {5, 6}, {9, 4}, {0, 3}, {3, 4}})
       CHECK(both(x, y) == std::pair(on, on));
-    for (const auto& [x, y] :
-         {std::pair<S, S>{-1, 0}, {10, 0}, {-1, 3}, {10, 6}, {4, -1}, {4, 10}, {10, 9}, {-1, 9}})
+    for (const auto& [x, y] : {std::pair<S, S>{-1, 0}, {10, 0}, {-1, 3}, {10, 6}, {4, -1}, {4, 10}, {10, 9}, {-1, 9}})
       CHECK(both(x, y) == std::pair(out, out));
     CHECK(both(std::nextafter(S(9), S(10)), 4) == std::pair(out, out));
     CHECK(both(std::nextafter(S(9), S(8)), 4) == std::pair(in, in));
@@ -71,8 +67,7 @@ TEST_CASE("an edge one ulp beside another keeps its place", "[slab_map]") {
   // from (0, 0) up to points one ulp apart, and back: the middles of neighbours are the same number
   R fan = {{0, 0}};
   double x = 1;
-  for (int i = 0; i < 12; ++i, x = std::nextafter(x, 2))
-    fan.insert(fan.end(), {{x, 1}, {x / 2, 0.5}, {0, 0}});
+  for (int i = 0; i < 12; ++i, x = std::nextafter(x, 2)) fan.insert(fan.end(), {{x, 1}, {x / 2, 0.5}, {0, 0}});
   const SlabMap map = make_slab_map(fan);
   x = 1;
   for (int i = 0; i < 12; ++i, x = std::nextafter(x, 2)) {
@@ -86,9 +81,8 @@ TEST_CASE("an edge one ulp beside another keeps its place", "[slab_map]") {
 TEMPLATE_TEST_CASE("slabs agree with crossings and rationals", "[slab_map]", float, double) {
   using S = TestType;
   INFO("seed " << tests::seed());
-  const tests::Agreement tally =
-      tests::agreement<S>(tests::seed(), tests::cases(100, 15000),
-                          [](const Polygon<S, 2>& polygon) { return make_slab_map(polygon); });
+  const tests::Agreement tally = tests::agreement<S>(
+      tests::seed(), tests::cases(100, 15000), [](const Polygon<S, 2>& polygon) { return make_slab_map(polygon); });
   CHECK(tally.wrong == 0);
   const int all = tally.in + tally.on + tally.out;
   for (const int count : {tally.in, tally.on, tally.out}) CHECK(count > all / 20);
@@ -105,7 +99,7 @@ TEST_CASE("a query takes three bisections at most, and slabs up to n^2/4 entries
       const SlabMap map = make_slab_map(ring);
       for (int i = 0; i < 2000; ++i) {
         P p = random.in_box<2>(1);
-        if (i % 4 == 0) p[1] = ring[static_cast<std::size_t>(random.below(n))][1];
+        if (i % 4 == 0) p[1] = ring[random.below(n)][1];
         Record<slab_map::Event> record;
         const Location l = locate(p, map, FillRule::even_odd, record);
         if (l != locate(p, ring)) REQUIRE(l == locate(p, ring));

@@ -1,14 +1,14 @@
 // The smallest ball against the true one in rationals, where rounding hurts: far away, flat, nearly on one sphere, at
 // the ends of the range. And on many points, where what it rests on is its own proof.
 
-#include "core/smallest_ball.h"
+#include <isect/smallest_ball.h>
 
 #include <boost/multiprecision/mpfr.hpp>
 #include <limits>
 
+#include <isect/fit_tight.h>
+#include <isect/point_sphere.h>
 #include "bench/random_shapes.h"
-#include "core/fit_tight.h"
-#include "core/point_sphere.h"
 #include "tests/catch.h"
 #include "tests/core/ball_oracle.h"
 #include "tests/settings.h"
@@ -19,8 +19,8 @@ using bench::Numbers;
 using bench::Random;
 using oracle::Rational;
 using oracle::operator-;
-using Decimal = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<60>,
-                                              boost::multiprecision::et_off>;
+using Decimal =
+    boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<60>, boost::multiprecision::et_off>;
 
 namespace {
 
@@ -30,11 +30,10 @@ using Points = std::vector<Point<S, N>>;
 template <class S>
 Rational ulp_of(S x) {
   constexpr S most = std::numeric_limits<S>::max();
-  return x < most ? Rational(std::nextafter(x, most)) - Rational(x)
-                  : Rational(x) - Rational(std::nextafter(x, S(0)));
+  return x < most ? Rational(std::nextafter(x, most)) - Rational(x) : Rational(x) - Rational(std::nextafter(x, S(0)));
 }
 
-/// All that core/fit_tight.h promises of the smallest ball.
+/// All that isect/fit_tight.h promises of the smallest ball.
 template <class S, int N>
 void check_promises(const Points<S, N>& points) {
   const Sphere<S, N> ball = fit_sphere_smallest(points);
@@ -66,8 +65,7 @@ void check_promises(const Points<S, N>& points) {
   if (found > Decimal(1.42) * best) FAIL("too large beside the best of all centers");
   Rational largest = 0;
   for (const Rational& c : truth.center) largest = std::max(largest, Rational(abs(c)));
-  if (largest * largest <= truth.radius2 && Decimal(radius) > least + 2 * Decimal(ulp))
-    FAIL("off by more than 2 ulp");
+  if (largest * largest <= truth.radius2 && Decimal(radius) > least + 2 * Decimal(ulp)) FAIL("off by more than 2 ulp");
 }
 
 /// Points on a sphere or a circle of it, nearly; on a needle; one or few ulps apart; or anywhere.
@@ -80,11 +78,11 @@ std::vector<Point<double, N>> shape(Random& random, int n) {
   for (Point<double, N>& p : points) {
     p = random.heading<N>();
     if (kind == 0) p *= random.unit();
-    if (kind == 1) p = random.uniform(-1, 1) * axis + thin * p;  // a needle
-    if (kind == 2) p = points[0] + thin * p;                     // nearly coincident
-    if (kind == 3) p *= 1 + thin * random.uniform(-1, 1);        // nearly on a sphere
+    if (kind == 1) p = random.uniform(-1, 1) * axis + thin * p;                              // a needle
+    if (kind == 2) p = points[0] + thin * p;                                                 // nearly coincident
+    if (kind == 3) p *= 1 + thin * random.uniform(-1, 1);                                    // nearly on a sphere
     if (kind == 4 && random.one_in(2)) p = -points[0] * (1 + thin * random.uniform(-1, 1));  // a diameter
-    if (kind == 5) p = (p - p.dot(axis) * axis).normalized() + thin * axis;  // nearly on a great circle
+    if (kind == 5) p = (p - p.dot(axis) * axis).normalized() + thin * axis;                  // nearly on a great circle
   }
   return points;
 }
@@ -140,14 +138,12 @@ TEMPLATE_TEST_CASE_SIG("the ball of what it rests on holds all of many points", 
   for (int i = 0; i < tests::cases(40, 1000); ++i) {
     INFO("seed " << tests::seed() << ", case " << i);
     Points<S, N> points;
-    for (const Point<double, N>& p : shape<N>(random, 5 + random.below(300)))
-      points.push_back(p.template cast<S>());
+    for (const Point<double, N>& p : shape<N>(random, 5 + random.below(300))) points.push_back(p.template cast<S>());
     Record<fit_tight::Event> record;
     const Sphere<S, N> ball = fit_sphere_smallest(points, record);
     REQUIRE(ball.radius == fit_sphere_smallest(points).radius);
     Points<S, N> support;
-    for (const int k : std::get<fit_tight::Supported>(record.events.at(0)).points)
-      support.push_back(points[k]);
+    for (const int k : std::get<fit_tight::Supported>(record.events.at(0)).points) support.push_back(points[k]);
     REQUIRE(support.size() <= N + 1);
 
     const oracle::Ball<N> truth = oracle::smallest_ball<S, N>(support);

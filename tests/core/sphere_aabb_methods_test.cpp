@@ -1,9 +1,9 @@
-#include "core/sphere_aabb_methods.h"
+#include <isect/sphere_aabb_methods.h>
 
 #include <limits>
 
-#include "bench/sphere_aabb_families.h"
-#include "bench/sphere_aabb_oracle.h"
+#include "bench/sphere_aabb/families.h"
+#include "bench/sphere_aabb/oracle.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 
@@ -18,8 +18,7 @@ const Aabb<double, 3> box = {{-1, -1, -1}, {1, 1, 1}};
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("every method agrees with rationals on ordinary input", "[sphere_aabb_methods]", float,
-                   double) {
+TEMPLATE_TEST_CASE("every method agrees with rationals on ordinary input", "[sphere_aabb_methods]", float, double) {
   bench::Random random(tests::seed());
   for (int i = 0; i < tests::cases(2000, 100000); ++i) {
     INFO("seed " << tests::seed() << ", case " << i);

@@ -1,8 +1,8 @@
-#include "core/sphere_aabb.h"
+#include <isect/sphere_aabb.h>
 
-#include "bench/sphere_aabb_families.h"
-#include "bench/sphere_aabb_oracle.h"
-#include "core/counted.h"
+#include <isect/numbers/counted.h>
+#include "bench/sphere_aabb/families.h"
+#include "bench/sphere_aabb/oracle.h"
 #include "tests/catch.h"
 #include "tests/core/motion.h"
 #include "tests/settings.h"
@@ -12,8 +12,7 @@ using namespace isect;
 
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity(),
-                 nan_ = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
 
 template <class S, int N>
 Sphere<S, N> ball(double x, double y, double radius) {

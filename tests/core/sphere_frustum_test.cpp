@@ -1,4 +1,4 @@
-#include "core/sphere_frustum.h"
+#include <isect/sphere_frustum.h>
 
 #include "bench/rational.h"
 #include "tests/catch.h"
@@ -52,8 +52,7 @@ TEST_CASE("near an edge a ball may be outside and called crossing", "[sphere_fru
   CHECK(cull(ball<double>(-2, 0, 0, 1), sharp) == Culling::crossing);  // all of the frustum has x >= 0
 }
 
-TEMPLATE_TEST_CASE("sphere and frustum: what is empty, NaN or infinite is outside", "[sphere_frustum]", float,
-                   double) {
+TEMPLATE_TEST_CASE("sphere and frustum: what is empty, NaN or infinite is outside", "[sphere_frustum]", float, double) {
   using S = TestType;
   CHECK(culled(ball<S>(0, 0, 5, -1)) == Culling::outside);
   for (const double bad : {nan_, inf, -inf}) {
@@ -68,8 +67,8 @@ TEMPLATE_TEST_CASE("sphere and frustum: what is empty, NaN or infinite is outsid
   }
 }
 
-TEMPLATE_TEST_CASE("sphere and frustum: a zero normal bounds nothing, or everything", "[sphere_frustum]",
-                   float, double) {
+TEMPLATE_TEST_CASE("sphere and frustum: a zero normal bounds nothing, or everything", "[sphere_frustum]", float,
+                   double) {
   using S = TestType;
   Frustum<S> f = tests::pyramid<S>();
   f.planes[5] = {Vector<S, 3>::Zero(), S(1)};
@@ -80,8 +79,7 @@ TEMPLATE_TEST_CASE("sphere and frustum: a zero normal bounds nothing, or everyth
   CHECK(cull(ball<S>(0, 0, 5, 1), f) == Culling::outside);
 }
 
-TEMPLATE_TEST_CASE("sphere and frustum: lengths of any size give the same verdict", "[sphere_frustum]", float,
-                   double) {
+TEMPLATE_TEST_CASE("sphere and frustum: lengths of any size give the same verdict", "[sphere_frustum]", float, double) {
   using S = TestType;
   constexpr int most = std::numeric_limits<S>::max_exponent - 5;
   for (const int e : {-most, -most / 2, most / 2, most}) {
@@ -101,8 +99,7 @@ TEST_CASE("the events tell each plane up to the first that shuts the ball out", 
   CHECK((last.plane == 5 && last.side == Culling::outside));
 }
 
-TEMPLATE_TEST_CASE("sphere and frustum: culling is that of rational arithmetic", "[sphere_frustum]", float,
-                   double) {
+TEMPLATE_TEST_CASE("sphere and frustum: culling is that of rational arithmetic", "[sphere_frustum]", float, double) {
   using S = TestType;
   bench::Random random(tests::seed());
   int seen[3] = {};
@@ -115,8 +112,7 @@ TEMPLATE_TEST_CASE("sphere and frustum: culling is that of rational arithmetic",
       const Plane<S, 3>& plane = f.planes[random.below(6)];
       if (random.one_in(3)) {
         const Vector<double, 3> n = plane.normal.template cast<double>();
-        const double height =
-            std::abs(n.dot(sphere.center.template cast<double>()) + double(plane.d)) / n.stableNorm();
+        const double height = std::abs(n.dot(sphere.center.template cast<double>()) + double(plane.d)) / n.stableNorm();
         sphere.radius = bench::moved(static_cast<S>(height), random.integer(-1, 1));
       }
       if (!finite(sphere) || !finite(f) || sphere.radius < 0) continue;

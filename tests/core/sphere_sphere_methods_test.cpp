@@ -1,9 +1,9 @@
-#include "core/sphere_sphere_methods.h"
+#include <isect/sphere_sphere_methods.h>
 
 #include <limits>
 
-#include "bench/sphere_sphere_families.h"
-#include "bench/sphere_sphere_oracle.h"
+#include "bench/sphere_sphere/families.h"
+#include "bench/sphere_sphere/oracle.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 
@@ -11,16 +11,14 @@ namespace sphere_sphere_methods_test {
 using namespace isect;
 using namespace isect::sphere_sphere;
 
-TEMPLATE_TEST_CASE("every method agrees with rationals on ordinary balls", "[sphere_sphere_methods]", float,
-                   double) {
+TEMPLATE_TEST_CASE("every method agrees with rationals on ordinary balls", "[sphere_sphere_methods]", float, double) {
   bench::Random random(tests::seed());
   for (int i = 0; i < tests::cases(2000, 100000); ++i) {
     INFO("seed " << tests::seed() << ", case " << i);
     const auto [a, b] = bench::sphere_sphere_families::ordinary<TestType>(random);
     const Relation truth = oracle::relation(a, b);
     const bool meet = truth != Relation::disjoint;
-    if (closed_squared_distance(a, b) != meet || by_distance(a, b) != meet || by_hypot(a, b) != meet)
-      FAIL("meet");
+    if (closed_squared_distance(a, b) != meet || by_distance(a, b) != meet || by_hypot(a, b) != meet) FAIL("meet");
     if (squared_relation(a, b) != truth) FAIL("relation");
   }
 }

@@ -1,8 +1,8 @@
-#include "core/sphere_sphere.h"
+#include <isect/sphere_sphere.h>
 
-#include "bench/sphere_sphere_families.h"
-#include "bench/sphere_sphere_oracle.h"
-#include "core/counted.h"
+#include <isect/numbers/counted.h>
+#include "bench/sphere_sphere/families.h"
+#include "bench/sphere_sphere/oracle.h"
 #include "tests/catch.h"
 #include "tests/core/motion.h"
 #include "tests/settings.h"
@@ -12,8 +12,7 @@ using namespace isect;
 
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity(),
-                 nan_ = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
 
 template <class S, int N>
 Sphere<S, N> ball(double x, double y, double radius) {
@@ -44,16 +43,15 @@ TEMPLATE_TEST_CASE_SIG("two balls lie in one of six ways", "[sphere_sphere]", FL
   CHECK(related(a, ball<S, N>(0, 0, 5)) == Relation::equal);
 }
 
-TEMPLATE_TEST_CASE_SIG("inner tangency is containment, and an ulp ends it", "[sphere_sphere]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("inner tangency is containment, and an ulp ends it", "[sphere_sphere]", FLOATS_AND_DIMENSIONS) {
   const Sphere<S, N> a = ball<S, N>(0, 0, 10);
   CHECK(related(a, ball<S, N>(3, 4, 5)) == Relation::b_inside_a);
   CHECK(related(a, ball<S, N>(3, 4, std::nextafter(S(5), S(6)))) == Relation::overlapping);
   CHECK(related(a, ball<S, N>(3, std::nextafter(S(4), S(5)), 5)) == Relation::overlapping);
 }
 
-TEMPLATE_TEST_CASE_SIG("two spheres: an ulp decides between apart, touching and overlapping",
-                       "[sphere_sphere]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("two spheres: an ulp decides between apart, touching and overlapping", "[sphere_sphere]",
+                       FLOATS_AND_DIMENSIONS) {
   const Sphere<S, N> a = ball<S, N>(-3, -4, 4);
   CHECK(related(a, ball<S, N>(0, 0, 1)) == Relation::touching);
   CHECK(related(a, ball<S, N>(0, 0, std::nextafter(S(1), S(0)))) == Relation::disjoint);
@@ -119,8 +117,7 @@ TEST_CASE("the published cases that naive code gets wrong are decided rightly", 
   CHECK_FALSE(apart(3e19f, 1e19f));    // both squares are infinite
   const Sphere<float, 3> a = {{0, 0, 0}, .1f}, b = {{.3f, 0, 0}, .2f};
   CHECK(relate(a, b) == Relation::disjoint);  // .1f + .2f < .3f exactly, and rounds to it
-  CHECK_FALSE(
-      sphere_sphere::squared_distance<float, 3>({{0, 0, 0}, 1}, {{2, 0, 0}, 1}));  // touching: the note's <
+  CHECK_FALSE(sphere_sphere::squared_distance<float, 3>({{0, 0, 0}, 1}, {{2, 0, 0}, 1}));  // touching: the note's <
   CHECK(intersects(Sphere<float, 3>{{0, 0, 0}, 1}, Sphere<float, 3>{{2, 0, 0}, 1}));
 }
 

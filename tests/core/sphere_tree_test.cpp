@@ -1,4 +1,4 @@
-#include "core/sphere_tree.h"
+#include <isect/sphere_tree.h>
 
 #include <limits>
 
@@ -29,8 +29,7 @@ std::vector<Sphere<S, N>> draw(Random& random, bench::Numbers numbers, int count
     const S radius = std::abs(bench::number<S>(random, numbers));
     spheres.push_back({bench::vector<S, N>(random, numbers), random.one_in(2) ? radius : radius / 16});
     if (random.one_in(8)) spheres.back() = spheres[random.below(i + 1)];
-    if (random.one_in(30))
-      spheres.back().radius = random.one_in(2) ? S(-1) : std::numeric_limits<S>::quiet_NaN();
+    if (random.one_in(30)) spheres.back().radius = random.one_in(2) ? S(-1) : std::numeric_limits<S>::quiet_NaN();
     if (random.one_in(40)) spheres.back().center[0] = std::numeric_limits<S>::infinity();
   }
   return spheres;
@@ -58,8 +57,8 @@ Sphere<S, N> ball(double x, double radius) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE_SIG("no spheres make no nodes, and one is the root", "[sphere_tree]",
-                       ((class S, int N), S, N), (float, 2), (float, 3), (double, 2), (double, 3)) {
+TEMPLATE_TEST_CASE_SIG("no spheres make no nodes, and one is the root", "[sphere_tree]", ((class S, int N), S, N),
+                       (float, 2), (float, 3), (double, 2), (double, 3)) {
   const std::vector<Sphere<S, N>> none;
   CHECK(build_sphere_tree(none).nodes.empty());
   CHECK(overlapping_pairs(build_sphere_tree(none)).empty());
@@ -81,12 +80,11 @@ TEMPLATE_TEST_CASE_SIG("the sphere around two just holds both, or is the larger 
   const S most = std::numeric_limits<S>::max();
   CHECK(std::isinf(sphere_tree::around(ball<S, N>(-1, most), ball<S, N>(1, most)).radius));
   const S least = std::numeric_limits<S>::denorm_min();
-  CHECK(sphere_tree::around(ball<S, N>(0, 0), Sphere<S, N>{Point<S, N>::Constant(least), S(0)}).radius <=
-        4 * least);
+  CHECK(sphere_tree::around(ball<S, N>(0, 0), Sphere<S, N>{Point<S, N>::Constant(least), S(0)}).radius <= 4 * least);
 }
 
-TEMPLATE_TEST_CASE_SIG("a row of touching balls has the pairs of neighbours", "[sphere_tree]",
-                       ((class S, int N), S, N), (float, 2), (float, 3), (double, 2), (double, 3)) {
+TEMPLATE_TEST_CASE_SIG("a row of touching balls has the pairs of neighbours", "[sphere_tree]", ((class S, int N), S, N),
+                       (float, 2), (float, 3), (double, 2), (double, 3)) {
   std::vector<Sphere<S, N>> row;
   for (int i = 0; i < 33; ++i) row.push_back(ball<S, N>(2 * i, 1));
   const SphereTree<S, N> tree = build_sphere_tree(row);
@@ -116,15 +114,13 @@ TEST_CASE("a listener hears every visit, prune and find of a sphere tree", "[sph
   CHECK(!record.events.empty());
 }
 
-TEMPLATE_TEST_CASE_SIG(
-    "every ball of a tree contains all spheres below it, and the answers are those of brute force",
-    "[sphere_tree]", ((class S, int N), S, N), (float, 2), (float, 3), (double, 2), (double, 3)) {
+TEMPLATE_TEST_CASE_SIG("every ball of a tree contains all spheres below it, and the answers are those of brute force",
+                       "[sphere_tree]", ((class S, int N), S, N), (float, 2), (float, 3), (double, 2), (double, 3)) {
   Random random(tests::seed());
   long pairs = 0, met = 0, missed = 0, infinite_balls = 0;
   for (int round = 0; round < tests::cases(50, 3000); ++round) {
     const bool to_the_end = round % 10 == 0;  // of the numbers of S
-    const auto numbers =
-        to_the_end ? bench::Numbers::huge : bench::all_numbers[round % std::size(bench::all_numbers)];
+    const auto numbers = to_the_end ? bench::Numbers::huge : bench::all_numbers[round % std::size(bench::all_numbers)];
     auto spheres = draw<S, N>(random, numbers, random.below(60));
     if (to_the_end) {
       const S factor = sizeof(S) == 4 ? S(2) : static_cast<S>(0x1p28);

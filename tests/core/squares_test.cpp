@@ -1,4 +1,4 @@
-#include "core/squares.h"
+#include <isect/numbers/squares.h>
 
 #include <limits>
 
@@ -11,8 +11,8 @@ namespace squares_test {
 using namespace isect;
 using namespace isect::oracle;
 
-TEMPLATE_TEST_CASE("squared lengths that are trusted are in their true order, at every scale", "[squares]",
-                   float, double) {
+TEMPLATE_TEST_CASE("squared lengths that are trusted are in their true order, at every scale", "[squares]", float,
+                   double) {
   using S = TestType;
   constexpr bool is_float = std::is_same_v<S, float>;
   bench::Random random(tests::seed());

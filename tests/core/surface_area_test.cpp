@@ -1,13 +1,14 @@
-// Surfaces and volumes against rationals with 100-digit roots: needles, wild meshes, and sizes up to the ends of the range.
+// Surfaces and volumes against rationals with 100-digit roots: needles, wild meshes, and sizes up to the ends of the
+// range.
 
 #include <boost/multiprecision/mpfr.hpp>
 #include <limits>
 
+#include <isect/fit.h>
+#include <isect/parts/directions.h>
+#include <isect/volume.h>
 #include "bench/random_shapes.h"
 #include "bench/rational.h"
-#include "core/directions.h"
-#include "core/fit.h"
-#include "core/volume.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 
@@ -17,8 +18,8 @@ using bench::Numbers;
 using bench::Random;
 using oracle::Rational;
 using oracle::operator-;
-using Decimal = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<100>,
-                                              boost::multiprecision::et_off>;
+using Decimal =
+    boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<100>, boost::multiprecision::et_off>;
 
 namespace {
 
@@ -42,8 +43,7 @@ Decimal true_area(const std::vector<Point<S, 3>>& vertices, const Triangles& tri
 template <class S>
 double off(S x, const Decimal& truth, double room = 3) {
   const S most = std::numeric_limits<S>::max();
-  if (std::isinf(x))
-    return truth >= Decimal(most) * (1 - room * Decimal(std::numeric_limits<S>::epsilon())) ? 0 : 1e9;
+  if (std::isinf(x)) return truth >= Decimal(most) * (1 - room * Decimal(std::numeric_limits<S>::epsilon())) ? 0 : 1e9;
   return oracle::ulps(x, Rational(truth));
 }
 
@@ -81,9 +81,8 @@ TEMPLATE_TEST_CASE("areas of meshes are within 3 ulp, whatever their numbers", "
     std::vector<Point<S, 3>> vertices(3 + random.below(4));
     for (Point<S, 3>& p : vertices)
       for (int k = 0; k < 3; ++k)
-        p[k] = all_wild
-                   ? wild<S>(random)  // or a needle, or a sheet, along the axes
-                   : static_cast<S>(std::ldexp(random.uniform(-1, 1), exponent - (k < i % 3 ? thin : 0)));
+        p[k] = all_wild ? wild<S>(random)  // or a needle, or a sheet, along the axes
+                        : static_cast<S>(std::ldexp(random.uniform(-1, 1), exponent - (k < i % 3 ? thin : 0)));
     Triangles triangles;
     const int n = static_cast<int>(vertices.size());
     for (int k = 1 + random.below(5); k > 0; --k)
@@ -125,8 +124,7 @@ TEMPLATE_TEST_CASE_SIG("surfaces of oriented boxes are within 3 ulp, whatever th
     Obb<S, N> box = {Point<S, N>::Zero(), {}, {}};
     for (int k = 0; k < N; ++k) {
       box.half[k] = std::abs(i % 2 ? wild<S>(random) : static_cast<S>(random.unit()));
-      for (int j = 0; j < N; ++j)
-        box.axes(j, k) = i % 3 ? static_cast<S>(random.uniform(-1, 1)) : wild<S>(random);
+      for (int j = 0; j < N; ++j) box.axes(j, k) = i % 3 ? static_cast<S>(random.uniform(-1, 1)) : wild<S>(random);
     }
     Decimal truth = 0;
     for (int k = 0; k < N; ++k) {
@@ -135,16 +133,15 @@ TEMPLATE_TEST_CASE_SIG("surfaces of oriented boxes are within 3 ulp, whatever th
         truth += 4 * norm(oracle::dot(u, u)) * Decimal(box.half[(k + 1) % N]);
       } else {
         const auto n = oracle::cross(u, oracle::rational<S, N>(box.axes.col((k + 2) % N)));
-        truth +=
-            8 * norm(oracle::dot(n, n)) * Decimal(box.half[(k + 1) % N]) * Decimal(box.half[(k + 2) % N]);
+        truth += 8 * norm(oracle::dot(n, n)) * Decimal(box.half[(k + 1) % N]) * Decimal(box.half[(k + 2) % N]);
       }
     }
     REQUIRE(off(surface_area(box), truth) <= 3);
   }
 }
 
-TEMPLATE_TEST_CASE("sizes of k-DOPs are those of their rounded polytopes, and what they leave void follows",
-                   "[volume]", float, double) {
+TEMPLATE_TEST_CASE("sizes of k-DOPs are those of their rounded polytopes, and what they leave void follows", "[volume]",
+                   float, double) {
   using S = TestType;
   Random random(bench::stream(tests::seed(), "k-DOPs"));
   for (const Numbers numbers : bench::all_numbers)
@@ -179,8 +176,7 @@ TEMPLATE_TEST_CASE("sizes of k-DOPs are those of their rounded polytopes, and wh
       Decimal perimeter = 0;
       Rational area2 = 0;
       for (std::size_t k = 0; k < ring.size(); ++k) {
-        const auto p = oracle::rational<S, 2>(ring[k]),
-                   q = oracle::rational<S, 2>(ring[(k + 1) % ring.size()]);
+        const auto p = oracle::rational<S, 2>(ring[k]), q = oracle::rational<S, 2>(ring[(k + 1) % ring.size()]);
         perimeter += norm(oracle::dot(q - p, q - p)), area2 += p[0] * q[1] - p[1] * q[0];
       }
       REQUIRE(off(surface_area(flat_kdop), perimeter) <= 3);

@@ -1,4 +1,4 @@
-#include "core/trace.h"
+#include <isect/trace.h>
 
 #include <string>
 #include <variant>

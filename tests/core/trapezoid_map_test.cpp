@@ -1,6 +1,6 @@
 // Point location by a trapezoidal map by name, against crossings and rationals, and its costs.
 
-#include "core/trapezoid_map.h"
+#include <isect/trapezoid_map.h>
 
 #include <cmath>
 
@@ -25,8 +25,8 @@ int count(const Record<trapezoid_map::Event>& record) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("trapezoids locate points in, on and out of a polygon with a hole", "[trapezoid_map]",
-                   float, double) {
+TEMPLATE_TEST_CASE("trapezoids locate points in, on and out of a polygon with a hole", "[trapezoid_map]", float,
+                   double) {
   using S = TestType;
   const Ring<S, 2> outer = {{0, 0}, {9, 0}, {9, 9}, {0, 9}}, hole = {{3, 3}, {6, 3}, {6, 6}, {3, 6}};
   for (const bool turned : {false, true}) {
@@ -40,11 +40,9 @@ TEMPLATE_TEST_CASE("trapezoids locate points in, on and out of a polygon with a 
     CHECK(both(4, 4) == std::pair(out, turned ? out : in));
     CHECK(both(3, 1) == std::pair(in, in));  // in line with an edge of the hole
     CHECK(both(6, 7) == std::pair(in, in));
-    for (const auto& [x, y] :
-         {std::pair<S, S>{0, 0}, {9, 9}, {3, 3}, {4, 3}, {6, 6}, {5, 6}, {9, 4}, {0, 3}, {3, 4}})
+    for (const auto& [x, y] : {std::pair<S, S>{0, 0}, {9, 9}, {3, 3}, {4, 3}, {6, 6}, {5, 6}, {9, 4}, {0, 3}, {3, 4}})
       CHECK(both(x, y) == std::pair(on, on));
-    for (const auto& [x, y] :
-         {std::pair<S, S>{-1, 0}, {10, 0}, {-1, 3}, {0, 10}, {4, -1}, {4, 10}, {9, -1}, {3, 10}})
+    for (const auto& [x, y] : {std::pair<S, S>{-1, 0}, {10, 0}, {-1, 3}, {0, 10}, {4, -1}, {4, 10}, {9, -1}, {3, 10}})
       CHECK(both(x, y) == std::pair(out, out));
     CHECK(both(std::nextafter(S(9), S(10)), 4) == std::pair(out, out));
     CHECK(both(std::nextafter(S(9), S(8)), 4) == std::pair(in, in));
@@ -103,16 +101,13 @@ TEST_CASE("every order of the edges gives trapezoids that tile the plane", "[tra
     const std::size_t n = map.boundary.pieces.size();
     REQUIRE(map.trapezoids.size() <= 3 * n + 1);
     std::vector<int> reached(map.trapezoids.size());
-    for (const auto& node : map.nodes)
-      reached[static_cast<std::size_t>(node.index)] += node.ask == TrapezoidMap::Ask::nothing;
+    for (const auto& node : map.nodes) reached[node.index] += node.ask == TrapezoidMap::Ask::nothing;
     for (std::size_t t = 0; t < map.trapezoids.size(); ++t) {
       const TrapezoidMap::Trapezoid& trapezoid = map.trapezoids[t];
       if (reached[t] != 1) continue;  // a place that is free again
       REQUIRE(trapezoid.left < trapezoid.right);
-      const int top = trapezoid.top < 0
-                          ? 0
-                          : map.boundary.pieces[static_cast<std::size_t>(trapezoid.top)].above -
-                                map.boundary.pieces[static_cast<std::size_t>(trapezoid.top)].times;
+      const int top =
+          trapezoid.top < 0 ? 0 : map.boundary.pieces[trapezoid.top].above - map.boundary.pieces[trapezoid.top].times;
       REQUIRE(map.winding(trapezoid) == top);  // the winding number below its top is that above its bottom
     }
   }
@@ -134,12 +129,11 @@ TEST_CASE("a query asks O(log n) questions, and the map takes O(n) space", "[tra
       const int queries = 4000;
       for (int i = 0; i < queries; ++i) {
         P p = random.in_box<2>(1);
-        if (i % 4 == 0) p[0] = ring[static_cast<std::size_t>(random.below(n))][0];
+        if (i % 4 == 0) p[0] = ring[random.below(n)][0];
         Record<trapezoid_map::Event> record;
         const Location l = locate(p, map, FillRule::even_odd, record);
         if (i < 1000 && l != locate(p, ring)) REQUIRE(l == locate(p, ring));
-        const double asked =
-            count<trapezoid_map::VertexAsked>(record) + count<trapezoid_map::PieceAsked>(record);
+        const double asked = count<trapezoid_map::VertexAsked>(record) + count<trapezoid_map::PieceAsked>(record);
         sum += asked, most = std::max(most, asked);
       }
       // expected at most 5 ln(n + 1) each (de Berg et al., lemma 6.3): 3.47 lg n
@@ -149,9 +143,9 @@ TEST_CASE("a query asks O(log n) questions, and the map takes O(n) space", "[tra
       CHECK(static_cast<double>(map.trapezoids.size()) <= 3. * n + 1);
       CHECK(static_cast<double>(map.nodes.size()) < 12. * n);
       if (tests::long_run())
-        WARN("n " << n << ": " << sum / queries / std::log2(n) << " lg n, most " << most / std::log2(n)
-                  << " lg n, cut " << cut / n << " n, nodes " << double(map.nodes.size()) / n << " n, bytes "
-                  << double(map.bytes()) / n << " n");
+        WARN("n " << n << ": " << sum / queries / std::log2(n) << " lg n, most " << most / std::log2(n) << " lg n, cut "
+                  << cut / n << " n, nodes " << double(map.nodes.size()) / n << " n, bytes " << double(map.bytes()) / n
+                  << " n");
     }
 }
 
@@ -162,9 +156,9 @@ TEST_CASE("the events of trapezoids tell the questions", "[trapezoid_map]") {
   REQUIRE(record.events.size() >= 3);
   CHECK(count<trapezoid_map::Reached>(record) == 1);
   const auto& reached = std::get<trapezoid_map::Reached>(record.events.back());
-  const TrapezoidMap::Trapezoid& t = map.trapezoids[static_cast<std::size_t>(reached.trapezoid)];
-  CHECK(map.boundary.pieces[static_cast<std::size_t>(t.bottom)].edge == PolygonEdge{0, 0});
-  CHECK(map.boundary.pieces[static_cast<std::size_t>(t.top)].edge == PolygonEdge{0, 1});
+  const TrapezoidMap::Trapezoid& t = map.trapezoids[reached.trapezoid];
+  CHECK(map.boundary.pieces[t.bottom].edge == PolygonEdge{0, 0});
+  CHECK(map.boundary.pieces[t.top].edge == PolygonEdge{0, 1});
   CHECK(winding(P(4, 1), map) == std::nullopt);
 }
 

@@ -1,13 +1,13 @@
 // Triangle against axis-aligned box: cases by name, properties, and hard families against clipping in rationals.
 
-#include "core/triangle_aabb.h"
+#include <isect/triangle_aabb.h>
 
 #include <algorithm>
 #include <limits>
 
+#include <isect/numbers/counted.h>
+#include <isect/triangle_aabb_methods.h>
 #include "bench/random_obb.h"
-#include "core/counted.h"
-#include "core/triangle_aabb_methods.h"
 #include "tests/catch.h"
 #include "tests/core/triangle_box_pairs.h"
 #include "tests/settings.h"
@@ -18,8 +18,7 @@ using namespace tests::triangle_box_pairs;
 
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity(),
-                 not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity(), not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// (x, y), or (x, y, z).
 template <class S, int N>
@@ -61,8 +60,7 @@ TEMPLATE_TEST_CASE_SIG("an edge that passes a corner by is told by its normal al
   CHECK(with(std::nextafter(S(2), S(0))) == Relation::overlapping);
 }
 
-TEMPLATE_TEST_CASE_SIG("degenerate triangles are segments and points", "[triangle_aabb]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("degenerate triangles are segments and points", "[triangle_aabb]", FLOATS_AND_DIMENSIONS) {
   const auto with = [](const Point<S, N>& p, const Point<S, N>& q) {
     const Relation r = relate<S, N>({{p, q, q}}, cube<S, N>());
     CHECK(relate<S, N>({{p, q, p}}, cube<S, N>()) == r);
@@ -78,8 +76,7 @@ TEMPLATE_TEST_CASE_SIG("degenerate triangles are segments and points", "[triangl
   CHECK(with(at<S, N>(1, 1.5), at<S, N>(1, 1.5)) == Relation::disjoint);
 }
 
-TEMPLATE_TEST_CASE_SIG("flat boxes lie in a triangle, or touch it", "[triangle_aabb]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("flat boxes lie in a triangle, or touch it", "[triangle_aabb]", FLOATS_AND_DIMENSIONS) {
   const Triangle<S, N> triangle = {{at<S, N>(0, 0), at<S, N>(4, 0), at<S, N>(0, 4)}};
   const auto with = [&](double x, double y, double X, double Y) {
     return relate<S, N>(triangle, {at<S, N>(x, y), at<S, N>(X, Y)});
@@ -92,8 +89,7 @@ TEMPLATE_TEST_CASE_SIG("flat boxes lie in a triangle, or touch it", "[triangle_a
         Relation::equal);
 }
 
-TEMPLATE_TEST_CASE_SIG("nothing meets an empty box, NaN or infinity", "[triangle_aabb]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("nothing meets an empty box, NaN or infinity", "[triangle_aabb]", FLOATS_AND_DIMENSIONS) {
   const Triangle<S, N> triangle = {{at<S, N>(0, 0), at<S, N>(1, 0), at<S, N>(0, 1)}};
   Aabb<S, N> inverted = cube<S, N>();
   inverted.lo[1] = 2;
@@ -117,8 +113,7 @@ TEMPLATE_TEST_CASE_SIG("triangle and box: sizes from tiny to huge give the same 
   constexpr int most = std::numeric_limits<S>::max_exponent - 4;
   for (const int e : {-most, -most / 2, most / 2, most}) {
     const double k = std::ldexp(1.0, e);
-    const Aabb<S, N> box = {Point<S, N>::Constant(static_cast<S>(-k)),
-                            Point<S, N>::Constant(static_cast<S>(k))};
+    const Aabb<S, N> box = {Point<S, N>::Constant(static_cast<S>(-k)), Point<S, N>::Constant(static_cast<S>(k))};
     const auto with = [&](double y) {
       return relate<S, N>({{at<S, N>(k * y, 0), at<S, N>(0, k * y), at<S, N>(k * y, k * y)}}, box);
     };
@@ -129,17 +124,14 @@ TEMPLATE_TEST_CASE_SIG("triangle and box: sizes from tiny to huge give the same 
 }
 
 TEST_CASE("a triangle in a face of the box only touches its interior's rim", "[triangle_aabb]") {
-  const Triangle<double, 3> triangle = {
-      {at<double, 3>(0, 0, 1), at<double, 3>(1, 0, 1), at<double, 3>(0, 1, 1)}};
+  const Triangle<double, 3> triangle = {{at<double, 3>(0, 0, 1), at<double, 3>(1, 0, 1), at<double, 3>(0, 1, 1)}};
   CHECK(relate(triangle, cube<double, 3>()) == Relation::a_inside_b);
   CHECK_FALSE(meets_interior(triangle, cube<double, 3>()));
-  const Triangle<double, 3> wide = {
-      {at<double, 3>(-9, -9, 1), at<double, 3>(9, -9, 1), at<double, 3>(0, 9, 1)}};
+  const Triangle<double, 3> wide = {{at<double, 3>(-9, -9, 1), at<double, 3>(9, -9, 1), at<double, 3>(0, 9, 1)}};
   CHECK(relate(wide, cube<double, 3>()) == Relation::touching);
 }
 
-TEMPLATE_TEST_CASE_SIG("verdicts are those of clipping in rationals", "[triangle_aabb]",
-                       FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("verdicts are those of clipping in rationals", "[triangle_aabb]", FLOATS_AND_DIMENSIONS) {
   int count[6] = {};
   const int cases = tests::cases(150, 20000);
   for (const bench::Numbers numbers : bench::all_numbers) {
@@ -202,8 +194,7 @@ TEST_CASE("the classical test is right for ordinary shapes, counts, and rounds",
     CHECK(triangle_aabb::akenine_moller(triangle, box) == intersects(triangle, box));
   }
   // the box's center is not a double: half an ulp decides
-  const Triangle<double, 3> plate = {
-      {at<double, 3>(.7, 0, 0), at<double, 3>(.7, 1, 0), at<double, 3>(.7, 0, 1)}};
+  const Triangle<double, 3> plate = {{at<double, 3>(.7, 0, 0), at<double, 3>(.7, 1, 0), at<double, 3>(.7, 0, 1)}};
   const double before = std::nextafter(.7, 0);
   int wrong = 0;
   for (int i = 1; i < 100; ++i) {
@@ -222,8 +213,8 @@ TEST_CASE("the classical test is right for ordinary shapes, counts, and rounds",
   CHECK(tally().mul > 100);
 }
 
-TEMPLATE_TEST_CASE_SIG("the first pass settles ordinary shapes, and is right about all it settles",
-                       "[triangle_aabb]", ((int N), N), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("the first pass settles ordinary shapes, and is right about all it settles", "[triangle_aabb]",
+                       ((int N), N), 2, 3) {
   bench::Random random(tests::seed());
   int open = 0, apart = 0, overlap = 0;
   const int cases = tests::cases(2000, 200000);

@@ -21,15 +21,13 @@ using Corners = std::vector<oracle::Coordinates<N>>;
 
 /// The part with side (x_axis - limit) >= 0, by Sutherland and Hodgman.
 template <int N>
-std::type_identity_t<Corners<N>> clipped(const Corners<N>& polygon, int axis, const Rational& limit,
-                                         int side) {
+std::type_identity_t<Corners<N>> clipped(const Corners<N>& polygon, int axis, const Rational& limit, int side) {
   Corners<N> result;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const auto &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
     const Rational from = side * (p[axis] - limit), to = side * (q[axis] - limit);
     if (from >= 0) result.push_back(p);
-    if ((from > 0 && to < 0) || (from < 0 && to > 0))
-      result.push_back(p + Rational(from / (from - to)) * (q - p));
+    if ((from > 0 && to < 0) || (from < 0 && to > 0)) result.push_back(p + Rational(from / (from - to)) * (q - p));
   }
   return result;
 }

@@ -1,4 +1,4 @@
-#include "core/triangle_mesh.h"
+#include <isect/triangle_mesh.h>
 
 #include <limits>
 #include <numbers>
@@ -58,12 +58,11 @@ TEMPLATE_TEST_CASE("an empty mesh is not hit, nor is one of NaN", "[triangle_mes
   CHECK(!any_hit(build_bvh(boxes(mesh)), mesh, ray));
 }
 
-TEMPLATE_TEST_CASE("a ray through a shared edge hits the triangle of the least index", "[triangle_mesh]",
-                   float, double) {
+TEMPLATE_TEST_CASE("a ray through a shared edge hits the triangle of the least index", "[triangle_mesh]", float,
+                   double) {
   using S = TestType;
-  const TriangleMesh<S> mesh = {
-      {{S(0), S(0), S(0)}, {S(1), S(0), S(0)}, {S(1), S(1), S(0)}, {S(0), S(1), S(0)}},
-      {{0, 2, 3}, {0, 1, 2}}};
+  const TriangleMesh<S> mesh = {{{S(0), S(0), S(0)}, {S(1), S(0), S(0)}, {S(1), S(1), S(0)}, {S(0), S(1), S(0)}},
+                                {{0, 2, 3}, {0, 1, 2}}};
   const Bvh<S, 3> bvh = build_bvh(boxes(mesh), {1});
   const Ray<S, 3> edge = {{S(0.5), S(0.5), S(3)}, {S(0), S(0), S(-2)}},
                   corner = {{S(1), S(0), S(3)}, {S(0), S(0), S(-2)}};

@@ -1,20 +1,20 @@
 // Volumes against rationals, areas of known solids, and what fits leave void.
 
-#include "core/volume.h"
+#include <isect/volume.h>
 
 #include <Eigen/Geometry>
 #include <cstdio>
 #include <limits>
 
+#include <isect/aabb_aabb.h>
+#include <isect/fit_tight.h>
+#include <isect/kdop_kdop.h>
+#include <isect/obb_obb.h>
+#include <isect/parts/directions.h>
+#include <isect/sphere_sphere.h>
 #include "bench/measure.h"
 #include "bench/random_shapes.h"
 #include "bench/rational.h"
-#include "core/aabb_aabb.h"
-#include "core/directions.h"
-#include "core/fit_tight.h"
-#include "core/kdop_kdop.h"
-#include "core/obb_obb.h"
-#include "core/sphere_sphere.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 
@@ -28,8 +28,7 @@ namespace {
 template <class S>
 std::vector<Point<S, 3>> brick(S x, S y, S z) {
   std::vector<Point<S, 3>> corners;
-  for (int i = 0; i < 8; ++i)
-    corners.push_back(Point<S, 3>(i & 1 ? x : S(0), i & 2 ? y : S(0), i & 4 ? z : S(0)));
+  for (int i = 0; i < 8; ++i) corners.push_back(Point<S, 3>(i & 1 ? x : S(0), i & 2 ? y : S(0), i & 4 ? z : S(0)));
   return corners;
 }
 
@@ -99,17 +98,16 @@ TEMPLATE_TEST_CASE("volumes of hulls are within two ulps of the rational ones", 
       const Hull3<S> hull = convex_hull(points);
       Rational sum = 0;
       for (const auto& [a, b, c] : hull.triangles)  // from the origin, which may be far away
-        sum += oracle::dot(oracle::rational<S, 3>(hull.vertices[a]),
-                           oracle::cross(oracle::rational<S, 3>(hull.vertices[b]),
-                                         oracle::rational<S, 3>(hull.vertices[c])));
+        sum += oracle::dot(
+            oracle::rational<S, 3>(hull.vertices[a]),
+            oracle::cross(oracle::rational<S, 3>(hull.vertices[b]), oracle::rational<S, 3>(hull.vertices[c])));
       worst = std::max(worst, oracle::ulps(volume(hull), Rational(sum / 6)));
       REQUIRE(worst <= 2);
       if (numbers == bench::Numbers::ordinary) {
         REQUIRE(void_volume(fit_aabb(points), volume(hull)) >= 0);
         REQUIRE(void_volume(fit_obb_tight(points), volume(hull)) >= 0);
-        REQUIRE(void_volume(fit_kdop(points, directions<S, 3>(26)), volume(hull)) >=
-                -1e-5);                                                              // rounded vertices
-        REQUIRE(surface_area(hull) <= surface_area(fit_aabb(points)) * (1 + 1e-6));  // convex in convex
+        REQUIRE(void_volume(fit_kdop(points, directions<S, 3>(26)), volume(hull)) >= -1e-5);  // rounded vertices
+        REQUIRE(surface_area(hull) <= surface_area(fit_aabb(points)) * (1 + 1e-6));           // convex in convex
       }
     }
 }
@@ -117,11 +115,9 @@ TEMPLATE_TEST_CASE("volumes of hulls are within two ulps of the rational ones", 
 // The trade-off of the note, N04: run with [.table] to see it.
 TEST_CASE("tightness, storage and the cost of the pair test", "[.table]") {
   bench::Random random(tests::seed());
-  const Eigen::Matrix3d turn =
-      Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
   std::vector<Point<double, 3>> points;
-  for (int i = 0; i < 2000; ++i)
-    points.push_back(turn * random.heading<3>().cwiseProduct(Eigen::Vector3d(3, 1, 0.5)));
+  for (int i = 0; i < 2000; ++i) points.push_back(turn * random.heading<3>().cwiseProduct(Eigen::Vector3d(3, 1, 0.5)));
   const Hull3<double> hull = convex_hull(points);
   const double object = volume(hull);
   std::vector<Vector<double, 3>> offsets;
@@ -136,11 +132,9 @@ TEST_CASE("tightness, storage and the cost of the pair test", "[.table]") {
       for (Point<double, 3>& p : moved) p += offsets[i];
       others.push_back(fit(moved));
     }
-    const bench::Timing t =
-        bench::timed(others, 20, [&](const auto& other) { return overlap(first, other); });
-    std::printf("%-20s %8zu %12.2f %8.1f %8.1f\n", name, numbers_kept(first),
-                void_volume(first, object) / object, t.least,
-                100.0 * static_cast<double>(t.hits) / static_cast<double>(others.size()));
+    const bench::Timing t = bench::timed(others, 20, [&](const auto& other) { return overlap(first, other); });
+    std::printf("%-20s %8zu %12.2f %8.1f %8.1f\n", name, numbers_kept(first), void_volume(first, object) / object,
+                t.least, 100.0 * static_cast<double>(t.hits) / static_cast<double>(others.size()));
   };
   using P = std::vector<Point<double, 3>>;
   const auto pair = [](const auto& a, const auto& b) { return intersects(a, b); };
@@ -154,8 +148,8 @@ TEST_CASE("tightness, storage and the cost of the pair test", "[.table]") {
   row(
       "OBB", [](const P& p) { return fit_obb(p); }, pair);
   for (const int k : {14, 18, 26})
-    row(("k-DOP " + std::to_string(k)).c_str(),
-        [&](const P& p) { return fit_kdop(p, directions<double, 3>(k)); }, slabs);
+    row(("k-DOP " + std::to_string(k)).c_str(), [&](const P& p) { return fit_kdop(p, directions<double, 3>(k)); },
+        slabs);
 }
 
 }  // namespace volume_test

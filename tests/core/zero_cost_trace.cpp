@@ -2,34 +2,34 @@
 // INTERSECT, METHODS, RELATE, RAYS or POLYGONS. LISTEN adds a listener.
 
 #if defined(INTERSECT)
-#include "core/ray_sphere.h"
+#include <isect/ray_sphere.h>
 #elif defined(METHODS)
-#include "core/ray_sphere_methods.h"
+#include <isect/ray_sphere_methods.h>
 #elif defined(RELATE)
-#include "core/aabb_aabb.h"
-#include "core/interval_interval.h"
-#include "core/kdop_kdop.h"
-#include "core/obb_obb.h"
-#include "core/plane_aabb.h"
-#include "core/plane_sphere.h"
-#include "core/point_aabb.h"
-#include "core/point_obb.h"
-#include "core/point_sphere.h"
-#include "core/sphere_aabb.h"
-#include "core/sphere_sphere.h"
-#include "core/triangle_aabb.h"
+#include <isect/aabb_aabb.h>
+#include <isect/interval_interval.h>
+#include <isect/kdop_kdop.h>
+#include <isect/obb_obb.h>
+#include <isect/plane_aabb.h>
+#include <isect/plane_sphere.h>
+#include <isect/point_aabb.h>
+#include <isect/point_obb.h>
+#include <isect/point_sphere.h>
+#include <isect/sphere_aabb.h>
+#include <isect/sphere_sphere.h>
+#include <isect/triangle_aabb.h>
 #elif defined(RAYS)
-#include "core/ray_aabb.h"
-#include "core/ray_obb.h"
-#include "core/ray_plane.h"
-#include "core/ray_polygon.h"
-#include "core/ray_triangle.h"
+#include <isect/ray_aabb.h>
+#include <isect/ray_obb.h>
+#include <isect/ray_plane.h>
+#include <isect/ray_polygon.h>
+#include <isect/ray_triangle.h>
 #else
-#include "core/convex_hull.h"
-#include "core/convex_polygons.h"
-#include "core/point_convex_polygon.h"
-#include "core/point_polygon.h"
-#include "core/segment_segment.h"
+#include <isect/convex_hull.h>
+#include <isect/convex_polygons.h>
+#include <isect/point_convex_polygon.h>
+#include <isect/point_polygon.h>
+#include <isect/segment_segment.h>
 #endif
 
 using namespace isect;

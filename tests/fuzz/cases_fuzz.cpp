@@ -1,5 +1,5 @@
-// Well-formed cases of every kind, their numbers drawn from the input: swapping the two shapes turns the relation around,
-// and scaling all lengths by a power of two changes no verdict.
+// Well-formed cases of every kind, their numbers drawn from the input: swapping the two shapes turns the relation
+// around, and scaling all lengths by a power of two changes no verdict.
 
 #include <array>
 #include <bit>
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "lessons/query/query.h"
+#include "app/query/query.h"
 #include "tests/fuzz/require.h"
 
 namespace {
@@ -62,10 +62,7 @@ const std::vector<KindSpec>& specs() {
       {"orient2d", 2, 2, {{"a", point}, {"b", point}, {"c", point}}},
       {"pip", 2, 2, {{"rings", rings}, {"point", point}}},
       {"ray_sphere", 2, 3, {{"origin", point}, {"dir", direction}, {"center", point}, {"radius", length}}},
-      {"ray_box",
-       2,
-       3,
-       {{"origin", point}, {"dir", direction}, {"lo", point}, {"hi", point}, {"tmax", length}}},
+      {"ray_box", 2, 3, {{"origin", point}, {"dir", direction}, {"lo", point}, {"hi", point}, {"tmax", length}}},
       {"ray_plane", 3, 3, {{"origin", point}, {"dir", direction}, {"normal", direction}, {"d", length}}},
       {"ray_polygon", 3, 3, {{"origin", point}, {"dir", direction}, {"polygon", polygon}}},
       {"point_point", 2, 3, {{"a", point}, {"b", point}, {"tol", length}}},
@@ -156,7 +153,7 @@ Json verdicts(const Json& result) {
     if (value.is_string() || value.is_boolean() || value.is_number_integer()) kept[key] = value;
   kept.erase("t"), kept.erase("t0"), kept.erase("t1"), kept.erase("t_in"), kept.erase("t_out");
   kept.erase("t_first_surface"), kept.erase("t_enter_solid");  // "inf" is a text
-  kept.erase("segment_hit_0_1");                                // t grows with the lengths
+  kept.erase("segment_hit_0_1");                               // t grows with the lengths
   return kept;
 }
 
@@ -174,7 +171,7 @@ std::string turned(const std::string& relation) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Source source(data, size);
-  const KindSpec& spec = specs()[static_cast<std::size_t>(source.below(static_cast<int>(specs().size())))];
+  const KindSpec& spec = specs()[source.below(static_cast<int>(specs().size()))];
   const int n = spec.least + source.below(spec.most - spec.least + 1);
   Json request = {{"kind", spec.kind}}, larger = request;
   if (source.below(8) == 0) request["trace"] = true;
@@ -191,18 +188,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
 
   const Json answer = result(request);
-  if (exact)
-    require(verdicts(answer) == verdicts(result(larger)), "scaling changes no verdict", request.dump());
+  if (exact) require(verdicts(answer) == verdicts(result(larger)), "scaling changes no verdict", request.dump());
 
-  static constexpr const char* pairs[][2] = {
-      {"a", "b"}, {"alo", "blo"}, {"ahi", "bhi"}, {"c1", "c2"}, {"r1", "r2"}};
-  if (answer.contains("relation") &&
-      (request.contains("b") || request.contains("blo") || request.contains("c2"))) {
+  static constexpr const char* pairs[][2] = {{"a", "b"}, {"alo", "blo"}, {"ahi", "bhi"}, {"c1", "c2"}, {"r1", "r2"}};
+  if (answer.contains("relation") && (request.contains("b") || request.contains("blo") || request.contains("c2"))) {
     Json swapped = request;
     for (const auto& [a, b] : pairs)
       if (request.contains(a)) swapped[a] = request[b], swapped[b] = request[a];
-    require(result(swapped)["relation"] == turned(answer["relation"]), "a swap turns the relation",
-            request.dump());
+    require(result(swapped)["relation"] == turned(answer["relation"]), "a swap turns the relation", request.dump());
   }
   return 0;
 }

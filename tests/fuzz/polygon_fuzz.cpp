@@ -7,10 +7,10 @@
 #include <sstream>
 #include <vector>
 
+#include <isect/convex_hull.h>
+#include <isect/point_convex_polygon.h>
+#include <isect/point_polygon.h>
 #include "bench/rational.h"
-#include "core/convex_hull.h"
-#include "core/point_convex_polygon.h"
-#include "core/point_polygon.h"
 #include "tests/fuzz/require.h"
 
 namespace {
@@ -91,8 +91,8 @@ void check_hull(const Point<double, 2>& p, const Ring<double, 2>& points) {
   const Ring<double, 2> hull = convex_hull(points);
   require(hull.empty() == points.empty(), "a hull of something", told(p, points));
   for (std::size_t i = 0; hull.size() > 2 && i < hull.size(); ++i)
-    require(orient2d(hull[i], hull[(i + 1) % hull.size()], hull[(i + 2) % hull.size()]) == 1,
-            "strict vertices", told(p, points));
+    require(orient2d(hull[i], hull[(i + 1) % hull.size()], hull[(i + 2) % hull.size()]) == 1, "strict vertices",
+            told(p, points));
   for (const Point<double, 2>& v : points)
     require(locate(v, hull) != Location::out, "every point in its hull", told(v, points));
 

@@ -15,7 +15,7 @@ cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_
 cmake --build "$build" --target fuzz >&2
 cd "$build"
 mkdir -p seeds/query_fuzz
-split -l 1 "$root/tests/program/query_examples.jsonl" seeds/query_fuzz/example-
+split -l 1 "$root/tests/app/query_examples.jsonl" seeds/query_fuzz/example-
 
 # seed FILE BEFORE REPEATED COUNT AFTER: deep or wide lines, that no short input grows into
 seed() {

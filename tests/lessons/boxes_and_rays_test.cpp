@@ -5,11 +5,11 @@
 #include <cmath>
 #include <map>
 
-#include "core/sphere_aabb.h"
+#include <isect/sphere_aabb.h>
 #include "lessons/lessons.h"
 #include "lessons/obb_obb/picture.h"
 #include "lessons/ray_polygon/picture.h"
-#include "lessons/relation.h"
+#include "lessons/shared/relation.h"
 #include "tests/catch.h"
 #include "viz/case_map.h"
 #include "viz/place.h"
@@ -85,21 +85,17 @@ TEST_CASE("the ball-and-box lesson shows every region and every relation", "[sph
     CHECK(gaps == what.first);
     CHECK(walk.steps.back().verdict.kind == what.second);
     const bool note_says_overlap = step_of(walk, "relation").line == 3;
-    CHECK(note_says_overlap ==
-          (what.second == Verdict::Kind::yes));  // touching: the strict comparison refuses
+    CHECK(note_says_overlap == (what.second == Verdict::Kind::yes));  // touching: the strict comparison refuses
   }
   CHECK(walk_of("sphere-aabb", "ball-inside").steps.back().verdict.text == "the ball lies inside the box");
   CHECK(walk_of("sphere-aabb", "box-inside").steps.back().verdict.text == "the box lies inside the ball");
 }
 
-TEST_CASE("the box grown by the radius errs at a corner, and the note's comparison at touching",
-          "[sphere-aabb]") {
+TEST_CASE("the box grown by the radius errs at a corner, and the note's comparison at touching", "[sphere-aabb]") {
   CHECK(has_step(walk_of("sphere-aabb", "corner-miss"), "grown"));
   CHECK_FALSE(has_step(walk_of("sphere-aabb", "touching-face"), "grown"));
-  CHECK(dissenters("sphere-aabb", "corner-miss") ==
-        std::vector<std::string>{"centre in the box grown by *r*"});
-  CHECK(dissenters("sphere-aabb", "touching-corner") ==
-        std::vector<std::string>{"accumulated, strict (the note)"});
+  CHECK(dissenters("sphere-aabb", "corner-miss") == std::vector<std::string>{"centre in the box grown by *r*"});
+  CHECK(dissenters("sphere-aabb", "touching-corner") == std::vector<std::string>{"accumulated, strict (the note)"});
   CHECK(dissenters("sphere-aabb", "corner").empty());
 }
 
@@ -138,8 +134,7 @@ double widest_gap(const Obb<double, 3>& a, const Obb<double, 3>& b) {
 
 }  // namespace
 
-TEST_CASE("the oriented-box lesson: each kind of axis separates in a preset, alone of the kinds so far",
-          "[obb-obb]") {
+TEST_CASE("the oriented-box lesson: each kind of axis separates in a preset, alone of the kinds so far", "[obb-obb]") {
   const auto slugs = [](const char* id) {
     std::vector<std::string> all;
     for (const Step& s : walk_of("obb-obb", id).steps)
@@ -161,9 +156,8 @@ TEST_CASE("the oriented-box lesson: each kind of axis separates in a preset, alo
 
 TEST_CASE("the oriented-box lesson ends with the true relation", "[obb-obb]") {
   const std::map<std::string, Relation> expected = {
-      {"overlapping", Relation::overlapping}, {"normal-of-a", Relation::disjoint},
-      {"normal-of-b", Relation::disjoint},    {"edges", Relation::disjoint},
-      {"touching", Relation::touching},       {"b-inside-a", Relation::b_inside_a},
+      {"overlapping", Relation::overlapping}, {"normal-of-a", Relation::disjoint}, {"normal-of-b", Relation::disjoint},
+      {"edges", Relation::disjoint},          {"touching", Relation::touching},    {"b-inside-a", Relation::b_inside_a},
       {"parallel", Relation::overlapping},    {"slender", Relation::disjoint}};
   CHECK(expected.size() == lesson("obb-obb").presets.size());
   for (const auto& [id, relation] : expected) {
@@ -179,9 +173,8 @@ TEST_CASE("the oriented-box lesson ends with the true relation", "[obb-obb]") {
   CHECK(value_of(walk_of("obb-obb", "overlapping").steps.back(), "axes asked") == 15);
 }
 
-TEST_CASE(
-    "the classical test errs on parallel edges without its epsilon, and on thin boxes with a coarse one",
-    "[obb-obb]") {
+TEST_CASE("the classical test errs on parallel edges without its epsilon, and on thin boxes with a coarse one",
+          "[obb-obb]") {
   const Walk parallel = walk_of("obb-obb", "parallel");
   CHECK(step_of(parallel, "edges").line == 6);  // DISJOINT, by rounding errors
   CHECK(value_of(step_of(parallel, "edges"), "*d* = |**l** · **t**|") < 1e-15);
@@ -194,9 +187,7 @@ TEST_CASE(
 
 TEST_CASE("the map of oriented boxes agrees with the projections of their corners", "[obb-obb]") {
   const CaseMap& map = *lesson("obb-obb").map;
-  const auto says = [&](const Parameters& p) {
-    return map.branches[static_cast<std::size_t>(map.branch(p))];
-  };
+  const auto says = [&](const Parameters& p) { return map.branches[map.branch(p)]; };
   const Parameters edges = preset(lesson("obb-obb"), "edges").parameters;
   CHECK(says(edges) == "edge × edge");
   int apart = 0;
@@ -217,8 +208,7 @@ TEST_CASE("directions that make no frame make no box", "[obb-obb]") {
   CHECK(lesson("obb-obb").walk(p).steps.back().verdict.kind == Verdict::Kind::no);
 }
 
-TEST_CASE("the rays lesson: t counts lengths of the direction, and the range says whether it counts",
-          "[rays]") {
+TEST_CASE("the rays lesson: t counts lengths of the direction, and the range says whether it counts", "[rays]") {
   const auto t_of = [](const char* id) { return value_of(step_of(walk_of("rays", id), "wall"), "*t*"); };
   const auto kind = [](const char* id) { return walk_of("rays", id).steps.back().verdict.kind; };
   CHECK(t_of("ray") == 3);
@@ -228,13 +218,11 @@ TEST_CASE("the rays lesson: t counts lengths of the direction, and the range say
   CHECK(t_of("segment-on") == 1);
   CHECK(t_of("segment") > 1);
   for (const char* id : {"ray", "unit", "line", "segment-on"}) CHECK(kind(id) == Verdict::Kind::yes);
-  for (const char* id : {"ray-behind", "segment", "parallel", "slow-bullet"})
-    CHECK(kind(id) == Verdict::Kind::no);
+  for (const char* id : {"ray-behind", "segment", "parallel", "slow-bullet"}) CHECK(kind(id) == Verdict::Kind::no);
   CHECK_FALSE(has_step(walk_of("rays", "parallel"), "wall"));
   CHECK(walk_of("rays", "ray").steps.back().counters.sqrt == 0);
   CHECK(walk_of("rays", "unit").steps.back().counters.sqrt == 1);
-  CHECK(walk_of("rays", "unit").steps.back().counters.div ==
-        walk_of("rays", "ray").steps.back().counters.div + 2);
+  CHECK(walk_of("rays", "unit").steps.back().counters.div == walk_of("rays", "ray").steps.back().counters.div + 2);
 }
 
 TEST_CASE("the map of rays is that of t = distance / direction, however the ray is made", "[rays]") {
@@ -244,13 +232,10 @@ TEST_CASE("the map of rays is that of t = distance / direction, however the ray 
     for (int i = 0; i < 64; ++i) {
       const Vec2 to(1.5 * (i % 8) - 5.25, i / 8 - 3.0);  // exact, with a row of parallel rays
       const Parameters there = map.moved(preset(lesson("rays"), id).parameters, to);
-      const std::string says = map.branches[static_cast<std::size_t>(map.branch(there))];
+      const std::string says = map.branches[map.branch(there)];
       INFO(id << " at " << to.transpose());
       const double t = to.x() / to.y();
-      CHECK(says == (to.y() == 0 ? "parallel"
-                     : t < 0     ? "behind **o**"
-                     : t <= 1    ? "within **d**"
-                                 : "beyond **d**"));
+      CHECK(says == (to.y() == 0 ? "parallel" : t < 0 ? "behind **o**" : t <= 1 ? "within **d**" : "beyond **d**"));
       ++seen[says];
     }
   CHECK(seen.size() == 4);
@@ -274,8 +259,7 @@ TEST_CASE("a ray without a direction is a point, and the rays lesson does not st
   }
 }
 
-TEST_CASE("the ray-polygon lesson drops the coordinate whose projection has the largest area",
-          "[ray-polygon]") {
+TEST_CASE("the ray-polygon lesson drops the coordinate whose projection has the largest area", "[ray-polygon]") {
   for (const Preset& p : lesson("ray-polygon").presets) {
     INFO(p.id);
     const auto setup = lessons::ray_polygon_lesson::setup(p.parameters);
@@ -287,8 +271,7 @@ TEST_CASE("the ray-polygon lesson drops the coordinate whose projection has the 
         const auto &a = flat.ring[i], &b = flat.ring[(i + 1) % flat.ring.size()];
         area2[axis] += a.x() * b.y() - a.y() * b.x();
       }
-      CHECK(value_of(walk.steps.front(), std::string("*n*_") + "xyz"[axis]) ==
-            Approx(area2[axis]).margin(1e-12));
+      CHECK(value_of(walk.steps.front(), std::string("*n*_") + "xyz"[axis]) == Approx(area2[axis]).margin(1e-12));
     }
     if (!has_step(walk, "drop")) continue;
     const int dropped = step_of(walk, "drop").question->answer;
@@ -313,8 +296,7 @@ TEST_CASE("the ray-polygon lesson shows every way to hit and to miss", "[ray-pol
   CHECK(step_of(walk_of("ray-polygon", "notch"), "crossings").question->answer == 2);
 }
 
-TEST_CASE("the wrong coordinate dropped collapses an upright polygon, and nothing is inside",
-          "[ray-polygon]") {
+TEST_CASE("the wrong coordinate dropped collapses an upright polygon, and nothing is inside", "[ray-polygon]") {
   CHECK(value_of(walk_of("ray-polygon", "upright").steps.back(), "*n*_y") == 0);
   CHECK(dissenters("ray-polygon", "upright") == std::vector<std::string>{"*y* dropped"});
   CHECK(dissenters("ray-polygon", "hit").empty());

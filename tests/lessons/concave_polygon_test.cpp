@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "core/trapezoid_map.h"
+#include <isect/trapezoid_map.h>
 #include "lessons/concave_polygon/map_picture.h"
 #include "lessons/concave_polygon/triangles.h"
 #include "lessons/lessons.h"
@@ -47,8 +47,7 @@ double area(const Ring<double, 2>& r) {
 
 }  // namespace
 
-TEST_CASE("each way ends with the exact location, wherever the point is dragged",
-          "[concave-polygon lesson]") {
+TEST_CASE("each way ends with the exact location, wherever the point is dragged", "[concave-polygon lesson]") {
   int in = 0, on = 0, out = 0;
   for (const Preset& p : lesson().presets) {
     INFO(p.id);
@@ -93,8 +92,8 @@ TEST_CASE("slabs store an edge in each slab that it crosses", "[concave-polygon 
     int stored = 0;
     for (std::size_t i = 0; i < setup.ring.size(); ++i) {
       const double a = setup.ring[i].y(), b = setup.ring[(i + 1) % setup.ring.size()].y();
-      stored += static_cast<int>(std::abs(std::distance(heights.find(a), heights.end()) -
-                                          std::distance(heights.find(b), heights.end())));
+      stored += static_cast<int>(
+          std::abs(std::distance(heights.find(a), heights.end()) - std::distance(heights.find(b), heights.end())));
     }
     const Walk walk = walk_of(std::string("slabs") + (setup.spiky ? "-spiky" : ""));
     CHECK(value(walk.steps[1], "edges in slabs") == stored);
@@ -125,8 +124,7 @@ TEST_CASE("the map told edge by edge is the core's own", "[concave-polygon lesso
   for (const int t : reachable(map, 0)) CHECK(t < static_cast<int>(map.trapezoids.size()));
 }
 
-TEST_CASE("every level of the hierarchy tiles the box, and links tell what shares area",
-          "[concave-polygon lesson]") {
+TEST_CASE("every level of the hierarchy tiles the box, and links tell what shares area", "[concave-polygon lesson]") {
   const Setup setup("concave", Vec3::Zero());
   const Hierarchy h = make_hierarchy(setup.ring, {{-3.5, -2}, {1.5, 2}});
   REQUIRE(h.levels.size() > 2);
@@ -148,7 +146,7 @@ TEST_CASE("every level of the hierarchy tiles the box, and links tell what share
       const Location truth = locate(p, setup.ring);
       const std::vector<int> path = descend(h, p);
       REQUIRE(path.size() == h.levels.size());
-      const auto& finest = h.levels[0].triangles[static_cast<std::size_t>(path.back())];
+      const auto& finest = h.levels[0].triangles[path.back()];
       if (truth != Location::on) CHECK(finest.inside == (truth == Location::in));
     }
   CHECK(descend(h, {5, 0}).empty());

@@ -26,7 +26,7 @@ std::vector<HalfSpace> half_spaces(const Box& box, const Frustum<double>& view) 
   for (int axis = 0; axis < 3; ++axis)
     for (const int side : {1, -1}) {
       HalfSpace h = {{0, 0, 0}, side > 0 ? Rational(-box.lo[axis]) : Rational(box.hi[axis])};
-      h.n[static_cast<std::size_t>(axis)] = side;
+      h.n[axis] = side;
       all.push_back(h);
     }
   for (const Plane<double, 3>& plane : view.planes)
@@ -39,9 +39,7 @@ std::vector<HalfSpace> half_spaces(const Box& box, const Frustum<double>& view) 
 bool separated(const std::array<const HalfSpace*, 4>& four) {
   std::array<Rational, 4> minor;
   for (std::size_t i = 0; i < 4; ++i) {
-    const auto n = [&](std::size_t k) -> const std::array<Rational, 3>& {
-      return four[k < i ? k : k + 1]->n;
-    };
+    const auto n = [&](std::size_t k) -> const std::array<Rational, 3>& { return four[k < i ? k : k + 1]->n; };
     const Rational det = oracle::dot(n(0), oracle::cross(n(1), n(2)));
     minor[i] = i % 2 == 0 ? det : -det;
   }
@@ -72,8 +70,7 @@ Box around(const viz::Vec3& center, const viz::Vec3& half) { return {center - ha
 
 }  // namespace
 
-TEST_CASE("a box meets the frustum where rationals say so, also one step of its last digit off",
-          "[culling lesson]") {
+TEST_CASE("a box meets the frustum where rationals say so, also one step of its last digit off", "[culling lesson]") {
   std::mt19937_64 random(tests::seed());
   std::uniform_real_distribution<double> unit(-1, 1);
   const auto draw = [&](double scale) {
@@ -93,8 +90,7 @@ TEST_CASE("a box meets the frustum where rationals say so, also one step of its 
     }
     for (const double t : {in, out}) {
       const bool truth = truly_meet(box(t), view);
-      INFO("eye " << eye.transpose() << ", half " << half.transpose() << ", way " << way.transpose() << ", t "
-                  << t);
+      INFO("eye " << eye.transpose() << ", half " << half.transpose() << ", way " << way.transpose() << ", t " << t);
       REQUIRE(meet(box(t), view) == truth);
       ++(truth ? met : missed);
       in_vain += !truth && isect::cull(box(t), view) == Culling::crossing;
@@ -105,8 +101,7 @@ TEST_CASE("a box meets the frustum where rationals say so, also one step of its 
   CHECK(in_vain >= 10);
 }
 
-TEST_CASE("boxes that touch the frustum in one point meet it, and boxes inside and around it do",
-          "[culling lesson]") {
+TEST_CASE("boxes that touch the frustum in one point meet it, and boxes inside and around it do", "[culling lesson]") {
   const Frustum<double> view = lessons::culling_lesson::frustum({0, 0, 0});
   const viz::Vec3 corner(7, 1.75, 2.625);  // far, top, right
   CHECK(meet({corner, corner + viz::Vec3(1, 1, 1)}, view));

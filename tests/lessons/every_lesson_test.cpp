@@ -57,15 +57,13 @@ struct Page {
   int width, height;
 };
 /// Dark and grey have the lengths of screen and print, so they are tried at one size each.
-constexpr Page pages[] = {{ThemeName::screen, 480, 360},   {ThemeName::screen, 960, 600},
-                          {ThemeName::screen, 1920, 1080}, {ThemeName::print, 480, 360},
-                          {ThemeName::print, 960, 600},    {ThemeName::print, 1920, 1080},
-                          {ThemeName::dark, 960, 600},     {ThemeName::grey, 480, 360}};
+constexpr Page pages[] = {{ThemeName::screen, 480, 360}, {ThemeName::screen, 960, 600}, {ThemeName::screen, 1920, 1080},
+                          {ThemeName::print, 480, 360},  {ThemeName::print, 960, 600},  {ThemeName::print, 1920, 1080},
+                          {ThemeName::dark, 960, 600},   {ThemeName::grey, 480, 360}};
 
 }  // namespace
 
-TEST_CASE("labels neither meet nor leave the picture, in any preset, step, theme and size",
-          "[every lesson]") {
+TEST_CASE("labels neither meet nor leave the picture, in any preset, step, theme and size", "[every lesson]") {
   for (const Lesson* lesson : those_asked_for()) {
     std::vector<Walk> walks;
     for (const Preset& p : lesson->presets) walks.push_back(lesson->walk(p.parameters));
@@ -75,8 +73,8 @@ TEST_CASE("labels neither meet nor leave the picture, in any preset, step, theme
         const Camera camera = frame_alike(lesson->camera, walks[i], walks, aspect);
         for (const Step& s : walks[i].steps) {
           for (const std::string& fault : label_faults(figure(s, camera, name, w, h)))
-            FAIL_CHECK(lesson->id << " " << lesson->presets[i].id << ", " << s.slug << ", " << name_of(name)
-                                  << " " << w << "x" << h << ": " << fault);
+            FAIL_CHECK(lesson->id << " " << lesson->presets[i].id << ", " << s.slug << ", " << name_of(name) << " " << w
+                                  << "x" << h << ": " << fault);
         }
       }
     }
@@ -106,8 +104,8 @@ TEST_CASE("every line of the pseudocode is reached by a preset", "[every lesson]
     }
     for (const auto& [pseudocode, lines] : reached)
       for (int line = 0; line < static_cast<int>(pseudocode.size()); ++line) {
-        INFO(lesson->id << ", line " << line << ": " << pseudocode[static_cast<std::size_t>(line)]);
-        CHECK((lines.count(line) == 1 || is_else(pseudocode[static_cast<std::size_t>(line)])));
+        INFO(lesson->id << ", line " << line << ": " << pseudocode[line]);
+        CHECK((lines.count(line) == 1 || is_else(pseudocode[line])));
       }
   }
 }
@@ -138,8 +136,7 @@ TEST_CASE("sentences are short, steps have names of their own and a source", "[e
   }
 }
 
-TEST_CASE("each walk ends with a verdict, and steps before it leave it open or keep to it",
-          "[every lesson]") {
+TEST_CASE("each walk ends with a verdict, and steps before it leave it open or keep to it", "[every lesson]") {
   for (const Lesson* lesson : those_asked_for()) {
     int questions = 0;
     for (const Preset& p : lesson->presets) {
@@ -174,8 +171,7 @@ TEST_CASE("a flat lesson lies in one plane and is seen straight on", "[every les
   }
 }
 
-TEST_CASE("a handle that is dragged stays under the pointer, and one that is not moved stays",
-          "[every lesson]") {
+TEST_CASE("a handle that is dragged stays under the pointer, and one that is not moved stays", "[every lesson]") {
   for (const Lesson* lesson : those_asked_for()) {
     for (const Preset& p : lesson->presets) {
       const Walk walk = lesson->walk(p.parameters);
@@ -216,7 +212,7 @@ TEST_CASE("presets visit every branch of a map of cases, and a setting brought t
       }
     }
     for (int i = 0; i < static_cast<int>(map.branches.size()); ++i) {
-      INFO(lesson->id << ": " << map.branches[static_cast<std::size_t>(i)]);
+      INFO(lesson->id << ": " << map.branches[i]);
       CHECK(visited.contains(i));
     }
   }

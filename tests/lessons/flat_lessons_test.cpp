@@ -1,7 +1,7 @@
 // What the flat lessons say in the end is what the core's exact tests say: crossings, convex polygon, hull, collision.
 
-#include "core/all_pairs.h"
-#include "core/convex_hull.h"
+#include <isect/all_pairs.h>
+#include <isect/convex_hull.h>
 #include "lessons/convex_polygon/methods.h"
 #include "lessons/crossings/situations.h"
 #include "lessons/lessons.h"
@@ -52,8 +52,7 @@ TEST_CASE("the closed rule is wrong where a vertex lies on the ray between two s
   CHECK_THAT(text("inside-closed"), !Catch::Matchers::Contains("Wrong"));
 }
 
-TEST_CASE("the fan ends with the exact location, in twenty bisections for a million",
-          "[convex-polygon lesson]") {
+TEST_CASE("the fan ends with the exact location, in twenty bisections for a million", "[convex-polygon lesson]") {
   const Lesson& l = lesson("convex-polygon");
   for (const Preset& p : l.presets) {
     if (p.group != "fan") continue;
@@ -74,8 +73,7 @@ TEST_CASE("collisions: each method finds the pairs of brute force", "[collision 
   };
   for (const char* id : {"sweep", "hierarchy"}) {
     CHECK(value(last(id), "pairs") == value(last("brute-force"), "pairs"));
-    CHECK(value(last((std::string(id) + "-apart").c_str()), "pairs") ==
-          value(last("brute-force-apart"), "pairs"));
+    CHECK(value(last((std::string(id) + "-apart").c_str()), "pairs") == value(last("brute-force-apart"), "pairs"));
   }
   CHECK(value(last("brute-force"), "tests") == 15);
   CHECK(value(last("brute-force"), "brute force, *n* = 1000") == 499500);
@@ -88,17 +86,13 @@ TEST_CASE("the neighbour that a preset rings is one that the naive test has wron
   for (const Preset& p : lesson("robustness").presets) {
     INFO(p.id);
     const auto text = [&](const char* name) { return std::get<std::string>(p.parameters.at(name)); };
-    const auto number = [&](const char* name) {
-      return static_cast<int>(std::get<double>(p.parameters.at(name)));
-    };
-    const auto s = lessons::robustness_lesson::setting(text("test"), text("scalar"),
-                                                       std::get<Vec3>(p.parameters.at("p")));
-    const int truth = s.truth(number("right"), number("up")),
-              answer = s.answer(number("right"), number("up"));
+    const auto number = [&](const char* name) { return static_cast<int>(std::get<double>(p.parameters.at(name))); };
+    const auto s =
+        lessons::robustness_lesson::setting(text("test"), text("scalar"), std::get<Vec3>(p.parameters.at("p")));
+    const int truth = s.truth(number("right"), number("up")), answer = s.answer(number("right"), number("up"));
     CHECK(truth != answer);
     const std::string told = lesson("robustness").walk(p.parameters).steps.back().formula;
-    CHECK(told == "ringed: " + s.verdicts[static_cast<std::size_t>(truth + 1)] + ", naive says " +
-                      s.verdicts[static_cast<std::size_t>(answer + 1)]);
+    CHECK(told == "ringed: " + s.verdicts[truth + 1] + ", naive says " + s.verdicts[answer + 1]);
   }
 }
 

@@ -2,11 +2,11 @@
 
 #include <map>
 
-#include "core/aabb_aabb.h"
-#include "core/interval_interval.h"
-#include "core/sphere_sphere.h"
+#include <isect/aabb_aabb.h>
+#include <isect/interval_interval.h>
+#include <isect/sphere_sphere.h>
 #include "lessons/lessons.h"
-#include "lessons/relation.h"
+#include "lessons/shared/relation.h"
 #include "tests/catch.h"
 #include "viz/case_map.h"
 #include "viz/place.h"
@@ -34,8 +34,7 @@ Relation of_boxes(const Parameters& p) {
                 Aabb<double, 3>{vector(p, "b_min"), vector(p, "b_max")});
 }
 Relation of_balls(const Parameters& p) {  // the unit changes nothing about how they lie
-  return relate(Sphere<double, 3>{vector(p, "a"), number(p, "r1")},
-                Sphere<double, 3>{vector(p, "b"), number(p, "r2")});
+  return relate(Sphere<double, 3>{vector(p, "a"), number(p, "r1")}, Sphere<double, 3>{vector(p, "b"), number(p, "r2")});
 }
 
 /// The relation of each preset, the exact one, which the last step's verdict has to name.
@@ -80,8 +79,7 @@ TEST_CASE("the interval lesson shows all six relations, and points", "[pair less
 TEST_CASE("the box lesson shows all six relations, and stops at the first gap", "[pair lessons]") {
   const auto is = relations("aabb-aabb", of_boxes);
   for (const char* gap : {"gap-x", "gap-y", "gap-z"}) CHECK(is.at(gap) == disjoint);
-  for (const char* part : {"touching-face", "touching-edge", "touching-corner"})
-    CHECK(is.at(part) == touching);
+  for (const char* part : {"touching-face", "touching-edge", "touching-corner"}) CHECK(is.at(part) == touching);
   CHECK(is.at("overlapping") == overlapping);
   CHECK(is.at("a-inside-b") == a_inside_b);
   CHECK(is.at("b-inside-a") == b_inside_a);

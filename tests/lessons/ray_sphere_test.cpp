@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <map>
 
-#include "core/ray_sphere.h"
-#include "core/ray_sphere_methods.h"
+#include <isect/ray_sphere.h>
+#include <isect/ray_sphere_methods.h>
 #include "lessons/lessons.h"
 #include "tests/catch.h"
 #include "viz/case_map.h"
@@ -66,15 +66,12 @@ TEST_CASE("the method's answer in the last step is the exact one", "[ray-sphere 
                                    : truth.origin == Location::on ? Verdict::Kind::on
                                                                   : Verdict::Kind::yes;
     CHECK(walk.steps.back().verdict.kind == expected);
-    for (int i = 0; i < outcome(walk); ++i)
-      CHECK(walk.steps[static_cast<std::size_t>(i)].verdict.kind == Verdict::Kind::open);
+    for (int i = 0; i < outcome(walk); ++i) CHECK(walk.steps[i].verdict.kind == Verdict::Kind::open);
   }
 }
 
 TEST_CASE("the counters are those of the run: no root before it is needed", "[ray-sphere lesson]") {
-  const auto last = [](const char* id) {
-    return lesson().walk(preset(lesson(), id).parameters).steps.back().counters;
-  };
+  const auto last = [](const char* id) { return lesson().walk(preset(lesson(), id).parameters).steps.back().counters; };
   CHECK(last("behind").sqrt == 0);
   CHECK(last("behind").early_out);
   CHECK(last("two-roots").sqrt == 1);
@@ -98,8 +95,7 @@ TEST_CASE("the values shown are those of the untraced call", "[ray-sphere lesson
   REQUIRE(t);
   const Walk walk = lesson().walk(p);
   const std::vector<Value>& values = walk.steps.back().values;
-  const auto t1 =
-      std::find_if(values.begin(), values.end(), [](const Value& v) { return v.name == "*t*_1"; });
+  const auto t1 = std::find_if(values.begin(), values.end(), [](const Value& v) { return v.name == "*t*_1"; });
   REQUIRE(t1 != values.end());
   CHECK(t1->value == *t);
 }
@@ -132,8 +128,7 @@ TEST_CASE("a lesson bears any numbers a reader may drag or type", "[ray-sphere l
         REQUIRE_FALSE(walk.steps.empty());
         std::vector<const Scene*> scenes;
         for (const Step& s : walk.steps) scenes.push_back(&s.scene);
-        const Figure f =
-            figure(walk.steps.back(), frame(lesson().camera, scenes, 1.6), ThemeName::print, 960, 600);
+        const Figure f = figure(walk.steps.back(), frame(lesson().camera, scenes, 1.6), ThemeName::print, 960, 600);
         CHECK_FALSE(f.drawing.shapes.empty());
       }
     }

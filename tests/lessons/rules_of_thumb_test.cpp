@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include <isect/orient.h>
 #include "bench/rational.h"
 #include "bench/rows.h"
-#include "core/orient.h"
 #include "lessons/lessons.h"
 #include "lessons/rules_of_thumb/experiment.h"
 #include "lessons/speed_against_error/results.h"
@@ -26,9 +26,7 @@ const viz::Lesson& lesson() {
 }
 
 viz::Walk walk_of(const std::string& id) { return lesson().walk(viz::preset(lesson(), id).parameters); }
-Flat p_of(const std::string& id) {
-  return std::get<viz::Vec3>(viz::preset(lesson(), id).parameters.at("p")).head<2>();
-}
+Flat p_of(const std::string& id) { return std::get<viz::Vec3>(viz::preset(lesson(), id).parameters.at("p")).head<2>(); }
 
 double value(const viz::Walk& walk, const std::string& name) {
   for (const viz::Value& v : walk.steps.back().values)
@@ -58,11 +56,8 @@ TEST_CASE("there are eight rules, and each saves something in its preset", "[rul
 
 TEST_CASE("every box is rejected, accepted or left to the axes", "[rules-of-thumb lesson]") {
   const Experiment e = trivial(p_of("1-trivial"));
-  CHECK(detail_of(e, "rejected by balls") + detail_of(e, "accepted by balls") +
-            detail_of(e, "left to the axes") ==
-        14);
-  for (const char* name : {"rejected by balls", "accepted by balls", "left to the axes"})
-    CHECK(detail_of(e, name) > 0);
+  CHECK(detail_of(e, "rejected by balls") + detail_of(e, "accepted by balls") + detail_of(e, "left to the axes") == 14);
+  for (const char* name : {"rejected by balls", "accepted by balls", "left to the axes"}) CHECK(detail_of(e, name) > 0);
   const Experiment far = trivial({50, 50});
   CHECK(detail_of(far, "rejected by balls") == 14);
   // 3 differences, 3 products, 2 sums; the sum of the radii and its square; 1 comparison
@@ -123,8 +118,8 @@ TEST_CASE("the chart of times is that of the measurements", "[rules-of-thumb les
   const viz::Walk walk = walk_of("7-measure");
   const auto rows = bench::rows_of(lessons::speed_lesson::results(), "ray-sphere", "double", "ordinary");
   for (const char* method : {"quadratic", "half-B", "Haines"}) {
-    const auto row = std::ranges::find_if(
-        rows, [&](const bench::Row* r) { return r->library == "isect" && r->method == method; });
+    const auto row =
+        std::ranges::find_if(rows, [&](const bench::Row* r) { return r->library == "isect" && r->method == method; });
     REQUIRE(row != rows.end());
     CHECK(value(walk, std::string(method) + ", time") == (*row)->ns);
   }

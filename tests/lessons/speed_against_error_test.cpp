@@ -40,9 +40,8 @@ bench::Report report(double exact_ns, long wrong) {
   bench::Report r;
   for (const char* family : {"ordinary", "touch"}) {
     const bool hard = std::string(family) == "touch";
-    for (const auto& one :
-         {row("naive", 10, family, hard ? wrong : 0), row("careful", 12, family, hard ? wrong / 2 : 0),
-          row("exact", exact_ns, family, 0)})
+    for (const auto& one : {row("naive", 10, family, hard ? wrong : 0),
+                            row("careful", 12, family, hard ? wrong / 2 : 0), row("exact", exact_ns, family, 0)})
       r.rows.push_back(one);
   }
   return r;
@@ -117,8 +116,7 @@ TEST_CASE("questions about the results have one right answer", "[speed lesson]")
       CHECK(std::set<std::string>(choices.begin(), choices.end()).size() == choices.size());
       if (s.slug != "front") continue;
       const auto rows = bench::rows_of(results(), p.id, "double", "ordinary");
-      const bool by_value =
-          std::ranges::any_of(rows, [](const bench::Row* r) { return r->ulps.has_value(); });
+      const bool by_value = std::ranges::any_of(rows, [](const bench::Row* r) { return r->ulps.has_value(); });
       const auto front = bench::front_of(rows, by_value);
       for (std::size_t i = 0; i < choices.size(); ++i) {
         const bool on =
@@ -133,17 +131,13 @@ TEST_CASE("what the lesson says follows from the numbers", "[speed lesson]") {
   const bench::Report dear = report(40, 100), cheap = report(10.5, 100), harmless = report(40, 0);
   const Walk walk = Teller(dear, "a-b").walk();
   CHECK(step(walk, "touch").caption.find("10 % wrong") != std::string::npos);
-  CHECK(
-      step(walk, "touch").question->choices[static_cast<std::size_t>(step(walk, "touch").question->answer)] ==
-      "naive");
-  CHECK(step(walk, "wrong-verdicts").caption.find("Exact calls were wrong 0 times in 2,000.") !=
-        std::string::npos);
+  CHECK(step(walk, "touch").question->choices[step(walk, "touch").question->answer] == "naive");
+  CHECK(step(walk, "wrong-verdicts").caption.find("Exact calls were wrong 0 times in 2,000.") != std::string::npos);
   CHECK(step(walk, "cost").question->answer == 2);
   CHECK(step(walk, "cost").caption.find("4 times as long as naive") != std::string::npos);
   CHECK(walk.steps.back().caption.find("30 ns a call") != std::string::npos);
 
-  CHECK(Teller(cheap, "a-b").walk().steps.back().caption.find("costs no more than naive") !=
-        std::string::npos);
+  CHECK(Teller(cheap, "a-b").walk().steps.back().caption.find("costs no more than naive") != std::string::npos);
 
   const Walk calm = Teller(harmless, "a-b").walk();
   CHECK(calm.steps.back().caption.find("No case judged here broke naive") != std::string::npos);
@@ -159,8 +153,7 @@ TEST_CASE("no label of the lesson's charts meets another or leaves the picture",
           const Figure f = figure(s, lesson().camera, name, w, h);
           for (std::size_t i = 0; i < f.labels.size(); ++i) {
             const TextBox& b = f.labels[i].box;
-            INFO(p.id << ", " << s.slug << ", " << name_of(name) << " " << w << "x" << h << ": "
-                      << f.labels[i].text);
+            INFO(p.id << ", " << s.slug << ", " << name_of(name) << " " << w << "x" << h << ": " << f.labels[i].text);
             CHECK((b.left >= 0 && b.top >= 0 && b.right <= w && b.bottom <= h));
             for (std::size_t j = 0; j < i; ++j) {
               INFO("and " << f.labels[j].text);

@@ -19,8 +19,7 @@ std::string trace(const Lesson& lesson, const Preset& preset, Walk walk, const C
   if (walk.steps.size() > enough)
     walk.steps.erase(walk.steps.begin(), walk.steps.end() - static_cast<std::ptrdiff_t>(enough));
   std::vector<Drawing> drawings;
-  for (const Step& step : walk.steps)
-    drawings.push_back(figure(step, camera, ThemeName::screen, 960, 600).drawing);
+  for (const Step& step : walk.steps) drawings.push_back(figure(step, camera, ThemeName::screen, 960, 600).drawing);
   return trace_json(lesson, preset.id, preset.parameters, walk, drawings, stamp);
 }
 
@@ -30,8 +29,8 @@ TEST_CASE("a camera that differs by rounding gives the same trace of every prese
   for (const Lesson* lesson : all_lessons())
     for (const Preset& preset : lesson->presets) {
       const Walk walk = lesson->walk(preset.parameters);
-      const Camera camera = frame_alike(lesson->camera, walk, {walk},
-                                        picture_aspect(walk, ThemeName::screen, 960, 600));
+      const Camera camera =
+          frame_alike(lesson->camera, walk, {walk}, picture_aspect(walk, ThemeName::screen, 960, 600));
       Camera other = camera;
       other.azimuth *= 1 + 1e-14;
       other.elevation *= 1 - 1e-14;

@@ -6,9 +6,9 @@
 #include <map>
 #include <numbers>
 
-#include "core/clip_polygon.h"
-#include "core/clip_segment.h"
-#include "core/point_sphere.h"
+#include <isect/clip_polygon.h>
+#include <isect/clip_segment.h>
+#include <isect/point_sphere.h>
 #include "lessons/culling/culled.h"
 #include "lessons/lessons.h"
 #include "lessons/picking/objects.h"
@@ -50,7 +50,7 @@ TEST_CASE("a segment's lesson ends with the exact range, and each side narrows i
     INFO(p.id);
     const Walk walk = lesson("clipping").walk(p.parameters);
     const auto truth = clip(Segment<double, 2>{at(p.parameters, "p"), at(p.parameters, "q")}, clipping_box);
-    const Step& last = walk.steps[static_cast<std::size_t>(outcome(walk))];
+    const Step& last = walk.steps[outcome(walk)];
     CHECK((last.verdict.kind != Verdict::Kind::no) == truth.has_value());
     none += !truth;
     double lo = 0, hi = 1;
@@ -83,8 +83,7 @@ TEST_CASE("trivial answers cost no division, others one a side at most", "[clipp
   CHECK(last("along-a-side").verdict.kind == Verdict::Kind::on);
 }
 
-TEST_CASE("slabs by reciprocals lose a segment along an upper side, and nothing else here",
-          "[clipping lesson]") {
+TEST_CASE("slabs by reciprocals lose a segment along an upper side, and nothing else here", "[clipping lesson]") {
   for (const Preset& p : lesson("clipping").presets) {
     INFO(p.id);
     std::string wrong;
@@ -94,8 +93,7 @@ TEST_CASE("slabs by reciprocals lose a segment along an upper side, and nothing 
   }
   Parameters along = preset(lesson("clipping"), "along-a-side").parameters;
   for (const char* end : {"p", "q"}) std::get<Vec3>(along.at(end)).y() = clipping_box.lo.y();
-  for (const Opinion& o : lesson("clipping").opinions(along))
-    CHECK(o.agrees);  // there NaN falls the other way
+  for (const Opinion& o : lesson("clipping").opinions(along)) CHECK(o.agrees);  // there NaN falls the other way
 }
 
 TEST_CASE("a polygon's lesson ends with the exact test's ring", "[clipping lesson]") {
@@ -157,7 +155,7 @@ TEST_CASE("every volume is coloured by the core's own answer", "[culling lesson]
     const Walk walk = lesson("culling").walk(p.parameters);
     const Frustum<double> view = lessons::culling_lesson::frustum(std::get<Vec3>(p.parameters.at("eye")));
     const int shown = p.id == "hierarchy" ? static_cast<int>(walk.steps.size()) - 2 : outcome(walk);
-    const auto all = volumes(walk.steps[static_cast<std::size_t>(shown)].scene);
+    const auto all = volumes(walk.steps[shown].scene);
     CHECK(all.size() == (p.id == "hierarchy" ? 16 : p.id == "scene" ? 10 : 1));
     int drawn = 0;
     for (const auto& [volume, role] : all) {
@@ -204,10 +202,9 @@ TEST_CASE("beyond an edge no plane rejects a box that has no point of the frustu
         inside += in;
       }
   CHECK(inside == 0);
-  CHECK_THAT(walk_of("culling", "beyond-an-edge").steps.back().verdict.text,
-             Catch::Matchers::Contains("not visible"));
+  CHECK_THAT(walk_of("culling", "beyond-an-edge").steps.back().verdict.text, Catch::Matchers::Contains("not visible"));
   const CaseMap& map = *lesson("culling").map;
-  CHECK(map.branches[static_cast<std::size_t>(map.branch(p))] == "crossing in vain");
+  CHECK(map.branches[map.branch(p)] == "crossing in vain");
   CHECK(lessons::culling_lesson::meet({{0, 0, 0}, {1, 1, 1}}, view));
   CHECK(lessons::culling_lesson::meet({{-9, -9, -9}, {9, 9, 9}}, view));
 }
@@ -221,7 +218,7 @@ TEST_CASE("under a hierarchy the same boxes are drawn as one by one", "[culling 
     std::vector<int> drawn = found.drawn, expected;
     std::ranges::sort(drawn);
     for (int i = 0; i < n; ++i)
-      if (cull(boxes[static_cast<std::size_t>(i)], view) != Culling::outside) expected.push_back(i);
+      if (cull(boxes[i], view) != Culling::outside) expected.push_back(i);
     CHECK(drawn == expected);
     CHECK_FALSE(expected.empty());
     if (n > 16) CHECK(found.tests < n / 2);
@@ -241,8 +238,7 @@ TEST_CASE("the first plane that rejects a volume ends its test", "[culling lesso
   CHECK(lesson("culling").walk(p).steps.back().verdict.kind == Verdict::Kind::no);
   const Step last = walk_of("culling", "outside").steps.back();
   CHECK(last.counters.early_out);
-  CHECK(
-      (last.counters.mul > 0 && last.counters.mul < walk_of("culling", "inside").steps.back().counters.mul));
+  CHECK((last.counters.mul > 0 && last.counters.mul < walk_of("culling", "inside").steps.back().counters.mul));
 }
 
 namespace {
@@ -317,7 +313,7 @@ TEST_CASE("the traced picture shows what the rasteriser draws, pixel by pixel", 
   const Picture picture = offscreen().render(drawing);
 
   const auto traced = [&](int x, int y) {
-    const auto& hit = image.pixels[static_cast<std::size_t>(y * columns + x)].hit;
+    const auto& hit = image.pixels[y * columns + x].hit;
     return hit ? hit->primitive : -1;
   };
   int agree = 0, inner = 0;
@@ -351,12 +347,11 @@ TEST_CASE("each pixel of the lesson's picture is the closest of all hits, shaded
   int lit = 0, shadow = 0, away = 0, sky = 0;
   for (int y = 0; y < rows; ++y)
     for (int x = 0; x < columns; ++x) {
-      const Traced& t = image.pixels[static_cast<std::size_t>(y * columns + x)];
+      const Traced& t = image.pixels[y * columns + x];
       const auto ray = eye.through(eye.on_plane({x + 0.5, y + 0.5}));
       std::optional<double> least;
       for (const Object& o : world.objects)
-        if (const auto hit = lessons::sight::first_hit(ray, o.shape); hit && (!least || *hit < *least))
-          least = hit;
+        if (const auto hit = lessons::sight::first_hit(ray, o.shape); hit && (!least || *hit < *least)) least = hit;
       REQUIRE(least.has_value() == t.hit.has_value());
       sky += !least;
       if (!least) continue;
@@ -369,8 +364,7 @@ TEST_CASE("each pixel of the lesson's picture is the closest of all hits, shaded
       }
       bool blocked = false;  // a little off the surface, where the lesson leaves the object out
       const lessons::sight::Ray3 shadow_ray = {t.point + 1e-9 * t.normal, lamp - t.point, {0, 1}};
-      for (const Object& o : world.objects)
-        blocked = blocked || lessons::sight::first_hit(shadow_ray, o.shape);
+      for (const Object& o : world.objects) blocked = blocked || lessons::sight::first_hit(shadow_ray, o.shape);
       CHECK(blocked == t.blocker.has_value());
       CHECK((t.light > 0.2) != blocked);
       (blocked ? shadow : lit) += 1;
@@ -434,8 +428,7 @@ TEST_CASE("the picking presets are what their names say", "[picking lesson]") {
     return lessons::sight::first_hit(ray(id), world.object(object).shape);
   };
   const auto in_ball = [&](const char* id, int object) {
-    return lessons::sight::first_hit(ray(id),
-                                     lessons::picking_lesson::bounding_ball(world.object(object).shape));
+    return lessons::sight::first_hit(ray(id), lessons::picking_lesson::bounding_ball(world.object(object).shape));
   };
   REQUIRE((t("front", 0) && t("front", 1)));
   CHECK(*t("front", 1) < *t("front", 0));

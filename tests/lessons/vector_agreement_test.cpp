@@ -27,9 +27,8 @@ Picture rasterised(const std::string& svg, const Page& page) {
   std::string folder = (fs::temp_directory_path() / "isect-vector-XXXXXX").string();
   REQUIRE(mkdtemp(folder.data()) != nullptr);
   write_file(folder + "/figure.svg", svg);
-  const std::string command = "rsvg-convert -w " + std::to_string(page.width) + " -h " +
-                              std::to_string(page.height) + " " + folder + "/figure.svg -o " + folder +
-                              "/figure.png";
+  const std::string command = "rsvg-convert -w " + std::to_string(page.width) + " -h " + std::to_string(page.height) +
+                              " " + folder + "/figure.svg -o " + folder + "/figure.png";
   INFO("rsvg-convert is of the package librsvg2-bin, which `./run test` installs");
   REQUIRE(std::system(command.c_str()) == 0);
   Picture picture = read_png(read_file(folder + "/figure.png"));
@@ -51,11 +50,11 @@ double worst_window(const Picture& a, const Picture& b) {
     for (int y = 0; y < a.height; ++y) {
       int window = 0;
       for (int x = 0; x < a.width; ++x) {
-        int& column = columns[static_cast<std::size_t>(x)];
+        int& column = columns[x];
         column += difference(x, y);
         if (y >= side) column -= difference(x, y - side);
         window += column;
-        if (x >= side) window -= columns[static_cast<std::size_t>(x - side)];
+        if (x >= side) window -= columns[x - side];
         if (x >= side - 1 && y >= side - 1) worst = std::max(worst, std::abs(window));
       }
     }
@@ -68,13 +67,14 @@ double disagreement(const Lesson& lesson, const Preset& preset, const Page& page
   const Camera camera =
       frame_alike(lesson.camera, walk, {walk}, picture_aspect(walk, page.theme, page.width, page.height));
   const auto last = static_cast<int>(walk.steps.size()) - 1;
-  const Step& step = walk.steps[static_cast<std::size_t>(std::max(0, last - from_end))];
+  const Step& step = walk.steps[std::max(0, last - from_end)];
   const Drawing drawing = figure(step, camera, page.theme, page.width, page.height).drawing;
   return worst_window(rasterised(svg(drawing), page), offscreen().render(drawing));
 }
 
-/// Measured over all these figures: at most 24.3 of 255, where many thin lines cross. At half this size a picture 0.5 % too
-/// large differed by 168 and more, one 0.1 % too large by 41, texts a pixel too low by 38, and here they stand twice as far.
+/// Measured over all these figures: at most 24.3 of 255, where many thin lines cross. At half this size a picture 0.5 %
+/// too large differed by 168 and more, one 0.1 % too large by 41, texts a pixel too low by 38, and here they stand
+/// twice as far.
 constexpr double limit = 28;
 
 }  // namespace
@@ -83,8 +83,7 @@ TEST_CASE("PNG and SVG of every lesson agree, lines, areas and texts", "[vector_
   for (const Lesson* lesson : all_lessons())
     for (const int from_end : {0, 1}) {
       INFO(lesson->id << ", " << from_end << " steps before the last");
-      CHECK(disagreement(*lesson, lesson->presets.front(), {ThemeName::screen, 1920, 1200}, from_end) <
-            limit);
+      CHECK(disagreement(*lesson, lesson->presets.front(), {ThemeName::screen, 1920, 1200}, from_end) < limit);
     }
 }
 

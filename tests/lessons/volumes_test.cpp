@@ -5,21 +5,21 @@
 #include <map>
 #include <optional>
 
-#include "core/aabb_aabb.h"
-#include "core/convex_polygons.h"
-#include "core/obb_obb.h"
-#include "core/point_aabb.h"
-#include "core/point_kdop.h"
-#include "core/point_obb.h"
-#include "core/point_sphere.h"
-#include "core/ray_aabb.h"
-#include "core/sphere_sphere.h"
-#include "core/triangle_aabb.h"
+#include <isect/aabb_aabb.h>
+#include <isect/convex_polygons.h>
+#include <isect/obb_obb.h>
+#include <isect/point_aabb.h>
+#include <isect/point_kdop.h>
+#include <isect/point_obb.h>
+#include <isect/point_sphere.h>
+#include <isect/ray_aabb.h>
+#include <isect/sphere_sphere.h>
+#include <isect/triangle_aabb.h>
 #include "lessons/bounding_volumes/object.h"
 #include "lessons/hierarchy/tree.h"
 #include "lessons/lessons.h"
-#include "lessons/relation.h"
 #include "lessons/relations/pair.h"
+#include "lessons/shared/relation.h"
 #include "tests/catch.h"
 #include "viz/chart.h"
 #include "viz/place.h"
@@ -70,8 +70,7 @@ TEST_CASE("what two shapes share is drawn as what it is", "[relations]") {
   using relations::Kind;
   const auto shared = [](Kind kind, Relation relation) {
     const auto& all = relations::situations(kind);
-    const auto it =
-        std::ranges::find_if(all, [&](const relations::Situation& s) { return s.relation == relation; });
+    const auto it = std::ranges::find_if(all, [&](const relations::Situation& s) { return s.relation == relation; });
     return relations::shared(relations::Pair(kind, it->pose));
   };
   CHECK(count<Dot>(shared(Kind::balls, Relation::touching)) == 1);
@@ -106,9 +105,8 @@ TEST_CASE("five of the six relations say yes, and the walks' verdicts name them"
     bool named = false;
     for (const relations::Kind kind : relations::kinds)
       for (const relations::Situation& s : relations::situations(kind))
-        named =
-            named || (p.title == relations::name(kind) + ": " + s.title &&
-                      walk.steps.back().verdict.text == lessons::words(s.relation, relations::they(kind)));
+        named = named || (p.title == relations::name(kind) + ": " + s.title &&
+                          walk.steps.back().verdict.text == lessons::words(s.relation, relations::they(kind)));
     CHECK(named);
     if (p.id.find("disjoint") != std::string::npos) continue;
     const Step& grid = step_of(walk, "what-it-loses");
@@ -193,8 +191,8 @@ TEST_CASE("a trivial answer asks no triangle, potential overlap asks them all", 
     if (std::get<std::string>(p.parameters.at("walk")) != "test") continue;
     INFO(p.id);
     const Walk walk = lesson.walk(p.parameters);
-    const TriangleMesh<double> mesh = volumes::object(std::get<std::string>(p.parameters.at("object")),
-                                                      std::get<Vec3>(p.parameters.at("tip")));
+    const TriangleMesh<double> mesh =
+        volumes::object(std::get<std::string>(p.parameters.at("object")), std::get<Vec3>(p.parameters.at("tip")));
     const Vec3 q = std::get<Vec3>(p.parameters.at("q")),
                reach = Vec3::Constant(std::get<double>(p.parameters.at("reach")));
     const Aabb<double, 3> window = {q - reach, q + reach};
@@ -204,9 +202,8 @@ TEST_CASE("a trivial answer asks no triangle, potential overlap asks them all", 
       meet += intersects(triangle(mesh, i), window) ? 1 : 0;
 
     const Step& last = walk.steps.back();
-    const std::vector<std::string> branches = {"reject", "accept", "void",
-                                               "overlap"};  // as the presets are named
-    CHECK(branches[static_cast<std::size_t>(lesson.map->branch(p.parameters))] == p.id);
+    const std::vector<std::string> branches = {"reject", "accept", "void", "overlap"};  // as the presets are named
+    CHECK(branches[lesson.map->branch(p.parameters)] == p.id);
     if (p.id == "reject" || p.id == "accept") {
       CHECK(operations(last) <= 18);  // two boxes disjoint, one in the other
       CHECK(last.counters.early_out);
@@ -246,8 +243,7 @@ Vec3 vector(const Parameters& p, const char* name) { return std::get<Vec3>(p.at(
 
 }  // namespace
 
-TEST_CASE("the walk of a ray ends with the closest box of all, and each box is tested or ruled out",
-          "[hierarchy]") {
+TEST_CASE("the walk of a ray ends with the closest box of all, and each box is tested or ruled out", "[hierarchy]") {
   const Lesson& lesson = lesson_named(lessons::all_lessons(), "hierarchy");
   int hits = 0, pruned_beyond = 0;
   for (Preset p : lesson.presets) {
@@ -259,16 +255,14 @@ TEST_CASE("the walk of a ray ends with the closest box of all, and each box is t
       const hierarchy::Boxes boxes = hierarchy::scattered(vector(p.parameters, "p"));
       std::optional<std::pair<double, int>> closest;
       for (int i = 0; i < static_cast<int>(boxes.size()); ++i) {
-        const auto part =
-            intersect(Ray<double, 2>{o.head<2>(), d.head<2>()}, boxes[static_cast<std::size_t>(i)]);
+        const auto part = intersect(Ray<double, 2>{o.head<2>(), d.head<2>()}, boxes[i]);
         if (part && (!closest || part->lo < closest->first)) closest = {part->lo, i};
       }
       const Walk walk = lesson.walk(p.parameters);
       const Step& last = walk.steps.back();
       CHECK((last.verdict.kind == Verdict::Kind::yes) == closest.has_value());
       if (closest)
-        CHECK(last.verdict.text ==
-              "box " + std::to_string(closest->second) + " at *t* = " + shown(closest->first));
+        CHECK(last.verdict.text == "box " + std::to_string(closest->second) + " at *t* = " + shown(closest->first));
       CHECK(value_of(last, "box tests") + value_of(last, "ruled out") == 12);
       hits += closest ? 1 : 0;
       for (const Step& s : walk.steps) pruned_beyond += s.slug.starts_with("farther") ? 1 : 0;
@@ -278,8 +272,7 @@ TEST_CASE("the walk of a ray ends with the closest box of all, and each box is t
   CHECK(pruned_beyond >= 2);
 }
 
-TEST_CASE("two hierarchies find the pairs that each with each finds, and account for all of them",
-          "[hierarchy]") {
+TEST_CASE("two hierarchies find the pairs that each with each finds, and account for all of them", "[hierarchy]") {
   const Lesson& lesson = lesson_named(lessons::all_lessons(), "hierarchy");
   Parameters parameters = preset(lesson, "pairs").parameters;
   for (const Vec3& q : {vector(parameters, "q"), Vec3(-2.5, 0.75, 0), Vec3(-1.5, -1.25, 0), Vec3(50, 0, 0)}) {
@@ -293,8 +286,7 @@ TEST_CASE("two hierarchies find the pairs that each with each finds, and account
     const Step& last = walk.steps.back();
     CHECK(value_of(last, "found") == found);
     CHECK((found == 0) == (last.verdict.kind == Verdict::Kind::no));
-    const bool any_apart =
-        std::ranges::any_of(walk.steps, [](const Step& s) { return s.slug.starts_with("apart"); });
+    const bool any_apart = std::ranges::any_of(walk.steps, [](const Step& s) { return s.slug.starts_with("apart"); });
     const double ruled_out = any_apart ? value_of(last, "pairs ruled out") : 0;
     CHECK(value_of(last, "box pairs") + ruled_out == static_cast<double>(a.size() * b.size()));
   }

@@ -12,7 +12,7 @@ HAINES = "lessons/ray_sphere/haines.cpp"
 TELLER = "lessons/ray_sphere/teller.cpp"
 TELLING = "lessons/ray_sphere/teller.h"
 CASES = "lessons/ray_sphere/cases.cpp"
-BALLS = "lessons/sphere-sphere.cpp"
+BALLS = "lessons/sphere_sphere/lesson.cpp"
 
 FAULTS = [
     # What is drawn.

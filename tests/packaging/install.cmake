@@ -14,7 +14,7 @@ file(REMOVE_RECURSE ${SCRATCH})
 must(${CMAKE_COMMAND} --install ${ISECT_BUILD} --prefix ${SCRATCH}/prefix)
 must(${CMAKE_COMMAND} -S ${CONSUMER} -B ${SCRATCH}/build -D CMAKE_PREFIX_PATH=${SCRATCH}/prefix
   -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_BUILD_TYPE=Release)
-file(GLOB headers ${CONSUMER}/../../core/*.h)
+file(GLOB_RECURSE headers ${CONSUMER}/../../core/isect/*.h)
 list(LENGTH headers count)
 if(NOT text MATCHES "-- ${count} installed headers")
   message(FATAL_ERROR "not all of ${count} headers are installed:\n${text}")

@@ -1,7 +1,7 @@
 // One question to the installed core: the exact one. Every installed header is compiled alone beside this.
 #include <cstdio>
 
-#include "core/ray_sphere.h"
+#include <isect/ray_sphere.h>
 
 int main() {
   const isect::Ray<double, 3> ray = {{-3, 0, 0}, {2, 0, 0}};

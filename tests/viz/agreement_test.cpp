@@ -34,8 +34,7 @@ Box in_svg(const std::string& svg, const Colour& colour) {
   for (std::size_t at = svg.find("fill:rgb("); at != std::string::npos; at = svg.find("fill:rgb(", at + 1)) {
     double r = 0, g = 0, b = 0;
     std::sscanf(svg.c_str() + at, "fill:rgb(%lf%%,%lf%%,%lf%%)", &r, &g, &b);
-    if (std::abs(r / 100 - colour.r) + std::abs(g / 100 - colour.g) + std::abs(b / 100 - colour.b) > 1e-5)
-      continue;
+    if (std::abs(r / 100 - colour.r) + std::abs(g / 100 - colour.g) + std::abs(b / 100 - colour.b) > 1e-5) continue;
     const std::size_t path = svg.find("d=\"", at) + 3;
     std::istringstream words(svg.substr(path, svg.find('"', path) - path));
     box = {};

@@ -21,16 +21,15 @@ const ThemeName all_themes[] = {ThemeName::screen, ThemeName::print, ThemeName::
 Chart race(int count) {
   const char* families[] = {"ordinary",         "near tangent", "far small", "exact tangent",
                             "direction length", "on surface",   "planet",    "zero radius"};
-  Plot plot = {
-      {Scale::Kind::log, 2, 9000, "time per call (ns). Marker: 99th percentile; bar: down to the median"},
-      {Scale::Kind::linear, 0, 28, "log_2(1 + error in ulp)"},
-      {{"textbook quadratic", Glyph::square},
-       {"half-B", Glyph::diamond},
-       {"Haines", Glyph::triangle},
-       {"stable roots", Glyph::disc},
-       {"CGAL: do_intersect", Glyph::saltire},
-       {"exact", Glyph::star}},
-      {}};
+  Plot plot = {{Scale::Kind::log, 2, 9000, "time per call (ns). Marker: 99th percentile; bar: down to the median"},
+               {Scale::Kind::linear, 0, 28, "log_2(1 + error in ulp)"},
+               {{"textbook quadratic", Glyph::square},
+                {"half-B", Glyph::diamond},
+                {"Haines", Glyph::triangle},
+                {"stable roots", Glyph::disc},
+                {"CGAL: do_intersect", Glyph::saltire},
+                {"exact", Glyph::star}},
+               {}};
   for (int i = 0; i < count; ++i) {
     Panel panel = {families[i], i > 0 ? "hard" : ""};
     panel.spots = {{0, 3, 12.0 + i, 4}, {1, 3, 12.0 + i, 4}, {2, 2.9, 11, 3, true},
@@ -55,8 +54,7 @@ Chart growth() {
 }
 
 Chart rows() {
-  Bars bars = {
-      {Scale::Kind::log, 0.05, 20, "measured, divided by the peer"}, {{"isect", Glyph::star, Role::hit}}, {}};
+  Bars bars = {{Scale::Kind::log, 0.05, 20, "measured, divided by the peer"}, {{"isect", Glyph::star, Role::hit}}, {}};
   for (int i = 0; i < 9; ++i)
     bars.bars.push_back({"a piece of work with a long name, number " + std::to_string(i),
                          {{0, 0.1 * (i + 1)}},
@@ -69,8 +67,7 @@ Chart rows() {
 Map stripes(int columns, int rows) {
   Map map = {"stripes and dots", "12.5 % wrong", columns, rows, {}};
   for (int y = 0; y < rows; ++y)
-    for (int x = 0; x < columns; ++x)
-      map.cells.push_back(static_cast<unsigned char>((x * x + 3 * y + x * y / 3) % 5));
+    for (int x = 0; x < columns; ++x) map.cells.push_back(static_cast<unsigned char>((x * x + 3 * y + x * y / 3) % 5));
   return map;
 }
 Chart maps(int count) {
@@ -116,10 +113,9 @@ TEST_CASE("no label of a chart meets another or leaves the picture, on any theme
         REQUIRE(figure.labels.size() > 3);
         for (std::size_t i = 0; i < figure.labels.size(); ++i) {
           const TextBox& b = figure.labels[i].box;
-          INFO(figure.labels[i].text << " at " << b.left << ' ' << b.top << " of " << figure.drawing.width
-                                     << " x " << figure.drawing.height);
-          CHECK((b.left >= 0 && b.top >= 0 && b.right <= figure.drawing.width &&
-                 b.bottom <= figure.drawing.height));
+          INFO(figure.labels[i].text << " at " << b.left << ' ' << b.top << " of " << figure.drawing.width << " x "
+                                     << figure.drawing.height);
+          CHECK((b.left >= 0 && b.top >= 0 && b.right <= figure.drawing.width && b.bottom <= figure.drawing.height));
           for (std::size_t j = 0; j < i; ++j) {
             INFO(figure.labels[j].text);
             CHECK_FALSE(meet(b, figure.labels[j].box));
@@ -130,8 +126,7 @@ TEST_CASE("no label of a chart meets another or leaves the picture, on any theme
 
 TEST_CASE("the text of a chart at 8 cm is never smaller than 6 pt", "[chart]") {
   for (const Chart& chart : {race(8), growth(), rows(), maps(9)})
-    for (const Text& text : all<Text>(chart_figure(chart, ThemeName::print, 227).drawing.shapes))
-      CHECK(text.size >= 6);
+    for (const Text& text : all<Text>(chart_figure(chart, ThemeName::print, 227).drawing.shapes)) CHECK(text.size >= 6);
 }
 
 TEST_CASE("the same chart gives the same bytes", "[chart]") {
@@ -189,8 +184,7 @@ TEST_CASE("zero stands on a line of its own below the logarithmic ones", "[chart
                {{"p", "", {{0, 10, 0}, {0, 30, 10}, {0, 90, 1e6}}}}};
   const Figure figure = chart_figure({plot}, ThemeName::print, 227);
   std::vector<Vec2> at = discs(figure.drawing.shapes);
-  at.erase(std::remove_if(at.begin(), at.end(),
-                          [&](const Vec2& p) { return p.y() > 0.9 * figure.drawing.height; }),
+  at.erase(std::remove_if(at.begin(), at.end(), [&](const Vec2& p) { return p.y() > 0.9 * figure.drawing.height; }),
            at.end());
   REQUIRE(at.size() == 3);
   std::sort(at.begin(), at.end(), [](const Vec2& a, const Vec2& b) { return a.x() < b.x(); });
@@ -206,9 +200,7 @@ TEST_CASE("zero stands on a line of its own below the logarithmic ones", "[chart
 TEST_CASE("every cell of a map shows its own kind", "[chart]") {
   const Map map = stripes(13, 7);
   Maps chart = {
-      {{"a", Tone::first}, {"b", Tone::second}, {"c", Tone::on}, {"d", Tone::mild}, {"e", Tone::wrong}},
-      {map},
-      ""};
+      {{"a", Tone::first}, {"b", Tone::second}, {"c", Tone::on}, {"d", Tone::mild}, {"e", Tone::wrong}}, {map}, ""};
   for (const ThemeName name : all_themes) {
     const Figure figure = chart_figure({chart}, name, 227);
     const std::vector<Fill> fills = all<Fill>(figure.drawing.shapes);
@@ -217,8 +209,7 @@ TEST_CASE("every cell of a map shows its own kind", "[chart]") {
       Colour colour;
       for (const Fill& fill : fills) {
         const std::vector<Vec2> c = flatten(fill.path);
-        if (c.size() == 4 && c[0].x() < x && x < c[2].x() && c[0].y() < y && y < c[2].y())
-          colour = fill.colour;
+        if (c.size() == 4 && c[0].x() < x && x < c[2].x() && c[0].y() < y && y < c[2].y()) colour = fill.colour;
       }
       return colour;
     };

@@ -45,8 +45,7 @@ TEST_CASE("labels of a crowded scene neither meet nor leave the picture", "[comp
 
 TEST_CASE("the placed box is the box that the drawn text covers", "[compose]") {
   const Scene scene = crowded();
-  const Composed composed =
-      compose(scene, View(frame({}, {&scene}, 1.6), 960, 600), theme(ThemeName::print, 960, 600));
+  const Composed composed = compose(scene, View(frame({}, {&scene}, 1.6), 960, 600), theme(ThemeName::print, 960, 600));
   const std::vector<Text> texts = all<Text>(composed.shapes);
   REQUIRE(texts.size() == composed.labels.size());
   for (std::size_t i = 0; i < texts.size(); ++i) {

@@ -75,8 +75,7 @@ TEST_CASE("flattening repeats no point, neither a neighbour nor a closed path's 
   CHECK(round.front() != round.back());
   for (std::size_t i = 1; i < round.size(); ++i) REQUIRE(round[i] != round[i - 1]);
 
-  CHECK(flatten(polyline({{0, 0}, {0, 0}, {1, 0}, {1, 0}, {0, 0}}, true)) ==
-        std::vector<Vec2>{{0, 0}, {1, 0}});
+  CHECK(flatten(polyline({{0, 0}, {0, 0}, {1, 0}, {1, 0}, {0, 0}}, true)) == std::vector<Vec2>{{0, 0}, {1, 0}});
   CHECK(flatten(polyline({{0, 0}, {1, 0}, {0, 0}})) == std::vector<Vec2>{{0, 0}, {1, 0}, {0, 0}});
 }
 

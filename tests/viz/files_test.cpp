@@ -33,9 +33,7 @@ class Folder {
   Folder& operator=(const Folder&) = delete;
 
   std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-  std::ptrdiff_t entries() const {
-    return std::distance(fs::directory_iterator(path_), fs::directory_iterator());
-  }
+  std::ptrdiff_t entries() const { return std::distance(fs::directory_iterator(path_), fs::directory_iterator()); }
 
  private:
   fs::path path_;
@@ -184,8 +182,7 @@ TEST_CASE("a path that cannot be written is named with the reason", "[files]") {
   CHECK(contains(message_of([] { write_file("", "y"); }), "cannot write ''"));
 }
 
-TEST_CASE("a link is written through and stays, to a file, to a link, and to a file yet to be made",
-          "[files]") {
+TEST_CASE("a link is written through and stays, to a file, to a link, and to a file yet to be made", "[files]") {
   const Folder folder;
   write_file(folder / "real/figure.svg", "old");
   fs::create_symlink("real/figure.svg", folder / "first");

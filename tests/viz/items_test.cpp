@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/convex_hull_3d.h"
+#include <isect/convex_hull_3d.h>
 #include "tests/catch.h"
 #include "tests/viz/pixels.h"
 #include "viz/compose.h"
@@ -46,8 +46,7 @@ struct Drawn {
   }
 };
 
-Drawn drawn(const std::vector<Item>& items, ThemeName name = ThemeName::print,
-            const Camera& camera = straight_on()) {
+Drawn drawn(const std::vector<Item>& items, ThemeName name = ThemeName::print, const Camera& camera = straight_on()) {
   const Scene scene = {items, {}, {}};
   const Theme style = theme(name, 480, 300);
   const View view(frame(camera, {&scene}, 1.6), 480, 300);
@@ -66,7 +65,7 @@ TEST_CASE("a solid shows its front faces, the darker the less light falls on the
   REQUIRE(alphas.size() == 3);
   std::sort(alphas.begin(), alphas.end());
   CHECK(alphas[0] == Approx(d.style.fill_alpha * (1.9 - 1.45 * 0.793)).epsilon(0.01));  // the top
-  CHECK(alphas[2] == Approx(d.style.fill_alpha * 1.9));  // turned away from the light
+  CHECK(alphas[2] == Approx(d.style.fill_alpha * 1.9));                                 // turned away from the light
   CHECK(d.length(Role::first, true) > 0);
   CHECK(d.length(Role::first, false) > 2.5 * d.length(Role::first, true));
 }
@@ -84,9 +83,7 @@ TEST_CASE("a triangulated box has twelve edges still", "[items]") {
   std::vector<Vec3> corners = solid(box, Role::first).vertices;
   const Solid hull = solid(convex_hull<double>(std::span<const Vec3>(corners)), Role::first);
   CHECK(hull.faces.size() == 12);
-  const auto strokes = [](const Solid& s) {
-    return drawn({s}, ThemeName::print, Camera{}).all<Stroke>().size();
-  };
+  const auto strokes = [](const Solid& s) { return drawn({s}, ThemeName::print, Camera{}).all<Stroke>().size(); };
   CHECK(strokes(hull) == 12);
   CHECK(strokes(solid(box, Role::first)) == 12);
 }
@@ -103,9 +100,8 @@ TEST_CASE("what two objects share has the thickest outline, dashed where it is h
 }
 
 TEST_CASE("a region is filled by the even-odd rule, in both back ends' one shape", "[items]") {
-  const Region ring = {
-      {{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}}, {{1, 1, 0}, {3, 1, 0}, {3, 3, 0}, {1, 3, 0}}},
-      Role::hit};
+  const Region ring = {{{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}}, {{1, 1, 0}, {3, 1, 0}, {3, 3, 0}, {1, 3, 0}}},
+                       Role::hit};
   const Drawn d = drawn({ring});
   REQUIRE(d.all<Fill>().size() == 1);
   CHECK(d.all<Fill>()[0].more.size() == 1);
@@ -135,8 +131,7 @@ TEST_CASE("a circle in space is the ellipse its points project to", "[items]") {
   const Drawn d = drawn({Circle{{1, 0, 0}, 2, Role::first, Pen::solid, true, n}}, ThemeName::print, Camera{});
   const std::vector<Vec2> rim = flatten(d.all<Fill>().at(0).path);
   REQUIRE(rim.size() > 20);
-  for (const Vec2& p :
-       rim) {  // each lies on the plane and at the radius, where the sight line meets the plane
+  for (const Vec2& p : rim) {  // each lies on the plane and at the radius, where the sight line meets the plane
     const View::SightLine line = d.view.sight_line(p);
     const double t = n.dot(Vec3(1, 0, 0) - line.origin) / n.dot(line.direction);
     CHECK((line.origin + t * line.direction - Vec3(1, 0, 0)).norm() == Approx(2).epsilon(2e-3));
@@ -192,8 +187,7 @@ TEST_CASE("framing keeps each kind of item inside the picture", "[items]") {
 TEST_CASE("labels keep off the outlines of every kind of item", "[items]") {
   Raster raster;
   raster.across = {3, 0, 0}, raster.down = {0, -3, 0}, raster.cells = {{}};
-  const std::vector<Item> kinds = {solid(box, Role::first), Circle{{0, 0, 0}, 1},
-                                   Chain{{{-2, 0, 0}, {2, 0, 0}}},
+  const std::vector<Item> kinds = {solid(box, Role::first), Circle{{0, 0, 0}, 1}, Chain{{{-2, 0, 0}, {2, 0, 0}}},
                                    Region{{{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}}}}, raster};
   for (const Item& kind : kinds) {
     for (const Vec3& at : {Vec3(0, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)}) {
@@ -232,8 +226,8 @@ TEST_CASE("a grid puts drawings of one scale in rows and columns, their headings
   CHECK(text("third").at.y() > text("first").at.y());
   const Ball& ball = std::get<Ball>(items[0]);
   CHECK(ball.radius == 1);
-  const Dot& dot = *std::get_if<Dot>(&*std::find_if(
-      items.begin(), items.end(), [](const Item& item) { return std::holds_alternative<Dot>(item); }));
+  const Dot& dot = *std::get_if<Dot>(
+      &*std::find_if(items.begin(), items.end(), [](const Item& item) { return std::holds_alternative<Dot>(item); }));
   CHECK(d.view.project(dot.at).at.x() == Approx(text("g").at.x()));  // moved with its inset, to its middle
 }
 

@@ -25,8 +25,7 @@ TEST_CASE("the nearest name is the one with the fewest edits", "[lesson]") {
 
 TEST_CASE("an unknown name is answered with field, word, nearest and all that is allowed", "[lesson]") {
   const std::string what = unknown("theme", "gray", {"print", "grey"}).what();
-  CHECK_THAT(what, Contains("theme") && Contains("\"gray\"") && Contains("mean \"grey\"") &&
-                       Contains("print, grey"));
+  CHECK_THAT(what, Contains("theme") && Contains("\"gray\"") && Contains("mean \"grey\"") && Contains("print, grey"));
   CHECK_THAT(unknown("lesson", "x", {}).what(), Contains("lesson") && Contains("none"));
 }
 
@@ -48,8 +47,7 @@ TEST_CASE("set reads numbers, points and choices", "[lesson]") {
 TEST_CASE("set refuses what is no value of the parameter and changes nothing", "[lesson]") {
   const Parameters before = toy().presets[0].parameters;
   Parameters p = before;
-  for (const char* text :
-       {"", "abc", "1,2,3", "1x", " 1", "nan", "inf", "-inf", "1e999", "-1", "101", "0x10", "+-1"}) {
+  for (const char* text : {"", "abc", "1,2,3", "1x", " 1", "nan", "inf", "-inf", "1e999", "-1", "101", "0x10", "+-1"}) {
     INFO(text);
     CHECK_THROWS_WITH(set(toy(), p, "radius", text), Contains("radius") && Contains("from 0 to 100"));
   }
@@ -113,8 +111,7 @@ TEST_CASE("dragging a handle moves its parameter and stops at the range's end", 
   CHECK_THROWS_AS(drag(toy(), p, {"nothing", Handle::Kind::point, {}}, anchor), BadInput);
 }
 
-TEST_CASE("what a lesson's conditions forbid is refused once all is set, and a drag does not go there",
-          "[lesson]") {
+TEST_CASE("what a lesson's conditions forbid is refused once all is set, and a drag does not go there", "[lesson]") {
   Lesson lesson = toy();
   lesson.conditions = {{"origin", "a point that is not 0",
                         [](const Parameters& p) { return std::get<Vec3>(p.at("origin")).norm() > 0; }}};

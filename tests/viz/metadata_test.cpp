@@ -33,8 +33,7 @@ std::string with_chunk(const std::string& type, const std::string& data) {
 std::string packed(const std::string& text) {
   uLongf size = ::compressBound(text.size());
   std::string out(size, '\0');
-  ::compress(reinterpret_cast<Bytef*>(out.data()), &size, reinterpret_cast<const Bytef*>(text.data()),
-             text.size());
+  ::compress(reinterpret_cast<Bytef*>(out.data()), &size, reinterpret_cast<const Bytef*>(text.data()), text.size());
   out.resize(size);
   return out;
 }
@@ -65,8 +64,7 @@ TEST_CASE("broken and hostile text chunks are refused in words", "[metadata]") {
   damaged[damaged.find("isect:") + 7] ^= 1;
   CHECK_THROWS_WITH(png_metadata(damaged), Contains("damaged"));
   const std::string whole = png(dot, {{"lesson", "x"}});
-  for (std::size_t n = 8; n < whole.size(); ++n)
-    REQUIRE_THROWS_AS(png_metadata(whole.substr(0, n)), FileError);
+  for (std::size_t n = 8; n < whole.size(); ++n) REQUIRE_THROWS_AS(png_metadata(whole.substr(0, n)), FileError);
 }
 
 TEST_CASE("foreign and broken metadata is told apart", "[metadata]") {
@@ -119,25 +117,23 @@ TEST_CASE("metadata is found again in an SVG that another program has saved", "[
 )";
   const std::string svgo = R"(<svg xmlns="http://www.w3.org/2000/svg" width="1280" data-isect=")" + quoted +
                            R"(" viewBox="0 0 7680 4800"><path d="m1 1 49 49"/></svg>)";
-  const std::string scour = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg width=\"960pt\" data-isect='" +
-                            json + "' version=\"1.1\" xmlns=\"http://www.w3.org/2000/svg\">\n</svg>\n";
+  const std::string scour = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg width=\"960pt\" data-isect='" + json +
+                            "' version=\"1.1\" xmlns=\"http://www.w3.org/2000/svg\">\n</svg>\n";
   for (const std::string& text : {inkscape, svgo, scour}) CHECK(svg_metadata(text) == metadata);
 
   const std::string prefixed = "<svg:svg xmlns:svg='http://www.w3.org/2000/svg' data-isect='" + json + "'/>";
-  const std::string doctype =
-      "<!DOCTYPE svg [<!ENTITY id 'ray-sphere'>]><svg data-isect='{\"lesson\":\"&id;\"}'/>";
+  const std::string doctype = "<!DOCTYPE svg [<!ENTITY id 'ray-sphere'>]><svg data-isect='{\"lesson\":\"&id;\"}'/>";
   CHECK(svg_metadata(prefixed) == metadata);
   CHECK(svg_metadata(doctype) == Metadata{{"lesson", "ray-sphere"}});
 }
 
 TEST_CASE("metadata as an element, as it was written before, is found in any layout", "[metadata]") {
   const Metadata metadata = {{"a", "<&>"}};
-  for (const std::string text :
-       {R"(<svg><metadata id="isect">{"a":"&lt;&amp;&gt;"}</metadata></svg>)",
-        "<svg><metadata\n   id='isect'\n   "
-        "class='x'>{&quot;a&quot;:&quot;&lt;&#38;&gt;&quot;}</metadata></svg>",
-        R"(<svg><g><metadata id="isect"><![CDATA[{"a":"<&>"}]]></metadata></g></svg>)",
-        R"(<s:svg xmlns:s="http://www.w3.org/2000/svg"><s:metadata id="isect">
+  for (const std::string text : {R"(<svg><metadata id="isect">{"a":"&lt;&amp;&gt;"}</metadata></svg>)",
+                                 "<svg><metadata\n   id='isect'\n   "
+                                 "class='x'>{&quot;a&quot;:&quot;&lt;&#38;&gt;&quot;}</metadata></svg>",
+                                 R"(<svg><g><metadata id="isect"><![CDATA[{"a":"<&>"}]]></metadata></g></svg>)",
+                                 R"(<s:svg xmlns:s="http://www.w3.org/2000/svg"><s:metadata id="isect">
              {"a": "&lt;&amp;&gt;"}
            </s:metadata></s:svg>)"})
     CHECK(svg_metadata(text) == metadata);
@@ -152,8 +148,7 @@ TEST_CASE("a hostile SVG is refused at once", "[metadata]") {
   }
   CHECK_THROWS_AS(svg_metadata(laughs + "]><svg>&l11;</svg>"), FileError);
   CHECK_THROWS_AS(svg_metadata(laughs + "]><svg data-isect='&l11;'/>"), FileError);
-  CHECK(svg_metadata("<!DOCTYPE svg [<!ENTITY x SYSTEM 'file:///etc/passwd'>]><svg data-isect='{}'>&x;</svg>")
-            .empty());
+  CHECK(svg_metadata("<!DOCTYPE svg [<!ENTITY x SYSTEM 'file:///etc/passwd'>]><svg data-isect='{}'>&x;</svg>").empty());
 
   CHECK_THROWS_WITH(svg_metadata("<svg data-isect='" + std::string(3 << 20, ' ') + "'/>"),
                     Contains("metadata is too long"));

@@ -83,8 +83,7 @@ TEST_CASE("the first choice is OSMesa on llvmpipe", "[offscreen]") {
 }
 
 TEST_CASE("forty contexts made and destroyed leave the memory flat", "[offscreen]") {
-  const Drawing drawing =
-      drawing_of({Fill{circle({100, 60}, 40), black}, Text{"*t*", {100, 60}, 20, white}}, 512, 512);
+  const Drawing drawing = drawing_of({Fill{circle({100, 60}, 40), black}, Text{"*t*", {100, 60}, 20, white}}, 512, 512);
   struct Run {
     Backend backend;
     int cycles;        // of each part

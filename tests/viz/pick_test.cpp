@@ -15,8 +15,7 @@ Scene scene() {
   Scene s;
   s.items = {Ball{{0, 0, 0}, 1, Role::first}, Label{{0, 0, 5}, "a label is not picked", Role::text},
              solid(Aabb<double, 3>{{-1, -1, 2}, {1, 1, 3}}, Role::second),
-             Region{{{{-2, -2, 5}, {2, -2, 5}, {2, 2, 5}, {-2, 2, 5}},
-                     {{0, 0, 5}, {1, 0, 5}, {1, 1, 5}, {0, 1, 5}}}},
+             Region{{{{-2, -2, 5}, {2, -2, 5}, {2, 2, 5}, {-2, 2, 5}}, {{0, 0, 5}, {1, 0, 5}, {1, 1, 5}, {0, 1, 5}}}},
              Mesh{{{0, 0, 4}, {1, 0, 4}, {0, 1, 4}}, {{0, 1, 2}}, Role::first}};
   return s;
 }

@@ -49,8 +49,8 @@ inline TextBox ink_box(const Picture& p) {
   for (int y = 0; y < p.height; ++y)
     for (int x = 0; x < p.width; ++x)
       if (ink(p, x, y) > 0.05)
-        box = {std::min<double>(box.left, x), std::min<double>(box.top, y),
-               std::max<double>(box.right, x + 1), std::max<double>(box.bottom, y + 1)};
+        box = {std::min<double>(box.left, x), std::min<double>(box.top, y), std::max<double>(box.right, x + 1),
+               std::max<double>(box.bottom, y + 1)};
   return box;
 }
 
@@ -61,18 +61,17 @@ inline Drawing one_of_everything(double width = 320, double height = 200) {
   const Colour blue{0.04, 0.38, 0.78, 1}, orange{0.64, 0.3, 0, 1}, green{0, 0.38, 0.29, 1};
   const Colour translucent = green.with_alpha(0.4);
   Drawing d{width, height, white, {}};
-  d.shapes = {
-      Gradient{at(160, 100), 70 * u, 70 * v, at(140, 70), orange.with_alpha(0.02), orange.with_alpha(0.4)},
-      Stroke{ellipse(at(160, 100), 70 * u, 26 * v), orange.with_alpha(0.6), 1, {4, 3}, false},
-      Stroke{ellipse(at(160, 100), 70 * u, 70 * v), orange, 2},
-      Stroke{polyline({at(20, 120), at(290, 70)}), blue, 2.5},
-      Fill{polyline({at(300, 68), at(286, 75), at(289, 70), at(284, 66)}, true), blue},
-      Stroke{polyline({at(20, 190), at(60, 140), at(90, 190), at(20, 150), at(90, 150)}), translucent, 8},
-      Fill{polyline({at(30, 20), at(80, 20), at(40, 60), at(55, 5), at(70, 60)}, true), blue.with_alpha(0.3)},
-      Fill{polyline({at(240, 130), at(300, 140), at(290, 190), at(245, 180)}, true), orange.with_alpha(0.15),
-           6, 0.8, black},
-      Text{"*t*_1 ≤ **d**", at(160, 40), 18, black, 0.5, false, 3, white},
-      Text{"Two roots", at(250, 30), 18, black, 0.5, true}};
+  d.shapes = {Gradient{at(160, 100), 70 * u, 70 * v, at(140, 70), orange.with_alpha(0.02), orange.with_alpha(0.4)},
+              Stroke{ellipse(at(160, 100), 70 * u, 26 * v), orange.with_alpha(0.6), 1, {4, 3}, false},
+              Stroke{ellipse(at(160, 100), 70 * u, 70 * v), orange, 2},
+              Stroke{polyline({at(20, 120), at(290, 70)}), blue, 2.5},
+              Fill{polyline({at(300, 68), at(286, 75), at(289, 70), at(284, 66)}, true), blue},
+              Stroke{polyline({at(20, 190), at(60, 140), at(90, 190), at(20, 150), at(90, 150)}), translucent, 8},
+              Fill{polyline({at(30, 20), at(80, 20), at(40, 60), at(55, 5), at(70, 60)}, true), blue.with_alpha(0.3)},
+              Fill{polyline({at(240, 130), at(300, 140), at(290, 190), at(245, 180)}, true), orange.with_alpha(0.15), 6,
+                   0.8, black},
+              Text{"*t*_1 ≤ **d**", at(160, 40), 18, black, 0.5, false, 3, white},
+              Text{"Two roots", at(250, 30), 18, black, 0.5, true}};
   return d;
 }
 

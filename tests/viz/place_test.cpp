@@ -55,8 +55,7 @@ TEST_CASE("a place goes through JSON and through a figure's metadata unchanged",
 }
 
 TEST_CASE("what a file leaves out comes from the preset, or from the lesson", "[place]") {
-  CHECK(std::get<Vec3>(read(R"({"lesson": "toy", "preset": "far"})").parameters->at("origin")) ==
-        Vec3(2, 0, 0));
+  CHECK(std::get<Vec3>(read(R"({"lesson": "toy", "preset": "far"})").parameters->at("origin")) == Vec3(2, 0, 0));
   const Place changed = read(R"({"lesson": "toy", "parameters": {"radius": 3}})");
   CHECK(std::get<double>(changed.parameters->at("radius")) == 3);
   CHECK(std::get<Vec3>(changed.parameters->at("origin")) == Vec3(0, 0, 0));
@@ -75,8 +74,7 @@ TEST_CASE("a wrong field of a place is named", "[place]") {
   CHECK_THROWS_WITH(read("{}"), Contains("lesson: missing"));
   CHECK_THROWS_WITH(read(R"({"lesson": 7})"), Contains("lesson") && Contains("7"));
   CHECK_THROWS_WITH(read(R"({"lesson": "tyo"})"), Contains("lesson") && Contains("mean \"toy\""));
-  CHECK_THROWS_WITH(read(R"({"lesson": "toy", "preset": "fra"})"),
-                    Contains("preset") && Contains("mean \"far\""));
+  CHECK_THROWS_WITH(read(R"({"lesson": "toy", "preset": "fra"})"), Contains("preset") && Contains("mean \"far\""));
   CHECK_THROWS_WITH(read(R"({"lesson": "toy", "paramters": {}})"), Contains("mean \"parameters\""));
   CHECK_THROWS_WITH(read(R"({"lesson": "toy", "parameters": 1})"), Contains("parameters"));
   CHECK_THROWS_WITH(read(R"({"lesson": "toy", "parameters": {"radus": 1}})"), Contains("mean \"radius\""));
@@ -86,8 +84,7 @@ TEST_CASE("a wrong field of a place is named", "[place]") {
   CHECK_THROWS_WITH(read(R"({"lesson": "toy", "parameters": {"origin": [1, 2]}})"), Contains("origin"));
   CHECK_THROWS_WITH(read(R"({"lesson": "toy", "parameters": {"origin": [1, 2, "x"]}})"), Contains("origin"));
   for (const std::string step : {"0", "4", "-1", "1.5", "\"2\"", "99999999999999999999"})
-    CHECK_THROWS_WITH(read(R"({"lesson": "toy", "step": )" + step + "}"),
-                      Contains("step") && Contains("1 to 3"));
+    CHECK_THROWS_WITH(read(R"({"lesson": "toy", "step": )" + step + "}"), Contains("step") && Contains("1 to 3"));
   for (const std::string camera : {"3", R"({"target": 1})", R"({"half_height": 0})", R"({"elevation": 2})",
                                    R"({"perspective": 1})", R"({"azimut": 1})"})
     CHECK_THROWS_WITH(read(R"({"lesson": "toy", "camera": )" + camera + "}"), Contains("camera"));
@@ -106,8 +103,7 @@ TEST_CASE("a flat lesson's camera does not turn", "[place]") {
 TEST_CASE("a figure of another program is refused", "[place]") {
   CHECK_THROWS_WITH(place_from_metadata({{"Software", "other"}}, lessons), Contains("not made by isect"));
   CHECK_THROWS_WITH(place_from_metadata({{"lesson", "toy"}, {"step", "x"}}, lessons), Contains("step"));
-  CHECK_THROWS_WITH(place_from_metadata({{"lesson", "toy"}, {"parameters", "{"}}, lessons),
-                    Contains("parameters"));
+  CHECK_THROWS_WITH(place_from_metadata({{"lesson", "toy"}, {"parameters", "{"}}, lessons), Contains("parameters"));
 }
 
 TEST_CASE("JSON that nests without end is refused, wherever it stands", "[place]") {
@@ -115,8 +111,7 @@ TEST_CASE("JSON that nests without end is refused, wherever it stands", "[place]
   for (const std::string& text : {deep, std::string(100000, '['), "{\"lesson\": " + deep + "}",
                                   "{\"lesson\": \"toy\", \"parameters\": {\"x\": " + deep + "}}"})
     CHECK_THROWS_WITH(place_from_json(text, lessons), Contains("nested more than 16 levels deep"));
-  CHECK_THROWS_WITH(place_from_metadata({{"lesson", "toy"}, {"camera", deep}}, lessons),
-                    Contains("camera: nested"));
+  CHECK_THROWS_WITH(place_from_metadata({{"lesson", "toy"}, {"camera", deep}}, lessons), Contains("camera: nested"));
 }
 
 }  // namespace place_test

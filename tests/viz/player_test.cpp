@@ -12,9 +12,7 @@ namespace {
 const Lesson disc = sample::lesson(), ball = sample::other_lesson();
 const std::vector<const Lesson*> both = {&disc, &ball};
 
-Vec3 point_of(const Player& player, const std::string& name) {
-  return std::get<Vec3>(player.parameters().at(name));
-}
+Vec3 point_of(const Player& player, const std::string& name) { return std::get<Vec3>(player.parameters().at(name)); }
 double radius_of(const Player& player) { return std::get<double>(player.parameters().at("r")); }
 
 Handle handle(const Player& player, const std::string& name) {
@@ -53,8 +51,8 @@ TEST_CASE("a place opens lesson, preset, step, parameters and camera", "[player]
 
 TEST_CASE("a number that is typed or a handle that is dragged keeps the lesson's conditions", "[player]") {
   Lesson lesson = disc;
-  lesson.conditions = {{"p", "a point that is not 0",
-                        [](const Parameters& p) { return std::get<Vec3>(p.at("p")).norm() > 0; }}};
+  lesson.conditions = {
+      {"p", "a point that is not 0", [](const Parameters& p) { return std::get<Vec3>(p.at("p")).norm() > 0; }}};
   Player player({&lesson});
   player.edit("p", Vec3(1, 0, 0));
   CHECK_THROWS_AS(player.edit("p", Vec3(0, 0, 0)), BadInput);

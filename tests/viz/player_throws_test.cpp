@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <functional>
+#include <limits>
 #include <new>
 
 #include "tests/catch.h"
@@ -47,16 +48,19 @@ std::vector<Opinion> failing_opinions(const Parameters&) {
   call();
   return {{"by squares", "inside", true}, {"by distance", "outside", false}};
 }
-const CaseMap map = {
-    "x", "y", {0, 0}, {4, 4}, {"all"}, nullptr, nullptr, [](const Parameters& from, const Vec2& at) {
-      call();
-      Parameters moved = from;
-      moved["p"] = Vec3(at.x(), at.y(), 0);
-      return moved;
-    }};
+Vec2 nowhere(const Parameters&) {
+  call();
+  return Vec2::Constant(std::numeric_limits<double>::quiet_NaN());
+}
+const CaseMap map = {"x", "y", {0, 0}, {4, 4}, {"all"}, nullptr, nowhere, [](const Parameters& from, const Vec2& at) {
+                       call();
+                       Parameters moved = from;
+                       moved["p"] = Vec3(at.x(), at.y(), 0);
+                       return moved;
+                     }};
 
 Lesson failing(Lesson lesson) {
-  lesson.walk = failing_walk;
+  lesson.steps = failing_walk;
   lesson.opinions = failing_opinions;
   lesson.map = &map;
   return lesson;
@@ -178,8 +182,7 @@ TEST_CASE("an action whose lesson throws at any of its calls changes nothing", "
 TEST_CASE("an action that runs out of memory anywhere changes nothing", "[player]") {
   for (const Action& action : actions) {
     if (action.name == std::string("turn") || action.name == std::string("another aspect")) continue;
-    const int failures =
-        fail_everywhere<long>(action, allocations_left, [](long k) { return k + 1 + k / 16; });
+    const int failures = fail_everywhere<long>(action, allocations_left, [](long k) { return k + 1 + k / 16; });
     INFO(action.name);
     CHECK(failures > 0);
   }

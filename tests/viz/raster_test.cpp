@@ -53,8 +53,7 @@ TEST_CASE("cells that share a corner only stay apart", "[raster]") {
   CHECK(outlines(cells, 2, 0).size() == 2);
 }
 
-TEST_CASE("the rings of random cells enclose just as many cells, without a corner on a straight line",
-          "[raster]") {
+TEST_CASE("the rings of random cells enclose just as many cells, without a corner on a straight line", "[raster]") {
   unsigned state = 20261121;
   for (int round = 0; round < 50; ++round) {
     const int columns = 1 + round % 9, rows = 1 + round / 7;
@@ -87,11 +86,10 @@ TEST_CASE("every cell of a raster shows its colour, from edge to edge", "[raster
   const Scene scene = with(raster);
   const View view(frame(straight_on(), {&scene}, 1.6), 480, 300);
   const Theme style = theme(ThemeName::print, 480, 300);
-  const Picture picture =
-      offscreen().render({480, 300, style.background, compose(scene, view, style).shapes});
+  const Picture picture = offscreen().render({480, 300, style.background, compose(scene, view, style).shapes});
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 4; ++column) {
-      const Colour ink = style.ink(raster.cells[static_cast<std::size_t>(4 * row + column)].role);
+      const Colour ink = style.ink(raster.cells[4 * row + column].role);
       for (const Vec2& inside : {Vec2(0.06, 0.06), Vec2(0.5, 0.5), Vec2(0.94, 0.94)}) {
         const Vec2 p = view.project({column + inside.x(), 3 - row - inside.y(), 0}).at;
         const int x = static_cast<int>(p.x()), y = static_cast<int>(p.y());
@@ -104,18 +102,14 @@ TEST_CASE("every cell of a raster shows its colour, from edge to edge", "[raster
   }
 }
 
-TEST_CASE("a microscope of 4096 cells stays a small file, and no two of its roles look alike in grey",
-          "[raster]") {
+TEST_CASE("a microscope of 4096 cells stays a small file, and no two of its roles look alike in grey", "[raster]") {
   Raster raster;
   raster.columns = 64;
   raster.across = {1, 0, 0}, raster.down = {0, -1, 0};
   for (int i = 0; i < 64 * 64; ++i) {
     const int off = i / 64 - i % 64;
     const bool on = std::abs(off) < 6 && i % 3 == 0, wrong = std::abs(off) < 2 && i % 7 == 0;
-    raster.cells.push_back({wrong     ? Role::miss
-                            : on      ? Role::highlight
-                            : off < 0 ? Role::first
-                                      : Role::second});
+    raster.cells.push_back({wrong ? Role::miss : on ? Role::highlight : off < 0 ? Role::first : Role::second});
   }
   const Scene scene = with(raster);
   const View view(frame(straight_on(), {&scene}, 1.6), 480, 300);
@@ -137,8 +131,7 @@ TEST_CASE("a microscope of 4096 cells stays a small file, and no two of its role
 }
 
 TEST_CASE("a raster of no cells, or of fewer than a row, draws nothing", "[raster]") {
-  for (Raster raster :
-       {Raster{}, Raster{.columns = 3, .cells = {{}, {}}}, Raster{.columns = 0, .cells = {{}}}}) {
+  for (Raster raster : {Raster{}, Raster{.columns = 3, .cells = {{}, {}}}, Raster{.columns = 0, .cells = {{}}}}) {
     const Scene scene = with(raster);
     const Composed composed = compose(scene, View({}, 480, 300), theme(ThemeName::print, 480, 300));
     CHECK(composed.shapes.empty());

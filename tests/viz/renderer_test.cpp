@@ -87,8 +87,8 @@ TEST_CASE("a translucent stroke that crosses itself is one sheet of ink", "[rend
 
 TEST_CASE("two translucent strokes blend where they cross", "[renderer]") {
   const Colour half = black.with_alpha(0.5);
-  const Picture p = render({Stroke{polyline({{20, 60}, {180, 60}}), half, 20},
-                            Stroke{polyline({{100, 10}, {100, 110}}), half, 20}});
+  const Picture p =
+      render({Stroke{polyline({{20, 60}, {180, 60}}), half, 20}, Stroke{polyline({{100, 10}, {100, 110}}), half, 20}});
   CHECK(ink(p, 40, 60) == Approx(0.5).margin(0.004));
   CHECK(ink(p, 100, 60) == Approx(0.75).margin(0.008));
 }
@@ -111,34 +111,20 @@ TEST_CASE("a fill covers what its outline winds round, once", "[renderer]") {
     CHECK(ink(p, 100, 20) == ink(p, 100, 60));
   }
   SECTION("an inner outline wound the other way is a hole") {
-    const Picture p = render({Fill{polyline({{20, 10},
-                                             {180, 10},
-                                             {180, 110},
-                                             {20, 110},
-                                             {20, 10},
-                                             {60, 40},
-                                             {60, 80},
-                                             {140, 80},
-                                             {140, 40},
-                                             {60, 40}},
-                                            true),
-                                   third}});
+    const Picture p = render({Fill{
+        polyline(
+            {{20, 10}, {180, 10}, {180, 110}, {20, 110}, {20, 10}, {60, 40}, {60, 80}, {140, 80}, {140, 40}, {60, 40}},
+            true),
+        third}});
     CHECK(ink(p, 100, 60) == 0);
     CHECK(ink(p, 40, 90) == Approx(0.3).margin(0.003));
   }
   SECTION("an inner outline wound the same way is not") {
-    const Picture p = render({Fill{polyline({{20, 10},
-                                             {180, 10},
-                                             {180, 110},
-                                             {20, 110},
-                                             {20, 10},
-                                             {60, 40},
-                                             {140, 40},
-                                             {140, 80},
-                                             {60, 80},
-                                             {60, 40}},
-                                            true),
-                                   third}});
+    const Picture p = render({Fill{
+        polyline(
+            {{20, 10}, {180, 10}, {180, 110}, {20, 110}, {20, 10}, {60, 40}, {140, 40}, {140, 80}, {60, 80}, {60, 40}},
+            true),
+        third}});
     CHECK(ink(p, 100, 60) == Approx(0.3).margin(0.003));
   }
 }
@@ -202,9 +188,7 @@ TEST_CASE("text stands where measure() says", "[renderer]") {
 }
 
 TEST_CASE("a text's pixels do not depend on where it stood before", "[renderer]") {
-  const auto text_at = [](double x, double y) {
-    return drawing_of({Text{"**c** ∈ *A*", {x, y}, 20, black, 0.5}});
-  };
+  const auto text_at = [](double x, double y) { return drawing_of({Text{"**c** ∈ *A*", {x, y}, 20, black, 0.5}}); };
   Offscreen first;
   const Picture fresh = first.render(text_at(101.4, 60.2));
   Offscreen second;
@@ -233,15 +217,13 @@ TEST_CASE("later shapes cover earlier ones", "[renderer]") {
   const Text glyph{"█", {100, 80}, 60, black, 0.5};
   CHECK(ink(render({Fill{box, black}, Fill{box, white}})) == 0);
   CHECK(ink(render({glyph, Fill{polyline({{0, 0}, {200, 0}, {200, 120}, {0, 120}}, true), white}})) == 0);
-  CHECK(ink(render({Fill{box, black}, Text{"█", {100, 80}, 60, white, 0.5}})) <
-        ink(render({Fill{box, black}})));
+  CHECK(ink(render({Fill{box, black}, Text{"█", {100, 80}, 60, white, 0.5}})) < ink(render({Fill{box, black}})));
 }
 
 TEST_CASE("one frame leaves no trace in the next", "[renderer]") {
   const Picture before = window_frame(one_of_everything());
-  window_frame(
-      drawing_of({Stroke{polyline({{0, 0}, {300, 200}, {300, 0}, {0, 200}}), black.with_alpha(0.5), 60},
-                  Fill{polyline({{0, 0}, {300, 200}, {300, 0}, {0, 200}}, true), black, 8, 2, white}}));
+  window_frame(drawing_of({Stroke{polyline({{0, 0}, {300, 200}, {300, 0}, {0, 200}}), black.with_alpha(0.5), 60},
+                           Fill{polyline({{0, 0}, {300, 200}, {300, 0}, {0, 200}}, true), black, 8, 2, white}}));
   CHECK(difference(window_frame(one_of_everything()), before) == 0);
 }
 
@@ -258,20 +240,18 @@ TEST_CASE("a part of a picture is that part of the whole", "[renderer]") {
   for (int y = 0; y < part.height; ++y)
     for (int x = 0; x < part.width; ++x)
       for (int c = 0; c < 3; ++c)
-        most =
-            std::max(most, std::abs(channel(seen, x, y, c) - channel(whole, part.left + x, part.top + y, c)));
+        most = std::max(most, std::abs(channel(seen, x, y, c) - channel(whole, part.left + x, part.top + y, c)));
   CHECK(most <= 64);  // one of four samples: the same geometry, rounded for another corner
 }
 
 TEST_CASE("shapes that are no numbers are left out and the others drawn", "[renderer]") {
   const double infinity = std::numeric_limits<double>::infinity();
   const Fill box{polyline({{50, 30}, {150, 30}, {150, 90}, {50, 90}}, true), black};
-  const Picture p = render({Fill{polyline({{not_a_number, 0}, {1, 1}, {0, 1}}, true), black},
-                            Stroke{polyline({{0, 0}, {infinity, 1}}), black, 2},
-                            Stroke{polyline({{0, 0}, {10, 1}}), black, not_a_number},
-                            Stroke{Path{{5, 5}, {}, false}, black, 3},
-                            Gradient{{not_a_number, 0}, {1, 0}, {0, 1}, {0, 0}, black, black},
-                            Text{"x", {not_a_number, 10}, 20, black}, Text{"", {10, 10}, 20, black}, box});
+  const Picture p = render(
+      {Fill{polyline({{not_a_number, 0}, {1, 1}, {0, 1}}, true), black},
+       Stroke{polyline({{0, 0}, {infinity, 1}}), black, 2}, Stroke{polyline({{0, 0}, {10, 1}}), black, not_a_number},
+       Stroke{Path{{5, 5}, {}, false}, black, 3}, Gradient{{not_a_number, 0}, {1, 0}, {0, 1}, {0, 0}, black, black},
+       Text{"x", {not_a_number, 10}, 20, black}, Text{"", {10, 10}, 20, black}, box});
   CHECK(ink(p) == Approx(100 * 60).epsilon(1e-6));
 }
 
@@ -287,8 +267,7 @@ TEST_CASE("a size no picture can have is refused and does not spoil the next", "
     CHECK_THROWS_AS(offscreen().render(drawing_of({}, width, 100)), std::runtime_error);
     CHECK_THROWS_AS(offscreen().renderer().draw(drawing_of({}, width, 100)), std::runtime_error);
   }
-  CHECK_THROWS_WITH(offscreen().renderer().draw(drawing_of({}, 100'000, 10)),
-                    Catch::Matchers::Contains("100000 x 10"));
+  CHECK_THROWS_WITH(offscreen().renderer().draw(drawing_of({}, 100'000, 10)), Catch::Matchers::Contains("100000 x 10"));
   CHECK(ink(render({Fill{circle({100, 60}, 10), black}})) == Approx(pi * 100).epsilon(0.01));
 }
 

@@ -59,8 +59,8 @@ TEST_CASE("a backslash gives the marks themselves", "[rich_text]") {
 }
 
 TEST_CASE("an unclosed mark is ordinary text", "[rich_text]") {
-  for (const std::string text : {"*", "**", "***", "****", "a*", "*a", "**a", "2 * 3", "2 * 3 * 4", "a_",
-                                 "a^", "a_{1", "a _ b", "\\", "a\\"}) {
+  for (const std::string text :
+       {"*", "**", "***", "****", "a*", "*a", "**a", "2 * 3", "2 * 3 * 4", "a_", "a^", "a_{1", "a _ b", "\\", "a\\"}) {
     INFO(text);
     std::string joined;
     for (const Run& run : parse_markup(text)) {

@@ -11,9 +11,8 @@ inline Parameters parameters(const std::string& way, const Vec3& point, const Ve
 
 inline Scene scene(const Vec3& p, const Vec3& c, double r) {
   Scene scene;
-  scene.items = {Ball{c, r}, Line{p, c, Role::construction, Pen::construction},
-                 Dot{p, Mark::disc, Role::first}, Label{p, "**p**", Role::first},
-                 Label{c, "**c**", Role::second}};
+  scene.items = {Ball{c, r}, Line{p, c, Role::construction, Pen::construction}, Dot{p, Mark::disc, Role::first},
+                 Label{p, "**p**", Role::first}, Label{c, "**c**", Role::second}};
   scene.handles = {{"p", Handle::Kind::point, p},
                    {"c", Handle::Kind::point, c, Vec3::Zero(), Role::second},
                    {"r", Handle::Kind::length, c + Vec3(0, r, 0), c, Role::second}};
@@ -30,16 +29,15 @@ inline Walk walk(const Parameters& values) {
 
   Walk w;
   w.method = squared ? "By squares" : "By distance";
-  w.pseudocode = {"l ← c − p", squared ? "l² ← l · l" : "d ← |l|", squared ? "if l² > r²" : "if d > r",
-                  "  return OUT", "return IN"};
+  w.pseudocode = {"l ← c − p", squared ? "l² ← l · l" : "d ← |l|", squared ? "if l² > r²" : "if d > r", "  return OUT",
+                  "return IN"};
   w.alt = "A point and a disc.";
   w.steps.reserve(5);  // references to steps stay good
   const auto add = [&](const char* slug, const char* title, int line) -> Step& {
     Step step;
     step.slug = slug;
     step.title = title;
-    step.caption =
-        "From the point to the centre leads **l**. Its length *l* decides.\nNothing else is needed.";
+    step.caption = "From the point to the centre leads **l**. Its length *l* decides.\nNothing else is needed.";
     step.line = line;
     step.scene = scene(p, c, r);
     w.steps.push_back(step);
@@ -56,8 +54,7 @@ inline Walk walk(const Parameters& values) {
                    {squared ? "*r*^2" : "*r*", right, "length", Role::second, true}};
   decide.comparison =
       Comparison{squared ? "*l*^2 ≤ *r*^2" : "*d* ≤ *r*", left, right, inside, "the disc holds the point"};
-  decide.question =
-      Question{"Where is **p**?", {"inside", "outside"}, inside ? 0 : 1, "Its distance decides."};
+  decide.question = Question{"Where is **p**?", {"inside", "outside"}, inside ? 0 : 1, "Its distance decides."};
   decide.counters = {.mul = 4, .add = 5, .sqrt = squared ? 0 : 1, .compare = 1};
   if (inside) decide.refused = {2}, decide.untaken = {3};
   if (!inside) {
@@ -83,17 +80,16 @@ inline Lesson lesson() {
   l.rows = "N00";
   l.summary = "Does a disc hold a point?";
   l.group_by = "way";
-  l.parameters = {
-      {"way", "way", "how to compare", std::string("squared"), 0, 0, 0, 0, {"squared", "distance"}},
-      {"p", "**p**", "the point", Vec3(0.5, 0.5, 0), -100, 100, -5, 5},
-      {"c", "**c**", "the centre", Vec3(0, 0, 0), -100, 100, -5, 5},
-      {"r", "*r*", "the radius", 1.5, 0, 100, 0, 5}};
+  l.parameters = {{"way", "way", "how to compare", std::string("squared"), 0, 0, 0, 0, {"squared", "distance"}},
+                  {"p", "**p**", "the point", Vec3(0.5, 0.5, 0), -100, 100, -5, 5},
+                  {"c", "**c**", "the centre", Vec3(0, 0, 0), -100, 100, -5, 5},
+                  {"r", "*r*", "the radius", 1.5, 0, 100, 0, 5}};
   for (const std::string way : {"squared", "distance"}) {
     l.presets.push_back(preset(way, "inside", {0.5, 0.5, 0}));
     l.presets.push_back(preset(way, "outside", {2.5, 1, 0}));
     l.presets.push_back(preset(way, "on", {1.5, 0, 0}));
   }
-  l.walk = walk;
+  l.steps = walk;
   return l;
 }
 

@@ -32,8 +32,7 @@ std::string read(const std::filesystem::path& path) {
 
 }  // namespace
 
-TEST_CASE("the setting follows the pointer on the map of cases, and one undo takes the drag back",
-          "[window]") {
+TEST_CASE("the setting follows the pointer on the map of cases, and one undo takes the drag back", "[window]") {
   WindowDriver window(lessons::all_lessons(), 1280, 800, at("sphere-sphere", "overlapping"));
   window.key(key::end);
   REQUIRE(window.player().step().slug == case_map_slug);
@@ -46,12 +45,8 @@ TEST_CASE("the setting follows the pointer on the map of cases, and one undo tak
   const Cases& cases = std::get<Cases>(window.player().step().scene.chart->kind);
   const Theme look = palette(ThemeName::dark).theme;
   const Box2 plane = plane_of(cases, {scene.left, scene.top + 64}, scene.width(), scene.height() - 64, look);
-  const auto x = [&](double d) {
-    return static_cast<float>(plane.lo.x() + d / 3 * (plane.hi.x() - plane.lo.x()));
-  };
-  const auto y = [&](double r) {
-    return static_cast<float>(plane.hi.y() - r / 3 * (plane.hi.y() - plane.lo.y()));
-  };
+  const auto x = [&](double d) { return static_cast<float>(plane.lo.x() + d / 3 * (plane.hi.x() - plane.lo.x())); };
+  const auto y = [&](double r) { return static_cast<float>(plane.hi.y() - r / 3 * (plane.hi.y() - plane.lo.y())); };
   window.drag(x(1.5), y(1.5), x(2.5), y(0.5));
   CHECK(branch() != overlapping);
   const Vec2 now = window.player().lesson().map->place(window.player().parameters());

@@ -49,16 +49,15 @@ TEST_CASE("the same walk gives the same trace", "[snapshot]") {
 
 TEST_CASE("a relation that turns is told as a relation", "[snapshot]") {
   const Lines lines = differences(trace(at(0.5)), trace(at(1)));
-  CHECK(lines == Lines{"step 1: d² was 0.25, is 1", "step 2: d² < r² became = r²",
-                       "step 2: d² was 0.25, is 1", "step 3: d² was 0.25, is 1",
-                       "parameter origin was [0.5,0.0,0.0], is [1.0,0.0,0.0]"});
+  CHECK(lines == Lines{"step 1: d² was 0.25, is 1", "step 2: d² < r² became = r²", "step 2: d² was 0.25, is 1",
+                       "step 3: d² was 0.25, is 1", "parameter origin was [0.5,0.0,0.0], is [1.0,0.0,0.0]"});
 }
 
 TEST_CASE("another branch is told as verdict and step", "[snapshot]") {
   const Lines lines = differences(trace(at(0.5)), trace(at(2)));
   CHECK_THAT(lines, Catch::Matchers::VectorContains(std::string("step 2: d² < r² became > r²")));
-  CHECK_THAT(lines, Catch::Matchers::VectorContains(
-                        std::string("step 2: the comparison of d² with r² was true, is false")));
+  CHECK_THAT(lines,
+             Catch::Matchers::VectorContains(std::string("step 2: the comparison of d² with r² was true, is false")));
   CHECK_THAT(lines, Catch::Matchers::VectorContains(std::string("step 3: inside became outside")));
 }
 
@@ -95,8 +94,7 @@ TEST_CASE("verdicts, lines, counts, questions and pseudocode are compared", "[sn
         Lines{"step 3: verdict was yes: inside, is yes: deep inside"});
   CHECK(changed([](Walk& w) { w.steps[2].line = 3; }) == Lines{"step 3: pseudocode line was 3, is 4"});
   CHECK(changed([](Walk& w) { w.steps[1].counters.mul = 5; }) == Lines{"step 2: count of mul was 4, is 5"});
-  CHECK(changed([](Walk& w) { w.steps[1].comparison.reset(); }) ==
-        Lines{"step 2: compares nothing any more"});
+  CHECK(changed([](Walk& w) { w.steps[1].comparison.reset(); }) == Lines{"step 2: compares nothing any more"});
   CHECK(changed([](Walk& w) { w.pseudocode[3] = "return NO"; }) ==
         Lines{"pseudocode line 4 was return OUTSIDE, is return NO"});
   CHECK(changed([](Walk& w) { w.steps.pop_back(); }) == Lines{"3 steps became 2"});
@@ -126,26 +124,22 @@ TEST_CASE("each thing that a step says is compared and told in words", "[snapsho
     return differences(before, trace_json(toy(), "near", p, other, {}, stamp));
   };
   CHECK(changed([](Walk&, Step&) {}).empty());
-  CHECK(changed([](Walk&, Step& s) { s.title = "Compare"; }) ==
-        Lines{"step 2: title was Comparison, is Compare"});
+  CHECK(changed([](Walk&, Step& s) { s.title = "Compare"; }) == Lines{"step 2: title was Comparison, is Compare"});
   CHECK(changed([](Walk&, Step& s) { s.caption.replace(s.caption.find("*hits*"), 6, "*misses*"); }) ==
         Lines{"step 2: caption was … the ray hits it., is … the ray misses it."});
   CHECK(changed([](Walk&, Step& s) { s.caption.replace(s.caption.find("*hits*"), 6, "hits"); }).size() == 1);
   CHECK(changed([](Walk&, Step& s) { s.formula = "*d*^2 < *r*^2"; }) ==
         Lines{"step 2: formula was d² ≤ r², is d² < r²"});
   CHECK(changed([](Walk&, Step& s) { s.source = "N91"; }) == Lines{"step 2: source was N19, is N91"});
-  CHECK(changed([](Walk&, Step& s) { s.untaken.clear(); }) ==
-        Lines{"step 2: untaken lines was [4], is absent"});
+  CHECK(changed([](Walk&, Step& s) { s.untaken.clear(); }) == Lines{"step 2: untaken lines was [4], is absent"});
   CHECK(changed([](Walk&, Step& s) { s.refused = {2}; }) == Lines{"step 2: refused lines was [2], is [3]"});
   CHECK(changed([](Walk&, Step& s) { s.decides = true; }) == Lines{"step 2: decides was false, is true"});
   CHECK(changed([](Walk&, Step& s) { s.comparison->meaning = "outside"; }) ==
         Lines{"step 2: meaning of the comparison was the origin is inside, is outside"});
   CHECK(changed([](Walk&, Step& s) { s.values[0].unit = "length"; }) ==
         Lines{"step 2: unit of d² was length², is length"});
-  CHECK(changed([](Walk&, Step& s) { s.values[0].role = Role::hit; }) ==
-        Lines{"step 2: role of d² was first, is hit"});
-  CHECK(changed([](Walk&, Step& s) { s.values[1].fresh = false; }) ==
-        Lines{"step 2: light of r² was fresh, is none"});
+  CHECK(changed([](Walk&, Step& s) { s.values[0].role = Role::hit; }) == Lines{"step 2: role of d² was first, is hit"});
+  CHECK(changed([](Walk&, Step& s) { s.values[1].fresh = false; }) == Lines{"step 2: light of r² was fresh, is none"});
   CHECK(changed([](Walk&, Step& s) { std::swap(s.values[0], s.values[1]); }).size() == 1);
   CHECK(changed([](Walk&, Step& s) { s.question->prompt = "How many?"; }) ==
         Lines{"step 2: question was How many roots?, is How many?"});
@@ -174,8 +168,7 @@ TEST_CASE("opinions of other methods are kept and compared", "[snapshot]") {
     return std::vector<Opinion>{{"exact", "inside", true}, {"quick", "outside", false}};
   };
   CHECK(differences(told_by(with), told_by(other)) ==
-        Lines{"opinion of the quick was inside, is outside",
-              "opinion of the quick agrees: was true, is false"});
+        Lines{"opinion of the quick was inside, is outside", "opinion of the quick agrees: was true, is false"});
   CHECK(differences(told_by(toy()), told_by(with)) == Lines{"other methods are asked side by side"});
 }
 
@@ -225,8 +218,7 @@ Lines told_of(const Scene& changed) { return told_of(drawn(ball_and_line()), dra
 template <class S>
 S& of_object(Drawing& d, const std::string& name) {
   for (Shape& shape : d.shapes)
-    if (std::holds_alternative<S>(shape) &&
-        full_name(d.objects.at(static_cast<std::size_t>(object_of(shape)))) == name)
+    if (std::holds_alternative<S>(shape) && full_name(d.objects.at(static_cast<std::size_t>(object_of(shape)))) == name)
       return std::get<S>(shape);
   throw std::runtime_error("nothing drawn of " + name);
 }
@@ -264,8 +256,7 @@ TEST_CASE("a camera turned by 0.002 rad or widened by a thousandth is seen by th
   near.perspective = nearer.perspective = true;
   nearer.field_of_view *= 1.005;
   CHECK_FALSE(
-      told_of(drawn(ball_and_line(), View(near, 640, 400)), drawn(ball_and_line(), View(nearer, 640, 400)))
-          .empty());
+      told_of(drawn(ball_and_line(), View(near, 640, 400)), drawn(ball_and_line(), View(nearer, 640, 400))).empty());
 }
 
 TEST_CASE("pen, dash, colour, text and order of an object are told", "[snapshot]") {
@@ -283,14 +274,10 @@ TEST_CASE("pen, dash, colour, text and order of an object are told", "[snapshot]
              Contains("the line t has the colour #"));
   CHECK(changed([](D& d) { of_object<Text>(d, "label b").markup = "**b**"; })[0] ==
         "the label b says \"**b**\", said \"*b*\"");
-  CHECK_THAT(changed([](D& d) { of_object<Text>(d, "label b").size += 0.1; })[0],
-             Contains("the label b has size"));
+  CHECK_THAT(changed([](D& d) { of_object<Text>(d, "label b").size += 0.1; })[0], Contains("the label b has size"));
   CHECK_THAT(changed([](D& d) { d.objects[0].role = Role::hit; })[0],
              Contains("the ball b plays the part hit, was second"));
-  CHECK_THAT(changed([](D& d) {
-               d.background = Colour{0, 0, 0, 1};
-             })[0],
-             Contains("the page has the colour #000000"));
+  CHECK_THAT(changed([](D& d) { d.background = Colour{0, 0, 0, 1}; })[0], Contains("the page has the colour #000000"));
   CHECK(changed([](D& d) {
           std::swap(of_object<Text>(d, "label b").at.x(), of_object<Text>(d, "label b").at.y());
         }).size() == 1);
@@ -335,17 +322,15 @@ TEST_CASE("numbers that differ by less than an eye sees are no difference", "[sn
 
 TEST_CASE("a damaged trace is a difference, not a crash", "[snapshot]") {
   const std::string now = trace(at(0.5));
-  for (
-      const std::string was :
-      {"", "{", "[]", "7", "{}", R"({"steps": 3})", R"({"steps": [1, {}, null]})",
-       R"({"format": 3, "steps": [1, {"values": [[]], "comparison": 3, "question": 1, "drawing": 2}, null]})",
-       R"({"format": 3, "steps": [{"drawing": {"order": [1, []], "objects": {"a": 1, "b": {"parts": [1, {}]}}}}]})",
-       R"({"format": 3, "steps": [], "made with": 1, "parameters": [], "pseudocode": {}, "opinions": 1})"}) {
+  for (const std::string was :
+       {"", "{", "[]", "7", "{}", R"({"steps": 3})", R"({"steps": [1, {}, null]})",
+        R"({"format": 3, "steps": [1, {"values": [[]], "comparison": 3, "question": 1, "drawing": 2}, null]})",
+        R"({"format": 3, "steps": [{"drawing": {"order": [1, []], "objects": {"a": 1, "b": {"parts": [1, {}]}}}}]})",
+        R"({"format": 3, "steps": [], "made with": 1, "parameters": [], "pseudocode": {}, "opinions": 1})"}) {
     INFO(was);
     CHECK_FALSE(compare_traces(was, now).empty());
   }
-  for (std::size_t cut = 0; cut < now.size(); cut += 97)
-    CHECK_FALSE(compare_traces(now.substr(0, cut), now).empty());
+  for (std::size_t cut = 0; cut < now.size(); cut += 97) CHECK_FALSE(compare_traces(now.substr(0, cut), now).empty());
 }
 
 TEST_CASE("a picture of one colour is blank", "[snapshot]") {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "core/ray_aabb.h"
-#include "core/ray_obb.h"
+#include <isect/ray_aabb.h>
+#include <isect/ray_obb.h>
 #include "tests/catch.h"
 #include "viz/visibility.h"
 
@@ -41,8 +41,7 @@ void check_closed(const Solid& solid) {
   CHECK(solid.vertices.size() + solid.faces.size() == s.edges.size() + 2);
   for (const Shell::Edge& edge : s.edges) CHECK(edge.faces.size() == 2);
   for (std::size_t i = 0; i < solid.faces.size(); ++i)
-    for (const Vec3& p : solid.vertices)
-      CHECK(s.normals[i].dot(p - solid.vertices[solid.faces[i][0]]) < 1e-9);
+    for (const Vec3& p : solid.vertices) CHECK(s.normals[i].dot(p - solid.vertices[solid.faces[i][0]]) < 1e-9);
 }
 
 }  // namespace
@@ -51,8 +50,7 @@ TEST_CASE("the core's convex shapes become closed solids with the right corners"
   const Solid box = solid(Box{{0, 1, 2}, {3, 5, 9}}, Role::first);
   check_closed(box);
   for (const Vec3& p : box.vertices)
-    for (int axis = 0; axis < 3; ++axis)
-      CHECK((p[axis] == Vec3(0, 1, 2)[axis] || p[axis] == Vec3(3, 5, 9)[axis]));
+    for (int axis = 0; axis < 3; ++axis) CHECK((p[axis] == Vec3(0, 1, 2)[axis] || p[axis] == Vec3(3, 5, 9)[axis]));
 
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix();
   const Obb<double, 3> obb = {{1, 0, 0}, turn, {1, 2, 0.5}};
@@ -60,8 +58,7 @@ TEST_CASE("the core's convex shapes become closed solids with the right corners"
   for (const Vec3& p : solid(obb, Role::first).vertices)
     CHECK((turn.transpose() * (p - obb.center)).cwiseAbs().isApprox(obb.half));
 
-  const Kdop<double, 3> cut = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}},
-                               {{-1, 1}, {-1, 1}, {-1, 1}, {-2, 2}}};
+  const Kdop<double, 3> cut = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}}, {{-1, 1}, {-1, 1}, {-1, 1}, {-2, 2}}};
   CHECK(solid(cut, Role::first).vertices.size() == 12);  // two corners are cut off, three new ones each
   check_closed(solid(cut, Role::first));
 }

@@ -16,18 +16,16 @@ Drawing drawing(std::vector<Shape> shapes = {}) { return {200, 100, {1, 1, 1, 1}
 
 /// One of each kind of shape.
 Drawing everything() {
-  return drawing(
-      {Fill{circle({50, 50}, 30), blue.with_alpha(0.14), 2, 0.2, blue},
-       Stroke{polyline({{0, 0}, {200, 100}}), blue, 0.5, {1.5, 1.1}, false},
-       Gradient{{150, 50}, {30, 0}, {0, 20}, {140, 40}, blue, blue.with_alpha(0.2)},
-       Text{.markup = "*t*_{1,2} = √2", .at = {100, 90}, .size = 6.6, .colour = blue, .halo = 0.6}});
+  return drawing({Fill{circle({50, 50}, 30), blue.with_alpha(0.14), 2, 0.2, blue},
+                  Stroke{polyline({{0, 0}, {200, 100}}), blue, 0.5, {1.5, 1.1}, false},
+                  Gradient{{150, 50}, {30, 0}, {0, 20}, {140, 40}, blue, blue.with_alpha(0.2)},
+                  Text{.markup = "*t*_{1,2} = √2", .at = {100, 90}, .size = 6.6, .colour = blue, .halo = 0.6}});
 }
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
 
 /// All texts between `before` and the next `after`.
-std::vector<std::string> between(const std::string& text, const std::string& before,
-                                 const std::string& after) {
+std::vector<std::string> between(const std::string& text, const std::string& before, const std::string& after) {
   std::vector<std::string> found;
   for (std::size_t at = text.find(before); at != text.npos; at = text.find(before, at)) {
     at += before.size();
@@ -40,9 +38,7 @@ std::string first(const std::vector<std::string>& found) { return found.empty() 
 std::string attribute(const std::string& text, const std::string& name) {
   return first(between(text, " " + name + "=\"", "\""));
 }
-std::string style(const std::string& text, const std::string& name) {
-  return first(between(text, name + ":", ";"));
-}
+std::string style(const std::string& text, const std::string& name) { return first(between(text, name + ":", ";")); }
 
 /// Every opened element is closed in order.
 bool balanced(const std::string& xml) {
@@ -76,8 +72,7 @@ TEST_CASE("every kind of shape reaches the SVG", "[svg]") {
   CHECK(style(stroke, "stroke-linecap") == "round");
   CHECK_FALSE(contains(svg(drawing({Stroke{polyline({{0, 0}, {9, 9}}), blue}})), "stroke-dasharray"));
 
-  CHECK(contains(svg(drawing({Gradient{{50, 50}, {30, 0}, {0, 20}, {50, 50}, blue, blue}})),
-                 "<radialGradient"));
+  CHECK(contains(svg(drawing({Gradient{{50, 50}, {30, 0}, {0, 20}, {50, 50}, blue, blue}})), "<radialGradient"));
   CHECK(contains(svg(drawing({Text{.markup = "*t*", .at = {5, 5}, .colour = blue}})), "<use"));
   CHECK(balanced(svg(everything(), {{"key", "value"}})));
 }
@@ -146,12 +141,11 @@ TEST_CASE("text in an SVG is outlines, not references to fonts", "[svg]") {
 
 TEST_CASE("degenerate shapes leave the rest of the drawing whole", "[svg]") {
   const Stroke line{polyline({{0, 0}, {9, 9}}), blue, 0.625};
-  const std::string text =
-      svg(drawing({Gradient{{5, 5}, {0, 0}, {0, 0}, {5, 5}, blue, blue},
-                   Gradient{{5, 5}, {3, 0}, {0, 2}, {50, 50}, blue, blue},  // focus far outside
-                   Fill{polyline({{1, 1}}), blue, 2, 0.2, blue}, Fill{{}, blue, 2, 0.2, blue},
-                   Text{.markup = "", .at = {1, 1}, .colour = blue},
-                   Text{.markup = "t", .at = {1, 1}, .size = 0, .colour = blue}, line}));
+  const std::string text = svg(drawing({Gradient{{5, 5}, {0, 0}, {0, 0}, {5, 5}, blue, blue},
+                                        Gradient{{5, 5}, {3, 0}, {0, 2}, {50, 50}, blue, blue},  // focus far outside
+                                        Fill{polyline({{1, 1}}), blue, 2, 0.2, blue}, Fill{{}, blue, 2, 0.2, blue},
+                                        Text{.markup = "", .at = {1, 1}, .colour = blue},
+                                        Text{.markup = "t", .at = {1, 1}, .size = 0, .colour = blue}, line}));
   CHECK(contains(text, "stroke-width:0.625"));
   CHECK(balanced(text));
 }

@@ -157,8 +157,7 @@ TEST_CASE("a flattened circle's stroke is a ring of the right area", "[tessellat
   CHECK(line.closed);
   double area = 0;
   const Triangles ring = stroke(line, 2, true, 1e-3);
-  for (std::size_t i = 0; i < ring.size(); i += 3)
-    area += std::abs(signed_area(ring[i], ring[i + 1], ring[i + 2]));
+  for (std::size_t i = 0; i < ring.size(); i += 3) area += std::abs(signed_area(ring[i], ring[i + 1], ring[i + 2]));
   CHECK(area == Approx(pi * (11 * 11 - 9 * 9)).epsilon(1e-3));
   for (const Vec2& p : ring) CHECK(std::abs((p - Vec2(3, 4)).norm() - 10) == Approx(1).margin(5e-3));
 }

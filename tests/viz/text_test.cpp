@@ -36,15 +36,13 @@ TextBox inked(const Rastered& r, double scale, int least = 16) {
 
 /// The largest step between corresponding sides.
 double apart(const TextBox& a, const TextBox& b) {
-  return std::max({std::abs(a.left - b.left), std::abs(a.top - b.top), std::abs(a.right - b.right),
-                   std::abs(a.bottom - b.bottom)});
+  return std::max(
+      {std::abs(a.left - b.left), std::abs(a.top - b.top), std::abs(a.right - b.right), std::abs(a.bottom - b.bottom)});
 }
 
 double width(const TextBox& b) { return b.right - b.left; }
 
-Paragraph paragraph(const std::string& markup, double wrap) {
-  return {.markup = markup, .width = wrap, .colour = ink};
-}
+Paragraph paragraph(const std::string& markup, double wrap) { return {.markup = markup, .width = wrap, .colour = ink}; }
 
 /// Rows of the picture that hold any ink, as [first, last] bands parted by empty rows.
 std::vector<std::pair<int, int>> bands(const Picture& p) {
@@ -52,8 +50,7 @@ std::vector<std::pair<int, int>> bands(const Picture& p) {
   bool in_band = false;
   for (int y = 0; y < p.height; ++y) {
     bool any = false;
-    for (int x = 0; x < p.width; ++x)
-      any = any || p.rgba[4 * (static_cast<std::size_t>(y) * p.width + x) + 3] > 0;
+    for (int x = 0; x < p.width; ++x) any = any || p.rgba[4 * (static_cast<std::size_t>(y) * p.width + x) + 3] > 0;
     if (any && !in_band) found.emplace_back(y, y);
     if (any) found.back().second = y;
     in_band = any;
@@ -72,8 +69,7 @@ TEST_CASE("the fonts of figures and window are the designed ones", "[text]") {
 
 TEST_CASE("a measured box is the box of the pixels drawn", "[text]") {
   const double scale = 16;
-  for (const std::string markup :
-       {"*t*_{1,2}", "**o**", "*m*^2 = *r*^2", "√(*q*) ≤ ∩", "*f*", "two roots", "0"}) {
+  for (const std::string markup : {"*t*_{1,2}", "**o**", "*m*^2 = *r*^2", "√(*q*) ≤ ∩", "*f*", "two roots", "0"}) {
     for (const double align : {0.0, 0.5, 1.0}) {
       INFO(markup << " align " << align);
       const Text t = text(markup, 22, align);
@@ -83,8 +79,7 @@ TEST_CASE("a measured box is the box of the pixels drawn", "[text]") {
 }
 
 TEST_CASE("extents are proportional to the size and the same at every resolution", "[text]") {
-  const TextBox small = measure(text("*t*_{1,2} = 26 654", 6.6)),
-                large = measure(text("*t*_{1,2} = 26 654", 66));
+  const TextBox small = measure(text("*t*_{1,2} = 26 654", 6.6)), large = measure(text("*t*_{1,2} = 26 654", 66));
   CHECK(width(large) == Approx(10 * width(small)).epsilon(1e-9));
   CHECK(large.top - 50 == Approx(10 * (small.top - 50)).epsilon(1e-9));
 }
@@ -98,8 +93,7 @@ TEST_CASE("alignment anchors the line's left, middle or right", "[text]") {
   CHECK(left.bottom == Approx(50).margin(0.5));
 }
 
-TEST_CASE("subscripts hang below the baseline and superscripts stand above the letter, both smaller",
-          "[text]") {
+TEST_CASE("subscripts hang below the baseline and superscripts stand above the letter, both smaller", "[text]") {
   const TextBox base = measure(text("1")), sub = measure(text("_1")), super = measure(text("^1"));
   const double height = base.bottom - base.top;
   CHECK(sub.bottom - sub.top == Approx(0.7 * height).epsilon(0.01));
@@ -227,9 +221,7 @@ TEST_CASE("a formula on a generous pitch keeps all its ink", "[text]") {
   formula.line_pitch = 36;
   for (const double scale : {1.0, 2.0}) {
     const Picture p = raster(formula, scale);
-    const auto ink_at = [&p](int x, int y) {
-      return p.rgba[4 * (static_cast<std::size_t>(y) * p.width + x) + 3];
-    };
+    const auto ink_at = [&p](int x, int y) { return p.rgba[4 * (static_cast<std::size_t>(y) * p.width + x) + 3]; };
     int on_border = 0;
     for (int x = 0; x < p.width; ++x) on_border += (ink_at(x, 0) > 0) + (ink_at(x, p.height - 1) > 0);
     CHECK(on_border == 0);

@@ -150,8 +150,7 @@ TEST_CASE("lengths are the designed ones at the designed size and scale with the
   CHECK(window_theme(ThemeName::dark, 1.5).sizes.label == Approx(33));
 }
 
-TEST_CASE("among lines, the shared part is drawn thicker and hidden edges thinner than an outline",
-          "[theme]") {
+TEST_CASE("among lines, the shared part is drawn thicker and hidden edges thinner than an outline", "[theme]") {
   for (const ThemeName name : all_themes) {
     const Sizes s = theme(name, 960, 600).sizes;
     CHECK(s.highlight > s.shared);

@@ -37,12 +37,7 @@ inline const viz::Lesson& toy() {
       .summary = "Whether a point is inside a ball.",
       .parameters =
           {{.name = "radius", .label = "*r*", .help = "Radius.", .initial = 1.0, .lo = 0, .hi = 100},
-           {.name = "origin",
-            .label = "**o**",
-            .help = "Point.",
-            .initial = Vec3(0, 0, 0),
-            .lo = -50,
-            .hi = 50},
+           {.name = "origin", .label = "**o**", .help = "Point.", .initial = Vec3(0, 0, 0), .lo = -50, .hi = 50},
            {.name = "method",
             .label = "method",
             .help = "Which one.",
@@ -51,7 +46,7 @@ inline const viz::Lesson& toy() {
       .group_by = "",
       .presets = {{"near", "near by", "", parameters(0.5)}, {"far", "far away", "", parameters(2)}},
       .camera = {},
-      .walk = toy_walk};
+      .steps = toy_walk};
   return lesson;
 }
 

@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 
-#include "core/ray_sphere.h"
+#include <isect/ray_sphere.h>
 #include "tests/catch.h"
 
 namespace visibility_test {

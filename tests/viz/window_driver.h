@@ -18,9 +18,8 @@ namespace isect::viz {
 
 class WindowDriver {
  public:
-  WindowDriver(const std::vector<const Lesson*>& lessons, float width = 1280, float height = 800,
-               const Place& at = {}, const Settings& settings = {},
-               const WindowOptions& options = {.reduced_motion = true})
+  WindowDriver(const std::vector<const Lesson*>& lessons, float width = 1280, float height = 800, const Place& at = {},
+               const Settings& settings = {}, const WindowOptions& options = {.reduced_motion = true})
       : ui(lessons, at, offscreen.renderer(), settings, options), scale_(static_cast<float>(options.scale)) {
     resize(width, height);
     ImGui::GetIO().MousePos = {-1, -1};
@@ -106,8 +105,7 @@ class WindowDriver {
   /// What the window looks like now.
   Picture picture() {
     const ImGuiIO& io = ImGui::GetIO();
-    const int width = static_cast<int>(io.DisplaySize.x * scale_),
-              height = static_cast<int>(io.DisplaySize.y * scale_);
+    const int width = static_cast<int>(io.DisplaySize.x * scale_), height = static_cast<int>(io.DisplaySize.y * scale_);
     const FrameTarget target(width, height);
     ui.draw(target.framebuffer());
 

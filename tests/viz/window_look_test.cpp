@@ -28,9 +28,9 @@ std::array<int, 3> bytes(const Colour& c) {
 
 /// What a person aims at; the rest are areas that hold such things, or lie over others for a while.
 bool is_widget(const std::string& name) {
-  static const std::set<std::string> areas = {
-      "scene",         "lesson panel", "code panel", "top bar", "transport",           "lesson words",
-      "lesson fields", "code lines",   "values",     "message", "methods side by side"};
+  static const std::set<std::string> areas = {"scene",     "lesson panel", "code panel",          "top bar",
+                                              "transport", "lesson words", "lesson fields",       "code lines",
+                                              "values",    "message",      "methods side by side"};
   return !areas.contains(name) && !name.starts_with("handle ");
 }
 

@@ -40,9 +40,8 @@ TEST_CASE("a pasted text that is no state is refused with its reason, and nothin
   WindowDriver window(both);
   window.type("2");
   window.key(key::right);
-  const char* bad =
-      GENERATE("", "{", "[1, 2]", R"({"lesson": "point-dis"})", R"({"lesson": "point-disc", "step": 99})",
-               R"({"lesson": "point-disc", "parameters": {"r": -1}})");
+  const char* bad = GENERATE("", "{", "[1, 2]", R"({"lesson": "point-dis"})", R"({"lesson": "point-disc", "step": 99})",
+                             R"({"lesson": "point-disc", "parameters": {"r": -1}})");
   INFO(bad);
   ImGui::SetClipboardText(bad);
   window.key('V', true);
@@ -118,8 +117,7 @@ TEST_CASE("settings survive a run, and a spoilt file or field gives defaults", "
   REQUIRE(read.place);
   CHECK(read.place->step == 3);
 
-  write_file(file,
-             R"({"theme": 7, "width": "wide", "save_theme": "gray", "speed": 2, "place": {"lesson": "x"}})");
+  write_file(file, R"({"theme": 7, "width": "wide", "save_theme": "gray", "speed": 2, "place": {"lesson": "x"}})");
   const Settings half = read_settings(file, both);
   CHECK(half.theme == ThemeName::dark);
   CHECK(half.width == 1280);

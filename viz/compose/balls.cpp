@@ -46,17 +46,15 @@ void draw_ball(Canvas& c, int index) {
   } else {
     const double radius = edge.major.norm();
     const Vec2 lit = edge.center + 0.42 * radius * Vec2(-0.35, -0.55);  // towards the light, upper left
-    c.fills.emplace_back(Gradient{edge.center, edge.major, edge.minor, lit,
-                                  ink.with_alpha(0.3 * c.theme.fill_alpha),
+    c.fills.emplace_back(Gradient{edge.center, edge.major, edge.minor, lit, ink.with_alpha(0.3 * c.theme.fill_alpha),
                                   ink.with_alpha(1.9 * c.theme.fill_alpha)});
   }
 
   const Vec3 u = b.radius * Vec3::UnitX(), v = b.radius * Vec3::UnitZ();
   const Occluders around = around_ball(c.occluders, index);
-  const auto own =
-      std::find_if(around.balls.begin(), around.balls.end(), [&](const Ball& o) { return same(o, b); });
-  c.curve(stretches(b.center, u, v, c.view, around, static_cast<int>(own - around.balls.begin())),
-          ink.with_alpha(0.75), s.hidden * 1.1, false);
+  const auto own = std::find_if(around.balls.begin(), around.balls.end(), [&](const Ball& o) { return same(o, b); });
+  c.curve(stretches(b.center, u, v, c.view, around, static_cast<int>(own - around.balls.begin())), ink.with_alpha(0.75),
+          s.hidden * 1.1, false);
   if (alone(c.occluders))
     c.lines.emplace_back(Stroke{rim, ink, s.outline, {0, 0}, true});
   else

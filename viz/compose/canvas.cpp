@@ -22,7 +22,7 @@ Canvas::Canvas(const Scene& s, const View& v, const Theme& t, bool grips)
     if (const Region* region = std::get_if<Region>(&item); region && region->hides)
       occluders.screens.push_back({region->rings});
   }
-  const auto ball = [&](int i) { return std::get<Ball>(scene.items[static_cast<std::size_t>(i)]); };
+  const auto ball = [&](int i) { return std::get<Ball>(scene.items[i]); };
   const auto depth = [&](int i) {  // equal depths stay equal whatever the machine rounds
     return std::round(view.project(ball(i).center).depth / (1e-9 * view.camera().half_height));
   };
@@ -54,8 +54,7 @@ double Canvas::width(Pen pen, Role role) const {
 }
 
 void Canvas::block(const std::vector<Vec2>& points, double radius, bool firm) {
-  for (std::size_t i = 1; i < points.size(); ++i)
-    obstacles.push_back({points[i - 1], points[i], radius, firm});
+  for (std::size_t i = 1; i < points.size(); ++i) obstacles.push_back({points[i - 1], points[i], radius, firm});
 }
 
 void Canvas::curve(const std::vector<Stretch>& parts, const Colour& colour, double width, bool firm) {
@@ -77,8 +76,7 @@ void Canvas::plain_line(const std::vector<Vec2>& points, bool closed, Role role,
   const double w = width(pen, role);
   const bool dashed = pen == Pen::construction || pen == Pen::excluded;
   if (pen == Pen::highlight && theme.name != ThemeName::dark)  // yellow on white needs an edge to be seen
-    lines.emplace_back(
-        Stroke{polyline(points, closed), theme.ink(Role::text), w + 2 * sizes().hairline, {0, 0}, true});
+    lines.emplace_back(Stroke{polyline(points, closed), theme.ink(Role::text), w + 2 * sizes().hairline, {0, 0}, true});
   std::array<double, 2> dash = {0, 0};
   if (pen == Pen::construction) dash = sizes().construction_dash;
   if (pen == Pen::excluded) dash = {w, 0.7 * w};
@@ -99,8 +97,7 @@ double Canvas::dot_radius(const Vec3& p) const {
 Fill area(const Canvas& c, const Path& outline, Role role) {
   Fill fill = {outline, c.theme.tint(role), 0, 0, {}};
   if (c.theme.hatched(role))
-    fill.hatch_gap = c.sizes().hatch_gap, fill.hatch_line = c.sizes().hatch_line,
-    fill.hatch_colour = c.theme.ink(role);
+    fill.hatch_gap = c.sizes().hatch_gap, fill.hatch_line = c.sizes().hatch_line, fill.hatch_colour = c.theme.ink(role);
   return fill;
 }
 
@@ -119,14 +116,12 @@ void draw(Canvas& c, const Label& it) {
 }
 
 void draw(Canvas& c, const Heading& it) {
-  Text text = {
-      it.text, c.at(it.at), it.bold ? c.sizes().title : c.sizes().label, c.theme.ink(it.role), 0.5, it.bold,
-      0,       {}};
+  Text text = {it.text, c.at(it.at), it.bold ? c.sizes().title : c.sizes().label, c.theme.ink(it.role), 0.5, it.bold,
+               0,       {}};
   TextBox box = measure(text);
   const double room = it.room * c.view.scale_at(it.at);
   if (room > 0 && box.right - box.left > room) text.size *= room / (box.right - box.left);
-  text.at.y() +=
-      0.34 * text.size;  // half the height of capitals, so that headings side by side share a baseline
+  text.at.y() += 0.34 * text.size;  // half the height of capitals, so that headings side by side share a baseline
   box = measure(text);
   c.marks.emplace_back(text);
   const double height = (box.top + box.bottom) / 2;

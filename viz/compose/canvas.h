@@ -20,8 +20,8 @@ class Canvas {
   const Scene& scene;
   const View& view;
   const Theme& theme;
-  const bool handles;   ///< the grips of the handles are drawn
-  Occluders occluders;  ///< balls far to near
+  const bool handles;           ///< the grips of the handles are drawn
+  Occluders occluders;          ///< balls far to near
   std::vector<int> ball_items;  ///< the place of each of them among the scene's items
 
   // Painter's order: floor, curved fills and rasters, hidden lines, what lies within solids, their front faces, visible
@@ -31,9 +31,7 @@ class Canvas {
   std::vector<Obstacle> obstacles;
   std::vector<PlacedLabel> placed;  ///< texts that stand where they stand
 
-  std::array<std::vector<Shape>*, 7> layers() {
-    return {&ground, &fills, &hidden, &contents, &fronts, &lines, &marks};
-  }
+  std::array<std::vector<Shape>*, 7> layers() { return {&ground, &fills, &hidden, &contents, &fronts, &lines, &marks}; }
   /// Calls `draw`, and all that it draws belongs to `object`.
   template <class Draw>
   void own(int object, const Draw& draw) {

@@ -41,8 +41,7 @@ void grid(Canvas& c, double level) {
     return std::clamp(Vec2(p.x() - middle.x(), p.z() - middle.z()).norm() / reach, 0.0, 1.0);
   };
   const int count = static_cast<int>(std::ceil(reach / spacing));
-  const double x0 = spacing * std::round(middle.x() / spacing),
-               z0 = spacing * std::round(middle.z() / spacing);
+  const double x0 = spacing * std::round(middle.x() / spacing), z0 = spacing * std::round(middle.z() / spacing);
   for (int i = -count; i <= count; ++i) {
     for (int k = -count; k < count; ++k) {
       const double a = i * spacing, b0 = k * spacing, b1 = (k + 1) * spacing;
@@ -52,8 +51,7 @@ void grid(Canvas& c, double level) {
         const double share = fade((from + to) / 2);
         if (share >= 1) continue;
         const Colour colour = mixed(c.theme.ink(Role::grid), c.theme.background, share);
-        c.ground.emplace_back(
-            Stroke{polyline({c.at(from), c.at(to)}), colour, c.sizes().hairline, {0, 0}, false});
+        c.ground.emplace_back(Stroke{polyline({c.at(from), c.at(to)}), colour, c.sizes().hairline, {0, 0}, false});
       }
     }
   }
@@ -101,8 +99,7 @@ void draw_floor(Canvas& c) {
   for (const Item& item : c.scene.items) {
     const Dot* dot = std::get_if<Dot>(&item);
     const double least = 2.2e-3 * c.view.camera().half_height;
-    if (dot != nullptr && dot->role == Role::first && dot->at.y() - lowest >= least)
-      drop_line(c, *dot, lowest);
+    if (dot != nullptr && dot->role == Role::first && dot->at.y() - lowest >= least) drop_line(c, *dot, lowest);
   }
 }
 

@@ -24,9 +24,7 @@ class Head {
   }
 
   /// Where the line must end so that the head covers its end.
-  Vec3 line_end(const Canvas& c) const {
-    return shown_ ? before_end(keep_off_ + 0.8 * c.sizes().arrow) : to_;
-  }
+  Vec3 line_end(const Canvas& c) const { return shown_ ? before_end(keep_off_ + 0.8 * c.sizes().arrow) : to_; }
 
   void draw(Canvas& c, Role role) const {
     if (!shown_) return;
@@ -57,8 +55,7 @@ void draw(Canvas& c, const Chain& it) {
   if (it.points.size() < 2) return;
   if (!Canvas::is_split(it.pen, true) || c.occluders.none())
     return c.plain_line(c.projected(it.points), it.closed, it.role, it.pen);
-  c.curve(stretches(it.points, it.closed, c.view, c.occluders), c.theme.ink(it.role),
-          c.width(it.pen, it.role), true);
+  c.curve(stretches(it.points, it.closed, c.view, c.occluders), c.theme.ink(it.role), c.width(it.pen, it.role), true);
 }
 
 void draw(Canvas& c, const Circle& it) {
@@ -69,8 +66,8 @@ void draw(Canvas& c, const Circle& it) {
   if (it.filled) {
     Fill disc = area(c, polyline(c.projected(whole.front().points), true), it.role);
     if (!c.view.camera().perspective)  // the picture of a circle by two perpendicular radii: exact
-      disc.path = ellipse(c.at(it.center), c.at(it.center + u) - c.at(it.center),
-                          c.at(it.center + v) - c.at(it.center));
+      disc.path =
+          ellipse(c.at(it.center), c.at(it.center + u) - c.at(it.center), c.at(it.center + v) - c.at(it.center));
     c.fills.emplace_back(disc);
   }
   if (Canvas::is_split(it.pen, true) && !c.occluders.none())
@@ -97,8 +94,7 @@ void draw(Canvas& c, const RightAngle& it) {
   const double side = 1.9 * c.sizes().disc / c.view.scale_at(it.at);
   const Vec3 u = side * (it.a - it.at).normalized(), v = side * (it.b - it.at).normalized();
   const std::vector<Vec2> points = c.projected({it.at + u, it.at + u + v, it.at + v});
-  c.lines.emplace_back(
-      Stroke{polyline(points), c.theme.ink(Role::construction), c.sizes().construction, {0, 0}, true});
+  c.lines.emplace_back(Stroke{polyline(points), c.theme.ink(Role::construction), c.sizes().construction, {0, 0}, true});
   c.block(points, c.sizes().construction, false);
 }
 

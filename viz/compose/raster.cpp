@@ -52,7 +52,7 @@ void draw(Canvas& c, const Raster& it) {
   std::vector<Look> looks;
   std::map<Look, int> count;
   for (int i = 0; i < rows * columns; ++i) {
-    looks.push_back(look_of(it.cells[static_cast<std::size_t>(i)]));
+    looks.push_back(look_of(it.cells[i]));
     ++count[looks.back()];
   }
   const auto corner = [&](const Corner& p) {
@@ -67,8 +67,8 @@ void draw(Canvas& c, const Raster& it) {
   const Path frame = path({{0, 0}, {columns, 0}, {columns, rows}, {0, rows}});
 
   // The most frequent look lies under all others: less to draw, and no seam shows the background.
-  const auto most = std::max_element(count.begin(), count.end(),
-                                     [](const auto& a, const auto& b) { return a.second < b.second; });
+  const auto most =
+      std::max_element(count.begin(), count.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
   Fill base = filled(c, most->first);
   base.path = frame;
   const bool plain_base = base.hatch_gap == 0;  // a hatch would show through the others
@@ -84,8 +84,7 @@ void draw(Canvas& c, const Raster& it) {
     c.fills.emplace_back(fill);
   }
   if (it.framed)
-    c.lines.emplace_back(
-        Stroke{frame, c.theme.ink(Role::construction), c.sizes().construction, {0, 0}, true});
+    c.lines.emplace_back(Stroke{frame, c.theme.ink(Role::construction), c.sizes().construction, {0, 0}, true});
   for (int i = 0; i <= 12; ++i)  // labels keep off all of it
     c.block({corner({0, i * rows / 12}), corner({columns, i * rows / 12})}, c.sizes().construction, true);
 }

@@ -36,8 +36,7 @@ void faces(Canvas& c, const Solid& solid, const Shell& shell) {
     std::vector<Vec3> corners;
     for (const int v : solid.faces[i]) corners.push_back(solid.vertices[v]);
     if (n.squaredNorm() == 0 || n.dot(c.view.towards_eye(middle(corners))) <= 0) continue;
-    Fill face = {
-        polyline(c.projected(corners), true), ink.with_alpha(alpha(c.theme, solid.role, lit(n))), 0, 0, {}};
+    Fill face = {polyline(c.projected(corners), true), ink.with_alpha(alpha(c.theme, solid.role, lit(n))), 0, 0, {}};
     if (hatched) {
       face.colour = ink.with_alpha(0.7 * face.colour.a);
       face.hatch_gap = c.sizes().hatch_gap, face.hatch_line = c.sizes().hatch_line, face.hatch_colour = ink;
@@ -58,24 +57,22 @@ constexpr std::size_t fine_from = 60;
 
 bool is_silhouette(const Shell& shell, const Shell::Edge& edge, const View& view) {
   const Vec3 eye = view.towards_eye(edge.from);
-  return edge.faces.size() != 2 ||
-         shell.normals[edge.faces[0]].dot(eye) * shell.normals[edge.faces[1]].dot(eye) <= 0;
+  return edge.faces.size() != 2 || shell.normals[edge.faces[0]].dot(eye) * shell.normals[edge.faces[1]].dot(eye) <= 0;
 }
 
 /// Number `index` of the scene's solids: faces and edges.
 void draw_solid(Canvas& c, const Solid& solid, int index) {
-  const Shell& shell = c.occluders.solids[static_cast<std::size_t>(index)];
+  const Shell& shell = c.occluders.solids[index];
   faces(c, solid, shell);
   const double width = solid.role == Role::hit ? c.sizes().shared : c.sizes().outline;
-  const Occluders around =
-      solid.role == Role::hit ? c.occluders : around_solid(c.occluders, index, solid.vertices);
+  const Occluders around = solid.role == Role::hit ? c.occluders : around_solid(c.occluders, index, solid.vertices);
   const bool fine = shell.edges.size() > fine_from;
   for (const Shell::Edge& edge : shell.edges) {
     if (!is_edge(shell, edge)) continue;
     std::vector<Stretch> parts = stretches(edge.from, edge.to, c.view, around);
     if (fine) std::erase_if(parts, [](const Stretch& part) { return part.hidden; });
-    c.curve(parts, c.theme.ink(solid.role),
-            fine && !is_silhouette(shell, edge, c.view) ? c.sizes().hidden : width, !fine);
+    c.curve(parts, c.theme.ink(solid.role), fine && !is_silhouette(shell, edge, c.view) ? c.sizes().hidden : width,
+            !fine);
   }
 }
 
@@ -90,8 +87,7 @@ void draw_solids(Canvas& c) {
   std::vector<std::size_t> order(solids.size());  // of the scene, and so of the shells
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto depth = [&](std::size_t i) { return c.view.project(middle(solids[i]->vertices)).depth; };
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return depth(a) > depth(b); });
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return depth(a) > depth(b); });
 
   for (const std::size_t i : order) c.own(items[i], [&] { draw_solid(c, *solids[i], static_cast<int>(i)); });
 }
@@ -107,16 +103,13 @@ void draw(Canvas& c, const Mesh& it) {
     const Vec3 n = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
     if (!(n.dot(c.view.towards_eye(corners[0])) > 0)) continue;
     const Colour colour = mixed(c.theme.ink(it.role), c.theme.background, 0.08 + 0.45 * lit(n));
-    facets.push_back(
-        {c.view.project(middle(corners)).depth, {polyline(c.projected(corners), true), colour, 0, 0, {}}});
+    facets.push_back({c.view.project(middle(corners)).depth, {polyline(c.projected(corners), true), colour, 0, 0, {}}});
   }
-  std::stable_sort(facets.begin(), facets.end(),
-                   [](const Facet& a, const Facet& b) { return a.depth > b.depth; });
+  std::stable_sort(facets.begin(), facets.end(), [](const Facet& a, const Facet& b) { return a.depth > b.depth; });
   for (const Facet& facet : facets) {
     // A hairline of the same colour closes the seams that smoothing leaves between neighbours.
     c.contents.emplace_back(facet.fill);
-    c.contents.emplace_back(
-        Stroke{facet.fill.path, facet.fill.colour, 0.3 * c.sizes().hairline, {0, 0}, true});
+    c.contents.emplace_back(Stroke{facet.fill.path, facet.fill.colour, 0.3 * c.sizes().hairline, {0, 0}, true});
   }
 }
 

@@ -9,9 +9,7 @@ namespace isect::viz::snap {
 using Json = nlohmann::ordered_json;
 
 /// Text as it is, everything else as JSON.
-inline std::string shown(const Json& value) {
-  return value.is_string() ? value.get<std::string>() : value.dump();
-}
+inline std::string shown(const Json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
 
 /// The member `key`; the text "absent" where there is none.
 inline const Json& at(const Json& object, const std::string& key) {

@@ -30,15 +30,13 @@ using Tint = std::array<double, 4>;  ///< red, green, blue, alpha, each up to 25
 Tint tint(const Colour& c) { return {255 * c.r, 255 * c.g, 255 * c.b, 255 * c.a}; }
 /// "#0b60c8", with the alpha behind it where it is not opaque; a list where a channel is no whole number.
 Json json_of(const Tint& t, int decimals = 1) {
-  const bool whole =
-      std::all_of(t.begin(), t.begin() + 3, [](double x) { return std::abs(x - std::round(x)) < 1e-6; });
+  const bool whole = std::all_of(t.begin(), t.begin() + 3, [](double x) { return std::abs(x - std::round(x)) < 1e-6; });
   if (!whole) {
     Json list = Json::array();
     for (const double x : t) list.push_back(rounded(x, decimals));
     return list;
   }
-  const std::string hex =
-      fmt::format("#{:02x}{:02x}{:02x}", std::lround(t[0]), std::lround(t[1]), std::lround(t[2]));
+  const std::string hex = fmt::format("#{:02x}{:02x}{:02x}", std::lround(t[0]), std::lround(t[1]), std::lround(t[2]));
   return t[3] == 255 ? hex : fmt::format("{} {}", hex, rounded(t[3], decimals).dump());
 }
 
@@ -182,7 +180,7 @@ constexpr std::size_t most_colours = 8;
 
 std::string name_in(const Drawing& drawing, int object) {
   const bool known = object >= 0 && object < static_cast<int>(drawing.objects.size());
-  return known ? full_name(drawing.objects[static_cast<std::size_t>(object)]) : "rest";
+  return known ? full_name(drawing.objects[object]) : "rest";
 }
 
 /// What follows each other in the paint order of one object.
@@ -235,8 +233,7 @@ Json look(const Drawing& drawing) {
     if (one || !objects.contains(name)) order.push_back(name);
     if (!objects.contains(name)) {
       objects[name] = Json::object();
-      if (name != "rest")
-        objects[name]["role"] = name_of(drawing.objects[static_cast<std::size_t>(run.object)].role);
+      if (name != "rest") objects[name]["role"] = name_of(drawing.objects[run.object].role);
       objects[name]["parts"] = Json::array();
     }
     for (const Part& part : run.parts) {

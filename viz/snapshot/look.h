@@ -4,9 +4,9 @@
 //   {"order": ["floor grid", "ball b", "line t", "ball b", "label r"],
 //    "objects": {"ball b": {"role": "second", "parts": [{"draws": "stroke", "box": [...], ...}, ...]}, ...}}
 //
-// `order` is the paint order. A part is what follows each other in it of one object in one style. Places are in pixels to
-// two decimals, texts stand at their anchors (their extents are the font's), and two looks are compared with a tolerance, so
-// a number on the edge between two roundings never tells.
+// `order` is the paint order. A part is what follows each other in it of one object in one style. Places are in pixels
+// to two decimals, texts stand at their anchors (their extents are the font's), and two looks are compared with a
+// tolerance, so a number on the edge between two roundings never tells.
 
 #include <string>
 #include <vector>

@@ -55,8 +55,7 @@ bool same(const std::string& key, const Json& a, const Json& b) {
   if (a == b) return true;
   if (is_colour(key)) {
     const std::vector<double> p = tint_of(a), q = tint_of(b);
-    return !p.empty() &&
-           std::ranges::equal(p, q, [&](double x, double y) { return std::abs(x - y) < tolerance(key); });
+    return !p.empty() && std::ranges::equal(p, q, [&](double x, double y) { return std::abs(x - y) < tolerance(key); });
   }
   if (a.is_number() && b.is_number()) return std::abs(a.get<double>() - b.get<double>()) < tolerance(key);
   if (!a.is_array() || !b.is_array() || a.size() != b.size()) return false;
@@ -104,8 +103,8 @@ void add_motion(Motion& motion, const Json& was, const Json& is) {
 std::string in_words(const Json& colour) {
   const std::vector<double> t = tint_of(colour);
   if (t.size() != 4) return shown(colour);
-  std::string text = colour.is_string() ? shown(colour).substr(0, 7)
-                                        : fmt::format("rgb({:.6g} {:.6g} {:.6g})", t[0], t[1], t[2]);
+  std::string text =
+      colour.is_string() ? shown(colour).substr(0, 7) : fmt::format("rgb({:.6g} {:.6g} {:.6g})", t[0], t[1], t[2]);
   return t[3] == 255 ? text : text + fmt::format(" at {:.1f} %", t[3] / 2.55);
 }
 
@@ -128,16 +127,13 @@ class Comparer {
 
   void compare(const Json& was, const Json& is) {
     if (at(was, "role") != at(is, "role"))
-      say(Said::role,
-          fmt::format("plays the part {}, was {}", shown(at(is, "role")), shown(at(was, "role"))));
+      say(Said::role, fmt::format("plays the part {}, was {}", shown(at(is, "role")), shown(at(was, "role"))));
     std::vector<Json> old_parts = parts_of(was), new_parts = parts_of(is);
     match(old_parts, new_parts);
     for (const auto& [a, b] : pairs_) compare_parts(a, b);
     place();
-    if (!shape_said_ && !old_parts.empty())
-      say(Said::shape, fmt::format("has lost a {}", what(old_parts[0])));
-    if (!shape_said_ && !new_parts.empty())
-      say(Said::shape, fmt::format("has one more {}", what(new_parts[0])));
+    if (!shape_said_ && !old_parts.empty()) say(Said::shape, fmt::format("has lost a {}", what(old_parts[0])));
+    if (!shape_said_ && !new_parts.empty()) say(Said::shape, fmt::format("has one more {}", what(new_parts[0])));
   }
 
  private:
@@ -146,8 +142,7 @@ class Comparer {
     return parts.is_array() ? parts.get<std::vector<Json>>() : std::vector<Json>{};
   }
   static std::string what(const Json& part) {
-    return at(part, "draws") == "text" ? "text “" + plain(shown(at(part, "text"))) + "”"
-                                       : shown(at(part, "draws"));
+    return at(part, "draws") == "text" ? "text “" + plain(shown(at(part, "text"))) + "”" : shown(at(part, "draws"));
   }
   static int likeness(const Json& a, const Json& b) {
     if (at(a, "draws") != at(b, "draws")) return -1;
@@ -160,9 +155,8 @@ class Comparer {
   /// Pairs of parts that are most alike, in order; what has no partner stays.
   void match(std::vector<Json>& was, std::vector<Json>& is) {
     for (auto b = is.begin(); b != is.end();) {
-      const auto a = std::max_element(was.begin(), was.end(), [&](const Json& x, const Json& y) {
-        return likeness(x, *b) < likeness(y, *b);
-      });
+      const auto a = std::max_element(was.begin(), was.end(),
+                                      [&](const Json& x, const Json& y) { return likeness(x, *b) < likeness(y, *b); });
       if (a == was.end() || likeness(*a, *b) < 0) {
         ++b;
         continue;
@@ -210,9 +204,7 @@ class Comparer {
     else
       say(Said::shape, motion_.most >= 0.02 ? "changed its shape" : "changed its inner shape", motion_.most);
   }
-  void say(Said kind, const std::string& verb, double pixels = 0) {
-    out_.push_back({kind, subject_, verb, pixels});
-  }
+  void say(Said kind, const std::string& verb, double pixels = 0) { out_.push_back({kind, subject_, verb, pixels}); }
 
   std::string subject_;
   std::vector<Saying>& out_;
@@ -272,10 +264,8 @@ void compare_orders(const Json& was, const Json& is, std::vector<Saying>& out) {
   for (auto a = now.begin(); a != now.end(); ++a)
     for (auto b = std::next(a); b != now.end(); ++b) {
       const auto old_a = before.find(a->first), old_b = before.find(b->first);
-      if (old_a == before.end() || old_b == before.end() || !meet(bounds[a->first], bounds[b->first]))
-        continue;
-      const std::string old_turns = turns(old_a->second, old_b->second),
-                        new_turns = turns(a->second, b->second);
+      if (old_a == before.end() || old_b == before.end() || !meet(bounds[a->first], bounds[b->first])) continue;
+      const std::string old_turns = turns(old_a->second, old_b->second), new_turns = turns(a->second, b->second);
       if (old_turns == new_turns) continue;
       const bool over = new_turns.back() == 'a';
       out.push_back({Said::order, "the " + (over ? a : b)->first,

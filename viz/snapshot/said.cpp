@@ -47,8 +47,7 @@ Json told(const Value& v) {
 
 Json told(const Question& q) {
   Json object = {{"prompt", q.prompt}, {"choices", q.choices}};
-  if (q.answer >= 0 && q.answer < static_cast<int>(q.choices.size()))
-    object["answer"] = q.choices[static_cast<std::size_t>(q.answer)];
+  if (q.answer >= 0 && q.answer < static_cast<int>(q.choices.size())) object["answer"] = q.choices[q.answer];
   object["because"] = q.because;
   return object;
 }
@@ -86,8 +85,7 @@ Json said(const Step& step) {
 
 Json said(const std::vector<Opinion>& opinions) {
   Json list = Json::array();
-  for (const Opinion& o : opinions)
-    list.push_back({{"method", o.method}, {"says", o.says}, {"agrees", o.agrees}});
+  for (const Opinion& o : opinions) list.push_back({{"method", o.method}, {"says", o.says}, {"agrees", o.agrees}});
   return list;
 }
 

@@ -46,8 +46,7 @@ void compare_comparisons(const Json& was, const Json& is, Changes& changes) {
     return changes.add(fmt::format("compared {} with {}, now {} with {}", shown(at(was, "left")),
                                    shown(at(was, "right")), shown(at(is, "left")), right));
   if (at(was, "relation") != at(is, "relation"))
-    changes.add(
-        fmt::format("{} {} became {} {}", left_relation(was), right, shown(at(is, "relation")), right));
+    changes.add(fmt::format("{} {} became {} {}", left_relation(was), right, shown(at(is, "relation")), right));
   if (at(was, "holds") != at(is, "holds"))
     changes.add(fmt::format("the comparison of {} with {} was {}, is {}", shown(at(is, "left")), right,
                             at(was, "holds").dump(), at(is, "holds").dump()));
@@ -135,8 +134,7 @@ void compare_steps(const Json& was, const Json& is, Changes& changes) {
     changes.compare(key == "decides" ? key : key + " lines", at(was, key), at(is, key));
   for (const std::string key : {"title", "formula"}) changes.compare_texts(key, at(was, key), at(is, key));
   compare_values(at(was, "values"), at(is, "values"), changes);
-  if (at(was, "counters").is_object())
-    changes.compare_all("count of ", at(was, "counters"), at(is, "counters"));
+  if (at(was, "counters").is_object()) changes.compare_all("count of ", at(was, "counters"), at(is, "counters"));
   compare_questions(at(was, "question"), at(is, "question"), changes);
   for (const std::string key : {"caption", "source"}) changes.compare_texts(key, at(was, key), at(is, key));
   if (changes.count() == before) changes.add("is written differently");

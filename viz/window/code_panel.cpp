@@ -40,9 +40,8 @@ std::vector<CodeLine> code_lines(const Ui& ui, const Walk& walk, float width) {
     const bool asks = words.find("if ") != std::string::npos || words.find("else") != std::string::npos;
     return width - code_left - (asks ? 38 : 6);
   };
-  const bool fits = std::ranges::all_of(walk.pseudocode, [&](const std::string& words) {
-    return text_width(ui.fonts.mono, words) <= room(words);
-  });
+  const bool fits = std::ranges::all_of(
+      walk.pseudocode, [&](const std::string& words) { return text_width(ui.fonts.mono, words) <= room(words); });
   std::vector<CodeLine> lines;
   for (const std::string& words : walk.pseudocode)
     lines.push_back(laid_out(words, fits ? ui.fonts.mono : ui.fonts.mono_small, room(words)));
@@ -84,9 +83,7 @@ Fit fit(const Walk& walk, const std::vector<CodeLine>& lines, const Step& step, 
   return f;
 }
 
-bool has(const std::vector<int>& lines, int line) {
-  return std::find(lines.begin(), lines.end(), line) != lines.end();
-}
+bool has(const std::vector<int>& lines, int line) { return std::find(lines.begin(), lines.end(), line) != lines.end(); }
 
 /// The next step, going round, that stands at this line; -1 if none does.
 int step_at_line(const Player& player, int line) {
@@ -113,8 +110,7 @@ void code_line(Session& s, int line, const CodeLine& words, float pitch, const R
   const Colour& ink = current ? c.on_highlight : has(step.untaken, line) ? c.muted : c.text;
   float y = r.top + pitch / 2;
   const float number = r.left + 26;
-  text(ui.fonts.mono_small, number, y, packed(current ? c.on_highlight : c.muted), std::to_string(line + 1),
-       1);
+  text(ui.fonts.mono_small, number, y, packed(current ? c.on_highlight : c.muted), std::to_string(line + 1), 1);
   const bool refused = has(step.refused, line);
   ImGui::PushClipRect({number + 8, r.top}, {r.right - (refused ? 38 : 4), r.bottom}, true);
   for (const std::string& row : words.rows) {
@@ -136,7 +132,7 @@ void code(Session& s, const std::vector<CodeLine>& lines, const Rect& r, float p
   const float top = ImGui::GetCursorScreenPos().y;
   float y = top;
   for (int i = 0; i < static_cast<int>(lines.size()); ++i) {
-    const CodeLine& words = lines[static_cast<std::size_t>(i)];
+    const CodeLine& words = lines[i];
     const float height = words.height(pitch);
     code_line(s, i, words, pitch, {r.left, y, r.right, y + height});
     if (i == line) ImGui::SetScrollFromPosY(y + height / 2 - ImGui::GetWindowPos().y, 0.5f);

@@ -19,8 +19,7 @@ WindowLayout window_layout(float width, float height, bool panels) {
           .transport = {0, bottom, width, height}};
 }
 
-std::vector<float> chip_widths(const std::vector<float>& wide, float narrow, float gap, float width,
-                               int chosen) {
+std::vector<float> chip_widths(const std::vector<float>& wide, float narrow, float gap, float width, int chosen) {
   std::vector<float> widths = wide;
   const float gaps = gap * static_cast<float>(std::max<std::size_t>(wide.size(), 1) - 1);
   const auto total = [&] { return std::accumulate(widths.begin(), widths.end(), gaps); };

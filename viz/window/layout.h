@@ -27,7 +27,6 @@ WindowLayout window_layout(float width, float height, bool panels);
 
 /// The width each of the chips gets in a row of `width` px, `gap` apart: those of `wide` where they fit;
 /// otherwise the last ones shrink to `narrow`, the chosen one excepted.
-std::vector<float> chip_widths(const std::vector<float>& wide, float narrow, float gap, float width,
-                               int chosen);
+std::vector<float> chip_widths(const std::vector<float>& wide, float narrow, float gap, float width, int chosen);
 
 }  // namespace isect::viz

@@ -18,12 +18,7 @@ struct Column {
   void paragraph(const std::string& markup, const Colour& colour, double size = 15, double pitch = 23,
                  bool bold = false) {
     y += rich(s.ui,
-              {.markup = markup,
-               .width = width,
-               .size = size,
-               .line_pitch = pitch,
-               .bold = bold,
-               .colour = colour},
+              {.markup = markup, .width = width, .size = size, .line_pitch = pitch, .bold = bold, .colour = colour},
               {x, y})
              .y;
   }
@@ -77,8 +72,7 @@ int choices(Column& c, const Question& question, int given) {
   for (int i = 0; i < n; ++i) {
     const float x = in_a_row ? c.x + static_cast<float>(i) * (share + 8) : c.x;
     const Rect r{x, c.y, x + (in_a_row ? share : c.width), c.y + 36};
-    const Choice choice{"choice " + std::to_string(i), question.choices[i],
-                        static_cast<char>('A' + i),    given < 0,
+    const Choice choice{"choice " + std::to_string(i), question.choices[i], static_cast<char>('A' + i), given < 0,
                         i == question.answer,          i == given};
     if (choice_button(ui, choice, r)) pressed = i;
     if (!in_a_row && i + 1 < n) c.y += 42;
@@ -135,8 +129,7 @@ void side_by_side(Column& c) {
   ui.rects["methods side by side"] = {c.x, top, c.x + c.width, c.y};
   if (!c.s.player.methods_differ()) return;
   c.y += 8;
-  if (chip(ui, "save preset", {c.x, c.y, c.x + 180, c.y + 34}, "Save as preset", false))
-    c.s.save_preset = true;
+  if (chip(ui, "save preset", {c.x, c.y, c.x + 180, c.y + 34}, "Save as preset", false)) c.s.save_preset = true;
   c.y += 34;
 }
 
@@ -170,14 +163,12 @@ struct Hint {
 };
 std::vector<Hint> hints_of(const Player& player) {
   std::vector<Hint> hints;
-  if (player.lesson().map && player.step().scene.chart)
-    hints.push_back({Role::text, "drag the setting over the map"});
+  if (player.lesson().map && player.step().scene.chart) hints.push_back({Role::text, "drag the setting over the map"});
   for (const Handle& h : player.step().scene.handles) {
     std::string label = h.parameter;
     for (const Parameter& p : player.lesson().parameters)
       if (p.name == h.parameter && !p.label.empty()) label = p.label;
-    auto found =
-        std::find_if(hints.begin(), hints.end(), [&](const Hint& hint) { return hint.role == h.role; });
+    auto found = std::find_if(hints.begin(), hints.end(), [&](const Hint& hint) { return hint.role == h.role; });
     if (found == hints.end())
       hints.push_back({h.role, "drag " + label});
     else if (found->markup.find(label) == std::string::npos)

@@ -4,8 +4,7 @@ namespace isect::viz {
 namespace {
 
 ImVec4 vec4(const Colour& c, double alpha = 1) {
-  return {static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b),
-          static_cast<float>(c.a * alpha)};
+  return {static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b), static_cast<float>(c.a * alpha)};
 }
 
 void set_sizes(ImGuiStyle& s) {

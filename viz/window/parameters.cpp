@@ -10,8 +10,7 @@ namespace {
 constexpr float field_height = 32;
 
 /// A number to drag along; Ctrl+click types it. `edited` gets the new value.
-bool number_field(Session& s, const std::string& name, const Parameter& p, double& value, const Rect& r,
-                  bool slider) {
+bool number_field(Session& s, const std::string& name, const Parameter& p, double& value, const Rect& r, bool slider) {
   s.ui.rects["parameter " + name] = r;
   ImGui::SetCursorScreenPos(top_left(r));
   ImGui::SetNextItemWidth(r.width());
@@ -58,8 +57,7 @@ float choice(Session& s, const Parameter& p, const std::string& value, const Rec
     }
     const Rect chip_rect{x, y, x + width, y + 26};
     if (chip(s.ui, "parameter " + p.name + "." + c, chip_rect, title, c == value, s.ui.fonts.small))
-      s.attempt(
-          [&] { p.name == s.player.lesson().group_by ? s.player.load_method(c) : s.player.edit(p.name, c); });
+      s.attempt([&] { p.name == s.player.lesson().group_by ? s.player.load_method(c) : s.player.edit(p.name, c); });
     x += width + 6;
   }
   return y - r.top;

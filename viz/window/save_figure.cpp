@@ -1,4 +1,5 @@
 #include "viz/window/save_figure.h"
+#include "viz/formats.h"
 
 #include <filesystem>
 
@@ -27,19 +28,17 @@ Picture halved(const Picture& from) {
 
 }  // namespace
 
-std::string save_figure(const Player& player, const Settings& settings, Renderer& renderer,
-                        const std::string& folder) {
+std::string save_figure(const Player& player, const Settings& settings, Renderer& renderer, const std::string& folder) {
   const Place place = player.place();
   const std::string preset = place.preset.empty() ? "changed" : place.preset;
-  const std::string path = folder + "/" + place.lesson + "/" + preset + "/" +
-                           file_stem(*place.step, player.step()) + "." + settings.save_format;
-  const Drawing drawing = figure(player.step(), *place.camera, settings.save_theme, figure_width, figure_height).drawing;
-  if (settings.save_format == "svg") {
-    write_file(path, svg(drawing, metadata(place)));
-    return path;
-  }
-  renderer.draw(drawing, 2);
-  write_file(path, png(halved(renderer.read()), metadata(place)));
+  const std::string path = folder + "/" + place.lesson + "/" + preset + "/" + file_stem(*place.step, player.step()) +
+                           "." + settings.save_format;
+  const Drawing drawing =
+      figure(player.step(), *place.camera, settings.save_theme, figure_width, figure_height).drawing;
+  write_file(path, format_named(settings.save_format).write(drawing, metadata(place), {}, [&](const Drawing& d) {
+    renderer.draw(d, 2);
+    return halved(renderer.read());
+  }));
   return path;
 }
 

@@ -82,8 +82,7 @@ void alarm_chip(Session& s, const Rect& scene) {
   Ui& ui = s.ui;
   const std::vector<Opinion>& said = s.player.opinions();
   const auto differ = std::ranges::count_if(said, [](const Opinion& o) { return !o.agrees; });
-  const std::string words =
-      fmt::format("{} of {} methods {}", differ, said.size(), differ == 1 ? "differs" : "differ");
+  const std::string words = fmt::format("{} of {} methods {}", differ, said.size(), differ == 1 ? "differs" : "differ");
   const float top = scene.top + (s.player.step().verdict.text.empty() ? 20 : 64);
   const Rect r{scene.left + 20, top, scene.left + 66 + text_width(ui.fonts.small, words), top + 32};
   ui.rects["alarm"] = r;

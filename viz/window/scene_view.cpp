@@ -17,9 +17,9 @@ Vec2 mouse() { return {ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y}; }
 
 std::string line_of(const Session& s, const Rect& r, double scale) {
   const Camera& c = s.player.camera().now();
-  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {}", s.player.revision(), r.width(), r.height(),
-                     scale, name_of(s.settings.theme), c.target.x(), c.target.y(), c.target.z(), c.azimuth,
-                     c.elevation, c.half_height, c.perspective, c.field_of_view);
+  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {}", s.player.revision(), r.width(), r.height(), scale,
+                     name_of(s.settings.theme), c.target.x(), c.target.y(), c.target.z(), c.azimuth, c.elevation,
+                     c.half_height, c.perspective, c.field_of_view);
 }
 
 /// What a chart leaves to the chips above it, where the scene's are drawn over.
@@ -77,8 +77,7 @@ void SceneView::drag_held(Session& s, const View& view) {
 void SceneView::drag_case(Session& s, const View& view, bool hovered) {
   const Cases& cases = *map_of(s);
   const Vec2 head(0, head_of(s));
-  const Box2 plane =
-      plane_of(cases, view.corner() + head, view.width(), view.height() - head.y(), s.ui.palette.theme);
+  const Box2 plane = plane_of(cases, view.corner() + head, view.width(), view.height() - head.y(), s.ui.palette.theme);
   const Vec2 share = (mouse() - plane.lo).cwiseQuotient(plane.hi - plane.lo);
   const bool inside = (share.array() >= 0).all() && (share.array() <= 1).all();
   if (hovered && inside && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
@@ -90,8 +89,8 @@ void SceneView::drag_case(Session& s, const View& view, bool hovered) {
   }
   if (on_map_)
     s.attempt([&] {
-      s.player.go_to_case({cases.x.lo + share.x() * (cases.x.hi - cases.x.lo),
-                           cases.y.hi - share.y() * (cases.y.hi - cases.y.lo)});
+      s.player.go_to_case(
+          {cases.x.lo + share.x() * (cases.x.hi - cases.x.lo), cases.y.hi - share.y() * (cases.y.hi - cases.y.lo)});
     });
 }
 
@@ -160,9 +159,7 @@ void SceneView::show(Session& s, const Rect& r) {
     const float x = static_cast<float>(at.x()), y = static_cast<float>(at.y());
     ui.rects["handle " + h.parameter] = {x - 4, y - 4, x + 4, y + 4};
   }
-  if (const std::optional<Handle> under = held_     ? held_
-                                          : hovered ? handle_near(s, view, mouse())
-                                                    : std::nullopt)
+  if (const std::optional<Handle> under = held_ ? held_ : hovered ? handle_near(s, view, mouse()) : std::nullopt)
     handle_under_pointer(s, view, *under);
   else if (hovered && !active)
     item_under_pointer(s, view, mouse());

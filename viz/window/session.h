@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "viz/formats.h"
 #include "viz/player.h"
 #include "viz/window/widgets.h"
 
@@ -12,7 +13,7 @@ namespace isect::viz {
 /// What is kept between runs.
 struct Settings {
   ThemeName theme = ThemeName::dark;
-  std::string save_format = "png";
+  std::string save_format = formats().front().name;
   ThemeName save_theme = ThemeName::print;
   bool parameters_open = false;
   double speed = 1;
@@ -24,8 +25,8 @@ struct Settings {
 std::string settings_file();
 /// A missing or spoilt file gives the defaults, a spoilt field its default.
 Settings read_settings(const std::string& file, const std::vector<const Lesson*>&);
-/// What is there but can't be read as settings would be overwritten at the end: moves it to a name of its own beside it.
-/// What to say of that; empty where there was nothing to do.
+/// What is there but can't be read as settings would be overwritten at the end: moves it to a name of its own beside
+/// it. What to say of that; empty where there was nothing to do.
 std::string set_spoilt_settings_aside(const std::string& file);
 /// Throws FileError.
 void write_settings(const std::string& file, const Settings&);

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "viz/formats.h"
 #include "viz/rich_text.h"
 #include "viz/window/key_codes.h"
 #include "viz/window/panels.h"
@@ -82,21 +83,18 @@ std::optional<std::pair<std::string, std::string>> objects_of(const Lesson& less
 }
 
 std::string lower(std::string s) {
-  std::transform(s.begin(), s.end(), s.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(s.begin(), s.end(), s.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return s;
 }
 
 bool matches(const Lesson& lesson, const std::string& wanted) {
-  const std::string all =
-      lower(lesson.id + " " + plain(lesson.title) + " " + lesson.rows + " " + lesson.summary);
+  const std::string all = lower(lesson.id + " " + plain(lesson.title) + " " + lesson.rows + " " + lesson.summary);
   return all.find(lower(wanted)) != std::string::npos;
 }
 
 /// First objects down, second objects across, a dot where a lesson joins them. Returns the lesson that was
 /// pressed.
-const Lesson* object_grid(Session& s, const std::vector<const Lesson*>& lessons, float x, float& y,
-                          float width) {
+const Lesson* object_grid(Session& s, const std::vector<const Lesson*>& lessons, float x, float& y, float width) {
   std::set<std::string> down, across;
   for (const Lesson* l : lessons)
     if (const auto pair = objects_of(*l)) down.insert(pair->first), across.insert(pair->second);
@@ -131,8 +129,7 @@ const Lesson* object_grid(Session& s, const std::vector<const Lesson*>& lessons,
   return pressed;
 }
 
-const Lesson* lesson_rows(Session& s, const std::vector<const Lesson*>& lessons, float x, float& y,
-                          float width) {
+const Lesson* lesson_rows(Session& s, const std::vector<const Lesson*>& lessons, float x, float& y, float width) {
   Ui& ui = s.ui;
   const Palette& c = ui.palette;
   const Lesson* pressed = nullptr;
@@ -195,9 +192,8 @@ void save_sheet(Session& s, const Rect& window) {
   text(ui.fonts.heading, x, y, packed(c.text), "Save this figure");
   y += 46;
   text(ui.fonts.body, x, y, packed(c.muted), "Format");
-  for (const std::string format : {"png", "svg"}) {
-    if (chip(ui, "format " + format, {x + 80, y - 15, x + 140, y + 15}, format,
-             s.settings.save_format == format))
+  for (const std::string& format : format_names()) {
+    if (chip(ui, "format " + format, {x + 80, y - 15, x + 140, y + 15}, format, s.settings.save_format == format))
       s.settings.save_format = format;
     x += 66;
   }

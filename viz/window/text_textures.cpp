@@ -11,8 +11,8 @@ constexpr int frames_kept = 300;
 
 std::string key_of(const Paragraph& p) {
   const Colour& c = p.colour;
-  return fmt::format("{}|{}|{}|{}{}|{:.4f},{:.4f},{:.4f},{:.4f}|{}", p.width, p.size, p.line_pitch, p.bold,
-                     p.math, c.r, c.g, c.b, c.a, p.markup);
+  return fmt::format("{}|{}|{}|{}{}|{:.4f},{:.4f},{:.4f},{:.4f}|{}", p.width, p.size, p.line_pitch, p.bold, p.math, c.r,
+                     c.g, c.b, c.a, p.markup);
 }
 
 }  // namespace
@@ -28,8 +28,7 @@ TextImage TextTextures::of(const Paragraph& paragraph) {
     const Picture picture = raster(paragraph, scale_);
     if (picture.width == 0 || picture.height == 0) return {nullptr, {0, 0}};
     const unsigned name = gl::make_texture(picture);
-    const ImVec2 size{static_cast<float>(picture.width / scale_),
-                      static_cast<float>(picture.height / scale_)};
+    const ImVec2 size{static_cast<float>(picture.width / scale_), static_cast<float>(picture.height / scale_)};
     const TextImage image{reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(name)), size};
     found = kept_.emplace(key, Kept{image, name, frame_}).first;
   }

@@ -39,8 +39,7 @@ void bar(const Ui& ui, const Scale& scale, const Value& v, float x0, float x1, f
   const float zero = scale.at(0, x0, x1), end = scale.at(v.value, x0, x1);
   const float left = std::min(zero, end), right = std::max(zero, end);
   if (!(right - left > 0.25f)) return;
-  const Colour& ink =
-      v.role == Role::muted ? ui.palette.theme.ink(Role::construction) : ui.palette.theme.ink(v.role);
+  const Colour& ink = v.role == Role::muted ? ui.palette.theme.ink(Role::construction) : ui.palette.theme.ink(v.role);
   filled({left, y - 4, std::max(right, left + 3), y + 4}, ink, std::min(4.0f, (right - left) / 2));
 }
 
@@ -55,8 +54,8 @@ float room_for_new(const Step& step) {
 float number_column(const Ui& ui, const Step& step, const Rect& r) {
   float column = r.width() * 0.494f;
   for (const Value& v : step.values)
-    column = std::max(column, 10 + text_width(ui.fonts.mono, plain(v.name)) + 14 +
-                                  text_width(ui.fonts.mono, shown(v.value)));
+    column = std::max(column,
+                      10 + text_width(ui.fonts.mono, plain(v.name)) + 14 + text_width(ui.fonts.mono, shown(v.value)));
   return r.left + std::min(column, r.width() - 10 - room_for_new(step));
 }
 

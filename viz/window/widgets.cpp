@@ -16,9 +16,7 @@ void triangle(float x, float y, float way, float size, ImU32 colour) {
     list().AddTriangleFilled(low, tip, high, colour);
 }
 
-void stop_bar(float x, float y, ImU32 colour) {
-  list().AddRectFilled({x - 1.25f, y - 7}, {x + 1.25f, y + 7}, colour);
-}
+void stop_bar(float x, float y, ImU32 colour) { list().AddRectFilled({x - 1.25f, y - 7}, {x + 1.25f, y + 7}, colour); }
 
 void draw_icon(Icon icon, float x, float y, ImU32 colour) {
   switch (icon) {
@@ -71,8 +69,7 @@ ImVec2 rich_line(Ui& ui, const Paragraph& p, float x, float y, float align) {
 Press press(Ui& ui, const std::string& name, const Rect& r) {
   ui.rects[name] = r;
   ImGui::SetCursorScreenPos(top_left(r));
-  const bool clicked =
-      ImGui::InvisibleButton(name.c_str(), {std::max(r.width(), 1.0f), std::max(r.height(), 1.0f)});
+  const bool clicked = ImGui::InvisibleButton(name.c_str(), {std::max(r.width(), 1.0f), std::max(r.height(), 1.0f)});
   return {clicked, ImGui::IsItemHovered(), ImGui::IsItemActive()};
 }
 
@@ -111,14 +108,12 @@ void rule(const Ui& ui, float x0, float x1, float y) {
   list().AddRectFilled({x0, std::round(y)}, {x1, std::round(y) + 1}, packed(ui.palette.rule));
 }
 
-bool chip(Ui& ui, const std::string& name, const Rect& r, const std::string& label, bool chosen,
-          ImFont* font) {
+bool chip(Ui& ui, const std::string& name, const Rect& r, const std::string& label, bool chosen, ImFont* font) {
   const Press p = press(ui, name, r);
   const Palette& c = ui.palette;
   filled(r, chosen ? c.first : p.hovered ? c.hovered : c.frame);
   if (p.held) outlined(r, c.first);
-  text(font ? font : ui.fonts.body, r.middle_x(), r.middle_y(), packed(chosen ? c.on_first : c.text), label,
-       0.5f);
+  text(font ? font : ui.fonts.body, r.middle_x(), r.middle_y(), packed(chosen ? c.on_first : c.text), label, 0.5f);
   return p.clicked;
 }
 

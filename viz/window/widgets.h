@@ -51,8 +51,7 @@ void outlined(const Rect&, const Colour&, float width = 1.5f, float rounding = 6
 void rule(const Ui&, float x0, float x1, float y);
 
 /// A button with a word on it.
-bool chip(Ui&, const std::string& name, const Rect&, const std::string& label, bool chosen,
-          ImFont* = nullptr);
+bool chip(Ui&, const std::string& name, const Rect&, const std::string& label, bool chosen, ImFont* = nullptr);
 /// A transport button.
 bool icon_button(Ui&, const std::string& name, const Rect&, Icon, bool primary, bool enabled);
 

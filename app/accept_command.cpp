@@ -1,0 +1,76 @@
+// The command that accepts what a check complains of, ready for a shell.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/report.h"
+
+namespace isect::program {
+
+namespace {
+
+using Kind = Failure::Kind;
+
+bool acceptable(const Failure& f) { return !f.accepted && may_be_accepted(f); }
+
+/// " --dir notes"; nothing where the option was not given.
+std::string option(const std::string& name, const std::string& value) {
+  if (value.empty()) return {};
+  return fmt::format(" {}{}{}", name, value.starts_with("-") ? "=" : " ", quoted(value));
+}
+
+std::string command(const Asked& asked, bool only_missing) {
+  std::string text = asked.program + " check";
+  for (const std::string& lesson : asked.lessons) text += " " + quoted(lesson);
+  return text + option("--preset", asked.preset) + option("--dir", asked.dir) + option("--snapshots", asked.snapshots) +
+         option("--backend", asked.backend) + (only_missing ? " --update=missing" : " --update=failed");
+}
+
+/// Where only some of all lessons failed, these, as the others need not be run again; none where that leaves some out.
+std::vector<std::string> lessons_to_name(const Report& r) {
+  constexpr std::size_t most = 8;
+  std::vector<std::string> failed;
+  for (const std::string& lesson : r.lessons)
+    if (std::ranges::any_of(r.failures, [&](const Failure& f) { return acceptable(f) && f.lesson == lesson; }))
+      failed.push_back(lesson);
+  const bool all_known = std::ranges::none_of(r.failures, [&](const Failure& f) {
+    return acceptable(f) && std::ranges::find(failed, f.lesson) == failed.end();
+  });
+  return all_known && failed.size() < std::min(most, r.lessons.size()) ? failed : std::vector<std::string>();
+}
+
+}  // namespace
+
+std::string quoted(const std::string& word) {
+  const auto plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           std::string_view("_-./,:=+@%").find(c) != std::string_view::npos;
+  };
+  if (!word.empty() && std::ranges::all_of(word, plain)) return word;
+  std::string out = "'";
+  for (const char c : word) out += c == '\'' ? "'\\''" : std::string(1, c);
+  return out + "'";
+}
+
+bool may_be_accepted(const Failure& f) { return !f.foreign && f.kind != Kind::blank && f.kind != Kind::preset; }
+
+std::string accept_command(const Report& r) {
+  if (std::ranges::none_of(r.failures, acceptable)) return {};
+  Asked asked = r.asked;
+  if (asked.lessons.empty() && r.takes_lessons) asked.lessons = lessons_to_name(r);
+  return command(asked, std::ranges::all_of(
+                            r.failures, [](const Failure& f) { return !acceptable(f) || f.kind == Kind::missing; }));
+}
+
+std::string accept_command(const Report& r, const Failure& f) {
+  if (!acceptable(f)) return {};
+  Asked asked = r.asked;
+  const bool known = std::ranges::find(r.checked, std::pair(f.lesson, f.preset)) != r.checked.end();
+  // What belongs to no preset is looked for only where all presets are.
+  if (known) asked.preset = f.preset;
+  if (r.takes_lessons && std::ranges::find(r.lessons, f.lesson) != r.lessons.end()) asked.lessons = {f.lesson};
+  return command(asked, f.kind == Kind::missing);
+}
+
+}  // namespace isect::program

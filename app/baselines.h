@@ -1,0 +1,94 @@
+#pragma once
+// Baselines on disk: DIR/<lesson>/<preset>/<NN>-<slug>.png and trace.json. Compares them with what the lesson
+// does now and, where asked, accepts what it does now. A file that isect did not make is never changed or removed.
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/options.h"
+#include "app/ownership.h"
+#include "viz/files.h"
+#include "viz/offscreen.h"
+#include "viz/snapshot.h"
+
+namespace isect::program {
+
+/// One thing `check` complains of.
+struct Failure {
+  enum class Kind { missing, trace, picture, size, blank, unreadable, orphan, preset };
+  Kind kind;
+  std::string lesson, preset;
+  int step = -1;                            ///< from 0; -1: not of one step
+  std::string slug = {};                    ///< of that step
+  std::string what = {};                    ///< in words, the first difference first
+  std::string baseline = {};                ///< the file it is about
+  std::string fresh = {}, difference = {};  ///< pictures written beside it, if any
+  viz::Difference pixels = {};
+  std::vector<std::string> more = {};   ///< further differences, in words
+  std::vector<std::string> notes = {};  ///< what could not be done about it, and why
+  bool foreign = false;                 ///< isect did not make the file in the baseline's place
+  bool accepted = false;                ///< by --update; an orphan is removed
+  /// The pictures themselves, as PNG, where a report asks for them.
+  std::string accepted_png = {}, fresh_png = {}, difference_png = {};
+};
+std::string name_of(Failure::Kind);
+
+/// What --update accepts. `failed` is all that this run complains of, what is missing included.
+enum class Update { none, missing, failed, all };
+std::vector<std::string> update_names();
+Update update_named(const std::string&);
+
+/// Each step of the first preset of each group has a picture, and each step of presets of one's own. Of the other
+/// presets, whose traces are kept whole, the last picture is enough.
+bool has_picture(const Excerpt&, int step);
+
+class Baselines {
+ public:
+  /// Failures carry their pictures where `keep_pictures`.
+  Baselines(std::string folder, Update update, bool keep_pictures, viz::Offscreen&);
+
+  /// Trace first, then each picture. The failures, those that were accepted marked so.
+  std::vector<Failure> check(const Excerpt&);
+
+  /// Which presets are looked through for what belongs to no step.
+  struct Reach {
+    bool all_lessons = false, all_presets = false;  ///< also of lessons and presets that there are no more
+    std::set<std::string> spared = {};              ///< presets whose steps nobody knows
+  };
+  /// Pictures and traces that isect made and that belong to no step of these presets.
+  std::vector<Failure> orphans(const std::vector<Excerpt>&, const Reach&);
+
+  /// Pictures and traces among the baselines that are not isect's.
+  const std::set<std::string>& left_alone() const { return left_alone_; }
+
+ private:
+  std::string path(const Excerpt&, const std::string& file) const;
+  bool accepts(Failure::Kind) const;
+  /// The accepted trace of a folder as it was before this run.
+  const std::optional<OwnTrace>& trace_of(const std::string& folder);
+  /// Whether the file is to be replaced by what is new. Marks the failure, if there is one.
+  bool settle(const std::string& baseline, bool ours, std::optional<Failure>&);
+  /// One for each step; empty ones where nothing was accepted or will be, for nobody would see them.
+  std::vector<viz::Drawing> drawings_of(const Excerpt&) const;
+  /// Returns what differs.
+  std::vector<viz::Change> check_trace(const Excerpt&, const std::vector<viz::Drawing>&, std::vector<Failure>&);
+  void check_picture(const Excerpt&, int step, const viz::Drawing&, const std::vector<viz::Change>&,
+                     std::vector<Failure>&);
+  std::optional<Failure> compare_with_baseline(const viz::Picture& now, const std::string& baseline) const;
+  void orphans_in(const std::string& lesson, const std::string& preset, const std::set<std::filesystem::path>& wanted,
+                  std::vector<Failure>& found);
+
+  std::string folder_;
+  Update update_;
+  bool keep_pictures_;
+  viz::Offscreen& offscreen_;
+  viz::Stamp stamp_;
+  std::map<std::string, std::optional<OwnTrace>> traces_;
+  std::set<std::string> left_alone_;
+};
+
+}  // namespace isect::program

@@ -1,0 +1,200 @@
+// isect bench: speed against error, measured here and now.
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "app/child.h"
+#include "app/duties.h"
+#include "app/options.h"
+#include "app/program.h"
+#include "app/terminal.h"
+#include "bench/maps.h"
+#include "bench/plots.h"
+#include "bench/report_text.h"
+#include "bench/suite_names.h"
+#include "viz/files.h"
+#include "viz/lesson.h"
+
+namespace isect::program {
+namespace {
+
+struct Wanted {
+  std::vector<std::string> tests;
+  std::string csv, json, plot, publish;
+  std::vector<std::string> from;
+  unsigned long long seed = 1;
+  bool quick = false, peers = false, native = false;
+};
+
+/// What is measured by starting this program, beside the suites.
+constexpr const char* starting = "starting";
+
+std::vector<std::string> names() {
+  std::vector<std::string> all = bench::suite_names();
+  all.emplace_back(starting);
+  return all;
+}
+
+/// Builds the measurements, which `./run` leaves out: they take longer to compile than the rest. Only in a folder where
+/// CMake has built this program.
+void build_measurements(Progress& progress) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::path(this_program()).parent_path().parent_path();
+  if (!fs::exists(folder / "CMakeCache.txt")) return;
+  say("building what measures, once: minutes");
+  std::string last;
+  const Child child = run_child({"cmake", "--build", folder.string(), "--target", "measure"},
+                                [&](const std::string& line) { progress.done(last = line); });
+  if (child.status != 0)
+    throw std::runtime_error(fmt::format("the measurements were not built ({}): {}", child.status, last));
+}
+
+/// A report by one of the programs beside this one.
+bench::Report measured_by(const std::string& program, const Wanted& wanted, Progress& progress) {
+  const std::string path = beside(program);
+  if (program == "measure" && !std::filesystem::exists(path)) build_measurements(progress);
+  if (!std::filesystem::exists(path))
+    throw viz::BadInput(
+        fmt::format("{}: {} was not built. {}",
+                    wanted.peers    ? "--peers"
+                    : wanted.native ? "--native"
+                                    : "bench",
+                    program,
+                    wanted.peers ? "It needs other libraries (libcgal-dev libbullet-dev libfcl-dev libembree-dev "
+                                   "libgeos-dev): cmake --preset release -DISECT_PEERS=ON && cmake --build "
+                                   "--preset release --target measure_peers"
+                                 : "Build it: cmake --build --preset release --target " + program));
+  std::vector<std::string> command = {path, "--seed", std::to_string(wanted.seed)};
+  if (wanted.quick) command.emplace_back("--quick");
+  command.insert(command.end(), wanted.tests.begin(), wanted.tests.end());
+  std::string last;
+  const Child child = run_child(command, [&](const std::string& line) { progress.done(last = line); });
+  if (child.status != 0) throw std::runtime_error(fmt::format("{} failed ({}): {}", program, child.status, last));
+  return bench::report_of(child.output);
+}
+
+bench::Report read_from(const std::string& path) {
+  const std::string text = viz::read_file(path);
+  try {
+    return bench::report_of(text);
+  } catch (const std::exception& e) {
+    throw viz::BadInput(fmt::format("{}: {}", path, e.what()));
+  }
+}
+
+bench::Report measured(const Program& program, const Wanted& wanted) {
+  if (!wanted.from.empty()) return read_from(wanted.from.front());
+  Progress progress(0);
+  if (wanted.peers) return measured_by("measure_peers", wanted, progress);
+  if (wanted.native) return measured_by("measure_native", wanted, progress);
+  const auto told = [&](const std::string& next) { progress.done(next); };
+  std::vector<bench::Duty> starts;  // first, as long as this program is small
+  if (wanted.tests.empty() || std::ranges::find(wanted.tests, starting) != wanted.tests.end())
+    starts = duties(program, wanted.quick, told);
+  bench::Report report = measured_by("measure", wanted, progress);
+  report.duties = std::move(starts);
+  return report;
+}
+
+std::string heading(const bench::Report& r) {
+  return fmt::format(
+      "{}, {} cores, load {:.2f}\n{}, {} ({} build)\nseed {}, {}{}\nnoise: a fixed loop takes {:.1f} % more "
+      "than its "
+      "least, at its 95th percentile\n",
+      r.machine.cpu, r.machine.cores, r.machine.load, r.machine.compiler, r.machine.flags, r.machine.build, r.seed,
+      r.machine.date, r.quick ? ", quick: few cases are judged" : "", 100 * r.machine.noise);
+}
+
+/// Every chart that the report has data for, as SVG for print and as PNG.
+void draw(const bench::Report& report, const std::string& folder) {
+  std::vector<bench::Plotted> plots = bench::plots(report);
+  for (bench::Plotted& map : bench::maps()) plots.push_back(std::move(map));
+  Progress progress(plots.size());
+  for (const bench::Plotted& plot : plots) {
+    progress.done(plot.name);
+    const std::string path = folder + '/' + plot.name;
+    viz::write_file(path + ".svg", bench::svg_of(plot, viz::ThemeName::print));
+    viz::write_file(path + ".png", bench::png_of(plot, viz::ThemeName::print));
+    viz::write_file(path + ".txt", plot.alt + '\n');
+  }
+}
+
+/// The report as text and figures: from the files given, or measured here by every program that was built.
+int publish(const Program& program, const Wanted& wanted) {
+  std::vector<bench::Report> reports;
+  for (const std::string& path : wanted.from) reports.push_back(read_from(path));
+  if (wanted.from.empty()) {
+    Wanted one = wanted;
+    reports.push_back(measured(program, one));
+    one.native = true;
+    if (std::filesystem::exists(beside("measure_native"))) reports.push_back(measured(program, one));
+    one.native = false, one.peers = true;
+    if (std::filesystem::exists(beside("measure_peers"))) reports.push_back(measured(program, one));
+  }
+  try {
+    bench::publish(bench::measured_of(std::move(reports)), wanted.publish);
+  } catch (const viz::FileError&) {
+    throw;
+  } catch (const std::runtime_error& e) {
+    throw viz::BadInput(fmt::format("--publish: {}", e.what()));
+  }
+  return done;
+}
+
+int bench(const Program& program, const Wanted& wanted) {
+  for (const std::string& test : wanted.tests)
+    if (const auto all = names(); std::ranges::find(all, test) == all.end()) throw viz::unknown("TEST", test, all);
+  if (!wanted.publish.empty()) return publish(program, wanted);
+  if (wanted.from.size() > 1) throw viz::BadInput("--from: several files make sense with --publish only");
+  const bench::Report report = measured(program, wanted);
+  if (!wanted.csv.empty() && wanted.csv != "-") viz::write_file(wanted.csv, bench::csv(report));
+  if (!wanted.json.empty() && wanted.json != "-") viz::write_file(wanted.json, bench::json(report));
+  if (!wanted.plot.empty()) draw(report, wanted.plot);
+  if (wanted.csv == "-")
+    print(bench::csv(report));
+  else if (wanted.json == "-")
+    print(bench::json(report));
+  else
+    print(heading(report) + bench::table(report));
+  return done;
+}
+
+}  // namespace
+
+void add_bench(CLI::App& app, Program& program) {
+  CLI::App& sub = *app.add_subcommand("bench", "speed against error: every method of every test, measured and judged");
+  const auto wanted = std::make_shared<Wanted>();
+  sub.add_option("TEST", wanted->tests, "only these; all if none is given");
+  sub.add_option("--csv", wanted->csv, "write the rows as CSV; - for standard output");
+  CLI::Option* json = sub.add_option("--json", wanted->json, "write everything as JSON; - for standard output");
+  sub.add_option("--plot", wanted->plot, "draw every chart into this folder, as SVG and PNG")->type_name("DIR");
+  CLI::Option* from = sub.add_option("--from", wanted->from, "read a file that --json wrote instead of measuring");
+  CLI::Option* publish = sub.add_option("--publish", wanted->publish,
+                                        "write REPORT.md with its figures and results.json into this folder: from "
+                                        "--from's files, or from new runs of all builds that are there");
+  CLI::Option* seed = sub.add_option("--seed", wanted->seed, "of the random cases");
+  seed->check([](const std::string& text) {  // CLI11 would take -1 for 2^64 - 1
+    const bool whole = !text.empty() && text.find_first_not_of("0123456789") == text.npos;
+    return whole ? "" : fmt::format("\"{}\" is no whole number from 0 on; write --seed N", text);
+  });
+  CLI::Option* quick = sub.add_flag("--quick", wanted->quick, "within a minute: few passes, few cases judged");
+  CLI::Option* peers = sub.add_flag("--peers", wanted->peers, "beside CGAL, Boost, Bullet, FCL, Embree, GEOS, Eigen");
+  CLI::Option* native = sub.add_flag("--native", wanted->native, "compiled for this machine's instructions");
+  peers->excludes(native);
+  for (CLI::Option* measuring : {seed, quick, peers, native}) from->excludes(measuring);
+  for (CLI::Option* one : {peers, native, json, sub.get_option("--csv"), sub.get_option("--plot")})
+    publish->excludes(one);
+  for (CLI::Option* path : {sub.get_option("--csv"), json, sub.get_option("--plot"), from, publish})
+    path->check(not_empty());
+  publish->type_name("DIR"), json->type_name("FILE"), from->type_name("FILE"), seed->type_name("N");
+  sub.get_option("--csv")->type_name("FILE");
+  std::string list;
+  for (const std::string& name : names()) list += " " + name;
+  sub.footer("Tests:" + list +
+             "\nTimes mean something on an idle machine only; the verdicts and errors are the same everywhere.\n"
+             "Example: isect bench ray-sphere --quick --csv rows.csv");
+  sub.callback([&program, wanted] { program.chosen = [&program, wanted] { return bench(program, *wanted); }; });
+}
+
+}  // namespace isect::program

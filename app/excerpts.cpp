@@ -1,0 +1,216 @@
+// Which presets and steps are meant by the words of a command line.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <set>
+
+#include "app/options.h"
+#include "app/preset_folder.h"
+#include "app/setting_name.h"
+#include "app/terminal.h"
+#include "viz/files.h"
+#include "viz/place.h"
+
+namespace isect::program {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_file(const std::string& preset) { return preset.ends_with(".json") || preset.find('/') != std::string::npos; }
+
+void change(Excerpt& to, const std::vector<std::string>& changes) {
+  const viz::Parameters before = to.parameters;
+  for (const std::string& text : changes) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos)
+      throw viz::BadInput(fmt::format("set: \"{}\" has no '='; write name=value, such as {}={}", text,
+                                      to.lesson->parameters.front().name,
+                                      viz::to_text(to.lesson->parameters.front().initial)));
+    viz::set(*to.lesson, to.parameters, text.substr(0, equals), text.substr(equals + 1));
+  }
+  viz::validate(*to.lesson, to.parameters);
+  to.folder += name_of_change(before, to.parameters);
+  if (!to.preset.empty() && to.parameters != viz::preset(*to.lesson, to.preset).parameters) to.preset.clear();
+}
+
+/// The preset of a file, whose name becomes the folder's.
+Excerpt from_file(const Program& program, const PresetFile& file) {
+  viz::Place place;
+  try {
+    require_utf8(file);
+    place = viz::place_from_json(viz::read_file(file.path), program.lessons);
+  } catch (const viz::BadInput& e) {
+    throw viz::BadInput(fmt::format("{}: {}", file.path, e.what()));
+  }
+  Excerpt e;
+  e.lesson = &viz::lesson_named(program.lessons, place.lesson);
+  e.folder = file.name;
+  e.preset = place.preset;
+  e.parameters = *place.parameters;
+  e.camera = place.camera;
+  e.step = place.step;
+  return e;
+}
+
+std::vector<std::string> ids_of(const Program& program) {
+  std::vector<std::string> ids;
+  for (const viz::Lesson* lesson : program.lessons) ids.push_back(lesson->id);
+  return ids;
+}
+
+/// The lessons asked for; none if the answer is left to a preset's file.
+std::vector<const viz::Lesson*> lessons_of(const Program& program, const Selection& asked) {
+  if (program.only) return {program.only};
+  if (asked.all && !asked.lessons.empty()) throw viz::BadInput("lesson: give either names or --all, not both");
+  if (asked.all) return program.lessons;
+  std::vector<const viz::Lesson*> lessons;
+  for (const std::string& id : asked.lessons) {
+    if (id.find('=') != id.npos)
+      throw viz::BadInput(fmt::format("lesson: \"{0}\" is none; to change a parameter write --set {0}", id));
+    const viz::Lesson* lesson = &viz::lesson_named(program.lessons, id);
+    if (std::ranges::find(lessons, lesson) == lessons.end()) lessons.push_back(lesson);
+  }
+  return lessons;
+}
+
+/// The files in order, each once, by their own names; where two have the same, by where they lie.
+std::vector<PresetFile> named_files(const std::vector<std::string>& paths) {
+  std::vector<PresetFile> files;
+  std::set<fs::path> known;
+  std::set<std::string> names;
+  for (const std::string& path : paths)
+    if (known.insert(fs::weakly_canonical(path)).second) {
+      files.push_back({path, fs::path(path).stem().string()});
+      names.insert(files.back().name);
+    }
+  if (names.size() == files.size()) return files;
+  const fs::path first = *known.begin(), last = *known.rbegin();  // in order: all lie where these two do
+  fs::path above = first.parent_path();
+  while (last.lexically_relative(above).string().starts_with("..")) above = above.parent_path();
+  for (PresetFile& file : files)
+    file.name = fs::weakly_canonical(file.path).lexically_relative(above).replace_extension().string();
+  return files;
+}
+
+void walk(Excerpt& e, const std::string& asked, bool one_of_many) {
+  e.walk = e.lesson->walk(e.parameters);
+  const int count = static_cast<int>(e.walk.steps.size());
+  const std::string text = !asked.empty() ? asked : e.step ? std::to_string(*e.step + 1) : "all";
+  one_of_many = one_of_many && !asked.empty();  // the step that a file names must be there
+  const std::optional<Steps> wanted = Steps::read(text);
+  if (!wanted || (!one_of_many && !wanted->all_in(count)))
+    throw viz::BadInput(
+        fmt::format("step: \"{}\" is unknown; {} has steps 1 to {}: give one, some (3-6, or 3,5,7-9) or all", text,
+                    e.folder, count));
+  e.steps = wanted->of(count);
+}
+
+/// One line on what was asked for and is not there, as it is not in every preset.
+void say_skipped(const std::vector<Excerpt>& found, const std::string& asked) {
+  const std::optional<Steps> wanted = asked.empty() ? std::nullopt : Steps::read(asked);
+  if (!wanted) return;
+  std::vector<std::string> lessons;
+  for (auto e = found.begin(); e != found.end();) {
+    const viz::Lesson* lesson = e->lesson;
+    std::size_t all = 0;
+    std::vector<std::string> without;
+    for (; e != found.end() && e->lesson == lesson; ++e, ++all)
+      if (!wanted->all_in(static_cast<int>(e->walk.steps.size()))) without.push_back(e->folder);
+    if (without.empty()) continue;
+    const bool few = without.size() <= 3 && without.size() < all;
+    lessons.push_back(fmt::format("{} ({})", lesson->id,
+                                  few                     ? fmt::format("{}", fmt::join(without, ", "))
+                                  : without.size() == all ? fmt::format("all {}", all)
+                                                          : fmt::format("{} of {}", without.size(), all)));
+  }
+  if (!lessons.empty())
+    say(fmt::format("step {}: these presets have fewer steps: {}", asked, fmt::join(lessons, ", ")));
+}
+
+/// No two may be written to the same place.
+void require_own_folders(const std::vector<Excerpt>& found) {
+  std::set<std::pair<std::string, std::string>> taken;
+  for (const Excerpt& e : found)
+    if (!taken.emplace(e.lesson->id, e.folder).second)
+      throw viz::BadInput(fmt::format("preset: two are called {} and would be written to {}/{}; rename a file",
+                                      e.folder, e.lesson->id, e.folder));
+}
+
+/// The presets of a folder: all, or those for the lessons asked for.
+std::vector<Excerpt> from_folder(const Program& program, const Selection& asked) {
+  const std::vector<const viz::Lesson*> lessons = lessons_of(program, asked);
+  std::vector<Excerpt> found;
+  for (const PresetFile& file : asked.files) {
+    Excerpt e = from_file(program, file);
+    if (lessons.empty() || std::ranges::find(lessons, e.lesson) != lessons.end()) found.push_back(std::move(e));
+  }
+  if (found.empty())
+    throw viz::BadInput(fmt::format("lesson: no preset file is for {}", fmt::join(asked.lessons, ", ")));
+  std::ranges::stable_sort(found, {}, [](const Excerpt& e) { return e.lesson->id; });
+  return found;
+}
+
+std::vector<Excerpt> named(const viz::Lesson& lesson, const std::vector<std::string>& names, bool all) {
+  std::vector<Excerpt> found;
+  const auto add = [&](const viz::Preset& p) { found.push_back({&lesson, p.id, p.id, p.parameters, {}, {}}); };
+  const bool every = std::ranges::find(names, "all") != names.end();
+  if (every || (names.empty() && all))
+    std::ranges::for_each(lesson.presets, add);
+  else if (names.empty())
+    add(lesson.presets.front());
+  else
+    for (const std::string& name : names)
+      if (std::ranges::find(found, name, &Excerpt::preset) == found.end()) add(viz::preset(lesson, name));
+  return found;
+}
+
+/// The presets that words name: files, and names in each of the lessons.
+std::vector<Excerpt> from_words(const Program& program, Selection asked) {
+  std::vector<std::string> names = asked.presets, files;
+  if (!asked.preset.empty()) names.push_back(asked.preset);
+  for (std::vector<std::string>* words : {&names, &asked.lessons}) {
+    std::ranges::copy_if(*words, std::back_inserter(files), is_file);
+    std::erase_if(*words, is_file);
+  }
+  const std::vector<const viz::Lesson*> lessons = lessons_of(program, asked);
+  std::vector<Excerpt> found;
+  if (files.empty() || !names.empty()) {
+    if (lessons.empty())
+      throw viz::BadInput(fmt::format("lesson: none given; allowed: {}", fmt::join(ids_of(program), ", ")));
+    for (const viz::Lesson* lesson : lessons)
+      std::ranges::move(named(*lesson, names, asked.all), std::back_inserter(found));
+  }
+  for (const PresetFile& file : named_files(files)) {
+    found.push_back(from_file(program, file));
+    const viz::Lesson* lesson = found.back().lesson;
+    if (!lessons.empty() && std::ranges::find(lessons, lesson) == lessons.end())
+      throw viz::BadInput(fmt::format("preset: {} is for {}, not for {}", file.path, lesson->id, lessons[0]->id));
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<Excerpt> excerpts(const Program& program, const Selection& asked) {
+  std::vector<Excerpt> found = asked.files.empty() ? from_words(program, asked) : from_folder(program, asked);
+  for (Excerpt& e : found) {
+    change(e, asked.changes);
+    walk(e, asked.step, found.size() > 1);
+  }
+  if (std::ranges::all_of(found, [](const Excerpt& e) { return e.steps.empty(); }))
+    throw viz::BadInput(fmt::format("step: \"{}\" is unknown; no preset has so many", asked.step));
+  require_own_folders(found);
+  say_skipped(found, asked.step);
+  return found;
+}
+
+Excerpt excerpt(const Program& program, const Selection& asked) {
+  if (asked.preset == "all") throw viz::BadInput("preset: \"all\" does not do here; name one");
+  return std::move(excerpts(program, asked).front());
+}
+
+}  // namespace isect::program

@@ -1,0 +1,161 @@
+#include "app/gallery.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "app/lock.h"
+#include "app/ownership.h"
+#include "viz/files.h"
+#include "viz/place.h"
+#include "viz/rich_text.h"
+#include "viz/snapshot.h"
+
+namespace isect::program {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+std::string alt_text(const Excerpt& e, const viz::Step& step) {
+  std::string text = fmt::format("{}: {}. {}\n\n{}\n", e.lesson->title, viz::plain(step.title), viz::plain(e.walk.alt),
+                                 viz::plain(step.caption));
+  if (step.verdict.kind != viz::Verdict::Kind::open)
+    text += fmt::format("\nVerdict: {}\n", viz::plain(step.verdict.text));
+  return text;
+}
+
+bool is_figure(const fs::path& file) {
+  return !fs::is_symlink(file) && fs::is_regular_file(file) && viz::format_of(file) != nullptr;
+}
+
+std::vector<fs::path> figures_in(const fs::path& folder) {
+  std::error_code absent;  // an absent folder has none
+  std::vector<fs::path> figures;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, absent))
+    if (is_figure(entry.path())) figures.push_back(entry.path());
+  std::ranges::sort(figures);
+  return figures;
+}
+
+[[noreturn]] void not_ours(const std::string& path) {
+  throw viz::FileError(
+      fmt::format("cannot write '{}': the file there was not made by isect; move it away, or give another folder "
+                  "with --out",
+                  path));
+}
+
+}  // namespace
+
+Gallery::Gallery(std::string folder, const Program& program, const std::vector<Excerpt>& chosen,
+                 const std::vector<const viz::Format*>& formats)
+    : folder_(std::move(folder)) {
+  if (const auto trace = baseline_below(folder_, program))
+    throw viz::BadInput(
+        fmt::format("out: {} holds baselines ({}), and figures never lie among them; give another folder, such as "
+                    "--out figures",
+                    folder_, trace->string()));
+  listed_ = read_manifest();
+  for (const Excerpt& e : chosen)
+    for (const int step : e.steps)
+      for (const viz::Format* format : formats)
+        if (const std::string file = file_of(e, step) + "." + format->name; !is_ours(file)) not_ours(path(file));
+}
+
+std::string Gallery::path(const std::string& file) const { return (fs::path(folder_) / file).string(); }
+
+/// Also where there is no file, or no file that could be lost.
+bool Gallery::is_ours(const std::string& file) const {
+  const fs::path there = path(file);
+  std::error_code absent;
+  if (!fs::is_regular_file(there, absent) || listed_.contains(file) || fs::file_size(there, absent) == 0) return true;
+  return metadata_in(there).contains("lesson");
+}
+
+bool Gallery::is_our_text(const std::string& stem, const std::string& now) const {
+  const std::string file = path(stem + ".txt");
+  if (!fs::exists(fs::status(file))) return true;
+  const std::string there = viz::read_file(file);
+  return there == now || std::ranges::any_of(listed_, [&](const auto& entry) {
+           return fs::path(entry.first).replace_extension() == stem && entry.second.value("alt", "") == there;
+         });
+}
+
+Gallery::Entries Gallery::read_manifest() const {
+  const std::string file = path("manifest.json");
+  if (!fs::exists(fs::status(file))) return {};
+  const Json manifest = Json::parse(viz::read_file(file), nullptr, false);
+  Entries entries;
+  try {
+    if (manifest.at("program") != "isect") not_ours(file);
+    for (const Json& entry : manifest.at("figures")) entries.emplace(entry.at("file").get<std::string>(), entry);
+  } catch (const Json::exception&) {
+    not_ours(file);
+  }
+  return entries;
+}
+
+std::string Gallery::add(const Excerpt& e, int step, const std::string& format, const std::string& bytes, Json about) {
+  const viz::Step& s = e.walk.steps[step];
+  const std::string stem = file_of(e, step), file = stem + "." + format;
+  const std::string alt = alt_text(e, s);
+  viz::write_file(path(file), bytes);
+  if (is_our_text(stem, alt))
+    viz::write_file(path(stem + ".txt"), alt);
+  else
+    left_alone_.insert(path(stem + ".txt"));
+
+  Json entry = {
+      {"file", file}, {"lesson", e.lesson->id}, {"preset", e.preset.empty() ? Json(nullptr) : Json(e.preset)}};
+  entry.update({{"step", step + 1},
+                {"slug", s.slug},
+                {"title", viz::plain(s.title)},
+                {"caption", viz::plain(s.caption)},
+                {"alt", alt}});
+  entry["parameters"] = Json::parse(viz::to_json(e.parameters));
+  entry.update(about);
+  entry["version"] = viz::version();
+  added_[file] = entry;
+  return path(file);
+}
+
+std::size_t Gallery::remove_stale(const Excerpt& e) {
+  std::set<std::string> wanted, gone;
+  for (int i = 0; i < static_cast<int>(e.walk.steps.size()); ++i) wanted.insert(file_of(e, i));
+  const std::vector<fs::path> figures = figures_in(path(folder_of(e)));
+  std::size_t removed = 0;
+  for (const fs::path& figure : figures) {
+    const std::string stem = folder_of(e) + "/" + figure.stem().string();
+    if (wanted.contains(stem)) continue;
+    const viz::Metadata data = metadata_in(figure);
+    const bool listed = listed_.contains(stem + figure.extension().string());
+    if (!made_as(data, stem, {}) && !(listed && made_for(data, folder_of(e), {}))) continue;
+    removed += fs::remove(figure);
+    gone.insert(stem);
+  }
+  for (const fs::path& figure : figures_in(path(folder_of(e))))  // another's figure of that name keeps the text
+    gone.erase(folder_of(e) + "/" + figure.stem().string());
+  for (const std::string& stem : gone)
+    if (is_our_text(stem, {}))
+      fs::remove(path(stem + ".txt"));
+    else
+      left_alone_.insert(path(stem + ".txt"));
+  return removed;
+}
+
+void Gallery::list() {
+  if (added_.empty()) return;
+  const Lock alone(path(".isect-manifest.lock"));
+  Entries all = added_;
+  all.merge(read_manifest());
+  std::erase_if(all, [&](const auto& entry) { return !fs::exists(path(entry.first)); });
+  Json figures = Json::array();
+  for (const auto& [file, entry] : all) figures.push_back(entry);
+  const Json manifest = {{"program", "isect"}, {"version", viz::version()}, {"figures", figures}};
+  viz::write_file(path("manifest.json"), manifest.dump(2) + "\n");
+}
+
+}  // namespace isect::program

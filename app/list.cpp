@@ -1,0 +1,148 @@
+// isect list: what there is to see. The list of lessons walks none of them, so that it answers at once; the steps of
+// the presets are told of one lesson.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/program.h"
+#include "app/terminal.h"
+#include "viz/place.h"
+#include "viz/rich_text.h"
+
+namespace isect::program {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t line_width = 80;
+
+/// The presets' names, one line a group.
+std::string preset_lines(const viz::Lesson& lesson) {
+  std::vector<std::pair<std::string, std::string>> groups;
+  for (const viz::Preset& p : lesson.presets) {
+    if (groups.empty() || groups.back().first != p.group) groups.emplace_back(p.group, "presets:");
+    groups.back().second += " " + p.id;
+  }
+  std::string lines;
+  for (const auto& group : groups) lines += wrapped(group.second, line_width, 2);
+  return lines;
+}
+
+std::string heading(const viz::Lesson& lesson) {
+  return fmt::format("{}  {} ({})", inked(Ink::bold, lesson.id), lesson.title, lesson.rows);
+}
+
+std::string text(const std::vector<const viz::Lesson*>& lessons) {
+  std::string out;
+  for (const viz::Lesson* lesson : lessons)
+    out += fmt::format("{}, {} presets\n", heading(*lesson), lesson->presets.size()) +
+           wrapped(lesson->summary, line_width, 2) + preset_lines(*lesson);
+  return out;
+}
+
+std::string in_rows(const std::string& name, std::size_t widest, const std::string& text) {
+  const std::size_t indent = 4 + widest + 2;
+  const std::string lines = wrapped(text, line_width, indent);
+  return "    " + name + lines.substr(4 + length(name));
+}
+
+/// What is taken where it is not set: the value of the first preset.
+std::string initial(const viz::Lesson& lesson, const viz::Parameter& p) {
+  return viz::to_text(lesson.presets.empty() ? p.initial : lesson.presets.front().parameters.at(p.name));
+}
+
+const viz::Condition* condition_of(const viz::Lesson& lesson, const viz::Parameter& p) {
+  const auto found = std::ranges::find(lesson.conditions, p.name, &viz::Condition::parameter);
+  return found == lesson.conditions.end() ? nullptr : &*found;
+}
+
+/// Help with the unit, what is allowed, and what is taken where nothing is set.
+std::string told(const viz::Lesson& lesson, const viz::Parameter& p) {
+  std::string takes = viz::wanted(p);
+  takes.erase(std::min(takes.find(", such as"), takes.size()));  // the default is example enough
+  if (const viz::Condition* c = condition_of(lesson, p)) takes += "; " + c->allowed;
+  return fmt::format("{}\n{}. Default: {}", p.help, takes, initial(lesson, p));
+}
+
+std::string text(const viz::Lesson& lesson) {
+  std::string out = heading(lesson) + "\n" + wrapped(lesson.summary, line_width, 2);
+  std::size_t widest = 0;
+  for (const viz::Parameter& p : lesson.parameters) widest = std::max(widest, length(p.name));
+  out += "\n  Parameters (--set NAME=VALUE); the defaults are those of the first preset:\n";
+  for (const viz::Parameter& p : lesson.parameters) out += in_rows(p.name, widest, told(lesson, p));
+
+  widest = 0;
+  for (const viz::Preset& p : lesson.presets) widest = std::max(widest, length(p.id));
+  out += "\n  Presets (--preset NAME):\n";
+  for (const viz::Preset& p : lesson.presets)
+    out +=
+        in_rows(p.id, widest, fmt::format("{}, {} steps", viz::plain(p.title), lesson.walk(p.parameters).steps.size()));
+  return out;
+}
+
+Json json(const viz::Lesson& lesson, const viz::Parameter& p) {
+  Json object = {{"name", p.name}, {"help", p.help}, {"initial", viz::to_text(p.initial)}};
+  object["default"] = initial(lesson, p);
+  if (!p.choices.empty())
+    object["choices"] = p.choices;
+  else
+    object.update({{"from", p.lo}, {"to", p.hi}});
+  if (const viz::Condition* c = condition_of(lesson, p)) object["condition"] = c->allowed;
+  return object;
+}
+
+Json json(const viz::Lesson& lesson, bool with_steps) {
+  Json object = {{"id", lesson.id}, {"title", lesson.title}, {"rows", lesson.rows}, {"summary", lesson.summary}};
+  object["parameters"] = Json::array();
+  for (const viz::Parameter& p : lesson.parameters) object["parameters"].push_back(json(lesson, p));
+  object["presets"] = Json::array();
+  for (const viz::Preset& p : lesson.presets) {
+    Json preset = {{"id", p.id}, {"title", p.title}};
+    if (!p.group.empty()) preset["group"] = p.group;
+    if (with_steps) preset["steps"] = lesson.walk(p.parameters).steps.size();
+    object["presets"].push_back(preset);
+  }
+  return object;
+}
+
+int list_all(const std::vector<const viz::Lesson*>& lessons, bool as_json) {
+  Json all = Json::array();
+  if (as_json)
+    for (const viz::Lesson* lesson : lessons) all.push_back(json(*lesson, false));
+  print(as_json ? all.dump(2) + "\n" : text(lessons));
+  return done;
+}
+
+int list_one(const viz::Lesson& lesson, bool as_json) {
+  print(as_json ? json(lesson, true).dump(2) + "\n" : text(lesson));
+  return done;
+}
+
+}  // namespace
+
+void add_list(CLI::App& app, Program& program) {
+  CLI::App& sub = *app.add_subcommand("list", "the lessons and their presets; of one: parameters and steps");
+  const auto lesson = std::make_shared<std::string>();
+  const auto as_json = std::make_shared<bool>(false);
+  if (!program.only)
+    sub.add_option("LESSON", *lesson,
+                   "tell of this one its parameters (range, unit, default,\nchoices) and how many steps each "
+                   "preset has")
+        ->type_name("");
+  sub.add_flag("--json", *as_json, "for programs: also parameters; of one lesson also the steps");
+  sub.footer(program.only ? "Example: " + program.name + " list --json"
+                          : "Examples: isect list\n          isect list ray-sphere");
+  sub.callback([&program, lesson, as_json] {
+    program.chosen = [&program, lesson, as_json] {
+      if (program.only) return list_one(*program.only, *as_json);
+      if (lesson->empty()) return list_all(program.lessons, *as_json);
+      return list_one(viz::lesson_named(program.lessons, *lesson), *as_json);
+    };
+  });
+}
+
+}  // namespace isect::program

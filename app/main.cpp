@@ -1,0 +1,26 @@
+// isect, or the program of one lesson.
+
+#include <new>
+
+#include "app/program.h"
+#include "app/terminal.h"
+#include "lessons/lessons.h"
+#include "viz/place.h"
+
+namespace isect::program {
+extern const char* const only_lesson;  ///< its id, or null: for all of them. CMake writes it for each program.
+}
+
+int main(int argc, char** argv) try {
+  using namespace isect;
+  program::guard_streams();
+  program::Program program{"isect", lessons::all_lessons()};
+  if (program::only_lesson) {
+    program.name = program::only_lesson;
+    program.only = &viz::lesson_named(program.lessons, program::only_lesson);
+  }
+  return program::run(program, {argv + 1, argv + argc});
+} catch (const std::bad_alloc&) {  // before a command was chosen
+  isect::program::say("isect: out of memory");
+  return isect::program::file_trouble;
+}

@@ -1,0 +1,59 @@
+#include "app/options.h"
+
+#include <map>
+
+namespace isect::program {
+
+void add_lesson(CLI::App& sub, const Program& program, Selection& to, Takes takes, const std::string& help) {
+  if (program.only) return;
+  CLI::Option* lesson = sub.add_option("LESSON", to.lessons, help)->type_name("");
+  if (takes == Takes::one) lesson->expected(0, 1);
+}
+
+void add_preset(CLI::App& sub, Selection& to, Takes takes, const std::string& help) {
+  if (takes == Takes::one)
+    sub.add_option("--preset", to.preset, help)->type_name("NAME|FILE")->check(not_empty());
+  else
+    sub.add_option("--preset", to.presets, help)->type_name("NAME|FILE...")->allow_extra_args(false);
+}
+
+void add_step(CLI::App& sub, Selection& to, Takes takes, const std::string& help) {
+  sub.add_option("--step", to.step, help)->type_name(takes == Takes::one ? "N" : "N|A-B|all");
+}
+
+void add_set(CLI::App& sub, Selection& to) {
+  sub.add_option("--set", to.changes, "change a parameter; may be repeated")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+}
+
+CLI::Validator not_empty() {
+  const auto complaint = [](const std::string& value) { return value.empty() ? "empty; give a name" : ""; };
+  return {complaint, ""};
+}
+
+CLI::Option* add_path(CLI::App& sub, const std::string& name, std::string& to, const std::string& help,
+                      const std::string& type) {
+  return sub.add_option(name, to, help)->type_name(type)->check(not_empty());
+}
+
+namespace {
+
+/// The walks of all presets, made once for each lesson: presets stay as they are.
+const std::vector<viz::Walk>& walks_of(const viz::Lesson& lesson) {
+  static std::map<const viz::Lesson*, std::vector<viz::Walk>> known;
+  std::vector<viz::Walk>& walks = known[&lesson];
+  if (walks.empty())
+    for (const viz::Preset& p : lesson.presets) walks.push_back(lesson.walk(p.parameters));
+  return walks;
+}
+
+}  // namespace
+
+viz::Camera camera_for(const Excerpt& e, viz::ThemeName theme, const Size& size) {
+  if (e.camera) return *e.camera;
+  return viz::frame_alike(viz::opening(*e.lesson), e.walk, walks_of(*e.lesson),
+                          viz::picture_aspect(e.walk, theme, size.width, size.height));
+}
+
+}  // namespace isect::program

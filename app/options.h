@@ -1,0 +1,66 @@
+#pragma once
+// Options that several subcommands share: which lesson, preset, parameters and steps; how large a figure.
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/program.h"
+#include "app/values.h"
+#include "viz/compose.h"
+#include "viz/lesson.h"
+
+namespace isect::program {
+
+/// A file with a preset. Its name is where it lies below the folder that was asked for, "week-3/tangent", or the file's
+/// own where it was asked for itself; figures and baselines are named after it.
+struct PresetFile {
+  std::string path, name;
+};
+
+/// As written on the command line. A preset is a name or a file: a word that ends in .json or has a slash.
+struct Selection {
+  std::vector<std::string> lessons;  ///< or presets' files
+  bool all = false;
+  std::string preset;                ///< empty: the lesson's first (every one with `all`)
+  std::vector<std::string> presets;  ///< several, in place of one
+  std::string step;                  ///< empty: the step of the preset's file, or all where it names none
+  std::vector<std::string> changes;  ///< name=value
+  std::vector<PresetFile> files;     ///< in place of names
+};
+
+/// The lesson's name as a positional, where the program has more than one lesson.
+enum class Takes { one, many };
+void add_lesson(CLI::App&, const Program&, Selection&, Takes, const std::string& help);
+void add_preset(CLI::App&, Selection&, Takes, const std::string& help);
+void add_step(CLI::App&, Selection&, Takes, const std::string& help);
+void add_set(CLI::App&, Selection&);
+/// Refuses an empty value, which is most often a shell's variable that is not set.
+CLI::Validator not_empty();
+/// A file or a folder.
+CLI::Option* add_path(CLI::App&, const std::string& name, std::string& to, const std::string& help,
+                      const std::string& type);
+
+/// One setting of a lesson's parameters, walked.
+struct Excerpt {
+  const viz::Lesson* lesson = nullptr;
+  std::string folder;  ///< the preset's id, or the name of the preset's file; and what was changed by hand
+  std::string preset;  ///< empty where a parameter was changed by hand
+  viz::Parameters parameters;
+  viz::Walk walk;
+  std::vector<int> steps;                  ///< chosen ones, from 0
+  std::optional<viz::Camera> camera = {};  ///< of the preset's file
+  std::optional<int> step = {};            ///< of the preset's file, from 0
+};
+
+/// Everything that is asked for. Throws viz::BadInput, or viz::FileError where a preset's file can't be read.
+std::vector<Excerpt> excerpts(const Program&, const Selection&);
+/// The same where only one lesson and preset make sense.
+Excerpt excerpt(const Program&, const Selection&);
+
+/// The camera for all pictures of this excerpt in figures of this size: the one of the preset's file, which shows as
+/// much from the middle to the top edge as where it was copied; otherwise at one scale for all presets of the lesson.
+viz::Camera camera_for(const Excerpt&, viz::ThemeName, const Size&);
+
+}  // namespace isect::program

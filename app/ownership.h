@@ -1,0 +1,45 @@
+#pragma once
+// What isect knows as its own: a picture by the metadata inside, a trace by the lesson and preset it names. All else in
+// a folder is a user's, and is neither changed nor removed.
+
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "app/options.h"
+#include "viz/files.h"
+
+namespace isect::program {
+
+/// "ray-sphere/two-roots": the folder of a setting's files, below that of all figures or baselines.
+std::string folder_of(const Excerpt&);
+/// "ray-sphere/two-roots/03-foot": a step's file, without its ending.
+std::string file_of(const Excerpt&, int step);
+/// What a picture of this step carries inside: where it was made, and as which file.
+viz::Metadata metadata_of(const Excerpt&, int step);
+
+/// What a .png or .svg says of itself; empty where it is none of isect's, or no picture at all.
+viz::Metadata metadata_in(const std::filesystem::path& picture);
+
+/// A trace of isect's, as far as it says what it is for.
+struct OwnTrace {
+  std::string folder;           ///< as folder_of
+  std::string parameters;       ///< as in a picture's metadata
+  std::set<std::string> stems;  ///< of its steps' files: "03-foot"
+};
+/// Nothing where the file is no such trace.
+std::optional<OwnTrace> own_trace(const std::filesystem::path& file);
+
+/// isect made this picture for this folder. One from before pictures named their file is known by its preset, or by the
+/// parameters it shares with the trace beside it.
+bool made_for(const viz::Metadata&, const std::string& folder, const std::optional<OwnTrace>& beside);
+/// ... and for this very file: a copy under another name is not isect's.
+bool made_as(const viz::Metadata&, const std::string& file, const std::optional<OwnTrace>& beside);
+
+/// A trace of isect's in a preset's folder below that of a lesson.
+std::optional<std::filesystem::path> trace_below(const std::filesystem::path& lesson);
+/// A trace that shows that figures written below `folder` would lie among baselines.
+std::optional<std::filesystem::path> baseline_below(const std::filesystem::path& folder, const Program&);
+
+}  // namespace isect::program

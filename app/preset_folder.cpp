@@ -1,0 +1,88 @@
+#include "app/preset_folder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "app/ownership.h"
+#include "app/terminal.h"
+#include "viz/files.h"
+#include "viz/place.h"
+
+namespace isect::program {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// All JSON files that isect did not leave itself, in order of their names.
+std::vector<PresetFile> json_files(const fs::path& folder) {
+  std::vector<PresetFile> files;
+  std::error_code error;
+  auto entry = fs::recursive_directory_iterator(folder, error);
+  for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
+    const fs::path& path = entry->path();
+    const std::string name = path.filename();
+    const bool baselines = entry.depth() == 0 && name == "snapshots";
+    if (entry->is_directory() && (name.starts_with(".") || baselines)) entry.disable_recursion_pending();
+    if (entry->is_directory() || name.starts_with(".") || path.extension() != ".json") continue;
+    if (name == "manifest.json" || own_trace(path)) continue;
+    files.push_back({path.string(), path.lexically_relative(folder).replace_extension().string()});
+  }
+  if (error) throw viz::FileError(fmt::format("{}: {}", folder.string(), error.message()));
+  std::ranges::sort(files, {}, &PresetFile::name);
+  return files;
+}
+
+/// A preset names its lesson; where the text is no JSON any more, a field of that name shows what was meant.
+bool is_meant_as_preset(const std::string& text) {
+  const Json json = Json::parse(text, nullptr, false);
+  if (!json.is_discarded()) return json.is_object() && json.contains("lesson");
+  return std::regex_search(text, std::regex("\"lesson\"\\s*:"));
+}
+
+}  // namespace
+
+PresetFolder preset_folder(const std::string& folder, const Program& program) {
+  PresetFolder found;
+  for (const PresetFile& file : json_files(folder)) try {
+      const std::string text = viz::read_file(file.path);
+      if (!is_meant_as_preset(text)) {
+        found.foreign.push_back(file.path);
+        continue;
+      }
+      require_utf8(file);
+      viz::place_from_json(text, program.lessons);
+      found.presets.push_back(file);
+    } catch (const viz::FileError& e) {
+      found.broken.push_back({file, e.what()});
+    } catch (const viz::BadInput& e) {
+      found.broken.push_back({file, fmt::format("{}: {}", file.path, e.what())});
+    }
+  if (found.presets.empty() && found.broken.empty())
+    throw viz::BadInput(
+        fmt::format("dir: {} holds no preset files; put some there, NAME.json each, such as {{\"lesson\": "
+                    "\"ray-sphere\", "
+                    "\"parameters\": {{...}}}} (Ctrl+C in the window copies one)",
+                    folder));
+  return found;
+}
+
+void require_utf8(const PresetFile& file) try {
+  static_cast<void>(Json(file.name).dump());
+} catch (const Json::exception&) {
+  throw viz::BadInput("the file's name is not UTF-8; rename it");
+}
+
+void say_passed_over(const PresetFolder& folder) {
+  constexpr std::size_t enough = 5;
+  for (std::size_t i = 0; i < std::min(enough, folder.foreign.size()); ++i)
+    say(fmt::format("passed over: {} is no preset", folder.foreign[i]));
+  if (folder.foreign.size() > enough) say(fmt::format("passed over: {} other files", folder.foreign.size() - enough));
+}
+
+}  // namespace isect::program

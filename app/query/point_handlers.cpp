@@ -1,0 +1,128 @@
+// Points, intervals and planes.
+
+#include <isect/interval_interval.h>
+#include <isect/orient.h>
+#include <isect/plane_aabb.h>
+#include <isect/plane_sphere.h>
+#include <isect/point_aabb.h>
+#include <isect/point_obb.h>
+#include <isect/point_point.h>
+#include <isect/point_sphere.h>
+#include "app/query/events.h"
+#include "app/query/handlers.h"
+
+namespace isect::query {
+
+// clang-format off
+template <class S> struct Told<interval_interval::Common<S>> : Says<"Common", "common"> {};
+template <class S> struct Told<interval_interval::Beyond<S>> : Says<"Beyond", "lo hi holds"> {};
+template <> struct Told<point_obb::Slab> : Says<"Slab", "axis sign"> {};
+template <class S> struct Told<point_aabb::Axis<S>> : Says<"Axis", "axis x interval location"> {};
+template <> struct Told<point_sphere::Distance> : Says<"Distance", "sign"> {};
+template <class S> struct Told<point_point::Coordinate<S>> : Says<"Coordinate", "axis p q equal"> {};
+template <> struct Told<point_point::Distance> : Says<"Distance", "sign"> {};
+template <class S, int N> struct Told<plane_aabb::Corners<S, N>> : Says<"Corners", "least greatest at_least at_greatest"> {};
+template <> struct Told<plane_aabb::Decision> : Says<"Decision", "least greatest"> {};
+template <> struct Told<plane_sphere::Decision> : Says<"Decision", "center clear"> {};
+// clang-format on
+
+namespace {
+
+template <class S>
+Json orient2d(Job& job) {
+  const auto point = [&](const char* key) -> Point<double, 2> {
+    return vector<S, 2>(job.fields[key]).template cast<double>();
+  };
+  const Point<double, 2> a = point("a"), b = point("b"), c = point("c");
+  return {{"sign", run<std::variant<Fallback>>(job, [&](auto&& trace) { return isect::orient2d(a, b, c, trace); })}};
+}
+
+template <class S>
+Json interval_interval(Job& job) {
+  const Interval<S> a = interval<S>(job.fields["a"]), b = interval<S>(job.fields["b"]);
+  using Event = interval_interval::Event<S>;
+  if (job.variant == "ends")
+    return {{"intersects", run<Event>(job, [&](auto&& trace) { return interval_interval::ends(a, b, trace); })}};
+
+  const Relation r = run<Event>(job, [&](auto&& trace) { return relate(a, b, trace); });
+  return {{"intersects", r != Relation::disjoint}, {"relation", name(r)}};
+}
+
+template <class S>
+Json point_obb(Job& job) {
+  return in_dimension(job.fields["point"], [&]<int N>() -> Json {
+    const Point<S, N> point = vector<S, N>(job.fields["point"]);
+    const Obb<S, N> b = obb<S, N>(job.fields);
+    const Location where = run<point_obb::Event>(job, [&](auto&& trace) { return locate(point, b, trace); });
+    return {{"location", name(where)}};
+  });
+}
+
+template <class S>
+Json point_point(Job& job) {
+  return in_dimension(job.fields["a"], [&]<int N>() -> Json {
+    const Point<S, N> a = vector<S, N>(job.fields["a"]), b = vector<S, N>(job.fields["b"]);
+    const auto given = job.fields.find("tol");
+    const S tolerance = given ? given->template number<S>() : S(0);
+    const bool same = run<point_point::Event<S>>(
+        job, [&](auto&& trace) { return tolerance == 0 ? equal(a, b, trace) : nearly_equal(a, b, tolerance, trace); });
+    return {{"equal", same}};
+  });
+}
+
+template <class S>
+Json point_box(Job& job) {
+  return in_dimension(job.fields["point"], [&]<int N>() -> Json {
+    const Point<S, N> point = vector<S, N>(job.fields["point"]);
+    const Aabb<S, N> b = box<S, N>(job.fields);
+    return {{"location", name(run<point_aabb::Event<S>>(job, [&](auto&& trace) { return locate(point, b, trace); }))}};
+  });
+}
+
+template <class S>
+Json point_sphere(Job& job) {
+  return in_dimension(job.fields["point"], [&]<int N>() -> Json {
+    const Point<S, N> point = vector<S, N>(job.fields["point"]);
+    const Sphere<S, N> ball = sphere<S, N>(job.fields);
+    return {
+        {"location", name(run<point_sphere::Event>(job, [&](auto&& trace) { return locate(point, ball, trace); }))}};
+  });
+}
+
+template <class S>
+Json plane_sphere(Job& job) {
+  return in_dimension(job.fields["normal"], [&]<int N>() -> Json {
+    const Plane<S, N> p = plane<S, N>(job.fields);
+    const Sphere<S, N> ball = sphere<S, N>(job.fields);
+    const Relation r = run<plane_sphere::Event>(job, [&](auto&& trace) { return relate(p, ball, trace); });
+    return {{"intersects", r != Relation::disjoint}, {"relation", name(r)}};
+  });
+}
+
+template <class S>
+Json plane_box(Job& job) {
+  return in_dimension(job.fields["normal"], [&]<int N>() -> Json {
+    const Plane<S, N> p = plane<S, N>(job.fields);
+    const Aabb<S, N> b = box<S, N>(job.fields);
+    const Relation r = run<plane_aabb::Event<S, N>>(job, [&](auto&& trace) { return relate(p, b, trace); });
+    return {{"intersects", r != Relation::disjoint}, {"relation", name(r)}};
+  });
+}
+
+}  // namespace
+
+const std::vector<Handler>& point_handlers() {
+  static const std::vector<Handler> table = {
+      ISECT_HANDLER(orient2d, "a b c", {"exact"}),
+      ISECT_HANDLER(interval_interval, "a b", {"exact", "ends"}),
+      ISECT_HANDLER(point_obb, "point c u e", {"exact"}),
+      ISECT_HANDLER(point_point, "a b [tol]", {"exact"}),
+      ISECT_HANDLER(point_box, "point lo hi", {"exact"}),
+      ISECT_HANDLER(point_sphere, "point center radius", {"exact"}),
+      ISECT_HANDLER(plane_sphere, "normal d center radius", {"exact"}),
+      ISECT_HANDLER(plane_box, "normal d lo hi", {"exact"}),
+  };
+  return table;
+}
+
+}  // namespace isect::query

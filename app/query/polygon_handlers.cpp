@@ -1,0 +1,189 @@
+// Polygons, hulls and fits.
+
+#include <isect/convex_hull.h>
+#include <isect/fit.h>
+#include <isect/point_convex_polygon.h>
+#include <isect/point_polygon.h>
+#include <isect/polygon.h>
+#include <isect/slab_map.h>
+#include <isect/trapezoid_map.h>
+#include "app/query/events.h"
+#include "app/query/handlers.h"
+
+namespace isect::query {
+
+// clang-format off
+template <> struct Told<convex_hull_2d::Remaining> : Says<"Remaining", "count"> {};
+template <class S> struct Told<convex_hull_2d::Added<S>> : Says<"Added", "p"> {};
+template <class S> struct Told<convex_hull_2d::Removed<S>> : Says<"Removed", "p next turn"> {};
+template <> struct Told<point_convex_polygon::Fan> : Says<"Fan", "first last"> {};
+template <> struct Told<point_convex_polygon::Wedge> : Says<"Wedge", "lo mid hi turn"> {};
+template <> struct Told<point_convex_polygon::Chord> : Says<"Chord", "lo hi turn"> {};
+template <class S> struct Told<point_convex_polygon::Centroid<S>> : Says<"Centroid", "q"> {};
+template <class S> struct Told<point_convex_polygon::WedgeAround<S>> : Says<"WedgeAround", "lo mid hi cross"> {};
+template <class S> struct Told<point_convex_polygon::EdgeSide<S>> : Says<"EdgeSide", "from to cross"> {};
+template <> struct Told<polygon_area::AreaVector> : Says<"AreaVector", "scaled largest"> {};
+template <> struct Told<slab_map::SlabFound> : Says<"SlabFound", "slab steps"> {};
+template <> struct Told<slab_map::OnLine> : Says<"OnLine", "slab steps holds"> {};
+template <> struct Told<slab_map::Compared> : Says<"Compared", "edge turn"> {};
+template <> struct Told<trapezoid_map::VertexAsked> : Says<"VertexAsked", "vertex side"> {};
+template <> struct Told<trapezoid_map::PieceAsked> : Says<"PieceAsked", "piece side"> {};
+template <> struct Told<trapezoid_map::Reached> : Says<"Reached", "trapezoid"> {};
+template <> struct Told<trapezoid_map::Inserted> : Says<"Inserted", "piece cut"> {};
+// clang-format on
+
+namespace {
+
+// What would take more is refused; `isect query --help` has both.
+constexpr std::size_t most_slab_bytes = std::size_t{256} << 20, most_fit_products = std::size_t{1} << 26;
+
+template <class S>
+Polygon<S, 2> polygon(const Field& rings) {
+  Polygon<S, 2> p;
+  p.rings.reserve(rings.size());
+  for (const Field entry : rings.list()) p.rings.push_back(ring<S, 2>(entry));
+  return p;
+}
+
+/// The naive methods know neither boundary nor other rings: each ring by itself, summed.
+template <class S, class Method>
+int summed(Job& job, const Polygon<S, 2>& p, const Method& method) {
+  int sum = 0;
+  for (const Ring<S, 2>& r : p.rings)
+    sum += run<point_polygon::NaiveEvent<S>>(job, [&](auto&& trace) { return static_cast<int>(method(r, trace)); });
+  return sum;
+}
+
+Json in_or_out(bool in) { return in ? "in" : "out"; }
+
+/// Point location after preprocessing: the winding number, none on the boundary, is all there is to know.
+template <class Event, class S, class Make>
+Json by_map(Job& job, const Polygon<S, 2>& polygon, const Point<S, 2>& point, const Make& make) {
+  const auto map = [&] {
+    try {
+      return make(polygon);
+    } catch (const std::logic_error& e) {  // edges that cross, or too large a map
+      job.fields["rings"].refuse(e.what());
+    }
+  }();
+  const std::optional<int> times = run<Event>(job, [&](auto&& trace) { return winding(point, map, trace); });
+  const auto where = [&](bool inside) { return name(!times ? Location::on : inside ? Location::in : Location::out); };
+  return {{"evenodd", where(times.value_or(0) % 2 != 0)},
+          {"nonzero", where(times.value_or(0) != 0)},
+          {"winding", times ? Json(*times) : Json(nullptr)}};
+}
+
+template <class S>
+Json pip(Job& job) {
+  const Polygon<S, 2> p = polygon<S>(job.fields["rings"]);
+  const Point<S, 2> point = vector<S, 2>(job.fields["point"]);
+  if (job.variant == "crossings_naive") {
+    const auto method = [&](const auto& r, auto&& trace) { return point_polygon::crossings_naive(point, r, trace); };
+    return {{"evenodd", in_or_out(summed(job, p, method) % 2 != 0)}};
+  }
+  if (job.variant == "winding_naive") {
+    const auto method = [&](const auto& r, auto&& trace) { return point_polygon::winding_naive(point, r, trace); };
+    const int winding = summed(job, p, method);
+    return {{"nonzero", in_or_out(winding != 0)}, {"winding", winding}};
+  }
+
+  if (job.variant == "convex") {
+    if (p.rings.size() != 1) job.fields["rings"].complain("one ring is expected for the convex variant");
+    const auto convex = make_convex(p.rings[0]);
+    if (!convex)
+      job.fields["rings"].list().front().refuse("it is not convex with an area, so the convex variant can't be used");
+    const Location where =
+        run<point_convex_polygon::Event>(job, [&](auto&& trace) { return locate(point, *convex, trace); });
+    return {{"evenodd", name(where)}, {"nonzero", name(where)}};
+  }
+
+  if (job.variant == "slabs")
+    return by_map<slab_map::Event>(job, p, point, [](const auto& of) { return make_slab_map(of, most_slab_bytes); });
+  if (job.variant == "trapezoids")
+    return by_map<trapezoid_map::Event>(job, p, point, [](const auto& of) { return make_trapezoid_map(of); });
+
+  const Winding w = run<point_polygon::Event>(job, [&](auto&& trace) { return winding(point, p, trace); });
+  const Json times = w.nonzero == Location::on ? Json(nullptr) : Json(w.winding);
+  if (job.variant == "crossings") return {{"evenodd", name(w.even_odd)}};
+  if (job.variant == "winding") return {{"nonzero", name(w.nonzero)}, {"winding", times}};
+  return {{"evenodd", name(w.even_odd)}, {"nonzero", name(w.nonzero)}, {"winding", times}};
+}
+
+template <class S>
+Json convex_hull2d(Job& job) {
+  const Ring<S, 2> points = ring<S, 2>(job.fields["points"]);
+  return {{"hull", numbers<S, 2>(run<convex_hull_2d::Event<S>>(
+                       job, [&](auto&& trace) { return isect::convex_hull(points, trace); }))}};
+}
+
+template <class S>
+Json polygon_normal(Job& job) {
+  const Ring<S, 3> outline = ring<S, 3>(job.fields["polygon"]);
+  const auto n = run<polygon_area::Event>(job, [&](auto&& trace) { return normal(outline, trace); });
+  return {{"normal", n ? numbers<S, 3>(*n) : nullptr}, {"area", number(area(outline))}};
+}
+
+/// The axes and the diagonals of the square or cube: an 8-DOP in the plane, a 14-DOP in space.
+template <class S, int N>
+std::vector<Vector<S, N>> usual_normals() {
+  if constexpr (N == 2)
+    return {{1, 0}, {0, 1}, {1, 1}, {1, -1}};
+  else
+    return {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}, {1, 1, -1}, {1, -1, 1}, {1, -1, -1}};
+}
+
+template <class S, int N>
+Json kdop_around(const Job& job, const Ring<S, N>& points) {
+  const auto given = job.fields.find("normals");
+  if (given && given->size() * points.size() > most_fit_products)
+    given->refuse(std::to_string(given->size()) + " normals for " + std::to_string(points.size()) +
+                  " points are too many; allowed: normals times points up to " + std::to_string(most_fit_products));
+  const Kdop<S, N> k = fit_kdop(points, given ? ring<S, N>(*given) : usual_normals<S, N>());
+  Json lo = Json::array(), hi = Json::array();
+  for (const Interval<S>& slab : k.slabs) lo.push_back(number(slab.lo)), hi.push_back(number(slab.hi));
+  return {{"normals", numbers<S, N>(k.normals)}, {"lo", lo}, {"hi", hi}};
+}
+
+template <class S>
+Json bounding_volume_fit(Job& job) {
+  const Field::Entries entries = job.fields["points"].list();
+  if (entries.empty()) job.fields["points"].complain("at least one point is expected");
+  return in_dimension(entries.front(), [&]<int N>() -> Json {
+    const Ring<S, N> points = ring<S, N>(job.fields["points"]);
+    const std::string volume = job.fields["volume"].text();
+    if (const auto given = job.fields.find("normals"); given && volume != "kdop")
+      given->refuse("normals are for the volume kdop");
+    if (volume == "aabb") {
+      const Aabb<S, N> b = fit_aabb(points);
+      return {{"lo", numbers<S, N>(b.lo)}, {"hi", numbers<S, N>(b.hi)}};
+    }
+    if (volume == "sphere") {
+      const Sphere<S, N> ball = fit_sphere(points);
+      return {{"center", numbers<S, N>(ball.center)}, {"radius", number(ball.radius)}};
+    }
+    if (volume == "obb") {
+      const Obb<S, N> b = fit_obb(points);
+      Json axes = Json::array();
+      for (int i = 0; i < N; ++i) axes.push_back(numbers<S, N>(b.axes.col(i)));
+      return {{"c", numbers<S, N>(b.center)}, {"u", axes}, {"e", numbers<S, N>(b.half)}};
+    }
+    if (volume == "kdop") return kdop_around(job, points);
+    job.fields["volume"].complain("aabb, sphere, obb or kdop is expected");
+  });
+}
+
+}  // namespace
+
+const std::vector<Handler>& polygon_handlers() {
+  static const std::vector<Handler> table = {
+      ISECT_HANDLER(
+          pip, "rings point",
+          {"exact", "crossings", "winding", "convex", "slabs", "trapezoids", "crossings_naive", "winding_naive"}),
+      ISECT_HANDLER(convex_hull2d, "points", {"exact"}),
+      ISECT_HANDLER(polygon_normal, "polygon", {"exact"}),
+      ISECT_HANDLER(bounding_volume_fit, "points volume [normals]", {"exact"}),
+  };
+  return table;
+}
+
+}  // namespace isect::query

@@ -1,0 +1,44 @@
+#pragma once
+// The core as an exact oracle: one JSON case in, one JSON answer out. `isect query` is a loop around answer().
+//
+// To add a kind: a function template of a handler file, and a line in its table. The kinds and their fields are listed
+// in `isect query --help`.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace isect::query {
+
+struct Answer {
+  std::string text;    ///< one line of JSON, without its end
+  bool error = false;  ///< the line says what is wrong
+};
+
+/// {"id", "result"[, "trace"]} or {"id", "error"}; the id is the text that was sent. Never throws, even for lack of
+/// memory, as long as there is some for the error. No state, so any number may run at once. O(n log n) time for a line
+/// of n bytes, and about 30 n bytes of memory for most, whatever it holds; what would take more is refused. A trace
+/// takes as many bytes more as it is long.
+Answer answer(const std::string& line);
+
+/// Nothing but blanks: no case, and no answer.
+bool blank(std::string_view line);
+
+/// Lists and objects within each other that a line may have, the case itself included.
+int most_levels();
+/// What a line of more bytes than that gets.
+std::size_t most_bytes();
+Answer too_long();
+/// What a line gets for which the memory does not do.
+Answer out_of_memory();
+
+/// The kinds in order, each with its inputs, [optional] ones in brackets, and its variants, the exact default first.
+struct Kind {
+  std::string name, inputs;
+  std::vector<std::string> variants;
+};
+std::vector<Kind> kinds();
+/// Fields that any case may have beside its inputs, with any content: they are not looked at.
+const std::vector<std::string>& notes();
+
+}  // namespace isect::query

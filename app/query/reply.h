@@ -1,0 +1,76 @@
+#pragma once
+// Writing an answer: numbers, locations and traces as JSON.
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include <isect/conventions.h>
+#include <isect/shapes.h>
+#include "app/query/request.h"
+
+namespace isect::query {
+
+using Json = nlohmann::ordered_json;
+
+/// On one line, and UTF-8 whatever the texts are.
+inline std::string written(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+/// The number, "inf" or "-inf"; -0 as it is.
+template <class S>
+Json number(S x) {
+  if (std::isnan(x)) return "nan";
+  if (std::isinf(x)) return x > 0 ? "inf" : "-inf";
+  return static_cast<double>(x);
+}
+template <class S>
+Json number(const std::optional<S>& x) {
+  return x ? number(*x) : Json(nullptr);
+}
+template <class S, int N>
+Json numbers(const Vector<S, N>& v) {
+  Json list = Json::array();
+  list.get_ref<Json::array_t&>().reserve(N);
+  for (int i = 0; i < N; ++i) list.push_back(number(v[i]));
+  return list;
+}
+template <class S, int N>
+Json numbers(const Ring<S, N>& points) {
+  Json list = Json::array();
+  for (const Point<S, N>& p : points) list.push_back(numbers<S, N>(p));
+  return list;
+}
+
+inline Json name(Location l) { return l == Location::in ? "in" : l == Location::on ? "on" : "out"; }
+
+/// disjoint, equal, b_contains_a, a_contains_b, touch, overlap
+inline std::string name(Relation r) {
+  switch (r) {
+    case Relation::disjoint:
+      return "disjoint";
+    case Relation::equal:
+      return "equal";
+    case Relation::a_inside_b:
+      return "b_contains_a";
+    case Relation::b_inside_a:
+      return "a_contains_b";
+    case Relation::touching:
+      return "touch";
+    default:
+      return "overlap";
+  }
+}
+
+/// One case on its way: what was asked, and the trace if it was asked for.
+struct Job {
+  const Field& fields;
+  std::string variant;
+  bool traced;
+  std::string trace;  ///< events as JSON, with commas between
+
+  void tell(const Json& event) { trace += (trace.empty() ? "" : ",") + written(event); }
+};
+
+}  // namespace isect::query

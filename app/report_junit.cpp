@@ -1,0 +1,89 @@
+// JUnit XML, which build servers read.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "app/report.h"
+
+namespace isect::program {
+
+namespace {
+
+using Kind = Failure::Kind;
+
+/// The open failures of one preset, in the order they were found.
+using Case = std::vector<const Failure*>;
+using Cases = std::vector<std::pair<std::string, Case>>;  ///< by preset
+
+/// A suite for each lesson that was checked, then one for each other name: of lessons that are gone, of broken presets.
+std::vector<std::pair<std::string, Cases>> suites(const Report& r) {
+  std::vector<std::pair<std::string, Cases>> found;
+  const auto at = [](auto& list, const std::string& name) -> auto& {
+    const auto known = std::ranges::find(list, name, [](const auto& entry) { return entry.first; });
+    if (known != list.end()) return known->second;
+    list.push_back({name, {}});
+    return list.back().second;
+  };
+  for (const auto& [lesson, preset] : r.checked) at(at(found, lesson), preset);
+  for (const Failure& f : r.failures)
+    if (!f.accepted) at(at(found, f.lesson.empty() ? "presets" : f.lesson), f.preset).push_back(&f);
+  return found;
+}
+
+std::string test_case(const std::string& lesson, const std::string& preset, const Case& failures) {
+  const std::string head = fmt::format("    <testcase classname=\"{}\" name=\"{}\"", escaped(lesson), escaped(preset));
+  if (failures.empty()) return head + "/>\n";
+  std::string text;
+  for (const Failure* f : failures) {
+    text += fmt::format("{}: {}: {}\n", where(*f), name_of(f->kind), f->what);
+    for (const std::string& more : f->more) text += "  " + more + "\n";
+    for (const std::string& line : details(*f)) text += "  " + line + "\n";
+  }
+  const Failure& first = *failures.front();
+  const char* tag = first.kind == Kind::preset ? "error" : "failure";
+  return fmt::format("{0}>\n      <{1} type=\"{2}\" message=\"{3}\">{4}</{1}>\n    </testcase>\n", head, tag,
+                     name_of(first.kind), escaped(first.what), escaped(text));
+}
+
+/// "tests=\"27\" failures=\"2\" errors=\"0\"" of these suites.
+std::string counts(const std::vector<std::pair<std::string, Cases>>& all) {
+  int tests = 0, failures = 0, errors = 0;
+  for (const auto& [lesson, cases] : all)
+    for (const auto& [preset, found] : cases) {
+      ++tests;
+      if (!found.empty()) ++(found.front()->kind == Kind::preset ? errors : failures);
+    }
+  return fmt::format("tests=\"{}\" failures=\"{}\" errors=\"{}\"", tests, failures, errors);
+}
+
+}  // namespace
+
+std::string escaped(const std::string& text) {
+  using Json = nlohmann::json;  // its escapes replace broken UTF-8
+  const std::string whole = Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace));
+  std::string out;
+  for (const char c : whole)
+    out += c == '&'                                      ? "&amp;"
+           : c == '<'                                    ? "&lt;"
+           : c == '>'                                    ? "&gt;"
+           : c == '"'                                    ? "&quot;"
+           : c >= 0 && c < ' ' && c != '\n' && c != '\t' ? "?"
+                                                         : std::string(1, c);
+  return out;
+}
+
+std::string to_junit(const Report& r) {
+  const auto all = suites(r);
+  std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
+  xml += fmt::format("<testsuites name=\"isect check\" {}>\n", counts(all));
+  for (const auto& suite : all) {
+    xml += fmt::format("  <testsuite name=\"{}\" {}>\n", escaped(suite.first), counts({suite}));
+    for (const auto& [preset, failures] : suite.second) xml += test_case(suite.first, preset, failures);
+    xml += "  </testsuite>\n";
+  }
+  return xml + "</testsuites>\n";
+}
+
+}  // namespace isect::program

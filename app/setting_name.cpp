@@ -1,0 +1,40 @@
+#include "app/setting_name.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+
+namespace isect::program {
+
+namespace {
+
+/// What every file system and shell takes as it is.
+bool is_plain(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+         std::string_view("+-.,=_").find(c) != std::string_view::npos;
+}
+
+/// FNV-1a.
+std::uint64_t digest(const std::string& text) {
+  std::uint64_t hash = 14695981039346656037u;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
+  return hash;
+}
+
+}  // namespace
+
+std::string name_of_change(const viz::Parameters& from, const viz::Parameters& to) {
+  std::string exact;
+  for (const auto& [name, value] : to)
+    if (from.at(name) != value) exact += "+" + name + "=" + viz::to_text(value);
+
+  constexpr std::size_t most = 80;
+  if (exact.size() <= most && std::ranges::all_of(exact, is_plain)) return exact;
+  std::string name = exact.substr(0, most - 17);
+  std::ranges::replace_if(
+      name, [](char c) { return !is_plain(c); }, '_');
+  return fmt::format("{}~{:016x}", name, digest(exact));
+}
+
+}  // namespace isect::program

@@ -1,0 +1,93 @@
+// isect show: the window.
+
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "app/options.h"
+#include "app/surroundings.h"
+#include "app/terminal.h"
+#include "viz/files.h"
+#include "viz/formats.h"
+#include "viz/place.h"
+#include "viz/window.h"
+
+namespace isect::program {
+
+namespace {
+
+/// Far above any figure's, far below what would take minutes.
+constexpr std::size_t most_bytes = std::size_t{64} << 20;
+
+/// The place where a figure of ours was made.
+viz::Place place_in_figure(const Program& program, const std::string& path, const viz::Format& format) {
+  const std::string bytes = viz::read_file(path, most_bytes);
+  try {
+    const viz::Metadata data = format.metadata(bytes);
+    if (data.empty())
+      throw viz::BadInput(
+          fmt::format("it carries no isect metadata: isect did not make it, or the program that saved it "
+                      "last removed it. "
+                      "Name its place instead: {} show{} --preset P --step N",
+                      program.name, program.only ? "" : " LESSON"));
+    return viz::place_from_metadata(data, program.lessons);
+  } catch (const viz::BadInput& e) {
+    throw viz::BadInput(fmt::format("{}: {}", path, e.what()));
+  } catch (const viz::FileError& e) {
+    throw viz::FileError(fmt::format("{}: {}", path, e.what()));
+  }
+}
+
+viz::Place place_of(const Program& program, Selection asked) {
+  const std::string first = asked.lessons.empty() ? std::string() : asked.lessons.front();
+  if (const viz::Format* format = viz::format_of(first)) return place_in_figure(program, first, *format);
+  const bool anywhere = asked.lessons.empty() && asked.preset.empty() && asked.changes.empty() && asked.step.empty();
+  if (anywhere && program.only == nullptr) return {};  // where the reader left off, or the first lesson
+  if (asked.lessons.empty() && asked.preset.empty()) asked.lessons = {program.lessons.front()->id};
+  const Excerpt e = excerpt(program, asked);
+  if (!asked.step.empty() && e.steps.size() != 1)
+    throw viz::BadInput(fmt::format("step: \"{}\" does not do here; give one", asked.step));
+  viz::Place place;
+  place.lesson = e.lesson->id;
+  place.preset = e.preset;
+  place.step = e.steps.front();
+  place.parameters = e.parameters;
+  place.camera = e.camera;
+  return place;
+}
+
+int show(const Program& program, const Selection& asked) {
+  const viz::Place place = place_of(program, asked);
+  need_surroundings(program);
+  try {
+    viz::show(program.lessons, place,
+              [&](const std::string& words) { say(fmt::format("{}: {}", program.name, words)); });
+  } catch (const viz::NoDisplay& e) {
+    say(fmt::format("{}: {}", program.name, e.what()));
+    const std::string lesson = place.lesson.empty() ? program.lessons.front()->id : place.lesson;
+    const std::string which = program.only ? "" : " " + lesson;
+    say(fmt::format("Without a display, `{0} render{1}` writes the figures, and `{0} explain{1}` tells them as text.",
+                    program.name, which));
+    return nowhere_to_draw;
+  }
+  return done;
+}
+
+}  // namespace
+
+void add_show(CLI::App& app, Program& program) {
+  CLI::App& sub = *app.add_subcommand("show", "the window, at that place");
+  const auto asked = std::make_shared<Selection>();
+  add_lesson(sub, program, *asked, Takes::one,
+             "a lesson's id; or a figure made by isect (.png, .svg),\nto open it where it was made");
+  add_preset(sub, *asked, Takes::one,
+             "a preset, or a file with one (its step and camera are\nhonoured); the first if not given");
+  add_step(sub, *asked, Takes::one, "counted from 1; if not given, that of the preset's file, or 1");
+  add_set(sub, *asked);
+  sub.footer(program.only ? "Example: " + program.name + " show --step 3"
+                          : "Examples: isect show ray-sphere --step 3\n          isect show "
+                            "figures/ray-sphere/tangent/03-distance.svg");
+  sub.callback([&program, asked] { program.chosen = [&program, asked] { return show(program, *asked); }; });
+}
+
+}  // namespace isect::program

@@ -1,0 +1,110 @@
+#include "app/values.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "viz/lesson.h"
+
+namespace isect::program {
+
+namespace {
+
+/// The whole of `text` as a number, whatever the locale.
+template <class T>
+std::optional<T> number(std::string_view text) {
+  T value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return {};
+  return value;
+}
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0;;) {
+    const std::size_t end = text.find(separator, begin);
+    parts.push_back(text.substr(begin, end - begin));
+    if (end == std::string::npos) return parts;
+    begin = end + 1;
+  }
+}
+
+/// A length as people write it: "8 CM" and "8,5cm" as "8cm" and "8.5cm".
+std::string plainly(std::string length) {
+  std::ranges::replace(length, ',', '.');
+  std::ranges::transform(length, length.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  if (const std::size_t unit = length.find_last_of("0123456789.") + 1; unit < length.size() && length[unit] == ' ')
+    length.erase(unit, length.find_first_not_of(' ', unit) - unit);
+  return length;
+}
+
+}  // namespace
+
+Size size_of(const std::string& text) {
+  constexpr int least = 16, most = 8192;
+  const std::size_t x = text.find('x');
+  const auto side = [&](const std::string& part) {
+    const std::optional<int> n = number<int>(part);
+    if (x == std::string::npos || !n || *n < least || *n > most)
+      throw viz::BadInput(fmt::format("size: \"{}\" does not do; give WIDTHxHEIGHT, each {} to {}, such as 960x600",
+                                      text, least, most));
+    return *n;
+  };
+  return {side(text.substr(0, x)), side(x == std::string::npos ? text : text.substr(x + 1))};
+}
+
+double points_of(const std::string& text) {
+  struct Unit {
+    const char* name;
+    double points;
+  };
+  constexpr double least = 10, most = 14400;
+  const std::string length = plainly(text);
+  for (const Unit& unit : {Unit{"cm", 72 / 2.54}, Unit{"mm", 72 / 25.4}, Unit{"in", 72}, Unit{"pt", 1}}) {
+    if (!length.ends_with(unit.name)) continue;
+    const std::optional<double> n = number<double>(length.substr(0, length.size() - 2));
+    if (n && *n * unit.points >= least && *n * unit.points <= most) return *n * unit.points;
+  }
+  throw viz::BadInput(
+      fmt::format("width: \"{}\" does not do; give a width with its unit (cm, mm, pt, in), {}pt to {}pt, such as 8cm",
+                  text, least, most));
+}
+
+std::vector<const viz::Format*> formats_of(const std::string& text) {
+  std::vector<const viz::Format*> formats;
+  for (const std::string& name : split(text, ',')) {
+    const viz::Format* format = &viz::format_named(name);
+    if (std::ranges::find(formats, format) == formats.end()) formats.push_back(format);
+  }
+  return formats;
+}
+
+std::optional<Steps> Steps::read(const std::string& text) {
+  Steps steps;
+  if (text == "all") return steps;
+  for (const std::string& part : split(text, ',')) {
+    const std::size_t dash = part.find('-');
+    const std::optional<int> from = number<int>(part.substr(0, dash));
+    const std::optional<int> to = dash == part.npos ? from : number<int>(part.substr(dash + 1));
+    if (!from || !to || *from < 1 || *to < *from) return {};
+    steps.ranges_.emplace_back(*from, *to);
+  }
+  return steps;
+}
+
+std::vector<int> Steps::of(int count) const {
+  std::vector<int> chosen;
+  for (int step = 1; step <= count; ++step)
+    if (ranges_.empty() ||
+        std::ranges::any_of(ranges_, [&](const auto& r) { return r.first <= step && step <= r.second; }))
+      chosen.push_back(step - 1);
+  return chosen;
+}
+
+bool Steps::all_in(int count) const {
+  return std::ranges::all_of(ranges_, [&](const auto& r) { return r.second <= count; });
+}
+
+}  // namespace isect::program

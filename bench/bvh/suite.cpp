@@ -1,0 +1,66 @@
+// A hierarchy of boxes around a mesh of n triangles: what it costs to build, and the closest hit of a ray, beside brute
+// force.
+
+#include <isect/bvh_ray.h>
+#include <isect/ray_mesh.h>
+#include <isect/triangle_mesh.h>
+#include "bench/brute_force.h"
+#include "bench/growth.h"
+#include "bench/growth_shapes.h"
+#include "bench/session.h"
+#ifdef ISECT_PEERS
+#include "bench/bvh/peers.h"
+#endif
+
+namespace isect::bench {
+namespace {
+
+using Mesh = TriangleMesh<double>;
+
+/// Half the side of a mesh with about n triangles.
+int side_of(int n) { return static_cast<int>(std::lround(std::sqrt(n / 4.0))); }
+
+/// Building, the closest hit and any hit of one kind of hierarchy.
+struct Curves {
+  Grown build, closest, any;
+  explicit Curves(const std::string& method)
+      : build("bvh", method, "build"), closest("bvh", method, "query"), any("bvh", method, "any hit") {}
+
+  void report(Session& session) {
+    for (Grown* g : {&build, &closest, &any}) g->report(session);
+  }
+};
+
+}  // namespace
+
+void measure_bvh(Session& session) {
+  Curves plain("hierarchy"), prepared("exact");  // the latter is what many rays should ask
+  Grown brute("bvh", "brute force", "query");
+  const std::vector<Ray<double, 3>> rays = rays_inwards<double>(1 << 16), few(rays.begin(), rays.begin() + 64);
+  for (const int n : sizes(session, 1000)) {
+    session.progress("bvh, " + std::to_string(n));
+    const Mesh mesh = bumpy_sphere<double>(side_of(n));
+    const double size = static_cast<double>(mesh.triangles.size());
+
+    const Bvh<double, 3> bvh = build_bvh(boxes(mesh));
+    plain.build.add(size, least_time(session, [&] { return build_bvh(boxes(mesh)); }));
+    plain.closest.add(size,
+                      least_each(session, rays, [&](const auto& r) { return closest_hit(bvh, mesh, r).has_value(); }));
+    plain.any.add(size, least_each(session, rays, [&](const auto& r) { return any_hit(bvh, mesh, r); }));
+
+    const RayMesh<double> ray_mesh = make_ray_mesh(mesh);
+    prepared.build.add(size, least_time(session, [&] { return make_ray_mesh(mesh); }));
+    prepared.closest.add(
+        size, least_each(session, rays, [&](const auto& r) { return closest_hit(ray_mesh, r).has_value(); }));
+    prepared.any.add(size, least_each(session, rays, [&](const auto& r) { return any_hit(ray_mesh, r); }));
+
+    if (n <= 10'000)
+      brute.add(size, least_each(session, few, [&](const auto& r) { return brute_force(mesh, r).has_value(); }));
+  }
+  prepared.report(session), plain.report(session), brute.report(session);
+#ifdef ISECT_PEERS
+  peers::bvh(session, rays, side_of);
+#endif
+}
+
+}  // namespace isect::bench

@@ -1,0 +1,38 @@
+// Hulls of n points: time against n.
+
+#include <isect/convex_hull.h>
+#include <isect/convex_hull_3d.h>
+#include "bench/growth.h"
+#include "bench/growth_shapes.h"
+#include "bench/session.h"
+#ifdef ISECT_PEERS
+#include "bench/hulls/peers.h"
+#endif
+
+namespace isect::bench {
+namespace {
+
+using Points = std::vector<Point<double, 3>>;
+
+constexpr const char* unit = "set of points";
+
+Points in_ball(int n) { return cloud(n, true); }
+Points on_sphere(int n) { return cloud(n, false); }
+Ring<double, 2> in_disc(int n) { return disc(n, false); }
+Ring<double, 2> on_circle(int n) { return disc(n, true); }
+
+}  // namespace
+
+void measure_hulls(Session& session) {
+  const auto hull2 = [](const Ring<double, 2>& points) { return convex_hull(points); };
+  const auto hull3 = [](const Points& points) { return convex_hull(points); };
+  grow(session, "hull 2D, disc", "exact", unit, in_disc, hull2);
+  grow(session, "hull 2D, circle", "exact", unit, on_circle, hull2);
+  grow(session, "hull 3D", "exact", unit, in_ball, hull3);
+  grow(session, "hull 3D, sphere", "exact", unit, on_sphere, hull3);
+#ifdef ISECT_PEERS
+  peers::hulls(session);
+#endif
+}
+
+}  // namespace isect::bench

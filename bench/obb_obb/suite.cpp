@@ -1,0 +1,49 @@
+// Oriented box against oriented box: separating axes with the customary epsilon, with a small one, with none, and
+// exactly.
+
+#include <isect/obb_obb.h>
+
+#include <isect/obb_obb_methods.h>
+#include "bench/obb_obb/families.h"
+#include "bench/obb_obb/oracle.h"
+#include "bench/pairs.h"
+#include "bench/session.h"
+#ifdef ISECT_PEERS
+#include "bench/obb_obb/peers.h"
+#endif
+
+namespace isect::bench {
+namespace {
+
+template <class S>
+using Case = OrientedBoxes<S>;
+
+template <class S>
+void compete(Session& session, const NamedDraw<Case<S>>& drawn) {
+  namespace methods = obb_obb;
+  CaseFamily<Case<S>> family = family_of<S, Case<S>>(
+      "obb-obb", drawn,
+      [](const Case<S>& c) -> Truth {
+        return {oracle::obb::meet_by_projection(c.a, c.b), {}};
+      },
+      1 << 15);
+  Contest<S, Case<S>> contest(session, family);
+  contest.enter("epsilon 1e-6", [](const Case<S>& c) { return methods::gottschalk(c.a, c.b, S(1e-6)); }).standard();
+  contest.enter("epsilon 4 u",
+                [](const Case<S>& c) { return methods::gottschalk(c.a, c.b, 2 * std::numeric_limits<S>::epsilon()); });
+  contest.enter("no epsilon", [](const Case<S>& c) { return methods::gottschalk(c.a, c.b, S(0)); });
+  enter_exact(contest);
+#ifdef ISECT_PEERS
+  peers::obb_obb<S>(contest);
+#endif
+  contest.run();
+}
+
+}  // namespace
+
+void measure_obb_obb(Session& session) {
+  for (const auto& drawn : obb_obb_draws<double>) compete<double>(session, drawn);
+  for (const auto& drawn : obb_obb_draws<float>) compete<float>(session, drawn);
+}
+
+}  // namespace isect::bench

@@ -1,0 +1,128 @@
+// Point location in a polygon prepared for it: slabs in floating point, exact slabs, trapezoids, grid. The question is
+// whether the closed polygon holds the point. Then what preparation costs, and how that and a query grow.
+
+#include <isect/polygon_grid.h>
+#include <isect/slab_map.h>
+#include <isect/slab_map_methods.h>
+#include <isect/trapezoid_map.h>
+#include "bench/contest.h"
+#include "bench/growth.h"
+#include "bench/growth_shapes.h"
+#include "bench/point_polygon/families.h"
+#include "bench/session.h"
+#ifdef ISECT_PEERS
+#include "bench/point_location/peers.h"
+#endif
+
+namespace isect::bench {
+namespace {
+
+template <class S>
+using Case = PolygonCase<S>;
+
+template <class S, class Map>
+void enter_map(Contest<S, Case<S>>& contest, const char* name, const Map& map) {
+  contest.enter(name, [&map](const Case<S>& c) { return locate(c.point, map) != Location::out; })
+      .exact()
+      .fallback([&map](const Case<S>& c) {
+        return fell_back([&](const auto& trace) { locate(c.point, map, FillRule::even_odd, trace); });
+      });
+}
+
+template <class S>
+void compete(Session& session, const char* name, int n) {
+  using slab_map::Abscissa;
+  const PolygonFamily<S> family = polygon_family<S>(name, n);
+  const Ring<S, 2>& ring = family.rings.at(0);
+  Contest<S, Case<S>> contest(session, {"point-location",
+                                        scalar_name<S>,
+                                        name,
+                                        std::string_view(name) != "ordinary",
+                                        [&](Random& random) { return family.draw(random); },
+                                        [](const Case<S>& c) -> Truth {
+                                          return {oracle::location(c.point, *c.ring) != Location::out, {}};
+                                        },
+                                        [](const Case<S>& c) {
+                                          return text("point", c.point, "in the polygon of the family, of edges",
+                                                      c.ring->size());
+                                        },
+                                        {},
+                                        1 << 13});  // the oracle looks at all edges
+  const auto lines = slab_map::make_naive_slabs(ring, Abscissa::line),
+             interpolated = slab_map::make_naive_slabs(ring, Abscissa::interpolated);
+  contest.enter("slabs, interpolated", [&](const Case<S>& c) { return slab_map::slabs_naive(c.point, interpolated); })
+      .standard();
+  contest.enter("slabs, x = m y + k", [&](const Case<S>& c) { return slab_map::slabs_naive(c.point, lines); });
+  const SlabMap slabs = make_slab_map(ring);
+  const TrapezoidMap trapezoids = make_trapezoid_map(ring);
+  const PolygonGrid grid = make_polygon_grid(ring);
+  enter_map(contest, "slabs, exact", slabs);
+  enter_map(contest, "trapezoids, exact", trapezoids);
+  enter_map(contest, "grid, exact", grid);
+#ifdef ISECT_PEERS
+  peers::point_location<S>(contest, ring);
+#endif
+  contest.run();
+}
+
+/// One way to prepare, at all sizes of one outline.
+class Preparation {
+ public:
+  Preparation(Session& session, Outline outline, const std::string& method, const std::string& library = "isect")
+      : session_(session),
+        build_(name(outline), method, "build", library),
+        query_(name(outline), method, "query", library) {}
+
+  /// prepare(ring) makes what ask(prepared, point) is asked of.
+  template <class Prepare, class Ask>
+  void add(const Ring<double, 2>& ring, const Ring<double, 2>& points, const Prepare& prepare, const Ask& ask) {
+    const double n = static_cast<double>(ring.size());
+    build_.add(n, least_time(session_, [&] { return prepare(ring); }));
+    const auto prepared = prepare(ring);
+    query_.add(n, least_each(session_, points, [&](const auto& p) { return ask(prepared, p); }));
+  }
+  void report() { build_.report(session_), query_.report(session_); }
+
+ private:
+  static std::string name(Outline outline) {
+    return outline == Outline::smooth ? "point location, smooth" : "point location, spiky";
+  }
+
+  Session& session_;
+  Grown build_, query_;
+};
+
+void grow(Session& session, Outline outline) {
+  const auto in = [](const auto& map, const Point<double, 2>& p) { return locate(p, map) != Location::out; };
+  Preparation slabs(session, outline, "slabs"), trapezoids(session, outline, "trapezoids"),
+      grid(session, outline, "grid");
+  for (const int n : sizes(session, 1000)) {
+    const Ring<double, 2> ring = outline_of(outline, n);
+    const Ring<double, 2> points = points_in_square(outline == Outline::spiky && n > 10'000 ? 8192 : 65536);
+    if (n <= (outline == Outline::smooth ? 10'000 : 1000))
+      slabs.add(
+          ring, points, [](const auto& r) { return make_slab_map(r); }, in);
+    trapezoids.add(
+        ring, points, [](const auto& r) { return make_trapezoid_map(r); }, in);
+    grid.add(
+        ring, points, [](const auto& r) { return make_polygon_grid(r); }, in);
+  }
+  slabs.report(), trapezoids.report(), grid.report();
+#ifdef ISECT_PEERS
+  peers::grow_point_location(session, outline, [&](const char* library, const char* method) {
+    return Preparation(session, outline, method, library);
+  });
+#endif
+}
+
+}  // namespace
+
+void measure_point_location(Session& session) {
+  for (const char* name : {"ordinary", "near-edge", "on-vertex", "near-horizontal", "near-vertical", "coincident"})
+    compete<double>(session, name, 256);
+  for (const char* name : {"ordinary", "near-edge", "coincident"}) compete<float>(session, name, 256);
+  session.progress("point-location, growth");
+  for (const Outline outline : {Outline::smooth, Outline::spiky}) grow(session, outline);
+}
+
+}  // namespace isect::bench

@@ -1,0 +1,138 @@
+// Ray against sphere: the first hit on the surface, by the note's methods, the stable ones, the exact default and the
+// batch.
+
+#include <isect/ray_sphere.h>
+
+#include <span>
+
+#include <isect/batch_ray_sphere.h>
+#include <isect/ray_sphere_methods.h>
+#include <isect/ray_sphere_stable.h>
+#include "bench/contest.h"
+#include "bench/rational.h"
+#include "bench/ray_sphere/families.h"
+#include "bench/session.h"
+#ifdef ISECT_PEERS
+#include "bench/ray_sphere/peers.h"
+#endif
+
+namespace isect::bench {
+namespace {
+
+template <class S>
+using Case = RaySphereCase<S, 3>;
+
+/// What rounding the input may do to the first hit: with the point p relative to the center, |p| = r, an error e of the
+/// input moves t by p.e / p.d, and A times the half chord in t is |p.d|.
+template <class S>
+double condition(const Case<S>& c, const oracle::RaySphere& truth) {
+  const double t = std::abs(truth.surface->nearest), length = c.ray.direction.template cast<double>().norm();
+  const double half_chord =
+      ((truth.t1.nearest - truth.t0.nearest) + (truth.t1.rest - truth.t0.rest)) / 2 * length * length;
+  const double size = static_cast<double>(c.ray.origin.norm()) + static_cast<double>(c.sphere.center.norm()) +
+                      t * length + static_cast<double>(c.sphere.radius);
+  return static_cast<double>(c.sphere.radius) * size / (half_chord * t);
+}
+
+template <class S>
+Truth truth(const Case<S>& c) {
+  const oracle::RaySphere t = oracle::ray_sphere(c.ray, c.sphere);
+  if (!t.surface) return {};
+  return {1, t.surface, condition(c, t)};
+}
+
+/// (|p|^2 - r^2) / 2 r^2 for the point p at t, relative to the center, rounded once.
+template <class S>
+double residual(const Case<S>& c, double t) {
+  using oracle::Rational, oracle::operator+, oracle::operator-, oracle::operator*;
+  if (c.sphere.radius == 0) return 0;
+  if (!std::isfinite(t)) return std::numeric_limits<double>::infinity();
+  const auto p = oracle::rational<S, 3>(c.ray.origin) + Rational(t) * oracle::rational<S, 3>(c.ray.direction) -
+                 oracle::rational<S, 3>(c.sphere.center);
+  const Rational r2 = Rational(c.sphere.radius) * Rational(c.sphere.radius);
+  return std::abs(static_cast<double>(Rational((oracle::dot(p, p) - r2) / (2 * r2))));
+}
+
+template <class S>
+std::string in_full(const Case<S>& c) {
+  return text("origin", c.ray.origin, "direction", c.ray.direction, "range", std::array{c.ray.range.lo, c.ray.range.hi},
+              "center", c.sphere.center, "radius", c.sphere.radius);
+}
+
+/// Haines' method needs a unit direction, so it is given one: that is part of its cost and of its error.
+template <class S>
+std::optional<S> haines(const Case<S>& c) {
+  const S length = c.ray.direction.norm();
+  const Ray<S, 3> unit = {c.ray.origin, c.ray.direction / length, {S(0), c.ray.range.hi * length}};
+  const std::optional<S> along = ray_sphere::haines(unit, c.sphere);
+  return along ? std::optional<S>(*along / length) : std::nullopt;
+}
+
+template <class S>
+void compete(Session& session, const char* name) {
+  const RaySphereFamily<S, 3>& family = ray_sphere_family<S, 3>(name);
+  Contest<S, Case<S>> contest(session, {"ray-sphere", scalar_name<S>, name, std::string_view(name) != "ordinary",
+                                        family.draw, truth<S>, in_full<S>, residual<S>});
+  contest.enter("quadratic", [](const Case<S>& c) { return ray_sphere::quadratic(c.ray, c.sphere); }).standard();
+  contest.enter("half-B", [](const Case<S>& c) { return ray_sphere::half_b(c.ray, c.sphere); });
+  contest.enter("stable roots", [](const Case<S>& c) { return ray_sphere::stable_roots(c.ray, c.sphere); });
+  contest.enter("Haines", haines<S>);
+  contest.enter("robust", [](const Case<S>& c) { return ray_sphere::robust(c.ray, c.sphere); });
+  contest.enter("exact", [](const Case<S>& c) { return intersect(c.ray, c.sphere).surface; })
+      .exact()
+      .fallback(
+          [](const Case<S>& c) { return fell_back([&](const auto& trace) { intersect(c.ray, c.sphere, trace); }); });
+#ifdef ISECT_PEERS
+  peers::ray_sphere<S>(contest);
+#endif
+  contest.run();
+}
+
+/// One ray against 65,536 spheres around it: which are hit.
+template <class S>
+void one_ray(Session& session) {
+  const Ray<S, 3> ray = {{S(-3), S(0.1), S(0.2)}, {S(1), S(0.05), S(-0.1)}};
+  const auto draw = [ray](Random& random) -> Case<S> {
+    return {ray, {random.in_box<3>(1).template cast<S>(), static_cast<S>(random.uniform(0.2, 0.8))}};
+  };
+  const auto yes_no = [](const Case<S>& c) -> Truth {
+    return {oracle::ray_sphere(c.ray, c.sphere).surface.has_value(), {}};
+  };
+  Contest<S, Case<S>> contest(session,
+                              {"ray-sphere, one ray", scalar_name<S>, "ordinary", false, draw, yes_no, in_full<S>});
+  contest.enter("quadratic", [ray](const Case<S>& c) { return ray_sphere::quadratic(ray, c.sphere).has_value(); })
+      .standard();
+  contest.enter("exact", [ray](const Case<S>& c) { return intersect(ray, c.sphere).surface.has_value(); }).exact();
+
+  std::array<std::vector<S>, 4> columns;
+  for (const Case<S>& c : contest.cases()) {
+    for (int k = 0; k < 3; ++k) columns[k].push_back(c.sphere.center[k]);
+    columns[3].push_back(c.sphere.radius);
+  }
+  const SphereBatch<S, 3> batch = {{{columns[0], columns[1], columns[2]}}, columns[3]};
+  const Mask answers = hits(ray, batch);
+  contest
+      .enter_pass(
+          "batch",
+          [&] {
+            const Mask mask = hits(ray, batch);
+            asm volatile("" : : "r"(&mask) : "memory");
+          },
+          [&](std::size_t i) { return said(answers[i]); })
+      .exact();
+  contest.run();
+}
+
+}  // namespace
+
+void measure_ray_sphere(Session& session) {
+  for (const char* name : {"ordinary", "far-small", "planet", "near-tangent", "exact-tangent", "on-surface",
+                           "direction-length", "zero-radius"}) {
+    compete<double>(session, name);
+    compete<float>(session, name);
+  }
+  one_ray<double>(session);
+  one_ray<float>(session);
+}
+
+}  // namespace isect::bench

@@ -1,0 +1,152 @@
+#pragma once
+// Rays and triangles that are hard to tell apart, and pairs of triangles that share an edge.
+
+#include <Eigen/Geometry>
+#include <array>
+
+#include "bench/in_full.h"
+#include "bench/named_draw.h"
+#include "bench/pair_cases.h"
+#include "bench/random_shapes.h"
+
+namespace isect::bench {
+
+template <class S>
+using RayAndTriangle = Pair<Ray<S, 3>, Triangle<S, 3>>;
+
+/// Two triangles on either side of an edge.
+template <class S>
+struct SharedEdge {
+  Ray<S, 3> ray;
+  Triangle<S, 3> left, right;
+};
+template <class S>
+std::string in_full(const SharedEdge<S>& c) {
+  return in_full(c.ray) + "; " + in_full(c.left) + "; " + in_full(c.right);
+}
+
+namespace ray_triangle_families {
+
+template <class S>
+Triangle<S, 3> some_triangle(Random& random) {
+  const auto corner = [&] { return Point<S, 3>(random.in_box<3>(1.5).template cast<S>()); };
+  const Point<S, 3> a = corner(), b = corner();
+  return {{a, b, corner()}};
+}
+
+template <class S>
+RayAndTriangle<S> ordinary(Random& random) {
+  const Ray<S, 3> ray = ordinary_ray<S>(random);
+  return {ray, some_triangle<S>(random)};
+}
+
+/// The ray through `target`, as well as S can say it.
+template <class S>
+void aim(Ray<S, 3>& ray, const Point<S, 3>& target) {
+  ray.direction = target - ray.origin;
+}
+
+/// A point of the triangle's edge between these vertices.
+template <class S>
+Point<S, 3> on_edge(Random& random, const Triangle<S, 3>& x, int i, int j) {
+  const S u = static_cast<S>(random.unit());
+  return x.vertices[i] + u * (x.vertices[j] - x.vertices[i]);
+}
+
+template <class S>
+RayAndTriangle<S> edge_aimed(Random& random) {
+  RayAndTriangle<S> c = ordinary<S>(random);
+  const int i = random.below(3);
+  aim(c.a, on_edge(random, c.b, i, (i + 1) % 3));
+  return c;
+}
+
+template <class S>
+RayAndTriangle<S> vertex_aimed(Random& random) {
+  RayAndTriangle<S> c = ordinary<S>(random);
+  aim(c.a, c.b.vertices[random.below(3)]);
+  return c;
+}
+
+/// Small integers: rays exactly through vertices, edges and the inside. None lies in the plane: that counts as a hit
+/// for some, and not for us.
+template <class S>
+RayAndTriangle<S> grid(Random& random) {
+  const auto any = [&] { return vector<S, 3>(random, Numbers::grid); };
+  for (;;) {
+    RayAndTriangle<S> c = {{Point<S, 3>(S(16) * any()), {}}, {{any(), any(), any()}}};
+    const auto& [p, q, r] = c.b.vertices;
+    const S i = static_cast<S>(random.integer(0, 4)) / 4, j = static_cast<S>(random.integer(0, 4)) / 4;
+    aim(c.a, Point<S, 3>(p + (q - p) * i + (r - p) * (j * (1 - i))));
+    if ((q - p).cross(r - p).dot(c.a.direction) != 0) return c;  // no rounding: quarters of small integers
+  }
+}
+
+/// A triangle of height 1e-9 (1e-4 in float) and less, the ray aimed at it.
+template <class S>
+RayAndTriangle<S> needle(Random& random) {
+  RayAndTriangle<S> c = ordinary<S>(random);
+  auto& [p, q, r] = c.b.vertices;
+  constexpr double most = std::numeric_limits<S>::digits == 53 ? -9 : -4;
+  r = p + static_cast<S>(random.unit()) * (q - p) +
+      (random.magnitude(most - 4, most) * random.heading<3>()).template cast<S>();
+  aim(c.a, Point<S, 3>(p + static_cast<S>(random.unit()) * (q - p) + static_cast<S>(random.unit()) * (r - p)));
+  return c;
+}
+
+/// All of it 1e8 (1e4 in float) away from the frame's origin, aimed at the inside or an edge; the ray comes from
+/// there.
+template <class S>
+RayAndTriangle<S> far(Random& random) {
+  RayAndTriangle<S> c = ordinary<S>(random);
+  const Vector<S, 3> away =
+      ((std::numeric_limits<S>::digits == 53 ? 1e8 : 1e4) * random.heading<3>()).template cast<S>();
+  for (Point<S, 3>& p : c.b.vertices) p += away;
+  if (random.one_in(2)) c.a.origin += away;
+  const int i = random.below(3);
+  aim(c.a, random.one_in(2) ? on_edge(random, c.b, i, (i + 1) % 3)
+                            : Point<S, 3>((c.b.vertices[0] + c.b.vertices[1] + c.b.vertices[2]) / 3));
+  return c;
+}
+
+/// From a point of the plane, but for a height of 1e-15 to 1e-6, along it to a point of the triangle.
+template <class S>
+RayAndTriangle<S> near_coplanar(Random& random) {
+  RayAndTriangle<S> c = ordinary<S>(random);
+  const auto& [p, q, r] = c.b.vertices;
+  const auto in_plane = [&](double u, double v) -> Point<S, 3> {
+    return p + static_cast<S>(u) * (q - p) + static_cast<S>(v) * (r - p);
+  };
+  constexpr double least = std::numeric_limits<S>::digits == 53 ? -15 : -7;
+  c.a.origin = in_plane(random.uniform(-3, 3), random.uniform(-3, 3)) +
+               (random.magnitude(least, least + 5) * random.heading<3>()).template cast<S>();
+  const double u = random.unit();
+  aim(c.a, in_plane(u, random.uniform(0, 1 - u)));
+  return c;
+}
+
+/// Two triangles of a parallelogram, bent a little, and a ray aimed at their edge or at one end of it.
+template <class S>
+SharedEdge<S> shared_edge(Random& random) {
+  const RayAndTriangle<S> c = ordinary<S>(random);
+  const auto& [p, q, r] = c.b.vertices;
+  const Point<S, 3> opposite = p + q - r + random.in_box<3>(0.05).template cast<S>();
+  SharedEdge<S> shared = {c.a, c.b, {{q, p, opposite}}};
+  aim(shared.ray, on_edge(random, c.b, 0, 1));
+  return shared;
+}
+
+}  // namespace ray_triangle_families
+
+template <class S>
+constexpr std::array<NamedDraw<RayAndTriangle<S>>, 7> ray_triangle_draws = {{
+    {"ordinary", ray_triangle_families::ordinary<S>},
+    {"edge-aimed", ray_triangle_families::edge_aimed<S>},
+    {"vertex-aimed", ray_triangle_families::vertex_aimed<S>},
+    {"grid", ray_triangle_families::grid<S>},
+    {"needle", ray_triangle_families::needle<S>},
+    {"far", ray_triangle_families::far<S>},
+    {"near-coplanar", ray_triangle_families::near_coplanar<S>},
+}};
+
+}  // namespace isect::bench

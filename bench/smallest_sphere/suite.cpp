@@ -1,0 +1,28 @@
+// Smallest spheres of n points: time against n.
+
+#include <isect/fit_tight.h>
+
+#include "bench/growth.h"
+#include "bench/growth_shapes.h"
+#ifdef ISECT_PEERS
+#include "bench/smallest_sphere/peers.h"
+#endif
+
+namespace isect::bench {
+namespace {
+
+using Points = std::vector<Point<double, 3>>;
+
+}  // namespace
+
+void measure_smallest_sphere(Session& session) {
+  const auto in_ball = [](int n) { return cloud(n, true); };
+  constexpr const char *test = "smallest sphere", *unit = "set of points";
+  grow(session, test, "exact", unit, in_ball, [](const Points& p) { return fit_sphere_smallest(p); });
+  grow(session, test, "Ritter", unit, in_ball, [](const Points& p) { return fit_sphere_ritter(p); });
+#ifdef ISECT_PEERS
+  peers::smallest_sphere(session);
+#endif
+}
+
+}  // namespace isect::bench

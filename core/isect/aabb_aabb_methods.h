@@ -1,0 +1,33 @@
+#pragma once
+// Axis-aligned box against box as it is written in practice, beside the note's by_axis in isect/aabb_aabb.h: for
+// lessons and comparison. `intersects` there is right for all input.
+
+#include <variant>
+
+#include <isect/aabb_aabb.h>
+#include <isect/interval_interval_methods.h>
+
+namespace isect::aabb_aabb {
+
+template <class S>
+using MethodEvent = std::variant<interval_interval::Common<S>, interval_interval::Middles<S>>;
+
+/// The larger lower ends against the smaller upper ends, without a branch. An inverted box meets nothing, but NaN may
+/// slip through std::max and std::min.
+template <class S, int N, class Trace = NoTrace>
+bool min_max(const Aabb<S, N>& a, const Aabb<S, N>& b, Trace&& trace = {}) {
+  bool meets = true;
+  for (int axis = 0; axis < N; ++axis) meets &= interval_interval::min_max(a.along(axis), b.along(axis), trace);
+  return meets;
+}
+
+/// By centers and half-sides. Naive: centers round, so that boxes that touch may come apart.
+/// Source: Ericson, Real-Time Collision Detection (2005), 4.2.1.
+template <class S, int N, class Trace = NoTrace>
+bool by_centers(const Aabb<S, N>& a, const Aabb<S, N>& b, Trace&& trace = {}) {
+  for (int axis = 0; axis < N; ++axis)
+    if (!interval_interval::by_middles(a.along(axis), b.along(axis), trace)) return false;
+  return true;
+}
+
+}  // namespace isect::aabb_aabb

@@ -1,0 +1,127 @@
+#pragma once
+// A number that knows how far it may be from the truth, so that one polynomial text is its own proved filter.
+//
+// In floating point a sum of products, each built with k roundings, errs by at most g(k) times the sum of the
+// products' sizes, g(k) = k u / (1 - k u) (Higham, Accuracy and Stability, 2nd ed., ch. 3). Bounded carries all
+// three: the value, the size, the count k. The count is a constant to the compiler once the text is inlined, so
+// the price is that of a second, sign-less evaluation.
+//
+//   leaf x             value x            size |x|             0 roundings    (x is a double, taken exactly)
+//   difference(x, y)   x - y              |x - y|              1              (its error is relative: no cancellation)
+//   a + b, a - b       value              size a + size b      max + 1
+//   a b                value              size a size b + tiny sum + 1
+//
+// Underflow: a product errs by at most 2^-1075 more in double, 2^-1072 in DoubleDouble, which is below u tiny. Overflow
+// makes the size infinite or the value NaN, and nothing certain. The size's own roundings, two for each of the value's,
+// and those of the last comparison are paid by one more u: (k + 1) u >= g(k) (1 - u)^-2k (1 + u)^4 for k < 2^20.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <optional>
+
+#include <isect/numbers/filter.h>
+#include <isect/numbers/nought.h>
+
+namespace isect {
+
+/// T is double, Extended or DoubleDouble. The size stays a double, as x87 code for it would be slow.
+template <class T>
+class Bounded {
+ public:
+  Bounded() = default;
+  Bounded(double x) : value_{x}, size_(std::abs(x)) {}
+  /// A number found otherwise: a sum of products, each of `roundings` roundings at most, whose sizes add up to `size`
+  /// at most. At least 2^-1000 of that makes up for products that underflow.
+  Bounded(const T& value, double size, int roundings) : value_(value), size_(size), roundings_(roundings) {}
+
+  [[gnu::always_inline]] static Bounded difference(double x, double y) {
+    const T value = isect::difference<T>(x, y);
+    return {value, std::abs(leading(value)), 1};
+  }
+
+  [[gnu::always_inline]] friend Bounded operator+(const Bounded& a, const Bounded& b) {
+    return {a.value_ + b.value_, a.size_ + b.size_, std::max(a.roundings_, b.roundings_) + 1};
+  }
+  [[gnu::always_inline]] friend Bounded operator-(const Bounded& a, const Bounded& b) {
+    return {a.value_ - b.value_, a.size_ + b.size_, std::max(a.roundings_, b.roundings_) + 1};
+  }
+  [[gnu::always_inline]] friend Bounded operator*(const Bounded& a, const Bounded& b) {
+    return {a.value_ * b.value_, a.size_ * b.size_ + underflow(a, b), a.roundings_ + b.roundings_ + 1};
+  }
+  [[gnu::always_inline]] friend Bounded operator-(const Bounded& a) { return {-a.value_, a.size_, a.roundings_}; }
+  [[gnu::always_inline]] friend Bounded abs(const Bounded& a) { return leading(a.value_) < 0 ? -a : a; }
+
+  /// Whether the value has the sign of the truth. False for what overflowed, as inf - inf is NaN. An error that
+  /// underflows is none: without products all is a multiple of the least double.
+  [[gnu::always_inline]] bool certain() const { return std::abs(leading(value_)) - error() >= 0; }
+  /// The sign of the value, whether or not that of the truth.
+  [[gnu::always_inline]] int apparent_sign() const { return (leading(value_) > 0) - (leading(value_) < 0); }
+  /// 1, 0, -1, or nothing where the error could turn it.
+  std::optional<int> sign() const { return certain() ? std::optional(apparent_sign()) : std::nullopt; }
+  /// Whether the value lies within a relative `tolerance` of the truth.
+  [[gnu::always_inline]] bool within(double tolerance) const {
+    return tolerance * std::abs(leading(value_)) - error() >= 0;
+  }
+
+  const T& value() const { return value_; }
+  double size() const { return size_; }
+  int roundings() const { return roundings_; }
+  /// |value - truth| <= error(); infinite or NaN where nothing is known.
+  [[gnu::always_inline]] double error() const { return (roundings_ + 1) * unit<T> * size_; }
+
+ private:
+  /// What a product may lose, in units of u. Nothing when a factor is zero: that would make no sum of zeros certain. In
+  /// double asking for it would cost more than it saves.
+  static double underflow(const Bounded& a, const Bounded& b) {
+    if constexpr (std::is_same_v<T, DoubleDouble>)
+      return a.size_ == 0 || b.size_ == 0 ? 0 : 0x1p-960;
+    else
+      return 0x1p-1000;
+  }
+
+  T value_ = {};
+  double size_ = 0;
+  int roundings_ = 0;
+};
+
+/// x.y, its size found from the largest sizes alone: that costs half as much as the sum of all products' sizes.
+template <std::size_t N>
+[[gnu::always_inline]] inline Bounded<double> dot(const std::array<Bounded<double>, N>& x,
+                                                  const std::array<Bounded<double>, N>& y) {
+  double sum = x[0].value() * y[0].value(), largest_x = x[0].size(), largest_y = y[0].size();
+  int roundings = x[0].roundings() + y[0].roundings();
+  for (std::size_t i = 1; i < N; ++i) {
+    sum += x[i].value() * y[i].value();
+    largest_x = std::max(largest_x, x[i].size()), largest_y = std::max(largest_y, y[i].size());
+    roundings = std::max(roundings, x[i].roundings() + y[i].roundings());
+  }
+  return {sum, N * (largest_x * largest_y) + 0x1p-1000, roundings + static_cast<int>(N)};
+}
+
+/// x times y, likewise.
+[[gnu::always_inline]] inline std::array<Bounded<double>, 3> cross(const std::array<Bounded<double>, 3>& x,
+                                                                   const std::array<Bounded<double>, 3>& y) {
+  const double largest_x = std::max(std::max(x[0].size(), x[1].size()), x[2].size()),
+               largest_y = std::max(std::max(y[0].size(), y[1].size()), y[2].size());
+  const double size = 2 * (largest_x * largest_y) + 0x1p-1000;
+  const int roundings = std::max(std::max(x[0].roundings(), x[1].roundings()), x[2].roundings()) +
+                        std::max(std::max(y[0].roundings(), y[1].roundings()), y[2].roundings()) + 2;
+  const auto minor = [&](int i, int j) -> Bounded<double> {
+    return {x[i].value() * y[j].value() - x[j].value() * y[i].value(), size, roundings};
+  };
+  return {minor(1, 2), minor(2, 0), minor(0, 1)};
+}
+
+/// What the polynomial texts of predicates run in: one after the other.
+template <class W>
+concept Filtered =
+    std::same_as<W, Bounded<double>> || std::same_as<W, Bounded<Extended>> || std::same_as<W, Bounded<DoubleDouble>> ||
+    std::same_as<W, Extended> || std::same_as<W, Nought> || std::same_as<W, Exact>;
+
+/// x - y of two doubles.
+template <Filtered W>
+requires(!Arithmetic<W>) W difference(double x, double y) { return W::difference(x, y); }
+
+}  // namespace isect

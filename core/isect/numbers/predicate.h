@@ -1,0 +1,179 @@
+#pragma once
+// The two questions that an algorithm asks of arithmetic: what sign has this polynomial, and what is this quotient.
+//
+// The polynomial is a text over an arithmetic W, written once as a generic lambda:
+//
+//   sign_of([&]<class W>() -> W { return difference<W>(a[0], c[0]) * difference<W>(b[1], c[1]) - ...; })
+//
+// It runs in Bounded<double>, whose proved error bound settles nearly every sign, else in Nought, which sees sums of
+// zeros, in Bounded<DoubleDouble>, and at last in Exact, where every sign is certain. So the algorithms above read like
+// the book's, branch on true signs alone, and are right for all finite input of any magnitude. Arguments must be
+// finite.
+//
+// An algorithm that asks several signs passes its listener on to each, and is run by in_doubles_first: then all of it
+// runs in Bounded<double> once, without a way out at each sign, and is run again only if one of them stayed open.
+
+#include <limits>
+#include <type_traits>
+
+#include <isect/numbers/bounded.h>
+#include <isect/numbers/exact.h>
+#include <isect/trace.h>
+
+namespace isect {
+
+namespace detail {
+/// Apart and not inlined: the machine code of the slow path stays out of the fast one's way.
+template <class Text>
+[[gnu::noinline, gnu::cold]] int settled_sign(const Text& text) {
+  if (const std::optional<int> s = text.template operator()<Nought>().sign()) return *s;
+  if (const std::optional<int> s = text.template operator()<Bounded<DoubleDouble>>().sign()) return *s;
+  return text.template operator()<Exact>().sign();
+}
+}  // namespace detail
+
+/// What an algorithm is given in place of a listener when it runs in plain doubles alone: keeps whether these left a
+/// sign or a value open. Then what was found is worth nothing.
+struct FirstTry : NoTrace {
+  bool open = false;
+};
+
+/// Whether the algorithm runs in plain doubles alone.
+template <class Trace>
+inline constexpr bool first_try = std::is_same_v<std::remove_cvref_t<Trace>, FirstTry>;
+
+namespace detail {
+template <class Algorithm>
+[[gnu::flatten]] inline auto tried(const Algorithm& algorithm, FirstTry& first) {
+  return algorithm(first);
+}
+template <class Algorithm, class Trace>
+[[gnu::noinline, gnu::cold]] auto settled(const Algorithm& algorithm, Trace& trace) {
+  return algorithm(trace);
+}
+}  // namespace detail
+
+/// What algorithm(trace) returns, by all that sign_of and value_of can do. First it runs in plain doubles: that is a
+/// straight text without a branch for each sign, and all but a few cases end there. A listener hears the whole.
+template <class Algorithm, class Trace>
+inline auto in_doubles_first(const Algorithm& algorithm, Trace& trace) {
+  if constexpr (!heard<Trace>) {
+    FirstTry first;
+    auto result = detail::tried(algorithm, first);
+    if (first.open) [[unlikely]]
+      result = detail::settled(algorithm, trace);
+    return result;
+  } else {
+    return algorithm(trace);
+  }
+}
+
+/// The true sign of the polynomial: 1, 0 or -1. Reports Fallback when doubles do not settle it.
+template <class Text, class Trace = NoTrace>
+int sign_of(const Text& text, Trace&& trace = {}) {
+  const Bounded<double> quick = text.template operator()<Bounded<double>>();
+  if constexpr (first_try<Trace>) {
+    trace.open |= !quick.certain();
+    return quick.apparent_sign();
+  } else {
+    if (quick.certain()) return quick.apparent_sign();
+    trace(Fallback{});
+    return detail::settled_sign(text);
+  }
+}
+
+/// A quotient of two polynomials, not divided yet; den is not zero.
+template <class W>
+struct Ratio {
+  W num, den;
+};
+
+namespace detail {
+/// The quotient in V, if it is finite there and num and den are within a relative `tolerance`.
+template <class V, class Text>
+[[gnu::noinline]] std::optional<double> bounded_quotient(const Text& text, double tolerance) {
+  const Ratio<Bounded<V>> r = text.template operator()<Bounded<V>>();
+  if (!r.num.within(tolerance) || !r.den.within(tolerance)) return {};
+  const double q = quotient(r.num.value(), r.den.value());
+  return std::isfinite(q) ? std::optional(q) : std::nullopt;  // beyond 2^996 DoubleDouble's steps overflow
+}
+
+/// The same by the sizes and roundings that doubles found, which are at hand, and larger and as many.
+template <class V, class Text>
+std::optional<double> rough_quotient(const Text& text, double tolerance) {
+  const auto [num, den] = text.template operator()<Bounded<double>>();
+  Ratio<V> r;
+  if constexpr (std::is_same_v<V, double>)
+    r = {num.value(), den.value()};
+  else
+    r = text.template operator()<V>();
+  const Bounded<V> fine_num(r.num, num.size(), num.roundings()), fine_den(r.den, den.size(), den.roundings());
+  if (!fine_num.within(tolerance) || !fine_den.within(tolerance)) return {};
+  return static_cast<double>(r.num / r.den);
+}
+
+template <class Text>
+[[gnu::noinline, gnu::cold]] double settled_quotient(const Text& text, double tolerance) {
+  if (const std::optional<double> q = bounded_quotient<DoubleDouble>(text, tolerance)) return *q;
+  const Ratio<Exact> r = text.template operator()<Exact>();
+  return quotient(r.num, r.den);
+}
+}  // namespace detail
+
+/// The quotient in S, within 2 ulp of S of its true value; infinite beyond the largest S. The text returns a
+/// Ratio<W> whose den is not zero.
+///
+/// Bound. Each of num and den is within a relative eps / 3 of the truth, eps that of S, or Exact takes over; so the
+/// quotient is within 2/3 eps (1 + eps), at most 1.34 ulp, rounded once to S: within 1.85 ulp in all. Subnormal results
+/// lose what S loses there: half a unit of the least subnormal more.
+template <class S, class Text, class Trace = NoTrace>
+S value_of(const Text& text, Trace&& trace = {}) {
+  using V = std::conditional_t<std::is_same_v<S, float>, double, Extended>;
+  constexpr double tolerance = std::numeric_limits<S>::epsilon() / 3;
+  if constexpr (first_try<Trace>) {
+    std::optional<double> q = detail::rough_quotient<V>(text, tolerance);
+    if (!q) [[unlikely]]
+      q = detail::bounded_quotient<V>(text, tolerance);
+    trace.open |= !q;
+    return static_cast<S>(q.value_or(0));
+  } else {
+    if (const std::optional<double> q = detail::bounded_quotient<V>(text, tolerance)) return static_cast<S>(*q);
+    trace(Fallback{});
+    return static_cast<S>(detail::settled_quotient(text, tolerance));
+  }
+}
+
+// Vectors of any arithmetic, in as many components as the shape has.
+
+template <class W, int N>
+using Components = std::array<W, N>;
+
+/// x - y, component by component.
+template <Filtered W, int N>
+Components<W, N> difference(const Point<double, N>& x, const Point<double, N>& y) {
+  Components<W, N> v;
+  for (int i = 0; i < N; ++i) v[i] = difference<W>(x[i], y[i]);
+  return v;
+}
+
+/// x itself in W.
+template <Filtered W, int N>
+Components<W, N> exactly(const Vector<double, N>& x) {
+  Components<W, N> v;
+  for (int i = 0; i < N; ++i) v[i] = W(x[i]);
+  return v;
+}
+
+template <Filtered W, std::size_t N>
+inline W dot(const std::array<W, N>& x, const std::array<W, N>& y) {
+  W sum = x[0] * y[0];
+  for (std::size_t i = 1; i < N; ++i) sum = sum + x[i] * y[i];
+  return sum;
+}
+
+template <Filtered W>
+inline std::array<W, 3> cross(const std::array<W, 3>& x, const std::array<W, 3>& y) {
+  return {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
+}
+
+}  // namespace isect

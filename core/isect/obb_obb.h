@@ -1,0 +1,126 @@
+#pragma once
+// Oriented box against oriented box, exactly right: separating axes. Which they are, and why they suffice, stands in
+// isect/parts/obb_obb_axes.h.
+//
+// The first pass is the classical test in plain doubles, with a proved margin in place of its epsilon. It settles
+// nearly all pairs; the axes of the others are asked exactly, one by one, each by the sign of a polynomial. The
+// classical test itself stands in isect/obb_obb_methods.h. Source: Gottschalk, Lin, Manocha, OBBTree, SIGGRAPH 1996;
+// Ericson, Real-Time Collision Detection (2005), 4.4.1.
+
+#include <optional>
+#include <type_traits>
+
+#include <isect/numbers/predicate.h>
+#include <isect/parts/obb_obb_axes.h>
+#include <isect/parts/obb_obb_first_pass.h>
+#include <isect/point_obb.h>
+#include <isect/shapes.h>
+#include <isect/trace.h>
+
+namespace isect {
+
+namespace obb_obb {
+
+/// Whether the product of two edges vanishes: they are parallel.
+template <int N>
+bool vanishes(const Obb<double, N>& a, const Obb<double, N>& b, const Axis& axis) {
+  if (axis.kind != Kind::edges) return false;
+  for (int k = 0; k < N; ++k)
+    if (sign_of([&]<class W>() -> W { return direction<W>(a, b, axis)[k]; }) != 0) return false;
+  return true;
+}
+
+/// What all axes say together: the one that separates, or whether one touches.
+struct Settled {
+  std::optional<Axis> separating;
+  bool touching = false;
+};
+
+/// Every axis exactly, up to the first that separates. Finite boxes with independent axes.
+template <int N, class Trace>
+[[gnu::noinline, gnu::cold]] Settled settle(const Obb<double, N>& a, const Obb<double, N>& b, Trace&& trace) {
+  Settled result;
+  for (const Axis& axis : all_axes<N>()) {
+    const Vector<double, N> u = a.axes.col(axis.i), v = b.axes.col(axis.j);
+    if (axis.kind == Kind::edges && (u == v || u == -v)) continue;  // parallel, as most parallel edges are
+    const int sign = sign_of([&]<class W>() -> W { return gap<W>(a, b, axis); }, trace);
+    if constexpr (heard<Trace>) trace(tested(a, b, axis, sign));
+    if (sign > 0) return {axis, false};
+    if (sign == 0 && !result.touching) result.touching = !vanishes(a, b, axis);
+  }
+  return result;
+}
+
+/// Whether A is a subset of B, of two boxes with independent axes.
+template <int N, class Trace>
+bool inside(const Obb<double, N>& a, const Obb<double, N>& b, Trace&& trace) {
+  for (int i = 0; i < N; ++i)
+    if (sign_of([&]<class W>() -> W { return beyond<W>(a, b, i); }, trace) > 0) return false;
+  return true;
+}
+
+/// The first pass for a verdict alone: in S, but a listener hears doubles.
+template <class S, int N, class Trace>
+FirstPass verdict(const Obb<S, N>& a, const Obb<S, N>& b, Trace&& trace) {
+  if constexpr (heard<Trace>)
+    return first_pass(cast<double>(a), cast<double>(b), trace);
+  else
+    return first_pass(a, b, trace);
+}
+
+/// Whether there is such a box and it has a point.
+template <class S, int N, class Trace>
+bool exists(const Obb<S, N>& box, Trace&& trace) {
+  return !empty(box) && finite(box) && point_obb::independent(cast<double>(box).axes, trace);
+}
+
+}  // namespace obb_obb
+
+/// An axis that separates the boxes; of several, one that plain doubles are sure of. Nothing when the boxes have a
+/// common point, and for boxes without points (see `intersects`). Exact.
+template <class S, int N, class Trace = NoTrace>
+std::optional<obb_obb::Axis> separating_axis(const Obb<S, N>& a, const Obb<S, N>& b, Trace&& trace = {}) {
+  if (!obb_obb::exists(a, trace) || !obb_obb::exists(b, trace)) return {};
+  const Obb<double, N>&wide_a = in_doubles(a), &wide_b = in_doubles(b);
+  const obb_obb::FirstPass first = obb_obb::first_pass(wide_a, wide_b, trace);
+  if (first.separating || first.overlap) return first.separating;
+  return obb_obb::settle(wide_a, wide_b, trace).separating;
+}
+
+/// Whether the boxes have a common point. Exact, for flat boxes too. An empty box, one with dependent axes (there is
+/// no such box), NaN or an infinite coordinate: no.
+template <class S, int N, class Trace = NoTrace>
+bool intersects(const Obb<S, N>& a, const Obb<S, N>& b, Trace&& trace = {}) {
+  if (empty(a) || empty(b)) return false;
+  const obb_obb::FirstPass first = obb_obb::verdict(a, b, trace);
+  if (first.separating || first.overlap) [[likely]]
+    return first.overlap;
+  if (!obb_obb::exists(a, trace) || !obb_obb::exists(b, trace)) return false;
+  return !obb_obb::settle<N>(in_doubles(a), in_doubles(b), trace).separating;
+}
+
+/// How the boxes lie. Exact. Equal means the same set, whatever the order, signs and lengths of the axes. A flat box,
+/// some half_i = 0, has no interior: it lies inside the other, or touches it. Nothing meets an empty box, one with
+/// dependent axes, NaN or an infinite coordinate.
+template <class S, int N, class Trace = NoTrace>
+Relation relate(const Obb<S, N>& a, const Obb<S, N>& b, Trace&& trace = {}) {
+  if (empty(a) || empty(b)) return Relation::disjoint;
+  const Obb<double, N>&wide_a = in_doubles(a), &wide_b = in_doubles(b);
+
+  const obb_obb::FirstPass first = obb_obb::verdict(a, b, trace);
+  if (first.separating) return Relation::disjoint;
+  obb_obb::Settled settled;
+  if (!first.overlap) {
+    if (!obb_obb::exists(a, trace) || !obb_obb::exists(b, trace)) return Relation::disjoint;
+    settled = obb_obb::settle(wide_a, wide_b, trace);
+  }
+  if (settled.separating) return Relation::disjoint;
+
+  const bool a_in_b = obb_obb::inside(wide_a, wide_b, trace), b_in_a = obb_obb::inside(wide_b, wide_a, trace);
+  if (a_in_b) return b_in_a ? Relation::equal : Relation::a_inside_b;
+  if (b_in_a) return Relation::b_inside_a;
+  const bool flat = a.half.minCoeff() == 0 || b.half.minCoeff() == 0;
+  return settled.touching || flat ? Relation::touching : Relation::overlapping;
+}
+
+}  // namespace isect

@@ -1,0 +1,43 @@
+#pragma once
+// On which side of a line, or of a plane: the predicate that most others are made of.
+//
+// Source: Shewchuk, Adaptive precision floating-point arithmetic and fast robust geometric predicates, Discrete
+// Comput. Geom. 18 (1997); Ozaki et al., Simple floating-point filters for the two-dimensional orientation problem,
+// BIT 56 (2016), for the filter in orient2d.
+
+#include <isect/numbers/predicate.h>
+#include <isect/shapes.h>
+
+namespace isect {
+
+namespace orient {
+
+/// Twice the signed area of a b c.
+template <Filtered W>
+W area2(const Point<double, 2>& a, const Point<double, 2>& b, const Point<double, 2>& c) {
+  return difference<W>(a[0], c[0]) * difference<W>(b[1], c[1]) - difference<W>(a[1], c[1]) * difference<W>(b[0], c[0]);
+}
+
+/// Six times the signed volume of a b c d.
+template <Filtered W>
+W volume6(const Point<double, 3>& a, const Point<double, 3>& b, const Point<double, 3>& c, const Point<double, 3>& d) {
+  return dot(difference<W>(a, d), cross(difference<W>(b, d), difference<W>(c, d)));
+}
+
+}  // namespace orient
+
+/// +1 when a, b, c turn counter-clockwise, -1 clockwise, 0 on one line. Exact; finite arguments.
+template <class Trace = NoTrace>
+int orient2d(const Point<double, 2>& a, const Point<double, 2>& b, const Point<double, 2>& c, Trace&& trace = {}) {
+  return sign_of([&]<class W>() -> W { return orient::area2<W>(a, b, c); }, trace);
+}
+
+/// +1 when d lies below the plane of a, b, c, which turn counter-clockwise seen from above; -1 above; 0 in it. Exact;
+/// finite arguments.
+template <class Trace = NoTrace>
+int orient3d(const Point<double, 3>& a, const Point<double, 3>& b, const Point<double, 3>& c, const Point<double, 3>& d,
+             Trace&& trace = {}) {
+  return sign_of([&]<class W>() -> W { return orient::volume6<W>(a, b, c, d); }, trace);
+}
+
+}  // namespace isect

@@ -1,0 +1,90 @@
+#pragma once
+// Where to put the bounding volumes of isect/fit.h, and how to turn them: rounded numbers, which need not be right.
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <isect/shapes.h>
+
+namespace isect {
+
+namespace fit {
+
+/// The points relative to `origin` and at a scale near 1, rounded: p = origin + 2^exponent q. For heuristics.
+template <int N>
+struct Scaled {
+  Point<double, N> origin;
+  int exponent = 0;
+  std::vector<Point<double, N>> q;
+
+  /// The finite point of S nearest to the original of x, but for rounding.
+  template <class S>
+  Point<S, N> original(const Point<double, N>& x) const {
+    constexpr double most = std::numeric_limits<S>::max();
+    Point<S, N> p;
+    for (int k = 0; k < N; ++k) p[k] = static_cast<S>(std::clamp(origin[k] + std::ldexp(x[k], exponent), -most, most));
+    return p;
+  }
+};
+
+/// Around the center of the points' box.
+template <class S, int N>
+Scaled<N> scaled(const std::vector<Point<S, N>>& points, const Aabb<S, N>& box) {
+  const Aabb<double, N> wide = cast<double>(box);
+  Scaled<N> result;
+  result.origin = wide.lo / 2 + wide.hi / 2;
+  std::frexp((wide.hi / 2 - wide.lo / 2).maxCoeff(), &result.exponent);
+  result.q.reserve(points.size());
+  for (const Point<S, N>& p : points) {
+    const Point<double, N> from_origin = p.template cast<double>() - result.origin;
+    result.q.push_back(from_origin.unaryExpr([&](double x) { return std::ldexp(x, -result.exponent); }));
+  }
+  return result;
+}
+
+/// A center near that of the smallest ball: towards the farthest point, by ever shorter steps.
+/// Source: Badoiu, Clarkson, Smaller core-sets for balls, SODA 2003.
+template <int N>
+Point<double, N> ball_center(const std::vector<Point<double, N>>& q) {
+  Point<double, N> center = Point<double, N>::Zero(), best = center;
+  double least2 = std::numeric_limits<double>::infinity();
+  constexpr int rounds = 32;
+  for (int round = 1; round <= rounds; ++round) {
+    const auto nearer = [&](const auto& x, const auto& y) {
+      return (x - center).squaredNorm() < (y - center).squaredNorm();
+    };
+    const Point<double, N> farthest = *std::max_element(q.begin(), q.end(), nearer);
+    const double distance2 = (farthest - center).squaredNorm();
+    if (distance2 < least2) least2 = distance2, best = center;
+    center += (farthest - center) / (round + 1);
+  }
+  return best;
+}
+
+/// The box of the points in the frame of these orthonormal axes, rounded.
+template <int N>
+Aabb<double, N> along(const Eigen::Matrix<double, N, N>& axes, const std::vector<Point<double, N>>& q) {
+  Aabb<double, N> box = {axes.transpose() * q[0], axes.transpose() * q[0]};
+  for (const Point<double, N>& x : q) {
+    const Point<double, N> y = axes.transpose() * x;
+    box = {box.lo.cwiseMin(y), box.hi.cwiseMax(y)};
+  }
+  return box;
+}
+
+/// The eigenvectors of the points' covariance.
+template <int N>
+Eigen::Matrix<double, N, N> principal_axes(const std::vector<Point<double, N>>& q) {
+  Point<double, N> mean = Point<double, N>::Zero();
+  for (const Point<double, N>& x : q) mean += x / static_cast<double>(q.size());
+  Eigen::Matrix<double, N, N> covariance = Eigen::Matrix<double, N, N>::Zero();
+  for (const Point<double, N>& x : q) covariance += (x - mean) * (x - mean).transpose();
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, N, N>>(covariance).eigenvectors();
+}
+
+}  // namespace fit
+
+}  // namespace isect

@@ -1,0 +1,246 @@
+#pragma once
+// Where the smallest ball has its center, and how the smallest box is turned: rounded numbers, which need not be
+// right.
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <isect/convex_hull_3d.h>
+#include <isect/parts/directions.h>
+#include <isect/parts/fit_guess.h>
+
+namespace isect::fit {
+
+/// A ball around points, by the few on its surface that it is the smallest ball of.
+template <int N>
+struct Support {
+  std::vector<int> points;
+  Point<double, N> center;
+  double radius2 = std::numeric_limits<double>::infinity();
+};
+
+/// The center of the smallest sphere through the points, which are N + 1 at most. From the first it moves along e,
+/// the part of the next point orthogonal to those before, to equal distance. NaN where they are dependent. Source:
+/// Gaertner, Fast and robust smallest enclosing balls, ESA 1999.
+template <int N>
+Point<double, N> circumcenter(const std::vector<Point<double, N>>& q, const std::vector<int>& through) {
+  std::vector<Vector<double, N>> basis;
+  const Point<double, N>& origin = q[through[0]];
+  Point<double, N> c = Point<double, N>::Zero();
+  for (std::size_t k = 1; k < through.size(); ++k) {
+    const Vector<double, N> p = q[through[k]] - origin;
+    Vector<double, N> e = p;
+    for (int twice = 0; twice < 2; ++twice)
+      for (const Vector<double, N>& b : basis) e -= e.dot(b) / b.squaredNorm() * b;
+    c += (p.dot(p - 2 * c) / (2 * p.dot(e))) * e;
+    basis.push_back(e);
+  }
+  return origin + c;
+}
+
+/// The smallest ball of a few points with `fresh` on its surface: of all circumscribed ones, that which holds all
+/// with the least radius.
+template <int N>
+Support<N> ball_of_few(const std::vector<Point<double, N>>& q, const std::vector<int>& few, int fresh) {
+  Support<N> best;
+  for (unsigned subset = 0; subset < 1u << few.size(); ++subset) {
+    std::vector<int> through = {fresh};
+    for (std::size_t k = 0; k < few.size(); ++k)
+      if (subset >> k & 1) through.push_back(few[k]);
+    if (through.size() > N + 1) continue;
+    const Point<double, N> c = circumcenter<N>(q, through);
+    double radius2 = (q[fresh] - c).squaredNorm();
+    for (const int i : few) radius2 = std::max(radius2, (q[i] - c).squaredNorm());
+    if (c == c && radius2 < best.radius2) best = {through, c, radius2};
+  }
+  return best;
+}
+
+/// The smallest ball: the farthest point joins its support, whose own smallest ball is larger, until none is farther.
+/// Some ten rounds, each a pass over all points. Source: Welzl, Smallest enclosing disks (balls and ellipsoids),
+/// 1991; Gaertner's rule for choosing the next point.
+template <int N>
+Support<N> smallest_ball(const std::vector<Point<double, N>>& q) {
+  Support<N> now = {{0}, q[0], 0}, best = now;
+  double least2 = std::numeric_limits<double>::infinity();
+  for (;;) {
+    int farthest = 0;
+    double most2 = -1;
+    for (int i = 0; i < static_cast<int>(q.size()); ++i) {
+      const double distance2 = (q[i] - now.center).squaredNorm();
+      if (distance2 > most2) most2 = distance2, farthest = i;
+    }
+    if (most2 < least2) least2 = most2, best = now;
+    if (!(most2 > now.radius2)) return best;
+    const Support<N> larger = ball_of_few<N>(q, now.points, farthest);
+    if (!(larger.radius2 > now.radius2 && std::isfinite(larger.radius2))) return best;  // only rounding is left
+    now = larger;
+  }
+}
+
+/// Ritter's ball: across two points far apart, grown towards each point outside. Two passes.
+/// Source: Ritter, An efficient bounding sphere, Graphics Gems, 1990.
+template <int N>
+Point<double, N> ritter_center(const std::vector<Point<double, N>>& q) {
+  const auto farthest = [&](const Point<double, N>& from) {
+    return *std::max_element(q.begin(), q.end(), [&](const auto& x, const auto& y) {
+      return (x - from).squaredNorm() < (y - from).squaredNorm();
+    });
+  };
+  const Point<double, N> a = farthest(q[0]), b = farthest(a);
+  Point<double, N> center = (a + b) / 2;
+  double radius = (b - a).norm() / 2;
+  for (const Point<double, N>& p : q) {
+    const double distance = (p - center).norm();
+    if (!(distance > radius)) continue;
+    const double larger = (radius + distance) / 2;
+    center += (larger - radius) / distance * (p - center);
+    radius = larger;
+  }
+  return center;
+}
+
+/// v / |v|, or the other one where v is too small for that.
+template <int N>
+Vector<double, N> unit(const Vector<double, N>& v, const Vector<double, N>& other) {
+  const Vector<double, N> u = v.stableNormalized();
+  return std::abs(u.squaredNorm() - 1) < 0.01 ? u : other;
+}
+
+/// The direction of an edge of the points' convex hull, such that the rectangle along it has the least area. All four
+/// sides turn with it around the hull: rotating calipers. Source: Freeman, Shapira, CACM 18 (1975); Toussaint 1983.
+inline Vector<double, 2> rectangle(const Ring<double, 2>& points) {
+  const Ring<double, 2> hull = convex_hull(points);
+  const int n = static_cast<int>(hull.size());
+  Vector<double, 2> best(1, 0);
+  if (n == 2) best = unit<2>(hull[1] - hull[0], best);
+  if (n < 3) return best;
+  const auto at = [&](int i) -> const Point<double, 2>& { return hull[i % n]; };
+  double least = std::numeric_limits<double>::infinity();
+  int right = 1, top = 1, left = 1;
+  for (int i = 0; i < n; ++i) {
+    const Vector<double, 2> u = unit<2>(at(i + 1) - at(i), best), v(-u[1], u[0]);
+    right = std::max(right, i + 1);
+    while (right < i + n && u.dot(at(right + 1) - at(right)) > 0) ++right;
+    top = std::max(top, right);
+    while (top < i + n && v.dot(at(top + 1) - at(top)) > 0) ++top;
+    left = std::max(left, top);
+    while (left < i + n && u.dot(at(left + 1) - at(left)) < 0) ++left;
+    const double area = u.dot(at(right) - at(left)) * v.dot(at(top) - at(i));
+    if (area < least) least = area, best = u;
+  }
+  return best;
+}
+
+template <int N>
+double volume_along(const Eigen::Matrix<double, N, N>& axes, const std::vector<Point<double, N>>& q) {
+  const Aabb<double, N> box = along<N>(axes, q);
+  return (box.hi - box.lo).prod();
+}
+
+/// The smallest rectangle, which has a side along an edge of the hull.
+inline Eigen::Matrix2d tight_axes(const std::vector<Point<double, 2>>& q) {
+  const Vector<double, 2> u = rectangle(q);
+  Eigen::Matrix2d axes;
+  axes << u[0], -u[1], u[1], u[0];
+  return axes;
+}
+
+/// The best axes with the third along `base`.
+inline Eigen::Matrix3d turned_about(const Vector<double, 3>& base, const std::vector<Point<double, 3>>& q) {
+  const Vector<double, 3> w = unit<3>(base, Vector<double, 3>::UnitZ()), x = w.unitOrthogonal(), y = w.cross(x);
+  Ring<double, 2> flat;
+  for (const Point<double, 3>& p : q) flat.push_back({x.dot(p), y.dot(p)});
+  const Vector<double, 2> u = rectangle(flat);
+  Eigen::Matrix3d axes;
+  axes << u[0] * x + u[1] * y, u[0] * y - u[1] * x, w;
+  return axes;
+}
+
+/// What a search is fine enough at: turning a box in its least place by this much, or shrinking it by this share,
+/// changes its volume by no more than about its own rounding, as the change there is of second order.
+inline const double resolution = std::sqrt(std::numeric_limits<double>::epsilon());
+
+/// Turns about one axis after the other, each time as well as can be, until none helps.
+inline Eigen::Matrix3d descended(Eigen::Matrix3d axes, const std::vector<Point<double, 3>>& q) {
+  double volume = volume_along<3>(axes, q);
+  for (int since = 0, axis = 0; since < 3; axis = (axis + 1) % 3) {
+    const Eigen::Matrix3d next = turned_about(axes.col(axis), q);
+    const double less = volume_along<3>(next, q);
+    ++since;
+    if (!(less < volume * (1 - resolution))) continue;
+    axes = next, volume = less, since = 1, axis = 2;  // the axis turned about is the third now
+  }
+  return axes;
+}
+
+/// Turns by ever smaller angles, about any of many directions, while that helps: the least volume may be at a ridge,
+/// where no turn about a single axis of the box does.
+inline Eigen::Matrix3d polished(Eigen::Matrix3d axes, const std::vector<Point<double, 3>>& q) {
+  double volume = volume_along<3>(axes, q);
+  for (double angle = 0.2; angle > resolution; angle /= 2)
+    for (int since = 0, tries = 0; since < 26 && tries < 200; ++since, ++tries) {
+      static const std::vector<Vector<double, 3>> about = directions<double, 3>(26);
+      const double turn = tries % 2 ? angle : -angle;
+      const Eigen::Matrix3d next = Eigen::AngleAxisd(turn, about[tries / 2 % 13].normalized()) * axes;
+      const double less = volume_along<3>(next, q);
+      if (less < volume) axes = next, volume = less, since = 0;
+    }
+  return axes;
+}
+
+/// Those of the hull's vertices that are farthest in some of many directions, when there are too many.
+inline std::vector<Point<double, 3>> few_vertices(const std::vector<Point<double, 3>>& vertices) {
+  constexpr int enough = 100;
+  if (vertices.size() <= enough) return vertices;
+  std::vector<Point<double, 3>> few;
+  constexpr double golden = 2.399963229728653;  // radians: points of a spiral, evenly on the sphere
+  for (int i = 0; i < enough; ++i) {
+    const double z = (2 * i + 1.0) / enough - 1, r = std::sqrt(1 - z * z);
+    const Vector<double, 3> n(r * std::cos(golden * i), r * std::sin(golden * i), z);
+    few.push_back(*std::max_element(vertices.begin(), vertices.end(),
+                                    [&](const auto& p, const auto& q) { return n.dot(p) < n.dot(q); }));
+  }
+  return few;
+}
+
+/// Axes of a box of small volume. The smallest one has two adjacent faces flush with edges of the hull (O'Rourke);
+/// those with a whole face flush are tried, by calipers in its plane, and those along two edges of a small hull.
+/// What comes near the best is then turned about its axes. Source: O'Rourke, Finding minimal enclosing boxes, 1985;
+/// Chang, Gorissen, Melchior, Fast oriented bounding box optimization on the rotation group, ACM TOG 30 (2011).
+inline Eigen::Matrix3d tight_axes(const std::vector<Point<double, 3>>& q) {
+  const Hull3<double> hull = convex_hull(few_vertices(convex_hull(q).vertices));
+  std::vector<Vector<double, 3>> bases, edges;
+  for (const auto& [a, b, c] : hull.triangles) {
+    const Point<double, 3>&p = hull.vertices[a], &r = hull.vertices[b], &s = hull.vertices[c];
+    bases.push_back((r - p).cross(s - p));
+    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
+      if (from < to) edges.push_back(hull.vertices[to] - hull.vertices[from]);
+  }
+  if (hull.dimension == 1) edges.push_back(hull.vertices[1] - hull.vertices[0]);
+  bases.insert(bases.end(), edges.begin(), edges.end());
+  if (edges.size() <= 40)
+    for (std::size_t i = 0; i < edges.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) bases.push_back(edges[i].cross(edges[j]));
+
+  std::vector<std::pair<double, Eigen::Matrix3d>> found;
+  for (const Vector<double, 3>& base : bases) {
+    const Eigen::Matrix3d axes = turned_about(base, hull.vertices);
+    found.push_back({volume_along<3>(axes, hull.vertices), axes});
+  }
+  const auto smaller = [](const auto& a, const auto& b) { return a.first < b.first; };
+  std::sort(found.begin(), found.end(), smaller);
+  if (found.size() > 16) found.resize(16);
+  for (auto& [volume, axes] : found) {
+    axes = descended(polished(descended(axes, hull.vertices), hull.vertices), hull.vertices);
+    volume = volume_along<3>(axes, hull.vertices);
+  }
+  if (found.empty()) return Eigen::Matrix3d::Identity();
+  return std::min_element(found.begin(), found.end(), smaller)->second;
+}
+
+}  // namespace isect::fit

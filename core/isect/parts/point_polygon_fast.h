@@ -1,0 +1,123 @@
+#pragma once
+// Which edges of a ring cross the ray from a point to the right, in the machine's widest vectors; the few edges that
+// comparisons don't settle are left to the text of isect/point_polygon.h.
+//
+// A ring's coordinates lie x, y, x, y, ... in memory, and so do the bits that tell which are greater than the point's:
+// 64 of 32 vertices. Next to them stand those of the vertices before. An edge crosses the line y = p.y where its two
+// bits of y differ. Then it lies on the right of p where both bits of x are set, on the left where none is; else
+// orient2d has to tell. So it has for an edge that touches the line y = p.y or x = p.x, a rare one.
+//
+// A difference of finite numbers has their order's sign, even if it overflows. The product of a word's differences is
+// finite and not 0 unless one of them is 0 or a coordinate isn't finite; or it overflows, or underflows. Only then the
+// coordinates are looked at again, one by one.
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <utility>
+
+#include <isect/parts/instruction_set.h>
+#include <isect/shapes.h>
+
+namespace isect::point_polygon {
+
+/// Edges that are to be asked one by one: the bit 2 i is that of the edge that ends at vertex `first` + i.
+struct OpenEdges {
+  std::size_t first;
+  std::uint64_t bits;
+};
+
+/// What is known of the edges that end at some of a ring's vertices.
+struct Scanned {
+  static constexpr std::size_t most_words = 64;
+
+  int crossings = 0, winding = 0;          ///< of edges that cross the ray for certain
+  bool finite = true;                      ///< all coordinates are
+  std::size_t words = 0;                   ///< how many of `open` are used
+  std::array<OpenEdges, most_words> open;  ///< edges that may cross the ray, or hold the point
+};
+
+/// Scans the edges that end at the vertices `first`, ..., `last` - 1. Those with a coordinate that is not finite are
+/// taken for any.
+template <class S>
+struct Scan {
+  static constexpr std::size_t word = 32;                          ///< vertices of 64 bits
+  static constexpr std::size_t most = Scanned::most_words * word;  ///< of one scan
+
+  const Point<S, 2>& p;
+  const Point<S, 2>* vertices;  ///< `word` at least; those behind `last` may be made up
+  const Point<S, 2>& before;    ///< the vertex before `first`
+  std::size_t first, last;
+  Scanned& scanned;
+
+  template <int Bytes>
+  [[gnu::always_inline]] void operator()() const {
+    using Of = simd::Of<S, Bytes>;
+    typename Of::Vector point;
+    simd::alternate(point, p[0], p[1], std::make_index_sequence<Of::lanes>());
+    const auto bits = [&](const auto& test) { return std::uint64_t{test(0)} | std::uint64_t{test(1)} << 1; };
+    Word from = {bits([&](int k) { return before[k] > p[k]; }), bits([&](int k) { return before[k] == p[k]; })};
+
+    const std::size_t last_word = std::max(last, word) - word;
+    const std::uint64_t made_up = last < word ? ~std::uint64_t{0} << 2 * last : 0;
+    for (std::size_t i = first; i < last; i += word) {
+      const std::size_t start = std::min(i, last_word);  // the last word may begin with vertices known already
+      const Word here = read<Bytes>(vertices + start, point);
+      count(start, here, from, ~std::uint64_t{0} << 2 * (i - start) & ~made_up);
+      from = {here.greater >> 62, here.equal >> 62};
+    }
+  }
+
+ private:
+  /// Of each coordinate whether it is greater than the point's, and whether it equals that.
+  struct Word {
+    std::uint64_t greater, equal;
+  };
+
+  /// Of the vertices from there on; `point` has p.x and p.y by turns.
+  template <int Bytes, class Vector>
+  [[gnu::always_inline]] Word read(const Point<S, 2>* from, const Vector& point) const {
+    using Unaligned = typename simd::Of<S, Bytes>::Unaligned;
+    constexpr std::size_t lanes = simd::Of<S, Bytes>::lanes;
+    constexpr std::size_t few = std::min<std::size_t>(8, simd::block / lanes);  // vectors, for want of registers
+    constexpr std::uint64_t all = (std::uint64_t{1} << lanes) - 1;
+    const S* const numbers = from->data();
+    const Vector zero = {};
+    Vector product = zero + 1;
+    Word here = {0, 0};
+    for (std::size_t i = 0; i < simd::block;) {
+      std::uint64_t some = 0;
+      for (std::size_t k = 0; k < few; ++k, i += lanes) {
+        const Vector away = *reinterpret_cast<const Unaligned*>(numbers + i) - point;
+        product *= away;
+        some |= simd::greater(away, zero) << k * lanes;
+      }
+      here.greater |= some << (i - few * lanes);
+    }
+    if ((simd::equal(product - product, zero) & ~simd::equal(product, zero)) == all) [[likely]]
+      return here;
+    for (std::size_t i = 0; i < simd::block; i += lanes) {
+      const Vector v = *reinterpret_cast<const Unaligned*>(numbers + i);
+      scanned.finite &= simd::equal(v - v, zero) == all;
+      here.equal |= simd::equal(v, point) << i;
+    }
+    return here;
+  }
+
+  /// Counts the edges to the vertices from `index` on, those of `mask`. The word before ends with `previous`.
+  [[gnu::always_inline]] void count(std::size_t index, const Word& here, const Word& previous,
+                                    std::uint64_t mask) const {
+    const std::uint64_t from = here.greater << 2 | previous.greater, x = 0x5555555555555555 & mask;
+    const std::uint64_t touched = here.equal | here.equal << 2 | previous.equal, asked = touched | touched >> 1;
+    const std::uint64_t crossed = (here.greater ^ from) >> 1 & x & ~asked;
+    const std::uint64_t counted = crossed & here.greater & from;
+    const int all = std::popcount(counted), up = std::popcount(counted & here.greater >> 1);
+    scanned.crossings += all, scanned.winding += 2 * up - all;
+
+    scanned.open[scanned.words] = {index, (crossed & (here.greater ^ from)) | (asked & x)};
+    scanned.words += scanned.open[scanned.words].bits != 0;
+  }
+};
+
+}  // namespace isect::point_polygon

@@ -1,0 +1,94 @@
+#pragma once
+// Ray against sphere, the slow path: signs within their bounds, values that need more digits, sizes out of
+// range, the direction 0. Included by isect/ray_sphere.h; the same texts run here in finer arithmetic.
+
+#include <isect/ray_sphere.h>
+
+namespace isect::ray_sphere {
+
+/// The same problem in units in which squares neither overflow nor underflow: t = t' 2^exponent.
+template <int N>
+struct Scaled {
+  Ray<double, N> ray;
+  Sphere<double, N> sphere;
+  int exponent;
+};
+
+/// Scales lengths and direction by powers of two; nothing if that would lose a bit, or if there is no need.
+template <int N>
+std::optional<Scaled<N>> scaled(const Ray<double, N>& ray, const Sphere<double, N>& sphere) {
+  const auto exponent = [](double size) { return size > 0 ? std::ilogb(size) : 0; };
+  const int along = exponent(ray.direction.cwiseAbs().maxCoeff());
+  const int across =
+      exponent(std::max({ray.origin.cwiseAbs().maxCoeff(), sphere.center.cwiseAbs().maxCoeff(), sphere.radius}));
+  if (std::abs(along) < 40 && std::abs(across) < 40) return {};
+
+  bool exact = true;
+  const auto shrunk = [&exact](double x, int by) {
+    const double y = std::ldexp(x, -by);
+    exact = exact && std::ldexp(y, by) == x;
+    return y;
+  };
+  Scaled<N> s = {ray, sphere, across - along};
+  for (int i = 0; i < N; ++i) {
+    s.ray.direction[i] = shrunk(ray.direction[i], along);
+    s.ray.origin[i] = shrunk(ray.origin[i], across);
+    s.sphere.center[i] = shrunk(sphere.center[i], across);
+  }
+  s.sphere.radius = shrunk(sphere.radius, across);
+  s.ray.range = {shrunk(ray.range.lo, s.exponent), shrunk(ray.range.hi, s.exponent)};
+  return exact ? std::optional(s) : std::nullopt;
+}
+
+/// Verdict by W, unless it is known, and values by V; or nothing.
+template <Arithmetic W, Arithmetic V, class S, int N, class Trace>
+std::optional<RaySphere<S>> attempt(const Ray<double, N>& ray, const Sphere<double, N>& sphere,
+                                    const Interval<S>& range, int exponent, const std::optional<Verdict>& known,
+                                    Trace&& trace) {
+  const std::optional<Verdict> verdict = known ? known : decide<W>(ray, sphere, trace);
+  if (!verdict) return {};
+  if (verdict->line_roots == 0) return RaySphere<S>{};
+
+  const std::optional<Interval<double>> t = roots<V>(ray, sphere, tolerance<S>);
+  if (!t) return {};
+  const Interval<double> values = {std::ldexp(t->lo, exponent), std::ldexp(t->hi, exponent)};
+  trace(Values{values});
+  return report(range, *verdict, values);
+}
+
+/// The direction 0: the ray is the point `origin` at every real t of its range.
+template <class S, int N>
+RaySphere<S> settle_point(const Ray<double, N>& ray, const Sphere<double, N>& sphere, const Interval<S>& range) {
+  const Offset<Exact, N> f = from_center<Exact>(ray, sphere);
+  const int c = (dot<Exact, N>(f, f) - product<Exact>(sphere.radius, sphere.radius)).sign();
+  RaySphere<S> result;
+  result.origin = c < 0 ? Location::in : c > 0 ? Location::out : Location::on;
+  const S end = std::numeric_limits<S>::infinity();
+  const bool some = range.lo <= range.hi && range.lo != end && range.hi != -end;
+  if (some && c == 0) result.surface = range.lo;
+  if (some && c <= 0) result.solid = range;
+  return result;
+}
+
+/// `known`: the verdict, where only the values are missing.
+template <class S, int N, class Trace>
+[[gnu::noinline, gnu::cold]] RaySphere<S> settle(const Ray<double, N>& ray, const Sphere<double, N>& sphere,
+                                                 const Interval<S>& range, const std::optional<Verdict>& known,
+                                                 Trace&& trace) {
+  const bool bounded = ray.origin.allFinite() && ray.direction.allFinite() && sphere.center.allFinite() &&
+                       std::isfinite(sphere.radius) && !std::isnan(range.lo) && !std::isnan(range.hi);
+  if (!bounded) return {};
+  if ((ray.direction.array() == 0).all()) return settle_point(ray, sphere, range);
+
+  if (const std::optional<Scaled<N>> s = scaled(ray, sphere)) {
+    if (const auto answer = attempt<double, Extended>(s->ray, s->sphere, range, s->exponent, known, trace))
+      return *answer;
+    if (const auto answer = attempt<DoubleDouble, DoubleDouble>(s->ray, s->sphere, range, s->exponent, known, trace))
+      return *answer;
+  } else if (const auto answer = attempt<DoubleDouble, DoubleDouble>(ray, sphere, range, 0, known, trace)) {
+    return *answer;
+  }
+  return *attempt<Exact, Exact>(ray, sphere, range, 0, known, trace);
+}
+
+}  // namespace isect::ray_sphere

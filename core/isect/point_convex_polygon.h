@@ -1,0 +1,179 @@
+#pragma once
+// Point against convex polygon in O(lg n).
+//
+// Rays from vertex 0 through the others cut a convex polygon into wedges, all within less than half a turn. The sign
+// of orient2d(v0, vi, p) falls from 1 to -1 as i grows, so bisection finds the wedge of p; in it the polygon is the
+// triangle v0 vi vi+1, whose third side decides. The two edges at v0, the first and the closing one, bound the fan. A
+// point within the triangle v0 vlo vhi of a wider wedge is inside already, one beyond the line of an edge is outside:
+// so points away from the boundary need three steps or so, however large n is.
+//
+// The note takes an interior point instead, the centroid of three vertices. Rounded, it may lie outside a slender
+// polygon; and its wedges fill the whole turn, so that orient2d alone does not order them. A vertex is exact and
+// needs no preprocessing. Source: the note, N23; Preparata, Shamos, Computational Geometry (1990), 2.2.1.
+
+#include <algorithm>
+#include <optional>
+#include <variant>
+
+#include <isect/orient.h>
+#include <isect/point_polygon.h>
+#include <isect/shapes.h>
+#include <isect/trace.h>
+
+namespace isect {
+
+/// A convex polygon with an area. Its vertices turn left at every vertex, go around once, and are finite: what
+/// `make_convex` makes, and what the tests rely on.
+template <class S>
+struct ConvexPolygon {
+  Ring<S, 2> vertices;
+};
+
+namespace point_convex_polygon {
+
+/// The bisection asked for the turn of v0, v_mid, p: the wedge is lo, hi from now on.
+struct Wedge {
+  int lo, mid, hi, turn;
+};
+/// The turn of v_lo, v_hi, p. Of the wedge: positive when p lies in the triangle with v0. Of the edge after v_mid:
+/// negative when p lies outside.
+struct Chord {
+  int lo, hi, turn;
+};
+/// The turns of the edges at v0: p lies outside when first < 0 or last > 0.
+struct Fan {
+  int first, last;
+};
+using Event = std::variant<Fan, Wedge, Chord, Fallback>;
+
+/// Whether a stands before b, by x, then by y.
+template <class S>
+bool before(const Point<S, 2>& a, const Point<S, 2>& b) {
+  return a[0] < b[0] || (a[0] == b[0] && a[1] < b[1]);
+}
+
+}  // namespace point_convex_polygon
+
+/// The ring as a convex polygon: counter-clockwise, without repeated vertices or those within an edge. Nothing when
+/// it is not convex, goes around more than once, has no area, turns back on itself, or has a NaN or infinite
+/// coordinate. The first vertex stays first, if it is one. Exact, in O(n).
+template <class S>
+std::optional<ConvexPolygon<S>> make_convex(const Ring<S, 2>& ring) {
+  if (!finite(ring)) return {};
+  Ring<S, 2> distinct;
+  for (const Point<S, 2>& v : ring)
+    if (distinct.empty() || v != distinct.back()) distinct.push_back(v);
+  while (distinct.size() > 1 && distinct.back() == distinct.front()) distinct.pop_back();
+
+  const std::size_t n = distinct.size();
+  ConvexPolygon<S> polygon;
+  int sense = 0, reversals = 0;  // of the turns; and of the direction, forwards or backwards in `before`
+  for (std::size_t i = 0; i < n; ++i) {
+    const Point<S, 2>&a = distinct[i > 0 ? i - 1 : n - 1], &b = distinct[i], &c = distinct[i + 1 < n ? i + 1 : 0];
+    const bool reverses = point_convex_polygon::before(a, b) != point_convex_polygon::before(b, c);
+    const int turn = orient2d(a.template cast<double>(), b.template cast<double>(), c.template cast<double>());
+    if (reverses) ++reversals;
+    if (turn == 0 && reverses) return {};
+    if (turn == 0) continue;
+    if (turn == -sense) return {};
+    sense = turn;
+    polygon.vertices.push_back(b);
+  }
+  // with turns of one sense the direction goes around once for every two reversals
+  if (sense == 0 || reversals != 2) return {};
+  if (sense < 0) std::reverse(polygon.vertices.begin() + 1, polygon.vertices.end());
+  return polygon;
+}
+
+/// Where the point lies. Exact; at most 3 + 3 lg n orientations. A point with a NaN or infinite coordinate: out.
+template <class S, class Trace = NoTrace>
+Location locate(const Point<S, 2>& point, const ConvexPolygon<S>& polygon, Trace&& trace = {}) {
+  using namespace point_convex_polygon;
+  const Ring<S, 2>& v = polygon.vertices;
+  if (v.size() < 3) return locate(point, v);  // a point or a segment
+  if (!finite(point)) return Location::out;
+  const Point<double, 2> p = point.template cast<double>();
+  const auto turn = [&](std::size_t a, std::size_t b) {
+    return orient2d(v[a].template cast<double>(), v[b].template cast<double>(), p, trace);
+  };
+
+  std::size_t lo = 1, hi = v.size() - 1;
+  const int first = turn(0, lo), last = turn(0, hi);
+  trace(Fan{first, last});
+  if (first < 0 || last > 0) return Location::out;
+
+  int chord = turn(lo, hi);
+  trace(Chord{static_cast<int>(lo), static_cast<int>(hi), chord});
+  while (chord <= 0 && hi - lo > 1) {
+    const std::size_t mid = lo + (hi - lo) / 2;
+    const int side = turn(0, mid);
+    (side >= 0 ? lo : hi) = mid;
+    trace(Wedge{static_cast<int>(lo), static_cast<int>(mid), static_cast<int>(hi), side});
+
+    const int edge = turn(mid, mid + 1);
+    trace(Chord{static_cast<int>(mid), static_cast<int>(mid) + 1, edge});
+    if (edge < 0) return Location::out;
+
+    chord = turn(lo, hi);
+    trace(Chord{static_cast<int>(lo), static_cast<int>(hi), chord});
+  }
+
+  if (chord < 0) return Location::out;
+  return chord == 0 || first == 0 || last == 0 ? Location::on : Location::in;
+}
+
+namespace point_convex_polygon {
+
+// Events of the note's method.
+template <class S>
+struct Centroid {
+  Point<S, 2> q;
+};
+template <class S>
+struct WedgeAround {
+  int lo, mid, hi;  ///< after the step
+  S cross;          ///< of v_mid - q and p - q
+};
+template <class S>
+struct EdgeSide {
+  int from, to;
+  S cross;  ///< positive inside
+};
+template <class S>
+using NaiveEvent = std::variant<Centroid<S>, WedgeAround<S>, EdgeSide<S>>;
+
+/// Whether the point lies inside, as the note has it: wedges around the centroid of three vertices, bisected by cross
+/// products, then one edge. Naive: rounding may decide near edges, and the centroid of a sliver may lie outside.
+template <class S, class Trace = NoTrace>
+bool wedge_naive(const Point<S, 2>& p, const ConvexPolygon<S>& polygon, Trace&& trace = {}) {
+  const Ring<S, 2>& v = polygon.vertices;
+  const std::size_t n = v.size();
+  if (n < 3) return false;
+  const auto cross = [](const Point<S, 2>& o, const Point<S, 2>& a, const Point<S, 2>& b) -> S {
+    return (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
+  };
+  const Point<S, 2>&a = v[0], &b = v[n / 3], &c = v[2 * n / 3];
+  const Point<S, 2> q = {(a[0] + b[0] + c[0]) / S(3), (a[1] + b[1] + c[1]) / S(3)};
+  trace(Centroid<S>{q});
+
+  // directions from q are ordered from that of v0 on: the half turn to its left, then the other
+  const bool p_left = cross(q, a, p) >= S(0);
+  std::size_t lo = 0, hi = n;
+  while (hi - lo > 1) {
+    const std::size_t mid = lo + (hi - lo) / 2;
+    const bool mid_left = cross(q, a, v[mid]) >= S(0);
+    const S side = cross(q, v[mid], p);
+    const bool passed = p_left == mid_left ? side >= S(0) : mid_left;
+    (passed ? lo : hi) = mid;
+    if constexpr (heard<Trace>)
+      trace(WedgeAround<S>{static_cast<int>(lo), static_cast<int>(mid), static_cast<int>(hi), side});
+  }
+
+  const std::size_t to = hi < n ? hi : 0;
+  const S inner = cross(v[lo], v[to], p);
+  trace(EdgeSide<S>{static_cast<int>(lo), static_cast<int>(to), inner});
+  return inner >= S(0);
+}
+
+}  // namespace point_convex_polygon
+}  // namespace isect

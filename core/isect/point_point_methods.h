@@ -1,0 +1,51 @@
+#pragma once
+// Whether points are near, as it is written in practice: for lessons and comparison. `nearly_equal` in
+// isect/point_point.h is right for all input.
+
+#include <cmath>
+#include <variant>
+
+#include <isect/point_point.h>
+
+namespace isect::point_point {
+
+/// |p - q| or its square against the tolerance or its square, as rounded.
+template <class S>
+struct Compared {
+  S distance, tolerance;
+};
+template <class S>
+using MethodEvent = std::variant<Compared<S>>;
+
+/// Naive: rounding may decide, and squares overflow or vanish beyond 1e+-154 in double, 1e+-19 in float: then all
+/// points are near, or none.
+template <class S, int N, class Trace = NoTrace>
+bool near_by_squares(const Point<S, N>& p, const Point<S, N>& q, S tolerance, Trace&& trace = {}) {
+  const Vector<S, N> f = p - q;
+  const S distance2 = f.dot(f), tolerance2 = tolerance * tolerance;
+  trace(Compared<S>{distance2, tolerance2});
+  return distance2 <= tolerance2;
+}
+
+/// The same with a square root.
+template <class S, int N, class Trace = NoTrace>
+bool near_by_distance(const Point<S, N>& p, const Point<S, N>& q, S tolerance, Trace&& trace = {}) {
+  const Vector<S, N> f = p - q;
+  using std::sqrt;
+  const S distance = sqrt(f.dot(f));
+  trace(Compared<S>{distance, tolerance});
+  return distance <= tolerance;
+}
+
+/// Coordinate by coordinate: a cube, where a ball is asked for.
+template <class S, int N, class Trace = NoTrace>
+bool near_by_coordinates(const Point<S, N>& p, const Point<S, N>& q, S tolerance, Trace&& trace = {}) {
+  for (int i = 0; i < N; ++i) {
+    const S apart = p[i] - q[i], size = apart < S(0) ? -apart : apart;
+    trace(Compared<S>{size, tolerance});
+    if (!(size <= tolerance)) return false;
+  }
+  return true;
+}
+
+}  // namespace isect::point_point

@@ -1,0 +1,158 @@
+#pragma once
+// Area and normal of a polygon.
+//
+// With p = vertex 0, half the sum of (v_i - p) x (v_i+1 - p) over all edges is the polygon's area vector: its length
+// is the area, its direction the normal, counter-clockwise seen from its tip. It needs no three vertices that span a
+// plane, and a polygon not quite plane gets the plane that its edges follow on average. Newell's own sum has
+// coordinates in place of differences and cancels far from the origin.
+//
+// Source: M. E. Newell, in I. Sutherland, R. Sproull, R. Schumacker, A characterization of ten hidden-surface
+// algorithms, ACM Comput. Surv. 6 (1974); F. Tampieri, Newell's method for computing the plane equation of a polygon,
+// Graphics Gems III (1992).
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <variant>
+
+#include <isect/numbers/predicate.h>
+#include <isect/shapes.h>
+#include <isect/trace.h>
+
+namespace isect {
+
+namespace polygon_area {
+
+/// The area vector: the size of its largest component, and the vector divided by that.
+struct AreaVector {
+  std::array<Extended, 3> scaled;
+  Extended largest;
+
+  Extended length() const {
+    return std::sqrt(scaled[0] * scaled[0] + scaled[1] * scaled[1] + scaled[2] * scaled[2]);  // 1 to sqrt(3)
+  }
+};
+using Event = std::variant<AreaVector, Fallback>;
+
+/// Twice the area vector; 0 for fewer than three vertices.
+template <Filtered W, class S>
+std::array<W, 3> newell(const Ring<S, 3>& ring) {
+  std::array<W, 3> sum = {W(0.), W(0.), W(0.)};
+  if (ring.empty()) return sum;
+  const auto from_first = [&](const Point<S, 3>& v) {
+    return difference<W>(Point<double, 3>(v.template cast<double>()),
+                         Point<double, 3>(ring[0].template cast<double>()));
+  };
+  for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
+    const std::array<W, 3> term = cross(from_first(ring[i]), from_first(ring[i + 1]));
+    for (std::size_t k = 0; k < 3; ++k) sum[k] = sum[k] + term[k];
+  }
+  return sum;
+}
+
+/// Twice the signed area in the plane.
+template <Filtered W, class S>
+W area2(const Ring<S, 2>& ring) {
+  W sum(0.);
+  for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
+    const Point<double, 2> p = ring[0].template cast<double>(), a = ring[i].template cast<double>(),
+                           b = ring[i + 1].template cast<double>();
+    sum = sum + (difference<W>(a[0], p[0]) * difference<W>(b[1], p[1]) -
+                 difference<W>(a[1], p[1]) * difference<W>(b[0], p[0]));
+  }
+  return sum;
+}
+
+/// The exact area vector, every number rounded once; nothing when it is zero.
+template <class S>
+[[gnu::noinline, gnu::cold]] std::optional<AreaVector> exact_area_vector(const Ring<S, 3>& ring) {
+  const std::array<Exact, 3> n = newell<Exact>(ring);
+  const auto smaller = [](const Exact& x, const Exact& y) { return (abs(x) - abs(y)).sign() < 0; };
+  const Exact largest = abs(*std::max_element(n.begin(), n.end(), smaller));
+  if (largest.sign() == 0) return {};
+  return AreaVector{{quotient(n[0], largest), quotient(n[1], largest), quotient(n[2], largest)},
+                    quotient(largest, Exact(2.))};
+}
+
+/// The area vector; nothing when it is exactly zero.
+///
+/// Bound, eps that of S, u = eps / 2. Every component is taken within eps / 8 of the largest, or Exact takes over and
+/// rounds each once. An error d of the vector n turns its direction by |d| / |n| at most, and changes its length by
+/// as much: sqrt(3) eps / 8 there, as no component is longer than n; u here, as every |d_i| <= u |n_i|. Both are at
+/// most u. What follows is rounded in Extended, and once to S.
+template <class S, class Trace>
+std::optional<AreaVector> area_vector(const Ring<S, 3>& ring, Trace&& trace) {
+  using V = std::conditional_t<std::is_same_v<S, float>, double, Extended>;
+  const std::array<Bounded<V>, 3> n = newell<Bounded<V>>(ring);
+  V largest = 0;
+  double error = 0;
+  for (const Bounded<V>& x : n) largest = std::max(largest, std::abs(x.value())), error = std::max(error, x.error());
+  const V bound = static_cast<V>(std::numeric_limits<S>::epsilon() / 8) * largest;
+  if (!(error <= bound && std::isfinite(error))) {  // true for NaN
+    trace(Fallback{});
+    return exact_area_vector(ring);
+  }
+  if (largest == 0) return {};
+  const Extended size = largest;
+  return AreaVector{{n[0].value() / size, n[1].value() / size, n[2].value() / size}, size / 2};
+}
+
+/// One more edge of Newell's sum.
+template <class S>
+struct Term {
+  int index;
+  Vector<S, 3> sum;
+};
+template <class S>
+using NaiveEvent = std::variant<Term<S>>;
+
+/// Twice the area vector, as Newell has it. Naive: rounding may turn it, more so the farther from the origin.
+template <class S, class Trace = NoTrace>
+Vector<S, 3> newell_naive(const Ring<S, 3>& ring, Trace&& trace = {}) {
+  Vector<S, 3> sum = {S(0), S(0), S(0)};
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point<S, 3>&a = ring[i], &b = ring[i + 1 < ring.size() ? i + 1 : 0];
+    sum[0] = sum[0] + (a[1] - b[1]) * (a[2] + b[2]);
+    sum[1] = sum[1] + (a[2] - b[2]) * (a[0] + b[0]);
+    sum[2] = sum[2] + (a[0] - b[0]) * (a[1] + b[1]);
+    trace(Term<S>{static_cast<int>(i), sum});
+  }
+  return sum;
+}
+
+}  // namespace polygon_area
+
+/// The area of a ring in the plane, positive when it goes counter-clockwise; each part counts as often as the ring
+/// goes around it. Within 2 ulp, so its sign is the true one, unless below the least number of S. Infinite beyond the
+/// largest. NaN when a coordinate is NaN or infinite.
+template <class S, class Trace = NoTrace>
+S area(const Ring<S, 2>& ring, Trace&& trace = {}) {
+  if (!finite(ring)) return std::numeric_limits<S>::quiet_NaN();
+  return value_of<S>([&]<class W>() -> Ratio<W> { return {polygon_area::area2<W>(ring), W(2.)}; }, trace);
+}
+
+/// The area of a ring in space: that of its projection to the plane in which it is largest, never negative. Within 3
+/// ulp. Infinite beyond the largest number. NaN when a coordinate is NaN or infinite.
+template <class S, class Trace = NoTrace>
+S area(const Ring<S, 3>& ring, Trace&& trace = {}) {
+  if (!finite(ring)) return std::numeric_limits<S>::quiet_NaN();
+  const std::optional<polygon_area::AreaVector> n = polygon_area::area_vector(ring, trace);
+  return n ? static_cast<S>(n->largest * n->length()) : S(0);
+}
+
+/// The unit normal of a ring in space, from whose tip it goes counter-clockwise. Every component is within eps of S
+/// of the true one (4 eps where the machine has no type wider than double). Nothing when the area is exactly zero,
+/// and when a coordinate is NaN or infinite.
+template <class S, class Trace = NoTrace>
+std::optional<Vector<S, 3>> normal(const Ring<S, 3>& ring, Trace&& trace = {}) {
+  if (!finite(ring)) return {};
+  const std::optional<polygon_area::AreaVector> n = polygon_area::area_vector(ring, trace);
+  if (!n) return {};
+  trace(*n);
+  const Extended length = n->length();
+  return Vector<S, 3>(static_cast<S>(n->scaled[0] / length), static_cast<S>(n->scaled[1] / length),
+                      static_cast<S>(n->scaled[2] / length));
+}
+
+}  // namespace isect

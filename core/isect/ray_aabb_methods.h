@@ -1,0 +1,83 @@
+#pragma once
+// Ray against axis-aligned box by reciprocals of the direction, as it is written in practice, beside the slabs with
+// divisions of isect/ray_aabb.h: for lessons and comparison. `intersect` and `may_intersect` there are right for all
+// input.
+//
+// A component of 0 has an infinite reciprocal, of its sign, so that a slab beside the ray is entered at -inf and left
+// at +inf, or never. But an origin on a plane of that slab makes 0 inf = NaN, and each form treats that in its own
+// way: all lose rays that run along a face. Rounding decides at edges and corners: there all lose hits.
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <variant>
+
+#include <isect/ray_aabb.h>
+
+namespace isect::ray_aabb {
+
+template <class S>
+struct Reciprocal {
+  int axis;
+  S value;
+};
+template <class S>
+using MethodEvent = std::variant<Reciprocal<S>, Crossing<S>, Remains<S>>;
+
+/// The range cut by slab after slab. sort(axis, t at lo, t at hi) -> the two in order; later(in, entry) and
+/// earlier(out, exit) choose one.
+template <class S, int N, class Sort, class Later, class Earlier, class Trace>
+std::optional<Interval<S>> by_slabs(const Ray<S, N>& ray, const Aabb<S, N>& box, const Sort& sort, const Later& later,
+                                    const Earlier& earlier, Trace&& trace) {
+  S in = ray.range.lo, out = ray.range.hi;
+  for (int i = 0; i < N; ++i) {
+    const S inverse = S(1) / ray.direction[i];
+    trace(Reciprocal<S>{i, inverse});
+
+    const S t1 = (box.lo[i] - ray.origin[i]) * inverse, t2 = (box.hi[i] - ray.origin[i]) * inverse;
+    const Interval<S> crossing = sort(i, t1, t2);
+    trace(Crossing<S>{i, crossing.lo, crossing.hi});
+
+    in = later(in, crossing.lo), out = earlier(out, crossing.hi);
+    if constexpr (heard<Trace>) trace(Remains<S>{in, out, in <= out});
+  }
+  if (!(in <= out)) return {};
+  return Interval<S>{in, out};
+}
+
+/// By std::min and std::max, which keep their first argument when the other is NaN. An inverted box is sorted, so
+/// that it counts as the box it might have been.
+template <class S, int N, class Trace = NoTrace>
+std::optional<Interval<S>> by_min_max(const Ray<S, N>& ray, const Aabb<S, N>& box, Trace&& trace = {}) {
+  const auto sort = [](int, S t1, S t2) -> Interval<S> { return {std::min(t1, t2), std::max(t1, t2)}; };
+  const auto later = [](S in, S entry) { return std::max(in, entry); };
+  const auto earlier = [](S out, S exit) { return std::min(out, exit); };
+  return by_slabs(ray, box, sort, later, earlier, trace);
+}
+
+/// By std::fmin and std::fmax, which pass NaN over: but of a plane the ray runs along they keep the other one's
+/// infinity at both ends. Several times slower, where they are calls.
+template <class S, int N, class Trace = NoTrace>
+std::optional<Interval<S>> by_fmin_fmax(const Ray<S, N>& ray, const Aabb<S, N>& box, Trace&& trace = {}) {
+  const auto sort = [](int, S t1, S t2) -> Interval<S> { return {std::fmin(t1, t2), std::fmax(t1, t2)}; };
+  const auto later = [](S in, S entry) { return std::fmax(in, entry); };
+  const auto earlier = [](S out, S exit) { return std::fmin(out, exit); };
+  return by_slabs(ray, box, sort, later, earlier, trace);
+}
+
+/// By the sign of the direction, which tells the plane of entry beforehand. A component of -0 counts as 0, whose
+/// reciprocal it has not: such rays miss from inside. Source: Smits, Efficiency issues for ray tracing, J. Graphics
+/// Tools 3 (1998); Williams et al., An efficient and robust ray-box intersection algorithm, ibid. 10 (2005), which
+/// mends -0.
+template <class S, int N, class Trace = NoTrace>
+std::optional<Interval<S>> by_sign(const Ray<S, N>& ray, const Aabb<S, N>& box, Trace&& trace = {}) {
+  const auto sort = [&ray](int i, S t1, S t2) -> Interval<S> {
+    if (ray.direction[i] >= S(0)) return {t1, t2};
+    return {t2, t1};
+  };
+  const auto later = [](S in, S entry) { return entry > in ? entry : in; };
+  const auto earlier = [](S out, S exit) { return exit < out ? exit : out; };
+  return by_slabs(ray, box, sort, later, earlier, trace);
+}
+
+}  // namespace isect::ray_aabb

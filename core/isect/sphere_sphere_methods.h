@@ -1,0 +1,80 @@
+#pragma once
+// Sphere against sphere as it is written in practice, beside the note's squared_distance in isect/sphere_sphere.h: for
+// lessons and comparison. `intersects` there is right for all input.
+//
+// All count touching as an intersection, but rounding may decide there. A root helps nothing: the sum of squares under
+// it has been rounded before. Squares overflow or vanish beyond 1e+-154 in double, 1e+-19 in float; only std::hypot is
+// free of that. Negative radii are taken as they are, so that empty balls may meet.
+
+#include <cmath>
+#include <variant>
+
+#include <isect/sphere_sphere.h>
+
+namespace isect::sphere_sphere {
+
+/// The distance of the centers against r + s, as rounded.
+template <class S>
+struct Lengths {
+  S distance, sum;
+};
+template <class S>
+using MethodEvent = std::variant<Compared<S>, Lengths<S>>;
+
+/// The note's squares with <=. Source: Ericson, Real-Time Collision Detection (2005), 4.3.1.
+template <class S, int N, class Trace = NoTrace>
+bool closed_squared_distance(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trace = {}) {
+  const Vector<S, N> l = a.center - b.center;
+  const S distance2 = l.dot(l);
+  const S sum = a.radius + b.radius, sum2 = sum * sum;
+  trace(Compared<S>{distance2, sum2});
+
+  return distance2 <= sum2;
+}
+
+/// By the distance itself: one square root more.
+template <class S, int N, class Trace = NoTrace>
+bool by_distance(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trace = {}) {
+  const Vector<S, N> l = a.center - b.center;
+  using std::sqrt;
+  const S distance = sqrt(l.dot(l));
+  const S sum = a.radius + b.radius;
+  trace(Lengths<S>{distance, sum});
+
+  return distance <= sum;
+}
+
+/// By std::hypot, whose squares neither overflow nor vanish.
+template <class S, int N, class Trace = NoTrace>
+bool by_hypot(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trace = {}) {
+  const Vector<S, N> l = a.center - b.center;
+  S distance;
+  if constexpr (N == 2)
+    distance = std::hypot(l[0], l[1]);
+  else
+    distance = std::hypot(l[0], l[1], l[2]);
+  const S sum = a.radius + b.radius;
+  trace(Lengths<S>{distance, sum});
+
+  return distance <= sum;
+}
+
+/// Of the six relations, by rounded squares.
+template <class S, int N, class Trace = NoTrace>
+Relation squared_relation(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trace = {}) {
+  const Vector<S, N> l = a.center - b.center;
+  const S distance2 = l.dot(l);
+  const S sum = a.radius + b.radius;
+  trace(Compared<S>{distance2, sum * sum});
+  if (distance2 > sum * sum) return Relation::disjoint;
+
+  const S rest = a.radius - b.radius;
+  trace(Compared<S>{distance2, rest * rest});
+  if (distance2 <= rest * rest) {
+    if (rest == S(0)) return Relation::equal;
+    return rest < S(0) ? Relation::a_inside_b : Relation::b_inside_a;
+  }
+  return distance2 == sum * sum ? Relation::touching : Relation::overlapping;
+}
+
+}  // namespace isect::sphere_sphere

@@ -1,0 +1,108 @@
+// Clipping (N01): a segment by a range of t that narrows, a polygon by one cut a side; both against a box.
+//
+// The walks stand in clipping/segment and clipping/polygon.
+
+#include <isect/clip_segment.h>
+#include <isect/ray_aabb_methods.h>
+#include "lessons/clipping/methods.h"
+#include "lessons/shared/opinions.h"
+#include "lessons/shared/parameters.h"
+
+namespace isect::lessons {
+
+namespace {
+
+using namespace viz;
+using namespace clipping_lesson;
+
+struct Situation {
+  const char* id;
+  const char* title;
+  std::array<Point<double, 2>, 4> points;  ///< p, q, and for a polygon r, s
+};
+
+const Situation segments[] = {
+    {"both-ends-cut", "both ends cut", {{{-3, -2}, {3.5, 2}, {0, 2}, {-3, 1}}}},
+    {"one-end-cut", "one end cut", {{{-1, 0.5}, {3, -1.5}, {0, 2}, {-3, 1}}}},
+    {"inside", "inside", {{{-1.5, -0.75}, {1.5, 0.75}, {0, 2}, {-3, 1}}}},
+    {"beyond-one-side", "beyond one side", {{{-2, 1.5}, {3, 2}, {0, 2}, {-3, 1}}}},
+    {"past-a-corner", "past a corner", {{{0.75, 2.25}, {3.5, 0.25}, {0, 2}, {-3, 1}}}},
+    {"at-a-corner", "touching a corner", {{{1, 2}, {3, 0.5}, {0, 2}, {-3, 1}}}},
+    {"along-a-side", "along a side", {{{-3, 1.25}, {1, 1.25}, {0, 2}, {-3, 1}}}},
+};
+const Situation polygons[] = {
+    {"cut", "cut", {{{-1.5, -2}, {3.25, -0.75}, {1, 2}, {-3, 0.5}}}},
+    {"polygon-inside", "inside", {{{-0.5, -1}, {1.5, -0.5}, {1, 1}, {-1.5, 0.5}}}},
+    {"polygon-beyond", "beyond one side", {{{2.25, -1}, {3.5, -0.5}, {3.25, 1}, {2.5, 1.5}}}},
+    {"polygon-past-a-corner", "past a corner", {{{3.5, 0.25}, {3.5, 1.25}, {2, 2.25}, {0.75, 2.25}}}},
+    {"around", "around the box", {{{-2.75, -1.75}, {2.5, -2}, {3, 1.75}, {-2.5, 2}}}},
+    {"polygon-at-a-corner", "touching a corner", {{{2, 1.25}, {3.25, 0.75}, {3.25, 2.25}, {1.5, 2.25}}}},
+    {"polygon-along-a-side", "along a side", {{{2, -0.5}, {3.25, -1}, {3.25, 1}, {2, 0.75}}}},
+    {"concave", "not convex", {{{0.25, -1.125}, {2.25, 0}, {0.25, 1.125}, {3.75, 0}}}},
+};
+
+Preset preset_of(const Situation& s, const std::string& shape) {
+  Parameters values = {{"shape", shape}};
+  for (int i = 0; i < 4; ++i) values[std::string(1, "pqrs"[i])] = flat(s.points[i]);
+  return {s.id, s.title, shape, values};
+}
+
+std::vector<Preset> presets() {
+  std::vector<Preset> all;
+  for (const Situation& s : segments) all.push_back(preset_of(s, "segment"));
+  for (const Situation& s : polygons) all.push_back(preset_of(s, "polygon"));
+  return all;
+}
+
+Parameter vertex(const char* name, const char* help, int index) {
+  return {name, std::string("**") + name + "**", help, flat(polygons[0].points[index]), -1e6, 1e6, -4, 4};
+}
+
+bool is_segment(const Parameters& values) { return std::get<std::string>(values.at("shape")) == "segment"; }
+Point<double, 2> point(const Parameters& values, const char* name) { return std::get<Vec3>(values.at(name)).head<2>(); }
+
+Walk walk(const Parameters& values) {
+  const auto at = [&](const char* name) { return point(values, name); };
+  const Box box = box_of_lesson();
+  if (is_segment(values)) return clip_a_segment({at("p"), at("q")}, box);
+  return clip_a_polygon({at("p"), at("q"), at("r"), at("s")}, box);
+}
+
+/// Whether anything of a segment is kept.
+std::vector<Opinion> opinions(const Parameters& values) {
+  if (!is_segment(values)) return {};
+  const Segment<double, 2> s = {point(values, "p"), point(values, "q")};
+  const Box box = box_of_lesson();
+  const auto says = [](const auto& kept) { return kept ? "a part is kept" : "nothing is kept"; };
+  Opinions all(says(clip(s, box)));
+  all.add("Liang and Barsky", says(clip_segment::liang_barsky(s, box)));
+  all.add("slabs, min and max", says(ray_aabb::by_min_max(segment(s.p, s.q), box)));
+  all.add("slabs, by sign", says(ray_aabb::by_sign(segment(s.p, s.q), box)));
+  return all.take();
+}
+
+}  // namespace
+
+const Lesson& clipping() {
+  static const Lesson lesson = {
+      .id = "clipping",
+      .title = "Clipping",
+      .rows = "N01",
+      .summary = "The part of a segment or a polygon that lies in a box: each side cuts, one after the other.",
+      .parameters = {choice("shape", "shape", "What is clipped at the box.", {"segment", "polygon"}),
+                     vertex("p", "First end or vertex, in world units; its third coordinate is not used.", 0),
+                     vertex("q", "Second end or vertex, in world units.", 1),
+                     vertex("r", "Third vertex of the polygon; a segment has none.", 2),
+                     vertex("s", "Fourth vertex of the polygon; a segment has none.", 3)},
+      .group_by = "shape",
+      .presets = presets(),
+      .camera = {.azimuth = 0, .elevation = 0},
+      .steps = walk,
+      .flat = true,
+      .opinions = opinions,
+      .map = &cases(),
+  };
+  return lesson;
+}
+
+}  // namespace isect::lessons

@@ -1,0 +1,62 @@
+// Collision (N25): the double loop with its count, then sweep and prune, then a hierarchy; and what discrete times
+// miss.
+//
+// Each way stands in a file of its own, collision/double_loop, sweep and hierarchy; the boxes and their picture in
+// collision/boxes, the moving ones in collision/tunnelling.
+
+#include "lessons/collision/methods.h"
+#include "lessons/collision/tunnelling.h"
+#include "lessons/shared/parameters.h"
+
+namespace isect::lessons {
+namespace {
+
+using namespace viz;
+using namespace collision_lesson;
+
+Walk walk(const Parameters& values) {
+  const std::string& method = std::get<std::string>(values.at("method"));
+  const Boxes boxes = few(std::get<Vec3>(values.at("p")));
+  if (method == "brute-force") return double_loop(boxes);
+  if (method == "sweep") return sweep(boxes);
+  if (method == "hierarchy") return hierarchy(boxes);
+  return tunnelling(std::get<Vec3>(values.at("p")), std::get<double>(values.at("speed")));
+}
+
+}  // namespace
+
+const Lesson& collision() {
+  static const Lesson lesson = [] {
+    std::vector<Preset> presets;
+    const auto add = [&](const char* id, const char* title, const char* method, const Vec3& p, double speed) {
+      presets.push_back({id, title, method, {{"method", std::string(method)}, {"p", p}, {"speed", speed}}});
+    };
+    const Vec3 near = {-1.75, -0.5, 0}, far = {-2.5, -1.5, 0};
+    for (const char* method : {"brute-force", "sweep", "hierarchy"}) {
+      add(method, "boxes meet", method, near, 4);
+      add((std::string(method) + "-apart").c_str(), "one box apart", method, far, 4);
+    }
+    add("tunnelling", "a bullet", "motion", {-2.5, 0, 0}, 5);
+    add("slow", "a slow box", "motion", {-2.5, 0, 0}, 2);
+    add("passes-by", "passes by", "motion", {-2.5, 2.25, 0}, 5);
+    return Lesson{
+        .id = "collision",
+        .title = "Collision",
+        .rows = "N25",
+        .summary = "All pairs of boxes that overlap, in three ways, and what discrete times miss.",
+        .parameters = {choice("method", "method", "How pairs are found, or one moving box.",
+                              {"brute-force", "sweep", "hierarchy", "motion"}),
+                       {"p", "**p**", "The centre of box 0 or of the moving box; its third coordinate is not used.",
+                        near, -1e6, 1e6, -4, 4},
+                       {"speed", "speed", "Of the moving box, in world units a second.", 4.0, 0, 1e6, 0, 8}},
+        .group_by = "method",
+        .presets = presets,
+        .camera = {.azimuth = 0, .elevation = 0},
+        .steps = walk,
+        .flat = true,
+    };
+  }();
+  return lesson;
+}
+
+}  // namespace isect::lessons

@@ -1,0 +1,74 @@
+// Concave polygon in O(lg n) (N24): slabs, the trapezoidal map, and Kirkpatrick's hierarchy: built, searched, and what
+// they keep.
+
+#include <isect/slab_map_methods.h>
+#include "lessons/concave_polygon/setup.h"
+#include "lessons/shared/opinions.h"
+#include "lessons/shared/parameters.h"
+
+namespace isect::lessons {
+namespace {
+
+using namespace viz;
+using namespace concave_polygon_lesson;
+
+Preset preset_of(const char* id, const char* title, const std::string& method, const std::string& polygon,
+                 const Vec3& p) {
+  return {id, title, method, {{"method", method}, {"polygon", polygon}, {"p", p}}};
+}
+
+std::vector<Preset> presets() {
+  const Vec3 inside = {-0.875, 1, 0}, level = {-1.5, -0.25, 0}, on_edge = {-0.375, 1, 0}, spikes = {-0.5, 0.25, 0};
+  return {preset_of("slabs", "inside", "slabs", "concave", inside),
+          preset_of("slabs-level", "level with a vertex", "slabs", "concave", level),
+          preset_of("slabs-edge", "on an edge", "slabs", "concave", on_edge),
+          preset_of("slabs-spiky", "long spikes", "slabs", "spiky", spikes),
+          preset_of("trapezoids", "inside", "trapezoids", "concave", {0.375, 0, 0}),
+          preset_of("trapezoids-edge", "on an edge", "trapezoids", "concave", {0.5625, -0.375, 0}),
+          preset_of("hierarchy", "inside", "hierarchy", "concave", inside)};
+}
+
+Walk walk(const Parameters& values) {
+  const std::string& method = std::get<std::string>(values.at("method"));
+  const Setup setup(std::get<std::string>(values.at("polygon")), std::get<Vec3>(values.at("p")));
+  if (method == "slabs") return slabs(setup);
+  return method == "trapezoids" ? trapezoids(setup) : hierarchy(setup);
+}
+
+/// A yes/no method cannot say "on the boundary": either answer will do there.
+std::vector<Opinion> opinions(const Parameters& values) {
+  using slab_map::Abscissa, slab_map::make_naive_slabs;
+  const Setup s(std::get<std::string>(values.at("polygon")), std::get<Vec3>(values.at("p")));
+  Opinions all(s.truth == Location::on ? "on the boundary" : s.truth == Location::in ? "inside" : "outside");
+  const auto ask = [&](const std::string& method, bool inside) {
+    all.add(method, inside ? "inside" : "outside", s.truth == Location::on || inside == (s.truth == Location::in));
+  };
+  ask("slabs, *x* = *m* *y* + *k*", slabs_naive(s.p, make_naive_slabs(s.ring, Abscissa::line)));
+  ask("slabs, interpolated", slabs_naive(s.p, make_naive_slabs(s.ring, Abscissa::interpolated)));
+  ask("crossings, every edge", point_polygon::crossings_naive(s.p, s.ring));
+  return all.take();
+}
+
+}  // namespace
+
+const Lesson& concave_polygon() {
+  static const Lesson lesson = {
+      .id = "concave-polygon",
+      .title = "Point in concave polygon",
+      .rows = "N24",
+      .summary = "Whether a point lies in a concave polygon, in O(lg n) after preparing it in three ways.",
+      .parameters = {choice("method", "method", "How the polygon is prepared.", {"slabs", "trapezoids", "hierarchy"}),
+                     choice("polygon", "polygon", "With bays, or with long spikes.", {"concave", "spiky"}),
+                     {"p", "**p**", "The point, in world units; its third coordinate is not used.", Vec3(-0.875, 1, 0),
+                      -1e6, 1e6, -4, 4}},
+      .group_by = "method",
+      .presets = presets(),
+      .camera = {.azimuth = 0, .elevation = 0},
+      .steps = walk,
+      .flat = true,
+      .opinions = opinions,
+  };
+  return lesson;
+}
+
+}  // namespace isect::lessons

@@ -1,0 +1,86 @@
+// Crossings: a point in a polygon (N22), every special case, by the half-open rule and by the closed one that fails.
+//
+// The situations stand in crossings/situations, the picture in crossings/picture, the steps of the rules in
+// crossings/half_open and crossings/closed.
+
+#include <isect/point_polygon_methods.h>
+#include "lessons/crossings/rules.h"
+#include "lessons/crossings/situations.h"
+#include "lessons/shared/opinions.h"
+#include "lessons/shared/parameters.h"
+
+namespace isect::lessons {
+namespace {
+
+using namespace viz;
+using namespace crossings_lesson;
+
+std::vector<Parameter> parameters() {
+  std::vector<std::string> shapes;
+  for (const Situation& s : situations()) shapes.emplace_back(s.id);
+  return {
+      choice("rule", "rule", "What counts as a crossing.", {"half-open", "closed"}),
+      choice("polygon", "polygon", "The polygon, by the situation it belongs to.", shapes),
+      {"p", "**p**", "The point, in world units; its third coordinate is not used.", Vec3(0, 0, 0), -1e6, 1e6, -4, 4}};
+}
+
+std::vector<Preset> presets() {
+  std::vector<Preset> all;
+  for (const std::string rule : {"half-open", "closed"})
+    for (const Situation& s : situations()) {
+      const std::string id = rule == "half-open" ? s.id : std::string(s.id) + "-closed";
+      all.push_back(
+          {id, s.title, rule, {{"rule", rule}, {"polygon", std::string(s.id)}, {"p", Vec3(s.p.x(), s.p.y(), 0)}}});
+    }
+  return all;
+}
+
+Walk walk(const Parameters& values) {
+  const Vec3& p = std::get<Vec3>(values.at("p"));
+  const Setup setup(situation(std::get<std::string>(values.at("polygon"))), {p.x(), p.y()});
+  return std::get<std::string>(values.at("rule")) == "closed" ? closed(setup) : half_open(setup);
+}
+
+/// Even-odd answers. A yes/no method cannot say "on the boundary": either answer will do there.
+std::vector<Opinion> opinions(const Parameters& values) {
+  const Vec3& at = std::get<Vec3>(values.at("p"));
+  const Setup s(situation(std::get<std::string>(values.at("polygon"))), {at.x(), at.y()});
+  const Location truth = s.truth.even_odd;
+  Opinions all(truth == Location::on ? "on the boundary" : truth == Location::in ? "inside" : "outside");
+  const auto ask = [&](const std::string& method, auto&& crossings) {
+    bool inside = false;
+    for (const Ring<double, 2>& ring : s.situation.polygon.rings) inside = inside != crossings(s.p, ring);
+    all.add(method, inside ? "inside" : "outside", truth == Location::on || inside == (truth == Location::in));
+  };
+  ask("with a division", [](const auto& p, const auto& ring) { return point_polygon::crossings_naive(p, ring); });
+  ask("multiplied out", [](const auto& p, const auto& ring) { return point_polygon::crossings_multiplied(p, ring); });
+  ask("shifted to the origin",
+      [](const auto& p, const auto& ring) { return point_polygon::crossings_translated(p, ring); });
+  ask("closed rule", [](const auto& p, const auto& ring) { return point_polygon::crossings_closed(p, ring) % 2 == 1; });
+  int turns = 0;
+  for (const Ring<double, 2>& ring : s.situation.polygon.rings) turns += point_polygon::winding_naive(s.p, ring);
+  all.add("winding number", turns != 0 ? "inside by the non-zero rule" : "outside by the non-zero rule",
+          s.truth.nonzero == Location::on || (turns != 0) == (s.truth.nonzero == Location::in));
+  return all.take();
+}
+
+}  // namespace
+
+const Lesson& crossings() {
+  static const Lesson lesson = {
+      .id = "crossings",
+      .title = "Point in polygon: crossings",
+      .rows = "N22",
+      .summary = "Whether a point lies in a polygon, by counting the edges that a ray crosses; every special case.",
+      .parameters = parameters(),
+      .group_by = "rule",
+      .presets = presets(),
+      .camera = {.azimuth = 0, .elevation = 0},
+      .steps = walk,
+      .flat = true,
+      .opinions = opinions,
+  };
+  return lesson;
+}
+
+}  // namespace isect::lessons

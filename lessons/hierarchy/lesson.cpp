@@ -1,0 +1,64 @@
+// Bounding volume hierarchies (N09): built, asked by a ray, asked for pairs, and counted as they grow.
+//
+// Each walk stands in a file of its own in hierarchy/, the pictures in hierarchy/tree.
+
+#include "lessons/hierarchy/tree.h"
+#include "lessons/shared/parameters.h"
+
+namespace isect::lessons {
+namespace {
+
+using namespace viz;
+using namespace hierarchy_lesson;
+
+const std::vector<std::string> walks = {"build", "ray", "pairs", "growth"};
+const Vec3 beside = {-3.5, 1.25, 0};
+
+Walk walk(const Parameters& values) {
+  const std::string& which = std::get<std::string>(values.at("walk"));
+  const auto vector = [&](const char* name) { return std::get<Vec3>(values.at(name)); };
+  if (which == "ray") return ray(vector("p"), vector("o"), vector("d"));
+  if (which == "pairs") return pairs(vector("p"), vector("q"));
+  return which == "growth" ? growth() : build(vector("p"));
+}
+
+Preset preset_of(const char* id, const char* title, const char* walk, const Vec3& p = beside,
+                 const Vec3& o = {-4.25, -0.25, 0}, const Vec3& d = {1, 0.1875, 0}, const Vec3& q = {0.25, -0.75, 0}) {
+  return {id, title, walk, {{"walk", std::string(walk)}, {"p", p}, {"o", o}, {"d", d}, {"q", q}}};
+}
+
+Parameter vector(const char* name, const char* label, const char* help, const Vec3& initial) {
+  return {name, label, help, initial, -1e6, 1e6, -4, 4};
+}
+
+}  // namespace
+
+const Lesson& hierarchy() {
+  static const Lesson lesson = {
+      .id = "hierarchy",
+      .title = "Bounding volume hierarchies",
+      .rows = "N09",
+      .summary = "Boxes in boxes: how a hierarchy is built, what it rules out, and how that grows.",
+      .parameters = {choice("walk", "walk", "What is done with the hierarchy.", walks),
+                     vector("p", "**p**", "The middle of box 0, in units; its third coordinate is not used.", beside),
+                     vector("o", "**o**", "The origin of the ray, in units; its third coordinate is not used.",
+                            Vec3::Zero()),
+                     vector("d", "**d**",
+                            "The direction of the ray, of any length but 0; its third coordinate is not used.",
+                            Vec3::UnitX()),
+                     vector("q", "**q**", "The middle of the second object, in units.", Vec3::Zero())},
+      .conditions = {not_zero("d", true)},
+      .group_by = "walk",
+      .presets = {preset_of("build", "build", "build"), preset_of("outlier", "one far off", "build", {0.25, -0.625, 0}),
+                  preset_of("ray", "a ray", "ray"),
+                  preset_of("ray-beyond", "pruned beyond the hit", "ray", beside, {-4.25, 1.375, 0}, {1, 0, 0}),
+                  preset_of("ray-missed", "past all boxes", "ray", beside, {-4.25, -2.25, 0}, {1, -0.0625, 0}),
+                  preset_of("pairs", "two objects meet", "pairs"), preset_of("growth", "as n grows", "growth")},
+      .camera = {.azimuth = 0, .elevation = 0},
+      .steps = walk,
+      .flat = true,
+  };
+  return lesson;
+}
+
+}  // namespace isect::lessons

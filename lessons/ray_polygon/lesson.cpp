@@ -1,0 +1,73 @@
+// Ray against polygon (N20, N21): the plane, the coordinate to drop, and the crossings of what is left.
+//
+// The steps stand in ray_polygon/telling.
+
+#include <fmt/format.h>
+
+#include <isect/ray_polygon_methods.h>
+#include "lessons/ray_polygon/telling.h"
+#include "lessons/shared/parameters.h"
+
+namespace isect::lessons {
+namespace {
+
+using namespace viz;
+using namespace ray_polygon_lesson;
+
+Walk walk(const Parameters& p) { return told(setup(p)); }
+
+std::vector<Opinion> opinions(const Parameters& p) {
+  const Setup s = setup(p);
+  const auto said = [&](const std::string& method, bool hit) {
+    return Opinion{method, hit ? "HIT" : "MISS", hit == s.truth.t.has_value()};
+  };
+  std::vector<Opinion> all = {{"exact", verdict_text(s.truth), true},
+                              said("projected (the note)", ray_polygon::projected(s.ray, s.ring).has_value()),
+                              said("fan of triangles", ray_polygon::fan(s.ray, s.ring).has_value())};
+  if (s.truth.line && *s.truth.line >= 0)
+    for (int axis = 0; axis < 3; ++axis)
+      all.push_back(said(fmt::format("*{}* dropped", "xyz"[axis]), flattened(s, s.ray.at(*s.truth.line), axis).inside));
+  return all;
+}
+
+/// A ray along d that is at the point (a, b) of the polygon's plane when t is the given one, or `off` normals beside
+/// it.
+Preset preset_of(const char* id, const char* title, const char* polygon, const Vec2& at, double t, const Vec3& d,
+                 double off = 0) {
+  Parameters p = {{"polygon", std::string(polygon)}, {"o", Vec3(0, 0, 0)}, {"d", d}};
+  const Setup plane = setup(p);
+  const Vec3 normal(-0.5, 0.125, 1);
+  p["o"] = Vec3(at.x() * plane.across + at.y() * plane.up + off * normal - t * d);
+  return {id, title, "", p};
+}
+
+const Vec3 inwards = {1, -0.25, -0.5};
+
+}  // namespace
+
+const Lesson& ray_polygon() {
+  static const Lesson lesson = {
+      .id = "ray-polygon",
+      .title = "Ray and polygon",
+      .rows = "N21, N20",
+      .summary = "Whether a ray hits a polygon in space: its plane, a coordinate to drop, and crossings.",
+      .parameters = {choice("polygon", "polygon", "How the polygon stands.", {"tilted", "upright"}),
+                     {"o", "**o**", "Origin of the ray, in world units.", Vec3(-2.5, 0, 1), -1e6, 1e6, -6, 6},
+                     {"d", "**d**", "Direction of the ray, of any length but 0.", inwards, -1e6, 1e6, -4, 4}},
+      .conditions = {not_zero("d")},
+      .group_by = "",
+      .presets = {preset_of("hit", "a hit", "tilted", {-0.5, -0.375}, 2, inwards),
+                  preset_of("notch", "through the notch", "tilted", {0.125, 0.625}, 2, inwards),
+                  preset_of("behind", "behind", "tilted", {-0.5, -0.375}, -0.75, inwards),
+                  preset_of("parallel", "parallel", "tilted", {-0.25, -1.75}, 0, {0.125, 1, -0.0625}, 1.25),
+                  preset_of("coplanar", "coplanar", "tilted", {-2.25, -0.5}, 0, {1, 0, 0.5}),
+                  preset_of("upright", "two coordinates left", "upright", {-0.5, -0.375}, 2, inwards),
+                  preset_of("on-edge", "on an edge", "tilted", {1.125, 0}, 2, inwards)},
+      .camera = {},
+      .steps = walk,
+      .opinions = opinions,
+  };
+  return lesson;
+}
+
+}  // namespace isect::lessons

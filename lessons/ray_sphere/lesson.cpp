@@ -1,0 +1,99 @@
+// Ray and sphere: the root cases, by the note's three methods (N16-N19).
+//
+// The picture is drawn by ray_sphere/picture, the steps are told by ray_sphere/haines and ray_sphere/quadratic;
+// ray_sphere/cases has the map of all cases and the methods side by side.
+
+#include "lessons/ray_sphere/methods.h"
+#include "lessons/shared/parameters.h"
+#include "lessons/shared/plane.h"
+
+namespace isect::lessons {
+
+namespace {
+
+using namespace viz;
+using namespace ray_sphere_lesson;
+
+const std::vector<Parameter>& parameters() {
+  static const std::vector<Parameter> all = {
+      choice("method", "method", "The algorithm that is stepped through.", {"haines", "quadratic", "half-b"}),
+      choice("extent", "extent", "A ray has no end; a segment ends at t_max.", {"ray", "segment"}),
+      {"origin", "**o**", "Origin of the ray, in world units.", in_plane(-3.5, 0.5), -1e6, 1e6, -6, 6},
+      {"direction", "**d**", "Direction of the ray, of any length but 0.", in_plane(2, 0.25), -1e6, 1e6, -4, 4},
+      {"t_max", "*t*_{max}", "End of a segment, in lengths of the direction.", 1.0, 0, 1e6, 0, 4},
+      {"center", "**c**", "Centre of the ball, in world units.", in_plane(1, 0), -1e6, 1e6, -6, 6},
+      {"radius", "*r*", "Radius of the ball, in world units.", 1.5 * axis_length, 0, 1e6, 0.1, 4},
+  };
+  return all;
+}
+
+/// One situation, in coordinates of the lesson's plane.
+struct Situation {
+  const char* id;
+  const char* title;
+  Vec2 origin, direction, center;
+  double t_max;  ///< 0: a ray
+};
+
+const Situation situations[] = {
+    {"two-roots", "two roots", {-3.5, 0.5}, {2, 0.25}, {1, 0}, 0},
+    {"tangent", "tangent", {-3.5, 1.5}, {2, 0}, {1, 0}, 0},
+    {"miss", "miss", {-3.5, 1}, {2, 0.5}, {1, 0}, 0},
+    {"inside", "inside", {0.25, -0.75}, {1.5, 0.75}, {1, 0}, 0},
+    {"behind", "behind", {2, 0.75}, {1.5, 0.5}, {-1, 0}, 0},
+    {"segment-before", "ends before", {-3.5, 0.5}, {2, 0.25}, {1, 0}, 1},
+    {"segment-inside", "ends inside", {-3.5, 0.5}, {2, 0.25}, {1, 0}, 2},
+    {"surface-in", "on, heading in", {-0.5, 0}, {1.5, 0.75}, {1, 0}, 0},
+    {"surface-out", "on, heading out", {-0.5, 0}, {-1.5, 0.75}, {1, 0}, 0},
+};
+
+std::vector<Preset> presets() {
+  std::vector<Preset> all;
+  for (const std::string& method : parameters().front().choices) {
+    for (const Situation& s : situations) {
+      const std::string id = method == "haines" ? s.id : std::string(s.id) + "-" + method;
+      all.push_back({id,
+                     s.title,
+                     method,
+                     {{"method", method},
+                      {"extent", std::string(s.t_max > 0 ? "segment" : "ray")},
+                      {"origin", in_plane(s.origin.x(), s.origin.y())},
+                      {"direction", in_plane(s.direction.x(), s.direction.y())},
+                      {"t_max", s.t_max > 0 ? s.t_max : 1.0},
+                      {"center", in_plane(s.center.x(), s.center.y())},
+                      {"radius", 1.5 * axis_length}}});
+    }
+  }
+  return all;
+}
+
+Walk told(const Parameters& values) {
+  const std::string& method = std::get<std::string>(values.at("method"));
+  if (method == "quadratic") return quadratic(values);
+  if (method == "half-b") return half_b(values);
+  return haines(values);
+}
+
+Walk walk(const Parameters& values) { return told(values); }
+
+}  // namespace
+
+const Lesson& ray_sphere() {
+  static const Lesson lesson = {
+      .id = "ray-sphere",
+      .title = "Ray and sphere",
+      .rows = "N16-N19",
+      .summary = "Where a ray, a segment or a line meets a sphere, by three methods.",
+      .parameters = parameters(),
+      .conditions = {not_zero("direction")},
+      .group_by = "method",
+      .presets = presets(),
+      .camera = {.azimuth = azimuth, .elevation = elevation},
+      .steps = walk,
+      .opinions = opinions,
+      .map = &cases(),
+  };
+  return lesson;
+}
+
+}  // namespace isect::lessons

@@ -1,0 +1,76 @@
+// How two sets can lie (N02): six relations, told from each other by three questions; and what a yes or no loses.
+//
+// The shapes stand in relations/pair, their pictures in relations/shared, pages of many in relations/pages, the three
+// questions in relations/questions.
+
+#include <algorithm>
+
+#include "lessons/relations/pages.h"
+#include "lessons/relations/questions.h"
+#include "lessons/shared/parameters.h"
+#include "lessons/shared/plane.h"
+
+namespace isect::lessons {
+
+namespace {
+
+using namespace viz;
+using namespace relations_lesson;
+
+Walk walk(const Parameters& p) {
+  const Kind* const kind = kind_of(p);
+  if (!kind) return page_of_all(pose(p));
+  return questions(*kind, pose(p));
+}
+
+Preset preset_of(const std::string& kind, const std::string& id, const std::string& title, const Pose& pose) {
+  return {id, title, "", {{"kind", kind}, {"b", pose.b}, {"size", pose.size}, {"turn", pose.turn}}};
+}
+
+std::vector<Preset> presets() {
+  const std::vector<std::pair<Kind, std::vector<std::string>>> chosen = {
+      {Kind::polygons, {"overlapping", "touching", "disjoint", "b-inside-a"}},
+      {Kind::balls, {"overlapping", "a-inside-b"}},
+      {Kind::aabbs, {"touching"}},
+      {Kind::obbs, {"touching", "equal"}}};
+  std::vector<Preset> result;
+  for (const auto& [kind, ids] : chosen)
+    for (const std::string& id : ids) {
+      const Situation& s = *std::ranges::find_if(situations(kind), [&](const Situation& x) { return x.id == id; });
+      std::string lower = one(kind);
+      for (char& c : lower)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+      result.push_back(preset_of(name(kind), lower + "-" + s.id, name(kind) + ": " + s.title, s.pose));
+    }
+  result.push_back(preset_of(all_kinds, "all-kinds", "all kinds", {in_plane(1.75, 0), 0.75}));
+  return result;
+}
+
+}  // namespace
+
+const Lesson& relations() {
+  static const Lesson lesson = [] {
+    std::vector<std::string> choices;
+    for (const Kind kind : kinds) choices.push_back(name(kind));
+    choices.emplace_back(all_kinds);
+    return Lesson{
+        .id = "relations",
+        .title = "How two sets can lie",
+        .rows = "N02",
+        .summary = "Six ways in which two sets can lie, and what a yes or no test loses of them.",
+        .parameters = {choice("kind", "kind", "What the two sets are.", choices),
+                       {"b", "**b**", "The place of b, in units; a stays at the origin.", Vec3(0, 0, 0), -1e6, 1e6, -4,
+                        4},
+                       {"size", "size of b", "The size of b, in sizes of a.", 1.0, 0.0625, 64, 0.25, 2},
+                       choice("turn", "turn of b", "How b is turned; balls and AABBs are not.", turns)},
+        .group_by = "",
+        .presets = presets(),
+        .camera = camera,
+        .steps = walk,
+        .map = &cases(),
+    };
+  }();
+  return lesson;
+}
+
+}  // namespace isect::lessons

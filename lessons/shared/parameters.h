@@ -1,0 +1,32 @@
+#pragma once
+// The knobs that lessons have in common.
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "viz/lesson.h"
+
+namespace isect::lessons {
+
+/// One of several named settings; at the start number `initial`.
+inline viz::Parameter choice(std::string name, std::string label, std::string help, std::vector<std::string> choices,
+                             std::size_t initial = 0) {
+  viz::Parameter p{std::move(name), std::move(label), std::move(help), choices.at(initial)};
+  p.choices = std::move(choices);
+  return p;
+}
+
+/// A direction must have a length. `flat`: in the plane, as its third coordinate is not used. `where`: asked of the
+/// settings that use it.
+inline viz::Condition not_zero(const std::string& name, bool flat = false,
+                               std::function<bool(const viz::Parameters&)> where = {}) {
+  return {name, flat ? "a vector that is not 0 in the plane" : "a vector of any length but 0",
+          [=](const viz::Parameters& values) {
+            const viz::Vec3& v = std::get<viz::Vec3>(values.at(name));
+            return (where && !where(values)) || (flat ? v.head<2>().norm() : v.norm()) > 0;
+          }};
+}
+
+}  // namespace isect::lessons

@@ -1,0 +1,42 @@
+// Speed against error: the measured plots, read one step at a time (N10, rules 7 and 8).
+//
+// The numbers are those of bench/results.json, so that every run of the lesson says the same; `isect bench` makes new
+// ones. What is said of them is computed in speed_against_error/teller.
+
+#include "lessons/shared/parameters.h"
+#include "lessons/speed_against_error/results.h"
+#include "lessons/speed_against_error/teller.h"
+
+namespace isect::lessons {
+namespace {
+
+using namespace viz;
+using namespace speed_lesson;
+
+std::vector<Preset> presets() {
+  std::vector<Preset> all;
+  for (const std::string& test : tests(results())) all.push_back({test, test, "", {{"test", test}}});
+  return all;
+}
+
+Walk walk(const Parameters& values) { return Teller(results(), std::get<std::string>(values.at("test"))).walk(); }
+
+}  // namespace
+
+const Lesson& speed_against_error() {
+  static const Lesson lesson = {
+      .id = "speed-against-error",
+      .title = "Speed against error",
+      .rows = "N10",
+      .summary = "What each method costs and how often it errs, as measured: what the exact call is worth.",
+      .parameters = {choice("test", "test", "The test whose measurements are read.", tests(results()))},
+      .group_by = "",
+      .presets = presets(),
+      .camera = {.azimuth = 0, .elevation = 0},
+      .steps = walk,
+      .flat = true,
+  };
+  return lesson;
+}
+
+}  // namespace isect::lessons

@@ -1,0 +1,166 @@
+// `isect bench` as a user runs it: what it writes reads back, and what it can't do it says. Times are never asserted.
+
+#include <algorithm>
+#include <filesystem>
+
+#include "bench/report.h"
+#include "tests/app/shell.h"
+#include "tests/catch.h"
+
+namespace bench_test {
+using Catch::Matchers::Contains;
+using isect::bench::Report;
+using isect::bench::Row;
+using isect::test::contents;
+using isect::test::Ran;
+using isect::test::Shell;
+
+namespace {
+
+/// `isect` in a folder of its own, so that nothing stands beside it.
+void copy_program(const Shell& shell) { std::filesystem::copy_file(ISECT_BIN "/isect", shell.work() / "alone"); }
+
+int lines(const std::string& text) { return static_cast<int>(std::count(text.begin(), text.end(), '\n')); }
+
+}  // namespace
+
+TEST_CASE("one test is measured and judged, and its files read back", "[bench]") {
+  const Shell shell;
+  const Ran ran = shell("isect bench orient2d --quick --csv rows.csv --json all.json");
+  INFO(ran.err);
+  CHECK(ran.status == 0);
+  CHECK_THAT(ran.out, Contains("orient2d, double, ordinary") && Contains("portable build") && Contains("seed 1"));
+
+  const Report report = isect::bench::report_of(contents(shell.work() / "all.json"));
+  CHECK((report.quick && report.seed == 1 && report.machine.build == "portable"));
+  REQUIRE_FALSE(report.rows.empty());
+  int exact = 0, naive_and_wrong = 0;
+  for (const Row& r : report.rows) {
+    INFO(r.method << ", " << r.scalar << ", " << r.family << ": " << r.first_wrong);
+    CHECK(r.test == "orient2d");
+    CHECK((r.judged > 0 && r.judged <= r.cases));
+    CHECK(r.first_wrong.empty() == (r.wrong() == 0));
+    if (r.exact) CHECK((r.wrong() == 0 && ++exact));
+    naive_and_wrong += !r.exact && r.hard && r.wrong() > 0;
+  }
+  CHECK(exact > 0);
+  CHECK(naive_and_wrong > 0);
+  CHECK(contents(shell.work() / "rows.csv") == isect::bench::csv(report));
+
+  const Ran again = shell("isect bench --from all.json");
+  CHECK(again.status == 0);
+  CHECK(lines(again.out) == lines(ran.out));
+  CHECK_THAT(again.out, Contains("quick: few cases are judged"));
+  const Ran csv = shell("isect bench --from all.json --csv -");
+  CHECK(csv.out == contents(shell.work() / "rows.csv"));
+  CHECK(shell("isect bench --from all.json --json -").out == contents(shell.work() / "all.json"));
+}
+
+TEST_CASE("a seed that is none is refused by name", "[bench]") {
+  const Shell shell;
+  const Ran ran = shell("isect bench orient2d --quick --seed abc");
+  CHECK(ran.status == 2);
+  CHECK_THAT(ran.err, Contains("--seed: \"abc\" is no whole number"));
+}
+
+TEST_CASE("the same seed gives the same verdicts, another seed other cases", "[bench]") {
+  const Shell shell;
+  const auto verdicts = [&](const std::string& seed) {
+    const Ran ran = shell("isect bench orient2d --quick --json - --seed " + seed);
+    std::string text;
+    for (const Row& r : isect::bench::report_of(ran.out).rows)
+      text += r.method + std::to_string(r.false_yes) + " " + std::to_string(r.false_no) + r.first_wrong + "\n";
+    return text;
+  };
+  const std::string one = verdicts("1");
+  CHECK(one == verdicts("1"));
+  CHECK(one != verdicts("2"));
+}
+
+TEST_CASE("the program tells how long it takes to start and to draw", "[bench]") {
+  const Shell shell;
+  const Ran ran = shell("isect bench starting --quick --json -");
+  INFO(ran.err);
+  CHECK(ran.status == 0);
+  const Report report = isect::bench::report_of(ran.out);
+  CHECK(report.rows.empty());
+  const auto duty = [&](const std::string& what) {
+    const auto found = std::ranges::find(report.duties, what, &isect::bench::Duty::what);
+    REQUIRE(found != report.duties.end());
+    CHECK(found->value > 0);
+    return *found;
+  };
+  CHECK(duty("isect --help").unit == "ms");
+  CHECK(duty("isect --help").target == 30.0);
+  CHECK(duty("isect render, one figure, png").target == 400.0);
+  CHECK(duty("isect render, one figure, svg").unit == "ms");
+  CHECK(duty("isect --help, processor time").unit == "ms");
+  CHECK(duty("isect --help, memory").unit == "MB");
+  CHECK(duty("window in software, another step each frame").unit == "frames/s");
+}
+
+TEST_CASE("a wrong name or value is refused with what is allowed", "[bench]") {
+  const Shell shell;
+  const auto refuses = [&](const std::string& arguments, const std::string& with) {
+    const Ran ran = shell("isect bench " + arguments);
+    INFO(arguments);
+    CHECK(ran.status == 2);
+    CHECK(ran.out.empty());
+    CHECK_THAT(ran.err, Contains(with));
+    CHECK(lines(ran.err) == 1);
+  };
+  refuses("ray-spheer", "did you mean \"ray-sphere\"?");
+  refuses("--seed many", "many");
+  refuses("--peers --native", "--native");
+  refuses("--quick --from all.json", "--from");
+  isect::test::write(shell.work() / "rubbish.json", "{\"rows\": 3}");
+  refuses("--from rubbish.json", "rubbish.json: not a report of measurements: ");
+}
+
+TEST_CASE("files that can't be read or written are trouble with files", "[bench]") {
+  const Shell shell;
+  Ran ran = shell("isect bench --from missing.json");
+  CHECK(ran.status == 4);
+  CHECK_THAT(ran.err, Contains("missing.json"));
+  ran = shell("mkdir folder; isect bench orient2d --quick --csv folder");
+  CHECK(ran.status == 4);
+  CHECK_THAT(ran.err, Contains("folder"));
+}
+
+TEST_CASE("what was not built is said, with the command that builds it", "[bench]") {
+  const Shell shell;
+  copy_program(shell);
+  Ran ran = shell("./alone bench --peers orient2d");
+  CHECK(ran.status == 2);
+  CHECK_THAT(ran.err, Contains("measure_peers was not built") && Contains("-DISECT_PEERS=ON"));
+  ran = shell("./alone bench --native orient2d");
+  CHECK(ran.status == 2);
+  CHECK_THAT(ran.err, Contains("measure_native was not built") && Contains("--target measure_native"));
+}
+
+TEST_CASE("a program beside it that fails is reported, not believed", "[bench]") {
+  const Shell shell;
+  copy_program(shell);
+  isect::test::write(shell.work() / "measure_native", "#!/bin/sh\necho 'no such instruction' >&2\nexit 3\n");
+  Ran ran = shell("chmod +x measure_native; ./alone bench --native orient2d");
+  CHECK(ran.status == 1);
+  CHECK_THAT(ran.err, Contains("measure_native failed (3): no such instruction"));
+
+  isect::test::write(shell.work() / "measure_native", "#!/bin/sh\necho rubbish\n");
+  ran = shell("./alone bench --native orient2d");
+  CHECK(ran.status == 1);
+  CHECK_THAT(ran.err, Contains("not a report of measurements"));
+}
+
+TEST_CASE("the help lists every test", "[bench]") {
+  const Shell shell;
+  const Ran ran = shell("isect bench --help");
+  CHECK(ran.status == 0);
+  const std::size_t at = ran.out.find("Tests: ");
+  REQUIRE(at != std::string::npos);
+  const std::string list = ran.out.substr(at, ran.out.find('\n', at) - at);
+  for (const char* test : {" ray-sphere", " orient2d", " point-polygon", " all-pairs", " starting"})
+    CHECK_THAT(list, Contains(test));
+}
+
+}  // namespace bench_test

@@ -1,0 +1,162 @@
+// Presets of one's own under regression: `check --dir`.
+
+#include "tests/app/accepted.h"
+
+namespace check_dir_test {
+namespace fs = std::filesystem;
+using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
+using isect::test::accept_command;
+using isect::test::all_in;
+using isect::test::Ran;
+using isect::test::scene;
+using isect::test::Shell;
+using isect::test::write;
+
+namespace {
+
+/// A folder with two presets.
+class Course : public Shell {
+ public:
+  Course() {
+    write(work() / "course/week-3.json", scene("overlapping"));
+    write(work() / "course/sub/week-3.json", scene("touching"));
+    write(work() / "course/manifest.json", "[]");
+  }
+};
+
+/// With accepted baselines.
+class AcceptedCourse : public Course {
+ public:
+  AcceptedCourse() { REQUIRE((*this)("isect check --dir course --update=missing").status == 0); }
+};
+
+}  // namespace
+
+TEST_CASE("presets of one's own are checked against baselines in a folder of their own", "[check]") {
+  const Course shell;
+  const Ran missing = shell("isect check --dir course");
+  CHECK(missing.status == 3);
+  CHECK(accept_command(missing.out) == "isect check --dir course --update=missing");
+
+  const Ran made = shell("isect check --dir course --update=missing");
+  CHECK(made.status == 0);
+  CHECK(fs::exists(shell.work() / "course/snapshots/intervals/week-3/trace.json"));
+  CHECK(fs::exists(shell.work() / "course/snapshots/intervals/sub/week-3/03-relation.png"));
+  const Ran whole = shell("isect check --dir course");
+  CHECK_THAT(whole.out, StartsWith("ok: ") && Contains("2 presets"));
+  CHECK(whole.err.empty());
+}
+
+TEST_CASE("a changed preset of a folder fails, and the other is left alone", "[check]") {
+  const AcceptedCourse shell;
+  write(shell.work() / "course/week-3.json", scene("b-after-a"));
+  const Ran r = shell("isect check --dir course");
+  CHECK(r.status == 1);
+  CHECK_THAT(r.out, Contains("FAILED intervals week-3") && !Contains("sub/week-3"));
+  CHECK(accept_command(r.out) == "isect check --dir course --update=failed");
+  CHECK(shell("isect check --dir course --update").status == 0);
+  CHECK(shell("isect check --dir course").status == 0);
+}
+
+TEST_CASE("one preset of a folder can be checked and accepted alone", "[check]") {
+  const AcceptedCourse shell;
+  write(shell.work() / "course/week-3.json", scene("b-after-a"));
+  write(shell.work() / "course/sub/week-3.json", scene("b-after-a"));
+  CHECK(shell("isect check --dir course --preset sub/week-3 --update").status == 0);
+  CHECK(shell("isect check --dir course --preset sub/week-3.json").status == 0);
+  CHECK(shell("isect check --dir course --preset week-3").status == 1);
+  const Ran unknown = shell("isect check --dir course --preset week-4");
+  CHECK(unknown.status == 2);
+  CHECK_THAT(unknown.err, Contains("week-3"));
+}
+
+TEST_CASE("a preset that went away leaves orphans", "[check]") {
+  const AcceptedCourse shell;
+  fs::remove(shell.work() / "course/sub/week-3.json");
+  const Ran r = shell("isect check --dir course");
+  CHECK(r.status == 1);
+  CHECK_THAT(r.out, Contains("belongs to no step of any preset"));
+  CHECK(shell("isect check --dir course --preset week-3 --update").status == 0);
+  CHECK(fs::exists(shell.work() / "course/snapshots/intervals/sub/week-3"));
+  CHECK_THAT(shell("isect check --dir course --update").out, Contains("removed intervals sub/week-3"));
+  CHECK_FALSE(fs::exists(shell.work() / "course/snapshots/intervals/sub"));
+}
+
+TEST_CASE("a preset that is broken is named, and its baselines are kept", "[check]") {
+  const AcceptedCourse shell;
+  const auto before = all_in(shell.work() / "course/snapshots");
+  write(shell.work() / "course/week-3.json", R"({"lesson": "ray-sphere", "parameters": {"radus": 1}})");
+  write(shell.work() / "course/package.json", R"({"name": "course"})");
+  const Ran r = shell("isect check --dir course --update=all");
+  CHECK(r.status == 2);
+  CHECK_THAT(r.out, Contains("course/week-3.json") && Contains("radus") && Contains("mean \"radius\""));
+  CHECK_THAT(r.out, Contains("1 failure in ") && Contains("1 preset"));  // the other was checked
+  CHECK(r.err == "passed over: course/package.json is no preset\n");
+  CHECK(all_in(shell.work() / "course/snapshots") == before);
+  write(shell.work() / "course/week-3.json", R"({"lesson": "ray-sphere", "parameters": {)");
+  CHECK_THAT(shell("isect check --dir course").out, Contains("course/week-3.json") && Contains("not JSON"));
+  write(shell.work() / "course/sub/week-3.json", scene("overlapping"));
+  CHECK(shell("isect check --dir course").status == 1);
+}
+
+TEST_CASE("figures go beside the presets without touching the baselines", "[check]") {
+  const AcceptedCourse shell;
+  const auto before = all_in(shell.work() / "course/snapshots");
+  fs::remove(shell.work() / "course/manifest.json");
+  CHECK(shell("isect render --preset course/week-3.json --out course").status == 0);
+  CHECK(all_in(shell.work() / "course/snapshots") == before);
+  CHECK(shell("isect check --dir course").status == 0);
+  CHECK(shell("isect render --preset course/week-3.json --out course/snapshots").status == 2);
+}
+
+TEST_CASE("baselines that lie beside the presets, as they once did, are to be moved", "[check]") {
+  const AcceptedCourse shell;
+  fs::rename(shell.work() / "course/snapshots/intervals", shell.work() / "course/intervals");
+  fs::remove_all(shell.work() / "course/snapshots");
+  const Ran r = shell("isect check --dir course --update");
+  CHECK(r.status == 3);
+  CHECK_THAT(r.err, Contains("To move them:"));
+  CHECK_FALSE(fs::exists(shell.work() / "course/snapshots"));
+  CHECK(shell(r.err.substr(r.err.find('\n') + 1)).status == 0);
+  CHECK(shell("isect check --dir course").status == 0);
+}
+
+TEST_CASE("a folder of presets that does not do is told what is wrong", "[check]") {
+  const Shell shell;
+  CHECK(shell("isect check --dir nowhere").status == 4);
+  write(shell.work() / "empty/package.json", "{}");
+  const Ran empty = shell("isect check --dir empty");
+  CHECK(empty.status == 2);
+  CHECK_THAT(empty.err, Contains("empty holds no preset files"));
+
+  write(shell.work() / "bad/x.json", R"({"lesson": "ray-spere", "parameters": {}})");
+  const Ran bad = shell("isect check --dir bad");
+  CHECK(bad.status == 2);
+  CHECK_THAT(bad.out, Contains("bad/x.json") && Contains("ray-sphere"));
+  write(shell.work() / "bad/y.json", scene("overlapping"));
+  const Ran both = shell("isect check --dir bad");
+  CHECK(both.status == 2);
+  CHECK_THAT(both.out, Contains("bad/x.json") && Contains("no baselines here"));
+  CHECK(shell("isect check --dir bad --snapshots bad").status == 2);
+}
+
+TEST_CASE("a camera that is another in a preset's file is a difference", "[check]") {
+  const Shell shell;
+  const auto seen_from = [](const std::string& camera) {
+    return R"({"lesson": "intervals", "camera": {)" + camera + "}}";
+  };
+  write(shell.work() / "course/week-3.json", seen_from(R"("half_height": 2)"));
+  CHECK(shell("isect check --dir course --update=missing").status == 0);
+  CHECK(shell("isect check --dir course").status == 0);
+
+  for (const std::string camera : {R"("half_height": 2.001)", R"("half_height": 2, "target": [0.001, 0, 0])", ""}) {
+    INFO(camera);
+    write(shell.work() / "course/week-3.json", seen_from(camera));
+    const Ran r = shell("isect check --dir course");
+    CHECK(r.status == 1);
+    CHECK_THAT(r.out, Contains("FAILED intervals week-3, step 1"));
+  }
+}
+
+}  // namespace check_dir_test

@@ -1,0 +1,104 @@
+// What the window copies, `render --preset FILE` shows: pixel by pixel the figure that the window saves itself.
+
+#include <fstream>
+
+#include "lessons/lessons.h"
+#include "tests/app/shell.h"
+#include "tests/catch.h"
+#include "tests/viz/window_driver.h"
+#include "viz/compose.h"
+#include "viz/place.h"
+
+namespace copied_test {
+namespace viz = isect::viz;
+using isect::test::contents;
+using isect::test::Ran;
+using isect::test::Shell;
+using isect::test::write;
+
+namespace {
+
+/// A window on a lesson, whose saved figures lie below `folder`.
+viz::WindowDriver window_on(const std::string& lesson, const std::string& format, const std::string& folder) {
+  viz::Place place;
+  place.lesson = lesson;
+  viz::Settings settings;
+  settings.save_format = format;
+  settings.save_theme = viz::ThemeName::screen;
+  return {isect::lessons::all_lessons(), 1280, 800, place, settings, {.reduced_motion = true, .figures = folder}};
+}
+
+/// Turns, moves and draws the scene near, from a place beside all handles.
+void look_elsewhere(viz::WindowDriver& window) {
+  const viz::Rect scene = window.rect("scene");
+  const float x = scene.left + 40, y = scene.top + 150;
+  window.drag(x, y, x + 90, y + 35);
+  window.drag(x, y, x + 25, y - 15, 1);
+  window.wheel(3);
+  window.type("p");
+}
+
+/// All of a figure but its metadata.
+std::string drawn(const std::string& figure) {
+  if (!figure.starts_with("<?xml")) {
+    const std::vector<std::uint8_t> pixels = viz::read_png(figure).rgba;
+    return {pixels.begin(), pixels.end()};
+  }
+  const std::size_t begin = figure.find("<defs");
+  REQUIRE(begin != figure.npos);
+  return figure.substr(begin);
+}
+
+/// What a figure carries, but for the file that it was first written to.
+viz::Metadata place_in(const std::string& figure) {
+  viz::Metadata data = figure.starts_with("<?xml") ? viz::svg_metadata(figure) : viz::png_metadata(figure);
+  data.erase("file");
+  return data;
+}
+
+}  // namespace
+
+TEST_CASE("a view that was orbited, moved and zoomed in the window is rendered to the pixel", "[copied]") {
+  const Shell shell;
+  const std::string lesson = GENERATE("sphere-aabb", "rays", "ray-sphere");  // turned, flat, and with an axis
+  const std::string format = GENERATE("png", "svg");
+  INFO(lesson << " " << format);
+  viz::WindowDriver window = window_on(lesson, format, (shell.work() / "saved").string());
+  window.key(viz::key::right);
+  look_elsewhere(window);
+  REQUIRE(window.player().camera().now().half_height !=
+          viz::Player(isect::lessons::all_lessons(), {lesson, {}, {}, {}, {}}).camera().now().half_height);
+
+  window.key('C', true);
+  write(shell.work() / "view.json", ImGui::GetClipboardText());
+  window.type("s");
+  window.frames(2);
+  window.key(viz::key::enter);
+  window.frames(2);
+  const std::string saved = window.ui.message().substr(std::string("Saved ").size());
+
+  const Ran r = shell("isect render --preset view.json --format " + format + " --out -");
+  CHECK(r.status == 0);
+  CHECK(r.err.empty());
+  CHECK(drawn(r.out) == drawn(contents(saved)));
+  CHECK(place_in(r.out) == place_in(contents(saved)));
+}
+
+TEST_CASE("a figure shows from the middle to the top edge what the window showed", "[copied]") {
+  const Shell shell;
+  viz::WindowDriver window = window_on("sphere-aabb", "png", (shell.work() / "saved").string());
+  look_elsewhere(window);
+  const viz::Camera camera = *window.player().place().camera;
+  const viz::Rect rect = window.rect("scene");
+  const viz::View scene(camera, rect.width(), rect.height());
+  const viz::View picture = viz::figure(window.player().step(), camera, viz::ThemeName::screen, 960, 600).view;
+  const double ratio = picture.height() / scene.height();
+  for (const viz::Vec3& p : {viz::Vec3(0, 0, 0), viz::Vec3(1, 2, -1), viz::Vec3(-2, 0.5, 1)}) {
+    const viz::Vec2 in_window = scene.project(p).at - viz::Vec2(scene.width(), scene.height()) / 2;
+    const viz::Vec2 in_figure =
+        picture.project(p).at - picture.corner() - viz::Vec2(picture.width(), picture.height()) / 2;
+    CHECK((in_figure - ratio * in_window).norm() < 1e-9);
+  }
+}
+
+}  // namespace copied_test

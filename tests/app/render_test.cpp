@@ -1,0 +1,229 @@
+// Figures as files: what is written where, the same every time, and how wrong requests are refused.
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "tests/app/shell.h"
+#include "tests/catch.h"
+#include "viz/files.h"
+
+namespace render_test {
+namespace fs = std::filesystem;
+namespace viz = isect::viz;
+using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
+using isect::test::contents;
+using isect::test::files_in;
+using isect::test::Ran;
+using isect::test::Shell;
+using isect::test::write;
+
+TEST_CASE("render writes figures, alt text and a manifest, and prints the figures", "[render]") {
+  const Shell shell;
+  const Ran r = shell("isect render ray-sphere --preset tangent --step 2 --format png,svg");
+  CHECK(r.status == 0);
+  CHECK(r.err.empty());
+  CHECK(r.out ==
+        "figures/ray-sphere/tangent/02-along-the-ray.png\n"
+        "figures/ray-sphere/tangent/02-along-the-ray.svg\n");
+  CHECK(files_in(shell.work() / "figures") ==
+        std::vector<std::string>{"manifest.json", "ray-sphere/tangent/02-along-the-ray.png",
+                                 "ray-sphere/tangent/02-along-the-ray.svg", "ray-sphere/tangent/02-along-the-ray.txt"});
+  CHECK_THAT(contents(shell.work() / "figures/ray-sphere/tangent/02-along-the-ray.txt"),
+             StartsWith("Ray and sphere: "));
+
+  const auto manifest = nlohmann::json::parse(contents(shell.work() / "figures/manifest.json"));
+  CHECK(manifest["version"] == ISECT_VERSION);
+  REQUIRE(manifest["figures"].size() == 2);
+  const auto& svg = manifest["figures"][1];
+  CHECK(svg["file"] == "ray-sphere/tangent/02-along-the-ray.svg");
+  CHECK(svg["lesson"] == "ray-sphere");
+  CHECK(svg["preset"] == "tangent");
+  CHECK(svg["step"] == 2);
+  CHECK(svg["renderer"] == "cairo");
+  CHECK(svg["theme"] == "screen");
+  CHECK(svg["parameters"].size() == 7);
+  CHECK_FALSE(svg["caption"].get<std::string>().empty());
+  CHECK_THAT(manifest["figures"][0]["renderer"].get<std::string>(), StartsWith("llvmpipe"));
+}
+
+TEST_CASE("a figure carries lesson, preset, step and parameters inside", "[render]") {
+  const Shell shell;
+  shell("isect render ray-sphere --preset miss --step 3 --format png,svg --set radius=0.5");
+  const std::string stem = (shell.work() / "figures/ray-sphere/miss+radius=0.5/03-distance").string();
+  for (const viz::Metadata& data :
+       {viz::png_metadata(contents(stem + ".png")), viz::svg_metadata(contents(stem + ".svg"))}) {
+    CHECK(data.at("lesson") == "ray-sphere");
+    CHECK(data.at("step") == "3");
+    CHECK_FALSE(data.contains("preset"));  // a parameter was changed by hand
+    CHECK_THAT(data.at("parameters"), Contains("\"radius\":0.5"));
+    CHECK(data.at("version") == ISECT_VERSION);
+  }
+}
+
+TEST_CASE("the same request gives the same bytes", "[render]") {
+  const Shell shell;
+  const std::string request = "isect render ray-sphere --preset two-roots --step 8 --format png,svg --out ";
+  REQUIRE(shell(request + "a").status == 0);
+  REQUIRE(shell("LC_ALL=C.UTF-8 TZ=Asia/Tokyo LP_NUM_THREADS=1 " + request + "b").status == 0);
+  const std::vector<std::string> files = files_in(shell.work() / "a");
+  REQUIRE(files.size() == 4);
+  CHECK(files == files_in(shell.work() / "b"));
+  for (const std::string& file : files)
+    CHECK(contents(shell.work() / "a" / file) == contents(shell.work() / "b" / file));
+}
+
+TEST_CASE("both back ends draw the same picture", "[render]") {
+  const Shell shell;
+  const std::string request = "isect render ray-sphere --step 8 --out - --backend ";
+  REQUIRE(shell(request + "osmesa >o.png").status == 0);
+  REQUIRE(shell(request + "egl >e.png").status == 0);
+  const viz::Picture a = viz::read_png(contents(shell.work() / "o.png"));
+  const viz::Picture b = viz::read_png(contents(shell.work() / "e.png"));
+  CHECK(viz::compare(a, b).over_1 == 0);
+}
+
+TEST_CASE("step all is every step of the lesson's first preset", "[render]") {
+  const Shell shell;
+  CHECK(shell("isect render ray-sphere --step all --format svg").status == 0);
+  CHECK(files_in(shell.work() / "figures/ray-sphere").size() == 2 * 12);
+}
+
+TEST_CASE("all is every preset of every lesson", "[render]") {
+  const Shell shell;
+  CHECK(shell("isect render --all --step 1 --format svg").status == 0);
+  CHECK(files_in(shell.work() / "figures/ray-sphere").size() == 2 * 27);
+  // A step that only some presets have is rendered for those.
+  CHECK(shell("isect render --all --step 11 --format svg --out last").status == 0);
+  CHECK(files_in(shell.work() / "last/ray-sphere").size() < 2 * 27);
+}
+
+TEST_CASE("size, width and theme reach the figure", "[render]") {
+  const Shell shell;
+  REQUIRE(shell("isect render ray-sphere --step 3 --size 320x200 --theme grey --out - >g.png").status == 0);
+  const viz::Picture grey = viz::read_png(contents(shell.work() / "g.png"));
+  CHECK(grey.width == 320);
+  CHECK(grey.height == 200);
+  bool coloured = false;
+  for (std::size_t i = 0; i < grey.rgba.size(); i += 4)
+    coloured |= grey.rgba[i] != grey.rgba[i + 1] || grey.rgba[i] != grey.rgba[i + 2];
+  CHECK_FALSE(coloured);
+
+  const std::string svg = shell("isect render ray-sphere --step 3 --format svg --width 8cm --out -").out;
+  CHECK_THAT(svg, Contains("width=\"226.77"));
+  CHECK(svg == shell("isect render ray-sphere --step 3 --format svg --width 80mm --out -").out);
+}
+
+TEST_CASE("a preset comes from a file, which names its folder", "[render]") {
+  const Shell shell;
+  write(shell.work() / "wide.json", R"({"lesson": "ray-sphere", "parameters": {"radius": 2}})");
+  const Ran r = shell("isect render --preset wide.json --step 1 --format svg");
+  CHECK(r.status == 0);
+  CHECK(r.out == "figures/ray-sphere/wide/01-to-center.svg\n");
+}
+
+TEST_CASE("a preset's file that is wrong is refused by field, one that can't be read by name", "[render]") {
+  const Shell shell;
+  const auto refused = [&](const std::string& json) {
+    write(shell.work() / "p.json", json);
+    const Ran r = shell("isect render --preset p.json");
+    CHECK(r.status == 2);
+    CHECK_THAT(r.err, Contains("p.json"));
+    return r.err;
+  };
+  CHECK_THAT(refused("{"), Contains("not JSON"));
+  CHECK_THAT(refused(R"({"lesson": "ray-spere"})"), Contains("mean \"ray-sphere\""));
+  CHECK_THAT(refused(R"({"lesson": "ray-sphere", "parameters": {"radus": 1}})"), Contains("mean \"radius\""));
+  CHECK_THAT(refused(R"({"lesson": "ray-sphere", "parameters": {"radius": "big"}})"), Contains("radius"));
+  CHECK_THAT(refused(std::string(100000, '[')), Contains("nested more than 16 levels deep"));
+  CHECK(shell("isect render --preset absent.json").status == 4);
+  CHECK(shell("mkdir d.json && isect render --preset d.json").status == 4);
+  CHECK_FALSE(fs::exists(shell.work() / "figures"));
+}
+
+TEST_CASE("wrong names and values are refused by field, and nothing is written", "[render]") {
+  const Shell shell;
+  struct Wrong {
+    const char *arguments, *field, *hint;
+  };
+  for (const Wrong& w : {
+           Wrong{"ray-spere", "lesson", "mean \"ray-sphere\""},
+           Wrong{"", "lesson", "ray-sphere"},
+           Wrong{"ray-sphere --all", "lesson", "--all"},
+           Wrong{"ray-sphere --preset tangnt", "preset", "mean \"tangent\""},
+           Wrong{"ray-sphere --theme gray", "theme", "mean \"grey\""},
+           Wrong{"ray-sphere --format pgn", "format", "mean \"png\""},
+           Wrong{"ray-sphere --format pdf", "format", "png, svg"},
+           Wrong{"ray-sphere --format tikz", "format", "png, svg"},
+           Wrong{"ray-sphere --format png,", "format", "png, svg"},
+           Wrong{"ray-sphere --backend mesa", "back", "mean \"osmesa\""},
+           Wrong{"ray-sphere --set radius", "set", "name=value"},
+           Wrong{"ray-sphere --set radus=1", "parameter", "mean \"radius\""},
+           Wrong{"ray-sphere --set radius=x", "radius", "a number"},
+           Wrong{"ray-sphere --set radius=-1", "radius", "from 0"},
+           Wrong{"ray-sphere --set origin=1,2", "origin", "three numbers"},
+           Wrong{"ray-sphere --set method=hains", "method", "mean \"haines\""},
+           Wrong{"ray-sphere --step 13", "step", "1 to 12"},
+           Wrong{"ray-sphere --step al", "step", "all"},
+           Wrong{"ray-sphere --size 15x600", "size", "16 to 8192"},
+           Wrong{"ray-sphere --size 960x8193", "size", "16 to 8192"},
+           Wrong{"ray-sphere --size 960", "size", "960x600"},
+           Wrong{"ray-sphere --size 9.5x600", "size", "960x600"},
+           Wrong{"ray-sphere --format svg --width 8", "width", "cm, mm, pt, in"},
+           Wrong{"ray-sphere --format svg --width nancm", "width", "8cm"},
+           Wrong{"ray-sphere --format svg --width 9pt", "width", "10pt"},
+           Wrong{"ray-sphere --width 8cm", "width", "svg"},
+           Wrong{"ray-sphere --format svg --width 8cm --size 100x100", "size", "not both"},
+           Wrong{"ray-sphere --out -", "out", "exactly one"},
+           Wrong{"ray-sphere --step 1 --format png,svg --out -", "out", "exactly one"},
+       }) {
+    INFO(w.arguments);
+    const Ran r = shell(std::string("isect render ") + w.arguments);
+    CHECK(r.status == 2);
+    CHECK(r.out.empty());
+    CHECK_THAT(r.err, Contains(w.field) && Contains(w.hint));
+  }
+  CHECK(fs::is_empty(shell.work()));
+}
+
+TEST_CASE("a direction of zero length is drawn or refused, never a crash", "[render]") {
+  const Shell shell;
+  for (const std::string set : {"direction=0,0,0", "radius=0", "origin=1e6,-1e6,1e6", "t_max=0"}) {
+    INFO(set);
+    const Ran r = shell("isect render ray-sphere --step all --format svg --set " + set);
+    CHECK((r.status == 0 || r.status == 2));
+  }
+}
+
+TEST_CASE("a figure that can't be written is named, and what was there stays whole", "[render]") {
+  const Shell shell;
+  const std::string render = "isect render ray-sphere --step 1 --format svg --out ";
+  const Ran file = shell("touch taken && " + render + "taken");
+  CHECK(file.status == 4);
+  CHECK_THAT(file.err, Contains("taken"));
+  CHECK(shell(render + "/proc/nowhere").status == 4);
+
+  // A file size limit stops the second, larger writing midway.
+  REQUIRE(shell(render + "f").status == 0);
+  const fs::path figure = shell.work() / "f/ray-sphere/two-roots/01-to-center.svg";
+  const std::string before = contents(figure);
+  const Ran cut = shell("trap '' XFSZ; ulimit -f 4; " + render + "f");
+  CHECK(cut.status == 4);
+  CHECK_THAT(cut.err, Contains("01-to-center.svg"));
+  CHECK(contents(figure) == before);
+  CHECK(files_in(shell.work() / "f").size() == 3);  // no leftovers
+}
+
+TEST_CASE("svg needs no rendering back end, png says what is missing", "[render]") {
+  const Shell shell;
+  // softpipe is a driver that the back ends refuse.
+  const std::string broken = "GALLIUM_DRIVER=softpipe ";
+  CHECK(shell(broken + "isect render ray-sphere --step 1 --format svg").status == 0);
+  const Ran r = shell(broken + "isect render ray-sphere --step 1");
+  CHECK(r.status == 77);
+  CHECK_THAT(r.err, Contains("softpipe"));
+  CHECK(shell(broken + "isect check ray-sphere --preset miss --update").status == 77);
+  CHECK(shell(broken + "isect doctor").status == 77);
+}
+
+}  // namespace render_test

@@ -1,0 +1,269 @@
+// Which presets, files and steps are meant: what a preset's file says, several at once, whole folders, and what a
+// parameter's help forbids.
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "lessons/lessons.h"
+#include "tests/app/shell.h"
+#include "tests/catch.h"
+#include "viz/files.h"
+#include "viz/place.h"
+
+namespace select_test {
+namespace fs = std::filesystem;
+namespace viz = isect::viz;
+using Catch::Matchers::Contains;
+using Catch::Matchers::EndsWith;
+using Catch::Matchers::StartsWith;
+using isect::test::contents;
+using isect::test::Ran;
+using isect::test::Shell;
+using isect::test::write;
+
+namespace {
+
+const std::string tangent = R"({"lesson": "ray-sphere", "preset": "tangent"})";
+const std::string from_above =
+    R"({"lesson": "ray-sphere", "preset": "tangent", "step": 3,
+        "camera": {"target": [0, 0, 0], "azimuth": 0.5, "elevation": 1.25, "half_height": 4}})";
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+}  // namespace
+
+TEST_CASE("the step of a preset's file is what is rendered, explained and shown, unless another is asked for",
+          "[select]") {
+  const Shell shell;
+  write(shell.work() / "p.json", from_above);
+  CHECK(shell("isect render --preset p.json --format svg").out == "figures/ray-sphere/p/03-distance.svg\n");
+  CHECK(shell("isect render --preset p.json --step 2 --format svg").out ==
+        "figures/ray-sphere/p/02-along-the-ray.svg\n");
+  CHECK(lines_of(shell("isect render --preset p.json --step all --format svg").out).size() > 5);
+
+  const std::string told = shell("isect explain --preset p.json").out;
+  CHECK_THAT(told, Contains("Step 3 of") && !Contains("Step 2 of") && !Contains("Step 4 of"));
+  CHECK_THAT(shell("isect explain --preset p.json --step all").out, Contains("Step 2 of"));
+  CHECK(shell("isect show --preset p.json").status == 77);  // nothing is refused but the missing display
+
+  // A file without a step means all of them.
+  write(shell.work() / "all.json", tangent);
+  CHECK(lines_of(shell("isect render --preset all.json --format svg").out).size() > 5);
+}
+
+TEST_CASE("a file's step that a changed parameter takes away is refused", "[select]") {
+  const Shell shell;
+  write(shell.work() / "p.json", R"({"lesson": "ray-sphere", "preset": "two-roots", "step": 12})");
+  const Ran r = shell("isect render --preset p.json --set origin=-4,3,0");
+  CHECK(r.status == 2);
+  CHECK_THAT(r.err, Contains("step") && Contains("12"));
+}
+
+TEST_CASE("the camera of a preset's file is the one that is drawn with", "[select]") {
+  const Shell shell;
+  write(shell.work() / "above.json", from_above);
+  write(shell.work() / "plain.json", R"({"lesson": "ray-sphere", "preset": "tangent", "step": 3})");
+  const auto drawn = [&](const std::string& file, const std::string& format) {
+    return shell("isect render --preset " + file + " --out - --format " + format).out;
+  };
+  CHECK(drawn("above.json", "svg") != drawn("plain.json", "svg"));
+  const std::string png = drawn("above.json", "png");
+  CHECK_FALSE(viz::compare(viz::read_png(png), viz::read_png(drawn("plain.json", "png"))).passes());
+  // The figure carries it on, so that `show FIGURE.png` sees the same.
+  const viz::Place place = viz::place_from_metadata(viz::png_metadata(png), isect::lessons::all_lessons());
+  REQUIRE(place.camera);
+  CHECK(place.camera->elevation == 1.25);
+  CHECK(place.camera->half_height == 4);
+}
+
+TEST_CASE("a flat lesson is seen straight on, whatever a file says", "[select]") {
+  const Shell shell;
+  write(shell.work() / "tilted.json", R"({"lesson": "rays", "camera": {"azimuth": 1}})");
+  const Ran r = shell("isect render --preset tilted.json");
+  CHECK(r.status == 2);
+  CHECK_THAT(r.err, Contains("tilted.json") && Contains("camera") && Contains("straight on"));
+  write(shell.work() / "near.json", R"({"lesson": "rays", "camera": {"half_height": 1}})");
+  CHECK(shell("isect render --preset near.json --step 1 --format svg").status == 0);
+}
+
+TEST_CASE("several presets are rendered at once, names and files as they come", "[select]") {
+  const Shell shell;
+  write(shell.work() / "a.json", tangent);
+  write(shell.work() / "notes/b.json", R"({"lesson": "rays"})");
+  const auto rendered = [&](const std::string& words) {
+    const Ran r = shell("isect render " + words + " --step 1 --format svg --out o");
+    INFO(words << ": " << r.err);
+    CHECK(r.status == 0);
+    std::vector<std::string> folders;
+    for (const std::string& line : lines_of(r.out)) folders.push_back(fs::path(line).parent_path().string());
+    return folders;
+  };
+  using Folders = std::vector<std::string>;
+  const Folders both = {"o/ray-sphere/a", "o/rays/b"};
+  CHECK(rendered("--preset a.json notes/b.json") == both);  // as a shell expands *.json
+  CHECK(rendered("--preset a.json --preset notes/b.json") == both);
+  CHECK(rendered("a.json notes/*.json") == both);
+  CHECK(rendered("ray-sphere --preset tangent --preset miss") == Folders{"o/ray-sphere/tangent", "o/ray-sphere/miss"});
+  CHECK(rendered("--preset a.json ray-sphere") == Folders{"o/ray-sphere/a"});
+  CHECK(rendered("--preset tangent a.json ray-sphere") == Folders{"o/ray-sphere/tangent", "o/ray-sphere/a"});
+  CHECK(rendered("--preset a.json a.json ./a.json") == Folders{"o/ray-sphere/a"});  // the same file once
+
+  const Ran other = shell("isect render rays --preset a.json");
+  CHECK(other.status == 2);
+  CHECK_THAT(other.err, Contains("a.json is for ray-sphere, not for rays"));
+}
+
+TEST_CASE("files of one name are told apart by where they lie, and nothing is written over", "[select]") {
+  const Shell shell;
+  write(shell.work() / "week-1/x.json", tangent);
+  write(shell.work() / "week-2/x.json", tangent);
+  const Ran r = shell("isect render --preset week-1/x.json week-2/x.json --step 1 --format svg");
+  CHECK(r.status == 0);
+  CHECK(r.out == "figures/ray-sphere/week-1/x/01-to-center.svg\nfigures/ray-sphere/week-2/x/01-to-center.svg\n");
+
+  write(shell.work() / "miss.json", tangent);
+  const Ran same = shell("isect render ray-sphere --preset miss miss.json --out o");
+  CHECK(same.status == 2);
+  CHECK_THAT(same.err, Contains("ray-sphere/miss") && Contains("rename"));
+  CHECK_FALSE(fs::exists(shell.work() / "o"));
+}
+
+TEST_CASE("a folder of presets is rendered with those below it, past what is broken or none", "[select]") {
+  const Shell shell;
+  write(shell.work() / "notes/a.json", tangent);
+  write(shell.work() / "notes/week-2/a.json", tangent);
+  write(shell.work() / "notes/package.json", R"({"name": "course"})");
+  const std::string render = "isect render --dir notes --step 1 --format svg --out o";
+  const Ran r = shell(render);
+  CHECK(r.status == 0);
+  CHECK(r.out == "o/ray-sphere/a/01-to-center.svg\no/ray-sphere/week-2/a/01-to-center.svg\n");
+  CHECK(lines_of(r.err).size() == 1);
+  CHECK_THAT(r.err, Contains("package.json"));
+
+  write(shell.work() / "notes/broken.json", R"({"lesson": "ray-sphere", "parameters": {"radus": 1}})");
+  const Ran broken = shell(render);
+  CHECK(broken.status == 2);
+  CHECK(lines_of(broken.out).size() == 2);  // the others are done
+  CHECK_THAT(broken.err, Contains("broken.json") && Contains("mean \"radius\""));
+  CHECK(shell("isect render --dir notes rays").status == 2);  // no preset is for that lesson
+  CHECK(shell("isect render --dir absent").status == 4);
+  CHECK_THAT(shell("isect render --dir notes --preset a.json").err, Contains("--dir") && Contains("not both"));
+}
+
+TEST_CASE("steps are given one by one, as ranges and as lists", "[select]") {
+  const Shell shell;
+  const auto steps = [&](const std::string& text) {
+    const Ran r = shell("isect explain ray-sphere --step " + text);
+    INFO(text << ": " << r.err);
+    CHECK(r.status == 0);
+    std::vector<int> found;
+    for (const std::string& line : lines_of(r.out))
+      if (line.starts_with("Step ")) found.push_back(std::stoi(line.substr(5)));
+    return found;
+  };
+  using List = std::vector<int>;
+  CHECK(steps("3") == List{3});
+  CHECK(steps("3-6") == List{3, 4, 5, 6});
+  CHECK(steps("3,5,7-9") == List{3, 5, 7, 8, 9});
+  CHECK(steps("7-9,8,3") == List{3, 7, 8, 9});
+  CHECK(steps("all").size() == 12);
+  CHECK(lines_of(shell("isect render ray-sphere --step 3-6 --format svg").out).size() == 4);
+  for (const std::string bad : {"6-3", "0-3", "3-", "-3", "3-13", "3,,5", "a-b", "1.5", "'3;5'", "99999999999"}) {
+    INFO(bad);
+    const Ran r = shell("isect explain ray-sphere --step " + bad);
+    CHECK(r.status == 2);
+    CHECK_THAT(r.err, Contains("step") && Contains("1 to 12") && Contains("3-6"));
+  }
+  CHECK(shell("isect show ray-sphere --step 3-6").status == 2);
+}
+
+TEST_CASE("what is asked for and not there is told once, in few words", "[select]") {
+  const Shell shell;
+  const Ran r = shell("isect render --all --step 20 --format svg");
+  CHECK(r.status == 0);
+  CHECK_FALSE(r.out.empty());
+  CHECK(lines_of(r.err).size() == 1);
+  CHECK_THAT(r.err, StartsWith("step 20: ") && Contains("fewer steps") && Contains("ray-sphere (all 27)"));
+  CHECK(r.err.size() < 1500);
+  CHECK(shell("isect render --all --step 1 --format svg").err.empty());
+}
+
+TEST_CASE("a setting that a parameter's help forbids is refused at every door", "[select]") {
+  const Shell shell;
+  struct Wrong {
+    std::string lesson, set, hint;
+  };
+  for (const Wrong& w : {
+           Wrong{"ray-sphere", "direction=0,0,0", "of any length but 0"},
+           Wrong{"ray-sphere", "direction=-0,0,0", "of any length but 0"},
+           Wrong{"ray-polygon", "d=0,0,0", "of any length but 0"},
+           Wrong{"rays", "d=0,0,3", "not 0 in the plane"},
+           Wrong{"rays", "made=unit d=0,0,0", "not 0 in the plane"},
+           Wrong{"rays", "made=points o=1,1,0 q=1,1,5", "not the first one"},
+           Wrong{"hierarchy", "walk=ray d=0,0,1", "not 0 in the plane"},
+           Wrong{"obb-obb", "a_u=0,0,0", "of any length but 0"},
+           Wrong{"obb-obb", "b_v=0,0,0", "along b_u"},
+           Wrong{"obb-obb", "a_u=0,2,0", "along a_u"},
+           Wrong{"obb-obb", "b_half=1,-1,1", "from 0"},
+       }) {
+    INFO(w.lesson << " " << w.set);
+    std::string sets, fields;
+    std::istringstream words(w.set);
+    for (std::string word; words >> word;) {
+      const std::size_t equals = word.find('=');
+      const std::string value = word.substr(equals + 1);
+      sets += " --set " + word;
+      fields += fields.empty() ? "" : ", ";
+      fields += "\"" + word.substr(0, equals) +
+                "\": " + (value.find(',') == value.npos ? "\"" + value + "\"" : "[" + value + "]");
+    }
+    for (const std::string& command :
+         {"isect explain " + w.lesson + sets, "isect render " + w.lesson + sets, "isect show " + w.lesson + sets,
+          std::string("isect render --preset p.json"), std::string("isect check --dir .")}) {
+      INFO(command);
+      write(shell.work() / "p.json", "{\"lesson\": \"" + w.lesson + "\", \"parameters\": {" + fields + "}}");
+      const Ran r = shell(command);
+      CHECK((r.status == 2 || command == "isect check --dir ."));
+      CHECK(r.status != 0);
+      CHECK_THAT(r.err + r.out, Contains("does not do; give ") && Contains(w.hint));
+    }
+  }
+  // Only all settings together must keep it.
+  CHECK(shell("isect explain obb-obb --set a_u=0,1,0 --set a_v=1,0,0 --step 1").status == 0);
+  CHECK(shell("isect explain rays --set made=motion --set d=0,0,0 --step 1").status == 0);  // a velocity may be 0
+}
+
+TEST_CASE("every lesson keeps its own conditions, at the start and in each preset", "[select]") {
+  for (const viz::Lesson* lesson : isect::lessons::all_lessons()) {
+    INFO(lesson->id);
+    viz::Parameters start;
+    for (const viz::Parameter& p : lesson->parameters) start.emplace(p.name, p.initial);
+    CHECK_NOTHROW(viz::validate(*lesson, start));
+    for (const viz::Preset& p : lesson->presets) CHECK_NOTHROW(viz::validate(*lesson, p.parameters));
+    for (const viz::Condition& c : lesson->conditions) CHECK(start.contains(c.parameter));
+  }
+}
+
+TEST_CASE("widths are understood as people write them", "[select]") {
+  const Shell shell;
+  const std::string render = "isect render ray-sphere --step 3 --format svg --out - --width ";
+  const std::string eight = shell(render + "8cm").out, eight_and_half = shell(render + "8.5cm").out;
+  REQUIRE_THAT(eight, Contains("width=\"226.7"));
+  for (const std::string width : {"8CM", "'8 cm'", "8Cm", "'8   cm'", "80mm", "'80 MM'", "8,0cm"})
+    CHECK(shell(render + width).out == eight);
+  for (const std::string width : {"8,5cm", "'8.5 cm'", "'8,5 CM'", "85mm"})
+    CHECK(shell(render + width).out == eight_and_half);
+  for (const std::string width : {"8", "'8 c m'", "8,5,1cm", "cm", "' 8cm'", "1e400cm", "-8cm", "'8 '"}) {
+    INFO(width);
+    const Ran r = shell(render + width);
+    CHECK(r.status == 2);
+    CHECK_THAT(r.err, Contains("width") && Contains("8cm"));
+  }
+}
+
+}  // namespace select_test

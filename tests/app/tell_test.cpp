@@ -1,0 +1,162 @@
+// What the program tells as text: list, explain, doctor, and the places show refuses.
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/app/shell.h"
+#include "tests/catch.h"
+
+namespace tell_test {
+using Catch::Matchers::Contains;
+using isect::test::Ran;
+using isect::test::Shell;
+
+namespace {
+
+/// Characters of the longest line.
+std::size_t widest(const std::string& text) {
+  std::size_t most = 0;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    most = std::max(most,
+                    static_cast<std::size_t>(std::ranges::count_if(line, [](char c) { return (c & 0xC0) != 0x80; })));
+  return most;
+}
+
+}  // namespace
+
+TEST_CASE("list names lessons, rows and presets", "[list]") {
+  const Shell shell;
+  const Ran r = shell("isect list");
+  CHECK(r.status == 0);
+  CHECK_THAT(r.out,
+             Contains("ray-sphere") && Contains("N16-N19") && Contains("27 presets") && Contains("surface-out-half-b"));
+  CHECK(widest(r.out) <= 80);
+}
+
+TEST_CASE("list --json holds what a program needs", "[list]") {
+  const Shell shell;
+  const nlohmann::json all = nlohmann::json::parse(shell("isect list --json").out);
+  REQUIRE(all.size() >= 1);
+  CHECK(all[0]["id"] == "ray-sphere");
+  REQUIRE(all[0]["presets"].size() == 27);
+  for (const auto& lesson : all)
+    for (const auto& parameter : lesson["parameters"]) {
+      CHECK(parameter.contains("help"));
+      CHECK(parameter.contains("default"));
+      CHECK(parameter.contains("choices") != parameter.contains("from"));
+    }
+}
+
+TEST_CASE("list walks no lesson, and so it is there at once", "[list]") {
+  const Shell shell;
+  // One second of processor time, where walking every preset takes more; at once is a few hundredths.
+  CHECK(shell("ulimit -t 1; isect list").status == 0);
+  CHECK(shell("ulimit -t 1; isect list --json").status == 0);
+  for (const auto& lesson : nlohmann::json::parse(shell("isect list --json").out))
+    for (const auto& preset : lesson["presets"]) CHECK_FALSE(preset.contains("steps"));
+}
+
+TEST_CASE("list of one lesson tells its parameters with range, unit, default and choices, and the presets' steps",
+          "[list]") {
+  const Shell shell;
+  const Ran r = shell("isect list ray-sphere");
+  CHECK(r.status == 0);
+  CHECK(widest(r.out) <= 80);
+  CHECK_THAT(r.out, Contains("method") && Contains("one of haines, quadratic, half-b. Default: haines") &&
+                        Contains("in world units") && Contains("a number from 0 to 1") &&
+                        Contains("Default: 1.56640625,0.234375") && Contains("two-roots") && Contains("12 steps") &&
+                        !Contains("sphere-aabb"));
+
+  const auto one = nlohmann::json::parse(shell("isect list ray-sphere --json").out);
+  CHECK(one["id"] == "ray-sphere");
+  for (const auto& preset : one["presets"]) CHECK(preset["steps"] >= 2);
+  REQUIRE(one["parameters"].size() == 7);
+  CHECK(one["parameters"][0]["choices"].size() == 3);
+  CHECK(one["parameters"][3]["condition"] == "a vector of any length but 0");
+  CHECK(one["parameters"][6]["name"] == "radius");
+  CHECK(one["parameters"][6]["from"] == 0);
+
+  const Ran wrong = shell("isect list ray-spere");
+  CHECK(wrong.status == 2);
+  CHECK_THAT(wrong.err, Contains("lesson") && Contains("mean \"ray-sphere\""));
+  for (const char* lesson : {"relations", "robustness", "obb-obb", "culling"}) {
+    INFO(lesson);
+    CHECK(widest(shell(std::string("isect list ") + lesson).out) <= 80);
+  }
+}
+
+TEST_CASE("explain tells a step in eighty columns", "[explain]") {
+  const Shell shell;
+  const Ran r = shell("isect explain ray-sphere --step 8");
+  CHECK(r.status == 0);
+  CHECK(r.err.empty());
+  CHECK_THAT(r.out, Contains("Step 8 of 12: Which root comes first?") && Contains("▸ 10  if l² > r²") &&
+                        Contains("q = 1.0837") && Contains("Question:") && Contains("Answer: s − q"));
+  CHECK(widest(r.out) <= 80);
+  CHECK_THAT(r.out, !Contains("**") && !Contains("_{"));  // no markup
+}
+
+TEST_CASE("explain tells every step of every preset", "[explain]") {
+  const Shell shell;
+  for (const std::string preset : {"two-roots", "tangent-quadratic", "miss-half-b", "surface-out"}) {
+    INFO(preset);
+    const Ran r = shell("isect explain ray-sphere --preset " + preset);
+    CHECK(r.status == 0);
+    CHECK_THAT(r.out, Contains("Step 1 of") && Contains("Verdict:"));
+    CHECK(widest(r.out) <= 80);
+  }
+  CHECK_THAT(shell("isect explain ray-sphere --preset miss").out, !Contains("INTERSECT at"));
+}
+
+TEST_CASE("explain follows changed parameters", "[explain]") {
+  const Shell shell;
+  CHECK_THAT(shell("isect explain ray-sphere --set radius=0.25 --step 3").out, Contains("r² = 0.0625"));
+}
+
+TEST_CASE("explain and show refuse what does not exist", "[explain][show]") {
+  const Shell shell;
+  for (const std::string sub : {"explain", "show"}) {
+    const std::string isect = "isect " + sub;
+    CHECK_THAT(shell(isect + " ray-spere").err, Contains("lesson") && Contains("mean \"ray-sphere\""));
+    CHECK_THAT(shell(isect + " ray-sphere --preset tangnt").err, Contains("preset") && Contains("mean \"tangent\""));
+    for (const std::string step : {"0", "13", "-1", "x", "1.5"}) {
+      INFO(step);
+      const Ran r = shell(isect + " ray-sphere --step " + step);
+      CHECK(r.status == 2);
+      CHECK_THAT(r.err, Contains("step") && Contains("1 to 12"));
+    }
+    CHECK_THAT(shell(isect + " ray-sphere --step ''").err, Contains("--step: empty"));
+    CHECK(shell(isect + " ray-sphere ray-sphere").status == 2);
+    CHECK(shell(isect + " ray-sphere --preset all").status == 2);
+  }
+  CHECK(shell("isect show ray-sphere --step all").status == 2);
+  CHECK(shell("isect explain").status == 2);
+}
+
+TEST_CASE("show opens a figure only if isect made it", "[show]") {
+  const Shell shell;
+  shell("isect render ray-sphere --preset tangent --step 3 --format png,svg --set radius=2 --out f");
+  // Nothing is refused but the missing display: the figure's place was understood.
+  CHECK(shell("isect show f/ray-sphere/tangent+radius=2/03-distance.png").status == 77);
+  CHECK(shell("isect show f/ray-sphere/tangent+radius=2/03-distance.svg").status == 77);
+
+  CHECK(shell("isect show nowhere.png").status == 4);
+  const Ran rubbish = shell("echo rubbish >r.png && isect show r.png");
+  CHECK((rubbish.status == 4 || rubbish.status == 2));
+  CHECK_THAT(rubbish.err, Contains("r.png"));
+  const Ran other = shell("echo '<svg xmlns=\"http://www.w3.org/2000/svg\"/>' >o.svg && isect show o.svg");
+  CHECK(other.status == 2);
+  CHECK_THAT(other.err, Contains("o.svg") && Contains("no isect metadata") && Contains("isect show LESSON"));
+}
+
+TEST_CASE("doctor tries each back end and names versions and fonts", "[doctor]") {
+  const Shell shell;
+  const Ran r = shell("isect doctor");
+  CHECK(r.status == 0);
+  CHECK_THAT(r.out, Contains("llvmpipe") && Contains("Mesa") && Contains("Eigen 3.") && Contains("DejaVu Sans") &&
+                        Contains("no window"));
+  CHECK_THAT(shell("DISPLAY=:7 isect doctor").out, Contains("DISPLAY=:7"));
+}
+
+}  // namespace tell_test

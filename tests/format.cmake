@@ -1,0 +1,27 @@
+# Every header and source is as clang-format leaves it. Only the version that Debian 12 has decides: others differ in small
+# things.
+#   cmake -D ROOT=... -D CLANG_FORMAT=... -P format.cmake
+cmake_minimum_required(VERSION 3.22)
+
+set(version "none")
+if(CLANG_FORMAT)
+  execute_process(COMMAND ${CLANG_FORMAT} --version OUTPUT_VARIABLE version OUTPUT_STRIP_TRAILING_WHITESPACE)
+endif()
+if(NOT version MATCHES "version 14\\.")
+  message(STATUS "skipped: needs clang-format 14, found ${version}")
+  return()
+endif()
+foreach(folder app bench core lessons tests viz)
+  file(GLOB_RECURSE found ${ROOT}/${folder}/*.h ${ROOT}/${folder}/*.cpp)
+  list(APPEND files ${found})
+endforeach()
+list(LENGTH files count)
+if(count LESS 500)
+  message(FATAL_ERROR "only ${count} files in ${ROOT}")
+endif()
+execute_process(COMMAND ${CLANG_FORMAT} --dry-run --Werror ${files} RESULT_VARIABLE status ERROR_VARIABLE told)
+if(NOT status EQUAL 0)
+  string(REGEX MATCHALL "[^\n]*error:[^\n]*" places "${told}")
+  list(JOIN places "\n" places)
+  message(FATAL_ERROR "clang-format -i FILE mends these:\n${places}")
+endif()
