@@ -38,7 +38,7 @@ W gap(const Sphere<double, N>& a, const Sphere<double, N>& b, const Radii& radii
 }
 
 /// The sign of |a - b|^2 - (r + s)^2; 1 for NaN and infinite coordinates, near which nothing lies. Not inlined: the
-/// machine code of the seldom way stays out of the usual one's.
+/// machine code of the rare path stays out of the common one's.
 template <class S, int N, class Trace>
 [[gnu::noinline]] int settled_outer(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trace) {
   if (!finite(a) || !finite(b)) return 1;

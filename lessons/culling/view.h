@@ -43,7 +43,7 @@ viz::Mark mark_of(Culling);
 void add(const Volume&, viz::Role, viz::Scene&);
 /// With the sign of the answer in its middle, and beside it the name of the plane that rejects it.
 void add(const Volume&, const Answer&, viz::Scene&);
-/// The eye, dashed sight lines and the frustum itself.
+/// The eye, dashed lines of sight and the frustum itself.
 void add_view(const Frustum<double>&, const viz::Vec3& eye, viz::Scene&);
 /// One plane's face with its normal.
 void add_plane(const Frustum<double>&, int plane, viz::Scene&);

@@ -1,4 +1,4 @@
-// Picking (N01): which object is under the pointer, by the closest hit of its sight line; bounding volumes first.
+// Picking (N01): which object is under the pointer, by the closest hit along its line of sight; bounding volumes first.
 //
 // The objects stand in picking/objects, the pictures in picking/picture, the eye and the objects' ray tests in
 // sight/sight.
