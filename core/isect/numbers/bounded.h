@@ -22,7 +22,7 @@
 #include <optional>
 
 #include <isect/numbers/filter.h>
-#include <isect/numbers/nought.h>
+#include <isect/numbers/short_exact.h>
 
 namespace isect {
 
@@ -118,7 +118,7 @@ template <std::size_t N>
 template <class W>
 concept Filtered =
     std::same_as<W, Bounded<double>> || std::same_as<W, Bounded<Extended>> || std::same_as<W, Bounded<DoubleDouble>> ||
-    std::same_as<W, Extended> || std::same_as<W, Nought> || std::same_as<W, Exact>;
+    std::same_as<W, Extended> || std::same_as<W, ShortExact> || std::same_as<W, Exact>;
 
 /// x - y of two doubles.
 template <Filtered W>

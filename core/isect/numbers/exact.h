@@ -1,79 +1,229 @@
 #pragma once
-// The exact scalar: m 2^e with an integer m of any size. Sums, differences and products of doubles stay
-// exact.
+// The exact scalar: a whole number in base 2^64, times a power of the base. Sums, differences and products of doubles
+// stay exact.
 
 #include <algorithm>
-#include <boost/multiprecision/cpp_int.hpp>
+#include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <memory>
+#include <utility>
 
 #include <isect/conventions.h>
 
 namespace isect {
 
+namespace detail {
+using Digit = std::uint64_t;
+__extension__ using TwoDigits = unsigned __int128;
+
+/// An array of digits, the least first: up to 16 in place, more on the heap.
+class Digits {
+ public:
+  Digits() = default;
+  explicit Digits(int size) : size_(size) {
+    if (size > in_place) far_ = std::make_unique_for_overwrite<Digit[]>(size);
+  }
+  Digits(const Digits& other) : Digits(other.size_) { std::copy_n(other.data(), size_, data()); }
+  Digits(Digits&& other) noexcept : size_(other.size_), far_(std::move(other.far_)) {
+    if (!far_) std::copy_n(other.near_, size_, near_);
+    other.size_ = 0;
+  }
+  Digits& operator=(const Digits& other) { return *this = Digits(other); }
+  Digits& operator=(Digits&& other) noexcept {
+    size_ = std::exchange(other.size_, 0);
+    far_ = std::move(other.far_);
+    if (!far_) std::copy_n(other.near_, size_, near_);
+    return *this;
+  }
+
+  int size() const { return size_; }
+  Digit* data() { return far_ ? far_.get() : near_; }
+  const Digit* data() const { return far_ ? far_.get() : near_; }
+  /// Only the digits from first to end, not included, stay.
+  void keep(int first, int end) {
+    if (first > 0) std::copy(data() + first, data() + end, data());
+    size_ = end - first;
+  }
+
+ private:
+  static constexpr int in_place = 16;  // 1,024 bits
+  int size_ = 0;
+  std::unique_ptr<Digit[]> far_;
+  Digit near_[in_place];
+};
+}  // namespace detail
+
+/// No heap is needed where the highest and the lowest bit of all numbers on the way are less than 960 places apart.
 class Exact {
  public:
   Exact() = default;
   /// x itself; x must be finite.
-  Exact(double x) {
-    int e = 0;
-    const double fraction = std::frexp(x, &e);  // 53 bits behind the point at most
-    mantissa_ = static_cast<std::int64_t>(std::ldexp(fraction, 53));
-    exponent_ = e - 53;
+  Exact(double x);
+
+  friend Exact operator+(const Exact& x, const Exact& y) { return sum(x, y, y.negative_); }
+  friend Exact operator-(const Exact& x, const Exact& y) { return sum(x, y, !y.negative_); }
+  friend Exact operator*(const Exact& x, const Exact& y);
+  friend Exact operator-(Exact x) {
+    x.negative_ = !x.negative_;
+    return x;
   }
 
-  friend Exact operator*(const Exact& x, const Exact& y) {
-    return {x.mantissa_ * y.mantissa_, x.exponent_ + y.exponent_};
+  friend Exact abs(Exact x) {
+    x.negative_ = false;
+    return x;
   }
-  friend Exact operator+(const Exact& x, const Exact& y) {
-    if (x.sign() == 0) return y;
-    if (y.sign() == 0) return x;
-    if (x.exponent_ < y.exponent_) return y + x;
-    return {(x.mantissa_ << (x.exponent_ - y.exponent_)) + y.mantissa_, y.exponent_};
-  }
-  friend Exact operator-(const Exact& x) { return {-x.mantissa_, x.exponent_}; }
-  friend Exact operator-(const Exact& x, const Exact& y) { return x + (-y); }
-
-  friend Exact abs(const Exact& x) { return x.sign() < 0 ? -x : x; }
-  friend Exact ldexp(const Exact& x, int exponent) { return {x.mantissa_, x.exponent_ + exponent}; }
+  friend Exact ldexp(const Exact& x, int exponent) { return x * power(exponent); }
   /// The greatest e with 2^e <= |x|, x != 0.
-  friend int ilogb(const Exact& x) { return bits(x.mantissa_) - 1 + x.exponent_; }
+  friend int ilogb(const Exact& x) { return 64 * x.end() - 1 - std::countl_zero(x.digit(x.end() - 1)); }
 
-  int sign() const { return mantissa_.sign(); }
+  int sign() const { return size() == 0 ? 0 : negative_ ? -1 : 1; }
   /// The nearest double, infinite when there is none.
-  double rounded() const { return quotient(*this, Exact(1.0)); }
+  double rounded() const { return quotient(*this, power(0)); }
 
   /// The square root of x >= 0, truncated to a relative 2^-126.
-  friend Exact sqrt(const Exact& x) {
-    if (x.sign() == 0) return x;
-    int shift = std::max(0, 256 - bits(x.mantissa_));
-    if ((x.exponent_ - shift) % 2 != 0) ++shift;  // an even exponent halves
-    return {boost::multiprecision::sqrt(Integer(x.mantissa_ << shift)), (x.exponent_ - shift) / 2};
-  }
-
+  friend Exact sqrt(const Exact& x);
   /// The double nearest to x / y, y != 0; infinite when too large.
-  friend double quotient(const Exact& x, const Exact& y) {
-    if (x.sign() == 0) return 0;
-    const Integer n = abs(x.mantissa_), d = abs(y.mantissa_);
-    // so that the integer quotient has 63 or 64 bits, or fewer: two behind the last of a subnormal
-    const int shift = std::min(63 + bits(d) - bits(n), x.exponent_ - y.exponent_ + 1076);
-    Integer q, rest;
-    divide_qr(Integer(shift > 0 ? n << shift : n), Integer(shift < 0 ? d << -shift : d), q, rest);
-    const std::uint64_t sticky = rest.is_zero() ? 0 : 1;  // keeps the rounding below right
-    const double leading = static_cast<double>(static_cast<std::uint64_t>(q) | sticky);
-    const double size = std::ldexp(leading, x.exponent_ - y.exponent_ - shift);
-    return x.sign() * y.sign() < 0 ? -size : size;
-  }
+  friend double quotient(const Exact& x, const Exact& y);
 
  private:
-  using Integer = boost::multiprecision::cpp_int;
+  using Digit = detail::Digit;
+  using TwoDigits = detail::TwoDigits;
 
-  Exact(Integer mantissa, int exponent) : mantissa_(std::move(mantissa)), exponent_(exponent) {}
+  /// `size` digits to be written, the first of which counts 2^(64 first).
+  Exact(int size, int first, bool negative) : digits_(size), first_(first), negative_(negative) {}
 
-  static int bits(const Integer& m) { return static_cast<int>(msb(abs(m))) + 1; }
+  /// 2^exponent.
+  static Exact power(int exponent) {
+    Exact x(1, exponent >> 6, false);
+    x.digits_.data()[0] = Digit{1} << (exponent & 63);
+    return x;
+  }
+  /// x + y, or x - |y| where the sign given for y says so.
+  static Exact sum(const Exact& x, const Exact& y, bool negative_y);
 
-  Integer mantissa_ = 0;
-  int exponent_ = 0;
+  int size() const { return digits_.size(); }
+  int end() const { return first_ + size(); }
+  /// The digit that counts 2^(64 i).
+  Digit digit(int i) const { return first_ <= i && i < end() ? digits_.data()[i - first_] : 0; }
+  /// |x| / 2^(64 (end() - 2)), within a relative 2^-52.
+  double leading() const {
+    return static_cast<double>(static_cast<TwoDigits>(digit(end() - 1)) << 64 | digit(end() - 2));
+  }
+  /// x + y + carry, or x - y - carry, and what is carried on.
+  static Digit add(Digit x, Digit y, Digit& carry) {
+    const TwoDigits sum = static_cast<TwoDigits>(x) + y + carry;
+    carry = static_cast<Digit>(sum >> 64);
+    return static_cast<Digit>(sum);
+  }
+  static Digit subtract(Digit x, Digit y, Digit& carry) {
+    const TwoDigits rest = static_cast<TwoDigits>(x) - y - carry;
+    carry = static_cast<Digit>(rest >> 64) & 1;
+    return static_cast<Digit>(rest);
+  }
+  /// Drops the zeros at both ends.
+  Exact& trim();
+
+  detail::Digits digits_;
+  int first_ = 0;
+  bool negative_ = false;
 };
+
+inline Exact::Exact(double x) : digits_(2), negative_(x < 0) {
+  const std::uint64_t bits = std::bit_cast<std::uint64_t>(x);
+  const int field = static_cast<int>(bits >> 52 & 0x7ff);
+  const Digit fraction = bits & ((Digit{1} << 52) - 1);
+  const Digit mantissa = field == 0 ? fraction : fraction | Digit{1} << 52;
+  const int exponent = std::max(field, 1) - 1075;  // |x| = mantissa 2^exponent
+  const TwoDigits both = static_cast<TwoDigits>(mantissa) << (exponent & 63);
+  first_ = exponent >> 6;
+  digits_.data()[0] = static_cast<Digit>(both);
+  digits_.data()[1] = static_cast<Digit>(both >> 64);
+  trim();
+}
+
+inline Exact& Exact::trim() {
+  const Digit* const digits = digits_.data();
+  int low = 0, high = size();
+  while (high > 0 && digits[high - 1] == 0) --high;
+  while (low < high && digits[low] == 0) ++low;
+  digits_.keep(low, high);
+  first_ += low;
+  return *this;
+}
+
+inline Exact Exact::sum(const Exact& x, const Exact& y, bool negative_y) {
+  if (y.size() == 0) return x;
+  if (x.size() == 0) return negative_y == y.negative_ ? y : -y;
+
+  const int first = std::min(x.first_, y.first_), end = std::max(x.end(), y.end()) + 1, size = end - first;
+  Exact result(size, first, x.negative_);
+  Digit* const digits = result.digits_.data();
+  std::fill_n(digits, size, 0);
+  std::copy_n(x.digits_.data(), x.size(), digits + (x.first_ - first));
+
+  const Digit* const other = y.digits_.data();
+  Digit carry = 0;
+  int i = y.first_ - first;
+  if (x.negative_ == negative_y) {
+    for (int j = 0; j < y.size(); ++i, ++j) digits[i] = add(digits[i], other[j], carry);
+    for (; carry != 0; ++i) digits[i] = add(digits[i], 0, carry);
+  } else {
+    for (int j = 0; j < y.size(); ++i, ++j) digits[i] = subtract(digits[i], other[j], carry);
+    for (; carry != 0 && i < size; ++i) digits[i] = subtract(digits[i], 0, carry);
+    if (carry != 0) {  // |y| is the larger: what stands there is the difference to the base's next power
+      result.negative_ = negative_y;
+      carry = 0;
+      for (i = 0; i < size; ++i) digits[i] = subtract(0, digits[i], carry);
+    }
+  }
+  return result.trim();
+}
+
+inline Exact operator*(const Exact& x, const Exact& y) {
+  if (x.size() == 0 || y.size() == 0) return {};
+  Exact result(x.size() + y.size(), x.first_ + y.first_, x.negative_ != y.negative_);
+  const detail::Digit *const a = x.digits_.data(), *const b = y.digits_.data();
+  detail::Digit* const digits = result.digits_.data();
+  std::fill_n(digits, y.size(), 0);
+  for (int i = 0; i < x.size(); ++i) {
+    detail::Digit carry = 0;
+    for (int j = 0; j < y.size(); ++j) {
+      const detail::TwoDigits p = static_cast<detail::TwoDigits>(a[i]) * b[j] + digits[i + j] + carry;
+      digits[i + j] = static_cast<detail::Digit>(p), carry = static_cast<detail::Digit>(p >> 64);
+    }
+    digits[i + y.size()] = carry;
+  }
+  return result.trim();
+}
+
+inline double quotient(const Exact& x, const Exact& y) {
+  if (x.size() == 0) return 0;
+  // Doubles above 0 are ordered as their bits are. Whether |x / y| rounds to a larger double than that of these bits:
+  const auto rounds_beyond = [&x, &y](std::uint64_t bits) {
+    const double most = std::numeric_limits<double>::max(), d = std::bit_cast<double>(bits);
+    const double gap = d < most ? std::bit_cast<double>(bits + 1) - d : 0x1p971;
+    const int side = (abs(x) - (Exact(d) + ldexp(Exact(gap), -1)) * abs(y)).sign();
+    return side > 0 || (side == 0 && bits % 2 != 0);  // a tie goes to the even one
+  };
+  // A few units from it at most: the leading digits' quotient.
+  const double guess = std::ldexp(x.leading() / y.leading(), 64 * (x.end() - y.end()));
+  std::uint64_t bits = std::bit_cast<std::uint64_t>(std::min(guess, std::numeric_limits<double>::max()));
+  while (std::isfinite(std::bit_cast<double>(bits)) && rounds_beyond(bits)) ++bits;
+  while (bits > 0 && !rounds_beyond(bits - 1)) --bits;
+  return x.negative_ == y.negative_ ? std::bit_cast<double>(bits) : -std::bit_cast<double>(bits);
+}
+
+inline Exact sqrt(const Exact& x) {
+  if (x.sign() == 0) return x;
+  const int half = ilogb(x) >> 1;
+  const Exact scaled = ldexp(x, -2 * half);  // 1 <= scaled < 4
+  // Newton's steps, each by a quotient rounded to a double: the error falls from 2^-52 to 2^-102 to 2^-154.
+  Exact root = std::sqrt(scaled.rounded());
+  for (int steps = 0; steps < 2; ++steps) root = root + quotient(scaled - root * root, root + root);
+  if ((scaled - root * root).sign() != 0) root = root - Exact(0x1p-130);
+  return ldexp(root, half);
+}
 
 }  // namespace isect

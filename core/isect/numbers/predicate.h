@@ -5,10 +5,10 @@
 //
 //   sign_of([&]<class W>() -> W { return difference<W>(a[0], c[0]) * difference<W>(b[1], c[1]) - ...; })
 //
-// It runs in Bounded<double>, whose proved error bound settles nearly every sign, else in Nought, which sees sums of
-// zeros, in Bounded<DoubleDouble>, and at last in Exact, where every sign is certain. So the algorithms above read like
-// the book's, branch on true signs alone, and are right for all finite input of any magnitude. Arguments must be
-// finite.
+// It runs in Bounded<double>, whose proved error bound settles nearly every sign, else in ShortExact, which is exact as
+// far as 127 bits go, in Bounded<DoubleDouble>, and at last in Exact, where every sign is certain. So the algorithms
+// above read like the book's, branch on true signs alone, and are right for all finite input of any magnitude.
+// Arguments must be finite.
 //
 // An algorithm that asks several signs passes its listener on to each, and is run by in_doubles_first: then all of it
 // runs in Bounded<double> once, without a way out at each sign, and is run again only if one of them stayed open.
@@ -26,7 +26,7 @@ namespace detail {
 /// Apart and not inlined: the machine code of the slow path stays out of the fast one's way.
 template <class Text>
 [[gnu::noinline, gnu::cold]] int settled_sign(const Text& text) {
-  if (const std::optional<int> s = text.template operator()<Nought>().sign()) return *s;
+  if (const std::optional<int> s = text.template operator()<ShortExact>().sign()) return *s;
   if (const std::optional<int> s = text.template operator()<Bounded<DoubleDouble>>().sign()) return *s;
   return text.template operator()<Exact>().sign();
 }
