@@ -8,6 +8,7 @@
 
 #include <variant>
 
+#include <isect/parts/frustum_planes.h>
 #include <isect/plane_aabb.h>
 #include <isect/shapes.h>
 #include <isect/trace.h>
@@ -16,11 +17,7 @@ namespace isect {
 
 namespace aabb_frustum {
 
-/// One plane: the box lies beyond it, cuts it, or lies on its inner side, perhaps touching it.
-struct Tested {
-  int plane;
-  Culling side;
-};
+using frustum_planes::Tested;
 using Event = std::variant<Tested, Fallback>;
 
 /// Where the box lies with respect to n.x + d >= 0, by that inequality even where the normal is 0. Finite arguments.
@@ -39,14 +36,8 @@ template <class S, class Trace = NoTrace>
 Culling cull(const Aabb<S, 3>& box, const Frustum<S>& frustum, Trace&& trace = {}) {
   if (empty(box) || !finite(box) || !finite(frustum)) return Culling::outside;
 
-  Culling culling = Culling::inside;
-  for (int i = 0; i < 6; ++i) {
-    const Culling side = aabb_frustum::side(frustum.planes[i], box, trace);
-    trace(aabb_frustum::Tested{i, side});
-    if (side == Culling::outside) return Culling::outside;
-    if (side == Culling::crossing) culling = Culling::crossing;
-  }
-  return culling;
+  const auto side_of = [&](const Plane<S, 3>& plane) { return aabb_frustum::side(plane, box, trace); };
+  return frustum_planes::cull(frustum, side_of, trace);
 }
 
 }  // namespace isect

@@ -9,6 +9,7 @@
 
 #include <variant>
 
+#include <isect/parts/frustum_planes.h>
 #include <isect/plane_sphere.h>
 #include <isect/shapes.h>
 #include <isect/trace.h>
@@ -17,11 +18,7 @@ namespace isect {
 
 namespace sphere_frustum {
 
-/// One plane: the ball lies beyond it, cuts it, or lies on its inner side, perhaps touching it.
-struct Tested {
-  int plane;
-  Culling side;
-};
+using frustum_planes::Tested;
 using Event = std::variant<Tested, plane_sphere::Decision, Fallback>;
 
 /// Where the ball lies with respect to n.x + d >= 0, by that inequality even where the normal is 0. Finite arguments.
@@ -41,14 +38,8 @@ template <class S, class Trace = NoTrace>
 Culling cull(const Sphere<S, 3>& sphere, const Frustum<S>& frustum, Trace&& trace = {}) {
   if (empty(sphere) || !finite(sphere) || !finite(frustum)) return Culling::outside;
 
-  Culling culling = Culling::inside;
-  for (int i = 0; i < 6; ++i) {
-    const Culling side = sphere_frustum::side(frustum.planes[i], sphere, trace);
-    trace(sphere_frustum::Tested{i, side});
-    if (side == Culling::outside) return Culling::outside;
-    if (side == Culling::crossing) culling = Culling::crossing;
-  }
-  return culling;
+  const auto side_of = [&](const Plane<S, 3>& plane) { return sphere_frustum::side(plane, sphere, trace); };
+  return frustum_planes::cull(frustum, side_of, trace);
 }
 
 }  // namespace isect

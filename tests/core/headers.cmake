@@ -12,6 +12,7 @@ set(tested_by
   directions=kdop_polytope
   fit_guess=fit
   fit_tight_guess=fit_tight
+  frustum_planes=aabb_frustum
   index_pair=all_pairs
   instruction_set=batch
   obb_obb_axes=obb_obb

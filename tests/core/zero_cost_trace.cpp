@@ -7,6 +7,7 @@
 #include <isect/ray_sphere_methods.h>
 #elif defined(RELATE)
 #include <isect/aabb_aabb.h>
+#include <isect/aabb_frustum.h>
 #include <isect/interval_interval.h>
 #include <isect/kdop_kdop.h>
 #include <isect/obb_obb.h>
@@ -16,6 +17,7 @@
 #include <isect/point_obb.h>
 #include <isect/point_sphere.h>
 #include <isect/sphere_aabb.h>
+#include <isect/sphere_frustum.h>
 #include <isect/sphere_sphere.h>
 #include <isect/triangle_aabb.h>
 #elif defined(RAYS)
@@ -84,6 +86,8 @@ bool call_accumulate(const Ball& a, const Box& b) { return sphere_aabb::accumula
 bool call(const Kdop<double, 3>& a, const Kdop<double, 3>& b) { return may_intersect(a, b HEAR(kdop_kdop::Event<double>)); }
 Relation call(const Plane<double, 3>& a, const Box& b) { return relate(a, b HEAR(plane_aabb::Event<double, 3>)); }
 Relation call(const Plane<double, 3>& a, const Ball& b) { return relate(a, b HEAR(plane_sphere::Event)); }
+Culling call(const Box& a, const Frustum<double>& b) { return cull(a, b HEAR(aabb_frustum::Event)); }
+Culling call(const Ball& a, const Frustum<double>& b) { return cull(a, b HEAR(sphere_frustum::Event)); }
 Location call(const Point<double, 3>& a, const Box& b) { return locate(a, b HEAR(point_aabb::Event<double>)); }
 Location call(const Point<double, 3>& a, const Ball& b) { return locate(a, b HEAR(point_sphere::Event)); }
 Location call(const Point<double, 3>& a, const Obb<double, 3>& b) { return locate(a, b HEAR(point_obb::Event)); }
