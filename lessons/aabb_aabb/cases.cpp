@@ -3,7 +3,7 @@
 #include <array>
 
 #include <isect/aabb_aabb_methods.h>
-#include "lessons/aabb_aabb/parts.h"
+#include "lessons/aabb_aabb/picture.h"
 #include "lessons/shared/opinions.h"
 
 namespace isect::lessons::aabb_aabb_lesson {

@@ -1,6 +1,7 @@
 #include <algorithm>
 
-#include "lessons/aabb_aabb/parts.h"
+#include "lessons/aabb_aabb/picture.h"
+#include "lessons/shared/axis_names.h"
 #include "viz/solids.h"
 
 namespace isect::lessons::aabb_aabb_lesson {
@@ -9,7 +10,7 @@ using namespace viz;
 
 namespace {
 
-/// The boxes' intervals on one axis, set out before them like a ruler: where on the other two axes it lies.
+/// The boxes' intervals on one axis, drawn in front of them like a ruler: a point of it.
 Vec3 ruler(const Setup& s, int axis, double t, int row) {
   const Box all = s.all();
   const Vec3 size = all.hi - all.lo;
@@ -34,7 +35,7 @@ void rulers(Scene& scene, const Setup& s, int axis) {
   };
   scene.items.push_back(both(common.lo));
   scene.items.push_back(both(common.hi));
-  scene.items.push_back(Label{ruler(s, axis, std::max(a.hi, b.hi), 1), names[axis], Role::text});
+  scene.items.push_back(Label{ruler(s, axis, std::max(a.hi, b.hi), 1), axis_names[axis], Role::text});
 }
 
 /// What the boxes share: a box, a face, an edge or a corner.

@@ -55,9 +55,9 @@ struct Tested {
   std::vector<int> hits;   ///< triangles that meet the window, exactly
 };
 
-class Telling {
+class Teller {
  public:
-  Telling(const Mesh3& mesh, const Vec3& tip, const Vec3& middle, double reach)
+  Teller(const Mesh3& mesh, const Vec3& tip, const Vec3& middle, double reach)
       : mesh_(mesh),
         window_{middle - Vec3::Constant(reach), middle + Vec3::Constant(reach)},
         test_(mesh, window_),
@@ -73,7 +73,7 @@ class Telling {
                 {"tip", Handle::Kind::point, tip, Vec3::Zero(), Role::first}};
   }
 
-  Walk walk() {
+  Walk tell() {
     script_.value("triangles", static_cast<double>(mesh_.triangles.size()));
     add("question", "How much of a lies in b?", 0,
         fmt::format("All of the object, none, or a part? Its {} triangles may all have to be asked.\n"
@@ -176,7 +176,7 @@ class Telling {
 }  // namespace
 
 Walk cheap_first(const Mesh3& mesh, const Vec3& tip, const Vec3& middle, double reach) {
-  return Telling(mesh, tip, middle, reach).walk();
+  return Teller(mesh, tip, middle, reach).tell();
 }
 
 }  // namespace isect::lessons::bounding_volumes_lesson

@@ -34,7 +34,7 @@ class Fit {
                   "void ← volume of the bounding volume − volume of a"},        // 4
                  "four kinds of volume"}) {}
 
-  Walk walk() {
+  Walk tell() {
     script_.value("object", fitted_.object, "volume", Role::first);
     add("object", "An object of many parts", 4,
         fmt::format("A mesh of {} triangles: an exact test may have to ask them all.\n"
@@ -200,6 +200,6 @@ class Fit {
 
 }  // namespace
 
-Walk fit_and_cost(const std::string& name, const Vec3& tip, int k) { return Fit(name, tip, k).walk(); }
+Walk fit_and_cost(const std::string& name, const Vec3& tip, int k) { return Fit(name, tip, k).tell(); }
 
 }  // namespace isect::lessons::bounding_volumes_lesson

@@ -130,7 +130,7 @@ class Page {
       if (from < to) items.push_back(Line{at(x + from, y + from - s), at(x + to, y + to - s), role, Pen::hairline});
     }
   }
-  /// So many small cells, in rows; no more than fit.
+  /// Small cells in rows, as many as fit.
   void cells(double x, double top, std::size_t count) {
     constexpr std::size_t columns = 11, rows = 3;
     constexpr double side = 0.085, step = 0.125;

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include <isect/clip_segment.h>
-#include "lessons/clipping/methods.h"
+#include "lessons/clipping/picture.h"
 
 namespace isect::lessons::clipping_lesson {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <isect/clip_segment.h>
 #include <isect/ray_aabb_methods.h>
-#include "lessons/clipping/methods.h"
+#include "lessons/clipping/picture.h"
 #include "lessons/shared/opinions.h"
 #include "lessons/shared/parameters.h"
 
@@ -55,14 +55,13 @@ std::vector<Preset> presets() {
 }
 
 Parameter vertex(const char* name, const char* help, int index) {
-  return {name, std::string("**") + name + "**", help, flat(polygons[0].points[index]), -1e6, 1e6, -4, 4};
+  return vector(name, std::string("**") + name + "**", help, flat(polygons[0].points[index]));
 }
 
 bool is_segment(const Parameters& values) { return std::get<std::string>(values.at("shape")) == "segment"; }
-Point<double, 2> point(const Parameters& values, const char* name) { return std::get<Vec3>(values.at(name)).head<2>(); }
 
 Walk walk(const Parameters& values) {
-  const auto at = [&](const char* name) { return point(values, name); };
+  const auto at = [&](const char* name) { return flat_point(values, name); };
   const Box box = box_of_lesson();
   if (is_segment(values)) return clip_a_segment({at("p"), at("q")}, box);
   return clip_a_polygon({at("p"), at("q"), at("r"), at("s")}, box);
@@ -71,7 +70,7 @@ Walk walk(const Parameters& values) {
 /// Whether anything of a segment is kept.
 std::vector<Opinion> opinions(const Parameters& values) {
   if (!is_segment(values)) return {};
-  const Segment<double, 2> s = {point(values, "p"), point(values, "q")};
+  const Segment<double, 2> s = {flat_point(values, "p"), flat_point(values, "q")};
   const Box box = box_of_lesson();
   const auto says = [](const auto& kept) { return kept ? "a part is kept" : "nothing is kept"; };
   Opinions all(says(clip(s, box)));

@@ -1,4 +1,4 @@
-#include "lessons/clipping/methods.h"
+#include "lessons/clipping/picture.h"
 
 namespace isect::lessons::clipping_lesson {
 
@@ -21,17 +21,9 @@ Plane<double, 2> half_plane(const Side& s, const Box& box) {
   return {n, s.upper ? box.hi[s.axis] : -box.lo[s.axis]};
 }
 
-Vec3 flat(const Point<double, 2>& p) { return {p.x(), p.y(), 0}; }
-
-std::vector<Vec3> flat(const Ring<double, 2>& ring) {
-  std::vector<Vec3> points;
-  for (const Point<double, 2>& p : ring) points.push_back(flat(p));
-  return points;
-}
-
 Region region(const Box& b) {
   Region r;
-  r.rings = {flat({b.lo, {b.hi.x(), b.lo.y()}, b.hi, {b.lo.x(), b.hi.y()}})};
+  r.rings = {corners(b)};
   return r;
 }
 

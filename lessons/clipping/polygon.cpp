@@ -12,20 +12,6 @@ namespace isect::lessons::clipping_lesson {
 
 using namespace viz;
 
-namespace {
-
-const std::vector<std::string> pseudocode = {
-    "if all vertices lie in the box: return the polygon",              // 0
-    "if all lie beyond one side: return NONE",                         // 1
-    "for each side of the box",                                        // 2
-    "    keep the vertices that are not beyond it",                    // 3
-    "    add the points where edges pass from one side to the other",  // 4
-    "    if none is left: return NONE",                                // 5
-    "return the polygon"                                               // 6
-};
-
-}  // namespace
-
 PolygonTeller::PolygonTeller(const Ring<double, 2>& ring, const Box& box)
     : box_(box),
       truth_(isect::clip(ring, box)),
@@ -33,7 +19,16 @@ PolygonTeller::PolygonTeller(const Ring<double, 2>& ring, const Box& box)
                fmt::format("A polygon of {} vertices and a box. {}", ring.size(),
                            truth_.empty() ? "No part of it lies in the box."
                                           : fmt::format("The part in the box has {} vertices.", truth_.size())),
-               pseudocode, "a polygon"}),
+               {
+                   "if all vertices lie in the box: return the polygon",              // 0
+                   "if all lie beyond one side: return NONE",                         // 1
+                   "for each side of the box",                                        // 2
+                   "    keep the vertices that are not beyond it",                    // 3
+                   "    add the points where edges pass from one side to the other",  // 4
+                   "    if none is left: return NONE",                                // 5
+                   "return the polygon"                                               // 6
+               },
+               "a polygon"}),
       known_{ring, box, ring} {}
 
 Walk PolygonTeller::tell() {

@@ -1,7 +1,7 @@
 #pragma once
 // The walk of a polygon against a box: comparisons first, then a cut at each side.
 
-#include "lessons/clipping/pictures.h"
+#include "lessons/clipping/picture.h"
 #include "lessons/shared/script.h"
 
 namespace isect::lessons::clipping_lesson {

@@ -1,4 +1,4 @@
-// A polygon against a box, one side of it: which vertices go, and which come new.
+// A polygon against a box, one side of it: which vertices go, and which are new.
 
 #include <fmt/format.h>
 
@@ -60,8 +60,7 @@ void PolygonTeller::cut(const Side& side) {
   step.question = {"How many vertices are left after this side?",
                    {},
                    0,
-                   "Old ones beyond go, and each edge that "
-                   "crosses the side gives a new one."};
+                   "Old ones beyond go, and each edge that crosses the side gives a new one."};
   choices(*step.question, static_cast<int>(cut.before.size()), static_cast<int>(known_.ring.size()));
 }
 

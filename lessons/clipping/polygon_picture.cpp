@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lessons/clipping/pictures.h"
+#include "lessons/clipping/picture.h"
 
 namespace isect::lessons::clipping_lesson {
 

@@ -11,26 +11,23 @@ namespace isect::lessons::clipping_lesson {
 using namespace viz;
 using C = Counted<double>;
 
-namespace {
-
-const std::vector<std::string> pseudocode = {
-    "if p and q lie in the box: return [0, 1]",                    // 0
-    "if p and q lie beyond one side: return NONE",                 // 1
-    "[t_in, t_out] ← [0, 1]; for each side, with inner normal n",  // 2
-    "    if n · d = 0: return NONE if p lies beyond it",           // 3
-    "    t ← where the line crosses the side",                     // 4
-    "    if n · d > 0: t_in ← max(t_in, t)",                       // 5
-    "    if n · d < 0: t_out ← min(t_out, t)",                     // 6
-    "    if t_in > t_out: return NONE",                            // 7
-    "return [t_in, t_out]"                                         // 8
-};
-
-}  // namespace
-
 SegmentTeller::SegmentTeller(const Segment<double, 2>& segment, const Box& box)
     : box_(box),
       truth_(isect::clip(segment, box)),
-      script_({"Note, N01; Liang and Barsky (1984)", alt(), pseudocode, "a segment"}),
+      script_({"Note, N01; Liang and Barsky (1984)",
+               alt(),
+               {
+                   "if p and q lie in the box: return [0, 1]",                    // 0
+                   "if p and q lie beyond one side: return NONE",                 // 1
+                   "[t_in, t_out] ← [0, 1]; for each side, with inner normal n",  // 2
+                   "    if n · d = 0: return NONE if p lies beyond it",           // 3
+                   "    t ← where the line crosses the side",                     // 4
+                   "    if n · d > 0: t_in ← max(t_in, t)",                       // 5
+                   "    if n · d < 0: t_out ← min(t_out, t)",                     // 6
+                   "    if t_in > t_out: return NONE",                            // 7
+                   "return [t_in, t_out]"                                         // 8
+               },
+               "a segment"}),
       known_{segment, box} {}
 
 Walk SegmentTeller::tell() {

@@ -2,7 +2,7 @@
 // The walk of a segment against a box: comparisons first, then a range of t that narrows side by side.
 
 #include <isect/clip_segment.h>
-#include "lessons/clipping/pictures.h"
+#include "lessons/clipping/picture.h"
 #include "lessons/shared/script.h"
 
 namespace isect::lessons::clipping_lesson {

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "lessons/clipping/pictures.h"
+#include "lessons/clipping/picture.h"
 
 namespace isect::lessons::clipping_lesson {
 

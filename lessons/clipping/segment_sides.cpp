@@ -12,7 +12,7 @@ using namespace viz;
 
 namespace {
 
-/// An unchanged end is told at the line that computes t, so that this too is stepped on.
+/// An end that stays is shown at the line that computes t, so that this line is reached too.
 int line_of(int heading, bool narrowed) {
   if (heading == 0) return 3;
   if (!narrowed) return 4;

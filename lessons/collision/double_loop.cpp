@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <isect/all_pairs.h>
-#include "lessons/collision/teller.h"
+#include "lessons/collision/telling.h"
 
 namespace isect::lessons::collision_lesson {
 

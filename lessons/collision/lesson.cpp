@@ -2,10 +2,9 @@
 // miss.
 //
 // Each way stands in a file of its own, collision/double_loop, sweep and hierarchy; the boxes and their picture in
-// collision/boxes, the moving ones in collision/tunnelling.
+// collision/picture, the moving box in collision/tunnelling.
 
-#include "lessons/collision/methods.h"
-#include "lessons/collision/tunnelling.h"
+#include "lessons/collision/telling.h"
 #include "lessons/shared/parameters.h"
 
 namespace isect::lessons {
@@ -46,8 +45,8 @@ const Lesson& collision() {
         .summary = "All pairs of boxes that overlap, in three ways, and what discrete times miss.",
         .parameters = {choice("method", "method", "How pairs are found, or one moving box.",
                               {"brute-force", "sweep", "hierarchy", "motion"}),
-                       {"p", "**p**", "The centre of box 0 or of the moving box; its third coordinate is not used.",
-                        near, -1e6, 1e6, -4, 4},
+                       vector("p", "**p**",
+                              "The centre of box 0 or of the moving box; its third coordinate is not used.", near),
                        {"speed", "speed", "Of the moving box, in world units a second.", 4.0, 0, 1e6, 0, 8}},
         .group_by = "method",
         .presets = presets,

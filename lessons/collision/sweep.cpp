@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <isect/all_pairs.h>
-#include "lessons/collision/teller.h"
+#include "lessons/collision/telling.h"
 
 namespace isect::lessons::collision_lesson {
 
@@ -52,7 +52,7 @@ class Sweep : Teller {
     drawn_.sweeping = axis_ == 0;
   }
 
-  /// The plane reaches a box; told after what it leaves.
+  /// The plane reaches a box; shown after the boxes that it leaves.
   void enter(int box) {
     if (!fresh_) return;
     fresh_ = false;

@@ -1,9 +1,8 @@
-#include "lessons/collision/tunnelling.h"
+#include "lessons/collision/telling.h"
 
 #include <fmt/format.h>
 
 #include <isect/motion.h>
-#include "lessons/shared/script.h"
 
 namespace isect::lessons::collision_lesson {
 
@@ -17,11 +16,10 @@ constexpr int times = 6;
 
 Region region(const Box& b, Role role) {
   Region r;
-  r.rings = {{{b.lo.x(), b.lo.y(), 0}, {b.hi.x(), b.lo.y(), 0}, {b.hi.x(), b.hi.y(), 0}, {b.lo.x(), b.hi.y(), 0}}};
+  r.rings = {corners(b)};
   r.role = role;
   return r;
 }
-Vec3 middle(const Box& b) { return {(b.lo.x() + b.hi.x()) / 2, (b.lo.y() + b.hi.y()) / 2, 0}; }
 
 class Flight {
  public:

@@ -125,9 +125,7 @@ class Coarsening {
 
   static constexpr Index told = 1;  ///< of the search, beside the coarsest and the finest
 
-  const Triangle& found(Index k) const {
-    return h_.levels[h_.levels.size() - 1 - k].triangles[static_cast<Index>(drawn_.path[k])];
-  }
+  const Triangle& found(Index k) const { return h_.levels[h_.levels.size() - 1 - k].triangles[drawn_.path[k]]; }
   const Setup& s_;
   const Hierarchy h_;
   Script script_;

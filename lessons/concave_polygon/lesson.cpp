@@ -2,8 +2,7 @@
 // they keep.
 
 #include <isect/slab_map_methods.h>
-#include "lessons/concave_polygon/setup.h"
-#include "lessons/shared/opinions.h"
+#include "lessons/concave_polygon/picture.h"
 #include "lessons/shared/parameters.h"
 
 namespace isect::lessons {
@@ -35,17 +34,13 @@ Walk walk(const Parameters& values) {
   return method == "trapezoids" ? trapezoids(setup) : hierarchy(setup);
 }
 
-/// A yes/no method cannot say "on the boundary": either answer will do there.
 std::vector<Opinion> opinions(const Parameters& values) {
   using slab_map::Abscissa, slab_map::make_naive_slabs;
   const Setup s(std::get<std::string>(values.at("polygon")), std::get<Vec3>(values.at("p")));
-  Opinions all(s.truth == Location::on ? "on the boundary" : s.truth == Location::in ? "inside" : "outside");
-  const auto ask = [&](const std::string& method, bool inside) {
-    all.add(method, inside ? "inside" : "outside", s.truth == Location::on || inside == (s.truth == Location::in));
-  };
-  ask("slabs, *x* = *m* *y* + *k*", slabs_naive(s.p, make_naive_slabs(s.ring, Abscissa::line)));
-  ask("slabs, interpolated", slabs_naive(s.p, make_naive_slabs(s.ring, Abscissa::interpolated)));
-  ask("crossings, every edge", point_polygon::crossings_naive(s.p, s.ring));
+  LocationOpinions all(s.truth);
+  all.add("slabs, *x* = *m* *y* + *k*", slabs_naive(s.p, make_naive_slabs(s.ring, Abscissa::line)));
+  all.add("slabs, interpolated", slabs_naive(s.p, make_naive_slabs(s.ring, Abscissa::interpolated)));
+  all.add("crossings, every edge", point_polygon::crossings_naive(s.p, s.ring));
   return all.take();
 }
 
@@ -59,8 +54,8 @@ const Lesson& concave_polygon() {
       .summary = "Whether a point lies in a concave polygon, in O(lg n) after preparing it in three ways.",
       .parameters = {choice("method", "method", "How the polygon is prepared.", {"slabs", "trapezoids", "hierarchy"}),
                      choice("polygon", "polygon", "With bays, or with long spikes.", {"concave", "spiky"}),
-                     {"p", "**p**", "The point, in world units; its third coordinate is not used.", Vec3(-0.875, 1, 0),
-                      -1e6, 1e6, -4, 4}},
+                     vector("p", "**p**", "The point, in world units; its third coordinate is not used.",
+                            Vec3(-0.875, 1, 0))},
       .group_by = "method",
       .presets = presets(),
       .camera = {.azimuth = 0, .elevation = 0},

@@ -8,28 +8,26 @@ namespace {
 
 using Index = std::size_t;
 
-class Picture {
+class LevelPicture {
  public:
-  Picture(const Setup& setup, const Hierarchy& hierarchy, const DrawnLevel& drawn)
+  LevelPicture(const Setup& setup, const Hierarchy& hierarchy, const DrawnLevel& drawn)
       : s_(setup), h_(hierarchy), d_(drawn) {}
 
   Scene all(Index level) const {
     const std::vector<Triangle>& triangles = h_.levels[level].triangles;
     Scene scene;
     scene.items.emplace_back(polygon(s_, level == 0));
-    for (const int k : d_.linked)
-      scene.items.emplace_back(filled(outline(triangles[static_cast<Index>(k)]), Role::highlight));
+    for (const int k : d_.linked) scene.items.emplace_back(filled(outline(triangles[k]), Role::highlight));
     for (const Triangle& t : triangles)
       scene.items.emplace_back(Chain{outline(t), true, Role::construction, level == 0 ? Pen::hairline : Pen::solid});
     if (d_.here >= 0) {
-      Region region = filled(outline(triangles[static_cast<Index>(d_.here)]), !d_.done                    ? Role::first
-                                                                              : s_.truth == Location::out ? Role::miss
-                                                                                                          : Role::hit);
+      Region region = filled(outline(triangles[d_.here]), !d_.done                    ? Role::first
+                                                          : s_.truth == Location::out ? Role::miss
+                                                                                      : Role::hit);
       region.outlined = true, region.pen = Pen::thick;
       scene.items.emplace_back(region);
     }
-    for (const int v : d_.gone)
-      scene.items.emplace_back(Dot{flat(h_.vertices[static_cast<Index>(v)]), Mark::cross, Role::miss});
+    for (const int v : d_.gone) scene.items.emplace_back(Dot{flat(h_.vertices[v]), Mark::cross, Role::miss});
     table(scene, level);
     add_point(scene, s_, d_.done && s_.truth == Location::on);
     return scene;
@@ -79,7 +77,7 @@ class Picture {
 }  // namespace
 
 Scene picture(const Setup& setup, const Hierarchy& hierarchy, const DrawnLevel& drawn, std::size_t level) {
-  return Picture(setup, hierarchy, drawn).all(level);
+  return LevelPicture(setup, hierarchy, drawn).all(level);
 }
 
 }  // namespace isect::lessons::concave_polygon_lesson

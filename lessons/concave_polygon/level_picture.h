@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "lessons/concave_polygon/setup.h"
+#include "lessons/concave_polygon/picture.h"
 #include "lessons/concave_polygon/triangles.h"
 
 namespace isect::lessons::concave_polygon_lesson {

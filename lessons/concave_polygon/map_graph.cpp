@@ -15,8 +15,6 @@ namespace {
 
 using Index = std::size_t;
 
-const Node& node_of(const TrapezoidMap& map, int i) { return map.nodes[static_cast<Index>(i)]; }
-
 void add_mark(Scene& scene, const Vec3& at, Ask ask, Role role, double size) {
   if (ask == Ask::vertex) {
     scene.items.emplace_back(Circle{at, size / 2, role, Pen::solid, true});
@@ -47,7 +45,7 @@ class Layout {
  private:
   double place(int i) {
     if (const auto it = x_.find(i); it != x_.end()) return it->second;
-    const Node& n = node_of(map_, i);
+    const Node& n = map_.nodes[i];
     const double x = n.ask == Ask::nothing ? leaves_++ : (place(n.first) + place(n.second)) / 2;
     return x_[i] = x;
   }
@@ -80,13 +78,13 @@ class Layout {
 void add_graph(Scene& scene, const TrapezoidMap& map, bool named) {
   const Layout layout(map);
   for (const auto& [i, _] : layout.all()) {
-    const Node& n = node_of(map, i);
+    const Node& n = map.nodes[i];
     if (n.ask == Ask::nothing) continue;
     for (const int next : {n.first, n.second})
       scene.items.emplace_back(Line{layout.at(i), layout.at(next), Role::construction, Pen::hairline});
   }
   for (const auto& [i, _] : layout.all()) {
-    const Node& n = node_of(map, i);
+    const Node& n = map.nodes[i];
     add_mark(scene, layout.at(i), n.ask, n.ask == Ask::nothing ? Role::second : Role::first, named ? 0.14 : 0.1);
     if (named && n.ask != Ask::nothing) scene.items.emplace_back(Label{layout.at(i), name(n), Role::first});
   }
@@ -95,7 +93,7 @@ void add_graph(Scene& scene, const TrapezoidMap& map, bool named) {
 void add_path(Scene& scene, const TrapezoidMap& map, const std::vector<Asked>& path) {
   const double x = frame.table + 0.3, top = 1.4, pitch = 0.36, stub = 0.22;
   for (Index k = 0; k < path.size(); ++k) {
-    const Node& n = node_of(map, path[k].node);
+    const Node& n = map.nodes[path[k].node];
     const double y = top - pitch * static_cast<double>(k);
     const bool last = k + 1 == path.size();
     if (n.ask == Ask::nothing) {

@@ -16,12 +16,10 @@ namespace {
 
 using Index = std::size_t;
 
-const Node& node_of(const TrapezoidMap& map, int i) { return map.nodes[static_cast<Index>(i)]; }
-
 /// The height of a piece at an abscissa, for drawing.
 double height(const TrapezoidMap& map, int piece, double x, double none) {
   if (piece < 0) return none;
-  const PolygonPieces::Piece& s = map.boundary.pieces[static_cast<Index>(piece)];
+  const PolygonPieces::Piece& s = map.boundary.pieces[piece];
   const Point<double, 2>&a = map.boundary.vertex(s.low), &b = map.boundary.vertex(s.high);
   return a.y() + (x - a.x()) / (b.x() - a.x()) * (b.y() - a.y());
 }
@@ -35,9 +33,9 @@ void visit(const TrapezoidMap& map, int i, int depth, std::map<int, int>& depths
   const auto [it, fresh] = depths.emplace(i, depth);
   if (!fresh && it->second >= depth) return;
   it->second = depth;
-  if (node_of(map, i).ask == Ask::nothing) return;
-  visit(map, node_of(map, i).first, depth + 1, depths);
-  visit(map, node_of(map, i).second, depth + 1, depths);
+  if (map.nodes[i].ask == Ask::nothing) return;
+  visit(map, map.nodes[i].first, depth + 1, depths);
+  visit(map, map.nodes[i].second, depth + 1, depths);
 }
 
 }  // namespace
@@ -51,13 +49,13 @@ std::map<int, int> depths(const TrapezoidMap& map, int root) {
 std::vector<int> reachable(const TrapezoidMap& map, int node) {
   std::vector<int> all;
   for (const auto& [i, _] : depths(map, node))
-    if (node_of(map, i).ask == Ask::nothing) all.push_back(node_of(map, i).index);
+    if (map.nodes[i].ask == Ask::nothing) all.push_back(map.nodes[i].index);
   return all;
 }
 
 Sizes sizes(const TrapezoidMap& map) {
   Sizes s = {0, 0};
-  for (const auto& [i, _] : depths(map)) ++(node_of(map, i).ask == Ask::nothing ? s.trapezoids : s.questions);
+  for (const auto& [i, _] : depths(map)) ++(map.nodes[i].ask == Ask::nothing ? s.trapezoids : s.questions);
   return s;
 }
 
@@ -75,7 +73,7 @@ Region trapezoid(const TrapezoidMap& map, const TrapezoidMap::Trapezoid& t, Role
 void add_walls(Scene& scene, const TrapezoidMap& map) {
   std::set<std::pair<double, std::pair<double, double>>> drawn;
   for (const int i : reachable(map, 0)) {
-    const TrapezoidMap::Trapezoid& t = map.trapezoids[static_cast<Index>(i)];
+    const TrapezoidMap::Trapezoid& t = map.trapezoids[i];
     for (const int v : {t.left, t.right}) {
       if (v < 0 || v >= static_cast<int>(map.boundary.vertices.size())) continue;
       const double x = wall(map, v), below = height(map, t.bottom, x, frame.low),
@@ -88,7 +86,7 @@ void add_walls(Scene& scene, const TrapezoidMap& map) {
 }
 
 Line edge(const TrapezoidMap& map, int piece, Role role, Pen pen) {
-  const PolygonPieces::Piece& s = map.boundary.pieces[static_cast<Index>(piece)];
+  const PolygonPieces::Piece& s = map.boundary.pieces[piece];
   return {flat(map.boundary.vertex(s.low)), flat(map.boundary.vertex(s.high)), role, pen};
 }
 
@@ -111,11 +109,11 @@ Scene searched(const Setup& s, const TrapezoidMap& map, const std::vector<Asked>
   scene.items.emplace_back(polygon(s, false));
   if (next >= 0)
     for (const int t : reachable(map, next))
-      scene.items.emplace_back(trapezoid(map, map.trapezoids[static_cast<Index>(t)], Role::highlight));
+      scene.items.emplace_back(trapezoid(map, map.trapezoids[t], Role::highlight));
   add_walls(scene, map);
   for (int piece = 0; piece < static_cast<int>(map.boundary.pieces.size()); ++piece)
     scene.items.emplace_back(edge(map, piece, Role::second, Pen::solid));
-  const TrapezoidMap::Node& node = map.nodes[static_cast<Index>(path.back().node)];
+  const TrapezoidMap::Node& node = map.nodes[path.back().node];
   if (node.ask == TrapezoidMap::Ask::piece) {
     scene.items.emplace_back(edge(map, node.index, Role::text, Pen::thick));
     const Line l = edge(map, node.index, Role::text, Pen::thick);
@@ -134,8 +132,7 @@ Scene found(const Setup& s, const TrapezoidMap& map, const std::vector<Asked>& p
   Scene scene;
   scene.items.emplace_back(polygon(s));
   if (reached >= 0)
-    scene.items.emplace_back(
-        trapezoid(map, map.trapezoids[static_cast<Index>(reached)], s.truth == Location::in ? Role::hit : Role::miss));
+    scene.items.emplace_back(trapezoid(map, map.trapezoids[reached], s.truth == Location::in ? Role::hit : Role::miss));
   add_walls(scene, map);
   add_path(scene, map, path);
   return scene;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <isect/trapezoid_map.h>
-#include "lessons/concave_polygon/setup.h"
+#include "lessons/concave_polygon/picture.h"
 
 namespace isect::lessons::concave_polygon_lesson {
 

@@ -10,9 +10,9 @@ namespace {
 
 using Index = std::size_t;
 
-class Picture {
+class SlabPicture {
  public:
-  Picture(const Setup& setup, const SlabMap& map, const DrawnSlabs& drawn) : s_(setup), map_(map), d_(drawn) {}
+  SlabPicture(const Setup& setup, const SlabMap& map, const DrawnSlabs& drawn) : s_(setup), map_(map), d_(drawn) {}
 
   Scene all() const {
     Scene scene;
@@ -29,9 +29,9 @@ class Picture {
           viz::Heading{{frame.left - (k % 2 == 0 ? 0.12 : 0.3), y, 0}, std::to_string(k + 1), Role::text, 0.2});
     }
     if (d_.asked >= 0) {
-      const SlabMap::Edge& e = map_.edges[static_cast<Index>(d_.asked)];
-      scene.items.emplace_back(Line{flat(map_.vertices[static_cast<Index>(e.lower)]),
-                                    flat(map_.vertices[static_cast<Index>(e.upper)]), Role::highlight, Pen::highlight});
+      const SlabMap::Edge& e = map_.edges[d_.asked];
+      scene.items.emplace_back(
+          Line{flat(map_.vertices[e.lower]), flat(map_.vertices[e.upper]), Role::highlight, Pen::highlight});
     }
     if (d_.table) table(scene);
     add_point(scene, s_, d_.done && s_.truth == Location::on);
@@ -40,15 +40,14 @@ class Picture {
 
  private:
   int count() const { return static_cast<int>(map_.slabs.size()) - 2; }
-  const SlabMap::Slab& slab(int i) const { return map_.slabs[static_cast<Index>(i)]; }
+  const SlabMap::Slab& slab(int i) const { return map_.slabs[i]; }
   bool real(int i) const { return i >= 0 && i < count(); }
   Index entries(int i) const { return slab(i + 1).first - slab(i).first; }
 
   /// An edge's abscissa at a height, for drawing.
   double abscissa(int edge, double y) const {
-    const SlabMap::Edge& e = map_.edges[static_cast<Index>(edge)];
-    const Point<double, 2>&a = map_.vertices[static_cast<Index>(e.lower)],
-                        &b = map_.vertices[static_cast<Index>(e.upper)];
+    const SlabMap::Edge& e = map_.edges[edge];
+    const Point<double, 2>&a = map_.vertices[e.lower], &b = map_.vertices[e.upper];
     return a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
   }
 
@@ -95,7 +94,7 @@ class Picture {
 }  // namespace
 
 Scene picture(const Setup& setup, const SlabMap& map, const DrawnSlabs& drawn) {
-  return Picture(setup, map, drawn).all();
+  return SlabPicture(setup, map, drawn).all();
 }
 
 }  // namespace isect::lessons::concave_polygon_lesson

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include <isect/slab_map.h>
-#include "lessons/concave_polygon/setup.h"
+#include "lessons/concave_polygon/picture.h"
 
 namespace isect::lessons::concave_polygon_lesson {
 

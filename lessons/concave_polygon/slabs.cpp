@@ -52,7 +52,7 @@ class Slabs {
 
  private:
   int count() const { return static_cast<int>(map_.slabs.size()) - 2; }
-  const SlabMap::Slab& slab(int i) const { return map_.slabs[static_cast<Index>(i)]; }
+  const SlabMap::Slab& slab(int i) const { return map_.slabs[i]; }
   bool real(int i) const { return i >= 0 && i < count(); }
 
   Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption,

@@ -96,10 +96,9 @@ class Trapezoids {
     Scene scene = grown(s_, now, inserted_, inserted.piece);
     std::vector<Item> cut;
     for (const int i : reachable(before, 0)) {
-      const Trapezoid& t = before.trapezoids[static_cast<Index>(i)];
+      const Trapezoid& t = before.trapezoids[i];
       const std::vector<int> left = reachable(now, 0);
-      const bool stays =
-          std::ranges::any_of(left, [&](int j) { return key(now.trapezoids[static_cast<Index>(j)]) == key(t); });
+      const bool stays = std::ranges::any_of(left, [&](int j) { return key(now.trapezoids[j]) == key(t); });
       if (!stays) cut.emplace_back(trapezoid(before, t, Role::highlight));
     }
     scene.items.insert(scene.items.begin() + 1, cut.begin(), cut.end());
@@ -146,7 +145,7 @@ class Trapezoids {
   void say(const Fallback&) {}
 
   void ask(int side, int line, const std::string& title, const std::string& caption) {
-    const TrapezoidMap::Node& node = map_.nodes[static_cast<Index>(at_)];
+    const TrapezoidMap::Node& node = map_.nodes[at_];
     path_.push_back({at_, side});
     const int next = side < 0 ? node.first : node.second;
     script_.value("questions asked", static_cast<double>(path_.size()));

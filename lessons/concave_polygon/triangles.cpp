@@ -35,7 +35,7 @@ class Clipper {
   }
 
  private:
-  const Point<double, 2>& at(int v) const { return vertices_[static_cast<Index>(v)]; }
+  const Point<double, 2>& at(int v) const { return vertices_[v]; }
 
   bool ear(const Outline& outline, Index i) const {
     const Index n = outline.size();
@@ -110,7 +110,7 @@ Level coarser(const Hierarchy& h, const Level& fine) {
 
 Ring<double, 2> Hierarchy::triangle(const Triangle& t) const {
   Ring<double, 2> ring;
-  for (const int v : t.corners) ring.push_back(vertices[static_cast<Index>(v)]);
+  for (const int v : t.corners) ring.push_back(vertices[v]);
   return ring;
 }
 
@@ -148,12 +148,11 @@ std::vector<int> descend(const Hierarchy& h, const Point<double, 2>& p) {
   std::vector<int> candidates = {0, 1};
   for (Index level = h.levels.size(); level-- > 0;) {
     const auto& triangles = h.levels[level].triangles;
-    const auto found = std::ranges::find_if(candidates, [&](int k) {
-      return locate(p, ConvexPolygon<double>{h.triangle(triangles[static_cast<Index>(k)])}) != Location::out;
-    });
+    const auto found = std::ranges::find_if(
+        candidates, [&](int k) { return locate(p, ConvexPolygon<double>{h.triangle(triangles[k])}) != Location::out; });
     if (found == candidates.end()) return path;
     path.push_back(*found);
-    candidates = triangles[static_cast<Index>(*found)].links;
+    candidates = triangles[*found].links;
   }
   return path;
 }

@@ -5,20 +5,13 @@
 #include <isect/fit.h>
 #include <isect/fit_tight.h>
 #include <isect/volume.h>
+#include "lessons/shared/flat.h"
 
 namespace isect::lessons::convex_hull_lesson {
 
 using namespace viz;
 
 namespace {
-
-Vec3 flat(const Point<double, 2>& p) { return {p.x(), p.y(), 0}; }
-
-std::vector<Vec3> flat(const Ring<double, 2>& ring) {
-  std::vector<Vec3> points;
-  for (const Point<double, 2>& p : ring) points.push_back(flat(p));
-  return points;
-}
 
 void add_bounding(const Ring<double, 2>& points, Bounding what, Scene& scene) {
   if (what == Bounding::ball) {
@@ -27,7 +20,7 @@ void add_bounding(const Ring<double, 2>& points, Bounding what, Scene& scene) {
   }
   if (what == Bounding::aabb) {
     const Aabb<double, 2> box = fit_aabb(points);
-    scene.items.emplace_back(Region{{flat({box.lo, {box.hi.x(), box.lo.y()}, box.hi, {box.lo.x(), box.hi.y()}})}});
+    scene.items.emplace_back(Region{{corners(box)}});
   }
   if (what == Bounding::obb) {
     const Obb<double, 2> box = fit_obb_tight(points);

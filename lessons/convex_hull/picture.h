@@ -18,7 +18,7 @@ struct Drawn {
 };
 viz::Scene picture(const Drawn&);
 
-/// A bounding volume of points as it is told: names, how many numbers keep it, and its area.
+/// A bounding volume of points: its names, how many numbers store it, and its area.
 struct Measured {
   const char *slug, *name;
   std::size_t numbers;
@@ -26,5 +26,7 @@ struct Measured {
 };
 Measured measured(const Ring<double, 2>& points, Bounding);
 double area(const Ring<double, 2>& convex);
+
+viz::Walk tell(const Ring<double, 2>& points);  // telling.cpp
 
 }  // namespace isect::lessons::convex_hull_lesson

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "lessons/convex_polygon/methods.h"
+#include "lessons/convex_polygon/picture.h"
 #include "lessons/shared/script.h"
 
 namespace isect::lessons::convex_polygon_lesson {

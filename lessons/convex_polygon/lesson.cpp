@@ -2,8 +2,7 @@
 // wedges around a centroid.
 
 #include <isect/point_polygon.h>
-#include "lessons/convex_polygon/methods.h"
-#include "lessons/shared/opinions.h"
+#include "lessons/convex_polygon/picture.h"
 #include "lessons/shared/parameters.h"
 
 namespace isect::lessons {
@@ -43,21 +42,15 @@ std::vector<Preset> presets() {
 }
 
 Walk walk(const Parameters& values) {
-  const Vec3& p = std::get<Vec3>(values.at("p"));
-  const Setup setup(std::stoi(std::get<std::string>(values.at("n"))), {p.x(), p.y()});
+  const Setup setup(std::stoi(std::get<std::string>(values.at("n"))), flat_point(values, "p"));
   return std::get<std::string>(values.at("method")) == "fan" ? fan(setup) : centroid(setup);
 }
 
-/// A yes/no method cannot say "on the boundary": either answer will do there.
 std::vector<Opinion> opinions(const Parameters& values) {
-  const Vec3& at = std::get<Vec3>(values.at("p"));
-  const Setup s(std::stoi(std::get<std::string>(values.at("n"))), {at.x(), at.y()});
-  Opinions all(s.truth == Location::on ? "on the boundary" : s.truth == Location::in ? "inside" : "outside");
-  const auto ask = [&](const std::string& method, bool inside) {
-    all.add(method, inside ? "inside" : "outside", s.truth == Location::on || inside == (s.truth == Location::in));
-  };
-  ask("wedges around a centroid", point_convex_polygon::wedge_naive(s.p, s.polygon));
-  ask("crossings, every edge", point_polygon::crossings_naive(s.p, s.polygon.vertices));
+  const Setup s(std::stoi(std::get<std::string>(values.at("n"))), flat_point(values, "p"));
+  LocationOpinions all(s.truth);
+  all.add("wedges around a centroid", point_convex_polygon::wedge_naive(s.p, s.polygon));
+  all.add("crossings, every edge", point_polygon::crossings_naive(s.p, s.polygon.vertices));
   return all.take();
 }
 
@@ -74,8 +67,8 @@ const Lesson& convex_polygon() {
       .parameters = {choice("method", "method", "Wedges from a vertex, or around a centroid.", {"fan", "centroid"}),
                      choice("n", "*n*", "How many vertices the polygon has.", {"4", "5", "12", "64", "1000", "1000000"},
                             2),
-                     {"p", "**p**", "The point, in world units; its third coordinate is not used.", Vec3(0, 0, 0), -1e6,
-                      1e6, -4, 4}},
+                     vector("p", "**p**", "The point, in world units; its third coordinate is not used.",
+                            Vec3(0, 0, 0))},
       .group_by = "method",
       .presets = presets(),
       .camera = {.azimuth = 0, .elevation = 0},

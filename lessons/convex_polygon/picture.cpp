@@ -4,15 +4,14 @@
 #include <map>
 #include <numbers>
 
-#include "lessons/convex_polygon/methods.h"
+#include "lessons/convex_polygon/picture.h"
+#include "lessons/shared/flat.h"
 
 namespace isect::lessons::convex_polygon_lesson {
 
 using namespace viz;
 
 namespace {
-
-Vec3 flat(const Point<double, 2>& p) { return {p.x(), p.y(), 0}; }
 
 /// Kept, since a million vertices take a while; for n = 4 the vertices lie on the axes exactly.
 const ConvexPolygon<double>& polygon_of(int n) {
@@ -30,7 +29,7 @@ const ConvexPolygon<double>& polygon_of(int n) {
   return polygon;
 }
 
-/// The vertices from `from` to `to`, at most so many of them: nobody sees more.
+/// The vertices from `from` to `to`, at most `most`, as more would not be seen.
 std::vector<Vec3> arc(const Setup& s, int from, int to) {
   constexpr int most = 180;
   std::vector<Vec3> points;
@@ -83,15 +82,8 @@ Scene picture(const Setup& s, const Shown& shown) {
   return scene;
 }
 
-std::string verdict_text(Location l) {
-  return l == Location::in ? "IN" : l == Location::on ? "ON the boundary" : "OUT";
-}
-
 std::string alt_text(const Setup& s) {
-  return fmt::format("A convex polygon of {} vertices and a point that lies {}.", s.size(),
-                     s.truth == Location::in   ? "inside"
-                     : s.truth == Location::on ? "on its boundary"
-                                               : "outside");
+  return fmt::format("A convex polygon of {} vertices and a point that lies {}.", s.size(), lies(s.truth));
 }
 
 }  // namespace isect::lessons::convex_polygon_lesson

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <isect/point_polygon_methods.h>
-#include "lessons/crossings/teller.h"
+#include "lessons/crossings/telling.h"
 
 namespace isect::lessons::crossings_lesson {
 

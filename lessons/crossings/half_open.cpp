@@ -3,7 +3,7 @@
 #include <span>
 
 #include <isect/point_polygon.h>
-#include "lessons/crossings/teller.h"
+#include "lessons/crossings/telling.h"
 
 namespace isect::lessons::crossings_lesson {
 

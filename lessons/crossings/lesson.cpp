@@ -4,9 +4,9 @@
 // crossings/half_open and crossings/closed.
 
 #include <isect/point_polygon_methods.h>
-#include "lessons/crossings/rules.h"
 #include "lessons/crossings/situations.h"
-#include "lessons/shared/opinions.h"
+#include "lessons/crossings/telling.h"
+#include "lessons/shared/location.h"
 #include "lessons/shared/parameters.h"
 
 namespace isect::lessons {
@@ -18,10 +18,9 @@ using namespace crossings_lesson;
 std::vector<Parameter> parameters() {
   std::vector<std::string> shapes;
   for (const Situation& s : situations()) shapes.emplace_back(s.id);
-  return {
-      choice("rule", "rule", "What counts as a crossing.", {"half-open", "closed"}),
-      choice("polygon", "polygon", "The polygon, by the situation it belongs to.", shapes),
-      {"p", "**p**", "The point, in world units; its third coordinate is not used.", Vec3(0, 0, 0), -1e6, 1e6, -4, 4}};
+  return {choice("rule", "rule", "What counts as a crossing.", {"half-open", "closed"}),
+          choice("polygon", "polygon", "The polygon, by the situation it belongs to.", shapes),
+          vector("p", "**p**", "The point, in world units; its third coordinate is not used.", Vec3(0, 0, 0))};
 }
 
 std::vector<Preset> presets() {
@@ -36,21 +35,18 @@ std::vector<Preset> presets() {
 }
 
 Walk walk(const Parameters& values) {
-  const Vec3& p = std::get<Vec3>(values.at("p"));
-  const Setup setup(situation(std::get<std::string>(values.at("polygon"))), {p.x(), p.y()});
+  const Setup setup(situation(std::get<std::string>(values.at("polygon"))), flat_point(values, "p"));
   return std::get<std::string>(values.at("rule")) == "closed" ? closed(setup) : half_open(setup);
 }
 
-/// Even-odd answers. A yes/no method cannot say "on the boundary": either answer will do there.
+/// Even-odd answers.
 std::vector<Opinion> opinions(const Parameters& values) {
-  const Vec3& at = std::get<Vec3>(values.at("p"));
-  const Setup s(situation(std::get<std::string>(values.at("polygon"))), {at.x(), at.y()});
-  const Location truth = s.truth.even_odd;
-  Opinions all(truth == Location::on ? "on the boundary" : truth == Location::in ? "inside" : "outside");
+  const Setup s(situation(std::get<std::string>(values.at("polygon"))), flat_point(values, "p"));
+  LocationOpinions all(s.truth.even_odd);
   const auto ask = [&](const std::string& method, auto&& crossings) {
     bool inside = false;
     for (const Ring<double, 2>& ring : s.situation.polygon.rings) inside = inside != crossings(s.p, ring);
-    all.add(method, inside ? "inside" : "outside", truth == Location::on || inside == (truth == Location::in));
+    all.add(method, inside);
   };
   ask("with a division", [](const auto& p, const auto& ring) { return point_polygon::crossings_naive(p, ring); });
   ask("multiplied out", [](const auto& p, const auto& ring) { return point_polygon::crossings_multiplied(p, ring); });

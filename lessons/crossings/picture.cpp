@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
+#include "lessons/shared/flat.h"
+
 namespace isect::lessons::crossings_lesson {
 
 using namespace viz;
 
 namespace {
-
-Vec3 flat(const Point<double, 2>& p) { return {p.x(), p.y(), 0}; }
 
 const char* word(Location l) { return l == Location::in ? "IN" : l == Location::on ? "ON" : "OUT"; }
 
@@ -57,10 +57,7 @@ Point<double, 2> meeting(const Setup& s, const EdgeOf& e) {
 Scene picture(const Setup& s, const Known& known) {
   Scene scene;
   Region region;
-  for (const Ring<double, 2>& ring : s.situation.polygon.rings) {
-    region.rings.emplace_back();
-    for (const Point<double, 2>& v : ring) region.rings.back().push_back(flat(v));
-  }
+  for (const Ring<double, 2>& ring : s.situation.polygon.rings) region.rings.push_back(flat(ring));
   region.corners = true;
   scene.items.emplace_back(region);
 

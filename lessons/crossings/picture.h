@@ -32,7 +32,7 @@ Point<double, 2> meeting(const Setup&, const EdgeOf&);
 
 viz::Scene picture(const Setup&, const Known&);
 std::string alt_text(const Setup&);
-/// "even-odd: IN", with the other rule where it differs.
+/// "even-odd: IN", and what the other rule says where it differs.
 std::string verdict_text(const Winding&);
 
 }  // namespace isect::lessons::crossings_lesson

@@ -26,7 +26,7 @@ class Building {
     drawn_.states.assign(static_cast<std::size_t>(tree_.size()), State::hidden);
   }
 
-  Walk walk() {
+  Walk tell() {
     set(0, State::current);
     script_.value("*n*", static_cast<double>(tree_.boxes.size()));
     add("root", "One box around all", 0,
@@ -105,6 +105,6 @@ class Building {
 
 }  // namespace
 
-Walk build(const Vec3& p) { return Building({p.x(), p.y(), 0}).walk(); }
+Walk build(const Vec3& p) { return Building({p.x(), p.y(), 0}).tell(); }
 
 }  // namespace isect::lessons::hierarchy_lesson

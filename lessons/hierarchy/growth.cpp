@@ -7,7 +7,7 @@
 #include <isect/bvh_pairs.h>
 #include <isect/bvh_ray.h>
 #include "bench/random.h"
-#include "lessons/collision/boxes.h"
+#include "lessons/collision/picture.h"
 #include "lessons/hierarchy/tree.h"
 #include "lessons/shared/script.h"
 #include "viz/chart.h"

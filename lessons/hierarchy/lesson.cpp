@@ -27,10 +27,6 @@ Preset preset_of(const char* id, const char* title, const char* walk, const Vec3
   return {id, title, walk, {{"walk", std::string(walk)}, {"p", p}, {"o", o}, {"d", d}, {"q", q}}};
 }
 
-Parameter vector(const char* name, const char* label, const char* help, const Vec3& initial) {
-  return {name, label, help, initial, -1e6, 1e6, -4, 4};
-}
-
 }  // namespace
 
 const Lesson& hierarchy() {

@@ -33,7 +33,7 @@ class Colliding {
     clear();
   }
 
-  Walk walk() {
+  Walk tell() {
     using namespace bvh_pairs;
     script_.value("pairs of boxes", static_cast<double>(a_.boxes.size() * b_.boxes.size()), "tests");
     count();
@@ -145,6 +145,6 @@ class Colliding {
 
 }  // namespace
 
-Walk pairs(const Vec3& p, const Vec3& q) { return Colliding({p.x(), p.y(), 0}, {q.x(), q.y(), 0}).walk(); }
+Walk pairs(const Vec3& p, const Vec3& q) { return Colliding({p.x(), p.y(), 0}, {q.x(), q.y(), 0}).tell(); }
 
 }  // namespace isect::lessons::hierarchy_lesson

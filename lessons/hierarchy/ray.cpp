@@ -36,7 +36,7 @@ class Shooting {
     drawn_.role = Role::second;
   }
 
-  Walk walk() {
+  Walk tell() {
     script_.value("*n*", static_cast<double>(tree_.boxes.size()));
     set(0, State::waiting);
     add("ray", "Which box is hit first?", 0,
@@ -176,6 +176,6 @@ Vec3 in_plane(const Vec3& p) { return {p.x(), p.y(), 0}; }
 
 }  // namespace
 
-Walk ray(const Vec3& p, const Vec3& o, const Vec3& d) { return Shooting(in_plane(p), in_plane(o), in_plane(d)).walk(); }
+Walk ray(const Vec3& p, const Vec3& o, const Vec3& d) { return Shooting(in_plane(p), in_plane(o), in_plane(d)).tell(); }
 
 }  // namespace isect::lessons::hierarchy_lesson

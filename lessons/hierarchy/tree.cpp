@@ -16,7 +16,7 @@ Aabb<double, 2> around(double x, double y, double half_x, double half_y) {
   return {{x - half_x, y - half_y}, {x + half_x, y + half_y}};
 }
 
-/// A little larger than it is, so that nested boxes do not coincide.
+/// A little larger, so that nested boxes do not coincide.
 Aabb<double, 2> padded(const Tree& tree, int node) {
   const Vec2 pad = Vec2::Constant(0.06 * (tree.height(node) + 1));
   const Aabb<double, 2>& box = tree.node(node).box;
@@ -44,10 +44,6 @@ Boxes cluster(const Vec3& middle) {
                          Vec2(0.625, -0.5), Vec2(1.25, 0)})
     boxes.push_back(around(middle.x() + at.x(), middle.y() + at.y(), 0.25, 0.1875));
   return boxes;
-}
-
-std::vector<Vec3> corners(const Aabb<double, 2>& b) {
-  return {{b.lo.x(), b.lo.y(), 0}, {b.hi.x(), b.lo.y(), 0}, {b.hi.x(), b.hi.y(), 0}, {b.lo.x(), b.hi.y(), 0}};
 }
 
 Tree::Tree(Boxes the_boxes) : boxes(std::move(the_boxes)), bvh(build_bvh(boxes, options)) {}

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <isect/bvh.h>
+#include "lessons/shared/flat.h"
 #include "viz/lesson.h"
 
 namespace isect::lessons::hierarchy_lesson {
@@ -13,9 +14,6 @@ using Boxes = std::vector<Aabb<double, 2>>;
 
 Boxes scattered(const viz::Vec3& p);     ///< twelve; the middle of box 0 is p
 Boxes cluster(const viz::Vec3& middle);  ///< six, for a second object
-
-inline viz::Vec3 flat(const Point<double, 2>& p) { return {p.x(), p.y(), 0}; }
-std::vector<viz::Vec3> corners(const Aabb<double, 2>&);
 
 /// Leaves of up to three boxes, as a node's test costs twice a box's here: small trees, that are drawn clearly.
 inline constexpr BvhOptions options = {.largest_leaf = 3, .visit = 2};

@@ -1,7 +1,7 @@
 // All cases of two intervals in the plane of one's ends, and the methods side by side.
 
 #include <isect/interval_interval_methods.h>
-#include "lessons/intervals/parts.h"
+#include "lessons/intervals/picture.h"
 #include "lessons/shared/opinions.h"
 
 namespace isect::lessons::intervals_lesson {

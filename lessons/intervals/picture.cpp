@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "lessons/intervals/parts.h"
+#include "lessons/intervals/picture.h"
 
 namespace isect::lessons::intervals_lesson {
 

@@ -5,10 +5,10 @@
 #include <isect/obb_obb.h>
 
 #include <Eigen/Geometry>
-#include <algorithm>
 
 #include <isect/obb_obb_methods.h>
 #include "lessons/obb_obb/telling.h"
+#include "lessons/shared/opinions.h"
 #include "lessons/shared/parameters.h"
 
 namespace isect::lessons {
@@ -18,17 +18,17 @@ namespace {
 using namespace viz;
 using namespace obb_obb_lesson;
 
-Walk walk(const Parameters& p) { return Telling(setup(p)).walk(); }
+Walk walk(const Parameters& p) { return Teller(setup(p)).tell(); }
 
 std::vector<Opinion> opinions(const Parameters& p) {
   const Setup s = setup(p);
   const bool meets = s.truth != Relation::disjoint;
-  std::vector<Opinion> all = {{"exact", in_words(s.truth), true}};
+  Opinions all(in_words(s.truth));
   for (const double epsilon : {0.0, 1e-6, s.epsilon}) {
     const bool overlap = obb_obb::gottschalk(s.a, s.b, epsilon);
-    all.push_back({"classical, ε = " + shown(epsilon), overlap ? "OVERLAP" : "DISJOINT", overlap == meets});
+    all.add("classical, ε = " + shown(epsilon), says_overlap(overlap), overlap == meets);
   }
-  return all;
+  return all.take();
 }
 
 struct Pose {
@@ -75,8 +75,10 @@ std::vector<Preset> presets() {
   };
 }
 
-Parameter vector_of(const char* name, const char* label, const char* help, const Vec3& initial, double lo = -1e6) {
-  return {name, label, help, initial, lo, 1e6, std::max(lo, -4.0), 4};
+Parameter half_lengths(const char* name, const char* label, const char* help, const Vec3& initial) {
+  Parameter p = vector(name, label, help, initial);
+  p.lo = p.drag_lo = 0;
+  return p;
 }
 
 /// Two directions span the sides' plane, a microradian apart or more.
@@ -95,17 +97,18 @@ const Lesson& obb_obb() {
       .title = "Oriented boxes",
       .rows = "N07, N04",
       .summary = "Whether two oriented boxes meet, by separating axes: fifteen at most.",
-      .parameters =
-          {vector_of("a", "**a**", "Centre of the first box, in world units.", at_left.center),
-           vector_of("a_half", "**h**_a", "Half-lengths of the first box, in world units.", at_left.half, 0),
-           vector_of("a_u", "**a**_u", "First side direction of a, of any length but 0.", ex),
-           vector_of("a_v", "**a**_v", "Second side direction of a, not along the first; made orthogonal to it.", ey),
-           vector_of("b", "**b**", "Centre of the second box, in world units.", {0.5, 0.375, 0.25}),
-           vector_of("b_half", "**h**_b", "Half-lengths of the second box, in world units.", {1, 0.625, 0.5}, 0),
-           vector_of("b_u", "**b**_u", "First side direction of b, of any length but 0.", {1, 0.5, 0.25}),
-           vector_of("b_v", "**b**_v", "Second side direction of b, not along the first; made orthogonal to it.",
-                     {-0.5, 1, 0.25}),
-           {"epsilon", "ε", "Added to every |a_i · b_j|, without a unit.", 1e-9, 0, 1, 0, 0.1}},
+      .parameters = {vector("a", "**a**", "Centre of the first box, in world units.", at_left.center),
+                     half_lengths("a_half", "**h**_a", "Half-lengths of the first box, in world units.", at_left.half),
+                     vector("a_u", "**a**_u", "First side direction of a, of any length but 0.", ex),
+                     vector("a_v", "**a**_v", "Second side direction of a, not along the first; made orthogonal to it.",
+                            ey),
+                     vector("b", "**b**", "Centre of the second box, in world units.", {0.5, 0.375, 0.25}),
+                     half_lengths("b_half", "**h**_b", "Half-lengths of the second box, in world units.",
+                                  {1, 0.625, 0.5}),
+                     vector("b_u", "**b**_u", "First side direction of b, of any length but 0.", {1, 0.5, 0.25}),
+                     vector("b_v", "**b**_v", "Second side direction of b, not along the first; made orthogonal to it.",
+                            {-0.5, 1, 0.25}),
+                     {"epsilon", "ε", "Added to every |a_i · b_j|, without a unit.", 1e-9, 0, 1, 0, 0.1}},
       .conditions = {not_zero("a_u"), aside("a_v", "a_u"), not_zero("b_u"), aside("b_v", "b_u")},
       .group_by = "",
       .presets = presets(),

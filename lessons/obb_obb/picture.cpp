@@ -22,7 +22,7 @@ Vec3 corner(const Box& box, int i) {
   return box.center + box.axes * s;
 }
 
-/// A right-handed frame: u made a unit vector, w orthogonal to u and v, v set right.
+/// A right-handed frame: u normalised, w orthogonal to u and v, and v made orthogonal to both.
 Box box_of(const Vec3& center, const Vec3& half, const Vec3& u, const Vec3& v) {
   Box box = {center, {}, half};
   box.axes.col(0) = u.normalized();

@@ -11,7 +11,7 @@ using namespace viz;
 
 std::string in_words(Relation r) { return words(r, "the boxes"); }
 
-void Telling::relation() {
+void Teller::relation() {
   script_.settle(verdict_kind(s_.truth), in_words(s_.truth));
   if (!overlap_) script_.leave_early();
   script_.value("axes asked", asked_);
@@ -21,7 +21,7 @@ void Telling::relation() {
   step.question = relation_question(s_.truth, "the two boxes", because());
 }
 
-std::string Telling::because() const {
+std::string Teller::because() const {
   switch (s_.truth) {
     case Relation::disjoint:
       return gap_ ? name_of(*gap_) + " separates them." : "Taken exactly, an axis separates them.";
@@ -34,7 +34,7 @@ std::string Telling::because() const {
   }
 }
 
-std::string Telling::end_caption() const {
+std::string Teller::end_caption() const {
   const bool meets = s_.truth != Relation::disjoint;
   if (meets && !overlap_)
     return "The boxes do meet: the classical test is wrong here. That is why it adds an ε.\n"

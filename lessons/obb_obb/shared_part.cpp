@@ -14,7 +14,7 @@ namespace {
 
 constexpr double same = 1e-9;  ///< vertices of one corner, met from several faces
 
-/// The part of the ring in the box, which is grown by a hair: what touches is kept.
+/// The part of the ring in the box, which is grown a little, so that what touches is kept.
 Ring<double, 3> clipped(Ring<double, 3> ring, const Box& box) {
   for (int i = 0; i < 3; ++i)
     for (const double side : {-1.0, 1.0}) {

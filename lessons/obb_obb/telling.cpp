@@ -36,12 +36,12 @@ const Group groups[] = {{Kind::face_of_a, "normals-a", "The normals of a", "the 
 
 }  // namespace
 
-Telling::Telling(const Setup& setup)
+Teller::Teller(const Setup& setup)
     : s_(setup),
       script_({"Note, N07; Gottschalk, Lin, Manocha (1996)", "Two oriented boxes, a and b: " + in_words(s_.truth) + ".",
                pseudocode}) {}
 
-Walk Telling::walk() {
+Walk Teller::tell() {
   Step& first = script_.add("axes", "Which axes can separate?", 0,
                             "Convex sets are disjoint exactly if some axis separates their projections.\n"
                             "For boxes 15 axes suffice: 3 normals of a, 3 of b, and 9 products of an edge of each.",
@@ -65,9 +65,9 @@ Walk Telling::walk() {
   return std::move(script_.walk());
 }
 
-double Telling::length(const Compared& e) const { return projections(s_, e.axis).l.norm(); }
+double Teller::length(const Compared& e) const { return projections(s_, e.axis).l.norm(); }
 
-const Telling::Compared& Telling::telling_one(const std::vector<Compared>& all) const {
+const Teller::Compared& Teller::telling_one(const std::vector<Compared>& all) const {
   if (all.back().separates) return all.back();
   const Compared* best = &all.front();
   double least = 1e300;
@@ -79,7 +79,7 @@ const Telling::Compared& Telling::telling_one(const std::vector<Compared>& all) 
   return *best;
 }
 
-void Telling::say(const Group& group, const std::vector<Compared>& all) {
+void Teller::say(const Group& group, const std::vector<Compared>& all) {
   const Compared& e = telling_one(all);
   const double d = e.distance.value, r_a = e.radius_a.value, r_b = e.radius_b.value;
   const double l = length(e);
@@ -102,7 +102,7 @@ void Telling::say(const Group& group, const std::vector<Compared>& all) {
   if (e.separates) gap_ = e.axis;
 }
 
-std::string Telling::separated(const Group& group, const Compared& e, double l, int asked) const {
+std::string Teller::separated(const Group& group, const Compared& e, double l, int asked) const {
   if (l <= noise)
     return fmt::format(
         "These edges are parallel, up to rounding. Their product has the length {}: it is no axis.\n"
@@ -119,7 +119,7 @@ std::string Telling::separated(const Group& group, const Compared& e, double l, 
       name_of(e.axis), asked);
 }
 
-std::string Telling::passed(const Group& group, const Compared& e) const {
+std::string Teller::passed(const Group& group, const Compared& e) const {
   const bool touch = e.distance.value == e.radius_a.value + e.radius_b.value;
   const std::string which = fmt::format("None of {} separates. The tightest is drawn: {}.",
                                         group.kind == Kind::edges ? "the nine" : "these three", name_of(e.axis));
@@ -132,7 +132,7 @@ std::string Telling::passed(const Group& group, const Compared& e) const {
              : which + "\nThe roles are exchanged, the numbers are reused.";
 }
 
-bool Telling::widened(const Compared& e) const {
+bool Teller::widened(const Compared& e) const {
   const obb_obb::Tested<3> exact = projections(s_, e.axis);
   return !e.separates && exact.l.norm() > noise && exact.distance > (exact.radius_a + exact.radius_b) * (1 + 1e-12);
 }

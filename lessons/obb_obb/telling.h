@@ -11,10 +11,10 @@ std::string in_words(Relation);
 
 struct Group;  ///< of axes
 
-class Telling {
+class Teller {
  public:
-  explicit Telling(const Setup&);
-  viz::Walk walk();
+  explicit Teller(const Setup&);
+  viz::Walk tell();
 
  private:
   using Compared = obb_obb::Compared<Counted<double>>;

@@ -1,160 +1,19 @@
-// Picking (N01): which object is under the pointer, by the closest hit along its line of sight; bounding volumes first.
+// Picking (N01): which object is under the pointer, by the closest hit of its viewing ray; bounding volumes first.
 //
-// The objects stand in picking/objects, the pictures in picking/picture, the eye and the objects' ray tests in
-// sight/sight.
-
-#include <fmt/format.h>
-
-#include <algorithm>
+// The steps stand in picking/telling, the objects in picking/objects, the pictures in picking/picture, the eye and the
+// objects' ray tests in shared/viewing.
 
 #include "lessons/picking/picture.h"
-#include "lessons/shared/script.h"
+#include "lessons/shared/parameters.h"
 
 namespace isect::lessons {
 namespace {
 
 using namespace viz;
-using namespace sight;
+using namespace viewing;
 using namespace picking_lesson;
 
-const std::vector<std::string> pseudocode = {
-    "ray ← from the eye through the pointer",          // 0
-    "for each object whose bounding ball it meets",    // 1
-    "    t ← where it meets the object itself first",  // 2
-    "    keep the object if t is the least so far",    // 3
-    "return the object kept, or none"                  // 4
-};
-
-class Teller {
- public:
-  explicit Teller(const Vec3& pointer)
-      : s_(pointer),
-        script_({"Note, N01, N03, N16",
-                 "An eye, a picture plane with the pointer, and the sight line through it. It picks " +
-                     (s_.truth ? std::string(s_.world.object(s_.truth->primitive).name) : std::string("nothing")) + ".",
-                 pseudocode}) {}
-
-  Walk tell() {
-    step("pointer", "What is under the pointer?", 0,
-         "The user points at the picture plane. What is meant is what the eye sees there.");
-    known_.ray = true;
-    step("sight-line", "The pointer's sight line", 0,
-         "A ray from the eye **o** through the pointer: all that can appear at this place lies on it.\n"
-         "On the picture plane *t* = 1.",
-         "**p** = **o** + *t* **d**,  *t* ≥ 0");
-    volumes();
-    for (int i = 0; i < s_.size(); ++i)
-      if (s_.met(i)) object(i);
-    picked();
-    return std::move(script_.walk());
-  }
-
- private:
-  std::string name(int i) const { return s_.world.object(i).name; }
-
-  Step& step(const std::string& slug, const std::string& title, int line, const std::string& caption,
-             const std::string& formula = {}) {
-    Step& s = script_.add(slug, title, line, caption, formula);
-    s.scene = picture(s_, known_);
-    return s;
-  }
-
-  /// Ray tests with bounding balls first. A ball is its own, so it takes one test.
-  int tests(const Ray3& ray) const {
-    int sum = 0;
-    for (const Object& o : s_.world.objects) {
-      const int own = tests_of(o.shape);
-      sum += 1 + (own > 1 && first_hit(ray, bounding_ball(o.shape)) ? own : 0);
-    }
-    return sum;
-  }
-
-  void volumes() {
-    known_.volumes = true;
-    int all = 0, left = 0;
-    for (int i = 0; i < s_.size(); ++i) all += tests_of(s_.world.object(i).shape), left += s_.met(i);
-    const int few = tests(s_.ray);
-    script_.value("tests, balls first", few, "tests", Role::hit);
-    script_.value("tests without", all, "tests");
-    if (left == 0) script_.leave_early();
-    const std::string cost = few < all ? fmt::format("\nThat takes {} tests, and {} without the balls.", few, all)
-                                       : "\nBoth large objects are left: here the balls cost more than they save.";
-    Step& s =
-        step("volumes", "Bounding balls first", 1,
-             (left == 0 ? "The ray meets no bounding ball: nothing is there."
-                        : fmt::format("A ray that misses the ball around an object (dashed) misses all its triangles. "
-                                      "{} of {} objects are left.",
-                                      left, s_.size())) +
-                 cost);
-    s.decides = true;
-    s.question = {"How many objects need a closer look?", {}, left, "Those whose bounding ball the ray meets."};
-    for (int i = 0; i <= s_.size(); ++i) s.question->choices.push_back(std::to_string(i));
-  }
-
-  void object(int i) {
-    const std::optional<double> t = first_hit(s_.ray, s_.world.object(i).shape);
-    const bool first = t && (known_.kept < 0 || *t < known_.kept_t);
-    const bool tie = t && known_.kept >= 0 && *t == known_.kept_t;
-    if (t) script_.value(fmt::format("*t* of {}", name(i)), *t, "t", first ? Role::hit : Role::muted);
-    if (t) known_.hits.emplace_back(i, *t);
-    const double before = known_.kept_t;
-    const bool had = known_.kept >= 0;
-    if (first) known_.kept = i, known_.kept_t = *t;
-    Step& s = step(fmt::format("object-{}", i), fmt::format("Does it meet {}?", name(i)), first ? 3 : 2,
-                   !t      ? "The ray passes through the bounding ball's void, and misses the object."
-                   : tie   ? "It is met at the very same *t* as the one kept: a tie, which is not nearer. The "
-                             "one kept stays."
-                   : !had  ? "The first one met. It is kept, until one is met at a smaller *t*."
-                   : first ? "This one is nearer: it hides the one kept so far, and takes its place."
-                           : "It is met too, but farther off. The one kept hides it.",
-                   t ? "*t* = " + shown(*t) : "no *t*");
-    if (t && had)
-      Script::decide(s, {"*t* < least *t*", *t, before, first, first ? "nearer" : tie ? "a tie" : "farther"});
-    s.question = {fmt::format("Is {} the nearest so far?", name(i)),
-                  {"yes", "no"},
-                  first ? 0 : 1,
-                  !t ? "The ray does not meet it." : "Its *t* is compared with the least one so far."};
-  }
-
-  void picked() {
-    if (s_.truth) {
-      const int i = s_.truth->primitive;
-      const bool tie = std::ranges::count_if(known_.hits, [&](const auto& h) { return h.second == s_.truth->t; }) > 1;
-      script_.settle(tie ? Verdict::Kind::on : Verdict::Kind::yes, "picked: " + name(i) + (tie ? ", after a tie" : ""));
-      last(tie ? "Both objects are seen at this point, as they touch there. A rule must choose: here the "
-                 "first in order.\n"
-                 "What matters is that it is always the same one, in any order of tests."
-               : "The nearest object is the one that the eye sees under the pointer (highlighted).\n"
-                 "Those behind it cannot be picked here, though the ray meets them.",
-           "least *t* = " + shown(s_.truth->t));
-    } else {
-      script_.settle(Verdict::Kind::no, "nothing is picked");
-      last("No object is met, so the pointer is on the background: a click there may deselect.", "");
-    }
-  }
-
-  /// Over all pixels; once, as neither eye nor objects move.
-  double mean_tests() const {
-    static const double mean = [&] {
-      int sum = 0;
-      for (int y = 0; y < s_.eye.rows; ++y)
-        for (int x = 0; x < s_.eye.columns; ++x) sum += tests(s_.eye.through(s_.eye.on_plane({x + 0.5, y + 0.5})));
-      return 1.0 * sum / (s_.eye.rows * s_.eye.columns);
-    }();
-    return mean;
-  }
-
-  void last(const std::string& caption, const std::string& formula) {
-    script_.value("tests, mean of all pixels", mean_tests(), "tests");
-    script_.add("picked", "What the eye sees there", 4, caption, formula).scene = seen(s_, known_);
-  }
-
-  const Pointed s_;
-  Script script_;
-  Known known_;
-};
-
-Walk walk(const Parameters& values) { return Teller(std::get<Vec3>(values.at("pointer"))).tell(); }
+Walk walk(const Parameters& values) { return tell(std::get<Vec3>(values.at("pointer"))); }
 
 Preset preset_of(const char* id, const char* title, double y, double z) {
   return {id, title, "", {{"pointer", Vec3(plane_x, y, z)}}};
@@ -168,9 +27,9 @@ const Lesson& picking() {
       .title = "Picking",
       .rows = "N01, N03, N16",
       .summary = "Which object is under the pointer: the closest hit of its sight line, bounding volumes first.",
-      .parameters = {{"pointer", "pointer",
-                      "A point of the picture plane, in world units; its first coordinate is not used.",
-                      Vec3(plane_x, 0.25, -0.4375), -1e6, 1e6, -2, 2}},
+      .parameters = {vector("pointer", "pointer",
+                            "A point of the picture plane, in world units; its first coordinate is not used.",
+                            Vec3(plane_x, 0.25, -0.4375), 2)},
       .group_by = "",
       .presets = {preset_of("front", "the one in front", 0.25, -0.4375), preset_of("behind", "one behind", 0.5, -0.75),
                   preset_of("miss", "nothing", 0.875, 0.25), preset_of("tie", "a tie", 0.25, 0.5625)},

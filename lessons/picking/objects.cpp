@@ -4,7 +4,7 @@
 
 namespace isect::lessons::picking_lesson {
 
-using namespace sight;
+using namespace viewing;
 
 namespace {
 

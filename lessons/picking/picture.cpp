@@ -5,7 +5,7 @@
 namespace isect::lessons::picking_lesson {
 
 using namespace viz;
-using namespace sight;
+using namespace viewing;
 
 Pointed::Pointed(const Vec3& the_pointer)
     : world(objects()),
@@ -56,8 +56,8 @@ Axis axis(const Pointed& s, const Known& known) {
 
 Scene picture(const Pointed& s, const Known& known) {
   Scene scene;
-  sight::add(s.eye, scene);
-  for (int i = 0; i < s.size(); ++i) sight::add(s.world.object(i), scene, !known.volumes || s.met(i));
+  viewing::add(s.eye, scene);
+  for (int i = 0; i < s.size(); ++i) viewing::add(s.world.object(i), scene, !known.volumes || s.met(i));
   for (const Object& o : s.world.objects) name_beside(o, scene);
   for (int i = 0; i < s.size(); ++i)
     if (known.volumes && std::holds_alternative<Triangles>(s.world.object(i).shape)) add_volume(s, i, scene);
@@ -99,7 +99,7 @@ Scene seen(const Pointed& s, const Known& known) {
       cells.push_back({s.world.object(i).role, 0.4 + 0.15 * i});  // apart in grey, too
   }
   Scene scene;
-  const Raster raster = sight::picture(s.eye, std::move(cells), Vec3::Zero(), 4.5);
+  const Raster raster = viewing::picture(s.eye, std::move(cells), Vec3::Zero(), 4.5);
   scene.items.emplace_back(raster);
   scene.items.emplace_back(Dot{on_picture(raster, s.eye, s.eye.pixel(s.pointer)), Mark::ring, Role::text});
   scene.axis = axis(s, known);

@@ -1,5 +1,5 @@
 #pragma once
-// The pointer's sight line among the objects, seen from outside, and what the eye sees.
+// The pointer's viewing ray among the objects, seen from outside, and what the eye sees.
 
 #include "lessons/picking/objects.h"
 
@@ -8,15 +8,15 @@ namespace isect::lessons::picking_lesson {
 struct Pointed {
   explicit Pointed(const viz::Vec3& pointer);  ///< its x is not used
 
-  sight::World world;
-  sight::Eye eye;
+  viewing::World world;
+  viewing::Eye eye;
   viz::Vec3 pointer;
-  sight::Ray3 ray;
+  viewing::Ray3 ray;
   std::optional<BvhHit<double>> truth;  ///< the closest hit
 
   int size() const { return static_cast<int>(world.objects.size()); }
   /// Whether the ray meets the object's bounding ball.
-  bool met(int i) const { return sight::first_hit(ray, bounding_ball(world.object(i).shape)).has_value(); }
+  bool met(int i) const { return viewing::first_hit(ray, bounding_ball(world.object(i).shape)).has_value(); }
 };
 
 /// What is known so far.
@@ -32,5 +32,7 @@ struct Known {
 
 viz::Scene picture(const Pointed&, const Known&);
 viz::Scene seen(const Pointed&, const Known&);  ///< as the eye sees it, what is picked highlighted
+
+viz::Walk tell(const viz::Vec3& pointer);  // telling.cpp
 
 }  // namespace isect::lessons::picking_lesson

@@ -1,7 +1,7 @@
 // Three points: near to near need not be near.
 
 #include <isect/point_point.h>
-#include "lessons/points/setup.h"
+#include "lessons/points/picture.h"
 #include "lessons/shared/script.h"
 
 namespace isect::lessons::points_lesson {

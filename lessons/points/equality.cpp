@@ -3,7 +3,9 @@
 #include <cmath>
 
 #include <isect/point_point.h>
-#include "lessons/points/setup.h"
+#include "lessons/points/picture.h"
+#include "lessons/shared/axis_names.h"
+#include "lessons/shared/digits.h"
 #include "lessons/shared/script.h"
 
 namespace isect::lessons::points_lesson {
@@ -13,7 +15,6 @@ using namespace viz;
 namespace {
 
 using C = Counted<double>;
-const char* const names[] = {"*x*", "*y*", "*z*"};
 
 class Equality {
  public:
@@ -51,7 +52,7 @@ class Equality {
 
   void say(const point_point::Coordinate<C>& e) {
     const double a = e.p.value, b = e.q.value;
-    const std::string axis = names[e.axis], i = std::string("_{") + "xyz"[e.axis] + "}";
+    const std::string axis = axis_names[e.axis], i = std::string("_{") + "xyz"[e.axis] + "}";
     script_.value("*p*" + i, a, "", Role::first);
     script_.value("*q*" + i, b, "", Role::second);
     told_ = e.axis + 1;
@@ -66,12 +67,6 @@ class Equality {
   }
   void say(const point_point::Distance&) {}  // of nearly_equal
   void say(const Fallback&) {}
-
-  /// As many digits as tell the number from `other`.
-  static std::string digits(double x, double other) {
-    if (x == 0 && std::signbit(x)) return "−0";
-    return x != other && shown(x) == shown(other) ? to_text(x) : shown(x);
-  }
 
   static std::string caption(double a, double b, int axis) {
     if (std::isnan(b)) return "NaN is no number and equal to none, not even to itself.";
@@ -112,7 +107,7 @@ class Equality {
       const bool here = i == axis;
       scene.items.emplace_back(Arrow{corner, end, here ? Role::text : Role::muted, here ? Pen::solid : Pen::hairline});
       end[i] += 0.18;
-      scene.items.emplace_back(viz::Heading{end, names[i], here ? Role::text : Role::muted, 0, here});
+      scene.items.emplace_back(viz::Heading{end, axis_names[i], here ? Role::text : Role::muted, 0, here});
     }
     for (int i = 0; i < 3; ++i) {
       if (axis >= 0 && i != axis) continue;

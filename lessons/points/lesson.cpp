@@ -1,7 +1,7 @@
 // Point and point (N11): exact equality, nearness within a tolerance, and what the tolerance changes.
 
 #include <isect/point_point.h>
-#include "lessons/points/setup.h"
+#include "lessons/points/picture.h"
 #include "lessons/shared/opinions.h"
 #include "lessons/shared/parameters.h"
 
@@ -73,9 +73,9 @@ const Lesson& points() {
       .rows = "N11",
       .summary = "When points are the same, when they are near, and what a tolerance changes.",
       .parameters = {choice("question", "question", "What is asked of the points.", {"equal", "near", "chain"}),
-                     {"p", "**p**", "The first point, in units.", Vec3(1, 0, 0.5), -1e6, 1e6, -2, 2},
-                     {"q", "**q**", "The second point, in units.", Vec3(1, 0, 0.5), -1e6, 1e6, -2, 2},
-                     {"r", "**r**", "The third point, in units.", Vec3(0.75, -0.375, 0), -1e6, 1e6, -2, 2},
+                     vector("p", "**p**", "The first point, in units.", Vec3(1, 0, 0.5), 2),
+                     vector("q", "**q**", "The second point, in units.", Vec3(1, 0, 0.5), 2),
+                     vector("r", "**r**", "The third point, in units.", Vec3(0.75, -0.375, 0), 2),
                      {"tolerance", "tolerance", "How far apart near points may be, in units.", 1.0, 0, 1e6, 0, 2},
                      choice("unit", "unit", "The unit of all lengths: 1, 2^600 or 2^-600.", {"one", "huge", "tiny"}),
                      choice("z", "*z* of **q**", "The third coordinate of q: as given, or NaN.", {"given", "NaN"})},

@@ -7,7 +7,7 @@
 
 #include <isect/point_point.h>
 #include <isect/point_point_methods.h>
-#include "lessons/points/setup.h"
+#include "lessons/points/picture.h"
 #include "lessons/shared/script.h"
 #include "viz/solids.h"
 

@@ -6,6 +6,7 @@
 
 #include <isect/ray_polygon_methods.h>
 #include "lessons/ray_polygon/telling.h"
+#include "lessons/shared/opinions.h"
 #include "lessons/shared/parameters.h"
 
 namespace isect::lessons {
@@ -14,20 +15,20 @@ namespace {
 using namespace viz;
 using namespace ray_polygon_lesson;
 
-Walk walk(const Parameters& p) { return told(setup(p)); }
+Walk walk(const Parameters& p) { return tell(setup(p)); }
 
 std::vector<Opinion> opinions(const Parameters& p) {
   const Setup s = setup(p);
-  const auto said = [&](const std::string& method, bool hit) {
-    return Opinion{method, hit ? "HIT" : "MISS", hit == s.truth.t.has_value()};
+  Opinions all(verdict_text(s.truth));
+  const auto add = [&](const std::string& method, bool hit) {
+    all.add(method, hit ? "HIT" : "MISS", hit == s.truth.t.has_value());
   };
-  std::vector<Opinion> all = {{"exact", verdict_text(s.truth), true},
-                              said("projected (the note)", ray_polygon::projected(s.ray, s.ring).has_value()),
-                              said("fan of triangles", ray_polygon::fan(s.ray, s.ring).has_value())};
+  add("projected (the note)", ray_polygon::projected(s.ray, s.ring).has_value());
+  add("fan of triangles", ray_polygon::fan(s.ray, s.ring).has_value());
   if (s.truth.line && *s.truth.line >= 0)
     for (int axis = 0; axis < 3; ++axis)
-      all.push_back(said(fmt::format("*{}* dropped", "xyz"[axis]), flattened(s, s.ray.at(*s.truth.line), axis).inside));
-  return all;
+      add(fmt::format("*{}* dropped", "xyz"[axis]), flattened(s, s.ray.at(*s.truth.line), axis).inside);
+  return all.take();
 }
 
 /// A ray along d that is at the point (a, b) of the polygon's plane when t is the given one, or `off` normals beside
@@ -52,8 +53,8 @@ const Lesson& ray_polygon() {
       .rows = "N21, N20",
       .summary = "Whether a ray hits a polygon in space: its plane, a coordinate to drop, and crossings.",
       .parameters = {choice("polygon", "polygon", "How the polygon stands.", {"tilted", "upright"}),
-                     {"o", "**o**", "Origin of the ray, in world units.", Vec3(-2.5, 0, 1), -1e6, 1e6, -6, 6},
-                     {"d", "**d**", "Direction of the ray, of any length but 0.", inwards, -1e6, 1e6, -4, 4}},
+                     vector("o", "**o**", "Origin of the ray, in world units.", Vec3(-2.5, 0, 1), 6),
+                     vector("d", "**d**", "Direction of the ray, of any length but 0.", inwards)},
       .conditions = {not_zero("d")},
       .group_by = "",
       .presets = {preset_of("hit", "a hit", "tilted", {-0.5, -0.375}, 2, inwards),

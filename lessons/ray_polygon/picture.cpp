@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lessons/shared/axis_names.h"
 #include "viz/compose.h"
 #include "viz/grid.h"
 
@@ -14,8 +15,6 @@ namespace isect::lessons::ray_polygon_lesson {
 using namespace viz;
 
 namespace {
-
-const char* const names[] = {"*x*", "*y*", "*z*"};
 
 Vec3 middle(const Setup& s) {
   Vec3 sum = Vec3::Zero();
@@ -125,7 +124,7 @@ Scene projections(const Setup& s, const Vec3& point, const Vec3& normal, int cho
     const Flat flat = flattened(s, point, axis);
     Inset inset;
     inset.items = {outline(flat.ring, scale), Dot{facing(flat.point, scale), Mark::disc, Role::text}};
-    inset.heading = fmt::format("{} dropped", names[axis]);
+    inset.heading = fmt::format("{} dropped", axis_names[axis]);
     inset.note = fmt::format("{}area {}: {}", axis == chosen ? "largest " : "", shown(std::abs(normal[axis]) / 2),
                              flat.inside ? "IN" : "OUT");
     inset.role = axis == chosen ? Role::hit : Role::muted;
@@ -153,7 +152,7 @@ Scene crossings(const Setup& s, const Flat& flat, const std::vector<Passing>& pa
   }
   inset.items.emplace_back(Dot{at(flat.point.x()), Mark::disc, Role::first});
   inset.items.emplace_back(Label{at(flat.point.x()), "**r**(*t*)", Role::first});
-  inset.heading = fmt::format("{} dropped", names[flat.dropped]);
+  inset.heading = fmt::format("{} dropped", axis_names[flat.dropped]);
   inset.note = fmt::format("{} on the right: {}", count, flat.inside ? "IN" : "OUT");
   Scene scene;
   scene.items = centred(in_grid({inset}, 1, Camera{}), s);

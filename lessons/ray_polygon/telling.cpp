@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include <isect/ray_polygon_methods.h>
+#include "lessons/shared/axis_names.h"
 #include "lessons/shared/script.h"
 
 namespace isect::lessons::ray_polygon_lesson {
@@ -23,16 +24,15 @@ const std::vector<std::string> pseudocode = {
     "count the edges that r(t) has on its right",  // 5
     "return the count is odd ? HIT at t : MISS"    // 6
 };
-const char* const names[] = {"*x*", "*y*", "*z*"};
 
-class Telling {
+class Teller {
  public:
-  explicit Telling(const Setup& setup)
+  explicit Teller(const Setup& setup)
       : s_(setup),
         script_({"Note, N20, N21; Sutherland et al. (1974)",
                  "A ray and a polygon with a notch, in space: " + plain(verdict_text(s_.truth)) + ".", pseudocode}) {}
 
-  Walk walk() {
+  Walk tell() {
     script_.tell<ray_polygon::ProjectedEvent<C>>(
         [&](auto& record) {
           Ring<C, 3> ring;
@@ -89,7 +89,7 @@ class Telling {
                                          shown(std::abs(normal_.y())), shown(std::abs(normal_.z()))));
     step.scene = projections(s_, point_, normal_, chosen_);
     step.question = {"Which coordinate is best dropped?",
-                     {names[0], names[1], names[2]},
+                     {axis_names[0], axis_names[1], axis_names[2]},
                      chosen_,
                      "Its component of the normal is the largest, so the projection keeps most area."};
   }
@@ -177,6 +177,6 @@ std::string verdict_text(const RayPolygon<double>& truth) {
   return *truth.line < 0 ? "the polygon's plane lies behind the ray" : "the ray passes beside the polygon";
 }
 
-Walk told(const Setup& setup) { return Telling(setup).walk(); }
+Walk tell(const Setup& setup) { return Teller(setup).tell(); }
 
 }  // namespace isect::lessons::ray_polygon_lesson

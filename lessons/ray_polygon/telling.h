@@ -7,6 +7,6 @@ namespace isect::lessons::ray_polygon_lesson {
 
 /// "the ray hits the polygon at *t* = 2"
 std::string verdict_text(const RayPolygon<double>&);
-viz::Walk told(const Setup&);
+viz::Walk tell(const Setup&);
 
 }  // namespace isect::lessons::ray_polygon_lesson

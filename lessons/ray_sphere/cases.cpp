@@ -4,8 +4,8 @@
 
 #include <isect/ray_sphere_methods.h>
 #include <isect/ray_sphere_stable.h>
-#include "lessons/ray_sphere/methods.h"
 #include "lessons/ray_sphere/picture.h"
+#include "lessons/ray_sphere/telling.h"
 #include "lessons/shared/opinions.h"
 #include "lessons/shared/plane.h"
 

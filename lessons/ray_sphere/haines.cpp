@@ -1,8 +1,7 @@
 // Haines' geometric method (N19), one step for each event.
 
 #include <isect/ray_sphere_methods.h>
-#include "lessons/ray_sphere/methods.h"
-#include "lessons/ray_sphere/teller.h"
+#include "lessons/ray_sphere/telling.h"
 
 namespace isect::lessons::ray_sphere_lesson {
 namespace {
@@ -11,28 +10,28 @@ using namespace viz;
 using namespace isect::ray_sphere;
 using C = Counted<double>;
 
-const std::vector<std::string> pseudocode = {
-    "l ← c − o",                    // 0
-    "s ← l · d",                    // 1
-    "l² ← l · l",                   // 2
-    "if s < 0 and l² > r²",         // 3
-    "    return REJECT",            // 4
-    "m² ← l² − s²",                 // 5
-    "if m² > r²",                   // 6
-    "    return REJECT",            // 7
-    "q ← √(r² − m²)",               // 8
-    "if l² > r² or (= and s > 0)",  // 9
-    "    t ← s − q",                // 10
-    "else",                         // 11
-    "    t ← s + q",                // 12
-    "if t > t_max",                 // 13
-    "    return REJECT",            // 14
-    "return INTERSECT, t, o + t d"  // 15
-};
-
 class HainesTeller : Teller {
  public:
-  explicit HainesTeller(const Setup& setup) : Teller(setup, "Haines", "Note, N19; Haines (1989), ch. 2", pseudocode) {}
+  explicit HainesTeller(const Setup& setup)
+      : Teller(setup, "Haines", "Note, N19; Haines (1989), ch. 2",
+               {
+                   "l ← c − o",                    // 0
+                   "s ← l · d",                    // 1
+                   "l² ← l · l",                   // 2
+                   "if s < 0 and l² > r²",         // 3
+                   "    return REJECT",            // 4
+                   "m² ← l² − s²",                 // 5
+                   "if m² > r²",                   // 6
+                   "    return REJECT",            // 7
+                   "q ← √(r² − m²)",               // 8
+                   "if l² > r² or (= and s > 0)",  // 9
+                   "    t ← s − q",                // 10
+                   "else",                         // 11
+                   "    t ← s + q",                // 12
+                   "if t > t_max",                 // 13
+                   "    return REJECT",            // 14
+                   "return INTERSECT, t, o + t d"  // 15
+               }) {}
 
   Walk tell() {
     return Teller::tell<HainesEvent<C, 3>>(

@@ -1,9 +1,9 @@
 // Ray and sphere: the root cases, by the note's three methods (N16-N19).
 //
-// The picture is drawn by ray_sphere/picture, the steps are told by ray_sphere/haines and ray_sphere/quadratic;
+// The picture is drawn by ray_sphere/picture, the steps stand in ray_sphere/haines and ray_sphere/quadratic;
 // ray_sphere/cases has the map of all cases and the methods side by side.
 
-#include "lessons/ray_sphere/methods.h"
+#include "lessons/ray_sphere/telling.h"
 #include "lessons/shared/parameters.h"
 #include "lessons/shared/plane.h"
 
@@ -18,10 +18,10 @@ const std::vector<Parameter>& parameters() {
   static const std::vector<Parameter> all = {
       choice("method", "method", "The algorithm that is stepped through.", {"haines", "quadratic", "half-b"}),
       choice("extent", "extent", "A ray has no end; a segment ends at t_max.", {"ray", "segment"}),
-      {"origin", "**o**", "Origin of the ray, in world units.", in_plane(-3.5, 0.5), -1e6, 1e6, -6, 6},
-      {"direction", "**d**", "Direction of the ray, of any length but 0.", in_plane(2, 0.25), -1e6, 1e6, -4, 4},
+      vector("origin", "**o**", "Origin of the ray, in world units.", in_plane(-3.5, 0.5), 6),
+      vector("direction", "**d**", "Direction of the ray, of any length but 0.", in_plane(2, 0.25)),
       {"t_max", "*t*_{max}", "End of a segment, in lengths of the direction.", 1.0, 0, 1e6, 0, 4},
-      {"center", "**c**", "Centre of the ball, in world units.", in_plane(1, 0), -1e6, 1e6, -6, 6},
+      vector("center", "**c**", "Centre of the ball, in world units.", in_plane(1, 0), 6),
       {"radius", "*r*", "Radius of the ball, in world units.", 1.5 * axis_length, 0, 1e6, 0.1, 4},
   };
   return all;
@@ -67,14 +67,12 @@ std::vector<Preset> presets() {
   return all;
 }
 
-Walk told(const Parameters& values) {
+Walk walk(const Parameters& values) {
   const std::string& method = std::get<std::string>(values.at("method"));
   if (method == "quadratic") return quadratic(values);
   if (method == "half-b") return half_b(values);
   return haines(values);
 }
-
-Walk walk(const Parameters& values) { return told(values); }
 
 }  // namespace
 

@@ -68,7 +68,7 @@ class Painter {
   void add(Item item) { scene_.items.push_back(std::move(item)); }
   bool focus(Focus f) const { return k_.focus == f; }
 
-  /// The part of the line that the ray does not have, as far as something was found on it.
+  /// The part of the line outside the ray, as far as something was found on it.
   void line_outside_the_range() {
     double lo = 0, hi = end_;
     if (k_.foot) lo = std::min(lo, s_.foot()), hi = std::max(hi, s_.foot());

@@ -38,4 +38,9 @@ viz::Scene picture(const Setup&, const Known&);
 /// One plain sentence for those who cannot see the picture.
 std::string alt_text(const Setup&);
 
+/// Where the ray begins along itself against how far its line passes the centre. (cases.cpp)
+const viz::CaseMap& cases();
+/// First hits to five digits, in units of the direction as given. (cases.cpp)
+std::vector<viz::Opinion> opinions(const viz::Parameters&);
+
 }  // namespace isect::lessons::ray_sphere_lesson

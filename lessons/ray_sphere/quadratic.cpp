@@ -2,8 +2,7 @@
 // alone.
 
 #include <isect/ray_sphere_methods.h>
-#include "lessons/ray_sphere/methods.h"
-#include "lessons/ray_sphere/teller.h"
+#include "lessons/ray_sphere/telling.h"
 
 namespace isect::lessons::ray_sphere_lesson {
 namespace {

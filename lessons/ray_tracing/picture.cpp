@@ -6,7 +6,7 @@
 namespace isect::lessons::ray_tracing_lesson {
 
 using namespace viz;
-using namespace sight;
+using namespace viewing;
 
 OnePixel::OnePixel(const Vec3& point, const Vec3& the_lamp)
     : world(scene_objects()), eye(columns, rows), lamp(the_lamp), handle(plane_x, point.y(), point.z()) {
@@ -66,8 +66,8 @@ void add_ray(const OnePixel& s, const Shown& shown, Scene& scene) {
 
 Scene picture(const OnePixel& s, const Shown& shown) {
   Scene scene;
-  sight::add(s.eye, scene);
-  for (const Object& o : s.world.objects) sight::add(o, scene);
+  viewing::add(s.eye, scene);
+  for (const Object& o : s.world.objects) viewing::add(o, scene);
   for (const Object& o : s.world.objects) add_name(o, scene);
   scene.items.emplace_back(Dot{s.lamp, Mark::diamond, Role::highlight});
   scene.items.emplace_back(Label{s.lamp, "lamp", Role::text});
@@ -91,7 +91,7 @@ Scene picture(const OnePixel& s, const Shown& shown, const Image& all) {
   Scene scene;
   std::vector<Cell> cells;
   for (const Traced& t : all.pixels) cells.push_back(cell_of(s.world, t));
-  const Raster raster = sight::picture(s.eye, std::move(cells), {0.25, 0, 0}, 5);
+  const Raster raster = viewing::picture(s.eye, std::move(cells), {0.25, 0, 0}, 5);
   std::vector<Vec3> pixel;
   for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}})
     pixel.push_back(on_picture(raster, s.eye, {s.column + x, s.row + y}));

@@ -9,11 +9,11 @@ struct OnePixel {
   /// Of the pixel that holds the point of the picture plane.
   OnePixel(const viz::Vec3& point, const viz::Vec3& lamp);
 
-  sight::World world;
-  sight::Eye eye;
+  viewing::World world;
+  viewing::Eye eye;
   viz::Vec3 lamp, handle, aim;  ///< the point as given; the middle of its pixel
   int column, row;
-  sight::Ray3 ray;
+  viewing::Ray3 ray;
   Traced traced;
 };
 struct Shown {
@@ -22,5 +22,7 @@ struct Shown {
 
 viz::Scene picture(const OnePixel&, const Shown&);
 viz::Scene picture(const OnePixel&, const Shown&, const Image&);  ///< as the eye sees it
+
+viz::Walk tell(const viz::Vec3& pixel, const viz::Vec3& lamp);  // telling.cpp
 
 }  // namespace isect::lessons::ray_tracing_lesson

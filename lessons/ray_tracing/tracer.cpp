@@ -5,7 +5,7 @@
 namespace isect::lessons::ray_tracing_lesson {
 
 using namespace viz;
-using namespace sight;
+using namespace viewing;
 
 std::vector<Object> scene_objects() {
   return {{"ball **a**", Sphere<double, 3>{{2, -0.125, -0.875}, 0.875}, Role::first},

@@ -1,16 +1,16 @@
 #pragma once
-// A small ray tracer: the closest hit of a sight line, its normal, and a shadow ray to the lamp.
+// A small ray tracer: the closest hit of a viewing ray, its normal, and a shadow ray to the lamp.
 
-#include "lessons/shared/sight.h"
+#include "lessons/shared/viewing.h"
 
 namespace isect::lessons::ray_tracing_lesson {
 
 inline constexpr int columns = 48, rows = 36;
 
 /// Balls, a box and a floor.
-std::vector<sight::Object> scene_objects();
+std::vector<viewing::Object> scene_objects();
 
-/// What one sight line finds.
+/// What one viewing ray finds.
 struct Traced {
   std::optional<BvhHit<double>> hit;
   viz::Vec3 point = viz::Vec3::Zero(), normal = viz::Vec3::Zero(), to_lamp = viz::Vec3::Zero();
@@ -24,14 +24,14 @@ struct Work {
   int eye_rays = 0, shadow_rays = 0, tests = 0;
 };
 
-Traced trace(const sight::World&, const sight::Ray3&, const viz::Vec3& lamp, Work&);
-viz::Cell cell_of(const sight::World&, const Traced&);
+Traced trace(const viewing::World&, const viewing::Ray3&, const viz::Vec3& lamp, Work&);
+viz::Cell cell_of(const viewing::World&, const Traced&);
 
 /// The picture, row by row.
 struct Image {
   std::vector<Traced> pixels;
   Work work;
 };
-Image trace(const sight::World&, const sight::Eye&, const viz::Vec3& lamp);
+Image trace(const viewing::World&, const viewing::Eye&, const viz::Vec3& lamp);
 
 }  // namespace isect::lessons::ray_tracing_lesson

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <isect/motion.h>
-#include "lessons/rays/methods.h"
+#include "lessons/rays/picture.h"
 #include "lessons/shared/script.h"
 
 namespace isect::lessons::rays_lesson {
@@ -44,7 +44,7 @@ class Flight {
   }
 
  private:
-  Vec3 at(double t) const { return in_space(ray_.at(t)); }
+  Vec3 at(double t) const { return flat(ray_.at(t)); }
 
   Scene picture() const {
     Scene scene;

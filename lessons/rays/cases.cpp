@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "lessons/rays/methods.h"
+#include "lessons/rays/picture.h"
 
 namespace isect::lessons::rays_lesson {
 namespace {

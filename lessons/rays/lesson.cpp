@@ -1,6 +1,6 @@
 // Rays (N16): a point and a direction, or two points; finite, semi-infinite or infinite; and what t means.
 
-#include "lessons/rays/methods.h"
+#include "lessons/rays/picture.h"
 #include "lessons/shared/parameters.h"
 
 namespace isect::lessons {
@@ -37,17 +37,13 @@ std::vector<Preset> presets() {
 }
 
 Walk walk(const Parameters& p) {
-  if (std::get<std::string>(p.at("made")) != "motion") return told(setup(p));
+  if (std::get<std::string>(p.at("made")) != "motion") return tell(setup(p));
   const auto flat = [&](const char* name) {
     Vec3 v = std::get<Vec3>(p.at(name));
     v.z() = 0;
     return v;
   };
   return bullet(flat("o"), flat("d"));
-}
-
-Parameter vector_of(const char* name, const char* label, const char* help, const Vec3& initial) {
-  return {name, label, help, initial, -1e6, 1e6, -4, 4};
 }
 
 bool given_by_direction(const Parameters& p) {
@@ -72,13 +68,13 @@ const Lesson& rays() {
       .summary = "A ray by a point and a direction or by two points, its range, and what t means.",
       .parameters = {choice("made", "made", "How the ray is given.", {"direction", "points", "unit", "motion"}),
                      choice("extent", "extent", "Which t belong to it.", {"ray", "segment", "line"}),
-                     vector_of("o", "**o**", "Origin or first point, in world units; the third coordinate is not used.",
-                               {-3, -0.5, 0}),
-                     vector_of("d", "**d**",
-                               "Direction, of any length but 0, or velocity, where no two points give the ray.",
-                               {1.5, 0.5, 0}),
-                     vector_of("q", "**p**_2", "Second point, where the ray is given by two; not the first one again.",
-                               {0, 0.5, 0}),
+                     vector("o", "**o**", "Origin or first point, in world units; the third coordinate is not used.",
+                            {-3, -0.5, 0}),
+                     vector("d", "**d**",
+                            "Direction, of any length but 0, or velocity, where no two points give the ray.",
+                            {1.5, 0.5, 0}),
+                     vector("q", "**p**_2", "Second point, where the ray is given by two; not the first one again.",
+                            {0, 0.5, 0}),
                      {"wall", "wall", "Where the wall stands on x, in world units.", 1.5, -1e6, 1e6, -3, 3}},
       .conditions = {not_zero("d", true, given_by_direction), second_point()},
       .group_by = "made",

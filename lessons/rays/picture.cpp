@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lessons/rays/methods.h"
+#include "lessons/rays/picture.h"
 
 namespace isect::lessons::rays_lesson {
 
@@ -35,7 +35,7 @@ class Painter {
   }
 
  private:
-  Vec3 at(double t) const { return in_space(s_.ray.at(t)); }
+  Vec3 at(double t) const { return flat(s_.ray.at(t)); }
   void add(Item item) { scene_.items.push_back(std::move(item)); }
 
   /// The line without its range.
@@ -105,8 +105,6 @@ class Painter {
 
 }  // namespace
 
-Vec3 in_space(const Point2& p) { return {p.x(), p.y(), 0}; }
-
 Setup setup(const Parameters& p) {
   Setup s;
   const std::string& made = std::get<std::string>(p.at("made"));
@@ -154,8 +152,8 @@ void draw_marks(Scene& scene, const Ray<double, 2>& ray, const Interval<double>&
   const int last = static_cast<int>(std::floor(std::min(t.hi, 40.0)));
   for (int i = first; i <= last; ++i) {
     const Point2 p = ray.at(i);
-    scene.items.emplace_back(Line{in_space(p - across), in_space(p + across), Role::text, Pen::solid});
-    scene.items.emplace_back(Label{in_space(p), shown(i), Role::muted});
+    scene.items.emplace_back(Line{flat(p - across), flat(p + across), Role::text, Pen::solid});
+    scene.items.emplace_back(Label{flat(p), shown(i), Role::muted});
   }
 }
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "lessons/relations/questions.h"
+#include "lessons/relations/telling.h"
 #include "lessons/shared/plane.h"
 #include "lessons/shared/relation.h"
 

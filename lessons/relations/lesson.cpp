@@ -1,12 +1,12 @@
 // How two sets can lie (N02): six relations, told from each other by three questions; and what a yes or no loses.
 //
-// The shapes stand in relations/pair, their pictures in relations/shared, pages of many in relations/pages, the three
-// questions in relations/questions.
+// The shapes stand in relations/pair, their pictures in relations/picture, pages of many in relations/pages, the three
+// questions in relations/telling.
 
 #include <algorithm>
 
 #include "lessons/relations/pages.h"
-#include "lessons/relations/questions.h"
+#include "lessons/relations/telling.h"
 #include "lessons/shared/parameters.h"
 #include "lessons/shared/plane.h"
 
@@ -59,8 +59,7 @@ const Lesson& relations() {
         .rows = "N02",
         .summary = "Six ways in which two sets can lie, and what a yes or no test loses of them.",
         .parameters = {choice("kind", "kind", "What the two sets are.", choices),
-                       {"b", "**b**", "The place of b, in units; a stays at the origin.", Vec3(0, 0, 0), -1e6, 1e6, -4,
-                        4},
+                       vector("b", "**b**", "The place of b, in units; a stays at the origin.", Vec3(0, 0, 0)),
                        {"size", "size of b", "The size of b, in sizes of a.", 1.0, 0.0625, 64, 0.25, 2},
                        choice("turn", "turn of b", "How b is turned; balls and AABBs are not.", turns)},
         .group_by = "",

@@ -41,7 +41,7 @@ Scene six(Kind kind) {
   for (const Situation& s : situations(kind)) {
     const Pair pair(kind, s.pose, two_rows);
     insets.push_back(
-        {drawn(pair, true), name(pair.truth), pair.meet ? "yes" : "no", pair.meet ? Role::hit : Role::miss});
+        {drawn(pair, true), relation_name(pair.truth), pair.meet ? "yes" : "no", pair.meet ? Role::hit : Role::miss});
   }
   return {centred(insets, 3), {}, {}};
 }

@@ -1,7 +1,7 @@
 #pragma once
 // Pages of many pairs: all relations of one kind, the same pose of all kinds, all of both.
 
-#include "lessons/relations/pair.h"
+#include "lessons/relations/picture.h"
 #include "lessons/shared/plane.h"
 
 namespace isect::lessons::relations_lesson {

@@ -1,4 +1,4 @@
-#include "lessons/relations/pair.h"
+#include "lessons/relations/picture.h"
 
 #include <isect/aabb_aabb.h>
 #include <isect/convex_polygons.h>
@@ -75,10 +75,6 @@ Pair::Pair(Kind the_kind, const Pose& pose, double scale)
 std::string name(Kind kind) {
   const char* const names[] = {"balls", "AABBs", "OBBs", "polygons"};
   return names[static_cast<int>(kind)];
-}
-std::string name(Relation relation) {
-  const char* const names[] = {"disjoint", "equal", "a inside b", "b inside a", "touching", "overlapping"};
-  return names[static_cast<int>(relation)];
 }
 std::string one(Kind kind) { return name(kind).substr(0, name(kind).size() - 1); }
 std::string they(Kind kind) { return "the " + name(kind); }

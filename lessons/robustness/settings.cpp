@@ -18,7 +18,7 @@ namespace {
 
 int sign(double x) { return (x > 0) - (x < 0); }
 
-/// The neighbour of x, so many representable numbers of S on.
+/// The representable number of S that lies `steps` beyond x.
 template <class S>
 S neighbour(double x, int steps) {
   S y = static_cast<S>(x);

@@ -2,6 +2,7 @@
 // What is put under the microscope: a naive test and the exact one, asked of one floating-point neighbour after
 // another.
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -28,5 +29,8 @@ inline constexpr int half = 32;  ///< cells on either side of the middle one
 Setting setting(const std::string& test, const std::string& scalar, const viz::Vec3& p);
 const std::vector<std::string>& tests();
 viz::Vec3 standard_point(const std::string& test);
+
+/// `look`: the neighbour that is asked about, so many to the right and up. (telling.cpp)
+viz::Walk tell(const std::string& scalar, const Setting&, const std::array<int, 2>& look);
 
 }  // namespace isect::lessons::robustness_lesson

@@ -19,7 +19,7 @@ namespace {
 using C = Counted<double>;
 using Box = Obb<double, 3>;
 
-/// A box seen from above, upright, turned by so many degrees.
+/// A box seen from above, turned about the upright axis.
 Box upright(const Flat& center, double degrees, double u, double v) {
   const double angle = degrees * 3.14159265358979323846 / 180, c = std::cos(angle), s = std::sin(angle);
   Box box = {{center.x(), center.y(), 0}, {}, {u, v, 0.25}};

@@ -12,12 +12,6 @@ using namespace viz;
 
 namespace {
 
-std::vector<Vec3> in_space(const std::vector<Flat>& ring) {
-  std::vector<Vec3> points;
-  for (const Flat& v : ring) points.push_back(flat(v));
-  return points;
-}
-
 /// A count as a bar beside the scene.
 void add_bar(Scene& scene, const std::string& name, double count, double most, const std::string& unit, double y,
              Role role) {
@@ -47,11 +41,11 @@ Question question(const Experiment& e) {
 
 Region region(const std::vector<Flat>& ring, Role role) {
   Region r;
-  r.rings = {in_space(ring)};
+  r.rings = {flat(ring)};
   r.role = role;
   return r;
 }
-Chain outline(const std::vector<Flat>& ring, Role role, Pen pen) { return {in_space(ring), true, role, pen}; }
+Chain outline(const std::vector<Flat>& ring, Role role, Pen pen) { return {flat(ring), true, role, pen}; }
 Circle circle(const Flat& center, double radius, Role role, Pen pen, bool filled) {
   return {flat(center), radius, role, pen, filled};
 }

@@ -7,6 +7,7 @@
 
 #include <isect/numbers/counted.h>
 #include <isect/shapes.h>
+#include "lessons/shared/flat.h"
 #include "viz/lesson.h"
 
 namespace isect::lessons::rules_lesson {
@@ -52,7 +53,6 @@ Tally counted(const Run& run) {
 
 // Pictures; all lies within x in [-3.3, 1.2], y in [-2, 2].
 
-inline viz::Vec3 flat(const Flat& p) { return {p.x(), p.y(), 0}; }
 viz::Region region(const std::vector<Flat>& ring, viz::Role role);
 viz::Chain outline(const std::vector<Flat>& ring, viz::Role role, viz::Pen pen);
 viz::Circle circle(const Flat& center, double radius, viz::Role role, viz::Pen pen, bool filled = false);

@@ -12,6 +12,8 @@ namespace isect::lessons {
 
 /// What a yes/no test of two sets says.
 inline std::string says_meet(bool meet) { return meet ? "they meet" : "disjoint"; }
+/// The same in the words of the note's pseudocode.
+inline std::string says_overlap(bool overlap) { return overlap ? "OVERLAP" : "DISJOINT"; }
 
 /// Gathers what the methods say. The exact one comes first, and the others are held against it.
 class Opinions {

@@ -4,8 +4,8 @@
 #include <functional>
 #include <string>
 #include <utility>
-#include <vector>
 
+#include <isect/shapes.h>
 #include "viz/lesson.h"
 
 namespace isect::lessons {
@@ -16,6 +16,17 @@ inline viz::Parameter choice(std::string name, std::string label, std::string he
   viz::Parameter p{std::move(name), std::move(label), std::move(help), choices.at(initial)};
   p.choices = std::move(choices);
   return p;
+}
+
+/// A point or a vector, with sliders that reach so far on each axis.
+inline viz::Parameter vector(std::string name, std::string label, std::string help, const viz::Vec3& initial,
+                             double reach = 4) {
+  return {std::move(name), std::move(label), std::move(help), initial, -1e6, 1e6, -reach, reach};
+}
+
+/// A point of a plane lesson: the third coordinate is not used.
+inline Point<double, 2> flat_point(const viz::Parameters& values, const std::string& name) {
+  return std::get<viz::Vec3>(values.at(name)).head<2>();
 }
 
 /// A direction must have a length. `flat`: in the plane, as its third coordinate is not used. `where`: asked of the

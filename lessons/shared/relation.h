@@ -61,4 +61,7 @@ inline int case_of(Relation r) {
   return 5;
 }
 
+/// "touching"
+inline std::string relation_name(Relation r) { return relation_cases()[case_of(r)]; }
+
 }  // namespace isect::lessons

@@ -6,7 +6,7 @@
 
 #include "bench/prose.h"
 #include "bench/rows.h"
-#include "lessons/speed_against_error/teller.h"
+#include "lessons/speed_against_error/telling.h"
 #include "viz/chart.h"
 
 namespace isect::lessons::speed_lesson {

@@ -7,7 +7,7 @@
 #include "bench/prose.h"
 #include "bench/report_text.h"
 #include "bench/rows.h"
-#include "lessons/speed_against_error/teller.h"
+#include "lessons/speed_against_error/telling.h"
 
 namespace isect::lessons::speed_lesson {
 

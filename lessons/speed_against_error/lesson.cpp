@@ -1,11 +1,11 @@
 // Speed against error: the measured plots, read one step at a time (N10, rules 7 and 8).
 //
 // The numbers are those of bench/results.json, so that every run of the lesson says the same; `isect bench` makes new
-// ones. What is said of them is computed in speed_against_error/teller.
+// ones. What is said of them is computed in speed_against_error/telling.
 
 #include "lessons/shared/parameters.h"
 #include "lessons/speed_against_error/results.h"
-#include "lessons/speed_against_error/teller.h"
+#include "lessons/speed_against_error/telling.h"
 
 namespace isect::lessons {
 namespace {
@@ -19,7 +19,7 @@ std::vector<Preset> presets() {
   return all;
 }
 
-Walk walk(const Parameters& values) { return Teller(results(), std::get<std::string>(values.at("test"))).walk(); }
+Walk walk(const Parameters& values) { return Teller(results(), std::get<std::string>(values.at("test"))).tell(); }
 
 }  // namespace
 

@@ -5,6 +5,8 @@
 #include <isect/sphere_aabb.h>
 
 #include <isect/sphere_aabb_methods.h>
+#include "lessons/shared/opinions.h"
+#include "lessons/shared/parameters.h"
 #include "lessons/sphere_aabb/telling.h"
 
 namespace isect::lessons {
@@ -14,19 +16,18 @@ namespace {
 using namespace viz;
 using namespace sphere_aabb_lesson;
 
-Walk walk(const Parameters& p) { return told(setup(p)); }
+Walk walk(const Parameters& p) { return tell(setup(p)); }
 
 std::vector<Opinion> opinions(const Parameters& p) {
   const Setup s = setup(p);
   const bool meets = s.truth != Relation::disjoint;
-  const auto said = [&](const char* method, bool overlap) {
-    return Opinion{method, overlap ? "OVERLAP" : "DISJOINT", overlap == meets};
-  };
-  return {{"exact", in_words(s.truth), true},
-          said("accumulated, strict (the note)", sphere_aabb::accumulate(s.ball, s.box)),
-          said("with early rejections", sphere_aabb::with_rejections(s.ball, s.box)),
-          said("clamped centre", sphere_aabb::clamped(s.ball, s.box)),
-          said("centre in the box grown by *r*", s.in_grown)};
+  Opinions all(in_words(s.truth));
+  const auto add = [&](const char* method, bool overlap) { all.add(method, says_overlap(overlap), overlap == meets); };
+  add("accumulated, strict (the note)", sphere_aabb::accumulate(s.ball, s.box));
+  add("with early rejections", sphere_aabb::with_rejections(s.ball, s.box));
+  add("clamped centre", sphere_aabb::clamped(s.ball, s.box));
+  add("centre in the box grown by *r*", s.in_grown);
+  return all.take();
 }
 
 Preset preset_of(const char* id, const char* title, const Vec3& c, double r) {
@@ -41,12 +42,10 @@ const Lesson& sphere_aabb() {
       .title = "Sphere and box",
       .rows = "N15",
       .summary = "Whether a ball meets an axis-aligned box: the squared distance, gathered axis by axis.",
-      .parameters = {{"c", "**c**", "Centre of the ball, in world units.", Vec3(0.75, 1.375, -1.375), -1e6, 1e6, -4, 4},
+      .parameters = {vector("c", "**c**", "Centre of the ball, in world units.", Vec3(0.75, 1.375, -1.375)),
                      {"r", "*r*", "Radius of the ball, in world units.", 1.5, 0, 1e6, 0.1, 4},
-                     {"b_min", "b_{min}", "Lower corner of the box, in world units.", Vec3(-1.5, -0.75, -0.75), -1e6,
-                      1e6, -4, 4},
-                     {"b_max", "b_{max}", "Upper corner of the box, in world units.", Vec3(0, 0.75, 0.75), -1e6, 1e6,
-                      -4, 4}},
+                     vector("b_min", "b_{min}", "Lower corner of the box, in world units.", Vec3(-1.5, -0.75, -0.75)),
+                     vector("b_max", "b_{max}", "Upper corner of the box, in world units.", Vec3(0, 0.75, 0.75))},
       .group_by = "",
       .presets = {preset_of("corner", "near a corner", {0.75, 1.375, -1.375}, 1.5),
                   preset_of("corner-miss", "passing a corner", {0.625, 1.375, -1.375}, 0.75),

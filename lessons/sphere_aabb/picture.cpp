@@ -5,6 +5,7 @@
 
 #include <isect/clip_polygon.h>
 #include <isect/point_aabb.h>
+#include "lessons/shared/axis_names.h"
 #include "viz/solids.h"
 
 namespace isect::lessons::sphere_aabb_lesson {
@@ -12,8 +13,6 @@ namespace isect::lessons::sphere_aabb_lesson {
 using namespace viz;
 
 namespace {
-
-const char* const axis_names[] = {"*x*", "*y*", "*z*"};
 
 Aabb<double, 3> grown(const Setup& s) {
   const Vec3 r = Vec3::Constant(s.ball.radius);
@@ -69,7 +68,7 @@ void way(Scene& scene, const Setup& s, const Shown& shown) {
   }
 }
 
-/// The box's interval on one axis and the centre's coordinate, set out before the box like a ruler.
+/// The box's interval on one axis and the centre's coordinate, drawn in front of the box like a ruler.
 void ruler(Scene& scene, const Setup& s, int axis) {
   const auto at = [&](double t) {
     const double off = 0.4;

@@ -22,16 +22,16 @@ const std::vector<std::string> pseudocode = {
 };
 
 const char* const places[] = {"is the centre itself", "lies in a face", "lies on an edge", "is a corner"};
-class Telling {
+class Teller {
  public:
-  explicit Telling(const Setup& setup)
+  explicit Teller(const Setup& setup)
       : s_(setup),
         script_({"Note, N15; Arvo, Graphics Gems (1990)",
                  fmt::format("A ball and an axis-aligned box: {}. The box's point nearest to the centre {}.",
                              in_words(s_.truth), places[s_.gaps()]),
                  pseudocode}) {}
 
-  Walk walk() {
+  Walk tell() {
     script_.tell<sphere_aabb::Event<C>>(
         [&](auto& record) { sphere_aabb::accumulate(cast<C>(s_.ball), cast<C>(s_.box), record); },
         [&](const auto& event) { say(event); });
@@ -97,7 +97,7 @@ class Telling {
     step.question = relation_question(s_.truth, "the ball and the box", because());
     shown_.settled = false;
   }
-  void say(const sphere_aabb::Decision&) {}  // of relate, which is not told
+  void say(const sphere_aabb::Decision&) {}  // of relate, which the lesson does not run
   void say(const Fallback&) {}
 
   std::string reach_caption(double d2, bool near) const {
@@ -147,7 +147,7 @@ class Telling {
     }
   }
 
-  /// The tempting short cut, where it is wrong.
+  /// The tempting shortcut, where it is wrong.
   void grown() {
     shown_.grown = true;
     add("grown", "Why not grow the box by *r*?", -1,
@@ -169,6 +169,6 @@ std::string in_words(Relation r) {
   return words(r, "the ball and the box");
 }
 
-Walk told(const Setup& setup) { return Telling(setup).walk(); }
+Walk tell(const Setup& setup) { return Teller(setup).tell(); }
 
 }  // namespace isect::lessons::sphere_aabb_lesson

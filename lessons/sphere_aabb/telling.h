@@ -6,6 +6,6 @@
 namespace isect::lessons::sphere_aabb_lesson {
 
 std::string in_words(Relation);
-viz::Walk told(const Setup&);
+viz::Walk tell(const Setup&);
 
 }  // namespace isect::lessons::sphere_aabb_lesson

@@ -4,7 +4,7 @@
 #include "lessons/shared/opinions.h"
 #include "lessons/shared/plane.h"
 #include "lessons/shared/relation.h"
-#include "lessons/sphere_sphere/parts.h"
+#include "lessons/sphere_sphere/picture.h"
 
 namespace isect::lessons::sphere_sphere_lesson {
 

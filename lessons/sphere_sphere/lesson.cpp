@@ -1,12 +1,8 @@
 // Sphere against sphere by squared distances (N14), and what the exact test adds: all six relations, touching included.
 
-#include <cmath>
-
 #include "lessons/shared/parameters.h"
 #include "lessons/shared/plane.h"
-#include "lessons/shared/relation.h"
-#include "lessons/shared/script.h"
-#include "lessons/sphere_sphere/parts.h"
+#include "lessons/sphere_sphere/picture.h"
 
 namespace isect::lessons {
 
@@ -14,133 +10,8 @@ namespace {
 
 using namespace viz;
 using namespace sphere_sphere_lesson;
-using C = Counted<double>;
 
-const std::vector<std::string> pseudocode = {
-    "l ← a − b",           // 0
-    "d² ← l · l",          // 1
-    "s ← r₁ + r₂",         // 2
-    "if d² < s²",          // 3
-    "    return OVERLAP",  // 4
-    "return DISJOINT"      // 5
-};
-
-std::string alt(const Setup& s) { return "Two balls, a and b: " + words(s.truth, "the balls") + "."; }
-
-class Telling {
- public:
-  explicit Telling(const Setup& setup) : s_(setup), script_({"Note, N14", alt(setup), pseudocode}) {}
-
-  Walk walk() {
-    const Ball3 a = s_.tested(s_.a), b = s_.tested(s_.b);
-    script_.tell<std::variant<sphere_sphere::Compared<C>>>(
-        [&](auto& record) { sphere_sphere::squared_distance(cast<C>(a), cast<C>(b), record); },
-        [&](const sphere_sphere::Compared<C>& e) { measured(e.distance2.value, e.sum2.value); });
-    compared();
-    return std::move(script_.walk());
-  }
-
- private:
-  Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption, Focus focus,
-            const std::string& formula = {}) {
-    Step& step = script_.add(slug, title, line, caption, formula);
-    step.scene = picture(s_, focus);
-    return step;
-  }
-
-  void measured(double d2, double s2) {
-    d2_ = d2, s2_ = s2;
-    add("difference", "From centre to centre", 0,
-        "Only the line between the centres matters. Two balls are nearest to each other along it.", Focus::line,
-        "**l** = **a** − **b**");
-    script_.value("*d*^2", d2, "area");
-    add("distance", "The squared distance", 1, distance_caption(d2), Focus::distance,
-        "*d*^2 = **l** · **l** = " + shown(d2));
-    script_.value("*s*^2", s2, "area", Role::second);
-    add("reach", "How far the balls reach", 2,
-        "Together the balls reach as far as the sum of their radii.\n"
-        "Both sides are positive, so their squares compare as they do. No square root is needed.",
-        Focus::radii, "*s*^2 = (*r*_1 + *r*_2)^2 = " + shown(s2));
-  }
-
-  void compared() {
-    const double d2 = d2_, s2 = s2_;
-    const bool near = d2 < s2;
-    Step& step = add("compare", "Nearer than they reach?", 3, compare_caption(d2, s2), Focus::none,
-                     "*d*^2 = " + shown(d2) + (near ? " < " : " ≥ ") + shown(s2) + " = *s*^2");
-    Script::decide(step, {"*d*^2 < *s*^2", d2, s2, near, near ? "the balls overlap" : "the note says: disjoint"});
-    step.question = relation_question(s_.truth, "the two balls", because());
-    if (!near) script_.refuse(3, {4});
-
-    script_.settle(verdict_kind(s_.truth), words(s_.truth, "the balls"));
-    add("relation", "How they lie", near ? 4 : 5, end_caption(near), Focus::settled, end_formula());
-  }
-
-  static std::string distance_caption(double d2) {
-    if (std::isinf(d2)) return "The centres lie so far apart that the square overflows: it is infinite.";
-    if (d2 == 0) return "The square is zero: the centres coincide, or the square underflowed.";
-    return "The dot product of **l** with itself is the square of the distance *d*.";
-  }
-
-  std::string compare_caption(double d2, double s2) const {
-    if (std::isinf(d2) && std::isinf(s2)) return "Both squares have overflowed. Infinity is not less than infinity.";
-    if (d2 == 0 && s2 == 0) return "Both squares have vanished. Zero is not less than zero.";
-    if (d2 == s2) return "The distance equals the reach: the balls touch. The note's strict comparison refuses it.";
-    return d2 < s2 ? "The centres lie nearer than the balls reach: they overlap."
-                   : "The centres lie further apart than the balls reach: no common point.";
-  }
-
-  std::string because() const {
-    switch (s_.truth) {
-      case Relation::disjoint:
-        return "*d* > *r*_1 + *r*_2.";
-      case Relation::touching:
-        return "*d* = *r*_1 + *r*_2: one common point.";
-      case Relation::overlapping:
-        return "*d* < *r*_1 + *r*_2, and *d* > |*r*_1 − *r*_2|.";
-      case Relation::equal:
-        return "Centres and radii are the same.";
-      default:
-        return "*d* ≤ |*r*_1 − *r*_2|: the larger ball holds the smaller one.";
-    }
-  }
-
-  std::string end_caption(bool near) const {
-    const bool meets = s_.truth != Relation::disjoint;
-    if (s_.truth == Relation::touching)
-      return "The note calls touching DISJOINT here, but OVERLAP for boxes.\n"
-             "Ours is one rule: sets are closed, a common point is an intersection, and touching has its own "
-             "name.";
-    if (near != meets)
-      return "The note's answer is wrong here: its squares left the range of the numbers.\n"
-             "The exact test computes again in wider numbers, and its answer holds at any scale.";
-    switch (s_.truth) {
-      case Relation::overlapping:
-        return "Their surfaces share a circle. Neither ball holds the other, as *d* > |*r*_1 − *r*_2|.";
-      case Relation::disjoint:
-        return "A gap is left between them. This is known after three products, and without a root.";
-      case Relation::equal:
-        return "The two balls are the same set.";
-      default:
-        return "OVERLAP does not say that one ball lies inside the other.\n"
-               "That takes a second comparison, with the difference of the radii.";
-    }
-  }
-
-  std::string end_formula() const {
-    const double d = (s_.a.center - s_.b.center).norm(), r1 = s_.a.radius, r2 = s_.b.radius;
-    const bool inside = s_.truth == Relation::a_inside_b || s_.truth == Relation::b_inside_a;
-    if (inside) return "*d* = " + shown(d) + " ≤ |*r*_1 − *r*_2| = " + shown(std::abs(r1 - r2));
-    const char* sign = s_.truth == Relation::disjoint ? " > " : s_.truth == Relation::touching ? " = " : " < ";
-    return "*d* = " + shown(d) + sign + "*r*_1 + *r*_2 = " + shown(r1 + r2);
-  }
-
-  const Setup s_;
-  Script script_;
-  double d2_ = 0, s2_ = 0;
-};
-
-Walk walk(const Parameters& p) { return Telling(setup(p)).walk(); }
+Walk walk(const Parameters& p) { return tell(setup(p)); }
 
 Preset preset_of(const char* id, const char* title, const Vec2& b, double r1, double r2, const char* unit = "one") {
   return {id,
@@ -161,9 +32,9 @@ const Lesson& sphere_sphere() {
       .title = "Sphere and sphere",
       .rows = "N14",
       .summary = "Whether two balls meet, by squared distances: no square root.",
-      .parameters = {{"a", "**a**", "Centre of the first ball, in units.", in_plane(-1, 0), -1e6, 1e6, -6, 6},
+      .parameters = {vector("a", "**a**", "Centre of the first ball, in units.", in_plane(-1, 0), 6),
                      {"r1", "*r*_1", "Radius of the first ball, in units.", 1.5 * axis_length, 0, 1e6, 0.1, 4},
-                     {"b", "**b**", "Centre of the second ball, in units.", in_plane(2, 0), -1e6, 1e6, -6, 6},
+                     vector("b", "**b**", "Centre of the second ball, in units.", in_plane(2, 0), 6),
                      {"r2", "*r*_2", "Radius of the second ball, in units.", axis_length, 0, 1e6, 0.1, 4},
                      choice("unit", "unit", "The unit of all lengths: 1, 2^600 or 2^-600.", {"one", "huge", "tiny"})},
       .group_by = "",

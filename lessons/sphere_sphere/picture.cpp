@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "lessons/shared/plane.h"
-#include "lessons/sphere_sphere/parts.h"
+#include "lessons/sphere_sphere/picture.h"
 
 namespace isect::lessons::sphere_sphere_lesson {
 

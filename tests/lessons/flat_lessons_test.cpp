@@ -2,7 +2,7 @@
 
 #include <isect/all_pairs.h>
 #include <isect/convex_hull.h>
-#include "lessons/convex_polygon/methods.h"
+#include "lessons/convex_polygon/picture.h"
 #include "lessons/crossings/situations.h"
 #include "lessons/lessons.h"
 #include "lessons/robustness/settings.h"

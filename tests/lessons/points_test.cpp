@@ -5,7 +5,7 @@
 
 #include "bench/rational.h"
 #include "lessons/lessons.h"
-#include "lessons/points/setup.h"
+#include "lessons/points/picture.h"
 #include "tests/catch.h"
 
 namespace points_test {

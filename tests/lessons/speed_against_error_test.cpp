@@ -6,7 +6,7 @@
 #include "bench/rows.h"
 #include "lessons/lessons.h"
 #include "lessons/speed_against_error/results.h"
-#include "lessons/speed_against_error/teller.h"
+#include "lessons/speed_against_error/telling.h"
 #include "tests/catch.h"
 #include "tests/viz/drawn.h"
 #include "viz/chart.h"
@@ -129,7 +129,7 @@ TEST_CASE("questions about the results have one right answer", "[speed lesson]")
 
 TEST_CASE("what the lesson says follows from the numbers", "[speed lesson]") {
   const bench::Report dear = report(40, 100), cheap = report(10.5, 100), harmless = report(40, 0);
-  const Walk walk = Teller(dear, "a-b").walk();
+  const Walk walk = Teller(dear, "a-b").tell();
   CHECK(step(walk, "touch").caption.find("10 % wrong") != std::string::npos);
   CHECK(step(walk, "touch").question->choices[step(walk, "touch").question->answer] == "naive");
   CHECK(step(walk, "wrong-verdicts").caption.find("Exact calls were wrong 0 times in 2,000.") != std::string::npos);
@@ -137,9 +137,9 @@ TEST_CASE("what the lesson says follows from the numbers", "[speed lesson]") {
   CHECK(step(walk, "cost").caption.find("4 times as long as naive") != std::string::npos);
   CHECK(walk.steps.back().caption.find("30 ns a call") != std::string::npos);
 
-  CHECK(Teller(cheap, "a-b").walk().steps.back().caption.find("costs no more than naive") != std::string::npos);
+  CHECK(Teller(cheap, "a-b").tell().steps.back().caption.find("costs no more than naive") != std::string::npos);
 
-  const Walk calm = Teller(harmless, "a-b").walk();
+  const Walk calm = Teller(harmless, "a-b").tell();
   CHECK(calm.steps.back().caption.find("No case judged here broke naive") != std::string::npos);
   CHECK(std::ranges::none_of(calm.steps, [](const Step& s) { return s.slug == "wrong-verdicts"; }));
 }

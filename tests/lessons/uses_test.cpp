@@ -244,7 +244,7 @@ TEST_CASE("the first plane that rejects a volume ends its test", "[culling lesso
 namespace {
 
 using namespace lessons::ray_tracing_lesson;
-using lessons::sight::Object;
+using lessons::viewing::Object;
 
 /// A ball of many facets, counter-clockwise seen from outside.
 Mesh mesh_of(const Sphere<double, 3>& ball, Role role) {
@@ -265,7 +265,7 @@ Mesh mesh_of(const Sphere<double, 3>& ball, Role role) {
   return mesh;
 }
 
-Mesh mesh_of(const lessons::sight::Shape& shape, Role role) {
+Mesh mesh_of(const lessons::viewing::Shape& shape, Role role) {
   if (const auto* ball = std::get_if<Sphere<double, 3>>(&shape)) return mesh_of(*ball, role);
   if (const auto* ring = std::get_if<Ring<double, 3>>(&shape)) return {*ring, {{0, 1, 2}, {0, 2, 3}}, role};
   const Solid box = solid(std::get<Aabb<double, 3>>(shape), role);
@@ -298,8 +298,8 @@ int object_of(const Picture& picture, int x, int y, const std::vector<Object>& o
 }  // namespace
 
 TEST_CASE("the traced picture shows what the rasteriser draws, pixel by pixel", "[ray-tracing lesson]") {
-  const lessons::sight::World world(scene_objects());
-  const lessons::sight::Eye eye(columns, rows);
+  const lessons::viewing::World world(scene_objects());
+  const lessons::viewing::Eye eye(columns, rows);
   const Image image = trace(world, eye, {-1, 2.25, -1.5});
 
   // Opaque meshes in painter's order: the floor, then what stands on it, far to near. A pixel is sampled in its middle.
@@ -308,7 +308,7 @@ TEST_CASE("the traced picture shows what the rasteriser draws, pixel by pixel", 
   Scene scene;
   for (const int i : order) scene.items.emplace_back(mesh_of(world.object(i).shape, world.object(i).role));
   const Theme style = theme(ThemeName::print, columns * fine, rows * fine);
-  const View view(lessons::sight::eye_camera(), columns * fine, rows * fine);
+  const View view(lessons::viewing::eye_camera(), columns * fine, rows * fine);
   const Drawing drawing = {columns * fine, rows * fine, style.background, compose(scene, view, style).shapes};
   const Picture picture = offscreen().render(drawing);
 
@@ -340,9 +340,9 @@ TEST_CASE("the traced picture shows what the rasteriser draws, pixel by pixel", 
 }
 
 TEST_CASE("each pixel of the lesson's picture is the closest of all hits, shaded", "[ray-tracing lesson]") {
-  const lessons::sight::World world(scene_objects());
+  const lessons::viewing::World world(scene_objects());
   const Vec3 lamp = {-1, 2.25, -1.5};
-  const lessons::sight::Eye eye(columns, rows);
+  const lessons::viewing::Eye eye(columns, rows);
   const Image image = trace(world, eye, lamp);
   int lit = 0, shadow = 0, away = 0, sky = 0;
   for (int y = 0; y < rows; ++y)
@@ -351,7 +351,7 @@ TEST_CASE("each pixel of the lesson's picture is the closest of all hits, shaded
       const auto ray = eye.through(eye.on_plane({x + 0.5, y + 0.5}));
       std::optional<double> least;
       for (const Object& o : world.objects)
-        if (const auto hit = lessons::sight::first_hit(ray, o.shape); hit && (!least || *hit < *least)) least = hit;
+        if (const auto hit = lessons::viewing::first_hit(ray, o.shape); hit && (!least || *hit < *least)) least = hit;
       REQUIRE(least.has_value() == t.hit.has_value());
       sky += !least;
       if (!least) continue;
@@ -363,8 +363,8 @@ TEST_CASE("each pixel of the lesson's picture is the closest of all hits, shaded
         continue;
       }
       bool blocked = false;  // a little off the surface, where the lesson leaves the object out
-      const lessons::sight::Ray3 shadow_ray = {t.point + 1e-9 * t.normal, lamp - t.point, {0, 1}};
-      for (const Object& o : world.objects) blocked = blocked || lessons::sight::first_hit(shadow_ray, o.shape);
+      const lessons::viewing::Ray3 shadow_ray = {t.point + 1e-9 * t.normal, lamp - t.point, {0, 1}};
+      for (const Object& o : world.objects) blocked = blocked || lessons::viewing::first_hit(shadow_ray, o.shape);
       CHECK(blocked == t.blocker.has_value());
       CHECK((t.light > 0.2) != blocked);
       (blocked ? shadow : lit) += 1;
@@ -393,7 +393,7 @@ namespace {
 /// The object that the window's own picking finds there; -1: none.
 int picked_by_window(const std::vector<Object>& objects, const View::SightLine& line) {
   Scene scene;
-  for (const Object& o : objects) lessons::sight::add(o, scene);
+  for (const Object& o : objects) lessons::viewing::add(o, scene);
   const std::optional<Picked> found = pick(scene, line);
   return found ? static_cast<int>(found->item - scene.items.data()) : -1;
 }
@@ -401,8 +401,8 @@ int picked_by_window(const std::vector<Object>& objects, const View::SightLine& 
 }  // namespace
 
 TEST_CASE("the lesson picks what the window would pick, at every pixel", "[picking lesson]") {
-  const lessons::sight::World world(lessons::picking_lesson::objects());
-  const lessons::sight::Eye eye(48, 36);
+  const lessons::viewing::World world(lessons::picking_lesson::objects());
+  const lessons::viewing::Eye eye(48, 36);
   std::map<int, int> seen;
   for (int y = 0; y < 36; ++y)
     for (int x = 0; x < 48; ++x) {
@@ -418,17 +418,17 @@ TEST_CASE("the lesson picks what the window would pick, at every pixel", "[picki
 }
 
 TEST_CASE("the picking presets are what their names say", "[picking lesson]") {
-  const lessons::sight::World world(lessons::picking_lesson::objects());
-  const lessons::sight::Eye eye(48, 36);
+  const lessons::viewing::World world(lessons::picking_lesson::objects());
+  const lessons::viewing::Eye eye(48, 36);
   const auto step = [](const char* id) { return walk_of("picking", id).steps.back(); };
   const auto ray = [&](const char* id) {
     return eye.through(std::get<Vec3>(preset(lesson("picking"), id).parameters.at("pointer")));
   };
   const auto t = [&](const char* id, int object) {
-    return lessons::sight::first_hit(ray(id), world.object(object).shape);
+    return lessons::viewing::first_hit(ray(id), world.object(object).shape);
   };
   const auto in_ball = [&](const char* id, int object) {
-    return lessons::sight::first_hit(ray(id), lessons::picking_lesson::bounding_ball(world.object(object).shape));
+    return lessons::viewing::first_hit(ray(id), lessons::picking_lesson::bounding_ball(world.object(object).shape));
   };
   REQUIRE((t("front", 0) && t("front", 1)));
   CHECK(*t("front", 1) < *t("front", 0));
@@ -451,7 +451,7 @@ TEST_CASE("the picking presets are what their names say", "[picking lesson]") {
 
 TEST_CASE("a bounding ball holds every vertex of what it bounds", "[picking lesson]") {
   for (const Object& o : lessons::picking_lesson::objects()) {
-    const auto* all = std::get_if<lessons::sight::Triangles>(&o.shape);
+    const auto* all = std::get_if<lessons::viewing::Triangles>(&o.shape);
     if (!all) continue;
     const Sphere<double, 3> ball = lessons::picking_lesson::bounding_ball(o.shape);
     Vec3 outwards = Vec3::Zero();

@@ -18,7 +18,7 @@
 #include "lessons/bounding_volumes/object.h"
 #include "lessons/hierarchy/tree.h"
 #include "lessons/lessons.h"
-#include "lessons/relations/pair.h"
+#include "lessons/relations/picture.h"
 #include "lessons/shared/relation.h"
 #include "tests/catch.h"
 #include "viz/chart.h"
@@ -57,7 +57,7 @@ TEST_CASE("each situation of the relations lesson has the relation that it is na
         INFO(relations::name(kind) << ", " << s.id << ", times " << scale);
         const relations::Pair pair(kind, s.pose, scale);
         CHECK(pair.truth == s.relation);
-        CHECK(relations::name(pair.truth) == s.title);
+        CHECK(isect::lessons::relation_name(pair.truth) == s.title);
         CHECK(pair.meet == (s.relation != Relation::disjoint));
         found.push_back(pair.truth);
       }

@@ -9,10 +9,10 @@ RAY = "ray-sphere two-roots"
 MISS = "ray-sphere miss"
 PICTURE = "lessons/ray_sphere/picture.cpp"
 HAINES = "lessons/ray_sphere/haines.cpp"
-TELLER = "lessons/ray_sphere/teller.cpp"
-TELLING = "lessons/ray_sphere/teller.h"
+TELLER = "lessons/ray_sphere/telling.cpp"
+TELLING = "lessons/ray_sphere/telling.h"
 CASES = "lessons/ray_sphere/cases.cpp"
-BALLS = "lessons/sphere_sphere/lesson.cpp"
+BALLS = "lessons/sphere_sphere/telling.cpp"
 
 FAULTS = [
     # What is drawn.

@@ -1,0 +1,34 @@
+#pragma once
+// The three ways to find all pairs of boxes that overlap, and a box that moves. What the three share: a step for each
+// test, and what they cost together.
+
+#include "lessons/collision/picture.h"
+#include "lessons/shared/script.h"
+
+namespace isect::lessons::collision_lesson {
+
+viz::Walk double_loop(const Boxes&);
+viz::Walk sweep(const Boxes&);  ///< sweep and prune
+viz::Walk hierarchy(const Boxes&);
+
+/// A small box flies at a thin wall: what discrete times miss, and what a ray does not. The box is centred at `p` and
+/// moves to the right at this speed, for a second and a half.
+viz::Walk tunnelling(const viz::Vec3& p, double speed);
+
+class Teller {
+ protected:
+  Teller(const Boxes&, const std::string& title, std::vector<std::string> lines);
+
+  viz::Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption,
+                 const std::string& formula = {});
+  /// A pair was tested; `yes` and `no` are the lines that say so.
+  viz::Step& tested(int i, int j, bool overlap, int yes, int no);
+  void total(int line, const std::string& caption);
+
+  const Boxes& boxes_;
+  Script script_;
+  Drawn drawn_;
+  int tests_ = 0;
+};
+
+}  // namespace isect::lessons::collision_lesson

@@ -1,0 +1,65 @@
+#pragma once
+// What the three methods share: the polygons, the point, the frame they are drawn in, and their walks.
+
+#include <string>
+#include <vector>
+
+#include <isect/point_polygon.h>
+#include "lessons/shared/flat.h"
+#include "lessons/shared/location.h"
+#include "viz/lesson.h"
+
+namespace isect::lessons::concave_polygon_lesson {
+
+/// The part of the plane that is drawn; what is stored stands to the right of it.
+struct Frame {
+  double left = -3.3, right = 1.15, low = -2, high = 2;
+  double table = 1.6, table_width = 2.6;  ///< where the stored cells stand
+};
+inline constexpr Frame frame;
+
+struct Setup {
+  Setup(const std::string& polygon, const viz::Vec3& at);
+
+  bool spiky;
+  Ring<double, 2> ring;
+  Point<double, 2> p;
+  Location truth;
+
+  int size() const { return static_cast<int>(ring.size()); }
+};
+
+/// A polygon with this many long spikes, side by side: n = 2 spikes + 1, no two vertices at one height or abscissa.
+Ring<double, 2> spiky_polygon(int spikes);
+
+viz::Walk slabs(const Setup&);
+viz::Walk trapezoids(const Setup&);
+viz::Walk hierarchy(const Setup&);
+
+/// What the slabs and the map of a polygon with this many spikes keep.
+struct Kept {
+  int n;
+  double slab_entries;  ///< edges, over all slabs
+  double map_nodes;     ///< questions and trapezoids
+};
+const Kept& kept(int spikes);
+/// Both, as n grows, with the step that tells it.
+inline constexpr int fewest_spikes = 4, most_spikes = 512;
+viz::Chart growth();
+std::string growth_caption();
+
+// Pictures.
+
+viz::Region polygon(const Setup&, bool outlined = true);
+viz::Region filled(const std::vector<viz::Vec3>& ring, viz::Role role);
+/// One stored thing: a small square around `at`.
+void add_cell(viz::Scene&, double x, double y, double size, viz::Role role, bool thick = false);
+/// What stands above the cells.
+viz::Heading table_heading(const std::string&);
+/// The point with its name and its handle.
+void add_point(viz::Scene&, const Setup&, bool on = false);
+
+std::string alt_text(const Setup&, const std::string& prepared);
+viz::Question where(const Setup&, const std::string& because);
+
+}  // namespace isect::lessons::concave_polygon_lesson

@@ -1,0 +1,37 @@
+#pragma once
+// The two walks, and the picture they share.
+
+#include <isect/point_convex_polygon.h>
+#include "lessons/shared/location.h"
+#include "viz/lesson.h"
+
+namespace isect::lessons::convex_polygon_lesson {
+
+/// A polygon of n vertices on an ellipse, and what is true of the point by the exact test.
+struct Setup {
+  Setup(int n, const Point<double, 2>& the_point);
+
+  const ConvexPolygon<double>& polygon;
+  Point<double, 2> p;
+  Location truth;
+
+  int size() const { return static_cast<int>(polygon.vertices.size()); }
+  const Point<double, 2>& vertex(int i) const { return polygon.vertices[i % size()]; }
+};
+
+viz::Walk fan(const Setup&);       ///< from vertex 0, exact
+viz::Walk centroid(const Setup&);  ///< the note's, in plain floating point
+
+/// What a step shows.
+struct Shown {
+  Point<double, 2> apex;  ///< v0 or the centroid
+  std::string apex_name;
+  int lo = -1, hi = -1;  ///< the wedge; -1: none yet
+  int mid = -1;          ///< the ray asked; -1: none
+  bool edge = false;     ///< the wedge's edge is asked
+  bool on = false;
+};
+viz::Scene picture(const Setup&, const Shown&);
+std::string alt_text(const Setup&);
+
+}  // namespace isect::lessons::convex_polygon_lesson

@@ -1,0 +1,54 @@
+#pragma once
+// What the three walks share: the run on counting scalars, and the questions and verdicts that come from the
+// exact test.
+
+#include <isect/numbers/counted.h>
+#include "lessons/ray_sphere/picture.h"
+#include "lessons/shared/script.h"
+
+namespace isect::lessons::ray_sphere_lesson {
+
+viz::Walk haines(const viz::Parameters&);
+viz::Walk quadratic(const viz::Parameters&);
+viz::Walk half_b(const viz::Parameters&);
+
+/// Tells one run of one method. A method's own teller adds what to say of each event.
+class Teller {
+ protected:
+  Teller(const Setup& setup, const std::string& title, const std::string& source, std::vector<std::string> pseudocode)
+      : setup_(setup), script_({source, alt_text(setup), std::move(pseudocode), title}) {}
+
+  /// Runs `method(ray, sphere, record)` with every operation counted, and says each event.
+  template <class Event, class Method, class Say>
+  viz::Walk tell(const Method& method, const Say& say) {
+    using C = Counted<double>;
+    const Ray<double, 3>& r = setup_.ray;
+    const Ray<C, 3> ray = {r.origin.cast<C>(), r.direction.cast<C>(), {r.range.lo, r.range.hi}};
+    const Sphere<C, 3> sphere = {setup_.sphere.center.cast<C>(), setup_.sphere.radius};
+    script_.tell<Event>([&](auto& record) { method(ray, sphere, record); }, say);
+    return std::move(script_.walk());
+  }
+
+  viz::Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption, Focus focus,
+                 const std::string& formula = {});
+  static void decide(viz::Step& step, const viz::Comparison& comparison) { Script::decide(step, comparison); }
+  void settle(viz::Verdict::Kind);
+
+  const Setup& setup_;
+  Script script_;
+  Known known_;
+};
+
+/// "How many points does the line share with the sphere?"
+viz::Question roots_question(const Setup&);
+/// "Which is the first hit?" with the names of the two roots.
+viz::Question first_hit_question(const Setup&, const std::vector<std::string>& roots);
+/// "Can the ball be rejected already?"
+viz::Question behind_question(bool rejected);
+
+std::string verdict_text(const Setup&);
+std::string miss_caption(const Setup&);
+/// What the solid ball adds to the answer for its surface.
+std::string solid_caption(const Setup&);
+
+}  // namespace isect::lessons::ray_sphere_lesson

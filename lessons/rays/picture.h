@@ -1,0 +1,44 @@
+#pragma once
+// The ways to give a ray, the walk of each, and the picture they share.
+
+#include <isect/ray_aabb.h>
+#include <isect/ray_plane.h>
+#include "lessons/shared/flat.h"
+#include "viz/lesson.h"
+
+namespace isect::lessons::rays_lesson {
+
+enum class Made { direction, unit, points };
+
+struct Setup {
+  Made made;
+  std::string extent;  ///< "segment", "ray", "line"
+  viz::Vec3 o, d, q;   ///< as given: `q` for points, `d` otherwise
+  double wall;         ///< its x
+  Ray<double, 2> ray;
+  Plane<double, 2> plane;
+  RayPlane<double> truth;
+};
+Setup setup(const viz::Parameters&);
+
+/// What a step shows.
+struct Shown {
+  bool marks = false;    ///< t along the line
+  bool range = false;    ///< the part that belongs to the ray
+  bool hit = false;      ///< t in the wall
+  bool settled = false;  ///< and whether it counts
+};
+viz::Scene picture(const Setup&, const Shown&);
+
+/// The wall of a thickness, or the line that is its front.
+void draw_wall(viz::Scene&, const Interval<double>& x);
+/// The stretch of t in which the line runs through the part of the plane that is drawn.
+Interval<double> drawn(const Ray<double, 2>&);
+/// Small strokes across the line at every `spacing` of t, named, and a line through all of them.
+void draw_marks(viz::Scene&, const Ray<double, 2>&, const Interval<double>& t);
+
+const viz::CaseMap& cases();                                      ///< of the wall's place and the direction
+viz::Walk tell(const Setup&);                                     ///< a ray against the wall
+viz::Walk bullet(const viz::Vec3& p, const viz::Vec3& velocity);  ///< a moving point, as a ray
+
+}  // namespace isect::lessons::rays_lesson

@@ -1,0 +1,202 @@
+// A ray that is given by a point and a direction, or by two points, against a wall.
+
+#include <fmt/format.h>
+
+#include <isect/orient.h>
+#include <isect/ray_plane_methods.h>
+#include "lessons/rays/picture.h"
+#include "lessons/shared/script.h"
+
+namespace isect::lessons::rays_lesson {
+
+using namespace viz;
+using C = Counted<double>;
+
+namespace {
+
+/// The letter of the direction that the ray ends up with.
+const char* letter(const Setup& s) { return s.made == Made::unit ? "u" : "d"; }
+
+std::vector<std::string> pseudocode(const Setup& s) {
+  const char* const made = s.made == Made::points ? "o ← p₁; d ← p₂ − p₁"
+                           : s.made == Made::unit ? "o, d ← as given; u ← d / |d|"
+                                                  : "o, d ← as given";
+  const char* const segment = s.made == Made::unit ? "[0, |d|]" : "[0, 1]";
+  return {made,                                                            // 0
+          fmt::format("r(t) = o + t {}", letter(s)),                       // 1
+          fmt::format("t_min, t_max ← {} or [0, ∞) or (−∞, ∞)", segment),  // 2
+          fmt::format("t ← −(n · o + D) / (n · {})", letter(s)),           // 3
+          "return t_min ≤ t ≤ t_max ? r(t) : MISS"};                       // 4
+}
+
+std::string noun(const Setup& s) { return s.extent == "ray" ? "ray" : s.extent; }
+
+class Teller {
+ public:
+  explicit Teller(const Setup& setup)
+      : s_(setup),
+        script_({"Note, N16, N20",
+                 fmt::format("A {} and a wall: {}.", noun(s_), s_.truth.meets ? "they meet" : "they do not meet"),
+                 pseudocode(setup),
+                 s_.made == Made::points ? "two points"
+                 : s_.made == Made::unit ? "unit direction"
+                                         : "point and direction"}) {}
+
+  Walk tell() {
+    made();
+    marks();
+    range();
+    script_.tell<ray_plane::TextbookEvent<C>>(
+        [&](auto& record) { ray_plane::textbook(counted(), cast<C>(s_.plane), record); },
+        [&](const auto& event) { say(event); });
+    verdict();
+    return std::move(script_.walk());
+  }
+
+ private:
+  /// The same ray, made of counting scalars.
+  Ray<C, 2> counted() const {
+    Ray<C, 2> ray = {s_.o.head<2>().cast<C>(), s_.d.head<2>().cast<C>(), cast<C>(s_.ray.range)};
+    if (s_.made == Made::points)
+      ray.direction = s_.q.head<2>().cast<C>() - ray.origin;
+    else if (s_.made == Made::unit && s_.d.head<2>() != Point<double, 2>::Zero())
+      ray.direction = ray.direction / sqrt(ray.direction.dot(ray.direction));
+    return ray;
+  }
+
+  Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption,
+            const std::string& formula = {}) {
+    Step& step = script_.add(slug, title, line, caption, formula);
+    step.scene = picture(s_, known_);
+    return step;
+  }
+
+  void made() {
+    if (s_.made == Made::points) {
+      add("two-points", "Two points", 0,
+          "Two points give a ray, too: from **p**_1, in the direction **p**_2 − **p**_1.\n"
+          "The difference is rounded. A test that must see both end points exactly takes the points.",
+          "**d** = **p**_2 − **p**_1");
+    } else if (s_.made == Made::unit) {
+      const Vector<double, 2>& u = s_.ray.direction;
+      script_.value("|**d**|", std::sqrt(s_.d.head<2>().dot(s_.d.head<2>())), "length");
+      script_.value("|**u**|^2 − 1", u.dot(u) - 1);
+      add("normalise", "A unit direction", 0,
+          "Divided by its length, **d** becomes the unit vector **u**: the same ray at another scale.\n"
+          "It costs a square root, a division for each coordinate, and rounding.",
+          "**u** = **d** / |**d**|");
+    } else {
+      add("direction", "A point and a direction", 0,
+          "A ray has an origin **o** and a direction **d**. The direction may have any length but 0.");
+    }
+  }
+
+  void marks() {
+    known_.marks = true;
+    const std::string unit = s_.made == Made::unit ? "As |**u**| = 1, *t* is the distance from **o**."
+                             : s_.made == Made::points
+                                 ? "*t* = 0 is **p**_1, *t* = 1 is **p**_2: *t* counts lengths of **d**."
+                                 : "*t* counts lengths of **d**: **r**(1) = **o** + **d**. It is no distance.";
+    add("parameter", "One number for each point", 1, "Each *t* has its point on the line. " + unit,
+        fmt::format("**r**(*t*) = **o** + *t* **{}**", letter(s_)));
+  }
+
+  void range() {
+    known_.range = true;
+    const bool segment = s_.extent == "segment", line = s_.extent == "line";
+    const std::string end = s_.made == Made::unit ? "|**d**|" : "1";
+    const std::string t = segment ? "0 ≤ *t* ≤ " + end : line ? "−∞ < *t* < ∞" : "0 ≤ *t* < ∞";
+    Step& step = add("range",
+                     segment ? "Finite: a segment"
+                     : line  ? "Infinite: a line"
+                             : "Semi-infinite: a ray",
+                     2,
+                     segment ? "A segment has two ends. Both belong to it, as the range is closed."
+                     : line  ? "A line has no end. What lies behind **o**, at *t* < 0, belongs to it, too."
+                             : "A ray has one end, and **o** belongs to it. What lies at *t* < 0 does not.",
+                     t);
+    step.question = {"Which *t* belong to a " + noun(s_) + "?",
+                     {"0 ≤ *t* ≤ " + end, "*t* ≥ 0", "every *t*"},
+                     segment ? 0
+                     : line  ? 2
+                             : 1,
+                     "The three kinds differ in nothing but the range of *t*."};
+  }
+
+  void say(const ray_plane::Numerator<C>& e) { script_.value("**n** · **o** + *D*", e.value.value, "length"); }
+  void say(const ray_plane::Denominator<C>& e) {
+    script_.value(fmt::format("**n** · **{}**", letter(s_)), e.value.value, "length");
+  }
+  void say(const ray_plane::Parallel<C>& e) {
+    if (e.holds)
+      add("parallel", "Parallel", 3,
+          fmt::format("**n** · **{}** = 0: the line never comes nearer to the wall, or lies in it.", letter(s_)));
+  }
+  void say(const ray_plane::InRange<C>& e) {
+    const double t = e.t.value;
+    known_.hit = true;
+    script_.value("*t*", t, {}, e.holds ? Role::hit : Role::muted);
+    add("wall", "Where the line meets the wall", 3,
+        s_.made == Made::unit
+            ? "The line meets the wall at one *t*. It is the distance from **o** to the wall, along the ray."
+            : "The line meets the wall at one *t*. Whether that point counts, the range will say.",
+        fmt::format("*t* = −(**n** · **o** + *D*) / (**n** · **{}**) = {}", letter(s_), shown(t)));
+  }
+
+  void verdict() {
+    known_.settled = true;
+    const bool meets = s_.truth.meets;
+    script_.settle(meets ? Verdict::Kind::yes : Verdict::Kind::no,
+                   !meets              ? "the " + noun(s_) + " misses the wall"
+                   : s_.truth.coplanar ? "the " + noun(s_) + " lies in the wall"
+                                       : "the " + noun(s_) + " meets the wall at *t* = " + shown(*s_.truth.t));
+    Step& step = add("verdict", "Does it count?", 4, verdict_caption());
+    if (s_.truth.line) {
+      const bool below = *s_.truth.line < s_.ray.range.lo;
+      const double end = below ? s_.ray.range.lo : s_.ray.range.hi;
+      if (std::isfinite(end))
+        Script::decide(step, {below ? "*t*_{min} ≤ *t*" : "*t* ≤ *t*_{max}", below ? end : *s_.truth.line,
+                              below ? *s_.truth.line : end, meets, meets ? "in the range" : "outside the range"});
+    }
+    step.question = {"Does the " + noun(s_) + " meet the wall?",
+                     {"yes", "no"},
+                     meets ? 0 : 1,
+                     meets ? "Its *t* lies in the range." : "No *t* of the range reaches the wall."};
+  }
+
+  std::string verdict_caption() const {
+    if (!s_.truth.line) return "A parallel ray meets the wall everywhere or nowhere.";
+    const double t = *s_.truth.line;
+    std::string text;
+    if (!s_.truth.meets)
+      text = t < 0 ? "*t* < 0: the wall lies behind **o**. The line meets it, the " + noun(s_) + " does not."
+                   : "*t* > 1: the segment ends before the wall. Its line goes on, and meets it.";
+    else if (t == s_.ray.range.hi)
+      text = "The segment ends exactly in the wall. Its end belongs to it, so they meet.";
+    else
+      text = t < 0 ? "*t* < 0, and still it counts: a line has every *t*."
+                   : "*t* lies in the range, so **r**(*t*) is a common point.";
+    return s_.made == Made::unit ? text + "\n" + rounding() : text;
+  }
+
+  /// What the unit direction has lost, asked exactly.
+  std::string rounding() const {
+    const Vector<double, 2> d = s_.d.head<2>();
+    const int turned = orient2d({0, 0}, d, s_.ray.direction);
+    return turned == 0 ? "Here the rounded **u** still points along **d**."
+                       : fmt::format(
+                             "But the rounded unit vector points a little to the {} of **d**: exact "
+                             "predicates take **d** as given.",
+                             turned > 0 ? "left" : "right");
+  }
+
+  const Setup& s_;
+  Script script_;
+  Shown known_;
+};
+
+}  // namespace
+
+Walk tell(const Setup& setup) { return Teller(setup).tell(); }
+
+}  // namespace isect::lessons::rays_lesson

@@ -1,0 +1,15 @@
+#pragma once
+// The walk that tells how two sets lie by three questions, and the map of all its cases.
+
+#include "lessons/relations/picture.h"
+
+namespace isect::lessons::relations_lesson {
+
+Pose pose(const viz::Parameters&);
+/// None where the walk is of all kinds at once; it has no map.
+const Kind* kind_of(const viz::Parameters&);
+
+viz::Walk questions(Kind, const Pose&);
+const viz::CaseMap& cases();
+
+}  // namespace isect::lessons::relations_lesson

@@ -1,0 +1,48 @@
+#pragma once
+// Where a point lies: in, on the boundary or out, in words.
+
+#include <string>
+
+#include <isect/conventions.h>
+#include "lessons/shared/opinions.h"
+
+namespace isect::lessons {
+
+inline std::string verdict_text(Location l) {
+  return l == Location::in ? "IN" : l == Location::on ? "ON the boundary" : "OUT";
+}
+inline viz::Verdict::Kind verdict_kind(Location l) {
+  return l == Location::in   ? viz::Verdict::Kind::yes
+         : l == Location::on ? viz::Verdict::Kind::on
+                             : viz::Verdict::Kind::no;
+}
+
+/// "on its boundary": for alt texts, after "a point that lies".
+inline std::string lies(Location l) {
+  return l == Location::in ? "inside" : l == Location::on ? "on its boundary" : "outside";
+}
+
+/// A yes/no method cannot say "on the boundary": either answer will do there.
+class LocationOpinions {
+ public:
+  explicit LocationOpinions(Location truth)
+      : truth_(truth),
+        all_(truth == Location::on   ? "on the boundary"
+             : truth == Location::in ? "inside"
+                                     : "outside") {}
+
+  void add(std::string method, bool inside) {
+    all_.add(std::move(method), inside ? "inside" : "outside",
+             truth_ == Location::on || inside == (truth_ == Location::in));
+  }
+
+  void add(std::string method, std::string says, bool agrees) { all_.add(std::move(method), std::move(says), agrees); }
+
+  std::vector<viz::Opinion> take() { return all_.take(); }
+
+ private:
+  Location truth_;
+  Opinions all_;
+};
+
+}  // namespace isect::lessons

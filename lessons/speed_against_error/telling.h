@@ -1,0 +1,57 @@
+#pragma once
+// One test's measurements, read and explained: what each step of the lesson says and shows.
+
+#include <string>
+#include <vector>
+
+#include "bench/plots.h"
+#include "lessons/shared/script.h"
+
+namespace isect::lessons::speed_lesson {
+
+class Teller {
+ public:
+  Teller(const bench::Report& report, const std::string& test);
+  viz::Walk tell();
+
+  /// The hard families that the lesson goes through: at most three.
+  const std::vector<std::string>& hard() const { return hard_; }
+
+ private:
+  using Rows = std::vector<const bench::Row*>;
+  enum Line { time_line, judge_line, front_line, hard_line, wrong_line, cost_line, choose_line };
+
+  Rows of(const std::string& family) const;
+  const bench::Row& naive(const std::string& family) const;
+  const bench::Row& exact(const std::string& family) const;
+  double error(const bench::Row&) const;            ///< ulp at the 99th percentile, or wrong verdicts of a million
+  std::string error_text(const bench::Row&) const;  ///< with its unit
+  viz::Plot plot(const std::vector<std::string>& families) const;
+  void values(const std::string& family);
+  void show(viz::Step&, viz::Chart) const;
+
+  // ordinary.cpp
+  void axes();
+  void methods();
+  void front();
+  // hard.cpp
+  void hard_family(const std::string& family, bool first);
+  void fall();
+  // cost.cpp
+  void cost();
+  void fallback();
+  void choose();
+
+  const bench::Report& report_;
+  std::string test_;
+  Rows rows_;
+  bool by_value_;
+  std::string ordinary_;
+  std::vector<std::string> hard_;
+  Script script_;
+};
+
+/// The tests that the results can tell about: with a naive method, an exact one and a hard family.
+std::vector<std::string> tests(const bench::Report&);
+
+}  // namespace isect::lessons::speed_lesson

@@ -1,0 +1,33 @@
+#pragma once
+// Two balls, how they lie, and how they are drawn; and the lesson's walk and map.
+
+#include <isect/sphere_sphere.h>
+#include "viz/lesson.h"
+
+namespace isect::lessons::sphere_sphere_lesson {
+
+using Ball3 = isect::Sphere<double, 3>;
+
+/// The balls as drawn, the same balls as tested (times `unit`), and how these lie by the exact test.
+struct Setup {
+  Ball3 a, b;
+  double unit;
+  Relation truth;
+
+  Ball3 tested(const Ball3& ball) const { return {unit * ball.center, unit * ball.radius}; }
+};
+
+Setup setup(const viz::Parameters&);
+
+enum class Focus { none, line, distance, radii, settled };
+
+viz::Scene picture(const Setup&, Focus);
+
+/// Distance against second radius, both in lengths of the first. (cases.cpp)
+const viz::CaseMap& cases();
+/// Whether the balls meet, by each method. (cases.cpp)
+std::vector<viz::Opinion> opinions(const viz::Parameters&);
+/// (telling.cpp)
+viz::Walk tell(const Setup&);
+
+}  // namespace isect::lessons::sphere_sphere_lesson
