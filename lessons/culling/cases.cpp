@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "lessons/culling/view.h"
+#include "lessons/culling/picture.h"
 
 namespace isect::lessons::culling_lesson {
 namespace {
@@ -56,7 +56,7 @@ const CaseMap& cases() {
                               place,
                               moved,
                               "The box moves to and fro and sideways; its height and its size stay.\n"
-                              "In vain: no plane rejects it, and yet it has no point of the frustum."};
+                              "In vain: no plane rejects it, and yet it misses the frustum."};
   return map;
 }
 

@@ -2,13 +2,13 @@
 // Boxes under a hierarchy against a frustum: which nodes are asked, and what is drawn.
 
 #include <isect/bvh.h>
-#include "lessons/culling/view.h"
+#include "lessons/culling/picture.h"
 
 namespace isect::lessons::culling_lesson {
 
 /// Four clusters of four boxes.
 std::vector<Box> few();
-/// So many boxes around the eye, on every side: the same on every machine.
+/// Boxes around the eye, on every side; the same on every machine.
 std::vector<Box> many(int n, const viz::Vec3& eye);
 
 /// A node that was tested, and what became of the boxes below it.

@@ -12,9 +12,9 @@ using namespace viz;
 
 namespace {
 
-class Teller {
+class UnderHierarchy {
  public:
-  Teller(const Frustum<double>& view, const Vec3& eye)
+  UnderHierarchy(const Frustum<double>& view, const Vec3& eye)
       : view_(view),
         eye_(eye),
         boxes_(few()),
@@ -59,7 +59,7 @@ class Teller {
     add_view(view_, eye_, scene);
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
       if (known_[i])
-        add(boxes_[i], {*known_[i], -1, 0}, scene);
+        add(boxes_[i], {*known_[i]}, scene);
       else
         add(boxes_[i], Role::muted, scene);
     }
@@ -90,7 +90,7 @@ class Teller {
         : culling == Culling::inside  ? 2
                                       : 3,
         culling == Culling::outside  ? fmt::format("The node's box lies beyond the {} plane. One test skips {} boxes.",
-                                                   plane_names[v.answer.plane], below)
+                                                   plane_names[v.answer.rejecting_plane()], below)
         : culling == Culling::inside ? fmt::format("The node's box lies inside. One test accepts {} boxes.", below)
         : leaf ? fmt::format("The leaf crosses, so each of its {} boxes is tested itself.", v.tested.size())
                : "The node's box crosses the frustum, which says nothing of what it holds. Its children are "
@@ -99,7 +99,8 @@ class Teller {
     step.scene = picture();
     wire(box, Role::highlight, Pen::highlight, step.scene);
     const Vec3 at = middle(box);
-    if (v.answer.plane >= 0) step.scene.items.emplace_back(Label{at, plane_names[v.answer.plane], Role::miss});
+    if (culling == Culling::outside)
+      step.scene.items.emplace_back(Label{at, plane_names[v.answer.rejecting_plane()], Role::miss});
     step.question = {"How does the node's box lie?",
                      {"outside", "inside", "crossing"},
                      culling == Culling::outside  ? 0
@@ -157,6 +158,6 @@ class Teller {
 
 }  // namespace
 
-Walk hierarchy(const Frustum<double>& view, const Vec3& eye) { return Teller(view, eye).tell(); }
+Walk hierarchy(const Frustum<double>& view, const Vec3& eye) { return UnderHierarchy(view, eye).tell(); }
 
 }  // namespace isect::lessons::culling_lesson

@@ -1,8 +1,8 @@
 // View-volume culling (N01): volumes against the six planes of a frustum, one by one and under a hierarchy.
 //
-// The walks stand in culling/one_volume, culling/whole_scene and culling/hierarchy, the view volume in culling/view.
+// The walks stand in culling/one_volume, culling/whole_scene and culling/hierarchy, the view volume in culling/picture.
 
-#include "lessons/culling/view.h"
+#include "lessons/culling/picture.h"
 #include "lessons/shared/parameters.h"
 
 namespace isect::lessons {
@@ -64,11 +64,11 @@ const Lesson& culling() {
       .parameters = {choice("volume", "volume",
                             "What is tested: one box, one ball, a scene, or boxes under a hierarchy.",
                             {"box", "ball", "scene", "hierarchy"}),
-                     {"p", "**p**", "Centre of the box or ball, in world units; others have none.", situations[0].p,
-                      -1e6, 1e6, -5, 5},
+                     vector("p", "**p**", "Centre of the box or ball, in world units; others have none.",
+                            situations[0].p, 5),
                      {"size", "size", "Half the edge of the box, or the radius of the ball, in world units.", 0.75, 0,
                       1e6, 0.25, 2},
-                     {"eye", "eye", "The eye, in world units; it looks along x.", Vec3(-4, 0, 0), -1e6, 1e6, -6, 6}},
+                     vector("eye", "eye", "The eye, in world units; it looks along x.", Vec3(-4, 0, 0), 6)},
       .group_by = "",
       .presets = presets(),
       .camera = {.azimuth = 0.35, .elevation = 0.8},

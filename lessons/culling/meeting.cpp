@@ -1,11 +1,11 @@
 // Do a box and the frustum have a common point? Decided exactly, as a map and a verdict rest on it.
 //
-// If they have, either the frustum has a point on one of the box's faces, or it lies inside the box with all of its
+// If they do, either the frustum has a point on one of the box's faces, or it lies inside the box with all of its
 // points. Each face is clipped by the six planes. Its corners are homogeneous, (x, y, z) / w with w > 0, so that no
 // step divides: where the heights over a plane are a > 0 > b, the side from A to B meets it at a B - b A.
 
 #include <isect/numbers/predicate.h>
-#include "lessons/culling/view.h"
+#include "lessons/culling/picture.h"
 
 namespace isect::lessons::culling_lesson {
 namespace {

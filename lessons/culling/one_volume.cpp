@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "lessons/culling/view.h"
+#include "lessons/culling/picture.h"
 #include "lessons/shared/script.h"
 #include "viz/solids.h"
 
@@ -21,9 +21,9 @@ const std::vector<std::string> pseudocode = {
     "return result"                                         // 4
 };
 
-class Teller {
+class OneVolume {
  public:
-  Teller(const Frustum<double>& view, const Vec3& eye, const Volume& asked)
+  OneVolume(const Frustum<double>& view, const Vec3& eye, const Volume& asked)
       : view_(view),
         eye_(eye),
         asked_(asked),
@@ -32,7 +32,9 @@ class Teller {
         they_(ball_ ? "ball" : "box"),
         script_({"Note, N01; Akenine-Möller and Haines (2002), ch. 13.13; Assarsson and Möller (2000)",
                  fmt::format("A view frustum with its eye, and a {} that is {}{}.", they_, word(truth_.culling),
-                             truth_.plane < 0 ? "" : fmt::format(": beyond the {} plane", plane_names[truth_.plane])),
+                             truth_.culling == Culling::outside
+                                 ? fmt::format(": beyond the {} plane", plane_names[truth_.rejecting_plane()])
+                                 : ""),
                  pseudocode, std::string("one ") + they_}) {}
 
   Walk tell() {
@@ -42,7 +44,7 @@ class Teller {
                     "Only that need be drawn. So each object's bounding volume is tested first.");
     first.scene = picture(-1, Role::second);
     tally() = {};
-    for (int i = 0; i < truth_.planes_asked; ++i) plane(i);
+    for (const frustum_planes::Tested& event : truth_.tested) say(event);
     answer();
     return std::move(script_.walk());
   }
@@ -61,18 +63,11 @@ class Teller {
 
   const Plane<double, 3>& plane_at(int i) const { return view_.planes[i]; }
 
-  /// The side of one plane by the exact test.
-  Culling side(int i) const {
-    NoTrace none;
-    if (ball_) return sphere_frustum::side(plane_at(i), std::get<Ball>(asked_), none);
-    return aabb_frustum::side(plane_at(i), std::get<Box>(asked_), none);
-  }
-
-  void plane(int i) {
-    const Culling side = this->side(i);
-    const std::string name = plane_names[i];
-    Scene scene = picture(i, side == Culling::outside ? Role::miss : Role::second);
-    Comparison comparison = ball_ ? ask_ball(i, side, scene) : ask_box(i, side, scene);
+  void say(const frustum_planes::Tested& event) {
+    const auto [plane, side] = event;
+    const std::string name = plane_names[plane];
+    Scene scene = picture(plane, side == Culling::outside ? Role::miss : Role::second);
+    Comparison comparison = ball_ ? ask_ball(plane, side, scene) : ask_box(plane, side, scene);
     comparison.meaning = side == Culling::outside ? "all of the " + they_ + " lies beyond"
                                                   : "some of the " + they_ + " lies on the inner side";
     if (side == Culling::outside) script_.leave_early();
@@ -162,10 +157,10 @@ class Teller {
                                                  : Kind::on,
                    culling == Culling::inside ? "inside: drawn, and nothing in it is tested again"
                    : culling == Culling::outside
-                       ? fmt::format("outside: beyond the {} plane", plane_names[truth_.plane])
+                       ? fmt::format("outside: beyond the {} plane", plane_names[truth_.rejecting_plane()])
                    : in_vain() ? "crossing: drawn, though it is not visible"
                                : "crossing: drawn, as it may be visible");
-    script_.value("planes asked", truth_.planes_asked);
+    script_.value("planes asked", static_cast<double>(truth_.tested.size()));
     Step& step = script_.add("answer",
                              fmt::format("The {} {}", they_,
                                          culling == Culling::crossing ? "crosses"
@@ -212,7 +207,7 @@ class Teller {
 }  // namespace
 
 Walk one_volume(const Frustum<double>& view, const Vec3& eye, const Volume& asked) {
-  return Teller(view, eye, asked).tell();
+  return OneVolume(view, eye, asked).tell();
 }
 
 }  // namespace isect::lessons::culling_lesson

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "lessons/culling/view.h"
+#include "lessons/culling/picture.h"
 #include "lessons/shared/script.h"
 
 namespace isect::lessons::culling_lesson {
@@ -27,9 +27,9 @@ const std::vector<Volume>& volumes() {
   return all;
 }
 
-class Teller {
+class WholeScene {
  public:
-  Teller(const Frustum<double>& view, const Vec3& eye)
+  WholeScene(const Frustum<double>& view, const Vec3& eye)
       : view_(view),
         eye_(eye),
         script_({"Note, N01, N03; Akenine-Möller and Haines (2002), ch. 13.13",
@@ -74,11 +74,12 @@ class Teller {
     return static_cast<int>(std::ranges::count_if(answers_, [&](const Answer& a) { return a.culling == c; }));
   }
   int rejected_by(int plane) const {
-    return static_cast<int>(std::ranges::count_if(answers_, [&](const Answer& a) { return a.plane == plane; }));
+    return static_cast<int>(
+        std::ranges::count_if(answers_, [&](const Answer& a) { return a.rejecting_plane() == plane; }));
   }
   int planes_asked() const {
     int sum = 0;
-    for (const Answer& a : answers_) sum += a.planes_asked;
+    for (const Answer& a : answers_) sum += static_cast<int>(a.tested.size());
     return sum;
   }
 
@@ -88,7 +89,7 @@ class Teller {
     add_view(view_, eye_, scene);
     for (std::size_t i = 0; i < answers_.size(); ++i) {
       const Answer& a = answers_[i];
-      const bool known = a.culling == Culling::outside  ? a.plane <= plane
+      const bool known = a.culling == Culling::outside  ? a.rejecting_plane() <= plane
                          : a.culling == Culling::inside ? inside
                                                         : crossing;
       if (known)
@@ -126,6 +127,6 @@ class Teller {
 
 }  // namespace
 
-Walk whole_scene(const Frustum<double>& view, const Vec3& eye) { return Teller(view, eye).tell(); }
+Walk whole_scene(const Frustum<double>& view, const Vec3& eye) { return WholeScene(view, eye).tell(); }
 
 }  // namespace isect::lessons::culling_lesson

@@ -1,9 +1,10 @@
-// Whether a box and the frustum have a common point, against linear programming in rationals.
+// The culling lesson: it steps through the core's own events; and whether a box and the frustum have a common point,
+// against linear programming in rationals.
 
 #include <random>
 
 #include "bench/rational.h"
-#include "lessons/culling/view.h"
+#include "lessons/culling/picture.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 
@@ -68,7 +69,50 @@ bool truly_meet(const Box& box, const Frustum<double>& view) {
 
 Box around(const viz::Vec3& center, const viz::Vec3& half) { return {center - half, center + half}; }
 
+/// The planes that the core tests, each as the lesson names its step, and the line of pseudocode for what it finds.
+template <class Event, class Shape>
+std::vector<std::pair<std::string, int>> tested(const Shape& shape, const Frustum<double>& view) {
+  Record<Event> record;
+  isect::cull(shape, view, record);
+  std::vector<std::pair<std::string, int>> planes;
+  for (const Event& event : record.events)
+    if (const auto* e = std::get_if<frustum_planes::Tested>(&event))
+      planes.emplace_back(std::string("plane-") + lessons::culling_lesson::plane_names[e->plane],
+                          e->side == Culling::outside    ? 2
+                          : e->side == Culling::crossing ? 3
+                                                         : 1);
+  return planes;
+}
+std::vector<std::pair<std::string, int>> shown(const viz::Walk& walk) {
+  std::vector<std::pair<std::string, int>> planes;
+  for (const viz::Step& step : walk.steps)
+    if (step.slug.starts_with("plane-")) planes.emplace_back(step.slug, step.line);
+  return planes;
+}
+
 }  // namespace
+
+TEST_CASE("the culling lesson steps through the planes that the core tests, and no others", "[culling lesson]") {
+  using lessons::culling_lesson::one_volume;
+  std::mt19937_64 random(tests::seed());
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const viz::Vec3 eye(-4, 0, 0);
+  const Frustum<double> view = lessons::culling_lesson::frustum(eye);
+  std::array<int, 7> planes_asked{};
+  for (int i = 0; i < tests::cases(200, 5000); ++i) {
+    const viz::Vec3 center = 5 * viz::Vec3(unit(random), unit(random), unit(random));
+    const double size = 0.25 + std::abs(unit(random));
+    const Box box = around(center, viz::Vec3::Constant(size));
+    const Sphere<double, 3> ball = {center, size};
+    INFO("center " << center.transpose() << ", size " << size);
+    const auto planes = tested<aabb_frustum::Event>(box, view);
+    REQUIRE(shown(one_volume(view, eye, box)) == planes);
+    REQUIRE(shown(one_volume(view, eye, ball)) == tested<sphere_frustum::Event>(ball, view));
+    ++planes_asked[planes.size()];
+  }
+  CHECK(planes_asked[1] > 0);  // rejected by the first
+  CHECK(planes_asked[6] > 0);
+}
 
 TEST_CASE("a box meets the frustum where rationals say so, also one step of its last digit off", "[culling lesson]") {
   std::mt19937_64 random(tests::seed());

@@ -22,11 +22,13 @@ Frustum<double> frustum(const viz::Vec3& eye);
 /// left, right, bottom, top, near, far
 extern const char* const plane_names[6];
 
-/// The answer, and the plane that gave it: the one beyond which the volume lies; -1: none.
+/// The core's answer, and each plane that it tested on the way.
 struct Answer {
   Culling culling;
-  int plane;
-  int planes_asked;
+  std::vector<frustum_planes::Tested> tested = {};
+
+  /// The one beyond which the volume lies; -1: none.
+  int rejecting_plane() const { return culling == Culling::outside && !tested.empty() ? tested.back().plane : -1; }
 };
 Answer ask(const Volume&, const Frustum<double>&);
 
@@ -43,7 +45,7 @@ viz::Mark mark_of(Culling);
 void add(const Volume&, viz::Role, viz::Scene&);
 /// With the sign of the answer in its middle, and beside it the name of the plane that rejects it.
 void add(const Volume&, const Answer&, viz::Scene&);
-/// The eye, dashed lines of sight and the frustum itself.
+/// The eye, dashed lines to the near corners, and the frustum itself.
 void add_view(const Frustum<double>&, const viz::Vec3& eye, viz::Scene&);
 /// One plane's face with its normal.
 void add_plane(const Frustum<double>&, int plane, viz::Scene&);

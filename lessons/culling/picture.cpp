@@ -1,4 +1,4 @@
-#include "lessons/culling/view.h"
+#include "lessons/culling/picture.h"
 
 #include <isect/clip_polygon.h>
 #include "viz/solids.h"
@@ -17,19 +17,23 @@ Frustum<double> frustum(const Vec3& eye) {
            plane({-1, 0, 0}, -7)}};
 }
 
+namespace {
+
+/// Hears of the planes, and of nothing else.
+struct Planes {
+  std::vector<frustum_planes::Tested> tested;
+
+  void operator()(const frustum_planes::Tested& event) { tested.push_back(event); }
+  template <class Event>
+  void operator()(const Event&) {}
+};
+
+}  // namespace
+
 Answer ask(const Volume& volume, const Frustum<double>& view) {
-  Answer answer = {Culling::inside, -1, 0};
-  const auto hear = [&](const auto& event) {
-    if constexpr (requires {
-                    event.side;
-                    event.plane;
-                  }) {
-      ++answer.planes_asked;
-      if (event.side == Culling::outside) answer.plane = event.plane;
-    }
-  };
-  answer.culling = std::visit([&](const auto& v) { return isect::cull(v, view, hear); }, volume);
-  return answer;
+  Planes planes;
+  const Culling culling = std::visit([&](const auto& v) { return isect::cull(v, view, planes); }, volume);
+  return {culling, planes.tested};
 }
 
 std::vector<Ring<double, 3>> faces_inside(const Box& box, const Frustum<double>& view) {
@@ -69,7 +73,8 @@ void add(const Volume& volume, const Answer& answer, Scene& scene) {
   const Vec3 at = middle(volume);
   const Role role = answer.culling == Culling::crossing ? Role::highlight : role_of(answer.culling);
   scene.items.emplace_back(Dot{at, mark_of(answer.culling), role});
-  if (answer.plane >= 0) scene.items.emplace_back(Label{at, plane_names[answer.plane], Role::miss});
+  if (answer.rejecting_plane() >= 0)
+    scene.items.emplace_back(Label{at, plane_names[answer.rejecting_plane()], Role::miss});
 }
 
 void add_view(const Frustum<double>& view, const Vec3& eye, Scene& scene) {
