@@ -68,7 +68,7 @@ class Teller {
 
   static std::string axis_caption(int axis, bool disjoint, bool touch) {
     if (disjoint)
-      return axis < 2 ? "One gap is enough: the boxes are disjoint, and the other axes need no look."
+      return axis < 2 ? "One gap is enough: the boxes are disjoint, and the other axes need not be tested."
                       : "Only the last axis has a gap. One is enough: the boxes are disjoint.";
     if (touch) return "One interval ends exactly where the other begins. They share that number: no gap.";
     return axis < 2 ? "No gap here. That alone says nothing yet: the next axis may have one."

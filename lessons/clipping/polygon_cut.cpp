@@ -60,7 +60,7 @@ void PolygonTeller::cut(const Side& side) {
   step.question = {"How many vertices are left after this side?",
                    {},
                    0,
-                   "Old ones beyond go, and each edge that crosses the side gives a new one."};
+                   "Those beyond the side go, and each edge that crosses it gives a new one."};
   choices(*step.question, static_cast<int>(cut.before.size()), static_cast<int>(known_.ring.size()));
 }
 

@@ -115,7 +115,7 @@ std::string Teller::separated(const Group& group, const Compared& e, double l, i
         name_of(e.axis));
   return fmt::format(
       "{} separates: between the two projections is a gap. One is enough.\n"
-      "That was axis {} of this group; all later ones need no look.",
+      "That was axis {} of this group; the later ones need not be tested.",
       name_of(e.axis), asked);
 }
 

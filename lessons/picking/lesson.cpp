@@ -26,7 +26,7 @@ const Lesson& picking() {
       .id = "picking",
       .title = "Picking",
       .rows = "N01, N03, N16",
-      .summary = "Which object is under the pointer: the closest hit of its sight line, bounding volumes first.",
+      .summary = "Which object is under the pointer: the closest hit of its viewing ray, bounding volumes first.",
       .parameters = {vector("pointer", "pointer",
                             "A point of the picture plane, in world units; its first coordinate is not used.",
                             Vec3(plane_x, 0.25, -0.4375), 2)},

@@ -25,7 +25,7 @@ class Teller {
   explicit Teller(const Vec3& pointer)
       : s_(pointer),
         script_({"Note, N01, N03, N16",
-                 "An eye, a picture plane with the pointer, and the sight line through it. It picks " +
+                 "An eye, a picture plane with the pointer, and the viewing ray through it. It picks " +
                      (s_.truth ? std::string(s_.world.object(s_.truth->primitive).name) : std::string("nothing")) + ".",
                  pseudocode}) {}
 
@@ -33,7 +33,7 @@ class Teller {
     step("pointer", "What is under the pointer?", 0,
          "The user points at the picture plane. What is meant is what the eye sees there.");
     known_.ray = true;
-    step("sight-line", "The pointer's sight line", 0,
+    step("viewing-ray", "The pointer's viewing ray", 0,
          "A ray from the eye **o** through the pointer: all that can appear at this place lies on it.\n"
          "On the picture plane *t* = 1.",
          "**p** = **o** + *t* **d**,  *t* ≥ 0");

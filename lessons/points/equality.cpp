@@ -76,7 +76,7 @@ class Equality {
     if (std::abs(a - b) < 1e-9)
       return "Ten steps of 0.1 do not add up to 1: each sum was rounded. The marks look alike, the numbers "
              "are not.";
-    return "Different: one coordinate is enough, and the other axes need no look.";
+    return "Different: one coordinate is enough, and the other axes need not be tested.";
   }
 
   void end() {

@@ -125,7 +125,7 @@ class Nearness {
       text += " The exact test takes wider numbers where squares leave the range.";
     else if (on_sphere())
       text += " **q** lies on the sphere: the ball is closed, so it counts as near.";
-    text += "\nA tolerance is a choice of who asks. The exact test keeps to it, to the last bit.";
+    text += "\nWhoever asks chooses the tolerance. The exact test keeps to it, to the last bit.";
     Step& step = add("verdict", "The exact answer", 4, text, {});
     step.decides = true;
   }

@@ -108,7 +108,7 @@ class HainesTeller : Teller {
     script_.value("*q*", e.q.value);
     add("half-chord", "Half the chord", 8,
         "Inside the ball the line runs equally far before and after the foot of the perpendicular.\n"
-        "That half chord is *q*. This is the only square root in the whole test.",
+        "That distance, half the chord, is *q*. Its square root is the only one in the whole test.",
         Focus::half_chord, "*q* = √(*r*^2 − *m*^2) = " + shown(e.q.value));
   }
 
@@ -139,8 +139,8 @@ class HainesTeller : Teller {
   void say(const Nearest<C>& e) {
     script_.value("*t*", e.t.value, {}, Role::hit);
     add("nearest-root", "The nearest root", from_outside_ ? 10 : 12,
-        from_outside_ ? "One half chord before the foot lies the entry."
-                      : "One half chord after the foot lies the exit.",
+        from_outside_ ? "The line enters the ball half a chord before the foot."
+                      : "The line leaves the ball half a chord after the foot.",
         from_outside_ ? Focus::first_root : Focus::second_root,
         (from_outside_ ? "*t* = *s* − *q* = " : "*t* = *s* + *q* = ") + shown(e.t.value));
   }

@@ -31,7 +31,7 @@ const Lesson& ray_tracing() {
       .id = "ray-tracing",
       .title = "Ray tracing",
       .rows = "N01, N16",
-      .summary = "A picture by sight lines: the closest hit, its normal, and a ray to the lamp.",
+      .summary = "A picture by viewing rays: the closest hit, its normal, and a ray to the lamp.",
       .parameters = {vector("pixel", "pixel",
                             "A point of the picture plane, in world units; its first coordinate is not used.",
                             Vec3(plane_x, 0, 0), 2),

@@ -127,7 +127,7 @@ class Measuring {
     const Method& m = *std::ranges::max_element(methods_, {}, off);
     const Method& half = methods_[1];  // the note's warning, N18
     return fmt::format(
-        "Worst foretold is {}: {} % of the operations, but {} % of the time.\n"
+        "Predicted worst is {}: {} % of the operations, but {} % of the time.\n"
         "The note warns of tweaks such as half-B. It saves {} % of the operations and {} % of the time.",
         m.name, percent(operations(m)), percent(time(m)), percent(1 - operations(half)), percent(1 - time(half)));
   }
