@@ -24,7 +24,7 @@ struct Text {
 
 /// The name of a type, and those of its members, separated by spaces.
 template <Text Name, Text Members = "">
-struct Says {
+struct Named {
   static constexpr std::string_view name = Name.text, members = Members.text;
   static constexpr int count =
       members.empty() ? 0 : 1 + static_cast<int>(std::count(members.begin(), members.end(), ' '));
@@ -32,7 +32,7 @@ struct Says {
 
 /// Specialised for every event and every aggregate inside one.
 template <class E>
-struct Told;
+struct EventNames;
 
 /// The names of an enumeration's values in order, as `of`.
 template <class E>
@@ -76,7 +76,7 @@ Json value(const std::optional<X>& x) {
   return x ? value(*x) : Json(nullptr);
 }
 template <class E>
-requires requires { Told<E>::name; }
+requires requires { EventNames<E>::name; }
 Json value(const E& inner) {
   Json object = event(inner);
   object.erase("event");
@@ -86,7 +86,7 @@ Json value(const E& inner) {
 /// The members by position; a wrong count of names does not compile.
 template <class E>
 std::vector<Json> members(const E& e) {
-  constexpr int count = Told<E>::count;
+  constexpr int count = EventNames<E>::count;
   static_assert(count <= 6);
   if constexpr (count == 0) {
     static_assert(std::is_empty_v<E>);
@@ -116,8 +116,8 @@ std::vector<Json> members(const E& e) {
 
 template <class E>
 Json event(const E& e) {
-  Json object = {{"event", Told<E>::name}};
-  std::string_view names = Told<E>::members;
+  Json object = {{"event", EventNames<E>::name}};
+  std::string_view names = EventNames<E>::members;
   for (Json& value : detail::members(e)) {
     const std::size_t end = std::min(names.find(' '), names.size());
     object[std::string(names.substr(0, end))] = std::move(value);
@@ -150,16 +150,16 @@ auto run(Job& job, const Call& call) {
 }
 
 template <>
-struct Told<Fallback> : Says<"Fallback"> {};
+struct EventNames<Fallback> : Named<"Fallback"> {};
 
 template <>
-struct Told<point_polygon::Edge> : Says<"Edge", "ring index passage turn"> {};
+struct EventNames<point_polygon::Edge> : Named<"Edge", "ring index passage turn"> {};
 template <>
-struct Told<point_polygon::Straddles> : Says<"Straddles", "index holds"> {};
+struct EventNames<point_polygon::Straddles> : Named<"Straddles", "index holds"> {};
 template <class S>
-struct Told<point_polygon::CrossesAt<S>> : Says<"CrossesAt", "index x holds"> {};
+struct EventNames<point_polygon::CrossesAt<S>> : Named<"CrossesAt", "index x holds"> {};
 template <class S>
-struct Told<point_polygon::LeftBy<S>> : Says<"LeftBy", "index area2"> {};
+struct EventNames<point_polygon::LeftBy<S>> : Named<"LeftBy", "index area2"> {};
 template <>
 struct Names<point_polygon::Passage> {
   static constexpr const char* of[] = {"above", "below", "horizontal", "crossed_left", "crossed_right", "on"};

@@ -13,25 +13,25 @@
 namespace isect::query {
 
 // clang-format off
-template <class S> struct Told<aabb_aabb::Axis<S>> : Says<"Axis", "axis a b disjoint"> {};
-template <class S, int N> struct Told<aabb_aabb::Common<S, N>> : Says<"Common", "common"> {};
-template <> struct Told<sphere_sphere::Decision> : Says<"Decision", "outer inner"> {};
-template <class S> struct Told<sphere_sphere::Compared<S>> : Says<"Compared", "distance2 sum2"> {};
-template <class S> struct Told<sphere_aabb::Axis<S>> : Says<"Axis", "axis center interval gap distance2"> {};
-template <class S> struct Told<sphere_aabb::Compared<S>> : Says<"Compared", "distance2 radius2"> {};
-template <> struct Told<sphere_aabb::Decision> : Says<"Decision", "nearest farthest ball_inside"> {};
-template <class S> struct Told<kdop_kdop::Slab<S>> : Says<"Slab", "slab a b disjoint"> {};
-template <int N> struct Told<obb_obb::Tested<N>> : Says<"Tested", "axis l distance radius_a radius_b sign"> {};
-template <int N> struct Told<obb_obb::Witness<N>> : Says<"Witness", "p"> {};
-template <int N> struct Told<triangle_aabb::Tested<N>> : Says<"Tested", "axis l triangle box sign"> {};
+template <class S> struct EventNames<aabb_aabb::Axis<S>> : Named<"Axis", "axis a b disjoint"> {};
+template <class S, int N> struct EventNames<aabb_aabb::Common<S, N>> : Named<"Common", "common"> {};
+template <> struct EventNames<sphere_sphere::Decision> : Named<"Decision", "outer inner"> {};
+template <class S> struct EventNames<sphere_sphere::Compared<S>> : Named<"Compared", "distance2 sum2"> {};
+template <class S> struct EventNames<sphere_aabb::Axis<S>> : Named<"Axis", "axis center interval gap distance2"> {};
+template <class S> struct EventNames<sphere_aabb::Compared<S>> : Named<"Compared", "distance2 radius2"> {};
+template <> struct EventNames<sphere_aabb::Decision> : Named<"Decision", "nearest farthest ball_inside"> {};
+template <class S> struct EventNames<kdop_kdop::Slab<S>> : Named<"Slab", "slab a b disjoint"> {};
+template <int N> struct EventNames<obb_obb::Tested<N>> : Named<"Tested", "axis l distance radius_a radius_b sign"> {};
+template <int N> struct EventNames<obb_obb::Witness<N>> : Named<"Witness", "p"> {};
+template <int N> struct EventNames<triangle_aabb::Tested<N>> : Named<"Tested", "axis l triangle box sign"> {};
 template <> struct Names<obb_obb::Kind> {
   static constexpr const char* of[] = {"face_of_a", "face_of_b", "edges"};
 };
 template <> struct Names<triangle_aabb::Kind> {
   static constexpr const char* of[] = {"box_normal", "triangle_normal", "edge"};
 };
-template <> struct Told<obb_obb::Axis> : Says<"Axis", "kind i j"> {};
-template <> struct Told<triangle_aabb::Axis> : Says<"Axis", "kind i j"> {};
+template <> struct EventNames<obb_obb::Axis> : Named<"Axis", "kind i j"> {};
+template <> struct EventNames<triangle_aabb::Axis> : Named<"Axis", "kind i j"> {};
 // clang-format on
 
 namespace {

@@ -14,16 +14,16 @@
 namespace isect::query {
 
 // clang-format off
-template <class S> struct Told<interval_interval::Common<S>> : Says<"Common", "common"> {};
-template <class S> struct Told<interval_interval::Beyond<S>> : Says<"Beyond", "lo hi holds"> {};
-template <> struct Told<point_obb::Slab> : Says<"Slab", "axis sign"> {};
-template <class S> struct Told<point_aabb::Axis<S>> : Says<"Axis", "axis x interval location"> {};
-template <> struct Told<point_sphere::Distance> : Says<"Distance", "sign"> {};
-template <class S> struct Told<point_point::Coordinate<S>> : Says<"Coordinate", "axis p q equal"> {};
-template <> struct Told<point_point::Distance> : Says<"Distance", "sign"> {};
-template <class S, int N> struct Told<plane_aabb::Corners<S, N>> : Says<"Corners", "least greatest at_least at_greatest"> {};
-template <> struct Told<plane_aabb::Decision> : Says<"Decision", "least greatest"> {};
-template <> struct Told<plane_sphere::Decision> : Says<"Decision", "center clear"> {};
+template <class S> struct EventNames<interval_interval::Common<S>> : Named<"Common", "common"> {};
+template <class S> struct EventNames<interval_interval::Beyond<S>> : Named<"Beyond", "lo hi holds"> {};
+template <> struct EventNames<point_obb::Slab> : Named<"Slab", "axis sign"> {};
+template <class S> struct EventNames<point_aabb::Axis<S>> : Named<"Axis", "axis x interval location"> {};
+template <> struct EventNames<point_sphere::Distance> : Named<"Distance", "sign"> {};
+template <class S> struct EventNames<point_point::Coordinate<S>> : Named<"Coordinate", "axis p q equal"> {};
+template <> struct EventNames<point_point::Distance> : Named<"Distance", "sign"> {};
+template <class S, int N> struct EventNames<plane_aabb::Corners<S, N>> : Named<"Corners", "least greatest at_least at_greatest"> {};
+template <> struct EventNames<plane_aabb::Decision> : Named<"Decision", "least greatest"> {};
+template <> struct EventNames<plane_sphere::Decision> : Named<"Decision", "center clear"> {};
 // clang-format on
 
 namespace {

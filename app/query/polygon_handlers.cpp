@@ -13,23 +13,23 @@
 namespace isect::query {
 
 // clang-format off
-template <> struct Told<convex_hull_2d::Remaining> : Says<"Remaining", "count"> {};
-template <class S> struct Told<convex_hull_2d::Added<S>> : Says<"Added", "p"> {};
-template <class S> struct Told<convex_hull_2d::Removed<S>> : Says<"Removed", "p next turn"> {};
-template <> struct Told<point_convex_polygon::Fan> : Says<"Fan", "first last"> {};
-template <> struct Told<point_convex_polygon::Wedge> : Says<"Wedge", "lo mid hi turn"> {};
-template <> struct Told<point_convex_polygon::Chord> : Says<"Chord", "lo hi turn"> {};
-template <class S> struct Told<point_convex_polygon::Centroid<S>> : Says<"Centroid", "q"> {};
-template <class S> struct Told<point_convex_polygon::WedgeAround<S>> : Says<"WedgeAround", "lo mid hi cross"> {};
-template <class S> struct Told<point_convex_polygon::EdgeSide<S>> : Says<"EdgeSide", "from to cross"> {};
-template <> struct Told<polygon_area::AreaVector> : Says<"AreaVector", "scaled largest"> {};
-template <> struct Told<slab_map::SlabFound> : Says<"SlabFound", "slab steps"> {};
-template <> struct Told<slab_map::OnLine> : Says<"OnLine", "slab steps holds"> {};
-template <> struct Told<slab_map::Compared> : Says<"Compared", "edge turn"> {};
-template <> struct Told<trapezoid_map::VertexAsked> : Says<"VertexAsked", "vertex side"> {};
-template <> struct Told<trapezoid_map::PieceAsked> : Says<"PieceAsked", "piece side"> {};
-template <> struct Told<trapezoid_map::Reached> : Says<"Reached", "trapezoid"> {};
-template <> struct Told<trapezoid_map::Inserted> : Says<"Inserted", "piece cut"> {};
+template <> struct EventNames<convex_hull_2d::Remaining> : Named<"Remaining", "count"> {};
+template <class S> struct EventNames<convex_hull_2d::Added<S>> : Named<"Added", "p"> {};
+template <class S> struct EventNames<convex_hull_2d::Removed<S>> : Named<"Removed", "p next turn"> {};
+template <> struct EventNames<point_convex_polygon::Fan> : Named<"Fan", "first last"> {};
+template <> struct EventNames<point_convex_polygon::Wedge> : Named<"Wedge", "lo mid hi turn"> {};
+template <> struct EventNames<point_convex_polygon::Chord> : Named<"Chord", "lo hi turn"> {};
+template <class S> struct EventNames<point_convex_polygon::Centroid<S>> : Named<"Centroid", "q"> {};
+template <class S> struct EventNames<point_convex_polygon::WedgeAround<S>> : Named<"WedgeAround", "lo mid hi cross"> {};
+template <class S> struct EventNames<point_convex_polygon::EdgeSide<S>> : Named<"EdgeSide", "from to cross"> {};
+template <> struct EventNames<polygon_area::AreaVector> : Named<"AreaVector", "scaled largest"> {};
+template <> struct EventNames<slab_map::SlabFound> : Named<"SlabFound", "slab steps"> {};
+template <> struct EventNames<slab_map::OnLine> : Named<"OnLine", "slab steps holds"> {};
+template <> struct EventNames<slab_map::Compared> : Named<"Compared", "edge turn"> {};
+template <> struct EventNames<trapezoid_map::VertexAsked> : Named<"VertexAsked", "vertex side"> {};
+template <> struct EventNames<trapezoid_map::PieceAsked> : Named<"PieceAsked", "piece side"> {};
+template <> struct EventNames<trapezoid_map::Reached> : Named<"Reached", "trapezoid"> {};
+template <> struct EventNames<trapezoid_map::Inserted> : Named<"Inserted", "piece cut"> {};
 // clang-format on
 
 namespace {
