@@ -69,8 +69,9 @@ S expanded(const Point<S, 2>& a, const Point<S, 2>& b, const Point<S, 2>& c, Tra
   return sum;
 }
 
-/// The corner c as the pivot, and the difference of products by Kahan's method: within 1.5 ulp for the vectors given,
-/// but those are rounded before. std::fma is an instruction only where the program is compiled for one. Elsewhere it is
+/// The corner c as the pivot, and the difference of products by Kahan's method: within 1.5 ulp for the vectors to the
+/// other two, where no product overflows and none comes within a factor of 1/eps of the least normal number; but those
+/// vectors are rounded before. std::fma is an instruction only where the program is compiled for one. Elsewhere it is
 /// a call of the C library: four times the price of `pivoted` if the machine has the instruction after all, some 400
 /// times if the library must emulate it (glibc 2.36, measured by hiding it: glibc.cpu.hwcaps=-FMA,-FMA4,-AVX2).
 /// Source: Jeannerod, Louvet, Muller, Further analysis of Kahan's algorithm for the accurate computation of 2 x 2

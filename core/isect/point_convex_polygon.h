@@ -85,7 +85,8 @@ std::optional<ConvexPolygon<S>> make_convex(const Ring<S, 2>& ring) {
   return polygon;
 }
 
-/// Where the point lies. Exact; at most 3 + 3 lg n orientations. A point with a NaN or infinite coordinate: out.
+/// Where the point lies. Exact; of n vertices at most 3 + 3 lg (n - 2) orientations, lg rounded up. A point with a NaN
+/// or infinite coordinate: out.
 template <class S, class Trace = NoTrace>
 Location locate(const Point<S, 2>& point, const ConvexPolygon<S>& polygon, Trace&& trace = {}) {
   using namespace point_convex_polygon;

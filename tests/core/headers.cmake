@@ -27,7 +27,6 @@ set(tested_by
   ray_range=ray_plane
   ray_sphere_settle=ray_sphere
   slabs=ray_aabb
-  sort_points=convex_hull
   triangle_aabb_first_pass=triangle_aabb
   triangle_aabb_methods=triangle_aabb)
 

@@ -2,6 +2,7 @@
 
 #include <isect/orient_methods.h>
 
+#include <optional>
 #include <string>
 
 #include <isect/numbers/counted.h>
@@ -28,6 +29,17 @@ void for_each_method(const Check& check) {
 }
 
 int sign(auto x) { return (x > 0) - (x < 0); }
+
+/// How far `fused` is off for the vectors as they were rounded, in ulps; nothing where a product is too small or large.
+template <class S>
+std::optional<double> fused_off(const OrientCase<S>& t) {
+  using Limits = std::numeric_limits<S>;
+  const Vector<S, 2> u = t.a - t.c, v = t.b - t.c;
+  for (const S product : {u[0] * v[1], u[1] * v[0]})
+    if (!std::isfinite(product) || std::abs(product) < Limits::min() / Limits::epsilon()) return {};
+  const auto p = oracle::rational<S, 2>(u), q = oracle::rational<S, 2>(v);
+  return oracle::ulps(orient::fused(t.a, t.b, t.c), p[0] * q[1] - p[1] * q[0]);
+}
 
 }  // namespace
 
@@ -64,6 +76,46 @@ TEMPLATE_TEST_CASE("every form is wrong near a line, and where products overflow
       CHECK(wrong > 5);
     }
   });
+}
+
+TEMPLATE_TEST_CASE("the fused form is within 1.5 ulp of the area of its rounded vectors", "[orient_methods]", float,
+                   double) {
+  using S = TestType;
+  double worst = 0;
+  int asked = 0;
+  const auto attack = [&](const OrientCase<S>& t) {
+    const std::optional<double> off = fused_off(t);
+    if (!off) return;
+    ++asked, worst = std::max(worst, *off);
+    if (*off > 1.5) REQUIRE(*off <= 1.5);
+  };
+  Random random(bench::stream(tests::seed(), "fused"));
+  INFO("seed " << tests::seed());
+  for (const OrientFamily<S>& family : all_orient_families<S>())
+    for (int i = 0; i < tests::cases(2000, 100'000); ++i) attack(family.draw(random));
+  for (const Numbers numbers : all_numbers)
+    for (int i = 0; i < tests::cases(1000, 50'000); ++i)
+      attack({vector<S, 2>(random, numbers), vector<S, 2>(random, numbers), vector<S, 2>(random, numbers)});
+
+  // vectors that are nearly parallel, whose products nearly cancel: all that is left is what rounding took
+  for (int i = 0; i < tests::cases(20'000, 1'000'000); ++i) {
+    const S k = static_cast<S>(random.uniform(0.5, 2));
+    OrientCase<S> t = {random.in_box<2>(1).template cast<S>(), {}, {0, 0}};
+    for (int j = 0; j < 2; ++j) t.b[j] = moved(k * t.a[j], random.integer(-2, 2));
+    if (random.one_in(2)) t.b[0] *= static_cast<S>(random.uniform(-1, 1));  // or not so nearly
+    attack(t);
+  }
+
+  // areas next to a power of two: the sum is rounded in the larger ulps above it, and the truth lies below
+  for (int i = 0; i < tests::cases(20'000, 1'000'000); ++i) {
+    const auto side = [&] { return static_cast<S>(random.uniform(0.7, 1.4)); };
+    OrientCase<S> t = {{side(), side()}, {0, side()}, {0, 0}};
+    t.b[0] = moved((t.a[0] * t.b[1] - S(0.5)) / t.a[1], random.integer(-1, 1));
+    attack(t);
+  }
+  CAPTURE(worst);
+  CHECK(worst > 1.1);  // so the attack comes near
+  CHECK(asked > 30'000);
 }
 
 TEST_CASE("long double decides Kettner's grids, and not a small number beside a large one",

@@ -238,6 +238,61 @@ TEST_CASE("the events tell the fan, the wedges and the chords", "[point_convex_p
   CHECK(std::get<Chord>(record.events.back()).turn == 1);
 }
 
+namespace {
+
+/// How many orientations it took to locate the point.
+int orientations(const Point<double, 2>& p, const ConvexPolygon<double>& polygon) {
+  using namespace point_convex_polygon;
+  Record<Event> record;
+  locate(p, polygon, record);
+  int count = 0;
+  for (const Event& event : record.events)
+    count += std::holds_alternative<Fan>(event) ? 2 : !std::holds_alternative<Fallback>(event);
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("n vertices take 3 + 3 lg (n - 2) orientations at most, lg rounded up, and some points do take them",
+          "[point_convex_polygon]") {
+  bench::Random random(tests::seed());
+  INFO("seed " << tests::seed());
+  std::vector<int> sizes = {100, 127, 128, 130, 131, 1000, 4098, 4099, 50'000};
+  for (int n = 3; n < 70; ++n) sizes.push_back(n);
+  std::size_t reached = 0;
+  for (const int n : sizes) {
+    const ConvexPolygon<double> polygon = {parabola(n)};
+    int lg = 0, most = 0;
+    while (1 << lg < n - 2) ++lg;
+    const auto ask = [&](const Point<double, 2>& p) { most = std::max(most, orientations(p, polygon)); };
+    for (int i = 0; i < std::min(n, 300); ++i) {
+      const double k = n <= 300 ? i : random.below(n), x = k + 0.5;
+      ask({k, k * k}), ask({x, k * k + k + 0.5});  // a vertex, and the middle of an edge
+      for (const int ulps : {-1, 1}) ask({x, bench::moved(k * k + k + 0.5, ulps)}), ask({k, bench::moved(k * k, ulps)});
+      ask({k, k * (n - 1)}), ask({k, random.uniform(0, 1. * n * n)});  // the closing edge, and anywhere
+      ask({random.uniform(-1, n), random.uniform(-1, 1. * n * n)});
+    }
+    INFO(n << " vertices");
+    CHECK(most <= 3 + 3 * lg);
+    reached += most == 3 + 3 * lg;
+  }
+  CHECK(reached > sizes.size() * 9 / 10);
+}
+
+TEST_CASE("points away from the boundary of a round polygon take a few steps, however many vertices it has",
+          "[point_convex_polygon]") {
+  bench::Random random(tests::seed());
+  for (const int n : {1000, 1'000'000}) {
+    ConvexPolygon<double> round;
+    for (int k = 0; k < n; ++k)
+      round.vertices.push_back({std::cos(k * 6.283185307179586 / n), std::sin(k * 6.283185307179586 / n)});
+    double steps = 0;
+    for (int i = 0; i < 2000; ++i) steps += (orientations(random.in_box<2>(1.2), round) - 3) / 3.;
+    INFO(n << " vertices, " << steps / 2000 << " steps on average");
+    CHECK(steps / 2000 < 3);
+  }
+}
+
 TEST_CASE("the naive wedges are right in plump polygons, and wrong in slivers", "[point_convex_polygon]") {
   bench::Random random(tests::seed());
   Ring<double, 2> round;

@@ -3,10 +3,15 @@
 #include <isect/polygon_pieces.h>
 
 #include <chrono>
+#include <cmath>
+#include <functional>
 #include <map>
+#include <string>
+#include <utility>
 
 #include <isect/segment_segment.h>
 #include "tests/catch.h"
+#include "tests/core/growth.h"
 #include "tests/core/point_location.h"
 #include "tests/settings.h"
 
@@ -105,6 +110,72 @@ TEST_CASE("edges along one line are cut as one, however many there are", "[polyg
     outward += std::abs(s.times);
   }
   CHECK(outward == static_cast<int>(to - from));
+}
+
+TEST_CASE("the pieces of any polygon are fewer than 3 n, and take some n lg n", "[polygon_pieces]") {
+  using P = Point<double, 2>;
+  using Polygon = tests::Rings<double>;
+  bench::Random random(tests::seed());
+  INFO("seed " << tests::seed());
+  const auto rings = [&](int n, const auto& ring) {
+    Polygon all;
+    for (int i = 0; i < n; ++i) all.push_back(ring(i));
+    return all;
+  };
+  const auto one = [&](int n, const auto& at) {
+    Ring<double, 2> ring;
+    for (int i = 0; i < n; ++i) ring.push_back(at(i));
+    return Polygon{ring};
+  };
+  const std::pair<std::string, std::function<Polygon(int)>> families[] = {
+      {"star", [&](int n) -> Polygon { return {tests::star<double>(random, bench::Numbers::ordinary, n)}; }},
+      {"monotone",
+       [&](int n) -> Polygon { return {tests::monotone<double>(random, bench::Numbers::ordinary, n / 2)}; }},
+      {"comb", [&](int n) { return one(n, [&](int i) { return i == 0 ? P(n, -1) : P(i, i % 4 / 2 * 5.); }); }},
+      {"long teeth, one above the other",
+       [&](int n) { return one(n, [&](int i) { return i == 0 ? P(-1, n) : P(i % 4 / 2 * 5., i); }); }},
+      {"nested squares",
+       [&](int n) {
+         return rings(n / 4, [&](int i) {
+           return Ring<double, 2>{P(-i, -i), P(i + 1, -i), P(i + 1, i + 1), P(-i, i + 1)};
+         });
+       }},
+      {"all around one vertex",
+       [&](int n) {
+         return rings(n / 3, [&](int i) { return Ring<double, 2>{P(0, 0), P(n, 2. * i), P(n, 2. * i + 1)}; });
+       }},
+      {"one edge, n times", [&](int n) { return one(n, [&](int i) { return P(i % 2, 3 * (i % 2)); }); }},
+      {"one edge, cut n times",
+       [&](int n) {
+         return rings(n, [&](int i) {
+           return i == 0 ? Ring<double, 2>{P(0, 0), P(n, 3. * n)} : Ring<double, 2>{P(i, 3. * i)};
+         });
+       }},
+      {"to and fro on one line",
+       [&](int n) {
+         return one(n, [&](int) {
+           const double x = random.below(n);
+           return P(x, 3 * x);
+         });
+       }},
+      {"from one end, ever farther", [&](int n) { return one(n, [&](int i) { return i % 2 ? P(i, 0) : P(0, 0); }); }},
+      {"to one end, from ever nearer",
+       [&](int n) { return one(n, [&](int i) { return i % 2 ? P(-i, 0) : P(0, 0); }); }},
+      {"up and down a vertical", [&](int n) { return one(n, [&](int) { return P(1, random.below(n)); }); }},
+      {"cells that share their edges", [&](int n) {
+         const int width = static_cast<int>(std::sqrt(n));
+         return rings(n / 4, [&](int) {
+           const double x = random.below(width), y = random.below(width);
+           return Ring<double, 2>{P(x, y), P(x + 1, y), P(x + 1, y + 1), P(x, y + 1)};
+         });
+       }}};
+  for (const auto& [name, polygon] : families) {
+    const Polygon some = polygon(4000);
+    CHECK(pieces(some).pieces.size() < 3 * pieces(some).vertices.size());
+    const double exponent = tests::growth(4000, polygon, [](const Polygon& p) { return pieces(p); });
+    INFO(name << ": n^" << exponent);
+    CHECK(exponent < 1.5);
+  }
 }
 
 TEST_CASE("a mesh of lines that cross at vertices is a planar graph", "[polygon_pieces]") {
