@@ -2,13 +2,18 @@
 
 #include <isect/convex_hull_3d.h>
 
+#include <cmath>
 #include <cstring>
+#include <functional>
 #include <limits>
 #include <set>
+#include <string>
+#include <utility>
 
 #include "bench/random_shapes.h"
 #include "bench/rational.h"
 #include "tests/catch.h"
+#include "tests/core/growth.h"
 #include "tests/settings.h"
 
 namespace convex_hull_3d_test {
@@ -256,7 +261,7 @@ TEMPLATE_TEST_CASE("hulls in space agree with Caratheodory in rationals", "[conv
   int dimensions[4] = {}, dropped = 0;
   for (const Numbers numbers : bench::all_numbers)
     for (const Cloud kind : clouds)
-      for (int i = 0; i < tests::cases(3, 350); ++i) {
+      for (int i = 0; i < tests::cases(5, 350); ++i) {
         INFO("seed " << tests::seed() << ", family " << static_cast<int>(numbers) << ", cloud "
                      << static_cast<int>(kind) << ", case " << i);
         Points<S> points = cloud<S>(random, kind, numbers, 1 + random.below(8));
@@ -329,6 +334,67 @@ TEST_CASE("all of many points on a sphere are vertices where none is in a plane 
   const Hull3<double> inner = convex_hull(ball);
   check_closed(inner);
   check_below(inner, inner.vertices, 10);
+}
+
+TEST_CASE("the hull in space grows like n lg n on clouds, on surfaces, and where whole planes are full of points",
+          "[convex_hull_3d]") {
+  bench::Random random(tests::seed());
+  INFO("seed " << tests::seed());
+  using P = Point<double, 3>;
+  const auto sheet = [&](double z) { return P(random.uniform(-1, 1), random.uniform(-1, 1), z); };
+  const std::pair<std::string, std::function<P(int)>> families[] = {
+      {"ball", [&](int) -> P { return random.heading<3>() * std::cbrt(random.unit()); }},
+      {"cube", [&](int) { return random.in_box<3>(1); }},
+      {"sphere", [&](int) { return random.heading<3>(); }},
+      {"float sphere", [&](int) -> P { return random.heading<3>().cast<float>().cast<double>(); }},
+      {"faces of a cube",
+       [&](int i) {
+         const P p = sheet(i % 2 ? -1 : 1);
+         return P(p[i % 3], p[(i + 1) % 3], p[(i + 2) % 3]);
+       }},
+      {"grid", [&](int) { return P(random.below(40), random.below(40), random.below(40)); }},
+      {"cylinder",
+       [&](int i) {
+         const Point<double, 2> p = random.heading<2>();
+         return P(p[0], p[1], i % 2);
+       }},
+      {"two circles",
+       [&](int i) {
+         const double angle = 1e-4 * i;
+         return P(std::cos(angle), std::sin(angle), i % 2);
+       }},
+      {"cone",
+       [&](int i) {
+         const Point<double, 2> p = random.heading<2>();
+         return i == 0 ? P(0, 0, 1) : P(p[0], p[1], 0);
+       }},
+      {"edges of a cube",
+       [&](int i) {
+         P p(i & 1, i & 2 ? 1 : 0, 0);
+         p[2] = random.unit();
+         return P(p[i % 3], p[(i + 1) % 3], p[(i + 2) % 3]);
+       }},
+      {"two parabolas",
+       [&](int i) {
+         const double x = random.uniform(-1, 1);
+         return i % 2 ? P(x, 0, x * x) : P(0, x, -1 - x * x);
+       }},
+      {"moment curve", [&](int i) { return P(i * 1e-4, i * i * 1e-8, i * 1e-4 * i * i * 1e-8); }},
+      {"two lines", [&](int i) { return i % 2 ? P(i, 0, 0) : P(0, i, 1); }},
+      {"one far away", [&](int i) -> P { return i == 0 ? P(1e9, 1e8, 1e7) : random.in_box<3>(1); }},
+      {"sizes of all kinds", [&](int) -> P { return random.heading<3>() * random.magnitude(-30, 30); }},
+      {"all in one place but four", [&](int i) -> P { return i < 4 ? random.in_box<3>(1) : P(0, 0, 0); }}};
+  for (const auto& [name, draw] : families) {
+    const auto cloud = [&](int n) {
+      Points<double> points;
+      for (int i = 0; i < n; ++i) points.push_back(draw(i));
+      shuffle(points, random);
+      return points;
+    };
+    const double exponent = tests::growth(2000, cloud, [](const Points<double>& p) { return convex_hull(p); });
+    INFO(name << ": n^" << exponent);
+    CHECK(exponent < 1.5);
+  }
 }
 
 }  // namespace convex_hull_3d_test

@@ -125,11 +125,13 @@ class Growth {
     pending_ = all;
   }
 
+  /// In rounds: new faces wait until all others had their turn, so the hull grows evenly. Were they next, two circles
+  /// around one axis would take O(n^2): one would be finished first, as a fan around a single point of the other.
   void run() {
-    while (!pending_.empty()) {
-      const int face = pending_.back();
-      pending_.pop_back();
-      if (faces_[face].outside >= 0) add(faces_[face].farthest, face);
+    for (std::vector<int> round; !pending_.empty(); round.clear()) {
+      round.swap(pending_);
+      for (const int face : round)
+        if (faces_[face].outside >= 0) add(faces_[face].farthest, face);
     }
   }
 
