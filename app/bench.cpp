@@ -1,7 +1,9 @@
 // isect bench: speed against error, measured here and now.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "app/child.h"
@@ -9,6 +11,7 @@
 #include "app/options.h"
 #include "app/program.h"
 #include "app/terminal.h"
+#include "bench/machine.h"
 #include "bench/maps.h"
 #include "bench/plots.h"
 #include "bench/report_text.h"
@@ -36,42 +39,76 @@ std::vector<std::string> names() {
   return all;
 }
 
-/// Builds the measurements, which `./run` leaves out: they take longer to compile than the rest. Only in a folder where
-/// CMake has built this program.
-void build_measurements(Progress& progress) {
+/// The suites to measure, in the order of the report.
+std::vector<std::string> suites(const Wanted& wanted) {
+  std::vector<std::string> all = bench::suite_names();
+  if (!wanted.tests.empty())
+    std::erase_if(all, [&](const std::string& s) { return std::ranges::find(wanted.tests, s) == wanted.tests.end(); });
+  return all;
+}
+
+/// The programs of one build, one a suite, stand in a folder beside this one.
+std::string program_of(const std::string& build, const std::string& suite) { return beside(build + '/' + suite); }
+
+std::vector<std::string> not_built(const std::string& build, std::vector<std::string> suites) {
+  std::erase_if(suites, [&](const std::string& s) { return std::filesystem::exists(program_of(build, s)); });
+  return suites;
+}
+
+/// Builds what `./run` leaves out, as it takes longer to compile than the rest. Only in a folder where CMake has built
+/// this program.
+void build_measurements(const std::vector<std::string>& missing, Progress& progress) {
   namespace fs = std::filesystem;
   const fs::path folder = fs::path(this_program()).parent_path().parent_path();
-  if (!fs::exists(folder / "CMakeCache.txt")) return;
-  say("building what measures, once: minutes");
+  if (missing.empty() || !fs::exists(folder / "CMakeCache.txt")) return;
+  say(fmt::format("building what measures {}, once: up to a minute each", fmt::join(missing, ", ")));
+  std::vector<std::string> command = {"cmake", "--build", folder.string(), "--target"};
+  for (std::string suite : missing) {
+    std::ranges::replace(suite, '-', '_');
+    command.push_back("measure_" + suite);
+  }
   std::string last;
-  const Child child = run_child({"cmake", "--build", folder.string(), "--target", "measure"},
-                                [&](const std::string& line) { progress.done(last = line); });
+  const Child child = run_child(command, [&](const std::string& line) { progress.done(last = line); });
   if (child.status != 0)
     throw std::runtime_error(fmt::format("the measurements were not built ({}): {}", child.status, last));
 }
 
-/// A report by one of the programs beside this one.
-bench::Report measured_by(const std::string& program, const Wanted& wanted, Progress& progress) {
-  const std::string path = beside(program);
-  if (program == "measure" && !std::filesystem::exists(path)) build_measurements(progress);
-  if (!std::filesystem::exists(path))
-    throw viz::BadInput(
-        fmt::format("{}: {} was not built. {}",
-                    wanted.peers    ? "--peers"
-                    : wanted.native ? "--native"
-                                    : "bench",
-                    program,
-                    wanted.peers ? "It needs other libraries (libcgal-dev libbullet-dev libfcl-dev libembree-dev "
-                                   "libgeos-dev): cmake --preset release -DISECT_PEERS=ON && cmake --build "
-                                   "--preset release --target measure_peers"
-                                 : "Build it: cmake --build --preset release --target " + program));
-  std::vector<std::string> command = {path, "--seed", std::to_string(wanted.seed)};
+void require_built(const std::string& build, const std::vector<std::string>& suites) {
+  const std::vector<std::string> missing = not_built(build, suites);
+  if (missing.empty()) return;
+  const bool peers = build == "measure_peers", native = build == "measure_native";
+  throw viz::BadInput(fmt::format("{}: {} was not built for {}. {}",
+                                  peers    ? "--peers"
+                                  : native ? "--native"
+                                           : "bench",
+                                  build, fmt::join(missing, ", "),
+                                  peers
+                                      ? "It needs other libraries (libcgal-dev libbullet-dev libfcl-dev libembree-dev "
+                                        "libgeos-dev): cmake --preset release -DISECT_PEERS=ON && cmake --build "
+                                        "--preset release --target measure_peers"
+                                      : "Build it: cmake --build --preset release --target " + build));
+}
+
+bench::Report measured_by(const std::string& build, const std::string& suite, const Wanted& wanted,
+                          Progress& progress) {
+  std::vector<std::string> command = {program_of(build, suite), "--seed", std::to_string(wanted.seed)};
   if (wanted.quick) command.emplace_back("--quick");
-  command.insert(command.end(), wanted.tests.begin(), wanted.tests.end());
   std::string last;
   const Child child = run_child(command, [&](const std::string& line) { progress.done(last = line); });
-  if (child.status != 0) throw std::runtime_error(fmt::format("{} failed ({}): {}", program, child.status, last));
+  if (child.status != 0)
+    throw std::runtime_error(fmt::format("{}/{} failed ({}): {}", build, suite, child.status, last));
   return bench::report_of(child.output);
+}
+
+/// A report by the programs of one build.
+bench::Report measured_by(const std::string& build, const Wanted& wanted, Progress& progress) {
+  const std::vector<std::string> all = suites(wanted);
+  if (build == "measure") build_measurements(not_built(build, all), progress);
+  require_built(build, all);
+  if (all.empty()) return {bench::this_machine(ISECT_FLAGS, "portable"), wanted.seed, wanted.quick};
+  bench::Report report = measured_by(build, all[0], wanted, progress);
+  for (std::size_t i = 1; i < all.size(); ++i) report.add(measured_by(build, all[i], wanted, progress));
+  return report;
 }
 
 bench::Report read_from(const std::string& path) {
@@ -122,6 +159,7 @@ void draw(const bench::Report& report, const std::string& folder) {
 
 /// The report as text and figures: from the files given, or measured here by every program that was built.
 int publish(const Program& program, const Wanted& wanted) {
+  if (wanted.from.empty()) bench::require_quiet(bench::this_machine(ISECT_FLAGS, "portable"));  // before the long run
   std::vector<bench::Report> reports;
   for (const std::string& path : wanted.from) reports.push_back(read_from(path));
   if (wanted.from.empty()) {
@@ -137,6 +175,7 @@ int publish(const Program& program, const Wanted& wanted) {
   } catch (const viz::FileError&) {
     throw;
   } catch (const std::runtime_error& e) {
+    if (wanted.from.empty()) throw;
     throw viz::BadInput(fmt::format("--publish: {}", e.what()));
   }
   return done;

@@ -41,7 +41,7 @@ struct Truth {
 /// A generator of cases and their oracle.
 template <class Case>
 struct CaseFamily {
-  std::string test, scalar, name;
+  std::string test, scalar, name, note;  ///< name and note of NamedDraw
   bool hard = false;
   std::function<Case(Random&)> draw;
   std::function<Truth(const Case&)> truth;
@@ -103,6 +103,8 @@ class Contest {
  public:
   Contest(Session& session, CaseFamily<Case> family) : session_(session), family_(std::move(family)) {
     session_.progress(family_.test + ", " + family_.scalar + ", " + family_.name);
+    if (!family_.note.empty() && session_.found.note(family_.test, family_.name).empty())
+      session_.found.notes.push_back({family_.test, family_.name, family_.note});
     Random random(stream(session.seed, (family_.test + family_.scalar + family_.name).c_str()));
     const long count = std::min(session.effort.cases, family_.most_cases);
     cases_.reserve(static_cast<std::size_t>(count));
@@ -137,7 +139,7 @@ class Contest {
   void run() {
     const std::vector<std::vector<double>> times = timed();
     judge_all();
-    for (std::size_t k = 0; k < entrants_.size(); ++k) session_.rows.push_back(row(*entrants_[k], times[k]));
+    for (std::size_t k = 0; k < entrants_.size(); ++k) session_.found.rows.push_back(row(*entrants_[k], times[k]));
   }
 
  private:

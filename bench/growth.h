@@ -69,7 +69,7 @@ class Grown {
   void report(Session& session) {
     if (curve_.n.size() < 2) return;
     curve_.exponent = fitted_exponent(curve_.n, curve_.ns);
-    session.growths.push_back(curve_);
+    session.found.growths.push_back(curve_);
   }
 
  private:

@@ -12,6 +12,7 @@ template <class Case>
 struct NamedDraw {
   const char* name;
   Case (*draw)(Random&);
+  const char* note = "";  ///< what the cases are made of, as a sentence of the report without its capital letter
 
   bool hard() const { return std::string_view(name) != "ordinary"; }
 };

@@ -1,7 +1,7 @@
 #pragma once
 // What the suites of two shapes share: how a family is told and how the exact call enters.
 
-#include "bench/in_full.h"
+#include "bench/full_precision.h"
 #include "bench/named_draw.h"
 
 namespace isect::bench {
@@ -11,8 +11,8 @@ namespace isect::bench {
 template <class S, class Case>
 CaseFamily<Case> family_of(const char* test, const NamedDraw<Case>& drawn, Truth (*truth)(const Case&),
                            long most = 1 << 16) {
-  CaseFamily<Case> family = {
-      test, scalar_name<S>, drawn.name, drawn.hard(), drawn.draw, truth, [](const Case& c) { return in_full(c); }};
+  CaseFamily<Case> family = {test,         scalar_name<S>, drawn.name, drawn.note,
+                             drawn.hard(), drawn.draw,     truth,      [](const Case& c) { return full_precision(c); }};
   family.most_cases = drawn.hard() ? std::min(most, 1L << 13) : most;
   return family;
 }

@@ -110,6 +110,27 @@ Duty duty(const Json& o) {
   return d;
 }
 
+Json value(const Note& n) { return {{"test", n.test}, {"family", n.family}, {"text", n.text}}; }
+Note note(const Json& o) { return {o.at("test"), o.at("family"), o.at("text")}; }
+
+constexpr const char* kinds[] = {"ratio", "growth", "time", "wrong", "ulps"};  // as Target::Kind counts them
+
+Json value(const Target& t) {
+  Json o = {{"work", t.work},     {"kind", kinds[t.kind]}, {"test", t.test}, {"ours", t.ours},
+            {"theirs", t.theirs}, {"n", number(t.n)},      {"unit", t.unit}};
+  if (t.at_most) o["at_most"] = *t.at_most;
+  return o;
+}
+Target target(const Json& o) {
+  const std::string kind = o.at("kind");
+  const auto found = std::ranges::find(kinds, kind);
+  if (found == std::end(kinds)) throw std::runtime_error("\"" + kind + "\" is no kind of target");
+  Target t = {.work = o.at("work"), .kind = static_cast<Target::Kind>(found - std::begin(kinds)), .test = o.at("test")};
+  t.ours = o.at("ours"), t.theirs = o.at("theirs"), t.n = number(o.at("n")), t.unit = o.at("unit");
+  if (o.contains("at_most")) t.at_most = number(o.at("at_most"));
+  return t;
+}
+
 Json value(const Machine& m) {
   return {{"cpu", m.cpu},     {"cores", m.cores},       {"compiler", m.compiler},   {"flags", m.flags},
           {"build", m.build}, {"load", number(m.load)}, {"noise", number(m.noise)}, {"date", m.date}};
@@ -142,25 +163,41 @@ std::string percent(const std::optional<double>& share) { return share ? fmt::fo
 
 }  // namespace
 
+std::string Report::note(const std::string& test, const std::string& family) const {
+  const auto found = std::ranges::find_if(notes, [&](const Note& n) { return n.test == test && n.family == family; });
+  return found == notes.end() ? "" : found->text;
+}
+
+void Report::add(Report other) {
+  const auto append = [](auto& all, auto& more) { std::ranges::move(more, std::back_inserter(all)); };
+  append(rows, other.rows), append(growths, other.growths), append(duties, other.duties);
+  append(notes, other.notes), append(targets, other.targets);
+  machine.noise = std::max(machine.noise, other.machine.noise);
+}
+
 std::string json(const Report& report) {
   return fmt::format(R"({{"machine": {},
 "seed": {},
 "quick": {},
 "rows": {},
 "growths": {},
-"duties": {}}}
+"duties": {},
+"notes": {},
+"targets": {}}}
 )",
                      value(report.machine).dump(), report.seed, report.quick, lines(report.rows), lines(report.growths),
-                     lines(report.duties));
+                     lines(report.duties), lines(report.notes), lines(report.targets));
 }
 
 Report report_of(const std::string& text) {
   try {
     const Json o = Json::parse(text);
-    Report report = {machine(o.at("machine")), o.at("seed"), o.at("quick"), {}, {}, {}};
+    Report report = {machine(o.at("machine")), o.at("seed"), o.at("quick")};
     for (const Json& r : o.at("rows")) report.rows.push_back(row(r));
     for (const Json& g : o.at("growths")) report.growths.push_back(growth(g));
     for (const Json& d : o.at("duties")) report.duties.push_back(duty(d));
+    for (const Json& n : o.at("notes")) report.notes.push_back(note(n));
+    for (const Json& t : o.at("targets")) report.targets.push_back(target(t));
     return report;
   } catch (const std::exception& e) {
     throw std::runtime_error(std::string("not a report of measurements: ") + e.what());

@@ -62,6 +62,30 @@ struct Duty {
   std::optional<double> target;  ///< at most, but at least for frames/s
 };
 
+/// What a family of cases is made of, as a sentence of the report without its capital letter.
+struct Note {
+  std::string test, family, text;
+};
+
+/// A number that was set out to be reached, and the most that it may be.
+struct Target {
+  enum Kind {
+    ratio,   ///< ours / theirs: least times of the ordinary family, in one run
+    growth,  ///< the same at `n` elements
+    time,    ///< ours in ns, at `n` elements
+    wrong,   ///< wrong verdicts of ours, all families together
+    ulps     ///< greatest error of ours, all families together
+  };
+  std::string work;  ///< what is done, for the table
+  Kind kind = ratio;
+  std::string test;                    ///< of Row or Growth
+  std::string ours = "exact";          ///< method of isect
+  std::string theirs = {};             ///< method of isect, or library; "naive": the row that others are divided by
+  double n = 0;                        ///< of Growth
+  std::string unit = {};               ///< of Growth: "query", "build"; empty: any
+  std::optional<double> at_most = {};  ///< none: reported only
+};
+
 struct Machine {
   std::string cpu, compiler, flags, build;  ///< build: "portable" or "native"
   int cores = 0;
@@ -74,9 +98,16 @@ struct Report {
   Machine machine;
   unsigned long long seed = 1;
   bool quick = false;  ///< not all cases were judged
-  std::vector<Row> rows;
-  std::vector<Growth> growths;
-  std::vector<Duty> duties;
+  std::vector<Row> rows = {};
+  std::vector<Growth> growths = {};
+  std::vector<Duty> duties = {};
+  std::vector<Note> notes = {};      ///< of the hard families
+  std::vector<Target> targets = {};  ///< in the order of their suites
+
+  /// The text of a family's note; nothing where there is none.
+  std::string note(const std::string& test, const std::string& family) const;
+  /// What another run of the same build found as well; the noisier machine counts.
+  void add(Report other);
 };
 
 std::string json(const Report&);            ///< one row a line; doubles to four significant digits

@@ -12,7 +12,6 @@
 #include "bench/maps.h"
 #include "bench/prose.h"
 #include "bench/rows.h"
-#include "bench/targets.h"
 #include "viz/files.h"
 
 namespace isect::bench {
@@ -106,7 +105,7 @@ std::string families(const Report& report) {
   for (const Row& r : report.rows) {
     const std::string base = r.test.substr(0, r.test.find_first_of(" ,"));  // variants have the same families
     if (!r.hard || !told.insert(base + '/' + r.family).second) continue;
-    const std::string note = family_note(r.test, r.family);
+    const std::string note = report.note(r.test, r.family);
     if (note.empty()) continue;
     if (base != last) text += (last.empty() ? "" : "\n") + sentence(base) + ":\n\n";
     last = base;
@@ -221,17 +220,30 @@ Publication publication(const Measured& m) {
 Report lesson_excerpt(const Report& report) {
   const std::set<std::string> tests = {"ray-sphere",  "sphere-sphere", "orient2d",    "point-polygon",
                                        "sphere-aabb", "obb-obb",       "ray-triangle"};
-  Report excerpt = {report.machine, report.seed, report.quick, {}, {}, {}};
+  Report excerpt = {report.machine, report.seed, report.quick};
   for (Row r : report.rows) {
     if (!tests.contains(r.test) || (r.scalar != "double" && r.test != "ray-sphere")) continue;
     r.first_wrong.clear(), r.quantiles.clear();
     r.conditioned.reset(), r.residual.reset();
     excerpt.rows.push_back(std::move(r));
   }
+  for (const Note& n : report.notes)
+    if (tests.contains(n.test)) excerpt.notes.push_back(n);
   return excerpt;
 }
 
+void require_quiet(const Machine& m) {
+  if (m.noise > most_noise)
+    throw std::runtime_error(
+        fmt::format("the {} build was measured at {:.0f} % noise; at most {:.0f} % makes a report: "
+                    "measure on an idle machine",
+                    m.build, 100 * m.noise, 100 * most_noise));
+}
+
 void publish(const Measured& m, const std::string& folder) {
+  require_quiet(m.portable.machine);
+  for (const std::optional<Report>* other : {&m.native, &m.peers})
+    if (*other) require_quiet((*other)->machine);
   const Publication p = publication(m);
   const std::string pictures = folder + "/report";
   std::set<std::string> named;

@@ -35,13 +35,17 @@ std::string test_text(const Measured&, const std::string& test);
 std::string target_text(const Measured&);
 /// Everything in which a naive method or another library is ahead.
 std::string loss_text(const Measured&);
-/// What a hard family is made of, in one line; empty for one nobody wrote about.
-std::string family_note(const std::string& test, const std::string& family);
 
 /// The rows that the lesson `speed-against-error` reads, without what it does not: bench/results.json.
 Report lesson_excerpt(const Report&);
 
-/// Writes REPORT.md, report/* and results.json into `folder`; figures of an earlier report go. Throws viz::FileError.
+/// The most noise that a published report may have been measured at.
+constexpr double most_noise = 0.1;
+/// Throws std::runtime_error where a machine is noisier.
+void require_quiet(const Machine&);
+
+/// Writes REPORT.md, report/* and results.json into `folder`; figures of an earlier report go. Throws viz::FileError,
+/// and std::runtime_error where one of the machines was too noisy.
 void publish(const Measured&, const std::string& folder);
 
 }  // namespace isect::bench

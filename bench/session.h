@@ -1,8 +1,9 @@
 #pragma once
-// One run of the measurements: what to measure, how thoroughly, and where the findings go.
+// One run of a suite: what to measure, how thoroughly, and where the findings go.
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bench/report.h"
@@ -20,25 +21,17 @@ struct Effort {
 
 class Session {
  public:
-  Session(const Effort& the_effort, unsigned long long the_seed) : effort(the_effort), seed(the_seed) {}
+  Session(const Effort& the_effort, unsigned long long the_seed) : effort(the_effort), seed(the_seed) {
+    found.seed = seed, found.quick = effort.judged < effort.cases;
+  }
+
+  /// What this suite set out to reach; the report says what came of it.
+  void aim(Target target) { found.targets.push_back(std::move(target)); }
 
   const Effort effort;
   const unsigned long long seed;
-  std::vector<Row> rows;
-  std::vector<Growth> growths;
+  Report found;
   std::function<void(const std::string&)> progress = [](const std::string&) {};  ///< told what comes next
 };
-
-/// The measurements of one test or structure, by the name that a command line selects.
-struct Suite {
-  const char* name;
-  void (*run)(Session&);
-};
-/// All of them, in the order of the report.
-const std::vector<Suite>& suites();
-
-/// Runs the suites named (all if none; unknown names run nothing) and says on which machine.
-Report measure(const Effort&, unsigned long long seed, const std::vector<std::string>& only,
-               const std::function<void(const std::string&)>& progress);
 
 }  // namespace isect::bench

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "bench/named_draw.h"
-#include "bench/pair_cases.h"
+#include "bench/ordinary_shapes.h"
 #include "bench/simple_shapes.h"
 
 namespace isect::bench {
@@ -76,11 +76,11 @@ Intervals<S> unbounded(Random& random) {
 template <class S>
 constexpr std::array<NamedDraw<Intervals<S>>, 6> interval_draws = {{
     {"ordinary", interval_families::ordinary<S>},
-    {"touching", interval_families::touching<S, 0>},
-    {"near-touch", interval_families::touching<S, 2>},
-    {"scale", interval_families::scale<S>},
-    {"unbounded", interval_families::unbounded<S>},
-    {"invalid", interval_families::invalid<S>},
+    {"touching", interval_families::touching<S, 0>, "intervals that share an end, as typed in tenths."},
+    {"near-touch", interval_families::touching<S, 2>, "the same, an end up to 2 ulp off."},
+    {"scale", interval_families::scale<S>, "sizes at which sums overflow or halves vanish."},
+    {"unbounded", interval_families::unbounded<S>, "half-lines and lines; from inf to -inf is none."},
+    {"invalid", interval_families::invalid<S>, "inverted intervals and NaN."},
 }};
 
 namespace aabb_aabb_families {
@@ -125,11 +125,13 @@ Boxes<S, 3> far(Random& random) {
 template <class S>
 constexpr std::array<NamedDraw<Boxes<S, 3>>, 6> aabb_aabb_draws = {{
     {"ordinary", aabb_aabb_families::ordinary<S>},
-    {"touching", aabb_aabb_families::along_some<S, interval_families::touching<S, 0>>},
-    {"near-touch", aabb_aabb_families::along_some<S, interval_families::touching<S, 2>>},
-    {"far", aabb_aabb_families::far<S>},
-    {"scale", aabb_aabb_families::along_some<S, interval_families::scale<S>>},
-    {"invalid", aabb_aabb_families::along_some<S, interval_families::invalid<S>>},
+    {"touching", aabb_aabb_families::along_some<S, interval_families::touching<S, 0>>,
+     "boxes that share a face, an edge or a corner, as typed in tenths."},
+    {"near-touch", aabb_aabb_families::along_some<S, interval_families::touching<S, 2>>, "the same, up to 2 ulp off."},
+    {"far", aabb_aabb_families::far<S>, "small boxes far from the origin, a face at a face but for an ulp."},
+    {"scale", aabb_aabb_families::along_some<S, interval_families::scale<S>>,
+     "sizes at which sums overflow or halves vanish."},
+    {"invalid", aabb_aabb_families::along_some<S, interval_families::invalid<S>>, "inverted boxes and NaN."},
 }};
 
 }  // namespace isect::bench

@@ -3,7 +3,7 @@
 
 #include <Eigen/Geometry>
 
-#include "bench/pair_cases.h"
+#include "bench/ordinary_shapes.h"
 #include "bench/peer_shapes.h"
 #ifdef ISECT_HAS_CGAL
 #include <CGAL/Bbox_3.h>

@@ -12,7 +12,7 @@
 #include "bench/aabb_aabb/peers.h"
 #endif
 
-namespace isect::bench {
+namespace isect::bench::aabb_aabb_suite {
 namespace {
 
 template <class S>
@@ -71,11 +71,17 @@ void one_box(Session& session) {
 
 }  // namespace
 
-void measure_aabb_aabb(Session& session) {
+void measure(Session& session) {
+  session.aim({.work = "AABB-AABB", .test = "aabb-aabb", .theirs = "Eigen", .at_most = 0.4});
+  session.aim({.work = "one AABB, many AABBs",
+               .test = "aabb-aabb, one box",
+               .ours = "batch",
+               .theirs = "Eigen",
+               .at_most = 0.06});
   for (const auto& drawn : aabb_aabb_draws<double>) compete<double>(session, drawn);
   for (const auto& drawn : aabb_aabb_draws<float>) compete<float>(session, drawn);
   one_box<double>(session);
   one_box<float>(session);
 }
 
-}  // namespace isect::bench
+}  // namespace isect::bench::aabb_aabb_suite

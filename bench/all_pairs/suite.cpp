@@ -14,7 +14,7 @@
 #include "bench/all_pairs/peers.h"
 #endif
 
-namespace isect::bench {
+namespace isect::bench::all_pairs_suite {
 namespace {
 
 using Boxes = std::vector<Aabb<float, 3>>;
@@ -95,9 +95,23 @@ void race(Session& session, bool heavy) {
 
 }  // namespace
 
-void measure_all_pairs(Session& session) {
+void measure(Session& session) {
+  session.aim({.work = "all overlapping pairs of like boxes, 10^6",
+               .kind = Target::growth,
+               .test = "all pairs",
+               .ours = "overlapping_pairs",
+               .theirs = "Embree",
+               .n = 1e6,
+               .at_most = 0.2});
+  session.aim({.work = "all overlapping pairs, some boxes large, 10^6",
+               .kind = Target::growth,
+               .test = "all pairs, heavy-tailed",
+               .ours = "overlapping_pairs",
+               .theirs = "Embree",
+               .n = 1e6,
+               .at_most = 0.7});
   race(session, false);
   race(session, true);
 }
 
-}  // namespace isect::bench
+}  // namespace isect::bench::all_pairs_suite

@@ -1,6 +1,6 @@
 #pragma once
-// Embree's rows of bvh_peer_speed. Embree works in float, with a test of ray and triangle that is not exact, and with
-// as many lanes as the machine has; ours is compiled for any x86-64 and exact in double. Single-threaded, as ours.
+// A mesh as Embree has it. Embree works in float, with a test of ray and triangle that is not exact, and with as many
+// lanes as the machine has; ours is compiled for any x86-64 and exact in double. Single-threaded, as ours.
 
 #include <embree3/rtcore.h>
 
@@ -9,7 +9,6 @@
 #include <limits>
 
 #include <isect/triangle_mesh.h>
-#include "bench/measure.h"
 
 namespace isect::bench::embree {
 
@@ -71,37 +70,5 @@ class Scene {
   RTCDevice device_;
   RTCScene scene_;
 };
-
-/// Embree's rows of build and ray, and how its answers differ from ours.
-template <class S>
-void rows(Table& building, Table& rays, const std::vector<TriangleMesh<S>>& one, const Bvh<S, 3>& bvh,
-          const std::vector<Ray<S, 3>>& all, int passes) {
-  building.row("Embree (float)", timed(one, 3, [](const auto& mesh) {
-                 const Scene scene(mesh);
-                 return 1;
-               }));
-  const Scene scene(one[0]);
-  rays.row("Embree closest (float)",
-           timed(all, passes, [&](const auto& ray) { return std::isfinite(scene.closest(ray).ray.tfar); }));
-  rays.row("Embree any (float)", timed(all, passes, [&](const auto& ray) { return scene.any(ray); }));
-
-  long ours = 0, theirs = 0, other_triangle = 0;
-  double farthest = 0;
-  for (const Ray<S, 3>& ray : all) {
-    const auto hit = closest_hit(bvh, one[0], ray);
-    const RTCRayHit peer = scene.closest(ray);
-    const bool met = std::isfinite(peer.ray.tfar);
-    ours += hit && !met, theirs += met && !hit;
-    if (!hit || !met) continue;
-    if (static_cast<int>(peer.hit.primID) != hit->primitive)
-      ++other_triangle;
-    else
-      farthest = std::max(farthest, std::abs(double(peer.ray.tfar) / double(hit->t) - 1));
-  }
-  std::printf(
-      "  hit by isect alone %ld, by Embree alone %ld, another triangle %ld; else t differs by at most %.1e "
-      "of it\n",
-      ours, theirs, other_triangle, farthest);
-}
 
 }  // namespace isect::bench::embree

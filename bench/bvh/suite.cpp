@@ -12,7 +12,7 @@
 #include "bench/bvh/peers.h"
 #endif
 
-namespace isect::bench {
+namespace isect::bench::bvh_suite {
 namespace {
 
 using Mesh = TriangleMesh<double>;
@@ -33,7 +33,20 @@ struct Curves {
 
 }  // namespace
 
-void measure_bvh(Session& session) {
+void measure(Session& session) {
+  session.aim({.work = "building a hierarchy of 10^6 triangles",
+               .kind = Target::growth,
+               .test = "bvh",
+               .theirs = "Embree",
+               .n = 1e6,
+               .unit = "build"});
+  session.aim({.work = "closest hit among 10^6 triangles",
+               .kind = Target::growth,
+               .test = "bvh",
+               .theirs = "Embree",
+               .n = 1e6,
+               .unit = "query",
+               .at_most = 3});
   Curves plain("hierarchy"), prepared("exact");  // the latter is what many rays should ask
   Grown brute("bvh", "brute force", "query");
   const std::vector<Ray<double, 3>> rays = rays_inwards<double>(1 << 16), few(rays.begin(), rays.begin() + 64);
@@ -63,4 +76,4 @@ void measure_bvh(Session& session) {
 #endif
 }
 
-}  // namespace isect::bench
+}  // namespace isect::bench::bvh_suite

@@ -7,7 +7,7 @@
 #include "bench/point_polygon/families.h"
 #include "bench/session.h"
 
-namespace isect::bench {
+namespace isect::bench::convex_polygon_suite {
 namespace {
 
 template <class S>
@@ -63,6 +63,7 @@ struct Family {
   const char* name;
   Polygons<S> polygons;
   Point<S, 2> (*point)(Random&, const Ring<S, 2>&);
+  const char* note = "";  ///< of NamedDraw
 
   Case<S> draw(Random& random) const {
     const ConvexPolygon<S>& polygon = polygons[random.below(static_cast<int>(polygons.size()))];
@@ -76,6 +77,7 @@ void compete(Session& session, const Family<S>& family, int n) {
   Contest<S, Case<S>> contest(session, {test,
                                         scalar_name<S>,
                                         family.name,
+                                        family.note,
                                         std::string_view(family.name) != "ordinary",
                                         [&](Random& random) { return family.draw(random); },
                                         [](const Case<S>& c) -> Truth {
@@ -97,14 +99,25 @@ void compete(Session& session, const Family<S>& family, int n) {
   contest.run();
 }
 
+constexpr const char* near_edge_note = "points on an edge but for rounding, and up to 2 ulp beside that.";
+
 template <class S>
 void compete_all(Session& session) {
   using polygon_families::anywhere, polygon_families::near_edge;
   compete<S>(session, {"ordinary", ellipse<S>(64, 1), anywhere<S>}, 64);
-  compete<S>(session, {"near-edge", ellipse<S>(64, 1), near_edge<S>}, 64);
-  compete<S>(session, {"closing edge", half_disc<S>(64), near_closing_edge<S>}, 64);
-  compete<S>(session, {"flat", ellipse<S>(64, sizeof(S) == 4 ? 1e-5 : 1e-13), near_edge<S>}, 64);
-  compete<S>(session, {"sliver triangles", sliver_triangles<S>(), near_edge<S>}, 64);
+  compete<S>(session, {"near-edge", ellipse<S>(64, 1), near_edge<S>, near_edge_note}, 64);
+  compete<S>(session,
+             {"closing edge", half_disc<S>(64), near_closing_edge<S>,
+              "the same of the long edge at which the fan of wedges begins and ends."},
+             64);
+  compete<S>(session,
+             {"flat", ellipse<S>(64, sizeof(S) == 4 ? 1e-5 : 1e-13), near_edge<S>,
+              "the same of an ellipse as flat as the scalar allows."},
+             64);
+  compete<S>(session,
+             {"sliver triangles", sliver_triangles<S>(), near_edge<S>,
+              "triangles a few ulp high, whose centroid may lie outside when rounded."},
+             64);
 }
 
 void grow(Session& session) {
@@ -123,17 +136,23 @@ void grow(Session& session) {
 
 }  // namespace
 
-void measure_convex_polygon(Session& session) {
+void measure(Session& session) {
+  session.aim({.work = "point in a convex polygon, 10^6 vertices",
+               .kind = Target::time,
+               .test = "point-in-convex-polygon",
+               .n = 1e6,
+               .unit = "query",
+               .at_most = 60});
   compete_all<double>(session);
   compete_all<float>(session);
   using polygon_families::anywhere, polygon_families::near_edge;
   for (const int n : {10'000, 1'000'000}) {
     if (n > 10'000 && !session.effort.all_sizes) continue;
     compete<double>(session, {"ordinary", ellipse<double>(n, 1), anywhere<double>}, n);
-    compete<double>(session, {"near-edge", ellipse<double>(n, 1), near_edge<double>}, n);
+    compete<double>(session, {"near-edge", ellipse<double>(n, 1), near_edge<double>, near_edge_note}, n);
   }
   session.progress("convex-polygon, growth");
   grow(session);
 }
 
-}  // namespace isect::bench
+}  // namespace isect::bench::convex_polygon_suite

@@ -9,7 +9,7 @@
 #include "bench/hulls/peers.h"
 #endif
 
-namespace isect::bench {
+namespace isect::bench::hulls_suite {
 namespace {
 
 using Points = std::vector<Point<double, 3>>;
@@ -23,7 +23,21 @@ Ring<double, 2> on_circle(int n) { return disc(n, true); }
 
 }  // namespace
 
-void measure_hulls(Session& session) {
+void measure(Session& session) {
+  session.aim({.work = "hull of 10^6 points in a disc",
+               .kind = Target::growth,
+               .test = "hull 2D, disc",
+               .theirs = "CGAL",
+               .n = 1e6,
+               .at_most = 0.2});
+  session.aim({.work = "hull of 10^6 points on a circle",
+               .kind = Target::growth,
+               .test = "hull 2D, circle",
+               .theirs = "CGAL",
+               .n = 1e6,
+               .at_most = 1.1});
+  session.aim(
+      {.work = "hull of 10^6 points in space", .kind = Target::growth, .test = "hull 3D", .theirs = "qhull", .n = 1e6});
   const auto hull2 = [](const Ring<double, 2>& points) { return convex_hull(points); };
   const auto hull3 = [](const Points& points) { return convex_hull(points); };
   grow(session, "hull 2D, disc", "exact", unit, in_disc, hull2);
@@ -35,4 +49,4 @@ void measure_hulls(Session& session) {
 #endif
 }
 
-}  // namespace isect::bench
+}  // namespace isect::bench::hulls_suite

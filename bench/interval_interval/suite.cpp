@@ -8,7 +8,7 @@
 #include "bench/pairs.h"
 #include "bench/session.h"
 
-namespace isect::bench {
+namespace isect::bench::interval_interval_suite {
 namespace {
 
 /// No number lies in [inf, inf]; of other intervals each point is looked at.
@@ -34,9 +34,9 @@ void compete(Session& session, const NamedDraw<Intervals<S>>& drawn) {
 
 }  // namespace
 
-void measure_interval_interval(Session& session) {
+void measure(Session& session) {
   for (const auto& drawn : interval_draws<double>) compete<double>(session, drawn);
   for (const auto& drawn : interval_draws<float>) compete<float>(session, drawn);
 }
 
-}  // namespace isect::bench
+}  // namespace isect::bench::interval_interval_suite

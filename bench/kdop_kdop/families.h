@@ -6,7 +6,7 @@
 #include <array>
 
 #include <isect/parts/directions.h>
-#include "bench/in_full.h"
+#include "bench/full_precision.h"
 #include "bench/named_draw.h"
 #include "bench/random_shapes.h"
 #include "bench/rational.h"
@@ -18,7 +18,7 @@ struct Tetrahedra {
   std::array<Point<S, 3>, 4> a, b;
 };
 template <class S>
-std::string in_full(const Tetrahedra<S>& c) {
+std::string full_precision(const Tetrahedra<S>& c) {
   const auto points = [](const std::array<Point<S, 3>, 4>& p) { return text("", p[0], "", p[1], "", p[2], "", p[3]); };
   return "a:" + points(c.a) + "; b:" + points(c.b);
 }
@@ -75,9 +75,9 @@ Tetrahedra<S> nudged(Random& random) {
 template <class S>
 constexpr std::array<NamedDraw<Tetrahedra<S>>, 4> kdop_kdop_draws = {{
     {"ordinary", kdop_kdop_families::ordinary<S>},
-    {"grid-touch", kdop_kdop_families::grid<S>},
-    {"decimal-touch", kdop_kdop_families::decimal<S>},
-    {"near-touch", kdop_kdop_families::nudged<S>},
+    {"grid-touch", kdop_kdop_families::grid<S>, "tetrahedra of integers that touch across a diagonal."},
+    {"decimal-touch", kdop_kdop_families::decimal<S>, "the same in tenths."},
+    {"near-touch", kdop_kdop_families::nudged<S>, "the same, each number up to an ulp off."},
 }};
 
 /// Whether the true slabs of both overlap along every one of the normals, of whatever length.

@@ -11,7 +11,7 @@
 #include "bench/peer.h"
 #include "bench/session.h"
 
-namespace isect::bench {
+namespace isect::bench::kdop_kdop_suite {
 namespace {
 
 template <class S>
@@ -52,9 +52,9 @@ void compete(Session& session, const NamedDraw<Case<S>>& drawn) {
 
 }  // namespace
 
-void measure_kdop_kdop(Session& session) {
+void measure(Session& session) {
   for (const auto& drawn : kdop_kdop_draws<double>) compete<double>(session, drawn);
   for (const auto& drawn : kdop_kdop_draws<float>) compete<float>(session, drawn);
 }
 
-}  // namespace isect::bench
+}  // namespace isect::bench::kdop_kdop_suite

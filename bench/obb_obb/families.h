@@ -4,7 +4,7 @@
 #include <array>
 
 #include "bench/named_draw.h"
-#include "bench/pair_cases.h"
+#include "bench/ordinary_shapes.h"
 #include "bench/random_obb.h"
 
 namespace isect::bench {
@@ -130,12 +130,14 @@ OrientedBoxes<S> exact_touch(Random& random) {
 template <class S>
 constexpr std::array<NamedDraw<OrientedBoxes<S>>, 7> obb_obb_draws = {{
     {"ordinary", obb_obb_families::ordinary<S>},
-    {"corner-at-face", obb_obb_families::corner_at_face<S>},
-    {"edge-at-edge", obb_obb_families::edge_at_edge<S>},
-    {"corner-at-corner", obb_obb_families::corner_at_corner<S>},
-    {"exact-touch", obb_obb_families::exact_touch<S>},
-    {"near-parallel", obb_obb_families::near_parallel<S>},
-    {"slender", obb_obb_families::slender<S>},
+    {"corner-at-face", obb_obb_families::corner_at_face<S>,
+     "a corner of one box at a face of the other but for a few ulp."},
+    {"edge-at-edge", obb_obb_families::edge_at_edge<S>, "edges that cross in one point but for a few ulp."},
+    {"corner-at-corner", obb_obb_families::corner_at_corner<S>, "a corner at a corner but for a few ulp."},
+    {"exact-touch", obb_obb_families::exact_touch<S>, "integers: boxes along the axes that touch exactly."},
+    {"near-parallel", obb_obb_families::near_parallel<S>,
+     "boxes turned by 1e-12 to 1e-6 against each other, a hair apart or not."},
+    {"slender", obb_obb_families::slender<S>, "boxes 1e5 long and 0.01 thick, 0.1 apart, in touch or overlapping."},
 }};
 
 }  // namespace isect::bench

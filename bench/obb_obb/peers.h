@@ -1,7 +1,7 @@
 #pragma once
 // Oriented boxes by Bullet, in float, and by FCL; both widen by an epsilon of 1e-6.
 
-#include "bench/pair_cases.h"
+#include "bench/ordinary_shapes.h"
 #include "bench/peer_shapes.h"
 #ifdef ISECT_HAS_BULLET
 #include <BulletCollision/Gimpact/btBoxCollision.h>

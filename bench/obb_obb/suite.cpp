@@ -12,7 +12,7 @@
 #include "bench/obb_obb/peers.h"
 #endif
 
-namespace isect::bench {
+namespace isect::bench::obb_obb_suite {
 namespace {
 
 template <class S>
@@ -41,9 +41,11 @@ void compete(Session& session, const NamedDraw<Case<S>>& drawn) {
 
 }  // namespace
 
-void measure_obb_obb(Session& session) {
+void measure(Session& session) {
+  session.aim({.work = "OBB-OBB", .test = "obb-obb", .theirs = "Bullet", .at_most = 1});
+  session.aim({.work = "OBB-OBB: wrong verdicts", .kind = Target::wrong, .test = "obb-obb", .at_most = 0});
   for (const auto& drawn : obb_obb_draws<double>) compete<double>(session, drawn);
   for (const auto& drawn : obb_obb_draws<float>) compete<float>(session, drawn);
 }
 
-}  // namespace isect::bench
+}  // namespace isect::bench::obb_obb_suite

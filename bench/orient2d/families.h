@@ -4,6 +4,7 @@
 #include <array>
 
 #include <isect/shapes.h>
+#include "bench/named_draw.h"
 #include "bench/random_shapes.h"
 #include "bench/rational.h"
 
@@ -12,12 +13,6 @@ namespace isect::bench {
 template <class S>
 struct OrientCase {
   Point<S, 2> a, b, c;
-};
-
-template <class S>
-struct OrientFamily {
-  const char* name;
-  OrientCase<S> (*draw)(Random&);
 };
 
 namespace orient_families {
@@ -94,19 +89,20 @@ OrientCase<S> range(Random& random) {
 
 }  // namespace orient_families
 
-/// Every family; "ordinary" stands first.
 template <class S>
-constexpr std::array<OrientFamily<S>, 8> all_orient_families() {
-  using namespace orient_families;
-  return {{{"ordinary", ordinary<S>},
-           {"Kettner a", kettner_a<S>},
-           {"Kettner b", kettner_b<S>},
-           {"Kettner c", kettner_c<S>},
-           {"near-collinear", near_collinear<S>},
-           {"small beside large", small_beside_large<S>},
-           {"decimal", decimal<S>},
-           {"range", range<S>}}};
-}
+constexpr std::array<NamedDraw<OrientCase<S>>, 8> orient2d_draws = {{
+    {"ordinary", orient_families::ordinary<S>},
+    {"Kettner a", orient_families::kettner_a<S>,
+     "neighbours of (0.5, 0.5) beside the line through (12, 12) and (24, 24)."},
+    {"Kettner b", orient_families::kettner_b<S>, "neighbours of a point beside a line whose slope is not quite 1."},
+    {"Kettner c", orient_families::kettner_c<S>,
+     "neighbours of (0.5, 0.5) beside the line through (8.8, 8.8) and (12.1, 12.1)."},
+    {"near-collinear", orient_families::near_collinear<S>, "three points on a line but for an ulp or two."},
+    {"small beside large", orient_families::small_beside_large<S>,
+     "a small point within 2 ulp of the line through two opposite large ones: more digits than long double has."},
+    {"decimal", orient_families::decimal<S>, "decimal fractions on one line, which rounding has moved off it."},
+    {"range", orient_families::range<S>, "coordinates so large or so small that their products overflow or vanish."},
+}};
 
 }  // namespace isect::bench
 

@@ -10,7 +10,7 @@
 #include "bench/orient2d/peers.h"
 #endif
 
-namespace isect::bench {
+namespace isect::bench::orient2d_suite {
 namespace {
 
 template <class S>
@@ -34,14 +34,14 @@ int exact(const Case<S>& t, Trace&& trace = {}) {
 }
 
 template <class S>
-void compete(Session& session, const OrientFamily<S>& family) {
+void compete(Session& session, const NamedDraw<OrientCase<S>>& family) {
   using orient::Corner;
-  Contest<S, Case<S>> contest(
-      session, {"orient2d", scalar_name<S>, family.name, std::string_view(family.name) != "ordinary", family.draw,
-                [](const Case<S>& t) -> Truth {
-                  return {oracle::orientation(t.a, t.b, t.c), {}};
-                },
-                [](const Case<S>& t) { return text("a", t.a, "b", t.b, "c", t.c); }});
+  Contest<S, Case<S>> contest(session,
+                              {"orient2d", scalar_name<S>, family.name, family.note, family.hard(), family.draw,
+                               [](const Case<S>& t) -> Truth {
+                                 return {oracle::orientation(t.a, t.b, t.c), {}};
+                               },
+                               [](const Case<S>& t) { return text("a", t.a, "b", t.b, "c", t.c); }});
   contest.enter("pivot c", [](const Case<S>& t) { return sign(orient::pivoted<Corner::c>(t.a, t.b, t.c)); }).standard();
   contest.enter("pivot b", [](const Case<S>& t) { return sign(orient::pivoted<Corner::b>(t.a, t.b, t.c)); });
   contest.enter("pivot a", [](const Case<S>& t) { return sign(orient::pivoted<Corner::a>(t.a, t.b, t.c)); });
@@ -59,9 +59,9 @@ void compete(Session& session, const OrientFamily<S>& family) {
 
 }  // namespace
 
-void measure_orient2d(Session& session) {
-  for (const auto& family : all_orient_families<double>()) compete<double>(session, family);
-  for (const auto& family : all_orient_families<float>()) compete<float>(session, family);
+void measure(Session& session) {
+  for (const auto& family : orient2d_draws<double>) compete<double>(session, family);
+  for (const auto& family : orient2d_draws<float>) compete<float>(session, family);
 }
 
-}  // namespace isect::bench
+}  // namespace isect::bench::orient2d_suite

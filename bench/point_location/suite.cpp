@@ -14,7 +14,7 @@
 #include "bench/point_location/peers.h"
 #endif
 
-namespace isect::bench {
+namespace isect::bench::point_location_suite {
 namespace {
 
 template <class S>
@@ -37,6 +37,7 @@ void compete(Session& session, const char* name, int n) {
   Contest<S, Case<S>> contest(session, {"point-location",
                                         scalar_name<S>,
                                         name,
+                                        family.note,
                                         std::string_view(name) != "ordinary",
                                         [&](Random& random) { return family.draw(random); },
                                         [](const Case<S>& c) -> Truth {
@@ -117,7 +118,31 @@ void grow(Session& session, Outline outline) {
 
 }  // namespace
 
-void measure_point_location(Session& session) {
+void measure(Session& session) {
+  session.aim({.work = "point in a smooth polygon, preprocessed, 10^6",
+               .kind = Target::growth,
+               .test = "point location, smooth",
+               .ours = "grid",
+               .theirs = "GEOS",
+               .n = 1e6,
+               .unit = "query",
+               .at_most = 0.15});
+  session.aim({.work = "point in a spiky polygon, preprocessed, 10^6",
+               .kind = Target::growth,
+               .test = "point location, spiky",
+               .ours = "grid",
+               .theirs = "CGAL",
+               .n = 1e6,
+               .unit = "query",
+               .at_most = 0.35});
+  session.aim({.work = "preprocessing a smooth polygon, 10^6",
+               .kind = Target::growth,
+               .test = "point location, smooth",
+               .ours = "grid",
+               .theirs = "GEOS",
+               .n = 1e6,
+               .unit = "build",
+               .at_most = 1.5});
   for (const char* name : {"ordinary", "near-edge", "on-vertex", "near-horizontal", "near-vertical", "coincident"})
     compete<double>(session, name, 256);
   for (const char* name : {"ordinary", "near-edge", "coincident"}) compete<float>(session, name, 256);
@@ -125,4 +150,4 @@ void measure_point_location(Session& session) {
   for (const Outline outline : {Outline::smooth, Outline::spiky}) grow(session, outline);
 }
 
-}  // namespace isect::bench
+}  // namespace isect::bench::point_location_suite

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "bench/in_full.h"
+#include "bench/full_precision.h"
 #include "bench/named_draw.h"
 #include "bench/random_shapes.h"
 
@@ -15,7 +15,7 @@ struct Points {
   S tolerance = 0;
 };
 template <class S, int N>
-std::string in_full(const Points<S, N>& c) {
+std::string full_precision(const Points<S, N>& c) {
   return text("p", c.p, "q", c.q, "tolerance", c.tolerance);
 }
 
@@ -90,11 +90,11 @@ Points<S, 3> invalid(Random& random) {
 template <class S>
 constexpr std::array<NamedDraw<Points<S, 3>>, 6> point_point_draws = {{
     {"ordinary", point_point_families::ordinary<S>},
-    {"decimal", point_point_families::decimal<S>},
-    {"ulp-apart", point_point_families::ulp_apart<S>},
-    {"near-tolerance", point_point_families::near_tolerance<S>},
-    {"scale", point_point_families::scale<S>},
-    {"invalid", point_point_families::invalid<S>},
+    {"decimal", point_point_families::decimal<S>, "tenths, one side summed up from .1: nearly the same points."},
+    {"ulp-apart", point_point_families::ulp_apart<S>, "points that differ by an ulp in one coordinate, or not at all."},
+    {"near-tolerance", point_point_families::near_tolerance<S>, "a tolerance within 2 ulp of the distance."},
+    {"scale", point_point_families::scale<S>, "sizes at which squares overflow or vanish."},
+    {"invalid", point_point_families::invalid<S>, "a NaN or an infinity in one point or in both."},
 }};
 
 }  // namespace isect::bench

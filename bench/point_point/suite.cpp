@@ -8,7 +8,7 @@
 #include "bench/rational.h"
 #include "bench/session.h"
 
-namespace isect::bench {
+namespace isect::bench::point_point_suite {
 namespace {
 
 template <class S>
@@ -69,9 +69,9 @@ void measure_all(Session& session) {
 
 }  // namespace
 
-void measure_point_point(Session& session) {
+void measure(Session& session) {
   measure_all<double>(session);
   measure_all<float>(session);
 }
 
-}  // namespace isect::bench
+}  // namespace isect::bench::point_point_suite

@@ -28,6 +28,7 @@ struct PolygonFamily {
   bool simple;  ///< no ring touches or crosses itself
   std::vector<Ring<S, 2>> rings;
   Point<S, 2> (*point)(Random&, const Ring<S, 2>&);
+  const char* note = "";  ///< of NamedDraw
 
   PolygonCase<S> draw(Random& random) const {
     const Ring<S, 2>& ring = rings[random.below(static_cast<int>(rings.size()))];
@@ -172,22 +173,32 @@ PolygonFamily<S> polygon_family(const std::string& name, int n) {
   using namespace polygon_families;
   const auto stars = [&](double center) { return several<S>(1, [=](Random& r) { return star<S>(r, n, center); }); };
   if (name == "ordinary") return {"ordinary", true, stars(0), anywhere<S>};
-  if (name == "near-edge") return {"near-edge", true, stars(0), near_edge<S>};
-  if (name == "on-vertex") return {"on-vertex", true, stars(0), on_vertex<S>};
+  if (name == "near-edge")
+    return {"near-edge", true, stars(0), near_edge<S>,
+            "points on an edge but for rounding, and up to 2 ulp beside that."};
+  if (name == "on-vertex")
+    return {"on-vertex", true, stars(0), on_vertex<S>, "the vertices themselves: a closed polygon has them."};
   if (name == "horizontal")
-    return {"horizontal", true, several<S>(16, [=](Random& r) { return steps<S>(r, n); }), at_height<S>};
+    return {"horizontal", true, several<S>(16, [=](Random& r) { return steps<S>(r, n); }), at_height<S>,
+            "staircases of decimal fractions, and points at the height of their steps."};
   if (name == "degenerate")
-    return {"degenerate", false, several<S>(64, [=](Random& r) { return degenerate<S>(r, n); }), near_edge<S>};
+    return {"degenerate", false, several<S>(64, [=](Random& r) { return degenerate<S>(r, n); }), near_edge<S>,
+            "repeated vertices, vertices within edges, spikes, polygons without area; points near edges."};
   if (name == "bow-tie")
-    return {"bow-tie", false, several<S>(64, [=](Random& r) { return bow_tie<S>(r, n); }), near_edge<S>};
-  if (name == "far 1e5") return {"far 1e5", true, stars(1e5), near_edge<S>};
-  if (name == "far 1e8") return {"far 1e8", true, stars(1e8), near_edge<S>};
+    return {"bow-tie", false, several<S>(64, [=](Random& r) { return bow_tie<S>(r, n); }), near_edge<S>,
+            "polygons that cross themselves all over; points near edges."};
+  if (name == "far 1e5")
+    return {"far 1e5", true, stars(1e5), near_edge<S>, "points near edges of a polygon of size 1 at 100,000."};
+  if (name == "far 1e8") return {"far 1e8", true, stars(1e8), near_edge<S>, "the same at 100,000,000."};
   if (name == "near-horizontal")
-    return {"near-horizontal", true, several<S>(1, [=](Random& r) { return comb<S>(r, n, 0); }), near_edge<S>};
+    return {"near-horizontal", true, several<S>(1, [=](Random& r) { return comb<S>(r, n, 0); }), near_edge<S>,
+            "a comb of long edges nearly along the slabs; points near edges."};
   if (name == "near-vertical")
-    return {"near-vertical", true, several<S>(1, [=](Random& r) { return comb<S>(r, n, 1); }), near_edge<S>};
+    return {"near-vertical", true, several<S>(1, [=](Random& r) { return comb<S>(r, n, 1); }), near_edge<S>,
+            "the same comb upright, nearly along the trapezoids' walls."};
   if (name == "coincident")
-    return {"coincident", true, several<S>(1, [=](Random& r) { return coincident<S>(r, n); }), near_edge<S>};
+    return {"coincident", true, several<S>(1, [=](Random& r) { return coincident<S>(r, n); }), near_edge<S>,
+            "two chains of edges an ulp or two apart; points near edges."};
   throw std::invalid_argument(name);
 }
 

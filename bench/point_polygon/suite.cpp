@@ -14,7 +14,7 @@
 #include "bench/point_polygon/peers.h"
 #endif
 
-namespace isect::bench {
+namespace isect::bench::point_polygon_suite {
 namespace {
 
 template <class S>
@@ -22,7 +22,7 @@ using Case = PolygonCase<S>;
 
 /// The point, and the edge that comes closest to it: alone, with a third vertex on either side, it fails alike.
 template <class S>
-std::string in_full(const Case<S>& c) {
+std::string full_precision(const Case<S>& c) {
   const Ring<S, 2>& ring = *c.ring;
   std::size_t nearest = 0;
   double least = std::numeric_limits<double>::infinity();
@@ -62,12 +62,13 @@ void compete(Session& session, const char* name, int n) {
   Contest<S, Case<S>> contest(session, {test,
                                         scalar_name<S>,
                                         name,
+                                        family.note,
                                         std::string_view(name) != "ordinary",
                                         [&](Random& random) { return family.draw(random); },
                                         [](const Case<S>& c) -> Truth {
                                           return {oracle::location(c.point, *c.ring) != Location::out, {}};
                                         },
-                                        in_full<S>,
+                                        full_precision<S>,
                                         {},
                                         (1 << 21) / std::max(n, 32)});
   contest.enter("division", [](const Case<S>& c) { return crossings_naive(c.point, *c.ring); }).standard();
@@ -117,7 +118,15 @@ void grow(Session& session) {
 
 }  // namespace
 
-void measure_point_polygon(Session& session) {
+void measure(Session& session) {
+  for (const auto& [n, written] : {std::pair(1e2, "100"), std::pair(1e4, "10^4"), std::pair(1e6, "10^6")})
+    session.aim({.work = std::string("point in polygon, ") + written + " vertices",
+                 .kind = Target::growth,
+                 .test = "point-in-polygon",
+                 .theirs = "Boost",
+                 .n = n,
+                 .unit = "query",
+                 .at_most = 0.4});
   compete_all<double>(session);
   compete<double>(session, "far 1e8", 100);  // floats of that size are 8 apart
   for (const int n : {10, 1000})
@@ -127,4 +136,4 @@ void measure_point_polygon(Session& session) {
   grow(session);
 }
 
-}  // namespace isect::bench
+}  // namespace isect::bench::point_polygon_suite

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "bench/named_draw.h"
-#include "bench/pair_cases.h"
+#include "bench/ordinary_shapes.h"
 #include "bench/random_shapes.h"
 
 namespace isect::bench {
@@ -130,13 +130,13 @@ RayAndBox<S> invalid(Random& random) {
 template <class S>
 constexpr std::array<NamedDraw<RayAndBox<S>>, 8> ray_aabb_draws = {{
     {"ordinary", ray_aabb_families::ordinary<S>},
-    {"edge-aimed", ray_aabb_families::aimed<S, 2>},
-    {"corner-aimed", ray_aabb_families::aimed<S, 3>},
-    {"along-slab", ray_aabb_families::along_slab<S>},
-    {"signed-zeros", ray_aabb_families::signed_zeros<S>},
-    {"on-surface", ray_aabb_families::on_surface<S>},
-    {"scale", ray_aabb_families::scale<S>},
-    {"invalid", ray_aabb_families::invalid<S>},
+    {"edge-aimed", ray_aabb_families::aimed<S, 2>, "rays towards a point of an edge."},
+    {"corner-aimed", ray_aabb_families::aimed<S, 3>, "rays towards a corner."},
+    {"along-slab", ray_aabb_families::along_slab<S>, "rays along a face or an edge, or an ulp beside it."},
+    {"signed-zeros", ray_aabb_families::signed_zeros<S>, "directions with components of 0 and -0."},
+    {"on-surface", ray_aabb_families::on_surface<S>, "rays that start on a face."},
+    {"scale", ray_aabb_families::scale<S>, "sizes at which differences overflow or reciprocals vanish."},
+    {"invalid", ray_aabb_families::invalid<S>, "inverted boxes and NaN."},
 }};
 
 }  // namespace isect::bench

@@ -2,7 +2,7 @@
 // Whether a ray meets a box, by CGAL: it finds no t. But for EPECK its ray goes through origin + direction, rounded,
 // and so another way than ours.
 
-#include "bench/pair_cases.h"
+#include "bench/ordinary_shapes.h"
 #include "bench/peer_shapes.h"
 
 namespace isect::bench::peers {

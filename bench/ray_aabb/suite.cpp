@@ -12,7 +12,7 @@
 #include "bench/ray_aabb/peers.h"
 #endif
 
-namespace isect::bench {
+namespace isect::bench::ray_aabb_suite {
 namespace {
 
 template <class S>
@@ -55,9 +55,9 @@ void compete(Session& session, const NamedDraw<Case<S>>& drawn) {
 
 }  // namespace
 
-void measure_ray_aabb(Session& session) {
+void measure(Session& session) {
   for (const auto& drawn : ray_aabb_draws<double>) compete<double>(session, drawn);
   for (const auto& drawn : ray_aabb_draws<float>) compete<float>(session, drawn);
 }
 
-}  // namespace isect::bench
+}  // namespace isect::bench::ray_aabb_suite

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "bench/in_full.h"
+#include "bench/full_precision.h"
 #include "bench/named_draw.h"
 #include "bench/random_shapes.h"
 
@@ -16,8 +16,8 @@ struct RayPlaneCase {
   Point<S, 3> point;
 };
 template <class S>
-std::string in_full(const RayPlaneCase<S>& c) {
-  return in_full(c.ray) + " " + in_full(c.plane);
+std::string full_precision(const RayPlaneCase<S>& c) {
+  return full_precision(c.ray) + " " + full_precision(c.plane);
 }
 
 namespace ray_plane_families {
@@ -106,10 +106,10 @@ RayPlaneCase<S> scale(Random& random) {
 template <class S>
 constexpr std::array<NamedDraw<RayPlaneCase<S>>, 5> ray_plane_draws = {{
     {"ordinary", ray_plane_families::ordinary<S>},
-    {"far", ray_plane_families::far<S>},
-    {"origin-on-plane", ray_plane_families::origin_on_plane<S>},
-    {"near-parallel", ray_plane_families::near_parallel<S>},
-    {"scale", ray_plane_families::scale<S>},
+    {"far", ray_plane_families::far<S>, "an origin near the plane, both far from the frame's origin."},
+    {"origin-on-plane", ray_plane_families::origin_on_plane<S>, "rays that start on the plane but for an ulp."},
+    {"near-parallel", ray_plane_families::near_parallel<S>, "directions that lie in the plane but for rounding."},
+    {"scale", ray_plane_families::scale<S>, "sizes at which products overflow or vanish."},
 }};
 
 }  // namespace isect::bench

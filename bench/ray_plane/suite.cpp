@@ -11,7 +11,7 @@
 #include "bench/ray_plane/peers.h"
 #endif
 
-namespace isect::bench {
+namespace isect::bench::ray_plane_suite {
 namespace {
 
 template <class S>
@@ -65,9 +65,9 @@ void compete(Session& session, const NamedDraw<Case<S>>& drawn) {
 
 }  // namespace
 
-void measure_ray_plane(Session& session) {
+void measure(Session& session) {
   for (const auto& drawn : ray_plane_draws<double>) compete<double>(session, drawn);
   for (const auto& drawn : ray_plane_draws<float>) compete<float>(session, drawn);
 }
 
-}  // namespace isect::bench
+}  // namespace isect::bench::ray_plane_suite

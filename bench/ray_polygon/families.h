@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "bench/named_draw.h"
-#include "bench/pair_cases.h"
+#include "bench/ordinary_shapes.h"
 #include "bench/random_shapes.h"
 
 namespace isect::bench {
@@ -127,12 +127,12 @@ RayAndRing<S> near_coplanar(Random& random) {
 template <class S>
 constexpr std::array<NamedDraw<RayAndRing<S>>, 7> ray_polygon_draws = {{
     {"ordinary", ray_polygon_families::ordinary<S>},
-    {"edge-aimed", ray_polygon_families::aimed<S, false>},
-    {"vertex-aimed", ray_polygon_families::aimed<S, true>},
-    {"grid", ray_polygon_families::grid<S>},
-    {"needle", ray_polygon_families::needle<S>},
-    {"far", ray_polygon_families::far<S>},
-    {"near-coplanar", ray_polygon_families::near_coplanar<S>},
+    {"edge-aimed", ray_polygon_families::aimed<S, false>, "rays towards a point of the outline."},
+    {"vertex-aimed", ray_polygon_families::aimed<S, true>, "rays towards a vertex."},
+    {"grid", ray_polygon_families::grid<S>, "outlines of small integers: rays through vertices and edges exactly."},
+    {"needle", ray_polygon_families::needle<S>, "outlines 1e-9 wide (1e-4 in float) and less."},
+    {"far", ray_polygon_families::far<S>, "1e8 away (1e4 in float), aimed at the outline."},
+    {"near-coplanar", ray_polygon_families::near_coplanar<S>, "rays that run within 1e-15 to 1e-6 of the plane."},
 }};
 
 }  // namespace isect::bench

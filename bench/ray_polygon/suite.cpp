@@ -8,7 +8,7 @@
 #include "bench/ray_polygon/oracle.h"
 #include "bench/session.h"
 
-namespace isect::bench {
+namespace isect::bench::ray_polygon_suite {
 namespace {
 
 template <class S>
@@ -46,9 +46,9 @@ void compete(Session& session, const NamedDraw<Case<S>>& drawn) {
 
 }  // namespace
 
-void measure_ray_polygon(Session& session) {
+void measure(Session& session) {
   for (const auto& drawn : ray_polygon_draws<double>) compete<double>(session, drawn);
   for (const auto& drawn : ray_polygon_draws<float>) compete<float>(session, drawn);
 }
 
-}  // namespace isect::bench
+}  // namespace isect::bench::ray_polygon_suite

@@ -232,50 +232,52 @@ Case<S, N> signed_zeros(Random& random) {
 }
 
 template <class S, int N>
-constexpr std::array<RaySphereFamily<S, N>, 19> families = {{
-    {"ordinary", "sizes near 1", ordinary<S, N>},
-    {"far-small", "a sphere of size 1 far away", far_small<S, N>},
-    {"planet", "an origin a little above a sphere of the Earth's size", planet<S, N>},
-    {"near-tangent", "within a few ulp of tangency", near_tangent<S, N>},
-    {"exact-tangent", "tangent, in integers", exact_tangent<S, N>},
-    {"on-surface", "the origin exactly on the sphere", on_surface<S, N>},
-    {"near-surface", "the origin within a few ulp of the sphere", near_surface<S, N>},
-    {"range-ends", "a range that ends exactly on the sphere, or an ulp away", range_ends<S, N>},
-    {"range-near-roots", "a range that ends within a few ulp of a root", range_near_roots<S, N>},
-    {"ranges", "lines, segments, points and empty ranges", ranges<S, N>},
-    {"direction-length", "directions of any length", direction_length<S, N>},
-    {"scale", "lengths of any size", scale<S, N>},
-    {"mixed-scales", "each coordinate of its own size", mixed_scales<S, N>},
-    {"tiny-offset", "a number too small for the others to see decides", tiny_offset<S, N>},
-    {"denormal", "the smallest numbers", denormal<S, N>},
-    {"zero-radius", "a point for a sphere", zero_radius<S, N>},
-    {"zero-direction", "a point for a ray", zero_direction<S, N>},
-    {"signed-zeros", "small integers and zeros of either sign", signed_zeros<S, N>},
-    {"nudged", "an ordinary ray, one number moved by an ulp",
-     [](Random& random) { return nudged(random, ordinary<S, N>(random), 1); }},
+constexpr std::array<RaySphereDraw<S, N>, 19> families = {{
+    {"ordinary", ordinary<S, N>},
+    {"far-small", far_small<S, N>, "a small ball far away, where the squares of the distance swallow its radius."},
+    {"planet", planet<S, N>,
+     "an eye a little above a ball as large as a planet: the nearer root is a difference of large numbers."},
+    {"near-tangent", near_tangent<S, N>, "rays that pass the surface within a few ulp, on either side."},
+    {"exact-tangent", exact_tangent<S, N>, "rays that touch the ball in exactly one point."},
+    {"on-surface", on_surface<S, N>, "rays that start on the surface, so that t = 0 is a hit."},
+    {"near-surface", near_surface<S, N>, "the origin within a few ulp of the sphere."},
+    {"range-ends", range_ends<S, N>, "a range that ends exactly on the sphere, or an ulp away."},
+    {"range-near-roots", range_near_roots<S, N>, "a range that ends within a few ulp of a root."},
+    {"ranges", ranges<S, N>, "lines, segments, points and empty ranges."},
+    {"direction-length", direction_length<S, N>,
+     "directions from 1e-300 to 1e300 long: their squares overflow or vanish."},
+    {"scale", scale<S, N>, "lengths of any size."},
+    {"mixed-scales", mixed_scales<S, N>, "each coordinate of its own size."},
+    {"tiny-offset", tiny_offset<S, N>, "a number too small for the others to see decides."},
+    {"denormal", denormal<S, N>, "the smallest numbers."},
+    {"zero-radius", zero_radius<S, N>, "balls that are points."},
+    {"zero-direction", zero_direction<S, N>, "a point for a ray."},
+    {"signed-zeros", signed_zeros<S, N>, "small integers and zeros of either sign."},
+    {"nudged", [](Random& random) { return nudged(random, ordinary<S, N>(random), 1); },
+     "an ordinary ray, one number moved by an ulp."},
 }};
 
 }  // namespace
 
 template <class S, int N>
-std::span<const RaySphereFamily<S, N>> ray_sphere_families() {
+std::span<const RaySphereDraw<S, N>> ray_sphere_families() {
   return families<S, N>;
 }
 
 template <class S, int N>
-const RaySphereFamily<S, N>& ray_sphere_family(const char* name) {
-  for (const RaySphereFamily<S, N>& family : families<S, N>)
+const RaySphereDraw<S, N>& ray_sphere_family(const char* name) {
+  for (const RaySphereDraw<S, N>& family : families<S, N>)
     if (std::string_view(family.name) == name) return family;
   throw std::invalid_argument(name);
 }
 
-template std::span<const RaySphereFamily<float, 2>> ray_sphere_families();
-template std::span<const RaySphereFamily<float, 3>> ray_sphere_families();
-template std::span<const RaySphereFamily<double, 2>> ray_sphere_families();
-template std::span<const RaySphereFamily<double, 3>> ray_sphere_families();
-template const RaySphereFamily<float, 2>& ray_sphere_family(const char*);
-template const RaySphereFamily<float, 3>& ray_sphere_family(const char*);
-template const RaySphereFamily<double, 2>& ray_sphere_family(const char*);
-template const RaySphereFamily<double, 3>& ray_sphere_family(const char*);
+template std::span<const RaySphereDraw<float, 2>> ray_sphere_families();
+template std::span<const RaySphereDraw<float, 3>> ray_sphere_families();
+template std::span<const RaySphereDraw<double, 2>> ray_sphere_families();
+template std::span<const RaySphereDraw<double, 3>> ray_sphere_families();
+template const RaySphereDraw<float, 2>& ray_sphere_family(const char*);
+template const RaySphereDraw<float, 3>& ray_sphere_family(const char*);
+template const RaySphereDraw<double, 2>& ray_sphere_family(const char*);
+template const RaySphereDraw<double, 3>& ray_sphere_family(const char*);
 
 }  // namespace isect::bench

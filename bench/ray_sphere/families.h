@@ -4,7 +4,7 @@
 #include <span>
 
 #include <isect/shapes.h>
-#include "bench/random.h"
+#include "bench/named_draw.h"
 
 namespace isect::bench {
 
@@ -15,18 +15,14 @@ struct RaySphereCase {
 };
 
 template <class S, int N>
-struct RaySphereFamily {
-  const char* name;  ///< one word, for tables and messages
-  const char* about;
-  RaySphereCase<S, N> (*draw)(Random&);
-};
+using RaySphereDraw = NamedDraw<RaySphereCase<S, N>>;
 
 /// Every family, for float and double in 2 and 3 dimensions; "ordinary" stands first.
 template <class S, int N>
-std::span<const RaySphereFamily<S, N>> ray_sphere_families();
+std::span<const RaySphereDraw<S, N>> ray_sphere_families();
 
 /// The family of that name, which must exist.
 template <class S, int N>
-const RaySphereFamily<S, N>& ray_sphere_family(const char* name);
+const RaySphereDraw<S, N>& ray_sphere_family(const char* name);
 
 }  // namespace isect::bench

@@ -16,7 +16,7 @@
 #include "bench/ray_sphere/peers.h"
 #endif
 
-namespace isect::bench {
+namespace isect::bench::ray_sphere_suite {
 namespace {
 
 template <class S>
@@ -54,7 +54,7 @@ double residual(const Case<S>& c, double t) {
 }
 
 template <class S>
-std::string in_full(const Case<S>& c) {
+std::string full_precision(const Case<S>& c) {
   return text("origin", c.ray.origin, "direction", c.ray.direction, "range", std::array{c.ray.range.lo, c.ray.range.hi},
               "center", c.sphere.center, "radius", c.sphere.radius);
 }
@@ -70,9 +70,9 @@ std::optional<S> haines(const Case<S>& c) {
 
 template <class S>
 void compete(Session& session, const char* name) {
-  const RaySphereFamily<S, 3>& family = ray_sphere_family<S, 3>(name);
-  Contest<S, Case<S>> contest(session, {"ray-sphere", scalar_name<S>, name, std::string_view(name) != "ordinary",
-                                        family.draw, truth<S>, in_full<S>, residual<S>});
+  const RaySphereDraw<S, 3>& family = ray_sphere_family<S, 3>(name);
+  Contest<S, Case<S>> contest(session, {"ray-sphere", scalar_name<S>, family.name, family.note, family.hard(),
+                                        family.draw, truth<S>, full_precision<S>, residual<S>});
   contest.enter("quadratic", [](const Case<S>& c) { return ray_sphere::quadratic(c.ray, c.sphere); }).standard();
   contest.enter("half-B", [](const Case<S>& c) { return ray_sphere::half_b(c.ray, c.sphere); });
   contest.enter("stable roots", [](const Case<S>& c) { return ray_sphere::stable_roots(c.ray, c.sphere); });
@@ -98,8 +98,8 @@ void one_ray(Session& session) {
   const auto yes_no = [](const Case<S>& c) -> Truth {
     return {oracle::ray_sphere(c.ray, c.sphere).surface.has_value(), {}};
   };
-  Contest<S, Case<S>> contest(session,
-                              {"ray-sphere, one ray", scalar_name<S>, "ordinary", false, draw, yes_no, in_full<S>});
+  Contest<S, Case<S>> contest(
+      session, {"ray-sphere, one ray", scalar_name<S>, "ordinary", "", false, draw, yes_no, full_precision<S>});
   contest.enter("quadratic", [ray](const Case<S>& c) { return ray_sphere::quadratic(ray, c.sphere).has_value(); })
       .standard();
   contest.enter("exact", [ray](const Case<S>& c) { return intersect(ray, c.sphere).surface.has_value(); }).exact();
@@ -125,7 +125,15 @@ void one_ray(Session& session) {
 
 }  // namespace
 
-void measure_ray_sphere(Session& session) {
+void measure(Session& session) {
+  session.aim({.work = "ray-sphere with t, ordinary rays", .test = "ray-sphere", .theirs = "naive", .at_most = 2});
+  session.aim({.work = "ray-sphere: wrong verdicts", .kind = Target::wrong, .test = "ray-sphere", .at_most = 0});
+  session.aim({.work = "ray-sphere: error of t", .kind = Target::ulps, .test = "ray-sphere", .at_most = 4});
+  session.aim({.work = "one ray, many spheres",
+               .test = "ray-sphere, one ray",
+               .ours = "batch",
+               .theirs = "naive",
+               .at_most = 0.04});
   for (const char* name : {"ordinary", "far-small", "planet", "near-tangent", "exact-tangent", "on-surface",
                            "direction-length", "zero-radius"}) {
     compete<double>(session, name);
@@ -135,4 +143,4 @@ void measure_ray_sphere(Session& session) {
   one_ray<float>(session);
 }
 
-}  // namespace isect::bench
+}  // namespace isect::bench::ray_sphere_suite

@@ -4,9 +4,9 @@
 #include <Eigen/Geometry>
 #include <array>
 
-#include "bench/in_full.h"
+#include "bench/full_precision.h"
 #include "bench/named_draw.h"
-#include "bench/pair_cases.h"
+#include "bench/ordinary_shapes.h"
 #include "bench/random_shapes.h"
 
 namespace isect::bench {
@@ -21,23 +21,16 @@ struct SharedEdge {
   Triangle<S, 3> left, right;
 };
 template <class S>
-std::string in_full(const SharedEdge<S>& c) {
-  return in_full(c.ray) + "; " + in_full(c.left) + "; " + in_full(c.right);
+std::string full_precision(const SharedEdge<S>& c) {
+  return full_precision(c.ray) + "; " + full_precision(c.left) + "; " + full_precision(c.right);
 }
 
 namespace ray_triangle_families {
 
 template <class S>
-Triangle<S, 3> some_triangle(Random& random) {
-  const auto corner = [&] { return Point<S, 3>(random.in_box<3>(1.5).template cast<S>()); };
-  const Point<S, 3> a = corner(), b = corner();
-  return {{a, b, corner()}};
-}
-
-template <class S>
 RayAndTriangle<S> ordinary(Random& random) {
   const Ray<S, 3> ray = ordinary_ray<S>(random);
-  return {ray, some_triangle<S>(random)};
+  return {ray, ordinary_triangle<S>(random)};
 }
 
 /// The ray through `target`, as well as S can say it.
@@ -141,12 +134,12 @@ SharedEdge<S> shared_edge(Random& random) {
 template <class S>
 constexpr std::array<NamedDraw<RayAndTriangle<S>>, 7> ray_triangle_draws = {{
     {"ordinary", ray_triangle_families::ordinary<S>},
-    {"edge-aimed", ray_triangle_families::edge_aimed<S>},
-    {"vertex-aimed", ray_triangle_families::vertex_aimed<S>},
-    {"grid", ray_triangle_families::grid<S>},
-    {"needle", ray_triangle_families::needle<S>},
-    {"far", ray_triangle_families::far<S>},
-    {"near-coplanar", ray_triangle_families::near_coplanar<S>},
+    {"edge-aimed", ray_triangle_families::edge_aimed<S>, "rays towards a point of an edge."},
+    {"vertex-aimed", ray_triangle_families::vertex_aimed<S>, "rays towards a vertex."},
+    {"grid", ray_triangle_families::grid<S>, "small integers: rays through vertices, edges and the inside exactly."},
+    {"needle", ray_triangle_families::needle<S>, "triangles 1e-9 high (1e-4 in float) and less."},
+    {"far", ray_triangle_families::far<S>, "1e8 away (1e4 in float), aimed at the inside or an edge."},
+    {"near-coplanar", ray_triangle_families::near_coplanar<S>, "rays that run within 1e-15 to 1e-6 of the plane."},
 }};
 
 }  // namespace isect::bench

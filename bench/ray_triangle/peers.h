@@ -3,7 +3,7 @@
 // rounded, and so another way than ours. Embree meets triangles of a scene that is built before: one each would
 // measure the scene.
 
-#include "bench/pair_cases.h"
+#include "bench/ordinary_shapes.h"
 #include "bench/peer_shapes.h"
 
 namespace isect::bench::peers {

@@ -11,7 +11,7 @@
 #include "bench/ray_triangle/peers.h"
 #endif
 
-namespace isect::bench {
+namespace isect::bench::ray_triangle_suite {
 namespace {
 
 template <class S>
@@ -59,7 +59,8 @@ template <class S>
 void shared_edge(Session& session) {
   using Two = SharedEdge<S>;
   namespace methods = ray_triangle;
-  const NamedDraw<Two> drawn = {"edge-aimed", ray_triangle_families::shared_edge<S>};
+  const NamedDraw<Two> drawn = {"edge-aimed", ray_triangle_families::shared_edge<S>,
+                                "rays towards the edge: a no slips between the two."};
   CaseFamily<Two> family = family_of<S, Two>("ray-triangle, two with one edge", drawn, [](const Two& c) -> Truth {
     return {oracle::ray_triangle(c.ray, c.left).hit || oracle::ray_triangle(c.ray, c.right).hit, {}};
   });
@@ -80,11 +81,11 @@ void shared_edge(Session& session) {
 
 }  // namespace
 
-void measure_ray_triangle(Session& session) {
+void measure(Session& session) {
   for (const auto& drawn : ray_triangle_draws<double>) compete<double>(session, drawn);
   for (const auto& drawn : ray_triangle_draws<float>) compete<float>(session, drawn);
   shared_edge<double>(session);
   shared_edge<float>(session);
 }
 
-}  // namespace isect::bench
+}  // namespace isect::bench::ray_triangle_suite

@@ -8,14 +8,19 @@
 #include "bench/smallest_sphere/peers.h"
 #endif
 
-namespace isect::bench {
+namespace isect::bench::smallest_sphere_suite {
 namespace {
 
 using Points = std::vector<Point<double, 3>>;
 
 }  // namespace
 
-void measure_smallest_sphere(Session& session) {
+void measure(Session& session) {
+  session.aim({.work = "smallest sphere around 10^6 points",
+               .kind = Target::growth,
+               .test = "smallest sphere",
+               .theirs = "CGAL",
+               .n = 1e6});
   const auto in_ball = [](int n) { return cloud(n, true); };
   constexpr const char *test = "smallest sphere", *unit = "set of points";
   grow(session, test, "exact", unit, in_ball, [](const Points& p) { return fit_sphere_smallest(p); });
@@ -25,4 +30,4 @@ void measure_smallest_sphere(Session& session) {
 #endif
 }
 
-}  // namespace isect::bench
+}  // namespace isect::bench::smallest_sphere_suite

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "bench/named_draw.h"
-#include "bench/pair_cases.h"
+#include "bench/ordinary_shapes.h"
 #include "bench/ray_sphere/generators.h"
 #include "bench/simple_shapes.h"
 
@@ -118,12 +118,12 @@ BallAndBox<S, 3> invalid(Random& random) {
 template <class S>
 constexpr std::array<NamedDraw<BallAndBox<S, 3>>, 7> sphere_aabb_draws = {{
     {"ordinary", sphere_aabb_families::ordinary<S>},
-    {"face-touch", sphere_aabb_families::near_touch<S, 1>},
-    {"edge-touch", sphere_aabb_families::near_touch<S, 2>},
-    {"corner-touch", sphere_aabb_families::near_touch<S, 3>},
-    {"exact-touch", sphere_aabb_families::exact_touch<S>},
-    {"scale", sphere_aabb_families::scale<S>},
-    {"invalid", sphere_aabb_families::invalid<S>},
+    {"face-touch", sphere_aabb_families::near_touch<S, 1>, "balls that touch a face but for a few ulp."},
+    {"edge-touch", sphere_aabb_families::near_touch<S, 2>, "the same at an edge."},
+    {"corner-touch", sphere_aabb_families::near_touch<S, 3>, "the same at a corner."},
+    {"exact-touch", sphere_aabb_families::exact_touch<S>, "integers: balls that touch a corner exactly."},
+    {"scale", sphere_aabb_families::scale<S>, "sizes at which squares overflow or vanish."},
+    {"invalid", sphere_aabb_families::invalid<S>, "NaN, infinities, inverted boxes and negative radii."},
 }};
 
 }  // namespace isect::bench

@@ -11,7 +11,7 @@
 #include "bench/sphere_aabb/peers.h"
 #endif
 
-namespace isect::bench {
+namespace isect::bench::sphere_aabb_suite {
 namespace {
 
 template <class S>
@@ -38,9 +38,10 @@ void compete(Session& session, const NamedDraw<Case<S>>& drawn) {
 
 }  // namespace
 
-void measure_sphere_aabb(Session& session) {
+void measure(Session& session) {
+  session.aim({.work = "sphere-AABB", .test = "sphere-aabb", .theirs = "CGAL", .at_most = 0.15});
   for (const auto& drawn : sphere_aabb_draws<double>) compete<double>(session, drawn);
   for (const auto& drawn : sphere_aabb_draws<float>) compete<float>(session, drawn);
 }
 
-}  // namespace isect::bench
+}  // namespace isect::bench::sphere_aabb_suite

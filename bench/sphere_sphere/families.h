@@ -4,7 +4,7 @@
 #include <array>
 
 #include "bench/named_draw.h"
-#include "bench/pair_cases.h"
+#include "bench/ordinary_shapes.h"
 #include "bench/ray_sphere/generators.h"
 #include "bench/simple_shapes.h"
 
@@ -104,13 +104,17 @@ Balls<S, 3> invalid(Random& random) {
 template <class S>
 constexpr std::array<NamedDraw<Balls<S, 3>>, 8> sphere_sphere_draws = {{
     {"ordinary", sphere_sphere_families::ordinary<S>},
-    {"near-touch", sphere_sphere_families::near_touch<S, Touch::outside>},
-    {"inner-touch", sphere_sphere_families::near_touch<S, Touch::inside>},
-    {"exact-touch", sphere_sphere_families::exact_touch<S>},
-    {"decimal", sphere_sphere_families::decimal<S>},
-    {"concentric", sphere_sphere_families::concentric<S>},
-    {"scale", sphere_sphere_families::scale<S>},
-    {"invalid", sphere_sphere_families::invalid<S>},
+    {"near-touch", sphere_sphere_families::near_touch<S, Touch::outside>,
+     "balls that touch from outside but for a few ulp."},
+    {"inner-touch", sphere_sphere_families::near_touch<S, Touch::inside>,
+     "balls that touch from inside but for a few ulp."},
+    {"exact-touch", sphere_sphere_families::exact_touch<S>,
+     "integers whose distance is whole: the balls share one point, which a strict < leaves out by convention."},
+    {"decimal", sphere_sphere_families::decimal<S>,
+     "radii of .1 and .2 at a distance of .3, as users type them: rounding decides what is true."},
+    {"concentric", sphere_sphere_families::concentric<S>, "nearly the same centre and radius."},
+    {"scale", sphere_sphere_families::scale<S>, "sizes at which squares overflow or vanish."},
+    {"invalid", sphere_sphere_families::invalid<S>, "a NaN, an infinity or a negative radius in one ball."},
 }};
 
 }  // namespace isect::bench

@@ -6,7 +6,7 @@
 #include <fcl/narrowphase/detail/primitive_shape_algorithm/sphere_sphere.h>
 #endif
 
-#include "bench/pair_cases.h"
+#include "bench/ordinary_shapes.h"
 #include "bench/peer_shapes.h"
 
 namespace isect::bench::peers {

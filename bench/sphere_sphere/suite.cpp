@@ -11,7 +11,7 @@
 #include "bench/sphere_sphere/peers.h"
 #endif
 
-namespace isect::bench {
+namespace isect::bench::sphere_sphere_suite {
 namespace {
 
 template <class S>
@@ -60,9 +60,10 @@ void measure_all(Session& session) {
 
 }  // namespace
 
-void measure_sphere_sphere(Session& session) {
+void measure(Session& session) {
+  session.aim({.work = "sphere-sphere", .test = "sphere-sphere", .theirs = "naive", .at_most = 1.3});
   measure_all<double>(session);
   measure_all<float>(session);
 }
 
-}  // namespace isect::bench
+}  // namespace isect::bench::sphere_sphere_suite

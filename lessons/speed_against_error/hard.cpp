@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "bench/prose.h"
-#include "bench/report_text.h"
 #include "bench/rows.h"
 #include "lessons/speed_against_error/telling.h"
 
@@ -32,7 +31,7 @@ std::optional<std::size_t> only_greatest(const List& list, const Value& value) {
 
 void Teller::hard_family(const std::string& family, bool first) {
   values(family);
-  const std::string note = family_note(test_, family);
+  const std::string note = report_.note(test_, family);
   std::string text =
       note.empty() ? fmt::format("A family made to break naive methods: {}.", words(family)) : sentence(note);
   text += fmt::format("\n{}: {}. The exact call: {}, in {} ns.", sentence(name_of(naive(family))),

@@ -136,20 +136,54 @@ TEST_CASE("what was not built is said, with the command that builds it", "[bench
   ran = shell("./alone bench --native orient2d");
   CHECK(ran.status == 2);
   CHECK_THAT(ran.err, Contains("measure_native was not built") && Contains("--target measure_native"));
+  ran = shell("./alone bench orient2d ray-aabb");
+  CHECK(ran.status == 2);
+  CHECK_THAT(ran.err, Contains("measure was not built for ray-aabb, orient2d.") && Contains("--target measure"));
 }
 
 TEST_CASE("a program beside it that fails is reported, not believed", "[bench]") {
   const Shell shell;
   copy_program(shell);
-  isect::test::write(shell.work() / "measure_native", "#!/bin/sh\necho 'no such instruction' >&2\nexit 3\n");
-  Ran ran = shell("chmod +x measure_native; ./alone bench --native orient2d");
+  isect::test::write(shell.work() / "measure_native/orient2d", "#!/bin/sh\necho 'no such instruction' >&2\nexit 3\n");
+  Ran ran = shell("chmod +x measure_native/orient2d; ./alone bench --native orient2d");
   CHECK(ran.status == 1);
-  CHECK_THAT(ran.err, Contains("measure_native failed (3): no such instruction"));
+  CHECK_THAT(ran.err, Contains("measure_native/orient2d failed (3): no such instruction"));
 
-  isect::test::write(shell.work() / "measure_native", "#!/bin/sh\necho rubbish\n");
+  isect::test::write(shell.work() / "measure_native/orient2d", "#!/bin/sh\necho rubbish\n");
   ran = shell("./alone bench --native orient2d");
   CHECK(ran.status == 1);
   CHECK_THAT(ran.err, Contains("not a report of measurements"));
+}
+
+TEST_CASE("the suites asked for are measured one after the other, as one report", "[bench]") {
+  const Shell shell;
+  copy_program(shell);
+  Report one;
+  one.machine.build = "portable", one.machine.noise = 0.02;
+  one.rows.resize(1);
+  for (const char* suite : {"orient2d", "ray-aabb"}) {
+    one.rows[0].test = suite, one.machine.noise += 0.02;
+    isect::test::write(shell.work() / "measure" / suite,
+                       "#!/bin/sh\ncat <<'END'\n" + isect::bench::json(one) + "END\n");
+  }
+  const Ran ran = shell("chmod +x measure/*; ./alone bench orient2d ray-aabb --json -");
+  INFO(ran.err);
+  REQUIRE(ran.status == 0);
+  const Report both = isect::bench::report_of(ran.out);
+  REQUIRE(both.rows.size() == 2);
+  CHECK((both.rows[0].test == "ray-aabb" && both.rows[1].test == "orient2d"));  // in the order of the report
+  CHECK(both.machine.noise == 0.06);
+}
+
+TEST_CASE("a run on a noisy machine is not published", "[bench]") {
+  const Shell shell;
+  Report noisy;
+  noisy.machine.build = "portable", noisy.machine.noise = 0.5;
+  isect::test::write(shell.work() / "noisy.json", isect::bench::json(noisy));
+  const Ran ran = shell("isect bench --publish out --from noisy.json");
+  CHECK(ran.status == 2);
+  CHECK_THAT(ran.err, Contains("--publish: the portable build was measured at 50 % noise; at most 10 %"));
+  CHECK_FALSE(std::filesystem::exists(shell.work() / "out"));
 }
 
 TEST_CASE("the help lists every test", "[bench]") {

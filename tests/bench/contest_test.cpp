@@ -19,13 +19,10 @@ Truth truth(const Case& c) {
   return {1, oracle::Real{2 * c.x, 0}, 4};
 }
 CaseFamily<Case> family(const char* name = "uniform") {
-  return {"halves",
-          "double",
-          name,
-          true,
-          [](Random& random) { return Case{random.unit()}; },
-          truth,
-          [](const Case& c) { return text("x", c.x); }};
+  return {"halves", "double",
+          name,     "numbers from 0 to 1.",
+          true,     [](Random& random) { return Case{random.unit()}; },
+          truth,    [](const Case& c) { return text("x", c.x); }};
 }
 std::optional<double> right(const Case& c) { return c.x < 0.5 ? std::nullopt : std::optional(2 * c.x); }
 
@@ -36,8 +33,10 @@ Row only_row(const std::function<void(Contest<double, Case>&)>& enter, CaseFamil
   Contest<double, Case> contest(session, std::move(drawn));
   enter(contest);
   contest.run();
-  REQUIRE(session.rows.size() == 1);
-  return session.rows[0];
+  REQUIRE(session.found.rows.size() == 1);
+  REQUIRE(session.found.note("halves", session.found.rows[0].family) == "numbers from 0 to 1.");
+  REQUIRE(session.found.notes.size() == 1);
+  return session.found.rows[0];
 }
 
 }  // namespace

@@ -39,11 +39,11 @@ TEST_CASE("a curve enters the session with its exponent, and not without two poi
   Grown grown("hull", "chain", "set of points", "a peer");
   grown.add(10, 30);
   grown.report(session);
-  CHECK(session.growths.empty());
+  CHECK(session.found.growths.empty());
   grown.add(100, 3000);
   grown.report(session);
-  REQUIRE(session.growths.size() == 1);
-  const Growth& g = session.growths[0];
+  REQUIRE(session.found.growths.size() == 1);
+  const Growth& g = session.found.growths[0];
   CHECK((g.test == "hull" && g.method == "chain" && g.unit == "set of points" && g.library == "a peer"));
   CHECK(g.exponent == Approx(2));
   CHECK((g.n == std::vector{10.0, 100.0} && g.ns == std::vector{30.0, 3000.0}));

@@ -41,6 +41,16 @@ Report full_report() {
   report.rows = {full_row(), bare_row()};
   report.growths = {{"all pairs", "sweep", "isect", "all pairs", {1000, 10000}, {1.5e5, 3e6}, 1.301}};
   report.duties = {{"isect --help", 12.5, "ms", 30.0}, {"memory", 40, "MB", {}}};
+  report.notes = {{"ray-sphere", "near-tangent", "rays that all but touch."}};
+  report.targets = {{.work = "pairs",
+                     .kind = Target::growth,
+                     .test = "all pairs",
+                     .ours = "sweep",
+                     .theirs = "Embree",
+                     .n = 1e6,
+                     .unit = "query",
+                     .at_most = 0.2},
+                    {.work = "verdicts", .kind = Target::wrong, .test = "orient2d"}};
   return report;
 }
 
@@ -69,6 +79,26 @@ std::string with(const std::string& old, const std::string& now) {
 }
 
 }  // namespace
+
+TEST_CASE("notes and targets read back from a report's JSON", "[report]") {
+  const Report read = report_of(json(full_report()));
+  CHECK(read.note("ray-sphere", "near-tangent") == "rays that all but touch.");
+  CHECK(read.note("ray-sphere", "planet").empty());
+  REQUIRE(read.targets.size() == 2);
+  const Target& t = read.targets[0];
+  CHECK((t.work == "pairs" && t.kind == Target::growth && t.test == "all pairs" && t.ours == "sweep"));
+  CHECK((t.theirs == "Embree" && t.n == 1e6 && t.unit == "query" && t.at_most == 0.2));
+  CHECK((read.targets[1].kind == Target::wrong && read.targets[1].ours == "exact" && !read.targets[1].at_most));
+  CHECK_THROWS_WITH(report_of(with("\"growth\"", "\"growing\"")), Contains("\"growing\" is no kind of target"));
+}
+
+TEST_CASE("reports of several suites add up, and the noisier machine counts", "[report]") {
+  Report all = full_report(), other = full_report();
+  other.rows.resize(1), other.machine.noise = 0.07;
+  all.add(other);
+  CHECK((all.rows.size() == 3 && all.growths.size() == 2 && all.duties.size() == 4));
+  CHECK((all.notes.size() == 2 && all.targets.size() == 4 && all.machine.noise == 0.07));
+}
 
 TEST_CASE("a report reads back from its JSON, infinities and all", "[report]") {
   const Report wrote = full_report(), read = report_of(json(wrote));

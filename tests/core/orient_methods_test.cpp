@@ -63,7 +63,7 @@ TEMPLATE_TEST_CASE("every form is wrong near a line, and where products overflow
                    "[orient_methods][failure]", float, double) {
   using S = TestType;
   for_each_method<S>([](const std::string& name, const auto& method) {
-    for (const OrientFamily<S>& family : all_orient_families<S>()) {
+    for (const NamedDraw<OrientCase<S>>& family : orient2d_draws<S>) {
       const std::string_view drawn = family.name;
       if (drawn != "near-collinear" && drawn != "decimal" && drawn != "range") continue;
       Random random(stream(tests::seed(), family.name));
@@ -121,7 +121,7 @@ TEMPLATE_TEST_CASE("the fused form is within 1.5 ulp of the area of its rounded 
 TEST_CASE("long double decides Kettner's grids, and not a small number beside a large one",
           "[orient_methods][failure]") {
   using L = long double;
-  for (const OrientFamily<double>& family : all_orient_families<double>()) {
+  for (const NamedDraw<OrientCase<double>>& family : orient2d_draws<double>) {
     const std::string_view drawn = family.name;
     const bool grid = drawn.starts_with("Kettner");
     if (!grid && drawn != "small beside large") continue;

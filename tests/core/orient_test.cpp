@@ -12,7 +12,7 @@ using namespace isect::bench;
 
 TEMPLATE_TEST_CASE("three points turn as rationals say, in every family", "[orient]", float, double) {
   using S = TestType;
-  for (const OrientFamily<S>& family : all_orient_families<S>()) {
+  for (const NamedDraw<OrientCase<S>>& family : orient2d_draws<S>) {
     Random random(stream(tests::seed(), family.name));
     int counts[3] = {};
     for (int i = tests::cases(3000, 300'000); i > 0; --i) {

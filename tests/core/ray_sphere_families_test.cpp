@@ -19,7 +19,7 @@ struct Score {
 };
 
 template <class S, int N>
-Score score(const RaySphereFamily<S, N>& family, int rays) {
+Score score(const RaySphereDraw<S, N>& family, int rays) {
   Random random(stream(tests::seed(), family.name));
   Score score;
   for (int i = 0; i < rays; ++i) {
@@ -35,7 +35,7 @@ Score score(const RaySphereFamily<S, N>& family, int rays) {
 }
 
 template <class S, int N>
-std::string table_row(const RaySphereFamily<S, N>& family, int rays, const Score& score) {
+std::string table_row(const RaySphereDraw<S, N>& family, int rays, const Score& score) {
   std::ostringstream row;
   row << (sizeof(S) == 4 ? "float  " : "double ") << N << "D  " << std::left << std::setw(18) << family.name
       << std::right << std::setw(9) << rays << " rays " << std::setw(9) << score.hits << " hits " << std::setw(6)
@@ -48,10 +48,10 @@ std::string table_row(const RaySphereFamily<S, N>& family, int rays, const Score
 TEMPLATE_TEST_CASE_SIG("every verdict and every t is right on the hard families", "[ray_sphere][families]",
                        ((class S, int N), S, N), (float, 2), (float, 3), (double, 2), (double, 3)) {
   const int rays = tests::long_run() ? 150000 : 4000;
-  for (const RaySphereFamily<S, N>& family : ray_sphere_families<S, N>()) {
+  for (const RaySphereDraw<S, N>& family : ray_sphere_families<S, N>()) {
     const Score result = score(family, rays);
     if (tests::long_run()) std::cout << table_row(family, rays, result) << std::flush;
-    INFO(family.name << " (" << family.about << "), ISECT_SEED=" << tests::seed() << ", off by up to " << result.ulps
+    INFO(family.name << " (" << family.note << "), ISECT_SEED=" << tests::seed() << ", off by up to " << result.ulps
                      << " ulp; first " << result.first);
     CHECK(result.wrong == 0);
     CHECK(result.hits > 0);
@@ -86,7 +86,7 @@ TEMPLATE_TEST_CASE_SIG("the families are what they say", "[families]", ((class S
 }
 
 TEST_CASE("a family draws the same rays from the same seed", "[families]") {
-  for (const RaySphereFamily<double, 3>& family : ray_sphere_families<double, 3>()) {
+  for (const RaySphereDraw<double, 3>& family : ray_sphere_families<double, 3>()) {
     Random one(7), two(7), other(8);
     std::string first, second, third;
     for (int i = 0; i < 5; ++i)

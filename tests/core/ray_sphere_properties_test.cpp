@@ -17,7 +17,7 @@ constexpr int rays = 400;  // of each family
 /// Calls check(case) for rays of every family; what it requires may fail with the case in full.
 template <class S, int N, class Check>
 void for_all(const Check& check) {
-  for (const RaySphereFamily<S, N>& family : ray_sphere_families<S, N>()) {
+  for (const RaySphereDraw<S, N>& family : ray_sphere_families<S, N>()) {
     Random random(stream(tests::seed(), family.name));
     for (int i = 0; i < rays; ++i) {
       const RaySphereCase<S, N> c = family.draw(random);

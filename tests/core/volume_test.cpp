@@ -12,7 +12,7 @@
 #include <isect/obb_obb.h>
 #include <isect/parts/directions.h>
 #include <isect/sphere_sphere.h>
-#include "bench/measure.h"
+#include "bench/growth.h"
 #include "bench/random_shapes.h"
 #include "bench/rational.h"
 #include "tests/catch.h"
@@ -132,9 +132,11 @@ TEST_CASE("tightness, storage and the cost of the pair test", "[.table]") {
       for (Point<double, 3>& p : moved) p += offsets[i];
       others.push_back(fit(moved));
     }
-    const bench::Timing t = bench::timed(others, 20, [&](const auto& other) { return overlap(first, other); });
-    std::printf("%-20s %8zu %12.2f %8.1f %8.1f\n", name, numbers_kept(first), void_volume(first, object) / object,
-                t.least, 100.0 * static_cast<double>(t.hits) / static_cast<double>(others.size()));
+    const auto meets = [&](const auto& other) { return overlap(first, other); };
+    const double ns = bench::least_each(bench::Session({}, 1), others, meets);
+    const auto hits = std::ranges::count_if(others, meets);
+    std::printf("%-20s %8zu %12.2f %8.1f %8.1f\n", name, numbers_kept(first), void_volume(first, object) / object, ns,
+                100.0 * static_cast<double>(hits) / static_cast<double>(others.size()));
   };
   using P = std::vector<Point<double, 3>>;
   const auto pair = [](const auto& a, const auto& b) { return intersects(a, b); };

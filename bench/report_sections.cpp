@@ -13,6 +13,8 @@
 namespace isect::bench {
 namespace {
 
+constexpr double beyond_noise = 1 + most_noise;  ///< the least ratio of times that says something
+
 /// All rows of one method over the families of a test in one scalar, with the two that are compared.
 struct Findings {
   std::vector<const Row*> rows, ordinary;
@@ -122,23 +124,38 @@ std::string runner_up(const Findings& d) {
                      ratio(best->ns / d.naive->ns), parts.empty() ? "on no case judged" : "still on " + listed(parts));
 }
 
+/// The exact call, or another method that is as exact, says as much and is clearly faster.
+const Row& best_exact(const Findings& d) {
+  const Row* best = d.exact;
+  for (const Row* r : d.ordinary)
+    if (r->exact && r->library == "isect" && r->ulps.has_value() == d.exact->ulps.has_value() &&
+        r->ns * beyond_noise < best->ns)
+      best = r;
+  return *best;
+}
+
+/// What to choose; nothing where no hard case was judged and exactness costs.
 std::string choice(const Findings& d) {
-  const double slower = d.exact->ns / d.naive->ns;
-  const std::string naive = name_of(*d.naive);
-  if (slower <= 1.1) return fmt::format("**Choose the exact call.** It costs no more than {}.", naive);
+  const Row& best = best_exact(d);
+  const bool other = &best != d.exact;
+  const double slower = best.ns / d.naive->ns;
+  const std::string naive = name_of(*d.naive), exact = other ? name_of(best) : "the exact call";
+  if (slower <= beyond_noise)
+    return fmt::format("**Choose {}.** It costs no more than {}{}.", exact, naive,
+                       other ? " and is as exact as the exact call" : "");
   if (d.naive->wrong() > 0)
-    return fmt::format("**Choose the exact call.** {} errs on ordinary input already.", sentence(naive));
+    return fmt::format("**Choose {}.** {} errs on ordinary input already.", exact, sentence(naive));
+  if (std::ranges::none_of(d.of(*d.naive), &Row::hard)) return {};
   if (total_wrong(d.of(*d.naive)) == 0)
     return fmt::format(
-        "**Choose {} where time matters.** It takes 1/{} of the time, and no case judged here broke it; only "
-        "the exact "
-        "call promises that none does.",
-        naive, ratio(slower));
+        "**Choose {} where time matters.** It takes 1/{} of the time, and no case judged here broke it; only {} "
+        "promises "
+        "that none does.",
+        naive, ratio(slower), exact);
   return fmt::format(
-      "**Choose the exact call,** unless all input is like the ordinary family and {} ns a call are worth "
-      "more than a "
-      "wrong verdict.",
-      number(d.exact->ns - d.naive->ns));
+      "**Choose {},** unless all input is like the ordinary family and {} ns a call are worth more than a wrong "
+      "verdict.",
+      exact, number(best.ns - d.naive->ns));
 }
 
 std::string beside_peers(const Measured& m, const std::string& test) {
@@ -206,16 +223,11 @@ std::string machine_line(const Report& r) {
 std::string machine_text(const Measured& m) {
   std::string text = fmt::format("Measured on {} with {} cores:\n\n{}", m.portable.machine.cpu,
                                  m.portable.machine.cores, machine_line(m.portable));
-  double noise = m.portable.machine.noise;
   for (const std::optional<Report>* other : {&m.native, &m.peers})
-    if (*other) text += machine_line(**other), noise = std::max(noise, (*other)->machine.noise);
+    if (*other) text += machine_line(**other);
   if (!m.native) text += "- native build: not measured\n";
   if (!m.peers) text += "- beside other libraries: not measured\n";
-  text += "\nNoise is how much more than its least a fixed loop takes, at its 95th percentile.";
-  if (noise > 0.1)
-    text += fmt::format(" At {:.0f} % the machine was not idle: ratios below {:.1f} mean nothing here.", 100 * noise,
-                        1 + noise);
-  return text + "\n\n";
+  return text + "\nNoise is how much more than its least a fixed loop takes, at its 95th percentile.\n\n";
 }
 
 std::string test_text(const Measured& m, const std::string& test) {
@@ -224,7 +236,8 @@ std::string test_text(const Measured& m, const std::string& test) {
   if (d.naive != nullptr && d.exact != nullptr && d.naive != d.exact) {
     text = cost(d, f) + naive_errors(d) + exact_promise(d, f) + runner_up(d);
     text.pop_back();
-    text += "\n\n" + choice(d) + "\n\n";
+    text += "\n\n";
+    if (const std::string advice = choice(d); !advice.empty()) text += advice + "\n\n";
     if (m.native) {
       const Findings n(*m.native, test, "double");
       if (n.naive != nullptr && n.exact != nullptr)
@@ -242,7 +255,7 @@ std::string target_text(const Measured& m) {
       "beside other libraries.\n\n| work | target | portable | native | beside others |\n| --- | --- | --- | "
       "--- | --- |\n";
   int reached = 0, missed = 0, open = 0;
-  for (const Target& t : targets()) {
+  for (const Target& t : m.portable.targets) {
     std::string row = fmt::format("| {} | {} |", t.work, wanted(t));
     std::optional<bool> all;
     for (const Report* r : {&m.portable, m.native ? &*m.native : nullptr, m.peers ? &*m.peers : nullptr}) {
@@ -262,7 +275,7 @@ std::string target_text(const Measured& m) {
 
 std::string loss_text(const Measured& m) {
   std::vector<std::string> lines;
-  for (const Target& t : targets()) {
+  for (const Target& t : m.portable.targets) {
     std::vector<std::string> runs;
     for (const Report* r : all_of(m))
       if (const auto value = measured(t, *r); value && !met(t, *value))

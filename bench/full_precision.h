@@ -4,53 +4,53 @@
 #include <string>
 
 #include "bench/contest.h"
-#include "bench/pair_cases.h"
+#include "bench/ordinary_shapes.h"
 
 namespace isect::bench {
 
 template <class S>
-std::string in_full(const Interval<S>& x) {
+std::string full_precision(const Interval<S>& x) {
   return text("lo", x.lo, "hi", x.hi);
 }
 template <class S, int N>
-std::string in_full(const Point<S, N>& x) {
+std::string full_precision(const Point<S, N>& x) {
   return text("at", x);
 }
 template <class S, int N>
-std::string in_full(const Ray<S, N>& x) {
+std::string full_precision(const Ray<S, N>& x) {
   return text("origin", x.origin, "direction", x.direction, "range", std::array{x.range.lo, x.range.hi});
 }
 template <class S, int N>
-std::string in_full(const Plane<S, N>& x) {
+std::string full_precision(const Plane<S, N>& x) {
   return text("normal", x.normal, "d", x.d);
 }
 template <class S, int N>
-std::string in_full(const Sphere<S, N>& x) {
+std::string full_precision(const Sphere<S, N>& x) {
   return text("center", x.center, "radius", x.radius);
 }
 template <class S, int N>
-std::string in_full(const Aabb<S, N>& x) {
+std::string full_precision(const Aabb<S, N>& x) {
   return text("lo", x.lo, "hi", x.hi);
 }
 template <class S, int N>
-std::string in_full(const Obb<S, N>& x) {
+std::string full_precision(const Obb<S, N>& x) {
   std::string axes;
   for (int i = 0; i < N; ++i) axes += text(" axis", Vector<S, N>(x.axes.col(i)));
   return text("center", x.center) + axes + " " + text("half", x.half);
 }
 template <class S, int N>
-std::string in_full(const Triangle<S, N>& x) {
+std::string full_precision(const Triangle<S, N>& x) {
   return text("a", x.vertices[0], "b", x.vertices[1], "c", x.vertices[2]);
 }
 template <class S, int N>
-std::string in_full(const Ring<S, N>& x) {
+std::string full_precision(const Ring<S, N>& x) {
   std::string all = "ring";
   for (const Point<S, N>& v : x) all += text(" vertex", v);
   return all;
 }
 template <class A, class B>
-std::string in_full(const Pair<A, B>& c) {
-  return "a: " + in_full(c.a) + "; b: " + in_full(c.b);
+std::string full_precision(const Pair<A, B>& c) {
+  return "a: " + full_precision(c.a) + "; b: " + full_precision(c.b);
 }
 
 }  // namespace isect::bench

@@ -1,19 +1,27 @@
-#include "bench/session.h"
+#include "bench/machine.h"
 
-#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <ctime>
-#include <stdexcept>
+#include <fstream>
 #include <thread>
+#include <utility>
+#include <vector>
 
-#include "bench/contest.h"
-#include "bench/measure.h"
+#include "bench/distribution.h"
 
 namespace isect::bench {
 namespace {
 
-/// How much slower than its least the 95th percentile of a fixed loop is: what the machine adds by itself.
+std::string cpu() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);)
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  return "unknown";
+}
+
+}  // namespace
+
 double noise() {
   std::vector<double> times;
   for (int k = 0; k < 401; ++k) {
@@ -27,7 +35,7 @@ double noise() {
   return all.quantile(0.95) / all.quantile(0) - 1;
 }
 
-Machine machine() {
+Machine this_machine(const std::string& flags, const std::string& build) {
   Machine m;
   m.cpu = cpu();
   m.cores = static_cast<int>(std::thread::hardware_concurrency());
@@ -35,34 +43,15 @@ Machine machine() {
 #ifdef __clang__
   m.compiler = __VERSION__;
 #endif
-  m.flags = ISECT_FLAGS;
-  m.build = ISECT_BUILD;
+  m.flags = flags, m.build = build;
   double load[1] = {0};
   if (getloadavg(load, 1) == 1) m.load = load[0];
   const std::time_t now = std::time(nullptr);
   char day[16] = "";
   std::tm parts{};
   if (gmtime_r(&now, &parts) != nullptr && std::strftime(day, sizeof day, "%Y-%m-%d", &parts) > 0) m.date = day;
+  m.noise = noise();
   return m;
-}
-
-}  // namespace
-
-Report measure(const Effort& effort, unsigned long long seed, const std::vector<std::string>& only,
-               const std::function<void(const std::string&)>& progress) {
-  Session session(effort, seed);
-  if (progress) session.progress = progress;
-  Report report;
-  report.machine = machine();
-  report.seed = seed;
-  report.quick = effort.judged < effort.cases;
-  const double before = noise();
-  for (const Suite& suite : suites())
-    if (only.empty() || std::ranges::find(only, suite.name) != only.end()) suite.run(session);
-  report.machine.noise = std::max(before, noise());
-  report.rows = std::move(session.rows);
-  report.growths = std::move(session.growths);
-  return report;
 }
 
 }  // namespace isect::bench
