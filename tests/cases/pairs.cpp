@@ -5,6 +5,7 @@
 #include "bench/kdop_kdop/families.h"
 #include "bench/obb_obb/families.h"
 #include "bench/obb_obb/oracle.h"
+#include "bench/triangle_aabb/oracle.h"
 #include "tests/cases/shapes.h"
 #include "tests/core/triangle_box_pairs.h"
 
@@ -53,7 +54,7 @@ Interval<S> slab(const Vector<S, 3>& normal, const std::array<Point<S, 3>, 4>& c
 
 template <class S, int N>
 Case triangle_and_box(const Triangle<S, N>& triangle, const Aabb<S, N>& box) {
-  namespace clip = tests::triangle_box_pairs;
+  namespace clip = oracle::triangle_aabb;
   Json corners = Json::array();
   for (const Point<S, N>& v : triangle.vertices) corners.push_back(json<S, N>(v));
   const auto part = clip::common(triangle, box);

@@ -5,6 +5,8 @@
 
 #include <isect/numbers/counted.h>
 #include <isect/ray_aabb.h>
+#include "bench/ray_obb/families.h"
+#include "bench/ray_obb/oracle.h"
 #include "tests/catch.h"
 #include "tests/core/ray_obb_pairs.h"
 #include "tests/settings.h"
@@ -160,7 +162,7 @@ TEMPLATE_TEST_CASE_SIG("ray and OBB: every answer is that of rational arithmetic
       const Case<S, N> c = draw<S, N>(random, numbers);
       INFO("seed " << tests::seed() << ", numbers " << static_cast<int>(numbers) << ", case " << i);
       const std::optional<Interval<S>> t = intersect(c.ray, c.box);
-      const auto expected = truth(c);
+      const auto expected = oracle::ray_obb(c.ray, c.box);
       REQUIRE(t.has_value() == expected.has_value());
       hits += t.has_value(), misses += !t;
       if (!t) continue;
@@ -175,6 +177,29 @@ TEMPLATE_TEST_CASE_SIG("ray and OBB: every answer is that of rational arithmetic
   }
   CHECK(worst <= 2);
   for (const int often : {hits, misses, touches}) CHECK(often > count / 4);
+}
+
+TEMPLATE_TEST_CASE("ray and OBB: the measured families are decided rightly, and break the naive method", "[ray_obb]",
+                   float, double) {
+  const int cases = tests::cases(150, 20000);
+  for (const auto& drawn : bench::ray_obb_draws<TestType>) {
+    Random random(tests::seed());
+    int naive_wrong = 0, hits = 0;
+    for (int i = 0; i < cases; ++i) {
+      INFO("seed " << tests::seed() << ", family " << drawn.name << ", case " << i);
+      const auto [ray, box] = drawn.draw(random);
+      const auto truth = oracle::ray_obb(ray, box);
+      const auto part = intersect(ray, box);
+      REQUIRE(part.has_value() == truth.has_value());
+      REQUIRE(intersects(ray, box) == truth.has_value());
+      if (part) REQUIRE(oracle::ulps(part->lo, truth->first) <= 2);
+      naive_wrong += ray_obb::projections(ray, box).has_value() != truth.has_value(), hits += truth.has_value();
+    }
+    INFO(drawn.name);
+    CHECK((naive_wrong > 0) == drawn.hard());
+    const bool invalid = drawn.name == std::string_view("invalid");
+    CHECK((invalid ? hits == 0 : cases / 10 < hits && hits < cases));
+  }
 }
 
 TEMPLATE_TEST_CASE_SIG("the identity's box is the aligned box", "[ray_obb][property]", FLOATS_AND_DIMENSIONS) {

@@ -8,6 +8,8 @@
 #include <isect/numbers/counted.h>
 #include <isect/triangle_aabb_methods.h>
 #include "bench/random_obb.h"
+#include "bench/triangle_aabb/families.h"
+#include "bench/triangle_aabb/oracle.h"
 #include "tests/catch.h"
 #include "tests/core/triangle_box_pairs.h"
 #include "tests/settings.h"
@@ -140,15 +142,38 @@ TEMPLATE_TEST_CASE_SIG("verdicts are those of clipping in rationals", "[triangle
       INFO("seed " << tests::seed() << ", numbers " << static_cast<int>(numbers) << ", case " << i);
       const auto [triangle, box] = pair<S, N>(random, numbers);
       if (!finite(triangle)) continue;
-      const Relation truth = oracle_relate(triangle, box);
+      const Relation truth = oracle::triangle_aabb::relation(triangle, box);
       REQUIRE(relate(triangle, box) == truth);
       REQUIRE(intersects(triangle, box) == (truth != Relation::disjoint));
-      const bool inner = truth != Relation::disjoint && reaches_inside(common(triangle, box), box);
+      const bool inner = truth != Relation::disjoint &&
+                         oracle::triangle_aabb::reaches_inside(oracle::triangle_aabb::common(triangle, box), box);
       REQUIRE(meets_interior(triangle, box) == inner);
       ++count[static_cast<int>(truth)];
     }
   }
   CHECK(*std::min_element(std::begin(count), std::end(count)) > cases / 20);
+}
+
+TEMPLATE_TEST_CASE("triangle and box: the measured families are decided rightly, and break the naive test",
+                   "[triangle_aabb]", float, double) {
+  const int cases = tests::cases(150, 20000);
+  for (const auto& drawn : bench::triangle_aabb_draws<TestType>) {
+    bench::Random random(tests::seed());
+    int naive_wrong = 0, meet = 0;
+    for (int i = 0; i < cases; ++i) {
+      INFO("seed " << tests::seed() << ", family " << drawn.name << ", case " << i);
+      const auto [triangle, box] = drawn.draw(random);
+      const bool valid = finite(triangle) && finite(box) && !empty(box);
+      const bool truth = valid && !oracle::triangle_aabb::common(triangle, box).empty();
+      REQUIRE(intersects(triangle, box) == truth);
+      naive_wrong += triangle_aabb::akenine_moller(triangle, box) != truth, meet += truth;
+    }
+    INFO(drawn.name);
+    const bool harmless = !drawn.hard() || drawn.name == std::string_view("grid");  // no rounding among small integers
+    CHECK((naive_wrong > 0) == !harmless);
+    const bool invalid = drawn.name == std::string_view("invalid");
+    CHECK((invalid ? meet == 0 : cases / 10 < meet && meet < cases));
+  }
 }
 
 TEMPLATE_TEST_CASE_SIG("exact motions, orders of vertices and listeners change nothing", "[triangle_aabb]",
