@@ -61,19 +61,19 @@ struct MayCount {
 
 /// What the ray to the right from p meets of all rings.
 template <class S>
-point_polygon::Tally tally(const Point<S, 2>& p, std::span<const Ring<S, 2>> rings, const Runs<S>& runs,
-                           InstructionSet set) {
+point_polygon::Crossings crossings(const Point<S, 2>& p, std::span<const Ring<S, 2>> rings, const Runs<S>& runs,
+                                   InstructionSet set) {
   const auto height = [&](const Point<S, 2>& v) { return (v[1] > p[1]) - (v[1] < p[1]); };
   const auto abscissa = [&](const Point<S, 2>& v) { return (v[0] > p[0]) - (v[0] < p[0]); };
   const auto side = [&](const Point<S, 2>& a, const Point<S, 2>& b) {
     return orient2d(a.template cast<double>(), b.template cast<double>(), p.template cast<double>());
   };
-  point_polygon::Tally sum;
+  point_polygon::Crossings sum;
   each_block<S>(runs.columns(), runs.runs.size(), set, MayCount<S>{p}, [&](std::size_t first, const Bits& bits) {
     for (std::uint64_t open = bits.yes; open != 0; open &= open - 1) {
       const Run& run = runs.runs[first + static_cast<std::size_t>(std::countr_zero(open))];
       const std::span<const Point<S, 2>> vertices(rings[run.ring]);
-      const point_polygon::Tally part = point_polygon::walk(vertices, run.first, run.last, height, abscissa, side);
+      const point_polygon::Crossings part = point_polygon::walk(vertices, run.first, run.last, height, abscissa, side);
       sum.crossings += part.crossings, sum.winding += part.winding, sum.on |= part.on;
     }
   });
@@ -90,7 +90,7 @@ std::vector<Location> locate(const PointBatch<S, 2>& points, std::span<const Rin
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Point<S, 2> p = points[i];
     if (!finite(p)) continue;
-    const point_polygon::Tally t = tally(p, rings, runs, set);
+    const point_polygon::Crossings t = crossings(p, rings, runs, set);
     const bool inside = rule == FillRule::even_odd ? t.crossings % 2 != 0 : t.winding != 0;
     where[i] = t.on ? Location::on : inside ? Location::in : Location::out;
   }

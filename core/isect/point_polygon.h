@@ -58,7 +58,7 @@ struct Edge {
 using Event = std::variant<Edge, Fallback>;
 
 /// What the ray meets.
-struct Tally {
+struct Crossings {
   int crossings = 0, winding = 0;
   bool on = false;  ///< an edge holds the point, and the others do not matter
 };
@@ -73,9 +73,9 @@ inline Passage crossed(int turn, int up) {
 /// `abscissa(v)` are the signs of v.y - p.y and v.x - p.x, `side(a, b)` is orient2d(a, b, p). The number `ring` is
 /// for the events.
 template <class Vertex, class Height, class Abscissa, class Side, class Trace = NoTrace>
-Tally walk(std::span<const Vertex> vertices, std::size_t first, std::size_t last, const Height& height,
-           const Abscissa& abscissa, const Side& side, int ring = 0, Trace&& trace = {}) {
-  Tally tally;
+Crossings walk(std::span<const Vertex> vertices, std::size_t first, std::size_t last, const Height& height,
+               const Abscissa& abscissa, const Side& side, int ring = 0, Trace&& trace = {}) {
+  Crossings met;
   int a_height = 0, b_height = height(vertices[first]);
   for (std::size_t i = first; i < last; ++i) {
     const Vertex &a = vertices[i], &b = vertices[i + 1 < vertices.size() ? i + 1 : 0];
@@ -88,11 +88,11 @@ Tally walk(std::span<const Vertex> vertices, std::size_t first, std::size_t last
     }
     if (a_height == 0) {
       const int a_abscissa = abscissa(a);
-      tally.on = a_abscissa == 0 || (b_height == 0 && a_abscissa != abscissa(b));
+      met.on = a_abscissa == 0 || (b_height == 0 && a_abscissa != abscissa(b));
     }
-    if (tally.on) {
+    if (met.on) {
       trace(Edge{ring, index, Passage::on, 0});
-      return tally;
+      return met;
     }
 
     const int up = (b_height > 0) - (a_height > 0);
@@ -101,19 +101,19 @@ Tally walk(std::span<const Vertex> vertices, std::size_t first, std::size_t last
       continue;
     }
     const int turn = side(a, b);
-    tally.on = turn == 0;
+    met.on = turn == 0;
     const bool counts = turn == up;
-    tally.crossings += counts, tally.winding += counts ? up : 0;
+    met.crossings += counts, met.winding += counts ? up : 0;
     trace(Edge{ring, index, crossed(turn, up), turn});
-    if (tally.on) return tally;
+    if (met.on) return met;
   }
-  return tally;
+  return met;
 }
 
 /// The same of a whole ring, of any number of vertices.
 template <class Vertex, class Height, class Abscissa, class Side, class Trace = NoTrace>
-Tally wind(std::span<const Vertex> vertices, const Height& height, const Abscissa& abscissa, const Side& side,
-           int ring = 0, Trace&& trace = {}) {
+Crossings wind(std::span<const Vertex> vertices, const Height& height, const Abscissa& abscissa, const Side& side,
+               int ring = 0, Trace&& trace = {}) {
   if (vertices.empty()) return {};
   return walk(vertices, 0, vertices.size(), height, abscissa, side, ring, trace);
 }
@@ -121,7 +121,7 @@ Tally wind(std::span<const Vertex> vertices, const Height& height, const Absciss
 /// What the ray meets of a ring with coordinates; nothing when one of those looked at is not finite. Comparisons, many
 /// at once, settle most edges.
 template <class S, class Trace>
-std::optional<Tally> wind(const Point<S, 2>& p, std::span<const Point<S, 2>> vertices, int ring, Trace&& trace) {
+std::optional<Crossings> wind(const Point<S, 2>& p, std::span<const Point<S, 2>> vertices, int ring, Trace&& trace) {
   const auto height = [&](const Point<S, 2>& v) { return (v[1] > p[1]) - (v[1] < p[1]); };
   const auto abscissa = [&](const Point<S, 2>& v) { return (v[0] > p[0]) - (v[0] < p[0]); };
   const auto side = [&](const Point<S, 2>& a, const Point<S, 2>& b) {
@@ -140,25 +140,25 @@ std::optional<Tally> wind(const Point<S, 2>& p, std::span<const Point<S, 2>> ver
       std::fill(std::copy(vertices.begin(), vertices.end(), filled.begin()), filled.end(), vertices.back());
       from = filled.data();
     }
-    Tally tally;
+    Crossings met;
     for (std::size_t first = 0; first < vertices.size(); first += Fast::most) {
       Scanned scanned;
       const std::size_t last = std::min(first + Fast::most, vertices.size());
       const Point<S, 2>& before = first > 0 ? vertices[first - 1] : vertices.back();
       simd::run(widest(), Fast{p, from, before, first, last, scanned});
       if (!scanned.finite) return {};
-      tally.crossings += scanned.crossings, tally.winding += scanned.winding;
+      met.crossings += scanned.crossings, met.winding += scanned.winding;
       for (std::size_t word = 0; word < scanned.words; ++word)
         for (std::uint64_t rest = scanned.open[word].bits; rest != 0; rest &= rest - 1) {
           const std::size_t end = scanned.open[word].first + static_cast<std::size_t>(std::countr_zero(rest)) / 2;
           const std::size_t edge = (end > 0 ? end : vertices.size()) - 1;
           if (!finite(vertices[edge])) return {};  // of the first edge it is the last vertex, not scanned yet
-          const Tally part = walk(vertices, edge, edge + 1, height, abscissa, side);
-          tally = {tally.crossings + part.crossings, tally.winding + part.winding, part.on};
-          if (part.on) return tally;
+          const Crossings part = walk(vertices, edge, edge + 1, height, abscissa, side);
+          met = {met.crossings + part.crossings, met.winding + part.winding, part.on};
+          if (part.on) return met;
         }
     }
-    return tally;
+    return met;
   }
   if (!all_finite()) return {};
   return wind(vertices, height, abscissa, side, ring, trace);
@@ -169,9 +169,9 @@ Winding winding(const Point<S, 2>& p, std::span<const Ring<S, 2>> rings, Trace&&
   constexpr Winding outside = {Location::out, Location::out, 0, 0}, boundary = {Location::on, Location::on, 0, 0};
   if (!finite(p)) return outside;
 
-  Tally sum;
+  Crossings sum;
   for (std::size_t i = 0; i < rings.size(); ++i) {
-    const std::optional<Tally> part = wind(p, std::span<const Point<S, 2>>(rings[i]), static_cast<int>(i), trace);
+    const std::optional<Crossings> part = wind(p, std::span<const Point<S, 2>>(rings[i]), static_cast<int>(i), trace);
     if (!part) return outside;
     if (part->on) {
       const bool usable = std::all_of(rings.begin(), rings.end(), [](const Ring<S, 2>& r) { return finite(r); });

@@ -149,10 +149,10 @@ Location locate(const Crossing<S>& crossing, int den, int axis, std::span<const 
     return den * sign_of([&]<class W>() -> W { return crossing.template area2<W>(a, b, x, y); }, trace);
   };
 
-  point_polygon::Tally sum;
+  point_polygon::Crossings sum;
   for (std::size_t i = 0; i < rings.size(); ++i) {
     const std::span<const Point<S, 3>> ring = rings[i];
-    const point_polygon::Tally part = point_polygon::wind(ring, height, abscissa, side, static_cast<int>(i), trace);
+    const point_polygon::Crossings part = point_polygon::wind(ring, height, abscissa, side, static_cast<int>(i), trace);
     if (part.on) return Location::on;
     sum.crossings += part.crossings, sum.winding += part.winding;
   }

@@ -397,12 +397,12 @@ TEST_CASE("the text serves vertices of any type", "[point_polygon]") {
   // the corners of a square by number, and a point in its middle
   const std::array<int, 4> corners = {0, 1, 2, 3};
   const int xs[] = {-1, 1, 1, -1}, ys[] = {-1, -1, 1, 1};
-  const point_polygon::Tally tally = point_polygon::wind(
+  const point_polygon::Crossings met = point_polygon::wind(
       std::span<const int>(corners), [&](int v) { return ys[v]; }, [&](int v) { return xs[v]; },
       [&](int a, int b) { return xs[a] * ys[b] - xs[b] * ys[a] > 0 ? 1 : -1; });
-  CHECK(tally.crossings == 1);
-  CHECK(tally.winding == 1);
-  CHECK_FALSE(tally.on);
+  CHECK(met.crossings == 1);
+  CHECK(met.winding == 1);
+  CHECK_FALSE(met.on);
 }
 
 TEST_CASE("the naive methods are right away from edges, and wrong next to them", "[point_polygon]") {
