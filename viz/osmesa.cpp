@@ -3,6 +3,9 @@
 #include "viz/offscreen.h"
 
 #if ISECT_OSMESA
+#ifndef APIENTRY  // newer headers of OSMesa expect it of whoever includes them
+#define APIENTRY
+#endif
 #include <GL/osmesa.h>
 #include <dlfcn.h>
 

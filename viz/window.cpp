@@ -15,9 +15,11 @@
 namespace isect::viz {
 namespace {
 
+#if IMGUI_VERSION_NUM < 18700
 static_assert(key::right == GLFW_KEY_RIGHT && key::left == GLFW_KEY_LEFT && key::home == GLFW_KEY_HOME &&
               key::end == GLFW_KEY_END && key::escape == GLFW_KEY_ESCAPE && key::enter == GLFW_KEY_ENTER &&
               key::tab == GLFW_KEY_TAB && key::f1 == GLFW_KEY_F1 && key::f12 == GLFW_KEY_F12 && key::z == GLFW_KEY_Z);
+#endif
 
 std::string glfw_words() {
   const char* words = nullptr;

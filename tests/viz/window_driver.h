@@ -30,6 +30,9 @@ class WindowDriver {
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {width, height};
     io.DisplayFramebufferScale = {scale_, scale_};
+#if IMGUI_VERSION_NUM >= 18700
+    io.ConfigInputTrickleEventQueue = false;  // what is pressed in a frame is pressed in that frame
+#endif
   }
   void frames(int n = 1) {
     for (int i = 0; i < n; ++i) {
@@ -86,16 +89,29 @@ class WindowDriver {
   }
 
   /// A key that types nothing, or with Ctrl.
-  void key(int code, bool control = false) {
+  void key(key::Code code, bool with_control = false) {
+    control(with_control);
+    press(code, true);
+    frames();
+    press(code, false);
+    control(false);
+    frames();
+  }
+  void press(key::Code code, bool down) {
+#if IMGUI_VERSION_NUM < 18700
+    ImGui::GetIO().KeysDown[code] = down;
+#else
+    ImGui::GetIO().AddKeyEvent(code, down);
+#endif
+  }
+  void control(bool held) {
     ImGuiIO& io = ImGui::GetIO();
-    io.KeyCtrl = control;
-    io.KeyMods = control ? ImGuiKeyModFlags_Ctrl : ImGuiKeyModFlags_None;
-    io.KeysDown[code] = true;
-    frames();
-    io.KeysDown[code] = false;
-    io.KeyCtrl = false;
-    io.KeyMods = ImGuiKeyModFlags_None;
-    frames();
+#if IMGUI_VERSION_NUM < 18700
+    io.KeyCtrl = held;
+    io.KeyMods = held ? ImGuiKeyModFlags_Ctrl : ImGuiKeyModFlags_None;
+#else
+    io.AddKeyEvent(ImGuiMod_Ctrl, held);
+#endif
   }
   void type(const std::string& characters) {
     ImGui::GetIO().AddInputCharactersUTF8(characters.c_str());

@@ -189,12 +189,10 @@ TEST_CASE("a number is typed after Ctrl+click, and a refused one is told", "[win
   const auto type_radius = [&](const std::string& number) {
     const Rect field = window.rect("parameter r");
     window.move(field.middle_x(), field.middle_y());
-    ImGui::GetIO().KeyCtrl = true;
-    ImGui::GetIO().KeyMods = ImGuiKeyModFlags_Ctrl;
+    window.control(true);
     window.button(true);
     window.button(false);
-    ImGui::GetIO().KeyCtrl = false;
-    ImGui::GetIO().KeyMods = ImGuiKeyModFlags_None;
+    window.control(false);
     window.frames(2);
     window.type(number);
     window.key(key::enter);

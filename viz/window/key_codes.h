@@ -1,9 +1,13 @@
 #pragma once
-// Key numbers as GLFW gives them and the headless tests use them; window.cpp checks that they agree.
+// The keys that the window knows. Since 1.87 Dear ImGui has a number of its own for every key; before (Debian 12
+// has 1.86) it keeps the back end's, here GLFW's, and is told which of them it needs itself.
+
+#include <imgui.h>
 
 namespace isect::viz::key {
 
-enum Code {
+#if IMGUI_VERSION_NUM < 18700
+enum Code : int {
   space = 32,
   escape = 256,
   enter = 257,
@@ -31,5 +35,44 @@ enum Code {
   y = 'Y',
   z = 'Z'
 };
+
+/// Tells Dear ImGui its own keys.
+inline void map() {
+  ImGuiIO& io = ImGui::GetIO();
+  io.KeyMap[ImGuiKey_Tab] = tab;
+  io.KeyMap[ImGuiKey_LeftArrow] = left;
+  io.KeyMap[ImGuiKey_RightArrow] = right;
+  io.KeyMap[ImGuiKey_UpArrow] = up;
+  io.KeyMap[ImGuiKey_DownArrow] = down;
+  io.KeyMap[ImGuiKey_PageUp] = page_up;
+  io.KeyMap[ImGuiKey_PageDown] = page_down;
+  io.KeyMap[ImGuiKey_Home] = home;
+  io.KeyMap[ImGuiKey_End] = end;
+  io.KeyMap[ImGuiKey_Insert] = insert;
+  io.KeyMap[ImGuiKey_Delete] = del;
+  io.KeyMap[ImGuiKey_Backspace] = backspace;
+  io.KeyMap[ImGuiKey_Space] = space;
+  io.KeyMap[ImGuiKey_Enter] = enter;
+  io.KeyMap[ImGuiKey_Escape] = escape;
+  io.KeyMap[ImGuiKey_KeyPadEnter] = keypad_enter;
+  io.KeyMap[ImGuiKey_A] = a;
+  io.KeyMap[ImGuiKey_C] = c;
+  io.KeyMap[ImGuiKey_V] = v;
+  io.KeyMap[ImGuiKey_X] = x;
+  io.KeyMap[ImGuiKey_Y] = y;
+  io.KeyMap[ImGuiKey_Z] = z;
+}
+#else
+using Code = ImGuiKey;
+inline constexpr Code tab = ImGuiKey_Tab, left = ImGuiKey_LeftArrow, right = ImGuiKey_RightArrow, up = ImGuiKey_UpArrow,
+                      down = ImGuiKey_DownArrow, page_up = ImGuiKey_PageUp, page_down = ImGuiKey_PageDown,
+                      home = ImGuiKey_Home, end = ImGuiKey_End, insert = ImGuiKey_Insert, del = ImGuiKey_Delete,
+                      backspace = ImGuiKey_Backspace, space = ImGuiKey_Space, enter = ImGuiKey_Enter,
+                      escape = ImGuiKey_Escape, keypad_enter = ImGuiKey_KeypadEnter, f1 = ImGuiKey_F1,
+                      f12 = ImGuiKey_F12, a = ImGuiKey_A, c = ImGuiKey_C, o = ImGuiKey_O, q = ImGuiKey_Q,
+                      v = ImGuiKey_V, x = ImGuiKey_X, y = ImGuiKey_Y, z = ImGuiKey_Z;
+
+inline void map() {}
+#endif
 
 }  // namespace isect::viz::key

@@ -6,7 +6,7 @@
 namespace isect::viz {
 namespace {
 
-bool pressed(int code, bool repeat = false) { return ImGui::IsKeyPressed(code, repeat); }
+bool pressed(key::Code code, bool repeat = false) { return ImGui::IsKeyPressed(code, repeat); }
 
 void paste(Session& s) {
   const char* text = ImGui::GetClipboardText();

@@ -15,7 +15,7 @@ namespace isect::viz {
 namespace {
 
 /// A key pressed in an open sheet; the press that opened it does not count.
-bool key_down(int code) { return ImGui::IsKeyPressed(code, false) && !ImGui::IsWindowAppearing(); }
+bool key_down(key::Code code) { return ImGui::IsKeyPressed(code, false) && !ImGui::IsWindowAppearing(); }
 
 /// Opens in the middle of the window; Escape or a click beside it closes it. True while it is open.
 bool begin_sheet(Session& s, const char* name, const Rect& window, float width, float height) {

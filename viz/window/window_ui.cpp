@@ -36,34 +36,8 @@ struct ImGuiScope {
 
 namespace {
 
-void map_keys() {
-  const std::pair<ImGuiKey, int> map[] = {{ImGuiKey_Tab, key::tab},
-                                          {ImGuiKey_LeftArrow, key::left},
-                                          {ImGuiKey_RightArrow, key::right},
-                                          {ImGuiKey_UpArrow, key::up},
-                                          {ImGuiKey_DownArrow, key::down},
-                                          {ImGuiKey_PageUp, key::page_up},
-                                          {ImGuiKey_PageDown, key::page_down},
-                                          {ImGuiKey_Home, key::home},
-                                          {ImGuiKey_End, key::end},
-                                          {ImGuiKey_Insert, key::insert},
-                                          {ImGuiKey_Delete, key::del},
-                                          {ImGuiKey_Backspace, key::backspace},
-                                          {ImGuiKey_Space, key::space},
-                                          {ImGuiKey_Enter, key::enter},
-                                          {ImGuiKey_Escape, key::escape},
-                                          {ImGuiKey_KeyPadEnter, key::keypad_enter},
-                                          {ImGuiKey_A, key::a},
-                                          {ImGuiKey_C, key::c},
-                                          {ImGuiKey_V, key::v},
-                                          {ImGuiKey_X, key::x},
-                                          {ImGuiKey_Y, key::y},
-                                          {ImGuiKey_Z, key::z}};
-  for (const auto& [name, code] : map) ImGui::GetIO().KeyMap[name] = code;
-}
-
 UiFonts fonts_at(double scale) {
-  map_keys();
+  key::map();
   return load_fonts(scale);
 }
 
