@@ -68,7 +68,11 @@ template <class S, int N>
 std::string tangency(Relation r, const Sphere<S, N>& a, const Sphere<S, N>& b) {
   if (r == Relation::touching) return "touch_outer";
   const bool contains = r == Relation::a_inside_b || r == Relation::b_inside_a;
-  if (!contains || sphere_sphere::settled_inner(a, b, NoTrace()) != 0) return name(r);
+  sphere_sphere::Decision signs = {};
+  relate(a, b, [&](const auto& event) {
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(event)>, sphere_sphere::Decision>) signs = event;
+  });
+  if (!contains || signs.inner != 0) return name(r);
   if (a.radius == 0 || b.radius == 0) return "touch_inner";
   return "touch_inner_" + name(r);
 }
@@ -134,7 +138,7 @@ Json triangle_box(Job& job) {
     const Triangle<S, N> t = {{vector<S, N>(corners[0]), vector<S, N>(corners[1]), vector<S, N>(corners[2])}};
     const Aabb<S, N> b = box<S, N>(job.fields);
     const bool meets = run<triangle_aabb::Event<N>>(job, [&](auto&& trace) { return intersects(t, b, trace); });
-    const char* relation = !meets ? "disjoint" : meets_interior(t, b) ? "overlap" : "touch";
+    const char* relation = !meets ? "disjoint" : intersects_interior(t, b) ? "overlap" : "touch";
     return {{"intersects", meets}, {"relation", relation}};
   });
 }

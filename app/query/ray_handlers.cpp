@@ -59,7 +59,7 @@ template <> struct EventNames<segment_segment::Apart> : Named<"Apart"> {};
 template <> struct EventNames<segment_segment::Sides> : Named<"Sides", "r s p q"> {};
 template <class S> struct EventNames<segment_segment::Determinant<S>> : Named<"Determinant", "value"> {};
 template <class S> struct EventNames<segment_segment::Parameters<S>> : Named<"Parameters", "t u holds"> {};
-template <> struct Names<ray_sphere::Place> {
+template <> struct Names<ray_sphere::AmongRoots> {
   static constexpr const char* of[] = {"before", "entry", "between", "exit", "after"};
 };
 template <> struct Names<segment_segment::Meeting> {

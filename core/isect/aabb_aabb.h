@@ -37,10 +37,14 @@ Aabb<S, N> common(const Aabb<S, N>& a, const Aabb<S, N>& b) {
   return {a.lo.cwiseMax(b.lo), a.hi.cwiseMin(b.hi)};
 }
 
+namespace detail {
+
 template <class S, int N>
 bool same(const Aabb<S, N>& a, const Aabb<S, N>& b) {
   return a.lo == b.lo && a.hi == b.hi;
 }
+
+}  // namespace detail
 
 /// Whether the boxes meet, axis by axis, as the note prints it but for its errata. Naive: right for boxes that are
 /// what they claim to be, but it takes inverted ones and NaN for overlapping.
@@ -91,9 +95,9 @@ Relation relate(const Aabb<S, N>& a, const Aabb<S, N>& b, Trace&& trace = {}) {
   trace(aabb_aabb::Common<S, N>{common});
 
   if (empty(common)) return Relation::disjoint;
-  if (aabb_aabb::same(a, b)) return Relation::equal;
-  if (aabb_aabb::same(common, a)) return Relation::a_inside_b;
-  if (aabb_aabb::same(common, b)) return Relation::b_inside_a;
+  if (aabb_aabb::detail::same(a, b)) return Relation::equal;
+  if (aabb_aabb::detail::same(common, a)) return Relation::a_inside_b;
+  if (aabb_aabb::detail::same(common, b)) return Relation::b_inside_a;
   return interiors_intersect(a, b) ? Relation::overlapping : Relation::touching;
 }
 

@@ -23,8 +23,8 @@ using Event = std::variant<Tested, Fallback>;
 /// Where the box lies with respect to n.x + d >= 0, by that inequality even where the normal is 0. Finite arguments.
 template <class S, class Trace>
 Culling side(const Plane<S, 3>& plane, const Aabb<S, 3>& box, Trace&& trace) {
-  if (plane_aabb::sign_at(plane, box, true, trace) < 0) return Culling::outside;
-  return plane_aabb::sign_at(plane, box, false, trace) >= 0 ? Culling::inside : Culling::crossing;
+  if (plane_aabb::detail::sign_at(plane, box, true, trace) < 0) return Culling::outside;
+  return plane_aabb::detail::sign_at(plane, box, false, trace) >= 0 ? Culling::inside : Culling::crossing;
 }
 
 }  // namespace aabb_frustum

@@ -57,6 +57,8 @@ struct Cell {
 template <int N>
 using Event = std::variant<Tested, Axis, Enters, Leaves, Cell<N>>;
 
+namespace detail {
+
 /// The boxes that have a point and finite coordinates, in order.
 template <class S, int N>
 std::vector<int> with_points(const std::vector<Aabb<S, N>>& boxes) {
@@ -73,19 +75,6 @@ void test(const std::vector<Aabb<S, N>>& boxes, int i, int j, Report&& report, T
   const bool overlap = intersects(boxes[i], boxes[j]);
   trace(Tested{i, j, overlap});
   if (overlap) report(i, j);
-}
-
-/// Every pair: n (n - 1) / 2 tests.
-template <class S, int N, class Report, class Trace = NoTrace>
-std::int64_t brute_force(const std::vector<Aabb<S, N>>& boxes, Report&& report, Trace&& trace = {}) {
-  std::int64_t tests = 0;
-  const int n = static_cast<int>(boxes.size());
-  for (int i = 0; i < n; ++i)
-    for (int j = i + 1; j < n; ++j) {
-      ++tests;
-      test(boxes, i, j, report, trace);
-    }
-  return tests;
 }
 
 /// The axis along which the centers have the largest variance. A guess: rounding and overflow do no harm.
@@ -135,13 +124,6 @@ std::int64_t sweep(const std::vector<Aabb<S, N>>& boxes, std::vector<int> member
   return tests;
 }
 
-/// Along the axis on which the boxes are spread most.
-template <class S, int N, class Report, class Trace = NoTrace>
-std::int64_t sweep_and_prune(const std::vector<Aabb<S, N>>& boxes, Report&& report, Trace&& trace = {}) {
-  return sweep(
-      boxes, with_points(boxes), [](int) { return true; }, report, trace);
-}
-
 /// Numbers the cells of a uniform grid. Lengths are halved, so that none overflows; larger coordinates never get
 /// smaller numbers, as every rounded step keeps the order: that is all that the grid relies on.
 template <int N>
@@ -172,12 +154,34 @@ Cells<N> cells(const std::vector<Aabb<S, N>>& boxes, const std::vector<int>& mem
   return {all.lo / 2, std::max({sizes[sizes.size() / 2], least, std::numeric_limits<double>::denorm_min()})};
 }
 
+}  // namespace detail
+
+/// Every pair: n (n - 1) / 2 tests.
+template <class S, int N, class Report, class Trace = NoTrace>
+std::int64_t brute_force(const std::vector<Aabb<S, N>>& boxes, Report&& report, Trace&& trace = {}) {
+  std::int64_t tests = 0;
+  const int n = static_cast<int>(boxes.size());
+  for (int i = 0; i < n; ++i)
+    for (int j = i + 1; j < n; ++j) {
+      ++tests;
+      detail::test(boxes, i, j, report, trace);
+    }
+  return tests;
+}
+
+/// Along the axis on which the boxes are spread most.
+template <class S, int N, class Report, class Trace = NoTrace>
+std::int64_t sweep_and_prune(const std::vector<Aabb<S, N>>& boxes, Report&& report, Trace&& trace = {}) {
+  return detail::sweep(
+      boxes, detail::with_points(boxes), [](int) { return true; }, report, trace);
+}
+
 /// In cells of the median box's size. Memory: 4 (N + 1) bytes for each cell that a box covers, at most 3^N.
 template <class S, int N, class Report, class Trace = NoTrace>
 std::int64_t grid(const std::vector<Aabb<S, N>>& boxes, Report&& report, Trace&& trace = {}) {
-  const std::vector<int> members = with_points(boxes);
+  const std::vector<int> members = detail::with_points(boxes);
   if (members.empty()) return 0;
-  const Cells<N> cell_of = cells(boxes, members);
+  const detail::Cells<N> cell_of = detail::cells(boxes, members);
 
   struct Entry {
     std::array<int, N> cell;
@@ -212,12 +216,12 @@ std::int64_t grid(const std::vector<Aabb<S, N>>& boxes, Report&& report, Trace&&
         const Point<S, N> corner = boxes[a->box].lo.cwiseMax(boxes[b->box].lo);
         if (cell_of(corner) != begin->cell) continue;  // the pair of another cell
         ++tests;
-        test(boxes, a->box, b->box, report, trace);
+        detail::test(boxes, a->box, b->box, report, trace);
       }
   }
 
   if (std::find(large.begin(), large.end(), 1) == large.end()) return tests;
-  return tests + sweep(
+  return tests + detail::sweep(
                      boxes, members, [&](int box) { return large[box] != 0; }, report, trace);
 }
 

@@ -83,6 +83,8 @@ struct BoxBatch {
 
 namespace batch {
 
+namespace detail {
+
 template <class S, std::size_t K>
 using Columns = std::array<const S*, K>;
 
@@ -102,7 +104,7 @@ Columns<S, 2 * N> columns(const BoxBatch<S, N>& boxes) {
 
 /// What a filter says of several entries at once; V is a vector of S.
 template <class V>
-struct Filtered {
+struct FilterSigns {
   V no, sure;
 };
 /// The bits of 64 entries.
@@ -112,7 +114,8 @@ struct Bits {
 
 /// filter(columns..., out) for 64 entries.
 template <int Bytes, class S, std::size_t K, class Filter, std::size_t... I>
-[[gnu::always_inline]] inline Bits filtered(const Columns<S, K>& at, const Filter& filter, std::index_sequence<I...>) {
+[[gnu::always_inline]] inline Bits filter_block(const Columns<S, K>& at, const Filter& filter,
+                                                std::index_sequence<I...>) {
   using Of = simd::Of<S, Bytes>;
   using Vector = typename Of::Vector;
   using Unaligned = typename Of::Unaligned;
@@ -120,7 +123,7 @@ template <int Bytes, class S, std::size_t K, class Filter, std::size_t... I>
   Bits bits = {0, 0};
   for (std::size_t i = 0; i < simd::block; i += Of::lanes) {
     const std::array<Vector, K> entries = {Vector(*reinterpret_cast<const Unaligned*>(at[I] + i))...};
-    Filtered<Vector> f;
+    FilterSigns<Vector> f;
     filter(entries, f);
     bits.yes |= simd::greater(f.no, zero) << i;
     bits.sure |= simd::greater(f.sure, zero) << i;
@@ -143,7 +146,7 @@ struct Loop {
     const std::size_t rest = size % simd::block, whole = size - rest;
     Columns<S, K> at = columns;
     for (std::size_t first = 0; first < whole; first += simd::block) {
-      finish(first, filtered<Bytes, S, K>(at, filter, all));
+      finish(first, filter_block<Bytes, S, K>(at, filter, all));
       for (const S*& column : at) column += simd::block;
     }
     if (rest == 0) return;
@@ -154,7 +157,7 @@ struct Loop {
       at[k] = copies[k];
     }
     const std::uint64_t those = (std::uint64_t{1} << rest) - 1;
-    const Bits bits = filtered<Bytes, S, K>(at, filter, all);
+    const Bits bits = filter_block<Bytes, S, K>(at, filter, all);
     finish(whole, Bits{bits.yes & those, bits.sure | ~those});
   }
 };
@@ -182,6 +185,8 @@ Mask answers(const Columns<S, K>& columns, std::size_t size, InstructionSet set,
   });
   return mask;
 }
+
+}  // namespace detail
 
 }  // namespace batch
 

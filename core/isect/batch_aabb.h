@@ -10,6 +10,8 @@ namespace isect {
 
 namespace batch {
 
+namespace detail {
+
 /// Whether a box meets `a`, as intersects(Aabb, Aabb) tells it: the shared box is inverted on no axis. A difference
 /// of finite numbers has their order's sign, even if it overflows. Infinite coordinates and NaN show in the sum of
 /// the widths, unless the box is inverted, which the verdict shows itself.
@@ -18,7 +20,7 @@ struct MeetsBox {
   Aabb<S, N> a;
 
   template <class V>
-  [[gnu::always_inline]] void operator()(const std::array<V, 2 * N>& b, Filtered<V>& f) const {
+  [[gnu::always_inline]] void operator()(const std::array<V, 2 * N>& b, FilterSigns<V>& f) const {
     using simd::lower, simd::raise;
     V widths = b[N] - b[0];
     for (int k = 0; k < N; ++k) {
@@ -32,6 +34,8 @@ struct MeetsBox {
   }
 };
 
+}  // namespace detail
+
 }  // namespace batch
 
 /// Bit i: intersects(box, boxes[i]). Exact; nothing meets an empty box, NaN or an infinite coordinate. `set` is one
@@ -39,8 +43,8 @@ struct MeetsBox {
 template <class S, int N>
 Mask intersects(const Aabb<S, N>& box, const BoxBatch<S, N>& boxes, InstructionSet set = widest()) {
   if (empty(box) || !finite(box)) return Mask(boxes.size());
-  return batch::answers<S>(batch::columns(boxes), boxes.size(), set, batch::MeetsBox<S, N>{box},
-                           [&](std::size_t i) { return intersects(box, boxes[i]); });
+  return batch::detail::answers<S>(batch::detail::columns(boxes), boxes.size(), set, batch::detail::MeetsBox<S, N>{box},
+                                   [&](std::size_t i) { return intersects(box, boxes[i]); });
 }
 
 }  // namespace isect

@@ -15,6 +15,8 @@ namespace isect {
 
 namespace batch {
 
+namespace detail {
+
 /// A few edges of a ring.
 struct Run {
   std::size_t ring, first, last;
@@ -51,7 +53,7 @@ struct MayCount {
   Point<S, 2> p;
 
   template <class V>
-  [[gnu::always_inline]] void operator()(const std::array<V, 3>& run, Filtered<V>& f) const {
+  [[gnu::always_inline]] void operator()(const std::array<V, 3>& run, FilterSigns<V>& f) const {
     f.no = run[0] - p[1];
     simd::raise(f.no, p[1] - run[1]);
     simd::raise(f.no, p[0] - run[2]);
@@ -73,7 +75,8 @@ point_polygon::Crossings crossings(const Point<S, 2>& p, std::span<const Ring<S,
     for (std::uint64_t open = bits.yes; open != 0; open &= open - 1) {
       const Run& run = runs.runs[first + static_cast<std::size_t>(std::countr_zero(open))];
       const std::span<const Point<S, 2>> vertices(rings[run.ring]);
-      const point_polygon::Crossings part = point_polygon::walk(vertices, run.first, run.last, height, abscissa, side);
+      const point_polygon::Crossings part =
+          point_polygon::detail::walk(vertices, run.first, run.last, height, abscissa, side);
       sum.crossings += part.crossings, sum.winding += part.winding, sum.on |= part.on;
     }
   });
@@ -97,18 +100,20 @@ std::vector<Location> locate(const PointBatch<S, 2>& points, std::span<const Rin
   return where;
 }
 
+}  // namespace detail
+
 }  // namespace batch
 
 /// Entry i: locate(points[i], polygon, rule). Exact. `set` is one that the machine has.
 template <class S>
 std::vector<Location> locate(const PointBatch<S, 2>& points, const Polygon<S, 2>& polygon,
                              FillRule rule = FillRule::even_odd, InstructionSet set = widest()) {
-  return batch::locate(points, std::span<const Ring<S, 2>>(polygon.rings), rule, set);
+  return batch::detail::locate(points, std::span<const Ring<S, 2>>(polygon.rings), rule, set);
 }
 template <class S>
 std::vector<Location> locate(const PointBatch<S, 2>& points, const Ring<S, 2>& ring, FillRule rule = FillRule::even_odd,
                              InstructionSet set = widest()) {
-  return batch::locate(points, std::span<const Ring<S, 2>>(&ring, 1), rule, set);
+  return batch::detail::locate(points, std::span<const Ring<S, 2>>(&ring, 1), rule, set);
 }
 
 }  // namespace isect

@@ -25,6 +25,8 @@ namespace isect {
 
 namespace batch {
 
+namespace detail {
+
 /// The direction's unit vector and length; the length is 0 where the filters can't serve.
 template <class S, int N>
 struct Heading {
@@ -87,7 +89,7 @@ struct HitsSphere {
   Vector<S, N> unit;
 
   template <class V>
-  [[gnu::always_inline]] void operator()(const std::array<V, N + 1>& sphere, Filtered<V>& f) const {
+  [[gnu::always_inline]] void operator()(const std::array<V, N + 1>& sphere, FilterSigns<V>& f) const {
     using simd::lower, simd::raise;
     Signs<V> s;
     signs<S, N>(lo, unit, sphere, s);
@@ -127,7 +129,7 @@ struct MayBeNearer {
   bool starts;  ///< the range starts at the station
 
   template <class V>
-  [[gnu::always_inline]] void operator()(const std::array<V, N + 1>& sphere, Filtered<V>& f) const {
+  [[gnu::always_inline]] void operator()(const std::array<V, N + 1>& sphere, FilterSigns<V>& f) const {
     using simd::lower, simd::raise;
     constexpr S margin = 32 * std::numeric_limits<S>::epsilon();
     Signs<V> s;
@@ -143,6 +145,8 @@ struct MayBeNearer {
   }
 };
 
+}  // namespace detail
+
 }  // namespace batch
 
 /// Bit i: whether intersect(ray, spheres[i]).surface has a value. Exact. `set` is one that the machine has.
@@ -152,15 +156,16 @@ Mask hits(const Ray<S, N>& ray, const SphereBatch<S, N>& spheres, InstructionSet
   if (!std::isfinite(ray.range.lo) && std::isfinite(ray.range.hi))
     forward = {ray.origin, -ray.direction, {-ray.range.hi, -ray.range.lo}};
   const auto [lo, hi] = forward.range;
-  const batch::Heading<S, N> heading(forward.direction);
+  const batch::detail::Heading<S, N> heading(forward.direction);
   const bool usable = heading.length > 0 && lo <= hi && lo != infinite<S>.hi && hi != infinite<S>.lo;
   const int ends = std::isfinite(lo) + std::isfinite(hi);
-  const batch::Station<S, N> first(forward, ends > 0 ? lo : 0, usable), last(forward, ends > 1 ? hi : 0, usable);
+  const batch::detail::Station<S, N> first(forward, ends > 0 ? lo : 0, usable),
+      last(forward, ends > 1 ? hi : 0, usable);
 
   const auto ask = [&]<int count>(std::integral_constant<int, count>) {
-    return batch::answers<S>(batch::columns(spheres), spheres.size(), set,
-                             batch::HitsSphere<S, N, count>{first, last, heading.unit},
-                             [&](std::size_t i) { return intersect(ray, spheres[i]).surface.has_value(); });
+    return batch::detail::answers<S>(batch::detail::columns(spheres), spheres.size(), set,
+                                     batch::detail::HitsSphere<S, N, count>{first, last, heading.unit},
+                                     [&](std::size_t i) { return intersect(ray, spheres[i]).surface.has_value(); });
   };
   if (ends == 0) return ask(std::integral_constant<int, 0>{});
   if (ends == 1) return ask(std::integral_constant<int, 1>{});
@@ -185,8 +190,8 @@ std::optional<FirstHit<S>> first_hit(const Ray<S, N>& ray, const SphereBatch<S, 
   if (!(lo <= hi)) return {};
   const bool starts = std::isfinite(lo);
   const S start = starts ? lo : S(0);
-  const batch::Heading<S, N> heading(ray.direction);
-  const batch::Station<S, N> from(ray, start, heading.length > 0);
+  const batch::detail::Heading<S, N> heading(ray.direction);
+  const batch::detail::Station<S, N> from(ray, start, heading.length > 0);
 
   // the length from the station to t, rounded up, with room for the errors of t, of the station and of b
   constexpr S epsilon = std::numeric_limits<S>::epsilon();
@@ -197,16 +202,16 @@ std::optional<FirstHit<S>> first_hit(const Ray<S, N>& ray, const SphereBatch<S, 
   };
   S limit = length(hi);
   std::optional<FirstHit<S>> best;
-  batch::each_block<S>(batch::columns(spheres), spheres.size(), set,
-                       batch::MayBeNearer<S, N>{from, heading.unit, limit, starts},
-                       [&](std::size_t first, const batch::Bits& bits) {
-                         for (std::uint64_t open = ~bits.sure; open != 0; open &= open - 1) {
-                           const std::size_t i = first + static_cast<std::size_t>(std::countr_zero(open));
-                           const std::optional<S> t = intersect(ray, spheres[i]).surface;
-                           if (!t || (best && !(*t < best->t))) continue;
-                           best = {*t, i}, limit = length(*t);
-                         }
-                       });
+  batch::detail::each_block<S>(batch::detail::columns(spheres), spheres.size(), set,
+                               batch::detail::MayBeNearer<S, N>{from, heading.unit, limit, starts},
+                               [&](std::size_t first, const batch::detail::Bits& bits) {
+                                 for (std::uint64_t open = ~bits.sure; open != 0; open &= open - 1) {
+                                   const std::size_t i = first + static_cast<std::size_t>(std::countr_zero(open));
+                                   const std::optional<S> t = intersect(ray, spheres[i]).surface;
+                                   if (!t || (best && !(*t < best->t))) continue;
+                                   best = {*t, i}, limit = length(*t);
+                                 }
+                               });
   return best;
 }
 

@@ -49,7 +49,7 @@ using Event = std::variant<Split<S>, Leaf>;
 /// machine. O(n lg n): each level takes O(n), and none is deeper than 40 + lg n.
 template <class S, int N, class Trace = NoTrace>
 Bvh<S, N> build_bvh(const std::vector<Aabb<S, N>>& boxes, const BvhOptions& options = {}, Trace&& trace = {}) {
-  std::vector<bvh::Item<S, N>> items;
+  std::vector<bvh::detail::Item<S, N>> items;
   items.reserve(boxes.size());
   for (std::size_t i = 0; i < boxes.size(); ++i)
     if (finite(boxes[i]) && !empty(boxes[i])) items.push_back({boxes[i], static_cast<int>(i)});
@@ -69,9 +69,9 @@ Bvh<S, N> build_bvh(const std::vector<Aabb<S, N>>& boxes, const BvhOptions& opti
     tasks.pop_back();
     const auto all =
         std::span(items).subspan(static_cast<std::size_t>(task.first), static_cast<std::size_t>(task.count));
-    const bvh::Bounds<S, N> around = bvh::bounds<S, N>(all);
+    const bvh::detail::Bounds<S, N> around = bvh::detail::bounds<S, N>(all);
 
-    if (const auto split = bvh::split<S, N>(all, around, task.depth, options)) {
+    if (const auto split = bvh::detail::split<S, N>(all, around, task.depth, options)) {
       const int left = static_cast<int>(result.nodes.size());
       result.nodes[task.node] = {around.box, left, 0};
       result.nodes.resize(result.nodes.size() + 2);
@@ -84,7 +84,7 @@ Bvh<S, N> build_bvh(const std::vector<Aabb<S, N>>& boxes, const BvhOptions& opti
 
     result.nodes[task.node] = {around.box, task.first, task.count};
     const auto own = result.primitives.begin() + task.first;
-    std::transform(all.begin(), all.end(), own, [](const bvh::Item<S, N>& item) { return item.primitive; });
+    std::transform(all.begin(), all.end(), own, [](const bvh::detail::Item<S, N>& item) { return item.primitive; });
     std::sort(own, own + task.count);
     trace(bvh::Leaf{task.node, task.first, task.count});
   }
@@ -115,11 +115,11 @@ BvhStatistics statistics(const Bvh<S, N>& bvh) {
   if (bvh.nodes.empty()) return result;
 
   const Aabb<double, N> root = cast<double>(bvh.nodes[0].box);
-  const double unit = bvh::scale(root), whole = bvh::area(root, unit);
+  const double unit = bvh::detail::scale(root), whole = bvh::detail::area(root, unit);
   std::vector<int> depth(bvh.nodes.size(), 0);
   for (std::size_t i = 0; i < bvh.nodes.size(); ++i) {  // children come after their parent
     const BvhNode<S, N>& node = bvh.nodes[i];
-    const double chance = whole > 0 ? bvh::area(cast<double>(node.box), unit) / whole : 1;
+    const double chance = whole > 0 ? bvh::detail::area(cast<double>(node.box), unit) / whole : 1;
     result.cost += chance * (node.leaf() ? node.count : 1);
     if (!node.leaf()) {
       depth[node.first] = depth[node.first + 1] = depth[i] + 1;

@@ -43,6 +43,8 @@ struct Counts {
   void operator()(const Tested&) { ++tested; }
 };
 
+namespace detail {
+
 /// Whether two boxes meet that are finite and not empty, as those in a hierarchy are.
 template <class S, int N>
 bool meet(const Aabb<S, N>& a, const Aabb<S, N>& b) {
@@ -100,6 +102,8 @@ void between(const Tree<S, N>& a, const Tree<S, N>& b, int root_a, int root_b, c
   }
 }
 
+}  // namespace detail
+
 }  // namespace bvh_pairs
 
 /// Calls report(i, j) once for every two primitives of one hierarchy whose boxes have a common point, i < j, in the
@@ -108,18 +112,18 @@ void between(const Tree<S, N>& a, const Tree<S, N>& b, int root_a, int root_b, c
 template <class S, int N, class Report, class Trace = NoTrace>
 void report_pairs(const Bvh<S, N>& bvh, const std::vector<Aabb<S, N>>& boxes, const Report& report,
                   Trace&& trace = {}) {
-  const bvh_pairs::Tree<S, N> tree = {bvh, boxes};
+  const bvh_pairs::detail::Tree<S, N> tree = {bvh, boxes};
   const auto ordered = [&](int i, int j) { report(std::min(i, j), std::max(i, j)); };
   for (std::size_t index = 0; index < bvh.nodes.size(); ++index) {  // every node with itself
     const BvhNode<S, N>& node = bvh.nodes[index];
     if (!node.leaf()) {
-      bvh_pairs::between(tree, tree, node.first, node.first + 1, ordered, trace);
+      bvh_pairs::detail::between(tree, tree, node.first, node.first + 1, ordered, trace);
       continue;
     }
     for (int k = node.first; k < node.first + node.count; ++k)
       for (int l = k + 1; l < node.first + node.count; ++l) {
         const int i = bvh.primitives[k], j = bvh.primitives[l];
-        const bool met = bvh_pairs::meet(boxes[i], boxes[j]);
+        const bool met = bvh_pairs::detail::meet(boxes[i], boxes[j]);
         trace(bvh_pairs::Tested{i, j, met});
         if (met) report(i, j);  // a leaf's primitives are sorted
       }
@@ -132,8 +136,8 @@ template <class S, int N, class Report, class Trace = NoTrace>
 void report_pairs(const Bvh<S, N>& a, const std::vector<Aabb<S, N>>& boxes_a, const Bvh<S, N>& b,
                   const std::vector<Aabb<S, N>>& boxes_b, const Report& report, Trace&& trace = {}) {
   if (a.nodes.empty() || b.nodes.empty()) return;
-  const bvh_pairs::Tree<S, N> first = {a, boxes_a}, second = {b, boxes_b};
-  bvh_pairs::between(first, second, 0, 0, report, trace);
+  const bvh_pairs::detail::Tree<S, N> first = {a, boxes_a}, second = {b, boxes_b};
+  bvh_pairs::detail::between(first, second, 0, 0, report, trace);
 }
 
 /// The pairs that report_pairs finds, in its order.

@@ -67,6 +67,8 @@ struct Counts {
   // clang-format on
 };
 
+namespace detail {
+
 /// Where the ray, up to t = `end`, may enter a box, rounded; nothing if it certainly does not meet it. The
 /// comparisons and their bound are may_intersect's; the box must be finite and not empty, as those of a hierarchy
 /// are.
@@ -86,7 +88,7 @@ template <class S, int N>
   using Limits = std::numeric_limits<S>;
   if (in <= out + (4 * Limits::epsilon() * std::abs(out) + 4 * Limits::denorm_min())) return std::min(in, end);
   if (std::isfinite(in) && std::isfinite(out)) return {};
-  if (!ray_aabb::may_at_infinity(ray, box)) return {};
+  if (!ray_aabb::detail::may_at_infinity(ray, box)) return {};
   return std::min(ray.range.lo, end);
 }
 
@@ -97,6 +99,8 @@ S beyond(S t) {
   using Limits = std::numeric_limits<S>;
   return t + (8 * Limits::epsilon() * std::abs(t) + 8 * Limits::denorm_min());
 }
+
+}  // namespace detail
 
 }  // namespace bvh_ray
 
@@ -110,6 +114,7 @@ S beyond(S t) {
 template <class S, int N, class Hit, class Trace = NoTrace>
 std::optional<BvhHit<S>> closest_hit(const Bvh<S, N>& bvh, const Ray<S, N>& ray, const Hit& hit, Trace&& trace = {}) {
   using namespace bvh_ray;
+  using namespace bvh_ray::detail;
   const ray_aabb::Prepared<S, N> line = ray_aabb::prepare(ray);
   if (bvh.nodes.empty() || !(line.range.lo <= line.range.hi)) return {};
 
@@ -117,7 +122,7 @@ std::optional<BvhHit<S>> closest_hit(const Bvh<S, N>& bvh, const Ray<S, N>& ray,
     int node;
     S entry;
   };
-  std::array<Waiting, bvh::deepest + 1> stack;
+  std::array<Waiting, bvh::detail::deepest + 1> stack;
   int waiting = 0;
   std::optional<BvhHit<S>> closest;
   S end = ray.range.hi;  // later the closest hit, and a little more
@@ -168,10 +173,11 @@ std::optional<BvhHit<S>> closest_hit(const Bvh<S, N>& bvh, const Ray<S, N>& ray,
 template <class S, int N, class Hit, class Trace = NoTrace>
 bool any_hit(const Bvh<S, N>& bvh, const Ray<S, N>& ray, const Hit& hit, Trace&& trace = {}) {
   using namespace bvh_ray;
+  using namespace bvh_ray::detail;
   const ray_aabb::Prepared<S, N> line = ray_aabb::prepare(ray);
   if (bvh.nodes.empty() || !(line.range.lo <= line.range.hi)) return false;
 
-  std::array<int, bvh::deepest + 1> stack;
+  std::array<int, bvh::detail::deepest + 1> stack;
   int waiting = 0;
   stack[waiting++] = 0;
   while (waiting > 0) {

@@ -33,6 +33,8 @@ struct Crossing {
 template <class S, int N>
 using Event = std::variant<Side, Crossing<S, N>, Fallback>;
 
+namespace detail {
+
 /// Where the edge pq crosses the plane of the heights: each coordinate within 2 ulp of S, between those of p and q.
 /// The same for qp, and for the plane seen from below: neighbours get the same new vertex.
 template <class S, int N, class Height, class Trace>
@@ -72,6 +74,8 @@ Ring<S, N> cut(const Ring<S, N>& ring, const Height& height, const Settle& settl
   return kept;
 }
 
+}  // namespace detail
+
 /// The ring at one plane, in floating point. Naive: rounding may decide which vertices survive.
 template <class S, int N, class Trace = NoTrace>
 Ring<S, N> sutherland_hodgman(const Ring<S, N>& ring, const Plane<S, N>& half_space, Trace&& trace = {}) {
@@ -103,7 +107,7 @@ Ring<S, N> clip(const Ring<S, N>& ring, const Plane<S, N>& half_space, Trace&& t
   const auto height = [&]<class W>(const Point<double, N>& x) -> W {
     return dot(exactly<W>(plane.normal), exactly<W>(x)) + W(plane.d);
   };
-  return clip_polygon::cut(
+  return clip_polygon::detail::cut(
       ring, height, [](Point<S, N>&) {}, trace);
 }
 
@@ -123,7 +127,7 @@ Ring<S, N> clip(const Ring<S, N>& ring, const Aabb<S, N>& box, Trace&& trace = {
       const auto height = [&]<class W>(const Point<double, N>& x) -> W {
         return upper ? difference<W>(bound, x[i]) : difference<W>(x[i], bound);
       };
-      kept = clip_polygon::cut(
+      kept = clip_polygon::detail::cut(
           kept, height, [&](Point<S, N>& x) { x[i] = bound; }, trace);
     }
   return kept;

@@ -17,6 +17,8 @@ namespace isect {
 
 namespace clip_segment {
 
+namespace detail {
+
 /// The slabs of a box on the line through both ends of a segment as given.
 template <int N>
 struct Slabs {
@@ -37,8 +39,6 @@ Ratio<W> parameter(const Segment<double, N>& segment, const Plane<double, N>& pl
   return {-(dot(n, exactly<W>(segment.p)) + W(plane.d)), dot(n, difference<W>(segment.q, segment.p))};
 }
 
-using Event = std::variant<ray_plane::Decision, Fallback>;
-
 /// The t of the range at which the height over the plane, den t - num, is not negative.
 template <class S, class Text, class Trace>
 std::optional<Interval<S>> keep_above(const Interval<S>& range, const Text& t, Trace&& trace) {
@@ -55,6 +55,10 @@ std::optional<Interval<S>> keep_above(const Interval<S>& range, const Text& t, T
   const S cut = ray_range::clamped(value_of<S>(t, trace), range);
   return heading > 0 ? Interval<S>{cut, range.hi} : Interval<S>{range.lo, cut};
 }
+
+}  // namespace detail
+
+using Event = std::variant<ray_plane::Decision, Fallback>;
 
 /// The sides of the box that a point lies beyond: bit 2i the lower one on axis i, bit 2i + 1 the upper one. 0: none,
 /// the point is in the box. Comparisons only: exact.
@@ -128,7 +132,7 @@ std::optional<Interval<S>> clip(const Segment<S, N>& segment, const Aabb<S, N>& 
   if (empty(box) || !finite(segment) || !finite(box)) return {};
   const Segment<double, N> wide = cast<double>(segment);
   const Aabb<double, N> bounds = cast<double>(box);
-  return slabs::clip<S, N>({S(0), S(1)}, clip_segment::Slabs<N>{wide, bounds}, trace);
+  return slabs::detail::clip<S, N>({S(0), S(1)}, clip_segment::detail::Slabs<N>{wide, bounds}, trace);
 }
 
 /// The t of the ray's range on the plane or on the side that its normal points to, normal.x + d >= 0.
@@ -142,8 +146,8 @@ std::optional<Interval<S>> clip(const Ray<S, N>& ray, const Plane<S, N>& half_sp
   if (!finite(ray) || !finite(half_space) || half_space.normal == Vector<S, N>::Zero()) return {};
   const Ray<double, N> wide = cast<double>(ray);
   const Plane<double, N> plane = cast<double>(half_space);
-  const auto t = [&]<class W>() -> Ratio<W> { return ray_plane::parameter<W>(wide, plane); };
-  return clip_segment::keep_above(ray.range, t, trace);
+  const auto t = [&]<class W>() -> Ratio<W> { return ray_plane::detail::parameter<W>(wide, plane); };
+  return clip_segment::detail::keep_above(ray.range, t, trace);
 }
 
 /// The t of [0, 1] at which p + t (q - p) lies there, both end points taken as given; otherwise as for a ray.
@@ -152,8 +156,8 @@ std::optional<Interval<S>> clip(const Segment<S, N>& segment, const Plane<S, N>&
   if (!finite(segment) || !finite(half_space) || half_space.normal == Vector<S, N>::Zero()) return {};
   const Segment<double, N> wide = cast<double>(segment);
   const Plane<double, N> plane = cast<double>(half_space);
-  const auto t = [&]<class W>() -> Ratio<W> { return clip_segment::parameter<W>(wide, plane); };
-  return clip_segment::keep_above(Interval<S>{S(0), S(1)}, t, trace);
+  const auto t = [&]<class W>() -> Ratio<W> { return clip_segment::detail::parameter<W>(wide, plane); };
+  return clip_segment::detail::keep_above(Interval<S>{S(0), S(1)}, t, trace);
 }
 
 }  // namespace isect

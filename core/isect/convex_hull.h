@@ -48,6 +48,8 @@ struct Removed {
 template <class S>
 using Event = std::variant<Remaining, Added<S>, Removed<S>, Fallback>;
 
+namespace detail {
+
 /// The chain from the first point to the last that turns left at every vertex and has no point on its right.
 template <class S, class Iterator, class Trace>
 Ring<S, 2> left_turning(Iterator first, Iterator last, Trace&& trace) {
@@ -67,6 +69,8 @@ Ring<S, 2> left_turning(Iterator first, Iterator last, Trace&& trace) {
   return chain;
 }
 
+}  // namespace detail
+
 /// The hull by sorting.
 template <class S, class Trace = NoTrace>
 Ring<S, 2> monotone_chain(Ring<S, 2> points, Trace&& trace = {}) {
@@ -74,11 +78,13 @@ Ring<S, 2> monotone_chain(Ring<S, 2> points, Trace&& trace = {}) {
   points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() < 2) return points;
 
-  Ring<S, 2> hull = left_turning<S>(points.begin(), points.end(), trace);
-  const Ring<S, 2> back = left_turning<S>(points.rbegin(), points.rend(), trace);
+  Ring<S, 2> hull = detail::left_turning<S>(points.begin(), points.end(), trace);
+  const Ring<S, 2> back = detail::left_turning<S>(points.rbegin(), points.rend(), trace);
   hull.insert(hull.end(), back.begin() + 1, back.end() - 1);  // the ends are in both
   return hull;
 }
+
+namespace detail {
 
 /// Where the line at x meets the polygon, rounded; lo > hi where it does not.
 template <class S>
@@ -102,8 +108,7 @@ struct Columns {
   std::array<Aabb<S, 2>, count> boxes;
 
   explicit Columns(const ConvexPolygon<S>& polygon) {
-    const auto [least, most] =
-        std::minmax_element(polygon.vertices.begin(), polygon.vertices.end(), point_convex_polygon::before<S>);
+    const auto [least, most] = std::minmax_element(polygon.vertices.begin(), polygon.vertices.end(), before<S>);
     const S width = ((*most)[0] - (*least)[0]) / count;
     left = (*least)[0], per_unit = 1 / width;
     for (int i = 0; i < count; ++i) {
@@ -156,6 +161,8 @@ Ring<S, 2> without_interior(std::span<const Point<S, 2>> points) {
   return rest;
 }
 
+}  // namespace detail
+
 }  // namespace convex_hull_2d
 
 /// The vertices of the hull, counter-clockwise, from the one of lowest x, then y. Points within an edge and repeated
@@ -164,7 +171,7 @@ Ring<S, 2> without_interior(std::span<const Point<S, 2>> points) {
 /// std::invalid_argument where a coordinate is NaN or infinite.
 template <class S, class Trace = NoTrace>
 Ring<S, 2> convex_hull(std::span<const Point<S, 2>> points, Trace&& trace = {}) {
-  Ring<S, 2> candidates = convex_hull_2d::without_interior(points);
+  Ring<S, 2> candidates = convex_hull_2d::detail::without_interior(points);
   if constexpr (heard<Trace>) trace(convex_hull_2d::Remaining{candidates.size()});
   return convex_hull_2d::monotone_chain(std::move(candidates), trace);
 }

@@ -48,6 +48,8 @@ struct Hull3 {
 
 namespace convex_hull_3d {
 
+namespace detail {
+
 /// The vertices, in order, of points in one plane that are not on one line; found in their projection.
 inline std::vector<int> polygon(const Points& points, int axis) {
   Ring<double, 2> flat;
@@ -98,6 +100,8 @@ Indices hull(const Points& points, Trace&& trace) {
   return result;
 }
 
+}  // namespace detail
+
 }  // namespace convex_hull_3d
 
 /// The hull of the points. Exact: its vertices are the points given, as they are, that are in no hull of the others,
@@ -105,14 +109,14 @@ Indices hull(const Points& points, Trace&& trace) {
 /// out. O(n log n) for most inputs. Throws std::invalid_argument where a coordinate is NaN or infinite.
 template <class S, class Trace = NoTrace>
 Hull3<S> convex_hull(std::span<const Point<S, 3>> points, Trace&& trace = {}) {
-  convex_hull_3d::Points wide;
+  convex_hull_3d::detail::Points wide;
   wide.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!finite(points[i]))
       throw std::invalid_argument("convex_hull: point " + std::to_string(i) + " has a NaN or infinite coordinate");
     wide.push_back(points[i].template cast<double>());
   }
-  const convex_hull_3d::Indices indices = convex_hull_3d::hull(wide, trace);
+  const convex_hull_3d::detail::Indices indices = convex_hull_3d::detail::hull(wide, trace);
 
   Hull3<S> hull;
   hull.dimension = indices.dimension;

@@ -41,6 +41,8 @@ struct Contained {
 };
 using Event = std::variant<Farthest, Contained, Fallback>;
 
+namespace detail {
+
 /// The first edge of A that has B strictly on its outer side; else one whose line B touches from there.
 struct Separation {
   std::optional<Edge> strict, weak;
@@ -100,6 +102,8 @@ bool contains(const ConvexPolygon<S>& outer, const ConvexPolygon<S>& inner) {
                      [&](const Point<S, 2>& p) { return locate(p, outer) != Location::out; });
 }
 
+}  // namespace detail
+
 }  // namespace convex_polygons
 
 /// The edge whose line has all of the other polygon strictly on its outer side; nothing when the polygons have a
@@ -107,7 +111,7 @@ bool contains(const ConvexPolygon<S>& outer, const ConvexPolygon<S>& inner) {
 template <class S, class Trace = NoTrace>
 std::optional<convex_polygons::Edge> separating_edge(const ConvexPolygon<S>& a, const ConvexPolygon<S>& b,
                                                      Trace&& trace = {}) {
-  return convex_polygons::separate(a, b, trace).strict;
+  return convex_polygons::detail::separate(a, b, trace).strict;
 }
 
 /// Whether the polygons have a common point. Exact, O(n + m).
@@ -120,11 +124,11 @@ bool intersects(const ConvexPolygon<S>& a, const ConvexPolygon<S>& b, Trace&& tr
 /// segments are no convex polygons.
 template <class S, class Trace = NoTrace>
 Relation relate(const ConvexPolygon<S>& a, const ConvexPolygon<S>& b, Trace&& trace = {}) {
-  const convex_polygons::Separation separation = convex_polygons::separate(a, b, trace);
+  const convex_polygons::detail::Separation separation = convex_polygons::detail::separate(a, b, trace);
   if (separation.strict) return Relation::disjoint;
   if (separation.weak) return Relation::touching;
 
-  const bool b_in_a = convex_polygons::contains(a, b), a_in_b = convex_polygons::contains(b, a);
+  const bool b_in_a = convex_polygons::detail::contains(a, b), a_in_b = convex_polygons::detail::contains(b, a);
   trace(convex_polygons::Contained{b_in_a, a_in_b});
   if (a_in_b && b_in_a) return Relation::equal;
   if (a_in_b) return Relation::a_inside_b;

@@ -31,6 +31,8 @@ struct Extreme {
 };
 using Event = std::variant<Extreme, Fallback>;
 
+namespace detail {
+
 template <class S, int N>
 bool usable(const std::vector<Point<S, N>>& points) {
   return !points.empty() && finite(points);
@@ -111,7 +113,7 @@ Obb<S, N> least_box(const std::vector<Point<S, N>>& points, const Scaled<N>& sca
   const Obb<double, N> wide = {box.center.template cast<double>(), box.axes.template cast<double>(), {}};
   for (int i = 0; i < N; ++i) {
     const auto along = [&]<class W>(const Point<double, N>& p) -> W {
-      return abs(dot(point_obb::normal<W>(wide.axes, i), difference<W, N>(p, wide.center)));
+      return abs(dot(point_obb::detail::normal<W>(wide.axes, i), difference<W, N>(p, wide.center)));
     };
     const auto farther = [&](const Point<double, N>& p, const Point<double, N>& q) {
       const auto more = [&]<class W>() -> W {
@@ -123,7 +125,7 @@ Obb<S, N> least_box(const std::vector<Point<S, N>>& points, const Scaled<N>& sca
     trace(Extreme{i, 1, static_cast<int>(farthest)});
 
     const Point<double, N> p = points[farthest].template cast<double>();
-    const auto volume = [&]<class W>() -> W { return abs(point_obb::volume<W>(wide.axes, i)); };
+    const auto volume = [&]<class W>() -> W { return abs(point_obb::detail::volume<W>(wide.axes, i)); };
     const auto half = [&]<class W>() -> Ratio<W> {
       return {along.template operator()<W>(p), volume.template operator()<W>()};
     };
@@ -138,6 +140,8 @@ Obb<S, N> least_box(const std::vector<Point<S, N>>& points, const Scaled<N>& sca
   return box;
 }
 
+}  // namespace detail
+
 }  // namespace fit
 
 /// The smallest axis-aligned box. Exact: nothing is rounded.
@@ -145,7 +149,7 @@ template <class S, int N>
 Aabb<S, N> fit_aabb(const std::vector<Point<S, N>>& points) {
   constexpr S infinity = std::numeric_limits<S>::infinity();
   Aabb<S, N> box = {Point<S, N>::Constant(infinity), Point<S, N>::Constant(-infinity)};
-  if (!fit::usable(points)) return box;
+  if (!fit::detail::usable(points)) return box;
   for (const Point<S, N>& p : points) box = {box.lo.cwiseMin(p), box.hi.cwiseMax(p)};
   return box;
 }
@@ -154,9 +158,9 @@ Aabb<S, N> fit_aabb(const std::vector<Point<S, N>>& points) {
 /// ball; radius -1 of no points.
 template <class S, int N, class Trace = NoTrace>
 Sphere<S, N> fit_sphere(const std::vector<Point<S, N>>& points, Trace&& trace = {}) {
-  if (!fit::usable(points)) return {Point<S, N>::Zero(), S(-1)};
-  const fit::Scaled<N> scaled = fit::scaled(points, fit_aabb(points));
-  return fit::least_ball(points, scaled.template original<S>(fit::ball_center<N>(scaled.q)), trace);
+  if (!fit::detail::usable(points)) return {Point<S, N>::Zero(), S(-1)};
+  const fit::detail::Scaled<N> scaled = fit::detail::scaled(points, fit_aabb(points));
+  return fit::detail::least_ball(points, scaled.template original<S>(fit::detail::ball_center<N>(scaled.q)), trace);
 }
 
 /// An oriented box that holds all points, with the least half-lengths of S for its center and axes; they are -1 of no
@@ -164,14 +168,15 @@ Sphere<S, N> fit_sphere(const std::vector<Point<S, N>>& points, Trace&& trace = 
 /// that lie nearly in a plane have a box nearly as thin. Source: Gottschalk, Lin, Manocha, OBBTree, SIGGRAPH 1996.
 template <class S, int N, class Trace = NoTrace>
 Obb<S, N> fit_obb(const std::vector<Point<S, N>>& points, Trace&& trace = {}) {
-  if (!fit::usable(points))
+  if (!fit::detail::usable(points))
     return {Point<S, N>::Zero(), Eigen::Matrix<S, N, N>::Identity(), Vector<S, N>::Constant(-1)};
-  const fit::Scaled<N> scaled = fit::scaled(points, fit_aabb(points));
+  const fit::detail::Scaled<N> scaled = fit::detail::scaled(points, fit_aabb(points));
   const Eigen::Matrix<double, N, N> frame = Eigen::Matrix<double, N, N>::Identity();
-  const Eigen::Matrix<double, N, N> principal = fit::principal_axes<N>(scaled.q);
-  const Aabb<double, N> straight = fit::along<N>(frame, scaled.q), turned = fit::along<N>(principal, scaled.q);
+  const Eigen::Matrix<double, N, N> principal = fit::detail::principal_axes<N>(scaled.q);
+  const Aabb<double, N> straight = fit::detail::along<N>(frame, scaled.q),
+                        turned = fit::detail::along<N>(principal, scaled.q);
   const bool turn = (turned.hi - turned.lo).prod() < (straight.hi - straight.lo).prod();
-  return fit::least_box(points, scaled, turn ? principal : frame, trace);
+  return fit::detail::least_box(points, scaled, turn ? principal : frame, trace);
 }
 
 /// The k-DOP of these normals that holds all points, each end the tightest of S: lo is the largest number that no n.x
@@ -181,7 +186,7 @@ Kdop<S, N> fit_kdop(const std::vector<Point<S, N>>& points, const std::vector<Ve
                     Trace&& trace = {}) {
   constexpr S infinity = std::numeric_limits<S>::infinity();
   Kdop<S, N> kdop = {normals, std::vector<Interval<S>>(normals.size(), {infinity, -infinity})};
-  if (!fit::usable(points) || !finite(normals)) return kdop;
+  if (!fit::detail::usable(points) || !finite(normals)) return kdop;
 
   for (std::size_t i = 0; i < normals.size(); ++i) {
     const auto end = [&](int side) {  // the least x that no side n.x lies above
@@ -189,7 +194,7 @@ Kdop<S, N> fit_kdop(const std::vector<Point<S, N>>& points, const std::vector<Ve
       const auto farther = [&](const Point<double, N>& p, const Point<double, N>& q) {
         return sign_of([&]<class W>() -> W { return dot(exactly<W>(n), difference<W, N>(p, q)); }, trace) > 0;
       };
-      const std::size_t farthest = fit::extreme(points, farther);
+      const std::size_t farthest = fit::detail::extreme(points, farther);
       trace(fit::Extreme{static_cast<int>(i), side, static_cast<int>(farthest)});
 
       const Point<double, N> p = points[farthest].template cast<double>();
@@ -197,7 +202,7 @@ Kdop<S, N> fit_kdop(const std::vector<Point<S, N>>& points, const std::vector<Ve
       const auto holds = [&](S x) {
         return sign_of([&]<class W>() -> W { return dot(exactly<W>(n), exactly<W>(p)) - W(x); }, trace) <= 0;
       };
-      return fit::least<S>(value_of<S>(along, trace), holds);
+      return fit::detail::least<S>(value_of<S>(along, trace), holds);
     };
     kdop.slabs[i] = {-end(-1), end(1)};
   }

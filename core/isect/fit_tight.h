@@ -10,7 +10,7 @@
 
 #include <isect/fit.h>
 #include <isect/parts/fit_tight_guess.h>
-#include <isect/smallest_ball.h>
+#include <isect/parts/smallest_sphere.h>
 
 namespace isect {
 
@@ -21,6 +21,8 @@ struct Supported {
   std::vector<int> points;
 };
 using Event = std::variant<Supported, fit::Extreme, Fallback>;
+
+namespace detail {
 
 /// Whether a is smaller than b; by halves, so that no volume overflows.
 template <class S, int N>
@@ -33,6 +35,8 @@ bool smaller(const Obb<S, N>& a, const Obb<S, N>& b) {
   };
   return volume(a) < volume(b);
 }
+
+}  // namespace detail
 
 }  // namespace fit_tight
 
@@ -48,21 +52,21 @@ bool smaller(const Obb<S, N>& a, const Obb<S, N>& b) {
 /// exceeds R, the radius is within 2 ulp of R.
 template <class S, int N, class Trace = NoTrace>
 Sphere<S, N> fit_sphere_smallest(const std::vector<Point<S, N>>& points, Trace&& trace = {}) {
-  if (!fit::usable(points)) return {Point<S, N>::Zero(), S(-1)};
-  const fit::Scaled<N> scaled = fit::scaled(points, fit_aabb(points));
-  decltype(auto) wide = smallest_ball::in_doubles(points);
-  const std::vector<int> support = smallest_ball::support(wide, scaled);
+  if (!fit::detail::usable(points)) return {Point<S, N>::Zero(), S(-1)};
+  const fit::detail::Scaled<N> scaled = fit::detail::scaled(points, fit_aabb(points));
+  decltype(auto) wide = fit_tight::detail::in_doubles(points);
+  const std::vector<int> support = fit_tight::detail::support(wide, scaled);
   trace(fit_tight::Supported{support});
-  const Point<S, N> center = smallest_ball::center<S>(smallest_ball::through(wide, support));
-  return fit::least_ball(points, center, trace);
+  const Point<S, N> center = fit_tight::detail::center<S>(fit_tight::detail::through(wide, support));
+  return fit::detail::least_ball(points, center, trace);
 }
 
 /// Ritter's ball, in two passes: some percent larger than the smallest, and as safe. Empty as above.
 template <class S, int N, class Trace = NoTrace>
 Sphere<S, N> fit_sphere_ritter(const std::vector<Point<S, N>>& points, Trace&& trace = {}) {
-  if (!fit::usable(points)) return {Point<S, N>::Zero(), S(-1)};
-  const fit::Scaled<N> scaled = fit::scaled(points, fit_aabb(points));
-  return fit::least_ball(points, scaled.template original<S>(fit::ritter_center<N>(scaled.q)), trace);
+  if (!fit::detail::usable(points)) return {Point<S, N>::Zero(), S(-1)};
+  const fit::detail::Scaled<N> scaled = fit::detail::scaled(points, fit_aabb(points));
+  return fit::detail::least_ball(points, scaled.template original<S>(fit::detail::ritter_center<N>(scaled.q)), trace);
 }
 
 /// An oriented box that holds all points and is no larger than fit_obb's; in 2D the smallest but for rounding, in 3D
@@ -71,9 +75,9 @@ template <class S, int N, class Trace = NoTrace>
 Obb<S, N> fit_obb_tight(const std::vector<Point<S, N>>& points, Trace&& trace = {}) {
   const Obb<S, N> principal = fit_obb(points, trace);
   if (empty(principal)) return principal;
-  const fit::Scaled<N> scaled = fit::scaled(points, fit_aabb(points));
-  const Obb<S, N> tight = fit::least_box(points, scaled, fit::tight_axes(scaled.q), trace);
-  return fit_tight::smaller(tight, principal) ? tight : principal;
+  const fit::detail::Scaled<N> scaled = fit::detail::scaled(points, fit_aabb(points));
+  const Obb<S, N> tight = fit::detail::least_box(points, scaled, fit::detail::tight_axes(scaled.q), trace);
+  return fit_tight::detail::smaller(tight, principal) ? tight : principal;
 }
 
 }  // namespace isect

@@ -33,12 +33,16 @@ struct Beyond {
 template <class S>
 using Event = std::variant<Common<S>, Beyond<S>>;
 
+namespace detail {
+
 /// Whether no number lies in it: inverted, NaN, or a single end at infinity, which is no number.
 template <class S>
 bool holds_nothing(const Interval<S>& x) {
   constexpr S infinity = std::numeric_limits<S>::infinity();
   return empty(x) || x.lo == infinity || x.hi == -infinity;
 }
+
+}  // namespace detail
 
 /// The note's test, disjoint iff a.lo > b.hi or b.lo > a.hi. Naive: right for intervals that are what they claim to
 /// be, but it takes inverted ones and NaN, of which no comparison holds, for overlapping.
@@ -59,7 +63,7 @@ bool ends(const Interval<S>& a, const Interval<S>& b, Trace&& trace = {}) {
 /// interval, or NaN: no.
 template <class S, class Trace = NoTrace>
 bool intersects(const Interval<S>& a, const Interval<S>& b, Trace&& trace = {}) {
-  if (interval_interval::holds_nothing(a) || interval_interval::holds_nothing(b)) return false;
+  if (interval_interval::detail::holds_nothing(a) || interval_interval::detail::holds_nothing(b)) return false;
   return interval_interval::ends(a, b, trace);
 }
 
@@ -67,7 +71,8 @@ bool intersects(const Interval<S>& a, const Interval<S>& b, Trace&& trace = {}) 
 /// their ends are. An empty interval, or NaN: disjoint.
 template <class S, class Trace = NoTrace>
 Relation relate(const Interval<S>& a, const Interval<S>& b, Trace&& trace = {}) {
-  if (interval_interval::holds_nothing(a) || interval_interval::holds_nothing(b)) return Relation::disjoint;
+  if (interval_interval::detail::holds_nothing(a) || interval_interval::detail::holds_nothing(b))
+    return Relation::disjoint;
 
   const Interval<S> common = {std::max(a.lo, b.lo), std::min(a.hi, b.hi)};
   trace(interval_interval::Common<S>{common});

@@ -35,6 +35,8 @@ struct Slab {
 template <class S>
 using Event = std::variant<Slab<S>>;
 
+namespace detail {
+
 /// The first slab whose intervals are disjoint, or one of which is empty or NaN.
 template <class S, int N, class Trace>
 std::optional<int> first_apart(const Kdop<S, N>& a, const Kdop<S, N>& b, Trace&& trace) {
@@ -46,6 +48,8 @@ std::optional<int> first_apart(const Kdop<S, N>& a, const Kdop<S, N>& b, Trace&&
   return {};
 }
 
+}  // namespace detail
+
 }  // namespace kdop_kdop
 
 /// The first slab whose intervals are disjoint, so that its normal separates a from b; nothing when all overlap.
@@ -54,14 +58,14 @@ std::optional<int> first_apart(const Kdop<S, N>& a, const Kdop<S, N>& b, Trace&&
 template <class S, int N, class Trace = NoTrace>
 std::optional<int> separating_slab(const Kdop<S, N>& a, const Kdop<S, N>& b, Trace&& trace = {}) {
   assert(a.normals == b.normals && a.slabs.size() == b.slabs.size() && a.normals.size() == a.slabs.size());
-  return kdop_kdop::first_apart(a, b, trace);
+  return kdop_kdop::detail::first_apart(a, b, trace);
 }
 
 /// Whether the k-DOPs may have a common point: false is certain, true only possible. The normals of both must be the
 /// same, in the same order. An empty slab, NaN or an infinite coordinate: no.
 template <class S, int N, class Trace = NoTrace>
 bool may_intersect(const Kdop<S, N>& a, const Kdop<S, N>& b, Trace&& trace = {}) {
-  return !kdop_kdop::first_apart(a, b, trace) && finite(a) && finite(b);
+  return !kdop_kdop::detail::first_apart(a, b, trace) && finite(a) && finite(b);
 }
 
 }  // namespace isect

@@ -42,6 +42,8 @@ struct Vertex {
 template <class S, int N>
 using Event = std::variant<Vertex<S, N>, Fallback>;
 
+namespace detail {
+
 /// The half-space normal.x <= d.
 template <int N>
 struct HalfSpace {
@@ -182,6 +184,8 @@ std::vector<int> face(int plane, const HalfSpace<3>& of, const std::vector<Corne
   return ring;
 }
 
+}  // namespace detail
+
 }  // namespace kdop_polytope
 
 /// The polytope of the k-DOP; exactly its vertices, each coordinate within 2 ulp. Empty slabs, slabs that contradict
@@ -193,27 +197,27 @@ Polytope<S, N> polytope(const Kdop<S, N>& kdop, Trace&& trace = {}) {
   static_assert(N == 2 || N == 3);
   assert(kdop.normals.size() == kdop.slabs.size());
   if (empty(kdop) || !finite(kdop)) return {};
-  std::vector<kdop_polytope::HalfSpace<N>> planes;
+  std::vector<kdop_polytope::detail::HalfSpace<N>> planes;
   for (std::size_t i = 0; i < kdop.normals.size(); ++i) {
     const Vector<double, N> n = kdop.normals[i].template cast<double>();
     const Interval<double> slab = cast<double>(kdop.slabs[i]);
     if (n.isZero(0) && !slab.contains(0)) return {};
     planes.push_back({n, slab.hi}), planes.push_back({-n, -slab.lo});
   }
-  if (!kdop_polytope::span(planes, trace))
+  if (!kdop_polytope::detail::span(planes, trace))
     throw std::invalid_argument("polytope: the normals do not span space, so the k-DOP is unbounded");
-  kdop_polytope::Corners<N, std::remove_reference_t<Trace>> corners(planes, trace);
+  kdop_polytope::detail::Corners<N, std::remove_reference_t<Trace>> corners(planes, trace);
 
   Polytope<S, N> result;
   std::vector<int> order;
   for (int c = 0; c < static_cast<int>(corners.all.size()); ++c) order.push_back(c);
-  if (N == 2 && !order.empty()) kdop_polytope::sort_around<N>(order, corners.all, 0, 1, trace);
+  if (N == 2 && !order.empty()) kdop_polytope::detail::sort_around<N>(order, corners.all, 0, 1, trace);
   for (const int c : order) {
     Point<S, N> p;
     for (int i = 0; i < N; ++i)
       p[i] = value_of<S>(
           [&]<class W>() -> Ratio<W> {
-            const kdop_polytope::Homogeneous<W, N> x = kdop_polytope::meet<W>(corners.all[c].planes);
+            const kdop_polytope::detail::Homogeneous<W, N> x = kdop_polytope::detail::meet<W>(corners.all[c].planes);
             return {x.x[i], x.w};
           },
           trace);
@@ -222,7 +226,7 @@ Polytope<S, N> polytope(const Kdop<S, N>& kdop, Trace&& trace = {}) {
   }
   if constexpr (N == 3)
     for (int plane = 0; plane < static_cast<int>(planes.size()); ++plane) {
-      std::vector<int> ring = kdop_polytope::face(plane, planes[plane], corners.all, trace);
+      std::vector<int> ring = kdop_polytope::detail::face(plane, planes[plane], corners.all, trace);
       if (!ring.empty() && std::find(result.faces.begin(), result.faces.end(), ring) == result.faces.end())
         result.faces.push_back(std::move(ring));
     }

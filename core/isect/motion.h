@@ -60,6 +60,8 @@ Sphere<S, N> moved(const Sphere<S, N>& ball, const Vector<S, N>& by) {
   return {ball.center + by, ball.radius};
 }
 
+namespace detail {
+
 /// The largest S that is not above x + y. The rounding error of a sum is a double; NaN where it overflows.
 template <class S>
 S sum_below(S x, S y) {
@@ -104,6 +106,8 @@ bool moves(const Moving<Shape, S, N>& a) {
   return !empty(a.shape) && finite(a.shape) && finite(a.velocity);
 }
 
+}  // namespace detail
+
 }  // namespace motion
 
 /// A box that holds the box in every place of its way along the displacement: lo and hi rounded outwards, by one
@@ -113,8 +117,8 @@ Aabb<S, N> swept_aabb(const Aabb<S, N>& box, const Vector<S, N>& displacement) {
   Aabb<S, N> swept = box;
   for (int i = 0; i < N; ++i)
     (displacement[i] < 0 ? swept.lo : swept.hi)[i] = displacement[i] < 0
-                                                         ? motion::sum_below(box.lo[i], displacement[i])
-                                                         : motion::sum_above(box.hi[i], displacement[i]);
+                                                         ? motion::detail::sum_below(box.lo[i], displacement[i])
+                                                         : motion::detail::sum_above(box.hi[i], displacement[i]);
   return swept;
 }
 
@@ -138,15 +142,19 @@ std::vector<S> discrete_hits(const Moving<Shape, S, N>& a, const Moving<Shape, S
 /// NaN or infinite, and for a duration < 0 or NaN.
 template <template <class, int> class Shape, class S, int N, class Trace = NoTrace>
 bool may_collide(const Moving<Shape, S, N>& a, const Moving<Shape, S, N>& b, S duration, Trace&& trace = {}) {
-  if (!motion::moves(a) || !motion::moves(b) || !(duration >= 0)) return false;
-  const Aabb<S, N> swept_a = swept_aabb(motion::bounds(a.shape), motion::displacement(a.velocity, duration));
-  const Aabb<S, N> swept_b = swept_aabb(motion::bounds(b.shape), motion::displacement(b.velocity, duration));
+  if (!motion::detail::moves(a) || !motion::detail::moves(b) || !(duration >= 0)) return false;
+  const Aabb<S, N> swept_a =
+      swept_aabb(motion::detail::bounds(a.shape), motion::detail::displacement(a.velocity, duration));
+  const Aabb<S, N> swept_b =
+      swept_aabb(motion::detail::bounds(b.shape), motion::detail::displacement(b.velocity, duration));
   trace(motion::Swept<S, N>{swept_a, swept_b});
 
   return !empty(aabb_aabb::common(swept_a, swept_b));  // ends at infinity compare rightly
 }
 
 namespace motion {
+
+namespace detail {
 
 /// The box a, grown by the box b, seen from b: lo <= w t <= hi.
 template <int N>
@@ -221,6 +229,8 @@ template <class S, int N>
   return std::isinf(rounded) && first_contact(a, b, most) ? most : rounded;
 }
 
+}  // namespace detail
+
 }  // namespace motion
 
 /// The times from 0 to duration at which the boxes meet. Exact: whether there are any; the ends lie within 4 ulp of
@@ -229,9 +239,9 @@ template <class S, int N>
 template <class S, int N, class Trace = NoTrace>
 std::optional<Interval<S>> contact(const Moving<Aabb, S, N>& a, const Moving<Aabb, S, N>& b, S duration,
                                    Trace&& trace = {}) {
-  if (!motion::moves(a) || !motion::moves(b)) return {};
-  const Moving<Aabb, double, N> wide_a = motion::wide(a), wide_b = motion::wide(b);
-  return slabs::clip<S, N>({S(0), duration}, motion::Slabs<N>{wide_a, wide_b}, trace);
+  if (!motion::detail::moves(a) || !motion::detail::moves(b)) return {};
+  const Moving<Aabb, double, N> wide_a = motion::detail::wide(a), wide_b = motion::detail::wide(b);
+  return slabs::detail::clip<S, N>({S(0), duration}, motion::detail::Slabs<N>{wide_a, wide_b}, trace);
 }
 
 /// The first of these times.
@@ -251,9 +261,9 @@ std::optional<S> first_contact(const Moving<Aabb, S, N>& a, const Moving<Aabb, S
 template <class S, int N, class Trace = NoTrace>
 std::optional<S> first_contact(const Moving<Sphere, S, N>& a, const Moving<Sphere, S, N>& b, S duration,
                                Trace&& trace = {}) {
-  if (!motion::moves(a) || !motion::moves(b) || !(duration >= 0)) return {};
-  const Moving<Sphere, double, N> wide_a = motion::wide(a), wide_b = motion::wide(b);
-  const motion::Flight<N> flight = {wide_a, wide_b};
+  if (!motion::detail::moves(a) || !motion::detail::moves(b) || !(duration >= 0)) return {};
+  const Moving<Sphere, double, N> wide_a = motion::detail::wide(a), wide_b = motion::detail::wide(b);
+  const motion::detail::Flight<N> flight = {wide_a, wide_b};
   const double end = double(duration);
   const auto apart = [&](double t) {
     return sign_of([&]<class W>() -> W { return flight.template apart<W>(t); }, trace);
@@ -283,7 +293,7 @@ std::optional<S> first_contact(const Moving<Sphere, S, N>& a, const Moving<Spher
   };
   const double root = std::sqrt(value_of<double>(depth, trace));
   const S time = static_cast<S>(value_of<double>(pace, trace) / (1 + root));
-  return std::isinf(time) ? motion::late_contact(a, b, duration, root) : std::min(time, duration);
+  return std::isinf(time) ? motion::detail::late_contact(a, b, duration, root) : std::min(time, duration);
 }
 
 }  // namespace isect

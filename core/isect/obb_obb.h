@@ -21,6 +21,8 @@ namespace isect {
 
 namespace obb_obb {
 
+namespace detail {
+
 /// Whether the product of two edges vanishes: they are parallel.
 template <int N>
 bool vanishes(const Obb<double, N>& a, const Obb<double, N>& b, const Axis& axis) {
@@ -71,8 +73,10 @@ FirstPass verdict(const Obb<S, N>& a, const Obb<S, N>& b, Trace&& trace) {
 /// Whether there is such a box and it has a point.
 template <class S, int N, class Trace>
 bool exists(const Obb<S, N>& box, Trace&& trace) {
-  return !empty(box) && finite(box) && point_obb::independent(cast<double>(box).axes, trace);
+  return !empty(box) && finite(box) && point_obb::detail::independent(cast<double>(box).axes, trace);
 }
+
+}  // namespace detail
 
 }  // namespace obb_obb
 
@@ -80,11 +84,11 @@ bool exists(const Obb<S, N>& box, Trace&& trace) {
 /// common point, and for boxes without points (see `intersects`). Exact.
 template <class S, int N, class Trace = NoTrace>
 std::optional<obb_obb::Axis> separating_axis(const Obb<S, N>& a, const Obb<S, N>& b, Trace&& trace = {}) {
-  if (!obb_obb::exists(a, trace) || !obb_obb::exists(b, trace)) return {};
+  if (!obb_obb::detail::exists(a, trace) || !obb_obb::detail::exists(b, trace)) return {};
   const Obb<double, N>&wide_a = in_doubles(a), &wide_b = in_doubles(b);
-  const obb_obb::FirstPass first = obb_obb::first_pass(wide_a, wide_b, trace);
+  const obb_obb::detail::FirstPass first = obb_obb::detail::first_pass(wide_a, wide_b, trace);
   if (first.separating || first.overlap) return first.separating;
-  return obb_obb::settle(wide_a, wide_b, trace).separating;
+  return obb_obb::detail::settle(wide_a, wide_b, trace).separating;
 }
 
 /// Whether the boxes have a common point. Exact, for flat boxes too. An empty box, one with dependent axes (there is
@@ -92,11 +96,11 @@ std::optional<obb_obb::Axis> separating_axis(const Obb<S, N>& a, const Obb<S, N>
 template <class S, int N, class Trace = NoTrace>
 bool intersects(const Obb<S, N>& a, const Obb<S, N>& b, Trace&& trace = {}) {
   if (empty(a) || empty(b)) return false;
-  const obb_obb::FirstPass first = obb_obb::verdict(a, b, trace);
+  const obb_obb::detail::FirstPass first = obb_obb::detail::verdict(a, b, trace);
   if (first.separating || first.overlap) [[likely]]
     return first.overlap;
-  if (!obb_obb::exists(a, trace) || !obb_obb::exists(b, trace)) return false;
-  return !obb_obb::settle<N>(in_doubles(a), in_doubles(b), trace).separating;
+  if (!obb_obb::detail::exists(a, trace) || !obb_obb::detail::exists(b, trace)) return false;
+  return !obb_obb::detail::settle<N>(in_doubles(a), in_doubles(b), trace).separating;
 }
 
 /// How the boxes lie. Exact. Equal means the same set, whatever the order, signs and lengths of the axes. A flat box,
@@ -107,16 +111,17 @@ Relation relate(const Obb<S, N>& a, const Obb<S, N>& b, Trace&& trace = {}) {
   if (empty(a) || empty(b)) return Relation::disjoint;
   const Obb<double, N>&wide_a = in_doubles(a), &wide_b = in_doubles(b);
 
-  const obb_obb::FirstPass first = obb_obb::verdict(a, b, trace);
+  const obb_obb::detail::FirstPass first = obb_obb::detail::verdict(a, b, trace);
   if (first.separating) return Relation::disjoint;
-  obb_obb::Settled settled;
+  obb_obb::detail::Settled settled;
   if (!first.overlap) {
-    if (!obb_obb::exists(a, trace) || !obb_obb::exists(b, trace)) return Relation::disjoint;
-    settled = obb_obb::settle(wide_a, wide_b, trace);
+    if (!obb_obb::detail::exists(a, trace) || !obb_obb::detail::exists(b, trace)) return Relation::disjoint;
+    settled = obb_obb::detail::settle(wide_a, wide_b, trace);
   }
   if (settled.separating) return Relation::disjoint;
 
-  const bool a_in_b = obb_obb::inside(wide_a, wide_b, trace), b_in_a = obb_obb::inside(wide_b, wide_a, trace);
+  const bool a_in_b = obb_obb::detail::inside(wide_a, wide_b, trace),
+             b_in_a = obb_obb::detail::inside(wide_b, wide_a, trace);
   if (a_in_b) return b_in_a ? Relation::equal : Relation::a_inside_b;
   if (b_in_a) return Relation::b_inside_a;
   const bool flat = a.half.minCoeff() == 0 || b.half.minCoeff() == 0;

@@ -12,6 +12,8 @@ namespace isect {
 
 namespace orient {
 
+namespace detail {
+
 /// Twice the signed area of a b c.
 template <Filtered W>
 W area2(const Point<double, 2>& a, const Point<double, 2>& b, const Point<double, 2>& c) {
@@ -24,12 +26,14 @@ W volume6(const Point<double, 3>& a, const Point<double, 3>& b, const Point<doub
   return dot(difference<W>(a, d), cross(difference<W>(b, d), difference<W>(c, d)));
 }
 
+}  // namespace detail
+
 }  // namespace orient
 
 /// +1 when a, b, c turn counter-clockwise, -1 clockwise, 0 on one line. Exact; finite arguments.
 template <class Trace = NoTrace>
 int orient2d(const Point<double, 2>& a, const Point<double, 2>& b, const Point<double, 2>& c, Trace&& trace = {}) {
-  return sign_of([&]<class W>() -> W { return orient::area2<W>(a, b, c); }, trace);
+  return sign_of([&]<class W>() -> W { return orient::detail::area2<W>(a, b, c); }, trace);
 }
 
 /// +1 when d lies below the plane of a, b, c, which turn counter-clockwise seen from above; -1 above; 0 in it. Exact;
@@ -37,7 +41,7 @@ int orient2d(const Point<double, 2>& a, const Point<double, 2>& b, const Point<d
 template <class Trace = NoTrace>
 int orient3d(const Point<double, 3>& a, const Point<double, 3>& b, const Point<double, 3>& c, const Point<double, 3>& d,
              Trace&& trace = {}) {
-  return sign_of([&]<class W>() -> W { return orient::volume6<W>(a, b, c, d); }, trace);
+  return sign_of([&]<class W>() -> W { return orient::detail::volume6<W>(a, b, c, d); }, trace);
 }
 
 }  // namespace isect

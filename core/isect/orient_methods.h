@@ -27,6 +27,8 @@ template <class S> struct Area2 { S area2; };
 template <class S>
 using NaiveEvent = std::variant<Pivot<S>, Products<S>, Partial<S>, Residue<S>, Area2<S>>;
 
+namespace detail {
+
 /// The two vectors from one corner to the next ones around.
 template <class S, class Trace>
 Pivot<S> pivot(const Point<S, 2>& a, const Point<S, 2>& b, const Point<S, 2>& c, Corner corner, Trace&& trace) {
@@ -38,13 +40,15 @@ Pivot<S> pivot(const Point<S, 2>& a, const Point<S, 2>& b, const Point<S, 2>& c,
   return v;
 }
 
+}  // namespace detail
+
 /// The cross product of the vectors from one corner. Which corner decides where it is wrong: the differences from a
 /// far corner are rounded, those from a near one are not.
 /// Source: Kettner, Mehlhorn, Pion, Schirra, Yap, Classroom examples of robustness problems in geometric computations,
 /// Comput. Geom. 40 (2008).
 template <Corner corner, class S, class Trace = NoTrace>
 S pivoted(const Point<S, 2>& a, const Point<S, 2>& b, const Point<S, 2>& c, Trace&& trace = {}) {
-  const Pivot<S> v = pivot(a, b, c, corner, trace);
+  const Pivot<S> v = detail::pivot(a, b, c, corner, trace);
   const S first = v.first[0] * v.second[1], second = v.first[1] * v.second[0];
   trace(Products<S>{first, second});
 
@@ -78,7 +82,7 @@ S expanded(const Point<S, 2>& a, const Point<S, 2>& b, const Point<S, 2>& c, Tra
 /// determinants, Math. Comput. 82 (2013).
 template <class S, class Trace = NoTrace>
 S fused(const Point<S, 2>& a, const Point<S, 2>& b, const Point<S, 2>& c, Trace&& trace = {}) {
-  const Pivot<S> v = pivot(a, b, c, Corner::c, trace);
+  const Pivot<S> v = detail::pivot(a, b, c, Corner::c, trace);
   const S product = v.first[1] * v.second[0];
   const S rest = std::fma(-v.first[1], v.second[0], product);
   trace(Residue<S>{product, rest});

@@ -31,6 +31,8 @@ struct Decision {
 template <class S, int N>
 using Event = std::variant<Corners<S, N>, Decision, Fallback>;
 
+namespace detail {
+
 /// The corner where n.x + d is least, or greatest.
 template <class S, int N>
 Point<S, N> corner(const Vector<S, N>& normal, const Aabb<S, N>& box, bool greatest) {
@@ -39,24 +41,12 @@ Point<S, N> corner(const Vector<S, N>& normal, const Aabb<S, N>& box, bool great
   return p;
 }
 
-/// The side of the plane that the box lies on, or 0. Naive: rounding may decide.
-template <class S, int N, class Trace = NoTrace>
-int corners(const Plane<S, N>& plane, const Aabb<S, N>& box, Trace&& trace = {}) {
-  const Point<S, N> least = corner(plane.normal, box, false), greatest = corner(plane.normal, box, true);
-  const S at_least = plane.normal.dot(least) + plane.d;
-  const S at_greatest = plane.normal.dot(greatest) + plane.d;
-  trace(Corners<S, N>{least, greatest, at_least, at_greatest});
-
-  if (at_least > S(0)) return 1;
-  return at_greatest < S(0) ? -1 : 0;
-}
-
 /// The sign of n.x + d at that corner, by the plane's equation even where the normal is 0. Finite arguments.
 template <class S, int N, class Trace>
 int sign_at(const Plane<S, N>& plane, const Aabb<S, N>& box, bool greatest, Trace&& trace) {
   const Plane<double, N> wide = cast<double>(plane);
   const Point<double, N> x = corner(plane.normal, box, greatest).template cast<double>();
-  return sign_of([&]<class W>() -> W { return plane_sphere::height<W, N>(wide, x); }, trace);
+  return sign_of([&]<class W>() -> W { return plane_sphere::detail::height<W, N>(wide, x); }, trace);
 }
 
 template <class S, int N, class Trace>
@@ -73,14 +63,29 @@ bool meaningful(const Plane<S, N>& plane, const Aabb<S, N>& box) {
   return finite(plane) && finite(box) && !empty(box) && !plane.normal.isZero(0);
 }
 
+}  // namespace detail
+
+/// The side of the plane that the box lies on, or 0. Naive: rounding may decide.
+template <class S, int N, class Trace = NoTrace>
+int corners(const Plane<S, N>& plane, const Aabb<S, N>& box, Trace&& trace = {}) {
+  const Point<S, N> least = detail::corner(plane.normal, box, false),
+                    greatest = detail::corner(plane.normal, box, true);
+  const S at_least = plane.normal.dot(least) + plane.d;
+  const S at_greatest = plane.normal.dot(greatest) + plane.d;
+  trace(Corners<S, N>{least, greatest, at_least, at_greatest});
+
+  if (at_least > S(0)) return 1;
+  return at_greatest < S(0) ? -1 : 0;
+}
+
 }  // namespace plane_aabb
 
 /// The sign of n.x + d for all points x of the box, or 0 where the box meets the plane. Exact. A zero normal makes no
 /// plane; it, an empty box, NaN or an infinite coordinate: 0.
 template <class S, int N, class Trace = NoTrace>
 int side(const Plane<S, N>& plane, const Aabb<S, N>& box, Trace&& trace = {}) {
-  if (!plane_aabb::meaningful(plane, box)) return 0;
-  const plane_aabb::Decision signs = plane_aabb::decide(plane, box, trace);
+  if (!plane_aabb::detail::meaningful(plane, box)) return 0;
+  const plane_aabb::Decision signs = plane_aabb::detail::decide(plane, box, trace);
   return signs.least == signs.greatest ? signs.least : 0;
 }
 
@@ -89,8 +94,8 @@ int side(const Plane<S, N>& plane, const Aabb<S, N>& box, Trace&& trace = {}) {
 /// NaN or an infinite coordinate: disjoint.
 template <class S, int N, class Trace = NoTrace>
 Relation relate(const Plane<S, N>& plane, const Aabb<S, N>& box, Trace&& trace = {}) {
-  if (!plane_aabb::meaningful(plane, box)) return Relation::disjoint;
-  const plane_aabb::Decision signs = plane_aabb::decide(plane, box, trace);
+  if (!plane_aabb::detail::meaningful(plane, box)) return Relation::disjoint;
+  const plane_aabb::Decision signs = plane_aabb::detail::decide(plane, box, trace);
   if (signs.least > 0 || signs.greatest < 0) return Relation::disjoint;
   return signs.least == 0 || signs.greatest == 0 ? Relation::touching : Relation::overlapping;
 }

@@ -22,6 +22,8 @@ struct Decision {
 };
 using Event = std::variant<Decision, Fallback>;
 
+namespace detail {
+
 /// n.c + d
 template <Filtered W, int N>
 W height(const Plane<double, N>& plane, const Point<double, N>& point) {
@@ -52,14 +54,16 @@ bool meaningful(const Plane<S, N>& plane, const Sphere<S, N>& sphere) {
   return finite(plane) && finite(sphere) && !empty(sphere) && !plane.normal.isZero(0);
 }
 
+}  // namespace detail
+
 }  // namespace plane_sphere
 
 /// The sign of n.x + d for all points x of the ball, or 0 where the ball meets the plane. Exact. A zero normal makes
 /// no plane; it, an empty ball, NaN or an infinite coordinate: 0.
 template <class S, int N, class Trace = NoTrace>
 int side(const Plane<S, N>& plane, const Sphere<S, N>& sphere, Trace&& trace = {}) {
-  if (!plane_sphere::meaningful(plane, sphere)) return 0;
-  const plane_sphere::Decision signs = plane_sphere::decide(plane, sphere, trace);
+  if (!plane_sphere::detail::meaningful(plane, sphere)) return 0;
+  const plane_sphere::Decision signs = plane_sphere::detail::decide(plane, sphere, trace);
   return signs.clear > 0 ? signs.center : 0;
 }
 
@@ -68,8 +72,8 @@ int side(const Plane<S, N>& plane, const Sphere<S, N>& sphere, Trace&& trace = {
 /// ball, NaN or an infinite coordinate: disjoint.
 template <class S, int N, class Trace = NoTrace>
 Relation relate(const Plane<S, N>& plane, const Sphere<S, N>& sphere, Trace&& trace = {}) {
-  if (!plane_sphere::meaningful(plane, sphere)) return Relation::disjoint;
-  const plane_sphere::Decision signs = plane_sphere::decide(plane, sphere, trace);
+  if (!plane_sphere::detail::meaningful(plane, sphere)) return Relation::disjoint;
+  const plane_sphere::Decision signs = plane_sphere::detail::decide(plane, sphere, trace);
   if (signs.clear > 0) return Relation::disjoint;
   return signs.clear == 0 ? Relation::touching : Relation::overlapping;
 }

@@ -23,11 +23,15 @@ struct Axis {
 template <class S>
 using Event = std::variant<Axis<S>>;
 
+namespace detail {
+
 template <class S>
 Location locate(const S& x, const Interval<S>& interval) {
   if (!interval.contains(x)) return Location::out;
   return interval.lo < x && x < interval.hi ? Location::in : Location::on;
 }
+
+}  // namespace detail
 
 }  // namespace point_aabb
 
@@ -39,7 +43,7 @@ Location locate(const Point<S, N>& point, const Aabb<S, N>& box, Trace&& trace =
 
   Location location = Location::in;
   for (int axis = 0; axis < N; ++axis) {
-    const Location along = point_aabb::locate(point[axis], box.along(axis));
+    const Location along = point_aabb::detail::locate(point[axis], box.along(axis));
     if constexpr (heard<Trace>) trace(point_aabb::Axis<S>{axis, point[axis], box.along(axis), along});
     if (along == Location::out) return Location::out;  // NaN too
     if (along == Location::on) location = Location::on;

@@ -16,6 +16,7 @@
 #include <variant>
 
 #include <isect/orient.h>
+#include <isect/parts/sort_points.h>
 #include <isect/point_polygon.h>
 #include <isect/shapes.h>
 #include <isect/trace.h>
@@ -46,12 +47,6 @@ struct Fan {
 };
 using Event = std::variant<Fan, Wedge, Chord, Fallback>;
 
-/// Whether a stands before b, by x, then by y.
-template <class S>
-bool before(const Point<S, 2>& a, const Point<S, 2>& b) {
-  return a[0] < b[0] || (a[0] == b[0] && a[1] < b[1]);
-}
-
 }  // namespace point_convex_polygon
 
 /// The ring as a convex polygon: counter-clockwise, without repeated vertices or those within an edge. Nothing when
@@ -70,7 +65,7 @@ std::optional<ConvexPolygon<S>> make_convex(const Ring<S, 2>& ring) {
   int sense = 0, reversals = 0;  // of the turns; and of the direction, forwards or backwards in `before`
   for (std::size_t i = 0; i < n; ++i) {
     const Point<S, 2>&a = distinct[i > 0 ? i - 1 : n - 1], &b = distinct[i], &c = distinct[i + 1 < n ? i + 1 : 0];
-    const bool reverses = point_convex_polygon::before(a, b) != point_convex_polygon::before(b, c);
+    const bool reverses = before(a, b) != before(b, c);
     const int turn = orient2d(a.template cast<double>(), b.template cast<double>(), c.template cast<double>());
     if (reverses) ++reversals;
     if (turn == 0 && reverses) return {};

@@ -21,11 +21,15 @@ struct Slab {
 };
 using Event = std::variant<Slab, Fallback>;
 
+namespace detail {
+
 /// The sign of n.x - end.
 template <int N, class Trace>
 int beyond(const Vector<double, N>& normal, const Point<double, N>& point, double end, Trace&& trace) {
   return sign_of([&]<class W>() -> W { return dot(exactly<W>(normal), exactly<W>(point)) - W(end); }, trace);
 }
+
+}  // namespace detail
 
 }  // namespace point_kdop
 
@@ -43,8 +47,8 @@ Location locate(const Point<S, N>& point, const Kdop<S, N>& kdop, Trace&& trace 
     const Vector<double, N> normal = kdop.normals[i].template cast<double>();
     const Interval<double> slab = cast<double>(kdop.slabs[i]);
 
-    const int from_lo = point_kdop::beyond<N>(normal, x, slab.lo, trace);
-    const int from_hi = point_kdop::beyond<N>(normal, x, slab.hi, trace);
+    const int from_lo = point_kdop::detail::beyond<N>(normal, x, slab.lo, trace);
+    const int from_hi = point_kdop::detail::beyond<N>(normal, x, slab.hi, trace);
     trace(point_kdop::Slab{static_cast<int>(i), from_lo, from_hi});
 
     if (from_lo < 0 || from_hi > 0) return Location::out;

@@ -26,6 +26,8 @@ struct Slab {
 };
 using Event = std::variant<Slab, Fallback>;
 
+namespace detail {
+
 /// n_i, up to its sign.
 template <Filtered W, int N>
 Components<W, N> normal(const Eigen::Matrix<double, N, N>& axes, int i) {
@@ -75,6 +77,8 @@ S skew(const Eigen::Matrix<S, N, N>& u) {
   return sum;
 }
 
+}  // namespace detail
+
 }  // namespace point_obb
 
 /// Whether the point lies in the box's interior, on its boundary, or outside. Exact. A flat box, some half_i = 0, has
@@ -85,11 +89,11 @@ Location locate(const Point<S, N>& point, const Obb<S, N>& box, Trace&& trace = 
   if (empty(box) || !finite(box) || !finite(point)) return Location::out;
   const Point<double, N> x = point.template cast<double>();
   const Obb<double, N> wide = cast<double>(box);
-  if (!point_obb::independent(wide.axes, trace)) return Location::out;
+  if (!point_obb::detail::independent(wide.axes, trace)) return Location::out;
 
   Location location = Location::in;
   for (int i = 0; i < N; ++i) {
-    const int sign = sign_of([&]<class W>() -> W { return point_obb::beyond<W>(x, wide, i); }, trace);
+    const int sign = sign_of([&]<class W>() -> W { return point_obb::detail::beyond<W>(x, wide, i); }, trace);
     if constexpr (heard<Trace>) trace(point_obb::Slab{i, sign});
     if (sign > 0) return Location::out;
     if (sign == 0) location = Location::on;

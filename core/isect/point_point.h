@@ -29,6 +29,8 @@ struct Distance {
 template <class S>
 using Event = std::variant<Coordinate<S>, Distance, Fallback>;
 
+namespace detail {
+
 /// The sign of |p - q|^2 - tolerance^2, where doubles do not settle it.
 template <class S, int N, class Trace>
 [[gnu::noinline]] int settled(const Point<S, N>& p, const Point<S, N>& q, const S& tolerance, Trace&& trace) {
@@ -40,6 +42,8 @@ template <class S, int N, class Trace>
       },
       trace);
 }
+
+}  // namespace detail
 
 }  // namespace point_point
 
@@ -64,8 +68,8 @@ bool nearly_equal(const Point<S, N>& p, const Point<S, N>& q, S tolerance, Trace
 
   const double distance2 = (p.template cast<double>() - q.template cast<double>()).squaredNorm();
   const double tolerance2 = double(tolerance) * double(tolerance);
-  const int sign =
-      order_of_squares(distance2, tolerance2, [&] { return point_point::settled<S, N>(p, q, tolerance, trace); });
+  const int sign = order_of_squares(distance2, tolerance2,
+                                    [&] { return point_point::detail::settled<S, N>(p, q, tolerance, trace); });
   trace(point_point::Distance{sign});
   return sign <= 0;
 }

@@ -63,15 +63,15 @@ struct Crossings {
   bool on = false;  ///< an edge holds the point, and the others do not matter
 };
 
+namespace detail {
+
 /// The passage of an edge that crosses the line upwards (1) or downwards (-1).
 inline Passage crossed(int turn, int up) {
   if (turn == 0) return Passage::on;
   return turn == up ? Passage::crossed_right : Passage::crossed_left;
 }
 
-/// What the ray meets of the edges first, ..., last - 1 of a ring of any type of vertices. `height(v)` and
-/// `abscissa(v)` are the signs of v.y - p.y and v.x - p.x, `side(a, b)` is orient2d(a, b, p). The number `ring` is
-/// for the events.
+/// What the ray meets of the edges first, ..., last - 1 of a ring; see `wind`.
 template <class Vertex, class Height, class Abscissa, class Side, class Trace = NoTrace>
 Crossings walk(std::span<const Vertex> vertices, std::size_t first, std::size_t last, const Height& height,
                const Abscissa& abscissa, const Side& side, int ring = 0, Trace&& trace = {}) {
@@ -110,18 +110,25 @@ Crossings walk(std::span<const Vertex> vertices, std::size_t first, std::size_t 
   return met;
 }
 
-/// The same of a whole ring, of any number of vertices.
+}  // namespace detail
+
+/// What the ray meets of a ring of any type of vertices, seen through predicates of the caller's own: `height(v)` and
+/// `abscissa(v)` are the signs of v.y - p.y and v.x - p.x, `side(a, b)` is orient2d(a, b, p). As right as they are. The
+/// number `ring` is for the events.
 template <class Vertex, class Height, class Abscissa, class Side, class Trace = NoTrace>
 Crossings wind(std::span<const Vertex> vertices, const Height& height, const Abscissa& abscissa, const Side& side,
                int ring = 0, Trace&& trace = {}) {
   if (vertices.empty()) return {};
-  return walk(vertices, 0, vertices.size(), height, abscissa, side, ring, trace);
+  return detail::walk(vertices, 0, vertices.size(), height, abscissa, side, ring, trace);
 }
+
+namespace detail {
 
 /// What the ray meets of a ring with coordinates; nothing when one of those looked at is not finite. Comparisons, many
 /// at once, settle most edges.
 template <class S, class Trace>
-std::optional<Crossings> wind(const Point<S, 2>& p, std::span<const Point<S, 2>> vertices, int ring, Trace&& trace) {
+std::optional<Crossings> wind_points(const Point<S, 2>& p, std::span<const Point<S, 2>> vertices, int ring,
+                                     Trace&& trace) {
   const auto height = [&](const Point<S, 2>& v) { return (v[1] > p[1]) - (v[1] < p[1]); };
   const auto abscissa = [&](const Point<S, 2>& v) { return (v[0] > p[0]) - (v[0] < p[0]); };
   const auto side = [&](const Point<S, 2>& a, const Point<S, 2>& b) {
@@ -171,7 +178,8 @@ Winding winding(const Point<S, 2>& p, std::span<const Ring<S, 2>> rings, Trace&&
 
   Crossings sum;
   for (std::size_t i = 0; i < rings.size(); ++i) {
-    const std::optional<Crossings> part = wind(p, std::span<const Point<S, 2>>(rings[i]), static_cast<int>(i), trace);
+    const std::optional<Crossings> part =
+        wind_points(p, std::span<const Point<S, 2>>(rings[i]), static_cast<int>(i), trace);
     if (!part) return outside;
     if (part->on) {
       const bool usable = std::all_of(rings.begin(), rings.end(), [](const Ring<S, 2>& r) { return finite(r); });
@@ -183,6 +191,8 @@ Winding winding(const Point<S, 2>& p, std::span<const Ring<S, 2>> rings, Trace&&
   const auto where = [](bool inside) { return inside ? Location::in : Location::out; };
   return {where(sum.crossings % 2 != 0), where(sum.winding != 0), sum.winding, sum.crossings};
 }
+
+}  // namespace detail
 
 // The note's method, and its winding number, in floating point.
 
@@ -253,11 +263,11 @@ int winding_naive(const Point<S, 2>& p, const Ring<S, 2>& ring, Trace&& trace = 
 /// point or anywhere in the polygon: out.
 template <class S, class Trace = NoTrace>
 Winding winding(const Point<S, 2>& point, const Polygon<S, 2>& polygon, Trace&& trace = {}) {
-  return point_polygon::winding(point, std::span<const Ring<S, 2>>(polygon.rings), trace);
+  return point_polygon::detail::winding(point, std::span<const Ring<S, 2>>(polygon.rings), trace);
 }
 template <class S, class Trace = NoTrace>
 Winding winding(const Point<S, 2>& point, const Ring<S, 2>& ring, Trace&& trace = {}) {
-  return point_polygon::winding(point, std::span<const Ring<S, 2>>(&ring, 1), trace);
+  return point_polygon::detail::winding(point, std::span<const Ring<S, 2>>(&ring, 1), trace);
 }
 
 /// Where the point lies by one rule. Otherwise as `winding`.

@@ -18,6 +18,8 @@ struct Distance {
 };
 using Event = std::variant<Distance, Fallback>;
 
+namespace detail {
+
 /// The same, where doubles do not settle it. Finite arguments.
 template <class S, int N, class Trace>
 [[gnu::noinline]] int settled(const Point<S, N>& point, const Sphere<S, N>& sphere, Trace&& trace) {
@@ -31,6 +33,8 @@ template <class S, int N, class Trace>
       trace);
 }
 
+}  // namespace detail
+
 }  // namespace point_sphere
 
 /// Where the point lies with respect to the ball. Exact. The center of a sphere of radius 0 is `on`. An empty ball,
@@ -42,7 +46,7 @@ Location locate(const Point<S, N>& point, const Sphere<S, N>& sphere, Trace&& tr
   const double distance2 = (point.template cast<double>() - sphere.center.template cast<double>()).squaredNorm();
   const double radius2 = double(sphere.radius) * double(sphere.radius);
   const int sign = order_of_squares(distance2, radius2, [&] {
-    return finite(point) && finite(sphere) ? point_sphere::settled<S, N>(point, sphere, trace) : 1;
+    return finite(point) && finite(sphere) ? point_sphere::detail::settled<S, N>(point, sphere, trace) : 1;
   });
   trace(point_sphere::Distance{sign});
 

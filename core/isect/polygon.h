@@ -35,6 +35,8 @@ struct AreaVector {
 };
 using Event = std::variant<AreaVector, Fallback>;
 
+namespace detail {
+
 /// Twice the area vector; 0 for fewer than three vertices.
 template <Filtered W, class S>
 std::array<W, 3> newell(const Ring<S, 3>& ring) {
@@ -98,6 +100,8 @@ std::optional<AreaVector> area_vector(const Ring<S, 3>& ring, Trace&& trace) {
   return AreaVector{{n[0].value() / size, n[1].value() / size, n[2].value() / size}, size / 2};
 }
 
+}  // namespace detail
+
 /// One more edge of Newell's sum.
 template <class S>
 struct Term {
@@ -129,7 +133,7 @@ Vector<S, 3> newell_naive(const Ring<S, 3>& ring, Trace&& trace = {}) {
 template <class S, class Trace = NoTrace>
 S area(const Ring<S, 2>& ring, Trace&& trace = {}) {
   if (!finite(ring)) return std::numeric_limits<S>::quiet_NaN();
-  return value_of<S>([&]<class W>() -> Ratio<W> { return {polygon_area::area2<W>(ring), W(2.)}; }, trace);
+  return value_of<S>([&]<class W>() -> Ratio<W> { return {polygon_area::detail::area2<W>(ring), W(2.)}; }, trace);
 }
 
 /// The area of a ring in space: that of its projection to the plane in which it is largest, never negative. Within 3
@@ -137,7 +141,7 @@ S area(const Ring<S, 2>& ring, Trace&& trace = {}) {
 template <class S, class Trace = NoTrace>
 S area(const Ring<S, 3>& ring, Trace&& trace = {}) {
   if (!finite(ring)) return std::numeric_limits<S>::quiet_NaN();
-  const std::optional<polygon_area::AreaVector> n = polygon_area::area_vector(ring, trace);
+  const std::optional<polygon_area::AreaVector> n = polygon_area::detail::area_vector(ring, trace);
   return n ? static_cast<S>(n->largest * n->length()) : S(0);
 }
 
@@ -147,7 +151,7 @@ S area(const Ring<S, 3>& ring, Trace&& trace = {}) {
 template <class S, class Trace = NoTrace>
 std::optional<Vector<S, 3>> normal(const Ring<S, 3>& ring, Trace&& trace = {}) {
   if (!finite(ring)) return {};
-  const std::optional<polygon_area::AreaVector> n = polygon_area::area_vector(ring, trace);
+  const std::optional<polygon_area::AreaVector> n = polygon_area::detail::area_vector(ring, trace);
   if (!n) return {};
   trace(*n);
   const Extended length = n->length();

@@ -81,6 +81,8 @@ struct Crossed {
 };
 using Event = std::variant<CellFound, Crossed, Fallback>;
 
+namespace detail {
+
 /// What an edge adds to the winding number on the way from m to the right, to p at the same height; nothing when it
 /// holds p. `m_x` is the x of m, or nothing when m lies left of all edges.
 template <class Trace>
@@ -178,12 +180,15 @@ void choose_lines(PolygonGrid& grid, std::size_t n, const Edges& each_edge) {
     grid.axes[k] = axis(grid.lo[k], grid.hi[k], usable ? std::min(extent[k] / side, 0x1p15) : 1);
 }
 
+}  // namespace detail
+
 }  // namespace polygon_grid
 
 /// The grid of any polygon: see `winding`. Throws std::length_error for 2^31 vertices or more.
 template <class S>
 PolygonGrid make_polygon_grid(std::span<const Ring<S, 2>> rings) {
   using namespace polygon_grid;
+  using namespace polygon_grid::detail;
   PolygonGrid grid;
   std::vector<std::uint32_t> ends;  // the repeated vertices, where no edge begins
   for (const Ring<S, 2>& ring : rings) {
@@ -231,8 +236,8 @@ PolygonGrid make_polygon_grid(std::span<const Ring<S, 2>> rings) {
       const double from = columns.line(column);
       const Point<double, 2> corner = {columns.line(column + 1), rows.line(row)};
       for (std::uint32_t k = cell[0].first; k < cell[1].first; ++k)
-        sum += corner_step(grid.vertices[grid.edges[k]], grid.vertices[grid.edges[k] + 1], column > 0 ? &from : nullptr,
-                           corner);
+        sum += polygon_grid::detail::corner_step(grid.vertices[grid.edges[k]], grid.vertices[grid.edges[k] + 1],
+                                                 column > 0 ? &from : nullptr, corner);
     }
   return grid;
 }
@@ -250,6 +255,7 @@ PolygonGrid make_polygon_grid(const Ring<S, 2>& ring) {
 template <class S, class Trace = NoTrace>
 std::optional<int> winding(const Point<S, 2>& point, const PolygonGrid& grid, Trace&& trace = {}) {
   using namespace polygon_grid;
+  using namespace polygon_grid::detail;
   if (grid.cells.empty()) return 0;
   const Point<double, 2> p = point.template cast<double>();
   const bool within = p[0] >= grid.lo[0] && p[0] <= grid.hi[0] && p[1] >= grid.lo[1] && p[1] <= grid.hi[1];

@@ -25,6 +25,7 @@
 #include <vector>
 
 #include <isect/orient.h>
+#include <isect/parts/sort_points.h>
 #include <isect/point_polygon.h>
 #include <isect/shapes.h>
 
@@ -58,10 +59,7 @@ struct PolygonPieces {
 
 namespace polygon_pieces {
 
-/// By x, and by y where that is the same.
-inline bool before(const Point<double, 2>& a, const Point<double, 2>& b) {
-  return a[0] < b[0] || (a[0] == b[0] && a[1] < b[1]);
-}
+namespace detail {
 
 /// The pieces on the sweeping line, and what is still to come.
 class Sweep {
@@ -236,6 +234,8 @@ class Sweep {
   std::vector<int> around_;
 };
 
+}  // namespace detail
+
 }  // namespace polygon_pieces
 
 /// The pieces of the boundary of several rings. Edges may share end points, points and stretches, and cross where one
@@ -256,8 +256,7 @@ PolygonPieces make_polygon_pieces(std::span<const Ring<S, 2>> rings) {
   };
   std::vector<Numbered> sorted;
   for (const Point<double, 2>& v : all.vertices) sorted.push_back({v, sorted.size()});
-  std::sort(sorted.begin(), sorted.end(),
-            [](const Numbered& a, const Numbered& b) { return polygon_pieces::before(a.at, b.at); });
+  std::sort(sorted.begin(), sorted.end(), [](const Numbered& a, const Numbered& b) { return before(a.at, b.at); });
   std::vector<Point<double, 2>> distinct;
   std::vector<int> number(sorted.size());  // of each vertex, among the distinct ones
   for (const Numbered& v : sorted) {
@@ -266,7 +265,7 @@ PolygonPieces make_polygon_pieces(std::span<const Ring<S, 2>> rings) {
   }
   all.vertices = std::move(distinct);
 
-  polygon_pieces::Sweep sweep(all);
+  polygon_pieces::detail::Sweep sweep(all);
   std::size_t start = 0;
   for (std::size_t r = 0; r < rings.size(); start += rings[r].size(), ++r)
     for (std::size_t i = 0; i < rings[r].size(); ++i) {

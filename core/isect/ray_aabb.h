@@ -23,6 +23,32 @@ struct Estimate {
 };
 using Event = std::variant<Estimate, slabs::Outside, slabs::Stretch, Fallback>;
 
+/// A ray with the reciprocals of its direction, for many boxes. One that tells nothing, being too large or too small
+/// to be accurate, is NaN, and its slab is left out. A ray with NaN or an infinite coordinate has an empty range.
+template <class S, int N>
+struct Prepared {
+  Point<S, N> origin;
+  Vector<S, N> inverse;
+  std::array<bool, N> backwards;  ///< d_i < 0, or -0
+  Interval<S> range;
+};
+
+template <class S, int N>
+Prepared<S, N> prepare(const Ray<S, N>& ray) {
+  using Limits = std::numeric_limits<S>;
+  Prepared<S, N> result = {ray.origin, ray.direction, {}, ray.range};
+  for (int i = 0; i < N; ++i) {
+    const S size = std::abs(ray.direction[i]);
+    const bool accurate = size == 0 || (Limits::min() <= size && size <= 1 / Limits::min());
+    result.backwards[i] = std::signbit(ray.direction[i]);
+    result.inverse[i] = accurate ? 1 / ray.direction[i] : Limits::quiet_NaN();
+  }
+  if (!finite(ray)) result.range = {Limits::infinity(), -Limits::infinity()};
+  return result;
+}
+
+namespace detail {
+
 /// The slabs of a box, as lo <= d_i t <= hi.
 template <int N>
 struct Slabs {
@@ -66,6 +92,17 @@ Estimate estimate(const Ray<double, N>& ray, const Aabb<double, N>& box) {
   return {in, out, (gap > slack) - (-gap > slack)};
 }
 
+/// What may_intersect makes of infinite t: they come from a zero component, beside whose slab the ray may run, or
+/// from a difference that overflowed and tells nothing.
+template <class S, int N>
+[[gnu::noinline, gnu::cold]] bool may_at_infinity(const Prepared<S, N>& ray, const Aabb<S, N>& box) {
+  for (int i = 0; i < N; ++i)
+    if (std::isinf(ray.inverse[i]) && (ray.origin[i] < box.lo[i] || box.hi[i] < ray.origin[i])) return false;
+  return ray.range.lo <= ray.range.hi;
+}
+
+}  // namespace detail
+
 // clang-format off
 template <class S> struct Beside { int axis; S origin; bool outside; };   ///< d_i = 0
 template <class S> struct Crossing { int axis; S entry, exit; };          ///< t at the two planes, sorted
@@ -101,39 +138,6 @@ std::optional<Interval<S>> slabs(const Ray<S, N>& ray, const Aabb<S, N>& box, Tr
   return Interval<S>{in, out};
 }
 
-/// A ray with the reciprocals of its direction, for many boxes. One that tells nothing, being too large or too small
-/// to be accurate, is NaN, and its slab is left out. A ray with NaN or an infinite coordinate has an empty range.
-template <class S, int N>
-struct Prepared {
-  Point<S, N> origin;
-  Vector<S, N> inverse;
-  std::array<bool, N> backwards;  ///< d_i < 0, or -0
-  Interval<S> range;
-};
-
-template <class S, int N>
-Prepared<S, N> prepare(const Ray<S, N>& ray) {
-  using Limits = std::numeric_limits<S>;
-  Prepared<S, N> result = {ray.origin, ray.direction, {}, ray.range};
-  for (int i = 0; i < N; ++i) {
-    const S size = std::abs(ray.direction[i]);
-    const bool accurate = size == 0 || (Limits::min() <= size && size <= 1 / Limits::min());
-    result.backwards[i] = std::signbit(ray.direction[i]);
-    result.inverse[i] = accurate ? 1 / ray.direction[i] : Limits::quiet_NaN();
-  }
-  if (!finite(ray)) result.range = {Limits::infinity(), -Limits::infinity()};
-  return result;
-}
-
-/// What may_intersect makes of infinite t: they come from a zero component, beside whose slab the ray may run, or
-/// from a difference that overflowed and tells nothing.
-template <class S, int N>
-[[gnu::noinline, gnu::cold]] bool may_at_infinity(const Prepared<S, N>& ray, const Aabb<S, N>& box) {
-  for (int i = 0; i < N; ++i)
-    if (std::isinf(ray.inverse[i]) && (ray.origin[i] < box.lo[i] || box.hi[i] < ray.origin[i])) return false;
-  return ray.range.lo <= ray.range.hi;
-}
-
 }  // namespace ray_aabb
 
 /// Whether the ray may meet the box: never no for one that does, and yes for few that pass it by within rounding. For
@@ -158,7 +162,7 @@ bool may_intersect(const ray_aabb::Prepared<S, N>& ray, const Aabb<S, N>& box) {
   if (in <= out + (4 * Limits::epsilon() * std::abs(out) + 4 * Limits::denorm_min()))
     return ray.range.lo <= ray.range.hi;
   if (std::isfinite(in) && std::isfinite(out)) return false;
-  return ray_aabb::may_at_infinity(ray, box);
+  return ray_aabb::detail::may_at_infinity(ray, box);
 }
 template <class S, int N>
 bool may_intersect(const Ray<S, N>& ray, const Aabb<S, N>& box) {
@@ -176,13 +180,13 @@ std::optional<Interval<S>> intersect(const Ray<S, N>& ray, const Aabb<S, N>& box
   const Ray<double, N> wide = cast<double>(ray);
   const Aabb<double, N> bounds = cast<double>(box);
 
-  const ray_aabb::Estimate t = ray_aabb::estimate(wide, bounds);
+  const ray_aabb::Estimate t = ray_aabb::detail::estimate(wide, bounds);
   trace(t);
   if (t.meets < 0) return {};
   if (t.meets > 0) return Interval<S>{static_cast<S>(t.in), static_cast<S>(t.out)};
 
   if (empty(box) || !finite(ray) || !finite(box)) return {};
-  return slabs::clip<S, N>(ray.range, ray_aabb::Slabs<N>{wide, bounds}, trace);
+  return slabs::detail::clip<S, N>(ray.range, ray_aabb::detail::Slabs<N>{wide, bounds}, trace);
 }
 
 /// Whether ray and box have a common point; see intersect.

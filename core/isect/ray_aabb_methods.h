@@ -24,6 +24,8 @@ struct Reciprocal {
 template <class S>
 using MethodEvent = std::variant<Reciprocal<S>, Crossing<S>, Remains<S>>;
 
+namespace detail {
+
 /// The range cut by slab after slab. sort(axis, t at lo, t at hi) -> the two in order; later(in, entry) and
 /// earlier(out, exit) choose one.
 template <class S, int N, class Sort, class Later, class Earlier, class Trace>
@@ -45,6 +47,8 @@ std::optional<Interval<S>> by_slabs(const Ray<S, N>& ray, const Aabb<S, N>& box,
   return Interval<S>{in, out};
 }
 
+}  // namespace detail
+
 /// By std::min and std::max, which keep their first argument when the other is NaN. An inverted box is sorted, so
 /// that it counts as the box it might have been.
 template <class S, int N, class Trace = NoTrace>
@@ -52,7 +56,7 @@ std::optional<Interval<S>> by_min_max(const Ray<S, N>& ray, const Aabb<S, N>& bo
   const auto sort = [](int, S t1, S t2) -> Interval<S> { return {std::min(t1, t2), std::max(t1, t2)}; };
   const auto later = [](S in, S entry) { return std::max(in, entry); };
   const auto earlier = [](S out, S exit) { return std::min(out, exit); };
-  return by_slabs(ray, box, sort, later, earlier, trace);
+  return detail::by_slabs(ray, box, sort, later, earlier, trace);
 }
 
 /// By std::fmin and std::fmax, which pass NaN over: but of a plane the ray runs along they keep the other one's
@@ -62,7 +66,7 @@ std::optional<Interval<S>> by_fmin_fmax(const Ray<S, N>& ray, const Aabb<S, N>& 
   const auto sort = [](int, S t1, S t2) -> Interval<S> { return {std::fmin(t1, t2), std::fmax(t1, t2)}; };
   const auto later = [](S in, S entry) { return std::fmax(in, entry); };
   const auto earlier = [](S out, S exit) { return std::fmin(out, exit); };
-  return by_slabs(ray, box, sort, later, earlier, trace);
+  return detail::by_slabs(ray, box, sort, later, earlier, trace);
 }
 
 /// By the sign of the direction, which tells the plane of entry beforehand. A component of -0 counts as 0, whose
@@ -77,7 +81,7 @@ std::optional<Interval<S>> by_sign(const Ray<S, N>& ray, const Aabb<S, N>& box, 
   };
   const auto later = [](S in, S entry) { return entry > in ? entry : in; };
   const auto earlier = [](S out, S exit) { return exit < out ? exit : out; };
-  return by_slabs(ray, box, sort, later, earlier, trace);
+  return detail::by_slabs(ray, box, sort, later, earlier, trace);
 }
 
 }  // namespace isect::ray_aabb

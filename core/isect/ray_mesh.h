@@ -26,13 +26,15 @@ namespace isect {
 /// Memory: 72 bytes a triangle in double, 36 in float, and 4 for its index; about 30 for the nodes.
 template <class S>
 struct RayMesh {
-  std::vector<ray_mesh::Node> nodes;  ///< node 0 is the root, if there are nodes
+  std::vector<ray_mesh::detail::Node> nodes;  ///< node 0 is the root, if there are nodes
   std::vector<Triangle<S, 3>> triangles;
   std::vector<int> indices;  ///< of the triangles in the mesh
   double reach = 0;          ///< the greatest coordinate, or least, without sign
 };
 
 namespace ray_mesh {
+
+namespace detail {
 
 /// A few triangles are screened while a node is fetched; by measurement.
 inline constexpr BvhOptions options = {.largest_leaf = 8, .visit = 3};
@@ -47,14 +49,14 @@ struct Family {
 /// enough.
 template <class S>
 Family widened(const Bvh<S, 3>& bvh, int index) {
-  const S unit = bvh::scale(bvh.nodes[0].box);
+  const S unit = bvh::detail::scale(bvh.nodes[0].box);
   Family family = {{index}, 1};
   while (family.count < width) {
     int largest = -1;
     S area = -1;
     for (int k = 0; k < family.count; ++k) {
       const BvhNode<S, 3>& node = bvh.nodes[family.nodes[k]];
-      if (const S own = bvh::area(node.box, unit); !node.leaf() && own > area) largest = k, area = own;
+      if (const S own = bvh::detail::area(node.box, unit); !node.leaf() && own > area) largest = k, area = own;
     }
     if (largest < 0) break;
     const int first = bvh.nodes[family.nodes[largest]].first;
@@ -62,6 +64,8 @@ Family widened(const Bvh<S, 3>& bvh, int index) {
   }
   return family;
 }
+
+}  // namespace detail
 
 }  // namespace ray_mesh
 
@@ -71,8 +75,8 @@ template <class S>
 RayMesh<S> make_ray_mesh(const TriangleMesh<S>& mesh) {
   std::vector<Aabb<S, 3>> around = boxes(mesh);
   for (std::size_t i = 0; i < around.size(); ++i)
-    if (!finite(triangle(mesh, static_cast<int>(i)))) around[i] = bvh::nothing<S, 3>();
-  const Bvh<S, 3> bvh = build_bvh(around, ray_mesh::options);
+    if (!finite(triangle(mesh, static_cast<int>(i)))) around[i] = bvh::detail::nothing<S, 3>();
+  const Bvh<S, 3> bvh = build_bvh(around, ray_mesh::detail::options);
 
   RayMesh<S> result;
   result.indices = bvh.primitives;
@@ -90,14 +94,14 @@ RayMesh<S> make_ray_mesh(const TriangleMesh<S>& mesh) {
   while (!tasks.empty()) {
     const Task task = tasks.back();
     tasks.pop_back();
-    const ray_mesh::Family family = ray_mesh::widened(bvh, task.from);
+    const ray_mesh::detail::Family family = ray_mesh::detail::widened(bvh, task.from);
     result.nodes[task.to].children = static_cast<std::uint8_t>(family.count);
     for (int k = 0; k < family.count; ++k) {
       const BvhNode<S, 3>& child = bvh.nodes[family.nodes[k]];
       const int first = child.leaf() ? child.first : static_cast<int>(result.nodes.size());
       if (!child.leaf()) result.nodes.emplace_back(), tasks.push_back({family.nodes[k], first});
-      ray_mesh::Node& node = result.nodes[task.to];
-      ray_mesh::put(node, k, child.box);
+      ray_mesh::detail::Node& node = result.nodes[task.to];
+      ray_mesh::detail::put(node, k, child.box);
       node.first[k] = first, node.count[k] = static_cast<std::uint8_t>(child.count);
     }
   }
@@ -105,6 +109,8 @@ RayMesh<S> make_ray_mesh(const TriangleMesh<S>& mesh) {
 }
 
 namespace ray_mesh {
+
+namespace detail {
 
 /// Brings a node or the triangles of a leaf nearer to the processor, without waiting for them.
 template <class S>
@@ -123,7 +129,7 @@ void each_near(const RayMesh<S>& mesh, const Ray<S, 3>& ray, const float& end, c
     float entry;
     int first, count;
   };
-  std::array<Waiting, (width - 1) * bvh::deepest + width> stack;
+  std::array<Waiting, (width - 1) * bvh::detail::deepest + width> stack;
   int waiting = 0;
   const Line line(ray);
   const Screen screen(cast<double>(ray), mesh.reach);
@@ -156,7 +162,7 @@ void each_near(const RayMesh<S>& mesh, const Ray<S, 3>& ray, const float& end, c
 /// An end beyond which no node is entered that holds a triangle with a reported t <= `t`.
 template <class S>
 float end(const S& t) {
-  float result = up(bvh_ray::beyond(t));
+  float result = up(bvh_ray::detail::beyond(t));
   delay(result);
   return result;
 }
@@ -166,20 +172,22 @@ bool askable(const RayMesh<S>& mesh, const Ray<S, 3>& ray) {
   return !mesh.nodes.empty() && finite(ray) && ray.range.lo <= ray.range.hi;
 }
 
+}  // namespace detail
+
 }  // namespace ray_mesh
 
 /// The closest hit of the ray, as closest_hit(bvh, mesh, ray) tells it.
 template <class S>
 std::optional<BvhHit<S>> closest_hit(const RayMesh<S>& mesh, const Ray<S, 3>& ray) {
-  if (!ray_mesh::askable(mesh, ray)) return {};
+  if (!ray_mesh::detail::askable(mesh, ray)) return {};
   std::optional<BvhHit<S>> closest;
-  float end = ray_mesh::end(ray.range.hi);
-  ray_mesh::each_near(mesh, ray, end, [&](int i, int sign) {
+  float end = ray_mesh::detail::end(ray.range.hi);
+  ray_mesh::detail::each_near(mesh, ray, end, [&](int i, int sign) {
     const std::optional<S> t = triangle_mesh::first_t(ray, mesh.triangles[i], sign);
     const int index = mesh.indices[i];
     if (!t || (closest && !(*t < closest->t || (*t == closest->t && index < closest->primitive)))) return false;
     closest = BvhHit<S>{*t, index};
-    end = ray_mesh::end(*t);
+    end = ray_mesh::detail::end(*t);
     return false;
   });
   return closest;
@@ -188,10 +196,10 @@ std::optional<BvhHit<S>> closest_hit(const RayMesh<S>& mesh, const Ray<S, 3>& ra
 /// Whether the ray meets any triangle.
 template <class S>
 bool any_hit(const RayMesh<S>& mesh, const Ray<S, 3>& ray) {
-  if (!ray_mesh::askable(mesh, ray)) return false;
+  if (!ray_mesh::detail::askable(mesh, ray)) return false;
   bool hit = false;
-  const float end = ray_mesh::end(ray.range.hi);
-  ray_mesh::each_near(mesh, ray, end, [&](int i, int sign) {
+  const float end = ray_mesh::detail::end(ray.range.hi);
+  ray_mesh::detail::each_near(mesh, ray, end, [&](int i, int sign) {
     return hit = triangle_mesh::first_t(ray, mesh.triangles[i], sign).has_value();
   });
   return hit;

@@ -24,6 +24,8 @@ namespace ray_obb {
 
 using Event = std::variant<slabs::Outside, slabs::Stretch, Fallback>;
 
+namespace detail {
+
 /// The slabs of an oriented box, as lo <= n_i.d t <= hi.
 template <int N>
 struct Slabs {
@@ -32,7 +34,7 @@ struct Slabs {
 
   template <Filtered W>
   W rate(int i) const {
-    return dot(point_obb::normal<W>(box.axes, i), exactly<W>(ray.direction));
+    return dot(point_obb::detail::normal<W>(box.axes, i), exactly<W>(ray.direction));
   }
   template <Filtered W>
   W lo(int i) const {
@@ -44,11 +46,11 @@ struct Slabs {
   }
   template <Filtered W>
   W reach(int i) const {
-    return W(box.half[i]) * abs(point_obb::volume<W>(box.axes, 0));
+    return W(box.half[i]) * abs(point_obb::detail::volume<W>(box.axes, 0));
   }
   template <Filtered W>
   W along(int i) const {
-    return dot(point_obb::normal<W>(box.axes, i), difference<W>(ray.origin, box.center));
+    return dot(point_obb::detail::normal<W>(box.axes, i), difference<W>(ray.origin, box.center));
   }
 };
 
@@ -57,11 +59,11 @@ template <int N>
 struct Faces : Slabs<N> {
   template <Filtered W>
   W lo(int i) const {
-    return -W(this->box.half[i]) * point_obb::volume<W>(this->box.axes, i) - this->template along<W>(i);
+    return -W(this->box.half[i]) * point_obb::detail::volume<W>(this->box.axes, i) - this->template along<W>(i);
   }
   template <Filtered W>
   W hi(int i) const {
-    return W(this->box.half[i]) * point_obb::volume<W>(this->box.axes, i) - this->template along<W>(i);
+    return W(this->box.half[i]) * point_obb::detail::volume<W>(this->box.axes, i) - this->template along<W>(i);
   }
 };
 
@@ -71,29 +73,49 @@ struct Faces : Slabs<N> {
 /// p of U have |p^2 - 1| <= d. Then U^-1 and U^T, whose singular values are 1 / p and p for the same vectors, differ by
 /// at most |1 / p - p| <= 1.001 d. The computed d lacks 20 u, and the rest adds 6 u (|o - c| + half_i) or 5 u |d|.
 template <int N>
-class Look {
+class QuickSlabs {
  public:
-  Look(const Ray<double, N>& ray, const Obb<double, N>& box) : ray_(ray), box_(box), from_(ray.origin - box.center) {
-    const double skew = point_obb::skew(box.axes);
+  QuickSlabs(const Ray<double, N>& ray, const Obb<double, N>& box)
+      : ray_(ray), box_(box), from_(ray.origin - box.center) {
+    const double skew = point_obb::detail::skew(box.axes);
     const double size = skew <= 0x1p-10 ? 1.01 / unit<double> * skew + 32 : std::numeric_limits<double>::infinity();
     size_ = size * (from_.cwiseAbs().sum() + box.half.sum()) + 0x1p-1000;
     rate_size_ = size * ray.direction.cwiseAbs().sum() + 0x1p-1000;
   }
 
   // clang-format off
-  template <class W> W rate(int i) const { return {point_obb::dot_columns(box_.axes, i, ray_.direction, 0), rate_size_, 0}; }
+  template <class W> W rate(int i) const { return {point_obb::detail::dot_columns(box_.axes, i, ray_.direction, 0), rate_size_, 0}; }
   template <class W> W lo(int i) const { return {-box_.half[i] - along(i), size_, 0}; }
   template <class W> W hi(int i) const { return {box_.half[i] - along(i), size_, 0}; }
   // clang-format on
 
  private:
-  double along(int i) const { return point_obb::dot_columns(box_.axes, i, from_, 0); }
+  double along(int i) const { return point_obb::detail::dot_columns(box_.axes, i, from_, 0); }
 
   const Ray<double, N>& ray_;
   const Obb<double, N>& box_;
   Vector<double, N> from_;
   double size_, rate_size_;
 };
+
+template <class S, int N, class Trace>
+std::optional<Interval<S>> meet(const Ray<S, N>& ray, const Obb<S, N>& box, Trace& trace) {
+  if (empty(box)) return {};
+  const Ray<double, N>& wide = in_doubles(ray);
+  const Obb<double, N>& bounds = in_doubles(box);
+
+  if constexpr (first_try<Trace>) {
+    const slabs::detail::Estimate<N> seen = slabs::detail::estimate<S, N>(ray.range, QuickSlabs<N>(wide, bounds));
+    trace.open |= seen.meets == 0;
+    if (seen.meets <= 0) return {};
+    return slabs::detail::stretch<S, N>(ray.range, seen, Faces<N>{wide, bounds}, trace);
+  } else {
+    if (!finite(ray) || !finite(box) || !point_obb::detail::independent(bounds.axes, trace)) return {};
+    return slabs::detail::clip<S, N>(ray.range, Slabs<N>{wide, bounds}, trace);
+  }
+}
+
+}  // namespace detail
 
 // clang-format off
 template <class S> struct Projected { int axis; S center, rate; };        ///< u_i.(c - o) and u_i.d
@@ -134,23 +156,6 @@ std::optional<Interval<S>> projections(const Ray<S, N>& ray, const Obb<S, N>& bo
   return Interval<S>{in, out};
 }
 
-template <class S, int N, class Trace>
-std::optional<Interval<S>> meet(const Ray<S, N>& ray, const Obb<S, N>& box, Trace& trace) {
-  if (empty(box)) return {};
-  const Ray<double, N>& wide = in_doubles(ray);
-  const Obb<double, N>& bounds = in_doubles(box);
-
-  if constexpr (first_try<Trace>) {
-    const slabs::Sight<N> seen = slabs::sight<S, N>(ray.range, Look<N>(wide, bounds));
-    trace.open |= seen.meets == 0;
-    if (seen.meets <= 0) return {};
-    return slabs::stretch<S, N>(ray.range, seen, Faces<N>{wide, bounds}, trace);
-  } else {
-    if (!finite(ray) || !finite(box) || !point_obb::independent(bounds.axes, trace)) return {};
-    return slabs::clip<S, N>(ray.range, Slabs<N>{wide, bounds}, trace);
-  }
-}
-
 }  // namespace ray_obb
 
 /// The part of the ray's range inside the closed box, in units of |direction|.
@@ -162,14 +167,15 @@ std::optional<Interval<S>> meet(const Ray<S, N>& ray, const Obb<S, N>& box, Trac
 /// empty box or range, NaN or an infinite coordinate: nothing.
 template <class S, int N, class Trace = NoTrace>
 std::optional<Interval<S>> intersect(const Ray<S, N>& ray, const Obb<S, N>& box, Trace&& trace = {}) {
-  return in_doubles_first([&](auto& pass) { return ray_obb::meet(ray, box, pass); }, trace);
+  return in_doubles_first([&](auto& pass) { return ray_obb::detail::meet(ray, box, pass); }, trace);
 }
 
 /// Whether ray and box have a common point; see intersect.
 template <class S, int N, class Trace = NoTrace>
 bool intersects(const Ray<S, N>& ray, const Obb<S, N>& box, Trace&& trace = {}) {
   if constexpr (!heard<Trace>) {
-    const slabs::Sight<N> seen = slabs::sight<S, N>(ray.range, ray_obb::Look<N>(in_doubles(ray), in_doubles(box)));
+    const slabs::detail::Estimate<N> seen =
+        slabs::detail::estimate<S, N>(ray.range, ray_obb::detail::QuickSlabs<N>(in_doubles(ray), in_doubles(box)));
     if (seen.meets != 0) [[likely]]
       return seen.meets > 0 && !empty(box);
   }

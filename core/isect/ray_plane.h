@@ -41,12 +41,43 @@ struct Hit {
 template <class S>
 using Event = std::variant<Decision, Hit<S>, Fallback>;
 
+namespace detail {
+
 /// t on the whole line, as the numerator and the denominator.
 template <Filtered W, int N>
 Ratio<W> parameter(const Ray<double, N>& ray, const Plane<double, N>& plane) {
   const Components<W, N> n = exactly<W>(plane.normal);
   return {-(dot(n, exactly<W>(ray.origin)) + W(plane.d)), dot(n, exactly<W>(ray.direction))};
 }
+
+template <class S, int N, class Trace>
+RayPlane<S> meet(const Ray<S, N>& ray, const Plane<S, N>& plane, Trace& trace) {
+  RayPlane<S> result;
+  if constexpr (!first_try<Trace>)
+    if (!finite(ray) || !finite(plane) || plane.normal == Vector<S, N>::Zero()) return result;
+  const Ray<double, N>& wide = in_doubles(ray);
+  const Plane<double, N>& wall = in_doubles(plane);
+  const auto t = [&]<class W>() -> Ratio<W> { return ray_plane::detail::parameter<W>(wide, wall); };
+
+  const int heading = sign_of([&]<class W>() -> W { return t.template operator()<W>().den; }, trace);
+  const int side = -sign_of([&]<class W>() -> W { return t.template operator()<W>().num; }, trace);
+  trace(ray_plane::Decision{heading, side});
+
+  result.parallel = heading == 0;
+  result.coplanar = result.parallel && side == 0;
+  if (result.parallel) {
+    result.meets = result.coplanar && ray_range::has_points(ray.range);
+    return result;
+  }
+
+  result.line = value_of<S>(t, trace);
+  result.meets = ray_range::holds(wide.range, t, heading, trace);
+  trace(ray_plane::Hit<S>{*result.line, result.meets});
+  if (result.meets) result.t = ray_range::clamped(*result.line, ray.range);
+  return result;
+}
+
+}  // namespace detail
 
 // clang-format off
 template <class S> struct Numerator { S value; };                         ///< n.o + D
@@ -78,33 +109,6 @@ std::optional<S> textbook(const Ray<S, N>& ray, const Plane<S, N>& plane, Trace&
   return t;
 }
 
-template <class S, int N, class Trace>
-RayPlane<S> meet(const Ray<S, N>& ray, const Plane<S, N>& plane, Trace& trace) {
-  RayPlane<S> result;
-  if constexpr (!first_try<Trace>)
-    if (!finite(ray) || !finite(plane) || plane.normal == Vector<S, N>::Zero()) return result;
-  const Ray<double, N>& wide = in_doubles(ray);
-  const Plane<double, N>& wall = in_doubles(plane);
-  const auto t = [&]<class W>() -> Ratio<W> { return ray_plane::parameter<W>(wide, wall); };
-
-  const int heading = sign_of([&]<class W>() -> W { return t.template operator()<W>().den; }, trace);
-  const int side = -sign_of([&]<class W>() -> W { return t.template operator()<W>().num; }, trace);
-  trace(ray_plane::Decision{heading, side});
-
-  result.parallel = heading == 0;
-  result.coplanar = result.parallel && side == 0;
-  if (result.parallel) {
-    result.meets = result.coplanar && ray_range::has_points(ray.range);
-    return result;
-  }
-
-  result.line = value_of<S>(t, trace);
-  result.meets = ray_range::holds(wide.range, t, heading, trace);
-  trace(ray_plane::Hit<S>{*result.line, result.meets});
-  if (result.meets) result.t = ray_range::clamped(*result.line, ray.range);
-  return result;
-}
-
 }  // namespace ray_plane
 
 /// Where a ray, segment or line meets a plane.
@@ -116,7 +120,7 @@ RayPlane<S> meet(const Ray<S, N>& ray, const Plane<S, N>& plane, Trace& trace) {
 /// coordinate: no hit.
 template <class S, int N, class Trace = NoTrace>
 RayPlane<S> intersect(const Ray<S, N>& ray, const Plane<S, N>& plane, Trace&& trace = {}) {
-  return in_doubles_first([&](auto& pass) { return ray_plane::meet(ray, plane, pass); }, trace);
+  return in_doubles_first([&](auto& pass) { return ray_plane::detail::meet(ray, plane, pass); }, trace);
 }
 
 }  // namespace isect

@@ -51,6 +51,8 @@ struct Hit {
 template <class S>
 using Event = std::variant<Decision, point_polygon::Edge, Hit<S>, Fallback>;
 
+namespace detail {
+
 /// The normal, and P by num and den.
 template <Filtered W>
 struct PlanePoint {
@@ -196,6 +198,8 @@ RayPolygon<S> intersect(const Ray<S, 3>& ray, std::span<const Ring<S, 3>> rings,
   return in_doubles_first([&](auto& pass) { return meet(ray, rings, rule, pass); }, trace);
 }
 
+}  // namespace detail
+
 // clang-format off
 template <class S> struct Normal { Vector<S, 3> n; };                     ///< Newell's
 template <class S> struct InPlane { S t; Point<S, 3> point; };            ///< where the line meets the plane
@@ -248,12 +252,12 @@ std::optional<S> projected(const Ray<S, 3>& ray, const Ring<S, 3>& ring, Trace&&
 template <class S, class Trace = NoTrace>
 RayPolygon<S> intersect(const Ray<S, 3>& ray, const Polygon<S, 3>& polygon, FillRule rule = FillRule::even_odd,
                         Trace&& trace = {}) {
-  return ray_polygon::intersect(ray, std::span<const Ring<S, 3>>(polygon.rings), rule, trace);
+  return ray_polygon::detail::intersect(ray, std::span<const Ring<S, 3>>(polygon.rings), rule, trace);
 }
 template <class S, class Trace = NoTrace>
 RayPolygon<S> intersect(const Ray<S, 3>& ray, const Ring<S, 3>& ring, FillRule rule = FillRule::even_odd,
                         Trace&& trace = {}) {
-  return ray_polygon::intersect(ray, std::span<const Ring<S, 3>>(&ring, 1), rule, trace);
+  return ray_polygon::detail::intersect(ray, std::span<const Ring<S, 3>>(&ring, 1), rule, trace);
 }
 
 }  // namespace isect

@@ -34,6 +34,8 @@ template <class S, int N>
 using QuadraticEvent = std::variant<FromCenter<S, N>, CoefficientA<S>, CoefficientB<S>, CoefficientC<S>,
                                     Discriminant<S>, LineMisses<S>, Root<S>, RootInRange<S>, Hit<S>, Miss>;
 
+namespace detail {
+
 /// Which root of the two the range holds first: the end of both quadratic forms.
 template <class S, class Trace>
 std::optional<S> first_in_range(const S& t1, const S& t2, const Interval<S>& range, Trace&& trace) {
@@ -52,6 +54,8 @@ std::optional<S> first_in_range(const S& t1, const S& t2, const Interval<S>& ran
   trace(Miss{});
   return {};
 }
+
+}  // namespace detail
 
 /// Substitute the ray into the sphere and solve A t^2 + B t + C = 0.
 /// The note prints a stray t in A and B; they are constants. It takes "the smallest positive root", which
@@ -89,7 +93,7 @@ std::optional<S> quadratic(const Ray<S, N>& ray, const Sphere<S, N>& sphere, Tra
   const S t2 = (-b + root) / denominator;
   trace(Root<S>{1, t2});
 
-  return first_in_range(t1, t2, ray.range, trace);
+  return detail::first_in_range(t1, t2, ray.range, trace);
 }
 
 /// The same with half of B, so that the factors 2 and 4 cancel. The note warns that such tweaks gain little
@@ -126,7 +130,7 @@ std::optional<S> half_b(const Ray<S, N>& ray, const Sphere<S, N>& sphere, Trace&
   const S t2 = (-b + root) / a;
   trace(Root<S>{1, t2});
 
-  return first_in_range(t1, t2, ray.range, trace);
+  return detail::first_in_range(t1, t2, ray.range, trace);
 }
 
 // clang-format off

@@ -12,6 +12,8 @@
 
 namespace isect::ray_sphere {
 
+namespace detail {
+
 /// The two roots from half of B and the root of the discriminant: first the one whose two terms have equal signs, then
 /// the other from the product of the roots, C / A. Only B and the root itself no longer cancel; B and C still do.
 template <class S, class Trace>
@@ -30,6 +32,8 @@ std::optional<S> stable_quotients(const S& a, const S& b, const S& c, const S& d
 
   return first_in_range(t1, t2, range, trace);
 }
+
+}  // namespace detail
 
 /// Half-B with stable roots. Source: Press et al., Numerical Recipes, 3rd ed. (2007), 5.6.
 template <class S, int N, class Trace = NoTrace>
@@ -56,7 +60,7 @@ std::optional<S> stable_roots(const Ray<S, N>& ray, const Sphere<S, N>& sphere, 
     return {};
   }
 
-  return stable_quotients(a, b, c, discriminant, ray.range, trace);
+  return detail::stable_quotients(a, b, c, discriminant, ray.range, trace);
 }
 
 /// The discriminant from the vector that leads from the center to the line's nearest point, so that large squares never
@@ -89,7 +93,7 @@ std::optional<S> robust(const Ray<S, N>& ray, const Sphere<S, N>& sphere, Trace&
     return {};
   }
 
-  return stable_quotients(a, b, c, discriminant, ray.range, trace);
+  return detail::stable_quotients(a, b, c, discriminant, ray.range, trace);
 }
 
 }  // namespace isect::ray_sphere

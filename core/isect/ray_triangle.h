@@ -46,6 +46,8 @@ struct Hit {
 template <class S>
 using Event = std::variant<Volumes, Hit<S>, Fallback>;
 
+namespace detail {
+
 /// d.((p - o) x (q - o)): on which side of the line the edge pq passes.
 template <Filtered W>
 W volume(const Ray<double, 3>& ray, const Point<double, 3>& p, const Point<double, 3>& q) {
@@ -95,45 +97,6 @@ S weight(const Ray<double, 3>& ray, const Triangle<double, 3>& x, int p, int q, 
   return ray_range::clamped(value_of<S>(ratio, trace), {S(0), S(1)});
 }
 
-// clang-format off
-template <class S> struct Determinant { S value; };                       ///< (d x e2).e1
-template <class S> struct WeightU { S value; bool holds; };               ///< 0 <= u <= 1
-template <class S> struct WeightV { S value; bool holds; };               ///< 0 <= v, u + v <= 1
-template <class S> struct InRange { S t; bool holds; };                   ///< t_min <= t <= t_max
-// clang-format on
-template <class S>
-using MollerTrumboreEvent = std::variant<Determinant<S>, WeightU<S>, WeightV<S>, InRange<S>>;
-
-/// t and the weights by Cramer's rule. Naive: rounding may decide, and a ray through an edge that two triangles share
-/// may miss both. Source: Moller, Trumbore, Fast, minimum storage ray-triangle intersection, J. Graphics Tools 2
-/// (1997).
-template <class S, class Trace = NoTrace>
-std::optional<Hit<S>> moller_trumbore(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle, Trace&& trace = {}) {
-  const auto& [a, b, c] = triangle.vertices;
-  const Vector<S, 3> e1 = b - a, e2 = c - a, p = ray.direction.cross(e2);
-  const S determinant = p.dot(e1);
-  trace(Determinant<S>{determinant});
-  if (determinant == S(0)) return {};
-
-  const Vector<S, 3> from = ray.origin - a;
-  const S u = from.dot(p) / determinant;
-  const bool u_holds = S(0) <= u && u <= S(1);
-  trace(WeightU<S>{u, u_holds});
-  if (!u_holds) return {};
-
-  const Vector<S, 3> q = from.cross(e1);
-  const S v = ray.direction.dot(q) / determinant;
-  const bool v_holds = S(0) <= v && u + v <= S(1);
-  trace(WeightV<S>{v, v_holds});
-  if (!v_holds) return {};
-
-  const S t = e2.dot(q) / determinant;
-  const bool holds = ray.range.contains(t);
-  trace(InRange<S>{t, holds});
-  if (!holds) return {};
-  return Hit<S>{t, u, v};
-}
-
 template <class S, class Trace>
 RayTriangle<S> meet(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle, Trace& trace) {
   RayTriangle<S> result;
@@ -178,6 +141,47 @@ bool met(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle, Trace& trace) {
   return ray_range::holds(wide.range, t, positive ? 1 : -1, trace);
 }
 
+}  // namespace detail
+
+// clang-format off
+template <class S> struct Determinant { S value; };                       ///< (d x e2).e1
+template <class S> struct WeightU { S value; bool holds; };               ///< 0 <= u <= 1
+template <class S> struct WeightV { S value; bool holds; };               ///< 0 <= v, u + v <= 1
+template <class S> struct InRange { S t; bool holds; };                   ///< t_min <= t <= t_max
+// clang-format on
+template <class S>
+using MollerTrumboreEvent = std::variant<Determinant<S>, WeightU<S>, WeightV<S>, InRange<S>>;
+
+/// t and the weights by Cramer's rule. Naive: rounding may decide, and a ray through an edge that two triangles share
+/// may miss both. Source: Moller, Trumbore, Fast, minimum storage ray-triangle intersection, J. Graphics Tools 2
+/// (1997).
+template <class S, class Trace = NoTrace>
+std::optional<Hit<S>> moller_trumbore(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle, Trace&& trace = {}) {
+  const auto& [a, b, c] = triangle.vertices;
+  const Vector<S, 3> e1 = b - a, e2 = c - a, p = ray.direction.cross(e2);
+  const S determinant = p.dot(e1);
+  trace(Determinant<S>{determinant});
+  if (determinant == S(0)) return {};
+
+  const Vector<S, 3> from = ray.origin - a;
+  const S u = from.dot(p) / determinant;
+  const bool u_holds = S(0) <= u && u <= S(1);
+  trace(WeightU<S>{u, u_holds});
+  if (!u_holds) return {};
+
+  const Vector<S, 3> q = from.cross(e1);
+  const S v = ray.direction.dot(q) / determinant;
+  const bool v_holds = S(0) <= v && u + v <= S(1);
+  trace(WeightV<S>{v, v_holds});
+  if (!v_holds) return {};
+
+  const S t = e2.dot(q) / determinant;
+  const bool holds = ray.range.contains(t);
+  trace(InRange<S>{t, holds});
+  if (!holds) return {};
+  return Hit<S>{t, u, v};
+}
+
 }  // namespace ray_triangle
 
 /// Where a ray, segment or line meets a triangle, from either side.
@@ -188,13 +192,13 @@ bool met(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle, Trace& trace) {
 /// the plane. A triangle without area has no plane: no hit. NaN or an infinite coordinate, or an empty range: no hit.
 template <class S, class Trace = NoTrace>
 RayTriangle<S> intersect(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle, Trace&& trace = {}) {
-  return in_doubles_first([&](auto& pass) { return ray_triangle::meet(ray, triangle, pass); }, trace);
+  return in_doubles_first([&](auto& pass) { return ray_triangle::detail::meet(ray, triangle, pass); }, trace);
 }
 
 /// Whether the ray meets the triangle; see intersect. No for a coplanar ray.
 template <class S, class Trace = NoTrace>
 bool intersects(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle, Trace&& trace = {}) {
-  return in_doubles_first([&](auto& pass) { return ray_triangle::met(ray, triangle, pass); }, trace);
+  return in_doubles_first([&](auto& pass) { return ray_triangle::detail::met(ray, triangle, pass); }, trace);
 }
 
 }  // namespace isect

@@ -23,6 +23,8 @@ template <class S> struct Corner { int index; S x, y; };                  ///< r
 template <class S>
 using VolumesEvent = std::variant<SignedVolumes<S>, Determinant<S>, InRange<S>, Sheared<S>, Corner<S>>;
 
+namespace detail {
+
 /// From weights that are not divided yet and t times their sum to the hit, if the range holds it.
 template <class S, class Trace>
 std::optional<Hit<S>> divided(S b, S c, S sum, S t_sum, const Interval<S>& range, Trace&& trace) {
@@ -41,6 +43,8 @@ bool agree(S a, S b, S c) {
   return (a >= S(0) && b >= S(0) && c >= S(0)) || (a <= S(0) && b <= S(0) && c <= S(0));
 }
 
+}  // namespace detail
+
 /// By d.(B x C), d.(C x A), d.(A x B) with A, B, C relative to the origin of the ray. Source: Ericson, Real-Time
 /// Collision Detection (2005), 5.3.4; Amanatides, Choi, Ray tracing triangular meshes (1997).
 template <class S, class Trace = NoTrace>
@@ -48,7 +52,7 @@ std::optional<Hit<S>> signed_volumes(const Ray<S, 3>& ray, const Triangle<S, 3>&
   const Vector<S, 3> a = triangle.vertices[0] - ray.origin, b = triangle.vertices[1] - ray.origin,
                      c = triangle.vertices[2] - ray.origin;
   const S w_a = ray.direction.dot(b.cross(c)), w_b = ray.direction.dot(c.cross(a)), w_c = ray.direction.dot(a.cross(b));
-  const bool holds = agree(w_a, w_b, w_c);
+  const bool holds = detail::agree(w_a, w_b, w_c);
   trace(SignedVolumes<S>{w_a, w_b, w_c, holds});
   if (!holds) return {};
 
@@ -87,11 +91,11 @@ std::optional<Hit<S>> woop(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle,
   }
   const auto& [a, b, c] = corner;
   const S w_a = c[0] * b[1] - c[1] * b[0], w_b = a[0] * c[1] - a[1] * c[0], w_c = b[0] * a[1] - b[1] * a[0];
-  const bool holds = agree(w_a, w_b, w_c);
+  const bool holds = detail::agree(w_a, w_b, w_c);
   trace(SignedVolumes<S>{w_a, w_b, w_c, holds});
   if (!holds) return {};
 
-  return divided(w_b, w_c, w_a + w_b + w_c, w_a * a[2] + w_b * b[2] + w_c * c[2], ray.range, trace);
+  return detail::divided(w_b, w_c, w_a + w_b + w_c, w_a * a[2] + w_b * b[2] + w_c * c[2], ray.range, trace);
 }
 
 }  // namespace isect::ray_triangle

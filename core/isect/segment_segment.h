@@ -19,6 +19,7 @@
 
 #include <isect/orient.h>
 #include <isect/parts/ray_range.h>
+#include <isect/parts/sort_points.h>
 #include <isect/shapes.h>
 #include <isect/trace.h>
 
@@ -55,11 +56,9 @@ struct Sides {
 };
 using Event = std::variant<Apart, Sides, Fallback>;
 
-/// By x, and by y where that is the same: the order along any line.
-template <class S>
-bool before(const Point<S, 2>& a, const Point<S, 2>& b) {
-  return a[0] < b[0] || (a[0] == b[0] && a[1] < b[1]);
-}
+namespace detail {
+
+/// From left to right.
 template <class S>
 Segment<S, 2> ordered(const Segment<S, 2>& a) {
   return before(a.q, a.p) ? Segment<S, 2>{a.q, a.p} : a;
@@ -83,7 +82,8 @@ template <class S, class Trace>
 S crossing(const Segment<S, 2>& a, const Segment<S, 2>& b, int i, Trace&& trace) {
   const Segment<double, 2> wide_a = cast<double>(a), wide_b = cast<double>(b);
   const auto x = [&]<class W>() -> Ratio<W> {
-    const W p = orient::area2<W>(wide_b.p, wide_b.q, wide_a.p), q = orient::area2<W>(wide_b.p, wide_b.q, wide_a.q);
+    const W p = orient::detail::area2<W>(wide_b.p, wide_b.q, wide_a.p),
+            q = orient::detail::area2<W>(wide_b.p, wide_b.q, wide_a.q);
     return {W(wide_a.p[i]) * q - W(wide_a.q[i]) * p, q - p};
   };
   const Interval<S> of_a = {std::min(a.p[i], a.q[i]), std::max(a.p[i], a.q[i])};
@@ -101,6 +101,8 @@ SegmentSegment<S> collinear(const Segment<S, 2>& a, const Segment<S, 2>& b) {
   if (before(lo, hi)) return {Meeting::overlap, {}, Segment<S, 2>{lo, hi}};
   return {Meeting::touch, lo, {}};
 }
+
+}  // namespace detail
 
 // clang-format off
 template <class S> struct Determinant { S value; };                       ///< (q - p) x (s - r)
@@ -138,21 +140,21 @@ template <class S, class Trace = NoTrace>
 SegmentSegment<S> intersect(const Segment<S, 2>& a, const Segment<S, 2>& b, Trace&& trace = {}) {
   using segment_segment::Meeting;
   if (!finite(a) || !finite(b)) return {};
-  if (segment_segment::boxes_apart(a, b)) {
+  if (segment_segment::detail::boxes_apart(a, b)) {
     trace(segment_segment::Apart{});
     return {};
   }
 
-  const segment_segment::Sides side = segment_segment::sides(cast<double>(a), cast<double>(b), trace);
+  const segment_segment::Sides side = segment_segment::detail::sides(cast<double>(a), cast<double>(b), trace);
   trace(side);
   if (side.r * side.s > 0 || side.p * side.q > 0) return {};
-  if (side.r == 0 && side.s == 0 && side.p == 0 && side.q == 0) return segment_segment::collinear(a, b);
+  if (side.r == 0 && side.s == 0 && side.p == 0 && side.q == 0) return segment_segment::detail::collinear(a, b);
 
   if (side.p == 0) return {Meeting::touch, a.p, {}};
   if (side.q == 0) return {Meeting::touch, a.q, {}};
   if (side.r == 0) return {Meeting::touch, b.p, {}};
   if (side.s == 0) return {Meeting::touch, b.q, {}};
-  const S x = segment_segment::crossing(a, b, 0, trace), y = segment_segment::crossing(a, b, 1, trace);
+  const S x = segment_segment::detail::crossing(a, b, 0, trace), y = segment_segment::detail::crossing(a, b, 1, trace);
   return {Meeting::cross, Point<S, 2>(x, y), {}};
 }
 
@@ -160,11 +162,11 @@ SegmentSegment<S> intersect(const Segment<S, 2>& a, const Segment<S, 2>& b, Trac
 template <class S, class Trace = NoTrace>
 bool intersects(const Segment<S, 2>& a, const Segment<S, 2>& b, Trace&& trace = {}) {
   if (!finite(a) || !finite(b)) return false;
-  if (segment_segment::boxes_apart(a, b)) {
+  if (segment_segment::detail::boxes_apart(a, b)) {
     trace(segment_segment::Apart{});
     return false;
   }
-  const segment_segment::Sides side = segment_segment::sides(cast<double>(a), cast<double>(b), trace);
+  const segment_segment::Sides side = segment_segment::detail::sides(cast<double>(a), cast<double>(b), trace);
   trace(side);
   return side.r * side.s <= 0 && side.p * side.q <= 0;  // collinear ones with common boxes meet
 }

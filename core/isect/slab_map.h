@@ -72,12 +72,6 @@ struct Compared {
 };
 using Event = std::variant<SlabFound, OnLine, Compared, Fallback>;
 
-template <class Trace>
-int turn(const SlabMap& map, int edge, const Point<double, 2>& p, Trace&& trace) {
-  const SlabMap::Edge& e = map.edges[edge];
-  return orient2d(map.vertices[e.lower], map.vertices[e.upper], p, trace);
-}
-
 /// The first of lo, ..., hi - 1 with holds(i), or hi; those after it must hold too. Counts its steps.
 template <class Holds>
 int bisect(int lo, int hi, int& steps, const Holds& holds) {
@@ -89,6 +83,14 @@ int bisect(int lo, int hi, int& steps, const Holds& holds) {
       lo = mid + 1;
   }
   return lo;
+}
+
+namespace detail {
+
+template <class Trace>
+int turn(const SlabMap& map, int edge, const Point<double, 2>& p, Trace&& trace) {
+  const SlabMap::Edge& e = map.edges[edge];
+  return orient2d(map.vertices[e.lower], map.vertices[e.upper], p, trace);
 }
 
 /// Whether a vertex or a horizontal edge at the height of the point holds it.
@@ -155,13 +157,15 @@ inline void put_in(SlabMap& map, std::size_t first, int from, int to) {
   }
 }
 
+}  // namespace detail
+
 }  // namespace slab_map
 
 /// The map of a boundary. Throws std::length_error when it would take more than `most_bytes`, before it takes them:
 /// they bound the time, too.
 inline SlabMap make_slab_map(const PolygonPieces& boundary, std::size_t most_bytes = std::size_t{1} << 30) {
   SlabMap map;
-  slab_map::take(map, boundary);
+  slab_map::detail::take(map, boundary);
 
   std::vector<int> slab_of(map.vertices.size());
   for (std::size_t i = 0; i < map.vertices.size(); ++i) {
@@ -186,7 +190,7 @@ inline SlabMap make_slab_map(const PolygonPieces& boundary, std::size_t most_byt
 
     const int from = begun;
     while (begun < static_cast<int>(map.edges.size()) && slab(map.edges[begun].lower) == s) ++begun;
-    slab_map::put_in(map, first, from, begun);
+    slab_map::detail::put_in(map, first, from, begun);
   }
   if (!map.slabs.empty())
     map.slabs.push_back({infinite<double>.hi, static_cast<int>(map.vertices.size()), map.order.size()});
@@ -213,6 +217,7 @@ SlabMap make_slab_map(const Ring<S, 2>& ring, std::size_t most_bytes = std::size
 template <class S, class Trace = NoTrace>
 std::optional<int> winding(const Point<S, 2>& point, const SlabMap& map, Trace&& trace = {}) {
   using namespace slab_map;
+  using namespace slab_map::detail;
   if (!finite(point) || map.slabs.empty()) return 0;
   const Point<double, 2> p = point.template cast<double>();
 

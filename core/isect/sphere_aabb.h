@@ -67,6 +67,8 @@ Point<double, N> nearest(const Point<double, N>& center, const Aabb<double, N>& 
   return center.cwiseMax(box.lo).cwiseMin(box.hi);
 }
 
+namespace detail {
+
 /// The corner farthest from the center.
 template <int N, class Trace>
 Point<double, N> farthest(const Point<double, N>& center, const Aabb<double, N>& box, Trace&& trace) {
@@ -84,7 +86,7 @@ template <class S, int N, class Trace>
 [[gnu::noinline]] int settled(const Sphere<S, N>& sphere, const Aabb<S, N>& box, Trace&& trace) {
   if (empty(sphere) || empty(box) || !finite(sphere) || !finite(box)) return 1;
   const Sphere<double, N> ball = cast<double>(sphere);
-  return point_sphere::settled<double, N>(nearest<N>(ball.center, cast<double>(box)), ball, trace);
+  return point_sphere::detail::settled<double, N>(nearest<N>(ball.center, cast<double>(box)), ball, trace);
 }
 
 /// The sign of farthest^2 - r^2. Rounding keeps the order of c - lo and hi - c, so the larger of the two as computed
@@ -93,7 +95,7 @@ template <int N, class Trace>
 int contained(const Aabb<double, N>& box, const Sphere<double, N>& ball, Trace&& trace) {
   const Vector<double, N> f = (ball.center - box.lo).cwiseMax(box.hi - ball.center);
   return order_of_squares(f.squaredNorm(), ball.radius * ball.radius, [&] {
-    return point_sphere::settled<double, N>(farthest<N>(ball.center, box, trace), ball, trace);
+    return point_sphere::detail::settled<double, N>(farthest<N>(ball.center, box, trace), ball, trace);
   });
 }
 
@@ -107,6 +109,8 @@ bool contained(const Sphere<double, N>& ball, const Aabb<double, N>& box, Trace&
     if (!clear(ball.center[i], box.lo[i]) || !clear(box.hi[i], ball.center[i])) return false;
   return true;
 }
+
+}  // namespace detail
 
 }  // namespace sphere_aabb
 
@@ -122,7 +126,7 @@ bool intersects(const Sphere<S, N>& sphere, const Aabb<S, N>& box, Trace&& trace
 
   const bool plain = ordered(distance2, radius2) & (widths.sum() <= std::numeric_limits<S>::max());
   if (!plain) [[unlikely]]
-    return sphere_aabb::settled(sphere, box, trace) <= 0;
+    return sphere_aabb::detail::settled(sphere, box, trace) <= 0;
   return (distance2 < radius2) & (std::min(widths.minCoeff(), sphere.radius) >= 0);  // neither is empty
 }
 
@@ -136,9 +140,9 @@ Relation relate(const Sphere<S, N>& sphere, const Aabb<S, N>& box, Trace&& trace
 
   const Vector<double, N> f = ball.center - sphere_aabb::nearest<N>(ball.center, wide_box);
   const int nearest = order_of_squares(f.squaredNorm(), ball.radius * ball.radius,
-                                       [&] { return sphere_aabb::settled(sphere, box, trace); });
-  const int farthest = nearest > 0 ? 1 : sphere_aabb::contained<N>(wide_box, ball, trace);
-  const bool ball_inside = nearest <= 0 && sphere_aabb::contained<N>(ball, wide_box, trace);
+                                       [&] { return sphere_aabb::detail::settled(sphere, box, trace); });
+  const int farthest = nearest > 0 ? 1 : sphere_aabb::detail::contained<N>(wide_box, ball, trace);
+  const bool ball_inside = nearest <= 0 && sphere_aabb::detail::contained<N>(ball, wide_box, trace);
   if constexpr (heard<Trace>) trace(sphere_aabb::Decision{nearest, farthest, ball_inside});
 
   if (nearest > 0) return Relation::disjoint;

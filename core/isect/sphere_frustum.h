@@ -24,7 +24,7 @@ using Event = std::variant<Tested, plane_sphere::Decision, Fallback>;
 /// Where the ball lies with respect to n.x + d >= 0, by that inequality even where the normal is 0. Finite arguments.
 template <class S, class Trace>
 Culling side(const Plane<S, 3>& plane, const Sphere<S, 3>& sphere, Trace&& trace) {
-  const plane_sphere::Decision signs = plane_sphere::decide(plane, sphere, trace);
+  const plane_sphere::Decision signs = plane_sphere::detail::decide(plane, sphere, trace);
   if (signs.center < 0 && signs.clear > 0) return Culling::outside;
   return signs.center >= 0 && signs.clear >= 0 ? Culling::inside : Culling::crossing;
 }

@@ -29,6 +29,8 @@ struct Compared {
   S distance2, sum2;
 };
 
+namespace detail {
+
 /// |a - b|^2 - (r +- s)^2
 template <Filtered W, int N, class Radii>
 W gap(const Sphere<double, N>& a, const Sphere<double, N>& b, const Radii& radii) {
@@ -59,6 +61,8 @@ S squared(S x) {
   return x * x;
 }
 
+}  // namespace detail
+
 /// Whether the spheres come nearer than touching, as the note prints it. Naive: rounding may decide.
 template <class S, int N, class Trace = NoTrace>
 bool squared_distance(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trace = {}) {
@@ -75,7 +79,7 @@ bool squared_distance(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trac
 /// Whether the balls have a common point. Exact; an empty ball, NaN or an infinite coordinate: no.
 template <class S, int N, class Trace = NoTrace>
 bool intersects(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trace = {}) {
-  using namespace sphere_sphere;
+  using namespace sphere_sphere::detail;
   const S d2 = distance2(a, b), sum2 = squared(a.radius + b.radius);
   if (!ordered(d2, sum2)) [[unlikely]]
     return !empty(a) && !empty(b) && settled_outer(a, b, trace) <= 0;
@@ -85,13 +89,13 @@ bool intersects(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trace = {}
 /// How the balls lie. Exact. A ball of radius 0 is a point: it lies inside a ball whose surface it is on.
 template <class S, int N, class Trace = NoTrace>
 Relation relate(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trace = {}) {
-  using namespace sphere_sphere;
+  using namespace sphere_sphere::detail;
   if (empty(a) || empty(b)) return Relation::disjoint;
 
   const S d2 = distance2(a, b), sum2 = squared(a.radius + b.radius), rest2 = squared(a.radius - b.radius);
   const int outer = order_of_squares(d2, sum2, [&] { return settled_outer(a, b, trace); });
   const int inner = outer > 0 ? 1 : order_of_squares(d2, rest2, [&] { return settled_inner(a, b, trace); });
-  if constexpr (heard<Trace>) trace(Decision{outer, inner});
+  if constexpr (heard<Trace>) trace(sphere_sphere::Decision{outer, inner});
 
   if (outer > 0) return Relation::disjoint;
   if (inner <= 0 && a.radius == b.radius) return Relation::equal;

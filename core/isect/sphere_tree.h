@@ -48,6 +48,8 @@ struct Found {
 };
 using Event = std::variant<Visited, Pruned, Found>;
 
+namespace detail {
+
 template <class S, int N>
 bool holds(const Sphere<S, N>& outer, const Sphere<S, N>& inner) {
   if (std::isinf(outer.radius)) return true;
@@ -103,6 +105,8 @@ void build(SphereTree<S, N>& tree, int index, const std::vector<Sphere<S, N>>& s
   tree.nodes[index] = {around(tree.nodes[left].ball, tree.nodes[left + 1].ball), left, -1};
 }
 
+}  // namespace detail
+
 }  // namespace sphere_tree
 
 /// The tree of these spheres, lg n deep: each level is cut at the median. Every ball contains those below it exactly.
@@ -117,7 +121,7 @@ SphereTree<S, N> build_sphere_tree(const std::vector<Sphere<S, N>>& spheres) {
   if (indices.empty()) return tree;
   tree.nodes.reserve(2 * indices.size() - 1);
   tree.nodes.resize(1);
-  sphere_tree::build(tree, 0, spheres, indices.data(), indices.data() + indices.size());
+  sphere_tree::detail::build(tree, 0, spheres, indices.data(), indices.data() + indices.size());
   return tree;
 }
 
@@ -125,6 +129,7 @@ SphereTree<S, N> build_sphere_tree(const std::vector<Sphere<S, N>>& spheres) {
 template <class S, int N, class Trace = NoTrace>
 std::vector<IndexPair> overlapping_pairs(const SphereTree<S, N>& tree, Trace&& trace = {}) {
   using namespace sphere_tree;
+  using namespace sphere_tree::detail;
   std::vector<IndexPair> found, stack;
   if (!tree.nodes.empty()) stack.push_back({0, 0});
   while (!stack.empty()) {
@@ -157,6 +162,7 @@ std::vector<IndexPair> overlapping_pairs(const SphereTree<S, N>& tree, Trace&& t
 template <class S, int N, class Trace = NoTrace>
 std::vector<int> hits(const SphereTree<S, N>& tree, const Ray<S, N>& ray, Trace&& trace = {}) {
   using namespace sphere_tree;
+  using namespace sphere_tree::detail;
   std::vector<int> found, stack;
   if (!tree.nodes.empty()) stack.push_back(0);
   while (!stack.empty()) {

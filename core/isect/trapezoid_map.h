@@ -228,6 +228,8 @@ class Builder {
   std::vector<int> cut_;
 };
 
+namespace detail {
+
 /// Brings an order drawn at random into rounds, each as large as all before, and a round's pieces into the order of the
 /// boundary: neighbours are added one after the other, and what they touch is still in the cache. An early round is a
 /// random sample as before, so paths stay short. The first pieces keep their order.
@@ -240,6 +242,8 @@ inline void order_rounds(std::vector<int>& order, const std::vector<PolygonPiece
   for (std::ptrdiff_t begin = 256; begin < size; begin *= 2)
     std::sort(order.begin() + begin, order.begin() + std::min(2 * begin, size), along);
 }
+
+}  // namespace detail
 
 }  // namespace trapezoid_map
 
@@ -259,7 +263,7 @@ TrapezoidMap make_trapezoid_map(PolygonPieces boundary, std::uint64_t seed = 1, 
   std::iota(order.begin(), order.end(), 0);
   std::mt19937_64 random(seed);
   for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);
-  trapezoid_map::order_rounds(order, pieces);
+  trapezoid_map::detail::order_rounds(order, pieces);
 
   trapezoid_map::Builder builder(map);
   for (const int piece : order) {
@@ -289,7 +293,6 @@ TrapezoidMap make_trapezoid_map(const Ring<S, 2>& ring, std::uint64_t seed = 1, 
 template <class S, class Trace = NoTrace>
 std::optional<int> winding(const Point<S, 2>& point, const TrapezoidMap& map, Trace&& trace = {}) {
   using namespace trapezoid_map;
-  using polygon_pieces::before;
   if (!finite(point)) return 0;
   const Point<double, 2> p = point.template cast<double>();
   const auto precedes = [&](int v, const Point<double, 2>& q) { return before(map.boundary.vertex(v), q); };

@@ -51,6 +51,8 @@ struct Tested {
 template <int N>
 using Event = std::variant<Tested<N>, Fallback>;
 
+namespace detail {
+
 template <int N>
 constexpr auto all_axes() {
   std::array<Axis, N == 3 ? 13 : 5> axes = {};
@@ -180,21 +182,23 @@ bool holds(const Triangle<double, N>& triangle, const Aabb<double, N>& box) {
   return true;
 }
 
+}  // namespace detail
+
 }  // namespace triangle_aabb
 
 /// Whether triangle and box have a common point. Exact; degenerate triangles are segments or points. An empty box,
 /// NaN or an infinite coordinate: no.
 template <class S, int N, class Trace = NoTrace>
 bool intersects(const Triangle<S, N>& triangle, const Aabb<S, N>& box, Trace&& trace = {}) {
-  if (triangle_aabb::meaningless(triangle, box)) return false;
-  return triangle_aabb::outer(cast<double>(triangle), cast<double>(box), trace) <= 0;
+  if (triangle_aabb::detail::meaningless(triangle, box)) return false;
+  return triangle_aabb::detail::outer(cast<double>(triangle), cast<double>(box), trace) <= 0;
 }
 
 /// Whether some point of the triangle lies in the box's interior; a flat box has none. Exact.
 template <class S, int N, class Trace = NoTrace>
-bool meets_interior(const Triangle<S, N>& triangle, const Aabb<S, N>& box, Trace&& trace = {}) {
-  if (triangle_aabb::meaningless(triangle, box) || (box.lo.array() == box.hi.array()).any()) return false;
-  return triangle_aabb::outer(cast<double>(triangle), cast<double>(box), trace) < 0;
+bool intersects_interior(const Triangle<S, N>& triangle, const Aabb<S, N>& box, Trace&& trace = {}) {
+  if (triangle_aabb::detail::meaningless(triangle, box) || (box.lo.array() == box.hi.array()).any()) return false;
+  return triangle_aabb::detail::outer(cast<double>(triangle), cast<double>(box), trace) < 0;
 }
 
 /// How triangle (A) and box (B) lie. Exact. A triangle in space has no interior of its own, so here `touching` means
@@ -202,13 +206,14 @@ bool meets_interior(const Triangle<S, N>& triangle, const Aabb<S, N>& box, Trace
 /// general rule, degenerate triangles apart. Only a flat box can lie in a triangle in space.
 template <class S, int N, class Trace = NoTrace>
 Relation relate(const Triangle<S, N>& triangle, const Aabb<S, N>& box, Trace&& trace = {}) {
-  if (triangle_aabb::meaningless(triangle, box)) return Relation::disjoint;
+  if (triangle_aabb::detail::meaningless(triangle, box)) return Relation::disjoint;
   const Triangle<double, N> wide_triangle = cast<double>(triangle);
   const Aabb<double, N> wide_box = cast<double>(box);
 
-  const int outer = triangle_aabb::outer(wide_triangle, wide_box, trace);
+  const int outer = triangle_aabb::detail::outer(wide_triangle, wide_box, trace);
   if (outer > 0) return Relation::disjoint;
-  const bool a_in_b = triangle_aabb::inside(triangle, box), b_in_a = triangle_aabb::holds(wide_triangle, wide_box);
+  const bool a_in_b = triangle_aabb::detail::inside(triangle, box),
+             b_in_a = triangle_aabb::detail::holds(wide_triangle, wide_box);
   if (a_in_b) return b_in_a ? Relation::equal : Relation::a_inside_b;
   if (b_in_a) return Relation::b_inside_a;
   const bool flat = (box.lo.array() == box.hi.array()).any();

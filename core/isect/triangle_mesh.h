@@ -56,12 +56,12 @@ std::optional<S> first_t(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle, i
   const Ray<double, 3> wide = cast<double>(ray);
   const Triangle<double, 3> x = cast<double>(triangle);
   if (sign == 0) {
-    const ray_triangle::Volumes side = ray_triangle::volumes(wide, x, NoTrace());
+    const ray_triangle::Volumes side = ray_triangle::detail::volumes(wide, x, NoTrace());
     const bool positive = side.a > 0 || side.b > 0 || side.c > 0, negative = side.a < 0 || side.b < 0 || side.c < 0;
     if (positive == negative) return {};
     sign = positive ? 1 : -1;
   }
-  const auto t = [&]<class W>() -> Ratio<W> { return ray_triangle::parameter<W>(wide, x); };
+  const auto t = [&]<class W>() -> Ratio<W> { return ray_triangle::detail::parameter<W>(wide, x); };
   if (!ray_range::holds(wide.range, t, sign)) return {};
   return ray_range::clamped(value_of<S>(t), ray.range);
 }

@@ -23,7 +23,7 @@
 
 namespace isect {
 
-namespace volume_of {
+namespace volume_detail {
 
 /// Six times the signed volume within triangles, from the first vertex on.
 template <class W, class S>
@@ -122,7 +122,7 @@ std::vector<std::array<int, 3>> triangles(const Polytope<S, 3>& polytope) {
   return all;
 }
 
-}  // namespace volume_of
+}  // namespace volume_detail
 
 /// The volume within a closed surface: of triangles counter-clockwise seen from outside, of which every edge has its
 /// two. Within 2 ulp of S of the true one; negative when it is turned inside out. NaN with a NaN or an infinity.
@@ -130,13 +130,15 @@ template <class S>
 S volume(const std::vector<Point<S, 3>>& vertices, const std::vector<std::array<int, 3>>& triangles) {
   if (!finite(vertices)) return std::numeric_limits<S>::quiet_NaN();
   if (triangles.empty()) return S(0);
-  return value_of<S>([&]<class W>() -> Ratio<W> { return {volume_of::volume6<W, S>(vertices, triangles), W(6.0)}; });
+  return value_of<S>([&]<class W>() -> Ratio<W> {
+    return {volume_detail::volume6<W, S>(vertices, triangles), W(6.0)};
+  });
 }
 /// The area of all triangles, within 3 ulp of S over the whole range; infinite beyond the largest S, or 3 ulp below.
 template <class S>
 S surface_area(const std::vector<Point<S, 3>>& vertices, const std::vector<std::array<int, 3>>& triangles) {
   if (!finite(vertices)) return std::numeric_limits<S>::quiet_NaN();
-  return volume_of::area(vertices, triangles);
+  return volume_detail::area(vertices, triangles);
 }
 
 // Of bounding volumes. Empty ones have volume and surface 0, those with an infinite number NaN.
@@ -193,7 +195,7 @@ S volume(const Obb<S, N>& box) {
   if (!finite(box)) return std::numeric_limits<S>::quiet_NaN();
   const Obb<double, N> wide = cast<double>(box);
   return value_of<S>([&]<class W>() -> Ratio<W> {
-    W product = W(N == 2 ? 4.0 : 8.0) * abs(point_obb::volume<W>(wide.axes, 0));
+    W product = W(N == 2 ? 4.0 : 8.0) * abs(point_obb::detail::volume<W>(wide.axes, 0));
     for (int i = 0; i < N; ++i) product = product * W(wide.half[i]);
     return {product, W(1.0)};
   });
@@ -205,19 +207,19 @@ S surface_area(const Obb<S, N>& box) {
   if (empty(box)) return S(0);
   if (!finite(box)) return std::numeric_limits<S>::quiet_NaN();
   const Obb<double, N> wide = cast<double>(box);
-  std::vector<volume_of::Size> faces;
+  std::vector<volume_detail::Size> faces;
   for (int i = 0; i < N; ++i) {
     const auto square = [&]<class W>(double) -> W {
-      const Components<W, N> n = point_obb::normal<W>(wide.axes, i);  // as long as the side across from axis i
+      const Components<W, N> n = point_obb::detail::normal<W>(wide.axes, i);  // as long as the side across from axis i
       W product = dot(n, n);
       for (int j = 0; j < N; ++j)
         if (j != i) product = product * W(wide.half[j]) * W(wide.half[j]);
       return product;
     };
-    const volume_of::Size face = volume_of::root(square, N - 1, 0);
+    const volume_detail::Size face = volume_detail::root(square, N - 1, 0);
     faces.push_back({face.fraction, face.exponent + N});  // 4 or 8 quarters
   }
-  return volume_of::sum<S>(faces);
+  return volume_detail::sum<S>(faces);
 }
 
 /// The area and the perimeter of its polygon of rounded vertices, as in space below: within 2 and 3 ulp of those.
@@ -228,19 +230,19 @@ S volume(const Kdop<S, 2>& kdop) {
   return value_of<S>([&]<class W>() -> Ratio<W> {
     W sum(0.0);
     for (std::size_t i = 2; i < ring.size(); ++i)
-      sum = sum + orient::area2<W>(ring[0].template cast<double>(), ring[i - 1].template cast<double>(),
-                                   ring[i].template cast<double>());
+      sum = sum + orient::detail::area2<W>(ring[0].template cast<double>(), ring[i - 1].template cast<double>(),
+                                           ring[i].template cast<double>());
     return {sum, W(2.0)};
   });
 }
 template <class S>
 S surface_area(const Kdop<S, 2>& kdop) {
   const std::vector<Point<S, 2>> ring = polytope(kdop).vertices;
-  std::vector<volume_of::Size> sides;
+  std::vector<volume_detail::Size> sides;
   for (std::size_t i = 0; i < ring.size(); ++i)
     sides.push_back(
-        volume_of::length<2>(ring[i].template cast<double>(), ring[(i + 1) % ring.size()].template cast<double>()));
-  return volume_of::sum<S>(sides);
+        volume_detail::length<2>(ring[i].template cast<double>(), ring[(i + 1) % ring.size()].template cast<double>()));
+  return volume_detail::sum<S>(sides);
 }
 
 /// Of its rounded vertices; empty where its slabs contradict each other. Throws where it is unbounded. Within 2 ulp
@@ -248,12 +250,12 @@ S surface_area(const Kdop<S, 2>& kdop) {
 template <class S>
 S volume(const Kdop<S, 3>& kdop) {
   const Polytope<S, 3> solid = polytope(kdop);
-  return volume(solid.vertices, volume_of::triangles(solid));
+  return volume(solid.vertices, volume_detail::triangles(solid));
 }
 template <class S>
 S surface_area(const Kdop<S, 3>& kdop) {
   const Polytope<S, 3> solid = polytope(kdop);
-  return surface_area(solid.vertices, volume_of::triangles(solid));
+  return surface_area(solid.vertices, volume_detail::triangles(solid));
 }
 
 /// Within 2 ulp; 0 of a hull in a plane.

@@ -77,7 +77,7 @@ class Teller {
                                straight ? "The orientation is exactly zero." : "The orientation is negative."};
     }
     drawn_.removed.clear(), removed_.clear();
-    const auto last = std::minmax_element(points_.begin(), points_.end(), point_convex_polygon::before<double>);
+    const auto last = std::minmax_element(points_.begin(), points_.end(), before<double>);
     if (e.p == (drawn_.upper ? *last.first : *last.second) && drawn_.chain.size() > 1) {
       drawn_.done.push_back(std::exchange(drawn_.chain, {}));
       number_ = 0;

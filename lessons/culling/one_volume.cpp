@@ -144,9 +144,13 @@ class OneVolume {
   /// Whether the box has points in one of the planes, and none on its inner side.
   bool touches() const {
     if (ball_) return false;
+    bool found = false;
     for (const Plane<double, 3>& plane : view_.planes)
-      if (plane_aabb::sign_at(plane, std::get<Box>(asked_), true, NoTrace{}) == 0) return true;
-    return false;
+      relate(plane, std::get<Box>(asked_), [&](const auto& event) {
+        if constexpr (std::is_same_v<std::remove_cvref_t<decltype(event)>, plane_aabb::Decision>)
+          found |= event.greatest == 0;
+      });
+    return found;
   }
 
   void answer() {

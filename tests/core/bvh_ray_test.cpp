@@ -246,14 +246,14 @@ TEMPLATE_TEST_CASE_SIG("a box's entry says no where may_intersect does, and neve
     const Ray<S, N> ray = aimed<S, N>(random, boxes, numbers);
     const auto prepared = ray_aabb::prepare(ray);
     if (!(prepared.range.lo <= prepared.range.hi)) continue;
-    const auto entry = bvh_ray::entry(prepared, ray.range.hi, boxes[0]);
+    const auto entry = bvh_ray::detail::entry(prepared, ray.range.hi, boxes[0]);
     INFO("seed " << tests::seed() << ", case " << i);
     REQUIRE(entry.has_value() == may_intersect(ray, boxes[0]));
     const auto truth = intersect(ray, boxes[0]);
     if (truth) {
       REQUIRE(entry.has_value());
       REQUIRE(*entry <= ray.range.hi);
-      if (std::isfinite(truth->lo)) REQUIRE(*entry <= bvh_ray::beyond(truth->lo));
+      if (std::isfinite(truth->lo)) REQUIRE(*entry <= bvh_ray::detail::beyond(truth->lo));
     }
     ++(entry ? yes : no);
   }

@@ -135,7 +135,7 @@ void check_below(const Hull3<S>& hull, const Points<S>& points, std::size_t step
     const auto [a, b, c] = hull.triangles[t];
     const Point<double, 3> p = hull.vertices[a].template cast<double>(), q = hull.vertices[b].template cast<double>(),
                            r = hull.vertices[c].template cast<double>();
-    REQUIRE(convex_hull_3d::projection(p, q, r, NoTrace{}) >= 0);
+    REQUIRE(convex_hull_3d::detail::projection(p, q, r, NoTrace{}) >= 0);
     for (const Point<S, 3>& x : points) REQUIRE(orient3d(p, q, r, x.template cast<double>()) >= 0);
   }
 }

@@ -112,7 +112,7 @@ TEMPLATE_TEST_CASE("discarding points of the interior does not change the hull",
       }
   Ring<S, 2> square;
   for (int i = 0; i < 10000; ++i) square.push_back(random.in_box<2>(1).cast<S>());
-  CHECK(convex_hull_2d::without_interior(std::span<const Point<S, 2>>(square)).size() < 1500);
+  CHECK(convex_hull_2d::detail::without_interior(std::span<const Point<S, 2>>(square)).size() < 1500);
   square[9999] = {S(3), S(0)};  // outside all columns
   CHECK(convex_hull(square) == convex_hull_2d::monotone_chain(square));
 }
@@ -134,7 +134,7 @@ TEMPLATE_TEST_CASE("points are sorted wherever they lie", "[convex_hull]", float
       }
       Ring<S, 2> sorted = points;
       sort_points(points);
-      std::sort(sorted.begin(), sorted.end(), point_convex_polygon::before<S>);
+      std::sort(sorted.begin(), sorted.end(), before<S>);
       REQUIRE(points == sorted);
     }
 }

@@ -1,4 +1,4 @@
-// Tighter balls and boxes hold every point; the smallest ball has a test of its own, smallest_ball_test.cpp.
+// Tighter balls and boxes hold every point; the smallest ball has a test of its own, smallest_sphere_test.cpp.
 
 #include <isect/fit_tight.h>
 
@@ -131,7 +131,7 @@ TEMPLATE_TEST_CASE_SIG("every tighter fit holds every point", "[fit_tight]", FLO
       const Obb<S, N> tight = fit_obb_tight(points);
       REQUIRE(holds_all(tight, points));
       const Obb<S, N> principal = fit_obb(points);
-      REQUIRE_FALSE(fit_tight::smaller(principal, tight));
+      REQUIRE_FALSE(fit_tight::detail::smaller(principal, tight));
       Record<fit_tight::Event> record;
       REQUIRE(fit_sphere_smallest(points, record).radius == fit_sphere_smallest(points).radius);
     }

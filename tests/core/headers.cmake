@@ -25,6 +25,7 @@ set(tested_by
   predicate=bounded
   ray_mesh_parts=ray_mesh
   ray_range=ray_plane
+  ray_sphere_roots=ray_sphere
   ray_sphere_settle=ray_sphere
   slabs=ray_aabb
   triangle_aabb_first_pass=triangle_aabb

@@ -417,7 +417,7 @@ TEMPLATE_TEST_CASE_SIG("the swept box holds both ends of the way, and no more th
         if (Rational(swept.lo[k]) > low || Rational(swept.hi[k]) < high) FAIL("does not hold it");
         if (oracle::ulps(swept.lo[k], low) > 2 || oracle::ulps(swept.hi[k], high) > 2) FAIL("too large");
       }
-      if (way == Vector<S, N>::Zero() && !aabb_aabb::same(swept, box)) FAIL("grown for nothing");
+      if (way == Vector<S, N>::Zero() && !aabb_aabb::detail::same(swept, box)) FAIL("grown for nothing");
     }
 }
 

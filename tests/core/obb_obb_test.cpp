@@ -299,8 +299,8 @@ TEMPLATE_TEST_CASE("the first pass settles ordinary boxes, and is right about al
       return {center.cast<S>(), bench::rotation<S, 3>(random, 3), half.cast<S>()};
     };
     const Obb<S, 3> a = box(), b = box();
-    const obb_obb::FirstPass first = obb_obb::first_pass(a, b, NoTrace{});
-    const bool truth = !obb_obb::settle<3>(in_doubles(a), in_doubles(b), NoTrace{}).separating;
+    const obb_obb::detail::FirstPass first = obb_obb::detail::first_pass(a, b, NoTrace{});
+    const bool truth = !obb_obb::detail::settle<3>(in_doubles(a), in_doubles(b), NoTrace{}).separating;
     if (first.overlap) CHECK(truth);
     if (first.separating) CHECK_FALSE(truth);
     open += !first.overlap && !first.separating, overlap += first.overlap;

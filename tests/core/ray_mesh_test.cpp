@@ -91,13 +91,13 @@ TEST_CASE("rounding down and up brackets any number", "[ray_mesh]") {
     for (int i = 0; i < 2000; ++i) {
       const double x = bench::number<double>(random, numbers);
       if (std::abs(x) > std::numeric_limits<float>::max()) continue;
-      REQUIRE(double{ray_mesh::down(x)} < x);
-      REQUIRE(double{ray_mesh::up(x)} > x);
-      REQUIRE(std::abs(double{ray_mesh::up(x)} - x) <= 0x1p-22 * std::abs(x) + 0x1p-147);
+      REQUIRE(double{ray_mesh::detail::down(x)} < x);
+      REQUIRE(double{ray_mesh::detail::up(x)} > x);
+      REQUIRE(std::abs(double{ray_mesh::detail::up(x)} - x) <= 0x1p-22 * std::abs(x) + 0x1p-147);
     }
   const double infinity = std::numeric_limits<double>::infinity();
-  CHECK(ray_mesh::down(-infinity) == -infinity);
-  CHECK(ray_mesh::up(infinity) == infinity);
+  CHECK(ray_mesh::detail::down(-infinity) == -infinity);
+  CHECK(ray_mesh::detail::up(infinity) == infinity);
 }
 
 TEST_CASE("the screen is sure of the truth only, and nearly always sure", "[ray_mesh]") {
@@ -114,9 +114,9 @@ TEST_CASE("the screen is sure of the truth only, and nearly always sure", "[ray_
       double reach = 0;
       for (const auto& x : two)
         for (const auto& v : x.vertices) reach = std::max(reach, v.cwiseAbs().maxCoeff());
-      const auto verdicts = ray_mesh::Screen(ray, reach)(two[0], two[1]);
+      const auto verdicts = ray_mesh::detail::Screen(ray, reach)(two[0], two[1]);
       for (int k = 0; k < 2; ++k) {
-        const auto side = ray_triangle::volumes(ray, two[k], NoTrace());
+        const auto side = ray_triangle::detail::volumes(ray, two[k], NoTrace());
         const int most = std::max({side.a, side.b, side.c}), least = std::min({side.a, side.b, side.c});
         INFO("seed " << tests::seed() << ", family " << static_cast<int>(numbers) << ", case " << i);
         if (verdicts[k].missed) REQUIRE((most == 1 && least == -1));

@@ -200,12 +200,12 @@ TEST_CASE("an outline along the axes is looked at a few times, however many sign
 
     Watched::looks = 0;
     const Ray<double, 3> ray = {{-1, 1, 5}, {0, 0, -1}};  // in line with the tips of all teeth
-    const ray_polygon::Crossing<Watched> crossing(ray, comb);
+    const ray_polygon::detail::Crossing<Watched> crossing(ray, comb);
     Record<ray_polygon::Event<double>> record;
-    const int axis = ray_polygon::steepest(crossing, record);
+    const int axis = ray_polygon::detail::steepest(crossing, record);
     CHECK(axis == 2);
     const std::span<const Ring<Watched, 3>> rings(&comb, 1);
-    CHECK(ray_polygon::locate(crossing, -1, axis, rings, FillRule::even_odd, record) == Location::out);
+    CHECK(ray_polygon::detail::locate(crossing, -1, axis, rings, FillRule::even_odd, record) == Location::out);
     CHECK(std::ranges::count_if(record.events,
                                 [](const auto& event) { return std::holds_alternative<Fallback>(event); }) > 2 * teeth);
     return static_cast<double>(Watched::looks) / static_cast<double>(comb.size());

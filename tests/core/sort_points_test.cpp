@@ -50,7 +50,7 @@ double cost(Points points) {
   comparisons = 0;
   sort_points(points);
   const double each = static_cast<double>(comparisons) / static_cast<double>(points.size());
-  REQUIRE(std::is_sorted(points.begin(), points.end(), point_convex_polygon::before<Coordinate>));
+  REQUIRE(std::is_sorted(points.begin(), points.end(), before<Coordinate>));
   return each;
 }
 

@@ -72,15 +72,16 @@ TEMPLATE_TEST_CASE_SIG("no spheres make no nodes, and one is the root", "[sphere
 
 TEMPLATE_TEST_CASE_SIG("the sphere around two just holds both, or is the larger one", "[sphere_tree]",
                        ((class S, int N), S, N), (float, 2), (float, 3), (double, 2), (double, 3)) {
-  const Sphere<S, N> both = sphere_tree::around(ball<S, N>(0, 1), ball<S, N>(8, 3));
+  const Sphere<S, N> both = sphere_tree::detail::around(ball<S, N>(0, 1), ball<S, N>(8, 3));
   CHECK(both.center == ball<S, N>(5, 6).center);
   CHECK(both.radius == S(6));
-  CHECK(sphere_tree::around(ball<S, N>(0, 9), ball<S, N>(3, 1)).radius == S(9));
-  CHECK(sphere_tree::around(ball<S, N>(3, 1), ball<S, N>(0, 9)).center == ball<S, N>(0, 9).center);
+  CHECK(sphere_tree::detail::around(ball<S, N>(0, 9), ball<S, N>(3, 1)).radius == S(9));
+  CHECK(sphere_tree::detail::around(ball<S, N>(3, 1), ball<S, N>(0, 9)).center == ball<S, N>(0, 9).center);
   const S most = std::numeric_limits<S>::max();
-  CHECK(std::isinf(sphere_tree::around(ball<S, N>(-1, most), ball<S, N>(1, most)).radius));
+  CHECK(std::isinf(sphere_tree::detail::around(ball<S, N>(-1, most), ball<S, N>(1, most)).radius));
   const S least = std::numeric_limits<S>::denorm_min();
-  CHECK(sphere_tree::around(ball<S, N>(0, 0), Sphere<S, N>{Point<S, N>::Constant(least), S(0)}).radius <= 4 * least);
+  CHECK(sphere_tree::detail::around(ball<S, N>(0, 0), Sphere<S, N>{Point<S, N>::Constant(least), S(0)}).radius <=
+        4 * least);
 }
 
 TEMPLATE_TEST_CASE_SIG("a row of touching balls has the pairs of neighbours", "[sphere_tree]", ((class S, int N), S, N),

@@ -105,7 +105,7 @@ TEMPLATE_TEST_CASE_SIG("nothing meets an empty box, NaN or infinity", "[triangle
       lo.lo[k] = bad, hi.hi[k] = bad;
       CHECK_FALSE(intersects(t, cube<S, N>()));
       CHECK_FALSE(intersects(triangle, lo));
-      CHECK_FALSE(meets_interior(triangle, hi));
+      CHECK_FALSE(intersects_interior(triangle, hi));
       CHECK(relate(triangle, hi) == Relation::disjoint);
     }
 }
@@ -128,7 +128,7 @@ TEMPLATE_TEST_CASE_SIG("triangle and box: sizes from tiny to huge give the same 
 TEST_CASE("a triangle in a face of the box only touches its interior's rim", "[triangle_aabb]") {
   const Triangle<double, 3> triangle = {{at<double, 3>(0, 0, 1), at<double, 3>(1, 0, 1), at<double, 3>(0, 1, 1)}};
   CHECK(relate(triangle, cube<double, 3>()) == Relation::a_inside_b);
-  CHECK_FALSE(meets_interior(triangle, cube<double, 3>()));
+  CHECK_FALSE(intersects_interior(triangle, cube<double, 3>()));
   const Triangle<double, 3> wide = {{at<double, 3>(-9, -9, 1), at<double, 3>(9, -9, 1), at<double, 3>(0, 9, 1)}};
   CHECK(relate(wide, cube<double, 3>()) == Relation::touching);
 }
@@ -147,7 +147,7 @@ TEMPLATE_TEST_CASE_SIG("verdicts are those of clipping in rationals", "[triangle
       REQUIRE(intersects(triangle, box) == (truth != Relation::disjoint));
       const bool inner = truth != Relation::disjoint &&
                          oracle::triangle_aabb::reaches_inside(oracle::triangle_aabb::common(triangle, box), box);
-      REQUIRE(meets_interior(triangle, box) == inner);
+      REQUIRE(intersects_interior(triangle, box) == inner);
       ++count[static_cast<int>(truth)];
     }
   }
@@ -250,8 +250,8 @@ TEMPLATE_TEST_CASE_SIG("the first pass settles ordinary shapes, and is right abo
     const Triangle<double, N> triangle = {
         {a, b, random.one_in(4) ? a + (b - a) * random.unit() : c}};  // or none to speak of
     const Aabb<double, N> box = {p.cwiseMin(q), p.cwiseMax(q)};
-    const std::optional<int> sign = triangle_aabb::first_pass(triangle, box);
-    if (sign) REQUIRE(*sign == triangle_aabb::settle(triangle, box, NoTrace{}));
+    const std::optional<int> sign = triangle_aabb::detail::first_pass(triangle, box);
+    if (sign) REQUIRE(*sign == triangle_aabb::detail::settle(triangle, box, NoTrace{}));
     open += !sign, apart += sign == 1, overlap += sign == -1;
   }
   CHECK(open < cases / 3);  // of flat triangles, those that are not apart
@@ -266,9 +266,9 @@ TEST_CASE("the first pass takes no infinity or NaN for settled", "[triangle_aabb
     for (int k = 0; k < 9; ++k) {
       Triangle<double, 3> triangle = {
           {Point<double, 3>(5, 5, 5), Point<double, 3>(6, 5, 5), Point<double, 3>(5, 6, 5)}};
-      CHECK(triangle_aabb::first_pass(triangle, box) == 1);
+      CHECK(triangle_aabb::detail::first_pass(triangle, box) == 1);
       triangle.vertices[k / 3][k % 3] = bad;
-      CHECK_FALSE(triangle_aabb::first_pass(triangle, box));
+      CHECK_FALSE(triangle_aabb::detail::first_pass(triangle, box));
     }
 }
 

@@ -40,6 +40,8 @@ struct Split {
   bool median;
 };
 
+namespace detail {
+
 /// Below this depth nodes are split at the median, which halves them: none is deeper than 40 + 31.
 inline constexpr int balanced_below = 40, deepest = 72;
 
@@ -186,6 +188,8 @@ std::optional<Split<S>> split(std::span<Item<S, N>> items, const Bounds<S, N>& a
   result.median = true;
   return result;
 }
+
+}  // namespace detail
 
 }  // namespace bvh
 

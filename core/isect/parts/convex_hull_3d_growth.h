@@ -17,10 +17,6 @@ namespace isect {
 
 namespace convex_hull_3d {
 
-/// The first four points, by their indices.
-struct Simplex {
-  std::array<int, 4> points;
-};
 /// A point joins the hull; it has seen so many faces.
 struct Added {
   int point, seen;
@@ -29,7 +25,13 @@ struct Added {
 struct Dropped {
   int point;
 };
-using Event = std::variant<Simplex, Added, Dropped, Fallback>;
+
+namespace detail {
+
+/// The first four points, by their indices.
+struct Simplex {
+  std::array<int, 4> points;
+};
 
 using Points = std::vector<Point<double, 3>>;
 
@@ -286,6 +288,10 @@ class Growth {
   std::vector<int> seen_, created_;
   Trace& trace_;
 };
+
+}  // namespace detail
+
+using Event = std::variant<detail::Simplex, Added, Dropped, Fallback>;
 
 }  // namespace convex_hull_3d
 

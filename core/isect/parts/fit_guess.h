@@ -13,6 +13,8 @@ namespace isect {
 
 namespace fit {
 
+namespace detail {
+
 /// The points relative to `origin` and at a scale near 1, rounded: p = origin + 2^exponent q. For heuristics.
 template <int N>
 struct Scaled {
@@ -84,6 +86,8 @@ Eigen::Matrix<double, N, N> principal_axes(const std::vector<Point<double, N>>& 
   for (const Point<double, N>& x : q) covariance += (x - mean) * (x - mean).transpose();
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, N, N>>(covariance).eigenvectors();
 }
+
+}  // namespace detail
 
 }  // namespace fit
 

@@ -15,6 +15,8 @@
 
 namespace isect::fit {
 
+namespace detail {
+
 /// A ball around points, by the few on its surface that it is the smallest ball of.
 template <int N>
 struct Support {
@@ -242,5 +244,7 @@ inline Eigen::Matrix3d tight_axes(const std::vector<Point<double, 3>>& q) {
   if (found.empty()) return Eigen::Matrix3d::Identity();
   return std::min_element(found.begin(), found.end(), smaller)->second;
 }
+
+}  // namespace detail
 
 }  // namespace isect::fit

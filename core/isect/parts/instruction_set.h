@@ -69,6 +69,8 @@ template <class V, class S, std::size_t... I>
 /// How many numbers make a word of bits.
 inline constexpr std::size_t block = 64;
 
+namespace detail {
+
 // The bits of comparisons: inlined once the text around them is compiled for their set, which always_inline won't wait
 // for.
 #if ISECT_X86
@@ -115,11 +117,13 @@ inline unsigned compared(const __m128& x, const __m128& y) {
 }
 #endif
 
+}  // namespace detail
+
 /// x becomes x + a b, rounded once where the set can, else twice.
 template <class V>
 [[gnu::always_inline]] inline void add_product(V& x, const V& a, const V& b) {
   if constexpr (ISECT_X86 && sizeof(V) > 16)
-    fuse(x, a, b);
+    detail::fuse(x, a, b);
   else
     x += a * b;
 }
@@ -128,7 +132,7 @@ template <class V>
 template <class V>
 [[gnu::always_inline]] inline std::uint64_t greater(const V& x, const V& y) {
 #if ISECT_X86
-  return compared<_CMP_GT_OQ>(x, y);
+  return detail::compared<_CMP_GT_OQ>(x, y);
 #else
   std::uint64_t word = 0;
   for (std::size_t k = 0; k < sizeof(V) / sizeof x[0]; ++k) word |= std::uint64_t{x[k] > y[k]} << k;
@@ -138,7 +142,7 @@ template <class V>
 template <class V>
 [[gnu::always_inline]] inline std::uint64_t equal(const V& x, const V& y) {
 #if ISECT_X86
-  return compared<_CMP_EQ_OQ>(x, y);
+  return detail::compared<_CMP_EQ_OQ>(x, y);
 #else
   std::uint64_t word = 0;
   for (std::size_t k = 0; k < sizeof(V) / sizeof x[0]; ++k) word |= std::uint64_t{x[k] == y[k]} << k;
@@ -146,6 +150,7 @@ template <class V>
 #endif
 }
 
+namespace detail {
 #if ISECT_X86
 template <class Text>
 [[gnu::target(ISECT_AVX512), gnu::noinline]] void run_avx512(const Text& text) {
@@ -156,13 +161,14 @@ template <class Text>
   text.template operator()<32>();
 }
 #endif
+}  // namespace detail
 
 /// text.operator()<Bytes>(), in the instructions of a set that this machine has.
 template <class Text>
 void run(InstructionSet set, const Text& text) {
 #if ISECT_X86
-  if (set == InstructionSet::avx512) return run_avx512(text);
-  if (set == InstructionSet::avx2) return run_avx2(text);
+  if (set == InstructionSet::avx512) return detail::run_avx512(text);
+  if (set == InstructionSet::avx2) return detail::run_avx2(text);
 #endif
   text.template operator()<16>();
 }

@@ -60,6 +60,8 @@ struct Witness {
 template <int N>
 using Event = std::variant<Tested<N>, Witness<N>, Fallback>;
 
+namespace detail {
+
 /// The face normals of A and B, then the products of edges.
 template <int N>
 constexpr auto all_axes() {
@@ -79,7 +81,7 @@ Components<W, N> direction(const Obb<double, N>& a, const Obb<double, N>& b, con
     const Vector<double, 3> edge_a = a.axes.col(axis.i), edge_b = b.axes.col(axis.j);
     if (axis.kind == Kind::edges) return cross(exactly<W>(edge_a), exactly<W>(edge_b));
   }
-  return point_obb::normal<W>(axis.kind == Kind::face_of_a ? a.axes : b.axes, axis.i);
+  return point_obb::detail::normal<W>(axis.kind == Kind::face_of_a ? a.axes : b.axes, axis.i);
 }
 
 /// How far the box reaches from its center along l.
@@ -107,15 +109,18 @@ W gap(const Obb<double, N>& a, const Obb<double, N>& b, const Axis& axis) {
 /// How far A reaches beyond face pair i of B.
 template <Filtered W, int N>
 W beyond(const Obb<double, N>& a, const Obb<double, N>& b, int i) {
-  const Components<W, N> l = point_obb::normal<W>(b.axes, i);
-  return distance<W, N>(l, a, b) + radius<W, N>(l, a) - W(b.half[i]) * abs(point_obb::volume<W>(b.axes, i));
+  const Components<W, N> l = point_obb::detail::normal<W>(b.axes, i);
+  return distance<W, N>(l, a, b) + radius<W, N>(l, a) - W(b.half[i]) * abs(point_obb::detail::volume<W>(b.axes, i));
 }
+
+}  // namespace detail
 
 template <int N>
 Tested<N> tested(const Obb<double, N>& a, const Obb<double, N>& b, const Axis& axis, std::optional<int> sign) {
   using B = Bounded<double>;
-  const Components<B, N> l = direction<B>(a, b, axis);
-  const B apart = distance<B, N>(l, a, b), radius_a = radius<B, N>(l, a), radius_b = radius<B, N>(l, b);
+  const Components<B, N> l = detail::direction<B>(a, b, axis);
+  const B apart = detail::distance<B, N>(l, a, b), radius_a = detail::radius<B, N>(l, a),
+          radius_b = detail::radius<B, N>(l, b);
   Tested<N> event = {axis, {}, apart.value(), radius_a.value(), radius_b.value(), sign};
   for (int k = 0; k < N; ++k) event.l[k] = l[k].value();
   return event;

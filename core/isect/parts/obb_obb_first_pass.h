@@ -12,6 +12,8 @@ namespace isect {
 
 namespace obb_obb {
 
+namespace detail {
+
 /// What plain doubles settle.
 struct FirstPass {
   std::optional<Axis> separating;  ///< this one does
@@ -33,7 +35,7 @@ template <class S, int N, class Trace>
   constexpr S u = static_cast<S>(unit<S>), least = Limits::min() / (u * u), most = Limits::max() * (u * u);
   const Vector<S, N> t = b.center - a.center;
   const S reach = t.cwiseAbs().sum() + (a.half.sum() + b.half.sum()),
-          d = point_obb::skew(a.axes) + point_obb::skew(b.axes);
+          d = point_obb::detail::skew(a.axes) + point_obb::detail::skew(b.axes);
   if (!(d <= S(0x1p-10) && least < reach && reach < most)) return {};  // or NaN
   const S margin = (6 * d + 256 * u) * reach;
   const auto told = [&](const Axis& axis, S gap) {
@@ -47,10 +49,10 @@ template <class S, int N, class Trace>
   Vector<S, N> along_a, along_b;
   S widest = -reach;
   for (int i = 0; i < N; ++i) {
-    along_a[i] = point_obb::dot_columns(a.axes, i, t, 0);
+    along_a[i] = point_obb::detail::dot_columns(a.axes, i, t, 0);
     S radius_b = 0;
     for (int j = 0; j < N; ++j) {
-      r(i, j) = point_obb::dot_columns(a.axes, i, b.axes, j);
+      r(i, j) = point_obb::detail::dot_columns(a.axes, i, b.axes, j);
       size(i, j) = std::abs(r(i, j));
       radius_b += b.half[j] * size(i, j);
     }
@@ -59,7 +61,7 @@ template <class S, int N, class Trace>
     widest = std::max(widest, gap);
   }
   for (int j = 0; j < N; ++j) {
-    along_b[j] = point_obb::dot_columns(b.axes, j, t, 0);
+    along_b[j] = point_obb::detail::dot_columns(b.axes, j, t, 0);
     S radius_a = 0;
     for (int i = 0; i < N; ++i) radius_a += a.half[i] * size(i, j);
     const S gap = std::abs(along_b[j]) - (radius_a + b.half[j]);
@@ -71,7 +73,8 @@ template <class S, int N, class Trace>
   Vector<S, N> s;
   for (int i = 0; i < N; ++i) s[i] = S(0.5) * (std::abs(along_a[i] + a.half[i]) - std::abs(along_a[i] - a.half[i]));
   bool inside = true;
-  for (int j = 0; j < N; ++j) inside &= std::abs(point_obb::dot_columns(r, j, s, 0) - along_b[j]) - b.half[j] < -margin;
+  for (int j = 0; j < N; ++j)
+    inside &= std::abs(point_obb::detail::dot_columns(r, j, s, 0) - along_b[j]) - b.half[j] < -margin;
   if (inside) {
     if constexpr (heard<Trace>) trace(Witness<N>{a.center + a.axes * s});
     return {{}, true};
@@ -90,6 +93,8 @@ template <class S, int N, class Trace>
   }
   return {{}, widest < -margin};
 }
+
+}  // namespace detail
 
 }  // namespace obb_obb
 

@@ -70,7 +70,7 @@ inline std::vector<int> levels(const std::vector<int>& count) {
 template <class S, int N, class Report>
 void overlapping_pairs(const std::vector<Aabb<S, N>>& boxes, Report&& report) {
   using namespace overlapping_pairs_detail;
-  std::vector<int> members = all_pairs::with_points(boxes);
+  std::vector<int> members = all_pairs::detail::with_points(boxes);
   if (members.empty()) return;
 
   std::vector<int> count(2048, 0);

@@ -22,6 +22,8 @@
 
 namespace isect::point_polygon {
 
+namespace detail {
+
 /// Edges that are to be asked one by one: the bit 2 i is that of the edge that ends at vertex `first` + i.
 struct OpenEdges {
   std::size_t first;
@@ -119,5 +121,7 @@ struct Scan {
     scanned.words += scanned.open[scanned.words].bits != 0;
   }
 };
+
+}  // namespace detail
 
 }  // namespace isect::point_polygon

@@ -21,6 +21,8 @@
 
 namespace isect::ray_mesh {
 
+namespace detail {
+
 inline constexpr int width = 4;
 using Four = simd::Of<float, 16>::Vector;
 
@@ -149,5 +151,7 @@ class Screen {
 
   Two origin_[3], direction_[3], slack_;
 };
+
+}  // namespace detail
 
 }  // namespace isect::ray_mesh

@@ -1,10 +1,14 @@
 #pragma once
 // Ray against sphere, the slow path: signs within their bounds, values that need more digits, sizes out of
-// range, the direction 0. Included by isect/ray_sphere.h; the same texts run here in finer arithmetic.
+// range, the direction 0. The texts of isect/parts/ray_sphere_roots.h run here in finer arithmetic.
 
-#include <isect/ray_sphere.h>
+#include <isect/numbers/double_double.h>
+#include <isect/numbers/exact.h>
+#include <isect/parts/ray_sphere_roots.h>
 
 namespace isect::ray_sphere {
+
+namespace detail {
 
 /// The same problem in units in which squares neither overflow nor underflow: t = t' 2^exponent.
 template <int N>
@@ -90,5 +94,7 @@ template <class S, int N, class Trace>
   }
   return *attempt<Exact, Exact>(ray, sphere, range, 0, known, trace);
 }
+
+}  // namespace detail
 
 }  // namespace isect::ray_sphere

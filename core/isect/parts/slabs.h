@@ -22,6 +22,8 @@ struct Stretch {
   int entered, left;
 };
 
+namespace detail {
+
 /// The slabs, whose coefficients in the arithmetic of the filter are found once.
 template <int N, class Slabs>
 class Kept {
@@ -71,9 +73,9 @@ int compare(const A& a, int den_a, const B& b, int den_b, Trace&& trace) {
   return den_a * den_b * sign_of(cross, trace);
 }
 
-/// What doubles see of a line and slabs: the t at which it enters and leaves each, off by `error` in all.
+/// What doubles find of a line and slabs: the t at which it enters and leaves each, off by `error` in all.
 template <int N>
-struct Sight {
+struct Estimate {
   std::array<double, N> entries, exits;
   std::array<bool, N> backwards;
   double error;
@@ -87,8 +89,8 @@ struct Sight {
 /// So 4 (e + |n / d| f) / |d| has room for both and for its own roundings, where reciprocals are normal; 2^-1000 is for
 /// underflow. The largest of such numbers is off by no more than the sum of all.
 template <class S, int N, class Slabs>
-Sight<N> sight(const Interval<S>& range, const Slabs& slabs) {
-  Sight<N> seen;
+Estimate<N> estimate(const Interval<S>& range, const Slabs& slabs) {
+  Estimate<N> seen;
   double in = range.lo, out = range.hi, error = 0x1p-1000;
   bool certain = range.lo <= range.hi;
   for (int i = 0; i < N; ++i) {
@@ -112,7 +114,7 @@ Sight<N> sight(const Interval<S>& range, const Slabs& slabs) {
 
 /// `clip` where `seen` shows that some t is in all slabs. Open when two of them may be the last, or the first.
 template <class S, int N, class Slabs>
-Interval<S> stretch(const Interval<S>& range, const Sight<N>& seen, const Slabs& slabs, FirstTry& first) {
+Interval<S> stretch(const Interval<S>& range, const Estimate<N>& seen, const Slabs& slabs, FirstTry& first) {
   int last = 0, left = 0;  // the slab entered last, the slab left first
   for (int i = 1; i < N; ++i) {
     last = seen.entries[i] > seen.entries[last] ? i : last;
@@ -185,5 +187,7 @@ std::optional<Interval<S>> clip(const Interval<S>& range, const Slabs& of_box, T
   const S out = to_inside ? range.hi : ray_range::clamped(value_of<S>(exit, trace), range);
   return Interval<S>{in, std::max(in, out)};
 }
+
+}  // namespace detail
 
 }  // namespace isect::slabs

@@ -6,10 +6,15 @@
 #include <numeric>
 #include <vector>
 
-#include <isect/point_convex_polygon.h>
 #include <isect/shapes.h>
 
 namespace isect {
+
+/// Whether a stands before b: further left, or below at the same x. Along any line that is the order of its points.
+template <class S>
+bool before(const Point<S, 2>& a, const Point<S, 2>& b) {
+  return a[0] < b[0] || (a[0] == b[0] && a[1] < b[1]);
+}
 
 /// Sorts by x, then y; finite points. Many are first dealt into columns of equal width, which takes O(n) where they are
 /// spread evenly, and never more than O(n log n): rounding may choose another column, but not a later one for a smaller
@@ -17,7 +22,7 @@ namespace isect {
 template <class S>
 void sort_points(Ring<S, 2>& points) {
   constexpr std::size_t many = 4096, in_column = 8;
-  const auto sort_part = [](auto first, auto last) { std::sort(first, last, point_convex_polygon::before<S>); };
+  const auto sort_part = [](auto first, auto last) { std::sort(first, last, before<S>); };
   if (points.size() < many) return sort_part(points.begin(), points.end());
   const auto [least, most] =
       std::minmax_element(points.begin(), points.end(), [](const auto& a, const auto& b) { return a[0] < b[0]; });

@@ -15,6 +15,8 @@ namespace isect {
 
 namespace triangle_aabb {
 
+namespace detail {
+
 /// How far an axis is from separating: the triangle reaches from lo to hi along it, the box to `radius` either side.
 inline double gap(double lo, double hi, double radius) { return std::max(lo, -hi) - radius; }
 
@@ -70,6 +72,8 @@ std::optional<int> first_pass(const Triangle<double, N>& triangle, const Aabb<do
   if (widest > edge_margin) return 1;
   return overlap ? std::optional(-1) : std::nullopt;
 }
+
+}  // namespace detail
 
 }  // namespace triangle_aabb
 

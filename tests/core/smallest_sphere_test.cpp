@@ -1,7 +1,7 @@
 // The smallest ball against the true one in rationals, where rounding hurts: far away, flat, nearly on one sphere, at
 // the ends of the range. And on many points, where what it rests on is its own proof.
 
-#include <isect/smallest_ball.h>
+#include <isect/parts/smallest_sphere.h>
 
 #include <boost/multiprecision/mpfr.hpp>
 #include <limits>
@@ -13,7 +13,7 @@
 #include "tests/core/ball_oracle.h"
 #include "tests/settings.h"
 
-namespace smallest_ball_test {
+namespace smallest_sphere_test {
 using namespace isect;
 using bench::Numbers;
 using bench::Random;
@@ -89,14 +89,14 @@ std::vector<Point<double, N>> shape(Random& random, int n) {
 
 }  // namespace
 
-TEST_CASE("three points that were 1,594 ulp off are within 2", "[smallest_ball]") {
+TEST_CASE("three points that were 1,594 ulp off are within 2", "[smallest_sphere]") {
   const Points<double, 3> points = {{1, -1, 1e-6}, {-1, -1, 0}, {-0.9999999999999999, 1, 1e-6}};
   check_promises(points);
   CHECK(fit_sphere_smallest(points).radius == Approx(1.414213562373095).epsilon(1e-15));
 }
 
 TEMPLATE_TEST_CASE_SIG("the center is the rounded one, and the radius the least for it, near and far",
-                       "[smallest_ball]", FLOATS_AND_DIMENSIONS) {
+                       "[smallest_sphere]", FLOATS_AND_DIMENSIONS) {
   Random random(bench::stream(tests::seed(), "smallest ball"));
   for (int i = 0; i < tests::cases(300, 30000); ++i) {
     INFO("seed " << tests::seed() << ", case " << i);
@@ -110,7 +110,7 @@ TEMPLATE_TEST_CASE_SIG("the center is the rounded one, and the radius the least 
   }
 }
 
-TEMPLATE_TEST_CASE_SIG("so for lattices, decimals, and numbers of any magnitude", "[smallest_ball]",
+TEMPLATE_TEST_CASE_SIG("so for lattices, decimals, and numbers of any magnitude", "[smallest_sphere]",
                        FLOATS_AND_DIMENSIONS) {
   Random random(bench::stream(tests::seed(), "smallest ball of numbers"));
   for (const Numbers numbers : bench::all_numbers)
@@ -132,7 +132,7 @@ TEMPLATE_TEST_CASE_SIG("so for lattices, decimals, and numbers of any magnitude"
   }
 }
 
-TEMPLATE_TEST_CASE_SIG("the ball of what it rests on holds all of many points", "[smallest_ball]",
+TEMPLATE_TEST_CASE_SIG("the ball of what it rests on holds all of many points", "[smallest_sphere]",
                        FLOATS_AND_DIMENSIONS) {
   Random random(bench::stream(tests::seed(), "smallest ball of many"));
   for (int i = 0; i < tests::cases(40, 1000); ++i) {
@@ -155,10 +155,10 @@ TEMPLATE_TEST_CASE_SIG("the ball of what it rests on holds all of many points", 
   }
 }
 
-TEMPLATE_TEST_CASE_SIG("points that are the same rest on one", "[smallest_ball]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("points that are the same rest on one", "[smallest_sphere]", FLOATS_AND_DIMENSIONS) {
   const Sphere<S, N> ball = fit_sphere_smallest(Points<S, N>(5, Point<S, N>::Constant(S(0.1))));
   CHECK(ball.radius == 0);
   CHECK(ball.center == Point<S, N>::Constant(S(0.1)));
 }
 
-}  // namespace smallest_ball_test
+}  // namespace smallest_sphere_test

@@ -21,7 +21,7 @@
 #include <isect/numbers/predicate.h>
 #include <isect/parts/fit_tight_guess.h>
 
-namespace isect::smallest_ball {
+namespace isect::fit_tight::detail {
 
 /// The points in doubles: themselves, no copies, if they are so already.
 template <class S, int N>
@@ -214,13 +214,13 @@ std::vector<Point<double, N>> moved_near_1(std::vector<Point<double, N>> points,
 /// The points, by their indices, that the smallest ball rests on: N + 1 at most, and one at least. Exact. The points
 /// are finite; `scaled` are the same.
 template <int N>
-std::vector<int> support(const std::vector<Point<double, N>>& points, const fit::Scaled<N>& scaled) {
+std::vector<int> support(const std::vector<Point<double, N>>& points, const fit::detail::Scaled<N>& scaled) {
   std::vector<Point<double, N>> near;
   if (std::abs(scaled.exponent) > 64) near = moved_near_1(points, scaled.exponent);
   const std::vector<Point<double, N>>& p = near.empty() ? points : near;
   const int exponent = near.empty() ? scaled.exponent : 0;
 
-  std::vector<int> now = fit::smallest_ball<N>(scaled.q).points;
+  std::vector<int> now = fit::detail::smallest_ball<N>(scaled.q).points;
   if (!through(p, now).least()) now = {now[0]};
   for (;;) {
     const int fresh = someone_outside(through(p, now), p, now[0], scaled.q, exponent);
@@ -240,7 +240,7 @@ Point<S, N> center(const Through<N>& ball) {
       const Way<W, N>& v = ball.template way<W>();
       return {W(ball.first()[k]) * v.den + v.num[k], v.den};
     };
-    const std::optional<double> quick = detail::bounded_quotient<DoubleDouble>(coordinate, 0x1p-70);
+    const std::optional<double> quick = isect::detail::bounded_quotient<DoubleDouble>(coordinate, 0x1p-70);
     if (quick && std::abs(*quick) > 0x1p-900) {
       c[k] = static_cast<S>(*quick);
     } else {
@@ -251,4 +251,4 @@ Point<S, N> center(const Through<N>& ball) {
   return c;
 }
 
-}  // namespace isect::smallest_ball
+}  // namespace isect::fit_tight::detail

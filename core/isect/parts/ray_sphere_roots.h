@@ -1,0 +1,206 @@
+#pragma once
+// The signs and the roots of a ray and a sphere, in whatever arithmetic: the texts behind isect/ray_sphere.h, which
+// derives their polynomials. Each says nothing where rounding might decide.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <variant>
+
+#include <isect/numbers/filter.h>
+#include <isect/shapes.h>
+#include <isect/trace.h>
+
+namespace isect {
+
+template <class S>
+struct RaySphere;  // the answer: isect/ray_sphere.h
+
+}  // namespace isect
+
+namespace isect::ray_sphere {
+
+/// Where a value of t lies among the roots of a line that meets the sphere. A double root counts as entry.
+enum class AmongRoots { before, entry, between, exit, after };
+
+struct Verdict {
+  int line_roots;
+  Location origin;
+  AmongRoots lo, hi;  ///< of the range's ends; meaningless without roots
+};
+
+/// What `intersect` reports: the signs it settled, and the numbers they were read from.
+struct Decision {
+  double a, discriminant, c;
+  Verdict verdict;
+};
+struct Values {
+  Interval<double> roots;
+};
+using Event = std::variant<Decision, Values, Fallback>;
+
+namespace detail {
+
+template <Arithmetic W, int N>
+using Offset = std::array<W, N>;
+
+template <Arithmetic W, int N>
+Offset<W, N> from_center(const Ray<double, N>& ray, const Sphere<double, N>& sphere) {
+  Offset<W, N> f;
+  for (int i = 0; i < N; ++i) f[i] = difference<W>(ray.origin[i], sphere.center[i]);
+  return f;
+}
+
+/// x.y
+template <Arithmetic W, int N, class X, class Y>
+W dot(const X& x, const Y& y) {
+  if constexpr (std::same_as<W, DoubleDouble>) return compensated_dot<N>(x, y);
+  W sum = product<W>(x[0], y[0]);
+  for (int i = 1; i < N; ++i) sum = sum + product<W>(x[i], y[i]);
+  return sum;
+}
+
+/// |f x d|^2
+template <Arithmetic W, int N>
+W cross_squared(const Offset<W, N>& f, const Vector<double, N>& d) {
+  const auto component = [&](int i, int j) -> W { return product<W>(f[i], d[j]) - product<W>(f[j], d[i]); };
+  const auto squared = [](const W& k) -> W { return k * k; };
+  W sum = squared(component(0, 1));
+  for (int j = 2; j < N; ++j)
+    for (int i = 0; i < j; ++i) sum = sum + squared(component(i, j));
+  return sum;
+}
+
+/// Where t = e lies among the roots, for a line that has some; nothing where W can't tell.
+///
+/// Bounds. Let G_i = |f_i| + |e d_i|. Then g = f + e d has an error of at most g(2) G_i, and with squares,
+/// sums and the subtraction C(e) one of at most 8.1 u (sum G_i^2) + 3 u r^2 < 16 u (G^2 + r^2); B(e) one of
+/// at most 5.1 u sum G_i |d_i| < 8 u |G| |d| (Cauchy).
+template <Arithmetic W, int N>
+std::optional<AmongRoots> among_roots(double e, Offset<W, N> f, const Vector<double, N>& d, const W& dd, const W& rr) {
+  if (std::isinf(e)) return e > 0 ? AmongRoots::after : AmongRoots::before;
+
+  double reach = 0;  // G^2
+  for (int i = 0; i < N; ++i) {
+    const double size = std::abs(leading(f[i])) + std::abs(e * d[i]);
+    reach += size * size;
+    if (e != 0) f[i] = f[i] + product<W>(e, d[i]);
+  }
+  if (!in_range<W>(reach + leading(rr))) return {};
+
+  const double c_bound = 16 * unit<W> * (reach + leading(rr)), b_bound = 8 * unit<W>;
+  const std::optional<int> c = certain_sign<W>(dot<W, N>(f, f) - rr, c_bound * c_bound);
+  if (!c) return {};
+  if (*c < 0) return AmongRoots::between;
+
+  const std::optional<int> b = certain_sign<W>(dot<W, N>(f, d), b_bound * b_bound * reach * leading(dd));
+  if (!b) return {};
+  if (*c == 0) return *b > 0 ? AmongRoots::exit : AmongRoots::entry;
+  return *b > 0 ? AmongRoots::after : AmongRoots::before;
+}
+
+inline Location location(AmongRoots origin) {
+  if (origin == AmongRoots::between) return Location::in;
+  return origin == AmongRoots::entry || origin == AmongRoots::exit ? Location::on : Location::out;
+}
+
+/// Every verdict, or nothing where W can't tell. The direction is not zero.
+///
+/// Bound of D. A component k of f x d has an error of at most g(3) m, m = |f_i d_j| + |f_j d_i|, and |m|^2 <=
+/// 2 |f|^2 A. So K = |f x d|^2 errs by at most g(4) K + 2 g(3) sqrt(2) sqrt(K) |f| |d| + 18 u^2 |f|^2 A, and
+/// A r^2 by g(6) A r^2. Let T = A r^2 + K and H = A (f.f + r^2), so that T <= H: all in all |error of D|
+/// < 14.6 u sqrt(T H) + 18.1 u^2 H. For T >= (26 u)^2 H that is < 15.3 u sqrt(T H), and the computed T is at
+/// least 0.64 T, so 32 u sqrt(computed T H) is a bound with room for its own rounding. For a smaller T, |D|
+/// <= computed T < 1000 u^2 H never exceeds that bound.
+template <Arithmetic W, int N, class Trace>
+std::optional<Verdict> decide(const Ray<double, N>& ray, const Sphere<double, N>& sphere, Trace&& trace) {
+  const Vector<double, N>& d = ray.direction;
+  const Offset<W, N> f = from_center<W>(ray, sphere);
+
+  const W a = dot<W, N>(d, d);
+  const W rr = product<W>(sphere.radius, sphere.radius);
+  const W ff = dot<W, N>(f, f);
+  const double reach = leading(ff) + leading(rr);
+  if (!in_range<W>(leading(a)) || !in_range<W>(reach)) return {};
+
+  const W arr = a * rr, cross = cross_squared<W, N>(f, d);
+  const W discriminant = arr - cross;
+  const double bound2 = 1024 * unit<W> * unit<W> * (leading(arr) + leading(cross)) * (leading(a) * reach);
+  const std::optional<int> roots = certain_sign<W>(discriminant, bound2);
+  if (!roots) return {};
+
+  Verdict verdict = {*roots + 1, Location::out, AmongRoots::before, AmongRoots::before};
+  if (verdict.line_roots > 0) {
+    const auto of = [&](double e) { return among_roots<W, N>(e, f, d, a, rr); };
+    const std::optional<AmongRoots> origin = of(0);
+    const std::optional<AmongRoots> lo = ray.range.lo == 0 ? origin : of(ray.range.lo);
+    const std::optional<AmongRoots> hi = of(ray.range.hi);
+    if (!origin || !lo || !hi) return {};
+    verdict = {verdict.line_roots, location(*origin), *lo, *hi};
+  }
+  if constexpr (heard<Trace>) trace(Decision{rounded(a), rounded(discriminant), rounded(ff - rr), verdict});
+  return verdict;
+}
+
+/// t0 <= t1 of a line with roots, each within a relative `tolerance` before its last rounding; nothing where
+/// W can't promise that. The root whose square root opposes -B cancels, so it is taken from the other one: t0
+/// t1 = C / A.
+///
+/// Bounds, with H as above. D = B^2 - A C errs by at most 32 u H =: E. Let s = sqrt D, q = |B| + s. For D >=
+/// 64 E, s errs by at most 0.51 E / s, which is below a relative tolerance / 2 of q where s q tolerance >= 33
+/// u H; B's error is smaller still. C errs by at most 8 u (f.f + r^2).
+template <Arithmetic W, int N>
+std::optional<Interval<double>> roots(const Ray<double, N>& ray, const Sphere<double, N>& sphere, double tolerance) {
+  const Vector<double, N>& d = ray.direction;
+  const Offset<W, N> f = from_center<W>(ray, sphere);
+
+  const W a = dot<W, N>(d, d), b = dot<W, N>(f, d);
+  const W ff = dot<W, N>(f, f), rr = product<W>(sphere.radius, sphere.radius);
+  const W c = ff - rr;
+  const W discriminant = b * b - a * c;
+
+  const double reach = leading(ff) + leading(rr), size = leading(a) * reach;
+  if (!in_range<W>(leading(a)) || !in_range<W>(reach)) return {};
+  if (!(leading(discriminant) >= 2048 * unit<W> * size)) return {};
+
+  using std::sqrt;
+  const bool ahead = certain_sign(b, 0) == -1;
+  const W s = sqrt(discriminant);
+  const W q = ahead ? s - b : s + b;
+  if (!(leading(s) * leading(q) * tolerance >= 33 * unit<W> * size)) return {};
+  if (!(std::abs(leading(c)) * tolerance >= 8 * unit<W> * reach)) return {};
+
+  const double far = quotient(q, a), near = quotient(c, q);
+  return ahead ? Interval<double>{near, far} : Interval<double>{-far, -near};
+}
+
+/// The answer for the part of the line that the range holds.
+template <class S>
+RaySphere<S> report(const Interval<S>& range, const Verdict& verdict, const Interval<double>& t) {
+  RaySphere<S> result = {verdict.line_roots, {static_cast<S>(t.lo), static_cast<S>(t.hi)}, verdict.origin, {}, {}};
+  if (!(range.lo <= range.hi)) return result;
+
+  const AmongRoots lo = verdict.lo, hi = verdict.hi;
+  // min and max are one instruction each, std::clamp branches
+  const auto clamped = [&](S x) { return std::min(std::max(x, range.lo), range.hi); };
+  const S entry = lo == AmongRoots::entry ? range.lo : clamped(result.roots.lo);
+  const S exit = hi == AmongRoots::exit ? range.hi : clamped(result.roots.hi);
+  if (lo <= AmongRoots::entry && hi >= AmongRoots::entry)
+    result.surface = entry;
+  else if (lo <= AmongRoots::exit && hi >= AmongRoots::exit)
+    result.surface = exit;
+  if (lo <= AmongRoots::exit && hi >= AmongRoots::entry)
+    result.solid = {lo >= AmongRoots::entry ? range.lo : entry, hi <= AmongRoots::exit ? range.hi : exit};
+  return result;
+}
+
+/// How far, relatively, sums and products may be from their true values before the last rounding: at most an
+/// ulp of S.
+template <class S>
+inline constexpr double tolerance = std::numeric_limits<S>::epsilon() / 2;
+
+}  // namespace detail
+
+}  // namespace isect::ray_sphere
