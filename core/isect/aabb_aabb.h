@@ -32,6 +32,7 @@ struct Common {
 template <class S, int N>
 using Event = std::variant<Axis<S>, Common<S, N>>;
 
+/// The box that both boxes share; empty when they have no common point, or one is empty. Exact; finite arguments.
 template <class S, int N>
 Aabb<S, N> common(const Aabb<S, N>& a, const Aabb<S, N>& b) {
   return {a.lo.cwiseMax(b.lo), a.hi.cwiseMin(b.hi)};
@@ -64,7 +65,7 @@ bool by_axis(const Aabb<S, N>& a, const Aabb<S, N>& b, Trace&& trace = {}) {
 ///
 /// No branch depends on the answer. A shared box that is not inverted says that neither of the two is. Where a
 /// coordinate is NaN or infinite, so is the sum of all widths; it is -inf only where a box is inverted. The sum may
-/// also overflow by itself, so then the coordinates are looked at.
+/// also overflow though no coordinate is infinite, so the coordinates are checked then.
 template <class S, int N, class Trace = NoTrace>
 bool intersects(const Aabb<S, N>& a, const Aabb<S, N>& b, Trace&& trace = {}) {
   const Aabb<S, N> common = aabb_aabb::common(a, b);

@@ -131,7 +131,7 @@ template <int Bytes, class S, std::size_t K, class Filter, std::size_t... I>
   return {~bits.yes, bits.sure};
 }
 
-/// The loop over all blocks of 64, as a text for simd::run; finish(first, bits) hears of each in order. A last
+/// The loop over all blocks of 64, written for simd::run; finish(first, bits) is called for each in order. A last
 /// block of fewer entries is filled up with copies of its last one, whose bits are zero.
 template <class S, std::size_t K, class Filter, class Finish>
 struct Loop {
@@ -162,14 +162,14 @@ struct Loop {
   }
 };
 
-/// Runs the filter over all entries; finish(first, bits) hears of 64 at a time.
+/// Runs the filter over all entries, and calls finish(first, bits) for every 64.
 template <class S, std::size_t K, class Filter, class Finish>
 void each_block(const Columns<S, K>& columns, std::size_t size, InstructionSet set, const Filter& filter,
                 const Finish& finish) {
   simd::run(set, Loop<S, K, Filter, Finish>{columns, size, filter, finish});
 }
 
-/// The answers of the exact test `exact(i)`, which is asked only where the filter is not sure.
+/// The answers of the exact test `exact(i)`, which runs only where the filter is not sure.
 template <class S, std::size_t K, class Filter, class Exact>
 Mask answers(const Columns<S, K>& columns, std::size_t size, InstructionSet set, const Filter& filter,
              const Exact& exact) {

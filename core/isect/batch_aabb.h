@@ -12,7 +12,7 @@ namespace batch {
 
 namespace detail {
 
-/// Whether a box meets `a`, as intersects(Aabb, Aabb) tells it: the shared box is inverted on no axis. A difference
+/// Whether a box meets `a`, by the rule of intersects(Aabb, Aabb): the shared box is inverted on no axis. A difference
 /// of finite numbers has their order's sign, even if it overflows. Infinite coordinates and NaN show in the sum of
 /// the widths, unless the box is inverted, which the verdict shows itself.
 template <class S, int N>

@@ -40,7 +40,7 @@ struct Pruned {
   int node;
   Why why;
 };
-/// A primitive that was asked, and its answer.
+/// A primitive that was tested, and the result.
 template <class S>
 struct Tested {
   int primitive;

@@ -36,7 +36,7 @@ using Event = std::variant<Side, Crossing<S, N>, Fallback>;
 namespace detail {
 
 /// Where the edge pq crosses the plane of the heights: each coordinate within 2 ulp of S, between those of p and q.
-/// The same for qp, and for the plane seen from below: neighbours get the same new vertex.
+/// Swapping p and q, or turning the plane around, changes nothing: neighbours get the same new vertex.
 template <class S, int N, class Height, class Trace>
 Point<S, N> crossing(const Point<S, N>& p, const Point<S, N>& q, const Height& height, Trace&& trace) {
   const Point<double, N> a = p.template cast<double>(), b = q.template cast<double>();

@@ -120,8 +120,8 @@ bool intersects(const ConvexPolygon<S>& a, const ConvexPolygon<S>& b, Trace&& tr
   return !separating_edge(a, b, trace);
 }
 
-/// How the polygons lie. Exact, O((n + m) lg (n + m)). Both have an area, as all that `make_convex` makes; points and
-/// segments are no convex polygons.
+/// How the polygons lie. Exact, O((n + m) lg (n + m)). Both have an area, as everything from `make_convex` does; points
+/// and segments are no convex polygons.
 template <class S, class Trace = NoTrace>
 Relation relate(const ConvexPolygon<S>& a, const ConvexPolygon<S>& b, Trace&& trace = {}) {
   const convex_polygons::detail::Separation separation = convex_polygons::detail::separate(a, b, trace);

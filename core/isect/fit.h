@@ -1,8 +1,8 @@
 #pragma once
 // Bounding volumes of points that provably hold them all.
 //
-// A fit first picks its position and orientation, in rounded numbers and by any heuristic: that decides how tight it
-// is, never what it holds. Then each size, a radius, half-length or end of a slab, is the least number of S that
+// A fit first picks its position and orientation by a heuristic, in rounded numbers: that decides how tight it is,
+// never what it holds. Then each size, a radius, half-length or end of a slab, is the least number of S that
 // holds every point: the point farthest out is found by exact comparisons, and the number is moved by single steps
 // until an exact predicate says that it holds this point and its predecessor does not. So a fit is never wrong by
 // rounding, and never larger than its center and axes make it. Source: the note, N04, N06-N08.
@@ -38,7 +38,7 @@ bool usable(const std::vector<Point<S, N>>& points) {
   return !points.empty() && finite(points);
 }
 
-/// The index of the point farthest out, where farther(p, q) tells exactly whether p lies farther out than q.
+/// The index of the point farthest out, where farther(p, q) says exactly whether p lies farther out than q.
 template <class S, int N, class Farther>
 std::size_t extreme(const std::vector<Point<S, N>>& points, const Farther& farther) {
   std::size_t best = 0;

@@ -40,8 +40,8 @@ bool smaller(const Obb<S, N>& a, const Obb<S, N>& b) {
 
 }  // namespace fit_tight
 
-/// The smallest ball that holds all points, but for the rounding of its center to S; the radius is the least of S for
-/// that center. Radius -1 of no points, or with a NaN or an infinity among them.
+/// The smallest ball that holds all points, with its center rounded to S; the radius is the least of S for that center.
+/// Radius -1 of no points, or with a NaN or an infinity among them.
 ///
 /// Bound. Let the smallest ball have the center c and the radius R. Each coordinate of the center found is the number
 /// of S nearest to c's, within 0.501 ulp; so it lies within d <= 0.87 ulp of c's largest coordinate from c, and the

@@ -3,7 +3,7 @@
 //
 // Where the intervals of one slab are disjoint, a plane across that normal parts the two: they are disjoint for
 // certain. Where all overlap, the k-DOPs may still be disjoint, parted by a direction that is no normal of theirs:
-// "may" is all that is said, and all that a bounding volume must say. Nothing but comparisons of inputs: exact for
+// "may" is all that the test says, and all that a bounding volume needs. Nothing but comparisons of inputs: exact for
 // free.
 //
 // Whether touching objects have touching slabs was decided when their k-DOPs were built. With normals such as (1, 1,

@@ -51,6 +51,7 @@ struct Approach {
 template <class S, int N>
 using Event = std::variant<At<S>, Swept<S, N>, slabs::Outside, slabs::Stretch, Approach, Fallback>;
 
+/// The shape moved by a vector, each coordinate rounded.
 template <class S, int N>
 Aabb<S, N> moved(const Aabb<S, N>& box, const Vector<S, N>& by) {
   return {box.lo + by, box.hi + by};
@@ -91,7 +92,7 @@ const Aabb<S, N>& bounds(const Aabb<S, N>& box) {
   return box;
 }
 
-/// At least as far as velocity * duration, in its direction: one number further than the nearest.
+/// velocity * duration, one number further than the nearest in each component: at least as far as the true one.
 template <class S, int N>
 Vector<S, N> displacement(const Vector<S, N>& velocity, S duration) {
   Vector<S, N> d = Vector<S, N>::Zero();

@@ -61,7 +61,7 @@ bool inside(const Obb<double, N>& a, const Obb<double, N>& b, Trace&& trace) {
   return true;
 }
 
-/// The first pass for a verdict alone: in S, but a listener hears doubles.
+/// The first pass, when only a verdict is wanted: in S, or in doubles when someone listens.
 template <class S, int N, class Trace>
 FirstPass verdict(const Obb<S, N>& a, const Obb<S, N>& b, Trace&& trace) {
   if constexpr (heard<Trace>)

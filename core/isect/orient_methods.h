@@ -21,7 +21,7 @@ enum class Corner { a, b, c };
 template <class S> struct Pivot { Corner corner; Vector<S, 2> first, second; };  ///< to the next two corners
 template <class S> struct Products { S first, second; };
 template <class S> struct Partial { int terms; S sum; };                         ///< of the expanded form so far
-template <class S> struct Residue { S product, rest; };                          ///< rest: what rounding the product took
+template <class S> struct Residue { S product, rest; };                          ///< rest: lost in rounding
 template <class S> struct Area2 { S area2; };
 // clang-format on
 template <class S>

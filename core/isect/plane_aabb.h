@@ -3,9 +3,9 @@
 //
 // Over the box, n.x + d is least and greatest at two opposite corners: at n, whose coordinate is lo where n_i > 0 and
 // hi where n_i < 0, and at p, the other way round. The box lies on one side when both have the same sign. So one
-// corner often decides; no other needs a look. Source: Haines, Wallace, Shaft culling for efficient ray-traced
-// radiosity (1991); Akenine-Moller, Haines, Real-Time Rendering, 2nd ed. (2002), ch. 13.9; the plane of the note,
-// N20.
+// corner often decides, and no other corner ever matters. Source: Haines, Wallace, Shaft culling for efficient
+// ray-traced radiosity (1991); Akenine-Moller, Haines, Real-Time Rendering, 2nd ed. (2002), ch. 13.9; the plane of the
+// note, N20.
 
 #include <variant>
 

@@ -68,7 +68,7 @@ int side(const Plane<S, N>& plane, const Sphere<S, N>& sphere, Trace&& trace = {
 }
 
 /// disjoint; touching, when the ball has points in the plane and on one side of it at most; or overlapping, when it
-/// has points on both sides. Exact. A ball of radius 0 can but touch. A zero normal makes no plane; it, an empty
+/// has points on both sides. Exact. A ball of radius 0 can only touch. A zero normal makes no plane; it, an empty
 /// ball, NaN or an infinite coordinate: disjoint.
 template <class S, int N, class Trace = NoTrace>
 Relation relate(const Plane<S, N>& plane, const Sphere<S, N>& sphere, Trace&& trace = {}) {

@@ -27,7 +27,7 @@ bool near_by_squares(const Point<S, N>& p, const Point<S, N>& q, S tolerance, Tr
   return distance2 <= tolerance2;
 }
 
-/// The same with a square root.
+/// Whether the distance, with its square root, is within the tolerance.
 template <class S, int N, class Trace = NoTrace>
 bool near_by_distance(const Point<S, N>& p, const Point<S, N>& q, S tolerance, Trace&& trace = {}) {
   const Vector<S, N> f = p - q;
@@ -37,7 +37,7 @@ bool near_by_distance(const Point<S, N>& p, const Point<S, N>& q, S tolerance, T
   return distance <= tolerance;
 }
 
-/// Coordinate by coordinate: a cube, where a ball is asked for.
+/// Coordinate by coordinate: that is a cube, where a ball is meant.
 template <class S, int N, class Trace = NoTrace>
 bool near_by_coordinates(const Point<S, N>& p, const Point<S, N>& q, S tolerance, Trace&& trace = {}) {
   for (int i = 0; i < N; ++i) {

@@ -28,7 +28,7 @@
 
 namespace isect {
 
-/// Which points of a polygon are inside: those with an odd number of crossings, or with a winding number but 0.
+/// Which points of a polygon are inside: those with an odd number of crossings, or those whose winding number is not 0.
 enum class FillRule { even_odd, nonzero };
 
 /// Where a point lies, by either rule.

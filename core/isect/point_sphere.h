@@ -20,7 +20,7 @@ using Event = std::variant<Distance, Fallback>;
 
 namespace detail {
 
-/// The same, where doubles do not settle it. Finite arguments.
+/// The sign of |p - c|^2 - r^2 where doubles do not settle it. Finite arguments.
 template <class S, int N, class Trace>
 [[gnu::noinline]] int settled(const Point<S, N>& point, const Sphere<S, N>& sphere, Trace&& trace) {
   const Point<double, N> p = point.template cast<double>();

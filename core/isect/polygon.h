@@ -111,7 +111,7 @@ struct Term {
 template <class S>
 using NaiveEvent = std::variant<Term<S>>;
 
-/// Twice the area vector, as Newell has it. Naive: rounding may turn it, more so the farther from the origin.
+/// Twice the area vector, as Newell has it. Naive: rounding may turn it, the more the farther from the origin.
 template <class S, class Trace = NoTrace>
 Vector<S, 3> newell_naive(const Ring<S, 3>& ring, Trace&& trace = {}) {
   Vector<S, 3> sum = {S(0), S(0), S(0)};

@@ -104,7 +104,7 @@ std::optional<int> rightwards(const Point<double, 2>& a, const Point<double, 2>&
   return (p_left - m_left) * (up ? 1 : -1);
 }
 
-/// The same on the way to the next corner, which may lie on the edge: right of it, then.
+/// What an edge adds on the way to the next corner. A corner on the edge counts as right of it.
 inline int corner_step(const Point<double, 2>& a, const Point<double, 2>& b, const double* from,
                        const Point<double, 2>& corner) {
   const bool up = b[1] > corner[1];

@@ -111,7 +111,7 @@ class Sweep {
     int left, right;
     int next;  ///< of a root: another heap that starts at the same vertex
   };
-  /// A piece on the line. It has its points with it: a search that went to look for them would wait for memory. When
+  /// A piece on the line. It carries its points: a search that fetched them would wait for memory. When
   /// the piece is cut, `high` stays; that is on the same line.
   struct Standing {
     Point<double, 2> low, high;

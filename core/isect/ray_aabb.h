@@ -23,8 +23,8 @@ struct Estimate {
 };
 using Event = std::variant<Estimate, slabs::Outside, slabs::Stretch, Fallback>;
 
-/// A ray with the reciprocals of its direction, for many boxes. One that tells nothing, being too large or too small
-/// to be accurate, is NaN, and its slab is left out. A ray with NaN or an infinite coordinate has an empty range.
+/// A ray with the reciprocals of its direction, to be asked against many boxes. A reciprocal too large or too small to
+/// be accurate is NaN, and its slab is left out. A ray with NaN or an infinite coordinate has an empty range.
 template <class S, int N>
 struct Prepared {
   Point<S, N> origin;
@@ -33,6 +33,7 @@ struct Prepared {
   Interval<S> range;
 };
 
+/// Prepares a ray, for may_intersect against many boxes.
 template <class S, int N>
 Prepared<S, N> prepare(const Ray<S, N>& ray) {
   using Limits = std::numeric_limits<S>;

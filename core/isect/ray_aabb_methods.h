@@ -69,10 +69,10 @@ std::optional<Interval<S>> by_fmin_fmax(const Ray<S, N>& ray, const Aabb<S, N>& 
   return detail::by_slabs(ray, box, sort, later, earlier, trace);
 }
 
-/// By the sign of the direction, which tells the plane of entry beforehand. A component of -0 counts as 0, whose
-/// reciprocal it has not: such rays miss from inside. Source: Smits, Efficiency issues for ray tracing, J. Graphics
-/// Tools 3 (1998); Williams et al., An efficient and robust ray-box intersection algorithm, ibid. 10 (2005), which
-/// mends -0.
+/// By the sign of the direction, which says beforehand through which plane the ray enters. A component of -0 counts as
+/// 0, whose reciprocal it has not: such rays miss from inside. Source: Smits, Efficiency issues for ray tracing, J.
+/// Graphics Tools 3 (1998); Williams et al., An efficient and robust ray-box intersection algorithm, ibid. 10 (2005),
+/// which mends -0.
 template <class S, int N, class Trace = NoTrace>
 std::optional<Interval<S>> by_sign(const Ray<S, N>& ray, const Aabb<S, N>& box, Trace&& trace = {}) {
   const auto sort = [&ray](int i, S t1, S t2) -> Interval<S> {

@@ -176,7 +176,7 @@ bool askable(const RayMesh<S>& mesh, const Ray<S, 3>& ray) {
 
 }  // namespace ray_mesh
 
-/// The closest hit of the ray, as closest_hit(bvh, mesh, ray) tells it.
+/// The closest hit of the ray: what closest_hit(bvh, mesh, ray) returns.
 template <class S>
 std::optional<BvhHit<S>> closest_hit(const RayMesh<S>& mesh, const Ray<S, 3>& ray) {
   if (!ray_mesh::detail::askable(mesh, ray)) return {};

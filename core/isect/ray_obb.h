@@ -54,7 +54,7 @@ struct Slabs {
   }
 };
 
-/// The same by the faces at -half_i and half_i, whichever comes first on the axis n_i.
+/// The slabs by the faces at -half_i and half_i, whichever comes first along n_i: so lo may be the larger.
 template <int N>
 struct Faces : Slabs<N> {
   template <Filtered W>
@@ -67,7 +67,7 @@ struct Faces : Slabs<N> {
   }
 };
 
-/// The same for a first look, divided by D, when the axes are nearly orthonormal: then u_i is nearly n_i / D.
+/// The slabs in plain doubles, divided by D, for axes that are nearly orthonormal: then u_i is nearly n_i / D.
 ///
 /// Bound. n_i / D is row i of U^-1. Let d be the spectral norm of U^T U - 1, at most 2^-10, so that the singular values
 /// p of U have |p^2 - 1| <= d. Then U^-1 and U^T, whose singular values are 1 / p and p for the same vectors, differ by
@@ -84,13 +84,13 @@ class QuickSlabs {
   }
 
   // clang-format off
-  template <class W> W rate(int i) const { return {point_obb::detail::dot_columns(box_.axes, i, ray_.direction, 0), rate_size_, 0}; }
-  template <class W> W lo(int i) const { return {-box_.half[i] - along(i), size_, 0}; }
-  template <class W> W hi(int i) const { return {box_.half[i] - along(i), size_, 0}; }
+  template <class W> W rate(int i) const { return {along(i, ray_.direction), rate_size_, 0}; }
+  template <class W> W lo(int i) const { return {-box_.half[i] - along(i, from_), size_, 0}; }
+  template <class W> W hi(int i) const { return {box_.half[i] - along(i, from_), size_, 0}; }
   // clang-format on
 
  private:
-  double along(int i) const { return point_obb::detail::dot_columns(box_.axes, i, from_, 0); }
+  double along(int i, const Vector<double, N>& x) const { return point_obb::detail::dot_columns(box_.axes, i, x, 0); }
 
   const Ray<double, N>& ray_;
   const Obb<double, N>& box_;

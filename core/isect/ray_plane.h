@@ -115,7 +115,7 @@ std::optional<S> textbook(const Ray<S, N>& ray, const Plane<S, N>& plane, Trace&
 ///
 /// Every verdict (parallel, coplanar, whether line and t have a value, meets) is the true one for all finite input of
 /// any magnitude. Both t lie within 2 ulp of S of the true value, that of the range in the range; one too large for S
-/// is infinite. `line` is given whatever the range says. A zero direction makes the ray a point: parallel, and
+/// is infinite. `line` is given even outside the range. A zero direction makes the ray a point: parallel, and
 /// coplanar iff it lies on the plane. A zero normal makes no plane, an empty range no ray; NaN or an infinite
 /// coordinate: no hit.
 template <class S, int N, class Trace = NoTrace>

@@ -11,12 +11,13 @@
 // the sign of B(e) = (f + e d).d. So every verdict is the sign of a polynomial, without a root and without a
 // division.
 //
-// decide<W> is that text. It runs in double; where a sign is within its error bound, again in DoubleDouble,
-// and at last in Exact, where every sign is certain. The values of t come from DoubleDouble or Exact.
+// decide<W> in isect/parts/ray_sphere_roots.h is that text. It runs in double; where a sign is within its error
+// bound, again in DoubleDouble, and at last in Exact, where every sign is certain. The values of t come from
+// DoubleDouble or Exact.
 //
 // Source: the note, N16-N19; Haines, Gunther, Akenine-Moller, Precision improvements for ray/sphere
 // intersection, Ray Tracing Gems (2019), ch. 7, for what goes wrong in the textbook forms. Bounds: derived
-// below, tested in tests/core/ray_sphere_test.cpp against rationals and 400-digit roots.
+// there, tested in tests/core/ray_sphere_test.cpp against rationals and 400-digit roots.
 
 #include <optional>
 #include <type_traits>

@@ -96,7 +96,7 @@ std::optional<S> quadratic(const Ray<S, N>& ray, const Sphere<S, N>& sphere, Tra
   return detail::first_in_range(t1, t2, ray.range, trace);
 }
 
-/// The same with half of B, so that the factors 2 and 4 cancel. The note warns that such tweaks gain little
+/// `quadratic` with half of B, so that the factors 2 and 4 cancel. The note warns that such tweaks gain little
 /// and breed bugs: the formula holds for the halved B only. Source: the note, N18.
 template <class S, int N, class Trace = NoTrace>
 std::optional<S> half_b(const Ray<S, N>& ray, const Sphere<S, N>& sphere, Trace&& trace = {}) {

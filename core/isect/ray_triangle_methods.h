@@ -69,7 +69,7 @@ std::optional<Hit<S>> signed_volumes(const Ray<S, 3>& ray, const Triangle<S, 3>&
   return Hit<S>{t, w_b / sum, w_c / sum};
 }
 
-/// The same after a shear that turns the ray onto an axis, so that three 2D cross products remain. Source: Woop,
+/// Signed volumes after a shear that turns the ray onto an axis, so that three 2D cross products remain. Source: Woop,
 /// Benthin, Wald, Watertight ray/triangle intersection, J. Computer Graphics Techniques 2 (2013), without its
 /// fallback to double for a product of 0.
 template <class S, class Trace = NoTrace>

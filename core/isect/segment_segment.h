@@ -91,7 +91,7 @@ S crossing(const Segment<S, 2>& a, const Segment<S, 2>& b, int i, Trace&& trace)
   return ray_range::clamped(ray_range::clamped(value_of<S>(x, trace), of_a), of_b);
 }
 
-/// Of segments of one line.
+/// What two segments on one line have in common.
 template <class S>
 SegmentSegment<S> collinear(const Segment<S, 2>& a, const Segment<S, 2>& b) {
   const Segment<S, 2> first = ordered(a), second = ordered(b);

@@ -113,7 +113,7 @@ struct Triangle {
 template <class S, int N>
 using Ring = std::vector<Point<S, N>>;
 
-/// One ring, or several: holes, islands, whatever the fill rule makes of them. In 3D all lie in one plane, nearly.
+/// One ring, or several: holes and islands, as the fill rule has it. In 3D all lie in one plane, nearly.
 template <class S, int N>
 struct Polygon {
   std::vector<Ring<S, N>> rings;

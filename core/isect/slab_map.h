@@ -72,7 +72,8 @@ struct Compared {
 };
 using Event = std::variant<SlabFound, OnLine, Compared, Fallback>;
 
-/// The first of lo, ..., hi - 1 with holds(i), or hi; those after it must hold too. Counts its steps.
+/// The bisection behind `locate`: the first of lo, ..., hi - 1 with holds(i), or hi; those after it must hold too.
+/// Counts its steps.
 template <class Holds>
 int bisect(int lo, int hi, int& steps, const Holds& holds) {
   for (steps = 0; lo < hi; ++steps) {

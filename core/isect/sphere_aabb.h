@@ -62,6 +62,7 @@ bool accumulate(const Sphere<S, N>& sphere, const Aabb<S, N>& box, Trace&& trace
   return distance2 < radius2;
 }
 
+/// The point of the box nearest to the center. Exact; the box is not empty, and all is finite.
 template <int N>
 Point<double, N> nearest(const Point<double, N>& center, const Aabb<double, N>& box) {
   return center.cwiseMax(box.lo).cwiseMin(box.hi);
@@ -116,8 +117,8 @@ bool contained(const Sphere<double, N>& ball, const Aabb<double, N>& box, Trace&
 
 /// Whether the ball and the box have a common point. Exact; an empty one, NaN or an infinite coordinate: no.
 ///
-/// No branch depends on the answer. A sum of widths that is NaN or infinite tells a box with such a coordinate, or
-/// one so large that the sum overflows; in the ball, NaN and infinities leave the squares in disorder.
+/// No branch depends on the answer. A sum of widths that is NaN or infinite gives away a box with such a
+/// coordinate, or one so large that the sum overflows; NaN and infinities in the ball leave the squares unordered.
 template <class S, int N, class Trace = NoTrace>
 bool intersects(const Sphere<S, N>& sphere, const Aabb<S, N>& box, Trace&& trace = {}) {
   const Vector<S, N> gap = sphere.center - sphere.center.cwiseMax(box.lo).cwiseMin(box.hi);

@@ -59,7 +59,7 @@ bool by_hypot(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trace = {}) 
   return distance <= sum;
 }
 
-/// Of the six relations, by rounded squares.
+/// Which of the six relations, by rounded squares.
 template <class S, int N, class Trace = NoTrace>
 Relation squared_relation(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trace = {}) {
   const Vector<S, N> l = a.center - b.center;

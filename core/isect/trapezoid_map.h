@@ -83,7 +83,8 @@ struct Inserted {
 };
 using BuildEvent = std::variant<Inserted>;
 
-/// The growing map.
+/// Grows the map of a boundary, piece by piece: make_trapezoid_map is this in random order. The map has its boundary,
+/// and no piece yet.
 class Builder {
  public:
   explicit Builder(TrapezoidMap& map) : map_(map) {

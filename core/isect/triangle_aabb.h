@@ -148,7 +148,7 @@ template <int N, class Trace>
   return most;
 }
 
-/// The same; plain doubles settle most of it. A listener hears all axes.
+/// What `settle` returns; plain doubles answer most cases. A listener hears all axes.
 template <int N, class Trace>
 int outer(const Triangle<double, N>& triangle, const Aabb<double, N>& box, Trace&& trace) {
   if constexpr (!heard<Trace>)

@@ -70,7 +70,7 @@ std::optional<S> first_t(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle, i
 
 /// The closest hit of the ray on the mesh, whose hierarchy is build_bvh(boxes(mesh)): of the least t, and of the
 /// least index among triangles with that t, such as those around an edge that is hit. Exact as intersect(ray,
-/// triangle) is, which also tells the place in the triangle. A triangle is not hit by a ray in its plane.
+/// triangle) is, which also gives the place in the triangle. A triangle is not hit by a ray in its plane.
 template <class S, class Trace = NoTrace>
 std::optional<BvhHit<S>> closest_hit(const Bvh<S, 3>& bvh, const TriangleMesh<S>& mesh, const Ray<S, 3>& ray,
                                      Trace&& trace = {}) {

@@ -42,8 +42,8 @@ struct Size {
   int exponent = 0;
 };
 
-/// Sizes that are not negative, added up at the scale of the largest: no part is lost that is not negligible, and
-/// nothing overflows or underflows but the sum. Of sizes within 1.9 u each: within 3 ulp, of S too.
+/// Adds sizes that are not negative, at the scale of the largest: only negligible parts are lost, and nothing but the
+/// sum can overflow or underflow. Of sizes within 1.9 u each: within 3 ulp, of S too.
 template <class S>
 S sum(const std::vector<Size>& sizes) {
   int most = std::numeric_limits<int>::min();

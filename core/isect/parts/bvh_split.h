@@ -159,7 +159,7 @@ int split_at_median(std::span<Item<S, N>> items, int axis) {
   return static_cast<int>(middle - items.begin());
 }
 
-/// Splits the items of a node, smaller centers first, and tells how; nothing if they make a leaf.
+/// Splits the items of a node, smaller centers first, and returns how; nothing if they make a leaf.
 template <class S, int N>
 std::optional<Split<S>> split(std::span<Item<S, N>> items, const Bounds<S, N>& around, int depth,
                               const BvhOptions& options) {

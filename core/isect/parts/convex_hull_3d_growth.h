@@ -194,7 +194,7 @@ class Growth {
     const Point<double, 3>&a = points_[vertices[0]], &b = points_[vertices[1]], &c = points_[vertices[2]];
     const Components<W, 3> n = cross(difference<W, 3>(b, a), difference<W, 3>(c, a));
     face.normal = {n[0].value(), n[1].value(), n[2].value()};
-    face.error = dot(n, difference<W, 3>(hi_, lo_)).error();  // no point is farther from a, nor any product larger
+    face.error = dot(n, difference<W, 3>(hi_, lo_)).error();  // no point is farther from a, and no product is larger
     if (free_.empty()) {
       faces_.push_back(face);
       return static_cast<int>(faces_.size()) - 1;

@@ -115,6 +115,7 @@ W beyond(const Obb<double, N>& a, const Obb<double, N>& b, int i) {
 
 }  // namespace detail
 
+/// The rounded numbers of one axis, to show them; `sign` is passed on. Finite arguments.
 template <int N>
 Tested<N> tested(const Obb<double, N>& a, const Obb<double, N>& b, const Axis& axis, std::optional<int> sign) {
   using B = Bounded<double>;

@@ -7,7 +7,7 @@
 // cells. Only half of the neighbours are looked at, for each pair once. A box of a larger level looks at the cells of
 // each smaller level from one before its lower corner's to its upper corner's.
 //
-// A level's boxes are stored cell by cell, rows of cells along x, so that a look is a few runs through memory:
+// A level's boxes are stored cell by cell, rows of cells along x, so that a search is a few runs through memory:
 //
 //   slot of cell (x, y, z) = x + a y + b z  mod 2^k,    2^k >= twice the number of boxes.
 //
@@ -101,7 +101,7 @@ void overlapping_pairs(const std::vector<Aabb<S, N>>& boxes, Report&& report) {
   pairs.flush();
 }
 
-/// The same as a list.
+/// The pairs as a list.
 template <class S, int N>
 std::vector<IndexPair> overlapping_pairs(const std::vector<Aabb<S, N>>& boxes) {
   std::vector<IndexPair> pairs;

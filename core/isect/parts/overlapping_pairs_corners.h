@@ -72,7 +72,7 @@ class Pairs {
   void test(int i, const Corners<S, N>& reach, const Corners<S, N>* corners, const int* index, int begin, int end) {
     test(i, reach, corners, index, begin, end, Any());
   }
-  /// The same, but only boxes that pass `wanted` count.
+  /// As above, but only boxes that pass `wanted` count.
   template <class S, int N, class Wanted>
   void test(int i, const Corners<S, N>& reach, const Corners<S, N>* corners, const int* index, int begin, int end,
             const Wanted& wanted) {

@@ -24,7 +24,7 @@ namespace isect::point_polygon {
 
 namespace detail {
 
-/// Edges that are to be asked one by one: the bit 2 i is that of the edge that ends at vertex `first` + i.
+/// Edges left to be tested one by one: the bit 2 i is that of the edge that ends at vertex `first` + i.
 struct OpenEdges {
   std::size_t first;
   std::uint64_t bits;

@@ -55,7 +55,7 @@ void put(Node& node, int child, const Aabb<S, 3>& box) {
 }
 
 /// A ray as the boxes see it: for each axis the index of the end that it meets first, the origin rounded away from that
-/// end and from the other one, and the reciprocal of the direction; NaN where that tells nothing, so that its slab is
+/// end and from the other one, and the reciprocal of the direction; NaN where that is useless, so that its slab is
 /// left out.
 struct Line {
   int first[3];

@@ -2,6 +2,8 @@
 // Where a t = num / den lies among the ends of a ray's range, without a division: for den > 0,
 //
 //   num / den < e   iff   num - e den < 0.
+//
+// For the core's own use.
 
 #include <algorithm>
 #include <cmath>

@@ -10,7 +10,7 @@ namespace isect::ray_sphere {
 
 namespace detail {
 
-/// The same problem in units in which squares neither overflow nor underflow: t = t' 2^exponent.
+/// The problem in units in which squares neither overflow nor underflow: t = t' 2^exponent.
 template <int N>
 struct Scaled {
   Ray<double, N> ray;

@@ -82,7 +82,7 @@ struct Estimate {
   int meets;  ///< 1: some t of the range is in all slabs; -1: none is; 0: rounding may decide, or NaN
 };
 
-/// The slabs are asked in doubles only; their lo may be the larger.
+/// Uses the slabs in doubles only; their lo may be the larger.
 ///
 /// Bound. Let n and d be a num and the rate as computed, off by at most e and f < |d| / 4. The true quotient is off n /
 /// d by at most (e + |n / d| f) / (3/4 |d|); dividing by a reciprocal adds 2.1 u |n / d|, and f is more than 0.9 u |d|.
@@ -112,7 +112,8 @@ Estimate<N> estimate(const Interval<S>& range, const Slabs& slabs) {
   return seen;
 }
 
-/// `clip` where `seen` shows that some t is in all slabs. Open when two of them may be the last, or the first.
+/// What `clip` returns, once the estimate shows that some t is in all slabs. Open when two of them may be the last, or
+/// the first.
 template <class S, int N, class Slabs>
 Interval<S> stretch(const Interval<S>& range, const Estimate<N>& seen, const Slabs& slabs, FirstTry& first) {
   int last = 0, left = 0;  // the slab entered last, the slab left first

@@ -164,7 +164,7 @@ std::vector<int> joined(const std::vector<Point<double, N>>& points, const std::
   return {fresh};  // never: one of the balls is the smallest
 }
 
-/// A point outside the ball, or -1. `q` are the points at a scale near 1, rounded, which decide who is asked.
+/// A point outside the ball, or -1. `q` are the points at a scale near 1, rounded; they decide which points are tested.
 ///
 /// Bound. |q - p 2^-exponent - const| <= u, |q| <= 1, so that f errs by 4 u, v by u and `error`, their difference,
 /// below 4, by 2 u more. A squared distance of at most 4 then errs by less than 100 u + 16 error, which is below
