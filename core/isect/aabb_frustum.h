@@ -20,12 +20,16 @@ namespace aabb_frustum {
 using frustum_planes::Tested;
 using Event = std::variant<Tested, Fallback>;
 
+namespace detail {
+
 /// Where the box lies with respect to n.x + d >= 0, by that inequality even where the normal is 0. Finite arguments.
 template <class S, class Trace>
 Culling side(const Plane<S, 3>& plane, const Aabb<S, 3>& box, Trace&& trace) {
   if (plane_aabb::detail::sign_at(plane, box, true, trace) < 0) return Culling::outside;
   return plane_aabb::detail::sign_at(plane, box, false, trace) >= 0 ? Culling::inside : Culling::crossing;
 }
+
+}  // namespace detail
 
 }  // namespace aabb_frustum
 
@@ -36,8 +40,8 @@ template <class S, class Trace = NoTrace>
 Culling cull(const Aabb<S, 3>& box, const Frustum<S>& frustum, Trace&& trace = {}) {
   if (empty(box) || !finite(box) || !finite(frustum)) return Culling::outside;
 
-  const auto side_of = [&](const Plane<S, 3>& plane) { return aabb_frustum::side(plane, box, trace); };
-  return frustum_planes::cull(frustum, side_of, trace);
+  const auto side_of = [&](const Plane<S, 3>& plane) { return aabb_frustum::detail::side(plane, box, trace); };
+  return frustum_planes::detail::cull(frustum, side_of, trace);
 }
 
 }  // namespace isect

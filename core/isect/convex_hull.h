@@ -138,7 +138,8 @@ void demand_finite(std::span<const Point<S, 2>> points) {
       throw std::invalid_argument("convex_hull: point " + std::to_string(i) + " has a NaN or infinite coordinate");
 }
 
-/// The points but for many that are certainly no vertices of their hull. Throws where a coordinate is NaN or infinite.
+/// The points, without many that are certainly not vertices of their hull. Throws where a coordinate is NaN or
+/// infinite.
 template <class S>
 Ring<S, 2> without_interior(std::span<const Point<S, 2>> points) {
   constexpr std::size_t few = 1000;

@@ -4,8 +4,8 @@
 //
 // A ray waits for memory more than for arithmetic. So a node with its four boxes fills two cache lines, what is to be
 // visited later is fetched at once, and leaves hold their triangles themselves. Boxes are rounded outwards and asked
-// four at a time; a box that the ray meets is never missed. Triangles are screened two at a time, in double, and those
-// that are left are asked the exact question. So the answers are those of isect/triangle_mesh.h. See
+// four at a time; a box that the ray meets is never missed. Triangles are screened two at a time, in double, and the
+// rest take the exact test. So the answers are those of isect/triangle_mesh.h. See
 // isect/parts/ray_mesh_parts.h for the bounds.
 //
 // Source: Wald, Benthin, Boulos, Getting rid of packets: efficient SIMD single-ray traversal using multi-branching
@@ -45,8 +45,8 @@ struct Family {
   int count;
 };
 
-/// Those that become one node's children: of it alone the largest inner one is replaced by its two until there are
-/// enough.
+/// The children of one wide node. It starts with the node itself; then the largest inner one is replaced by its two
+/// children until there are enough.
 template <class S>
 Family widened(const Bvh<S, 3>& bvh, int index) {
   const S unit = bvh::detail::scale(bvh.nodes[0].box);
@@ -183,7 +183,7 @@ std::optional<BvhHit<S>> closest_hit(const RayMesh<S>& mesh, const Ray<S, 3>& ra
   std::optional<BvhHit<S>> closest;
   float end = ray_mesh::detail::end(ray.range.hi);
   ray_mesh::detail::each_near(mesh, ray, end, [&](int i, int sign) {
-    const std::optional<S> t = triangle_mesh::first_t(ray, mesh.triangles[i], sign);
+    const std::optional<S> t = triangle_mesh::detail::first_t(ray, mesh.triangles[i], sign);
     const int index = mesh.indices[i];
     if (!t || (closest && !(*t < closest->t || (*t == closest->t && index < closest->primitive)))) return false;
     closest = BvhHit<S>{*t, index};
@@ -200,7 +200,7 @@ bool any_hit(const RayMesh<S>& mesh, const Ray<S, 3>& ray) {
   bool hit = false;
   const float end = ray_mesh::detail::end(ray.range.hi);
   ray_mesh::detail::each_near(mesh, ray, end, [&](int i, int sign) {
-    return hit = triangle_mesh::first_t(ray, mesh.triangles[i], sign).has_value();
+    return hit = triangle_mesh::detail::first_t(ray, mesh.triangles[i], sign).has_value();
   });
   return hit;
 }

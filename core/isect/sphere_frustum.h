@@ -21,6 +21,8 @@ namespace sphere_frustum {
 using frustum_planes::Tested;
 using Event = std::variant<Tested, plane_sphere::Decision, Fallback>;
 
+namespace detail {
+
 /// Where the ball lies with respect to n.x + d >= 0, by that inequality even where the normal is 0. Finite arguments.
 template <class S, class Trace>
 Culling side(const Plane<S, 3>& plane, const Sphere<S, 3>& sphere, Trace&& trace) {
@@ -28,6 +30,8 @@ Culling side(const Plane<S, 3>& plane, const Sphere<S, 3>& sphere, Trace&& trace
   if (signs.center < 0 && signs.clear > 0) return Culling::outside;
   return signs.center >= 0 && signs.clear >= 0 ? Culling::inside : Culling::crossing;
 }
+
+}  // namespace detail
 
 }  // namespace sphere_frustum
 
@@ -38,8 +42,8 @@ template <class S, class Trace = NoTrace>
 Culling cull(const Sphere<S, 3>& sphere, const Frustum<S>& frustum, Trace&& trace = {}) {
   if (empty(sphere) || !finite(sphere) || !finite(frustum)) return Culling::outside;
 
-  const auto side_of = [&](const Plane<S, 3>& plane) { return sphere_frustum::side(plane, sphere, trace); };
-  return frustum_planes::cull(frustum, side_of, trace);
+  const auto side_of = [&](const Plane<S, 3>& plane) { return sphere_frustum::detail::side(plane, sphere, trace); };
+  return frustum_planes::detail::cull(frustum, side_of, trace);
 }
 
 }  // namespace isect

@@ -1,9 +1,9 @@
 #pragma once
 // A hierarchy of bounding spheres over spheres: the idea of isect/bvh.h in its plainest form.
 //
-// Every leaf is one of the spheres, every inner node the smallest sphere around its two
-// children. Its center and radius are rounded, so it is widened by small steps until both lie inside exactly. Then
-// what misses a node truly misses all spheres below. A sphere is less to store than a box and turns with its content
+// Every leaf is one of the spheres, every inner node the smallest sphere around its two children. Its center and
+// radius are rounded, so it is widened by small steps until both lie inside exactly. Then what misses a node truly
+// misses all spheres below. A sphere is less to store than a box and turns with its content
 // for free, but fits most content less tightly. Source: the note, N09, N04; Ritter, An efficient bounding sphere,
 // Graphics Gems (1990), for the sphere around two; Hubbard, Approximating polyhedra with spheres, ACM TOG 15 (1996).
 

@@ -77,7 +77,7 @@ struct Reached {
 };
 using Event = std::variant<VertexAsked, PieceAsked, Reached, Fallback>;
 
-/// A piece was added, and cut so many trapezoids.
+/// A piece was added: how many trapezoids it cut.
 struct Inserted {
   int piece, cut;
 };

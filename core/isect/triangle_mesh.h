@@ -49,6 +49,8 @@ std::vector<Aabb<S, 3>> boxes(const TriangleMesh<S>& mesh) {
 
 namespace triangle_mesh {
 
+namespace detail {
+
 /// The t of intersect(ray, triangle) alone: its weights cost more than all of a ray's way through a hierarchy. All is
 /// finite; `sign` is that of the volumes where it is known, else 0.
 template <class S>
@@ -66,6 +68,8 @@ std::optional<S> first_t(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle, i
   return ray_range::clamped(value_of<S>(t), ray.range);
 }
 
+}  // namespace detail
+
 }  // namespace triangle_mesh
 
 /// The closest hit of the ray on the mesh, whose hierarchy is build_bvh(boxes(mesh)): of the least t, and of the
@@ -76,7 +80,7 @@ std::optional<BvhHit<S>> closest_hit(const Bvh<S, 3>& bvh, const TriangleMesh<S>
                                      Trace&& trace = {}) {
   const auto hit = [&](int index) -> std::optional<S> {
     const Triangle<S, 3> x = triangle(mesh, index);
-    return finite(ray) && finite(x) ? triangle_mesh::first_t(ray, x, 0) : std::nullopt;
+    return finite(ray) && finite(x) ? triangle_mesh::detail::first_t(ray, x, 0) : std::nullopt;
   };
   return closest_hit(bvh, ray, hit, trace);
 }

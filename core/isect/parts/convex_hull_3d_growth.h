@@ -17,11 +17,11 @@ namespace isect {
 
 namespace convex_hull_3d {
 
-/// A point joins the hull; it has seen so many faces.
+/// A point joins the hull: how many faces it saw.
 struct Added {
   int point, seen;
 };
-/// A point that the hull passed through was no strict vertex.
+/// A point that joined the hull is dropped: it is not a strict vertex.
 struct Dropped {
   int point;
 };
@@ -58,7 +58,7 @@ int projection(const Point<double, 3>& a, const Point<double, 3>& b, const Point
   return -1;
 }
 
-/// The index of the greatest rounded size among points that will do; -1 when none does.
+/// The index of the greatest rounded size among points that qualify; -1 when none does.
 template <class Size, class Does>
 int choose(const Points& points, const Size& size, const Does& does) {
   int best = 0;

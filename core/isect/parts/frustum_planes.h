@@ -12,6 +12,8 @@ struct Tested {
   Culling side;
 };
 
+namespace detail {
+
 /// `side_of(plane)` says where the volume lies. The first plane that it lies beyond ends the test.
 template <class S, class SideOf, class Trace>
 Culling cull(const Frustum<S>& frustum, const SideOf& side_of, Trace&& trace) {
@@ -24,5 +26,7 @@ Culling cull(const Frustum<S>& frustum, const SideOf& side_of, Trace&& trace) {
   }
   return culling;
 }
+
+}  // namespace detail
 
 }  // namespace isect::frustum_planes

@@ -23,7 +23,7 @@
 
 namespace isect::fit_tight::detail {
 
-/// The points in doubles: themselves, no copies, if they are so already.
+/// The points in doubles: themselves, not a copy, if they are in doubles already.
 template <class S, int N>
 decltype(auto) in_doubles(const std::vector<Point<S, N>>& points) {
   if constexpr (std::is_same_v<S, double>) {
