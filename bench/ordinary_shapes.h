@@ -15,6 +15,9 @@ struct Pair {
   B b;
 };
 
+/// What a radius may just make a shape do to another one.
+enum class Way { touch, contain, fit_in, any };
+
 template <class S>
 Aabb<S, 3> ordinary_box(Random& random) {
   const Point<double, 3> center = random.in_box<3>(1), half = random.in_box<3>(0.3) + Vector<double, 3>::Constant(0.4);
@@ -23,6 +26,11 @@ Aabb<S, 3> ordinary_box(Random& random) {
 template <class S>
 Sphere<S, 3> ordinary_sphere(Random& random) {
   return {random.in_box<3>(1).template cast<S>(), static_cast<S>(random.uniform(0.2, 0.8))};
+}
+template <class S>
+Capsule<S, 3> ordinary_capsule(Random& random) {
+  const Point<double, 3> p = random.in_box<3>(1), q = random.in_box<3>(1);
+  return {p.cast<S>(), q.cast<S>(), static_cast<S>(random.uniform(0.1, 0.5))};
 }
 template <class S>
 Ray<S, 3> ordinary_ray(Random& random) {

@@ -1,5 +1,6 @@
 #pragma once
-// Random intervals, boxes and balls from any family of numbers: flat and empty ones now and then, or made to meet.
+// Random intervals, boxes, balls and capsules from any family of numbers: flat and empty ones now and then, or made to
+// meet.
 
 #include <algorithm>
 
@@ -31,6 +32,13 @@ Sphere<S, N> ball(Random& random, Numbers numbers) {
   const Point<S, N> center = vector<S, N>(random, numbers);
   const S radius = numbers == Numbers::distant ? static_cast<S>(random.integer(0, 8)) : number<S>(random, numbers);
   return {center, random.one_in(20) ? S(0) : random.one_in(20) ? radius : std::abs(radius)};
+}
+
+/// With both ends at one point, too, once in a while.
+template <class S, int N>
+Capsule<S, N> capsule(Random& random, Numbers numbers) {
+  const Sphere<S, N> end = ball<S, N>(random, numbers);
+  return {end.center, random.one_in(20) ? end.center : vector<S, N>(random, numbers), end.radius};
 }
 
 }  // namespace isect::bench

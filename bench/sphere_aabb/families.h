@@ -13,9 +13,6 @@ namespace isect::bench {
 template <class S, int N>
 using BallAndBox = Pair<Sphere<S, N>, Aabb<S, N>>;
 
-/// What a radius may just do.
-enum class Way { touch, contain, fit_in, any };
-
 /// A radius that makes the ball touch the box, or contain it, or fit into it, but for rounding.
 template <class S, int N>
 S critical_radius(Random& random, const Point<S, N>& center, const Aabb<S, N>& box, Way way = Way::any) {

@@ -78,6 +78,13 @@ struct Sphere {
   S radius;
 };
 
+/// The points within `radius` of the segment from p to q; empty when radius < 0, a ball when p equals q.
+template <class S, int N>
+struct Capsule {
+  Point<S, N> p, q;
+  S radius;
+};
+
 /// The axis-aligned box lo_i <= x_i <= hi_i; empty when lo_i > hi_i for some i. Source: the note, N06.
 template <class S, int N>
 struct Aabb {
@@ -153,6 +160,10 @@ bool finite(const Sphere<S, N>& x) {
   return finite(x.center) && std::isfinite(x.radius);
 }
 template <class S, int N>
+bool finite(const Capsule<S, N>& x) {
+  return finite(x.p) && finite(x.q) && std::isfinite(x.radius);
+}
+template <class S, int N>
 bool finite(const Aabb<S, N>& x) {
   return finite(x.lo) && finite(x.hi);
 }
@@ -203,6 +214,10 @@ bool empty(const Sphere<S, N>& x) {
   return !(x.radius >= 0);
 }
 template <class S, int N>
+bool empty(const Capsule<S, N>& x) {
+  return !(x.radius >= 0);
+}
+template <class S, int N>
 bool empty(const Aabb<S, N>& x) {
   return !(x.lo.array() <= x.hi.array()).all();
 }
@@ -239,6 +254,10 @@ Plane<T, N> cast(const Plane<S, N>& x) {
 template <class T, class S, int N>
 Sphere<T, N> cast(const Sphere<S, N>& x) {
   return {x.center.template cast<T>(), static_cast<T>(x.radius)};
+}
+template <class T, class S, int N>
+Capsule<T, N> cast(const Capsule<S, N>& x) {
+  return {x.p.template cast<T>(), x.q.template cast<T>(), static_cast<T>(x.radius)};
 }
 template <class T, class S, int N>
 Aabb<T, N> cast(const Aabb<S, N>& x) {

@@ -22,6 +22,7 @@ set(tested_by
   overlapping_pairs_corners=all_pairs
   overlapping_pairs_level=all_pairs
   point_polygon_fast=point_polygon
+  point_segment=sphere_capsule
   predicate=bounded
   ray_mesh_parts=ray_mesh
   ray_range=ray_plane

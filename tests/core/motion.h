@@ -40,6 +40,10 @@ struct Motion {
     return {(*this)(x.center), (*this)(x.radius)};
   }
   template <class S>
+  Capsule<S, N> operator()(const Capsule<S, N>& x) const {
+    return {(*this)(x.p), (*this)(x.q), (*this)(x.radius)};
+  }
+  template <class S>
   Plane<S, N> operator()(const Plane<S, N>& x) const {
     return {turned(x.normal), (*this)(x.d)};
   }

@@ -90,6 +90,32 @@ TEST_CASE("an infinite range is a line, and t may be infinite only there", "[sha
   CHECK(std::isinf(semi_infinite<float>.hi));
 }
 
+TEMPLATE_TEST_CASE_SIG("a capsule is empty below radius 0, and finite where each of its numbers is", "[shapes]",
+                       FLOATS_AND_DIMENSIONS) {
+  const Capsule<S, N> good = {Point<S, N>::Zero(), Point<S, N>::Ones(), S(0)};
+  CHECK_FALSE(empty(good));
+  CHECK_FALSE(empty(Capsule<S, N>{good.p, good.q, S(-0.0)}));
+  CHECK(empty(Capsule<S, N>{good.p, good.q, -std::numeric_limits<S>::denorm_min()}));
+  CHECK(empty(Capsule<S, N>{good.p, good.q, S(not_a_number)}));
+  CHECK(finite(good));
+  for (const double bad : {not_a_number, inf, -inf}) {
+    CHECK_FALSE(finite(Capsule<S, N>{good.p, good.q, S(bad)}));
+    for (int i = 0; i < N; ++i) {
+      Capsule<S, N> p = good, q = good;
+      p.p[i] = q.q[i] = S(bad);
+      CHECK_FALSE(finite(p));
+      CHECK_FALSE(finite(q));
+    }
+  }
+}
+
+TEST_CASE("a capsule in another scalar is that of its ends and its radius", "[shapes]") {
+  const Capsule<double, 3> c = {{1, 2, 3}, {4, 5, 1.1}, 0.1};
+  const Capsule<float, 3> rounded = cast<float>(c);
+  CHECK((rounded.p == Point<float, 3>(1, 2, 3) && rounded.q == Point<float, 3>(4, 5, 1.1f) && rounded.radius == 0.1f));
+  CHECK(cast<double>(rounded).radius == static_cast<double>(0.1f));
+}
+
 TEMPLATE_TEST_CASE_SIG("a point of a ray is within its bound of the true one", "[shapes]", FLOATS_AND_DIMENSIONS) {
   bench::Random random(bench::stream(tests::seed(), "points of rays"));
   using oracle::Rational;

@@ -1,5 +1,5 @@
 // Compiled by zero_cost_trace.cmake, with and without the core's trace lines: the calls of some headers, named by
-// INTERSECT, METHODS, RELATE, RAYS or POLYGONS. LISTEN adds a listener.
+// INTERSECT, METHODS, RELATE, CAPSULES, RAYS or POLYGONS. LISTEN adds a listener.
 
 #if defined(INTERSECT)
 #include <isect/ray_sphere.h>
@@ -20,6 +20,9 @@
 #include <isect/sphere_frustum.h>
 #include <isect/sphere_sphere.h>
 #include <isect/triangle_aabb.h>
+#elif defined(CAPSULES)
+#include <isect/capsule_capsule.h>
+#include <isect/sphere_capsule.h>
 #elif defined(RAYS)
 #include <isect/ray_aabb.h>
 #include <isect/ray_obb.h>
@@ -93,6 +96,12 @@ Location call(const Point<double, 3>& a, const Ball& b) { return locate(a, b HEA
 Location call(const Point<double, 3>& a, const Obb<double, 3>& b) { return locate(a, b HEAR(point_obb::Event)); }
 bool call(const Obb<double, 3>& a, const Obb<double, 3>& b) { return intersects(a, b HEAR(obb_obb::Event<3>)); }
 bool call(const Triangle<double, 3>& a, const Box& b) { return intersects(a, b HEAR(triangle_aabb::Event<3>)); }
+#elif defined(CAPSULES)
+using Pill = Capsule<double, 3>;
+Relation call(const Ball& a, const Pill& b) { return relate(a, b HEAR(sphere_capsule::Event)); }
+bool call_meets(const Ball& a, const Pill& b) { return intersects(a, b HEAR(sphere_capsule::Event)); }
+Relation call(const Pill& a, const Pill& b) { return relate(a, b HEAR(capsule_capsule::Event)); }
+bool call_meets(const Pill& a, const Pill& b) { return intersects(a, b HEAR(capsule_capsule::Event)); }
 #elif defined(RAYS)
 std::optional<Interval<double>> call(const Line& a, const Box& b) { return intersect(a, b HEAR(ray_aabb::Event)); }
 std::optional<Interval<double>> call(const Line& a, const Obb<double, 3>& b) { return intersect(a, b HEAR(ray_obb::Event)); }
