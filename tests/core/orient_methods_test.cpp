@@ -91,7 +91,7 @@ TEMPLATE_TEST_CASE("the fused form is within 1.5 ulp of the area of its rounded 
   };
   Random random(bench::stream(tests::seed(), "fused"));
   INFO("seed " << tests::seed());
-  for (const OrientFamily<S>& family : all_orient_families<S>())
+  for (const NamedDraw<OrientCase<S>>& family : orient2d_draws<S>)
     for (int i = 0; i < tests::cases(2000, 100'000); ++i) attack(family.draw(random));
   for (const Numbers numbers : all_numbers)
     for (int i = 0; i < tests::cases(1000, 50'000); ++i)
