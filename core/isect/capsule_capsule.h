@@ -89,9 +89,9 @@ int compare(const Capsule<double, N>& a, const Capsule<double, N>& b, Trace&& tr
   const Point<double, N>* const ends[] = {&a.p, &a.q, &b.p, &b.q};
   for (int i = 0; i < 4 && least >= 0; ++i) {
     const Capsule<double, N>& other = i < 2 ? b : a;
-    const Nearest nearest = point_segment::nearest<N>(*ends[i], other.p, other.q, trace);
-    const int sign =
-        point_segment::compare<N>(*ends[i], other.p, other.q, nearest, a.radius, b.radius, std::plus<>(), trace);
+    const Nearest nearest = point_segment::detail::nearest<N>(*ends[i], other.p, other.q, trace);
+    const int sign = point_segment::detail::compare<N>(*ends[i], other.p, other.q, nearest, a.radius, b.radius,
+                                                       std::plus<>(), trace);
     trace(End{i, nearest, sign});
     least = std::min(least, sign);
   }
@@ -103,8 +103,9 @@ template <int N, class Trace>
 bool inside(const Capsule<double, N>& a, const Capsule<double, N>& b, Trace&& trace) {
   if (a.radius > b.radius) return false;
   for (const Point<double, N>* const end : {&a.p, &a.q}) {
-    const Nearest nearest = point_segment::nearest<N>(*end, b.p, b.q, trace);
-    if (point_segment::compare<N>(*end, b.p, b.q, nearest, b.radius, a.radius, std::minus<>(), trace) > 0) return false;
+    const Nearest nearest = point_segment::detail::nearest<N>(*end, b.p, b.q, trace);
+    if (point_segment::detail::compare<N>(*end, b.p, b.q, nearest, b.radius, a.radius, std::minus<>(), trace) > 0)
+      return false;
   }
   return true;
 }

@@ -37,21 +37,21 @@ namespace detail {
 /// Finite, not empty.
 template <int N, class Trace>
 Reach reach(const Sphere<double, N>& ball, const Capsule<double, N>& capsule, Trace&& trace) {
-  const Nearest nearest = point_segment::nearest<N>(ball.center, capsule.p, capsule.q, trace);
-  return {nearest, point_segment::compare<N>(ball.center, capsule.p, capsule.q, nearest, ball.radius, capsule.radius,
-                                             std::plus<>(), trace)};
+  const Nearest nearest = point_segment::detail::nearest<N>(ball.center, capsule.p, capsule.q, trace);
+  return {nearest, point_segment::detail::compare<N>(ball.center, capsule.p, capsule.q, nearest, ball.radius,
+                                                     capsule.radius, std::plus<>(), trace)};
 }
 
 template <int N, class Trace>
 Contained contained(const Sphere<double, N>& ball, const Capsule<double, N>& capsule, Nearest nearest, Trace&& trace) {
   const auto holds_end = [&](const Point<double, N>& end) {
-    return point_segment::compare<N>(end, ball.center, ball.center, Nearest::p, ball.radius, capsule.radius,
-                                     std::minus<>(), trace) <= 0;
+    return point_segment::detail::compare<N>(end, ball.center, ball.center, Nearest::p, ball.radius, capsule.radius,
+                                             std::minus<>(), trace) <= 0;
   };
   Contained result = {};
   if (ball.radius <= capsule.radius)
-    result.ball = point_segment::compare<N>(ball.center, capsule.p, capsule.q, nearest, capsule.radius, ball.radius,
-                                            std::minus<>(), trace) <= 0;
+    result.ball = point_segment::detail::compare<N>(ball.center, capsule.p, capsule.q, nearest, capsule.radius,
+                                                    ball.radius, std::minus<>(), trace) <= 0;
   if (capsule.radius <= ball.radius) result.capsule = holds_end(capsule.p) && holds_end(capsule.q);
   return result;
 }

@@ -16,6 +16,8 @@ namespace isect::point_segment {
 /// Which of the segment's points is the nearest: an end, or one between them.
 enum class Nearest { p, q, between };
 
+namespace detail {
+
 /// |x times y|^2.
 template <Filtered W>
 W cross_squared(const Components<W, 2>& x, const Components<W, 2>& y) {
@@ -61,5 +63,7 @@ int compare(const Point<double, N>& c, const Point<double, N>& p, const Point<do
       },
       trace);
 }
+
+}  // namespace detail
 
 }  // namespace isect::point_segment
