@@ -6,7 +6,7 @@
 #include <CGAL/Min_sphere_of_points_d_traits_3.h>
 #include <CGAL/Min_sphere_of_spheres_d.h>
 
-#include "bench/hulls/cgal_points.h"
+#include "bench/convex_hull/cgal_points.h"
 #endif
 
 namespace isect::bench::peers {

@@ -6,10 +6,10 @@
 #include "bench/growth_shapes.h"
 #include "bench/session.h"
 #ifdef ISECT_PEERS
-#include "bench/hulls/peers.h"
+#include "bench/convex_hull/peers.h"
 #endif
 
-namespace isect::bench::hulls_suite {
+namespace isect::bench::convex_hull_suite {
 namespace {
 
 using Points = std::vector<Point<double, 3>>;
@@ -45,8 +45,8 @@ void measure(Session& session) {
   grow(session, "hull 3D", "exact", unit, in_ball, hull3);
   grow(session, "hull 3D, sphere", "exact", unit, on_sphere, hull3);
 #ifdef ISECT_PEERS
-  peers::hulls(session);
+  peers::convex_hull(session);
 #endif
 }
 
-}  // namespace isect::bench::hulls_suite
+}  // namespace isect::bench::convex_hull_suite

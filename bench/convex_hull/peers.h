@@ -8,10 +8,10 @@
 #include <CGAL/convex_hull_2.h>
 #include <CGAL/convex_hull_3.h>
 
-#include "bench/hulls/cgal_points.h"
+#include "bench/convex_hull/cgal_points.h"
 #endif
 #ifdef ISECT_HAS_QHULL
-#include "bench/hulls/qhull.h"
+#include "bench/convex_hull/qhull.h"
 #endif
 
 namespace isect::bench::peers {
@@ -26,7 +26,7 @@ inline auto cgal_disc(bool circle) {
 }
 #endif
 
-inline void hulls([[maybe_unused]] Session& session) {
+inline void convex_hull([[maybe_unused]] Session& session) {
   [[maybe_unused]] constexpr const char* unit = "set of points";
 #ifdef ISECT_HAS_CGAL
   const auto hull2 = [](const auto& points) {
