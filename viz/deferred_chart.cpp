@@ -7,9 +7,12 @@
 namespace isect::viz {
 
 struct DeferredChart::Once {
+  Once(std::shared_ptr<const Chart> chart, std::function<Chart()> how)
+      : made(std::move(chart)), make(std::move(how)) {}
+
   std::shared_ptr<const Chart> made;
   std::function<Chart()> make;
-  std::once_flag flag = {};
+  std::once_flag flag;
 };
 
 DeferredChart::DeferredChart(std::shared_ptr<const Chart> made) {

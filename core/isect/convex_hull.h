@@ -126,7 +126,8 @@ struct Columns {
     const S column = (p[0] - left) * per_unit;
     if (!(column >= S(0) && column < S(count))) return false;
     const Aabb<S, 2>& box = boxes[static_cast<std::size_t>(column)];
-    return (box.lo[0] <= p[0]) & (p[0] <= box.hi[0]) & (box.lo[1] <= p[1]) & (p[1] <= box.hi[1]);
+    const S x = p[0], y = p[1], x_lo = box.lo[0], x_hi = box.hi[0], y_lo = box.lo[1], y_hi = box.hi[1];
+    return (x_lo <= x) & (x <= x_hi) & (y_lo <= y) & (y <= y_hi);
   }
 };
 

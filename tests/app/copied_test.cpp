@@ -69,7 +69,7 @@ TEST_CASE("a view that was orbited, moved and zoomed in the window is rendered t
   REQUIRE(window.player().camera().now().half_height !=
           viz::Player(isect::lessons::all_lessons(), {lesson, {}, {}, {}, {}}).camera().now().half_height);
 
-  window.key('C', true);
+  window.key(viz::key::c, true);
   write(shell.work() / "view.json", ImGui::GetClipboardText());
   window.type("s");
   window.frames(2);

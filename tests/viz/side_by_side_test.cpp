@@ -54,7 +54,7 @@ TEST_CASE("the setting follows the pointer on the map of cases, and one undo tak
   CHECK(now.y() == Approx(0.5).margin(0.05));
   CHECK(window.player().step().slug == case_map_slug);  // still on the map
 
-  window.key('Z', true);
+  window.key(key::z, true);
   CHECK((window.player().parameters() == before));
   window.drag(scene.left + 3, scene.top + 3, x(2.5), y(0.5));  // beside the plane
   CHECK((window.player().parameters() == before));

@@ -22,14 +22,14 @@ TEST_CASE("the state goes through the clipboard and back", "[window]") {
   WindowDriver window(both);
   window.type("p2");
   window.key(key::end);
-  window.key('C', true);
+  window.key(key::c, true);
   const std::string copied = ImGui::GetClipboardText();
   const Place before = window.player().place();
 
   window.type("]1o");
   CHECK(window.player().lesson().id == "point-ball");
   ImGui::SetClipboardText(copied.c_str());
-  window.key('V', true);
+  window.key(key::v, true);
   CHECK(window.player().place().lesson == "point-disc");
   CHECK(window.player().place().preset == "squared-outside");
   CHECK(window.player().place().step == before.step);
@@ -44,7 +44,7 @@ TEST_CASE("a pasted text that is no state is refused with its reason, and nothin
                              R"({"lesson": "point-disc", "parameters": {"r": -1}})");
   INFO(bad);
   ImGui::SetClipboardText(bad);
-  window.key('V', true);
+  window.key(key::v, true);
   CHECK_FALSE(window.ui.message().empty());
   CHECK(window.has("message"));
   CHECK(window.player().preset_id() == "squared-outside");

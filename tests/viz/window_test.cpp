@@ -67,7 +67,7 @@ TEST_CASE("a dragged handle changes its parameter and the verdict at once", "[wi
   CHECK(now.middle_x() == Approx(grip.middle_x() + 240).margin(0.5));
   CHECK(now.middle_y() == Approx(grip.middle_y() + 250).margin(0.5));
 
-  window.key('Z', true);
+  window.key(key::z, true);
   CHECK(center() == Vec3(0, 0, 0));
   CHECK(window.player().preset_id() == "squared-inside");
 }
@@ -208,7 +208,7 @@ TEST_CASE("a number is typed after Ctrl+click, and a refused one is told", "[win
 
 TEST_CASE("letters typed into a field are no commands", "[window]") {
   WindowDriver window(both);
-  window.key('O', true);
+  window.key(key::o, true);
   window.frames(2);
   window.type("ball 2");
   CHECK(window.player().preset_id() == "squared-inside");
@@ -218,7 +218,7 @@ TEST_CASE("letters typed into a field are no commands", "[window]") {
 
 TEST_CASE("the picker finds a lesson by a word, and opens it by Enter or by click", "[window]") {
   WindowDriver window(both);
-  window.key('O', true);
+  window.key(key::o, true);
   window.frames(2);
   REQUIRE(window.has("search"));
   CHECK(window.has("pair point-ball"));
