@@ -7,8 +7,7 @@
 namespace isect::viz {
 
 struct DeferredChart::Once {
-  Once(std::shared_ptr<const Chart> chart, std::function<Chart()> how)
-      : made(std::move(chart)), make(std::move(how)) {}
+  Once(std::shared_ptr<const Chart> chart, std::function<Chart()> how) : made(std::move(chart)), make(std::move(how)) {}
 
   std::shared_ptr<const Chart> made;
   std::function<Chart()> make;
