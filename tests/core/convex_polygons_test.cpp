@@ -2,9 +2,13 @@
 
 #include <isect/convex_polygons.h>
 
+#include <functional>
 #include <limits>
+#include <string>
+#include <utility>
 
 #include "tests/catch.h"
+#include "tests/core/growth.h"
 #include "tests/core/hull_oracle.h"
 #include "tests/settings.h"
 
@@ -214,6 +218,33 @@ TEST_CASE("the events tell the farthest vertex of each edge", "[convex_polygons]
   CHECK(relate(a, convex<double>({{3, 2}, {5, 3}, {4, 4}}), record) == Relation::b_inside_a);
   CHECK(record.events.size() == 7);
   CHECK(std::get<Contained>(record.events.back()).b_in_a);
+}
+
+TEST_CASE("two convex polygons take O(n + m), or with a logarithm, however they lie", "[convex_polygons]") {
+  using Pair = std::pair<ConvexPolygon<double>, ConvexPolygon<double>>;
+  const auto arc = [](int n, double x, double y, double turn) {  // on a parabola: vertices are what they seem
+    ConvexPolygon<double> polygon;
+    for (double k = 0; k < n; ++k) polygon.vertices.push_back({x + k, y + turn * k * (k - n)});
+    if (turn < 0) std::reverse(polygon.vertices.begin(), polygon.vertices.end());
+    return polygon;
+  };
+  const std::pair<std::string, std::function<Pair(int)>> families[] = {
+      {"the same", [&](int n) { return Pair(arc(n, 0, 0, 1), arc(n, 0, 0, 1)); }},
+      {"one above the other", [&](int n) { return Pair(arc(n, 0, 0, 1), arc(n, 0, 1, -1)); }},
+      {"chord against chord", [&](int n) { return Pair(arc(n, 0, 0, 1), arc(n, 0, 0, -1)); }},
+      {"one beside the other", [&](int n) { return Pair(arc(n, 0, 0, 1), arc(n, n, 0, 1)); }},
+      {"bulge against bulge", [&](int n) { return Pair(arc(n, 0, 0, 1), arc(n, 0, -0.5 * n * n, -1)); }},
+      {"moved a little", [&](int n) { return Pair(arc(n, 0, 0, 1), arc(n, 0.5, 0.5, 1)); }},
+      {"a triangle within", [&](int n) {
+         return Pair(arc(n, 0, 0, 1), convex<double>({{n / 2., -5}, {n / 2. + 1, -5}, {n / 2., -4}}));
+       }}};
+  for (const auto& [name, draw] : families) {
+    const double yes_or_no = tests::growth(20'000, draw, [](const Pair&p) { return intersects(p.first, p.second); }),
+                 how = tests::growth(20'000, draw, [](const Pair&p) { return relate(p.first, p.second); });
+    INFO(name << ": n^" << yes_or_no << ", n^" << how);
+    CHECK(yes_or_no < 1.5);
+    CHECK(how < 1.5);
+  }
 }
 
 }  // namespace convex_polygons_test

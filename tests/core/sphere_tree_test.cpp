@@ -170,4 +170,23 @@ TEMPLATE_TEST_CASE_SIG("every ball of a tree contains all spheres below it, and 
   CHECK(infinite_balls > 0);
 }
 
+TEST_CASE("a tree of n spheres is lg n deep, rounded up, wherever they lie", "[sphere_tree]") {
+  Random random(bench::stream(tests::seed(), "deep"));
+  INFO("seed " << tests::seed());
+  for (const bench::Numbers numbers : bench::all_numbers)
+    for (const int n : {1, 2, 3, 64, 65, 1000, 4097}) {
+      std::vector<Sphere<double, 3>> spheres;
+      while (static_cast<int>(spheres.size()) < n)
+        spheres.push_back(
+            {bench::vector<double, 3>(random, numbers), std::abs(bench::number<double>(random, numbers))});
+      const SphereTree<double, 3> tree = build_sphere_tree(spheres);
+      std::vector<int> level(tree.nodes.size(), 0);
+      for (std::size_t i = 0; i < tree.nodes.size(); ++i)  // children stand behind their parents
+        if (!tree.nodes[i].leaf()) level[tree.nodes[i].left] = level[tree.nodes[i].left + 1] = level[i] + 1;
+      const int deepest = *std::max_element(level.begin(), level.end());
+      INFO(n << " spheres, " << deepest << " levels");
+      CHECK((tree.nodes.size() == 2 * spheres.size() - 1 && 1 << deepest >= n && (n == 1 || 1 << (deepest - 1) < n)));
+    }
+}
+
 }  // namespace sphere_tree_test
