@@ -104,7 +104,7 @@ bool Baselines::accepts(Kind kind) const {
 
 std::vector<viz::Drawing> Baselines::drawings_of(const Excerpt& e) const {
   std::vector<viz::Drawing> drawings(e.walk.steps.size());
-  if (!fs::exists(path(e, "")) && !accepts(Kind::missing) && !keep_pictures_) return drawings;
+  if (!viz::is_there(path(e, "")) && !accepts(Kind::missing) && !keep_pictures_) return drawings;
   const viz::Camera camera = camera_for(e, theme, picture_size);
   std::ranges::transform(e.walk.steps, drawings.begin(), [&](const viz::Step& step) {
     return viz::figure(step, camera, theme, picture_size.width, picture_size.height).drawing;
@@ -142,17 +142,17 @@ bool Baselines::settle(const std::string& baseline, bool ours, std::optional<Fai
 std::vector<viz::Change> Baselines::check_trace(const Excerpt& e, const std::vector<viz::Drawing>& drawings,
                                                 std::vector<Failure>& found) {
   const std::string baseline = path(e, "trace.json");
-  const std::string now = fs::exists(baseline) || accepts(Kind::missing)
+  const std::string now = viz::is_there(baseline) || accepts(Kind::missing)
                               ? viz::trace_json(*e.lesson, e.folder, e.parameters, e.walk, drawings, stamp_)
                               : "";
-  const bool ours = trace_of(folder_of(e)).has_value() || !fs::exists(baseline);
+  const bool ours = trace_of(folder_of(e)).has_value() || !viz::is_there(baseline);
   std::optional<Failure> f;
   std::vector<viz::Change> changes;
-  if (!fs::exists(baseline)) {
+  if (!viz::is_there(baseline)) {
     f = about(e, -1, failure(Kind::missing, "no trace was accepted yet", baseline));
   } else {
     try {
-      changes = viz::compare_traces(viz::read_file(baseline), now);
+      changes = viz::compare_traces(viz::read_regular_file(baseline), now);
       std::ranges::stable_partition(changes, [](const viz::Change& c) { return !c.drawn; });  // said, then drawn
       if (!changes.empty()) {
         f = about(e, changes[0].step, failure(Kind::trace, changes[0].what, baseline));
@@ -169,11 +169,11 @@ std::vector<viz::Change> Baselines::check_trace(const Excerpt& e, const std::vec
 
 std::optional<Failure> Baselines::compare_with_baseline(const viz::Picture& now, const std::string& baseline) const {
   if (viz::blank(now)) return failure(Kind::blank, "the picture is blank", baseline);
-  if (!fs::exists(baseline)) return failure(Kind::missing, "no picture was accepted yet", baseline);
+  if (!viz::is_there(baseline)) return failure(Kind::missing, "no picture was accepted yet", baseline);
   std::string bytes;
   viz::Picture accepted;
   try {
-    bytes = viz::read_file(baseline);
+    bytes = viz::read_regular_file(baseline);
     accepted = viz::read_png(bytes);
   } catch (const viz::FileError& error) {
     return failure(Kind::unreadable, error.what(), baseline);
@@ -197,7 +197,7 @@ void Baselines::check_picture(const Excerpt& e, int index, const viz::Drawing& d
                               const std::vector<viz::Change>& changes, std::vector<Failure>& found) {
   const viz::Step& step = e.walk.steps[index];
   const std::string baseline = path(e, viz::file_stem(index, step) + ".png");
-  const bool absent = !fs::exists(baseline);
+  const bool absent = !viz::is_there(baseline);
   if (absent && !accepts(Kind::missing) && !keep_pictures_) {  // nobody would see it, so nothing is drawn
     found.push_back(about(e, index, failure(Kind::missing, "no picture was accepted yet", baseline)));
     return;

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 
 #include "app/child.h"
@@ -116,7 +117,9 @@ bench::Report read_from(const std::string& path) {
   try {
     return bench::report_of(text);
   } catch (const std::exception& e) {
-    throw viz::BadInput(fmt::format("{}: {}", path, e.what()));
+    std::string why = e.what();  // "not a report of measurements: [json.exception...] key 'machine' not found"
+    if (const std::size_t at = why.find("[json."); at != why.npos) why.erase(at, why.find("] ", at) + 2 - at);
+    throw viz::BadInput(fmt::format("{}: {}", path, why));
   }
 }
 
@@ -186,6 +189,8 @@ int bench(const Program& program, const Wanted& wanted) {
     if (const auto all = names(); std::ranges::find(all, test) == all.end()) throw viz::unknown("TEST", test, all);
   if (!wanted.publish.empty()) return publish(program, wanted);
   if (wanted.from.size() > 1) throw viz::BadInput("--from: several files make sense with --publish only");
+  if (!wanted.csv.empty() && wanted.csv == wanted.json)
+    throw viz::BadInput("--csv: the same place as that of --json; give each its own");
   const bench::Report report = measured(program, wanted);
   if (!wanted.csv.empty() && wanted.csv != "-") viz::write_file(wanted.csv, bench::csv(report));
   if (!wanted.json.empty() && wanted.json != "-") viz::write_file(wanted.json, bench::json(report));
@@ -214,8 +219,10 @@ void add_bench(CLI::App& app, Program& program) {
                                         "--from's files, or from new runs of all builds that are there");
   CLI::Option* seed = sub.add_option("--seed", wanted->seed, "of the random cases");
   seed->check([](const std::string& text) {  // CLI11 would take -1 for 2^64 - 1
-    const bool whole = !text.empty() && text.find_first_not_of("0123456789") == text.npos;
-    return whole ? "" : fmt::format("\"{}\" is no whole number from 0 on; write --seed N", text);
+    unsigned long long n = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
+    const bool whole = error == std::errc() && end == text.data() + text.size();
+    return whole ? "" : fmt::format("\"{}\" is no whole number from 0 to 2^64 - 1; write --seed N", text);
   });
   CLI::Option* quick = sub.add_flag("--quick", wanted->quick, "within a minute: few passes, few cases judged");
   CLI::Option* peers = sub.add_flag("--peers", wanted->peers, "beside CGAL, Boost, Bullet, FCL, Embree, GEOS, Eigen");

@@ -79,7 +79,7 @@ std::vector<Excerpt> chosen_of(const Program& program, const Options& options, c
 }
 
 bool nothing_there(const std::string& folder, const std::vector<Excerpt>& chosen) {
-  return std::ranges::none_of(chosen, [&](const Excerpt& e) { return fs::exists(fs::path(folder) / folder_of(e)); });
+  return std::ranges::none_of(chosen, [&](const Excerpt& e) { return viz::is_there(fs::path(folder) / folder_of(e)); });
 }
 
 /// What is missing altogether, without a look at a single step.
@@ -102,7 +102,17 @@ void compare(const std::vector<Excerpt>& chosen, const Baselines::Reach& reach, 
   report.left_alone = baselines.left_alone();
 }
 
+/// Reports are written over what is there, but never over what was accepted or drawn, or over one another.
+void require_own_places(const Options& options) {
+  if (!options.report.empty() && options.report == options.junit)
+    throw viz::BadInput(fmt::format("junit: {} is the page of --report too; give each its own", options.junit));
+  for (const std::string& file : {options.report, options.junit})
+    if (own_trace(file) || metadata_in(file).contains("lesson"))
+      throw viz::BadInput(fmt::format("report: {} is a baseline or a figure; give the report another name", file));
+}
+
 int check(const Program& program, const Options& options) {
+  require_own_places(options);
   const Update update = update_named(options.update);
   const viz::Backend backend = viz::backend_named(options.backend.empty() ? "auto" : options.backend);
   const bool own = !options.dir.empty();  // presets of the user's own

@@ -77,13 +77,20 @@ std::vector<const viz::Lesson*> lessons_of(const Program& program, const Selecti
   return lessons;
 }
 
+/// Where a file lies, links followed. A pipe, as <(command) is one, lies nowhere: as it is named.
+fs::path place_of(const std::string& path) {
+  std::error_code nowhere;
+  const fs::path place = fs::weakly_canonical(path, nowhere);
+  return nowhere ? fs::absolute(path).lexically_normal() : place;
+}
+
 /// The files in order, each once, by their own names; where two have the same, by where they lie.
 std::vector<PresetFile> named_files(const std::vector<std::string>& paths) {
   std::vector<PresetFile> files;
   std::set<fs::path> known;
   std::set<std::string> names;
   for (const std::string& path : paths)
-    if (known.insert(fs::weakly_canonical(path)).second) {
+    if (known.insert(place_of(path)).second) {
       files.push_back({path, fs::path(path).stem().string()});
       names.insert(files.back().name);
     }
@@ -91,8 +98,7 @@ std::vector<PresetFile> named_files(const std::vector<std::string>& paths) {
   const fs::path first = *known.begin(), last = *known.rbegin();  // in order: all lie where these two do
   fs::path above = first.parent_path();
   while (last.lexically_relative(above).string().starts_with("..")) above = above.parent_path();
-  for (PresetFile& file : files)
-    file.name = fs::weakly_canonical(file.path).lexically_relative(above).replace_extension().string();
+  for (PresetFile& file : files) file.name = place_of(file.path).lexically_relative(above).replace_extension().string();
   return files;
 }
 

@@ -77,8 +77,9 @@ bool Gallery::is_ours(const std::string& file) const {
 
 bool Gallery::is_our_text(const std::string& stem, const std::string& now) const {
   const std::string file = path(stem + ".txt");
-  if (!fs::exists(fs::status(file))) return true;
-  const std::string there = viz::read_file(file);
+  std::error_code absent;
+  if (!fs::is_regular_file(file, absent)) return true;
+  const std::string there = viz::read_regular_file(file);
   return there == now || std::ranges::any_of(listed_, [&](const auto& entry) {
            return fs::path(entry.first).replace_extension() == stem && entry.second.value("alt", "") == there;
          });
@@ -86,12 +87,15 @@ bool Gallery::is_our_text(const std::string& stem, const std::string& now) const
 
 Gallery::Entries Gallery::read_manifest() const {
   const std::string file = path("manifest.json");
-  if (!fs::exists(fs::status(file))) return {};
-  const Json manifest = Json::parse(viz::read_file(file), nullptr, false);
+  if (!viz::is_there(file)) return {};
+  const Json manifest = Json::parse(viz::read_regular_file(file), nullptr, false);
   Entries entries;
   try {
     if (manifest.at("program") != "isect") not_ours(file);
-    for (const Json& entry : manifest.at("figures")) entries.emplace(entry.at("file").get<std::string>(), entry);
+    for (const Json& entry : manifest.at("figures")) {
+      static_cast<void>(entry.value("alt", ""));  // the text that it speaks of
+      entries.emplace(entry.at("file").get<std::string>(), entry);
+    }
   } catch (const Json::exception&) {
     not_ours(file);
   }
@@ -151,7 +155,7 @@ void Gallery::list() {
   const Lock alone(path(".isect-manifest.lock"));
   Entries all = added_;
   all.merge(read_manifest());
-  std::erase_if(all, [&](const auto& entry) { return !fs::exists(path(entry.first)); });
+  std::erase_if(all, [&](const auto& entry) { return !viz::is_there(path(entry.first)); });
   Json figures = Json::array();
   for (const auto& [file, entry] : all) figures.push_back(entry);
   const Json manifest = {{"program", "isect"}, {"version", viz::version()}, {"figures", figures}};

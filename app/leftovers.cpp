@@ -17,7 +17,7 @@ std::string beside(const std::string& baseline, const std::string& ending) {
 /// The name of the file, if it could be written.
 std::string write(const std::string& file, const std::string& png, const std::string& folder, Failure& f) {
   if (png.empty()) return {};
-  if (fs::exists(file) && !made_for(metadata_in(file), folder, {})) {
+  if (viz::is_there(file) && !made_for(metadata_in(file), folder, {})) {
     f.notes.push_back(fmt::format("not written: {} is there and was not made by isect", file));
     return {};
   }

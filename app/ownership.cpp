@@ -40,7 +40,7 @@ viz::Metadata metadata_in(const fs::path& picture) {
   const viz::Format* const format = viz::format_of(picture);
   if (!format || !fs::is_regular_file(picture, hidden)) return {};
   try {
-    return format->metadata(viz::read_file(picture));
+    return format->metadata(viz::read_regular_file(picture));
   } catch (const viz::FileError&) {
     return {};
   }
@@ -48,7 +48,7 @@ viz::Metadata metadata_in(const fs::path& picture) {
 
 std::optional<OwnTrace> own_trace(const fs::path& file) try {
   if (!fs::is_regular_file(file)) return {};
-  const Json trace = Json::parse(viz::read_file(file));
+  const Json trace = Json::parse(viz::read_regular_file(file));
   OwnTrace own;
   own.folder = trace.at("lesson").get<std::string>() + "/" + trace.at("preset").get<std::string>();
   own.parameters = trace.at("parameters").dump();

@@ -28,8 +28,10 @@ std::vector<PresetFile> json_files(const fs::path& folder) {
     const fs::path& path = entry->path();
     const std::string name = path.filename();
     const bool baselines = entry.depth() == 0 && name == "snapshots";
-    if (entry->is_directory() && (name.starts_with(".") || baselines)) entry.disable_recursion_pending();
-    if (entry->is_directory() || name.starts_with(".") || path.extension() != ".json") continue;
+    std::error_code hidden;  // it is asked what it is once it is read
+    const bool is_folder = entry->is_directory(hidden);
+    if (is_folder && (name.starts_with(".") || baselines)) entry.disable_recursion_pending();
+    if (is_folder || name.starts_with(".") || path.extension() != ".json") continue;
     if (name == "manifest.json" || own_trace(path)) continue;
     files.push_back({path.string(), path.lexically_relative(folder).replace_extension().string()});
   }
@@ -50,7 +52,7 @@ bool is_meant_as_preset(const std::string& text) {
 PresetFolder preset_folder(const std::string& folder, const Program& program) {
   PresetFolder found;
   for (const PresetFile& file : json_files(folder)) try {
-      const std::string text = viz::read_file(file.path);
+      const std::string text = viz::read_regular_file(file.path);
       if (!is_meant_as_preset(text)) {
         found.foreign.push_back(file.path);
         continue;

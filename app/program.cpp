@@ -110,7 +110,8 @@ int run(Program& program, std::vector<std::string> arguments) {
   } catch (const viz::FileError& e) {
     return complain(e, file_trouble);
   } catch (const std::filesystem::filesystem_error& e) {
-    return complain(e, file_trouble);
+    say(fmt::format("{}: '{}': {}", program.name, e.path1().string(), e.code().message()));
+    return file_trouble;
   } catch (const viz::NoBackend& e) {
     return complain(e, nowhere_to_draw);
   } catch (const viz::NoFonts& e) {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/terminal.h"
+#include "viz/files.h"
 #include "viz/place.h"
 
 namespace isect::program {
@@ -25,7 +26,7 @@ std::string counted(std::size_t n, const std::string& what) {
 
 /// Not one file of the preset is there, which is told in one line.
 bool all_missing(const Failure& f) {
-  return f.kind == Kind::missing && !std::filesystem::exists(std::filesystem::path(f.baseline).parent_path());
+  return f.kind == Kind::missing && !viz::is_there(std::filesystem::path(f.baseline).parent_path());
 }
 
 std::string text_of(const Failure& f) {

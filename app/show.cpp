@@ -16,12 +16,9 @@ namespace isect::program {
 
 namespace {
 
-/// Far above any figure's, far below what would take minutes.
-constexpr std::size_t most_bytes = std::size_t{64} << 20;
-
 /// The place where a figure of ours was made.
 viz::Place place_in_figure(const Program& program, const std::string& path, const viz::Format& format) {
-  const std::string bytes = viz::read_file(path, most_bytes);
+  const std::string bytes = viz::read_file(path);
   try {
     const viz::Metadata data = format.metadata(bytes);
     if (data.empty())

@@ -13,6 +13,7 @@
 #include "bench/prose.h"
 #include "bench/rows.h"
 #include "viz/files.h"
+#include "viz/formats.h"
 
 namespace isect::bench {
 namespace {
@@ -68,11 +69,14 @@ bool any(const std::vector<const Row*>& rows, bool (*has)(const Row&)) {
   return std::ranges::any_of(rows, [has](const Row* r) { return has(*r); });
 }
 bool has_value(const Row& r) { return r.ulps.has_value(); }
+bool has_distribution(const Row& r) { return !r.quantiles.empty(); }
 bool is_wrong(const Row& r) { return r.wrong() > 0; }
 
+const std::string title = "# Speed against error\n";
+
 std::string opening(const Measured& m) {
-  return "# Speed against error\n\n"
-         "How long each test takes, and how often and how far it is wrong: every method, on ordinary input "
+  return title +
+         "\nHow long each test takes, and how often and how far it is wrong: every method, on ordinary input "
          "and on input "
          "made to break it. `isect bench` measures, an exact oracle judges, and this text, its tables and "
          "its figures "
@@ -122,7 +126,8 @@ std::string tests(const Measured& m, Figures& figures) {
     if (families_of(rows).size() < 2 || test.find(',') != std::string::npos) continue;  // a variant has its table only
     if (any(rows, has_value)) text += figures.show(error_plot(m.portable, test, "double"));
     if (any(rows, is_wrong)) text += figures.show(verdict_plot(m.portable, test, "double"));
-    if (test == "ray-sphere") text += figures.show(distribution_plot(m.portable, test, "double"));
+    if (test == "ray-sphere" && any(rows, has_distribution))
+      text += figures.show(distribution_plot(m.portable, test, "double"));
   }
   return text;
 }
@@ -186,6 +191,29 @@ std::string ending() {
          "kept. Times differ from machine to machine; verdicts and errors do not.\n";
 }
 
+// What may be written over or removed: what was published before.
+
+[[noreturn]] void not_ours(const std::string& file) {
+  throw viz::FileError("cannot write '" + file + "': the file there was not published by isect; move it away");
+}
+bool is_text_of_ours(const std::string& file) {
+  return !viz::is_there(file) || viz::read_regular_file(file).starts_with(title);
+}
+bool are_results_of_ours(const std::string& file) try {
+  if (viz::is_there(file)) report_of(viz::read_regular_file(file));
+  return true;
+} catch (const std::runtime_error&) {
+  return false;
+}
+bool is_figure_of_ours(const std::filesystem::path& file) try {
+  const viz::Format* format = viz::format_of(file);
+  if (!format || std::filesystem::is_symlink(file)) return false;
+  const viz::Metadata data = format->metadata(viz::read_regular_file(file));
+  return data.contains("figure") && data.at("figure") == file.stem();
+} catch (const viz::FileError&) {
+  return false;
+}
+
 }  // namespace
 
 Measured measured_of(std::vector<Report> reports) {
@@ -244,20 +272,22 @@ void publish(const Measured& m, const std::string& folder) {
   require_quiet(m.portable.machine);
   for (const std::optional<Report>* other : {&m.native, &m.peers})
     if (*other) require_quiet((*other)->machine);
+  const std::string pictures = folder + "/report", results = folder + "/results.json", text = folder + "/REPORT.md";
+  if (!are_results_of_ours(results)) not_ours(results);
+  if (!is_text_of_ours(text)) not_ours(text);
   const Publication p = publication(m);
-  const std::string pictures = folder + "/report";
   std::set<std::string> named;
   for (const auto& [name, bytes] : p.files) {
-    viz::write_file(pictures + '/' + name, bytes);
+    const std::string file = pictures + '/' + name;
+    if (viz::is_there(file) && !is_figure_of_ours(file)) not_ours(file);
+    viz::write_file(file, bytes);
     named.insert(name);
   }
-  for (const auto& entry : std::filesystem::directory_iterator(pictures)) {  // figures of an earlier report
-    const std::string extension = entry.path().extension().string();
-    if ((extension == ".svg" || extension == ".png") && !named.contains(entry.path().filename().string()))
+  for (const auto& entry : std::filesystem::directory_iterator(pictures))  // figures of an earlier report
+    if (!named.contains(entry.path().filename()) && is_figure_of_ours(entry.path()))
       std::filesystem::remove(entry.path());
-  }
-  viz::write_file(folder + "/results.json", json(lesson_excerpt(m.portable)));
-  viz::write_file(folder + "/REPORT.md", p.text);
+  viz::write_file(results, json(lesson_excerpt(m.portable)));
+  viz::write_file(text, p.text);
 }
 
 }  // namespace isect::bench

@@ -19,7 +19,7 @@ class PlotLayout {
       for (const Curve& curve : panel.curves) right_ = std::max(right_, ink.width(curve.label, s.label));
     if (right_ > 0) right_ += 1.2 * s.label;
 
-    const int count = static_cast<int>(plot.panels.size());
+    const int count = std::max(1, static_cast<int>(plot.panels.size()));  // without any, room for one
     const double least = 6.3 * s.title + right_;
     const int fit = std::max(1, static_cast<int>((width - left_ + s.gutter) / (least + s.gutter)));
     rows_ = (count + fit - 1) / fit;

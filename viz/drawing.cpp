@@ -1,5 +1,7 @@
 #include "viz/drawing.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -28,8 +30,8 @@ Vec2 point_on(const Vec2& from, const Path::Cubic& cubic, double u) {
 }  // namespace
 
 std::string full_name(const Object& o) {
-  const std::string name = o.name.empty() ? "(" + name_of(o.role) + ")" : o.name;
-  return o.kind + ' ' + name + (o.number > 1 ? (o.name.empty() ? " " : " #") + std::to_string(o.number) : "");
+  const std::string name = o.name.empty() ? fmt::format("({})", name_of(o.role)) : o.name;
+  return o.kind + ' ' + name + (o.number > 1 ? fmt::format("{}{}", o.name.empty() ? " " : " #", o.number) : "");
 }
 
 int object_of(const Shape& shape) {

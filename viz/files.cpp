@@ -150,6 +150,20 @@ int replace(const std::string& path, const std::string& bytes, const struct stat
   }
 }
 
+/// All that comes. Throws FileError, also where that is more than `most` bytes.
+std::string receive(int descriptor, const std::string& path, std::size_t most) {
+  std::string bytes;
+  char block[1 << 16];
+  while (true) {
+    const ssize_t n = ::read(descriptor, block, sizeof block);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) fail("read", path, errno);
+    if (n == 0) return bytes;
+    bytes.append(block, static_cast<std::size_t>(n));
+    if (bytes.size() > most) fail("read", path, EFBIG);
+  }
+}
+
 }  // namespace
 
 void write_file(const std::string& path, const std::string& bytes) {
@@ -175,16 +189,21 @@ void write_file(const std::string& path, const std::string& bytes) {
 std::string read_file(const std::string& path, std::size_t most) {
   const Descriptor file(path, O_RDONLY);
   if (!file.open()) fail("read", path, errno);
-  std::string bytes;
-  char block[1 << 16];
-  while (true) {
-    const ssize_t n = ::read(file.get(), block, sizeof block);
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) fail("read", path, errno);
-    if (n == 0) return bytes;
-    bytes.append(block, static_cast<std::size_t>(n));
-    if (bytes.size() > most) fail("read", path, EFBIG);
-  }
+  return receive(file.get(), path, most);
+}
+
+std::string read_regular_file(const std::string& path) {
+  const Descriptor file(path, O_RDONLY | O_NONBLOCK | O_NOCTTY);
+  struct stat there;
+  if (!file.open() || ::fstat(file.get(), &there) != 0) fail("read", path, errno);
+  if (S_ISDIR(there.st_mode)) fail("read", path, EISDIR);
+  if (!S_ISREG(there.st_mode)) throw FileError("cannot read '" + path + "': not a regular file");
+  return receive(file.get(), path, std::string::npos);
+}
+
+bool is_there(const std::string& path) {
+  std::error_code unknown;
+  return std::filesystem::exists(path, unknown) || unknown;
 }
 
 }  // namespace isect::viz

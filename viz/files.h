@@ -21,8 +21,13 @@ using Metadata = std::map<std::string, std::string>;
 /// Replaces a file in one step, links followed and mode kept; makes its folder if needed. What is no file (a
 /// device, a pipe, our own stdout) is written to. Throws FileError; a file that was there stays on failure.
 void write_file(const std::string& path, const std::string& bytes);
-/// Throws FileError, also where there are more than `most` bytes.
-std::string read_file(const std::string& path, std::size_t most = std::string::npos);
+/// What a reader named, be it a pipe. Throws FileError, also where there are more than `most` bytes.
+std::string read_file(const std::string& path, std::size_t most = std::size_t{64} << 20);
+/// What merely lies where a file of ours is looked for. Throws FileError, also where it is no regular file: a pipe may
+/// never be written to, and a device may have no end.
+std::string read_regular_file(const std::string& path);
+/// Whether anything has this name. What can't be asked, as behind links that go in circles, has: it is not ours.
+bool is_there(const std::string& path);
 
 /// PNG with the metadata as iTXt chunks (keyword "isect:<key>"); same input, same bytes. Keys are printable
 /// ASCII without spaces, at most 73 characters: std::invalid_argument otherwise.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 namespace isect::viz {
 
@@ -37,9 +38,16 @@ Json json(const Camera& camera) {
 /// Nothing of ours nests deeper. What does would crash whoever shows it: the library writes JSON by recursion.
 constexpr int deepest = 16;
 
+/// All that stands there counts: the library would take the last of two fields, and end at a NUL byte.
 Json parse(const std::string& field, const std::string& text) try {
-  return Json::parse(text, [&](int depth, Json::parse_event_t, const Json&) {
+  if (text.find('\0') != text.npos) throw BadInput(fmt::format("{}: not JSON; there is a NUL byte in it", field));
+  std::vector<std::set<std::string>> open;  // the keys of each object that has not ended yet
+  return Json::parse(text, [&](int depth, Json::parse_event_t event, const Json& parsed) {
     if (depth > deepest) throw BadInput(fmt::format("{}: nested more than {} levels deep", field, deepest));
+    if (event == Json::parse_event_t::object_start) open.emplace_back();
+    if (event == Json::parse_event_t::object_end) open.pop_back();
+    if (event == Json::parse_event_t::key && !open.back().insert(parsed.get<std::string>()).second)
+      throw BadInput(fmt::format("{}: {} is given twice", field, parsed.dump()));
     return true;
   });
 } catch (const Json::exception& e) {

@@ -14,6 +14,7 @@ using isect::bench::Row;
 using isect::test::contents;
 using isect::test::Ran;
 using isect::test::Shell;
+using isect::test::write;
 
 namespace {
 
@@ -58,9 +59,38 @@ TEST_CASE("one test is measured and judged, and its files read back", "[bench]")
 
 TEST_CASE("a seed that is none is refused by name", "[bench]") {
   const Shell shell;
-  const Ran ran = shell("isect bench orient2d --quick --seed abc");
-  CHECK(ran.status == 2);
-  CHECK_THAT(ran.err, Contains("--seed: \"abc\" is no whole number"));
+  for (const std::string seed : {"abc", "-1", "1.5", "1 ", "18446744073709551616"}) {
+    const Ran ran = shell("timeout 60 isect bench orient2d --quick --seed '" + seed + "'");
+    CHECK(ran.status == 2);
+    CHECK_THAT(ran.err, Contains("--seed: \"" + seed + "\" is no whole number"));
+  }
+}
+
+TEST_CASE("an excerpt of a report can be published, beside what is one's own", "[bench]") {
+  const Shell shell;
+  write(shell.work() / "public/report/mine.svg", "<svg/>");
+  Report excerpt = isect::bench::report_of(contents(ISECT_RESULTS));
+  excerpt.machine.noise = 0;  // as on a machine that was idle
+  write(shell.work() / "excerpt.json", isect::bench::json(excerpt));
+  for (int times = 0; times < 2; ++times) {  // the second time from what the first one left
+    const std::string from = times == 0 ? "excerpt.json" : "public/results.json";
+    const Ran ran = shell("isect bench --publish public --from " + from);
+    INFO(ran.err);
+    REQUIRE(ran.status == 0);
+    CHECK_THAT(contents(shell.work() / "public/REPORT.md"), Contains("# Speed against error"));
+    CHECK(contents(shell.work() / "public/report/mine.svg") == "<svg/>");
+  }
+}
+
+TEST_CASE("what is no report of measurements is told in words, and two results need two places", "[bench]") {
+  const Shell shell;
+  write(shell.work() / "other.json", "{}");
+  const Ran other = shell("isect bench --from other.json");
+  CHECK(other.status == 2);
+  CHECK_THAT(other.err, Contains("other.json: not a report of measurements: key 'machine' not found"));
+  const Ran both = shell("isect bench --from other.json --csv - --json -");
+  CHECK(both.status == 2);
+  CHECK_THAT(both.err, Contains("--csv: the same place as that of --json"));
 }
 
 TEST_CASE("the same seed gives the same verdicts, another seed other cases", "[bench]") {

@@ -85,6 +85,25 @@ TEST_CASE("a report shows what would be accepted for the first time", "[check]")
   CHECK_THAT(page, Contains(check + " --update=missing"));
 }
 
+TEST_CASE("a report is never written over a baseline, a figure or another report", "[check]") {
+  const Shell shell;
+  REQUIRE(shell("isect check intervals --preset touching --update && isect render intervals --step 1").status == 0);
+  const std::string command = "isect check intervals --preset touching ";
+  const std::string trace = "snapshots/intervals/touching/trace.json",
+                    figure = "figures/intervals/overlapping/01-a-beyond-b.png";
+  for (const std::string& file : {trace, figure})
+    for (const std::string option : {"--report ", "--junit "}) {
+      const std::string before = contents(shell.work() / file);
+      const Ran ran = shell(command + option + file);
+      CHECK(ran.status == 2);
+      CHECK_THAT(ran.err, Contains("report: " + file + " is a baseline or a figure"));
+      CHECK(contents(shell.work() / file) == before);
+    }
+  const Ran both = shell(command + "--report r --junit r");
+  CHECK(both.status == 2);
+  CHECK_THAT(both.err, Contains("junit: r is the page of --report too"));
+}
+
 TEST_CASE("a result as JUnit XML is read by programs, whatever the names", "[check]") {
   const Accepted shell;
   const auto read = [&](const std::string& file) {

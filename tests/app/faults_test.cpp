@@ -37,6 +37,9 @@ std::string all_whole(const std::string& folder) {
 const std::string svg = "isect render ray-sphere --format svg --out disk";
 const std::string accept = "isect check intervals --preset touching --snapshots disk --update";
 const std::string check = "isect check intervals --preset touching --snapshots disk";
+const std::string picture = "disk/intervals/touching/03-relation.png",
+                  text = "disk/ray-sphere/two-roots/01-to-center.txt";
+const std::string at_once = "timeout 60 ";  ///< what would wait for ever is ended, with another status
 const std::string a_state = R"(printf '{"lesson": "intervals"}' >preset.json)";
 
 const std::vector<Fault> full_or_closed = {
@@ -133,6 +136,42 @@ const std::vector<Fault> damaged = {
     {"a figure without end", "ln -s /dev/zero big.png", "isect show big.png", 4, "File too large", "test -c /dev/zero"},
     {"a figure of another program", "echo '<svg xmlns=\"http://www.w3.org/2000/svg\"/>' >o.svg", "isect show o.svg", 2,
      "o.svg: it carries no isect metadata", "test -s o.svg"},
+    {"a pipe in the place of a trace", accept + "; cd disk/intervals/touching; rm trace.json; mkfifo trace.json; cd -",
+     at_once + check, 1, "trace.json': not a regular file", "test -p disk/intervals/touching/trace.json"},
+    {"a device in the place of a trace", accept + "; ln -sf /dev/zero disk/intervals/touching/trace.json",
+     at_once + check + " --update=all", 1, "trace.json': not a regular file",
+     "test -c disk/intervals/touching/trace.json"},
+    {"a pipe in the place of a baseline", accept + "; rm " + picture + "; mkfifo " + picture, at_once + check, 1,
+     "png': not a regular file", "test -p " + picture},
+    {"a link to itself in the place of a baseline", accept + "; ln -sf 03-relation.png " + picture, check, 1,
+     "unreadable: cannot read 'disk/intervals/touching/03-relation.png'", "test -h " + picture},
+    {"a pipe in the place of an alt text",
+     svg + "; rm " + text + "; mkfifo " + text + "; timeout 60 cat " + text + " >disk/copy &",
+     at_once + svg + " && wait", 0, "01-to-center.svg", "test -p " + text + " && grep -q sphere disk/copy"},
+    {"a pipe in the place of a manifest", "mkfifo disk/manifest.json", at_once + svg, 4,
+     "disk/manifest.json': not a regular file", "test -p disk/manifest.json"},
+    {"a manifest whose alt text is a number",
+     "echo '{\"program\": \"isect\", \"figures\": [{\"file\": \"ray-sphere/two-roots/01-to-center.svg\", \"alt\": "
+     "3}]}' "
+     ">disk/manifest.json",
+     svg, 4, "disk/manifest.json': the file there was not made by isect", "grep -q 3 disk/manifest.json"},
+    {"figures go to a link to itself", "rmdir disk; ln -s disk disk", svg, 4,
+     "isect: cannot read 'disk/manifest.json': Too many levels of symbolic links", "test -h disk"},
+    {"a pipe among presets", "mkfifo disk/a.json", at_once + "isect check --dir disk", 2,
+     "disk/a.json': not a regular file", "test -p disk/a.json"},
+    {"a link to itself among presets", "ln -s a.json disk/a.json", "isect render --dir disk", 2,
+     "disk/a.json': Too many levels of symbolic links", "test -h disk/a.json"},
+    {"a preset through a pipe", "", "echo '{\"lesson\": \"intervals\"}' | isect explain --preset /dev/stdin", 0,
+     "Interval and interval", "test ! -e figures"},
+    {"a preset that says one thing twice", "echo '{\"lesson\": \"rays\", \"lesson\": \"intervals\"}' >preset.json",
+     "isect render --preset preset.json", 2, "preset.json: the state: \"lesson\" is given twice", "test ! -e figures"},
+    {"a preset with something behind a NUL byte", "printf '{\"lesson\": \"intervals\"}\\0, or not' >preset.json",
+     "isect render --preset preset.json", 2, "preset.json: the state: not JSON; there is a NUL byte in it",
+     "test ! -e figures"},
+    {"a preset without end", "", at_once + "isect render --preset /dev/zero", 4, "/dev/zero': File too large",
+     "test ! -e figures"},
+    {"a bench result without end", "", at_once + "isect bench --from /dev/zero", 4, "/dev/zero': File too large",
+     "test -c /dev/zero"},
     {"a figure that is hostile",
      "{ printf '<!DOCTYPE s [<!ENTITY a \"ha\">'; for i in $(seq 30); do printf '<!ENTITY a%d "
      "\"&a%d;&a%d;\">' $i "

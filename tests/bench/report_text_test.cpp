@@ -236,15 +236,37 @@ TEST_CASE("publishing writes text, figures and the lesson's rows, and clears fig
           "[report_text]") {
   const std::string folder = (std::filesystem::temp_directory_path() / "isect-report-test").string();
   std::filesystem::remove_all(folder);
-  viz::write_file(folder + "/report/old.svg", "<svg/>");
+  viz::Drawing drawing;
+  drawing.width = drawing.height = 9;
+  viz::write_file(folder + "/report/old.svg", viz::svg(drawing, {{"figure", "old"}}));
+  viz::write_file(folder + "/report/mine.svg", viz::svg(drawing));
+  viz::write_file(folder + "/report/renamed.svg", viz::svg(drawing, {{"figure", "another"}}));
+  viz::write_file(folder + "/report/notes.png", "not even a picture");
   publish({report("portable", 29)}, folder);
   CHECK_FALSE(std::filesystem::exists(folder + "/report/old.svg"));
+  for (const std::string mine : {"mine.svg", "renamed.svg", "notes.png"})
+    CHECK(std::filesystem::exists(folder + "/report/" + mine));
   CHECK(contains(viz::read_file(folder + "/report/ray-sphere-double-error.svg"), "<svg"));
   CHECK(contains(viz::read_file(folder + "/REPORT.md"), "# Speed against error"));
   const Report kept = report_of(viz::read_file(folder + "/results.json"));
   CHECK(kept.rows.size() == 9);
   CHECK(kept.note("ray-sphere", "planet") == "an eye above a planet.");
   CHECK(kept.machine.flags == "-O3");
+  std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("publishing writes over what was published, and over nothing else", "[report_text]") {
+  const std::string folder = (std::filesystem::temp_directory_path() / "isect-report-test-own").string();
+  for (const std::string name : {"REPORT.md", "results.json", "report/ray-sphere-double-error.svg"}) {
+    std::filesystem::remove_all(folder);
+    viz::write_file(folder + '/' + name, "{}");
+    CHECK_THROWS_WITH(publish({report("portable", 29)}, folder),
+                      Catch::Matchers::Contains(name + "': the file there was not published by isect"));
+    CHECK(viz::read_file(folder + '/' + name) == "{}");
+  }
+  std::filesystem::remove_all(folder);
+  publish({report("portable", 29)}, folder);
+  CHECK_NOTHROW(publish({report("portable", 29)}, folder));
   std::filesystem::remove_all(folder);
 }
 

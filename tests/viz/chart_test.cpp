@@ -135,6 +135,11 @@ TEST_CASE("the same chart gives the same bytes", "[chart]") {
           svg(chart_figure(chart, ThemeName::grey, 227).drawing));
 }
 
+TEST_CASE("a plot without a panel is drawn, if with nothing in it", "[chart]") {
+  const Chart empty = race(0);
+  CHECK_FALSE(svg(chart_figure(empty, ThemeName::print, 340).drawing).empty());
+}
+
 TEST_CASE("the front holds what nothing beats, ties included", "[chart]") {
   const std::vector<bool> front = pareto_front({{1, 5}, {2, 5}, {3, 1}, {3, 1}, {4, 2}, {NAN, 0}, {9, 0.5}});
   CHECK(front == std::vector<bool>{true, false, true, true, false, false, true});

@@ -46,7 +46,7 @@ std::optional<Place> place_field(const Json& from, const std::vector<const Lesso
 /// Empty if it is no JSON object.
 Json parsed(const std::string& file) {
   try {
-    const Json json = Json::parse(read_file(file), nullptr, false);
+    const Json json = Json::parse(read_regular_file(file), nullptr, false);
     return json.is_object() ? json : Json();
   } catch (const FileError&) {
     return {};
