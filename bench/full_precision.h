@@ -29,6 +29,10 @@ std::string full_precision(const Sphere<S, N>& x) {
   return text("center", x.center, "radius", x.radius);
 }
 template <class S, int N>
+std::string full_precision(const Capsule<S, N>& x) {
+  return text("p", x.p, "q", x.q, "radius", x.radius);
+}
+template <class S, int N>
 std::string full_precision(const Aabb<S, N>& x) {
   return text("lo", x.lo, "hi", x.hi);
 }
