@@ -21,7 +21,7 @@ struct Handler {
   Handler { #kind, __VA_ARGS__, kind < float>, kind < double> }
 
 const std::vector<Handler>& point_handlers();    ///< points, intervals, planes against things
-const std::vector<Handler>& pair_handlers();     ///< boxes, spheres, k-DOPs, triangles
+const std::vector<Handler>& pair_handlers();     ///< boxes, spheres, capsules, k-DOPs, triangles
 const std::vector<Handler>& ray_handlers();      ///< rays and segments
 const std::vector<Handler>& polygon_handlers();  ///< polygons, hulls, fits
 

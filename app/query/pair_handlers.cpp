@@ -1,10 +1,14 @@
-// Boxes, spheres, k-DOPs and triangles in pairs.
+// Boxes, spheres, capsules, k-DOPs and triangles in pairs.
 
 #include <isect/aabb_aabb.h>
+#include <isect/capsule_capsule.h>
+#include <isect/capsule_capsule_methods.h>
 #include <isect/kdop_kdop.h>
 #include <isect/obb_obb.h>
 #include <isect/obb_obb_methods.h>
 #include <isect/sphere_aabb.h>
+#include <isect/sphere_capsule.h>
+#include <isect/sphere_capsule_methods.h>
 #include <isect/sphere_sphere.h>
 #include <isect/triangle_aabb.h>
 #include "app/query/events.h"
@@ -20,10 +24,23 @@ template <class S> struct EventNames<sphere_sphere::Compared<S>> : Named<"Compar
 template <class S> struct EventNames<sphere_aabb::Axis<S>> : Named<"Axis", "axis center interval gap distance2"> {};
 template <class S> struct EventNames<sphere_aabb::Compared<S>> : Named<"Compared", "distance2 radius2"> {};
 template <> struct EventNames<sphere_aabb::Decision> : Named<"Decision", "nearest farthest ball_inside"> {};
+template <> struct EventNames<sphere_capsule::Reach> : Named<"Reach", "nearest sign"> {};
+template <> struct EventNames<sphere_capsule::Contained> : Named<"Contained", "ball capsule"> {};
+template <class S, int N> struct EventNames<sphere_capsule::Foot<S, N>> : Named<"Foot", "t at"> {};
+template <class S> struct EventNames<sphere_capsule::Compared<S>> : Named<"Compared", "distance2 reach2"> {};
+template <> struct EventNames<capsule_capsule::Between> : Named<"Between", "holds sign"> {};
+template <> struct EventNames<capsule_capsule::End> : Named<"End", "end nearest sign"> {};
+template <> struct EventNames<capsule_capsule::Contained> : Named<"Contained", "a b"> {};
+template <class S> struct EventNames<capsule_capsule::Lines<S>> : Named<"Lines", "determinant parallel"> {};
+template <class S, int N> struct EventNames<capsule_capsule::Closest<S, N>> : Named<"Closest", "s t on_a on_b"> {};
+template <class S> struct EventNames<capsule_capsule::Compared<S>> : Named<"Compared", "distance2 reach2"> {};
 template <class S> struct EventNames<kdop_kdop::Slab<S>> : Named<"Slab", "slab a b disjoint"> {};
 template <int N> struct EventNames<obb_obb::Tested<N>> : Named<"Tested", "axis l distance radius_a radius_b sign"> {};
 template <int N> struct EventNames<obb_obb::Witness<N>> : Named<"Witness", "p"> {};
 template <int N> struct EventNames<triangle_aabb::Tested<N>> : Named<"Tested", "axis l triangle box sign"> {};
+template <> struct Names<point_segment::Nearest> {
+  static constexpr const char* of[] = {"p", "q", "between"};
+};
 template <> struct Names<obb_obb::Kind> {
   static constexpr const char* of[] = {"face_of_a", "face_of_b", "edges"};
 };
@@ -110,6 +127,40 @@ Json sphere_box(Job& job) {
 }
 
 template <class S>
+Json sphere_capsule(Job& job) {
+  return in_dimension(job.fields["center"], [&]<int N>() -> Json {
+    const Sphere<S, N> ball = sphere<S, N>(job.fields);
+    const Capsule<S, N> c = capsule<S, N>(job.fields);
+    using Event = sphere_capsule::MethodEvent<S, N>;
+    if (job.variant == "clamped")
+      return {{"intersects", run<Event>(job, [&](auto&& trace) { return sphere_capsule::clamped(ball, c, trace); })}};
+    if (job.variant == "by_pythagoras")
+      return {
+          {"intersects", run<Event>(job, [&](auto&& trace) { return sphere_capsule::by_pythagoras(ball, c, trace); })}};
+
+    const Relation r = run<sphere_capsule::Event>(job, [&](auto&& trace) { return relate(ball, c, trace); });
+    return {{"intersects", r != Relation::disjoint},
+            {"relation", r == Relation::a_inside_b   ? "capsule_contains_sphere"
+                         : r == Relation::b_inside_a ? "sphere_contains_capsule"
+                                                     : name(r)}};
+  });
+}
+
+template <class S>
+Json capsule_capsule(Job& job) {
+  for (const char* one : {"a", "b"}) job.fields[one].only(capsule_fields);
+  return in_dimension(job.fields["a"]["p"], [&]<int N>() -> Json {
+    const Capsule<S, N> a = capsule<S, N>(job.fields["a"]), b = capsule<S, N>(job.fields["b"]);
+    if (job.variant == "clamped") {
+      using Event = capsule_capsule::MethodEvent<S, N>;
+      return {{"intersects", run<Event>(job, [&](auto&& trace) { return capsule_capsule::clamped(a, b, trace); })}};
+    }
+    const Relation r = run<capsule_capsule::Event>(job, [&](auto&& trace) { return relate(a, b, trace); });
+    return {{"intersects", r != Relation::disjoint}, {"relation", name(r)}};
+  });
+}
+
+template <class S>
 Json obb_obb(Job& job) {
   for (const char* box : {"a", "b"}) job.fields[box].only(obb_fields);
   return in_dimension(job.fields["a"]["c"], [&]<int N>() -> Json {
@@ -150,6 +201,8 @@ const std::vector<Handler>& pair_handlers() {
       ISECT_HANDLER(box_box, "alo ahi blo bhi", {"exact", "by_axis"}),
       ISECT_HANDLER(sphere_sphere, "c1 r1 c2 r2", {"exact", "squared_distance"}),
       ISECT_HANDLER(sphere_box, "center radius lo hi", {"exact", "accumulate"}),
+      ISECT_HANDLER(sphere_capsule, "center radius p q r", {"exact", "clamped", "by_pythagoras"}),
+      ISECT_HANDLER(capsule_capsule, "a b", {"exact", "clamped"}),
       ISECT_HANDLER(obb_obb, "a b", {"exact"}),
       ISECT_HANDLER(kdop_kdop, "normals a b", {"exact"}),
       ISECT_HANDLER(triangle_box, "tri lo hi", {"exact"}),

@@ -147,7 +147,13 @@ Aabb<S, N> box(const Field& request, const char* lo = "lo", const char* hi = "hi
   if (!finite(b) && !empty(b)) request[lo].complain("finite ends are expected of a box that is not inverted");
   return b;
 }
-inline const std::vector<std::string> obb_fields = {"c", "u", "e"}, slab_fields = {"lo", "hi"};
+inline const std::vector<std::string> obb_fields = {"c", "u", "e"}, slab_fields = {"lo", "hi"},
+                                      capsule_fields = {"p", "q", "r"};
+/// p, q, r
+template <class S, int N>
+Capsule<S, N> capsule(const Field& request) {
+  return {vector<S, N>(request["p"]), vector<S, N>(request["q"]), request["r"].number<S>()};
+}
 /// c, u: N rows, e
 template <class S, int N>
 Obb<S, N> obb(const Field& request) {

@@ -80,11 +80,32 @@ std::string CaseFile::text() const {
 }
 
 std::vector<CaseFile> all() {
-  return {
-      orient2d(),        interval_interval(), point_obb(),  point_point(),   point_box(),      point_sphere(),
-      plane_sphere(),    plane_box(),         box_box(),    sphere_sphere(), sphere_box(),     obb_obb(),
-      kdop_kdop(),       triangle_box(),      ray_sphere(), ray_box(),       ray_plane(),      ray_obb(),
-      segment_segment(), ray_polygon(),       pip(),        convex_hull2d(), polygon_normal(), bounding_volume_fit()};
+  return {orient2d(),
+          interval_interval(),
+          point_obb(),
+          point_point(),
+          point_box(),
+          point_sphere(),
+          plane_sphere(),
+          plane_box(),
+          box_box(),
+          sphere_sphere(),
+          sphere_box(),
+          sphere_capsule(),
+          capsule_capsule(),
+          obb_obb(),
+          kdop_kdop(),
+          triangle_box(),
+          ray_sphere(),
+          ray_box(),
+          ray_plane(),
+          ray_obb(),
+          segment_segment(),
+          ray_polygon(),
+          pip(),
+          convex_hull2d(),
+          polygon_normal(),
+          bounding_volume_fit()};
 }
 
 }  // namespace isect::cases

@@ -69,6 +69,8 @@ CaseFile plane_box();
 CaseFile box_box();
 CaseFile sphere_sphere();
 CaseFile sphere_box();
+CaseFile sphere_capsule();
+CaseFile capsule_capsule();
 CaseFile obb_obb();
 CaseFile kdop_kdop();
 CaseFile triangle_box();

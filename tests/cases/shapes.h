@@ -59,6 +59,10 @@ Json fields(const Sphere<S, N>& ball, const char* center = "center", const char*
   return {{center, json<S, N>(ball.center)}, {radius, json(ball.radius)}};
 }
 template <class S, int N>
+Json fields(const Capsule<S, N>& capsule) {
+  return {{"p", json<S, N>(capsule.p)}, {"q", json<S, N>(capsule.q)}, {"r", json(capsule.radius)}};
+}
+template <class S, int N>
 Json fields(const Plane<S, N>& plane) {
   return {{"normal", json<S, N>(plane.normal)}, {"d", json(plane.d)}};
 }

@@ -45,7 +45,7 @@ class Source {
 };
 
 /// How a field looks, and how it changes when all lengths do: a length or a point does, a direction does not.
-enum class Form { point, direction, length, interval, polygon, rings, box, obb, slabs, normals, segment };
+enum class Form { point, direction, length, interval, polygon, rings, box, obb, slabs, normals, segment, capsule };
 struct FieldSpec {
   const char* name;
   Form form;
@@ -70,6 +70,8 @@ const std::vector<KindSpec>& specs() {
       {"box_box", 2, 3, {{"alo", point}, {"ahi", point}, {"blo", point}, {"bhi", point}}},
       {"sphere_sphere", 2, 3, {{"c1", point}, {"r1", length}, {"c2", point}, {"r2", length}}},
       {"sphere_box", 2, 3, {{"center", point}, {"radius", length}, {"lo", point}, {"hi", point}}},
+      {"sphere_capsule", 2, 3, {{"center", point}, {"radius", length}, {"p", point}, {"q", point}, {"r", length}}},
+      {"capsule_capsule", 2, 3, {{"a", capsule}, {"b", capsule}}},
       {"obb_obb", 3, 3, {{"a", obb}, {"b", obb}}},
       {"kdop_kdop", 2, 3, {{"normals", normals}, {"a", slabs}, {"b", slabs}}},
       {"ray_obb", 3, 3, {{"origin", point}, {"dir", direction}, {"", obb}}},
@@ -123,6 +125,8 @@ Json field(Source& source, Form form, int n, const char* kind) {
           for (int k = 0; k < n; ++k) axes[i][k] = i == k ? 1 : 0;
       return {{"c", list(source, n)}, {"u", axes}, {"e", list(source, n)}};
     }
+    case Form::capsule:
+      return {{"p", list(source, n)}, {"q", list(source, n)}, {"r", source.number()}};
     default:
       return list(source, n);
   }
