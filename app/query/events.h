@@ -50,6 +50,8 @@ template <class S>
 requires(std::is_arithmetic_v<S> || std::is_enum_v<S>) Json value(S x) {
   if constexpr (std::is_floating_point_v<S>)
     return number(x);
+  else if constexpr (requires { Names<S>::of; })
+    return Names<S>::of[static_cast<int>(x)];
   else
     return static_cast<int>(x);
 }

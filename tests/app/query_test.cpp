@@ -328,6 +328,16 @@ TEST_CASE("query's files and usage", "[query]") {
   CHECK_THAT(shell("isect query --help").out, Contains("ray_sphere") && Contains("haines") && Contains("Example"));
 }
 
+TEST_CASE("a trace tells a choice by its name", "[query]") {
+  const Replies r = ask(
+      R"({"kind": "sphere_capsule", "center": [1, 4.5], "radius": 2, "p": [-3, 0], "q": [3, 0], "r": 2, "trace": true})"
+      "\n"
+      R"({"kind": "triangle_box", "tri": [[2, 0], [3, 0], [2, 1]], "lo": [0, 0], "hi": [1, 1], "trace": true})");
+  REQUIRE(r.lines.size() == 2);
+  CHECK(r.lines[0]["trace"][0] == Json::parse(R"({"event": "Reach", "nearest": "between", "sign": 1})"));
+  CHECK(r.lines[1]["trace"][0]["axis"]["kind"] == "box_normal");
+}
+
 TEST_CASE("every kind has an example that every variant answers, in either scalar, with a trace", "[query]") {
   std::map<std::string, Json> examples;
   std::istringstream lines(isect::test::contents(ISECT_EXAMPLES));
