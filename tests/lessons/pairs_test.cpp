@@ -1,13 +1,18 @@
 // The lessons of two shapes: their presets are what their names say, and their last step is the exact answer.
 
 #include <map>
+#include <sstream>
 
 #include <isect/aabb_aabb.h>
+#include <isect/capsule_capsule.h>
 #include <isect/interval_interval.h>
 #include <isect/sphere_sphere.h>
+#include "bench/capsule_capsule/oracle.h"
+#include "bench/random.h"
 #include "lessons/lessons.h"
 #include "lessons/shared/relation.h"
 #include "tests/catch.h"
+#include "tests/settings.h"
 #include "viz/case_map.h"
 #include "viz/place.h"
 
@@ -36,6 +41,11 @@ Relation of_boxes(const Parameters& p) {
 Relation of_balls(const Parameters& p) {  // the unit changes nothing about how they lie
   return relate(Sphere<double, 3>{vector(p, "a"), number(p, "r1")}, Sphere<double, 3>{vector(p, "b"), number(p, "r2")});
 }
+Capsule<double, 2> capsule(const Parameters& p, const std::string& of) {
+  return {vector(p, ("p_" + of).c_str()).head<2>(), vector(p, ("q_" + of).c_str()).head<2>(),
+          number(p, ("r_" + of).c_str())};
+}
+Relation of_capsules(const Parameters& p) { return relate(capsule(p, "a"), capsule(p, "b")); }
 
 /// The relation of each preset, the exact one, which the last step's verdict has to name.
 std::map<std::string, Relation> relations(const std::string& lesson, Relation (*exact)(const Parameters&)) {
@@ -47,7 +57,7 @@ std::map<std::string, Relation> relations(const std::string& lesson, Relation (*
     const Verdict verdict = l.walk(p.parameters).steps.back().verdict;
     CHECK(verdict.kind == lessons::verdict_kind(truth));
     bool named = false;
-    for (const char* they : {"the intervals", "the points", "the boxes", "the balls"})
+    for (const char* they : {"the intervals", "the points", "the boxes", "the balls", "the capsules"})
       named = named || verdict.text == lessons::words(truth, they);
     CHECK(named);
     found[p.id] = truth;
@@ -108,6 +118,71 @@ TEST_CASE("the ball lesson shows the relations, and where the note's comparison 
   for (const char* failing : {"touching", "overflow", "underflow"}) CHECK(last(failing).line == 5);
   CHECK(last("overlapping").counters.sqrt == 0);
   CHECK(last("overlapping").counters.compare == 1);
+}
+
+TEST_CASE("the capsule lesson asks for a crossing, then for the ends, and ends with the exact relation",
+          "[pair lessons]") {
+  const auto is = relations("capsule-capsule", of_capsules);
+  CHECK(is == std::map<std::string, Relation>{{"side", overlapping},
+                                              {"ends", disjoint},
+                                              {"crossing", overlapping},
+                                              {"parallel", touching},
+                                              {"touching", touching},
+                                              {"inside", b_inside_a},
+                                              {"segments", touching}});
+  const auto slugs = [](const char* id) {
+    std::string all;
+    for (const Step& s : walk_of("capsule-capsule", id).steps) all += s.slug + " ";
+    return all;
+  };
+  CHECK(slugs("ends") == "reach crossing ends-a ends-b relation cases ");
+  CHECK(slugs("side") == "reach crossing ends-a ends-b relation cases ");
+  CHECK(slugs("crossing") == "reach crossing relation cases ");
+  CHECK(slugs("inside") == "reach crossing ends-a relation cases ");  // an end of a is near enough
+
+  const Lesson& lesson = lesson_named(lessons::all_lessons(), "capsule-capsule");
+  for (const Preset& p : lesson.presets) {
+    INFO(p.id);
+    const std::vector<Opinion> said = lesson.opinions(p.parameters);
+    CHECK(said[1].agrees == (p.id != "segments"));  // they cross where no double lies
+  }
+}
+
+TEST_CASE("what the capsule lesson says of each end is true, in any setting", "[pair lessons]") {
+  const Lesson& lesson = lesson_named(lessons::all_lessons(), "capsule-capsule");
+  bench::Random random(tests::seed());
+  std::map<std::string, int> heard;
+  for (int i = 0; i < tests::cases(400, 20000); ++i) {
+    INFO("seed " << tests::seed() << ", case " << i);
+    Parameters p = lesson.presets.front().parameters;
+    for (const char* end : {"p_a", "q_a", "p_b", "q_b"}) p[end] = Vec3(random.integer(-4, 4), random.integer(-3, 3), 0);
+    for (const char* r : {"r_a", "r_b"}) p[r] = static_cast<double>(random.integer(0, 3));
+    const Capsule<double, 2> a = capsule(p, "a"), b = capsule(p, "b");
+    const oracle::Rational s = a.radius + b.radius;
+    const std::pair<const char*, oracle::Rational> ends[] = {
+        {"**p**_a", oracle::distance2(oracle::rational(a.p), oracle::stretch(b))},
+        {"**q**_a", oracle::distance2(oracle::rational(a.q), oracle::stretch(b))},
+        {"**p**_b", oracle::distance2(oracle::rational(b.p), oracle::stretch(a))},
+        {"**q**_b", oracle::distance2(oracle::rational(b.q), oracle::stretch(a))}};
+
+    const Walk walk = lesson.walk(p);
+    CHECK(walk.steps.back().verdict.text == lessons::words(oracle::relation(a, b), "the capsules"));
+    for (const Step& step : walk.steps) {
+      if (step.slug == "crossing" && step.formula == "*d* = 0")
+        CHECK(oracle::distance2<2>(oracle::stretch(a), oracle::stretch(b)) == 0);
+      std::istringstream lines(step.slug.starts_with("ends") ? step.caption : "");
+      for (std::string line; std::getline(lines, line);)
+        for (const auto& [name, d2] : ends) {
+          if (!line.starts_with(name)) continue;
+          const char* const far = d2 > s * s   ? "farther off than *s*."
+                                  : d2 < s * s ? "nearer than *s*."
+                                               : "exactly *s* away.";
+          CHECK(line.ends_with(far));
+          ++heard[far];
+        }
+    }
+  }
+  CHECK(heard.size() == 3);
 }
 
 TEST_CASE("exchanged ends make a shape empty, and the lessons say so", "[pair lessons]") {

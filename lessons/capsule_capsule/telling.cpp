@@ -1,0 +1,204 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "lessons/capsule_capsule/picture.h"
+#include "lessons/shared/relation.h"
+#include "lessons/shared/script.h"
+
+namespace isect::lessons::capsule_capsule_lesson {
+
+using namespace viz;
+using capsule_capsule::Between;
+using capsule_capsule::Nearest;
+
+namespace {
+
+const std::vector<std::string> pseudocode = {
+    "s ← r_a + r_b",                                                // 0
+    "if the segments cross: d ← 0",                                 // 1
+    "else: for p_a and q_a: d ← distance to b's segment, if less",  // 2
+    "      for p_b and q_b: d ← distance to a's segment, if less",  // 3
+    "if d > s: return DISJOINT",                                    // 4
+    "if the balls at the ends of one lie in the other: INSIDE",     // 5
+    "return OVERLAPPING, or TOUCHING if d = s or r_a r_b = 0"       // 6
+};
+const char* const end_names[] = {"**p**_a", "**q**_a", "**p**_b", "**q**_b"};
+
+class Teller {
+ public:
+  explicit Teller(const Setup& setup)
+      : s_(setup),
+        script_({"Ericson, Real-Time Collision Detection (2005), 4.5.1 and 5.1.9",
+                 "Two capsules in the plane, a and b: " + words(s_.truth, "the capsules") + ".", pseudocode}) {}
+
+  Walk tell() {
+    reach();
+    script_.tell<capsule_capsule::Event>([&](auto& record) { relate(s_.a, s_.b, record); },
+                                         [&](const auto& event) { say(event); });
+    if (!ends_.empty()) ends();
+    relation();
+    return std::move(script_.walk());
+  }
+
+ private:
+  Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption,
+            const std::string& formula = {}) {
+    Step& step = script_.add(slug, title, line, caption, formula);
+    step.scene = picture(s_, shown_);
+    return step;
+  }
+
+  void reach() {
+    script_.value("*s*", sum(), "length", Role::first);
+    shown_.radii = true;
+    add("reach", "How far do they reach?", 0,
+        "A capsule is all that lies within *r* of a segment: a thick line with round ends.\n"
+        "Two of them meet exactly if their segments come within *s* = *r*_a + *r*_b of each other.",
+        fmt::format("*s* = {} + {} = {}", shown(s_.a.radius), shown(s_.b.radius), shown(sum())));
+    shown_.radii = false;
+  }
+
+  void say(const Between& e) {
+    shown_.crossing = crossed_ = e.holds;
+    if (e.holds) least_ = 0, script_.value("*d*", 0, "length", Role::highlight);
+    Step& step = add("crossing", "Do the segments cross?", 1,
+                     e.holds ? "They cross between their ends, so their distance is 0. No radius could part them."
+                             : "No. In the plane, an end of one segment is then nearest to the other.\n"
+                               "In space, segments that pass each other can be nearest between their ends, too.",
+                     e.holds ? "*d* = 0" : "");
+    step.question = {"Do the segments cross between their ends?",
+                     {"yes", "no"},
+                     e.holds ? 0 : 1,
+                     e.holds ? "Each line parts the ends of the other segment."
+                             : "One of the lines does not part the ends of the other segment."};
+    if (e.holds)
+      step.decides = true;
+    else
+      script_.refuse(1, {});
+  }
+  void say(const End& e) {
+    if (!ends_.empty() && (ends_.back().end < 2) != (e.end < 2)) ends();
+    ends_.push_back(e);
+  }
+  void say(const capsule_capsule::Contained&) {}  // the relation tells it
+  void say(const Fallback&) {}
+
+  /// Those of one segment that were asked.
+  void ends() {
+    const bool of_a = ends_.back().end < 2;
+    std::string caption;
+    for (const End& e : ends_) {
+      const auto [end, nearest] = s_.way(e);
+      least_ = std::min(least_, (end - nearest).norm());
+      caption += (caption.empty() ? "" : "\n") + said(e);
+    }
+    const bool settled = ends_.back().sign < 0;
+    if (settled) caption += "\nThat settles that they meet, so no other end is asked.";
+    script_.value("*d*", least_, "length", Role::highlight);
+    shown_.ways = ends_;
+    Step& step = add(of_a ? "ends-a" : "ends-b", of_a ? "The ends of a" : "The ends of b", of_a ? 2 : 3, caption,
+                     "*d* = " + shown(least_));
+    step.question = {fmt::format("Is an end of {} nearer than *s* to the other segment?", of_a ? "a" : "b"),
+                     {"yes", "no"},
+                     settled ? 0 : 1,
+                     settled ? end_names[ends_.back().end] + std::string(" is.") : "Each is *s* away, or farther."};
+    shown_.earlier.insert(shown_.earlier.end(), ends_.begin(), ends_.end());
+    shown_.ways.clear(), ends_.clear();
+  }
+
+  static std::string said(const End& e) {
+    const char* const other = e.end < 2 ? "b" : "a";
+    const char* const far = e.sign > 0 ? "farther off than *s*" : e.sign < 0 ? "nearer than *s*" : "exactly *s* away";
+    if (e.nearest == Nearest::between)
+      return fmt::format("{}: the nearest point lies between the ends of {}, {}.", end_names[e.end], other, far);
+    const int nearest = (e.end < 2 ? 2 : 0) + (e.nearest == Nearest::q ? 1 : 0);
+    return fmt::format("{}: the nearest point is the end {}, {}.", end_names[e.end], end_names[nearest], far);
+  }
+
+  void relation() {
+    script_.settle(verdict_kind(s_.truth), words(s_.truth, "the capsules"));
+    const bool meet = s_.truth != Relation::disjoint;
+    const bool inside = meet && s_.truth != Relation::touching && s_.truth != Relation::overlapping;
+    if (meet) script_.refuse(4, {});
+    if (meet && !inside) script_.refuse(5, {});
+    shown_.settled = true;
+    const bool equal = s_.truth == Relation::touching && !pierced();
+    Step& step = add("relation", "How they lie",
+                     !meet    ? 4
+                     : inside ? 5
+                              : 6,
+                     end_caption(),
+                     fmt::format("*d* {} {} = *s*",
+                                 !meet       ? ">"
+                                 : equal     ? "="
+                                 : sum() > 0 ? "<"
+                                             : "=",
+                                 shown(sum())));
+    Script::decide(step, {"*d* ≤ *s*", least_, sum(), meet, meet ? "they share a point" : "a gap between them"});
+    step.question = relation_question(s_.truth, "the two capsules", because());
+  }
+
+  /// A segment without thickness in the other's interior.
+  bool pierced() const { return s_.thin() && sum() > 0 && (crossed_ || nearer()); }
+  bool nearer() const {
+    return std::ranges::any_of(shown_.earlier, [](const End& e) { return e.sign < 0; });
+  }
+
+  std::string because() const {
+    switch (s_.truth) {
+      case Relation::disjoint:
+        return "No end comes within *s* of the other segment, and they do not cross.";
+      case Relation::touching:
+        return s_.thin() ? "One of them is a segment, which has no interior."
+                         : "An end is exactly *s* away, and none is nearer.";
+      case Relation::overlapping:
+        return "They come nearer than *s*, but neither holds both ends of the other deep enough.";
+      default:
+        return "The larger capsule is convex, and holds the balls around both ends of the other.";
+    }
+  }
+
+  std::string end_caption() const {
+    switch (s_.truth) {
+      case Relation::disjoint:
+        return "The segments are farther apart than the capsules reach: a gap is left.\n"
+               "The core compares squares, multiplied out: no division, no root.";
+      case Relation::touching:
+        if (s_.thin())
+          return "A capsule of radius 0 is a segment. It has no interior, so that the two only touch.\n"
+                 "Where they share a point that no double holds, naive methods miss it.";
+        return "The distance is *s*, and not only nearly: the core takes the sign of *d* − *s* exactly.\n"
+               "They share points of their outlines, and nothing else.";
+      case Relation::overlapping:
+        return "They share more than points of their outlines, and neither lies in the other.\n"
+               "Green is what they share.";
+      case Relation::equal:
+        return "Each lies inside the other: they are the same set. The ends may be swapped.";
+      default: {
+        const char *in = s_.truth == Relation::a_inside_b ? "a" : "b", *out = in[0] == 'a' ? "b" : "a";
+        return fmt::format(
+            "Both ends of {0} lie within *r*_{1} − *r*_{0} of the segment of {1}, so {1} holds their balls.\n"
+            "A convex set that holds both holds all between them: {0} lies inside.",
+            in, out);
+      }
+    }
+  }
+
+  double sum() const { return s_.a.radius + s_.b.radius; }
+
+  const Setup s_;
+  Script script_;
+  Shown shown_;
+  std::vector<End> ends_;  ///< not told yet
+  bool crossed_ = false;
+  double least_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace
+
+Walk tell(const Setup& setup) { return Teller(setup).tell(); }
+
+}  // namespace isect::lessons::capsule_capsule_lesson
