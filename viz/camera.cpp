@@ -37,7 +37,7 @@ Vec3 View::towards_eye(const Vec3& p) const {
   return (eye_ - p).normalized();
 }
 
-View::SightLine View::sight_line(const Vec2& pixel) const {
+View::ViewingRay View::viewing_ray(const Vec2& pixel) const {
   const Vec2 offset = (pixel - corner_ - Vec2(width_ / 2, height_ / 2)) / pixels_per_unit_;
   const Vec3 through = camera_.target + offset.x() * right_ - offset.y() * up_;
   if (!camera_.perspective) return {through - (camera_.target - eye_).dot(forward_) * forward_, forward_};
@@ -45,7 +45,7 @@ View::SightLine View::sight_line(const Vec2& pixel) const {
 }
 
 Vec3 View::on_facing_plane(const Vec2& pixel, const Vec3& p) const {
-  const SightLine line = sight_line(pixel);
+  const ViewingRay line = viewing_ray(pixel);
   const double t = (p - line.origin).dot(forward_) / line.direction.dot(forward_);
   return line.origin + t * line.direction;
 }

@@ -31,11 +31,11 @@ class View {
   Projected project(const Vec3& p) const;
   /// Unit vector from `p` towards the eye.
   Vec3 towards_eye(const Vec3& p) const;
-  /// The sight line through a pixel: a point on it and its unit direction away from the eye.
-  struct SightLine {
+  /// The viewing ray through a pixel: a point on it and its unit direction away from the eye.
+  struct ViewingRay {
     Vec3 origin, direction;
   };
-  SightLine sight_line(const Vec2& pixel) const;
+  ViewingRay viewing_ray(const Vec2& pixel) const;
   /// The point under `pixel` on the plane through `p` that faces the viewer: where a dragged handle goes.
   Vec3 on_facing_plane(const Vec2& pixel, const Vec3& p) const;
   /// Pixels per world unit at `p`, across the view direction.

@@ -50,7 +50,7 @@ struct FirstHit {
 
 }  // namespace
 
-std::optional<Picked> pick(const Scene& scene, const View::SightLine& sight) {
+std::optional<Picked> pick(const Scene& scene, const View::ViewingRay& sight) {
   const Sight ray{sight.origin, sight.direction};
   const Item* first = nullptr;
   double nearest = 0;

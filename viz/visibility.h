@@ -15,7 +15,7 @@ struct Stretch {
   bool hidden;
 };
 
-/// A solid as sight lines meet it: its half-spaces n.x + d >= 0, moved inwards by a rounding, and its edges.
+/// A solid as viewing rays meet it: its half-spaces n.x + d >= 0, moved inwards by a rounding, and its edges.
 struct Shell {
   std::vector<Plane<double, 3>> inside;
   struct Edge {
@@ -43,7 +43,7 @@ struct Occluders {
 Occluders around_ball(const Occluders&, int index);
 Occluders around_solid(const Occluders&, int index, const std::vector<Vec3>& vertices);
 
-/// Whether the sight line from `p` to the eye runs through the inside of a ball or a solid, or through a screen. Ball
+/// Whether the viewing ray from `p` to the eye runs through the inside of a ball or a solid, or through a screen. Ball
 /// number `own` is left out.
 bool hidden(const Vec3& p, const View&, const Occluders&, int own = -1);
 
@@ -57,7 +57,7 @@ std::vector<Stretch> stretches(const std::vector<Vec3>& points, bool closed, con
 std::vector<Stretch> stretches(const Vec3& center, const Vec3& u, const Vec3& v, const View&, const Occluders&,
                                int own);
 
-/// A ball's outline: the circle on its surface where sight lines touch it, as an exact ellipse on the picture.
+/// A ball's outline: the circle on its surface where viewing rays touch it, as an exact ellipse on the picture.
 struct Outline {
   Vec2 center, major, minor;
 };

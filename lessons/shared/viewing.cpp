@@ -145,7 +145,7 @@ Eye::Eye(int the_columns, int the_rows)
     : columns(the_columns), rows(the_rows), view(eye_camera(), the_columns, the_rows) {}
 
 Vec3 Eye::on_plane(const Vec2& pixel) const {
-  const View::SightLine line = view.sight_line(pixel);
+  const View::ViewingRay line = view.viewing_ray(pixel);
   Vec3 p = line.origin + (plane_x - line.origin.x()) / line.direction.x() * line.direction;
   p.x() = plane_x;
   return p;

@@ -391,7 +391,7 @@ TEST_CASE("the ray-tracing presets are what their names say", "[ray-tracing less
 namespace {
 
 /// The object that the window's own picking finds there; -1: none.
-int picked_by_window(const std::vector<Object>& objects, const View::SightLine& line) {
+int picked_by_window(const std::vector<Object>& objects, const View::ViewingRay& line) {
   Scene scene;
   for (const Object& o : objects) lessons::viewing::add(o, scene);
   const std::optional<Picked> found = pick(scene, line);
@@ -410,7 +410,7 @@ TEST_CASE("the lesson picks what the window would pick, at every pixel", "[picki
       const Vec2 pixel = {x + 0.5, y + 0.5};
       const auto hit = world.closest(eye.through(eye.on_plane(pixel)));
       const int mine = hit ? hit->primitive : -1;
-      CHECK(mine == picked_by_window(world.objects, eye.view.sight_line(pixel)));
+      CHECK(mine == picked_by_window(world.objects, eye.view.viewing_ray(pixel)));
       ++seen[mine];
     }
   CHECK(seen.size() == 5);

@@ -39,10 +39,10 @@ TEST_CASE("half_height reaches from the middle to the top edge at the target", "
   }
 }
 
-TEST_CASE("a sight line through a point's pixel runs through the point", "[camera]") {
+TEST_CASE("a viewing ray through a point's pixel runs through the point", "[camera]") {
   for (const bool perspective : {false, true}) {
     const View view(camera(perspective), 640, 400, {5, 7});
-    const View::SightLine line = view.sight_line(view.project(some_point).at);
+    const View::ViewingRay line = view.viewing_ray(view.project(some_point).at);
     CHECK(line.direction.norm() == Approx(1));
     const Vec3 off = (some_point - line.origin).cross(line.direction);
     CHECK(off.norm() < 1e-9);

@@ -131,8 +131,8 @@ TEST_CASE("a circle in space is the ellipse its points project to", "[items]") {
   const Drawn d = drawn({Circle{{1, 0, 0}, 2, Role::first, Pen::solid, true, n}}, ThemeName::print, Camera{});
   const std::vector<Vec2> rim = flatten(d.all<Fill>().at(0).path);
   REQUIRE(rim.size() > 20);
-  for (const Vec2& p : rim) {  // each lies on the plane and at the radius, where the sight line meets the plane
-    const View::SightLine line = d.view.sight_line(p);
+  for (const Vec2& p : rim) {  // each lies on the plane and at the radius, where the viewing ray meets the plane
+    const View::ViewingRay line = d.view.viewing_ray(p);
     const double t = n.dot(Vec3(1, 0, 0) - line.origin) / n.dot(line.direction);
     CHECK((line.origin + t * line.direction - Vec3(1, 0, 0)).norm() == Approx(2).epsilon(2e-3));
   }

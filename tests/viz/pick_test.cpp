@@ -9,7 +9,7 @@ using namespace isect::viz;
 
 namespace {
 
-const View::SightLine along_z = {{0.25, 0.125, 10}, {0, 0, -1}};
+const View::ViewingRay along_z = {{0.25, 0.125, 10}, {0, 0, -1}};
 
 Scene scene() {
   Scene s;
@@ -22,7 +22,7 @@ Scene scene() {
 
 }  // namespace
 
-TEST_CASE("the first item along the sight line is picked, where the line meets it", "[pick]") {
+TEST_CASE("the first item along the viewing ray is picked, where the line meets it", "[pick]") {
   Scene s = scene();
   auto picked = pick(s, along_z);  // through the region's hole
   REQUIRE(picked);

@@ -20,7 +20,7 @@ View view_of(bool perspective) {
 
 /// Whether the core's own ray through this pixel meets the ball.
 bool meets(const View& view, const Vec2& pixel, const Ball& ball) {
-  const View::SightLine line = view.sight_line(pixel);
+  const View::ViewingRay line = view.viewing_ray(pixel);
   return static_cast<bool>(
       intersect(Ray<double, 3>{line.origin, line.direction}, Sphere<double, 3>{ball.center, ball.radius}));
 }

@@ -165,7 +165,7 @@ void handle_under_pointer(Session& s, const View& view, const Handle& handle) {
 }
 
 void item_under_pointer(Session& s, const View& view, const Vec2& pixel) {
-  const auto picked = pick(s.player.step().scene, view.sight_line(pixel));
+  const auto picked = pick(s.player.step().scene, view.viewing_ray(pixel));
   if (!picked) return;
   const float x = static_cast<float>(pixel.x()), y = static_cast<float>(pixel.y());
   s.ui.rects["item under pointer"] = {x, y, x + 1, y + 1};
@@ -183,7 +183,7 @@ void item_under_pointer(Session& s, const View& view, const Vec2& pixel) {
     name = fmt::format("mesh: {} triangles", mesh->triangles.size());
   else if (const Region* region = std::get_if<Region>(picked->item))
     name = fmt::format("polygon: {} corners", corners_of(*region));
-  tooltip(s.ui, name + "\nthe sight line meets it at " + words_of(Setting(picked->at)));
+  tooltip(s.ui, name + "\nthe viewing ray meets it at " + words_of(Setting(picked->at)));
 }
 
 }  // namespace isect::viz

@@ -20,7 +20,7 @@ void toast(Session&, const Rect& scene);
 
 /// Rings a handle and names its parameter and value.
 void handle_under_pointer(Session&, const View&, const Handle&);
-/// Names the ball, solid, mesh or polygon that the sight line through `pixel` meets first, asking the core's own ray
+/// Names the ball, solid, mesh or polygon that the viewing ray through `pixel` meets first, asking the core's own ray
 /// tests.
 void item_under_pointer(Session&, const View&, const Vec2& pixel);
 
