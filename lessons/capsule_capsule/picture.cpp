@@ -127,7 +127,7 @@ Setup setup(const Parameters& p) {
 Scene picture(const Setup& s, const Shown& shown) {
   Scene scene;
   shape(scene, s.a, Role::first), shape(scene, s.b, Role::second);
-  if (shown.settled && s.truth != Relation::touching && s.truth != Relation::disjoint && !s.thin()) {
+  if (shown.settled && s.truth == Relation::overlapping) {  // of one inside the other it would cover the names
     const Ring<double, 2> both = common(outline(s.a), outline(s.b));
     if (both.size() > 2) scene.items.push_back(Region{.rings = {flat(both)}, .role = Role::hit});
   }
