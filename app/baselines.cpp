@@ -6,7 +6,7 @@
 #include <array>
 
 #include "app/leftovers.h"
-#include "viz/case_map.h"
+#include "viz/closing.h"
 #include "viz/compose.h"
 #include "viz/place.h"
 

@@ -172,12 +172,6 @@ bool belongs(const CaseMap& map, const Parameters& here, const Parameters& prese
 
 }  // namespace
 
-int outcome(const Walk& walk) {
-  int step = static_cast<int>(walk.steps.size()) - 1;
-  while (step > 0 && walk.steps[step].slug == case_map_slug) --step;
-  return step;
-}
-
 std::optional<Cases::Spot> spot_on(const CaseMap& map, const Parameters& here) {
   const Vec2 at = map.place(here);
   if (!within(map, at)) return {};
@@ -202,9 +196,6 @@ Chart case_map(const Lesson& lesson, const Parameters& here) {
   return {cases};
 }
 
-namespace {
-
-/// The step that shows where `here` lies among all cases; what `before` has told stays.
 Step map_step(const Lesson& lesson, const Parameters& here, const Cases::Spot& spot, const Step& before) {
   Step step = before;
   step.slug = case_map_slug, step.title = "Where this case lies";
@@ -216,16 +207,6 @@ Step map_step(const Lesson& lesson, const Parameters& here, const Cases::Spot& s
   step.scene = {};
   step.scene.chart = DeferredChart([&lesson, here] { return case_map(lesson, here); });
   return step;
-}
-
-}  // namespace
-
-Walk Lesson::walk(const Parameters& here) const {
-  Walk walk = steps(here);
-  if (!map || walk.steps.empty()) return walk;
-  if (const std::optional<Cases::Spot> spot = spot_on(*map, here))
-    walk.steps.push_back(map_step(*this, here, *spot, walk.steps.back()));
-  return walk;
 }
 
 }  // namespace isect::viz

@@ -12,13 +12,12 @@ namespace isect::viz {
 /// The slug of the step that shows it.
 inline constexpr const char* case_map_slug = "cases";
 
-/// The last step that shows the scene itself: a map of cases may follow it.
-int outcome(const Walk&);
-
 /// Where this setting lies on the map, and its branch; none where the map does not reach.
 std::optional<Cases::Spot> spot_on(const CaseMap&, const Parameters& here);
 
 /// The map with the lesson's presets and this setting on it. `lesson.map` must be there.
 Chart case_map(const Lesson& lesson, const Parameters& here);
+/// The step that shows where `here` lies among all cases; what `before` has told stays. The lesson must outlive it.
+Step map_step(const Lesson& lesson, const Parameters& here, const Cases::Spot& spot, const Step& before);
 
 }  // namespace isect::viz

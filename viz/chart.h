@@ -1,5 +1,5 @@
 #pragma once
-// Charts as values: small multiples with markers and curves, maps of verdicts, and rows against targets.
+// Charts as values: small multiples with markers and curves, maps of verdicts, rows against targets, cards of text.
 //
 // A chart says what was measured; the theme makes ink of it, as with scenes. Texts are markup (see rich_text.h).
 
@@ -136,8 +136,16 @@ struct Cases {
   std::optional<Spot> here = {};     ///< the setting that is shown
 };
 
+/// A text in rows, each under its head.
+struct Card {
+  struct Row {
+    std::string head, text;
+  };
+  std::vector<Row> rows;
+};
+
 struct Chart {
-  std::variant<Plot, Maps, Bars, Cases> kind;
+  std::variant<Plot, Maps, Bars, Cases, Card> kind;
 };
 
 /// The shapes of a chart within a rectangle, and all of its labels.

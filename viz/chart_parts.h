@@ -89,10 +89,12 @@ void draw(ChartInk&, const Plot&, const Bounds&);
 void draw(ChartInk&, const Maps&, const Bounds&);
 void draw(ChartInk&, const Bars&, const Bounds&);
 void draw(ChartInk&, const Cases&, const Bounds&);
+void draw(ChartInk&, const Card&, const Bounds&);
 double natural_height(const ChartInk&, const Plot&, double width);
 double natural_height(const ChartInk&, const Maps&, double width);
 double natural_height(const ChartInk&, const Bars&, double width);
 double natural_height(const ChartInk&, const Cases&, double width);
+double natural_height(const ChartInk&, const Card&, double width);
 /// The plane itself, within a chart's rectangle.
 Bounds plane_within(const ChartInk&, const Cases&, const Bounds&);
 

@@ -9,6 +9,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -132,6 +133,36 @@ struct CaseMap {
   std::string told = {};                       ///< markup: what the plane means, in sentences of at most 20 words
 };
 
+/// Something to do with a pencil or with the mouse, and its solution.
+struct Exercise {
+  std::string prompt;       ///< markup
+  std::string solution;     ///< markup
+  std::string preset = {};  ///< the setting it speaks of; empty: none
+  /// Where a setting is to be found: whether this is one, as the core decides. Null: words or a number are the answer.
+  bool (*found)(const Parameters&) = nullptr;
+  /// What to set, starting from `preset`, to find one: {"c", "0,2,0"}.
+  std::vector<std::pair<std::string, std::string>> by = {};
+};
+
+/// What a reader takes along: the card that ends a walk (viz/closing.h). All markup, one or two short sentences each.
+struct Closing {
+  std::string result;                ///< what holds, and why
+  std::string cost;                  ///< operations, or growth
+  std::string choose;                ///< when to choose it, and what else one would
+  std::string used;                  ///< where engines and renderers use it
+  std::string bug;                   ///< the mistake usually made
+  std::string bug_preset;            ///< the preset that shows it
+  std::vector<std::string> reading;  ///< author, title, year, section
+  std::vector<Exercise> exercises;   ///< three to five
+};
+
+/// Where the pseudocode as published errs.
+struct Erratum {
+  std::string published, corrected;  ///< the line as it stands in a walk's pseudocode, and as it should be
+  std::string why;                   ///< markup, one sentence
+  std::string preset;                ///< on which the published line fails
+};
+
 struct Lesson {
   std::string id;
   std::string title;
@@ -147,10 +178,16 @@ struct Lesson {
   bool flat = false;
   /// Methods that should agree, asked side by side; the first is exact. None where a lesson has one method.
   std::vector<Opinion> (*opinions)(const Parameters&) = nullptr;
-  /// Where the setting lies among all cases; the last step of a walk whose setting has a place there.
+  /// Where the setting lies among all cases; a step of its own in a walk whose setting has a place there.
   const CaseMap* map = nullptr;
+  /// What is asked, what for, and the idea, in a few sentences of markup: told before the first step's own caption.
+  std::string opening = {};
+  const Closing* closing = nullptr;     ///< the last step of every walk
+  std::vector<Erratum> errata = {};     ///< of the pseudocode as published
+  std::vector<std::string> after = {};  ///< ids of the lessons that this one builds on
 
-  /// What the lesson tells of a setting: its steps, then its map of cases, for which the lesson must outlive the walk.
+  /// What the lesson tells of a setting: its steps, its map of cases, its closing card. The lesson must outlive the
+  /// walk.
   Walk walk(const Parameters&) const;
 };
 

@@ -50,6 +50,11 @@ const Lesson& sphere_sphere() {
       .steps = walk,
       .opinions = opinions,
       .map = &cases(),
+      .opening = opening(),
+      .closing = &closing(),
+      .errata = {{"if d² < s²", "if d² ≤ s²", "Balls that touch have a common point; closed sets share their boundary.",
+                  "touching"}},
+      .after = {"relations", "intervals"},
   };
   return lesson;
 }

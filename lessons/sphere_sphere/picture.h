@@ -1,5 +1,5 @@
 #pragma once
-// Two balls, how they lie, and how they are drawn; and the lesson's walk and map.
+// Two balls, how they lie, and how they are drawn; and the lesson's walk, map and closing card.
 
 #include <isect/sphere_sphere.h>
 #include "viz/lesson.h"
@@ -27,6 +27,9 @@ viz::Scene picture(const Setup&, Focus);
 const viz::CaseMap& cases();
 /// Whether the balls meet, by each method. (cases.cpp)
 std::vector<viz::Opinion> opinions(const viz::Parameters&);
+/// What is told before the first step, and after the last one. (closing.cpp)
+const std::string& opening();
+const viz::Closing& closing();
 /// (telling.cpp)
 viz::Walk tell(const Setup&);
 

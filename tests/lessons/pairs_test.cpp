@@ -13,7 +13,7 @@
 #include "lessons/shared/relation.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
-#include "viz/case_map.h"
+#include "viz/closing.h"
 #include "viz/place.h"
 
 namespace pairs_test {

@@ -5,7 +5,7 @@
 #include <isect/ray_sphere_methods.h>
 #include "lessons/lessons.h"
 #include "tests/catch.h"
-#include "viz/case_map.h"
+#include "viz/closing.h"
 #include "viz/compose.h"
 
 namespace ray_sphere_test {

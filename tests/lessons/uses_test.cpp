@@ -15,7 +15,7 @@
 #include "lessons/ray_tracing/tracer.h"
 #include "tests/catch.h"
 #include "tests/viz/pixels.h"
-#include "viz/case_map.h"
+#include "viz/closing.h"
 #include "viz/compose.h"
 #include "viz/pick.h"
 #include "viz/place.h"

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <utility>
 
+#include "viz/case_map.h"
 #include "viz/rich_text.h"
 #include "viz/window/panels.h"
 
@@ -163,7 +164,7 @@ struct Hint {
 };
 std::vector<Hint> hints_of(const Player& player) {
   std::vector<Hint> hints;
-  if (player.lesson().map && player.step().scene.chart) hints.push_back({Role::text, "drag the setting over the map"});
+  if (player.step().slug == case_map_slug) hints.push_back({Role::text, "drag the setting over the map"});
   for (const Handle& h : player.step().scene.handles) {
     std::string label = h.parameter;
     for (const Parameter& p : player.lesson().parameters)

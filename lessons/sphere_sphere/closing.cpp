@@ -1,0 +1,52 @@
+// What a reader takes along from two balls, and what there is to do.
+
+#include "lessons/sphere_sphere/picture.h"
+
+namespace isect::lessons::sphere_sphere_lesson {
+
+using namespace viz;
+
+namespace {
+
+bool touching_outside(const Parameters& p) { return setup(p).truth == Relation::touching; }
+
+}  // namespace
+
+const std::string& opening() {
+  static const std::string text =
+      "Do two balls have a point in common? Engines ask this first of any two bodies, as no test is cheaper.\n"
+      "Two balls meet if and only if their centres are at most *r*_1 + *r*_2 apart. Both sides may be squared, so no "
+      "root is needed.";
+  return text;
+}
+
+const Closing& closing() {
+  static const Closing closing = {
+      .result =
+          "Two balls meet if and only if *d*^2 ≤ (*r*_1 + *r*_2)^2. One lies inside the other if and only if "
+          "*d*^2 ≤ (*r*_1 − *r*_2)^2.",
+      .cost = "Four products, six sums and one comparison, without a branch before it.",
+      .choose =
+          "For round bodies, and before any dearer test. Long, thin bodies leave much void in a ball: take boxes.",
+      .used = "Broad phase of physics engines, nodes of sphere trees, particles, triggers in games.",
+      .bug = "A strict < answers DISJOINT for balls that touch.",
+      .bug_preset = "touching",
+      .reading = {"Christer Ericson, *Real-Time Collision Detection*, 2005, section 4.3.1.",
+                  "Tomas Akenine-Möller and Eric Haines, *Real-Time Rendering*, 2nd edition, 2002, chapter 13."},
+      .exercises = {
+          {"Drag **b** until the balls touch from outside.",
+           "They touch where *d* = *r*_1 + *r*_2. On this line, that takes centres 2.5 lengths apart.",
+           "overlapping",
+           touching_outside,
+           {{"b", "1.21875,0,-0.9140625"}}},
+          {"Two balls have radii 3 and 4, and their centres are 5 apart. Do their surfaces meet?",
+           "Yes: 5 lies between 4 − 3 = 1 and 4 + 3 = 7. The surfaces share a circle."},
+          {"Why may both sides of *d* ≤ *r*_1 + *r*_2 be squared?",
+           "Neither is negative, and squaring keeps the order of such numbers. With a negative radius it would not."},
+          {"Lengths are kept in 32-bit floats. From which distance on does *d*^2 overflow?",
+           "The largest float is about 3.4 · 10^{38}. Its root is about 1.8 · 10^{19}."},
+      }};
+  return closing;
+}
+
+}  // namespace isect::lessons::sphere_sphere_lesson

@@ -1,0 +1,57 @@
+#pragma once
+// Settings of a lesson that nobody chose: drawn at random, and brought to the borders of its map of cases.
+
+#include <cmath>
+#include <optional>
+
+#include "bench/random.h"
+#include "viz/lesson.h"
+
+namespace isect::tests {
+
+/// A number of the comfortable range; every other time a round one, on which equalities happen.
+inline double random_number(const viz::Parameter& p, bench::Random& random) {
+  const double lo = std::max(p.lo, p.drag_lo), hi = std::min(p.hi, p.drag_hi), x = random.uniform(lo, hi);
+  return random.one_in(2) ? x : std::clamp(std::round(4 * x) / 4, p.lo, p.hi);
+}
+
+inline viz::Setting random_setting(const viz::Parameter& p, bench::Random& random) {
+  if (!p.choices.empty()) return p.choices[static_cast<std::size_t>(random.below(static_cast<int>(p.choices.size())))];
+  if (std::holds_alternative<double>(p.initial)) return random_number(p, random);
+  return viz::Vec3(random_number(p, random), random_number(p, random), random_number(p, random));
+}
+
+/// Each parameter drawn anew or, one time in two, as in a preset; what the lesson refuses is drawn again.
+inline viz::Parameters random_setting(const viz::Lesson& lesson, bench::Random& random) {
+  for (;;) {
+    viz::Parameters setting =
+        lesson.presets[static_cast<std::size_t>(random.below(static_cast<int>(lesson.presets.size())))].parameters;
+    for (const viz::Parameter& p : lesson.parameters)
+      if (random.one_in(2)) setting[p.name] = random_setting(p, random);
+    for (const viz::Parameter& p : lesson.parameters)  // a point of a flat lesson stays in its plane
+      if (lesson.flat && std::holds_alternative<viz::Vec3>(p.initial)) std::get<viz::Vec3>(setting[p.name]).z() = 0;
+    try {
+      validate(lesson, setting);
+      return setting;
+    } catch (const viz::BadInput&) {
+    }
+  }
+}
+
+/// Two neighbouring settings on the map between `from` and `to`, one on either side of a border; none if both ends have
+/// one branch.
+inline std::optional<std::pair<viz::Parameters, viz::Parameters>> beside_a_border(const viz::Lesson& lesson,
+                                                                                  const viz::Parameters& setting,
+                                                                                  viz::Vec2 from, viz::Vec2 to) {
+  const viz::CaseMap& map = *lesson.map;
+  const auto at = [&](const viz::Vec2& place) { return map.moved(setting, place); };
+  const int first = map.branch(at(from));
+  if (map.branch(at(to)) == first) return {};
+  for (int i = 0; i < 60; ++i) {
+    const viz::Vec2 middle = (from + to) / 2;
+    (map.branch(at(middle)) == first ? from : to) = middle;
+  }
+  return std::pair{at(from), at(to)};
+}
+
+}  // namespace isect::tests

@@ -1,0 +1,252 @@
+// What every lesson says must hold on any setting: what its steps claim is held to what they show, to the branch that
+// was taken and to each other. Nothing here knows a lesson by name.
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <regex>
+#include <set>
+
+#include "lessons/lessons.h"
+#include "tests/catch.h"
+#include "tests/lessons/random_settings.h"
+#include "tests/settings.h"
+#include "viz/closing.h"
+#include "viz/rich_text.h"
+
+namespace truth_test {
+using namespace isect;
+using namespace isect::viz;
+
+namespace {
+
+/// All lessons, or the one that ISECT_LESSON names.
+std::vector<const Lesson*> those_asked_for() {
+  const char* const only = std::getenv("ISECT_LESSON");
+  std::vector<const Lesson*> lessons = lessons::all_lessons();
+  if (only) std::erase_if(lessons, [&](const Lesson* lesson) { return lesson->id != only; });
+  REQUIRE_FALSE(lessons.empty());
+  return lessons;
+}
+
+/// What is wrong with a walk: each fault is told once a lesson, with the setting that shows it.
+class Faults {
+ public:
+  explicit Faults(const Lesson& lesson) : lesson_(lesson) {}
+
+  void look_at(const Parameters& setting) {
+    setting_ = &setting;
+    const Walk walk = lesson_.walk(setting);
+    const int last = outcome(walk);
+    for (int i = 0; i <= last; ++i) {
+      step_ = &walk.steps[i];
+      comparison();
+      equations();
+      language(step_->caption), language(step_->formula), language(step_->verdict.text);
+      if (step_->question) question(*step_->question, i > 0 ? &walk.steps[i - 1] : nullptr);
+      lines(walk, i, last);
+    }
+    step_ = &walk.steps[last];
+    language(walk.alt);
+    if (step_->verdict.kind == Verdict::Kind::open) fault("the outcome is left open", "");
+    returned(walk);
+  }
+
+  const std::map<std::string, std::string>& found() const { return found_; }
+
+ private:
+  void fault(const std::string& what, const std::string& where) {
+    std::string told = step_->slug + ": " + where + "\n     with";
+    for (const auto& [name, value] : *setting_) told += " --set " + name + "=" + to_text(value);
+    found_.emplace(what, told);
+  }
+
+  /// The sign between two sides, as the numbers beside it have it.
+  void comparison() {
+    if (!step_->comparison) return;
+    const Comparison& c = *step_->comparison;
+    const std::string text = plain(c.text);
+    const std::pair<const char*, bool> signs[] = {{" ≤ ", c.left <= c.right}, {" ≥ ", c.left >= c.right},
+                                                  {" < ", c.left < c.right},  {" > ", c.left > c.right},
+                                                  {" = ", c.left == c.right}, {" ≠ ", c.left != c.right}};
+    for (const auto& [sign, truth] : signs)
+      if (text.find(sign) != std::string::npos) {
+        if (truth != c.holds) fault("a comparison says the opposite of its numbers", text);
+        return;
+      }
+  }
+
+  /// "d² = l · l = 2.64": a name that stands among the values has the value given there.
+  void equations() {
+    const std::string formula = plain(step_->formula);
+    std::set<std::string> names;
+    for (const Value& v : step_->values) {
+      const std::string name = plain(v.name);
+      if (!names.insert(name).second) fault("a name stands for two values", name);
+      static const std::regex number("^[−-]?[0-9][0-9 .\\u2009·⁰¹²³⁴⁵⁶⁷⁸⁹⁻]*$");
+      if (formula.compare(0, name.size() + 3, name + " = ") != 0) continue;
+      const std::string right = formula.substr(formula.rfind(" = ") + 3);
+      if (std::regex_match(right, number) && right != shown(v.value))
+        fault("a formula gives another value than the table", formula + " beside " + shown(v.value));
+    }
+  }
+
+  void language(const std::string& markup) {
+    const std::string text = plain(markup);
+    static const std::regex one(
+        "(^|[^0-9.,^·/−⁻ \\u2009] |^)1 (?!is |has |less|does |was |lies |across |as |its |this )[a-z]+[^s ]s\\b");
+    static const std::regex twice("\\b(on|the|of|is|to|in|and|are|that) \\1\\b");
+    std::smatch match;
+    if (std::regex_search(text, match, one)) fault("one of a plural", text);
+    if (std::regex_search(text, match, twice)) fault("a word twice", text);
+    for (const char* wrong : {"..", "?.", "!.", " ,", " .", ",,", "::", "NaN", "nan", "inf "})
+      if (text.find(wrong) != std::string::npos && text.find("...") == std::string::npos)
+        fault(std::string("“") + wrong + "” in a sentence", text);
+  }
+
+  void question(const Question& q, const Step* before) {
+    const std::set<std::string> different(q.choices.begin(), q.choices.end());
+    if (different.size() != q.choices.size() || q.choices.size() < 2) fault("choices that are no choice", q.prompt);
+    if (q.answer < 0 || q.answer >= static_cast<int>(q.choices.size())) return fault("no answer", q.prompt);
+    language(q.prompt), language(q.because);
+    if (!before) return;
+    if (before->verdict.kind != Verdict::Kind::open && before->verdict.text == step_->verdict.text &&
+        plain(before->verdict.text).find(plain(q.choices[q.answer])) != std::string::npos)
+      fault("the verdict on the screen holds the answer", q.prompt);
+    const std::string answer = plain(q.choices[q.answer]);
+    if (answer.size() > 3 && plain(before->caption).find(answer) != std::string::npos)
+      fault("the caption on the screen holds the answer", q.prompt + " → " + answer);
+  }
+
+  bool returns(const Walk& walk, int line) const {
+    return line >= 0 && walk.pseudocode[line].find("return") != std::string::npos;
+  }
+
+  void lines(const Walk& walk, int i, int last) {
+    const int line = step_->line;
+    if (line >= static_cast<int>(walk.pseudocode.size())) return fault("a line that is not there", "");
+    if (std::ranges::find(step_->untaken, line) != step_->untaken.end())
+      fault("a line that was not taken is the current one", walk.pseudocode[line]);
+    if (i < last && returns(walk, line) && walk.steps[i + 1].line != line)
+      fault("something runs after a return", walk.pseudocode[line]);
+  }
+
+  /// A line that returns MISS stands under no verdict that says hit, unless the caption says that the note errs.
+  void returned(const Walk& walk) {
+    const int line = step_->line;
+    if (!returns(walk, line)) return;
+    const std::string code = walk.pseudocode[line];
+    const auto says = [&](std::initializer_list<const char*> words) {
+      return std::ranges::any_of(words, [&](const char* w) { return code.find(w) != std::string::npos; });
+    };
+    const bool no = says({"DISJOINT", "MISS", "OUT", "REJECT", "FAR", "none", "false"}),
+               yes = says({"OVERLAP", "HIT", "INTERSECT", "NEAR", "true"});
+    if (no == yes) return;
+    const Verdict::Kind kind = step_->verdict.kind;
+    const std::string told = plain(step_->caption) + plain(step_->verdict.text);
+    const bool owned = std::ranges::any_of(std::initializer_list<const char*>{"note", "wrong", "published"},
+                                           [&](const char* w) { return told.find(w) != std::string::npos; });
+    const bool against = no ? kind == Verdict::Kind::yes || kind == Verdict::Kind::on : kind == Verdict::Kind::no;
+    if (against && !owned)
+      fault("the line that returns contradicts the verdict", code + " under " + step_->verdict.text);
+  }
+
+  const Lesson& lesson_;
+  const Parameters* setting_ = nullptr;
+  const Step* step_ = nullptr;
+  std::map<std::string, std::string> found_;
+};
+
+/// A lesson over what was measured is told once; a walk through 100,000 boxes is not drawn a thousand times.
+int how_many(const Lesson& lesson) { return lesson.parameters.size() < 2 ? 10 : tests::cases(200, 3000); }
+
+}  // namespace
+
+TEST_CASE("what the steps say holds on presets, on random settings and at the borders of the map", "[every lesson]") {
+  for (const Lesson* lesson : those_asked_for()) {
+    bench::Random random(bench::stream(tests::seed(), lesson->id.c_str()));
+    Faults faults(*lesson);
+    for (const Preset& p : lesson->presets) faults.look_at(p.parameters);
+    for (int i = 0; i < how_many(*lesson); ++i) faults.look_at(tests::random_setting(*lesson, random));
+    if (lesson->map)
+      for (int i = 0; i < how_many(*lesson); ++i) {
+        const auto place = [&] {
+          return Vec2(random.uniform(lesson->map->lo.x(), lesson->map->hi.x()),
+                      random.uniform(lesson->map->lo.y(), lesson->map->hi.y()));
+        };
+        const Parameters& start = lesson->presets[static_cast<std::size_t>(i) % lesson->presets.size()].parameters;
+        const Vec2 from = place(), to = place();
+        if (const auto pair = tests::beside_a_border(*lesson, start, from, to))
+          faults.look_at(pair->first), faults.look_at(pair->second);
+      }
+    for (const auto& [what, where] : faults.found()) FAIL_CHECK(lesson->id << ": " << what << "\n  " << where);
+  }
+}
+
+TEST_CASE("at most one question in five is answered by yes or no", "[every lesson]") {
+  for (const Lesson* lesson : those_asked_for()) {
+    std::set<std::string> prompts, simple;
+    for (const Preset& p : lesson->presets)
+      for (const Step& s : lesson->walk(p.parameters).steps)
+        if (s.question) {
+          prompts.insert(s.question->prompt);
+          if (s.question->choices == std::vector<std::string>{"yes", "no"}) simple.insert(s.question->prompt);
+        }
+    INFO(lesson->id << ": " << simple.size() << " of " << prompts.size());
+    CHECK(5 * simple.size() <= prompts.size());
+  }
+}
+
+TEST_CASE("each lesson opens with what is asked and closes with a card and exercises", "[every lesson]") {
+  for (const Lesson* lesson : those_asked_for()) {
+    INFO(lesson->id);
+    CHECK_FALSE(lesson->opening.empty());
+    REQUIRE(lesson->closing);
+    const Closing& c = *lesson->closing;
+    for (const std::string& text : {c.result, c.cost, c.choose, c.used, c.bug}) CHECK_FALSE(text.empty());
+    CHECK_NOTHROW(preset(*lesson, c.bug_preset));
+    CHECK_FALSE(c.reading.empty());
+    CHECK((c.exercises.size() >= 3 && c.exercises.size() <= 5));
+  }
+}
+
+TEST_CASE("a setting that an exercise wants found is not its first one, and its solution finds it", "[every lesson]") {
+  for (const Lesson* lesson : those_asked_for()) {
+    if (!lesson->closing) continue;
+    for (const Exercise& e : lesson->closing->exercises) {
+      INFO(lesson->id << ": " << e.prompt);
+      CHECK_FALSE(e.solution.empty());
+      if (!e.preset.empty()) CHECK_NOTHROW(preset(*lesson, e.preset));
+      if (!e.found) continue;
+      Parameters setting = preset(*lesson, e.preset).parameters;
+      CHECK_FALSE(e.found(setting));
+      for (const auto& [name, text] : e.by) set(*lesson, setting, name, text);
+      CHECK_NOTHROW(validate(*lesson, setting));
+      CHECK(e.found(setting));
+    }
+  }
+}
+
+TEST_CASE("an erratum names a line of the pseudocode and a preset", "[every lesson]") {
+  for (const Lesson* lesson : those_asked_for())
+    for (const Erratum& e : lesson->errata) {
+      INFO(lesson->id << ": " << e.published);
+      const Walk walk = lesson->walk(preset(*lesson, e.preset).parameters);
+      CHECK(std::ranges::find(walk.pseudocode, e.published) != walk.pseudocode.end());
+      CHECK(e.published != e.corrected);
+      CHECK_FALSE(e.why.empty());
+    }
+}
+
+TEST_CASE("a course leads from lesson to lesson without a circle", "[every lesson]") {
+  std::set<std::string> before;
+  for (const Lesson* lesson : lessons::all_lessons()) {
+    for (const std::string& id : lesson->after) {
+      INFO(lesson->id << " builds on " << id);
+      CHECK(before.contains(id));
+    }
+    before.insert(lesson->id);
+  }
+}
+
+}  // namespace truth_test

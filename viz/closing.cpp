@@ -1,0 +1,46 @@
+#include "viz/closing.h"
+
+#include "viz/case_map.h"
+
+namespace isect::viz {
+
+int outcome(const Walk& walk) {
+  int step = static_cast<int>(walk.steps.size()) - 1;
+  const auto surrounds = [&](const std::string& slug) { return slug == case_map_slug || slug == closing_slug; };
+  while (step > 0 && surrounds(walk.steps[step].slug)) --step;
+  return step;
+}
+
+Chart closing_card(const Closing& c) {
+  return {Card{
+      {{"Result", c.result}, {"Cost", c.cost}, {"Choose it", c.choose}, {"Used", c.used}, {"Typical bug", c.bug}}}};
+}
+
+Step closing_step(const Closing& closing, const Step& before) {
+  Step step = before;
+  step.slug = closing_slug, step.title = "What to take along";
+  step.caption = closing.result;
+  for (const std::string& source : closing.reading) step.caption += "\nRead: " + source;
+  step.formula = {}, step.source = {};
+  if (!closing.reading.empty()) step.source = closing.reading.front();
+  step.decides = false;
+  step.comparison.reset(), step.question.reset();
+  for (Value& value : step.values) value.fresh = false;
+  step.scene = {};
+  step.scene.chart = DeferredChart([&closing] { return closing_card(closing); });
+  return step;
+}
+
+Walk Lesson::walk(const Parameters& here) const {
+  Walk walk = steps(here);
+  if (walk.steps.empty()) return walk;
+  if (!opening.empty()) walk.steps.front().caption = opening + "\n" + walk.steps.front().caption;
+  const Step last = walk.steps.back();
+  if (map)
+    if (const std::optional<Cases::Spot> spot = spot_on(*map, here))
+      walk.steps.push_back(map_step(*this, here, *spot, last));
+  if (closing) walk.steps.push_back(closing_step(*closing, last));
+  return walk;
+}
+
+}  // namespace isect::viz

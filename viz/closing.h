@@ -1,0 +1,19 @@
+#pragma once
+// What follows a lesson's own steps: its map of cases, then the card with what a reader takes along.
+
+#include "viz/chart.h"
+#include "viz/lesson.h"
+
+namespace isect::viz {
+
+/// The slug of the step that shows the card.
+inline constexpr const char* closing_slug = "closing";
+
+/// The last step that shows the scene itself: a map of cases and a closing card may follow it.
+int outcome(const Walk&);
+
+Chart closing_card(const Closing&);
+/// The step that shows the card; what `before` has told stays.
+Step closing_step(const Closing&, const Step& before);
+
+}  // namespace isect::viz
