@@ -158,7 +158,7 @@ struct Closing {
 
 /// Where the pseudocode as published errs.
 struct Erratum {
-  std::string published, corrected;  ///< the line as it stands in a walk's pseudocode, and as it should be
+  std::string published, corrected;  ///< one of the two stands in a walk's pseudocode
   std::string why;                   ///< markup, one sentence
   std::string preset;                ///< on which the published line fails
 };
