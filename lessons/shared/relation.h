@@ -34,9 +34,16 @@ inline viz::Verdict::Kind verdict_kind(Relation r) {
 
 /// "How do the two boxes lie?" `they` with its article; the answer is the exact test's.
 inline viz::Question relation_question(Relation r, const std::string& they, const std::string& because) {
-  const bool inside = r == Relation::a_inside_b || r == Relation::b_inside_a || r == Relation::equal;
-  const int answer = r == Relation::disjoint ? 0 : r == Relation::touching ? 1 : inside ? 3 : 2;
-  return {"How do " + they + " lie?", {"disjoint", "touching", "overlapping", "one inside the other"}, answer, because};
+  const bool inside = r == Relation::a_inside_b || r == Relation::b_inside_a;
+  const int answer = r == Relation::disjoint   ? 0
+                     : r == Relation::touching ? 1
+                     : r == Relation::equal    ? 4
+                     : inside                  ? 3
+                                               : 2;
+  return {"How do " + they + " lie?",
+          {"disjoint", "touching", "overlapping", "one inside the other", "as the same set"},
+          answer,
+          because};
 }
 
 /// The relations as branches of a map of cases.
