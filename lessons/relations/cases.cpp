@@ -50,7 +50,7 @@ const CaseMap& cases() {
                               place_of,
                               moved,
                               "The second set is shifted to the right and grows; the rest stays.\n"
-                              "Touching is a border, and being equal is one point."};
+                              "On this map, touching is a curve. Equality is one point at most."};
   return map;
 }
 

@@ -42,6 +42,7 @@ std::vector<Preset> presets() {
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
       result.push_back(preset_of(name(kind), lower + "-" + s.id, name(kind) + ": " + s.title, s.pose));
     }
+  result.push_back(preset_of("balls", "ball-inner-touch", "balls: touching inside", {in_plane(-0.5, 0), 0.5}));
   result.push_back(preset_of(all_kinds, "all-kinds", "all kinds", {in_plane(1.75, 0), 0.75}));
   return result;
 }
@@ -67,6 +68,8 @@ const Lesson& relations() {
         .camera = camera,
         .steps = walk,
         .map = &cases(),
+        .opening = opening(),
+        .closing = &closing(),
     };
   }();
   return lesson;

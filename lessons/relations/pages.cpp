@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "lessons/shared/questions.h"
 #include "lessons/shared/relation.h"
 #include "lessons/shared/script.h"
 #include "viz/compose.h"
@@ -14,12 +15,12 @@ namespace isect::lessons::relations_lesson {
 using namespace viz;
 
 const std::vector<std::string> pseudocode = {
-    "if a and b have no common point: return DISJOINT",         // 0
-    "if a ⊆ b and b ⊆ a: return EQUAL",                         // 1
-    "if a ⊆ b: return A INSIDE B",                              // 2
-    "if b ⊆ a: return B INSIDE A",                              // 3
-    "if no common point is interior to both: return TOUCHING",  // 4
-    "return OVERLAPPING"                                        // 5
+    "DISJOINT if a and b have no common point",              // 0
+    "else EQUAL if a ⊆ b and b ⊆ a",                         // 1
+    "else A INSIDE B if a ⊆ b",                              // 2
+    "else B INSIDE A if b ⊆ a",                              // 3
+    "else TOUCHING if no common point is interior to both",  // 4
+    "else OVERLAPPING"                                       // 5
 };
 namespace {
 
@@ -72,23 +73,27 @@ Scene all_pairs_of_all_kinds() {
 Walk page_of_all(const Pose& pose) {
   std::vector<Inset> insets;
   std::set<Relation> found;
+  std::string alt = "Four pairs in one pose";
   for (const Kind kind : kinds) {
     const Pair pair(kind, pose, two_rows);
     insets.push_back({drawn(pair, true), name(kind), words(pair.truth, "they"),
                       verdict_kind(pair.truth) == Verdict::Kind::no ? Role::miss : Role::hit});
     found.insert(pair.truth);
+    alt += (kind == kinds[0] ? ": " : ", ") + name(kind) + " " + relation_name(pair.truth);
   }
-  Script script({"Note, N02", "Small pictures of two shapes: each of six relations, for each of four kinds.",
-                 pseudocode, all_kinds});
-  Step& same = script.add("same-place", "The same places, four kinds", -1,
-                          fmt::format("All four pairs have the same centres and sizes, yet {} relations.\n"
-                                      "How two things lie is a matter of their shapes, not of where they are.",
-                                      found.size()));
+  Script script({"Lecture note Intersection Detection, spatial relationships",
+                 alt + ". Then each of six relations for each of four kinds.", pseudocode, all_kinds});
+  // Whether four relations or one: the shapes matter, and the pose does.
+  Step& same = script.add("same-place", "One pose, four kinds", -1,
+                          found.size() == 1
+                              ? "All four pairs have one pose, and here one relation. Move b, and they will differ."
+                              : fmt::format("All four pairs have one pose, yet {} different relations.\n"
+                                            "Both count: what shape the two sets have, and where they are.",
+                                            found.size()));
   same.scene.items = centred(insets, 4);
-  same.question = Question{"Are all four pairs related alike?",
-                           {"yes", "no"},
-                           found.size() == 1 ? 0 : 1,
-                           "The exact test of each kind decides."};
+  // 1: that the pose alone decides; 4: that each shape is a case of its own.
+  same.question = which_value("One pose, four kinds of shape. How many different relations?",
+                              static_cast<double>(found.size()), {1, 2, 3, 4}, "The exact test of each kind decides.");
   const Ball& b = std::get<Ball>(same.scene.items[1]);
   same.scene.handles = {{"size", Handle::Kind::along, b.center + two_rows * pose.size * upwards(), b.center,
                          Role::second, upwards() / (two_rows * axis_length * axis_length)}};

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 
+#include <isect/sphere_sphere.h>
+
 #include "lessons/relations/pages.h"
 #include "lessons/shared/plane.h"
+#include "lessons/shared/questions.h"
 #include "lessons/shared/relation.h"
 #include "lessons/shared/script.h"
 
@@ -17,19 +20,33 @@ namespace {
 
 enum class Focus { none, containment, settled };
 
+/// Whether a ball that lies in the other also touches its surface, asked exactly.
+bool touches_from_inside(const Pair& pair) {
+  const auto *a = std::get_if<Sphere<double, 3>>(&pair.a), *b = std::get_if<Sphere<double, 3>>(&pair.b);
+  const bool inside = pair.truth == Relation::a_inside_b || pair.truth == Relation::b_inside_a;
+  if (!a || !b || !inside) return false;
+  Record<sphere_sphere::Event> record;
+  relate(*a, *b, record);
+  const auto tangent = [](const auto& event) {
+    const auto* e = std::get_if<sphere_sphere::Decision>(&event);
+    return e && e->inner == 0;
+  };
+  return std::ranges::any_of(record.events, tangent);
+}
+
 class Teller {
  public:
   Teller(Kind kind, const Pose& pose)
       : pair_(kind, pose),
         pose_(pose),
         they_(they(kind)),
-        script_({"Note, N02", fmt::format("Two {}, a and b: {}.", name(kind), words(pair_.truth, they_)), pseudocode,
-                 name(kind)}) {}
+        script_({"Lecture note Intersection Detection, spatial relationships",
+                 fmt::format("Two {}, a and b: {}.", name(kind), words(pair_.truth, they_)), pseudocode, name(kind)}) {}
 
   Walk tell() {
     add("pair", fmt::format("Two {}", name(pair_.kind)), 0,
-        "Do the two share space? The note draws three answers: no, partly, or one within the other.\n"
-        "Two more hide among these: touching, and being equal.",
+        "The lecture note *Intersection Detection* draws three answers: disjoint, partial intersection, containment.\n"
+        "Touching and equality hide among them, and containment has two directions: that makes six.",
         Focus::none);
     const Relation r = pair_.truth;
     if (!pair_.meet) settle();
@@ -84,30 +101,35 @@ class Teller {
 
   void yes_or_no() {
     Step& step = add("yes-or-no", "A common point?", 0,
-                     pair_.meet ? "Yes: some point lies in both. This is all that the note's pseudocode tells."
-                                : "No point lies in both. Here \"no\" says it all: the sets are disjoint.\n"
-                                  "Exclusion, in the note's words.",
+                     pair_.meet ? "Yes: some point lies in both. The note's pseudocode stops here and returns OVERLAP."
+                                : "No point lies in both. Here \"no\" says it all: one of the six relations is left.\n"
+                                  "The note calls it exclusion.",
                      Focus::none, pair_.meet ? "a ∩ b ≠ ∅" : "a ∩ b = ∅");
     step.decides = true;
-    step.question = Question{"Do " + they_ + " have a common point?",
-                             {"yes", "no"},
-                             pair_.meet ? 0 : 1,
-                             "The exact test decides; a single point is enough."};
+    // 1 after a yes: that "they meet" means "they overlap"; 2: the note's partial intersection and containment.
+    step.question = which_value("A test tells whether they have a common point. How many of the six relations remain?",
+                                alike(), {1, 2, 5},
+                                pair_.meet ? "They have one. Only one relation is ruled out by that."
+                                           : "They have none, and only one relation has none.");
     if (!pair_.meet) script_.leave_early();
   }
 
   void what_it_loses() {
     script_.refuse(0, {});
-    const auto& all = situations(pair_.kind);
-    const auto yes = std::ranges::count_if(all, [&](const Situation& s) { return Pair(pair_.kind, s.pose).meet; });
-    script_.value("pairs that meet", static_cast<double>(yes));
+    script_.value("pairs that meet", alike());
     Step& step = script_.add(
         "what-it-loses", "What a yes loses", 0,
-        fmt::format("{} of these {} pairs have the same answer: yes.\n"
-                    "A hierarchy may stop where one contains the other, and physics starts where two touch. A "
-                    "good test tells them apart.",
-                    yes, all.size()));
+        fmt::format("{} of these {} pairs have the same answer: yes. Programs need to tell them apart.\n"
+                    "Culling stops at containment: all that is inside is visible. Physics starts at touching. "
+                    "Merging of duplicates needs equality.",
+                    alike(), situations(pair_.kind).size()));
     step.scene = six(pair_.kind);
+  }
+
+  /// How many of the six pairs of this kind have the same answer to "a common point?".
+  int alike() const {
+    return static_cast<int>(std::ranges::count_if(
+        situations(pair_.kind), [&](const Situation& s) { return Pair(pair_.kind, s.pose).meet == pair_.meet; }));
   }
 
   void containment() {
@@ -117,33 +139,32 @@ class Teller {
     const int line = r == equal ? 1 : r == a_inside_b ? 2 : r == b_inside_a ? 3 : 0;
     for (int before = 1; before < (line == 0 ? 4 : line); ++before) script_.refuse(before, {});
     Step& step =
-        add("containment", "One within the other?", line == 0 ? 3 : line, contained_caption(), Focus::containment,
+        add("containment", "One inside the other?", line == 0 ? 3 : line, contained_caption(), Focus::containment,
             fmt::format("a ⊆ b: {},  b ⊆ a: {}", a_in_b ? "yes" : "no", b_in_a ? "yes" : "no"));
     step.decides = true;
-    step.question = Question{"Does each point of one lie in the other?",
+    step.question = Question{"Which set is a subset of the other?",
                              {"a lies in b", "b lies in a", "each in the other", "neither"},
                              r == equal ? 2
                              : a_in_b   ? 0
                              : b_in_a   ? 1
                                         : 3,
-                             "A cross marks a point of one that the other does not hold."};
+                             "A cross marks a point of one outside the other."};
   }
 
   std::string contained_caption() const {
     switch (pair_.truth) {
       case Relation::equal:
         return pair_.kind == Kind::obbs && pose_.turn != "none"
-                   ? "Each lies in the other, so the sets are equal. Their axes are numbered differently: "
-                     "sets "
-                     "know nothing of that."
+                   ? "Each lies in the other, so the sets are equal. Only their axes are numbered differently."
                    : "Each lies in the other, so the sets are equal.";
       case Relation::a_inside_b:
       case Relation::b_inside_a:
-        return "The smaller one is a subset of the larger. The larger has points left over, as the cross "
-               "shows.\n"
-               "Containment is the note's inclusion. A yes or no test calls it OVERLAP.";
+        return (touches_from_inside(pair_)
+                    ? "They touch from inside: the surfaces share one point. It is still containment.\n"
+                    : "One is a subset of the other.\n") +
+               std::string("The note calls containment inclusion. A yes or no test calls it OVERLAP.");
       default:
-        return "Each has a point that the other does not hold: the crosses. Neither contains the other.";
+        return "Each has a point outside the other, so neither contains the other.";
     }
   }
 
@@ -151,17 +172,17 @@ class Teller {
     const bool touch = pair_.truth == Relation::touching;
     if (!touch) script_.refuse(4, {});
     Step& step =
-        add("interiors", "Do they share inner points?", touch ? 4 : 5,
-            touch ? "No: what they share lies on both boundaries. Our sets are closed, so it counts: they touch.\n"
+        add("interiors", "Do they share interior points?", touch ? 4 : 5,
+            touch ? "No: what they share lies on both boundaries. Closed sets include their boundary, so they touch.\n"
                     "The note counts touching boxes as OVERLAP, but touching spheres as DISJOINT."
-                  : "Yes: some point lies inside both, not just on the boundaries. Green is what they share.\n"
-                    "The note's partial intersection.",
+                  : "Yes: some point is interior to both. Green marks what they share.\n"
+                    "The note calls it partial intersection.",
             Focus::settled);
     step.decides = true;
-    step.question = Question{"Does a point lie inside both?",
-                             {"yes", "no, only on the boundaries"},
-                             touch ? 1 : 0,
-                             "An inner point is one with room around it."};
+    step.question = Question{"Which points do they share?",
+                             {"none", "boundary points only", "interior points, too"},
+                             touch ? 1 : 2,
+                             "An interior point has a small ball around it that lies in the set."};
   }
 
   const Pair pair_;

@@ -12,4 +12,8 @@ const Kind* kind_of(const viz::Parameters&);
 viz::Walk questions(Kind, const Pose&);
 const viz::CaseMap& cases();
 
+/// What is told before the first step, and after the last one. (closing.cpp)
+const std::string& opening();
+const viz::Closing& closing();
+
 }  // namespace isect::lessons::relations_lesson

@@ -1,0 +1,68 @@
+// What a reader takes along from the six relations, and what there is to do.
+
+#include "lessons/relations/telling.h"
+
+namespace isect::lessons::relations_lesson {
+
+using namespace viz;
+
+namespace {
+
+Relation truth(const Parameters& p) {
+  const Kind* const kind = kind_of(p);
+  return Pair(kind ? *kind : Kind::balls, pose(p)).truth;
+}
+bool polygons_touch(const Parameters& p) {
+  return kind_of(p) && *kind_of(p) == Kind::polygons && truth(p) == Relation::touching;
+}
+/// Boxes that share a point where the balls of the same pose have none.
+bool boxes_meet_but_not_balls(const Parameters& p) {
+  return Pair(Kind::aabbs, pose(p)).meet && !Pair(Kind::balls, pose(p)).meet;
+}
+
+}  // namespace
+
+const std::string& opening() {
+  static const std::string text =
+      "How can two sets lie? A yes or no is enough to reject a pair, but culling, physics and hierarchies ask for "
+      "more.\n"
+      "Three questions tell all cases apart: a common point? one inside the other? a common interior point?";
+  return text;
+}
+
+const Closing& closing() {
+  static const Closing closing = {
+      .result =
+          "Two convex sets lie in one of six ways: disjoint, touching, overlapping, a inside b, b inside a, "
+          "equal.",
+      .cost = "The first question is the cheap one. Containment takes a second test, and touching an exact sign.",
+      .choose = "Ask yes or no where a pair is only rejected. Ask for the relation where work is saved by containment.",
+      .used =
+          "Containment: frustum culling, occlusion, merging of hierarchies. Touching: resting contact in physics. "
+          "Equality: welding of vertices.",
+      .bug = "Testing whether the boundaries cross. A ball inside a ball then counts as disjoint.",
+      .bug_preset = "ball-a-inside-b",
+      .reading = {"Lecture note *Intersection Detection*, spatial relationships.",
+                  "Max Egenhofer and Robert Franzosa, Point-set topological spatial relations, International Journal "
+                  "of Geographical Information Systems, 1991.",
+                  "Christer Ericson, *Real-Time Collision Detection*, 2005, chapter 5."},
+      .exercises = {
+          {"Move **b** until the two polygons touch.",
+           "They touch where a vertex of one lies on an edge of the other, and no interior point is shared.",
+           "polygon-disjoint",
+           polygons_touch,
+           {{"b", "1.392578125,0.1171875,-1.10546875"}}},
+          {"Find one pose in which the AABBs meet and the balls do not.",
+           "Corners reach farther than balls. Shift b along a diagonal.",
+           "all-kinds",
+           boxes_meet_but_not_balls,
+           {{"b", "1.5,1.125,1"}}},
+          {"Which of the six relations can a point and a ball have?",
+           "Two: disjoint, and the point inside the ball. A point of the surface is a subset of the ball, too."},
+          {"a lies inside b, and b lies inside c. What follows for a and c?",
+           "a lies inside c: being a subset is transitive. Overlapping and touching are not."},
+      }};
+  return closing;
+}
+
+}  // namespace isect::lessons::relations_lesson
