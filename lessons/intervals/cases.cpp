@@ -1,5 +1,7 @@
 // All cases of two intervals in the plane of one's ends, and the methods side by side.
 
+#include <limits>
+
 #include <isect/interval_interval_methods.h>
 #include "lessons/intervals/picture.h"
 #include "lessons/shared/opinions.h"
@@ -31,10 +33,10 @@ int branch(const Parameters& p) {
   }
   return same;
 }
-/// In lengths of a, from its lower end; nowhere if a is a point.
+/// In lengths of a, from its lower end; nowhere if a has none.
 Vec2 place(const Parameters& p) {
   const Setup s = setup(p);
-  const double unit = s.a.hi - s.a.lo;
+  const double unit = s.a.lo < s.a.hi ? s.a.hi - s.a.lo : std::numeric_limits<double>::quiet_NaN();
   return {(s.b.lo - s.a.lo) / unit, (s.b.hi - s.a.lo) / unit};
 }
 Parameters moved(const Parameters& p, const Vec2& to) {

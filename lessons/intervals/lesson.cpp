@@ -43,6 +43,9 @@ const Lesson& intervals() {
       .flat = true,
       .opinions = opinions,
       .map = &cases(),
+      .opening = opening(),
+      .closing = &closing(),
+      .after = {"relations", "points"},
   };
   return lesson;
 }

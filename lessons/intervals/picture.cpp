@@ -29,11 +29,14 @@ Scene picture(const Setup& s, const std::optional<Vec2>& looked_at, bool settled
   const auto interval = [&](const Interval<double>& i, double y, Role role, const std::string& name) {
     for (const double x : {i.lo, i.hi})
       items.push_back(Line{{x, y, 0}, {x, 0, 0}, Role::construction, Pen::construction});
+    const bool reversed = i.lo > i.hi,
+               point = i.lo == i.hi;  // of a reversed one both ends are shown, and nothing between
     if (i.lo < i.hi) items.push_back(Span{{i.lo, y, 0}, {i.hi, y, 0}, role, Pen::thick});
-    items.push_back(Dot{{i.lo, y, 0}, Mark::disc, role});
-    if (i.lo < i.hi) items.push_back(Dot{{i.hi, y, 0}, Mark::disc, role});
-    items.push_back(Label{{i.lo, y, 0}, i.lo < i.hi ? name + "_{min}" : name, role});
-    if (i.lo < i.hi) items.push_back(Label{{i.hi, y, 0}, name + "_{max}", role});
+    items.push_back(Dot{{i.lo, y, 0}, reversed ? Mark::excluded : Mark::disc, role});
+    items.push_back(Label{{i.lo, y, 0}, point ? name : name + "_{min}", role});
+    if (point) return;
+    items.push_back(Dot{{i.hi, y, 0}, reversed ? Mark::excluded : Mark::disc, role});
+    items.push_back(Label{{i.hi, y, 0}, name + "_{max}", role});
   };
   interval(s.a, a_height, Role::first, "*a*");
   interval(s.b, b_height, Role::second, "*b*");
@@ -41,11 +44,12 @@ Scene picture(const Setup& s, const std::optional<Vec2>& looked_at, bool settled
   if (looked_at && looked_at->x() != looked_at->y())
     items.push_back(Line{{looked_at->x(), 0, 0}, {looked_at->y(), 0, 0}, Role::highlight, Pen::highlight});
   const Interval<double> common = {std::max(s.a.lo, s.b.lo), std::min(s.a.hi, s.b.hi)};
+  if (empty(s.a) || empty(s.b)) settled = false;
   if (settled && common.lo < common.hi)
     items.push_back(Span{{common.lo, 0, 0}, {common.hi, 0, 0}, Role::hit, Pen::thick});
   if (settled && common.lo == common.hi) items.push_back(Dot{{common.lo, 0, 0}, Mark::disc, Role::hit});
   if (settled && common.lo > common.hi)
-    items.push_back(Dot{{(common.lo + common.hi) / 2, 0, 0}, Mark::cross, Role::miss});
+    items.push_back(Line{{common.hi, 0, 0}, {common.lo, 0, 0}, Role::miss, Pen::excluded});
 
   const auto handle = [&](const char* name, double x, double y, Role role) {
     scene.handles.push_back({name, Handle::Kind::along, {x, y, 0}, {0, y, 0}, role, Vec3::UnitX()});

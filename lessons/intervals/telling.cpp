@@ -2,6 +2,7 @@
 
 #include "lessons/intervals/picture.h"
 #include "lessons/shared/digits.h"
+#include "lessons/shared/questions.h"
 #include "lessons/shared/relation.h"
 #include "lessons/shared/script.h"
 
@@ -21,13 +22,19 @@ const std::vector<std::string> pseudocode = {
 };
 
 bool points(const Setup& s) { return s.a.lo == s.a.hi && s.b.lo == s.b.hi; }
+bool one_is_empty(const Setup& s) { return empty(s.a) || empty(s.b); }
 std::string they(const Setup& s) { return points(s) ? "the points" : "the intervals"; }
+
+std::string alt(const Setup& s) {
+  const auto ends = [](const Interval<double>& i) { return " from " + shown(i.lo) + " to " + shown(i.hi); };
+  return "Two intervals above a number line, a" + ends(s.a) + " and b" + ends(s.b) + ": " + words(s.truth, they(s)) +
+         ".";
+}
 
 class Teller {
  public:
   explicit Teller(const Setup& setup)
-      : s_(setup),
-        script_({"Note, N12 and N11", "a and b above a number line: " + words(s_.truth, they(s_)) + ".", pseudocode}) {}
+      : s_(setup), script_({"Lecture note Intersection Detection, intervals", alt(setup), pseudocode}) {}
 
   Walk tell() {
     script_.tell<interval_interval::Event<C>>(
@@ -37,7 +44,7 @@ class Teller {
     if (line_ < 4) script_.leave_early();
     Step& step = script_.add("relation", "How they lie", line_, end_caption(), end_formula());
     step.scene = picture(s_, {}, true);
-    step.question = relation_question(s_.truth, they(s_), words(s_.truth, they(s_)) + ".");
+    step.question = relation_question(s_.truth, they(s_), because());
     return std::move(script_.walk());
   }
 
@@ -53,32 +60,66 @@ class Teller {
                              first ? 0 : 2, caption(first, e.holds, lo == hi),
                              low + " = " + digits(lo, hi) + (e.holds ? " > " : " ≤ ") + digits(hi, lo) + " = " + high);
     step.scene = picture(s_, Vec2(lo, hi), false);
-    Script::decide(step, {low + " > " + high, lo, hi, e.holds, e.holds ? "a gap between them" : "no gap on this side"});
+    Script::decide(step, {low + " > " + high, lo, hi, e.holds, e.holds ? "DISJOINT" : "no gap on this side"});
+    // OVERLAP after one comparison: that one side tells all.
+    step.question = which_line(pseudocode,
+                               e.holds ? (first ? 1 : 3)
+                               : first ? 2
+                                       : 4,
+                               {first ? 1 : 3, first ? 2 : 4, 4},
+                               e.holds ? "One begins after the other has ended. Nothing else need be asked."
+                               : first ? "a does not begin after b has ended. The other side is still open."
+                                       : "Neither begins after the other has ended.");
     line_ = e.holds ? (first ? 1 : 3) : 4;
     if (!e.holds) script_.refuse(first ? 0 : 2, {first ? 1 : 3});
   }
   void say(const interval_interval::Common<C>&) {}  // of relate, which the lesson does not run
 
-  static std::string caption(bool first, bool holds, bool equal) {
+  std::string caption(bool first, bool holds, bool equal) const {
+    if (holds && one_is_empty(s_)) return "Yes, and the test ends here. " + reversed();
     if (holds) return "Yes: a gap lies between them. The test ends with the first gap it finds.";
-    if (equal) return "The ends are equal. Intervals are closed, so that number belongs to both: no gap.";
-    return first ? "No. Whether they overlap is still open: the gap may lie on the other side."
-                 : "No again. Without a gap on either side they must have a common number.";
+    if (!first && one_is_empty(s_)) return "No again, so the note's test concludes that they overlap.\n" + reversed();
+    if (equal && first) return "The ends are equal. Closed intervals include their ends, so no gap lies on this side.";
+    if (first) return "No. Whether they overlap is still open: the gap may lie on the other side.";
+    return "No again. Not (*a*_{min} > *b*_{max} or *b*_{min} > *a*_{max}) means *a*_{min} ≤ *b*_{max} and "
+           "*b*_{min} ≤ *a*_{max}.\n"
+           "So the larger lower end is at most the smaller upper end: a common number.";
+  }
+
+  /// Which of them has its ends exchanged.
+  std::string reversed() const {
+    if (empty(s_.a) && empty(s_.b)) return "Both intervals end before they begin: they are empty.";
+    return std::string("Yet ") + (empty(s_.a) ? "a" : "b") + " ends before it begins: it is empty.";
+  }
+
+  std::string because() const {
+    if (one_is_empty(s_)) return "An empty interval has no number to share.";
+    switch (s_.truth) {
+      case Relation::disjoint:
+        return "One ends before the other begins.";
+      case Relation::touching:
+        return "They share one number, an end of both.";
+      case Relation::equal:
+        return "Both ends agree.";
+      case Relation::overlapping:
+        return "They share more than one number, and each has numbers of its own.";
+      default:
+        return "Both ends of one lie in the other.";
+    }
   }
 
   std::string end_caption() const {
-    if (empty(s_.a) || empty(s_.b))
+    if (one_is_empty(s_))
       return "An interval with exchanged ends has no number in it, so it meets nothing.\n"
-             "The note's comparisons do not see that: they take it for one.";
+             "The note's comparisons do not see that: they treat it as an ordinary interval.";
     if (points(s_) && s_.truth == Relation::equal)
-      return "A point is an interval of one number. Points are equal if their coordinates are, exactly.\n"
-             "With a tolerance, a may equal b and b equal c, but not a equal c.";
-    if (points(s_))
-      return "0.1 + 0.2 and 0.3 are different doubles, and the test says so.\n"
-             "Their distance is about 5.6 · 10⁻¹⁷. Whoever wants \"near\" must say how near.";
+      return "A point is an interval of one number. Points are equal if their coordinates are, exactly.";
+    if (points(s_) && s_.a.lo == 0.1 + 0.2 && s_.b.lo == 0.3)
+      return "0.1 + 0.2 and 0.3 are different doubles, about 5.6 · 10^{−17} apart.\n"
+             "For computed numbers, the caller chooses a tolerance.";
     switch (s_.truth) {
       case Relation::disjoint:
-        return "Two comparisons decide, at most. They are exact, as they only look at the given numbers.";
+        return "At most two comparisons decide. They are exact, as they only look at the given numbers.";
       case Relation::touching:
         return "They share one number, but no interior point. The note counts it as OVERLAP, and so do we.";
       case Relation::equal:
@@ -87,14 +128,15 @@ class Teller {
         return "They share the numbers from the larger lower end to the smaller upper end.";
       default:
         return "OVERLAP does not say it, but one interval lies inside the other.\n"
-               "What they share is that inner one itself.";
+               "They share exactly the inner one.";
     }
   }
 
   std::string end_formula() const {
+    if (one_is_empty(s_)) return {};
     const double lo = std::max(s_.a.lo, s_.b.lo), hi = std::min(s_.a.hi, s_.b.hi);
-    if (lo > hi) return "gap: " + shown(lo - hi);
-    return lo == hi ? "common: " + shown(lo) : "common: " + shown(lo) + " to " + shown(hi);
+    if (lo > hi) return "gap: " + digits(hi, lo) + " to " + digits(lo, hi) + ", length " + shown(lo - hi);
+    return lo == hi ? "common: " + shown(lo) : "common: " + digits(lo, hi) + " to " + digits(hi, lo);
   }
 
   const Setup s_;

@@ -1,0 +1,58 @@
+// What a reader takes along from two intervals, and what there is to do.
+
+#include "lessons/intervals/picture.h"
+
+namespace isect::lessons::intervals_lesson {
+
+using namespace viz;
+
+namespace {
+
+bool touching(const Parameters& p) { return setup(p).truth == Relation::touching; }
+bool b_inside_a(const Parameters& p) { return setup(p).truth == Relation::b_inside_a; }
+
+}  // namespace
+
+const std::string& opening() {
+  static const std::string text =
+      "Do two intervals have a number in common? Boxes, slabs and separating axes all ask this, once for each axis.\n"
+      "It is easier to say when they have none: one begins after the other has ended.";
+  return text;
+}
+
+const Closing& closing() {
+  static const Closing closing = {
+      .result =
+          "Two intervals meet if and only if *a*_{min} ≤ *b*_{max} and *b*_{min} ≤ *a*_{max}. What they share is "
+          "[max of the lower ends, min of the upper ends].",
+      .cost = "Two comparisons at most, one after the first gap, no arithmetic. So the answer is exact.",
+      .choose =
+          "By ends where only yes or no is asked. By larger lower and smaller upper end where the common part is "
+          "needed, or where branches are costly.",
+      .used = "Sweep and prune of broad phases, slabs of rays and boxes, separating axes, clipping of a range.",
+      .bug = "Ends that are exchanged. The comparisons treat the empty interval as an ordinary one.",
+      .bug_preset = "empty",
+      .reading = {"Lecture note *Intersection Detection*, intervals.",
+                  "Christer Ericson, *Real-Time Collision Detection*, 2005, section 4.2: axis-aligned bounding boxes.",
+                  "James F. Allen, Maintaining knowledge about temporal intervals, Communications of the ACM, 1983."},
+      .exercises = {
+          {"Drag the ends of b until the intervals touch.",
+           "They touch where an end of one equals the opposite end of the other.",
+           "b-after-a",
+           touching,
+           {{"b_min", "-1"}}},
+          {"Make b lie inside a, and touch one end of a from inside.",
+           "Equal ends are allowed: a subset may share boundary points.",
+           "overlapping",
+           b_inside_a,
+           {{"b_max", "1"}}},
+          {"Derive the test for overlap by negating *a*_{min} > *b*_{max} or *b*_{min} > *a*_{max}.",
+           "De Morgan: *a*_{min} ≤ *b*_{max} and *b*_{min} ≤ *a*_{max}. Both > become ≤, and \"or\" becomes \"and\"."},
+          {"Allen counts 13 relations of two proper intervals. Which of them are one relation here?",
+           "Here order is not told: before and after are disjoint, meets and met by are touching. Starts, during and "
+           "finishes are all inside."},
+      }};
+  return closing;
+}
+
+}  // namespace isect::lessons::intervals_lesson
