@@ -1,6 +1,7 @@
 // All cases of two boxes, one shifted along two axes, and the methods side by side.
 
 #include <array>
+#include <limits>
 
 #include <isect/aabb_aabb_methods.h>
 #include "lessons/aabb_aabb/picture.h"
@@ -23,14 +24,15 @@ int branch(const Parameters& p) {
          : s.truth == Relation::equal     ? equal
                                           : inside;
 }
-/// From the middle of a to the middle of b.
+/// From the middle of a to the middle of b; an empty box has none.
 Vec2 place(const Parameters& p) {
   const Setup s = setup(p);
+  if (empty(s.a) || empty(s.b)) return Vec2::Constant(std::numeric_limits<double>::quiet_NaN());
   return ((s.b.lo + s.b.hi) / 2 - (s.a.lo + s.a.hi) / 2).head<2>();
 }
 Parameters moved(const Parameters& p, const Vec2& to) {
   const Setup s = setup(p);
-  const Vec2 by = to - place(p);
+  const Vec2 by = to - ((s.b.lo + s.b.hi) / 2 - (s.a.lo + s.a.hi) / 2).head<2>();
   Parameters there = p;
   there["b_min"] = Vec3(s.b.lo + Vec3(by.x(), by.y(), 0));
   there["b_max"] = Vec3(s.b.hi + Vec3(by.x(), by.y(), 0));
@@ -50,7 +52,7 @@ const CaseMap& cases() {
       place,
       moved,
       "The second box is shifted along *x* and *y*; its size and its place on *z* stay.\n"
-      "A gap on *x* ends the test first, so *y* is asked only between those bands."};
+      "A gap on *x* ends the test first, so *y* is asked only between the bands of that gap."};
   return map;
 }
 

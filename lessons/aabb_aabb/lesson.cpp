@@ -30,7 +30,7 @@ const Lesson& aabb_aabb() {
       .id = "aabb-aabb",
       .title = "Box and box",
       .rows = "N13, N12",
-      .summary = "Whether two axis-aligned boxes meet: an interval test an axis, ended by the first gap.",
+      .summary = "Whether two axis-aligned boxes meet: one interval test for each axis, ended by the first gap.",
       .parameters = {vector("a_min", "a_{min}", "Lower corner of the first box, in world units.", {-2, -1, -1}),
                      vector("a_max", "a_{max}", "Upper corner of the first box, in world units.", {0, 1, 1}),
                      vector("b_min", "b_{min}", "Lower corner of the second box, in world units.", {-0.75, -0.5, 0}),
@@ -50,6 +50,12 @@ const Lesson& aabb_aabb() {
       .steps = walk,
       .opinions = opinions,
       .map = &cases(),
+      .opening = opening(),
+      .closing = &closing(),
+      .errata = {{"    else return OVERLAP", "return OVERLAP",
+                  "Inside the loop it lets x alone decide; boxes that overlap on x may have a gap on y or z.",
+                  "gap-y"}},
+      .after = {"relations", "intervals"},
   };
   return lesson;
 }

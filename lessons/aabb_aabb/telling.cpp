@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <cmath>
 
 #include "lessons/aabb_aabb/picture.h"
 #include "lessons/shared/axis_names.h"
+#include "lessons/shared/questions.h"
 #include "lessons/shared/relation.h"
 #include "lessons/shared/script.h"
 
@@ -23,14 +25,16 @@ class Teller {
  public:
   explicit Teller(const Setup& setup)
       : s_(setup),
-        script_({"Note, N13", "Two axis-aligned boxes, a and b: " + words(s_.truth, "the boxes") + ".", pseudocode}) {}
+        script_({"Lecture note Intersection Detection, axis-aligned boxes",
+                 "Two axis-aligned boxes, a and b: " + words(s_.truth, "the boxes") + ".", pseudocode}) {}
 
   Walk tell() {
     add("three-questions", "Three questions of one dimension", 0,
-        "A box is a product of intervals, one an axis. Boxes share a point if their intervals do, on every "
-        "axis.\n"
-        "The note says \"in x or y or z\". It must be \"and\".",
-        -1);
+        "A box is a product of intervals, one for each axis. So boxes share a point if and only if their intervals do, "
+        "on "
+        "every axis.\n"
+        "The lecture note *Intersection Detection* says \"in x or y or z\". It must be \"and\".",
+        -1, "a_{min} ≤ a_{max} on each axis");
     script_.tell<aabb_aabb::Event<C, 3>>(
         [&](auto& record) { aabb_aabb::by_axis(cast<C>(s_.a), cast<C>(s_.b), record); },
         [&](const auto& event) { say(event); });
@@ -47,30 +51,46 @@ class Teller {
   }
 
   void say(const aabb_aabb::Axis<C>& e) {
-    const std::string axis = axis_names[e.axis];
-    const double a_lo = e.a.lo.value, a_hi = e.a.hi.value, b_lo = e.b.lo.value, b_hi = e.b.hi.value;
-    const bool a_first = a_hi < b_lo;
-    const double left = a_first ? b_lo : std::max(a_lo, b_lo), right = a_first ? a_hi : std::min(a_hi, b_hi);
-    script_.value("common " + axis, right - left, "length", e.disjoint ? Role::miss : Role::hit);
-    const std::string formula = e.disjoint ? "gap on " + axis + ": " + shown(std::abs(right - left))
-                                           : "common on " + axis + ": " + shown(left) + " to " + shown(right);
+    const std::string axis = axis_names[e.axis], i = std::string("_{") + "xyz"[e.axis] + "}";
+    const Interval<double> a = {e.a.lo.value, e.a.hi.value}, b = {e.b.lo.value, e.b.hi.value};
+    const bool a_later = a.lo - b.hi > b.lo - a.hi;  // the comparison of the two that is nearer to a gap
+    const double lo = a_later ? a.lo : b.lo, hi = a_later ? b.hi : a.hi;
+    const bool one_is_empty = empty(a) || empty(b);
+    const double left = std::max(a.lo, b.lo), right = std::min(a.hi, b.hi);
+    if (!one_is_empty)
+      script_.value((e.disjoint ? "gap on " : "common on ") + axis, std::abs(right - left), "length",
+                    e.disjoint ? Role::miss : Role::hit);
+    const std::string formula = one_is_empty ? std::string()
+                                : e.disjoint ? "gap on " + axis + ": " + shown(right) + " to " + shown(left)
+                                             : "common on " + axis + ": " + shown(left) + " to " + shown(right);
     Step& step = add(std::string("axis-") + "xyz"[e.axis], "Do the intervals on " + axis + " overlap?", 1,
-                     axis_caption(e.axis, e.disjoint, left == right), e.axis, formula);
-    Script::decide(step, {"max(min) ≤ min(max)", std::max(a_lo, b_lo), std::min(a_hi, b_hi), !e.disjoint,
+                     axis_caption(e.axis, e.disjoint, a, b), e.axis, formula);
+    Script::decide(step, {(a_later ? "a.min" + i + " ≤ b.max" : "b.min" + i + " ≤ a.max") + i, lo, hi, !e.disjoint,
                           e.disjoint ? "a gap on " + axis : "no gap on " + axis});
-    step.question = {"Is there a gap between the boxes on " + axis + "?",
-                     {"yes", "no"},
-                     e.disjoint ? 0 : 1,
-                     e.disjoint ? "One interval ends before the other begins." : "The intervals have a common number."};
+    // OVERLAP too early: that one common interval is enough, the note's slip.
+    step.question = which_line(pseudocode,
+                               e.disjoint   ? 2
+                               : e.axis < 2 ? 0
+                                            : 3,
+                               {0, 2, 3},
+                               e.disjoint   ? "One interval ends before the other begins."
+                               : e.axis < 2 ? "No gap on this axis, and the next one may have one."
+                                            : "No gap on any axis.");
     disjoint_ = e.disjoint;
+    ++asked_;
   }
   void say(const aabb_aabb::Common<C, 3>&) {}  // of relate, which the lesson does not run
 
-  static std::string axis_caption(int axis, bool disjoint, bool touch) {
-    if (disjoint)
-      return axis < 2 ? "One gap is enough: the boxes are disjoint, and the other axes need not be tested."
-                      : "Only the last axis has a gap. One is enough: the boxes are disjoint.";
-    if (touch) return "One interval ends exactly where the other begins. They share that number: no gap.";
+  std::string axis_caption(int axis, bool disjoint, const Interval<double>& a, const Interval<double>& b) const {
+    if (disjoint) {
+      const std::string gap = empty(a) || empty(b) ? "The comparison holds, so the test ends: " : "One gap is enough: ";
+      return gap + (axis == 0   ? "DISJOINT, and the other two axes need not be tested."
+                    : axis == 1 ? "DISJOINT, and the last axis need not be tested."
+                                : "DISJOINT, at the last axis.");
+    }
+    if (empty(a) || empty(b)) return "The comparisons find no gap, yet an interval here ends before it begins.";
+    if (a.hi == b.lo || b.hi == a.lo)
+      return "One interval ends exactly where the other begins. They share that number: no gap.";
     return axis < 2 ? "No gap here. That alone says nothing yet: the next axis may have one."
                     : "No gap on any of the three axes.";
   }
@@ -79,33 +99,61 @@ class Teller {
     if (disjoint_) script_.leave_early();
     if (!disjoint_) script_.refuse(1, {2});
     script_.settle(verdict_kind(s_.truth), words(s_.truth, "the boxes"));
-    Step& step = script_.add("relation", "How they lie", disjoint_ ? 2 : 3, end_caption());
+    Step& step = script_.add("relation", "How they lie", disjoint_ ? 2 : 3, end_caption(), end_formula());
     step.scene = picture(s_, -1, true);
-    step.question = relation_question(s_.truth, "the two boxes", words(s_.truth, "the boxes") + ".");
+    step.question = relation_question(s_.truth, "the two boxes", because());
+  }
+
+  std::string because() const {
+    if (empty(s_.a) || empty(s_.b)) return "An empty box has no point to share.";
+    switch (s_.truth) {
+      case Relation::disjoint:
+        return "Some axis has a gap.";
+      case Relation::touching:
+        return "No axis has a gap, but on one they share a single number.";
+      case Relation::equal:
+        return "All six numbers agree.";
+      case Relation::overlapping:
+        return "On every axis they share a length, and on some axis each has more than the other holds.";
+      default:
+        return "On every axis one interval lies inside the other, and always that of the same box.";
+    }
   }
 
   std::string end_caption() const {
     if (empty(s_.a) || empty(s_.b))
       return "A box with exchanged corners has no point in it, so it meets nothing.\n"
-             "The note's comparisons do not see that: they take it for one.";
+             "The note's comparisons do not see that: they treat it as an ordinary box.";
     switch (s_.truth) {
       case Relation::disjoint:
-        return "Comparisons of the given numbers are exact, so this answer is too.";
+        return asked_ == 1 ? "Disjoint after one axis. To reject is cheap, to accept takes all three.\n"
+                             "Comparisons of given numbers are exact, so this answer is too."
+                           : "The note's figure returns OVERLAP after the first axis. It would be wrong here.\n"
+                             "OVERLAP may be returned only after the loop.";
       case Relation::touching:
-        return "They share points, but none inside both. The sets are closed, so touching counts as OVERLAP.";
+        return "They share boundary points, but no interior point. Closed sets include their boundary, so touching "
+               "counts as OVERLAP.";
       case Relation::equal:
         return "All six numbers agree: the boxes are the same set.";
       case Relation::overlapping:
         return "Only now may OVERLAP be returned. The note's figure returns it after the first axis.\n"
                "What they share is again a box, with the common interval on each axis.";
       default:
-        return "What they share is one of the two boxes itself: it lies inside the other.";
+        return "OVERLAP does not say that one lies inside the other. That takes two comparisons more for each axis.\n"
+               "What they share is the inner box itself.";
     }
+  }
+
+  std::string end_formula() const {
+    if (s_.truth == Relation::b_inside_a) return "b ⊆ a: a.min_i ≤ b.min_i and b.max_i ≤ a.max_i for all *i*";
+    if (s_.truth == Relation::a_inside_b) return "a ⊆ b: b.min_i ≤ a.min_i and a.max_i ≤ b.max_i for all *i*";
+    return {};
   }
 
   const Setup s_;
   Script script_;
   bool disjoint_ = false;
+  int asked_ = 0;  ///< axes
 };
 
 }  // namespace

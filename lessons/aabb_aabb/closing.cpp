@@ -1,0 +1,64 @@
+// What a reader takes along from two boxes, and what there is to do.
+
+#include "lessons/aabb_aabb/picture.h"
+
+namespace isect::lessons::aabb_aabb_lesson {
+
+using namespace viz;
+
+namespace {
+
+bool they_touch(const Parameters& p) { return setup(p).truth == Relation::touching; }
+/// Disjoint, although x and y have no gap.
+bool apart_on_z_alone(const Parameters& p) {
+  const Setup s = setup(p);
+  const auto meet = [&](int axis) { return intersects(s.a.along(axis), s.b.along(axis)); };
+  return meet(0) && meet(1) && !meet(2);
+}
+
+}  // namespace
+
+const std::string& opening() {
+  static const std::string text =
+      "Do two axis-aligned boxes meet? Broad phases and hierarchies ask this millions of times a second.\n"
+      "One gap on one axis is enough to say no. So the test asks axis by axis, and stops at the first gap.";
+  return text;
+}
+
+const Closing& closing() {
+  static const Closing closing = {
+      .result =
+          "Two boxes meet if and only if their intervals meet on *x* and on *y* and on *z*. One lies inside the "
+          "other if and only if all its intervals do.",
+      .cost = "Six comparisons at most, one or two if *x* has a gap, and no arithmetic. The answer is exact.",
+      .choose =
+          "As the first test of any pair, and for boxes at rest. For long bodies askew take oriented boxes; under "
+          "rotation spheres need no update.",
+      .used = "Nodes of bounding volume hierarchies, broad phase by sweep and prune, grids, view-volume culling.",
+      .bug = "OVERLAP returned inside the loop, or \"or\" for \"and\": one common interval then decides.",
+      .bug_preset = "gap-y",
+      .reading = {"Lecture note *Intersection Detection*, axis-aligned boxes.",
+                  "Christer Ericson, *Real-Time Collision Detection*, 2005, section 4.2: axis-aligned bounding boxes.",
+                  "Tomas Akenine-Möller and Eric Haines, *Real-Time Rendering*, 2nd edition, 2002, chapter 13."},
+      .exercises = {
+          {"Drag b away until the boxes touch.",
+           "They touch where on one axis an end meets the other's opposite end, and no axis has a gap.",
+           "gap-x",
+           they_touch,
+           {{"b_min", "0,-0.5,-0.5"}}},
+          {"Find boxes that overlap on *x* and on *y*, and are disjoint.",
+           "Move b along *z* alone. Two axes tell nothing if the third has a gap.",
+           "overlapping",
+           apart_on_z_alone,
+           {{"b_min", "-0.75,-0.5,2"}, {"b_max", "1,1.5,3"}}},
+          {"The test returns OVERLAP inside the loop. On which pairs is it wrong?",
+           "On pairs without a gap on *x* that have one on *y* or *z*. It never looks there."},
+          {"Write containment of b in a as comparisons. How many are needed?",
+           "a.min_i ≤ b.min_i and b.max_i ≤ a.max_i for each of three axes: six, if both boxes have points."},
+          {"What changes if touching boxes should count as disjoint?",
+           "Each > becomes ≥. Then the sets are open, and a flat box meets nothing."},
+      }};
+  return closing;
+}
+
+}  // namespace isect::lessons::aabb_aabb_lesson
