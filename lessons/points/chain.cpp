@@ -14,10 +14,10 @@ class Chain {
  public:
   explicit Chain(const Setup& setup)
       : s_(setup),
-        script_({"Note, N11 (with a tolerance)",
-                 "Three points in space, and balls of one tolerance around two of them.",
+        script_({"Lecture note Intersection Detection, points; the tolerance is ours",
+                 "Three points in space, p, q and r, and a ball of one tolerance.",
                  {"is q near to p?", "is r near to q?", "does it follow that r is near to p? test it",
-                  "return whether nearness was transitive here"},
+                  "tell whether nearness was transitive here"},
                  "nearness of three"}) {}
 
   Walk tell() {
@@ -28,17 +28,23 @@ class Chain {
     const bool pr = nearly_equal(s_.tp, s_.tr, s_.tested_within);
     ask("p-r", "First and third", 2, s_.p, s_.r, pr, "p", "r");
     const bool broken = pq && qr && !pr;
+    // "At most the tolerance" is what transitivity would give.
     script_.walk().steps.back().question =
-        Question{"Is **r** near to **p**, too?", {"yes", "no"}, pr ? 0 : 1, "The exact test says so."};
+        Question{"How far may **r** be from **p**, if both are near to **q**?",
+                 {"at most the tolerance", "at most twice the tolerance", "any distance"},
+                 1,
+                 "By the triangle inequality |**p** − **r**| ≤ |**p** − **q**| + |**q** − **r**|, and both may be the "
+                 "tolerance."};
     script_.settle(
         broken ? Verdict::Kind::no : Verdict::Kind::yes,
         broken ? "not transitive: **p** ~ **q** and **q** ~ **r**, but not **p** ~ **r**" : "no contradiction here");
-    Step& step =
-        script_.add("verdict", broken ? "Nearness is not transitive" : "No contradiction", 3,
-                    broken ? "So near points fall into no groups: merging **q** into **p** first leaves **r** alone, "
-                             "merging "
-                             "into **r** leaves **p**.\nThe result depends on the order. Equality has no such trouble."
-                           : "Here it causes no trouble. Drag **r** away from **p**, but keep it near to **q**.");
+    Step& step = script_.add(
+        "verdict", broken ? "Nearness is not transitive" : "No contradiction", 3,
+        broken     ? "Nearness is not an equivalence relation: clusters depend on the order of merging.\n"
+                     "If **q** joins **p** first, **r** stays alone; if it joins **r** first, **p** does. Equality has no "
+                     "such trouble."
+        : pq && qr ? "All three are near to each other. Drag **r** away from **p**, but keep it near to **q**."
+                   : "Transitivity speaks of two near pairs that share **q**. Here one of them is not near.");
     step.scene = picture(s_.p);
     for (const auto& [from, to, near] : asked_)
       step.scene.items.emplace_back(Line{from, to, near ? Role::hit : Role::miss, near ? Pen::thick : Pen::excluded});
@@ -54,10 +60,11 @@ class Chain {
   bool ask(const char* slug, const char* title, int line, const Vec3& from, const Vec3& to, bool near,
            const std::string& a, const std::string& b) {
     asked_.push_back({from, to, near});
-    script_.value("|**" + a + "** − **" + b + "**|", (from - to).norm(), "length", near ? Role::hit : Role::miss);
+    if (!s_.is_nan || (a != "q" && b != "q"))
+      script_.value("|**" + a + "** − **" + b + "**|", (from - to).norm(), "length", near ? Role::hit : Role::miss);
     Step& step = script_.add(slug, title, line,
                              near ? "**" + b + "** lies in the ball of tolerance around **" + a + "**: near."
-                                  : "**" + b + "** lies outside of the ball around **" + a + "**: far.");
+                                  : "**" + b + "** lies outside the ball of tolerance around **" + a + "**: far.");
     step.scene = picture(from);
     step.scene.items.emplace_back(Line{from, to, near ? Role::hit : Role::miss, near ? Pen::thick : Pen::excluded});
     step.decides = true;

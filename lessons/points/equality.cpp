@@ -6,6 +6,7 @@
 #include "lessons/points/picture.h"
 #include "lessons/shared/axis_names.h"
 #include "lessons/shared/digits.h"
+#include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"
 
 namespace isect::lessons::points_lesson {
@@ -16,24 +17,34 @@ namespace {
 
 using C = Counted<double>;
 
+const std::vector<std::string> pseudocode = {
+    "for each axis i of x, y, z",  // 0
+    "    if p_i ≠ q_i",            // 1
+    "        return DIFFERENT",    // 2
+    "return EQUAL"                 // 3
+};
+
+/// Ten times 0.1, each sum rounded.
+double ten_steps() {
+  double sum = 0;
+  for (int i = 0; i < 10; ++i) sum += 0.1;
+  return sum;
+}
+
 class Equality {
  public:
   explicit Equality(const Setup& setup)
       : s_(setup),
         truth_(equal(setup.tp, setup.tq)),
-        script_({"Note, N11",
+        script_({"Lecture note Intersection Detection, points",
                  std::string("Two points in space, p and q, with their coordinates marked on three axes: ") +
                      (truth_ ? "equal." : "different."),
-                 {"for each axis i of x, y, z",  // 0
-                  "    if p_i ≠ q_i",            // 1
-                  "        return DIFFERENT",    // 2
-                  "return EQUAL"},               // 3
-                 "equality"}) {}
+                 pseudocode, "equality"}) {}
 
   Walk tell() {
     add("points", "Three numbers each", 0,
-        "Points are equal if their coordinates are. Marks on the axes show them: discs for **p**, rings for "
-        "**q**.\nA disc in a ring: they look alike.",
+        "Marks on the axes show the coordinates: discs for **p**, rings for **q**.\n"
+        "A disc in a ring: here the eye sees no difference.",
         -1);
     script_.tell<point_point::Event<C>>(
         [&](auto& record) { equal(Point<C, 3>(s_.tp.cast<C>()), Point<C, 3>(s_.tq.cast<C>()), record); },
@@ -56,27 +67,33 @@ class Equality {
     script_.value("*p*" + i, a, "", Role::first);
     script_.value("*q*" + i, b, "", Role::second);
     told_ = e.axis + 1;
-    Step& step = add(std::string("axis-") + "xyz"[e.axis], "Equal on " + axis + "?", 1, caption(a, b, e.axis), e.axis,
-                     "*p*" + i + " = " + digits(a, b) + (e.equal ? " = " : " ≠ ") + digits(b, a) + " = *q*" + i);
+    Step& step = add(
+        std::string("axis-") + "xyz"[e.axis], "Equal on " + axis + "?", 1, caption(a, b, e.axis), e.axis,
+        "*p*" + i + " = " + digits(a, b) +
+            (std::isnan(b) ? " ≠ *q*" + i + ", no number" : (e.equal ? " = " : " ≠ ") + digits(b, a) + " = *q*" + i));
     step.decides = true;
-    step.question = Question{"Are the coordinates on " + axis + " equal?",
-                             {"yes", "no"},
-                             e.equal ? 0 : 1,
-                             "Numbers are compared as they are stored, to the last bit."};
+    // EQUAL too early: that one equal coordinate is enough. DIFFERENT: that 0 and −0 are different numbers.
+    step.question =
+        which_line(pseudocode,
+                   !e.equal     ? 2
+                   : e.axis < 2 ? 0
+                                : 3,
+                   {0, 2, 3},
+                   e.equal ? "The coordinates are equal by value. Only after all three may EQUAL be returned."
+                           : "The coordinates differ by value, however little.");
     stopped_ = !e.equal;
   }
   void say(const point_point::Distance&) {}  // of nearly_equal
   void say(const Fallback&) {}
 
   static std::string caption(double a, double b, int axis) {
-    if (std::isnan(b)) return "NaN is no number and equal to none, not even to itself.";
+    if (std::isnan(b)) return "The third coordinate of **q** is not a number. It equals nothing, not even itself.";
     if (a == b && std::signbit(a) != std::signbit(b))
-      return "0 and −0 are stored differently, but compare as equal: they are the same number.";
+      return "0 and −0 are stored differently, yet they are one number. Comparison is by value, not by bits.";
     if (a == b) return axis < 2 ? "The same number. The next axis may still tell them apart." : "The same number.";
-    if (std::abs(a - b) < 1e-9)
-      return "Ten steps of 0.1 do not add up to 1: each sum was rounded. The marks look alike, the numbers "
-             "are not.";
-    return "Different: one coordinate is enough, and the other axes need not be tested.";
+    if (a == 1 && b == ten_steps()) return "**q** was computed: ten steps of 0.1, each sum rounded, do not give 1.";
+    return axis < 2 ? "Different: one coordinate is enough. The later axes need not be tested."
+                    : "Different on the last axis. One coordinate is enough.";
   }
 
   void end() {
@@ -88,24 +105,23 @@ class Equality {
 
   std::string end_caption() const {
     if (truth_)
-      return "Exact equality is right where numbers are copied: a vertex that two triangles share, a point "
-             "in a "
-             "list.\nIt is transitive: equal points can be sorted, counted and merged.";
-    if (s_.is_nan) return "A point with NaN is equal to none. So it is found in no list, and near to nothing.";
-    if ((s_.tp - s_.tq).norm() < 1e-9)
+      return "Exact equality is right where numbers are copied: a vertex that two triangles share, a key in a list.\n"
+             "It is transitive: equal points can be sorted, counted and merged.";
+    if (s_.is_nan) return "A point with a coordinate that is not a number equals no point. No search finds it.";
+    if (s_.tp.x() == 1 && s_.tq.x() == ten_steps())
       return "The test is right: these are two points. The error was made before, when **q** was computed.\n"
-             "Whoever expects a computed number must say how near is near enough.";
+             "For computed numbers, the caller chooses a tolerance.";
     return "The answer is exact, as only given numbers are compared.";
   }
 
   Scene picture(int axis) const {
     Scene scene;
-    const Vec3 corner(-0.75, -0.75, -0.75);
+    const Vec3 corner(0, 0, 0);  // the axes meet where all coordinates are 0
     for (int i = 0; i < 3; ++i) {
-      Vec3 end = corner;
-      end[i] += 2.25;
+      Vec3 start = corner, end = corner;
+      start[i] -= 0.75, end[i] += 1.5;
       const bool here = i == axis;
-      scene.items.emplace_back(Arrow{corner, end, here ? Role::text : Role::muted, here ? Pen::solid : Pen::hairline});
+      scene.items.emplace_back(Arrow{start, end, here ? Role::text : Role::muted, here ? Pen::solid : Pen::hairline});
       end[i] += 0.18;
       scene.items.emplace_back(viz::Heading{end, axis_names[i], here ? Role::text : Role::muted, 0, here});
     }

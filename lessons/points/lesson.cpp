@@ -84,6 +84,9 @@ const Lesson& points() {
       .camera = points_lesson::camera,
       .steps = walk,
       .opinions = opinions,
+      .opening = points_lesson::opening(),
+      .closing = &points_lesson::closing(),
+      .after = {"relations"},
   };
   return lesson;
 }

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <isect/point_point.h>
 #include <isect/point_point_methods.h>
 #include "lessons/points/picture.h"
+#include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"
 #include "viz/solids.h"
 
@@ -26,7 +28,7 @@ class Nearness {
   explicit Nearness(const Setup& setup)
       : s_(setup),
         said_(said(setup)),
-        script_({"Note, N11 (with a tolerance)",
+        script_({"Lecture note Intersection Detection, points; the tolerance is ours",
                  std::string("Two points in space and a ball of tolerance around the first: ") +
                      (said_[0].near ? "near." : "far."),
                  {"squares: |p − q|² ≤ tolerance²?",                // 0
@@ -40,15 +42,15 @@ class Nearness {
     using namespace point_point;
     script_.value("tolerance", s_.tested_within, "", Role::first);
     add("tolerance", "How near is near?", 3,
-        "**q** is near to **p** if it lies in the ball of this radius around **p**. Whoever asks must name "
-        "the "
-        "radius.",
+        "**q** is near to **p** if it lies in the ball of this radius around **p**.\n"
+        "The caller chooses the tolerance.",
         {});
     const Point<C, 3> p = s_.tp.cast<C>(), q = s_.tq.cast<C>();
     const C t(s_.tested_within);
     by([&](auto& r) { near_by_squares(p, q, t, r); }, 0, "By squares", "*d*^2", "tolerance^2");
     by([&](auto& r) { near_by_distance(p, q, t, r); }, 1, "By the distance", "*d*", "tolerance");
     by([&](auto& r) { near_by_coordinates(p, q, t, r); }, 2, "By coordinates", "largest |*p*_i − *q*_i|", "tolerance");
+    if (!s_.is_nan) spacing();
     end();
     return std::move(script_.walk());
   }
@@ -78,54 +80,77 @@ class Nearness {
     }
     const Said& s = said_[static_cast<std::size_t>(method) + 1];
     script_.value(name, left, "", s.near == said_[0].near ? Role::muted : Role::miss);
-    Step& step = add(s.slug, title, method, caption(method, s.near), method,
+    Step& step = add(s.slug, title, method, caption(method, s.near, left, right), method,
                      name + " = " + shown(left) + (s.near ? " ≤ " : " > ") + shown(right) + " = " + limit);
-    if (std::isnan(left)) step.formula = name + " = NaN: no comparison holds";
+    if (std::isnan(left)) step.formula = name + " is not a number: no comparison holds";
     step.decides = true;
     if (std::isfinite(left) && std::isfinite(right) && left + right > 0)
       step.comparison = Comparison{name + " ≤ " + limit, left, right, s.near, "says " + word(s.near)};
-    if (method == 0)
-      step.question = Question{"Is **q** near to **p**, truly?",
-                               {"near", "far"},
-                               said_[0].near ? 0 : 1,
-                               "The exact sign of the difference of the squares tells."};
+    if (method == 0) {
+      const auto says_near = std::ranges::count_if(said_, [](const Said& x) { return x.near; });
+      // 0 and 4: that all ways to write the test are one.
+      step.question =
+          which_value("Four methods, the exact one included. How many say NEAR?", static_cast<double>(says_near),
+                      {0, 1, 4}, "Compare what follows: a ball, a root, a cube, and numbers that leave the range.");
+    }
   }
 
-  std::string caption(int method, bool near) const {
-    const bool right = near == said_[0].near;
-    const std::string verdict = right ? "Here it is right." : "Here it says " + word(near) + ", and is wrong.";
-    if (s_.is_nan) return "NaN makes the comparison fail, so the answer is FAR. " + verdict;
-    if (method == 0 && s_.unit > 1)
-      return "The squares overflow: both sides are infinite, and ∞ ≤ ∞ holds for all points.\n" + verdict;
-    if (method == 0 && s_.unit < 1)
-      return "The squares vanish: both sides are 0, and 0 ≤ 0 holds for all points.\n" + verdict;
-    if (method == 1 && s_.unit > 1)
-      return "The square under the root has overflowed before, so the distance is infinite.\n" + verdict;
-    if (method == 1 && s_.unit < 1)
-      return "The square under the root has vanished before, so the distance is 0.\n" + verdict;
-    if (!right && method < 2)
-      return "The two sides differ in the last bits only. Rounded, they come in the wrong order.\n" + verdict;
-    if (method == 0) return "Both sides are positive, so their squares compare alike. No root is needed.\n" + verdict;
-    if (method == 1)
-      return "One square root more, and no better: the sum under it has been rounded before.\n" + verdict;
-    return "Axis by axis the points of a cube are near: at its corners up to √3 times the tolerance.\n" + verdict;
+  /// `left` and `right`: the two sides as computed.
+  std::string caption(int method, bool near, double left, double right) const {
+    const bool right_answer = near == said_[0].near;
+    const std::string verdict =
+        right_answer ? "Here it is right."
+                     : (method == 2 ? "For the ball" : "Here") + (" it says " + word(near) + ", and is wrong.");
+    if (s_.is_nan) return "With what is not a number every comparison fails, so the answer is FAR. " + verdict;
+    return what_happens(method, right_answer, left, right) + "\n" + verdict;
+  }
+
+  std::string what_happens(int method, bool right_answer, double left, double right) const {
+    if (method == 2)
+      return "This test is exact for a cube (the maximum norm). Its corners are √3 times the tolerance away.";
+    const bool apart = s_.tp != s_.tq;
+    if (std::isinf(left) && std::isinf(right))
+      return "Both squares overflow, and ∞ ≤ ∞ holds however far apart the points are.";
+    if (std::isinf(left))
+      return method == 0 ? "The squared distance overflows: it is infinite."
+                         : "The square under the root has overflowed, so the distance is infinite.";
+    if (method == 0 && left == 0 && right == 0 && apart)
+      return "Both squares vanish, and 0 ≤ 0 holds however far apart the points are.";
+    if (left == 0 && apart)
+      return method == 0 ? "The squared distance vanishes: it is too small for a double."
+                         : "The square under the root has vanished, so the distance is 0.";
+    if (!right_answer)
+      return left == right ? "The two sides differ in the last bits only. Rounded, they come out equal."
+                           : "The two sides differ in the last bits only. Rounding has changed their order.";
+    return method == 0 ? "Neither side is negative, so their squares compare alike. No root is needed."
+                       : "One square root more, and no better: the sum under it has been rounded before.";
+  }
+
+  /// How fine a tolerance can be, where the largest coordinate is as large as it is.
+  void spacing() {
+    const double largest = std::max(s_.tp.cwiseAbs().maxCoeff(), s_.tq.cwiseAbs().maxCoeff());
+    const double apart = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
+    add("spacing", "How small may a tolerance be?", -1,
+        "Doubles of the largest coordinate's size lie this far apart. A smaller tolerance asks for equality.\n"
+        "Near 10^6 doubles are 1.2 · 10^{−10} apart, and floats 0.06. So scale the tolerance with the coordinates.",
+        {}, fmt::format("next double after {}: + {}", shown(largest), shown(apart)));
   }
 
   void end() {
     const bool near = said_[0].near;
     script_.settle(near ? Verdict::Kind::yes : Verdict::Kind::no, word(near));
     const auto wrong = std::ranges::count_if(said_, [&](const Said& s) { return s.near != near; });
-    const char* const counts[] = {"All four methods agree here.", "One of the three rounded methods is wrong here.",
-                                  "Two of the three rounded methods are wrong here.",
-                                  "All three rounded methods are wrong here."};
+    const char* const counts[] = {"All four methods agree here.", "One of the other three methods is wrong here.",
+                                  "Two of the other three methods are wrong here.",
+                                  "All three other methods are wrong here."};
     std::string text = counts[wrong];
     if (s_.is_nan)
-      text += " A point with NaN is near to none.";
+      text += " A point with a coordinate that is not a number is near to none.";
     else if (s_.extreme())
-      text += " The exact test takes wider numbers where squares leave the range.";
+      text += " Where squares leave the range, the exact test takes wider numbers.";
     else if (on_sphere())
-      text += " **q** lies on the sphere: the ball is closed, so it counts as near.";
-    text += "\nWhoever asks chooses the tolerance. The exact test keeps to it, to the last bit.";
+      text += " **q** lies on the sphere. The ball is closed, so it counts as near.";
+    text += "\nThe exact test takes the sign of |**p** − **q**|^2 − tolerance^2, without rounding.";
     Step& step = add("verdict", "The exact answer", 4, text, {});
     step.decides = true;
   }

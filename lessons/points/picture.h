@@ -33,6 +33,10 @@ struct Said {
 };
 std::vector<Said> said(const Setup&);
 
+/// What is told before the first step, and after the last one. (closing.cpp)
+const std::string& opening();
+const viz::Closing& closing();
+
 extern const viz::Camera camera;
 
 // Pictures.

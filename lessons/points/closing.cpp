@@ -1,0 +1,69 @@
+// What a reader takes along from points, and what there is to do.
+
+#include <isect/point_point.h>
+#include "lessons/points/picture.h"
+
+namespace isect::lessons::points_lesson {
+
+using namespace viz;
+
+namespace {
+
+/// p near to q, q near to r, and p not near to r.
+bool broken_chain(const Parameters& p) {
+  const Setup s(p);
+  const auto near = [&](const Point3& a, const Point3& b) { return nearly_equal(a, b, s.tested_within); };
+  return near(s.tp, s.tq) && near(s.tq, s.tr) && !near(s.tp, s.tr);
+}
+/// In the cube of the tolerance, and not in the ball.
+bool cube_only(const Parameters& p) {
+  const std::vector<Said> all = said(Setup(p));
+  return !all[0].near && all[3].near;
+}
+
+}  // namespace
+
+const std::string& opening() {
+  static const std::string text =
+      "Are two points the same? Meshes are welded, vertices merged and results checked by this question.\n"
+      "Copied numbers are compared exactly. Computed ones carry rounding, so they are compared within a tolerance.";
+  return text;
+}
+
+const Closing& closing() {
+  static const Closing closing = {
+      .result = "Equality of coordinates is exact and transitive. Nearness within a tolerance is not transitive.",
+      .cost = "Equality: at most three comparisons. Nearness: four products, five sums, one comparison, and no root.",
+      .choose =
+          "Equality for copied numbers. For computed ones a tolerance that grows with the coordinates: absolute "
+          "near 0, relative beyond.",
+      .used = "Welding of mesh vertices, hash tables of vertices, snapping in CAD, tests of floating point results.",
+      .bug = "A tolerance of each coordinate by itself. It accepts the corners of a cube, √3 tolerances away.",
+      .bug_preset = "cube",
+      .reading = {"Lecture note *Intersection Detection*, points.",
+                  "Christer Ericson, *Real-Time Collision Detection*, 2005, chapter 11: numerical robustness.",
+                  "David Goldberg, What every computer scientist should know about floating-point arithmetic, ACM "
+                  "Computing Surveys, 1991."},
+      .exercises = {
+          {"Place **q** and **r** so that **p** ~ **q** and **q** ~ **r**, but not **p** ~ **r**.",
+           "Put **r** beyond **q**, seen from **p**, and at most one tolerance away from **q**.",
+           "cube",
+           broken_chain,
+           {{"question", "chain"}, {"q", "0.75,0,0"}, {"r", "1.5,0,0"}}},
+          {"Find a point **q** that is near by coordinates, and far in truth.",
+           "It lies in the cube, but not in the ball: near a corner of the cube.",
+           "on-sphere",
+           cube_only,
+           {{"q", "0.7,0.7,0.7"}}},
+          {"Coordinates are 32-bit floats near 10^6. What is the smallest tolerance that does more than equality?",
+           "10^6 lies between 2^{19} and 2^{20}, so floats lie 2^{−4} = 0.0625 apart there. That is the smallest one."},
+          {"Coordinates reach 10^6, and each carries a relative error of 10^{−6}. Which tolerance do you choose?",
+           "Each coordinate may be off by 1, a difference by 2, a distance by 2 · √3. A little more than 3.46 will "
+           "do."},
+          {"0 and −0 have different bits. What must a hash table of points do?",
+           "IEEE 754 compares values, so both are equal. The hash must map −0 to 0 before it takes the bits."},
+      }};
+  return closing;
+}
+
+}  // namespace isect::lessons::points_lesson
