@@ -48,17 +48,18 @@ Parameters moved(const Parameters& p, const Vec2& to) {
 }  // namespace
 
 const CaseMap& cases() {
-  static const CaseMap map = {"*x* from the middle of a to that of b",
-                              "*y* from the middle of a to that of b",
-                              {-4, -2.5},
-                              {4, 2.5},
-                              {"disjoint", "an end is near", "the segments cross", "one inside the other", "touching"},
-                              branch,
-                              place,
-                              moved,
-                              "The second capsule moves as it is, without turning.\n"
-                              "The segments cross in a parallelogram, flat if they are parallel. "
-                              "The capsules meet there, and within *s* around it."};
+  static const CaseMap map = {
+      "*x* from the middle of a to that of b",
+      "*y* from the middle of a to that of b",
+      {-4, -2.5},
+      {4, 2.5},
+      {"disjoint", "an end is near", "the segments cross", "one inside the other", "touching"},
+      branch,
+      place,
+      moved,
+      "The second capsule is shifted, without turning.\n"
+      "The segments cross inside a parallelogram: their Minkowski difference, flat if they are parallel. "
+      "The capsules meet there, and within *s* around it."};
   return map;
 }
 

@@ -59,6 +59,9 @@ const Lesson& capsule_capsule() {
       .flat = true,
       .opinions = opinions,
       .map = &cases(),
+      .opening = opening(),
+      .closing = &closing(),
+      .after = {"intervals", "sphere-sphere"},
   };
   return lesson;
 }

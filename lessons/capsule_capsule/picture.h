@@ -37,6 +37,9 @@ viz::Scene picture(const Setup&, const Shown&);
 const viz::CaseMap& cases();
 /// Whether the capsules meet, by each method. (cases.cpp)
 std::vector<viz::Opinion> opinions(const viz::Parameters&);
+/// What is told before the first step, and after the last one. (closing.cpp)
+const std::string& opening();
+const viz::Closing& closing();
 /// (telling.cpp)
 viz::Walk tell(const Setup&);
 

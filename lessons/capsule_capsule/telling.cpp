@@ -4,7 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include <isect/orient.h>
 #include "lessons/capsule_capsule/picture.h"
+#include "lessons/shared/questions.h"
 #include "lessons/shared/relation.h"
 #include "lessons/shared/script.h"
 
@@ -31,7 +33,7 @@ class Teller {
  public:
   explicit Teller(const Setup& setup)
       : s_(setup),
-        script_({"Ericson, Real-Time Collision Detection (2005), 4.5.1 and 5.1.9",
+        script_({"Ericson, Real-Time Collision Detection (2005), sections 4.5 and 5.1.9",
                  "Two capsules in the plane, a and b: " + words(s_.truth, "the capsules") + ".", pseudocode}) {}
 
   Walk tell() {
@@ -55,8 +57,8 @@ class Teller {
     script_.value("*s*", sum(), "length", Role::first);
     shown_.radii = true;
     add("reach", "How far do they reach?", 0,
-        "A capsule is all that lies within *r* of a segment: a thick line with round ends.\n"
-        "Two of them meet exactly if their segments come within *s* = *r*_a + *r*_b of each other.",
+        "A capsule is the Minkowski sum of a segment and a ball: all points within *r* of the segment.\n"
+        "So two capsules meet if and only if their segments come within *s* = *r*_a + *r*_b of each other.",
         fmt::format("*s* = {} + {} = {}", shown(s_.a.radius), shown(s_.b.radius), shown(sum())));
     shown_.radii = false;
   }
@@ -65,19 +67,25 @@ class Teller {
     shown_.crossing = crossed_ = e.holds;
     if (e.holds) least_ = 0, script_.value("*d*", 0, "length", Role::highlight);
     Step& step = add("crossing", "Do the segments cross?", 1,
-                     e.holds ? "They cross between their ends, so their distance is 0. No radius could part them."
-                             : "No. In the plane, an end of one segment is then nearest to the other.\n"
-                               "In space, segments that pass each other can be nearest between their ends, too.",
+                     e.holds ? "They cross between their ends, so their distance is 0."
+                             : "No crossing. In the plane, a shortest way between the segments then starts at an end.\n"
+                               "In space it may start between the ends of both, so four ends would not be enough.",
                      e.holds ? "*d* = 0" : "");
-    step.question = {"Do the segments cross between their ends?",
-                     {"yes", "no"},
-                     e.holds ? 0 : 1,
-                     e.holds ? "Each line parts the ends of the other segment."
-                             : "One of the lines does not part the ends of the other segment."};
+    // 1: that one line is enough, which holds for lines and not for segments.
+    step.question = which_value(
+        "Of the two segments' lines, how many have the other segment's ends on different sides?", separating_lines(),
+        {0, 1, 2}, "Each is two signs of an area (orient2d). The segments cross if and only if both do.");
     if (e.holds)
       step.decides = true;
     else
       script_.refuse(1, {});
+  }
+  /// How many of the segments' lines pass strictly between the ends of the other segment, asked exactly.
+  int separating_lines() const {
+    const auto between = [](const Capsule2& line, const Capsule2& ends) {
+      return orient2d(line.p, line.q, ends.p) * orient2d(line.p, line.q, ends.q) < 0;
+    };
+    return (between(s_.a, s_.b) ? 1 : 0) + (between(s_.b, s_.a) ? 1 : 0);
   }
   void say(const End& e) {
     if (!ends_.empty() && (ends_.back().end < 2) != (e.end < 2)) ends();
@@ -97,16 +105,30 @@ class Teller {
     }
     const bool settled = ends_.back().sign < 0;
     if (settled) caption += "\nThat settles that they meet, so no other end is asked.";
-    script_.value("*d*", least_, "length", Role::highlight);
+    script_.value("least *d* so far", least_, "length", Role::highlight);
     shown_.ways = ends_;
     Step& step = add(of_a ? "ends-a" : "ends-b", of_a ? "The ends of a" : "The ends of b", of_a ? 2 : 3, caption,
-                     "*d* = " + shown(least_));
-    step.question = {fmt::format("Is an end of {} nearer than *s* to the other segment?", of_a ? "a" : "b"),
-                     {"yes", "no"},
-                     settled ? 0 : 1,
-                     settled ? end_names[ends_.back().end] + std::string(" is.") : "Each is *s* away, or farther."};
+                     "least *d* so far = " + shown(least_));
+    step.question =
+        which_value(fmt::format("What is the least distance from an end of {} to the segment of {}, so far?",
+                                of_a ? "a" : "b", of_a ? "b" : "a"),
+                    least_, misconceived(), "The nearest point of a segment lies between its ends, or is one of them.");
     shown_.earlier.insert(shown_.earlier.end(), ends_.begin(), ends_.end());
     shown_.ways.clear(), ends_.clear();
+  }
+
+  /// The least distances to the ends alone, and to the line without its ends.
+  std::vector<double> misconceived() const {
+    double to_ends = std::numeric_limits<double>::infinity(), to_line = to_ends;
+    for (const End& e : ends_) {
+      const Vec2 end = s_.way(e).first;
+      const Capsule2& other = e.end < 2 ? s_.b : s_.a;
+      const Vec2 d = other.q - other.p, w = end - other.p;
+      to_ends = std::min({to_ends, w.norm(), (end - other.q).norm()});
+      if (d.norm() > 0) to_line = std::min(to_line, std::abs(d.x() * w.y() - d.y() * w.x()) / d.norm());
+    }
+    if (std::isinf(to_line)) return {to_ends};
+    return {to_ends, to_line};
   }
 
   static std::string said(const End& e) {
@@ -137,7 +159,8 @@ class Teller {
                                  : sum() > 0 ? "<"
                                              : "=",
                                  shown(sum())));
-    Script::decide(step, {"*d* ≤ *s*", least_, sum(), meet, meet ? "they share a point" : "a gap between them"});
+    if ((least_ <= sum()) == meet)  // else rounding hides the difference
+      Script::decide(step, {"*d* ≤ *s*", least_, sum(), meet, meet ? "they share a point" : "a gap between them"});
     step.question = relation_question(s_.truth, "the two capsules", because());
   }
 
@@ -155,33 +178,33 @@ class Teller {
         return s_.thin() ? "One of them is a segment, which has no interior."
                          : "An end is exactly *s* away, and none is nearer.";
       case Relation::overlapping:
-        return "They come nearer than *s*, but neither holds both ends of the other deep enough.";
+        return "They come nearer than *s*, but neither contains the balls at both ends of the other.";
       default:
-        return "The larger capsule is convex, and holds the balls around both ends of the other.";
+        return "One capsule contains the balls at both ends of the other. It is convex, so it contains all between.";
     }
   }
 
   std::string end_caption() const {
     switch (s_.truth) {
       case Relation::disjoint:
-        return "The segments are farther apart than the capsules reach: a gap is left.\n"
-               "The core compares squares, multiplied out: no division, no root.";
+        return "The segments are more than *s* apart: a gap is left.\n"
+               "The core compares squares, multiplied out, so it needs no division and no root.";
       case Relation::touching:
         if (s_.thin())
-          return "A capsule of radius 0 is a segment. It has no interior, so that the two only touch.\n"
-                 "Where they share a point that no double holds, naive methods miss it.";
-        return "The distance is *s*, and not only nearly: the core takes the sign of *d* − *s* exactly.\n"
-               "They share points of their outlines, and nothing else.";
+          return "A capsule of radius 0 is a segment. In the plane it has no interior, so the two can only touch.\n"
+                 "Where the common point is no double, methods that compute it may miss it.";
+        return "The distance is exactly *s*: the core takes the sign of *d* − *s* without rounding.\n"
+               "They share boundary points, and no interior point.";
       case Relation::overlapping:
-        return "They share more than points of their outlines, and neither lies in the other.\n"
-               "Green is what they share.";
+        return "They share interior points, and neither contains the other.\n"
+               "Green marks what they share.";
       case Relation::equal:
         return "Each lies inside the other: they are the same set. The ends may be swapped.";
       default: {
         const char *in = s_.truth == Relation::a_inside_b ? "a" : "b", *out = in[0] == 'a' ? "b" : "a";
         return fmt::format(
-            "Both ends of {0} lie within *r*_{1} − *r*_{0} of the segment of {1}, so {1} holds their balls.\n"
-            "A convex set that holds both holds all between them: {0} lies inside.",
+            "Both ends of {0} lie within *r*_{1} − *r*_{0} of the segment of {1}, so {1} contains their balls.\n"
+            "A convex set that contains both contains all between them: {0} lies inside.",
             in, out);
       }
     }

@@ -1,0 +1,64 @@
+// What a reader takes along from two capsules, and what there is to do.
+
+#include "lessons/capsule_capsule/picture.h"
+
+namespace isect::lessons::capsule_capsule_lesson {
+
+using namespace viz;
+
+namespace {
+
+bool they_touch(const Parameters& p) { return setup(p).truth == Relation::touching; }
+bool a_lies_inside(const Parameters& p) { return setup(p).truth == Relation::a_inside_b; }
+
+}  // namespace
+
+const std::string& opening() {
+  static const std::string text =
+      "Do two thick segments meet? Characters, limbs and ropes are modelled as capsules, so games ask this in every "
+      "frame.\n"
+      "Only the distance of the two segments counts. The radii are added, as for two balls.";
+  return text;
+}
+
+const Closing& closing() {
+  static const Closing closing = {
+      .result =
+          "Two capsules meet if and only if their segments come within *r*_a + *r*_b. In the plane they cross, or "
+          "an end is nearest.",
+      .cost =
+          "Constant: four signs of an area, then four distances from a point to a segment at most. The textbook "
+          "method takes one division or two.",
+      .choose =
+          "For round, long bodies that turn: a capsule turns with its two ends. For flat bodies take oriented "
+          "boxes, for short ones balls.",
+      .used = "Character controllers, limbs of ragdolls, ropes and hair; a ball that moves sweeps a capsule.",
+      .bug = "The nearest points of the lines, not clamped to the segments. They may lie beyond the ends.",
+      .bug_preset = "ends",
+      .reading = {"Christer Ericson, *Real-Time Collision Detection*, 2005, section 4.5: sphere-swept volumes.",
+                  "Christer Ericson, *Real-Time Collision Detection*, 2005, section 5.1.9: closest points of two line "
+                  "segments.",
+                  "Vladimir Lumelsky, On fast computation of distance between line segments, Information Processing "
+                  "Letters, 1985."},
+      .exercises = {
+          {"Move the ends of b until the capsules touch.",
+           "They touch where the segments are *r*_a + *r*_b = 1.25 apart. Ends that are (0.75, 1) apart have that "
+           "distance.",
+           "ends",
+           they_touch,
+           {{"p_b", "1.25,0.5,0"}, {"q_b", "2.75,1.25,0"}}},
+          {"Enlarge b until a lies inside it.",
+           "The balls at both ends of a must lie in b: raise its radius.",
+           "crossing",
+           a_lies_inside,
+           {{"r_b", "4"}}},
+          {"a runs from (0, 0) to (4, 0), *r*_a = 1; b is a ball at (6, 3), radius 2. Do they meet?",
+           "The nearest point is the end (4, 0), √(4 + 9) = 3.606 away. That is more than 3, so they do not."},
+          {"Why may the four ends not be enough in space?",
+           "Two segments that pass each other, like the diagonals of a box's opposite faces, are nearest between their "
+           "ends."},
+      }};
+  return closing;
+}
+
+}  // namespace isect::lessons::capsule_capsule_lesson
