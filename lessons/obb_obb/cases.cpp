@@ -35,7 +35,7 @@ int branch(const Parameters& p) {
 
 double degrees(const Vec3& u) { return std::atan2(-u.z(), u.x()) * 180 / std::numbers::pi; }
 
-/// The centres' distance, and the turn of b's first side about the upright axis, from *x*.
+/// The centres' distance, and the turn of b's first side about the vertical axis, from *x*.
 Vec2 place(const Parameters& p) {
   const Setup s = setup(p);
   return {(s.b.center - s.a.center).norm(), degrees(s.b_u)};
@@ -55,15 +55,15 @@ Parameters moved(const Parameters& p, const Vec2& to) {
 const CaseMap& cases() {
   static const CaseMap map = {
       "distance of the centres",
-      "turn of b about the upright axis, in degrees",
+      "turn of b about the vertical axis, in degrees",
       {0, -180},
       {4, 180},
       {"edge × edge", "a normal of a", "a normal of b", "overlapping", "one inside the other", "touching"},
       branch,
       place,
       moved,
-      "The second box moves along the line of the centres and turns about the upright axis.\n"
-      "A region tells which axis separates first, or that none does."};
+      "The second box moves along the line of the centres and turns about the vertical axis.\n"
+      "A region tells which kind of axis separates first, or that none does."};
   return map;
 }
 

@@ -116,6 +116,12 @@ const Lesson& obb_obb() {
       .steps = walk,
       .opinions = opinions,
       .map = &cases(),
+      .opening = opening(),
+      .closing = &closing(),
+      .errata = {{"t ← b − a; q_ij ← |a_i · b_j| + ε", "t ← b − a; q_ij ← |a_i · b_j|, and each gap's sign exact",
+                  "An absolute ε that hides rounding between parallel edges also hides the gap between thin boxes.",
+                  "slender"}},
+      .after = {"aabb-aabb"},
   };
   return lesson;
 }

@@ -33,4 +33,8 @@ viz::Scene picture(const Setup&, Focus, const std::optional<obb_obb::Axis>& = {}
 /// Distance against turn: which axis separates first. (cases.cpp)
 const viz::CaseMap& cases();
 
+/// What is told before the first step, and after the last one. (closing.cpp)
+const std::string& opening();
+const viz::Closing& closing();
+
 }  // namespace isect::lessons::obb_obb_lesson

@@ -24,13 +24,16 @@ void Teller::relation() {
 std::string Teller::because() const {
   switch (s_.truth) {
     case Relation::disjoint:
-      return gap_ ? name_of(*gap_) + " separates them." : "Taken exactly, an axis separates them.";
+      return gap_ ? "There is an axis on which |**l** · **t**| > *r*_a + *r*_b."
+                  : "Without ε, an axis separates the boxes.";
     case Relation::touching:
       return "No axis separates them, but on one the projections share a single number.";
     case Relation::overlapping:
       return "On every axis the projections share more than a number.";
+    case Relation::equal:
+      return "On every normal of either box both projections are the same.";
     default:
-      return "On every normal of the larger box, its projection holds the other one.";
+      return "On every normal of one box, its projection contains that of the other.";
   }
 }
 
@@ -41,20 +44,30 @@ std::string Teller::end_caption() const {
            "Ours takes the sign of the gap exactly, so that rounding cannot make one.";
   if (!meets && overlap_)
     return fmt::format(
-        "The boxes are disjoint: ε = {} has closed the gap. A small ε does so to long, thin boxes.\n"
+        "The boxes are disjoint: ε = {} has closed the gap, so the classical test is wrong here.\n"
         "Ours needs no ε. It bounds the rounding error, and computes exactly where that leaves doubt.",
         shown(s_.epsilon));
   switch (s_.truth) {
     case Relation::disjoint:
-      return fmt::format("Disjoint after {} of 15 axes. To reject is cheap; to accept takes them all.", asked_);
+      return asked_ < 15
+                 ? fmt::format("Disjoint after {} of 15 axes. To reject is cheap; to accept takes them all.", asked_)
+                 : "Disjoint by the last of 15 axes.";
     case Relation::touching:
-      return "They share points, but none inside both. The sets are closed, so touching counts as OVERLAP.";
+      return "They share boundary points, but no interior point. Closed sets include their boundary, so touching "
+             "counts "
+             "as OVERLAP.";
     case Relation::overlapping:
-      return "All 15 axes had to be asked. Green is what the boxes share.";
-    default:
-      return "OVERLAP does not tell that one lies inside the other.\n"
+      return "All 15 axes had to be asked. Green marks what the boxes share.";
+    case Relation::equal:
+      return "OVERLAP does not tell that the boxes are the same set.";
+    case Relation::a_inside_b:
+      return "OVERLAP does not tell that a lies inside b.\n"
              "That takes the normals again: |**l** · **t**| + *r*_a ≤ *r*_b for those of b.";
+    case Relation::b_inside_a:
+      break;
   }
+  return "OVERLAP does not tell that b lies inside a.\n"
+         "That takes the normals again: |**l** · **t**| + *r*_b ≤ *r*_a for those of a.";
 }
 
 }  // namespace isect::lessons::obb_obb_lesson

@@ -4,6 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "lessons/shared/questions.h"
+
 namespace isect::lessons::obb_obb_lesson {
 
 using namespace viz;
@@ -19,33 +23,35 @@ struct Group {
 namespace {
 
 const std::vector<std::string> pseudocode = {
-    "t ← b − a; q_ij ← |a_i · b_j| + ε",            // 0
-    "for each of the 3 normals l of a",             // 1
-    "    if |l · t| > r_a + r_b: return DISJOINT",  // 2
-    "for each of the 3 normals l of b",             // 3
-    "    if |l · t| > r_a + r_b: return DISJOINT",  // 4
-    "for each of the 9 products l = a_i × b_j",     // 5
-    "    if |l · t| > r_a + r_b: return DISJOINT",  // 6
-    "return OVERLAP"                                // 7
+    "t ← b − a; q_ij ← |a_i · b_j| + ε",               // 0
+    "for each of the 3 normals l of a",                // 1
+    "    if |l · t| > r_a + r_b: return DISJOINT",     // 2
+    "for each of the 3 normals l of b",                // 3
+    "    if |l · t| > r_a + r_b: return DISJOINT",     // 4
+    "for each of the 9 cross products l = a_i × b_j",  // 5
+    "    if |l · t| > r_a + r_b: return DISJOINT",     // 6
+    "return OVERLAP"                                   // 7
 };
-constexpr double noise = 1e-9;  ///< a product of edges shorter than this is drawn as edges alone
+constexpr double noise = 1e-9;  ///< a cross product of edges shorter than this is drawn as edges alone
 
 const Group groups[] = {{Kind::face_of_a, "normals-a", "The normals of a", "the normals of a", 1, 3},
                         {Kind::face_of_b, "normals-b", "The normals of b", "the normals of b", 3, 3},
-                        {Kind::edges, "edges", "The products of edges", "the nine products", 5, 9}};
+                        {Kind::edges, "edges", "The cross products of edges", "the nine cross products", 5, 9}};
 
 }  // namespace
 
 Teller::Teller(const Setup& setup)
     : s_(setup),
-      script_({"Note, N07; Gottschalk, Lin, Manocha (1996)", "Two oriented boxes, a and b: " + in_words(s_.truth) + ".",
-               pseudocode}) {}
+      script_({"Gottschalk, Lin and Manocha, OBBTree, SIGGRAPH (1996)",
+               "Two oriented boxes, a and b: " + in_words(s_.truth) + ".", pseudocode}) {}
 
 Walk Teller::tell() {
-  Step& first = script_.add("axes", "Which axes can separate?", 0,
-                            "Convex sets are disjoint exactly if some axis separates their projections.\n"
-                            "For boxes 15 axes suffice: 3 normals of a, 3 of b, and 9 products of an edge of each.",
-                            "|**l** · **t**| > *r*_a + *r*_b separates");
+  Step& first =
+      script_.add("axes", "Which axes can separate?", 0,
+                  "For boxes 15 axes suffice: 3 normals of a, 3 of b, and 9 cross products of an edge of each.\n"
+                  "On **l**, box b reaches *r*_b to either side: each half side adds the length of its "
+                  "projection.",
+                  "*r*_b = *h*_u |**b**_u · **l**| + *h*_v |**b**_v · **l**| + *h*_w |**b**_w · **l**|");
   first.scene = picture(s_, Focus::centers);
   CountingRecord<std::variant<Compared>> record;
   tally() = {};
@@ -87,48 +93,66 @@ void Teller::say(const Group& group, const std::vector<Compared>& all) {
   script_.value("*r*_a", r_a, "length", Role::first);
   script_.value("*r*_b", r_b, "length", Role::second);
   Step& step = script_.add(group.slug, group.title, group.line + (e.separates ? 1 : 0),
-                           e.separates ? separated(group, e, l, static_cast<int>(all.size())) : passed(group, e),
+                           e.separates ? separated(group, e, l, static_cast<int>(all.size())) : passed(group, e, all),
                            fmt::format("**l** = {}: {} {} {} + {}", name_of(e.axis), shown(d), e.separates ? ">" : "≤",
                                        shown(r_a), shown(r_b)));
   step.scene = picture(s_, l > noise ? Focus::axis : Focus::edges, e.axis);
   Script::decide(step, {"*d* ≤ *r*_a + *r*_b", d, r_a + r_b, !e.separates,
                         e.separates ? "the test finds a gap" : "no gap on this axis"});
-  step.question = {fmt::format("Does the test find a gap on one of {}?", group.of),
-                   {"yes", "no"},
-                   e.separates ? 0 : 1,
-                   e.separates ? "It takes the centres to lie further apart than the projections reach together."
-                               : "On each of them the projections overlap, or touch."};
+  step.question = question(group, e);
   if (!e.separates) script_.refuse(group.line + 1, {});
   if (e.separates) gap_ = e.axis;
+}
+
+viz::Question Teller::question(const Group& group, const Compared& e) const {
+  if (group.kind != Kind::face_of_a)
+    return which_line(pseudocode, e.separates ? group.line + 1 : group.line + 2, {group.line + 1, group.line + 2, 7},
+                      e.separates
+                          ? "On one axis of this group |**l** · **t**| > *r*_a + *r*_b."
+                          : "On each axis of this group |**l** · **t**| ≤ *r*_a + *r*_b, as the test computes.");
+  // All half sides in full, the circumscribed ball, the longest side alone, and the sum without absolute values.
+  const Vec3 along = s_.b.axes.transpose() * s_.a.axes.col(e.axis.i);
+  const Vec3& h = s_.b.half;
+  return which_value(fmt::format("What is *r*_b on **l** = {}?", name_of(e.axis)), e.radius_b.value,
+                     {h.sum(), h.norm(), h.maxCoeff(), std::abs(h.dot(along))},
+                     "*r*_b = Σ *h*_j |**b**_j · **l**|, where ε is added to each |**b**_j · **l**|.");
 }
 
 std::string Teller::separated(const Group& group, const Compared& e, double l, int asked) const {
   if (l <= noise)
     return fmt::format(
-        "These edges are parallel, up to rounding. Their product has the length {}: it is no axis.\n"
+        "These edges are parallel, up to rounding. Their cross product has the length {}: it is no axis.\n"
         "Distance and radii are rounding errors, yet the test compares them and finds a gap.",
         shown(l));
+  if (s_.truth != Relation::disjoint)
+    return fmt::format("The test finds a gap on {}. Rounding has made it: the boxes do meet.", name_of(e.axis));
+  const std::string gap = fmt::format("{} separates: there is a gap between the two projections.", name_of(e.axis));
   if (group.kind == Kind::edges)
-    return fmt::format(
-        "{} separates: the boxes pass each other edge against edge.\n"
-        "No normal of a face shows that. Without the products the test would say OVERLAP.",
-        name_of(e.axis));
-  return fmt::format(
-      "{} separates: between the two projections is a gap. One is enough.\n"
-      "That was axis {} of this group; the later ones need not be tested.",
-      name_of(e.axis), asked);
+    return gap + (a_normal_separates() ? "\nA normal separates, too, but ε has widened the radii there."
+                                       : "\nNo normal does. Without the cross products the test would say OVERLAP.");
+  return gap + fmt::format("\nIt is number {} of three in this group. ", asked) +
+         (asked < group.size ? "One gap is enough: the later axes need not be tested." : "One gap is enough.");
 }
 
-std::string Teller::passed(const Group& group, const Compared& e) const {
-  const bool touch = e.distance.value == e.radius_a.value + e.radius_b.value;
-  const std::string which = fmt::format("None of {} separates. The tightest is drawn: {}.",
+bool Teller::a_normal_separates() const {
+  for (int i = 0; i < 3; ++i)
+    for (const Kind kind : {Kind::face_of_a, Kind::face_of_b}) {
+      const obb_obb::Tested<3> exact = projections(s_, {kind, i});
+      if (exact.distance > exact.radius_a + exact.radius_b) return true;
+    }
+  return false;
+}
+
+std::string Teller::passed(const Group& group, const Compared& e, const std::vector<Compared>& all) const {
+  const std::string which = fmt::format("The test finds no gap on {}. The tightest one is drawn: {}.",
                                         group.kind == Kind::edges ? "the nine" : "these three", name_of(e.axis));
-  if (touch) return which + "\nThe projections share exactly one number: no gap.";
-  if (widened(e)) return which + "\nIts radii overlap only because ε has widened them.";
+  if (widened(e)) return which + "\nThis axis separates. Only ε makes the radii overlap here.";
+  if (std::ranges::any_of(all, [&](const Compared& other) { return widened(other); }))
+    return which + "\nOn another of them ε has closed a gap.";
   if (group.kind == Kind::face_of_a)
-    return which + "\nIn the frame of a its own radius is its half-length. That of b adds up three products.";
+    return which + "\nFor **l** = **a**_i, *r*_a is the half-length *h*_i. *r*_b adds up three products.";
   return group.kind == Kind::edges
-             ? which + "\nThe boxes' Minkowski difference has no other face normals: no axis is left."
+             ? which + "\nThe Minkowski difference of the boxes has no other face normals: no axis is left."
              : which + "\nThe roles are exchanged, the numbers are reused.";
 }
 

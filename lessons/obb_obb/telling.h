@@ -25,7 +25,10 @@ class Teller {
   const Compared& telling_one(const std::vector<Compared>&) const;
   void say(const Group&, const std::vector<Compared>&);
   std::string separated(const Group&, const Compared&, double l, int asked) const;
-  std::string passed(const Group&, const Compared&) const;
+  std::string passed(const Group&, const Compared&, const std::vector<Compared>& group) const;
+  viz::Question question(const Group&, const Compared&) const;
+  /// Whether one of the six normals separates by the core's numbers, without epsilon.
+  bool a_normal_separates() const;
   /// Whether the axis separates by the core's numbers, without epsilon.
   bool widened(const Compared&) const;
 

@@ -4,6 +4,7 @@
 
 #include <isect/motion.h>
 #include "lessons/rays/picture.h"
+#include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"
 
 namespace isect::lessons::rays_lesson {
@@ -16,16 +17,18 @@ namespace {
 constexpr double frame = 1;  ///< from one picture to the next, in units of time
 const Interval<double> wall_x = {0.25, 0.5};
 
+const Aabb<double, 2> wall_box = {{wall_x.lo, -1.5}, {wall_x.hi, 1.75}};
+
 class Flight {
  public:
   Flight(const Vec3& p, const Vec3& velocity)
       : bullet_{{p.head<2>(), p.head<2>()}, velocity.head<2>()},
-        wall_{{{wall_x.lo, -1.5}, {wall_x.hi, 1.75}}, {0, 0}},
+        wall_{wall_box, {0, 0}},
         ray_{p.head<2>(), velocity.head<2>(), {0, frame}},
         truth_(contact(bullet_, wall_, frame)),
-        script_({"Note, N16, N25; Ericson (2005), 5.5",
+        script_({"Lecture note Intersection Detection, rays; Ericson, Real-Time Collision Detection (2005), 5.5",
                  std::string("A bullet flies towards a thin wall: ") +
-                     (truth_ ? "it hits the wall between two frames." : "it does not reach the wall."),
+                     (truth_ ? "it is in the wall within the frame." : "it does not reach the wall within the frame."),
                  {"o ← position; d ← velocity",                 // 0
                   "test at t = 0 and at t = Δt",                // 1
                   "t_min, t_max ← 0, Δt",                       // 2
@@ -34,8 +37,8 @@ class Flight {
 
   Walk tell() {
     add("bullet", "A bullet", 0,
-        "A bullet is so small that a point will do. Its position is **o**, its velocity **d**.\n"
-        "Then *t* is the time: **r**(*t*) is where the bullet is.",
+        "Rays stand in for moving objects: a cheap, approximate test. A bullet is so small that a point will do.\n"
+        "Its position is **o**, its velocity **d**, and *t* is the time.",
         "**r**(*t*) = **o** + *t* **d**");
     frames();
     segment();
@@ -93,16 +96,16 @@ class Flight {
 
   void frames() {
     frames_ = true;
-    const bool seen = !discrete_hits(bullet_, wall_, frame, 1).empty();
-    Step& step = add("frames", "Two frames", 1,
-                     seen ? "A program that tests frame by frame sees the bullet in the wall."
-                          : "A program that tests frame by frame sees the bullet twice, each time outside the wall.");
+    const auto seen = discrete_hits(bullet_, wall_, frame, 1).size();
+    Step& step =
+        add("frames", "Two frames", 1,
+            seen == 0   ? "A program that tests frame by frame sees the bullet twice, each time outside the wall."
+            : seen == 1 ? "A program that tests frame by frame sees the bullet in the wall, at one of the two times."
+                        : "A program that tests frame by frame sees the bullet in the wall, both times.");
     step.decides = true;
-    step.question = {
-        "Does one of the two tests see the bullet in the wall?",
-        {"yes", "no"},
-        seen ? 0 : 1,
-        seen ? "At one of the two times it is there." : "It is in the wall for a shorter time, if at all."};
+    step.question =
+        which_value("How many of the two tests, at *t* = 0 and *t* = Δ*t*, find the bullet in the wall?",
+                    static_cast<double>(seen), {0, 1, 2}, "Each test looks at one point of the way, and at no other.");
   }
 
   void segment() {
@@ -115,20 +118,27 @@ class Flight {
 
   void hit() {
     settled_ = true;
+    Ray<double, 2> course = ray_;
+    course.range.hi = infinite<double>.hi;
+    const bool later = !truth_ && intersects(course, wall_.shape);
     if (truth_) script_.value("*t*_{in}", truth_->lo, "time", Role::hit);
     script_.settle(truth_ ? Verdict::Kind::yes : Verdict::Kind::no,
-                   truth_ ? "the bullet hits the wall at *t* = " + shown(truth_->lo) : "the bullet misses the wall");
+                   truth_ ? "the bullet hits the wall at *t* = " + shown(truth_->lo)
+                          : "the bullet does not hit the wall within the frame");
     Step& step = add("hit", "The ray tells", 3,
-                     truth_ ? "The segment meets the wall, and *t* tells when. No frame rate is needed for that.\n"
-                              "A larger object works the same: grow the wall by it, and follow its centre."
-                            : "The segment ends before the wall or passes it, so the bullet does not hit.");
-    step.question = {"Does the bullet hit the wall within the frame?",
-                     {"yes", "no"},
-                     truth_ ? 0 : 1,
-                     "The segment from **o** to **o** + Δ*t* **d** tells."};
+                     truth_  ? "The segment meets the wall, and *t* tells when: continuous collision detection.\n"
+                               "For a larger object take the Minkowski sum of wall and object, and follow its centre."
+                     : later ? "The segment ends before the wall. On the same course a later frame will hit."
+                             : "The bullet's course does not meet the wall at any later time.");
+    step.question = {"When does the bullet hit the wall?",
+                     {"within this frame", "in a later frame, on this course", "never, on this course"},
+                     truth_  ? 0
+                     : later ? 1
+                             : 2,
+                     "The segment from **o** to **o** + Δ*t* **d** tells of this frame, its ray of all later ones."};
   }
 
-  Moving<Aabb, double, 2> bullet_, wall_;
+  const Moving<Aabb, double, 2> bullet_, wall_;
   Ray<double, 2> ray_;
   std::optional<Interval<double>> truth_;
   Script script_;
@@ -136,6 +146,11 @@ class Flight {
 };
 
 }  // namespace
+
+bool tunnels(const Vec3& p, const Vec3& velocity) {
+  const Moving<Aabb, double, 2> bullet = {{p.head<2>(), p.head<2>()}, velocity.head<2>()}, wall = {wall_box, {0, 0}};
+  return contact(bullet, wall, frame) && discrete_hits(bullet, wall, frame, 1).empty();
+}
 
 Walk bullet(const Vec3& p, const Vec3& velocity) { return Flight(p, velocity).tell(); }
 

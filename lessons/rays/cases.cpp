@@ -54,7 +54,8 @@ const CaseMap& cases() {
       place,
       moved,
       "The wall moves along *x*, and **d** changes; **o** stays.\n"
-      "What lies within **d** always counts, beyond **d** for rays and lines, behind **o** for lines."};
+      "A wall within **d** counts for all three kinds. Beyond **d** it counts for rays and lines, behind **o** for "
+      "lines only."};
   return map;
 }
 

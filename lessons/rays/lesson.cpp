@@ -32,6 +32,9 @@ std::vector<Preset> presets() {
           preset_of("segment", "a segment", "points", "segment", {-2.5, -0.5, 0}, {0.5, 0.5, 0}),
           preset_of("segment-on", "ending in the wall", "points", "segment", {-2.5, -0.5, 0}, {1.5, 1, 0}),
           preset_of("unit", "normalised", "unit", "ray", {-3, -0.5, 0}, {1.5, 0.5, 0}),
+          preset_of("segment-in-wall", "lying in the wall", "points", "segment", {1.5, -1, 0}, {1.5, 0.75, 0}),
+          preset_of("unit-short", "normalised, too short", "unit", "segment", {-3, -0.5, 0}, {1.5, 0.5, 0}),
+          preset_of("unit-parallel", "normalised, parallel", "unit", "ray", {-2, -0.75, 0}, {0, 1, 0}),
           preset_of("bullet", "a bullet", "motion", "segment", {-2.5, -0.75, 0}, {4.5, 1.5, 0}),
           preset_of("slow-bullet", "a slow bullet", "motion", "segment", {-2.5, -0.75, 0}, {2, 0.75, 0})};
 }
@@ -83,6 +86,11 @@ const Lesson& rays() {
       .steps = walk,
       .flat = true,
       .map = &cases(),
+      .opening = rays_lesson::opening(),
+      .closing = &rays_lesson::closing(),
+      .errata = {{"t ← −(n · o + D) / (n · d)", "if n · d = 0: return n · o + D = 0 ? HIT : MISS",
+                  "For a ray parallel to the plane the quotient divides by zero.", "parallel"}},
+      .after = {"intervals"},
   };
   return lesson;
 }

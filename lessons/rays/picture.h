@@ -40,5 +40,11 @@ void draw_marks(viz::Scene&, const Ray<double, 2>&, const Interval<double>& t);
 const viz::CaseMap& cases();                                      ///< of the wall's place and the direction
 viz::Walk tell(const Setup&);                                     ///< a ray against the wall
 viz::Walk bullet(const viz::Vec3& p, const viz::Vec3& velocity);  ///< a moving point, as a ray
+/// Whether it is in the wall between the frames, and in neither of them.
+bool tunnels(const viz::Vec3& p, const viz::Vec3& velocity);
+
+/// What is told before the first step, and after the last one. (closing.cpp)
+const std::string& opening();
+const viz::Closing& closing();
 
 }  // namespace isect::lessons::rays_lesson

@@ -5,6 +5,7 @@
 #include <isect/orient.h>
 #include <isect/ray_plane_methods.h>
 #include "lessons/rays/picture.h"
+#include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"
 
 namespace isect::lessons::rays_lesson {
@@ -22,11 +23,13 @@ std::vector<std::string> pseudocode(const Setup& s) {
                            : s.made == Made::unit ? "o, d ← as given; u ← d / |d|"
                                                   : "o, d ← as given";
   const char* const segment = s.made == Made::unit ? "[0, |d|]" : "[0, 1]";
-  return {made,                                                            // 0
-          fmt::format("r(t) = o + t {}", letter(s)),                       // 1
-          fmt::format("t_min, t_max ← {} or [0, ∞) or (−∞, ∞)", segment),  // 2
-          fmt::format("t ← −(n · o + D) / (n · {})", letter(s)),           // 3
-          "return t_min ≤ t ≤ t_max ? r(t) : MISS"};                       // 4
+  return {made,                                                                        // 0
+          fmt::format("r(t) = o + t {}", letter(s)),                                   // 1
+          fmt::format("t_min, t_max ← {} or [0, ∞) or (−∞, ∞)", segment),              // 2
+          fmt::format("if n · {} = 0: return n · o + D = 0 ? HIT : MISS", letter(s)),  // 3
+          fmt::format("t ← −(n · o + D) / (n · {})", letter(s)),                       // 4
+          "if t < t_min or t > t_max: return MISS",                                    // 5
+          "return HIT, r(t)"};                                                         // 6
 }
 
 std::string noun(const Setup& s) { return s.extent == "ray" ? "ray" : s.extent; }
@@ -35,9 +38,13 @@ class Teller {
  public:
   explicit Teller(const Setup& setup)
       : s_(setup),
-        script_({"Note, N16, N20",
-                 fmt::format("A {} and a wall: {}.", noun(s_), s_.truth.meets ? "they meet" : "they do not meet"),
-                 pseudocode(setup),
+        pseudocode_(pseudocode(setup)),
+        script_({"Lecture note Intersection Detection, rays, and ray against plane",
+                 fmt::format("A {} and a wall at x = {}: {}.", noun(s_), shown(s_.wall),
+                             s_.truth.coplanar ? "it lies in the wall"
+                             : s_.truth.meets  ? "they meet at t = " + shown(*s_.truth.t)
+                                               : "they do not meet"),
+                 pseudocode_,
                  s_.made == Made::points ? "two points"
                  : s_.made == Made::unit ? "unit direction"
                                          : "point and direction"}) {}
@@ -75,15 +82,17 @@ class Teller {
     if (s_.made == Made::points) {
       add("two-points", "Two points", 0,
           "Two points give a ray, too: from **p**_1, in the direction **p**_2 − **p**_1.\n"
-          "The difference is rounded. A test that must see both end points exactly takes the points.",
+          "The difference is rounded. A test that must see both end points exactly takes the points themselves.",
           "**d** = **p**_2 − **p**_1");
     } else if (s_.made == Made::unit) {
       const Vector<double, 2>& u = s_.ray.direction;
       script_.value("|**d**|", std::sqrt(s_.d.head<2>().dot(s_.d.head<2>())), "length");
       script_.value("|**u**|^2 − 1", u.dot(u) - 1);
       add("normalise", "A unit direction", 0,
-          "Divided by its length, **d** becomes the unit vector **u**: the same ray at another scale.\n"
-          "It costs a square root, a division for each coordinate, and rounding.",
+          "Divided by its length, **d** becomes the unit vector **u**. It costs a square root, divisions, and "
+          "rounding.\n"
+          "In return **v** · **u** is the length of a projection on the ray. With **d** it takes "
+          "**v** · **d** / |**d**|.",
           "**u** = **d** / |**d**|");
     } else {
       add("direction", "A point and a direction", 0,
@@ -93,11 +102,14 @@ class Teller {
 
   void marks() {
     known_.marks = true;
-    const std::string unit = s_.made == Made::unit ? "As |**u**| = 1, *t* is the distance from **o**."
-                             : s_.made == Made::points
-                                 ? "*t* = 0 is **p**_1, *t* = 1 is **p**_2: *t* counts lengths of **d**."
-                                 : "*t* counts lengths of **d**: **r**(1) = **o** + **d**. It is no distance.";
-    add("parameter", "One number for each point", 1, "Each *t* has its point on the line. " + unit,
+    const bool of_length_one = s_.d.head<2>().squaredNorm() == 1;
+    const std::string unit =
+        s_.made == Made::unit     ? "As |**u**| = 1, *t* is the signed distance from **o**."
+        : s_.made == Made::points ? "*t* = 0 is **p**_1, *t* = 1 is **p**_2: *t* counts lengths of **d**."
+        : of_length_one           ? "As |**d**| = 1, *t* is the signed distance from **o**."
+                                  : "*t* counts lengths of **d**, so the distance from **o** is |*t*| |**d**|.";
+    add("parameter", "One number for each point", 1,
+        "Each *t* has its point on the line: *x*(*t*) = *o*_x + *t* *d*_x, and *y* alike.\n" + unit,
         fmt::format("**r**(*t*) = **o** + *t* **{}**", letter(s_)));
   }
 
@@ -128,19 +140,29 @@ class Teller {
     script_.value(fmt::format("**n** · **{}**", letter(s_)), e.value.value, "length");
   }
   void say(const ray_plane::Parallel<C>& e) {
-    if (e.holds)
-      add("parallel", "Parallel", 3,
-          fmt::format("**n** · **{}** = 0: the line never comes nearer to the wall, or lies in it.", letter(s_)));
+    if (!e.holds) return script_.refuse(3, {});
+    add("parallel", "Parallel", 3,
+        fmt::format("**n** · **{}** = 0: the line is parallel to the wall. The quotient would divide by zero.\n"
+                    "Whether the line lies in the wall, **n** · **o** + *D* tells.",
+                    letter(s_)),
+        fmt::format("**n** · **{}** = 0", letter(s_)));
   }
   void say(const ray_plane::InRange<C>& e) {
     const double t = e.t.value;
     known_.hit = true;
     script_.value("*t*", t, {}, e.holds ? Role::hit : Role::muted);
-    add("wall", "Where the line meets the wall", 3,
+    const double length = s_.made == Made::unit ? s_.d.head<2>().norm() : s_.ray.direction.norm();
+    std::vector<double> misconceived = {t * length, s_.plane.normal.dot(s_.ray.origin) + s_.plane.d};
+    if (t != 0) misconceived.push_back(-t);  // the sign forgotten; before: a distance, and the numerator alone
+    Step& step = add(
+        "wall", "Where the line meets the wall", 4,
         s_.made == Made::unit
-            ? "The line meets the wall at one *t*. It is the distance from **o** to the wall, along the ray."
-            : "The line meets the wall at one *t*. Whether that point counts, the range will say.",
+            ? "The line meets the wall at one *t*: the signed distance from **o**, along the ray. The range decides "
+              "whether it counts."
+            : "The line meets the wall at one *t*. The range decides whether it counts.",
         fmt::format("*t* = −(**n** · **o** + *D*) / (**n** · **{}**) = {}", letter(s_), shown(t)));
+    step.question = which_value("At which *t* does the line meet the wall?", t, misconceived,
+                                "Substitute **r**(*t*) into **n** · **x** + *D* = 0 and solve for *t*.");
   }
 
   void verdict() {
@@ -150,29 +172,36 @@ class Teller {
                    !meets              ? "the " + noun(s_) + " misses the wall"
                    : s_.truth.coplanar ? "the " + noun(s_) + " lies in the wall"
                                        : "the " + noun(s_) + " meets the wall at *t* = " + shown(*s_.truth.t));
-    Step& step = add("verdict", "Does it count?", 4, verdict_caption());
-    if (s_.truth.line) {
-      const bool below = *s_.truth.line < s_.ray.range.lo;
-      const double end = below ? s_.ray.range.lo : s_.ray.range.hi;
-      if (std::isfinite(end))
-        Script::decide(step, {below ? "*t*_{min} ≤ *t*" : "*t* ≤ *t*_{max}", below ? end : *s_.truth.line,
-                              below ? *s_.truth.line : end, meets, meets ? "in the range" : "outside the range"});
-    }
-    step.question = {"Does the " + noun(s_) + " meet the wall?",
-                     {"yes", "no"},
-                     meets ? 0 : 1,
-                     meets ? "Its *t* lies in the range." : "No *t* of the range reaches the wall."};
+    const bool divided = s_.truth.line.has_value();
+    const int line = !divided ? 3 : meets ? 6 : 5;
+    if (divided && meets) script_.refuse(5, {});
+    Step& step = add("verdict", "Does it count?", line, verdict_caption());
+    if (!divided) return;
+    const double t = *s_.truth.line;
+    const bool below = t < s_.ray.range.lo || !std::isfinite(s_.ray.range.hi);
+    const double end = below ? s_.ray.range.lo : s_.ray.range.hi;
+    const bool holds = below ? end <= t : t <= end;
+    if (std::isfinite(end) && holds == meets)  // else rounding hides the difference
+      Script::decide(step, {below ? "*t*_{min} ≤ *t*" : "*t* ≤ *t*_{max}", below ? end : t, below ? t : end, meets,
+                            meets ? "in the range" : "outside the range"});
+    step.question =
+        which_line(pseudocode_, line, {5, 6}, meets ? "Its *t* lies in the range." : "Its *t* lies outside the range.");
   }
 
   std::string verdict_caption() const {
-    if (!s_.truth.line) return "A parallel ray meets the wall everywhere or nowhere.";
+    if (!s_.truth.line)
+      return s_.truth.coplanar ? "**o** lies in the wall, and so does the whole " + noun(s_) + "."
+                               : "**o** does not lie in the wall, so no point of the line does.";
     const double t = *s_.truth.line;
     std::string text;
     if (!s_.truth.meets)
-      text = t < 0 ? "*t* < 0: the wall lies behind **o**. The line meets it, the " + noun(s_) + " does not."
-                   : "*t* > 1: the segment ends before the wall. Its line goes on, and meets it.";
+      text = t < s_.ray.range.lo || s_.extent != "segment"
+                 ? "*t* < 0: the wall lies behind **o**. The line meets it, the " + noun(s_) + " does not."
+                 : "*t* > *t*_{max}: the segment ends before the wall. Its line goes on, and meets it.";
     else if (t == s_.ray.range.hi)
       text = "The segment ends exactly in the wall. Its end belongs to it, so they meet.";
+    else if (s_.truth.t && s_.wall == s_.o.x())
+      text = "**o** lies in the wall. The range is closed, so *t* = 0 counts.";
     else
       text = t < 0 ? "*t* < 0, and still it counts: a line has every *t*."
                    : "*t* lies in the range, so **r**(*t*) is a common point.";
@@ -191,6 +220,7 @@ class Teller {
   }
 
   const Setup& s_;
+  const std::vector<std::string> pseudocode_;
   Script script_;
   Shown known_;
 };

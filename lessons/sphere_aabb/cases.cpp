@@ -1,5 +1,8 @@
 // All cases of a ball beside a box: the centre's plane, with the box's nearest feature.
 
+#include <array>
+#include <limits>
+
 #include "lessons/sphere_aabb/picture.h"
 
 namespace isect::lessons::sphere_aabb_lesson {
@@ -24,12 +27,13 @@ int branch(const Parameters& p) {
     case Relation::overlapping:
       break;
   }
-  return std::array{within, face, edge, corner}[s.gaps()];
+  return std::array{within, face, edge, corner}[s.feature()];
 }
 
-/// From the middle of the box to the centre of the ball.
+/// From the middle of the box to the centre of the ball; an empty box has no middle.
 Vec2 place(const Parameters& p) {
   const Setup s = setup(p);
+  if (empty(s.box)) return Vec2::Constant(std::numeric_limits<double>::quiet_NaN());
   return (s.ball.center - (s.box.lo + s.box.hi) / 2).head<2>();
 }
 Parameters moved(const Parameters& p, const Vec2& to) {
@@ -48,13 +52,14 @@ const CaseMap& cases() {
       "*y* from the middle of the box to **c**",
       {-4, -2.5},
       {4, 2.5},
-      {"disjoint", "face", "edge", "corner", "grown box only", "**c** inside", "ball inside", "box inside", "touching"},
+      {"disjoint", "face", "edge", "corner", "expanded box only", "**c** inside", "ball inside", "box inside",
+       "touching"},
       branch,
       place,
       moved,
       "The centre moves over *x* and *y*; its *z* and the radius stay.\n"
-      "Face, edge, corner: where the nearest point lies. A box grown by *r* has square "
-      "corners, and holds too much."};
+      "Face, edge, corner: where the box's point nearest to **c** lies. The expanded box has square corners, and holds "
+      "too much."};
   return map;
 }
 

@@ -26,7 +26,7 @@ std::vector<Opinion> opinions(const Parameters& p) {
   add("accumulated, strict (the note)", sphere_aabb::accumulate(s.ball, s.box));
   add("with early rejections", sphere_aabb::with_rejections(s.ball, s.box));
   add("clamped centre", sphere_aabb::clamped(s.ball, s.box));
-  add("centre in the box grown by *r*", s.in_grown);
+  add("centre in the box expanded by *r*", s.in_grown);
   return all.take();
 }
 
@@ -41,7 +41,7 @@ const Lesson& sphere_aabb() {
       .id = "sphere-aabb",
       .title = "Sphere and box",
       .rows = "N15",
-      .summary = "Whether a ball meets an axis-aligned box: the squared distance, gathered axis by axis.",
+      .summary = "Whether a ball meets an axis-aligned box: the squared distance, summed axis by axis.",
       .parameters = {vector("c", "**c**", "Centre of the ball, in world units.", Vec3(0.75, 1.375, -1.375)),
                      {"r", "*r*", "Radius of the ball, in world units.", 1.5, 0, 1e6, 0.1, 4},
                      vector("b_min", "b_{min}", "Lower corner of the box, in world units.", Vec3(-1.5, -0.75, -0.75)),
@@ -62,6 +62,12 @@ const Lesson& sphere_aabb() {
       .steps = walk,
       .opinions = opinions,
       .map = &cases(),
+      .opening = opening(),
+      .closing = &closing(),
+      .errata = {{"if d² < r²: return OVERLAP", "if d² ≤ r²: return OVERLAP",
+                  "A ball that touches the box shares a point with it; closed sets include their boundary.",
+                  "touching-face"}},
+      .after = {"relations", "aabb-aabb"},
   };
   return lesson;
 }

@@ -112,6 +112,12 @@ void distance(Scene& scene, const Setup& s) {
 
 int Setup::gaps() const { return static_cast<int>((ball.center.array() != nearest().array()).count()); }
 
+int Setup::feature() const {
+  if (gaps() == 0) return 0;
+  const Vec3 p = nearest();
+  return static_cast<int>((p.array() == box.lo.array() || p.array() == box.hi.array()).count());
+}
+
 Setup setup(const Parameters& p) {
   const auto vector = [&](const char* name) { return std::get<Vec3>(p.at(name)); };
   Setup s = {{vector("c"), std::get<double>(p.at("r"))}, {vector("b_min"), vector("b_max")}, {}, false};

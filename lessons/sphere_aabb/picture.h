@@ -13,8 +13,10 @@ struct Setup {
   bool in_grown;  ///< the box, grown by r on every side, holds the centre
 
   viz::Vec3 nearest() const { return sphere_aabb::nearest<3>(ball.center, box); }
-  /// On how many axes the centre lies beside the box's interval: 0 in the box, 1 before a face, 2 an edge, 3 a corner.
+  /// On how many axes the centre lies beside the box's interval.
   int gaps() const;
+  /// Where the nearest point lies: 0 at the centre itself, 1 in a face, 2 on an edge, 3 at a corner.
+  int feature() const;
 };
 Setup setup(const viz::Parameters&);
 
@@ -29,5 +31,9 @@ viz::Scene picture(const Setup&, const Shown&);
 
 /// The centre's plane, *z* as it is. (cases.cpp)
 const viz::CaseMap& cases();
+
+/// What is told before the first step, and after the last one. (closing.cpp)
+const std::string& opening();
+const viz::Closing& closing();
 
 }  // namespace isect::lessons::sphere_aabb_lesson

@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include <isect/sphere_aabb_methods.h>
+#include "lessons/shared/questions.h"
 #include "lessons/shared/relation.h"
 #include "lessons/shared/script.h"
 
@@ -22,20 +26,21 @@ const std::vector<std::string> pseudocode = {
 };
 
 const char* const places[] = {"is the centre itself", "lies in a face", "lies on an edge", "is a corner"};
+
 class Teller {
  public:
   explicit Teller(const Setup& setup)
       : s_(setup),
-        script_({"Note, N15; Arvo, Graphics Gems (1990)",
-                 fmt::format("A ball and an axis-aligned box: {}. The box's point nearest to the centre {}.",
-                             in_words(s_.truth), places[s_.gaps()]),
+        script_({"Lecture note Intersection Detection, sphere and box; Arvo, Graphics Gems (1990)",
+                 fmt::format("A ball and an axis-aligned box: {}.", in_words(s_.truth)) +
+                     (empty(s_.box) ? "" : fmt::format(" The box's point nearest to the centre {}.", place())),
                  pseudocode}) {}
 
   Walk tell() {
     script_.tell<sphere_aabb::Event<C>>(
         [&](auto& record) { sphere_aabb::accumulate(cast<C>(s_.ball), cast<C>(s_.box), record); },
         [&](const auto& event) { say(event); });
-    if (s_.truth == Relation::disjoint && s_.in_grown) grown();
+    if (s_.truth == Relation::disjoint && s_.in_grown) expanded();
     return std::move(script_.walk());
   }
 
@@ -57,27 +62,31 @@ class Teller {
     const std::string formula = "*d*^2 = " + (e.axis == 0 ? std::string() : shown(before) + " + ") + "(" + shown(gap) +
                                 ")^2 = " + shown(distance2_);
     const int line = gap == 0 ? 0 : e.center.value < e.interval.lo.value ? 1 : 2;
-    Step& step = add("axis-" + letter, "How far on " + axis + "?", line, axis_caption(e.axis, line, gap, before),
+    Step& step = add("axis-" + letter, "How far on " + axis + "?", line, axis_caption(e.axis, line, before),
                      e.axis == 0 && gap == 0 ? "*d*^2 = 0" : formula);
-    step.question = {"What does " + axis + " add to the squared distance?",
-                     {"nothing", "a square greater than 0"},
-                     gap == 0 ? 0 : 1,
-                     gap == 0 ? "The box's interval holds the coordinate of **c**."
-                              : "**c** lies beside the box's interval, so the gap counts."};
+    // The gap itself: that distances, not squares, add up. The rest: that the far side or the middle counts.
+    const Interval<double> i = {e.interval.lo.value, e.interval.hi.value};
+    const double c = e.center.value, middle = c - (i.lo + i.hi) / 2, far = std::max(c - i.lo, i.hi - c);
+    step.question =
+        which_value("What does " + axis + " add to *d*^2?", gap * gap, {std::abs(gap), middle * middle, far * far},
+                    gap == 0 ? "The box's interval holds the coordinate of **c**: nothing is added."
+                             : "The square of the gap between **c** and the nearer end.");
     shown_.current = false;
   }
 
   /// `before`: the sum of the earlier axes.
-  static std::string axis_caption(int number, int line, double gap, double before) {
+  static std::string axis_caption(int number, int line, double before) {
     const std::string axis = std::string("*") + "xyz"[number] + "*";
     std::string text;
-    if (number == 0) text = "The ball meets the box exactly if it holds the box's point nearest to its centre **c**.\n";
+    if (number == 0)
+      text =
+          "The ball meets the box if and only if it contains the box point closest to **c**: **c** clamped to the "
+          "box.\n";
     if (line == 0)
       return text + "The box's interval on " + axis +
              " holds the coordinate of **c**. The nearest point has the same one.";
-    text += fmt::format("**c** lies {} on {}. The nearest point has that end's coordinate, {} away.",
-                        line == 1 ? "below the interval's lower end" : "above the interval's upper end", axis,
-                        shown(std::abs(gap)));
+    text += fmt::format("**c** lies {} on {}. The nearest point has that end's coordinate.",
+                        line == 1 ? "below the interval's lower end" : "above the interval's upper end", axis);
     return before > 0 ? text + "\nThe legs are at right angles, so their squares add up." : text;
   }
 
@@ -90,69 +99,80 @@ class Teller {
     if (!near) script_.refuse(3, {});
     shown_.settled = true;
     Step& step =
-        add("relation", "Nearer than the radius?", near ? 3 : 4, reach_caption(d2, near) + "\n" + end_caption(),
+        add("relation", "Nearer than the radius?", near ? 3 : 4, reach_caption(near) + "\n" + end_caption(near),
             "*d*^2 = " + shown(d2) + sign + shown(r2) + " = *r*^2");
-    Script::decide(
-        step, {"*d*^2 < *r*^2", d2, r2, near, near ? "the nearest point lies in the ball" : "the note says: disjoint"});
+    Script::decide(step, {"*d*^2 < *r*^2", d2, r2, near, near ? "the note says: OVERLAP" : "the note says: DISJOINT"});
     step.question = relation_question(s_.truth, "the ball and the box", because());
     shown_.settled = false;
   }
   void say(const sphere_aabb::Decision&) {}  // of relate, which the lesson does not run
   void say(const Fallback&) {}
 
-  std::string reach_caption(double d2, bool near) const {
-    if (d2 == 0) return "**c** lies in the box, so its nearest point is **c** itself.";
+  const char* place() const { return places[s_.feature()]; }
+
+  std::string reach_caption(bool near) const {
+    if (empty(s_.box)) return "The box's corners are exchanged.";
+    if (s_.gaps() == 0) return "**c** lies in the box, so its nearest point is **c** itself.";
     const char* const legs[] = {"No leg", "One leg", "Two legs", "Three legs"};
-    const auto gaps = static_cast<std::size_t>(s_.gaps());
-    const char* const reach = near                             ? " The ball reaches further."
-                              : s_.truth == Relation::touching ? " The ball just reaches it."
-                                                               : " The ball does not reach it.";
-    return fmt::format("{}: the nearest point {}.", legs[gaps], places[gaps]) + reach;
+    const char* const reach = s_.truth == Relation::disjoint            ? " The ball does not reach it."
+                              : s_.truth == Relation::touching && !near ? " The ball just reaches it."
+                                                                        : " The ball reaches it.";
+    return fmt::format("{}: the nearest point {}.", legs[s_.gaps()], place()) + reach;
   }
 
   std::string because() const {
+    if (empty(s_.box)) return "An empty box has no point to share.";
     switch (s_.truth) {
       case Relation::disjoint:
         return "Even the box's nearest point lies outside the ball.";
       case Relation::touching:
-        return "*d* = *r*: the nearest point is the only common one.";
+        return "They share boundary points, but no interior point.";
       case Relation::a_inside_b:
         return "On every axis, both ends of the interval are at least *r* away from **c**.";
       case Relation::b_inside_a:
         return "Even the farthest corner lies in the ball.";
-      default:
-        return "*d* < *r*, but the farthest corner lies outside the ball, and some face lies nearer than "
-               "*r*.";
+      case Relation::equal:
+        return "Both are one point, and the same one.";
+      case Relation::overlapping:
+        break;
     }
+    return "*d* < *r*, but the farthest corner lies outside the ball, and some face lies nearer than *r*.";
   }
 
-  std::string end_caption() const {
-    if (empty(s_.box))
-      return "A box with exchanged corners has no point in it, so it meets nothing.\n"
-             "The note's comparisons do not see that.";
+  std::string end_caption(bool near) const {
+    if (empty(s_.box)) return "So it has no point in it, and meets nothing. The note's comparisons do not see that.";
+    const bool meets = s_.truth != Relation::disjoint;
+    if (meets && !near && s_.truth != Relation::touching)
+      return "The note's strict < calls this DISJOINT. With ≤ it would say OVERLAP, unless a square has been rounded.";
+    if (!meets && near) return "The note's comparison is wrong here: a square has been rounded.";
     switch (s_.truth) {
       case Relation::touching:
-        return "The note's strict < calls this DISJOINT, yet for boxes it calls touching OVERLAP.\n"
-               "Ours is one rule: sets are closed, so a common point is an intersection.";
+        return near ? "A box without thickness has no interior, so the two can only touch."
+                    : "The note's strict < calls this DISJOINT, yet for boxes it calls touching OVERLAP.\n"
+                      "Closed sets include their boundary, so the comparison must be *d*^2 ≤ *r*^2.";
       case Relation::disjoint:
         return "Both sides are squares, so no root is needed.";
       case Relation::a_inside_b:
-        return "OVERLAP does not say that the box holds the ball. That takes a second test: *r* against the "
+        return "OVERLAP does not say that the box contains the ball. That takes a second test: *r* against the "
                "distance to each face.";
       case Relation::b_inside_a:
-        return "OVERLAP does not say that the ball holds the box. That takes a second test: the farthest "
+        return "OVERLAP does not say that the ball contains the box. That takes a second test: the farthest "
                "corner instead of the nearest point.";
-      default:
-        return "Green is the part of the box's surface that lies in the ball.";
+      case Relation::equal:
+        return "Both are the same point.";
+      case Relation::overlapping:
+        break;
     }
+    return "Green is the part of the box's surface that lies in the ball.";
   }
 
   /// The tempting shortcut, where it is wrong.
-  void grown() {
+  void expanded() {
     shown_.grown = true;
-    add("grown", "Why not grow the box by *r*?", -1,
-        "The box grown by *r* on every side (dashed) holds **c**. That shortcut says: hit.\n"
-        "Near edges and corners the right set is rounded: a ball of radius *r* around the nearest point.");
+    add("grown", "Why not expand the box by *r*?", 4,
+        "The box expanded by *r* on every side (dashed) contains **c**, so that shortcut says: hit.\n"
+        "The right set of centres is the Minkowski sum of box and ball: the expanded box with rounded edges and "
+        "corners.");
   }
 
   const Setup s_;

@@ -1,0 +1,64 @@
+// What a reader takes along from two oriented boxes, and what there is to do.
+
+#include "lessons/obb_obb/picture.h"
+
+namespace isect::lessons::obb_obb_lesson {
+
+using namespace viz;
+
+namespace {
+
+bool b_lies_inside(const Parameters& p) { return setup(p).truth == Relation::b_inside_a; }
+bool only_edges_separate(const Parameters& p) { return cases().branches[cases().branch(p)] == "edge × edge"; }
+
+}  // namespace
+
+const std::string& opening() {
+  static const std::string text =
+      "Do two oriented boxes meet? They fit long bodies askew far better than axis-aligned ones.\n"
+      "Each has a centre, three half-lengths and a right-handed frame of unit axes.\n"
+      "Compact convex sets are disjoint if and only if their projections on some axis are.";
+  return text;
+}
+
+const Closing& closing() {
+  static const Closing closing = {
+      .result =
+          "Two oriented boxes are disjoint if and only if |**l** · **t**| > *r*_a + *r*_b on one of 15 axes. "
+          "Each *r* is the sum of *h*_j |**e**_j · **l**| over the box's axes **e**_j.",
+      .cost = "Up to 15 axes, about 200 operations. Pairs far apart are mostly rejected by the first axes.",
+      .choose = "For long bodies askew, after a cheaper test of balls or AABBs. For general polytopes take GJK.",
+      .used = "Rigid bodies in physics engines, OBB trees of meshes, picking handles in editors, vehicles in games.",
+      .bug =
+          "An absolute ε. Without it, parallel edges give false gaps; with a coarse one, thin boxes give false "
+          "hits.",
+      .bug_preset = "slender",
+      .reading = {"Stefan Gottschalk, Ming Lin and Dinesh Manocha, OBBTree: a hierarchical structure for rapid "
+                  "interference detection, SIGGRAPH, 1996.",
+                  "Christer Ericson, *Real-Time Collision Detection*, 2005, section 4.4: oriented bounding boxes.",
+                  "Lecture note *Intersection Detection*, oriented boxes."},
+      .exercises = {
+          {"Shrink b until it lies inside a.",
+           "Halve its half-lengths, and bring its centre into a.",
+           "overlapping",
+           b_lies_inside,
+           {{"b", "-1.25,0,0"}, {"b_half", "0.5,0.25,0.25"}}},
+          {"Move b until only a cross product of edges separates the boxes.",
+           "Let the boxes pass each other edge against edge, as two sticks held crosswise.",
+           "normal-of-b",
+           only_edges_separate,
+           {{"b_u", "-1,0.25,0"}, {"b_v", "-1,-0.75,1"}}},
+          {"Half-lengths (2, 1, 0.5), axes *x*, *y*, *z*. How far does the box reach along **l** = (0.6, −0.8, 0)?",
+           "2 · 0.6 + 1 · 0.8 + 0.5 · 0 = 2. The signs do not matter, as the farthest corner takes each sign as "
+           "needed."},
+          {"How many axes do two rectangles in the plane take? And two boxes with a common face direction?",
+           "Rectangles: 4 normals, no cross products. With one common direction, the remaining candidates are 5: that "
+           "direction and 4 in the plane."},
+          {"Why are the cross products needed, if no face has such a normal?",
+           "The Minkowski difference of the boxes has faces that two edges span. Their normals are the cross "
+           "products."},
+      }};
+  return closing;
+}
+
+}  // namespace isect::lessons::obb_obb_lesson

@@ -1,0 +1,68 @@
+// What a reader takes along from a ball and a box, and what there is to do.
+
+#include "lessons/sphere_aabb/picture.h"
+
+namespace isect::lessons::sphere_aabb_lesson {
+
+using namespace viz;
+
+namespace {
+
+bool touches_a_corner(const Parameters& p) {
+  const Setup s = setup(p);
+  return s.truth == Relation::touching && s.feature() == 3;
+}
+bool shortcut_errs(const Parameters& p) {
+  const Setup s = setup(p);
+  return s.truth == Relation::disjoint && s.in_grown;
+}
+
+}  // namespace
+
+const std::string& opening() {
+  static const std::string text =
+      "Does a ball meet an axis-aligned box? Lights against tiles, blasts against buildings, spheres against nodes of "
+      "a "
+      "hierarchy ask this.\n"
+      "Clamp the centre to the box, axis by axis: that is the nearest point. Its squared distance decides.";
+  return text;
+}
+
+const Closing& closing() {
+  static const Closing closing = {
+      .result =
+          "The ball meets the box if and only if |**c** − **p**|^2 ≤ *r*^2, where **p** is **c** clamped to the box.",
+      .cost = "At most six comparisons, four products and six sums, and one comparison with *r*^2. No root.",
+      .choose =
+          "Clamping has no branch and suits SIMD. Early rejections pay where most balls are far away on one axis.",
+      .used =
+          "Light culling in tiles and clusters, blasts and triggers in games, hierarchies asked for neighbours in a "
+          "radius.",
+      .bug =
+          "The box expanded by *r*. Its corners are square where those of the Minkowski sum are round: false "
+          "positives.",
+      .bug_preset = "corner-miss",
+      .reading =
+          {"Lecture note *Intersection Detection*, sphere and box.",
+           "James Arvo, A simple method for box-sphere intersection testing, *Graphics Gems*, 1990.",
+           "Christer Ericson, *Real-Time Collision Detection*, 2005, section 5.2.5: testing sphere against AABB."},
+      .exercises = {
+          {"Find a ball that the expanded box accepts, and the exact test rejects.",
+           "Bring **c** near a corner: within *r* on each axis, and farther than *r* in all.",
+           "corner",
+           shortcut_errs,
+           {{"c", "1.25,2,-2"}}},
+          {"Let the ball just touch a corner of the box.",
+           "With gaps 2, 3 and 6 in any unit the distance is 7. So choose gaps 0.25, 0.375, 0.75 and *r* = 0.875.",
+           "corner",
+           touches_a_corner,
+           {{"c", "0.25,1.125,-1.5"}, {"r", "0.875"}}},
+          {"Box from (0, 0, 0) to (4, 2, 2), ball at (6, 1, 4), *r* = 3. Which point is nearest, and do they meet?",
+           "Clamped: (4, 1, 2). The squared distance is 4 + 0 + 4 = 8 ≤ 9, so they meet. It lies on an edge."},
+          {"How much larger is the expanded box than the Minkowski sum, at one corner?",
+           "A cube *r*^3 instead of an eighth of a ball: *r*^3 (1 − π/6), about half of the cube."},
+      }};
+  return closing;
+}
+
+}  // namespace isect::lessons::sphere_aabb_lesson
