@@ -1,0 +1,191 @@
+// What the lessons of two shapes say, on settings that nobody chose: the verdict in words, the lines and the counts are
+// those of oracles that look at points or compute in rationals.
+
+#include <map>
+#include <set>
+
+#include <isect/aabb_aabb.h>
+#include "bench/aabb_aabb/oracle.h"
+#include "bench/capsule_capsule/oracle.h"
+#include "bench/obb_obb/oracle.h"
+#include "bench/sphere_aabb/oracle.h"
+#include "bench/sphere_sphere/oracle.h"
+#include "lessons/lessons.h"
+#include "lessons/obb_obb/picture.h"
+#include "lessons/relations/telling.h"
+#include "lessons/shared/relation.h"
+#include "tests/catch.h"
+#include "tests/lessons/random_settings.h"
+#include "tests/settings.h"
+#include "viz/closing.h"
+#include "viz/place.h"
+
+namespace pairs_words_test {
+using namespace isect;
+using namespace isect::viz;
+
+namespace {
+
+double number(const Parameters& p, const char* name) { return std::get<double>(p.at(name)); }
+Vec3 vector(const Parameters& p, const char* name) { return std::get<Vec3>(p.at(name)); }
+
+/// Runs `check(walk, last, setting)` on random settings of a lesson; `last` is the step that tells the outcome.
+template <class Check>
+void on_random_settings(const std::string& id, int few, const Check& check) {
+  const Lesson& lesson = lesson_named(lessons::all_lessons(), id);
+  bench::Random random(bench::stream(tests::seed(), id.c_str()));
+  for (int i = 0; i < tests::cases(few, 10 * few); ++i) {
+    const Parameters p = tests::random_setting(lesson, random);
+    INFO(id << ", seed " << tests::seed() << ", case " << i);
+    const Walk walk = lesson.walk(p);
+    check(walk, walk.steps[outcome(walk)], p);
+  }
+}
+
+/// The answer that a question accepts.
+std::string answer(const Step& step) {
+  return step.question->choices.at(static_cast<std::size_t>(step.question->answer));
+}
+
+/// What the question "How do they lie?" accepts.
+std::string in_choices(Relation r) {
+  switch (r) {
+    case Relation::a_inside_b:
+    case Relation::b_inside_a:
+      return "one inside the other";
+    case Relation::equal:
+      return "as the same set";
+    default:
+      return lessons::relation_name(r);
+  }
+}
+
+bool says(const std::string& text, const char* words) { return text.find(words) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("what the interval lesson says is true of any two intervals, empty ones too", "[pair words]") {
+  on_random_settings("intervals", 1000, [](const Walk& walk, const Step& last, const Parameters& p) {
+    using Line = Aabb<double, 1>;
+    const auto line = [](double lo, double hi) { return Line{Vector<double, 1>(lo), Vector<double, 1>(hi)}; };
+    const double a_min = number(p, "a_min"), a_max = number(p, "a_max"), b_min = number(p, "b_min"),
+                 b_max = number(p, "b_max");
+    const Relation truth = oracle::by_points(line(a_min, a_max), line(b_min, b_max));
+    const bool points = a_min == a_max && b_min == b_max, reversed = a_min > a_max || b_min > b_max;
+    CHECK(last.verdict.text == lessons::words(truth, points ? "the points" : "the intervals"));
+    CHECK(answer(last) == in_choices(truth));
+    CHECK(last.line == (a_min > b_max ? 1 : b_min > a_max ? 3 : 4));
+    CHECK(says(last.caption, "exchanged ends") == reversed);
+    CHECK(last.formula.starts_with("common") == (!reversed && truth != Relation::disjoint));
+    CHECK(last.formula.starts_with("gap") == (!reversed && truth == Relation::disjoint));
+    for (const Step& step : walk.steps)
+      if (says(step.caption, "a common number")) CHECK(truth != Relation::disjoint);
+  });
+}
+
+TEST_CASE("what the box lesson says is true of any two boxes, empty ones too", "[pair words]") {
+  on_random_settings("aabb-aabb", 1000, [](const Walk&, const Step& last, const Parameters& p) {
+    const Aabb<double, 3> a = {vector(p, "a_min"), vector(p, "a_max")}, b = {vector(p, "b_min"), vector(p, "b_max")};
+    const Relation truth = oracle::by_points(a, b);
+    CHECK(last.verdict.text == lessons::words(truth, "the boxes"));
+    CHECK(answer(last) == in_choices(truth));
+    const bool note_finds_a_gap = (a.lo.array() > b.hi.array()).any() || (b.lo.array() > a.hi.array()).any();
+    CHECK(last.line == (note_finds_a_gap ? 2 : 3));
+    CHECK(last.formula.starts_with("b ⊆ a") == (truth == Relation::b_inside_a));
+    CHECK(last.formula.starts_with("a ⊆ b") == (truth == Relation::a_inside_b));
+  });
+}
+
+TEST_CASE("what the sphere-and-box lesson says is true of any ball and box", "[pair words]") {
+  on_random_settings("sphere-aabb", 1000, [](const Walk& walk, const Step& last, const Parameters& p) {
+    const Sphere<double, 3> ball = {vector(p, "c"), number(p, "r")};
+    const Aabb<double, 3> box = {vector(p, "b_min"), vector(p, "b_max")};
+    const Relation truth = oracle::relation(ball, box);
+    CHECK(last.verdict.kind == lessons::verdict_kind(truth));
+    if ((box.lo.array() > box.hi.array()).any()) {
+      CHECK(says(walk.steps[3].caption, "exchanged"));
+      return;
+    }
+
+    const Step& end = walk.steps[3];
+    CHECK(answer(end) == in_choices(truth));
+    CHECK(says(end.caption, "does not reach") == (truth == Relation::disjoint));
+    const Vec3 nearest = ball.center.cwiseMax(box.lo).cwiseMin(box.hi);
+    const auto sides = (nearest.array() == box.lo.array() || nearest.array() == box.hi.array()).count();
+    const char* const places[] = {"", "lies in a face", "lies on an edge", "is a corner"};
+    if (nearest != ball.center) CHECK(says(end.caption, places[sides]));
+    if (nearest == ball.center) CHECK(says(end.caption, "**c** itself"));
+    const Vec3 reach = Vec3::Constant(ball.radius);
+    const bool expanded_holds = (ball.center.array() >= (box.lo - reach).array()).all() &&
+                                (ball.center.array() <= (box.hi + reach).array()).all();
+    CHECK((last.slug == "grown") == (truth == Relation::disjoint && expanded_holds));
+  });
+}
+
+TEST_CASE("what the oriented-box lesson says is true of any two boxes, with any epsilon", "[pair words]") {
+  on_random_settings("obb-obb", 300, [](const Walk& walk, const Step& last, const Parameters& p) {
+    const auto setup = lessons::obb_obb_lesson::setup(p);
+    const oracle::obb::Exactly<3> a(setup.a), b(setup.b);
+    const Relation truth = oracle::obb::by_projection(a, b);
+    CHECK(last.verdict.text == lessons::words(truth, "the boxes"));
+    CHECK(answer(last) == in_choices(truth));
+    const bool meet = truth != Relation::disjoint, overlap = last.line == 7;
+    CHECK(says(last.caption, "wrong here") == (meet != overlap));
+    if (truth == Relation::b_inside_a && overlap) CHECK(says(last.caption, "*r*_b ≤ *r*_a for those of a"));
+    if (truth == Relation::a_inside_b && overlap) CHECK(says(last.caption, "*r*_a ≤ *r*_b for those of b"));
+    for (const Step& step : walk.steps)
+      if (says(step.caption, "there is a gap between the two projections")) CHECK_FALSE(meet);
+  });
+}
+
+TEST_CASE("what the capsule lesson says at the end is true of any two capsules", "[pair words]") {
+  on_random_settings("capsule-capsule", 300, [](const Walk& walk, const Step& last, const Parameters& p) {
+    const auto capsule = [&](const char* from, const char* to, const char* radius) {
+      return Capsule<double, 2>{vector(p, from).head<2>(), vector(p, to).head<2>(), number(p, radius)};
+    };
+    const Capsule<double, 2> a = capsule("p_a", "q_a", "r_a"), b = capsule("p_b", "q_b", "r_b");
+    const Relation truth = oracle::relation(a, b);
+    CHECK(last.verdict.text == lessons::words(truth, "the capsules"));
+    CHECK(answer(last) == in_choices(truth));
+    CHECK(last.line == (truth == Relation::disjoint                                     ? 4
+                        : truth == Relation::touching || truth == Relation::overlapping ? 6
+                                                                                        : 5));
+    for (const Step& step : walk.steps)
+      if (step.slug == "crossing") CHECK((answer(step) == "2") == (step.formula == "*d* = 0"));
+  });
+}
+
+TEST_CASE("what the lesson of relations says is true of any pair of any kind", "[pair words]") {
+  using namespace lessons::relations_lesson;
+  on_random_settings("relations", 1000, [](const Walk& walk, const Step& last, const Parameters& p) {
+    const Kind* const kind = kind_of(p);
+    if (!kind) {
+      std::set<Relation> found;
+      for (const Kind k : kinds) found.insert(Pair(k, pose(p)).truth);
+      CHECK(answer(walk.steps.front()) == std::to_string(found.size()));
+      return;
+    }
+    const Pair pair(*kind, pose(p));
+    Relation truth = pair.truth;
+    if (const auto* box = std::get_if<Aabb<double, 3>>(&pair.a))
+      truth = oracle::by_points(*box, std::get<Aabb<double, 3>>(pair.b));
+    if (const auto* ball = std::get_if<Sphere<double, 3>>(&pair.a))
+      truth = oracle::relation(*ball, std::get<Sphere<double, 3>>(pair.b));
+    CHECK(last.verdict.text == lessons::words(truth, they(*kind)));
+    const std::map<Relation, int> lines = {{Relation::disjoint, 0},   {Relation::equal, 1},
+                                           {Relation::a_inside_b, 2}, {Relation::b_inside_a, 3},
+                                           {Relation::touching, 4},   {Relation::overlapping, 5}};
+    CHECK(last.line == lines.at(truth));
+    CHECK(answer(walk.steps[1]) == (truth == Relation::disjoint ? "1" : "5"));
+    if (const auto* ball = std::get_if<Sphere<double, 3>>(&pair.a)) {
+      const auto& other = std::get<Sphere<double, 3>>(pair.b);
+      const oracle::Rational rest = oracle::Rational(ball->radius) - oracle::Rational(other.radius);
+      using oracle::operator-;
+      const auto l = oracle::rational<double, 3>(ball->center) - oracle::rational<double, 3>(other.center);
+      const bool inside = truth == Relation::a_inside_b || truth == Relation::b_inside_a;
+      CHECK(says(last.caption, "touch from inside") == (inside && oracle::dot(l, l) == rest * rest));
+    }
+  });
+}
+
+}  // namespace pairs_words_test
