@@ -9,6 +9,7 @@
 
 #include "app/program.h"
 #include "app/terminal.h"
+#include "lessons/glossary.h"
 #include "viz/place.h"
 #include "viz/rich_text.h"
 
@@ -33,14 +34,18 @@ std::string preset_lines(const viz::Lesson& lesson) {
 }
 
 std::string heading(const viz::Lesson& lesson) {
-  return fmt::format("{}  {} ({})", inked(Ink::bold, lesson.id), lesson.title, lesson.rows);
+  return fmt::format("{}  {}", inked(Ink::bold, lesson.id), lesson.title);
+}
+
+std::string builds_on(const viz::Lesson& lesson) {
+  return lesson.after.empty() ? "" : wrapped(fmt::format("after: {}", fmt::join(lesson.after, ", ")), line_width, 2);
 }
 
 std::string text(const std::vector<const viz::Lesson*>& lessons) {
   std::string out;
   for (const viz::Lesson* lesson : lessons)
     out += fmt::format("{}, {} presets\n", heading(*lesson), lesson->presets.size()) +
-           wrapped(lesson->summary, line_width, 2) + preset_lines(*lesson);
+           wrapped(lesson->summary, line_width, 2) + builds_on(*lesson) + preset_lines(*lesson);
   return out;
 }
 
@@ -69,7 +74,7 @@ std::string told(const viz::Lesson& lesson, const viz::Parameter& p) {
 }
 
 std::string text(const viz::Lesson& lesson) {
-  std::string out = heading(lesson) + "\n" + wrapped(lesson.summary, line_width, 2);
+  std::string out = heading(lesson) + "\n" + wrapped(lesson.summary, line_width, 2) + builds_on(lesson);
   std::size_t widest = 0;
   for (const viz::Parameter& p : lesson.parameters) widest = std::max(widest, length(p.name));
   out += "\n  Parameters (--set NAME=VALUE); the defaults are those of the first preset:\n";
@@ -96,7 +101,11 @@ Json json(const viz::Lesson& lesson, const viz::Parameter& p) {
 }
 
 Json json(const viz::Lesson& lesson, bool with_steps) {
-  Json object = {{"id", lesson.id}, {"title", lesson.title}, {"rows", lesson.rows}, {"summary", lesson.summary}};
+  Json object = {{"id", lesson.id},
+                 {"title", lesson.title},
+                 {"rows", lesson.rows},
+                 {"summary", lesson.summary},
+                 {"after", lesson.after}};
   object["parameters"] = Json::array();
   for (const viz::Parameter& p : lesson.parameters) object["parameters"].push_back(json(lesson, p));
   object["presets"] = Json::array();
@@ -122,10 +131,23 @@ int list_one(const viz::Lesson& lesson, bool as_json) {
   return done;
 }
 
+int list_terms(bool as_json) {
+  Json all = Json::array();
+  std::string out;
+  for (const lessons::Term& t : lessons::glossary()) {
+    all.push_back({{"term", t.name}, {"meaning", viz::plain(t.meaning)}, {"lesson", t.lesson}});
+    out += inked(Ink::bold, t.name) + "\n" +
+           wrapped(fmt::format("{} ({})", viz::plain(t.meaning), t.lesson), line_width, 2);
+  }
+  print(as_json ? all.dump(2) + "\n" : out);
+  return done;
+}
+
 }  // namespace
 
 void add_list(CLI::App& app, Program& program) {
-  CLI::App& sub = *app.add_subcommand("list", "the lessons and their presets; of one: parameters and steps");
+  CLI::App& sub = *app.add_subcommand(
+      "list", "the lessons in the order of the course, and their presets;\nof one: parameters and steps");
   const auto lesson = std::make_shared<std::string>();
   const auto as_json = std::make_shared<bool>(false);
   if (!program.only)
@@ -133,11 +155,14 @@ void add_list(CLI::App& app, Program& program) {
                    "tell of this one its parameters (range, unit, default,\nchoices) and how many steps each "
                    "preset has")
         ->type_name("");
+  const auto terms = std::make_shared<bool>(false);
+  sub.add_flag("--glossary", *terms, "the terms of the course instead, each with its lesson");
   sub.add_flag("--json", *as_json, "for programs: also parameters; of one lesson also the steps");
   sub.footer(program.only ? "Example: " + program.name + " list --json"
                           : "Examples: isect list\n          isect list ray-sphere");
-  sub.callback([&program, lesson, as_json] {
-    program.chosen = [&program, lesson, as_json] {
+  sub.callback([&program, lesson, as_json, terms] {
+    program.chosen = [&program, lesson, as_json, terms] {
+      if (*terms) return list_terms(*as_json);
       if (program.only) return list_one(*program.only, *as_json);
       if (lesson->empty()) return list_all(program.lessons, *as_json);
       return list_one(viz::lesson_named(program.lessons, *lesson), *as_json);

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -103,6 +104,15 @@ void Progress::done(const std::string& what) {
 
 std::size_t length(const std::string& text) {
   return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+std::size_t columns() {
+  long wide = 0;
+  if (const char* set = std::getenv("COLUMNS")) wide = std::strtol(set, nullptr, 10);
+  winsize window{};
+  if (wide <= 0 && ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &window) == 0) wide = window.ws_col;
+  if (wide <= 0) wide = 80;
+  return static_cast<std::size_t>(std::clamp(wide, 40L, 1000L));
 }
 
 std::string wrapped(const std::string& text, std::size_t width, std::size_t indent) {

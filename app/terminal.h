@@ -43,6 +43,8 @@ class Progress {
 /// `text` broken into lines of at most `width` characters, each after `indent` spaces; '\n' separates
 /// paragraphs.
 std::string wrapped(const std::string& text, std::size_t width, std::size_t indent);
+/// How wide a line of stdout may be: COLUMNS if it is set, else the terminal's width, else 80. At least 40.
+std::size_t columns();
 /// Characters, not bytes, of UTF-8 text.
 std::size_t length(const std::string& text);
 

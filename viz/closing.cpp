@@ -1,5 +1,7 @@
 #include "viz/closing.h"
 
+#include <algorithm>
+
 #include "viz/case_map.h"
 
 namespace isect::viz {
@@ -11,9 +13,14 @@ int outcome(const Walk& walk) {
   return step;
 }
 
-Chart closing_card(const Closing& c) {
-  return {Card{
-      {{"Result", c.result}, {"Cost", c.cost}, {"Choose it", c.choose}, {"Used", c.used}, {"Typical bug", c.bug}}}};
+int line_of(const Erratum& e, const Walk& walk) {
+  const auto found = std::ranges::find_if(
+      walk.pseudocode, [&](const std::string& line) { return line == e.published || line == e.corrected; });
+  return found == walk.pseudocode.end() ? -1 : static_cast<int>(found - walk.pseudocode.begin());
+}
+
+std::vector<Card::Row> card_rows(const Closing& c) {
+  return {{"Result", c.result}, {"Cost", c.cost}, {"Choose it", c.choose}, {"Used", c.used}, {"Typical bug", c.bug}};
 }
 
 Step closing_step(const Closing& closing, const Step& before) {
@@ -27,7 +34,7 @@ Step closing_step(const Closing& closing, const Step& before) {
   step.comparison.reset(), step.question.reset();
   for (Value& value : step.values) value.fresh = false;
   step.scene = {};
-  step.scene.chart = DeferredChart([&closing] { return closing_card(closing); });
+  step.scene.chart = DeferredChart([&closing] { return Chart{Card{card_rows(closing)}}; });
   return step;
 }
 

@@ -12,7 +12,11 @@ inline constexpr const char* closing_slug = "closing";
 /// The last step that shows the scene itself: a map of cases and a closing card may follow it.
 int outcome(const Walk&);
 
-Chart closing_card(const Closing&);
+/// The line of the walk's pseudocode that an erratum speaks of, as published or as corrected; -1 if there is none.
+int line_of(const Erratum&, const Walk&);
+
+/// What the card says: a head and a text each.
+std::vector<Card::Row> card_rows(const Closing&);
 /// The step that shows the card; what `before` has told stays.
 Step closing_step(const Closing&, const Step& before);
 

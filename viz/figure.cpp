@@ -70,7 +70,8 @@ class Page {
     return box;
   }
 
-  /// The verdict with its sign before it: check, cross or diamond, so that colour never speaks alone.
+  /// The verdict with its sign before it: check, empty ring or diamond, so that colour never speaks alone. A cross
+  /// would say that something is wrong.
   void verdict(double baseline) {
     using Kind = Verdict::Kind;
     const Kind kind = step_.verdict.kind;
@@ -85,9 +86,7 @@ class Page {
                  s().marker_line,
                  {0, 0},
                  true});
-    if (kind == Kind::no)
-      for (const Vec2& d : {Vec2(a, a), Vec2(a, -a)})
-        add(Stroke{polyline({p - 0.8 * d, p + 0.8 * d}), theme_.ink(role), s().marker_line, {0, 0}, true});
+    if (kind == Kind::no) add(Stroke{circle(p, 0.9 * a), theme_.ink(role), s().marker_line, {0, 0}, false});
     if (kind == Kind::on) mark(out_->drawing.shapes, Mark::diamond, p, Role::highlight, theme_);
   }
 

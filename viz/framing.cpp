@@ -10,6 +10,9 @@
 namespace isect::viz {
 namespace {
 
+/// Of what a walk would take if it were framed alone: below this, one scale for all would leave it lost in its frame.
+constexpr double least_share = 0.75;
+
 /// The box of a scene's items along the axes of a view.
 class Extent {
  public:
@@ -88,7 +91,9 @@ Camera frame_alike(const Camera& camera, const Walk& walk, const std::vector<Wal
     return frame(camera, scenes, aspect);
   };
   Camera result = framed(walk);
+  const double largest = result.half_height / least_share;
   for (const Walk& other : all) result.half_height = std::max(result.half_height, framed(other).half_height);
+  result.half_height = std::min(result.half_height, largest);
   return result;
 }
 

@@ -1,8 +1,8 @@
 #include "viz/player.h"
 
 #include <algorithm>
-#include <climits>
 
+#include "viz/closing.h"
 #include "viz/compose.h"
 
 namespace isect::viz {
@@ -10,7 +10,6 @@ namespace {
 
 constexpr double seconds_a_step = 1.6;
 constexpr std::size_t memories_kept = 100;
-constexpr int the_last = INT_MAX;
 
 Walk walk_of(const Lesson& lesson, const Parameters& parameters) {
   validate(lesson, parameters);
@@ -79,12 +78,26 @@ void Player::all_or_nothing(const Action& action) {
   *this = std::move(next);
 }
 
+int Player::step_in(const Walk& walk, const State& state) {
+  if (state.outcome) return outcome(walk);
+  const auto same = std::ranges::find(walk.steps, state.slug, &Step::slug);
+  if (same != walk.steps.end()) return static_cast<int>(same - walk.steps.begin());
+  return std::min(state.wanted, outcome(walk));
+}
+
+void Player::choose(int step) {
+  state_.wanted = at_ = step;
+  state_.slug = walk().steps[step].slug;
+  state_.outcome = step == outcome(walk()) && step > 0;
+}
+
 /// The one way the state changes.
 void Player::show(State next, bool same_lesson) {
   const Lesson& lesson = *lessons_[next.lesson];
   walk_ = std::make_shared<const Walk>(walk_of(lesson, next.parameters));
-  if (!same_lesson) overview_ = overview_of(lesson, *walk_, next.parameters);
+  if (!same_lesson) overview_ = overview_of(lesson, *walk_, next.parameters), exercise_.reset();
   state_ = std::move(next);
+  at_ = step_in(*walk_, state_);
   opinions_ = lesson.opinions ? lesson.opinions(state_.parameters) : std::vector<Opinion>();
   preset_ = matching_preset(lesson, state_.parameters);
   asked_.clear();
@@ -112,8 +125,7 @@ std::string Player::method() const {
 Place Player::place() const { return {lesson().id, preset_, index(), parameters(), camera_.goal()}; }
 
 void Player::go_to(int step) {
-  step = std::clamp(step, 0, count() - 1);
-  state_.wanted = step + 1 == count() && count() > 1 ? the_last : step;
+  choose(std::clamp(step, 0, count() - 1));
   asking_ = false;
   waited_ = 0;
   action_.clear();
@@ -168,6 +180,38 @@ std::optional<Player::Answered> Player::answered() const {
   return Answered{&*step().question, *found->second};
 }
 
+const Erratum* Player::erratum() const {
+  const Erratum* found = nullptr;
+  for (const Erratum& e : lesson().errata) {
+    const int line = line_of(e, walk());
+    if (line >= 0 && line == step().line) return &e;
+    if (line >= 0 && !found) found = &e;
+  }
+  return found;
+}
+
+void Player::show_erratum() {
+  const Erratum* e = erratum();
+  if (!e) return;
+  load(preset(lesson(), e->preset));
+  const int line = line_of(*e, walk());
+  for (int i = 0; i < count(); ++i)
+    if (walk().steps[i].line == line) return go_to(i);
+}
+
+void Player::begin_exercise(int index) {
+  const Exercise& e = lesson().closing->exercises.at(static_cast<std::size_t>(index));
+  if (!e.preset.empty()) load(preset(lesson(), e.preset));
+  go_to(outcome(walk()));
+  exercise_ = index;
+}
+
+const Exercise* Player::exercise() const {
+  return exercise_ ? &lesson().closing->exercises[static_cast<std::size_t>(*exercise_)] : nullptr;
+}
+
+bool Player::exercise_solved() const { return exercise() && exercise()->found && exercise()->found(parameters()); }
+
 void Player::open(const Lesson& lesson) {
   Place place;
   place.lesson = lesson.id;
@@ -185,7 +229,7 @@ void Player::load(const Preset& preset) {
     State state = state_;
     state.parameters = preset.parameters;
     state.origin = preset.id;
-    state.wanted = 0;
+    state.wanted = 0, state.slug.clear(), state.outcome = false;
     next.asking_ = false;
     next.show(std::move(state), true);
     if (!moved_) next.camera_.glide(next.opening_view());
@@ -197,7 +241,7 @@ void Player::load_method(const std::string& choice) {
     next.remember("");
     State state = state_;
     state.parameters[lesson().group_by] = choice;
-    state.wanted = 0;
+    state.wanted = 0, state.slug.clear(), state.outcome = false;
     next.asking_ = false;
     next.show(std::move(state), true);
     if (!preset_.empty() && !next.preset_.empty()) next.state_.origin = next.preset_;
@@ -210,7 +254,7 @@ void Player::restart() {
     const Lesson& l = lesson();
     State state = state_;
     if (!l.presets.empty()) state.parameters = preset(l, state_.origin).parameters;
-    state.wanted = 0;
+    state.wanted = 0, state.slug.clear(), state.outcome = false;
     next.asking_ = next.playing_ = false;
     next.show(std::move(state), true);
     next.moved_ = false;

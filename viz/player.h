@@ -29,7 +29,7 @@ class Player {
   const Parameters& parameters() const { return state_.parameters; }
   const Walk& walk() const { return *walk_; }
   int count() const { return static_cast<int>(walk().steps.size()); }
-  int index() const { return std::min(state_.wanted, count() - 1); }
+  int index() const { return at_; }
   const Step& step() const { return walk().steps[index()]; }
   /// What the lesson's methods say of these parameters, where it has several that should agree.
   const std::vector<Opinion>& opinions() const { return opinions_; }
@@ -73,6 +73,17 @@ class Player {
   };
   std::optional<Answered> answered() const;
 
+  /// Where the pseudocode as published errs: at the current line, or else anywhere in this walk.
+  const Erratum* erratum() const;
+  /// Loads the preset on which that line fails, at the step that runs it.
+  void show_erratum();
+
+  // A setting to be found. It is over with another lesson.
+  void begin_exercise(int index);
+  void end_exercise() { exercise_.reset(); }
+  const Exercise* exercise() const;
+  bool exercise_solved() const;
+
   // Other lessons, presets and parameters. What can't be had throws BadInput. Where one of these throws, for whatever
   // reason, nothing has changed: neither what is shown, nor the camera, nor what undo() knows.
   void open(const Lesson&);
@@ -107,7 +118,11 @@ class Player {
     std::size_t lesson = 0;
     Parameters parameters;
     std::string origin;  ///< the preset loaded last: where restart() returns
-    int wanted = 0;      ///< the step the reader chose; a shorter walk shows its last one meanwhile
+    // The step the reader chose. Another setting's walk shows the one of the same role: its outcome for an outcome,
+    // else the step of the same name, else that of the same number.
+    int wanted = 0;
+    std::string slug;
+    bool outcome = false;
   };
   struct Memory {
     State state;
@@ -128,6 +143,8 @@ class Player {
   void all_or_nothing(const Action&);
   void show(State, bool same_lesson);
   void set_parameters(Parameters);
+  static int step_in(const Walk&, const State&);
+  void choose(int step);  ///< of the walk that is shown
   /// The lesson's view of the walk, at the scale that all presets share.
   Camera opening_view() const;
 
@@ -137,6 +154,8 @@ class Player {
   std::shared_ptr<const Overview> overview_;
   std::vector<Opinion> opinions_;
   std::string preset_;
+  int at_ = 0;  ///< the step that is shown
+  std::optional<int> exercise_;
   unsigned revision_ = 0;
 
   bool asking_ = false;

@@ -58,6 +58,16 @@ void compare_opinions(const Json& was, const Json& is, Changes& changes) {
   }
 }
 
+/// Lists of texts, member by member: "prompt of exercise 2 was ..., is ...".
+void compare_lists(const std::string& what, const Json& was, const Json& is, Changes& changes) {
+  if (was == is) return;
+  if (!was.is_array() || !is.is_array() || was.size() != is.size())
+    return changes.add(fmt::format("there are other cases of {} than before", what));
+  for (std::size_t i = 0; i < is.size(); ++i)
+    for (const auto& item : is[i].items())
+      changes.compare_texts(fmt::format("{} of {} {}", item.key(), what, i + 1), at(was[i], item.key()), item.value());
+}
+
 Json without_drawing(Json step) {
   if (step.is_object()) step.erase("drawing");
   return step;
@@ -87,6 +97,10 @@ std::string trace_json(const Lesson& lesson, const std::string& preset, const Pa
                       to_json(parameters), Json(walk.method).dump(), lines_of(walk.pseudocode));
   text += fmt::format("\"alt\": {},\n", Json(walk.alt).dump());
   if (lesson.opinions) text += fmt::format("\"opinions\": {},\n", lines_of(snap::said(lesson.opinions(parameters))));
+  if (!lesson.presets.empty() && preset == lesson.presets.front().id) {  // what is the same for all, said once
+    if (lesson.closing) text += fmt::format("\"exercises\": {},\n", lines_of(snap::said(lesson.closing->exercises)));
+    if (!lesson.errata.empty()) text += fmt::format("\"errata\": {},\n", lines_of(snap::said(lesson.errata)));
+  }
   text += "\"steps\": [";
   Json before;
   for (std::size_t i = 0; i < walk.steps.size(); ++i) {
@@ -120,6 +134,8 @@ std::vector<Change> compare_traces(const std::string& accepted, const std::strin
   compare_pseudocode(at(was, "pseudocode"), is["pseudocode"], changes);
   changes.compare_texts("alt text", at(was, "alt"), is["alt"]);
   compare_opinions(at(was, "opinions"), at(is, "opinions"), changes);
+  compare_lists("exercise", at(was, "exercises"), at(is, "exercises"), changes);
+  compare_lists("erratum", at(was, "errata"), at(is, "errata"), changes);
   return changes.take();
 }
 

@@ -25,12 +25,14 @@ std::size_t widest(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("list names lessons, rows and presets", "[list]") {
+TEST_CASE("list names lessons in the order of the course, and presets", "[list]") {
   const Shell shell;
   const Ran r = shell("isect list");
   CHECK(r.status == 0);
-  CHECK_THAT(r.out,
-             Contains("ray-sphere") && Contains("N16-N19") && Contains("27 presets") && Contains("surface-out-half-b"));
+  CHECK_THAT(r.out, Contains("ray-sphere") && Contains("27 presets") && Contains("surface-out-half-b") &&
+                        Contains("after: relations, intervals"));
+  CHECK_THAT(r.out, !Contains("N16"));  // row ids are for those who write lessons
+  CHECK(r.out.find("sphere-sphere  ") < r.out.find("ray-sphere  "));
   CHECK(widest(r.out) <= 80);
 }
 
@@ -38,14 +40,26 @@ TEST_CASE("list --json holds what a program needs", "[list]") {
   const Shell shell;
   const nlohmann::json all = nlohmann::json::parse(shell("isect list --json").out);
   REQUIRE(all.size() >= 1);
-  CHECK(all[0]["id"] == "ray-sphere");
-  REQUIRE(all[0]["presets"].size() == 27);
+  const auto one = std::ranges::find_if(all, [](const auto& lesson) { return lesson["id"] == "ray-sphere"; });
+  REQUIRE(one != all.end());
+  REQUIRE((*one)["presets"].size() == 27);
   for (const auto& lesson : all)
     for (const auto& parameter : lesson["parameters"]) {
       CHECK(parameter.contains("help"));
       CHECK(parameter.contains("default"));
       CHECK(parameter.contains("choices") != parameter.contains("from"));
     }
+}
+
+TEST_CASE("list --glossary explains the terms of the course, each with its lesson", "[list]") {
+  const Shell shell;
+  const Ran r = shell("isect list --glossary");
+  CHECK(r.status == 0);
+  CHECK_THAT(r.out, Contains("separating axis") && Contains("(obb-obb)"));
+  CHECK(widest(r.out) <= 80);
+  const auto terms = nlohmann::json::parse(shell("isect list --glossary --json").out);
+  CHECK(terms.size() > 40);
+  for (const auto& term : terms) CHECK_FALSE(term["meaning"].get<std::string>().empty());
 }
 
 TEST_CASE("list walks no lesson, and so it is there at once", "[list]") {
@@ -91,8 +105,10 @@ TEST_CASE("explain tells a step in eighty columns", "[explain]") {
   const Ran r = shell("isect explain ray-sphere --step 8");
   CHECK(r.status == 0);
   CHECK(r.err.empty());
-  CHECK_THAT(r.out, Contains("Step 8 of 12: Which root comes first?") && Contains("▸ 10  if l² > r²") &&
-                        Contains("q = 1.0837") && Contains("Question:") && Contains("Answer: s − q"));
+  CHECK_THAT(r.out, Contains("Which root comes first?") && Contains("10  if l² > r²") &&
+                        Contains("▸ line 10:  if l² > r²") && Contains("q = 1.0837") && Contains("Setting:") &&
+                        Contains("Question 1:"));
+  CHECK(r.out.find("Answers\n") > r.out.find("Question 1:"));
   CHECK(widest(r.out) <= 80);
   CHECK_THAT(r.out, !Contains("**") && !Contains("_{"));  // no markup
 }
@@ -107,6 +123,54 @@ TEST_CASE("explain tells every step of every preset", "[explain]") {
     CHECK(widest(r.out) <= 80);
   }
   CHECK_THAT(shell("isect explain ray-sphere --preset miss").out, !Contains("INTERSECT at"));
+}
+
+TEST_CASE("explain keeps answers for the end, or gives them at once, or tells in brief", "[explain]") {
+  const Shell shell;
+  const std::string whole = shell("isect explain sphere-sphere").out;
+  const std::size_t answers = whole.find("\nAnswers\n");
+  REQUIRE(answers != std::string::npos);
+  for (std::size_t at = whole.find("Question 1:"); at != std::string::npos; at = whole.find("Answer: ", at + 1))
+    CHECK(at < answers);
+  CHECK_THAT(whole.substr(0, answers), !Contains("Answer:") && !Contains("Solution:"));
+  CHECK_THAT(whole.substr(answers), Contains("Question 1: overlapping") && Contains("Exercise 1:"));
+  CHECK_THAT(whole, Contains("Line 4 should read: if d² ≤ s²") && Contains("--preset touching"));
+
+  const std::string open = shell("isect explain sphere-sphere --answers").out;
+  CHECK_THAT(open, Contains("Answer: overlapping") && Contains("Solution:") && !Contains("\nAnswers\n"));
+  const std::string brief = shell("isect explain sphere-sphere --brief").out;
+  CHECK(3 * std::ranges::count(brief, '\n') < std::ranges::count(whole, '\n'));
+  CHECK_THAT(brief, Contains("Verdict: the balls overlap") && !Contains("Question"));
+  const std::string exercises = shell("isect explain sphere-sphere --exercises").out;
+  CHECK_THAT(exercises, Contains("1. Drag b") && Contains("Solution:") && !Contains("Step 1"));
+}
+
+TEST_CASE("explain prints the pseudocode once, and the line of each step", "[explain]") {
+  const Shell shell;
+  const std::string told = shell("isect explain sphere-sphere").out;
+  const auto count = [&](const std::string& text) {
+    int n = 0;
+    for (std::size_t at = told.find(text); at != std::string::npos; at = told.find(text, at + 1)) ++n;
+    return n;
+  };
+  CHECK(count(" 2  d² ← l · l") == 1);
+  CHECK(count("▸ line 2:  d² ← l · l") == 1);
+}
+
+TEST_CASE("explain tells the setting and what was changed, and a map in words", "[explain]") {
+  const Shell shell;
+  const std::string told = shell("isect explain sphere-sphere --set r2=0.5").out;
+  CHECK_THAT(told,
+             Contains("Sphere and sphere: overlapping+r2=0.5") && Contains("r₂ = 0.5   Radius of the second ball"));
+  CHECK_THAT(told, Contains("A map of all cases. Across:") && Contains("This setting: overlapping") &&
+                       !Contains("dashed") && !Contains("rings"));
+}
+
+TEST_CASE("explain is as wide as the terminal", "[explain]") {
+  const Shell shell;
+  CHECK(widest(shell("COLUMNS=60 isect explain relations").out) <= 60);
+  const std::size_t wide = widest(shell("COLUMNS=120 isect explain relations").out);
+  CHECK((wide > 80 && wide <= 120));
 }
 
 TEST_CASE("explain follows changed parameters", "[explain]") {

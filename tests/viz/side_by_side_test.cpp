@@ -9,6 +9,7 @@
 #include "tests/viz/window_driver.h"
 #include "viz/case_map.h"
 #include "viz/chart.h"
+#include "viz/closing.h"
 #include "viz/place.h"
 #include "viz/window/palette.h"
 
@@ -34,7 +35,8 @@ std::string read(const std::filesystem::path& path) {
 
 TEST_CASE("the setting follows the pointer on the map of cases, and one undo takes the drag back", "[window]") {
   WindowDriver window(lessons::all_lessons(), 1280, 800, at("sphere-sphere", "overlapping"));
-  window.key(key::end);
+  window.ui.player().go_to(outcome(window.player().walk()) + 1);
+  window.frames();
   REQUIRE(window.player().step().slug == case_map_slug);
   const Parameters before = window.player().parameters();
   const auto branch = [&] { return window.player().lesson().map->branch(window.player().parameters()); };
@@ -67,11 +69,15 @@ TEST_CASE("the alarm shows where methods differ, and keeps the setting as a pres
   options.figures = folder;
   WindowDriver window(lessons::all_lessons(), 1280, 1400, at("sphere-sphere", "overlapping"), {}, options);
   CHECK_FALSE(window.player().methods_differ());
+  CHECK_FALSE(window.has("methods side by side"));  // the answer stays hidden until the outcome
+  window.ui.player().go_to(outcome(window.player().walk()));
+  window.frames(2);
   CHECK(window.has("methods side by side"));
   CHECK_FALSE(window.has("alarm"));
   CHECK_FALSE(window.has("save preset"));
 
   window.player().load(preset(window.player().lesson(), "touching"));
+  window.ui.player().go_to(outcome(window.player().walk()));
   window.frames(2);
   REQUIRE(window.player().methods_differ());
   CHECK(window.has("alarm"));

@@ -83,6 +83,19 @@ Json said(const Step& step) {
   return object;
 }
 
+Json said(const std::vector<Exercise>& exercises) {
+  Json list = Json::array();
+  for (const Exercise& e : exercises) list.push_back({{"prompt", e.prompt}, {"solution", e.solution}});
+  return list;
+}
+
+Json said(const std::vector<Erratum>& errata) {
+  Json list = Json::array();
+  for (const Erratum& e : errata)
+    list.push_back({{"published", e.published}, {"corrected", e.corrected}, {"why", e.why}, {"preset", e.preset}});
+  return list;
+}
+
 Json said(const std::vector<Opinion>& opinions) {
   Json list = Json::array();
   for (const Opinion& o : opinions) list.push_back({{"method", o.method}, {"says", o.says}, {"agrees", o.agrees}});

@@ -13,6 +13,8 @@ namespace isect::viz::snap {
 /// Everything but the scene. What is empty or false is left out; texts keep their markup.
 Json said(const Step&);
 Json said(const std::vector<Opinion>&);
+Json said(const std::vector<Exercise>&);
+Json said(const std::vector<Erratum>&);
 
 /// Collects the changes of one step, or of none.
 class Changes {

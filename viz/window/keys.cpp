@@ -57,6 +57,8 @@ void character(Session& s, char c) {
       return s.attempt([&] { player.open_neighbour(-1); });
     case ']':
       return s.attempt([&] { player.open_neighbour(1); });
+    case 'e':
+      return s.attempt([&] { player.show_erratum(); });
     case 'r':
       return s.attempt([&] { player.restart(); });
     case 'p':

@@ -3,27 +3,15 @@
 #include <utility>
 
 #include "viz/case_map.h"
+#include "viz/closing.h"
 #include "viz/rich_text.h"
+#include "viz/window/column.h"
 #include "viz/window/panels.h"
 
 namespace isect::viz {
 namespace {
 
 constexpr float margin = 20;
-
-/// Things set below each other in a column.
-struct Column {
-  Session& s;
-  float x, y, width;
-
-  void paragraph(const std::string& markup, const Colour& colour, double size = 15, double pitch = 23,
-                 bool bold = false) {
-    y += rich(s.ui,
-              {.markup = markup, .width = width, .size = size, .line_pitch = pitch, .bold = bold, .colour = colour},
-              {x, y})
-             .y;
-  }
-};
 
 void formula_card(Column& c, const std::string& markup) {
   Ui& ui = c.s.ui;
@@ -115,7 +103,8 @@ void question(Column& c, bool fresh) {
 /// What each method says of this setting, and a button to keep one in which they differ.
 void side_by_side(Column& c) {
   const std::vector<Opinion>& said = c.s.player.opinions();
-  if (said.empty()) return;
+  const bool known = c.s.player.index() >= outcome(c.s.player.walk());  // before that they would give the answer away
+  if (said.empty() || !known) return;
   Ui& ui = c.s.ui;
   c.y += 24;
   c.paragraph("Methods side by side", ui.palette.text, 15, 23, true);
@@ -140,6 +129,7 @@ void lesson_text(Session& s, const Rect& r, bool fresh) {
   const Palette& ink = s.ui.palette;
   const float top = ImGui::GetCursorScreenPos().y;  // moves with the scroll
   Column c{s, r.left + margin, top + 18, r.width() - 2 * margin};
+  exercise_on_hand(c);
   c.paragraph(step.title, ink.text, 19, 26, true);
   c.y += 8;
   c.paragraph(step.caption, ink.text);
@@ -151,8 +141,12 @@ void lesson_text(Session& s, const Rect& r, bool fresh) {
     c.y += 8;
     c.paragraph(step.source, ink.muted, 13, 19);
   }
+  erratum(c);
   question(c, fresh);
-  side_by_side(c);
+  if (step.slug == closing_slug)
+    exercises(c);
+  else
+    side_by_side(c);
   ImGui::SetCursorScreenPos({r.left, c.y});
   ImGui::Dummy({1, 16});
 }

@@ -31,11 +31,12 @@ void verdict_sign(Verdict::Kind kind, float x, float y, ImU32 ink) {
     case Verdict::Kind::yes:
       return tick(x, y, 16, ink);
     case Verdict::Kind::no:
-      return cross(x, y, 16, ink);
+      ImGui::GetWindowDrawList()->AddCircle({x, y}, 6, ink, 24, 2.2f);
+      return;
     case Verdict::Kind::on:
       return diamond(x, y, 15, ink);
     case Verdict::Kind::open:
-      ImGui::GetWindowDrawList()->AddCircle({x, y}, 6, ink, 24, 1.8f);
+      for (const float dot : {-6.0f, 0.0f, 6.0f}) ImGui::GetWindowDrawList()->AddCircleFilled({x + dot, y}, 1.8f, ink);
   }
 }
 

@@ -2,6 +2,7 @@
 // What the parts of the window share while it is open.
 
 #include <optional>
+#include <set>
 #include <string>
 
 #include "viz/formats.h"
@@ -40,13 +41,14 @@ struct Session {
   Settings& settings;
   std::string figures;  ///< folder for saved figures
   bool panels = true;
-  Sheet open_next = Sheet::none;  ///< asked for by a key or a button, opened at the end of the frame
-  bool save_now = false;          ///< this frame's figure shall become a file
-  bool save_preset = false;       ///< the setting shall become a preset file
-  bool close = false;             ///< the reader wants to leave
-  std::string search = {};        ///< words in the picker
-  float fields_height = 0;        ///< of the parameters' fields, as the last frame found it
-  unsigned words_seen = 0;        ///< revision whose words are on show
+  Sheet open_next = Sheet::none;             ///< asked for by a key or a button, opened at the end of the frame
+  bool save_now = false;                     ///< this frame's figure shall become a file
+  bool save_preset = false;                  ///< the setting shall become a preset file
+  bool close = false;                        ///< the reader wants to leave
+  std::string search = {};                   ///< words in the picker
+  float fields_height = 0;                   ///< of the parameters' fields, as the last frame found it
+  unsigned words_seen = 0;                   ///< revision whose words are on show
+  std::set<const Exercise*> solutions = {};  ///< that are on show
 
   struct Toast {
     std::string text;

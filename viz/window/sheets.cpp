@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
+#include <sstream>
 #include <utility>
 
 #include "viz/formats.h"
@@ -43,6 +45,7 @@ void key_sheet(Session& s, const Rect& window) {
       {"[ and ]", "lesson before / after"},
       {"Ctrl+O", "all lessons"},
       {"R", "restart the preset"},
+      {"E", "see the published line fail"},
       {"P / O", "perspective / orthographic"},
       {"drag a handle", "move the object"},
       {"drag on a map", "move the setting to another case"},
@@ -87,9 +90,21 @@ std::string lower(std::string s) {
   return s;
 }
 
+/// Each word that is wanted, or another name for the same thing, stands in what the lesson says of itself.
 bool matches(const Lesson& lesson, const std::string& wanted) {
-  const std::string all = lower(lesson.id + " " + plain(lesson.title) + " " + lesson.rows + " " + lesson.summary);
-  return all.find(lower(wanted)) != std::string::npos;
+  static const std::map<std::string, std::vector<std::string>> others = {
+      {"box", {"aabb", "obb"}},  {"cube", {"box", "aabb"}}, {"ball", {"sphere"}},     {"circle", {"sphere"}},
+      {"bvh", {"hierarchy"}},    {"tree", {"hierarchy"}},   {"camera", {"frustum"}},  {"view", {"culling", "picking"}},
+      {"mouse", {"picking"}},    {"hull", {"convex"}},      {"inside", {"polygon"}},  {"rounding", {"robust"}},
+      {"cylinder", {"capsule"}}, {"line", {"ray"}},         {"moving", {"collision"}}};
+  const std::string all = lower(lesson.id + " " + plain(lesson.title) + " " + lesson.summary);
+  const auto stands = [&](const std::string& word) { return all.find(word) != std::string::npos; };
+  std::istringstream words(lower(wanted));
+  for (std::string word; words >> word;) {
+    const auto found = others.find(word);
+    if (!stands(word) && (found == others.end() || std::ranges::none_of(found->second, stands))) return false;
+  }
+  return true;
 }
 
 /// First objects down, second objects across, a dot where a lesson joins them. Returns the lesson that was
@@ -139,7 +154,13 @@ const Lesson* lesson_rows(Session& s, const std::vector<const Lesson*>& lessons,
     filled(r, p.hovered ? c.hovered : c.card, 6);
     if (l == &s.player.lesson()) outlined(r, c.first);
     text(ui.fonts.bold, x + 12, y + 17, packed(c.text), plain(l->title));
-    text(ui.fonts.small, r.right - 12, y + 17, packed(c.muted), l->rows, 1);
+    if (!l->after.empty()) {
+      std::string after;
+      for (const std::string& id : l->after) after += (after.empty() ? "after " : ", ") + id;
+      const float room = width - 40 - text_width(ui.fonts.bold, plain(l->title));
+      if (text_width(ui.fonts.small, after) <= room)
+        text(ui.fonts.small, r.right - 12, y + 17, packed(c.muted), after, 1);
+    }
     ImGui::PushClipRect(top_left(r), {r.right - 12, r.bottom}, true);
     text(ui.fonts.small, x + 12, y + 37, packed(c.muted), plain(l->summary));
     ImGui::PopClipRect();

@@ -1,0 +1,246 @@
+#include "app/told.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "app/terminal.h"
+#include "viz/case_map.h"
+#include "viz/closing.h"
+#include "viz/rich_text.h"
+
+namespace isect::program {
+
+namespace {
+
+using viz::plain;
+
+bool contains(const std::vector<int>& lines, int line) { return std::ranges::find(lines, line) != lines.end(); }
+
+std::string coordinates(const viz::Vec3& p, bool flat) {
+  const std::string xy = viz::shown(p.x()) + ", " + viz::shown(p.y());
+  return "(" + xy + (flat ? ")" : ", " + viz::shown(p.z()) + ")");
+}
+
+std::string shown(const viz::Setting& setting, bool flat) {
+  if (const auto* x = std::get_if<double>(&setting)) return viz::shown(*x);
+  if (const auto* p = std::get_if<viz::Vec3>(&setting)) return coordinates(*p, flat);
+  return std::get<std::string>(setting);
+}
+
+class Teller {
+ public:
+  Teller(const Excerpt& e, const Telling& how) : e_(e), how_(how) {}
+
+  std::string all() {
+    std::string out = opening();
+    for (const int step : e_.steps) out += how_.brief ? line_of(step) : whole(step);
+    if (!answers_.empty()) out += heading("Answers", '-') + answers_ + "\n";
+    out.pop_back();
+    return out;
+  }
+
+ private:
+  std::string paragraph(const std::string& text, std::size_t indent = 0) const {
+    return wrapped(text, how_.columns, indent);
+  }
+
+  std::string opening() const {
+    const viz::Lesson& lesson = *e_.lesson;
+    std::string out = heading(fmt::format("{}: {}", plain(lesson.title), e_.folder), '=') + paragraph(lesson.summary);
+    if (!e_.walk.method.empty()) out += paragraph("Method: " + plain(e_.walk.method));
+    return out + paragraph("Picture: " + plain(e_.walk.alt)) + "\n" + setting() + pseudocode();
+  }
+
+  /// What a reader needs to compute along.
+  std::string setting() const {
+    std::string out = "Setting:\n";
+    for (const viz::Parameter& p : e_.lesson->parameters) {
+      const std::string name = plain(p.label.empty() ? p.name : p.label);
+      out += paragraph(fmt::format("{} = {}   {}", name, shown(e_.parameters.at(p.name), e_.lesson->flat), p.help), 2);
+    }
+    return out + "\n";
+  }
+
+  std::string pseudocode() const {
+    if (how_.brief || e_.walk.pseudocode.empty()) return {};
+    std::string out = "Algorithm:\n";
+    for (std::size_t i = 0; i < e_.walk.pseudocode.size(); ++i)
+      out += fmt::format("  {:>2}  {}\n", i + 1, e_.walk.pseudocode[i]);
+    for (const viz::Erratum& erratum : e_.lesson->errata) {
+      const int line = viz::line_of(erratum, e_.walk);
+      if (line < 0) continue;
+      const bool published = e_.walk.pseudocode[line] == erratum.published;
+      const std::string& other = published ? erratum.corrected : erratum.published;
+      out += paragraph(fmt::format("Line {} {}: {}. {} (Preset {} shows it.)", line + 1,
+                                   published ? "should read" : "was published as",
+                                   other.substr(other.find_first_not_of(' ')), plain(erratum.why), erratum.preset),
+                       2);
+    }
+    return out + "\n";
+  }
+
+  std::string title(int index) const {
+    return fmt::format("Step {} of {}: {}", index + 1, e_.walk.steps.size(), plain(e_.walk.steps[index].title));
+  }
+
+  std::string line_of(int index) const {
+    const viz::Step& step = e_.walk.steps[index];
+    std::string out = title(index) + ".";
+    if (step.comparison) out += " " + comparison(step);
+    if (step.verdict.kind != viz::Verdict::Kind::open) out += " Verdict: " + plain(step.verdict.text) + ".";
+    return paragraph(out);
+  }
+
+  std::string whole(int index) {
+    const viz::Step& step = e_.walk.steps[index];
+    std::string out = heading(title(index), '-');
+    if (step.slug == viz::closing_slug) return out + closing();
+    out += paragraph(step.slug == viz::case_map_slug ? map_in_words() : plain(step.caption)) + "\n";
+    if (step.line >= 0) out += line(step);
+    if (!step.formula.empty()) out += paragraph(plain(step.formula), 5) + "\n";
+    out += values(step) + points(step);
+    if (step.comparison) out += paragraph(comparison(step)) + "\n";
+    if (step.verdict.kind != viz::Verdict::Kind::open)
+      out += inked(Ink::bold, paragraph("Verdict: " + plain(step.verdict.text))) + "\n";
+    if (index == viz::outcome(e_.walk)) out += side_by_side();
+    if (step.question) out += question(*step.question);
+    if (!step.source.empty()) out += paragraph("Source: " + step.source) + "\n";
+    return out;
+  }
+
+  std::string line(const viz::Step& step) const {
+    std::string code = e_.walk.pseudocode.at(step.line);
+    code.erase(0, code.find_first_not_of(' '));
+    return inked(Ink::mark, fmt::format("  ▸ line {}:  {}{}", step.line + 1, code,
+                                        contains(step.refused, step.line) ? "   (no)" : "")) +
+           "\n\n";
+  }
+
+  /// What this step computes; what was known before stands above, but for the first step told.
+  std::string values(const viz::Step& step) const {
+    const bool all = &step == &e_.walk.steps[e_.steps.front()];
+    std::size_t widest = 0;
+    for (const viz::Value& v : step.values)
+      if (v.fresh || all) widest = std::max(widest, length(plain(v.name)));
+    std::string out;
+    for (const viz::Value& v : step.values)
+      if (v.fresh || all) {
+        const std::string name = plain(v.name);
+        out += fmt::format("     {}{} = {}\n", std::string(widest - length(name), ' '), name, viz::shown(v.value));
+      }
+    return out.empty() ? out : out + "\n";
+  }
+
+  /// Where the points lie that the picture names and that are no parameters, when they first appear.
+  std::string points(const viz::Step& step) {
+    std::string list;
+    for (const viz::Item& item : step.scene.items) {
+      const auto* label = std::get_if<viz::Label>(&item);
+      if (!label || label->until || !label->text.starts_with("**") || !is_marked(step.scene, label->at)) continue;
+      const std::string told = plain(label->text) + " " + coordinates(label->at, e_.lesson->flat);
+      if (e_.parameters.contains(plain(label->text)) || !placed_.insert(told).second) continue;
+      list += (list.empty() ? "" : ", ") + told;
+    }
+    return list.empty() ? list : paragraph("In the picture: " + list + ".") + "\n";
+  }
+
+  static bool is_marked(const viz::Scene& scene, const viz::Vec3& at) {
+    return std::ranges::any_of(scene.items, [&](const viz::Item& item) {
+      const auto* dot = std::get_if<viz::Dot>(&item);
+      return dot && dot->at == at;
+    });
+  }
+
+  static std::string comparison(const viz::Step& step) {
+    const viz::Comparison& c = *step.comparison;
+    const std::string meaning = c.meaning.empty() ? "" : ": " + plain(c.meaning);
+    return fmt::format("Is {}? {} ({} and {}){}.", plain(c.text), c.holds ? "Yes" : "No", viz::shown(c.left),
+                       viz::shown(c.right), meaning);
+  }
+
+  std::string map_in_words() const {
+    const viz::CaseMap& map = *e_.lesson->map;
+    std::string regions;
+    for (const std::string& branch : map.branches) regions += (regions.empty() ? "" : "; ") + plain(branch);
+    return fmt::format("A map of all cases. Across: {}. Up: {}.\n{}\nIts cases: {}.\nThis setting: {}.",
+                       plain(map.x_title), plain(map.y_title), plain(map.told), regions,
+                       plain(map.branches.at(static_cast<std::size_t>(map.branch(e_.parameters)))));
+  }
+
+  /// What the methods say that should agree.
+  std::string side_by_side() const {
+    if (!e_.lesson->opinions) return {};
+    const std::vector<viz::Opinion> opinions = e_.lesson->opinions(e_.parameters);
+    std::size_t widest = 0;
+    for (const viz::Opinion& o : opinions) widest = std::max(widest, length(plain(o.method)));
+    std::string out = "Methods side by side:\n";
+    for (const viz::Opinion& o : opinions) {
+      const std::string method = plain(o.method);
+      const std::string row = fmt::format(" {} {}{}  {}", o.agrees ? "✓" : "✗", method,
+                                          std::string(widest - length(method), ' '), plain(o.says));
+      out += (o.agrees ? row : inked(Ink::bold, row)) + "\n";
+    }
+    return out + "\n";
+  }
+
+  std::string question(const viz::Question& q) {
+    std::string out = paragraph(fmt::format("Question {}: {}", ++asked_, plain(q.prompt)));
+    for (std::size_t i = 0; i < q.choices.size(); ++i)
+      out += paragraph(fmt::format("{}. {}", i + 1, plain(q.choices[i])), 4);
+    const std::string right = plain(q.choices.at(static_cast<std::size_t>(q.answer)));
+    if (how_.answers) return out + paragraph(fmt::format("Answer: {}. {}", right, plain(q.because))) + "\n";
+    answers_ += paragraph(fmt::format("Question {}: {}. {}", asked_, right, plain(q.because)));
+    return out + "\n";
+  }
+
+  std::string closing() {
+    const viz::Closing& c = *e_.lesson->closing;
+    std::string out;
+    for (const auto& [head, text] : viz::card_rows(c)) out += paragraph(head + ": " + plain(text));
+    out += paragraph(fmt::format("See it: --preset {}", c.bug_preset), 2) + "\nTo read:\n";
+    for (const std::string& source : c.reading) out += paragraph(plain(source), 2);
+    out += "\n";
+    for (std::size_t i = 0; i < c.exercises.size(); ++i) {
+      out += paragraph(fmt::format("Exercise {}: {}", i + 1, plain(c.exercises[i].prompt)));
+      const std::string solution = plain(c.exercises[i].solution);
+      if (how_.answers)
+        out += paragraph("Solution: " + solution) + "\n";
+      else
+        answers_ += paragraph(fmt::format("Exercise {}: {}", i + 1, solution));
+    }
+    return out + (how_.answers ? "" : "\n");
+  }
+
+  const Excerpt& e_;
+  const Telling how_;
+  int asked_ = 0;
+  std::string answers_;           ///< of what was asked so far
+  std::set<std::string> placed_;  ///< points told
+};
+
+}  // namespace
+
+std::string heading(const std::string& text, char rule) {
+  return fmt::format("{}\n{}\n", inked(Ink::bold, text), std::string(length(text), rule));
+}
+
+std::string told(const Excerpt& e, const Telling& how) { return Teller(e, how).all(); }
+
+std::string told_exercises(const viz::Lesson& lesson, const Telling& how) {
+  std::string out = heading(plain(lesson.title) + ": exercises", '=');
+  if (!lesson.closing) return out;
+  int number = 0;
+  for (const viz::Exercise& e : lesson.closing->exercises) {
+    out += wrapped(fmt::format("{}. {}", ++number, plain(e.prompt)), how.columns, 0);
+    if (!e.preset.empty()) out += wrapped(fmt::format("Start: --preset {}", e.preset), how.columns, 3);
+    for (const auto& [name, value] : e.by)
+      out += wrapped(fmt::format("One way: --set {}={}", name, value), how.columns, 3);
+    out += wrapped("Solution: " + plain(e.solution), how.columns, 3) + "\n";
+  }
+  out.pop_back();
+  return out;
+}
+
+}  // namespace isect::program

@@ -1,0 +1,23 @@
+#pragma once
+// A lesson as text, for terminals and screen readers: the setting, the pseudocode once, then step by step.
+
+#include <string>
+
+#include "app/options.h"
+
+namespace isect::program {
+
+struct Telling {
+  std::size_t columns = 80;
+  bool brief = false;    ///< a line a step and what it decides; no values, no questions
+  bool answers = false;  ///< right after each question, not at the end
+};
+
+/// The chosen steps of an excerpt.
+std::string told(const Excerpt&, const Telling&);
+/// A lesson's exercises with their solutions.
+std::string told_exercises(const viz::Lesson&, const Telling&);
+/// "Title" over a line of `rule`.
+std::string heading(const std::string& text, char rule);
+
+}  // namespace isect::program

@@ -1,0 +1,31 @@
+#pragma once
+// The lesson panel's column of text, and what stands in it beside the step's own words.
+
+#include "viz/window/session.h"
+
+namespace isect::viz {
+
+/// Things set below each other.
+struct Column {
+  Session& s;
+  float x, y, width;
+
+  void paragraph(const std::string& markup, const Colour& colour, double size = 15, double pitch = 23,
+                 bool bold = false) {
+    y += rich(s.ui,
+              {.markup = markup, .width = width, .size = size, .line_pitch = pitch, .bold = bold, .colour = colour},
+              {x, y})
+             .y;
+  }
+  /// A button as wide as its words, in a row that begins at `from`; moves `from` behind it.
+  bool button(const std::string& name, const std::string& words, float& from);
+};
+
+/// Where the current line errs as published: the right one, and a button to see it fail. (practice.cpp)
+void erratum(Column&);
+/// The closing card's exercises, each to be tried or looked up. (practice.cpp)
+void exercises(Column&);
+/// The exercise that is being tried, and whether its setting has been found. (practice.cpp)
+void exercise_on_hand(Column&);
+
+}  // namespace isect::viz

@@ -1,0 +1,97 @@
+// What a reader does with a lesson: sees a published line fail, tries exercises.
+
+#include "viz/closing.h"
+#include "viz/window/column.h"
+
+namespace isect::viz {
+namespace {
+
+constexpr float button_height = 34;
+
+/// Pseudocode is no markup: what it marks there means itself.
+std::string verbatim(const std::string& code) {
+  std::string text;
+  for (const char c : code.substr(std::min(code.find_first_not_of(' '), code.size()))) {
+    if (c == '*' || c == '_' || c == '^' || c == '\\') text += '\\';
+    text += c;
+  }
+  return text;
+}
+
+}  // namespace
+
+bool Column::button(const std::string& name, const std::string& words, float& from) {
+  const float wide = text_width(s.ui.fonts.body, words) + 28;
+  const bool pressed = chip(s.ui, name, {from, y, from + wide, y + button_height}, words, false);
+  from += wide + 8;
+  return pressed;
+}
+
+void erratum(Column& c) {
+  Player& player = c.s.player;
+  const Erratum* e = player.erratum();
+  if (!e || line_of(*e, player.walk()) != player.step().line) return;
+  const bool published = player.walk().pseudocode[player.step().line] == e->published;
+  const Palette& ink = c.s.ui.palette;
+  c.y += 20;
+  c.paragraph(published ? "The published line errs" : "The published line erred", ink.text, 15, 23, true);
+  c.paragraph(e->why, ink.text);
+  c.paragraph(published ? "It should read: " + verbatim(e->corrected) : "It read: " + verbatim(e->published),
+              ink.muted);
+  c.y += 8;
+  float x = c.x;
+  if (c.button("see it fail", "See it fail (E)", x)) c.s.attempt([&] { player.show_erratum(); });
+  c.y += button_height;
+}
+
+void exercises(Column& c) {
+  Session& s = c.s;
+  const Closing* closing = s.player.lesson().closing;
+  if (!closing) return;
+  const Palette& ink = s.ui.palette;
+  c.y += 24;
+  c.paragraph("Exercises", ink.text, 15, 23, true);
+  for (std::size_t i = 0; i < closing->exercises.size(); ++i) {
+    const Exercise& e = closing->exercises[i];
+    const std::string number = std::to_string(i + 1);
+    c.y += 10;
+    c.paragraph(number + ". " + e.prompt, ink.text);
+    c.y += 6;
+    float x = c.x;
+    if (e.found && c.button("try " + number, "Try it", x))
+      return s.attempt([&] { s.player.begin_exercise(static_cast<int>(i)); });
+    const bool open = s.solutions.contains(&e);
+    if (c.button("solution " + number, open ? "Hide the solution" : "Solution", x))
+      open ? (void)s.solutions.erase(&e) : (void)s.solutions.insert(&e);
+    c.y += button_height + 4;
+    if (open) c.paragraph(e.solution, ink.muted);
+  }
+}
+
+void exercise_on_hand(Column& c) {
+  Session& s = c.s;
+  const Exercise* e = s.player.exercise();
+  if (!e) return;
+  const Palette& ink = s.ui.palette;
+  const bool solved = s.player.exercise_solved();
+  const float top = c.y;
+  c.paragraph(e->prompt, ink.text, 15, 23, true);
+  if (solved) {
+    tick(c.x + 7, c.y + 11, 13, packed(ink.hit));
+    c.x += 22, c.width -= 22;
+    c.paragraph("Found. " + e->solution, ink.hit);
+    c.x -= 22, c.width += 22;
+  } else {
+    c.paragraph("Drag the handles, or type numbers under Parameters.", ink.muted);
+  }
+  s.ui.rects["exercise"] = {c.x, top, c.x + c.width, c.y};
+  c.y += 8;
+  float x = c.x;
+  const bool back = c.button("end exercise", solved ? "Back to the exercises" : "Give up", x);
+  c.y += button_height + 20;
+  if (!back) return;
+  s.player.end_exercise();
+  s.player.last();
+}
+
+}  // namespace isect::viz
