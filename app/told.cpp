@@ -18,15 +18,15 @@ using viz::plain;
 
 bool contains(const std::vector<int>& lines, int line) { return std::ranges::find(lines, line) != lines.end(); }
 
+/// In full, so that a reader can compute along.
 std::string coordinates(const viz::Vec3& p, bool flat) {
-  const std::string xy = viz::shown(p.x()) + ", " + viz::shown(p.y());
-  return "(" + xy + (flat ? ")" : ", " + viz::shown(p.z()) + ")");
+  const std::string xy = viz::to_text(p.x()) + ", " + viz::to_text(p.y());
+  return "(" + xy + (flat ? ")" : ", " + viz::to_text(p.z()) + ")");
 }
 
-std::string shown(const viz::Setting& setting, bool flat) {
-  if (const auto* x = std::get_if<double>(&setting)) return viz::shown(*x);
+std::string in_full(const viz::Setting& setting, bool flat) {
   if (const auto* p = std::get_if<viz::Vec3>(&setting)) return coordinates(*p, flat);
-  return std::get<std::string>(setting);
+  return viz::to_text(setting);
 }
 
 class Teller {
@@ -36,7 +36,7 @@ class Teller {
   std::string all() {
     std::string out = opening();
     for (const int step : e_.steps) out += how_.brief ? line_of(step) : whole(step);
-    if (!answers_.empty()) out += heading("Answers", '-') + answers_ + "\n";
+    if (!answers_.empty()) out += heading("Answers", '-', how_.columns) + answers_ + "\n";
     out.pop_back();
     return out;
   }
@@ -48,7 +48,8 @@ class Teller {
 
   std::string opening() const {
     const viz::Lesson& lesson = *e_.lesson;
-    std::string out = heading(fmt::format("{}: {}", plain(lesson.title), e_.folder), '=') + paragraph(lesson.summary);
+    std::string out =
+        heading(fmt::format("{}: {}", plain(lesson.title), e_.folder), '=', how_.columns) + paragraph(lesson.summary);
     if (!e_.walk.method.empty()) out += paragraph("Method: " + plain(e_.walk.method));
     return out + paragraph("Picture: " + plain(e_.walk.alt)) + "\n" + setting() + pseudocode();
   }
@@ -58,7 +59,7 @@ class Teller {
     std::string out = "Setting:\n";
     for (const viz::Parameter& p : e_.lesson->parameters) {
       const std::string name = plain(p.label.empty() ? p.name : p.label);
-      out += paragraph(fmt::format("{} = {}   {}", name, shown(e_.parameters.at(p.name), e_.lesson->flat), p.help), 2);
+      out += paragraph(fmt::format("{} = {}. {}", name, in_full(e_.parameters.at(p.name), e_.lesson->flat), p.help), 2);
     }
     return out + "\n";
   }
@@ -95,8 +96,9 @@ class Teller {
 
   std::string whole(int index) {
     const viz::Step& step = e_.walk.steps[index];
-    std::string out = heading(title(index), '-');
+    std::string out = heading(title(index), '-', how_.columns);
     if (step.slug == viz::closing_slug) return out + closing();
+    if (step.question) out += question(*step.question);
     out += paragraph(step.slug == viz::case_map_slug ? map_in_words() : plain(step.caption)) + "\n";
     if (step.line >= 0) out += line(step);
     if (!step.formula.empty()) out += paragraph(plain(step.formula), 5) + "\n";
@@ -105,7 +107,6 @@ class Teller {
     if (step.verdict.kind != viz::Verdict::Kind::open)
       out += inked(Ink::bold, paragraph("Verdict: " + plain(step.verdict.text))) + "\n";
     if (index == viz::outcome(e_.walk)) out += side_by_side();
-    if (step.question) out += question(*step.question);
     if (!step.source.empty()) out += paragraph("Source: " + step.source) + "\n";
     return out;
   }
@@ -121,12 +122,17 @@ class Teller {
   /// What this step computes; what was known before stands above, but for the first step told.
   std::string values(const viz::Step& step) const {
     const bool all = &step == &e_.walk.steps[e_.steps.front()];
+    const std::string formula = plain(step.formula);
+    const auto told = [&](const viz::Value& v) {
+      const bool there = formula.starts_with(plain(v.name) + " = ") && formula.ends_with("= " + viz::shown(v.value));
+      return (v.fresh || all) && !there;
+    };
     std::size_t widest = 0;
     for (const viz::Value& v : step.values)
-      if (v.fresh || all) widest = std::max(widest, length(plain(v.name)));
+      if (told(v)) widest = std::max(widest, length(plain(v.name)));
     std::string out;
     for (const viz::Value& v : step.values)
-      if (v.fresh || all) {
+      if (told(v)) {
         const std::string name = plain(v.name);
         out += fmt::format("     {}{} = {}\n", std::string(widest - length(name), ' '), name, viz::shown(v.value));
       }
@@ -178,9 +184,13 @@ class Teller {
     std::string out = "Methods side by side:\n";
     for (const viz::Opinion& o : opinions) {
       const std::string method = plain(o.method);
-      const std::string row = fmt::format(" {} {}{}  {}", o.agrees ? "✓" : "✗", method,
-                                          std::string(widest - length(method), ' '), plain(o.says));
-      out += (o.agrees ? row : inked(Ink::bold, row)) + "\n";
+      std::string row = fmt::format(" {} {}{}  {}", o.agrees ? "✓" : "✗", method,
+                                    std::string(widest - length(method), ' '), plain(o.says));
+      if (length(row) > how_.columns)
+        row = fmt::format(" {} {}:\n", o.agrees ? "✓" : "✗", method) + paragraph(plain(o.says), 5);
+      else
+        row += "\n";
+      out += o.agrees ? row : inked(Ink::bold, row);
     }
     return out + "\n";
   }
@@ -222,14 +232,14 @@ class Teller {
 
 }  // namespace
 
-std::string heading(const std::string& text, char rule) {
-  return fmt::format("{}\n{}\n", inked(Ink::bold, text), std::string(length(text), rule));
+std::string heading(const std::string& text, char rule, std::size_t width) {
+  return inked(Ink::bold, wrapped(text, width, 0)) + std::string(std::min(length(text), width), rule) + "\n";
 }
 
 std::string told(const Excerpt& e, const Telling& how) { return Teller(e, how).all(); }
 
 std::string told_exercises(const viz::Lesson& lesson, const Telling& how) {
-  std::string out = heading(plain(lesson.title) + ": exercises", '=');
+  std::string out = heading(plain(lesson.title) + ": exercises", '=', how.columns);
   if (!lesson.closing) return out;
   int number = 0;
   for (const viz::Exercise& e : lesson.closing->exercises) {

@@ -15,6 +15,8 @@ Bounds room_of(Vec2 corner, double width, double height, const Theme& theme) {
 
 }  // namespace
 
+bool is_card(const Scene& scene) { return scene.chart && std::holds_alternative<Card>(scene.chart->kind); }
+
 Composed compose(const Chart& chart, Vec2 corner, double width, double height, const Theme& theme) {
   ChartInk ink(theme);
   const Bounds room = room_of(corner, width, height, theme);

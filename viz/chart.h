@@ -148,6 +148,9 @@ struct Chart {
   std::variant<Plot, Maps, Bars, Cases, Card> kind;
 };
 
+/// Whether all that a scene shows is a card: it speaks of the whole lesson, not of one setting.
+bool is_card(const Scene&);
+
 /// The shapes of a chart within a rectangle, and all of its labels.
 Composed compose(const Chart&, Vec2 corner, double width, double height, const Theme&);
 /// The height at which a chart of this width reads well.

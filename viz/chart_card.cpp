@@ -86,7 +86,9 @@ double natural_height(const ChartInk& ink, const Card& card, double width) {
   return Typesetter(ink, card).at(ink.sizes().label, width).height;
 }
 
-void draw(ChartInk& ink, const Card& card, const Bounds& room) {
+void draw(ChartInk& ink, const Card& card, const Bounds& all) {
+  const double side = 1.5 * ink.sizes().label;
+  const Bounds room = {all.left + side, all.top, all.right - side, all.bottom};
   const Typeset s = Typesetter(ink, card).within(room);
   double y = room.top + std::max(0.0, (room.bottom - room.top - s.height) / 2) + s.size;
   for (std::size_t i = 0; i < card.rows.size(); ++i) {

@@ -25,7 +25,7 @@ std::vector<Card::Row> card_rows(const Closing& c) {
 
 Step closing_step(const Closing& closing, const Step& before) {
   Step step = before;
-  step.slug = closing_slug, step.title = "What to take along";
+  step.slug = closing_slug, step.title = "What to remember";
   step.caption = closing.result;
   for (const std::string& source : closing.reading) step.caption += "\nRead: " + source;
   step.formula = {}, step.source = {};

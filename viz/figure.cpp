@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viz/chart.h"
 #include "viz/compose.h"
 #include "viz/marks.h"
 #include "viz/rich_text.h"
@@ -42,7 +43,8 @@ class Page {
     const double formula = y + 1.15 * s().label;
     if (!step_.formula.empty())
       part("formula", [&] { text(step_.formula, {width_ / 2, formula}, s().label, theme_.ink(Role::text), 0.5); });
-    if (!step_.verdict.text.empty()) part("verdict", [&] { verdict(formula + 1.65 * s().label); });
+    if (!step_.verdict.text.empty() && !is_card(step_.scene))
+      part("verdict", [&] { verdict(formula + 1.65 * s().label); });
     return figure;
   }
 

@@ -18,9 +18,7 @@ void shared(Scene& scene, const Setup& s) {
   const Vec3 middle = s.a.center + along / d * l;
   if (s.truth == Relation::overlapping && rest > 0)
     scene.items.push_back(Circle{middle, std::sqrt(rest), Role::hit, Pen::thick, true, l});
-  const bool inner = s.truth == Relation::a_inside_b || s.truth == Relation::b_inside_a;
-  const bool touch = s.truth == Relation::touching || (inner && d == std::abs(r1 - r2));
-  if (touch) scene.items.push_back(Dot{middle, Mark::disc, Role::hit});
+  if (s.truth == Relation::touching || s.inner_touch) scene.items.push_back(Dot{middle, Mark::disc, Role::hit});
 }
 
 }  // namespace
@@ -31,7 +29,11 @@ Setup setup(const Parameters& p) {
   s.b = {std::get<Vec3>(p.at("b")), std::get<double>(p.at("r2"))};
   const std::string& unit = std::get<std::string>(p.at("unit"));
   s.unit = unit == "huge" ? 0x1p600 : unit == "tiny" ? 0x1p-600 : 1;
-  s.truth = relate(s.tested(s.a), s.tested(s.b));
+  int inner = 1;
+  s.truth = relate(s.tested(s.a), s.tested(s.b), [&](const auto& event) {
+    if constexpr (requires { event.inner; }) inner = event.inner;
+  });
+  s.inner_touch = inner == 0 && (s.truth == Relation::a_inside_b || s.truth == Relation::b_inside_a);
   return s;
 }
 

@@ -13,6 +13,7 @@ struct Setup {
   Ball3 a, b;
   double unit;
   Relation truth;
+  bool inner_touch;  ///< one lies inside the other, and their surfaces touch
 
   Ball3 tested(const Ball3& ball) const { return {unit * ball.center, unit * ball.radius}; }
 };

@@ -20,11 +20,15 @@ const std::vector<std::string> pseudocode = {
     "return DISJOINT"      // 5
 };
 
-std::string alt(const Setup& s) { return "Two balls, a and b: " + words(s.truth, "the balls") + "."; }
+std::string alt(const Setup& s) {
+  return fmt::format("Two balls, a of radius {} and b of radius {}, their centres {} apart: {}.", shown(s.a.radius),
+                     shown(s.b.radius), shown((s.b.center - s.a.center).norm()), words(s.truth, "the balls"));
+}
 
 class Teller {
  public:
-  explicit Teller(const Setup& setup) : s_(setup), script_({"Note, N14", alt(setup), pseudocode}) {}
+  explicit Teller(const Setup& setup)
+      : s_(setup), script_({"Lecture note, sphere and sphere; Ericson (2005), 4.3.1", alt(setup), pseudocode}) {}
 
   Walk tell() {
     const Ball3 a = s_.tested(s_.a), b = s_.tested(s_.b);
@@ -80,7 +84,7 @@ class Teller {
   std::string compare_caption(double d2, double s2) const {
     if (std::isinf(d2) && std::isinf(s2)) return "Both squares have overflowed. Infinity is not less than infinity.";
     if (d2 == 0 && s2 == 0) return "Both squares have vanished. Zero is not less than zero.";
-    if (d2 == s2) return "The distance equals the reach: the balls touch. The note's strict comparison refuses it.";
+    if (d2 == s2) return "The distance equals the reach: the balls touch. The strict comparison refuses it.";
     return d2 < s2 ? "The centres lie nearer than the balls reach: they overlap."
                    : "The centres lie further apart than the balls reach: no common point.";
   }
@@ -96,27 +100,29 @@ class Teller {
       case Relation::equal:
         return "Centres and radii are the same.";
       default:
-        return "*d* ≤ |*r*_1 − *r*_2|: the larger ball holds the smaller one.";
+        return "*d* ≤ |*r*_1 − *r*_2|: the larger ball contains the smaller one.";
     }
   }
 
   std::string end_caption(bool near) const {
     const bool meets = s_.truth != Relation::disjoint;
     if (s_.truth == Relation::touching)
-      return "The note calls touching DISJOINT here, but OVERLAP for boxes.\n"
-             "Ours is one rule: sets are closed, a common point is an intersection, and touching has its own "
-             "name.";
+      return "The lecture note calls touching DISJOINT here, but OVERLAP for boxes.\n"
+             "With ≤, one rule serves all shapes: sets are closed, so one common point is an intersection.";
     if (near != meets)
-      return "The note's answer is wrong here: its squares left the range of the numbers.\n"
+      return "The lecture note's answer is wrong here: its squares left the range of the numbers.\n"
              "The exact test computes again in wider numbers, and its answer holds at any scale.";
     switch (s_.truth) {
       case Relation::overlapping:
         return "Their surfaces share a circle. Neither ball holds the other, as *d* > |*r*_1 − *r*_2|.";
       case Relation::disjoint:
-        return "A gap is left between them. This is known after three products, and without a root.";
+        return "A gap is left between them. Four products and no root have shown it.";
       case Relation::equal:
         return "The two balls are the same set.";
       default:
+        if (s_.inner_touch)
+          return "One ball lies inside the other and touches it from within: *d* = |*r*_1 − *r*_2|.\n"
+                 "This is called internal tangency.";
         return "OVERLAP does not say that one ball lies inside the other.\n"
                "That takes a second comparison, with the difference of the radii.";
     }
@@ -125,7 +131,8 @@ class Teller {
   std::string end_formula() const {
     const double d = (s_.a.center - s_.b.center).norm(), r1 = s_.a.radius, r2 = s_.b.radius;
     const bool inside = s_.truth == Relation::a_inside_b || s_.truth == Relation::b_inside_a;
-    if (inside) return "*d* = " + shown(d) + " ≤ |*r*_1 − *r*_2| = " + shown(std::abs(r1 - r2));
+    if (inside)
+      return "*d* = " + shown(d) + (s_.inner_touch ? " = " : " < ") + "|*r*_1 − *r*_2| = " + shown(std::abs(r1 - r2));
     const char* sign = s_.truth == Relation::disjoint ? " > " : s_.truth == Relation::touching ? " = " : " < ";
     return "*d* = " + shown(d) + sign + "*r*_1 + *r*_2 = " + shown(r1 + r2);
   }

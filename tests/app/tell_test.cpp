@@ -159,9 +159,9 @@ TEST_CASE("explain prints the pseudocode once, and the line of each step", "[exp
 
 TEST_CASE("explain tells the setting and what was changed, and a map in words", "[explain]") {
   const Shell shell;
-  const std::string told = shell("isect explain sphere-sphere --set r2=0.5").out;
+  const std::string told = shell("isect explain sphere-sphere --set r2=1.25").out;
   CHECK_THAT(told,
-             Contains("Sphere and sphere: overlapping+r2=0.5") && Contains("r₂ = 0.5   Radius of the second ball"));
+             Contains("Sphere and sphere: overlapping+r2=1.25") && Contains("r₂ = 1.25. Radius of the second ball"));
   CHECK_THAT(told, Contains("A map of all cases. Across:") && Contains("This setting: overlapping") &&
                        !Contains("dashed") && !Contains("rings"));
 }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "viz/chart.h"
 #include "viz/pick.h"
 #include "viz/rich_text.h"
 
@@ -63,7 +64,7 @@ std::size_t corners_of(const Region& region) {
 
 void verdict_chip(Session& s, const Rect& scene) {
   const Verdict& verdict = s.player.step().verdict;
-  if (verdict.text.empty()) return;
+  if (verdict.text.empty() || is_card(s.player.step().scene)) return;
   Ui& ui = s.ui;
   const Colour& ink = ink_of(ui.palette, verdict.kind);
   const Paragraph words{.markup = verdict.text, .colour = ui.palette.text};
