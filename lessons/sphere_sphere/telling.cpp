@@ -67,7 +67,8 @@ class Teller {
     const bool near = d2 < s2;
     Step& step = add("compare", "Nearer than they reach?", 3, compare_caption(d2, s2), Focus::none,
                      "*d*^2 = " + shown(d2) + (near ? " < " : " ≥ ") + shown(s2) + " = *s*^2");
-    Script::decide(step, {"*d*^2 < *s*^2", d2, s2, near, near ? "the balls overlap" : "the note says: disjoint"});
+    Script::decide(step, {"*d*^2 < *s*^2", d2, s2, near,
+                          near ? "the lecture note says: OVERLAP" : "the lecture note says: DISJOINT"});
     step.question = relation_question(s_.truth, "the two balls", because());
     if (!near) script_.refuse(3, {4});
 
@@ -84,9 +85,11 @@ class Teller {
   std::string compare_caption(double d2, double s2) const {
     if (std::isinf(d2) && std::isinf(s2)) return "Both squares have overflowed. Infinity is not less than infinity.";
     if (d2 == 0 && s2 == 0) return "Both squares have vanished. Zero is not less than zero.";
-    if (d2 == s2) return "The distance equals the reach: the balls touch. The strict comparison refuses it.";
-    return d2 < s2 ? "The centres lie nearer than the balls reach: they overlap."
-                   : "The centres lie further apart than the balls reach: no common point.";
+    const bool touch = s_.truth == Relation::touching, apart = s_.truth == Relation::disjoint;
+    if (d2 == s2 && touch) return "The distance equals the reach: the balls touch. The strict comparison refuses it.";
+    if (d2 < s2 && !touch && !apart) return "The centres lie nearer than the balls reach: they overlap.";
+    if (d2 > s2 && apart) return "The centres lie further apart than the balls reach: no common point.";
+    return "The two squares are so close that rounding has changed which of them is larger, or made them equal.";
   }
 
   std::string because() const {

@@ -1,6 +1,7 @@
 // What the lessons of two shapes say, on settings that nobody chose: the verdict in words, the lines and the counts are
 // those of oracles that look at points or compute in rationals.
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -14,6 +15,7 @@
 #include "lessons/obb_obb/picture.h"
 #include "lessons/relations/telling.h"
 #include "lessons/shared/relation.h"
+#include "lessons/sphere_sphere/picture.h"
 #include "tests/catch.h"
 #include "tests/lessons/random_settings.h"
 #include "tests/settings.h"
@@ -94,6 +96,33 @@ TEST_CASE("what the box lesson says is true of any two boxes, empty ones too", "
     CHECK(last.formula.starts_with("b ⊆ a") == (truth == Relation::b_inside_a));
     CHECK(last.formula.starts_with("a ⊆ b") == (truth == Relation::a_inside_b));
   });
+}
+
+TEST_CASE("what the sphere lesson says is true of any two balls, in huge and tiny units too", "[pair words]") {
+  on_random_settings("sphere-sphere", 1000, [](const Walk&, const Step& last, const Parameters& p) {
+    const auto setup = lessons::sphere_sphere_lesson::setup(p);
+    const Sphere<double, 3> a = setup.tested(setup.a), b = setup.tested(setup.b);
+    const Relation truth = oracle::relation(a, b);
+    CHECK(last.verdict.text == lessons::words(truth, "the balls"));
+    CHECK(last.verdict.kind == lessons::verdict_kind(truth));
+    const bool overlap = last.line == 4, touch = truth == Relation::touching;
+    CHECK(says(last.caption, "is wrong here") == (!touch && overlap != (truth != Relation::disjoint)));
+    CHECK(says(last.caption, "calls touching DISJOINT") == touch);
+    using oracle::operator-;
+    const auto l = oracle::rational<double, 3>(a.center) - oracle::rational<double, 3>(b.center);
+    const oracle::Rational rest = oracle::Rational(a.radius) - oracle::Rational(b.radius);
+    const bool inside = truth == Relation::a_inside_b || truth == Relation::b_inside_a;
+    if (overlap || touch)
+      CHECK(says(last.caption, "internal tangency") == (inside && oracle::dot(l, l) == rest * rest));
+  });
+  const Lesson& lesson = lesson_named(lessons::all_lessons(), "sphere-sphere");
+  for (const Preset& p : lesson.presets) {
+    INFO(p.id);
+    const Walk walk = lesson.walk(p.parameters);
+    const auto asked = std::ranges::find(walk.steps, std::string("compare"), &Step::slug);
+    const auto setup = lessons::sphere_sphere_lesson::setup(p.parameters);
+    CHECK(answer(*asked) == in_choices(oracle::relation(setup.tested(setup.a), setup.tested(setup.b))));
+  }
 }
 
 TEST_CASE("what the sphere-and-box lesson says is true of any ball and box", "[pair words]") {

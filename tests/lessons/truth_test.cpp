@@ -2,10 +2,13 @@
 // was taken and to each other. Nothing here knows a lesson by name.
 
 #include <algorithm>
+#include <charconv>
 #include <cstdlib>
+#include <cstring>
 #include <map>
 #include <regex>
 #include <set>
+#include <sstream>
 
 #include "lessons/lessons.h"
 #include "tests/catch.h"
@@ -42,6 +45,7 @@ class Faults {
       step_ = &walk.steps[i];
       comparison();
       equations();
+      chains();
       language(step_->caption), language(step_->formula), language(step_->verdict.text);
       if (step_->question) question(*step_->question, i > 0 ? &walk.steps[i - 1] : nullptr);
       lines(walk, i, last);
@@ -89,6 +93,69 @@ class Faults {
       if (std::regex_match(right, number) && right != shown(v.value))
         fault("a formula gives another value than the table", formula + " beside " + shown(v.value));
     }
+  }
+
+  /// "d = 2 < r + s = 3": what stands between the numbers of a chain is true of them.
+  void chains() {
+    std::string chain = ascii(plain(step_->formula));
+    std::replace(chain.begin(), chain.end(), ';', ',');
+    std::istringstream parts(chain);
+    for (std::string part; std::getline(parts, part, ',');) chain_of(part);
+  }
+  void chain_of(const std::string& part) {
+    static const std::regex sign(" (<=|>=|<|>|=) ");
+    std::optional<double> left, right;  // the last numbers of the expressions before and after the sign
+    std::string between;
+    std::sregex_iterator at(part.begin(), part.end(), sign), end;
+    std::size_t from = 0;
+    for (;; ++at) {
+      const std::string side = part.substr(from, at == end ? std::string::npos : at->position() - from);
+      if (const std::optional<double> x = number(side)) right = x;
+      const bool goes_on = at != end;
+      if (goes_on && (*at)[1] == "=") {
+        from = at->position() + at->length();
+        continue;
+      }
+      const bool wrong = left && right &&
+                         ((between == "<" && *left > *right) || (between == ">" && *left < *right) ||
+                          (between == "<=" && *left > *right) || (between == ">=" && *left < *right));
+      if (wrong) fault("a sign in a formula is not true of its numbers", part);
+      if (!goes_on) return;
+      left = std::exchange(right, std::nullopt), between = (*at)[1];
+      from = at->position() + at->length();
+    }
+  }
+
+  static std::optional<double> number(std::string text) {
+    text.erase(0, text.find_first_not_of(' '));
+    text.erase(text.find_last_not_of(" .") + 1);
+    double x = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
+    return error == std::errc{} && end == text.data() + text.size() ? std::optional(x) : std::nullopt;
+  }
+  /// Numbers and signs as they are typed.
+  static std::string ascii(std::string text) {
+    const std::pair<const char*, const char*> signs[] = {{"\u2009·\u200910", "e"},
+                                                         {"\u2009", ""},
+                                                         {"−", "-"},
+                                                         {"⁻", "-"},
+                                                         {"≤", "<="},
+                                                         {"≥", ">="},
+                                                         {"∞", "inf"},
+                                                         {"⁰", "0"},
+                                                         {"¹", "1"},
+                                                         {"²", "2"},
+                                                         {"³", "3"},
+                                                         {"⁴", "4"},
+                                                         {"⁵", "5"},
+                                                         {"⁶", "6"},
+                                                         {"⁷", "7"},
+                                                         {"⁸", "8"},
+                                                         {"⁹", "9"}};
+    for (const auto& [from, to] : signs)
+      for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at))
+        text.replace(at, std::strlen(from), to);
+    return text;
   }
 
   void language(const std::string& markup) {

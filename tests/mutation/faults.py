@@ -2,7 +2,8 @@
 
 A fault is (what it is, file, text as it stands there, text or expression that takes its place, by what it is caught).
 A replacement that contains FAULT stands as it is, and FAULT tells whether the fault is on; any other one is an expression
-that is taken instead of the text. "LESSON" or "LESSON PRESET" is checked by `isect check`; "svg" by the agreement test.
+that is taken instead of the text. "LESSON" or "LESSON PRESET" is checked by `isect check`; "svg" by the agreement test;
+"words LESSON" by the tests of what lessons say, which know no baseline.
 """
 
 RAY = "ray-sphere two-roots"
@@ -13,6 +14,9 @@ TELLER = "lessons/ray_sphere/telling.cpp"
 TELLING = "lessons/ray_sphere/telling.h"
 CASES = "lessons/ray_sphere/cases.cpp"
 BALLS = "lessons/sphere_sphere/telling.cpp"
+RELATIONS = "lessons/relations/telling.cpp"
+INTERVALS = "lessons/intervals/telling.cpp"
+BOXES = "lessons/aabb_aabb/telling.cpp"
 
 FAULTS = [
     # What is drawn.
@@ -135,4 +139,42 @@ FAULTS = [
      "if (fill.hatch_gap > 0 && fill.hatch_line > 0 && !FAULT) hatch(cr, fill);", "svg"),
     ("SVG gradients turned inside out", "viz/svg.cpp", "  add_stop(0, gradient.inner);\n  add_stop(1, gradient.outer);",
      "  add_stop(FAULT ? 1 : 0, gradient.inner);\n  add_stop(FAULT ? 0 : 1, gradient.outer);", "svg"),
+
+    # What is said is not true, though a baseline might have been accepted.
+    ("a touching pair called overlapping", RELATIONS, "script_.settle(verdict_kind(pair_.truth), words(pair_.truth, they_));",
+     "script_.settle(verdict_kind(pair_.truth), words(FAULT && pair_.truth == Relation::touching ? Relation::overlapping "
+     ": pair_.truth, they_));", "words relations"),
+    ("the number of relations that a yes leaves", RELATIONS, ".meet == pair_.meet;", ".meet == (pair_.meet != FAULT);", "words relations"),
+    ("touching from inside said of all containment", RELATIONS, "return e && e->inner == 0;", "return e && (FAULT || e->inner == 0);",
+     "words relations"),
+    ("the line of a in b for b in a", RELATIONS, "r == a_inside_b ? 2 : r == b_inside_a ? 3 : 0;",
+     "r == a_inside_b ? (FAULT ? 3 : 2) : r == b_inside_a ? 3 : 0;", "words relations"),
+    ("which set is a subset of the other", RELATIONS, ": a_in_b   ? 0", ": a_in_b   ? (FAULT ? 1 : 0)", "words relations"),
+    ("a gap's meaning", INTERVALS, 'e.holds ? "DISJOINT" : "no gap on this side"', 'e.holds ? "no gap on this side" : "DISJOINT"',
+     "words intervals"),
+    ("the sign between two ends", INTERVALS, '(e.holds ? " > " : " ≤ ")', '(e.holds ? " ≤ " : " > ")', "words intervals"),
+    ("empty intervals not told", INTERVALS, "    if (one_is_empty(s_))\n      return \"An interval",
+     "    if (one_is_empty(s_) && !FAULT)\n      return \"An interval", "words intervals"),
+    ("a gap of length 0", INTERVALS, 'if (lo > hi) return "gap: "', 'if (FAULT ? lo >= hi : lo > hi) return "gap: "', "words intervals"),
+    ("touching intervals called overlapping", INTERVALS, "script_.settle(verdict_kind(s_.truth), words(s_.truth, they(s_)));",
+     "script_.settle(verdict_kind(s_.truth), words(FAULT && s_.truth == Relation::touching ? Relation::overlapping : s_.truth, "
+     "they(s_)));", "words intervals"),
+    ("a box's gap backwards", BOXES, '"gap on " + axis + ": " + shown(right) + " to " + shown(left)',
+     '"gap on " + axis + ": " + shown(left) + " to " + shown(right)', "words aabb-aabb"),
+    ("OVERLAP returned for disjoint boxes", BOXES, "disjoint_ ? 2 : 3, end_caption()", "disjoint_ && !FAULT ? 2 : 3, end_caption()",
+     "words aabb-aabb"),
+    ("containment said of overlapping boxes", BOXES, "if (s_.truth == Relation::b_inside_a) return",
+     "if (s_.truth == (FAULT ? Relation::overlapping : Relation::b_inside_a)) return", "words aabb-aabb"),
+    ("a comparison that holds where it fails", BOXES, "lo, hi, !e.disjoint,", "lo, hi, FAULT ? e.disjoint : !e.disjoint,",
+     "words aabb-aabb"),
+    ("the sign between two squares", BALLS, '(near ? " < " : " ≥ ")', '(near ? " ≥ " : " < ")', "words sphere-sphere"),
+    ("the sign between distance and reach", BALLS, 's_.truth == Relation::disjoint ? " > "', 's_.truth == Relation::disjoint ? " < "',
+     "words sphere-sphere"),
+    ("internal tangency said of all containment", BALLS, "        if (s_.inner_touch)\n", "        if (s_.inner_touch || FAULT)\n",
+     "words sphere-sphere"),
+    ("balls that touch called disjoint", BALLS, 'script_.settle(verdict_kind(s_.truth), words(s_.truth, "the balls"));',
+     'script_.settle(verdict_kind(s_.truth), words(FAULT && s_.truth == Relation::touching ? Relation::disjoint : s_.truth, '
+     '"the balls"));', "words sphere-sphere"),
+    ("a question that accepts the wrong relation", BALLS, "relation_question(s_.truth, ",
+     "relation_question(FAULT && s_.truth == Relation::disjoint ? Relation::overlapping : s_.truth, ", "words sphere-sphere"),
 ]

@@ -67,11 +67,11 @@ def build(work, jobs):
     run = lambda *command: subprocess.run(command, cwd=work, check=True, stdout=sys.stderr)
     if not (work / "build/release/build.ninja").exists():
         run("cmake", "--preset", "release")
-    run("ninja", "-C", "build/release", *jobs, "isect", "test_figures")
+    run("ninja", "-C", "build/release", *jobs, "isect", "test_figures", "test_lessons")
 
 
-def run_with(work, number, command):
-    environment = dict(os.environ, ISECT_FAULT=str(number))
+def run_with(work, number, command, **more):
+    environment = dict(os.environ, ISECT_FAULT=str(number), **more)
     return subprocess.run(command, cwd=work, env=environment, capture_output=True, text=True, timeout=900)
 
 
@@ -84,6 +84,14 @@ def noticed(work, number, by):
             return None
         measured = re.search(r"with expansion:\n\s*(.*)", result.stdout)
         return "agreement", measured.group(1) if measured else "failed"
+    if by.startswith("words "):
+        units = sorted(path.stem for path in (ROOT / "tests/lessons").glob("*_words_test.cpp"))
+        tests = ",".join(["[every lesson]"] + [f"[#{unit}]" for unit in units])
+        result = run_with(work, number, ["build/release/tests/test_lessons", "-#", tests], ISECT_LESSON=by.split()[1])
+        if result.returncode == 0:
+            return None
+        failed = re.search(r"(?:FAILED:|failed.*)\n(?:.*\n){0,2}?\s*(\S.*)", result.stdout)
+        return "words", failed.group(1).strip() if failed else "failed"
     lesson, *preset = by.split()
     command = [f"{bin_folder}/isect", "check", lesson, "--json"] + [w for p in preset for w in ("--preset", p)]
     result = run_with(work, number, command)
