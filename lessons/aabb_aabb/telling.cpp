@@ -58,8 +58,8 @@ class Teller {
     const bool one_is_empty = empty(a) || empty(b);
     const double left = std::max(a.lo, b.lo), right = std::min(a.hi, b.hi);
     if (!one_is_empty)
-      script_.value((e.disjoint ? "gap on " : "common on ") + axis, std::abs(right - left), "length",
-                    e.disjoint ? Role::miss : Role::hit);
+      script_.value((e.disjoint ? "length of the gap on " : "common length on ") + axis, std::abs(right - left),
+                    "length", e.disjoint ? Role::miss : Role::hit);
     const std::string formula = one_is_empty ? std::string()
                                 : e.disjoint ? "gap on " + axis + ": " + shown(right) + " to " + shown(left)
                                              : "common on " + axis + ": " + shown(left) + " to " + shown(right);

@@ -51,8 +51,8 @@ const CaseMap& cases() {
   static const CaseMap map = {
       "*x* from the middle of a to that of b",
       "*y* from the middle of a to that of b",
-      {-4, -2.5},
-      {4, 2.5},
+      {-5, -2},
+      {5, 2},
       {"disjoint", "an end is near", "the segments cross", "one inside the other", "touching"},
       branch,
       place,

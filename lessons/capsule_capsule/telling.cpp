@@ -110,8 +110,7 @@ class Teller {
     Step& step = add(of_a ? "ends-a" : "ends-b", of_a ? "The ends of a" : "The ends of b", of_a ? 2 : 3, caption,
                      "least *d* so far = " + shown(least_));
     step.question =
-        which_value(fmt::format("What is the least distance from an end of {} to the segment of {}, so far?",
-                                of_a ? "a" : "b", of_a ? "b" : "a"),
+        which_value(fmt::format("What is the least *d* so far, once the ends of {} are asked?", of_a ? "a" : "b"),
                     least_, misconceived(), "The nearest point of a segment lies between its ends, or is one of them.");
     shown_.earlier.insert(shown_.earlier.end(), ends_.begin(), ends_.end());
     shown_.ways.clear(), ends_.clear();

@@ -56,8 +56,8 @@ const CaseMap& cases() {
   static const CaseMap map = {
       "distance of the centres",
       "turn of b about the vertical axis, in degrees",
-      {0, -180},
-      {4, 180},
+      {1.25, -180},
+      {3.25, 180},
       {"edge × edge", "a normal of a", "a normal of b", "overlapping", "one inside the other", "touching"},
       branch,
       place,

@@ -17,7 +17,7 @@ const std::string& opening() {
   static const std::string text =
       "Do two oriented boxes meet? They fit long bodies askew far better than axis-aligned ones.\n"
       "Each has a centre, three half-lengths and a right-handed frame of unit axes.\n"
-      "Compact convex sets are disjoint if and only if their projections on some axis are.";
+      "Compact convex sets are disjoint if and only if some axis separates their projections.";
   return text;
 }
 

@@ -119,7 +119,7 @@ class Equality {
     const Vec3 corner(0, 0, 0);  // the axes meet where all coordinates are 0
     for (int i = 0; i < 3; ++i) {
       Vec3 start = corner, end = corner;
-      start[i] -= 0.75, end[i] += 1.5;
+      start[i] -= 1, end[i] += 1.875;
       const bool here = i == axis;
       scene.items.emplace_back(Arrow{start, end, here ? Role::text : Role::muted, here ? Pen::solid : Pen::hairline});
       end[i] += 0.18;

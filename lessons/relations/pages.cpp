@@ -25,7 +25,7 @@ const std::vector<std::string> pseudocode = {
 namespace {
 
 /// How large the pairs are in each kind of grid: short numbers, so that nothing about them changes.
-constexpr double two_rows = 0.375, four_rows = 0.21875;
+constexpr double two_by_two = 0.625, two_rows = 0.375, four_rows = 0.21875;
 
 /// A grid in the middle of the picture.
 std::vector<Item> centred(const std::vector<Inset>& insets, int columns) {
@@ -75,7 +75,7 @@ Walk page_of_all(const Pose& pose) {
   std::set<Relation> found;
   std::string alt = "Four pairs in one pose";
   for (const Kind kind : kinds) {
-    const Pair pair(kind, pose, two_rows);
+    const Pair pair(kind, pose, two_by_two);
     insets.push_back({drawn(pair, true), name(kind), words(pair.truth, "they"),
                       verdict_kind(pair.truth) == Verdict::Kind::no ? Role::miss : Role::hit});
     found.insert(pair.truth);
@@ -90,13 +90,13 @@ Walk page_of_all(const Pose& pose) {
                               : fmt::format("All four pairs have one pose, yet {} different relations.\n"
                                             "Both count: what shape the two sets have, and where they are.",
                                             found.size()));
-  same.scene.items = centred(insets, 4);
+  same.scene.items = centred(insets, 2);
   // 1: that the pose alone decides; 4: that each shape is a case of its own.
   same.question = which_value("One pose, four kinds of shape. How many different relations?",
                               static_cast<double>(found.size()), {1, 2, 3, 4}, "The exact test of each kind decides.");
   const Ball& b = std::get<Ball>(same.scene.items[1]);
-  same.scene.handles = {{"size", Handle::Kind::along, b.center + two_rows * pose.size * upwards(), b.center,
-                         Role::second, upwards() / (two_rows * axis_length * axis_length)}};
+  same.scene.handles = {{"size", Handle::Kind::along, b.center + two_by_two * pose.size * upwards(), b.center,
+                         Role::second, upwards() / (two_by_two * axis_length * axis_length)}};
   script.settle(Verdict::Kind::yes, "six relations, whatever the kind");
   script
       .add("six-relations", "Six relations, four kinds", -1,

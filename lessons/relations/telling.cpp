@@ -86,7 +86,7 @@ class Teller {
     if (!equal) scene.items.push_back(name_of(pair_.b, high_right, "b", Role::second));
     if (focus == Focus::containment)
       for (const auto& p : {left_over(pair_.a, pair_.b), left_over(pair_.b, pair_.a)})
-        if (p) scene.items.push_back(Dot{*p, Mark::cross, Role::miss});
+        if (p) scene.items.push_back(Dot{*p, Mark::ring, Role::miss});
 
     const Point<double, 2> flat = place(pose_.b);
     const Vec3 b = pair_.kind == Kind::polygons ? in_plane(flat.x(), flat.y()) : pose_.b;
@@ -148,7 +148,7 @@ class Teller {
                              : a_in_b   ? 0
                              : b_in_a   ? 1
                                         : 3,
-                             "A cross marks a point of one outside the other."};
+                             "A ring marks a point of one outside the other."};
   }
 
   std::string contained_caption() const {

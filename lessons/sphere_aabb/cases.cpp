@@ -50,16 +50,16 @@ const CaseMap& cases() {
   static const CaseMap map = {
       "*x* from the middle of the box to **c**",
       "*y* from the middle of the box to **c**",
-      {-4, -2.5},
-      {4, 2.5},
-      {"disjoint", "face", "edge", "corner", "expanded box only", "**c** inside", "ball inside", "box inside",
-       "touching"},
+      {-5, -2},
+      {5, 2},
+      {"disjoint", "face", "edge", "corner", "expanded only", "**c** inside", "ball inside", "box inside", "touching"},
       branch,
       place,
       moved,
       "The centre moves over *x* and *y*; its *z* and the radius stay.\n"
-      "Face, edge, corner: where the box's point nearest to **c** lies. The expanded box has square corners, and holds "
-      "too much."};
+      "Face, edge, corner: where the box's point nearest to **c** lies. Expanded only: where the expanded box errs, as "
+      "its "
+      "corners are square."};
   return map;
 }
 

@@ -152,7 +152,7 @@ TEST_CASE("what the sphere-and-box lesson says is true of any ball and box", "[p
 }
 
 TEST_CASE("what the oriented-box lesson says is true of any two boxes, with any epsilon", "[pair words]") {
-  on_random_settings("obb-obb", 300, [](const Walk& walk, const Step& last, const Parameters& p) {
+  on_random_settings("obb-obb", 1000, [](const Walk& walk, const Step& last, const Parameters& p) {
     const auto setup = lessons::obb_obb_lesson::setup(p);
     const oracle::obb::Exactly<3> a(setup.a), b(setup.b);
     const Relation truth = oracle::obb::by_projection(a, b);
@@ -168,7 +168,7 @@ TEST_CASE("what the oriented-box lesson says is true of any two boxes, with any 
 }
 
 TEST_CASE("what the capsule lesson says at the end is true of any two capsules", "[pair words]") {
-  on_random_settings("capsule-capsule", 300, [](const Walk& walk, const Step& last, const Parameters& p) {
+  on_random_settings("capsule-capsule", 1000, [](const Walk& walk, const Step& last, const Parameters& p) {
     const auto capsule = [&](const char* from, const char* to, const char* radius) {
       return Capsule<double, 2>{vector(p, from).head<2>(), vector(p, to).head<2>(), number(p, radius)};
     };
