@@ -37,6 +37,9 @@ viz::Scene picture(const Setup&, const Shown&);
 const viz::CaseMap& cases();
 /// Whether the capsules meet, by each method. (cases.cpp)
 std::vector<viz::Opinion> opinions(const viz::Parameters&);
+/// Why they lie as they do, and what follows. (relation.cpp)
+std::string because(const Setup&);
+std::string end_caption(const Setup&);
 /// What is told before the first step, and after the last one. (closing.cpp)
 const std::string& opening();
 const viz::Closing& closing();

@@ -151,7 +151,7 @@ class Teller {
                      !meet    ? 4
                      : inside ? 5
                               : 6,
-                     end_caption(),
+                     end_caption(s_),
                      fmt::format("*d* {} {} = *s*",
                                  !meet       ? ">"
                                  : equal     ? "="
@@ -160,53 +160,13 @@ class Teller {
                                  shown(sum())));
     if ((least_ <= sum()) == meet)  // else rounding hides the difference
       Script::decide(step, {"*d* ≤ *s*", least_, sum(), meet, meet ? "they share a point" : "a gap between them"});
-    step.question = relation_question(s_.truth, "the two capsules", because());
+    step.question = relation_question(s_.truth, "the two capsules", because(s_));
   }
 
   /// A segment without thickness in the other's interior.
   bool pierced() const { return s_.thin() && sum() > 0 && (crossed_ || nearer()); }
   bool nearer() const {
     return std::ranges::any_of(shown_.earlier, [](const End& e) { return e.sign < 0; });
-  }
-
-  std::string because() const {
-    switch (s_.truth) {
-      case Relation::disjoint:
-        return "No end comes within *s* of the other segment, and they do not cross.";
-      case Relation::touching:
-        return s_.thin() ? "One of them is a segment, which has no interior."
-                         : "An end is exactly *s* away, and none is nearer.";
-      case Relation::overlapping:
-        return "They come nearer than *s*, but neither contains the balls at both ends of the other.";
-      default:
-        return "One capsule contains the balls at both ends of the other. It is convex, so it contains all between.";
-    }
-  }
-
-  std::string end_caption() const {
-    switch (s_.truth) {
-      case Relation::disjoint:
-        return "The segments are more than *s* apart: a gap is left.\n"
-               "The core compares squares, multiplied out, so it needs no division and no root.";
-      case Relation::touching:
-        if (s_.thin())
-          return "A capsule of radius 0 is a segment. In the plane it has no interior, so the two can only touch.\n"
-                 "Where the common point is no double, methods that compute it may miss it.";
-        return "The distance is exactly *s*: the core takes the sign of *d* − *s* without rounding.\n"
-               "They share boundary points, and no interior point.";
-      case Relation::overlapping:
-        return "They share interior points, and neither contains the other.\n"
-               "Green marks what they share.";
-      case Relation::equal:
-        return "Each lies inside the other: they are the same set. The ends may be swapped.";
-      default: {
-        const char *in = s_.truth == Relation::a_inside_b ? "a" : "b", *out = in[0] == 'a' ? "b" : "a";
-        return fmt::format(
-            "Both ends of {0} lie within *r*_{1} − *r*_{0} of the segment of {1}, so {1} contains their balls.\n"
-            "A convex set that contains both contains all between them: {0} lies inside.",
-            in, out);
-      }
-    }
   }
 
   double sum() const { return s_.a.radius + s_.b.radius; }

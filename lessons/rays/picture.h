@@ -43,6 +43,9 @@ viz::Walk bullet(const viz::Vec3& p, const viz::Vec3& velocity);  ///< a moving 
 /// Whether it is in the wall between the frames, and in neither of them.
 bool tunnels(const viz::Vec3& p, const viz::Vec3& velocity);
 
+/// Why the line's hit counts, or does not. (verdict.cpp)
+std::string verdict_caption(const Setup&);
+
 /// What is told before the first step, and after the last one. (closing.cpp)
 const std::string& opening();
 const viz::Closing& closing();

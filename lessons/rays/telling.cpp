@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <isect/orient.h>
 #include <isect/ray_plane_methods.h>
 #include "lessons/rays/picture.h"
 #include "lessons/shared/questions.h"
@@ -32,15 +31,13 @@ std::vector<std::string> pseudocode(const Setup& s) {
           "return HIT, r(t)"};                                                         // 6
 }
 
-std::string noun(const Setup& s) { return s.extent == "ray" ? "ray" : s.extent; }
-
 class Teller {
  public:
   explicit Teller(const Setup& setup)
       : s_(setup),
         pseudocode_(pseudocode(setup)),
         script_({"Lecture note Intersection Detection, rays, and ray against plane",
-                 fmt::format("A {} and a wall at x = {}: {}.", noun(s_), shown(s_.wall),
+                 fmt::format("A {} and a wall at x = {}: {}.", s_.extent, shown(s_.wall),
                              s_.truth.coplanar ? "it lies in the wall"
                              : s_.truth.meets  ? "they meet at t = " + shown(*s_.truth.t)
                                                : "they do not meet"),
@@ -127,7 +124,7 @@ class Teller {
                      : line  ? "A line has no end. What lies behind **o**, at *t* < 0, belongs to it, too."
                              : "A ray has one end, and **o** belongs to it. What lies at *t* < 0 does not.",
                      t);
-    step.question = {"Which *t* belong to a " + noun(s_) + "?",
+    step.question = {"Which *t* belong to a " + s_.extent + "?",
                      {"0 ≤ *t* ≤ " + end, "*t* ≥ 0", "every *t*"},
                      segment ? 0
                      : line  ? 2
@@ -169,13 +166,13 @@ class Teller {
     known_.settled = true;
     const bool meets = s_.truth.meets;
     script_.settle(meets ? Verdict::Kind::yes : Verdict::Kind::no,
-                   !meets              ? "the " + noun(s_) + " misses the wall"
-                   : s_.truth.coplanar ? "the " + noun(s_) + " lies in the wall"
-                                       : "the " + noun(s_) + " meets the wall at *t* = " + shown(*s_.truth.t));
+                   !meets              ? "the " + s_.extent + " misses the wall"
+                   : s_.truth.coplanar ? "the " + s_.extent + " lies in the wall"
+                                       : "the " + s_.extent + " meets the wall at *t* = " + shown(*s_.truth.t));
     const bool divided = s_.truth.line.has_value();
     const int line = !divided ? 3 : meets ? 6 : 5;
     if (divided && meets) script_.refuse(5, {});
-    Step& step = add("verdict", "Does it count?", line, verdict_caption());
+    Step& step = add("verdict", "Does it count?", line, verdict_caption(s_));
     if (!divided) return;
     const double t = *s_.truth.line;
     const bool below = t < s_.ray.range.lo || !std::isfinite(s_.ray.range.hi);
@@ -186,37 +183,6 @@ class Teller {
                             meets ? "in the range" : "outside the range"});
     step.question =
         which_line(pseudocode_, line, {5, 6}, meets ? "Its *t* lies in the range." : "Its *t* lies outside the range.");
-  }
-
-  std::string verdict_caption() const {
-    if (!s_.truth.line)
-      return s_.truth.coplanar ? "**o** lies in the wall, and so does the whole " + noun(s_) + "."
-                               : "**o** does not lie in the wall, so no point of the line does.";
-    const double t = *s_.truth.line;
-    std::string text;
-    if (!s_.truth.meets)
-      text = t < s_.ray.range.lo || s_.extent != "segment"
-                 ? "*t* < 0: the wall lies behind **o**. The line meets it, the " + noun(s_) + " does not."
-                 : "*t* > *t*_{max}: the segment ends before the wall. Its line goes on, and meets it.";
-    else if (t == s_.ray.range.hi)
-      text = "The segment ends exactly in the wall. Its end belongs to it, so they meet.";
-    else if (s_.truth.t && s_.wall == s_.o.x())
-      text = "**o** lies in the wall. The range is closed, so *t* = 0 counts.";
-    else
-      text = t < 0 ? "*t* < 0, and still it counts: a line has every *t*."
-                   : "*t* lies in the range, so **r**(*t*) is a common point.";
-    return s_.made == Made::unit ? text + "\n" + rounding() : text;
-  }
-
-  /// What the unit direction has lost, asked exactly.
-  std::string rounding() const {
-    const Vector<double, 2> d = s_.d.head<2>();
-    const int turned = orient2d({0, 0}, d, s_.ray.direction);
-    return turned == 0 ? "Here the rounded **u** still points along **d**."
-                       : fmt::format(
-                             "But the rounded unit vector points a little to the {} of **d**: exact "
-                             "predicates take **d** as given.",
-                             turned > 0 ? "left" : "right");
   }
 
   const Setup& s_;

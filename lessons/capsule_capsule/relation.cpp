@@ -1,0 +1,49 @@
+// How two capsules lie, in words.
+
+#include <fmt/format.h>
+
+#include "lessons/capsule_capsule/picture.h"
+
+namespace isect::lessons::capsule_capsule_lesson {
+
+std::string because(const Setup& s) {
+  switch (s.truth) {
+    case Relation::disjoint:
+      return "No end comes within *s* of the other segment, and they do not cross.";
+    case Relation::touching:
+      return s.thin() ? "One of them is a segment, which has no interior."
+                      : "An end is exactly *s* away, and none is nearer.";
+    case Relation::overlapping:
+      return "They come nearer than *s*, but neither contains the balls at both ends of the other.";
+    default:
+      return "One capsule contains the balls at both ends of the other. It is convex, so it contains all between.";
+  }
+}
+
+std::string end_caption(const Setup& s) {
+  switch (s.truth) {
+    case Relation::disjoint:
+      return "The segments are more than *s* apart: a gap is left.\n"
+             "The core compares squares, multiplied out, so it needs no division and no root.";
+    case Relation::touching:
+      if (s.thin())
+        return "A capsule of radius 0 is a segment. In the plane it has no interior, so the two can only touch.\n"
+               "Where the common point is no double, methods that compute it may miss it.";
+      return "The distance is exactly *s*: the core takes the sign of *d* − *s* without rounding.\n"
+             "They share boundary points, and no interior point.";
+    case Relation::overlapping:
+      return "They share interior points, and neither contains the other.\n"
+             "Green marks what they share.";
+    case Relation::equal:
+      return "Each lies inside the other: they are the same set. The ends may be swapped.";
+    default: {
+      const char *in = s.truth == Relation::a_inside_b ? "a" : "b", *out = in[0] == 'a' ? "b" : "a";
+      return fmt::format(
+          "Both ends of {0} lie within *r*_{1} − *r*_{0} of the segment of {1}, so {1} contains their balls.\n"
+          "A convex set that contains both contains all between them: {0} lies inside.",
+          in, out);
+    }
+  }
+}
+
+}  // namespace isect::lessons::capsule_capsule_lesson
