@@ -168,8 +168,8 @@ TEST_CASE("explain tells the setting and what was changed, and a map in words", 
 
 TEST_CASE("explain is as wide as the terminal", "[explain]") {
   const Shell shell;
-  CHECK(widest(shell("COLUMNS=60 isect explain relations").out) <= 60);
-  const std::size_t wide = widest(shell("COLUMNS=120 isect explain relations").out);
+  CHECK(widest(shell("COLUMNS=60 isect explain sphere-sphere").out) <= 60);
+  const std::size_t wide = widest(shell("COLUMNS=120 isect explain sphere-sphere").out);
   CHECK((wide > 80 && wide <= 120));
 }
 
