@@ -224,30 +224,54 @@ class Faults {
   std::map<std::string, std::string> found_;
 };
 
-/// A lesson over what was measured is told once; a walk through 100,000 boxes is not drawn a thousand times.
-int how_many(const Lesson& lesson) { return lesson.parameters.size() < 2 ? 10 : tests::cases(200, 3000); }
+/// A lesson over what was measured has few settings.
+int how_many(const Lesson& lesson, int few) { return lesson.parameters.size() < 2 ? 10 : tests::cases(few, 10 * few); }
+
+/// Two settings on either side of a border of the map, between two places drawn at random.
+void look_beside_a_border(const Lesson& lesson, const Parameters& start, bench::Random& random, Faults& faults) {
+  const auto place = [&] {
+    return Vec2(random.uniform(lesson.map->lo.x(), lesson.map->hi.x()),
+                random.uniform(lesson.map->lo.y(), lesson.map->hi.y()));
+  };
+  const Vec2 from = place(), to = place();
+  if (const auto pair = tests::beside_a_border(lesson, start, from, to))
+    faults.look_at(pair->first), faults.look_at(pair->second);
+}
+
+void look_at_any_setting(const Lesson& lesson) {
+  bench::Random random(bench::stream(tests::seed(), lesson.id.c_str()));
+  Faults faults(lesson);
+  for (const Preset& p : lesson.presets) faults.look_at(p.parameters);
+  for (int i = 0; i < how_many(lesson, 1000); ++i) faults.look_at(tests::random_setting(lesson, random));
+  for (int i = 0; lesson.map && i < how_many(lesson, 200); ++i)
+    look_beside_a_border(lesson, lesson.presets[static_cast<std::size_t>(i) % lesson.presets.size()].parameters, random,
+                         faults);
+  for (const auto& [what, where] : faults.found()) FAIL_CHECK(lesson.id << ": " << what << "\n  " << where);
+}
+
+/// Every `of`-th lesson, so that they run side by side.
+void look_at_lessons(std::size_t first, std::size_t of) {
+  const std::vector<const Lesson*> lessons = those_asked_for();
+  for (std::size_t i = first; i < lessons.size(); i += of) look_at_any_setting(*lessons[i]);
+}
 
 }  // namespace
 
-TEST_CASE("what the steps say holds on presets, on random settings and at the borders of the map", "[every lesson]") {
-  for (const Lesson* lesson : those_asked_for()) {
-    bench::Random random(bench::stream(tests::seed(), lesson->id.c_str()));
-    Faults faults(*lesson);
-    for (const Preset& p : lesson->presets) faults.look_at(p.parameters);
-    for (int i = 0; i < how_many(*lesson); ++i) faults.look_at(tests::random_setting(*lesson, random));
-    if (lesson->map)
-      for (int i = 0; i < how_many(*lesson); ++i) {
-        const auto place = [&] {
-          return Vec2(random.uniform(lesson->map->lo.x(), lesson->map->hi.x()),
-                      random.uniform(lesson->map->lo.y(), lesson->map->hi.y()));
-        };
-        const Parameters& start = lesson->presets[static_cast<std::size_t>(i) % lesson->presets.size()].parameters;
-        const Vec2 from = place(), to = place();
-        if (const auto pair = tests::beside_a_border(*lesson, start, from, to))
-          faults.look_at(pair->first), faults.look_at(pair->second);
-      }
-    for (const auto& [what, where] : faults.found()) FAIL_CHECK(lesson->id << ": " << what << "\n  " << where);
-  }
+TEST_CASE("what the steps say holds on presets, on random settings and at the borders of the map: first lesson of four",
+          "[every lesson]") {
+  look_at_lessons(0, 4);
+}
+TEST_CASE("what the steps say holds on presets, on random settings and at the borders of the map: second of four",
+          "[every lesson]") {
+  look_at_lessons(1, 4);
+}
+TEST_CASE("what the steps say holds on presets, on random settings and at the borders of the map: third of four",
+          "[every lesson]") {
+  look_at_lessons(2, 4);
+}
+TEST_CASE("what the steps say holds on presets, on random settings and at the borders of the map: last of four",
+          "[every lesson]") {
+  look_at_lessons(3, 4);
 }
 
 TEST_CASE("at most one question in five is answered by yes or no", "[every lesson]") {
