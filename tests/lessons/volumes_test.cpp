@@ -102,7 +102,9 @@ TEST_CASE("five of the six relations say yes, and the walks' verdicts name them"
     if (p.id == "all-kinds") continue;
     INFO(p.id);
     const Walk walk = lesson.walk(p.parameters);
-    bool named = false;
+    bool named =  // a way of lying inside, which is no seventh relation
+        p.id == "ball-inner-touch" &&
+        walk.steps.back().verdict.text == lessons::words(Relation::b_inside_a, "the balls");
     for (const relations::Kind kind : relations::kinds)
       for (const relations::Situation& s : relations::situations(kind))
         named = named || (p.title == relations::name(kind) + ": " + s.title &&
