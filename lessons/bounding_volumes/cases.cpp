@@ -44,7 +44,7 @@ int branch(const Parameters& p) {
   if (r == Relation::a_inside_b || r == Relation::equal) return 1;
   for (std::size_t i = 0; i < a.parts.size(); ++i)
     if (intersects(a.parts[i], b) && intersects(triangle(a.mesh, static_cast<int>(i)), b)) return 3;
-  return 2;
+  return encloses(a.mesh, q) ? 4 : 2;
 }
 
 /// The other walk has no place on the map.
@@ -65,7 +65,7 @@ const CaseMap& cases() {
                               "*y* of the middle of b",
                               {-2.5, -2.5},
                               {2.5, 2.5},
-                              {"trivial reject", "trivial accept", "only void", "true overlap"},
+                              {"trivial reject", "trivial accept", "only void", "true overlap", "b inside a"},
                               branch,
                               place,
                               moved,

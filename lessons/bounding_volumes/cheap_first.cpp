@@ -9,6 +9,7 @@
 #include <isect/triangle_aabb.h>
 #include <isect/triangle_aabb_methods.h>
 #include "lessons/bounding_volumes/picture.h"
+#include "lessons/shared/plural.h"
 #include "lessons/shared/script.h"
 #include "viz/solids.h"
 
@@ -35,7 +36,8 @@ bool inside(const Aabb<C, 3>& inner, const Aabb<C, 3>& outer) {
 
 /// The object against the box, with what is counted on the way.
 struct Tested {
-  Tested(const Mesh3& mesh, const Box& window) : around(fit_aabb(mesh.vertices)), truth(relate(around, window)) {
+  Tested(const Mesh3& mesh, const Box& window, const Vec3& middle)
+      : around(fit_aabb(mesh.vertices)), truth(relate(around, window)) {
     tally() = {};
     rejected = !aabb_aabb::by_axis(cast<C>(around), cast<C>(window));
     accepted = !rejected && inside(cast<C>(around), cast<C>(window));
@@ -46,11 +48,13 @@ struct Tested {
     expensive = tally();
     for (int i = 0; i < static_cast<int>(mesh.triangles.size()); ++i)
       if (intersects(triangle(mesh, i), window)) hits.push_back(i);
+    if (!rejected && !accepted && hits.empty()) within = encloses(mesh, middle);
   }
 
   Box around;
   Relation truth;
   bool rejected, accepted;
+  bool within = false;     ///< b lies wholly in the object, and meets no triangle of its surface
   Tally cheap, expensive;  ///< of the volume's tests; of all triangles'
   std::vector<int> hits;   ///< triangles that meet the window, exactly
 };
@@ -60,14 +64,17 @@ class Teller {
   Teller(const Mesh3& mesh, const Vec3& tip, const Vec3& middle, double reach)
       : mesh_(mesh),
         window_{middle - Vec3::Constant(reach), middle + Vec3::Constant(reach)},
-        test_(mesh, window_),
-        script_({"Note, N03",
-                 "An object in its bounding box, and another box, b: " + outcome() + ".",
-                 {"if the volume of a and b are disjoint: return OUTSIDE",  // 0
-                  "if the volume of a lies in b: return INSIDE",            // 1
-                  "for each triangle of a",                                 // 2
-                  "    if it meets b: return CROSSING",                     // 3
-                  "return OUTSIDE"},                                        // 4
+        test_(mesh, window_, middle),
+        script_({"Lecture note, bounding volumes",
+                 "An object a in its bounding box, and another box, b: " + outcome() + ".",
+                 {"if the volume of a and b are disjoint",        // 0
+                  "    return OUTSIDE",                           // 1
+                  "if the volume of a lies in b",                 // 2
+                  "    return INSIDE",                            // 3
+                  "for each triangle of a",                       // 4
+                  "    if it meets b: return CROSSING",           // 5
+                  "if the middle of b lies in a: return B IN A",  // 6
+                  "return OUTSIDE"},                              // 7
                  "cheap test first"}) {
     handles_ = {{"q", Handle::Kind::point, middle, Vec3::Zero(), Role::second},
                 {"tip", Handle::Kind::point, tip, Vec3::Zero(), Role::first}};
@@ -77,7 +84,7 @@ class Teller {
     script_.value("triangles", static_cast<double>(mesh_.triangles.size()));
     add("question", "How much of a lies in b?", 0,
         fmt::format("All of the object, none, or a part? Its {} triangles may all have to be asked.\n"
-                    "Its bounding box answers first, if it can.",
+                    "So its bounding box is asked first: it may settle the question.",
                     mesh_.triangles.size()),
         false, false);
     volume_first();
@@ -111,7 +118,8 @@ class Teller {
   std::string outcome() const {
     if (test_.rejected) return "trivial reject";
     if (test_.accepted) return "trivial accept";
-    return test_.hits.empty() ? "only the volume overlaps" : "the object crosses the boundary or lies within";
+    if (test_.within) return "b lies wholly in the object";
+    return test_.hits.empty() ? "only the void of the volume overlaps b" : "the object's surface meets b";
   }
 
   void volume_first() {
@@ -120,19 +128,22 @@ class Teller {
     script_.value("volume tests", cheap, "operations", Role::hit);
     script_.value("all triangles", all, "operations", Role::muted);
     const bool trivial = test_.rejected || test_.accepted;
-    if (!test_.rejected) script_.refuse(0, {});
-    if (!trivial) script_.refuse(1, {});
+    if (!test_.rejected) script_.refuse(0, {1});
+    if (!trivial) script_.refuse(2, {3});
     if (trivial) {
       script_.leave_early();
       script_.settle(test_.rejected ? Verdict::Kind::no : Verdict::Kind::yes,
                      test_.rejected ? "trivial reject: OUTSIDE" : "trivial accept: INSIDE");
     }
     Step& step =
-        add("volume-first", "The volume first", test_.rejected ? 0 : 1,
+        add("volume-first", "The volume first",
+            test_.rejected   ? 1
+            : test_.accepted ? 3
+                             : 2,
             test_.rejected   ? "The volume misses b, so all that it holds does. No triangle is asked."
             : test_.accepted ? "The volume lies in b, so all that it holds does. No triangle is asked."
                              : "The volume and b overlap. That is no answer for the object: only potential overlap.",
-            true, false, fmt::format("{} operations, where all triangles take {}", cheap, all));
+            true, false, fmt::format("{}, where all triangles take {}", plural(cheap, "operation"), all));
     step.decides = true;
     step.question = Question{"What does the volume's test tell?",
                              {"trivial reject", "trivial accept", "potential overlap"},
@@ -147,23 +158,38 @@ class Teller {
     const Tally &c = test_.cheap, &e = test_.expensive;
     script_.count({c.mul + e.mul, c.add + e.add, c.div + e.div, c.sqrt + e.sqrt, c.compare + e.compare});
     script_.value("triangles in b", static_cast<double>(test_.hits.size()), {}, meets ? Role::hit : Role::miss);
-    add("triangles", "Now every triangle", 2,
-        meets ? "Green triangles meet b. A yes or no could stop at the first of them."
-              : "No triangle meets b. Each of them had to be asked to learn that.",
-        true, true, fmt::format("{} of {} triangles meet b", test_.hits.size(), mesh_.triangles.size()));
-    script_.settle(meets ? Verdict::Kind::yes : Verdict::Kind::no,
-                   meets ? "CROSSING: the object itself meets b" : "OUTSIDE: only void met b");
-    if (!meets) script_.refuse(3, {});
-    Step& step = add("verdict", meets ? "A true overlap" : "A false alarm", meets ? 3 : 4,
-                     meets ? "The volume's test was not wasted: for most pairs of a scene it is the last one."
-                           : "b lies in the void of the volume. Less void, fewer false alarms: that is why tightness "
-                             "counts.",
+    add("triangles", "Now every triangle", 4,
+        meets ? "Those in green meet b. A yes or no could stop at the first of them."
+              : "No triangle meets b. Each of them had to be asked to learn that.\n"
+                "That is not the end: a box deep inside the object meets no triangle of its surface either.",
+        true, true, fmt::format("{} of {} triangles meet b", test_.hits.size(), mesh_.triangles.size()))
+        .question = Question{"Where does b lie?",
+                             {"across the object's surface", "in the void of the volume", "wholly inside the object"},
+                             meets          ? 0
+                             : test_.within ? 2
+                                            : 1,
+                             "Each triangle is tested against b; where none meets it, one point of b decides."};
+    const bool within = test_.within;
+    script_.settle(meets || within ? Verdict::Kind::yes : Verdict::Kind::no,
+                   meets    ? "CROSSING: the object's surface meets b"
+                   : within ? "b lies inside a"
+                            : "OUTSIDE: b lies in the void");
+    if (!meets) script_.refuse(5, {});
+    if (!meets && !within) script_.refuse(6, {});
+    Step& step = add("verdict",
+                     meets    ? "A true overlap"
+                     : within ? "Containment"
+                              : "A false positive",
+                     meets    ? 5
+                     : within ? 6
+                              : 7,
+                     meets    ? "The volume's test was not wasted: for most pairs of a scene it is the last one."
+                     : within ? "No triangle meets b, yet one point of b lies inside the closed surface, so all of b "
+                                "does.\nA test of triangles alone would call this OUTSIDE."
+                              : "One point of b lies outside, so all of b does: only the void of the volume met it.\n"
+                                "Less void means fewer false positives. That is why tightness counts.",
                      true, true);
     step.decides = true;
-    step.question = Question{"Does the object itself meet b?",
-                             {"yes", "no: only its void does"},
-                             meets ? 0 : 1,
-                             "The exact test of each triangle decides."};
   }
 
   const Mesh3& mesh_;

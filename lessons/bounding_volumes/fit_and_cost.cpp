@@ -7,6 +7,7 @@
 #include <isect/fit_tight.h>
 #include <isect/volume.h>
 #include "lessons/bounding_volumes/picture.h"
+#include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"
 #include "viz/chart.h"
 
@@ -25,7 +26,7 @@ class Fit {
         fitted_(mesh_, k),
         all_(measured(fitted_)),
         tip_(tip),
-        script_({"Note, N04, N06-N08",
+        script_({"Lecture note, bounding volumes; Ericson, Real-Time Collision Detection (2005), ch. 4",
                  fmt::format("A {} in a sphere, an AABB, an OBB, a {}-DOP and its convex hull.", name, k),
                  {"sphere: a centre, and the distance of the farthest vertex",  // 0
                   "AABB: on each axis the least and the greatest coordinate",   // 1
@@ -78,28 +79,33 @@ class Fit {
     for (const auto& event : record.events)
       if (const auto* e = std::get_if<fit::Extreme>(&event)) farthest = e->point;
     volume_step(0, 0, "Sphere: a centre and a radius",
-                "The smallest ball. The farthest vertex decides the radius. Four numbers, and turning the object "
-                "changes nothing.",
+                "The radius reaches to the farthest vertex. When the object turns, only the centre moves with it.",
                 radius(fitted_.ball, mesh_.vertices[farthest]), "|**x** − **c**| ≤ *r*");
   }
 
   void aabb() {
     Step& step = volume_step(1, 1, "AABB: two extreme points",
-                             "The least and the greatest coordinate on each axis. Six numbers, found and tested by "
-                             "comparisons alone.",
+                             "The least and the greatest coordinate on each axis, so *a*_{min,*i*} ≤ *a*_{max,*i*}. "
+                             "Both are found and tested by comparisons alone.\n"
+                             "When the object turns, the box must be fitted again.",
                              corners(fitted_.aabb), "*a*_{min,*i*} ≤ *x_i* ≤ *a*_{max,*i*} for *i* = x, y, z");
-    const bool smaller = all_[1].volume < all_[0].volume;
-    step.question = Question{"Is the AABB smaller than the sphere?",
-                             {"yes", "no"},
-                             smaller ? 0 : 1,
-                             fmt::format("{} against {}.", shown(all_[1].volume), shown(all_[0].volume))};
+    const double box = all_[1].volume, ball = all_[0].volume;
+    step.question = Question{"Which holds less void?",
+                             {"the sphere", "the AABB", "both the same"},
+                             box < ball   ? 1
+                             : ball < box ? 0
+                                          : 2,
+                             fmt::format("The AABB's volume is {}, and the sphere's {}.", shown(box), shown(ball))};
   }
 
   void obb() {
     volume_step(2, 2, "OBB: axes and half-lengths",
-                "A centre, three axes at right angles, and a half-length along each. It turns with the object.\n"
-                "Which axes are best is hard to find: the core searches.",
-                axes(fitted_.obb), "|(**x** − **b**_c) · **b***_i*| ≤ *h_i* for *i* = u, v, w");
+                "A centre, three unit axes, pairwise at right angles and right-handed, and a half-length along each.\n"
+                "It turns with the object: its axes are turned. Which axes are tightest takes a search.",
+                axes(fitted_.obb), "|(**x** − **b**_c) · **b***_i*| ≤ *h_i* for *i* = u, v, w")
+        // one axis follows from the other two; a corner instead of axes; an AABB's
+        .question = which_value("How many numbers does the OBB keep?", static_cast<double>(all_[2].numbers), {6, 9, 12},
+                                "Three for the centre, nine for the axes and three half-lengths.");
   }
 
   void slab_of_dop() {
@@ -111,7 +117,7 @@ class Fit {
     Step& step = add("slab", "A slab between two planes", 3,
                      "The note's planes are **n** · **x** + *d* = 0, so its slab is −*d*_{max} ≤ **n** · **x** ≤ "
                      "−*d*_{min}. Mind the sign.\n"
-                     "Its normals have length 1; integers keep touching exact.",
+                     "The note uses unit normals; integer normals let us decide touching exactly.",
                      fmt::format("{} ≤ **n** · **x** ≤ {},  **n** = ({}, {}, {})", shown(s.lo), shown(s.hi),
                                  shown(n.x()), shown(n.y()), shown(n.z())));
     std::vector<Item>& items = step.scene.items;
@@ -125,8 +131,8 @@ class Fit {
     for (const std::string& k : sizes_of_dops) all.push_back(measured_kdop(mesh_, std::stoi(k)));
     script_.value(all_[3].name, all_[3].volume, "volume", Role::second);
     Step& step = add("k-dops", "k-DOPs: more slabs, less void", 3,
-                     "The normals are the same for all objects, so only the ends are kept: *k* numbers.\n"
-                     "With 6 planes it is the AABB. More planes cut off its corners and edges.",
+                     "*k* is even: *k*/2 normals give *k*/2 slabs, and the volume is their intersection.\n"
+                     "All objects share the normals, so only *k* ends are kept. With 6 planes it is the AABB.",
                      "*lo_i* ≤ **n***_i* · **x** ≤ *hi_i* for each *i*");
     step.scene.items = side_by_side(mesh_, fitted_.object, all);
     step.question = Question{"Can a 14-DOP have more void than the AABB?",
@@ -147,8 +153,7 @@ class Fit {
     script_.value("hull", all_[4].volume, "volume", Role::second);
     const std::size_t best = tightest();
     Step& step = add("side-by-side", "Tightness, storage, cost", 4,
-                     "Blue is the object's own volume, the hatched part is void. The hull is tightest of all that are "
-                     "convex.\n"
+                     "Void is given relative to the object's own volume. No convex volume is tighter than the hull.\n"
                      "A cell is a number kept; operations are of one test that finds an overlap.");
     step.scene.items = side_by_side(mesh_, fitted_.object, all_);
     step.question =
@@ -182,11 +187,11 @@ class Fit {
     plot.y = {Scale::Kind::linear, 0, 1.15 * greatest, "void / object"};
     plot.panels = {panel};
     const auto kept = static_cast<int>(std::ranges::count(front, true));
-    script_.settle(Verdict::Kind::yes, fmt::format("{} of {} are worth their cost here", kept, points.size()));
+    script_.settle(Verdict::Kind::yes, fmt::format("{} of {} on the Pareto front", kept, points.size()));
     Step& step = script_.add("trade-off", "Tightness against cost", -1,
-                             "Those on the steps are best for some cost: none is cheaper and tighter. The others lose "
-                             "to one of these.\n"
-                             "Another object, another order: drag its tip in an earlier step.");
+                             "Those on the Pareto front (steps) are the tightest at their cost; the others are "
+                             "dominated.\n"
+                             "Another object may change the order: drag its tip in an earlier step.");
     step.scene.chart = std::make_shared<const Chart>(Chart{plot});
   }
 

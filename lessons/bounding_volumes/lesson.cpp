@@ -74,10 +74,14 @@ const Lesson& bounding_volumes() {
                   test_preset("reject", "trivial reject", {1.625, -0.75, 0}, 0.5),
                   test_preset("accept", "trivial accept", {0, 0, 0}, 1.25, tilted / 2),
                   test_preset("overlap", "a true overlap", {0.625, 1, 0}, 0.5),
-                  test_preset("void", "only void overlaps", {1, -1, -0.25}, 0.5)},
+                  test_preset("void", "only void overlaps", {1, -1, -0.25}, 0.5),
+                  test_preset("within", "b inside the object", {-0.3125, -0.3125, 0}, 0.125)},
       .camera = camera,
       .steps = walk,
       .map = &cases(),
+      .opening = opening(),
+      .closing = &closing(),
+      .after = {"relations", "aabb-aabb", "sphere-sphere", "obb-obb"},
   };
   return lesson;
 }

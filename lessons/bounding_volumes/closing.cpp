@@ -1,0 +1,73 @@
+// What a reader takes along from bounding volumes, and what there is to do.
+
+#include <isect/volume.h>
+#include "lessons/bounding_volumes/cheap_first.h"
+
+namespace isect::lessons::bounding_volumes_lesson {
+
+using namespace viz;
+
+namespace {
+
+TriangleMesh<double> mesh_of(const Parameters& p) {
+  return object(std::get<std::string>(p.at("object")), std::get<Vec3>(p.at("tip")));
+}
+
+/// The AABB is at most a tenth larger than the OBB.
+bool box_fits(const Parameters& p) {
+  const Fitted fitted(mesh_of(p), 6);
+  return volume(fitted.aabb) <= 1.1 * volume(fitted.obb);
+}
+
+bool in_void(const Parameters& p) { return cases().branch(p) == 2; }
+
+}  // namespace
+
+const std::string& opening() {
+  static const std::string text =
+      "May two complicated objects meet? Renderers and physics engines ask this of millions of pairs.\n"
+      "A simple volume around each object answers most of them: what misses the volume misses all that it holds. The "
+      "lecture note *Intersection Detection* names four kinds.";
+  return text;
+}
+
+const Closing& closing() {
+  static const Closing closing = {
+      .result =
+          "Volumes apart: reject. One volume inside: accept. Otherwise nothing is known yet, and the objects "
+          "themselves are tested.",
+      .cost = "A sphere keeps 4 numbers, an AABB 6, a *k*-DOP *k*, an OBB 15. Tighter volumes cost more to test.",
+      .choose =
+          "AABB by default. Sphere for what turns often; OBB or *k*-DOP for long or tilted bodies that stay near "
+          "others.",
+      .used =
+          "Broad phase of physics engines, frustum and occlusion culling, nodes of hierarchies for ray tracing on "
+          "the GPU.",
+      .bug = "To test surfaces only: a box wholly inside a solid object meets no triangle.",
+      .bug_preset = "within",
+      .reading = {"Christer Ericson, *Real-Time Collision Detection*, 2005, chapter 4.",
+                  "Stefan Gottschalk, Ming Lin and Dinesh Manocha, OBBTree, *SIGGRAPH*, 1996.",
+                  "James Klosowski et al., Efficient Collision Detection Using Bounding Volume Hierarchies of k-DOPs, "
+                  "*IEEE TVCG* 4, 1998."},
+      .exercises = {
+          {"Drag the tip until the AABB is at most a tenth larger than the OBB.",
+           "Lay the long axis along a coordinate axis. Then the AABB fits as well as the OBB.",
+           "tilted",
+           box_fits,
+           {{"tip", "0,1.625,0"}}},
+          {"Drag b until only void meets it: a false positive.",
+           "Beside the slanting pin the AABB has empty corners; b fits into one of them.",
+           "overlap",
+           in_void,
+           {{"q", "1,-1,-0.25"}}},
+          {"A box with half-lengths **h** is turned by a matrix *R*. Find the half-lengths of the AABB around it.",
+           "On axis *i* it is the sum of |*R_{ij}*| *h_j* over *j*. That takes nine products, but it is looser than "
+           "fitting all vertices again."},
+          {"An object of *n* vertices turns each frame. What does it cost to update each volume?",
+           "Sphere: one point. OBB: a centre and three axes. AABB and *k*-DOP: O(*n*) for a tight fit, or only the "
+           "hull's vertices."},
+      }};
+  return closing;
+}
+
+}  // namespace isect::lessons::bounding_volumes_lesson
