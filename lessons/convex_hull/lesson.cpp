@@ -27,28 +27,30 @@ const std::vector<Situation>& situations() {
        {{-2.25, -0.5}, {-1.5, 1.25}, {-1, -1.5}, {-0.5, 0.25}, {0.25, 1.75}, {0.75, -0.25}, {1.25, -1.5}, {2.25, 0.5}},
        {1.5, 1.25, 0}},
       {"in-line",
-       "points in line",
+       "points on edges",
        {{-2, -1.25}, {-2, 0}, {-2, 1.25}, {0, -1.25}, {0.25, 0.25}, {2, -1.25}, {2, 1.25}},
        {0, 1.25, 0}},
       {"on-circle",
        "all on a circle",
        {{-2, 0}, {-1.6, 1.2}, {-1.2, -1.6}, {0, 2}, {0, -2}, {1.2, 1.6}, {1.6, -1.2}},
        {2, 0, 0}},
-      {"one-line", "all in one line", {{-2, -1}, {-1, -0.5}, {0, 0}, {1, 0.5}}, {2, 1, 0}},
+      {"one-line", "all on one line", {{-2, -1}, {-1, -0.5}, {0, 0}, {1, 0.5}}, {2, 1, 0}},
       {"twice", "a point twice", {{-1.5, -1}, {-1.5, -1}, {0, 1.5}, {0, 1.5}, {1.5, -1}}, {0, 0, 0}},
   };
   return all;
 }
 
-Walk walk(const Parameters& values) {
+Walk walk(const Parameters& values) { return tell(points_of(values)); }
+
+}  // namespace
+
+Ring<double, 2> convex_hull_lesson::points_of(const Parameters& values) {
   const std::string& id = std::get<std::string>(values.at("points"));
   Ring<double, 2> points = std::ranges::find_if(situations(), [&](const Situation& s) { return s.id == id; })->points;
   const Vec3& moved = std::get<Vec3>(values.at("p"));
   points.push_back({moved.x(), moved.y()});
-  return tell(points);
+  return points;
 }
-
-}  // namespace
 
 const Lesson& convex_hull() {
   static const Lesson lesson = [] {
@@ -71,6 +73,9 @@ const Lesson& convex_hull() {
         .camera = {.azimuth = 0, .elevation = 0},
         .steps = walk,
         .flat = true,
+        .opening = opening(),
+        .closing = &closing(),
+        .after = {"bounding-volumes"},
     };
   }();
   return lesson;

@@ -66,7 +66,10 @@ Scene picture(const Drawn& d) {
                                  : kept ? Role::first
                                         : Role::text});
   }
-  if (!d.chain.empty()) scene.items.emplace_back(Label{flat(d.chain.back()), "**p**", Role::first});
+  if (!d.chain.empty() && d.chain.back() != d.points.back())
+    scene.items.emplace_back(Label{flat(d.chain.back()), "**q**", Role::first});
+  const bool in_turn = !d.chain.empty() && d.chain.back() == d.points.back();
+  scene.items.emplace_back(Label{flat(d.points.back()), in_turn ? "**q** = **p**" : "**p**", Role::first});
   scene.handles.push_back({"p", Handle::Kind::point, flat(d.points.back()), Vec3::Zero(), Role::first});
   return scene;
 }

@@ -4,6 +4,7 @@
 
 #include <isect/convex_hull.h>
 #include "lessons/convex_hull/picture.h"
+#include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"
 
 namespace isect::lessons::convex_hull_lesson {
@@ -19,12 +20,12 @@ class Teller {
   explicit Teller(const Ring<double, 2>& points)
       : points_(points),
         hull_(isect::convex_hull(points)),
-        script_({"Note, N05; Andrew (1979)",
+        script_({"Lecture note, bounding volumes; Andrew, Information Processing Letters 9 (1979)",
                  fmt::format("{} points and their convex hull of {} vertices.", points.size(), hull_.size()),
-                 {"sort the points by x, then y",                                      // 0
-                  "for each p, there and back: drop the chain's end if no left turn",  // 1
-                  "    append p to the chain",                                         // 2
-                  "hull ← lower chain + upper chain"},                                 // 3
+                 {"sort the points by x, then y; for each q, there and back:",       // 0
+                  "    while the chain makes no left turn towards q: drop its end",  // 1
+                  "    append q to the chain",                                       // 2
+                  "hull ← lower chain + upper chain, each without its last point"},  // 3
                  "monotone chain"}) {
     drawn_.points = points;
   }
@@ -32,8 +33,8 @@ class Teller {
   Walk tell() {
     script_.value("points", static_cast<double>(points_.size()));
     add("points", "Points", 0,
-        "The hull is the smallest convex set that holds them: a rubber band around nails.\n"
-        "Sorting by *x*, then *y*, takes the time: O(*n* lg *n*). The rest is one pass each way.");
+        "Think of a rubber band around nails. Sorting by *x*, then *y*, dominates the time: O(*n* lg *n*).\n"
+        "The scan is linear: a chain takes each point once, and drops it at most once.");
     Record<convex_hull_2d::Event<double>> record;
     isect::convex_hull(points_, record);
     for (const auto& event : record.events) {
@@ -61,20 +62,22 @@ class Teller {
       drawn_.chain.pop_back();
     }
     drawn_.chain.push_back(e.p);
-    const bool none = removed_.empty(), straight = !none && removed_.back().turn == 0;
+    const bool none = removed_.empty();
     script_.value("chain", static_cast<double>(drawn_.chain.size()));
     Step& step = add(fmt::format("{}-{}", drawn_.upper ? "upper" : "lower", ++number_),
-                     none ? "A left turn: append" : "Not left: remove, then append", none ? 2 : 1,
-                     none       ? "The chain turns left, or is too short to turn: the point joins it."
-                     : straight ? "The chain runs straight on: its last point lies within an edge and is no vertex."
-                                : "The chain would turn right: its last point lies inside and is removed.");
+                     none                   ? started(drawn_.chain.size())
+                     : removed_.size() == 1 ? "No left turn: drop one, then append"
+                                            : fmt::format("No left turn: drop {}, then append", removed_.size()),
+                     none ? 2 : 1, caption());
     step.decides = !none;
-    if (!none && !asked_) {
-      asked_ = true;
-      step.question = Question{"Does the chain turn left at its last point?",
-                               {"yes", "no"},
-                               1,
-                               straight ? "The orientation is exactly zero." : "The orientation is negative."};
+    // 0: every new point is kept; 1: `if` is read for `while`; all: the chain begins anew
+    if (!none && asked_ < removed_.size()) {
+      asked_ = removed_.size();
+      const auto all = static_cast<double>(drawn_.chain.size() + removed_.size() - 1);
+      step.question = which_value(
+          fmt::format("Next is **q** = ({}, {}). How many points leave the chain?", shown(e.p.x()), shown(e.p.y())),
+          static_cast<double>(removed_.size()), {0, 1, all},
+          "Each point leaves at which the chain makes no left turn towards **q**.");
     }
     drawn_.removed.clear(), removed_.clear();
     const auto last = std::minmax_element(points_.begin(), points_.end(), before<double>);
@@ -84,33 +87,63 @@ class Teller {
     }
   }
 
+  static const char* started(std::size_t points) {
+    return points == 1 ? "The chain begins" : points == 2 ? "No turn yet: append" : "A left turn: append";
+  }
+
+  std::string caption() const {
+    if (removed_.empty())
+      return drawn_.chain.size() == 1
+                 ? "The chain begins with the first point in this order, which is a vertex for certain."
+             : drawn_.chain.size() == 2 ? "A chain of one point makes no turn yet: **q** joins it."
+                                        : "The chain turns left on its way to **q**: **q** joins it.";
+    const char* const chain = drawn_.upper ? "upper" : "lower";
+    const auto straight = std::ranges::count(removed_, 0, &Removed::turn);
+    const auto right = static_cast<std::ptrdiff_t>(removed_.size()) - straight;
+    std::string told;
+    if (right > 0)
+      told = fmt::format(
+          "Towards **q** the chain would turn right at {}: {} not on the {} chain.{}",
+          right == 1 ? "its last point" : fmt::format("{} of its points", right), right == 1 ? "it is" : "they are",
+          chain, drawn_.upper ? "" : " The upper chain may still take " + std::string(right == 1 ? "it." : "them."));
+    if (straight > 0)
+      told += fmt::format("{}At {} it runs straight on: {} within an edge, and no vertex.", right > 0 ? "\n" : "",
+                          straight == 1 ? "one point" : fmt::format("{} points", straight),
+                          straight == 1 ? "that point lies" : "these points lie");
+    return told;
+  }
+
   void hull() {
     drawn_.chain.clear(), drawn_.done.clear();
     drawn_.hull = hull_;
     area_ = area(hull_);
     script_.value("vertices", static_cast<double>(hull_.size()));
     script_.value("hull", area_, "area", Role::hit);
-    script_.settle(Verdict::Kind::yes, fmt::format("{} of {} points are vertices", hull_.size(), points_.size()));
+    script_.settle(Verdict::Kind::yes, fmt::format("a hull of {} vertices", hull_.size()));
     add("hull", "The hull", 3,
-        "Every convex set that holds the points holds each segment between them, so all of this.\n"
-        "No convex volume is tighter. It is strictly defined for point sets and polygonal objects.");
+        std::string("Every convex set that holds the points holds each segment between them, and so the hull.") +
+            (area_ > 0 ? "\n" : " Here it is a segment, of area 0.\n") +
+            "The note defines it for point sets and polygonal objects only. Every set has a convex hull.");
   }
 
   void against(Bounding what) {
     drawn_.bounding = what;
     const Measured m = measured(points_, what);
-    const double empty = m.area - area_;
+    const bool same = m.area - area_ <= 1e-12 * m.area;  // the areas are rounded
+    const double empty = same ? 0 : m.area - area_;
     script_.value(m.name, m.area, "area", Role::second);
     Step& step =
         add(m.slug, std::string("Against the ") + m.name, -1,
-            fmt::format("The {} is kept in {} numbers, the hull in {}. It leaves more void: what it holds beyond "
-                        "the hull.",
-                        m.name, m.numbers, 2 * hull_.size()),
-            area_ > 0 ? fmt::format("void {} = {} × the hull", shown(empty), shown(empty / area_)) : "");
-    step.question = Question{"Can it be smaller than the hull?",
-                             {"yes", "no"},
-                             1,
-                             "It is convex and holds the points, so it holds their hull."};
+            fmt::format("The {} is kept in {} numbers, the hull in {}.\n", m.name, m.numbers, 2 * hull_.size()) +
+                (same ? "Both have the same area, so it leaves no void beyond the hull."
+                      : "What it holds beyond the hull is void: the price of fewer numbers and a simpler test."),
+            area_ > 0 ? fmt::format("void = {} = {} × the hull", shown(empty), shown(empty / area_)) : "");
+    step.question = Question{fmt::format("How large is the {}, against the hull?", m.name),
+                             {"smaller", "just as large", "up to twice as large", "more than twice as large"},
+                             same                  ? 1
+                             : m.area <= 2 * area_ ? 2
+                                                   : 3,
+                             "It is convex and holds the points, so it holds their hull: it is never smaller."};
   }
 
   const Ring<double, 2>& points_;
@@ -120,7 +153,7 @@ class Teller {
   std::vector<Removed> removed_;
   double area_ = 0;
   int number_ = 0, started_ = 0;
-  bool asked_ = false;
+  std::size_t asked_ = 0;  ///< the most removed points that were asked for
 };
 
 }  // namespace

@@ -1,0 +1,76 @@
+// What a reader takes along from the convex hull, and what there is to do.
+
+#include <algorithm>
+
+#include <isect/convex_hull.h>
+#include "lessons/convex_hull/picture.h"
+
+namespace isect::lessons::convex_hull_lesson {
+
+using namespace viz;
+
+namespace {
+
+bool is_vertex(const Ring<double, 2>& points, const Point<double, 2>& p) {
+  return std::ranges::count(isect::convex_hull(points), p) > 0;
+}
+
+/// The point that can be dragged lies within the hull of the others.
+bool swallowed(const Parameters& p) {
+  const Ring<double, 2> points = points_of(p);
+  return !is_vertex(points, points.back());
+}
+
+bool triangle(const Parameters& p) { return isect::convex_hull(points_of(p)).size() == 3; }
+
+}  // namespace
+
+const std::string& opening() {
+  static const std::string text =
+      "Which is the tightest convex volume around given points? Collision tests want it, as convex sets are easy to "
+      "separate.\n"
+      "Sort the points, then walk along them and keep only left turns. The lecture note *Intersection Detection* names "
+      "the hull; this method builds it.";
+  return text;
+}
+
+const Closing& closing() {
+  static const Closing closing = {
+      .result =
+          "The hull is the intersection of all convex sets that hold the points. Its boundary turns left at every "
+          "vertex.",
+      .cost = "O(*n* lg *n*) for the sort. The scan is linear, as a point leaves a chain at most once.",
+      .choose = "For rigid bodies whose hull is small. A box or ball is cheaper to keep, to test and to update.",
+      .used =
+          "Physics engines wrap bodies in hulls of few vertices; GJK and the separating axis test run on them. "
+          "Also shadow and occlusion volumes.",
+      .bug = "An `if` for the `while`: one point is dropped where several must go.",
+      .bug_preset = "scattered",
+      .reading = {"Alex M. Andrew, Another Efficient Algorithm for Convex Hulls in Two Dimensions, *Information "
+                  "Processing Letters* 9, 1979.",
+                  "Franco Preparata and Michael Shamos, *Computational Geometry*, 1985, chapter 3.",
+                  "Mark de Berg et al., *Computational Geometry*, 3rd edition, 2008, section 1.1."},
+      .exercises = {
+          {"Drag **p** until it is no vertex of the hull.",
+           "Any place inside the hull of the other points will do, or one on its boundary.",
+           "scattered",
+           swallowed,
+           {{"p", "0,0,0"}}},
+          {"Drag **p** until the hull is a triangle.",
+           "Any place off the line will do: **p** and the two ends of the row are the vertices.",
+           "one-line",
+           triangle,
+           {{"p", "0,1.5,0"}}},
+          {"Why is the scan linear, though a loop stands within a loop?",
+           "A point is appended once to a chain and dropped at most once. So both loops together take at most 2*n* "
+           "turns."},
+          {"Why does no method find hulls faster than it sorts?",
+           "Put the numbers *x* on the parabola *y* = *x*^2. All points are vertices, and the hull lists them in "
+           "order."},
+          {"Rounding makes one orientation wrong. What may become of the hull?",
+           "It may lose a true vertex or keep a dent, so that it is not convex. Exact orientations prevent both."},
+      }};
+  return closing;
+}
+
+}  // namespace isect::lessons::convex_hull_lesson
