@@ -1,8 +1,10 @@
-// Building: a box around all, cut where it costs least, and each part again.
+// Building: a box around all, split where it costs least, and each part again.
 
 #include <fmt/format.h>
 
 #include "lessons/hierarchy/tree.h"
+#include "lessons/shared/plural.h"
+#include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"
 
 namespace isect::lessons::hierarchy_lesson {
@@ -16,12 +18,12 @@ class Building {
   explicit Building(const Vec3& p)
       : p_(p),
         tree_(scattered(p)),
-        script_({"Note, N09; Goldsmith and Salmon (1987), Wald (2007)",
+        script_({"Lecture note, bounding volume hierarchies; Goldsmith and Salmon (1987), Wald (2007)",
                  fmt::format("{} boxes in nested boxes, and their tree.", tree_.boxes.size()),
-                 {"box ← the smallest around all primitives",              // 0
-                  "cut them along the widest axis, where it costs least",  // 1
-                  "if no cut pays: make a leaf",                           // 2
-                  "else build both parts in the same way"},                // 3
+                 {"box ← the smallest around all primitives",           // 0
+                  "split them by their centres, where it costs least",  // 1
+                  "if no split pays: make a leaf",                      // 2
+                  "else build both parts in the same way"},             // 3
                  "building"}) {
     drawn_.states.assign(static_cast<std::size_t>(tree_.size()), State::hidden);
   }
@@ -30,7 +32,7 @@ class Building {
     set(0, State::current);
     script_.value("*n*", static_cast<double>(tree_.boxes.size()));
     add("root", "One box around all", 0,
-        "Bounding volumes nest. The outermost one holds all objects: what misses it misses them all.", nullptr);
+        "The root's box holds all objects. They will be split, and each part gets a box of its own.", nullptr);
     Record<bvh::Event<double>> record;
     build_bvh(tree_.boxes, options, record);
     int number = 0;
@@ -65,18 +67,28 @@ class Building {
       if (s == State::current) s = State::seen;
     set(split.node, State::current), set(first, State::waiting), set(first + 1, State::waiting);
     const char* const axis = split.axis == 0 ? "*x*" : "*y*";
-    Step& step = add(fmt::format("cut-{}", number), fmt::format("Cut along {}", axis), number == 1 ? 1 : 3,
-                     number == 1 ? fmt::format("Centres spread most along {}. Of the cuts tried the cheapest is taken: "
-                                               "small boxes, with many objects in the smaller one.",
-                                               axis)
-                                 : fmt::format("The part is cut in the same way: {} go one way, {} the other.",
-                                               split.left, split.right),
+    const std::string parts = fmt::format("{} on one side of it, {} on the other.", plural(split.left, "centre"),
+                                          plural(split.right, "centre"));
+    Step& step = add(fmt::format("cut-{}", number), fmt::format("Split along {}", axis), number == 1 ? 1 : 3,
+                     number == 1 ? "The surface-area heuristic: the chance that a line meets a part grows with its "
+                                   "surface, in the plane its perimeter *P*.\n"
+                                   "Of the splits tried, the cheapest is taken: " +
+                                       parts
+                                 : "The part is split in the same way: " + parts,
                      &split);
-    step.formula = fmt::format("{} + {} boxes", split.left, split.right);
+    const auto half_perimeter = [&](int node) {
+      const Vec2 side = tree_.node(node).box.hi - tree_.node(node).box.lo;
+      return side.x() + side.y();
+    };
+    const double left = half_perimeter(first), right = half_perimeter(first + 1), whole = half_perimeter(split.node);
+    step.formula =
+        fmt::format("cost = {} + (*P*_L *n*_L + *P*_R *n*_R) / *P* = {} + ({} · {} + {} · {}) / {} = {}", options.visit,
+                    options.visit, shown(2 * left), split.left, shown(2 * right), split.right, shown(2 * whole),
+                    shown(options.visit + (left * split.left + right * split.right) / whole));
     if (number > 1) return;
     step.decides = true;
     const Vec2 size = tree_.node(0).box.hi - tree_.node(0).box.lo;
-    step.question = Question{"Along which axis are the boxes cut?",
+    step.question = Question{"Along which axis are the boxes split?",
                              {"*x*", "*y*"},
                              split.axis,
                              fmt::format("All reach over {} by {}; their centres spread most along {}.",
@@ -90,11 +102,17 @@ class Building {
     script_.value("leaves", s.leaves);
     script_.value("depth", s.depth);
     script_.settle(Verdict::Kind::yes, fmt::format("{} nodes, depth {}", s.nodes, s.depth));
+    const auto n = static_cast<double>(tree_.boxes.size());
     add("done", "The hierarchy", 2,
-        fmt::format("Leaves hold {} to {} boxes here. Of *n* boxes there are at most 2*n* − 1 nodes.\n"
-                    "Each level takes O(*n*) to build, and there are about lg *n* levels.",
-                    s.least_leaf, s.largest_leaf),
-        nullptr);
+        fmt::format("{} here; *n* boxes make at most 2*n* − 1 nodes. Each level takes O(*n*) to build.\n"
+                    "Even splits give about lg *n* levels, but nothing ensures even splits.",
+                    s.least_leaf == s.largest_leaf
+                        ? "Each leaf holds " + plural(s.largest_leaf, "box")
+                        : fmt::format("Leaves hold {} to {}", s.least_leaf, plural(s.largest_leaf, "box"))),
+        nullptr)
+        // the leaves alone; a node for each pair of boxes
+        .question = which_value(fmt::format("At most how many nodes has a tree over {} boxes?", n), 2 * n - 1,
+                                {n, 2 * n, n * (n - 1) / 2}, "A binary tree with *n* leaves has *n* − 1 inner nodes.");
   }
 
   const Vec3 p_;

@@ -45,7 +45,7 @@ const Lesson& hierarchy() {
                      vector("q", "**q**", "The middle of the second object, in units.", Vec3::Zero())},
       .conditions = {not_zero("d", true)},
       .group_by = "walk",
-      .presets = {preset_of("build", "build", "build"), preset_of("outlier", "one far off", "build", {0.25, -0.625, 0}),
+      .presets = {preset_of("build", "build", "build"), preset_of("outlier", "one far off", "build", {0.5, -2.75, 0}),
                   preset_of("ray", "a ray", "ray"),
                   preset_of("ray-beyond", "pruned beyond the hit", "ray", beside, {-4.25, 1.375, 0}, {1, 0, 0}),
                   preset_of("ray-missed", "past all boxes", "ray", beside, {-4.25, -2.25, 0}, {1, -0.0625, 0}),
@@ -53,6 +53,9 @@ const Lesson& hierarchy() {
       .camera = {.azimuth = 0, .elevation = 0},
       .steps = walk,
       .flat = true,
+      .opening = opening(),
+      .closing = &closing(),
+      .after = {"bounding-volumes", "aabb-aabb", "rays"},
   };
   return lesson;
 }

@@ -5,6 +5,8 @@
 #include <isect/bvh_pairs.h>
 #include "lessons/hierarchy/changes.h"
 #include "lessons/hierarchy/tree.h"
+#include "lessons/shared/plural.h"
+#include "lessons/shared/questions.h"
 
 namespace isect::lessons::hierarchy_lesson {
 
@@ -19,14 +21,14 @@ class Colliding {
         q_(q),
         a_(scattered(p)),
         b_(cluster(q)),
-        script_({"Note, N09; Gottschalk, Lin and Manocha (1996)",
+        script_({"Lecture note, bounding volume hierarchies; Gottschalk, Lin and Manocha, OBBTree (1996)",
                  fmt::format("{} boxes of one object and {} of another, with their trees.", a_.boxes.size(),
                              b_.boxes.size()),
-                 {"push the pair of both roots",                             // 0
-                  "pop a pair of nodes; if their boxes are apart: prune",    // 1
-                  "both are leaves: test what they hold",                    // 2
-                  "else open the larger, push its children with the other",  // 3
-                  "return the pairs found"},                                 // 4
+                 {"push the pair of both roots",                               // 0
+                  "pop a pair of nodes; if their boxes are apart: prune",      // 1
+                  "both are leaves: test what they hold",                      // 2
+                  "else open an inner one, push its children with the other",  // 3
+                  "return the pairs found"},                                   // 4
                  "two hierarchies"}) {
     drawn_a_.role = Role::second, drawn_b_.role = Role::first;
     drawn_b_.prefix = "b";
@@ -39,7 +41,7 @@ class Colliding {
     count();
     show(0, 0, State::waiting);
     add("roots", "Two objects of many boxes", 0,
-        fmt::format("{} times {} pairs of boxes might meet. Two nodes apart rule out all pairs below them.",
+        fmt::format("{} · {} pairs of boxes might meet. Two nodes apart rule out all pairs below them.",
                     b_.boxes.size(), a_.boxes.size()));
     Record<bvh_pairs::Event> record;
     report_pairs(
@@ -100,8 +102,12 @@ class Colliding {
     count();
     const bool leaves = b_.node(e.a).leaf() && a_.node(e.b).leaf();
     Step& step = add(fmt::format("meet-{}", ++number_), leaves ? "Two leaves meet" : "Two nodes meet", leaves ? 2 : 3,
-                     leaves ? fmt::format("Both are leaves: {} of {} pairs of boxes in them meet.", met, tested.size())
-                            : "Their boxes share points, so the larger node is opened.");
+                     leaves ? fmt::format("Both are leaves, which hold {} of boxes. Of these, {} {}.",
+                                          plural(static_cast<long long>(tested.size()), "pair"),
+                                          met == 0 ? "none" : std::to_string(met), met == 1 ? "meets" : "meet")
+                     : b_.node(e.a).leaf() || a_.node(e.b).leaf()
+                         ? "Their boxes share points. One node is a leaf, so the other one is opened."
+                         : "Their boxes share points, so the wider node is opened.");
     step.decides = leaves;
   }
 
@@ -113,12 +119,16 @@ class Colliding {
     script_.value("pairs ruled out", static_cast<double>(spared_), {}, Role::miss);
     count();
     Step& step = add(fmt::format("apart-{}", ++number_), "Two nodes apart", 1,
-                     fmt::format("Their boxes share no point: one test rules out {} pair{} of boxes.", spared,
-                                 spared == 1 ? "" : "s"));
+                     fmt::format("Their boxes share no point: one test rules out {} of boxes.",
+                                 plural(static_cast<long long>(spared), "pair")));
     step.decides = true;
     if (asked_) return;
     asked_ = true;
-    step.question = Question{"Do the two nodes' boxes meet?", {"yes", "no"}, 1, "Some axis has a gap between them."};
+    const auto in_b = static_cast<double>(b_.below(e.a).size()), in_a = static_cast<double>(a_.below(e.b).size());
+    // only the nodes themselves; a sum for a product; all pairs there are
+    step.question = which_value("Two nodes lie apart. How many pairs of boxes does that rule out?", in_a * in_b,
+                                {1, in_a + in_b, static_cast<double>(a_.boxes.size() * b_.boxes.size())},
+                                "Each box below one node pairs with each box below the other.");
   }
 
   void finish() {
@@ -128,7 +138,7 @@ class Colliding {
                    any ? fmt::format("{} pair{} meet{}", found_, found_ == 1 ? "" : "s", found_ == 1 ? "s" : "")
                        : std::string("no pair meets"));
     add("result", any ? "All pairs that meet" : "No pair meets", 4,
-        fmt::format("{} tests of nodes and {} of boxes, where each with each takes {}.", nodes_, boxes_,
+        fmt::format("{} of nodes and {} of boxes, where testing every pair takes {}.", plural(nodes_, "test"), boxes_,
                     a_.boxes.size() * b_.boxes.size()));
   }
 

@@ -5,6 +5,7 @@
 #include <isect/bvh_ray.h>
 #include "lessons/hierarchy/changes.h"
 #include "lessons/hierarchy/tree.h"
+#include "lessons/shared/plural.h"
 
 namespace isect::lessons::hierarchy_lesson {
 
@@ -24,7 +25,7 @@ class Shooting {
       : p_(p),
         ray_{{o.x(), o.y()}, {d.x(), d.y()}},
         tree_(scattered(p)),
-        script_({"Note, N09; Kay and Kajiya (1986)",
+        script_({"Lecture note, bounding volume hierarchies; Kay and Kajiya, SIGGRAPH (1986)",
                  fmt::format("A ray through {} boxes in nested boxes, and their tree.", tree_.boxes.size()),
                  {"push the root, if the ray meets its box",                  // 0
                   "pop a node; if it lies beyond the closest hit: prune it",  // 1
@@ -40,7 +41,7 @@ class Shooting {
     script_.value("*n*", static_cast<double>(tree_.boxes.size()));
     set(0, State::waiting);
     add("ray", "Which box is hit first?", 0,
-        "Without a hierarchy each box is asked. With it, one test of a node may rule out all below it.");
+        "Without a hierarchy the ray is tested against each box. With it, one node may rule out all below it.");
     Record<bvh_ray::Event<double>> record;
     closest_ = closest_hit(
         tree_.bvh, ray_,
@@ -112,13 +113,11 @@ class Shooting {
   }
 
   void leaf(const BvhNode<double, 2>& node, const std::vector<int>& hits) {
-    Step& step =
-        add(fmt::format("leaf-{}", ++number_), "A leaf", 2,
-            hits.empty() ? fmt::format("{} held here, but the ray misses {}.",
-                                       node.count == 1 ? "One box is" : fmt::format("{} boxes are", node.count),
-                                       node.count == 1 ? "it" : "them")
-                         : fmt::format("The ray meets box {}. The closest hit so far is box {}, at *t* = {}.",
-                                       fmt::join(hits, " and box "), drawn_.hits.front(), shown(*hit_)));
+    Step& step = add(fmt::format("leaf-{}", ++number_), "A leaf", 2,
+                     hits.empty() ? fmt::format("The leaf holds {}, and the ray misses {}.", plural(node.count, "box"),
+                                                node.count == 1 ? "it" : "them")
+                                  : fmt::format("The ray meets box {}. The closest hit so far is box {}, at *t* = {}.",
+                                                fmt::join(hits, " and box "), drawn_.hits.front(), shown(*hit_)));
     step.decides = true;
   }
 
@@ -142,7 +141,7 @@ class Shooting {
       if (s == State::current) s = State::seen;
     rule_out(e.node);
     add(fmt::format("farther-{}", ++number_), "Beyond the closest hit", 1,
-        "The ray enters this box only after the closest hit. Nothing in it can be closer: pruned unseen.")
+        "The ray enters this box only after the closest hit. Nothing in it can be closer, so it is pruned.")
         .decides = true;
   }
 
@@ -155,9 +154,10 @@ class Shooting {
                             : std::string("no box is hit"));
     add("result", closest_ ? "The closest hit" : "No hit", root_missed ? 0 : 4,
         root_missed ? "The ray misses the outermost box, so it misses all. One test was enough: trivial reject."
-                    : fmt::format("{} tests of nodes, {} of boxes. {} of {} boxes were ruled out unseen.\n"
-                                  "Few boxes gain little; the gain grows with *n*.",
-                                  asked_, tested_, ruled_out_, tree_.boxes.size()));
+                    : fmt::format("{} of nodes and {} of boxes. Of {} boxes, {} {} ruled out without a test.\n"
+                                  "With so few boxes the gain is small; it grows with *n*.",
+                                  plural(asked_, "test"), tested_, tree_.boxes.size(), ruled_out_,
+                                  ruled_out_ == 1 ? "was" : "were"));
   }
 
   const Vec3 p_;

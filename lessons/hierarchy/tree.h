@@ -53,6 +53,10 @@ std::vector<viz::Item> nested(const Tree&, const Drawn&);
 /// The tree within a rectangle; what its leaves hold stands below them.
 std::vector<viz::Item> branches(const Tree&, const Drawn&, const viz::Vec2& lo, const viz::Vec2& hi);
 
+/// What is told before the first step, and after the last one. (closing.cpp)
+const std::string& opening();
+const viz::Closing& closing();
+
 // The walks.
 
 viz::Walk build(const viz::Vec3& p);

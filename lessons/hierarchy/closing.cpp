@@ -1,0 +1,83 @@
+// What a reader takes along from bounding volume hierarchies, and what there is to do.
+
+#include <algorithm>
+
+#include <isect/bvh_pairs.h>
+#include <isect/ray_aabb.h>
+#include "lessons/hierarchy/tree.h"
+
+namespace isect::lessons::hierarchy_lesson {
+
+using namespace viz;
+
+namespace {
+
+/// The ray misses the outermost box.
+bool misses_all(const Parameters& p) {
+  const Tree tree(scattered(std::get<Vec3>(p.at("p"))));
+  const Vec3 &o = std::get<Vec3>(p.at("o")), &d = std::get<Vec3>(p.at("d"));
+  return !intersects(Ray<double, 2>{o.head<2>(), d.head<2>()}, tree.node(0).box);
+}
+
+/// Both objects are apart already at their roots.
+bool one_test(const Parameters& p) {
+  const Tree a(scattered(std::get<Vec3>(p.at("p")))), b(cluster(std::get<Vec3>(p.at("q"))));
+  bvh_pairs::Counts counts;
+  report_pairs(
+      b.bvh, b.boxes, a.bvh, a.boxes, [](int, int) {}, counts);
+  return counts.visited == 0 && counts.pruned == 1;
+}
+
+}  // namespace
+
+const std::string& opening() {
+  static const std::string text =
+      "How does one ask thousands of boxes without testing each? Ray tracers and collision engines do so every frame.\n"
+      "Put boxes into boxes: what misses the outer one misses all within. The lecture note *Intersection Detection* "
+      "calls this a bounding volume hierarchy.";
+  return text;
+}
+
+const Closing& closing() {
+  static const Closing closing = {
+      .result = "One test of a node rules out all that lies below it. So most objects are never tested.",
+      .cost =
+          "Binned building takes O(*n*) a level. A ray then takes about lg *n* node tests where boxes overlap "
+          "little; at worst, all.",
+      .choose =
+          "For many objects and many questions. For moving objects refit the boxes; rebuild when they have grown "
+          "too loose. A grid suits objects of one size.",
+      .used =
+          "Ray tracing on the CPU and in the GPU's own hardware, broad and mid phase of physics engines, culling, "
+          "picking.",
+      .bug = "To go on past the closest hit: a node that the ray enters later needs no visit.",
+      .bug_preset = "ray-beyond",
+      .reading = {"Jeffrey Goldsmith and John Salmon, Automatic Creation of Object Hierarchies for Ray Tracing, *IEEE "
+                  "CG&A* 7, 1987.",
+                  "Ingo Wald, On Fast Construction of SAH-based Bounding Volume Hierarchies, *IEEE Symposium on "
+                  "Interactive Ray Tracing*, 2007.",
+                  "Christer Ericson, *Real-Time Collision Detection*, 2005, chapter 6."},
+      .exercises = {
+          {"Drag the ray until one test settles it.",
+           "It must miss the outermost box: then it misses all boxes.",
+           "ray",
+           misses_all,
+           {{"o", "-4.25,2.5,0"}, {"d", "1,0,0"}}},
+          {"Drag **q** until a single test shows that the two objects are apart.",
+           "The boxes of both roots must share no point. Then no pair below them meets.",
+           "pairs",
+           one_test,
+           {{"q", "3,-3,0"}}},
+          {"All boxes have the same centre, but different sizes. What does a hierarchy gain?",
+           "Nothing for rays through the centre: all nodes overlap there, so every box is tested."},
+          {"A box of the tree moves. How are the nodes mended without a new tree?",
+           "Refit: from its leaf upwards each node takes the box around its children. That is O(depth), but the "
+           "nodes may come to overlap."},
+          {"A node has perimeter 10. Its parts have perimeters 4 and 8, with 6 and 2 boxes; a visit costs 2. Split or "
+           "leaf?",
+           "The split costs 2 + (4 · 6 + 8 · 2) / 10 = 6, and a leaf 8 tests. Split."},
+      }};
+  return closing;
+}
+
+}  // namespace isect::lessons::hierarchy_lesson
