@@ -21,15 +21,25 @@ class DoubleLoop : Teller {
                 "            report i, j"}) {}       // 3
 
   Walk tell() {
+    const auto n = static_cast<double>(boxes_.size());
     add("loop", "Every pair once", 1,
-        "The note lets *j* run from *i*, which tests each box with itself. It must start at *i* + 1.",
-        fmt::format("*n* (*n* − 1) / 2 = {} tests", boxes_.size() * (boxes_.size() - 1) / 2));
+        "The note lets *j* run from *i*, which tests each box with itself. It must start at *i* + 1.\n"
+        "That is O(*n*^2), provided that each test is O(1).",
+        fmt::format("*n* (*n* − 1) / 2 = {} tests", n * (n - 1) / 2))
+        // j runs from i; each pair is tested twice; a box is tested with itself, too
+        .question = which_value(fmt::format("How many tests does the double loop take for {} boxes?", n),
+                                n * (n - 1) / 2, {n * (n + 1) / 2, n * (n - 1), n * n},
+                                "Each box is paired with each other one, and half of these pairs are the same.");
     Record<all_pairs::Event<2>> record;
     all_pairs::brute_force(
         boxes_, [](int, int) {}, record);
     for (const auto& event : record.events)
       if (const auto* e = std::get_if<all_pairs::Tested>(&event)) tested(e->i, e->j, e->overlap, 3, 2);
-    total(0, "Most tests say no. A cheaper way should not ask them at all.");
+    const int found = static_cast<int>(drawn_.found.size());
+    total(0, 2 * found < tests_ ? fmt::format("Of {}, {} found nothing. A better way should not run them at all.",
+                                              plural(tests_, "test"), tests_ - found)
+                                : fmt::format("Here {} of {} found a pair. In a large scene nearly all find nothing.",
+                                              found, plural(tests_, "test")));
     return std::move(script_.walk());
   }
 };

@@ -19,7 +19,7 @@ class Hierarchy : Teller {
                 "for two nodes a, b",                           // 1
                 "    if their boxes are apart: prune",          // 2
                 "    if both are leaves: test what they hold",  // 3
-                "    else open the larger one"}) {}             // 4
+                "    else open one that is no leaf"}) {}        // 4
 
   Walk tell() {
     using namespace bvh_pairs;
@@ -44,15 +44,21 @@ class Hierarchy : Teller {
         drawn_.compared = {bvh.nodes[e->a].box, bvh.nodes[e->b].box};
         script_.value("tests", ++tests_);
         const bool leaves = bvh.nodes[e->a].leaf() && bvh.nodes[e->b].leaf();
-        add(fmt::format("visit-{}", ++number), "Two nodes overlap", leaves ? 3 : 4,
-            leaves ? "Both are leaves: the boxes in them are tested."
-                   : "Their boxes overlap, so the larger one is opened.");
+        const bool leaf = bvh.nodes[e->a].leaf() || bvh.nodes[e->b].leaf(), self = e->a == e->b;
+        add(fmt::format("visit-{}", ++number), self ? "A node with itself" : "Two nodes overlap", leaves ? 3 : 4,
+            self     ? leaves ? "The node is a leaf: the boxes in it are tested against each other."
+                              : "A node may hold pairs. Each child is paired with itself, and both with each other."
+            : leaves ? "Both are leaves: the boxes in one are tested against those in the other."
+            : leaf   ? "Their boxes meet. One is a leaf, so the other one is opened."
+                     : "Their boxes meet, so the wider one is opened.");
       }
       if (const auto* e = std::get_if<Tested>(&event))
         tested(std::min(e->i, e->j), std::max(e->i, e->j), e->meet, 3, 3);
     }
     drawn_.compared.clear();
-    total(1, "Six boxes are too few to gain from a hierarchy. A thousand are not.");
+    const int pairs = static_cast<int>(boxes_.size() * (boxes_.size() - 1) / 2);
+    total(1, fmt::format("{} of nodes and boxes, where brute force takes {}.{}", plural(tests_, "test"), pairs,
+                         tests_ >= pairs ? " Six boxes are too few to gain from a hierarchy." : ""));
     return std::move(script_.walk());
   }
 };

@@ -53,6 +53,10 @@ const Lesson& collision() {
         .camera = {.azimuth = 0, .elevation = 0},
         .steps = walk,
         .flat = true,
+        .opening = opening(),
+        .closing = &closing(),
+        .errata = errata(),
+        .after = {"aabb-aabb", "rays", "hierarchy"},
     };
   }();
   return lesson;

@@ -29,6 +29,25 @@ Boxes many(int n) {
   return boxes;
 }
 
+namespace {
+
+/// In a corner of box k that no other box covers; else in the lower left one.
+Vec3 place_of_number(const Boxes& boxes, int k) {
+  const Vec2 in(0.16, 0.18);
+  const Aabb<double, 2> places = {boxes[k].lo + in, boxes[k].hi - in};
+  for (const Vec3& p : corners(places)) {
+    bool covered = false;
+    for (int i = 0; i < static_cast<int>(boxes.size()); ++i)
+      covered = covered || (i != k && ((p.head<2>() - middle(boxes[i]).head<2>()).cwiseAbs().array() <=
+                                       ((boxes[i].hi - boxes[i].lo) / 2 + in).array())
+                                          .all());
+    if (!covered) return p;
+  }
+  return flat(places.lo);
+}
+
+}  // namespace
+
 Scene picture(const Boxes& boxes, const Drawn& d) {
   Scene scene;
   for (const Aabb<double, 2>& node : d.nodes)
@@ -55,11 +74,17 @@ Scene picture(const Boxes& boxes, const Drawn& d) {
     scene.items.emplace_back(
         Line{a, b, d.overlap ? Role::hit : Role::miss, d.overlap ? Pen::thick : Pen::construction});
   }
-  if (d.sweeping) scene.items.emplace_back(Line{{d.sweep, -2.5, 0}, {d.sweep, 2, 0}, Role::highlight, Pen::highlight});
-  for (int k = 0; k < static_cast<int>(boxes.size()); ++k) {
-    const Aabb<double, 2>& b = boxes[k];
-    scene.items.emplace_back(Label{{b.lo.x(), b.lo.y(), 0}, std::to_string(k), k == d.i ? Role::first : Role::second});
+  if (d.sweeping) {
+    for (int k = 0; k < static_cast<int>(boxes.size()); ++k) {  // their intervals on the axis
+      const double y = -2.45 - 0.11 * k;
+      const Role role = among(d.active, k) ? Role::first : Role::muted;
+      scene.items.emplace_back(Line{{boxes[k].lo.x(), y, 0}, {boxes[k].hi.x(), y, 0}, role, Pen::thick});
+    }
+    scene.items.emplace_back(Line{{d.sweep, -3.1, 0}, {d.sweep, 2, 0}, Role::highlight, Pen::highlight});
   }
+  for (int k = 0; k < static_cast<int>(boxes.size()); ++k)
+    scene.items.emplace_back(
+        Heading{place_of_number(boxes, k), std::to_string(k), k == d.i ? Role::first : Role::second, 0.3, false});
   scene.handles.push_back({"p", Handle::Kind::point, middle(boxes[0]), Vec3::Zero(), Role::second});
   return scene;
 }

@@ -18,8 +18,8 @@ struct Drawn {
   int i = -1, j = -1;  ///< the pair that is tested
   bool overlap = false;
   std::vector<std::pair<int, int>> found;  ///< pairs that overlap
-  std::vector<int> active;                 ///< cut by the plane that sweeps
-  double sweep = 0;                        ///< its abscissa
+  std::vector<int> active;                 ///< those that the sweeping plane meets
+  double sweep = 0;                        ///< its x-coordinate
   bool sweeping = false;
   std::vector<Aabb<double, 2>> compared;  ///< two nodes of a hierarchy
   std::vector<Aabb<double, 2>> nodes;     ///< all nodes, as dashed boxes

@@ -1,4 +1,4 @@
-// Sweep and prune: only boxes that a sweeping plane cuts together are tested.
+// Sweep and prune: only boxes that a sweeping plane meets together are tested.
 
 #include <fmt/format.h>
 
@@ -40,14 +40,15 @@ class Sweep : Teller {
       }
     }
     enter(box);
-    total(1, "Only boxes that the plane cuts together are tested.");
+    total(1, "Only boxes whose intervals on the axis meet were tested. The other pairs cost nothing.");
     return std::move(script_.walk());
   }
 
  private:
   void begin() {
     add("sort", "Sort along an axis", 0,
-        axis_ == 0 ? "A plane will sweep to the right. Boxes that it never cuts together cannot overlap."
+        axis_ == 0 ? "A plane will sweep to the right. Boxes that it never meets together cannot overlap.\n"
+                     "In the next frame little has moved, so the order is nearly sorted already: temporal coherence."
                    : "The boxes spread most along *y*, so the sweep runs along it.");
     drawn_.sweeping = axis_ == 0;
   }
@@ -62,14 +63,23 @@ class Sweep : Teller {
     std::string gone;
     for (const int k : left_) gone += fmt::format("{}{}", gone.empty() ? "" : ", ", k);
     left_.clear();
-    script_.value("active", static_cast<double>(drawn_.active.size()));
-    add(fmt::format("enter-{}", box), fmt::format("Box {} begins", box), gone.empty() ? 4 : 2,
-        fmt::format("The plane cuts {} box{} now.{}", drawn_.active.size(), drawn_.active.size() == 1 ? "" : "es",
-                    gone.empty() ? "" : " It has left " + gone + "."));
+    const auto active = static_cast<double>(drawn_.active.size());
+    script_.value("active", active);
+    ++entered_;
+    Step& step = add(fmt::format("enter-{}", box), fmt::format("Box {} begins", box), gone.empty() ? 4 : 2,
+                     fmt::format("The plane meets {} now: {} active.{}", plural(static_cast<long long>(active), "box"),
+                                 active == 1 ? "it is" : "they are", gone.empty() ? "" : " It has left " + gone + "."));
+    if (gone.empty() || asked_) return;
+    asked_ = true;
+    // none is ever removed; the new one is not counted; those removed are counted too
+    step.question = which_value(fmt::format("Next is box {}. How many boxes are active then, with it?", box), active,
+                                {static_cast<double>(entered_), active - 1, active + 1},
+                                "Those that have begun and not ended lie on the plane.");
   }
 
   int axis_ = 0;
-  bool fresh_ = false;
+  int entered_ = 0;
+  bool fresh_ = false, asked_ = false;
   std::vector<int> left_;
 };
 

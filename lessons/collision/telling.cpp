@@ -4,6 +4,7 @@
 
 #include <isect/all_pairs.h>
 #include <isect/bvh_pairs.h>
+#include "viz/chart.h"
 
 namespace isect::lessons::collision_lesson {
 
@@ -15,7 +16,7 @@ namespace {
 struct Tests {
   std::int64_t brute, sweep, tree, found;
 };
-Tests tests(int n) {
+Tests counted(int n) {
   const Boxes boxes = many(n);
   std::int64_t found = 0;
   const auto count = [&](int, int) { ++found; };
@@ -27,16 +28,46 @@ Tests tests(int n) {
   return {brute, sweep, counts.visited + counts.pruned + counts.tested, found};
 }
 
+constexpr int sizes[] = {10, 30, 100, 300, 1000};
+
+/// Counted once, as they are the same for every setting.
+const std::vector<Tests>& tests() {
+  static const std::vector<Tests> all = [] {
+    std::vector<Tests> result;
+    for (const int n : sizes) result.push_back(counted(n));
+    return result;
+  }();
+  return all;
+}
+
+std::shared_ptr<const Chart> chart() {
+  Plot plot = {
+      {Scale::Kind::log, 0.8 * sizes[0], sizes[4], "number of boxes *n*"},
+      {Scale::Kind::log, 1, 1e6, "tests for all pairs"},
+      {{"", Glyph::square, Role::second, 0}, {"", Glyph::disc, Role::first, 1}, {"", Glyph::diamond, Role::hit, 2}},
+      {}};
+  Panel panel = {.title = {}, .curves = {{0, {}, "brute force"}, {1, {}, "sweep"}, {2, {}, "hierarchy"}}};
+  for (std::size_t i = 0; i < std::size(sizes); ++i) {
+    const Tests& t = tests()[i];
+    const std::int64_t counts[] = {t.brute, t.sweep, t.tree};
+    for (std::size_t k = 0; k < 3; ++k) panel.curves[k].points.emplace_back(sizes[i], counts[k]);
+  }
+  plot.panels = {panel};
+  return std::make_shared<const Chart>(Chart{plot});
+}
+
 std::string alt_text(const Boxes& boxes) {
   int found = 0;
   all_pairs::brute_force(boxes, [&](int, int) { ++found; });
-  return fmt::format("{} boxes, of which {} pairs overlap.", boxes.size(), found);
+  return fmt::format("{} boxes, with {} that overlap{}.", boxes.size(), plural(found, "pair"), found == 1 ? "s" : "");
 }
 
 }  // namespace
 
 Teller::Teller(const Boxes& boxes, const std::string& title, std::vector<std::string> lines)
-    : boxes_(boxes), script_({"Note, N25 (corrected)", alt_text(boxes), std::move(lines), title}) {}
+    : boxes_(boxes),
+      script_({"Lecture note, collision detection (corrected); Ericson, Real-Time Collision Detection (2005), ch. 7",
+               alt_text(boxes), std::move(lines), title}) {}
 
 Step& Teller::add(const std::string& slug, const std::string& title, int line, const std::string& caption,
                   const std::string& formula) {
@@ -59,25 +90,28 @@ Step& Teller::tested(int i, int j, bool overlap, int yes, int no) {
 void Teller::total(int line, const std::string& caption) {
   drawn_.i = drawn_.j = -1, drawn_.sweeping = false;
   script_.settle(drawn_.found.empty() ? Verdict::Kind::no : Verdict::Kind::yes,
-                 fmt::format("{} pairs, {} tests", drawn_.found.size(), tests_));
+                 plural(static_cast<long long>(drawn_.found.size()), "pair") + ", " + plural(tests_, "test"));
   add("total", "What it cost", line, caption);
-  for (const int n : {10, 100, 1000}) {
-    const Tests t = tests(n);
-    script_.value(fmt::format("brute force, *n* = {}", n), static_cast<double>(t.brute), "tests");
-    script_.value(fmt::format("sweep, *n* = {}", n), static_cast<double>(t.sweep), "tests");
-    script_.value(fmt::format("hierarchy, *n* = {}", n), static_cast<double>(t.tree), "tests");
+  for (const std::size_t i : {0, 2, 4}) {
+    const Tests& t = tests()[i];
+    script_.value(fmt::format("brute force, *n* = {}", sizes[i]), static_cast<double>(t.brute), "tests");
+    script_.value(fmt::format("sweep, *n* = {}", sizes[i]), static_cast<double>(t.sweep), "tests");
+    script_.value(fmt::format("hierarchy, *n* = {}", sizes[i]), static_cast<double>(t.tree), "tests");
   }
-  const Tests t = tests(1000);
-  Step& step =
-      add("growth", "As *n* grows", line,
-          fmt::format("1,000 boxes as dense as these: {} tests by brute force, {} by the sweep, {} node and pair "
-                      "tests by a hierarchy. All find the same {} pairs.",
-                      t.brute, t.sweep, t.tree, t.found),
-          "*n* (*n* − 1) / 2 = O(*n*^2)");
+  const Tests& t = tests().back();
+  Step& step = add(
+      "growth", "As *n* grows", line,
+      fmt::format("1,000 random boxes: {} tests by brute force, {} by the sweep, {} of nodes and boxes by a "
+                  "hierarchy.\nAll find the same {} pairs. What stands still need not be tested against what stands "
+                  "still.",
+                  t.brute, t.sweep, t.tree, t.found),
+      "*n* (*n* − 1) / 2 = O(*n*^2)");
+  step.scene = {};
+  step.scene.chart = chart();
   step.question = Question{"Which needs fewest tests for 1,000 boxes?",
-                           {"brute force", "sweep", "hierarchy"},
+                           {"brute force", "the sweep", "the hierarchy"},
                            t.tree < t.sweep ? 2 : 1,
-                           "Counted on the boxes themselves."};
+                           "All three were counted on the same boxes."};
 }
 
 }  // namespace isect::lessons::collision_lesson

@@ -3,6 +3,8 @@
 // test, and what they cost together.
 
 #include "lessons/collision/picture.h"
+#include "lessons/shared/plural.h"
+#include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"
 
 namespace isect::lessons::collision_lesson {
@@ -14,6 +16,18 @@ viz::Walk hierarchy(const Boxes&);
 /// A small box flies at a thin wall: what discrete times miss, and what a ray does not. The box is centred at `p` and
 /// moves to the right at this speed, for a second and a half.
 viz::Walk tunnelling(const viz::Vec3& p, double speed);
+
+/// What is told before the first step, after the last one, and where the note errs. (closing.cpp)
+const std::string& opening();
+const viz::Closing& closing();
+const std::vector<viz::Erratum>& errata();
+
+/// The moving box and the wall of a setting: when they are in contact. (tunnelling.cpp)
+struct Encounter {
+  std::optional<Interval<double>> contact;
+  bool seen = false;  ///< at one of the discrete times
+};
+Encounter encounter(const viz::Vec3& p, double speed);
 
 class Teller {
  protected:

@@ -21,35 +21,51 @@ Region region(const Box& b, Role role) {
   return r;
 }
 
+Moving<Aabb, double, 2> bullet_at(const Vec3& p, double speed) {
+  return {{{p.x() - 0.25, p.y() - 0.25}, {p.x() + 0.25, p.y() + 0.25}}, {speed, 0}};
+}
+Moving<Aabb, double, 2> the_wall() { return {{{0.4, -1.75}, {0.6, 1.75}}, {0, 0}}; }
+
 class Flight {
  public:
   Flight(const Vec3& p, double speed)
-      : bullet_{{{p.x() - 0.25, p.y() - 0.25}, {p.x() + 0.25, p.y() + 0.25}}, {speed, 0}},
-        wall_{{{0.4, -1.75}, {0.6, 1.75}}, {0, 0}},
+      : bullet_(bullet_at(p, speed)),
+        wall_(the_wall()),
         truth_(contact(bullet_, wall_, duration)),
-        script_({"Note, N25, N16; Ericson (2005), 5.5",
+        script_({"Lecture note, rays and collision detection; Ericson, Real-Time Collision Detection (2005), section "
+                 "5.5",
                  std::string("A small box flies to the right; a thin wall stands in the middle. ") +
                      (truth_ ? "They meet on its way." : "They never meet."),
-                 {"for each time t ← 0, dt, 2 dt, ...",                      // 0
-                  "    move the box to its place at t",                      // 1
-                  "    if box and wall overlap: return HIT",                 // 2
-                  "sweep the box: a larger box that holds its way",          // 3
-                  "if that misses the wall: return MISS",                    // 4
-                  "grow the wall by the box; return where a ray meets it"},  // 5
+                 {"for each time t ← 0, dt, 2 dt, ...",                       // 0
+                  "    move the box to its place at t",                       // 1
+                  "    if box and wall overlap: record t",                    // 2
+                  "if the volume that the box sweeps misses the wall",        // 3
+                  "    return MISS",                                          // 4
+                  "return where a ray meets the wall, expanded by the box"},  // 5
                  "a moving box"}) {}
 
   Walk tell() {
     at_ = 0;
-    add("motion", "A moving box", 0,
-        "It moves to the right at a steady speed. The wall is thinner than one step of it.");
+    const double step = bullet_.velocity.x() * duration / times, reach = this->reach();
+    script_.value("step", step, "length", Role::first);
+    script_.value("wall + box", reach, "length", Role::second);
+    Step& first =
+        add("motion", "A moving box", 0,
+            fmt::format("It moves to the right at a steady speed, and is tested every {} s.\n", duration / times) +
+                (step > reach ? "One step is longer than wall and box together, so it can jump the wall unseen."
+                              : "One step is no longer than wall and box together: it cannot jump the wall."));
+    first.formula = fmt::format("step = {} {} {} = wall + box", shown(step), step > reach ? ">" : "≤", shown(reach));
+    // the thickness of the wall alone, and the step itself, are taken for the limit
+    first.question = which_value("How long may one step be, so that no hit is missed?", reach,
+                                 {width(wall_.shape), width(bullet_.shape), 2 * reach},
+                                 "On its way the box touches the wall over the lengths of both.");
     Record<motion::Event<double, 2>> record;
     const std::vector<double> hits = discrete_hits(bullet_, wall_, duration, times, record);
     int number = 0;
     for (const auto& event : record.events)
       if (const auto* e = std::get_if<motion::At<double>>(&event)) say(*e, number++);
     at_ = -1;
-    swept(hits);
-    ray(hits);
+    if (swept()) ray(hits);
     return std::move(script_.walk());
   }
 
@@ -68,9 +84,11 @@ class Flight {
       scene.items.emplace_back(Arrow{middle(place(0)), middle(place(duration)), Role::first, Pen::solid});
       if (truth_) {
         scene.items.emplace_back(Dot{middle(place(truth_->lo)), Mark::disc, Role::hit});
-        scene.items.emplace_back(Dot{middle(place(truth_->hi)), Mark::ring, Role::hit});
         scene.items.emplace_back(Label{middle(place(truth_->lo)), "*t*_{in}", Role::hit});
-        scene.items.emplace_back(Label{middle(place(truth_->hi)), "*t*_{out}", Role::hit});
+        if (truth_->hi < duration) {
+          scene.items.emplace_back(Dot{middle(place(truth_->hi)), Mark::ring, Role::hit});
+          scene.items.emplace_back(Label{middle(place(truth_->hi)), "*t*_{out}", Role::hit});
+        }
       }
     }
     if (at_ >= 0) {
@@ -98,37 +116,57 @@ class Flight {
     seen_.push_back(e.time);
     script_.value("*t*", e.time);
     add(fmt::format("time-{}", number), fmt::format("*t* = {}", shown(e.time)), e.meet ? 2 : 1,
-        e.meet ? "At this time box and wall overlap." : "At this time box and wall are apart.")
+        e.meet ? "At this time box and wall have common points." : "At this time box and wall are apart.")
         .decides = e.meet;
   }
 
-  void swept(const std::vector<double>& hits) {
+  /// Whether more is to be asked.
+  bool swept() {
     swept_ = true;
     const bool may = may_collide(bullet_, wall_, duration);
-    Step& step = add("swept", "All that the box sweeps", may ? 3 : 4,
-                     may ? "A box around the whole way meets the wall: they may collide. It never says no wrongly."
+    Step& step = add("swept", "The swept volume", 3,
+                     may ? "A box around the whole way meets the wall: they may collide. This test gives no false "
+                           "negatives."
                          : "A box around the whole way misses the wall: they cannot collide.");
     step.decides = true;
-    step.question = Question{
-        "Do they collide between the times?",
-        {"yes", "no"},
-        truth_ ? 0 : 1,
-        hits.empty() && truth_ ? "Before the wall at one time, behind it at the next." : "The exact test tells."};
+    step.question = which_line(script_.walk().pseudocode, may ? 5 : 4, {2, 4, 5},
+                               "The swept volume is one box from the first place to the last one.");
+    if (may) {
+      script_.refuse(3, {4});
+      return true;
+    }
+    script_.settle(Verdict::Kind::no, "they never meet");
+    script_.leave_early();
+    add("never", "No collision", 4, "One test of two boxes has settled the whole flight: a trivial reject.");
+    return false;
   }
 
   void ray(const std::vector<double>& hits) {
     swept_ = false, grown_ = true;
     const bool tunnels = truth_ && hits.empty();
     if (truth_) script_.value("*t*_{in}", truth_->lo, {}, Role::hit);
-    script_.settle(
-        truth_ ? Verdict::Kind::yes : Verdict::Kind::no,
-        truth_ ? fmt::format("they meet from t = {} to {}", shown(truth_->lo), shown(truth_->hi)) : "they never meet");
-    add("ray", "The box as a ray", 5,
-        std::string("Grow the wall by the box, and the box becomes a point that moves along a ray.\n") +
-            (tunnels  ? "The discrete times missed it: the box tunnelled through."
-             : truth_ ? "The discrete times saw it too, but not when it began."
-                      : "The ray misses the grown wall."));
+    const bool lasts = truth_ && truth_->hi == duration;
+    script_.settle(truth_ ? Verdict::Kind::yes : Verdict::Kind::no,
+                   !truth_ ? "they never meet"
+                   : lasts ? fmt::format("they meet from *t* = {} until the motion ends", shown(truth_->lo))
+                           : fmt::format("they meet from *t* = {} to {}", shown(truth_->lo), shown(truth_->hi)));
+    Step& step =
+        add("ray", "The box as a ray", 5,
+            std::string("Expand the wall by the box (their Minkowski sum), and the box becomes a point on a ray.\n") +
+                (tunnels                 ? "The discrete times missed it: the box tunnelled through."
+                 : !truth_               ? "The ray misses the expanded wall."
+                 : truth_->lo == hits[0] ? "The discrete times saw its first moment, too."
+                                         : "The discrete times saw it too, but later than it began."));
+    if (!truth_ || truth_->lo <= 0) return;
+    const double gap = wall_.shape.lo.x() - bullet_.shape.hi.x(), v = bullet_.velocity.x();
+    // the first discrete time that saw it; from centre to centre; when they part
+    step.question = which_value("At what time do they first meet?", truth_->lo,
+                                {hits.empty() ? truth_->hi : hits[0], (gap + reach() / 2) / v, truth_->hi},
+                                "The gap between box and wall, divided by the speed.");
   }
+
+  static double width(const Box& b) { return b.hi.x() - b.lo.x(); }
+  double reach() const { return width(bullet_.shape) + width(wall_.shape); }
 
   Moving<Aabb, double, 2> bullet_, wall_;
   std::optional<Interval<double>> truth_;
@@ -139,6 +177,11 @@ class Flight {
 };
 
 }  // namespace
+
+Encounter encounter(const Vec3& p, double speed) {
+  const Moving<Aabb, double, 2> bullet = bullet_at(p, speed), wall = the_wall();
+  return {contact(bullet, wall, duration), !discrete_hits(bullet, wall, duration, times).empty()};
+}
 
 Walk tunnelling(const Vec3& p, double speed) { return Flight(p, speed).tell(); }
 

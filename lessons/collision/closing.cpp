@@ -1,0 +1,82 @@
+// What a reader takes along from collisions, and what there is to do.
+
+#include <isect/all_pairs.h>
+#include "lessons/collision/telling.h"
+
+namespace isect::lessons::collision_lesson {
+
+using namespace viz;
+
+namespace {
+
+/// Box 0 overlaps no other box.
+bool box_0_alone(const Parameters& p) {
+  bool alone = true;
+  all_pairs::brute_force(few(std::get<Vec3>(p.at("p"))), [&](int i, int j) { alone = alone && i != 0 && j != 0; });
+  return alone;
+}
+
+bool tunnels(const Parameters& p) {
+  const Encounter e = encounter(std::get<Vec3>(p.at("p")), std::get<double>(p.at("speed")));
+  return e.contact && !e.seen;
+}
+
+}  // namespace
+
+const std::string& opening() {
+  static const std::string text =
+      "Which of many bodies touch, and when? Games, robots and simulations ask this in every frame.\n"
+      "The lecture note *Intersection Detection* calls collision detection an intersection test among moving objects. "
+      "The cheap idea is to leave most pairs untested.";
+  return text;
+}
+
+const Closing& closing() {
+  static const Closing closing = {
+      .result =
+          "All pairs take *n*(*n* − 1)/2 tests; sorting or a hierarchy leaves few. Discrete times miss what "
+          "happens between them.",
+      .cost =
+          "Brute force O(*n*^2). Sweep and prune: a sort, then the pairs that overlap on one axis. Hierarchy: about "
+          "O(*n* lg *n*).",
+      .choose =
+          "Brute force below some dozens. Sweep where little moves between frames; a hierarchy or grid for large "
+          "scenes. Continuous detection for fast bodies.",
+      .used =
+          "Broad phase (all pairs), narrow phase (GJK, contacts): Bullet, Box2D, Jolt and PhysX all have both, and "
+          "continuous detection.",
+      .bug = "To test at discrete times only: a step longer than wall and body together tunnels.",
+      .bug_preset = "tunnelling",
+      .reading = {"Christer Ericson, *Real-Time Collision Detection*, 2005, chapter 7 and section 5.5.",
+                  "Jonathan Cohen et al., I-COLLIDE, *Symposium on Interactive 3D Graphics*, 1995, for sweep and "
+                  "prune.",
+                  "Gino van den Bergen, *Collision Detection in Interactive 3D Environments*, 2003."},
+      .exercises = {
+          {"Drag box 0 until it overlaps no other box.",
+           "Some axis must separate it from each of the others.",
+           "brute-force",
+           box_0_alone,
+           {{"p", "-2.5,-1.5,0"}}},
+          {"The slow box does not tunnel. Choose speed and **p** so that it does.",
+           "The step must be longer than 0.7, and the box must be before the wall at one time and past it at the next.",
+           "slow",
+           tunnels,
+           {{"speed", "5"}}},
+          {"A body of 0.1 m flies at 30 m/s towards a wall of 0.45 m. Tests run at 60 Hz. Can it tunnel?",
+           "One step is 30 / 60 = 0.5 m. Wall and body together are 0.55 m. As 0.5 < 0.55, it cannot."},
+          {"Of 1,000 bodies, 900 never move. How many pairs are left to test?",
+           "Pairs of two bodies at rest go: 900 · 899 / 2. Of 499,500 pairs, 94,950 are left."},
+          {"Find boxes for which sweep and prune tests all pairs, though none overlap.",
+           "Stack them: all have the same interval on the sorted axis, and gaps on the other one."},
+      }};
+  return closing;
+}
+
+const std::vector<Erratum>& errata() {
+  static const std::vector<Erratum> all = {{"    for j ← i to n − 1", "    for j ← i + 1 to n − 1",
+                                            "From *i* on, each box is tested against itself, and overlaps it.",
+                                            "brute-force"}};
+  return all;
+}
+
+}  // namespace isect::lessons::collision_lesson
