@@ -51,7 +51,7 @@ const CaseMap& cases() {
       branch,
       place,
       moved,
-      "The end **q** moves, and **p** stays. Comparisons alone settle the regions beyond one side.\n"
+      "The end **q** moves, and **p** stays. Outcodes alone settle the regions beyond one side.\n"
       "Past a corner nothing is kept either, but only the range of *t* can tell."};
   return map;
 }

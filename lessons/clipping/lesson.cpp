@@ -100,6 +100,9 @@ const Lesson& clipping() {
       .flat = true,
       .opinions = opinions,
       .map = &cases(),
+      .opening = opening(),
+      .closing = &closing(),
+      .after = {"intervals", "rays", "ray-polygon"},
   };
   return lesson;
 }

@@ -7,26 +7,42 @@
 #include <isect/clip_polygon.h>
 #include <isect/clip_segment.h>
 #include <isect/point_convex_polygon.h>
+#include <isect/point_polygon.h>
+#include "lessons/shared/plural.h"
 
 namespace isect::lessons::clipping_lesson {
 
 using namespace viz;
 
+namespace {
+
+/// Some edge meets the box, or the box lies in the polygon; exact.
+bool share_a_point(const Ring<double, 2>& ring, const Box& box) {
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    if (isect::clip(Segment<double, 2>{ring[i], ring[(i + 1) % ring.size()]}, box)) return true;
+  return winding(box.lo, ring).even_odd != Location::out;
+}
+
+}  // namespace
+
 PolygonTeller::PolygonTeller(const Ring<double, 2>& ring, const Box& box)
     : box_(box),
       truth_(isect::clip(ring, box)),
-      script_({"Note, N01; Sutherland and Hodgman (1974)",
+      script_({"Lecture note, uses of intersection detection; Sutherland and Hodgman, Communications of the ACM 17 "
+               "(1974)",
                fmt::format("A polygon of {} vertices and a box. {}", ring.size(),
                            truth_.empty() ? "No part of it lies in the box."
-                                          : fmt::format("The part in the box has {} vertices.", truth_.size())),
+                                          : "The part in the box has " +
+                                                plural(static_cast<long long>(truth_.size()), "vertex") + "."),
                {
                    "if all vertices lie in the box: return the polygon",              // 0
-                   "if all lie beyond one side: return NONE",                         // 1
-                   "for each side of the box",                                        // 2
-                   "    keep the vertices that are not beyond it",                    // 3
-                   "    add the points where edges pass from one side to the other",  // 4
-                   "    if none is left: return NONE",                                // 5
-                   "return the polygon"                                               // 6
+                   "if all lie beyond one and the same side",                         // 1
+                   "    return NONE",                                                 // 2
+                   "for each side of the box",                                        // 3
+                   "    keep the vertices that are not beyond it",                    // 4
+                   "    add the points where edges pass from one side to the other",  // 5
+                   "    if none is left: return NONE",                                // 6
+                   "return the polygon"                                               // 7
                },
                "a polygon"}),
       known_{ring, box, ring} {}
@@ -52,16 +68,19 @@ bool PolygonTeller::trivial() {
   }
   trivial_ = any == 0 || all != 0;
   if (any != 0) script_.refuse(0, {});
-  if (!trivial_) script_.refuse(1, {});
+  if (!trivial_) script_.refuse(1, {2});
   Step& step =
-      script_.add("trivial", "A trivial answer?", any == 0 ? 0 : 1,
+      script_.add("trivial", "A trivial answer?",
+                  any == 0   ? 0
+                  : all != 0 ? 2
+                             : 1,
                   any == 0   ? "All vertices lie in the box. It is convex, so it holds the whole polygon."
                   : all != 0 ? "All vertices lie beyond one and the same side, so the whole polygon does."
                              : "Some vertices lie outside, but not all beyond one side. So the polygon must be cut.");
   step.decides = true;
   step.scene = picture(known_);
-  step.question = {"Is the answer known from comparisons alone?",
-                   {"yes: all is kept", "yes: nothing is kept", "no"},
+  step.question = {"What do comparisons of the vertices with the sides tell?",
+                   {"all is kept", "nothing is kept", "not enough: the polygon must be cut"},
                    any == 0   ? 0
                    : all != 0 ? 1
                               : 2,
@@ -73,8 +92,8 @@ bool PolygonTeller::trivial() {
 
 void PolygonTeller::add_sides() {
   Step& step =
-      script_.add("sides", "Side after side", 2,
-                  "A box is what four half-planes have in common. So four simple cuts do the work of one hard one.\n"
+      script_.add("sides", "Side after side", 3,
+                  "A box is the intersection of four half-planes. So four simple cuts do the work of one hard one.\n"
                   "Each takes the ring that the one before has left.");
   step.scene = picture(known_);
   const Point<double, 2>&lo = box_.lo, &hi = box_.hi;
@@ -90,11 +109,14 @@ void PolygonTeller::add_sides() {
 
 void PolygonTeller::end() {
   known_.settled = true;
+  astray_ = known_.ring.empty() != truth_.empty();
+  const bool none = known_.ring.empty();
   if (known_.ring.empty() == truth_.empty()) known_.ring = truth_;
   Ring<double, 2> different;
   for (const Point<double, 2>& v : truth_)
     if (!among(different, v)) different.push_back(v);
-  const std::size_t n = different.size();
+  const std::size_t n = share_a_point(known_.original, box_) ? different.size() : 0;
+  bridges_ = n == 0 && !different.empty();
   script_.settle(n == 0  ? Verdict::Kind::no
                  : n < 3 ? Verdict::Kind::on
                          : Verdict::Kind::yes,
@@ -102,23 +124,28 @@ void PolygonTeller::end() {
                  : n == 1 ? "one point is kept"
                  : n == 2 ? "an edge is kept"
                           : fmt::format("kept: {} vertices", n));
-  const int line = trivial_ ? script_.walk().steps.back().line : truth_.empty() ? 5 : 6;
-  script_.add("kept", truth_.empty() ? "Nothing is kept" : "What is kept", line, end_caption(n)).scene =
-      picture(known_);
+  const int line = trivial_ ? script_.walk().steps.back().line : none ? 6 : 7;
+  script_.add("kept", n == 0 ? "Nothing is kept" : "What is kept", line, end_caption(n)).scene = picture(known_);
 }
 
 std::string PolygonTeller::end_caption(std::size_t n) const {
+  if (astray_) return "Rounding makes the four cuts wrong here: the exact test says otherwise.";
+  if (bridges_)
+    return "The polygon is not convex, and it misses the box. What the method returns are only zero-width bridges "
+           "along "
+           "the sides.";
   if (n == 0)
     return trivial_ ? "Comparisons were enough: no vertex was computed."
-                    : "No single side had all vertices beyond it, yet the polygon misses the box.\n"
+                    : "No single side has all vertices beyond it, yet the polygon misses the box.\n"
                       "The four cuts have found that out together.";
+  if (trivial_ && n < 3) return "The polygon has no area: some of its vertices coincide. It is kept as it is.";
   if (n < 3)
-    return "The polygon touches the box, and the sets are closed. What they share has no area.\n"
-           "Whoever draws areas may drop it. Whoever asks for contact must not.";
+    return "Polygon and box share points, but no area. The sets are closed, so that is an intersection.\n"
+           "A renderer may drop it; a test for contact must not.";
   if (trivial_) return "No edge was cut, so the polygon is kept as it is.";
   if (!make_convex(known_.original))
     return "The polygon is not convex, so what is kept may fall into parts.\n"
-           "The method returns one ring. Its parts then hang together by edges along the side.";
+           "The method returns one ring: zero-width bridges along the clip side join the pieces.";
   return fmt::format("A convex polygon of {} vertices and four sides: at most {} vertices can be left, here {}.",
                      known_.original.size(), known_.original.size() + 4, n);
 }

@@ -27,7 +27,7 @@ class PolygonTeller {
   const Ring<double, 2> truth_;
   Script script_;
   Rest known_;
-  bool trivial_ = false;
+  bool trivial_ = false, astray_ = false, bridges_ = false;
 };
 
 }  // namespace isect::lessons::clipping_lesson

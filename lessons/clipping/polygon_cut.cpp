@@ -6,6 +6,7 @@
 
 #include <isect/clip_polygon.h>
 #include "lessons/clipping/polygon.h"
+#include "lessons/shared/plural.h"
 
 namespace isect::lessons::clipping_lesson {
 
@@ -51,29 +52,28 @@ void PolygonTeller::cut(const Side& side) {
   script_.value("vertices", static_cast<double>(known_.ring.size()));
   script_.value("removed", static_cast<double>(out), {}, Role::miss);
   script_.value("new", static_cast<double>(cut.fresh.size()), {}, Role::hit);
-  Step& step = script_.add(
-      std::string("side-") + (side.upper ? "upper-" : "lower-") + "xy"[side.axis], "Cut at " + name_of(side),
-      line_of(cut), caption(out, cut),
-      fmt::format("{} − {} + {} = {} vertices", cut.before.size(), out, cut.fresh.size(), known_.ring.size()));
+  Step& step = script_.add(std::string("side-") + (side.upper ? "upper-" : "lower-") + "xy"[side.axis],
+                           "Cut at " + name_of(side), line_of(cut), caption(out, cut),
+                           fmt::format("{} − {} + {} = {}", cut.before.size(), out, cut.fresh.size(),
+                                       plural(static_cast<long long>(known_.ring.size()), "vertex")));
   step.decides = true;
   step.scene = picture(known_, &cut);
   step.question = {"How many vertices are left after this side?",
                    {},
                    0,
-                   "Those beyond the side go, and each edge that crosses it gives a new one."};
+                   "Outside vertices are removed; each crossing edge adds one."};
   choices(*step.question, static_cast<int>(cut.before.size()), static_cast<int>(known_.ring.size()));
 }
 
-int PolygonTeller::line_of(const Cut& cut) const { return known_.ring.empty() ? 5 : cut.fresh.empty() ? 3 : 4; }
+int PolygonTeller::line_of(const Cut& cut) const { return known_.ring.empty() ? 6 : cut.fresh.empty() ? 4 : 5; }
 
 std::string PolygonTeller::caption(std::int64_t out, const Cut& cut) const {
   if (known_.ring.empty()) return "All that was left lies beyond this side. Nothing remains.";
   if (out == 0) return "No vertex lies beyond this side, so it cuts nothing off.";
   if (cut.fresh.empty())
-    return "The vertices beyond go. No edge passes strictly from one side to the other, so there is no new "
-           "vertex.";
-  return "Walk around the ring. A vertex that is not beyond stays; one beyond goes (cross).\n"
-         "Where an edge passes from one side to the other, a new vertex (ring) is put in.";
+    return "The vertices beyond are removed. No edge passes strictly from one side to the other, so none is added.";
+  return "Walk around the ring. Vertices beyond the side are removed (crosses).\n"
+         "Each edge that passes from one side to the other adds one (ring).";
 }
 
 }  // namespace isect::lessons::clipping_lesson

@@ -6,6 +6,8 @@
 
 #include <bit>
 
+#include <isect/ray_aabb_methods.h>
+
 namespace isect::lessons::clipping_lesson {
 
 using namespace viz;
@@ -14,18 +16,19 @@ using C = Counted<double>;
 SegmentTeller::SegmentTeller(const Segment<double, 2>& segment, const Box& box)
     : box_(box),
       truth_(isect::clip(segment, box)),
-      script_({"Note, N01; Liang and Barsky (1984)",
+      script_({"Lecture note, uses of intersection detection; Liang and Barsky, ACM Transactions on Graphics 3 (1984)",
                alt(),
                {
                    "if p and q lie in the box: return [0, 1]",                    // 0
-                   "if p and q lie beyond one side: return NONE",                 // 1
-                   "[t_in, t_out] ← [0, 1]; for each side, with inner normal n",  // 2
-                   "    if n · d = 0: return NONE if p lies beyond it",           // 3
-                   "    t ← where the line crosses the side",                     // 4
-                   "    if n · d > 0: t_in ← max(t_in, t)",                       // 5
-                   "    if n · d < 0: t_out ← min(t_out, t)",                     // 6
-                   "    if t_in > t_out: return NONE",                            // 7
-                   "return [t_in, t_out]"                                         // 8
+                   "if p and q lie beyond one and the same side",                 // 1
+                   "    return NONE",                                             // 2
+                   "[t_in, t_out] ← [0, 1]; for each side, with inner normal n",  // 3
+                   "    if n · d = 0: go on, as p and q are not beyond it",       // 4
+                   "    t ← where the line crosses the side",                     // 5
+                   "    if n · d > 0: t_in ← max(t_in, t)",                       // 6
+                   "    if n · d < 0: t_out ← min(t_out, t)",                     // 7
+                   "    if t_in > t_out: return NONE",                            // 8
+                   "return [t_in, t_out]"                                         // 9
                },
                "a segment"}),
       known_{segment, box} {}
@@ -52,17 +55,21 @@ void SegmentTeller::say(const clip_segment::Outcodes& e) {
   script_.value("sides beyond, **p**", std::popcount(static_cast<unsigned>(e.p)));
   script_.value("sides beyond, **q**", std::popcount(static_cast<unsigned>(e.q)));
   if (!inside) script_.refuse(0, {});
-  if (!inside && !beyond) script_.refuse(1, {});
+  if (!inside && !beyond) script_.refuse(1, {2});
   Step& step = script_.add(
-      "trivial", "A trivial answer?", inside ? 0 : 1,
-      inside   ? "Both ends lie in the box. It is convex, so it holds all between them: trivial acceptance."
-      : beyond ? "Both ends lie beyond one and the same side, so all between them does: trivial rejection."
-               : "The ends do not both lie in the box, nor both beyond one side. Only now is there a need to "
-                 "compute.");
+      "trivial", "The outcodes of Cohen and Sutherland",
+      inside   ? 0
+      : beyond ? 2
+               : 1,
+      std::string("A bit for each side that an end lies beyond: top, bottom, right, left.\n") +
+          (inside   ? "All bits are 0, so both ends lie in the box. It is convex: trivial acceptance."
+           : beyond ? "A bit is 1 in both, so the whole segment lies beyond that side: trivial rejection."
+                    : "Some bit is 1, but none is 1 in both. Only now is there a need to compute."),
+      fmt::format("**p**: {:04b},  **q**: {:04b},  and: {:04b},  or: {:04b}", e.p, e.q, e.p & e.q, e.p | e.q));
   step.decides = true;
   step.scene = picture(known_);
-  step.question = {"Is the answer known from comparisons alone?",
-                   {"yes: all is kept", "yes: nothing is kept", "no"},
+  step.question = {"What do comparisons of the ends with the sides tell?",
+                   {"all is kept", "nothing is kept", "not enough: *t* must be computed"},
                    inside   ? 0
                    : beyond ? 1
                             : 2,
@@ -74,7 +81,7 @@ void SegmentTeller::say(const clip_segment::Outcodes& e) {
   known_.started = true;
   script_.value("*t*_{in}", 0, "t");
   script_.value("*t*_{out}", 1, "t");
-  Step& begin = script_.add("range", "The range of *t*", 2,
+  Step& begin = script_.add("range", "The range of *t*", 3,
                             "The segment is **p** + *t* **d** with 0 ≤ *t* ≤ 1, where **d** = **q** − **p**.\n"
                             "Each side of the box will cut this range. What is left at the end lies in the box.",
                             "[*t*_{in}, *t*_{out}] = [0, 1]");
@@ -92,7 +99,7 @@ void SegmentTeller::end() {
                  : one   ? "one point is kept: *t* = " + shown(known_.range.lo)
                          : fmt::format("kept: *t* from {} to {}", shown(known_.range.lo), shown(known_.range.hi)));
   const int last = script_.walk().steps.back().line;
-  const int line = trivial_ || !truth_ ? last : 8;
+  const int line = trivial_ || !found_ ? last : 9;
   script_
       .add("kept", truth_ ? "What is kept" : "Nothing is kept", line, end_caption(one),
            truth_ && !one
@@ -103,17 +110,23 @@ void SegmentTeller::end() {
 
 std::string SegmentTeller::end_caption(bool one) const {
   if (found_ != truth_.has_value())
-    return "The exact test says otherwise. At a corner the last entry is the first exit, and rounding "
-           "moved them.";
+    return "Rounding makes this method wrong here: at a corner the last entry is the first exit, and rounding moved "
+           "them.";
   if (!truth_)
-    return trivial_ ? "Most of what a renderer clips is far off. So the cheap rejection comes first."
-                    : "Neither end was beyond the same side, yet the segment misses the box: it passes a "
-                      "corner.";
+    return trivial_ ? "In a large scene most segments are rejected so. That is why comparisons come first."
+                    : "No side has both ends beyond it, yet the segment misses the box: it passes a corner.";
   if (one)
-    return "Last entry and first exit are the same *t*: the segment touches the box at a corner.\n"
+    return std::string("Last entry and first exit are the same *t*: the segment touches the box ") +
+           (truth_->lo == 0   ? "with its end **p**.\n"
+            : truth_->lo == 1 ? "with its end **q**.\n"
+                              : "at a corner.\n") +
            "The sets are closed, so touching counts, and the part kept is a point.";
   if (runs_along_a_side(known_.segment, box_))
-    return "The part kept lies in a side. The sets are closed, so the boundary belongs to the box.";
+    return std::string("The part kept lies in a side. The sets are closed, so the boundary belongs to the box.") +
+           (ray_aabb::by_min_max(isect::segment(known_.segment.p, known_.segment.q), box_)
+                ? ""
+                : "\nSlabs by reciprocals lose it (crossed out): 0 · ∞ is not a number, and every comparison with it "
+                  "fails.");
   if (trivial_) return "No side was crossed, so there was nothing to divide: the segment is kept as it is.";
   return "The part kept runs from the last entry to the first exit.\n"
          "The new ends are **p** + *t* **d** with these two *t*: one formula for all cases.";

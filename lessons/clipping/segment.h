@@ -28,7 +28,7 @@ class SegmentTeller {
   const std::optional<Interval<double>> truth_;
   Script script_;
   Narrowing known_;
-  bool found_ = false, trivial_ = false;
+  bool found_ = false, trivial_ = false, asked_ = false;
 };
 
 }  // namespace isect::lessons::clipping_lesson

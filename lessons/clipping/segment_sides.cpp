@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "lessons/clipping/segment.h"
+#include "lessons/shared/axis_names.h"
+#include "lessons/shared/questions.h"
 
 namespace isect::lessons::clipping_lesson {
 
@@ -14,9 +16,9 @@ namespace {
 
 /// An end that stays is shown at the line that computes t, so that this line is reached too.
 int line_of(int heading, bool narrowed) {
-  if (heading == 0) return 3;
-  if (!narrowed) return 4;
-  return heading > 0 ? 5 : 6;
+  if (heading == 0) return 4;
+  if (!narrowed) return 5;
+  return heading > 0 ? 6 : 7;
 }
 
 std::string title(int heading, const Side& side) {
@@ -37,7 +39,7 @@ void SegmentTeller::say(const clip_segment::Narrowed<Counted<double>>& e) {
   if (known_.left) script_.leave_early();
   Step& step = script_.add(
       std::string("side-") + (e.upper ? "upper-" : "lower-") + "xy"[e.axis], title(e.heading, side),
-      known_.left && e.heading != 0 ? 7 : line_of(e.heading, narrowed), caption(e.heading, narrowed, side),
+      known_.left && e.heading != 0 ? 8 : line_of(e.heading, narrowed), caption(e.heading, narrowed, side),
       e.heading == 0
           ? "**n** · **d** = 0"
           : fmt::format("*t* = {},  range [{}, {}]", shown(t), shown(known_.range.lo), shown(known_.range.hi)));
@@ -45,8 +47,20 @@ void SegmentTeller::say(const clip_segment::Narrowed<Counted<double>>& e) {
   if (e.heading != 0)
     Script::decide(step, {"*t*_{in} ≤ *t*_{out}", known_.range.lo, known_.range.hi, e.holds,
                           e.holds ? "something is left" : "nothing is left"});
+  if (e.heading != 0 && !asked_) {
+    asked_ = true;
+    const double p = known_.segment.p[e.axis], d = known_.segment.q[e.axis] - p;
+    const double at = e.upper ? box_.hi[e.axis] : box_.lo[e.axis];
+    const char* const axis = axis_names[e.axis];
+    // not divided by d; the wrong way round; from q
+    step.question = which_value(fmt::format("From {} = {}, **d** leads on by {}. At which *t* is {} = {}?", axis,
+                                            shown(p), shown(d), axis, shown(at)),
+                                t, {at - p, (p - at) / d, 1 - t},
+                                fmt::format("*t* = ({} − {}) / {}.", shown(at), shown(p), shown(d)));
+    return;
+  }
   step.question = {"What does this side do to the range?",
-                   {"it cuts its beginning", "it cuts its end", "nothing", "it leaves nothing"},
+                   {"it cuts its beginning", "it cuts its end", "it leaves it as it is", "it leaves none of it"},
                    known_.left     ? 3
                    : !narrowed     ? 2
                    : e.heading > 0 ? 0
@@ -61,8 +75,8 @@ std::string SegmentTeller::caption(int heading, bool narrowed, const Side& side)
   if (known_.left)
     return "The line leaves one side before it has entered the other. No *t* lies within both: nothing is "
            "left.";
-  const std::string way = heading > 0 ? "The line comes in across " + name_of(side) + ": what lies before *t* goes."
-                                      : "The line goes out across " + name_of(side) + ": what lies after *t* goes.";
+  const std::string way = heading > 0 ? "The line enters across " + name_of(side) + ": what lies before *t* is cut off."
+                                      : "The line leaves across " + name_of(side) + ": what lies after *t* is cut off.";
   if (narrowed) return way;
   return way + (heading > 0 ? "\nThe range begins later already, so *t*_{in} stays: the last entry counts."
                             : "\nThe range ends earlier already, so *t*_{out} stays: the first exit counts.");
@@ -72,7 +86,7 @@ std::string SegmentTeller::because(int heading, bool narrowed) const {
   if (heading == 0) return known_.left ? "Every point lies beyond the side." : "No point lies beyond the side.";
   if (known_.left) return "The last entry comes after the first exit.";
   if (!narrowed) return "This crossing lies outside the range that is left.";
-  return heading > 0 ? "**n** · **d** > 0: the line comes in here." : "**n** · **d** < 0: the line goes out here.";
+  return heading > 0 ? "**n** · **d** > 0: the line enters here." : "**n** · **d** < 0: the line leaves here.";
 }
 
 }  // namespace isect::lessons::clipping_lesson

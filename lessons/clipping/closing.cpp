@@ -1,0 +1,71 @@
+// What a reader takes along from clipping, and what there is to do.
+
+#include <isect/clip_segment.h>
+#include "lessons/clipping/picture.h"
+
+namespace isect::lessons::clipping_lesson {
+
+using namespace viz;
+
+namespace {
+
+/// No part is kept, and no side alone can tell.
+bool passes_a_corner(const Parameters& p) {
+  const Segment<double, 2> s = {std::get<Vec3>(p.at("p")).head<2>(), std::get<Vec3>(p.at("q")).head<2>()};
+  const Box box = box_of_lesson();
+  const int both = clip_segment::outcode(s.p, box) & clip_segment::outcode(s.q, box);
+  return both == 0 && !isect::clip(s, box);
+}
+
+}  // namespace
+
+const std::string& opening() {
+  static const std::string text =
+      "Which part of a segment or polygon lies in a box? Every renderer cuts its lines and triangles at the picture's "
+      "edges.\n"
+      "A box is the intersection of half-planes, so each side cuts in turn. In the lecture note *Intersection "
+      "Detection*, clipping is the first use.";
+  return text;
+}
+
+const Closing& closing() {
+  static const Closing closing = {
+      .result =
+          "Outcodes accept or reject most. The others are cut side by side: a segment as a range of *t*, a "
+          "polygon as a ring of vertices.",
+      .cost = "Segment: eight comparisons, then at most four divisions. Polygon of *n* vertices: O(*n*) a side.",
+      .choose =
+          "Liang and Barsky for segments; Sutherland and Hodgman for convex windows. Weiler and Atherton, or "
+          "sweeping, for windows that are not convex.",
+      .used =
+          "GPUs clip triangles at the near plane and leave the sides to scissoring. Maps, plotters, physics "
+          "contacts (a face clipped by a face).",
+      .bug = "Reciprocals of zero: 0 · ∞ is not a number, and a segment along a side is lost.",
+      .bug_preset = "along-a-side",
+      .reading = {"You-Dong Liang and Brian Barsky, A New Concept and Method for Line Clipping, *ACM Transactions on "
+                  "Graphics* 3, 1984.",
+                  "Ivan Sutherland and Gary Hodgman, Reentrant Polygon Clipping, *Communications of the ACM* 17, 1974.",
+                  "James Foley et al., *Computer Graphics: Principles and Practice*, 2nd edition, 1990, chapter 3."},
+      .exercises = {
+          {"Drag **p** and **q** until nothing is kept, though the outcodes cannot tell.",
+           "The segment must pass a corner: **p** beyond one side and **q** beyond the next.",
+           "both-ends-cut",
+           passes_a_corner,
+           {{"q", "-1.75,-2.25,0"}, {"p", "-3,-0.75,0"}}},
+          {"The box is [0, 4] by [0, 2]. Clip the segment from (−2, 1) to (6, 3).",
+           "**d** = (8, 2). Left: *t* ≥ 1/4. Right: *t* ≤ 3/4. Top: *t* ≤ 1/2. Bottom: *t* ≥ −1/2. Kept: 1/4 to 1/2, "
+           "from (0, 1.5) to (2, 2)."},
+          {"How many vertices can a triangle have after four sides have cut it?",
+           "Seven: a cut of a convex polygon adds at most one vertex. A triangle can keep a part of each of its three "
+           "sides, and of the box's four."},
+          {"Why do slabs by reciprocals lose a segment along a side?",
+           "There *d* = 0, so 1/*d* = ∞, and the distance to the side is 0. Their product is not a number. Test for "
+           "*d* = 0 "
+           "first."},
+          {"Why must a renderer clip at the near plane before it divides by depth?",
+           "Points behind the eye have negative depth. The division would throw them upside down before the eye."},
+      }};
+  return closing;
+}
+
+}  // namespace isect::lessons::clipping_lesson
