@@ -2,6 +2,7 @@
 
 #include <isect/ray_sphere_methods.h>
 #include "lessons/ray_sphere/telling.h"
+#include "lessons/shared/questions.h"
 
 namespace isect::lessons::ray_sphere_lesson {
 namespace {
@@ -13,7 +14,8 @@ using C = Counted<double>;
 class HainesTeller : Teller {
  public:
   explicit HainesTeller(const Setup& setup)
-      : Teller(setup, "Haines", "Note, N19; Haines (1989), ch. 2",
+      : Teller(setup, "Haines",
+               "Lecture note, ray and sphere; Haines in Glassner (ed.), An Introduction to Ray Tracing (1989), ch. 2",
                {
                    "l ← c − o",                    // 0
                    "s ← l · d",                    // 1
@@ -44,41 +46,50 @@ class HainesTeller : Teller {
     known_.center_line = true;
     add("to-center", "From the origin to the centre", 0,
         "Let **l** be the vector from the ray's origin to the centre of the ball.\n"
-        "The method needs a direction **d** of length 1, so the lesson has normalised it. Then *t* is a "
-        "distance.",
+        "The method needs a direction of length 1, so **d** has been normalised. Now *t* is a length" +
+            std::string(setup_.segment() ? ", and so is *t*_{max}." : "."),
         Focus::center_line, "**l** = **c** − **o**");
   }
 
   void say(const AlongRay<C>& e) {
     known_.foot = true;
+    s_ = e.s.value;
     script_.value("*s*", e.s.value);
     add("along-the-ray", "How far along the ray", 1,
-        e.s.value < 0 ? "The projection of **l** onto **d** is negative: the centre lies behind the origin."
-                      : "The projection of **l** onto **d** tells where the ray passes nearest to the centre.\n"
-                        "The note calls this number *d* too, like the direction. We call it *s*.",
+        std::string("The projection of **l** onto **d** tells where the line passes nearest to the centre. ") +
+            (e.s.value < 0 ? "Here that is behind the origin.\n" : "\n") +
+            "The note calls this number *d* too, like the direction. We call it *s*.",
         Focus::along, "*s* = **l** · **d** = " + shown(e.s.value));
   }
 
   void say(const CenterDistance<C>& e) {
+    l2_ = e.l2.value;
     script_.value("*l*^2", e.l2.value, "area");
     const double r = setup_.sphere.radius;
     script_.value("*r*^2", r * r, "area", Role::second);
     add("distance", "Inside or outside?", 2,
         "The squared distance to the centre tells, against *r*^2, on which side of the surface the origin "
         "lies.",
-        Focus::center_line, "*l*^2 = " + shown(e.l2.value) + ",  *r*^2 = " + shown(r * r));
+        Focus::center_line, "*l*^2 = **l** · **l** = " + shown(e.l2.value));
   }
 
   void say(const Behind<C>& e) {
     Step& step =
         add("early-reject", "A cheap rejection", 3,
-            e.holds ? "The centre lies behind, and the origin outside: the ball is behind the ray.\n"
-                      "No square root was needed to know it."
-                    : "Only an origin outside, with the centre behind it, can be rejected here. This ray goes on.",
+            e.holds         ? "The centre lies behind, and the origin outside: the ball is behind the ray.\n"
+                              "No square root was needed to know it."
+            : e.s.value < 0 ? "The centre lies behind, but the origin is not outside, so it is itself a point of "
+                              "the ball."
+                            : "The centre does not lie behind the origin, so the ball may lie ahead.",
             Focus::none);
     decide(step, {"*s* < 0", e.s.value, 0, e.s.value < 0,
-                  e.s.value < 0 ? "the centre lies behind" : "the centre lies ahead"});
-    step.question = behind_question(e.holds);
+                  e.s.value < 0   ? "the centre lies behind"
+                  : e.s.value > 0 ? "the centre lies ahead"
+                                  : "the centre lies abreast"});
+    // 4: a centre behind is taken for enough; 8: real roots are taken for granted
+    step.question = which_line(script_.walk().pseudocode, e.holds ? 4 : 5, {4, 5, 8},
+                               e.holds ? "The centre lies behind an origin that is outside."
+                                       : "A rejection takes a centre behind the origin and an origin outside.");
     if (!e.holds) script_.refuse(3, {4});
   }
 
@@ -86,19 +97,27 @@ class HainesTeller : Teller {
     known_.passing = true;
     script_.value("*m*^2", e.m2.value, "area");
     add("passing-distance", "How near the line passes", 5,
-        "Pythagoras in the triangle of **l** and *s* gives *m*, the distance of the line from the centre.",
-        Focus::passing, "*m*^2 = *l*^2 − *s*^2 = " + shown(e.m2.value));
+        std::string("By Pythagoras, *l*^2 and *s*^2 give *m*, the distance of the line from the centre.") +
+            (e.m2.value < 0 ? " Rounding has made the square negative." : ""),
+        Focus::passing, "*m*^2 = *l*^2 − *s*^2 = " + shown(e.m2.value))
+        // s is not squared; r is taken for s; the sign of Pythagoras
+        .question = which_value("What is *m*^2?", e.m2.value,
+                                {l2_ - s_, l2_ - setup_.sphere.radius * setup_.sphere.radius, l2_ + s_ * s_},
+                                "*m* and *s* are the legs of a right triangle, and *l* is its hypotenuse.");
   }
 
   void say(const PassesBy<C>& e) {
-    const bool tangent = setup_.truth.line_roots == 1;
+    const bool tangent = line_roots() == 1;
     Step& step = add("passes-by", "Does the line meet the ball?", 6,
-                     e.holds   ? "The line stays further from the centre than *r*: it misses."
+                     e.holds != (line_roots() == 0) ? astray_line()
+                     : e.holds                      ? "The line stays further from the centre than *r*: it misses."
                      : tangent ? "The line passes at exactly *r*: it touches the ball in one point. Touching counts."
                                : "The line passes nearer than *r*: it meets the ball.",
                      Focus::passing);
     decide(step, {"*m*^2 ≤ *r*^2", e.m2.value, e.r2.value, !e.holds,
-                  e.holds ? "the line misses the ball" : "the line meets the ball"});
+                  e.holds != (line_roots() == 0) ? "by rounding"
+                  : e.holds                      ? "the line misses the ball"
+                                                 : "the line meets the ball"});
     step.question = roots_question(setup_);
     if (!e.holds) script_.refuse(6, {7});
   }
@@ -107,22 +126,26 @@ class HainesTeller : Teller {
     known_.half_chord = true;
     script_.value("*q*", e.q.value);
     add("half-chord", "Half the chord", 8,
-        "Inside the ball the line runs equally far before and after the foot of the perpendicular.\n"
-        "That distance, half the chord, is *q*. Its square root is the only one in the whole test.",
+        e.q.value > 0 ? "Inside the ball the line runs equally far before and after the foot of the perpendicular.\n"
+                        "That distance, half the chord, is *q*. Its square root is the only one in the whole test."
+                      : "The foot of the perpendicular is the only common point, so half the chord is 0.",
         Focus::half_chord, "*q* = √(*r*^2 − *m*^2) = " + shown(e.q.value));
   }
 
   void say(const FromOutside<C>& e) {
     known_.roots = 2;
     const bool on = e.l2.value == e.r2.value;
-    Step& step = add("which-root", "Which root comes first?", 9,
-                     on        ? "The origin lies exactly on the surface. Heading inwards the first hit is *s* − "
-                                 "*q*, else *s* + *q*: "
-                                 "both give 0.\nThe note's form asks only *l*^2 > *r*^2, and so returns the exit "
-                                 "for a ray that heads inwards."
-                     : e.holds ? "From outside the ray enters first, at *s* − *q*."
-                               : "From inside the entry lies behind: the ray leaves at *s* + *q*.",
-                     Focus::none, "*t*_{1,2} = *s* ∓ *q*");
+    Step& step =
+        add("which-root", "Which root comes first?", 9,
+            on && setup_.truth.origin != Location::on ? "Rounded, the origin lies on the surface; exactly, it does not."
+            : on                ? "The origin lies exactly on the surface. Heading inwards the first hit is *s* − "
+                                  "*q*, else *s* + *q*: "
+                                  "both give 0.\nThe note asks only *l*^2 > *r*^2, and so returns the exit "
+                                  "for a ray that heads inwards."
+            : line_roots() == 1 ? "Both roots are the same: the line touches the ball."
+            : e.holds           ? "From outside the ray enters first, at *s* − *q*."
+                                : "From inside the entry lies behind: the ray leaves at *s* + *q*.",
+            Focus::none, "*t*_1 = *s* − *q*,  *t*_2 = *s* + *q*");
     decide(step, {"*l*^2 > *r*^2", e.l2.value, e.r2.value, e.l2.value > e.r2.value,
                   on        ? "the origin is on the surface"
                   : e.holds ? "the origin is outside"
@@ -139,8 +162,9 @@ class HainesTeller : Teller {
   void say(const Nearest<C>& e) {
     script_.value("*t*", e.t.value, {}, Role::hit);
     add("nearest-root", "The nearest root", from_outside_ ? 10 : 12,
-        from_outside_ ? "The line enters the ball half a chord before the foot."
-                      : "The line leaves the ball half a chord after the foot.",
+        line_roots() == 1 ? "The line touches the ball at the foot."
+        : from_outside_   ? "The line enters the ball half a chord before the foot."
+                          : "The line leaves the ball half a chord after the foot.",
         from_outside_ ? Focus::first_root : Focus::second_root,
         (from_outside_ ? "*t* = *s* − *q* = " : "*t* = *s* + *q* = ") + shown(e.t.value));
   }
@@ -150,9 +174,10 @@ class HainesTeller : Teller {
     if (segment) script_.value("*t*_{max}", e.limit.value, {}, Role::first);
     Step& step =
         add("in-range", "Within the ray's range?", 13,
-            !segment  ? "A ray has no end, so every *t* ≥ 0 is on it."
-            : e.holds ? "The segment ends before the ball begins. Its line would meet it, the segment does not."
-                      : "The hit lies before the segment's end.",
+            !segment        ? "A ray has no end, so every *t* ≥ 0 is on it."
+            : !e.holds      ? "The root does not lie beyond the segment's end, so it is a hit."
+            : from_outside_ ? "The segment ends before it reaches the ball, though its line goes on to meet it."
+                            : "The segment ends inside the ball, before the line leaves it.",
             Focus::none);
     if (segment) {
       decide(step, {"*t* ≤ *t*_{max}", e.t.value, e.limit.value, !e.holds,
@@ -165,17 +190,25 @@ class HainesTeller : Teller {
     script_.leave_early();
     settle(viz::Verdict::Kind::no);
     const int line = script_.walk().steps.back().line + 1;  // stands below the condition that led to it
-    add("reject", "No intersection", line, miss_caption(setup_), Focus::none);
+    if (!right({})) settle(setup_.truth.origin == Location::on ? viz::Verdict::Kind::on : viz::Verdict::Kind::yes);
+    add("reject", "No intersection", line, right({}) ? miss_caption(setup_) : astray(), Focus::none);
   }
 
   void say(const Intersect<C, 3>& e) {
-    settle(setup_.truth.origin == Location::on ? viz::Verdict::Kind::on : viz::Verdict::Kind::yes);
+    settle(!setup_.truth.surface                 ? viz::Verdict::Kind::no
+           : setup_.truth.origin == Location::on ? viz::Verdict::Kind::on
+                                                 : viz::Verdict::Kind::yes);
     add("intersect", "The first hit", 15,
-        "The point follows from *t*: **p** = **o** + *t* **d**.\n" + solid_caption(setup_), Focus::none,
+        "The point follows from *t*: **p** = **o** + *t* **d**.\n" +
+            (right(e.t.value) ? solid_caption(setup_) : astray()),
+        Focus::none,
         fmt::format("**p** = ({}, {}, {})", shown(e.p.x().value), shown(e.p.y().value), shown(e.p.z().value)));
   }
 
+  int line_roots() const { return setup_.truth.line_roots; }
+
   bool from_outside_ = false;
+  double s_ = 0, l2_ = 0;
 };
 
 }  // namespace

@@ -90,6 +90,10 @@ const Lesson& ray_sphere() {
       .steps = walk,
       .opinions = opinions,
       .map = &cases(),
+      .opening = opening(),
+      .closing = &closing(),
+      .errata = errata(),
+      .after = {"rays", "sphere-sphere"},
   };
   return lesson;
 }

@@ -108,7 +108,7 @@ class Painter {
     const Vec3 o = at(0), c = s_.sphere.center, foot = at(s_.foot());
     if (focus(Focus::along)) {
       add(Line{o, foot, Role::highlight, Pen::highlight});
-      add(Label{o, "*s*", Role::highlight, foot});
+      if (!k_.from_center) add(Label{o, "*s*", Role::highlight, foot});
     }
     if (!k_.passing && !focus(Focus::along)) return;
     if ((foot - c).norm() < 1e-9 * s_.sphere.radius) return;  // through the center: nothing to draw
@@ -124,7 +124,7 @@ class Painter {
     const Vec3 c = s_.sphere.center, foot = at(s_.foot()), rim = at(t);
     const bool lit = focus(Focus::half_chord);
     if (lit) add(Line{foot, rim, Role::highlight, Pen::highlight});
-    add(Label{foot, "*q*", lit ? Role::highlight : Role::text, rim});
+    if (!k_.from_center) add(Label{foot, "*q*", lit ? Role::highlight : Role::text, rim});
     add(Line{c, rim, Role::construction, Pen::construction});
     add(Label{c, "*r*", Role::text, rim});
   }

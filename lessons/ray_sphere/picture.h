@@ -40,7 +40,11 @@ std::string alt_text(const Setup&);
 
 /// Where the ray begins along itself against how far its line passes the centre. (cases.cpp)
 const viz::CaseMap& cases();
-/// First hits to five digits, in units of the direction as given. (cases.cpp)
+/// First hits to five digits, in the walk's own unit: lengths, or lengths of the direction as given. (cases.cpp)
 std::vector<viz::Opinion> opinions(const viz::Parameters&);
+/// What is told before the first step, after the last one, and where the note errs. (closing.cpp)
+const std::string& opening();
+const viz::Closing& closing();
+const std::vector<viz::Erratum>& errata();
 
 }  // namespace isect::lessons::ray_sphere_lesson

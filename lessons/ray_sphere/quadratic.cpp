@@ -1,8 +1,12 @@
 // The quadratic (N17) and its half-B form (N18), one step for each event. They differ in the factors 2 and 4
 // alone.
 
+#include <algorithm>
+#include <cmath>
+
 #include <isect/ray_sphere_methods.h>
 #include "lessons/ray_sphere/telling.h"
+#include "lessons/shared/questions.h"
 
 namespace isect::lessons::ray_sphere_lesson {
 namespace {
@@ -33,7 +37,8 @@ std::vector<std::string> pseudocode(bool half) {
 class QuadraticTeller : Teller {
  public:
   QuadraticTeller(const Setup& setup, bool half)
-      : Teller(setup, half ? "half-B" : "quadratic", half ? "Note, N18" : "Note, N17; Möller and Haines (2002), ch. 13",
+      : Teller(setup, half ? "half-B" : "quadratic",
+               "Lecture note, ray and sphere; Akenine-Möller and Haines, Real-Time Rendering (2002), ch. 13",
                pseudocode(half)),
         half_(half) {}
 
@@ -49,61 +54,86 @@ class QuadraticTeller : Teller {
   void say(const FromCenter<C, 3>&) {
     known_.center_line = known_.from_center = true;
     add("from-center", "From the centre to the origin", 0,
-        "Put **o** + *t* **d** into |**x** − **c**|^2 = *r*^2. Only the vector **f** from centre to origin "
-        "remains.",
-        Focus::center_line, "|**f** + *t* **d**|^2 = *r*^2");
+        std::string("Put **o** + *t* **d** into |**x** − **c**|^2 = *r*^2, with **f** = **o** − **c**. Expand the "
+                    "square.\n") +
+            (half_ ? "The coefficients of *t*^2, *t* and 1 are *A*, 2*B* and *C*: only half of the middle one is kept."
+                   : "The coefficients of *t*^2, *t* and 1 are called *A*, *B* and *C*."),
+        Focus::center_line,
+        "|**f** + *t* **d**|^2 − *r*^2 = (**d** · **d**) *t*^2 + 2 (**f** · **d**) *t* + (**f** · **f** − *r*^2)");
   }
 
   void say(const CoefficientA<C>& e) {
-    script_.value("*A*", e.a.value);
-    add("coefficient-a", "The factor of *t*^2", 1,
-        "The squared length of the direction. For a unit direction it would be 1.\n"
-        "The note prints a stray *t* here: *A* is a constant.",
+    a_ = e.a.value;
+    script_.value("*A*", a_);
+    add("coefficient-a", "The coefficient of *t*^2", 1,
+        std::string("The squared length of the direction") +
+            (a_ == 1 ? ", which is 1 here." : ". For a unit direction it would be 1.") +
+            "\nThe note prints a stray *t* here: *A* is a constant.",
         Focus::direction, "*A* = **d** · **d** = " + shown(e.a.value));
   }
 
   void say(const CoefficientB<C>& e) {
     known_.foot = true;
-    script_.value("*B*", e.b.value);
-    const std::string sign = e.b.value < 0 ? "It is negative: the ray heads towards the centre."
-                                           : "It is not negative: the ray heads away from the centre.";
-    add("coefficient-b", "The factor of *t*", 2,
-        half_ ? "Half of the linear factor is enough, if the 2 and the 4 leave the other lines too.\n" + sign
-              : "Twice the projection of **f** onto **d**. " + sign,
+    b_ = e.b.value;
+    script_.value("*B*", b_);
+    const std::string sign = b_ < 0   ? "It is negative: the ray approaches the centre at first."
+                             : b_ > 0 ? "It is positive: the ray moves away from the centre."
+                                      : "It is zero: no point of the line is nearer to the centre than the origin.";
+    add("coefficient-b", half_ ? "Half the coefficient of *t*" : "The coefficient of *t*", 2,
+        half_ ? "Half of the linear coefficient is enough, if the 2 and the 4 leave the other lines too.\n" + sign
+              : "Twice the dot product of **f** and **d**. " + sign,
         Focus::along, (half_ ? "*B* = **f** · **d** = " : "*B* = 2 **f** · **d** = ") + shown(e.b.value));
   }
 
   void say(const CoefficientC<C>& e) {
-    script_.value("*C*", e.c.value);
-    const double c = e.c.value;
+    const double c = c_ = e.c.value;
+    script_.value("*C*", c);
+    const Location told = c > 0 ? Location::out : c < 0 ? Location::in : Location::on, truth = setup_.truth.origin;
+    const std::string place = truth == Location::out  ? "outside."
+                              : truth == Location::in ? "inside."
+                                                      : "exactly on the surface.";
     add("coefficient-c", "Where the origin lies", 3,
-        std::string("The constant tells on which side of the surface the origin lies. Here it is ") +
-            (c > 0   ? "positive: outside."
-             : c < 0 ? "negative: inside."
-                     : "zero: exactly on the surface."),
+        std::string("The sign of the constant tells on which side of the surface the origin lies.\n") +
+            (told == truth ? (c > 0   ? "It is positive: "
+                              : c < 0 ? "It is negative: "
+                                      : "It is zero: ") +
+                                 place
+                           : "Rounding has changed the sign here: exactly, the origin lies " + place),
         Focus::center_line, "*C* = **f** · **f** − *r*^2 = " + shown(c));
   }
 
   void say(const ray_sphere::Discriminant<C>& e) {
     known_.passing = true;
     script_.value("*D*", e.d.value);
+    const double square = b_ * b_, product = a_ * c_;
     add("discriminant", "The discriminant", 4,
-        half_ ? "Its sign tells how many roots there are.\n"
-                "With the full *B* this line would be wrong: the tweak gains little and breeds bugs."
-              : "Its sign tells how many roots there are: it compares *r* with the distance *m* of the line.",
-        Focus::passing, (half_ ? "*D* = *B*^2 − *A* *C* = " : "*D* = *B*^2 − 4 *A* *C* = ") + shown(e.d.value));
+        half_ ? "It equals *A* (*r*^2 − *m*^2), where *m* is the distance of the line from the centre.\n"
+                "Half of *B* saves three products. That paid when floating point was slow; with the full *B* this line "
+                "is wrong."
+              : "It equals 4 *A* (*r*^2 − *m*^2), where *m* is the distance of the line from the centre.\n"
+                "So its sign tells how many roots there are.",
+        Focus::passing, (half_ ? "*D* = *B*^2 − *A* *C* = " : "*D* = *B*^2 − 4 *A* *C* = ") + shown(e.d.value))
+        // the two forms are mixed; a sign is lost; the discriminant is taken for its root
+        .question = which_value(
+        "What is the discriminant *D*?", e.d.value,
+        {square - (half_ ? 4 : 1) * product, square + (half_ ? 1 : 4) * product, std::sqrt(std::abs(e.d.value))},
+        half_ ? "With half of *B*, the factor 4 cancels." : "The full *B* takes the factor 4.");
   }
 
   void say(const LineMisses<C>& e) {
     const int roots = setup_.truth.line_roots;
+    const bool as_true = roots == (e.d.value < 0 ? 0 : e.d.value > 0 ? 2 : 1);
+    root_ = std::sqrt(std::max(e.d.value, 0.0));
     Step& step =
         add("real-roots", "Are there real roots?", 5,
-            roots == 0   ? "A negative discriminant has no real root: the line misses the sphere."
-            : roots == 1 ? "It is exactly zero: both roots coincide, the line touches the sphere."
-                         : "It is positive: the line meets the sphere twice. Whether the *ray* does is still open.",
+            !as_true     ? astray_line()
+            : roots == 0 ? "*D* is negative, so there is no real root: the line misses the sphere."
+            : roots == 1 ? "*D* is exactly zero: both roots coincide, and the line touches the sphere."
+                         : "*D* is positive: the line meets the sphere twice. Whether the *ray* does is still open.",
             Focus::passing);
     decide(step, {"*D* ≥ 0", e.d.value, 0, !e.holds,
-                  roots == 0   ? "no real root"
+                  !as_true     ? "by rounding"
+                  : roots == 0 ? "no real root"
                   : roots == 1 ? "a double root"
                                : "two real roots"});
     step.question = roots_question(setup_);
@@ -118,10 +148,10 @@ class QuadraticTeller : Teller {
     const std::string formula =
         std::string(first ? "*t*_1 = (−*B* − √*D*) / " : "*t*_2 = (−*B* + √*D*) / ") + (half_ ? "*A* = " : "2*A* = ");
     add(first ? "first-root" : "second-root", first ? "The smaller root" : "The larger root", first ? 7 : 8,
-        first ? "The smaller root: where the line enters.\n"
-                "For a ball ahead, −*B* and √*D* nearly cancel here. That costs digits far away."
-              : "The larger root: where the line leaves. Here the two terms have the same sign for a ball "
-                "ahead.",
+        root_ == 0 ? std::string("Both roots are −*B* / ") + (half_ ? "*A*." : "2*A*.")
+                   : std::string(first ? "The smaller root: where the line enters.\n"
+                                       : "The larger root: where the line leaves.\n") +
+                         cancellation(first),
         first ? Focus::first_root : Focus::half_chord, formula + shown(e.t.value));
   }
 
@@ -138,30 +168,49 @@ class QuadraticTeller : Teller {
     decide(step, beyond ? Comparison{name + " ≤ *t*_{max}", t, limit, false, "beyond the segment's end"}
                         : Comparison{name + " ≥ 0", t, 0, t >= 0, t >= 0 ? "on the ray" : "behind the origin"});
     if (first) {
-      step.question = first_hit_question(setup_, {"*t*_1", "*t*_2"});
+      step.question = first_hit_question(setup_, {"the smaller one, *t*_1", "the larger one, *t*_2"});
     }
     if (!e.holds) script_.refuse(first ? 9 : 11, {first ? 10 : 12});
     last_ = first ? 10 : 12;
   }
 
   void say(const Hit<C>& e) {
-    settle(setup_.truth.origin == Location::on ? viz::Verdict::Kind::on : viz::Verdict::Kind::yes);
+    settle(!setup_.truth.surface                 ? viz::Verdict::Kind::no
+           : setup_.truth.origin == Location::on ? viz::Verdict::Kind::on
+                                                 : viz::Verdict::Kind::yes);
     add("hit", "The first hit", last_,
-        "\"The smallest positive root\", as the note has it, fails on the surface and for segments. The "
-        "range decides.\n" +
-            solid_caption(setup_),
+        (setup_.truth.surface == 0.0 ? "The smallest *positive* root, as the note has it, would miss it. "
+         : setup_.segment()          ? "The note asks for a positive root only. A segment's end counts too.\n"
+                                     : std::string("It is the smallest root in the range. ")) +
+            (right(e.t.value) ? solid_caption(setup_) : astray()),
         Focus::none, "*t* = " + shown(e.t.value));
   }
 
   void say(const Miss&) {
     const bool no_roots = known_.roots == 0;
     if (no_roots) script_.leave_early();
-    settle(viz::Verdict::Kind::no);
-    add("miss", "No intersection", no_roots ? 6 : 13, miss_caption(setup_), Focus::none);
+    settle(right({})                             ? viz::Verdict::Kind::no
+           : setup_.truth.origin == Location::on ? viz::Verdict::Kind::on
+                                                 : viz::Verdict::Kind::yes);
+    add("miss", "No intersection", no_roots ? 6 : 13, right({}) ? miss_caption(setup_) : astray(), Focus::none);
+  }
+
+  /// Whether the two terms of a root cancel, in how many digits, and the form in which they do not.
+  std::string cancellation(bool first) const {
+    if (b_ == 0) return "*B* is 0, so there is nothing to cancel.";
+    if (first != (b_ < 0)) return "−*B* and the root of *D* point the same way, so no digits are lost here.";
+    if (c_ == 0) return "As *C* = 0, the two terms are equal and cancel exactly: this root is 0.";
+    const double rest = std::abs(std::abs(b_) - root_);
+    const int digits = rest > 0 ? static_cast<int>(std::floor(std::log10(std::abs(b_) / rest))) : 16;
+    const std::string stable = first ? "*t*_1 = *C* / (*A* *t*_2)" : "*t*_2 = *C* / (*A* *t*_1)";
+    if (digits < 1) return "Near the surface −*B* and √*D* would nearly cancel. " + stable + " would not.";
+    return "−*B* and √*D* nearly cancel: the origin is near the surface. " +
+           fmt::format("About {} digit{} are lost; {} loses none.", digits, digits == 1 ? "" : "s", stable);
   }
 
   const bool half_;
   int last_ = 10;
+  double a_ = 0, b_ = 0, c_ = 0, root_ = 0;
 };
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "lessons/ray_sphere/telling.h"
 
+#include <cmath>
+
 namespace isect::lessons::ray_sphere_lesson {
 
 using namespace viz;
@@ -17,6 +19,25 @@ void Teller::settle(viz::Verdict::Kind kind) {
   script_.settle(kind, verdict_text(setup_));
 }
 
+bool Teller::right(const std::optional<double>& found) const {
+  const std::optional<double>& truth = setup_.truth.surface;
+  if (!found || !truth) return found.has_value() == truth.has_value();
+  const double speed = setup_.ray.direction.norm();
+  return std::abs(*found - *truth) <= 1e-6 * (std::abs(*truth) + setup_.sphere.radius / speed);
+}
+
+std::string Teller::astray() const {
+  return "Rounding made this method wrong here: " +
+         (setup_.truth.surface ? "exactly, the first hit is at *t* = " + shown(*setup_.truth.surface) + "."
+                               : std::string("exactly, there is no hit."));
+}
+
+std::string Teller::astray_line() const {
+  static const char* const shares[] = {"no point", "one point", "two points"};
+  return std::string("Rounding decides wrongly here: exactly, the line shares ") + shares[setup_.truth.line_roots] +
+         " with the sphere.";
+}
+
 Question roots_question(const Setup& s) {
   static const char* const because[] = {"It passes further than *r* from the centre.",
                                         "It passes at exactly *r* from the centre: a double root.",
@@ -27,22 +48,15 @@ Question roots_question(const Setup& s) {
           because[s.truth.line_roots]};
 }
 
-Question first_hit_question(const Setup& s, const std::vector<std::string>& roots) {
+std::optional<Question> first_hit_question(const Setup& s, const std::vector<std::string>& roots) {
+  if (s.truth.line_roots == 1) return {};
   const bool first = s.truth.surface && *s.truth.surface == s.truth.roots.lo;
   const int answer = !s.truth.surface ? 2 : first ? 0 : 1;
   const std::string because = answer == 2 ? "Neither root lies in the ray's range."
                               : answer == 0
-                                  ? roots[0] + " is the smaller root, and it lies in the ray's range."
-                                  : roots[0] + " lies behind the origin, so " + roots[1] + " is the first hit.";
-  return {"Which root is the ray's first hit?", {roots[0], roots[1], "none"}, answer, because};
-}
-
-Question behind_question(bool rejected) {
-  return {"Can this ball be rejected already?",
-          {"yes", "no"},
-          rejected ? 0 : 1,
-          rejected ? "The centre lies behind an origin that is outside."
-                   : "That takes a centre behind an origin that is outside."};
+                                  ? "The smaller root lies in the ray's range."
+                                  : "The smaller root lies behind the origin, and the larger one in the range.";
+  return Question{"Which root is the ray's first hit?", {roots[0], roots[1], "neither"}, answer, because};
 }
 
 std::string verdict_text(const Setup& s) {
@@ -57,14 +71,16 @@ std::string miss_caption(const Setup& s) {
   if (s.truth.solid)
     return "The segment lies wholly inside. It shares points with the solid ball, but none with its surface.";
   if (s.truth.line_roots == 0) return "The line has no point in common with the sphere, so the ray has none.";
-  return "The line meets the sphere, but not where the ray is. Real roots alone are no hit.";
+  const char* const what = s.segment() ? "segment" : "ray";
+  return s.truth.line_roots == 1
+             ? std::string("The line touches the sphere, but outside the ") + what + ". A real root alone is no hit."
+             : std::string("The line meets the sphere, but outside the ") + what + ". Real roots alone are no hit.";
 }
 
 std::string solid_caption(const Setup& s) {
   if (s.truth.origin == Location::on)
     return "The origin lies on the surface: the first hit is the origin itself, at *t* = 0.";
-  if (s.truth.origin == Location::in)
-    return "Taken as a solid, the ball was met at *t* = 0 already: the origin lies in it.";
+  if (s.truth.origin == Location::in) return "For a solid ball, first contact is at *t* = 0: the origin lies in it.";
   return "The point lies on the sphere, as far as rounding allows.";
 }
 

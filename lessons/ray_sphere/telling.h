@@ -2,6 +2,8 @@
 // What the three walks share: the run on counting scalars, and the questions and verdicts that come from the
 // exact test.
 
+#include <optional>
+
 #include <isect/numbers/counted.h>
 #include "lessons/ray_sphere/picture.h"
 #include "lessons/shared/script.h"
@@ -32,6 +34,12 @@ class Teller {
   viz::Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption, Focus focus,
                  const std::string& formula = {});
   static void decide(viz::Step& step, const viz::Comparison& comparison) { Script::decide(step, comparison); }
+  /// Whether the method found what is true, as far as rounding allows; nothing: it rejected.
+  bool right(const std::optional<double>& found) const;
+  /// Where it did not: "Rounding made this method wrong here: ..."
+  std::string astray() const;
+  /// What the line has in common with the sphere, where the computed sign says otherwise.
+  std::string astray_line() const;
   void settle(viz::Verdict::Kind);
 
   const Setup& setup_;
@@ -41,11 +49,8 @@ class Teller {
 
 /// "How many points does the line share with the sphere?"
 viz::Question roots_question(const Setup&);
-/// "Which is the first hit?" with the names of the two roots.
-viz::Question first_hit_question(const Setup&, const std::vector<std::string>& roots);
-/// "Can the ball be rejected already?"
-viz::Question behind_question(bool rejected);
-
+/// "Which is the first hit?" with the names of the two roots; not asked of a double root.
+std::optional<viz::Question> first_hit_question(const Setup&, const std::vector<std::string>& roots);
 std::string verdict_text(const Setup&);
 std::string miss_caption(const Setup&);
 /// What the solid ball adds to the answer for its surface.

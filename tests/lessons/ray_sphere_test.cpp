@@ -110,7 +110,7 @@ TEST_CASE("questions offer their answer, and the answer is the exact one", "[ray
       REQUIRE(s.question->answer >= 0);
       REQUIRE(s.question->answer < static_cast<int>(s.question->choices.size()));
       if (s.question->choices[0] == "none") CHECK(s.question->answer == truth.line_roots);
-      if (s.question->choices.back() == "none") CHECK((s.question->answer == 2) == !truth.surface);
+      if (s.question->choices.back() == "neither") CHECK((s.question->answer == 2) == !truth.surface);
     }
   }
   CHECK(asked > 27);

@@ -1,0 +1,81 @@
+// What a reader takes along from a ray and a sphere, and what there is to do.
+
+#include "lessons/ray_sphere/picture.h"
+
+namespace isect::lessons::ray_sphere_lesson {
+
+using namespace viz;
+
+namespace {
+
+/// The line meets the ball, and the ray does not.
+bool line_only(const Parameters& p) {
+  const Setup s = setup(p, false);
+  return s.truth.line_roots == 2 && !s.truth.solid;
+}
+
+}  // namespace
+
+const std::string& opening() {
+  static const std::string text =
+      "Where does a ray first meet a sphere? Ray tracers and pickers ask this, and spheres bound other shapes.\n"
+      "A point of the ray put into the sphere's equation gives a quadratic in *t*. The lecture note *Intersection "
+      "Detection* solves it in three ways.";
+  return text;
+}
+
+const Closing& closing() {
+  static const Closing closing = {
+      .result = "The first hit is the smallest root of |**f** + *t* **d**|^2 = *r*^2 in the ray's closed range.",
+      .cost =
+          "Haines: one square root, no division; neither for a ball behind. The quadratic: one root and two "
+          "divisions.",
+      .choose =
+          "For unit directions Haines. For other directions half-B with stable roots. For yes or no alone, "
+          "compare squares without a root.",
+      .used =
+          "Primary and shadow rays, picking, line of sight, sphere trees. A moving ball against a ball is a ray "
+          "against an expanded ball.",
+      .bug = "To take any real root for a hit, though it lies behind the origin.",
+      .bug_preset = "behind-quadratic",
+      .reading = {"Eric Haines, in: Andrew Glassner (ed.), *An Introduction to Ray Tracing*, 1989, chapter 2.",
+                  "Eric Haines, Johannes Günther and Tomas Akenine-Möller, Precision Improvements for Ray/Sphere "
+                  "Intersection, in: *Ray Tracing Gems*, 2019, chapter 7.",
+                  "William Press et al., *Numerical Recipes*, 3rd edition, 2007, section 5.6."},
+      .exercises = {
+          {"Drag **o** until the line meets the ball, but the ray does not.",
+           "Both roots must be negative: **o** lies outside, past the ball. Real roots alone are no hit.",
+           "two-roots",
+           line_only,
+           {{"origin", "2.3203125,0.46875,-1.984375"}}},
+          {"Let **o** = (0, 0, 0), **d** = (1, 2, 2), **c** = (3, 3, 3) and *r* = 3. Find *A*, *B*, *C* and the first "
+           "hit.",
+           "**f** = (−3, −3, −3). So *A* = 9, *B* = 2 · (−15) = −30, *C* = 27 − 9 = 18 and *D* = 252. The first hit "
+           "is *t*_1 = (30 − √252) / 18 ≈ 0.785."},
+          {"When does the entry root lose digits, and which form keeps them?",
+           "For *B* < 0, −*B* and √*D* nearly cancel where *C* is small: the origin is near the surface. Compute "
+           "*t*_2 first, then *t*_1 = *C* / (*A* *t*_2)."},
+          {"The direction is made twice as long. What becomes of *A*, *B*, *C*, the roots and the points?",
+           "*A* grows fourfold and *B* twofold; *C* stays. The roots are halved, and the points stay."},
+          {"The note's last branch asks only whether *l*^2 > *r*^2. Find a ray on which that fails.",
+           "One that starts on the surface and heads inwards. It takes *s* + *q*, the exit, where *t* = 0 is the first "
+           "hit.",
+           "surface-in"},
+      }};
+  return closing;
+}
+
+const std::vector<Erratum>& errata() {
+  static const std::vector<Erratum> all = {
+      {"if l² > r²", "if l² > r² or (= and s > 0)",
+       "A ray that starts on the surface and heads inwards would be given its exit.", "surface-in"},
+      {"A ← (d · d) t²", "A ← d · d", "A coefficient does not hold the unknown: the *t* is a misprint.",
+       "two-roots-quadratic"},
+      {"if t₁ > 0", "if t_min ≤ t₁ ≤ t_max",
+       "The smallest positive root misses *t* = 0 on the surface, and takes hits beyond a segment's end.",
+       "surface-in-quadratic"},
+  };
+  return all;
+}
+
+}  // namespace isect::lessons::ray_sphere_lesson
