@@ -67,6 +67,9 @@ const Lesson& ray_polygon() {
       .camera = {},
       .steps = walk,
       .opinions = opinions,
+      .opening = opening(),
+      .closing = &closing(),
+      .after = {"rays", "convex-hull"},
   };
   return lesson;
 }

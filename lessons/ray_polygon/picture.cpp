@@ -98,6 +98,10 @@ Scene picture(const Setup& s, const Shown& shown, const Vec3& normal) {
   if (shown.plane) scene.items.emplace_back(plane(s));
   ray(scene, s, shown);
   if (shown.normal) {
+    for (std::size_t i = 1; i < s.ring.size(); ++i)
+      scene.items.emplace_back(Line{s.ring[0], s.ring[i], Role::construction, Pen::construction});
+    scene.items.emplace_back(Dot{s.ring[0], Mark::disc, Role::second});
+    scene.items.emplace_back(Label{s.ring[0], "**p**_0", Role::second});
     const Vec3 foot = 0.5 * s.across - 0.625 * s.up, tip = foot + 1.125 * normal.normalized();
     scene.items.emplace_back(Arrow{foot, tip, Role::second, Pen::solid});
     scene.items.emplace_back(Label{tip, "**n**", Role::second});
@@ -124,7 +128,8 @@ Scene projections(const Setup& s, const Vec3& point, const Vec3& normal, int cho
     const Flat flat = flattened(s, point, axis);
     Inset inset;
     inset.items = {outline(flat.ring, scale), Dot{facing(flat.point, scale), Mark::disc, Role::text}};
-    inset.heading = fmt::format("{} dropped", axis_names[axis]);
+    inset.heading = fmt::format("{} dropped: {} right, {} up", axis_names[axis], axis_names[(axis + 1) % 3],
+                                axis_names[(axis + 2) % 3]);
     inset.note = fmt::format("{}area {}: {}", axis == chosen ? "largest " : "", shown(std::abs(normal[axis]) / 2),
                              flat.inside ? "IN" : "OUT");
     inset.role = axis == chosen ? Role::hit : Role::muted;
@@ -152,7 +157,8 @@ Scene crossings(const Setup& s, const Flat& flat, const std::vector<Passing>& pa
   }
   inset.items.emplace_back(Dot{at(flat.point.x()), Mark::disc, Role::first});
   inset.items.emplace_back(Label{at(flat.point.x()), "**r**(*t*)", Role::first});
-  inset.heading = fmt::format("{} dropped", axis_names[flat.dropped]);
+  inset.heading = fmt::format("{} dropped: {} right, {} up", axis_names[flat.dropped],
+                              axis_names[(flat.dropped + 1) % 3], axis_names[(flat.dropped + 2) % 3]);
   inset.note = fmt::format("{} on the right: {}", count, flat.inside ? "IN" : "OUT");
   Scene scene;
   scene.items = centred(in_grid({inset}, 1, Camera{}), s);

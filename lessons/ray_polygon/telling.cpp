@@ -6,6 +6,7 @@
 
 #include <isect/ray_polygon_methods.h>
 #include "lessons/shared/axis_names.h"
+#include "lessons/shared/plural.h"
 #include "lessons/shared/script.h"
 
 namespace isect::lessons::ray_polygon_lesson {
@@ -22,14 +23,15 @@ const std::vector<std::string> pseudocode = {
     "if t < 0: return MISS",                       // 3
     "drop the coordinate i of the largest |n_i|",  // 4
     "count the edges that r(t) has on its right",  // 5
-    "return the count is odd ? HIT at t : MISS"    // 6
+    "if the count is odd: return HIT, t",          // 6
+    "return MISS"                                  // 7
 };
 
 class Teller {
  public:
   explicit Teller(const Setup& setup)
       : s_(setup),
-        script_({"Note, N20, N21; Sutherland et al. (1974)",
+        script_({"Lecture note, ray and polygon; Sutherland, Sproull and Schumacker, ACM Computing Surveys 6 (1974)",
                  "A ray and a polygon with a notch, in space: " + plain(verdict_text(s_.truth)) + ".", pseudocode}) {}
 
   Walk tell() {
@@ -37,7 +39,7 @@ class Teller {
         [&](auto& record) {
           Ring<C, 3> ring;
           for (const Vec3& v : s_.ring) ring.push_back(v.cast<C>());
-          ray_polygon::projected(cast<C>(s_.ray), ring, record);
+          found_ = ray_polygon::projected(cast<C>(s_.ray), ring, record).has_value();
         },
         [&](const auto& event) { say(event); });
     if (chosen_ >= 0) counted();
@@ -58,8 +60,9 @@ class Teller {
     }
     known_.normal = true;
     Step& step = script_.add("normal", "The polygon's plane", 0,
-                             "All vertices lie in one plane. Products of edges, summed up, give its normal **n**.\n"
-                             "This also works for a concave polygon, where a single corner may point the wrong way.");
+                             "All vertices lie in one plane. Cross products of vectors from **p**_0, summed up, give "
+                             "its normal **n**.\n"
+                             "A single corner would do, unless its three points lie on one line: then **n** = 0.");
     step.scene = picture(s_, known_, normal_);
     known_.normal = false;
   }
@@ -68,15 +71,19 @@ class Teller {
 
   void say(const ray_polygon::InRange<C>& e) {
     const double t = e.t.value;
-    known_.plane = true;
+    known_.plane = ranged_ = true;
     script_.value("*t*", t, {}, e.holds ? Role::hit : Role::muted);
     Step& step =
         script_.add("plane", "Where the line meets the plane", 2,
-                    e.holds ? "The line meets the plane (dashed) in one point, and *t* ≥ 0: it lies ahead of **o**."
-                            : "The line meets the plane (dashed) in one point, but *t* < 0: it lies behind **o**.",
+                    std::string("The line meets the plane (dashed) in one point. ") +
+                        (t > 0   ? "As *t* > 0, it lies ahead of **o**."
+                         : t < 0 ? "As *t* < 0, it lies behind **o**."
+                                 : "As *t* = 0, it is **o** itself.") +
+                        "\nThe note writes the plane with *D* = −**n** · **p**_0, and −(**n** · **o** + *D*) above "
+                        "the bar: the same *t*.",
                     "*t* = **n** · (**p**_0 − **o**) / (**n** · **d**) = " + shown(t));
     step.scene = picture(s_, known_, normal_);
-    Script::decide(step, {"*t* ≥ 0", t, 0, e.holds, e.holds ? "ahead of the origin" : "behind the origin"});
+    Script::decide(step, {"*t* ≥ 0", t, 0, e.holds, e.holds ? "on the ray" : "behind the origin"});
     step.question = where_question();
     script_.refuse(1, {});
     if (e.holds) script_.refuse(3, {});
@@ -99,31 +106,34 @@ class Teller {
 
   std::string drop_caption() const {
     const double least = normal_.cwiseAbs().minCoeff();
-    return std::string("|*n_i*| is twice the area of the projection without coordinate *i*. Keep the largest.\n") +
-           (least == 0 ? "Another choice may collapse the polygon to a segment: then nothing is inside."
-                       : "Another choice may leave a sliver, where rounding moves the point over an edge.");
+    return std::string(
+               "|*n_i*| is twice the area of the projection without coordinate *i*. Where it is not 0, in and "
+               "out stay.\n") +
+           (least == 0 ? "The coordinate with *n_i* = 0 must stay: without it, the polygon collapses to a segment."
+                       : "The largest keeps most area. A thin projection lets rounding move the point over an edge.");
   }
 
   void counted() {
     const auto count = std::count_if(passing_.begin(), passing_.end(), [](const Passing& p) { return p.counted; });
-    Step& step =
-        script_.add("crossings", "Inside the outline?", 5,
-                    fmt::format("What is left is a point and a polygon in the plane.\n"
-                                "Its ray to the right crosses {} edge{}: {}.",
-                                count, count == 1 ? "" : "s", count % 2 == 1 ? "odd, so inside" : "even, so outside"));
+    Step& step = script_.add(
+        "crossings", "Inside the outline?", 5,
+        fmt::format("What is left is a point and a polygon in the plane.\n"
+                    "Its ray to the right crosses {}: an {} number, so {}.",
+                    plural(count, "edge"), count % 2 == 1 ? "odd" : "even", count % 2 == 1 ? "inside" : "outside"));
     step.scene = crossings(s_, flattened(s_, point_, chosen_), passing_);
     step.question = {"How many edges does the point have on its right?",
                      {"none", "one", "two", "more"},
                      static_cast<int>(std::min<std::ptrdiff_t>(count, 3)),
-                     "An odd number means inside (Jordan); the lesson on crossings shows why."};
+                     "An odd number means inside; the lesson on crossings shows why."};
   }
 
   Question where_question() const {
     const int answer = !s_.truth.line ? 2 : *s_.truth.line < 0 ? 1 : 0;
     return {"Where does the line meet the plane?",
-            {"ahead of the origin", "behind it", "in no single point"},
+            {"ahead of the origin, or at it", "behind the origin", "in no single point"},
             answer,
-            answer == 2 ? "**n** · **d** = 0: it runs beside the plane, or in it." : "The sign of *t* tells."};
+            answer == 2 ? "**n** · **d** = 0: the line is parallel to the plane, or lies in it."
+                        : "The sign of *t* tells."};
   }
 
   void verdict() {
@@ -133,29 +143,40 @@ class Teller {
     if (chosen_ < 0) script_.leave_early();
     known_.plane = known_.settled = true;
     Step& step = script_.add("verdict", "Hit or miss?",
-                             chosen_ >= 0 ? 6
-                             : truth.line ? 3
-                                          : 1,
-                             verdict_caption(), truth.line ? "" : "**n** · **d** = 0");
+                             chosen_ < 0 ? (ranged_ ? 3 : 1)
+                             : found_    ? 6
+                                         : 7,
+                             verdict_caption(), ranged_ ? "" : "**n** · **d** = 0");
+    if (chosen_ >= 0 && !found_) script_.refuse(6, {});
     step.scene = picture(s_, known_, normal_);
-    if (!truth.line) step.question = where_question();
+    if (!ranged_) step.question = where_question();
   }
 
   std::string verdict_caption() const {
     const RayPolygon<double>& truth = s_.truth;
+    const bool on = truth.t && truth.location == Location::on;
+    if (ranged_ != truth.line.has_value() || (found_ != truth.t.has_value() && !(on && chosen_ >= 0)))
+      return "Rounding makes the plain method wrong here. The exact test says: " + verdict_text(truth) + ".";
     if (truth.flat) return "The polygon has no area, and so no plane.";
     if (truth.coplanar)
       return "The whole line lies in the plane: no single *t*. The note's formula would divide 0 by 0.\n"
-             "Ours reports it as an answer of its own, not as a hit.";
-    if (!truth.line) return "The line runs beside the plane. The note's formula would divide by 0.";
+             "The exact test reports it as an answer of its own, not as a hit.";
+    if (!truth.line) return "The line is parallel to the plane. The note's formula would divide by 0.";
     if (*truth.line < 0) return "A ray starts at **o**. What lies behind it does not count, so no outline is asked.";
-    if (truth.t && truth.location == Location::on)
+    if (on)
       return fmt::format(
-          "The point lies on an edge, and closed sets hold their edges. The plain crossings say {} here.\n"
-          "Ours tells *on* exactly, so that no ray slips between two polygons with a common edge.",
-          flattened(s_, point_, chosen_).inside ? "IN" : "OUT");
-    return truth.t ? "The point lies inside the outline, so the ray hits. It costs one division."
-                   : "The point lies in the plane, but outside the outline: here in the notch.";
+          "The point lies on the outline, and closed sets hold their boundary. The note's crossings say {}.\n"
+          "The exact test reports ON, so that no ray slips between two polygons with a common edge.",
+          found_ ? "HIT here, but MISS on other edges" : "MISS here");
+    if (truth.t) return "The point lies inside the outline, so the ray hits. All took one pass over the edges: O(*n*).";
+    return std::string("The point lies in the plane, but outside the outline") +
+           (in_notch() ? ", in the notch: a test of the convex hull would hit." : ".");
+  }
+
+  /// Within the polygon's hull, though not in the polygon.
+  bool in_notch() const {
+    const Ring<double, 3> hull = {s_.ring[0], s_.ring[1], s_.ring[2], s_.ring[4]};
+    return intersect(s_.ray, hull).t.has_value();
   }
 
   const Setup s_;
@@ -163,6 +184,7 @@ class Teller {
   Shown known_;
   Vec3 normal_ = Vec3::Zero(), point_ = Vec3::Zero();
   int chosen_ = -1;
+  bool ranged_ = false, found_ = false;  ///< by the note's method: it has a t, and hits
   std::vector<Passing> passing_;
 };
 
@@ -173,7 +195,7 @@ std::string verdict_text(const RayPolygon<double>& truth) {
   if (!truth.line) return "the ray is parallel to the polygon's plane";
   if (truth.t)
     return fmt::format("the ray {} the polygon at *t* = {}",
-                       truth.location == Location::on ? "meets an edge of" : "hits", shown(*truth.t));
+                       truth.location == Location::on ? "meets the outline of" : "hits", shown(*truth.t));
   return *truth.line < 0 ? "the polygon's plane lies behind the ray" : "the ray passes beside the polygon";
 }
 

@@ -8,5 +8,8 @@ namespace isect::lessons::ray_polygon_lesson {
 /// "the ray hits the polygon at *t* = 2"
 std::string verdict_text(const RayPolygon<double>&);
 viz::Walk tell(const Setup&);
+/// What is told before the first step, and after the last one. (closing.cpp)
+const std::string& opening();
+const viz::Closing& closing();
 
 }  // namespace isect::lessons::ray_polygon_lesson
