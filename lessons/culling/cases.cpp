@@ -9,7 +9,7 @@ namespace {
 
 using namespace viz;
 
-enum Case { outside, in_vain, crossing, inside };
+enum Case { outside, false_positive, crossing, inside };
 
 Box box_of(const Parameters& p) {
   const Vec3& center = std::get<Vec3>(p.at("p"));
@@ -28,7 +28,7 @@ int branch(const Parameters& p) {
     case Culling::crossing:
       break;
   }
-  return meet(box, view) ? crossing : in_vain;
+  return meet(box, view) ? crossing : false_positive;
 }
 
 /// Before the eye and to its right. Only a single box has a place.
@@ -51,12 +51,12 @@ const CaseMap& cases() {
                               "how far to its right",
                               {-1, -5},
                               {10, 5},
-                              {"outside", "crossing in vain", "crossing", "inside"},
+                              {"outside", "false positive", "crossing", "inside"},
                               branch,
                               place,
                               moved,
                               "The box moves to and fro and sideways; its height and its size stay.\n"
-                              "In vain: no plane rejects it, and yet it misses the frustum."};
+                              "False positive: no plane rejects the box, yet it misses the frustum."};
   return map;
 }
 

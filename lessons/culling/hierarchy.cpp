@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "lessons/culling/culled.h"
+#include "lessons/shared/plural.h"
 #include "lessons/shared/script.h"
 #include "viz/chart.h"
 
@@ -19,7 +20,7 @@ class UnderHierarchy {
         eye_(eye),
         boxes_(few()),
         bvh_(build_bvh(boxes_, {.largest_leaf = 4, .visit = 4})),
-        script_({"Note, N01, N09; Assarsson and Möller (2000)",
+        script_({"Lecture note, view-volume culling and hierarchies; Assarsson and Möller (2000)",
                  "A view frustum with its eye, and sixteen boxes in four clusters, each in a node's box.",
                  {"cull(node): test the node's box against the frustum",       // 0
                   "    outside: skip all below it",                            // 1
@@ -32,8 +33,8 @@ class UnderHierarchy {
   Walk tell() {
     const Culled all = culled(bvh_, boxes_, view_);
     Step& first = script_.add("build", "Boxes in boxes", 4,
-                              "Each node's box holds all boxes below it. What is true of the whole node, outside or "
-                              "inside, is true of each of them.");
+                              "Each node's box holds all boxes below it. What is true of all of the node's box is "
+                              "true of each of them.");
     first.scene = picture();
     for (const BvhNode<double, 3>& node : bvh_.nodes)
       if (node.leaf()) wire(node.box, Role::construction, Pen::construction, first.scene);
@@ -89,10 +90,12 @@ class UnderHierarchy {
         : culling == Culling::outside ? 1
         : culling == Culling::inside  ? 2
                                       : 3,
-        culling == Culling::outside  ? fmt::format("The node's box lies beyond the {} plane. One test skips {} boxes.",
-                                                   plane_names[v.answer.rejecting_plane()], below)
-        : culling == Culling::inside ? fmt::format("The node's box lies inside. One test accepts {} boxes.", below)
-        : leaf ? fmt::format("The leaf crosses, so each of its {} boxes is tested itself.", v.tested.size())
+        culling == Culling::outside ? fmt::format("The node's box lies beyond the {} plane. One test skips {}.",
+                                                  plane_names[v.answer.rejecting_plane()], plural(below, "box"))
+        : culling == Culling::inside
+            ? fmt::format("The node's box lies inside. One test accepts {}.", plural(below, "box"))
+        : leaf ? fmt::format("The leaf crosses, so what it holds is tested: {}.",
+                             plural(static_cast<long long>(v.tested.size()), "box"))
                : "The node's box crosses the frustum, which says nothing of what it holds. Its children are "
                  "next.");
     step.decides = true;
@@ -102,7 +105,7 @@ class UnderHierarchy {
     if (culling == Culling::outside)
       step.scene.items.emplace_back(Label{at, plane_names[v.answer.rejecting_plane()], Role::miss});
     step.question = {"How does the node's box lie?",
-                     {"outside", "inside", "crossing"},
+                     {"wholly outside", "wholly inside", "across the boundary"},
                      culling == Culling::outside  ? 0
                      : culling == Culling::inside ? 1
                                                   : 2,
@@ -112,11 +115,11 @@ class UnderHierarchy {
   void total(const Culled& all) {
     const int n = static_cast<int>(boxes_.size());
     script_.settle(all.drawn.empty() ? Verdict::Kind::no : Verdict::Kind::yes,
-                   fmt::format("{} of {} boxes are drawn, {} tests", all.drawn.size(), n, all.tests));
+                   fmt::format("drawn: {} of {} boxes, after {}", all.drawn.size(), n, plural(all.tests, "test")));
     script_.value("drawn", static_cast<double>(all.drawn.size()), {}, Role::hit);
-    Step& step =
-        script_.add("total", "What is drawn", 4,
-                    fmt::format("{} tests of boxes, nodes included. One by one it would be {}.", all.tests, n));
+    Step& step = script_.add(
+        "total", "What is drawn", 4,
+        fmt::format("{} of boxes, nodes included. One by one it would be {}.", plural(all.tests, "test"), n));
     step.scene = picture();
   }
 

@@ -74,6 +74,9 @@ const Lesson& culling() {
       .camera = {.azimuth = 0.35, .elevation = 0.8},
       .steps = walk,
       .map = &cases(),
+      .opening = opening(),
+      .closing = &closing(),
+      .after = {"bounding-volumes", "hierarchy"},
   };
   return lesson;
 }

@@ -14,11 +14,11 @@ using C = Counted<double>;
 namespace {
 
 const std::vector<std::string> pseudocode = {
-    "result ← INSIDE",                                      // 0
-    "for each plane n · x + d ≥ 0 of the frustum",          // 1
-    "    if the volume lies beyond it: return OUTSIDE",     // 2
-    "    if the plane cuts the volume: result ← CROSSING",  // 3
-    "return result"                                         // 4
+    "result ← INSIDE",                                       // 0
+    "for each plane n · x + d ≥ 0 of the frustum",           // 1
+    "    if the volume lies beyond it: return OUTSIDE",      // 2
+    "    if the plane meets the volume: result ← CROSSING",  // 3
+    "return result"                                          // 4
 };
 
 class OneVolume {
@@ -30,7 +30,8 @@ class OneVolume {
         ball_(std::holds_alternative<Ball>(asked)),
         truth_(ask(asked, view)),
         they_(ball_ ? "ball" : "box"),
-        script_({"Note, N01; Akenine-Möller and Haines (2002), ch. 13.13; Assarsson and Möller (2000)",
+        script_({"Lecture note, view-volume culling; Assarsson and Möller, Optimized View Frustum Culling Algorithms "
+                 "(2000)",
                  fmt::format("A view frustum with its eye, and a {} that is {}{}.", they_, word(truth_.culling),
                              truth_.culling == Culling::outside
                                  ? fmt::format(": beyond the {} plane", plane_names[truth_.rejecting_plane()])
@@ -40,8 +41,8 @@ class OneVolume {
   Walk tell() {
     Step& first =
         script_.add("view-volume", "What the eye can see", 0,
-                    "The eye sees what lies in the frustum: six planes, and their inner half-spaces in common.\n"
-                    "Only that need be drawn. So each object's bounding volume is tested first.");
+                    "The eye sees what lies in the frustum: the intersection of six half-spaces.\n"
+                    "A renderer reads their planes off its projection matrix: the last row plus or minus another row.");
     first.scene = picture(-1, Role::second);
     tally() = {};
     for (const frustum_planes::Tested& event : truth_.tested) say(event);
@@ -75,16 +76,16 @@ class OneVolume {
                              side == Culling::outside    ? 2
                              : side == Culling::crossing ? 3
                                                          : 1,
-                             caption(side));
+                             caption(side), formula(plane));
     step.scene = std::move(scene);
     Script::decide(step, comparison);
     step.question = {fmt::format("Where does the {} lie, by this plane?", they_),
-                     {"on the inner side", "on both sides", "beyond it"},
+                     {"wholly within it", "on both sides of it", "wholly beyond it"},
                      side == Culling::inside     ? 0
                      : side == Culling::crossing ? 1
                                                  : 2,
                      ball_ ? "The distance of the centre against the radius tells."
-                           : "Two opposite corners of the box tell: the greatest and the least along **n**."};
+                           : "Two opposite corners of the box tell: the p-vertex and the n-vertex."};
   }
 
   Comparison ask_box(int i, Culling side, Scene& scene) {
@@ -95,8 +96,9 @@ class OneVolume {
     const auto at = [](const Point<C, 3>& p) -> Vec3 { return {p[0].value, p[1].value, p[2].value}; };
     const double greatest = e.at_greatest.value, least = e.at_least.value;
     const double length = plane_at(i).normal.norm();
-    script_.value("greatest", greatest / length, "length", greatest < 0 ? Role::miss : Role::hit);
-    if (side != Culling::outside) script_.value("least", least / length, "length", least < 0 ? Role::miss : Role::hit);
+    script_.value("p-vertex", greatest / length, "length", greatest < 0 ? Role::miss : Role::hit);
+    if (side != Culling::outside)
+      script_.value("n-vertex", least / length, "length", least < 0 ? Role::miss : Role::hit);
     const auto corner = [&](const Vec3& p, double height, const char* name) {
       scene.items.emplace_back(Dot{p,
                                    height < 0   ? Mark::cross
@@ -107,9 +109,10 @@ class OneVolume {
                                                 : Role::highlight});
       scene.items.emplace_back(Label{p, name, Role::text});
     };
-    corner(at(e.greatest), greatest, "greatest");
-    if (side != Culling::outside) corner(at(e.least), least, "least");
-    return {"0 ≤ **n** · **x** + *d*", 0, greatest / length, greatest >= 0, ""};
+    corner(at(e.greatest), greatest, "p-vertex");
+    if (side != Culling::outside) corner(at(e.least), least, "n-vertex");
+    reaches_ = greatest / length;
+    return {"0 ≤ **n** · **x** + *d*", 0, reaches_, greatest >= 0, ""};
   }
 
   Comparison ask_ball(int i, Culling side, Scene& scene) {
@@ -118,6 +121,7 @@ class OneVolume {
     const double length = plane.normal.norm(), height = (plane.normal.dot(ball.center) + plane.d) / length;
     script_.value("distance", height, "length", height < 0 ? Role::miss : Role::hit);
     script_.value("*r*", ball.radius, "length", Role::second);
+    reaches_ = height + ball.radius;
     const Vec3 foot = ball.center - height / length * plane.normal;
     scene.items.emplace_back(Line{ball.center, foot, Role::construction, Pen::construction});
     scene.items.emplace_back(Dot{ball.center, Mark::disc, Role::second});
@@ -125,21 +129,35 @@ class OneVolume {
     return {"−*r* ≤ distance", -ball.radius, height, side != Culling::outside, ""};
   }
 
+  /// Which corner of the box lies furthest along **n**: the signs of **n** tell.
+  std::string formula(int i) const {
+    if (ball_) return "**n** · **c** + *d* = " + shown(reaches_ - std::get<Ball>(asked_).radius) + ", with |**n**| = 1";
+    std::string corner;
+    for (int axis = 0; axis < 3; ++axis)
+      corner += std::string(axis > 0 ? ", " : "") + (plane_at(i).normal[axis] >= 0 ? "*b*_{max," : "*b*_{min,") +
+                "xyz"[axis] + "}";
+    const Vec3& n = plane_at(i).normal;
+    return fmt::format("**n** ∥ ({}, {}, {}):  p-vertex = ({})", shown(n.x()), shown(n.y()), shown(n.z()), corner);
+  }
+
   std::string caption(Culling side) const {
     if (side == Culling::outside)
       return ball_ ? "The centre lies beyond by more than *r*: no point of the ball is on the inner side.\n"
                      "One plane is enough to reject it, and no other is asked."
-                   : "Even the corner greatest along **n** lies beyond. So all of the box does.\n"
+                   : "Even the p-vertex, the corner furthest along **n**, lies beyond. So all of the box does.\n"
                      "One plane is enough to reject it, and no other is asked.";
     if (side == Culling::crossing)
-      return ball_ ? "The plane cuts the ball: its centre is nearer to the plane than *r*. It may be visible."
-                   : "The greatest corner lies on the inner side, the least one beyond: the plane cuts the "
-                     "box.";
+      return ball_           ? "The centre is no further than *r* from the plane: the ball may be visible."
+             : reaches_ == 0 ? "The p-vertex lies in the plane, and the rest beyond it: the box touches the plane."
+                             : "The p-vertex lies on the inner side and the n-vertex beyond: the plane cuts the box.";
     return ball_ ? "The whole ball lies on the inner side. That alone says nothing yet: each plane must agree."
-                 : "Even the corner least along **n** lies on the inner side, so the whole box does.";
+                 : "Even the n-vertex, the corner least along **n**, is not beyond. So the whole box is on the inner "
+                   "side.";
   }
 
-  bool in_vain() const { return truth_.culling == Culling::crossing && !ball_ && !meet(std::get<Box>(asked_), view_); }
+  bool false_positive() const {
+    return truth_.culling == Culling::crossing && !ball_ && !meet(std::get<Box>(asked_), view_);
+  }
 
   /// Whether the box has points in one of the planes, and none on its inner side.
   bool touches() const {
@@ -162,8 +180,8 @@ class OneVolume {
                    culling == Culling::inside ? "inside: drawn, and nothing in it is tested again"
                    : culling == Culling::outside
                        ? fmt::format("outside: beyond the {} plane", plane_names[truth_.rejecting_plane()])
-                   : in_vain() ? "crossing: drawn, though it is not visible"
-                               : "crossing: drawn, as it may be visible");
+                   : false_positive() ? "crossing: drawn, though it is not visible"
+                                      : "crossing: drawn, as it may be visible");
     script_.value("planes asked", static_cast<double>(truth_.tested.size()));
     Step& step = script_.add("answer",
                              fmt::format("The {} {}", they_,
@@ -178,8 +196,8 @@ class OneVolume {
       for (const Ring<double, 3>& part : faces_inside(std::get<Box>(asked_), view_))
         step.scene.items.emplace_back(Region{.rings = {part}, .role = Role::hit});
     if (culling == Culling::crossing)
-      step.question = {fmt::format("Is any of the {} sure to be visible?", they_),
-                       {"yes", "no"},
+      step.question = {fmt::format("What do the six planes tell of the {}?", they_),
+                       {"some of it is visible", "some of it may be visible", "none of it is visible"},
                        1,
                        "Each plane alone leaves something. What is left may differ from plane to plane."};
   }
@@ -188,9 +206,10 @@ class OneVolume {
     if (truth_.culling == Culling::inside)
       return "All six planes agree, so the frustum holds it. Nothing inside it needs a test or a cut.";
     if (truth_.culling == Culling::outside)
-      return fmt::format("The {} is not drawn. That is certain: outside is never said of what can be seen.", they_);
-    if (in_vain())
-      return "No plane rejects the box, and yet it misses the frustum: it lies beyond an edge.\n"
+      return fmt::format("The {} is not drawn. The test gives no false negatives: what can be seen is never rejected.",
+                         they_);
+    if (false_positive())
+      return "False positive: no plane rejects the box, yet it misses the frustum, beyond one of its edges.\n"
              "The test is conservative. To draw too much is harmless, to draw too little is not.";
     if (touches())
       return "The box touches a plane from outside, and the sets are closed: only a box beyond is rejected.\n"
@@ -206,6 +225,7 @@ class OneVolume {
   const Answer truth_;
   const std::string they_;
   Script script_;
+  double reaches_ = 0;  ///< how far the volume reaches over the plane in turn
 };
 
 }  // namespace

@@ -16,6 +16,9 @@ viz::Walk whole_scene(const Frustum<double>&, const viz::Vec3& eye);
 viz::Walk hierarchy(const Frustum<double>&, const viz::Vec3& eye);
 
 const viz::CaseMap& cases();  ///< of one box
+/// What is told before the first step, and after the last one. (closing.cpp)
+const std::string& opening();
+const viz::Closing& closing();
 
 /// The eye looks along +x. All planes have small dyadic coordinates, so that touching is exact.
 Frustum<double> frustum(const viz::Vec3& eye);

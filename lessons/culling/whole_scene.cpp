@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "lessons/culling/picture.h"
+#include "lessons/shared/plural.h"
 #include "lessons/shared/script.h"
 
 namespace isect::lessons::culling_lesson {
@@ -32,7 +33,7 @@ class WholeScene {
   WholeScene(const Frustum<double>& view, const Vec3& eye)
       : view_(view),
         eye_(eye),
-        script_({"Note, N01, N03; Akenine-Möller and Haines (2002), ch. 13.13",
+        script_({"Lecture note, view-volume culling; Akenine-Möller and Haines, Real-Time Rendering (2002), ch. 13",
                  "A view frustum with its eye, and boxes and balls: inside, crossing and outside.",
                  {"for each volume of the scene",                              // 0
                   "    for each plane: skip the volume if it lies beyond",     // 1
@@ -46,24 +47,30 @@ class WholeScene {
     script_.value("volumes", size());
     script_
         .add("scene", "A scene", 0,
-             "Each volume bounds an object. Whatever is not seen need not be drawn, and most is not seen.")
+             "Each volume bounds an object. What lies wholly outside the frustum need not be drawn.")
         .scene = picture(-1, false, false);
     for (int plane = 0; plane < 6; ++plane) reject(plane);
     const int inside = count(Culling::inside), crossing = count(Culling::crossing);
     script_.value("inside", inside, {}, Role::hit);
     script_
         .add("inside", "Inside all six", 2,
-             fmt::format("No plane cuts {} of them: they lie inside. What they bound needs no test and no clipping.",
-                         inside))
+             inside == 0
+                 ? "None of those left lies inside all six planes."
+                 : fmt::format("No plane cuts {} of them: {} inside. What {} needs no test and no clipping.", inside,
+                               inside == 1 ? "it lies" : "they lie", inside == 1 ? "it bounds" : "they bound"))
         .scene = picture(6, true, false);
     script_.value("crossing", crossing);
     script_.settle(inside + crossing > 0 ? Verdict::Kind::yes : Verdict::Kind::no,
                    fmt::format("{} of {} volumes are drawn", inside + crossing, size()));
     script_
         .add("all", "All volumes of the scene", 3,
-             fmt::format("{} cross and may be visible, so they are drawn too. What they bound is clipped later.\n"
-                         "Early rejection saves planes: {} were asked, not {}.",
-                         crossing, planes_asked(), 6 * size()))
+             fmt::format("{}\nEarly rejection saves planes: {} were asked, not {}.",
+                         crossing == 0   ? "None crosses."
+                         : crossing == 1 ? "One crosses and may be visible, so it is drawn too and clipped later."
+                                         : fmt::format("{} cross and may be visible, so they are drawn too and clipped "
+                                                       "later.",
+                                                       crossing),
+                         planes_asked(), 6 * size()))
         .scene = picture(6, true, true);
     return std::move(script_.walk());
   }
@@ -107,8 +114,10 @@ class WholeScene {
     script_.value("outside", rejected_, {}, Role::miss);
     Step& step =
         script_.add("plane-" + name, fmt::format("The {} plane", name), 1,
-                    gone == 0 ? fmt::format("No volume that is left lies beyond it. {} go on to the next plane.", left)
-                              : fmt::format("Beyond it lies what it rejects: {} here. {} go on.", gone, left));
+                    std::string(gone == 0   ? "No volume that is left lies beyond it."
+                                : gone == 1 ? "It rejects one volume, which lies wholly beyond it."
+                                            : fmt::format("It rejects {} volumes, which lie wholly beyond it.", gone)) +
+                        (plane == 5 ? "" : fmt::format(" The next plane is asked of {}.", plural(left, "volume"))));
     step.decides = gone > 0;
     step.scene = picture(plane, false, false);
     add_plane(view_, plane, step.scene);
