@@ -166,7 +166,7 @@ class Faults {
     std::smatch match;
     if (std::regex_search(text, match, one)) fault("one of a plural", text);
     if (std::regex_search(text, match, twice)) fault("a word twice", text);
-    for (const char* wrong : {"..", "?.", "!.", " ,", " .", ",,", "::", "NaN", "nan", "inf "})
+    for (const char* wrong : {"..", "?.", "!.", " ,", " .", ",,", "::", "NaN", " nan", "(nan", "inf "})
       if (text.find(wrong) != std::string::npos && text.find("...") == std::string::npos)
         fault(std::string("“") + wrong + "” in a sentence", text);
   }

@@ -1,0 +1,151 @@
+// What the lessons of rays say, in words, is what rational arithmetic says.
+
+#include "bench/oracle.h"
+#include "bench/ray_polygon/oracle.h"
+#include "lessons/lessons.h"
+#include "lessons/ray_polygon/telling.h"
+#include "tests/catch.h"
+#include "tests/lessons/random_settings.h"
+#include "tests/settings.h"
+#include "viz/closing.h"
+#include "viz/place.h"
+
+namespace rays_words_test {
+using namespace isect;
+using namespace isect::viz;
+
+namespace {
+
+const Lesson& lesson(const char* id) { return lesson_named(lessons::all_lessons(), id); }
+
+bool holds(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
+
+const Step* step_of(const Walk& walk, const char* slug) {
+  for (const Step& s : walk.steps)
+    if (s.slug == slug) return &s;
+  return nullptr;
+}
+
+double value(const Step& step, const std::string& name) {
+  for (const Value& v : step.values)
+    if (v.name == name) return v.value;
+  throw std::runtime_error("no value " + name);
+}
+
+/// Whether the text ends with the number as shown; its fifth digit may hang on the last bit.
+bool ends_with_number(const std::string& text, double x) {
+  for (const double near : {x, x * (1 - 1e-14), x * (1 + 1e-14)})
+    if (text.ends_with("= " + shown(near))) return true;
+  return false;
+}
+
+/// Presets, then random settings.
+template <class Look>
+void over_settings(const Lesson& l, int how_many, const Look& look) {
+  bench::Random random(bench::stream(tests::seed(), (l.id + " in words").c_str()));
+  for (const Preset& p : l.presets) look(p.parameters);
+  for (int i = 0; i < how_many; ++i) look(tests::random_setting(l, random));
+}
+
+}  // namespace
+
+TEST_CASE("a ray and a sphere end with the oracle's verdict, and say why on its conditions only", "[ray-sphere]") {
+  int before = 0, within = 0, cancelled = 0, on = 0;
+  int turn = 0;
+  over_settings(lesson("ray-sphere"), tests::cases(1500, 10000), [&](Parameters p) {
+    if (++turn % 3 == 0) p["method"] = std::string("haines"), p["extent"] = std::string("segment");
+    Ray<double, 3> ray = {std::get<Vec3>(p.at("origin")), std::get<Vec3>(p.at("direction"))};
+    if (std::get<std::string>(p.at("extent")) == "segment") ray.range.hi = std::get<double>(p.at("t_max"));
+    const Sphere<double, 3> ball = {std::get<Vec3>(p.at("center")), std::get<double>(p.at("radius"))};
+    const oracle::RaySphere truth = oracle::ray_sphere<3>(ray, ball);
+    const bool haines = std::get<std::string>(p.at("method")) == "haines";
+    const Walk walk = lesson("ray-sphere").walk(p);
+    const Step& last = walk.steps[outcome(walk)];
+    CAPTURE(last.verdict.text, last.caption, ray.origin.transpose(), ray.direction.transpose(), ball.radius);
+
+    REQUIRE(last.verdict.kind == (!truth.surface                 ? Verdict::Kind::no
+                                  : truth.origin == Location::on ? Verdict::Kind::on
+                                                                 : Verdict::Kind::yes));
+    if (truth.surface)
+      CHECK(ends_with_number(last.verdict.text, truth.surface->nearest * (haines ? ray.direction.norm() : 1)));
+    CHECK(holds(last.verdict.text, "inside the ball") == (!truth.surface && truth.enter.has_value()));
+    CHECK(holds(last.caption, "For a solid ball") == (truth.surface && truth.origin == Location::in));
+    on += truth.origin == Location::on;
+
+    if (const Step* s = step_of(walk, "in-range")) {
+      before += holds(s->caption, "before it reaches the ball");
+      within += holds(s->caption, "ends inside the ball");
+      if (holds(s->caption, "before it reaches the ball")) CHECK((!truth.surface && !truth.enter));
+      if (holds(s->caption, "ends inside the ball")) CHECK((!truth.surface && truth.enter));
+    }
+    if (const Step* s = step_of(walk, "coefficient-c"))
+      CHECK(holds(s->caption, "exactly on the surface") == (truth.origin == Location::on));
+    if (const Step* s = step_of(walk, "first-root")) {
+      const bool half = std::get<std::string>(p.at("method")) == "half-b";
+      const double a = value(*s, "*A*"), b = value(*s, "*B*"), c = value(*s, "*C*"), four = half ? 1 : 4;
+      if (holds(s->caption, "nearly cancel: ")) {
+        CHECK((b < 0 && four * a * c <= 0.19 * b * b * (1 + 1e-9)));
+        ++cancelled;
+      }
+      if (holds(s->caption, "point the same way")) CHECK(b > 0);
+    }
+    if (const Step* s = step_of(walk, "discriminant"))
+      CHECK(s->question->choices[s->question->answer] == shown(value(*s, "*D*")));
+    for (const char* slug : {"real-roots", "passes-by"})
+      if (const Step* s = step_of(walk, slug)) CHECK(s->question->answer == truth.line_roots);
+  });
+  CHECK(before > 5);
+  CHECK(within > 5);
+  CHECK(cancelled > 5);
+  CHECK(on > 5);
+}
+
+TEST_CASE("half of B saves three products, as its step says", "[ray-sphere]") {
+  const auto products = [](const char* id) {
+    return lesson("ray-sphere").walk(preset(lesson("ray-sphere"), id).parameters).steps.back().counters.mul;
+  };
+  CHECK(products("two-roots-quadratic") - products("two-roots-half-b") == 3);
+}
+
+TEST_CASE("methods of ray and sphere that agree say one number, in the unit of the walk", "[ray-sphere]") {
+  over_settings(lesson("ray-sphere"), tests::cases(300, 3000), [&](const Parameters& p) {
+    const Walk walk = lesson("ray-sphere").walk(p);
+    const std::string& verdict = walk.steps[outcome(walk)].verdict.text;
+    const auto opinions = lesson("ray-sphere").opinions(p);
+    if (holds(verdict, "hit at ")) CHECK(verdict == "hit at " + opinions.front().says);
+    for (const Opinion& o : opinions)
+      if (o.says == opinions.front().says) CHECK(o.agrees);
+  });
+}
+
+TEST_CASE("a ray and a polygon end with the oracle's verdict, on the line that the method takes", "[ray-polygon]") {
+  int notches = 0, hits = 0, parallel = 0, behind = 0;
+  over_settings(lesson("ray-polygon"), tests::cases(1000, 10000), [&](const Parameters& p) {
+    const auto s = lessons::ray_polygon_lesson::setup(p);
+    const oracle::RayPolygon truth = oracle::ray_polygon(s.ray, s.ring);
+    const Walk walk = lesson("ray-polygon").walk(p);
+    const Step& last = walk.steps[outcome(walk)];
+    CAPTURE(last.verdict.text, last.caption, s.ray.origin.transpose(), s.ray.direction.transpose());
+    REQUIRE(last.verdict.kind == (truth.coplanar                   ? Verdict::Kind::on
+                                  : !truth.hit                     ? Verdict::Kind::no
+                                  : truth.location == Location::on ? Verdict::Kind::on
+                                                                   : Verdict::Kind::yes));
+    const bool astray = holds(last.caption, "plain method wrong");
+    CHECK(holds(last.caption, "parallel to the plane") == (!astray && truth.parallel && !truth.coplanar));
+    CHECK(holds(last.caption, "behind it does not count") == (!astray && !truth.parallel && truth.t < 0));
+    if (!astray && last.line == 6) CHECK(truth.hit);
+    if (!astray && last.line == 7) CHECK((!truth.hit || truth.location == Location::on));
+    if (holds(last.caption, "in the notch")) {
+      Ring<double, 3> hull = s.ring;
+      hull.erase(hull.begin() + 3);
+      CHECK((!truth.hit && oracle::ray_polygon(s.ray, hull).hit));
+      ++notches;
+    }
+    hits += truth.hit, parallel += truth.parallel, behind += !truth.parallel && truth.t < 0;
+    if (const Step* plane = step_of(walk, "plane"); plane && !astray)
+      CHECK(holds(plane->caption, "lies behind") == (truth.t < 0));
+  });
+  for (const int seen : {notches, hits, parallel, behind}) CHECK(seen > 0);
+}
+
+}  // namespace rays_words_test
