@@ -104,7 +104,8 @@ void Teller::total(int line, const std::string& caption) {
       fmt::format("1,000 random boxes: {} tests by brute force, {} by the sweep, {} of nodes and boxes by a "
                   "hierarchy.\nAll find the same {} pairs. What stands still need not be tested against what stands "
                   "still.",
-                  t.brute, t.sweep, t.tree, t.found),
+                  shown(static_cast<double>(t.brute)), shown(static_cast<double>(t.sweep)),
+                  shown(static_cast<double>(t.tree)), t.found),
       "*n* (*n* − 1) / 2 = O(*n*^2)");
   step.scene = {};
   step.scene.chart = chart();
