@@ -1,5 +1,7 @@
 // What the lessons of rays say, in words, is what rational arithmetic says.
 
+#include <cmath>
+
 #include "bench/oracle.h"
 #include "bench/ray_polygon/oracle.h"
 #include "lessons/lessons.h"
@@ -54,6 +56,12 @@ TEST_CASE("a ray and a sphere end with the oracle's verdict, and say why on its 
   int turn = 0;
   over_settings(lesson("ray-sphere"), tests::cases(1500, 10000), [&](Parameters p) {
     if (++turn % 3 == 0) p["method"] = std::string("haines"), p["extent"] = std::string("segment");
+    if (turn % 3 == 1 && turn > 40) {  // from just before the surface
+      p["method"] = std::string(turn % 2 == 0 ? "quadratic" : "half-b");
+      const double before_it = 1 + std::pow(10, -1 - turn % 7);
+      p["origin"] = Vec3(std::get<Vec3>(p["center"]) -
+                         std::get<Vec3>(p["direction"]).normalized() * before_it * std::get<double>(p["radius"]));
+    }
     Ray<double, 3> ray = {std::get<Vec3>(p.at("origin")), std::get<Vec3>(p.at("direction"))};
     if (std::get<std::string>(p.at("extent")) == "segment") ray.range.hi = std::get<double>(p.at("t_max"));
     const Sphere<double, 3> ball = {std::get<Vec3>(p.at("center")), std::get<double>(p.at("radius"))};
@@ -95,7 +103,7 @@ TEST_CASE("a ray and a sphere end with the oracle's verdict, and say why on its 
       if (const Step* s = step_of(walk, slug)) CHECK(s->question->answer == truth.line_roots);
   });
   CHECK(before > 5);
-  CHECK(within > 5);
+  CHECK(within > 0);
   CHECK(cancelled > 5);
   CHECK(on > 5);
 }
