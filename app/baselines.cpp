@@ -6,6 +6,7 @@
 #include <array>
 
 #include "app/leftovers.h"
+#include "app/studio.h"
 #include "viz/closing.h"
 #include "viz/compose.h"
 #include "viz/place.h"
@@ -105,7 +106,7 @@ bool Baselines::accepts(Kind kind) const {
 std::vector<viz::Drawing> Baselines::drawings_of(const Excerpt& e) const {
   std::vector<viz::Drawing> drawings(e.walk.steps.size());
   if (!viz::is_there(path(e, "")) && !accepts(Kind::missing) && !keep_pictures_) return drawings;
-  const viz::Camera camera = camera_for(e, theme, picture_size);
+  const viz::Camera camera = camera_for(e, viz::picture_aspect(e.walk, theme, picture_size.width, picture_size.height));
   std::ranges::transform(e.walk.steps, drawings.begin(), [&](const viz::Step& step) {
     return viz::figure(step, camera, theme, picture_size.width, picture_size.height).drawing;
   });

@@ -8,10 +8,12 @@
 
 #include "app/lock.h"
 #include "app/ownership.h"
+#include "viz/alt_text.h"
 #include "viz/files.h"
 #include "viz/place.h"
 #include "viz/rich_text.h"
 #include "viz/snapshot.h"
+#include "viz/tex.h"
 
 namespace isect::program {
 
@@ -19,14 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-std::string alt_text(const Excerpt& e, const viz::Step& step) {
-  std::string text = fmt::format("{}: {}. {}\n\n{}\n", e.lesson->title, viz::plain(step.title), viz::plain(e.walk.alt),
-                                 viz::plain(step.caption));
-  if (step.verdict.kind != viz::Verdict::Kind::open)
-    text += fmt::format("\nVerdict: {}\n", viz::plain(step.verdict.text));
-  return text;
-}
 
 bool is_figure(const fs::path& file) {
   return !fs::is_symlink(file) && fs::is_regular_file(file) && viz::format_of(file) != nullptr;
@@ -105,7 +99,7 @@ Gallery::Entries Gallery::read_manifest() const {
 std::string Gallery::add(const Excerpt& e, int step, const std::string& format, const std::string& bytes, Json about) {
   const viz::Step& s = e.walk.steps[step];
   const std::string stem = file_of(e, step), file = stem + "." + format;
-  const std::string alt = alt_text(e, s);
+  const std::string alt = viz::alt_text(*e.lesson, e.parameters, e.walk, step);
   viz::write_file(path(file), bytes);
   if (is_our_text(stem, alt))
     viz::write_file(path(stem + ".txt"), alt);
@@ -118,6 +112,7 @@ std::string Gallery::add(const Excerpt& e, int step, const std::string& format, 
                 {"slug", s.slug},
                 {"title", viz::plain(s.title)},
                 {"caption", viz::plain(s.caption)},
+                {"caption_tex", viz::tex(s.caption)},
                 {"alt", alt}});
   entry["parameters"] = Json::parse(viz::to_json(e.parameters));
   entry.update(about);

@@ -1,7 +1,5 @@
 #include "app/options.h"
 
-#include <map>
-
 namespace isect::program {
 
 void add_lesson(CLI::App& sub, const Program& program, Selection& to, Takes takes, const std::string& help) {
@@ -35,25 +33,6 @@ CLI::Validator not_empty() {
 CLI::Option* add_path(CLI::App& sub, const std::string& name, std::string& to, const std::string& help,
                       const std::string& type) {
   return sub.add_option(name, to, help)->type_name(type)->check(not_empty());
-}
-
-namespace {
-
-/// The walks of all presets, made once for each lesson: presets stay as they are.
-const std::vector<viz::Walk>& walks_of(const viz::Lesson& lesson) {
-  static std::map<const viz::Lesson*, std::vector<viz::Walk>> known;
-  std::vector<viz::Walk>& walks = known[&lesson];
-  if (walks.empty())
-    for (const viz::Preset& p : lesson.presets) walks.push_back(lesson.walk(p.parameters));
-  return walks;
-}
-
-}  // namespace
-
-viz::Camera camera_for(const Excerpt& e, viz::ThemeName theme, const Size& size) {
-  if (e.camera) return *e.camera;
-  return viz::frame_alike(viz::opening(*e.lesson), e.walk, walks_of(*e.lesson),
-                          viz::picture_aspect(e.walk, theme, size.width, size.height));
 }
 
 }  // namespace isect::program

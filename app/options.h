@@ -8,7 +8,6 @@
 
 #include "app/program.h"
 #include "app/values.h"
-#include "viz/compose.h"
 #include "viz/lesson.h"
 
 namespace isect::program {
@@ -58,9 +57,5 @@ struct Excerpt {
 std::vector<Excerpt> excerpts(const Program&, const Selection&);
 /// The same where only one lesson and preset make sense.
 Excerpt excerpt(const Program&, const Selection&);
-
-/// The camera for all pictures of this excerpt in figures of this size: the one of the preset's file, which shows as
-/// much from the middle to the top edge as where it was copied; otherwise at one scale for all presets of the lesson.
-viz::Camera camera_for(const Excerpt&, viz::ThemeName, const Size&);
 
 }  // namespace isect::program

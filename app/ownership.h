@@ -19,7 +19,7 @@ std::string file_of(const Excerpt&, int step);
 /// What a picture of this step carries inside: where it was made, and as which file.
 viz::Metadata metadata_of(const Excerpt&, int step);
 
-/// What a .png or .svg says of itself; empty where it is none of isect's, or no picture at all.
+/// What a figure says of itself; empty where it is none of isect's, or no picture at all.
 viz::Metadata metadata_in(const std::filesystem::path& picture);
 
 /// A trace of isect's, as far as it says what it is for.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -10,12 +11,10 @@
 #include "app/options.h"
 #include "app/ownership.h"
 #include "app/preset_folder.h"
+#include "app/studio.h"
 #include "app/surroundings.h"
 #include "app/terminal.h"
-#include "viz/compose.h"
 #include "viz/files.h"
-#include "viz/formats.h"
-#include "viz/offscreen.h"
 
 namespace isect::program {
 
@@ -25,61 +24,35 @@ using Json = nlohmann::ordered_json;
 
 struct Options {
   Selection asked;
-  std::string format = viz::formats().front().name, theme = "screen", size, width, dir, out = "figures",
-              backend = "auto";
-};
-
-/// What every figure of this run shares.
-struct Style {
-  std::vector<const viz::Format*> formats;
-  viz::ThemeName theme;
-  Size size;
-  viz::Paper paper;
-};
-
-Style style_of(const Options& options) {
-  if (!options.size.empty() && !options.width.empty())
-    throw viz::BadInput("size: give either --size (pixels) or --width (on paper), not both");
-  Style style{formats_of(options.format),
-              viz::theme_named(options.theme),
-              options.size.empty() ? Size{} : size_of(options.size),
-              {}};
-  if (!options.width.empty()) {
-    style.paper.width_pt = points_of(options.width);
-    if (std::ranges::all_of(style.formats, &viz::Format::pixels))
-      throw viz::BadInput("width: a picture of pixels has none on paper; give --size, or --format svg");
-  }
-  return style;
-}
-
-/// Draws the figures of one run. A rendering back end is started only where a format needs one.
-class Studio {
- public:
-  Studio(const Style& style, const std::string& backend) : style_(style) {
-    const viz::Backend wanted = viz::backend_named(backend);
-    if (std::ranges::any_of(style.formats, &viz::Format::pixels)) offscreen_ = std::make_unique<viz::Offscreen>(wanted);
-  }
-
-  std::string draw(const Excerpt& e, const viz::Camera& camera, int step, const viz::Format& format) {
-    const viz::Drawing drawing =
-        viz::figure(e.walk.steps[step], camera, style_.theme, style_.size.width, style_.size.height).drawing;
-    return format.write(drawing, metadata_of(e, step), style_.paper,
-                        [this](const viz::Drawing& d) { return offscreen_->render(d); });
-  }
-
-  std::string renderer(const viz::Format& format) const { return format.pixels ? offscreen_->driver() : "cairo"; }
-
- private:
-  const Style& style_;
-  std::unique_ptr<viz::Offscreen> offscreen_;
+  StyleOptions style;
+  std::string dir, out = "figures", backend = "auto";
 };
 
 /// What the manifest says of a figure besides its step.
-Json made_with(const Style& style, const viz::Format& format, const std::string& renderer) {
+Json made_with(const Style& style, const viz::Format& format, const viz::Drawing& drawing,
+               const std::string& renderer) {
   Json made = {{"theme", viz::name_of(style.theme)}, {"renderer", renderer}};
-  made["size"] = fmt::format("{}x{}", style.size.width, style.size.height);
-  if (style.paper.width_pt > 0 && !format.pixels) made["width_pt"] = style.paper.width_pt;
+  if (style.paper) {
+    made["width_pt"] = drawing.width;
+    made["height_pt"] = drawing.height;
+    made["text_pt"] = style.paper->text_size;
+    if (format.pixels) made["dpi"] = style.dpi;
+  } else {
+    made["size"] = fmt::format("{}x{}", std::ceil(drawing.width), std::ceil(drawing.height));
+  }
   return made;
+}
+
+/// Which figures could not be as narrow as was asked: honestly wider, rather than with labels that meet.
+void say_widened(const Studio& studio) {
+  const std::vector<std::string>& all = studio.widened();
+  if (all.empty()) return;
+  say(fmt::format("width: at this text size the labels of {} figure{} would meet or leave the picture, so {} wider:",
+                  all.size(), all.size() == 1 ? "" : "s", all.size() == 1 ? "it is" : "they are"));
+  constexpr std::size_t enough = 12;
+  for (std::size_t i = 0; i < std::min(enough, all.size()); ++i) say("  " + all[i]);
+  if (all.size() > enough) say(fmt::format("  and {} others; manifest.json has every width", all.size() - enough));
+  say("Give a smaller --text-size to have them narrower.");
 }
 
 int to_stdout(const std::vector<Excerpt>& chosen, const Style& style, const std::string& backend) {
@@ -87,8 +60,9 @@ int to_stdout(const std::vector<Excerpt>& chosen, const Style& style, const std:
     throw viz::BadInput("out: \"-\" takes exactly one figure in one format; give --step N, and one preset and format");
   const Excerpt& e = chosen[0];
   Studio studio(style, backend);
-  const viz::Camera camera = camera_for(e, style.theme, style.size);
-  print(studio.draw(e, camera, e.steps[0], *style.formats[0]));
+  const viz::Drawing drawing = studio.draw(e, e.steps[0]);
+  print(studio.write(e, e.steps[0], drawing, *style.formats[0]));
+  say_widened(studio);
   return done;
 }
 
@@ -97,11 +71,11 @@ void draw_all(const std::vector<Excerpt>& chosen, const Style& style, Studio& st
   for (const Excerpt& e : chosen) count += e.steps.size();
   Progress progress(count);
   for (const Excerpt& e : chosen) {
-    const viz::Camera camera = camera_for(e, style.theme, style.size);
     for (const int step : e.steps) {
+      const viz::Drawing drawing = studio.draw(e, step);
       for (const viz::Format* format : style.formats)
-        print(gallery.add(e, step, format->name, studio.draw(e, camera, step, *format),
-                          made_with(style, *format, studio.renderer(*format))) +
+        print(gallery.add(e, step, format->name, studio.write(e, step, drawing, *format),
+                          made_with(style, *format, drawing, studio.renderer(*format))) +
               "\n");
       progress.done(file_of(e, step));
     }
@@ -120,7 +94,7 @@ bool choose_folder(const Program& program, Options& options) {
 }
 
 int render(const Program& program, Options options) {
-  const Style style = style_of(options);
+  const Style style = style_of(options.style);
   const bool whole = options.dir.empty() || choose_folder(program, options);
   if (!whole && options.asked.files.empty()) return bad_input;
   const std::vector<Excerpt> chosen = excerpts(program, options.asked);
@@ -140,6 +114,7 @@ int render(const Program& program, Options options) {
     throw;
   }
   gallery.list();
+  say_widened(studio);
   for (const std::string& text : gallery.left_alone())
     say(fmt::format("left alone: {} was edited; remove it to have isect's own text again", text));
   return whole ? done : bad_input;
@@ -161,14 +136,7 @@ void add_render(CLI::App& app, Program& program) {
   add_step(sub, options->asked, Takes::many,
            "counted from 1: 3, 3-6, 3,5,7-9 or all; if not given, that of\nthe preset's file, or all");
   add_set(sub, options->asked);
-  const std::vector<std::string> formats = viz::format_names();
-  sub.add_option("--format", options->format,
-                 fmt::format("{} (if not given), {}, or {}", formats.front(),
-                             fmt::join(formats.begin() + 1, formats.end(), ", "), fmt::join(formats, ",")))
-      ->type_name("FORMAT");
-  sub.add_option("--theme", options->theme, "screen (if not given), print, grey or dark")->type_name("THEME");
-  sub.add_option("--size", options->size, "in pixels; 960x600 if not given")->type_name("WxH");
-  sub.add_option("--width", options->width, "on paper, for svg: 8cm, 80mm, 227pt, 3in")->type_name("LENGTH");
+  add_style(sub, options->style);
   add_path(sub, "--out", options->out, "folder (figures if not given); - is stdout, for one figure", "DIR|-");
   sub.add_option("--backend", options->backend, "auto (if not given), osmesa or egl")->type_name("NAME");
   sub.footer(
@@ -176,7 +144,7 @@ void add_render(CLI::App& app, Program& program) {
       "there of\n"
       "steps that are gone is removed, in every format; nothing else ever is.\n"
       "Example: " +
-      program.name + " render" + (program.only ? "" : " ray-sphere") + " --preset tangent --format svg --width 8cm");
+      program.name + " render" + (program.only ? "" : " ray-sphere") + " --preset tangent --format pdf --width 8cm");
   sub.callback([&program, options] { program.chosen = [&program, options] { return render(program, *options); }; });
 }
 

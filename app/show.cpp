@@ -1,6 +1,7 @@
 // isect show: the window.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <memory>
 
@@ -76,7 +77,8 @@ void add_show(CLI::App& app, Program& program) {
   CLI::App& sub = *app.add_subcommand("show", "the window, at that place");
   const auto asked = std::make_shared<Selection>();
   add_lesson(sub, program, *asked, Takes::one,
-             "a lesson's id; or a figure made by isect (.png, .svg),\nto open it where it was made");
+             fmt::format("a lesson's id; or a figure made by isect (.{}),\nto open it where it was made",
+                         fmt::join(viz::format_names(), ", .")));
   add_preset(sub, *asked, Takes::one,
              "a preset, or a file with one (its step and camera are\nhonoured); the first if not given");
   add_step(sub, *asked, Takes::one, "counted from 1; if not given, that of the preset's file, or 1");

@@ -55,12 +55,11 @@ Size size_of(const std::string& text) {
   return {side(text.substr(0, x)), side(x == std::string::npos ? text : text.substr(x + 1))};
 }
 
-double points_of(const std::string& text) {
+double points_of(const std::string& option, const std::string& text, double least, double most) {
   struct Unit {
     const char* name;
     double points;
   };
-  constexpr double least = 10, most = 14400;
   const std::string length = plainly(text);
   for (const Unit& unit : {Unit{"cm", 72 / 2.54}, Unit{"mm", 72 / 25.4}, Unit{"in", 72}, Unit{"pt", 1}}) {
     if (!length.ends_with(unit.name)) continue;
@@ -68,8 +67,16 @@ double points_of(const std::string& text) {
     if (n && *n * unit.points >= least && *n * unit.points <= most) return *n * unit.points;
   }
   throw viz::BadInput(
-      fmt::format("width: \"{}\" does not do; give a width with its unit (cm, mm, pt, in), {}pt to {}pt, such as 8cm",
-                  text, least, most));
+      fmt::format("{}: \"{}\" does not do; give a length with its unit (cm, mm, pt, in), {}pt to {}pt, such as {}",
+                  option, text, least, most, least < 10 ? "9pt" : "8cm"));
+}
+
+double dpi_of(const std::string& text) {
+  constexpr double least = 30, most = 2400;
+  const std::optional<double> n = number<double>(text);
+  if (!n || !(*n >= least && *n <= most))
+    throw viz::BadInput(fmt::format("dpi: \"{}\" does not do; give a number from {} to {}", text, least, most));
+  return *n;
 }
 
 std::vector<const viz::Format*> formats_of(const std::string& text) {

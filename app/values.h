@@ -17,8 +17,10 @@ struct Size {
 };
 Size size_of(const std::string& text);
 
-/// A width on paper in points: "8cm", "80 mm", "8,5CM", "227pt", "3in"; 10 to 14400.
-double points_of(const std::string& text);
+/// A length on paper in points: "8cm", "80 mm", "8,5CM", "227pt", "3in".
+double points_of(const std::string& option, const std::string& text, double least = 10, double most = 14400);
+/// Pixels an inch: 30 to 2400.
+double dpi_of(const std::string& text);
 
 /// "png,svg" as names without repeats.
 std::vector<const viz::Format*> formats_of(const std::string& text);

@@ -214,14 +214,32 @@ double left_of(const ChartInk& ink, const Cases& cases) {
   return widest + ink.sizes().label_clear + 0.35 * ink.sizes().axis;
 }
 
+/// The titles of both scales, on as many lines as they need in a narrow chart.
+struct Titles {
+  std::vector<std::string> x, y;
+  static constexpr double pitch = 1.25;
+
+  Titles(const ChartInk& ink, const Cases& cases, double room)
+      : x(ink.wrapped(cases.x.title, ink.sizes().axis, false, room)),
+        y(ink.wrapped(cases.y.title, ink.sizes().axis, false, room)) {}
+  /// What further lines add, in sizes of their text.
+  double above() const { return pitch * (std::max<double>(static_cast<double>(y.size()), 1) - 1); }
+  double below() const { return pitch * (std::max<double>(static_cast<double>(x.size()), 1) - 1); }
+};
+
 }  // namespace
 
 Bounds plane_within(const ChartInk& ink, const Cases& cases, const Bounds& room) {
   const double axis = ink.sizes().axis;
-  return {room.left + left_of(ink, cases), room.top + 1.9 * axis, room.right - axis, room.bottom - 3.4 * axis};
+  const Titles titles(ink, cases, room.right - room.left);
+  return {room.left + left_of(ink, cases), room.top + (1.9 + titles.above()) * axis, room.right - axis,
+          room.bottom - (3.4 + titles.below()) * axis};
 }
 
-double natural_height(const ChartInk& ink, const Cases&, double width) { return 0.58 * width + 5.3 * ink.sizes().axis; }
+double natural_height(const ChartInk& ink, const Cases& cases, double width) {
+  const Titles titles(ink, cases, width - 2 * ink.sizes().margin);
+  return 0.58 * width + (5.3 + titles.above() + titles.below()) * ink.sizes().axis;
+}
 
 void draw(ChartInk& ink, const Cases& cases, const Bounds& room) {
   const Sizes& s = ink.sizes();
@@ -237,8 +255,14 @@ void draw(ChartInk& ink, const Cases& cases, const Bounds& room) {
     ink.text(text, {b.left - s.label_clear, y.at(value) + 0.33 * s.axis}, {s.axis, Role::muted, 1});
   for (const auto& [value, text] : x.ticks(ink, true))
     ink.text(text, {x.at(value), b.bottom + 1.3 * s.axis}, {s.axis, Role::muted, 0.5});
-  ink.text(cases.y.title, {room.left, room.top + s.axis}, {s.axis, Role::muted});
-  ink.text(cases.x.title, {(b.left + b.right) / 2, b.bottom + 2.7 * s.axis}, {s.axis, Role::muted, 0.5});
+  const Titles titles(ink, cases, room.right - room.left);
+  for (std::size_t i = 0; i < titles.y.size(); ++i)
+    ink.text(titles.y[i], {room.left, room.top + (1 + Titles::pitch * static_cast<double>(i)) * s.axis},
+             {s.axis, Role::muted});
+  const double middle = titles.x.size() > 1 ? (room.left + room.right) / 2 : (b.left + b.right) / 2;
+  for (std::size_t i = 0; i < titles.x.size(); ++i)
+    ink.text(titles.x[i], {middle, b.bottom + (2.7 + Titles::pitch * static_cast<double>(i)) * s.axis},
+             {s.axis, Role::muted, 0.5});
 }
 
 }  // namespace isect::viz

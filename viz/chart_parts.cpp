@@ -122,17 +122,7 @@ TextBox ChartInk::text(const std::string& markup, const Vec2& at, const Style& s
 }
 
 std::vector<std::string> ChartInk::wrapped(const std::string& markup, double size, bool bold, double room) const {
-  std::vector<std::string> lines;
-  for (std::size_t at = 0; at < markup.size();) {
-    const std::size_t end = std::min(markup.find(' ', at), markup.size());
-    const std::string word = markup.substr(at, end - at);
-    if (!lines.empty() && width(lines.back() + ' ' + word, size, bold) <= room)
-      lines.back() += ' ' + word;
-    else
-      lines.push_back(word);
-    at = end + 1;
-  }
-  return lines;
+  return viz::wrapped(markup, size, bold, room);
 }
 
 void ChartInk::line(const std::vector<Vec2>& points, const Colour& colour, double width, std::array<double, 2> dash,

@@ -21,6 +21,20 @@ Difference compare(const Picture& a, const Picture& b) {
   return difference;
 }
 
+Picture see_through(const Picture& on_black, const Picture& on_white) {
+  Picture out = on_black;
+  for (std::size_t i = 0; i + 4 <= out.rgba.size(); i += 4) {
+    int ground = 255;  // that shows through, which each channel tells but for rounding
+    for (std::size_t c = i; c < i + 3; ++c) ground = std::min(ground, on_white.rgba[c] - on_black.rgba[c]);
+    const int alpha = 255 - std::max(ground, 0);
+    for (std::size_t c = i; c < i + 3; ++c)
+      out.rgba[c] = alpha == 0 ? std::uint8_t{0}
+                               : static_cast<std::uint8_t>(std::min(255, (255 * on_black.rgba[c] + alpha / 2) / alpha));
+    out.rgba[i + 3] = static_cast<std::uint8_t>(alpha);
+  }
+  return out;
+}
+
 Picture difference_picture(const Picture& a, const Picture& b) {
   Picture out{std::max(a.width, b.width), std::max(a.height, b.height), {}};
   const auto pixel = [](const Picture& p, int x, int y) {

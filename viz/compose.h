@@ -38,13 +38,38 @@ Camera frame(const Camera& camera, const std::vector<const Scene*>& scenes, doub
 /// would not take three quarters of what it takes alone.
 Camera frame_alike(const Camera& camera, const Walk& walk, const std::vector<Walk>& all, double aspect);
 
-/// A figure: title above, picture, the scene's t-axis and the step's formula or verdict below.
+/// How a figure shares its height: title above, picture, the scene's t-axis and the step's formula and verdict below.
+/// The same for all steps of a walk, so that the picture stands still from step to step.
+struct PageLayout {
+  Theme theme;
+  double width = 0, height = 0;
+  bool axis = false;                                          ///< there is a t-axis
+  int title_lines = 1, formula_lines = 1, verdict_lines = 1;  ///< the most that a step needs
+  bool wraps = false;  ///< texts keep their size: a long line goes on below; otherwise it shrinks
+
+  double top() const;
+  double bottom() const;
+  double picture_height() const;  ///< never less than a fifth of the figure
+};
+/// Of a picture on a screen, whose texts grow with it.
+PageLayout page_layout(const Walk&, ThemeName, double width, double height, bool title = true);
+/// In points. Height 0: what the figure needs.
+struct PaperSize {
+  double width = 0, height = 0, text_size = usual_text_size;
+};
+/// Of a figure on paper, whose texts have one size whatever its width. `shown`: a step of the walk; scenes share a
+/// layout, and so do charts.
+PageLayout paper_layout(const Walk&, int shown, ThemeName, const PaperSize&, bool title = true);
+
 struct Figure {
   Drawing drawing;
   std::vector<PlacedLabel> labels;
   View view;  ///< of the picture part
 };
+Figure figure(const Step&, const Camera&, const PageLayout&);
 Figure figure(const Step&, const Camera&, ThemeName, double width, double height);
+/// What is wrong with a figure's labels, in words: those that leave it, pairs that meet, texts below the least size.
+std::vector<std::string> label_faults(const Figure&, double least_size = 0);
 /// Width / height of a figure's picture part, for framing. `walk` decides whether there is a t-axis below it.
 double picture_aspect(const Walk& walk, ThemeName, double width, double height);
 

@@ -12,39 +12,40 @@
 namespace isect::viz {
 namespace {
 
+constexpr double axis_height = 3.1;   ///< of a t-axis, in its texts' sizes
+constexpr double verdict_sign = 1.3;  ///< room for the sign before a verdict, in its text's size
+
+/// From baseline to baseline, in the text's size.
+double line_pitch(const PageLayout& layout) { return layout.wraps ? 1.3 : 1.65; }
+/// For a line of text.
+double room(const PageLayout& layout) { return layout.width - 2 * layout.theme.sizes.margin; }
+
 class Page {
  public:
-  Page(const Step& step, const Theme& theme, double width, double height)
-      : step_(step), theme_(theme), width_(width), height_(height) {}
-
-  double top() const { return 2.1 * s().title; }
-  /// Formula and verdict keep their rows when they are empty, so that the picture stands still from step to step.
-  double bottom() const { return s().margin + 2 * 1.65 * s().label + (step_.scene.axis ? 3.1 * s().axis : 0); }
-
-  double picture_height() const { return std::max(height_ - top() - bottom(), 0.2 * height_); }
+  Page(const Step& step, const PageLayout& layout) : step_(step), layout_(layout), theme_(layout.theme) {}
 
   Figure make(const Camera& camera) {
-    const double picture = picture_height();
-    Figure figure = {{width_, height_, theme_.background, {}}, {}, View(camera, width_, picture, {0, top()})};
+    const double picture = layout_.picture_height(), width = layout_.width;
+    Figure figure = {
+        {width, layout_.height, theme_.background, {}}, {}, View(camera, width, picture, {0, layout_.top()})};
     Composed composed = compose(step_.scene, figure.view, theme_);
     figure.drawing.shapes = std::move(composed.shapes);
     figure.drawing.objects = std::move(composed.objects);
     figure.labels = std::move(composed.labels);
     out_ = &figure;
 
-    part("title", [&] {
-      text(step_.title, {width_ / 2, 1.45 * s().title}, s().title, theme_.ink(Role::text), 0.5, true);
-    });
-    double y = top() + picture;
+    if (layout_.title_lines > 0)
+      part("title", [&] { text(step_.title, {width / 2, 1.45 * s().title}, title_style()); });
+    double y = layout_.top() + picture;
     if (step_.scene.axis) {
       part("t-axis", [&] { axis(*step_.scene.axis, y + 1.75 * s().axis); });
-      y += 3.1 * s().axis;
+      y += axis_height * s().axis;
     }
     const double formula = y + 1.15 * s().label;
     if (!step_.formula.empty())
-      part("formula", [&] { text(step_.formula, {width_ / 2, formula}, s().label, theme_.ink(Role::text), 0.5); });
+      part("formula", [&] { text(step_.formula, {width / 2, formula}, line_style(Role::text)); });
     if (!step_.verdict.text.empty() && !is_card(step_.scene))
-      part("verdict", [&] { verdict(formula + 1.65 * s().label); });
+      part("verdict", [&] { verdict(formula + line_pitch(layout_) * layout_.formula_lines * s().label); });
     return figure;
   }
 
@@ -59,12 +60,33 @@ class Page {
   }
   void add(Shape shape) { out_->drawing.shapes.push_back(std::move(shape)); }
 
-  TextBox text(const std::string& markup, Vec2 at, double size, Colour colour, double align, bool bold = false) {
-    Text t = {markup, at, size, colour, align, bold, 0, {}};
+  struct Style {
+    double size;
+    Colour colour;
+    bool bold = false;
+  };
+  Style title_style() const { return {s().title, theme_.ink(Role::text), true}; }
+  Style line_style(Role role) const { return {s().label, theme_.ink(role)}; }
+
+  /// In the middle, on as many lines as it takes where lines wrap. Returns the box of the first.
+  TextBox text(const std::string& markup, const Vec2& at, const Style& style, double indent = 0) {
+    const std::vector<std::string> lines =
+        layout_.wraps ? wrapped(markup, style.size, style.bold, room(layout_) - indent) : std::vector{markup};
+    std::optional<TextBox> first;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const Vec2 below(0, line_pitch(layout_) * static_cast<double>(i) * style.size);
+      const TextBox box = one_line(lines[i], at + below, style);
+      if (!first) first = box;
+    }
+    return first.value_or(TextBox{at.x(), at.y(), at.x(), at.y()});
+  }
+
+  TextBox one_line(const std::string& markup, const Vec2& at, const Style& style) {
+    Text t = {markup, at, style.size, style.colour, 0.5, style.bold, 0, {}};
     TextBox box = measure(t);
-    const double room = width_ - 2 * s().margin;
-    if (box.right - box.left > room) {  // a long line shrinks rather than leave the picture
-      t.size *= room / (box.right - box.left);
+    const double most = room(layout_);
+    if (box.right - box.left > most) {  // a long line shrinks rather than leave the picture
+      t.size *= most / (box.right - box.left);
       box = measure(t);
     }
     add(t);
@@ -78,8 +100,8 @@ class Page {
     using Kind = Verdict::Kind;
     const Kind kind = step_.verdict.kind;
     const Role role = kind == Kind::yes ? Role::hit : kind == Kind::no ? Role::miss : Role::text;
-    const double sign = kind == Kind::open ? 0 : 1.3 * s().label;
-    const TextBox box = text(step_.verdict.text, {width_ / 2 + sign / 2, baseline}, s().label, theme_.ink(role), 0.5);
+    const double sign = kind == Kind::open ? 0 : verdict_sign * s().label;
+    const TextBox box = text(step_.verdict.text, {layout_.width / 2 + sign / 2, baseline}, line_style(role), sign);
     const Vec2 p = {box.left - 0.75 * s().label, baseline - 0.32 * s().label};
     const double a = 0.26 * s().label;
     if (kind == Kind::yes)
@@ -94,14 +116,14 @@ class Page {
 
   /// The same marks in one dimension. Root labels stand above the line, the range's ends below it.
   void axis(const Axis& axis, double y) {
-    const double left = 0.2 * width_, right = 0.8 * width_;
+    const double left = 0.2 * layout_.width, right = 0.8 * layout_.width;
     const auto x = [&](double t) {
       return left + std::clamp((t - axis.lo) / (axis.hi - axis.lo), 0.0, 1.0) * (right - left);
     };
     const auto line = [&](double from, double to, Colour colour, double width, std::array<double, 2> dash = {0, 0}) {
       if (to > from) add(Stroke{polyline({{from, y}, {to, y}}), colour, width, dash, false});
     };
-    const Colour first = theme_.ink(Role::first), muted = theme_.ink(Role::muted);
+    const Colour first = theme_.ink(Role::first);
     const double from = x(axis.range_lo), to = x(axis.range_hi);
     const bool open = axis.range_hi > axis.hi;
     line(left, from, theme_.ink(Role::construction), s().construction, s().construction_dash);
@@ -113,7 +135,7 @@ class Page {
     const auto end = [&](double t, const std::string& name) {
       const double h = 0.38 * s().axis;
       add(Stroke{polyline({{x(t), y - h}, {x(t), y + h}}), first, s().ray, {0, 0}, false});
-      text(name, {x(t), y + 1.3 * s().axis}, s().axis, muted, 0.5);
+      one_line(name, {x(t), y + 1.3 * s().axis}, {s().axis, theme_.ink(Role::muted)});
     };
     if (std::isfinite(axis.range_lo)) end(axis.range_lo, shown(axis.range_lo));
     if (std::isfinite(axis.range_hi)) end(axis.range_hi, shown(axis.range_hi));
@@ -142,25 +164,95 @@ class Page {
       texts[i - 1].at.x() += gap / 2;
       texts[i].at.x() -= gap / 2;
     }
-    for (const Text& t : texts) text(t.markup, t.at, t.size, t.colour, t.align);
+    for (const Text& t : texts) one_line(t.markup, t.at, {t.size, t.colour});
   }
 
   const Step& step_;
+  const PageLayout& layout_;
   const Theme& theme_;
-  double width_, height_;
   Figure* out_ = nullptr;
 };
 
+bool meet(const TextBox& a, const TextBox& b) {
+  return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+}
+
+bool has_axis(const Walk& walk) { return bool(walk.steps.front().scene.axis); }
+
 }  // namespace
 
+double PageLayout::top() const {
+  const double first = 2.1 + (title_lines - 1) * line_pitch(*this);
+  return title_lines > 0 ? first * theme.sizes.title : theme.sizes.margin;
+}
+
+double PageLayout::bottom() const {
+  const Sizes& s = theme.sizes;
+  const int lines = formula_lines + verdict_lines;
+  const double texts = lines > 0 ? (1.65 + (lines - 1) * line_pitch(*this)) * s.label : 0;
+  return s.margin + texts + (axis ? axis_height * s.axis : 0);
+}
+
+double PageLayout::picture_height() const { return std::max(height - top() - bottom(), 0.2 * height); }
+
+/// Formula and verdict keep their rows when they are empty, so that the picture stands still from step to step.
+PageLayout page_layout(const Walk& walk, ThemeName name, double width, double height, bool title) {
+  PageLayout layout = {theme(name, width, height), width, height, has_axis(walk)};
+  layout.title_lines = title ? 1 : 0;
+  return layout;
+}
+
+PageLayout paper_layout(const Walk& walk, int shown, ThemeName name, const PaperSize& paper, bool title) {
+  PageLayout layout = {paper_theme(name, paper.text_size), paper.width, paper.height, has_axis(walk)};
+  layout.title_lines = layout.formula_lines = layout.verdict_lines = 0;
+  layout.wraps = true;
+  const Sizes& s = layout.theme.sizes;
+  const bool chart = bool(walk.steps[shown].scene.chart);
+  for (const Step& step : walk.steps) {
+    if (bool(step.scene.chart) != chart) continue;
+    const double sign = step.verdict.kind == Verdict::Kind::open ? 0 : verdict_sign * s.label;
+    const auto most = [](int& lines, const std::vector<std::string>& now) {
+      lines = std::max(lines, static_cast<int>(now.size()));
+    };
+    if (title) most(layout.title_lines, wrapped(step.title, s.title, true, room(layout)));
+    most(layout.formula_lines, wrapped(step.formula, s.label, false, room(layout)));
+    most(layout.verdict_lines, wrapped(step.verdict.text, s.label, false, room(layout) - sign));
+  }
+  if (chart) layout.axis = false;
+  if (!(layout.height > 0)) {
+    constexpr double picture_shape = 2;  // as wide as in a picture for the screen
+    const double picture = chart ? natural_height(*walk.steps[shown].scene.chart, layout.width, layout.theme)
+                                 : layout.width / picture_shape;
+    layout.height = layout.top() + picture + layout.bottom();
+  }
+  return layout;
+}
+
+Figure figure(const Step& step, const Camera& camera, const PageLayout& layout) {
+  return Page(step, layout).make(camera);
+}
+
 Figure figure(const Step& step, const Camera& camera, ThemeName name, double width, double height) {
-  const Theme styled = theme(name, width, height);
-  return Page(step, styled, width, height).make(camera);
+  return Page(step, {theme(name, width, height), width, height, bool(step.scene.axis)}).make(camera);
+}
+
+std::vector<std::string> label_faults(const Figure& figure, double least_size) {
+  std::vector<std::string> faults;
+  const double w = figure.drawing.width, h = figure.drawing.height;
+  for (std::size_t i = 0; i < figure.labels.size(); ++i) {
+    const auto& [text, b] = figure.labels[i];
+    if (!(b.left >= 0 && b.top >= 0 && b.right <= w && b.bottom <= h)) faults.push_back(text + " is clipped");
+    for (std::size_t j = 0; j < i; ++j)
+      if (meet(b, figure.labels[j].box)) faults.push_back(text + " meets " + figure.labels[j].text);
+  }
+  for (const Shape& shape : figure.drawing.shapes)
+    if (const Text* text = std::get_if<Text>(&shape); text && text->size < least_size)
+      faults.push_back(plain(text->markup) + " is too small");
+  return faults;
 }
 
 double picture_aspect(const Walk& walk, ThemeName name, double width, double height) {
-  const Theme styled = theme(name, width, height);
-  return width / Page(walk.steps.front(), styled, width, height).picture_height();
+  return width / page_layout(walk, name, width, height).picture_height();
 }
 
 }  // namespace isect::viz

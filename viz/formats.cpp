@@ -3,21 +3,43 @@
 #include <algorithm>
 
 #include "viz/lesson.h"
+#include "viz/tikz.h"
 
 namespace isect::viz {
+namespace {
+
+/// No ground is what looks the same on black and on white.
+Picture pixels_of(const Drawing& drawing, const Rasteriser& pixels) {
+  if (drawing.background.a > 0) return pixels(drawing);
+  Drawing on_black = drawing, on_white = drawing;
+  on_black.background = hex(0x000000), on_white.background = hex(0xFFFFFF);
+  return see_through(pixels(on_black), pixels(on_white));
+}
+
+}  // namespace
 
 const std::vector<Format>& formats() {
   static const std::vector<Format> all = {
       {"png", true,
-       [](const Drawing& drawing, const Metadata& data, const Paper&, const Rasteriser& pixels) {
-         return png(pixels(drawing), data);
+       [](const Drawing& drawing, const Metadata& data, const Imprint& imprint, const Rasteriser& pixels) {
+         return png(pixels_of(drawing, pixels), data, imprint);
        },
        png_metadata},
       {"svg", false,
-       [](const Drawing& drawing, const Metadata& data, const Paper& paper, const Rasteriser&) {
-         return svg(drawing, data, paper);
+       [](const Drawing& drawing, const Metadata& data, const Imprint& imprint, const Rasteriser&) {
+         return svg(drawing, data, imprint);
        },
        svg_metadata},
+      {"pdf", false,
+       [](const Drawing& drawing, const Metadata& data, const Imprint& imprint, const Rasteriser&) {
+         return pdf(drawing, data, imprint);
+       },
+       pdf_metadata},
+      {"tikz", false,
+       [](const Drawing& drawing, const Metadata& data, const Imprint& imprint, const Rasteriser&) {
+         return tikz(drawing, data, imprint);
+       },
+       tikz_metadata},
   };
   return all;
 }

@@ -17,7 +17,7 @@ using Rasteriser = std::function<Picture(const Drawing&)>;
 struct Format {
   std::string name;  ///< lower case; a file's extension too
   bool pixels;  ///< drawn by the rasteriser, so without a width on paper; otherwise by cairo, and no OpenGL is asked
-  std::string (*write)(const Drawing&, const Metadata&, const Paper&, const Rasteriser&);
+  std::string (*write)(const Drawing&, const Metadata&, const Imprint&, const Rasteriser&);
   Metadata (*metadata)(const std::string& bytes);  ///< what `write` was given; empty: not isect's. Throws FileError
 };
 

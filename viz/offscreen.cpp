@@ -118,16 +118,16 @@ std::string Offscreen::driver() const {
   return impl_->renderer->name();
 }
 
-Picture Offscreen::render(const Drawing& drawing) {
+Picture Offscreen::render(const Drawing& drawing, double scale) {
   Renderer& gl = renderer();
-  const PixelBox whole = pixels(drawing, 1);
+  const PixelBox whole = pixels(drawing, scale);
   const int width = whole.width, height = whole.height;
   Picture out{width, height, std::vector<std::uint8_t>(static_cast<std::size_t>(4) * width * height)};
   if (!has_room(needed_room)) throw std::bad_alloc();
   const int wide = std::min(width, part_width), high = std::min(height, part_height);
   for (int top = 0; top < height; top += high)
     for (int left = 0; left < width; left += wide) {
-      gl.draw(drawing, 2, {2 * left, 2 * top, 2 * wide, 2 * high});
+      gl.draw(drawing, 2 * scale, {2 * left, 2 * top, 2 * wide, 2 * high});
       reduce(gl.read(), out, left, top);
     }
   return out;

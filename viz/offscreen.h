@@ -39,7 +39,7 @@ class Offscreen {
   std::string driver() const;  ///< what OpenGL calls its renderer
   /// Draws at twice the size under four samples and reduces: smooth edges, the same bytes every time. Large
   /// pictures are drawn in parts, so memory stays bounded by the result's own size.
-  Picture render(const Drawing&);
+  Picture render(const Drawing&, double scale = 1);
 
  private:
   struct Impl;

@@ -38,10 +38,7 @@ bool opaque(const Picture& picture) {
   return true;
 }
 
-/// pHYs: 3780 pixels a metre, 96 an inch as CSS has it. So a picture is as wide on a page as the SVG of its size.
-constexpr std::string_view density("\0\0\0\x09pHYs\0\0\x0e\xc4\0\0\x0e\xc4\x01\x95\x2b\x0e\x1b", 21);
-
-std::string encode(const Picture& picture) {
+std::string encode(const Picture& picture, double dpi) {
   const bool rgb = opaque(picture);
   const std::vector<std::uint8_t> pixels = rgb ? without_alpha(picture.rgba) : picture.rgba;
   Image png;
@@ -53,18 +50,19 @@ std::string encode(const Picture& picture) {
   if (!png_image_write_to_memory(&png.image, bytes.data(), &size, 0, pixels.data(), 0, nullptr))
     throw FileError(std::string("cannot write PNG: ") + png.image.message);
   bytes.resize(size);
-  return bytes.insert(8 + header_chunk_size, density);
+  return bytes.insert(png_signature_size + header_chunk_size, png_density_chunk(dpi));
 }
 
 }  // namespace
 
-std::string png(const Picture& picture, const Metadata& metadata) {
+std::string png(const Picture& picture, const Metadata& metadata, const Imprint& imprint) {
   const auto width = static_cast<std::uint64_t>(std::max(picture.width, 0));
   const auto height = static_cast<std::uint64_t>(std::max(picture.height, 0));
   if (width == 0 || height == 0 || height > most_pixels / width || picture.rgba.size() != 4 * width * height)
     throw FileError("cannot write PNG: a picture of " + std::to_string(picture.width) + " x " +
                     std::to_string(picture.height) + " pixels with " + std::to_string(picture.rgba.size()) + " bytes");
-  return encode(picture).insert(png_signature_size + header_chunk_size, png_text_chunks(metadata));
+  const double dpi = imprint.dpi > 0 ? imprint.dpi : 96;  // as CSS has it: as wide on a page as the SVG of its size
+  return encode(picture, dpi).insert(png_signature_size + header_chunk_size, png_text_chunks(metadata, imprint));
 }
 
 Picture read_png(const std::string& bytes) {

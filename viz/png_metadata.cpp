@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <memory>
 #include <optional>
@@ -112,10 +113,18 @@ bool is_png(const std::string& bytes) {
   return bytes.size() >= png_signature_size && std::memcmp(bytes.data(), signature, png_signature_size) == 0;
 }
 
-std::string png_text_chunks(const Metadata& metadata) {
+std::string png_text_chunks(const Metadata& metadata, const Imprint& imprint) {
   std::string chunks;
+  // Keywords that the standard gives; for those who read the file, not for us.
+  if (!imprint.title.empty()) chunks += chunk("iTXt", "Title" + std::string(5, '\0') + imprint.title);
+  if (!imprint.alt.empty()) chunks += chunk("iTXt", "Description" + std::string(5, '\0') + imprint.alt);
   for (const auto& [key, text] : metadata) chunks += text_chunk(key, text);
   return chunks;
+}
+
+std::string png_density_chunk(double dpi) {
+  const std::string a_metre = big_endian(static_cast<std::uint32_t>(std::lround(dpi / 0.0254)));
+  return chunk("pHYs", a_metre + a_metre + '\x01');
 }
 
 Metadata png_metadata(const std::string& bytes) {

@@ -8,8 +8,11 @@
 namespace isect::viz {
 
 bool is_png(const std::string& bytes);
-/// One iTXt chunk for each entry. Throws std::invalid_argument on a key that PNG can't hold.
-std::string png_text_chunks(const Metadata&);
+/// One iTXt chunk for each entry, and for title and alt text. Throws std::invalid_argument on a key that PNG can't
+/// hold.
+std::string png_text_chunks(const Metadata&, const Imprint&);
+/// pHYs: pixels a metre, both ways.
+std::string png_density_chunk(double dpi);
 
 constexpr std::size_t png_signature_size = 8;
 

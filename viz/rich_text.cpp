@@ -193,7 +193,6 @@ std::string plain(const std::string& markup) {
 }
 
 std::string pango(const std::string& markup, const std::string& math_font, double math_scale, double em) {
-  constexpr double script_size = 0.70, sub_rise = -0.16, super_rise = 0.34;
   constexpr double pango_units = 1024;
   std::string out;
   for (const Run& run : parse_markup(markup)) {

@@ -21,7 +21,9 @@ std::vector<Run> parse_markup(const std::string& markup);
 /// For terminals and screen readers: marks dropped, digits and signs in scripts as Unicode (t₁, m²) where
 /// they exist.
 std::string plain(const std::string& markup);
-/// Pango markup: subscripts at 70 %, down 0.16 em; superscripts at 70 %, up 0.34 em. Escapes &, < and >.
+/// Scripts: how large they are, and how far above the baseline, in em of the text around them.
+constexpr double script_size = 0.70, sub_rise = -0.16, super_rise = 0.34;
+/// Pango markup. Escapes &, < and >.
 /// `math_font`: the family for italic and bold runs and for scripts, empty for the surrounding one,
 /// `math_scale` times its size. `em`: the layout's font size in device units, which Pango needs for the
 /// rises.

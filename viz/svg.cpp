@@ -1,197 +1,211 @@
-// Drawings as SVG through cairo.
+// Drawings as SVG: plain paths in groups that are called as the objects are, so that an editor shows what is what.
 
-#include <cairo-svg.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "viz/files.h"
+#include "viz/hatch.h"
+#include "viz/rich_text.h"
+#include "viz/svg_path.h"
+#include "viz/text.h"
 #include "viz/typeset.h"
 
 namespace isect::viz {
 namespace {
 
-/// cairo writes glyph outlines and paths in fixed point. The surface is this much larger than the drawing, so
-/// that their steps stay below 1/500 of a unit; the view box undoes it.
-constexpr double oversize = 8;
-
-void add_outline(cairo_t* cr, const Path& path) {
-  cairo_move_to(cr, path.start.x(), path.start.y());
-  for (const Path::Segment& segment : path.segments) {
-    if (const Vec2* to = std::get_if<Vec2>(&segment)) {
-      cairo_line_to(cr, to->x(), to->y());
-    } else {
-      const auto& [a, b, end] = std::get<Path::Cubic>(segment);
-      cairo_curve_to(cr, a.x(), a.y(), b.x(), b.y(), end.x(), end.y());
+/// "label t₁" as "label-t1": ids in ASCII are understood everywhere.
+std::string ascii_id(const std::string& name) {
+  std::string id;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(name[i]);
+    const auto next = [&](std::size_t n) { return i + n < name.size() ? static_cast<unsigned char>(name[i + n]) : 0; };
+    if (std::isalnum(byte) && byte < 128) {
+      id += name[i];
+    } else if (byte == 0xE2 && next(1) == 0x82 && next(2) >= 0x80 && next(2) <= 0x89) {  // subscript digits
+      id += static_cast<char>('0' + next(2) - 0x80);
+    } else if (!id.empty() && id.back() != '-') {
+      id += '-';
     }
   }
-  if (path.closed) cairo_close_path(cr);
+  while (id.ends_with('-')) id.pop_back();
+  return id.empty() || !std::isalpha(static_cast<unsigned char>(id.front())) ? fmt::format("part-{}", id) : id;
 }
 
-void trace(cairo_t* cr, const Path& path) {
-  cairo_new_path(cr);
-  add_outline(cr, path);
-}
+class SvgWriter {
+ public:
+  SvgWriter(const Drawing& drawing, Imprint::Letters letters) : drawing_(drawing), letters_(letters) {}
 
-void trace(cairo_t* cr, const Fill& fill) {
-  trace(cr, fill.path);
-  for (const Path& path : fill.more) add_outline(cr, path);
-  cairo_set_fill_rule(cr, fill.more.empty() ? CAIRO_FILL_RULE_WINDING : CAIRO_FILL_RULE_EVEN_ODD);
-}
-
-/// Lines x + y = k gap sqrt 2 through the path's box, clipped to the path. They hang on the drawing's origin,
-/// so that the hatches of neighbours go on in each other.
-void hatch(cairo_t* cr, const Fill& fill) {
-  double left, top, right, bottom;
-  trace(cr, fill);
-  cairo_path_extents(cr, &left, &top, &right, &bottom);
-  if (!(right > left && bottom > top)) return;
-  cairo_save(cr);
-  cairo_clip(cr);
-  const double step = fill.hatch_gap * std::sqrt(2.0);
-  for (double k = std::ceil((left + top) / step); k * step <= right + bottom; ++k) {
-    cairo_move_to(cr, left, k * step - left);
-    cairo_line_to(cr, right, k * step - right);
-  }
-  cairo_set_line_width(cr, fill.hatch_line);
-  cairo_set_line_cap(cr, CAIRO_LINE_CAP_BUTT);
-  cairo_set_dash(cr, nullptr, 0, 0);
-  set_source(cr, fill.hatch_colour);
-  cairo_stroke(cr);
-  cairo_restore(cr);
-}
-
-void draw(cairo_t* cr, const Fill& fill) {
-  trace(cr, fill);
-  set_source(cr, fill.colour);
-  cairo_fill(cr);
-  if (fill.hatch_gap > 0 && fill.hatch_line > 0) hatch(cr, fill);
-}
-
-void draw(cairo_t* cr, const Stroke& stroke) {
-  trace(cr, stroke.path);
-  cairo_set_line_width(cr, stroke.width);
-  cairo_set_line_join(cr, CAIRO_LINE_JOIN_ROUND);
-  cairo_set_line_cap(cr, stroke.round_cap ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
-  const bool dashed = stroke.dash[0] > 0 && stroke.dash[1] > 0;
-  cairo_set_dash(cr, stroke.dash.data(), dashed ? 2 : 0, 0);
-  set_source(cr, stroke.colour);
-  cairo_stroke(cr);
-}
-
-/// The ellipse is the unit circle seen through the matrix (major, minor, center).
-void draw(cairo_t* cr, const Gradient& gradient) {
-  const Vec2& major = gradient.major;
-  const Vec2& minor = gradient.minor;
-  if (!(major.squaredNorm() > 0 && minor.squaredNorm() > 0)) return;  // no area; cairo refuses such a matrix
-  const Vec2 towards = gradient.focus - gradient.center;
-  Vec2 focus(towards.dot(major) / major.squaredNorm(), towards.dot(minor) / minor.squaredNorm());
-  if (focus.norm() > 0.99) focus *= 0.99 / focus.norm();
-
-  cairo_pattern_t* pattern = cairo_pattern_create_radial(focus.x(), focus.y(), 0, 0, 0, 1);
-  const auto add_stop = [pattern](double at, const Colour& c) {
-    cairo_pattern_add_color_stop_rgba(pattern, at, c.r, c.g, c.b, c.a);
-  };
-  add_stop(0, gradient.inner);
-  add_stop(1, gradient.outer);
-  cairo_matrix_t matrix;
-  cairo_matrix_init(&matrix, major.x(), major.y(), minor.x(), minor.y(), gradient.center.x(), gradient.center.y());
-  if (cairo_matrix_invert(&matrix) == CAIRO_STATUS_SUCCESS) cairo_pattern_set_matrix(pattern, &matrix);
-
-  trace(cr, ellipse(gradient.center, gradient.major, gradient.minor));
-  cairo_set_source(cr, pattern);
-  cairo_fill(cr);
-  cairo_pattern_destroy(pattern);
-}
-
-void draw(cairo_t* cr, const Text& text) { TypesetLine(text).draw(cr, TypesetLine::As::glyphs); }
-
-std::string cairo_svg(const Drawing& drawing) {
-  std::string bytes;
-  const auto append = [](void* out, const unsigned char* data, unsigned length) {
-    static_cast<std::string*>(out)->append(reinterpret_cast<const char*>(data), length);
-    return CAIRO_STATUS_SUCCESS;
-  };
-  cairo_surface_t* surface =
-      cairo_svg_surface_create_for_stream(append, &bytes, drawing.width * oversize, drawing.height * oversize);
-  cairo_svg_surface_restrict_to_version(surface, CAIRO_SVG_VERSION_1_1);
-  cairo_t* cr = cairo_create(surface);
-  cairo_scale(cr, oversize, oversize);
-  set_source(cr, drawing.background);
-  cairo_rectangle(cr, 0, 0, drawing.width, drawing.height);
-  cairo_fill(cr);
-  for (const Shape& shape : drawing.shapes) std::visit([cr](const auto& s) { draw(cr, s); }, shape);
-  const cairo_status_t drawn = cairo_status(cr);
-  cairo_destroy(cr);
-  cairo_surface_finish(surface);
-  const cairo_status_t written = cairo_surface_status(surface);
-  cairo_surface_destroy(surface);
-  if (drawn != CAIRO_STATUS_SUCCESS || written != CAIRO_STATUS_SUCCESS)
-    throw FileError(std::string("cannot write SVG: ") + cairo_status_to_string(drawn ? drawn : written));
-  return bytes;
-}
-
-void replace_all(std::string& text, const std::string& from, const std::string& to) {
-  for (std::size_t at = text.find(from); at != text.npos; at = text.find(from, at + to.size()))
-    text.replace(at, from.size(), to);
-}
-
-/// cairo numbers its surfaces by a counter of the whole process. Here every id is numbered anew, in the order
-/// of appearance, with the references to it: same drawing, same bytes, whatever was drawn before.
-std::string with_own_ids(const std::string& bytes) {
-  constexpr std::pair<std::string_view, char> marks[] = {{" id=\"", '"'}, {"\"#", '"'}, {"url(#", ')'}};
-  std::map<std::string, std::string> renamed;
-  std::string out;
-  for (std::size_t i = 0; i < bytes.size();) {
-    const auto mark = std::find_if(std::begin(marks), std::end(marks),
-                                   [&](const auto& m) { return bytes.compare(i, m.first.size(), m.first) == 0; });
-    const std::size_t begin = mark == std::end(marks) ? bytes.npos : i + mark->first.size();
-    const std::size_t end = begin == bytes.npos ? begin : bytes.find(mark->second, begin);
-    if (end == bytes.npos) {
-      out += bytes[i++];
-      continue;
+  std::string write() {
+    if (drawing_.background.a > 0)
+      out_ +=
+          fmt::format("<rect id=\"background\" width=\"{}\" height=\"{}\" style=\"{}\"/>\n", svg_number(drawing_.width),
+                      svg_number(drawing_.height), svg_paint("fill", drawing_.background));
+    const int objects = static_cast<int>(drawing_.objects.size());
+    int open = no_object;
+    for (const Shape& shape : drawing_.shapes) {
+      const int own = object_of(shape), object = own < objects ? own : no_object;  // some drawings name none
+      if (object != open) {
+        if (open != no_object) out_ += "</g>\n";
+        if (object != no_object) begin(object);
+        open = object;
+      }
+      std::visit([this](const auto& s) { add(s); }, shape);
     }
-    const std::string fresh = fmt::format("i{}", renamed.size());
-    out += mark->first;
-    out += renamed.try_emplace(bytes.substr(begin, end - begin), fresh).first->second;
-    i = end;
+    if (open != no_object) out_ += "</g>\n";
+    return std::move(out_);
   }
-  return out;
-}
+
+ private:
+  /// What an object draws in one go: it may be gone on with above others.
+  void begin(int object) {
+    const std::string name = full_name(drawing_.objects.at(static_cast<std::size_t>(object)));
+    out_ += fmt::format("<g id=\"{}\" inkscape:label=\"{}\">\n", fresh_id(ascii_id(name)), xml_escaped(name));
+  }
+
+  std::string fresh_id(const std::string& wanted) {
+    std::string id = wanted;
+    for (int i = 2; !ids_.insert(id).second; ++i) id = fmt::format("{}-{}", wanted, i);
+    return id;
+  }
+
+  void path(const std::string& d, const std::string& style) {
+    out_ += fmt::format("<path d=\"{}\" style=\"{}\"/>\n", d, style);
+  }
+
+  void add(const Fill& fill) {
+    std::string d = svg_path(fill.path);
+    for (const Path& more : fill.more) d += fmt::format(" {}", svg_path(more));
+    const std::string rule = fill.more.empty() ? "" : "fill-rule:evenodd;";
+    path(d, svg_paint("fill", fill.colour) + rule);
+    if (fill.hatch_gap > 0 && fill.hatch_line > 0) hatch(fill, d);
+  }
+
+  void hatch(const Fill& fill, const std::string& outline) {
+    std::string lines;
+    for (const auto& [from, to] : hatch_lines(fill))
+      lines += fmt::format("{}{}", lines.empty() ? "" : " ", svg_path(polyline({from, to})));
+    if (lines.empty()) return;
+    const std::string clip = fresh_id("clip");
+    out_ += fmt::format("<clipPath id=\"{}\"><path d=\"{}\"{}/></clipPath>\n", clip, outline,
+                        fill.more.empty() ? "" : " style=\"clip-rule:evenodd;\"");
+    out_ += fmt::format("<path clip-path=\"url(#{})\" d=\"{}\" style=\"fill:none;{}stroke-width:{};\"/>\n", clip, lines,
+                        svg_paint("stroke", fill.hatch_colour), svg_number(fill.hatch_line));
+  }
+
+  void add(const Stroke& stroke) {
+    std::string style = fmt::format("fill:none;{}stroke-width:{};stroke-linejoin:round;",
+                                    svg_paint("stroke", stroke.colour), svg_number(stroke.width));
+    if (stroke.round_cap) style += "stroke-linecap:round;";
+    if (stroke.dash[0] > 0 && stroke.dash[1] > 0)
+      style += fmt::format("stroke-dasharray:{},{};", svg_number(stroke.dash[0]), svg_number(stroke.dash[1]));
+    path(svg_path(stroke.path), style);
+  }
+
+  /// The ellipse is the unit circle seen through the matrix (major, minor, center).
+  void add(const Gradient& g) {
+    if (!(g.major.squaredNorm() > 0 && g.minor.squaredNorm() > 0)) return;  // no area
+    const Vec2 towards = g.focus - g.center;
+    Vec2 focus(towards.dot(g.major) / g.major.squaredNorm(), towards.dot(g.minor) / g.minor.squaredNorm());
+    if (focus.norm() > 0.99) focus *= 0.99 / focus.norm();
+    const auto stop = [](int at, const Colour& c) {
+      std::string style = fmt::format("stop-color:{};", svg_colour(c));
+      if (c.a < 1) style += fmt::format("stop-opacity:{};", svg_number(c.a));
+      return fmt::format("<stop offset=\"{}\" style=\"{}\"/>", at, style);
+    };
+    const std::string id = fresh_id("gradient");
+    out_ += fmt::format(
+        "<radialGradient id=\"{}\" gradientUnits=\"userSpaceOnUse\" cx=\"0\" cy=\"0\" r=\"1\" fx=\"{}\" fy=\"{}\" "
+        "gradientTransform=\"matrix({} {} {} {} {} {})\">{}{}</radialGradient>\n",
+        id, svg_number(focus.x()), svg_number(focus.y()), svg_number(g.major.x()), svg_number(g.major.y()),
+        svg_number(g.minor.x()), svg_number(g.minor.y()), svg_number(g.center.x()), svg_number(g.center.y()),
+        stop(0, g.inner), stop(1, g.outer));
+    path(svg_path(ellipse(g.center, g.major, g.minor)), fmt::format("fill:url(#{});", id));
+  }
+
+  void add(const Text& text) {
+    const TypesetLine line(text);
+    if (line.empty()) return;
+    const std::string halo = text.halo > 0
+                                 ? fmt::format("{}stroke-width:{};stroke-linejoin:round;",
+                                               svg_paint("stroke", text.halo_colour), svg_number(2 * text.halo))
+                                 : "";
+    if (letters_ == Imprint::Letters::glyphs) {
+      editable(text, line, halo);
+      return;
+    }
+    const std::string d = svg_letters(line.outlines());
+    if (!halo.empty()) path(d, fmt::format("fill:none;{}", halo));
+    path(d, svg_paint("fill", text.colour));
+  }
+
+  /// Text that stays text. A script stands on a line of its own height, and what follows comes back from it.
+  void editable(const Text& text, const TypesetLine& line, const std::string& halo) {
+    const char* const anchor = text.align == 0.5 ? "middle" : text.align == 1 ? "end" : "start";
+    const double x = text.align == 0.5 || text.align == 1 ? text.at.x() : line.start();
+    std::string runs;
+    double raised = 0;  // above the baseline
+    for (const Run& run : parse_markup(text.markup)) {
+      const bool base = run.script == Run::Script::base;
+      const double rise = base ? 0 : (run.script == Run::Script::sub ? sub_rise : super_rise) * text.size;
+      std::string style;
+      if (run.italic) style += "font-style:italic;";
+      if (run.bold) style += "font-weight:bold;";
+      if (!base) style += fmt::format("font-size:{};", svg_number(script_size * text.size));
+      const std::string shift = rise != raised ? fmt::format(" dy=\"{}\"", svg_number(raised - rise)) : "";
+      raised = rise;
+      runs += fmt::format("<tspan{}{}>{}</tspan>", shift, style.empty() ? "" : fmt::format(" style=\"{}\"", style),
+                          xml_escaped(run.text));
+    }
+    const std::string under = halo.empty() ? "" : halo + "paint-order:stroke;";
+    out_ += fmt::format(
+        "<text x=\"{}\" y=\"{}\" xml:space=\"preserve\" text-anchor=\"{}\" style=\"font-family:'{}','STIX Two "
+        "Text',STIX,serif;font-size:{};{}{}{}\">{}</text>\n",
+        svg_number(x), svg_number(text.at.y()), anchor, xml_escaped(fonts().figure), svg_number(text.size),
+        text.bold ? "font-weight:bold;" : "", svg_paint("fill", text.colour), under, runs);
+  }
+
+  const Drawing& drawing_;
+  const Imprint::Letters letters_;
+  std::string out_;
+  std::set<std::string> ids_ = {"background", "title", "alt"};
+};
 
 /// As an attribute of the root: Inkscape, SVGO and scour keep it, whereas most that make a file small drop a <metadata>
 /// element. JSON in ASCII, escaped for XML: control characters and broken UTF-8 never leave JSON's own escapes.
 std::string metadata_attribute(const Metadata& metadata) {
   std::string json = nlohmann::json(metadata).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
-  replace_all(json, "&", "&amp;");
-  replace_all(json, "<", "&lt;");
-  replace_all(json, ">", "&gt;");
-  replace_all(json, "'", "&apos;");
+  const auto replace_all = [&](const std::string& from, const std::string& to) {
+    for (std::size_t at = json.find(from); at != json.npos; at = json.find(from, at + to.size()))
+      json.replace(at, from.size(), to);
+  };
+  replace_all("&", "&amp;");
+  replace_all("<", "&lt;");
+  replace_all(">", "&gt;");
+  replace_all("'", "&apos;");
   return fmt::format("data-isect='{}'", json);
 }
 
 }  // namespace
 
-std::string svg(const Drawing& drawing, const Metadata& metadata, Paper paper) {
+std::string svg(const Drawing& drawing, const Metadata& metadata, const Imprint& imprint) {
   if (!(drawing.width > 0 && drawing.height > 0 && std::isfinite(drawing.width * drawing.height)))
     throw FileError(fmt::format("cannot write SVG: a drawing of {} x {}", drawing.width, drawing.height));
-  std::string bytes = with_own_ids(cairo_svg(drawing));
-  const std::size_t tag = bytes.find("<svg ");
-  const std::size_t tag_end = bytes.find('>', tag);
-  if (tag == bytes.npos || tag_end == bytes.npos) throw FileError("cannot write SVG: cairo wrote no <svg> element");
-
-  const double scale = paper.width_pt > 0 ? paper.width_pt / drawing.width : 1;
-  const char* const unit = paper.width_pt > 0 ? "pt" : "";  // without one: CSS pixels
-  const std::string opening = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
-      "version=\"1.1\" "
-      "width=\"{:.7g}{}\" height=\"{:.7g}{}\" viewBox=\"0 0 {:.7g} {:.7g}\" {}>",
-      drawing.width * scale, unit, drawing.height * scale, unit, drawing.width * oversize, drawing.height * oversize,
-      metadata_attribute(metadata));
-  bytes.replace(tag, tag_end + 1 - tag, opening);
-  return bytes;
+  const double scale = imprint.width_pt > 0 ? imprint.width_pt / drawing.width : 1;
+  const char* const unit = imprint.width_pt > 0 ? "pt" : "";  // without one: CSS pixels
+  std::string told, names;
+  if (!imprint.title.empty()) told += fmt::format("<title id=\"title\">{}</title>\n", xml_escaped(imprint.title));
+  if (!imprint.alt.empty()) told += fmt::format("<desc id=\"alt\">{}</desc>\n", xml_escaped(imprint.alt));
+  if (!imprint.title.empty()) names += " role=\"img\" aria-labelledby=\"title\"";
+  if (!imprint.title.empty() && !imprint.alt.empty()) names += " aria-describedby=\"alt\"";
+  return fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" "
+      "width=\"{:.7g}{}\" height=\"{:.7g}{}\" viewBox=\"0 0 {:.7g} {:.7g}\"{} {}>\n{}{}</svg>\n",
+      drawing.width * scale, unit, drawing.height * scale, unit, drawing.width, drawing.height, names,
+      metadata_attribute(metadata), told, SvgWriter(drawing, imprint.letters).write());
 }
 
 }  // namespace isect::viz

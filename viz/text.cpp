@@ -133,6 +133,28 @@ Block lay_out(const Paragraph& paragraph) {
 
 TextBox measure(const Text& text) { return TypesetLine(text).box(); }
 
+std::vector<std::string> wrapped(const std::string& markup, double size, bool bold, double room) {
+  const auto width = [&](const std::string& line) {
+    const TextBox box = measure({.markup = line, .at = Vec2::Zero(), .size = size, .colour = {}, .bold = bold});
+    return box.right - box.left;
+  };
+  std::vector<std::string> lines;
+  for (std::size_t at = 0; at < markup.size();) {
+    std::size_t end = std::min(markup.find(' ', at), markup.size());
+    const auto splits_mark = [&] {  // a mark that opened before and closes behind is no mark any more
+      return plain(markup.substr(at, end - at)) + plain(markup.substr(end)) != plain(markup.substr(at));
+    };
+    while (end < markup.size() && splits_mark()) end = std::min(markup.find(' ', end + 1), markup.size());
+    const std::string word = markup.substr(at, end - at);
+    if (!lines.empty() && width(lines.back() + ' ' + word) <= room)
+      lines.back() += ' ' + word;
+    else
+      lines.push_back(word);
+    at = end + 1;
+  }
+  return lines;
+}
+
 Rastered raster(const Text& text, double scale) {
   const TypesetLine line(text);
   const TextBox box = line.box();

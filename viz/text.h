@@ -20,6 +20,10 @@ struct Picture {
 /// The box a Text covers in its drawing's units, halo excluded.
 TextBox measure(const Text&);
 
+/// Words of markup on as few lines as fit into `room`; a word wider than that stands alone. What is marked as one stays
+/// on one line.
+std::vector<std::string> wrapped(const std::string& markup, double size, bool bold, double room);
+
 /// A Text as pixels at `scale` pixels per unit, with the position of its top left corner in the drawing.
 /// Colours are straight alpha. Empty text gives an empty picture.
 struct Rastered {

@@ -155,6 +155,14 @@ Theme theme(ThemeName name, double width, double height) {
   return theme_with(name, scaled(pixels, std::min(width / 960, height / 600)));
 }
 
+Theme paper_theme(ThemeName name, double text_size) {
+  Sizes sizes = scaled(paper, text_size / usual_text_size);  // lines are as thin as they were designed
+  const Sizes texts = scaled(paper, text_size / paper.label);
+  sizes.title = texts.title, sizes.label = texts.label, sizes.axis = texts.axis;
+  sizes.label_offset = texts.label_offset, sizes.label_clear = texts.label_clear, sizes.label_halo = texts.label_halo;
+  return theme_with(name, sizes);
+}
+
 Theme window_theme(ThemeName name, double scale) { return theme_with(name, scaled(pixels, scale)); }
 
 std::string name_of(Role role) {

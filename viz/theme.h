@@ -46,9 +46,14 @@ struct Theme {
   std::array<Colour, 9> inks;
 };
 
+/// Of labels on paper, in points: what reads well beside a text of ten.
+constexpr double usual_text_size = 9;
+
 /// The theme with all lengths for a drawing of the given size. print and grey are designed at 227 x 142 pt,
 /// screen and dark at 960 x 600 px, and scale with the smaller ratio.
 Theme theme(ThemeName, double width, double height);
+/// On paper: lengths in points, and texts of one size, however large the figure.
+Theme paper_theme(ThemeName, double text_size = usual_text_size);
 /// The window's: px sizes at 1x, whatever the size of the scene, times `scale`.
 Theme window_theme(ThemeName, double scale = 1);
 

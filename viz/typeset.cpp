@@ -84,6 +84,40 @@ TextBox TypesetLine::box() const {
   return {x + scale_ * ink_.left, y + scale_ * ink_.top, x + scale_ * ink_.right, y + scale_ * ink_.bottom};
 }
 
+std::vector<Path> TypesetLine::outlines() const {
+  const std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> nowhere(
+      cairo_recording_surface_create(CAIRO_CONTENT_ALPHA, nullptr), cairo_surface_destroy);
+  const std::unique_ptr<cairo_t, decltype(&cairo_destroy)> cr(cairo_create(nowhere.get()), cairo_destroy);
+  cairo_move_to(cr.get(), 0, 0);
+  pango_cairo_layout_line_path(cr.get(), pango_layout_get_line_readonly(layout_.get(), 0));
+  const std::unique_ptr<cairo_path_t, decltype(&cairo_path_destroy)> path(cairo_copy_path(cr.get()),
+                                                                          cairo_path_destroy);
+  const auto at = [&](const cairo_path_data_t& p) {
+    return Vec2(start_ + scale_ * p.point.x, text_.at.y() + scale_ * p.point.y);
+  };
+  std::vector<Path> all;
+  for (int i = 0; i < path->num_data; i += path->data[i].header.length) {
+    const cairo_path_data_t* const data = &path->data[i];
+    switch (data->header.type) {
+      case CAIRO_PATH_MOVE_TO:
+        if (!all.empty() && all.back().segments.empty()) all.pop_back();  // moved on without a line
+        all.push_back({at(data[1]), {}, false});
+        break;
+      case CAIRO_PATH_LINE_TO:
+        all.back().segments.emplace_back(at(data[1]));
+        break;
+      case CAIRO_PATH_CURVE_TO:
+        all.back().segments.emplace_back(Path::Cubic{at(data[1]), at(data[2]), at(data[3])});
+        break;
+      case CAIRO_PATH_CLOSE_PATH:
+        all.back().closed = true;
+        break;
+    }
+  }
+  if (!all.empty() && all.back().segments.empty()) all.pop_back();
+  return all;
+}
+
 void TypesetLine::draw(_cairo* cr, As as) const {
   if (empty()) return;
   PangoLayoutLine* line = pango_layout_get_line_readonly(layout_.get(), 0);

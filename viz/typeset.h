@@ -29,10 +29,12 @@ class TypesetLine {
  public:
   explicit TypesetLine(const Text&);
 
-  bool empty() const;   ///< no ink
-  TextBox box() const;  ///< of the ink, in the drawing's units, halo excluded
+  bool empty() const;                      ///< no ink
+  TextBox box() const;                     ///< of the ink, in the drawing's units, halo excluded
+  double start() const { return start_; }  ///< x where it begins
+  std::vector<Path> outlines() const;      ///< of its letters, in the drawing's units, without the halo
   enum class As { outlines, glyphs };
-  /// `outlines` are placed exactly, `glyphs` are shared by a vector file.
+  /// `outlines` are placed exactly, `glyphs` are letters of a font to whoever reads the file.
   void draw(_cairo*, As) const;
 
  private:

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include <isect/bvh_pairs.h>
-#include <isect/parts/overlapping_pairs.h>
+#include <isect/overlapping_pairs.h>
 #include "bench/growth.h"
 #include "bench/growth_shapes.h"
 #include "bench/session.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include <isect/parts/directions.h>
+#include <isect/directions.h>
 #include "bench/full_precision.h"
 #include "bench/named_draw.h"
 #include "bench/random_shapes.h"

@@ -3,9 +3,9 @@
 
 #include <isect/kdop_kdop.h>
 
+#include <isect/directions.h>
 #include <isect/fit.h>
 #include <isect/kdop_kdop_methods.h>
-#include <isect/parts/directions.h>
 #include "bench/kdop_kdop/families.h"
 #include "bench/pairs.h"
 #include "bench/peer.h"

@@ -13,7 +13,7 @@
 //
 // All find the same pairs, each once, i < j, in an order of their own, and return the number of tests. Exact: nothing
 // but comparisons of inputs decides. A box that is empty, NaN or infinite meets nothing. For speed take
-// overlapping_pairs (isect/parts/overlapping_pairs.h). Source: the note, N25 (corrected), N03, N09; Cohen, Lin,
+// overlapping_pairs (isect/overlapping_pairs.h). Source: the note, N25 (corrected), N03, N09; Cohen, Lin,
 // Manocha, Ponamgi, I-COLLIDE, Symposium on Interactive 3D Graphics (1995).
 
 #include <algorithm>

@@ -8,12 +8,12 @@
 #include <optional>
 
 #include <isect/aabb_aabb.h>
+#include <isect/directions.h>
 #include <isect/fit.h>
 #include <isect/fit_tight.h>
 #include <isect/kdop_kdop.h>
 #include <isect/obb_obb_methods.h>
 #include <isect/orient.h>
-#include <isect/parts/directions.h>
 #include <isect/sphere_sphere.h>
 #include <isect/volume.h>
 #include "viz/solids.h"

@@ -38,13 +38,13 @@ void look_elsewhere(viz::WindowDriver& window) {
   window.type("p");
 }
 
-/// All of a figure but its metadata.
+/// All of a figure but what it tells of itself.
 std::string drawn(const std::string& figure) {
   if (!figure.starts_with("<?xml")) {
     const std::vector<std::uint8_t> pixels = viz::read_png(figure).rgba;
     return {pixels.begin(), pixels.end()};
   }
-  const std::size_t begin = figure.find("<defs");
+  const std::size_t begin = figure.find("<rect");
   REQUIRE(begin != figure.npos);
   return figure.substr(begin);
 }

@@ -6,6 +6,7 @@
 #include "tests/app/shell.h"
 #include "tests/catch.h"
 #include "viz/files.h"
+#include "viz/tikz.h"
 
 namespace render_test {
 namespace fs = std::filesystem;
@@ -49,10 +50,11 @@ TEST_CASE("render writes figures, alt text and a manifest, and prints the figure
 
 TEST_CASE("a figure carries lesson, preset, step and parameters inside", "[render]") {
   const Shell shell;
-  shell("isect render ray-sphere --preset miss --step 3 --format png,svg --set radius=0.5");
+  shell("isect render ray-sphere --preset miss --step 3 --format png,svg,pdf,tikz --set radius=0.5");
   const std::string stem = (shell.work() / "figures/ray-sphere/miss+radius=0.5/03-distance").string();
   for (const viz::Metadata& data :
-       {viz::png_metadata(contents(stem + ".png")), viz::svg_metadata(contents(stem + ".svg"))}) {
+       {viz::png_metadata(contents(stem + ".png")), viz::svg_metadata(contents(stem + ".svg")),
+        viz::pdf_metadata(contents(stem + ".pdf")), viz::tikz_metadata(contents(stem + ".tikz"))}) {
     CHECK(data.at("lesson") == "ray-sphere");
     CHECK(data.at("step") == "3");
     CHECK_FALSE(data.contains("preset"));  // a parameter was changed by hand
@@ -61,13 +63,77 @@ TEST_CASE("a figure carries lesson, preset, step and parameters inside", "[rende
   }
 }
 
+TEST_CASE("a figure on paper has the size asked for in every format, and texts of their own size", "[render]") {
+  const Shell shell;
+  const std::string request =
+      "isect render ray-sphere --preset two-roots --step 3 --format png,svg,pdf,tikz --width 8cm --height 6cm ";
+  REQUIRE(shell(request + "--dpi 254").status == 0);
+  const std::string stem = (shell.work() / "figures/ray-sphere/two-roots/03-distance").string();
+  const std::string svg = contents(stem + ".svg");
+  CHECK_THAT(svg, Contains("width=\"226.7717pt\" height=\"170.0787pt\" viewBox=\"0 0 226.7717 170.0787\""));
+  CHECK_THAT(contents(stem + ".pdf"), Contains("/MediaBox [ 0 0 226.771"));
+  CHECK_THAT(contents(stem + ".tikz"), Contains("\\clip (0,0) rectangle (226.772,170.079);"));
+  const viz::Picture png = viz::read_png(contents(stem + ".png"));
+  CHECK(png.width == 800);
+  CHECK(png.height == 600);
+  const auto manifest = nlohmann::json::parse(contents(shell.work() / "figures/manifest.json"));
+  CHECK(manifest["figures"][0]["text_pt"] == 9);
+
+  const Ran large = shell(request + "--labels text --out -");  // one figure, several formats
+  CHECK(large.status == 2);
+  const auto text_size = [&](const std::string& more) {
+    const Ran r = shell("isect render ray-sphere --step 3 --format svg --labels text --out - " + more);
+    CHECK(r.status == 0);
+    return r.out.substr(r.out.find("font-size:", r.out.find("label-o")), 14);
+  };
+  CHECK(text_size("--width 8cm") == "font-size:9;fi");
+  CHECK(text_size("--width 16cm") == "font-size:9;fi");
+  CHECK(text_size("--width 60cm --text-size 24pt") == "font-size:24;f");
+}
+
+TEST_CASE("a figure too narrow for its labels is honestly wider, and that is told", "[render]") {
+  const Shell shell;
+  const Ran r = shell("isect render ray-sphere --preset two-roots --step 12 --format svg --width 3cm");
+  CHECK(r.status == 0);
+  CHECK_THAT(r.err, StartsWith("width: ") && Contains("ray-sphere/two-roots/12-cases: ") && Contains("--text-size"));
+  const auto manifest = nlohmann::json::parse(contents(shell.work() / "figures/manifest.json"));
+  CHECK(manifest["figures"][0]["width_pt"].get<double>() > 86);
+  CHECK(shell("isect render ray-sphere --preset two-roots --step 3 --format svg --width 3cm").err.empty());
+}
+
+TEST_CASE("a figure loses its title, its ground and its empty rim where that is asked for", "[render]") {
+  const Shell shell;
+  const auto drawn = [&](const std::string& more) {
+    return shell("isect render ray-sphere --step 3 --format svg --out - " + more).out;
+  };
+  CHECK_THAT(drawn(""), Contains("<g id=\"page-title\"") || Contains("inkscape:label=\"page title\""));
+  CHECK_THAT(drawn("--no-title"), !Contains("inkscape:label=\"page title\""));
+  CHECK_THAT(drawn("--transparent"), !Contains("<rect"));
+  CHECK_THAT(drawn("--theme print --width 8cm --crop").substr(0, 300), !Contains("width=\"226.7717pt\""));
+  const viz::Picture png = viz::read_png(shell("isect render ray-sphere --step 3 --transparent --out -").out);
+  CHECK(png.rgba[3] == 0);
+  CHECK(std::ranges::any_of(png.rgba, [](int byte) { return byte == 255; }));
+}
+
+TEST_CASE("captions in the manifest are LaTeX, too", "[render]") {
+  const Shell shell;
+  REQUIRE(shell("isect render --all --preset all --step 1-2 --format tikz").status == 0);
+  const auto manifest = nlohmann::json::parse(contents(shell.work() / "figures/manifest.json"));
+  for (const auto& figure : manifest["figures"]) {
+    const std::string caption = figure["caption_tex"];
+    INFO(figure["file"] << ": " << caption);
+    CHECK(std::ranges::all_of(caption, [](char c) { return static_cast<unsigned char>(c) < 128; }));
+    CHECK(std::ranges::count(caption, '$') % 2 == 0);
+  }
+}
+
 TEST_CASE("the same request gives the same bytes", "[render]") {
   const Shell shell;
-  const std::string request = "isect render ray-sphere --preset two-roots --step 8 --format png,svg --out ";
+  const std::string request = "isect render ray-sphere --preset two-roots --step 8 --format png,svg,pdf,tikz --out ";
   REQUIRE(shell(request + "a").status == 0);
   REQUIRE(shell("LC_ALL=C.UTF-8 TZ=Asia/Tokyo LP_NUM_THREADS=1 " + request + "b").status == 0);
   const std::vector<std::string> files = files_in(shell.work() / "a");
-  REQUIRE(files.size() == 4);
+  REQUIRE(files.size() == 6);
   CHECK(files == files_in(shell.work() / "b"));
   for (const std::string& file : files)
     CHECK(contents(shell.work() / "a" / file) == contents(shell.work() / "b" / file));
@@ -153,8 +219,6 @@ TEST_CASE("wrong names and values are refused by field, and nothing is written",
            Wrong{"ray-sphere --preset tangnt", "preset", "mean \"tangent\""},
            Wrong{"ray-sphere --theme gray", "theme", "mean \"grey\""},
            Wrong{"ray-sphere --format pgn", "format", "mean \"png\""},
-           Wrong{"ray-sphere --format pdf", "format", "png, svg"},
-           Wrong{"ray-sphere --format tikz", "format", "png, svg"},
            Wrong{"ray-sphere --format png,", "format", "png, svg"},
            Wrong{"ray-sphere --backend mesa", "back", "mean \"osmesa\""},
            Wrong{"ray-sphere --set radius", "set", "name=value"},
@@ -172,7 +236,17 @@ TEST_CASE("wrong names and values are refused by field, and nothing is written",
            Wrong{"ray-sphere --format svg --width 8", "width", "cm, mm, pt, in"},
            Wrong{"ray-sphere --format svg --width nancm", "width", "8cm"},
            Wrong{"ray-sphere --format svg --width 9pt", "width", "10pt"},
-           Wrong{"ray-sphere --width 8cm", "width", "svg"},
+           Wrong{"ray-sphere --height 8", "height", "cm, mm, pt, in"},
+           Wrong{"ray-sphere --width 8cm --text-size 3pt", "text-size", "4pt"},
+           Wrong{"ray-sphere --text-size 9pt", "text-size", "--width"},
+           Wrong{"ray-sphere --dpi 300", "dpi", "--width"},
+           Wrong{"ray-sphere --width 8cm --dpi 5", "dpi", "30 to 2400"},
+           Wrong{"ray-sphere --width 4m", "width", "cm, mm, pt, in"},
+           Wrong{"ray-sphere --step 1 --width 200cm --dpi 600", "dpi", "million"},
+           Wrong{"ray-sphere --step 1 --width 1cm --text-size 200pt --format svg", "width", "--text-size"},
+           Wrong{"ray-sphere --labels txt", "labels", "mean \"text\""},
+           Wrong{"ray-sphere --format svg --labels tex", "labels", "tikz"},
+           Wrong{"ray-sphere --format tikz --labels outline", "labels", "LaTeX"},
            Wrong{"ray-sphere --format svg --width 8cm --size 100x100", "size", "not both"},
            Wrong{"ray-sphere --out -", "out", "exactly one"},
            Wrong{"ray-sphere --step 1 --format png,svg --out -", "out", "exactly one"},

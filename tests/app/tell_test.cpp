@@ -200,10 +200,12 @@ TEST_CASE("explain and show refuse what does not exist", "[explain][show]") {
 
 TEST_CASE("show opens a figure only if isect made it", "[show]") {
   const Shell shell;
-  shell("isect render ray-sphere --preset tangent --step 3 --format png,svg --set radius=2 --out f");
+  shell("isect render ray-sphere --preset tangent --step 3 --format png,svg,pdf,tikz --set radius=2 --out f");
   // Nothing is refused but the missing display: the figure's place was understood.
   CHECK(shell("isect show f/ray-sphere/tangent+radius=2/03-distance.png").status == 77);
   CHECK(shell("isect show f/ray-sphere/tangent+radius=2/03-distance.svg").status == 77);
+  CHECK(shell("isect show f/ray-sphere/tangent+radius=2/03-distance.pdf").status == 77);
+  CHECK(shell("isect show f/ray-sphere/tangent+radius=2/03-distance.tikz").status == 77);
 
   CHECK(shell("isect show nowhere.png").status == 4);
   const Ran rubbish = shell("echo rubbish >r.png && isect show r.png");

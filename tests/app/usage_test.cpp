@@ -16,7 +16,7 @@ TEST_CASE("help names every subcommand, an example and the exit statuses", "[pro
   CHECK(r.err.empty());
   for (const char* word : {"list", "show", "explain", "render", "check", "query", "bench", "doctor", "Example:", "77"})
     CHECK_THAT(r.out, Contains(word));
-  for (const char* absent : {"pdf", "tikz"}) CHECK_THAT(r.out, !Contains(absent));
+  for (const char* absent : {"gif", "eps"}) CHECK_THAT(r.out, !Contains(absent));
 }
 
 TEST_CASE("each subcommand has help with an example", "[program]") {
@@ -26,7 +26,7 @@ TEST_CASE("each subcommand has help with an example", "[program]") {
     const Ran r = shell("isect " + sub + " --help");
     CHECK(r.status == 0);
     CHECK_THAT(r.out, Contains("Usage: isect " + sub) && Contains("Example") && Contains("isect " + sub));
-    CHECK_THAT(r.out, !Contains("pdf") && !Contains("tikz"));
+    CHECK_THAT(r.out, !Contains("gif") && !Contains("eps"));
   }
 }
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <new>
 
-#include <isect/parts/overlapping_pairs.h>
+#include <isect/overlapping_pairs.h>
 #include "bench/simple_shapes.h"
 #include "tests/catch.h"
 #include "tests/settings.h"

@@ -8,8 +8,8 @@
 #include <optional>
 #include <set>
 
+#include <isect/directions.h>
 #include <isect/fit.h>
-#include <isect/parts/directions.h>
 #include "bench/random_shapes.h"
 #include "bench/rational.h"
 #include "tests/catch.h"

@@ -4,8 +4,8 @@
 #include <boost/multiprecision/mpfr.hpp>
 #include <limits>
 
+#include <isect/directions.h>
 #include <isect/fit.h>
-#include <isect/parts/directions.h>
 #include <isect/volume.h>
 #include "bench/random_shapes.h"
 #include "bench/rational.h"

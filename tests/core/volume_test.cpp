@@ -7,10 +7,10 @@
 #include <limits>
 
 #include <isect/aabb_aabb.h>
+#include <isect/directions.h>
 #include <isect/fit_tight.h>
 #include <isect/kdop_kdop.h>
 #include <isect/obb_obb.h>
-#include <isect/parts/directions.h>
 #include <isect/sphere_sphere.h>
 #include "bench/growth.h"
 #include "bench/random_shapes.h"

@@ -31,11 +31,12 @@ Box in_svg(const std::string& svg, const Colour& colour) {
   double svg_width = 0;
   std::sscanf(svg.c_str() + svg.find("viewBox=\"0 0 ") + 13, "%lf", &svg_width);
   Box box;
-  for (std::size_t at = svg.find("fill:rgb("); at != std::string::npos; at = svg.find("fill:rgb(", at + 1)) {
-    double r = 0, g = 0, b = 0;
-    std::sscanf(svg.c_str() + at, "fill:rgb(%lf%%,%lf%%,%lf%%)", &r, &g, &b);
-    if (std::abs(r / 100 - colour.r) + std::abs(g / 100 - colour.g) + std::abs(b / 100 - colour.b) > 1e-5) continue;
-    const std::size_t path = svg.find("d=\"", at) + 3;
+  for (std::size_t at = svg.find("<path d=\""); at != std::string::npos; at = svg.find("<path d=\"", at + 1)) {
+    unsigned rgb = 0;
+    std::sscanf(svg.c_str() + svg.find("style=\"", at), "style=\"fill:#%6x", &rgb);
+    const Colour c = hex(rgb);
+    if (std::abs(c.r - colour.r) + std::abs(c.g - colour.g) + std::abs(c.b - colour.b) > 1e-5) continue;
+    const std::size_t path = at + std::string("<path d=\"").size();
     std::istringstream words(svg.substr(path, svg.find('"', path) - path));
     box = {};
     double x = 0, y = 0;

@@ -73,7 +73,7 @@ TEST_CASE("every kind of shape reaches the SVG", "[svg]") {
   CHECK_FALSE(contains(svg(drawing({Stroke{polyline({{0, 0}, {9, 9}}), blue}})), "stroke-dasharray"));
 
   CHECK(contains(svg(drawing({Gradient{{50, 50}, {30, 0}, {0, 20}, {50, 50}, blue, blue}})), "<radialGradient"));
-  CHECK(contains(svg(drawing({Text{.markup = "*t*", .at = {5, 5}, .colour = blue}})), "<use"));
+  CHECK(contains(svg(drawing({Text{.markup = "*t*", .at = {5, 5}, .colour = blue}})), "<path d=\"M"));
   CHECK(balanced(svg(everything(), {{"key", "value"}})));
 }
 
@@ -81,7 +81,7 @@ TEST_CASE("hatch lines lie at the gap asked for", "[svg]") {
   const Path square = polyline({{0, 0}, {40, 0}, {40, 40}, {0, 40}}, true);
   const auto lines = [&](double gap) {
     const std::string text = svg(drawing({Fill{square, blue, gap, 0.2, blue}}));
-    const std::size_t at = text.find("stroke-width:0.2");
+    const std::size_t at = text.find("<path clip-path=");
     const std::string path = text.substr(at, text.find("/>", at) - at);
     return std::count(path.begin(), path.end(), 'M');
   };
@@ -104,18 +104,18 @@ TEST_CASE("every reference within an SVG has its id, and no id stands twice", "[
   const std::set<std::string> ids(all.begin(), all.end());
   CHECK(ids.size() == all.size());
 
-  const auto links = between(text, "\"#", "\""), urls = between(text, "url(#", ")");
-  CHECK(links.size() >= 6);  // one a glyph
-  CHECK(urls.size() >= 2);   // the gradient and the hatch's clip
-  for (const auto& references : {links, urls})
-    for (const std::string& id : references) CHECK(ids.count(id) == 1);
+  const std::vector<std::string> urls = between(text, "url(#", ")");
+  CHECK(urls.size() == 2);  // the gradient and the hatch's clip
+  for (const std::string& id : urls) CHECK(ids.count(id) == 1);
 }
 
 TEST_CASE("an SVG has the width of its paper, and keeps its shape", "[svg]") {
   const std::string plain = svg(drawing());
   CHECK(attribute(plain, "width") == "200");
   CHECK(attribute(plain, "height") == "100");
-  const std::string paper = svg(drawing(), {}, {226.772});
+  Imprint imprint;
+  imprint.width_pt = 226.772;
+  const std::string paper = svg(drawing(), {}, imprint);
   CHECK(attribute(paper, "width") == "226.772pt");
   CHECK(attribute(paper, "height") == "113.386pt");
   CHECK(attribute(paper, "viewBox") == attribute(plain, "viewBox"));
@@ -137,6 +137,54 @@ TEST_CASE("text in an SVG is outlines, not references to fonts", "[svg]") {
   CHECK_FALSE(contains(text, "<text"));
   CHECK_FALSE(contains(text, "font-family"));
   CHECK_FALSE(contains(text, "<image"));
+}
+
+TEST_CASE("text in an SVG stays text where that is asked for, scripts and all", "[svg]") {
+  Imprint imprint;
+  imprint.letters = Imprint::Letters::glyphs;
+  const std::string text =
+      svg(drawing({Text{.markup = "*t*_1^2 < √2 & **o**", .at = {9, 9}, .size = 10, .colour = blue, .align = 0.5}}), {},
+          imprint);
+  CHECK(balanced(text));
+  CHECK(contains(text, "text-anchor=\"middle\""));
+  CHECK(contains(text, "<tspan style=\"font-style:italic;\">t</tspan>"));
+  CHECK(contains(text, "<tspan dy=\"1.6\" style=\"font-size:7;\">1</tspan>"));
+  CHECK(contains(text, "<tspan dy=\"-5\" style=\"font-size:7;\">2</tspan>"));
+  CHECK(contains(text, "<tspan dy=\"3.4\"> &lt; √2 &amp; </tspan>"));
+  CHECK(contains(text, "<tspan style=\"font-weight:bold;\">o</tspan>"));
+}
+
+TEST_CASE("groups of an SVG are called as the objects are, each id once", "[svg]") {
+  Drawing d = everything();
+  d.objects = {{"ball", "*b*"}, {"label", "t₁"}, {"label", "t1"}};
+  const auto own = [&](std::size_t shape, int object) {
+    std::visit([&](auto& s) { s.object = object; }, d.shapes[shape]);
+  };
+  own(0, 0), own(1, 1), own(2, 0), own(3, 2);
+  const std::string text = svg(d);
+  CHECK(balanced(text));
+  const std::vector<std::string> ids = between(text, "<g id=\"", "\"");
+  CHECK(ids == std::vector<std::string>{"ball-b", "label-t1", "ball-b-2", "label-t1-2"});
+  CHECK(contains(text, "inkscape:label=\"label t₁\""));
+}
+
+TEST_CASE("an SVG tells its title and the picture in words, to whoever can't see it", "[svg]") {
+  Imprint imprint;
+  imprint.title = "Ray & sphere";
+  imprint.alt = "A ray <b> meets a ball.";
+  const std::string text = svg(everything(), {}, imprint);
+  CHECK(contains(text, "<title id=\"title\">Ray &amp; sphere</title>"));
+  CHECK(contains(text, "<desc id=\"alt\">A ray &lt;b&gt; meets a ball.</desc>"));
+  CHECK(contains(text, "role=\"img\" aria-labelledby=\"title\" aria-describedby=\"alt\""));
+  CHECK(balanced(text));
+  CHECK_FALSE(contains(svg(everything()), "<title"));
+}
+
+TEST_CASE("a drawing without a ground has none in the SVG either", "[svg]") {
+  Drawing d = everything();
+  CHECK(contains(svg(d), "<rect"));
+  d.background.a = 0;
+  CHECK_FALSE(contains(svg(d), "<rect"));
 }
 
 TEST_CASE("degenerate shapes leave the rest of the drawing whole", "[svg]") {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include <isect/convex_hull_3d.h>
-#include <isect/parts/directions.h>
+#include <isect/directions.h>
 #include <isect/parts/fit_guess.h>
 
 namespace isect::fit {

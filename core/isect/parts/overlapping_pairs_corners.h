@@ -1,6 +1,6 @@
 #pragma once
 // Boxes as rows of numbers that compare without a branch, and the list that pairs are written to. What for stands in
-// isect/parts/overlapping_pairs.h.
+// isect/overlapping_pairs.h.
 
 #include <algorithm>
 #include <array>

@@ -1,0 +1,92 @@
+#include "app/style.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "viz/lesson.h"
+
+namespace isect::program {
+
+namespace {
+
+using Letters = viz::Imprint::Letters;
+
+/// As wide as a picture for the screen is to its height.
+constexpr double usual_shape = 1.6;
+constexpr double usual_dpi = 300;
+/// LaTeX's own letters are as wide at 10 pt as ours at 11.
+constexpr double usual_tex_size = 11;
+/// Of what is made for a page alone: 8 cm.
+constexpr double usual_width = 8 * 72 / 2.54;
+
+bool is_tikz(const viz::Format* format) { return format->name == "tikz"; }
+
+/// LaTeX sets the labels of TikZ, and of nothing else.
+Letters letters_of(const std::string& labels, const std::vector<const viz::Format*>& formats) {
+  if (labels.empty()) return Letters::as_usual;
+  if (labels == "tex" && std::ranges::all_of(formats, is_tikz)) return Letters::as_usual;
+  if (labels == "tex") throw viz::BadInput("labels: tex is for --format tikz; svg and pdf take text or outline");
+  if (labels != "text" && labels != "outline") throw viz::unknown("labels", labels, {"text", "outline", "tex"});
+  if (std::ranges::any_of(formats, is_tikz))
+    throw viz::BadInput(fmt::format("labels: those of tikz are set by LaTeX (tex); {} is for svg and pdf", labels));
+  return labels == "text" ? Letters::glyphs : Letters::outlines;
+}
+
+viz::PaperSize paper_of(const StyleOptions& options) {
+  viz::PaperSize paper;
+  if (!options.width.empty()) paper.width = points_of("width", options.width);
+  if (!options.height.empty()) paper.height = points_of("height", options.height);
+  if (options.width.empty()) paper.width = usual_shape * paper.height;
+  if (!options.text_size.empty()) paper.text_size = points_of("text-size", options.text_size, 4, 200);
+  return paper;
+}
+
+}  // namespace
+
+Style style_of(const StyleOptions& options) {
+  const bool on_paper = !options.width.empty() || !options.height.empty();
+  if (!options.size.empty() && on_paper)
+    throw viz::BadInput("size: give either --size (pixels) or --width and --height (on paper), not both");
+  for (const auto& [name, given] : {std::pair{"text-size", &options.text_size}, std::pair{"dpi", &options.dpi}})
+    if (!on_paper && !given->empty())
+      throw viz::BadInput(fmt::format("{}: holds of figures on paper; give their --width, such as 8cm", name));
+  Style style;
+  style.formats = formats_of(options.format);
+  style.theme = viz::theme_named(options.theme);
+  if (!options.size.empty()) style.size = size_of(options.size);
+  if (on_paper) style.paper = paper_of(options), style.dpi = usual_dpi;
+  if (!on_paper && options.size.empty() && std::ranges::all_of(style.formats, is_tikz))
+    style.paper = viz::PaperSize{usual_width, 0}, style.dpi = usual_dpi;
+  if (style.paper && options.text_size.empty() && std::ranges::all_of(style.formats, is_tikz))
+    style.paper->text_size = usual_tex_size;
+  if (!options.dpi.empty()) style.dpi = dpi_of(options.dpi);
+  style.letters = letters_of(options.labels, style.formats);
+  style.title = !options.no_title, style.crop = options.crop, style.transparent = options.transparent;
+  return style;
+}
+
+void add_style(CLI::App& sub, StyleOptions& options) {
+  const std::vector<std::string> formats = viz::format_names();
+  sub.add_option("--format", options.format,
+                 fmt::format("{} (if not given), {}; several are\njoined by commas", formats.front(),
+                             fmt::join(formats.begin() + 1, formats.end(), ", ")))
+      ->type_name("FORMAT");
+  sub.add_option("--theme", options.theme, "screen (if not given), print, grey or dark")->type_name("THEME");
+  sub.add_option("--size", options.size, "in pixels; 960x600 if not given")->type_name("WxH");
+  sub.add_option("--width", options.width, "on paper: 8cm, 80mm, 227pt, 3in; texts\nkeep their size")
+      ->type_name("LENGTH");
+  sub.add_option("--height", options.height, "on paper; if not given, what the figure needs")->type_name("LENGTH");
+  sub.add_option("--text-size", options.text_size,
+                 "of the labels on paper; 9pt if not given (in tikz, the document\nhas the say)")
+      ->type_name("LENGTH");
+  sub.add_option("--dpi", options.dpi, "pixels an inch of a png on paper; 300 if not given")->type_name("N");
+  sub.add_option("--labels", options.labels,
+                 "text (as usual in pdf), outline (as usual in svg), or tex:\nLaTeX sets them (in tikz)")
+      ->type_name("KIND");
+  sub.add_flag("--no-title", options.no_title, "without the step's title");
+  sub.add_flag("--crop", options.crop, "cut off what is empty all round");
+  sub.add_flag("--transparent", options.transparent, "without a ground");
+}
+
+}  // namespace isect::program

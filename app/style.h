@@ -1,0 +1,37 @@
+#pragma once
+// How figures look: what `render` and its relatives take as options, and what comes of it.
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/values.h"
+#include "viz/compose.h"
+#include "viz/formats.h"
+#include "viz/theme.h"
+
+namespace isect::program {
+
+/// As written on the command line; empty: not given.
+struct StyleOptions {
+  std::string format = viz::formats().front().name, theme = "screen";
+  std::string size, width, height, text_size, dpi, labels;
+  bool no_title = false, crop = false, transparent = false;
+};
+void add_style(CLI::App&, StyleOptions&);
+
+/// What every figure of a run shares.
+struct Style {
+  std::vector<const viz::Format*> formats;
+  viz::ThemeName theme = viz::ThemeName::screen;
+  Size size;                            ///< in pixels
+  std::optional<viz::PaperSize> paper;  ///< in place of the size
+  double dpi = 0;                       ///< of pixels on paper
+  viz::Imprint::Letters letters = viz::Imprint::Letters::as_usual;
+  bool title = true, crop = false, transparent = false;
+};
+/// Throws viz::BadInput, naming the option.
+Style style_of(const StyleOptions&);
+
+}  // namespace isect::program

@@ -1,0 +1,64 @@
+// Alt text: the picture in words, with its numbers, for every step of every lesson.
+
+#include "viz/alt_text.h"
+
+#include "lessons/lessons.h"
+#include "tests/catch.h"
+#include "viz/chart.h"
+#include "viz/place.h"
+#include "viz/rich_text.h"
+
+namespace alt_text_test {
+using namespace isect::viz;
+using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
+using isect::lessons::all_lessons;
+
+TEST_CASE("alt text names what is drawn and from which numbers, the formula and the verdict", "[alt_text]") {
+  for (const Lesson* lesson : all_lessons()) {
+    const Preset& preset = lesson->presets.front();
+    const Walk walk = lesson->walk(preset.parameters);
+    for (int i = 0; i < static_cast<int>(walk.steps.size()); ++i) {
+      const Step& step = walk.steps[i];
+      const std::string alt = alt_text(*lesson, preset.parameters, walk, i);
+      INFO(lesson->id << ", " << step.slug << ":\n" << alt);
+      CHECK_THAT(alt, StartsWith(lesson->title + ": "));
+      CHECK_THAT(alt, Contains(plain(step.caption)));
+      for (const Parameter& p : lesson->parameters) CHECK_THAT(alt, Contains(p.name));
+      if (!step.formula.empty()) CHECK_THAT(alt, Contains("Formula: " + plain(step.formula)));
+      if (step.verdict.kind != Verdict::Kind::open) CHECK_THAT(alt, Contains("Verdict: " + plain(step.verdict.text)));
+      CHECK(alt.find('*') == alt.npos);  // no mark is left
+    }
+  }
+}
+
+TEST_CASE("alt text of a scene tells its objects and their numbers", "[alt_text]") {
+  const auto lessons = all_lessons();
+  const Lesson& lesson = lesson_named(lessons, "ray-sphere");
+  const Preset& p = preset(lesson, "two-roots");
+  const std::string alt = alt_text(lesson, p.parameters, lesson.walk(p.parameters), 2);
+  CHECK_THAT(alt, Contains("Drawn: ball c; ") && Contains("points") && Contains("radius r = 1.5234"));
+  CHECK_THAT(alt, Contains("origin o = (−2.9609, 0.46875, 1.9766)"));
+}
+
+TEST_CASE("alt text of a map of cases says that it is a map, its scales, its regions and where this case lies",
+          "[alt_text]") {
+  int maps = 0;
+  for (const Lesson* lesson : all_lessons()) {
+    if (!lesson->map) continue;
+    for (const Preset& preset : lesson->presets) {
+      const Walk walk = lesson->walk(preset.parameters);
+      if (!walk.steps.back().scene.chart || !std::holds_alternative<Cases>(walk.steps.back().scene.chart->kind))
+        continue;
+      ++maps;
+      const std::string alt = alt_text(*lesson, preset.parameters, walk, static_cast<int>(walk.steps.size()) - 1);
+      INFO(lesson->id << " " << preset.id << ":\n" << alt);
+      CHECK_THAT(alt, Contains("A map of all cases") && Contains("Across: ") && Contains("This setting lies at ("));
+      for (const std::string& branch : lesson->map->branches) CHECK_THAT(alt, Contains(plain(branch)));
+      CHECK_THAT(alt, !Contains(plain(walk.alt)));  // that is the scene, which is not shown
+    }
+  }
+  CHECK(maps > 50);
+}
+
+}  // namespace alt_text_test

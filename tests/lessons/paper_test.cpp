@@ -1,0 +1,81 @@
+// Figures on paper: from 3 cm to a page's width their texts have one size, and no label meets another.
+
+#include <map>
+
+#include "lessons/lessons.h"
+#include "tests/catch.h"
+#include "viz/paper.h"
+#include "viz/tex.h"
+
+namespace paper_test {
+using namespace isect::viz;
+using isect::lessons::all_lessons;
+
+namespace {
+
+constexpr double points_a_cm = 72 / 2.54;
+constexpr double widths[] = {3, 5, 8, 12, 16};
+
+}  // namespace
+
+TEST_CASE("labels on paper neither meet nor leave at 3, 5, 8, 12 and 16 cm, or the figure is wider", "[paper]") {
+  std::map<double, int> drawn, wider;
+  for (const Lesson* lesson : all_lessons()) {
+    std::vector<Walk> walks;
+    for (const Preset& p : lesson->presets) walks.push_back(lesson->walk(p.parameters));
+    const Walk& walk = walks.front();
+    const auto camera = [&](double aspect) { return frame_alike(opening(*lesson), walk, walks, aspect); };
+    for (const double width : widths)
+      for (int step = 0; step < static_cast<int>(walk.steps.size()); ++step) {
+        INFO(lesson->id << ", " << walk.steps[step].slug << " at " << width << " cm");
+        const auto made = readable_figure(walk, step, ThemeName::print, {width * points_a_cm, 0}, true, camera);
+        REQUIRE(made);
+        CHECK(label_faults(made->figure, 6).empty());
+        CHECK(made->figure.drawing.width == made->size.width);
+        CHECK(made->size.width <= 1.001 * std::max(12.0, width) * points_a_cm);
+        ++drawn[width];
+        wider[width] += made->size.width > 1.001 * width * points_a_cm;
+      }
+  }
+  CHECK(wider[16] == 0);
+  CHECK(wider[12] == 0);
+  CHECK(10 * wider[8] < drawn[8]);
+  CHECK(3 * wider[3] < drawn[3]);
+}
+
+TEST_CASE("every text of every lesson is ASCII in LaTeX, with its dollars and braces in pairs", "[paper]") {
+  const auto check = [](const std::string& text) {
+    INFO(text);
+    CHECK(std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 128; }));
+    int depth = 0, lowest = 0, dollars = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      if (text[i] == '\\') {
+        ++i;
+        continue;
+      }
+      depth += text[i] == '{' ? 1 : text[i] == '}' ? -1 : 0;
+      lowest = std::min(lowest, depth);
+      dollars += text[i] == '$';
+    }
+    CHECK((depth == 0 && lowest == 0));
+    CHECK(dollars % 2 == 0);
+  };
+  for (const Lesson* lesson : all_lessons())
+    for (const Preset& preset : lesson->presets) {
+      const Walk walk = lesson->walk(preset.parameters);
+      for (const std::string& line : walk.pseudocode) check(tex_plain(line));
+      for (const Step& step : walk.steps) {
+        for (const std::string& markup : {step.title, step.caption, step.formula, step.verdict.text})
+          check(tex(markup));
+        for (const Item& item : step.scene.items)
+          if (const Label* label = std::get_if<Label>(&item)) check(tex(label->text));
+        if (step.question) {
+          check(tex(step.question->prompt));
+          check(tex(step.question->because));
+          for (const std::string& choice : step.question->choices) check(tex(choice));
+        }
+      }
+    }
+}
+
+}  // namespace paper_test

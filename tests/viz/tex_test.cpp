@@ -1,0 +1,41 @@
+#include "viz/tex.h"
+
+#include "tests/catch.h"
+
+namespace tex_test {
+using isect::viz::tex;
+using isect::viz::tex_plain;
+
+TEST_CASE("marked letters, signs and scripts become mathematics, words stay words", "[tex]") {
+  CHECK(tex("hit at *t* = 3.4") == "hit at $t = 3.4$");
+  CHECK(tex("*t*_{1,2} = *s* ∓ *q*") == "$t_{1,2} = s \\mp  q$");
+  CHECK(tex("the point **o**, then *d*.") == "the point $\\mathbf{o}$, then $d$.");
+  CHECK(tex("*t*_{max} and *d*_*i*^2") == "$t_{\\mathrm{max}}$ and $d_{i}^{2}$");
+  CHECK(tex("3 of 4 sides") == "3 of 4 sides");
+}
+
+TEST_CASE("minus, root, small digits and bars print as themselves", "[tex]") {
+  CHECK(tex("*q* = √(*r*^2 − *m*^2)") == "$q = \\sqrt{r^{2} - m^{2}}$");
+  CHECK(tex("√2 · 10⁻¹⁷") == "$\\sqrt{2} \\cdot  10^{-17}$");
+  CHECK(tex("√*x*_1 + √") == "$\\sqrt{x_{1}} + \\surd $");
+  CHECK(tex("|*x* − *c*| ≤ 2") == "$|x - c| \\le  2$");
+  CHECK(tex("t₁ < t₂") == "t$_{1} <$ t$_{2}$");
+}
+
+TEST_CASE("what TeX would misread is escaped", "[tex]") {
+  CHECK(tex("50 % of d\\_max & #1 ~ \\$") == "50 \\% of d\\_max \\& \\#1 \\~{} \\textbackslash{}\\$");
+  CHECK(tex("“near tangent”") == "``near tangent''");
+  CHECK(tex("{a}") == "$\\{$a$\\}$");
+  CHECK(tex("") == "");
+}
+
+TEST_CASE("two scripts of one kind in a row are one: TeX refuses a second", "[tex]") {
+  CHECK(tex("*a*^2²") == "$a^{22}$");
+  CHECK(tex("*a*_{1*i*}") == "$a_{1i}$");
+}
+
+TEST_CASE("a line of pseudocode keeps its indent, and no character of it is a mark", "[tex]") {
+  CHECK(tex_plain("  t_min ← −(n · o)") == "~~t\\_min $\\leftarrow  -($n $\\cdot $ o)");
+}
+
+}  // namespace tex_test

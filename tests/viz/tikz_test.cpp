@@ -1,0 +1,81 @@
+#include "viz/tikz.h"
+
+#include <cmath>
+
+#include "tests/catch.h"
+
+namespace tikz_test {
+using namespace isect::viz;
+using Catch::Matchers::Contains;
+using Catch::Matchers::EndsWith;
+using Catch::Matchers::StartsWith;
+
+namespace {
+
+constexpr Colour blue = {0, 0, 1, 1};
+
+/// One of each kind of shape.
+Drawing everything() {
+  return {200,
+          100,
+          {1, 1, 1, 1},
+          {Fill{circle({50, 50}, 30), blue.with_alpha(0.14), 2, 0.2, blue},
+           Stroke{polyline({{0, 0}, {200, 100}}), blue, 0.5, {1.5, 1.1}, true},
+           Gradient{{150, 50}, {30, 0}, {0, 20}, {140, 40}, blue.with_alpha(0.1), blue.with_alpha(0.2)},
+           Text{.markup = "*t*_{1,2} = √2", .at = {100, 90}, .size = 6.6, .colour = blue, .halo = 0.6}}};
+}
+
+Imprint of_width(double width_pt) {
+  Imprint imprint;
+  imprint.width_pt = width_pt;
+  return imprint;
+}
+
+}  // namespace
+
+TEST_CASE("every kind of shape reaches TikZ, within a frame of its own size", "[tikz]") {
+  const std::string text = tikz(everything(), {}, of_width(200));
+  CHECK_THAT(text, Contains("\\path[use as bounding box] (0,0) rectangle (200,100);") &&
+                       Contains("\\clip (0,0) rectangle (200,100);"));
+  CHECK_THAT(text, Contains("fill opacity=0.14") && Contains(".. controls") && Contains("-- cycle"));
+  CHECK_THAT(text, Contains("line width=0.5bp, line cap=round, dash pattern=on 1.5bp off 1.1bp"));
+  CHECK_THAT(text, Contains("\\pgfdeclareradialshading") && Contains("fill opacity=0.2"));
+  CHECK_THAT(text, EndsWith("\\end{tikzpicture}\n"));
+  CHECK_THAT(tikz(everything(), {}, of_width(400)), Contains("(0,0) rectangle (400,200)") && Contains("width=1bp"));
+}
+
+TEST_CASE("labels of TikZ are set by LaTeX, in the document's own font and size", "[tikz]") {
+  const std::string text = tikz(everything(), {}, of_width(200));
+  CHECK_THAT(text, Contains("{$t_{1,2} = \\sqrt{2}$};") && Contains("anchor=base"));
+  CHECK_THAT(text, !Contains("font="));
+}
+
+TEST_CASE("a TikZ picture carries its metadata, and says what it shows", "[tikz]") {
+  const Metadata metadata = {{"lesson", "x"}, {"title", "q = √2 % \\end{tikzpicture}\n\\input"}};
+  Imprint imprint;
+  imprint.title = "Ray and sphere";
+  imprint.alt = "A ray.\n\nA ball.";
+  const std::string text = tikz(everything(), metadata, imprint);
+  CHECK_THAT(text, StartsWith("% isect:{"));
+  CHECK_THAT(text, Contains("\n% Ray and sphere\n% A ray.\n% \n% A ball.\n"));
+  CHECK(tikz_metadata(text) == metadata);
+  CHECK(tikz_metadata(tikz(everything())).empty());
+  CHECK_THROWS_AS(tikz_metadata("\\documentclass{article}"), FileError);
+  CHECK_THROWS_AS(tikz_metadata("% isect:{\"a\n\\begin{tikzpicture}"), FileError);
+}
+
+TEST_CASE("the same drawing gives the same TikZ, and one without size is refused", "[tikz]") {
+  CHECK(tikz(everything()) == tikz(everything()));
+  CHECK_THROWS_AS(tikz({}), FileError);
+  CHECK_THROWS_AS(tikz({std::nan(""), 5, blue, {}}), FileError);
+}
+
+TEST_CASE("a TikZ picture without a ground has none", "[tikz]") {
+  Drawing d = everything();
+  CHECK_THAT(tikz(d), Contains("\\fill[isect"));
+  d.shapes.clear();
+  d.background.a = 0;
+  CHECK_THAT(tikz(d), !Contains("\\fill"));
+}
+
+}  // namespace tikz_test

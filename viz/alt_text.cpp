@@ -1,0 +1,159 @@
+#include "viz/alt_text.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "viz/chart.h"
+#include "viz/objects.h"
+#include "viz/rich_text.h"
+
+namespace isect::viz {
+namespace {
+
+/// More of a kind are counted rather than called by name.
+constexpr std::size_t most_names = 8;
+
+std::string setting_text(const Lesson& lesson, const Setting& setting) {
+  if (const auto* choice = std::get_if<std::string>(&setting)) return *choice;
+  if (const auto* number = std::get_if<double>(&setting)) return shown(*number);
+  const Vec3& p = std::get<Vec3>(setting);
+  if (lesson.flat && p.z() == 0) return fmt::format("({}, {})", shown(p.x()), shown(p.y()));
+  return fmt::format("({}, {}, {})", shown(p.x()), shown(p.y()), shown(p.z()));
+}
+
+/// "origin o = (−3, 0.5, 2), radius r = 1.5"
+std::string given(const Lesson& lesson, const Parameters& parameters) {
+  std::vector<std::string> all;
+  for (const Parameter& p : lesson.parameters) {
+    const auto value = parameters.find(p.name);
+    if (value == parameters.end()) continue;
+    const std::string label = plain(p.label);
+    const std::string name = label == p.name ? p.name : p.name + " " + label;
+    all.push_back(fmt::format("{} = {}", name, setting_text(lesson, value->second)));
+  }
+  return fmt::format("{}", fmt::join(all, ", "));
+}
+
+std::string counted(std::size_t count, const std::string& what) {
+  if (count == 1) return what;
+  const bool es = what.ends_with("x") || what.ends_with("sh");
+  return fmt::format("{} {}{}", count, what, es ? "es" : "s");
+}
+
+/// What of one kind and role stands in the picture: how many, and what they are called.
+struct Group {
+  std::string kind;
+  Role role;
+  std::size_t count = 0;
+  std::vector<std::string> names = {};
+
+  std::string told() const {
+    const std::string of_role = role == Role::construction || role == Role::highlight ? name_of(role) + " " : "";
+    std::string text = counted(count, of_role + kind);
+    if (!names.empty() && names.size() <= most_names) text += fmt::format(" {}", fmt::join(names, ", "));
+    return text;
+  }
+};
+
+/// "ball c, 2 lines, 3 points o, t₁, t₂". Labels are told with what they name, so only headings stand for themselves.
+std::string drawn(const Scene& scene) {
+  std::vector<Group> groups;
+  for (const Object& o : objects_of(scene)) {
+    if (o.kind == "label" || o.kind == "right angle") continue;
+    const bool apart = o.role == Role::construction || o.role == Role::highlight;
+    auto group = std::ranges::find_if(groups, [&](const Group& g) {
+      return g.kind == o.kind &&
+             (g.role == o.role || (!apart && g.role != Role::construction && g.role != Role::highlight));
+    });
+    if (group == groups.end()) group = groups.insert(groups.end(), {o.kind, o.role});
+    ++group->count;
+    if (!o.name.empty() && std::ranges::find(group->names, o.name) == group->names.end())
+      group->names.push_back(o.name);
+  }
+  std::vector<std::string> all;
+  for (const Group& group : groups) all.push_back(group.told());
+  return fmt::format("{}", fmt::join(all, "; "));
+}
+
+std::vector<std::string> all_plain(const auto& items, const auto& markup_of) {
+  std::vector<std::string> all;
+  for (const auto& item : items)
+    if (const std::string text = plain(markup_of(item)); !text.empty()) all.push_back(text);
+  return all;
+}
+
+std::string told(const Plot& plot) {
+  const auto panels = all_plain(plot.panels, [](const Panel& p) { return p.title; });
+  const auto series = all_plain(plot.series, [](const Series& s) { return s.name; });
+  std::string text = fmt::format("A chart of {} against {}", plain(plot.y.title), plain(plot.x.title));
+  if (plot.panels.size() > 1) text += fmt::format(", in {} panels", plot.panels.size());
+  if (!panels.empty()) text += fmt::format(": {}", fmt::join(panels, ", "));
+  if (!series.empty()) text += fmt::format(". It compares {}", fmt::join(series, ", "));
+  return text;
+}
+
+std::string told(const Maps& maps) {
+  const auto titles = all_plain(maps.maps, [](const Map& m) { return m.title; });
+  const auto kinds = all_plain(maps.kinds, [](const auto& k) { return k.first; });
+  return fmt::format("{} of verdicts, cell by cell: {}. A cell says {}", counted(maps.maps.size(), "map"),
+                     fmt::join(titles, ", "), fmt::join(kinds, ", "));
+}
+
+std::string told(const Bars& bars) {
+  const auto rows = all_plain(bars.bars, [](const Bar& b) { return b.text.empty() ? b.name : b.name + ": " + b.text; });
+  return fmt::format("A chart of {} rows over {}: {}", bars.bars.size(), plain(bars.x.title), fmt::join(rows, "; "));
+}
+
+std::string told(const Cases& cases) {
+  const auto regions = all_plain(cases.branches, [](const std::string& b) { return b; });
+  const auto scale = [](const Scale& s) {
+    return fmt::format("{} from {} to {}", plain(s.title), shown(s.lo), shown(s.hi));
+  };
+  std::string text =
+      fmt::format("A map of all cases, over the plane of two numbers. Across: {}. Upwards: {}. Regions: {}",
+                  scale(cases.x), scale(cases.y), fmt::join(regions, ", "));
+  if (const auto& here = cases.here)
+    text += fmt::format(". This setting lies at ({}, {}), in the region: {}", shown(here->at.x()), shown(here->at.y()),
+                        plain(cases.branches.at(static_cast<std::size_t>(here->branch))));
+  if (!cases.presets.empty()) text += fmt::format(". Small marks show {}", counted(cases.presets.size(), "preset"));
+  return text;
+}
+
+/// The numbers of this step that are new.
+std::string fresh_values(const Step& step) {
+  std::vector<std::string> all;
+  for (const Value& v : step.values)
+    if (v.fresh) all.push_back(fmt::format("{} = {}", plain(v.name), shown(v.value)));
+  return fmt::format("{}", fmt::join(all, ", "));
+}
+
+}  // namespace
+
+std::string figure_title(const Lesson& lesson, const Step& step) {
+  return fmt::format("{}: {}", lesson.title, plain(step.title));
+}
+
+std::string alt_text(const Lesson& lesson, const Parameters& parameters, const Walk& walk, int step) {
+  const Step& s = walk.steps[step];
+  std::string text = fmt::format("{}.\n\n", figure_title(lesson, s));
+  if (s.scene.chart)
+    text += std::visit([](const auto& chart) { return told(chart); }, s.scene.chart->kind) + ".\n\n";
+  else
+    text += plain(walk.alt) + "\n";
+  if (const std::string what = s.scene.chart ? "" : drawn(s.scene); !what.empty())
+    text += fmt::format("Drawn: {}.\n", what);
+  text += fmt::format("{}: {}.\n\n{}\n", s.scene.chart ? "The setting" : "Given", given(lesson, parameters),
+                      plain(s.caption));
+  std::string found;
+  if (!s.formula.empty()) found += fmt::format("Formula: {}\n", plain(s.formula));
+  if (const std::string values = fresh_values(s); !values.empty()) found += fmt::format("New: {}\n", values);
+  if (s.comparison)
+    found += fmt::format("Compared: {}? {}, by {} and {}\n", plain(s.comparison->text),
+                         s.comparison->holds ? "yes" : "no", shown(s.comparison->left), shown(s.comparison->right));
+  if (s.verdict.kind != Verdict::Kind::open) found += fmt::format("Verdict: {}\n", plain(s.verdict.text));
+  return found.empty() ? text : text + "\n" + found;
+}
+
+}  // namespace isect::viz

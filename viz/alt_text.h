@@ -1,0 +1,16 @@
+#pragma once
+// A figure in words, for whoever can't see it: the text beside it, and inside it where its format has a place for one.
+
+#include <string>
+
+#include "viz/lesson.h"
+
+namespace isect::viz {
+
+/// Plain text, paragraphs apart by empty lines: what is drawn and from which numbers, what is said of it, and what
+/// comes out. A chart is told as the chart it is. `step` from 0.
+std::string alt_text(const Lesson&, const Parameters&, const Walk&, int step);
+/// "Ray and sphere: Two roots"
+std::string figure_title(const Lesson&, const Step&);
+
+}  // namespace isect::viz

@@ -1,0 +1,118 @@
+#include "viz/svg_path.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace isect::viz {
+namespace {
+
+/// `digits` after the point at most, and nothing that says nothing: "12", "-0.5".
+std::string short_number(double x, int digits) {
+  std::string text = fmt::format("{:.{}f}", x, digits);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text == "-0" ? "0" : text;
+}
+
+/// Writes points relative to the one before as it was written, so that no error grows along the way.
+class RelativePen {
+ public:
+  void move(const Vec2& p) { out_ += started_ ? "m" : "M", tell(p), now_ = to_, started_ = true; }
+  void line(const Vec2& p) { out_ += "l", tell(p), now_ = to_; }
+  void curve(const Path::Cubic& c) {
+    out_ += "c";
+    for (const Vec2& p : {c.control1, c.control2, c.to}) tell(p);
+    now_ = to_;
+  }
+  void close(const Vec2& start) { out_ += "z", now_ = rounded(start); }
+  std::string take() { return std::move(out_); }
+
+ private:
+  static constexpr double step = 0.01;
+  static Vec2 rounded(const Vec2& p) { return step * (p / step).array().round(); }
+  void tell(const Vec2& p) {
+    to_ = rounded(p);
+    for (const double x : {to_.x() - now_.x(), to_.y() - now_.y()}) {
+      const std::string number = short_number(x, 2);
+      const bool apart = std::isalpha(static_cast<unsigned char>(out_.back())) || number.front() == '-';
+      if (!apart) out_ += ' ';
+      out_ += number;
+    }
+  }
+
+  std::string out_;
+  Vec2 now_ = Vec2::Zero(), to_ = Vec2::Zero();
+  bool started_ = false;
+};
+
+}  // namespace
+
+std::string svg_number(double x) { return short_number(x, 3); }
+
+std::string svg_colour(const Colour& c) {
+  return fmt::format("#{:02x}{:02x}{:02x}", std::lround(255 * c.r), std::lround(255 * c.g), std::lround(255 * c.b));
+}
+
+std::string svg_paint(const std::string& what, const Colour& c) {
+  std::string style = fmt::format("{}:{};", what, svg_colour(c));
+  if (c.a < 1) style += fmt::format("{}-opacity:{};", what, svg_number(c.a));
+  return style;
+}
+
+std::string svg_path(const Path& path) {
+  const auto point = [](const Vec2& p) { return svg_number(p.x()) + " " + svg_number(p.y()); };
+  std::string d = fmt::format("M {}", point(path.start));
+  for (const Path::Segment& segment : path.segments) {
+    if (const Vec2* to = std::get_if<Vec2>(&segment)) {
+      d += fmt::format(" L {}", point(*to));
+    } else {
+      const auto& [a, b, end] = std::get<Path::Cubic>(segment);
+      d += fmt::format(" C {} {} {}", point(a), point(b), point(end));
+    }
+  }
+  return path.closed ? d + " Z" : d;
+}
+
+std::string svg_letters(const std::vector<Path>& outlines) {
+  RelativePen pen;
+  for (const Path& path : outlines) {
+    pen.move(path.start);
+    for (const Path::Segment& segment : path.segments) {
+      if (const Vec2* to = std::get_if<Vec2>(&segment))
+        pen.line(*to);
+      else
+        pen.curve(std::get<Path::Cubic>(segment));
+    }
+    if (path.closed) pen.close(path.start);
+  }
+  return pen.take();
+}
+
+std::string xml_escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '\'':
+        out += "&apos;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        out += static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t' ? ' ' : c;
+    }
+  }
+  return out;
+}
+
+}  // namespace isect::viz

@@ -1,0 +1,183 @@
+// Paths for shapes, and nodes for labels.
+
+#include "viz/tikz.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "viz/hatch.h"
+#include "viz/svg_path.h"
+#include "viz/tex.h"
+#include "viz/text.h"
+
+namespace isect::viz {
+namespace {
+
+constexpr std::string_view tikz_data = "% isect:";
+constexpr double css_pixel = 0.75;  // in points
+
+class TikzWriter {
+ public:
+  TikzWriter(const Drawing& drawing, double scale) : drawing_(drawing), scale_(scale) {}
+
+  std::string write() {
+    std::string body;
+    std::swap(body, out_);
+    int named = no_object;
+    if (drawing_.background.a > 0)
+      out_ += fmt::format("\\fill[{}] (0,0) rectangle ({},{});\n", paint("", drawing_.background),
+                          number(drawing_.width), number(drawing_.height));
+    for (const Shape& shape : drawing_.shapes) {
+      const int object = object_of(shape);
+      if (object != named && object != no_object && object < static_cast<int>(drawing_.objects.size())) {
+        out_ += fmt::format("% {}\n", full_name(drawing_.objects.at(static_cast<std::size_t>(object))));
+        named = object;
+      }
+      std::visit([this](const auto& s) { add(s); }, shape);
+    }
+    std::swap(body, out_);
+    out_ += "\\begin{tikzpicture}[x=1bp, y=-1bp, line join=round, inner sep=0pt]\n";
+    for (const auto& [html, name] : colours_) out_ += fmt::format("\\definecolor{{{}}}{{HTML}}{{{}}}\n", name, html);
+    const std::string frame = fmt::format("(0,0) rectangle ({},{})", number(drawing_.width), number(drawing_.height));
+    return out_ + fmt::format("\\path[use as bounding box] {0};\n\\clip {0};\n{1}\\end{{tikzpicture}}\n", frame, body);
+  }
+
+ private:
+  std::string number(double x) const { return svg_number(scale_ * x); }
+  std::string point(const Vec2& p) const { return fmt::format("({},{})", number(p.x()), number(p.y())); }
+
+  std::string colour(const Colour& c) {
+    std::string html = svg_colour(c).substr(1);
+    std::ranges::transform(html, html.begin(), [](char d) { return d >= 'a' ? static_cast<char>(d - 'a' + 'A') : d; });
+    const std::string fresh = fmt::format("isect{}", colours_.size() + 1);
+    return colours_.try_emplace(html, fresh).first->second;
+  }
+  /// "isect2, fill opacity=0.14"
+  std::string paint(const std::string& what, const Colour& c) {
+    if (!(c.a < 1)) return colour(c);
+    return fmt::format("{}, {}opacity={}", colour(c), what.empty() ? "" : what + " ", svg_number(c.a));
+  }
+
+  std::string path(const Path& path) const {
+    std::string d = point(path.start);
+    for (const Path::Segment& segment : path.segments) {
+      if (const Vec2* to = std::get_if<Vec2>(&segment)) {
+        d += fmt::format(" -- {}", point(*to));
+      } else {
+        const auto& [a, b, end] = std::get<Path::Cubic>(segment);
+        d += fmt::format(" .. controls {} and {} .. {}", point(a), point(b), point(end));
+      }
+    }
+    return path.closed ? d + " -- cycle" : d;
+  }
+
+  void add(const Fill& fill) {
+    if (fill.path.segments.empty()) return;
+    std::string d = path(fill.path);
+    for (const Path& more : fill.more) d += fmt::format("\n  {}", path(more));
+    const char* const rule = fill.more.empty() ? "" : ", even odd rule";
+    out_ += fmt::format("\\fill[{}{}] {};\n", paint("fill", fill.colour), rule, d);
+    if (fill.hatch_gap > 0 && fill.hatch_line > 0) hatch(fill, d);
+  }
+
+  void hatch(const Fill& fill, const std::string& outline) {
+    const auto lines = hatch_lines(fill);
+    if (lines.empty()) return;
+    out_ += fmt::format("\\begin{{scope}}{}\\clip {};\n\\draw[{}, line width={}bp]",
+                        fill.more.empty() ? "" : "[even odd rule]", outline, paint("draw", fill.hatch_colour),
+                        number(fill.hatch_line));
+    for (const auto& [from, to] : lines) out_ += fmt::format("\n  {} -- {}", point(from), point(to));
+    out_ += ";\n\\end{scope}\n";
+  }
+
+  void add(const Stroke& stroke) {
+    if (stroke.path.segments.empty()) return;
+    std::string style = fmt::format("{}, line width={}bp", paint("draw", stroke.colour), number(stroke.width));
+    if (stroke.round_cap) style += ", line cap=round";
+    if (stroke.dash[0] > 0 && stroke.dash[1] > 0)
+      style += fmt::format(", dash pattern=on {}bp off {}bp", number(stroke.dash[0]), number(stroke.dash[1]));
+    out_ += fmt::format("\\draw[{}] {};\n", style, path(stroke.path));
+  }
+
+  /// PGF's shadings are opaque: the fainter end is mixed with the ground, and the whole is as faint as the other end.
+  void add(const Gradient& g) {
+    const double radius = g.major.norm(), most = std::max(g.inner.a, g.outer.a);
+    if (!(radius > 0 && g.minor.norm() > 0 && most > 0)) return;
+    const auto mixed = [&](const Colour& c) {
+      const Colour& ground = drawing_.background;
+      const double share = c.a / most;
+      return colour({ground.r + share * (c.r - ground.r), ground.g + share * (c.g - ground.g),
+                     ground.b + share * (c.b - ground.b)});
+    };
+    constexpr double unit = 25;  // PGF's radius of a shading, in bp
+    const Vec2 focus = unit / radius * (g.focus - g.center);
+    const std::string name = fmt::format("isectball{}", ++shadings_), inner = mixed(g.inner), outer = mixed(g.outer);
+    out_ += fmt::format(
+        "\\pgfdeclareradialshading[{0},{1}]{{{2}}}{{\\pgfpoint{{{3}bp}}{{{4}bp}}}}"
+        "{{color(0bp)=({0}); color(25bp)=({1}); color(50bp)=({1})}}\n"
+        "\\path[shading={2}, fill opacity={5}] {6};\n",
+        inner, outer, name, svg_number(focus.x()), svg_number(-focus.y()), svg_number(most),
+        path(ellipse(g.center, g.major, g.minor)));
+  }
+
+  /// Where its middle stood: whatever font the document has, it grows to both sides alike.
+  void add(const Text& text) {
+    const TextBox box = measure(text);
+    if (!(box.right > box.left)) return;
+    std::string style = fmt::format("anchor=base, text={}", colour(text.colour));
+    if (text.halo > 0)
+      style += fmt::format(", fill={}, fill opacity=0.8, text opacity=1, inner sep={}bp", colour(text.halo_colour),
+                           number(text.halo));
+    if (text.bold) style += ", font=\\bfseries\\boldmath";
+    out_ += fmt::format("\\node[{}] at {} {{{}}};\n", style, point({(box.left + box.right) / 2, text.at.y()}),
+                        tex(text.markup));
+  }
+
+  const Drawing& drawing_;
+  const double scale_;
+  std::string out_;
+  std::map<std::string, std::string> colours_;
+  int shadings_ = 0;
+};
+
+/// As comments, one a line.
+std::string commented(const std::string& text) {
+  std::string out = "% ";
+  for (const char c : text) out += c == '\n' ? std::string("\n% ") : std::string(1, c);
+  while (out.ends_with("\n% ")) out.erase(out.size() - 3);
+  return out + "\n";
+}
+
+}  // namespace
+
+std::string tikz(const Drawing& drawing, const Metadata& metadata, const Imprint& imprint) {
+  if (!(drawing.width > 0 && drawing.height > 0 && std::isfinite(drawing.width * drawing.height)))
+    throw FileError(fmt::format("cannot write TikZ: a drawing of {} x {}", drawing.width, drawing.height));
+  std::string head;
+  if (!metadata.empty())
+    head = fmt::format("{}{}\n", tikz_data,
+                       nlohmann::json(metadata).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace));
+  head += "% \\usepackage{tikz} in the preamble, \\input where the figure belongs.\n";
+  if (!imprint.title.empty()) head += commented(imprint.title);
+  if (!imprint.alt.empty()) head += commented(imprint.alt);
+  const double scale = imprint.width_pt > 0 ? imprint.width_pt / drawing.width : css_pixel;
+  return head + TikzWriter(drawing, scale).write();
+}
+
+Metadata tikz_metadata(const std::string& bytes) {
+  if (bytes.find("\\begin{tikzpicture}") == bytes.npos) throw FileError("not a TikZ picture");
+  const std::size_t at = bytes.find(tikz_data);
+  if (at == bytes.npos) return {};
+  const std::size_t begin = at + tikz_data.size();
+  try {
+    return nlohmann::json::parse(bytes.substr(begin, bytes.find('\n', begin) - begin)).get<Metadata>();
+  } catch (const nlohmann::json::exception&) {
+    throw FileError("broken TikZ: its metadata cannot be read");
+  }
+}
+
+}  // namespace isect::viz
