@@ -1,36 +1,16 @@
 #include <isect/all_pairs.h>
 
-#include <malloc.h>
-
-#include <cstdlib>
 #include <limits>
-#include <new>
 
 #include <isect/overlapping_pairs.h>
 #include "bench/simple_shapes.h"
 #include "tests/catch.h"
+#include "tests/core/heap.h"
 #include "tests/settings.h"
 
 using namespace isect;
 using bench::Numbers;
 using bench::Random;
-
-namespace {
-std::size_t in_use = 0, most_in_use = 0;  // bytes on the heap
-}  // namespace
-
-void* operator new(std::size_t size) {
-  void* p = std::malloc(size);
-  if (!p) throw std::bad_alloc();
-  in_use += malloc_usable_size(p);
-  most_in_use = std::max(most_in_use, in_use);
-  return p;
-}
-void operator delete(void* p) noexcept {
-  in_use -= malloc_usable_size(p);
-  std::free(p);
-}
-void operator delete(void* p, std::size_t) noexcept { operator delete(p); }
 
 namespace {
 
@@ -317,10 +297,10 @@ TEMPLATE_TEST_CASE_SIG("the default takes the memory that it states", "[all_pair
     const int n = tests::cases(20000, many_pairs ? 20000 : 1000000);
     const Boxes<S, N> boxes = draw<S, N>(random, spread, n);
     long pairs = 0;
-    const std::size_t before = in_use;
-    most_in_use = in_use;
+    const std::size_t before = heap::in_use;
+    heap::most_in_use = heap::in_use;
     overlapping_pairs(boxes, [&](int, int) { ++pairs; });
-    const double bytes = static_cast<double>(most_in_use - before);
+    const double bytes = static_cast<double>(heap::most_in_use - before);
     INFO("spread " << static_cast<int>(spread) << ", " << bytes / static_cast<double>(boxes.size()) << " bytes a box");
     CHECK(pairs > 0);
     CHECK(bytes < 1.02 * stated * static_cast<double>(boxes.size()) + 100000);  // and what does not grow

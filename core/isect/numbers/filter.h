@@ -1,5 +1,5 @@
 #pragma once
-// One text, several arithmetics: double, Extended, DoubleDouble and Exact run the same template. Each obeys
+// One text, several arithmetics: double, Extended, DoubleDouble, ShortExact and Exact run the same template. Each obeys
 //
 //   x + y -> x (1 + e1) + y (1 + e2),   x y -> x y (1 + e),   |e| <= u,   u = unit<W>,
 //
@@ -15,6 +15,7 @@
 
 #include <isect/numbers/double_double.h>
 #include <isect/numbers/exact.h>
+#include <isect/numbers/short_exact.h>
 #include <isect/shapes.h>
 
 namespace isect {
@@ -24,17 +25,21 @@ namespace isect {
 /// verdicts, and values within the same bounds unless a header states wider ones there; last digits may differ.
 using Extended = std::conditional_t<LDBL_MANT_DIG == 64, long double, double>;
 
+/// Without rounding: what it knows of a sign is certain, and it needs no bound.
+template <class W>
+concept Unrounded = std::same_as<W, ShortExact> || std::same_as<W, Exact>;
+
 /// The unit roundoff u of an arithmetic: 2^-53, 2^-64, 2^-103, 0.
 template <class W>
 inline constexpr double unit = static_cast<double>(std::numeric_limits<W>::epsilon() / 2);
 template <>
 inline constexpr double unit<DoubleDouble> = 8 * unit<double>* unit<double>;
-template <>
-inline constexpr double unit<Exact> = 0;
+template <Unrounded W>
+inline constexpr double unit<W> = 0;
 
 template <class W>
 concept Arithmetic =
-    std::same_as<W, double> || std::same_as<W, Extended> || std::same_as<W, DoubleDouble> || std::same_as<W, Exact>;
+    std::same_as<W, double> || std::same_as<W, Extended> || std::same_as<W, DoubleDouble> || Unrounded<W>;
 
 /// x - y of two doubles in W; exact but for W = double.
 template <Arithmetic W>
@@ -60,13 +65,16 @@ W product(const X& x, const Y& y) {
 
 inline Extended abs(Extended x) { return std::abs(x); }
 
-/// The double that leads x, for sizes and bounds; 0 for Exact, whose bounds are 0.
+/// The double that leads x, for sizes and bounds; 0 where nothing is rounded, as bounds are 0 there.
 template <std::floating_point W>
 double leading(W x) {
   return static_cast<double>(x);
 }
 inline double leading(const DoubleDouble& x) { return x.hi; }
-inline double leading(const Exact&) { return 0; }
+template <Unrounded W>
+double leading(const W&) {
+  return 0;
+}
 
 /// x / y, rounded to double at last.
 template <std::floating_point W>
@@ -80,13 +88,16 @@ double rounded(W x) {
   return static_cast<double>(x);
 }
 inline double rounded(const DoubleDouble& x) { return x.hi; }
-inline double rounded(const Exact& x) { return x.rounded(); }
+template <Unrounded W>
+double rounded(const W& x) {
+  return x.rounded();
+}
 
-/// The sign of x, whose error squared is known to be below `bound2`; nothing when x lies within it. Exact is
-/// certain.
+/// The sign of x, whose error squared is known to be below `bound2`; nothing when x lies within it, or has outgrown
+/// ShortExact. Exact is certain.
 template <Arithmetic W>
 std::optional<int> certain_sign(const W& x, double bound2) {
-  if constexpr (std::same_as<W, Exact>) {
+  if constexpr (Unrounded<W>) {
     return x.sign();
   } else {
     const double head = leading(x);
@@ -96,10 +107,10 @@ std::optional<int> certain_sign(const W& x, double bound2) {
 }
 
 /// Whether W may work with squared lengths of this size: products of four of them, and bounds of a relative
-/// 2^-200 on those, neither overflow nor lose bits. Always for Exact; never for NaN.
+/// 2^-200 on those, neither overflow nor lose bits. Always where nothing is rounded; never for NaN.
 template <Arithmetic W>
 bool in_range(double size) {
-  return std::same_as<W, Exact> || (0x1p-100 <= size && size <= 0x1p100);
+  return Unrounded<W> || (0x1p-100 <= size && size <= 0x1p100);
 }
 
 }  // namespace isect

@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -56,6 +58,11 @@ class ShortExact {
   std::optional<int> sign() const {
     if (bits_ > most) return {};
     return (whole_ > 0) - (whole_ < 0);
+  }
+
+  /// The nearest double, for reports; NaN where it is unknown.
+  double rounded() const {
+    return bits_ > most ? std::numeric_limits<double>::quiet_NaN() : std::ldexp(static_cast<double>(whole_), exponent_);
   }
 
  private:

@@ -176,6 +176,32 @@ std::optional<Interval<double>> roots(const Ray<double, N>& ray, const Sphere<do
   return ahead ? Interval<double>{near, far} : Interval<double>{-far, -near};
 }
 
+/// t of a tangent line's double root, -B / A, within a relative `tolerance` before its last rounding; nothing where W
+/// can't promise that.
+///
+/// Bound. B errs by at most 5.1 u |f| |d|, which is below a relative tolerance / 2 of |B| where |B| tolerance >= 11 u
+/// |f| |d|; A's error is far smaller.
+template <Arithmetic W, int N>
+std::optional<double> double_root(const Ray<double, N>& ray, const Sphere<double, N>& sphere, double tolerance) {
+  const Offset<W, N> f = from_center<W>(ray, sphere);
+  const W a = dot<W, N>(ray.direction, ray.direction), b = dot<W, N>(f, ray.direction), ff = dot<W, N>(f, f);
+  if (!in_range<W>(leading(a)) || !in_range<W>(leading(ff))) return {};
+  if (!(std::abs(leading(b)) * tolerance >= 11 * unit<W> * std::sqrt(leading(ff) * leading(a)))) {
+    const bool at_origin = dot<ShortExact, N>(from_center<ShortExact>(ray, sphere), ray.direction).sign() == 0;
+    return at_origin ? std::optional(0.0) : std::nullopt;
+  }
+  return -quotient(b, a);
+}
+
+/// The roots of a line that has `count` of them, as `roots` and `double_root` give them.
+template <Arithmetic W, int N>
+std::optional<Interval<double>> roots(const Ray<double, N>& ray, const Sphere<double, N>& sphere, double tolerance,
+                                      int count) {
+  if (count == 2) return roots<W>(ray, sphere, tolerance);
+  const std::optional<double> t = double_root<W>(ray, sphere, tolerance);
+  return t ? std::optional(Interval<double>{*t, *t}) : std::nullopt;
+}
+
 /// The answer for the part of the line that the range holds.
 template <class S>
 RaySphere<S> report(const Interval<S>& range, const Verdict& verdict, const Interval<double>& t) {

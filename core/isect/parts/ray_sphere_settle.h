@@ -4,6 +4,7 @@
 
 #include <isect/numbers/double_double.h>
 #include <isect/numbers/exact.h>
+#include <isect/numbers/short_exact.h>
 #include <isect/parts/ray_sphere_roots.h>
 
 namespace isect::ray_sphere {
@@ -53,7 +54,7 @@ std::optional<RaySphere<S>> attempt(const Ray<double, N>& ray, const Sphere<doub
   if (!verdict) return {};
   if (verdict->line_roots == 0) return RaySphere<S>{};
 
-  const std::optional<Interval<double>> t = roots<V>(ray, sphere, tolerance<S>);
+  const std::optional<Interval<double>> t = roots<V>(ray, sphere, tolerance<S>, verdict->line_roots);
   if (!t) return {};
   const Interval<double> values = {std::ldexp(t->lo, exponent), std::ldexp(t->hi, exponent)};
   trace(Values{values});
@@ -84,15 +85,19 @@ template <class S, int N, class Trace>
   if (!bounded) return {};
   if ((ray.direction.array() == 0).all()) return settle_point(ray, sphere, range);
 
+  // What touches on integers or on a grid is settled in 127 bits; its values are then as easy as any others.
+  const std::optional<Verdict> verdict = known ? known : decide<ShortExact>(ray, sphere, trace);
   if (const std::optional<Scaled<N>> s = scaled(ray, sphere)) {
-    if (const auto answer = attempt<double, Extended>(s->ray, s->sphere, range, s->exponent, known, trace))
+    if (const auto answer = attempt<double, Extended>(s->ray, s->sphere, range, s->exponent, verdict, trace))
       return *answer;
-    if (const auto answer = attempt<DoubleDouble, DoubleDouble>(s->ray, s->sphere, range, s->exponent, known, trace))
+    if (const auto answer = attempt<DoubleDouble, DoubleDouble>(s->ray, s->sphere, range, s->exponent, verdict, trace))
       return *answer;
-  } else if (const auto answer = attempt<DoubleDouble, DoubleDouble>(ray, sphere, range, 0, known, trace)) {
-    return *answer;
+  } else {
+    if (!known && verdict)
+      if (const auto answer = attempt<double, Extended>(ray, sphere, range, 0, verdict, trace)) return *answer;
+    if (const auto answer = attempt<DoubleDouble, DoubleDouble>(ray, sphere, range, 0, verdict, trace)) return *answer;
   }
-  return *attempt<Exact, Exact>(ray, sphere, range, 0, known, trace);
+  return *attempt<Exact, Exact>(ray, sphere, range, 0, verdict, trace);
 }
 
 }  // namespace detail
