@@ -84,6 +84,11 @@ std::vector<std::string> all_plain(const auto& items, const auto& markup_of) {
   return all;
 }
 
+std::string without_period(std::string text) {
+  if (text.ends_with('.')) text.pop_back();
+  return text;
+}
+
 std::string told(const Plot& plot) {
   const auto panels = all_plain(plot.panels, [](const Panel& p) { return p.title; });
   const auto series = all_plain(plot.series, [](const Series& s) { return s.name; });
@@ -118,6 +123,12 @@ std::string told(const Cases& cases) {
     text += fmt::format(". This setting lies at ({}, {}), in the region: {}", shown(here->at.x()), shown(here->at.y()),
                         plain(cases.branches.at(static_cast<std::size_t>(here->branch))));
   if (!cases.presets.empty()) text += fmt::format(". Small marks show {}", counted(cases.presets.size(), "preset"));
+  return text;
+}
+
+std::string told(const Card& card) {
+  std::string text = "A card of text";
+  for (const auto& [head, row] : card.rows) text += fmt::format(". {}: {}", plain(head), without_period(plain(row)));
   return text;
 }
 
