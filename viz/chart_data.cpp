@@ -1,5 +1,5 @@
-// One panel's data: the front as steps with the dominated side tinted, markers that make room for each other, curves
-// with their names at their ends.
+// One panel's data: the front as steps with the dominated side tinted, markers that make room for each other and keep a
+// line to their place, curves with their names at their ends.
 
 #include <algorithm>
 #include <cmath>
@@ -106,14 +106,20 @@ class PanelInk {
     Stacker stacker({b_.left, b_.top, b_.right, b_.bottom}, ink_.glyph_radius());
     std::vector<Placed> places;
     for (const Spot* spot : spots) {
-      const Vec2 true_place = at(spot->x, spot->y);
-      places.push_back(stacker.place(true_place));
-      if ((places.back().at - true_place).norm() > 3.2 * places.back().radius)  // too far to be seen as its own
-        ink_.line({true_place, places.back().at}, colour(*spot), s().hairline);
+      places.push_back(stacker.place(at(spot->x, spot->y)));
     }
     for (std::size_t i = spots.size(); i-- > 0;)
       ink_.glyph(plot_.series[spots[i]->series].glyph, places[i].at, places[i].radius, colour(*spots[i]),
                  !spots[i]->front);
+    for (std::size_t i = 0; i < spots.size(); ++i) lead(*spots[i], places[i]);
+  }
+
+  /// From a marker that had to move to a dot on its true place.
+  void lead(const Spot& spot, const Placed& placed) {
+    const Vec2 true_place = at(spot.x, spot.y), way = true_place - placed.at;
+    if (way.norm() <= placed.radius) return;
+    ink_.line({placed.at + placed.radius * way.normalized(), true_place}, colour(spot), s().hairline);
+    ink_.glyph(Glyph::disc, true_place, 0.25 * placed.radius, colour(spot), false);
   }
 
   void curves() {

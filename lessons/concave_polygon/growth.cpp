@@ -26,7 +26,7 @@ std::string growth_caption() {
   const Kept &few = kept(fewest_spikes), &many = kept(most_spikes);
   return fmt::format(
       "Counted on polygons with long spikes. From {} to {} vertices, the slabs' edges become {} times as "
-      "many.\nThe nodes of a trapezoidal map, the next method, become {} times as many: O(*n*).",
+      "many: O(*n*^2).\nThe nodes of a trapezoidal map, the next method, become {} times as many: O(*n*).",
       few.n, many.n, shown(std::round(many.slab_entries / few.slab_entries)),
       shown(std::round(many.map_nodes / few.map_nodes)));
 }
@@ -40,7 +40,7 @@ Chart growth() {
     slabs.points.emplace_back(k.n, k.slab_entries);
     map.points.emplace_back(k.n, k.map_nodes);
   }
-  plot.x = {Scale::Kind::log, slabs.points.front().x() / 1.1, slabs.points.back().x() * 1.1, "vertices *n*"};
+  plot.x = {Scale::Kind::log, slabs.points.front().x() / 1.5, slabs.points.back().x() * 1.5, "vertices *n*"};
   plot.y = {Scale::Kind::log, slabs.points.front().y() / 1.6, slabs.points.back().y() * 1.6,
             "edges in slabs; nodes of the map"};
   Panel panel;

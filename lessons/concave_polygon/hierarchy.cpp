@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "lessons/concave_polygon/level_picture.h"
+#include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"
 
 namespace isect::lessons::concave_polygon_lesson {
@@ -20,15 +21,15 @@ class Coarsening {
   explicit Coarsening(const Setup& setup)
       : s_(setup),
         h_(make_hierarchy(setup.ring, {{frame.left, frame.low}, {frame.right, frame.high}})),
-        script_({"Note, N24; Kirkpatrick (1983)",
-                 alt_text(setup, "and a box around it, cut into triangles"),
+        script_({"Lecture note, concave polygons; Kirkpatrick, SIAM Journal on Computing 12, 1983",
+                 alt_text(setup, "and a box around it, split into triangles"),
                  {"triangulate the polygon, and the rest of a box around it",  // 0
                   "while more than two triangles are left",                    // 1
                   "    remove vertices of few edges, no two joined",           // 2
                   "    triangulate the holes; link new triangles to old",      // 3
                   "triangle ← the one of the coarsest two that holds p",       // 4
                   "while it has links: triangle ← the linked one with p",      // 5
-                  "return the mark of the triangle: IN or OUT"},               // 6
+                  "return the mark of the triangle"},                          // 6
                  "Kirkpatrick's hierarchy"}) {}
 
   Walk tell() {
@@ -50,7 +51,7 @@ class Coarsening {
     script_.value("*n*", s_.size());
     script_.value("triangles", static_cast<double>(h_.levels[0].triangles.size()));
     add("triangles", "Triangles everywhere", 0,
-        "Polygon and box are cut into triangles. Each triangle is marked as inside or outside.", 0);
+        "Polygon and box are split into triangles. Each triangle is marked as inside or outside.", 0);
     coarsen(1);
     coarsen(h_.levels.size() - 1);
     drawn_.gone.clear();
@@ -64,24 +65,37 @@ class Coarsening {
       count();
       script_.value("levels", static_cast<double>(h_.levels.size()));
       add("coarsest", "Two triangles are left", 1,
-          "Round by round vertices go, a constant share each time: O(lg *n*) levels, O(*n*) triangles in "
-          "all.",
+          "A planar graph has fewer than 3 edges a vertex. So at least half of the vertices have 8 edges or fewer.\n"
+          "Each one chosen rules out 8 at most: a constant share goes each round. Hence O(lg *n*) levels, O(*n*) "
+          "triangles.",
           level);
       return;
     }
+    const auto removed = static_cast<double>(drawn_.gone.size());
     Step& step =
-        add("removed", fmt::format("{} vertices to remove", drawn_.gone.size()), 2,
-            "Crosses mark vertices that are removed. No two are joined by an edge, so the holes are apart.", level - 1);
-    step.question = Question{"May two vertices be removed at once that an edge joins?",
-                             {"yes", "no"},
-                             1,
-                             "Their holes would be one, of unbounded size. So would be the work there."};
+        add("removed", fmt::format("{} {} to remove", removed, removed == 1 ? "vertex" : "vertices"), 2,
+            "Dashed rings mark vertices of 8 edges or fewer that are removed. No edge joins two of them, so the "
+            "holes are apart.",
+            level - 1);
+    step.question = Question{"Why must no edge join two vertices that are removed at once?",
+                             {"Their holes would be one, which may grow without bound.",
+                              "The triangles left would overlap.", "The point **p** could lie on that edge."},
+                             0,
+                             "A hole of at most 8 sides is filled, and linked, in constant time."};
     drawn_.gone.clear();
     count();
-    add("holes", "Holes triangulated", 3,
-        "Each hole is triangulated again. A new triangle is linked to the few old ones with which it shares "
-        "area.",
-        level);
+    const auto before = static_cast<double>(h_.levels[level - 1].triangles.size());
+    Step& holes = add("holes", "Holes triangulated", 3,
+                      "Each hole is triangulated again: *d* triangles around a vertex become *d* − 2. A new triangle "
+                      "is linked to the "
+                      "old ones that it overlaps.",
+                      level);
+    // misconceptions: a triangle less a vertex; as many as before; only the box's two
+    holes.question = which_value(
+        fmt::format("{} triangles lose {} {}, and the holes are filled. How many triangles are there then?", before,
+                    removed, removed == 1 ? "vertex" : "vertices"),
+        static_cast<double>(h_.levels[level].triangles.size()), {before - removed, before, before - 3 * removed},
+        "A hole with *d* sides takes *d* − 2 triangles: two less for each vertex.");
   }
 
   Walk outside() {
@@ -104,8 +118,8 @@ class Coarsening {
       Step& step = add(
           fmt::format("search-{}", level), fmt::format("Level {}", level), k == 0 ? 4 : 5,
           k == 0  ? "The search starts with the two coarsest triangles: one holds **p**."
-          : k > 1 ? fmt::format("From triangle to linked triangle, level by level. Here {} are linked, shaded.",
-                                candidates.size())
+          : k > 1 ? fmt::format("From triangle to linked triangle, level by level. Here {} {} linked, shaded.",
+                                candidates.size(), candidates.size() == 1 ? "is" : "are")
           : candidates.size() == 1
               ? "The triangle did not change: its only link is itself."
               : fmt::format("Only {} triangles are linked, shaded here. One of them holds **p**.", candidates.size()),
@@ -114,13 +128,12 @@ class Coarsening {
     }
     drawn_.done = true;
     script_.settle(verdict_kind(s_.truth), verdict_text(s_.truth));
-    Step& step = add("verdict", "The mark of the finest triangle", 6,
-                     std::string(s_.truth == Location::on   ? "**p** lies on an edge of the polygon."
-                                 : s_.truth == Location::in ? "The triangle is one of the polygon's: inside."
-                                                            : "The triangle is one of the rest: outside.") +
-                         "\nO(lg *n*) levels with a few tests each, O(*n*) space: optimal, with large constants.",
-                     0);
-    step.question = where(s_, "The exact test by crossings says the same.");
+    add("verdict", "The mark of the finest triangle", 6,
+        std::string(s_.truth == Location::on   ? "**p** lies on an edge of the polygon."
+                    : s_.truth == Location::in ? "The triangle is one of the polygon's: inside."
+                                               : "The triangle is one of the rest: outside.") +
+            "\nO(lg *n*) levels with a few tests each, O(*n*) space: optimal, with large constants.",
+        0);
   }
 
   static constexpr Index told = 1;  ///< of the search, beside the coarsest and the finest

@@ -20,6 +20,7 @@ std::vector<Preset> presets() {
   const Vec3 inside = {-0.875, 1, 0}, level = {-1.5, -0.25, 0}, on_edge = {-0.375, 1, 0}, spikes = {-0.5, 0.25, 0};
   return {preset_of("slabs", "inside", "slabs", "concave", inside),
           preset_of("slabs-level", "level with a vertex", "slabs", "concave", level),
+          preset_of("slabs-vertex", "on a vertex", "slabs", "concave", {-0.875, -0.25, 0}),
           preset_of("slabs-edge", "on an edge", "slabs", "concave", on_edge),
           preset_of("slabs-spiky", "long spikes", "slabs", "spiky", spikes),
           preset_of("trapezoids", "inside", "trapezoids", "concave", {0.375, 0, 0}),
@@ -62,6 +63,9 @@ const Lesson& concave_polygon() {
       .steps = walk,
       .flat = true,
       .opinions = opinions,
+      .opening = opening(),
+      .closing = &closing(),
+      .after = {"crossings", "convex-polygon"},
   };
   return lesson;
 }

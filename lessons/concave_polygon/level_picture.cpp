@@ -27,7 +27,7 @@ class LevelPicture {
       region.outlined = true, region.pen = Pen::thick;
       scene.items.emplace_back(region);
     }
-    for (const int v : d_.gone) scene.items.emplace_back(Dot{flat(h_.vertices[v]), Mark::cross, Role::miss});
+    for (const int v : d_.gone) scene.items.emplace_back(Dot{flat(h_.vertices[v]), Mark::excluded, Role::text});
     table(scene, level);
     add_point(scene, s_, d_.done && s_.truth == Location::on);
     return scene;

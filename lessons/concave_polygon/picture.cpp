@@ -70,8 +70,4 @@ std::string alt_text(const Setup& s, const std::string& prepared) {
                      lies(s.truth));
 }
 
-Question where(const Setup& s, const std::string& because) {
-  return {"Where does **p** lie?", {"inside", "on the boundary", "outside"}, static_cast<int>(s.truth), because};
-}
-
 }  // namespace isect::lessons::concave_polygon_lesson

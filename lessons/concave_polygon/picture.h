@@ -44,7 +44,7 @@ struct Kept {
 };
 const Kept& kept(int spikes);
 /// Both, as n grows, with the step that tells it.
-inline constexpr int fewest_spikes = 4, most_spikes = 512;
+inline constexpr int fewest_spikes = 8, most_spikes = 512;
 viz::Chart growth();
 std::string growth_caption();
 
@@ -60,6 +60,9 @@ viz::Heading table_heading(const std::string&);
 void add_point(viz::Scene&, const Setup&, bool on = false);
 
 std::string alt_text(const Setup&, const std::string& prepared);
-viz::Question where(const Setup&, const std::string& because);
+
+/// What is told before the first step, and after the last one. (closing.cpp)
+const std::string& opening();
+const viz::Closing& closing();
 
 }  // namespace isect::lessons::concave_polygon_lesson

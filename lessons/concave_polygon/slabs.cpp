@@ -4,7 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "lessons/concave_polygon/slab_picture.h"
+#include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"
 #include "viz/chart.h"
 
@@ -21,27 +24,35 @@ class Slabs {
   explicit Slabs(const Setup& setup)
       : s_(setup),
         map_(make_slab_map(setup.ring)),
-        script_({"Note, N24; Preparata and Shamos (1990), 2.2.2",
-                 alt_text(setup, "cut into slabs at the heights of its vertices"),
-                 {"cut the plane at the height of every vertex: slabs",       // 0
-                  "in each slab store its edges from left to right",          // 1
-                  "bisect the heights: in which slab is p?",                  // 2
-                  "if p is on its lower line: look up vertices there",        // 3
-                  "bisect the slab's edges: is p left or right of the edge",  // 4
-                  "    exactly on it: return ON",                             // 5
-                  "return the mark left of the next edge: IN or OUT"},        // 6
+        script_({"Lecture note, concave polygons; Preparata and Shamos, Computational Geometry, 1990, 2.2.2",
+                 alt_text(setup, "split into slabs at the heights of its vertices"),
+                 {"split the plane at the height of every vertex: slabs",      // 0
+                  "in each slab store its edges from left to right",           // 1
+                  "bisect the heights: in which slab is p?",                   // 2
+                  "if p is on its lower line: on a vertex or edge there? ON",  // 3
+                  "bisect the slab's edges: is p left or right of the edge",   // 4
+                  "    exactly on it: return ON",                              // 5
+                  "return the mark stored left of the next edge"},             // 6
                  "slabs"}) {}
 
   Walk tell() {
     script_.value("*n*", s_.size());
     script_.value("slabs", static_cast<double>(count()));
-    add("slabs", "Cut into slabs", 0,
+    add("slabs", "Split into slabs", 0,
         "A horizontal line through every vertex. Between two lines no edge begins, ends or crosses another.");
     drawn_.table = true;
     script_.value("edges in slabs", static_cast<double>(map_.order.size()), {}, Role::second);
+    const int n = s_.size(), stored = static_cast<int>(map_.order.size());
     add("store", "Edges from left to right", 1,
         "So in each slab the edges have one order from left to right. Each square is an edge stored.\n"
-        "A long edge is stored in many slabs: up to *n*^2/4 in all, O(*n*^2) space.");
+        "Above the *k* lowest vertices run at most 2 min(*k*, *n* − *k*) edges, as each vertex has two. "
+        "Summed over all slabs, that is at most *n*^2/2.",
+        fmt::format("{} ≤ *n*^2/2 = {}", stored, shown(n * n / 2.0)))
+        .question =
+        // misconceptions: each edge is stored once; each lies in every slab; the bound is reached
+        which_value("How many squares are needed, one for each edge of each slab?", stored,
+                    {1.0 * n, 1.0 * n * (n - 1), std::floor(n * n / 2.0)},
+                    "Count, for every edge, the slabs that it runs through.");
     compare();
     Record<slab_map::Event> record;
     winding(s_.p, map_, record);
@@ -72,20 +83,25 @@ class Slabs {
     });
     heights_ = e.steps;
     script_.value("heights compared", e.steps);
-    Step& step = add("slab", "Bisect the heights", 2,
-                     real(drawn_.slab) ? "The numbers show which lines are asked, in turn. Comparing heights finds "
-                                         "the slab of **p** in O(lg *n*)."
-                                       : "**p** lies below or above all vertices, so outside.");
+    Step& step =
+        add("slab", "Bisect the heights", 2,
+            real(drawn_.slab)  ? "The numbers show which lines are asked, in turn. Comparing heights finds "
+                                 "the slab of **p** in O(lg *n*)."
+            : level_with_top() ? "**p** is level with the highest vertex, where no slab begins. Is it that vertex?"
+                               : "**p** lies below or above all vertices, so outside.");
     step.decides = true;
     drawn_.probed.clear();
   }
 
+  bool level_with_top() const { return s_.p.y() == slab(count()).bottom; }
+
   void say(const slab_map::OnLine& e) {
     on_line_ = e.holds;
     Step& step = add("line", "Level with a vertex", 3,
-                     e.holds ? "**p** lies exactly on the slab's lower line, on a vertex or a flat edge."
-                             : "**p** lies exactly on the slab's lower line, but on no vertex of it.\n"
-                               "A slab holds its lower line, so the search goes on in it.");
+                     e.holds ? "**p** lies on the slab's lower line, exactly, and on a vertex or a level edge."
+                     : real(drawn_.slab) ? "**p** lies on the slab's lower line, exactly, but on no vertex of it.\n"
+                                           "A slab holds its lower line, so the search goes on in it."
+                                         : "**p** is level with the highest vertex, but not that vertex: outside.");
     step.decides = true;
   }
 
@@ -94,23 +110,29 @@ class Slabs {
     const Index mid = drawn_.lo + (drawn_.hi - drawn_.lo) / 2;
     on_edge_ = e.turn == 0;
     script_.value("orientations", ++turns_);
+    const SlabMap::Edge& middle = map_.edges[e.edge];
+    const auto pair = [&](int v) {
+      return fmt::format("({}, {})", shown(map_.vertices[v].x()), shown(map_.vertices[v].y()));
+    };
+    const std::string ends = pair(middle.lower) + " to " + pair(middle.upper);
     drawn_.narrowed = true;
     if (e.turn > 0) drawn_.hi = mid;
     if (e.turn < 0) drawn_.lo = mid + 1;
-    Step& step = add(fmt::format("edge-{}", turns_),
-                     e.turn > 0   ? "Left of the edge"
-                     : e.turn < 0 ? "Right of the edge"
-                                  : "On the edge",
-                     e.turn == 0 ? 5 : 4,
-                     e.turn == 0  ? "The orientation is exactly zero: **p** lies on the edge."
-                     : e.turn > 0 ? "The middle one of the edges left is asked: **p** lies left of it. What lies right "
-                                    "is gone."
-                                  : "The middle one of the edges left is asked: **p** lies right of it. What lies left "
-                                    "is gone.");
+    Step& step =
+        add(fmt::format("edge-{}", turns_),
+            e.turn > 0   ? "Left of the edge"
+            : e.turn < 0 ? "Right of the edge"
+                         : "On the edge",
+            e.turn == 0 ? 5 : 4,
+            e.turn == 0  ? "The orientation is exactly zero: **p** lies on the edge."
+            : e.turn > 0 ? "Compare **p** with the middle remaining edge. **p** is to its left: discard that edge "
+                           "and everything right of it."
+                         : "Compare **p** with the middle remaining edge. **p** is to its right: discard that "
+                           "edge and everything left of it.");
     step.decides = true;
     if (turns_ == 1)
-      step.question = Question{"On which side of the slab's middle edge is **p**?",
-                               {"left", "right", "on it"},
+      step.question = Question{"The middle edge of the slab runs from " + ends + ". Where is **p**?",
+                               {"left of it", "right of it", "on it"},
                                e.turn > 0   ? 0
                                : e.turn < 0 ? 1
                                             : 2,
@@ -122,21 +144,20 @@ class Slabs {
   void finish() {
     drawn_.done = true;
     script_.settle(verdict_kind(s_.truth), verdict_text(s_.truth));
-    const std::string cost = fmt::format("\n{} heights and {} edge{} for {} vertices: O(lg *n*).", heights_, turns_,
-                                         turns_ == 1 ? "" : "s", s_.size());
+    const std::string cost = fmt::format("\n{} height{} and {} edge{} compared, of {} vertices: O(lg *n*).", heights_,
+                                         heights_ == 1 ? "" : "s", turns_, turns_ == 1 ? "" : "s", s_.size());
     if (on_line_ || on_edge_ || !real(drawn_.slab)) script_.leave_early();
-    Step& step =
-        add("verdict", s_.truth == Location::on ? "On the boundary" : "The answer is stored",
-            on_line_             ? 3
-            : on_edge_           ? 5
-            : !real(drawn_.slab) ? 2
-                                 : 6,
-            (s_.truth == Location::on   ? "The boundary is a case of its own."
-             : !real(drawn_.slab)       ? "No slab there has an edge."
-             : s_.truth == Location::in ? "Between these two edges all is inside: the mark was computed beforehand."
-                                        : "Between these two edges all is outside: the mark was computed beforehand.") +
-                cost);
-    step.question = where(s_, "The exact test by crossings says the same.");
+    add("verdict", s_.truth == Location::on ? "On the boundary" : "The answer is stored",
+        on_line_             ? 3
+        : on_edge_           ? 5
+        : !real(drawn_.slab) ? 2
+                             : 6,
+        (s_.truth == Location::on ? "The boundary is a case of its own."
+         : !real(drawn_.slab)     ? "Below and above all vertices there is no edge."
+         : s_.truth == Location::in
+             ? "Between its neighbouring edges all of the slab is inside: the mark was computed beforehand."
+             : "Between its neighbouring edges all of the slab is outside: the mark was computed beforehand.") +
+            cost);
   }
 
   void compare() {

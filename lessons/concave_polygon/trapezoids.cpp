@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "lessons/concave_polygon/map_picture.h"
+#include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"
 
 namespace isect::lessons::concave_polygon_lesson {
@@ -24,16 +25,17 @@ class Trapezoids {
  public:
   explicit Trapezoids(const Setup& setup)
       : s_(setup),
-        script_({"Note, N24; Seidel (1991); de Berg et al. (2008), ch. 6",
-                 alt_text(setup, "cut into trapezoids by walls at its vertices"),
-                 {"for each edge, in random order",                        // 0
-                  "    follow it through the trapezoids that it cuts",     // 1
-                  "    put a question in the place of each: x or y",       // 2
-                  "x: is p left or right of the vertex? next question",    // 3
-                  "y: is p below or above the edge? next question",        // 4
-                  "exactly on it: return ON",                              // 5
-                  "no more questions: return the mark of the trapezoid"},  // 6
-                 "trapezoidal map"}) {}
+        script_(
+            {"Lecture note, concave polygons; Seidel, 1991; de Berg et al., Computational Geometry, 2008, chapter 6",
+             alt_text(setup, "split into trapezoids by walls at its vertices"),
+             {"for each edge, in random order",                        // 0
+              "    follow it through the trapezoids that it cuts",     // 1
+              "    put a question in the place of each: x or y",       // 2
+              "x: is p left or right of the vertex? next question",    // 3
+              "y: is p below or above the edge? next question",        // 4
+              "exactly on it: return ON",                              // 5
+              "no more questions: return the mark of the trapezoid"},  // 6
+             "trapezoidal map"}) {}
 
   Walk tell() {
     Record<trapezoid_map::BuildEvent> record;
@@ -69,7 +71,7 @@ class Trapezoids {
     start.items = {polygon(s_), trapezoid(map, {-1, -1, -1, static_cast<int>(s_.ring.size())}, Role::highlight)};
     add("edges", "One trapezoid: the whole plane", 0,
         "The map starts with one trapezoid. Edges are added one by one, in random order, so that no polygon "
-        "is bad.",
+        "is bad on average.",
         start);
     const auto cuts = [](const auto& event) { return std::get<trapezoid_map::Inserted>(event).cut; };
     const Index most = static_cast<Index>(std::ranges::max_element(events, {}, cuts) - events.begin());
@@ -84,11 +86,18 @@ class Trapezoids {
     all.items.emplace_back(table_heading(fmt::format("{} nodes", sizes(map).questions + sizes(map).trapezoids)));
     add_graph(all, map, false);
     count(map);
-    add("map", "All edges added", 2,
-        "Every vertex has a wall up and down to the next edge: at most 3*n* + 1 trapezoids.\n"
-        "The questions form a graph. It takes O(*n*) space and O(*n* lg *n*) time, on average over the "
-        "orders.",
-        std::move(all));
+    const int n = s_.size();
+    Step& step =
+        add("map", "All edges added", 2,
+            "From every vertex a wall runs up and down to the next edge. If no two share an *x*-coordinate, the "
+            "trapezoids number 2*n* + 1.\n"
+            "The questions form a graph of O(*n*) nodes, built in O(*n* lg *n*), on average over the orders.",
+            std::move(all));
+    step.formula = fmt::format("2*n* + 1 = {}", 2 * n + 1);
+    // misconceptions: one a vertex; the bound for edges without common ends; those of a grid
+    step.question =
+        which_value("How many trapezoids does the complete map have?", 2 * n + 1, {n + 1.0, 3 * n + 1.0, 1.0 * n * n},
+                    "To the right of its vertices begin two trapezoids each, on average. One more has no left end.");
   }
 
   void tell_insert(const TrapezoidMap& before, const TrapezoidMap& now, const trapezoid_map::Inserted& inserted,
@@ -113,9 +122,10 @@ class Trapezoids {
                                  inserted.cut, inserted.cut == 1 ? "" : "s", inserted.cut == 1 ? "its" : "their"),
             std::move(scene));
     if (k > 0) {
-      step.question = Question{"How many trapezoids does the new edge cut?", {}, 0, "Those it runs through."};
-      for (int c = 1; c <= 4; ++c) step.question->choices.push_back(std::to_string(c));
-      step.question->answer = std::min(inserted.cut, 4) - 1;
+      // misconceptions: only where it begins; only at its two ends; all
+      step.question =
+          which_value(fmt::format("How many trapezoids does the new edge *e*_{{{}}} cut?", inserted.piece),
+                      inserted.cut, {1, 2, 1.0 * sizes(before).trapezoids}, "Those whose interior it runs through.");
     }
   }
 
@@ -131,7 +141,9 @@ class Trapezoids {
         : e.side > 0 ? "Right of the vertex"
                      : "On the vertex",
         e.side == 0 ? "**p** is the vertex: on the boundary."
-                    : "Comparing abscissas answers it. The shaded trapezoids can still be reached.");
+        : map_.boundary.vertex(map_.nodes[at_].index).x() == s_.p.x()
+            ? "The *x*-coordinates are equal: then the lower point counts as the left one. Shaded is what is left."
+            : "Comparing *x*-coordinates answers it. The shaded trapezoids can still be reached.");
   }
   void say(const trapezoid_map::PieceAsked& e) {
     ask(e.side, 4,
@@ -165,15 +177,13 @@ class Trapezoids {
     if (!on) path_.push_back({at_, 0});
     Scene scene = found(s_, map_, path_, trapezoid_reached);
     const Index questions = on ? path_.size() : path_.size() - 1;
-    Step& step = add(
-        "verdict", on ? "On the boundary" : "A trapezoid is reached", on ? 5 : 6,
-        fmt::format("{}\n{} questions for {} vertices: O(lg *n*), on average over the orders of insertion.",
+    add("verdict", on ? "On the boundary" : "A trapezoid is reached", on ? 5 : 6,
+        fmt::format("{}\n{} question{} for {} vertices: O(lg *n*), on average over the orders of insertion.",
                     on                         ? "A question that is answered by \"on it\" ends the search."
                     : s_.truth == Location::in ? "All of this trapezoid is inside: the mark was computed beforehand."
                                                : "All of this trapezoid is outside: the mark was computed beforehand.",
-                    questions, s_.size()),
+                    questions, questions == 1 ? "" : "s", s_.size()),
         std::move(scene));
-    step.question = where(s_, "The exact test by crossings says the same.");
   }
 
   const Setup& s_;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "lessons/convex_polygon/picture.h"
+#include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"
 
 namespace isect::lessons::convex_polygon_lesson {
@@ -16,12 +17,13 @@ class Around {
  public:
   explicit Around(const Setup& setup)
       : s_(setup),
-        script_({"Note, N23; Preparata and Shamos (1990), 2.2.1",
+        script_({"Lecture note, convex polygons; Preparata and Shamos, Computational Geometry, 1990, 2.2.1",
                  alt_text(setup),
                  {"q ← centroid of v0, v_{n/3}, v_{2n/3}; lo ← 0, hi ← n",    // 0
                   "while hi − lo > 1: if p beyond q v_{(lo+hi)/2}: lo ← it",  // 1
                   "    else: hi ← it",                                        // 2
-                  "return p left of v_lo v_hi ? IN : OUT"},                   // 3
+                  "if p not right of v_lo v_hi: return IN",                   // 3
+                  "return OUT"},                                              // 4
                  "wedges around a centroid (naive)"}) {}
 
   Walk tell() {
@@ -30,6 +32,8 @@ class Around {
     CountingRecord<point_convex_polygon::NaiveEvent<C>> record;
     tally() = {};
     inside_ = point_convex_polygon::wedge_naive<C>(s_.p.cast<C>(), polygon, record);
+    for (const auto& [event, _] : record.events)
+      bisections_ += std::holds_alternative<point_convex_polygon::WedgeAround<C>>(event);
     for (const auto& [event, counts] : record.events) {
       script_.count(counts);
       std::visit([&](const auto& e) { say(e); }, event);
@@ -38,8 +42,9 @@ class Around {
   }
 
  private:
-  Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption) {
-    Step& step = script_.add(slug, title, line, caption);
+  Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption,
+            const std::string& formula = {}) {
+    Step& step = script_.add(slug, title, line, caption, formula);
     step.scene = picture(s_, shown_);
     return step;
   }
@@ -48,8 +53,10 @@ class Around {
     shown_.apex = {e.q[0].value, e.q[1].value}, shown_.apex_name = "**q**";
     script_.value("*n*", s_.size());
     add("centroid", "A point inside", 0,
-        "The centroid of any three vertices lies inside: that is all the preprocessing, O(1).\n"
-        "In a sliver it may not: rounded, it leaves a thin polygon.");
+        "The centroid of any three vertices lies inside: all the preprocessing, O(1). In a very thin polygon the "
+        "rounded centroid may fall outside.\n"
+        "Angles around **q**, polar coordinates, would order the vertices. Cross products do so without an arctangent.",
+        "**v** comes before **p**  if  (**v** − **q**) × (**p** − **q**) > 0,  within half a turn");
   }
 
   void say(const point_convex_polygon::WedgeAround<C>& e) {
@@ -57,33 +64,40 @@ class Around {
     script_.value("*lo*", e.lo);
     script_.value("*hi*", e.hi);
     const bool passed = e.lo == e.mid;
-    add(fmt::format("bisect-{}", ++rounds_), passed ? "The later half" : "The earlier half", passed ? 1 : 2,
-        passed ? "Seen from **q**, **p** lies beyond **v**_{mid}: the wedges before it are gone."
-               : "Seen from **q**, **p** lies before **v**_{mid}: the wedges after it are gone.");
+    const std::string mid = fmt::format("**v**_{{{}}}", e.mid);
+    Step& step =
+        add(fmt::format("bisect-{}", ++rounds_), (passed ? "Not before " : "Before ") + mid, passed ? 1 : 2,
+            passed ? "Counter-clockwise from **v**_0, **p** comes at " + mid + " or later: drop the wedges before it."
+                   : "Counter-clockwise from **v**_0, **p** comes before " + mid + ": drop the wedges after it.");
+    if (rounds_ == 1)  // misconceptions: every wedge is looked at; half of them are, on average
+      step.question = which_value("How many bisections single out one wedge?", bisections_,
+                                  {1.0 * s_.size(), s_.size() > 5 ? s_.size() / 2.0 : 1.0},
+                                  "Each leaves half of the *n* wedges: lg *n*, up to rounding.");
     shown_.mid = -1;
   }
 
   void say(const point_convex_polygon::EdgeSide<C>& e) {
     shown_.lo = e.from, shown_.hi = e.to == 0 ? s_.size() : e.to, shown_.edge = true;
-    const bool right = inside_ == (s_.truth != Location::out);
-    script_.value("cross", e.cross.value);
-    script_.settle(inside_ ? Verdict::Kind::yes : Verdict::Kind::no,
-                   std::string(inside_ ? "IN" : "OUT") + (right ? "" : " (wrong: " + verdict_text(s_.truth) + ")"));
-    Step& step = add(
-        "verdict", "One edge decides", 3,
-        fmt::format("{} bisections for {} vertices, then one edge.", rounds_, s_.size()) +
-            (s_.truth == Location::on ? "\nA point on the boundary counts as inside here, if rounding allows." : ""));
+    const bool on = s_.truth == Location::on, right = on || inside_ == (s_.truth == Location::in);
+    script_.value("cross product", e.cross.value);
+    script_.settle(on        ? Verdict::Kind::on
+                   : inside_ ? Verdict::Kind::yes
+                             : Verdict::Kind::no,
+                   std::string(inside_ ? "IN" : "OUT") + (on      ? ", in truth " + verdict_text(s_.truth)
+                                                          : right ? ""
+                                                                  : " (wrong: " + verdict_text(s_.truth) + ")"));
+    if (!inside_) script_.refuse(3, {});
+    Step& step = add("verdict", "One edge decides", inside_ ? 3 : 4,
+                     fmt::format("{} bisections for {} vertices, then one edge: **p** does {}lie on its outer side.",
+                                 rounds_, s_.size(), inside_ ? "not " : "") +
+                         (on ? "\nThe note's method has no word for the boundary: rounding decides there." : ""));
     step.decides = true;
-    step.question = Question{"Which side of the wedge's edge is **p** on?",
-                             {"the inner side", "the outer side"},
-                             inside_ ? 0 : 1,
-                             "The sign of the last cross product decides."};
   }
 
   const Setup& s_;
   Script script_;
   Shown shown_;
-  int rounds_ = 0;
+  int rounds_ = 0, bisections_ = 0;
   bool inside_ = false;
 };
 

@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <bit>
+#include <cmath>
+
 #include "lessons/convex_polygon/picture.h"
+#include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"
 
 namespace isect::lessons::convex_polygon_lesson {
@@ -15,16 +19,16 @@ class Fan {
  public:
   explicit Fan(const Setup& setup)
       : s_(setup),
-        script_({"Note, N23; Preparata and Shamos (1990), 2.2.1",
+        script_({"Lecture note, convex polygons; Preparata and Shamos, Computational Geometry, 1990, 2.2.1",
                  alt_text(setup),
-                 {"lo ← 1, hi ← n − 1",                                     // 0
-                  "if p right of v0 v1, or left of v0 v_hi: return OUT",    // 1
-                  "while hi − lo > 1 and p not in triangle v0 v_lo v_hi",   // 2
-                  "    if p left of v0 v_{(lo+hi)/2}: lo ← (lo + hi) / 2",  // 3
-                  "    else: hi ← (lo + hi) / 2",                           // 4
-                  "    if p right of the edge after that: return OUT",      // 5
-                  "if p right of v_lo v_hi: return OUT",                    // 6
-                  "return p on an edge ? ON : IN"},                         // 7
+                 {"lo ← 1, hi ← n − 1",                                                  // 0
+                  "if p right of v0 v1, or left of v0 v_hi",                             // 1
+                  "    return OUT",                                                      // 2
+                  "while hi − lo > 1 and p not in triangle v0 v_lo v_hi",                // 3
+                  "    mid ← (lo + hi) / 2; p right of v0 v_mid ? hi ← mid : lo ← mid",  // 4
+                  "    if p right of v_mid v_{mid+1}: return OUT",                       // 5
+                  "if p right of v_lo v_hi: return OUT",                                 // 6
+                  "return p on an edge ? ON : IN"},                                      // 7
                  "fan from a vertex"}) {
     shown_.apex = setup.vertex(0), shown_.apex_name = "**v**_0";
   }
@@ -33,10 +37,14 @@ class Fan {
     using namespace point_convex_polygon;
     script_.value("*n*", s_.size());
     add("fan", "A fan of wedges", 0,
-        "Rays from **v**_0 through the other vertices cut the polygon into wedges.\n"
-        "The vertices stand in order in an array: no preprocessing but, once, O(*n*) to check convexity.");
+        "Rays from **v**_0 through the other vertices split the polygon into wedges." +
+            std::string(s_.size() > most_rays ? " Some of them are drawn." : "") +
+            "\nCounter-clockwise, **p** lies first to the left, then to the right of these rays: bisection finds "
+            "where.",
+        "left of **v**_0 **v**_{*i*}  if  (**v**_{*i*} − **v**_0) × (**p** − **v**_0) > 0");
     Record<Event> record;
     locate(s_.p, s_.polygon, record);
+    std::erase_if(record.events, [](const Event& e) { return std::holds_alternative<Fallback>(e); });
     for (std::size_t i = 0; i < record.events.size(); ++i) {
       if (const auto* fan = std::get_if<point_convex_polygon::Fan>(&record.events[i])) say(*fan);
       if (const auto* wedge = std::get_if<Wedge>(&record.events[i])) say(*wedge, record.events, i);
@@ -47,9 +55,10 @@ class Fan {
   }
 
  private:
-  Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption) {
+  Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption,
+            const std::string& formula = {}) {
     script_.value("orientations", turns_);
-    Step& step = script_.add(slug, title, line, caption);
+    Step& step = script_.add(slug, title, line, caption, formula);
     step.scene = picture(s_, shown_);
     return step;
   }
@@ -59,12 +68,15 @@ class Fan {
     shown_.lo = 1, shown_.hi = s_.size() - 1;
     left_ = e.first < 0 || e.last > 0;
     Step& step = add("within", "Within the fan?", 1,
-                     left_ ? "**p** lies outside one of the two edges at **v**_0, so outside of all."
+                     left_ ? "**p** lies outside one of the two edges at **v**_0, so outside the polygon."
                            : "**p** lies on the inner side of both edges at **v**_0: some wedge holds it.");
     step.decides = true;
-    step.question = Question{
-        "Does some wedge hold **p**?", {"yes", "no"}, left_ ? 1 : 0, "The two edges at **v**_0 bound the fan."};
+    // misconceptions: every wedge is looked at; half of them are, on average
+    step.question = which_value("How many bisections can it take at most to find the wedge?", bisections(s_.size()),
+                                {s_.size() - 2.0, std::floor(s_.size() / 2.0)},
+                                "Each halves the *n* − 2 wedges: lg (*n* − 2), rounded up.");
     if (left_) script_.leave_early();
+    if (!left_) script_.refuse(1, {2});
   }
 
   /// A bisection with the turn of the edge after mid, which is the next event.
@@ -72,61 +84,77 @@ class Fan {
            std::size_t i) {
     shown_.edge = rounds_ == 0;
     if (rounds_ == 0)
-      add("wide", "Not in the widest triangle", 2,
-          "**p** lies beyond **v**_{lo} **v**_{hi}, so no wide triangle settles it. Halve the fan.");
+      add("wide", "Not in the widest triangle", 3,
+          last_.turn == 0
+              ? "**p** lies on the line of the highlighted edge, not inside of it. Halve the fan."
+              : "**p** lies beyond the highlighted edge, so the widest triangle does not hold it. Halve the "
+                "fan.");
     shown_.edge = false;
     turns_ += 1;
     ++rounds_;
     const auto* edge = i + 1 < events.size() ? std::get_if<point_convex_polygon::Chord>(&events[i + 1]) : nullptr;
     const bool out = edge != nullptr && edge->turn < 0;
     shown_.mid = e.mid;
-    const int line = out ? 5 : e.turn >= 0 ? 3 : 4;
     shown_.lo = e.lo, shown_.hi = e.hi;
     script_.value("*lo*", e.lo);
     script_.value("*hi*", e.hi);
-    add(fmt::format("bisect-{}", rounds_), e.turn >= 0 ? "The upper half" : "The lower half", line,
-        out           ? "**p** lies beyond the edge after **v**_{mid}. The polygon lies on the inner side of each "
-                        "edge: outside."
-        : e.turn >= 0 ? "**p** lies left of the ray through **v**_{mid}: the wedges before it are gone."
-                      : "**p** lies right of the ray through **v**_{mid}: the wedges after it are gone.");
+    const std::string mid = fmt::format("**v**_{{{}}}", e.mid);
+    Step& step = add(
+        fmt::format("bisect-{}", rounds_), e.turn >= 0 ? "The wedges after " + mid : "The wedges before " + mid,
+        out ? 5 : 4,
+        out ? "**p** lies beyond the edge after " + mid + ". The polygon lies on the inner side of every edge: outside."
+        : e.turn > 0  ? "**p** lies left of the ray through " + mid + ": drop the wedges before it."
+        : e.turn == 0 ? "**p** lies on the ray through " + mid + ": drop the wedges before it."
+                      : "**p** lies right of the ray through " + mid + ": drop the wedges after it.");
+    if (rounds_ == 1) {
+      const Point<double, 2>& v = s_.vertex(e.mid);
+      step.question = {
+          fmt::format("The fan is halved at {} = ({}, {}). What follows?", mid, shown(v.x()), shown(v.y())),
+          {"go on with the wedges before it", "go on with the wedges after it",
+           "return OUT: **p** is beyond the edge that follows it"},
+          out           ? 2
+          : e.turn >= 0 ? 1
+                        : 0,
+          "The orientation of **v**_0, " + mid + ", **p** tells the side; that of the edge rejects."};
+    }
     shown_.mid = -1;
     left_ = left_ || out;
   }
 
   void finish() {
-    const bool on = s_.truth == Location::on;
+    const bool on = s_.truth == Location::on, in = s_.truth == Location::in;
+    const bool wide = in && shown_.hi - shown_.lo > 1;  // the triangle of several wedges was enough
     shown_.on = on;
     shown_.edge = !left_;
-    script_.settle(s_.truth == Location::in ? Verdict::Kind::yes
-                   : on                     ? Verdict::Kind::on
-                                            : Verdict::Kind::no,
-                   verdict_text(s_.truth));
-    const std::string cost = fmt::format("\n{} orientation{} for {} vertices: the cost grows as lg *n*.", turns_,
-                                         turns_ == 1 ? "" : "s", s_.size());
-    Step& step = add("verdict", "The last edge",
-                     s_.truth == Location::out && !left_ ? 6
-                     : left_                             ? (rounds_ == 0 ? 1 : 5)
-                                                         : 7,
-                     (left_ ? "One edge was enough to reject."
-                      : s_.truth == Location::in && s_.size() - 2 > shown_.hi - shown_.lo && shown_.hi - shown_.lo > 1
-                          ? "**p** lies in the triangle of a wider wedge already, so in the polygon."
-                      : on                       ? "The last orientation is exactly zero: **p** lies on the boundary."
-                      : s_.truth == Location::in ? "**p** lies on the inner side of the last edge."
-                                                 : "**p** lies beyond the last edge.") +
-                         cost);
+    script_.settle(verdict_kind(s_.truth), verdict_text(s_.truth));
+    if (wide) script_.leave_early();
+    Step& step = add("verdict",
+                     left_  ? "Rejected early"
+                     : wide ? "Inside, early"
+                            : "The last edge",
+                     left_      ? (rounds_ == 0 ? 2 : 5)
+                     : in || on ? 7
+                                : 6,
+                     (left_ ? (rounds_ == 0 ? "Two orientations reject **p**." : "One edge was enough to reject **p**.")
+                      : wide ? "The triangle of several wedges holds **p**, and lies in the polygon: no need to go on."
+                      : on   ? "One of these orientations is exactly zero: **p** lies on the boundary."
+                      : in   ? "**p** lies on the inner side of the last edge."
+                             : "**p** lies beyond the last edge.") +
+                         fmt::format("\nThat took {} orientations. It never takes more than {}.", turns_,
+                                     3 + 3 * bisections(s_.size())),
+                     "3 + 3 ⌈lg (*n* − 2)⌉ = " + shown(3 + 3 * bisections(s_.size())));
     step.decides = true;
-    step.question = Question{"Where does **p** lie?",
-                             {"inside", "on the boundary", "outside"},
-                             static_cast<int>(s_.truth),
-                             "The exact orientations decide."};
   }
+
+  /// lg (n - 2), rounded up.
+  static int bisections(int n) { return std::bit_width(static_cast<unsigned>(n) - 3); }
 
   const Setup& s_;
   Script script_;
   Shown shown_;
   point_convex_polygon::Chord last_ = {};
   int turns_ = 0, rounds_ = 0;
-  bool left_ = false;  ///< rejected before the last edge
+  bool left_ = false;  ///< rejected early
 };
 
 }  // namespace

@@ -62,7 +62,7 @@ const Lesson& convex_polygon() {
       .title = "Point in convex polygon",
       .rows = "N23",
       .summary =
-          "Whether a point lies in a convex polygon, by bisecting wedges: twenty steps for a million "
+          "Whether a point lies in a convex polygon, by bisecting wedges: at most twenty times for a million "
           "vertices.",
       .parameters = {choice("method", "method", "Wedges from a vertex, or around a centroid.", {"fan", "centroid"}),
                      choice("n", "*n*", "How many vertices the polygon has.", {"4", "5", "12", "64", "1000", "1000000"},
@@ -75,6 +75,9 @@ const Lesson& convex_polygon() {
       .steps = walk,
       .flat = true,
       .opinions = opinions,
+      .opening = opening(),
+      .closing = &closing(),
+      .after = {"crossings"},
   };
   return lesson;
 }

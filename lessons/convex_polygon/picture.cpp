@@ -39,6 +39,14 @@ std::vector<Vec3> arc(const Setup& s, int from, int to) {
   return points;
 }
 
+/// From the apex to the vertices: all of them at the start, then those of the wedges left.
+void rays(Scene& scene, const Setup& s, const Shown& shown) {
+  const int from = shown.lo < 0 ? 0 : shown.lo, to = shown.lo < 0 ? s.size() - 1 : shown.hi;
+  for (int i = from; i <= to; i += 1 + (to - from) / most_rays)
+    if (s.vertex(i) != shown.apex)
+      scene.items.emplace_back(Line{flat(shown.apex), flat(s.vertex(i)), Role::construction, Pen::hairline});
+}
+
 std::string name(int i) { return fmt::format("**v**_{{{}}}", i); }
 
 }  // namespace
@@ -54,6 +62,7 @@ Scene picture(const Setup& s, const Shown& shown) {
   scene.items.emplace_back(region);
 
   const Vec3 apex = flat(shown.apex), p = flat(s.p);
+  rays(scene, s, shown);
   if (shown.lo >= 0) {
     Region wedge;
     wedge.role = Role::highlight, wedge.outlined = false;

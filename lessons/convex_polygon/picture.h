@@ -31,7 +31,13 @@ struct Shown {
   bool edge = false;     ///< the wedge's edge is asked
   bool on = false;
 };
+/// So many rays of the fan are drawn at most; of more vertices some are left out.
+inline constexpr int most_rays = 64;
 viz::Scene picture(const Setup&, const Shown&);
 std::string alt_text(const Setup&);
+
+/// What is told before the first step, and after the last one. (closing.cpp)
+const std::string& opening();
+const viz::Closing& closing();
 
 }  // namespace isect::lessons::convex_polygon_lesson

@@ -15,19 +15,25 @@ namespace {
 class Closed : Teller {
  public:
   explicit Closed(const Setup& setup)
-      : Teller(setup, "closed rule (naive)", "Note, N22, read plainly",
+      : Teller(setup, "closed rule (naive)", "Lecture note, point in polygon, read plainly",
                {"count ← 0",                                     // 0
                 "for each edge a b",                             // 1
                 "    if both above or both below p: next edge",  // 2
                 "    x ← where a b meets the line of p",         // 3
                 "    if not p.x < x: next edge",                 // 4
                 "    count ← count + 1",                         // 5
-                "return count odd ? IN : OUT"}) {}               // 6
+                "if count is odd: return IN",                    // 6
+                "return OUT"}) {}                                // 7
 
   Walk tell() {
-    first_step(
+    first_step();
+    int counted = 0;
+    for (const Ring<double, 2>& ring : setup_.situation.polygon.rings)
+      counted += point_polygon::crossings_closed(setup_.p, ring);
+    add("rule", "The rule", 1,
         "An edge counts if it has a point on the ray, its ends included.\n"
-        "That sounds right, but each vertex belongs to two edges.");
+        "That sounds right, but each vertex belongs to two edges.")
+        .question = how_many("Each edge counts with both its ends.", counted);
     tally() = {};
     const std::vector<Ring<double, 2>>& rings = setup_.situation.polygon.rings;
     for (int r = 0; r < static_cast<int>(rings.size()); ++r) {
@@ -56,39 +62,63 @@ class Closed : Teller {
     const auto [a, b] = ends(setup_, *known_.edge);
     const bool along = a.y() == b.y(), vertex = a.y() == setup_.p.y() || b.y() == setup_.p.y();
     if (e.holds) meet(*known_.edge, true);
-    Step& step =
-        add(slug(*known_.edge),
-            along    ? "An edge along the ray"
-            : vertex ? "A vertex on the ray"
-                     : "Crossed",
-            along     ? 3
-            : e.holds ? 5
-                      : 4,
-            along      ? "The formula divides 0 by 0. NaN compares as false, so nothing is counted, by luck."
-            : !e.holds ? "The edge meets the line on the left of **p**: it does not count."
-            : vertex   ? "Its end lies on the ray, so it counts. The next edge has the same end, and counts again."
-                       : "The edge meets the line on the right of **p**: it counts.");
+    Step& step = add(slug(*known_.edge),
+                     along               ? "An edge along the ray"
+                     : vertex && e.holds ? "A vertex on the ray"
+                     : e.holds           ? "Crossed"
+                                         : "Not on the right",
+                     along     ? 3
+                     : e.holds ? 5
+                               : 4,
+                     along ? "The formula divides 0 by 0. No comparison with the result holds: by luck, nothing counts."
+                     : !e.holds ? (e.x.value == setup_.p.x()
+                                       ? "The edge meets the line at **p** itself, not right of it: it does not count."
+                                       : "The edge meets the line on the left of **p**: it does not count.")
+                     : vertex   ? "One end lies on the ray, so the edge counts. " + other_edge(*known_.edge)
+                                : "The edge meets the line on the right of **p**: it counts.");
     step.decides = e.holds;
+  }
+
+  /// What becomes of the other edge at the end that lies on the ray.
+  std::string other_edge(const EdgeOf& e) const {
+    const int n = static_cast<int>(setup_.situation.polygon.rings[e.ring].size());
+    const bool first = ends(setup_, e)[0].y() == setup_.p.y();
+    const auto [a, b] = ends(setup_, {e.ring, (e.index + (first ? n - 1 : 1)) % n});
+    return a.y() == b.y() ? "The other edge at this end lies along the ray."
+                          : "The other edge at this end counts it again.";
   }
 
   void finish() {
     known_.edge.reset();
     const bool inside = count_ % 2 != 0, boundary = setup_.truth.even_odd == Location::on;
-    const bool right = !boundary && inside == (setup_.truth.even_odd == Location::in);
+    const bool right = boundary || inside == (setup_.truth.even_odd == Location::in);
     const std::string counted = fmt::format("{} crossing{}: {}, {}", count_, count_ == 1 ? "" : "s",
                                             inside ? "odd" : "even", inside ? "IN" : "OUT");
-    const Verdict::Kind kind = !right ? Verdict::Kind::no : inside ? Verdict::Kind::yes : Verdict::Kind::no;
-    script_.settle(kind, right ? counted : counted + ". Wrong: " + verdict_text(setup_.truth));
-    Step& step = add("verdict", "Odd or even", 6,
-                     boundary ? "The point lies on the boundary, and this rule cannot say so."
-                     : right  ? "The answer is right this time: no vertex was counted once too often."
-                              : "The answer is wrong: a vertex on the ray was counted once too often.\n"
-                                "The half-open rule gives each vertex to one side.");
+    script_.settle(boundary          ? Verdict::Kind::on
+                   : right && inside ? Verdict::Kind::yes
+                                     : Verdict::Kind::no,
+                   boundary ? counted + ". In truth ON the boundary"
+                   : right  ? counted
+                            : counted + ". Wrong, true is " + verdict_text(setup_.truth));
+    if (!inside) script_.refuse(6, {});
+    Step& step = add("verdict", "Odd or even", inside ? 6 : 7, told(boundary, right));
     step.decides = true;
-    step.question = Question{"Is the closed rule right here?",
-                             {"yes", "no"},
-                             right ? 0 : 1,
-                             "The exact test says: " + verdict_text(setup_.truth) + "."};
+  }
+
+  std::string told(bool boundary, bool right) const {
+    const int extra = count_ - setup_.truth.crossings;
+    if (boundary) return "The point lies on the boundary. The note's rule, read plainly, has no such answer.";
+    if (right && extra == 0) return "The answer is right: this count is that of the half-open rule.";
+    if (right)
+      return fmt::format(
+          "The answer is right, but not the count: true is {}.\n"
+          "Its error is even, so odd and even survive, by luck.",
+          setup_.truth.crossings);
+    const std::string why = setup_.vertices_on_ray() > 0 ? "The vertices on the ray make the difference: the half-open "
+                                                           "rule gives each of them to one side."
+                                                         : "No vertex lies on the ray: rounding makes the difference.";
+    return fmt::format("The answer is wrong: {} crossing{} true.\n{}", setup_.truth.crossings,
+                       setup_.truth.crossings == 1 ? " is" : "s are", why);
   }
 };
 

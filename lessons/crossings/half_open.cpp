@@ -4,6 +4,7 @@
 
 #include <isect/point_polygon.h>
 #include "lessons/crossings/telling.h"
+#include "lessons/shared/questions.h"
 
 namespace isect::lessons::crossings_lesson {
 
@@ -15,7 +16,7 @@ namespace {
 class HalfOpen : Teller {
  public:
   explicit HalfOpen(const Setup& setup)
-      : Teller(setup, "half-open rule", "Note, N22; Franklin's PNPOLY (1970)",
+      : Teller(setup, "half-open rule", "Lecture note, point in polygon; W. R. Franklin, PNPOLY, 1970",
                {"count ← 0",                                          // 0
                 "for each edge a b",                                  // 1
                 "    if p = a, or p on a horizontal a b: return ON",  // 2
@@ -24,13 +25,13 @@ class HalfOpen : Teller {
                 "    if p on a b: return ON",                         // 5
                 "    if p right of a b, seen upwards: next edge",     // 6
                 "    count ← count + 1",                              // 7
-                "return count odd ? IN : OUT"}) {}                    // 8
+                "if count is odd: return IN",                         // 8
+                "return OUT"}) {}                                     // 9
 
   Walk tell() {
     using point_polygon::Edge;
-    first_step(
-        "A vertex at the height of **p** counts as below it.\n"
-        "So each vertex is on one side, and each edge crosses or does not.");
+    first_step();
+    tell_rule();
     tally() = {};
     const std::vector<Ring<double, 2>>& rings = setup_.situation.polygon.rings;
     for (int r = 0; r < static_cast<int>(rings.size()) && !known_.on; ++r) {
@@ -46,18 +47,30 @@ class HalfOpen : Teller {
   }
 
  private:
+  void tell_rule() {
+    known_.raised = true;
+    Step& step = add("rule", "The half-open rule", 1,
+                     "A vertex at the height of **p** counts as below it.\n"
+                     "So it is for a ray raised by a tiny *ε* (dashed). That ray meets no vertex, only interiors of "
+                     "edges.",
+                     "counts only if  (*a*_y > *p*_y) ≠ (*b*_y > *p*_y)");
+    if (setup_.truth.even_odd != Location::on)
+      step.question = how_many("A vertex on the ray counts as below it.", setup_.truth.crossings);
+    known_.raised = false;
+  }
+
   /// The core's walk along a ring; its three predicates count their operations, and the orientation's sign is exact.
   void run(const Ring<double, 2>& ring, int number, CountingRecord<point_polygon::Event>& record) const {
     const Point<double, 2>& p = setup_.p;
     const auto sign = [](const C& x, const C& y) { return (x > y) - (x < y); };
     const auto height = [&](const Point<double, 2>& v) { return sign(v.y(), p.y()); };
-    const auto abscissa = [&](const Point<double, 2>& v) { return sign(v.x(), p.x()); };
+    const auto across = [&](const Point<double, 2>& v) { return sign(v.x(), p.x()); };
     const auto side = [&](const Point<double, 2>& a, const Point<double, 2>& b) {
       const C area2 = (C(a.x()) - C(p.x())) * (C(b.y()) - C(p.y())) - (C(a.y()) - C(p.y())) * (C(b.x()) - C(p.x()));
       (void)(area2 > C(0)), (void)(area2 < C(0));
       return orient2d(a, b, p);
     };
-    point_polygon::wind(std::span<const Point<double, 2>>(ring), height, abscissa, side, number, record);
+    point_polygon::wind(std::span<const Point<double, 2>>(ring), height, across, side, number, record);
   }
 
   void say(const point_polygon::Edge& e) {
@@ -76,12 +89,12 @@ class HalfOpen : Teller {
         known_.along.push_back(edge);
         Step& step = add(slug(edge), "An edge along the ray", 4,
                          "Neither end lies above **p**: an edge along the line never counts. Its neighbours decide.");
-        ask(step, false, "Both ends count as below, so it has no side to cross to.");
+        ask(step, edge, {6, 7}, "Both ends count as below, so it has no side to cross to.");
         return;
       }
       case Passage::crossed_left:
         add(slug(edge), "Crossed on the left", 6,
-            "The edge crosses the line, but **p** lies on its right: the ray starts beyond it.");
+            "The edge crosses the line on the left of **p**: the ray starts beyond it.");
         return;
       case Passage::crossed_right:
         return right(edge, a.y() == y || b.y() == y);
@@ -98,7 +111,7 @@ class HalfOpen : Teller {
     if (meeting(setup_, edge).x() > setup_.p.x()) meet(edge, false);
     Step& step = add(slug(edge), "An end on the line", 4,
                      "One end lies at the height of **p** and counts as below. So this edge does not cross.");
-    ask(step, false, "A vertex on the line counts as below it: both ends lie on the same side.");
+    ask(step, edge, {3, 6, 7}, "A vertex on the line counts as below it: both ends lie on the same side.");
   }
 
   void right(const EdgeOf& edge, bool vertex) {
@@ -107,22 +120,23 @@ class HalfOpen : Teller {
                      vertex ? "The end on the ray counts as below, the other lies above: the edge crosses, once."
                             : "The edge crosses the line, and **p** lies on its left: it counts.");
     step.decides = true;
-    ask(step, true,
+    ask(step, edge, {3, 4, 6},
         vertex ? "A vertex on the line counts as below it; the other end lies above."
                : "Its ends lie on both sides, and **p** on its left.");
   }
 
-  void on(const EdgeOf&, int line) {
+  void on(const EdgeOf& edge, int line) {
+    const Point<double, 2> a = ends(setup_, edge)[0];
     known_.on = true;
     script_.settle(Verdict::Kind::on, verdict_text(setup_.truth));
     script_.leave_early();
     Step& step = add("on", "On the boundary", line,
-                     line == 2 ? "**p** is an end of this edge, or lies between them at the same height.\n"
-                                 "Neither inside nor outside: counting would give either, by chance."
-                               : "The orientation of **a**, **b**, **p** is exactly zero: the edge holds the point.\n"
-                                 "Neither inside nor outside: counting would give either, by chance.");
+                     std::string(line == 5       ? "The orientation of **a**, **b**, **p** is exactly zero: the edge "
+                                                   "holds the point.\n"
+                                 : a == setup_.p ? "**p** is the end **a** of this edge.\n"
+                                                 : "**p** lies between the ends of this edge, at their height.\n") +
+                         "Neither inside nor outside: counting would give either, by chance.");
     step.decides = true;
-    step.question = where_question();
   }
 
   void finish() {
@@ -130,15 +144,19 @@ class HalfOpen : Teller {
     const Winding& truth = setup_.truth;
     const bool differs = truth.nonzero != truth.even_odd;
     script_.settle(truth.even_odd == Location::in ? Verdict::Kind::yes : Verdict::Kind::no, verdict_text(truth));
-    script_.value("winding", truth.winding);
-    Step& step = add("verdict", "Odd or even", 8,
-                     std::string(count_ % 2 != 0 ? "The count is odd: **p** lies inside."
-                                                 : "The count is even: **p** lies outside.") +
-                         (differs ? "\nThe other rule asks how often the boundary goes around. Here that is "
-                                    "not 0, so **p** is inside."
-                                  : "\nEach edge was looked at once: the cost grows as n."));
+    script_.value("winding number", truth.winding);
+    const bool odd = count_ % 2 != 0;
+    if (!odd) script_.refuse(8, {});
+    Step& step =
+        add("verdict", "Odd or even", odd ? 8 : 9,
+            std::string(odd ? "The count is odd: **p** lies inside." : "The count is even: **p** lies outside.") +
+                "\nThe winding number adds 1 for an edge upwards and −1 for one downwards." +
+                (differs ? " It is not 0: by the non-zero rule **p** lies inside." : ""));
     step.decides = true;
-    step.question = where_question();
+    // misconceptions: it is the count; every crossing adds 1 with the same sign; it is 1 inside and 0 outside
+    step.question = which_value("How often does the boundary go around **p**, counter-clockwise?", truth.winding,
+                                {1.0 * count_, -1.0 * truth.winding, odd ? 1.0 : 0.0, 2},
+                                "Edges that cross upwards count 1, those downwards −1.");
   }
 };
 

@@ -53,10 +53,9 @@ std::vector<Opinion> opinions(const Parameters& values) {
   ask("shifted to the origin",
       [](const auto& p, const auto& ring) { return point_polygon::crossings_translated(p, ring); });
   ask("closed rule", [](const auto& p, const auto& ring) { return point_polygon::crossings_closed(p, ring) % 2 == 1; });
-  int turns = 0;
+  int turns = 0;  // odd if and only if the count of crossings is: each of them adds 1 or takes 1 away
   for (const Ring<double, 2>& ring : s.situation.polygon.rings) turns += point_polygon::winding_naive(s.p, ring);
-  all.add("winding number", turns != 0 ? "inside by the non-zero rule" : "outside by the non-zero rule",
-          s.truth.nonzero == Location::on || (turns != 0) == (s.truth.nonzero == Location::in));
+  all.add("winding number, odd or even", turns % 2 != 0);
   return all.take();
 }
 
@@ -75,6 +74,10 @@ const Lesson& crossings() {
       .steps = walk,
       .flat = true,
       .opinions = opinions,
+      .opening = opening(),
+      .closing = &closing(),
+      .errata = errata(),
+      .after = {"intervals", "rays"},
   };
   return lesson;
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "lessons/shared/flat.h"
+#include "lessons/shared/location.h"
 
 namespace isect::lessons::crossings_lesson {
 
@@ -18,6 +19,17 @@ double end_of_ray(const Setup& s) {
   for (const Ring<double, 2>& ring : s.situation.polygon.rings)
     for (const Point<double, 2>& v : ring) end = std::max(end, v.x());
   return end + 0.75;
+}
+
+/// The ray a little higher: by half the way to the next vertex above it, and little enough to look like one ray.
+void add_raised(const Setup& s, Scene& scene) {
+  double rise = 0.15;
+  for (const Ring<double, 2>& ring : s.situation.polygon.rings)
+    for (const Point<double, 2>& v : ring)
+      if (v.y() > s.p.y()) rise = std::min(rise, (v.y() - s.p.y()) / 2);
+  const Vec3 up = {0, rise, 0}, from = flat(s.p) + up, to = Vec3(end_of_ray(s), s.p.y(), 0) + up;
+  scene.items.emplace_back(Arrow{from, to, Role::text, Pen::construction});
+  scene.items.emplace_back(Label{to, "raised by *ε*", Role::text});
 }
 
 void add_meetings(const Known& known, Scene& scene) {
@@ -59,6 +71,8 @@ Scene picture(const Setup& s, const Known& known) {
   Region region;
   for (const Ring<double, 2>& ring : s.situation.polygon.rings) region.rings.push_back(flat(ring));
   region.corners = true;
+  if (region.rings.size() == 1)  // several rings are filled by the even-odd rule: a second one, of no area, asks for it
+    region.rings.push_back({region.rings[0][0], region.rings[0][0], region.rings[0][0]});
   scene.items.emplace_back(region);
 
   const Vec3 p = flat(s.p), end = {end_of_ray(s), s.p.y(), 0};
@@ -66,6 +80,7 @@ Scene picture(const Setup& s, const Known& known) {
     scene.items.emplace_back(Arrow{p, end, Role::construction, Pen::construction});
   else if (known.ray)
     scene.items.emplace_back(Arrow{p, end, Role::first, Pen::solid});
+  if (known.raised) add_raised(s, scene);
   for (const EdgeOf& e : known.along) {
     const auto [a, b] = ends(s, e);
     scene.items.emplace_back(Line{flat(a), flat(b), Role::construction, Pen::excluded});
@@ -95,11 +110,13 @@ std::string verdict_text(const Winding& w) {
 std::string alt_text(const Setup& s) {
   const std::size_t rings = s.situation.polygon.rings.size();
   return fmt::format("A point and a polygon{}, with a ray from the point to the right. {}",
-                     rings > 1 ? " with a hole" : "",
+                     rings > 1            ? " with a hole"
+                     : s.situation.simple ? ""
+                                          : " that meets itself",
                      s.truth.even_odd == Location::on
                          ? "The point lies on the boundary."
-                         : fmt::format("The ray crosses the boundary {} times: the point lies {}.", s.truth.crossings,
-                                       s.truth.even_odd == Location::in ? "inside" : "outside"));
+                         : fmt::format("The ray crosses {} edge{}: by the even-odd rule the point lies {}.",
+                                       s.truth.crossings, s.truth.crossings == 1 ? "" : "s", lies(s.truth.even_odd)));
 }
 
 }  // namespace isect::lessons::crossings_lesson

@@ -19,6 +19,7 @@ struct Meeting {
 
 struct Known {
   bool ray = true;
+  bool raised = false;            ///< a second ray, a little higher
   std::optional<EdgeOf> edge;     ///< the one looked at
   std::vector<Meeting> meetings;  ///< on the ray
   std::vector<EdgeOf> along;      ///< edges along the ray, left out
@@ -32,7 +33,7 @@ Point<double, 2> meeting(const Setup&, const EdgeOf&);
 
 viz::Scene picture(const Setup&, const Known&);
 std::string alt_text(const Setup&);
-/// "even-odd: IN", and what the other rule says where it differs.
+/// "3 crossings: odd, IN", and what the other rule says where it differs.
 std::string verdict_text(const Winding&);
 
 }  // namespace isect::lessons::crossings_lesson

@@ -60,23 +60,34 @@ const std::vector<Situation>& situations() {
        "spike",
        {-1.25, 0},
        {{{{-2, -1.5}, {1.5, -1.5}, {1.25, 0.5}, {2.5, -0.5}, {1.25, 0.5}, {1, 1.75}, {-1.75, 1.5}}}},
-       "Two edges run out to a tip and back: they cancel."},
+       "Two edges run out to a tip and back: they cancel.",
+       false},
       {"hole",
        "hole",
        {-0.25, 0.25},
        {{{{-2.25, -1.75}, {2.25, -1.75}, {2.25, 1.75}, {-2.25, 1.75}}, {{-1, -0.75}, {-1, 1}, {1, 1.25}, {1, -0.75}}}},
-       "The point lies in a hole, which is a ring of its own."},
+       "The point lies in a hole, which is a ring of its own.",
+       false},
       {"pentagram",
        "crosses itself",
        {0, 0.125},
        {{{{-1.25, -1.75}, {0, 2.25}, {1.25, -1.75}, {-2, 0.75}, {2, 0.75}}}},
-       "The boundary goes around the point twice."},
+       "The boundary goes around the point twice.",
+       false},
   };
   return all;
 }
 
 const Situation& situation(const std::string& id) {
   return *std::ranges::find_if(situations(), [&](const Situation& s) { return s.id == id; });
+}
+
+int Setup::vertices_on_ray() const {
+  int on_ray = 0;
+  for (const Ring<double, 2>& ring : situation.polygon.rings)
+    on_ray +=
+        static_cast<int>(std::ranges::count_if(ring, [&](const auto& v) { return v.y() == p.y() && v.x() > p.x(); }));
+  return on_ray;
 }
 
 }  // namespace isect::lessons::crossings_lesson

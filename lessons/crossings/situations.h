@@ -13,7 +13,8 @@ struct Situation {
   const char* title;
   Point<double, 2> p;
   Polygon<double, 2> polygon;
-  const char* note;  ///< one sentence on what is special
+  const char* note;    ///< one sentence on what is special, with the point where it is given
+  bool simple = true;  ///< one ring that neither crosses nor meets itself: what Jordan's theorem speaks of
 };
 
 /// The first is the one to start with.
@@ -28,6 +29,9 @@ struct Setup {
   const Situation& situation;
   Point<double, 2> p;
   Winding truth;
+
+  /// The vertices on the ray, its origin left out.
+  int vertices_on_ray() const;
 };
 
 }  // namespace isect::lessons::crossings_lesson

@@ -1,24 +1,66 @@
 #include "lessons/crossings/telling.h"
 
+#include <fmt/format.h>
+
+#include "lessons/shared/questions.h"
+
 namespace isect::lessons::crossings_lesson {
 
 using namespace viz;
 
+namespace {
+
+/// What is special about the point where it stands now.
+std::string special(const Setup& s) {
+  if (s.p == s.situation.p) return s.situation.note;
+  if (s.truth.even_odd == Location::on) return "The point lies on the boundary.";
+  const int vertices = s.vertices_on_ray();
+  return vertices == 0 ? "No vertex lies on the ray."
+                       : fmt::format("{} {} on the ray.", vertices, vertices == 1 ? "vertex lies" : "vertices lie");
+}
+
+/// Edges that meet the whole line of the ray, by the half-open rule: those on the left of the point, too.
+int crossings_of_line(const Setup& s) {
+  int count = 0;
+  for (const Ring<double, 2>& ring : s.situation.polygon.rings)
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      count += (ring[i].y() > s.p.y()) != (ring[(i + 1) % ring.size()].y() > s.p.y());
+  return count;
+}
+
+}  // namespace
+
 Teller::Teller(const Setup& setup, const std::string& title, const std::string& source, std::vector<std::string> lines)
     : setup_(setup), script_({source, alt_text(setup), std::move(lines), title}) {}
 
-Step& Teller::add(const std::string& slug, const std::string& title, int line, const std::string& caption) {
-  Step& step = script_.add(slug, title, line, caption);
+Step& Teller::add(const std::string& slug, const std::string& title, int line, const std::string& caption,
+                  const std::string& formula) {
+  Step& step = script_.add(slug, title, line, caption, formula);
   step.scene = picture(setup_, known_);
   return step;
 }
 
-void Teller::first_step(const std::string& rule) {
+void Teller::first_step() {
   script_.value("count", 0, {}, Role::hit);
   add("ray", "A ray to the right", 0,
-      std::string("Count the edges that it crosses: an odd number means inside (Jordan's curve theorem).\n") +
-          setup_.situation.note);
-  add("rule", "The rule", 1, rule);
+      std::string(setup_.situation.simple
+                      ? "Count the edges that it crosses: an odd number means inside (Jordan curve theorem).\n"
+                      : "Count the edges that it crosses: odd means inside.\n"
+                        "Jordan's theorem speaks of simple closed curves only. Here this even-odd rule is a "
+                        "definition.\n") +
+          special(setup_));
+}
+
+/// Misconceptions: a vertex counts as often as in the other rule; edges on the left count, too; all edges count.
+Question Teller::how_many(const std::string& rule, int counted) const {
+  int closed = 0, edges = 0;
+  for (const Ring<double, 2>& ring : setup_.situation.polygon.rings) {
+    closed += point_polygon::crossings_closed(setup_.p, ring);
+    edges += static_cast<int>(ring.size());
+  }
+  return which_value(rule + " How many edges count?", counted,
+                     {1.0 * closed, 1.0 * setup_.truth.crossings, 1.0 * crossings_of_line(setup_), 1.0 * edges},
+                     "Each edge is looked at in the next steps.");
 }
 
 std::string Teller::slug(const EdgeOf& e) const {
@@ -33,18 +75,14 @@ void Teller::meet(const EdgeOf& e, bool counts) {
   if (counts) script_.value("count", count_, {}, Role::hit);
 }
 
-void Teller::ask(Step& step, bool counts, const std::string& because) {
+void Teller::ask(Step& step, const EdgeOf& edge, const std::vector<int>& lines, const std::string& because) {
   if (asked_) return;
   asked_ = true;
-  step.question = Question{"Does the edge **a** **b** count?", {"yes", "no"}, counts ? 0 : 1, because};
-}
-
-Question Teller::where_question() const {
-  const int answer = static_cast<int>(setup_.truth.even_odd);
-  return {"Where does **p** lie, by the even-odd rule?",
-          {"inside", "on the boundary", "outside"},
-          answer,
-          answer == 1 ? "An edge holds the point." : "The true count of crossings decides."};
+  const auto [a, b] = ends(setup_, edge);
+  const auto pair = [](const Point<double, 2>& v) { return fmt::format("({}, {})", shown(v.x()), shown(v.y())); };
+  step.question = which_line(script_.walk().pseudocode, step.line, lines, because);
+  step.question->prompt = fmt::format("**p** = {}. The next edge runs from {} to {}. Which line settles it?",
+                                      pair(setup_.p), pair(a), pair(b));
 }
 
 }  // namespace isect::lessons::crossings_lesson

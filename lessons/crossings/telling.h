@@ -2,6 +2,7 @@
 // The two rules, walked: which edges count. What they share: the first step, the last question, and the state between
 // them.
 
+#include <isect/point_polygon_methods.h>
 #include "lessons/crossings/picture.h"
 #include "lessons/shared/script.h"
 
@@ -12,18 +13,25 @@ viz::Walk half_open(const Setup&);
 /// Each edge with a point at that height counts, its ends included: the note's sentence, read plainly.
 viz::Walk closed(const Setup&);
 
+/// What is told before the first step, and after the last one. (closing.cpp)
+const std::string& opening();
+const viz::Closing& closing();
+const std::vector<viz::Erratum>& errata();
+
 class Teller {
  protected:
   Teller(const Setup&, const std::string& title, const std::string& source, std::vector<std::string> lines);
 
-  viz::Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption);
-  void first_step(const std::string& rule);
+  viz::Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption,
+                 const std::string& formula = {});
+  void first_step();
+  /// Asked before any edge is looked at: `rule` in a sentence, and how many edges count by it.
+  viz::Question how_many(const std::string& rule, int counted) const;
   /// "edge-3", counted over all rings.
   std::string slug(const EdgeOf&) const;
   void meet(const EdgeOf&, bool counts);
-  /// "Does this edge count?", asked the first time that a case needs thought.
-  void ask(viz::Step&, bool counts, const std::string& because);
-  viz::Question where_question() const;
+  /// "Which line settles this edge?", asked the first time that a case needs thought.
+  void ask(viz::Step&, const EdgeOf&, const std::vector<int>& lines, const std::string& because);
 
   const Setup& setup_;
   Script script_;

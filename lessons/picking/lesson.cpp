@@ -35,6 +35,9 @@ const Lesson& picking() {
                   preset_of("miss", "nothing", 0.875, 0.25), preset_of("tie", "a tie", 0.25, 0.5625)},
       .camera = from_outside(),
       .steps = walk,
+      .opening = opening(),
+      .closing = &closing(),
+      .after = {"rays", "ray-sphere", "bounding-volumes", "ray-tracing"},
   };
   return lesson;
 }

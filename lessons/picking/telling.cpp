@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "lessons/picking/picture.h"
 #include "lessons/shared/script.h"
@@ -16,15 +17,15 @@ const std::vector<std::string> pseudocode = {
     "ray ← from the eye through the pointer",          // 0
     "for each object whose bounding ball it meets",    // 1
     "    t ← where it meets the object itself first",  // 2
-    "    keep the object if t is the least so far",    // 3
-    "return the object kept, or none"                  // 4
+    "    keep it if t is less; at a tie, the first",   // 3
+    "return the object kept, if any"                   // 4
 };
 
 class Teller {
  public:
   explicit Teller(const Vec3& pointer)
       : s_(pointer),
-        script_({"Note, N01, N03, N16",
+        script_({"Lecture note, picking, bounding volumes and rays",
                  "An eye, a picture plane with the pointer, and the viewing ray through it. It picks " +
                      (s_.truth ? std::string(s_.world.object(s_.truth->primitive).name) : std::string("nothing")) + ".",
                  pseudocode}) {}
@@ -33,10 +34,17 @@ class Teller {
     step("pointer", "What is under the pointer?", 0,
          "The user points at the picture plane. What is meant is what the eye sees there.");
     known_.ray = true;
-    step("viewing-ray", "The pointer's viewing ray", 0,
-         "A ray from the eye **o** through the pointer: all that can appear at this place lies on it.\n"
-         "On the picture plane *t* = 1.",
-         "**p** = **o** + *t* **d**,  *t* ≥ 0");
+    const Vec2 at = s_.eye.pixel(s_.pointer);
+    const double half = s_.eye.rows / 2.0, right = tidy(at.x() - s_.eye.columns / 2.0), up = tidy(half - at.y());
+    step(
+        "viewing-ray", "The pointer's pick ray", 0,
+        fmt::format("The pointer is {} pixels {} of the picture's middle and {} {} it. The picture's half height is {} "
+                    "pixels, seen at half the field of view *φ*.\n"
+                    "All that can appear at this place lies on the ray from the eye **o** through the pointer.",
+                    shown(std::abs(right)), right < 0 ? "left" : "right", shown(std::abs(up)),
+                    up < 0 ? "below" : "above", shown(half)),
+        fmt::format("**d** ∥ **forward** + tan(*φ*/2) (({}/{}) **right** + ({}/{}) **up**)", shown(right), shown(half),
+                    shown(up), shown(half)));
     volumes();
     for (int i = 0; i < s_.size(); ++i)
       if (s_.met(i)) object(i);
@@ -45,6 +53,9 @@ class Teller {
   }
 
  private:
+  /// The eye's view rounds; a thousandth of a pixel is enough.
+  static double tidy(double pixels) { return std::round(1000 * pixels) / 1000 + 0.0; }
+
   std::string name(int i) const { return s_.world.object(i).name; }
 
   Step& step(const std::string& slug, const std::string& title, int line, const std::string& caption,
@@ -78,8 +89,8 @@ class Teller {
         step("volumes", "Bounding balls first", 1,
              (left == 0 ? "The ray meets no bounding ball: nothing is there."
                         : fmt::format("A ray that misses the ball around an object (dashed) misses all its triangles. "
-                                      "{} of {} objects are left.",
-                                      left, s_.size())) +
+                                      "{} of {} objects {} left.",
+                                      left, s_.size(), left == 1 ? "is" : "are")) +
                  cost);
     s.decides = true;
     s.question = {"How many objects need a closer look?", {}, left, "Those whose bounding ball the ray meets."};
@@ -97,18 +108,25 @@ class Teller {
     if (first) known_.kept = i, known_.kept_t = *t;
     Step& s = step(fmt::format("object-{}", i), fmt::format("Does it meet {}?", name(i)), first ? 3 : 2,
                    !t      ? "The ray passes through the bounding ball's void, and misses the object."
-                   : tie   ? "It is met at the very same *t* as the one kept: a tie, which is not nearer. The "
-                             "one kept stays."
+                   : tie   ? "It is met at the very same *t* as the one kept: a tie. The first of both, in their "
+                             "order, is kept."
                    : !had  ? "The first one met. It is kept, until one is met at a smaller *t*."
                    : first ? "This one is nearer: it hides the one kept so far, and takes its place."
                            : "It is met too, but farther off. The one kept hides it.",
                    t ? "*t* = " + shown(*t) : "no *t*");
     if (t && had)
       Script::decide(s, {"*t* < least *t*", *t, before, first, first ? "nearer" : tie ? "a tie" : "farther"});
-    s.question = {fmt::format("Is {} the nearest so far?", name(i)),
-                  {"yes", "no"},
-                  first ? 0 : 1,
-                  !t ? "The ray does not meet it." : "Its *t* is compared with the least one so far."};
+    // misconceptions: the last one met is kept; a bounding ball that is met is enough
+    Question q = {fmt::format("The ray meets the bounding ball of {}. Which object is kept then?", name(i)),
+                  {},
+                  0,
+                  !t ? "It misses the object itself." : "Its *t* is compared with the least one so far."};
+    for (int k = 0; k <= i; ++k)
+      if (s_.met(k)) q.choices.push_back(name(k));
+    q.choices.emplace_back("none yet");
+    const std::string kept = known_.kept < 0 ? "none yet" : name(known_.kept);
+    q.answer = static_cast<int>(std::ranges::find(q.choices, kept) - q.choices.begin());
+    s.question = q;
   }
 
   void picked() {
@@ -116,9 +134,9 @@ class Teller {
       const int i = s_.truth->primitive;
       const bool tie = std::ranges::count_if(known_.hits, [&](const auto& h) { return h.second == s_.truth->t; }) > 1;
       script_.settle(tie ? Verdict::Kind::on : Verdict::Kind::yes, "picked: " + name(i) + (tie ? ", after a tie" : ""));
-      last(tie ? "Both objects are seen at this point, as they touch there. A rule must choose: here the "
-                 "first in order.\n"
-                 "What matters is that it is always the same one, in any order of tests."
+      last(tie ? "Both objects are met in one point, where they touch. A rule must choose: the first in "
+                 "their list.\n"
+                 "With *t* alone, whichever is tested first would stay, and that may change."
                : "The nearest object is the one that the eye sees under the pointer (highlighted).\n"
                  "Those behind it cannot be picked here, though the ray meets them.",
            "least *t* = " + shown(s_.truth->t));

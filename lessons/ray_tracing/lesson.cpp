@@ -15,32 +15,43 @@ using namespace ray_tracing_lesson;
 
 const Vec3 standard_lamp = {-1, 2.25, -1.5};
 
-Walk walk(const Parameters& values) {
-  return tell(std::get<Vec3>(values.at("pixel")), std::get<Vec3>(values.at("lamp")));
-}
+Walk walk(const Parameters& values) { return tell(setup(values)); }
 
-Preset preset_of(const char* id, const char* title, int column, int row) {
+Preset preset_of(const char* id, const char* title, int column, int row, const char* shadow = "apart") {
   const Vec3 at = Eye(columns, rows).on_plane({column + 0.5, row + 0.5});
-  return {id, title, "", {{"pixel", at}, {"lamp", standard_lamp}}};
+  return {id, title, "", {{"pixel", at}, {"lamp", standard_lamp}, {"shadow", std::string(shadow)}}};
 }
 
 }  // namespace
+
+ray_tracing_lesson::OnePixel ray_tracing_lesson::setup(const Parameters& p) {
+  const bool apart = std::get<std::string>(p.at("shadow")) == "apart";
+  return {std::get<Vec3>(p.at("pixel")), std::get<Vec3>(p.at("lamp")),
+          apart ? ShadowRay::leaves_own_out : ShadowRay::naive};
+}
 
 const Lesson& ray_tracing() {
   static const Lesson lesson = {
       .id = "ray-tracing",
       .title = "Ray tracing",
       .rows = "N01, N16",
-      .summary = "A picture by viewing rays: the closest hit, its normal, and a ray to the lamp.",
+      .summary = "A picture by primary rays: the closest hit, its normal, and a shadow ray to the light source.",
       .parameters = {vector("pixel", "pixel",
                             "A point of the picture plane, in world units; its first coordinate is not used.",
                             Vec3(plane_x, 0, 0), 2),
-                     vector("lamp", "lamp", "Where the lamp hangs, in world units.", standard_lamp, 5)},
+                     vector("lamp", "light source", "Where the light source hangs, in world units.", standard_lamp, 5),
+                     choice("shadow", "shadow ray",
+                            "Whether the object that a shadow ray starts on is left out (apart) or asked, too (naive).",
+                            {"apart", "naive"})},
       .group_by = "",
       .presets = {preset_of("lit", "lit", 7, 25), preset_of("shadow", "in shadow", 24, 29),
-                  preset_of("turned-away", "turned away", 19, 28), preset_of("sky", "sky", 24, 5)},
+                  preset_of("turned-away", "turned away", 19, 28), preset_of("sky", "sky", 24, 5),
+                  preset_of("acne", "shadow acne", 13, 16, "naive")},
       .camera = from_outside(),
       .steps = walk,
+      .opening = opening(),
+      .closing = &closing(),
+      .after = {"rays", "ray-sphere", "hierarchy", "ray-polygon"},
   };
   return lesson;
 }

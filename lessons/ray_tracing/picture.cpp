@@ -8,8 +8,12 @@ namespace isect::lessons::ray_tracing_lesson {
 using namespace viz;
 using namespace viewing;
 
-OnePixel::OnePixel(const Vec3& point, const Vec3& the_lamp)
-    : world(scene_objects()), eye(columns, rows), lamp(the_lamp), handle(plane_x, point.y(), point.z()) {
+OnePixel::OnePixel(const Vec3& point, const Vec3& the_lamp, ShadowRay the_start)
+    : world(scene_objects()),
+      eye(columns, rows),
+      start(the_start),
+      lamp(the_lamp),
+      handle(plane_x, point.y(), point.z()) {
   const Vec2 p = eye.pixel(point);
   column = static_cast<int>(std::clamp(std::floor(p.x()), 0.0, columns - 1.0));
   row = static_cast<int>(std::clamp(std::floor(p.y()), 0.0, rows - 1.0));
@@ -17,6 +21,8 @@ OnePixel::OnePixel(const Vec3& point, const Vec3& the_lamp)
   ray = eye.through(aim);
   Work work;
   traced = trace(world, ray, lamp, work);
+  if (const Traced naive = trace(world, ray, lamp, work, start); naive.blocker && !traced.blocker)
+    traced = naive, acne = true;
 }
 
 namespace {
@@ -70,7 +76,7 @@ Scene picture(const OnePixel& s, const Shown& shown) {
   for (const Object& o : s.world.objects) viewing::add(o, scene);
   for (const Object& o : s.world.objects) add_name(o, scene);
   scene.items.emplace_back(Dot{s.lamp, Mark::diamond, Role::highlight});
-  scene.items.emplace_back(Label{s.lamp, "lamp", Role::text});
+  scene.items.emplace_back(Label{s.lamp, "light source", Role::text});
   add_pixel(s, scene);
   if (shown.ray) add_ray(s, shown, scene);
   if (shown.normal) {

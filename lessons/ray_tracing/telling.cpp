@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "lessons/ray_tracing/picture.h"
+#include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"
 
 namespace isect::lessons::ray_tracing_lesson {
@@ -14,30 +17,35 @@ const std::vector<std::string> pseudocode = {
     "for each pixel: ray ← from the eye through the pixel",  // 0
     "    hit ← the object met at the least t ≥ 0",           // 1
     "    if there is none: the colour of the sky",           // 2
-    "    n ← its normal at the hit, l ← towards the lamp",   // 3
-    "    if n · l ≤ 0: dim, it faces away from the lamp",    // 4
-    "    if anything stands between hit and lamp: dim",      // 5
+    "    n ← its normal at the hit, l ← towards the light",  // 3
+    "    if n · l ≤ 0: dim, it faces away from the light",   // 4
+    "    if anything stands between hit and light: dim",     // 5
     "    else: as bright as n · l says"                      // 6
 };
 
 class Teller {
  public:
-  Teller(const Vec3& pixel, const Vec3& lamp)
-      : s_(pixel, lamp),
-        script_({"Note, N01, N16; Whitted (1980)",
-                 "An eye looks through a picture plane at balls, a box and a floor. " + outcome() + ".", pseudocode}) {}
+  explicit Teller(const OnePixel& one)
+      : s_(one),
+        script_(
+            {"Lecture note, ray tracing; Arthur Appel, Some techniques for shading machine renderings of solids, 1968",
+             "An eye looks through a picture plane at balls, a box and a floor. " + outcome() + ".", pseudocode}) {}
 
   Walk tell() {
     step("picture-plane", "A picture of pixels", 0,
-         "The eye looks at a scene through a plane of 48 × 36 pixels. Each pixel asks: what is seen through "
-         "me?",
-         {});
+         "The eye looks at a scene through a plane of 48 × 36 pixels. What is seen through each of them?", {});
     shown_.ray = true;
-    step("ray", "One ray through one pixel", 0,
-         "The ray starts at the eye **o** and runs through the middle of the pixel. On the picture plane *t* "
-         "= 1.\n"
-         "Light travels the other way, but few of a lamp's rays reach the eye. So rays are traced backwards.",
-         "**p** = **o** + *t* **d**,  *t* ≥ 0");
+    const Vec3 d = s_.ray.direction / s_.ray.direction.x();  // forward by 1
+    const double across = (s_.column + 0.5) / (columns / 2.0) - 1, up = 1 - (s_.row + 0.5) / (rows / 2.0);
+    step("ray", "One primary ray through one pixel", 0,
+         fmt::format(
+             "Pixel ({}, {}) has its middle {} half widths {} of the centre, and {} half heights {} it. With the field "
+             "of view *φ*, **d** = **forward** + *u* **right** + *v* **up**.\n"
+             "Light travels the other way, but little of it reaches the eye. So rays are traced backwards.",
+             s_.column, s_.row, shown(std::abs(across)), across < 0 ? "left" : "right", shown(std::abs(up)),
+             up < 0 ? "below" : "above"),
+         fmt::format("*u* = {} · tan(*φ*/2) · {}/{} = {},  *v* = {} · tan(*φ*/2) = {}", shown(across), columns, rows,
+                     shown(d.z()), shown(up), shown(d.y())));
     closest();
     if (s_.traced.hit) shade();
     image();
@@ -49,7 +57,8 @@ class Teller {
 
   std::string outcome() const {
     if (!s_.traced.hit) return "The pixel shows the sky";
-    if (!(s_.traced.cosine > 0)) return "The pixel shows a side that faces away from the lamp";
+    if (!(s_.traced.cosine > 0)) return "The pixel shows a side that does not face the light source";
+    if (s_.acne) return "The pixel shows a point that rounding puts into its own object's shadow";
     return s_.traced.blocker ? "The pixel shows a point in shadow" : "The pixel shows a point that is lit";
   }
 
@@ -73,7 +82,7 @@ class Teller {
     Step& s =
         step("closest", "The closest hit", s_.traced.hit ? 1 : 2,
              !s_.traced.hit ? "The ray meets none of the objects, so the pixel shows the sky."
-             : met == 1     ? "The ray meets one object only. The least *t* ≥ 0 is what the eye sees."
+             : met == 1     ? "The ray meets one object only: the eye sees it, where *t* ≥ 0 is least."
                         : fmt::format("The ray meets {} objects. The least *t* ≥ 0 hides the others: the eye sees "
                                       "the first one only.",
                                       met),
@@ -88,63 +97,98 @@ class Teller {
 
   void shade() {
     shown_.normal = true;
-    const bool away = !(s_.traced.cosine > 0);
-    script_.value("**n** · **l**", s_.traced.cosine, "light");
-    Step& s = step("normal", away ? "It faces away" : "How it faces the lamp", away ? 4 : 3,
-                   away ? "The angle between normal and lamp exceeds a right angle. No ray to the lamp is needed."
-                        : "The normal **n** and the way **l** to the lamp, both of length 1, tell how steeply "
-                          "light falls "
-                          "in.",
-                   "**n** · **l** = " + shown(s_.traced.cosine));
-    Script::decide(s, {"**n** · **l** > 0", 0, s_.traced.cosine, !away, away ? "it faces away" : "it faces the lamp"});
+    const double cosine = s_.traced.cosine;
+    const bool away = !(cosine > 0);
+    script_.value("**n** · **l**", cosine, "light");
+    Step& s = step("normal", away ? "It does not face the light" : "How it faces the light", away ? 4 : 3,
+                   away ? "Normal **n** and direction **l** to the light make a right angle or more. No shadow ray is "
+                          "needed."
+                        : "**n** and **l** have length 1, so **n** · **l** is the cosine of the angle of incidence.\n"
+                          "A matt surface reflects light in proportion to it (Lambert's law).",
+                   "**n** · **l** = " + shown(cosine));
+    Script::decide(
+        s, {"**n** · **l** > 0", cosine, 0, !away, away ? "it does not face the light" : "it faces the light source"});
+    // misconception: what faces the light is lit
+    s.question = which_line(pseudocode, away ? 4 : 5, {4, 5, 6}, "The sign of **n** · **l** decides.");
+    s.question->prompt = "**n** points away from the surface, **l** to the light source. Which line runs next?";
     if (!away) shadow();
-    script_.value("brightness", s_.traced.light, "light", Role::highlight);
+    script_.value("brightness", s_.traced.brightness, "light", Role::highlight);
     const bool lit = !away && !s_.traced.blocker;
     script_.settle(lit ? Verdict::Kind::yes : Verdict::Kind::no,
-                   away ? fmt::format("{}, turned away from the lamp", name())
+                   away      ? fmt::format("{}, turned away from the light", name())
+                   : s_.acne ? fmt::format("{}, in shadow of itself: wrong, by rounding", name())
                    : s_.traced.blocker
                        ? fmt::format("{}, in the shadow of {}", name(), s_.world.object(*s_.traced.blocker).name)
                        : fmt::format("{}, lit", name()));
   }
 
+  /// Objects met by the line from the point to the light: up to it, or beyond it, too. The own one counts if it is
+  /// asked.
+  int between(double far) const {
+    const int own = s_.start == ShadowRay::naive ? -1 : s_.traced.hit->primitive;
+    int met = 0;
+    for (int i = 0; i < static_cast<int>(s_.world.objects.size()); ++i)
+      met +=
+          i != own && first_hit({s_.traced.point, s_.traced.to_lamp, {0, far}}, s_.world.object(i).shape).has_value();
+    return met;
+  }
+
   void shadow() {
     shown_.shadow_ray = true;
-    Step& s = step("shadow", "A ray to the lamp", s_.traced.blocker ? 5 : 6,
-                   s_.traced.blocker
-                       ? "Something stands in the way, so the point is in shadow. Which object it is does not matter.\n"
-                         "So the search ends with any hit: yes or no suffices."
-                       : "Nothing stands between the point and the lamp, so its light arrives.\n"
-                         "The object itself is left out. It is convex, and this side faces the lamp.",
-                   "**p** + *t* (lamp − **p**),  0 ≤ *t* ≤ 1");
+    const bool blocked = s_.traced.blocker.has_value();
+    Step& s = step("shadow", "A shadow ray", blocked ? 5 : 6, shadow_caption(),
+                   blocked ? "*I* = *I*_a = " + shown(ambient)
+                           : "*I* = *I*_a + (1 − *I*_a) **n** · **l** = " + shown(s_.traced.brightness));
     s.decides = true;
-    s.question = {"Does the lamp's light reach the point?",
-                  {"yes", "no"},
-                  s_.traced.blocker ? 1 : 0,
-                  "A segment from the point to the lamp is tested, not a ray without end."};
+    // misconceptions: the ray goes on beyond the light; every object counts
+    s.question = which_value(
+        "How many objects does the segment from the point to the light source meet?", between(1),
+        {1.0 * between(INFINITY), between(1) > 0 ? 0.0 : 1.0, static_cast<double>(s_.world.objects.size()) - 1},
+        "The range is 0 ≤ *t* ≤ 1. The search may stop at the first one found.");
+  }
+
+  std::string shadow_caption() const {
+    const bool naive = s_.start == ShadowRay::naive;
+    if (s_.acne)
+      return "Rounded, the point lies on its own object or inside, which then seems to shade it: *shadow acne*.\n"
+             "Remedies: leave the object out if it is convex, or start the ray a little off the surface.";
+    if (s_.traced.blocker)
+      return "Something stands in the way: only ambient light *I*_a is left. Which object it is does not matter.\n"
+             "So the search ends with any hit.";
+    return naive
+               ? "Nothing stands between the point and the light source. Here rounding did no harm: look at the "
+                 "picture."
+               : "Nothing stands between the point and the light source, so its light arrives.\n"
+                 "The object itself is left out, as rounding may put the point inside. It is convex, so that is right.";
   }
 
   void image() {
-    const Image all = trace(s_.world, s_.eye, s_.lamp);
-    script_.value("eye rays", all.work.eye_rays, "rays");
+    const Image all = trace(s_.world, s_.eye, s_.lamp, s_.start);
+    script_.value("primary rays", all.work.eye_rays, "rays");
     script_.value("shadow rays", all.work.shadow_rays, "rays");
-    script_.value("objects asked", all.work.tests);
-    const int each = static_cast<int>(s_.world.objects.size());
-    Step& s = script_.add("image", "All pixels", 0,
-                          fmt::format("{} eye rays and {} shadow rays make the picture.\nA hierarchy of "
-                                      "boxes spares most tests: {} objects "
-                                      "were asked, not {}.",
-                                      all.work.eye_rays, all.work.shadow_rays, all.work.tests,
-                                      each * (all.work.eye_rays + all.work.shadow_rays)));
+    script_.value("tests of objects", all.work.tests, "tests");
+    script_.value("visits of nodes", all.work.nodes, "tests");
+    const int without = static_cast<int>(s_.world.objects.size()) * (all.work.eye_rays + all.work.shadow_rays);
+    script_.value("tests without hierarchy", without, "tests");
+    const bool naive = s_.start == ShadowRay::naive;
+    Step& s = script_.add(
+        "image", "All pixels", 0,
+        fmt::format(
+            "{} primary and {} shadow rays make the picture. The hierarchy asks {} objects and {} nodes, instead of "
+            "{} objects.\n",
+            all.work.eye_rays, all.work.shadow_rays, all.work.tests, all.work.nodes, without) +
+            (naive ? "Dim spots on lit surfaces are shadow acne."
+                   : "Whitted (1980) added recursion: at mirrors and glass, further rays are traced in the same way."));
     s.scene = picture(s_, shown_, all);
   }
 
-  const OnePixel s_;
+  const OnePixel& s_;
   Script script_;
   Shown shown_;
 };
 
 }  // namespace
 
-Walk tell(const Vec3& pixel, const Vec3& lamp) { return Teller(pixel, lamp).tell(); }
+Walk tell(const OnePixel& one) { return Teller(one).tell(); }
 
 }  // namespace isect::lessons::ray_tracing_lesson

@@ -1,5 +1,5 @@
 #pragma once
-// A small ray tracer: the closest hit of a viewing ray, its normal, and a shadow ray to the lamp.
+// A small ray tracer: the closest hit of a viewing ray, its normal, and a shadow ray to the light source.
 
 #include "lessons/shared/viewing.h"
 
@@ -16,15 +16,21 @@ struct Traced {
   viz::Vec3 point = viz::Vec3::Zero(), normal = viz::Vec3::Zero(), to_lamp = viz::Vec3::Zero();
   double cosine = 0;           ///< of the angle between the normal and the way to the lamp
   std::optional<int> blocker;  ///< an object between the point and the lamp; not asked for what faces away
-  double light = 0;            ///< 0 to 1
+  double brightness = 0;       ///< 0 to 1
 };
 
-/// How many rays were sent, and how many objects were asked.
+/// How many rays were sent, and how many objects and boxes around them were asked.
 struct Work {
-  int eye_rays = 0, shadow_rays = 0, tests = 0;
+  int eye_rays = 0, shadow_rays = 0, tests = 0, nodes = 0;
 };
 
-Traced trace(const viewing::World&, const viewing::Ray3&, const viz::Vec3& lamp, Work&);
+inline constexpr double ambient = 0.2;  ///< of all brightness, what reaches every point
+
+/// Where a shadow ray starts: with the object that it starts on left out, or on its surface as rounded.
+enum class ShadowRay { leaves_own_out, naive };
+
+Traced trace(const viewing::World&, const viewing::Ray3&, const viz::Vec3& lamp, Work&,
+             ShadowRay = ShadowRay::leaves_own_out);
 viz::Cell cell_of(const viewing::World&, const Traced&);
 
 /// The picture, row by row.
@@ -32,6 +38,6 @@ struct Image {
   std::vector<Traced> pixels;
   Work work;
 };
-Image trace(const viewing::World&, const viewing::Eye&, const viz::Vec3& lamp);
+Image trace(const viewing::World&, const viewing::Eye&, const viz::Vec3& lamp, ShadowRay = ShadowRay::leaves_own_out);
 
 }  // namespace isect::lessons::ray_tracing_lesson

@@ -66,6 +66,9 @@ const Lesson& robustness() {
         .camera = {.azimuth = 0, .elevation = 0},
         .steps = walk,
         .flat = true,
+        .opening = opening(),
+        .closing = &closing(),
+        .after = {"points", "sphere-sphere", "ray-sphere", "crossings", "rules-of-thumb"},
     };
   }();
   return lesson;

@@ -41,6 +41,8 @@ Setting orientation(const Vec3& p) {
   s.why =
       "The differences from **a** to the far points are rounded. The signs of a whole block of neighbours "
       "come out equal.";
+  s.consequence = "A convex hull built on such signs loses a vertex, or turns back on itself.";
+  s.measured = "orient2d", s.has_on = true;
   s.verdicts = {"right", "on the line", "left"};
   const Point<S, 2> b = {S(1.5), S(1.5)}, c = {S(3), S(3)};
   s.answer = [=](int i, int j) {
@@ -66,7 +68,9 @@ Setting crossings(const Vec3& p) {
   s.title = "Inside the polygon?";
   s.naive = "count edges with *p*_x < *x*, by a division";
   s.cell = "**p** moved to a neighbour";
-  s.why = "The abscissa *x* where the edge crosses is rounded, and the point lies within that error.";
+  s.why = "The *x*-coordinate where the edge crosses is rounded, and the point lies within that error.";
+  s.consequence = "A ray aimed at the common edge of two triangles may miss both: it leaks through.";
+  s.measured = "point-polygon";
   s.verdicts = {"outside", "on the edge", "inside"};
   const Ring<S, 2> ring = {{S(-1.1), S(-0.9)}, {S(1.3), S(0.7)}, {S(-0.7), S(1.3)}};
   s.answer = [=](int i, int j) { return point_polygon::crossings_naive(neighbour<S>(p, i, j), ring) ? 1 : -1; };
@@ -90,6 +94,8 @@ Setting tangent(const Vec3& p) {
   s.naive = "*B*^2 − 4 *A* *C* ≥ 0";
   s.cell = "the origin moved to a neighbour";
   s.why = "*B*^2 and 4 *A* *C* are nearly equal: what is left of their difference is rounding.";
+  s.consequence = "A ray tracer loses pixels at the outline of a ball, or adds some.";
+  s.measured = "ray-sphere";
   s.verdicts = {"miss", "tangent", "hit"};
   const Sphere<S, 2> circle = {{S(0.1), S(0.2)}, S(1)};
   const Vector<S, 2> d = {S(2), S(1)};
@@ -111,6 +117,8 @@ Setting spheres(const Vec3& p) {
   s.naive = "distance^2 < (*r*_1 + *r*_2)^2";
   s.cell = "a centre moved to a neighbour";
   s.why = "The sum of the radii and both squares are rounded. Near touching that decides.";
+  s.consequence = "A contact begins a frame too late, or flickers while the bodies rest on each other.";
+  s.measured = "sphere-sphere";
   s.verdicts = {"disjoint", "touching", "overlapping"};
   const Sphere<S, 2> a = {{S(0), S(0)}, S(0.7)};
   const S r = S(0.3);
@@ -153,6 +161,11 @@ Setting setting(const std::string& test, const std::string& scalar, const Vec3& 
   Setting s = scalar == "float" ? of<float>(test, p) : of<double>(test, p);
   s.scene.handles.push_back({"p", Handle::Kind::point, p, Vec3::Zero(), Role::first});
   return s;
+}
+
+Fault fault(const Setting& s, int truth, int answer) {
+  if (answer == truth || (truth == 0 && !s.has_on)) return Fault::none;
+  return answer == 0 ? Fault::called_on : Fault::wrong_side;
 }
 
 }  // namespace isect::lessons::robustness_lesson

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 
+#include "bench/prose.h"
+#include "bench/rows.h"
 #include "lessons/robustness/settings.h"
 #include "lessons/shared/script.h"
+#include "lessons/speed_against_error/results.h"
 
 namespace isect::lessons::robustness_lesson {
 
@@ -28,11 +31,11 @@ class Teller {
         look_(look),
         s_(setting),
         cells_(asked(s_)),
-        wrong_(
-            static_cast<int>(std::ranges::count_if(cells_, [](const auto& c) { return is_wrong(c.first, c.second); }))),
-        script_({"Note, N10 (8); Kettner et al. (2008); Schirra (2008)",
+        on_(count(Fault::called_on)),
+        side_(count(Fault::wrong_side)),
+        script_({"Lecture note, rules of thumb (8); Kettner et al., Classroom examples of robustness problems, 2008",
                  fmt::format("{} Each of {} cells is a neighbour of a point in {}; the naive test is wrong in {}.",
-                             s_.title, cells_.size(), scalar_, wrong_),
+                             s_.title, cells_.size(), scalar_, wrong()),
                  {"for each neighbour of the point",  // 0
                   "    truth ← the exact test",       // 1
                   "    answer ← the naive test",      // 2
@@ -40,37 +43,94 @@ class Teller {
                  s_.title}) {}
 
   Walk tell() {
-    add("place", s_.title, 0, "A point so near that only the last bits tell. We look at its neighbours one by one.",
+    add("place", s_.title, 0,
+        near() ? "A point so near that only the last bits tell. We look at its neighbours one by one."
+               : "Here all neighbours of the point have one true verdict: it lies away from the border.",
         s_.naive)
         .scene = s_.scene;
     raster("truth", "What is true", 1,
-           fmt::format("One cell is one {} number to the side or up: {}.\nThe exact test tells the sides "
-                       "apart in every cell.\nThe grips at the rim choose the neighbour that is ringed.",
+           fmt::format("One cell is one {} number to the side or up: {}.\nThe exact test is right in every cell.\n"
+                       "The grips at the rim choose the neighbour that is ringed.",
                        scalar_, s_.cell),
            [](int truth, int) { return role(truth); });
-    raster("naive", "What the naive test says", 2, s_.why, [](int, int answer) { return role(answer); });
-    script_.value("cells", static_cast<double>(cells_.size()));
-    script_.value("wrong", static_cast<double>(wrong_), {}, Role::miss);
-    script_.settle(wrong_ > 0 ? Verdict::Kind::no : Verdict::Kind::yes,
-                   fmt::format("naive: {} of {} wrong; exact: none", wrong_, cells_.size()));
-    Step& step =
-        raster("wrong", "Where it is wrong", 3,
-               "Marked cells have a wrong verdict. No tolerance mends them: it moves the band, or makes it wider.\n"
-               "The exact test costs a few nanoseconds more away from the line, and is right on it.",
-               [](int truth, int answer) { return is_wrong(truth, answer) ? Role::miss : role(truth); });
+    Step& naive = raster("naive", "What the naive test says", 2,
+                         wrong() > 0 ? s_.why : "Rounding happens here, too, but it changes no verdict.",
+                         [](int, int answer) { return role(answer); });
+    const std::size_t all = cells_.size();
+    naive.question = Question{"In how many of these cells is the naive test wrong?",
+                              {"in none of them", "in fewer than a tenth", "in a tenth or more"},
+                              wrong() == 0                           ? 0
+                              : wrong() * 10 < static_cast<int>(all) ? 1
+                                                                     : 2,
+                              fmt::format("In {} of {}, counted.", wrong(), all)};
+    script_.value("cells", static_cast<double>(all));
+    script_.value("wrong", wrong(), {}, Role::miss);
+    if (s_.has_on) script_.value("of these called on the line", on_);
+    if (s_.has_on) script_.value("of these on the wrong side", side_, {}, Role::miss);
+    script_.settle(wrong() > 0 ? Verdict::Kind::no : Verdict::Kind::yes,
+                   fmt::format("naive: {} of {} wrong{}; exact: none", wrong(), all,
+                               s_.has_on && wrong() > 0 ? fmt::format(", {} on the wrong side", side_) : ""));
+    Step& step = raster("wrong", "Where it is wrong", 3, wrong_caption(), [&](int truth, int answer) {
+      const Fault f = fault(s_, truth, answer);
+      return f == Fault::wrong_side ? Role::miss : f == Fault::called_on ? Role::text : role(truth);
+    });
     step.decides = true;
-    step.question = Question{"In how many of these cells is the naive test wrong?",
-                             {"none", "fewer than a tenth", "a tenth or more"},
-                             wrong_ == 0                                     ? 0
-                             : wrong_ * 10 < static_cast<int>(cells_.size()) ? 1
-                                                                             : 2,
-                             fmt::format("{} of {}, counted.", wrong_, cells_.size())};
+    step.question = how_it_errs();
     return std::move(script_.walk());
   }
 
  private:
-  /// A yes/no test cannot say "touching": either answer will do there.
-  static bool is_wrong(int truth, int answer) { return answer != truth && (truth != 0 || answer == 0); }
+  int count(Fault kind) const {
+    return static_cast<int>(
+        std::ranges::count_if(cells_, [&](const auto& c) { return fault(s_, c.first, c.second) == kind; }));
+  }
+  int wrong() const { return on_ + side_; }
+  /// Whether the true verdicts differ.
+  bool near() const {
+    return std::ranges::any_of(cells_, [&](const auto& c) { return c.first != cells_.front().first; });
+  }
+
+  std::string wrong_caption() const {
+    if (wrong() == 0) return "No verdict is wrong here. " + price();
+    std::string kinds;
+    if (s_.has_on && side_ == 0)
+      kinds = " Here each of them says *on the line* of a point beside it, none the wrong side.";
+    return "Marked cells have a wrong verdict." + kinds + "\n" + s_.consequence +
+           " A tolerance only moves the band, or widens it.\n" + price();
+  }
+
+  /// What the exact test costs, as measured far from degeneracy and near it.
+  std::string price() const {
+    const auto rows = bench::rows_of(speed_lesson::results(), s_.measured, "double");
+    const bench::Row *usual = nullptr, *most = nullptr;
+    for (const bench::Row* r : rows) {
+      if (!r->exact || r->library != "isect" || r->method != "exact") continue;
+      if (!r->hard && usual == nullptr) usual = r;
+      if (most == nullptr || r->ns > most->ns) most = r;
+    }
+    if (usual == nullptr || most == nullptr) return "The exact test is never wrong.";
+    return fmt::format("The exact test is never wrong. It took {} ns on ordinary cases, up to {} ns on hard ones.",
+                       bench::number(usual->ns), bench::number(most->ns));
+  }
+
+  /// Misconceptions: rounding only blurs the border; it always errs to the same side.
+  Question how_it_errs() const {
+    const auto says = [&](int verdict) {
+      return std::ranges::any_of(
+          cells_, [&](const auto& c) { return c.second == verdict && fault(s_, c.first, c.second) != Fault::none; });
+    };
+    const auto wrongly = [&](int verdict) { return "only by saying “" + s_.verdicts[verdict + 1] + "”"; };
+    Question q = {"How does the naive test err in these cells?",
+                  {"not at all", wrongly(1), wrongly(-1), "in more than one way"},
+                  0,
+                  wrong() == 0 ? "None is wrong." : "The wrong cells were looked through one by one."};
+    if (s_.has_on) q.choices.insert(q.choices.begin() + 2, wrongly(0));
+    const int ways = says(1) + says(0) + says(-1);
+    const int last = static_cast<int>(q.choices.size()) - 1;
+    q.answer = ways == 0 ? 0 : ways > 1 ? last : says(1) ? 1 : says(0) ? 2 : last - 1;
+    return q;
+  }
+
   static Role role(int verdict) { return verdict > 0 ? Role::first : verdict < 0 ? Role::second : Role::highlight; }
 
   Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption,
@@ -97,7 +157,8 @@ class Teller {
     key(Mark::disc, Role::first, s_.verdicts[2]);
     key(Mark::diamond, Role::highlight, s_.verdicts[1]);
     key(Mark::disc, Role::second, s_.verdicts[0]);
-    if (slug == "wrong") key(Mark::cross, Role::miss, "wrong");
+    if (slug == "wrong" && side_ > 0) key(Mark::cross, Role::miss, s_.has_on ? "wrong side" : "wrong");
+    if (slug == "wrong" && on_ > 0) key(Mark::cross, Role::text, "wrongly on");
     return step;
   }
 
@@ -125,7 +186,7 @@ class Teller {
   const std::array<int, 2> look_;
   const Setting s_;
   const Cells cells_;
-  const int wrong_;
+  const int on_, side_;  ///< how many cells are wrong, by the kind of fault
   Script script_;
 };
 

@@ -9,6 +9,7 @@
 #include <isect/sphere_sphere_methods.h>
 #include "bench/random.h"
 #include "lessons/rules_of_thumb/experiment.h"
+#include "lessons/shared/plural.h"
 
 namespace isect::lessons::rules_lesson {
 
@@ -19,7 +20,7 @@ namespace {
 using C = Counted<double>;
 using Box = Obb<double, 3>;
 
-/// A box seen from above, turned about the upright axis.
+/// A box seen from above, turned about the vertical axis.
 Box upright(const Flat& center, double degrees, double u, double v) {
   const double angle = degrees * 3.14159265358979323846 / 180, c = std::cos(angle), s = std::sin(angle);
   Box box = {{center.x(), center.y(), 0}, {}, {u, v, 0.25}};
@@ -61,7 +62,7 @@ Experiment trivial(const Flat& p) {
   const std::vector<Box> boxes = scattered();
   Experiment e = {
       .title = "1: trivial accept and reject",
-      .source = "Note, N10 (1), N03",
+      .source = "Lecture note, rules of thumb (1) and bounding volumes",
       .alt = "A turned box among fourteen others, with the balls around and within them.",
       .pseudocode = {"for each other box b", "    without: test the 15 axes of a and b",
                      "    with: outer balls apart: no; inner balls meet: yes", "    else: test the 15 axes"},
@@ -98,7 +99,7 @@ Experiment trivial(const Flat& p) {
                {"accepted by balls", accepted},
                {"left to the axes", others - rejected - accepted}};
   e.parts[0].title = "Look for the trivial first";
-  e.parts[0].caption = "Which boxes meet box a, around **p**? Most lie far away: a cheap test should say so.";
+  e.parts[0].caption = "Which boxes meet box a, around **p**? Boxes that lie far apart should not need a full test.";
   e.parts[1].title = "Every pair in full";
   e.parts[1].caption = fmt::format(
       "The separating axes are tested for all {} boxes. Far boxes cost as much to set up as near ones.", others);
@@ -107,9 +108,9 @@ Experiment trivial(const Flat& p) {
       "A dashed ball holds the box, a solid one lies in it; both are stored.\n"
       "Outer balls apart: surely disjoint. Inner balls meet: surely overlapping.";
   e.parts[3].title = "Only the doubtful in full";
-  e.parts[3].caption =
-      fmt::format("{} boxes are rejected and {} accepted by balls. {} {} left to the axes.", rejected, accepted,
-                  others - rejected - accepted, others - rejected - accepted == 1 ? "is" : "are");
+  const int left = others - rejected - accepted;
+  e.parts[3].caption = fmt::format("The balls reject {} and accept {}. To the axes {} left: {}.",
+                                   plural(rejected, "box"), accepted, left == 1 ? "is" : "are", left);
   e.saving = "Two squared distances are far cheaper than fifteen axes.";
   return e;
 }
@@ -118,7 +119,7 @@ Experiment reuse(const Flat& p) {
   const Box b = upright({-1.05, -0.9}, 0, 1.9, 0.4);
   Experiment e = {
       .title = "2: reuse results",
-      .source = "Note, N10 (2); Ericson (2005), 4.4",
+      .source = "Lecture note, rules of thumb (2); Ericson, Real-Time Collision Detection, 2005, 4.4",
       .alt = "A slender box glides past a flat one, seen at twelve times.",
       .pseudocode = {"for each time", "    without: test axis after axis until one separates",
                      "    with: test the axis that separated before", "    only if it fails: test axis after axis"},
@@ -163,12 +164,15 @@ Experiment reuse(const Flat& p) {
       "A slender box starts at **p** and glides past the flat one. From one time to the next little "
       "changes.";
   e.parts[1].title = "From scratch each time";
-  e.parts[1].caption = "At each time the axes are tried in the same order, until one separates the boxes.";
+  e.parts[1].caption =
+      "At each time the axes are tried in the same order, until one separates the boxes or none is left.";
   e.parts[2].title = "Keep the last axis";
   e.parts[2].caption = "The axis that separated the boxes last time is tried first. Failed tests are results, too.";
-  e.parts[3].title = "One axis is enough";
+  e.parts[3].title = kept > 0 ? "One axis is enough" : "No axis to keep";
   e.parts[3].caption =
-      fmt::format("At {} of {} times the axis kept from before still separates: one test, and done.", kept, frames);
+      kept > 0 ? fmt::format("At {} of {} times the axis kept from before still separates: one test, and done.", kept,
+                             frames)
+               : "At no time did an axis kept from before separate the boxes.";
   e.saving = "Motion is coherent: what separated the boxes a moment ago mostly does so still.";
   return e;
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "lessons/shared/script.h"
 
@@ -34,7 +35,7 @@ Question question(const Experiment& e) {
           : left < 0.5 ? 1
           : left < 1   ? 2
                        : 3,
-          e.saving};
+          left < 1 ? e.saving : "Here the rule finds nothing to save."};
 }
 
 }  // namespace
@@ -55,7 +56,9 @@ viz::Heading text(const Flat& at, const std::string& what, Role role) { return {
 std::string number_of(double count, const std::string& unit) {
   std::string digits = fmt::format("{:.0f}", count);
   for (int i = static_cast<int>(digits.size()) - 3; i > 0; i -= 3) digits.insert(static_cast<std::size_t>(i), "\u2009");
-  return unit.empty() ? digits : digits + " " + unit;
+  if (unit.empty()) return digits;
+  if (std::round(count) != 1) return digits + " " + unit;
+  return digits + " " + (unit == "axes tested" ? "axis tested" : unit.substr(0, unit.size() - 1));
 }
 
 Walk tell(const Experiment& e, const Flat& p) {

@@ -26,7 +26,7 @@ struct Experiment {
   std::string unit;                     ///< what is counted: "operations"
   double before = 0, after = 0;
   std::array<Part, 4> parts = {};
-  std::string saving = {};                                   ///< why, shown with the answer
+  std::string saving = {};                                   ///< why, shown with the answer if anything is saved
   std::vector<std::pair<std::string, double>> details = {};  ///< further counts, for the last step
 };
 
@@ -40,6 +40,10 @@ Experiment robust(const Flat& p);        // rule 8
 
 viz::Walk tell(const Experiment&, const Flat& p);
 viz::Walk measure();  // rule 7
+
+/// What is told before the first step, and after the last one. (closing.cpp)
+const std::string& opening();
+const viz::Closing& closing();
 
 /// All operations of a tally.
 inline int total(const Tally& t) { return t.mul + t.add + t.div + t.sqrt + t.compare; }
@@ -59,7 +63,7 @@ viz::Circle circle(const Flat& center, double radius, viz::Role role, viz::Pen p
 viz::Line line(const Flat& from, const Flat& to, viz::Role role, viz::Pen pen);
 /// Text that stands where it is put.
 viz::Heading text(const Flat& at, const std::string& what, viz::Role role);
-/// "1 234 operations"
+/// "1 234 operations", "1 operation"
 std::string number_of(double count, const std::string& unit);
 
 }  // namespace isect::lessons::rules_lesson

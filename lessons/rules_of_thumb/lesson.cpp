@@ -50,7 +50,7 @@ const Lesson& rules_of_thumb() {
         .id = "rules-of-thumb",
         .title = "Eight rules of thumb",
         .rows = "N10",
-        .summary = "The note's eight rules as experiments: counted without the rule, and with it.",
+        .summary = "Eight rules of the lecture note as experiments: counted without the rule, and with it.",
         .parameters = {choice("rule", "rule", "Which rule.", ids),
                        vector("p", "**p**",
                               "Where the object that asks stands, in world units; its third coordinate is not used.",
@@ -60,6 +60,9 @@ const Lesson& rules_of_thumb() {
         .camera = {.azimuth = 0, .elevation = 0},
         .steps = walk,
         .flat = true,
+        .opening = opening(),
+        .closing = &closing(),
+        .after = {"sphere-aabb", "ray-sphere", "obb-obb", "hierarchy", "concave-polygon"},
     };
   }();
   return lesson;

@@ -53,7 +53,7 @@ Experiment precalculate(const Flat& p) {
   }
   const int n = static_cast<int>(ring.size()), many = static_cast<int>(points.size());
   Experiment e = {.title = "6: many against one, precalculate",
-                  .source = "Note, N10 (6), N24",
+                  .source = "Lecture note, rules of thumb (6), concave polygons",
                   .alt = fmt::format("A jagged polygon of {} vertices and {} points.", n, many),
                   .pseudocode = {"for each of many points, and one polygon", "    without: look at every edge",
                                  "    with: once, store the edges of each slab in order",
@@ -83,7 +83,7 @@ Experiment precalculate(const Flat& p) {
                {"steps a point", a_point},
                {"pays from so many points", std::ceil(stored / (n - a_point))}};
   e.parts[0].title = "Many points, one polygon";
-  e.parts[0].caption = fmt::format("{} points are to be told inside or outside of one polygon with {} edges.", many, n);
+  e.parts[0].caption = fmt::format("Which of {} points lie in one polygon of {} edges?", many, n);
   e.parts[1].title = "Every edge for every point";
   e.parts[1].caption = "Crossings look at all edges for each point: *n* steps a point, and nothing is remembered.";
   e.parts[2].title = "Prepare once";
@@ -91,8 +91,7 @@ Experiment precalculate(const Flat& p) {
       "Slabs keep the edges in order: {} entries, stored once. Each counts as a step, too.", static_cast<int>(stored));
   e.parts[3].title = "Then ask quickly";
   e.parts[3].caption = fmt::format(
-      "A point now takes {} steps on average instead of {}. With the preparation, it pays from {} "
-      "points on.",
+      "A point now takes {} steps on average instead of {}. With its preparation, that pays from point {} on.",
       shown(std::round(10 * a_point) / 10), n, shown(std::ceil(stored / (n - a_point))));
   e.saving = "The preparation is paid once, the saving comes with every point.";
   return e;

@@ -7,6 +7,7 @@
 #include <isect/ray_polygon_methods.h>
 #include <isect/ray_sphere_methods.h>
 #include "lessons/rules_of_thumb/experiment.h"
+#include "lessons/shared/plural.h"
 
 namespace isect::lessons::rules_lesson {
 
@@ -25,7 +26,7 @@ Experiment postpone(const Flat& p) {
   const std::vector<Flat> centers = {{-2.75, 1.25}, {-2.5, -0.25}, {-2.25, -1.25}, {-1.5, 0.75}, {-1.25, -0.875},
                                      {-0.5, 0.25},  {-0.25, 1.5},  {0.125, -1.5},  {0.5, -0.25}, {0.75, 1}};
   Experiment e = {.title = "4: postpone expensive calculations",
-                  .source = "Note, N10 (4), N17, N19",
+                  .source = "Lecture note, rules of thumb (4), ray and sphere",
                   .alt = "A ray to the right and ten balls: some behind it, some beside it, some hit.",
                   .pseudocode = {"for each ball", "    without: solve the quadratic equation for both roots",
                                  "    with: behind the ray: no; too far beside it: no",
@@ -79,13 +80,14 @@ Experiment postpone(const Flat& p) {
       "The quadratic formula takes a root and two divisions wherever the *line* meets a ball, even "
       "behind **p**.\nThe numbers count them.";
   e.parts[2].title = "Reject by products alone";
-  e.parts[2].caption =
-      fmt::format("Haines' method rejects {} balls as behind and {} as beside the ray, with sums and products only.",
-                  behind, beside);
+  e.parts[2].caption = fmt::format(
+      "Haines' method rejects balls by sums and products only: {} behind the ray, {} beside it.", behind, beside);
   e.parts[3].title = "One root a hit";
-  e.parts[3].caption =
-      fmt::format("A root is taken for {} ball{} hit, and no division at all: the direction has unit length.", hits,
-                  hits == 1 ? "" : "s");
+  e.parts[3].caption = hits == 0 ? "No ball is hit, so no root is taken."
+                                 : fmt::format(
+                                       "A root is taken for {} hit, and no division at all: the direction has unit "
+                                       "length.",
+                                       plural(hits, "ball"));
   e.saving = "Balls behind or beside the ray cost no root at all.";
   return e;
 }
@@ -94,9 +96,10 @@ Experiment fewer_axes(const Flat& p) {
   const std::vector<Flat> shape = {{-2.75, -1.25}, {-1.25, -1.75}, {-0.75, -0.5}, {0.5, -1.25},
                                    {0.875, 1.25},  {-0.5, 0.5},    {-1.5, 1.75},  {-2.25, 0.5}};
   Experiment e = {.title = "5: reduce the dimension",
-                  .source = "Note, N10 (5), N21",
+                  .source = "Lecture note, rules of thumb (5), ray and polygon",
                   .alt = "A polygon in a tilted plane, seen from above, and a ray that comes down at a point.",
-                  .pseudocode = {"a ray and a polygon in space", "    without: meet the triangles of a fan, in space",
+                  .pseudocode = {"many rays, and a polygon whose normal is stored",
+                                 "    without: meet the triangles of a fan, in space",
                                  "    with: meet the plane; drop a coordinate", "    count crossings in the plane"},
                   .unit = "operations"};
   Ring<C, 3> ring;
@@ -110,7 +113,7 @@ Experiment fewer_axes(const Flat& p) {
   const auto listen = [&]<class E>(const E&) {
     if constexpr (std::is_same_v<E, ray_polygon::Normal<C>>) normal = total(tally());
   };
-  e.after = total(counted([&] { hit = ray_polygon::projected(ray, ring, listen).has_value(); }));
+  e.after = total(counted([&] { hit = ray_polygon::projected(ray, ring, listen).has_value(); })) - normal;
   for (std::size_t k = 0; k < 4; ++k)
     e.parts[k].items.emplace_back(region(shape, k % 2 == 1 && hit ? Role::hit : Role::second));
   for (std::size_t i = 2; i + 1 < shape.size(); ++i)
@@ -126,7 +129,7 @@ Experiment fewer_axes(const Flat& p) {
     ++crossings;
     e.parts[3].items.emplace_back(Dot{{x, p.y(), 0}, Mark::disc, Role::hit});
   }
-  e.details = {{"triangles", static_cast<double>(shape.size()) - 2}, {"of these for the normal", normal}};
+  e.details = {{"triangles", static_cast<double>(shape.size()) - 2}, {"for the normal, once", normal}};
   e.parts[0].title = "Space, plane, line";
   e.parts[0].caption = "A ray comes straight down at **p**. Does it hit the polygon, which lies tilted in space?";
   e.parts[1].title = "Six triangles in space";
@@ -135,10 +138,10 @@ Experiment fewer_axes(const Flat& p) {
   e.parts[2].caption = "The plane is met once. Then the coordinate is dropped along which the normal is largest: *z*.";
   e.parts[3].title = "A test of two coordinates";
   e.parts[3].caption = fmt::format(
-      "Now {} crossing{} of a ray in the plane decide{}. The answer is the same.\n{} of these operations "
-      "find "
-      "the normal. Stored once (rule 6), it leaves {}.",
-      crossings, crossings == 1 ? "" : "s", crossings == 1 ? "s" : "", normal, e.after - normal);
+      "Now {} of a ray in the plane decide{}.{}\nThe normal was stored before: {} operations, once (rule 6). For a "
+      "single "
+      "ray they come on top.",
+      plural(crossings, "crossing"), crossings == 1 ? "s" : "", fan == hit ? " The answer is the same." : "", normal);
   e.saving = fan == hit ? "Comparisons in the plane replace products in space." : "Rounding decides on the outline.";
   return e;
 }

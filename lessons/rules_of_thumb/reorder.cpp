@@ -1,5 +1,7 @@
 // Rule 3, on boxes that spread along one axis.
 
+#include <fmt/format.h>
+
 #include <isect/aabb_aabb.h>
 #include "bench/random.h"
 #include "lessons/rules_of_thumb/experiment.h"
@@ -18,16 +20,18 @@ Experiment reorder(const Flat& p) {
   };
   const Flat half(0.35, 0.12), lo = p - half, hi = p + half;
   Experiment e = {.title = "3: reorder the tests",
-                  .source = "Note, N10 (3), N13",
+                  .source = "Lecture note, rules of thumb (3) and boxes",
                   .alt = "A small box among seven long flat ones, one above the other.",
                   .pseudocode = {"for each other box b", "    without: compare on x, then y, then z",
                                  "    with: first the axis along which the boxes spread", "    then the others"},
                   .unit = "comparisons"};
   for (Part& part : e.parts) part.items.emplace_back(region({lo, {hi.x(), lo.y()}, hi, {lo.x(), hi.y()}}, Role::first));
   e.parts[2].items.emplace_back(Arrow{{-3.2, -1.95, 0}, {-3.2, 1.95, 0}, Role::highlight, Pen::highlight});
+  int overlap_on_x = 0, overlap_on_y = 0;
   for (int i = 0; i < 7; ++i) {
     const double y = -1.8 + 0.55 * i;
     const Flat l(-2.95 + random.uniform(0, 0.4), y), h(0.7 - random.uniform(0, 0.4), y + 0.14);
+    overlap_on_x += lo.x() <= h.x() && l.x() <= hi.x(), overlap_on_y += lo.y() <= h.y() && l.y() <= hi.y();
     bool meet = false;
     const int without = total(counted([&] { meet = aabb_aabb::by_axis(box(lo, hi, false), box(l, h, false)); }));
     const int with = total(counted([&] { aabb_aabb::by_axis(box(lo, hi, true), box(l, h, true)); }));
@@ -41,14 +45,17 @@ Experiment reorder(const Flat& p) {
   e.parts[0].title = "The likeliest gap first";
   e.parts[0].caption = "Which of the long boxes meets the small one, around **p**? They lie one above the other.";
   e.parts[1].title = "*x* before *y*";
-  e.parts[1].caption =
-      "On *x* nearly all overlap, so that the first comparisons are wasted.\n"
-      "Beside each box: how many comparisons its test needs.";
+  e.parts[1].caption = fmt::format(
+      "On *x*, {} of 7 boxes overlap the small one: comparisons that decide nothing.\n"
+      "Beside each box: how many comparisons its test needs.",
+      overlap_on_x);
   e.parts[2].title = "The boxes spread along *y*";
   e.parts[2].caption = "A gap is likeliest on the axis along which the boxes lie furthest apart. Ask it first.";
   e.parts[3].title = "*y* before *x*";
-  e.parts[3].caption = "The same core test, with the axes in another order. The answers are the same.";
-  e.saving = "One gap ends a test; on y most boxes have one.";
+  e.parts[3].caption = fmt::format(
+      "On *y*, {} of 7 overlap. It is the same test with its axes in another order, and gives the same answers.",
+      overlap_on_y);
+  e.saving = "One gap ends a test, and more boxes have it on *y* than on *x*.";
   return e;
 }
 

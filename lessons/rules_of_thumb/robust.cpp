@@ -8,6 +8,7 @@
 #include <isect/orient_methods.h>
 #include "bench/rows.h"
 #include "lessons/rules_of_thumb/experiment.h"
+#include "lessons/shared/plural.h"
 #include "lessons/speed_against_error/results.h"
 #include "viz/lesson.h"
 
@@ -38,27 +39,28 @@ std::string price() {
 
 Experiment robust(const Flat& p) {
   const Flat a(-3.1, -1.7);
-  Experiment e = {.title = "8: make it robust",
-                  .source = "Note, N10 (8); Kettner et al. (2008)",
-                  .alt = "Points computed on a line, and on which side of it they are said to lie.",
-                  .pseudocode = {"for each of many points near the line from a to p",
-                                 "    without: the sign of a rounded determinant",
-                                 "    with: a proved bound of its error beside it",
-                                 "    where that leaves the sign open: compute exactly"},
-                  .unit = "wrong sides"};
+  Experiment e = {
+      .title = "8: make it robust",
+      .source = "Lecture note, rules of thumb (8); Kettner et al., Classroom examples of robustness problems, 2008",
+      .alt = "Points computed on a line, and on which side of it they are said to lie.",
+      .pseudocode = {"for each of many points near the line from a to p",
+                     "    without: the sign of a rounded determinant",
+                     "    with: a proved bound of its error beside it",
+                     "    where that leaves the sign open: compute exactly"},
+      .unit = "wrong sides"};
   constexpr int many = 24;
   const Vector<double, 2> along = p - a;
   const double length = along.norm() > 0 ? along.norm() : 1;
   const Vector<double, 2> left(-along.y() / length, along.x() / length);
   for (Part& part : e.parts) part.items.emplace_back(line(a, p, Role::construction, Pen::hairline));
-  int open = 0;
+  int open = 0, beside = 0;
   for (int k = 1; k <= many; ++k) {
     const Flat q = a + (k / (many + 1.0)) * along;
     Record<std::variant<Fallback>> record;
     const int truth = orient2d(a, p, q, record);
     const double rounded = orient::pivoted<orient::Corner::c>(a, p, q);
     const int naive = (rounded > 0) - (rounded < 0);
-    open += !record.events.empty();
+    open += !record.events.empty(), beside += truth != 0;
     e.before += naive != truth;  // with the rule none: the truth is its own
     e.parts[0].items.emplace_back(Dot{flat(q), Mark::disc, Role::muted});
     e.parts[1].items.emplace_back(said(q, left, naive, naive != truth));
@@ -71,20 +73,20 @@ Experiment robust(const Flat& p) {
   }
   e.details = {{"points", many}, {"sign left open", open}};
   e.parts[0].title = "Is it ever wrong?";
-  e.parts[0].caption = fmt::format(
-      "{} points are computed on the line from **a** to **p**. Rounding puts most beside it. On "
-      "which side?",
-      many);
+  e.parts[0].caption =
+      fmt::format("{} points are computed on the line from **a** to **p**. Rounding puts {} beside it. On which side?",
+                  many, beside);
   e.parts[1].title = "The rounded sign";
   e.parts[1].caption =
-      "Points said to lie left are drawn above the line, right below. Crosses mark wrong answers.\n"
-      "Each may break what builds on it: a hull, a map, a mesh.";
+      std::string("Points said to lie left are drawn left of the line, seen from **a** to **p**; right ones right.") +
+      (e.before > 0 ? " Crosses mark wrong answers.\nEach may break what builds on it: a hull, a map, a mesh." : "");
   e.parts[2].title = "Know when you do not know";
-  e.parts[2].caption =
-      fmt::format("A bound of the rounding error stands beside the value. Rings: {} signs that it leaves open.", open);
+  e.parts[2].caption = fmt::format("A bound of the rounding error stands beside the value. It leaves {} open{}.",
+                                   plural(open, "sign"), open > 0 ? " (rings)" : "");
   e.parts[3].title = "Exact where needed";
   e.parts[3].caption =
-      "Open signs are computed again, exactly: none is wrong. The note expects 80 % of the work here." + price();
+      std::string(open > 0 ? "Open signs are computed again, exactly. So no sign is wrong." : "No sign is wrong.") +
+      " The note expects 80 % of the work here." + price();
   e.saving = "The exact test is right on every input: that is its promise.";
   return e;
 }

@@ -22,7 +22,7 @@ inline std::string lies(Location l) {
   return l == Location::in ? "inside" : l == Location::on ? "on its boundary" : "outside";
 }
 
-/// A yes/no method cannot say "on the boundary": either answer will do there.
+/// A yes/no method cannot say "on the boundary": either answer will do there, and the table says why.
 class LocationOpinions {
  public:
   explicit LocationOpinions(Location truth)
@@ -32,7 +32,8 @@ class LocationOpinions {
                                      : "outside") {}
 
   void add(std::string method, bool inside) {
-    all_.add(std::move(method), inside ? "inside" : "outside",
+    const std::string unable = truth_ == Location::on ? " (has no word for on)" : "";
+    all_.add(std::move(method), (inside ? "inside" : "outside") + unable,
              truth_ == Location::on || inside == (truth_ == Location::in));
   }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "bench/prose.h"
 #include "bench/rows.h"
@@ -13,6 +14,20 @@ namespace isect::lessons::speed_lesson {
 
 using namespace viz;
 using namespace bench;
+
+namespace {
+
+std::string error_share(const Row& r) {
+  return share(static_cast<double>(r.wrong()), static_cast<double>(r.judged)) + " of the cases";
+}
+
+/// As the sentence beside it says it.
+double two_digits(double x) {
+  const double unit = std::pow(10, std::floor(std::log10(x)) - 1);
+  return std::round(x / unit) * unit;
+}
+
+}  // namespace
 
 void Teller::cost() {
   Bars bars = {{Scale::Kind::log, 0.5, 2, "time of the exact call / time of " + name_of(naive(ordinary_))},
@@ -29,21 +44,26 @@ void Teller::cost() {
     if (times > most) most = times, worst = family;
   }
   const double usual = exact(ordinary_).ns / naive(ordinary_).ns;
-  script_.value("cost, ordinary", usual, "times");
-  script_.value("cost, most", most, "times");
-  Step& step = script_.add("cost", "What exactness costs", cost_line,
-                           fmt::format("On ordinary cases the exact call takes {} times as long as {}. It "
-                                       "takes longest on {}: {} times as long.\n"
-                                       "There the naive method is fast, and unreliable.",
-                                       ratio(usual), name_of(naive(ordinary_)), words(worst), ratio(most)));
+  values(ordinary_);
+  script_.value("cost, ordinary", two_digits(usual), "times");
+  script_.value("cost, most", two_digits(most), "times");
+  const std::string there = naive(worst).wrong() > 0
+                                ? "There the naive method is wrong on " + error_share(naive(worst)) + "."
+                                : "There no verdict of the naive method is wrong.";
+  const std::string noise = differ(exact(ordinary_).ns, naive(ordinary_).ns) ? "" : ", no difference beyond the noise";
+  Step& step =
+      script_.add("cost", "What exactness costs", cost_line,
+                  fmt::format("On ordinary cases the exact call takes {} times as long as {}{}. It "
+                              "takes longest on “{}”: {} times as long.\n{}",
+                              ratio(usual), name_of(naive(ordinary_)), noise, words(worst), ratio(most), there));
   show(step, {bars});
 
   const int bucket = usual <= 1.1 ? 0 : usual <= 3 ? 1 : usual <= 10 ? 2 : 3;
   step.question = Question{
       "How much longer than the naive method does the exact call take on ordinary cases?",
-      {"no longer", "up to 3 times as long", "3 to 10 times as long", "more than 10 times as long"},
+      {"at most 1.1 times as long", "up to 3 times as long", "3 to 10 times as long", "more than 10 times as long"},
       bucket,
-      fmt::format("It takes {} ns, the naive method {} ns.", number(exact(ordinary_).ns), number(naive(ordinary_).ns))};
+      fmt::format("It takes {} ns, the naive method {} ns.", shown(exact(ordinary_).ns), shown(naive(ordinary_).ns))};
 }
 
 void Teller::fallback() {
@@ -66,19 +86,28 @@ void Teller::fallback() {
 }
 
 void Teller::choose() {
-  long wrong = 0;
-  for (const Row* r : rows_)
-    if (name_of(*r) == name_of(naive(ordinary_))) wrong += r->wrong();
-  const double usual = exact(ordinary_).ns / naive(ordinary_).ns;
-  const std::string name = name_of(naive(ordinary_));
+  const Row &plain = naive(ordinary_), &right = exact(ordinary_), &fast = rival();
+  const std::string name = name_of(plain), faster = name_of(fast);
+  long plainly_wrong = 0, wrong = 0, judged = 0;
+  for (const Row* r : rows_) {
+    if (name_of(*r) == name) plainly_wrong += r->wrong();
+    if (name_of(*r) == faster && r->hard) wrong += r->wrong(), judged += r->judged;
+  }
+  const bool saves = fast.ns < right.ns && differ(fast.ns, right.ns);
+  const std::string errs = fmt::format("It is wrong on {} of the hard cases, the exact call on none.",
+                                       share(static_cast<double>(wrong), static_cast<double>(judged)));
   std::string text, verdict = "choose the exact call";
-  if (usual <= 1.1)
-    text = fmt::format("The exact call costs no more than {}. There is no reason to choose another.", name);
-  else if (wrong > 0)
+  if (right.ns <= 1.1 * plain.ns && !saves)
+    text = fmt::format("The exact call costs no more than {}, and nothing here is faster beyond the noise.", name);
+  else if (right.ns <= 1.1 * plain.ns)
+    text = fmt::format("The exact call costs no more than {}. Faster is {}, by {} ns a call.\n{}", name, faster,
+                       shown(right.ns - fast.ns), errs),
+    verdict = "choose the exact call, or " + faster + " where every input is ordinary";
+  else if (plainly_wrong > 0)
     text = fmt::format(
-        "The difference on ordinary cases is {} ns a call. Who needs it must know that all cases are "
-        "ordinary.\nElse the exact call is right on every one.",
-        number(exact(ordinary_).ns - naive(ordinary_).ns));
+        "{} saves {} ns a call on ordinary cases. {}\n"
+        "If you need that time, be sure that every input is ordinary. Otherwise use the exact call.",
+        sentence(faster), shown(right.ns - fast.ns), errs);
   else
     text = fmt::format("No case judged here broke {}. Only the exact call promises that none does.", name),
     verdict = "choose " + name + " for speed, the exact call for certainty";

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <regex>
 
 #include "bench/prose.h"
 #include "bench/rows.h"
+#include "lessons/shared/plural.h"
 #include "lessons/speed_against_error/telling.h"
 
 namespace isect::lessons::speed_lesson {
@@ -27,15 +29,21 @@ std::optional<std::size_t> only_greatest(const List& list, const Value& value) {
   return best;
 }
 
+/// What a family is made of, in the words of a reader: "0.1", where a programmer writes ".1".
+std::string readable(std::string note) {
+  note = std::regex_replace(note, std::regex(" \\.([0-9])"), " 0.$1");
+  return std::regex_replace(note, std::regex("NaN"), "not-a-number");
+}
+
 }  // namespace
 
 void Teller::hard_family(const std::string& family, bool first) {
   values(family);
   const std::string note = report_.note(test_, family);
   std::string text =
-      note.empty() ? fmt::format("A family made to break naive methods: {}.", words(family)) : sentence(note);
+      note.empty() ? fmt::format("A family made to break naive methods: {}.", words(family)) : sentence(readable(note));
   text += fmt::format("\n{}: {}. The exact call: {}, in {} ns.", sentence(name_of(naive(family))),
-                      error_text(naive(family)), error_text(exact(family)), number(exact(family).ns));
+                      error_text(naive(family)), error_text(exact(family)), shown(exact(family).ns));
   if (by_value_ && naive(family).wrong() > 0)
     text += fmt::format(" Besides, {} of the verdicts of {} are wrong.",
                         share(static_cast<double>(naive(family).wrong()), static_cast<double>(naive(family).judged)),
@@ -80,13 +88,14 @@ void Teller::fall() {
   for (const Row* r : rows)
     if (families.size() < 4) families.push_back(r->family);
   const Plotted plotted = verdict_plot(report_, test_, "double", families);
-  Step& step = script_.add("wrong-verdicts", "Where naive methods fall", wrong_line,
-                           fmt::format("A wrong verdict is worse than lost bits: yes became no. {} does worst on {}: "
-                                       "{} of its verdicts are wrong.\n"
-                                       "Exact calls were wrong {} times in {}.",
-                                       sentence(name_of(*worst)), words(worst->family),
-                                       share(static_cast<double>(worst->wrong()), static_cast<double>(worst->judged)),
-                                       wrong, count(judged)));
+  Step& step =
+      script_.add("wrong-verdicts", "Where naive methods fall", wrong_line,
+                  fmt::format("A wrong verdict is worse than lost bits: yes and no are confused. {} does worst, on "
+                              "the family “{}”: {} of its verdicts are wrong.\n"
+                              "Exact calls were wrong {} in {}.",
+                              sentence(name_of(*worst)), words(worst->family),
+                              share(static_cast<double>(worst->wrong()), static_cast<double>(worst->judged)),
+                              plural(wrong, "time"), count(judged)));
   show(step, plotted.chart);
 }
 

@@ -35,6 +35,9 @@ const Lesson& speed_against_error() {
       .camera = {.azimuth = 0, .elevation = 0},
       .steps = walk,
       .flat = true,
+      .opening = opening(),
+      .closing = &closing(),
+      .after = {"rules-of-thumb", "robustness"},
   };
   return lesson;
 }

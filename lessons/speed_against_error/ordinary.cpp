@@ -27,7 +27,7 @@ void Teller::axes() {
                    fmt::format("One marker is one method: here {}, which takes {} ns a call. Further right "
                                "is slower. {}\nThe time is the "
                                "least of several passes over {} different cases.",
-                               name, number(naive(ordinary_).ns),
+                               name, shown(naive(ordinary_).ns),
                                by_value_ ? "Higher up, its value is further off. The marker stands at the "
                                            "99th percentile, the bar reaches down to the median."
                                          : "Higher up, more of its verdicts are wrong.",
@@ -41,29 +41,41 @@ void Teller::methods() {
     for (Spot& s : panel.spots) s.front = false;
   const Rows rows = of(ordinary_);
   const Row* fastest = *std::ranges::min_element(rows, {}, &Row::ns);
-  show(script_.add("ordinary", "Ordinary cases", judge_line,
-                   fmt::format("All {} methods on the same ordinary cases, judged by an exact oracle. The fastest is "
-                               "{}, at {} ns. The exact call takes {} ns.\n{}",
-                               rows.size(), name_of(*fastest), number(fastest->ns), number(exact(ordinary_).ns),
-                               by_value_ ? fmt::format("Up to the 99th percentile {} errs by {}, the exact call by {}.",
-                                                       name_of(naive(ordinary_)), error_text(naive(ordinary_)),
-                                                       error_text(exact(ordinary_)))
-                                         : fmt::format("{}: {}.", sentence(name_of(naive(ordinary_))),
-                                                       error_text(naive(ordinary_))))),
+  const auto as_fast = std::ranges::count_if(rows, [&](const Row* r) { return !differ(r->ns, fastest->ns); });
+  const std::string speed =
+      as_fast == 1 ? fmt::format("The fastest is {}, at {} ns.", name_of(*fastest), shown(fastest->ns))
+                   : fmt::format("The least time is {} ns. Within the noise of {}, {} methods are as fast.",
+                                 shown(fastest->ns), share(report_.machine.noise, 1), as_fast);
+  show(script_.add(
+           "ordinary", "Ordinary cases", judge_line,
+           fmt::format(
+               "All {} methods on the same ordinary cases, judged by an exact oracle. {} The exact call "
+               "takes {} ns.\n{}",
+               rows.size(), speed, shown(exact(ordinary_).ns),
+               by_value_
+                   ? fmt::format("Up to the 99th percentile {} errs by {}, the exact call by {}.",
+                                 name_of(naive(ordinary_)), error_text(naive(ordinary_)), error_text(exact(ordinary_)))
+                   : fmt::format("{}: {}.", sentence(name_of(naive(ordinary_))), error_text(naive(ordinary_))))),
        {p});
 }
 
 void Teller::front() {
   const Rows rows = of(ordinary_), front = front_of(rows, by_value_);
-  std::vector<std::string> names;
-  for (const Row* r : front) names.push_back(name_of(*r));
   Step& step = script_.add(
       "front", "What nothing beats", front_line,
-      fmt::format("Steps join the methods on the front. No other is both as fast and as accurate. What lies on the "
-                  "tinted side is beaten.\nOn the front here: {}.",
-                  listed(names)));
+      fmt::format("Steps join the methods on the Pareto front: nothing measured was both as fast and as accurate. What "
+                  "lies on the tinted side is dominated.\n{} of {} methods are on it here.",
+                  front.size(), rows.size()));
   show(step, {plot({ordinary_})});
 
+  // the step before names the exact method, the naive one, and the fastest if it is alone
+  const auto untold = std::ranges::find_if(front, [&](const Row* r) {
+    const bool alone =
+        std::ranges::none_of(rows, [&](const Row* other) { return other != r && !differ(other->ns, r->ns); });
+    return !r->exact && !r->standard && !(alone && r == *std::ranges::min_element(rows, {}, &Row::ns));
+  });
+  if (untold == front.end()) return;
+  const Row& beaten_by_none = **untold;
   Question q = {"Which of these does no other method beat in both time and error?", {}, 0, ""};
   for (const Row* r : rows) {
     if (std::ranges::find(front, r) != front.end() || q.choices.size() > 2) continue;
@@ -71,9 +83,9 @@ void Teller::front() {
   }
   if (q.choices.empty()) return;
   q.answer = static_cast<int>(q.choices.size() / 2);
-  q.choices.insert(q.choices.begin() + q.answer, name_of(*front.front()));
+  q.choices.insert(q.choices.begin() + q.answer, name_of(beaten_by_none));
   q.because = fmt::format("{} takes {} ns, with {}. Each of the others is beaten by some method.",
-                          sentence(name_of(*front.front())), number(front.front()->ns), error_text(*front.front()));
+                          sentence(name_of(beaten_by_none)), shown(beaten_by_none.ns), error_text(beaten_by_none));
   step.question = q;
 }
 

@@ -29,7 +29,7 @@ const std::vector<std::string>& pseudocode() {
   return lines;
 }
 
-Opening opening(const Report& report, const std::string& test) {
+Opening head_of(const Report& report, const std::string& test) {
   const Machine& m = report.machine;
   return {.source = fmt::format("measured on {}, {}, {}, {}", m.cpu, m.compiler, m.flags, m.date),
           .alt = fmt::format("Charts of the time of a call against its error, for every method of {} in double.", test),
@@ -50,7 +50,7 @@ std::vector<std::string> tests(const Report& report) {
 }
 
 Teller::Teller(const Report& report, const std::string& test)
-    : report_(report), test_(test), rows_(rows_of(report, test, "double")), script_(opening(report, test)) {
+    : report_(report), test_(test), rows_(rows_of(report, test, "double")), script_(head_of(report, test)) {
   by_value_ = std::ranges::any_of(rows_, [](const Row* r) { return r->ulps.has_value(); });
   for (const Row* r : rows_) {
     if (!r->standard) continue;
@@ -73,10 +73,19 @@ Teller::Rows Teller::of(const std::string& family) const { return rows_of(report
 const Row& Teller::naive(const std::string& family) const { return *standard_of(of(family)); }
 const Row& Teller::exact(const std::string& family) const { return *exact_of(of(family)); }
 
+bool Teller::differ(double a, double b) const { return std::max(a, b) / std::min(a, b) > 1 + report_.machine.noise; }
+
+const Row& Teller::rival() const {
+  const Row* best = &naive(ordinary_);
+  for (const Row* r : of(ordinary_))
+    if (r->library == "isect" && !r->exact && r->wrong() == 0 && (best->wrong() > 0 || r->ns < best->ns)) best = r;
+  return *best;
+}
+
 double Teller::error(const Row& r) const { return !by_value_ ? r.wrong_per_million() : r.ulps ? r.ulps->p99 : NAN; }
 
 std::string Teller::error_text(const Row& r) const {
-  if (by_value_) return number(error(r)) + " ulp";
+  if (by_value_) return shown(error(r)) + " ulp";
   return r.wrong() == 0 ? "no wrong verdict"
                         : share(static_cast<double>(r.wrong()), static_cast<double>(r.judged)) + " wrong";
 }

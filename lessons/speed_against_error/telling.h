@@ -27,6 +27,10 @@ class Teller {
   double error(const bench::Row&) const;            ///< ulp at the 99th percentile, or wrong verdicts of a million
   std::string error_text(const bench::Row&) const;  ///< with its unit
   viz::Plot plot(const std::vector<std::string>& families) const;
+  /// Whether two times differ by more than the noise of the machine that took them.
+  bool differ(double a, double b) const;
+  /// The fastest of isect's methods on ordinary cases, the exact one left out, that is right on all of them.
+  const bench::Row& rival() const;
   void values(const std::string& family);
   void show(viz::Step&, viz::Chart) const;
 
@@ -50,6 +54,10 @@ class Teller {
   std::vector<std::string> hard_;
   Script script_;
 };
+
+/// What is told before the first step, and after the last one. (closing.cpp)
+const std::string& opening();
+const viz::Closing& closing();
 
 /// The tests that the results can tell about: with a naive method, an exact one and a hard family.
 std::vector<std::string> tests(const bench::Report&);

@@ -7,6 +7,7 @@
 #include "lessons/lessons.h"
 #include "lessons/robustness/settings.h"
 #include "tests/catch.h"
+#include "viz/closing.h"
 
 namespace flat_lessons_test {
 using namespace isect;
@@ -91,7 +92,8 @@ TEST_CASE("the neighbour that a preset rings is one that the naive test has wron
         lessons::robustness_lesson::setting(text("test"), text("scalar"), std::get<Vec3>(p.parameters.at("p")));
     const int truth = s.truth(number("right"), number("up")), answer = s.answer(number("right"), number("up"));
     CHECK(truth != answer);
-    const std::string told = lesson("robustness").walk(p.parameters).steps.back().formula;
+    const Walk walk = lesson("robustness").walk(p.parameters);
+    const std::string told = walk.steps[outcome(walk)].formula;
     CHECK(told == "ringed: " + s.verdicts[truth + 1] + ", naive says " + s.verdicts[answer + 1]);
   }
 }

@@ -359,14 +359,14 @@ TEST_CASE("each pixel of the lesson's picture is the closest of all hits, shaded
       CHECK_THAT(t.normal.norm(), Catch::Matchers::WithinAbs(1, 1e-12));
       if (t.cosine <= 0) {
         ++away;
-        CHECK(t.light == 0.2);
+        CHECK(t.brightness == 0.2);
         continue;
       }
       bool blocked = false;  // a little off the surface, where the lesson leaves the object out
       const lessons::viewing::Ray3 shadow_ray = {t.point + 1e-9 * t.normal, lamp - t.point, {0, 1}};
       for (const Object& o : world.objects) blocked = blocked || lessons::viewing::first_hit(shadow_ray, o.shape);
       CHECK(blocked == t.blocker.has_value());
-      CHECK((t.light > 0.2) != blocked);
+      CHECK((t.brightness > 0.2) != blocked);
       (blocked ? shadow : lit) += 1;
     }
   for (const int often : {lit, shadow, away, sky}) CHECK(often > 50);
@@ -376,7 +376,10 @@ TEST_CASE("each pixel of the lesson's picture is the closest of all hits, shaded
 }
 
 TEST_CASE("the ray-tracing presets are what their names say", "[ray-tracing lesson]") {
-  const auto last = [](const char* id) { return walk_of("ray-tracing", id).steps.back(); };
+  const auto last = [](const char* id) {
+    const Walk walk = walk_of("ray-tracing", id);
+    return walk.steps[outcome(walk)];
+  };
   CHECK(last("lit").verdict.kind == Verdict::Kind::yes);
   CHECK(last("lit").line == 0);
   CHECK(value(last("lit"), "objects met") >= 2);
@@ -420,7 +423,10 @@ TEST_CASE("the lesson picks what the window would pick, at every pixel", "[picki
 TEST_CASE("the picking presets are what their names say", "[picking lesson]") {
   const lessons::viewing::World world(lessons::picking_lesson::objects());
   const lessons::viewing::Eye eye(48, 36);
-  const auto step = [](const char* id) { return walk_of("picking", id).steps.back(); };
+  const auto step = [](const char* id) {
+    const Walk walk = walk_of("picking", id);
+    return walk.steps[outcome(walk)];
+  };
   const auto ray = [&](const char* id) {
     return eye.through(std::get<Vec3>(preset(lesson("picking"), id).parameters.at("pointer")));
   };

@@ -1,0 +1,80 @@
+// What a reader takes along from three ways to locate a point, and what there is to do.
+
+#include <algorithm>
+
+#include "lessons/concave_polygon/picture.h"
+
+namespace isect::lessons::concave_polygon_lesson {
+
+using namespace viz;
+
+namespace {
+
+Setup setup_of(const Parameters& p) { return {std::get<std::string>(p.at("polygon")), std::get<Vec3>(p.at("p"))}; }
+
+bool on_the_boundary(const Parameters& p) { return setup_of(p).truth == Location::on; }
+
+bool level_with_a_vertex(const Parameters& p) {
+  const Setup s = setup_of(p);
+  return s.truth == Location::in &&
+         std::ranges::any_of(s.ring, [&](const Point<double, 2>& v) { return v.y() == s.p.y(); });
+}
+
+}  // namespace
+
+const std::string& opening() {
+  static const std::string text =
+      "Can a point be located in a *concave* polygon in O(lg *n*), too? The lecture note *Intersection Detection* "
+      "leaves "
+      "that open.\n"
+      "Yes, after preparation: split the plane into simple pieces, mark each as inside or outside, and search for the "
+      "piece.";
+  return text;
+}
+
+const Closing& closing() {
+  static const Closing closing = {
+      .result = "Every simple polygon can be prepared so that each point is located in O(lg *n*).",
+      .cost =
+          "Slabs: O(*n*^2) time and space to build. Trapezoids: O(*n* lg *n*) and O(*n*), expected. Kirkpatrick: the "
+          "same, guaranteed. A query: O(lg *n*).",
+      .choose =
+          "Few points: count crossings, without preparation. Many points and a polygon at rest: trapezoids. Slabs "
+          "only for small *n*.",
+      .used =
+          "Map services, locating points in meshes and Voronoi diagrams. CGAL prepares arrangements with a trapezoidal "
+          "map.",
+      .bug = "Slabs of a polygon with long spikes: most edges run through most slabs, and memory grows as *n*^2.",
+      .bug_preset = "slabs-spiky",
+      .reading =
+          {"David Kirkpatrick, *Optimal search in planar subdivisions*, SIAM Journal on Computing 12, 1983.",
+           "David Dobkin and Richard Lipton, *Multidimensional searching problems*, SIAM Journal on Computing 5, "
+           "1976.",
+           "Mark de Berg, Otfried Cheong, Marc van Kreveld and Mark Overmars, *Computational Geometry*, 3rd "
+           "edition, 2008, chapter 6."},
+      .exercises = {
+          {"Drag **p** onto the boundary, so that the exact test says so.",
+           "Vertices are easy to meet: (−0.875, −0.25) is one.",
+           "slabs",
+           on_the_boundary,
+           {{"p", "-0.875,-0.25,0"}}},
+          {"Drag **p** to a place inside that is level with a vertex.",
+           "A vertex has the height −0.25, so (−1.5, −0.25) will do. Slabs must then look at their lower line, too.",
+           "slabs",
+           level_with_a_vertex,
+           {{"p", "-1.5,-0.25,0"}}},
+          {"How many edges can the slabs of a polygon with 200 vertices store at most?",
+           "*n*^2/2 = 20,000: above the *k* lowest vertices run at most 2 min(*k*, 200 − *k*) edges."},
+          {"Why can at least one vertex in 18 be removed each round?",
+           "At least half of the vertices have 8 edges or fewer. Of these, each one chosen rules out itself and at "
+           "most 8 "
+           "others."},
+          {"Why does a polygon with *n* vertices, no two at one *x*-coordinate, have 2*n* + 1 trapezoids?",
+           "Where the boundary passes a vertex, two trapezoids begin. Where it opens to the right three begin, where "
+           "it "
+           "closes one. As it opens as often as it closes, that is 2*n*; one begins nowhere."},
+      }};
+  return closing;
+}
+
+}  // namespace isect::lessons::concave_polygon_lesson

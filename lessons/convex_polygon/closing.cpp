@@ -1,0 +1,74 @@
+// What a reader takes along from a convex polygon, and what there is to do.
+
+#include "lessons/convex_polygon/picture.h"
+#include "lessons/shared/parameters.h"
+
+namespace isect::lessons::convex_polygon_lesson {
+
+using namespace viz;
+
+namespace {
+
+Setup setup_of(const Parameters& values) {
+  return {std::stoi(std::get<std::string>(values.at("n"))), flat_point(values, "p")};
+}
+
+bool on_the_boundary(const Parameters& values) { return setup_of(values).truth == Location::on; }
+
+bool rejected_by_two_orientations(const Parameters& values) {
+  const Setup s = setup_of(values);
+  Record<point_convex_polygon::Event> record;
+  locate(s.p, s.polygon, record);
+  return std::holds_alternative<point_convex_polygon::Fan>(record.events.back());  // nothing was asked after it
+}
+
+}  // namespace
+
+const std::string& opening() {
+  static const std::string text =
+      "Must every edge be asked? Not of a convex polygon: the lecture note *Intersection Detection* finds a point in "
+      "O(lg *n*).\n"
+      "Seen from one place, the vertices come in angular order. So bisection finds the one edge that decides.";
+  return text;
+}
+
+const Closing& closing() {
+  static const Closing closing = {
+      .result =
+          "Seen from a vertex, the others come in angular order within half a turn. Bisection finds the wedge of "
+          "**p**; its far edge decides.",
+      .cost =
+          "At most 3 + 3 ⌈lg (*n* − 2)⌉ orientations, 63 for a million vertices. To know that the polygon is convex "
+          "takes O(*n*), once.",
+      .choose =
+          "For convex polygons of many vertices. With a handful, ask every edge. Concave ones need crossings, or a "
+          "prepared map.",
+      .used =
+          "Cursors over convex regions, Voronoi cells, faces of convex solids after projection, support points by the "
+          "same bisection.",
+      .bug = "Taking a rounded yes or no for the truth on the boundary. Methods that agree elsewhere differ there.",
+      .bug_preset = "on-vertex",
+      .reading = {"Michael Ian Shamos, *Geometric complexity*, ACM Symposium on Theory of Computing, 1975.",
+                  "Franco Preparata and Michael Ian Shamos, *Computational Geometry*, 1990, section 2.2.1."},
+      .exercises = {
+          {"Drag **p** onto the boundary, so that the exact test says so.",
+           "The middle of an edge has coordinates without rounding here: (−1.125, 0.875).",
+           "beyond-last",
+           on_the_boundary,
+           {{"p", "-1.125,0.875,0"}}},
+          {"Drag **p** to where two orientations are enough to reject it.",
+           "Outside one of the two edges at **v**_0, as (2.75, 1.25) is.",
+           "inside",
+           rejected_by_two_orientations,
+           {{"p", "2.75,1.25,0"}}},
+          {"How many orientations can a polygon of 1,000 vertices take?",
+           "lg 998 is a little less than 10, rounded up 10. So at most 3 + 3 · 10 = 33."},
+          {"Why does a vertex as apex need no angles, and an interior point a case distinction?",
+           "From a vertex all directions lie within half a turn, where one sign orders any two. Around an interior "
+           "point "
+           "they fill the whole turn."},
+      }};
+  return closing;
+}
+
+}  // namespace isect::lessons::convex_polygon_lesson

@@ -1,0 +1,89 @@
+// What a reader takes along from counting crossings, and what there is to do.
+
+#include "lessons/crossings/telling.h"
+#include "lessons/shared/parameters.h"
+
+namespace isect::lessons::crossings_lesson {
+
+using namespace viz;
+
+namespace {
+
+Setup setup_of(const Parameters& values) {
+  return {situation(std::get<std::string>(values.at("polygon"))), flat_point(values, "p")};
+}
+
+bool closed_rule_is_wrong(const Parameters& values) {
+  const Setup s = setup_of(values);
+  int count = 0;
+  for (const Ring<double, 2>& ring : s.situation.polygon.rings) count += point_polygon::crossings_closed(s.p, ring);
+  return s.truth.even_odd != Location::on && (count % 2 != 0) != (s.truth.even_odd == Location::in);
+}
+
+bool inside_by_both_rules(const Parameters& values) {
+  const Winding w = setup_of(values).truth;
+  return w.even_odd == Location::in && w.nonzero == Location::in;
+}
+
+}  // namespace
+
+const std::string& opening() {
+  static const std::string text =
+      "Does a point lie in a polygon? Maps ask it of regions, renderers of text ask it of every pixel.\n"
+      "The lecture note *Intersection Detection* walks along a ray from the point to infinity. Each edge crossed "
+      "changes inside and outside.";
+  return text;
+}
+
+const Closing& closing() {
+  static const Closing closing = {
+      .result =
+          "**p** lies inside if and only if a ray from it crosses an odd number of edges. Half-open edges count like a "
+          "ray raised by *ε*, which meets no vertex.",
+      .cost =
+          "O(*n*): two comparisons for each edge, and one orientation where it straddles the ray's line. No "
+          "preprocessing.",
+      .choose =
+          "For few points, or polygons that change. Convex polygons allow bisection in O(lg *n*). For many points, "
+          "prepare slabs or trapezoids.",
+      .used =
+          "Map queries (PNPOLY), scan-line filling in PDF, SVG and font renderers, ray against polygon after "
+          "projection.",
+      .bug = "Edges that count with both ends: a vertex passed counts twice, and inside becomes outside.",
+      .bug_preset = "vertex-passed-closed",
+      .reading = {"M. Shimrat, *Algorithm 112: Position of point relative to polygon*, Communications of the ACM 5, "
+                  "1962.",
+                  "Eric Haines, *Point in polygon strategies*, Graphics Gems IV, 1994.",
+                  "Kai Hormann and Alexander Agathos, *The point in polygon problem for arbitrary polygons*, "
+                  "Computational Geometry 20, 2001."},
+      .exercises = {
+          {"Drag **p** to a place where the closed rule gives a wrong answer.",
+           "At the height −0.5 the ray passes the vertex (2.25, −0.5), which counts twice. So (−0.75, −0.5) seems to "
+           "lie outside.",
+           "inside-closed",
+           closed_rule_is_wrong,
+           {{"p", "-0.75,-0.5,0"}}},
+          {"Drag **p** to a place that both rules, even-odd and non-zero, call inside.",
+           "In a tip of the star the winding number is 1 or −1: (0, 1.5) is such a place.",
+           "pentagram",
+           inside_by_both_rules,
+           {{"p", "0,1.5,0"}}},
+          {"A square has the corners (0, 0), (2, 0), (2, 2), (0, 2). Which edges count for **p** = (−1, 2)?",
+           "None. The upper corners lie on the ray and count as below it, so no end lies above."},
+          {"And which edges of that square count for **p** = (−1, 0)?",
+           "The two vertical ones: each leads from a lower corner, below, to an upper one, above. Two is even: OUT."},
+          {"Why does the half-open rule count what a ray raised by *ε* crosses?",
+           "Choose *ε* smaller than the rise to the next vertex. Vertices at the ray's height lie below the raised "
+           "ray, all others keep their side."},
+      }};
+  return closing;
+}
+
+const std::vector<Erratum>& errata() {
+  static const std::vector<Erratum> all = {
+      {"    if both above or both below p: next edge", "    if neither or both are above p: next edge",
+       "A vertex on the ray belongs to two edges. Counted as below, it lies on one side.", "vertex-passed-closed"}};
+  return all;
+}
+
+}  // namespace isect::lessons::crossings_lesson

@@ -1,0 +1,78 @@
+// What a reader takes along from ray tracing, and what there is to do.
+
+#include "lessons/ray_tracing/picture.h"
+
+namespace isect::lessons::ray_tracing_lesson {
+
+using namespace viz;
+
+namespace {
+
+bool in_shadow(const Parameters& p) {
+  const OnePixel s = setup(p);
+  return s.traced.blocker && !s.acne;
+}
+
+bool turned_away(const Parameters& p) {
+  const OnePixel s = setup(p);
+  return s.traced.hit && !(s.traced.cosine > 0);
+}
+
+}  // namespace
+
+const std::string& opening() {
+  static const std::string text =
+      "What colour has each pixel of a picture? Film renderers answer by intersection tests, millions a second.\n"
+      "The lecture note *Intersection Detection* names this use: send a ray through each pixel, and take the closest "
+      "hit.";
+  return text;
+}
+
+const Closing& closing() {
+  static const Closing closing = {
+      .result =
+          "A pixel shows the object at the least *t* ≥ 0 of its primary ray. The point is lit if it faces the light "
+          "and no object stands between.",
+      .cost =
+          "A primary ray and at most one shadow ray a pixel. Each asks a hierarchy: about lg *n* nodes, not *n* "
+          "objects.",
+      .choose =
+          "For shadows, mirrors and glass. Rasterisation is faster for what the eye sees directly; many engines use "
+          "both.",
+      .used =
+          "Film renderers such as RenderMan and Arnold, baked light maps, shadows and reflections in games (DXR, "
+          "Vulkan "
+          "ray tracing).",
+      .bug = "A shadow ray that starts on its object, as rounded, meets it again: spots of shadow acne.",
+      .bug_preset = "acne",
+      .reading =
+          {"Arthur Appel, *Some techniques for shading machine renderings of solids*, AFIPS Spring Joint Computer "
+           "Conference, 1968.",
+           "Turner Whitted, *An improved illumination model for shaded display*, Communications of the ACM 23, "
+           "1980.",
+           "Matt Pharr, Wenzel Jakob and Greg Humphreys, *Physically Based Rendering*, 4th edition, 2023."},
+      .exercises = {
+          {"Drag the pixel to a point that lies in the shadow of another object.",
+           "Ball **b** lies in the shadow of ball **a**, low in the middle of the picture.",
+           "lit",
+           in_shadow,
+           {{"pixel", "-1.5,-0.2292,0.0208"}}},
+          {"Leave the pixel, and drag the light source so that the surface is turned away from it.",
+           "Behind and below the objects, at (5, −3, 0), the light source sees none of what the eye sees here.",
+           "lit",
+           turned_away,
+           {{"lamp", "5,-3,0"}}},
+          {"A picture has 640 × 480 pixels and a vertical field of view of 90°. Where does pixel (0, 0) look?",
+           "tan 45° = 1, so **d** = **forward** + *u* **right** + *v* **up** with *u* = (0.5/320 − 1) · 4/3 = −1.3313 "
+           "and "
+           "*v* = 1 − 0.5/240 = 0.9979."},
+          {"Each hit sends on a mirrored and a refracted ray, three times. How many rays does a pixel take?",
+           "1 + 2 + 4 + 8 = 15, and at each hit a shadow ray for every light source."},
+          {"Why is a shadow ray a segment, and why may its search stop early?",
+           "What lies beyond the light source casts no shadow on the point. And one object between them is enough, the "
+           "nearest is not needed."},
+      }};
+  return closing;
+}
+
+}  // namespace isect::lessons::ray_tracing_lesson

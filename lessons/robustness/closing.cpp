@@ -1,0 +1,86 @@
+// What a reader takes along from the microscope, and what there is to do.
+
+#include <cmath>
+
+#include "lessons/robustness/settings.h"
+
+namespace isect::lessons::robustness_lesson {
+
+using namespace viz;
+
+namespace {
+
+Setting setting_of(const Parameters& p) {
+  return setting(std::get<std::string>(p.at("test")), std::get<std::string>(p.at("scalar")), std::get<Vec3>(p.at("p")));
+}
+
+bool never_wrong(const Parameters& p) {
+  const Setting s = setting_of(p);
+  for (int i = -half; i <= half; ++i)
+    for (int j = -half; j <= half; ++j)
+      if (fault(s, s.truth(i, j), s.answer(i, j)) != Fault::none) return false;
+  return true;
+}
+
+bool ringed_is_right(const Parameters& p) {
+  const Setting s = setting_of(p);
+  const auto cells = [&](const char* name) { return static_cast<int>(std::round(std::get<double>(p.at(name)))); };
+  const int i = cells("right"), j = cells("up");
+  return s.truth(i, j) == 1 && fault(s, s.truth(i, j), s.answer(i, j)) == Fault::none;
+}
+
+}  // namespace
+
+const std::string& opening() {
+  static const std::string text =
+      "What can one rounding error do? It can turn a yes into a no, and a program that trusts it may crash.\n"
+      "The lecture note *Intersection Detection* puts 80 % of the work into robustness. A microscope shows why.";
+  return text;
+}
+
+const Closing& closing() {
+  static const Closing closing = {
+      .result =
+          "Near a border a rounded test is wrong in whole regions, not just at single points. An exact sign is right "
+          "in "
+          "every cell.",
+      .cost =
+          "A filter decides almost all calls in nanoseconds. Where its error bound leaves the sign open, exact numbers "
+          "take far longer.",
+      .choose =
+          "Exact signs where others build on a verdict: hulls, meshes, maps. Rounded ones where an error is only a "
+          "pixel.",
+      .used = "Shewchuk's predicates in Triangle and TetGen, CGAL's exact kernels, watertight ray tests in renderers.",
+      .bug = "Comparing with a tolerance and calling it robust: verdicts then contradict each other.",
+      .bug_preset = "orientation",
+      .reading = {"Lutz Kettner et al., *Classroom examples of robustness "
+                  "problems in geometric computations*, Computational Geometry 40, 2008.",
+                  "Jonathan Richard Shewchuk, *Adaptive precision floating-point arithmetic and fast robust geometric "
+                  "predicates*, Discrete & Computational Geometry 18, 1997.",
+                  "Christer Ericson, *Real-Time Collision Detection*, 2005, chapter 11."},
+      .exercises = {
+          {"Drag **p** to a place where the naive orientation is right in every cell.",
+           "Well beside the line all signs survive: at (1, 2), for instance.",
+           "orientation",
+           never_wrong,
+           {{"p", "1,2,0"}}},
+          {"Ring a neighbour on the left of the line of which the naive test is right.",
+           "Up is left here. Far enough from the line, at 32 up and 32 to the left, the sign is right.",
+           "orientation",
+           ringed_is_right,
+           {{"right", "-32"}, {"up", "32"}}},
+          {"How far apart are two neighbouring doubles near 0.0625, and near 3?",
+           "2^{−56} and 2^{−51}: a difference of the two drops the last 5 bits or so of the smaller one."},
+          {"Coordinates are near 10^6, with 53 bits. Which tolerance is the smallest that makes sense?",
+           "Neighbouring doubles there are 2^{−33}, about 10^{−10}, apart. A tolerance must be some of these; one of "
+           "10^{−12} "
+           "is none."},
+          {"Why does a tolerance not make *on the line* consistent?",
+           "**a** may be within it of **b**, and **b** of **c**, but **a** not of **c**. What follows from two "
+           "verdicts may "
+           "contradict the third."},
+      }};
+  return closing;
+}
+
+}  // namespace isect::lessons::robustness_lesson

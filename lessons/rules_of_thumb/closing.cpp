@@ -1,0 +1,75 @@
+// What a reader takes along from eight rules, and what there is to do.
+
+#include "lessons/rules_of_thumb/experiment.h"
+
+namespace isect::lessons::rules_lesson {
+
+using namespace viz;
+
+namespace {
+
+bool is(const Parameters& p, const char* rule) { return std::get<std::string>(p.at("rule")) == rule; }
+Flat place(const Parameters& p) { return std::get<Vec3>(p.at("p")).head<2>(); }
+
+bool order_costs_more(const Parameters& p) {
+  if (!is(p, "3-reorder")) return false;
+  const Experiment e = reorder(place(p));
+  return e.after > e.before;
+}
+
+bool no_sign_is_wrong(const Parameters& p) { return is(p, "8-robust") && robust(place(p)).before == 0; }
+
+}  // namespace
+
+const std::string& opening() {
+  static const std::string text =
+      "How is a correct test made fast, and a fast test correct? The lecture note *Intersection Detection* gives eight "
+      "rules of thumb.\n"
+      "None holds everywhere. So each is tried here: counted without it, and with it.";
+  return text;
+}
+
+const Closing& closing() {
+  static const Closing closing = {
+      .result =
+          "Cheap tests first, results kept, work prepared where many objects meet one: each rule saves where its "
+          "assumption holds.",
+      .cost =
+          "Each costs something: storage, preparation, or a test in vain. Counts show the promise, only the clock "
+          "shows "
+          "the gain.",
+      .choose =
+          "Make it right first (rule 8), then measure (rule 7). Apply the others where the profile says that time is "
+          "spent.",
+      .used =
+          "Bounding volumes, cached separating axes and sorted sweeps in physics engines; hierarchies built once in "
+          "ray "
+          "tracers.",
+      .bug = "Optimising by counting operations: methods with like counts may differ tenfold in time.",
+      .bug_preset = "7-measure",
+      .reading = {"Tomas Akenine-Möller and Eric Haines, *Real-Time Rendering*, 2nd edition, 2002, chapter 13.",
+                  "Christer Ericson, *Real-Time Collision Detection*, 2005, chapters 11 and 13.",
+                  "Lutz Kettner et al., *Classroom examples of robustness problems in geometric computations*, 2008."},
+      .exercises = {
+          {"Rule 3: drag **p** to a place where the other order of axes costs more than it saves.",
+           "Beside the long boxes *x* separates at once: at (1.15, 0) the axis *y* is asked in vain.",
+           "3-reorder",
+           order_costs_more,
+           {{"p", "1.15,0,0"}}},
+          {"Rule 8: drag **p** so that no rounded sign is wrong.",
+           "Straight above **a**, at (−3.1, 1), all differences of *x* are exactly 0, and so are the determinants.",
+           "8-robust",
+           no_sign_is_wrong,
+           {{"p", "-3.1,1,0"}}},
+          {"Rule 6: preparing takes 600 steps, a query 10 instead of 50. From how many queries on does it pay?",
+           "Each query saves 40 steps, and 600/40 = 15. So from 15 queries on it costs no more."},
+          {"Rule 1: a full test costs 150 operations, a ball test 11, and nine boxes in ten are rejected. What is "
+           "saved?",
+           "Without: 150 a box. With: 11 + 0.1 · 150 = 26, so 83 % are saved."},
+          {"Why does a separating axis of the last frame help, even though it may fail?",
+           "One test more is lost if it fails, up to fourteen are saved if it holds. In slow motion it mostly holds."},
+      }};
+  return closing;
+}
+
+}  // namespace isect::lessons::rules_lesson

@@ -1,0 +1,69 @@
+// What a reader takes along from speed against error, and what there is to do.
+
+#include "bench/rows.h"
+#include "lessons/speed_against_error/results.h"
+#include "lessons/speed_against_error/telling.h"
+
+namespace isect::lessons::speed_lesson {
+
+using namespace viz;
+
+namespace {
+
+/// Whether the exact call is faster than the naive method on ordinary cases, by more than the noise.
+bool exact_is_faster(const Parameters& p) {
+  const auto rows = bench::rows_of(results(), std::get<std::string>(p.at("test")), "double", "ordinary");
+  const bench::Row *naive = bench::standard_of(rows), *exact = bench::exact_of(rows);
+  return exact->ns * (1 + results().machine.noise) < naive->ns;
+}
+
+}  // namespace
+
+const std::string& opening() {
+  static const std::string text =
+      "What does an exact verdict cost, and what does a rounded one? The lecture note *Intersection Detection* asks to "
+      "time "
+      "and profile.\n"
+      "So every method is timed, and judged by an exact oracle: on ordinary cases, and on hard ones.";
+  return text;
+}
+
+const Closing& closing() {
+  static const Closing closing = {
+      .result =
+          "On ordinary cases all methods are right, and differ in time. On hard ones the rounded methods fail; exact "
+          "calls take longer.",
+      .cost =
+          "One comparison of a value with its error bound on ordinary cases; exact numbers only where it leaves the "
+          "sign "
+          "open.",
+      .choose =
+          "The exact call, unless a profile shows its time and every input is ordinary. For pictures a rounded method "
+          "will do.",
+      .used =
+          "CGAL's filtered kernels and Shewchuk's predicates work so; game engines mostly choose rounded tests and "
+          "tolerances.",
+      .bug = "Judging a method by ordinary cases alone: there no wrong verdict shows.",
+      .bug_preset = "sphere-sphere",
+      .reading = {"Jonathan Richard Shewchuk, *Adaptive precision floating-point arithmetic and fast robust geometric "
+                  "predicates*, Discrete & Computational Geometry 18, 1997.",
+                  "David Goldberg, *What every computer scientist should know about floating-point arithmetic*, ACM "
+                  "Computing Surveys 23, 1991."},
+      .exercises = {
+          {"Choose a test whose exact call is faster than the naive method, beyond the noise.",
+           "Ball and box: the naive method branches on every axis, the exact call does not.",
+           "ray-sphere",
+           exact_is_faster,
+           {{"test", "sphere-aabb"}}},
+          {"Two methods take 14.5 and 14.6 ns on a machine whose noise is 50 %. Which is faster?",
+           "There is no telling. Only ratios above 1.5 mean something there."},
+          {"A call takes 4 ns if the filter decides, else 400 ns. One call in 1,000 needs the latter. What is the "
+           "mean?",
+           "0.999 · 4 + 0.001 · 400 = 4.4 ns, a tenth more."},
+          {"Method A takes 2 ns and errs by 8 ulp, B 3 ns and 1 ulp, C 4 ns and 2 ulp. Which is dominated?",
+           "C: B is faster and more accurate. A and B are on the front."},
+      }};
+  return closing;
+}
+
+}  // namespace isect::lessons::speed_lesson

@@ -1,0 +1,185 @@
+// What the lessons on points in polygons say, on random settings: verdicts, counts and branches, against an exact
+// count of crossings in rationals.
+
+#include <algorithm>
+#include <bit>
+
+#include <isect/point_polygon_methods.h>
+#include "bench/rational.h"
+#include "lessons/concave_polygon/map_picture.h"
+#include "lessons/convex_polygon/picture.h"
+#include "lessons/crossings/situations.h"
+#include "tests/lessons/words.h"
+#include "viz/rich_text.h"
+
+namespace polygon_words_test {
+using namespace isect;
+using namespace isect::viz;
+using namespace isect::tests;
+using Catch::Matchers::Contains;
+using Rings = std::vector<Ring<double, 2>>;
+
+namespace {
+
+/// The sign of the turn a, b, p in rationals.
+int turn(const Point<double, 2>& a, const Point<double, 2>& b, const Point<double, 2>& p) {
+  const auto ra = oracle::rational(a), rb = oracle::rational(b), rp = oracle::rational(p);
+  return oracle::sign((rb[0] - ra[0]) * (rp[1] - ra[1]) - (rb[1] - ra[1]) * (rp[0] - ra[0]));
+}
+
+struct Truth {
+  Location location = Location::out;
+  int crossings = 0;
+  int closed = 0;  ///< edges with a point on the ray right of p, level ones left out
+};
+
+/// One edge after the other: those that a ray just above the point crosses, and those that hold the point.
+Truth truth_of(const Point<double, 2>& p, const Rings& rings) {
+  Truth truth;
+  bool on = false;
+  for (const Ring<double, 2>& ring : rings)
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point<double, 2>&a = ring[i], &b = ring[(i + 1) % ring.size()];
+      const auto [low, high] = a.y() <= b.y() ? std::pair(a, b) : std::pair(b, a);
+      const int side = turn(low, high, p);  // 1: p is left of it
+      const bool level = a.y() == b.y();
+      on = on || (side == 0 && (p - a).dot(p - b) <= 0);
+      truth.crossings += low.y() <= p.y() && p.y() < high.y() && side > 0;
+      truth.closed += !level && low.y() <= p.y() && p.y() <= high.y() && side > 0;
+    }
+  truth.location = on ? Location::on : truth.crossings % 2 != 0 ? Location::in : Location::out;
+  return truth;
+}
+
+Verdict::Kind kind_of(Location l) {
+  return l == Location::in ? Verdict::Kind::yes : l == Location::on ? Verdict::Kind::on : Verdict::Kind::no;
+}
+
+}  // namespace
+
+TEST_CASE("crossings are counted as they are in rationals, by either rule", "[words]") {
+  int wrong = 0;
+  on_random_settings("crossings", 1000, [&](const Parameters& setting, const Walk& walk) {
+    const auto& s = lessons::crossings_lesson::situation(text(setting, "polygon"));
+    const Truth truth = truth_of(point(setting), s.polygon.rings);
+    const Step& last = ending(walk);
+    const int counting = static_cast<int>(std::ranges::count_if(walk.steps, [&](const Step& step) {
+      return step.slug.starts_with("edge-") && walk.pseudocode[step.line].find("count + 1") != std::string::npos;
+    }));
+    if (text(setting, "rule") == "half-open") {
+      CHECK(last.verdict.kind == kind_of(truth.location));
+      if (truth.location == Location::on) return;
+      CHECK(value(last, "count") == truth.crossings);
+      CHECK(counting == truth.crossings);
+      CHECK_THAT(walk.pseudocode[last.line], Contains(truth.location == Location::in ? "IN" : "OUT"));
+      return;
+    }
+    CHECK(value(last, "count") == truth.closed);
+    CHECK(counting == truth.closed);
+    CHECK_THAT(walk.pseudocode[last.line], Contains(truth.closed % 2 != 0 ? "IN" : "OUT"));
+    const bool on = truth.location == Location::on, right = truth.closed % 2 == truth.crossings % 2;
+    wrong += !on && !right;
+    CHECK(says(last.verdict.text, "Wrong") == (!on && !right));
+    CHECK(says(last.caption, "The answer is right: this count") == (!on && truth.closed == truth.crossings));
+    CHECK(says(last.caption, "The answer is right, but not the count") ==
+          (!on && right && truth.closed != truth.crossings));
+    CHECK((last.verdict.kind == Verdict::Kind::on) == on);
+  });
+  CHECK(wrong > 10);
+}
+
+TEST_CASE("where a graze is counted twice, the closed rule is said to be right by luck", "[words]") {
+  const Walk walk = walk_of("crossings", "grazed-none-closed");
+  const Step& last = ending(walk);
+  CHECK(value(last, "count") == 3);
+  CHECK_THAT(last.caption, Contains("true is 1"));
+}
+
+TEST_CASE("Jordan's theorem is cited for simple closed curves only", "[words]") {
+  for (const auto& s : lessons::crossings_lesson::situations()) {
+    INFO(s.id);
+    bool meets = s.polygon.rings.size() > 1;
+    const Ring<double, 2>& ring = s.polygon.rings[0];
+    const std::size_t n = ring.size();
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = i + 1; j < n; ++j) {
+        const Point<double, 2>&a = ring[i], &b = ring[(i + 1) % n], &c = ring[j], &d = ring[(j + 1) % n];
+        if (b == c || d == a) {  // neighbours: does one run back on the other?
+          const Point<double, 2>&tip = b == c ? b : a, &from = b == c ? a : b, &to = b == c ? d : c;
+          meets = meets || (turn(from, tip, to) == 0 && (from - tip).dot(to - tip) > 0);
+        } else {
+          meets = meets || (turn(a, b, c) * turn(a, b, d) <= 0 && turn(c, d, a) * turn(c, d, b) <= 0);
+        }
+      }
+    CHECK(s.simple == !meets);
+    const Walk walk = walk_of("crossings", s.id);
+    CHECK(says(walk.steps[0].caption, "(Jordan curve theorem)") == s.simple);
+  }
+}
+
+TEST_CASE("the fan rejects, accepts and counts its orientations as said", "[words]") {
+  on_random_settings("convex-polygon", 1000, [&](const Parameters& setting, const Walk& walk) {
+    if (text(setting, "n").size() > 2) return;  // the presets have their own tests
+    const lessons::convex_polygon_lesson::Setup s(std::stoi(text(setting, "n")), point(setting));
+    const Location truth = truth_of(s.p, {s.polygon.vertices}).location;
+    const Step& last = ending(walk);
+    if (text(setting, "method") == "centroid") {
+      const bool in = point_convex_polygon::wedge_naive(s.p, s.polygon);
+      CHECK_THAT(walk.pseudocode[last.line], Contains(in ? "IN" : "OUT"));
+      const bool wrong = truth != Location::on && in != (truth == Location::in);
+      CHECK(says(last.verdict.text, "wrong") == wrong);
+      return;
+    }
+    using namespace point_convex_polygon;
+    Record<Event> record;
+    locate(s.p, s.polygon, record);
+    int turns = 0;
+    for (const Event& e : record.events)
+      turns += std::holds_alternative<Fan>(e) ? 2 : std::holds_alternative<Fallback>(e) ? 0 : 1;
+    CHECK(value(last, "orientations") == turns);
+    CHECK_THAT(last.caption, Contains("took " + std::to_string(turns) + " orientations"));
+    const int bisections = static_cast<int>(std::ceil(std::log2(s.size() - 2.0)));
+    CHECK(turns <= 3 + 3 * bisections);
+    CHECK_THAT(last.formula, Contains("= " + std::to_string(3 + 3 * bisections)));
+    CHECK(last.verdict.kind == kind_of(truth));
+    CHECK(says(walk.pseudocode[last.line], "OUT") == (truth == Location::out));
+    CHECK(says(last.caption, "exactly zero") == (truth == Location::on));
+    for (const Step& step : walk.steps) {  // the side of a ray, as its title and its caption have it
+      if (!step.slug.starts_with("bisect-")) continue;
+      const int mid = std::stoi(step.title.substr(step.title.find("_{") + 2));
+      const bool after = step.title.find("after") != std::string::npos;
+      CHECK(after == (turn(s.vertex(0), s.vertex(mid), s.p) >= 0));
+    }
+  });
+}
+
+TEST_CASE("slabs, trapezoids and triangles end with the exact location, and keep what is said", "[words]") {
+  on_random_settings("concave-polygon", 300, [&](const Parameters& setting, const Walk& walk) {
+    const lessons::concave_polygon_lesson::Setup s(text(setting, "polygon"), std::get<Vec3>(setting.at("p")));
+    const Location truth = truth_of(s.p, {s.ring}).location;
+    const Step& last = ending(walk);
+    CHECK(last.verdict.kind == kind_of(truth));
+    CHECK(last.verdict.text == lessons::verdict_text(truth));
+    const int n = s.size();
+    if (const Step* store = find(walk, "store")) {
+      CHECK(value(*store, "edges in slabs") <= n * n / 2);
+      CHECK(answer(*store) == shown(value(*store, "edges in slabs")));
+    }
+    if (const Step* map = find(walk, "map")) {
+      CHECK(value(*map, "trapezoids") == 2 * n + 1);
+      CHECK(answer(*map) == std::to_string(2 * n + 1));
+    }
+    if (const Step* holes = find(walk, "holes")) {
+      const Step* removed = find(walk, "removed");
+      const double gone = std::stod(plain(removed->title));
+      CHECK(value(*holes, "triangles") == value(*removed, "triangles") - 2 * gone);
+    }
+    if (const Step* slab = find(walk, "slab")) {
+      const bool beyond = std::ranges::all_of(s.ring, [&](const auto& v) { return v.y() > s.p.y(); }) ||
+                          std::ranges::all_of(s.ring, [&](const auto& v) { return v.y() < s.p.y(); });
+      CHECK(says(slab->caption, "below or above all vertices") == beyond);
+    }
+  });
+}
+
+}  // namespace polygon_words_test

@@ -1,0 +1,55 @@
+#pragma once
+// What tests of a lesson's words share: its walks on random settings, and what stands in their steps.
+
+#include <algorithm>
+#include <string>
+
+#include "lessons/lessons.h"
+#include "tests/catch.h"
+#include "tests/lessons/random_settings.h"
+#include "tests/settings.h"
+#include "viz/closing.h"
+#include "viz/place.h"
+
+namespace isect::tests {
+
+inline const viz::Lesson& lesson(const std::string& id) { return viz::lesson_named(lessons::all_lessons(), id); }
+inline viz::Walk walk_of(const std::string& id, const std::string& preset) {
+  return lesson(id).walk(viz::preset(lesson(id), preset).parameters);
+}
+
+inline const std::string& text(const viz::Parameters& p, const char* name) { return std::get<std::string>(p.at(name)); }
+/// Of a flat lesson.
+inline Point<double, 2> point(const viz::Parameters& p) { return std::get<viz::Vec3>(p.at("p")).head<2>(); }
+
+/// The step of that name; null if the walk has none.
+inline const viz::Step* find(const viz::Walk& walk, const std::string& slug) {
+  const auto found = std::ranges::find(walk.steps, slug, &viz::Step::slug);
+  return found == walk.steps.end() ? nullptr : &*found;
+}
+inline const viz::Step& ending(const viz::Walk& walk) { return walk.steps[static_cast<std::size_t>(outcome(walk))]; }
+
+inline double value(const viz::Step& step, const std::string& name) {
+  for (const viz::Value& v : step.values)
+    if (v.name == name) return v.value;
+  throw std::runtime_error("no value " + name);
+}
+
+inline bool says(const std::string& told, const std::string& words) { return told.find(words) != std::string::npos; }
+/// The choice that a question accepts.
+inline std::string answer(const viz::Step& step) { return step.question->choices[step.question->answer]; }
+
+/// check(setting, walk) on so many random settings of a lesson.
+template <class Check>
+void on_random_settings(const std::string& id, int how_many, const Check& check) {
+  bench::Random random(bench::stream(seed(), id.c_str()));
+  for (int i = 0; i < cases(how_many, 20 * how_many); ++i) {
+    const viz::Parameters setting = random_setting(lesson(id), random);
+    std::string told = id;
+    for (const auto& [name, v] : setting) told += " --set " + name + "=" + viz::to_text(v);
+    INFO(told);
+    check(setting, lesson(id).walk(setting));
+  }
+}
+
+}  // namespace isect::tests
