@@ -83,9 +83,9 @@ class Cells {
   std::vector<Box2> taken_;
 };
 
-class Plane {
+class PlaneOfCases {
  public:
-  Plane(ChartInk& ink, const Cases& cases, const Bounds& b)
+  PlaneOfCases(ChartInk& ink, const Cases& cases, const Bounds& b)
       : ink_(ink), cases_(cases), b_(b), x_(cases.x, b.left, b.right), y_(cases.y, b.bottom, b.top) {}
 
   void draw() {
@@ -245,7 +245,7 @@ void draw(ChartInk& ink, const Cases& cases, const Bounds& room) {
   const Sizes& s = ink.sizes();
   const Theme& t = ink.theme();
   const Bounds b = plane_within(ink, cases, room);
-  Plane(ink, cases, b).draw();
+  PlaneOfCases(ink, cases, b).draw();
   ink.part("chart", "scales");
   ink.line({{b.left, b.top}, {b.right, b.top}, {b.right, b.bottom}, {b.left, b.bottom}, {b.left, b.top}},
            t.ink(Role::construction), s.hairline);
