@@ -34,6 +34,7 @@ void add_list(CLI::App&, Program&);
 void add_show(CLI::App&, Program&);
 void add_explain(CLI::App&, Program&);
 void add_render(CLI::App&, Program&);
+void add_handout(CLI::App&, Program&);
 void add_check(CLI::App&, Program&);
 void add_query(CLI::App&, Program&);
 void add_bench(CLI::App&, Program&);

@@ -277,20 +277,31 @@ std::size_t end_of_math(const Atoms& atoms, std::size_t begin) {
   return end;
 }
 
+/// Mathematics that begins or ends with a sign between two sides, one of which is a word, as in "count + 1". TeX would
+/// take it for a sign of its own, and set it close; the empty group is the other side.
+bool stands_between(const Atoms& atoms, std::size_t i) {
+  return atoms[i].kind == Atom::Kind::relation && i > 0 && atoms[i - 1].kind == Atom::Kind::space &&
+         i + 1 < atoms.size() && atoms[i + 1].kind == Atom::Kind::space;
+}
+
 std::string running(const Atoms& atoms) {
   std::string out;
   for (std::size_t i = 0; i < atoms.size();) {
     // Spaces at either end belong to the words around: TeX would lose them.
     std::size_t end = end_of_math(atoms, i);
+    const std::size_t behind = end;
     while (end > i && atoms[end - 1].kind == Atom::Kind::space) --end;
-    while (i < end && atoms[i].kind == Atom::Kind::space) out += atoms[i++].tex;
+    std::string spaces;
+    while (i < end && atoms[i].kind == Atom::Kind::space) spaces += atoms[i++].tex;
     const Atoms part(atoms.begin() + static_cast<std::ptrdiff_t>(i), atoms.begin() + static_cast<std::ptrdiff_t>(end));
     if (std::ranges::any_of(part, is_math)) {
-      out += '$';
+      const bool begins = stands_between(atoms, i), ends = stands_between(atoms, end - 1);
+      out += begins ? "${}" : spaces + '$';
       out += all_math(part);
-      out += '$';
-      i = end;
+      out += ends ? "{}$" : "$";
+      i = ends ? behind : end;
     } else {
+      out += spaces;
       const std::size_t next = std::max(end, i + 1);
       for (; i < next; ++i) out += atoms[i].tex;
     }

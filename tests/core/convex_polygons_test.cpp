@@ -239,8 +239,8 @@ TEST_CASE("two convex polygons take O(n + m), or with a logarithm, however they 
          return Pair(arc(n, 0, 0, 1), convex<double>({{n / 2., -5}, {n / 2. + 1, -5}, {n / 2., -4}}));
        }}};
   for (const auto& [name, draw] : families) {
-    const double yes_or_no = tests::growth(20'000, draw, [](const Pair&p) { return intersects(p.first, p.second); }),
-                 how = tests::growth(20'000, draw, [](const Pair&p) { return relate(p.first, p.second); });
+    const double yes_or_no = tests::growth(2000, draw, [](const Pair&p) { return intersects(p.first, p.second); }),
+                 how = tests::growth(2000, draw, [](const Pair&p) { return relate(p.first, p.second); });
     INFO(name << ": n^" << yes_or_no << ", n^" << how);
     CHECK(yes_or_no < 1.5);
     CHECK(how < 1.5);

@@ -1,30 +1,46 @@
 #pragma once
-// How a cost grows with the size of the input.
+// How work grows with the size of the input. It is counted, not timed, so that nothing else that runs matters: the
+// program of these tests is compiled with -fsanitize-coverage=trace-pc, by which every basic block calls the function
+// below.
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
-
-#include "bench/growth.h"
+#include <cstdint>
 
 namespace isect::tests {
 
-/// k, where the time of run(make(n)) grows like n^k from n to 8 n. An n lg n comes out as 1.1 or a little more, for
-/// memory is slower than caches; an n^2 as 2. Processor time, the least of three: what else runs hardly counts.
+inline std::uint64_t blocks_run = 0;
+
+}  // namespace isect::tests
+
+#ifdef __clang__
+#define ISECT_NOT_COUNTED no_sanitize("coverage")
+#else
+#define ISECT_NOT_COUNTED no_sanitize_coverage
+#endif
+extern "C" inline __attribute__((used, ISECT_NOT_COUNTED)) void __sanitizer_cov_trace_pc() {
+  ++isect::tests::blocks_run;
+}
+
+namespace isect::tests {
+
+/// How many basic blocks a run goes through.
+template <class Run>
+std::uint64_t work(const Run& run) {
+  const std::uint64_t before = blocks_run;
+  run();
+  return blocks_run - before;
+}
+
+/// k, where the work of run(make(n)) grows like n^k from n to 8 n. An n lg n comes out as 1.1 or a little more; an n^2
+/// as 2.
 template <class Make, class Run>
 double growth(int n, const Make& make, const Run& run) {
-  const auto least_time = [&](int size) {
+  const auto of_size = [&](int size) {
     const auto input = make(size);
-    double least = std::numeric_limits<double>::infinity();
-    for (int pass = 0; pass < 3; ++pass) {
-      const double start = bench::processor_time();
-      run(input);
-      least = std::min(least, bench::processor_time() - start);
-    }
-    return least;
+    return static_cast<double>(work([&] { run(input); }));
   };
-  const double first = least_time(n);
-  return std::log2(least_time(8 * n) / first) / 3;
+  const double first = of_size(n);
+  return std::log2(of_size(8 * n) / first) / 3;
 }
 
 }  // namespace isect::tests

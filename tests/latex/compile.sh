@@ -17,6 +17,10 @@ mkdir -p "$work"
 cd "$work"
 "$isect" render --all --preset all --step 1-3 --format tikz --width 6cm --out figures >/dev/null 2>&1
 
+for lesson in ray-sphere crossings obb-obb; do
+  "$isect" handout "$lesson" >/dev/null
+done
+
 {
   printf '%s\n' '\documentclass[10pt]{article}' '\usepackage{tikz}' '\begin{document}'
   find figures -name '*.tikz' | sort | awk 'NR % 11 == 1 { print "\\input{" $0 "}\\par" }'
@@ -25,8 +29,11 @@ cd "$work"
 } >all.tex
 
 for program in pdflatex lualatex; do
-  if ! "$program" -interaction=nonstopmode -halt-on-error -jobname="$program" all.tex >"$program.out" 2>&1; then
-    echo "$program: $(grep -A3 '^!' "$program.out" | head -8)"
-    exit 1
-  fi
+  for text in all.tex handouts/*/*/handout.tex; do
+    if ! (cd "$(dirname "$text")" && "$program" -interaction=nonstopmode -halt-on-error "$(basename "$text")") \
+      >"$program.out" 2>&1; then
+      echo "$program: $text: $(grep -A3 '^!' "$program.out" | head -8)"
+      exit 1
+    fi
+  done
 done

@@ -19,7 +19,13 @@ TEST_CASE("minus, root, small digits and bars print as themselves", "[tex]") {
   CHECK(tex("√2 · 10⁻¹⁷") == "$\\sqrt{2} \\cdot  10^{-17}$");
   CHECK(tex("√*x*_1 + √") == "$\\sqrt{x_{1}} + \\surd $");
   CHECK(tex("|*x* − *c*| ≤ 2") == "$|x - c| \\le  2$");
-  CHECK(tex("t₁ < t₂") == "t$_{1} <$ t$_{2}$");
+  CHECK(tex("t₁ < t₂") == "t$_{1} <{}$t$_{2}$");
+}
+
+TEST_CASE("a sign between words and numbers keeps its space, one before a number stands close to it", "[tex]") {
+  CHECK(tex("count + 1") == "count${}+ 1$");
+  CHECK(tex("from −1 on") == "from $-1$ on");
+  CHECK(tex("edge → *p*") == "edge${}\\to  p$");
 }
 
 TEST_CASE("what TeX would misread is escaped", "[tex]") {
@@ -35,7 +41,7 @@ TEST_CASE("two scripts of one kind in a row are one: TeX refuses a second", "[te
 }
 
 TEST_CASE("a line of pseudocode keeps its indent, and no character of it is a mark", "[tex]") {
-  CHECK(tex_plain("  t_min ← −(n · o)") == "~~t\\_min $\\leftarrow  -($n $\\cdot $ o)");
+  CHECK(tex_plain("  t_min ← −(n · o)") == "~~t\\_min${}\\leftarrow  -($n${}\\cdot {}$o)");
 }
 
 }  // namespace tex_test

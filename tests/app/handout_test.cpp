@@ -1,0 +1,54 @@
+// A lesson to print: which files, what stands in them, and what is never written over.
+
+#include <filesystem>
+
+#include "tests/app/shell.h"
+#include "tests/catch.h"
+
+namespace handout_test {
+using Catch::Matchers::Contains;
+using Catch::Matchers::EndsWith;
+using Catch::Matchers::StartsWith;
+using isect::test::contents;
+using isect::test::Ran;
+using isect::test::Shell;
+using isect::test::write;
+
+TEST_CASE("a handout has pictures, captions, pseudocode, questions, and the answers at the end", "[handout]") {
+  const Shell shell;
+  const Ran r = shell("isect handout ray-sphere --preset tangent");
+  CHECK(r.status == 0);
+  CHECK(r.err.empty());
+  CHECK(r.out == "handouts/ray-sphere/tangent/handout.tex\nhandouts/ray-sphere/tangent/handout.html\n");
+  const std::string folder = (shell.work() / "handouts/ray-sphere/tangent/").string();
+  const std::string tex = contents(folder + "handout.tex"), html = contents(folder + "handout.html");
+
+  CHECK_THAT(tex, StartsWith("% Made by isect handout.\n\\documentclass") && EndsWith("\\end{document}\n"));
+  CHECK_THAT(tex,
+             Contains("\\input{03-distance.tikz}") && Contains("\\textbf{Question 1.}") && Contains("\\leftarrow"));
+  CHECK_THAT(html, Contains("<img src=\"03-distance.svg\" alt=\"Ray and sphere: ") && Contains("<h2>Answers</h2>"));
+  for (const std::string& text : {tex, html}) {
+    CHECK(text.find("Answers") > text.rfind("03-distance"));
+    CHECK(text.find("**") == text.npos);  // no mark is left
+  }
+  CHECK(std::filesystem::exists(folder + "03-distance.tikz"));
+  CHECK(std::filesystem::exists(folder + "03-distance.svg"));
+  CHECK(std::filesystem::exists(shell.work() / "handouts/manifest.json"));
+
+  REQUIRE(shell("isect handout ray-sphere --preset tangent").status == 0);  // over its own files, with the same bytes
+  CHECK(contents(folder + "handout.tex") == tex);
+  CHECK(contents(folder + "handout.html") == html);
+}
+
+TEST_CASE("a handout is never written over a file of somebody else's", "[handout]") {
+  const Shell shell;
+  const auto mine = shell.work() / "handouts/ray-sphere/two-roots/handout.tex";
+  write(mine, "\\documentclass{letter}\n");
+  const Ran r = shell("isect handout ray-sphere");
+  CHECK(r.status == 4);
+  CHECK_THAT(r.err, Contains("handout.tex") && Contains("--out"));
+  CHECK(contents(mine) == "\\documentclass{letter}\n");
+  CHECK(isect::test::files_in(shell.work()).size() == 1);  // nothing else was written either
+}
+
+}  // namespace handout_test
