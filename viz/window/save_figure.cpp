@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "viz/alt_text.h"
 #include "viz/compose.h"
 #include "viz/files.h"
 #include "viz/snapshot.h"
@@ -35,7 +36,10 @@ std::string save_figure(const Player& player, const Settings& settings, Renderer
                            "." + settings.save_format;
   const Drawing drawing =
       figure(player.step(), *place.camera, settings.save_theme, figure_width, figure_height).drawing;
-  write_file(path, format_named(settings.save_format).write(drawing, metadata(place), {}, [&](const Drawing& d) {
+  Imprint imprint;
+  imprint.title = figure_title(player.lesson(), player.step());
+  imprint.alt = alt_text(player.lesson(), player.parameters(), player.walk(), player.index());
+  write_file(path, format_named(settings.save_format).write(drawing, metadata(place), imprint, [&](const Drawing& d) {
     renderer.draw(d, 2);
     return halved(renderer.read());
   }));
