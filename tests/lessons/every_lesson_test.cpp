@@ -29,23 +29,6 @@ std::vector<const Lesson*> those_asked_for() {
   return lessons;
 }
 
-bool meet(const TextBox& a, const TextBox& b) {
-  return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
-}
-
-/// What is wrong with a figure's labels: those that leave the picture, and pairs that meet.
-std::vector<std::string> label_faults(const Figure& figure) {
-  std::vector<std::string> faults;
-  const double w = figure.drawing.width, h = figure.drawing.height;
-  for (std::size_t i = 0; i < figure.labels.size(); ++i) {
-    const auto& [text, b] = figure.labels[i];
-    if (!(b.left >= 0 && b.top >= 0 && b.right <= w && b.bottom <= h)) faults.push_back(text + " is clipped");
-    for (std::size_t j = 0; j < i; ++j)
-      if (meet(b, figure.labels[j].box)) faults.push_back(text + " meets " + figure.labels[j].text);
-  }
-  return faults;
-}
-
 /// An `else` alone does nothing to step on.
 bool is_else(const std::string& line) {
   const std::size_t first = line.find_first_not_of(' ');

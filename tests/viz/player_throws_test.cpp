@@ -7,25 +7,9 @@
 
 #include "tests/catch.h"
 #include "tests/viz/sample_lesson.h"
+#include "tests/viz/scarce_memory.h"
 #include "viz/place.h"
 #include "viz/player.h"
-
-namespace player_throws_test {
-
-/// How many more allocations succeed; negative: all of them.
-inline thread_local long allocations_left = -1;
-
-}  // namespace player_throws_test
-
-void* operator new(std::size_t size) {
-  using player_throws_test::allocations_left;
-  if (allocations_left == 0) throw std::bad_alloc();
-  if (allocations_left > 0) --allocations_left;
-  if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace player_throws_test {
 using namespace isect::viz;
