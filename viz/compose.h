@@ -34,8 +34,8 @@ Box2 extent(const Scene&, const Camera&);
 /// (width / height), leaving `margin` (a share of the height) free all round.
 Camera frame(const Camera& camera, const std::vector<const Scene*>& scenes, double aspect, double margin = 0.08);
 
-/// A camera centred on `walk`, at the one scale at which each of `all` fits, so that presets compare; larger where `walk`
-/// would not take three quarters of what it takes alone.
+/// A camera centred on `walk`, at the one scale at which each of `all` fits, so that presets compare; larger where
+/// `walk` would not take three quarters of what it takes alone.
 Camera frame_alike(const Camera& camera, const Walk& walk, const std::vector<Walk>& all, double aspect);
 
 /// How a figure shares its height: title above, picture, the scene's t-axis and the step's formula and verdict below.

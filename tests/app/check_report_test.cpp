@@ -81,7 +81,7 @@ TEST_CASE("a report shows what would be accepted for the first time", "[check]")
   const std::string page = contents(shell.work() / "new.html");
   std::size_t pictures = 0;
   for (std::size_t at = 0; (at = page.find("<img alt=\"New\"", at)) != std::string::npos; ++at) ++pictures;
-  CHECK(pictures == 4);
+  CHECK(pictures == 5);
   CHECK_THAT(page, Contains(check + " --update=missing"));
 }
 
@@ -141,7 +141,7 @@ TEST_CASE("where there are no baselines it is said once, with the place and the 
                                fs::canonical(shell.work()).string() + "/snapshots\n"));
   CHECK_THAT(r.out, Contains("--snapshots DIR") && Contains("--dir DIR") && !Contains("MISSING"));
   CHECK(fs::is_empty(shell.work()));
-  CHECK(nlohmann::json::parse(shell(check + " --json").out)["failures"].size() == 5);
+  CHECK(nlohmann::json::parse(shell(check + " --json").out)["failures"].size() == 6);
 
   // Where others have theirs, those without are named, a line each.
   REQUIRE(shell(check + " --update").status == 0);

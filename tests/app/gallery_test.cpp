@@ -49,9 +49,9 @@ TEST_CASE("a setting of fewer steps leaves no figures of the longer one behind",
   set("two-roots");
   REQUIRE(shell("isect render --preset mine.json --format svg").status == 0);
   REQUIRE(shell("isect render --preset mine.json --step 12 --format png").status == 0);
-  REQUIRE(stems() == 12);
+  REQUIRE(stems() == 13);
   // What a user put there: a picture, a note, a copy with its metadata, a link.
-  write(folder / "13-photo.png", viz::png({1, 1, {1, 2, 3, 255}}));
+  write(folder / "14-photo.png", viz::png({1, 1, {1, 2, 3, 255}}));
   write(folder / "12-note.txt", "mine");
   fs::copy_file(folder / "11-intersect.svg", folder / "11-intersect-annotated.svg");
   fs::create_symlink("11-intersect.svg", folder / "14-link.svg");
@@ -62,7 +62,7 @@ TEST_CASE("a setting of fewer steps leaves no figures of the longer one behind",
   CHECK_THAT(r.err, Contains("removed ") && Contains("ray-sphere/mine"));
   const auto left = files_in(folder);
   const auto has = [&](const std::string& name) { return std::ranges::find(left, name) != left.end(); };
-  for (const std::string name : {"13-photo.png", "12-note.txt", "11-intersect-annotated.svg"}) CHECK(has(name));
+  for (const std::string name : {"14-photo.png", "12-note.txt", "11-intersect-annotated.svg"}) CHECK(has(name));
   CHECK(fs::is_symlink(folder / "14-link.svg"));
   CHECK_FALSE(has("11-intersect.svg"));
   CHECK_FALSE(has("11-intersect.txt"));

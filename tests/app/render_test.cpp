@@ -152,7 +152,7 @@ TEST_CASE("both back ends draw the same picture", "[render]") {
 TEST_CASE("step all is every step of the lesson's first preset", "[render]") {
   const Shell shell;
   CHECK(shell("isect render ray-sphere --step all --format svg").status == 0);
-  CHECK(files_in(shell.work() / "figures/ray-sphere").size() == 2 * 12);
+  CHECK(files_in(shell.work() / "figures/ray-sphere").size() == 2 * 13);
 }
 
 TEST_CASE("all is every preset of every lesson", "[render]") {
@@ -227,7 +227,7 @@ TEST_CASE("wrong names and values are refused by field, and nothing is written",
            Wrong{"ray-sphere --set radius=-1", "radius", "from 0"},
            Wrong{"ray-sphere --set origin=1,2", "origin", "three numbers"},
            Wrong{"ray-sphere --set method=hains", "method", "mean \"haines\""},
-           Wrong{"ray-sphere --step 13", "step", "1 to 12"},
+           Wrong{"ray-sphere --step 14", "step", "1 to 13"},
            Wrong{"ray-sphere --step al", "step", "all"},
            Wrong{"ray-sphere --size 15x600", "size", "16 to 8192"},
            Wrong{"ray-sphere --size 960x8193", "size", "16 to 8192"},

@@ -2,8 +2,11 @@
 
 #include "viz/alt_text.h"
 
+#include <algorithm>
+
 #include "lessons/lessons.h"
 #include "tests/catch.h"
+#include "viz/case_map.h"
 #include "viz/chart.h"
 #include "viz/place.h"
 #include "viz/rich_text.h"
@@ -48,10 +51,10 @@ TEST_CASE("alt text of a map of cases says that it is a map, its scales, its reg
     if (!lesson->map) continue;
     for (const Preset& preset : lesson->presets) {
       const Walk walk = lesson->walk(preset.parameters);
-      if (!walk.steps.back().scene.chart || !std::holds_alternative<Cases>(walk.steps.back().scene.chart->kind))
-        continue;
+      const auto map = std::ranges::find(walk.steps, std::string(case_map_slug), &Step::slug);
+      if (map == walk.steps.end()) continue;
       ++maps;
-      const std::string alt = alt_text(*lesson, preset.parameters, walk, static_cast<int>(walk.steps.size()) - 1);
+      const std::string alt = alt_text(*lesson, preset.parameters, walk, static_cast<int>(map - walk.steps.begin()));
       INFO(lesson->id << " " << preset.id << ":\n" << alt);
       CHECK_THAT(alt, Contains("A map of all cases") && Contains("Across: ") && Contains("This setting lies at ("));
       for (const std::string& branch : lesson->map->branches) CHECK_THAT(alt, Contains(plain(branch)));

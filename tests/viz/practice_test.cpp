@@ -52,7 +52,8 @@ TEST_CASE("an outcome stays the outcome, whatever setting is dragged", "[player]
   }
 }
 
-TEST_CASE("a step keeps its name when the setting changes, and a map that is left gives way to the outcome", "[player]") {
+TEST_CASE("a step keeps its name when the setting changes, and a map that is left gives way to the outcome",
+          "[player]") {
   Player player({&spheres()}, at("overlapping"));
   const auto step_named = [&](const std::string& slug) {
     return static_cast<int>(std::ranges::find(player.walk().steps, slug, &Step::slug) - player.walk().steps.begin());

@@ -87,9 +87,9 @@ echo "ok: it closes, and its state is kept"
 
 printf '{"theme": "grey", "pla' >"$state"
 start
-expect 'Ray and sphere, two roots, step 1 of' "the window opens though its state is damaged"
+expect 'How two sets can lie, polygons: overlapping, step 1 of' "the window opens though its state is damaged"
 grep -q "window.json is damaged" "$folder/isect.log" || { echo "FAILED: it does not say what is damaged"; exit 1; }
 leave
 [ "$(cat "$state.damaged")" = '{"theme": "grey", "pla' ] || { echo "FAILED: the damaged state is lost"; exit 1; }
-grep -q '"lesson": "ray-sphere"' "$state" || { echo "FAILED: no new state was kept"; exit 1; }
+grep -q '"lesson": "relations"' "$state" || { echo "FAILED: no new state was kept"; exit 1; }
 echo "ok: it says so, keeps the damaged file, and a new state beside it"
