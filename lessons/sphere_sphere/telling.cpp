@@ -67,8 +67,7 @@ class Teller {
     const bool near = d2 < s2;
     Step& step = add("compare", "Nearer than they reach?", 3, compare_caption(d2, s2), Focus::none,
                      "*d*^2 = " + shown(d2) + (near ? " < " : " ≥ ") + shown(s2) + " = *s*^2");
-    Script::decide(step, {"*d*^2 < *s*^2", d2, s2, near,
-                          near ? "the lecture note says: OVERLAP" : "the lecture note says: DISJOINT"});
+    Script::decide(step, {"*d*^2 < *s*^2", d2, s2, near, near ? "the note: OVERLAP" : "the note: DISJOINT"});
     step.question = relation_question(s_.truth, "the two balls", because());
     if (!near) script_.refuse(3, {4});
 

@@ -137,7 +137,7 @@ void lesson_text(Session& s, const Rect& r, bool fresh) {
     c.y += 16;
     formula_card(c, step.formula);
   }
-  if (!step.source.empty()) {
+  if (!step.source.empty() && step.slug != closing_slug) {  // there all sources are in the caption
     c.y += 8;
     c.paragraph(step.source, ink.muted, 13, 19);
   }

@@ -80,7 +80,7 @@ void verdict_chip(Session& s, const Rect& scene) {
 }
 
 void alarm_chip(Session& s, const Rect& scene) {
-  if (!s.player.methods_differ()) return;
+  if (!s.player.methods_differ() || is_card(s.player.step().scene)) return;
   Ui& ui = s.ui;
   const std::vector<Opinion>& said = s.player.opinions();
   const auto differ = std::ranges::count_if(said, [](const Opinion& o) { return !o.agrees; });
