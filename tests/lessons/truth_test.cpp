@@ -46,6 +46,7 @@ class Faults {
       comparison();
       equations();
       chains();
+      stretches();
       language(step_->caption), language(step_->formula), language(step_->verdict.text);
       if (step_->question) question(*step_->question, i > 0 ? &walk.steps[i - 1] : nullptr);
       lines(walk, i, last);
@@ -101,6 +102,13 @@ class Faults {
     std::replace(chain.begin(), chain.end(), ';', ',');
     std::istringstream parts(chain);
     for (std::string part; std::getline(parts, part, ',');) chain_of(part);
+  }
+  /// "gap: 1 to 2": a stretch goes from its lower end to its upper one.
+  void stretches() {
+    static const std::regex stretch("(-?[0-9.]+(e-?[0-9]+)?) to (-?[0-9.]+(e-?[0-9]+)?)");
+    const std::string formula = ascii(plain(step_->formula));
+    for (std::sregex_iterator at(formula.begin(), formula.end(), stretch), end; at != end; ++at)
+      if (number((*at)[1]).value_or(0) > number((*at)[3]).value_or(0)) fault("a stretch goes backwards", formula);
   }
   void chain_of(const std::string& part) {
     static const std::regex sign(" (<=|>=|<|>|=) ");
