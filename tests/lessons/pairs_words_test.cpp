@@ -80,8 +80,10 @@ TEST_CASE("what the interval lesson says is true of any two intervals, empty one
     CHECK(says(last.caption, "exchanged ends") == reversed);
     CHECK(last.formula.starts_with("common") == (!reversed && truth != Relation::disjoint));
     CHECK(last.formula.starts_with("gap") == (!reversed && truth == Relation::disjoint));
-    for (const Step& step : walk.steps)
+    for (const Step& step : walk.steps) {
       if (says(step.caption, "a common number")) CHECK(truth != Relation::disjoint);
+      if (step.comparison) CHECK((step.comparison->meaning == "DISJOINT") == step.comparison->holds);
+    }
   });
 }
 
@@ -206,6 +208,12 @@ TEST_CASE("what the lesson of relations says is true of any pair of any kind", "
                                            {Relation::touching, 4},   {Relation::overlapping, 5}};
     CHECK(last.line == lines.at(truth));
     CHECK(answer(walk.steps[1]) == (truth == Relation::disjoint ? "1" : "5"));
+    for (const Step& step : walk.steps)
+      if (step.slug == "containment")
+        CHECK(answer(step) == (truth == Relation::equal        ? "each in the other"
+                               : truth == Relation::a_inside_b ? "a lies in b"
+                               : truth == Relation::b_inside_a ? "b lies in a"
+                                                               : "neither"));
     if (const auto* ball = std::get_if<Sphere<double, 3>>(&pair.a)) {
       const auto& other = std::get<Sphere<double, 3>>(pair.b);
       const oracle::Rational rest = oracle::Rational(ball->radius) - oracle::Rational(other.radius);
