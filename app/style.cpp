@@ -62,6 +62,9 @@ Style style_of(const StyleOptions& options) {
     style.paper->text_size = usual_tex_size;
   if (!options.dpi.empty()) style.dpi = dpi_of(options.dpi);
   style.letters = letters_of(options.labels, style.formats);
+  const auto loses_opacity = [](const viz::Format* format) { return format->name == "gif"; };
+  if (options.transparent && std::ranges::any_of(style.formats, loses_opacity))
+    throw viz::BadInput("transparent: a gif has no half-transparent pixels; give --format apng");
   style.title = !options.no_title, style.crop = options.crop, style.transparent = options.transparent;
   return style;
 }

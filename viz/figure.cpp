@@ -237,15 +237,20 @@ Figure figure(const Step& step, const Camera& camera, ThemeName name, double wid
 }
 
 std::vector<std::string> label_faults(const Figure& figure, double least_size) {
+  return label_faults(figure.drawing, figure.labels, least_size);
+}
+
+std::vector<std::string> label_faults(const Drawing& drawing, const std::vector<PlacedLabel>& labels,
+                                      double least_size) {
   std::vector<std::string> faults;
-  const double w = figure.drawing.width, h = figure.drawing.height;
-  for (std::size_t i = 0; i < figure.labels.size(); ++i) {
-    const auto& [text, b] = figure.labels[i];
+  const double w = drawing.width, h = drawing.height;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const auto& [text, b] = labels[i];
     if (!(b.left >= 0 && b.top >= 0 && b.right <= w && b.bottom <= h)) faults.push_back(text + " is clipped");
     for (std::size_t j = 0; j < i; ++j)
-      if (meet(b, figure.labels[j].box)) faults.push_back(text + " meets " + figure.labels[j].text);
+      if (meet(b, labels[j].box)) faults.push_back(text + " meets " + labels[j].text);
   }
-  for (const Shape& shape : figure.drawing.shapes)
+  for (const Shape& shape : drawing.shapes)
     if (const Text* text = std::get_if<Text>(&shape); text && text->size < least_size)
       faults.push_back(plain(text->markup) + " is too small");
   return faults;

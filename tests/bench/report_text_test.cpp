@@ -9,7 +9,6 @@
 #include "bench/targets.h"
 #include "tests/catch.h"
 #include "viz/files.h"
-#include "viz/rich_text.h"
 
 namespace report_text_test {
 using namespace isect;
@@ -89,7 +88,6 @@ TEST_CASE("numbers read as words of a sentence", "[report_text]") {
   CHECK(share(240, 1000) == "24 %");
   CHECK(share(1, 65536) == "15 in a million");
   CHECK(listed({"a", "b", "c"}) == "a, b and c");
-  CHECK(viz::plain(as_markup("overlapping_pairs ^ *")) == "overlapping_pairs ^ *");
   CHECK(ratio(2.94) == "2.9");
   CHECK(ratio(634) == "630");
 }
