@@ -65,9 +65,7 @@ class Slides {
   void show(const viz::Step& step, int index) {
     Slide slide = {step.title, {picture_(index)}, {}, {}};
     if (step.line >= 0 && !step.scene.chart) slide.right.push_back(Code{e_.walk.pseudocode, step.line});
-    const std::string& opening = e_.lesson->opening;  // it has a slide of its own
-    const bool opens = !opening.empty() && step.caption.starts_with(opening);
-    slide.below.push_back(Prose{opens ? step.caption.substr(opening.size()) : step.caption});
+    slide.below.push_back(Prose{viz::own_caption(*e_.lesson, step)});  // the opening has a slide of its own
     all_.push_back(std::move(slide));
   }
 

@@ -77,7 +77,7 @@ void add_strip(CLI::App& app, Program& program) {
   add_set(sub, options->asked);
   sub.add_option("--columns", options->columns, "a row; 3 if not given")->type_name("N");
   sub.add_flag("--captions", options->captions, "each step's caption below it, after its title");
-  add_style(sub, options->style);
+  add_style(sub, options->style, viz::still_format_names());
   add_path(sub, "--out", options->out, "folder (figures if not given); - is stdout", "DIR|-");
   sub.footer("The width is that of the whole strip, 16cm if not given.\nExample: " + program.name + " strip" +
              (program.only ? "" : " ray-sphere") + " --step 2-4 --format pdf");

@@ -7,6 +7,7 @@
 
 #include "app/ownership.h"
 #include "app/terminal.h"
+#include "viz/closing.h"
 #include "viz/crop.h"
 #include "viz/strip.h"
 
@@ -32,6 +33,13 @@ const std::vector<viz::Walk>& walks_of(const viz::Lesson& lesson) {
 
 viz::Figure composed(const Excerpt& e, int step, const viz::PageLayout& layout) {
   return viz::figure(e.walk.steps[step], camera_for(e, layout.width / layout.picture_height()), layout);
+}
+
+/// On one line.
+std::string with_caption(const viz::Lesson& lesson, const viz::Step& step) {
+  std::string text = step.title + ". " + viz::own_caption(lesson, step);
+  std::ranges::replace(text, '\n', ' ');
+  return text;
 }
 
 /// All pictures of a file together.
@@ -115,7 +123,7 @@ viz::Drawing Studio::draw_strip(const Excerpt& e, int columns, bool captions) {
       continue;
     }
     const viz::Step& step = part.steps[i];
-    frames.push_back({std::move(made.figure), captions ? step.title + ". " + step.caption : step.title});
+    frames.push_back({std::move(made.figure), captions ? with_caption(*e.lesson, step) : step.title});
   }
   viz::Drawing drawing = viz::strip(frames, columns, theme, gap).drawing;
   if (each.width > asked) widened_.push_back(told(folder_of(e), drawing.width));

@@ -69,8 +69,7 @@ Style style_of(const StyleOptions& options) {
   return style;
 }
 
-void add_style(CLI::App& sub, StyleOptions& options) {
-  const std::vector<std::string> formats = viz::format_names();
+void add_style(CLI::App& sub, StyleOptions& options, const std::vector<std::string>& formats) {
   sub.add_option("--format", options.format,
                  fmt::format("{} (if not given), {}; several are\njoined by commas", formats.front(),
                              fmt::join(formats.begin() + 1, formats.end(), ", ")))

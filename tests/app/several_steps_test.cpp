@@ -65,6 +65,15 @@ TEST_CASE("strips and animations stay when the steps beside them are rendered ag
   for (const std::string& file : before) CHECK(std::ranges::find(after, file) != after.end());
 }
 
+TEST_CASE("captions of a strip stand below the titles, without the lesson's opening", "[strip]") {
+  const Shell shell;
+  const std::string request = "isect strip ray-sphere --step 1-2 --format svg --labels text --out - ";
+  const std::string with = shell(request + "--captions").out, without = shell(request).out;
+  CHECK(with.size() > without.size() + 500);
+  CHECK_THAT(with, Contains("Let "));
+  CHECK_THAT(with, !Contains("Ray tracers"));
+}
+
 TEST_CASE("a strip refuses what it can't do, by name", "[strip]") {
   const Shell shell;
   const auto refused = [&](const std::string& words) {

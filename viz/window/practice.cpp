@@ -27,7 +27,8 @@ void erratum(Column& c) {
   c.y += 20;
   c.paragraph(published ? "The published line errs" : "The published line erred", ink.text, 15, 23, true);
   c.paragraph(e->why, ink.text);
-  c.paragraph(published ? "It should read: " + as_markup(unindented(e->corrected)) : "It read: " + as_markup(unindented(e->published)),
+  c.paragraph(published ? "It should read: " + as_markup(unindented(e->corrected))
+                        : "It read: " + as_markup(unindented(e->published)),
               ink.muted);
   if (player.preset_id() == e->preset) return;  // it fails here
   c.y += 8;
