@@ -63,7 +63,7 @@ class Rows {
       out_.drawing.shapes.push_back(std::move(text));
       baseline += line_pitch * size;
     }
-    return baseline - 0.8 * line_pitch * size;
+    return baseline - 0.65 * line_pitch * size;  // what hangs below it
   }
 
   const Theme& theme_;

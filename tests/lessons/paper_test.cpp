@@ -60,6 +60,7 @@ TEST_CASE("no label of a strip meets another, with captions as without", "[paper
       }
       const Strip strip = isect::viz::strip(frames, 2, theme, 12);
       INFO(lesson->id);
+      for (const std::string& fault : label_faults(strip.drawing, strip.labels, 6)) UNSCOPED_INFO(fault);
       CHECK(label_faults(strip.drawing, strip.labels, 6).empty());
     }
   }
