@@ -9,6 +9,7 @@ namespace {
 
 constexpr double line_pitch = 1.3;   ///< of captions, in their text's size
 constexpr double above_caption = 1;  ///< from a figure's foot to the first baseline, likewise
+constexpr double slack = 1;          ///< of a line: its ink is not quite in its middle
 
 class Rows {
  public:
@@ -56,7 +57,7 @@ class Rows {
     const double size = theme_.sizes.label;
     const int object = add_object(out_.drawing.objects, {"page", "caption", Role::text});
     double baseline = top + above_caption * size;
-    for (const std::string& line : wrapped(markup, size, false, width)) {
+    for (const std::string& line : wrapped(markup, size, false, width - slack)) {
       Text text = {line, {left + width / 2, baseline}, size, theme_.ink(Role::text), 0.5};
       text.object = object;
       out_.labels.push_back({plain(line), measure(text)});
