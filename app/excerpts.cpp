@@ -9,6 +9,7 @@
 
 #include "app/options.h"
 #include "app/preset_folder.h"
+#include "app/scene/lesson.h"
 #include "app/setting_name.h"
 #include "app/terminal.h"
 #include "viz/files.h"
@@ -37,12 +38,23 @@ void change(Excerpt& to, const std::vector<std::string>& changes) {
   if (!to.preset.empty() && to.parameters != viz::preset(*to.lesson, to.preset).parameters) to.preset.clear();
 }
 
+/// The objects of a file and what it asks of them.
+Excerpt from_scene(const std::string& text, const PresetFile& file) {
+  Excerpt e;
+  e.lesson = &scene::kept_lesson_of(text);
+  e.folder = file.name;
+  e.parameters = e.lesson->presets.front().parameters;
+  return e;
+}
+
 /// The preset of a file, whose name becomes the folder's.
 Excerpt from_file(const Program& program, const PresetFile& file) {
   viz::Place place;
   try {
     require_utf8(file);
-    place = viz::place_from_json(viz::read_file(file.path), program.lessons);
+    const std::string text = viz::read_file(file.path);
+    if (scene::is_scene(text)) return from_scene(text, file);
+    place = viz::place_from_json(text, program.lessons);
   } catch (const viz::BadInput& e) {
     throw viz::BadInput(fmt::format("{}: {}", file.path, e.what()));
   }

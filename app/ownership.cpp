@@ -32,6 +32,7 @@ std::string file_of(const Excerpt& e, int step) { return folder_of(e) + "/" + vi
 viz::Metadata metadata_of(const Excerpt& e, int step) {
   viz::Metadata data = viz::metadata({e.lesson->id, e.preset, step, e.parameters, e.camera});
   data["file"] = file_of(e, step);
+  if (!e.lesson->made_from.empty()) data["scene"] = e.lesson->made_from;
   return data;
 }
 

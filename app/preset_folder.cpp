@@ -8,6 +8,7 @@
 #include <regex>
 
 #include "app/ownership.h"
+#include "app/scene/lesson.h"
 #include "app/terminal.h"
 #include "viz/files.h"
 #include "viz/place.h"
@@ -53,6 +54,12 @@ PresetFolder preset_folder(const std::string& folder, const Program& program) {
   PresetFolder found;
   for (const PresetFile& file : json_files(folder)) try {
       const std::string text = viz::read_regular_file(file.path);
+      if (scene::holds_objects(text)) {
+        require_utf8(file);
+        scene::lesson_of(text);
+        found.presets.push_back(file);
+        continue;
+      }
       if (!is_meant_as_preset(text)) {
         found.foreign.push_back(file.path);
         continue;

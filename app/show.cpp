@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/options.h"
+#include "app/scene/lesson.h"
 #include "app/surroundings.h"
 #include "app/terminal.h"
 #include "viz/files.h"
@@ -17,8 +18,10 @@ namespace isect::program {
 
 namespace {
 
-/// The place where a figure of ours was made.
-viz::Place place_in_figure(const Program& program, const std::string& path, const viz::Format& format) {
+using Lessons = std::vector<const viz::Lesson*>;
+
+/// The place where a figure of ours was made; the lesson of a scene goes `to` the others.
+viz::Place place_in_figure(const Program& program, const std::string& path, const viz::Format& format, Lessons& to) {
   const std::string bytes = viz::read_file(path);
   try {
     const viz::Metadata data = format.metadata(bytes);
@@ -28,7 +31,8 @@ viz::Place place_in_figure(const Program& program, const std::string& path, cons
                       "last removed it. "
                       "Name its place instead: {} show{} --preset P --step N",
                       program.name, program.only ? "" : " LESSON"));
-    return viz::place_from_metadata(data, program.lessons);
+    if (data.contains("scene")) to.push_back(&scene::kept_lesson_of(data.at("scene")));
+    return viz::place_from_metadata(data, to);
   } catch (const viz::BadInput& e) {
     throw viz::BadInput(fmt::format("{}: {}", path, e.what()));
   } catch (const viz::FileError& e) {
@@ -36,15 +40,16 @@ viz::Place place_in_figure(const Program& program, const std::string& path, cons
   }
 }
 
-viz::Place place_of(const Program& program, Selection asked) {
+viz::Place place_of(const Program& program, Selection asked, Lessons& lessons) {
   const std::string first = asked.lessons.empty() ? std::string() : asked.lessons.front();
-  if (const viz::Format* format = viz::format_of(first)) return place_in_figure(program, first, *format);
+  if (const viz::Format* format = viz::format_of(first)) return place_in_figure(program, first, *format, lessons);
   const bool anywhere = asked.lessons.empty() && asked.preset.empty() && asked.changes.empty() && asked.step.empty();
   if (anywhere && program.only == nullptr) return {};  // where the reader left off, or the first lesson
   if (asked.lessons.empty() && asked.preset.empty()) asked.lessons = {program.lessons.front()->id};
   const Excerpt e = excerpt(program, asked);
   if (!asked.step.empty() && e.steps.size() != 1)
     throw viz::BadInput(fmt::format("step: \"{}\" does not do here; give one", asked.step));
+  if (!e.lesson->made_from.empty()) lessons.push_back(e.lesson);
   viz::Place place;
   place.lesson = e.lesson->id;
   place.preset = e.preset;
@@ -55,14 +60,17 @@ viz::Place place_of(const Program& program, Selection asked) {
 }
 
 int show(const Program& program, const Selection& asked) {
-  const viz::Place place = place_of(program, asked);
+  Lessons lessons = program.lessons;
+  const viz::Place place = place_of(program, asked, lessons);
   need_surroundings(program);
   try {
-    viz::show(program.lessons, place,
-              [&](const std::string& words) { say(fmt::format("{}: {}", program.name, words)); });
+    viz::show(lessons, place, [&](const std::string& words) { say(fmt::format("{}: {}", program.name, words)); });
   } catch (const viz::NoDisplay& e) {
     say(fmt::format("{}: {}", program.name, e.what()));
-    const std::string lesson = place.lesson.empty() ? program.lessons.front()->id : place.lesson;
+    const bool scene = lessons.size() > program.lessons.size();
+    const std::string lesson = scene                  ? asked.lessons.empty() ? asked.preset : asked.lessons.front()
+                                                : place.lesson.empty() ? program.lessons.front()->id
+                                                      : place.lesson;
     const std::string which = program.only ? "" : " " + lesson;
     say(fmt::format("Without a display, `{0} render{1}` writes the figures, and `{0} explain{1}` tells them as text.",
                     program.name, which));

@@ -173,7 +173,7 @@ struct Lesson {
   std::string group_by;                        ///< name of the choice parameter that groups the presets, may be empty
   std::vector<Preset> presets;                 ///< the first one is loaded at the start
   Camera camera;                               ///< see opening(); target and scale are set by framing all presets alike
-  Walk (*steps)(const Parameters&) = nullptr;  ///< asked by `walk`
+  std::function<Walk(const Parameters&)> steps = nullptr;  ///< asked by `walk`
   /// All lies in z = 0 and is seen straight on, whatever `camera` says: a drag pans, nothing turns.
   bool flat = false;
   /// Methods that should agree, asked side by side; the first is exact. None where a lesson has one method.
@@ -185,6 +185,7 @@ struct Lesson {
   const Closing* closing = nullptr;     ///< the last step of every walk
   std::vector<Erratum> errata = {};     ///< of the pseudocode as published
   std::vector<std::string> after = {};  ///< ids of the lessons that this one builds on
+  std::string made_from = {};           ///< the text of the scene file that this was made of; empty: it is built in
 
   /// What the lesson tells of a setting: its steps, its map of cases, its closing card. The lesson must outlive the
   /// walk.

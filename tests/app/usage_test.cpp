@@ -14,7 +14,7 @@ TEST_CASE("help names every subcommand, an example and the exit statuses", "[pro
   const Ran r = shell("isect --help");
   CHECK(r.status == 0);
   CHECK(r.err.empty());
-  for (const char* word : {"list", "show", "explain", "render", "strip", "handout", "deck", "check", "query", "bench",
+  for (const char* word : {"list", "show", "explain", "render", "strip", "handout", "deck", "scene", "check", "query", "bench",
                            "doctor", "Example:", "77"})
     CHECK_THAT(r.out, Contains(word));
   for (const char* absent : {"gif", "mp4"}) CHECK_THAT(r.out, !Contains(absent));

@@ -1,0 +1,76 @@
+#pragma once
+// The objects that a scene file may hold: how each is written, asked about and drawn.
+//
+// An object's numbers are parameters called "name.field" ("A.center", "t.2"), so that a scene is a lesson like others:
+// set by --set, dragged in the window, kept by figures.
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "viz/lesson.h"
+
+namespace isect::program::scene {
+
+using Json = nlohmann::ordered_json;
+
+enum class Type { point, segment, ray, line, plane, sphere, box, obb, capsule, triangle, polygon };
+
+/// A number, point or vector of an object, as it stands in the file.
+struct FieldSpec {
+  enum class Kind { point, vector, number };
+  std::string name;
+  Kind kind = Kind::point;
+  std::string help;
+  bool optional = false;
+  double lo = -1e300, hi = 1e300;
+};
+
+/// A type, as files call it.
+struct TypeSpec {
+  Type type;
+  std::string name;
+  std::vector<FieldSpec> fields;  ///< none of a triangle or polygon: its "points" are called 1, 2, ...
+};
+const std::vector<TypeSpec>& types();
+const TypeSpec& spec(Type);
+
+struct Object {
+  Type type;
+  std::string name;
+  std::vector<std::string> fields = {};  ///< those that the file gives, without the object's name
+  std::vector<int> rings = {};           ///< of a polygon: how many vertices each has
+};
+
+/// Objects with their numbers, in a plane or in space.
+struct Setting {
+  const viz::Parameters& parameters;
+  bool flat = false;
+
+  viz::Vec3 point(const Object&, const std::string& field) const;
+  double number(const Object&, const std::string& field) const;
+  bool has(const Object&, const std::string& field) const;
+  std::vector<std::vector<viz::Vec3>> rings(const Object&) const;
+  /// The corners of what is finite of it: an end of a ray, opposite ends of a box.
+  std::vector<viz::Vec3> extent(const Object&) const;
+
+  /// As `isect query` reads it.
+  Json list(const viz::Vec3&) const;
+  Json list(const Object& o, const std::string& field) const { return list(point(o, field)); }
+};
+
+/// The middle of a scene, and how far it reaches from there: rays and planes are drawn to beyond it.
+struct Room {
+  viz::Vec3 middle = viz::Vec3::Zero();
+  double reach = 1;
+};
+Room room(const Setting&, const std::vector<Object>&);
+
+/// The object and its name.
+std::vector<viz::Item> drawn(const Setting&, const Object&, const Room&, viz::Role);
+/// What of it can be dragged.
+std::vector<viz::Handle> handles(const Setting&, const Object&, viz::Role);
+/// Its name as markup: "r1" as bold r with index 1.
+std::string shown_name(const std::string& name);
+
+}  // namespace isect::program::scene

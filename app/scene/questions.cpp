@@ -1,0 +1,327 @@
+#include "app/scene/questions.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "app/query/query.h"
+
+namespace isect::program::scene {
+
+namespace {
+
+using viz::Role;
+using viz::Vec3;
+using viz::Verdict;
+
+/// One test: which query answers it, how the two objects are written there, how its result is told.
+struct Pair {
+  Type a, b;
+  const char* kind;
+  enum class In { both, plane, space } in;
+  Json (*written)(const Setting&, const Object& a, const Object& b);
+  void (*tell)(const Setting&, const Object& a, const Object& b, Answer&);
+
+  bool fits(bool flat) const { return in == In::both || (in == In::plane) == flat; }
+};
+
+// How objects are written.
+
+Json obb_of(const Setting& s, const Object& o) {
+  Json axes = {s.list(o, "u"), s.list(o, "v")};
+  if (!s.flat) axes.push_back(s.list(o, "w"));
+  return {{"c", s.list(o, "center")}, {"u", axes}, {"e", s.list(o, "half")}};
+}
+
+Json capsule_of(const Setting& s, const Object& o) {
+  return {{"p", s.list(o, "p")}, {"q", s.list(o, "q")}, {"r", s.number(o, "r")}};
+}
+
+Vec3 origin_of(const Setting& s, const Object& o) { return s.point(o, o.type == Type::segment ? "from" : "origin"); }
+
+/// Of a segment the difference of its ends, which must be a floating-point vector: rounded, it would be another one.
+Vec3 direction_of(const Setting& s, const Object& o) {
+  if (o.type != Type::segment) return s.point(o, "dir");
+  const Vec3 from = s.point(o, "from"), to = s.point(o, "to"), dir = to - from;
+  for (int i = 0; i < 3; ++i) {
+    const double back = dir[i] + from[i], error = (to[i] - back) + ((back - dir[i]) - from[i]);
+    if (back != to[i] || error != 0)
+      throw viz::BadInput(
+          o.name +
+          ": from one end to the other is no vector of floating-point numbers, so a test of it would be "
+          "of another segment; give a ray with origin, dir and \"tmax\": 1");
+  }
+  return dir;
+}
+
+Json ray_of(const Setting& s, const Object& o) {
+  Json ray = {{"origin", s.list(origin_of(s, o))}, {"dir", s.list(direction_of(s, o))}};
+  if (o.type == Type::line) ray["tmin"] = "-inf";
+  if (o.type == Type::segment) ray["tmax"] = 1;
+  for (const char* end : {"tmin", "tmax"})
+    if (s.has(o, end)) ray[end] = s.number(o, end);
+  return ray;
+}
+
+Json sphere_of(const Setting& s, const Object& o) {
+  return {{"center", s.list(o, "center")}, {"radius", s.number(o, "radius")}};
+}
+Json box_of(const Setting& s, const Object& o) { return {{"lo", s.list(o, "lo")}, {"hi", s.list(o, "hi")}}; }
+Json plane_of(const Setting& s, const Object& o) { return {{"normal", s.list(o, "normal")}, {"d", s.number(o, "d")}}; }
+Json rings_of(const Setting& s, const Object& o) {
+  Json rings = Json::array();
+  for (const auto& ring : s.rings(o)) {
+    rings.push_back(Json::array());
+    for (const Vec3& p : ring) rings.back().push_back(s.list(p));
+  }
+  return rings;
+}
+
+Json merged(Json a, const Json& b) {
+  a.update(b);
+  return a;
+}
+
+template <Json (*A)(const Setting&, const Object&), Json (*B)(const Setting&, const Object&)>
+Json both(const Setting& s, const Object& a, const Object& b) {
+  return merged(A(s, a), B(s, b));
+}
+
+// How results are told.
+
+std::string names(const Object& a, const Object& b) { return shown_name(a.name) + " and " + shown_name(b.name); }
+
+void relate(const Setting&, const Object& a, const Object& b, Answer& out) {
+  const std::string r = out.result.value("relation", "");
+  const std::string na = shown_name(a.name), nb = shown_name(b.name);
+  if (r == "disjoint")
+    out.verdict = {Verdict::Kind::no, names(a, b) + " are disjoint"};
+  else if (r == "touch" || r == "touch_outer")
+    out.verdict = {Verdict::Kind::on, names(a, b) + " touch"};
+  else if (r.starts_with("touch_inner"))
+    out.verdict = {Verdict::Kind::on, names(a, b) + " touch, one inside the other"};
+  else if (r == "equal")
+    out.verdict = {Verdict::Kind::yes, names(a, b) + " are equal"};
+  else if (r == "a_contains_b" || r == "sphere_contains_box")
+    out.verdict = {Verdict::Kind::yes, nb + " lies in " + na};
+  else if (r == "b_contains_a" || r == "box_contains_sphere")
+    out.verdict = {Verdict::Kind::yes, na + " lies in " + nb};
+  else
+    out.verdict = {Verdict::Kind::yes, names(a, b) + " overlap"};
+}
+
+void touch_of_plane(const Setting& s, const Object& a, const Object& b, Answer& out) {
+  relate(s, a, b, out);
+  if (out.verdict.kind == Verdict::Kind::yes)
+    out.verdict.text = fmt::format("{} cuts {}", shown_name(a.name), shown_name(b.name));
+}
+
+/// Where it is reached, on the first object's line.
+void add_hit(const Setting& s, const Object& a, Answer& out, const char* name, const Json& t, viz::Mark mark) {
+  if (!t.is_number()) return;
+  const double value = t.get<double>();
+  out.values.push_back({name, value, "t", Role::hit, true});
+  out.marks.push_back(viz::Dot{origin_of(s, a) + value * direction_of(s, a), mark, Role::hit});
+}
+
+/// The verdict of whatever runs along a line.
+void meets(const Object& a, const Object& b, Answer& out, bool hit) {
+  const std::string pair = shown_name(a.name) + (hit ? " meets " : " misses ") + shown_name(b.name);
+  out.verdict = {hit ? Verdict::Kind::yes : Verdict::Kind::no, pair};
+  for (const viz::Value& v : out.values)
+    out.formula += fmt::format("{}{} = {}", out.formula.empty() ? "" : ", ", v.name, viz::shown(v.value));
+  if (hit && !out.values.empty()) out.first_hit = out.values.front().value;
+}
+
+void ray_meets_sphere(const Setting& s, const Object& a, const Object& b, Answer& out) {
+  const bool hit = !out.result["t_enter_solid"].is_null();
+  const Json& enters = out.result["t_enter_solid"];
+  add_hit(s, a, out, "*t*", enters, viz::Mark::disc);
+  meets(a, b, out, hit);
+  if (out.result["line_roots"] == 1 && hit) out.verdict = {Verdict::Kind::on, out.verdict.text + " in one point"};
+}
+
+void ray_meets_box(const Setting& s, const Object& a, const Object& b, Answer& out) {
+  if (out.result["hit"] == true) {
+    add_hit(s, a, out, "*t*_{in}", out.result["t_in"], viz::Mark::disc);
+    add_hit(s, a, out, "*t*_{out}", out.result["t_out"], viz::Mark::ring);
+  }
+  meets(a, b, out, out.result["hit"] == true);
+}
+
+void ray_meets_plane(const Setting& s, const Object& a, const Object& b, Answer& out) {
+  if (out.result["ray_hit"] == true) add_hit(s, a, out, "*t*", out.result["t"], viz::Mark::disc);
+  meets(a, b, out, out.result["ray_hit"] == true);
+  if (out.result["coplanar"] == true)
+    out.verdict = {Verdict::Kind::on, shown_name(a.name) + " lies in " + shown_name(b.name)};
+}
+
+void ray_meets_polygon(const Setting& s, const Object& a, const Object& b, Answer& out) {
+  if (out.result["hit"].is_null()) {
+    out.verdict = {Verdict::Kind::on, out.result["coplanar"] == true
+                                          ? shown_name(a.name) + " lies in the plane of " + shown_name(b.name)
+                                          : shown_name(b.name) + " has no area"};
+    return;
+  }
+  if (out.result["hit"] == true) add_hit(s, a, out, "*t*", out.result["t"], viz::Mark::disc);
+  meets(a, b, out, out.result["hit"] == true);
+  if (out.result["hit"] == true && out.result["plane_point_location"] == "on")
+    out.verdict = {Verdict::Kind::on, out.verdict.text + " on its boundary"};
+}
+
+void locate(const Object& a, const Object& b, Answer& out, const std::string& where) {
+  const std::string na = shown_name(a.name), nb = shown_name(b.name);
+  if (where == "in") out.verdict = {Verdict::Kind::yes, na + " lies inside " + nb};
+  if (where == "on") out.verdict = {Verdict::Kind::on, na + " lies on the boundary of " + nb};
+  if (where == "out") out.verdict = {Verdict::Kind::no, na + " lies outside " + nb};
+}
+void point_location(const Setting&, const Object& a, const Object& b, Answer& out) {
+  locate(a, b, out, out.result["location"]);
+}
+void point_in_polygon(const Setting&, const Object& a, const Object& b, Answer& out) {
+  locate(a, b, out, out.result["evenodd"]);
+  if (out.result["evenodd"] != out.result["nonzero"]) out.formula = "by the even-odd rule";
+}
+void same_point(const Setting&, const Object& a, const Object& b, Answer& out) {
+  const bool equal = out.result["equal"] == true;
+  out.verdict = {equal ? Verdict::Kind::yes : Verdict::Kind::no, names(a, b) + (equal ? " coincide" : " differ")};
+}
+
+void segments(const Setting& s, const Object& a, const Object& b, Answer& out) {
+  const std::string r = out.result["relation"];
+  const bool point = out.result.contains("point") && out.result["point"].is_array();
+  if (point) {
+    const Vec3 at(out.result["point"][0], out.result["point"][1], 0);
+    out.marks.push_back(viz::Dot{at, r == "cross" ? viz::Mark::disc : viz::Mark::diamond, Role::hit});
+    out.formula = fmt::format("at ({}, {})", viz::shown(at.x()), viz::shown(at.y()));
+  }
+  relate(s, a, b, out);
+  if (r == "cross") out.verdict = {Verdict::Kind::yes, names(a, b) + " cross"};
+  if (r == "overlap") out.verdict = {Verdict::Kind::yes, names(a, b) + " share a stretch"};
+}
+
+const std::vector<Pair>& pairs() {
+  using enum Type;
+  using In = Pair::In;
+  static const std::vector<Pair> all = [] {
+    std::vector<Pair> table = {
+        {sphere, sphere, "sphere_sphere", In::both,
+         [](const Setting& s, const Object& a, const Object& b) {
+           return Json{{"c1", s.list(a, "center")},
+                       {"r1", s.number(a, "radius")},
+                       {"c2", s.list(b, "center")},
+                       {"r2", s.number(b, "radius")}};
+         },
+         relate},
+        {box, box, "box_box", In::both,
+         [](const Setting& s, const Object& a, const Object& b) {
+           return Json{
+               {"alo", s.list(a, "lo")}, {"ahi", s.list(a, "hi")}, {"blo", s.list(b, "lo")}, {"bhi", s.list(b, "hi")}};
+         },
+         relate},
+        {sphere, box, "sphere_box", In::both, both<sphere_of, box_of>, relate},
+        {sphere, capsule, "sphere_capsule", In::both, both<sphere_of, capsule_of>, relate},
+        {capsule, capsule, "capsule_capsule", In::both,
+         [](const Setting& s, const Object& a, const Object& b) {
+           return Json{{"a", capsule_of(s, a)}, {"b", capsule_of(s, b)}};
+         },
+         relate},
+        {obb, obb, "obb_obb", In::both,
+         [](const Setting& s, const Object& a, const Object& b) {
+           return Json{{"a", obb_of(s, a)}, {"b", obb_of(s, b)}};
+         },
+         relate},
+        {plane, sphere, "plane_sphere", In::both, both<plane_of, sphere_of>, touch_of_plane},
+        {plane, box, "plane_box", In::both, both<plane_of, box_of>, touch_of_plane},
+        {triangle, box, "triangle_box", In::both,
+         [](const Setting& s, const Object& a, const Object& b) {
+           return merged({{"tri", rings_of(s, a).front()}}, box_of(s, b));
+         },
+         relate},
+        {segment, segment, "segment_segment", In::plane,
+         [](const Setting& s, const Object& a, const Object& b) {
+           return Json{{"a", {s.list(a, "from"), s.list(a, "to")}}, {"b", {s.list(b, "from"), s.list(b, "to")}}};
+         },
+         segments},
+        {point, point, "point_point", In::both,
+         [](const Setting& s, const Object& a, const Object& b) {
+           return Json{{"a", s.list(a, "at")}, {"b", s.list(b, "at")}};
+         },
+         same_point},
+    };
+    const auto at_point = [&table](Type with, const char* kind, In in, auto written, auto tell) {
+      table.push_back({point, with, kind, in, written, tell});
+    };
+    at_point(
+        sphere, "point_sphere", In::both,
+        [](const Setting& s, const Object& a, const Object& b) {
+          return merged({{"point", s.list(a, "at")}}, sphere_of(s, b));
+        },
+        point_location);
+    at_point(
+        box, "point_box", In::both,
+        [](const Setting& s, const Object& a, const Object& b) {
+          return merged({{"point", s.list(a, "at")}}, box_of(s, b));
+        },
+        point_location);
+    at_point(
+        obb, "point_obb", In::both,
+        [](const Setting& s, const Object& a, const Object& b) {
+          return merged({{"point", s.list(a, "at")}}, obb_of(s, b));
+        },
+        point_location);
+    for (const Type outline : {triangle, polygon})
+      at_point(
+          outline, "pip", In::plane,
+          [](const Setting& s, const Object& a, const Object& b) {
+            return Json{{"rings", rings_of(s, b)}, {"point", s.list(a, "at")}};
+          },
+          point_in_polygon);
+    for (const Type along : {ray, line, segment}) {
+      table.push_back({along, sphere, "ray_sphere", In::both, both<ray_of, sphere_of>, ray_meets_sphere});
+      table.push_back({along, box, "ray_box", In::both, both<ray_of, box_of>, ray_meets_box});
+      table.push_back({along, obb, "ray_obb", In::both, both<ray_of, obb_of>, ray_meets_box});
+      table.push_back({along, plane, "ray_plane", In::both, both<ray_of, plane_of>, ray_meets_plane});
+      for (const Type outline : {triangle, polygon})
+        table.push_back({along, outline, "ray_polygon", In::space,
+                         [](const Setting& s, const Object& a, const Object& b) {
+                           return merged(ray_of(s, a), {{"polygon", rings_of(s, b).front()}});
+                         },
+                         ray_meets_polygon});
+    }
+    return table;
+  }();
+  return all;
+}
+
+const Pair* pair_of(Type a, Type b, bool flat) {
+  const auto found = std::ranges::find_if(pairs(), [&](const Pair& p) { return p.a == a && p.b == b && p.fits(flat); });
+  return found == pairs().end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+bool can_ask(Type a, Type b, bool flat) { return pair_of(a, b, flat) || pair_of(b, a, flat); }
+
+std::string partners(Type type, bool flat) {
+  std::vector<std::string> all;
+  for (const TypeSpec& other : types())
+    if (can_ask(type, other.type, flat)) all.push_back(other.name);
+  return fmt::format("{}", fmt::join(all, ", "));
+}
+
+Answer ask(const Setting& s, const Object& a, const Object& b) {
+  const Pair* pair = pair_of(a.type, b.type, s.flat);
+  if (!pair) return ask(s, b, a);
+  Answer out;
+  out.query = merged({{"kind", pair->kind}}, pair->written(s, a, b));
+  const Json reply = Json::parse(query::answer(out.query.dump()).text);
+  if (reply.contains("error"))
+    throw viz::BadInput(fmt::format("{} and {}: {}", a.name, b.name, reply["error"].get<std::string>()));
+  out.result = reply["result"];
+  pair->tell(s, a, b, out);
+  return out;
+}
+
+}  // namespace isect::program::scene

@@ -1,0 +1,28 @@
+#pragma once
+// What may be asked of two objects: the exact answer of `isect query`, in words and as marks in the picture.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/scene/objects.h"
+
+namespace isect::program::scene {
+
+struct Answer {
+  Json query, result;  ///< as `isect query` has them
+  viz::Verdict verdict;
+  std::string formula = {};  ///< markup, may be empty
+  std::vector<viz::Value> values = {};
+  std::vector<viz::Item> marks = {};     ///< where they meet
+  std::optional<double> first_hit = {};  ///< of a ray, a line or a segment: the parameter of its first point there
+};
+
+/// Whether there is an exact test of such objects, in the plane or in space, in either order.
+bool can_ask(Type a, Type b, bool flat);
+/// The types that an object of this type can be asked about, in words.
+std::string partners(Type, bool flat);
+/// Throws viz::BadInput where the core refuses the input, naming the objects.
+Answer ask(const Setting&, const Object& a, const Object& b);
+
+}  // namespace isect::program::scene

@@ -1,0 +1,239 @@
+// Scene files: every type and every pair, answers as the oracle's, and what is wrong told by line and field.
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "tests/app/shell.h"
+#include "tests/catch.h"
+#include "viz/files.h"
+
+namespace scene_test {
+namespace fs = std::filesystem;
+namespace viz = isect::viz;
+using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
+using isect::test::contents;
+using isect::test::files_in;
+using isect::test::Ran;
+using isect::test::Shell;
+using isect::test::write;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+constexpr const char* two_balls = R"({
+  // 3-4-5: rounding decides nothing here
+  "title": "Two balls",
+  "objects": [
+    {"sphere": "A", "center": [0, 0, 0], "radius": 2},
+    {"sphere": "B2", "center": [3, 4, 0], "radius": 3},
+    {"ray": "r", "origin": [-5, 0, 0], "dir": [2, 0, 0]}
+  ],
+  "ask": [["A", "B2"], ["r", "A"], ["B2", "r"], {"first hit": "r"}]
+})";
+
+Json answers(const Shell& shell, const std::string& scene) {
+  write(shell.work() / "scene.json", scene);
+  const Ran r = shell("isect scene scene.json --json");
+  INFO(scene << "\n" << r.err);
+  REQUIRE(r.status == 0);
+  return Json::parse(r.out);
+}
+
+std::string verdict(const Shell& shell, const std::string& objects, const std::string& ask = "\"all pairs\"") {
+  const Json all = answers(shell, R"({"objects": [)" + objects + R"(], "ask": )" + ask + "}");
+  REQUIRE(all.size() == 1);
+  return all[0]["verdict"];
+}
+
+}  // namespace
+
+TEST_CASE("a scene's answers are those of the oracle, in words and as JSON", "[scene]") {
+  const Shell shell;
+  const Json all = answers(shell, two_balls);
+  REQUIRE(all.size() == 4);
+  CHECK(all[0]["ask"] == std::vector<std::string>{"A", "B2"});
+  CHECK(all[0]["verdict"] == "A and B₂ touch");
+  CHECK(all[0]["result"]["relation"] == "touch_outer");
+  CHECK(all[1]["verdict"] == "r meets A");
+  CHECK(all[1]["result"]["t0"] == 1.5);
+  CHECK(all[2]["query"]["kind"] == "ray_sphere");  // in either order
+  CHECK(all[3]["verdict"] == "r meets A first, at t = 1.5");
+  for (const Json& answer : all)
+    if (answer.contains("query")) {
+      write(shell.work() / "query.jsonl", answer["query"].dump() + "\n");
+      CHECK(Json::parse(shell("isect query query.jsonl").out)["result"] == answer["result"]);
+    }
+  const Ran words = shell("isect scene scene.json");
+  CHECK(words.out == "A and B₂ touch\nr meets A\nr misses B₂\nr meets A first, at t = 1.5\n");
+}
+
+TEST_CASE("every pair of objects that has a test is told as it lies", "[scene]") {
+  const Shell shell;
+  const std::string unit_box = R"({"box": "A", "lo": [0, 0, 0], "hi": [1, 1, 1]})",
+                    flat_box = R"({"box": "A", "lo": [0, 0], "hi": [1, 1]})",
+                    ball = R"({"sphere": "S", "center": [0, 0, 0], "radius": 1})",
+                    obb =
+                        R"({"obb": "O", "center": [0,0,0], "u": [1,0,0], "v": [0,1,0], "w": [0,0,1], "half": [1,1,1]})",
+                    square = R"({"polygon": "P", "points": [[0,0],[2,0],[2,2],[0,2]]})",
+                    wall = R"({"polygon": "P", "points": [[0,-1,-1],[0,1,-1],[0,1,1],[0,-1,1]]})",
+                    floor = R"({"plane": "F", "normal": [0, 1, 0], "d": 0})",
+                    capsule = R"({"capsule": "C", "p": [3, 0], "q": [3, 2], "r": 1})";
+  const auto ray = [](const std::string& origin, const std::string& dir, const std::string& more = "") {
+    return R"(, {"ray": "r", "origin": )" + origin + R"(, "dir": )" + dir + more + "}";
+  };
+  CHECK(verdict(shell, ball + "," + unit_box) == "S and A overlap");
+  CHECK(verdict(shell, unit_box + R"(, {"box": "B", "lo": [1,1,1], "hi": [2,2,2]})") == "A and B touch");
+  CHECK(verdict(shell, flat_box + R"(, {"box": "B", "lo": [-1,-1], "hi": [2,2]})") == "A lies in B");
+  CHECK(verdict(shell, R"({"sphere": "S", "center": [0, 0], "radius": 2}, )" + capsule) == "S and C touch");
+  CHECK(verdict(shell, capsule + R"(, {"capsule": "D", "p": [6, 0], "q": [9, 0], "r": 0.5})") ==
+        "C and D are disjoint");
+  CHECK(verdict(
+            shell,
+            obb + R"(, {"obb": "Q", "center": [2,0,0], "u": [1,0,0], "v": [0,1,0], "w": [0,0,1], "half": [1,1,1]})") ==
+        "O and Q touch");
+  CHECK(verdict(shell, floor + "," + ball) == "F cuts S");
+  CHECK(verdict(shell, floor + "," + unit_box) == "F and A touch");
+  CHECK(verdict(shell, R"({"triangle": "T", "points": [[2,0,0],[0,2,0],[0,0,2]]}, )" + unit_box) == "T and A overlap");
+  CHECK(
+      verdict(shell, R"({"segment": "s", "from": [0,0], "to": [2,2]}, {"segment": "u", "from": [0,2], "to": [2,0]})") ==
+      "s and u cross");
+  CHECK(
+      verdict(shell, R"({"segment": "s", "from": [0,0], "to": [2,2]}, {"segment": "u", "from": [1,1], "to": [3,3]})") ==
+      "s and u share a stretch");
+  CHECK(verdict(shell, R"({"point": "p", "at": [1,0,0]}, )" + ball) == "p lies on the boundary of S");
+  CHECK(verdict(shell, R"({"point": "p", "at": [0.5,0.5]}, )" + flat_box) == "p lies inside A");
+  CHECK(verdict(shell, R"({"point": "p", "at": [1.5,0,0]}, )" + obb) == "p lies outside O");
+  CHECK(verdict(shell, R"({"point": "p", "at": [1,2]}, )" + square) == "p lies on the boundary of P");
+  CHECK(
+      verdict(
+          shell,
+          R"({"polygon": "P", "rings": [[[0,0],[4,0],[4,4],[0,4]],[[1,1],[2,1],[2,2]]]}, {"point": "p", "at": [1.75,1.25]})") ==
+      "p lies outside P");
+  CHECK(verdict(shell, R"({"point": "p", "at": [1,2]}, {"point": "q", "at": [1,2]})", R"([["p","q"]])") ==
+        "p and q coincide");
+  CHECK(verdict(shell, ball + ray("[-3,1,0]", "[1,0,0]")) == "r meets S in one point");
+  CHECK(verdict(shell, ball + ray("[0,0,0]", "[1,0,0]", ", \"tmax\": 0.5")) == "r meets S");  // inside a solid ball
+  CHECK(verdict(shell, ball + ray("[-3,0,0]", "[1,0,0]", ", \"tmax\": 1.5")) == "r misses S");
+  CHECK(verdict(shell, unit_box + ray("[-1,0.5,0.5]", "[1,0,0]")) == "r meets A");
+  CHECK(verdict(shell, obb + ray("[-3,1.25,0]", "[1,0,0]")) == "r misses O");
+  CHECK(verdict(shell, floor + ray("[0,0,0]", "[1,0,0]")) == "r lies in F");
+  CHECK(verdict(shell, floor + ray("[0,1,0]", "[1,1,0]")) == "r misses F");
+  CHECK(verdict(shell, wall + ray("[-1,0,0]", "[1,0,0]")) == "r meets P");
+  CHECK(verdict(shell, wall + ray("[-1,1,0]", "[1,0,0]")) == "r meets P on its boundary");
+  CHECK(verdict(shell, wall + ray("[0,3,0]", "[0,-1,0]")) == "r lies in the plane of P");
+  CHECK(verdict(shell, R"({"line": "g", "origin": [9,0,0], "dir": [1,0,0]}, )" + ball) == "g meets S");
+  CHECK(verdict(shell, R"({"segment": "s", "from": [-3,0,0], "to": [-1,0,0]}, )" + ball) == "s meets S");
+}
+
+TEST_CASE("a segment in space whose direction would be rounded is refused, not answered for another one", "[scene]") {
+  const Shell shell;
+  write(shell.work() / "s.json", R"({"objects": [{"segment": "s", "from": [0.1, 0, 0], "to": [1e20, 0, 0]},
+    {"box": "A", "lo": [0,0,0], "hi": [1,1,1]}], "ask": "all pairs"})");
+  const Ran r = shell("isect scene s.json");
+  CHECK(r.status == 2);
+  CHECK_THAT(r.err, Contains("s: ") && Contains("tmax"));
+}
+
+TEST_CASE("hits too near for their rounding are not put in order", "[scene]") {
+  const Shell shell;
+  const auto first = [&](const std::string& x) {
+    return verdict(shell,
+                   R"({"ray": "r", "origin": [-5,0,0], "dir": [1,0,0]}, {"sphere": "A", "center": [0,0,0], "radius": 1},
+                      {"box": "B", "lo": [)" +
+                       x + R"(,-1,-1], "hi": [1,1,1]})",
+                   R"([{"first hit": "r"}])");
+  };
+  CHECK(first("-1") == "r meets A and B at the same t, as far as rounding tells");
+  CHECK(first("-1.5") == "r meets B first, at t = 3.5");
+  CHECK(first("-0.5") == "r meets A first, at t = 4");
+}
+
+TEST_CASE("what is wrong with a scene is told by line and field, with what is allowed", "[scene]") {
+  const Shell shell;
+  const auto refused = [&](const std::string& scene) {
+    write(shell.work() / "bad.json", scene);
+    const Ran r = shell("isect scene bad.json");
+    INFO(scene);
+    CHECK(r.status == 2);
+    CHECK_THAT(r.err, StartsWith("isect: bad.json: line "));
+    return r.err;
+  };
+  const std::string point = R"({"point": "p", "at": [0, 0]})";
+  CHECK_THAT(refused("{\n \"objects\": [\n  " + point + ",\n  {\"spere\": \"A\"}]}"),
+             Contains("line 4: objects[1].spere: ") && Contains("\"sphere\""));
+  CHECK_THAT(refused("{\"objects\": [\n{\"sphere\": \"A\", \"centre\": [0, 0]}]}"),
+             Contains("line 2: objects[0].centre: ") && Contains("\"center\"") && Contains("radius"));
+  CHECK_THAT(refused(R"({"objects": [{"sphere": "A", "center": [0, 0], "radius": -1}]})"),
+             Contains("radius: -1 is below 0"));
+  CHECK_THAT(refused(R"({"objects": [{"sphere": "A", "center": [0, "x"], "radius": 1}]})"),
+             Contains("center[1]: a finite number"));
+  CHECK_THAT(refused(R"({"objects": [)" + point + "," + point + "]}"), Contains("name of another"));
+  CHECK_THAT(refused(R"({"objects": [)" + point + R"(, {"point": "q", "at": [0, 0, 1]}]})"), Contains("3 coordinates"));
+  CHECK_THAT(refused(R"({"objects": [{"ray": "r", "origin": [0, 0], "dir": [0, 0]}]})"),
+             Contains("dir: a vector of any length but 0"));
+  CHECK_THAT(refused(R"({"objects": [{"point": "p q", "at": [0, 0]}]})"), Contains("letters and digits"));
+  CHECK_THAT(refused(R"({"objects": [{"triangle": "t", "points": [[0, 0], [1, 0]]}]})"), Contains("three points"));
+  CHECK_THAT(refused(R"({"objects": [], "ask": []})"), Contains("objects: a list of 1 to"));
+  CHECK_THAT(refused(R"({"objects": [)" + point + R"(], "ask": [["p", "r"]]})"),
+             Contains("ask[0]: no object is called \"r\""));
+  CHECK_THAT(refused(R"({"objects": [)" + point +
+                     R"(, {"line": "g", "origin": [0, 0], "dir": [1, 0]}], "ask": [["p", "g"]]})"),
+             Contains("no test of a point against a line in the plane") && Contains("polygon"));
+  CHECK_THAT(refused(R"({"objects": [)" + point + R"(], "ask": [{"first hit": "p"}]})"),
+             Contains("a ray, a line or a segment"));
+  CHECK_THAT(refused(R"({"objects": [)" + point + R"(], "camera": {"elevation": 100}})"), Contains("-90 to 90"));
+  CHECK_THAT(refused("{\"objects\": [\n" + point + "\n"), Contains("line 3: no JSON"));
+  CHECK_THAT(refused("[1]"), Contains("an object in braces"));
+  CHECK(shell("isect scene absent.json").status == 4);
+}
+
+TEST_CASE("whatever takes a preset's file takes a scene", "[scene]") {
+  const Shell shell;
+  write(shell.work() / "notes/balls.json", two_balls);
+  const Ran r = shell("isect render notes/balls.json --format png,svg,pdf,tikz --step 2");
+  CHECK(r.status == 0);
+  CHECK_THAT(r.out, StartsWith("figures/scene/balls/02-a-b2.png\n"));
+  const std::string svg = contents(shell.work() / "figures/scene/balls/02-a-b2.svg");
+  CHECK_THAT(svg, Contains("ball") && Contains("A and B₂ touch"));
+  CHECK_THAT(shell("isect show figures/scene/balls/02-a-b2.png").err, Contains("no display"));  // it knows the scene
+  CHECK(shell("isect show figures/scene/balls/02-a-b2.svg").status == 77);
+
+  CHECK_THAT(shell("isect explain notes/balls.json").out,
+             Contains("Verdict: A and B₂ touch") && Contains("A.radius = 2"));
+  CHECK_THAT(shell("isect explain notes/balls.json --set A.radius=2.5").out, Contains("Verdict: A and B₂ overlap"));
+  CHECK_THAT(shell("isect explain notes/balls.json --set r.dir=0,0,0").err, Contains("any length but 0"));
+  CHECK(shell("isect strip notes/balls.json --step 2-3").status == 0);
+  CHECK(shell("isect deck notes/balls.json").status == 0);
+  CHECK(shell("isect handout notes/balls.json").status == 0);
+
+  write(shell.work() / "notes/foreign.json", R"({"objects": [{"id": 7}]})");
+  CHECK(shell("isect check --dir notes --update").status == 0);
+  const Ran same = shell("isect check --dir notes");
+  CHECK(same.status == 0);
+  CHECK_THAT(same.err, Contains("passed over") && Contains("foreign.json"));
+  std::string moved = two_balls;
+  moved.replace(moved.find("[3, 4, 0]"), 9, "[3, 4, 1]");
+  write(shell.work() / "notes/balls.json", moved);
+  const Ran other = shell("isect check --dir notes");
+  CHECK(other.status == 1);
+  CHECK_THAT(other.out, Contains("are disjoint"));
+}
+
+TEST_CASE("the examples are scenes, each under fifteen lines of objects, and answer", "[scene]") {
+  const Shell shell;
+  int count = 0;
+  for (const auto& entry : fs::directory_iterator(ISECT_EXAMPLE_SCENES)) {
+    if (entry.path().extension() != ".json") continue;
+    const std::string text = contents(entry.path());
+    INFO(entry.path());
+    CHECK(std::ranges::count(text, '\n') <= 16);
+    const Ran r = shell("isect scene " + entry.path().string());
+    CHECK(r.status == 0);
+    CHECK_FALSE(r.out.empty());
+    ++count;
+  }
+  CHECK(count >= 10);
+}
+
+}  // namespace scene_test
