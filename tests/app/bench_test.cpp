@@ -8,9 +8,9 @@
 #include "tests/catch.h"
 
 namespace bench_test {
-using Catch::Matchers::Contains;
 using isect::bench::Report;
 using isect::bench::Row;
+using isect::test::Contains;
 using isect::test::contents;
 using isect::test::Ran;
 using isect::test::Shell;

@@ -4,10 +4,10 @@
 
 namespace check_dir_test {
 namespace fs = std::filesystem;
-using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 using isect::test::accept_command;
 using isect::test::all_in;
+using isect::test::Contains;
 using isect::test::Ran;
 using isect::test::scene;
 using isect::test::Shell;

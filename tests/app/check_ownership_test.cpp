@@ -5,13 +5,13 @@
 namespace check_ownership_test {
 namespace fs = std::filesystem;
 namespace viz = isect::viz;
-using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 using isect::test::accept_other_interval;
 using isect::test::Accepted;
 using isect::test::as_of;
 using isect::test::baselines;
 using isect::test::check;
+using isect::test::Contains;
 using isect::test::contents;
 using isect::test::files_in;
 using isect::test::intervals;

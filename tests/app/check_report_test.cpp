@@ -4,12 +4,12 @@
 
 namespace check_report_test {
 namespace fs = std::filesystem;
-using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 using isect::test::accept_command;
 using isect::test::accept_other_interval;
 using isect::test::Accepted;
 using isect::test::check;
+using isect::test::Contains;
 using isect::test::contents;
 using isect::test::Ran;
 using isect::test::scene;

@@ -5,7 +5,6 @@
 namespace check_test {
 namespace fs = std::filesystem;
 namespace viz = isect::viz;
-using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 using isect::test::accept_command;
 using isect::test::accept_other_interval;
@@ -14,6 +13,7 @@ using isect::test::Accepted;
 using isect::test::ball;
 using isect::test::baselines;
 using isect::test::check;
+using isect::test::Contains;
 using isect::test::contents;
 using isect::test::number;
 using isect::test::Ran;

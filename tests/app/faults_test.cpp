@@ -11,7 +11,7 @@
 namespace faults_test {
 namespace fs = std::filesystem;
 namespace viz = isect::viz;
-using Catch::Matchers::Contains;
+using isect::test::Contains;
 using isect::test::contents;
 using isect::test::Ran;
 using isect::test::Shell;

@@ -6,9 +6,9 @@
 #include "tests/catch.h"
 
 namespace handout_test {
-using Catch::Matchers::Contains;
 using Catch::Matchers::EndsWith;
 using Catch::Matchers::StartsWith;
+using isect::test::Contains;
 using isect::test::contents;
 using isect::test::Ran;
 using isect::test::Shell;

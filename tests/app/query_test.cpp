@@ -11,7 +11,7 @@
 #include "tests/settings.h"
 
 namespace query_test {
-using Catch::Matchers::Contains;
+using isect::test::Contains;
 using isect::test::Ran;
 using isect::test::Shell;
 using Json = nlohmann::json;

@@ -11,8 +11,8 @@
 namespace render_test {
 namespace fs = std::filesystem;
 namespace viz = isect::viz;
-using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
+using isect::test::Contains;
 using isect::test::contents;
 using isect::test::files_in;
 using isect::test::Ran;

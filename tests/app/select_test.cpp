@@ -13,9 +13,9 @@
 namespace select_test {
 namespace fs = std::filesystem;
 namespace viz = isect::viz;
-using Catch::Matchers::Contains;
 using Catch::Matchers::EndsWith;
 using Catch::Matchers::StartsWith;
+using isect::test::Contains;
 using isect::test::contents;
 using isect::test::Ran;
 using isect::test::Shell;

@@ -5,9 +5,9 @@
 
 namespace surroundings_test {
 namespace fs = std::filesystem;
-using Catch::Matchers::Contains;
 using Catch::Matchers::EndsWith;
 using Catch::Matchers::StartsWith;
+using isect::test::Contains;
 using isect::test::contents;
 using isect::test::Ran;
 using isect::test::Shell;

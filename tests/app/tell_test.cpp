@@ -7,7 +7,7 @@
 #include "tests/catch.h"
 
 namespace tell_test {
-using Catch::Matchers::Contains;
+using isect::test::Contains;
 using isect::test::Ran;
 using isect::test::Shell;
 

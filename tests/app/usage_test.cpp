@@ -4,8 +4,8 @@
 #include "tests/catch.h"
 
 namespace usage_test {
-using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
+using isect::test::Contains;
 using isect::test::Ran;
 using isect::test::Shell;
 
@@ -14,8 +14,8 @@ TEST_CASE("help names every subcommand, an example and the exit statuses", "[pro
   const Ran r = shell("isect --help");
   CHECK(r.status == 0);
   CHECK(r.err.empty());
-  for (const char* word : {"list", "show", "explain", "render", "strip", "handout", "deck", "scene", "check", "query", "bench",
-                           "doctor", "Example:", "77"})
+  for (const char* word : {"list", "show", "explain", "render", "strip", "handout", "deck", "scene", "check", "query",
+                           "bench", "doctor", "Example:", "77"})
     CHECK_THAT(r.out, Contains(word));
   for (const char* absent : {"gif", "mp4"}) CHECK_THAT(r.out, !Contains(absent));
 }

@@ -5,7 +5,7 @@
 #include "tests/catch.h"
 
 namespace wrong_words_test {
-using Catch::Matchers::Contains;
+using isect::test::Contains;
 using isect::test::Ran;
 using isect::test::Shell;
 

@@ -11,7 +11,7 @@
 
 namespace report_test {
 using namespace isect::bench;
-using Catch::Matchers::Contains;
+using isect::test::Contains;
 
 namespace {
 

@@ -14,7 +14,7 @@
 namespace report_text_test {
 using namespace isect;
 using namespace isect::bench;
-using Catch::Matchers::Contains;
+using isect::test::Contains;
 
 namespace {
 
@@ -260,7 +260,7 @@ TEST_CASE("publishing writes over what was published, and over nothing else", "[
     std::filesystem::remove_all(folder);
     viz::write_file(folder + '/' + name, "{}");
     CHECK_THROWS_WITH(publish({report("portable", 29)}, folder),
-                      Catch::Matchers::Contains(name + "': the file there was not published by isect"));
+                      isect::test::Contains(name + "': the file there was not published by isect"));
     CHECK(viz::read_file(folder + '/' + name) == "{}");
   }
   std::filesystem::remove_all(folder);

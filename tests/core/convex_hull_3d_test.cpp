@@ -251,7 +251,7 @@ TEMPLATE_TEST_CASE("a NaN or infinite coordinate in space is refused by its numb
   for (const S bad : {std::numeric_limits<S>::quiet_NaN(), std::numeric_limits<S>::infinity()}) {
     Points<S> points = grid<S>(2);
     points[2][1] = bad;
-    CHECK_THROWS_WITH(convex_hull(points), Catch::Contains("point 2"));
+    CHECK_THROWS_WITH(convex_hull(points), isect::test::Contains("point 2"));
   }
 }
 

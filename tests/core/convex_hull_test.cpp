@@ -61,7 +61,7 @@ TEMPLATE_TEST_CASE("a NaN or infinite coordinate is refused by its number", "[co
   for (const S bad : {std::numeric_limits<S>::quiet_NaN(), std::numeric_limits<S>::infinity()}) {
     Ring<S, 2> r = points<S>({{0, 0}, {1, 0}, {0, 1}});
     r[2][1] = bad;
-    CHECK_THROWS_WITH(convex_hull(r), Catch::Contains("point 2"));
+    CHECK_THROWS_WITH(convex_hull(r), isect::test::Contains("point 2"));
   }
 }
 

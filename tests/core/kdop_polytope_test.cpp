@@ -128,7 +128,7 @@ TEST_CASE("the usual directions are so many, and none twice", "[directions]") {
     for (const auto& n : normals)
       for (const auto& m : normals) CHECK((&n == &m || !(n.cross(m).isZero(0))));
   }
-  CHECK_THROWS_WITH((directions<double, 3>(8)), Catch::Contains("8 planes"));
+  CHECK_THROWS_WITH((directions<double, 3>(8)), isect::test::Contains("8 planes"));
   CHECK_THROWS_AS((directions<double, 2>(6)), std::invalid_argument);
 }
 
@@ -190,7 +190,7 @@ TEMPLATE_TEST_CASE("flat, thin and unusable k-DOPs have answers", "[kdop_polytop
   kdop.slabs.back() = {1, 2};
   CHECK(polytope(kdop).vertices.empty());
   kdop.normals.resize(2), kdop.slabs.resize(2);
-  CHECK_THROWS_WITH(polytope(kdop), Catch::Contains("unbounded"));
+  CHECK_THROWS_WITH(polytope(kdop), isect::test::Contains("unbounded"));
 }
 
 TEMPLATE_TEST_CASE_SIG("vertices are those of all choices of planes in rationals", "[kdop_polytope]",

@@ -13,9 +13,9 @@
 
 namespace alt_text_test {
 using namespace isect::viz;
-using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 using isect::lessons::all_lessons;
+using isect::test::Contains;
 
 TEST_CASE("alt text names what is drawn and from which numbers, the formula and the verdict", "[alt_text]") {
   for (const Lesson* lesson : all_lessons()) {

@@ -48,9 +48,9 @@ TEST_CASE("the closed rule is wrong where a vertex lies on the ray between two s
   const auto text = [](const char* id) {
     return verdict(lesson("crossings").walk(preset(lesson("crossings"), id).parameters)).text;
   };
-  CHECK_THAT(text("vertex-passed-closed"), Catch::Matchers::Contains("Wrong"));
-  CHECK_THAT(text("edge-along-z-closed"), Catch::Matchers::Contains("Wrong"));
-  CHECK_THAT(text("inside-closed"), !Catch::Matchers::Contains("Wrong"));
+  CHECK_THAT(text("vertex-passed-closed"), isect::test::Contains("Wrong"));
+  CHECK_THAT(text("edge-along-z-closed"), isect::test::Contains("Wrong"));
+  CHECK_THAT(text("inside-closed"), !isect::test::Contains("Wrong"));
 }
 
 TEST_CASE("the fan ends with the exact location, in twenty bisections for a million", "[convex-polygon lesson]") {

@@ -47,8 +47,8 @@ TEST_CASE("equality ends with what the numbers say, at the first axis that diffe
     CHECK(walk.steps.back().verdict.text == what.first);
     CHECK(viz::outcome(walk) + 1 == static_cast<int>(what.second));
   }
-  CHECK_THAT(walk_of("copied").steps[2].caption, Catch::Matchers::Contains("−0"));
-  CHECK_THAT(walk_of("ten-steps").steps[1].formula, Catch::Matchers::Contains("0.9999999999999999"));
+  CHECK_THAT(walk_of("copied").steps[2].caption, isect::test::Contains("−0"));
+  CHECK_THAT(walk_of("ten-steps").steps[1].formula, isect::test::Contains("0.9999999999999999"));
 }
 
 TEST_CASE("nearness ends with the true sign, at every unit and wherever q is dragged", "[points lesson]") {
@@ -95,9 +95,9 @@ TEST_CASE("only a point exactly on the sphere is said to lie on it", "[points le
     const viz::Walk walk = walk_of(id);
     return walk.steps[viz::outcome(walk)].caption;
   };
-  CHECK_THAT(says("on-sphere"), Catch::Matchers::Contains("on the sphere"));
-  CHECK_THAT(says("rounding"), !Catch::Matchers::Contains("on the sphere"));
-  CHECK_THAT(says("cube"), !Catch::Matchers::Contains("on the sphere"));
+  CHECK_THAT(says("on-sphere"), isect::test::Contains("on the sphere"));
+  CHECK_THAT(says("rounding"), !isect::test::Contains("on the sphere"));
+  CHECK_THAT(says("cube"), !isect::test::Contains("on the sphere"));
 }
 
 TEST_CASE("a point with NaN is near to none, by any method", "[points lesson]") {

@@ -16,7 +16,7 @@ namespace polygon_words_test {
 using namespace isect;
 using namespace isect::viz;
 using namespace isect::tests;
-using Catch::Matchers::Contains;
+using isect::test::Contains;
 using Rings = std::vector<Ring<double, 2>>;
 
 namespace {

@@ -131,7 +131,7 @@ TEST_CASE("the chart of times is that of the measurements", "[rules-of-thumb les
   for (const viz::Step& s : walk.steps) {
     CHECK(bool(s.scene.chart));
     if (s.slug != viz::closing_slug)
-      CHECK_THAT(s.source, Catch::Matchers::Contains(lessons::speed_lesson::results().machine.cpu));
+      CHECK_THAT(s.source, isect::test::Contains(lessons::speed_lesson::results().machine.cpu));
   }
 }
 

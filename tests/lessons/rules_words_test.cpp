@@ -16,7 +16,7 @@ namespace rules_words_test {
 using namespace isect;
 using namespace isect::viz;
 using namespace isect::tests;
-using Catch::Matchers::Contains;
+using isect::test::Contains;
 using lessons::speed_lesson::results;
 
 namespace {

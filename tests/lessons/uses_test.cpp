@@ -173,7 +173,7 @@ TEST_CASE("every volume is coloured by the core's own answer", "[culling lesson]
     }
     if (p.id == "scene") {
       CHECK(value(last, "outside") == 10 - drawn);
-      CHECK_THAT(last.verdict.text, Catch::Matchers::Contains(std::to_string(drawn) + " of 10"));
+      CHECK_THAT(last.verdict.text, isect::test::Contains(std::to_string(drawn) + " of 10"));
       continue;
     }
     const Culling asked = exact(all.front().first, view);
@@ -202,7 +202,7 @@ TEST_CASE("beyond an edge no plane rejects a box that has no point of the frustu
         inside += in;
       }
   CHECK(inside == 0);
-  CHECK_THAT(walk_of("culling", "beyond-an-edge").steps.back().verdict.text, Catch::Matchers::Contains("not visible"));
+  CHECK_THAT(walk_of("culling", "beyond-an-edge").steps.back().verdict.text, isect::test::Contains("not visible"));
   const CaseMap& map = *lesson("culling").map;
   CHECK(map.branches[map.branch(p)] == "false positive");
   CHECK(lessons::culling_lesson::meet({{0, 0, 0}, {1, 1, 1}}, view));
@@ -383,9 +383,9 @@ TEST_CASE("the ray-tracing presets are what their names say", "[ray-tracing less
   CHECK(last("lit").verdict.kind == Verdict::Kind::yes);
   CHECK(last("lit").line == 0);
   CHECK(value(last("lit"), "objects met") >= 2);
-  CHECK_THAT(last("shadow").verdict.text, Catch::Matchers::Contains("shadow of"));
-  CHECK_THAT(last("turned-away").verdict.text, Catch::Matchers::Contains("turned away"));
-  CHECK_THAT(last("sky").verdict.text, Catch::Matchers::Contains("sky"));
+  CHECK_THAT(last("shadow").verdict.text, isect::test::Contains("shadow of"));
+  CHECK_THAT(last("turned-away").verdict.text, isect::test::Contains("turned away"));
+  CHECK_THAT(last("sky").verdict.text, isect::test::Contains("sky"));
   const auto* raster = std::get_if<Raster>(&last("sky").scene.items.front());
   REQUIRE(raster);
   CHECK(raster->cells.size() == 48 * 36);
@@ -438,10 +438,10 @@ TEST_CASE("the picking presets are what their names say", "[picking lesson]") {
   };
   REQUIRE((t("front", 0) && t("front", 1)));
   CHECK(*t("front", 1) < *t("front", 0));
-  CHECK_THAT(step("front").verdict.text, Catch::Matchers::Contains("gem"));
+  CHECK_THAT(step("front").verdict.text, isect::test::Contains("gem"));
 
   CHECK((t("behind", 0) && !t("behind", 1) && in_ball("behind", 1)));  // through the void of the gem's ball
-  CHECK_THAT(step("behind").verdict.text, Catch::Matchers::Contains("crate"));
+  CHECK_THAT(step("behind").verdict.text, isect::test::Contains("crate"));
 
   for (int i = 0; i < 4; ++i) CHECK_FALSE(in_ball("miss", i));
   CHECK(step("miss").verdict.kind == Verdict::Kind::no);
@@ -452,7 +452,7 @@ TEST_CASE("the picking presets are what their names say", "[picking lesson]") {
   REQUIRE((t("tie", 2) && t("tie", 3)));
   CHECK(*t("tie", 2) == *t("tie", 3));
   CHECK(step("tie").verdict.kind == Verdict::Kind::on);
-  CHECK_THAT(step("tie").verdict.text, Catch::Matchers::Contains("**b**"));
+  CHECK_THAT(step("tie").verdict.text, isect::test::Contains("**b**"));
 }
 
 TEST_CASE("a bounding ball holds every vertex of what it bounds", "[picking lesson]") {

@@ -12,7 +12,7 @@ using namespace isect;
 using namespace isect::viz;
 using namespace isect::tests;
 using namespace isect::lessons::viewing;
-using Catch::Matchers::Contains;
+using isect::test::Contains;
 
 namespace {
 

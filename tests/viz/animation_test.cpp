@@ -11,7 +11,7 @@
 
 namespace animation_test {
 using namespace isect::viz;
-using Catch::Matchers::Contains;
+using isect::test::Contains;
 
 namespace {
 

@@ -168,7 +168,7 @@ TEST_CASE("a file is read up to a limit only", "[files]") {
   const Folder folder;
   write_file(folder / "a", std::string(100000, 'x'));
   CHECK(read_file(folder / "a", 100000).size() == 100000);
-  CHECK_THROWS_WITH(read_file(folder / "a", 99999), Catch::Matchers::Contains("File too large"));
+  CHECK_THROWS_WITH(read_file(folder / "a", 99999), isect::test::Contains("File too large"));
   CHECK_THROWS_AS(read_file("/dev/zero", 1 << 20), FileError);
 }
 

@@ -10,7 +10,7 @@
 
 namespace lesson_test {
 using namespace isect::viz;
-using Catch::Matchers::Contains;
+using isect::test::Contains;
 using isect::test::toy;
 
 TEST_CASE("the nearest name is the one with the fewest edits", "[lesson]") {

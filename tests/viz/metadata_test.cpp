@@ -7,8 +7,8 @@
 
 namespace metadata_test {
 using namespace isect::viz;
-using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
+using isect::test::Contains;
 
 namespace {
 

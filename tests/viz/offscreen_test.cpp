@@ -134,8 +134,8 @@ TEST_CASE("back ends are found by name, and a wrong name names the nearest", "[o
   CHECK(backend_named("osmesa") == Backend::osmesa);
   CHECK(backend_named("egl") == Backend::egl);
   CHECK_THROWS_AS(backend_named("osmsa"), BadInput);
-  CHECK_THROWS_WITH(backend_named("osmsa"), Catch::Matchers::Contains("did you mean \"osmesa\""));
-  CHECK_THROWS_WITH(backend_named("eg"), Catch::Matchers::Contains("did you mean \"egl\""));
+  CHECK_THROWS_WITH(backend_named("osmsa"), isect::test::Contains("did you mean \"osmesa\""));
+  CHECK_THROWS_WITH(backend_named("eg"), isect::test::Contains("did you mean \"egl\""));
 }
 
 // Run by the next test in a process of its own: Mesa chooses its driver once.

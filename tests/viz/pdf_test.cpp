@@ -6,7 +6,7 @@
 
 namespace pdf_test {
 using namespace isect::viz;
-using Catch::Matchers::Contains;
+using isect::test::Contains;
 
 namespace {
 

@@ -7,7 +7,7 @@
 
 namespace place_test {
 using namespace isect::viz;
-using Catch::Matchers::Contains;
+using isect::test::Contains;
 using isect::test::toy;
 
 namespace {

@@ -267,7 +267,7 @@ TEST_CASE("a size no picture can have is refused and does not spoil the next", "
     CHECK_THROWS_AS(offscreen().render(drawing_of({}, width, 100)), std::runtime_error);
     CHECK_THROWS_AS(offscreen().renderer().draw(drawing_of({}, width, 100)), std::runtime_error);
   }
-  CHECK_THROWS_WITH(offscreen().renderer().draw(drawing_of({}, 100'000, 10)), Catch::Matchers::Contains("100000 x 10"));
+  CHECK_THROWS_WITH(offscreen().renderer().draw(drawing_of({}, 100'000, 10)), isect::test::Contains("100000 x 10"));
   CHECK(ink(render({Fill{circle({100, 60}, 10), black}})) == Approx(pi * 100).epsilon(0.01));
 }
 

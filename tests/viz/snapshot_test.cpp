@@ -9,7 +9,7 @@
 
 namespace snapshot_test {
 using namespace isect::viz;
-using Catch::Matchers::Contains;
+using isect::test::Contains;
 using isect::test::toy;
 
 namespace {

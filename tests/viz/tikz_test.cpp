@@ -6,9 +6,9 @@
 
 namespace tikz_test {
 using namespace isect::viz;
-using Catch::Matchers::Contains;
 using Catch::Matchers::EndsWith;
 using Catch::Matchers::StartsWith;
+using isect::test::Contains;
 
 namespace {
 
