@@ -113,11 +113,13 @@ double ChartInk::width(const std::string& markup, double size, bool bold) const 
   return b.right - b.left;
 }
 
-TextBox ChartInk::text(const std::string& markup, const Vec2& at, const Style& style) {
-  const Text t = {markup, at, style.size, theme_.ink(style.role), style.align, style.bold, 0, {}};
+TextBox ChartInk::text(const std::string& markup, const Vec2& at, const Style& style,
+                       const std::optional<Vec2>& leads_to) {
+  const Text t = {markup,      at,         style.size, theme_.ink(style.role),
+                  style.align, style.bold, style.halo, theme_.background};
   const TextBox b = measure(t);
   out_.shapes.emplace_back(t);
-  out_.labels.push_back({plain(markup), b});
+  out_.labels.push_back({plain(markup), b, leads_to});
   return b;
 }
 

@@ -23,9 +23,10 @@ class ChartInk {
     Role role = Role::text;
     double align = 0;
     bool bold = false;
+    double halo = 0;
   };
   double width(const std::string& markup, double size, bool bold = false) const;
-  TextBox text(const std::string& markup, const Vec2& at, const Style&);
+  TextBox text(const std::string& markup, const Vec2& at, const Style&, const std::optional<Vec2>& leads_to = {});
   /// Words on as few lines as fit into `room`; a word wider than that stands alone.
   std::vector<std::string> wrapped(const std::string& markup, double size, bool bold, double room) const;
 
@@ -41,6 +42,7 @@ class ChartInk {
   /// A marker with a halo; hollow ones are filled with the background.
   void glyph(Glyph, const Vec2& at, double radius, const Colour&, bool hollow);
 
+  const std::vector<PlacedLabel>& labels() const { return out_.labels; }
   Composed take();
 
  private:

@@ -229,7 +229,9 @@ PageLayout paper_layout(const Walk& walk, int shown, ThemeName name, const Paper
 }
 
 Figure figure(const Step& step, const Camera& camera, const PageLayout& layout) {
-  return Page(step, layout).make(camera);
+  PageLayout own = layout;
+  own.axis = own.axis && !step.scene.chart;  // a chart takes its room
+  return Page(step, own).make(camera);
 }
 
 Figure figure(const Step& step, const Camera& camera, ThemeName name, double width, double height) {
@@ -240,7 +242,8 @@ std::vector<std::string> label_faults(const Figure& figure, double least_size) {
   std::vector<std::string> faults;
   const double w = figure.drawing.width, h = figure.drawing.height;
   for (std::size_t i = 0; i < figure.labels.size(); ++i) {
-    const auto& [text, b] = figure.labels[i];
+    const std::string& text = figure.labels[i].text;
+    const TextBox& b = figure.labels[i].box;
     if (!(b.left >= 0 && b.top >= 0 && b.right <= w && b.bottom <= h)) faults.push_back(text + " is clipped");
     for (std::size_t j = 0; j < i; ++j)
       if (meet(b, figure.labels[j].box)) faults.push_back(text + " meets " + figure.labels[j].text);

@@ -2,13 +2,12 @@
 
 #include <array>
 #include <bit>
-#include <cstdlib>
 #include <map>
 #include <set>
 #include <sstream>
 
-#include "lessons/lessons.h"
 #include "tests/catch.h"
+#include "tests/lessons/asked_for.h"
 #include "viz/case_map.h"
 #include "viz/chart.h"
 #include "viz/compose.h"
@@ -19,15 +18,6 @@ using namespace isect;
 using namespace isect::viz;
 
 namespace {
-
-/// All lessons, or the one that ISECT_LESSON names.
-std::vector<const Lesson*> those_asked_for() {
-  const char* const only = std::getenv("ISECT_LESSON");
-  std::vector<const Lesson*> lessons = lessons::all_lessons();
-  if (only) std::erase_if(lessons, [&](const Lesson* lesson) { return lesson->id != only; });
-  REQUIRE_FALSE(lessons.empty());
-  return lessons;
-}
 
 /// An `else` alone does nothing to step on.
 bool is_else(const std::string& line) {
