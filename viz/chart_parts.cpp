@@ -146,11 +146,11 @@ void ChartInk::place(const std::vector<Wanted>& wanted, const std::vector<Obstac
 
 void ChartInk::mark(Mark mark, const Vec2& at, Role role) { viz::mark(out_.shapes, mark, at, role, theme_); }
 
-void ChartInk::glyph(Glyph glyph, const Vec2& at, double radius, const Colour& colour, bool hollow) {
+void ChartInk::glyph(Glyph glyph, const Vec2& at, double radius, const Colour& colour, bool hollow, bool open) {
   const Path path = outline_of(glyph, at, radius);
   const double pen = 0.75 * sizes().outline;
-  out_.shapes.emplace_back(Stroke{path, theme_.background, pen + 2 * sizes().halo, {0, 0}, true});
-  out_.shapes.emplace_back(Fill{path, hollow ? theme_.background : colour, 0, 0, {}});
+  out_.shapes.emplace_back(Stroke{path, theme_.background, pen + (open ? 1 : 2) * sizes().halo, {0, 0}, true});
+  if (!(hollow && open)) out_.shapes.emplace_back(Fill{path, hollow ? theme_.background : colour, 0, 0, {}});
   out_.shapes.emplace_back(Stroke{path, colour, pen, {0, 0}, true});
 }
 
