@@ -132,6 +132,10 @@ void ChartInk::line(const std::vector<Vec2>& points, const Colour& colour, doubl
   out_.shapes.emplace_back(Stroke{polyline(points), colour, width, dash, round_cap});
 }
 
+void ChartInk::ring(const Vec2& middle, double radius, const Colour& colour, double width) {
+  out_.shapes.emplace_back(Stroke{circle(middle, radius), colour, width, {0, 0}, false});
+}
+
 void ChartInk::fill(const std::vector<Vec2>& points, const Colour& colour) {
   out_.shapes.emplace_back(Fill{polyline(points, true), colour, 0, 0, {}});
 }

@@ -32,6 +32,7 @@ class ChartInk {
 
   void line(const std::vector<Vec2>& points, const Colour&, double width, std::array<double, 2> dash = {0, 0},
             bool round_cap = false);
+  void ring(const Vec2& middle, double radius, const Colour&, double width);
   void fill(const std::vector<Vec2>& points, const Colour&);
   void box(const Bounds&, const Colour&);
   /// Labels with places of their own choice within `room`, clear of each other, of the texts so far and of the

@@ -65,6 +65,18 @@ TEST_CASE("dark has the lengths of screen, and grey of print", "[every lesson]")
   }
 }
 
+TEST_CASE("a cross means wrong, never no", "[every lesson]") {
+  const std::set<std::string> where_methods_err = {"points", "robustness", "rules-of-thumb"};
+  for (const Lesson* lesson : those_asked_for())
+    for (const Preset& p : lesson->presets)
+      for (const Step& s : lesson->walk(p.parameters).steps)
+        for (const Item& item : s.scene.items) {
+          const Dot* dot = std::get_if<Dot>(&item);
+          INFO(lesson->id << " " << p.id << ", " << s.slug);
+          CHECK_FALSE((dot && dot->mark == Mark::cross && !where_methods_err.contains(lesson->id)));
+        }
+}
+
 TEST_CASE("every line of the pseudocode is reached by a preset", "[every lesson]") {
   for (const Lesson* lesson : those_asked_for()) {
     std::map<std::vector<std::string>, std::set<int>> reached;
