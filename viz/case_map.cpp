@@ -35,10 +35,6 @@ class Sweep {
       below = above;
     }
     end_borders();
-    for (int j = 0; j < rows; ++j) {
-      const Level middle = level(map_.lo.y() + (j + 0.5) * step);
-      for (int i = 0; i < columns; ++i) out_.cells.push_back(static_cast<unsigned char>(middle.at(abscissa(i + 0.5))));
-    }
   }
 
  private:
@@ -184,7 +180,7 @@ Chart case_map(const Lesson& lesson, const Parameters& here) {
   cases.x = {Scale::Kind::linear, map.lo.x(), map.hi.x(), map.x_title, ticks(map.lo.x(), map.hi.x())};
   cases.y = {Scale::Kind::linear, map.lo.y(), map.hi.y(), map.y_title, ticks(map.lo.y(), map.hi.y())};
   cases.branches = map.branches;
-  cases.columns = columns, cases.rows = rows;
+  cases.one_scale = map.one_scale;
   Sweep(map, here, cases).run();
   for (const Preset& preset : lesson.presets) {
     const Cases::Spot spot = {map.place(preset.parameters), map.branch(preset.parameters)};

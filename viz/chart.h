@@ -130,10 +130,9 @@ struct Cases {
   std::vector<std::string> branches;  ///< names, written into the regions; the first one has no colour
   std::vector<Patch> patches;
   std::vector<std::vector<Vec2>> borders;
-  int columns = 0, rows = 0;
-  std::vector<unsigned char> cells;  ///< the branch in the middle of each cell, row by row from the bottom
-  std::vector<Spot> presets;         ///< small rings; a branch without an area gets its name beside one
-  std::optional<Spot> here = {};     ///< the setting that is shown
+  bool one_scale = false;         ///< a unit is as long along y as along x
+  std::vector<Spot> presets;      ///< small rings; a branch without an area gets its name beside one
+  std::optional<Spot> here = {};  ///< the setting that is shown
 };
 
 /// A text in rows, each under its head.

@@ -44,9 +44,7 @@ void sign(ChartInk& ink, Verdict::Kind kind, const Vec2& p, const Colour& colour
   const double a = 0.26 * ink.sizes().label, w = ink.sizes().marker_line;
   if (kind == Verdict::Kind::yes)
     ink.line({p + Vec2(-a, 0), p + Vec2(-0.25 * a, 0.8 * a), p + Vec2(1.1 * a, -0.9 * a)}, colour, w, {0, 0}, true);
-  if (kind == Verdict::Kind::no)
-    for (const Vec2& d : {Vec2(0.8 * a, 0.8 * a), Vec2(0.8 * a, -0.8 * a)})
-      ink.line({p - d, p + d}, colour, w, {0, 0}, true);
+  if (kind == Verdict::Kind::no) ink.ring(p, 0.9 * a, colour, w);
 }
 
 }  // namespace

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viz/case_names.h"
 #include "viz/chart_parts.h"
 #include "viz/marks.h"
-#include "viz/rich_text.h"
 
 namespace isect::viz {
 namespace {
@@ -27,61 +27,6 @@ Colour colour_of(int branch, const Theme& theme) {
 bool is_thin(const Cases& cases, int branch) {
   return std::ranges::none_of(cases.patches, [&](const Cases::Patch& patch) { return patch.branch == branch; });
 }
-
-/// Where in the plane a name has most room around it: the middle of the largest box of its shape that lies in its
-/// region.
-struct Room {
-  Vec2 middle;       ///< in cells
-  double scale = 0;  ///< of that box to the name's; below 1 it does not fit
-};
-
-class Cells {
- public:
-  explicit Cells(const Cases& cases, int branch) : columns_(cases.columns), rows_(cases.rows) {
-    sums_.assign(static_cast<std::size_t>(columns_ + 1) * (rows_ + 1), 0);
-    for (int y = 0; y < rows_; ++y)
-      for (int x = 0; x < columns_; ++x)
-        at(x + 1, y + 1) = (cases.cells[static_cast<std::size_t>(y) * columns_ + x] == branch) + at(x, y + 1) +
-                           at(x + 1, y) - at(x, y);
-  }
-
-  /// Keeps names off a marker, `half` its size in cells.
-  void take(const Vec2& middle, const Vec2& half) { taken_.push_back({middle - half, middle + half}); }
-  /// `name`: its width and height, in cells.
-  Room largest(const Vec2& name) {
-    Room best;
-    for (int y = 0; y < rows_; ++y)
-      for (int x = 0; x < columns_; ++x) {
-        if (count(x, y, x + 1, y + 1) == 0) continue;
-        const Vec2 middle(x + 0.5, y + 0.5);
-        double lo = 0, hi = 8;
-        for (int i = 0; i < 7; ++i) {
-          const double scale = (lo + hi) / 2;
-          (filled(middle, scale / 2 * name) ? lo : hi) = scale;
-        }
-        if (lo > best.scale || best.scale == 0) best = {middle, lo};
-      }
-    return best;
-  }
-
- private:
-  int& at(int x, int y) { return sums_[static_cast<std::size_t>(y) * (columns_ + 1) + x]; }
-  int count(int x0, int y0, int x1, int y1) { return at(x1, y1) - at(x0, y1) - at(x1, y0) + at(x0, y0); }
-  /// What only rounding could decide counts as filled: a name's place is the same however a machine rounds.
-  bool filled(const Vec2& middle, const Vec2& half) {
-    const Vec2 slack = Vec2::Constant(1e-6), lo = middle - half + slack, hi = middle + half - slack;
-    for (const Box2& b : taken_)
-      if ((lo.array() < b.hi.array()).all() && (b.lo.array() < hi.array()).all()) return false;
-    const int x0 = static_cast<int>(std::floor(lo.x())), y0 = static_cast<int>(std::floor(lo.y())),
-              x1 = static_cast<int>(std::ceil(hi.x())), y1 = static_cast<int>(std::ceil(hi.y()));
-    if (x0 < 0 || y0 < 0 || x1 > columns_ || y1 > rows_) return false;
-    return count(x0, y0, x1, y1) == (x1 - x0) * (y1 - y0);
-  }
-
-  int columns_, rows_;
-  std::vector<int> sums_;
-  std::vector<Box2> taken_;
-};
 
 class PlaneOfCases {
  public:
@@ -139,47 +84,59 @@ class PlaneOfCases {
     ink_.line({{b_.left, p.y()}, p}, colour, s.construction, s.construction_dash);
   }
 
-  /// In the region where there is room; that of a line or a point beside a preset that lies there.
+  /// Those of lines and points stand beside a setting that lies there; then those of regions, where they are left room.
   void names() {
     const Sizes& s = ink_.sizes();
     std::vector<Wanted> wanted;
-    for (int i = 0; i < static_cast<int>(cases_.branches.size()); ++i) {
-      const std::string& name = cases_.branches[i];
-      if (is_thin(cases_, i)) {
-        const auto preset = std::ranges::find(cases_.presets, i, &Cases::Spot::branch);
-        if (preset == cases_.presets.end()) continue;
-        wanted.push_back({name, at(preset->at), at(preset->at), mark_radius(Mark::diamond, s),
+    for (int i = 0; i < branches(); ++i)
+      if (const Cases::Spot* spot = is_thin(cases_, i) ? first_on(i) : nullptr)
+        wanted.push_back({cases_.branches[i], at(spot->at), at(spot->at), mark_radius(Mark::diamond, s),
                           ink_.theme().ink(ink_.theme().name == ThemeName::grey ? Role::text : Role::muted)});
-        continue;
-      }
-      const Vec2 size(ink_.width(name, s.label) + 0.6 * s.label, 1.7 * s.label);
-      const auto [middle, fits] = room_for(i, size);
-      if (fits)
-        ink_.text(name, middle + Vec2(0, 0.33 * s.label), {s.label, Role::text, 0.5});
-      else
-        wanted.push_back({name, middle, middle, 0, ink_.theme().ink(Role::text)});
-    }
     ink_.place(wanted, obstacles(), b_);
+
+    CaseNames places(cases_, b_);
+    keep_off_marks(places);
+    for (const PlacedLabel& label : ink_.labels()) places.take(grown(label.box, s.label_clear));
+    for (int i = 0; i < branches(); ++i)
+      if (!is_thin(cases_, i)) name(i, places);
   }
 
-  std::pair<Vec2, bool> room_for(int branch, const Vec2& size) const {
-    const Vec2 cell((b_.right - b_.left) / cases_.columns, (b_.bottom - b_.top) / cases_.rows);
-    const double r = mark_radius(Mark::double_disc, ink_.sizes()) + ink_.sizes().label_clear;
-    Cells cells(cases_, branch);
-    const auto take = [&](const Cases::Spot& spot) {
-      const Vec2 p = at(spot.at) - Vec2(b_.left, b_.bottom);
-      cells.take(Vec2(p.x(), -p.y()).cwiseQuotient(cell), Vec2(r, r).cwiseQuotient(cell));
-    };
-    for (const Cases::Spot& preset : cases_.presets) take(preset);
-    if (cases_.here) {
-      take(*cases_.here);
-      const Vec2 p = Vec2(at(cases_.here->at) - Vec2(b_.left, b_.top)).cwiseQuotient(cell);
-      const double y = cases_.rows - p.y();
-      cells.take(Vec2(p.x(), y / 2), Vec2(0.1, y / 2));  // the dashed lines
-      cells.take(Vec2(p.x() / 2, y), Vec2(p.x() / 2, 0.1));
+  /// A region's name, with its leader if it has one; later names keep off both.
+  void name(int branch, CaseNames& places) {
+    const Sizes& s = ink_.sizes();
+    const std::string& text = cases_.branches[branch];
+    const Vec2 size(ink_.width(text, s.label) + 0.5 * s.label, 1.4 * s.label);
+    const NamePlace place = places.place(branch, size);
+    if (place.leads_to) {
+      const Vec2 &to = *place.leads_to, from = to.cwiseMax(place.middle - size / 2).cwiseMin(place.middle + size / 2);
+      ink_.line({from, to}, ink_.theme().ink(Role::text), s.leader);
+      ink_.glyph(Glyph::disc, to, 0.4 * s.disc, ink_.theme().ink(Role::text), false);
+      const Vec2 clear(s.label_clear, s.label_clear);
+      for (int i = 0; i <= 16; ++i) places.take(box_around(from + i / 16.0 * (to - from), clear));
     }
-    const Room room = cells.largest(size.cwiseQuotient(cell));
-    return {{b_.left + room.middle.x() * cell.x(), b_.bottom - room.middle.y() * cell.y()}, room.scale >= 1};
+    const double halo = place.on_border ? s.label_halo : 0;
+    const Vec2 baseline = place.middle + Vec2(0, 0.33 * s.label);
+    const TextBox box = ink_.text(text, baseline, {s.label, Role::text, 0.5, false, halo}, place.leads_to);
+    places.take(grown(box, s.label_clear));
+  }
+
+  int branches() const { return static_cast<int>(cases_.branches.size()); }
+  /// A setting on this branch that is marked.
+  const Cases::Spot* first_on(int branch) const {
+    const auto preset = std::ranges::find(cases_.presets, branch, &Cases::Spot::branch);
+    if (preset != cases_.presets.end()) return &*preset;
+    return cases_.here && cases_.here->branch == branch ? &*cases_.here : nullptr;
+  }
+
+  /// Names keep off the markers, and off the dashed lines to the setting.
+  void keep_off_marks(CaseNames& places) const {
+    const double clear = ink_.sizes().label_clear, r = mark_radius(Mark::double_disc, ink_.sizes()) + clear;
+    for (const Cases::Spot& preset : cases_.presets) places.take(box_around(at(preset.at), {r, r}));
+    if (!cases_.here) return;
+    const Vec2 p = at(cases_.here->at);
+    places.take(box_around(p, {r, r}));
+    places.take({p.x() - clear, p.y(), p.x() + clear, b_.bottom}, true);
+    places.take({b_.left, p.y() - clear, p.x(), p.y() + clear}, true);
   }
 
   std::vector<Obstacle> obstacles() const {
@@ -232,13 +189,19 @@ struct Titles {
 Bounds plane_within(const ChartInk& ink, const Cases& cases, const Bounds& room) {
   const double axis = ink.sizes().axis;
   const Titles titles(ink, cases, room.right - room.left);
-  return {room.left + left_of(ink, cases), room.top + (1.9 + titles.above()) * axis, room.right - axis,
-          room.bottom - (3.4 + titles.below()) * axis};
+  const Bounds b = {room.left + left_of(ink, cases), room.top + (1.9 + titles.above()) * axis, room.right - axis,
+                    room.bottom - (3.4 + titles.below()) * axis};
+  if (!cases.one_scale) return b;
+  const Vec2 size(cases.x.hi - cases.x.lo, cases.y.hi - cases.y.lo), place(b.right - b.left, b.bottom - b.top);
+  const Vec2 spare = (place - place.cwiseQuotient(size).minCoeff() * size) / 2;
+  return {b.left + spare.x(), b.top + spare.y(), b.right - spare.x(), b.bottom - spare.y()};
 }
 
 double natural_height(const ChartInk& ink, const Cases& cases, double width) {
   const Titles titles(ink, cases, width - 2 * ink.sizes().margin);
-  return 0.58 * width + (5.3 + titles.above() + titles.below()) * ink.sizes().axis;
+  const double axis = ink.sizes().axis, across = width - left_of(ink, cases) - axis;
+  const double plane = cases.one_scale ? across * (cases.y.hi - cases.y.lo) / (cases.x.hi - cases.x.lo) : 0.58 * width;
+  return std::min(plane, 0.8 * width) + (5.3 + titles.above() + titles.below()) * axis;
 }
 
 void draw(ChartInk& ink, const Cases& cases, const Bounds& room) {
@@ -256,9 +219,9 @@ void draw(ChartInk& ink, const Cases& cases, const Bounds& room) {
   for (const auto& [value, text] : x.ticks(ink, true))
     ink.text(text, {x.at(value), b.bottom + 1.3 * s.axis}, {s.axis, Role::muted, 0.5});
   const Titles titles(ink, cases, room.right - room.left);
+  const double left = b.left - left_of(ink, cases), above = b.top - (1.9 + titles.above()) * s.axis;
   for (std::size_t i = 0; i < titles.y.size(); ++i)
-    ink.text(titles.y[i], {room.left, room.top + (1 + Titles::pitch * static_cast<double>(i)) * s.axis},
-             {s.axis, Role::muted});
+    ink.text(titles.y[i], {left, above + (1 + Titles::pitch * static_cast<double>(i)) * s.axis}, {s.axis, Role::muted});
   const double middle = titles.x.size() > 1 ? (room.left + room.right) / 2 : (b.left + b.right) / 2;
   for (std::size_t i = 0; i < titles.x.size(); ++i)
     ink.text(titles.x[i], {middle, b.bottom + (2.7 + Titles::pitch * static_cast<double>(i)) * s.axis},

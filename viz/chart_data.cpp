@@ -1,5 +1,4 @@
-// One panel's data: the front as steps with the dominated side tinted, markers that make room for each other and keep a
-// line to their place, curves with their names at their ends.
+// One panel's data: the front as steps with the dominated side tinted, markers, curves with their names at their ends.
 
 #include <algorithm>
 #include <cmath>
@@ -8,46 +7,6 @@
 
 namespace isect::viz {
 namespace {
-
-struct Placed {
-  Vec2 at;
-  double radius;
-};
-
-/// Marker by marker: at its true place if that is free; else smaller, at the nearest free place.
-class Stacker {
- public:
-  Stacker(const Bounds& room, double radius) : room_(room), radius_(radius) {}
-
-  Placed place(const Vec2& at) {
-    Placed best = {at, radius_};
-    if (!free(best)) best = nearby(at, 0.74 * radius_);
-    placed_.push_back(best);
-    return best;
-  }
-
- private:
-  bool free(const Placed& p) const {
-    return std::none_of(placed_.begin(), placed_.end(),
-                        [&](const Placed& q) { return (p.at - q.at).norm() < 1.12 * (p.radius + q.radius); });
-  }
-
-  Placed nearby(const Vec2& at, double radius) const {
-    for (int ring = 4; ring < 60; ++ring)
-      // never to the left, where it would look faster than it is
-      for (const Vec2& way : {Vec2(0, -1), Vec2(0.5, -0.9), Vec2(0.9, -0.5), Vec2(1, 0), Vec2(0.7, 0.7)}) {
-        const Placed p = {at + 0.35 * ring * radius * way, radius};
-        if (p.at.x() > room_.left + radius && p.at.x() < room_.right - radius && p.at.y() > room_.top - radius &&
-            p.at.y() < room_.bottom - 0.4 * radius && free(p))
-          return p;
-      }
-    return {at, radius};
-  }
-
-  Bounds room_;
-  double radius_;
-  std::vector<Placed> placed_;
-};
 
 class PanelInk {
  public:
@@ -79,7 +38,8 @@ class PanelInk {
       if (spot.front) corners.push_back(at(spot.x, spot.y));
     if (corners.empty()) return;
     std::sort(corners.begin(), corners.end(), [](const Vec2& a, const Vec2& b) { return a.x() < b.x(); });
-    std::vector<Vec2> steps = {{corners.front().x(), b_.top}};
+    std::vector<Vec2>& steps = steps_;
+    steps = {{corners.front().x(), b_.top}};
     for (const Vec2& corner : corners) {
       steps.emplace_back(corner.x(), steps.back().y());
       steps.push_back(corner);
@@ -98,28 +58,22 @@ class PanelInk {
     const Vec2 top = at(spot.x, spot.y), low = at(spot.x, *spot.low);
     const double half = 0.6 * ink_.glyph_radius();
     if (low.y() - top.y() < half) return;
-    ink_.line({top, low}, colour(spot), 0.75 * s().outline);
+    ink_.line({top + Vec2(0, half), low}, colour(spot), 0.75 * s().outline);  // open markers stay empty
     ink_.line({{low.x() - half, low.y()}, {low.x() + half, low.y()}}, colour(spot), 0.75 * s().outline);
   }
 
+  /// Names keep off the front's steps and off the whiskers.
   void markers(const std::vector<const Spot*>& spots) {
-    Stacker stacker({b_.left, b_.top, b_.right, b_.bottom}, ink_.glyph_radius());
-    std::vector<Placed> places;
+    std::vector<Marker> all;
+    std::vector<Obstacle> lines;
+    const auto keep_off = [&](const Vec2& a, const Vec2& b) { lines.push_back({a, b, s().outline, true}); };
     for (const Spot* spot : spots) {
-      places.push_back(stacker.place(at(spot->x, spot->y)));
+      const Series& series = plot_.series[spot->series];
+      all.push_back({at(spot->x, spot->y), series.glyph, colour(*spot), !spot->front, panel_.muted ? "" : series.name});
+      if (spot->low) keep_off(all.back().at, at(spot->x, *spot->low));
     }
-    for (std::size_t i = spots.size(); i-- > 0;)
-      ink_.glyph(plot_.series[spots[i]->series].glyph, places[i].at, places[i].radius, colour(*spots[i]),
-                 !spots[i]->front);
-    for (std::size_t i = 0; i < spots.size(); ++i) lead(*spots[i], places[i]);
-  }
-
-  /// From a marker that had to move to a dot on its true place.
-  void lead(const Spot& spot, const Placed& placed) {
-    const Vec2 true_place = at(spot.x, spot.y), way = true_place - placed.at;
-    if (way.norm() <= placed.radius) return;
-    ink_.line({placed.at + placed.radius * way.normalized(), true_place}, colour(spot), s().hairline);
-    ink_.glyph(Glyph::disc, true_place, 0.25 * placed.radius, colour(spot), false);
+    for (std::size_t i = 1; i < steps_.size(); ++i) keep_off(steps_[i - 1], steps_[i]);
+    draw_markers(ink_, all, lines, b_);
   }
 
   void curves() {
@@ -188,6 +142,7 @@ class PanelInk {
   const Panel& panel_;
   Bounds b_;
   ScaleLine x_, y_;
+  std::vector<Vec2> steps_;  ///< of the front
 };
 
 }  // namespace

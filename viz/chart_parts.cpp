@@ -113,11 +113,13 @@ double ChartInk::width(const std::string& markup, double size, bool bold) const 
   return b.right - b.left;
 }
 
-TextBox ChartInk::text(const std::string& markup, const Vec2& at, const Style& style) {
-  const Text t = {markup, at, style.size, theme_.ink(style.role), style.align, style.bold, 0, {}};
+TextBox ChartInk::text(const std::string& markup, const Vec2& at, const Style& style,
+                       const std::optional<Vec2>& leads_to) {
+  const Text t = {markup,      at,         style.size, theme_.ink(style.role),
+                  style.align, style.bold, style.halo, theme_.background};
   const TextBox b = measure(t);
   out_.shapes.emplace_back(t);
-  out_.labels.push_back({plain(markup), b});
+  out_.labels.push_back({plain(markup), b, leads_to});
   return b;
 }
 
@@ -128,6 +130,10 @@ std::vector<std::string> ChartInk::wrapped(const std::string& markup, double siz
 void ChartInk::line(const std::vector<Vec2>& points, const Colour& colour, double width, std::array<double, 2> dash,
                     bool round_cap) {
   out_.shapes.emplace_back(Stroke{polyline(points), colour, width, dash, round_cap});
+}
+
+void ChartInk::ring(const Vec2& middle, double radius, const Colour& colour, double width) {
+  out_.shapes.emplace_back(Stroke{circle(middle, radius), colour, width, {0, 0}, false});
 }
 
 void ChartInk::fill(const std::vector<Vec2>& points, const Colour& colour) {
@@ -144,11 +150,11 @@ void ChartInk::place(const std::vector<Wanted>& wanted, const std::vector<Obstac
 
 void ChartInk::mark(Mark mark, const Vec2& at, Role role) { viz::mark(out_.shapes, mark, at, role, theme_); }
 
-void ChartInk::glyph(Glyph glyph, const Vec2& at, double radius, const Colour& colour, bool hollow) {
+void ChartInk::glyph(Glyph glyph, const Vec2& at, double radius, const Colour& colour, bool hollow, bool open) {
   const Path path = outline_of(glyph, at, radius);
   const double pen = 0.75 * sizes().outline;
-  out_.shapes.emplace_back(Stroke{path, theme_.background, pen + 2 * sizes().halo, {0, 0}, true});
-  out_.shapes.emplace_back(Fill{path, hollow ? theme_.background : colour, 0, 0, {}});
+  out_.shapes.emplace_back(Stroke{path, theme_.background, pen + (open ? 1 : 2) * sizes().halo, {0, 0}, true});
+  if (!(hollow && open)) out_.shapes.emplace_back(Fill{path, hollow ? theme_.background : colour, 0, 0, {}});
   out_.shapes.emplace_back(Stroke{path, colour, pen, {0, 0}, true});
 }
 

@@ -23,14 +23,16 @@ class ChartInk {
     Role role = Role::text;
     double align = 0;
     bool bold = false;
+    double halo = 0;
   };
   double width(const std::string& markup, double size, bool bold = false) const;
-  TextBox text(const std::string& markup, const Vec2& at, const Style&);
+  TextBox text(const std::string& markup, const Vec2& at, const Style&, const std::optional<Vec2>& leads_to = {});
   /// Words on as few lines as fit into `room`; a word wider than that stands alone.
   std::vector<std::string> wrapped(const std::string& markup, double size, bool bold, double room) const;
 
   void line(const std::vector<Vec2>& points, const Colour&, double width, std::array<double, 2> dash = {0, 0},
             bool round_cap = false);
+  void ring(const Vec2& middle, double radius, const Colour&, double width);
   void fill(const std::vector<Vec2>& points, const Colour&);
   void box(const Bounds&, const Colour&);
   /// Labels with places of their own choice within `room`, clear of each other, of the texts so far and of the
@@ -38,9 +40,10 @@ class ChartInk {
   void place(const std::vector<Wanted>&, const std::vector<Obstacle>&, const Bounds& room);
   /// A scene's marker.
   void mark(Mark, const Vec2& at, Role);
-  /// A marker with a halo; hollow ones are filled with the background.
-  void glyph(Glyph, const Vec2& at, double radius, const Colour&, bool hollow);
+  /// A marker with a halo; hollow ones are filled with the background, or `open`: what lies below shows through.
+  void glyph(Glyph, const Vec2& at, double radius, const Colour&, bool hollow, bool open = false);
 
+  const std::vector<PlacedLabel>& labels() const { return out_.labels; }
   Composed take();
 
  private:
@@ -97,6 +100,18 @@ double natural_height(const ChartInk&, const Cases&, double width);
 double natural_height(const ChartInk&, const Card&, double width);
 /// The plane itself, within a chart's rectangle.
 Bounds plane_within(const ChartInk&, const Cases&, const Bounds&);
+
+/// A marker at the place of its data.
+struct Marker {
+  Vec2 at;
+  Glyph glyph;
+  Colour colour;
+  bool hollow = false;
+  std::string name = {};  ///< markup; may be empty
+};
+/// Each marker at its place; of those that meet the later are smaller, and their names stand aside with leaders, where
+/// the panel has room off the markers and the lines.
+void draw_markers(ChartInk&, const std::vector<Marker>&, std::vector<Obstacle> lines, const Bounds& panel);
 
 /// One panel's data within its rectangle.
 void draw_data(ChartInk&, const Plot&, const Panel&, const Bounds&);

@@ -14,6 +14,7 @@ namespace isect::viz {
 struct PlacedLabel {
   std::string text;
   TextBox box;
+  std::optional<Vec2> leads_to = {};  ///< where its leader ends, if it has one
 };
 struct Composed {
   std::vector<Shape> shapes;

@@ -229,7 +229,9 @@ PageLayout paper_layout(const Walk& walk, int shown, ThemeName name, const Paper
 }
 
 Figure figure(const Step& step, const Camera& camera, const PageLayout& layout) {
-  return Page(step, layout).make(camera);
+  PageLayout own = layout;
+  own.axis = own.axis && !step.scene.chart;  // a chart takes its room
+  return Page(step, own).make(camera);
 }
 
 Figure figure(const Step& step, const Camera& camera, ThemeName name, double width, double height) {
@@ -245,7 +247,8 @@ std::vector<std::string> label_faults(const Drawing& drawing, const std::vector<
   std::vector<std::string> faults;
   const double w = drawing.width, h = drawing.height;
   for (std::size_t i = 0; i < labels.size(); ++i) {
-    const auto& [text, b] = labels[i];
+    const std::string& text = labels[i].text;
+    const TextBox& b = labels[i].box;
     if (!(b.left >= 0 && b.top >= 0 && b.right <= w && b.bottom <= h)) faults.push_back(text + " is clipped");
     for (std::size_t j = 0; j < i; ++j)
       if (meet(b, labels[j].box)) faults.push_back(text + " meets " + labels[j].text);

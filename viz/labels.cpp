@@ -25,35 +25,10 @@ struct Fit {
   bool crossed;
 };
 
-/// The text's box around the point `middle`.
-TextBox box_around(const Vec2& middle, const Vec2& half) {
-  return {middle.x() - half.x(), middle.y() - half.y(), middle.x() + half.x(), middle.y() + half.y()};
-}
-
-TextBox grown(const TextBox& b, double by) { return {b.left - by, b.top - by, b.right + by, b.bottom + by}; }
-
 double overlap(const TextBox& a, const TextBox& b) {
   const double w = std::min(a.right, b.right) - std::max(a.left, b.left);
   const double h = std::min(a.bottom, b.bottom) - std::max(a.top, b.top);
   return w > slack && h > slack ? w * h : 0;
-}
-
-/// The length of the segment's part inside the box: slabs, N12 per axis.
-double length_inside(const Vec2& from, const Vec2& to, const TextBox& b) {
-  double lo = 0, hi = 1;
-  const Vec2 d = to - from;
-  const double low[2] = {b.left - slack, b.top - slack}, high[2] = {b.right + slack, b.bottom + slack};
-  for (int i = 0; i < 2; ++i) {
-    if (d[i] == 0) {
-      if (from[i] < low[i] || from[i] > high[i]) return 0;
-      continue;
-    }
-    const double t0 = (low[i] - from[i]) / d[i], t1 = (high[i] - from[i]) / d[i];
-    lo = std::max(lo, std::min(t0, t1));
-    hi = std::min(hi, std::max(t0, t1));
-  }
-  if (lo > hi) return 0;
-  return std::max((hi - lo) * d.norm(), 1.0);  // a point inside counts too
 }
 
 /// Half the extent of a box, seen along a direction.
@@ -124,6 +99,30 @@ Fit fit(const Candidate& candidate, const Vec2& half, const std::vector<PlacedLa
 
 }  // namespace
 
+TextBox box_around(const Vec2& middle, const Vec2& half) {
+  return {middle.x() - half.x(), middle.y() - half.y(), middle.x() + half.x(), middle.y() + half.y()};
+}
+
+TextBox grown(const TextBox& b, double by) { return {b.left - by, b.top - by, b.right + by, b.bottom + by}; }
+
+// Slabs, N12 per axis.
+double length_inside(const Vec2& from, const Vec2& to, const TextBox& b) {
+  double lo = 0, hi = 1;
+  const Vec2 d = to - from;
+  const double low[2] = {b.left - slack, b.top - slack}, high[2] = {b.right + slack, b.bottom + slack};
+  for (int i = 0; i < 2; ++i) {
+    if (d[i] == 0) {
+      if (from[i] < low[i] || from[i] > high[i]) return 0;
+      continue;
+    }
+    const double t0 = (low[i] - from[i]) / d[i], t1 = (high[i] - from[i]) / d[i];
+    lo = std::max(lo, std::min(t0, t1));
+    hi = std::min(hi, std::max(t0, t1));
+  }
+  if (lo > hi) return 0;
+  return std::max((hi - lo) * d.norm(), 1.0);  // a point inside counts too
+}
+
 std::vector<PlacedLabel> place_labels(const std::vector<Wanted>& labels, const std::vector<Obstacle>& obstacles,
                                       const Bounds& bounds, const Theme& theme, std::vector<Shape>& out,
                                       std::vector<PlacedLabel> placed) {
@@ -151,6 +150,7 @@ std::vector<PlacedLabel> place_labels(const std::vector<Wanted>& labels, const s
     text.object = wanted.object;
     texts.emplace_back(text);
     placed.push_back({plain(wanted.markup), box_around(best->middle, half)});
+    if (best->far) placed.back().leads_to = best->anchor;
     if (best->far) {
       const Vec2 d = (best->middle - best->anchor).normalized();
       const double room = (best->middle - best->anchor).norm() - support(half, d) - sizes.label_clear / 2;

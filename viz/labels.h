@@ -28,6 +28,11 @@ struct Bounds {
   double left, top, right, bottom;
 };
 
+TextBox box_around(const Vec2& middle, const Vec2& half);
+TextBox grown(const TextBox&, double by);
+/// The length of a segment's part inside a box; of a part that is a point, 1.
+double length_inside(const Vec2& from, const Vec2& to, const TextBox&);
+
 /// Places the labels in order, tries the compass points near first and then further out, and takes the place that
 /// disturbs least. A label that had to go far gets a leader; one that crosses a line gets a halo. Those `there` already
 /// keep their places; all are returned.

@@ -131,6 +131,7 @@ struct CaseMap {
   Parameters (*moved)(const Parameters&,
                       const Vec2&) = nullptr;  ///< the setting brought to a place; the rest stays
   std::string told = {};                       ///< markup: what the plane means, in sentences of at most 20 words
+  bool one_scale = true;                       ///< both axes count the same lengths; a circle is drawn as one
 };
 
 /// Something to do with a pencil or with the mouse, and its solution.

@@ -10,6 +10,7 @@ double mark_radius(Mark kind, const Sizes& sizes) {
       return 1.9 * sizes.disc;
     case Mark::cross:
     case Mark::diamond:
+    case Mark::no:
       return 1.4 * sizes.disc;
     default:
       return sizes.disc + sizes.marker_line / 2;
@@ -33,6 +34,9 @@ void mark(std::vector<Shape>& out, Mark kind, const Vec2& p, Role role, const Th
       break;
     case Mark::ring:
       ring(s.ring, s.marker_line, ink);
+      break;
+    case Mark::no:
+      ring(1.4 * s.disc - s.marker_line / 2, s.marker_line, ink);
       break;
     case Mark::double_disc:
       ring(1.8 * s.disc, 0.8 * s.marker_line, ink);

@@ -28,7 +28,8 @@ enum class Mark {
   disc,         ///< entry, first hit, a plain point
   ring,         ///< exit
   double_disc,  ///< a double root: disc in ring
-  cross,        ///< a miss
+  cross,        ///< wrong
+  no,           ///< large empty ring: outside, missed, ruled out; as before a verdict
   diamond,      ///< exactly on
   excluded,     ///< dashed ring: a root outside the ray's range
   uncounted     ///< small ring: seen, not counted

@@ -45,8 +45,8 @@ const CaseMap& cases() {
   static const CaseMap map = {
       "*x* from the middle of a to the middle of b",
       "*y* from the middle of a to the middle of b",
-      {-6, -2.4},
-      {6, 2.4},
+      {-7.5, -3},
+      {7.5, 3},
       {"gap on *z*", "gap on *x*", "gap on *y*", "overlapping", "touching", "one inside the other", "equal"},
       branch,
       place,

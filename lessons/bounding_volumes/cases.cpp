@@ -63,8 +63,8 @@ Parameters moved(const Parameters& p, const Vec2& to) {
 const CaseMap& cases() {
   static const CaseMap map = {"*x* of the middle of b",
                               "*y* of the middle of b",
-                              {-2.5, -2.5},
-                              {2.5, 2.5},
+                              {-5, -2.5},
+                              {5, 2.5},
                               {"trivial reject", "trivial accept", "only void", "true overlap", "b inside a"},
                               branch,
                               place,

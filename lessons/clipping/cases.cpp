@@ -45,8 +45,8 @@ const CaseMap& cases() {
   static const CaseMap map = {
       "*x* of **q**",
       "*y* of **q**",
-      {-4, -2.5},
-      {4, 2.5},
+      {-6, -2.5},
+      {6, 2.5},
       {"beyond one side", "cut", "touching", "all kept", "past a corner"},
       branch,
       place,

@@ -24,7 +24,7 @@ Scene picture(const Rest& k, const Cut* cut) {
   if (cut) {
     add_side(cut->side, k.box, scene);
     for (std::size_t i = 0; i < cut->before.size(); ++i)
-      scene.items.emplace_back(Dot{flat(cut->before[i]), cut->signs[i] < 0 ? Mark::cross : Mark::disc,
+      scene.items.emplace_back(Dot{flat(cut->before[i]), cut->signs[i] < 0 ? Mark::no : Mark::disc,
                                    cut->signs[i] < 0 ? Role::miss : Role::first});
     for (const Point<double, 2>& x : cut->fresh) scene.items.emplace_back(Dot{flat(x), Mark::ring, Role::hit});
   } else {

@@ -59,7 +59,7 @@ Scene picture(const Drawn& d) {
                       std::ranges::any_of(d.done, [&](const Ring<double, 2>& c) { return among(c, p); });
     const bool gone = among(d.removed, p);
     scene.items.emplace_back(Dot{flat(p),
-                                 gone   ? Mark::cross
+                                 gone   ? Mark::no
                                  : kept ? Mark::disc
                                         : Mark::ring,
                                  gone   ? Role::miss

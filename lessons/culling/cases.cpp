@@ -49,8 +49,8 @@ Parameters moved(const Parameters& p, const Vec2& to) {
 const CaseMap& cases() {
   static const CaseMap map = {"how far the box stands before the eye",
                               "how far to its right",
-                              {-1, -5},
-                              {10, 5},
+                              {-5, -5},
+                              {15, 5},
                               {"outside", "false positive", "crossing", "inside"},
                               branch,
                               place,

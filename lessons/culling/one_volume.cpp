@@ -101,7 +101,7 @@ class OneVolume {
       script_.value("n-vertex", least / length, "length", least < 0 ? Role::miss : Role::hit);
     const auto corner = [&](const Vec3& p, double height, const char* name) {
       scene.items.emplace_back(Dot{p,
-                                   height < 0   ? Mark::cross
+                                   height < 0   ? Mark::no
                                    : height > 0 ? Mark::disc
                                                 : Mark::diamond,
                                    height < 0   ? Role::miss

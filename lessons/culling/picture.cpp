@@ -57,9 +57,7 @@ const char* word(Culling c) { return c == Culling::inside ? "inside" : c == Cull
 
 Role role_of(Culling c) { return c == Culling::inside ? Role::hit : c == Culling::outside ? Role::miss : Role::second; }
 
-Mark mark_of(Culling c) {
-  return c == Culling::inside ? Mark::disc : c == Culling::outside ? Mark::cross : Mark::diamond;
-}
+Mark mark_of(Culling c) { return c == Culling::inside ? Mark::disc : c == Culling::outside ? Mark::no : Mark::diamond; }
 
 void add(const Volume& volume, Role role, Scene& scene) {
   if (const Ball* ball = std::get_if<Ball>(&volume))

@@ -119,7 +119,7 @@ class Colliding {
     script_.value("pairs ruled out", static_cast<double>(spared_), {}, Role::miss);
     count();
     Step& step = add(fmt::format("apart-{}", ++number_), "Two nodes apart", 1,
-                     fmt::format("Their boxes share no point: one test rules out {} of boxes.",
+                     fmt::format("Their boxes share no point: one test rules out {} of boxes. Large rings mark both.",
                                  plural(static_cast<long long>(spared), "pair")));
     step.decides = true;
     if (asked_) return;

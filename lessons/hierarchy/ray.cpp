@@ -153,11 +153,12 @@ class Shooting {
                    closest_ ? fmt::format("box {} at *t* = {}", closest_->primitive, shown(closest_->t))
                             : std::string("no box is hit"));
     add("result", closest_ ? "The closest hit" : "No hit", root_missed ? 0 : 4,
-        root_missed ? "The ray misses the outermost box, so it misses all. One test was enough: trivial reject."
-                    : fmt::format("{} of nodes and {} of boxes. Of {} boxes, {} {} ruled out without a test.\n"
-                                  "With so few boxes the gain is small; it grows with *n*.",
-                                  plural(asked_, "test"), tested_, tree_.boxes.size(), ruled_out_,
-                                  ruled_out_ == 1 ? "was" : "were"));
+        root_missed
+            ? "The ray misses the outermost box, so it misses all. One test was enough: trivial reject."
+            : fmt::format(
+                  "{} of nodes and {} of boxes. Of {} boxes, {} {} ruled out without a test.\n"
+                  "Large rings mark what was ruled out. With so few boxes the gain is small; it grows with *n*.",
+                  plural(asked_, "test"), tested_, tree_.boxes.size(), ruled_out_, ruled_out_ == 1 ? "was" : "were"));
   }
 
   const Vec3 p_;

@@ -80,7 +80,7 @@ Items nested(const Tree& tree, const Drawn& drawn) {
     if (state != State::pruned) continue;
     const std::vector<Vec3> c = corners(box);
     items.push_back(Chain{c, true, Role::miss, Pen::construction});
-    items.push_back(Dot{c[2], Mark::cross, Role::miss});
+    items.push_back(Dot{c[2], Mark::no, Role::miss});
   }
   return items;
 }
@@ -123,7 +123,7 @@ Items branches(const Tree& tree, const Drawn& drawn, const Vec2& lo, const Vec2&
     const Vec3& p = at[i];
     if (state(i) == State::hidden) continue;
     items.push_back(state(i) == State::current  ? Dot{p, Mark::diamond, Role::highlight}
-                    : state(i) == State::pruned ? Dot{p, Mark::cross, Role::miss}
+                    : state(i) == State::pruned ? Dot{p, Mark::no, Role::miss}
                     : state(i) == State::seen   ? Dot{p, Mark::disc, drawn.role}
                                                 : Dot{p, Mark::ring, drawn.role});
     if (tree.node(i).leaf())

@@ -63,7 +63,8 @@ const CaseMap& cases() {
       place,
       moved,
       "The second box moves along the line of the centres and turns about the vertical axis.\n"
-      "A region tells which kind of axis separates first, or that none does."};
+      "A region tells which kind of axis separates first, or that none does.",
+      false};
   return map;
 }
 

@@ -71,7 +71,7 @@ void meeting(Scene& scene, const Setup& s, bool settled) {
   if (*s.truth.line < 0) dot = {p, Mark::excluded, Role::construction};
   if (settled && s.truth.t)
     dot = s.truth.location == Location::on ? Dot{p, Mark::diamond, Role::highlight} : Dot{p, Mark::disc, Role::hit};
-  if (settled && !s.truth.t && *s.truth.line >= 0) dot = {p, Mark::cross, Role::miss};
+  if (settled && !s.truth.t && *s.truth.line >= 0) dot = {p, Mark::no, Role::miss};
   scene.items.emplace_back(dot);
   scene.items.emplace_back(Label{p, "**r**(*t*)", dot.role == Role::construction ? Role::muted : Role::text});
 }

@@ -145,7 +145,7 @@ class Painter {
     add(on ? Dot{o, Mark::diamond, Role::highlight} : Dot{o, Mark::disc, Role::first});
     if (s_.segment()) add(Dot{at(end_), Mark::disc, Role::first});
     const bool misses = k_.settled && s_.truth.line_roots == 0;
-    if (misses) add(Dot{at(std::clamp(s_.foot(), 0.0, end_)), Mark::cross, Role::miss});
+    if (misses) add(Dot{at(std::clamp(s_.foot(), 0.0, end_)), Mark::no, Role::miss});
 
     add(Label{o, "**o**", Role::first});
     add(Label{c, "**c**", Role::second});

@@ -47,8 +47,8 @@ const CaseMap& cases() {
   static const CaseMap map = {
       "from **o** to the wall",
       "*x* of **d**",
-      {-6, -4},
-      {6, 4.5},
+      {-9, -4},
+      {9, 4.5},
       {"within **d**", "beyond **d**", "behind **o**", "parallel"},
       branch,
       place,

@@ -50,7 +50,8 @@ const CaseMap& cases() {
                               place_of,
                               moved,
                               "The second set is shifted to the right and grows; the rest stays.\n"
-                              "On this map, touching is a curve. Equality is one point at most."};
+                              "On this map, touching is a curve. Equality is one point at most.",
+                              false};
   return map;
 }
 

@@ -34,7 +34,7 @@ const CaseMap& cases() {
   static const CaseMap map = {"distance *d* of the centres, in lengths of *r*_1",
                               "radius *r*_2, in lengths of *r*_1",
                               {0, 0},
-                              {3, 3},
+                              {6, 3},
                               relation_cases(),
                               branch,
                               place,

@@ -2,13 +2,12 @@
 
 #include <array>
 #include <bit>
-#include <cstdlib>
 #include <map>
 #include <set>
 #include <sstream>
 
-#include "lessons/lessons.h"
 #include "tests/catch.h"
+#include "tests/lessons/asked_for.h"
 #include "viz/case_map.h"
 #include "viz/chart.h"
 #include "viz/compose.h"
@@ -19,15 +18,6 @@ using namespace isect;
 using namespace isect::viz;
 
 namespace {
-
-/// All lessons, or the one that ISECT_LESSON names.
-std::vector<const Lesson*> those_asked_for() {
-  const char* const only = std::getenv("ISECT_LESSON");
-  std::vector<const Lesson*> lessons = lessons::all_lessons();
-  if (only) std::erase_if(lessons, [&](const Lesson* lesson) { return lesson->id != only; });
-  REQUIRE_FALSE(lessons.empty());
-  return lessons;
-}
 
 /// An `else` alone does nothing to step on.
 bool is_else(const std::string& line) {
@@ -73,6 +63,18 @@ TEST_CASE("dark has the lengths of screen, and grey of print", "[every lesson]")
     CHECK(lengths(ThemeName::dark, page) == lengths(ThemeName::screen, page));
     CHECK(lengths(ThemeName::grey, page) == lengths(ThemeName::print, page));
   }
+}
+
+TEST_CASE("a cross means wrong, never no", "[every lesson]") {
+  const std::set<std::string> where_methods_err = {"points", "robustness", "rules-of-thumb"};
+  for (const Lesson* lesson : those_asked_for())
+    for (const Preset& p : lesson->presets)
+      for (const Step& s : lesson->walk(p.parameters).steps)
+        for (const Item& item : s.scene.items) {
+          const Dot* dot = std::get_if<Dot>(&item);
+          INFO(lesson->id << " " << p.id << ", " << s.slug);
+          CHECK_FALSE((dot && dot->mark == Mark::cross && !where_methods_err.contains(lesson->id)));
+        }
 }
 
 TEST_CASE("every line of the pseudocode is reached by a preset", "[every lesson]") {

@@ -131,7 +131,7 @@ TEST_CASE("a point leaves a chain of the hull only if it is not on that hull", "
       if (!lower && !upper) continue;
       int gone = 0;
       for (const Item& item : s.scene.items)
-        if (const auto* dot = std::get_if<Dot>(&item); dot && dot->mark == Mark::cross) {
+        if (const auto* dot = std::get_if<Dot>(&item); dot && dot->mark == Mark::no) {
           const Point<double, 2> x = dot->at.head<2>();
           gone += std::ranges::count(points, x) > 1 ? 0 : 1;
           CHECK_FALSE(on_chain(points, x, lower ? 1 : -1));

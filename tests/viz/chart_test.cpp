@@ -146,26 +146,51 @@ TEST_CASE("the front holds what nothing beats, ties included", "[chart]") {
   CHECK(pareto_front({}).empty());
 }
 
-TEST_CASE("markers that tie stand apart, lead to their true place, and their whiskers stay true", "[chart]") {
-  const std::vector<Spot> spots = {{0, 10, 5, 2}, {1, 10, 5, 1}, {2, 10, 5, 3}};
-  const std::vector<Shape> shapes = drawn(spots, 3);
-  std::vector<Vec2> at = discs(shapes);
-  REQUIRE(at.size() == 5);  // three markers, and a dot each for the two that had to move
-  for (const std::size_t dot : {3u, 4u}) CHECK((at[dot] - at[2]).norm() < 0.01);
-  at.resize(3);
-  const double radius = 1.55 * theme(ThemeName::print, 227, 227).sizes.disc;
-  for (std::size_t i = 0; i < at.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) CHECK((at[i] - at[j]).norm() > 1.4 * radius);
+TEST_CASE("markers that tie stand at their data, each smaller than the one before, and their whiskers stay true",
+          "[chart]") {
+  const std::vector<Spot> spots = {{0, 10, 5, 2}, {1, 10, 5, 1}, {2, 10, 5, 3}, {3, 50, 5}};
+  const std::vector<Shape> shapes = drawn(spots, 4);
+  std::vector<Vec2> at;
+  std::vector<double> radii;
+  for (const Stroke& stroke : all<Stroke>(shapes))
+    if (stroke.path.closed) {  // a rim, and the halo below it
+      const std::vector<Vec2> rim = flatten(stroke.path);
+      Vec2 sum = Vec2::Zero();
+      for (const Vec2& p : rim) sum += p;
+      at.emplace_back(sum / static_cast<double>(rim.size()));
+      radii.push_back((rim.front() - at.back()).norm());
+    }
+  REQUIRE(at.size() == 8);
+  const auto same = [](const Vec2& p, const Vec2& q) { return (p - q).norm() < 0.01; };
+  const Vec2 alone = *std::ranges::max_element(at, {}, [](const Vec2& p) { return p.x(); });
+  const Vec2 tied = *std::ranges::min_element(at, {}, [](const Vec2& p) { return p.x(); });
+  std::set<double> sizes;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    CHECK((same(at[i], alone) || same(at[i], tied)));
+    if (same(at[i], tied)) sizes.insert(std::round(1e3 * radii[i]));
+  }
+  CHECK(sizes.size() == 3);
 
-  std::set<double> whiskers;          // upright strokes under the true place
-  const Vec2 true_place = at.back();  // drawn last: the first to be placed
+  std::set<double> whiskers;  // upright strokes below
   for (const Stroke& stroke : all<Stroke>(shapes)) {
     const std::vector<Vec2> p = flatten(stroke.path);
-    if (p.size() == 2 && p[0].x() == p[1].x() && std::abs(p[0].x() - true_place.x()) < 0.01 &&
-        std::abs(p[0].y() - true_place.y()) < 0.01 && p[1].y() > p[0].y() + 1)
+    if (p.size() == 2 && p[0].x() == p[1].x() && std::abs(p[0].x() - tied.x()) < 0.01 && p[0].y() - tied.y() < 3 &&
+        p[1].y() > p[0].y() + 1)
       whiskers.insert(p[1].y());
   }
   CHECK(whiskers.size() == 3);
+}
+
+TEST_CASE("markers that meet are named beside, each with a leader", "[chart]") {
+  const Plot plot = {{Scale::Kind::log, 1, 100, ""},
+                     {Scale::Kind::linear, 0, 10, ""},
+                     {{"one", Glyph::disc}, {"two", Glyph::square}, {"three", Glyph::star}},
+                     {{"panel", "", {{0, 10, 5}, {1, 10.2, 5}, {2, 60, 5}}}}};
+  const Figure figure = chart_figure({plot}, ThemeName::print, 227);
+  std::set<std::string> led;
+  for (const PlacedLabel& label : figure.labels)
+    if (label.leads_to) led.insert(label.text);
+  CHECK(led == std::set<std::string>{"one", "two"});
 }
 
 TEST_CASE("the steps of the front go through its markers", "[chart]") {

@@ -43,13 +43,17 @@ TEST_CASE("the setting follows the pointer on the map of cases, and one undo tak
   const auto branch = [&] { return window.player().lesson().map->branch(window.player().parameters()); };
   const int overlapping = branch();
 
-  // From the middle of the plane (a distance of 1.5) to its right edge (3), at a radius near 0.
+  // From the region of overlap, at a distance of 1.5, to that of disjoint balls, at 2.5 and a small radius.
   const Rect scene = window.rect("scene");
   const Cases& cases = std::get<Cases>(window.player().step().scene.chart->kind);
   const Theme look = palette(ThemeName::dark).theme;
   const Box2 plane = plane_of(cases, {scene.left, scene.top + 64}, scene.width(), scene.height() - 64, look);
-  const auto x = [&](double d) { return static_cast<float>(plane.lo.x() + d / 3 * (plane.hi.x() - plane.lo.x())); };
-  const auto y = [&](double r) { return static_cast<float>(plane.hi.y() - r / 3 * (plane.hi.y() - plane.lo.y())); };
+  const auto x = [&](double d) {
+    return static_cast<float>(plane.lo.x() + d / cases.x.hi * (plane.hi.x() - plane.lo.x()));
+  };
+  const auto y = [&](double r) {
+    return static_cast<float>(plane.hi.y() - r / cases.y.hi * (plane.hi.y() - plane.lo.y()));
+  };
   window.drag(x(1.5), y(1.5), x(2.5), y(0.5));
   CHECK(branch() != overlapping);
   const Vec2 now = window.player().lesson().map->place(window.player().parameters());

@@ -32,8 +32,7 @@ void verdict_sign(Verdict::Kind kind, float x, float y, ImU32 ink) {
     case Verdict::Kind::yes:
       return tick(x, y, 16, ink);
     case Verdict::Kind::no:
-      ImGui::GetWindowDrawList()->AddCircle({x, y}, 6, ink, 24, 2.2f);
-      return;
+      return ring(x, y, 16, ink);
     case Verdict::Kind::on:
       return diamond(x, y, 15, ink);
     case Verdict::Kind::open:

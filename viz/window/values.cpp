@@ -88,7 +88,7 @@ void comparison_card(Session& s, const Comparison& comparison, const Rect& r) {
   const Colour& ink = comparison.holds ? c.hit : c.miss;
   const float y = r.top + 20, x0 = r.left + 16, x1 = r.right - 16;
   const float end = x0 + text(ui.fonts.mono, x0, y, packed(c.text), plain(comparison.text));
-  (comparison.holds ? tick : cross)(end + 16, y, 13, packed(ink));
+  (comparison.holds ? tick : ring)(end + 16, y, 13, packed(ink));
   ImGui::PushClipRect({end + 30, r.top}, bottom_right(r), true);
   text(ui.fonts.small, x1, y, packed(c.muted), plain(comparison.meaning), 1);
   ImGui::PopClipRect();

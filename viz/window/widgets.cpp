@@ -138,6 +138,10 @@ void cross(float x, float y, float size, ImU32 colour) {
   list().AddLine({x - h, y + h}, {x + h, y - h}, colour, width);
 }
 
+void ring(float x, float y, float size, ImU32 colour) {
+  list().AddCircle({x, y}, size * 0.38f, colour, 24, size * 0.14f);
+}
+
 void diamond(float x, float y, float size, ImU32 colour) {
   const float h = size * 0.46f;
   list().AddQuadFilled({x, y - h}, {x + h, y}, {x, y + h}, {x - h, y}, colour);

@@ -56,7 +56,8 @@ bool chip(Ui&, const std::string& name, const Rect&, const std::string& label, b
 bool icon_button(Ui&, const std::string& name, const Rect&, Icon, bool primary, bool enabled);
 
 void tick(float x, float y, float size, ImU32);
-void cross(float x, float y, float size, ImU32);
+void cross(float x, float y, float size, ImU32);  ///< wrong
+void ring(float x, float y, float size, ImU32);   ///< no
 void diamond(float x, float y, float size, ImU32);
 /// A small triangle: pointing down when `open`, else to the right.
 void caret(float x, float y, bool open, ImU32);

@@ -1,0 +1,180 @@
+// The maps of cases of all lessons: names lie in what they name, and lengths are drawn at one scale.
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <set>
+
+#include "tests/catch.h"
+#include "tests/lessons/asked_for.h"
+#include "tests/viz/drawn.h"
+#include "viz/case_map.h"
+#include "viz/chart.h"
+#include "viz/rich_text.h"
+
+namespace maps_test {
+using namespace isect;
+using namespace isect::viz;
+
+namespace {
+
+struct Page {
+  ThemeName theme;
+  double width, height;
+};
+constexpr Page pages[] = {{ThemeName::screen, 960, 430}, {ThemeName::grey, 640, 360}, {ThemeName::screen, 640, 600}};
+
+/// The map as another machine may compute it: each number off by up to `rounding`.
+Chart rounded(Chart chart, double rounding) {
+  std::minstd_rand random(7);
+  std::uniform_real_distribution<double> off(-rounding, rounding);
+  const auto shift = [&](Vec2& p) { p += Vec2(off(random), off(random)); };
+  Cases& cases = std::get<Cases>(chart.kind);
+  for (Cases::Patch& patch : cases.patches) std::ranges::for_each(patch.corners, shift);
+  for (std::vector<Vec2>& border : cases.borders) std::ranges::for_each(border, shift);
+  for (Cases::Spot& spot : cases.presets) shift(spot.at);
+  if (cases.here) shift(cases.here->at);
+  return chart;
+}
+
+/// A composed map, asked in its own units.
+class Drawn {
+ public:
+  Drawn(const Lesson& lesson, const Parameters& setting, const Page& page, double rounding = 0)
+      : map_(*lesson.map),
+        setting_(setting),
+        chart_(rounded(case_map(lesson, setting), rounding)),
+        cases_(std::get<Cases>(chart_.kind)),
+        theme_(theme(page.theme, page.width, page.height)),
+        plane_(plane_of(cases_, {0, 0}, page.width, page.height, theme_)),
+        composed_(compose(chart_, {0, 0}, page.width, page.height, theme_)) {}
+
+  const std::vector<PlacedLabel>& labels() const { return composed_.labels; }
+  Vec2 unit() const { return (plane_.hi - plane_.lo).cwiseQuotient(map_.hi - map_.lo); }
+  int branch(const Vec2& p) const {
+    const Vec2 share = (p - plane_.lo).cwiseQuotient(plane_.hi - plane_.lo);
+    const Vec2 at(map_.lo.x() + share.x() * (map_.hi.x() - map_.lo.x()),
+                  map_.hi.y() - share.y() * (map_.hi.y() - map_.lo.y()));
+    return map_.branch(map_.moved(setting_, at));
+  }
+
+  /// The branches that have an area.
+  std::set<int> regions() const {
+    std::set<int> found;
+    for (const Cases::Patch& patch : cases_.patches) found.insert(patch.branch);
+    return found;
+  }
+  std::vector<PlacedLabel> names_of(int branch) const {
+    std::vector<PlacedLabel> found;
+    for (const PlacedLabel& label : composed_.labels)
+      if (label.text == plain(map_.branches[branch])) found.push_back(label);
+    return found;
+  }
+
+  bool lies_in(const TextBox& box, int wanted) const {
+    for (int i = 0; i <= 24; ++i)
+      for (int j = 0; j <= 6; ++j)
+        if (branch({box.left + i / 24.0 * (box.right - box.left), box.top + j / 6.0 * (box.bottom - box.top)}) !=
+            wanted)
+          return false;
+    return true;
+  }
+  /// The leader is drawn from beside the text to a point of the region.
+  bool leads(const PlacedLabel& label, int wanted) const {
+    if (!label.leads_to || branch(*label.leads_to) != wanted) return false;
+    return std::ranges::any_of(all<Stroke>(composed_.shapes), [&](const Stroke& stroke) {
+      const std::vector<Vec2> line = flatten(stroke.path);
+      const auto off = [&](const Vec2& p) {
+        return std::hypot(std::max({label.box.left - p.x(), p.x() - label.box.right, 0.0}),
+                          std::max({label.box.top - p.y(), p.y() - label.box.bottom, 0.0}));
+      };
+      return line.size() == 2 && ((line[0] == *label.leads_to && off(line[1]) < theme_.sizes.label) ||
+                                  (line[1] == *label.leads_to && off(line[0]) < theme_.sizes.label));
+    });
+  }
+  /// A line's or a point's name stands beside a marked setting on it.
+  bool stands_beside(const PlacedLabel& label, int wanted) const {
+    std::vector<Cases::Spot> spots = cases_.presets;
+    if (cases_.here) spots.push_back(*cases_.here);
+    return std::ranges::any_of(spots, [&](const Cases::Spot& spot) {
+      const Vec2 share = (spot.at - map_.lo).cwiseQuotient(map_.hi - map_.lo);
+      const Vec2 p = plane_.lo + Vec2(share.x(), 1 - share.y()).cwiseProduct(plane_.hi - plane_.lo);
+      if (label.leads_to) return spot.branch == wanted && (*label.leads_to - p).norm() < 1e-6;
+      const Vec2 off(std::max({label.box.left - p.x(), p.x() - label.box.right, 0.0}),
+                     std::max({label.box.top - p.y(), p.y() - label.box.bottom, 0.0}));
+      return spot.branch == wanted && off.norm() < 1.5 * theme_.sizes.label;
+    });
+  }
+  bool is_marked(int branch) const {
+    const auto on = [&](const Cases::Spot& spot) { return spot.branch == branch; };
+    return std::ranges::any_of(cases_.presets, on) || (cases_.here && on(*cases_.here));
+  }
+
+ private:
+  const CaseMap& map_;
+  const Parameters& setting_;
+  Chart chart_;
+  const Cases& cases_;
+  Theme theme_;
+  Box2 plane_;
+  Composed composed_;
+};
+
+template <class Check>
+void on_every_map(const Check& check) {
+  for (const Lesson* lesson : those_asked_for()) {
+    if (!lesson->map) continue;
+    for (const Preset& preset : lesson->presets) {
+      if (!spot_on(*lesson->map, preset.parameters)) continue;
+      for (const Page& page : pages) {
+        INFO(lesson->id << ' ' << preset.id << ", " << name_of(page.theme) << ' ' << page.width << 'x' << page.height);
+        check(*lesson, Drawn(*lesson, preset.parameters, page));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("the name of a region lies in it or has a leader that ends in it; that of a line stands beside a point of it",
+          "[every lesson]") {
+  on_every_map([](const Lesson& lesson, const Drawn& map) {
+    const std::set<int> regions = map.regions();
+    for (int i = 0; i < static_cast<int>(lesson.map->branches.size()); ++i) {
+      INFO(lesson.map->branches[i]);
+      const std::vector<PlacedLabel> names = map.names_of(i);
+      if (regions.contains(i)) {
+        REQUIRE(names.size() == 1);
+        CHECK((map.lies_in(names[0].box, i) || map.leads(names[0], i)));
+      } else {
+        CHECK(names.size() == (map.is_marked(i) ? 1 : 0));
+        for (const PlacedLabel& name : names) CHECK(map.stands_beside(name, i));
+      }
+    }
+  });
+}
+
+TEST_CASE("a circle on a map of lengths is a circle", "[every lesson]") {
+  const std::set<std::string> not_lengths = {"obb-obb", "relations"};  // degrees, and a ratio of sizes
+  on_every_map([&](const Lesson& lesson, const Drawn& map) {
+    if (!not_lengths.contains(lesson.id)) CHECK(std::abs(map.unit().x() / map.unit().y() - 1) < 1e-9);
+  });
+}
+
+TEST_CASE("between equally good places of names order decides, not rounding", "[every lesson]") {
+  for (const Lesson* lesson : those_asked_for())
+    for (const Preset& preset : lesson->presets) {
+      if (!lesson->map || !spot_on(*lesson->map, preset.parameters)) continue;
+      for (const Page& page : pages) {
+        const Drawn map(*lesson, preset.parameters, page), other(*lesson, preset.parameters, page, 1e-13);
+        REQUIRE(map.labels().size() == other.labels().size());
+        for (std::size_t i = 0; i < map.labels().size(); ++i) {
+          INFO(lesson->id << ' ' << preset.id << ": " << map.labels()[i].text);
+          CHECK(std::abs(map.labels()[i].box.left - other.labels()[i].box.left) < 0.01);
+          CHECK(std::abs(map.labels()[i].box.top - other.labels()[i].box.top) < 0.01);
+        }
+      }
+    }
+}
+
+}  // namespace maps_test

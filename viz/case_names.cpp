@@ -1,0 +1,159 @@
+#include "viz/case_names.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace isect::viz {
+namespace {
+
+constexpr int lines = 4;        ///< on which a row of cells is looked at
+constexpr double whole = 0.98;  ///< a cell of which so much lies in a region counts as its own
+constexpr double tie = 1e-6;    ///< what only rounding could decide
+
+bool share_ink(const TextBox& a, const TextBox& b) {
+  return a.left < b.right - tie && b.left < a.right - tie && a.top < b.bottom - tie && b.top < a.bottom - tie;
+}
+
+Vec2 nearest_in(const TextBox& b, const Vec2& p) {
+  return {std::clamp(p.x(), b.left, b.right), std::clamp(p.y(), b.top, b.bottom)};
+}
+
+double area_of(const Cases::Patch& patch) {
+  const auto& [a, b, c, d] = patch.corners;
+  return (b.x() - a.x() + c.x() - d.x()) / 2 * (d.y() - a.y());
+}
+
+}  // namespace
+
+CaseNames::CaseNames(const Cases& cases, const Bounds& plane)
+    : cases_(cases),
+      plane_(plane),
+      cell_((plane.right - plane.left) / columns, (plane.bottom - plane.top) / rows),
+      sums_(cases.branches.size(), std::vector<int>((columns + 1) * (rows + 1), 0)) {
+  rasterise(cases);
+}
+
+void CaseNames::take(const TextBox& box, bool may_cross) { (may_cross ? crossable_ : taken_).push_back(box); }
+
+int& CaseNames::sum(int branch, int x, int y) { return sums_[branch][static_cast<std::size_t>(y) * (columns + 1) + x]; }
+
+int CaseNames::count(int branch, int x0, int y0, int x1, int y1) const {
+  const auto at = [&](int x, int y) { return sums_[branch][static_cast<std::size_t>(y) * (columns + 1) + x]; };
+  return at(x1, y1) - at(x0, y1) - at(x1, y0) + at(x0, y0);
+}
+
+Vec2 CaseNames::drawn(const Vec2& cells) const {
+  return {plane_.left + cells.x() * cell_.x(), plane_.bottom - cells.y() * cell_.y()};
+}
+
+/// How much of a cell a region covers is summed up along a few lines of each row.
+void CaseNames::rasterise(const Cases& cases) {
+  const Vec2 lo(cases.x.lo, cases.y.lo), size(cases.x.hi - cases.x.lo, cases.y.hi - cases.y.lo);
+  std::vector<std::vector<double>> covered(sums_.size(), std::vector<double>(columns * rows, 0));
+  for (const Cases::Patch& patch : cases.patches) {
+    const auto in_cells = [&](const Vec2& p) -> Vec2 {
+      return (p - lo).cwiseQuotient(size).cwiseProduct(Vec2(columns, rows));
+    };
+    const Vec2 a = in_cells(patch.corners[0]), b = in_cells(patch.corners[1]), c = in_cells(patch.corners[2]),
+               d = in_cells(patch.corners[3]);
+    const double off = 0.47;  // keeps the lines off round numbers, where borders lie
+    for (int line = static_cast<int>(std::ceil(a.y() * lines - off)); line + off < d.y() * lines; ++line) {
+      if (line < 0 || line >= rows * lines) continue;
+      const double share = ((line + off) / lines - a.y()) / (d.y() - a.y());
+      const double from = a.x() + share * (d.x() - a.x()), to = b.x() + share * (c.x() - b.x());
+      for (int x = std::max(0, static_cast<int>(from)); x < std::min<double>(columns, to); ++x)
+        covered[patch.branch][static_cast<std::size_t>(line / lines) * columns + x] +=
+            std::max(0.0, std::min(to, x + 1.0) - std::max<double>(from, x)) / lines;
+    }
+  }
+  for (int i = 0; i < static_cast<int>(sums_.size()); ++i)
+    for (int y = 0; y < rows; ++y)
+      for (int x = 0; x < columns; ++x)
+        sum(i, x + 1, y + 1) = (covered[i][static_cast<std::size_t>(y) * columns + x] >= whole) + sum(i, x, y + 1) +
+                               sum(i, x + 1, y) - sum(i, x, y);
+}
+
+bool CaseNames::filled(int branch, const Vec2& middle, const Vec2& half) const {
+  const TextBox box = box_around(drawn(middle), half.cwiseProduct(cell_));
+  for (const std::vector<TextBox>* all : {&taken_, &crossable_})
+    if (std::ranges::any_of(*all, [&](const TextBox& taken) { return share_ink(box, taken); })) return false;
+  const Vec2 inset = Vec2::Constant(tie), lo = middle - half + inset, hi = middle + half - inset;
+  const int x0 = static_cast<int>(std::floor(lo.x())), y0 = static_cast<int>(std::floor(lo.y())),
+            x1 = static_cast<int>(std::ceil(hi.x())), y1 = static_cast<int>(std::ceil(hi.y()));
+  if (x0 < 0 || y0 < 0 || x1 > columns || y1 > rows) return false;
+  return count(branch, x0, y0, x1, y1) == (x1 - x0) * (y1 - y0);
+}
+
+bool CaseNames::filled(const Vec2& middle, const Vec2& half) const {
+  const int x = std::clamp(static_cast<int>(middle.x()), 0, columns - 1);
+  const int y = std::clamp(static_cast<int>(middle.y()), 0, rows - 1);
+  for (int i = 0; i < static_cast<int>(sums_.size()); ++i)
+    if (count(i, x, y, x + 1, y + 1) == 1) return filled(i, middle, half);
+  return false;
+}
+
+CaseNames::Room CaseNames::largest(int branch, const Vec2& name) const {
+  constexpr double largest_scale = 8;
+  constexpr int halvings = 7;
+  constexpr double step = largest_scale / (1 << halvings);
+  Room best;
+  for (int y = 0; y < rows; ++y)
+    for (int x = 0; x < columns; ++x) {
+      if (count(branch, x, y, x + 1, y + 1) == 0) continue;
+      const Vec2 middle(x + 0.5, y + 0.5);
+      double lo = 0, hi = largest_scale;
+      for (int i = 0; i < halvings; ++i) {
+        const double scale = (lo + hi) / 2;
+        (filled(branch, middle, scale / 2 * name) ? lo : hi) = scale;
+      }
+      if (lo > best.scale + step / 2) best = {middle, lo};
+    }
+  return best;
+}
+
+/// In the middle of where it is widest, off what is taken; a region thinner than a cell has its largest patch.
+Vec2 CaseNames::some_point_of(int branch) const {
+  const double side = 6 * std::min(cell_.x(), cell_.y());
+  const Room room = largest(branch, Vec2(side, side).cwiseQuotient(cell_));
+  if (room.scale > 0) return drawn(room.middle);
+
+  const Cases::Patch* best = nullptr;
+  for (const Cases::Patch& patch : cases_.patches)
+    if (patch.branch == branch && (!best || area_of(patch) > (1 + tie) * area_of(*best))) best = &patch;
+  if (!best) return drawn(Vec2(columns, rows) / 2);
+  const auto& [a, b, c, d] = best->corners;
+  const Vec2 lo(cases_.x.lo, cases_.y.lo), size(cases_.x.hi - cases_.x.lo, cases_.y.hi - cases_.y.lo);
+  return drawn(((a + b + c + d) / 4 - lo).cwiseQuotient(size).cwiseProduct(Vec2(columns, rows)));
+}
+
+/// The nearest place for the whole name in one region, with a free way for the leader; over borders only if there is
+/// none.
+NamePlace CaseNames::beside(int branch, const Vec2& size) const {
+  const Vec2 to = some_point_of(branch), half = size / 2;
+  std::optional<NamePlace> best;
+  double least = 0;
+  for (int y = 0; y <= 2 * rows; ++y)
+    for (int x = 0; x <= 2 * columns; ++x) {
+      const Vec2 at(x / 2.0, y / 2.0), middle = drawn(at);
+      const TextBox box = box_around(middle, half);
+      if (box.left < plane_.left || box.right > plane_.right || box.top < plane_.top || box.bottom > plane_.bottom)
+        continue;
+      const Vec2 from = nearest_in(box, to);
+      double cost = (to - from).norm() + 0.1 * (to - middle).norm();
+      if ((to - from).norm() < 0.8 * size.y() || (best && cost > least - tie)) continue;
+      const bool taken = std::ranges::any_of(
+          taken_, [&](const TextBox& t) { return share_ink(box, t) || length_inside(from, to, t) > 0; });
+      if (taken) cost += 2000;
+      const bool on_border = !filled(at, half.cwiseQuotient(cell_));
+      if (on_border) cost += 1000;
+      if (!best || cost < least - tie) best = NamePlace{middle, to, on_border}, least = cost;
+    }
+  return best.value_or(NamePlace{to, to});
+}
+
+NamePlace CaseNames::place(int branch, const Vec2& size) const {
+  const Room room = largest(branch, size.cwiseQuotient(cell_));
+  return room.scale >= 1 ? NamePlace{drawn(room.middle)} : beside(branch, size);
+}
+
+}  // namespace isect::viz

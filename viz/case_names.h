@@ -1,0 +1,56 @@
+#pragma once
+// Where the names of a map's regions stand: each wholly in its region, or beside it with a leader that ends there.
+
+#include <optional>
+#include <vector>
+
+#include "viz/chart.h"
+#include "viz/labels.h"
+
+namespace isect::viz {
+
+struct NamePlace {
+  Vec2 middle;
+  std::optional<Vec2> leads_to = {};  ///< a point of its region, where the name stands beside it
+  bool on_border = false;             ///< there is no place off the borders
+};
+
+/// The plane as fine cells, each wholly of one branch or of none.
+class CaseNames {
+ public:
+  CaseNames(const Cases&, const Bounds& plane);
+
+  /// Names keep off this box, and leaders too, unless they `may_cross` it.
+  void take(const TextBox&, bool may_cross = false);
+  /// Where a name of this size has most room in its region; else the nearest place from which a leader reaches it. Of
+  /// equally good places the first in order, however a machine rounds.
+  NamePlace place(int branch, const Vec2& size) const;
+
+ private:
+  static constexpr int columns = 120, rows = 72;
+  struct Room {
+    Vec2 middle = Vec2::Zero();  ///< in cells, from the lower left corner
+    double scale = 0;            ///< of the largest box there to the one asked for
+  };
+
+  void rasterise(const Cases&);
+  Room largest(int branch, const Vec2& name) const;
+  /// Whether a box, in cells, lies wholly in this branch's region and off what is taken.
+  bool filled(int branch, const Vec2& middle, const Vec2& half) const;
+  /// The same of whichever branch.
+  bool filled(const Vec2& middle, const Vec2& half) const;
+  Vec2 some_point_of(int branch) const;
+  NamePlace beside(int branch, const Vec2& size) const;
+
+  int& sum(int branch, int x, int y);
+  int count(int branch, int x0, int y0, int x1, int y1) const;
+  Vec2 drawn(const Vec2& cells) const;
+
+  const Cases& cases_;
+  Bounds plane_;
+  Vec2 cell_;                           ///< its size
+  std::vector<std::vector<int>> sums_;  ///< of each branch: the cells below and left of a corner
+  std::vector<TextBox> taken_, crossable_;
+};
+
+}  // namespace isect::viz
