@@ -4,11 +4,14 @@
 #include <imgui.h>
 #include <imgui_impl_glfw.h>
 
+#include <algorithm>
+#include <cmath>
 #include <deque>
 #include <set>
 #include <string>
 
 #include "viz/files.h"
+#include "viz/window/end_signals.h"
 #include "viz/window/key_codes.h"
 #include "viz/window/window_ui.h"
 
@@ -36,7 +39,8 @@ class Window {
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-    handle_ = glfwCreateWindow(width, height, "isect", nullptr, nullptr);
+    const Size fits = within_monitor(width, height);
+    handle_ = glfwCreateWindow(fits.width, fits.height, "isect", nullptr, nullptr);
     if (!handle_) {
       const std::string words = glfw_words();
       glfwTerminate();
@@ -44,7 +48,8 @@ class Window {
     }
     glfwMakeContextCurrent(handle_);
     glfwSwapInterval(1);
-    glfwSetWindowSizeLimits(handle_, 800, 500, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    const auto pixels = [this](int px) { return static_cast<int>(px * scale()); };
+    glfwSetWindowSizeLimits(handle_, pixels(least_width), pixels(least_height), GLFW_DONT_CARE, GLFW_DONT_CARE);
   }
   ~Window() {
     glfwDestroyWindow(handle_);
@@ -62,7 +67,32 @@ class Window {
     return x > 0 ? x : 1;
   }
 
+  struct Size {
+    int width, height;
+  };
+  /// In px of the layout, whatever the screen's density.
+  Size size() const {
+    int across = 0, down = 0;
+    glfwGetFramebufferSize(handle_, &across, &down);
+    return {static_cast<int>(std::lround(across / scale())), static_cast<int>(std::lround(down / scale()))};
+  }
+
  private:
+  /// No larger than the first screen, if there is one to ask.
+  static Size within_monitor(int width, int height) {
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    if (!monitor) return {width, height};
+    int x = 0, y = 0, across = 0, down = 0;
+    float scale = 1, scale_down = 1;
+    glfwGetMonitorWorkarea(monitor, &x, &y, &across, &down);
+    glfwGetMonitorContentScale(monitor, &scale, &scale_down);
+    if (!(across > 0 && down > 0 && scale > 0)) return {width, height};
+    const auto least_of = [scale](int wanted, int there, int least) {
+      return std::max(std::min(wanted, static_cast<int>(std::floor(static_cast<float>(there) / scale))), least);
+    };
+    return {least_of(width, across, least_width), least_of(height, down, least_height)};
+  }
+
   GLFWwindow* handle_ = nullptr;
 };
 
@@ -133,17 +163,18 @@ void to_layout(GLFWwindow* window, double scale) {
   io.MousePos = {io.MousePos.x * to_px, io.MousePos.y * to_px};
 }
 
-void run(Window& window, Input& input, WindowUi& ui, double scale) {
+void run(Window& window, Input& input, WindowUi& ui, double scale, const EndSignals& signals) {
   constexpr int settle = 3;  // frames that Dear ImGui may need to answer an event
   int frames_due = settle;
   std::string title;
-  while (!glfwWindowShouldClose(window.handle()) && !ui.wants_to_close()) {
-    if (ui.animating() || input.waiting()) frames_due = settle;
+  while (!glfwWindowShouldClose(window.handle()) && !ui.wants_to_close() && !signals.came()) {
+    // An idle window costs nothing, but a text cursor blinks.
+    const double rest = ImGui::GetIO().WantTextInput ? std::min(ui.rest(), 0.25) : ui.rest();
+    if (rest <= 0 || input.waiting()) frames_due = settle;
     if (frames_due > 0) {
       glfwPollEvents();
     } else {
-      // An idle window costs nothing, but a text cursor blinks.
-      ImGui::GetIO().WantTextInput ? glfwWaitEventsTimeout(0.25) : glfwWaitEvents();
+      std::isfinite(rest) ? glfwWaitEventsTimeout(rest) : glfwWaitEvents();
       frames_due = settle;
     }
     --frames_due;
@@ -157,8 +188,8 @@ void run(Window& window, Input& input, WindowUi& ui, double scale) {
   }
 }
 
-void keep(const std::string& file, Settings settings, GLFWwindow* window) {
-  glfwGetWindowSize(window, &settings.width, &settings.height);
+void keep(const std::string& file, Settings settings, const Window& window) {
+  settings.width = window.size().width, settings.height = window.size().height;
   try {
     write_settings(file, settings);
   } catch (const FileError&) {
@@ -173,6 +204,7 @@ void show(const std::vector<const Lesson*>& lessons, const Place& at,
   const std::string file = settings_file();
   const Settings kept = read_settings(file, lessons);
   const Place start = at.lesson.empty() && kept.place ? *kept.place : at;
+  const EndSignals signals(glfwPostEmptyEvent);
   Window window(kept.width, kept.height);
   Renderer renderer([](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); });
   const double scale = window.scale();
@@ -182,8 +214,8 @@ void show(const std::vector<const Lesson*>& lessons, const Place& at,
     ui.complain(damage);
   }
   Input input(window.handle());
-  run(window, input, ui, scale);
-  keep(file, ui.settings(), window.handle());
+  run(window, input, ui, scale, signals);
+  keep(file, ui.settings(), window);
 }
 
 }  // namespace isect::viz

@@ -32,8 +32,7 @@ void verdict_sign(Verdict::Kind kind, float x, float y, ImU32 ink) {
     case Verdict::Kind::yes:
       return tick(x, y, 16, ink);
     case Verdict::Kind::no:
-      ImGui::GetWindowDrawList()->AddCircle({x, y}, 6, ink, 24, 2.2f);
-      return;
+      return ring(x, y, 16, ink);
     case Verdict::Kind::on:
       return diamond(x, y, 15, ink);
     case Verdict::Kind::open:
@@ -80,7 +79,7 @@ void verdict_chip(Session& s, const Rect& scene) {
 }
 
 void alarm_chip(Session& s, const Rect& scene) {
-  if (!s.player.methods_differ() || is_card(s.player.step().scene)) return;
+  if (!s.player.methods_differ() || s.player.asked() || is_card(s.player.step().scene)) return;
   Ui& ui = s.ui;
   const std::vector<Opinion>& said = s.player.opinions();
   const auto differ = std::ranges::count_if(said, [](const Opinion& o) { return !o.agrees; });
@@ -167,7 +166,7 @@ void handle_under_pointer(Session& s, const View& view, const Handle& handle) {
 }
 
 void item_under_pointer(Session& s, const View& view, const Vec2& pixel) {
-  const auto picked = pick(s.player.step().scene, view.viewing_ray(pixel));
+  const auto picked = pick(s.player.scene(), view.viewing_ray(pixel));
   if (!picked) return;
   const float x = static_cast<float>(pixel.x()), y = static_cast<float>(pixel.y());
   s.ui.rects["item under pointer"] = {x, y, x + 1, y + 1};

@@ -24,13 +24,13 @@ std::string line_of(const Session& s, const Rect& r, double scale) {
 
 /// What a chart leaves to the chips above it, where the scene's are drawn over.
 double head_of(const Session& s) {
-  if (!s.player.step().scene.chart) return 0;
-  return (s.player.step().verdict.text.empty() ? 12 : 64) + (s.player.methods_differ() ? 40 : 0);
+  if (!s.player.scene().chart) return 0;
+  return (s.player.step().verdict.text.empty() ? 12 : 64) + (s.player.methods_differ() && !s.player.asked() ? 40 : 0);
 }
 
 /// The map of cases that this step shows, if any.
 const Cases* map_of(const Session& s) {
-  const Scene& scene = s.player.step().scene;
+  const Scene& scene = s.player.scene();
   return scene.chart && s.player.lesson().map ? std::get_if<Cases>(&scene.chart->kind) : nullptr;
 }
 
@@ -45,7 +45,7 @@ void SceneView::draw(const Session& s, const Rect& r, const View& view) {
   const double head = head_of(s);
   const View own(view.camera(), view.width(), view.height() - head, {0, head});
   Drawing drawing{view.width(), view.height(), theme.background, {}};
-  drawing.shapes = compose(s.player.step().scene, own, theme, true).shapes;
+  drawing.shapes = compose(s.player.scene(), own, theme, true).shapes;
   renderer_.draw(drawing, scale_);
   drawn_ = wanted;
 }
@@ -53,7 +53,7 @@ void SceneView::draw(const Session& s, const Rect& r, const View& view) {
 std::optional<Handle> SceneView::handle_near(const Session& s, const View& view, const Vec2& pixel) const {
   std::optional<Handle> nearest;
   double least = hit_area;
-  for (const Handle& h : s.player.step().scene.handles) {
+  for (const Handle& h : s.player.scene().handles) {
     const Projected p = view.project(h.at);
     const double distance = (p.at - pixel).norm();
     if (!(p.depth > 0) || !(distance <= least)) continue;
@@ -66,7 +66,7 @@ std::optional<Handle> SceneView::handle_near(const Session& s, const View& view,
 void SceneView::drag_held(Session& s, const View& view) {
   if (mouse() == last_) return;
   s.attempt([&] { s.player.drag_handle(*held_, view.on_facing_plane(mouse() - grip_, held_->at)); });
-  for (const Handle& h : s.player.step().scene.handles)
+  for (const Handle& h : s.player.scene().handles)
     if (same_handle(h, *held_)) {
       held_ = h;
       return;
@@ -142,7 +142,7 @@ void SceneView::show(Session& s, const Rect& r) {
   const Vec2 corner(r.left, r.top);
   const View before(s.player.camera().now(), r.width(), r.height(), corner);
 
-  if (!s.player.lesson().flat && !s.player.step().scene.chart) projection_name(s, r);
+  if (!s.player.lesson().flat && !s.player.scene().chart) projection_name(s, r);
   ImGui::SetCursorScreenPos(top_left(r));
   ImGui::InvisibleButton("picture", {r.width(), r.height()},
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
@@ -154,7 +154,7 @@ void SceneView::show(Session& s, const Rect& r) {
   const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(renderer_.texture()));
   ImGui::GetWindowDrawList()->AddImage(texture, top_left(r), bottom_right(r), {0, 1}, {1, 0});
 
-  for (const Handle& h : s.player.step().scene.handles) {
+  for (const Handle& h : s.player.scene().handles) {
     const Vec2 at = view.project(h.at).at;
     const float x = static_cast<float>(at.x()), y = static_cast<float>(at.y());
     ui.rects["handle " + h.parameter] = {x - 4, y - 4, x + 4, y + 4};
@@ -166,7 +166,7 @@ void SceneView::show(Session& s, const Rect& r) {
 
   verdict_chip(s, r);
   alarm_chip(s, r);
-  const bool in_space = !s.player.step().scene.chart;
+  const bool in_space = !s.player.scene().chart;
   if (in_space) tripod(s, view, r);
   if (in_space && !s.player.lesson().flat) projection_text(s, r);
   toast(s, r);

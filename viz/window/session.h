@@ -11,6 +11,9 @@
 
 namespace isect::viz {
 
+/// The least window, in px of the layout.
+constexpr int least_width = 800, least_height = 500;
+
 /// What is kept between runs.
 struct Settings {
   ThemeName theme = ThemeName::dark;
@@ -18,7 +21,7 @@ struct Settings {
   ThemeName save_theme = ThemeName::print;
   bool parameters_open = false;
   double speed = 1;
-  int width = 1280, height = 800;
+  int width = 1280, height = 800;  ///< px of the layout, whatever the screen's density
   std::optional<Place> place = {};
 };
 
@@ -47,6 +50,7 @@ struct Session {
   bool close = false;                        ///< the reader wants to leave
   std::string search = {};                   ///< words in the picker
   float fields_height = 0;                   ///< of the parameters' fields, as the last frame found it
+  float question_height = 120;               ///< of the question over the scene, likewise
   unsigned words_seen = 0;                   ///< revision whose words are on show
   std::set<const Exercise*> solutions = {};  ///< that are on show
 

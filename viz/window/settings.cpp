@@ -25,6 +25,12 @@ T field(const Json& from, const char* name, T fallback) {
   }
 }
 
+/// What no screen has is a spoilt field. As a double first: the library wraps what no int holds.
+int size_field(const Json& from, const char* name, int least, int fallback) {
+  const double px = field(from, name, static_cast<double>(fallback));
+  return px >= least && px <= 16000 ? static_cast<int>(px) : fallback;
+}
+
 ThemeName theme_field(const Json& from, const char* name, ThemeName fallback) {
   try {
     return theme_named(field(from, name, name_of(fallback)));
@@ -73,8 +79,8 @@ Settings read_settings(const std::string& file, const std::vector<const Lesson*>
   if (format && format->write) s.save_format = format->name;
   s.parameters_open = field(json, "parameters_open", s.parameters_open);
   s.speed = std::clamp(field(json, "speed", s.speed), 0.5, 2.0);
-  s.width = std::clamp(field(json, "width", s.width), 800, 16000);
-  s.height = std::clamp(field(json, "height", s.height), 500, 16000);
+  s.width = size_field(json, "width", least_width, s.width);
+  s.height = size_field(json, "height", least_height, s.height);
   s.place = place_field(json, lessons);
   return s;
 }

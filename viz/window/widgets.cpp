@@ -73,7 +73,7 @@ Press press(Ui& ui, const std::string& name, const Rect& r) {
   return {clicked, ImGui::IsItemHovered(), ImGui::IsItemActive()};
 }
 
-void begin_region(Ui& ui, const char* name, const Rect& r, const Colour& background) {
+void begin_region(Ui& ui, const char* name, const Rect& r, const Colour& background, bool above) {
   ui.rects[name] = r;
   ImGui::SetNextWindowPos(top_left(r));
   ImGui::SetNextWindowSize({r.width(), r.height()});
@@ -81,7 +81,7 @@ void begin_region(Ui& ui, const char* name, const Rect& r, const Colour& backgro
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{0, 0});
   ImGui::Begin(name, nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
+                   ImGuiWindowFlags_NoScrollWithMouse | (above ? 0 : ImGuiWindowFlags_NoBringToFrontOnFocus));
   ImGui::PopStyleVar();
   ImGui::PopStyleColor();
 }
@@ -136,6 +136,10 @@ void cross(float x, float y, float size, ImU32 colour) {
   const float h = size * 0.36f, width = size * 0.17f;
   list().AddLine({x - h, y - h}, {x + h, y + h}, colour, width);
   list().AddLine({x - h, y + h}, {x + h, y - h}, colour, width);
+}
+
+void ring(float x, float y, float size, ImU32 colour) {
+  list().AddCircle({x, y}, size * 0.375f, colour, 24, size * 0.14f);
 }
 
 void diamond(float x, float y, float size, ImU32 colour) {

@@ -42,8 +42,8 @@ struct Press {
   bool clicked, hovered, held;
 };
 Press press(Ui&, const std::string& name, const Rect&);
-/// A window that fills `r`, not moved, not decorated. End it with ImGui::End().
-void begin_region(Ui&, const char* name, const Rect& r, const Colour& background);
+/// A window that fills `r`, not moved, not decorated; `above`: over the others. End it with ImGui::End().
+void begin_region(Ui&, const char* name, const Rect& r, const Colour& background, bool above = false);
 void tooltip(const Ui&, const std::string&);
 
 void filled(const Rect&, const Colour&, float rounding = 6);
@@ -57,6 +57,8 @@ bool icon_button(Ui&, const std::string& name, const Rect&, Icon, bool primary, 
 
 void tick(float x, float y, float size, ImU32);
 void cross(float x, float y, float size, ImU32);
+/// "No": a finding, not a fault.
+void ring(float x, float y, float size, ImU32);
 void diamond(float x, float y, float size, ImU32);
 /// A small triangle: pointing down when `open`, else to the right.
 void caret(float x, float y, bool open, ImU32);

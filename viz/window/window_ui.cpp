@@ -4,6 +4,7 @@
 #include <imgui_impl_opengl3.h>
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -112,6 +113,8 @@ void WindowUi::frame() {
   if (w.session.panels) {
     lesson_panel(w.session, at.lesson);
     code_panel(w.session, at.code);
+  } else {
+    question_over_scene(w.session, at.scene);
   }
   transport(w.session, at.transport);
   sheets(w.session, {0, 0, io.DisplaySize.x, io.DisplaySize.y});
@@ -143,8 +146,13 @@ std::string WindowUi::title() const {
          std::to_string(p.count()) + " – isect";
 }
 
-bool WindowUi::animating() const {
-  return impl_->player.playing() || impl_->player.camera().moving() || impl_->session.toast.seconds_left > 0;
+double WindowUi::rest() const {
+  const Player& p = impl_->player;
+  if (p.camera().moving()) return 0;
+  double rest = std::numeric_limits<double>::infinity();
+  if (p.running()) rest = std::min(rest, std::max(p.seconds_to_step(), 0.0));
+  if (impl_->session.toast.seconds_left > 0) rest = std::min(rest, impl_->session.toast.seconds_left);
+  return rest;
 }
 
 bool WindowUi::wants_to_close() const { return impl_->session.close; }
@@ -162,6 +170,7 @@ Settings WindowUi::settings() const {
   Settings settings = impl_->settings;
   settings.speed = impl_->player.speed();
   settings.place = impl_->player.place();
+  if (!impl_->player.camera_moved()) settings.place->camera.reset();  // presets go on framing themselves
   return settings;
 }
 

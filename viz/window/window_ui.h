@@ -33,8 +33,8 @@ class WindowUi {
 
   /// The window's title: lesson, preset, "step 3 of 12".
   std::string title() const;
-  /// Something moves by itself: the next frame should come at once.
-  bool animating() const;
+  /// Seconds until something changes by itself: 0 while it moves, infinity where all is at rest.
+  double rest() const;
   /// Ctrl+Q was pressed.
   bool wants_to_close() const;
   /// The widgets of the frame built last, by name, in px.
