@@ -1,11 +1,14 @@
 // Where things stand in the window, and what colour they have.
 
+#include <imgui_internal.h>
+
 #include <set>
 
 #include "lessons/lessons.h"
 #include "tests/catch.h"
 #include "tests/viz/sample_lesson.h"
 #include "tests/viz/window_driver.h"
+#include "viz/rich_text.h"
 #include "viz/window/layout.h"
 
 namespace window_look_test {
@@ -133,6 +136,33 @@ TEST_CASE("the picture shows panels, scene and the current line in their colours
   CHECK(colours.size() > 30);
   write_file(std::string(ISECT_PICTURES) + "/window-" + name_of(name) + (scale > 1 ? "-2x" : "") + ".png",
              png(picture));
+}
+
+TEST_CASE("every sign that is said or shown as a number has a glyph in the window's fonts", "[window]") {
+  const WindowDriver window(isect::lessons::all_lessons());
+  std::set<std::string> texts = {shown(179700), shown(1.121e8), shown(-2.5e-7)};
+  for (const Lesson* lesson : isect::lessons::all_lessons()) {
+    texts.insert({plain(lesson->title), plain(lesson->summary)});
+    for (const Parameter& p : lesson->parameters) texts.insert(p.help);
+    for (const Preset& p : lesson->presets) {
+      texts.insert(plain(p.title));
+      const Walk walk = lesson->walk(p.parameters);
+      texts.insert(walk.pseudocode.begin(), walk.pseudocode.end());
+      for (const Step& s : walk.steps) {
+        texts.insert(plain(s.title));
+        for (const Value& v : s.values) texts.insert({plain(v.name), shown(v.value)});
+        if (s.comparison) texts.insert({plain(s.comparison->text), plain(s.comparison->meaning)});
+      }
+    }
+  }
+  for (const std::string& text : texts)
+    for (const char* at = text.c_str(); *at;) {
+      unsigned sign = 0;
+      at += ImTextCharFromUtf8(&sign, at, nullptr);
+      INFO(text << ": U+" << std::hex << sign);
+      for (const ImFont* font : ImGui::GetIO().Fonts->Fonts)
+        REQUIRE(font->FindGlyphNoFallback(static_cast<ImWchar>(sign)) != nullptr);
+    }
 }
 
 TEST_CASE("the theme button goes round and what was chosen is kept", "[window]") {

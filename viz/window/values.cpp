@@ -90,6 +90,8 @@ void value_row(Session& s, const Value& v, const std::map<std::string, Scale>& s
   text(long_name ? ui.fonts.mono_small : ui.fonts.mono, r.left + 10, y, packed(c.text), plain(v.name));
   ImGui::PopClipRect();
   text(ui.fonts.mono, number, y, packed(c.text), shown(v.value), 1);
+  if (!v.unit.empty() && ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r)))
+    tooltip(ui, "unit: " + plain(v.unit));
   const float right = r.right - 10;
   if (v.fresh) {
     outlined({r.left, r.top + 1, r.right, r.bottom - 1}, c.fresh, 1.5f, 5);
