@@ -38,6 +38,8 @@ class Player {
   bool methods_differ() const;
   /// The preset whose parameters these are; empty when they were changed by hand.
   const std::string& preset_id() const { return preset_; }
+  /// The preset that was loaded last.
+  const std::string& origin() const { return state_.origin; }
   /// The presets of the current group, in order: what the keys 1 to 9 load.
   std::vector<const Preset*> group() const;
   const std::vector<Method>& methods() const { return overview_->methods; }

@@ -88,13 +88,13 @@ class WindowDriver {
     frames();
   }
 
-  /// A key that types nothing, or with Ctrl.
-  void key(key::Code code, bool with_control = false) {
-    control(with_control);
+  /// A key that types nothing, or with Ctrl, or with Shift.
+  void key(key::Code code, bool with_control = false, bool with_shift = false) {
+    modifiers(with_control, with_shift);
     press(code, true);
     frames();
     press(code, false);
-    control(false);
+    modifiers(false, false);
     frames();
   }
   void press(key::Code code, bool down) {
@@ -104,13 +104,15 @@ class WindowDriver {
     ImGui::GetIO().AddKeyEvent(code, down);
 #endif
   }
-  void control(bool held) {
+  void control(bool held) { modifiers(held, false); }
+  void modifiers(bool with_control, bool with_shift) {
     ImGuiIO& io = ImGui::GetIO();
 #if IMGUI_VERSION_NUM < 18700
-    io.KeyCtrl = held;
-    io.KeyMods = held ? ImGuiKeyModFlags_Ctrl : ImGuiKeyModFlags_None;
+    io.KeyCtrl = with_control, io.KeyShift = with_shift;
+    io.KeyMods = (with_control ? ImGuiKeyModFlags_Ctrl : 0) | (with_shift ? ImGuiKeyModFlags_Shift : 0);
 #else
-    io.AddKeyEvent(ImGuiMod_Ctrl, held);
+    io.AddKeyEvent(ImGuiMod_Ctrl, with_control);
+    io.AddKeyEvent(ImGuiMod_Shift, with_shift);
 #endif
   }
   void type(const std::string& characters) {

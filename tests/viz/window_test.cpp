@@ -182,30 +182,6 @@ TEST_CASE("a question is answered by click or by letter, and the answer is told"
   CHECK(window.player().answered()->right());
 }
 
-TEST_CASE("a number is typed after Ctrl+click, and a refused one is told", "[window]") {
-  WindowDriver window(both);
-  window.click("parameters");
-  window.frames(2);
-  const auto type_radius = [&](const std::string& number) {
-    const Rect field = window.rect("parameter r");
-    window.move(field.middle_x(), field.middle_y());
-    window.control(true);
-    window.button(true);
-    window.button(false);
-    window.control(false);
-    window.frames(2);
-    window.type(number);
-    window.key(key::enter);
-  };
-  const auto radius = [&] { return std::get<double>(window.player().parameters().at("r")); };
-  type_radius("2.75");
-  CHECK(radius() == 2.75);
-  CHECK(window.ui.message().empty());
-  type_radius("-4");
-  CHECK(radius() == 2.75);
-  CHECK(window.ui.message().find("r") != std::string::npos);
-}
-
 TEST_CASE("letters typed into a field are no commands", "[window]") {
   WindowDriver window(both);
   window.key(key::o, true);

@@ -2,16 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "viz/chart.h"
 #include "viz/compose.h"
+#include "viz/window/key_codes.h"
 #include "viz/window/scene_marks.h"
 
 namespace isect::viz {
 namespace {
 
-constexpr double hit_area = 14;
+constexpr float hit_area = 14;
 
 Vec2 mouse() { return {ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y}; }
 
@@ -99,6 +102,33 @@ void SceneView::wheel(Session& s, const View& view) {
   if (turns != 0) s.player.zoom(view, mouse(), std::pow(1.15, turns));
 }
 
+/// Shift and the arrows move the handle that the keyboard holds, or else turn the scene; Ctrl and the arrows shift it.
+void SceneView::keyboard(Session& s, const View& view) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const Vec2 middle = view.corner() + Vec2(view.width(), view.height()) / 2;
+  if (const double zoom = std::exchange(s.zoom, 1.0); zoom != 1) s.player.zoom(view, middle, zoom);
+  if (io.KeyShift == io.KeyCtrl || io.WantTextInput || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) return;
+  Vec2 way = Vec2::Zero();
+  if (ImGui::IsKeyPressed(key::left, true)) way.x() -= 1;
+  if (ImGui::IsKeyPressed(key::right, true)) way.x() += 1;
+  if (ImGui::IsKeyPressed(key::up, true)) way.y() -= 1;
+  if (ImGui::IsKeyPressed(key::down, true)) way.y() += 1;
+  if (way == Vec2::Zero() || s.player.scene().chart) return;
+  way *= 8;
+  const std::vector<Handle>& handles = s.player.scene().handles;
+  const auto held =
+      std::ranges::find_if(handles, [&](const Handle& h) { return "handle " + h.parameter == s.ui.focus.name(); });
+  if (io.KeyShift && held != handles.end()) {
+    const Handle handle = *held;
+    s.player.remember("nudge " + handle.parameter);
+    s.attempt([&] { s.player.drag_handle(handle, view.on_facing_plane(view.project(handle.at).at + way, handle.at)); });
+  } else if (io.KeyShift && !s.player.lesson().flat) {
+    s.player.orbit(2 * way);
+  } else {
+    s.player.pan(view, middle, middle - 2 * way);
+  }
+}
+
 void SceneView::pointer(Session& s, const View& view, bool hovered, bool active) {
   const ImGuiIO& io = ImGui::GetIO();
   if (!io.MouseDown[0]) on_map_ = false;
@@ -148,6 +178,7 @@ void SceneView::show(Session& s, const Rect& r) {
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
   const bool hovered = ImGui::IsItemHovered(), active = ImGui::IsItemActive();
   pointer(s, before, hovered, active);
+  keyboard(s, before);
 
   const View view(s.player.camera().now(), r.width(), r.height(), corner);
   draw(s, r, view);
@@ -157,7 +188,9 @@ void SceneView::show(Session& s, const Rect& r) {
   for (const Handle& h : s.player.scene().handles) {
     const Vec2 at = view.project(h.at).at;
     const float x = static_cast<float>(at.x()), y = static_cast<float>(at.y());
-    ui.rects["handle " + h.parameter] = {x - 4, y - 4, x + 4, y + 4};
+    const Rect grip{x - hit_area, y - hit_area, x + hit_area, y + hit_area};
+    ui.rects["handle " + h.parameter] = grip;
+    focused(ui, "handle " + h.parameter, grip);
   }
   if (const std::optional<Handle> under = held_ ? held_ : hovered ? handle_near(s, view, mouse()) : std::nullopt)
     handle_under_pointer(s, view, *under);

@@ -23,6 +23,7 @@ class SceneView {
   void draw(const Session&, const Rect&, const View&);
   void pointer(Session&, const View&, bool hovered, bool active);
   void wheel(Session&, const View&);
+  void keyboard(Session&, const View&);
   void drag_held(Session&, const View&);
   void drag_case(Session&, const View&, bool hovered);
   std::optional<Handle> handle_near(const Session&, const View&, const Vec2& pixel) const;

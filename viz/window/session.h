@@ -51,8 +51,18 @@ struct Session {
   std::string search = {};                   ///< words in the picker
   float fields_height = 0;                   ///< of the parameters' fields, as the last frame found it
   float question_height = 120;               ///< of the question over the scene, likewise
+  double zoom = 1;                           ///< asked for by a key
   unsigned words_seen = 0;                   ///< revision whose words are on show
   std::set<const Exercise*> solutions = {};  ///< that are on show
+
+  /// A number that is being typed into a field, and why the last one was refused.
+  struct Typing {
+    std::string field, text;
+    bool begun = false;  ///< the field has the keyboard
+  } typing = {};
+  struct Refused {
+    std::string field, why;
+  } refused = {};
 
   struct Toast {
     std::string text;
@@ -67,8 +77,8 @@ struct Session {
   void attempt(Action&& action) {
     try {
       action();
-    } catch (const BadInput& refused) {
-      complain(refused.what());
+    } catch (const BadInput& wrong) {
+      complain(wrong.what());
     }
   }
 };

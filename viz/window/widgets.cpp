@@ -1,5 +1,8 @@
 #include "viz/window/widgets.h"
 
+#include <imgui_internal.h>
+
+#include <algorithm>
 #include <cmath>
 
 namespace isect::viz {
@@ -70,7 +73,30 @@ Press press(Ui& ui, const std::string& name, const Rect& r) {
   ui.rects[name] = r;
   ImGui::SetCursorScreenPos(top_left(r));
   const bool clicked = ImGui::InvisibleButton(name.c_str(), {std::max(r.width(), 1.0f), std::max(r.height(), 1.0f)});
-  return {clicked, ImGui::IsItemHovered(), ImGui::IsItemActive()};
+  const Press p = {clicked, ImGui::IsItemHovered(), ImGui::IsItemActive()};
+  return {(focused(ui, name, r) && ui.focus.pressed()) || p.clicked, p.hovered, p.held};
+}
+
+bool focused(Ui& ui, const std::string& name, const Rect& r) {
+  ImGuiWindow* const window = ImGui::GetCurrentWindow();
+  const std::string root = window->RootWindow->Name;
+  constexpr const char* parts[] = {"top bar", "lesson panel", "question over scene", "scene", "code panel"};
+  const int part = static_cast<int>(std::find(std::begin(parts), std::end(parts), root) - std::begin(parts));
+  if (!ui.focus.offer(name, part, window->RootWindow->Flags & ImGuiWindowFlags_Popup)) return false;
+  const ImRect clip = window->ClipRect;
+  ui.ring = {std::max(r.left - 3, clip.Min.x), std::max(r.top - 3, clip.Min.y), std::min(r.right + 3, clip.Max.x),
+             std::min(r.bottom + 3, clip.Max.y)};
+  if (ui.focus.moved() && window->ScrollMax.y > 0) ImGui::SetScrollFromPosY(r.middle_y() - window->Pos.y, 0.5f);
+  return true;
+}
+
+void focus_ring(Ui& ui) {
+  const Rect r = std::exchange(ui.ring, {});
+  if (ui.focus.name().empty() || r.width() <= 0 || r.height() <= 0) return;
+  ui.rects["focus ring"] = r;
+  ImDrawList& over = *ImGui::GetForegroundDrawList();
+  over.AddRect(top_left(r), bottom_right(r), packed(ui.palette.window), 8, 0, 4.5f);
+  over.AddRect(top_left(r), bottom_right(r), packed(ui.palette.text), 8, 0, 2);
 }
 
 void begin_region(Ui& ui, const char* name, const Rect& r, const Colour& background, bool above) {

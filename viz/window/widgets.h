@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 
+#include "viz/window/focus.h"
 #include "viz/window/layout.h"
 #include "viz/window/palette.h"
 #include "viz/window/text_textures.h"
@@ -21,6 +22,8 @@ struct Ui {
   TextTextures texts;
   std::map<std::string, Rect> rects = {};  ///< this frame's widgets by name
   double pointer_rest = 1e9;               ///< seconds since the pointer last moved
+  Focus focus = {};
+  Rect ring = {};  ///< around what the keyboard holds, as far as it is to be seen; empty: nothing
 };
 
 enum class Icon { first, back, play, pause, next, last };
@@ -37,7 +40,12 @@ ImVec2 rich(Ui&, const Paragraph&, ImVec2 at);
 /// One line of rich text around the middle `y`; align as above.
 ImVec2 rich_line(Ui&, const Paragraph&, float x, float y, float align = 0);
 
-/// A place to press. `clicked`: the button came up again inside.
+/// Whether the keyboard holds the widget of this name; then it is ringed, and comes into view.
+bool focused(Ui&, const std::string& name, const Rect&);
+/// Draws the ring, over all.
+void focus_ring(Ui&);
+
+/// A place to press, with the pointer or with the keyboard. `clicked`: the button came up again inside.
 struct Press {
   bool clicked, hovered, held;
 };

@@ -118,6 +118,8 @@ void WindowUi::frame() {
   }
   transport(w.session, at.transport);
   sheets(w.session, {0, 0, io.DisplaySize.x, io.DisplaySize.y});
+  focus_ring(w.ui);
+  w.ui.focus.end_frame();
   ImGui::PopFont();
   ImGui::Render();
 
@@ -161,8 +163,9 @@ const std::map<std::string, Rect>& WindowUi::rects() const { return impl_->ui.re
 
 void WindowUi::complain(const std::string& words) { impl_->session.complain(words); }
 std::string WindowUi::message() const {
-  return impl_->session.toast.seconds_left > 0 ? impl_->session.toast.text : std::string();
+  return impl_->session.toast.seconds_left > 0 ? impl_->session.toast.text : impl_->session.refused.why;
 }
+const std::string& WindowUi::focus() const { return impl_->ui.focus.name(); }
 
 Player& WindowUi::player() { return impl_->player; }
 

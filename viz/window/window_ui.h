@@ -39,8 +39,10 @@ class WindowUi {
   bool wants_to_close() const;
   /// The widgets of the frame built last, by name, in px.
   const std::map<std::string, Rect>& rects() const;
-  /// The message on show; empty if there is none.
+  /// The message on show, or why what was typed is refused; empty if there is none.
   std::string message() const;
+  /// The widget that the keyboard holds; empty if it holds none.
+  const std::string& focus() const;
   /// Shows a message as an error.
   void complain(const std::string& words);
   Player& player();
