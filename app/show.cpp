@@ -8,6 +8,7 @@
 #include "app/options.h"
 #include "app/surroundings.h"
 #include "app/terminal.h"
+#include "lessons/course.h"
 #include "viz/files.h"
 #include "viz/formats.h"
 #include "viz/place.h"
@@ -58,7 +59,7 @@ int show(const Program& program, const Selection& asked) {
   const viz::Place place = place_of(program, asked);
   need_surroundings(program);
   try {
-    viz::show(program.lessons, place,
+    viz::show(program.lessons, lessons::course(), place,
               [&](const std::string& words) { say(fmt::format("{}: {}", program.name, words)); });
   } catch (const viz::NoDisplay& e) {
     say(fmt::format("{}: {}", program.name, e.what()));

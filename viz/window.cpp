@@ -199,7 +199,7 @@ void keep(const std::string& file, Settings settings, const Window& window) {
 
 }  // namespace
 
-void show(const std::vector<const Lesson*>& lessons, const Place& at,
+void show(const std::vector<const Lesson*>& lessons, const Course& course, const Place& at,
           const std::function<void(const std::string&)>& say) {
   const std::string file = settings_file();
   const Settings kept = read_settings(file, lessons);
@@ -208,7 +208,7 @@ void show(const std::vector<const Lesson*>& lessons, const Place& at,
   Window window(kept.width, kept.height);
   Renderer renderer([](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); });
   const double scale = window.scale();
-  WindowUi ui(lessons, start, renderer, kept, {.scale = scale});
+  WindowUi ui(lessons, start, renderer, kept, {.scale = scale, .course = course});
   if (const std::string damage = set_spoilt_settings_aside(file); !damage.empty()) {
     if (say) say(damage);
     ui.complain(damage);

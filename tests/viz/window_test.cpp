@@ -192,25 +192,6 @@ TEST_CASE("letters typed into a field are no commands", "[window]") {
   CHECK_FALSE(window.has("lesson point-disc"));
 }
 
-TEST_CASE("the picker finds a lesson by a word, and opens it by Enter or by click", "[window]") {
-  WindowDriver window(both);
-  window.key(key::o, true);
-  window.frames(2);
-  REQUIRE(window.has("search"));
-  CHECK(window.has("pair point-ball"));
-  CHECK(window.has("lesson point-disc"));
-  window.type("BALL");
-  CHECK_FALSE(window.has("lesson point-disc"));
-  window.key(key::enter);
-  CHECK(window.player().lesson().id == "point-ball");
-  CHECK_FALSE(window.has("search"));
-
-  window.click("lesson");
-  window.frames(2);
-  window.click("pair point-disc");
-  CHECK(window.player().lesson().id == "point-disc");
-}
-
 TEST_CASE("the key sheet opens by key and by button, and closes by Escape", "[window]") {
   WindowDriver window(both);
   window.key(key::f1);

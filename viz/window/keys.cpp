@@ -90,6 +90,9 @@ void character(Session& s, char c) {
       return s.attempt([&] { player.open_neighbour(1); });
     case 'e':
       return s.attempt([&] { player.show_erratum(); });
+    case 'g':
+      s.open_next = Sheet::terms;
+      return;
     case 'r':
       return s.attempt([&] { player.restart(); });
     case 'p':

@@ -81,6 +81,7 @@ void lesson_text(Session& s, const Rect& r, bool fresh) {
 struct Hint {
   Role role;
   std::string markup;
+  bool turns = false;  ///< the scene, and no object
 };
 std::vector<Hint> hints_of(const Player& player) {
   std::vector<Hint> hints;
@@ -95,6 +96,9 @@ std::vector<Hint> hints_of(const Player& player) {
     else if (found->markup.find(label) == std::string::npos)
       found->markup += " or " + label;
   }
+  const Scene& scene = player.scene();
+  if (!player.lesson().flat && !scene.chart && !scene.items.empty())
+    hints.push_back({Role::muted, hints.empty() ? "drag to turn" : "drag elsewhere to turn", true});
   return hints;
 }
 
@@ -103,7 +107,7 @@ float hints_height(const std::vector<Hint>& hints) { return 32 * static_cast<flo
 void draw_hints(Session& s, const std::vector<Hint>& hints, float x, float y, float width) {
   ImGui::PushClipRect({x, y}, {x + width, y + hints_height(hints)}, true);
   for (const Hint& hint : hints) {
-    handle_sign(x + 9, y + 16, s.ui.palette.theme.ink(hint.role));
+    (hint.turns ? turn_sign : handle_sign)(x + 9, y + 16, s.ui.palette.theme.ink(hint.role));
     rich_line(s.ui, {.markup = hint.markup, .colour = s.ui.palette.muted}, x + 28, y + 16);
     y += 32;
   }

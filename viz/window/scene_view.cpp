@@ -26,9 +26,10 @@ std::string line_of(const Session& s, const Rect& r, double scale) {
 }
 
 /// What a chart leaves to the chips above it, where the scene's are drawn over.
-double head_of(const Session& s) {
+double head_of(Session& s, double scene_width) {
   if (!s.player.scene().chart) return 0;
-  return (s.player.step().verdict.text.empty() ? 12 : 64) + (s.player.methods_differ() && !s.player.asked() ? 40 : 0);
+  const float verdict = verdict_height(s, static_cast<float>(scene_width));
+  return (verdict > 0 ? verdict + 28 : 12) + (s.player.methods_differ() && !s.player.asked() ? 40 : 0);
 }
 
 /// The map of cases that this step shows, if any.
@@ -41,11 +42,11 @@ bool same_handle(const Handle& a, const Handle& b) { return a.parameter == b.par
 
 }  // namespace
 
-void SceneView::draw(const Session& s, const Rect& r, const View& view) {
+void SceneView::draw(Session& s, const Rect& r, const View& view) {
   const std::string wanted = line_of(s, r, scale_);
   if (wanted == drawn_) return;
   const Theme& theme = s.ui.palette.theme;
-  const double head = head_of(s);
+  const double head = head_of(s, view.width());
   const View own(view.camera(), view.width(), view.height() - head, {0, head});
   Drawing drawing{view.width(), view.height(), theme.background, {}};
   drawing.shapes = compose(s.player.scene(), own, theme, true).shapes;
@@ -79,7 +80,7 @@ void SceneView::drag_held(Session& s, const View& view) {
 /// The setting follows the pointer over the map.
 void SceneView::drag_case(Session& s, const View& view, bool hovered) {
   const Cases& cases = *map_of(s);
-  const Vec2 head(0, head_of(s));
+  const Vec2 head(0, head_of(s, view.width()));
   const Box2 plane = plane_of(cases, view.corner() + head, view.width(), view.height() - head.y(), s.ui.palette.theme);
   const Vec2 share = (mouse() - plane.lo).cwiseQuotient(plane.hi - plane.lo);
   const bool inside = (share.array() >= 0).all() && (share.array() <= 1).all();
@@ -173,6 +174,7 @@ void SceneView::show(Session& s, const Rect& r) {
   const View before(s.player.camera().now(), r.width(), r.height(), corner);
 
   if (!s.player.lesson().flat && !s.player.scene().chart) projection_name(s, r);
+  changed_mark(s, r);
   ImGui::SetCursorScreenPos(top_left(r));
   ImGui::InvisibleButton("picture", {r.width(), r.height()},
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
@@ -202,6 +204,7 @@ void SceneView::show(Session& s, const Rect& r) {
   const bool in_space = !s.player.scene().chart;
   if (in_space) tripod(s, view, r);
   if (in_space && !s.player.lesson().flat) projection_text(s, r);
+  changed_text(s, r);
   toast(s, r);
   ImGui::End();
 }

@@ -20,7 +20,7 @@ class SceneView {
   void invalidate() { drawn_.clear(); }
 
  private:
-  void draw(const Session&, const Rect&, const View&);
+  void draw(Session&, const Rect&, const View&);
   void pointer(Session&, const View&, bool hovered, bool active);
   void wheel(Session&, const View&);
   void keyboard(Session&, const View&);

@@ -49,6 +49,30 @@ std::optional<Place> place_field(const Json& from, const std::vector<const Lesso
   }
 }
 
+std::map<std::string, Score> scores_field(const Json& from) {
+  std::map<std::string, Score> scores;
+  const auto found = from.find("scores");
+  if (found == from.end() || !found->is_object()) return scores;
+  for (const auto& lesson : found->items()) {
+    if (!lesson.value().is_object()) continue;
+    Score& score = scores[lesson.key()];
+    score.finished = field(lesson.value(), "finished", false);
+    const Json answers = lesson.value().value("answers", Json::object());
+    if (!answers.is_object()) continue;
+    for (const auto& answer : answers.items())
+      if (answer.value().is_boolean()) score.answers[answer.key()] = answer.value().get<bool>();
+  }
+  return scores;
+}
+
+Json json_of(const std::map<std::string, Score>& scores) {
+  Json all = Json::object();
+  for (const auto& [lesson, score] : scores)
+    if (score.finished || !score.answers.empty())
+      all[lesson] = {{"finished", score.finished}, {"answers", score.answers}};
+  return all;
+}
+
 /// Empty if it is no JSON object.
 Json parsed(const std::string& file) {
   try {
@@ -81,7 +105,15 @@ Settings read_settings(const std::string& file, const std::vector<const Lesson*>
   s.speed = std::clamp(field(json, "speed", s.speed), 0.5, 2.0);
   s.width = size_field(json, "width", least_width, s.width);
   s.height = size_field(json, "height", least_height, s.height);
+  const double cm = field(json, "save_width_cm", s.save_width_cm);
+  if (cm >= least_width_cm && cm <= most_width_cm) s.save_width_cm = cm;
   s.place = place_field(json, lessons);
+  s.scores = scores_field(json);
+  s.recent = field(json, "recent", s.recent);
+  std::erase_if(s.recent, [&](const std::string& id) {
+    return std::ranges::none_of(lessons, [&](const Lesson* l) { return l->id == id; });
+  });
+  if (s.recent.size() > recent_kept) s.recent.resize(recent_kept);
   return s;
 }
 
@@ -105,7 +137,10 @@ void write_settings(const std::string& file, const Settings& s) {
                {"parameters_open", s.parameters_open},
                {"speed", s.speed},
                {"width", s.width},
-               {"height", s.height}};
+               {"height", s.height},
+               {"save_width_cm", s.save_width_cm},
+               {"recent", s.recent},
+               {"scores", json_of(s.scores)}};
   if (s.place) json["place"] = Json::parse(to_json(*s.place));
   write_file(file, json.dump(2) + "\n");
 }

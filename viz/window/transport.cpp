@@ -93,9 +93,12 @@ void transport(Session& s, const Rect& r) {
   const float y = r.top + 58, middle = std::round(r.middle_x());
   const std::string where = "Step " + std::to_string(player.index() + 1) + " of " + std::to_string(player.count());
   const float end = 24 + text(ui.fonts.body, 24, y, packed(ui.palette.text), where);
-  ImGui::PushClipRect({end, r.top}, {middle - 136, r.bottom}, true);
-  rich_line(ui, {.markup = player.step().title, .colour = ui.palette.muted}, end + 24, y);
-  ImGui::PopClipRect();
+  const Paragraph title{.markup = player.step().title, .colour = ui.palette.muted};
+  const float room = middle - 136 - (end + 24);
+  if (ui.texts.of(title).size.x <= room)
+    rich_line(ui, title, end + 24, y);
+  else if (room > 60)
+    text(ui.fonts.body, end + 24, y, packed(ui.palette.muted), fitted(ui.fonts.body, plain(title.markup), room));
   buttons(s, middle, y);
   key_hints(ui, r.right - 24, r.right - 24 - (middle + 200), y);
   ImGui::End();

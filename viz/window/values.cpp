@@ -33,7 +33,7 @@ float card_height(const Ui& ui, const Comparison& c, float width) {
 }
 
 /// A bar scale that several values share: where zero lies and what fills it.
-struct Scale {
+struct BarScale {
   double lo = 0, hi = 0;
   void take(double value) {
     if (!std::isfinite(value)) return;
@@ -48,14 +48,14 @@ struct Scale {
   }
 };
 
-std::map<std::string, Scale> scales_of(const Step& step) {
-  std::map<std::string, Scale> scales;
+std::map<std::string, BarScale> scales_of(const Step& step) {
+  std::map<std::string, BarScale> scales;
   for (const Value& v : step.values)
     if (!v.unit.empty()) scales[v.unit].take(v.value);
   return scales;
 }
 
-void bar(const Ui& ui, const Scale& scale, const Value& v, float x0, float x1, float y) {
+void bar(const Ui& ui, const BarScale& scale, const Value& v, float x0, float x1, float y) {
   filled({x0, y - 4, x1, y + 4}, ui.palette.card, 4);
   const float zero = scale.at(0, x0, x1), end = scale.at(v.value, x0, x1);
   const float left = std::min(zero, end), right = std::max(zero, end);
@@ -80,7 +80,7 @@ float number_column(const Ui& ui, const Step& step, const Rect& r) {
   return r.left + std::min(column, r.width() - 10 - room_for_new(step));
 }
 
-void value_row(Session& s, const Value& v, const std::map<std::string, Scale>& scales, const Rect& r) {
+void value_row(Session& s, const Value& v, const std::map<std::string, BarScale>& scales, const Rect& r) {
   Ui& ui = s.ui;
   const Palette& c = ui.palette;
   const float y = r.middle_y(), number = number_column(ui, s.player.step(), r);
@@ -127,7 +127,7 @@ void comparison_card(Session& s, const Comparison& comparison, const Rect& r) {
   }
   s.ui.rects["meaning"] = {x0, r.top + 8, x1, bar_y - 10};
 
-  Scale scale;
+  BarScale scale;
   scale.take(comparison.left);
   scale.take(comparison.right);
   const float zero = scale.at(0, x0, x1), left = scale.at(comparison.left, x0, x1);
@@ -159,7 +159,7 @@ void values_block(Session& s, const Rect& r, float pitch) {
     rule(ui, r.left + 10, r.right - 10, y + 5);
     text(ui.fonts.bold, r.left + 10, y + 22, packed(ui.palette.text), "Values");
     y += heading;
-    const std::map<std::string, Scale> scales = scales_of(step);
+    const std::map<std::string, BarScale> scales = scales_of(step);
     for (const Value& v : step.values) {
       value_row(s, v, scales, {r.left, y, r.right, y + pitch});
       y += pitch;

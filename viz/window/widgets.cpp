@@ -48,6 +48,16 @@ float text_width(ImFont* font, const std::string& s) {
   return font->CalcTextSizeA(font->FontSize * font->Scale, FLT_MAX, 0, s.c_str()).x;
 }
 
+std::string fitted(ImFont* font, const std::string& s, float room) {
+  if (text_width(font, s) <= room) return s;
+  std::string part = s;
+  do {
+    while (!part.empty() && (static_cast<unsigned char>(part.back()) & 0xC0) == 0x80) part.pop_back();  // of one sign
+    if (!part.empty()) part.pop_back();
+  } while (!part.empty() && (part.back() == ' ' || text_width(font, part + "…") > room));
+  return part + "…";
+}
+
 float text(ImFont* font, float x, float y, ImU32 colour, const std::string& s, float align) {
   const float size = font->FontSize * font->Scale;
   const float width = text_width(font, s);
@@ -184,6 +194,13 @@ void handle_sign(float x, float y, const Colour& colour) {
   list().AddCircleFilled({x, y}, 8.5f, packed(colour, 0.25), 24);
   list().AddCircle({x, y}, 8.5f, packed(colour), 24, 1.2f);
   list().AddCircleFilled({x, y}, 3.8f, packed(colour), 16);
+}
+
+void turn_sign(float x, float y, const Colour& colour) {
+  list().PathArcTo({x, y}, 7, -2.6f, 1.9f, 20);
+  list().PathStroke(packed(colour), 0, 1.5f);
+  const ImVec2 tip{x + 7 * std::cos(2.25f), y + 7 * std::sin(2.25f)};
+  list().AddTriangleFilled({tip.x - 2.5f, tip.y - 3}, {tip.x + 4, tip.y - 2}, {tip.x + 1, tip.y + 4}, packed(colour));
 }
 
 void logo(const Ui& ui, float x, float y) {

@@ -34,6 +34,8 @@ inline ImVec2 bottom_right(const Rect& r) { return {r.right, r.bottom}; }
 /// One line of plain text; `y` is its middle; align 0 left, 0.5 middle, 1 right. Returns its width.
 float text(ImFont*, float x, float y, ImU32, const std::string&, float align = 0);
 float text_width(ImFont*, const std::string&);
+/// The text, or what of it fits into `room`, with "…" for the rest.
+std::string fitted(ImFont*, const std::string&, float room);
 
 /// Rich text from its top left corner. Returns its size.
 ImVec2 rich(Ui&, const Paragraph&, ImVec2 at);
@@ -72,6 +74,8 @@ void diamond(float x, float y, float size, ImU32);
 void caret(float x, float y, bool open, ImU32);
 /// A handle's sign: a disc in a ring.
 void handle_sign(float x, float y, const Colour&);
+/// An arrow that goes round.
+void turn_sign(float x, float y, const Colour&);
 /// isect's mark: a ray through a ball, green where they meet.
 void logo(const Ui&, float x, float y);
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "viz/closing.h"
 #include "viz/files.h"
 #include "viz/rich_text.h"
 #include "viz/window/key_codes.h"
@@ -44,6 +45,32 @@ UiFonts fonts_at(double scale) {
 
 }  // namespace
 
+namespace {
+
+/// What was answered, and that a lesson was read to its end.
+void keep_score(Session& s) {
+  const Player& player = s.player;
+  Score& score = s.settings.scores[player.lesson().id];
+  if (const auto answered = player.answered()) {
+    std::string name = player.method() + "/" + player.step().slug;
+    std::erase_if(name, [](char c) { return c >= '0' && c <= '9'; });  // one question, however often a loop asks it
+    score.answers[name] = answered->right();
+  }
+  if (player.step().slug == closing_slug) score.finished = true;
+}
+
+/// The lessons last opened, the one on show first.
+void keep_recent(Session& s) {
+  std::vector<std::string>& recent = s.settings.recent;
+  const std::string& id = s.player.lesson().id;
+  if (!recent.empty() && recent.front() == id) return;
+  std::erase(recent, id);
+  recent.insert(recent.begin(), id);
+  if (recent.size() > recent_kept) recent.resize(recent_kept);
+}
+
+}  // namespace
+
 struct WindowUi::Impl {
   Impl(const std::vector<const Lesson*>& lessons, const Place& at, Renderer& gl, const Settings& kept,
        const WindowOptions& options)
@@ -51,16 +78,19 @@ struct WindowUi::Impl {
         player(lessons, at, options.reduced_motion),
         settings(kept),
         ui{palette(kept.theme), fonts_at(options.scale), TextTextures(options.scale)},
-        session{.player = player, .ui = ui, .settings = settings, .figures = options.figures},
+        course(options.course),
+        session{.player = player, .ui = ui, .settings = settings, .course = course, .figures = options.figures},
         scene(gl, options.scale) {
     player.set_speed(kept.speed);
   }
 
   void save() {
     try {
-      session.say("Saved " + save_figure(player, settings, renderer, session.figures));
+      session.say("Saved " + save_figure(player, settings, renderer, session.figures) + ", with its alt text");
     } catch (const FileError& failed) {
       session.complain(failed.what());
+    } catch (const BadInput& too_narrow) {
+      session.complain(too_narrow.what());
     }
     scene.invalidate();
   }
@@ -78,6 +108,7 @@ struct WindowUi::Impl {
   Player player;
   Settings settings;
   Ui ui;
+  Course course;
   Session session;
   SceneView scene;
 };
@@ -120,6 +151,8 @@ void WindowUi::frame() {
   sheets(w.session, {0, 0, io.DisplaySize.x, io.DisplaySize.y});
   focus_ring(w.ui);
   w.ui.focus.end_frame();
+  keep_score(w.session);
+  keep_recent(w.session);
   ImGui::PopFont();
   ImGui::Render();
 

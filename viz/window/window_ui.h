@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "viz/course.h"
 #include "viz/renderer.h"
 #include "viz/window/session.h"
 
@@ -13,6 +14,7 @@ struct WindowOptions {
   double scale = 1;             ///< framebuffer pixels per px of the layout
   bool reduced_motion = false;  ///< the camera arrives at once
   std::string figures = "figures";
+  Course course = {};
 };
 
 class WindowUi {
