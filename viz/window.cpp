@@ -21,7 +21,9 @@ namespace {
 #if IMGUI_VERSION_NUM < 18700
 static_assert(key::right == GLFW_KEY_RIGHT && key::left == GLFW_KEY_LEFT && key::home == GLFW_KEY_HOME &&
               key::end == GLFW_KEY_END && key::escape == GLFW_KEY_ESCAPE && key::enter == GLFW_KEY_ENTER &&
-              key::tab == GLFW_KEY_TAB && key::f1 == GLFW_KEY_F1 && key::f12 == GLFW_KEY_F12 && key::z == GLFW_KEY_Z);
+              key::tab == GLFW_KEY_TAB && key::f1 == GLFW_KEY_F1 && key::f12 == GLFW_KEY_F12 &&
+              key::minus == GLFW_KEY_MINUS && key::equal == GLFW_KEY_EQUAL && key::keypad_plus == GLFW_KEY_KP_ADD &&
+              key::f11 == GLFW_KEY_F11 && key::z == GLFW_KEY_Z);
 #endif
 
 std::string glfw_words() {
@@ -70,8 +72,25 @@ class Window {
   struct Size {
     int width, height;
   };
-  /// In px of the layout, whatever the screen's density.
+  /// Goes to the whole of the first screen, and back to where it was.
+  void fill_screen(bool wanted) {
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+    if (wanted == filling_ || !mode) return;
+    if (wanted) {
+      before_ = size();
+      glfwGetWindowPos(handle_, &x_, &y_);
+      glfwGetWindowSize(handle_, &width_, &height_);
+      glfwSetWindowMonitor(handle_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+    } else {
+      glfwSetWindowMonitor(handle_, nullptr, x_, y_, width_, height_, GLFW_DONT_CARE);
+    }
+    filling_ = wanted;
+  }
+
+  /// In px of the layout, whatever the screen's density; of a window that fills the screen, as it was before.
   Size size() const {
+    if (filling_) return before_;
     int across = 0, down = 0;
     glfwGetFramebufferSize(handle_, &across, &down);
     return {static_cast<int>(std::lround(across / scale())), static_cast<int>(std::lround(down / scale()))};
@@ -94,6 +113,9 @@ class Window {
   }
 
   GLFWwindow* handle_ = nullptr;
+  bool filling_ = false;
+  Size before_ = {};
+  int x_ = 0, y_ = 0, width_ = 0, height_ = 0;  ///< before it filled the screen, in GLFW's coordinates
 };
 
 /// Dear ImGui's input from GLFW. Keys wait in a queue, since Dear ImGui sees what is down in a frame and
@@ -138,11 +160,13 @@ class Input {
 
   static bool is_modifier(int code) { return code >= GLFW_KEY_LEFT_SHIFT && code <= GLFW_KEY_RIGHT_SUPER; }
 
-  /// GLFW numbers letters by their place on a US keyboard; Ctrl+Z means the key that says Z.
+  /// GLFW numbers keys by their place on a US keyboard; Ctrl+Z means the key that says Z, Ctrl++ the one that says +.
   static int by_layout(int code, int scancode) {
-    if (code < GLFW_KEY_A || code > GLFW_KEY_Z) return code;
+    if (code <= GLFW_KEY_SPACE || code > GLFW_KEY_GRAVE_ACCENT) return code;
     const char* name = glfwGetKeyName(code, scancode);
-    return name && name[0] >= 'a' && name[0] <= 'z' && !name[1] ? name[0] - 'a' + GLFW_KEY_A : code;
+    if (!name || !name[0] || name[1]) return code;
+    if (name[0] >= 'a' && name[0] <= 'z') return name[0] - 'a' + GLFW_KEY_A;
+    return name[0] == '+' || name[0] == '-' || name[0] == '=' || name[0] == '0' ? name[0] : code;
   }
 
   GLFWwindow* window_;
@@ -163,7 +187,7 @@ void to_layout(GLFWwindow* window, double scale) {
   io.MousePos = {io.MousePos.x * to_px, io.MousePos.y * to_px};
 }
 
-void run(Window& window, Input& input, WindowUi& ui, double scale, const EndSignals& signals) {
+void run(Window& window, Input& input, WindowUi& ui, const EndSignals& signals) {
   constexpr int settle = 3;  // frames that Dear ImGui may need to answer an event
   int frames_due = settle;
   std::string title;
@@ -179,11 +203,12 @@ void run(Window& window, Input& input, WindowUi& ui, double scale, const EndSign
     }
     --frames_due;
     input.new_frame();
-    to_layout(window.handle(), scale);
+    to_layout(window.handle(), ui.scale());
     if (ImGui::GetIO().DisplaySize.x < 1 || ImGui::GetIO().DisplaySize.y < 1) continue;  // minimised
     ui.frame();
     ui.draw();
     glfwSwapBuffers(window.handle());
+    window.fill_screen(ui.full_screen());
     if (ui.title() != title) glfwSetWindowTitle(window.handle(), (title = ui.title()).c_str());
   }
 }
@@ -214,7 +239,7 @@ void show(const std::vector<const Lesson*>& lessons, const Course& course, const
     ui.complain(damage);
   }
   Input input(window.handle());
-  run(window, input, ui, scale, signals);
+  run(window, input, ui, signals);
   keep(file, ui.settings(), window);
 }
 

@@ -4,6 +4,7 @@
 
 #include <imgui.h>
 
+#include <cmath>
 #include <cstring>
 #include <functional>
 #include <stdexcept>
@@ -123,7 +124,9 @@ class WindowDriver {
   /// What the window looks like now.
   Picture picture() {
     const ImGuiIO& io = ImGui::GetIO();
-    const int width = static_cast<int>(io.DisplaySize.x * scale_), height = static_cast<int>(io.DisplaySize.y * scale_);
+    const double scale = ui.scale();
+    const int width = static_cast<int>(std::lround(io.DisplaySize.x * scale));
+    const int height = static_cast<int>(std::lround(io.DisplaySize.y * scale));
     const FrameTarget target(width, height);
     ui.draw(target.framebuffer());
 

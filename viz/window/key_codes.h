@@ -27,6 +27,13 @@ enum Code : int {
   f6 = 295,
   f11 = 300,
   f12 = 301,
+  zero = '0',
+  minus = '-',
+  equal = '=',
+  plus = '+',
+  keypad_0 = 320,
+  keypad_minus = 333,
+  keypad_plus = 334,
   keypad_enter = 335,
   a = 'A',
   c = 'C',
@@ -72,7 +79,9 @@ inline constexpr Code tab = ImGuiKey_Tab, left = ImGuiKey_LeftArrow, right = ImG
                       backspace = ImGuiKey_Backspace, space = ImGuiKey_Space, enter = ImGuiKey_Enter,
                       escape = ImGuiKey_Escape, keypad_enter = ImGuiKey_KeypadEnter, f1 = ImGuiKey_F1, f6 = ImGuiKey_F6,
                       f11 = ImGuiKey_F11, f12 = ImGuiKey_F12, a = ImGuiKey_A, c = ImGuiKey_C, o = ImGuiKey_O,
-                      q = ImGuiKey_Q, v = ImGuiKey_V, x = ImGuiKey_X, y = ImGuiKey_Y, z = ImGuiKey_Z;
+                      q = ImGuiKey_Q, zero = ImGuiKey_0, minus = ImGuiKey_Minus, equal = ImGuiKey_Equal,
+                      plus = ImGuiKey_Equal, keypad_0 = ImGuiKey_Keypad0, keypad_minus = ImGuiKey_KeypadSubtract,
+                      keypad_plus = ImGuiKey_KeypadAdd, v = ImGuiKey_V, x = ImGuiKey_X, y = ImGuiKey_Y, z = ImGuiKey_Z;
 
 inline void map() {}
 #endif

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "viz/window/key_codes.h"
 #include "viz/window/panels.h"
@@ -27,6 +28,11 @@ void with_control(Session& s) {
   }
   if (pressed(key::v)) paste(s);
   if (pressed(key::q)) s.close = true;
+  double& size = s.settings.size;
+  if (pressed(key::plus, true) || pressed(key::equal, true) || pressed(key::keypad_plus, true)) size += 0.1;
+  if (pressed(key::minus, true) || pressed(key::keypad_minus, true)) size -= 0.1;
+  if (pressed(key::zero) || pressed(key::keypad_0)) size = 1;
+  size = std::clamp(std::round(10 * size) / 10, least_size, most_size);
   if (!pressed(key::c)) return;
   ImGui::SetClipboardText(to_json(s.player.place()).c_str());
   s.say("State copied as JSON");
@@ -67,6 +73,7 @@ void moving_keys(Session& s) {
   if (pressed(key::tab)) s.panels = !s.panels;
   if (pressed(key::f1)) s.open_next = Sheet::keys;
   if (pressed(key::f12)) s.open_next = Sheet::save;
+  if (pressed(key::f11)) s.full_screen = !s.full_screen;
 }
 
 void load_number(Session& s, std::size_t number) {

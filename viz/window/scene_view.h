@@ -18,6 +18,7 @@ class SceneView {
   void show(Session&, const Rect&);
   /// Draws anew in the next frame: the renderer was used for something else.
   void invalidate() { drawn_.clear(); }
+  void rescale(double scale) { scale_ = scale; }
 
  private:
   void draw(Session&, const Rect&, const View&);

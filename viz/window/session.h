@@ -17,6 +17,8 @@ namespace isect::viz {
 
 /// The least window, in px of the layout.
 constexpr int least_width = 800, least_height = 500;
+/// Of everything, for a lecture hall, say.
+constexpr double least_size = 0.5, most_size = 4;
 /// Of a figure on paper.
 constexpr double least_width_cm = 2, most_width_cm = 60;
 
@@ -38,6 +40,7 @@ struct Settings {
   bool parameters_open = false;
   double speed = 1;
   int width = 1280, height = 800;  ///< px of the layout, whatever the screen's density
+  double size = 1;                 ///< of everything
   double save_width_cm = 0;        ///< of a saved figure on paper; 0: a picture for a screen
   std::optional<Place> place = {};
   std::map<std::string, Score> scores = {};  ///< by lesson
@@ -64,10 +67,11 @@ struct Session {
   const Course& course;
   std::string figures;  ///< folder for saved figures
   bool panels = true;
-  Sheet open_next = Sheet::none;             ///< asked for by a key or a button, opened at the end of the frame
-  bool save_now = false;                     ///< this frame's figure shall become a file
-  bool save_preset = false;                  ///< the setting shall become a preset file
-  bool close = false;                        ///< the reader wants to leave
+  Sheet open_next = Sheet::none;  ///< asked for by a key or a button, opened at the end of the frame
+  bool save_now = false;          ///< this frame's figure shall become a file
+  bool save_preset = false;       ///< the setting shall become a preset file
+  bool close = false;             ///< the reader wants to leave
+  bool full_screen = false;
   std::string search = {};                   ///< words in the picker, or among the terms
   std::vector<std::string> presets = {};     ///< files of saved presets, as the picker found them
   float fields_height = 0;                   ///< of the parameters' fields, as the last frame found it

@@ -4,6 +4,7 @@
 #include <imgui_impl_opengl3.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -77,6 +78,7 @@ struct WindowUi::Impl {
       : renderer(gl),
         player(lessons, at, options.reduced_motion),
         settings(kept),
+        density(options.scale),
         ui{palette(kept.theme), fonts_at(options.scale), TextTextures(options.scale)},
         course(options.course),
         session{.player = player, .ui = ui, .settings = settings, .course = course, .figures = options.figures},
@@ -103,10 +105,35 @@ struct WindowUi::Impl {
     }
   }
 
+  /// The size that is wanted, as far as the least layout fits into the window.
+  double fitting_size() const {
+    const ImGuiIO& io = ImGui::GetIO();
+    const double across = io.DisplaySize.x * size / least_width, down = io.DisplaySize.y * size / least_height;
+    return std::min(settings.size, std::max(1.0, std::floor(10 * std::min(across, down) + 1e-3) / 10));
+  }
+
+  void resize() {
+    const double now = fitting_size();
+    if (now == size) return;
+    ImGuiIO& io = ImGui::GetIO();
+    const float by = static_cast<float>(size / now), scale = static_cast<float>(density * now);
+    size = now;
+    io.Fonts->Clear();
+    ui.fonts = load_fonts(scale);
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+    ui.texts.rescale(scale);
+    scene.rescale(scale);
+    io.DisplaySize = {io.DisplaySize.x * by, io.DisplaySize.y * by};
+    io.DisplayFramebufferScale = {scale, scale};
+    if (io.MousePos.x > -1e6f) io.MousePos = {io.MousePos.x * by, io.MousePos.y * by};
+  }
+
   ImGuiScope imgui;
   Renderer& renderer;
   Player player;
   Settings settings;
+  double density, size = 1;
   Ui ui;
   Course course;
   Session session;
@@ -122,6 +149,7 @@ WindowUi::~WindowUi() = default;
 void WindowUi::frame() {
   Impl& w = *impl_;
   ImGui::SetCurrentContext(w.imgui.context);
+  w.resize();
   const ImGuiIO& io = ImGui::GetIO();
   w.ui.palette = palette(w.settings.theme);
   dress(w.ui.palette);
@@ -189,6 +217,9 @@ double WindowUi::rest() const {
   if (impl_->session.toast.seconds_left > 0) rest = std::min(rest, impl_->session.toast.seconds_left);
   return rest;
 }
+
+double WindowUi::scale() const { return impl_->density * impl_->size; }
+bool WindowUi::full_screen() const { return impl_->session.full_screen; }
 
 bool WindowUi::wants_to_close() const { return impl_->session.close; }
 

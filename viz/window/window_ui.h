@@ -11,7 +11,7 @@
 namespace isect::viz {
 
 struct WindowOptions {
-  double scale = 1;             ///< framebuffer pixels per px of the layout
+  double scale = 1;             ///< the screen's density: framebuffer pixels per px of the layout, at size 1
   bool reduced_motion = false;  ///< the camera arrives at once
   std::string figures = "figures";
   Course course = {};
@@ -35,6 +35,10 @@ class WindowUi {
 
   /// The window's title: lesson, preset, "step 3 of 12".
   std::string title() const;
+  /// Framebuffer pixels per px of the layout now. A frame that changes it changes io.DisplaySize and the pointer's
+  /// place accordingly.
+  double scale() const;
+  bool full_screen() const;
   /// Seconds until something changes by itself: 0 while it moves, infinity where all is at rest.
   double rest() const;
   /// Ctrl+Q was pressed.
