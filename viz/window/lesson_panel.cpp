@@ -13,16 +13,19 @@ namespace {
 
 constexpr float margin = 20;
 
+/// The formula as large as it fits on one line; on several lines where it would be hard to read.
 void formula_card(Column& c, const std::string& markup) {
   Ui& ui = c.s.ui;
-  constexpr float height = 60;
-  Paragraph p{.markup = markup, .size = 24, .line_pitch = 30, .math = true, .colour = ui.palette.text};
+  constexpr double largest = 24, least = 17;
+  Paragraph p{.markup = markup, .size = largest, .line_pitch = 30, .math = true, .colour = ui.palette.text};
   const float room = c.width - 24, natural = ui.texts.of(p).size.x;
-  if (natural > room) p.size = std::max(13.0, std::floor(p.size * room / natural));
+  if (natural > room) p.size = std::max(least, std::floor(p.size * room / natural));
+  if (ui.texts.of(p).size.x > room) p.width = room, p.size = least - 1, p.line_pitch = 25;
+  const ImVec2 size = ui.texts.of(p).size;
+  const float height = std::max(60.0f, size.y + 24);
   filled({c.x, c.y, c.x + c.width, c.y + height}, ui.palette.card, 8);
-  ImGui::PushClipRect({c.x + 6, c.y}, {c.x + c.width - 6, c.y + height}, true);
-  rich_line(ui, p, c.x + c.width / 2, c.y + height / 2, 0.5f);
-  ImGui::PopClipRect();
+  const float left = p.width > 0 ? c.x + 12 : c.x + (c.width - size.x) / 2;
+  rich(ui, p, {left, c.y + (height - size.y) / 2});
   c.y += height;
 }
 
@@ -85,7 +88,7 @@ struct Hint {
 };
 std::vector<Hint> hints_of(const Player& player) {
   std::vector<Hint> hints;
-  if (player.step().slug == case_map_slug) hints.push_back({Role::text, "drag the setting over the map"});
+  if (player.step().slug == case_map_slug) hints.push_back({Role::text, "drag over the map"});
   for (const Handle& h : player.scene().handles) {
     std::string label = h.parameter;
     for (const Parameter& p : player.lesson().parameters)

@@ -117,7 +117,8 @@ float choice(Session& s, const Parameter& p, const std::string& value, const Rec
     std::string title = c;
     for (const Method& m : s.player.methods())
       if (p.name == s.player.lesson().group_by && m.choice == c) title = plain(m.title);
-    const float width = text_width(s.ui.fonts.small, title) + 18;
+    const float width = std::min(text_width(s.ui.fonts.small, title) + 18, r.width());
+    title = fitted(s.ui.fonts.small, title, width - 18);
     if (x > r.left && x + width > r.right) {
       x = r.left;
       y += 30;

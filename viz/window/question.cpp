@@ -16,6 +16,16 @@ struct Choice {
   bool open, right, chosen;
 };
 
+/// What a button keeps free of words: the key, or the sign, at its left.
+constexpr float beside = 26;
+
+/// On one line if there is room, else on several.
+Paragraph choice_words(Ui& ui, const std::string& markup, float width, const Colour& colour) {
+  Paragraph words{.markup = markup, .line_pitch = 21, .colour = colour};
+  if (ui.texts.of(words).size.x > width - beside - 6) words.width = width - beside - 6;
+  return words;
+}
+
 bool choice_button(Ui& ui, const Choice& choice, const Rect& r) {
   const Palette& c = ui.palette;
   const Press p = press(ui, choice.name, r);
@@ -27,7 +37,10 @@ bool choice_button(Ui& ui, const Choice& choice, const Rect& r) {
   if (!choice.open && choice.right) tick(r.left + 13, y, 11, packed(c.hit));
   if (!choice.open && !choice.right && choice.chosen) cross(r.left + 13, y, 11, packed(c.miss));
   const bool quiet = !choice.open && !choice.right && !choice.chosen;
-  rich_line(ui, {.markup = choice.markup, .colour = quiet ? c.muted : c.text}, r.middle_x() + 7, y, 0.5f);
+  const Paragraph words = choice_words(ui, choice.markup, r.width(), quiet ? c.muted : c.text);
+  const ImVec2 size = ui.texts.of(words).size;
+  const float left = words.width > 0 ? r.left + beside : r.middle_x() + 7 - size.x / 2;
+  rich(ui, words, {left, y - size.y / 2});
   return p.clicked && choice.open;
 }
 
@@ -43,13 +56,14 @@ int choices(Column& c, const Question& question, int given) {
   int pressed = -1;
   for (int i = 0; i < n; ++i) {
     const float x = in_a_row ? c.x + static_cast<float>(i) * (share + 8) : c.x;
-    const Rect r{x, c.y, x + (in_a_row ? share : c.width), c.y + 36};
+    const float width = in_a_row ? share : c.width;
+    const float lines = ui.texts.of(choice_words(ui, question.choices[i], width, ui.palette.text)).size.y;
+    const Rect r{x, c.y, x + width, c.y + std::max(36.0f, lines + 12)};
     const Choice choice{"choice " + std::to_string(i), question.choices[i], static_cast<char>('A' + i), given < 0,
                         i == question.answer,          i == given};
     if (choice_button(ui, choice, r)) pressed = i;
-    if (!in_a_row && i + 1 < n) c.y += 42;
+    if (!in_a_row || i + 1 == n) c.y = r.bottom + (i + 1 < n ? 6.0f : 0.0f);
   }
-  c.y += 36;
   return pressed;
 }
 

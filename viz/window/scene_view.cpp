@@ -44,7 +44,7 @@ bool same_handle(const Handle& a, const Handle& b) { return a.parameter == b.par
 
 void SceneView::draw(Session& s, const Rect& r, const View& view) {
   const std::string wanted = line_of(s, r, scale_);
-  if (wanted == drawn_) return;
+  if (wanted == drawn_ || !drawing_) return;
   const Theme& theme = s.ui.palette.theme;
   const double head = head_of(s, view.width());
   const View own(view.camera(), view.width(), view.height() - head, {0, head});

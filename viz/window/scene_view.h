@@ -12,7 +12,8 @@ namespace isect::viz {
 class SceneView {
  public:
   /// `scale`: framebuffer pixels per px of the layout.
-  SceneView(Renderer& renderer, double scale) : renderer_(renderer), scale_(scale) {}
+  SceneView(Renderer& renderer, double scale, bool drawing = true)
+      : renderer_(renderer), scale_(scale), drawing_(drawing) {}
 
   /// Draws the scene with what lies over it, and does what the pointer asks for.
   void show(Session&, const Rect&);
@@ -31,6 +32,7 @@ class SceneView {
 
   Renderer& renderer_;
   double scale_;
+  bool drawing_;
   std::string drawn_;           ///< what the texture shows, as one line; drawing it again is saved
   std::optional<Handle> held_;  ///< while a handle is dragged: the handle as it is now
   bool on_map_ = false;         ///< while the setting is dragged on the map of cases

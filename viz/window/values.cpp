@@ -85,10 +85,12 @@ void value_row(Session& s, const Value& v, const std::map<std::string, BarScale>
   const Palette& c = ui.palette;
   const float y = r.middle_y(), number = number_column(ui, s.player.step(), r);
   const float room = number - text_width(ui.fonts.mono, shown(v.value)) - 8 - (r.left + 10);
-  const bool long_name = text_width(ui.fonts.mono, plain(v.name)) > room;
-  ImGui::PushClipRect({r.left + 10, r.top}, {r.left + 10 + room, r.bottom}, true);
-  text(long_name ? ui.fonts.mono_small : ui.fonts.mono, r.left + 10, y, packed(c.text), plain(v.name));
-  ImGui::PopClipRect();
+  ImFont* font = ui.fonts.mono;
+  for (ImFont* narrower : {ui.fonts.mono_small, ui.fonts.small})
+    if (text_width(font, plain(v.name)) > room) font = narrower;
+  const std::string name = fitted(font, plain(v.name), room);
+  text(font, r.left + 10, y, packed(c.text), name);
+  if (name != plain(v.name) && ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r))) tooltip(ui, plain(v.name));
   text(ui.fonts.mono, number, y, packed(c.text), shown(v.value), 1);
   if (!v.unit.empty() && ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r)))
     tooltip(ui, "unit: " + plain(v.unit));

@@ -48,6 +48,18 @@ float text_width(ImFont* font, const std::string& s) {
   return font->CalcTextSizeA(font->FontSize * font->Scale, FLT_MAX, 0, s.c_str()).x;
 }
 
+namespace {
+
+/// Tells of words that stand partly beside the part of the window in which they are drawn.
+void tell_if_cut(const std::string& words, float left, float right) {
+  CutWords* const cut = static_cast<CutWords*>(ImGui::GetIO().UserData);
+  if (!cut) return;
+  const ImVec2 lo = list().GetClipRectMin(), hi = list().GetClipRectMax();
+  if (left < lo.x - 1 || right > hi.x + 1) cut->push_back(words);
+}
+
+}  // namespace
+
 std::string fitted(ImFont* font, const std::string& s, float room) {
   if (text_width(font, s) <= room) return s;
   std::string part = s;
@@ -61,6 +73,7 @@ std::string fitted(ImFont* font, const std::string& s, float room) {
 float text(ImFont* font, float x, float y, ImU32 colour, const std::string& s, float align) {
   const float size = font->FontSize * font->Scale;
   const float width = text_width(font, s);
+  tell_if_cut(s, x - align * width, x + (1 - align) * width);
   list().AddText(font, size, {std::round(x - align * width), std::round(y - size / 2)}, colour, s.c_str());
   return width;
 }
@@ -69,6 +82,7 @@ ImVec2 rich(Ui& ui, const Paragraph& p, ImVec2 at) {
   if (p.markup.empty()) return {0, 0};
   const TextImage image = ui.texts.of(p);
   const ImVec2 from{std::round(at.x), std::round(at.y)};
+  tell_if_cut(p.markup, from.x, from.x + image.size.x);
   if (image.texture) list().AddImage(image.texture, from, {from.x + image.size.x, from.y + image.size.y});
   return image.size;
 }

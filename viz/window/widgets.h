@@ -6,6 +6,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "viz/window/focus.h"
 #include "viz/window/layout.h"
@@ -30,6 +31,9 @@ enum class Icon { first, back, play, pause, next, last };
 
 inline ImVec2 top_left(const Rect& r) { return {r.left, r.top}; }
 inline ImVec2 bottom_right(const Rect& r) { return {r.right, r.bottom}; }
+
+/// Words that were cut at a side, for tests: Dear ImGui's user data points at them, if at anything.
+using CutWords = std::vector<std::string>;
 
 /// One line of plain text; `y` is its middle; align 0 left, 0.5 middle, 1 right. Returns its width.
 float text(ImFont*, float x, float y, ImU32, const std::string&, float align = 0);

@@ -82,7 +82,7 @@ struct WindowUi::Impl {
         ui{palette(kept.theme), fonts_at(options.scale), TextTextures(options.scale)},
         course(options.course),
         session{.player = player, .ui = ui, .settings = settings, .course = course, .figures = options.figures},
-        scene(gl, options.scale) {
+        scene(gl, options.scale, options.draw_scene) {
     player.set_speed(kept.speed);
   }
 

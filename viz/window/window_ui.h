@@ -13,6 +13,7 @@ namespace isect::viz {
 struct WindowOptions {
   double scale = 1;             ///< the screen's density: framebuffer pixels per px of the layout, at size 1
   bool reduced_motion = false;  ///< the camera arrives at once
+  bool draw_scene = true;       ///< tests of the layout do without it
   std::string figures = "figures";
   Course course = {};
 };
