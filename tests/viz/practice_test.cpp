@@ -111,6 +111,29 @@ TEST_CASE("a handle stands on what is drawn", "[player]") {
         }
 }
 
+TEST_CASE("every handle is at least 24 px wide, and has its name beside it", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800);
+  for (const Lesson* lesson : lessons::all_lessons()) {
+    window.player().open(*lesson);
+    window.frames(2);
+    for (const Handle& h : window.player().scene().handles) {
+      INFO(lesson->id << ": " << h.parameter);
+      const Rect grip = window.rect("handle " + h.parameter);
+      CHECK((grip.width() >= 24 && grip.height() >= 24));
+      double least = 1e9;
+      for (const PlacedLabel& label : window.ui.labels()) {
+        const double x =
+            std::clamp<double>(grip.middle_x() - window.rect("scene").left, label.box.left, label.box.right);
+        const double y =
+            std::clamp<double>(grip.middle_y() - window.rect("scene").top, label.box.top, label.box.bottom);
+        least = std::min(least, std::hypot(x + window.rect("scene").left - grip.middle_x(),
+                                           y + window.rect("scene").top - grip.middle_y()));
+      }
+      CHECK(least < 110);
+    }
+  }
+}
+
 TEST_CASE("what a step has not changed is not marked as new", "[player]") {
   for (const Lesson* lesson : lessons::all_lessons())
     for (const Preset& p : lesson->presets) {

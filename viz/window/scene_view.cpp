@@ -38,6 +38,35 @@ const Cases* map_of(const Session& s) {
   return scene.chart && s.player.lesson().map ? std::get_if<Cases>(&scene.chart->kind) : nullptr;
 }
 
+bool is_tip(const Scene& scene, const Vec3& at) {
+  return std::ranges::any_of(scene.items, [&](const Item& item) {
+    const Arrow* arrow = std::get_if<Arrow>(&item);
+    return arrow && arrow->to == at;
+  });
+}
+
+/// The scene with a name at each handle that has none. An arrow's name moves from its tip to its handle.
+Scene with_names(const Player& player) {
+  Scene scene = player.scene();
+  for (const Handle& h : scene.handles) {
+    const bool named = std::ranges::any_of(scene.items, [&](const Item& item) {
+      const Label* label = std::get_if<Label>(&item);
+      return label && !label->until && (label->at - h.at).norm() <= 1e-9 * (1 + h.at.norm());
+    });
+    if (named) continue;
+    for (const Parameter& p : player.lesson().parameters)
+      if (p.name == h.parameter) {
+        const std::string name = p.label.empty() ? p.name : p.label;
+        std::erase_if(scene.items, [&](const Item& item) {
+          const Label* label = std::get_if<Label>(&item);
+          return label && label->text == name && is_tip(player.scene(), label->at);
+        });
+        scene.items.emplace_back(Label{h.at, name, h.role});
+      }
+  }
+  return scene;
+}
+
 bool same_handle(const Handle& a, const Handle& b) { return a.parameter == b.parameter && a.kind == b.kind; }
 
 }  // namespace
@@ -49,7 +78,9 @@ void SceneView::draw(Session& s, const Rect& r, const View& view) {
   const double head = head_of(s, view.width());
   const View own(view.camera(), view.width(), view.height() - head, {0, head});
   Drawing drawing{view.width(), view.height(), theme.background, {}};
-  drawing.shapes = compose(s.player.scene(), own, theme, true).shapes;
+  Composed composed = compose(with_names(s.player), own, theme, true);
+  drawing.shapes = std::move(composed.shapes);
+  labels_ = std::move(composed.labels);
   renderer_.draw(drawing, scale_);
   drawn_ = wanted;
 }

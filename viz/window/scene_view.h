@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "viz/compose.h"
 #include "viz/renderer.h"
 #include "viz/window/session.h"
 
@@ -19,6 +20,7 @@ class SceneView {
   void show(Session&, const Rect&);
   /// Draws anew in the next frame: the renderer was used for something else.
   void invalidate() { drawn_.clear(); }
+  const std::vector<PlacedLabel>& labels() const { return labels_; }
   void rescale(double scale) { scale_ = scale; }
 
  private:
@@ -33,6 +35,7 @@ class SceneView {
   Renderer& renderer_;
   double scale_;
   bool drawing_;
+  std::vector<PlacedLabel> labels_;
   std::string drawn_;           ///< what the texture shows, as one line; drawing it again is saved
   std::optional<Handle> held_;  ///< while a handle is dragged: the handle as it is now
   bool on_map_ = false;         ///< while the setting is dragged on the map of cases

@@ -229,6 +229,7 @@ void WindowUi::complain(const std::string& words) { impl_->session.complain(word
 std::string WindowUi::message() const {
   return impl_->session.toast.seconds_left > 0 ? impl_->session.toast.text : impl_->session.refused.why;
 }
+const std::vector<PlacedLabel>& WindowUi::labels() const { return impl_->scene.labels(); }
 const std::string& WindowUi::focus() const { return impl_->ui.focus.name(); }
 
 Player& WindowUi::player() { return impl_->player; }

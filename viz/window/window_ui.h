@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "viz/compose.h"
 #include "viz/course.h"
 #include "viz/renderer.h"
 #include "viz/window/session.h"
@@ -46,6 +47,8 @@ class WindowUi {
   bool wants_to_close() const;
   /// The widgets of the frame built last, by name, in px.
   const std::map<std::string, Rect>& rects() const;
+  /// The labels of the scene drawn last.
+  const std::vector<PlacedLabel>& labels() const;
   /// The message on show, or why what was typed is refused; empty if there is none.
   std::string message() const;
   /// The widget that the keyboard holds; empty if it holds none.
