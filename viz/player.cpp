@@ -5,11 +5,13 @@
 #include "viz/asking.h"
 #include "viz/closing.h"
 #include "viz/compose.h"
+#include "viz/motion.h"
 
 namespace isect::viz {
 namespace {
 
 constexpr double seconds_a_step = 1.6, seconds_to_read = 3.2;  ///< the latter: why an answer was right
+constexpr double seconds_to_move = 0.220, seconds_to_light = 0.120;
 constexpr std::size_t memories_kept = 100;
 
 Walk walk_of(const Lesson& lesson, const Parameters& parameters) {
@@ -48,7 +50,7 @@ std::vector<Method> methods_of(const Lesson& lesson, Parameters parameters) {
 }  // namespace
 
 Player::Player(std::vector<const Lesson*> lessons, const Place& at, bool reduced_motion)
-    : lessons_(std::move(lessons)), camera_(reduced_motion) {
+    : lessons_(std::move(lessons)), reduced_motion_(reduced_motion), camera_(reduced_motion) {
   if (lessons_.empty()) throw BadInput("there is no lesson to show");
   Place start = at;
   if (start.lesson.empty()) start.lesson = lessons_.front()->id;
@@ -103,6 +105,7 @@ void Player::show(State next, bool same_lesson) {
   preset_ = matching_preset(lesson, state_.parameters);
   asked_.clear();
   ask(asking_);
+  before_.reset();
   ++revision_;
   if (same_lesson) return;
   moved_ = false;
@@ -126,11 +129,27 @@ std::string Player::method() const {
 Place Player::place() const { return {lesson().id, preset_, index(), parameters(), camera_.goal()}; }
 
 void Player::go_to(int step) {
+  begin_motion();
   choose(std::clamp(step, 0, count() - 1));
   ask(false);
   waited_ = 0;
   action_.clear();
   ++revision_;
+}
+
+void Player::begin_motion() {
+  if (reduced_motion_) return;
+  before_ = asking_ ? asked_scene_ : std::shared_ptr<const Scene>(walk_, &step().scene);
+  since_step_ = 0;
+}
+
+double Player::motion() const { return before_ ? eased(since_step_ / seconds_to_move) : 1; }
+double Player::light() const { return reduced_motion_ ? 1 : eased(since_step_ / seconds_to_light); }
+
+void Player::reduce_motion(bool reduced) {
+  reduced_motion_ = reduced;
+  camera_.reduce_motion(reduced);
+  if (reduced) before_.reset();
 }
 
 void Player::ask(bool wanted) {
@@ -143,12 +162,14 @@ void Player::next() {
   const int to = index() + 1;
   if (asking_) asked_[to] = std::nullopt;
   if (!walk().steps[to].question || asked_.contains(to)) return go_to(to);
+  begin_motion();
   ask(true);
   ++revision_;
 }
 
 void Player::back() {
   if (!asking_) return go_to(index() - 1);
+  begin_motion();
   ask(false);
   ++revision_;
 }
@@ -166,6 +187,8 @@ void Player::set_speed(double speed) { speed_ = std::clamp(speed, 0.5, 2.0); }
 
 void Player::advance(double seconds) {
   camera_.advance(seconds);
+  since_step_ += seconds;
+  if (since_step_ >= seconds_to_move) before_.reset();
   if (!running()) return;
   waited_ += seconds * speed_;
   if (waited_ < seconds_a_step) return;

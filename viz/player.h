@@ -33,6 +33,12 @@ class Player {
   const Step& step() const { return walk().steps[index()]; }
   /// What is drawn: the step's scene or, while a question is open, what it is about.
   const Scene& scene() const { return asking_ ? *asked_scene_ : step().scene; }
+  /// The scene that this one is coming from, for the moments after a step; null at rest.
+  const Scene* scene_before() const { return before_.get(); }
+  /// How far it has come: 0 there, 1 here. Lights come up faster than things move.
+  double motion() const;
+  double light() const;
+  void reduce_motion(bool);  ///< all is there at once
   /// What the lesson's methods say of these parameters, where it has several that should agree.
   const std::vector<Opinion>& opinions() const { return opinions_; }
   bool methods_differ() const;
@@ -160,6 +166,7 @@ class Player {
   void set_parameters(Parameters);
   static int step_in(const Walk&, const State&);
   void choose(int step);  ///< of the walk that is shown
+  void begin_motion();    ///< from what is shown now
   void ask(bool);         ///< about the next step, if it has a question
   /// The lesson's view of the walk, at the scale that all presets share.
   Camera opening_view() const;
@@ -180,6 +187,10 @@ class Player {
 
   bool playing_ = false;
   double speed_ = 1, waited_ = 0;
+
+  std::shared_ptr<const Scene> before_;
+  double since_step_ = 1e9;  ///< seconds
+  bool reduced_motion_ = false;
 
   CameraRig camera_;
   double aspect_ = 1;

@@ -103,7 +103,7 @@ void code_line(Session& s, int line, const CodeLine& words, float pitch, const R
   const int to = step_at_line(s.player, line);
   const Press p = press(ui, "line " + std::to_string(line + 1), r);
   if (current)
-    filled(r, c.highlight, 5);
+    filled(r, c.highlight.with_alpha(s.player.light()), 5);
   else if (p.hovered && to >= 0)
     filled(r, c.frame, 5);
   if (p.clicked && to >= 0) s.player.go_to(to);

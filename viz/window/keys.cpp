@@ -100,6 +100,10 @@ void character(Session& s, char c) {
     case 'g':
       s.open_next = Sheet::terms;
       return;
+    case 'm':
+      s.settings.reduced_motion = !s.settings.reduced_motion;
+      player.reduce_motion(s.settings.reduced_motion);
+      return s.say(s.settings.reduced_motion ? "Nothing moves by itself now" : "Steps and views glide again");
     case 'r':
       return s.attempt([&] { player.restart(); });
     case 'p':

@@ -8,6 +8,7 @@
 
 #include "viz/chart.h"
 #include "viz/compose.h"
+#include "viz/motion.h"
 #include "viz/window/key_codes.h"
 #include "viz/window/scene_marks.h"
 
@@ -20,9 +21,9 @@ Vec2 mouse() { return {ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y}; }
 
 std::string line_of(const Session& s, const Rect& r, double scale) {
   const Camera& c = s.player.camera().now();
-  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {}", s.player.revision(), r.width(), r.height(), scale,
-                     name_of(s.settings.theme), c.target.x(), c.target.y(), c.target.z(), c.azimuth, c.elevation,
-                     c.half_height, c.perspective, c.field_of_view);
+  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {}", s.player.revision(), s.player.motion(), r.width(),
+                     r.height(), scale, name_of(s.settings.theme), c.target.x(), c.target.y(), c.target.z(), c.azimuth,
+                     c.elevation, c.half_height, c.perspective, c.field_of_view);
 }
 
 /// What a chart leaves to the chips above it, where the scene's are drawn over.
@@ -79,7 +80,9 @@ void SceneView::draw(Session& s, const Rect& r, const View& view) {
   const double head = head_of(s, view.width());
   const View own(view.camera(), view.width(), view.height() - head, {0, head});
   Drawing drawing{view.width(), view.height(), theme.background, {}};
-  Composed composed = compose(with_names(s.player), own, theme, true);
+  Scene scene = with_names(s.player);
+  if (const Scene* before = s.player.scene_before()) scene = between(*before, scene, s.player.motion());
+  Composed composed = compose(scene, own, theme, true);
   drawing.shapes = std::move(composed.shapes);
   labels_ = std::move(composed.labels);
   renderer_.draw(drawing, scale_);

@@ -40,8 +40,9 @@ struct Settings {
   bool parameters_open = false;
   double speed = 1;
   int width = 1280, height = 800;  ///< px of the layout, whatever the screen's density
-  double size = 1;                 ///< of everything
-  double save_width_cm = 0;        ///< of a saved figure on paper; 0: a picture for a screen
+  bool reduced_motion = false;
+  double size = 1;           ///< of everything
+  double save_width_cm = 0;  ///< of a saved figure on paper; 0: a picture for a screen
   std::optional<Place> place = {};
   std::map<std::string, Score> scores = {};  ///< by lesson
   std::vector<std::string> recent = {};      ///< ids of the lessons last opened

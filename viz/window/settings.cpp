@@ -105,6 +105,7 @@ Settings read_settings(const std::string& file, const std::vector<const Lesson*>
   s.speed = std::clamp(field(json, "speed", s.speed), 0.5, 2.0);
   s.width = size_field(json, "width", least_width, s.width);
   s.height = size_field(json, "height", least_height, s.height);
+  s.reduced_motion = field(json, "reduced_motion", s.reduced_motion);
   s.size = std::clamp(field(json, "size", s.size), least_size, most_size);
   const double cm = field(json, "save_width_cm", s.save_width_cm);
   if (cm >= least_width_cm && cm <= most_width_cm) s.save_width_cm = cm;
@@ -139,6 +140,7 @@ void write_settings(const std::string& file, const Settings& s) {
                {"speed", s.speed},
                {"width", s.width},
                {"height", s.height},
+               {"reduced_motion", s.reduced_motion},
                {"size", s.size},
                {"save_width_cm", s.save_width_cm},
                {"recent", s.recent},

@@ -76,7 +76,7 @@ struct WindowUi::Impl {
   Impl(const std::vector<const Lesson*>& lessons, const Place& at, Renderer& gl, const Settings& kept,
        const WindowOptions& options)
       : renderer(gl),
-        player(lessons, at, options.reduced_motion),
+        player(lessons, at, options.reduced_motion || kept.reduced_motion),
         settings(kept),
         density(options.scale),
         ui{palette(kept.theme), fonts_at(options.scale), TextTextures(options.scale)},
@@ -211,7 +211,7 @@ std::string WindowUi::title() const {
 
 double WindowUi::rest() const {
   const Player& p = impl_->player;
-  if (p.camera().moving()) return 0;
+  if (p.camera().moving() || p.motion() < 1 || p.light() < 1) return 0;
   double rest = std::numeric_limits<double>::infinity();
   if (p.running()) rest = std::min(rest, std::max(p.seconds_to_step(), 0.0));
   if (impl_->session.toast.seconds_left > 0) rest = std::min(rest, impl_->session.toast.seconds_left);
