@@ -9,6 +9,7 @@
 #include "app/scene/lesson.h"
 #include "app/surroundings.h"
 #include "app/terminal.h"
+#include "lessons/course.h"
 #include "viz/files.h"
 #include "viz/formats.h"
 #include "viz/place.h"
@@ -64,7 +65,8 @@ int show(const Program& program, const Selection& asked) {
   const viz::Place place = place_of(program, asked, lessons);
   need_surroundings(program);
   try {
-    viz::show(lessons, place, [&](const std::string& words) { say(fmt::format("{}: {}", program.name, words)); });
+    viz::show(lessons, lessons::course(), place,
+              [&](const std::string& words) { say(fmt::format("{}: {}", program.name, words)); });
   } catch (const viz::NoDisplay& e) {
     say(fmt::format("{}: {}", program.name, e.what()));
     const bool scene = lessons.size() > program.lessons.size();

@@ -10,6 +10,8 @@ class CameraRig {
   /// `reduced_motion`: glides arrive at once.
   explicit CameraRig(bool reduced_motion = false) : reduced_motion_(reduced_motion) {}
 
+  void reduce_motion(bool reduced) { reduced_motion_ = reduced; }
+
   /// The view at this moment, somewhere between two views while it glides.
   const Camera& now() const { return now_; }
   /// The view it will come to rest at.

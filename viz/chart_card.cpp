@@ -7,9 +7,9 @@
 namespace isect::viz {
 namespace {
 
-constexpr double line_pitch = 1.45;  // from line to line, in sizes of the text
-constexpr double row_gap = 0.75;     // from row to row, beyond that
-constexpr double largest = 1.25;     // of a label's size
+constexpr double line_pitch = 1.45;     // from line to line, in sizes of the text
+constexpr double row_gap = 0.75;        // from row to row, beyond that
+constexpr double most_enlarged = 1.25;  // of a label's size
 
 /// A word and how wide it is at size 1.
 using Word = std::pair<std::string, double>;
@@ -68,7 +68,7 @@ class Typesetter {
 
   /// At the largest size that fits.
   Typeset within(const Bounds& room) const {
-    double share = largest;
+    double share = most_enlarged;
     const auto next = [&] { return at(share * label_, room.right - room.left); };
     Typeset s = next();
     while (s.height > room.bottom - room.top && share > 0.3) share *= 0.97, s = next();

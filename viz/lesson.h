@@ -71,6 +71,7 @@ struct Question {
   std::vector<std::string> choices;  ///< markup
   int answer = 0;                    ///< index into choices
   std::string because;               ///< markup, shown with the answer
+  std::optional<Scene> over = {};    ///< what is drawn while it is open; none: see viz/asking.h
 };
 
 /// What is known at this step.

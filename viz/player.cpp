@@ -2,13 +2,16 @@
 
 #include <algorithm>
 
+#include "viz/asking.h"
 #include "viz/closing.h"
 #include "viz/compose.h"
+#include "viz/motion.h"
 
 namespace isect::viz {
 namespace {
 
-constexpr double seconds_a_step = 1.6;
+constexpr double seconds_a_step = 1.6, seconds_to_read = 3.2;  ///< the latter: why an answer was right
+constexpr double seconds_to_move = 0.220, seconds_to_light = 0.120;
 constexpr std::size_t memories_kept = 100;
 
 Walk walk_of(const Lesson& lesson, const Parameters& parameters) {
@@ -47,7 +50,7 @@ std::vector<Method> methods_of(const Lesson& lesson, Parameters parameters) {
 }  // namespace
 
 Player::Player(std::vector<const Lesson*> lessons, const Place& at, bool reduced_motion)
-    : lessons_(std::move(lessons)), camera_(reduced_motion) {
+    : lessons_(std::move(lessons)), reduced_motion_(reduced_motion), camera_(reduced_motion) {
   if (lessons_.empty()) throw BadInput("there is no lesson to show");
   Place start = at;
   if (start.lesson.empty()) start.lesson = lessons_.front()->id;
@@ -101,7 +104,8 @@ void Player::show(State next, bool same_lesson) {
   opinions_ = lesson.opinions ? lesson.opinions(state_.parameters) : std::vector<Opinion>();
   preset_ = matching_preset(lesson, state_.parameters);
   asked_.clear();
-  asking_ = asking_ && !at_end() && walk().steps[index() + 1].question;
+  ask(asking_);
+  before_.reset();
   ++revision_;
   if (same_lesson) return;
   moved_ = false;
@@ -125,11 +129,32 @@ std::string Player::method() const {
 Place Player::place() const { return {lesson().id, preset_, index(), parameters(), camera_.goal()}; }
 
 void Player::go_to(int step) {
+  begin_motion();
   choose(std::clamp(step, 0, count() - 1));
-  asking_ = false;
+  ask(false);
   waited_ = 0;
   action_.clear();
   ++revision_;
+}
+
+void Player::begin_motion() {
+  if (reduced_motion_) return;
+  before_ = asking_ ? asked_scene_ : std::shared_ptr<const Scene>(walk_, &step().scene);
+  since_step_ = 0;
+}
+
+double Player::motion() const { return before_ ? eased(since_step_ / seconds_to_move) : 1; }
+double Player::light() const { return reduced_motion_ ? 1 : eased(since_step_ / seconds_to_light); }
+
+void Player::reduce_motion(bool reduced) {
+  reduced_motion_ = reduced;
+  camera_.reduce_motion(reduced);
+  if (reduced) before_.reset();
+}
+
+void Player::ask(bool wanted) {
+  asking_ = wanted && !at_end() && walk().steps[index() + 1].question;
+  asked_scene_ = asking_ ? std::make_shared<const Scene>(question_scene(walk(), index() + 1)) : nullptr;
 }
 
 void Player::next() {
@@ -137,28 +162,34 @@ void Player::next() {
   const int to = index() + 1;
   if (asking_) asked_[to] = std::nullopt;
   if (!walk().steps[to].question || asked_.contains(to)) return go_to(to);
-  asking_ = true;
+  begin_motion();
+  ask(true);
   ++revision_;
 }
 
 void Player::back() {
   if (!asking_) return go_to(index() - 1);
-  asking_ = false;
+  begin_motion();
+  ask(false);
   ++revision_;
 }
 
 void Player::toggle_play() {
+  if (playing_ && asking_) return next();
   if (!playing_ && at_end()) first();
   playing_ = !playing_;
   waited_ = 0;
 }
 
+double Player::seconds_to_step() const { return (seconds_a_step - waited_) / speed_; }
 void Player::next_speed() { speed_ = speed_ >= 2 ? 0.5 : speed_ + 0.5; }
 void Player::set_speed(double speed) { speed_ = std::clamp(speed, 0.5, 2.0); }
 
 void Player::advance(double seconds) {
   camera_.advance(seconds);
-  if (!playing_ || asking_) return;
+  since_step_ += seconds;
+  if (since_step_ >= seconds_to_move) before_.reset();
+  if (!running()) return;
   waited_ += seconds * speed_;
   if (waited_ < seconds_a_step) return;
   waited_ = 0;
@@ -172,6 +203,7 @@ void Player::answer(int choice) {
   if (!asking_ || choice < 0 || choice >= static_cast<int>(asked()->choices.size())) return;
   asked_[index() + 1] = choice;
   go_to(index() + 1);
+  waited_ = -seconds_to_read;
 }
 
 std::optional<Player::Answered> Player::answered() const {
@@ -225,7 +257,7 @@ void Player::open_neighbour(int by) {
 
 void Player::load(const Preset& preset) {
   all_or_nothing([&](Player& next) {
-    next.remember("");
+    next.remember("", true);
     State state = state_;
     state.parameters = preset.parameters;
     state.origin = preset.id;
@@ -238,7 +270,7 @@ void Player::load(const Preset& preset) {
 
 void Player::load_method(const std::string& choice) {
   all_or_nothing([&](Player& next) {
-    next.remember("");
+    next.remember("", true);
     State state = state_;
     state.parameters[lesson().group_by] = choice;
     state.wanted = 0, state.slug.clear(), state.outcome = false;
@@ -250,7 +282,7 @@ void Player::load_method(const std::string& choice) {
 
 void Player::restart() {
   all_or_nothing([&](Player& next) {
-    next.remember("");
+    next.remember("", true);
     const Lesson& l = lesson();
     State state = state_;
     if (!l.presets.empty()) state.parameters = preset(l, state_.origin).parameters;
@@ -309,7 +341,7 @@ void Player::go(const Place& place) {
     for (const Parameter& p : l.parameters) state.parameters[p.name] = p.initial;
 
   all_or_nothing([&](Player& next) {
-    if (walk_) next.remember("");
+    if (walk_) next.remember("", true);
     next.show(std::move(state), false);
     next.asking_ = next.playing_ = false;
     next.go_to(place.step.value_or(0));
@@ -362,22 +394,28 @@ void Player::set_perspective(bool on) {
   moved_ = true;
 }
 
-void Player::remember(const std::string& action) {
+void Player::remember(const std::string& action, bool with_step) {
   if (!action.empty() && action == action_) return;
   std::string name = action;  // what may fail comes first
-  memory_.push_back({state_, camera_.goal(), moved_});
+  memory_.push_back({state_, camera_.goal(), moved_, with_step});
   if (memory_.size() > memories_kept) memory_.erase(memory_.begin());
+  undone_.clear();
   action_ = std::move(name);
 }
 
-bool Player::undo() {
-  if (memory_.empty()) return false;
-  all_or_nothing([](Player& next) {
-    const Memory last = std::move(next.memory_.back());
-    next.memory_.pop_back();
+bool Player::travel(std::vector<Memory> Player::*from, std::vector<Memory> Player::*to) {
+  if ((this->*from).empty()) return false;
+  all_or_nothing([&](Player& next) {
+    Memory last = std::move((next.*from).back());
+    (next.*from).pop_back();
+    (next.*to).push_back({state_, camera_.goal(), moved_, last.with_step});
     next.action_.clear();
-    next.asking_ = false;
-    next.show(last.state, last.state.lesson == next.state_.lesson);
+    const bool same_lesson = last.state.lesson == state_.lesson;
+    if (last.with_step)
+      next.asking_ = false;
+    else if (same_lesson)
+      last.state.wanted = state_.wanted, last.state.slug = state_.slug, last.state.outcome = state_.outcome;
+    next.show(std::move(last.state), same_lesson);
     next.camera_.glide(last.camera);
     next.moved_ = last.moved;
   });

@@ -31,11 +31,21 @@ class Player {
   int count() const { return static_cast<int>(walk().steps.size()); }
   int index() const { return at_; }
   const Step& step() const { return walk().steps[index()]; }
+  /// What is drawn: the step's scene or, while a question is open, what it is about.
+  const Scene& scene() const { return asking_ ? *asked_scene_ : step().scene; }
+  /// The scene that this one is coming from, for the moments after a step; null at rest.
+  const Scene* scene_before() const { return before_.get(); }
+  /// How far it has come: 0 there, 1 here. Lights come up faster than things move.
+  double motion() const;
+  double light() const;
+  void reduce_motion(bool);  ///< all is there at once
   /// What the lesson's methods say of these parameters, where it has several that should agree.
   const std::vector<Opinion>& opinions() const { return opinions_; }
   bool methods_differ() const;
   /// The preset whose parameters these are; empty when they were changed by hand.
   const std::string& preset_id() const { return preset_; }
+  /// The preset that was loaded last.
+  const std::string& origin() const { return state_.origin; }
   /// The presets of the current group, in order: what the keys 1 to 9 load.
   std::vector<const Preset*> group() const;
   const std::vector<Method>& methods() const { return overview_->methods; }
@@ -54,6 +64,10 @@ class Player {
   bool at_end() const { return index() + 1 == count(); }
 
   bool playing() const { return playing_; }
+  /// Play goes on by itself: not while a question waits for its answer.
+  bool running() const { return playing_ && !asking_; }
+  /// Until play shows another step.
+  double seconds_to_step() const;
   void toggle_play();
   double speed() const { return speed_; }
   /// 0.5x, 1x, 1.5x, 2x and round again.
@@ -98,6 +112,7 @@ class Player {
   void go(const Place&);
 
   const CameraRig& camera() const { return camera_; }
+  bool camera_moved() const { return moved_; }  ///< by the reader: no preset frames it anew
   /// Width / height of the scene; a view that nobody has moved is framed anew.
   void set_aspect(double);
   void orbit(const Vec2& pixels);  ///< a flat lesson does not turn
@@ -108,10 +123,13 @@ class Player {
   void set_perspective(bool);  ///< a flat lesson has none
 
   /// Remembers the present state for undo(). A run of actions of one name counts as one, until end_action().
-  void remember(const std::string& action);
+  void remember(const std::string& action) { remember(action, false); }
   void end_action() { action_.clear(); }
-  /// Takes the last change of parameters, lesson or camera back; false if there is none.
-  bool undo();
+  /// Takes the last change of parameters, lesson or camera back; false if there is none. The step stays, unless that
+  /// change had chosen one.
+  bool undo() { return travel(&Player::memory_, &Player::undone_); }
+  /// Does it again; false if nothing was taken back, or something else was done since.
+  bool redo() { return travel(&Player::undone_, &Player::memory_); }
 
  private:
   struct State {
@@ -128,6 +146,7 @@ class Player {
     State state;
     Camera camera;
     bool moved;
+    bool with_step;  ///< the change chose a step, too
   };
 
   /// What is known of a lesson whatever its parameters.
@@ -142,9 +161,13 @@ class Player {
   template <class Action>
   void all_or_nothing(const Action&);
   void show(State, bool same_lesson);
+  void remember(const std::string& action, bool with_step);
+  bool travel(std::vector<Memory> Player::*from, std::vector<Memory> Player::*to);
   void set_parameters(Parameters);
   static int step_in(const Walk&, const State&);
   void choose(int step);  ///< of the walk that is shown
+  void begin_motion();    ///< from what is shown now
+  void ask(bool);         ///< about the next step, if it has a question
   /// The lesson's view of the walk, at the scale that all presets share.
   Camera opening_view() const;
 
@@ -159,16 +182,21 @@ class Player {
   unsigned revision_ = 0;
 
   bool asking_ = false;
-  std::map<int, std::optional<int>> asked_;  ///< by step: the answer, or none where it was skipped
+  std::shared_ptr<const Scene> asked_scene_;  ///< while asking
+  std::map<int, std::optional<int>> asked_;   ///< by step: the answer, or none where it was skipped
 
   bool playing_ = false;
   double speed_ = 1, waited_ = 0;
+
+  std::shared_ptr<const Scene> before_;
+  double since_step_ = 1e9;  ///< seconds
+  bool reduced_motion_ = false;
 
   CameraRig camera_;
   double aspect_ = 1;
   bool moved_ = false;  ///< the reader has moved the camera
 
-  std::vector<Memory> memory_;
+  std::vector<Memory> memory_, undone_;
   std::string action_;
 };
 

@@ -4,11 +4,14 @@
 #include <imgui.h>
 #include <imgui_impl_glfw.h>
 
+#include <algorithm>
+#include <cmath>
 #include <deque>
 #include <set>
 #include <string>
 
 #include "viz/files.h"
+#include "viz/window/end_signals.h"
 #include "viz/window/key_codes.h"
 #include "viz/window/window_ui.h"
 
@@ -18,7 +21,9 @@ namespace {
 #if IMGUI_VERSION_NUM < 18700
 static_assert(key::right == GLFW_KEY_RIGHT && key::left == GLFW_KEY_LEFT && key::home == GLFW_KEY_HOME &&
               key::end == GLFW_KEY_END && key::escape == GLFW_KEY_ESCAPE && key::enter == GLFW_KEY_ENTER &&
-              key::tab == GLFW_KEY_TAB && key::f1 == GLFW_KEY_F1 && key::f12 == GLFW_KEY_F12 && key::z == GLFW_KEY_Z);
+              key::tab == GLFW_KEY_TAB && key::f1 == GLFW_KEY_F1 && key::f12 == GLFW_KEY_F12 &&
+              key::minus == GLFW_KEY_MINUS && key::equal == GLFW_KEY_EQUAL && key::keypad_plus == GLFW_KEY_KP_ADD &&
+              key::f11 == GLFW_KEY_F11 && key::z == GLFW_KEY_Z);
 #endif
 
 std::string glfw_words() {
@@ -36,7 +41,8 @@ class Window {
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-    handle_ = glfwCreateWindow(width, height, "isect", nullptr, nullptr);
+    const Size fits = within_monitor(width, height);
+    handle_ = glfwCreateWindow(fits.width, fits.height, "isect", nullptr, nullptr);
     if (!handle_) {
       const std::string words = glfw_words();
       glfwTerminate();
@@ -44,7 +50,8 @@ class Window {
     }
     glfwMakeContextCurrent(handle_);
     glfwSwapInterval(1);
-    glfwSetWindowSizeLimits(handle_, 800, 500, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    const auto pixels = [this](int px) { return static_cast<int>(px * scale()); };
+    glfwSetWindowSizeLimits(handle_, pixels(least_width), pixels(least_height), GLFW_DONT_CARE, GLFW_DONT_CARE);
   }
   ~Window() {
     glfwDestroyWindow(handle_);
@@ -62,8 +69,53 @@ class Window {
     return x > 0 ? x : 1;
   }
 
+  struct Size {
+    int width, height;
+  };
+  /// Goes to the whole of the first screen, and back to where it was.
+  void fill_screen(bool wanted) {
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+    if (wanted == filling_ || !mode) return;
+    if (wanted) {
+      before_ = size();
+      glfwGetWindowPos(handle_, &x_, &y_);
+      glfwGetWindowSize(handle_, &width_, &height_);
+      glfwSetWindowMonitor(handle_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+    } else {
+      glfwSetWindowMonitor(handle_, nullptr, x_, y_, width_, height_, GLFW_DONT_CARE);
+    }
+    filling_ = wanted;
+  }
+
+  /// In px of the layout, whatever the screen's density; of a window that fills the screen, as it was before.
+  Size size() const {
+    if (filling_) return before_;
+    int across = 0, down = 0;
+    glfwGetFramebufferSize(handle_, &across, &down);
+    return {static_cast<int>(std::lround(across / scale())), static_cast<int>(std::lround(down / scale()))};
+  }
+
  private:
+  /// No larger than the first screen, if there is one to ask.
+  static Size within_monitor(int width, int height) {
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    if (!monitor) return {width, height};
+    int x = 0, y = 0, across = 0, down = 0;
+    float scale = 1, scale_down = 1;
+    glfwGetMonitorWorkarea(monitor, &x, &y, &across, &down);
+    glfwGetMonitorContentScale(monitor, &scale, &scale_down);
+    if (!(across > 0 && down > 0 && scale > 0)) return {width, height};
+    const auto least_of = [scale](int wanted, int there, int least) {
+      return std::max(std::min(wanted, static_cast<int>(std::floor(static_cast<float>(there) / scale))), least);
+    };
+    return {least_of(width, across, least_width), least_of(height, down, least_height)};
+  }
+
   GLFWwindow* handle_ = nullptr;
+  bool filling_ = false;
+  Size before_ = {};
+  int x_ = 0, y_ = 0, width_ = 0, height_ = 0;  ///< before it filled the screen, in GLFW's coordinates
 };
 
 /// Dear ImGui's input from GLFW. Keys wait in a queue, since Dear ImGui sees what is down in a frame and
@@ -108,11 +160,13 @@ class Input {
 
   static bool is_modifier(int code) { return code >= GLFW_KEY_LEFT_SHIFT && code <= GLFW_KEY_RIGHT_SUPER; }
 
-  /// GLFW numbers letters by their place on a US keyboard; Ctrl+Z means the key that says Z.
+  /// GLFW numbers keys by their place on a US keyboard; Ctrl+Z means the key that says Z, Ctrl++ the one that says +.
   static int by_layout(int code, int scancode) {
-    if (code < GLFW_KEY_A || code > GLFW_KEY_Z) return code;
+    if (code <= GLFW_KEY_SPACE || code > GLFW_KEY_GRAVE_ACCENT) return code;
     const char* name = glfwGetKeyName(code, scancode);
-    return name && name[0] >= 'a' && name[0] <= 'z' && !name[1] ? name[0] - 'a' + GLFW_KEY_A : code;
+    if (!name || !name[0] || name[1]) return code;
+    if (name[0] >= 'a' && name[0] <= 'z') return name[0] - 'a' + GLFW_KEY_A;
+    return name[0] == '+' || name[0] == '-' || name[0] == '=' || name[0] == '0' ? name[0] : code;
   }
 
   GLFWwindow* window_;
@@ -133,32 +187,34 @@ void to_layout(GLFWwindow* window, double scale) {
   io.MousePos = {io.MousePos.x * to_px, io.MousePos.y * to_px};
 }
 
-void run(Window& window, Input& input, WindowUi& ui, double scale) {
+void run(Window& window, Input& input, WindowUi& ui, const EndSignals& signals) {
   constexpr int settle = 3;  // frames that Dear ImGui may need to answer an event
   int frames_due = settle;
   std::string title;
-  while (!glfwWindowShouldClose(window.handle()) && !ui.wants_to_close()) {
-    if (ui.animating() || input.waiting()) frames_due = settle;
+  while (!glfwWindowShouldClose(window.handle()) && !ui.wants_to_close() && !signals.came()) {
+    // An idle window costs nothing, but a text cursor blinks.
+    const double rest = ImGui::GetIO().WantTextInput ? std::min(ui.rest(), 0.25) : ui.rest();
+    if (rest <= 0 || input.waiting()) frames_due = settle;
     if (frames_due > 0) {
       glfwPollEvents();
     } else {
-      // An idle window costs nothing, but a text cursor blinks.
-      ImGui::GetIO().WantTextInput ? glfwWaitEventsTimeout(0.25) : glfwWaitEvents();
+      std::isfinite(rest) ? glfwWaitEventsTimeout(rest) : glfwWaitEvents();
       frames_due = settle;
     }
     --frames_due;
     input.new_frame();
-    to_layout(window.handle(), scale);
+    to_layout(window.handle(), ui.scale());
     if (ImGui::GetIO().DisplaySize.x < 1 || ImGui::GetIO().DisplaySize.y < 1) continue;  // minimised
     ui.frame();
     ui.draw();
     glfwSwapBuffers(window.handle());
+    window.fill_screen(ui.full_screen());
     if (ui.title() != title) glfwSetWindowTitle(window.handle(), (title = ui.title()).c_str());
   }
 }
 
-void keep(const std::string& file, Settings settings, GLFWwindow* window) {
-  glfwGetWindowSize(window, &settings.width, &settings.height);
+void keep(const std::string& file, Settings settings, const Window& window) {
+  settings.width = window.size().width, settings.height = window.size().height;
   try {
     write_settings(file, settings);
   } catch (const FileError&) {
@@ -168,22 +224,23 @@ void keep(const std::string& file, Settings settings, GLFWwindow* window) {
 
 }  // namespace
 
-void show(const std::vector<const Lesson*>& lessons, const Place& at,
+void show(const std::vector<const Lesson*>& lessons, const Course& course, const Place& at,
           const std::function<void(const std::string&)>& say) {
   const std::string file = settings_file();
   const Settings kept = read_settings(file, lessons);
   const Place start = at.lesson.empty() && kept.place ? *kept.place : at;
+  const EndSignals signals(glfwPostEmptyEvent);
   Window window(kept.width, kept.height);
   Renderer renderer([](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); });
   const double scale = window.scale();
-  WindowUi ui(lessons, start, renderer, kept, {.scale = scale});
+  WindowUi ui(lessons, start, renderer, kept, {.scale = scale, .course = course});
   if (const std::string damage = set_spoilt_settings_aside(file); !damage.empty()) {
     if (say) say(damage);
     ui.complain(damage);
   }
   Input input(window.handle());
-  run(window, input, ui, scale);
-  keep(file, ui.settings(), window.handle());
+  run(window, input, ui, signals);
+  keep(file, ui.settings(), window);
 }
 
 }  // namespace isect::viz

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "viz/course.h"
 #include "viz/lesson.h"
 #include "viz/place.h"
 
@@ -18,6 +19,7 @@ struct NoDisplay : std::runtime_error {
 
 /// Opens the window at `at` and returns when it is closed. What the reader must hear of beside, such as a state file
 /// that is damaged, is shown there and given to `say`. Throws NoDisplay.
-void show(const std::vector<const Lesson*>&, const Place& at, const std::function<void(const std::string&)>& say = {});
+void show(const std::vector<const Lesson*>&, const Course&, const Place& at,
+          const std::function<void(const std::string&)>& say = {});
 
 }  // namespace isect::viz

@@ -135,10 +135,12 @@ class Fit {
                      "All objects share the normals, so only *k* ends are kept. With 6 planes it is the AABB.",
                      "*lo_i* ≤ **n***_i* · **x** ≤ *hi_i* for each *i*");
     step.scene.items = side_by_side(mesh_, fitted_.object, all);
+    step.scene.handles.clear();  // the object stands in each small picture, and nowhere else
     step.question = Question{"Can a 14-DOP have more void than the AABB?",
                              {"yes", "no"},
                              all[1].volume > all[0].volume ? 0 : 1,
                              "Its normals are those of the AABB and four more."};
+    keep_picture(script_.walk());
   }
 
   /// The tightest of the four, the hull apart.
@@ -156,11 +158,13 @@ class Fit {
                      "Void is given relative to the object's own volume. No convex volume is tighter than the hull.\n"
                      "A cell is a number kept; operations are of one test that finds an overlap.");
     step.scene.items = side_by_side(mesh_, fitted_.object, all_);
+    step.scene.handles.clear();
     step.question =
         Question{"Which has the least void, the hull apart?",
                  {all_[0].name, all_[1].name, all_[2].name, all_[3].name},
                  static_cast<int>(best),
                  fmt::format("Its void is {} × the object.", shown(all_[best].volume / fitted_.object - 1))};
+    keep_picture(script_.walk());
   }
 
   void trade_off() {

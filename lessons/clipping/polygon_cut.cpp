@@ -63,6 +63,10 @@ void PolygonTeller::cut(const Side& side) {
                    0,
                    "Outside vertices are removed; each crossing edge adds one."};
   choices(*step.question, static_cast<int>(cut.before.size()), static_cast<int>(known_.ring.size()));
+  Rest untouched = known_;
+  untouched.ring = cut.before;
+  step.question->over = picture(untouched);
+  add_side(side, box_, *step.question->over);
 }
 
 int PolygonTeller::line_of(const Cut& cut) const { return known_.ring.empty() ? 6 : cut.fresh.empty() ? 4 : 5; }

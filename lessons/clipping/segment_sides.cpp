@@ -44,6 +44,9 @@ void SegmentTeller::say(const clip_segment::Narrowed<Counted<double>>& e) {
           ? "**n** · **d** = 0"
           : fmt::format("*t* = {},  range [{}, {}]", shown(t), shown(known_.range.lo), shown(known_.range.hi)));
   step.scene = picture(known_, &side, e.heading == 0 ? nullptr : &t);
+  Narrowing untouched = known_;
+  untouched.range = before, untouched.left = false;
+  const Scene over = picture(untouched, &side);
   if (e.heading != 0)
     Script::decide(step, {"*t*_{in} ≤ *t*_{out}", known_.range.lo, known_.range.hi, e.holds,
                           e.holds ? "something is left" : "nothing is left"});
@@ -57,6 +60,7 @@ void SegmentTeller::say(const clip_segment::Narrowed<Counted<double>>& e) {
                                             shown(p), shown(d), axis, shown(at)),
                                 t, {at - p, (p - at) / d, 1 - t},
                                 fmt::format("*t* = ({} − {}) / {}.", shown(at), shown(p), shown(d)));
+    step.question->over = over;
     return;
   }
   step.question = {"What does this side do to the range?",
@@ -65,7 +69,8 @@ void SegmentTeller::say(const clip_segment::Narrowed<Counted<double>>& e) {
                    : !narrowed     ? 2
                    : e.heading > 0 ? 0
                                    : 1,
-                   because(e.heading, narrowed)};
+                   because(e.heading, narrowed),
+                   over};
 }
 
 std::string SegmentTeller::caption(int heading, bool narrowed, const Side& side) const {

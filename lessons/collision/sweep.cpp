@@ -75,6 +75,10 @@ class Sweep : Teller {
     step.question = which_value(fmt::format("Next is box {}. How many boxes are active then, with it?", box), active,
                                 {static_cast<double>(entered_), active - 1, active + 1},
                                 "Those that have begun and not ended lie on the plane.");
+    keep_picture(script_.walk());
+    for (Item& item : step.question->over->items)  // the plane has gone on
+      if (Line* line = std::get_if<Line>(&item); line && line->pen == Pen::highlight)
+        line->from[axis_] = line->to[axis_] = drawn_.sweep;
   }
 
   int axis_ = 0;

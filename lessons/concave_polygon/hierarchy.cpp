@@ -96,6 +96,7 @@ class Coarsening {
                     removed, removed == 1 ? "vertex" : "vertices"),
         static_cast<double>(h_.levels[level].triangles.size()), {before - removed, before, before - 3 * removed},
         "A hole with *d* sides takes *d* − 2 triangles: two less for each vertex.");
+    keep_picture(script_.walk());
   }
 
   Walk outside() {

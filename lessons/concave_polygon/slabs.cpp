@@ -53,6 +53,7 @@ class Slabs {
         which_value("How many squares are needed, one for each edge of each slab?", stored,
                     {1.0 * n, 1.0 * n * (n - 1), std::floor(n * n / 2.0)},
                     "Count, for every edge, the slabs that it runs through.");
+    keep_picture(script_.walk());
     compare();
     Record<slab_map::Event> record;
     winding(s_.p, map_, record);
@@ -107,6 +108,7 @@ class Slabs {
 
   void say(const slab_map::Compared& e) {
     drawn_.asked = e.edge;
+    const Scene asking = picture(s_, map_, drawn_);
     const Index mid = drawn_.lo + (drawn_.hi - drawn_.lo) / 2;
     on_edge_ = e.turn == 0;
     script_.value("orientations", ++turns_);
@@ -136,7 +138,8 @@ class Slabs {
                                e.turn > 0   ? 0
                                : e.turn < 0 ? 1
                                             : 2,
-                               "The sign of an orientation tells, exactly."};
+                               "The sign of an orientation tells, exactly.",
+                               asking};
     if (e.turn != 0) drawn_.asked = -1;
   }
   void say(const Fallback&) {}

@@ -98,6 +98,7 @@ class Trapezoids {
     step.question =
         which_value("How many trapezoids does the complete map have?", 2 * n + 1, {n + 1.0, 3 * n + 1.0, 1.0 * n * n},
                     "To the right of its vertices begin two trapezoids each, on average. One more has no left end.");
+    keep_picture(script_.walk());
   }
 
   void tell_insert(const TrapezoidMap& before, const TrapezoidMap& now, const trapezoid_map::Inserted& inserted,
@@ -126,6 +127,8 @@ class Trapezoids {
       step.question =
           which_value(fmt::format("How many trapezoids does the new edge *e*_{{{}}} cut?", inserted.piece),
                       inserted.cut, {1, 2, 1.0 * sizes(before).trapezoids}, "Those whose interior it runs through.");
+      step.question->over = grown(s_, before, inserted_, inserted.piece);
+      add_graph(*step.question->over, before, false);
     }
   }
 

@@ -78,6 +78,7 @@ class Teller {
           fmt::format("Next is **q** = ({}, {}). How many points leave the chain?", shown(e.p.x()), shown(e.p.y())),
           static_cast<double>(removed_.size()), {0, 1, all},
           "Each point leaves at which the chain makes no left turn towards **q**.");
+      step.question->over = pointing_at(e.p);
     }
     drawn_.removed.clear(), removed_.clear();
     const auto last = std::minmax_element(points_.begin(), points_.end(), before<double>);
@@ -85,6 +86,20 @@ class Teller {
       drawn_.done.push_back(std::exchange(drawn_.chain, {}));
       number_ = 0;
     }
+  }
+
+  /// The picture before the last step, in which **q** is this point.
+  Scene pointing_at(const Point<double, 2>& p) {
+    const std::vector<Step>& steps = script_.walk().steps;
+    Scene scene = steps[steps.size() - 2].scene;
+    std::erase_if(scene.items, [](const Item& item) {
+      const Label* label = std::get_if<Label>(&item);
+      const Line* line = std::get_if<Line>(&item);
+      return (label && label->text.starts_with("**q**")) || (line && line->pen == Pen::highlight);
+    });
+    scene.items.emplace_back(Dot{flat(p), Mark::disc, Role::first});
+    scene.items.emplace_back(Label{flat(p), "**q**", Role::first});
+    return scene;
   }
 
   static const char* started(std::size_t points) {

@@ -95,6 +95,7 @@ class Fan {
     const auto* edge = i + 1 < events.size() ? std::get_if<point_convex_polygon::Chord>(&events[i + 1]) : nullptr;
     const bool out = edge != nullptr && edge->turn < 0;
     shown_.mid = e.mid;
+    const Scene over = picture(s_, shown_);
     shown_.lo = e.lo, shown_.hi = e.hi;
     script_.value("*lo*", e.lo);
     script_.value("*hi*", e.hi);
@@ -116,6 +117,7 @@ class Fan {
           : e.turn >= 0 ? 1
                         : 0,
           "The orientation of **v**_0, " + mid + ", **p** tells the side; that of the edge rejects."};
+      step.question->over = over;
     }
     shown_.mid = -1;
     left_ = left_ || out;

@@ -93,6 +93,7 @@ class Building {
                              split.axis,
                              fmt::format("All reach over {} by {}; their centres spread most along {}.",
                                          shown(size.x()), shown(size.y()), axis)};
+    keep_picture(script_.walk());
   }
 
   void done() {

@@ -78,7 +78,12 @@ class Colliding {
 
   Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption) {
     Step& step = script_.add(slug, title, line, caption);
-    Scene& scene = step.scene;
+    step.scene = picture();
+    return step;
+  }
+
+  Scene picture() const {
+    Scene scene;
     for (const auto& [tree, drawn] : {std::pair{&a_, &drawn_a_}, {&b_, &drawn_b_}})
       for (const Item& item : nested(*tree, *drawn)) scene.items.push_back(item);
     for (const Aabb<double, 2>& box : shared_)
@@ -87,7 +92,7 @@ class Colliding {
     for (const Item& item : branches(a_, drawn_a_, {2, -1.625}, {5, -0.125})) scene.items.push_back(item);
     scene.handles = {{"p", Handle::Kind::point, p_, Vec3::Zero(), Role::second},
                      {"q", Handle::Kind::point, q_, Vec3::Zero(), Role::first}};
-    return step;
+    return scene;
   }
 
   void visited(const bvh_pairs::Visited& e, const std::vector<bvh_pairs::Tested>& tested) {
@@ -113,6 +118,8 @@ class Colliding {
 
   void pruned(const bvh_pairs::Pruned& e) {
     ++nodes_;
+    show(e.a, e.b, State::current);
+    const Scene asking = picture();
     show(e.a, e.b, State::pruned);
     const std::size_t spared = b_.below(e.a).size() * a_.below(e.b).size();
     spared_ += spared;
@@ -129,6 +136,7 @@ class Colliding {
     step.question = which_value("Two nodes lie apart. How many pairs of boxes does that rule out?", in_a * in_b,
                                 {1, in_a + in_b, static_cast<double>(a_.boxes.size() * b_.boxes.size())},
                                 "Each box below one node pairs with each box below the other.");
+    step.question->over = asking;
   }
 
   void finish() {

@@ -6,6 +6,7 @@
 #include "lessons/hierarchy/changes.h"
 #include "lessons/hierarchy/tree.h"
 #include "lessons/shared/plural.h"
+#include "lessons/shared/questions.h"
 
 namespace isect::lessons::hierarchy_lesson {
 
@@ -134,6 +135,7 @@ class Shooting {
                              {"none", "one", "both"},
                              2 - static_cast<int>(missed.size()),
                              "The ray is tested against both boxes."};
+    keep_picture(script_.walk());
   }
 
   void farther(const Pruned& e) {

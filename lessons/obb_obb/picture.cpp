@@ -156,10 +156,11 @@ Scene picture(const Setup& s, Focus focus, const std::optional<obb_obb::Axis>& a
   scene.items.push_back(Dot{b, Mark::disc, Role::second});
   scene.items.push_back(Label{a, "**a**", Role::first});
   scene.items.push_back(Label{b, "**b**", Role::second});
+  const Vec3 face_of_a = a + s.a.half.x() * s.a_u.normalized(), face_of_b = b + s.b.half.x() * s.b_u.normalized();
   scene.handles = {{"a", Handle::Kind::point, a, Vec3::Zero(), Role::first},
-                   {"a_u", Handle::Kind::vector, a + s.a_u, a, Role::first},
+                   {"a_u", Handle::Kind::vector, face_of_a, a, Role::first},
                    {"b", Handle::Kind::point, b, Vec3::Zero(), Role::second},
-                   {"b_u", Handle::Kind::vector, b + s.b_u, b, Role::second}};
+                   {"b_u", Handle::Kind::vector, face_of_b, b, Role::second}};
   return scene;
 }
 

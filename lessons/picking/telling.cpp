@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lessons/picking/picture.h"
+#include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"
 
 namespace isect::lessons::picking_lesson {
@@ -95,6 +96,7 @@ class Teller {
     s.decides = true;
     s.question = {"How many objects need a closer look?", {}, left, "Those whose bounding ball the ray meets."};
     for (int i = 0; i <= s_.size(); ++i) s.question->choices.push_back(std::to_string(i));
+    keep_picture(script_.walk());
   }
 
   void object(int i) {

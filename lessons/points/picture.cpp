@@ -48,7 +48,7 @@ void add_tolerance(Scene& scene, const Setup& s, const Vec3& center) {
       viz::Heading{1.7 * view.up(), "tolerance: " + shown(s.tolerance) + unit, Role::first, 1.8, false});
   scene.items.emplace_back(Ball{center, s.tolerance, Role::first});
   const Vec3 down = -Vec3::UnitY();
-  scene.handles.push_back({"tolerance", Handle::Kind::along, s.p + s.tolerance * down, s.p, Role::first, down});
+  scene.handles.push_back({"tolerance", Handle::Kind::along, center + s.tolerance * down, center, Role::first, down});
 }
 
 void add_range(Scene& scene, double distance_exponent, bool squared) {

@@ -7,6 +7,7 @@
 #include <isect/ray_polygon_methods.h>
 #include "lessons/shared/axis_names.h"
 #include "lessons/shared/plural.h"
+#include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"
 
 namespace isect::lessons::ray_polygon_lesson {
@@ -85,6 +86,7 @@ class Teller {
     step.scene = picture(s_, known_, normal_);
     Script::decide(step, {"*t* ≥ 0", t, 0, e.holds, e.holds ? "on the ray" : "behind the origin"});
     step.question = where_question();
+    keep_picture(script_.walk());
     script_.refuse(1, {});
     if (e.holds) script_.refuse(3, {});
   }
@@ -149,7 +151,10 @@ class Teller {
                              verdict_caption(), ranged_ ? "" : "**n** · **d** = 0");
     if (chosen_ >= 0 && !found_) script_.refuse(6, {});
     step.scene = picture(s_, known_, normal_);
-    if (!ranged_) step.question = where_question();
+    if (!ranged_) {
+      step.question = where_question();
+      keep_picture(script_.walk());
+    }
   }
 
   std::string verdict_caption() const {

@@ -73,7 +73,7 @@ std::vector<Opinion> opinions(const Parameters& p) {
     return t ? "*t* = " + shown(*t * scale) : std::string("no hit");
   };
   const std::optional<double>& truth = s.truth.surface;
-  Opinions all(says(truth));
+  Opinions all(says(truth) + (!truth ? "" : lengths ? ", a length" : " lengths of **d**"));
   const auto add = [&](const char* method, const std::optional<double>& t) {
     const bool agrees = t && truth ? std::abs(*t - *truth) <= 5e-6 * (std::abs(*truth) + s.sphere.radius / length)
                                    : t.has_value() == truth.has_value();

@@ -54,7 +54,7 @@ class HainesTeller : Teller {
   void say(const AlongRay<C>& e) {
     known_.foot = true;
     s_ = e.s.value;
-    script_.value("*s*", e.s.value);
+    script_.value("*s*", e.s.value, "length");
     add("along-the-ray", "How far along the ray", 1,
         std::string("The projection of **l** onto **d** tells where the line passes nearest to the centre. ") +
             (e.s.value < 0 ? "Here that is behind the origin.\n" : "\n") +
@@ -124,7 +124,7 @@ class HainesTeller : Teller {
 
   void say(const HalfChord<C>& e) {
     known_.half_chord = true;
-    script_.value("*q*", e.q.value);
+    script_.value("*q*", e.q.value, "length");
     add("half-chord", "Half the chord", 8,
         e.q.value > 0 ? "Inside the ball the line runs equally far before and after the foot of the perpendicular.\n"
                         "That distance, half the chord, is *q*. Its square root is the only one in the whole test."
@@ -160,7 +160,7 @@ class HainesTeller : Teller {
   }
 
   void say(const Nearest<C>& e) {
-    script_.value("*t*", e.t.value, {}, Role::hit);
+    script_.value("*t*", e.t.value, "length", Role::hit);
     add("nearest-root", "The nearest root", from_outside_ ? 10 : 12,
         line_roots() == 1 ? "The line touches the ball at the foot."
         : from_outside_   ? "The line enters the ball half a chord before the foot."
@@ -171,7 +171,7 @@ class HainesTeller : Teller {
 
   void say(const TooFar<C>& e) {
     const bool segment = setup_.segment();
-    if (segment) script_.value("*t*_{max}", e.limit.value, {}, Role::first);
+    if (segment) script_.value("*t*_{max}", e.limit.value, "length", Role::first);
     Step& step =
         add("in-range", "Within the ray's range?", 13,
             !segment        ? "A ray has no end, so every *t* ≥ 0 is on it."

@@ -144,7 +144,7 @@ class QuadraticTeller : Teller {
     const bool first = e.index == 0;
     known_.roots = e.index + 1;
     known_.half_chord = true;
-    script_.value(first ? "*t*_1" : "*t*_2", e.t.value, {}, Role::hit);
+    script_.value(first ? "*t*_1" : "*t*_2", e.t.value, "lengths of **d**", Role::hit);
     const std::string formula =
         std::string(first ? "*t*_1 = (−*B* − √*D*) / " : "*t*_2 = (−*B* + √*D*) / ") + (half_ ? "*A* = " : "2*A* = ");
     add(first ? "first-root" : "second-root", first ? "The smaller root" : "The larger root", first ? 7 : 8,

@@ -93,6 +93,7 @@ class Teller {
     q.choices.emplace_back("the sky");
     q.answer = s_.traced.hit ? s_.traced.hit->primitive : static_cast<int>(s_.world.objects.size());
     s.question = q;
+    keep_picture(script_.walk());
   }
 
   void shade() {
@@ -145,6 +146,10 @@ class Teller {
         "How many objects does the segment from the point to the light source meet?", between(1),
         {1.0 * between(INFINITY), between(1) > 0 ? 0.0 : 1.0, static_cast<double>(s_.world.objects.size()) - 1},
         "The range is 0 ≤ *t* ≤ 1. The search may stop at the first one found.");
+    keep_picture(script_.walk());
+    const Vec3& from = s_.traced.point;
+    s.question->over->items.emplace_back(
+        Line{from, Vec3(from + s_.traced.to_lamp), Role::highlight, Pen::construction});
   }
 
   std::string shadow_caption() const {

@@ -130,6 +130,7 @@ class Teller {
                      : line  ? 2
                              : 1,
                      "The three kinds differ in nothing but the range of *t*."};
+    keep_picture(script_.walk());
   }
 
   void say(const ray_plane::Numerator<C>& e) { script_.value("**n** · **o** + *D*", e.value.value, "length"); }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"
 
 namespace isect::lessons::rules_lesson {
@@ -84,6 +85,7 @@ Walk tell(const Experiment& e, const Flat& p) {
       add_bar(step.scene, "with the rule", e.after, most, e.unit, -0.7, Role::first);
       step.decides = true;
       step.question = question(e);
+      keep_picture(script.walk());
     }
     step.scene.handles.push_back({"p", Handle::Kind::point, flat(p), Vec3::Zero(), Role::first});
   }

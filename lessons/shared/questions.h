@@ -28,6 +28,12 @@ inline viz::Question which_value(const std::string& prompt, double truth, std::v
   return question;
 }
 
+/// While the question of the walk's last step is open, the picture before it stays: the step's own would tell.
+inline void keep_picture(viz::Walk& walk) {
+  const std::size_t last = walk.steps.size() - 1;
+  if (last > 0) walk.steps[last].question->over = walk.steps[last - 1].scene;
+}
+
 /// "Which line runs next?": `next` among `others`, in the order of the pseudocode.
 inline viz::Question which_line(const std::vector<std::string>& pseudocode, int next, std::vector<int> others,
                                 const std::string& because) {

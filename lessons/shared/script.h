@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <variant>
@@ -66,10 +67,12 @@ class Script {
     state_.counters = {t.mul, t.add, t.div, t.sqrt, t.compare, early_out};
   }
 
-  /// A value computed for the next step. A name that is there already is replaced.
+  /// A value computed for the next step. A name that is there already is replaced, and new if its number is.
   void value(const std::string& name, double number, const std::string& unit = {}, viz::Role role = viz::Role::muted) {
+    const auto unchanged = [&](const viz::Value& v) { return v.name == name && v.value == number && !v.fresh; };
+    const bool fresh = std::ranges::none_of(state_.values, unchanged);
     std::erase_if(state_.values, [&](const viz::Value& v) { return v.name == name; });
-    state_.values.push_back({name, number, unit, role, true});
+    state_.values.push_back({name, number, unit, role, fresh});
   }
 
   /// The condition on `line` was false, so the lines of its branch are not taken.

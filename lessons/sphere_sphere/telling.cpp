@@ -47,14 +47,23 @@ class Teller {
     return step;
   }
 
+  /// One event tells both squares; what each step of the pseudocode takes is counted beside.
   void measured(double d2, double s2) {
     d2_ = d2, s2_ = s2;
+    tally() = {};
+    const Vector<C, 3> l = s_.tested(s_.a).center.cast<C>() - s_.tested(s_.b).center.cast<C>();
+    script_.count(tally());
     add("difference", "From centre to centre", 0,
         "Only the line between the centres matters. Two balls are nearest to each other along it.", Focus::line,
         "**l** = **a** − **b**");
+    l.dot(l);
+    script_.count(tally());
     script_.value("*d*^2", d2, "area");
     add("distance", "The squared distance", 1, distance_caption(d2), Focus::distance,
         "*d*^2 = **l** · **l** = " + shown(d2));
+    const C sum = C(s_.a.radius) + C(s_.b.radius);
+    static_cast<void>(sum * sum);
+    script_.count(tally());
     script_.value("*s*^2", s2, "area", Role::second);
     add("reach", "How far the balls reach", 2,
         "Together the balls reach as far as the sum of their radii.\n"

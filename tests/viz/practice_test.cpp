@@ -21,6 +21,39 @@ Place at(const std::string& preset) {
   return place;
 }
 
+/// The least distance from a point to a segment.
+double distance(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const Vec3 d = b - a;
+  const double t = d.squaredNorm() > 0 ? std::clamp(d.dot(p - a) / d.squaredNorm(), 0.0, 1.0) : 0;
+  return (a + t * d - p).norm();
+}
+/// Whether a point is at what the item shows: on a line, in a ball, or in a box a little wider than the shape.
+struct Shows {
+  const Vec3& p;
+  double near;
+  bool operator()(const Dot& it) const { return (it.at - p).norm() <= near; }
+  bool operator()(const Label& it) const { return (it.at - p).norm() <= near; }
+  bool operator()(const Heading&) const { return false; }
+  bool operator()(const RightAngle& it) const { return (it.at - p).norm() <= near; }
+  bool operator()(const Raster&) const { return false; }
+  bool operator()(const Ball& it) const { return (it.center - p).norm() <= it.radius + near; }
+  bool operator()(const Circle& it) const { return (it.center - p).norm() <= it.radius + near; }
+  bool operator()(const Chain& it) const { return within(it.points); }
+  bool operator()(const Region& it) const {
+    return std::ranges::any_of(it.rings, [&](const auto& ring) { return within(ring); });
+  }
+  bool operator()(const Solid& it) const { return within(it.vertices); }
+  bool operator()(const Mesh& it) const { return within(it.vertices); }
+  bool operator()(const auto& line) const { return distance(p, line.from, line.to) <= near; }
+  bool within(const std::vector<Vec3>& vertices) const {
+    Vec3 lo = Vec3::Constant(1e300), hi = -lo;
+    for (const Vec3& v : vertices) lo = lo.cwiseMin(v), hi = hi.cwiseMax(v);
+    const double wider = near + 0.1 * (hi - lo).maxCoeff();
+    return (p.array() >= lo.array() - wider).all() && (p.array() <= hi.array() + wider).all();
+  }
+};
+bool stands_on(const Item& item, const Vec3& p) { return std::visit(Shows{p, 1e-6 * (1 + p.norm())}, item); }
+
 /// What the first exercise asks for.
 void find_it(Player& player) {
   for (const auto& [name, text] : spheres().closing->exercises.front().by) {
@@ -66,6 +99,63 @@ TEST_CASE("a step keeps its name when the setting changes, and a map that is lef
   CHECK(player.index() == outcome(player.walk()));
   player.edit("r2", 1.0);
   CHECK(player.step().slug == case_map_slug);
+}
+
+TEST_CASE("a handle stands on what is drawn", "[player]") {
+  for (const Lesson* lesson : lessons::all_lessons())
+    for (const Preset& p : lesson->presets)
+      for (const Step& step : lesson->walk(p.parameters).steps)
+        for (const Handle& handle : step.scene.handles) {
+          INFO(lesson->id << " " << p.id << ", " << step.slug << ": " << handle.parameter);
+          CHECK(std::ranges::any_of(step.scene.items, [&](const Item& item) { return stands_on(item, handle.at); }));
+        }
+}
+
+TEST_CASE("every handle is at least 24 px wide, and has its name beside it", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800);
+  for (const Lesson* lesson : lessons::all_lessons()) {
+    window.player().open(*lesson);
+    window.frames(2);
+    for (const Handle& h : window.player().scene().handles) {
+      INFO(lesson->id << ": " << h.parameter);
+      const Rect grip = window.rect("handle " + h.parameter);
+      CHECK((grip.width() >= 24 && grip.height() >= 24));
+      double least = 1e9;
+      for (const PlacedLabel& label : window.ui.labels()) {
+        const double x =
+            std::clamp<double>(grip.middle_x() - window.rect("scene").left, label.box.left, label.box.right);
+        const double y =
+            std::clamp<double>(grip.middle_y() - window.rect("scene").top, label.box.top, label.box.bottom);
+        least = std::min(least, std::hypot(x + window.rect("scene").left - grip.middle_x(),
+                                           y + window.rect("scene").top - grip.middle_y()));
+      }
+      CHECK(least < 110);
+    }
+  }
+}
+
+TEST_CASE("what a step has not changed is not marked as new", "[player]") {
+  for (const Lesson* lesson : lessons::all_lessons())
+    for (const Preset& p : lesson->presets) {
+      const Walk walk = lesson->walk(p.parameters);
+      for (std::size_t i = 1; i < walk.steps.size(); ++i)
+        for (const Value& now : walk.steps[i].values)
+          for (const Value& before : walk.steps[i - 1].values) {
+            INFO(lesson->id << " " << p.id << ", " << walk.steps[i].slug << ": " << now.name);
+            CHECK_FALSE((now.fresh && now.name == before.name && now.value == before.value));
+          }
+    }
+}
+
+TEST_CASE("only what was done is counted, and from the step that did it", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, at("overlapping"));
+  CHECK(window.player().step().counters.mul == 0);  // a difference of two centres multiplies nothing
+  CHECK(window.player().step().counters.add == 3);
+  CHECK(window.has("count add"));
+  for (const char* name : {"count mul", "count div", "count sqrt", "count cmp"}) CHECK_FALSE(window.has(name));
+  window.key(key::right);
+  CHECK(window.player().step().counters.mul == 3);
+  CHECK(window.has("count mul"));
 }
 
 TEST_CASE("an exercise is tried from its own preset, and found when the core says so", "[window]") {

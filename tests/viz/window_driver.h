@@ -4,6 +4,7 @@
 
 #include <imgui.h>
 
+#include <cmath>
 #include <cstring>
 #include <functional>
 #include <stdexcept>
@@ -88,13 +89,13 @@ class WindowDriver {
     frames();
   }
 
-  /// A key that types nothing, or with Ctrl.
-  void key(key::Code code, bool with_control = false) {
-    control(with_control);
+  /// A key that types nothing, or with Ctrl, or with Shift.
+  void key(key::Code code, bool with_control = false, bool with_shift = false) {
+    modifiers(with_control, with_shift);
     press(code, true);
     frames();
     press(code, false);
-    control(false);
+    modifiers(false, false);
     frames();
   }
   void press(key::Code code, bool down) {
@@ -104,13 +105,15 @@ class WindowDriver {
     ImGui::GetIO().AddKeyEvent(code, down);
 #endif
   }
-  void control(bool held) {
+  void control(bool held) { modifiers(held, false); }
+  void modifiers(bool with_control, bool with_shift) {
     ImGuiIO& io = ImGui::GetIO();
 #if IMGUI_VERSION_NUM < 18700
-    io.KeyCtrl = held;
-    io.KeyMods = held ? ImGuiKeyModFlags_Ctrl : ImGuiKeyModFlags_None;
+    io.KeyCtrl = with_control, io.KeyShift = with_shift;
+    io.KeyMods = (with_control ? ImGuiKeyModFlags_Ctrl : 0) | (with_shift ? ImGuiKeyModFlags_Shift : 0);
 #else
-    io.AddKeyEvent(ImGuiMod_Ctrl, held);
+    io.AddKeyEvent(ImGuiMod_Ctrl, with_control);
+    io.AddKeyEvent(ImGuiMod_Shift, with_shift);
 #endif
   }
   void type(const std::string& characters) {
@@ -121,7 +124,9 @@ class WindowDriver {
   /// What the window looks like now.
   Picture picture() {
     const ImGuiIO& io = ImGui::GetIO();
-    const int width = static_cast<int>(io.DisplaySize.x * scale_), height = static_cast<int>(io.DisplaySize.y * scale_);
+    const double scale = ui.scale();
+    const int width = static_cast<int>(std::lround(io.DisplaySize.x * scale));
+    const int height = static_cast<int>(std::lround(io.DisplaySize.y * scale));
     const FrameTarget target(width, height);
     ui.draw(target.framebuffer());
 

@@ -7,6 +7,7 @@
 #include "tests/scratch.h"
 #include "tests/viz/sample_lesson.h"
 #include "tests/viz/window_driver.h"
+#include "viz/formats.h"
 #include "viz/window.h"
 
 namespace window_state_test {
@@ -65,7 +66,8 @@ TEST_CASE("a figure is saved where its name says, and opens again at its place",
   window.key(key::enter);
   window.frames(2);
   const std::string png_file = folder + "/point-disc/squared-inside/02-length.png";
-  CHECK(window.ui.message() == "Saved " + png_file);
+  CHECK(window.ui.message() == "Saved " + png_file + ", with its alt text");
+  CHECK(read_file(folder + "/point-disc/squared-inside/02-length.txt").find("point") != std::string::npos);
   const std::string bytes = read_file(png_file);
   const Picture saved = read_png(bytes);
   CHECK(saved.width == 960);
@@ -80,10 +82,61 @@ TEST_CASE("a figure is saved where its name says, and opens again at its place",
   window.click("save");
   window.frames(2);
   const std::string svg_file = folder + "/point-disc/squared-inside/02-length.svg";
-  CHECK(window.ui.message() == "Saved " + svg_file);
+  CHECK(window.ui.message() == "Saved " + svg_file + ", with its alt text");
   CHECK(read_file(svg_file).find("<svg") != std::string::npos);
   CHECK(window.ui.settings().save_format == "svg");
   CHECK(window.ui.settings().save_theme == ThemeName::grey);
+  std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("a figure is saved in every format, on paper as wide as asked", "[window]") {
+  const std::string folder = (std::filesystem::temp_directory_path() / "isect-window-formats").string();
+  std::filesystem::remove_all(folder);
+  WindowDriver window(both, 1280, 800, {}, {}, {.reduced_motion = true, .figures = folder});
+  for (const Format& format : formats()) {
+    INFO(format.name);
+    window.type("s");
+    window.frames(2);
+    window.click("format " + format.name);
+    window.click("size 8");
+    window.click("save");
+    window.frames(2);
+    const std::string file = folder + "/point-disc/squared-inside/01-way." + format.name;
+    CHECK(window.ui.message() == "Saved " + file + ", with its alt text");
+    const std::string bytes = read_file(file);
+    CHECK(place_from_metadata(format.metadata(bytes), both).lesson == "point-disc");
+    if (format.name == "png") CHECK(read_png(bytes).width >= static_cast<int>(8 / 2.54 * 300) - 1);
+    if (format.name == "png") CHECK(read_png(bytes).width <= static_cast<int>(8 / 2.54 * 300 * 1.6));
+  }
+  CHECK(window.ui.settings().save_width_cm == 8);
+  std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("a setting is saved as a preset, which the picker lists and opens", "[window]") {
+  const std::string folder = (std::filesystem::temp_directory_path() / "isect-window-presets").string();
+  std::filesystem::remove_all(folder);
+  WindowDriver window(both, 1280, 800, {}, {}, {.reduced_motion = true, .figures = folder});
+  window.drag("handle c", 60, 30);
+  const Parameters saved = window.player().parameters();
+  window.type("s");
+  window.frames(2);
+  window.click("save as preset");
+  window.frames(2);
+  CHECK(window.ui.message() == "Saved " + folder + "/point-disc/setting-1.json");
+  window.type("1]");
+  REQUIRE(window.player().lesson().id == "point-ball");
+  window.key(key::o, true);
+  window.frames(2);
+  window.click("saved point-disc, setting-1");
+  CHECK(window.player().lesson().id == "point-disc");
+  CHECK((window.player().parameters() == saved));
+
+  write_file(folder + "/point-disc/setting-1.json", "{");
+  window.key(key::o, true);
+  window.frames(2);
+  window.click("saved point-disc, setting-1");
+  window.frames(2);
+  CHECK(window.ui.message().find("setting-1.json") != std::string::npos);
   std::filesystem::remove_all(folder);
 }
 
@@ -109,6 +162,8 @@ TEST_CASE("settings survive a run, and a spoilt file or field gives defaults", "
   s.width = 1600;
   s.place = Player(both).place();
   s.place->step = 3;
+  s.scores["point-disc"] = {{{"squared/compare", true}, {"squared/length", false}}, true};
+  s.recent = {"point-ball", "point-disc"};
   write_settings(file, s);
   const Settings read = read_settings(file, both);
   CHECK(read.theme == ThemeName::grey);
@@ -117,6 +172,10 @@ TEST_CASE("settings survive a run, and a spoilt file or field gives defaults", "
   CHECK(read.width == 1600);
   REQUIRE(read.place);
   CHECK(read.place->step == 3);
+  CHECK(read.scores.at("point-disc").right() == 1);
+  CHECK(read.scores.at("point-disc").answers.size() == 2);
+  CHECK(read.scores.at("point-disc").finished);
+  CHECK(read.recent == s.recent);
 
   write_file(file, R"({"theme": 7, "width": "wide", "save_theme": "gray", "speed": 2, "place": {"lesson": "x"}})");
   const Settings half = read_settings(file, both);
@@ -125,6 +184,14 @@ TEST_CASE("settings survive a run, and a spoilt file or field gives defaults", "
   CHECK(half.save_theme == ThemeName::print);
   CHECK(half.speed == 2);
   CHECK_FALSE(half.place);
+
+  for (const char* wide : {"-2147483649", "40000", "799", "1e99", "-1"}) {  // what no screen has
+    INFO(wide);
+    write_file(file, std::string(R"({"scores": [1], "recent": ["no lesson", 4], "width": )") + wide + "}");
+    CHECK(read_settings(file, both).width == 1280);
+    CHECK(read_settings(file, both).scores.empty());
+    CHECK(read_settings(file, both).recent.empty());
+  }
 
   write_file(file, "\x01\x02 no JSON");
   CHECK(read_settings(file, both).width == 1280);
@@ -155,10 +222,17 @@ TEST_CASE("a spoilt file of settings is set aside, and none that was set aside b
   remove_all();
 }
 
+TEST_CASE("a camera that nobody has moved is not kept, so that presets go on framing themselves", "[window]") {
+  WindowDriver window(both);
+  CHECK_FALSE(window.ui.settings().place->camera);
+  window.key(key::right, false, true);
+  CHECK(window.ui.settings().place->camera);
+}
+
 TEST_CASE("without a display the window says so", "[window]") {
   unsetenv("DISPLAY");
   unsetenv("WAYLAND_DISPLAY");
-  CHECK_THROWS_AS(show(both, {}), NoDisplay);
+  CHECK_THROWS_AS(show(both, {}, {}), NoDisplay);
 }
 
 }  // namespace window_state_test

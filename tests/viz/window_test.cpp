@@ -182,30 +182,6 @@ TEST_CASE("a question is answered by click or by letter, and the answer is told"
   CHECK(window.player().answered()->right());
 }
 
-TEST_CASE("a number is typed after Ctrl+click, and a refused one is told", "[window]") {
-  WindowDriver window(both);
-  window.click("parameters");
-  window.frames(2);
-  const auto type_radius = [&](const std::string& number) {
-    const Rect field = window.rect("parameter r");
-    window.move(field.middle_x(), field.middle_y());
-    window.control(true);
-    window.button(true);
-    window.button(false);
-    window.control(false);
-    window.frames(2);
-    window.type(number);
-    window.key(key::enter);
-  };
-  const auto radius = [&] { return std::get<double>(window.player().parameters().at("r")); };
-  type_radius("2.75");
-  CHECK(radius() == 2.75);
-  CHECK(window.ui.message().empty());
-  type_radius("-4");
-  CHECK(radius() == 2.75);
-  CHECK(window.ui.message().find("r") != std::string::npos);
-}
-
 TEST_CASE("letters typed into a field are no commands", "[window]") {
   WindowDriver window(both);
   window.key(key::o, true);
@@ -214,25 +190,6 @@ TEST_CASE("letters typed into a field are no commands", "[window]") {
   CHECK(window.player().preset_id() == "squared-inside");
   window.type("");
   CHECK_FALSE(window.has("lesson point-disc"));
-}
-
-TEST_CASE("the picker finds a lesson by a word, and opens it by Enter or by click", "[window]") {
-  WindowDriver window(both);
-  window.key(key::o, true);
-  window.frames(2);
-  REQUIRE(window.has("search"));
-  CHECK(window.has("pair point-ball"));
-  CHECK(window.has("lesson point-disc"));
-  window.type("BALL");
-  CHECK_FALSE(window.has("lesson point-disc"));
-  window.key(key::enter);
-  CHECK(window.player().lesson().id == "point-ball");
-  CHECK_FALSE(window.has("search"));
-
-  window.click("lesson");
-  window.frames(2);
-  window.click("pair point-disc");
-  CHECK(window.player().lesson().id == "point-disc");
 }
 
 TEST_CASE("the key sheet opens by key and by button, and closes by Escape", "[window]") {

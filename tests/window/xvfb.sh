@@ -11,7 +11,7 @@ done
 
 rm -rf "$folder"
 mkdir -p "$folder/state"
-Xvfb -displayfd 3 -screen 0 1400x900x24 -nolisten tcp 3>"$folder/display" 2>"$folder/xvfb.log" &
+Xvfb -displayfd 3 -screen 0 2700x1700x24 -nolisten tcp -noreset 3>"$folder/display" 2>"$folder/xvfb.log" &
 server=$!
 program=
 trap 'kill $program $server 2>/dev/null || :' EXIT
@@ -93,3 +93,47 @@ leave
 [ "$(cat "$state.damaged")" = '{"theme": "grey", "pla' ] || { echo "FAILED: the damaged state is lost"; exit 1; }
 grep -q '"lesson": "relations"' "$state" || { echo "FAILED: no new state was kept"; exit 1; }
 echo "ok: it says so, keeps the damaged file, and a new state beside it"
+
+# spent: hundredths of a second of processor time so far
+spent() { sed 's/.*) //' "/proc/$program/stat" | awk '{ print $12 + $13 }'; }
+rm -f "$state"
+start show ray-sphere --step 3
+sleep 2
+before=$(spent); sleep 3; after=$(spent)
+[ $((after - before)) -le 3 ] || { echo "FAILED: at rest it takes $((after - before)) hundredths of 3 s"; exit 1; }
+xdotool key space sleep 3  # play comes to a question, and waits
+before=$(spent); sleep 3; after=$(spent)
+[ $((after - before)) -le 3 ] || { echo "FAILED: at a question it takes $((after - before)) hundredths of 3 s"; exit 1; }
+expect 'step 3 of' "play waits at a question, and takes no time"
+xdotool key Right; expect 'step 4 of' "Right goes on"
+xdotool key F11 sleep 1
+size() { xdotool getwindowgeometry --shell "$window" | sed -n 's/^WIDTH=//p'; }
+[ "$(size)" = 2700 ] || { echo "FAILED: F11 makes a window of $(size)"; exit 1; }
+xdotool key F11 sleep 1
+[ "$(size)" = 1280 ] || { echo "FAILED: F11 leads back to $(size)"; exit 1; }
+echo "ok: F11 fills the screen, and leads back"
+kill -TERM $program
+closed() { ! kill -0 $program 2>/dev/null; }
+wait_for 20 closed || { echo "FAILED: SIGTERM does not close the window"; exit 1; }
+wait $program || { echo "FAILED: after SIGTERM isect ended with $?"; exit 1; }
+program=
+grep -q '"step": 4' "$state" || { echo "FAILED: SIGTERM loses the state"; exit 1; }
+echo "ok: SIGTERM keeps the state"
+
+if command -v xprop >/dev/null; then
+  xprop -root -f RESOURCE_MANAGER 8s -set RESOURCE_MANAGER 'Xft.dpi: 192'
+  for run in 1 2 3; do
+    start
+    sleep 1
+    [ "$(size)" = 2560 ] || { echo "FAILED: at 192 dpi run $run opens $(size) pixels"; exit 1; }
+    leave
+    grep -q '"width": 1280' "$state" || { echo "FAILED: run $run at 192 dpi kept $(grep width "$state")"; exit 1; }
+  done
+  echo "ok: at 192 dpi the window has one size, run after run"
+fi
+sed -i 's/"width": [0-9]*/"width": -2147483649/' "$state"
+start
+sleep 1
+[ "$(size)" -le 2700 ] || { echo "FAILED: it opens $(size) pixels"; exit 1; }
+leave
+echo "ok: a width that no screen has is not taken"

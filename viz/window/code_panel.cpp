@@ -59,26 +59,27 @@ struct Fit {
   float code_pitch, value_pitch, operations, code_height, values_height;
 };
 
-float most_values(const Walk& walk, float pitch) {
+float most_values(const Ui& ui, const Walk& walk, float width, float pitch) {
   float most = 0;
-  for (const Step& step : walk.steps) most = std::max(most, values_height(step, pitch));
+  for (const Step& step : walk.steps) most = std::max(most, values_height(ui, step, width, pitch));
   return most;
 }
 
-Fit fit(const Walk& walk, const std::vector<CodeLine>& lines, const Step& step, float height) {
+Fit fit(const Ui& ui, const Walk& walk, const std::vector<CodeLine>& lines, const Step& step, float width,
+        float height) {
   constexpr Fit sizes[] = {{26, 28, 58, 0, 0}, {23, 25, 34, 0, 0}, {21, 22, 34, 0, 0}};
   Fit f{};
   float room = 0;
   for (const Fit& size : sizes) {
     f = size;
     f.code_height = height_of(lines, f.code_pitch);
-    f.values_height = most_values(walk, f.value_pitch);
+    f.values_height = most_values(ui, walk, width, f.value_pitch);
     room = height - code_top - f.operations;
     if (f.code_height + f.values_height <= room) return f;
   }
   // Too much for this window: the code shows a part around its current line, the values scroll if they must.
   const float least_code = std::min(f.code_height, 5 * f.code_pitch);
-  f.values_height = std::min(values_height(step, f.value_pitch), room - least_code);
+  f.values_height = std::min(values_height(ui, step, width, f.value_pitch), room - least_code);
   f.code_height = std::min(f.code_height, room - f.values_height);
   return f;
 }
@@ -102,7 +103,7 @@ void code_line(Session& s, int line, const CodeLine& words, float pitch, const R
   const int to = step_at_line(s.player, line);
   const Press p = press(ui, "line " + std::to_string(line + 1), r);
   if (current)
-    filled(r, c.highlight, 5);
+    filled(r, c.highlight.with_alpha(s.player.light()), 5);
   else if (p.hovered && to >= 0)
     filled(r, c.frame, 5);
   if (p.clicked && to >= 0) s.player.go_to(to);
@@ -135,7 +136,8 @@ void code(Session& s, const std::vector<CodeLine>& lines, const Rect& r, float p
     const CodeLine& words = lines[i];
     const float height = words.height(pitch);
     code_line(s, i, words, pitch, {r.left, y, r.right, y + height});
-    if (i == line) ImGui::SetScrollFromPosY(y + height / 2 - ImGui::GetWindowPos().y, 0.5f);
+    if (i == line && !s.ui.focus.name().starts_with("line "))
+      ImGui::SetScrollFromPosY(y + height / 2 - ImGui::GetWindowPos().y, 0.5f);
     y += height;
   }
   ImGui::SetCursorScreenPos({r.left, top});
@@ -150,7 +152,7 @@ void code_panel(Session& s, const Rect& r) {
   begin_region(ui, "code panel", r, ui.palette.window);
   ImGui::GetWindowDrawList()->AddRectFilled({r.left, r.top}, {r.left + 1, r.bottom}, packed(ui.palette.rule));
   const std::vector<CodeLine> lines = code_lines(ui, s.player.walk(), r.width() - 20);
-  const Fit f = fit(s.player.walk(), lines, s.player.step(), r.height());
+  const Fit f = fit(ui, s.player.walk(), lines, s.player.step(), r.width() - 20, r.height());
   const float heading = r.top + 32;
   text(ui.fonts.bold, r.left + padding, heading, packed(ui.palette.text), "Pseudocode");
   if (s.player.step().counters.early_out)

@@ -21,6 +21,9 @@ struct Column {
   bool button(const std::string& name, const std::string& words, float& from);
 };
 
+/// The question before the next step, or what came of the one before this. `fresh`: it was not there in the last frame.
+/// (question.cpp)
+void question(Column&, bool fresh);
 /// Where the current line errs as published: the right one, and a button to see it fail. (practice.cpp)
 void erratum(Column&);
 /// The closing card's exercises, each to be tried or looked up. (practice.cpp)

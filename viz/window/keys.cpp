@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "viz/window/key_codes.h"
 #include "viz/window/panels.h"
@@ -19,23 +20,60 @@ void paste(Session& s) {
 
 void with_control(Session& s) {
   if (pressed(key::o)) s.open_next = Sheet::picker;
-  if (pressed(key::z) && !s.player.undo()) s.say("Nothing to take back");
+  const bool again = pressed(key::y) || (pressed(key::z) && ImGui::GetIO().KeyShift);
+  if (again) {
+    if (!s.player.redo()) s.say("Nothing to do again");
+  } else if (pressed(key::z) && !s.player.undo()) {
+    s.say("Nothing to take back");
+  }
   if (pressed(key::v)) paste(s);
   if (pressed(key::q)) s.close = true;
+  double& size = s.settings.size;
+  if (pressed(key::plus, true) || pressed(key::equal, true) || pressed(key::keypad_plus, true)) size += 0.1;
+  if (pressed(key::minus, true) || pressed(key::keypad_minus, true)) size -= 0.1;
+  if (pressed(key::zero) || pressed(key::keypad_0)) size = 1;
+  size = std::clamp(std::round(10 * size) / 10, least_size, most_size);
   if (!pressed(key::c)) return;
   ImGui::SetClipboardText(to_json(s.player.place()).c_str());
   s.say("State copied as JSON");
 }
 
+/// The preset after the one loaded last, or before it.
+void neighbour_preset(Session& s, int by) {
+  const std::vector<const Preset*> group = s.player.group();
+  const int count = static_cast<int>(group.size());
+  if (count == 0) return;
+  const auto at = std::ranges::find(group, s.player.origin(), &Preset::id);
+  const int now = at == group.end() ? (by > 0 ? -1 : 0) : static_cast<int>(at - group.begin());
+  s.attempt([&] { s.player.load(*group[static_cast<std::size_t>((now + by + count) % count)]); });
+}
+
+/// The widgets, one after the other; also those of a sheet, while its search field has the letters.
+void focus_keys(Session& s, bool in_popup) {
+  const ImGuiIO& io = ImGui::GetIO();
+  Focus& focus = s.ui.focus;
+  if (io.MouseClicked[0]) focus.clear();
+  if ((io.WantTextInput && !in_popup) || io.KeyCtrl || io.KeyShift) return;
+  if (pressed(key::down, true)) focus.move(1);
+  if (pressed(key::up, true)) focus.move(-1);
+  if (pressed(key::f6)) focus.next_group();
+  if (pressed(key::enter) || pressed(key::keypad_enter)) focus.press();
+}
+
 void moving_keys(Session& s) {
   Player& player = s.player;
-  if (pressed(key::right, true)) player.next();
-  if (pressed(key::left, true)) player.back();
+  const bool shift = ImGui::GetIO().KeyShift;  // with it the arrows turn the scene, or move a handle
+  if (!shift && pressed(key::right, true)) player.next();
+  if (!shift && pressed(key::left, true)) player.back();
+  if (pressed(key::page_down, true)) neighbour_preset(s, 1);
+  if (pressed(key::page_up, true)) neighbour_preset(s, -1);
+  if (pressed(key::escape)) s.ui.focus.clear();
   if (pressed(key::home)) player.first();
   if (pressed(key::end)) player.last();
   if (pressed(key::tab)) s.panels = !s.panels;
   if (pressed(key::f1)) s.open_next = Sheet::keys;
   if (pressed(key::f12)) s.open_next = Sheet::save;
+  if (pressed(key::f11)) s.full_screen = !s.full_screen;
 }
 
 void load_number(Session& s, std::size_t number) {
@@ -47,7 +85,7 @@ void load_number(Session& s, std::size_t number) {
 void character(Session& s, char c) {
   Player& player = s.player;
   if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  if (c >= '1' && c <= '9') return load_number(s, static_cast<std::size_t>(c - '0'));
+  if (c >= '0' && c <= '9') return load_number(s, c == '0' ? 10 : static_cast<std::size_t>(c - '0'));
   if (player.asked() && c >= 'a' && c - 'a' < static_cast<int>(player.asked()->choices.size()))
     return player.answer(c - 'a');
   switch (c) {
@@ -59,12 +97,28 @@ void character(Session& s, char c) {
       return s.attempt([&] { player.open_neighbour(1); });
     case 'e':
       return s.attempt([&] { player.show_erratum(); });
+    case 'g':
+      s.open_next = Sheet::terms;
+      return;
+    case 'm':
+      s.settings.reduced_motion = !s.settings.reduced_motion;
+      player.reduce_motion(s.settings.reduced_motion);
+      return s.say(s.settings.reduced_motion ? "Nothing moves by itself now" : "Steps and views glide again");
     case 'r':
       return s.attempt([&] { player.restart(); });
     case 'p':
       return player.set_perspective(true);
     case 'o':
       return player.set_perspective(false);
+    case 'f':
+      return player.frame_all();
+    case '+':
+    case '=':
+      s.zoom *= 1.15;
+      return;
+    case '-':
+      s.zoom /= 1.15;
+      return;
     case 's':
       s.open_next = Sheet::save;
       return;
@@ -80,7 +134,9 @@ void character(Session& s, char c) {
 
 void keys(Session& s) {
   const ImGuiIO& io = ImGui::GetIO();
-  if (io.WantTextInput || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) return;
+  const bool in_popup = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
+  focus_keys(s, in_popup);
+  if (io.WantTextInput || in_popup) return;
   if (io.KeyCtrl) return with_control(s);
   moving_keys(s);
   for (const ImWchar c : io.InputQueueCharacters)

@@ -13,91 +13,20 @@ namespace {
 
 constexpr float margin = 20;
 
+/// The formula as large as it fits on one line; on several lines where it would be hard to read.
 void formula_card(Column& c, const std::string& markup) {
   Ui& ui = c.s.ui;
-  constexpr float height = 60;
-  Paragraph p{.markup = markup, .size = 24, .line_pitch = 30, .math = true, .colour = ui.palette.text};
+  constexpr double largest = 24, least = 17;
+  Paragraph p{.markup = markup, .size = largest, .line_pitch = 30, .math = true, .colour = ui.palette.text};
   const float room = c.width - 24, natural = ui.texts.of(p).size.x;
-  if (natural > room) p.size = std::max(13.0, std::floor(p.size * room / natural));
+  if (natural > room) p.size = std::max(least, std::floor(p.size * room / natural));
+  if (ui.texts.of(p).size.x > room) p.width = room, p.size = least - 1, p.line_pitch = 25;
+  const ImVec2 size = ui.texts.of(p).size;
+  const float height = std::max(60.0f, size.y + 24);
   filled({c.x, c.y, c.x + c.width, c.y + height}, ui.palette.card, 8);
-  ImGui::PushClipRect({c.x + 6, c.y}, {c.x + c.width - 6, c.y + height}, true);
-  rich_line(ui, p, c.x + c.width / 2, c.y + height / 2, 0.5f);
-  ImGui::PopClipRect();
+  const float left = p.width > 0 ? c.x + 12 : c.x + (c.width - size.x) / 2;
+  rich(ui, p, {left, c.y + (height - size.y) / 2});
   c.y += height;
-}
-
-/// How an answer looks: before it is given, and after.
-struct Choice {
-  std::string name, markup;
-  char key;
-  bool open, right, chosen;
-};
-
-bool choice_button(Ui& ui, const Choice& choice, const Rect& r) {
-  const Palette& c = ui.palette;
-  const Press p = press(ui, choice.name, r);
-  filled(r, choice.open && p.hovered ? c.hovered : c.frame);
-  if (choice.open && p.hovered) outlined(r, c.first);
-  if (!choice.open && (choice.right || choice.chosen)) outlined(r, choice.right ? c.hit : c.miss);
-  const float y = r.middle_y();
-  if (choice.open) text(ui.fonts.small, r.left + 9, y, packed(c.muted), std::string(1, choice.key));
-  if (!choice.open && choice.right) tick(r.left + 13, y, 11, packed(c.hit));
-  if (!choice.open && !choice.right && choice.chosen) cross(r.left + 13, y, 11, packed(c.miss));
-  const bool quiet = !choice.open && !choice.right && !choice.chosen;
-  rich_line(ui, {.markup = choice.markup, .colour = quiet ? c.muted : c.text}, r.middle_x() + 7, y, 0.5f);
-  return p.clicked && choice.open;
-}
-
-/// The question's answers, side by side if they fit. Returns the one that was pressed, or -1.
-int choices(Column& c, const Question& question, int given) {
-  Ui& ui = c.s.ui;
-  const int n = static_cast<int>(question.choices.size());
-  float widest = 0;
-  for (const std::string& markup : question.choices)
-    widest = std::max(widest, ui.texts.of({.markup = markup, .colour = ui.palette.text}).size.x);
-  const float share = (c.width - 8 * static_cast<float>(n - 1)) / static_cast<float>(std::max(n, 1));
-  const bool in_a_row = widest + 38 <= share;
-  int pressed = -1;
-  for (int i = 0; i < n; ++i) {
-    const float x = in_a_row ? c.x + static_cast<float>(i) * (share + 8) : c.x;
-    const Rect r{x, c.y, x + (in_a_row ? share : c.width), c.y + 36};
-    const Choice choice{"choice " + std::to_string(i), question.choices[i], static_cast<char>('A' + i), given < 0,
-                        i == question.answer,          i == given};
-    if (choice_button(ui, choice, r)) pressed = i;
-    if (!in_a_row && i + 1 < n) c.y += 42;
-  }
-  c.y += 36;
-  return pressed;
-}
-
-void question(Column& c, bool fresh) {
-  Player& player = c.s.player;
-  const Palette& ink = c.s.ui.palette;
-  if (const Question* asked = player.asked()) {
-    c.y += 24;
-    if (fresh) ImGui::SetScrollFromPosY(c.y - ImGui::GetWindowPos().y, 0);
-    c.paragraph("Your turn", ink.text, 15, 23, true);
-    c.y += 2;
-    c.paragraph(asked->prompt, ink.text);
-    c.y += 10;
-    const int pressed = choices(c, *asked, -1);
-    if (pressed >= 0) player.answer(pressed);
-    return;
-  }
-  const auto answered = player.answered();
-  if (!answered) return;
-  c.y += 24;
-  const bool right = answered->right();
-  const Colour& colour = right ? ink.hit : ink.miss;
-  (right ? tick : cross)(c.x + 7, c.y + 11, 13, packed(colour));
-  c.x += 22, c.width -= 22;
-  c.paragraph(right ? "Right" : "Not quite", colour, 15, 23, true);
-  c.x -= 22, c.width += 22;
-  c.paragraph(answered->question->prompt, ink.muted);
-  c.y += 8;
-  choices(c, *answered->question, answered->choice);
-  c.y += 10;
-  c.paragraph(answered->question->because, ink.text);
 }
 
 /// What each method says of this setting, and a button to keep one in which they differ.
@@ -155,11 +84,12 @@ void lesson_text(Session& s, const Rect& r, bool fresh) {
 struct Hint {
   Role role;
   std::string markup;
+  bool turns = false;  ///< the scene, and no object
 };
 std::vector<Hint> hints_of(const Player& player) {
   std::vector<Hint> hints;
-  if (player.step().slug == case_map_slug) hints.push_back({Role::text, "drag the setting over the map"});
-  for (const Handle& h : player.step().scene.handles) {
+  if (player.step().slug == case_map_slug) hints.push_back({Role::text, "drag over the map"});
+  for (const Handle& h : player.scene().handles) {
     std::string label = h.parameter;
     for (const Parameter& p : player.lesson().parameters)
       if (p.name == h.parameter && !p.label.empty()) label = p.label;
@@ -169,6 +99,9 @@ std::vector<Hint> hints_of(const Player& player) {
     else if (found->markup.find(label) == std::string::npos)
       found->markup += " or " + label;
   }
+  const Scene& scene = player.scene();
+  if (!player.lesson().flat && !scene.chart && !scene.items.empty())
+    hints.push_back({Role::muted, hints.empty() ? "drag to turn" : "drag elsewhere to turn", true});
   return hints;
 }
 
@@ -177,7 +110,7 @@ float hints_height(const std::vector<Hint>& hints) { return 32 * static_cast<flo
 void draw_hints(Session& s, const std::vector<Hint>& hints, float x, float y, float width) {
   ImGui::PushClipRect({x, y}, {x + width, y + hints_height(hints)}, true);
   for (const Hint& hint : hints) {
-    handle_sign(x + 9, y + 16, s.ui.palette.theme.ink(hint.role));
+    (hint.turns ? turn_sign : handle_sign)(x + 9, y + 16, s.ui.palette.theme.ink(hint.role));
     rich_line(s.ui, {.markup = hint.markup, .colour = s.ui.palette.muted}, x + 28, y + 16);
     y += 32;
   }

@@ -13,9 +13,11 @@ void lesson_panel(Session&, const Rect&);
 float parameter_fields(Session&, float x, float y, float width);
 /// Pseudocode, values, comparison and operations. (code_panel.cpp, values.cpp)
 void code_panel(Session&, const Rect&);
-float values_height(const Step&, float pitch);
+float values_height(const Ui&, const Step&, float width, float pitch);
 void values_block(Session&, const Rect&, float pitch);
 void operations_block(Session&, const Rect&);
+/// The question in a window of its own, where the lesson's panel is hidden. (question.cpp)
+void question_over_scene(Session&, const Rect& scene);
 /// Scrubber and buttons. (transport.cpp)
 void transport(Session&, const Rect&);
 /// The key sheet, the picker and the save sheet, over everything else. (sheets.cpp)

@@ -1,7 +1,13 @@
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "viz/rich_text.h"
+#include "viz/window/number_text.h"
 #include "viz/window/panels.h"
 
 namespace isect::viz {
@@ -9,38 +15,99 @@ namespace {
 
 constexpr float field_height = 32;
 
-/// A number to drag along; Ctrl+click types it. `edited` gets the new value.
-bool number_field(Session& s, const std::string& name, const Parameter& p, double& value, const Rect& r, bool slider) {
-  s.ui.rects["parameter " + name] = r;
+/// What typing into this field has come to: nothing yet, a number, or a refusal, which is told below the field.
+std::optional<double> typed(Session& s, const std::string& field) {
+  Session::Typing& typing = s.typing;
+  if (!typing.begun) ImGui::SetKeyboardFocusHere();
+  const bool entered = ImGui::InputText(("##" + field).c_str(), &typing.text,
+                                        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  const bool left = typing.begun && !ImGui::IsItemActive();
+  if (ImGui::IsItemActive()) typing.begun = true;
+  if (!entered && !left) return std::nullopt;
+  const std::string text = std::exchange(typing, {}).text;
+  s.refused = {};
+  try {
+    return number_from(text);
+  } catch (const BadInput& wrong) {
+    s.refused = {field, wrong.what()};
+    return std::nullopt;
+  }
+}
+
+/// A number to drag along; Ctrl+click, a double click or Enter begin to type it. The new value, if there is one.
+std::optional<double> number_field(Session& s, const std::string& name, const Parameter& p, double value, const Rect& r,
+                                   bool slider) {
+  const std::string field = "parameter " + name;
+  s.ui.rects[field] = r;
+  const bool held = focused(s.ui, field, r);
   ImGui::SetCursorScreenPos(top_left(r));
   ImGui::SetNextItemWidth(r.width());
+  if (s.typing.field == field) {
+    const std::optional<double> number = typed(s, field);
+    if (number) s.player.end_action(), s.player.remember("type");
+    return number;
+  }
+  const bool hovered = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r));
+  const bool click = ImGui::IsMouseClicked(ImGuiMouseButton_Left) && ImGui::GetIO().KeyCtrl;
+  if ((held && s.ui.focus.pressed()) || (hovered && (click || ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)))) {
+    s.typing = {field, to_text(Setting(value))};
+    return std::nullopt;
+  }
   const std::string id = "##" + name;
+  constexpr ImGuiSliderFlags by_hand = ImGuiSliderFlags_NoInput;
   const bool changed =
-      slider ? ImGui::SliderScalar(id.c_str(), ImGuiDataType_Double, &value, &p.drag_lo, &p.drag_hi, "%.5g")
+      slider ? ImGui::SliderScalar(id.c_str(), ImGuiDataType_Double, &value, &p.drag_lo, &p.drag_hi, "%.5g", by_hand)
              : ImGui::DragScalar(id.c_str(), ImGuiDataType_Double, &value,
-                                 static_cast<float>((p.drag_hi - p.drag_lo) / 800), nullptr, nullptr, "%.4g");
+                                 static_cast<float>((p.drag_hi - p.drag_lo) / 800), nullptr, nullptr, "%.4g", by_hand);
   if (ImGui::IsItemActivated()) {
     s.player.end_action();
     s.player.remember("edit");
   }
-  if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) tooltip(s.ui, p.help + "\nCtrl+click to type it");
-  return changed;
+  if (ImGui::IsItemHovered() && !ImGui::IsItemActive())
+    tooltip(s.ui, p.help + "\nCtrl+click to type it: 1,5 or 1e-3 or 2*pi or 1/3");
+  if (!changed) return std::nullopt;
+  s.refused = {};
+  return value;
+}
+
+/// Sets a parameter. What is refused is told below its field.
+void edit(Session& s, const std::string& parameter, const std::string& field, const Setting& value) {
+  try {
+    s.player.edit(parameter, value);
+  } catch (const BadInput& refused) {
+    s.refused = {field, refused.what()};
+  }
+}
+
+/// Why the last number was refused, if it was one of this parameter's. Returns the height that takes.
+float refusal(Session& s, const std::string& name, float x, float y, float width) {
+  const std::string field = "parameter " + name;
+  if (s.refused.field != field && !s.refused.field.starts_with(field + ".")) return 0;
+  std::string words;
+  for (const char c : s.refused.why)  // as it is: no markup
+    words += (c == '*' || c == '_' || c == '^' || c == '\\') ? std::string("\\") + c : std::string(1, c);
+  const Paragraph p{.markup = words, .width = width, .size = 13, .line_pitch = 18, .colour = s.ui.palette.miss};
+  const ImVec2 size = rich(s.ui, p, {x, y});
+  s.ui.rects["refused " + s.refused.field] = {x, y, x + width, y + size.y};
+  return size.y + 6;
 }
 
 void number(Session& s, const Parameter& p, double value, const Rect& r) {
-  if (!number_field(s, p.name, p, value, r, true)) return;
-  s.attempt([&] { s.player.edit(p.name, value); });
+  if (const auto now = number_field(s, p.name, p, value, r, true)) edit(s, p.name, "parameter " + p.name, *now);
 }
 
-void vector(Session& s, const Parameter& p, Vec3 value, const Rect& r) {
+void vector(Session& s, const Parameter& p, const Vec3& value, const Rect& r) {
   constexpr const char* axes[] = {"x", "y", "z"};
   const float width = std::floor((r.width() - 8) / 3);
-  bool changed = false;
   for (int i = 0; i < 3; ++i) {
     const float x = r.left + static_cast<float>(i) * (width + 4);
-    changed |= number_field(s, p.name + "." + axes[i], p, value[i], {x, r.top, x + width, r.bottom}, false);
+    const std::string name = p.name + "." + axes[i];
+    const auto now = number_field(s, name, p, value[i], {x, r.top, x + width, r.bottom}, false);
+    if (!now) continue;
+    Vec3 changed = value;
+    changed[i] = *now;
+    edit(s, p.name, "parameter " + name, changed);
   }
-  if (changed) s.attempt([&] { s.player.edit(p.name, value); });
 }
 
 /// The choices as chips that wrap into lines. Returns the height they took.
@@ -50,7 +117,8 @@ float choice(Session& s, const Parameter& p, const std::string& value, const Rec
     std::string title = c;
     for (const Method& m : s.player.methods())
       if (p.name == s.player.lesson().group_by && m.choice == c) title = plain(m.title);
-    const float width = text_width(s.ui.fonts.small, title) + 18;
+    const float width = std::min(text_width(s.ui.fonts.small, title) + 18, r.width());
+    title = fitted(s.ui.fonts.small, title, width - 18);
     if (x > r.left && x + width > r.right) {
       x = r.left;
       y += 30;
@@ -91,6 +159,7 @@ float parameter_fields(Session& s, float x, float y, float width) {
     if (const Vec3* v = std::get_if<Vec3>(&value)) vector(s, p, *v, r);
     if (const std::string* word = std::get_if<std::string>(&value)) y += choice(s, p, *word, r);
     y += field_height;
+    y += refusal(s, p.name, x + labels, y - 4, width - labels);
   }
   ImGui::SetCursorScreenPos({x, y});
   ImGui::Dummy({1, 4});

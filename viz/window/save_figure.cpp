@@ -1,11 +1,16 @@
 #include "viz/window/save_figure.h"
-#include "viz/formats.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include "viz/alt_text.h"
 #include "viz/compose.h"
 #include "viz/files.h"
+#include "viz/formats.h"
+#include "viz/paper.h"
 #include "viz/snapshot.h"
 
 namespace isect::viz {
@@ -29,31 +34,72 @@ Picture halved(const Picture& from) {
 
 }  // namespace
 
+namespace {
+
+struct Made {
+  Drawing drawing;
+  Imprint imprint;
+  double scale;  ///< pixels per unit of the drawing
+};
+
+Made for_screen(const Player& player, const Settings& settings) {
+  const Camera& camera = player.camera().goal();
+  return {figure(player.step(), camera, settings.save_theme, figure_width, figure_height).drawing, {}, 1};
+}
+
+/// As seen here, and no narrower than its labels need.
+Made on_paper(const Player& player, const Settings& settings) {
+  constexpr double points_a_cm = 72 / 2.54, dpi = 300;
+  const PaperSize size = {settings.save_width_cm * points_a_cm, 0, usual_text_size};
+  std::optional<OnPaper> made = readable_figure(player.walk(), player.index(), settings.save_theme, size, true,
+                                                [&](double) { return player.camera().goal(); });
+  if (!made)
+    throw BadInput(
+        fmt::format("At {} cm the labels of this figure meet or leave it; give more", shown(settings.save_width_cm)));
+  Made result = {std::move(made->figure.drawing), {}, dpi / 72};
+  result.imprint.width_pt = result.drawing.width, result.imprint.dpi = dpi;
+  return result;
+}
+
+}  // namespace
+
 std::string save_figure(const Player& player, const Settings& settings, Renderer& renderer, const std::string& folder) {
   const Place place = player.place();
   const std::string preset = place.preset.empty() ? "changed" : place.preset;
-  const std::string path = folder + "/" + place.lesson + "/" + preset + "/" + file_stem(*place.step, player.step()) +
-                           "." + settings.save_format;
-  const Drawing drawing =
-      figure(player.step(), *place.camera, settings.save_theme, figure_width, figure_height).drawing;
-  Imprint imprint;
-  imprint.title = figure_title(player.lesson(), player.step());
-  imprint.alt = alt_text(player.lesson(), player.parameters(), player.walk(), player.index());
-  write_file(path, format_named(settings.save_format).write(drawing, metadata(place), imprint, [&](const Drawing& d) {
-    renderer.draw(d, 2);
-    return halved(renderer.read());
-  }));
-  return path;
+  const std::string stem = folder + "/" + place.lesson + "/" + preset + "/" + file_stem(*place.step, player.step());
+  Made made = settings.save_width_cm > 0 ? on_paper(player, settings) : for_screen(player, settings);
+  made.imprint.title = figure_title(player.lesson(), player.step());
+  made.imprint.alt = alt_text(player.lesson(), player.parameters(), player.walk(), player.index());
+  const std::string path = stem + "." + settings.save_format;
+  write_file(
+      path,
+      format_named(settings.save_format).write(made.drawing, metadata(place), made.imprint, [&](const Drawing& d) {
+        renderer.draw(d, 2 * made.scale);
+        return halved(renderer.read());
+      }));
+  write_file(stem + ".txt", made.imprint.alt);
+  return std::filesystem::absolute(path).lexically_normal();
 }
 
 std::string save_preset(const Player& player, const std::string& folder) {
   Place place = player.place();
   place.preset.clear(), place.camera.reset(), place.step.reset();
+  const std::string kind = player.methods_differ() ? "disagreement" : "setting";
   std::string path;
   for (int i = 1; path.empty() || std::filesystem::exists(path); ++i)
-    path = folder + "/" + place.lesson + "/disagreement-" + std::to_string(i) + ".json";
+    path = folder + "/" + place.lesson + "/" + kind + "-" + std::to_string(i) + ".json";
   write_file(path, to_json(place));
-  return path;
+  return std::filesystem::absolute(path).lexically_normal();
+}
+
+std::vector<std::string> saved_presets(const std::string& folder) {
+  std::vector<std::string> files;
+  std::error_code error;
+  for (const auto& lesson : std::filesystem::directory_iterator(folder, error))
+    for (const auto& file : std::filesystem::directory_iterator(lesson.path(), error))
+      if (file.path().extension() == ".json" && file.is_regular_file(error)) files.push_back(file.path());
+  std::ranges::sort(files);
+  return files;
 }
 
 }  // namespace isect::viz

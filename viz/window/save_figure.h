@@ -5,12 +5,16 @@
 
 namespace isect::viz {
 
-/// Writes the current step, seen as it is now, to <folder>/<lesson>/<preset>/<NN>-<slug>.<format>, 960 x 600,
-/// in the theme of the settings. Returns the path. Throws FileError.
+/// Writes the current step, seen as it is now, to <folder>/<lesson>/<preset>/<NN>-<slug>.<format> in the theme and the
+/// size of the settings: 960 x 600, or so many cm on paper, PNG at 300 dots an inch. Its alt text stands beside it,
+/// with the ending .txt. Returns the whole path. Throws FileError; BadInput where it is too narrow for its labels.
 std::string save_figure(const Player&, const Settings&, Renderer&, const std::string& folder);
 
-/// Writes the setting as a preset file, <folder>/<lesson>/disagreement-<N>.json with the first N that is free, which
-/// `--preset FILE` loads. Returns the path. Throws FileError.
+/// Writes the setting as a preset file, <folder>/<lesson>/disagreement-<N>.json where methods differ, else
+/// setting-<N>.json, with the first N that is free, which `--preset FILE` loads. Returns the whole path. Throws
+/// FileError.
 std::string save_preset(const Player&, const std::string& folder);
+/// The preset files in the folders of the lessons.
+std::vector<std::string> saved_presets(const std::string& folder);
 
 }  // namespace isect::viz

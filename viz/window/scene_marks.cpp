@@ -61,30 +61,46 @@ std::size_t corners_of(const Region& region) {
 
 }  // namespace
 
+namespace {
+
+/// On one line if there is room, else on several.
+Paragraph verdict_words(Session& s, float room) {
+  Paragraph words{.markup = s.player.step().verdict.text, .colour = s.ui.palette.text};
+  if (s.ui.texts.of(words).size.x > room) words.width = room;
+  return words;
+}
+
+}  // namespace
+
+float verdict_height(Session& s, float scene_width) {
+  if (s.player.step().verdict.text.empty() || is_card(s.player.step().scene)) return 0;
+  return s.ui.texts.of(verdict_words(s, scene_width - 100)).size.y + 13;
+}
+
 void verdict_chip(Session& s, const Rect& scene) {
   const Verdict& verdict = s.player.step().verdict;
-  if (verdict.text.empty() || is_card(s.player.step().scene)) return;
+  const float height = verdict_height(s, scene.width());
+  if (height == 0) return;
   Ui& ui = s.ui;
   const Colour& ink = ink_of(ui.palette, verdict.kind);
-  const Paragraph words{.markup = verdict.text, .colour = ui.palette.text};
-  const float width = std::min(ui.texts.of(words).size.x + 60, scene.width() - 40);
-  const Rect r{scene.left + 20, scene.top + 20, scene.left + 20 + width, scene.top + 56};
+  const Paragraph words = verdict_words(s, scene.width() - 100);
+  const ImVec2 size = ui.texts.of(words).size;
+  const Rect r{scene.left + 20, scene.top + 20, scene.left + 80 + size.x, scene.top + 20 + height};
   ui.rects["verdict"] = r;
   filled(r, ui.palette.window, 8);
   outlined(r, ink, 1.5f, 8);
   verdict_sign(verdict.kind, r.left + 22, r.middle_y(), packed(ink));
-  ImGui::PushClipRect(top_left(r), {r.right - 4, r.bottom}, true);
-  rich_line(ui, words, r.left + 40, r.middle_y());
-  ImGui::PopClipRect();
+  rich(ui, words, {r.left + 40, r.middle_y() - size.y / 2});
 }
 
 void alarm_chip(Session& s, const Rect& scene) {
-  if (!s.player.methods_differ() || is_card(s.player.step().scene)) return;
+  if (!s.player.methods_differ() || s.player.asked() || is_card(s.player.step().scene)) return;
   Ui& ui = s.ui;
   const std::vector<Opinion>& said = s.player.opinions();
   const auto differ = std::ranges::count_if(said, [](const Opinion& o) { return !o.agrees; });
   const std::string words = fmt::format("{} of {} methods {}", differ, said.size(), differ == 1 ? "differs" : "differ");
-  const float top = scene.top + (s.player.step().verdict.text.empty() ? 20 : 64);
+  const float verdict = verdict_height(s, scene.width());
+  const float top = scene.top + 20 + (verdict > 0 ? verdict + 8 : 0);
   const Rect r{scene.left + 20, top, scene.left + 66 + text_width(ui.fonts.small, words), top + 32};
   ui.rects["alarm"] = r;
   filled(r, ui.palette.window, 8);
@@ -118,6 +134,24 @@ void tripod(Session& s, const View& view, const Rect& scene) {
     rich_line(s.ui, name, tip.x + 14 * u.x, tip.y + 15 * u.y, 0.5f);
   }
   list.AddCircleFilled(origin, 1.5f, ink, 8);
+}
+
+Rect changed_rect(const Session& s, const Rect& scene) {
+  const float width = text_width(s.ui.fonts.small, "changed");
+  return {scene.right - 28 - width, scene.bottom - 64, scene.right - 12, scene.bottom - 40};
+}
+
+void changed_mark(Session& s, const Rect& scene) {
+  if (!s.player.preset_id().empty()) return;
+  if (press(s.ui, "changed", changed_rect(s, scene)).clicked) s.attempt([&] { s.player.restart(); });
+}
+
+void changed_text(Session& s, const Rect& scene) {
+  if (!s.player.preset_id().empty()) return;
+  const Rect r = changed_rect(s, scene);
+  text(s.ui.fonts.small, r.right - 8, r.middle_y(), packed(s.ui.palette.fresh_text), "changed", 1);
+  if (ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r)))
+    tooltip(s.ui, "Parameters were changed by hand. Here or R: back to the preset. Ctrl+Z: one change back");
 }
 
 void projection_name(Session& s, const Rect& scene) {
@@ -166,7 +200,7 @@ void handle_under_pointer(Session& s, const View& view, const Handle& handle) {
 }
 
 void item_under_pointer(Session& s, const View& view, const Vec2& pixel) {
-  const auto picked = pick(s.player.step().scene, view.viewing_ray(pixel));
+  const auto picked = pick(s.player.scene(), view.viewing_ray(pixel));
   if (!picked) return;
   const float x = static_cast<float>(pixel.x()), y = static_cast<float>(pixel.y());
   s.ui.rects["item under pointer"] = {x, y, x + 1, y + 1};

@@ -5,8 +5,9 @@
 
 namespace isect::viz {
 
-/// The verdict in a chip at the top left.
+/// The verdict in a chip at the top left, and how high that is; 0: none.
 void verdict_chip(Session&, const Rect& scene);
+float verdict_height(Session&, float scene_width);
 /// Below it, where methods that should agree do not: how many differ, and with the pointer on it what each says.
 void alarm_chip(Session&, const Rect& scene);
 /// The directions of the axes at the bottom left.
@@ -15,6 +16,9 @@ void tripod(Session&, const View&, const Rect& scene);
 /// picture).
 void projection_name(Session&, const Rect& scene);
 void projection_text(Session&, const Rect& scene);
+/// Above it, where parameters were changed by hand: leads back to the preset. A button and its text, likewise.
+void changed_mark(Session&, const Rect& scene);
+void changed_text(Session&, const Rect& scene);
 /// The message of the moment at the bottom.
 void toast(Session&, const Rect& scene);
 

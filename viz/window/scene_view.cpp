@@ -2,50 +2,89 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "viz/chart.h"
 #include "viz/compose.h"
+#include "viz/motion.h"
+#include "viz/window/key_codes.h"
 #include "viz/window/scene_marks.h"
 
 namespace isect::viz {
 namespace {
 
-constexpr double hit_area = 14;
+constexpr float hit_area = 14;
 
 Vec2 mouse() { return {ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y}; }
 
 std::string line_of(const Session& s, const Rect& r, double scale) {
   const Camera& c = s.player.camera().now();
-  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {}", s.player.revision(), r.width(), r.height(), scale,
-                     name_of(s.settings.theme), c.target.x(), c.target.y(), c.target.z(), c.azimuth, c.elevation,
-                     c.half_height, c.perspective, c.field_of_view);
+  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {}", s.player.revision(), s.player.motion(), r.width(),
+                     r.height(), scale, name_of(s.settings.theme), c.target.x(), c.target.y(), c.target.z(), c.azimuth,
+                     c.elevation, c.half_height, c.perspective, c.field_of_view);
 }
 
 /// What a chart leaves to the chips above it, where the scene's are drawn over.
-double head_of(const Session& s) {
-  if (!s.player.step().scene.chart) return 0;
-  return (s.player.step().verdict.text.empty() ? 12 : 64) + (s.player.methods_differ() ? 40 : 0);
+double head_of(Session& s, double scene_width) {
+  if (!s.player.scene().chart) return 0;
+  const float verdict = verdict_height(s, static_cast<float>(scene_width));
+  return (verdict > 0 ? verdict + 28 : 12) + (s.player.methods_differ() && !s.player.asked() ? 40 : 0);
 }
 
 /// The map of cases that this step shows, if any.
 const Cases* map_of(const Session& s) {
-  const Scene& scene = s.player.step().scene;
+  const Scene& scene = s.player.scene();
   return scene.chart && s.player.lesson().map ? std::get_if<Cases>(&scene.chart->kind) : nullptr;
+}
+
+bool is_tip(const Scene& scene, const Vec3& at) {
+  return std::ranges::any_of(scene.items, [&](const Item& item) {
+    const Arrow* arrow = std::get_if<Arrow>(&item);
+    return arrow && arrow->to == at;
+  });
+}
+
+/// The scene with a name at each handle that has none. An arrow's name moves from its tip to its handle.
+Scene with_names(const Player& player) {
+  Scene scene = player.scene();
+  for (const Handle& h : scene.handles) {
+    std::string name = h.parameter;
+    for (const Parameter& p : player.lesson().parameters)
+      if (p.name == h.parameter && !p.label.empty()) name = p.label;
+    const auto names = [&](const Item& item) {
+      const Label* label = std::get_if<Label>(&item);
+      if (!label || label->text.find(name) == std::string::npos) return false;
+      const bool here = (label->at - h.at).norm() <= 1e-9 * (1 + h.at.norm());
+      return here || (label->text == name && !is_tip(player.scene(), label->at));
+    };
+    if (std::ranges::any_of(scene.items, names)) continue;
+    std::erase_if(scene.items, [&](const Item& item) {
+      const Label* label = std::get_if<Label>(&item);
+      return label && label->text == name;
+    });
+    scene.items.emplace_back(Label{h.at, name, h.role});
+  }
+  return scene;
 }
 
 bool same_handle(const Handle& a, const Handle& b) { return a.parameter == b.parameter && a.kind == b.kind; }
 
 }  // namespace
 
-void SceneView::draw(const Session& s, const Rect& r, const View& view) {
+void SceneView::draw(Session& s, const Rect& r, const View& view) {
   const std::string wanted = line_of(s, r, scale_);
-  if (wanted == drawn_) return;
+  if (wanted == drawn_ || !drawing_) return;
   const Theme& theme = s.ui.palette.theme;
-  const double head = head_of(s);
+  const double head = head_of(s, view.width());
   const View own(view.camera(), view.width(), view.height() - head, {0, head});
   Drawing drawing{view.width(), view.height(), theme.background, {}};
-  drawing.shapes = compose(s.player.step().scene, own, theme, true).shapes;
+  Scene scene = with_names(s.player);
+  if (const Scene* before = s.player.scene_before()) scene = between(*before, scene, s.player.motion());
+  Composed composed = compose(scene, own, theme, true);
+  drawing.shapes = std::move(composed.shapes);
+  labels_ = std::move(composed.labels);
   renderer_.draw(drawing, scale_);
   drawn_ = wanted;
 }
@@ -53,7 +92,7 @@ void SceneView::draw(const Session& s, const Rect& r, const View& view) {
 std::optional<Handle> SceneView::handle_near(const Session& s, const View& view, const Vec2& pixel) const {
   std::optional<Handle> nearest;
   double least = hit_area;
-  for (const Handle& h : s.player.step().scene.handles) {
+  for (const Handle& h : s.player.scene().handles) {
     const Projected p = view.project(h.at);
     const double distance = (p.at - pixel).norm();
     if (!(p.depth > 0) || !(distance <= least)) continue;
@@ -66,7 +105,7 @@ std::optional<Handle> SceneView::handle_near(const Session& s, const View& view,
 void SceneView::drag_held(Session& s, const View& view) {
   if (mouse() == last_) return;
   s.attempt([&] { s.player.drag_handle(*held_, view.on_facing_plane(mouse() - grip_, held_->at)); });
-  for (const Handle& h : s.player.step().scene.handles)
+  for (const Handle& h : s.player.scene().handles)
     if (same_handle(h, *held_)) {
       held_ = h;
       return;
@@ -76,7 +115,7 @@ void SceneView::drag_held(Session& s, const View& view) {
 /// The setting follows the pointer over the map.
 void SceneView::drag_case(Session& s, const View& view, bool hovered) {
   const Cases& cases = *map_of(s);
-  const Vec2 head(0, head_of(s));
+  const Vec2 head(0, head_of(s, view.width()));
   const Box2 plane = plane_of(cases, view.corner() + head, view.width(), view.height() - head.y(), s.ui.palette.theme);
   const Vec2 share = (mouse() - plane.lo).cwiseQuotient(plane.hi - plane.lo);
   const bool inside = (share.array() >= 0).all() && (share.array() <= 1).all();
@@ -97,6 +136,33 @@ void SceneView::drag_case(Session& s, const View& view, bool hovered) {
 void SceneView::wheel(Session& s, const View& view) {
   const double turns = ImGui::GetIO().MouseWheel;
   if (turns != 0) s.player.zoom(view, mouse(), std::pow(1.15, turns));
+}
+
+/// Shift and the arrows move the handle that the keyboard holds, or else turn the scene; Ctrl and the arrows shift it.
+void SceneView::keyboard(Session& s, const View& view) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const Vec2 middle = view.corner() + Vec2(view.width(), view.height()) / 2;
+  if (const double zoom = std::exchange(s.zoom, 1.0); zoom != 1) s.player.zoom(view, middle, zoom);
+  if (io.KeyShift == io.KeyCtrl || io.WantTextInput || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) return;
+  Vec2 way = Vec2::Zero();
+  if (ImGui::IsKeyPressed(key::left, true)) way.x() -= 1;
+  if (ImGui::IsKeyPressed(key::right, true)) way.x() += 1;
+  if (ImGui::IsKeyPressed(key::up, true)) way.y() -= 1;
+  if (ImGui::IsKeyPressed(key::down, true)) way.y() += 1;
+  if (way == Vec2::Zero() || s.player.scene().chart) return;
+  way *= 8;
+  const std::vector<Handle>& handles = s.player.scene().handles;
+  const auto held =
+      std::ranges::find_if(handles, [&](const Handle& h) { return "handle " + h.parameter == s.ui.focus.name(); });
+  if (io.KeyShift && held != handles.end()) {
+    const Handle handle = *held;
+    s.player.remember("nudge " + handle.parameter);
+    s.attempt([&] { s.player.drag_handle(handle, view.on_facing_plane(view.project(handle.at).at + way, handle.at)); });
+  } else if (io.KeyShift && !s.player.lesson().flat) {
+    s.player.orbit(2 * way);
+  } else {
+    s.player.pan(view, middle, middle - 2 * way);
+  }
 }
 
 void SceneView::pointer(Session& s, const View& view, bool hovered, bool active) {
@@ -142,22 +208,26 @@ void SceneView::show(Session& s, const Rect& r) {
   const Vec2 corner(r.left, r.top);
   const View before(s.player.camera().now(), r.width(), r.height(), corner);
 
-  if (!s.player.lesson().flat && !s.player.step().scene.chart) projection_name(s, r);
+  if (!s.player.lesson().flat && !s.player.scene().chart) projection_name(s, r);
+  changed_mark(s, r);
   ImGui::SetCursorScreenPos(top_left(r));
   ImGui::InvisibleButton("picture", {r.width(), r.height()},
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
   const bool hovered = ImGui::IsItemHovered(), active = ImGui::IsItemActive();
   pointer(s, before, hovered, active);
+  keyboard(s, before);
 
   const View view(s.player.camera().now(), r.width(), r.height(), corner);
   draw(s, r, view);
   const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(renderer_.texture()));
   ImGui::GetWindowDrawList()->AddImage(texture, top_left(r), bottom_right(r), {0, 1}, {1, 0});
 
-  for (const Handle& h : s.player.step().scene.handles) {
+  for (const Handle& h : s.player.scene().handles) {
     const Vec2 at = view.project(h.at).at;
     const float x = static_cast<float>(at.x()), y = static_cast<float>(at.y());
-    ui.rects["handle " + h.parameter] = {x - 4, y - 4, x + 4, y + 4};
+    const Rect grip{x - hit_area, y - hit_area, x + hit_area, y + hit_area};
+    ui.rects["handle " + h.parameter] = grip;
+    focused(ui, "handle " + h.parameter, grip);
   }
   if (const std::optional<Handle> under = held_ ? held_ : hovered ? handle_near(s, view, mouse()) : std::nullopt)
     handle_under_pointer(s, view, *under);
@@ -166,9 +236,10 @@ void SceneView::show(Session& s, const Rect& r) {
 
   verdict_chip(s, r);
   alarm_chip(s, r);
-  const bool in_space = !s.player.step().scene.chart;
+  const bool in_space = !s.player.scene().chart;
   if (in_space) tripod(s, view, r);
   if (in_space && !s.player.lesson().flat) projection_text(s, r);
+  changed_text(s, r);
   toast(s, r);
   ImGui::End();
 }

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "viz/compose.h"
 #include "viz/renderer.h"
 #include "viz/window/session.h"
 
@@ -12,23 +13,29 @@ namespace isect::viz {
 class SceneView {
  public:
   /// `scale`: framebuffer pixels per px of the layout.
-  SceneView(Renderer& renderer, double scale) : renderer_(renderer), scale_(scale) {}
+  SceneView(Renderer& renderer, double scale, bool drawing = true)
+      : renderer_(renderer), scale_(scale), drawing_(drawing) {}
 
   /// Draws the scene with what lies over it, and does what the pointer asks for.
   void show(Session&, const Rect&);
   /// Draws anew in the next frame: the renderer was used for something else.
   void invalidate() { drawn_.clear(); }
+  const std::vector<PlacedLabel>& labels() const { return labels_; }
+  void rescale(double scale) { scale_ = scale; }
 
  private:
-  void draw(const Session&, const Rect&, const View&);
+  void draw(Session&, const Rect&, const View&);
   void pointer(Session&, const View&, bool hovered, bool active);
   void wheel(Session&, const View&);
+  void keyboard(Session&, const View&);
   void drag_held(Session&, const View&);
   void drag_case(Session&, const View&, bool hovered);
   std::optional<Handle> handle_near(const Session&, const View&, const Vec2& pixel) const;
 
   Renderer& renderer_;
   double scale_;
+  bool drawing_;
+  std::vector<PlacedLabel> labels_;
   std::string drawn_;           ///< what the texture shows, as one line; drawing it again is saved
   std::optional<Handle> held_;  ///< while a handle is dragged: the handle as it is now
   bool on_map_ = false;         ///< while the setting is dragged on the map of cases

@@ -1,15 +1,36 @@
 #pragma once
 // What the parts of the window share while it is open.
 
+#include <algorithm>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
+#include "viz/course.h"
 #include "viz/formats.h"
 #include "viz/player.h"
 #include "viz/window/widgets.h"
 
 namespace isect::viz {
+
+/// The least window, in px of the layout.
+constexpr int least_width = 800, least_height = 500;
+/// Of everything, for a lecture hall, say.
+constexpr double least_size = 0.5, most_size = 4;
+/// Of a figure on paper.
+constexpr double least_width_cm = 2, most_width_cm = 60;
+
+/// How a reader fared in a lesson.
+struct Score {
+  std::map<std::string, bool> answers = {};  ///< by question: whether the last answer was right
+  bool finished = false;                     ///< read to its end
+  int right() const {
+    return static_cast<int>(std::ranges::count_if(answers, [](const auto& answer) { return answer.second; }));
+  }
+};
+constexpr std::size_t recent_kept = 5;
 
 /// What is kept between runs.
 struct Settings {
@@ -18,8 +39,13 @@ struct Settings {
   ThemeName save_theme = ThemeName::print;
   bool parameters_open = false;
   double speed = 1;
-  int width = 1280, height = 800;
+  int width = 1280, height = 800;  ///< px of the layout, whatever the screen's density
+  bool reduced_motion = false;
+  double size = 1;           ///< of everything
+  double save_width_cm = 0;  ///< of a saved figure on paper; 0: a picture for a screen
   std::optional<Place> place = {};
+  std::map<std::string, Score> scores = {};  ///< by lesson
+  std::vector<std::string> recent = {};      ///< ids of the lessons last opened
 };
 
 /// The file of the user's state folder; empty where there is no home.
@@ -33,22 +59,36 @@ std::string set_spoilt_settings_aside(const std::string& file);
 void write_settings(const std::string& file, const Settings&);
 
 /// What lies over the window.
-enum class Sheet { none, keys, picker, save };
+enum class Sheet { none, keys, picker, save, terms };
 
 struct Session {
   Player& player;
   Ui& ui;
   Settings& settings;
+  const Course& course;
   std::string figures;  ///< folder for saved figures
   bool panels = true;
-  Sheet open_next = Sheet::none;             ///< asked for by a key or a button, opened at the end of the frame
-  bool save_now = false;                     ///< this frame's figure shall become a file
-  bool save_preset = false;                  ///< the setting shall become a preset file
-  bool close = false;                        ///< the reader wants to leave
-  std::string search = {};                   ///< words in the picker
+  Sheet open_next = Sheet::none;  ///< asked for by a key or a button, opened at the end of the frame
+  bool save_now = false;          ///< this frame's figure shall become a file
+  bool save_preset = false;       ///< the setting shall become a preset file
+  bool close = false;             ///< the reader wants to leave
+  bool full_screen = false;
+  std::string search = {};                   ///< words in the picker, or among the terms
+  std::vector<std::string> presets = {};     ///< files of saved presets, as the picker found them
   float fields_height = 0;                   ///< of the parameters' fields, as the last frame found it
+  float question_height = 120;               ///< of the question over the scene, likewise
+  double zoom = 1;                           ///< asked for by a key
   unsigned words_seen = 0;                   ///< revision whose words are on show
   std::set<const Exercise*> solutions = {};  ///< that are on show
+
+  /// A number that is being typed into a field, and why the last one was refused.
+  struct Typing {
+    std::string field, text;
+    bool begun = false;  ///< the field has the keyboard
+  } typing = {};
+  struct Refused {
+    std::string field, why;
+  } refused = {};
 
   struct Toast {
     std::string text;
@@ -63,8 +103,8 @@ struct Session {
   void attempt(Action&& action) {
     try {
       action();
-    } catch (const BadInput& refused) {
-      complain(refused.what());
+    } catch (const BadInput& wrong) {
+      complain(wrong.what());
     }
   }
 };

@@ -25,6 +25,12 @@ T field(const Json& from, const char* name, T fallback) {
   }
 }
 
+/// What no screen has is a spoilt field. As a double first: the library wraps what no int holds.
+int size_field(const Json& from, const char* name, int least, int fallback) {
+  const double px = field(from, name, static_cast<double>(fallback));
+  return px >= least && px <= 16000 ? static_cast<int>(px) : fallback;
+}
+
 ThemeName theme_field(const Json& from, const char* name, ThemeName fallback) {
   try {
     return theme_named(field(from, name, name_of(fallback)));
@@ -41,6 +47,30 @@ std::optional<Place> place_field(const Json& from, const std::vector<const Lesso
   } catch (const BadInput&) {
     return std::nullopt;
   }
+}
+
+std::map<std::string, Score> scores_field(const Json& from) {
+  std::map<std::string, Score> scores;
+  const auto found = from.find("scores");
+  if (found == from.end() || !found->is_object()) return scores;
+  for (const auto& lesson : found->items()) {
+    if (!lesson.value().is_object()) continue;
+    Score& score = scores[lesson.key()];
+    score.finished = field(lesson.value(), "finished", false);
+    const Json answers = lesson.value().value("answers", Json::object());
+    if (!answers.is_object()) continue;
+    for (const auto& answer : answers.items())
+      if (answer.value().is_boolean()) score.answers[answer.key()] = answer.value().get<bool>();
+  }
+  return scores;
+}
+
+Json json_of(const std::map<std::string, Score>& scores) {
+  Json all = Json::object();
+  for (const auto& [lesson, score] : scores)
+    if (score.finished || !score.answers.empty())
+      all[lesson] = {{"finished", score.finished}, {"answers", score.answers}};
+  return all;
 }
 
 /// Empty if it is no JSON object.
@@ -73,9 +103,19 @@ Settings read_settings(const std::string& file, const std::vector<const Lesson*>
   if (format && format->write) s.save_format = format->name;
   s.parameters_open = field(json, "parameters_open", s.parameters_open);
   s.speed = std::clamp(field(json, "speed", s.speed), 0.5, 2.0);
-  s.width = std::clamp(field(json, "width", s.width), 800, 16000);
-  s.height = std::clamp(field(json, "height", s.height), 500, 16000);
+  s.width = size_field(json, "width", least_width, s.width);
+  s.height = size_field(json, "height", least_height, s.height);
+  s.reduced_motion = field(json, "reduced_motion", s.reduced_motion);
+  s.size = std::clamp(field(json, "size", s.size), least_size, most_size);
+  const double cm = field(json, "save_width_cm", s.save_width_cm);
+  if (cm >= least_width_cm && cm <= most_width_cm) s.save_width_cm = cm;
   s.place = place_field(json, lessons);
+  s.scores = scores_field(json);
+  s.recent = field(json, "recent", s.recent);
+  std::erase_if(s.recent, [&](const std::string& id) {
+    return std::ranges::none_of(lessons, [&](const Lesson* l) { return l->id == id; });
+  });
+  if (s.recent.size() > recent_kept) s.recent.resize(recent_kept);
   return s;
 }
 
@@ -99,7 +139,12 @@ void write_settings(const std::string& file, const Settings& s) {
                {"parameters_open", s.parameters_open},
                {"speed", s.speed},
                {"width", s.width},
-               {"height", s.height}};
+               {"height", s.height},
+               {"reduced_motion", s.reduced_motion},
+               {"size", s.size},
+               {"save_width_cm", s.save_width_cm},
+               {"recent", s.recent},
+               {"scores", json_of(s.scores)}};
   if (s.place) json["place"] = Json::parse(to_json(*s.place));
   write_file(file, json.dump(2) + "\n");
 }

@@ -17,8 +17,16 @@ std::string key_of(const Paragraph& p) {
 
 }  // namespace
 
-TextTextures::~TextTextures() {
+TextTextures::~TextTextures() { drop(); }
+
+void TextTextures::drop() {
   for (const auto& [key, kept] : kept_) glDeleteTextures(1, &kept.name);
+  kept_.clear();
+}
+
+void TextTextures::rescale(double scale) {
+  drop();
+  scale_ = scale;
 }
 
 TextImage TextTextures::of(const Paragraph& paragraph) {

@@ -26,11 +26,14 @@ class TextTextures {
   TextTextures& operator=(const TextTextures&) = delete;
 
   TextImage of(const Paragraph&);
+  /// From now on so many framebuffer pixels per px.
+  void rescale(double scale);
   /// Ends a frame: what has not been asked for during the last few hundred frames is dropped.
   void next_frame();
   std::size_t size() const { return kept_.size(); }
 
  private:
+  void drop();
   struct Kept {
     TextImage image;
     unsigned name;

@@ -6,16 +6,23 @@
 namespace isect::viz {
 namespace {
 
-/// The lesson's title, which opens the picker. Returns where it ends.
-float title(Session& s, float x, float y) {
+/// Words that open a menu, with its sign behind them, in at most `room` px. Returns where it ends.
+struct Opener {
+  std::string name, words, help;
+  float x, y, room;
+};
+float opener(Session& s, const Opener& o, bool quiet, bool& pressed) {
   Ui& ui = s.ui;
-  const std::string words = plain(s.player.lesson().title);
-  const float end = x + text_width(ui.fonts.body, words);
-  const Press p = press(ui, "lesson", {x - 8, y - 16, end + 8, y + 16});
-  if (p.hovered) filled({x - 8, y - 16, end + 8, y + 16}, ui.palette.frame);
-  text(ui.fonts.body, x, y, packed(ui.palette.text), words);
-  if (p.clicked) s.open_next = Sheet::picker;
-  if (p.hovered) tooltip(ui, "Another lesson (Ctrl+O)");
+  const std::string words = fitted(ui.fonts.body, o.words, o.room - 18);
+  const float end = o.x + text_width(ui.fonts.body, words) + 18;
+  const Rect r{o.x - 8, o.y - 16, end + 6, o.y + 16};
+  const Press p = press(ui, o.name, r);
+  const Colour& ink = p.hovered || !quiet ? ui.palette.text : ui.palette.muted;
+  if (p.hovered) filled(r, ui.palette.frame);
+  text(ui.fonts.body, o.x, o.y, packed(ink), words);
+  caret(end - 6, o.y, true, packed(p.hovered ? ui.palette.text : ui.palette.muted));
+  if (p.hovered) tooltip(ui, words == o.words ? o.help : o.words + "\n" + o.help);
+  pressed = p.clicked;
   return end;
 }
 
@@ -40,63 +47,80 @@ void method_menu(Session& s, float x, float bottom) {
   ImGui::PopStyleVar();
 }
 
-/// The variant on show, which opens the list of them. Returns where it ends.
-float method(Session& s, float x, float y) {
-  if (s.player.methods().empty()) return x;
-  Ui& ui = s.ui;
-  const std::string words = plain(s.player.walk().method);
-  const float end = x + text_width(ui.fonts.body, words) + 18;
-  const Rect r{x - 8, y - 16, end + 6, y + 16};
-  const Press p = press(ui, "method", r);
-  const Colour& ink = p.hovered ? ui.palette.text : ui.palette.muted;
-  if (p.hovered) filled(r, ui.palette.frame);
-  text(ui.fonts.body, x, y, packed(ink), words);
-  caret(end - 6, y, true, packed(ink));
-  if (p.clicked) ImGui::OpenPopup("methods");
-  method_menu(s, r.left, r.bottom + 4);
-  return end;
-}
-
 std::string chip_label(const Preset& preset, std::size_t number, bool wide) {
   const std::string digits = std::to_string(number);
   return wide ? digits + "  " + plain(preset.title) : digits;
 }
 
-/// One chip a preset, named while there is room for the name, between x0 and x1.
-void presets(Session& s, float x0, float x1, float y) {
-  Ui& ui = s.ui;
-  const std::vector<const Preset*> group = s.player.group();
-  ImFont* font = ui.fonts.body;
-  float padding = 24, gap = 8;
-  std::vector<float> wide;
+/// The chips of the presets in a row: named while there is room for the name.
+struct Chips {
+  ImFont* font;
+  float gap;
   int chosen = -1;
-  const auto measure = [&] {
-    wide.clear();
-    float sum = gap * static_cast<float>(std::max<std::size_t>(group.size(), 1) - 1);
-    for (std::size_t i = 0; i < group.size(); ++i) {
-      if (group[i]->id == s.player.preset_id()) chosen = static_cast<int>(i);
-      wide.push_back(text_width(font, chip_label(*group[i], i + 1, true)) + padding);
-      sum += wide.back();
-    }
+  std::vector<float> wide, widths;
+  float total() const {
+    float sum = gap * static_cast<float>(std::max<std::size_t>(widths.size(), 1) - 1);
+    for (const float w : widths) sum += w;
     return sum;
-  };
-  if (measure() > x1 - x0) {
-    font = ui.fonts.small;
-    padding = 16, gap = 6;
-    measure();
   }
-  const std::vector<float> widths = chip_widths(wide, 30, gap, x1 - x0, chosen);
+};
 
-  float x = x1 + gap;
-  for (const float w : widths) x -= w + gap;
-  for (std::size_t i = 0; i < group.size(); ++i) {
-    const Rect r{x, y - 15, x + widths[i], y + 15};
-    const std::string label = chip_label(*group[i], i + 1, widths[i] == wide[i]);
-    if (chip(ui, "preset " + std::to_string(i + 1), r, label, static_cast<int>(i) == chosen, font))
-      s.attempt([&] { s.player.load(*group[i]); });
-    if (widths[i] != wide[i] && ImGui::IsItemHovered()) tooltip(ui, plain(group[i]->title));
-    x += widths[i] + gap;
+Chips chips_in(const Session& s, const std::vector<const Preset*>& group, float room) {
+  constexpr float narrow = 30;
+  Chips chips;
+  for (const bool roomy : {true, false}) {
+    chips = {roomy ? s.ui.fonts.body : s.ui.fonts.small, roomy ? 8.0f : 6.0f, -1, {}, {}};
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      if (group[i]->id == s.player.preset_id()) chips.chosen = static_cast<int>(i);
+      chips.wide.push_back(text_width(chips.font, chip_label(*group[i], i + 1, true)) + (roomy ? 24 : 16));
+    }
+    chips.widths = chips.wide;
+    if (chips.total() <= room) return chips;
   }
+  chips.widths = chip_widths(chips.wide, narrow, chips.gap, room, chips.chosen);
+  return chips;
+}
+
+void draw_chips(Session& s, const std::vector<const Preset*>& group, const Chips& chips, float x1, float y) {
+  float x = x1 - chips.total();
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    const bool whole = chips.widths[i] == chips.wide[i];
+    const Rect r{x, y - 15, x + chips.widths[i], y + 15};
+    if (chip(s.ui, "preset " + std::to_string(i + 1), r, chip_label(*group[i], i + 1, whole),
+             static_cast<int>(i) == chips.chosen, chips.font))
+      s.attempt([&] { s.player.load(*group[i]); });
+    if (!whole && ImGui::IsItemHovered()) tooltip(s.ui, plain(group[i]->title));
+    x += chips.widths[i] + chips.gap;
+  }
+}
+
+/// All presets below each other, where they have no room side by side.
+void preset_menu(Session& s, const std::vector<const Preset*>& group, float right, float top) {
+  float width = 160;
+  for (std::size_t i = 0; i < group.size(); ++i)
+    width = std::max(width, text_width(s.ui.fonts.body, chip_label(*group[i], i + 1, true)) + 28);
+  ImGui::SetNextWindowPos({right - width - 12, top});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{6, 6});
+  if (ImGui::BeginPopup("preset menu")) {
+    ImVec2 at = ImGui::GetCursorScreenPos();
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      const Rect r{at.x, at.y, at.x + width, at.y + 30};
+      if (chip(s.ui, "preset " + std::to_string(i + 1), r, chip_label(*group[i], i + 1, true),
+               group[i]->id == s.player.preset_id())) {
+        s.attempt([&] { s.player.load(*group[i]); });
+        ImGui::CloseCurrentPopup();
+      }
+      at.y += 34;
+    }
+    ImGui::EndPopup();
+  }
+  ImGui::PopStyleVar();
+}
+
+std::string chosen_label(const Session& s, const std::vector<const Preset*>& group) {
+  for (std::size_t i = 0; i < group.size(); ++i)
+    if (group[i]->id == s.player.preset_id()) return chip_label(*group[i], i + 1, true);
+  return "presets";
 }
 
 void theme_button(Session& s, const Rect& r) {
@@ -123,19 +147,39 @@ void top_bar(Session& s, const Rect& r) {
   const float y = 24;
   logo(ui, 30, y);
   text(ui.fonts.heading, 54, y, packed(ui.palette.text), "isect");
-  float x = title(s, 128, y);
-  x = method(s, x + 20, y);
-  if (s.player.preset_id().empty()) {
-    const float width = text(ui.fonts.small, x + 14, y, packed(ui.palette.fresh_text), "changed");
-    if (press(ui, "changed", {x + 8, y - 14, x + 20 + width, y + 14}).hovered)
-      tooltip(ui, "Parameters were changed by hand. R restarts, Ctrl+Z takes the change back");
-    x += width + 14;
-  }
-
   const Rect help{r.right - 56, y - 15, r.right - 20, y + 15};
+  const float x0 = 128, x1 = help.left - 60;
+  const bool variants = !s.player.methods().empty();
+  const std::string title = plain(s.player.lesson().title), variant = variants ? plain(s.player.walk().method) : "";
+  const auto wide = [&](const std::string& words) { return text_width(ui.fonts.body, words) + 18; };
+  const float names = wide(title) + (variants ? 20 + wide(variant) : 0) + 24;
+  const std::vector<const Preset*> group = s.player.group();
+  const Chips chips = chips_in(s, group, x1 - x0 - names);
+  const bool in_a_row = chips.total() <= x1 - x0 - names;
+  const float menu = in_a_row || group.empty() ? 0 : std::min(wide(chosen_label(s, group)), 190.0f) + 14;
+
+  float room = x1 - x0 - menu - 24;
+  const float for_variant = variants ? std::min(wide(variant), room * 0.4f) : 0;
+  room -= variants ? for_variant + 20 : 0;
+  bool pressed = false;
+  float x = opener(s, {"lesson", title, "Another lesson (Ctrl+O)", x0, y, room}, false, pressed);
+  if (pressed) s.open_next = Sheet::picker;
+  if (variants) {
+    x += 20;
+    opener(s, {"method", variant, "Another method", x, y, for_variant + 1}, true, pressed);
+    if (pressed) ImGui::OpenPopup("methods");
+    method_menu(s, x - 8, y + 20);
+  }
+  if (in_a_row) {
+    draw_chips(s, group, chips, x1, y);
+  } else {
+    opener(s, {"presets", chosen_label(s, group), "Another preset (Page Up, Page Down)", x1 - menu + 8, y, menu - 8},
+           false, pressed);
+    if (pressed) ImGui::OpenPopup("preset menu");
+    preset_menu(s, group, x1 + 12, y + 20);
+  }
   if (chip(ui, "help", help, "?", false)) s.open_next = Sheet::keys;
   theme_button(s, {help.left - 44, help.top, help.left - 8, help.bottom});
-  presets(s, x + 24, help.left - 60, y);
   rule(ui, r.left, r.right, r.bottom - 1);
   ImGui::End();
 }

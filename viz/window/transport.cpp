@@ -26,7 +26,10 @@ void scrubber(Session& s, const Rect& r, float y) {
   const Press p = press(ui, "scrubber", {r.left + 16, y - 12, r.right - 16, y + 12});
   const int under = step_at(r, ImGui::GetIO().MousePos.x, player.count());
   if (p.held && under != player.index()) player.go_to(under);
-  if (p.hovered || p.held) tooltip(ui, std::to_string(under + 1) + "  " + plain(player.walk().steps[under].title));
+  if (p.hovered || p.held) {
+    const bool told = under <= player.index() || !player.asked();  // a title to come may be the answer
+    tooltip(ui, std::to_string(under + 1) + (told ? "  " + plain(player.walk().steps[under].title) : ""));
+  }
 
   const float knob = place_of(r, player.index(), player.count());
   filled({r.left + 24, y - 2, r.right - 24, y + 2}, c.frame, 2);
@@ -52,7 +55,7 @@ void buttons(Session& s, float middle, float y) {
   const bool start = player.index() == 0 && !player.asked();
   if (icon_button(ui, "first", at(-2), Icon::first, false, !start)) player.first();
   if (icon_button(ui, "back", at(-1), Icon::back, false, !start)) player.back();
-  if (icon_button(ui, "play", at(0), player.playing() ? Icon::pause : Icon::play, true, true)) player.toggle_play();
+  if (icon_button(ui, "play", at(0), player.running() ? Icon::pause : Icon::play, true, true)) player.toggle_play();
   if (icon_button(ui, "next", at(1), Icon::next, false, !player.at_end())) player.next();
   if (icon_button(ui, "last", at(2), Icon::last, false, !player.at_end())) player.last();
 
@@ -90,9 +93,12 @@ void transport(Session& s, const Rect& r) {
   const float y = r.top + 58, middle = std::round(r.middle_x());
   const std::string where = "Step " + std::to_string(player.index() + 1) + " of " + std::to_string(player.count());
   const float end = 24 + text(ui.fonts.body, 24, y, packed(ui.palette.text), where);
-  ImGui::PushClipRect({end, r.top}, {middle - 136, r.bottom}, true);
-  rich_line(ui, {.markup = player.step().title, .colour = ui.palette.muted}, end + 24, y);
-  ImGui::PopClipRect();
+  const Paragraph title{.markup = player.step().title, .colour = ui.palette.muted};
+  const float room = middle - 136 - (end + 24);
+  if (ui.texts.of(title).size.x <= room)
+    rich_line(ui, title, end + 24, y);
+  else if (room > 60)
+    text(ui.fonts.body, end + 24, y, packed(ui.palette.muted), fitted(ui.fonts.body, plain(title.markup), room));
   buttons(s, middle, y);
   key_hints(ui, r.right - 24, r.right - 24 - (middle + 200), y);
   ImGui::End();

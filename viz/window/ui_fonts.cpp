@@ -8,8 +8,9 @@
 namespace isect::viz {
 namespace {
 
-// Latin, Greek, punctuation, scripts, letterlike signs, arrows, mathematics, shapes, ticks and crosses.
-constexpr ImWchar signs[] = {0x0020, 0x00FF, 0x0391, 0x03C9, 0x2010, 0x2027, 0x2030, 0x203A, 0x2070,
+// Latin, Greek, spaces of all widths, punctuation, scripts, letterlike signs, arrows, mathematics, shapes, ticks and
+// crosses.
+constexpr ImWchar signs[] = {0x0020, 0x00FF, 0x0391, 0x03C9, 0x2000, 0x2027, 0x202F, 0x203A, 0x2070,
                              0x209C, 0x2102, 0x2124, 0x2190, 0x21FF, 0x2200, 0x22FF, 0x25A0, 0x25FF,
                              0x2713, 0x2718, 0x27E8, 0x27E9, 0xFFFD, 0xFFFD, 0};
 

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
+#include <sstream>
 
 #include "viz/rich_text.h"
 #include "viz/window/panels.h"
@@ -8,11 +10,30 @@
 namespace isect::viz {
 namespace {
 
-/// Heights of the block's parts: rule with the heading, comparison card.
-constexpr float heading = 36, card = 72;
+/// Heights of the block's parts: rule with the heading; a line of the comparison's meaning.
+constexpr float heading = 36, meaning_pitch = 19;
+
+/// Words on as few lines as fit into `room`.
+std::vector<std::string> lines_of(const Ui& ui, const std::string& words, float room) {
+  std::vector<std::string> lines;
+  std::istringstream in(words);
+  for (std::string word; in >> word;)
+    if (!lines.empty() && text_width(ui.fonts.small, lines.back() + " " + word) <= room)
+      lines.back() += " " + word;
+    else
+      lines.push_back(word);
+  return lines;
+}
+
+float card_height(const Ui& ui, const Comparison& c, float width) {
+  const float line = text_width(ui.fonts.mono, plain(c.text)) + 41 + text_width(ui.fonts.small, "false") +
+                     text_width(ui.fonts.small, plain(c.meaning));
+  if (line <= width - 32) return 72;
+  return 72 + meaning_pitch * static_cast<float>(lines_of(ui, plain(c.meaning), width - 32).size());
+}
 
 /// A bar scale that several values share: where zero lies and what fills it.
-struct Scale {
+struct BarScale {
   double lo = 0, hi = 0;
   void take(double value) {
     if (!std::isfinite(value)) return;
@@ -27,14 +48,14 @@ struct Scale {
   }
 };
 
-std::map<std::string, Scale> scales_of(const Step& step) {
-  std::map<std::string, Scale> scales;
+std::map<std::string, BarScale> scales_of(const Step& step) {
+  std::map<std::string, BarScale> scales;
   for (const Value& v : step.values)
     if (!v.unit.empty()) scales[v.unit].take(v.value);
   return scales;
 }
 
-void bar(const Ui& ui, const Scale& scale, const Value& v, float x0, float x1, float y) {
+void bar(const Ui& ui, const BarScale& scale, const Value& v, float x0, float x1, float y) {
   filled({x0, y - 4, x1, y + 4}, ui.palette.card, 4);
   const float zero = scale.at(0, x0, x1), end = scale.at(v.value, x0, x1);
   const float left = std::min(zero, end), right = std::max(zero, end);
@@ -59,16 +80,20 @@ float number_column(const Ui& ui, const Step& step, const Rect& r) {
   return r.left + std::min(column, r.width() - 10 - room_for_new(step));
 }
 
-void value_row(Session& s, const Value& v, const std::map<std::string, Scale>& scales, const Rect& r) {
+void value_row(Session& s, const Value& v, const std::map<std::string, BarScale>& scales, const Rect& r) {
   Ui& ui = s.ui;
   const Palette& c = ui.palette;
   const float y = r.middle_y(), number = number_column(ui, s.player.step(), r);
   const float room = number - text_width(ui.fonts.mono, shown(v.value)) - 8 - (r.left + 10);
-  const bool long_name = text_width(ui.fonts.mono, plain(v.name)) > room;
-  ImGui::PushClipRect({r.left + 10, r.top}, {r.left + 10 + room, r.bottom}, true);
-  text(long_name ? ui.fonts.mono_small : ui.fonts.mono, r.left + 10, y, packed(c.text), plain(v.name));
-  ImGui::PopClipRect();
+  ImFont* font = ui.fonts.mono;
+  for (ImFont* narrower : {ui.fonts.mono_small, ui.fonts.small})
+    if (text_width(font, plain(v.name)) > room) font = narrower;
+  const std::string name = fitted(font, plain(v.name), room);
+  text(font, r.left + 10, y, packed(c.text), name);
+  if (name != plain(v.name) && ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r))) tooltip(ui, plain(v.name));
   text(ui.fonts.mono, number, y, packed(c.text), shown(v.value), 1);
+  if (!v.unit.empty() && ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r)))
+    tooltip(ui, "unit: " + plain(v.unit));
   const float right = r.right - 10;
   if (v.fresh) {
     outlined({r.left, r.top + 1, r.right, r.bottom - 1}, c.fresh, 1.5f, 5);
@@ -80,6 +105,8 @@ void value_row(Session& s, const Value& v, const std::map<std::string, Scale>& s
     bar(ui, scale->second, v, number + 26, right - room_for_new(s.player.step()), y);
 }
 
+/// The inequality with its sign, what that means, and both sides as bars. The meaning stands beside the inequality or,
+/// where there is no room, on lines of its own.
 void comparison_card(Session& s, const Comparison& comparison, const Rect& r) {
   Ui& ui = s.ui;
   const Palette& c = ui.palette;
@@ -87,16 +114,24 @@ void comparison_card(Session& s, const Comparison& comparison, const Rect& r) {
   filled(r, c.card, 8);
   const Colour& ink = comparison.holds ? c.hit : c.miss;
   const float y = r.top + 20, x0 = r.left + 16, x1 = r.right - 16;
-  const float end = x0 + text(ui.fonts.mono, x0, y, packed(c.text), plain(comparison.text));
-  (comparison.holds ? tick : ring)(end + 16, y, 13, packed(ink));
-  ImGui::PushClipRect({end + 30, r.top}, bottom_right(r), true);
-  text(ui.fonts.small, x1, y, packed(c.muted), plain(comparison.meaning), 1);
-  ImGui::PopClipRect();
+  const float end = x0 + text(ui.fonts.mono, x0, y, packed(c.text), plain(comparison.text)) + 10;
+  (comparison.holds ? tick : ring)(end + 6, y, 13, packed(ink));
+  const float told = end + 17 + text(ui.fonts.small, end + 17, y, packed(ink), comparison.holds ? "true" : "false");
+  const std::string meaning = plain(comparison.meaning);
+  float bar_y = r.top + 45;
+  if (told + 14 + text_width(ui.fonts.small, meaning) <= x1) {
+    text(ui.fonts.small, x1, y, packed(c.muted), meaning, 1);
+  } else {
+    for (const std::string& line : lines_of(ui, meaning, x1 - x0)) {
+      text(ui.fonts.small, x0, bar_y - 4, packed(c.muted), line);
+      bar_y += meaning_pitch;
+    }
+  }
+  s.ui.rects["meaning"] = {x0, r.top + 8, x1, bar_y - 10};
 
-  Scale scale;
+  BarScale scale;
   scale.take(comparison.left);
   scale.take(comparison.right);
-  const float bar_y = r.top + 45;
   const float zero = scale.at(0, x0, x1), left = scale.at(comparison.left, x0, x1);
   const float right = scale.at(comparison.right, x0, x1);
   filled({x0, bar_y - 4, x1, bar_y + 4}, c.frame, 4);
@@ -107,9 +142,9 @@ void comparison_card(Session& s, const Comparison& comparison, const Rect& r) {
 
 }  // namespace
 
-float values_height(const Step& step, float pitch) {
+float values_height(const Ui& ui, const Step& step, float width, float pitch) {
   const float values = step.values.empty() ? 0 : heading + pitch * static_cast<float>(step.values.size());
-  return values + (step.comparison ? card + 8 : 0);
+  return values + (step.comparison ? card_height(ui, *step.comparison, width - 20) + 8 : 0);
 }
 
 void values_block(Session& s, const Rect& r, float pitch) {
@@ -126,7 +161,7 @@ void values_block(Session& s, const Rect& r, float pitch) {
     rule(ui, r.left + 10, r.right - 10, y + 5);
     text(ui.fonts.bold, r.left + 10, y + 22, packed(ui.palette.text), "Values");
     y += heading;
-    const std::map<std::string, Scale> scales = scales_of(step);
+    const std::map<std::string, BarScale> scales = scales_of(step);
     for (const Value& v : step.values) {
       value_row(s, v, scales, {r.left, y, r.right, y + pitch});
       y += pitch;
@@ -134,6 +169,7 @@ void values_block(Session& s, const Rect& r, float pitch) {
   }
   if (step.comparison) {
     y += 8;
+    const float card = card_height(ui, *step.comparison, r.width() - 20);
     comparison_card(s, *step.comparison, {r.left + 10, y, r.right - 10, y + card - 10});
     y += card;
   }
@@ -147,16 +183,20 @@ void operations_block(Session& s, const Rect& r) {
   const Counters& n = s.player.step().counters;
   const Palette& c = ui.palette;
   s.ui.rects["operations"] = r;
+  const std::pair<const char*, int> all[] = {
+      {"mul", n.mul}, {"add", n.add}, {"div", n.div}, {"sqrt", n.sqrt}, {"cmp", n.compare}};
+  std::vector<std::pair<const char*, int>> counts;
+  std::ranges::copy_if(all, std::back_inserter(counts), [](const auto& count) { return count.second > 0; });
+  if (counts.empty()) return;
   rule(ui, r.left + 10, r.right - 10, r.top);
   if (r.height() > 50) text(ui.fonts.bold, r.left + 10, r.top + 16, packed(c.text), "Operations");
   const float y = r.bottom - 18;
-  const std::pair<const char*, int> counts[] = {
-      {"mul", n.mul}, {"add", n.add}, {"div", n.div}, {"sqrt", n.sqrt}, {"cmp", n.compare}};
   const float share = (r.width() - 20) / 5;
   float x = r.left + 10;
   for (const auto& [name, count] : counts) {
     const float width = text(ui.fonts.small, x, y, packed(c.muted), name);
-    text(ui.fonts.mono, x + width + 6, y, packed(count ? c.text : c.muted), std::to_string(count));
+    text(ui.fonts.mono, x + width + 6, y, packed(c.text), std::to_string(count));
+    s.ui.rects[std::string("count ") + name] = {x, y - 9, x + share, y + 9};
     x += share;
   }
   if (ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r))) tooltip(ui, "Operations up to this step");

@@ -1,5 +1,8 @@
 #include "viz/window/widgets.h"
 
+#include <imgui_internal.h>
+
+#include <algorithm>
 #include <cmath>
 
 namespace isect::viz {
@@ -45,9 +48,32 @@ float text_width(ImFont* font, const std::string& s) {
   return font->CalcTextSizeA(font->FontSize * font->Scale, FLT_MAX, 0, s.c_str()).x;
 }
 
+namespace {
+
+/// Tells of words that stand partly beside the part of the window in which they are drawn.
+void tell_if_cut(const std::string& words, float left, float right) {
+  CutWords* const cut = static_cast<CutWords*>(ImGui::GetIO().UserData);
+  if (!cut) return;
+  const ImVec2 lo = list().GetClipRectMin(), hi = list().GetClipRectMax();
+  if (left < lo.x - 1 || right > hi.x + 1) cut->push_back(words);
+}
+
+}  // namespace
+
+std::string fitted(ImFont* font, const std::string& s, float room) {
+  if (text_width(font, s) <= room) return s;
+  std::string part = s;
+  do {
+    while (!part.empty() && (static_cast<unsigned char>(part.back()) & 0xC0) == 0x80) part.pop_back();  // of one sign
+    if (!part.empty()) part.pop_back();
+  } while (!part.empty() && (part.back() == ' ' || text_width(font, part + "…") > room));
+  return part + "…";
+}
+
 float text(ImFont* font, float x, float y, ImU32 colour, const std::string& s, float align) {
   const float size = font->FontSize * font->Scale;
   const float width = text_width(font, s);
+  tell_if_cut(s, x - align * width, x + (1 - align) * width);
   list().AddText(font, size, {std::round(x - align * width), std::round(y - size / 2)}, colour, s.c_str());
   return width;
 }
@@ -56,6 +82,7 @@ ImVec2 rich(Ui& ui, const Paragraph& p, ImVec2 at) {
   if (p.markup.empty()) return {0, 0};
   const TextImage image = ui.texts.of(p);
   const ImVec2 from{std::round(at.x), std::round(at.y)};
+  tell_if_cut(p.markup, from.x, from.x + image.size.x);
   if (image.texture) list().AddImage(image.texture, from, {from.x + image.size.x, from.y + image.size.y});
   return image.size;
 }
@@ -70,10 +97,33 @@ Press press(Ui& ui, const std::string& name, const Rect& r) {
   ui.rects[name] = r;
   ImGui::SetCursorScreenPos(top_left(r));
   const bool clicked = ImGui::InvisibleButton(name.c_str(), {std::max(r.width(), 1.0f), std::max(r.height(), 1.0f)});
-  return {clicked, ImGui::IsItemHovered(), ImGui::IsItemActive()};
+  const Press p = {clicked, ImGui::IsItemHovered(), ImGui::IsItemActive()};
+  return {(focused(ui, name, r) && ui.focus.pressed()) || p.clicked, p.hovered, p.held};
 }
 
-void begin_region(Ui& ui, const char* name, const Rect& r, const Colour& background) {
+bool focused(Ui& ui, const std::string& name, const Rect& r) {
+  ImGuiWindow* const window = ImGui::GetCurrentWindow();
+  const std::string root = window->RootWindow->Name;
+  constexpr const char* parts[] = {"top bar", "lesson panel", "question over scene", "scene", "code panel"};
+  const int part = static_cast<int>(std::find(std::begin(parts), std::end(parts), root) - std::begin(parts));
+  if (!ui.focus.offer(name, part, window->RootWindow->Flags & ImGuiWindowFlags_Popup)) return false;
+  const ImRect clip = window->ClipRect;
+  ui.ring = {std::max(r.left - 3, clip.Min.x), std::max(r.top - 3, clip.Min.y), std::min(r.right + 3, clip.Max.x),
+             std::min(r.bottom + 3, clip.Max.y)};
+  if (ui.focus.moved() && window->ScrollMax.y > 0) ImGui::SetScrollFromPosY(r.middle_y() - window->Pos.y, 0.5f);
+  return true;
+}
+
+void focus_ring(Ui& ui) {
+  const Rect r = std::exchange(ui.ring, {});
+  if (ui.focus.name().empty() || r.width() <= 0 || r.height() <= 0) return;
+  ui.rects["focus ring"] = r;
+  ImDrawList& over = *ImGui::GetForegroundDrawList();
+  over.AddRect(top_left(r), bottom_right(r), packed(ui.palette.window), 8, 0, 4.5f);
+  over.AddRect(top_left(r), bottom_right(r), packed(ui.palette.text), 8, 0, 2);
+}
+
+void begin_region(Ui& ui, const char* name, const Rect& r, const Colour& background, bool above) {
   ui.rects[name] = r;
   ImGui::SetNextWindowPos(top_left(r));
   ImGui::SetNextWindowSize({r.width(), r.height()});
@@ -81,7 +131,7 @@ void begin_region(Ui& ui, const char* name, const Rect& r, const Colour& backgro
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{0, 0});
   ImGui::Begin(name, nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
+                   ImGuiWindowFlags_NoScrollWithMouse | (above ? 0 : ImGuiWindowFlags_NoBringToFrontOnFocus));
   ImGui::PopStyleVar();
   ImGui::PopStyleColor();
 }
@@ -139,7 +189,7 @@ void cross(float x, float y, float size, ImU32 colour) {
 }
 
 void ring(float x, float y, float size, ImU32 colour) {
-  list().AddCircle({x, y}, size * 0.38f, colour, 24, size * 0.14f);
+  list().AddCircle({x, y}, size * 0.375f, colour, 24, size * 0.14f);
 }
 
 void diamond(float x, float y, float size, ImU32 colour) {
@@ -158,6 +208,13 @@ void handle_sign(float x, float y, const Colour& colour) {
   list().AddCircleFilled({x, y}, 8.5f, packed(colour, 0.25), 24);
   list().AddCircle({x, y}, 8.5f, packed(colour), 24, 1.2f);
   list().AddCircleFilled({x, y}, 3.8f, packed(colour), 16);
+}
+
+void turn_sign(float x, float y, const Colour& colour) {
+  list().PathArcTo({x, y}, 7, -2.6f, 1.9f, 20);
+  list().PathStroke(packed(colour), 0, 1.5f);
+  const ImVec2 tip{x + 7 * std::cos(2.25f), y + 7 * std::sin(2.25f)};
+  list().AddTriangleFilled({tip.x - 2.5f, tip.y - 3}, {tip.x + 4, tip.y - 2}, {tip.x + 1, tip.y + 4}, packed(colour));
 }
 
 void logo(const Ui& ui, float x, float y) {

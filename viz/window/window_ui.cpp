@@ -4,9 +4,12 @@
 #include <imgui_impl_opengl3.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
+#include "viz/closing.h"
 #include "viz/files.h"
 #include "viz/rich_text.h"
 #include "viz/window/key_codes.h"
@@ -43,23 +46,53 @@ UiFonts fonts_at(double scale) {
 
 }  // namespace
 
+namespace {
+
+/// What was answered, and that a lesson was read to its end.
+void keep_score(Session& s) {
+  const Player& player = s.player;
+  Score& score = s.settings.scores[player.lesson().id];
+  if (const auto answered = player.answered()) {
+    std::string name = player.method() + "/" + player.step().slug;
+    std::erase_if(name, [](char c) { return c >= '0' && c <= '9'; });  // one question, however often a loop asks it
+    score.answers[name] = answered->right();
+  }
+  if (player.step().slug == closing_slug) score.finished = true;
+}
+
+/// The lessons last opened, the one on show first.
+void keep_recent(Session& s) {
+  std::vector<std::string>& recent = s.settings.recent;
+  const std::string& id = s.player.lesson().id;
+  if (!recent.empty() && recent.front() == id) return;
+  std::erase(recent, id);
+  recent.insert(recent.begin(), id);
+  if (recent.size() > recent_kept) recent.resize(recent_kept);
+}
+
+}  // namespace
+
 struct WindowUi::Impl {
   Impl(const std::vector<const Lesson*>& lessons, const Place& at, Renderer& gl, const Settings& kept,
        const WindowOptions& options)
       : renderer(gl),
-        player(lessons, at, options.reduced_motion),
+        player(lessons, at, options.reduced_motion || kept.reduced_motion),
         settings(kept),
+        density(options.scale),
         ui{palette(kept.theme), fonts_at(options.scale), TextTextures(options.scale)},
-        session{.player = player, .ui = ui, .settings = settings, .figures = options.figures},
-        scene(gl, options.scale) {
+        course(options.course),
+        session{.player = player, .ui = ui, .settings = settings, .course = course, .figures = options.figures},
+        scene(gl, options.scale, options.draw_scene) {
     player.set_speed(kept.speed);
   }
 
   void save() {
     try {
-      session.say("Saved " + save_figure(player, settings, renderer, session.figures));
+      session.say("Saved " + save_figure(player, settings, renderer, session.figures) + ", with its alt text");
     } catch (const FileError& failed) {
       session.complain(failed.what());
+    } catch (const BadInput& too_narrow) {
+      session.complain(too_narrow.what());
     }
     scene.invalidate();
   }
@@ -72,11 +105,37 @@ struct WindowUi::Impl {
     }
   }
 
+  /// The size that is wanted, as far as the least layout fits into the window.
+  double fitting_size() const {
+    const ImGuiIO& io = ImGui::GetIO();
+    const double across = io.DisplaySize.x * size / least_width, down = io.DisplaySize.y * size / least_height;
+    return std::min(settings.size, std::max(1.0, std::floor(10 * std::min(across, down) + 1e-3) / 10));
+  }
+
+  void resize() {
+    const double now = fitting_size();
+    if (now == size) return;
+    ImGuiIO& io = ImGui::GetIO();
+    const float by = static_cast<float>(size / now), scale = static_cast<float>(density * now);
+    size = now;
+    io.Fonts->Clear();
+    ui.fonts = load_fonts(scale);
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+    ui.texts.rescale(scale);
+    scene.rescale(scale);
+    io.DisplaySize = {io.DisplaySize.x * by, io.DisplaySize.y * by};
+    io.DisplayFramebufferScale = {scale, scale};
+    if (io.MousePos.x > -1e6f) io.MousePos = {io.MousePos.x * by, io.MousePos.y * by};
+  }
+
   ImGuiScope imgui;
   Renderer& renderer;
   Player player;
   Settings settings;
+  double density, size = 1;
   Ui ui;
+  Course course;
   Session session;
   SceneView scene;
 };
@@ -90,6 +149,7 @@ WindowUi::~WindowUi() = default;
 void WindowUi::frame() {
   Impl& w = *impl_;
   ImGui::SetCurrentContext(w.imgui.context);
+  w.resize();
   const ImGuiIO& io = ImGui::GetIO();
   w.ui.palette = palette(w.settings.theme);
   dress(w.ui.palette);
@@ -112,9 +172,15 @@ void WindowUi::frame() {
   if (w.session.panels) {
     lesson_panel(w.session, at.lesson);
     code_panel(w.session, at.code);
+  } else {
+    question_over_scene(w.session, at.scene);
   }
   transport(w.session, at.transport);
   sheets(w.session, {0, 0, io.DisplaySize.x, io.DisplaySize.y});
+  focus_ring(w.ui);
+  w.ui.focus.end_frame();
+  keep_score(w.session);
+  keep_recent(w.session);
   ImGui::PopFont();
   ImGui::Render();
 
@@ -143,9 +209,17 @@ std::string WindowUi::title() const {
          std::to_string(p.count()) + " – isect";
 }
 
-bool WindowUi::animating() const {
-  return impl_->player.playing() || impl_->player.camera().moving() || impl_->session.toast.seconds_left > 0;
+double WindowUi::rest() const {
+  const Player& p = impl_->player;
+  if (p.camera().moving() || p.motion() < 1 || p.light() < 1) return 0;
+  double rest = std::numeric_limits<double>::infinity();
+  if (p.running()) rest = std::min(rest, std::max(p.seconds_to_step(), 0.0));
+  if (impl_->session.toast.seconds_left > 0) rest = std::min(rest, impl_->session.toast.seconds_left);
+  return rest;
 }
+
+double WindowUi::scale() const { return impl_->density * impl_->size; }
+bool WindowUi::full_screen() const { return impl_->session.full_screen; }
 
 bool WindowUi::wants_to_close() const { return impl_->session.close; }
 
@@ -153,8 +227,10 @@ const std::map<std::string, Rect>& WindowUi::rects() const { return impl_->ui.re
 
 void WindowUi::complain(const std::string& words) { impl_->session.complain(words); }
 std::string WindowUi::message() const {
-  return impl_->session.toast.seconds_left > 0 ? impl_->session.toast.text : std::string();
+  return impl_->session.toast.seconds_left > 0 ? impl_->session.toast.text : impl_->session.refused.why;
 }
+const std::vector<PlacedLabel>& WindowUi::labels() const { return impl_->scene.labels(); }
+const std::string& WindowUi::focus() const { return impl_->ui.focus.name(); }
 
 Player& WindowUi::player() { return impl_->player; }
 
@@ -162,6 +238,7 @@ Settings WindowUi::settings() const {
   Settings settings = impl_->settings;
   settings.speed = impl_->player.speed();
   settings.place = impl_->player.place();
+  if (!impl_->player.camera_moved()) settings.place->camera.reset();  // presets go on framing themselves
   return settings;
 }
 

@@ -4,15 +4,19 @@
 
 #include <memory>
 
+#include "viz/compose.h"
+#include "viz/course.h"
 #include "viz/renderer.h"
 #include "viz/window/session.h"
 
 namespace isect::viz {
 
 struct WindowOptions {
-  double scale = 1;             ///< framebuffer pixels per px of the layout
+  double scale = 1;             ///< the screen's density: framebuffer pixels per px of the layout, at size 1
   bool reduced_motion = false;  ///< the camera arrives at once
+  bool draw_scene = true;       ///< tests of the layout do without it
   std::string figures = "figures";
+  Course course = {};
 };
 
 class WindowUi {
@@ -33,14 +37,22 @@ class WindowUi {
 
   /// The window's title: lesson, preset, "step 3 of 12".
   std::string title() const;
-  /// Something moves by itself: the next frame should come at once.
-  bool animating() const;
+  /// Framebuffer pixels per px of the layout now. A frame that changes it changes io.DisplaySize and the pointer's
+  /// place accordingly.
+  double scale() const;
+  bool full_screen() const;
+  /// Seconds until something changes by itself: 0 while it moves, infinity where all is at rest.
+  double rest() const;
   /// Ctrl+Q was pressed.
   bool wants_to_close() const;
   /// The widgets of the frame built last, by name, in px.
   const std::map<std::string, Rect>& rects() const;
-  /// The message on show; empty if there is none.
+  /// The labels of the scene drawn last.
+  const std::vector<PlacedLabel>& labels() const;
+  /// The message on show, or why what was typed is refused; empty if there is none.
   std::string message() const;
+  /// The widget that the keyboard holds; empty if it holds none.
+  const std::string& focus() const;
   /// Shows a message as an error.
   void complain(const std::string& words);
   Player& player();

@@ -1,0 +1,165 @@
+// The picture and the window while a question is open.
+
+#include "viz/asking.h"
+
+#include <algorithm>
+
+#include "lessons/lessons.h"
+#include "tests/catch.h"
+#include "tests/viz/window_driver.h"
+
+namespace asking_test {
+using namespace isect;
+using namespace isect::viz;
+
+namespace {
+
+Place at(const std::string& lesson, const std::string& preset, int step) {
+  Place place;
+  place.lesson = lesson, place.preset = preset, place.step = step;
+  return place;
+}
+
+bool is_lit(const Item& item) {
+  return std::visit(
+      [](const auto& it) {
+        if constexpr (requires { it.pen; })
+          return it.pen == Pen::highlight;
+        else
+          return false;
+      },
+      item);
+}
+
+std::vector<Line> lit_lines(const Scene& scene) {
+  std::vector<Line> lines;
+  for (const Item& item : scene.items)
+    if (const Line* line = std::get_if<Line>(&item); line && is_lit(item)) lines.push_back(*line);
+  return lines;
+}
+
+/// How many items are a hit or a miss.
+std::ptrdiff_t findings(const Scene& scene) {
+  return std::ranges::count_if(scene.items, [](const Item& item) {
+    return std::visit(
+        [](const auto& it) {
+          if constexpr (requires { it.role; })
+            return it.role == Role::hit || it.role == Role::miss;
+          else
+            return false;
+        },
+        item);
+  });
+}
+
+}  // namespace
+
+TEST_CASE("a question lights what its own step is about, and tells no hit and no miss before its answer", "[player]") {
+  int asked = 0, lit = 0;
+  for (const Lesson* lesson : lessons::all_lessons())
+    for (const Preset& p : lesson->presets) {
+      const Walk walk = lesson->walk(p.parameters);
+      for (std::size_t i = 1; i < walk.steps.size(); ++i) {
+        const Step& step = walk.steps[i];
+        if (!step.question) continue;
+        INFO(lesson->id << " " << p.id << ", " << step.slug);
+        ++asked;
+        const Scene scene = question_scene(walk, static_cast<int>(i));
+        CHECK(findings(scene) <= findings(walk.steps[i - 1].scene));
+        if (step.question->over || step.scene.chart) continue;
+        const auto wanted = std::ranges::count_if(step.scene.items, is_lit);
+        CHECK(std::ranges::count_if(scene.items, is_lit) == wanted);
+        lit += wanted > 0;
+      }
+    }
+  CHECK(asked > 500);
+  CHECK(lit > 100);
+}
+
+TEST_CASE("Right to a question about the next edge lights and names that edge", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, at("crossings", "inside", 2));
+  const auto rules = [&] { return lit_lines(window.player().scene()); };
+  int asked = 0;
+  while (!window.player().at_end()) {
+    const std::vector<Line> before = rules();
+    const Picture picture = window.picture();
+    window.key(key::right);
+    if (!window.player().asked()) continue;
+    const Step& next = window.player().walk().steps[static_cast<std::size_t>(window.player().index()) + 1];
+    if (lit_lines(next.scene).empty()) continue;
+    ++asked;
+    REQUIRE(rules().size() == 1);
+    CHECK(rules()[0].from == lit_lines(next.scene)[0].from);
+    CHECK(rules()[0].to == lit_lines(next.scene)[0].to);
+    if (!before.empty()) CHECK(rules()[0].from != before[0].from);
+    for (const char* name : {"a", "b"})
+      CHECK(std::ranges::any_of(window.player().scene().items, [&](const Item& item) {
+        const Label* label = std::get_if<Label>(&item);
+        return label && label->text.find(name) != std::string::npos && label->at != Vec3::Zero();
+      }));
+    CHECK(window.picture().rgba != picture.rgba);
+  }
+  CHECK(asked > 0);
+}
+
+TEST_CASE("clipping asks about a side that is drawn and lit", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, at("clipping", "both-ends-cut", 2));
+  window.key(key::right);
+  REQUIRE(window.player().asked());
+  REQUIRE(lit_lines(window.player().scene()).size() == 1);
+  const Line side = lit_lines(window.player().scene())[0];
+  CHECK(side.from.x() == 2);  // the right one, and not the left one of the step before
+  CHECK(side.to.x() == 2);
+}
+
+TEST_CASE("with the panels hidden the question stands over the scene, and is answered there", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, at("ray-sphere", "two-roots", 4));
+  window.key(key::tab);
+  CHECK_FALSE(window.has("question over scene"));
+  window.key(key::right);
+  window.frames(2);
+  REQUIRE(window.player().asked());
+  REQUIRE(window.has("question over scene"));
+  REQUIRE(window.has("choice 1"));
+  const Rect card = window.rect("question over scene"), choice = window.rect("choice 1"), scene = window.rect("scene");
+  CHECK((choice.top > card.top && choice.bottom < card.bottom && choice.left > card.left && choice.right < card.right));
+  CHECK((card.left >= scene.left && card.bottom <= scene.bottom && card.top >= scene.top));
+  const Camera camera = window.player().camera().goal();
+  const int right = window.player().asked()->answer;
+  window.click("choice " + std::to_string(right));
+  REQUIRE(window.player().answered());
+  CHECK(window.player().answered()->right());
+  CHECK(window.player().camera().goal().azimuth == camera.azimuth);  // the click did not reach the scene
+  window.frames(2);
+  CHECK(window.has("question over scene"));  // it says whether that was right
+}
+
+TEST_CASE("what methods say waits while a question is open", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, at("sphere-sphere", "touching", 2));
+  REQUIRE(window.player().methods_differ());
+  CHECK(window.has("alarm"));
+  window.key(key::right);
+  REQUIRE(window.player().asked());
+  window.frames(2);
+  CHECK_FALSE(window.has("alarm"));
+  CHECK_FALSE(window.has("methods side by side"));
+  CHECK_FALSE(window.has("comparison"));
+}
+
+TEST_CASE("play rests at a question without taking time, and says so by its icon", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, at("ray-sphere", "two-roots", 2));
+  CHECK(std::isinf(window.ui.rest()));
+  window.type(" ");
+  CHECK(window.ui.rest() > 1);  // until the next step
+  CHECK(window.ui.rest() <= 1.6);
+  for (int i = 0; i < 9 && !window.player().asked(); ++i) window.wait(0.5f);
+  REQUIRE(window.player().asked());
+  CHECK_FALSE(window.player().running());
+  CHECK(std::isinf(window.ui.rest()));
+  const int before = window.player().index();
+  window.type(" ");  // the question is skipped, and play goes on
+  CHECK(window.player().index() == before + 1);
+  CHECK(window.player().running());
+}
+
+}  // namespace asking_test

@@ -1,0 +1,263 @@
+// The window by keyboard alone, and numbers as people type them.
+
+#include <numbers>
+#include <set>
+
+#include "lessons/lessons.h"
+#include "tests/catch.h"
+#include "tests/viz/sample_lesson.h"
+#include "tests/viz/window_driver.h"
+#include "viz/window/number_text.h"
+
+namespace keyboard_test {
+using namespace isect;
+using namespace isect::viz;
+
+namespace {
+
+const Lesson disc = sample::lesson(), ball = sample::other_lesson();
+const std::vector<const Lesson*> both = {&disc, &ball};
+
+Settings with_parameters() {
+  Settings settings;
+  settings.parameters_open = true;
+  return settings;
+}
+
+/// Goes on with Down until the keyboard holds the widget.
+void hold(WindowDriver& window, const std::string& name) {
+  for (int i = 0; i < 200 && window.ui.focus() != name; ++i) window.key(key::down);
+  REQUIRE(window.ui.focus() == name);
+}
+
+/// Types into a field, which Ctrl+click opens.
+void type_into(WindowDriver& window, const std::string& field, const std::string& text) {
+  const Rect r = window.rect(field);
+  window.move(r.middle_x(), r.middle_y());
+  window.control(true);
+  window.button(true);
+  window.button(false);
+  window.control(false);
+  window.frames(2);
+  window.type(text);
+}
+
+double radius(WindowDriver& window) { return std::get<double>(window.player().parameters().at("r")); }
+
+}  // namespace
+
+TEST_CASE("a number is read as people write it", "[number_text]") {
+  CHECK(number_from("1,5") == 1.5);
+  CHECK(number_from(" 1.5 ") == 1.5);
+  CHECK(number_from("1e-3") == 1e-3);
+  CHECK(number_from("2*pi") == 2 * std::numbers::pi);
+  CHECK(number_from("−π/2") == -std::numbers::pi / 2);
+  CHECK(number_from("1/3") == 1.0 / 3);
+  CHECK(number_from("-(1+2) · 0.5 - 1") == -2.5);
+}
+
+TEST_CASE("what is no number is refused with its reason", "[number_text]") {
+  const auto [text, why] = GENERATE(table<const char*, const char*>({{"", "missing"},
+                                                                     {"1e400", "beyond the range"},
+                                                                     {"1/0", "divides by 0"},
+                                                                     {"inf", "no number"},
+                                                                     {"nan", "no number"},
+                                                                     {"1.5.2", "does not belong"},
+                                                                     {"2 3", "does not belong"},
+                                                                     {"(1", "not closed"},
+                                                                     {"1e308*10", "finite"},
+                                                                     {"1+", "missing"},
+                                                                     {"four", "no number"}}));
+  INFO(text);
+  CHECK_THROWS_WITH(number_from(text), Catch::Contains(why));
+  CHECK_THROWS_AS(number_from(std::string(1000, '-') + "1"), BadInput);
+}
+
+TEST_CASE("a typed number counts on Enter or on leaving the field, and not before", "[window]") {
+  WindowDriver window(both, 1280, 800, {}, with_parameters());
+  const double before = radius(window);
+  type_into(window, "parameter r", "2,75");
+  CHECK(radius(window) == before);
+  window.key(key::enter);
+  CHECK(radius(window) == 2.75);
+  window.key(key::z, true);
+  CHECK(radius(window) == before);  // one step back takes the whole number
+
+  type_into(window, "parameter r", "1/4");
+  const Rect scene = window.rect("scene");
+  window.click(scene.left + 30, scene.bottom - 130);
+  CHECK(radius(window) == 0.25);
+
+  type_into(window, "parameter r", "3");
+  window.key(key::escape);
+  window.frames(2);
+  CHECK(radius(window) == 0.25);
+}
+
+TEST_CASE("a refused number leaves the old one, and the reason stands below the field", "[window]") {
+  WindowDriver window(both, 1280, 800, {}, with_parameters());
+  const double before = radius(window);
+  for (const char* wrong : {"1e400", "-4", "two"}) {
+    INFO(wrong);
+    type_into(window, "parameter r", wrong);
+    window.key(key::enter);
+    window.frames(2);
+    CHECK(radius(window) == before);
+    REQUIRE(window.has("refused parameter r"));
+    CHECK(window.rect("refused parameter r").top >= window.rect("parameter r").bottom);
+    CHECK_FALSE(window.ui.message().empty());
+  }
+  type_into(window, "parameter r", "1");
+  window.key(key::enter);
+  window.frames(2);
+  CHECK_FALSE(window.has("refused parameter r"));
+}
+
+TEST_CASE("a direction of 0, 0, 0 is refused", "[window]") {
+  Place place;
+  place.lesson = "ray-sphere";
+  WindowDriver window(lessons::all_lessons(), 1280, 1000, place, with_parameters());
+  window.frames(2);
+  for (const char* field : {"parameter direction.x", "parameter direction.y", "parameter direction.z"}) {
+    type_into(window, field, "0");
+    window.key(key::enter);
+    window.frames(2);
+  }
+  CHECK(std::get<Vec3>(window.player().parameters().at("direction")).norm() > 0);
+  CHECK(window.has("refused parameter direction.z"));
+}
+
+TEST_CASE("Down goes through all that can be pressed, with a ring around it", "[window]") {
+  WindowDriver window(both, 1280, 800, {}, with_parameters());
+  std::set<std::string> held;
+  window.key(key::down);
+  const std::string first = window.ui.focus();
+  do {
+    held.insert(window.ui.focus());
+    REQUIRE(window.has("focus ring"));
+    const Rect ring = window.rect("focus ring"), widget = window.rect(window.ui.focus());
+    CHECK((ring.left <= widget.middle_x() && widget.middle_x() <= ring.right));
+    CHECK((ring.top <= widget.middle_y() && widget.middle_y() <= ring.bottom));
+    window.key(key::down);
+  } while (window.ui.focus() != first && held.size() < 200);
+  for (const char* name : {"lesson", "method", "preset 1", "preset 2", "theme", "help", "parameters", "parameter r",
+                           "parameter c.x", "handle c", "projection", "line 1", "scrubber", "play", "speed"}) {
+    INFO(name);
+    CHECK(held.contains(name));
+  }
+  window.key(key::up);
+  CHECK(window.ui.focus() != first);
+  window.key(key::escape);
+  CHECK(window.ui.focus().empty());
+  CHECK_FALSE(window.has("focus ring"));
+}
+
+TEST_CASE("Enter presses what the keyboard holds: theme, speed, method, a number", "[window]") {
+  WindowDriver window(both, 1280, 800, {}, with_parameters());
+  hold(window, "theme");
+  window.key(key::enter);
+  CHECK(window.ui.settings().theme == ThemeName::screen);
+  hold(window, "speed");
+  window.key(key::enter);
+  CHECK(window.player().speed() == 1.5);
+
+  hold(window, "method");
+  window.key(key::enter);
+  window.frames(2);
+  hold(window, "method distance");
+  window.key(key::enter);
+  window.frames(2);
+  CHECK(window.player().method() == "distance");
+  CHECK(window.ui.focus() == "method");  // where it was before the menu
+
+  hold(window, "parameter r");
+  window.key(key::enter);
+  window.frames(2);
+  window.type("1,25");
+  window.key(key::enter);
+  CHECK(radius(window) == 1.25);
+  CHECK(window.player().index() == 0);
+}
+
+TEST_CASE("F6 goes from part to part of the window", "[window]") {
+  WindowDriver window(both, 1280, 800, {}, with_parameters());
+  std::set<std::string> firsts;
+  for (int i = 0; i < 5; ++i) {
+    window.key(key::f6);
+    firsts.insert(window.ui.focus());
+  }
+  CHECK(firsts.size() == 5);
+  CHECK(firsts.contains("lesson"));
+  CHECK(firsts.contains("line 1"));
+}
+
+TEST_CASE("Shift and the arrows move the handle that is held, or else turn the scene", "[window]") {
+  WindowDriver window(both);
+  const Camera home = window.player().camera().goal();
+  window.key(key::right, false, true);
+  CHECK(window.player().index() == 0);
+  CHECK(window.player().camera().goal().azimuth != home.azimuth);
+  window.key(key::z, true);
+  CHECK(window.player().camera().goal().azimuth == home.azimuth);
+  window.key(key::up, true);
+  CHECK(window.player().camera().goal().target != home.target);
+  window.type("+");
+  CHECK(window.player().camera().goal().half_height < home.half_height);
+  window.type("f");
+  CHECK(window.player().camera().goal().half_height == Approx(home.half_height).epsilon(0.5));
+
+  hold(window, "handle c");
+  const Rect before = window.rect("handle c");
+  window.key(key::right, false, true);
+  window.frames(2);
+  CHECK(window.rect("handle c").middle_x() == Approx(before.middle_x() + 8).margin(0.5));
+  CHECK(window.rect("handle c").middle_y() == Approx(before.middle_y()).margin(0.5));
+}
+
+TEST_CASE("undo leaves the step where the reader has gone on, and redo does it again", "[window]") {
+  WindowDriver window(both);
+  const Vec3 before = std::get<Vec3>(window.player().parameters().at("c"));
+  window.drag("handle c", 60, 30);
+  const Vec3 dragged = std::get<Vec3>(window.player().parameters().at("c"));
+  REQUIRE(dragged != before);
+  window.key(key::right);
+  REQUIRE(window.player().index() == 1);
+  window.key(key::z, true);
+  CHECK(std::get<Vec3>(window.player().parameters().at("c")) == before);
+  CHECK(window.player().index() == 1);
+  window.key(key::z, true, true);
+  CHECK(std::get<Vec3>(window.player().parameters().at("c")) == dragged);
+  CHECK(window.player().index() == 1);
+  window.key(key::z, true);
+  window.key(key::y, true);
+  CHECK(std::get<Vec3>(window.player().parameters().at("c")) == dragged);
+  window.key(key::y, true);
+  CHECK(window.ui.message() == "Nothing to do again");
+
+  window.key(key::z, true);
+  window.type("2");  // another change: there is nothing to do again
+  window.key(key::y, true);
+  CHECK(window.player().preset_id() == "squared-outside");
+  window.key(key::z, true);  // a preset had chosen the first step, so that is taken back, too
+  CHECK(window.player().index() == 1);
+}
+
+TEST_CASE("presets beyond the ninth have keys", "[window]") {
+  Place place;
+  place.lesson = "intervals";
+  WindowDriver window(lessons::all_lessons(), 1280, 800, place);
+  const std::vector<const Preset*> group = window.player().group();
+  REQUIRE(group.size() >= 10);
+  window.type("0");
+  CHECK(window.player().preset_id() == group[9]->id);
+  window.key(key::page_up);
+  CHECK(window.player().preset_id() == group[8]->id);
+  for (std::size_t i = 9; i < group.size(); ++i) {
+    window.key(key::page_down);
+    CHECK(window.player().preset_id() == group[i]->id);
+  }
+  window.key(key::page_down);
+  CHECK(window.player().preset_id() == group[0]->id);
+}
+
+}  // namespace keyboard_test

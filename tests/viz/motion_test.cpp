@@ -1,0 +1,97 @@
+// From step to step.
+
+#include "viz/motion.h"
+
+#include "lessons/lessons.h"
+#include "tests/catch.h"
+#include "tests/viz/window_driver.h"
+
+namespace motion_test {
+using namespace isect;
+using namespace isect::viz;
+
+namespace {
+
+Scene with(const Vec3& a, const Vec3& b, double radius) {
+  Scene scene;
+  scene.items = {Dot{a}, Label{a, "a"}, Ball{b, radius}, Label{b, "b"}};
+  return scene;
+}
+
+Place sides() {
+  Place place;
+  place.lesson = "clipping", place.preset = "both-ends-cut", place.step = 3;
+  return place;
+}
+
+WindowOptions reduced(bool on) { return {.reduced_motion = on}; }
+
+}  // namespace
+
+TEST_CASE("what has the same name is on its way from one place to the other", "[motion]") {
+  const Scene from = with({0, 0, 0}, {1, 1, 1}, 1), to = with({4, 0, 0}, {1, 1, 1}, 3);
+  const Scene half = between(from, to, 0.5);
+  CHECK(std::get<Dot>(half.items[0]).at == Vec3(2, 0, 0));
+  CHECK(std::get<Label>(half.items[1]).at == Vec3(2, 0, 0));
+  CHECK(std::get<Ball>(half.items[2]).radius == 2);
+  CHECK(std::get<Dot>(between(from, to, 0).items[0]).at == Vec3(0, 0, 0));
+  CHECK(std::get<Dot>(between(from, to, 1).items[0]).at == Vec3(4, 0, 0));
+}
+
+TEST_CASE("what is new, gone or of another shape does not move", "[motion]") {
+  Scene from = with({0, 0, 0}, {1, 1, 1}, 1), to = with({4, 0, 0}, {1, 1, 1}, 1);
+  from.items[0] = Chain{{Vec3(0, 0, 0), Vec3(1, 0, 0)}};
+  to.items.emplace_back(Chain{{Vec3(5, 0, 0), Vec3(6, 0, 0), Vec3(7, 0, 0)}});
+  const Scene half = between(from, to, 0.5);
+  REQUIRE(half.items.size() == to.items.size());
+  CHECK(std::get<Dot>(half.items[0]).at == Vec3(4, 0, 0));
+  CHECK(std::get<Chain>(half.items[4]).points[0] == Vec3(5, 0, 0));
+}
+
+TEST_CASE("a step takes 220 ms, its light 120, and then all is at rest", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, sides(), {}, reduced(false));
+  window.wait(1);
+  CHECK(std::isinf(window.ui.rest()));
+  window.key(key::left);
+  const auto at_start = window.picture().rgba;
+  CHECK(window.player().motion() < 1);
+  CHECK(window.player().light() < 1);
+  CHECK(window.ui.rest() == 0);
+  window.wait(0.11f);
+  CHECK(window.player().light() == 1);
+  CHECK(window.player().motion() < 1);
+  const auto on_the_way = window.picture().rgba;
+  window.wait(0.12f);
+  CHECK(window.player().motion() == 1);
+  CHECK(std::isinf(window.ui.rest()));
+  CHECK(window.picture().rgba != on_the_way);
+  CHECK(at_start != on_the_way);
+}
+
+TEST_CASE("under reduced motion nothing moves by itself", "[window]") {
+  WindowDriver still(lessons::all_lessons(), 1280, 800, sides(), {}, reduced(true));
+  still.key(key::left);
+  CHECK(still.player().motion() == 1);
+  CHECK(still.player().light() == 1);
+  CHECK(std::isinf(still.ui.rest()));
+}
+
+TEST_CASE("M asks for reduced motion", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, sides(), {}, reduced(false));
+  window.type("m");
+  CHECK(window.ui.settings().reduced_motion);
+  window.wait(6);  // until the message has gone
+  window.key(key::left);
+  CHECK(std::isinf(window.ui.rest()));
+  window.type("f");
+  CHECK_FALSE(window.player().camera().moving());
+}
+
+TEST_CASE("a drag is no motion: the scene follows at once", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, sides(), {}, reduced(false));
+  window.wait(1);
+  window.drag("handle p", 20, -10);
+  CHECK(window.player().motion() == 1);
+}
+
+}  // namespace motion_test

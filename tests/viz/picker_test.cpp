@@ -1,0 +1,139 @@
+// All lessons in one sheet, and the terms in another.
+
+#include "lessons/course.h"
+#include "lessons/lessons.h"
+#include "tests/catch.h"
+#include "tests/viz/window_driver.h"
+#include "viz/closing.h"
+
+namespace picker_test {
+using namespace isect;
+using namespace isect::viz;
+
+namespace {
+
+Place at(const std::string& lesson) {
+  Place place;
+  place.lesson = lesson;
+  return place;
+}
+
+WindowOptions with_course() {
+  WindowOptions options{.reduced_motion = true};
+  options.course = lessons::course();
+  return options;
+}
+
+}  // namespace
+
+TEST_CASE("parts begin with lessons of the course, in its order, and terms lead to lessons", "[course]") {
+  const std::vector<const Lesson*>& all = lessons::all_lessons();
+  std::size_t last = 0;
+  for (const Course::Part& part : lessons::course().parts) {
+    INFO(part.title);
+    const Lesson* first = &lesson_named(all, part.first);
+    const std::size_t index = std::ranges::find(all, first) - all.begin();
+    CHECK((index > last || index == 0));
+    last = index;
+  }
+  CHECK(lessons::course().parts.front().first == all.front()->id);
+  for (const Course::Term& term : lessons::course().terms) CHECK_NOTHROW(lesson_named(all, term.lesson));
+}
+
+TEST_CASE("the picker shows all lessons without scrolling, each by its whole title", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, {}, {}, with_course());
+  window.key(key::o, true);
+  window.frames(2);
+  const Rect sheet = window.rect("picker");
+  float top = 0;
+  for (const Lesson* lesson : window.player().lessons()) {
+    INFO(lesson->id);
+    REQUIRE(window.has("lesson " + lesson->id));
+    const Rect r = window.rect("lesson " + lesson->id);
+    CHECK((r.top >= sheet.top && r.bottom <= sheet.bottom && r.left >= sheet.left && r.right <= sheet.right));
+    CHECK(text_width(ImGui::GetFont(), lesson->title) <= r.width());
+    if (r.left < sheet.middle_x()) CHECK(std::exchange(top, r.top) < r.top);  // in the order of the course
+  }
+}
+
+TEST_CASE("arrows choose a lesson and Enter opens it", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, {}, {}, with_course());
+  window.key(key::o, true);
+  window.frames(2);
+  for (int i = 0; i < 3; ++i) window.key(key::down);
+  const std::string held = window.ui.focus();
+  REQUIRE(held.starts_with("lesson "));
+  CHECK(window.has("focus ring"));
+  window.key(key::enter);
+  window.frames(2);
+  CHECK(window.player().lesson().id == held.substr(7));
+  CHECK_FALSE(window.has("picker"));
+}
+
+TEST_CASE("words narrow the picker, and Enter opens the first that has them", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, {}, {}, with_course());
+  window.key(key::o, true);
+  window.frames(2);
+  window.type("BALL ray");
+  CHECK(window.has("lesson ray-sphere"));
+  CHECK_FALSE(window.has("lesson clipping"));
+  CHECK(window.player().index() == 0);
+  window.key(key::enter);
+  window.frames(2);
+  CHECK(window.player().lesson().id == "ray-sphere");
+  window.click("lesson");
+  window.frames(2);
+  CHECK(window.has("recent relations"));  // where we were before
+  window.click("recent relations");
+  CHECK(window.player().lesson().id == "relations");
+}
+
+TEST_CASE("what was answered and read to its end is kept, and stands in the picker", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, at("ray-sphere"), {}, with_course());
+  int asked = 0, right = 0;
+  while (!window.player().at_end()) {
+    window.key(key::right);
+    const Question* q = window.player().asked();
+    if (!q) continue;
+    right += ++asked % 2;
+    const int wrong = (q->answer + 1) % static_cast<int>(q->choices.size());
+    window.type(std::string(1, static_cast<char>('a' + (asked % 2 ? q->answer : wrong))));
+  }
+  REQUIRE(asked >= 3);
+  window.frames(2);
+  const Settings kept = window.ui.settings();
+  CHECK(static_cast<int>(kept.scores.at("ray-sphere").answers.size()) == asked);
+  CHECK(kept.scores.at("ray-sphere").right() == right);
+  CHECK(kept.scores.at("ray-sphere").finished);
+  window.key(key::o, true);
+  window.frames(2);
+  CHECK(window.has("score ray-sphere"));
+  CHECK_FALSE(window.has("score clipping"));
+}
+
+TEST_CASE("G shows the terms, and each leads to its lesson", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, {}, {}, with_course());
+  window.type("g");
+  window.frames(2);
+  REQUIRE(window.has("terms"));
+  window.type("winding");
+  CHECK(window.has("term winding number"));
+  CHECK_FALSE(window.has("term tangent"));
+  window.key(key::enter);
+  window.frames(2);
+  CHECK(window.player().lesson().id == "crossings");
+  CHECK_FALSE(window.has("terms"));
+}
+
+TEST_CASE("presets that have no room in the bar have a menu, and cover no title", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 800, 600, at("intervals"), {}, with_course());
+  REQUIRE(window.has("presets"));
+  CHECK(window.rect("lesson").right <= window.rect("presets").left);
+  CHECK(window.rect("presets").right <= window.rect("theme").left);
+  window.click("presets");
+  window.frames(2);
+  window.click("preset 10");
+  CHECK(window.player().preset_id() == window.player().group()[9]->id);
+}
+
+}  // namespace picker_test

@@ -1,0 +1,114 @@
+#include "viz/asking.h"
+
+#include <algorithm>
+
+namespace isect::viz {
+namespace {
+
+bool tells(Role role) { return role == Role::hit || role == Role::miss; }
+
+/// Whether an item may give an answer away where it is new.
+struct Tells {
+  bool operator()(const Dot& it) const { return tells(it.role) || (it.mark != Mark::disc && it.mark != Mark::ring); }
+  bool operator()(const Heading& it) const {
+    return tells(it.role) || std::ranges::any_of(it.text, [](char c) { return c >= '0' && c <= '9'; });
+  }
+  bool operator()(const RightAngle&) const { return false; }
+  bool operator()(const Raster&) const { return true; }
+  bool operator()(const Ball& it) const { return tells(it.role); }
+  bool operator()(const Label& it) const { return tells(it.role); }
+  bool operator()(const Solid& it) const { return tells(it.role); }
+  bool operator()(const Mesh& it) const { return tells(it.role); }
+  bool operator()(const auto& line) const { return tells(line.role) || line.pen == Pen::excluded; }
+};
+
+/// Where an item is, whatever part it plays there.
+struct Place {
+  std::vector<Vec3> operator()(const Dot& it) const { return {it.at}; }
+  std::vector<Vec3> operator()(const Line& it) const { return {it.from, it.to}; }
+  std::vector<Vec3> operator()(const Arrow& it) const { return {it.from, it.to}; }
+  std::vector<Vec3> operator()(const Span& it) const { return {it.from, it.to}; }
+  std::vector<Vec3> operator()(const Ball& it) const { return {it.center, Vec3::Constant(it.radius)}; }
+  std::vector<Vec3> operator()(const Circle& it) const { return {it.center, Vec3::Constant(it.radius), it.normal}; }
+  std::vector<Vec3> operator()(const Chain& it) const { return it.points; }
+  std::vector<Vec3> operator()(const Region& it) const {
+    std::vector<Vec3> all;
+    for (const std::vector<Vec3>& ring : it.rings) all.insert(all.end(), ring.begin(), ring.end());
+    return all;
+  }
+  std::vector<Vec3> operator()(const Solid& it) const { return it.vertices; }
+  std::vector<Vec3> operator()(const Mesh& it) const { return it.vertices; }
+  std::vector<Vec3> operator()(const Raster& it) const { return {it.corner, it.across, it.down}; }
+  std::vector<Vec3> operator()(const RightAngle& it) const { return {it.at, it.a, it.b}; }
+  std::vector<Vec3> operator()(const Label& it) const {
+    return it.until ? std::vector<Vec3>{it.at, *it.until} : std::vector<Vec3>{it.at};
+  }
+  std::vector<Vec3> operator()(const Heading& it) const { return {it.at}; }
+};
+
+std::vector<Vec3> place(const Item& item) { return std::visit(Place{}, item); }
+
+/// The part it plays, as far as Tells asks.
+struct Part {
+  std::pair<Role, int> operator()(const Dot& it) const { return {it.role, static_cast<int>(it.mark)}; }
+  std::pair<Role, int> operator()(const RightAngle&) const { return {}; }
+  std::pair<Role, int> operator()(const Raster&) const { return {}; }
+  std::pair<Role, int> operator()(const auto& it) const {
+    if constexpr (requires { it.pen; })
+      return {it.role, static_cast<int>(it.pen)};
+    else
+      return {it.role, 0};
+  }
+};
+
+bool same(const Item& a, const Item& b) {
+  if (std::visit(Part{}, a) != std::visit(Part{}, b)) return false;
+  if (const Label* label = std::get_if<Label>(&a)) return label->text == std::get<Label>(b).text;
+  if (const Heading* heading = std::get_if<Heading>(&a)) return heading->text == std::get<Heading>(b).text;
+  return true;
+}
+
+bool stands_in(const Scene& scene, const Item& item) {
+  return std::ranges::any_of(scene.items, [&](const Item& other) {
+    return other.index() == item.index() && place(other) == place(item) && same(other, item);
+  });
+}
+
+/// What stood in `before` at the item's place, and stands there no more.
+const Item* replaced(const Item& item, const Scene& before, const Scene& after) {
+  const auto found = std::ranges::find_if(before.items, [&](const Item& old) {
+    return old.index() == item.index() && place(old) == place(item) && !stands_in(after, old);
+  });
+  return found == before.items.end() ? nullptr : &*found;
+}
+
+bool has_raster(const Scene& scene) {
+  return std::ranges::any_of(scene.items, [](const Item& item) { return std::holds_alternative<Raster>(item); });
+}
+
+}  // namespace
+
+Scene question_scene(const Walk& walk, int step) {
+  const Step& asked = walk.steps.at(static_cast<std::size_t>(step));
+  const Scene& before = walk.steps.at(static_cast<std::size_t>(step) - 1).scene;
+  const Scene& after = asked.scene;
+  if (asked.question->over) return *asked.question->over;
+  if (before.chart || after.chart || has_raster(after)) return before;
+
+  Scene scene = after;
+  scene.items.clear();
+  std::vector<Vec3> left_out;
+  for (const Item& item : after.items) {
+    const Label* label = std::get_if<Label>(&item);
+    const bool names_nothing = label && std::ranges::find(left_out, label->at) != left_out.end();
+    if (stands_in(before, item) || (!names_nothing && !std::visit(Tells{}, item)))
+      scene.items.push_back(item);
+    else if (const Item* old = replaced(item, before, after))
+      scene.items.push_back(*old);
+    else if (const Dot* dot = std::get_if<Dot>(&item))
+      left_out.push_back(dot->at);
+  }
+  return scene;
+}
+
+}  // namespace isect::viz

@@ -1,0 +1,13 @@
+#pragma once
+// What is drawn while a question is open.
+
+#include "viz/lesson.h"
+
+namespace isect::viz {
+
+/// What the question before `step` is about, without its answer: the question's own scene or, where it has none, the
+/// step's scene but for what is new in it and tells: hits, misses, what is left out, numbers in headings. What such an
+/// item replaces stays as it was. Before a chart or a raster the scene before it stays.
+Scene question_scene(const Walk&, int step);
+
+}  // namespace isect::viz

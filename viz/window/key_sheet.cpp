@@ -1,0 +1,75 @@
+#include <algorithm>
+#include <cmath>
+
+#include "viz/window/sheets.h"
+
+namespace isect::viz {
+
+void key_sheet(Session& s, const Rect& window) {
+  struct Row {
+    const char *input, *action;
+  };
+  static constexpr Row left[] = {
+      {"← / →", "step back / on"},
+      {"Home / End", "first / last step"},
+      {"Space", "play / pause"},
+      {"1 … 9, 0", "presets"},
+      {"Page Up / Down", "preset before / after"},
+      {"A, B, C …", "answer the question"},
+      {"[ and ]", "lesson before / after"},
+      {"Ctrl+O", "all lessons, saved presets"},
+      {"G", "terms"},
+      {"R", "restart the preset"},
+      {"E", "see the published line fail"},
+      {"Ctrl+C / Ctrl+V", "copy / paste the whole state"},
+      {"Ctrl+Z", "take the last change back"},
+      {"Ctrl+Y, Ctrl+Shift+Z", "do it again"},
+      {"S or F12", "save this figure or preset"},
+      {"F1 or ?", "this sheet"},
+      {"Ctrl+Q", "leave"},
+  };
+  static constexpr Row right[] = {
+      {"drag a handle", "move the object"},
+      {"drag on a map", "move the setting"},
+      {"drag, right-drag", "turn, shift the scene"},
+      {"wheel", "zoom at the pointer"},
+      {"double click or F", "frame all"},
+      {"P / O", "perspective / orthographic"},
+      {"Shift+arrows", "turn, or move the held handle"},
+      {"Ctrl+arrows, + / −", "shift, zoom"},
+      {"↓ / ↑", "go through all controls"},
+      {"F6", "to the next part of the window"},
+      {"Enter", "press what is ringed"},
+      {"Escape", "let go"},
+      {"Ctrl+click a number", "type it: 1,5 or 2*pi or 1/3"},
+      {"Tab", "hide / show the panels"},
+      {"F11", "full screen"},
+      {"M", "reduce motion, or not"},
+      {"Ctrl and + / − / 0", "size of everything"},
+  };
+  constexpr float rows = static_cast<float>(std::max(std::size(left), std::size(right)));
+  const float row = std::min(27.0f, std::floor((window.height() - 140) / rows));
+  if (!begin_sheet(s, "key sheet", window, 920, 100 + row * rows)) return;
+  if (key_down(key::f1)) ImGui::CloseCurrentPopup();
+  const Palette& c = s.ui.palette;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float half = ImGui::GetContentRegionAvail().x / 2;
+  const bool narrow = half < 420;
+  ImFont* font = narrow ? s.ui.fonts.small : s.ui.fonts.body;
+  text(s.ui.fonts.heading, at.x, at.y + 10, packed(c.text), "Keys");
+  const auto column = [&](const auto& all, float x) {
+    float y = at.y + 46;
+    for (const Row& r : all) {
+      text(font, x, y, packed(c.first), r.input);
+      text(font, x + (narrow ? 150 : 188), y, packed(c.text), r.action);
+      y += row;
+    }
+  };
+  column(left, at.x);
+  column(right, at.x + half);
+  ImGui::SetCursorScreenPos({at.x, at.y});
+  ImGui::Dummy({1, 46 + row * rows});
+  ImGui::EndPopup();
+}
+
+}  // namespace isect::viz

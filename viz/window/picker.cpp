@@ -1,0 +1,166 @@
+// All lessons, in the order of the course: whole titles by subject, what was answered, what was saved.
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+#include "viz/files.h"
+#include "viz/place.h"
+#include "viz/rich_text.h"
+#include "viz/window/save_figure.h"
+#include "viz/window/sheets.h"
+
+namespace isect::viz {
+namespace {
+
+constexpr float row_height = 28, heading_height = 30, gutter = 20;
+
+/// A row of the picker: a heading, a lesson, or a saved preset.
+struct Entry {
+  std::string heading = {};
+  const Lesson* lesson = nullptr;
+  std::string preset = {};
+  bool again = false;  ///< the lesson stands below, too
+  float height() const { return heading.empty() ? row_height + 2 : heading_height; }
+};
+
+bool wanted(const Lesson& l, const std::string& words) {
+  return matches(l.id + " " + plain(l.title) + " " + l.summary, words);
+}
+
+std::vector<Entry> rows_of(const Session& s) {
+  std::vector<Entry> rows;
+  const std::vector<const Lesson*>& lessons = s.player.lessons();
+  const auto add = [&](const std::string& heading, const Entry& row) {
+    if (!heading.empty()) rows.push_back({heading});
+    rows.push_back(row);
+  };
+  if (s.search.empty() && s.settings.recent.size() > 1) {
+    std::string heading = "Last opened";
+    for (const std::string& id : s.settings.recent) {
+      if (id == s.player.lesson().id) continue;
+      add(std::exchange(heading, {}), {{}, &lesson_named(lessons, id), {}, true});
+    }
+  }
+  std::string heading;
+  for (const Lesson* l : lessons) {
+    for (const Course::Part& part : s.course.parts)
+      if (part.first == l->id) heading = part.title;
+    if (wanted(*l, s.search)) add(std::exchange(heading, {}), {{}, l});
+  }
+  heading = "Saved presets";
+  for (const std::string& file : s.presets)
+    if (matches(file, s.search)) add(std::exchange(heading, {}), {{}, nullptr, file});
+  return rows;
+}
+
+/// "5 of 6 right", with a tick before it where the lesson was read to its end.
+void score(Session& s, const Lesson& l, float right, float y) {
+  const auto found = s.settings.scores.find(l.id);
+  if (found == s.settings.scores.end()) return;
+  const Score& score = found->second;
+  const Palette& c = s.ui.palette;
+  float x = right;
+  if (!score.answers.empty())
+    x -= 20 + text(s.ui.fonts.small, x, y, packed(c.muted),
+                   std::to_string(score.right()) + " of " + std::to_string(score.answers.size()) + " right", 1);
+  if (score.finished) tick(x, y, 12, packed(c.hit));
+  s.ui.rects["score " + l.id] = {x - 6, y - 9, right, y + 9};
+}
+
+/// Whether the row was pressed; the one under the pointer or held by the keyboard becomes `told`.
+bool lesson_row(Session& s, const Lesson& l, const Rect& r, bool again, const Lesson*& told) {
+  Ui& ui = s.ui;
+  const std::string name = (again ? "recent " : "lesson ") + l.id;
+  const Press p = press(ui, name, r);
+  if (p.hovered || ui.focus.name() == name) told = &l;
+  if (p.hovered || &l == &s.player.lesson()) filled(r, p.hovered ? ui.palette.hovered : ui.palette.card, 5);
+  const float marks = s.settings.scores.contains(l.id) ? 116.0f : 0.0f;
+  text(ui.fonts.body, r.left + 8, r.middle_y(), packed(ui.palette.text),
+       fitted(ui.fonts.body, plain(l.title), r.width() - 16 - marks));
+  score(s, l, r.right - 8, r.middle_y());
+  return p.clicked;
+}
+
+bool preset_row(Session& s, const std::string& file, const Rect& r) {
+  const std::filesystem::path path = file;
+  const std::string name = path.parent_path().filename().string() + ", " + path.stem().string();
+  const Press p = press(s.ui, "saved " + name, r);
+  if (p.hovered) filled(r, s.ui.palette.hovered, 5);
+  text(s.ui.fonts.body, r.left + 8, r.middle_y(), packed(s.ui.palette.text),
+       fitted(s.ui.fonts.body, name, r.width() - 16));
+  return p.clicked;
+}
+
+void open_preset(Session& s, const std::string& file) {
+  try {
+    s.player.go(place_from_json(read_file(file), s.player.lessons()));
+  } catch (const FileError& failed) {
+    s.complain(failed.what());
+  } catch (const BadInput& wrong) {
+    s.complain(file + ": " + wrong.what());
+  }
+}
+
+/// The rows in as many columns as there is room for, equally long. Returns the one that was pressed.
+const Entry* columns(Session& s, const std::vector<Entry>& rows, ImVec2 at, float width, const Lesson*& told) {
+  const int count = width >= 660 ? 2 : 1;
+  const float wide = (width - gutter * static_cast<float>(count - 1)) / static_cast<float>(count);
+  float total = 0;
+  for (const Entry& row : rows) total += row.height();
+  float x = at.x, y = at.y + 8, end = y, left = total;
+  const Entry* pressed = nullptr;
+  for (const Entry& row : rows) {
+    if (x == at.x && count > 1 && left <= total / 2 && !row.heading.empty()) x += wide + gutter, y = at.y + 8;
+    const Rect r{x, y, x + wide, y + row_height};
+    bool clicked = false;
+    if (!row.heading.empty())
+      text(s.ui.fonts.bold, x + 8, y + 18, packed(s.ui.palette.muted), row.heading);
+    else if (row.lesson)
+      clicked = lesson_row(s, *row.lesson, r, row.again, told);
+    else
+      clicked = preset_row(s, row.preset, r);
+    if (clicked) pressed = &row;
+    y += row.height(), left -= row.height();
+    end = std::max(end, y);
+  }
+  if (rows.empty()) text(s.ui.fonts.body, x + 8, y + 16, packed(s.ui.palette.muted), "No lesson has these words");
+  ImGui::SetCursorScreenPos(at);
+  ImGui::Dummy({1, end - at.y});
+  return pressed;
+}
+
+}  // namespace
+
+void picker(Session& s, const Rect& window) {
+  if (!begin_sheet(s, "picker", window, 860, 640)) return;
+  if (ImGui::IsWindowAppearing()) s.presets = saved_presets(s.figures);
+  const bool entered = search_field(s, "Search lessons");
+  const std::vector<Entry> rows = rows_of(s);
+
+  constexpr float foot = 34;
+  const Lesson* told = nullptr;
+  ImGui::BeginChild("lessons", {0, ImGui::GetContentRegionAvail().y - foot});
+  const Entry* chosen = columns(s, rows, ImGui::GetCursorScreenPos(), ImGui::GetContentRegionAvail().x - 4, told);
+  ImGui::EndChild();
+  const ImVec2 below = ImGui::GetCursorScreenPos();
+  const float room = ImGui::GetContentRegionAvail().x;
+  const std::string words = told ? plain(told->summary) : "↓ and ↑ choose, Enter opens, Escape closes";
+  text(s.ui.fonts.small, below.x + 8, below.y + 16, packed(s.ui.palette.muted),
+       fitted(s.ui.fonts.small, words, room - 16));
+  if (entered && !chosen && s.ui.focus.name().empty()) {
+    const auto first = std::ranges::find_if(rows, [](const Entry& row) { return row.heading.empty(); });
+    if (first != rows.end()) chosen = &*first;
+  }
+  if (chosen) {
+    if (chosen->lesson)
+      s.attempt([&] { s.player.open(*chosen->lesson); });
+    else
+      open_preset(s, chosen->preset);
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndPopup();
+}
+
+}  // namespace isect::viz

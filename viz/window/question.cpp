@@ -1,0 +1,119 @@
+// The question before a step, and what came of it.
+
+#include <algorithm>
+#include <cmath>
+
+#include "viz/window/column.h"
+#include "viz/window/panels.h"
+
+namespace isect::viz {
+namespace {
+
+/// How an answer looks: before it is given, and after.
+struct Choice {
+  std::string name, markup;
+  char key;
+  bool open, right, chosen;
+};
+
+/// What a button keeps free of words: the key, or the sign, at its left.
+constexpr float beside = 26;
+
+/// On one line if there is room, else on several.
+Paragraph choice_words(Ui& ui, const std::string& markup, float width, const Colour& colour) {
+  Paragraph words{.markup = markup, .line_pitch = 21, .colour = colour};
+  if (ui.texts.of(words).size.x > width - beside - 6) words.width = width - beside - 6;
+  return words;
+}
+
+bool choice_button(Ui& ui, const Choice& choice, const Rect& r) {
+  const Palette& c = ui.palette;
+  const Press p = press(ui, choice.name, r);
+  filled(r, choice.open && p.hovered ? c.hovered : c.frame);
+  if (choice.open && p.hovered) outlined(r, c.first);
+  if (!choice.open && (choice.right || choice.chosen)) outlined(r, choice.right ? c.hit : c.miss);
+  const float y = r.middle_y();
+  if (choice.open) text(ui.fonts.small, r.left + 9, y, packed(c.muted), std::string(1, choice.key));
+  if (!choice.open && choice.right) tick(r.left + 13, y, 11, packed(c.hit));
+  if (!choice.open && !choice.right && choice.chosen) cross(r.left + 13, y, 11, packed(c.miss));
+  const bool quiet = !choice.open && !choice.right && !choice.chosen;
+  const Paragraph words = choice_words(ui, choice.markup, r.width(), quiet ? c.muted : c.text);
+  const ImVec2 size = ui.texts.of(words).size;
+  const float left = words.width > 0 ? r.left + beside : r.middle_x() + 7 - size.x / 2;
+  rich(ui, words, {left, y - size.y / 2});
+  return p.clicked && choice.open;
+}
+
+/// The question's answers, side by side if they fit. Returns the one that was pressed, or -1.
+int choices(Column& c, const Question& question, int given) {
+  Ui& ui = c.s.ui;
+  const int n = static_cast<int>(question.choices.size());
+  float widest = 0;
+  for (const std::string& markup : question.choices)
+    widest = std::max(widest, ui.texts.of({.markup = markup, .colour = ui.palette.text}).size.x);
+  const float share = (c.width - 8 * static_cast<float>(n - 1)) / static_cast<float>(std::max(n, 1));
+  const bool in_a_row = widest + 38 <= share;
+  int pressed = -1;
+  for (int i = 0; i < n; ++i) {
+    const float x = in_a_row ? c.x + static_cast<float>(i) * (share + 8) : c.x;
+    const float width = in_a_row ? share : c.width;
+    const float lines = ui.texts.of(choice_words(ui, question.choices[i], width, ui.palette.text)).size.y;
+    const Rect r{x, c.y, x + width, c.y + std::max(36.0f, lines + 12)};
+    const Choice choice{"choice " + std::to_string(i), question.choices[i], static_cast<char>('A' + i), given < 0,
+                        i == question.answer,          i == given};
+    if (choice_button(ui, choice, r)) pressed = i;
+    if (!in_a_row || i + 1 == n) c.y = r.bottom + (i + 1 < n ? 6.0f : 0.0f);
+  }
+  return pressed;
+}
+
+}  // namespace
+
+void question(Column& c, bool fresh) {
+  Player& player = c.s.player;
+  const Palette& ink = c.s.ui.palette;
+  if (const Question* asked = player.asked()) {
+    c.y += 24;
+    if (fresh) ImGui::SetScrollFromPosY(c.y - ImGui::GetWindowPos().y, 0);
+    c.paragraph("Your turn", ink.text, 15, 23, true);
+    c.y += 2;
+    c.paragraph(asked->prompt, ink.text);
+    c.y += 10;
+    const int pressed = choices(c, *asked, -1);
+    if (pressed >= 0) player.answer(pressed);
+    return;
+  }
+  const auto answered = player.answered();
+  if (!answered) return;
+  c.y += 24;
+  const bool right = answered->right();
+  const Colour& colour = right ? ink.hit : ink.miss;
+  (right ? tick : cross)(c.x + 7, c.y + 11, 13, packed(colour));
+  c.x += 22, c.width -= 22;
+  c.paragraph(right ? "Right" : "Not quite", colour, 15, 23, true);
+  c.x -= 22, c.width += 22;
+  c.paragraph(answered->question->prompt, ink.muted);
+  c.y += 8;
+  choices(c, *answered->question, answered->choice);
+  c.y += 10;
+  c.paragraph(answered->question->because, ink.text);
+}
+
+void question_over_scene(Session& s, const Rect& scene) {
+  if (!s.player.asked() && !s.player.answered()) return;
+  constexpr float margin = 16;
+  const float width = std::min(440.0f, scene.width() - 40);
+  const float height = std::min(s.question_height, scene.height() - 130);
+  const Rect r{scene.left + 20, scene.bottom - 60 - height, scene.left + 20 + width, scene.bottom - 60};
+  begin_region(s.ui, "question over scene", r, s.ui.palette.window, true);
+  outlined(r, s.ui.palette.rule, 1.5f, 0);
+  const float top = ImGui::GetCursorScreenPos().y;
+  Column c{s, r.left + margin, top - 12, width - 2 * margin};
+  question(c, false);
+  s.question_height = c.y - top + margin;
+  ImGui::SetCursorScreenPos({r.left, c.y});
+  ImGui::Dummy({1, margin});
+  ImGui::End();
+}
+
+}  // namespace isect::viz
