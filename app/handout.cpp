@@ -47,11 +47,11 @@ Blocks contents(const Excerpt& e) {
   int questions = 0;
   for (const int index : e.steps) {
     const viz::Step& step = e.walk.steps[index];
-    all.push_back(Heading{fmt::format("{}. {}", index + 1, step.title)});
     if (step.question) {
       std::ranges::move(question(*step.question, ++questions), std::back_inserter(all));
       answers.push_back(Prose{answer(*step.question), fmt::format("Question {}.", questions)});
     }
+    all.push_back(Heading{fmt::format("{}. {}", index + 1, step.title)});  // a title may tell the answer
     all.push_back(image(e, index));
     all.push_back(Prose{step.caption});
     if (step.slug != viz::closing_slug) continue;

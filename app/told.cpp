@@ -56,7 +56,7 @@ class Teller {
     std::string out =
         heading(fmt::format("{}: {}", plain(lesson.title), e_.folder), '=', how_.columns) + paragraph(lesson.summary);
     if (!e_.walk.method.empty()) out += paragraph("Method: " + plain(e_.walk.method));
-    return out + paragraph("Picture: " + plain(e_.walk.alt)) + "\n" + setting() + pseudocode();
+    return out + "\n" + setting() + pseudocode();
   }
 
   /// What a reader needs to compute along.
@@ -101,9 +101,9 @@ class Teller {
 
   std::string whole(int index) {
     const viz::Step& step = e_.walk.steps[index];
-    std::string out = heading(title(index), '-', how_.columns);
+    std::string out = step.question ? question(*step.question) : "";  // a title may tell the answer
+    out += heading(title(index), '-', how_.columns);
     if (step.slug == viz::closing_slug) return out + closing();
-    if (step.question) out += question(*step.question);
     out += paragraph(step.slug == viz::case_map_slug ? map_in_words() : plain(step.caption)) + "\n";
     if (step.line >= 0) out += line(step);
     if (!step.formula.empty()) out += paragraph(plain(step.formula), 5) + "\n";
@@ -111,7 +111,7 @@ class Teller {
     if (step.comparison) out += paragraph(comparison(step)) + "\n";
     if (step.verdict.kind != viz::Verdict::Kind::open)
       out += inked(Ink::bold, paragraph("Verdict: " + plain(step.verdict.text))) + "\n";
-    if (index == viz::outcome(e_.walk)) out += side_by_side();
+    if (index == viz::outcome(e_.walk)) out += paragraph("Picture: " + plain(e_.walk.alt)) + "\n" + side_by_side();
     if (!step.source.empty()) out += paragraph("Source: " + step.source) + "\n";
     return out;
   }
@@ -166,8 +166,8 @@ class Teller {
   static std::string comparison(const viz::Step& step) {
     const viz::Comparison& c = *step.comparison;
     const std::string meaning = c.meaning.empty() ? "" : ": " + plain(c.meaning);
-    return fmt::format("Is {}? {} ({} and {}){}.", plain(c.text), c.holds ? "Yes" : "No", viz::shown(c.left),
-                       viz::shown(c.right), meaning);
+    const auto [left, right] = viz::shown_apart(c.left, c.right);
+    return fmt::format("Is {}? {} ({} and {}){}.", plain(c.text), c.holds ? "Yes" : "No", left, right, meaning);
   }
 
   std::string map_in_words() const {

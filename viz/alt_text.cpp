@@ -160,9 +160,11 @@ std::string alt_text(const Lesson& lesson, const Parameters& parameters, const W
   std::string found;
   if (!s.formula.empty()) found += fmt::format("Formula: {}\n", plain(s.formula));
   if (const std::string values = fresh_values(s); !values.empty()) found += fmt::format("New: {}\n", values);
-  if (s.comparison)
+  if (s.comparison) {
+    const auto [left, right] = shown_apart(s.comparison->left, s.comparison->right);
     found += fmt::format("Compared: {}? {}, by {} and {}\n", plain(s.comparison->text),
-                         s.comparison->holds ? "yes" : "no", shown(s.comparison->left), shown(s.comparison->right));
+                         s.comparison->holds ? "yes" : "no", left, right);
+  }
   if (s.verdict.kind != Verdict::Kind::open) found += fmt::format("Verdict: {}\n", plain(s.verdict.text));
   return found.empty() ? text : text + "\n" + found;
 }

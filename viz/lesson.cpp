@@ -217,4 +217,9 @@ std::string shown(double value) {
   return sign + digits + "\u2009·\u200910" + power;
 }
 
+std::pair<std::string, std::string> shown_apart(double a, double b) {
+  if (a == b || shown(a) != shown(b)) return {shown(a), shown(b)};
+  return {to_text(a), to_text(b)};
+}
+
 }  // namespace isect::viz

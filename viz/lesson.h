@@ -172,9 +172,9 @@ struct Lesson {
   std::string summary;  ///< one plain sentence
   std::vector<Parameter> parameters;
   std::vector<Condition> conditions = {};
-  std::string group_by;                        ///< name of the choice parameter that groups the presets, may be empty
-  std::vector<Preset> presets;                 ///< the first one is loaded at the start
-  Camera camera;                               ///< see opening(); target and scale are set by framing all presets alike
+  std::string group_by;         ///< name of the choice parameter that groups the presets, may be empty
+  std::vector<Preset> presets;  ///< the first one is loaded at the start
+  Camera camera;                ///< see opening(); target and scale are set by framing all presets alike
   std::function<Walk(const Parameters&)> steps = nullptr;  ///< asked by `walk`
   /// All lies in z = 0 and is seen straight on, whatever `camera` says: a drag pans, nothing turns.
   bool flat = false;
@@ -218,5 +218,7 @@ std::string nearest(const std::string& word, const std::vector<std::string>& can
 BadInput unknown(const std::string& field, const std::string& given, const std::vector<std::string>& allowed);
 /// The number as shown to readers: about five significant digits, a real minus, no trailing zeros lost.
 std::string shown(double value);
+/// Both as shown; in full where they would read alike and are not equal.
+std::pair<std::string, std::string> shown_apart(double a, double b);
 
 }  // namespace isect::viz

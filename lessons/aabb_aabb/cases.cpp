@@ -43,16 +43,16 @@ Parameters moved(const Parameters& p, const Vec2& to) {
 
 const CaseMap& cases() {
   static const CaseMap map = {
-      "*x* from the middle of a to the middle of b",
-      "*y* from the middle of a to the middle of b",
+      "*x* from the centre of a to the centre of b",
+      "*y* from the centre of a to the centre of b",
       {-7.5, -3},
       {7.5, 3},
       {"gap on *z*", "gap on *x*", "gap on *y*", "overlapping", "touching", "one inside the other", "equal"},
       branch,
       place,
       moved,
-      "The second box is shifted along *x* and *y*; its size and its place on *z* stay.\n"
-      "A gap on *x* ends the test first, so *y* is asked only between the bands of that gap."};
+      "The second box is shifted along *x* and *y*; its size and its *z* are fixed.\n"
+      "A gap on *x* ends the test first, so *y* is tested only between those two bands."};
   return map;
 }
 
@@ -61,7 +61,7 @@ std::vector<Opinion> opinions(const Parameters& p) {
   Opinions all(says_meet(s.truth != Relation::disjoint));
   all.add("axis by axis, the note's", says_meet(aabb_aabb::by_axis(s.a, s.b)));
   all.add("largest low, smallest high corner", says_meet(aabb_aabb::min_max(s.a, s.b)));
-  all.add("middles and half-sizes", says_meet(aabb_aabb::by_centers(s.a, s.b)));
+  all.add("centres and half-extents", says_meet(aabb_aabb::by_centers(s.a, s.b)));
   return all.take();
 }
 

@@ -20,8 +20,8 @@ bool apart_on_z_alone(const Parameters& p) {
 
 const std::string& opening() {
   static const std::string text =
-      "Do two axis-aligned boxes meet? Broad phases and hierarchies ask this millions of times a second.\n"
-      "One gap on one axis is enough to say no. So the test asks axis by axis, and stops at the first gap.";
+      "Do two axis-aligned boxes meet? Broad phases and hierarchies answer this millions of times a second.\n"
+      "One gap on one axis is enough to say no. So the test goes axis by axis and stops at the first gap.";
   return text;
 }
 
@@ -32,7 +32,7 @@ const Closing& closing() {
           "other if and only if all its intervals do.",
       .cost = "Six comparisons at most, one or two if *x* has a gap, and no arithmetic. The answer is exact.",
       .choose =
-          "As the first test of any pair, and for boxes at rest. For long bodies askew take oriented boxes; under "
+          "As the first test of any pair, and for boxes at rest. For long, tilted bodies use oriented boxes; under "
           "rotation spheres need no update.",
       .used = "Nodes of bounding volume hierarchies, broad phase by sweep and prune, grids, view-volume culling.",
       .bug = "OVERLAP returned inside the loop, or \"or\" for \"and\": one common interval then decides.",
@@ -42,12 +42,12 @@ const Closing& closing() {
                   "Tomas Akenine-Möller and Eric Haines, *Real-Time Rendering*, 2nd edition, 2002, chapter 13."},
       .exercises = {
           {"Drag b away until the boxes touch.",
-           "They touch where on one axis an end meets the other's opposite end, and no axis has a gap.",
+           "They touch when the ends of their intervals meet on some axis, and no axis has a gap.",
            "gap-x",
            they_touch,
            {{"b_min", "0,-0.5,-0.5"}}},
           {"Find boxes that overlap on *x* and on *y*, and are disjoint.",
-           "Move b along *z* alone. Two axes tell nothing if the third has a gap.",
+           "Move b along *z* alone. Two axes prove nothing if the third has a gap.",
            "overlapping",
            apart_on_z_alone,
            {{"b_min", "-0.75,-0.5,2"}, {"b_max", "1,1.5,3"}}},
@@ -56,7 +56,8 @@ const Closing& closing() {
           {"Write containment of b in a as comparisons. How many are needed?",
            "a.min_i ≤ b.min_i and b.max_i ≤ a.max_i for each of three axes: six, if both boxes have points."},
           {"What changes if touching boxes should count as disjoint?",
-           "Each > becomes ≥. Then the sets are open, and a flat box meets nothing."},
+           "Each > becomes ≥. A flat box has no interior and should meet nothing, but these comparisons let it meet "
+           "what it lies inside: ask first whether a box is flat."},
       }};
   return closing;
 }

@@ -29,7 +29,7 @@ class Teller {
                  "Two axis-aligned boxes, a and b: " + words(s_.truth, "the boxes") + ".", pseudocode}) {}
 
   Walk tell() {
-    add("three-questions", "Three questions of one dimension", 0,
+    add("three-questions", "Three one-dimensional questions", 0,
         "A box is a product of intervals, one for each axis. So boxes share a point if and only if their intervals do, "
         "on "
         "every axis.\n"
@@ -74,7 +74,7 @@ class Teller {
                                             : 3,
                                {0, 2, 3},
                                e.disjoint   ? "One interval ends before the other begins."
-                               : e.axis < 2 ? "No gap on this axis, and the next one may have one."
+                               : e.axis < 2 ? "No gap on this axis, but the next may have one."
                                             : "No gap on any axis.");
     disjoint_ = e.disjoint;
     ++asked_;
@@ -114,7 +114,7 @@ class Teller {
       case Relation::equal:
         return "All six numbers agree.";
       case Relation::overlapping:
-        return "On every axis they share a length, and on some axis each has more than the other holds.";
+        return "On every axis they share a length, and each extends beyond the other on some axis.";
       default:
         return "On every axis one interval lies inside the other, and always that of the same box.";
     }
@@ -126,7 +126,7 @@ class Teller {
              "The note's comparisons do not see that: they treat it as an ordinary box.";
     switch (s_.truth) {
       case Relation::disjoint:
-        return asked_ == 1 ? "Disjoint after one axis. To reject is cheap, to accept takes all three.\n"
+        return asked_ == 1 ? "Disjoint after one axis. Rejecting is cheap; accepting takes all three.\n"
                              "Comparisons of given numbers are exact, so this answer is too."
                            : "The note's figure returns OVERLAP after the first axis. It would be wrong here.\n"
                              "OVERLAP may be returned only after the loop.";
@@ -139,7 +139,7 @@ class Teller {
         return "Only now may OVERLAP be returned. The note's figure returns it after the first axis.\n"
                "What they share is again a box, with the common interval on each axis.";
       default:
-        return "OVERLAP does not say that one lies inside the other. That takes two comparisons more for each axis.\n"
+        return "OVERLAP does not say that one lies inside the other. That takes two more comparisons per axis.\n"
                "What they share is the inner box itself.";
     }
   }

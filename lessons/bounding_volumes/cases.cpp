@@ -61,15 +61,15 @@ Parameters moved(const Parameters& p, const Vec2& to) {
 }  // namespace
 
 const CaseMap& cases() {
-  static const CaseMap map = {"*x* of the middle of b",
-                              "*y* of the middle of b",
+  static const CaseMap map = {"*x* of the centre of b",
+                              "*y* of the centre of b",
                               {-5, -2.5},
                               {5, 2.5},
                               {"trivial reject", "trivial accept", "only void", "true overlap", "b inside a"},
                               branch,
                               place,
                               moved,
-                              "The box b is shifted along *x* and *y*; its size and its place on *z* stay.\n"
+                              "The box b is shifted along *x* and *y*; its size and its *z* are fixed.\n"
                               "Between a trivial reject and a true overlap lies void: the price of a loose fit."};
   return map;
 }

@@ -83,8 +83,8 @@ class Teller {
   Walk tell() {
     script_.value("triangles", static_cast<double>(mesh_.triangles.size()));
     add("question", "How much of a lies in b?", 0,
-        fmt::format("All of the object, none, or a part? Its {} triangles may all have to be asked.\n"
-                    "So its bounding box is asked first: it may settle the question.",
+        fmt::format("All of the object, none, or a part? All its {} triangles may have to be tested.\n"
+                    "So its bounding box is tested first: it may settle the question.",
                     mesh_.triangles.size()),
         false, false);
     volume_first();
@@ -140,12 +140,13 @@ class Teller {
             test_.rejected   ? 1
             : test_.accepted ? 3
                              : 2,
-            test_.rejected   ? "The volume misses b, so all that it holds does. No triangle is asked."
-            : test_.accepted ? "The volume lies in b, so all that it holds does. No triangle is asked."
-                             : "The volume and b overlap. That is no answer for the object: only potential overlap.",
+            test_.rejected ? "The volume misses b, so its contents do too. No triangle is tested."
+            : test_.accepted
+                ? "The volume lies in b, so its contents do too. No triangle is tested."
+                : "The volume and b overlap. That decides nothing about the object: the overlap is only potential.",
             true, false, fmt::format("{}, where all triangles take {}", plural(cheap, "operation"), all));
     step.decides = true;
-    step.question = Question{"What does the volume's test tell?",
+    step.question = Question{"What does the volume's test show?",
                              {"trivial reject", "trivial accept", "potential overlap"},
                              test_.rejected   ? 0
                              : test_.accepted ? 1
@@ -159,9 +160,9 @@ class Teller {
     script_.count({c.mul + e.mul, c.add + e.add, c.div + e.div, c.sqrt + e.sqrt, c.compare + e.compare});
     script_.value("triangles in b", static_cast<double>(test_.hits.size()), {}, meets ? Role::hit : Role::miss);
     add("triangles", "Now every triangle", 4,
-        meets ? "Those in green meet b. A yes or no could stop at the first of them."
-              : "No triangle meets b. Each of them had to be asked to learn that.\n"
-                "That is not the end: a box deep inside the object meets no triangle of its surface either.",
+        meets ? "Those in green meet b. A yes-or-no test could stop at the first."
+              : "No triangle meets b. Finding that out took a test of each.\n"
+                "One case is left: a box deep inside the object meets no triangle of its surface either.",
         true, true, fmt::format("{} of {} triangles meet b", test_.hits.size(), mesh_.triangles.size()))
         .question = Question{"Where does b lie?",
                              {"across the object's surface", "in the void of the volume", "wholly inside the object"},

@@ -25,8 +25,8 @@ bool in_void(const Parameters& p) { return cases().branch(p) == 2; }
 
 const std::string& opening() {
   static const std::string text =
-      "May two complicated objects meet? Renderers and physics engines ask this of millions of pairs.\n"
-      "A simple volume around each object answers most of them: what misses the volume misses all that it holds. The "
+      "Can two complicated objects meet? Renderers and physics engines test millions of pairs.\n"
+      "A simple volume around each object answers most of them: what misses the volume misses all its contents. The "
       "lecture note *Intersection Detection* names four kinds.";
   return text;
 }
@@ -38,12 +38,12 @@ const Closing& closing() {
           "themselves are tested.",
       .cost = "A sphere keeps 4 numbers, an AABB 6, a *k*-DOP *k*, an OBB 15. Tighter volumes cost more to test.",
       .choose =
-          "AABB by default. Sphere for what turns often; OBB or *k*-DOP for long or tilted bodies that stay near "
+          "AABB by default. Sphere for bodies that rotate often; OBB or *k*-DOP for long or tilted bodies close to "
           "others.",
       .used =
           "Broad phase of physics engines, frustum and occlusion culling, nodes of hierarchies for ray tracing on "
           "the GPU.",
-      .bug = "To test surfaces only: a box wholly inside a solid object meets no triangle.",
+      .bug = "Testing surfaces only: a box wholly inside a solid object meets no triangle.",
       .bug_preset = "within",
       .reading = {"Christer Ericson, *Real-Time Collision Detection*, 2005, chapter 4.",
                   "Stefan Gottschalk, Ming Lin and Dinesh Manocha, OBBTree, *SIGGRAPH*, 1996.",
@@ -56,14 +56,14 @@ const Closing& closing() {
            box_fits,
            {{"tip", "0,1.625,0"}}},
           {"Drag b until only void meets it: a false positive.",
-           "Beside the slanting pin the AABB has empty corners; b fits into one of them.",
+           "The AABB of the slanting pin has empty corners; b fits into one of them.",
            "overlap",
            in_void,
            {{"q", "1,-1,-0.25"}}},
           {"A box with half-lengths **h** is turned by a matrix *R*. Find the half-lengths of the AABB around it.",
            "On axis *i* it is the sum of |*R_{ij}*| *h_j* over *j*. That takes nine products, but it is looser than "
            "fitting all vertices again."},
-          {"An object of *n* vertices turns each frame. What does it cost to update each volume?",
+          {"An object with *n* vertices rotates every frame. What does it cost to update each volume?",
            "Sphere: one point. OBB: a centre and three axes. AABB and *k*-DOP: O(*n*) for a tight fit, or only the "
            "hull's vertices."},
       }};

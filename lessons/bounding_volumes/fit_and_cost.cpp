@@ -38,8 +38,8 @@ class Fit {
   Walk tell() {
     script_.value("object", fitted_.object, "volume", Role::first);
     add("object", "An object of many parts", 4,
-        fmt::format("A mesh of {} triangles: an exact test may have to ask them all.\n"
-                    "A bounding volume holds them all, and is cheap to test instead.",
+        fmt::format("A mesh of {} triangles: an exact test may have to test them all.\n"
+                    "A bounding volume encloses them all, and is cheap to test instead.",
                     mesh_.triangles.size()));
     sphere(), aabb(), obb(), slab_of_dop(), dops();
     tightness();
@@ -90,7 +90,7 @@ class Fit {
                              "When the object turns, the box must be fitted again.",
                              corners(fitted_.aabb), "*a*_{min,*i*} ≤ *x_i* ≤ *a*_{max,*i*} for *i* = x, y, z");
     const double box = all_[1].volume, ball = all_[0].volume;
-    step.question = Question{"Which holds less void?",
+    step.question = Question{"Which has less void?",
                              {"the sphere", "the AABB", "both the same"},
                              box < ball   ? 1
                              : ball < box ? 0
@@ -100,8 +100,8 @@ class Fit {
 
   void obb() {
     volume_step(2, 2, "OBB: axes and half-lengths",
-                "A centre, three unit axes, pairwise at right angles and right-handed, and a half-length along each.\n"
-                "It turns with the object: its axes are turned. Which axes are tightest takes a search.",
+                "A centre, three unit axes (orthogonal, right-handed) and a half-length along each.\n"
+                "It rotates with the object: its axes are rotated. Finding the tightest axes takes a search.",
                 axes(fitted_.obb), "|(**x** − **b**_c) · **b***_i*| ≤ *h_i* for *i* = u, v, w")
         // one axis follows from the other two; a corner instead of axes; an AABB's
         .question = which_value("How many numbers does the OBB keep?", static_cast<double>(all_[2].numbers), {6, 9, 12},
@@ -116,7 +116,7 @@ class Fit {
     script_.value("*hi* = −*d*_{min}", s.hi);
     Step& step = add("slab", "A slab between two planes", 3,
                      "The note's planes are **n** · **x** + *d* = 0, so its slab is −*d*_{max} ≤ **n** · **x** ≤ "
-                     "−*d*_{min}. Mind the sign.\n"
+                     "−*d*_{min}. Note the sign.\n"
                      "The note uses unit normals; integer normals let us decide touching exactly.",
                      fmt::format("{} ≤ **n** · **x** ≤ {},  **n** = ({}, {}, {})", shown(s.lo), shown(s.hi),
                                  shown(n.x()), shown(n.y()), shown(n.z())));
@@ -132,7 +132,7 @@ class Fit {
     script_.value(all_[3].name, all_[3].volume, "volume", Role::second);
     Step& step = add("k-dops", "k-DOPs: more slabs, less void", 3,
                      "*k* is even: *k*/2 normals give *k*/2 slabs, and the volume is their intersection.\n"
-                     "All objects share the normals, so only *k* ends are kept. With 6 planes it is the AABB.",
+                     "All objects share the normals, so only *k* bounds are stored. With *k* = 6 this is the AABB.",
                      "*lo_i* ≤ **n***_i* · **x** ≤ *hi_i* for each *i*");
     step.scene.items = side_by_side(mesh_, fitted_.object, all);
     step.scene.handles.clear();  // the object stands in each small picture, and nowhere else
@@ -156,11 +156,11 @@ class Fit {
     const std::size_t best = tightest();
     Step& step = add("side-by-side", "Tightness, storage, cost", 4,
                      "Void is given relative to the object's own volume. No convex volume is tighter than the hull.\n"
-                     "A cell is a number kept; operations are of one test that finds an overlap.");
+                     "A cell is one stored number; operations are for one test that finds an overlap.");
     step.scene.items = side_by_side(mesh_, fitted_.object, all_);
     step.scene.handles.clear();
     step.question =
-        Question{"Which has the least void, the hull apart?",
+        Question{"Which has the least void, apart from the hull?",
                  {all_[0].name, all_[1].name, all_[2].name, all_[3].name},
                  static_cast<int>(best),
                  fmt::format("Its void is {} × the object.", shown(all_[best].volume / fitted_.object - 1))};

@@ -49,15 +49,15 @@ Parameters moved(const Parameters& p, const Vec2& to) {
 
 const CaseMap& cases() {
   static const CaseMap map = {
-      "*x* from the middle of a to that of b",
-      "*y* from the middle of a to that of b",
+      "*x* from the centre of a to that of b",
+      "*y* from the centre of a to that of b",
       {-5, -2},
       {5, 2},
       {"disjoint", "an end is near", "the segments cross", "one inside the other", "touching"},
       branch,
       place,
       moved,
-      "The second capsule is shifted, without turning.\n"
+      "The second capsule is moved without rotation.\n"
       "The segments cross inside a parallelogram: their Minkowski difference, flat if they are parallel. "
       "The capsules meet there, and within *s* around it."};
   return map;

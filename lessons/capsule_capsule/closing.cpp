@@ -15,9 +15,9 @@ bool a_lies_inside(const Parameters& p) { return setup(p).truth == Relation::a_i
 
 const std::string& opening() {
   static const std::string text =
-      "Do two thick segments meet? Characters, limbs and ropes are modelled as capsules, so games ask this in every "
+      "Do two thick segments meet? Characters, limbs and ropes are modelled as capsules, so games test this every "
       "frame.\n"
-      "Only the distance of the two segments counts. The radii are added, as for two balls.";
+      "Only the distance between the two segments matters. The radii are added, as for two balls.";
   return text;
 }
 
@@ -30,7 +30,7 @@ const Closing& closing() {
           "Constant: four signs of an area, then four distances from a point to a segment at most. The textbook "
           "method takes one division or two.",
       .choose =
-          "For round, long bodies that turn: a capsule turns with its two ends. For flat bodies take oriented "
+          "For long, round bodies that rotate: only two endpoints are rotated. For flat bodies use oriented "
           "boxes, for short ones balls.",
       .used = "Character controllers, limbs of ragdolls, ropes and hair; a ball that moves sweeps a capsule.",
       .bug = "The nearest points of the lines, not clamped to the segments. They may lie beyond the ends.",

@@ -16,7 +16,8 @@ std::string because(const Setup& s) {
     case Relation::overlapping:
       return "They come nearer than *s*, but neither contains the balls at both ends of the other.";
     default:
-      return "One capsule contains the balls at both ends of the other. It is convex, so it contains all between.";
+      return "One capsule contains the balls at both ends of the other. It is convex, so it contains everything "
+             "between.";
   }
 }
 
@@ -24,11 +25,11 @@ std::string end_caption(const Setup& s) {
   switch (s.truth) {
     case Relation::disjoint:
       return "The segments are more than *s* apart: a gap is left.\n"
-             "The core compares squares, multiplied out, so it needs no division and no root.";
+             "The core compares squares, multiplied out, so it needs no division and no square root.";
     case Relation::touching:
       if (s.thin())
         return "A capsule of radius 0 is a segment. In the plane it has no interior, so the two can only touch.\n"
-               "Where the common point is no double, methods that compute it may miss it.";
+               "If the common point is not a double, methods that compute it may miss it.";
       return "The distance is exactly *s*: the core takes the sign of *d* − *s* without rounding.\n"
              "They share boundary points, and no interior point.";
     case Relation::overlapping:

@@ -66,11 +66,12 @@ class Teller {
   void say(const Between& e) {
     shown_.crossing = crossed_ = e.holds;
     if (e.holds) least_ = 0, script_.value("*d*", 0, "length", Role::highlight);
-    Step& step = add("crossing", "Do the segments cross?", 1,
-                     e.holds ? "They cross between their ends, so their distance is 0."
-                             : "No crossing. In the plane, a shortest way between the segments then starts at an end.\n"
-                               "In space it may start between the ends of both, so four ends would not be enough.",
-                     e.holds ? "*d* = 0" : "");
+    Step& step =
+        add("crossing", "Do the segments cross?", 1,
+            e.holds ? "They cross between their ends, so their distance is 0."
+                    : "No crossing. In the plane, a shortest connection of the segments then starts at an endpoint.\n"
+                      "In space it may start between the ends of both, so four ends would not be enough.",
+            e.holds ? "*d* = 0" : "");
     // 1: that one line is enough, which holds for lines and not for segments.
     step.question = which_value(
         "Of the two segments' lines, how many have the other segment's ends on different sides?", separating_lines(),
@@ -104,13 +105,13 @@ class Teller {
       caption += (caption.empty() ? "" : "\n") + said(e);
     }
     const bool settled = ends_.back().sign < 0;
-    if (settled) caption += "\nThat settles that they meet, so no other end is asked.";
+    if (settled) caption += "\nSo the capsules meet, and no other endpoint is tested.";
     script_.value("least *d* so far", least_, "length", Role::highlight);
     shown_.ways = ends_;
     Step& step = add(of_a ? "ends-a" : "ends-b", of_a ? "The ends of a" : "The ends of b", of_a ? 2 : 3, caption,
                      "least *d* so far = " + shown(least_));
     step.question =
-        which_value(fmt::format("What is the least *d* so far, once the ends of {} are asked?", of_a ? "a" : "b"),
+        which_value(fmt::format("What is the smallest *d* so far, once the ends of {} are tested?", of_a ? "a" : "b"),
                     least_, misconceived(), "The nearest point of a segment lies between its ends, or is one of them.");
     shown_.earlier.insert(shown_.earlier.end(), ends_.begin(), ends_.end());
     shown_.ways.clear(), ends_.clear();
@@ -147,7 +148,7 @@ class Teller {
     if (meet && !inside) script_.refuse(5, {});
     shown_.settled = true;
     const bool equal = s_.truth == Relation::touching && !pierced();
-    Step& step = add("relation", "How they lie",
+    Step& step = add("relation", "How they relate",
                      !meet    ? 4
                      : inside ? 5
                               : 6,

@@ -51,8 +51,8 @@ const CaseMap& cases() {
       branch,
       place,
       moved,
-      "The end **q** moves, and **p** stays. Outcodes alone settle the regions beyond one side.\n"
-      "Past a corner nothing is kept either, but only the range of *t* can tell."};
+      "The endpoint **q** moves; **p** is fixed. Outcodes alone settle the regions beyond one side.\n"
+      "Past a corner nothing is kept either, but only the range of *t* shows it."};
   return map;
 }
 

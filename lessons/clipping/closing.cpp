@@ -21,7 +21,7 @@ bool passes_a_corner(const Parameters& p) {
 
 const std::string& opening() {
   static const std::string text =
-      "Which part of a segment or polygon lies in a box? Every renderer cuts its lines and triangles at the picture's "
+      "Which part of a segment or polygon lies in a box? Every renderer clips its lines and triangles at the image "
       "edges.\n"
       "A box is the intersection of half-planes, so each side cuts in turn. In the lecture note *Intersection "
       "Detection*, clipping is the first use.";
@@ -33,12 +33,12 @@ const Closing& closing() {
       .result =
           "Outcodes accept or reject most. The others are cut side by side: a segment as a range of *t*, a "
           "polygon as a ring of vertices.",
-      .cost = "Segment: eight comparisons, then at most four divisions. Polygon of *n* vertices: O(*n*) a side.",
+      .cost = "Segment: eight comparisons, then at most four divisions. Polygon of *n* vertices: O(*n*) per side.",
       .choose =
           "Liang and Barsky for segments; Sutherland and Hodgman for convex windows. Weiler and Atherton, or "
           "sweeping, for windows that are not convex.",
       .used =
-          "GPUs clip triangles at the near plane and leave the sides to scissoring. Maps, plotters, physics "
+          "GPUs clip triangles at the near plane and leave the sides to the scissor test. Maps, plotters, physics "
           "contacts (a face clipped by a face).",
       .bug = "Reciprocals of zero: 0 · ∞ is not a number, and a segment along a side is lost.",
       .bug_preset = "along-a-side",
@@ -47,7 +47,7 @@ const Closing& closing() {
                   "Ivan Sutherland and Gary Hodgman, Reentrant Polygon Clipping, *Communications of the ACM* 17, 1974.",
                   "James Foley et al., *Computer Graphics: Principles and Practice*, 2nd edition, 1990, chapter 3."},
       .exercises = {
-          {"Drag **p** and **q** until nothing is kept, though the outcodes cannot tell.",
+          {"Drag **p** and **q** until nothing is kept, but the outcodes do not show it.",
            "The segment must pass a corner: **p** beyond one side and **q** beyond the next.",
            "both-ends-cut",
            passes_a_corner,
@@ -59,11 +59,11 @@ const Closing& closing() {
            "Seven: a cut of a convex polygon adds at most one vertex. A triangle can keep a part of each of its three "
            "sides, and of the box's four."},
           {"Why do slabs by reciprocals lose a segment along a side?",
-           "There *d* = 0, so 1/*d* = ∞, and the distance to the side is 0. Their product is not a number. Test for "
+           "There *d* = 0, so 1/*d* = ∞, and the distance to the side is 0. Their product is NaN. Test for "
            "*d* = 0 "
            "first."},
           {"Why must a renderer clip at the near plane before it divides by depth?",
-           "Points behind the eye have negative depth. The division would throw them upside down before the eye."},
+           "Points behind the eye have negative depth. The division would mirror them to the front of the eye."},
       }};
   return closing;
 }

@@ -87,7 +87,7 @@ const Lesson& clipping() {
       .id = "clipping",
       .title = "Clipping",
       .rows = "N01",
-      .summary = "The part of a segment or a polygon that lies in a box: each side cuts, one after the other.",
+      .summary = "The part of a segment or a polygon that lies in a box: the sides cut it one after another.",
       .parameters = {choice("shape", "shape", "What is clipped at the box.", {"segment", "polygon"}),
                      vertex("p", "First end or vertex, in world units; its third coordinate is not used.", 0),
                      vertex("q", "Second end or vertex, in world units.", 1),

@@ -74,12 +74,12 @@ bool PolygonTeller::trivial() {
                   any == 0   ? 0
                   : all != 0 ? 2
                              : 1,
-                  any == 0   ? "All vertices lie in the box. It is convex, so it holds the whole polygon."
-                  : all != 0 ? "All vertices lie beyond one and the same side, so the whole polygon does."
+                  any == 0   ? "All vertices lie in the box. The box is convex, so it contains the whole polygon."
+                  : all != 0 ? "All vertices lie beyond the same side, so the whole polygon does."
                              : "Some vertices lie outside, but not all beyond one side. So the polygon must be cut.");
   step.decides = true;
   step.scene = picture(known_);
-  step.question = {"What do comparisons of the vertices with the sides tell?",
+  step.question = {"What do comparisons of the vertices with the sides show?",
                    {"all is kept", "nothing is kept", "not enough: the polygon must be cut"},
                    any == 0   ? 0
                    : all != 0 ? 1
@@ -131,16 +131,16 @@ void PolygonTeller::end() {
 std::string PolygonTeller::end_caption(std::size_t n) const {
   if (astray_) return "Rounding makes the four cuts wrong here: the exact test says otherwise.";
   if (bridges_)
-    return "The polygon is not convex, and it misses the box. What the method returns are only zero-width bridges "
+    return "The polygon is not convex, and it misses the box. The method returns nothing but zero-width bridges "
            "along "
            "the sides.";
   if (n == 0)
     return trivial_ ? "Comparisons were enough: no vertex was computed."
                     : "No single side has all vertices beyond it, yet the polygon misses the box.\n"
-                      "The four cuts have found that out together.";
+                      "Only the four cuts together show that.";
   if (trivial_ && n < 3) return "The polygon has no area: some of its vertices coincide. It is kept as it is.";
   if (n < 3)
-    return "Polygon and box share points, but no area. The sets are closed, so that is an intersection.\n"
+    return "The polygon and the box share points, but no area. The sets are closed, so they intersect.\n"
            "A renderer may drop it; a test for contact must not.";
   if (trivial_) return "No edge was cut, so the polygon is kept as it is.";
   if (!make_convex(known_.original))

@@ -57,18 +57,18 @@ void SegmentTeller::say(const clip_segment::Outcodes& e) {
   if (!inside) script_.refuse(0, {});
   if (!inside && !beyond) script_.refuse(1, {2});
   Step& step = script_.add(
-      "trivial", "The outcodes of Cohen and Sutherland",
+      "trivial", "Cohen-Sutherland outcodes",
       inside   ? 0
       : beyond ? 2
                : 1,
-      std::string("A bit for each side that an end lies beyond: top, bottom, right, left.\n") +
-          (inside   ? "All bits are 0, so both ends lie in the box. It is convex: trivial acceptance."
-           : beyond ? "A bit is 1 in both, so the whole segment lies beyond that side: trivial rejection."
+      std::string("One bit for each side that an endpoint lies beyond: top, bottom, right, left.\n") +
+          (inside   ? "All bits are 0, so both ends lie in the box. The box is convex: trivial accept."
+           : beyond ? "A bit is 1 in both, so the whole segment lies beyond that side: trivial reject."
                     : "Some bit is 1, but none is 1 in both. Only now is there a need to compute."),
       fmt::format("**p**: {:04b},  **q**: {:04b},  and: {:04b},  or: {:04b}", e.p, e.q, e.p & e.q, e.p | e.q));
   step.decides = true;
   step.scene = picture(known_);
-  step.question = {"What do comparisons of the ends with the sides tell?",
+  step.question = {"What do comparisons of the ends with the sides show?",
                    {"all is kept", "nothing is kept", "not enough: *t* must be computed"},
                    inside   ? 0
                    : beyond ? 1
@@ -113,7 +113,7 @@ std::string SegmentTeller::end_caption(bool one) const {
     return "Rounding makes this method wrong here: at a corner the last entry is the first exit, and rounding moved "
            "them.";
   if (!truth_)
-    return trivial_ ? "In a large scene most segments are rejected so. That is why comparisons come first."
+    return trivial_ ? "In a large scene most segments are rejected this way. So comparisons come first."
                     : "No side has both ends beyond it, yet the segment misses the box: it passes a corner.";
   if (one)
     return std::string("Last entry and first exit are the same *t*: the segment touches the box ") +

@@ -22,7 +22,7 @@ int line_of(int heading, bool narrowed) {
 }
 
 std::string title(int heading, const Side& side) {
-  if (heading == 0) return "Along " + name_of(side);
+  if (heading == 0) return "Parallel to " + name_of(side);
   return (heading > 0 ? "In across " : "Out across ") + name_of(side);
 }
 
@@ -56,7 +56,7 @@ void SegmentTeller::say(const clip_segment::Narrowed<Counted<double>>& e) {
     const double at = e.upper ? box_.hi[e.axis] : box_.lo[e.axis];
     const char* const axis = axis_names[e.axis];
     // not divided by d; the wrong way round; from q
-    step.question = which_value(fmt::format("From {} = {}, **d** leads on by {}. At which *t* is {} = {}?", axis,
+    step.question = which_value(fmt::format("From {} = {}, **d** advances by {}. At which *t* is {} = {}?", axis,
                                             shown(p), shown(d), axis, shown(at)),
                                 t, {at - p, (p - at) / d, 1 - t},
                                 fmt::format("*t* = ({} − {}) / {}.", shown(at), shown(p), shown(d)));
@@ -75,10 +75,10 @@ void SegmentTeller::say(const clip_segment::Narrowed<Counted<double>>& e) {
 
 std::string SegmentTeller::caption(int heading, bool narrowed, const Side& side) const {
   if (heading == 0)
-    return known_.left ? "The line runs along this side, and beyond it: nothing is left."
-                       : "The line runs along this side, and not beyond it. The side cuts nothing off.";
+    return known_.left ? "The line is parallel to this side and lies beyond it: nothing is left."
+                       : "The line is parallel to this side and not beyond it. The side cuts nothing off.";
   if (known_.left)
-    return "The line leaves one side before it has entered the other. No *t* lies within both: nothing is "
+    return "The line leaves one side before it has entered the other. No *t* satisfies both: nothing is "
            "left.";
   const std::string way = heading > 0 ? "The line enters across " + name_of(side) + ": what lies before *t* is cut off."
                                       : "The line leaves across " + name_of(side) + ": what lies after *t* is cut off.";

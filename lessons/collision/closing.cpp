@@ -25,9 +25,9 @@ bool tunnels(const Parameters& p) {
 
 const std::string& opening() {
   static const std::string text =
-      "Which of many bodies touch, and when? Games, robots and simulations ask this in every frame.\n"
+      "Which of many bodies touch, and when? Games, robots and simulations need this in every frame.\n"
       "The lecture note *Intersection Detection* calls collision detection an intersection test among moving objects. "
-      "The cheap idea is to leave most pairs untested.";
+      "The key idea is to leave most pairs untested.";
   return text;
 }
 
@@ -40,14 +40,15 @@ const Closing& closing() {
           "Brute force O(*n*^2). Sweep and prune: a sort, then the pairs that overlap on one axis. Hierarchy: about "
           "O(*n* lg *n*).",
       .choose =
-          "Brute force below some dozens. Sweep where little moves between frames; a hierarchy or grid for large "
+          "Brute force below a few dozen bodies. Sweep where little moves between frames; a hierarchy or grid for "
+          "large "
           "scenes. Continuous detection for fast bodies.",
       .used =
           "Broad phase (all pairs), narrow phase (GJK, contacts): Bullet, Box2D, Jolt and PhysX all have both, and "
           "continuous detection.",
-      .bug = "To test at discrete times only: a step longer than wall and body together tunnels.",
+      .bug = "Testing at discrete times only: a step longer than wall and body together can tunnel.",
       .bug_preset = "tunnelling",
-      .reading = {"Christer Ericson, *Real-Time Collision Detection*, 2005, chapter 7 and section 5.5.",
+      .reading = {"Christer Ericson, *Real-Time Collision Detection*, 2005, section 7.5 and section 5.5.",
                   "Jonathan Cohen et al., I-COLLIDE, *Symposium on Interactive 3D Graphics*, 1995, for sweep and "
                   "prune.",
                   "Gino van den Bergen, *Collision Detection in Interactive 3D Environments*, 2003."},
@@ -65,7 +66,7 @@ const Closing& closing() {
           {"A body of 0.1 m flies at 30 m/s towards a wall of 0.45 m. Tests run at 60 Hz. Can it tunnel?",
            "One step is 30 / 60 = 0.5 m. Wall and body together are 0.55 m. As 0.5 < 0.55, it cannot."},
           {"Of 1,000 bodies, 900 never move. How many pairs are left to test?",
-           "Pairs of two bodies at rest go: 900 · 899 / 2. Of 499,500 pairs, 94,950 are left."},
+           "Pairs of two bodies at rest are dropped: 900 · 899 / 2. Of 499,500 pairs, 94,950 are left."},
           {"Find boxes for which sweep and prune tests all pairs, though none overlap.",
            "Stack them: all have the same interval on the sorted axis, and gaps on the other one."},
       }};

@@ -23,13 +23,13 @@ class DoubleLoop : Teller {
   Walk tell() {
     const auto n = static_cast<double>(boxes_.size());
     add("loop", "Every pair once", 1,
-        "The note lets *j* run from *i*, which tests each box with itself. It must start at *i* + 1.\n"
+        "The note starts *j* at *i*, which tests each box against itself. It must start at *i* + 1.\n"
         "That is O(*n*^2), provided that each test is O(1).",
         fmt::format("*n* (*n* − 1) / 2 = {} tests", n * (n - 1) / 2))
         // j runs from i; each pair is tested twice; a box is tested with itself, too
         .question = which_value(fmt::format("How many tests does the double loop take for {} boxes?", n),
                                 n * (n - 1) / 2, {n * (n + 1) / 2, n * (n - 1), n * n},
-                                "Each box is paired with each other one, and half of these pairs are the same.");
+                                "Each box is paired with every other, and each pair is counted twice.");
     Record<all_pairs::Event<2>> record;
     all_pairs::brute_force(
         boxes_, [](int, int) {}, record);

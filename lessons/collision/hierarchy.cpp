@@ -25,7 +25,8 @@ class Hierarchy : Teller {
     using namespace bvh_pairs;
     const Bvh<double, 2> bvh = build_bvh(boxes_);
     for (const BvhNode<double, 2>& node : bvh.nodes) drawn_.nodes.push_back(node.box);
-    add("build", "Boxes in boxes", 0, "Each node's box holds all boxes below it. What misses a node misses them all.");
+    add("build", "Boxes in boxes", 0,
+        "Each node's box contains all boxes below it. What misses the node misses them all.");
     drawn_.nodes.clear();
     Record<bvh_pairs::Event> record;
     report_pairs(
@@ -47,7 +48,7 @@ class Hierarchy : Teller {
         const bool leaf = bvh.nodes[e->a].leaf() || bvh.nodes[e->b].leaf(), self = e->a == e->b;
         add(fmt::format("visit-{}", ++number), self ? "A node with itself" : "Two nodes overlap", leaves ? 3 : 4,
             self     ? leaves ? "The node is a leaf: the boxes in it are tested against each other."
-                              : "A node may hold pairs. Each child is paired with itself, and both with each other."
+                              : "A node may contain pairs. Each child is paired with itself, and both with each other."
             : leaves ? "Both are leaves: the boxes in one are tested against those in the other."
             : leaf   ? "Their boxes meet. One is a leaf, so the other one is opened."
                      : "Their boxes meet, so the wider one is opened.");

@@ -47,7 +47,7 @@ class Sweep : Teller {
  private:
   void begin() {
     add("sort", "Sort along an axis", 0,
-        axis_ == 0 ? "A plane will sweep to the right. Boxes that it never meets together cannot overlap.\n"
+        axis_ == 0 ? "A plane will sweep to the right. Boxes that it never meets at the same time cannot overlap.\n"
                      "In the next frame little has moved, so the order is nearly sorted already: temporal coherence."
                    : "The boxes spread most along *y*, so the sweep runs along it.");
     drawn_.sweeping = axis_ == 0;
@@ -74,7 +74,7 @@ class Sweep : Teller {
     // none is ever removed; the new one is not counted; those removed are counted too
     step.question = which_value(fmt::format("Next is box {}. How many boxes are active then, with it?", box), active,
                                 {static_cast<double>(entered_), active - 1, active + 1},
-                                "Those that have begun and not ended lie on the plane.");
+                                "Boxes that have begun and not yet ended meet the plane.");
     keep_picture(script_.walk());
     for (Item& item : step.question->over->items)  // the plane has gone on
       if (Line* line = std::get_if<Line>(&item); line && line->pen == Pen::highlight)

@@ -102,7 +102,7 @@ void Teller::total(int line, const std::string& caption) {
   Step& step = add(
       "growth", "As *n* grows", line,
       fmt::format("1,000 random boxes: {} tests by brute force, {} by the sweep, {} of nodes and boxes by a "
-                  "hierarchy.\nAll find the same {} pairs. What stands still need not be tested against what stands "
+                  "hierarchy.\nAll find the same {} pairs. Boxes lying still need not be tested against others lying "
                   "still.",
                   shown(static_cast<double>(t.brute)), shown(static_cast<double>(t.sweep)),
                   shown(static_cast<double>(t.tree)), t.found),

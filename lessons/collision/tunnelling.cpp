@@ -35,7 +35,7 @@ class Flight {
         script_({"Lecture note, rays and collision detection; Ericson, Real-Time Collision Detection (2005), section "
                  "5.5",
                  std::string("A small box flies to the right; a thin wall stands in the middle. ") +
-                     (truth_ ? "They meet on its way." : "They never meet."),
+                     (truth_ ? "They meet along its path." : "They never meet."),
                  {"for each time t ← 0, dt, 2 dt, ...",                       // 0
                   "    move the box to its place at t",                       // 1
                   "    if box and wall overlap: record t",                    // 2
@@ -51,14 +51,14 @@ class Flight {
     script_.value("wall + box", reach, "length", Role::second);
     Step& first =
         add("motion", "A moving box", 0,
-            fmt::format("It moves to the right at a steady speed, and is tested every {} s.\n", duration / times) +
+            fmt::format("It moves to the right at constant speed and is tested every {} s.\n", duration / times) +
                 (step > reach ? "One step is longer than wall and box together, so it can jump the wall unseen."
                               : "One step is no longer than wall and box together: it cannot jump the wall."));
     first.formula = fmt::format("step = {} {} {} = wall + box", shown(step), step > reach ? ">" : "≤", shown(reach));
     // the thickness of the wall alone, and the step itself, are taken for the limit
     first.question = which_value("How long may one step be, so that no hit is missed?", reach,
                                  {width(wall_.shape), width(bullet_.shape), 2 * reach},
-                                 "On its way the box touches the wall over the lengths of both.");
+                                 "The box touches the wall while it moves by the sum of both lengths.");
     Record<motion::Event<double, 2>> record;
     const std::vector<double> hits = discrete_hits(bullet_, wall_, duration, times, record);
     int number = 0;
@@ -125,9 +125,9 @@ class Flight {
     swept_ = true;
     const bool may = may_collide(bullet_, wall_, duration);
     Step& step = add("swept", "The swept volume", 3,
-                     may ? "A box around the whole way meets the wall: they may collide. This test gives no false "
+                     may ? "A box around the whole path meets the wall: they may collide. This test gives no false "
                            "negatives."
-                         : "A box around the whole way misses the wall: they cannot collide.");
+                         : "A box around the whole path misses the wall: they cannot collide.");
     step.decides = true;
     step.question = which_line(script_.walk().pseudocode, may ? 5 : 4, {2, 4, 5},
                                "The swept volume is one box from the first place to the last one.");

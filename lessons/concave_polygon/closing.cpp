@@ -27,19 +27,19 @@ const std::string& opening() {
       "Can a point be located in a *concave* polygon in O(lg *n*), too? The lecture note *Intersection Detection* "
       "leaves "
       "that open.\n"
-      "Yes, after preparation: split the plane into simple pieces, mark each as inside or outside, and search for the "
+      "Yes, after preprocessing: split the plane into simple pieces, mark each inside or outside, and search for the "
       "piece.";
   return text;
 }
 
 const Closing& closing() {
   static const Closing closing = {
-      .result = "Every simple polygon can be prepared so that each point is located in O(lg *n*).",
+      .result = "Every simple polygon can be preprocessed so that any point is located in O(lg *n*).",
       .cost =
           "Slabs: O(*n*^2) time and space to build. Trapezoids: O(*n* lg *n*) and O(*n*), expected. Kirkpatrick: the "
           "same, guaranteed. A query: O(lg *n*).",
       .choose =
-          "Few points: count crossings, without preparation. Many points and a polygon at rest: trapezoids. Slabs "
+          "Few points: count crossings, without preprocessing. Many points, one fixed polygon: trapezoids. Slabs "
           "only for small *n*.",
       .used =
           "Map services, locating points in meshes and Voronoi diagrams. CGAL prepares arrangements with a trapezoidal "
@@ -53,12 +53,12 @@ const Closing& closing() {
            "Mark de Berg, Otfried Cheong, Marc van Kreveld and Mark Overmars, *Computational Geometry*, 3rd "
            "edition, 2008, chapter 6."},
       .exercises = {
-          {"Drag **p** onto the boundary, so that the exact test says so.",
+          {"Drag **p** exactly onto the boundary.",
            "Vertices are easy to meet: (−0.875, −0.25) is one.",
            "slabs",
            on_the_boundary,
            {{"p", "-0.875,-0.25,0"}}},
-          {"Drag **p** to a place inside that is level with a vertex.",
+          {"Drag **p** to an interior point level with a vertex.",
            "A vertex has the height −0.25, so (−1.5, −0.25) will do. Slabs must then look at their lower line, too.",
            "slabs",
            level_with_a_vertex,
@@ -66,11 +66,12 @@ const Closing& closing() {
           {"How many edges can the slabs of a polygon with 200 vertices store at most?",
            "*n*^2/2 = 20,000: above the *k* lowest vertices run at most 2 min(*k*, 200 − *k*) edges."},
           {"Why can at least one vertex in 18 be removed each round?",
-           "At least half of the vertices have 8 edges or fewer. Of these, each one chosen rules out itself and at "
+           "At least 3 edges meet at each vertex, fewer than 6 on average. So at least half have 8 edges or fewer. Of "
+           "these, each one chosen rules out itself and at "
            "most 8 "
            "others."},
           {"Why does a polygon with *n* vertices, no two at one *x*-coordinate, have 2*n* + 1 trapezoids?",
-           "Where the boundary passes a vertex, two trapezoids begin. Where it opens to the right three begin, where "
+           "Where the boundary passes a vertex, two trapezoids begin. Where it opens to the right, three begin; where "
            "it "
            "closes one. As it opens as often as it closes, that is 2*n*; one begins nowhere."},
       }};

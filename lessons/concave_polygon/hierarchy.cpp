@@ -65,8 +65,9 @@ class Coarsening {
       count();
       script_.value("levels", static_cast<double>(h_.levels.size()));
       add("coarsest", "Two triangles are left", 1,
-          "A planar graph has fewer than 3 edges a vertex. So at least half of the vertices have 8 edges or fewer.\n"
-          "Each one chosen rules out 8 at most: a constant share goes each round. Hence O(lg *n*) levels, O(*n*) "
+          "A triangulation has fewer than 3 edges per vertex, and at least 3 meet at each. So at least half of the "
+          "vertices have 8 edges or fewer.\n"
+          "Each one chosen rules out 8 at most: each round removes a constant fraction. Hence O(lg *n*) levels, O(*n*) "
           "triangles.",
           level);
       return;
@@ -102,7 +103,7 @@ class Coarsening {
   Walk outside() {
     script_.settle(Verdict::Kind::no, verdict_text(Location::out));
     script_.leave_early();
-    add("verdict", "Outside the box", 4, "Neither of the two triangles holds **p**.", h_.levels.size() - 1);
+    add("verdict", "Outside the box", 4, "Neither of the two triangles contains **p**.", h_.levels.size() - 1);
     return std::move(script_.walk());
   }
 
@@ -116,15 +117,16 @@ class Coarsening {
       script_.value("triangles", static_cast<double>(h_.levels[level].triangles.size()));
       script_.value("triangles tested", tested, {}, Role::first);
       if (k > 0 && level != told) continue;  // as there
-      Step& step = add(
-          fmt::format("search-{}", level), fmt::format("Level {}", level), k == 0 ? 4 : 5,
-          k == 0  ? "The search starts with the two coarsest triangles: one holds **p**."
-          : k > 1 ? fmt::format("From triangle to linked triangle, level by level. Here {} {} linked, shaded.",
-                                candidates.size(), candidates.size() == 1 ? "is" : "are")
-          : candidates.size() == 1
-              ? "The triangle did not change: its only link is itself."
-              : fmt::format("Only {} triangles are linked, shaded here. One of them holds **p**.", candidates.size()),
-          level);
+      Step& step =
+          add(fmt::format("search-{}", level), fmt::format("Level {}", level), k == 0 ? 4 : 5,
+              k == 0  ? "The search starts with the two coarsest triangles: one contains **p**."
+              : k > 1 ? fmt::format("From triangle to linked triangle, level by level. Here {} {} linked, shaded.",
+                                    candidates.size(), candidates.size() == 1 ? "is" : "are")
+              : candidates.size() == 1
+                  ? "The triangle did not change: its only link is itself."
+                  : fmt::format("Only {} triangles are linked, shaded here. One of them contains **p**.",
+                                candidates.size()),
+              level);
       step.decides = true;
     }
     drawn_.done = true;

@@ -44,7 +44,7 @@ class Slabs {
     script_.value("edges in slabs", static_cast<double>(map_.order.size()), {}, Role::second);
     const int n = s_.size(), stored = static_cast<int>(map_.order.size());
     add("store", "Edges from left to right", 1,
-        "So in each slab the edges have one order from left to right. Each square is an edge stored.\n"
+        "So in each slab the edges are ordered from left to right. Each square is a stored edge.\n"
         "Above the *k* lowest vertices run at most 2 min(*k*, *n* − *k*) edges, as each vertex has two. "
         "Summed over all slabs, that is at most *n*^2/2.",
         fmt::format("{} ≤ *n*^2/2 = {}", stored, shown(n * n / 2.0)))
@@ -86,7 +86,7 @@ class Slabs {
     script_.value("heights compared", e.steps);
     Step& step =
         add("slab", "Bisect the heights", 2,
-            real(drawn_.slab)  ? "The numbers show which lines are asked, in turn. Comparing heights finds "
+            real(drawn_.slab)  ? "The numbers show the order in which lines are compared. That finds "
                                  "the slab of **p** in O(lg *n*)."
             : level_with_top() ? "**p** is level with the highest vertex, where no slab begins. Is it that vertex?"
                                : "**p** lies below or above all vertices, so outside.");
@@ -101,7 +101,7 @@ class Slabs {
     Step& step = add("line", "Level with a vertex", 3,
                      e.holds ? "**p** lies on the slab's lower line, exactly, and on a vertex or a level edge."
                      : real(drawn_.slab) ? "**p** lies on the slab's lower line, exactly, but on no vertex of it.\n"
-                                           "A slab holds its lower line, so the search goes on in it."
+                                           "A slab includes its lower line, so the search continues in it."
                                          : "**p** is level with the highest vertex, but not that vertex: outside.");
     step.decides = true;
   }
@@ -138,7 +138,7 @@ class Slabs {
                                e.turn > 0   ? 0
                                : e.turn < 0 ? 1
                                             : 2,
-                               "The sign of an orientation tells, exactly.",
+                               "The sign of the orientation decides, exactly.",
                                asking};
     if (e.turn != 0) drawn_.asked = -1;
   }
@@ -158,8 +158,8 @@ class Slabs {
         (s_.truth == Location::on ? "The boundary is a case of its own."
          : !real(drawn_.slab)     ? "Below and above all vertices there is no edge."
          : s_.truth == Location::in
-             ? "Between its neighbouring edges all of the slab is inside: the mark was computed beforehand."
-             : "Between its neighbouring edges all of the slab is outside: the mark was computed beforehand.") +
+             ? "The slab between the two neighbouring edges is inside: the mark was precomputed."
+             : "The slab between the two neighbouring edges is outside: the mark was precomputed.") +
             cost);
   }
 

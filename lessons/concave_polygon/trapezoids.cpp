@@ -87,17 +87,17 @@ class Trapezoids {
     add_graph(all, map, false);
     count(map);
     const int n = s_.size();
-    Step& step =
-        add("map", "All edges added", 2,
-            "From every vertex a wall runs up and down to the next edge. If no two share an *x*-coordinate, the "
-            "trapezoids number 2*n* + 1.\n"
-            "The questions form a graph of O(*n*) nodes, built in O(*n* lg *n*), on average over the orders.",
-            std::move(all));
+    Step& step = add(
+        "map", "All edges added", 2,
+        "From every vertex, vertical walls run up and down to the next edge. If no two share an *x*-coordinate, the "
+        "trapezoids number 2*n* + 1.\n"
+        "The questions form a graph of O(*n*) nodes, built in O(*n* lg *n*), on average over the orders.",
+        std::move(all));
     step.formula = fmt::format("2*n* + 1 = {}", 2 * n + 1);
     // misconceptions: one a vertex; the bound for edges without common ends; those of a grid
     step.question =
         which_value("How many trapezoids does the complete map have?", 2 * n + 1, {n + 1.0, 3 * n + 1.0, 1.0 * n * n},
-                    "To the right of its vertices begin two trapezoids each, on average. One more has no left end.");
+                    "On average two trapezoids begin at each vertex. One more has no left end.");
     keep_picture(script_.walk());
   }
 
@@ -117,7 +117,7 @@ class Trapezoids {
     Step& step =
         add(fmt::format("insert-{}", k + 1), fmt::format("Edge *e*_{{{}}} is added", inserted.piece), k == 0 ? 2 : 1,
             k == 0 ? "Walls run up and down from its two ends. Four trapezoids replace the one.\n"
-                     "Questions lead to them: circles ask left or right, squares below or above."
+                     "Queries lead to them: circles test left or right, squares below or above."
                    : fmt::format("It cuts {} trapezoid{}, shaded here: questions take {} place. The rest stays "
                                  "as it was.",
                                  inserted.cut, inserted.cut == 1 ? "" : "s", inserted.cut == 1 ? "its" : "their"),
@@ -145,8 +145,8 @@ class Trapezoids {
                      : "On the vertex",
         e.side == 0 ? "**p** is the vertex: on the boundary."
         : map_.boundary.vertex(map_.nodes[at_].index).x() == s_.p.x()
-            ? "The *x*-coordinates are equal: then the lower point counts as the left one. Shaded is what is left."
-            : "Comparing *x*-coordinates answers it. The shaded trapezoids can still be reached.");
+            ? "The *x*-coordinates are equal: then the lower point counts as the left one. The candidates are shaded."
+            : "Comparing *x*-coordinates decides. The shaded trapezoids can still be reached.");
   }
   void say(const trapezoid_map::PieceAsked& e) {
     ask(e.side, 4,
@@ -154,7 +154,7 @@ class Trapezoids {
         : e.side > 0 ? "Above the edge"
                      : "On the edge",
         e.side == 0 ? "The orientation is exactly zero: **p** lies on the edge."
-                    : "The sign of an orientation answers it. The shaded trapezoids can still be reached.");
+                    : "The sign of an orientation decides. The shaded trapezoids can still be reached.");
   }
   void say(const trapezoid_map::Reached& e) { finish(e.trapezoid); }
   void say(const Fallback&) {}

@@ -37,14 +37,14 @@ const std::string& opening() {
 const Closing& closing() {
   static const Closing closing = {
       .result =
-          "The hull is the intersection of all convex sets that hold the points. Its boundary turns left at every "
+          "The hull is the intersection of all convex sets that contain the points. Its boundary turns left at every "
           "vertex.",
       .cost = "O(*n* lg *n*) for the sort. The scan is linear, as a point leaves a chain at most once.",
       .choose = "For rigid bodies whose hull is small. A box or ball is cheaper to keep, to test and to update.",
       .used =
           "Physics engines wrap bodies in hulls of few vertices; GJK and the separating axis test run on them. "
           "Also shadow and occlusion volumes.",
-      .bug = "An `if` for the `while`: one point is dropped where several must go.",
+      .bug = "An `if` instead of the `while`: one point is dropped where several must be.",
       .bug_preset = "scattered",
       .reading = {"Alex M. Andrew, Another Efficient Algorithm for Convex Hulls in Two Dimensions, *Information "
                   "Processing Letters* 9, 1979.",
@@ -61,13 +61,13 @@ const Closing& closing() {
            "one-line",
            triangle,
            {{"p", "0,1.5,0"}}},
-          {"Why is the scan linear, though a loop stands within a loop?",
-           "A point is appended once to a chain and dropped at most once. So both loops together take at most 2*n* "
-           "turns."},
+          {"Why is the scan linear despite its nested loops?",
+           "A point is appended once to a chain and dropped from it at most once. So each of the two chains takes at "
+           "most 2*n* turns."},
           {"Why does no method find hulls faster than it sorts?",
-           "Put the numbers *x* on the parabola *y* = *x*^2. All points are vertices, and the hull lists them in "
+           "Map the numbers *x* to the parabola *y* = *x*^2. All points are vertices, and the hull lists them in "
            "order."},
-          {"Rounding makes one orientation wrong. What may become of the hull?",
+          {"Rounding makes one orientation wrong. What can happen to the hull?",
            "It may lose a true vertex or keep a dent, so that it is not convex. Exact orientations prevent both."},
       }};
   return closing;

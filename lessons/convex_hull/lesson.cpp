@@ -65,7 +65,7 @@ const Lesson& convex_hull() {
         .title = "Convex hull",
         .rows = "N05",
         .summary = "The hull of points, built step by step, and why no convex volume is tighter.",
-        .parameters = {choice("points", "points", "The points, by their situation.", names),
+        .parameters = {choice("points", "points", "The kind of point set.", names),
                        vector("p", "**p**", "One more point, in world units; its third coordinate is not used.",
                               situations().front().moved)},
         .group_by = {},

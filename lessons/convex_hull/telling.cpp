@@ -77,7 +77,7 @@ class Teller {
       step.question = which_value(
           fmt::format("Next is **q** = ({}, {}). How many points leave the chain?", shown(e.p.x()), shown(e.p.y())),
           static_cast<double>(removed_.size()), {0, 1, all},
-          "Each point leaves at which the chain makes no left turn towards **q**.");
+          "Each point at which the chain makes no left turn towards **q** is dropped.");
       step.question->over = pointing_at(e.p);
     }
     drawn_.removed.clear(), removed_.clear();
@@ -136,7 +136,7 @@ class Teller {
     script_.value("hull", area_, "area", Role::hit);
     script_.settle(Verdict::Kind::yes, fmt::format("a hull of {} vertices", hull_.size()));
     add("hull", "The hull", 3,
-        std::string("Every convex set that holds the points holds each segment between them, and so the hull.") +
+        std::string("Every convex set that contains the points contains each segment between them, and so the hull.") +
             (area_ > 0 ? "\n" : " Here it is a segment, of area 0.\n") +
             "The note defines it for point sets and polygonal objects only. Every set has a convex hull.");
   }
@@ -151,14 +151,14 @@ class Teller {
         add(m.slug, std::string("Against the ") + m.name, -1,
             fmt::format("The {} is kept in {} numbers, the hull in {}.\n", m.name, m.numbers, 2 * hull_.size()) +
                 (same ? "Both have the same area, so it leaves no void beyond the hull."
-                      : "What it holds beyond the hull is void: the price of fewer numbers and a simpler test."),
+                      : "Its volume outside the hull is void: the price of fewer numbers and a simpler test."),
             area_ > 0 ? fmt::format("void = {} = {} × the hull", shown(empty), shown(empty / area_)) : "");
-    step.question = Question{fmt::format("How large is the {}, against the hull?", m.name),
+    step.question = Question{fmt::format("How large is the {}, compared with the hull?", m.name),
                              {"smaller", "just as large", "up to twice as large", "more than twice as large"},
                              same                  ? 1
                              : m.area <= 2 * area_ ? 2
                                                    : 3,
-                             "It is convex and holds the points, so it holds their hull: it is never smaller."};
+                             "It is convex and contains the points, so it contains their hull: it is never smaller."};
   }
 
   const Ring<double, 2>& points_;

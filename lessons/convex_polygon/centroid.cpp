@@ -72,7 +72,7 @@ class Around {
     if (rounds_ == 1) {  // misconceptions: every wedge is looked at; half of them are, on average
       step.question = which_value("How many bisections single out one wedge?", bisections_,
                                   {1.0 * s_.size(), s_.size() > 5 ? s_.size() / 2.0 : 1.0},
-                                  "Each leaves half of the *n* wedges: lg *n*, up to rounding.");
+                                  "Each halves the number of wedges: lg *n*, up to rounding.");
       keep_picture(script_.walk());
     }
     shown_.mid = -1;
@@ -92,7 +92,7 @@ class Around {
     Step& step = add("verdict", "One edge decides", inside_ ? 3 : 4,
                      fmt::format("{} bisections for {} vertices, then one edge: **p** does {}lie on its outer side.",
                                  rounds_, s_.size(), inside_ ? "not " : "") +
-                         (on ? "\nThe note's method has no word for the boundary: rounding decides there." : ""));
+                         (on ? "\nThe note's method has no answer for the boundary: rounding decides there." : ""));
     step.decides = true;
   }
 

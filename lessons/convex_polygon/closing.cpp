@@ -26,7 +26,7 @@ bool rejected_by_two_orientations(const Parameters& values) {
 
 const std::string& opening() {
   static const std::string text =
-      "Must every edge be asked? Not of a convex polygon: the lecture note *Intersection Detection* finds a point in "
+      "Must every edge be tested? Not for a convex polygon: the lecture note *Intersection Detection* finds a point in "
       "O(lg *n*).\n"
       "Seen from one place, the vertices come in angular order. So bisection finds the one edge that decides.";
   return text;
@@ -38,20 +38,20 @@ const Closing& closing() {
           "Seen from a vertex, the others come in angular order within half a turn. Bisection finds the wedge of "
           "**p**; its far edge decides.",
       .cost =
-          "At most 3 + 3 ⌈lg (*n* − 2)⌉ orientations, 63 for a million vertices. To know that the polygon is convex "
+          "At most 3 + 3 ⌈lg (*n* − 2)⌉ orientations, 63 for a million vertices. Checking that the polygon is convex "
           "takes O(*n*), once.",
       .choose =
-          "For convex polygons of many vertices. With a handful, ask every edge. Concave ones need crossings, or a "
+          "For convex polygons of many vertices. With only a few, test every edge. Concave ones need crossings, or a "
           "prepared map.",
       .used =
-          "Cursors over convex regions, Voronoi cells, faces of convex solids after projection, support points by the "
+          "Hit tests on convex regions, Voronoi cells, projected faces of convex solids, support points by the "
           "same bisection.",
-      .bug = "Taking a rounded yes or no for the truth on the boundary. Methods that agree elsewhere differ there.",
+      .bug = "Trusting a rounded yes or no on the boundary. Methods that agree elsewhere differ there.",
       .bug_preset = "on-vertex",
       .reading = {"Michael Ian Shamos, *Geometric complexity*, ACM Symposium on Theory of Computing, 1975.",
                   "Franco Preparata and Michael Ian Shamos, *Computational Geometry*, 1990, section 2.2.1."},
       .exercises = {
-          {"Drag **p** onto the boundary, so that the exact test says so.",
+          {"Drag **p** exactly onto the boundary.",
            "The middle of an edge has coordinates without rounding here: (−1.125, 0.875).",
            "beyond-last",
            on_the_boundary,

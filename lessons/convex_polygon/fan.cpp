@@ -69,12 +69,12 @@ class Fan {
     left_ = e.first < 0 || e.last > 0;
     Step& step = add("within", "Within the fan?", 1,
                      left_ ? "**p** lies outside one of the two edges at **v**_0, so outside the polygon."
-                           : "**p** lies on the inner side of both edges at **v**_0: some wedge holds it.");
+                           : "**p** lies on the inner side of both edges at **v**_0: some wedge contains it.");
     step.decides = true;
     // misconceptions: every wedge is looked at; half of them are, on average
     step.question = which_value("How many bisections can it take at most to find the wedge?", bisections(s_.size()),
                                 {s_.size() - 2.0, std::floor(s_.size() / 2.0)},
-                                "Each halves the *n* − 2 wedges: lg (*n* − 2), rounded up.");
+                                "Each halves the wedges, *n* − 2 at first: lg (*n* − 2), rounded up.");
     if (left_) script_.leave_early();
     if (!left_) script_.refuse(1, {2});
   }
@@ -86,8 +86,8 @@ class Fan {
     if (rounds_ == 0)
       add("wide", "Not in the widest triangle", 3,
           last_.turn == 0
-              ? "**p** lies on the line of the highlighted edge, not inside of it. Halve the fan."
-              : "**p** lies beyond the highlighted edge, so the widest triangle does not hold it. Halve the "
+              ? "**p** lies on the line of the highlighted edge, not on its inner side. Halve the fan."
+              : "**p** lies beyond the highlighted edge, so the widest triangle does not contain it. Halve the "
                 "fan.");
     shown_.edge = false;
     turns_ += 1;
@@ -116,7 +116,7 @@ class Fan {
           out           ? 2
           : e.turn >= 0 ? 1
                         : 0,
-          "The orientation of **v**_0, " + mid + ", **p** tells the side; that of the edge rejects."};
+          "The orientation of **v**_0, " + mid + ", **p** decides the side; that of the edge rejects."};
       step.question->over = over;
     }
     shown_.mid = -1;
@@ -130,21 +130,22 @@ class Fan {
     shown_.edge = !left_;
     script_.settle(verdict_kind(s_.truth), verdict_text(s_.truth));
     if (wide) script_.leave_early();
-    Step& step = add("verdict",
-                     left_  ? "Rejected early"
-                     : wide ? "Inside, early"
-                            : "The last edge",
-                     left_      ? (rounds_ == 0 ? 2 : 5)
-                     : in || on ? 7
-                                : 6,
-                     (left_ ? (rounds_ == 0 ? "Two orientations reject **p**." : "One edge was enough to reject **p**.")
-                      : wide ? "The triangle of several wedges holds **p**, and lies in the polygon: no need to go on."
-                      : on   ? "One of these orientations is exactly zero: **p** lies on the boundary."
-                      : in   ? "**p** lies on the inner side of the last edge."
-                             : "**p** lies beyond the last edge.") +
-                         fmt::format("\nThat took {} orientations. It never takes more than {}.", turns_,
-                                     3 + 3 * bisections(s_.size())),
-                     "3 + 3 ⌈lg (*n* − 2)⌉ = " + shown(3 + 3 * bisections(s_.size())));
+    Step& step =
+        add("verdict",
+            left_  ? "Rejected early"
+            : wide ? "Inside, early"
+                   : "The last edge",
+            left_      ? (rounds_ == 0 ? 2 : 5)
+            : in || on ? 7
+                       : 6,
+            (left_  ? (rounds_ == 0 ? "Two orientations reject **p**." : "One edge was enough to reject **p**.")
+             : wide ? "A triangle across several wedges contains **p** and lies in the polygon: the search can stop."
+             : on   ? "One of these orientations is exactly zero: **p** lies on the boundary."
+             : in   ? "**p** lies on the inner side of the last edge."
+                    : "**p** lies beyond the last edge.") +
+                fmt::format("\nThat took {} orientations. It never takes more than {}.", turns_,
+                            3 + 3 * bisections(s_.size())),
+            "3 + 3 ⌈lg (*n* − 2)⌉ = " + shown(3 + 3 * bisections(s_.size())));
     step.decides = true;
   }
 

@@ -15,7 +15,7 @@ namespace {
 class Closed : Teller {
  public:
   explicit Closed(const Setup& setup)
-      : Teller(setup, "closed rule (naive)", "Lecture note, point in polygon, read plainly",
+      : Teller(setup, "closed rule (naive)", "Lecture note, point in polygon, read literally",
                {"count ← 0",                                     // 0
                 "for each edge a b",                             // 1
                 "    if both above or both below p: next edge",  // 2
@@ -62,20 +62,21 @@ class Closed : Teller {
     const auto [a, b] = ends(setup_, *known_.edge);
     const bool along = a.y() == b.y(), vertex = a.y() == setup_.p.y() || b.y() == setup_.p.y();
     if (e.holds) meet(*known_.edge, true);
-    Step& step = add(slug(*known_.edge),
-                     along               ? "An edge along the ray"
-                     : vertex && e.holds ? "A vertex on the ray"
-                     : e.holds           ? "Crossed"
-                                         : "Not on the right",
-                     along     ? 3
-                     : e.holds ? 5
-                               : 4,
-                     along ? "The formula divides 0 by 0. No comparison with the result holds: by luck, nothing counts."
-                     : !e.holds ? (e.x.value == setup_.p.x()
-                                       ? "The edge meets the line at **p** itself, not right of it: it does not count."
-                                       : "The edge meets the line on the left of **p**: it does not count.")
-                     : vertex   ? "One end lies on the ray, so the edge counts. " + other_edge(*known_.edge)
-                                : "The edge meets the line on the right of **p**: it counts.");
+    Step& step = add(
+        slug(*known_.edge),
+        along               ? "An edge along the ray"
+        : vertex && e.holds ? "A vertex on the ray"
+        : e.holds           ? "Crossed"
+                            : "Not on the right",
+        along     ? 3
+        : e.holds ? 5
+                  : 4,
+        along ? "The formula divides 0 by 0. No comparison with the result is true: by luck, the edge does not count."
+        : !e.holds ? (e.x.value == setup_.p.x()
+                          ? "The edge meets the line at **p** itself, not right of it: it does not count."
+                          : "The edge meets the line on the left of **p**: it does not count.")
+        : vertex   ? "One end lies on the ray, so the edge counts. " + other_edge(*known_.edge)
+                   : "The edge meets the line on the right of **p**: it counts.");
     step.decides = e.holds;
   }
 
@@ -107,12 +108,12 @@ class Closed : Teller {
 
   std::string told(bool boundary, bool right) const {
     const int extra = count_ - setup_.truth.crossings;
-    if (boundary) return "The point lies on the boundary. The note's rule, read plainly, has no such answer.";
+    if (boundary) return "The point lies on the boundary. The note's rule, read literally, has no such answer.";
     if (right && extra == 0) return "The answer is right: this count is that of the half-open rule.";
     if (right)
       return fmt::format(
           "The answer is right, but not the count: true is {}.\n"
-          "Its error is even, so odd and even survive, by luck.",
+          "Its error is even, so the parity survives, by luck.",
           setup_.truth.crossings);
     const std::string why = setup_.vertices_on_ray() > 0 ? "The vertices on the ray make the difference: the half-open "
                                                            "rule gives each of them to one side."

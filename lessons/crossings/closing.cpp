@@ -29,16 +29,17 @@ bool inside_by_both_rules(const Parameters& values) {
 
 const std::string& opening() {
   static const std::string text =
-      "Does a point lie in a polygon? Maps ask it of regions, renderers of text ask it of every pixel.\n"
+      "Does a point lie in a polygon? Maps test regions this way, text renderers every pixel.\n"
       "The lecture note *Intersection Detection* walks along a ray from the point to infinity. Each edge crossed "
-      "changes inside and outside.";
+      "switches between inside and outside.";
   return text;
 }
 
 const Closing& closing() {
   static const Closing closing = {
       .result =
-          "**p** lies inside if and only if a ray from it crosses an odd number of edges. Half-open edges count like a "
+          "**p** lies inside if and only if a ray from it crosses an odd number of edges. Half-open edges give the "
+          "count of a "
           "ray raised by *ε*, which meets no vertex.",
       .cost =
           "O(*n*): two comparisons for each edge, and one orientation where it straddles the ray's line. No "
@@ -49,7 +50,7 @@ const Closing& closing() {
       .used =
           "Map queries (PNPOLY), scan-line filling in PDF, SVG and font renderers, ray against polygon after "
           "projection.",
-      .bug = "Edges that count with both ends: a vertex passed counts twice, and inside becomes outside.",
+      .bug = "Edges that count with both ends: a vertex on the ray counts twice, and inside becomes outside.",
       .bug_preset = "vertex-passed-closed",
       .reading = {"M. Shimrat, *Algorithm 112: Position of point relative to polygon*, Communications of the ACM 5, "
                   "1962.",
@@ -71,7 +72,7 @@ const Closing& closing() {
           {"A square has the corners (0, 0), (2, 0), (2, 2), (0, 2). Which edges count for **p** = (−1, 2)?",
            "None. The upper corners lie on the ray and count as below it, so no end lies above."},
           {"And which edges of that square count for **p** = (−1, 0)?",
-           "The two vertical ones: each leads from a lower corner, below, to an upper one, above. Two is even: OUT."},
+           "The two vertical ones: each joins a lower corner, below, to an upper one, above. Two is even: OUT."},
           {"Why does the half-open rule count what a ray raised by *ε* crosses?",
            "Choose *ε* smaller than the rise to the next vertex. Vertices at the ray's height lie below the raised "
            "ray, all others keep their side."},

@@ -49,11 +49,12 @@ class HalfOpen : Teller {
  private:
   void tell_rule() {
     known_.raised = true;
-    Step& step = add("rule", "The half-open rule", 1,
-                     "A vertex at the height of **p** counts as below it.\n"
-                     "So it is for a ray raised by a tiny *ε* (dashed). That ray meets no vertex, only interiors of "
-                     "edges.",
-                     "counts only if  (*a*_y > *p*_y) ≠ (*b*_y > *p*_y)");
+    Step& step =
+        add("rule", "The half-open rule", 1,
+            "A vertex at the height of **p** counts as below it.\n"
+            "It really is below a ray raised by a tiny *ε* (dashed). That ray meets no vertex, only interiors of "
+            "edges.",
+            "counts only if  (*a*_y > *p*_y) ≠ (*b*_y > *p*_y)");
     if (setup_.truth.even_odd != Location::on)
       step.question = how_many("A vertex on the ray counts as below it.", setup_.truth.crossings);
     known_.raised = false;
@@ -122,7 +123,7 @@ class HalfOpen : Teller {
     step.decides = true;
     ask(step, edge, {3, 4, 6},
         vertex ? "A vertex on the line counts as below it; the other end lies above."
-               : "Its ends lie on both sides, and **p** on its left.");
+               : "Its ends lie on opposite sides, and **p** is on its left.");
   }
 
   void on(const EdgeOf& edge, int line) {
@@ -132,7 +133,7 @@ class HalfOpen : Teller {
     script_.leave_early();
     Step& step = add("on", "On the boundary", line,
                      std::string(line == 5       ? "The orientation of **a**, **b**, **p** is exactly zero: the edge "
-                                                   "holds the point.\n"
+                                                   "contains the point.\n"
                                  : a == setup_.p ? "**p** is the end **a** of this edge.\n"
                                                  : "**p** lies between the ends of this edge, at their height.\n") +
                          "Neither inside nor outside: counting would give either, by chance.");
@@ -154,7 +155,7 @@ class HalfOpen : Teller {
                 (differs ? " It is not 0: by the non-zero rule **p** lies inside." : ""));
     step.decides = true;
     // misconceptions: it is the count; every crossing adds 1 with the same sign; it is 1 inside and 0 outside
-    step.question = which_value("How often does the boundary go around **p**, counter-clockwise?", truth.winding,
+    step.question = which_value("How many times does the boundary wind around **p**, counter-clockwise?", truth.winding,
                                 {1.0 * count_, -1.0 * truth.winding, odd ? 1.0 : 0.0, 2},
                                 "Edges that cross upwards count 1, those downwards −1.");
   }

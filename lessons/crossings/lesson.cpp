@@ -19,7 +19,7 @@ std::vector<Parameter> parameters() {
   std::vector<std::string> shapes;
   for (const Situation& s : situations()) shapes.emplace_back(s.id);
   return {choice("rule", "rule", "What counts as a crossing.", {"half-open", "closed"}),
-          choice("polygon", "polygon", "The polygon, by the situation it belongs to.", shapes),
+          choice("polygon", "polygon", "Which polygon, named after its special case.", shapes),
           vector("p", "**p**", "The point, in world units; its third coordinate is not used.", Vec3(0, 0, 0))};
 }
 

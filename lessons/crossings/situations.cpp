@@ -66,7 +66,7 @@ const std::vector<Situation>& situations() {
        "hole",
        {-0.25, 0.25},
        {{{{-2.25, -1.75}, {2.25, -1.75}, {2.25, 1.75}, {-2.25, 1.75}}, {{-1, -0.75}, {-1, 1}, {1, 1.25}, {1, -0.75}}}},
-       "The point lies in a hole, which is a ring of its own.",
+       "The point lies in a hole, which is a separate ring.",
        false},
       {"pentagram",
        "crosses itself",

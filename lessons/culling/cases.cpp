@@ -47,7 +47,7 @@ Parameters moved(const Parameters& p, const Vec2& to) {
 }  // namespace
 
 const CaseMap& cases() {
-  static const CaseMap map = {"how far the box stands before the eye",
+  static const CaseMap map = {"how far the box is in front of the eye",
                               "how far to its right",
                               {-5, -5},
                               {15, 5},
@@ -55,7 +55,7 @@ const CaseMap& cases() {
                               branch,
                               place,
                               moved,
-                              "The box moves to and fro and sideways; its height and its size stay.\n"
+                              "The box moves back and forth and sideways; its height and size are fixed.\n"
                               "False positive: no plane rejects the box, yet it misses the frustum."};
   return map;
 }

@@ -15,7 +15,7 @@ bool is_false_positive(const Parameters& p) { return cases().branches[cases().br
 
 const std::string& opening() {
   static const std::string text =
-      "Which objects can the camera see? Every renderer asks before it draws, as most of a large world is out of "
+      "Which objects can the camera see? Every renderer checks before drawing, as most of a large world is out of "
       "view.\n"
       "The lecture note *Intersection Detection* calls it view-volume culling: test each object's bounding volume "
       "against "
@@ -28,14 +28,14 @@ const Closing& closing() {
       .result =
           "A volume beyond one plane is outside. One within all six is inside. Any other may be visible, and is "
           "drawn.",
-      .cost = "Box: one corner a plane to reject, two to accept. A hierarchy settles whole groups with one test.",
+      .cost = "Box: one corner per plane to reject, two to accept. A hierarchy settles whole groups with one test.",
       .choose =
-          "Spheres or AABBs with a hierarchy. Occlusion culling is another step: it removes what stands behind "
+          "Spheres or AABBs with a hierarchy. Occlusion culling is another step: it removes what is hidden behind "
           "walls.",
       .used =
           "Every engine's visible set, on the CPU or in a compute shader on the GPU; shadow maps (the light's "
           "frustum), portals, level of detail.",
-      .bug = "To take CROSSING for visible: beyond an edge, no single plane rejects a box.",
+      .bug = "Taking CROSSING for visible: beyond an edge, no single plane rejects a box.",
       .bug_preset = "beyond-an-edge",
       .reading = {"Ulf Assarsson and Tomas Möller, Optimized View Frustum Culling Algorithms for Bounding Boxes, "
                   "*Journal of Graphics Tools* 5, 2000.",
@@ -43,7 +43,7 @@ const Closing& closing() {
                   "World-View-Projection Matrix*, 2001.",
                   "Tomas Akenine-Möller and Eric Haines, *Real-Time Rendering*, 2nd edition, 2002, chapters 9 and 13."},
       .exercises = {
-          {"Drag the box until the frustum holds all of it.",
+          {"Drag the box until the frustum contains all of it.",
            "Bring it to the middle, away from the sides. All six n-vertices must be on the inner side.",
            "crossing",
            is_inside,
@@ -53,13 +53,14 @@ const Closing& closing() {
            "outside",
            is_false_positive,
            {{"p", "3.25,-2.375,3.375"}, {"size", "0.5"}}},
-          {"A plane has **n** = (1, −2, 1/2). Which corner of a box lies furthest along **n**?",
+          {"A plane has **n** = (1, −2, 1/2). Which corner of a box lies farthest along **n**?",
            "(*b*_{max,x}, *b*_{min,y}, *b*_{max,z}): the sign of each *n_i* chooses. It is the p-vertex; the opposite "
            "corner is the n-vertex."},
-          {"Clip coordinates of **x** are the products of the matrix' rows with (**x**, 1). Find the left plane.",
+          {"The clip coordinates of **x** are the dot products of the matrix's rows with (**x**, 1). Find the left "
+           "plane.",
            "Inside means −*w* ≤ *x*, so row 4 + row 1 gives its coefficients. The right plane is row 4 − row 1."},
           {"The camera turns a little. Which answer of the last frame should be tried first?",
-           "The plane that rejected the object then: most likely it rejects it again. That is temporal coherence."},
+           "The plane that rejected the object last time: it probably will again. That is temporal coherence."},
       }};
   return closing;
 }

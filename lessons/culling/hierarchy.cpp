@@ -33,7 +33,7 @@ class UnderHierarchy {
   Walk tell() {
     const Culled all = culled(bvh_, boxes_, view_);
     Step& first = script_.add("build", "Boxes in boxes", 4,
-                              "Each node's box holds all boxes below it. What is true of all of the node's box is "
+                              "Each node's box contains all boxes below it. What is true of all of the node's box is "
                               "true of each of them.");
     first.scene = picture();
     for (const BvhNode<double, 3>& node : bvh_.nodes)
@@ -94,9 +94,9 @@ class UnderHierarchy {
                                                   plane_names[v.answer.rejecting_plane()], plural(below, "box"))
         : culling == Culling::inside
             ? fmt::format("The node's box lies inside. One test accepts {}.", plural(below, "box"))
-        : leaf ? fmt::format("The leaf crosses, so what it holds is tested: {}.",
+        : leaf ? fmt::format("The leaf crosses, so its contents are tested: {}.",
                              plural(static_cast<long long>(v.tested.size()), "box"))
-               : "The node's box crosses the frustum, which says nothing of what it holds. Its children are "
+               : "The node's box crosses the frustum, which says nothing about its contents. Its children are "
                  "next.");
     step.decides = true;
     step.scene = picture();
@@ -104,7 +104,7 @@ class UnderHierarchy {
     const Vec3 at = middle(box);
     if (culling == Culling::outside)
       step.scene.items.emplace_back(Label{at, plane_names[v.answer.rejecting_plane()], Role::miss});
-    step.question = {"How does the node's box lie?",
+    step.question = {"Where does the node's box lie?",
                      {"wholly outside", "wholly inside", "across the boundary"},
                      culling == Culling::outside  ? 0
                      : culling == Culling::inside ? 1
@@ -134,10 +134,11 @@ class UnderHierarchy {
       panel.curves[1].points.emplace_back(n, tests);
       script_.value(fmt::format("hierarchy, *n* = {}", n), tests, "tests", Role::hit);
     }
-    Step& step = script_.add("growth", "As *n* grows", 4,
-                             fmt::format("Of 4,096 boxes all around the eye a hierarchy tests {}, nodes included. It "
-                                         "draws the same boxes.",
-                                         tests));
+    Step& step =
+        script_.add("growth", "As *n* grows", 4,
+                    fmt::format("Of 4,096 boxes all around the eye, a hierarchy tests {}, nodes included, and draws "
+                                "the same boxes. Of 16 it tests more than there are: it pays from some size on.",
+                                tests));
     const auto scale = [](const char* title) { return Scale{Scale::Kind::log, 10, 10000, title}; };
     const Plot plot = {scale("boxes"),
                        scale("tests"),

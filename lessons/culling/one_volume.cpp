@@ -39,10 +39,10 @@ class OneVolume {
                  pseudocode, std::string("one ") + they_}) {}
 
   Walk tell() {
-    Step& first =
-        script_.add("view-volume", "What the eye can see", 0,
-                    "The eye sees what lies in the frustum: the intersection of six half-spaces.\n"
-                    "A renderer reads their planes off its projection matrix: the last row plus or minus another row.");
+    Step& first = script_.add(
+        "view-volume", "What the eye can see", 0,
+        "The eye sees what lies in the frustum: the intersection of six half-spaces.\n"
+        "A renderer extracts their planes from its projection matrix: the last row plus or minus another row.");
     first.scene = picture(-1, Role::second);
     tally() = {};
     for (const frustum_planes::Tested& event : truth_.tested) say(event);
@@ -79,13 +79,13 @@ class OneVolume {
                              caption(side), formula(plane));
     step.scene = std::move(scene);
     Script::decide(step, comparison);
-    step.question = {fmt::format("Where does the {} lie, by this plane?", they_),
-                     {"wholly within it", "on both sides of it", "wholly beyond it"},
+    step.question = {fmt::format("Where does the {} lie, relative to this plane?", they_),
+                     {"wholly inside it", "on both sides of it", "wholly beyond it"},
                      side == Culling::inside     ? 0
                      : side == Culling::crossing ? 1
                                                  : 2,
-                     ball_ ? "The distance of the centre against the radius tells."
-                           : "Two opposite corners of the box tell: the p-vertex and the n-vertex."};
+                     ball_ ? "Compare the distance of the centre with the radius."
+                           : "Two opposite corners of the box decide: the p-vertex and the n-vertex."};
   }
 
   Comparison ask_box(int i, Culling side, Scene& scene) {
@@ -142,17 +142,18 @@ class OneVolume {
 
   std::string caption(Culling side) const {
     if (side == Culling::outside)
-      return ball_ ? "The centre lies beyond by more than *r*: no point of the ball is on the inner side.\n"
-                     "One plane is enough to reject it, and no other is asked."
-                   : "Even the p-vertex, the corner furthest along **n**, lies beyond. So all of the box does.\n"
-                     "One plane is enough to reject it, and no other is asked.";
+      return ball_ ? "The centre lies beyond the plane by more than *r*: no point of the ball is on the inner side.\n"
+                     "One plane is enough to reject it, and no other is tested."
+                   : "Even the p-vertex, the corner farthest along **n**, lies beyond. So all of the box does.\n"
+                     "One plane is enough to reject it, and no other is tested.";
     if (side == Culling::crossing)
-      return ball_           ? "The centre is no further than *r* from the plane: the ball may be visible."
+      return ball_           ? "The centre is no farther than *r* from the plane: the ball may be visible."
              : reaches_ == 0 ? "The p-vertex lies in the plane, and the rest beyond it: the box touches the plane."
                              : "The p-vertex lies on the inner side and the n-vertex beyond: the plane cuts the box.";
-    return ball_ ? "The whole ball lies on the inner side. That alone says nothing yet: each plane must agree."
-                 : "Even the n-vertex, the corner least along **n**, is not beyond. So the whole box is on the inner "
-                   "side.";
+    return ball_
+               ? "The whole ball lies on the inner side. That alone says nothing yet: each plane must agree."
+               : "Even the n-vertex, the corner least far along **n**, is not beyond. So the whole box is on the inner "
+                 "side.";
   }
 
   bool false_positive() const {
@@ -196,7 +197,7 @@ class OneVolume {
       for (const Ring<double, 3>& part : faces_inside(std::get<Box>(asked_), view_))
         step.scene.items.emplace_back(Region{.rings = {part}, .role = Role::hit});
     if (culling == Culling::crossing)
-      step.question = {fmt::format("What do the six planes tell of the {}?", they_),
+      step.question = {fmt::format("What do the six planes say about the {}?", they_),
                        {"some of it is visible", "some of it may be visible", "none of it is visible"},
                        1,
                        "Each plane alone leaves something. What is left may differ from plane to plane."};
@@ -204,18 +205,18 @@ class OneVolume {
 
   std::string answer_caption() const {
     if (truth_.culling == Culling::inside)
-      return "All six planes agree, so the frustum holds it. Nothing inside it needs a test or a cut.";
+      return "All six planes agree, so the frustum contains it. Its contents need no test and no clipping.";
     if (truth_.culling == Culling::outside)
       return fmt::format("The {} is not drawn. The test gives no false negatives: what can be seen is never rejected.",
                          they_);
     if (false_positive())
       return "False positive: no plane rejects the box, yet it misses the frustum, beyond one of its edges.\n"
-             "The test is conservative. To draw too much is harmless, to draw too little is not.";
+             "The test is conservative. Drawing too much is harmless; drawing too little is not.";
     if (touches())
       return "The box touches a plane from outside, and the sets are closed: only a box beyond is rejected.\n"
              "What the two share (green) has no volume.";
-    if (ball_) return "Crossing means only: perhaps. Beyond an edge a ball may cut two planes and miss the frustum.";
-    return "Crossing means only: perhaps. Here part of it is inside (green), found by clipping its faces.";
+    if (ball_) return "Crossing only means perhaps. Beyond an edge a ball may cut two planes and miss the frustum.";
+    return "Crossing only means perhaps. Here a part is inside (green), found by clipping the faces.";
   }
 
   const Frustum<double> view_;

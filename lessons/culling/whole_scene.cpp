@@ -64,7 +64,7 @@ class WholeScene {
                    fmt::format("{} of {} volumes are drawn", inside + crossing, size()));
     script_
         .add("all", "All volumes of the scene", 3,
-             fmt::format("{}\nEarly rejection saves planes: {} were asked, not {}.",
+             fmt::format("{}\nEarly rejection saves plane tests: {} were made, not {}.",
                          crossing == 0   ? "None crosses."
                          : crossing == 1 ? "One crosses and may be visible, so it is drawn too and clipped later."
                                          : fmt::format("{} cross and may be visible, so they are drawn too and clipped "
@@ -117,14 +117,14 @@ class WholeScene {
                     std::string(gone == 0   ? "No volume that is left lies beyond it."
                                 : gone == 1 ? "It rejects one volume, which lies wholly beyond it."
                                             : fmt::format("It rejects {} volumes, which lie wholly beyond it.", gone)) +
-                        (plane == 5 ? "" : fmt::format(" The next plane is asked of {}.", plural(left, "volume"))));
+                        (plane == 5 ? "" : fmt::format(" The next plane is tested for {}.", plural(left, "volume"))));
     step.decides = gone > 0;
     step.scene = picture(plane, false, false);
     add_plane(view_, plane, step.scene);
     step.question = {fmt::format("How many volumes does the {} plane reject?", name),
                      {"0", "1", "2", "3 or more"},
                      std::min(gone, 3),
-                     "Only those that no plane before has rejected are asked."};
+                     "Only volumes that no earlier plane rejected are tested."};
   }
 
   const Frustum<double> view_;

@@ -20,10 +20,10 @@ class Building {
         tree_(scattered(p)),
         script_({"Lecture note, bounding volume hierarchies; Goldsmith and Salmon (1987), Wald (2007)",
                  fmt::format("{} boxes in nested boxes, and their tree.", tree_.boxes.size()),
-                 {"box ← the smallest around all primitives",           // 0
-                  "split them by their centres, where it costs least",  // 1
-                  "if no split pays: make a leaf",                      // 2
-                  "else build both parts in the same way"},             // 3
+                 {"box ← the smallest around all primitives",              // 0
+                  "split them by their centres, where it costs least",     // 1
+                  "if at most 3 are left and no split pays: make a leaf",  // 2
+                  "else build both parts in the same way"},                // 3
                  "building"}) {
     drawn_.states.assign(static_cast<std::size_t>(tree_.size()), State::hidden);
   }
@@ -32,7 +32,7 @@ class Building {
     set(0, State::current);
     script_.value("*n*", static_cast<double>(tree_.boxes.size()));
     add("root", "One box around all", 0,
-        "The root's box holds all objects. They will be split, and each part gets a box of its own.", nullptr);
+        "The root's box contains all objects. They are split, and each part gets its own box.", nullptr);
     Record<bvh::Event<double>> record;
     build_bvh(tree_.boxes, options, record);
     int number = 0;
@@ -61,6 +61,14 @@ class Building {
     return step;
   }
 
+  /// Why a part is split though that costs more than a leaf.
+  static std::string too_many(const bvh::Split<double>& split) {
+    const int count = split.left + split.right;
+    return count > options.largest_leaf
+               ? fmt::format("{} boxes are more than the {} that a leaf may hold. ", count, options.largest_leaf)
+               : "";
+  }
+
   void cut(const bvh::Split<double>& split, int number) {
     const int first = tree_.node(split.node).first;
     for (State& s : drawn_.states)
@@ -74,7 +82,7 @@ class Building {
                                    "surface, in the plane its perimeter *P*.\n"
                                    "Of the splits tried, the cheapest is taken: " +
                                        parts
-                                 : "The part is split in the same way: " + parts,
+                                 : too_many(split) + "The part is split in the same way: " + parts,
                      &split);
     const auto half_perimeter = [&](int node) {
       const Vec2 side = tree_.node(node).box.hi - tree_.node(node).box.lo;
@@ -91,7 +99,7 @@ class Building {
     step.question = Question{"Along which axis are the boxes split?",
                              {"*x*", "*y*"},
                              split.axis,
-                             fmt::format("All reach over {} by {}; their centres spread most along {}.",
+                             fmt::format("Together they span {} by {}; their centres spread most along {}.",
                                          shown(size.x()), shown(size.y()), axis)};
     keep_picture(script_.walk());
   }
@@ -112,7 +120,7 @@ class Building {
                         : fmt::format("Leaves hold {} to {}", s.least_leaf, plural(s.largest_leaf, "box"))),
         nullptr)
         // the leaves alone; a node for each pair of boxes
-        .question = which_value(fmt::format("At most how many nodes has a tree over {} boxes?", n), 2 * n - 1,
+        .question = which_value(fmt::format("How many nodes can a tree over {} boxes have at most?", n), 2 * n - 1,
                                 {n, 2 * n, n * (n - 1) / 2}, "A binary tree with *n* leaves has *n* − 1 inner nodes.");
   }
 

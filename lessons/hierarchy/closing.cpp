@@ -32,7 +32,8 @@ bool one_test(const Parameters& p) {
 
 const std::string& opening() {
   static const std::string text =
-      "How does one ask thousands of boxes without testing each? Ray tracers and collision engines do so every frame.\n"
+      "How can thousands of boxes be searched without testing each? Ray tracers and collision engines do it every "
+      "frame.\n"
       "Put boxes into boxes: what misses the outer one misses all within. The lecture note *Intersection Detection* "
       "calls this a bounding volume hierarchy.";
   return text;
@@ -42,15 +43,15 @@ const Closing& closing() {
   static const Closing closing = {
       .result = "One test of a node rules out all that lies below it. So most objects are never tested.",
       .cost =
-          "Binned building takes O(*n*) a level. A ray then takes about lg *n* node tests where boxes overlap "
+          "Binned construction takes O(*n*) per level. A ray then takes about lg *n* node tests where boxes overlap "
           "little; at worst, all.",
       .choose =
-          "For many objects and many questions. For moving objects refit the boxes; rebuild when they have grown "
+          "For many objects and many queries. For moving objects refit the boxes; rebuild when they have become "
           "too loose. A grid suits objects of one size.",
       .used =
           "Ray tracing on the CPU and in the GPU's own hardware, broad and mid phase of physics engines, culling, "
           "picking.",
-      .bug = "To go on past the closest hit: a node that the ray enters later needs no visit.",
+      .bug = "Continuing past the closest hit: a node that the ray enters later needs no visit.",
       .bug_preset = "ray-beyond",
       .reading = {"Jeffrey Goldsmith and John Salmon, Automatic Creation of Object Hierarchies for Ray Tracing, *IEEE "
                   "CG&A* 7, 1987.",
@@ -69,8 +70,8 @@ const Closing& closing() {
            one_test,
            {{"q", "3,-3,0"}}},
           {"All boxes have the same centre, but different sizes. What does a hierarchy gain?",
-           "Nothing for rays through the centre: all nodes overlap there, so every box is tested."},
-          {"A box of the tree moves. How are the nodes mended without a new tree?",
+           "Nothing for rays through the centre: all nodes overlap there, so no node is ruled out by its box alone."},
+          {"A box of the tree moves. How is the tree updated without a rebuild?",
            "Refit: from its leaf upwards each node takes the box around its children. That is O(depth), but the "
            "nodes may come to overlap."},
           {"A node has perimeter 10. Its parts have perimeters 4 and 8, with 6 and 2 boxes; a visit costs 2. Split or "

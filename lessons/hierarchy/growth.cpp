@@ -80,7 +80,7 @@ const std::vector<Cost>& costs() {
 Walk growth() {
   const Cost &some = costs()[4], &most = costs().back();
   Script script({"Lecture note, bounding volume hierarchies",
-                 "Curves of how many tests a ray, and all pairs, need among ever more boxes.",
+                 "Two curves: the tests that a ray and that all pairs need as boxes are added.",
                  {"for a ray: ask the nodes that it meets",            // 0
                   "for all pairs: ask the pairs of nodes that meet"},  // 1
                  "growth"});
@@ -88,7 +88,7 @@ Walk growth() {
   script.value("a ray, *n* = 100,000", most.ray, "tests");
   Step& rays = script.add("rays", "A ray among *n* boxes", 0,
                           fmt::format("A hundred times as many boxes, but only {:.1f} times as many tests.\n"
-                                      "The depth grew from {} to {}. Without a hierarchy a ray asks all *n* boxes.",
+                                      "The depth grew from {} to {}. Without a hierarchy a ray tests all *n* boxes.",
                                       most.ray / some.ray, some.depth, most.depth));
   rays.scene.chart = chart(
       "tests for a ray", "every box", [](double n) { return n; }, &Cost::ray);
@@ -96,7 +96,7 @@ Walk growth() {
   const double factor = std::log(most.ray / some.ray), n_factor = std::log(most.n / some.n);
   const double lg_factor = std::log(std::log(most.n) / std::log(some.n));
   const bool as_lg = factor < (lg_factor + n_factor / 2) / 2, as_root = factor < 0.75 * n_factor;
-  rays.question = Question{"How do the tests of a ray grow with *n*?",
+  rays.question = Question{"How does the number of tests per ray grow with *n*?",
                            {"as *n*", "as √*n*", "as lg *n*"},
                            as_lg     ? 2
                            : as_root ? 1
@@ -107,10 +107,10 @@ Walk growth() {
   script.settle(Verdict::Kind::yes, fmt::format("depth {} for 100,000 boxes", most.depth));
   Step& pairs =
       script.add("pairs", "All pairs among *n* boxes", 1,
-                 fmt::format("Testing every pair takes *n* (*n* − 1) / 2 tests. The hierarchy takes {:.1f} a box at "
+                 fmt::format("Testing every pair takes *n* (*n* − 1) / 2 tests. The hierarchy takes {:.1f} per box at "
                              "*n* = 1,000, and {:.1f} at 100,000.\n"
                              "Where few pairs meet, O(*n*^2) becomes O(*n* lg *n*) or even O(*n*). Where all meet, it "
-                             "stays.",
+                             "does not help.",
                              some.pairs / some.n, most.pairs / most.n));
   pairs.scene.chart = chart(
       "tests for all pairs", "every pair", [](double n) { return n * (n - 1) / 2; }, &Cost::pairs);

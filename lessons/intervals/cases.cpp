@@ -69,7 +69,7 @@ std::vector<Opinion> opinions(const Parameters& p) {
   Opinions all(says_meet(s.truth != Relation::disjoint));
   all.add("two ends, the note's", says_meet(interval_interval::ends(s.a, s.b)));
   all.add("larger lower, smaller upper end", says_meet(interval_interval::min_max(s.a, s.b)));
-  all.add("middles and half-lengths", says_meet(interval_interval::by_middles(s.a, s.b)));
+  all.add("centres and half-lengths", says_meet(interval_interval::by_middles(s.a, s.b)));
   return all.take();
 }
 

@@ -15,7 +15,7 @@ bool b_inside_a(const Parameters& p) { return setup(p).truth == Relation::b_insi
 
 const std::string& opening() {
   static const std::string text =
-      "Do two intervals have a number in common? Boxes, slabs and separating axes all ask this, once for each axis.\n"
+      "Do two intervals have a number in common? Boxes, slabs and separating axes all need this, once for each axis.\n"
       "It is easier to say when they have none: one begins after the other has ended.";
   return text;
 }
@@ -23,13 +23,16 @@ const std::string& opening() {
 const Closing& closing() {
   static const Closing closing = {
       .result =
-          "Two intervals meet if and only if *a*_{min} ≤ *b*_{max} and *b*_{min} ≤ *a*_{max}. What they share is "
+          "Two intervals that are not empty meet if and only if *a*_{min} ≤ *b*_{max} and *b*_{min} ≤ *a*_{max}. What "
+          "they share is "
           "[max of the lower ends, min of the upper ends].",
-      .cost = "Two comparisons at most, one after the first gap, no arithmetic. So the answer is exact.",
+      .cost =
+          "Two comparisons at most, one if the first finds a gap, no arithmetic. So the answer is exact, unless an "
+          "interval is empty.",
       .choose =
-          "By ends where only yes or no is asked. By larger lower and smaller upper end where the common part is "
+          "By endpoints where only yes or no is needed. By larger lower and smaller upper end where the common part is "
           "needed, or where branches are costly.",
-      .used = "Sweep and prune of broad phases, slabs of rays and boxes, separating axes, clipping of a range.",
+      .used = "Sweep and prune in broad phases, slab tests of rays and boxes, separating axes, range clipping.",
       .bug = "Ends that are exchanged. The comparisons treat the empty interval as an ordinary one.",
       .bug_preset = "empty",
       .reading = {"Lecture note *Intersection Detection*, intervals.",
@@ -49,7 +52,8 @@ const Closing& closing() {
           {"Derive the test for overlap by negating *a*_{min} > *b*_{max} or *b*_{min} > *a*_{max}.",
            "De Morgan: *a*_{min} ≤ *b*_{max} and *b*_{min} ≤ *a*_{max}. Both > become ≤, and \"or\" becomes \"and\"."},
           {"Allen counts 13 relations of two proper intervals. Which of them are one relation here?",
-           "Here order is not told: before and after are disjoint, meets and met by are touching. Starts, during and "
+           "Order does not matter here: before and after are disjoint, meets and met by are touching. Starts, during "
+           "and "
            "finishes are all inside."},
       }};
   return closing;

@@ -42,7 +42,7 @@ class Teller {
         [&](const auto& event) { say(event); });
     script_.settle(verdict_kind(s_.truth), words(s_.truth, they(s_)));
     if (line_ < 4) script_.leave_early();
-    Step& step = script_.add("relation", "How they lie", line_, end_caption(), end_formula());
+    Step& step = script_.add("relation", "How they relate", line_, end_caption(), end_formula());
     step.scene = picture(s_, {}, true);
     step.question = relation_question(s_.truth, they(s_), because());
     return std::move(script_.walk());
@@ -67,7 +67,7 @@ class Teller {
                                : first ? 2
                                        : 4,
                                {first ? 1 : 3, first ? 2 : 4, 4},
-                               e.holds ? "One begins after the other has ended. Nothing else need be asked."
+                               e.holds ? "One begins after the other has ended. Nothing else need be tested."
                                : first ? "a does not begin after b has ended. The other side is still open."
                                        : "Neither begins after the other has ended.");
     line_ = e.holds ? (first ? 1 : 3) : 4;
@@ -102,7 +102,7 @@ class Teller {
       case Relation::equal:
         return "Both ends agree.";
       case Relation::overlapping:
-        return "They share more than one number, and each has numbers of its own.";
+        return "They share more than one number, and each has some that the other lacks.";
       default:
         return "Both ends of one lie in the other.";
     }

@@ -55,15 +55,15 @@ Parameters moved(const Parameters& p, const Vec2& to) {
 const CaseMap& cases() {
   static const CaseMap map = {
       "distance of the centres",
-      "turn of b about the vertical axis, in degrees",
+      "rotation of b about the vertical axis, in degrees",
       {1.25, -180},
       {3.25, 180},
       {"edge × edge", "a normal of a", "a normal of b", "overlapping", "one inside the other", "touching"},
       branch,
       place,
       moved,
-      "The second box moves along the line of the centres and turns about the vertical axis.\n"
-      "A region tells which kind of axis separates first, or that none does.",
+      "The second box moves along the line of the centres and rotates about the vertical axis.\n"
+      "Each region shows which kind of axis separates first, or that none does.",
       false};
   return map;
 }

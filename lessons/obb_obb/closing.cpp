@@ -15,7 +15,7 @@ bool only_edges_separate(const Parameters& p) { return cases().branches[cases().
 
 const std::string& opening() {
   static const std::string text =
-      "Do two oriented boxes meet? They fit long bodies askew far better than axis-aligned ones.\n"
+      "Do two oriented boxes meet? They fit long, tilted bodies far better than axis-aligned ones.\n"
       "Each has a centre, three half-lengths and a right-handed frame of unit axes.\n"
       "Compact convex sets are disjoint if and only if some axis separates their projections.";
   return text;
@@ -27,7 +27,7 @@ const Closing& closing() {
           "Two oriented boxes are disjoint if and only if |**l** · **t**| > *r*_a + *r*_b on one of 15 axes. "
           "Each *r* is the sum of *h*_j |**e**_j · **l**| over the box's axes **e**_j.",
       .cost = "Up to 15 axes, about 200 operations. Pairs far apart are mostly rejected by the first axes.",
-      .choose = "For long bodies askew, after a cheaper test of balls or AABBs. For general polytopes take GJK.",
+      .choose = "For long, tilted bodies, after a cheaper test of balls or AABBs. For general polytopes use GJK.",
       .used = "Rigid bodies in physics engines, OBB trees of meshes, picking handles in editors, vehicles in games.",
       .bug =
           "An absolute ε. Without it, parallel edges give false gaps; with a coarse one, thin boxes give false "
@@ -51,7 +51,7 @@ const Closing& closing() {
           {"Half-lengths (2, 1, 0.5), axes *x*, *y*, *z*. How far does the box reach along **l** = (0.6, −0.8, 0)?",
            "2 · 0.6 + 1 · 0.8 + 0.5 · 0 = 2. The signs do not matter, as the farthest corner takes each sign as "
            "needed."},
-          {"How many axes do two rectangles in the plane take? And two boxes with a common face direction?",
+          {"How many axes do two rectangles in the plane need? And two boxes with a common face normal?",
            "Rectangles: 4 normals, no cross products. With one common direction, the remaining candidates are 5: that "
            "direction and 4 in the plane."},
           {"Why are the cross products needed, if no face has such a normal?",

@@ -16,7 +16,7 @@ void Teller::relation() {
   if (!overlap_) script_.leave_early();
   script_.value("axes asked", asked_);
   const int line = overlap_ ? 7 : script_.walk().steps.back().line;
-  Step& step = script_.add("relation", "How they lie", line, end_caption());
+  Step& step = script_.add("relation", "How they relate", line, end_caption());
   step.scene = gap_ && s_.truth == Relation::disjoint ? picture(s_, Focus::axis, gap_) : picture(s_, Focus::settled);
   step.question = relation_question(s_.truth, "the two boxes", because());
 }
@@ -50,23 +50,23 @@ std::string Teller::end_caption() const {
   switch (s_.truth) {
     case Relation::disjoint:
       return asked_ < 15
-                 ? fmt::format("Disjoint after {} of 15 axes. To reject is cheap; to accept takes them all.", asked_)
+                 ? fmt::format("Disjoint after {} of 15 axes. Rejecting is cheap; accepting takes them all.", asked_)
                  : "Disjoint by the last of 15 axes.";
     case Relation::touching:
       return "They share boundary points, but no interior point. Closed sets include their boundary, so touching "
              "counts "
              "as OVERLAP.";
     case Relation::overlapping:
-      return "All 15 axes had to be asked. Green marks what the boxes share.";
+      return "All 15 axes had to be tested. Green marks what the boxes share.";
     case Relation::equal:
-      return "OVERLAP does not tell that the boxes are the same set.";
+      return "OVERLAP does not say that the boxes are the same set.";
     case Relation::a_inside_b:
-      return "OVERLAP does not tell that a lies inside b.\n"
+      return "OVERLAP does not say that a lies inside b.\n"
              "That takes the normals again: |**l** · **t**| + *r*_a ≤ *r*_b for those of b.";
     case Relation::b_inside_a:
       break;
   }
-  return "OVERLAP does not tell that b lies inside a.\n"
+  return "OVERLAP does not say that b lies inside a.\n"
          "That takes the normals again: |**l** · **t**| + *r*_b ≤ *r*_a for those of a.";
 }
 

@@ -31,17 +31,17 @@ bool through_void(const Parameters& p) {
 const std::string& opening() {
   static const std::string text =
       "A user clicks: which object is meant? Every editor, map and game must answer that, within a frame.\n"
-      "The lecture note *Intersection Detection* turns the click into a ray. The object met first is the one seen.";
+      "The lecture note *Intersection Detection* turns the click into a ray. The first object hit is the one seen.";
   return text;
 }
 
 const Closing& closing() {
   static const Closing closing = {
       .result =
-          "The object under the pointer is the one at the least *t* ≥ 0 of the pick ray. A tie needs a rule of its "
+          "The object under the pointer is the one at the smallest *t* ≥ 0 of the pick ray. A tie needs a rule of its "
           "own.",
       .cost =
-          "O(*n*) tests of bounding volumes, and a full test where one is met. A hierarchy asks about lg *n* of them.",
+          "O(*n*) tests of bounding volumes, and a full test where one is met. A hierarchy tests about lg *n* of them.",
       .choose =
           "Pick by a ray where you need the point or the triangle. Where only the GPU knows the shapes, draw ids into "
           "a buffer and read one pixel.",
@@ -53,20 +53,20 @@ const Closing& closing() {
       .reading = {"Tomas Akenine-Möller and Eric Haines, *Real-Time Rendering*, 2nd edition, 2002, chapter 13.",
                   "Christer Ericson, *Real-Time Collision Detection*, 2005, section 5.3."},
       .exercises = {
-          {"Drag the pointer to where two objects are met at the same *t*.",
+          {"Drag the pointer to where the ray hits two objects at the same *t*.",
            "The two balls touch in a point that the eye sees at the height 0.25: (0.25, 0.5625) on the picture plane.",
            "front",
            tied,
            {{"pointer", "-1.5,0.25,0.5625"}}},
           {"Drag the pointer to where the ray meets a bounding ball but not the object in it.",
-           "Beside the gem its ball holds void: at (0.5, −0.75) the ray passes it, and picks the crate.",
+           "The gem's ball contains void: at (0.5, −0.75) the ray misses the gem and picks the crate.",
            "front",
            through_void,
            {{"pointer", "-1.5,0.5,-0.75"}}},
           {
               "A window has 1920 × 1080 pixels and a vertical field of view of 90°. Which **d** belongs to pixel (960, "
               "0)?",
-              "Half the height is 540 pixels, and tan 45° = 1. The pixel's middle lies 0.5 right and 539.5 above: "
+              "Half the height is 540 pixels, and tan 45° = 1. The pixel's centre lies 0.5 right and 539.5 above: "
               "**d** = "
               "**forward** + (0.5/540) **right** + (539.5/540) **up**.",
           },

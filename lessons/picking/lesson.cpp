@@ -28,7 +28,7 @@ const Lesson& picking() {
       .rows = "N01, N03, N16",
       .summary = "Which object is under the pointer: the closest hit of its viewing ray, bounding volumes first.",
       .parameters = {vector("pointer", "pointer",
-                            "A point of the picture plane, in world units; its first coordinate is not used.",
+                            "A point on the image plane, in world units; its first coordinate is not used.",
                             Vec3(plane_x, 0.25, -0.4375), 2)},
       .group_by = "",
       .presets = {preset_of("front", "the one in front", 0.25, -0.4375), preset_of("behind", "one behind", 0.5, -0.75),

@@ -27,25 +27,24 @@ class Teller {
   explicit Teller(const Vec3& pointer)
       : s_(pointer),
         script_({"Lecture note, picking, bounding volumes and rays",
-                 "An eye, a picture plane with the pointer, and the viewing ray through it. It picks " +
+                 "An eye, an image plane with the pointer, and the viewing ray through it. It picks " +
                      (s_.truth ? std::string(s_.world.object(s_.truth->primitive).name) : std::string("nothing")) + ".",
                  pseudocode}) {}
 
   Walk tell() {
     step("pointer", "What is under the pointer?", 0,
-         "The user points at the picture plane. What is meant is what the eye sees there.");
+         "The user points at the image plane and means what the eye sees there.");
     known_.ray = true;
     const Vec2 at = s_.eye.pixel(s_.pointer);
     const double half = s_.eye.rows / 2.0, right = tidy(at.x() - s_.eye.columns / 2.0), up = tidy(half - at.y());
-    step(
-        "viewing-ray", "The pointer's pick ray", 0,
-        fmt::format("The pointer is {} pixels {} of the picture's middle and {} {} it. The picture's half height is {} "
-                    "pixels, seen at half the field of view *φ*.\n"
-                    "All that can appear at this place lies on the ray from the eye **o** through the pointer.",
-                    shown(std::abs(right)), right < 0 ? "left" : "right", shown(std::abs(up)),
-                    up < 0 ? "below" : "above", shown(half)),
-        fmt::format("**d** ∥ **forward** + tan(*φ*/2) (({}/{}) **right** + ({}/{}) **up**)", shown(right), shown(half),
-                    shown(up), shown(half)));
+    step("viewing-ray", "The pointer's pick ray", 0,
+         fmt::format("The pointer is {} pixels {} of the image's centre and {} {} it. The image's half height is {} "
+                     "pixels, seen at half the field of view *φ*.\n"
+                     "Everything seen at this point lies on the ray from the eye **o** through the pointer.",
+                     shown(std::abs(right)), right < 0 ? "left" : "right", shown(std::abs(up)),
+                     up < 0 ? "below" : "above", shown(half)),
+         fmt::format("**d** ∥ **forward** + tan(*φ*/2) (({}/{}) **right** + ({}/{}) **up**)", shown(right), shown(half),
+                     shown(up), shown(half)));
     volumes();
     for (int i = 0; i < s_.size(); ++i)
       if (s_.met(i)) object(i);
@@ -110,19 +109,19 @@ class Teller {
     if (first) known_.kept = i, known_.kept_t = *t;
     Step& s = step(fmt::format("object-{}", i), fmt::format("Does it meet {}?", name(i)), first ? 3 : 2,
                    !t      ? "The ray passes through the bounding ball's void, and misses the object."
-                   : tie   ? "It is met at the very same *t* as the one kept: a tie. The first of both, in their "
+                   : tie   ? "The ray hits it at the same *t* as the one kept: a tie. The first of the two, in their "
                              "order, is kept."
                    : !had  ? "The first one met. It is kept, until one is met at a smaller *t*."
                    : first ? "This one is nearer: it hides the one kept so far, and takes its place."
-                           : "It is met too, but farther off. The one kept hides it.",
+                           : "The ray hits it too, but farther away. The one kept hides it.",
                    t ? "*t* = " + shown(*t) : "no *t*");
     if (t && had)
-      Script::decide(s, {"*t* < least *t*", *t, before, first, first ? "nearer" : tie ? "a tie" : "farther"});
+      Script::decide(s, {"*t* < smallest *t*", *t, before, first, first ? "nearer" : tie ? "a tie" : "farther"});
     // misconceptions: the last one met is kept; a bounding ball that is met is enough
     Question q = {fmt::format("The ray meets the bounding ball of {}. Which object is kept then?", name(i)),
                   {},
                   0,
-                  !t ? "It misses the object itself." : "Its *t* is compared with the least one so far."};
+                  !t ? "It misses the object itself." : "Its *t* is compared with the smallest so far."};
     for (int k = 0; k <= i; ++k)
       if (s_.met(k)) q.choices.push_back(name(k));
     q.choices.emplace_back("none yet");
@@ -144,7 +143,7 @@ class Teller {
            "least *t* = " + shown(s_.truth->t));
     } else {
       script_.settle(Verdict::Kind::no, "nothing is picked");
-      last("No object is met, so the pointer is on the background: a click there may deselect.", "");
+      last("No object is hit, so the pointer is on the background: a click there may deselect.", "");
     }
   }
 

@@ -33,12 +33,14 @@ const std::string& opening() {
 const Closing& closing() {
   static const Closing closing = {
       .result = "Equality of coordinates is exact and transitive. Nearness within a tolerance is not transitive.",
-      .cost = "Equality: at most three comparisons. Nearness: four products, five sums, one comparison, and no root.",
+      .cost =
+          "Equality: at most three comparisons. Nearness: four products, five sums, one comparison, and no square "
+          "root.",
       .choose =
           "Equality for copied numbers. For computed ones a tolerance that grows with the coordinates: absolute "
           "near 0, relative beyond.",
-      .used = "Welding of mesh vertices, hash tables of vertices, snapping in CAD, tests of floating point results.",
-      .bug = "A tolerance of each coordinate by itself. It accepts the corners of a cube, √3 tolerances away.",
+      .used = "Welding of mesh vertices, hash tables of vertices, snapping in CAD, tests of floating-point results.",
+      .bug = "A separate tolerance for each coordinate. It accepts the corners of a cube, √3 tolerances away.",
       .bug_preset = "cube",
       .reading = {"Lecture note *Intersection Detection*, points.",
                   "Christer Ericson, *Real-Time Collision Detection*, 2005, chapter 11: numerical robustness.",
@@ -56,7 +58,8 @@ const Closing& closing() {
            cube_only,
            {{"q", "0.7,0.7,0.7"}}},
           {"Coordinates are 32-bit floats near 10^6. What is the smallest tolerance that does more than equality?",
-           "10^6 lies between 2^{19} and 2^{20}, so floats lie 2^{−4} = 0.0625 apart there. That is the smallest one."},
+           "10^6 lies between 2^{19} and 2^{20}, so floats there are 2^{−4} = 0.0625 apart. Any smaller one means "
+           "equality."},
           {"Coordinates reach 10^6, and each carries a relative error of 10^{−6}. Which tolerance do you choose?",
            "Each coordinate may be off by 1, a difference by 2, a distance by 2 · √3. A little more than 3.46 will "
            "do."},

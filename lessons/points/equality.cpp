@@ -87,10 +87,11 @@ class Equality {
   void say(const Fallback&) {}
 
   static std::string caption(double a, double b, int axis) {
-    if (std::isnan(b)) return "The third coordinate of **q** is not a number. It equals nothing, not even itself.";
+    if (std::isnan(b))
+      return "The third coordinate of **q** is not a number. Such a value equals nothing, not even itself.";
     if (a == b && std::signbit(a) != std::signbit(b))
       return "0 and −0 are stored differently, yet they are one number. Comparison is by value, not by bits.";
-    if (a == b) return axis < 2 ? "The same number. The next axis may still tell them apart." : "The same number.";
+    if (a == b) return axis < 2 ? "The same number. The points may still differ on the next axis." : "The same number.";
     if (a == 1 && b == ten_steps()) return "**q** was computed: ten steps of 0.1, each sum rounded, do not give 1.";
     return axis < 2 ? "Different: one coordinate is enough. The later axes need not be tested."
                     : "Different on the last axis. One coordinate is enough.";
@@ -107,7 +108,7 @@ class Equality {
     if (truth_)
       return "Exact equality is right where numbers are copied: a vertex that two triangles share, a key in a list.\n"
              "It is transitive: equal points can be sorted, counted and merged.";
-    if (s_.is_nan) return "A point with a coordinate that is not a number equals no point. No search finds it.";
+    if (s_.is_nan) return "A point with such a coordinate equals no point. No search finds it.";
     if (s_.tp.x() == 1 && s_.tq.x() == ten_steps())
       return "The test is right: these are two points. The error was made before, when **q** was computed.\n"
              "For computed numbers, the caller chooses a tolerance.";

@@ -72,7 +72,7 @@ const Lesson& points() {
       .title = "Point and point",
       .rows = "N11",
       .summary = "When points are the same, when they are near, and what a tolerance changes.",
-      .parameters = {choice("question", "question", "What is asked of the points.", {"equal", "near", "chain"}),
+      .parameters = {choice("question", "question", "What is tested.", {"equal", "near", "chain"}),
                      vector("p", "**p**", "The first point, in units.", Vec3(1, 0, 0.5), 2),
                      vector("q", "**q**", "The second point, in units.", Vec3(1, 0, 0.5), 2),
                      vector("r", "**r**", "The third point, in units.", Vec3(0.75, -0.375, 0), 2),

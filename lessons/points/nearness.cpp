@@ -91,7 +91,7 @@ class Nearness {
       // 0 and 4: that all ways to write the test are one.
       step.question =
           which_value("Four methods, the exact one included. How many say NEAR?", static_cast<double>(says_near),
-                      {0, 1, 4}, "Compare what follows: a ball, a root, a cube, and numbers that leave the range.");
+                      {0, 1, 4}, "Compare what follows: a ball, a square root, a cube, and numbers out of range.");
     }
   }
 
@@ -101,7 +101,7 @@ class Nearness {
     const std::string verdict =
         right_answer ? "Here it is right."
                      : (method == 2 ? "For the ball" : "Here") + (" it says " + word(near) + ", and is wrong.");
-    if (s_.is_nan) return "With what is not a number every comparison fails, so the answer is FAR. " + verdict;
+    if (s_.is_nan) return "Every comparison with NaN fails, so the answer is FAR. " + verdict;
     return what_happens(method, right_answer, left, right) + "\n" + verdict;
   }
 
@@ -115,14 +115,14 @@ class Nearness {
       return method == 0 ? "The squared distance overflows: it is infinite."
                          : "The square under the root has overflowed, so the distance is infinite.";
     if (method == 0 && left == 0 && right == 0 && apart)
-      return "Both squares vanish, and 0 ≤ 0 holds however far apart the points are.";
+      return "Both squares underflow to 0, and 0 ≤ 0 holds however far apart the points are.";
     if (left == 0 && apart)
-      return method == 0 ? "The squared distance vanishes: it is too small for a double."
-                         : "The square under the root has vanished, so the distance is 0.";
+      return method == 0 ? "The squared distance underflows to 0: it is too small for a double."
+                         : "The square under the root has underflowed to 0, so the distance is 0.";
     if (!right_answer)
       return left == right ? "The two sides differ in the last bits only. Rounded, they come out equal."
                            : "The two sides differ in the last bits only. Rounding has changed their order.";
-    return method == 0 ? "Neither side is negative, so their squares compare alike. No root is needed."
+    return method == 0 ? "Neither side is negative, so their squares compare alike. No square root is needed."
                        : "One square root more, and no better: the sum under it has been rounded before.";
   }
 
@@ -131,7 +131,7 @@ class Nearness {
     const double largest = std::max(s_.tp.cwiseAbs().maxCoeff(), s_.tq.cwiseAbs().maxCoeff());
     const double apart = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
     add("spacing", "How small may a tolerance be?", -1,
-        "Doubles of the largest coordinate's size lie this far apart. A smaller tolerance asks for equality.\n"
+        "Doubles the size of the largest coordinate are this far apart. A smaller tolerance means equality.\n"
         "Near 10^6 doubles are 1.2 · 10^{−10} apart, and floats 0.06. So scale the tolerance with the coordinates.",
         {}, fmt::format("next double after {}: + {}", shown(largest), shown(apart)));
   }
@@ -145,7 +145,7 @@ class Nearness {
                                   "All three other methods are wrong here."};
     std::string text = counts[wrong];
     if (s_.is_nan)
-      text += " A point with a coordinate that is not a number is near to none.";
+      text += " A point with a NaN coordinate is near to none.";
     else if (s_.extreme())
       text += " Where squares leave the range, the exact test takes wider numbers.";
     else if (on_sphere())

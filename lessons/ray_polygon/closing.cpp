@@ -23,9 +23,9 @@ bool hits_soon(const Parameters& p) {
 
 const std::string& opening() {
   static const std::string text =
-      "Does a ray hit a polygon in space? Ray tracers and editors ask this of walls, floors and faces.\n"
-      "First find where the line meets the polygon's plane. Then forget one coordinate: what is left is a point in a "
-      "plane polygon. So says the lecture note *Intersection Detection*.";
+      "Does a ray hit a polygon in space? Ray tracers and editors need this for walls, floors and faces.\n"
+      "First find where the line meets the polygon's plane. Then drop one coordinate: this leaves a point and a "
+      "planar polygon, as the lecture note *Intersection Detection* does.";
   return text;
 }
 
@@ -36,12 +36,12 @@ const Closing& closing() {
           "O(*n*) for *n* vertices: one pass for **n**, one for the crossings. With **n** stored, only the "
           "crossings.",
       .choose =
-          "For polygons of any shape, with notches and many vertices. For triangles take a triangle test. "
-          "Polygons that are not plane must be split into triangles.",
+          "For polygons of any shape, with notches and many vertices. For triangles use a triangle test. "
+          "Non-planar polygons must be split into triangles.",
       .used =
           "Room and portal engines, CAD picking, radiosity, collision with level geometry. Most renderers split "
           "polygons into triangles first.",
-      .bug = "To drop always the same coordinate: an upright polygon collapses to a segment.",
+      .bug = "Always dropping the same coordinate: a vertical polygon collapses to a segment.",
       .bug_preset = "upright",
       .reading = {"Ivan Sutherland et al., A Characterization of Ten Hidden-Surface Algorithms, *ACM Computing "
                   "Surveys* 6, 1974.",
@@ -65,7 +65,7 @@ const Closing& closing() {
           {"Why may a coordinate be dropped without changing in and out?",
            "With *n_i* ≠ 0, each point of the plane has a projection of its own, and segments stay segments."},
           {"A stored normal comes from the first corner alone. On which polygon does the test break?",
-           "On one whose first three vertices lie on one line: **n** = 0. The sum over all corners does not mind."},
+           "On one whose first three vertices lie on one line: **n** = 0. The sum over all corners does not break."},
       }};
   return closing;
 }

@@ -52,7 +52,7 @@ const Lesson& ray_polygon() {
       .title = "Ray and polygon",
       .rows = "N21, N20",
       .summary = "Whether a ray hits a polygon in space: its plane, a coordinate to drop, and crossings.",
-      .parameters = {choice("polygon", "polygon", "How the polygon stands.", {"tilted", "upright"}),
+      .parameters = {choice("polygon", "polygon", "The pose of the polygon.", {"tilted", "upright"}),
                      vector("o", "**o**", "Origin of the ray, in world units.", Vec3(-2.5, 0, 1), 6),
                      vector("d", "**d**", "Direction of the ray, of any length but 0.", inwards)},
       .conditions = {not_zero("d")},
@@ -69,7 +69,7 @@ const Lesson& ray_polygon() {
       .opinions = opinions,
       .opening = opening(),
       .closing = &closing(),
-      .after = {"rays", "convex-hull"},
+      .after = {"rays", "crossings"},
   };
   return lesson;
 }

@@ -155,7 +155,7 @@ Scene crossings(const Setup& s, const Flat& flat, const std::vector<Passing>& pa
     if (p.counted) inset.items.emplace_back(Label{at(p.x), std::to_string(++count), Role::text});
   }
   inset.items.emplace_back(Dot{at(flat.point.x()), Mark::disc, Role::first});
-  inset.items.emplace_back(Label{at(flat.point.x()), "**r**(*t*)", Role::first});
+  inset.items.emplace_back(Label{at(flat.point.x()), "**r**′", Role::first});
   inset.heading = fmt::format("{} dropped: {} right, {} up", axis_names[flat.dropped],
                               axis_names[(flat.dropped + 1) % 3], axis_names[(flat.dropped + 2) % 3]);
   inset.note = fmt::format("{} on the right: {}", count, flat.inside ? "IN" : "OUT");

@@ -61,7 +61,7 @@ class Teller {
     }
     known_.normal = true;
     Step& step = script_.add("normal", "The polygon's plane", 0,
-                             "All vertices lie in one plane. Cross products of vectors from **p**_0, summed up, give "
+                             "All vertices lie in one plane. The cross products of vectors from **p**_0 sum to "
                              "its normal **n**.\n"
                              "A single corner would do, unless its three points lie on one line: then **n** = 0.");
     step.scene = picture(s_, known_, normal_);
@@ -135,7 +135,7 @@ class Teller {
             {"ahead of the origin, or at it", "behind the origin", "in no single point"},
             answer,
             answer == 2 ? "**n** · **d** = 0: the line is parallel to the plane, or lies in it."
-                        : "The sign of *t* tells."};
+                        : "The sign of *t* decides."};
   }
 
   void verdict() {
@@ -165,15 +165,16 @@ class Teller {
     if (truth.flat) return "The polygon has no area, and so no plane.";
     if (truth.coplanar)
       return "The whole line lies in the plane: no single *t*. The note's formula would divide 0 by 0.\n"
-             "The exact test reports it as an answer of its own, not as a hit.";
+             "The exact test reports it as a separate case, not as a hit.";
     if (!truth.line) return "The line is parallel to the plane. The note's formula would divide by 0.";
-    if (*truth.line < 0) return "A ray starts at **o**. What lies behind it does not count, so no outline is asked.";
+    if (*truth.line < 0) return "A ray starts at **o**. What lies behind it does not count, so no edge is tested.";
     if (on)
       return fmt::format(
-          "The point lies on the outline, and closed sets hold their boundary. The note's crossings say {}.\n"
+          "The point lies on the outline, and closed sets include their boundary. The note's crossings say {}.\n"
           "The exact test reports ON, so that no ray slips between two polygons with a common edge.",
           found_ ? "HIT here, but MISS on other edges" : "MISS here");
-    if (truth.t) return "The point lies inside the outline, so the ray hits. All took one pass over the edges: O(*n*).";
+    if (truth.t)
+      return "The point lies inside the outline, so the ray hits. The whole test took one pass over the edges: O(*n*).";
     return std::string("The point lies in the plane, but outside the outline") +
            (in_notch() ? ", in the notch: a test of the convex hull would hit." : ".");
   }
@@ -201,7 +202,7 @@ std::string verdict_text(const RayPolygon<double>& truth) {
   if (truth.t)
     return fmt::format("the ray {} the polygon at *t* = {}",
                        truth.location == Location::on ? "meets the outline of" : "hits", shown(*truth.t));
-  return *truth.line < 0 ? "the polygon's plane lies behind the ray" : "the ray passes beside the polygon";
+  return *truth.line < 0 ? "the polygon's plane lies behind the ray" : "the ray misses the polygon";
 }
 
 Walk tell(const Setup& setup) { return Teller(setup).tell(); }

@@ -50,8 +50,8 @@ Parameters moved(const Parameters& p, const Vec2& to) {
 
 const CaseMap& cases() {
   static const CaseMap map = {
-      "where the ray begins, along it from the point nearest to the centre, in radii",
-      "how far the line passes the centre, in radii",
+      "start of the ray, measured from the point nearest to the centre, in radii",
+      "distance of the line from the centre, in radii",
       {-3.5, 0},
       {2.5, 2.25},
       {"no real root", "ends inside", "from inside", "two hits", "behind", "ends before", "tangent",
@@ -59,7 +59,7 @@ const CaseMap& cases() {
       branch,
       place,
       moved,
-      "Two numbers settle it: how far the line passes the centre, and where on it the ray begins.\n"
+      "Two numbers decide: the distance of the line from the centre, and where on it the ray starts.\n"
       "The arc is the sphere itself: on it the origin lies on the surface."};
   return map;
 }

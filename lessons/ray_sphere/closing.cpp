@@ -18,8 +18,8 @@ bool line_only(const Parameters& p) {
 
 const std::string& opening() {
   static const std::string text =
-      "Where does a ray first meet a sphere? Ray tracers and pickers ask this, and spheres bound other shapes.\n"
-      "A point of the ray put into the sphere's equation gives a quadratic in *t*. The lecture note *Intersection "
+      "Where does a ray first meet a sphere? Ray tracers and pickers need this, and spheres bound other shapes.\n"
+      "Substituting the ray into the sphere's equation gives a quadratic in *t*. The lecture note *Intersection "
       "Detection* solves it in three ways.";
   return text;
 }
@@ -28,15 +28,15 @@ const Closing& closing() {
   static const Closing closing = {
       .result = "The first hit is the smallest root of |**f** + *t* **d**|^2 = *r*^2 in the ray's closed range.",
       .cost =
-          "Haines: one square root, no division; neither for a ball behind. The quadratic: one root and two "
+          "Haines: one square root, no division; neither for a ball behind. The quadratic: one square root, two "
           "divisions.",
       .choose =
-          "For unit directions Haines. For other directions half-B with stable roots. For yes or no alone, "
-          "compare squares without a root.",
+          "Haines for unit directions. Half-B with stable roots for other directions. For yes or no alone, "
+          "compare squares without a square root.",
       .used =
           "Primary and shadow rays, picking, line of sight, sphere trees. A moving ball against a ball is a ray "
           "against an expanded ball.",
-      .bug = "To take any real root for a hit, though it lies behind the origin.",
+      .bug = "Taking any real root for a hit, even one behind the origin.",
       .bug_preset = "behind-quadratic",
       .reading = {"Eric Haines, in: Andrew Glassner (ed.), *An Introduction to Ray Tracing*, 1989, chapter 2.",
                   "Eric Haines, Johannes Günther and Tomas Akenine-Möller, Precision Improvements for Ray/Sphere "
@@ -55,9 +55,9 @@ const Closing& closing() {
           {"When does the entry root lose digits, and which form keeps them?",
            "For *B* < 0, −*B* and √*D* nearly cancel where *C* is small: the origin is near the surface. Compute "
            "*t*_2 first, then *t*_1 = *C* / (*A* *t*_2)."},
-          {"The direction is made twice as long. What becomes of *A*, *B*, *C*, the roots and the points?",
-           "*A* grows fourfold and *B* twofold; *C* stays. The roots are halved, and the points stay."},
-          {"The note's last branch asks only whether *l*^2 > *r*^2. Find a ray on which that fails.",
+          {"The direction is doubled in length. What happens to *A*, *B*, *C*, the roots and the points?",
+           "*A* grows fourfold and *B* twofold; *C* is unchanged. The roots are halved; the points are unchanged."},
+          {"The note's last branch only checks whether *l*^2 > *r*^2. Find a ray for which that fails.",
            "One that starts on the surface and heads inwards. It takes *s* + *q*, the exit, where *t* = 0 is the first "
            "hit.",
            "surface-in"},
@@ -68,8 +68,8 @@ const Closing& closing() {
 const std::vector<Erratum>& errata() {
   static const std::vector<Erratum> all = {
       {"if l² > r²", "if l² > r² or (= and s > 0)",
-       "A ray that starts on the surface and heads inwards would be given its exit.", "surface-in"},
-      {"A ← (d · d) t²", "A ← d · d", "A coefficient does not hold the unknown: the *t* is a misprint.",
+       "For a ray that starts on the surface and heads inwards, it would return the exit.", "surface-in"},
+      {"A ← (d · d) t²", "A ← d · d", "A coefficient does not contain the unknown: the *t* is a misprint.",
        "two-roots-quadratic"},
       {"if t₁ > 0", "if t_min ≤ t₁ ≤ t_max",
        "The smallest positive root misses *t* = 0 on the surface, and takes hits beyond a segment's end.",

@@ -56,7 +56,7 @@ class HainesTeller : Teller {
     s_ = e.s.value;
     script_.value("*s*", e.s.value, "length");
     add("along-the-ray", "How far along the ray", 1,
-        std::string("The projection of **l** onto **d** tells where the line passes nearest to the centre. ") +
+        std::string("The projection of **l** onto **d** shows where the line is nearest to the centre. ") +
             (e.s.value < 0 ? "Here that is behind the origin.\n" : "\n") +
             "The note calls this number *d* too, like the direction. We call it *s*.",
         Focus::along, "*s* = **l** · **d** = " + shown(e.s.value));
@@ -68,7 +68,7 @@ class HainesTeller : Teller {
     const double r = setup_.sphere.radius;
     script_.value("*r*^2", r * r, "area", Role::second);
     add("distance", "Inside or outside?", 2,
-        "The squared distance to the centre tells, against *r*^2, on which side of the surface the origin "
+        "The squared distance to the centre, compared with *r*^2, shows on which side of the surface the origin "
         "lies.",
         Focus::center_line, "*l*^2 = **l** · **l** = " + shown(e.l2.value));
   }
@@ -85,11 +85,11 @@ class HainesTeller : Teller {
     decide(step, {"*s* < 0", e.s.value, 0, e.s.value < 0,
                   e.s.value < 0   ? "the centre lies behind"
                   : e.s.value > 0 ? "the centre lies ahead"
-                                  : "the centre lies abreast"});
+                                  : "the centre lies level"});
     // 4: a centre behind is taken for enough; 8: real roots are taken for granted
     step.question = which_line(script_.walk().pseudocode, e.holds ? 4 : 5, {4, 5, 8},
                                e.holds ? "The centre lies behind an origin that is outside."
-                                       : "A rejection takes a centre behind the origin and an origin outside.");
+                                       : "Rejection requires a centre behind the origin and an origin outside.");
     if (!e.holds) script_.refuse(3, {4});
   }
 
@@ -110,7 +110,7 @@ class HainesTeller : Teller {
     const bool tangent = line_roots() == 1;
     Step& step = add("passes-by", "Does the line meet the ball?", 6,
                      e.holds != (line_roots() == 0) ? astray_line()
-                     : e.holds                      ? "The line stays further from the centre than *r*: it misses."
+                     : e.holds                      ? "The line stays farther than *r* from the centre: it misses."
                      : tangent ? "The line passes at exactly *r*: it touches the ball in one point. Touching counts."
                                : "The line passes nearer than *r*: it meets the ball.",
                      Focus::passing);
@@ -140,7 +140,7 @@ class HainesTeller : Teller {
             on && setup_.truth.origin != Location::on ? "Rounded, the origin lies on the surface; exactly, it does not."
             : on                ? "The origin lies exactly on the surface. Heading inwards the first hit is *s* − "
                                   "*q*, else *s* + *q*: "
-                                  "both give 0.\nThe note asks only *l*^2 > *r*^2, and so returns the exit "
+                                  "both give 0.\nThe note only checks *l*^2 > *r*^2, and so returns the exit "
                                   "for a ray that heads inwards."
             : line_roots() == 1 ? "Both roots are the same: the line touches the ball."
             : e.holds           ? "From outside the ray enters first, at *s* − *q*."

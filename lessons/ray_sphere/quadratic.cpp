@@ -54,8 +54,9 @@ class QuadraticTeller : Teller {
   void say(const FromCenter<C, 3>&) {
     known_.center_line = known_.from_center = true;
     add("from-center", "From the centre to the origin", 0,
-        std::string("Put **o** + *t* **d** into |**x** − **c**|^2 = *r*^2, with **f** = **o** − **c**. Expand the "
-                    "square.\n") +
+        std::string(
+            "Substitute **o** + *t* **d** into |**x** − **c**|^2 = *r*^2, with **f** = **o** − **c**. Expand the "
+            "square.\n") +
             (half_ ? "The coefficients of *t*^2, *t* and 1 are *A*, 2*B* and *C*: only half of the middle one is kept."
                    : "The coefficients of *t*^2, *t* and 1 are called *A*, *B* and *C*."),
         Focus::center_line,
@@ -80,8 +81,9 @@ class QuadraticTeller : Teller {
                              : b_ > 0 ? "It is positive: the ray moves away from the centre."
                                       : "It is zero: no point of the line is nearer to the centre than the origin.";
     add("coefficient-b", half_ ? "Half the coefficient of *t*" : "The coefficient of *t*", 2,
-        half_ ? "Half of the linear coefficient is enough, if the 2 and the 4 leave the other lines too.\n" + sign
-              : "Twice the dot product of **f** and **d**. " + sign,
+        half_
+            ? "Half the linear coefficient is enough if the 2 and the 4 are dropped from the other lines too.\n" + sign
+            : "Twice the dot product of **f** and **d**. " + sign,
         Focus::along, (half_ ? "*B* = **f** · **d** = " : "*B* = 2 **f** · **d** = ") + shown(e.b.value));
   }
 
@@ -93,7 +95,7 @@ class QuadraticTeller : Teller {
                               : truth == Location::in ? "inside."
                                                       : "exactly on the surface.";
     add("coefficient-c", "Where the origin lies", 3,
-        std::string("The sign of the constant tells on which side of the surface the origin lies.\n") +
+        std::string("The sign of the constant term shows on which side of the surface the origin lies.\n") +
             (told == truth ? (c > 0   ? "It is positive: "
                               : c < 0 ? "It is negative: "
                                       : "It is zero: ") +
@@ -111,7 +113,7 @@ class QuadraticTeller : Teller {
                 "Half of *B* saves three products. That paid when floating point was slow; with the full *B* this line "
                 "is wrong."
               : "It equals 4 *A* (*r*^2 − *m*^2), where *m* is the distance of the line from the centre.\n"
-                "So its sign tells how many roots there are.",
+                "So its sign gives the number of real roots.",
         Focus::passing, (half_ ? "*D* = *B*^2 − *A* *C* = " : "*D* = *B*^2 − 4 *A* *C* = ") + shown(e.d.value))
         // the two forms are mixed; a sign is lost; the discriminant is taken for its root
         .question = which_value(
@@ -179,8 +181,8 @@ class QuadraticTeller : Teller {
            : setup_.truth.origin == Location::on ? viz::Verdict::Kind::on
                                                  : viz::Verdict::Kind::yes);
     add("hit", "The first hit", last_,
-        (setup_.truth.surface == 0.0 ? "The smallest *positive* root, as the note has it, would miss it. "
-         : setup_.segment()          ? "The note asks for a positive root only. A segment's end counts too.\n"
+        (setup_.truth.surface == 0.0 ? "The smallest *positive* root, as in the note, would miss it. "
+         : setup_.segment()          ? "The note checks only for a positive root. A segment's end counts too.\n"
                                      : std::string("It is the smallest root in the range. ")) +
             (right(e.t.value) ? solid_caption(setup_) : astray()),
         Focus::none, "*t* = " + shown(e.t.value));
@@ -198,7 +200,7 @@ class QuadraticTeller : Teller {
   /// Whether the two terms of a root cancel, in how many digits, and the form in which they do not.
   std::string cancellation(bool first) const {
     if (b_ == 0) return "*B* is 0, so there is nothing to cancel.";
-    if (first != (b_ < 0)) return "−*B* and the root of *D* point the same way, so no digits are lost here.";
+    if (first != (b_ < 0)) return "−*B* and the square-root term have the same sign, so no digits are lost here.";
     if (c_ == 0) return "As *C* = 0, the two terms are equal and cancel exactly: this root is 0.";
     const double rest = std::abs(std::abs(b_) - root_);
     const int digits = rest > 0 ? static_cast<int>(std::floor(std::log10(std::abs(b_) / rest))) : 16;

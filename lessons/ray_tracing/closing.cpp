@@ -22,7 +22,7 @@ bool turned_away(const Parameters& p) {
 
 const std::string& opening() {
   static const std::string text =
-      "What colour has each pixel of a picture? Film renderers answer by intersection tests, millions a second.\n"
+      "What colour is each pixel of an image? Film renderers find out by millions of intersection tests per second.\n"
       "The lecture note *Intersection Detection* names this use: send a ray through each pixel, and take the closest "
       "hit.";
   return text;
@@ -31,10 +31,11 @@ const std::string& opening() {
 const Closing& closing() {
   static const Closing closing = {
       .result =
-          "A pixel shows the object at the least *t* ≥ 0 of its primary ray. The point is lit if it faces the light "
-          "and no object stands between.",
+          "A pixel shows the object at the smallest *t* ≥ 0 of its primary ray. The point is lit if it faces the light "
+          "and no object lies between.",
       .cost =
-          "A primary ray and at most one shadow ray a pixel. Each asks a hierarchy: about lg *n* nodes, not *n* "
+          "One primary ray and at most one shadow ray per pixel. Each searches a hierarchy: about lg *n* nodes, not "
+          "*n* "
           "objects.",
       .choose =
           "For shadows, mirrors and glass. Rasterisation is faster for what the eye sees directly; many engines use "
@@ -43,7 +44,7 @@ const Closing& closing() {
           "Film renderers such as RenderMan and Arnold, baked light maps, shadows and reflections in games (DXR, "
           "Vulkan "
           "ray tracing).",
-      .bug = "A shadow ray that starts on its object, as rounded, meets it again: spots of shadow acne.",
+      .bug = "A shadow ray that starts at its rounded hit point may hit its own object: spots of shadow acne.",
       .bug_preset = "acne",
       .reading =
           {"Arthur Appel, *Some techniques for shading machine renderings of solids*, AFIPS Spring Joint Computer "
@@ -57,8 +58,8 @@ const Closing& closing() {
            "lit",
            in_shadow,
            {{"pixel", "-1.5,-0.2292,0.0208"}}},
-          {"Leave the pixel, and drag the light source so that the surface is turned away from it.",
-           "Behind and below the objects, at (5, −3, 0), the light source sees none of what the eye sees here.",
+          {"Keep the pixel, and drag the light source so that the surface faces away from it.",
+           "Behind and below the objects, at (5, −3, 0), the light source reaches nothing that the eye sees here.",
            "lit",
            turned_away,
            {{"lamp", "5,-3,0"}}},
@@ -66,10 +67,10 @@ const Closing& closing() {
            "tan 45° = 1, so **d** = **forward** + *u* **right** + *v* **up** with *u* = (0.5/320 − 1) · 4/3 = −1.3313 "
            "and "
            "*v* = 1 − 0.5/240 = 0.9979."},
-          {"Each hit sends on a mirrored and a refracted ray, three times. How many rays does a pixel take?",
+          {"Each hit spawns a reflected and a refracted ray, to depth three. How many rays does a pixel take?",
            "1 + 2 + 4 + 8 = 15, and at each hit a shadow ray for every light source."},
           {"Why is a shadow ray a segment, and why may its search stop early?",
-           "What lies beyond the light source casts no shadow on the point. And one object between them is enough, the "
+           "What lies beyond the light source casts no shadow on the point. One object between them is enough; the "
            "nearest is not needed."},
       }};
   return closing;

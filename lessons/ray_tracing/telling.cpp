@@ -29,7 +29,7 @@ class Teller {
       : s_(one),
         script_(
             {"Lecture note, ray tracing; Arthur Appel, Some techniques for shading machine renderings of solids, 1968",
-             "An eye looks through a picture plane at balls, a box and a floor. " + outcome() + ".", pseudocode}) {}
+             "An eye looks through an image plane at balls, a box and a floor. " + outcome() + ".", pseudocode}) {}
 
   Walk tell() {
     step("picture-plane", "A picture of pixels", 0,
@@ -40,7 +40,7 @@ class Teller {
     step("ray", "One primary ray through one pixel", 0,
          fmt::format(
              "Pixel ({}, {}) has its middle {} half widths {} of the centre, and {} half heights {} it. With the field "
-             "of view *φ*, **d** = **forward** + *u* **right** + *v* **up**.\n"
+             "of view *φ*, from top to bottom, **d** = **forward** + *u* **right** + *v* **up**.\n"
              "Light travels the other way, but little of it reaches the eye. So rays are traced backwards.",
              s_.column, s_.row, shown(std::abs(across)), across < 0 ? "left" : "right", shown(std::abs(up)),
              up < 0 ? "below" : "above"),
@@ -79,16 +79,17 @@ class Teller {
     shown_.hits = true;
     script_.value("objects met", met);
     if (!s_.traced.hit) script_.settle(Verdict::Kind::no, "the ray meets nothing: sky");
-    Step& s =
-        step("closest", "The closest hit", s_.traced.hit ? 1 : 2,
-             !s_.traced.hit ? "The ray meets none of the objects, so the pixel shows the sky."
-             : met == 1     ? "The ray meets one object only: the eye sees it, where *t* ≥ 0 is least."
-                        : fmt::format("The ray meets {} objects. The least *t* ≥ 0 hides the others: the eye sees "
-                                      "the first one only.",
-                                      met),
-             s_.traced.hit ? "*t* = " + shown(s_.traced.hit->t) : "");
+    Step& s = step(
+        "closest", "The closest hit", s_.traced.hit ? 1 : 2,
+        !s_.traced.hit ? "The ray meets none of the objects, so the pixel shows the sky."
+        : met == 1
+            ? "The ray hits only one object: the eye sees it at the smallest *t* ≥ 0."
+            : fmt::format("The ray meets {} objects. The one at the smallest *t* ≥ 0 hides the others: the eye sees "
+                          "the first one only.",
+                          met),
+        s_.traced.hit ? "*t* = " + shown(s_.traced.hit->t) : "");
     s.decides = true;
-    Question q = {"What does the pixel show?", {}, 0, "The object met at the least *t* ≥ 0."};
+    Question q = {"What does the pixel show?", {}, 0, "The object hit at the smallest *t* ≥ 0."};
     for (const Object& o : s_.world.objects) q.choices.emplace_back(o.name);
     q.choices.emplace_back("the sky");
     q.answer = s_.traced.hit ? s_.traced.hit->primitive : static_cast<int>(s_.world.objects.size());
@@ -139,7 +140,8 @@ class Teller {
     const bool blocked = s_.traced.blocker.has_value();
     Step& s = step("shadow", "A shadow ray", blocked ? 5 : 6, shadow_caption(),
                    blocked ? "*I* = *I*_a = " + shown(ambient)
-                           : "*I* = *I*_a + (1 − *I*_a) **n** · **l** = " + shown(s_.traced.brightness));
+                           : "*I* = *I*_a + (1 − *I*_a) **n** · **l** = " + shown(s_.traced.brightness) +
+                                 ", ambient light *I*_a = " + shown(ambient));
     s.decides = true;
     // misconceptions: the ray goes on beyond the light; every object counts
     s.question = which_value(
@@ -155,15 +157,15 @@ class Teller {
   std::string shadow_caption() const {
     const bool naive = s_.start == ShadowRay::naive;
     if (s_.acne)
-      return "Rounded, the point lies on its own object or inside, which then seems to shade it: *shadow acne*.\n"
+      return "After rounding, the point lies on or in its own object, which then seems to shadow it: *shadow acne*.\n"
              "Remedies: leave the object out if it is convex, or start the ray a little off the surface.";
     if (s_.traced.blocker)
-      return "Something stands in the way: only ambient light *I*_a is left. Which object it is does not matter.\n"
+      return "Something blocks the light: only ambient light *I*_a is left. Which object it is does not matter.\n"
              "So the search ends with any hit.";
     return naive
-               ? "Nothing stands between the point and the light source. Here rounding did no harm: look at the "
+               ? "Nothing lies between the point and the light source. Here rounding did no harm: look at the "
                  "picture."
-               : "Nothing stands between the point and the light source, so its light arrives.\n"
+               : "Nothing lies between the point and the light source, so its light arrives.\n"
                  "The object itself is left out, as rounding may put the point inside. It is convex, so that is right.";
   }
 
@@ -173,15 +175,19 @@ class Teller {
     script_.value("shadow rays", all.work.shadow_rays, "rays");
     script_.value("tests of objects", all.work.tests, "tests");
     script_.value("visits of nodes", all.work.nodes, "tests");
-    const int without = static_cast<int>(s_.world.objects.size()) * (all.work.eye_rays + all.work.shadow_rays);
-    script_.value("tests without hierarchy", without, "tests");
     const bool naive = s_.start == ShadowRay::naive;
+    const auto objects = static_cast<int>(s_.world.objects.size());
+    const int asked_of_a_shadow_ray = naive ? objects : objects - 1;  // not the object itself
+    const int without = objects * all.work.eye_rays + asked_of_a_shadow_ray * all.work.shadow_rays;
+    script_.value("tests without hierarchy", without, "tests");
+    const bool pays = all.work.tests + all.work.nodes < without;
     Step& s = script_.add(
         "image", "All pixels", 0,
         fmt::format(
-            "{} primary and {} shadow rays make the picture. The hierarchy asks {} objects and {} nodes, instead of "
-            "{} objects.\n",
-            all.work.eye_rays, all.work.shadow_rays, all.work.tests, all.work.nodes, without) +
+            "{} primary and {} shadow rays make the picture. The hierarchy tests {} objects and {} nodes; without it, "
+            "{} objects would be tested{}.\n",
+            all.work.eye_rays, all.work.shadow_rays, all.work.tests, all.work.nodes, without,
+            pays ? "" : ". For so few objects it does not pay") +
             (naive ? "Dim spots on lit surfaces are shadow acne."
                    : "Whitted (1980) added recursion: at mirrors and glass, further rays are traced in the same way."));
     s.scene = picture(s_, shown_, all);

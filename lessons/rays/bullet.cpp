@@ -27,7 +27,7 @@ class Flight {
         ray_{p.head<2>(), velocity.head<2>(), {0, frame}},
         truth_(contact(bullet_, wall_, frame)),
         script_({"Lecture note Intersection Detection, rays; Ericson, Real-Time Collision Detection (2005), 5.5",
-                 std::string("A bullet flies towards a thin wall: ") +
+                 std::string("A bullet flies towards a thin wall from *x* = 0.25 to 0.5: ") +
                      (truth_ ? "it is in the wall within the frame." : "it does not reach the wall within the frame."),
                  {"o ← position; d ← velocity",                 // 0
                   "test at t = 0 and at t = Δt",                // 1
@@ -110,9 +110,9 @@ class Flight {
 
   void segment() {
     segment_ = true;
-    add("segment", "The way in between", 2,
+    add("segment", "The path in between", 2,
         "From one frame to the next the bullet covers a segment: a ray with a finite range.\n"
-        "So one intersection test with a ray stands for all the times in between.",
+        "So one intersection test with a ray covers all the times in between.",
         "0 ≤ *t* ≤ Δ*t* = " + shown(frame));
   }
 
@@ -125,17 +125,18 @@ class Flight {
     script_.settle(truth_ ? Verdict::Kind::yes : Verdict::Kind::no,
                    truth_ ? "the bullet hits the wall at *t* = " + shown(truth_->lo)
                           : "the bullet does not hit the wall within the frame");
-    Step& step = add("hit", "The ray tells", 3,
-                     truth_  ? "The segment meets the wall, and *t* tells when: continuous collision detection.\n"
-                               "For a larger object take the Minkowski sum of wall and object, and follow its centre."
-                     : later ? "The segment ends before the wall. On the same course a later frame will hit."
-                             : "The bullet's course does not meet the wall at any later time.");
+    Step& step =
+        add("hit", "The ray's answer", 3,
+            truth_  ? "The segment meets the wall, and *t* gives the time: continuous collision detection.\n"
+                      "For a larger object use the Minkowski sum of wall and object, and follow the object's centre."
+            : later ? "The segment ends before the wall. On the same course a later frame will hit."
+                    : "The bullet's course does not meet the wall at any later time.");
     step.question = {"When does the bullet hit the wall?",
                      {"within this frame", "in a later frame, on this course", "never, on this course"},
                      truth_  ? 0
                      : later ? 1
                              : 2,
-                     "The segment from **o** to **o** + Δ*t* **d** tells of this frame, its ray of all later ones."};
+                     "The segment from **o** to **o** + Δ*t* **d** covers this frame; its ray covers all later ones."};
   }
 
   const Moving<Aabb, double, 2> bullet_, wall_;

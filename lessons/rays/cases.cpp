@@ -53,7 +53,7 @@ const CaseMap& cases() {
       branch,
       place,
       moved,
-      "The wall moves along *x*, and **d** changes; **o** stays.\n"
+      "The wall moves along *x*, and **d** changes; **o** is fixed.\n"
       "A wall within **d** counts for all three kinds. Beyond **d** it counts for rays and lines, behind **o** for "
       "lines only."};
   return map;

@@ -15,7 +15,7 @@ bool flies_through(const Parameters& p) { return tunnels(std::get<Vec3>(p.at("o"
 
 const std::string& opening() {
   static const std::string text =
-      "What does a ray hit, and where? Ray tracing, picking, line of sight and bullets ask this.\n"
+      "What does a ray hit, and where? Ray tracing, picking, line of sight and bullets need this.\n"
       "All points of a ray are **r**(*t*) = **o** + *t* **d**. A hit is one number *t*, and a range of *t* says which "
       "hits count.";
   return text;
@@ -28,7 +28,7 @@ const Closing& closing() {
           "*t* lies in the closed range.",
       .cost =
           "In space: six products, five sums and one division. A unit direction adds a square root and three "
-          "divisions, once a ray.",
+          "divisions, once per ray.",
       .choose =
           "Segments for line of sight and moving points. Rays for light and picking. Unit **d** where *t* must be "
           "a distance or many projections follow.",
@@ -48,7 +48,7 @@ const Closing& closing() {
            ends_in_the_wall,
            {{"wall", "0.5"}}},
           {"Make the bullet fast enough to be in the wall between the frames, and in neither of them.",
-           "In one frame it must cover more than the way to the far side of the wall.",
+           "In one frame it must travel beyond the far side of the wall.",
            "slow-bullet",
            flies_through,
            {{"d", "4.5,1.5,0"}}},

@@ -88,7 +88,7 @@ class Teller {
       add("normalise", "A unit direction", 0,
           "Divided by its length, **d** becomes the unit vector **u**. It costs a square root, divisions, and "
           "rounding.\n"
-          "In return **v** · **u** is the length of a projection on the ray. With **d** it takes "
+          "In return **v** · **u** is the signed length of a projection onto the ray. With **d** it takes "
           "**v** · **d** / |**d**|.",
           "**u** = **d** / |**d**|");
     } else {
@@ -129,7 +129,7 @@ class Teller {
                      segment ? 0
                      : line  ? 2
                              : 1,
-                     "The three kinds differ in nothing but the range of *t*."};
+                     "The three kinds differ only in the range of *t*."};
     keep_picture(script_.walk());
   }
 
@@ -141,7 +141,7 @@ class Teller {
     if (!e.holds) return script_.refuse(3, {});
     add("parallel", "Parallel", 3,
         fmt::format("**n** · **{}** = 0: the line is parallel to the wall. The quotient would divide by zero.\n"
-                    "Whether the line lies in the wall, **n** · **o** + *D* tells.",
+                    "If **n** · **o** + *D* = 0, the line lies in the wall.",
                     letter(s_)),
         fmt::format("**n** · **{}** = 0", letter(s_)));
   }
@@ -152,13 +152,14 @@ class Teller {
     const double length = s_.made == Made::unit ? s_.d.head<2>().norm() : s_.ray.direction.norm();
     std::vector<double> misconceived = {t * length, s_.plane.normal.dot(s_.ray.origin) + s_.plane.d};
     if (t != 0) misconceived.push_back(-t);  // the sign forgotten; before: a distance, and the numerator alone
-    Step& step = add(
-        "wall", "Where the line meets the wall", 4,
-        s_.made == Made::unit
-            ? "The line meets the wall at one *t*: the signed distance from **o**, along the ray. The range decides "
-              "whether it counts."
-            : "The line meets the wall at one *t*. The range decides whether it counts.",
-        fmt::format("*t* = −(**n** · **o** + *D*) / (**n** · **{}**) = {}", letter(s_), shown(t)));
+    Step& step = add("wall", "Where the line meets the wall", 4,
+                     s_.made == Made::unit ? "The wall is the plane **n** · **x** + *D* = 0. The line meets it at one "
+                                             "*t*, the signed distance from **o**. "
+                                             "The range decides whether it counts."
+                                           : "The wall is the plane **n** · **x** + *D* = 0. The line meets it at one "
+                                             "*t*; the range decides whether it "
+                                             "counts.",
+                     fmt::format("*t* = −(**n** · **o** + *D*) / (**n** · **{}**) = {}", letter(s_), shown(t)));
     step.question = which_value("At which *t* does the line meet the wall?", t, misconceived,
                                 "Substitute **r**(*t*) into **n** · **x** + *D* = 0 and solve for *t*.");
   }

@@ -42,14 +42,14 @@ Parameters moved(const Parameters& p, const Vec2& to) {
 
 const CaseMap& cases() {
   static const CaseMap map = {"how far b lies to the right of a",
-                              "size of b, in sizes of a",
+                              "size of b, relative to a",
                               {-3, 0.0625},
                               {3, 2},
                               relation_cases(),
                               branch,
                               place_of,
                               moved,
-                              "The second set is shifted to the right and grows; the rest stays.\n"
+                              "The second set is shifted to the right and grows; the rest is fixed.\n"
                               "On this map, touching is a curve. Equality is one point at most.",
                               false};
   return map;

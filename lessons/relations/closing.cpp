@@ -24,7 +24,7 @@ bool boxes_meet_but_not_balls(const Parameters& p) {
 
 const std::string& opening() {
   static const std::string text =
-      "How can two sets lie? A yes or no is enough to reject a pair, but culling, physics and hierarchies ask for "
+      "How can two sets be related? Yes or no is enough to reject a pair, but culling, physics and hierarchies need "
       "more.\n"
       "Three questions tell all cases apart: a common point? one inside the other? a common interior point?";
   return text;

@@ -56,13 +56,13 @@ const Lesson& relations() {
     choices.emplace_back(all_kinds);
     return Lesson{
         .id = "relations",
-        .title = "How two sets can lie",
+        .title = "How two sets are related",
         .rows = "N02",
-        .summary = "Six ways in which two sets can lie, and what a yes or no test loses of them.",
+        .summary = "Six relations between two sets, and what a yes-or-no test loses.",
         .parameters = {choice("kind", "kind", "What the two sets are.", choices),
-                       vector("b", "**b**", "The place of b, in units; a stays at the origin.", Vec3(0, 0, 0)),
-                       {"size", "size of b", "The size of b, in sizes of a.", 1.0, 0.0625, 64, 0.25, 2},
-                       choice("turn", "turn of b", "How b is turned; balls and AABBs are not.", turns)},
+                       vector("b", "**b**", "The position of b, in units; a stays at the origin.", Vec3(0, 0, 0)),
+                       {"size", "size of b", "The size of b, relative to a.", 1.0, 0.0625, 64, 0.25, 2},
+                       choice("turn", "turn of b", "The rotation of b; balls and AABBs are not rotated.", turns)},
         .group_by = "",
         .presets = presets(),
         .camera = camera,

@@ -100,17 +100,18 @@ class Teller {
   void settle() { script_.settle(verdict_kind(pair_.truth), words(pair_.truth, they_)); }
 
   void yes_or_no() {
-    Step& step = add("yes-or-no", "A common point?", 0,
-                     pair_.meet ? "Yes: some point lies in both. The note's pseudocode stops here and returns OVERLAP."
-                                : "No point lies in both. Here \"no\" says it all: one of the six relations is left.\n"
-                                  "The note calls it exclusion.",
-                     Focus::none, pair_.meet ? "a ∩ b ≠ ∅" : "a ∩ b = ∅");
+    Step& step =
+        add("yes-or-no", "A common point?", 0,
+            pair_.meet ? "Yes: some point lies in both. The note's pseudocode stops here and returns OVERLAP."
+                       : "No point lies in both. Here \"no\" is enough: only one of the six relations is left.\n"
+                         "The note calls it exclusion.",
+            Focus::none, pair_.meet ? "a ∩ b ≠ ∅" : "a ∩ b = ∅");
     step.decides = true;
     // 1 after a yes: that "they meet" means "they overlap"; 2: the note's partial intersection and containment.
-    step.question = which_value("A test tells whether they have a common point. How many of the six relations remain?",
-                                alike(), {1, 2, 5},
-                                pair_.meet ? "They have one. Only one relation is ruled out by that."
-                                           : "They have none, and only one relation has none.");
+    step.question = which_value(
+        "A test decides whether they have a common point. How many of the six relations remain?", alike(), {1, 2, 5},
+        pair_.meet ? "They have one. Only one relation is ruled out by that."
+                   : "They have none, and only one relation has none.");
     if (!pair_.meet) script_.leave_early();
   }
 
@@ -119,7 +120,7 @@ class Teller {
     script_.value("pairs that meet", alike());
     Step& step = script_.add(
         "what-it-loses", "What a yes loses", 0,
-        fmt::format("{} of these {} pairs have the same answer: yes. Programs need to tell them apart.\n"
+        fmt::format("{} of these {} pairs have the same answer: yes. Programs need to distinguish them.\n"
                     "Culling stops at containment: all that is inside is visible. Physics starts at touching. "
                     "Merging of duplicates needs equality.",
                     alike(), situations(pair_.kind).size()));

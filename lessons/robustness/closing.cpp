@@ -64,7 +64,7 @@ const Closing& closing() {
            "orientation",
            never_wrong,
            {{"p", "1,2,0"}}},
-          {"Ring a neighbour on the left of the line of which the naive test is right.",
+          {"Ring a neighbour left of the line for which the naive test is right.",
            "Up is left here. Far enough from the line, at 32 up and 32 to the left, the sign is right.",
            "orientation",
            ringed_is_right,
@@ -72,9 +72,10 @@ const Closing& closing() {
           {"How far apart are two neighbouring doubles near 0.0625, and near 3?",
            "2^{−56} and 2^{−51}: a difference of the two drops the last 5 bits or so of the smaller one."},
           {"Coordinates are near 10^6, with 53 bits. Which tolerance is the smallest that makes sense?",
-           "Neighbouring doubles there are 2^{−33}, about 10^{−10}, apart. A tolerance must be some of these; one of "
+           "Neighbouring doubles there are 2^{−33}, about 10^{−10}, apart. A tolerance must be several of these gaps; "
+           "one of "
            "10^{−12} "
-           "is none."},
+           "is too small."},
           {"Why does a tolerance not make *on the line* consistent?",
            "**a** may be within it of **b**, and **b** of **c**, but **a** not of **c**. What follows from two "
            "verdicts may "

@@ -116,7 +116,7 @@ Setting spheres(const Vec3& p) {
   s.title = "Do the circles meet?";
   s.naive = "distance^2 < (*r*_1 + *r*_2)^2";
   s.cell = "a centre moved to a neighbour";
-  s.why = "The sum of the radii and both squares are rounded. Near touching that decides.";
+  s.why = "The sum of the radii and both squares are rounded. Near tangency this decides.";
   s.consequence = "A contact begins a frame too late, or flickers while the bodies rest on each other.";
   s.measured = "sphere-sphere";
   s.verdicts = {"disjoint", "touching", "overlapping"};

@@ -44,13 +44,13 @@ class Teller {
 
   Walk tell() {
     add("place", s_.title, 0,
-        near() ? "A point so near that only the last bits tell. We look at its neighbours one by one."
+        near() ? "The point is so close that only the last bits decide. We look at its neighbours one by one."
                : "Here all neighbours of the point have one true verdict: it lies away from the border.",
         s_.naive)
         .scene = s_.scene;
     raster("truth", "What is true", 1,
            fmt::format("One cell is one {} number to the side or up: {}.\nThe exact test is right in every cell.\n"
-                       "The grips at the rim choose the neighbour that is ringed.",
+                       "The handles at the border select the ringed neighbour.",
                        scalar_, s_.cell),
            [](int truth, int) { return role(truth); });
     Step& naive = raster("naive", "What the naive test says", 2,
@@ -94,7 +94,7 @@ class Teller {
     if (wrong() == 0) return "No verdict is wrong here. " + price();
     std::string kinds;
     if (s_.has_on && side_ == 0)
-      kinds = " Here each of them says *on the line* of a point beside it, none the wrong side.";
+      kinds = " Here each calls a point beside the line *on the line*; none names the wrong side.";
     return "Marked cells have a wrong verdict." + kinds + "\n" + s_.consequence +
            " A tolerance only moves the band, or widens it.\n" + price();
   }

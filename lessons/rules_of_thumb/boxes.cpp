@@ -103,11 +103,11 @@ Experiment trivial(const Flat& p) {
   e.parts[1].title = "Every pair in full";
   e.parts[1].caption = fmt::format(
       "The separating axes are tested for all {} boxes. Far boxes cost as much to set up as near ones.", others);
-  e.parts[2].title = "Two balls a box";
+  e.parts[2].title = "Two balls per box";
   e.parts[2].caption =
-      "A dashed ball holds the box, a solid one lies in it; both are stored.\n"
+      "A dashed ball contains the box, a solid one lies in it; both are stored.\n"
       "Outer balls apart: surely disjoint. Inner balls meet: surely overlapping.";
-  e.parts[3].title = "Only the doubtful in full";
+  e.parts[3].title = "Full test only in doubt";
   const int left = others - rejected - accepted;
   e.parts[3].caption = fmt::format("The balls reject {} and accept {}. To the axes {} left: {}.",
                                    plural(rejected, "box"), accepted, left == 1 ? "is" : "are", left);
@@ -120,7 +120,7 @@ Experiment reuse(const Flat& p) {
   Experiment e = {
       .title = "2: reuse results",
       .source = "Lecture note, rules of thumb (2); Ericson, Real-Time Collision Detection, 2005, 4.4",
-      .alt = "A slender box glides past a flat one, seen at twelve times.",
+      .alt = "A slender box glides past a flat one, shown at twelve moments.",
       .pseudocode = {"for each time", "    without: test axis after axis until one separates",
                      "    with: test the axis that separated before", "    only if it fails: test axis after axis"},
       .unit = "axes tested"};
@@ -173,7 +173,7 @@ Experiment reuse(const Flat& p) {
       kept > 0 ? fmt::format("At {} of {} times the axis kept from before still separates: one test, and done.", kept,
                              frames)
                : "At no time did an axis kept from before separate the boxes.";
-  e.saving = "Motion is coherent: what separated the boxes a moment ago mostly does so still.";
+  e.saving = "Motion is coherent: what separated the boxes a moment ago usually still does.";
   return e;
 }
 

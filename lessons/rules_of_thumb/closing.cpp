@@ -35,7 +35,7 @@ const Closing& closing() {
           "Cheap tests first, results kept, work prepared where many objects meet one: each rule saves where its "
           "assumption holds.",
       .cost =
-          "Each costs something: storage, preparation, or a test in vain. Counts show the promise, only the clock "
+          "Each costs something: storage, preprocessing, or a wasted test. Counts show the promise; only the clock "
           "shows "
           "the gain.",
       .choose =
@@ -45,14 +45,14 @@ const Closing& closing() {
           "Bounding volumes, cached separating axes and sorted sweeps in physics engines; hierarchies built once in "
           "ray "
           "tracers.",
-      .bug = "Optimising by counting operations: methods with like counts may differ tenfold in time.",
+      .bug = "Optimising by counting operations: methods with similar counts may differ tenfold in time.",
       .bug_preset = "7-measure",
       .reading = {"Tomas Akenine-Möller and Eric Haines, *Real-Time Rendering*, 2nd edition, 2002, chapter 13.",
                   "Christer Ericson, *Real-Time Collision Detection*, 2005, chapters 11 and 13.",
                   "Lutz Kettner et al., *Classroom examples of robustness problems in geometric computations*, 2008."},
       .exercises = {
           {"Rule 3: drag **p** to a place where the other order of axes costs more than it saves.",
-           "Beside the long boxes *x* separates at once: at (1.15, 0) the axis *y* is asked in vain.",
+           "Beside the long boxes *x* separates at once: at (1.15, 0) the test on *y* is wasted.",
            "3-reorder",
            order_costs_more,
            {{"p", "1.15,0,0"}}},
@@ -61,13 +61,14 @@ const Closing& closing() {
            "8-robust",
            no_sign_is_wrong,
            {{"p", "-3.1,1,0"}}},
-          {"Rule 6: preparing takes 600 steps, a query 10 instead of 50. From how many queries on does it pay?",
-           "Each query saves 40 steps, and 600/40 = 15. So from 15 queries on it costs no more."},
+          {"Rule 6: preprocessing takes 600 steps, a query 10 instead of 50. After how many queries does it pay?",
+           "Each query saves 40 steps, and 600/40 = 15. So with 15 queries or more it costs no more."},
           {"Rule 1: a full test costs 150 operations, a ball test 11, and nine boxes in ten are rejected. What is "
            "saved?",
            "Without: 150 a box. With: 11 + 0.1 · 150 = 26, so 83 % are saved."},
           {"Why does a separating axis of the last frame help, even though it may fail?",
-           "One test more is lost if it fails, up to fourteen are saved if it holds. In slow motion it mostly holds."},
+           "If it fails, one more test is lost; if it holds, up to fourteen are saved. In slow motion it usually "
+           "holds."},
       }};
   return closing;
 }

@@ -53,7 +53,7 @@ const Lesson& rules_of_thumb() {
         .summary = "Eight rules of the lecture note as experiments: counted without the rule, and with it.",
         .parameters = {choice("rule", "rule", "Which rule.", ids),
                        vector("p", "**p**",
-                              "Where the object that asks stands, in world units; its third coordinate is not used.",
+                              "Position of the query object, in world units; its third coordinate is not used.",
                               rules.front().p)},
         .group_by = {},
         .presets = presets,

@@ -122,7 +122,7 @@ class Measuring {
     const bool clear = differ(sorted[0].ns, sorted[1].ns);
     Question q = {"Which is the fastest, measured on ordinary cases?", {}, 0, ""};
     for (const Method& m : methods_) q.choices.push_back(m.name);
-    q.choices.emplace_back("no telling: they differ by less than the noise");
+    q.choices.emplace_back("unknown: they differ by less than the noise");
     const auto fastest = std::ranges::min_element(methods_, {}, &Method::ns);
     q.answer = static_cast<int>(clear ? fastest - methods_.begin() : 3);
     q.because = fmt::format("The two least times are {} ns and {} ns.", shown(sorted[0].ns), shown(sorted[1].ns));
@@ -133,7 +133,7 @@ class Measuring {
   std::string farthest() const {
     const auto off = [&](const Method& m) { return std::abs(std::log(time(m) / operations(m))); };
     const Method& m = *std::ranges::max_element(methods_, {}, off);
-    std::string told = "Within the noise the counts foretell these times.";
+    std::string told = "Within the noise the counts predict these times.";
     if (differ(time(m), operations(m)))
       told = fmt::format("Predicted worst is {}: {} % of the operations, but {} % of the time.", m.name,
                          percent(operations(m)), percent(time(m)));
@@ -156,7 +156,7 @@ class Measuring {
   /// The same call on other families of cases.
   void families() {
     const auto rows = bench::rows_of(speed_lesson::results(), "sphere-aabb", "double");
-    Bars all = {{Scale::Kind::log, 1, 50, "time a call (ns), " + speed_lesson::results().machine.cpu},
+    Bars all = {{Scale::Kind::log, 1, 50, "time per call (ns), " + speed_lesson::results().machine.cpu},
                 {{methods_.back().name, Glyph::disc, Role::second}, {"exact", Glyph::star, Role::hit}},
                 {}};
     double least = INFINITY, most = 0;

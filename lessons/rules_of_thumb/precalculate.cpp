@@ -54,7 +54,7 @@ Experiment precalculate(const Flat& p) {
   const int n = static_cast<int>(ring.size()), many = static_cast<int>(points.size());
   Experiment e = {.title = "6: many against one, precalculate",
                   .source = "Lecture note, rules of thumb (6), concave polygons",
-                  .alt = fmt::format("A jagged polygon of {} vertices and {} points.", n, many),
+                  .alt = fmt::format("A jagged polygon with {} vertices, and {} points.", n, many),
                   .pseudocode = {"for each of many points, and one polygon", "    without: look at every edge",
                                  "    with: once, store the edges of each slab in order",
                                  "    then bisect heights and edges for each point"},
@@ -80,8 +80,8 @@ Experiment precalculate(const Flat& p) {
       e.parts[2].items.emplace_back(line({-3.3, s.bottom}, {1.2, s.bottom}, Role::construction, Pen::hairline));
   const double a_point = (e.after - stored) / many;
   e.details = {{"stored once", stored},
-               {"steps a point", a_point},
-               {"pays from so many points", std::ceil(stored / (n - a_point))}};
+               {"steps per point", a_point},
+               {"pays off from this many points", std::ceil(stored / (n - a_point))}};
   e.parts[0].title = "Many points, one polygon";
   e.parts[0].caption = fmt::format("Which of {} points lie in one polygon of {} edges?", many, n);
   e.parts[1].title = "Every edge for every point";
@@ -89,9 +89,10 @@ Experiment precalculate(const Flat& p) {
   e.parts[2].title = "Prepare once";
   e.parts[2].caption = fmt::format(
       "Slabs keep the edges in order: {} entries, stored once. Each counts as a step, too.", static_cast<int>(stored));
-  e.parts[3].title = "Then ask quickly";
+  e.parts[3].title = "Then query quickly";
   e.parts[3].caption = fmt::format(
-      "A point now takes {} steps on average instead of {}. With its preparation, that pays from point {} on.",
+      "A point now takes {} steps on average instead of {}. With the preprocessing included, that pays off from point "
+      "{}.",
       shown(std::round(10 * a_point) / 10), n, shown(std::ceil(stored / (n - a_point))));
   e.saving = "The preparation is paid once, the saving comes with every point.";
   return e;

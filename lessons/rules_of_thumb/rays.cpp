@@ -75,20 +75,21 @@ Experiment postpone(const Flat& p) {
   e.parts[0].caption =
       "Which balls does the ray from **p** hit? A square root or a division takes as long as many "
       "products.";
-  e.parts[1].title = "Roots of every line that hits";
+  e.parts[1].title = "A square root for every line that hits";
   e.parts[1].caption =
-      "The quadratic formula takes a root and two divisions wherever the *line* meets a ball, even "
+      "The quadratic formula takes a square root and two divisions wherever the *line* meets a ball, even "
       "behind **p**.\nThe numbers count them.";
   e.parts[2].title = "Reject by products alone";
   e.parts[2].caption = fmt::format(
       "Haines' method rejects balls by sums and products only: {} behind the ray, {} beside it.", behind, beside);
-  e.parts[3].title = "One root a hit";
-  e.parts[3].caption = hits == 0 ? "No ball is hit, so no root is taken."
-                                 : fmt::format(
-                                       "A root is taken for {} hit, and no division at all: the direction has unit "
-                                       "length.",
-                                       plural(hits, "ball"));
-  e.saving = "Balls behind or beside the ray cost no root at all.";
+  e.parts[3].title = "One square root per hit";
+  e.parts[3].caption = hits == 0
+                           ? "No ball is hit, so no square root is taken."
+                           : fmt::format(
+                                 "A square root is taken for {} hit, and no division at all: the direction has unit "
+                                 "length.",
+                                 plural(hits, "ball"));
+  e.saving = "Balls behind or beside the ray cost no square root at all.";
   return e;
 }
 

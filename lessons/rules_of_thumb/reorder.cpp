@@ -50,7 +50,7 @@ Experiment reorder(const Flat& p) {
       "Beside each box: how many comparisons its test needs.",
       overlap_on_x);
   e.parts[2].title = "The boxes spread along *y*";
-  e.parts[2].caption = "A gap is likeliest on the axis along which the boxes lie furthest apart. Ask it first.";
+  e.parts[2].caption = "A gap is likeliest on the axis along which the boxes lie farthest apart. Test it first.";
   e.parts[3].title = "*y* before *x*";
   e.parts[3].caption = fmt::format(
       "On *y*, {} of 7 overlap. It is the same test with its axes in another order, and gives the same answers.",

@@ -42,7 +42,7 @@ Experiment robust(const Flat& p) {
   Experiment e = {
       .title = "8: make it robust",
       .source = "Lecture note, rules of thumb (8); Kettner et al., Classroom examples of robustness problems, 2008",
-      .alt = "Points computed on a line, and on which side of it they are said to lie.",
+      .alt = "Points computed on a line, and the side that each test reports for them.",
       .pseudocode = {"for each of many points near the line from a to p",
                      "    without: the sign of a rounded determinant",
                      "    with: a proved bound of its error beside it",
@@ -81,7 +81,7 @@ Experiment robust(const Flat& p) {
       std::string("Points said to lie left are drawn left of the line, seen from **a** to **p**; right ones right.") +
       (e.before > 0 ? " Crosses mark wrong answers.\nEach may break what builds on it: a hull, a map, a mesh." : "");
   e.parts[2].title = "Know when you do not know";
-  e.parts[2].caption = fmt::format("A bound of the rounding error stands beside the value. It leaves {} open{}.",
+  e.parts[2].caption = fmt::format("A bound on the rounding error comes with the value. It leaves {} open{}.",
                                    plural(open, "sign"), open > 0 ? " (rings)" : "");
   e.parts[3].title = "Exact where needed";
   e.parts[3].caption =

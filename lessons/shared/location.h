@@ -22,7 +22,8 @@ inline std::string lies(Location l) {
   return l == Location::in ? "inside" : l == Location::on ? "on its boundary" : "outside";
 }
 
-/// A yes/no method cannot say "on the boundary": either answer will do there, and the table says why.
+/// A yes/no method cannot say "on the boundary". Of a closed set "inside" is right there, and "outside" is wrong; the
+/// table says why.
 class LocationOpinions {
  public:
   explicit LocationOpinions(Location truth)
@@ -32,9 +33,8 @@ class LocationOpinions {
                                      : "outside") {}
 
   void add(std::string method, bool inside) {
-    const std::string unable = truth_ == Location::on ? " (has no word for on)" : "";
-    all_.add(std::move(method), (inside ? "inside" : "outside") + unable,
-             truth_ == Location::on || inside == (truth_ == Location::in));
+    const std::string unable = truth_ == Location::on ? " (cannot answer ON)" : "";
+    all_.add(std::move(method), (inside ? "inside" : "outside") + unable, inside == (truth_ != Location::out));
   }
 
   void add(std::string method, std::string says, bool agrees) { all_.add(std::move(method), std::move(says), agrees); }

@@ -40,8 +40,8 @@ inline viz::Question relation_question(Relation r, const std::string& they, cons
                      : r == Relation::equal    ? 4
                      : inside                  ? 3
                                                : 2;
-  return {"How do " + they + " lie?",
-          {"disjoint", "touching", "overlapping", "one inside the other", "as the same set"},
+  return {"How are " + they + " related?",
+          {"disjoint", "touching", "overlapping", "one inside the other", "the same set"},
           answer,
           because};
 }

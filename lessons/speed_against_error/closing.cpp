@@ -21,7 +21,7 @@ bool exact_is_faster(const Parameters& p) {
 
 const std::string& opening() {
   static const std::string text =
-      "What does an exact verdict cost, and what does a rounded one? The lecture note *Intersection Detection* asks to "
+      "What does an exact verdict cost, and what does a rounded one? The lecture note *Intersection Detection* says to "
       "time "
       "and profile.\n"
       "So every method is timed, and judged by an exact oracle: on ordinary cases, and on hard ones.";
@@ -43,7 +43,7 @@ const Closing& closing() {
       .used =
           "CGAL's filtered kernels and Shewchuk's predicates work so; game engines mostly choose rounded tests and "
           "tolerances.",
-      .bug = "Judging a method by ordinary cases alone: there no wrong verdict shows.",
+      .bug = "Judging a method by ordinary cases alone: no wrong verdict shows up there.",
       .bug_preset = "sphere-sphere",
       .reading = {"Jonathan Richard Shewchuk, *Adaptive precision floating-point arithmetic and fast robust geometric "
                   "predicates*, Discrete & Computational Geometry 18, 1997.",
@@ -56,7 +56,7 @@ const Closing& closing() {
            exact_is_faster,
            {{"test", "sphere-aabb"}}},
           {"Two methods take 14.5 and 14.6 ns on a machine whose noise is 50 %. Which is faster?",
-           "There is no telling. Only ratios above 1.5 mean something there."},
+           "That cannot be decided. Only ratios above 1.5 mean anything there."},
           {"A call takes 4 ns if the filter decides, else 400 ns. One call in 1,000 needs the latter. What is the "
            "mean?",
            "0.999 · 4 + 0.001 · 400 = 4.4 ns, a tenth more."},

@@ -55,7 +55,7 @@ void Teller::cost() {
   Step& step =
       script_.add("cost", "What exactness costs", cost_line,
                   fmt::format("On ordinary cases the exact call takes {} times as long as {}{}. It "
-                              "takes longest on “{}”: {} times as long.\n{}",
+                              "loses most on “{}”: {} times as long.\n{}",
                               ratio(usual), name_of(naive(ordinary_)), noise, words(worst), ratio(most), there));
   show(step, {bars});
 
@@ -79,7 +79,7 @@ void Teller::fallback() {
     }
   Step& step =
       script_.add("fall-back", "When floating point is not enough", cost_line,
-                  fmt::format("The exact call first computes in floating point, with a proved bound of the error. Only "
+                  fmt::format("The exact call first computes in floating point, with a proved bound on the error. Only "
                               "where the bound leaves "
                               "the sign open, it computes again, exactly.\nOf the ordinary calls this happens to {}.",
                               share(*exact(ordinary_).fallback, 1)));

@@ -90,7 +90,7 @@ void Teller::fall() {
     if (families.size() < 4) families.push_back(r->family);
   const Plotted plotted = verdict_plot(report_, test_, "double", families);
   Step& step =
-      script_.add("wrong-verdicts", "Where naive methods fall", wrong_line,
+      script_.add("wrong-verdicts", "Where naive methods fail", wrong_line,
                   fmt::format("A wrong verdict is worse than lost bits: yes and no are confused. {} does worst, on "
                               "the family “{}”: {} of its verdicts are wrong.\n"
                               "Exact calls were wrong {} in {}.",

@@ -24,11 +24,11 @@ void Teller::axes() {
   }
   values(ordinary_);
   show(script_.add("axes", "Time across, error up", time_line,
-                   fmt::format("One marker is one method: here {}, which takes {} ns a call. Further right "
+                   fmt::format("One marker is one method: here {}, which takes {} ns per call. Farther right "
                                "is slower. {}\nThe time is the "
                                "least of several passes over {} different cases.",
                                name, shown(naive(ordinary_).ns),
-                               by_value_ ? "Higher up, its value is further off. The marker stands at the "
+                               by_value_ ? "Higher up, its value is less accurate. The marker shows the "
                                            "99th percentile, the bar reaches down to the median."
                                          : "Higher up, more of its verdicts are wrong.",
                                count(naive(ordinary_).cases))),

@@ -48,15 +48,15 @@ Parameters moved(const Parameters& p, const Vec2& to) {
 
 const CaseMap& cases() {
   static const CaseMap map = {
-      "*x* from the middle of the box to **c**",
-      "*y* from the middle of the box to **c**",
+      "*x* from the centre of the box to **c**",
+      "*y* from the centre of the box to **c**",
       {-5, -2},
       {5, 2},
       {"disjoint", "face", "edge", "corner", "expanded only", "**c** inside", "ball inside", "box inside", "touching"},
       branch,
       place,
       moved,
-      "The centre moves over *x* and *y*; its *z* and the radius stay.\n"
+      "The centre moves over *x* and *y*; its *z* and the radius are fixed.\n"
       "Face, edge, corner: where the box's point nearest to **c** lies. Expanded only: where the expanded box errs, as "
       "its "
       "corners are square."};

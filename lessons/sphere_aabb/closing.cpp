@@ -21,9 +21,9 @@ bool shortcut_errs(const Parameters& p) {
 
 const std::string& opening() {
   static const std::string text =
-      "Does a ball meet an axis-aligned box? Lights against tiles, blasts against buildings, spheres against nodes of "
+      "Does a ball meet an axis-aligned box? Lights and tiles, explosions and buildings, spheres and nodes of "
       "a "
-      "hierarchy ask this.\n"
+      "hierarchy need this.\n"
       "Clamp the centre to the box, axis by axis: that is the nearest point. Its squared distance decides.";
   return text;
 }
@@ -32,11 +32,11 @@ const Closing& closing() {
   static const Closing closing = {
       .result =
           "The ball meets the box if and only if |**c** − **p**|^2 ≤ *r*^2, where **p** is **c** clamped to the box.",
-      .cost = "At most six comparisons, four products and six sums, and one comparison with *r*^2. No root.",
+      .cost = "At most six comparisons, four products and six sums, and one comparison with *r*^2. No square root.",
       .choose =
           "Clamping has no branch and suits SIMD. Early rejections pay where most balls are far away on one axis.",
       .used =
-          "Light culling in tiles and clusters, blasts and triggers in games, hierarchies asked for neighbours in a "
+          "Light culling in tiles and clusters, explosions and triggers in games, range queries: neighbours within a "
           "radius.",
       .bug =
           "The box expanded by *r*. Its corners are square where those of the Minkowski sum are round: false "

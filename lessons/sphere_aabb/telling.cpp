@@ -69,7 +69,7 @@ class Teller {
     const double c = e.center.value, middle = c - (i.lo + i.hi) / 2, far = std::max(c - i.lo, i.hi - c);
     step.question =
         which_value("What does " + axis + " add to *d*^2?", gap * gap, {std::abs(gap), middle * middle, far * far},
-                    gap == 0 ? "The box's interval holds the coordinate of **c**: nothing is added."
+                    gap == 0 ? "The box's interval contains the coordinate of **c**: nothing is added."
                              : "The square of the gap between **c** and the nearer end.");
     shown_.current = false;
   }
@@ -84,7 +84,7 @@ class Teller {
           "box.\n";
     if (line == 0)
       return text + "The box's interval on " + axis +
-             " holds the coordinate of **c**. The nearest point has the same one.";
+             " contains the coordinate of **c**. The nearest point has the same one.";
     text += fmt::format("**c** lies {} on {}. The nearest point has that end's coordinate.",
                         line == 1 ? "below the interval's lower end" : "above the interval's upper end", axis);
     return before > 0 ? text + "\nThe legs are at right angles, so their squares add up." : text;
@@ -151,7 +151,7 @@ class Teller {
                     : "The note's strict < calls this DISJOINT, yet for boxes it calls touching OVERLAP.\n"
                       "Closed sets include their boundary, so the comparison must be *d*^2 ≤ *r*^2.";
       case Relation::disjoint:
-        return "Both sides are squares, so no root is needed.";
+        return "Both sides are squares, so no square root is needed.";
       case Relation::a_inside_b:
         return "OVERLAP does not say that the box contains the ball. That takes a second test: *r* against the "
                "distance to each face.";

@@ -31,16 +31,16 @@ Parameters moved(const Parameters& p, const Vec2& to) {
 }  // namespace
 
 const CaseMap& cases() {
-  static const CaseMap map = {"distance *d* of the centres, in lengths of *r*_1",
-                              "radius *r*_2, in lengths of *r*_1",
+  static const CaseMap map = {"distance *d* between the centres, in units of *r*_1",
+                              "radius *r*_2, in units of *r*_1",
                               {0, 0},
                               {6, 3},
                               relation_cases(),
                               branch,
                               place,
                               moved,
-                              "Only two numbers matter: the distance and the second radius, both in lengths of *r*_1.\n"
-                              "Touching is no region but the line *d* = *r*_1 + *r*_2; equal balls are one point."};
+                              "Only two numbers matter: the distance and the second radius, both in units of *r*_1.\n"
+                              "Touching is not a region but the line *d* = *r*_1 + *r*_2; equal balls are one point."};
   return map;
 }
 
@@ -50,7 +50,7 @@ std::vector<Opinion> opinions(const Parameters& p) {
   Opinions all(says_meet(s.truth != Relation::disjoint));
   all.add("*d*^2 < *s*^2, the note's", says_meet(sphere_sphere::squared_distance(a, b)));
   all.add("*d*^2 ≤ *s*^2", says_meet(sphere_sphere::closed_squared_distance(a, b)));
-  all.add("*d* ≤ *s*, by a root", says_meet(sphere_sphere::by_distance(a, b)));
+  all.add("*d* ≤ *s*, by square root", says_meet(sphere_sphere::by_distance(a, b)));
   all.add("*d* ≤ *s*, by hypot", says_meet(sphere_sphere::by_hypot(a, b)));
   return all.take();
 }

@@ -14,9 +14,9 @@ bool touching_outside(const Parameters& p) { return setup(p).truth == Relation::
 
 const std::string& opening() {
   static const std::string text =
-      "Do two balls have a point in common? Engines ask this first of any two bodies, as no test is cheaper.\n"
+      "Do two balls have a point in common? Engines test this first for any two bodies, as few tests are cheaper.\n"
       "Two balls meet if and only if their centres are at most *r*_1 + *r*_2 apart. Both sides may be squared, so no "
-      "root is needed.";
+      "square root is needed.";
   return text;
 }
 
@@ -27,7 +27,7 @@ const Closing& closing() {
           "*d*^2 ≤ (*r*_1 − *r*_2)^2.",
       .cost = "Four products, six sums and one comparison, without a branch before it.",
       .choose =
-          "For round bodies, and before any dearer test. Long, thin bodies leave much void in a ball: take boxes.",
+          "For round bodies, and before any costlier test. Long, thin bodies leave much void in a ball: use boxes.",
       .used = "Broad phase of physics engines, nodes of sphere trees, particles, triggers in games.",
       .bug = "A strict < answers DISJOINT for balls that touch.",
       .bug_preset = "touching",
@@ -35,7 +35,8 @@ const Closing& closing() {
                   "Tomas Akenine-Möller and Eric Haines, *Real-Time Rendering*, 2nd edition, 2002, chapter 13."},
       .exercises = {
           {"Drag **b** until the balls touch from outside.",
-           "They touch where *d* = *r*_1 + *r*_2. On this line, that takes centres 2.5 lengths apart.",
+           "They touch where *d* = *r*_1 + *r*_2. The radii add up to 2.5390625, so the centres must be that far "
+           "apart.",
            "overlapping",
            touching_outside,
            {{"b", "1.21875,0,-0.9140625"}}},
@@ -43,8 +44,8 @@ const Closing& closing() {
            "Yes: 5 lies between 4 − 3 = 1 and 4 + 3 = 7. The surfaces share a circle."},
           {"Why may both sides of *d* ≤ *r*_1 + *r*_2 be squared?",
            "Neither is negative, and squaring keeps the order of such numbers. With a negative radius it would not."},
-          {"Lengths are kept in 32-bit floats. From which distance on does *d*^2 overflow?",
-           "The largest float is about 3.4 · 10^{38}. Its root is about 1.8 · 10^{19}."},
+          {"Lengths are stored in 32-bit floats. Beyond which distance does *d*^2 overflow?",
+           "The largest float is about 3.4 · 10^{38}. Its square root is about 1.8 · 10^{19}."},
       }};
   return closing;
 }

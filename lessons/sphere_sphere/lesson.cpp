@@ -52,8 +52,8 @@ const Lesson& sphere_sphere() {
       .map = &cases(),
       .opening = opening(),
       .closing = &closing(),
-      .errata = {{"if d² < s²", "if d² ≤ s²", "Balls that touch have a common point; closed sets share their boundary.",
-                  "touching"}},
+      .errata = {{"if d² < s²", "if d² ≤ s²",
+                  "Balls that touch have a common point; closed sets include their boundary.", "touching"}},
       .after = {"relations", "intervals"},
   };
   return lesson;

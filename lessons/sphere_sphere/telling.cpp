@@ -67,7 +67,7 @@ class Teller {
     script_.value("*s*^2", s2, "area", Role::second);
     add("reach", "How far the balls reach", 2,
         "Together the balls reach as far as the sum of their radii.\n"
-        "Both sides are positive, so their squares compare as they do. No square root is needed.",
+        "Neither side is negative, so their squares compare as they do. No square root is needed.",
         Focus::radii, "*s*^2 = (*r*_1 + *r*_2)^2 = " + shown(s2));
   }
 
@@ -81,7 +81,7 @@ class Teller {
     if (!near) script_.refuse(3, {4});
 
     script_.settle(verdict_kind(s_.truth), words(s_.truth, "the balls"));
-    add("relation", "How they lie", near ? 4 : 5, end_caption(near), Focus::settled, end_formula());
+    add("relation", "How they relate", near ? 4 : 5, end_caption(near), Focus::settled, end_formula());
   }
 
   static std::string distance_caption(double d2) {
@@ -91,12 +91,15 @@ class Teller {
   }
 
   std::string compare_caption(double d2, double s2) const {
-    if (std::isinf(d2) && std::isinf(s2)) return "Both squares have overflowed. Infinity is not less than infinity.";
-    if (d2 == 0 && s2 == 0) return "Both squares have vanished. Zero is not less than zero.";
+    if (std::isinf(d2) && std::isinf(s2))
+      return "Both squares have overflowed. Infinity is not less than infinity; with ≤ any two balls would seem to "
+             "meet.";
+    if (d2 == 0 && s2 == 0)
+      return "Both squares have vanished. Zero is not less than zero; with ≤ any two balls would seem to meet.";
     const bool touch = s_.truth == Relation::touching, apart = s_.truth == Relation::disjoint;
     if (d2 == s2 && touch) return "The distance equals the reach: the balls touch. The strict comparison refuses it.";
     if (d2 < s2 && !touch && !apart) return "The centres lie nearer than the balls reach: they overlap.";
-    if (d2 > s2 && apart) return "The centres lie further apart than the balls reach: no common point.";
+    if (d2 > s2 && apart) return "The centres lie farther apart than the balls reach: no common point.";
     return "The two squares are so close that rounding has changed which of them is larger, or made them equal.";
   }
 
@@ -125,9 +128,9 @@ class Teller {
              "The exact test computes again in wider numbers, and its answer holds at any scale.";
     switch (s_.truth) {
       case Relation::overlapping:
-        return "Their surfaces share a circle. Neither ball holds the other, as *d* > |*r*_1 − *r*_2|.";
+        return "Their surfaces share a circle. Neither ball contains the other, as *d* > |*r*_1 − *r*_2|.";
       case Relation::disjoint:
-        return "A gap is left between them. Four products and no root have shown it.";
+        return "A gap is left between them. Four products and no square root show it.";
       case Relation::equal:
         return "The two balls are the same set.";
       default:

@@ -56,7 +56,7 @@ std::string in_choices(Relation r) {
     case Relation::b_inside_a:
       return "one inside the other";
     case Relation::equal:
-      return "as the same set";
+      return "the same set";
     default:
       return lessons::relation_name(r);
   }

@@ -164,7 +164,8 @@ TEST_CASE("methods of ray and sphere that agree say one number, in the unit of t
     const Walk walk = lesson("ray-sphere").walk(p);
     const std::string& verdict = walk.steps[outcome(walk)].verdict.text;
     const auto opinions = lesson("ray-sphere").opinions(p);
-    if (holds(verdict, "hit at ")) CHECK(verdict == "hit at " + opinions.front().says);
+    const std::string said = "hit at " + opinions.front().says;  // the same number, then what t counts
+    if (holds(verdict, "hit at ")) CHECK((said.starts_with(verdict + ",") || said.starts_with(verdict + " lengths")));
     for (const Opinion& o : opinions)
       if (o.says == opinions.front().says) CHECK(o.agrees);
   });

@@ -109,8 +109,8 @@ TEST_CASE("without the normal the plane needs far fewer operations than space", 
 TEST_CASE("preparing pays from the point that the lesson names", "[rules-of-thumb lesson]") {
   const Experiment e = precalculate(p_of("6-precalculate"));
   CHECK(e.before == 60 * 48);
-  const double stored = detail_of(e, "stored once"), each = detail_of(e, "steps a point"),
-               pays = detail_of(e, "pays from so many points");
+  const double stored = detail_of(e, "stored once"), each = detail_of(e, "steps per point"),
+               pays = detail_of(e, "pays off from this many points");
   CHECK(e.after == Approx(stored + 60 * each));
   CHECK(stored + pays * each <= 48 * pays);
   CHECK(stored + (pays - 1) * each > 48 * (pays - 1));

@@ -37,7 +37,7 @@ TEST_CASE("a pixel is said to be lit, shaded, turned away or sky as all objects 
     for (const auto& o : s.world.objects) met += first_hit(s.ray, o.shape).has_value();
     const Step& closest = *find(walk, "closest");
     CHECK(value(closest, "objects met") == met);
-    CHECK(says(closest.caption, "meets one object only") == (met == 1));
+    CHECK(says(closest.caption, "hits only one object") == (met == 1));
     CHECK(says(text, "sky") == (own < 0));
     sky += own < 0;
     if (own < 0) return;
@@ -112,7 +112,7 @@ TEST_CASE("what is picked is the first of the nearest, and what is kept on the w
     const auto pixels = [](double x) { return std::round(24000 * x) / 1000 + 0.0; };
     const double right = pixels(p.z()), up = pixels(p.y() - 0.25);
     const std::string told = shown(std::abs(right)) + " pixels " + (right < 0 ? "left" : "right") +
-                             " of the picture's middle and " + shown(std::abs(up)) + (up < 0 ? " below" : " above");
+                             " of the image's centre and " + shown(std::abs(up)) + (up < 0 ? " below" : " above");
     CHECK_THAT(find(walk, "viewing-ray")->caption, Contains(told));
   });
   CHECK((picked > 100 && background > 100));

@@ -69,7 +69,7 @@ TEST_CASE("what is no number is refused with its reason", "[number_text]") {
                                                                      {"1+", "missing"},
                                                                      {"four", "no number"}}));
   INFO(text);
-  CHECK_THROWS_WITH(number_from(text), Catch::Contains(why));
+  CHECK_THROWS_WITH(number_from(text), isect::test::Contains(why));
   CHECK_THROWS_AS(number_from(std::string(1000, '-') + "1"), BadInput);
 }
 

@@ -87,7 +87,7 @@ echo "ok: it closes, and its state is kept"
 
 printf '{"theme": "grey", "pla' >"$state"
 start
-expect 'How two sets can lie, polygons: overlapping, step 1 of' "the window opens though its state is damaged"
+expect 'How two sets are related, polygons: overlapping, step 1 of' "the window opens though its state is damaged"
 grep -q "window.json is damaged" "$folder/isect.log" || { echo "FAILED: it does not say what is damaged"; exit 1; }
 leave
 [ "$(cat "$state.damaged")" = '{"theme": "grey", "pla' ] || { echo "FAILED: the damaged state is lost"; exit 1; }
