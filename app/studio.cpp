@@ -26,7 +26,7 @@ const std::vector<viz::Walk>& walks_of(const viz::Lesson& lesson) {
 }
 
 viz::Figure composed(const Excerpt& e, int step, const viz::PageLayout& layout) {
-  return viz::figure(e.walk.steps[step], camera_for(e, layout.width / layout.picture_height()), layout);
+  return viz::figure(e.walk.steps[step], camera_for(e, step, layout.width / layout.picture_height()), layout);
 }
 
 void need_pixels_in_bounds(const viz::Drawing& drawing, double scale) {
@@ -41,9 +41,10 @@ void need_pixels_in_bounds(const viz::Drawing& drawing, double scale) {
 
 }  // namespace
 
-viz::Camera camera_for(const Excerpt& e, double aspect) {
+viz::Camera camera_for(const Excerpt& e, int step, double aspect) {
   if (e.camera) return *e.camera;
-  return viz::frame_alike(viz::opening(*e.lesson), e.walk, walks_of(*e.lesson), aspect);
+  const viz::Camera framed = viz::frame_alike(viz::opening(*e.lesson), e.walk, walks_of(*e.lesson), aspect);
+  return viz::closer(framed, e.walk.steps[step].scene, aspect);
 }
 
 Studio::Studio(const Style& style, const std::string& backend) : style_(style) {
@@ -61,7 +62,7 @@ viz::Drawing Studio::draw(const Excerpt& e, int step) {
 }
 
 viz::Figure Studio::on_paper(const Excerpt& e, int step) {
-  const auto camera = [&](double aspect) { return camera_for(e, aspect); };
+  const auto camera = [&](double aspect) { return camera_for(e, step, aspect); };
   auto made = viz::readable_figure(e.walk, step, style_.theme, *style_.paper, style_.title, camera);
   if (!made)
     throw viz::BadInput(

@@ -31,9 +31,9 @@ class Studio {
   std::vector<std::string> widened_;
 };
 
-/// The camera for all pictures of this excerpt whose width to height is `aspect`: the one of the preset's file, which
+/// The camera for a picture of this step whose width to height is `aspect`: the one of the preset's file, which
 /// shows as much from the middle to the top edge as where it was copied; otherwise at one scale for all presets of the
-/// lesson.
-viz::Camera camera_for(const Excerpt&, double aspect);
+/// lesson, but nearer where that leaves the picture empty.
+viz::Camera camera_for(const Excerpt&, int step, double aspect);
 
 }  // namespace isect::program
