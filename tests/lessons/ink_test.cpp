@@ -7,6 +7,7 @@
 #include "tests/viz/drawn.h"
 #include "viz/chart.h"
 #include "viz/compose.h"
+#include "viz/halos.h"
 #include "viz/text.h"
 
 namespace ink_test {
@@ -57,6 +58,29 @@ TEST_CASE("every picture uses 60 % of its frame's width or height", "[every less
           INFO(lesson->id << ' ' << lesson->presets[i].id << ", " << step.slug << ", " << name_of(name) << ": "
                           << share.x() << " of the width, " << share.y() << " of the height");
           CHECK(share.maxCoeff() >= 0.6);
+        }
+      }
+  }
+}
+
+TEST_CASE("every text stands out from what lies under it, or has a halo", "[every lesson]") {
+  for (const Lesson* lesson : those_asked_for()) {
+    std::vector<Walk> walks;
+    for (const Preset& p : lesson->presets) walks.push_back(lesson->walk(p.parameters));
+    for (const ThemeName name : {ThemeName::screen, ThemeName::grey, ThemeName::dark})
+      for (const Walk& walk : walks) {
+        const double aspect = picture_aspect(walk, name, 960, 600);
+        const Camera camera = frame_alike(lesson->camera, walk, walks, aspect);
+        for (const Step& step : walk.steps) {
+          const Drawing drawing = figure(step, closer(camera, step.scene, aspect), name, 960, 600).drawing;
+          for (std::size_t i = 0; i < drawing.shapes.size(); ++i) {
+            const Text* text = std::get_if<Text>(&drawing.shapes[i]);
+            if (!text) continue;
+            INFO(lesson->id << ", " << step.slug << ", " << name_of(name) << ": " << text->markup);
+            const double found = text->halo > 0 ? contrast_ratio(text->colour, text->halo_colour)
+                                                : contrast_of(drawing.shapes, i, drawing.background);
+            CHECK(found >= least_contrast);
+          }
         }
       }
   }
