@@ -106,10 +106,10 @@ bool Baselines::accepts(Kind kind) const {
 std::vector<viz::Drawing> Baselines::drawings_of(const Excerpt& e) const {
   std::vector<viz::Drawing> drawings(e.walk.steps.size());
   if (!viz::is_there(path(e, "")) && !accepts(Kind::missing) && !keep_pictures_) return drawings;
-  const viz::Camera camera = camera_for(e, viz::picture_aspect(e.walk, theme, picture_size.width, picture_size.height));
-  std::ranges::transform(e.walk.steps, drawings.begin(), [&](const viz::Step& step) {
-    return viz::figure(step, camera, theme, picture_size.width, picture_size.height).drawing;
-  });
+  const double aspect = viz::picture_aspect(e.walk, theme, picture_size.width, picture_size.height);
+  for (int i = 0; i < static_cast<int>(drawings.size()); ++i)
+    drawings[i] =
+        viz::figure(e.walk.steps[i], camera_for(e, i, aspect), theme, picture_size.width, picture_size.height).drawing;
   return drawings;
 }
 

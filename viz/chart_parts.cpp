@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "viz/halos.h"
 #include "viz/marks.h"
 #include "viz/rich_text.h"
 #include "viz/text.h"
@@ -105,6 +106,7 @@ void ChartInk::part(const std::string& kind, const std::string& markup, Role rol
 
 Composed ChartInk::take() {
   assign(out_.shapes, assigned_, part_);
+  add_halos(out_.shapes, theme_);
   return std::move(out_);
 }
 

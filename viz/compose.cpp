@@ -4,6 +4,7 @@
 
 #include "viz/chart.h"
 #include "viz/compose/canvas.h"
+#include "viz/halos.h"
 #include "viz/objects.h"
 
 namespace isect::viz {
@@ -44,6 +45,7 @@ Composed compose(const Scene& scene, const View& view, const Theme& theme, bool 
                          corner.y() + view.height() - margin};
   result.labels = place_labels(canvas.labels, canvas.obstacles, bounds, theme, result.shapes);
   result.labels.insert(result.labels.end(), canvas.placed.begin(), canvas.placed.end());
+  add_halos(result.shapes, theme);
   return result;
 }
 

@@ -33,11 +33,15 @@ Box2 extent(const Scene&, const Camera&);
 
 /// A camera like `camera` whose target and half_height frame all the scenes in a viewport of this aspect
 /// (width / height), leaving `margin` (a share of the height) free all round.
-Camera frame(const Camera& camera, const std::vector<const Scene*>& scenes, double aspect, double margin = 0.08);
+Camera frame(const Camera& camera, const std::vector<const Scene*>& scenes, double aspect, double margin = 0.05);
 
 /// A camera centred on `walk`, at the one scale at which each of `all` fits, so that presets compare; larger where
 /// `walk` would not take three quarters of what it takes alone.
 Camera frame_alike(const Camera& camera, const Walk& walk, const std::vector<Walk>& all, double aspect);
+
+/// For one step of a walk so framed: nearer, and about the step's own middle, where its scene would take little of the
+/// frame. Otherwise the same camera, so that most steps stand still.
+Camera closer(const Camera& framed, const Scene&, double aspect);
 
 /// How a figure shares its height: title above, picture, the scene's t-axis and the step's formula and verdict below.
 /// The same for all steps of a walk, so that the picture stands still from step to step.

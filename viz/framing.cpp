@@ -11,7 +11,7 @@ namespace isect::viz {
 namespace {
 
 /// Of what a walk would take if it were framed alone: below this, one scale for all would leave it lost in its frame.
-constexpr double least_share = 0.75;
+constexpr double least_share = 0.9;
 
 /// The box of a scene's items along the axes of a view.
 class Extent {
@@ -57,6 +57,9 @@ class Extent {
   const View& view_;
 };
 
+/// Of the frame's width or height, whichever is more: what a scene is to take.
+constexpr double least_taken = 0.64;
+
 }  // namespace
 
 Box2 extent(const Scene& scene, const Camera& camera) {
@@ -95,6 +98,14 @@ Camera frame_alike(const Camera& camera, const Walk& walk, const std::vector<Wal
   for (const Walk& other : all) result.half_height = std::max(result.half_height, framed(other).half_height);
   result.half_height = std::min(result.half_height, largest);
   return result;
+}
+
+Camera closer(const Camera& framed, const Scene& scene, double aspect) {
+  const Camera alone = frame(framed, {&scene}, aspect, 0);  // which it would fill
+  if (!(alone.half_height < least_taken * framed.half_height)) return framed;
+  Camera nearer = alone;
+  nearer.half_height = alone.half_height / least_taken;
+  return nearer;
 }
 
 }  // namespace isect::viz

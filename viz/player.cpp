@@ -92,6 +92,7 @@ void Player::choose(int step) {
   state_.wanted = at_ = step;
   state_.slug = walk().steps[step].slug;
   state_.outcome = step == outcome(walk()) && step > 0;
+  if (!moved_) camera_.glide(opening_view());
 }
 
 /// The one way the state changes.
@@ -112,7 +113,9 @@ void Player::show(State next, bool same_lesson) {
   camera_.jump(opening_view());
 }
 
-Camera Player::opening_view() const { return frame_alike(opening(lesson()), walk(), overview_->samples, aspect_); }
+Camera Player::opening_view() const {
+  return closer(frame_alike(opening(lesson()), walk(), overview_->samples, aspect_), step().scene, aspect_);
+}
 
 std::vector<const Preset*> Player::group() const {
   std::vector<const Preset*> group;

@@ -76,7 +76,7 @@ std::string PolygonTeller::caption(std::int64_t out, const Cut& cut) const {
   if (out == 0) return "No vertex lies beyond this side, so it cuts nothing off.";
   if (cut.fresh.empty())
     return "The vertices beyond are removed. No edge passes strictly from one side to the other, so none is added.";
-  return "Walk around the ring. Vertices beyond the side are removed (crosses).\n"
+  return "Walk around the ring. Vertices beyond the side are removed (large rings).\n"
          "Each edge that passes from one side to the other adds one (ring).";
 }
 

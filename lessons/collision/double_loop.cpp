@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include <isect/all_pairs.h>
 #include "lessons/collision/telling.h"
 
@@ -33,14 +35,32 @@ class DoubleLoop : Teller {
     Record<all_pairs::Event<2>> record;
     all_pairs::brute_force(
         boxes_, [](int, int) {}, record);
+    std::vector<all_pairs::Tested> tests;
     for (const auto& event : record.events)
-      if (const auto* e = std::get_if<all_pairs::Tested>(&event)) tested(e->i, e->j, e->overlap, 3, 2);
+      if (const auto* e = std::get_if<all_pairs::Tested>(&event)) tests.push_back(*e);
+    for (Test test = tests.cbegin(); test != tests.cend();) test = told(test, tests.cend());
     const int found = static_cast<int>(drawn_.found.size());
     total(0, 2 * found < tests_ ? fmt::format("Of {}, {} found nothing. A better way should not run them at all.",
                                               plural(tests_, "test"), tests_ - found)
                                 : fmt::format("Here {} of {} found a pair. In a large scene nearly all find nothing.",
                                               found, plural(tests_, "test")));
     return std::move(script_.walk());
+  }
+
+ private:
+  using Test = std::vector<all_pairs::Tested>::const_iterator;
+
+  /// One step for this test, or for all that a box fails in a row. Returns the next test.
+  Test told(Test test, Test end) {
+    const auto other = std::find_if(test, end, [&](const auto& t) { return t.i != test->i || t.overlap; });
+    if (other - test < 2) {
+      tested(test->i, test->j, test->overlap, 3, 2);
+      return test + 1;
+    }
+    std::vector<int> others;
+    for (auto t = test; t != other; ++t) others.push_back(t->j);
+    apart(test->i, others, 2);
+    return other;
   }
 };
 

@@ -69,11 +69,11 @@ Scene picture(const Boxes& boxes, const Drawn& d) {
     shared.role = Role::hit;
     scene.items.emplace_back(shared);
   }
-  if (d.j >= 0 && d.j != d.i) {
-    const Vec3 a = middle(boxes[d.i]), b = middle(boxes[d.j]);
-    scene.items.emplace_back(
-        Line{a, b, d.overlap ? Role::hit : Role::miss, d.overlap ? Pen::thick : Pen::construction});
-  }
+  std::vector<int> partners = d.also;
+  if (d.j >= 0 && d.j != d.i) partners.push_back(d.j);
+  for (const int j : partners)
+    scene.items.emplace_back(Line{middle(boxes[d.i]), middle(boxes[j]), d.overlap ? Role::hit : Role::miss,
+                                  d.overlap ? Pen::thick : Pen::construction});
   if (d.sweeping) {
     for (int k = 0; k < static_cast<int>(boxes.size()); ++k) {  // their intervals on the axis
       const double y = -2.45 - 0.11 * k;

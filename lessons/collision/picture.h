@@ -15,7 +15,8 @@ Boxes few(const viz::Vec3& p);
 Boxes many(int n);
 
 struct Drawn {
-  int i = -1, j = -1;  ///< the pair that is tested
+  int i = -1, j = -1;          ///< the pair that is tested
+  std::vector<int> also = {};  ///< i was tested with these, too, in the same step
   bool overlap = false;
   std::vector<std::pair<int, int>> found;  ///< pairs that overlap
   std::vector<int> active;                 ///< those that the sweeping plane meets

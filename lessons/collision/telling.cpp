@@ -87,6 +87,21 @@ Step& Teller::tested(int i, int j, bool overlap, int yes, int no) {
   return step;
 }
 
+Step& Teller::apart(int i, const std::vector<int>& others, int no) {
+  std::string names;
+  for (const int j : others) names += (names.empty() ? "" : j == others.back() ? " and " : ", ") + std::to_string(j);
+  drawn_.i = i, drawn_.j = others.back(), drawn_.overlap = false;
+  drawn_.also.assign(others.begin(), others.end() - 1);
+  tests_ += static_cast<int>(others.size());
+  script_.value("tests", tests_);
+  script_.value("pairs", static_cast<double>(drawn_.found.size()), {}, Role::hit);
+  Step& step = add(fmt::format("apart-{}-{}", i, others.front()), fmt::format("Box {} with {}", i, names), no,
+                   fmt::format("Some axis separates box {} from each of these: {}, no pair.", i,
+                               plural(static_cast<long long>(others.size()), "test")));
+  drawn_.also.clear();
+  return step;
+}
+
 void Teller::total(int line, const std::string& caption) {
   drawn_.i = drawn_.j = -1, drawn_.sweeping = false;
   script_.settle(drawn_.found.empty() ? Verdict::Kind::no : Verdict::Kind::yes,

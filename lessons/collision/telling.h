@@ -37,6 +37,8 @@ class Teller {
                  const std::string& formula = {});
   /// A pair was tested; `yes` and `no` are the lines that say so.
   viz::Step& tested(int i, int j, bool overlap, int yes, int no);
+  /// Box i was tested with several, one after the other, and meets none of them.
+  viz::Step& apart(int i, const std::vector<int>& others, int no);
   void total(int line, const std::string& caption);
 
   const Boxes& boxes_;

@@ -145,7 +145,7 @@ class Nearness {
                                   "All three other methods are wrong here."};
     std::string text = counts[wrong];
     if (s_.is_nan)
-      text += " A point with a NaN coordinate is near to none.";
+      text += " A point with such a coordinate is near to none.";
     else if (s_.extreme())
       text += " Where squares leave the range, the exact test takes wider numbers.";
     else if (on_sphere())

@@ -45,7 +45,7 @@ TEST_CASE("labels neither meet nor leave the picture, in any preset, step, theme
         const double aspect = picture_aspect(walks[i], name, w, h);
         const Camera camera = frame_alike(lesson->camera, walks[i], walks, aspect);
         for (const Step& s : walks[i].steps) {
-          for (const std::string& fault : label_faults(figure(s, camera, name, w, h)))
+          for (const std::string& fault : label_faults(figure(s, closer(camera, s.scene, aspect), name, w, h)))
             FAIL_CHECK(lesson->id << " " << lesson->presets[i].id << ", " << s.slug << ", " << name_of(name) << " " << w
                                   << "x" << h << ": " << fault);
         }

@@ -68,6 +68,28 @@ TEST_CASE("the fan ends with the exact location, in twenty bisections for a mill
   }
 }
 
+TEST_CASE("collisions: tests that fail one after the other for one box are one step", "[collision lesson]") {
+  for (const Lesson* lesson : isect::lessons::all_lessons()) {
+    if (lesson->id != "collision") continue;
+    for (const Preset& preset : lesson->presets) {
+      if (!preset.id.starts_with("brute-force")) continue;
+      const Walk walk = lesson->walk(preset.parameters);
+      int told = 0, steps = 0;
+      std::string before;
+      for (const Step& s : walk.steps) {
+        const bool fails = s.slug.starts_with("apart-") || (s.slug.starts_with("test-") && !s.decides);
+        const std::string box = fails ? s.slug.substr(s.slug.find('-') + 1, 1) : "";
+        CHECK((box.empty() || box != before));
+        before = box;
+        steps += s.slug.starts_with("apart-") || s.slug.starts_with("test-");
+        if (steps > 0 && !s.values.empty() && told < 15) told = static_cast<int>(s.values.front().value);
+      }
+      CHECK(told == 15);
+      CHECK(steps < 15);
+    }
+  }
+}
+
 TEST_CASE("collisions: each method finds the pairs of brute force", "[collision lesson]") {
   const auto last = [](const char* id) {
     return lesson("collision").walk(preset(lesson("collision"), id).parameters).steps.back();

@@ -26,9 +26,11 @@ TEST_CASE("labels on paper neither meet nor leave at 3, 5, 8, 12 and 16 cm, or t
     std::vector<Walk> walks;
     for (const Preset& p : lesson->presets) walks.push_back(lesson->walk(p.parameters));
     const Walk& walk = walks.front();
-    const auto camera = [&](double aspect) { return frame_alike(opening(*lesson), walk, walks, aspect); };
     for (const double width : widths)
       for (int step = 0; step < static_cast<int>(walk.steps.size()); ++step) {
+        const auto camera = [&](double aspect) {
+          return closer(frame_alike(opening(*lesson), walk, walks, aspect), walk.steps[step].scene, aspect);
+        };
         INFO(lesson->id << ", " << walk.steps[step].slug << " at " << width << " cm");
         const auto made = readable_figure(walk, step, ThemeName::print, {width * points_a_cm, 0}, true, camera);
         REQUIRE(made);

@@ -100,7 +100,7 @@ TEST_CASE("under the microscope a false zero and a wrong side are told apart", "
       }
     const Step& last = ending(walk);
     CHECK(value(last, "wrong") == zeros + sides);
-    CHECK(says(last.caption, "none the wrong side") == (zeros > 0 && sides == 0));
+    CHECK(says(last.caption, "none names the wrong side") == (zeros > 0 && sides == 0));
     CHECK(says(last.caption, "No verdict is wrong") == (zeros + sides == 0));
     CHECK((last.verdict.kind == Verdict::Kind::yes) == (zeros + sides == 0));
     CHECK((last.question->answer == 0) == (zeros + sides == 0));

@@ -23,10 +23,8 @@ Canvas::Canvas(const Scene& s, const View& v, const Theme& t, bool grips)
       occluders.screens.push_back({region->rings});
   }
   const auto ball = [&](int i) { return std::get<Ball>(scene.items[i]); };
-  const auto depth = [&](int i) {  // equal depths stay equal whatever the machine rounds
-    return std::round(view.project(ball(i).center).depth / (1e-9 * view.camera().half_height));
-  };
-  std::stable_sort(ball_items.begin(), ball_items.end(), [&](int a, int b) { return depth(a) > depth(b); });
+  std::stable_sort(ball_items.begin(), ball_items.end(),
+                   [&](int a, int b) { return depth(ball(a).center) > depth(ball(b).center); });
   for (const int i : ball_items) occluders.balls.push_back(ball(i));
 }
 

@@ -3,6 +3,7 @@
 // has a file of its own beside this one.
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "viz/compose.h"
@@ -45,6 +46,8 @@ class Canvas {
 
   const Sizes& sizes() const { return theme.sizes; }
   Vec2 at(const Vec3& p) const { return view.project(p).at; }
+  /// From the eye on, in steps so small that they only keep equal depths equal, whatever the machine rounds.
+  double depth(const Vec3& p) const { return std::round(view.project(p).depth / (1e-9 * view.camera().half_height)); }
   std::vector<Vec2> projected(const std::vector<Vec3>&) const;
 
   /// The line's width on the picture.

@@ -86,7 +86,7 @@ void draw_solids(Canvas& c) {
       solids.push_back(solid), items.push_back(static_cast<int>(i));
   std::vector<std::size_t> order(solids.size());  // of the scene, and so of the shells
   std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto depth = [&](std::size_t i) { return c.view.project(middle(solids[i]->vertices)).depth; };
+  const auto depth = [&](std::size_t i) { return c.depth(middle(solids[i]->vertices)); };
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return depth(a) > depth(b); });
 
   for (const std::size_t i : order) c.own(items[i], [&] { draw_solid(c, *solids[i], static_cast<int>(i)); });
@@ -103,7 +103,7 @@ void draw(Canvas& c, const Mesh& it) {
     const Vec3 n = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
     if (!(n.dot(c.view.towards_eye(corners[0])) > 0)) continue;
     const Colour colour = mixed(c.theme.ink(it.role), c.theme.background, 0.08 + 0.45 * lit(n));
-    facets.push_back({c.view.project(middle(corners)).depth, {polyline(c.projected(corners), true), colour, 0, 0, {}}});
+    facets.push_back({c.depth(middle(corners)), {polyline(c.projected(corners), true), colour, 0, 0, {}}});
   }
   std::stable_sort(facets.begin(), facets.end(), [](const Facet& a, const Facet& b) { return a.depth > b.depth; });
   for (const Facet& facet : facets) {

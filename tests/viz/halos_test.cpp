@@ -1,0 +1,43 @@
+#include "viz/halos.h"
+
+#include "tests/catch.h"
+
+namespace halos_test {
+using namespace isect::viz;
+
+namespace {
+
+Fill square(double size, const Colour& colour) {
+  return {polyline({{-size, -size}, {size, -size}, {size, size}, {-size, size}}, true), colour, 0, 0, {}};
+}
+Text word(const Colour& colour) { return {"word", {-20, 5}, 15, colour, 0, false, 0, {}}; }
+
+}  // namespace
+
+TEST_CASE("contrast is measured against what the fills below a text come to", "[halos]") {
+  const Colour white = hex(0xFFFFFF), black = hex(0);
+  CHECK(contrast_ratio(white, black) == Approx(21));
+  CHECK(contrast_ratio(hex(0x777777), white) == Approx(4.48).margin(0.01));
+  CHECK(contrast_of({word(black)}, 0, white) == Approx(21));
+  CHECK(contrast_of({square(99, black), word(black)}, 1, white) == Approx(1));
+  CHECK(contrast_of({square(99, black.with_alpha(0.5)), word(black)}, 1, white) == Approx(5.28).margin(0.05));
+  CHECK(contrast_of({word(black), square(99, black)}, 0, white) == Approx(21));  // it lies above
+  Fill holed = square(99, black);
+  holed.more = {square(50, black).path};
+  CHECK(contrast_of({holed, word(black)}, 1, white) == Approx(21));
+  const Gradient ball = {{0, 0}, {99, 0}, {0, 99}, {0, 0}, white, black};
+  CHECK(contrast_of({ball, word(black)}, 1, white) > 10);
+  CHECK(contrast_of({ball, word(white)}, 1, white) == Approx(1).margin(0.3));
+}
+
+TEST_CASE("a text gets a halo where it would not stand out, and only there", "[halos]") {
+  const Theme screen = theme(ThemeName::screen, 960, 600);
+  const Colour brown = screen.ink(Role::second), blue = screen.ink(Role::first);
+  std::vector<Shape> shapes = {word(brown), square(99, blue), word(brown), square(99, screen.background), word(brown)};
+  add_halos(shapes, screen);
+  CHECK(std::get<Text>(shapes[0]).halo == 0);
+  CHECK(std::get<Text>(shapes[2]).halo > 0);
+  CHECK(std::get<Text>(shapes[4]).halo == 0);
+}
+
+}  // namespace halos_test

@@ -1,0 +1,104 @@
+#include "viz/halos.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "viz/text.h"
+
+namespace isect::viz {
+namespace {
+
+bool holds(const TextBox& b, const Vec2& p) {
+  return b.left <= p.x() && p.x() <= b.right && b.top <= p.y() && p.y() <= b.bottom;
+}
+
+/// A box around a path: curves stay within their control points.
+TextBox around(const Path& path) {
+  TextBox b = {path.start.x(), path.start.y(), path.start.x(), path.start.y()};
+  const auto grow = [&](const Vec2& p) {
+    b = {std::min(b.left, p.x()), std::min(b.top, p.y()), std::max(b.right, p.x()), std::max(b.bottom, p.y())};
+  };
+  for (const Path::Segment& segment : path.segments) {
+    if (const Vec2* to = std::get_if<Vec2>(&segment)) {
+      grow(*to);
+    } else {
+      const auto& cubic = std::get<Path::Cubic>(segment);
+      grow(cubic.control1), grow(cubic.control2), grow(cubic.to);
+    }
+  }
+  return b;
+}
+
+/// How often the outline winds round the point.
+int winding(const Path& path, const Vec2& p) {
+  if (!holds(around(path), p)) return 0;
+  const std::vector<Vec2> ring = flatten(path, 0.5);
+  int turns = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
+    const double side = (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
+    if (a.y() <= p.y() && b.y() > p.y() && side > 0) ++turns;
+    if (a.y() > p.y() && b.y() <= p.y() && side < 0) --turns;
+  }
+  return turns;
+}
+
+Colour over(const Colour& below, const Colour& c) {
+  return {below.r + c.a * (c.r - below.r), below.g + c.a * (c.g - below.g), below.b + c.a * (c.b - below.b), 1};
+}
+
+/// The colour at a point once `shape` is drawn on `below`.
+Colour drawn_on(const Colour& below, const Shape& shape, const Vec2& p) {
+  if (const Fill* fill = std::get_if<Fill>(&shape)) {
+    int turns = winding(fill->path, p);
+    for (const Path& path : fill->more) turns += winding(path, p);
+    const bool inside = fill->more.empty() ? turns != 0 : turns % 2 != 0;
+    return inside ? over(below, fill->colour) : below;
+  }
+  if (const Gradient* ball = std::get_if<Gradient>(&shape)) {
+    const Vec2 d = p - ball->center;
+    const double r =
+        std::hypot(d.dot(ball->major) / ball->major.squaredNorm(), d.dot(ball->minor) / ball->minor.squaredNorm());
+    if (!(r <= 1)) return below;
+    const Colour &in = ball->inner, &out = ball->outer;
+    return over(below, {in.r + r * (out.r - in.r), in.g + r * (out.g - in.g), in.b + r * (out.b - in.b),
+                        in.a + r * (out.a - in.a)});
+  }
+  return below;
+}
+
+double luminance(const Colour& c) {
+  const auto linear = [](double x) { return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4); };
+  return 0.2126 * linear(c.r) + 0.7152 * linear(c.g) + 0.0722 * linear(c.b);
+}
+
+}  // namespace
+
+double contrast_ratio(const Colour& a, const Colour& b) {
+  const double x = luminance(a), y = luminance(b);
+  return (std::max(x, y) + 0.05) / (std::min(x, y) + 0.05);
+}
+
+double contrast_of(const std::vector<Shape>& shapes, std::size_t text, const Colour& background) {
+  const Text& t = std::get<Text>(shapes[text]);
+  const TextBox box = measure(t);
+  double least = 21;
+  for (int i = 0; i < 9; ++i)
+    for (int j = 0; j < 3; ++j) {
+      const Vec2 p(box.left + (i + 0.5) / 9 * (box.right - box.left), box.top + (j + 0.5) / 3 * (box.bottom - box.top));
+      Colour below = background;
+      for (std::size_t k = 0; k < text; ++k) below = drawn_on(below, shapes[k], p);
+      least = std::min(least, contrast_ratio(t.colour, below));
+    }
+  return least;
+}
+
+void add_halos(std::vector<Shape>& shapes, const Theme& theme) {
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    Text* text = std::get_if<Text>(&shapes[i]);
+    if (!text || text->halo > 0 || contrast_of(shapes, i, theme.background) >= least_contrast) continue;
+    text->halo = theme.sizes.label_halo, text->halo_colour = theme.background;
+  }
+}
+
+}  // namespace isect::viz
