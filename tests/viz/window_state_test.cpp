@@ -94,6 +94,7 @@ TEST_CASE("a figure is saved in every format, on paper as wide as asked", "[wind
   std::filesystem::remove_all(folder);
   WindowDriver window(both, 1280, 800, {}, {}, {.reduced_motion = true, .figures = folder});
   for (const Format& format : formats()) {
+    if (!format.write) continue;  // films
     INFO(format.name);
     window.type("s");
     window.frames(2);
