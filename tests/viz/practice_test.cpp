@@ -158,6 +158,18 @@ TEST_CASE("only what was done is counted, and from the step that did it", "[wind
   CHECK(window.has("count mul"));
 }
 
+TEST_CASE("the current line says no as soon as its condition is found false", "[window]") {
+  Place place;
+  place.lesson = "ray-sphere", place.preset = "two-roots", place.step = 3;
+  WindowDriver window(lessons::all_lessons(), 1280, 800, place);
+  REQUIRE(window.player().step().slug == "early-reject");
+  REQUIRE_FALSE(window.player().step().comparison->holds);
+  CHECK(window.has("no 4"));
+  window.player().back();
+  window.frames(2);
+  CHECK_FALSE(window.has("no 4"));
+}
+
 TEST_CASE("an exercise is tried from its own preset, and found when the core says so", "[window]") {
   WindowDriver window(lessons::all_lessons(), 1280, 1400, at("inside"));
   window.key(key::end);

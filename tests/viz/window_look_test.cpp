@@ -36,7 +36,8 @@ bool is_widget(const std::string& name) {
                                               "transport",  "lesson words", "lesson fields", "values",
                                               "message",    "operations",   "comparison",    "methods side by side",
                                               "focus ring", "code lines"};
-  return !areas.contains(name) && !name.starts_with("handle ") && !name.ends_with(" under pointer");
+  return !areas.contains(name) && !name.starts_with("handle ") && !name.starts_with("no ") &&
+         !name.ends_with(" under pointer");
 }
 
 bool meet(const Rect& a, const Rect& b) {
@@ -133,6 +134,31 @@ TEST_CASE("nothing overlaps, nothing is cut and nothing leaves the window, at an
       walk(window, width, height);
     }
   }
+}
+
+TEST_CASE("with the panels hidden a question has room for all its answers, in the least window", "[window][layout]") {
+  WindowDriver window(isect::lessons::all_lessons(), 800, 600, {}, {}, {.reduced_motion = true, .draw_scene = false});
+  window.key(key::tab);
+  int asked = 0;
+  for (const Lesson* lesson : isect::lessons::all_lessons()) {
+    window.player().open(*lesson);
+    for (int i = 1; i < window.player().count(); ++i) {
+      window.player().go_to(i - 1);
+      window.player().next();
+      const Question* question = window.player().asked();
+      if (!question) continue;
+      ++asked;
+      window.frames(3);
+      INFO(window.ui.title());
+      const Rect card = window.rect("question over scene"), scene = window.rect("scene");
+      CHECK((card.top >= scene.top && card.bottom <= scene.bottom));
+      for (std::size_t k = 0; k < question->choices.size(); ++k) {
+        const Rect choice = window.rect("choice " + std::to_string(k));
+        CHECK((choice.top >= card.top && choice.bottom <= card.bottom));
+      }
+    }
+  }
+  CHECK(asked > 40);
 }
 
 TEST_CASE("the picture shows panels, scene and the current line in their colours", "[window]") {

@@ -95,6 +95,14 @@ int step_at_line(const Player& player, int line) {
   return -1;
 }
 
+/// Whether the condition at the current line turns out false in this step: the next one has it among the refused.
+bool refused_here(const Player& player) {
+  if (player.at_end()) return false;
+  const Step& step = player.step();
+  const auto count = [&](const Step& at) { return std::ranges::count(at.refused, step.line); };
+  return step.line >= 0 && count(player.walk().steps[static_cast<std::size_t>(player.index()) + 1]) > count(step);
+}
+
 void code_line(Session& s, int line, const CodeLine& words, float pitch, const Rect& r) {
   Ui& ui = s.ui;
   const Palette& c = ui.palette;
@@ -112,7 +120,7 @@ void code_line(Session& s, int line, const CodeLine& words, float pitch, const R
   float y = r.top + pitch / 2;
   const float number = r.left + 26;
   text(ui.fonts.mono_small, number, y, packed(current ? c.on_highlight : c.muted), std::to_string(line + 1), 1);
-  const bool refused = has(step.refused, line);
+  const bool refused = has(step.refused, line) || (current && refused_here(s.player));
   ImGui::PushClipRect({number + 8, r.top}, {r.right - (refused ? 38 : 4), r.bottom}, true);
   for (const std::string& row : words.rows) {
     text(words.font, r.left + code_left, y, packed(ink), row);
@@ -120,7 +128,10 @@ void code_line(Session& s, int line, const CodeLine& words, float pitch, const R
   }
   ImGui::PopClipRect();
   y = r.top + pitch / 2;
-  if (refused) text(ui.fonts.small, r.right - 12, y, packed(current ? c.on_highlight : c.miss), "no", 1);
+  if (refused) {
+    text(ui.fonts.small, r.right - 12, y, packed(current ? c.on_highlight : c.miss), "no", 1);
+    ui.rects["no " + std::to_string(line + 1)] = {r.right - 34, y - 9, r.right - 8, y + 9};
+  }
 }
 
 void code(Session& s, const std::vector<CodeLine>& lines, const Rect& r, float pitch) {

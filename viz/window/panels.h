@@ -23,6 +23,11 @@ void transport(Session&, const Rect&);
 /// The key sheet, the picker and the save sheet, over everything else. (sheets.cpp)
 void sheets(Session&, const Rect& window);
 
+/// Keeps what was answered, and that a lesson was read to its end. (score.cpp)
+void keep_score(Session&);
+/// Keeps the lessons last opened, the one on show first. (score.cpp)
+void keep_recent(Session&);
+
 /// Does what this frame's keys ask for. (keys.cpp)
 void keys(Session&);
 

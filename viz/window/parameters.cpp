@@ -83,10 +83,8 @@ void edit(Session& s, const std::string& parameter, const std::string& field, co
 float refusal(Session& s, const std::string& name, float x, float y, float width) {
   const std::string field = "parameter " + name;
   if (s.refused.field != field && !s.refused.field.starts_with(field + ".")) return 0;
-  std::string words;
-  for (const char c : s.refused.why)  // as it is: no markup
-    words += (c == '*' || c == '_' || c == '^' || c == '\\') ? std::string("\\") + c : std::string(1, c);
-  const Paragraph p{.markup = words, .width = width, .size = 13, .line_pitch = 18, .colour = s.ui.palette.miss};
+  const Paragraph p{
+      .markup = as_markup(s.refused.why), .width = width, .size = 13, .line_pitch = 18, .colour = s.ui.palette.miss};
   const ImVec2 size = rich(s.ui, p, {x, y});
   s.ui.rects["refused " + s.refused.field] = {x, y, x + width, y + size.y};
   return size.y + 6;

@@ -1,12 +1,39 @@
 // How the figure on show becomes a file.
 
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
 #include "viz/formats.h"
+#include "viz/window/number_text.h"
 #include "viz/window/sheets.h"
 
 namespace isect::viz {
 
+namespace {
+
+/// A field for any other width in cm, which counts on Enter or on leaving it.
+void other_width(Session& s, const Rect& r) {
+  s.ui.rects["other width"] = r;
+  const bool held = focused(s.ui, "other width", r);
+  ImGui::SetCursorScreenPos(top_left(r));
+  ImGui::SetNextItemWidth(r.width());
+  if (held && s.ui.focus.pressed()) ImGui::SetKeyboardFocusHere();
+  ImGui::InputTextWithHint("##width", "cm", &s.width_text, ImGuiInputTextFlags_AutoSelectAll);
+  if (!ImGui::IsItemDeactivatedAfterEdit()) return;
+  try {
+    const double cm = number_from(s.width_text);
+    if (!(cm >= least_width_cm && cm <= most_width_cm))
+      throw BadInput("give a width from " + shown(least_width_cm) + " to " + shown(most_width_cm) + " cm");
+    s.settings.save_width_cm = cm;
+  } catch (const BadInput& wrong) {
+    s.complain(std::string("Width: ") + wrong.what());
+  }
+}
+
+}  // namespace
+
 void save_sheet(Session& s, const Rect& window) {
-  if (!begin_sheet(s, "save sheet", window, 480, 290)) return;
+  if (!begin_sheet(s, "save sheet", window, 560, 290)) return;
   Ui& ui = s.ui;
   const Palette& c = ui.palette;
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -37,9 +64,10 @@ void save_sheet(Session& s, const Rect& window) {
       s.settings.save_width_cm = cm;
     x += width + 6;
   }
+  other_width(s, {x + 80, y - 15, x + 150, y + 15});
   x = at.x, y += 56;
   const bool again = ImGui::GetIO().InputQueueCharacters.contains('s') && !ImGui::IsWindowAppearing();
-  const bool held = !ui.focus.name().empty();  // then Enter presses that
+  const bool held = !ui.focus.name().empty() || ImGui::GetIO().WantTextInput;  // then Enter is theirs
   const bool enter = (!held && (key_down(key::enter) || key_down(key::keypad_enter))) || key_down(key::f12) || again;
   if (chip(ui, "save", {x, y - 18, x + 110, y + 18}, "Save", true) || enter) {
     s.save_now = true;

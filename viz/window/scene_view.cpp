@@ -11,6 +11,7 @@
 #include "viz/motion.h"
 #include "viz/window/key_codes.h"
 #include "viz/window/scene_marks.h"
+#include "viz/window/scene_names.h"
 
 namespace isect::viz {
 namespace {
@@ -37,36 +38,6 @@ double head_of(Session& s, double scene_width) {
 const Cases* map_of(const Session& s) {
   const Scene& scene = s.player.scene();
   return scene.chart && s.player.lesson().map ? std::get_if<Cases>(&scene.chart->kind) : nullptr;
-}
-
-bool is_tip(const Scene& scene, const Vec3& at) {
-  return std::ranges::any_of(scene.items, [&](const Item& item) {
-    const Arrow* arrow = std::get_if<Arrow>(&item);
-    return arrow && arrow->to == at;
-  });
-}
-
-/// The scene with a name at each handle that has none. An arrow's name moves from its tip to its handle.
-Scene with_names(const Player& player) {
-  Scene scene = player.scene();
-  for (const Handle& h : scene.handles) {
-    std::string name = h.parameter;
-    for (const Parameter& p : player.lesson().parameters)
-      if (p.name == h.parameter && !p.label.empty()) name = p.label;
-    const auto names = [&](const Item& item) {
-      const Label* label = std::get_if<Label>(&item);
-      if (!label || label->text.find(name) == std::string::npos) return false;
-      const bool here = (label->at - h.at).norm() <= 1e-9 * (1 + h.at.norm());
-      return here || (label->text == name && !is_tip(player.scene(), label->at));
-    };
-    if (std::ranges::any_of(scene.items, names)) continue;
-    std::erase_if(scene.items, [&](const Item& item) {
-      const Label* label = std::get_if<Label>(&item);
-      return label && label->text == name;
-    });
-    scene.items.emplace_back(Label{h.at, name, h.role});
-  }
-  return scene;
 }
 
 bool same_handle(const Handle& a, const Handle& b) { return a.parameter == b.parameter && a.kind == b.kind; }

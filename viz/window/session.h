@@ -74,6 +74,7 @@ struct Session {
   bool close = false;             ///< the reader wants to leave
   bool full_screen = false;
   std::string search = {};                   ///< words in the picker, or among the terms
+  std::string width_text = {};               ///< typed into the sheet that saves figures
   std::vector<std::string> presets = {};     ///< files of saved presets, as the picker found them
   float fields_height = 0;                   ///< of the parameters' fields, as the last frame found it
   float question_height = 120;               ///< of the question over the scene, likewise

@@ -1,5 +1,6 @@
 #include "viz/window/sheets.h"
 
+#include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>

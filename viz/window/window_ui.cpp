@@ -9,7 +9,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "viz/closing.h"
 #include "viz/files.h"
 #include "viz/rich_text.h"
 #include "viz/window/key_codes.h"
@@ -42,32 +41,6 @@ namespace {
 UiFonts fonts_at(double scale) {
   key::map();
   return load_fonts(scale);
-}
-
-}  // namespace
-
-namespace {
-
-/// What was answered, and that a lesson was read to its end.
-void keep_score(Session& s) {
-  const Player& player = s.player;
-  Score& score = s.settings.scores[player.lesson().id];
-  if (const auto answered = player.answered()) {
-    std::string name = player.method() + "/" + player.step().slug;
-    std::erase_if(name, [](char c) { return c >= '0' && c <= '9'; });  // one question, however often a loop asks it
-    score.answers[name] = answered->right();
-  }
-  if (player.step().slug == closing_slug) score.finished = true;
-}
-
-/// The lessons last opened, the one on show first.
-void keep_recent(Session& s) {
-  std::vector<std::string>& recent = s.settings.recent;
-  const std::string& id = s.player.lesson().id;
-  if (!recent.empty() && recent.front() == id) return;
-  std::erase(recent, id);
-  recent.insert(recent.begin(), id);
-  if (recent.size() > recent_kept) recent.resize(recent_kept);
 }
 
 }  // namespace

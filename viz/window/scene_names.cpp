@@ -1,0 +1,39 @@
+#include "viz/window/scene_names.h"
+
+#include <algorithm>
+
+namespace isect::viz {
+namespace {
+
+bool is_tip(const Scene& scene, const Vec3& at) {
+  return std::ranges::any_of(scene.items, [&](const Item& item) {
+    const Arrow* arrow = std::get_if<Arrow>(&item);
+    return arrow && arrow->to == at;
+  });
+}
+
+}  // namespace
+
+Scene with_names(const Player& player) {
+  Scene scene = player.scene();
+  for (const Handle& h : scene.handles) {
+    std::string name = h.parameter;
+    for (const Parameter& p : player.lesson().parameters)
+      if (p.name == h.parameter && !p.label.empty()) name = p.label;
+    const auto names = [&](const Item& item) {
+      const Label* label = std::get_if<Label>(&item);
+      if (!label || label->text.find(name) == std::string::npos) return false;
+      const bool here = (label->at - h.at).norm() <= 1e-9 * (1 + h.at.norm());
+      return here || (label->text == name && !is_tip(player.scene(), label->at));
+    };
+    if (std::ranges::any_of(scene.items, names)) continue;
+    std::erase_if(scene.items, [&](const Item& item) {
+      const Label* label = std::get_if<Label>(&item);
+      return label && label->text == name;
+    });
+    scene.items.emplace_back(Label{h.at, name, h.role});
+  }
+  return scene;
+}
+
+}  // namespace isect::viz

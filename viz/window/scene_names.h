@@ -1,0 +1,10 @@
+#pragma once
+
+#include "viz/player.h"
+
+namespace isect::viz {
+
+/// The scene with a name at each handle that has none. An arrow's name moves from its tip to its handle.
+Scene with_names(const Player&);
+
+}  // namespace isect::viz
