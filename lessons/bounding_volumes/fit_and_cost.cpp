@@ -135,6 +135,7 @@ class Fit {
                      "All objects share the normals, so only *k* ends are kept. With 6 planes it is the AABB.",
                      "*lo_i* ≤ **n***_i* · **x** ≤ *hi_i* for each *i*");
     step.scene.items = side_by_side(mesh_, fitted_.object, all);
+    step.scene.handles.clear();  // the tip stands in none of the small pictures
     step.question = Question{"Can a 14-DOP have more void than the AABB?",
                              {"yes", "no"},
                              all[1].volume > all[0].volume ? 0 : 1,
@@ -156,6 +157,7 @@ class Fit {
                      "Void is given relative to the object's own volume. No convex volume is tighter than the hull.\n"
                      "A cell is a number kept; operations are of one test that finds an overlap.");
     step.scene.items = side_by_side(mesh_, fitted_.object, all_);
+    step.scene.handles.clear();
     step.question =
         Question{"Which has the least void, the hull apart?",
                  {all_[0].name, all_[1].name, all_[2].name, all_[3].name},

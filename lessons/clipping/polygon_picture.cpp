@@ -32,8 +32,8 @@ Scene picture(const Rest& k, const Cut* cut) {
       scene.items.emplace_back(Dot{flat(x), Mark::disc, k.settled && !among(k.original, x) ? Role::hit : Role::first});
   }
   for (std::size_t i = 0; i < k.original.size(); ++i) {
-    if (!cut || among(cut->before, k.original[i]))
-      scene.items.emplace_back(Label{flat(k.original[i]), fmt::format("**{}**", names[i]), Role::first});
+    if (cut && !among(cut->before, k.original[i])) continue;
+    scene.items.emplace_back(Label{flat(k.original[i]), fmt::format("**{}**", names[i]), Role::first});
     scene.handles.push_back({names[i], Handle::Kind::point, flat(k.original[i]), Vec3::Zero(), Role::first});
   }
   return scene;

@@ -137,7 +137,6 @@ Scene projections(const Setup& s, const Vec3& point, const Vec3& normal, int cho
   }
   Scene scene;
   scene.items = centred(in_grid(insets, 3, Camera{}), s);
-  scene.handles = handles(s);
   return scene;
 }
 
@@ -162,7 +161,6 @@ Scene crossings(const Setup& s, const Flat& flat, const std::vector<Passing>& pa
   inset.note = fmt::format("{} on the right: {}", count, flat.inside ? "IN" : "OUT");
   Scene scene;
   scene.items = centred(in_grid({inset}, 1, Camera{}), s);
-  scene.handles = handles(s);
   return scene;
 }
 
