@@ -8,7 +8,6 @@
 
 #include "app/lock.h"
 #include "app/ownership.h"
-#include "viz/alt_text.h"
 #include "viz/files.h"
 #include "viz/place.h"
 #include "viz/rich_text.h"
@@ -44,19 +43,17 @@ std::vector<fs::path> figures_in(const fs::path& folder) {
 
 }  // namespace
 
-Gallery::Gallery(std::string folder, const Program& program, const std::vector<Excerpt>& chosen,
-                 const std::vector<const viz::Format*>& formats)
-    : folder_(std::move(folder)) {
+Gallery::Gallery(std::string folder, const Program& program) : folder_(std::move(folder)) {
   if (const auto trace = baseline_below(folder_, program))
     throw viz::BadInput(
         fmt::format("out: {} holds baselines ({}), and figures never lie among them; give another folder, such as "
                     "--out figures",
                     folder_, trace->string()));
   listed_ = read_manifest();
-  for (const Excerpt& e : chosen)
-    for (const int step : e.steps)
-      for (const viz::Format* format : formats)
-        if (const std::string file = file_of(e, step) + "." + format->name; !is_ours(file)) not_ours(path(file));
+}
+
+void Gallery::need_ours(const Piece& piece, const viz::Format& format) const {
+  if (const std::string file = piece.stem + "." + format.name; !is_ours(file)) not_ours(path(file));
 }
 
 std::string Gallery::path(const std::string& file) const { return (fs::path(folder_) / file).string(); }
@@ -96,24 +93,27 @@ Gallery::Entries Gallery::read_manifest() const {
   return entries;
 }
 
-std::string Gallery::add(const Excerpt& e, int step, const std::string& format, const std::string& bytes, Json about) {
-  const viz::Step& s = e.walk.steps[step];
-  const std::string stem = file_of(e, step), file = stem + "." + format;
-  const std::string alt = viz::alt_text(*e.lesson, e.parameters, e.walk, step);
+std::string Gallery::add(const Excerpt& e, const Piece& piece, const std::string& format, const std::string& bytes,
+                         Json about) {
+  const std::string file = piece.stem + "." + format;
   viz::write_file(path(file), bytes);
-  if (is_our_text(stem, alt))
-    viz::write_file(path(stem + ".txt"), alt);
+  if (is_our_text(piece.stem, piece.alt))
+    viz::write_file(path(piece.stem + ".txt"), piece.alt);
   else
-    left_alone_.insert(path(stem + ".txt"));
+    left_alone_.insert(path(piece.stem + ".txt"));
 
   Json entry = {
       {"file", file}, {"lesson", e.lesson->id}, {"preset", e.preset.empty() ? Json(nullptr) : Json(e.preset)}};
-  entry.update({{"step", step + 1},
-                {"slug", s.slug},
-                {"title", viz::plain(s.title)},
-                {"caption", viz::plain(s.caption)},
-                {"caption_tex", viz::tex(s.caption)},
-                {"alt", alt}});
+  if (shows_several(piece.metadata)) {
+    entry["steps"] = Json::array();
+    for (const int step : piece.steps) entry["steps"].push_back(step + 1);
+  } else {
+    entry.update({{"step", piece.steps.front() + 1}, {"slug", e.walk.steps[piece.steps.front()].slug}});
+  }
+  entry.update({{"title", viz::plain(piece.title)},
+                {"caption", viz::plain(piece.caption)},
+                {"caption_tex", viz::tex(piece.caption)},
+                {"alt", piece.alt}});
   entry["parameters"] = Json::parse(viz::to_json(e.parameters));
   entry.update(about);
   entry["version"] = viz::version();
@@ -130,6 +130,7 @@ std::size_t Gallery::remove_stale(const Excerpt& e) {
     const std::string stem = folder_of(e) + "/" + figure.stem().string();
     if (wanted.contains(stem)) continue;
     const viz::Metadata data = metadata_in(figure);
+    if (shows_several(data)) continue;  // whatever steps there are now
     const bool listed = listed_.contains(stem + figure.extension().string());
     if (!made_as(data, stem, {}) && !(listed && made_for(data, folder_of(e), {}))) continue;
     removed += fs::remove(figure);

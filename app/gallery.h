@@ -8,20 +8,21 @@
 #include <string>
 #include <vector>
 
-#include "app/options.h"
+#include "app/piece.h"
 #include "viz/formats.h"
 
 namespace isect::program {
 
 class Gallery {
  public:
-  /// Throws viz::BadInput where the folder holds baselines, and viz::FileError where a manifest.json, or a file where
-  /// one of these figures goes, is not isect's. Nothing is written yet.
-  Gallery(std::string folder, const Program&, const std::vector<Excerpt>&,
-          const std::vector<const viz::Format*>& formats);
+  /// Throws viz::BadInput where the folder holds baselines, and viz::FileError where a manifest.json there is not
+  /// isect's. Nothing is written yet.
+  Gallery(std::string folder, const Program&);
+  /// Throws viz::FileError where a file that this figure would replace is not isect's.
+  void need_ours(const Piece&, const viz::Format&) const;
 
   /// The figure, its alt text, and its line for the manifest; returns where the figure is.
-  std::string add(const Excerpt&, int step, const std::string& format, const std::string& bytes,
+  std::string add(const Excerpt&, const Piece&, const std::string& format, const std::string& bytes,
                   nlohmann::ordered_json about);
   /// Takes away figures that isect made for this folder, of steps that the walk no longer has, with their alt texts.
   /// Returns how many.

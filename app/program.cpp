@@ -57,7 +57,9 @@ void describe(CLI::App& app, Program& program) {
   add_show(app, program);
   add_explain(app, program);
   add_render(app, program);
+  add_strip(app, program);
   add_handout(app, program);
+  add_deck(app, program);
   add_check(app, program);
   if (!program.only) add_query(app, program);
 #ifdef ISECT_HAS_BENCH

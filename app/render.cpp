@@ -10,6 +10,7 @@
 #include "app/gallery.h"
 #include "app/options.h"
 #include "app/ownership.h"
+#include "app/piece.h"
 #include "app/preset_folder.h"
 #include "app/studio.h"
 #include "app/surroundings.h"
@@ -25,7 +26,8 @@ using Json = nlohmann::ordered_json;
 struct Options {
   Selection asked;
   StyleOptions style;
-  std::string dir, out = "figures", backend = "auto";
+  std::string dir, out = "figures", backend = "auto", each;
+  double seconds = 2.5;  ///< of each step, where they move
 };
 
 /// What the manifest says of a figure besides its step.
@@ -43,44 +45,63 @@ Json made_with(const Style& style, const viz::Format& format, const viz::Drawing
   return made;
 }
 
-/// Which figures could not be as narrow as was asked: honestly wider, rather than with labels that meet.
-void say_widened(const Studio& studio) {
-  const std::vector<std::string>& all = studio.widened();
-  if (all.empty()) return;
-  say(fmt::format("width: at this text size the labels of {} figure{} would meet or leave the picture, so {} wider:",
-                  all.size(), all.size() == 1 ? "" : "s", all.size() == 1 ? "it is" : "they are"));
-  constexpr std::size_t enough = 12;
-  for (std::size_t i = 0; i < std::min(enough, all.size()); ++i) say("  " + all[i]);
-  if (all.size() > enough) say(fmt::format("  and {} others; manifest.json has every width", all.size() - enough));
-  say("Give a smaller --text-size to have them narrower.");
+/// A file of the run: a step, or all steps of an excerpt in one that moves.
+struct Job {
+  const Excerpt& e;
+  Piece piece;
+  std::vector<const viz::Format*> formats;
+};
+
+std::vector<Job> jobs_of(const std::vector<Excerpt>& chosen, const Style& style) {
+  std::vector<const viz::Format*> still, moving;
+  for (const viz::Format* format : style.formats) (format->film ? moving : still).push_back(format);
+  std::vector<Job> jobs;
+  for (const Excerpt& e : chosen) {
+    for (const int step : e.steps)
+      if (!still.empty()) jobs.push_back({e, piece_of(e, step), still});
+    if (!moving.empty() && !e.steps.empty()) jobs.push_back({e, piece_of(e, "steps"), moving});
+  }
+  return jobs;
 }
 
-int to_stdout(const std::vector<Excerpt>& chosen, const Style& style, const std::string& backend) {
-  if (chosen.size() != 1 || chosen[0].steps.size() != 1 || style.formats.size() != 1)
+/// Each format of a job, given to `take`.
+template <class Take>
+void make(const Job& job, const Options& options, const Style& style, Studio& studio, const Take& take) {
+  const std::vector<viz::Drawing> drawings = studio.draw(job.e, job.piece.steps);
+  for (const viz::Format* format : job.formats) {
+    Json about = made_with(style, *format, drawings.front(), studio.renderer(*format));
+    if (format->film) about["seconds"] = options.seconds;
+    take(*format,
+         format->film ? studio.film(job.piece, drawings, options.seconds, *format)
+                      : studio.write(job.piece, drawings.front(), *format),
+         about);
+  }
+}
+
+int to_stdout(const std::vector<Excerpt>& chosen, const Options& options, const Style& style) {
+  const std::vector<Job> jobs = jobs_of(chosen, style);
+  if (jobs.size() != 1 || jobs.front().formats.size() != 1)
     throw viz::BadInput("out: \"-\" takes exactly one figure in one format; give --step N, and one preset and format");
-  const Excerpt& e = chosen[0];
-  Studio studio(style, backend);
-  const viz::Drawing drawing = studio.draw(e, e.steps[0]);
-  print(studio.write(e, e.steps[0], drawing, *style.formats[0]));
+  Studio studio(style, options.backend);
+  make(jobs.front(), options, style, studio,
+       [](const viz::Format&, const std::string& bytes, const Json&) { print(bytes); });
   say_widened(studio);
   return done;
 }
 
-void draw_all(const std::vector<Excerpt>& chosen, const Style& style, Studio& studio, Gallery& gallery) {
-  std::size_t count = 0;
-  for (const Excerpt& e : chosen) count += e.steps.size();
-  Progress progress(count);
-  for (const Excerpt& e : chosen) {
-    for (const int step : e.steps) {
-      const viz::Drawing drawing = studio.draw(e, step);
-      for (const viz::Format* format : style.formats)
-        print(gallery.add(e, step, format->name, studio.write(e, step, drawing, *format),
-                          made_with(style, *format, drawing, studio.renderer(*format))) +
-              "\n");
-      progress.done(file_of(e, step));
-    }
-    if (const std::size_t gone = gallery.remove_stale(e); gone > 0)
-      say(fmt::format("removed {} figure{} of steps that {} no longer has", gone, gone == 1 ? "" : "s", folder_of(e)));
+void draw_all(const std::vector<Job>& jobs, const Options& options, const Style& style, Studio& studio,
+              Gallery& gallery) {
+  Progress progress(jobs.size());
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    const Job& job = jobs[i];
+    make(job, options, style, studio, [&](const viz::Format& format, const std::string& bytes, const Json& about) {
+      print(gallery.add(job.e, job.piece, format.name, bytes, about) + "\n");
+    });
+    progress.done(job.piece.stem);
+    if (i + 1 < jobs.size() && &jobs[i + 1].e == &job.e) continue;  // more of this excerpt follow
+    if (const std::size_t gone = gallery.remove_stale(job.e); gone > 0)
+      say(fmt::format("removed {} figure{} of steps that {} no longer has", gone, gone == 1 ? "" : "s",
+                      folder_of(job.e)));
   }
 }
 
@@ -95,16 +116,20 @@ bool choose_folder(const Program& program, Options& options) {
 
 int render(const Program& program, Options options) {
   const Style style = style_of(options.style);
+  if (!options.each.empty()) options.seconds = seconds_of(options.each);
   const bool whole = options.dir.empty() || choose_folder(program, options);
   if (!whole && options.asked.files.empty()) return bad_input;
   const std::vector<Excerpt> chosen = excerpts(program, options.asked);
   need_surroundings(program);
-  if (options.out == "-") return to_stdout(chosen, style, options.backend);
+  if (options.out == "-") return to_stdout(chosen, options, style);
 
-  Gallery gallery(options.out, program, chosen, style.formats);
+  const std::vector<Job> jobs = jobs_of(chosen, style);
+  Gallery gallery(options.out, program);
+  for (const Job& job : jobs)
+    for (const viz::Format* format : job.formats) gallery.need_ours(job.piece, *format);
   Studio studio(style, options.backend);
   try {
-    draw_all(chosen, style, studio, gallery);
+    draw_all(jobs, options, style, studio, gallery);
   } catch (...) {
     try {
       gallery.list();  // what stands by now
@@ -136,7 +161,8 @@ void add_render(CLI::App& app, Program& program) {
   add_step(sub, options->asked, Takes::many,
            "counted from 1: 3, 3-6, 3,5,7-9 or all; if not given, that of\nthe preset's file, or all");
   add_set(sub, options->asked);
-  add_style(sub, options->style);
+  add_style(sub, options->style, viz::format_names());
+  sub.add_option("--seconds", options->each, "of each step in gif and apng; 2.5 if not given")->type_name("N");
   add_path(sub, "--out", options->out, "folder (figures if not given); - is stdout, for one figure", "DIR|-");
   sub.add_option("--backend", options->backend, "auto (if not given), osmesa or egl")->type_name("NAME");
   sub.footer(

@@ -5,9 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "app/options.h"
+#include "app/piece.h"
 #include "app/style.h"
 #include "viz/offscreen.h"
+#include "viz/paper.h"
 
 namespace isect::program {
 
@@ -18,22 +19,33 @@ class Studio {
 
   /// On paper no narrower than its labels need, which is told once all are drawn.
   viz::Drawing draw(const Excerpt&, int step);
-  std::string write(const Excerpt&, int step, const viz::Drawing&, const viz::Format&);
+  /// All of one size: each in the middle of it.
+  std::vector<viz::Drawing> draw(const Excerpt&, const std::vector<int>& steps);
+  /// Several steps as one drawing, side by side, each under its letter and title; on paper only. `columns` a row.
+  viz::Drawing draw_strip(const Excerpt&, int columns, bool captions);
+  std::string write(const Piece&, const viz::Drawing&, const viz::Format&);
+  /// Several steps in one file, one after the other.
+  std::string film(const Piece&, const std::vector<viz::Drawing>&, double seconds, const viz::Format&);
   std::string renderer(const viz::Format&) const;
   /// Figures that are wider than what was asked for: "ray-sphere/tangent/03-distance: 4.1 cm".
   const std::vector<std::string>& widened() const { return widened_; }
 
  private:
-  viz::Figure on_paper(const Excerpt&, int step);
+  viz::OnPaper on_paper(const Excerpt&, const viz::Walk&, int step, const viz::PaperSize&, bool title);
+  viz::Imprint imprint_of(const Piece&, const viz::Drawing&) const;
+  double pixels_a_unit() const { return style_.paper ? style_.dpi / 72 : 1; }
 
   const Style& style_;
   std::unique_ptr<viz::Offscreen> offscreen_;
   std::vector<std::string> widened_;
 };
 
+/// Which figures could not be as narrow as was asked: honestly wider, rather than with labels that meet.
+void say_widened(const Studio&);
+
 /// The camera for a picture of this step whose width to height is `aspect`: the one of the preset's file, which
 /// shows as much from the middle to the top edge as where it was copied; otherwise at one scale for all presets of the
 /// lesson, but nearer where that leaves the picture empty.
-viz::Camera camera_for(const Excerpt&, int step, double aspect);
+viz::Camera camera_for(const Excerpt&, const viz::Step&, double aspect);
 
 }  // namespace isect::program

@@ -62,12 +62,14 @@ Style style_of(const StyleOptions& options) {
     style.paper->text_size = usual_tex_size;
   if (!options.dpi.empty()) style.dpi = dpi_of(options.dpi);
   style.letters = letters_of(options.labels, style.formats);
+  const auto loses_opacity = [](const viz::Format* format) { return format->name == "gif"; };
+  if (options.transparent && std::ranges::any_of(style.formats, loses_opacity))
+    throw viz::BadInput("transparent: a gif has no half-transparent pixels; give --format apng");
   style.title = !options.no_title, style.crop = options.crop, style.transparent = options.transparent;
   return style;
 }
 
-void add_style(CLI::App& sub, StyleOptions& options) {
-  const std::vector<std::string> formats = viz::format_names();
+void add_style(CLI::App& sub, StyleOptions& options, const std::vector<std::string>& formats) {
   sub.add_option("--format", options.format,
                  fmt::format("{} (if not given), {}; several are\njoined by commas", formats.front(),
                              fmt::join(formats.begin() + 1, formats.end(), ", ")))

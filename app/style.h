@@ -19,7 +19,7 @@ struct StyleOptions {
   std::string size, width, height, text_size, dpi, labels;
   bool no_title = false, crop = false, transparent = false;
 };
-void add_style(CLI::App&, StyleOptions&);
+void add_style(CLI::App&, StyleOptions&, const std::vector<std::string>& formats);
 
 /// What every figure of a run shares.
 struct Style {

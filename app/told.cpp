@@ -29,6 +29,11 @@ std::string in_full(const viz::Setting& setting, bool flat) {
   return viz::to_text(setting);
 }
 
+/// "Title" over a line of `rule`.
+std::string heading(const std::string& text, char rule, std::size_t width) {
+  return inked(Ink::bold, wrapped(text, width, 0)) + std::string(std::min(length(text), width), rule) + "\n";
+}
+
 class Teller {
  public:
   Teller(const Excerpt& e, const Telling& how) : e_(e), how_(how) {}
@@ -75,8 +80,8 @@ class Teller {
       const bool published = e_.walk.pseudocode[line] == erratum.published;
       const std::string& other = published ? erratum.corrected : erratum.published;
       out += paragraph(fmt::format("Line {} {}: {}. {} (Preset {} shows it.)", line + 1,
-                                   published ? "should read" : "was published as",
-                                   other.substr(other.find_first_not_of(' ')), plain(erratum.why), erratum.preset),
+                                   published ? "should read" : "was published as", viz::unindented(other),
+                                   plain(erratum.why), erratum.preset),
                        2);
     }
     return out + "\n";
@@ -112,8 +117,7 @@ class Teller {
   }
 
   std::string line(const viz::Step& step) const {
-    std::string code = e_.walk.pseudocode.at(step.line);
-    code.erase(0, code.find_first_not_of(' '));
+    const std::string code = viz::unindented(e_.walk.pseudocode.at(step.line));
     return inked(Ink::mark, fmt::format("  ▸ line {}:  {}{}", step.line + 1, code,
                                         contains(step.refused, step.line) ? "   (no)" : "")) +
            "\n\n";
@@ -231,10 +235,6 @@ class Teller {
 };
 
 }  // namespace
-
-std::string heading(const std::string& text, char rule, std::size_t width) {
-  return inked(Ink::bold, wrapped(text, width, 0)) + std::string(std::min(length(text), width), rule) + "\n";
-}
 
 std::string told(const Excerpt& e, const Telling& how) { return Teller(e, how).all(); }
 

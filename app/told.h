@@ -17,7 +17,5 @@ struct Telling {
 std::string told(const Excerpt&, const Telling&);
 /// A lesson's exercises with their solutions.
 std::string told_exercises(const viz::Lesson&, const Telling&);
-/// "Title" over a line of `rule`.
-std::string heading(const std::string& text, char rule, std::size_t width);
 
 }  // namespace isect::program

@@ -79,6 +79,22 @@ double dpi_of(const std::string& text) {
   return *n;
 }
 
+int columns_of(const std::string& text) {
+  constexpr int most = 12;
+  const std::optional<int> n = number<int>(text);
+  if (!n || *n < 1 || *n > most)
+    throw viz::BadInput(fmt::format("columns: \"{}\" does not do; give a number from 1 to {}", text, most));
+  return *n;
+}
+
+double seconds_of(const std::string& text) {
+  constexpr double least = 0.1, most = 60;
+  const std::optional<double> n = number<double>(text);
+  if (!n || !(*n >= least && *n <= most))
+    throw viz::BadInput(fmt::format("seconds: \"{}\" does not do; give a number from {} to {}", text, least, most));
+  return *n;
+}
+
 std::vector<const viz::Format*> formats_of(const std::string& text) {
   std::vector<const viz::Format*> formats;
   for (const std::string& name : split(text, ',')) {

@@ -22,6 +22,11 @@ double points_of(const std::string& option, const std::string& text, double leas
 /// Pixels an inch: 30 to 2400.
 double dpi_of(const std::string& text);
 
+/// Figures a row: 1 to 12.
+int columns_of(const std::string& text);
+/// How long a step is shown: 0.1 to 60.
+double seconds_of(const std::string& text);
+
 /// "png,svg" as names without repeats.
 std::vector<const viz::Format*> formats_of(const std::string& text);
 

@@ -10,6 +10,7 @@
 #include "bench/rows.h"
 #include "viz/files.h"
 #include "viz/offscreen.h"
+#include "viz/rich_text.h"
 
 namespace isect::bench {
 namespace {
@@ -52,7 +53,7 @@ class Legend {
     std::vector<viz::Series> series;
     for (const int i : used) {
       series.push_back(series_[i]);
-      series.back().name = as_markup(series.back().name);
+      series.back().name = viz::as_markup(series.back().name);
     }
     return series;
   }
@@ -100,7 +101,7 @@ std::vector<viz::Panel> panels(const std::vector<const Row*>& all, const std::ve
     for (const Row* r : all)
       if (r->family == family) rows.push_back(r);
     const std::vector<const Row*> front = front_of(rows, by_value);
-    viz::Panel panel = {as_markup(words(family)), rows.front()->hard ? "hard" : ""};
+    viz::Panel panel = {viz::as_markup(words(family)), rows.front()->hard ? "hard" : ""};
     for (const Row* r : rows)
       if (std::optional<viz::Spot> s = spot(*r)) {
         s->series = legend.index(*r), s->x = r->ns;
@@ -207,7 +208,7 @@ Plotted distribution_plot(const Report& report, const std::string& test, const s
   double most = 4;
   std::string alt = fmt::format("Curves of the share of values within an error for {} in {}.", test, scalar);
   for (const std::string& family : chosen(rows, wanted)) {
-    viz::Panel panel = {as_markup(words(family))};
+    viz::Panel panel = {viz::as_markup(words(family))};
     for (const Row* r : rows) {
       if (r->family != family || r->quantiles.size() < 2) continue;
       if (r->hard) panel.note = "hard";
@@ -251,10 +252,10 @@ Plotted growth_plot(const Report& report, const std::string& test, const std::st
     if (g.test != test || g.unit != unit || g.n.empty()) continue;
     const std::size_t i = plot.series.size();
     plot.series.push_back({"", glyphs[i % std::size(glyphs)], roles[i % std::size(roles)], static_cast<int>(i)});
-    viz::Curve curve = {
-        static_cast<int>(i),
-        {},
-        fmt::format("{}, *n*^{{{}{:.2f}}}", as_markup(name_of(g)), g.exponent < 0 ? "−" : "", std::abs(g.exponent))};
+    viz::Curve curve = {static_cast<int>(i),
+                        {},
+                        fmt::format("{}, *n*^{{{}{:.2f}}}", viz::as_markup(name_of(g)), g.exponent < 0 ? "−" : "",
+                                    std::abs(g.exponent))};
     for (std::size_t k = 0; k < g.n.size(); ++k) {
       curve.points.emplace_back(g.n[k], g.ns[k]);
       n_lo = std::min(n_lo, g.n[k]), n_hi = std::max(n_hi, g.n[k]), lo = std::min(lo, g.ns[k]),
@@ -286,7 +287,7 @@ Plotted duty_plot(const Report& report) {
     const bool at_least = d.unit == "frames/s";
     const double ratio = at_least ? *d.target / d.value : d.value / *d.target;
     bars.x.lo = std::min(bars.x.lo, ratio / 1.3), bars.x.hi = std::max(bars.x.hi, ratio * 1.3);
-    bars.bars.push_back({as_markup(d.what),
+    bars.bars.push_back({viz::as_markup(d.what),
                          {{0, ratio}},
                          1.0,
                          fmt::format("{:.3g} {}", d.value, d.unit),

@@ -42,15 +42,6 @@ std::string listed(const std::vector<std::string>& parts) {
   return text;
 }
 
-std::string as_markup(const std::string& text) {
-  std::string markup;
-  for (const char c : text) {
-    if (c == '*' || c == '_' || c == '^' || c == '\\') markup += '\\';
-    markup += c;
-  }
-  return markup;
-}
-
 std::string sentence(std::string text) {
   if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
   return text;

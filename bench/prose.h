@@ -12,8 +12,6 @@ std::string number(double);
 std::string share(double wrong, double of);
 /// "a", "a and b", "a, b and c".
 std::string listed(const std::vector<std::string>&);
-/// The text as markup that shows it as it is (viz/rich_text.h).
-std::string as_markup(const std::string&);
 /// The first letter in upper case.
 std::string sentence(std::string);
 /// All digits, thousands with commas: "65,536".

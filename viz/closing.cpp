@@ -13,6 +13,12 @@ int outcome(const Walk& walk) {
   return step;
 }
 
+std::string own_caption(const Lesson& lesson, const Step& step) {
+  const std::string opening = lesson.opening + "\n";
+  return !lesson.opening.empty() && step.caption.starts_with(opening) ? step.caption.substr(opening.size())
+                                                                      : step.caption;
+}
+
 int line_of(const Erratum& e, const Walk& walk) {
   const auto found = std::ranges::find_if(
       walk.pseudocode, [&](const std::string& line) { return line == e.published || line == e.corrected; });

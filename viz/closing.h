@@ -12,6 +12,9 @@ inline constexpr const char* closing_slug = "closing";
 /// The last step that shows the scene itself: a map of cases and a closing card may follow it.
 int outcome(const Walk&);
 
+/// A step's caption without the lesson's opening, which the first step's begins with.
+std::string own_caption(const Lesson&, const Step&);
+
 /// The line of the walk's pseudocode that an erratum speaks of, as published or as corrected; -1 if there is none.
 int line_of(const Erratum&, const Walk&);
 

@@ -74,6 +74,7 @@ struct Figure {
 Figure figure(const Step&, const Camera&, const PageLayout&);
 Figure figure(const Step&, const Camera&, ThemeName, double width, double height);
 /// What is wrong with a figure's labels, in words: those that leave it, pairs that meet, texts below the least size.
+std::vector<std::string> label_faults(const Drawing&, const std::vector<PlacedLabel>&, double least_size = 0);
 std::vector<std::string> label_faults(const Figure&, double least_size = 0);
 /// Width / height of a figure's picture part, for framing. `walk` decides whether there is a t-axis below it.
 double picture_aspect(const Walk& walk, ThemeName, double width, double height);

@@ -32,30 +32,6 @@ struct Ink {
   }
 };
 
-void move(Path& path, const Vec2& by) {
-  path.start += by;
-  for (Path::Segment& segment : path.segments) {
-    if (Vec2* to = std::get_if<Vec2>(&segment)) {
-      *to += by;
-    } else {
-      Path::Cubic& cubic = std::get<Path::Cubic>(segment);
-      cubic.control1 += by, cubic.control2 += by, cubic.to += by;
-    }
-  }
-}
-
-/// Moves a shape. Hatches hang on the drawing's origin and do not move along.
-struct Moved {
-  Vec2 by;
-  void operator()(Fill& fill) const {
-    move(fill.path, by);
-    for (Path& path : fill.more) move(path, by);
-  }
-  void operator()(Stroke& stroke) const { move(stroke.path, by); }
-  void operator()(Gradient& g) const { g.center += by, g.focus += by; }
-  void operator()(Text& text) const { text.at += by; }
-};
-
 }  // namespace
 
 TextBox ink_box(const Drawing& drawing) {
@@ -73,7 +49,7 @@ Drawing cropped(const Drawing& drawing, double margin) {
   Drawing part = drawing;
   part.width = std::min(ink.right + margin, drawing.width) - left;
   part.height = std::min(ink.bottom + margin, drawing.height) - top;
-  for (Shape& shape : part.shapes) std::visit(Moved{{-left, -top}}, shape);
+  for (Shape& shape : part.shapes) move(shape, {-left, -top});
   return part;
 }
 

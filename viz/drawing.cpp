@@ -27,6 +27,29 @@ Vec2 point_on(const Vec2& from, const Path::Cubic& cubic, double u) {
   return v * v * v * from + 3 * v * v * u * cubic.control1 + 3 * v * u * u * cubic.control2 + u * u * u * cubic.to;
 }
 
+void move(Path& path, const Vec2& by) {
+  path.start += by;
+  for (Path::Segment& segment : path.segments) {
+    if (Vec2* to = std::get_if<Vec2>(&segment)) {
+      *to += by;
+    } else {
+      Path::Cubic& cubic = std::get<Path::Cubic>(segment);
+      cubic.control1 += by, cubic.control2 += by, cubic.to += by;
+    }
+  }
+}
+
+struct Moved {
+  Vec2 by;
+  void operator()(Fill& fill) const {
+    move(fill.path, by);
+    for (Path& path : fill.more) move(path, by);
+  }
+  void operator()(Stroke& stroke) const { move(stroke.path, by); }
+  void operator()(Gradient& g) const { g.center += by, g.focus += by; }
+  void operator()(Text& text) const { text.at += by; }
+};
+
 }  // namespace
 
 std::string full_name(const Object& o) {
@@ -77,6 +100,8 @@ Path ellipse(Vec2 center, Vec2 major, Vec2 minor) {
 }
 
 Path circle(Vec2 center, double radius) { return ellipse(center, {radius, 0}, {0, radius}); }
+
+void move(Shape& shape, const Vec2& by) { std::visit(Moved{by}, shape); }
 
 std::vector<Vec2> flatten(const Path& path, double tolerance) {
   std::vector<Vec2> points = {path.start};

@@ -105,6 +105,8 @@ Path polyline(const std::vector<Vec2>& points, bool closed = false);
 /// A closed ellipse of four cubic arcs (error below 3e-4 of the radius).
 Path ellipse(Vec2 center, Vec2 major, Vec2 minor);
 Path circle(Vec2 center, double radius);
+/// Hatches hang on the drawing's origin and do not move along.
+void move(Shape&, const Vec2& by);
 /// The path as points; the polyline through them stays within `tolerance` of the curve. No point follows its
 /// equal, and a closed path's start is not repeated at the end.
 std::vector<Vec2> flatten(const Path&, double tolerance = 0.05);

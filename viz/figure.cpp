@@ -239,16 +239,21 @@ Figure figure(const Step& step, const Camera& camera, ThemeName name, double wid
 }
 
 std::vector<std::string> label_faults(const Figure& figure, double least_size) {
+  return label_faults(figure.drawing, figure.labels, least_size);
+}
+
+std::vector<std::string> label_faults(const Drawing& drawing, const std::vector<PlacedLabel>& labels,
+                                      double least_size) {
   std::vector<std::string> faults;
-  const double w = figure.drawing.width, h = figure.drawing.height;
-  for (std::size_t i = 0; i < figure.labels.size(); ++i) {
-    const std::string& text = figure.labels[i].text;
-    const TextBox& b = figure.labels[i].box;
+  const double w = drawing.width, h = drawing.height;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const std::string& text = labels[i].text;
+    const TextBox& b = labels[i].box;
     if (!(b.left >= 0 && b.top >= 0 && b.right <= w && b.bottom <= h)) faults.push_back(text + " is clipped");
     for (std::size_t j = 0; j < i; ++j)
-      if (meet(b, figure.labels[j].box)) faults.push_back(text + " meets " + figure.labels[j].text);
+      if (meet(b, labels[j].box)) faults.push_back(text + " meets " + labels[j].text);
   }
-  for (const Shape& shape : figure.drawing.shapes)
+  for (const Shape& shape : drawing.shapes)
     if (const Text* text = std::get_if<Text>(&shape); text && text->size < least_size)
       faults.push_back(plain(text->markup) + " is too small");
   return faults;

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 
+#include "viz/animation.h"
 #include "viz/lesson.h"
 #include "viz/tikz.h"
 
 namespace isect::viz {
-namespace {
-
 /// No ground is what looks the same on black and on white.
 Picture pixels_of(const Drawing& drawing, const Rasteriser& pixels) {
   if (drawing.background.a > 0) return pixels(drawing);
@@ -15,8 +14,6 @@ Picture pixels_of(const Drawing& drawing, const Rasteriser& pixels) {
   on_black.background = hex(0x000000), on_white.background = hex(0xFFFFFF);
   return see_through(pixels(on_black), pixels(on_white));
 }
-
-}  // namespace
 
 const std::vector<Format>& formats() {
   static const std::vector<Format> all = {
@@ -40,6 +37,8 @@ const std::vector<Format>& formats() {
          return tikz(drawing, data, imprint);
        },
        tikz_metadata},
+      {"gif", true, nullptr, gif_metadata, gif},
+      {"apng", true, nullptr, png_metadata, apng},
   };
   return all;
 }
@@ -50,7 +49,17 @@ std::vector<std::string> format_names() {
   return names;
 }
 
+std::vector<std::string> still_format_names() {
+  std::vector<std::string> names;
+  for (const Format& format : formats())
+    if (format.write) names.push_back(format.name);
+  return names;
+}
+
 const Format& format_named(const std::string& name) {
+  if (name == "eps")
+    throw BadInput(
+        "format: EPS knows no transparency, so shaded parts would become pixels; give pdf, which LaTeX takes");
   const auto found = std::ranges::find(formats(), name, &Format::name);
   if (found == formats().end()) throw unknown("format", name, format_names());
   return *found;

@@ -4,7 +4,9 @@
 #include <png.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "viz/animation.h"
 #include "viz/png_metadata.h"
 
 namespace isect::viz {
@@ -38,8 +40,7 @@ bool opaque(const Picture& picture) {
   return true;
 }
 
-std::string encode(const Picture& picture, double dpi) {
-  const bool rgb = opaque(picture);
+std::string encode(const Picture& picture, const Imprint& imprint, bool rgb) {
   const std::vector<std::uint8_t> pixels = rgb ? without_alpha(picture.rgba) : picture.rgba;
   Image png;
   png.image.width = static_cast<png_uint_32>(picture.width);
@@ -50,19 +51,57 @@ std::string encode(const Picture& picture, double dpi) {
   if (!png_image_write_to_memory(&png.image, bytes.data(), &size, 0, pixels.data(), 0, nullptr))
     throw FileError(std::string("cannot write PNG: ") + png.image.message);
   bytes.resize(size);
+  const double dpi = imprint.dpi > 0 ? imprint.dpi : 96;  // as CSS has it: as wide on a page as the SVG of its size
   return bytes.insert(png_signature_size + header_chunk_size, png_density_chunk(dpi));
 }
 
-}  // namespace
-
-std::string png(const Picture& picture, const Metadata& metadata, const Imprint& imprint) {
+void need_size(const Picture& picture) {
   const auto width = static_cast<std::uint64_t>(std::max(picture.width, 0));
   const auto height = static_cast<std::uint64_t>(std::max(picture.height, 0));
   if (width == 0 || height == 0 || height > most_pixels / width || picture.rgba.size() != 4 * width * height)
     throw FileError("cannot write PNG: a picture of " + std::to_string(picture.width) + " x " +
                     std::to_string(picture.height) + " pixels with " + std::to_string(picture.rgba.size()) + " bytes");
-  const double dpi = imprint.dpi > 0 ? imprint.dpi : 96;  // as CSS has it: as wide on a page as the SVG of its size
-  return encode(picture, dpi).insert(png_signature_size + header_chunk_size, png_text_chunks(metadata, imprint));
+}
+
+/// How a picture of an animation follows the one before: number, size, place, time as a fraction, and that it replaces
+/// all of it.
+std::string frame_control(std::uint32_t number, const Picture& picture, double seconds) {
+  const auto size = [](int pixels) { return big_endian(static_cast<std::uint32_t>(pixels)); };
+  const auto two_bytes = [](long n) { return big_endian(static_cast<std::uint32_t>(n)).substr(2); };
+  return png_chunk("fcTL", big_endian(number) + size(picture.width) + size(picture.height) + size(0) + size(0) +
+                               two_bytes(std::lround(100 * seconds)) + two_bytes(100) + std::string(2, '\0'));
+}
+
+}  // namespace
+
+std::string png(const Picture& picture, const Metadata& metadata, const Imprint& imprint) {
+  need_size(picture);
+  return encode(picture, imprint, opaque(picture))
+      .insert(png_signature_size + header_chunk_size, png_text_chunks(metadata, imprint));
+}
+
+std::string apng(const std::vector<Picture>& pictures, double seconds, const Metadata& metadata,
+                 const Imprint& imprint) {
+  need_alike(pictures);
+  std::ranges::for_each(pictures, need_size);
+  const bool rgb = std::ranges::all_of(pictures, opaque);
+  std::string bytes;
+  std::uint32_t number = 0;
+  for (const Picture& picture : pictures) {
+    const std::string still = encode(picture, imprint, rgb);
+    const std::vector<PngChunk> chunks = png_chunks(still);
+    const auto data = std::ranges::find(chunks, "IDAT", &PngChunk::type);
+    const bool first = bytes.empty();
+    if (first)
+      bytes =
+          still.substr(0, data->at).insert(png_signature_size + header_chunk_size, png_text_chunks(metadata, imprint)) +
+          png_chunk("acTL", big_endian(static_cast<std::uint32_t>(pictures.size())) + big_endian(0));
+    bytes += frame_control(number++, picture, seconds);
+    for (auto chunk = data; chunk->type == "IDAT"; ++chunk)
+      bytes += first ? png_chunk("IDAT", std::string(chunk->data))
+                     : png_chunk("fdAT", big_endian(number++) + std::string(chunk->data));
+  }
+  return bytes + png_chunk("IEND", {});
 }
 
 Picture read_png(const std::string& bytes) {

@@ -19,11 +19,6 @@ constexpr std::size_t around_data = 12;  ///< of a chunk: length and type before
 /// Far above any figure's; a text that unpacks to more is hostile.
 constexpr std::size_t most_text = std::size_t{1} << 20;
 
-std::string big_endian(std::uint32_t value) {
-  return {static_cast<char>(value >> 24), static_cast<char>(value >> 16), static_cast<char>(value >> 8),
-          static_cast<char>(value)};
-}
-
 std::uint32_t read_big_endian(std::string_view bytes) {
   std::uint32_t value = 0;
   for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[i]);
@@ -34,18 +29,13 @@ std::uint32_t crc(std::string_view bytes) {
   return static_cast<std::uint32_t>(::crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
-std::string chunk(const std::string& type, const std::string& data) {
-  const std::string body = type + data;
-  return big_endian(static_cast<std::uint32_t>(data.size())) + body + big_endian(crc(body));
-}
-
 /// iTXt: keyword, 0, uncompressed, method 0, no language, no translated keyword, UTF-8 text.
 std::string text_chunk(const std::string& key, const std::string& text) {
   const std::string keyword = std::string(key_prefix) + key;
   const bool printable = std::all_of(key.begin(), key.end(), [](char c) { return c > ' ' && c <= '~'; });
   if (key.empty() || keyword.size() > 79 || !printable)
     throw std::invalid_argument("metadata keyword '" + key + "': 1 to 73 printable ASCII characters, no space");
-  return chunk("iTXt", keyword + std::string(5, '\0') + text);
+  return png_chunk("iTXt", keyword + std::string(5, '\0') + text);
 }
 
 std::string unpacked(std::string_view packed) {
@@ -108,6 +98,16 @@ std::string text_of(std::string_view type, std::string_view data) {
 
 }  // namespace
 
+std::string big_endian(std::uint32_t value) {
+  return {static_cast<char>(value >> 24), static_cast<char>(value >> 16), static_cast<char>(value >> 8),
+          static_cast<char>(value)};
+}
+
+std::string png_chunk(const std::string& type, const std::string& data) {
+  const std::string body = type + data;
+  return big_endian(static_cast<std::uint32_t>(data.size())) + body + big_endian(crc(body));
+}
+
 bool is_png(const std::string& bytes) {
   static constexpr unsigned char signature[png_signature_size] = {137, 'P', 'N', 'G', 13, 10, 26, 10};
   return bytes.size() >= png_signature_size && std::memcmp(bytes.data(), signature, png_signature_size) == 0;
@@ -116,36 +116,44 @@ bool is_png(const std::string& bytes) {
 std::string png_text_chunks(const Metadata& metadata, const Imprint& imprint) {
   std::string chunks;
   // Keywords that the standard gives; for those who read the file, not for us.
-  if (!imprint.title.empty()) chunks += chunk("iTXt", "Title" + std::string(5, '\0') + imprint.title);
-  if (!imprint.alt.empty()) chunks += chunk("iTXt", "Description" + std::string(5, '\0') + imprint.alt);
+  if (!imprint.title.empty()) chunks += png_chunk("iTXt", "Title" + std::string(5, '\0') + imprint.title);
+  if (!imprint.alt.empty()) chunks += png_chunk("iTXt", "Description" + std::string(5, '\0') + imprint.alt);
   for (const auto& [key, text] : metadata) chunks += text_chunk(key, text);
   return chunks;
 }
 
 std::string png_density_chunk(double dpi) {
   const std::string a_metre = big_endian(static_cast<std::uint32_t>(std::lround(dpi / 0.0254)));
-  return chunk("pHYs", a_metre + a_metre + '\x01');
+  return png_chunk("pHYs", a_metre + a_metre + '\x01');
 }
 
-Metadata png_metadata(const std::string& bytes) {
+std::vector<PngChunk> png_chunks(const std::string& bytes) {
   if (!is_png(bytes)) throw FileError("not a PNG file");
-  Metadata metadata;
-  for (std::string_view rest = std::string_view(bytes).substr(png_signature_size);;) {
+  std::vector<PngChunk> chunks;
+  for (std::size_t at = png_signature_size;;) {
+    const std::string_view rest = std::string_view(bytes).substr(at);
     if (rest.size() < around_data || read_big_endian(rest) > rest.size() - around_data)
       throw FileError("broken PNG: it ends within a chunk");
     const std::size_t length = read_big_endian(rest);
-    const std::string_view type = rest.substr(4, 4);
-    std::string_view data = rest.substr(8, length);
-    const bool text = type == "iTXt" || type == "tEXt" || type == "zTXt";
-    if (text && data.starts_with(key_prefix)) {
-      if (crc(rest.substr(4, 4 + length)) != read_big_endian(rest.substr(8 + length)))
-        throw FileError("broken PNG: a text is damaged");
-      const std::string_view key = cut(data).substr(key_prefix.size());
-      metadata[std::string(key)] = text_of(type, data);
-    }
-    if (type == "IEND") return metadata;
-    rest.remove_prefix(length + around_data);
+    chunks.push_back({at, rest.substr(4, 4), rest.substr(8, length)});
+    if (chunks.back().type == "IEND") return chunks;
+    at += length + around_data;
   }
+}
+
+Metadata png_metadata(const std::string& bytes) {
+  Metadata metadata;
+  for (const auto& [at, type, whole] : png_chunks(bytes)) {
+    const bool text = type == "iTXt" || type == "tEXt" || type == "zTXt";
+    if (!text || !whole.starts_with(key_prefix)) continue;
+    const std::string_view checked = std::string_view(bytes).substr(at + 4);
+    if (crc(checked.substr(0, 4 + whole.size())) != read_big_endian(checked.substr(4 + whole.size())))
+      throw FileError("broken PNG: a text is damaged");
+    std::string_view data = whole;
+    const std::string_view key = cut(data).substr(key_prefix.size());
+    metadata[std::string(key)] = text_of(type, data);
+  }
+  return metadata;
 }
 
 }  // namespace isect::viz

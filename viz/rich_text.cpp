@@ -176,6 +176,19 @@ std::string whole(double value) { return std::to_string(std::lround(value)); }
 
 std::vector<Run> parse_markup(const std::string& markup) { return Parser(markup).parse(); }
 
+std::string as_markup(const std::string& text) {
+  std::string markup;
+  for (const char c : text) {
+    if (c == '*' || c == '_' || c == '^' || c == '\\') markup += '\\';
+    markup += c;
+  }
+  return markup;
+}
+
+std::string unindented(const std::string& line) {
+  return line.substr(std::min(line.find_first_not_of(' '), line.size()));
+}
+
 std::string plain(const std::string& markup) {
   const std::vector<Run> runs = parse_markup(markup);
   std::string out;

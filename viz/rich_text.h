@@ -18,6 +18,10 @@ struct Run {
 /// brackets stay upright. A script holds one character, a group in braces, or marked text: `*t*_1`,
 /// `*n*_{*i*}`, `*n*_*i*`, `*n_i*`.
 std::vector<Run> parse_markup(const std::string& markup);
+/// Plain text as markup that shows it as it is.
+std::string as_markup(const std::string& text);
+/// A line of pseudocode without its indentation.
+std::string unindented(const std::string& line);
 /// For terminals and screen readers: marks dropped, digits and signs in scripts as Unicode (t₁, m²) where
 /// they exist.
 std::string plain(const std::string& markup);

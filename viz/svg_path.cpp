@@ -1,8 +1,10 @@
 #include "viz/svg_path.h"
 
 #include <fmt/format.h>
+#include <glib.h>
 
 #include <cmath>
+#include <memory>
 
 namespace isect::viz {
 namespace {
@@ -87,6 +89,12 @@ std::string svg_letters(const std::vector<Path>& outlines) {
     if (path.closed) pen.close(path.start);
   }
   return pen.take();
+}
+
+std::string svg_address(const std::string& svg) {
+  const std::unique_ptr<char, decltype(&g_free)> base64(
+      g_base64_encode(reinterpret_cast<const guchar*>(svg.data()), svg.size()), g_free);
+  return std::string("data:image/svg+xml;base64,") + base64.get();
 }
 
 std::string xml_escaped(const std::string& text) {

@@ -6,18 +6,9 @@
 #include <vector>
 
 #include "viz/lesson.h"
+#include "viz/rich_text.h"
 
 namespace isect::lessons {
-
-/// Pseudocode as markup: what it marks there means itself.
-inline std::string as_markup(const std::string& code) {
-  std::string text;
-  for (const char c : code.substr(std::min(code.find_first_not_of(' '), code.size()))) {
-    if (c == '*' || c == '_' || c == '^' || c == '\\') text += '\\';
-    text += c;
-  }
-  return text;
-}
 
 /// "What is d^2?": the true value among those that `misconceived` ways give, in rising order. What reads alike is
 /// offered once; where nothing else is left, one larger value is made up.
@@ -44,7 +35,7 @@ inline viz::Question which_line(const std::vector<std::string>& pseudocode, int 
   std::ranges::sort(others);
   others.erase(std::unique(others.begin(), others.end()), others.end());
   viz::Question question = {"Which line runs next?", {}, 0, because};
-  for (const int line : others) question.choices.push_back(as_markup(pseudocode.at(line)));
+  for (const int line : others) question.choices.push_back(viz::as_markup(viz::unindented(pseudocode.at(line))));
   question.answer = static_cast<int>(std::ranges::find(others, next) - others.begin());
   return question;
 }

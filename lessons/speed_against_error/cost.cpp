@@ -9,6 +9,7 @@
 #include "bench/rows.h"
 #include "lessons/speed_against_error/telling.h"
 #include "viz/chart.h"
+#include "viz/rich_text.h"
 
 namespace isect::lessons::speed_lesson {
 

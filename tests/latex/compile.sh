@@ -1,5 +1,5 @@
 #!/bin/sh
-# compile.sh ISECT FOLDER: figures, captions and handouts of all lessons go through pdflatex and lualatex.
+# compile.sh ISECT FOLDER: figures, captions, strips, handouts and decks go through pdflatex and lualatex.
 # Exit 77 where LaTeX is not installed.
 set -eu
 isect=$1
@@ -7,7 +7,8 @@ work=$2
 
 for program in pdflatex lualatex; do
   if ! command -v "$program" >/dev/null; then
-    echo "skipped: no $program; on Debian: apt install texlive-latex-base texlive-pictures texlive-luatex"
+    echo "skipped: no $program; on Debian: apt install texlive-latex-base texlive-latex-recommended texlive-pictures" \
+      "texlive-luatex"
     exit 77
   fi
 done
@@ -19,21 +20,32 @@ cd "$work"
 
 for lesson in ray-sphere crossings obb-obb; do
   "$isect" handout "$lesson" >/dev/null
+  "$isect" deck "$lesson" >/dev/null
+  "$isect" strip "$lesson" --step 1-4 --columns 2 --format tikz --width 12cm --out figures >/dev/null 2>&1
 done
 
 {
   printf '%s\n' '\documentclass[10pt]{article}' '\usepackage{tikz}' '\begin{document}'
-  find figures -name '*.tikz' | sort | awk 'NR % 11 == 1 { print "\\input{" $0 "}\\par" }'
+  find figures -name '*.tikz' | sort | awk 'NR % 11 == 1 || /strip/ { print "\\input{" $0 "}\\par" }'
   sed -n 's/^ *"caption_tex": "\(.*\)",$/\1\\par/p' figures/manifest.json | sed 's/\\\\/\\/g; s/\\n/ /g; s/\\"/"/g' | sort -u
   printf '%s\n' '\end{document}'
 } >all.tex
 
-for program in pdflatex lualatex; do
-  for text in all.tex handouts/*/*/handout.tex; do
-    if ! (cd "$(dirname "$text")" && "$program" -interaction=nonstopmode -halt-on-error "$(basename "$text")") \
-      >"$program.out" 2>&1; then
-      echo "$program: $text: $(grep -A3 '^!' "$program.out" | head -8)"
-      exit 1
+# Both programs at once, each in a copy of its own.
+compile() {
+  mkdir "$1"
+  cp -r all.tex figures handouts decks "$1"
+  cd "$1"
+  for text in all.tex handouts/*/*/handout.tex decks/*/*/deck.tex; do
+    if ! (cd "$(dirname "$text")" && "$1" -interaction=nonstopmode -halt-on-error "$(basename "$text")") >log.txt 2>&1; then
+      echo "$1: $text: $(grep -A3 '^!' log.txt | head -8)"
+      return 1
     fi
   done
-done
+}
+(compile pdflatex) &
+pdf=$!
+status=0
+(compile lualatex) || status=1
+wait "$pdf" || status=1
+exit "$status"

@@ -6,6 +6,7 @@
 #include "tests/catch.h"
 #include "viz/closing.h"
 #include "viz/paper.h"
+#include "viz/strip.h"
 #include "viz/tex.h"
 
 namespace paper_test {
@@ -45,6 +46,26 @@ TEST_CASE("labels on paper neither meet nor leave at 3, 5, 8, 12 and 16 cm, or t
   CHECK(wider[12] == 0);
   CHECK(10 * wider[8] < drawn[8]);
   CHECK(2 * wider[3] < drawn[3]);  // a line of algebra at 9 pt takes more
+}
+
+TEST_CASE("no label of a strip meets another, with captions as without", "[paper]") {
+  const Theme theme = paper_theme(ThemeName::print, usual_text_size);
+  for (const Lesson* lesson : all_lessons()) {
+    const Walk walk = lesson->walk(lesson->presets.front().parameters);
+    for (const bool captions : {false, true}) {
+      std::vector<Frame> frames;
+      for (int step = 0; step < std::min(4, static_cast<int>(walk.steps.size())); ++step) {
+        const auto camera = [&](double aspect) { return frame_alike(opening(*lesson), walk, {walk}, aspect); };
+        auto made = readable_figure(walk, step, ThemeName::print, {7.5 * points_a_cm, 0}, false, camera);
+        REQUIRE(made);
+        frames.push_back({std::move(made->figure), captions ? walk.steps[step].caption : walk.steps[step].title});
+      }
+      const Strip strip = isect::viz::strip(frames, 2, theme, 12);
+      INFO(lesson->id);
+      for (const std::string& fault : label_faults(strip.drawing, strip.labels, 6)) UNSCOPED_INFO(fault);
+      CHECK(label_faults(strip.drawing, strip.labels, 6).empty());
+    }
+  }
 }
 
 TEST_CASE("every text of every lesson is ASCII in LaTeX, with its dollars and braces in pairs", "[paper]") {

@@ -108,4 +108,11 @@ TEST_CASE("mathematics in a paragraph has its own font and size", "[rich_text]")
   CHECK(contains(line, "size=\"84%\" rise=\"-2949\">1</span> of 2"));
 }
 
+TEST_CASE("plain text becomes markup that shows it as it is", "[rich_text]") {
+  for (const char* text : {"overlapping_pairs ^ *", R"(a\b_1 **x**)", "|x - c|^2 <= r^2", ""})
+    CHECK(plain(as_markup(text)) == text);
+  CHECK(unindented("    return MISS") == "return MISS");
+  CHECK(unindented("   ").empty());
+}
+
 }  // namespace rich_text_test

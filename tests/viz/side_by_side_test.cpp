@@ -6,6 +6,7 @@
 
 #include "lessons/lessons.h"
 #include "tests/catch.h"
+#include "tests/scratch.h"
 #include "tests/viz/window_driver.h"
 #include "viz/case_map.h"
 #include "viz/chart.h"
@@ -67,7 +68,7 @@ TEST_CASE("the setting follows the pointer on the map of cases, and one undo tak
 }
 
 TEST_CASE("the alarm shows where methods differ, and keeps the setting as a preset that loads", "[window]") {
-  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "isect-side-by-side";
+  const std::filesystem::path folder = isect::test::scratch("isect-side-by-side");
   std::filesystem::remove_all(folder);
   WindowOptions options{.reduced_motion = true};
   options.figures = folder;

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "tests/catch.h"
+#include "tests/scratch.h"
 #include "tests/viz/sample_lesson.h"
 #include "tests/viz/window_driver.h"
 #include "viz/window.h"
@@ -54,7 +55,7 @@ TEST_CASE("a pasted text that is no state is refused with its reason, and nothin
 }
 
 TEST_CASE("a figure is saved where its name says, and opens again at its place", "[window]") {
-  const std::string folder = (std::filesystem::temp_directory_path() / "isect-window-test").string();
+  const std::string folder = isect::test::scratch("isect-window-test").string();
   std::filesystem::remove_all(folder);
   WindowDriver window(both, 1280, 800, {}, {}, {.reduced_motion = true, .figures = folder});
   window.key(key::right);
@@ -87,7 +88,7 @@ TEST_CASE("a figure is saved where its name says, and opens again at its place",
 }
 
 TEST_CASE("a figure that can't be written is told, and the window goes on", "[window]") {
-  const std::string file = (std::filesystem::temp_directory_path() / "isect-window-no-folder").string();
+  const std::string file = isect::test::scratch("isect-window-no-folder").string();
   write_file(file, "a file where a folder should be");
   WindowDriver window(both, 1280, 800, {}, {}, {.reduced_motion = true, .figures = file});
   window.type("s");
@@ -100,7 +101,7 @@ TEST_CASE("a figure that can't be written is told, and the window goes on", "[wi
 }
 
 TEST_CASE("settings survive a run, and a spoilt file or field gives defaults", "[window]") {
-  const std::string file = (std::filesystem::temp_directory_path() / "isect-settings-test.json").string();
+  const std::string file = isect::test::scratch("isect-settings-test.json").string();
   Settings s;
   s.theme = ThemeName::grey;
   s.save_format = "svg";
@@ -132,7 +133,7 @@ TEST_CASE("settings survive a run, and a spoilt file or field gives defaults", "
 }
 
 TEST_CASE("a spoilt file of settings is set aside, and none that was set aside before is lost", "[window]") {
-  const std::string file = (std::filesystem::temp_directory_path() / "isect-spoilt-test.json").string();
+  const std::string file = isect::test::scratch("isect-spoilt-test.json").string();
   const auto remove_all = [&] {
     for (const std::string end : {"", ".damaged", ".damaged-2"}) std::filesystem::remove(file + end);
   };

@@ -1,22 +1,13 @@
 // What a reader does with a lesson: sees a published line fail, tries exercises.
 
 #include "viz/closing.h"
+#include "viz/rich_text.h"
 #include "viz/window/column.h"
 
 namespace isect::viz {
 namespace {
 
 constexpr float button_height = 34;
-
-/// Pseudocode is no markup: what it marks there means itself.
-std::string verbatim(const std::string& code) {
-  std::string text;
-  for (const char c : code.substr(std::min(code.find_first_not_of(' '), code.size()))) {
-    if (c == '*' || c == '_' || c == '^' || c == '\\') text += '\\';
-    text += c;
-  }
-  return text;
-}
 
 }  // namespace
 
@@ -36,7 +27,8 @@ void erratum(Column& c) {
   c.y += 20;
   c.paragraph(published ? "The published line errs" : "The published line erred", ink.text, 15, 23, true);
   c.paragraph(e->why, ink.text);
-  c.paragraph(published ? "It should read: " + verbatim(e->corrected) : "It read: " + verbatim(e->published),
+  c.paragraph(published ? "It should read: " + as_markup(unindented(e->corrected))
+                        : "It read: " + as_markup(unindented(e->published)),
               ink.muted);
   if (player.preset_id() == e->preset) return;  // it fails here
   c.y += 8;

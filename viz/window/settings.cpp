@@ -69,8 +69,8 @@ Settings read_settings(const std::string& file, const std::vector<const Lesson*>
   if (json.is_null()) return s;
   s.theme = theme_field(json, "theme", s.theme);
   s.save_theme = theme_field(json, "save_theme", s.save_theme);
-  if (const std::string format = field(json, "save_format", s.save_format); format_of("." + format))
-    s.save_format = format;
+  const Format* const format = format_of("." + field(json, "save_format", s.save_format));
+  if (format && format->write) s.save_format = format->name;
   s.parameters_open = field(json, "parameters_open", s.parameters_open);
   s.speed = std::clamp(field(json, "speed", s.speed), 0.5, 2.0);
   s.width = std::clamp(field(json, "width", s.width), 800, 16000);

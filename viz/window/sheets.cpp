@@ -213,7 +213,7 @@ void save_sheet(Session& s, const Rect& window) {
   text(ui.fonts.heading, x, y, packed(c.text), "Save this figure");
   y += 46;
   text(ui.fonts.body, x, y, packed(c.muted), "Format");
-  for (const std::string& format : format_names()) {
+  for (const std::string& format : still_format_names()) {
     if (chip(ui, "format " + format, {x + 80, y - 15, x + 140, y + 15}, format, s.settings.save_format == format))
       s.settings.save_format = format;
     x += 66;

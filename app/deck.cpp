@@ -1,0 +1,141 @@
+// isect deck: a lesson as slides, for LaTeX (beamer) and as one HTML file: a step a slide, its question on the one
+// before.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/gallery.h"
+#include "app/pages/html.h"
+#include "app/pages/latex.h"
+#include "app/pages/pages.h"
+#include "app/pages/slides.h"
+#include "app/studio.h"
+#include "app/surroundings.h"
+#include "app/terminal.h"
+#include "viz/closing.h"
+#include "viz/files.h"
+
+namespace isect::program {
+
+namespace {
+
+/// On a slide of 16 cm by 9: a picture beside text, and one alone.
+constexpr const char* beside_width = "8.2cm";
+constexpr const char* beside_height = "5.4cm";
+constexpr const char* alone_width = "13cm";
+constexpr const char* alone_height = "6.2cm";
+/// LaTeX sets them at 8 pt; its letters are as wide at 10 pt as ours at 11.
+constexpr const char* label_size = "9pt";
+
+class Slides {
+ public:
+  Slides(const Excerpt& e, const std::function<Image(int step)>& picture) : e_(e), picture_(picture) {}
+
+  std::vector<Slide> made() {
+    const viz::Lesson& lesson = *e_.lesson;
+    all_.push_back({lesson.title, {Prose{lesson.summary}}, {}, {}, true});
+    if (!lesson.opening.empty()) all_.push_back({lesson.title, {Prose{lesson.opening}}, {}, {}});
+    if (!e_.walk.pseudocode.empty()) all_.push_back({"Algorithm", {Code{e_.walk.pseudocode}}, {}, {}});
+    for (const int index : e_.steps) {
+      const viz::Step& step = e_.walk.steps[index];
+      if (step.question) ask(*step.question, index);
+      if (step.slug == viz::closing_slug)
+        close(step.title);
+      else
+        show(step, index);
+    }
+    return std::move(all_);
+  }
+
+ private:
+  /// Beside the picture of the step before, then the answer.
+  void ask(const viz::Question& q, int index) {
+    Slide slide = {fmt::format("Question {}", ++questions_), {}, {}, {}};
+    const bool picture = index > 0 && !e_.walk.steps[index - 1].scene.chart;
+    Blocks& text = picture ? slide.right : slide.left;
+    if (picture) slide.left.push_back(picture_(index - 1));
+    text = {Prose{q.prompt}, Choices{q.choices}, Pause{}, Prose{answer(q)}};
+    all_.push_back(std::move(slide));
+  }
+
+  void show(const viz::Step& step, int index) {
+    Slide slide = {step.title, {picture_(index)}, {}, {}};
+    if (step.line >= 0 && !step.scene.chart) slide.right.push_back(Code{e_.walk.pseudocode, step.line});
+    slide.below.push_back(Prose{viz::own_caption(*e_.lesson, step)});  // the opening has a slide of its own
+    all_.push_back(std::move(slide));
+  }
+
+  /// The card as text, then an exercise a slide.
+  void close(const std::string& title) {
+    Slide slide = {title, {}, {}, {}};
+    for (const auto& [head, text] : viz::card_rows(*e_.lesson->closing)) slide.left.push_back(Prose{text, head + "."});
+    all_.push_back(std::move(slide));
+    int number = 0;
+    for (const viz::Exercise& x : e_.lesson->closing->exercises)
+      all_.push_back({fmt::format("Exercise {}", ++number), {Prose{x.prompt}, Pause{}, Prose{x.solution}}, {}, {}});
+  }
+
+  const Excerpt& e_;
+  const std::function<Image(int step)>& picture_;
+  std::vector<Slide> all_;
+  int questions_ = 0;
+};
+
+Style style_for(const PageOptions& options, bool alone) {
+  StyleOptions style;
+  style.format = "tikz,svg", style.theme = theme_of_pages(options), style.text_size = label_size, style.no_title = true;
+  style.width = alone ? alone_width : options.width, style.height = alone ? alone_height : beside_height;
+  return style_of(style);
+}
+
+int deck(const Program& program, const PageOptions& options) {
+  const Style beside = style_for(options, false), alone = style_for(options, true);
+  const Excerpt e = excerpt(program, options.asked);
+  const std::string folder = folder_of_pages(options.out, e);
+  const PageFile tex = {"deck.tex", latex_mark("deck")}, page = {"deck.html", html_mark("deck")};
+  need_own(folder, {tex, page});
+  need_surroundings(program);
+  Gallery gallery(options.out, program);
+  const viz::Format &tikz = viz::format_named("tikz"), &svg = viz::format_named("svg");
+  for (const int step : e.steps) gallery.need_ours(piece_of(e, step), tikz);
+
+  Studio small(beside, "auto"), large(alone, "auto");
+  const std::function<Image(int)> picture = [&](int step) {
+    const viz::Step& s = e.walk.steps[step];
+    Studio& studio = s.line >= 0 && !s.scene.chart ? small : large;
+    const Piece piece = piece_of(e, step);
+    const viz::Drawing drawing = studio.draw(e, step);
+    gallery.add(e, piece, tikz.name, studio.write(piece, drawing, tikz),
+                {{"theme", options.theme}, {"width_pt", drawing.width}});
+    Image shown = image(e, step);
+    shown.svg = studio.write(piece, drawing, svg);
+    shown.fits = true;
+    return shown;
+  };
+  const std::vector<Slide> slides = Slides(e, picture).made();
+  gallery.list();
+  viz::write_file(folder + tex.name, beamer(tex.mark, e.lesson->title, slides));
+  viz::write_file(folder + page.name, html_slides(page.mark, e.lesson->title, slides));
+  print(folder + tex.name + "\n" + folder + page.name + "\n");
+  return done;
+}
+
+}  // namespace
+
+void add_deck(CLI::App& app, Program& program) {
+  CLI::App& sub = *app.add_subcommand("deck", "a lesson as slides, for LaTeX (beamer) and as one HTML file");
+  const auto options = std::make_shared<PageOptions>();
+  options->width = beside_width;
+  add_page_options(sub, program, *options, "deck");
+  sub.footer(
+      "The files go to DIR/<lesson>/<preset>/: deck.tex, for pdflatex and lualatex run there, beside its pictures,\n"
+      "and deck.html, which needs nothing else: arrow keys, space or a click step through it.\nExample: " +
+      program.name + " deck" + (program.only ? "" : " ray-sphere") + " --preset tangent");
+  sub.callback([&program, options] { program.chosen = [&program, options] { return deck(program, *options); }; });
+}
+
+}  // namespace isect::program

@@ -1,0 +1,49 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/pages/latex.h"
+#include "app/pages/slides.h"
+#include "viz/tex.h"
+
+namespace isect::program {
+
+namespace {
+
+bool has_picture(const Blocks& blocks) {
+  return std::ranges::any_of(blocks, [](const Block& b) { return std::holds_alternative<Image>(b); });
+}
+
+/// Words alone are larger, and stand in the middle.
+std::string frame(const Slide& s) {
+  if (s.first)
+    return fmt::format(
+        "\\begin{{frame}}\n\\begin{{center}}{{\\huge\\usebeamercolor[fg]{{frametitle}} {}}}\\\\[3ex]\n{}"
+        "\\end{{center}}\n\\end{{frame}}\n",
+        viz::tex(s.title), latex(s.left));
+  std::string body = latex(s.left);
+  if (!s.right.empty())
+    body = "\\begin{columns}[T]\n\\begin{column}{0.6\\textwidth}\n\\small\n" + body +
+           "\\end{column}\n\\begin{column}{0.38\\textwidth}\n\\footnotesize\n" + latex(s.right) +
+           "\\end{column}\n\\end{columns}\n";
+  else if (!has_picture(s.left))
+    body = "\\large\n" + body;
+  return fmt::format("\\begin{{frame}}[{},shrink]\n\\frametitle{{{}}}\n{}{}\\end{{frame}}\n",
+                     has_picture(s.left) ? "t" : "c", viz::tex(s.title), body,
+                     s.below.empty() ? "" : "\\medskip\n" + latex(s.below));
+}
+
+constexpr const char* beamer_head =
+    "\n\\documentclass[aspectratio=169,10pt]{{beamer}}\n\\usepackage{{tikz}}\n\\usefonttheme{{serif}}\n"
+    "\\setbeamertemplate{{navigation symbols}}{{}}\n\\setbeamertemplate{{footline}}[frame number]\n"
+    "\\setlength{{\\parskip}}{{4pt plus 1pt}}\n\\title{{{}}}\n\\begin{{document}}\n";
+
+}  // namespace
+
+std::string beamer(const std::string& mark, const std::string& title, const std::vector<Slide>& slides) {
+  std::string out = mark + fmt::format(beamer_head, viz::tex(title));
+  for (const Slide& slide : slides) out += frame(slide);
+  return out + "\\end{document}\n";
+}
+
+}  // namespace isect::program

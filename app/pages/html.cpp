@@ -1,0 +1,78 @@
+#include "app/pages/html.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "viz/rich_text.h"
+#include "viz/svg_path.h"
+
+namespace isect::program {
+
+namespace {
+
+struct AsHtml {
+  std::string operator()(const Heading& h) const { return fmt::format("<h2>{}</h2>\n", html_text(h.text)); }
+  std::string operator()(const Prose& p) const {
+    std::string out, head = p.head.empty() ? "" : fmt::format("<b>{}</b> ", html_text(p.head));
+    for (const std::string& paragraph : paragraphs(p.text))
+      out += fmt::format("<p>{}{}</p>\n", std::exchange(head, {}), html_text(paragraph));
+    return out;
+  }
+  std::string operator()(const Code& c) const {
+    std::string out = "<ol class=\"code\">\n";
+    for (std::size_t i = 0; i < c.lines.size(); ++i)
+      out += fmt::format("<li{}>{}</li>\n", static_cast<int>(i) == c.current ? " class=\"current\"" : "",
+                         viz::xml_escaped(c.lines[i]));
+    return out + "</ol>\n";
+  }
+  std::string operator()(const Image& image) const {
+    return fmt::format("<figure><img src=\"{}\" alt=\"{}\"></figure>\n",
+                       image.svg.empty() ? image.stem + ".svg" : viz::svg_address(image.svg),
+                       viz::xml_escaped(image.alt));
+  }
+  std::string operator()(const Choices& choices) const {
+    std::string out = "<ol class=\"choices\">\n";
+    for (const std::string& choice : choices.all) out += fmt::format("<li>{}</li>\n", html_text(choice));
+    return out + "</ol>\n";
+  }
+  std::string operator()(const Pause&) const { return "<div class=\"later\">\n"; }
+};
+
+}  // namespace
+
+std::string html_mark(const std::string& what) { return fmt::format("<!-- Made by isect {}. -->", what); }
+
+std::string html_text(const std::string& markup) {
+  std::string out;
+  for (const viz::Run& run : viz::parse_markup(markup)) {
+    std::string text = viz::xml_escaped(run.text);
+    if (run.bold) text = fmt::format("<b>{}</b>", text);
+    if (run.italic) text = fmt::format("<i>{}</i>", text);
+    if (run.script == viz::Run::Script::sub) text = fmt::format("<sub>{}</sub>", text);
+    if (run.script == viz::Run::Script::super) text = fmt::format("<sup>{}</sup>", text);
+    out += text;
+  }
+  return out;
+}
+
+std::string html(const Blocks& blocks) {
+  std::string out;
+  std::string end;  // of what comes later
+  for (const Block& block : blocks) {
+    out += std::visit(AsHtml(), block);
+    if (std::holds_alternative<Pause>(block)) end += "</div>\n";
+  }
+  return out + end;
+}
+
+std::string html_page(const std::string& mark, const std::string& title, const std::string& style,
+                      const std::string& body) {
+  return fmt::format(
+      "{}\n<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width\">\n<title>{}</title>\n<style>\n{}</style>\n</head>\n"
+      "<body>\n{}</body>\n</html>\n",
+      mark, viz::xml_escaped(viz::plain(title)), style, body);
+}
+
+}  // namespace isect::program

@@ -1,0 +1,60 @@
+#include "app/pages/latex.h"
+
+#include <fmt/format.h>
+
+#include "viz/tex.h"
+
+namespace isect::program {
+
+namespace {
+
+/// A line on a ground of its own, as wide as the text around it.
+std::string lit(const std::string& line) {
+  return "\\hspace*{-\\fboxsep}\\colorbox{yellow!40}{\\parbox{\\linewidth}{\\raggedright " + line +
+         "}}\\hspace*{-\\fboxsep}\\par\n";
+}
+
+std::string fitted(const std::string& picture) {
+  return "\\resizebox{\\ifdim\\width>\\linewidth \\linewidth\\else\\width\\fi}{!}{" + picture + "}";
+}
+
+struct AsLatex {
+  std::string operator()(const Heading& h) const { return fmt::format("\n\\subsection*{{{}}}\n", viz::tex(h.text)); }
+  std::string operator()(const Prose& p) const {
+    std::string out = p.head.empty() ? "" : fmt::format("\\textbf{{{}}} ", viz::tex(p.head));
+    for (const std::string& paragraph : paragraphs(p.text)) out += viz::tex(paragraph) + "\n\n";
+    return out;
+  }
+  std::string operator()(const Code& c) const {
+    std::string out = "{\\raggedright\n";
+    for (std::size_t i = 0; i < c.lines.size(); ++i) {
+      const std::string line = fmt::format("\\hangindent=3em \\makebox[1.3em][r]{{\\scriptsize {}}}\\quad {}", i + 1,
+                                           viz::tex_plain(c.lines[i]));
+      out += static_cast<int>(i) == c.current ? lit(line) : line + "\\par\n";
+    }
+    return out + "}\n";
+  }
+  std::string operator()(const Image& image) const {
+    const std::string picture = fmt::format("\\input{{{}.tikz}}", image.stem);
+    return fmt::format("\\begin{{center}}{}\\end{{center}}\n", image.fits ? fitted(picture) : picture);
+  }
+  std::string operator()(const Choices& choices) const {
+    std::string out = "\\begin{itemize}\n";
+    for (std::size_t i = 0; i < choices.all.size(); ++i)
+      out += fmt::format("\\item[({})] {}\n", choice_letter(i), viz::tex(choices.all[i]));
+    return out + "\\end{itemize}\n";
+  }
+  std::string operator()(const Pause&) const { return "\\pause\n"; }
+};
+
+}  // namespace
+
+std::string latex_mark(const std::string& what) { return fmt::format("% Made by isect {}.", what); }
+
+std::string latex(const Blocks& blocks) {
+  std::string out;
+  for (const Block& block : blocks) out += std::visit(AsLatex(), block);
+  return out;
+}
+
+}  // namespace isect::program

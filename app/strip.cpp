@@ -1,0 +1,87 @@
+// isect strip: several steps side by side in one figure.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/gallery.h"
+#include "app/studio.h"
+#include "app/surroundings.h"
+#include "app/terminal.h"
+#include "viz/files.h"
+
+namespace isect::program {
+
+namespace {
+
+/// What a reader takes in at once; a lesson has more.
+constexpr std::size_t most_steps = 26;
+constexpr int usual_columns = 3;
+
+struct StripOptions {
+  Selection asked;
+  StyleOptions style;
+  std::string columns, out = "figures";
+  bool captions = false;
+};
+
+int strip(const Program& program, StripOptions options) {
+  if (!options.style.size.empty()) throw viz::BadInput("size: a strip is for paper; give its --width, such as 16cm");
+  if (!options.style.height.empty())
+    throw viz::BadInput("height: that of a strip comes from its --width and --columns");
+  if (options.style.width.empty()) options.style.width = "16cm";
+  options.style.no_title = true;  // it stands below
+  const Style style = style_of(options.style);
+  for (const viz::Format* format : style.formats)
+    if (format->film) throw viz::BadInput(fmt::format("format: a strip does not move; {} is for render", format->name));
+  const Excerpt e = excerpt(program, options.asked);
+  if (e.steps.size() < 2 || e.steps.size() > most_steps)
+    throw viz::BadInput(
+        fmt::format("step: a strip has 2 to {} steps, and here are {}; choose some with --step, such "
+                    "as --step 3-6",
+                    most_steps, e.steps.size()));
+  const int steps = static_cast<int>(e.steps.size());
+  const int columns = std::min(steps, options.columns.empty() ? usual_columns : columns_of(options.columns));
+  need_surroundings(program);
+
+  const Piece piece = piece_of(e, "strip");
+  Studio studio(style, "auto");
+  const auto draw = [&] { return studio.draw_strip(e, columns, options.captions); };
+  if (options.out == "-") {
+    if (style.formats.size() != 1) throw viz::BadInput("out: \"-\" takes exactly one format");
+    print(studio.write(piece, draw(), *style.formats.front()));
+    return done;
+  }
+  Gallery gallery(options.out, program);
+  for (const viz::Format* format : style.formats) gallery.need_ours(piece, *format);
+  const viz::Drawing drawing = draw();
+  for (const viz::Format* format : style.formats)
+    print(gallery.add(e, piece, format->name, studio.write(piece, drawing, *format),
+                      {{"theme", viz::name_of(style.theme)}, {"width_pt", drawing.width}}) +
+          "\n");
+  gallery.list();
+  say_widened(studio);
+  return done;
+}
+
+}  // namespace
+
+void add_strip(CLI::App& app, Program& program) {
+  CLI::App& sub = *app.add_subcommand("strip", "several steps side by side in one figure, each with its letter");
+  const auto options = std::make_shared<StripOptions>();
+  add_lesson(sub, program, options->asked, Takes::one, "a lesson's id, or a preset's file");
+  add_preset(sub, options->asked, Takes::one, "a preset, or a file with one; the first if not given");
+  add_step(sub, options->asked, Takes::many, "counted from 1: 3-6, or 3,5,7-9");
+  add_set(sub, options->asked);
+  sub.add_option("--columns", options->columns, "a row; 3 if not given")->type_name("N");
+  sub.add_flag("--captions", options->captions, "each step's caption below it, after its title");
+  add_style(sub, options->style, viz::still_format_names());
+  add_path(sub, "--out", options->out, "folder (figures if not given); - is stdout", "DIR|-");
+  sub.footer("The width is that of the whole strip, 16cm if not given.\nExample: " + program.name + " strip" +
+             (program.only ? "" : " ray-sphere") + " --step 2-4 --format pdf");
+  sub.callback([&program, options] { program.chosen = [&program, options] { return strip(program, *options); }; });
+}
+
+}  // namespace isect::program

@@ -1,0 +1,147 @@
+// Several steps in one file: strips, animations and decks.
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "tests/app/shell.h"
+#include "tests/catch.h"
+#include "viz/animation.h"
+#include "viz/files.h"
+
+namespace several_steps_test {
+namespace fs = std::filesystem;
+namespace viz = isect::viz;
+using Catch::Matchers::Contains;
+using Catch::Matchers::EndsWith;
+using Catch::Matchers::StartsWith;
+using isect::test::contents;
+using isect::test::files_in;
+using isect::test::Ran;
+using isect::test::Shell;
+using isect::test::write;
+
+namespace {
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
+}  // namespace
+
+TEST_CASE("a strip is one figure of several steps, with letters, captions and metadata", "[strip]") {
+  const Shell shell;
+  const Ran r = shell("isect strip ray-sphere --preset tangent --step 2-4 --format svg,pdf,tikz,png --labels text");
+  CHECK(r.status == 2);  // the labels of tikz are LaTeX's
+  const Ran made = shell("isect strip ray-sphere --preset tangent --step 2-4 --format svg,pdf,png");
+  CHECK(made.status == 0);
+  CHECK(made.err.empty());
+  const std::string stem = "figures/ray-sphere/tangent/strip-02-04";
+  CHECK(made.out == stem + ".svg\n" + stem + ".pdf\n" + stem + ".png\n");
+  const std::string svg =
+      shell("isect strip ray-sphere --preset tangent --step 2-4 --format svg --labels text --out -").out;
+  CHECK_THAT(svg, Contains("width=\"453.5433pt\""));  // 16 cm
+  CHECK(count(svg, "inkscape:label=\"page caption") == 3);
+  CHECK(viz::svg_metadata(svg).at("step") == "2");
+  CHECK(viz::pdf_metadata(contents(shell.work() / (stem + ".pdf"))).at("steps") == "02-04");
+  const std::string alt = contents(shell.work() / (stem + ".txt"));
+  CHECK_THAT(alt, StartsWith("(a) Ray and sphere: ") && Contains("\n\n(c) Ray and sphere: "));
+
+  const auto manifest = nlohmann::json::parse(contents(shell.work() / "figures/manifest.json"));
+  REQUIRE(manifest["figures"].size() == 3);
+  CHECK(manifest["figures"][0]["steps"] == std::vector<int>{2, 3, 4});
+  CHECK_THAT(manifest["figures"][0]["caption"].get<std::string>(), StartsWith("(a) ") && Contains("(c) "));
+}
+
+TEST_CASE("strips and animations stay when the steps beside them are rendered again", "[strip]") {
+  const Shell shell;
+  REQUIRE(shell("isect strip ray-sphere --step 2-3").status == 0);
+  REQUIRE(shell("isect render ray-sphere --step 2-3 --format gif --size 320x200").status == 0);
+  const std::vector<std::string> before = files_in(shell.work() / "figures/ray-sphere");
+  CHECK(before.size() == 4);
+  REQUIRE(shell("isect render ray-sphere").status == 0);
+  const std::vector<std::string> after = files_in(shell.work() / "figures/ray-sphere");
+  for (const std::string& file : before) CHECK(std::ranges::find(after, file) != after.end());
+}
+
+TEST_CASE("captions of a strip stand below the titles, without the lesson's opening", "[strip]") {
+  const Shell shell;
+  const std::string request = "isect strip ray-sphere --step 1-2 --format svg --labels text --out - ";
+  const std::string with = shell(request + "--captions").out, without = shell(request).out;
+  CHECK(with.size() > without.size() + 500);
+  CHECK_THAT(with, Contains("Let "));
+  CHECK_THAT(with.substr(with.find("</desc>")), !Contains("Ray tracers"));
+}
+
+TEST_CASE("a strip refuses what it can't do, by name", "[strip]") {
+  const Shell shell;
+  const auto refused = [&](const std::string& words) {
+    const Ran r = shell("isect strip ray-sphere " + words);
+    CHECK(r.status == 2);
+    return r.err;
+  };
+  CHECK_THAT(refused("--step 3"), Contains("step: a strip has 2 to 26 steps, and here are 1"));
+  CHECK_THAT(refused("--step 2-3 --columns 0"), Contains("columns: \"0\"") && Contains("1 to 12"));
+  CHECK_THAT(refused("--step 2-3 --size 300x200"), Contains("size: ") && Contains("--width"));
+  CHECK_THAT(refused("--step 2-3 --height 5cm"), Contains("height: "));
+  CHECK_THAT(refused("--step 2-3 --format gif"), Contains("format: ") && Contains("render"));
+  write(shell.work() / "figures/ray-sphere/two-roots/strip-02-03.png", "mine");
+  const Ran r = shell("isect strip ray-sphere --step 2-3");
+  CHECK(r.status == 4);
+  CHECK(contents(shell.work() / "figures/ray-sphere/two-roots/strip-02-03.png") == "mine");
+}
+
+TEST_CASE("gif and apng show the steps in turn, one file a preset", "[animation]") {
+  const Shell shell;
+  const Ran r =
+      shell("isect render ray-sphere --preset tangent --step 2-4 --format gif,apng,png --size 320x200 --seconds 1");
+  CHECK(r.status == 0);
+  const std::string folder = "figures/ray-sphere/tangent/";
+  CHECK_THAT(r.out, EndsWith(folder + "steps-02-04.gif\n" + folder + "steps-02-04.apng\n"));
+  CHECK(count(r.out, "\n") == 5);
+  const std::string apng = contents(shell.work() / (folder + "steps-02-04.apng"));
+  CHECK(viz::read_png(apng).rgba == viz::read_png(contents(shell.work() / (folder + "02-along-the-ray.png"))).rgba);
+  CHECK(count(apng, "fcTL") == 3);
+  CHECK(viz::gif_metadata(contents(shell.work() / (folder + "steps-02-04.gif"))).at("lesson") == "ray-sphere");
+  const auto manifest = nlohmann::json::parse(contents(shell.work() / "figures/manifest.json"));
+  CHECK(manifest["figures"][3]["file"] == "ray-sphere/tangent/steps-02-04.apng");
+  CHECK(manifest["figures"][3]["seconds"] == 1);
+
+  const std::string again = "isect render ray-sphere --preset tangent --step 2-4 --format gif --size 320x200 --out ";
+  CHECK(shell(again + "-").out == shell("TZ=Asia/Tokyo LP_NUM_THREADS=1 " + again + "-").out);
+  const Ran opened = shell("isect show " + folder + "steps-02-04.gif");  // no display here, but the place is known
+  CHECK(opened.status == 77);
+  CHECK_THAT(opened.err, Contains("isect render ray-sphere"));
+  for (const auto& [words, why] : {std::pair{"--seconds 0", "seconds: \"0\""}, {"--transparent", "apng"}})
+    CHECK_THAT(shell("isect render ray-sphere --format gif " + std::string(words)).err, Contains(why));
+  CHECK_THAT(shell("isect render ray-sphere --format eps").err, Contains("transparency") && Contains("pdf"));
+}
+
+TEST_CASE("a deck has a slide a step, its question before it, the answer behind a pause", "[deck]") {
+  const Shell shell;
+  const Ran r = shell("isect deck ray-sphere --preset tangent");
+  CHECK(r.status == 0);
+  CHECK(r.out == "decks/ray-sphere/tangent/deck.tex\ndecks/ray-sphere/tangent/deck.html\n");
+  const fs::path folder = shell.work() / "decks/ray-sphere/tangent";
+  const std::string tex = contents(folder / "deck.tex"), html = contents(folder / "deck.html");
+  CHECK_THAT(tex, StartsWith("% Made by isect deck.\n\\documentclass[aspectratio=169"));
+  CHECK(std::ranges::all_of(tex, [](char c) { return static_cast<unsigned char>(c) < 128; }));
+  CHECK(count(tex, "\\begin{frame}") == count(html, "<section>"));
+  CHECK(count(tex, "\\begin{frame}") == count(tex, "\\end{frame}"));
+  CHECK(count(tex, "\\pause") == count(html, "class=\"later\""));
+  CHECK(tex.find("Question 1") < tex.find("\\pause"));
+  CHECK(count(html, "src=\"data:image/svg+xml;base64,") >= 10);
+  CHECK(count(html, "src=\"") == count(html, "src=\"data:"));  // it needs nothing else
+  CHECK(count(html, "http") == 0);
+  CHECK(fs::exists(folder / "03-distance.tikz"));
+
+  REQUIRE(shell("isect deck ray-sphere --preset tangent").status == 0);
+  CHECK(contents(folder / "deck.html") == html);
+  write(folder / "deck.tex", "\\documentclass{beamer}\n");
+  CHECK(shell("isect deck ray-sphere --preset tangent").status == 4);
+  CHECK(contents(folder / "deck.tex") == "\\documentclass{beamer}\n");
+  CHECK_THAT(shell("isect deck ray-sphere --theme dark").err, Contains("theme: \"dark\"") && Contains("print"));
+}
+
+}  // namespace several_steps_test

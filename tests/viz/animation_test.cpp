@@ -1,0 +1,143 @@
+// Pictures in turn, as GIF and as animated PNG: what is read back is what was written.
+
+#include "viz/animation.h"
+
+#include <gif_lib.h>
+
+#include <cstring>
+
+#include "tests/catch.h"
+#include "viz/colour_table.h"
+
+namespace animation_test {
+using namespace isect::viz;
+using Catch::Matchers::Contains;
+
+namespace {
+
+/// `colours` of them in stripes, the last one over half of the picture.
+Picture stripes(int width, int height, int colours, int shift = 0) {
+  Picture p{width, height, {}};
+  for (int i = 0; i < width * height; ++i) {
+    const int c = std::min(i % (2 * colours), colours - 1) + shift;
+    for (const int channel : {c % 7 * 36, c / 7 % 7 * 36, c / 49 % 7 * 36, 255})
+      p.rgba.push_back(static_cast<std::uint8_t>(channel));
+  }
+  return p;
+}
+
+struct Bytes {
+  const std::string& all;
+  std::size_t at = 0;
+};
+int read_bytes(GifFileType* file, GifByteType* to, int count) {
+  auto& bytes = *static_cast<Bytes*>(file->UserData);
+  const std::size_t n = std::min(static_cast<std::size_t>(count), bytes.all.size() - bytes.at);
+  std::memcpy(to, bytes.all.data() + bytes.at, n);
+  bytes.at += n;
+  return static_cast<int>(n);
+}
+
+/// As giflib decodes them.
+std::vector<Picture> frames_of(const std::string& gif) {
+  Bytes bytes{gif};
+  int error = 0;
+  GifFileType* file = DGifOpen(&bytes, read_bytes, &error);
+  REQUIRE(file);
+  REQUIRE(DGifSlurp(file) == GIF_OK);
+  std::vector<Picture> frames;
+  for (int i = 0; i < file->ImageCount; ++i) {
+    const SavedImage& image = file->SavedImages[i];
+    frames.push_back({image.ImageDesc.Width, image.ImageDesc.Height, {}});
+    for (int k = 0; k < image.ImageDesc.Width * image.ImageDesc.Height; ++k) {
+      const GifColorType& c = image.ImageDesc.ColorMap->Colors[image.RasterBits[k]];
+      frames.back().rgba.insert(frames.back().rgba.end(), {c.Red, c.Green, c.Blue, 255});
+    }
+    GraphicsControlBlock control;
+    REQUIRE(DGifSavedExtensionToGCB(file, i, &control) == GIF_OK);
+    CHECK(control.DelayTime == 150);
+  }
+  DGifCloseFile(file, &error);
+  return frames;
+}
+
+}  // namespace
+
+TEST_CASE("a GIF holds every picture as it is where its colours fit", "[animation]") {
+  const std::vector<Picture> pictures = {stripes(40, 30, 256), stripes(40, 30, 1), stripes(40, 30, 90, 200)};
+  const std::string bytes = gif(pictures, 1.5);
+  CHECK_THAT(bytes, Contains("NETSCAPE2.0"));
+  const std::vector<Picture> frames = frames_of(bytes);
+  REQUIRE(frames.size() == 3);
+  for (std::size_t i = 0; i < 3; ++i) CHECK(frames[i].rgba == pictures[i].rgba);
+  CHECK(gif(pictures, 1.5) == bytes);
+}
+
+TEST_CASE("of many colours, few stand for all: what covers most stays, the rest errs little", "[animation]") {
+  Picture shades{256, 64, {}};  // 8,192 colours on white
+  for (int i = 0; i < 256 * 64; ++i) {
+    const bool white = i % 256 >= 128;
+    for (const int channel : {white ? 255 : i % 128, white ? 255 : 2 * (i / 256), white ? 255 : 60, 255})
+      shades.rgba.push_back(static_cast<std::uint8_t>(channel));
+  }
+  const Picture frame = frames_of(gif({shades}, 1.5)).front();
+  int worst = 0;
+  for (std::size_t i = 0; i < shades.rgba.size(); ++i)
+    worst = std::max(worst, std::abs(shades.rgba[i] - frame.rgba[i]));
+  CHECK(worst > 0);
+  CHECK(worst <= 8);  // 255 cells on 128 x 126 shades: 8 x 8 each
+  CHECK(frame.rgba[4 * 200] == 255);
+  for (const int most : {1, 2, 17, 256}) {
+    const ColourTable table = colour_table(shades, most);
+    CHECK(table.colours.size() == static_cast<std::size_t>(most));
+    CHECK(std::ranges::all_of(table.places, [&](int place) { return place < most; }));
+  }
+}
+
+TEST_CASE("an animation carries its metadata, and other files carry none", "[animation]") {
+  const std::vector<Picture> pictures = {stripes(4, 3, 2), stripes(4, 3, 3)};
+  const Metadata metadata = {{"lesson", "ray-sphere"}, {"q", std::string(700, '"') + "√ \x01 ;"}};
+  Imprint imprint;
+  imprint.alt = "A ray meets a ball.";
+  const std::string moving = gif(pictures, 1.5, metadata, imprint);
+  CHECK(gif_metadata(moving) == metadata);
+  CHECK_THAT(moving, Contains("A ray meets a ball."));
+  CHECK(gif_metadata(gif(pictures, 1.5, {}, imprint)).empty());
+  CHECK(png_metadata(apng(pictures, 1.5, metadata, imprint)) == metadata);
+  CHECK_THROWS_AS(gif_metadata("\x89PNG"), FileError);
+  for (std::size_t n = 0; n < moving.size(); n += 7) try {
+      gif_metadata(moving.substr(0, n));
+    } catch (const FileError&) {
+    }
+}
+
+TEST_CASE("an animated PNG has a frame a picture, numbered through, and opens as its first", "[animation]") {
+  const std::vector<Picture> pictures = {stripes(40, 30, 9), stripes(40, 30, 250), stripes(40, 30, 3, 50)};
+  const std::string bytes = apng(pictures, 1.5, {{"a", "b"}});
+  CHECK(read_png(bytes).rgba == pictures.front().rgba);
+  int controls = 0, numbered = 0;
+  for (std::size_t at = 8; at + 12 <= bytes.size();) {
+    const auto number = [&](std::size_t from) {
+      std::size_t n = 0;
+      for (std::size_t i = 0; i < 4; ++i) n = n << 8 | static_cast<unsigned char>(bytes[from + i]);
+      return n;
+    };
+    const std::string type = bytes.substr(at + 4, 4);
+    if (type == "acTL") CHECK(number(at + 8) == 3);
+    controls += type == "fcTL";
+    if (type == "fcTL" || type == "fdAT") CHECK(number(at + 8) == static_cast<std::size_t>(numbered++));
+    if (type == "fcTL") CHECK(bytes.substr(at + 8 + 20, 4) == std::string("\0\x96\0\x64", 4));  // 150 hundredths
+    at += 12 + number(at);
+  }
+  CHECK(controls == 3);
+  CHECK(numbered >= 5);
+}
+
+TEST_CASE("pictures that do not go together are no animation", "[animation]") {
+  CHECK_THROWS_AS(gif({}, 1), FileError);
+  CHECK_THROWS_AS(apng({}, 1), FileError);
+  CHECK_THROWS_AS(gif({stripes(4, 3, 2), stripes(3, 4, 2)}, 1), FileError);
+  CHECK_THROWS_AS(apng({stripes(4, 3, 2), stripes(3, 4, 2)}, 1), FileError);
+}
+
+}  // namespace animation_test
