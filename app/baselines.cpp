@@ -108,8 +108,9 @@ std::vector<viz::Drawing> Baselines::drawings_of(const Excerpt& e) const {
   if (!viz::is_there(path(e, "")) && !accepts(Kind::missing) && !keep_pictures_) return drawings;
   const double aspect = viz::picture_aspect(e.walk, theme, picture_size.width, picture_size.height);
   for (int i = 0; i < static_cast<int>(drawings.size()); ++i)
-    drawings[i] =
-        viz::figure(e.walk.steps[i], camera_for(e, i, aspect), theme, picture_size.width, picture_size.height).drawing;
+    drawings[i] = viz::figure(e.walk.steps[i], camera_for(e, e.walk.steps[i], aspect), theme, picture_size.width,
+                              picture_size.height)
+                      .drawing;
   return drawings;
 }
 

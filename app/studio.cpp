@@ -32,7 +32,8 @@ const std::vector<viz::Walk>& walks_of(const viz::Lesson& lesson) {
 }
 
 viz::Figure composed(const Excerpt& e, int step, const viz::PageLayout& layout) {
-  return viz::figure(e.walk.steps[step], camera_for(e, step, layout.width / layout.picture_height()), layout);
+  return viz::figure(e.walk.steps[step], camera_for(e, e.walk.steps[step], layout.width / layout.picture_height()),
+                     layout);
 }
 
 /// On one line.
@@ -52,10 +53,10 @@ void need_pixels_in_bounds(double pixels, const std::string& cure) {
 
 }  // namespace
 
-viz::Camera camera_for(const Excerpt& e, int step, double aspect) {
+viz::Camera camera_for(const Excerpt& e, const viz::Step& step, double aspect) {
   if (e.camera) return *e.camera;
   const viz::Camera framed = viz::frame_alike(viz::opening(*e.lesson), e.walk, walks_of(*e.lesson), aspect);
-  return viz::closer(framed, e.walk.steps[step].scene, aspect);
+  return viz::closer(framed, step.scene, aspect);
 }
 
 Studio::Studio(const Style& style, const std::string& backend) : style_(style) {
@@ -68,7 +69,7 @@ viz::Drawing Studio::draw(const Excerpt& e, int step) {
       viz::page_layout(e.walk, style_.theme, style_.size.width, style_.size.height, style_.title);
   viz::Drawing drawing;
   if (style_.paper) {
-    viz::OnPaper made = on_paper(e, e.walk, step, step, *style_.paper, style_.title);
+    viz::OnPaper made = on_paper(e, e.walk, step, *style_.paper, style_.title);
     if (made.size.width > style_.paper->width) widened_.push_back(told(file_of(e, step), made.size.width));
     drawing = std::move(made.figure.drawing);
   } else {
@@ -95,15 +96,15 @@ std::vector<viz::Drawing> Studio::draw(const Excerpt& e, const std::vector<int>&
   return drawings;
 }
 
-viz::OnPaper Studio::on_paper(const Excerpt& e, const viz::Walk& walk, int at, int step, const viz::PaperSize& size,
+viz::OnPaper Studio::on_paper(const Excerpt& e, const viz::Walk& walk, int step, const viz::PaperSize& size,
                               bool title) {
-  const auto camera = [&](double aspect) { return camera_for(e, step, aspect); };
-  auto made = viz::readable_figure(walk, at, style_.theme, size, title, camera);
+  const auto camera = [&](double aspect) { return camera_for(e, walk.steps[step], aspect); };
+  auto made = viz::readable_figure(walk, step, style_.theme, size, title, camera);
   if (!made)
     throw viz::BadInput(
         fmt::format("width: at {:.1f} cm the labels of {} meet or leave it, and at 8 times that, too; "
                     "give more, or a smaller --text-size",
-                    size.width / points_a_cm, folder_of(e) + ", " + walk.steps[at].slug));
+                    size.width / points_a_cm, folder_of(e) + ", " + walk.steps[step].slug));
   return std::move(*made);
 }
 
@@ -118,7 +119,7 @@ viz::Drawing Studio::draw_strip(const Excerpt& e, int columns, bool captions) {
   for (const int step : e.steps) part.steps.push_back(e.walk.steps[step]);
   std::vector<viz::Frame> frames;
   for (std::size_t i = 0; i < part.steps.size(); ++i) {  // as wide as the one that needs most
-    viz::OnPaper made = on_paper(e, part, static_cast<int>(i), e.steps[i], each, false);
+    viz::OnPaper made = on_paper(e, part, static_cast<int>(i), each, false);
     if (made.size.width > each.width) {
       each = made.size, frames.clear(), i = static_cast<std::size_t>(-1);
       continue;

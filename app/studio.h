@@ -31,8 +31,7 @@ class Studio {
   const std::vector<std::string>& widened() const { return widened_; }
 
  private:
-  /// `at` of the walk, which is `step` of the excerpt's.
-  viz::OnPaper on_paper(const Excerpt&, const viz::Walk&, int at, int step, const viz::PaperSize&, bool title);
+  viz::OnPaper on_paper(const Excerpt&, const viz::Walk&, int step, const viz::PaperSize&, bool title);
   viz::Imprint imprint_of(const Piece&, const viz::Drawing&) const;
   double pixels_a_unit() const { return style_.paper ? style_.dpi / 72 : 1; }
 
@@ -47,6 +46,6 @@ void say_widened(const Studio&);
 /// The camera for a picture of this step whose width to height is `aspect`: the one of the preset's file, which
 /// shows as much from the middle to the top edge as where it was copied; otherwise at one scale for all presets of the
 /// lesson, but nearer where that leaves the picture empty.
-viz::Camera camera_for(const Excerpt&, int step, double aspect);
+viz::Camera camera_for(const Excerpt&, const viz::Step&, double aspect);
 
 }  // namespace isect::program

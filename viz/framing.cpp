@@ -57,8 +57,15 @@ class Extent {
   const View& view_;
 };
 
-/// Of the frame's width or height, whichever is more: what a scene is to take.
-constexpr double least_taken = 0.64;
+/// Of the frame's width or height, whichever is more: what a scene is to take. Small multiples are as large as it
+/// allows.
+double least_taken(const Scene& scene) {
+  const auto headed = std::ranges::count_if(scene.items, [](const Item& item) {
+    const Heading* heading = std::get_if<Heading>(&item);
+    return heading && heading->bold && heading->text.find_first_not_of("0123456789") != std::string::npos;
+  });
+  return headed > 2 ? 0.9 : 0.64;
+}
 
 }  // namespace
 
@@ -102,9 +109,10 @@ Camera frame_alike(const Camera& camera, const Walk& walk, const std::vector<Wal
 
 Camera closer(const Camera& framed, const Scene& scene, double aspect) {
   const Camera alone = frame(framed, {&scene}, aspect, 0);  // which it would fill
-  if (!(alone.half_height < least_taken * framed.half_height)) return framed;
+  const double least = least_taken(scene);
+  if (!(alone.half_height < least * framed.half_height)) return framed;
   Camera nearer = alone;
-  nearer.half_height = alone.half_height / least_taken;
+  nearer.half_height = alone.half_height / least;
   return nearer;
 }
 

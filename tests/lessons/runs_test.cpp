@@ -1,7 +1,5 @@
 // A walk goes on at every step: no step shows and says what the one before did.
 
-#include <map>
-
 #include "tests/catch.h"
 #include "tests/lessons/asked_for.h"
 #include "viz/compose.h"
@@ -41,7 +39,6 @@ TEST_CASE("no two steps in a row have one picture, caption and values", "[every 
         INFO(lesson->id << ' ' << preset.id << ", " << walk.steps[i].slug);
         if (i > 0 && now == before) {
           const Step &a = walk.steps[i - 1], &b = walk.steps[i];
-          if (std::getenv("ISECT_SAME")) WARN("same picture: " << a.slug << ' ' << b.slug << (a.caption == b.caption ? " CAPTION" : "") << (values(a) == values(b) ? " VALUES" : ""));
           CHECK_FALSE((a.caption == b.caption && values(a) == values(b)));
         }
         before = std::move(now);

@@ -131,6 +131,8 @@ void draw(Canvas& c, const Handle& handle) {
   const Vec2 p = c.at(handle.at);
   const Colour ink = c.theme.ink(handle.role);
   const Sizes& s = c.sizes();
+  if (handle.kind != Handle::Kind::point)  // it hangs on what it measures from
+    c.marks.emplace_back(Stroke{polyline({c.at(handle.anchor), p}), ink, s.hairline, s.construction_dash, false});
   c.marks.emplace_back(Fill{circle(p, s.handle_ring), ink.with_alpha(0.16), 0, 0, {}});
   c.marks.emplace_back(Stroke{circle(p, s.handle_ring), ink, s.construction, {0, 0}, true});
   c.marks.emplace_back(Fill{circle(p, s.handle), ink, 0, 0, {}});
