@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "viz/rich_text.h"
+#include "viz/text.h"
 
 namespace isect::viz {
 namespace {
