@@ -4,7 +4,6 @@
 
 #include "viz/asking.h"
 #include "viz/closing.h"
-#include "viz/compose.h"
 #include "viz/motion.h"
 
 namespace isect::viz {
@@ -25,12 +24,6 @@ std::string matching_preset(const Lesson& lesson, const Parameters& parameters) 
   for (const Preset& p : lesson.presets)
     if (p.parameters == parameters) return p.id;
   return {};
-}
-
-std::vector<const Scene*> scenes_of(const Walk& walk) {
-  std::vector<const Scene*> scenes;
-  for (const Step& s : walk.steps) scenes.push_back(&s.scene);
-  return scenes;
 }
 
 /// The titles of the variants come from their walks, so that they are written down in one place.
@@ -72,15 +65,6 @@ std::shared_ptr<const Player::Overview> Player::overview_of(const Lesson& lesson
   return std::make_shared<const Overview>(std::move(overview));
 }
 
-/// A copy is cheap, as what is large in it is shared.
-template <class Action>
-void Player::all_or_nothing(const Action& action) {
-  static_assert(std::is_nothrow_move_assignable_v<Player>);
-  Player next = *this;
-  action(next);
-  *this = std::move(next);
-}
-
 int Player::step_in(const Walk& walk, const State& state) {
   if (state.outcome) return outcome(walk);
   const auto same = std::ranges::find(walk.steps, state.slug, &Step::slug);
@@ -111,10 +95,6 @@ void Player::show(State next, bool same_lesson) {
   if (same_lesson) return;
   moved_ = false;
   camera_.jump(opening_view());
-}
-
-Camera Player::opening_view() const {
-  return closer(frame_alike(opening(lesson()), walk(), overview_->samples, aspect_), step().scene, aspect_);
 }
 
 std::vector<const Preset*> Player::group() const {
@@ -352,49 +332,6 @@ void Player::go(const Place& place) {
     next.camera_.jump(*place.camera);
     next.moved_ = true;
   });
-}
-
-void Player::set_aspect(double aspect) {
-  if (aspect == aspect_) return;
-  all_or_nothing([&](Player& next) {
-    next.aspect_ = aspect;
-    if (!moved_) next.camera_.jump(next.opening_view());
-  });
-}
-
-void Player::orbit(const Vec2& pixels) {
-  if (lesson().flat) return;
-  remember("orbit");
-  camera_.orbit(pixels);
-  moved_ = true;
-}
-
-void Player::pan(const View& view, const Vec2& from, const Vec2& to) {
-  remember("pan");
-  camera_.pan(view, from, to);
-  moved_ = true;
-}
-
-void Player::zoom(const View& view, const Vec2& at, double factor) {
-  remember("zoom");
-  camera_.zoom(view, at, factor);
-  moved_ = true;
-}
-
-void Player::frame_all() {
-  Camera from = opening(lesson());
-  from.perspective = camera_.goal().perspective;
-  const Camera framed = frame(from, scenes_of(walk()), aspect_);
-  remember("");
-  camera_.glide(framed);
-  moved_ = true;
-}
-
-void Player::set_perspective(bool on) {
-  if (lesson().flat || camera_.goal().perspective == on) return;
-  remember("");
-  camera_.set_perspective(on);
-  moved_ = true;
 }
 
 void Player::remember(const std::string& action, bool with_step) {

@@ -6,6 +6,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "viz/camera_rig.h"
@@ -157,9 +159,15 @@ class Player {
 
   static std::shared_ptr<const Overview> overview_of(const Lesson&, const Walk&, const Parameters&);
   std::size_t index_of(const std::string& lesson_id) const;
-  /// Calls action(copy of this player), and becomes that copy if nothing was thrown.
+  /// Calls action(copy of this player), and becomes that copy if nothing was thrown. A copy is cheap, as what is large
+  /// in it is shared.
   template <class Action>
-  void all_or_nothing(const Action&);
+  void all_or_nothing(const Action& action) {
+    static_assert(std::is_nothrow_move_assignable_v<Player>);
+    Player next = *this;
+    action(next);
+    *this = std::move(next);
+  }
   void show(State, bool same_lesson);
   void remember(const std::string& action, bool with_step);
   bool travel(std::vector<Memory> Player::*from, std::vector<Memory> Player::*to);

@@ -58,12 +58,15 @@ class Painter {
     add(Label{at(1), "**u**", Role::text});
   }
 
+  /// Until it is settled whether it counts, a plain point.
   void hit() {
     const double t = *s_.truth.line;
     const bool counts = s_.ray.range.contains(t);
-    add(Dot{at(t), counts ? Mark::disc : Mark::excluded, counts ? Role::hit : Role::construction});
-    add(Label{at(t), "**r**(*t*)", counts ? Role::hit : Role::muted});
+    add(Dot{at(t), met_mark(counts), met_role(counts)});
+    add(Label{at(t), "**r**(*t*)", !k_.settled ? Role::text : counts ? Role::hit : Role::muted});
   }
+  Mark met_mark(bool counts) const { return k_.settled && !counts ? Mark::excluded : Mark::disc; }
+  Role met_role(bool counts) const { return !k_.settled ? Role::text : counts ? Role::hit : Role::construction; }
 
   void points() {
     const bool two = s_.made == Made::points;
@@ -91,8 +94,7 @@ class Painter {
     axis.range_hi = k_.range ? s_.ray.range.hi : infinite<double>.hi;
     if (k_.hit && s_.truth.line) {
       const bool counts = s_.ray.range.contains(*s_.truth.line);
-      axis.ticks.push_back(
-          {*s_.truth.line, counts ? Mark::disc : Mark::excluded, counts ? Role::hit : Role::construction, "*t*"});
+      axis.ticks.push_back({*s_.truth.line, met_mark(counts), met_role(counts), "*t*"});
     }
     scene_.axis = axis;
   }

@@ -148,7 +148,7 @@ class Teller {
   void say(const ray_plane::InRange<C>& e) {
     const double t = e.t.value;
     known_.hit = true;
-    script_.value("*t*", t, {}, e.holds ? Role::hit : Role::muted);
+    script_.value("*t*", t);
     const double length = s_.made == Made::unit ? s_.d.head<2>().norm() : s_.ray.direction.norm();
     std::vector<double> misconceived = {t * length, s_.plane.normal.dot(s_.ray.origin) + s_.plane.d};
     if (t != 0) misconceived.push_back(-t);  // the sign forgotten; before: a distance, and the numerator alone
@@ -174,6 +174,7 @@ class Teller {
     const bool divided = s_.truth.line.has_value();
     const int line = !divided ? 3 : meets ? 6 : 5;
     if (divided && meets) script_.refuse(5, {});
+    if (divided && meets) script_.value("*t*", *s_.truth.line, {}, Role::hit);
     Step& step = add("verdict", "Does it count?", line, verdict_caption(s_));
     if (!divided) return;
     const double t = *s_.truth.line;

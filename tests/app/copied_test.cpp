@@ -75,7 +75,8 @@ TEST_CASE("a view that was orbited, moved and zoomed in the window is rendered t
   window.frames(2);
   window.key(viz::key::enter);
   window.frames(2);
-  const std::string saved = window.ui.message().substr(std::string("Saved ").size());
+  const std::string told = window.ui.message(), before = "Saved ";  // "Saved FILE, with its alt text"
+  const std::string saved = told.substr(before.size(), told.find(", with") - before.size());
 
   const Ran r = shell("isect render --preset view.json --format " + format + " --out -");
   CHECK(r.status == 0);
