@@ -20,8 +20,9 @@ struct PresetFolder {
   std::vector<std::string> foreign;  ///< JSON that is something else
 };
 
-/// The presets and scenes (*.json) of the folder and of those below it, but for hidden ones, `snapshots`, and what isect itself leaves
-/// there. Throws viz::FileError where the folder can't be read, viz::BadInput where no file in it is meant as a preset.
+/// The presets and scenes (*.json) of the folder and of those below it, but for hidden ones, `snapshots`, and what
+/// isect itself leaves there. Throws viz::FileError where the folder can't be read, viz::BadInput where no file in it
+/// is meant as a preset.
 PresetFolder preset_folder(const std::string& folder, const Program&);
 /// Throws viz::BadInput where the file's name can't go into traces and metadata, which are UTF-8.
 void require_utf8(const PresetFile&);

@@ -6,7 +6,6 @@
 namespace isect::viz {
 namespace {
 
-constexpr double glide_seconds = 0.350;
 constexpr double radians_per_pixel = 0.008;
 constexpr double pi = std::numbers::pi;
 /// An orthographic view is the limit of ever narrower perspective ones; this one looks the same already.
@@ -37,17 +36,17 @@ void CameraRig::jump(const Camera& camera) {
   left_ = 0;
 }
 
-void CameraRig::glide(const Camera& camera) {
+void CameraRig::glide(const Camera& camera, double seconds) {
   if (reduced_motion_) return jump(camera);
   from_ = now_;
   to_ = camera;
-  left_ = glide_seconds;
+  whole_ = left_ = seconds;
 }
 
 void CameraRig::advance(double seconds) {
   if (!moving()) return;
   left_ = std::max(0.0, left_ - seconds);
-  now_ = moving() ? between(from_, to_, ease_in_out(1 - left_ / glide_seconds)) : to_;
+  now_ = moving() ? between(from_, to_, ease_in_out(1 - left_ / whole_)) : to_;
 }
 
 void CameraRig::orbit(const Vec2& pixels) {

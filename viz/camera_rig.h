@@ -20,7 +20,7 @@ class CameraRig {
 
   void jump(const Camera&);
   /// Moves there in 350 ms, slow at both ends. Every moment in between is a valid camera.
-  void glide(const Camera&);
+  void glide(const Camera&, double seconds = 0.350);
   void advance(double seconds);
 
   /// Turns by a movement of the pointer in pixels; the elevation stops at straight up and straight down.
@@ -33,7 +33,7 @@ class CameraRig {
 
  private:
   Camera now_, from_, to_;
-  double left_ = 0;  ///< seconds still to glide
+  double whole_ = 1, left_ = 0;  ///< seconds of the glide, and of those still to come
   bool reduced_motion_;
 };
 

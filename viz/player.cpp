@@ -76,7 +76,7 @@ void Player::choose(int step) {
   state_.wanted = at_ = step;
   state_.slug = walk().steps[step].slug;
   state_.outcome = step == outcome(walk()) && step > 0;
-  if (!moved_) camera_.glide(opening_view());
+  if (!moved_) camera_.glide(opening_view(), seconds_to_move);
 }
 
 /// The one way the state changes.

@@ -61,6 +61,7 @@ const std::map<std::string_view, Atom>& symbols() {
                                                        {"√", {math, "\\sqrt"}},
                                                        {"∞", {math, "\\infty "}},
                                                        {"∅", {math, "\\emptyset "}},
+                                                       {"′", {math, "'"}},
                                                        {"Σ", {math, "\\Sigma "}},
                                                        {"Δ", {math, "\\Delta "}},
                                                        {"α", {math, "\\alpha "}},

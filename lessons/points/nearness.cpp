@@ -101,7 +101,7 @@ class Nearness {
     const std::string verdict =
         right_answer ? "Here it is right."
                      : (method == 2 ? "For the ball" : "Here") + (" it says " + word(near) + ", and is wrong.");
-    if (s_.is_nan) return "Every comparison with NaN fails, so the answer is FAR. " + verdict;
+    if (s_.is_nan) return "Every comparison with such a value fails, so the answer is FAR. " + verdict;
     return what_happens(method, right_answer, left, right) + "\n" + verdict;
   }
 

@@ -136,7 +136,7 @@ void on_every_map(const Check& check) {
 
 }  // namespace
 
-TEST_CASE("the name of a region lies in it or has a leader that ends in it; that of a line stands beside a point of it",
+TEST_CASE("the name of a region lies in it or has a leader that ends in it, that of a line beside a point of it",
           "[every lesson]") {
   on_every_map([](const Lesson& lesson, const Drawn& map) {
     const std::set<int> regions = map.regions();
