@@ -35,7 +35,7 @@ FAULTS = [
      "  auto layers = canvas.layers();\n  if (FAULT) std::swap(layers[5], layers[6]);\n"
      "  for (const std::vector<Shape>* layer : layers)", RAY),
     ("near balls under far ones", "viz/compose/canvas.cpp",
-     "depth(a) > depth(b)", "depth(b) > depth(a)", "picking front"),
+     "depth(ball(a).center) > depth(ball(b).center)", "depth(ball(b).center) > depth(ball(a).center)", "picking front"),
     ("line width 0.1 more", "viz/compose/canvas.cpp", "sizes().ray", "sizes().ray + 0.1", RAY),
     ("another font", "viz/typeset.cpp", "pango_font_description_set_family(font.get(), family.c_str());",
      'pango_font_description_set_family(font.get(), FAULT ? "DejaVu Sans" : family.c_str());', RAY),
