@@ -190,7 +190,8 @@ std::vector<viz::Parameter> parameters_of(const File& file) {
     for (const std::string& field : o.fields) {
       const auto known = std::ranges::find(spec(o.type).fields, field, &FieldSpec::name);
       const bool vertex = known == spec(o.type).fields.end();
-      viz::Parameter p = {o.name + "." + field, shown_name(o.name) + "." + field,
+      const bool its_place = field == "center" || field == "at" || field == "origin";
+      viz::Parameter p = {o.name + "." + field, shown_name(o.name) + (its_place ? "" : "." + field),
                           vertex ? "A vertex of " + o.name + "." : fmt::format("Of {}: {}.", o.name, known->help),
                           file.parameters.at(o.name + "." + field)};
       if (!vertex) p.lo = known->lo, p.hi = known->hi, p.drag_lo = std::max(p.drag_lo, p.lo);

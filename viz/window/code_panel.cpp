@@ -165,7 +165,7 @@ void code_panel(Session& s, const Rect& r) {
   const std::vector<CodeLine> lines = code_lines(ui, s.player.walk(), r.width() - 20);
   const Fit f = fit(ui, s.player.walk(), lines, s.player.step(), r.width() - 20, r.height());
   const float heading = r.top + 32;
-  text(ui.fonts.bold, r.left + padding, heading, packed(ui.palette.text), "Pseudocode");
+  if (!lines.empty()) text(ui.fonts.bold, r.left + padding, heading, packed(ui.palette.text), "Pseudocode");
   if (s.player.step().counters.early_out)
     text(ui.fonts.small, r.right - padding, heading, packed(ui.palette.fresh_text), "early out", 1);
   const float code_bottom = r.top + code_top + f.code_height;
