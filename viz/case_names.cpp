@@ -101,6 +101,7 @@ CaseNames::Room CaseNames::largest(int branch, const Vec2& name) const {
     for (int x = 0; x < columns; ++x) {
       if (count(branch, x, y, x + 1, y + 1) == 0) continue;
       const Vec2 middle(x + 0.5, y + 0.5);
+      if (!filled(branch, middle, (best.scale + step) / 2 * name)) continue;  // no more room than the best has
       double lo = 0, hi = largest_scale;
       for (int i = 0; i < halvings; ++i) {
         const double scale = (lo + hi) / 2;

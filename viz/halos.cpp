@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "viz/labels.h"
 #include "viz/text.h"
 
 namespace isect::viz {
@@ -27,6 +29,24 @@ TextBox around(const Path& path) {
     }
   }
   return b;
+}
+
+/// A box around all that a shape covers; texts and strokes are not looked at.
+TextBox around(const Shape& shape) {
+  if (const Fill* fill = std::get_if<Fill>(&shape)) {
+    TextBox b = around(fill->path);
+    for (const Path& path : fill->more) {
+      const TextBox hole = around(path);
+      b = {std::min(b.left, hole.left), std::min(b.top, hole.top), std::max(b.right, hole.right),
+           std::max(b.bottom, hole.bottom)};
+    }
+    return b;
+  }
+  if (const Gradient* ball = std::get_if<Gradient>(&shape)) {
+    const Vec2 half = ball->major.cwiseAbs() + ball->minor.cwiseAbs();
+    return box_around(ball->center, half);
+  }
+  return {INFINITY, INFINITY, -INFINITY, -INFINITY};
 }
 
 /// How often the outline winds round the point.
@@ -82,13 +102,21 @@ double contrast_ratio(const Colour& a, const Colour& b) {
 double contrast_of(const std::vector<Shape>& shapes, std::size_t text, const Colour& background) {
   const Text& t = std::get<Text>(shapes[text]);
   const TextBox box = measure(t);
+  std::vector<const Shape*> below_it;
+  for (std::size_t k = 0; k < text; ++k) {
+    const TextBox b = around(shapes[k]);
+    if (b.left <= box.right && box.left <= b.right && b.top <= box.bottom && box.top <= b.bottom)
+      below_it.push_back(&shapes[k]);
+  }
   double least = 21;
+  std::optional<Colour> last;  // most of what lies under a text is of one colour
   for (int i = 0; i < 9; ++i)
     for (int j = 0; j < 3; ++j) {
       const Vec2 p(box.left + (i + 0.5) / 9 * (box.right - box.left), box.top + (j + 0.5) / 3 * (box.bottom - box.top));
       Colour below = background;
-      for (std::size_t k = 0; k < text; ++k) below = drawn_on(below, shapes[k], p);
-      least = std::min(least, contrast_ratio(t.colour, below));
+      for (const Shape* shape : below_it) below = drawn_on(below, *shape, p);
+      if (last != below) least = std::min(least, contrast_ratio(t.colour, below));
+      last = below;
     }
   return least;
 }

@@ -49,6 +49,7 @@ class Rows {
     for (const PlacedLabel& label : figure.labels) {
       const auto& [left, top, right, bottom] = label.box;
       out_.labels.push_back({label.text, {left + at.x(), top + at.y(), right + at.x(), bottom + at.y()}});
+      if (label.leads_to) out_.labels.back().leads_to = *label.leads_to + at;
     }
   }
 

@@ -131,7 +131,7 @@ Block lay_out(const Paragraph& paragraph) {
 
 }  // namespace
 
-TextBox measure(const Text& text) { return TypesetLine(text).box(); }
+TextBox measure(const Text& text) { return ink_box(text); }
 
 std::vector<std::string> wrapped(const std::string& markup, double size, bool bold, double room) {
   const auto width = [&](const std::string& line) {

@@ -13,6 +13,7 @@ namespace isect::viz {
 struct Colour {
   double r = 0, g = 0, b = 0, a = 1;
   Colour with_alpha(double alpha) const { return {r, g, b, alpha}; }
+  bool operator==(const Colour&) const = default;
 };
 Colour hex(unsigned rgb);
 

@@ -2,6 +2,9 @@
 
 #include <pango/pangocairo.h>
 
+#include <map>
+#include <utility>
+
 #include "viz/rich_text.h"
 #include "viz/text.h"
 
@@ -46,6 +49,34 @@ void set_markup(PangoLayout* layout, const std::string& markup) {
   pango_layout_set_markup(layout, valid.get(), -1);
 }
 
+/// The line at an em of `reference_em`.
+Layout laid_out(const Text& text) {
+  Layout layout = make_layout(pango(text.markup, {}, 1, reference_em), fonts().figure, reference_em, text.bold);
+  pango_layout_set_single_paragraph_mode(layout.get(), TRUE);
+  return layout;
+}
+
+Extents extents_of(PangoLayout* line) {
+  PangoRectangle ink, logical;
+  pango_layout_line_get_extents(pango_layout_get_line_readonly(line, 0), &ink, &logical);
+  const auto units = [](int pango_units) { return pango_units / static_cast<double>(PANGO_SCALE); };
+  return {{units(ink.x), units(ink.y), units(ink.x + ink.width), units(ink.y + ink.height)}, units(logical.width)};
+}
+
+bool has_ink(const Extents& e, double scale) {
+  return e.ink.right > e.ink.left && e.ink.bottom > e.ink.top && scale > 0;
+}
+
+double start_of(const Extents& e, const Text& text) {
+  return text.at.x() - text.align * (text.size / reference_em) * e.advance;
+}
+
+TextBox placed(const Extents& e, const Text& text) {
+  const double scale = text.size / reference_em, x = start_of(e, text), y = text.at.y();
+  if (!has_ink(e, scale)) return {x, y, x, y};
+  return {x + scale * e.ink.left, y + scale * e.ink.top, x + scale * e.ink.right, y + scale * e.ink.bottom};
+}
+
 }  // namespace
 
 void set_source(cairo_t* cr, const Colour& c) { cairo_set_source_rgba(cr, c.r, c.g, c.b, c.a); }
@@ -64,25 +95,26 @@ Layout make_layout(const std::string& pango_markup, const std::string& family, d
   return layout;
 }
 
+TextBox ink_box(const Text& text) {
+  constexpr std::size_t most = 20'000;  // those of all lessons are some thousands
+  thread_local std::map<std::pair<std::string, bool>, Extents> known;
+  const auto found = known.find({text.markup, text.bold});
+  if (found != known.end()) return placed(found->second, text);
+  if (known.size() >= most) known.clear();
+  const Extents extents = extents_of(laid_out(text).get());
+  known.emplace(std::pair(text.markup, text.bold), extents);
+  return placed(extents, text);
+}
+
 TypesetLine::TypesetLine(const Text& text)
     : text_(text),
-      layout_(make_layout(pango(text.markup, {}, 1, reference_em), fonts().figure, reference_em, text.bold)),
-      scale_(text.size / reference_em) {
-  pango_layout_set_single_paragraph_mode(layout_.get(), TRUE);
-  PangoRectangle ink, logical;
-  pango_layout_line_get_extents(pango_layout_get_line_readonly(layout_.get(), 0), &ink, &logical);
-  const auto units = [](int pango_units) { return pango_units / static_cast<double>(PANGO_SCALE); };
-  ink_ = {units(ink.x), units(ink.y), units(ink.x + ink.width), units(ink.y + ink.height)};
-  start_ = text.at.x() - text.align * scale_ * units(logical.width);
-}
+      layout_(laid_out(text)),
+      scale_(text.size / reference_em),
+      extents_(extents_of(layout_.get())),
+      start_(start_of(extents_, text)) {}
 
-bool TypesetLine::empty() const { return !(ink_.right > ink_.left && ink_.bottom > ink_.top && scale_ > 0); }
-
-TextBox TypesetLine::box() const {
-  const double x = start_, y = text_.at.y();
-  if (empty()) return {x, y, x, y};
-  return {x + scale_ * ink_.left, y + scale_ * ink_.top, x + scale_ * ink_.right, y + scale_ * ink_.bottom};
-}
+bool TypesetLine::empty() const { return !has_ink(extents_, scale_); }
+TextBox TypesetLine::box() const { return placed(extents_, text_); }
 
 std::vector<Path> TypesetLine::outlines() const {
   const std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> nowhere(

@@ -25,6 +25,15 @@ Layout make_layout(const std::string& pango_markup, const std::string& family, d
 /// What is drawn next on a cairo context has this colour.
 void set_source(_cairo*, const Colour&);
 
+/// A line of markup at an em of `reference_em`, from its start on the baseline.
+struct Extents {
+  TextBox ink = {};
+  double advance = 0;
+};
+
+/// The box of a text's ink, as TypesetLine gives it. A line that was measured before is not laid out again.
+TextBox ink_box(const Text&);
+
 class TypesetLine {
  public:
   explicit TypesetLine(const Text&);
@@ -41,7 +50,7 @@ class TypesetLine {
   Text text_;
   Layout layout_;
   double scale_ = 1;  ///< the drawing's units per unit of the layout
-  TextBox ink_ = {};  ///< in layout units from the line's start on the baseline
+  Extents extents_;
   double start_ = 0;  ///< x of the line's start in the drawing
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <optional>
 
 #include <isect/clip_segment.h>
 #include <isect/ray_polygon.h>
@@ -61,14 +62,30 @@ bool passes_far(const Ray<double, 3>& sight, const Shell& solid) {
          reach * reach * sight.direction.squaredNorm();
 }
 
+/// The same by rounded arithmetic, where its errors leave no doubt. Half-spaces are of unit normals.
+std::optional<bool> clearly_runs_through(const Ray<double, 3>& sight, const Shell& solid) {
+  constexpr double share = 1e-13;  // some hundred roundings
+  const double speed = sight.direction.norm(), far = sight.origin.norm();
+  double lo = sight.range.lo, hi = sight.range.hi, doubt = 0;
+  for (const Plane<double, 3>& p : solid.inside) {
+    const double rate = p.normal.dot(sight.direction), t = -(p.normal.dot(sight.origin) + p.d) / rate;
+    if (!(std::abs(rate) > 1e-6 * speed)) return std::nullopt;  // nearly parallel
+    (rate > 0 ? lo : hi) = rate > 0 ? std::max(lo, t) : std::min(hi, t);
+    doubt = std::max(doubt, share * ((far + std::abs(p.d)) / std::abs(rate) + std::abs(t) * speed / std::abs(rate)));
+  }
+  if (std::abs(hi - lo) > 2 * doubt) return hi > lo;
+  return std::nullopt;
+}
+
 bool runs_through(Ray<double, 3> sight, const Shell& solid) {
-  if (passes_far(sight, solid)) return false;
+  if (solid.inside.empty() || passes_far(sight, solid)) return false;
+  if (const auto clear = clearly_runs_through(sight, solid)) return *clear;
   for (const Plane<double, 3>& half_space : solid.inside) {
     const auto kept = clip(sight, half_space);
     if (!kept) return false;
     sight.range = *kept;
   }
-  return !solid.inside.empty() && sight.range.hi > sight.range.lo;
+  return sight.range.hi > sight.range.lo;
 }
 
 /// Whether the ball lies in the solid, up to a rounding.
