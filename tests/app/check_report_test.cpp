@@ -28,26 +28,26 @@ TEST_CASE("one command accepts all that failed, word by word", "[check]") {
     CHECK(shell(accept).status == 0);
     CHECK_THAT(shell(command).out, StartsWith("ok: "));
   };
-  write(shell.work() / "my 'notes'/a.json", scene("overlapping"));
-  write(shell.work() / "my 'notes'/sub/a.json", scene("touching"));
-  write(shell.work() / "my 'notes'/b.json", R"({"lesson": "sphere-sphere"})");
+  write(shell.work() / "my 'notes'/a.json", scene("a-after-b"));
+  write(shell.work() / "my 'notes'/sub/a.json", scene("same-point"));
+  write(shell.work() / "my 'notes'/b.json", R"({"lesson": "clipping", "preset": "polygon-inside"})");
   const std::string dir = "isect check --dir \"my 'notes'\"";
   follow(dir + " --preset sub/a");
-  follow(dir + " sphere-sphere");
+  follow(dir + " clipping");
   follow(dir);
-  follow("isect check ray-sphere --preset miss --snapshots 'a b'");
+  follow("isect check hierarchy --preset ray-missed --snapshots 'a b'");
 
   // A lesson that changed is named where others did not.
-  write(shell.work() / "my 'notes'/b.json", R"({"lesson": "sphere-sphere", "preset": "touching"})");
-  CHECK_THAT(accept_command(shell(dir).out), StartsWith("isect check sphere-sphere --dir 'my '\\''notes'\\'''"));
+  write(shell.work() / "my 'notes'/b.json", R"({"lesson": "clipping", "preset": "polygon-beyond"})");
+  CHECK_THAT(accept_command(shell(dir).out), StartsWith("isect check clipping --dir 'my '\\''notes'\\'''"));
   follow(dir);
 
   // Of everything, something: a lesson that changed, one that is new, one that is gone.
-  write(shell.work() / "my 'notes'/a.json", scene("b-after-a"));
-  write(shell.work() / "my 'notes'/c.json", scene("overlapping"));
+  write(shell.work() / "my 'notes'/a.json", scene("near-points"));
+  write(shell.work() / "my 'notes'/c.json", scene("a-after-b"));
   fs::remove(shell.work() / "my 'notes'/b.json");
   follow(dir);
-  CHECK_FALSE(fs::exists(shell.work() / "my 'notes'/snapshots/sphere-sphere"));
+  CHECK_FALSE(fs::exists(shell.work() / "my 'notes'/snapshots/clipping"));
 }
 
 TEST_CASE("where nothing can be written a difference is still told in words", "[check]") {

@@ -5,7 +5,8 @@
 # jump and call does.
 # The comparison can fail: a listener must change the code.
 #
-# An ordinary run compiles as a release does, at -O3; a long one (ISECT_LONG=1) at -O2 too.
+# An ordinary run compiles as a release does, at -O3, and the listener's with one group of calls; a long one
+# (ISECT_LONG=1) at -O2 too, and every group's.
 #
 #   cmake -DCALLS=RELATE -DCOMPILER=c++ "-DOPTIONS=<of isect::core>" -DOBJDUMP=objdump -DROOT=<repository> -DWORK=<scratch>
 #     -DEIGEN=<include> -P zero_cost_trace.cmake
@@ -95,6 +96,9 @@ foreach(level ${levels})
   endif()
 endforeach()
 
+if(NOT CALLS STREQUAL METHODS AND NOT "$ENV{ISECT_LONG}" STREQUAL 1)
+  return()
+endif()
 list(GET levels -1 level)  # that of traced_operations
 disassemble(heard ${WORK}/traced ${level} -D${CALLS} -DLISTEN)
 operations(heard_operations "${heard}")
