@@ -41,7 +41,7 @@ void change(Excerpt& to, const std::vector<std::string>& changes) {
 /// The objects of a file and what it asks of them.
 Excerpt from_scene(const std::string& text, const PresetFile& file) {
   Excerpt e;
-  e.lesson = &scene::kept_lesson_of(text);
+  e.lesson = &scene::kept_lesson_of(text, std::filesystem::path(file.path).parent_path().string());
   e.folder = file.name;
   e.parameters = e.lesson->presets.front().parameters;
   return e;

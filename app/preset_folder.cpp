@@ -56,7 +56,7 @@ PresetFolder preset_folder(const std::string& folder, const Program& program) {
       const std::string text = viz::read_regular_file(file.path);
       if (scene::holds_objects(text)) {
         require_utf8(file);
-        scene::lesson_of(text);
+        scene::lesson_of(text, std::filesystem::path(file.path).parent_path().string());
         found.presets.push_back(file);
         continue;
       }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 
 #include "app/options.h"
@@ -17,8 +18,9 @@ namespace {
 
 int tell(const std::string& path, bool json) {
   try {
-    const std::string text = viz::read_file(path);
-    const scene::File file = scene::read_scene(text);
+    const std::string text = viz::read_file(path), folder = std::filesystem::path(path).parent_path().string();
+    const scene::File file = scene::read_scene(text, folder);
+    static_cast<void>(scene::lesson_of(text, folder));  // refuses what has no shape, asked about or not
     const scene::Json all = scene::answers(file);
     if (json) {
       print(all.dump(2) + "\n");
@@ -54,8 +56,16 @@ void add_scene(CLI::App& app, Program& program) {
       "  line origin dir    plane normal d       sphere center radius\n"
       "  box lo hi          obb center u v [w] half\n"
       "  capsule p q r      triangle points      polygon points (or rings, for holes)\n"
-      "\"ask\" may be \"all pairs\"; \"notes\": [{\"at\": [0, 2, 0], \"text\": \"*h*\"}] and\n"
-      "\"camera\": {\"azimuth\": 30, \"elevation\": 20} may follow.\n"
+      "  kdop normals lo hi (lists)              hull points (or file)\n"
+      "  cloud points (or file, .csv)            mesh file (.obj, .stl, .ply; or points triangles)\n"
+      "  frustum eye forward up angle [aspect] near far\n"
+      "Questions: two names; {\"first hit\": \"r\"}; {\"fit\": \"M\"} with \"volume\": sphere, box, obb, kdop or hull, "
+      "or\n"
+      "all five; {\"clip\": \"r\", \"to\": \"A\"}; {\"hierarchy\": \"M\"}, or [\"A\", \"B\"], or \"all\"; {\"walk\": "
+      "[\"r\", \"S\"]},\n"
+      "step by step as in the lesson. \"ask\" may be \"all pairs\".\n"
+      "\"notes\": [{\"at\": [0, 2, 0], \"text\": \"*h*\"}] and \"camera\": {\"azimuth\": 30, \"elevation\": 20} may "
+      "follow.\n"
       "Whatever takes a preset's file takes a scene: show, render, strip, explain, handout, deck, check --dir.\n"
       "Example: isect scene mine.json && isect render mine.json --format pdf --width 8cm");
   sub.callback([&program, path, json] { program.chosen = [path, json] { return tell(*path, *json); }; });

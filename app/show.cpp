@@ -32,7 +32,7 @@ viz::Place place_in_figure(const Program& program, const std::string& path, cons
                       "last removed it. "
                       "Name its place instead: {} show{} --preset P --step N",
                       program.name, program.only ? "" : " LESSON"));
-    if (data.contains("scene")) to.push_back(&scene::kept_lesson_of(data.at("scene")));
+    if (data.contains("scene")) to.push_back(&scene::kept_lesson_of(data.at("scene"), ""));
     return viz::place_from_metadata(data, to);
   } catch (const viz::BadInput& e) {
     throw viz::BadInput(fmt::format("{}: {}", path, e.what()));

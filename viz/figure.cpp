@@ -230,7 +230,7 @@ PageLayout paper_layout(const Walk& walk, int shown, ThemeName name, const Paper
 
 Figure figure(const Step& step, const Camera& camera, const PageLayout& layout) {
   PageLayout own = layout;
-  own.axis = own.axis && !step.scene.chart;  // a chart takes its room
+  own.axis = (own.axis || step.scene.axis) && !step.scene.chart;  // a chart takes its room
   return Page(step, own).make(camera);
 }
 

@@ -4,8 +4,15 @@
 //
 //   { "title": "A ray past a box",                                   // may be left out, as may all but "objects"
 //     "objects": [ {"ray": "r", "origin": [-4, 0, 1], "dir": [1, 0, 0]},
-//                  {"box": "A", "lo": [-1, -1, -1], "hi": [1, 1, 1]} ],
-//     "ask": [ ["r", "A"] ],                                         // or "all pairs"; {"first hit": "r"} among all
+//                  {"box": "A", "lo": [-1, -1, -1], "hi": [1, 1, 1]},
+//                  {"mesh": "M", "file": "bunny.ply"} ],             // beside this file
+//     "ask": [ ["r", "A"],                                           // or "all pairs"
+//              {"first hit": "r"},                                   // among all objects
+//              {"fit": "M", "volume": "sphere"},                     // or box, obb, kdop, hull; all if not given
+//              {"clip": "r", "to": "A"},                             // the part of a line or a polygon in a box
+//              {"hierarchy": "M"},                                   // of its triangles; or of objects: ["A", "M"],
+//              "all"
+//              {"walk": ["r", "A"]} ],                               // step by step, as the lesson of such a pair
 //     "notes": [ {"at": [0, 2, 0], "text": "the *y*-axis"} ],
 //     "camera": {"azimuth": 30, "elevation": 20} }                   // degrees
 //
@@ -27,7 +34,20 @@ struct PairAsked {
 struct FirstHitAsked {
   std::size_t ray;
 };
-using Asked = std::variant<PairAsked, FirstHitAsked>;
+struct FitAsked {
+  std::size_t object;
+  std::string volume;  ///< empty: all
+};
+struct ClipAsked {
+  std::size_t what, box;
+};
+struct HierarchyAsked {
+  std::vector<std::size_t> objects;  ///< one of them: its triangles
+};
+struct WalkAsked {
+  std::size_t a, b;
+};
+using Asked = std::variant<PairAsked, FirstHitAsked, FitAsked, ClipAsked, HierarchyAsked, WalkAsked>;
 
 struct Note {
   viz::Vec3 at;
@@ -42,14 +62,15 @@ struct File {
   std::vector<Note> notes;
   viz::Camera camera;
   bool flat = false;
-  std::string text;  ///< the file as it is, without comments
+  std::string text;  ///< the file as it is, without comments, and with the points of short files that it names
 };
 
 /// Whether a text is meant as a scene: JSON with "objects".
 bool is_scene(const std::string& text);
 /// Whether there are objects of ours in it: not somebody else's JSON with a field of that name.
 bool holds_objects(const std::string& text);
-/// Throws viz::BadInput, which names line and field, what is allowed and the nearest name.
-File read_scene(const std::string& text);
+/// `folder`: what names of files in it are relative to. Throws viz::BadInput, which names line and field, what is
+/// allowed and the nearest name, and viz::FileError.
+File read_scene(const std::string& text, const std::string& folder);
 
 }  // namespace isect::program::scene

@@ -8,11 +8,11 @@
 
 namespace isect::program::scene {
 
-/// Called "scene". Throws viz::BadInput as read_scene does.
-viz::Lesson lesson_of(const std::string& text);
+/// Called "scene". `folder` and what is thrown are as in read_scene.
+viz::Lesson lesson_of(const std::string& text, const std::string& folder);
 
 /// The same, kept as long as the program runs.
-const viz::Lesson& kept_lesson_of(const std::string& text);
+const viz::Lesson& kept_lesson_of(const std::string& text, const std::string& folder);
 
 /// The answers to all questions, as JSON: names, verdict in words, query and result.
 Json answers(const File&);

@@ -2,8 +2,9 @@
 // The objects that a scene file may hold: how each is written, asked about and drawn.
 //
 // An object's numbers are parameters called "name.field" ("A.center", "t.2"), so that a scene is a lesson like others:
-// set by --set, dragged in the window, kept by figures.
+// set by --set, dragged in the window, kept by figures. Many points, and those of a file, are kept as they are instead.
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -14,7 +15,24 @@ namespace isect::program::scene {
 
 using Json = nlohmann::ordered_json;
 
-enum class Type { point, segment, ray, line, plane, sphere, box, obb, capsule, triangle, polygon };
+enum class Type {
+  point,
+  segment,
+  ray,
+  line,
+  plane,
+  sphere,
+  box,
+  obb,
+  capsule,
+  triangle,
+  polygon,
+  kdop,
+  frustum,
+  hull,
+  mesh,
+  cloud
+};
 
 /// A number, point or vector of an object, as it stands in the file.
 struct FieldSpec {
@@ -30,17 +48,27 @@ struct FieldSpec {
 struct TypeSpec {
   Type type;
   std::string name;
-  std::vector<FieldSpec> fields;  ///< none of a triangle or polygon: its "points" are called 1, 2, ...
+  std::vector<FieldSpec> fields;  ///< none of what is made of points: they are called 1, 2, ...
 };
 const std::vector<TypeSpec>& types();
 const TypeSpec& spec(Type);
+
+/// Numbers that are no parameters.
+struct Fixed {
+  std::vector<viz::Vec3> points = {};
+  std::vector<std::array<int, 3>> triangles = {};  ///< of a mesh
+  std::vector<viz::Vec3> normals = {};             ///< of a k-DOP
+};
 
 struct Object {
   Type type;
   std::string name;
   std::vector<std::string> fields = {};  ///< those that the file gives, without the object's name
-  std::vector<int> rings = {};           ///< of a polygon: how many vertices each has
+  std::vector<int> rings = {};           ///< of what is made of points: how many each outline has
+  Fixed fixed = {};
 };
+/// A ray, a line or a segment.
+bool runs_along_a_line(Type);
 
 /// Objects with their numbers, in a plane or in space.
 struct Setting {
@@ -50,6 +78,8 @@ struct Setting {
   viz::Vec3 point(const Object&, const std::string& field) const;
   double number(const Object&, const std::string& field) const;
   bool has(const Object&, const std::string& field) const;
+  /// Of what is made of points.
+  std::vector<viz::Vec3> points(const Object&) const;
   std::vector<std::vector<viz::Vec3>> rings(const Object&) const;
   /// The corners of what is finite of it: an end of a ray, opposite ends of a box.
   std::vector<viz::Vec3> extent(const Object&) const;
@@ -66,7 +96,7 @@ struct Room {
 };
 Room room(const Setting&, const std::vector<Object>&);
 
-/// The object and its name.
+/// The object and its name. Throws viz::BadInput where the core finds no shape in its numbers.
 std::vector<viz::Item> drawn(const Setting&, const Object&, const Room&, viz::Role);
 /// What of it can be dragged.
 std::vector<viz::Handle> handles(const Setting&, const Object&, viz::Role);

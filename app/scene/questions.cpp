@@ -4,39 +4,22 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "app/query/query.h"
+#include "app/scene/pairs.h"
 
 namespace isect::program::scene {
-
-namespace {
 
 using viz::Role;
 using viz::Vec3;
 using viz::Verdict;
 
-/// One test: which query answers it, how the two objects are written there, how its result is told.
-struct Pair {
-  Type a, b;
-  const char* kind;
-  enum class In { both, plane, space } in;
-  Json (*written)(const Setting&, const Object& a, const Object& b);
-  void (*tell)(const Setting&, const Object& a, const Object& b, Answer&);
+namespace {
 
-  bool fits(bool flat) const { return in == In::both || (in == In::plane) == flat; }
-};
+std::string names(const Object& a, const Object& b) { return shown_name(a.name) + " and " + shown_name(b.name); }
 
-// How objects are written.
-
-Json obb_of(const Setting& s, const Object& o) {
-  Json axes = {s.list(o, "u"), s.list(o, "v")};
-  if (!s.flat) axes.push_back(s.list(o, "w"));
-  return {{"c", s.list(o, "center")}, {"u", axes}, {"e", s.list(o, "half")}};
-}
-
-Json capsule_of(const Setting& s, const Object& o) {
-  return {{"p", s.list(o, "p")}, {"q", s.list(o, "q")}, {"r", s.number(o, "r")}};
-}
+}  // namespace
 
 Vec3 origin_of(const Setting& s, const Object& o) { return s.point(o, o.type == Type::segment ? "from" : "origin"); }
 
@@ -53,6 +36,62 @@ Vec3 direction_of(const Setting& s, const Object& o) {
           "of another segment; give a ray with origin, dir and \"tmax\": 1");
   }
   return dir;
+}
+
+void relate(const Setting&, const Object& a, const Object& b, Answer& out) {
+  const std::string r = out.result.value("relation", "");
+  const std::string na = shown_name(a.name), nb = shown_name(b.name);
+  if (r == "disjoint")
+    out.verdict = {Verdict::Kind::no, names(a, b) + " are disjoint"};
+  else if (r == "touch" || r == "touch_outer")
+    out.verdict = {Verdict::Kind::on, names(a, b) + " touch"};
+  else if (r.starts_with("touch_inner"))
+    out.verdict = {Verdict::Kind::on, names(a, b) + " touch, one inside the other"};
+  else if (r == "equal")
+    out.verdict = {Verdict::Kind::yes, names(a, b) + " are equal"};
+  else if (r == "a_contains_b" || r == "sphere_contains_box")
+    out.verdict = {Verdict::Kind::yes, nb + " lies in " + na};
+  else if (r == "b_contains_a" || r == "box_contains_sphere")
+    out.verdict = {Verdict::Kind::yes, na + " lies in " + nb};
+  else
+    out.verdict = {Verdict::Kind::yes, names(a, b) + " overlap"};
+}
+
+/// Where it is reached, on the first object's line.
+void add_hit(const Setting& s, const Object& a, Answer& out, const char* name, const Json& t, viz::Mark mark) {
+  if (!t.is_number()) return;
+  const double value = t.get<double>();
+  out.values.push_back({name, value, "t", Role::hit, true});
+  out.marks.push_back(viz::Dot{origin_of(s, a) + value * direction_of(s, a), mark, Role::hit});
+}
+
+/// The verdict of whatever runs along a line.
+void meets(const Object& a, const Object& b, Answer& out, bool hit) {
+  const std::string pair = shown_name(a.name) + (hit ? " meets " : " misses ") + shown_name(b.name);
+  out.verdict = {hit ? Verdict::Kind::yes : Verdict::Kind::no, pair};
+  for (const viz::Value& v : out.values)
+    out.formula += fmt::format("{}{} = {}", out.formula.empty() ? "" : ", ", v.name, viz::shown(v.value));
+  if (hit && !out.values.empty()) out.first_hit = out.values.front().value;
+}
+
+void locate(const Object& a, const Object& b, Answer& out, const std::string& where) {
+  const std::string na = shown_name(a.name), nb = shown_name(b.name);
+  if (where == "in") out.verdict = {Verdict::Kind::yes, na + " lies inside " + nb};
+  if (where == "on") out.verdict = {Verdict::Kind::on, na + " lies on the boundary of " + nb};
+  if (where == "out") out.verdict = {Verdict::Kind::no, na + " lies outside " + nb};
+}
+namespace {
+
+// How objects are written.
+
+Json obb_of(const Setting& s, const Object& o) {
+  Json axes = {s.list(o, "u"), s.list(o, "v")};
+  if (!s.flat) axes.push_back(s.list(o, "w"));
+  return {{"c", s.list(o, "center")}, {"u", axes}, {"e", s.list(o, "half")}};
+}
+
+Json capsule_of(const Setting& s, const Object& o) {
+  return {{"p", s.list(o, "p")}, {"q", s.list(o, "q")}, {"r", s.number(o, "r")}};
 }
 
 Json ray_of(const Setting& s, const Object& o) {
@@ -90,48 +129,10 @@ Json both(const Setting& s, const Object& a, const Object& b) {
 
 // How results are told.
 
-std::string names(const Object& a, const Object& b) { return shown_name(a.name) + " and " + shown_name(b.name); }
-
-void relate(const Setting&, const Object& a, const Object& b, Answer& out) {
-  const std::string r = out.result.value("relation", "");
-  const std::string na = shown_name(a.name), nb = shown_name(b.name);
-  if (r == "disjoint")
-    out.verdict = {Verdict::Kind::no, names(a, b) + " are disjoint"};
-  else if (r == "touch" || r == "touch_outer")
-    out.verdict = {Verdict::Kind::on, names(a, b) + " touch"};
-  else if (r.starts_with("touch_inner"))
-    out.verdict = {Verdict::Kind::on, names(a, b) + " touch, one inside the other"};
-  else if (r == "equal")
-    out.verdict = {Verdict::Kind::yes, names(a, b) + " are equal"};
-  else if (r == "a_contains_b" || r == "sphere_contains_box")
-    out.verdict = {Verdict::Kind::yes, nb + " lies in " + na};
-  else if (r == "b_contains_a" || r == "box_contains_sphere")
-    out.verdict = {Verdict::Kind::yes, na + " lies in " + nb};
-  else
-    out.verdict = {Verdict::Kind::yes, names(a, b) + " overlap"};
-}
-
 void touch_of_plane(const Setting& s, const Object& a, const Object& b, Answer& out) {
   relate(s, a, b, out);
   if (out.verdict.kind == Verdict::Kind::yes)
     out.verdict.text = fmt::format("{} cuts {}", shown_name(a.name), shown_name(b.name));
-}
-
-/// Where it is reached, on the first object's line.
-void add_hit(const Setting& s, const Object& a, Answer& out, const char* name, const Json& t, viz::Mark mark) {
-  if (!t.is_number()) return;
-  const double value = t.get<double>();
-  out.values.push_back({name, value, "t", Role::hit, true});
-  out.marks.push_back(viz::Dot{origin_of(s, a) + value * direction_of(s, a), mark, Role::hit});
-}
-
-/// The verdict of whatever runs along a line.
-void meets(const Object& a, const Object& b, Answer& out, bool hit) {
-  const std::string pair = shown_name(a.name) + (hit ? " meets " : " misses ") + shown_name(b.name);
-  out.verdict = {hit ? Verdict::Kind::yes : Verdict::Kind::no, pair};
-  for (const viz::Value& v : out.values)
-    out.formula += fmt::format("{}{} = {}", out.formula.empty() ? "" : ", ", v.name, viz::shown(v.value));
-  if (hit && !out.values.empty()) out.first_hit = out.values.front().value;
 }
 
 void ray_meets_sphere(const Setting& s, const Object& a, const Object& b, Answer& out) {
@@ -170,12 +171,6 @@ void ray_meets_polygon(const Setting& s, const Object& a, const Object& b, Answe
     out.verdict = {Verdict::Kind::on, out.verdict.text + " on its boundary"};
 }
 
-void locate(const Object& a, const Object& b, Answer& out, const std::string& where) {
-  const std::string na = shown_name(a.name), nb = shown_name(b.name);
-  if (where == "in") out.verdict = {Verdict::Kind::yes, na + " lies inside " + nb};
-  if (where == "on") out.verdict = {Verdict::Kind::on, na + " lies on the boundary of " + nb};
-  if (where == "out") out.verdict = {Verdict::Kind::no, na + " lies outside " + nb};
-}
 void point_location(const Setting&, const Object& a, const Object& b, Answer& out) {
   locate(a, b, out, out.result["location"]);
 }
@@ -290,6 +285,7 @@ const std::vector<Pair>& pairs() {
                          },
                          ray_meets_polygon});
     }
+    std::ranges::copy(pairs_of_many_numbers(), std::back_inserter(table));
     return table;
   }();
   return all;
@@ -315,6 +311,11 @@ Answer ask(const Setting& s, const Object& a, const Object& b) {
   const Pair* pair = pair_of(a.type, b.type, s.flat);
   if (!pair) return ask(s, b, a);
   Answer out;
+  if (!pair->kind) {
+    out.result = pair->written(s, a, b);
+    pair->tell(s, a, b, out);
+    return out;
+  }
   out.query = merged({{"kind", pair->kind}}, pair->written(s, a, b));
   const Json reply = Json::parse(query::answer(out.query.dump()).text);
   if (reply.contains("error"))

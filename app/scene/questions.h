@@ -10,7 +10,7 @@
 namespace isect::program::scene {
 
 struct Answer {
-  Json query, result;  ///< as `isect query` has them
+  Json query = {}, result = {};  ///< as `isect query` has them; no query where it has no kind for the pair
   viz::Verdict verdict;
   std::string formula = {};  ///< markup, may be empty
   std::vector<viz::Value> values = {};

@@ -1,0 +1,100 @@
+// Two objects, and what a ray meets first.
+
+#include "app/scene/answered.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "app/scene/questions.h"
+#include "viz/rich_text.h"
+
+namespace isect::program::scene {
+
+namespace {
+
+struct Hit {
+  std::size_t object;
+  double t;
+};
+
+std::vector<Hit> hits_of(const Context& c, std::size_t ray) {
+  std::vector<Hit> hits;
+  for (std::size_t i = 0; i < c.file.objects.size(); ++i) {
+    if (i == ray || runs_along_a_line(c.object(i).type) || !can_ask(c.object(ray).type, c.object(i).type, c.file.flat))
+      continue;
+    if (const auto t = ask(c.setting, c.object(ray), c.object(i)).first_hit) hits.push_back({i, *t});
+  }
+  std::ranges::stable_sort(hits, {}, &Hit::t);
+  return hits;
+}
+
+/// Each t is within 4 ulp of the true one, so closer ones are not told apart.
+viz::Verdict first_of(const Context& c, std::size_t ray, const std::vector<Hit>& hits) {
+  if (hits.empty()) return {viz::Verdict::Kind::no, c.name(ray) + " meets none of them"};
+  const std::string first = c.name(hits[0].object);
+  constexpr double apart = 8 * std::numeric_limits<double>::epsilon();
+  if (hits.size() > 1 && hits[1].t - hits[0].t <= apart * std::max(std::abs(hits[0].t), std::abs(hits[1].t)))
+    return {viz::Verdict::Kind::on, fmt::format("{} meets {} and {} at the same t, as far as rounding tells",
+                                                c.name(ray), first, c.name(hits[1].object))};
+  return {viz::Verdict::Kind::yes,
+          fmt::format("{} meets {} first, at t = {}", c.name(ray), first, viz::shown(hits[0].t))};
+}
+
+}  // namespace
+
+std::string Context::name(std::size_t i) const { return shown_name(object(i).name); }
+
+std::string slug_of(std::string text) {
+  for (char& c : text) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    if (c == ' ') c = '-';
+  }
+  return text;
+}
+
+Answered answered(const Context& c, const PairAsked& asked) {
+  const Object &a = c.object(asked.a), &b = c.object(asked.b);
+  Answer answer = ask(c.setting, a, b);
+  Answered out = {slug_of(a.name + "-" + b.name), fmt::format("{} and {}", c.name(asked.a), c.name(asked.b)),
+                  fmt::format("Decided exactly for these numbers: {}.", answer.verdict.text), answer.verdict};
+  out.formula = answer.formula, out.values = answer.values, out.items = std::move(answer.marks);
+  out.lit = {asked.a, asked.b};
+  out.json = {{"ask", {a.name, b.name}}, {"verdict", viz::plain(answer.verdict.text)}};
+  if (!answer.query.is_null()) out.json["query"] = answer.query;
+  out.json["result"] = answer.result;
+  return out;
+}
+
+Answered answered(const Context& c, const FirstHitAsked& asked) {
+  const std::vector<Hit> hits = hits_of(c, asked.ray);
+  Answered out = {"first-hit-" + slug_of(c.object(asked.ray).name),
+                  fmt::format("What {} meets first", c.name(asked.ray)), "", first_of(c, asked.ray, hits)};
+  out.lit = {asked.ray};
+  out.json = {
+      {"first hit", c.object(asked.ray).name}, {"verdict", viz::plain(out.verdict.text)}, {"hits", Json::array()}};
+  std::string order;
+  for (const Hit& hit : hits) {
+    order += fmt::format("{}{} at {}", order.empty() ? "" : ", ", c.name(hit.object), viz::shown(hit.t));
+    out.values.push_back({"*t* of " + c.name(hit.object), hit.t, "t", viz::Role::hit, true});
+    out.lit.push_back(hit.object);
+    out.json["hits"].push_back({{"object", c.object(hit.object).name}, {"t", hit.t}});
+    Answer answer = ask(c.setting, c.object(asked.ray), c.object(hit.object));
+    if (!answer.marks.empty()) out.items.push_back(answer.marks.front());
+  }
+  out.caption = hits.empty() ? "Each object was asked; none is met."
+                             : fmt::format("Each object was asked; by rising *t* these are met: {}.", order);
+  return out;
+}
+
+/// What its steps end with.
+Answered answered(const Context& c, const WalkAsked& asked) {
+  Answered out = answered(c, PairAsked{asked.a, asked.b});
+  out.json.erase("ask");
+  out.json["walk"] = {c.object(asked.a).name, c.object(asked.b).name};
+  return out;
+}
+
+}  // namespace isect::program::scene

@@ -1,0 +1,43 @@
+#pragma once
+// A question of a scene with its exact answer, ready to become a step, a row of the summary and JSON.
+
+#include <string>
+#include <vector>
+
+#include "app/scene/file.h"
+
+namespace isect::program::scene {
+
+/// A scene's objects with the numbers of the moment.
+struct Context {
+  const File& file;
+  Setting setting;
+  Room room;
+
+  const Object& object(std::size_t i) const { return file.objects[i]; }
+  std::string name(std::size_t i) const;  ///< as markup
+};
+
+struct Answered {
+  std::string slug;
+  std::string title, caption;  ///< markup
+  viz::Verdict verdict;
+  std::string formula = {};
+  std::vector<viz::Value> values = {};
+  std::vector<std::size_t> lit = {};  ///< the objects that it is about; of two, the first and the second
+  std::vector<viz::Item> items = {};  ///< drawn with them
+  Json json = {};                     ///< for `isect scene --json`
+};
+
+/// Throw viz::BadInput where the core refuses the input, naming the objects.
+Answered answered(const Context&, const PairAsked&);
+Answered answered(const Context&, const FirstHitAsked&);
+Answered answered(const Context&, const FitAsked&);
+Answered answered(const Context&, const ClipAsked&);
+Answered answered(const Context&, const HierarchyAsked&);
+Answered answered(const Context&, const WalkAsked&);
+
+/// A name as a part of a file's name: small letters, digits and hyphens.
+std::string slug_of(std::string text);
+
+}  // namespace isect::program::scene

@@ -1,0 +1,40 @@
+#pragma once
+// The table of pairs of objects that have an exact test, and how their results are told.
+
+#include <string>
+#include <vector>
+
+#include "app/scene/questions.h"
+
+namespace isect::program::scene {
+
+/// One test: which query answers it, how the two objects are written there, how its result is told. What no query asks
+/// has no kind: `written` is then the result.
+struct Pair {
+  Type a, b;
+  const char* kind;
+  enum class In { both, plane, space } in;
+  Json (*written)(const Setting&, const Object& a, const Object& b);
+  void (*tell)(const Setting&, const Object& a, const Object& b, Answer&);
+
+  bool fits(bool flat) const { return in == In::both || (in == In::plane) == flat; }
+};
+
+/// Those of k-DOPs, frusta, hulls, meshes and clouds.
+std::vector<Pair> pairs_of_many_numbers();
+
+// What the tables share.
+
+/// "relation" of a result.
+void relate(const Setting&, const Object& a, const Object& b, Answer&);
+/// The point a and the shape b: `where` is in, on or out.
+void locate(const Object& a, const Object& b, Answer&, const std::string& where);
+/// A ray, line or segment a, which the core takes as a ray. Throws viz::BadInput for a segment that is none.
+viz::Vec3 origin_of(const Setting&, const Object& a);
+viz::Vec3 direction_of(const Setting&, const Object& a);
+/// Where b is reached, on a's line.
+void add_hit(const Setting&, const Object& a, Answer&, const char* name, const Json& t, viz::Mark);
+/// The verdict of whatever runs along a line, after its hits.
+void meets(const Object& a, const Object& b, Answer&, bool hit);
+
+}  // namespace isect::program::scene

@@ -1,0 +1,208 @@
+// k-DOPs, frusta, hulls, meshes and clouds of points against others.
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <memory>
+
+#include <isect/aabb_frustum.h>
+#include <isect/bvh_ray.h>
+#include <isect/orient.h>
+#include <isect/point_aabb.h>
+#include <isect/point_kdop.h>
+#include <isect/point_obb.h>
+#include <isect/point_polygon.h>
+#include <isect/point_sphere.h>
+#include <isect/sphere_frustum.h>
+
+#include "app/scene/pairs.h"
+#include "app/scene/shapes.h"
+
+namespace isect::program::scene {
+
+namespace {
+
+using viz::Role;
+using viz::Vec3;
+using viz::Verdict;
+
+// Where points lie.
+
+/// Beside the triangles of a hull in space, which are counter-clockwise seen from outside.
+Location beside(const Vec3& p, const Hull3<double>& hull) {
+  Location where = Location::in;
+  for (const auto& [i, j, k] : hull.triangles) {
+    const int side = orient3d(hull.vertices[i], hull.vertices[j], hull.vertices[k], p);
+    if (side < 0) return Location::out;
+    if (side == 0) where = Location::on;
+  }
+  return where;
+}
+
+Polygon<double, 2> polygon_of(const std::vector<std::vector<Vec3>>& rings) {
+  Polygon<double, 2> polygon;
+  for (const auto& ring : rings) polygon.rings.push_back(points_of<2>(ring));
+  return polygon;
+}
+
+using Locator = std::function<Location(const Vec3&)>;
+
+template <int N>
+Locator locator(const Setting& s, const Object& o) {
+  const auto of = [](const auto& shape) {
+    return Locator([shape](const Vec3& p) { return isect::locate(point_of<N>(p), shape); });
+  };
+  switch (o.type) {
+    case Type::box:
+      return of(box_of<N>(s, o));
+    case Type::sphere:
+      return of(sphere_of<N>(s, o));
+    case Type::obb:
+      return of(obb_of<N>(s, o));
+    case Type::kdop:
+      return of(kdop_of<N>(s, o));
+    case Type::hull:
+      if constexpr (N == 3) {
+        static_cast<void>(solid_of(s, o));  // refuses one without a volume
+        return [hull = hull_of(s, o)](const Vec3& p) { return beside(p, hull); };
+      } else {
+        return of(Polygon<double, 2>{{points_of<2>(outline_of(s, o))}});
+      }
+    default:
+      if constexpr (N == 2) return of(polygon_of(s.rings(o)));
+      throw std::logic_error("no points lie in such an object");
+  }
+}
+
+Locator located_in(const Setting& s, const Object& o) { return s.flat ? locator<2>(s, o) : locator<3>(s, o); }
+
+const char* word(Location where) { return where == Location::in ? "in" : where == Location::on ? "on" : "out"; }
+
+Json point_result(const Setting& s, const Object& a, const Object& b) {
+  return {{"location", word(located_in(s, b)(s.point(a, "at")))}};
+}
+void tell_point(const Setting&, const Object& a, const Object& b, Answer& out) {
+  locate(a, b, out, out.result["location"]);
+}
+
+Json cloud_result(const Setting& s, const Object& a, const Object& b) {
+  std::array<std::vector<int>, 3> lists;
+  const Locator where = located_in(s, b);
+  const std::vector<Vec3> points = s.points(a);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    lists[static_cast<std::size_t>(where(points[i]))].push_back(static_cast<int>(i));
+  Json result;
+  for (const Location l : {Location::in, Location::on, Location::out}) {
+    const std::vector<int>& list = lists[static_cast<std::size_t>(l)];
+    result[word(l)] = list;
+  }
+  return result;
+}
+
+/// The points by their places: filled inside, diamonds on the boundary, rings outside.
+void tell_cloud(const Setting& s, const Object& a, const Object& b, Answer& out) {
+  const std::vector<Vec3> points = s.points(a);
+  const auto mark = [&](const char* where, viz::Mark kind, Role role) {
+    for (const int i : out.result[where])
+      out.marks.push_back(viz::Dot{points[static_cast<std::size_t>(i)], kind, role});
+  };
+  mark("out", viz::Mark::ring, Role::miss);
+  mark("in", viz::Mark::disc, Role::hit);
+  mark("on", viz::Mark::diamond, Role::hit);
+  const std::size_t in = out.result["in"].size(), on = out.result["on"].size();
+  out.verdict = {in > 0   ? Verdict::Kind::yes
+                 : on > 0 ? Verdict::Kind::on
+                          : Verdict::Kind::no,
+                 fmt::format("{} of {} points of {} {} inside {}", in, points.size(), shown_name(a.name),
+                             in == 1 ? "lies" : "lie", shown_name(b.name))};
+  if (on > 0) out.verdict.text += fmt::format(", {} on its boundary", on);
+  out.values = {{"inside", static_cast<double>(in), "points", Role::hit, true},
+                {"on the boundary", static_cast<double>(on), "points", Role::hit, true},
+                {"outside", static_cast<double>(out.result["out"].size()), "points", Role::miss, true}};
+}
+
+// What a ray meets first of many triangles.
+
+Json ray_result(const Setting& s, const Object& a, const TriangleMesh<double>& mesh) {
+  Ray<double, 3> ray = {origin_of(s, a), direction_of(s, a)};
+  if (a.type == Type::line) ray.range = infinite<double>;
+  if (a.type == Type::segment) ray.range.hi = 1;
+  if (s.has(a, "tmin")) ray.range.lo = s.number(a, "tmin");
+  if (s.has(a, "tmax")) ray.range.hi = s.number(a, "tmax");
+  const auto hit = closest_hit(build_bvh(boxes(mesh)), mesh, ray);
+  if (!hit) return {{"hit", false}};
+  return {{"hit", true}, {"t", hit->t}, {"triangle", hit->primitive}};
+}
+Json ray_and_mesh(const Setting& s, const Object& a, const Object& b) { return ray_result(s, a, mesh_of(b)); }
+Json ray_and_hull(const Setting& s, const Object& a, const Object& b) {
+  const Hull3<double> hull = hull_of(s, b);
+  return ray_result(s, a, {hull.vertices, hull.triangles});
+}
+void tell_ray(const Setting& s, const Object& a, const Object& b, Answer& out) {
+  const bool hit = out.result["hit"] == true;
+  if (hit) add_hit(s, a, out, "*t*", out.result["t"], viz::Mark::disc);
+  meets(a, b, out, hit);
+}
+
+// Frusta and k-DOPs.
+
+Json culled(Culling culling) {
+  return {{"culling", culling == Culling::inside ? "inside" : culling == Culling::outside ? "outside" : "crossing"}};
+}
+Json frustum_and_box(const Setting& s, const Object& a, const Object& b) {
+  return culled(cull(box_of<3>(s, b), frustum_of(s, a)));
+}
+Json frustum_and_sphere(const Setting& s, const Object& a, const Object& b) {
+  return culled(cull(sphere_of<3>(s, b), frustum_of(s, a)));
+}
+/// Only "outside" and "inside" are certain: see isect/aabb_frustum.h.
+void tell_culling(const Setting&, const Object& a, const Object& b, Answer& out) {
+  const std::string na = shown_name(a.name), nb = shown_name(b.name), r = out.result["culling"];
+  if (r == "outside") out.verdict = {Verdict::Kind::no, nb + " lies outside " + na};
+  if (r == "inside") out.verdict = {Verdict::Kind::yes, nb + " lies inside " + na};
+  if (r == "crossing")
+    out.verdict = {Verdict::Kind::on, nb + " crosses the boundary of " + na + ", or passes beyond one of its edges"};
+}
+
+Json two_kdops(const Setting& s, const Object& a, const Object& b) {
+  if (a.fixed.normals != b.fixed.normals)
+    throw viz::BadInput(fmt::format("{} and {}: slabs are compared where both have the same normals in the same order",
+                                    a.name, b.name));
+  const auto slabs = [&](const Object& o) {
+    Json all;
+    for (std::size_t i = 1; i <= o.fixed.normals.size(); ++i)
+      for (const char* end : {"lo", "hi"}) all[end].push_back(s.number(o, end + std::to_string(i)));
+    return all;
+  };
+  Json normals;
+  for (const Vec3& n : a.fixed.normals) normals.push_back(s.list(n));
+  return {{"normals", normals}, {"a", slabs(a)}, {"b", slabs(b)}};
+}
+void tell_kdops(const Setting&, const Object& a, const Object& b, Answer& out) {
+  const std::string both = shown_name(a.name) + " and " + shown_name(b.name);
+  out.verdict = out.result["slabs"] == "disjoint"
+                    ? Verdict{Verdict::Kind::no, both + " are disjoint"}
+                    : Verdict{Verdict::Kind::on, both + " overlap on every slab, so they may meet"};
+}
+
+}  // namespace
+
+std::vector<Pair> pairs_of_many_numbers() {
+  using enum Type;
+  using In = Pair::In;
+  std::vector<Pair> table = {{kdop, kdop, "kdop_kdop", In::both, two_kdops, tell_kdops},
+                             {frustum, box, nullptr, In::space, frustum_and_box, tell_culling},
+                             {frustum, sphere, nullptr, In::space, frustum_and_sphere, tell_culling}};
+  for (const Type shape : {kdop, hull}) table.push_back({point, shape, nullptr, In::both, point_result, tell_point});
+  for (const Type shape : {box, sphere, obb, kdop, hull})
+    table.push_back({cloud, shape, nullptr, In::both, cloud_result, tell_cloud});
+  for (const Type shape : {triangle, polygon})
+    table.push_back({cloud, shape, nullptr, In::plane, cloud_result, tell_cloud});
+  for (const Type along : {ray, line, segment}) {
+    table.push_back({along, mesh, nullptr, In::space, ray_and_mesh, tell_ray});
+    table.push_back({along, hull, nullptr, In::space, ray_and_hull, tell_ray});
+  }
+  return table;
+}
+
+}  // namespace isect::program::scene

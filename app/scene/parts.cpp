@@ -1,0 +1,182 @@
+// Parts of objects in a box, and hierarchies over objects and meshes.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <limits>
+
+#include <isect/bvh.h>
+#include <isect/clip_polygon.h>
+#include <isect/clip_segment.h>
+#include <isect/convex_hull.h>
+#include <isect/fit.h>
+
+#include "app/scene/answered.h"
+#include "app/scene/fits.h"
+#include "app/scene/questions.h"
+#include "app/scene/shapes.h"
+#include "viz/rich_text.h"
+
+namespace isect::program::scene {
+
+namespace {
+
+using viz::Role;
+using viz::Vec3;
+using viz::Verdict;
+
+// Clipping.
+
+template <int N>
+std::optional<Interval<double>> part_of_line(const Setting& s, const Object& o, const Object& box) {
+  if (o.type == Type::segment)
+    return clip(Segment<double, N>{point_of<N>(s.point(o, "from")), point_of<N>(s.point(o, "to"))}, box_of<N>(s, box));
+  Ray<double, N> ray = {point_of<N>(s.point(o, "origin")), point_of<N>(s.point(o, "dir"))};
+  if (o.type == Type::line) ray.range = infinite<double>;
+  if (s.has(o, "tmin")) ray.range.lo = s.number(o, "tmin");
+  if (s.has(o, "tmax")) ray.range.hi = s.number(o, "tmax");
+  return clip(ray, box_of<N>(s, box));
+}
+
+template <int N>
+std::vector<Vec3> part_of_outline(const Setting& s, const Object& o, const Object& box) {
+  const std::vector<Vec3> ring = o.type == Type::hull ? outline_of(s, o) : s.rings(o).front();
+  std::vector<Vec3> kept;
+  for (const Point<double, N>& p : clip(points_of<N>(ring), box_of<N>(s, box))) {
+    kept.push_back(Vec3::Zero());
+    kept.back().head<N>() = p;
+  }
+  return kept;
+}
+
+void tell_line(const Context& c, const ClipAsked& asked, Answered& out) {
+  const Setting& s = c.setting;
+  const Object &o = c.object(asked.what), &box = c.object(asked.box);
+  const auto part = s.flat ? part_of_line<2>(s, o, box) : part_of_line<3>(s, o, box);
+  out.json["range"] = part ? Json{part->lo, part->hi} : Json(nullptr);
+  if (!part) {
+    out.verdict = {Verdict::Kind::no, fmt::format("nothing of {} lies in {}", c.name(asked.what), c.name(asked.box))};
+    return;
+  }
+  const Vec3 from = o.type == Type::segment ? s.point(o, "from") : s.point(o, "origin");
+  const Vec3 along = o.type == Type::segment ? Vec3(s.point(o, "to") - from) : s.point(o, "dir");
+  const Vec3 a = from + part->lo * along, b = from + part->hi * along;
+  out.items.push_back(viz::Line{a, b, Role::hit, viz::Pen::thick});
+  for (const Vec3& end : {a, b}) out.items.push_back(viz::Dot{end, viz::Mark::disc, Role::hit});
+  out.values = {{"*t*_{in}", part->lo, "t", Role::hit, true}, {"*t*_{out}", part->hi, "t", Role::hit, true}};
+  const auto [lo, hi] = viz::shown_apart(part->lo, part->hi);
+  out.verdict = part->lo == part->hi ? Verdict{Verdict::Kind::on, fmt::format("one point is kept: *t* = {}", lo)}
+                                     : Verdict{Verdict::Kind::yes, fmt::format("kept: *t* from {} to {}", lo, hi)};
+}
+
+void tell_outline(const Context& c, const ClipAsked& asked, Answered& out) {
+  const Object &o = c.object(asked.what), &box = c.object(asked.box);
+  const std::vector<Vec3> kept =
+      c.file.flat ? part_of_outline<2>(c.setting, o, box) : part_of_outline<3>(c.setting, o, box);
+  out.json["vertices"] = Json::array();
+  for (const Vec3& p : kept) out.json["vertices"].push_back(c.setting.list(p));
+  if (kept.empty()) {
+    out.verdict = {Verdict::Kind::no, fmt::format("nothing of {} lies in {}", c.name(asked.what), c.name(asked.box))};
+    return;
+  }
+  viz::Region region;
+  region.rings = {kept}, region.role = Role::hit, region.pen = viz::Pen::thick, region.corners = true;
+  out.items.push_back(region);
+  out.verdict = {Verdict::Kind::yes, fmt::format("kept: {} {}", kept.size(), kept.size() == 1 ? "vertex" : "vertices")};
+  if (o.type == Type::polygon)
+    out.caption += " Of a polygon that is not convex, edges along the box may join what is kept.";
+}
+
+// Hierarchies.
+
+/// The box of an object, no smaller than it is.
+Aabb<double, 3> box_around(const Setting& s, const Object& o) {
+  Aabb<double, 3> box = fit_aabb(s.extent(o));
+  if (o.type != Type::sphere && o.type != Type::obb && o.type != Type::capsule) return box;
+  for (int i = 0; i < 3; ++i) {  // sums of an ulp or two
+    for (int k = 0; k < 4; ++k) {
+      box.lo[i] = std::nextafter(box.lo[i], -std::numeric_limits<double>::infinity());
+      box.hi[i] = std::nextafter(box.hi[i], std::numeric_limits<double>::infinity());
+    }
+    if (s.flat && i == 2) box.lo[i] = box.hi[i] = 0;
+  }
+  return box;
+}
+
+/// Boxes of the uppermost nodes: all of a small hierarchy.
+void draw_nodes(const Bvh<double, 3>& bvh, bool flat, Answered& out) {
+  constexpr std::size_t most_drawn = 31;
+  for (std::size_t i = 0; i < std::min(bvh.nodes.size(), most_drawn); ++i) {
+    const Aabb<double, 3>& b = bvh.nodes[i].box;
+    const auto corner = [&](int k) {
+      return Vec3(k & 1 ? b.hi.x() : b.lo.x(), k & 2 ? b.hi.y() : b.lo.y(), k & 4 ? b.hi.z() : b.lo.z());
+    };
+    for (int k = 0; k < (flat ? 4 : 8); ++k)
+      for (const int axis : {1, 2, 4})
+        if (!(k & axis) && !(flat && axis == 4))
+          out.items.push_back(viz::Line{corner(k), corner(k | axis), i == 0 ? Role::text : Role::construction,
+                                        i == 0 ? viz::Pen::solid : viz::Pen::construction});
+  }
+}
+
+}  // namespace
+
+bool has_box(Type t) {
+  return !(t == Type::ray || t == Type::line || t == Type::plane || t == Type::frustum || t == Type::kdop);
+}
+
+Answered answered(const Context& c, const ClipAsked& asked) {
+  const Object &o = c.object(asked.what), &box = c.object(asked.box);
+  Answered out = {slug_of("clip-" + o.name + "-" + box.name),
+                  fmt::format("What of {} lies in {}", c.name(asked.what), c.name(asked.box)),
+                  "Cut at the box’s sides, one after the other.",
+                  {}};
+  out.lit = {asked.what, asked.box};
+  out.json = {{"clip", o.name}, {"to", box.name}};
+  if (runs_along_a_line(o.type))
+    tell_line(c, asked, out);
+  else
+    tell_outline(c, asked, out);
+  out.json["verdict"] = viz::plain(out.verdict.text);
+  return out;
+}
+
+Answered answered(const Context& c, const HierarchyAsked& asked) {
+  const bool of_mesh = asked.objects.size() == 1;
+  std::vector<Aabb<double, 3>> all;
+  std::vector<std::string> names;
+  if (of_mesh) all = boxes(mesh_of(c.object(asked.objects[0])));
+  for (const std::size_t i : asked.objects) {
+    if (!of_mesh) all.push_back(box_around(c.setting, c.object(i)));
+    names.push_back(c.object(i).name);
+  }
+  const Bvh<double, 3> bvh = build_bvh(all, {.largest_leaf = of_mesh ? 4 : 1});
+  const BvhStatistics n = statistics(bvh);
+  Answered out = {
+      "hierarchy-" + (of_mesh ? slug_of(names[0]) : "of-objects"),
+      of_mesh ? fmt::format("A hierarchy over the triangles of {}", c.name(asked.objects[0]))
+              : std::string("A hierarchy over the objects"),
+      fmt::format("Each node’s box holds those of its children. {} boxes are in {} leaves of at most {}; the "
+                  "uppermost nodes are drawn.",
+                  n.primitives, n.leaves, n.largest_leaf),
+      {Verdict::Kind::yes, fmt::format("{} node{}, depth {}", n.nodes, n.nodes == 1 ? "" : "s", n.depth)}};
+  out.lit = asked.objects;
+  if (out.lit.size() == 2) out.lit.push_back(asked.objects[0]);  // a set of objects, not a first and a second one
+  out.values = {{"nodes", static_cast<double>(n.nodes), "", Role::text, true},
+                {"leaves", static_cast<double>(n.leaves), "", Role::text, true},
+                {"depth", static_cast<double>(n.depth), "", Role::text, true},
+                {"expected cost of a ray", n.cost, "tests", Role::text, true}};
+  draw_nodes(bvh, c.file.flat, out);
+  out.json = {{"hierarchy", names},
+              {"verdict", viz::plain(out.verdict.text)},
+              {"nodes", n.nodes},
+              {"leaves", n.leaves},
+              {"depth", n.depth},
+              {"least_leaf", n.least_leaf},
+              {"largest_leaf", n.largest_leaf},
+              {"cost", n.cost}};
+  return out;
+}
+
+}  // namespace isect::program::scene

@@ -1,0 +1,239 @@
+#include "app/scene/read_objects.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "app/scene/shape_file.h"
+
+namespace isect::program::scene {
+
+namespace {
+
+constexpr std::size_t most_objects = 200, most_vertices = 10'000, most_slabs = 64;
+/// More than these are no knobs of the window, and stay as they are.
+constexpr std::size_t most_knobs = 200;
+/// Of a file whose points a figure takes along, so that it can be opened without that file.
+constexpr std::size_t most_taken_along = 2'000;
+
+class Reader {
+ public:
+  Reader(Source& source, const std::string& folder) : source_(source), folder_(folder) {}
+
+  ReadObjects read() {
+    const Json& all =
+        source_.list(source_.member(source_.json(), {}, "objects"), {"objects"}, 1, most_objects, "objects");
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const Path path = {"objects", std::to_string(i)};
+      out_.json.push_back(all[i]);
+      read(all[i], path);
+    }
+    return std::move(out_);
+  }
+
+ private:
+  void read(const Json& json, const Path& path) {
+    if (!json.is_object() || json.empty())
+      source_.refuse(path, "an object such as {\"sphere\": \"A\", ...} is expected");
+    const auto known = std::ranges::find_if(types(), [&](const TypeSpec& t) { return json.contains(t.name); });
+    if (known == types().end()) {
+      std::vector<std::string> names;
+      for (const TypeSpec& t : types()) names.push_back(t.name);
+      const std::string first = json.begin().key();
+      source_.refuse(below(path, first), fmt::format("no type of object; did you mean \"{}\"? Allowed: {}",
+                                                     viz::nearest(first, names), fmt::join(names, ", ")));
+    }
+    Object o = {known->type, source_.text(json[known->name], below(path, known->name))};
+    check_name(o.name, below(path, known->name));
+    if (o.type == Type::kdop)
+      slabs(json, path, o);
+    else if (known->fields.empty())
+      points(json, path, o);
+    else
+      fields(json, path, *known, o);
+    if (source_.flat() && (o.type == Type::frustum || o.type == Type::mesh))
+      source_.refuse(path, fmt::format("a {} in the plane", known->name));
+    out_.all.push_back(std::move(o));
+  }
+
+  void check_name(const std::string& name, const Path& path) const {
+    const auto fits = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); };
+    if (name.empty() || name.size() > 16 || !std::ranges::all_of(name, fits) || (name[0] >= '0' && name[0] <= '9'))
+      source_.refuse(path, "a name of 1 to 16 letters and digits is expected, a letter first");
+    if (std::ranges::find(out_.all, name, &Object::name) != out_.all.end())
+      source_.refuse(path, fmt::format("\"{}\" is the name of another object", name));
+  }
+
+  viz::Setting& parameter(Object& o, const std::string& field) {
+    o.fields.push_back(field);
+    return out_.parameters[o.name + "." + field];
+  }
+
+  void fields(const Json& json, const Path& path, const TypeSpec& type, Object& o) {
+    std::vector<std::string> allowed = {type.name};
+    for (const FieldSpec& f : type.fields) allowed.push_back(f.name);
+    source_.only(json, path, allowed);
+    for (const FieldSpec& f : type.fields) {
+      if (!json.contains(f.name) && f.optional) continue;
+      const Json& value = source_.member(json, path, f.name);
+      const Path to = below(path, f.name);
+      viz::Setting& setting = parameter(o, f.name);
+      if (f.kind == FieldSpec::Kind::number) {
+        const double x = source_.number(value, to);
+        if (x < f.lo) source_.refuse(to, fmt::format("{} is below {}", viz::to_text(x), viz::to_text(f.lo)));
+        if (x > f.hi) source_.refuse(to, fmt::format("{} is above {}", viz::to_text(x), viz::to_text(f.hi)));
+        setting = x;
+      } else {
+        setting = source_.vector(value, to);
+      }
+      if (is_direction(f.name) && std::get<viz::Vec3>(setting).isZero(0))
+        source_.refuse(to, "a vector of any length but 0 is expected");
+    }
+    if (type.type == Type::obb && json.contains("w") == source_.flat())
+      source_.refuse(path, source_.flat() ? "a third axis w in the plane" : "\"w\", the third axis, is missing");
+  }
+
+  /// "normals", and as many numbers "lo" and "hi".
+  void slabs(const Json& json, const Path& path, Object& o) {
+    source_.only(json, path, {"kdop", "normals", "lo", "hi"});
+    const Path to = below(path, "normals");
+    const Json& normals = source_.list(source_.member(json, path, "normals"), to, 1, most_slabs, "normals");
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+      o.fixed.normals.push_back(source_.vector(normals[i], below(to, std::to_string(i))));
+      if (o.fixed.normals.back().isZero(0)) source_.refuse(to, "a vector of any length but 0 is expected");
+    }
+    for (const char* end : {"lo", "hi"}) {
+      const Json& all = source_.list(source_.member(json, path, end), below(path, end), normals.size(), normals.size(),
+                                     "numbers, one a normal,");
+      for (std::size_t i = 0; i < all.size(); ++i)
+        parameter(o, end + std::to_string(i + 1)) = source_.number(all[i], below(path, end));
+    }
+  }
+
+  /// "points": a list of points, or "file"; of a polygon with holes "rings": a list of such lists; of a mesh
+  /// "triangles".
+  void points(const Json& json, const Path& path, Object& o) {
+    const bool mesh = o.type == Type::mesh, outline = o.type == Type::triangle || o.type == Type::polygon;
+    std::vector<std::string> allowed = {spec(o.type).name, "points"};
+    if (o.type == Type::polygon) allowed.push_back("rings");
+    if (o.type != Type::triangle) allowed.push_back("file");
+    if (mesh) allowed.push_back("triangles");
+    source_.only(json, path, allowed);
+    const int given = json.contains("points") + json.contains("rings") + json.contains("file");
+    if (given != 1) {
+      allowed.erase(allowed.begin());
+      std::erase(allowed, "triangles");
+      source_.refuse(path,
+                     given == 0 ? "\"points\" is missing" : fmt::format("give one of: {}", fmt::join(allowed, ", ")));
+    }
+    std::vector<std::vector<viz::Vec3>> rings;
+    const std::size_t least = mesh || outline ? 3 : 1, most = o.type == Type::triangle ? 3 : most_vertices;
+    if (json.contains("file"))
+      rings.push_back(from_file(json, below(path, "file"), o));
+    else if (json.contains("points"))
+      rings.push_back(ring(json["points"], below(path, "points"), least, most));
+    else
+      for (const Json& one : source_.list(json["rings"], below(path, "rings"), 1, most_vertices, "lists of points"))
+        rings.push_back(ring(one, below(path, "rings"), least, most));
+    if (rings.size() > 1 && !source_.flat()) source_.refuse(path, "holes are for polygons in the plane");
+    if (mesh && !json.contains("file")) o.fixed.triangles = triangles(json, path, rings.front().size());
+    keep(rings, o);
+  }
+
+  void keep(const std::vector<std::vector<viz::Vec3>>& rings, Object& o) {
+    std::size_t count = 0;
+    for (const auto& one : rings) o.rings.push_back(static_cast<int>(one.size())), count += one.size();
+    const bool fixed = count > most_knobs || o.type == Type::mesh;
+    for (const auto& one : rings)
+      for (const viz::Vec3& p : one)
+        if (fixed)
+          o.fixed.points.push_back(p);
+        else
+          parameter(o, std::to_string(o.fields.size() + 1)) = p;
+  }
+
+  std::vector<viz::Vec3> ring(const Json& json, const Path& path, std::size_t least, std::size_t most) {
+    std::vector<viz::Vec3> all;
+    source_.list(json, path, least, most, "points");
+    for (std::size_t i = 0; i < json.size(); ++i)
+      all.push_back(source_.vector(json[i], below(path, std::to_string(i))));
+    return all;
+  }
+
+  std::vector<std::array<int, 3>> triangles(const Json& json, const Path& path, std::size_t points) const {
+    std::vector<std::array<int, 3>> all;
+    const Path to = below(path, "triangles");
+    for (const Json& one : source_.list(source_.member(json, path, "triangles"), to, 1, most_vertices, "triangles")) {
+      source_.list(one, to, 3, 3, "numbers of points, from 0,");
+      std::array<int, 3> t = {};
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (!one[i].is_number_integer() || one[i] < 0 || one[i] >= points)
+          source_.refuse(to, fmt::format("{} is no number of a point; they are 0 to {}", one[i].dump(), points - 1));
+        t[i] = one[i];
+      }
+      all.push_back(t);
+    }
+    return all;
+  }
+
+  std::vector<viz::Vec3> from_file(const Json& json, const Path& path, Object& o) {
+    const std::string name = source_.text(json["file"], path);
+    const std::string file = (std::filesystem::path(folder_) / name).lexically_normal().string();
+    ShapeFile shape;
+    try {
+      shape = read_shape_file(file);
+    } catch (const viz::BadInput& e) {
+      source_.refuse(path, e.what());
+    }
+    source_.need_dimension(shape.flat ? 2 : 3, path);
+    if (o.type == Type::mesh && shape.triangles.empty()) source_.refuse(path, file + " holds no triangles");
+    if (o.type == Type::polygon && shape.points.size() < 3)
+      source_.refuse(path, file + " holds fewer than three points");
+    if (o.type == Type::mesh) o.fixed.triangles = shape.triangles;
+    take_along(shape, file, o.type);
+    return std::move(shape.points);
+  }
+
+  void take_along(const ShapeFile& shape, const std::string& file, Type type) {
+    Json& json = out_.json.back();
+    if (std::max(shape.points.size(), shape.triangles.size()) > most_taken_along) {
+      json["file"] = file;  // from wherever the figure is opened
+      return;
+    }
+    json.erase("file");
+    for (const viz::Vec3& p : shape.points) {
+      Json at = {p.x(), p.y()};
+      if (!shape.flat) at.push_back(p.z());
+      json["points"].push_back(at);
+    }
+    if (type == Type::mesh) json["triangles"] = shape.triangles;
+  }
+
+  static bool is_direction(const std::string& field) {
+    return field == "dir" || field == "normal" || field == "forward" || field == "up";
+  }
+
+  Source& source_;
+  const std::string& folder_;
+  ReadObjects out_;
+};
+
+}  // namespace
+
+ReadObjects read_objects(Source& source, const std::string& folder) { return Reader(source, folder).read(); }
+
+std::size_t object_named(const Source& source, const std::vector<Object>& objects, const Json& value,
+                         const Path& path) {
+  const std::string name = source.text(value, path);
+  const auto found = std::ranges::find(objects, name, &Object::name);
+  if (found != objects.end()) return static_cast<std::size_t>(found - objects.begin());
+  std::vector<std::string> names;
+  for (const Object& o : objects) names.push_back(o.name);
+  source.refuse(path, fmt::format("no object is called \"{}\"; did you mean \"{}\"? There are {}", name,
+                                  viz::nearest(name, names), fmt::join(names, ", ")));
+}
+
+}  // namespace isect::program::scene

@@ -1,0 +1,46 @@
+#pragma once
+// The text of a scene file as it is read: fields by their path, and what is wrong told with the line.
+
+#include <string>
+#include <vector>
+
+#include "app/scene/objects.h"
+
+namespace isect::program::scene {
+
+/// Keys, and numbers of entries: {"objects", "2", "lo"}.
+using Path = std::vector<std::string>;
+Path below(Path, const std::string& key);
+
+class Source {
+ public:
+  /// Throws viz::BadInput where it is no JSON.
+  explicit Source(const std::string& text);
+
+  const Json& json() const { return json_; }
+  /// Throws viz::BadInput: "line 3: objects[2].lo: why".
+  [[noreturn]] void refuse(const Path&, const std::string& why) const;
+
+  // What is expected at a place, or else refused.
+  void only(const Json& object, const Path&, const std::vector<std::string>& allowed) const;
+  const Json& member(const Json& object, const Path&, const std::string& key) const;
+  std::string text(const Json&, const Path&) const;
+  double number(const Json&, const Path&) const;
+  const Json& list(const Json&, const Path&, std::size_t least, std::size_t most, const std::string& of) const;
+  /// As many coordinates as the first one of the file has.
+  viz::Vec3 vector(const Json&, const Path&);
+
+  bool flat() const { return dimension_ == 2; }
+  /// The scene's coordinates are two or three, from here on.
+  void need_dimension(std::size_t, const Path&);
+
+ private:
+  int line_at(std::size_t byte) const;
+  int line_of(const Path&) const;
+
+  const std::string& text_;
+  Json json_;
+  std::size_t dimension_ = 0;  ///< 0 until there is a point
+};
+
+}  // namespace isect::program::scene

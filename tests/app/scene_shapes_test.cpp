@@ -1,0 +1,293 @@
+// Scenes of many numbers: k-DOPs, frusta, hulls, meshes and clouds, files of other programs, and what is made of them.
+
+#include <cmath>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "tests/app/shell.h"
+#include "tests/catch.h"
+
+namespace scene_shapes_test {
+using Catch::Matchers::StartsWith;
+using isect::test::Contains;
+using isect::test::contents;
+using isect::test::Ran;
+using isect::test::Shell;
+using isect::test::write;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+Json answers(const Shell& shell, const std::string& objects, const std::string& ask) {
+  write(shell.work() / "scene.json", R"({"objects": [)" + objects + R"(], "ask": )" + ask + "}");
+  const Ran r = shell("isect scene scene.json --json");
+  INFO(objects << "\n" << r.err);
+  REQUIRE(r.status == 0);
+  return Json::parse(r.out);
+}
+
+std::string verdict(const Shell& shell, const std::string& objects) {
+  const Json all = answers(shell, objects, R"("all pairs")");
+  REQUIRE(all.size() == 1);
+  return all[0]["verdict"];
+}
+
+std::string refused(const Shell& shell, const std::string& objects, const std::string& ask = "[]") {
+  write(shell.work() / "bad.json", "{\"objects\": [\n" + objects + "],\n\"ask\": " + ask + "}");
+  const Ran r = shell("isect scene bad.json");
+  INFO(objects << "\n" << ask << "\n" << r.out);
+  CHECK(r.status == 2);
+  CHECK_THAT(r.err, StartsWith("isect: bad.json: "));
+  return r.err;
+}
+
+/// A tetrahedron of volume 4/3, its corners at (0,0,0), (2,0,0), (0,2,0), (0,0,2); one coordinate is no float.
+constexpr const char* tetrahedron_obj =
+    "# comment\nv 0 0 0\nv 2 0 0\nv 0 2 0.1\nv 0 0 2\nvn 0 0 1\nf 1/1/1 3//1 2\nf 1 2 4\nf 1 4 3\nf -3 -2 -1\n";
+
+template <class T>
+void append(std::string& to, T value, bool big_endian = false) {
+  char raw[sizeof(T)];
+  std::memcpy(raw, &value, sizeof(T));
+  if (big_endian) std::reverse(raw, raw + sizeof(T));
+  to.append(raw, sizeof(T));
+}
+
+const float corners[4][3] = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0.5F}, {0, 0, 2}};
+const int faces[4][3] = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+
+std::string binary_stl() {
+  std::string bytes = "solid, or so it says";
+  bytes.resize(80, ' ');
+  append(bytes, std::uint32_t{4});
+  for (const auto& face : faces) {
+    for (int i = 0; i < 3; ++i) append(bytes, 0.0F);
+    for (const int corner : face)
+      for (const float x : corners[corner]) append(bytes, x);
+    append(bytes, std::uint16_t{0});
+  }
+  return bytes;
+}
+
+std::string binary_ply(bool big_endian) {
+  std::string bytes = std::string("ply\nformat binary_") + (big_endian ? "big" : "little") +
+                      "_endian 1.0\ncomment made by a test\nelement vertex 4\nproperty uchar red\nproperty float x\n"
+                      "property float y\nproperty float z\nelement face 4\nproperty list uchar int vertex_indices\n"
+                      "end_header\n";
+  for (const auto& p : corners) {
+    bytes += '\x7f';
+    for (const float x : p) append(bytes, x, big_endian);
+  }
+  for (const auto& face : faces) {
+    bytes += '\x03';
+    for (const int corner : face) append(bytes, std::int32_t{corner}, big_endian);
+  }
+  return bytes;
+}
+
+}  // namespace
+
+TEST_CASE("k-DOPs, frusta and hulls are asked as they lie", "[scene]") {
+  const Shell shell;
+  const std::string kdop =
+      R"({"kdop": "K", "normals": [[1,0,0],[0,1,0],[0,0,1],[1,1,1]], "lo": [0,0,0,0], "hi": [1,1,1,2]})";
+  CHECK(verdict(shell, kdop + R"(, {"point": "p", "at": [0.5, 0.5, 0.5]})") == "p lies inside K");
+  CHECK(verdict(shell, kdop + R"(, {"point": "p", "at": [1, 0.5, 0.5]})") == "p lies on the boundary of K");
+  CHECK(verdict(shell, kdop + R"(, {"point": "p", "at": [1, 1, 0.25]})") == "p lies outside K");
+  const auto other = [](const std::string& lo) {
+    return R"(, {"kdop": "L", "normals": [[1,0,0],[0,1,0],[0,0,1],[1,1,1]], "lo": [0,0,0,)" + lo +
+           R"(], "hi": [1,1,1,3]})";
+  };
+  CHECK(verdict(shell, kdop + other("2.5")) == "K and L are disjoint");
+  CHECK(verdict(shell, kdop + other("2")) == "K and L overlap on every slab, so they may meet");
+
+  const std::string frustum =
+      R"({"frustum": "F", "eye": [0,0,0], "forward": [2,0,0], "up": [0,1,0], "angle": 90, "near": 1, "far": 4},)";
+  CHECK(verdict(shell, frustum + R"({"box": "A", "lo": [2,-1,-1], "hi": [3,1,1]})") == "A lies inside F");
+  CHECK(verdict(shell, frustum + R"({"box": "A", "lo": [-2,-1,-1], "hi": [-1,1,1]})") == "A lies outside F");
+  CHECK_THAT(verdict(shell, frustum + R"({"sphere": "S", "center": [1,0,0], "radius": 0.5})"),
+             StartsWith("S crosses the boundary of F"));
+
+  const std::string hull = R"({"hull": "H", "points": [[0,0,0],[2,0,0],[0,2,0],[0,0,2],[0.25,0.25,0.25]]},)";
+  CHECK(verdict(shell, hull + R"({"point": "p", "at": [0.5, 0.5, 0.5]})") == "p lies inside H");
+  CHECK(verdict(shell, hull + R"({"point": "p", "at": [1, 1, 0]})") == "p lies on the boundary of H");
+  CHECK(verdict(shell, hull + R"({"point": "p", "at": [1, 1, 0.125]})") == "p lies outside H");
+  CHECK(verdict(shell, hull + R"({"ray": "r", "origin": [-1, 0.5, 0.5], "dir": [1,0,0]})") == "r meets H");
+  CHECK(verdict(shell, hull + R"({"line": "g", "origin": [9, 1.5, 1.5], "dir": [1,0,0]})") == "g misses H");
+  const std::string flat = R"({"hull": "H", "points": [[0,0],[4,0],[4,4],[0,4],[1,1]]},)";
+  CHECK(verdict(shell, flat + R"({"point": "p", "at": [4, 1]})") == "p lies on the boundary of H");
+}
+
+TEST_CASE("the points of a cloud are told apart by where they lie", "[scene]") {
+  const Shell shell;
+  const std::string cloud = R"({"cloud": "C", "points": [[0,0],[1,0],[2,0],[0.5,0.25],[3,3]]},)";
+  for (const std::string shape :
+       {R"({"box": "A", "lo": [0,-1], "hi": [2,1]})", R"({"sphere": "A", "center": [1,0], "radius": 1})",
+        R"({"polygon": "A", "points": [[0,-1],[2,-1],[2,1],[0,1]]})",
+        R"({"kdop": "A", "normals": [[1,0],[0,1]], "lo": [0,-1], "hi": [2,1]})",
+        R"({"obb": "A", "center": [1,0], "u": [0,1], "v": [1,0], "half": [1,1]})",
+        R"({"hull": "A", "points": [[0,-1],[2,-1],[2,1],[0,1]]})"}) {
+    INFO(shape);
+    const Json all = answers(shell, cloud + shape, R"([["C", "A"]])");
+    CHECK(all[0]["verdict"] == "2 of 5 points of C lie inside A, 2 on its boundary");
+    CHECK(all[0]["result"] == Json::parse(R"({"in": [1, 3], "on": [0, 2], "out": [4]})"));
+  }
+}
+
+TEST_CASE("meshes come from OBJ, STL and PLY, clouds from CSV, with the numbers of the file", "[scene]") {
+  const Shell shell;
+  write(shell.work() / "in/t.obj", tetrahedron_obj);
+  write(shell.work() / "in/t.stl", binary_stl());
+  std::string text = "solid t\n";
+  for (const auto& face : faces) {
+    text += "facet normal 0 0 0\n outer loop\n";
+    for (const int corner : face) {
+      text += "  vertex";
+      for (const float x : corners[corner]) text += " " + std::to_string(x);
+      text += "\n";
+    }
+    text += " endloop\nendfacet\n";
+  }
+  write(shell.work() / "in/text.STL", text + "endsolid t\n");
+  write(shell.work() / "in/little.ply", binary_ply(false));
+  write(shell.work() / "in/big.ply", binary_ply(true));
+  write(shell.work() / "in/text.ply",
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\nproperty double z\n"
+        "element face 4\nproperty list uchar int vertex_index\nend_header\n0 0 0\n2 0 0\n0 2 0.5\n0 0 2\n"
+        "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+  for (const std::string file : {"t.obj", "t.stl", "text.STL", "little.ply", "big.ply", "text.ply"}) {
+    INFO(file);
+    const Json all = answers(shell, R"({"mesh": "M", "file": "in/)" + file + R"("},
+      {"ray": "r", "origin": [-1, 0.5, 0.5], "dir": [2, 0, 0]})",
+                             R"([["r", "M"], {"fit": "M", "volume": "hull"}])");
+    CHECK(all[0]["result"]["t"] == 0.5);
+    CHECK(all[1]["volumes"][0]["result"]["vertices"].size() == 4);  // corners are shared
+    std::set<double> heights;
+    for (const Json& p : all[1]["volumes"][0]["result"]["vertices"]) heights.insert(p[2].get<double>());
+    CHECK(heights == std::set<double>{0, file == "t.obj" ? 0.1 : 0.5, 2});  // 0.1 is no float
+    CHECK(all[1]["volumes"][0]["fitted"] == "hull");
+  }
+  write(shell.work() / "in/p.csv", "x;y\n# a comment\n0,0\n1;0\n\n0.1\t1e-1\n");
+  const Json fit = answers(shell, R"({"cloud": "C", "file": "in/p.csv"})", R"([{"fit": "C", "volume": "box"}])");
+  CHECK(fit[0]["volumes"][0]["result"] == Json::parse(R"({"lo": [0.0, 0.0], "hi": [1.0, 0.1]})"));
+}
+
+TEST_CASE("a figure of a short file can be opened without it", "[scene]") {
+  const Shell shell;
+  write(shell.work() / "in/t.obj", tetrahedron_obj);
+  write(shell.work() / "in/s.json", R"({"objects": [{"mesh": "M", "file": "t.obj"}], "ask": [{"fit": "M"}]})");
+  REQUIRE(shell("isect render in/s.json --format png --step 1").status == 0);
+  std::filesystem::remove_all(shell.work() / "in");
+  CHECK(shell("isect show figures/scene/s/01-objects.png").status == 77);  // no display, and no complaint before that
+}
+
+TEST_CASE("volumes fit their points, parts lie in their box, hierarchies hold all", "[scene]") {
+  const Shell shell;
+  const std::string cube =
+      R"({"cloud": "C", "points": [[0,0,0],[2,0,0],[0,2,0],[2,2,0],[0,0,2],[2,0,2],[0,2,2],[2,2,2],[1,1,1]]})";
+  const Json all = answers(shell, cube, R"([{"fit": "C"}, {"fit": "C", "volume": "sphere"}])");
+  REQUIRE(all[0]["volumes"].size() == 5);
+  const auto size = [&](int i) { return all[0]["volumes"][i]["volume"].get<double>(); };
+  CHECK(size(0) == Approx(4 * std::acos(-1) / 3 * std::pow(3, 1.5)));
+  for (const int i : {1, 2, 3, 4}) CHECK(size(i) == Approx(8));
+  CHECK(all[0]["verdict"] == "the hull’s volume is 8");
+  CHECK(all[1]["volumes"][0]["result"]["center"] == Json::parse("[1.0, 1.0, 1.0]"));
+
+  const std::string window = R"({"box": "W", "lo": [0,0], "hi": [2,1]},)";
+  const auto clipped = [&](const std::string& what) {
+    return answers(shell, window + what, R"([{"clip": "x", "to": "W"}])")[0];
+  };
+  CHECK(clipped(R"({"segment": "x", "from": [-1,0.5], "to": [3,0.5]})")["range"] == Json::parse("[0.25, 0.75]"));
+  CHECK(clipped(R"({"ray": "x", "origin": [-1,0.5], "dir": [1,0]})")["verdict"] == "kept: t from 1 to 3");
+  CHECK(clipped(R"({"line": "x", "origin": [-1,1], "dir": [0,1]})")["range"].is_null());
+  CHECK(clipped(R"({"segment": "x", "from": [-1,0], "to": [1,2]})")["verdict"] == "one point is kept: t = 0.5");
+  CHECK(clipped(R"({"triangle": "x", "points": [[1,0.5],[5,0.5],[1,-3.5]]})")["vertices"].size() == 4);
+  CHECK(clipped(R"({"polygon": "x", "points": [[3,3],[4,3],[4,4]]})")["verdict"] == "nothing of x lies in W");
+
+  const Json tree = answers(shell, R"({"point": "a", "at": [0,0]}, {"sphere": "b", "center": [5,0], "radius": 1},
+    {"box": "c", "lo": [0,5], "hi": [1,6]}, {"ray": "r", "origin": [0,0], "dir": [1,0]})",
+                            R"([{"hierarchy": "all"}, {"hierarchy": ["a", "b"]}])");
+  CHECK(tree[0]["hierarchy"] == Json::parse(R"(["a", "b", "c"])"));  // a ray has no box
+  CHECK(tree[0]["leaves"] == 3);
+  CHECK(tree[1]["verdict"] == "3 nodes, depth 1");
+}
+
+TEST_CASE("a walk tells the lesson's steps on the scene's numbers", "[scene]") {
+  const Shell shell;
+  write(shell.work() / "w.json", R"({"objects": [{"sphere": "A", "center": [0,0,0], "radius": 2},
+    {"sphere": "B", "center": [3,4,0], "radius": 3}], "ask": [{"walk": ["A", "B"]}]})");
+  const std::string told = shell("isect explain w.json").out;
+  const std::string lesson = shell("isect explain sphere-sphere --set a=0,0,0 --set r1=2 --set b=3,4,0 --set r2=3").out;
+  CHECK_THAT(told, Contains("here A is a, and B is b") && Contains("Verdict: the balls touch"));
+  const std::string line = "return d_sq <= s_sq";
+  for (const std::string both : {"Nearer than they reach?", "25", "How they relate"}) {
+    INFO(both);
+    CHECK_THAT(told, Contains(both));
+    CHECK_THAT(lesson, Contains(both));
+  }
+  CHECK_THAT(shell("isect scene w.json").out, StartsWith("A and B touch"));
+  CHECK(shell("isect render w.json").status == 0);
+}
+
+TEST_CASE("what is wrong with many numbers is told by line and field, or by the file's own line", "[scene]") {
+  const Shell shell;
+  const auto file = [&](const std::string& name, const std::string& bytes) {
+    write(shell.work() / name, bytes);
+    return refused(shell, R"({"mesh": "M", "file": ")" + name + R"("})");
+  };
+  CHECK_THAT(file("a.obj", "v 0 0 0\nv 1 0 x\n"),
+             Contains("line 2: objects[0].file: a.obj: line 2: \"x\" is no finite"));
+  CHECK_THAT(file("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"), Contains("line 4: vertex 4, and there are 3"));
+  CHECK_THAT(file("a.obj", "v 0 0 0\nv 1 0 0\nf 1 2\n"), Contains("line 3: a face has three"));
+  CHECK_THAT(file("a.obj", "v 0 0 0\n"), Contains("a.obj holds no triangles"));
+  CHECK_THAT(file("a.obj", ""), Contains("no points"));
+  CHECK_THAT(file("a.stl", "hello"), Contains("neither a binary STL"));
+  CHECK_THAT(file("a.stl", binary_stl().substr(0, 200)), Contains("solid") || Contains("no points"));
+  CHECK_THAT(file("a.ply", "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nend_header\n1\n"),
+             Contains("ends early"));
+  CHECK_THAT(file("b.ply", binary_ply(false).substr(0, 260)), Contains("ends early"));
+  CHECK_THAT(file("c.ply", "ply\nformat ascii 1.0\nelement vertex 99999999999\nend_header\n"), Contains("line 3: "));
+  CHECK_THAT(file("m.txt", "1 2 3"), Contains(".csv, .obj, .stl or .ply"));
+  write(shell.work() / "p.csv", "0,0\n1,2,3\n");
+  CHECK_THAT(refused(shell, R"({"cloud": "C", "file": "p.csv"})"), Contains("p.csv: line 2: 3 numbers"));
+  CHECK_THAT(shell("isect scene absent.json").err, Contains("absent.json"));
+  write(shell.work() / "absent.json", R"({"objects": [{"cloud": "C", "file": "gone.csv"}]})");
+  const Ran gone = shell("isect scene absent.json");
+  CHECK(gone.status == 4);
+  CHECK_THAT(gone.err, Contains("gone.csv"));
+
+  const std::string point = R"({"point": "p", "at": [0,0,0]})";
+  CHECK_THAT(refused(shell, R"({"kdop": "K", "normals": [[1,0],[0,1]], "lo": [0], "hi": [1,1]})"),
+             Contains("objects[0].lo: 2 numbers"));
+  CHECK_THAT(refused(shell, R"({"kdop": "K", "normals": [[1,0]], "lo": [0], "hi": [1]})"), Contains("K: "));
+  CHECK_THAT(refused(shell, R"({"kdop": "K", "normals": [[1,0],[0,1]], "lo": [2,0], "hi": [1,1]})"), Contains("empty"));
+  CHECK_THAT(refused(shell, R"({"hull": "H", "points": [[0,0,0],[1,0,0],[0,1,0],[1,1,0]]})"), Contains("no volume"));
+  CHECK_THAT(refused(shell, R"({"frustum": "F", "eye": [0,0], "forward": [1,0], "up": [0,1], "angle": 30, "near": 1,
+    "far": 2})"),
+             Contains("a frustum in the plane"));
+  CHECK_THAT(refused(shell, R"({"frustum": "F", "eye": [0,0,0], "forward": [0,2,0], "up": [0,1,0], "angle": 30,
+    "near": 1, "far": 2})"),
+             Contains("along one line"));
+  CHECK_THAT(refused(shell, R"({"frustum": "F", "eye": [0,0,0], "forward": [1,0,0], "up": [0,1,0], "angle": 180,
+    "near": 1, "far": 2})"),
+             Contains("180 is above 170"));
+  CHECK_THAT(refused(shell, R"({"mesh": "M", "points": [[0,0,0],[1,0,0],[0,1,0]], "triangles": [[0,1,3]]})"),
+             Contains("triangles: 3 is no number of a point; they are 0 to 2"));
+  CHECK_THAT(refused(shell, R"({"cloud": "C", "points": [[0,0]], "file": "x.csv"})"),
+             Contains("give one of: points, file"));
+  CHECK_THAT(refused(shell, point, R"([{"fit": "p"}])"),
+             Contains("ask[0].fit: \"p\" is a point; what is made of points"));
+  CHECK_THAT(refused(shell, R"({"cloud": "C", "points": [[0,0]]})", R"([{"fit": "C", "volume": "spere"}])"),
+             Contains("ask[0].volume: ") && Contains("\"sphere\""));
+  CHECK_THAT(refused(shell, point, R"([{"fitt": "p"}])"), Contains("ask[0].fitt: unknown; did you mean \"fit\"?"));
+  CHECK_THAT(refused(shell, point, R"([{}])"), Contains("one of these is expected: first hit, fit"));
+  CHECK_THAT(refused(shell, point + R"(, {"box": "A", "lo": [0,0,0], "hi": [1,1,1]})", R"([{"clip": "p", "to": "A"}])"),
+             Contains("a ray, a line, a segment"));
+  CHECK_THAT(refused(shell, point, R"([{"hierarchy": "p"}])"), Contains("a mesh, \"all\""));
+  CHECK_THAT(refused(shell, point, R"([{"hierarchy": "all"}])"), Contains("two objects at least"));
+  CHECK_THAT(refused(shell, point + R"(, {"box": "A", "lo": [0,0,0], "hi": [1,1,1]})", R"([{"walk": ["p", "A"]}])"),
+             Contains("no lesson steps through a point and a box") && Contains("sphere and sphere"));
+}
+
+}  // namespace scene_shapes_test
