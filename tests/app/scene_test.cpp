@@ -173,7 +173,8 @@ TEST_CASE("what is wrong with a scene is told by line and field, with what is al
   CHECK_THAT(refused(R"({"objects": [{"ray": "r", "origin": [0, 0], "dir": [0, 0]}]})"),
              Contains("dir: a vector of any length but 0"));
   CHECK_THAT(refused(R"({"objects": [{"point": "p q", "at": [0, 0]}]})"), Contains("letters and digits"));
-  CHECK_THAT(refused(R"({"objects": [{"triangle": "t", "points": [[0, 0], [1, 0]]}]})"), Contains("3 points are expected"));
+  CHECK_THAT(refused(R"({"objects": [{"triangle": "t", "points": [[0, 0], [1, 0]]}]})"),
+             Contains("3 points are expected"));
   CHECK_THAT(refused(R"({"objects": [], "ask": []})"), Contains("objects: a list of 1 to"));
   CHECK_THAT(refused(R"({"objects": [)" + point + R"(], "ask": [["p", "r"]]})"),
              Contains("ask[0]: no object is called \"r\""));
