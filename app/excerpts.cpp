@@ -25,15 +25,7 @@ bool is_file(const std::string& preset) { return preset.ends_with(".json") || pr
 
 void change(Excerpt& to, const std::vector<std::string>& changes) {
   const viz::Parameters before = to.parameters;
-  for (const std::string& text : changes) {
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos)
-      throw viz::BadInput(fmt::format("set: \"{}\" has no '='; write name=value, such as {}={}", text,
-                                      to.lesson->parameters.front().name,
-                                      viz::to_text(to.lesson->parameters.front().initial)));
-    viz::set(*to.lesson, to.parameters, text.substr(0, equals), text.substr(equals + 1));
-  }
-  viz::validate(*to.lesson, to.parameters);
+  to.parameters = changed(*to.lesson, before, changes);
   to.folder += name_of_change(before, to.parameters);
   if (!to.preset.empty() && to.parameters != viz::preset(*to.lesson, to.preset).parameters) to.preset.clear();
 }
@@ -212,6 +204,19 @@ std::vector<Excerpt> from_words(const Program& program, Selection asked) {
 }
 
 }  // namespace
+
+viz::Parameters changed(const viz::Lesson& lesson, viz::Parameters parameters,
+                        const std::vector<std::string>& changes) {
+  for (const std::string& text : changes) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos)
+      throw viz::BadInput(fmt::format("set: \"{}\" has no '='; write name=value, such as {}={}", text,
+                                      lesson.parameters.front().name, viz::to_text(lesson.parameters.front().initial)));
+    viz::set(lesson, parameters, text.substr(0, equals), text.substr(equals + 1));
+  }
+  viz::validate(lesson, parameters);
+  return parameters;
+}
 
 std::vector<Excerpt> excerpts(const Program& program, const Selection& asked) {
   std::vector<Excerpt> found = asked.files.empty() ? from_words(program, asked) : from_folder(program, asked);

@@ -35,6 +35,8 @@ void add_lesson(CLI::App&, const Program&, Selection&, Takes, const std::string&
 void add_preset(CLI::App&, Selection&, Takes, const std::string& help);
 void add_step(CLI::App&, Selection&, Takes, const std::string& help);
 void add_set(CLI::App&, Selection&);
+/// The parameters with these changes, name=value each. Throws viz::BadInput.
+viz::Parameters changed(const viz::Lesson&, viz::Parameters, const std::vector<std::string>& changes);
 /// Refuses an empty value, which is most often a shell's variable that is not set.
 CLI::Validator not_empty();
 /// A file or a folder.

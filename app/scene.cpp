@@ -9,6 +9,7 @@
 #include "app/program.h"
 #include "app/scene/file.h"
 #include "app/scene/lesson.h"
+#include "app/scene/save.h"
 #include "app/terminal.h"
 #include "viz/files.h"
 
@@ -16,21 +17,41 @@ namespace isect::program {
 
 namespace {
 
-int tell(const std::string& path, bool json) {
+namespace fs = std::filesystem;
+
+struct SceneOptions {
+  std::string path, save;
+  Selection asked;
+  bool json = false;
+};
+
+/// Writes over the scene itself, and over nothing else.
+void save(const SceneOptions& options, const std::string& text, const scene::File& file, const viz::Parameters& to) {
+  std::error_code absent;
+  if (fs::exists(options.save, absent) && !fs::equivalent(options.save, options.path, absent))
+    throw viz::FileError(
+        fmt::format("cannot write '{}': there is a file; give another name, or the scene's own", options.save));
+  viz::write_file(options.save, scene::with_numbers(text, file, to));
+}
+
+int tell(const SceneOptions& options) {
   try {
-    const std::string text = viz::read_file(path), folder = std::filesystem::path(path).parent_path().string();
-    const scene::File file = scene::read_scene(text, folder);
-    static_cast<void>(scene::lesson_of(text, folder));  // refuses what has no shape, asked about or not
+    const std::string text = viz::read_file(options.path), folder = fs::path(options.path).parent_path().string();
+    scene::File file = scene::read_scene(text, folder);
+    const viz::Lesson lesson = scene::lesson_of(text, folder);  // refuses what has no shape, asked about or not
+    const viz::Parameters to = changed(lesson, file.parameters, options.asked.changes);
+    if (!options.save.empty()) save(options, text, file, to);
+    file.parameters = to;
     const scene::Json all = scene::answers(file);
-    if (json) {
+    if (options.json) {
       print(all.dump(2) + "\n");
       return done;
     }
     for (const scene::Json& answer : all) print(answer["verdict"].get<std::string>() + "\n");
-    if (all.empty()) say(fmt::format("{}: nothing is asked; add \"ask\": \"all pairs\", say", path));
+    if (all.empty()) say(fmt::format("{}: nothing is asked; add \"ask\": \"all pairs\", say", options.path));
     return done;
   } catch (const viz::BadInput& e) {
-    throw viz::BadInput(fmt::format("{}: {}", path, e.what()));
+    throw viz::BadInput(fmt::format("{}: {}", options.path, e.what()));
   }
 }
 
@@ -38,13 +59,17 @@ int tell(const std::string& path, bool json) {
 
 void add_scene(CLI::App& app, Program& program) {
   CLI::App& sub = *app.add_subcommand("scene", "objects of one's own, and the exact answers about them");
-  const auto path = std::make_shared<std::string>();
-  const auto json = std::make_shared<bool>(false);
-  sub.add_option("FILE", *path, "a scene, as JSON; comments are allowed")
+  const auto options = std::make_shared<SceneOptions>();
+  sub.add_option("FILE", options->path, "a scene, as JSON; comments are allowed")
       ->required()
       ->type_name("")
       ->check(not_empty());
-  sub.add_flag("--json", *json, "the answers with the queries behind them, as JSON");
+  sub.add_flag("--json", options->json, "the answers with the queries behind them, as JSON");
+  add_set(sub, options->asked);
+  sub.add_option("--save", options->save,
+                 "write the scene with these numbers, all else as it is: the scene's own file, or\na new one")
+      ->type_name("FILE")
+      ->check(not_empty());
   sub.footer(
       "A scene:\n"
       "  {\"title\": \"A ray past a box\",\n"
@@ -67,8 +92,9 @@ void add_scene(CLI::App& app, Program& program) {
       "\"notes\": [{\"at\": [0, 2, 0], \"text\": \"*h*\"}] and \"camera\": {\"azimuth\": 30, \"elevation\": 20} may "
       "follow.\n"
       "Whatever takes a preset's file takes a scene: show, render, strip, explain, handout, deck, check --dir.\n"
+      "With --set, as in A.radius=2, the answers are those of other numbers; --save writes them into the file.\n"
       "Example: isect scene mine.json && isect render mine.json --format pdf --width 8cm");
-  sub.callback([&program, path, json] { program.chosen = [path, json] { return tell(*path, *json); }; });
+  sub.callback([&program, options] { program.chosen = [options] { return tell(*options); }; });
 }
 
 }  // namespace isect::program

@@ -221,6 +221,46 @@ TEST_CASE("whatever takes a preset's file takes a scene", "[scene]") {
   CHECK_THAT(other.out, Contains("are disjoint"));
 }
 
+TEST_CASE("numbers are saved into the scene's own text, and nothing else of it changes", "[scene]") {
+  const Shell shell;
+  const std::string text = R"({ "title": "{ \"objects\" }", // radius: 2
+  "objects": [
+    {"sphere": "A", /* here */ "center": [0, 0.10, 0], "radius":2 },
+    {"cloud": "C", "points": [[1, 2, 3],
+                              [4, 5, 6]]},
+    {"kdop": "K", "normals": [[1,0,0],[0,1,0],[0,0,1]], "lo": [0, 0, 0], "hi": [1, 1, 1]}
+  ],
+  "ask": [["C", "A"]] }
+)";
+  write(shell.work() / "s.json", text);
+  const auto with = [&](const std::string& old, const std::string& now, std::string from) {
+    REQUIRE(from.find(old) != from.npos);
+    return from.replace(from.find(old), old.size(), now);
+  };
+  const Ran r = shell("isect scene s.json --set A.radius=20 --set C.2=4,5,-0.1 --set K.hi2=3 --save new.json");
+  INFO(r.err);
+  CHECK(r.status == 0);
+  CHECK(r.out == "2 of 2 points of C lie inside A\n");
+  CHECK(contents(shell.work() / "s.json") == text);
+  const std::string now =
+      with("\"radius\":2", "\"radius\":20", with("[4, 5, 6]", "[4, 5, -0.1]", with("[1, 1, 1]", "[1, 3, 1]", text)));
+  CHECK(contents(shell.work() / "new.json") == now);
+  CHECK(shell("isect scene new.json --save ./new.json --set A.center=0,0.1,0").status == 0);  // the same number
+  CHECK(contents(shell.work() / "new.json") == now);
+
+  const Ran other = shell("isect scene s.json --save new.json --set A.radius=1");
+  CHECK(other.status == 4);
+  CHECK_THAT(other.err, Contains("cannot write 'new.json'"));
+  CHECK(contents(shell.work() / "new.json") == now);
+  CHECK_THAT(shell("isect scene s.json --set A.radus=1").err, Contains("A.radius"));
+  CHECK_THAT(shell("isect scene s.json --set A.radius=-1").err, Contains("at least 0"));
+
+  write(shell.work() / "p.csv", "0,0,0\n1,1,1\n");
+  write(shell.work() / "f.json", R"({"objects": [{"cloud": "C", "file": "p.csv"}]})");
+  CHECK_THAT(shell("isect scene f.json --set C.1=2,2,2 --save g.json").err, Contains("C.1: it stands in a file"));
+  CHECK_FALSE(fs::exists(shell.work() / "g.json"));
+}
+
 TEST_CASE("the examples are scenes, each under fifteen lines of objects, and answer", "[scene]") {
   const Shell shell;
   int count = 0;
