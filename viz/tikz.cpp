@@ -124,17 +124,21 @@ class TikzWriter {
         path(ellipse(g.center, g.major, g.minor)));
   }
 
-  /// Where its middle stood: whatever font the document has, it grows to both sides alike.
+  /// Where its middle stood: whatever font the document has, it grows to both sides alike. A verdict grows away from
+  /// the sign before it.
   void add(const Text& text) {
     const TextBox box = measure(text);
     if (!(box.right > box.left)) return;
-    std::string style = fmt::format("anchor=base, text={}", colour(text.colour));
+    const bool verdict =
+        text.object != no_object && drawing_.objects.at(static_cast<std::size_t>(text.object)).name == "verdict";
+    std::string style =
+        fmt::format("anchor=base{}, text={}", verdict ? " west, inner xsep=0" : "", colour(text.colour));
     if (text.halo > 0)
       style += fmt::format(", fill={}, fill opacity=0.8, text opacity=1, inner sep={}bp", colour(text.halo_colour),
                            number(text.halo));
     if (text.bold) style += ", font=\\bfseries\\boldmath";
-    out_ += fmt::format("\\node[{}] at {} {{{}}};\n", style, point({(box.left + box.right) / 2, text.at.y()}),
-                        tex(text.markup));
+    out_ += fmt::format("\\node[{}] at {} {{{}}};\n", style,
+                        point({verdict ? box.left : (box.left + box.right) / 2, text.at.y()}), tex(text.markup));
   }
 
   const Drawing& drawing_;

@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "tests/catch.h"
+#include "viz/svg_path.h"
+#include "viz/text.h"
 
 namespace tikz_test {
 using namespace isect::viz;
@@ -48,6 +50,15 @@ TEST_CASE("labels of TikZ are set by LaTeX, in the document's own font and size"
   const std::string text = tikz(everything(), {}, of_width(200));
   CHECK_THAT(text, Contains("{$t_{1,2} = \\sqrt{2}$};") && Contains("anchor=base"));
   CHECK_THAT(text, !Contains("font="));
+}
+
+TEST_CASE("a verdict of TikZ begins after its sign, however wide the document's letters are", "[tikz]") {
+  Drawing drawing = everything();
+  drawing.objects = {{"page", "verdict", Role::text}};
+  std::get<Text>(drawing.shapes.back()).object = 0;
+  const TextBox box = measure(std::get<Text>(drawing.shapes.back()));
+  const std::string text = tikz(drawing, {}, of_width(200));
+  CHECK_THAT(text, Contains("anchor=base west, inner xsep=0") && Contains("at (" + svg_number(box.left) + ","));
 }
 
 TEST_CASE("a TikZ picture carries its metadata, and says what it shows", "[tikz]") {
