@@ -62,6 +62,9 @@ Style style_of(const StyleOptions& options) {
     style.paper->text_size = usual_tex_size;
   if (!options.dpi.empty()) style.dpi = dpi_of(options.dpi);
   style.letters = letters_of(options.labels, style.formats);
+  if (!options.font.empty() && std::ranges::all_of(style.formats, is_tikz))
+    throw viz::BadInput("font: LaTeX sets the labels of tikz, in the document’s own");
+  if (!options.font.empty()) viz::use_figure_font(options.font);
   const auto loses_opacity = [](const viz::Format* format) { return format->name == "gif"; };
   if (options.transparent && std::ranges::any_of(style.formats, loses_opacity))
     throw viz::BadInput("transparent: a gif has no half-transparent pixels; give --format apng");
@@ -86,6 +89,8 @@ void add_style(CLI::App& sub, StyleOptions& options, const std::vector<std::stri
   sub.add_option("--labels", options.labels,
                  "text (as usual in pdf), outline (as usual in svg), or tex:\nLaTeX sets them (in tikz)")
       ->type_name("KIND");
+  sub.add_option("--font", options.font, "the family of all letters, as fontconfig calls it; STIXGeneral if\nnot given")
+      ->type_name("NAME");
   sub.add_flag("--no-title", options.no_title, "without the step's title");
   sub.add_flag("--crop", options.crop, "cut off what is empty all round");
   sub.add_flag("--transparent", options.transparent, "without a ground");

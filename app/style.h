@@ -16,7 +16,7 @@ namespace isect::program {
 /// As written on the command line; empty: not given.
 struct StyleOptions {
   std::string format = viz::formats().front().name, theme = "screen";
-  std::string size, width, height, text_size, dpi, labels;
+  std::string size, width, height, text_size, dpi, labels, font;
   bool no_title = false, crop = false, transparent = false;
 };
 void add_style(CLI::App&, StyleOptions&, const std::vector<std::string>& formats);

@@ -1,5 +1,6 @@
 #include "viz/text.h"
 
+#include <fmt/format.h>
 #include <fontconfig/fontconfig.h>
 #include <pango/pangocairo.h>
 
@@ -7,6 +8,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "viz/lesson.h"
 #include "viz/rich_text.h"
 #include "viz/typeset.h"
 
@@ -88,6 +90,28 @@ std::string installed_family(const std::vector<const char*>& candidates) {
     if (found) return wanted;
   }
   return substitute;
+}
+
+std::vector<std::string> installed_families() {
+  std::vector<std::string> all;
+  FcPattern* any = FcPatternCreate();
+  FcObjectSet* wanted = FcObjectSetBuild(FC_FAMILY, nullptr);
+  FcFontSet* found = FcFontList(nullptr, any, wanted);
+  for (int i = 0; found && i < found->nfont; ++i) {
+    FcChar8* family = nullptr;
+    if (FcPatternGetString(found->fonts[i], FC_FAMILY, 0, &family) == FcResultMatch)
+      all.emplace_back(reinterpret_cast<const char*>(family));
+  }
+  if (found) FcFontSetDestroy(found);
+  FcObjectSetDestroy(wanted);
+  FcPatternDestroy(any);
+  return all;
+}
+
+/// What use_figure_font has set; empty: as usual.
+std::string& wanted_for_figures() {
+  static std::string family;
+  return family;
 }
 
 /// A paragraph's lines, each with its baseline in pixels from the top.
@@ -187,6 +211,16 @@ Picture raster(const Paragraph& paragraph, double scale) {
   return canvas.picture(paragraph.colour);
 }
 
+void use_figure_font(const std::string& family) {
+  const std::vector<std::string> all = installed_families();
+  const auto same = [&](const std::string& other) { return g_ascii_strcasecmp(other.c_str(), family.c_str()) == 0; };
+  const auto found = std::ranges::find_if(all, same);
+  if (found == all.end())
+    throw BadInput(fmt::format("font: no family is called \"{}\"{}; `fc-list : family` lists those that are installed",
+                               family, all.empty() ? "" : fmt::format("; did you mean \"{}\"?", nearest(family, all))));
+  wanted_for_figures() = *found;
+}
+
 Fonts fonts() {
   static const Fonts found = [] {
     const std::vector<const char*> figure = {"STIXGeneral",      "STIX Two Text", "STIX", "TeX Gyre Termes",
@@ -198,6 +232,7 @@ Fonts fonts() {
           "fonts: fontconfig finds none, and figures need letters; on Debian: apt install fonts-stix "
           "fonts-dejavu-core");
     chosen.exact = chosen.figure == figure.front() && chosen.window == window.front();
+    if (!wanted_for_figures().empty()) chosen.figure = wanted_for_figures();
     return chosen;
   }();
   return found;

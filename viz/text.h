@@ -58,5 +58,8 @@ struct NoFonts : std::runtime_error {
 };
 /// Whatever sets a text asks here first. Throws NoFonts.
 Fonts fonts();
+/// Sets figures in this family from now on; to be called before any text is measured. Throws BadInput, with the nearest
+/// name, where fontconfig has none of this name.
+void use_figure_font(const std::string& family);
 
 }  // namespace isect::viz

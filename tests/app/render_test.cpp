@@ -115,6 +115,18 @@ TEST_CASE("a figure loses its title, its ground and its empty rim where that is 
   CHECK(std::ranges::any_of(png.rgba, [](int byte) { return byte == 255; }));
 }
 
+TEST_CASE("figures are set in the family asked for, if it is installed", "[render]") {
+  const Shell shell;
+  const std::string command = "isect render ray-sphere --step 4 --labels text --format svg --font ";
+  REQUIRE(shell(command + "'dejavu sans'").status == 0);
+  const std::string svg = contents(shell.work() / "figures/ray-sphere/two-roots/04-early-reject.svg");
+  CHECK_THAT(svg, Contains("font-family:'DejaVu Sans'") && !Contains("STIXGeneral"));
+  const Ran wrong = shell(command + "'DejaVu Sant' --out other");
+  CHECK(wrong.status == 2);
+  CHECK_THAT(wrong.err, Contains("font: ") && Contains("did you mean \"DejaVu Sans\"?"));
+  CHECK_THAT(shell("isect render ray-sphere --format tikz --font 'DejaVu Sans'").err, Contains("font: LaTeX sets"));
+}
+
 TEST_CASE("captions in the manifest are LaTeX, too", "[render]") {
   const Shell shell;
   REQUIRE(shell("isect render --all --preset all --step 1-2 --format tikz").status == 0);
