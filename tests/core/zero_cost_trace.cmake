@@ -2,7 +2,8 @@
 # every trace line deleted. The code is the same byte for byte, or the same instructions in another order with other
 # registers: deleting a line renumbers what the compiler sees, and its scheduler breaks ties by number. Then padding,
 # moves from register to register and addresses taken again instead of kept don't count; every calculation, load, store,
-# jump and call does.
+# jump and call does. Some compilers (GCC 14) also turn a jump round, or take an operand from memory instead of a
+# register that holds it: then there are as many operations of each kind, and that is told.
 # The comparison can fail: a listener must change the code.
 #
 # An ordinary run compiles as a release does, at -O3, and the listener's with one group of calls; a long one
@@ -65,6 +66,17 @@ function(operations variable code)
   set(${variable} "${code}" PARENT_SCOPE)
 endfunction()
 
+# kinds(variable operations...): without the places of their operands, a jump on a condition like one on its opposite.
+function(kinds variable)
+  string(REGEX REPLACE " *;" " ;" code ";${ARGN};")
+  string(REGEX REPLACE "%|\\(%[^)]*\\)" "_" code "${code}")
+  foreach(pair "jae|jb" "je|jne" "ja|jbe" "jp|jnp" "jg|jle" "jl|jge" "js|jns")
+    string(REGEX REPLACE ";(${pair}) " ";${pair} " code "${code}")
+  endforeach()
+  list(SORT code)
+  set(${variable} "${code}" PARENT_SCOPE)
+endfunction()
+
 set(levels -O3)
 if(CALLS STREQUAL RAYS)
   set(levels -O2)  # at -O3 GCC schedules ray_plane::parameter, which has no trace line, in two ways
@@ -86,6 +98,12 @@ foreach(level ${levels})
   elseif(traced_operations STREQUAL untraced_operations)
     message(STATUS "${CALLS} ${level}: ${count} operations, the same in another order")
   else()
+    kinds(traced_kinds ${traced_operations})
+    kinds(untraced_kinds ${untraced_operations})
+    if(traced_kinds STREQUAL untraced_kinds)
+      message(STATUS "${CALLS} ${level}: ${count} operations, as many of each kind")
+      continue()
+    endif()
     foreach(code traced untraced)
       string(REPLACE ";" "\n" text "${${code}_operations}")
       file(WRITE ${WORK}/${code}.s "${text}\n")
