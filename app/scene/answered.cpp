@@ -89,11 +89,15 @@ Answered answered(const Context& c, const FirstHitAsked& asked) {
   return out;
 }
 
-/// What its steps end with.
+/// What its steps end with, where there is a test of the pair; a clipping walk has none.
 Answered answered(const Context& c, const WalkAsked& asked) {
-  Answered out = answered(c, PairAsked{asked.a, asked.b});
-  out.json.erase("ask");
-  out.json["walk"] = {c.object(asked.a).name, c.object(asked.b).name};
+  const Object &a = c.object(asked.a), &b = c.object(asked.b);
+  const bool clips = !can_ask(a.type, b.type, c.file.flat);
+  Answered out = clips ? answered(c, ClipAsked{asked.a, asked.b}) : answered(c, PairAsked{asked.a, asked.b});
+  Json json = {{"walk", {a.name, b.name}}};
+  for (const auto& [key, value] : out.json.items())
+    if (key != "ask" && key != "clip" && key != "to") json[key] = value;
+  out.json = std::move(json);
   return out;
 }
 

@@ -137,19 +137,25 @@ class Reader {
   }
 
   Asked walk(const Json& json, const Path& path) const {
-    const PairAsked both = pair(json, path);
-    const Type a = object(both.a).type, b = object(both.b).type;
-    if (walk_of(a, b, file_.flat)) return WalkAsked{both.a, both.b};
-    if (walk_of(b, a, file_.flat)) return WalkAsked{both.b, both.a};
-    source_.refuse(path, fmt::format("no lesson steps through a {} and a {}; those are: {}", spec(a).name, spec(b).name,
-                                     fmt::join(walks_in_words(file_.flat), ", ")));
+    const auto [i, j] = two_objects(json, path);
+    const Type a = object(i).type, b = object(j).type;
+    if (walk_of(a, b, file_.flat)) return WalkAsked{i, j};
+    if (walk_of(b, a, file_.flat)) return WalkAsked{j, i};
+    source_.refuse(path,
+                   fmt::format("no lesson steps through a {} and a {} {}; those are: {}", spec(a).name, spec(b).name,
+                               file_.flat ? "in the plane" : "in space", fmt::join(walks_in_words(file_.flat), ", ")));
   }
 
-  PairAsked pair(const Json& json, const Path& path) const {
+  std::pair<std::size_t, std::size_t> two_objects(const Json& json, const Path& path) const {
     if (!json.is_array() || json.size() != 2)
       source_.refuse(path, "two names are expected, as in [\"r\", \"A\"], or {\"first hit\": \"r\"}");
     const std::size_t a = named(json[0], path), b = named(json[1], path);
     if (a == b) source_.refuse(path, "an object can't be asked about itself");
+    return {a, b};
+  }
+
+  PairAsked pair(const Json& json, const Path& path) const {
+    const auto [a, b] = two_objects(json, path);
     const Type x = object(a).type, y = object(b).type;
     if (!can_ask(x, y, file_.flat))
       source_.refuse(path, fmt::format("there is no test of a {} against a {} {}; a {} can be asked about: {}",

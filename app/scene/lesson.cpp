@@ -98,11 +98,19 @@ class Walker {
     for (viz::Step& s : walk.steps) {
       s.slug = slug_of(fmt::format("{}-{}-{}", a.name, b.name, s.slug));
       if (!first) s.line = -1;
+      if (!s.scene.handles.empty()) s.scene.handles = handles_of(a, b);
       if (&s == &walk.steps.front())
         s.caption = fmt::format("Step by step: here {} is {}, and {} is {}. {}", shown_name(a.name), pair.name_a,
                                 shown_name(b.name), pair.name_b, s.caption);
       to.steps.push_back(std::move(s));
     }
+  }
+
+  /// In place of the lesson's, whose parameters have other names.
+  std::vector<viz::Handle> handles_of(const Object& a, const Object& b) const {
+    std::vector<viz::Handle> all = handles(context_.setting, a, Role::first);
+    std::ranges::move(handles(context_.setting, b, Role::second), std::back_inserter(all));
+    return all;
   }
 
   viz::Step summary() const {

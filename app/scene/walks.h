@@ -1,7 +1,6 @@
 #pragma once
-// The lessons that step through a pair of objects.
+// The walks of the lessons, on a pair of a scene's objects.
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,14 +8,13 @@
 
 namespace isect::program::scene {
 
-/// A lesson's parameters for two objects of a scene.
 struct WalkOfPair {
   Type a, b;
-  const char* lesson;
-  viz::Parameters (*parameters)(const Setting&, const Object& a, const Object& b);
+  bool flat;                    ///< in the plane, or in space
   const char *name_a, *name_b;  ///< what the lesson calls them, as markup
+  viz::Walk (*steps)(const Setting&, const Object& a, const Object& b);
 };
-/// In this order, in the plane or in space; nullptr where no lesson has the pair.
+/// In this order; nullptr where no lesson has the pair.
 const WalkOfPair* walk_of(Type a, Type b, bool flat);
 /// "sphere and sphere", ...
 std::vector<std::string> walks_in_words(bool flat);

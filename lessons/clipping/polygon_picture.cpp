@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "lessons/clipping/picture.h"
 
@@ -33,6 +34,7 @@ Scene picture(const Rest& k, const Cut* cut) {
   }
   for (std::size_t i = 0; i < k.original.size(); ++i) {
     if (cut && !among(cut->before, k.original[i])) continue;  // cut off before
+    if (i >= std::size(names)) continue;  // the lesson's have no more; of others, letters enough are named
     scene.items.emplace_back(Label{flat(k.original[i]), fmt::format("**{}**", names[i]), Role::first});
     scene.handles.push_back({names[i], Handle::Kind::point, flat(k.original[i]), Vec3::Zero(), Role::first});
   }

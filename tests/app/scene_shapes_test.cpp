@@ -227,6 +227,28 @@ TEST_CASE("a walk tells the lesson's steps on the scene's numbers", "[scene]") {
     CHECK_THAT(lesson, Contains(both));
   }
   CHECK_THAT(shell("isect scene w.json").out, StartsWith("A and B touch"));
+
+  // Of polygons and boxes that no lesson has.
+  const std::string flat = R"({"box": "W", "lo": [-2,-1], "hi": [2,1]}, {"segment": "s", "from": [-3,0], "to": [1,0]},
+    {"polygon": "P", "points": [[3,0],[2,1.5],[0,2],[-2,1.5],[-3,0],[-2,-1.5],[0,-2],[2,-1.5]]})";
+  const Json two = answers(shell, flat, R"([{"walk": ["W", "s"]}, {"walk": ["P", "W"]}])");
+  CHECK(two[0]["walk"] == Json::parse(R"(["s", "W"])"));
+  CHECK(two[1]["verdict"] == "kept: 4 vertices");
+  write(shell.work() / "flat.json", R"({"objects": [)" + flat + R"(], "ask": [{"walk": ["P", "W"]}]})");
+  CHECK_THAT(shell("isect explain flat.json").out, Contains("Cut at the top side") && !Contains("**"));
+  CHECK(shell("isect render flat.json").status == 0);
+  const std::string obb = R"({"obb": "A", "center": [-1,0,0], "u": [0.8,0.6,0], "v": [-0.6,0.8,0], "w": [0,0,1],
+    "half": [1,0.75,0.5]}, {"obb": "B", "center": [2,0,0], "u": [1,0,0], "v": [0,1,0], "w": [0,0,1], "half": [1,1,1]},
+    {"ray": "r", "origin": [0,0,3], "dir": [0,0,-1]}, {"triangle": "t", "points": [[-1,-1,0],[2,-1,0],[-1,2,1]]})";
+  const Json space = answers(shell, obb, R"([{"walk": ["A", "B"]}, {"walk": ["t", "r"]}])");
+  CHECK(space[0]["result"]["relation"] == "disjoint");
+  CHECK(space[1]["result"]["hit"] == true);
+  write(shell.work() / "space.json",
+        R"({"objects": [)" + obb + R"(], "ask": [{"walk": ["A", "B"]}, {"walk": ["t", "r"]}]})");
+  CHECK_THAT(shell("isect explain space.json").out, Contains("The normals of a") &&
+                                                        Contains("Which coordinate to drop?") &&
+                                                        Contains("Verdict: the ray hits"));
+  CHECK(shell("isect render space.json").status == 0);
   CHECK(shell("isect render w.json").status == 0);
 }
 
