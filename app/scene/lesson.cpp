@@ -23,6 +23,12 @@ Role usual_role(Type t) {
   return runs_along_a_line(t) || t == Type::point || t == Type::cloud ? Role::first : Role::second;
 }
 
+/// What no number of its own tells.
+std::string how_many(const Object& o) {
+  if (!o.fixed.triangles.empty()) return fmt::format(" of {} triangles", o.fixed.triangles.size());
+  return o.fixed.points.empty() ? "" : fmt::format(" of {} points", o.fixed.points.size());
+}
+
 class Walker {
  public:
   Walker(const File& file, const viz::Parameters& parameters)
@@ -71,7 +77,7 @@ class Walker {
     step.title = context_.file.title;
     std::string list;
     for (const Object& o : context_.file.objects)
-      list += fmt::format("{}{} {}", list.empty() ? "" : ", ", spec(o.type).name, shown_name(o.name));
+      list += fmt::format("{}{} {}{}", list.empty() ? "" : ", ", spec(o.type).name, shown_name(o.name), how_many(o));
     step.caption = fmt::format("The scene holds {}.", list);
     step.scene = picture({});
     return step;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t most_objects = 200, most_vertices = 10'000, most_slabs = 64;
 /// More than these are no knobs of the window, and stay as they are.
-constexpr std::size_t most_knobs = 200;
+constexpr std::size_t most_knobs = 40;
 /// Of a file whose points a figure takes along, so that it can be opened without that file.
 constexpr std::size_t most_taken_along = 2'000;
 
