@@ -12,6 +12,7 @@
 #include "app/options.h"
 #include "app/program.h"
 #include "app/terminal.h"
+#include "bench/compare_reports.h"
 #include "bench/machine.h"
 #include "bench/maps.h"
 #include "bench/plots.h"
@@ -26,7 +27,7 @@ namespace {
 struct Wanted {
   std::vector<std::string> tests;
   std::string csv, json, plot, publish;
-  std::vector<std::string> from;
+  std::vector<std::string> from, compared;
   unsigned long long seed = 1;
   bool quick = false, peers = false, native = false;
 };
@@ -184,7 +185,20 @@ int publish(const Program& program, const Wanted& wanted) {
   return done;
 }
 
+/// 1 where something became slower, wrong or gone.
+int compare(const std::vector<std::string>& paths) {
+  const bench::Report before = read_from(paths.at(0)), after = read_from(paths.at(1));
+  try {
+    const bench::Comparison comparison = bench::compare(before, after);
+    print(bench::told(comparison));
+    return comparison.holds() ? done : check_failed;
+  } catch (const std::runtime_error& e) {
+    throw viz::BadInput(fmt::format("compare: {}", e.what()));
+  }
+}
+
 int bench(const Program& program, const Wanted& wanted) {
+  if (!wanted.compared.empty()) return compare(wanted.compared);
   for (const std::string& test : wanted.tests)
     if (const auto all = names(); std::ranges::find(all, test) == all.end()) throw viz::unknown("TEST", test, all);
   if (!wanted.publish.empty()) return publish(program, wanted);
@@ -217,6 +231,10 @@ void add_bench(CLI::App& app, Program& program) {
   CLI::Option* publish = sub.add_option("--publish", wanted->publish,
                                         "write REPORT.md with its figures and results.json into this folder: from "
                                         "--from's files, or from new runs of all builds that are there");
+  CLI::Option* compared = sub.add_option("--compare", wanted->compared,
+                                         "two files that --json wrote: what became slower, faster or wrong; exit\n"
+                                         "status 1 if something is worse");
+  compared->expected(2)->type_name("BEFORE AFTER")->check(not_empty());
   CLI::Option* seed = sub.add_option("--seed", wanted->seed, "of the random cases");
   seed->check([](const std::string& text) {  // CLI11 would take -1 for 2^64 - 1
     unsigned long long n = 0;
@@ -228,7 +246,10 @@ void add_bench(CLI::App& app, Program& program) {
   CLI::Option* peers = sub.add_flag("--peers", wanted->peers, "beside CGAL, Boost, Bullet, FCL, Embree, GEOS, Eigen");
   CLI::Option* native = sub.add_flag("--native", wanted->native, "compiled for this machine's instructions");
   peers->excludes(native);
-  for (CLI::Option* measuring : {seed, quick, peers, native}) from->excludes(measuring);
+  for (CLI::Option* measuring : {seed, quick, peers, native}) from->excludes(measuring), compared->excludes(measuring);
+  for (CLI::Option* other :
+       {from, publish, json, sub.get_option("--csv"), sub.get_option("--plot"), sub.get_option("TEST")})
+    compared->excludes(other);
   for (CLI::Option* one : {peers, native, json, sub.get_option("--csv"), sub.get_option("--plot")})
     publish->excludes(one);
   for (CLI::Option* path : {sub.get_option("--csv"), json, sub.get_option("--plot"), from, publish})

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "bench/report.h"
 #include "tests/app/shell.h"
@@ -24,6 +25,23 @@ void copy_program(const Shell& shell) { std::filesystem::copy_file(ISECT_BIN "/i
 int lines(const std::string& text) { return static_cast<int>(std::count(text.begin(), text.end(), '\n')); }
 
 }  // namespace
+
+TEST_CASE("two reports are compared, and what is worse gives the status", "[bench]") {
+  const Shell shell;
+  const std::string results = ISECT_RESULTS;
+  const Ran same = shell("isect bench --compare " + results + " " + results);
+  CHECK(same.status == 0);
+  CHECK_THAT(same.out, Contains("calls take as long as before, within their noise"));
+  auto worse = nlohmann::json::parse(contents(results));
+  for (auto& row : worse["rows"])
+    if (row["method"] == "exact" && row["test"] == "sphere-sphere") row["ns"] = 3 * row["ns"].get<double>();
+  write(shell.work() / "worse.json", worse.dump());
+  const Ran slower = shell("isect bench --compare " + results + " worse.json");
+  CHECK(slower.status == 1);
+  CHECK_THAT(slower.out, Contains("slower:\n   3.00 times") && Contains("sphere-sphere exact, double, ordinary"));
+  CHECK(shell("isect bench --compare " + results).status == 2);
+  CHECK(shell("isect bench --compare absent.json " + results).status == 4);
+}
 
 TEST_CASE("one test is measured and judged, and its files read back", "[bench]") {
   const Shell shell;
