@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "app/geometry.h"
 #include "app/terminal.h"
 #include "viz/case_map.h"
 #include "viz/closing.h"
@@ -16,13 +17,13 @@ namespace {
 
 using viz::plain;
 
-bool contains(const std::vector<int>& lines, int line) { return std::ranges::find(lines, line) != lines.end(); }
-
 /// In full, so that a reader can compute along.
 std::string coordinates(const viz::Vec3& p, bool flat) {
   const std::string xy = viz::to_text(p.x()) + ", " + viz::to_text(p.y());
   return "(" + xy + (flat ? ")" : ", " + viz::to_text(p.z()) + ")");
 }
+
+bool contains(const std::vector<int>& lines, int line) { return std::ranges::find(lines, line) != lines.end(); }
 
 std::string in_full(const viz::Setting& setting, bool flat) {
   if (const auto* p = std::get_if<viz::Vec3>(&setting)) return coordinates(*p, flat);
@@ -66,6 +67,17 @@ class Teller {
       const std::string name = plain(p.label.empty() ? p.name : p.label);
       out += paragraph(fmt::format("{} = {}. {}", name, in_full(e_.parameters.at(p.name), e_.lesson->flat), p.help), 2);
     }
+    return out + "\n" + objects();
+  }
+
+  /// What is fixed besides the parameters.
+  std::string objects() const {
+    const viz::Scene& scene = e_.walk.steps.front().scene;
+    const std::vector<std::string> all =
+        scene.chart ? std::vector<std::string>{} : geometry(scene, e_.parameters, e_.lesson->flat);
+    if (all.empty() || how_.brief) return {};
+    std::string out = "Objects:\n";
+    for (const std::string& object : all) out += paragraph(object, 2);
     return out + "\n";
   }
 
@@ -150,10 +162,14 @@ class Teller {
       const auto* label = std::get_if<viz::Label>(&item);
       if (!label || label->until || !label->text.starts_with("**") || !is_marked(step.scene, label->at)) continue;
       const std::string told = plain(label->text) + " " + coordinates(label->at, e_.lesson->flat);
-      if (e_.parameters.contains(plain(label->text)) || !placed_.insert(told).second) continue;
+      if (is_parameter(label->at) || !placed_.insert(told).second) continue;
       list += (list.empty() ? "" : ", ") + told;
     }
     return list.empty() ? list : paragraph("In the picture: " + list + ".") + "\n";
+  }
+
+  bool is_parameter(const viz::Vec3& p) const {
+    return std::ranges::any_of(e_.parameters, [&](const auto& given) { return given.second == viz::Setting(p); });
   }
 
   static bool is_marked(const viz::Scene& scene, const viz::Vec3& at) {

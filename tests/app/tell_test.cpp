@@ -166,6 +166,30 @@ TEST_CASE("explain tells the setting and what was changed, and a map in words", 
                        !Contains("dashed") && !Contains("rings"));
 }
 
+TEST_CASE("explain tells first where the objects lie that its questions ask about", "[explain]") {
+  const Shell shell;
+  const std::pair<const char*, const char*> all[] = {
+      {"collision --preset tunnelling", "box wall: (0.4, -1.75) to (0.6, 1.75)"},
+      {"collision --preset tunnelling", "box p: (-2.75, -0.25) to (-2.25, 0.25)"},
+      {"crossings --preset inside", "polygon: ("},
+      {"clipping --preset both-ends-cut", "box: (-2, -1.25) to (2, 1.25)"},
+      {"concave-polygon --preset slabs", "polygon: (-3, -1), (-1.5, -1.75), (-0.875, -0.25), (0.25, -1.25), "},
+      {"picking --preset behind", "box crate: (2.5, -1, -2) to (3.5, 1.5, -0.5625)"},
+      {"picking --preset behind", "solid gem: (0.125, 0.25, -0.75), (1, 0.25, -1.625)"},
+      {"culling --preset scene", "ball: centre (-0.25, 0.125, 0.5), radius 0.5"},
+      {"culling --preset scene", "solid: (-2.5, -0.375, -0.5625), (-2.5, -0.375, 0.5625)"},
+      {"relations --preset aabb-touching", "box b: (1, -0.6875, -0.3125) to (2.5, 0.4375, 0.8125)"},
+      {"obb-obb --preset normal-of-b", "box a: (-2.25, -0.75, -0.75) to (-0.25, 0.75, 0.75)"},
+      {"rays --preset line", "segment wall: (1.5, -1.5) to (1.5, 1.75)"}};
+  for (const auto& [lesson, object] : all) {
+    INFO(lesson);
+    const std::string told = shell(std::string("COLUMNS=200 isect explain ") + lesson).out;
+    const std::size_t first = std::min(told.find("\nQuestion 1"), told.find("\nStep 1"));
+    CHECK_THAT(told.substr(0, first), Contains(std::string("\n  ") + object));
+  }
+  CHECK_THAT(shell("isect explain sphere-sphere").out, !Contains("\nObjects:"));  // its parameters tell all
+}
+
 TEST_CASE("explain is as wide as the terminal", "[explain]") {
   const Shell shell;
   CHECK(widest(shell("COLUMNS=60 isect explain sphere-sphere").out) <= 60);
