@@ -100,7 +100,7 @@ class Teller {
 
   std::string name_at(const Vec3& p) const {
     for (const Item& item : scene_.items)
-      if (const auto* label = std::get_if<Label>(&item); label && !label->until && label->at == p)
+      if (const auto* label = std::get_if<Label>(&item); label && !label->until && (label->at - p).norm() <= 1e-12)
         return plain(label->text);
     return {};
   }

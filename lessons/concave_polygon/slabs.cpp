@@ -122,9 +122,10 @@ class Slabs {
     if (e.turn < 0) drawn_.lo = mid + 1;
     Step& step =
         add(fmt::format("edge-{}", turns_),
-            e.turn > 0   ? "Left of the edge"
-            : e.turn < 0 ? "Right of the edge"
-                         : "On the edge",
+            fmt::format("Comparison {}: {} the edge", turns_,
+                        e.turn > 0   ? "left of"
+                        : e.turn < 0 ? "right of"
+                                     : "on"),
             e.turn == 0 ? 5 : 4,
             e.turn == 0  ? "The orientation is exactly zero: **p** lies on the edge."
             : e.turn > 0 ? "Compare **p** with the middle remaining edge. **p** is to its left: discard that edge "
