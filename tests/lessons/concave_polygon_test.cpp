@@ -107,7 +107,8 @@ TEST_CASE("on spikes slabs grow as the square of n, the map as n", "[concave-pol
   const double times = std::log(static_cast<double>(many.n) / few.n);
   CHECK(std::log(many.slab_entries / few.slab_entries) / times == Approx(2.0).margin(0.05));
   CHECK(std::log(many.map_nodes / few.map_nodes) / times == Approx(1.0).margin(0.1));
-  const auto& plot = std::get<Plot>(growth().kind);
+  const Chart chart = growth();
+  const auto& plot = std::get<Plot>(chart.kind);
   CHECK(plot.panels.front().curves.front().points.back() == Vec2(many.n, many.slab_entries));
 }
 
