@@ -29,6 +29,10 @@ const std::vector<Term>& glossary() {
        "robustness"},
       {"false positive", "A cheap test answers yes though the objects do not meet.", "culling"},
       {"frustum", "The truncated pyramid that a camera sees.", "culling"},
+      {"GJK",
+       "The algorithm of Gilbert, Johnson and Keerthi: it seeks the origin in the Minkowski difference of two convex "
+       "sets.",
+       "convex-hull"},
       {"half-open rule", "An edge includes its lower end but not its upper one, so a vertex counts once.", "crossings"},
       {"half-space", "All points on one side of a plane, the plane included.", "clipping"},
       {"interval", "All numbers from one end to the other, both included.", "intervals"},

@@ -24,7 +24,7 @@ class Slabs {
   explicit Slabs(const Setup& setup)
       : s_(setup),
         map_(make_slab_map(setup.ring)),
-        script_({"Lecture note, concave polygons; Preparata and Shamos, Computational Geometry, 1990, 2.2.2",
+        script_({"Lecture note, concave polygons; Preparata and Shamos, Computational Geometry (1985), 2.2.2",
                  alt_text(setup, "split into slabs at the heights of its vertices"),
                  {"split the plane at the height of every vertex: slabs",      // 0
                   "in each slab store its edges from left to right",           // 1

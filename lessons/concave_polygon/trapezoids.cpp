@@ -26,7 +26,7 @@ class Trapezoids {
   explicit Trapezoids(const Setup& setup)
       : s_(setup),
         script_(
-            {"Lecture note, concave polygons; Seidel, 1991; de Berg et al., Computational Geometry, 2008, chapter 6",
+            {"Lecture note, concave polygons; Seidel, Computational Geometry 1 (1991); de Berg et al., Computational Geometry (2008), ch. 6",
              alt_text(setup, "split into trapezoids by walls at its vertices"),
              {"for each edge, in random order",                        // 0
               "    follow it through the trapezoids that it cuts",     // 1

@@ -16,7 +16,7 @@ namespace {
 class HalfOpen : Teller {
  public:
   explicit HalfOpen(const Setup& setup)
-      : Teller(setup, "half-open rule", "Lecture note, point in polygon; W. R. Franklin, PNPOLY, 1970",
+      : Teller(setup, "half-open rule", "Lecture note, point in polygon; Franklin, PNPOLY (1970)",
                {"count ← 0",                                          // 0
                 "for each edge a b",                                  // 1
                 "    if p = a, or p on a horizontal a b: return ON",  // 2

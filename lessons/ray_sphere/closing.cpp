@@ -43,6 +43,7 @@ const Closing& closing() {
       .bug = "Taking any real root for a hit, even one behind the origin.",
       .bug_preset = "behind-quadratic",
       .reading = {"Eric Haines, in: Andrew Glassner (ed.), *An Introduction to Ray Tracing*, 1989, chapter 2.",
+                  "Tomas Akenine-Möller and Eric Haines, *Real-Time Rendering*, 2nd edition, 2002, chapter 13.",
                   "Eric Haines, Johannes Günther and Tomas Akenine-Möller, Precision Improvements for Ray/Sphere "
                   "Intersection, in: *Ray Tracing Gems*, 2019, chapter 7.",
                   "William Press et al., *Numerical Recipes*, 3rd edition, 2007, section 5.6."},

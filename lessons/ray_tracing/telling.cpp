@@ -28,7 +28,7 @@ class Teller {
   explicit Teller(const OnePixel& one)
       : s_(one),
         script_(
-            {"Lecture note, ray tracing; Arthur Appel, Some techniques for shading machine renderings of solids, 1968",
+            {"Lecture note, ray tracing; Appel, AFIPS Spring Joint Computer Conference (1968)",
              "An eye looks through an image plane at balls, a box and a floor. " + outcome() + ".", pseudocode}) {}
 
   Walk tell() {
