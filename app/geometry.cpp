@@ -51,6 +51,7 @@ class Teller {
   Teller(const Scene& scene, const Parameters& parameters, bool flat)
       : scene_(scene), parameters_(parameters), flat_(flat) {
     for (const Item& item : scene.items) std::visit(*this, item);
+    if (!points_.empty() && points_.size() <= most_vertices) say("points", {}, list(points_));
   }
 
   std::vector<std::string> take() {
@@ -76,6 +77,9 @@ class Teller {
   void operator()(const Line& it) {
     if (is_object(it.role, it.pen) && !(is_parameter(it.from) && is_parameter(it.to)))
       say("segment", name_of(it), place(it.from) + " to " + place(it.to));
+  }
+  void operator()(const Dot& it) {
+    if (it.role == Role::text && name_at(it.at).empty()) points_.push_back(it.at);
   }
   void operator()(const auto&) {}
 
@@ -161,6 +165,7 @@ class Teller {
   const bool flat_;
   std::vector<std::string> told_;
   std::map<std::string, int> counts_;
+  Points points_;
 };
 
 }  // namespace

@@ -197,7 +197,7 @@ class Teller {
   }
 
   std::string question(const viz::Question& q) {
-    const bool again = question_ && question_->prompt == q.prompt && question_->choices == q.choices;
+    const bool again = question_ && question_->choices == q.choices;
     const bool same_reason = again && question_->because == q.because;
     question_ = &q;
     std::string out =
