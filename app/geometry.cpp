@@ -79,7 +79,7 @@ class Teller {
       say("segment", name_of(it), place(it.from) + " to " + place(it.to));
   }
   void operator()(const Dot& it) {
-    if (it.role == Role::text && name_at(it.at).empty()) points_.push_back(it.at);
+    if (flat_ && it.role == Role::text && name_at(it.at).empty()) points_.push_back(it.at);
   }
   void operator()(const auto&) {}
 

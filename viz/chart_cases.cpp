@@ -48,11 +48,10 @@ class PlaneOfCases {
     ink_.part("chart", "names");
     names();
     ink_.part("chart", "presets");
-    for (const Cases::Spot& preset : cases_.presets)
-      if (!is_here(preset)) {
-        const bool thin = is_thin(cases_, preset.branch);
-        ink_.mark(thin ? Mark::diamond : Mark::uncounted, at(preset.at), thin ? Role::highlight : Role::muted);
-      }
+    for (const bool thin : {false, true})  // those of lines and points above the others
+      for (const Cases::Spot& preset : cases_.presets)
+        if (!is_here(preset) && is_thin(cases_, preset.branch) == thin)
+          ink_.mark(thin ? Mark::diamond : Mark::uncounted, at(preset.at), thin ? Role::highlight : Role::muted);
     ink_.part("chart", "setting");
     if (cases_.here) ink_.mark(Mark::double_disc, at(cases_.here->at), Role::text);
   }
@@ -125,7 +124,7 @@ class PlaneOfCases {
   std::vector<Vec2> others(const Cases::Spot& spot) const {
     std::vector<Vec2> all;
     for (const auto& [p, radius] : markers())
-      if ((p - at(spot.at)).norm() > 1e-6) all.push_back(p);
+      if ((p - at(spot.at)).norm() > radius) all.push_back(p);
     return all;
   }
 

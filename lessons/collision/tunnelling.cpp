@@ -73,7 +73,7 @@ class Flight {
   Scene picture() const {
     Scene scene;
     scene.items.emplace_back(region(wall_.shape, Role::second));
-    scene.items.emplace_back(Label{Vec3(wall_.shape.hi.x(), 1.5, 0), "wall", Role::second});
+    if (!grown_) scene.items.emplace_back(Label{Vec3(wall_.shape.hi.x(), 1.5, 0), "wall", Role::second});
     if (swept_)
       scene.items.emplace_back(Chain{region(way(), Role::first).rings[0], true, Role::construction, Pen::construction});
     for (const double t : seen_)

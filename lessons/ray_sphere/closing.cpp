@@ -32,11 +32,8 @@ const Closing& closing() {
           "square root, two "
           "divisions.",
       .choose =
-          "Haines for unit directions. Half-B with stable roots for other directions. For yes or no alone, "
-          "compare squares without a square root.\n"
-          "Stable roots: first the root whose two terms have equal signs, then the other by *t*_1 *t*_2 = *C* / *A*. "
-          "Robust discriminant: *A* (*r*^2 − |**f** − (*B* / *A*) **d**|^2) with half of *B*, where no large squares "
-          "cancel.",
+          "Haines for unit directions. Half-B with stable roots for others: the root whose terms have equal signs, "
+          "then the other by *t*_1 *t*_2 = *C* / *A*. Far away also a robust discriminant, *A* (*r*^2 − *m*^2).",
       .used =
           "Primary and shadow rays, picking, line of sight, sphere trees. A moving ball against a ball is a ray "
           "against an expanded ball.",
@@ -59,7 +56,8 @@ const Closing& closing() {
            "is *t*_1 = (30 − √252) / 18 ≈ 0.785."},
           {"When does the entry root lose digits, and which form keeps them?",
            "For *B* < 0, −*B* and √*D* nearly cancel where *C* is small: the origin is near the surface. Compute "
-           "*t*_2 first, then *t*_1 = *C* / (*A* *t*_2).",
+           "*t*_2 first, then *t*_1 = *C* / (*A* *t*_2): stable roots. Far away *B*^2 − *A* *C* cancels; "
+           "the robust discriminant *A* (*r*^2 − |**f** − (*B* / *A*) **d**|^2) does not (*B* halved).",
            "near-surface-quadratic"},
           {"The direction is doubled in length. What happens to *A*, *B*, *C*, the roots and the points?",
            "*A* grows fourfold and *B* twofold; *C* is unchanged. The roots are halved; the points are unchanged."},

@@ -135,6 +135,15 @@ TEST_CASE("a reading is spelt in one way, in whatever lesson it stands", "[every
   }
 }
 
+TEST_CASE("a card's rows and a glossary's meanings are single paragraphs", "[every lesson]") {
+  for (const Lesson* lesson : those_asked_for())
+    for (const Card::Row& row : card_rows(*lesson->closing)) {
+      INFO(lesson->id << ": " << row.text);
+      CHECK(row.text.find('\n') == std::string::npos);
+    }
+  for (const lessons::Term& term : lessons::glossary()) CHECK(term.meaning.find('\n') == std::string::npos);
+}
+
 TEST_CASE("no text shows a backtick, or a mark that is left over", "[every lesson]") {
   for (const Lesson* lesson : those_asked_for())
     for (const std::string& text : texts(*lesson)) {
