@@ -49,8 +49,8 @@ const Closing& closing() {
       .reading =
           {"David Kirkpatrick, Optimal Search in Planar Subdivisions, *SIAM Journal on Computing* 12, 1983.",
            "David Dobkin and Richard Lipton, Multidimensional Searching Problems, *SIAM Journal on Computing* 5, 1976.",
-"Franco Preparata and Michael Shamos, *Computational Geometry: An Introduction*, 1985, section 2.2.2.",
-           "Raimund Seidel, A Simple and Fast Incremental Randomized Algorithm for Computing Trapezoidal "
+           "Franco Preparata and Michael Shamos, *Computational Geometry: An Introduction*, 1985, section 2.2.2.",
+           "R. Seidel, A Simple and Fast Incremental Randomized Algorithm for Computing Trapezoidal "
            "Decompositions and for Triangulating Polygons, *Computational Geometry* 1, 1991.",
            "Mark de Berg et al., *Computational Geometry: Algorithms and Applications*, 3rd edition, 2008, chapter 6."},
       .exercises = {

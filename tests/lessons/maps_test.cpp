@@ -101,7 +101,9 @@ class Drawn {
       const Vec2 p = drawn(spot.at);
       if (label.leads_to) return spot.branch == wanted && (*label.leads_to - p).norm() < 1e-6;
       const auto nearer = [&](const Cases::Spot& other) {
-        return other.at != spot.at && off(drawn(other.at), label) < off(p, label);
+        const bool apart =
+            (drawn(other.at) - p).norm() > mark_radius(Mark::uncounted, theme_.sizes);  // else one marker
+        return apart && off(drawn(other.at), label) < off(p, label);
       };
       return spot.branch == wanted && off(p, label) < 1.5 * theme_.sizes.label && std::ranges::none_of(spots, nearer);
     });

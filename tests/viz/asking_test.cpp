@@ -103,7 +103,7 @@ TEST_CASE("Right to a question about the next edge lights and names that edge", 
 }
 
 TEST_CASE("clipping asks about a side that is drawn and lit", "[window]") {
-  WindowDriver window(lessons::all_lessons(), 1280, 800, at("clipping", "both-ends-cut", 2));
+  WindowDriver window(lessons::all_lessons(), 1280, 800, at("clipping", "both-ends-cut", 3));
   window.key(key::right);
   REQUIRE(window.player().asked());
   REQUIRE(lit_lines(window.player().scene()).size() == 1);
