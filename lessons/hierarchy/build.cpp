@@ -18,7 +18,8 @@ class Building {
   explicit Building(const Vec3& p)
       : p_(p),
         tree_(scattered(p)),
-        script_({"Lecture note, bounding volume hierarchies; Goldsmith and Salmon, IEEE CG&A 7 (1987); Wald, Interactive Ray Tracing (2007)",
+        script_({"Lecture note, bounding volume hierarchies; Goldsmith and Salmon, IEEE CG&A 7 (1987); Wald, "
+                 "Interactive Ray Tracing (2007)",
                  fmt::format("{} boxes in nested boxes, and their tree.", tree_.boxes.size()),
                  {"box ← the smallest around all primitives",              // 0
                   "split them by their centres, where it costs least",     // 1
