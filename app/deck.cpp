@@ -38,7 +38,8 @@ class Slides {
   std::vector<Slide> made() {
     const viz::Lesson& lesson = *e_.lesson;
     all_.push_back({lesson.title, {Prose{lesson.summary}}, {}, {}, true});
-    if (!lesson.opening.empty()) all_.push_back({lesson.title, {Prose{lesson.opening}}, {}, {}});
+    const bool is_step = e_.walk.steps.front().slug == viz::opening_slug;
+    if (!lesson.opening.empty() && !is_step) all_.push_back({lesson.title, {Prose{lesson.opening}}, {}, {}});
     if (!e_.walk.pseudocode.empty()) all_.push_back({"Algorithm", {Code{e_.walk.pseudocode}}, {}, {}});
     for (const int index : e_.steps) {
       const viz::Step& step = e_.walk.steps[index];

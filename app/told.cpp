@@ -6,6 +6,7 @@
 #include <set>
 
 #include "app/terminal.h"
+#include "app/told_setting.h"
 #include "viz/case_map.h"
 #include "viz/closing.h"
 #include "viz/rich_text.h"
@@ -15,19 +16,6 @@ namespace isect::program {
 namespace {
 
 using viz::plain;
-
-bool contains(const std::vector<int>& lines, int line) { return std::ranges::find(lines, line) != lines.end(); }
-
-/// In full, so that a reader can compute along.
-std::string coordinates(const viz::Vec3& p, bool flat) {
-  const std::string xy = viz::to_text(p.x()) + ", " + viz::to_text(p.y());
-  return "(" + xy + (flat ? ")" : ", " + viz::to_text(p.z()) + ")");
-}
-
-std::string in_full(const viz::Setting& setting, bool flat) {
-  if (const auto* p = std::get_if<viz::Vec3>(&setting)) return coordinates(*p, flat);
-  return viz::to_text(setting);
-}
 
 /// "Title" over a line of `rule`.
 std::string heading(const std::string& text, char rule, std::size_t width) {
@@ -56,35 +44,7 @@ class Teller {
     std::string out =
         heading(fmt::format("{}: {}", plain(lesson.title), e_.folder), '=', how_.columns) + paragraph(lesson.summary);
     if (!e_.walk.method.empty()) out += paragraph("Method: " + plain(e_.walk.method));
-    return out + "\n" + setting() + pseudocode();
-  }
-
-  /// What a reader needs to compute along.
-  std::string setting() const {
-    std::string out = "Setting:\n";
-    for (const viz::Parameter& p : e_.lesson->parameters) {
-      const std::string name = plain(p.label.empty() ? p.name : p.label);
-      out += paragraph(fmt::format("{} = {}. {}", name, in_full(e_.parameters.at(p.name), e_.lesson->flat), p.help), 2);
-    }
-    return out + "\n";
-  }
-
-  std::string pseudocode() const {
-    if (how_.brief || e_.walk.pseudocode.empty()) return {};
-    std::string out = "Algorithm:\n";
-    for (std::size_t i = 0; i < e_.walk.pseudocode.size(); ++i)
-      out += fmt::format("  {:>2}  {}\n", i + 1, e_.walk.pseudocode[i]);
-    for (const viz::Erratum& erratum : e_.lesson->errata) {
-      const int line = viz::line_of(erratum, e_.walk);
-      if (line < 0) continue;
-      const bool published = e_.walk.pseudocode[line] == erratum.published;
-      const std::string& other = published ? erratum.corrected : erratum.published;
-      out += paragraph(fmt::format("Line {} {}: {}. {} (Preset {} shows it.)", line + 1,
-                                   published ? "should read" : "was published as", viz::unindented(other),
-                                   plain(erratum.why), erratum.preset),
-                       2);
-    }
-    return out + "\n";
+    return out + "\n" + told_setting(e_, how_);
   }
 
   std::string title(int index) const {
@@ -102,6 +62,8 @@ class Teller {
   std::string whole(int index) {
     const viz::Step& step = e_.walk.steps[index];
     std::string out = step.question ? question(*step.question) : "";  // a title may tell the answer
+    if (told_ && goes_on(*std::exchange(told_, &step), step)) return out + again(index);
+    told_ = &step;
     out += heading(title(index), '-', how_.columns);
     if (step.slug == viz::closing_slug) return out + closing();
     out += paragraph(step.slug == viz::case_map_slug ? map_in_words() : plain(step.caption)) + "\n";
@@ -112,25 +74,56 @@ class Teller {
     if (step.verdict.kind != viz::Verdict::Kind::open)
       out += inked(Ink::bold, paragraph("Verdict: " + plain(step.verdict.text))) + "\n";
     if (index == viz::outcome(e_.walk)) out += paragraph("Picture: " + plain(e_.walk.alt)) + "\n" + side_by_side();
-    if (!step.source.empty()) out += paragraph("Source: " + step.source) + "\n";
-    return out;
+    return out + source(step);
+  }
+
+  /// Where it is another than before.
+  std::string source(const viz::Step& step) {
+    if (step.source.empty() || step.source == source_) return {};
+    source_ = step.source;
+    return paragraph("Source: " + source_) + "\n";
+  }
+
+  /// Whether a step does at the same line what the one before did, with other numbers.
+  static bool goes_on(const viz::Step& before, const viz::Step& step) {
+    return step.line >= 0 && step.line == before.line &&
+           without_numbers(step.caption) == without_numbers(before.caption) && step.verdict.text == before.verdict.text;
+  }
+  static std::string without_numbers(std::string text) {
+    std::erase_if(text, [](char c) { return (c >= '0' && c <= '9') || c == '.' || c == ','; });
+    return text;
+  }
+
+  /// Such a step, in one paragraph: what is new.
+  std::string again(int index) {
+    const viz::Step &step = e_.walk.steps[index], &before = e_.walk.steps[index - 1];
+    std::string out = title(index) + ".";
+    if (step.caption != before.caption) out += " " + plain(step.caption);
+    if (!step.formula.empty()) out += " " + plain(step.formula) + ".";
+    for (const viz::Value& v : step.values)
+      if (v.fresh && !is_in_formula(v, step) && plain(step.title) != plain(v.name) + " = " + viz::shown(v.value))
+        out += " " + plain(v.name) + " = " + viz::shown(v.value) + ".";
+    if (step.comparison) out += " " + comparison(step);
+    std::ranges::replace(out, '\n', ' ');
+    return paragraph(out) + "\n" + points(step);
   }
 
   std::string line(const viz::Step& step) const {
     const std::string code = viz::unindented(e_.walk.pseudocode.at(step.line));
     return inked(Ink::mark, fmt::format("  ▸ line {}:  {}{}", step.line + 1, code,
-                                        contains(step.refused, step.line) ? "   (no)" : "")) +
+                                        std::ranges::count(step.refused, step.line) > 0 ? "   (no)" : "")) +
            "\n\n";
+  }
+
+  static bool is_in_formula(const viz::Value& v, const viz::Step& step) {
+    const std::string formula = plain(step.formula);
+    return formula.starts_with(plain(v.name) + " = ") && formula.ends_with("= " + viz::shown(v.value));
   }
 
   /// What this step computes; what was known before stands above, but for the first step told.
   std::string values(const viz::Step& step) const {
     const bool all = &step == &e_.walk.steps[e_.steps.front()];
-    const std::string formula = plain(step.formula);
-    const auto told = [&](const viz::Value& v) {
-      const bool there = formula.starts_with(plain(v.name) + " = ") && formula.ends_with("= " + viz::shown(v.value));
-      return (v.fresh || all) && !there;
-    };
+    const auto told = [&](const viz::Value& v) { return (v.fresh || all) && !is_in_formula(v, step); };
     std::size_t widest = 0;
     for (const viz::Value& v : step.values)
       if (told(v)) widest = std::max(widest, length(plain(v.name)));
@@ -149,11 +142,15 @@ class Teller {
     for (const viz::Item& item : step.scene.items) {
       const auto* label = std::get_if<viz::Label>(&item);
       if (!label || label->until || !label->text.starts_with("**") || !is_marked(step.scene, label->at)) continue;
-      const std::string told = plain(label->text) + " " + coordinates(label->at, e_.lesson->flat);
-      if (e_.parameters.contains(plain(label->text)) || !placed_.insert(told).second) continue;
+      const std::string told = plain(label->text) + " " + in_full(label->at, e_.lesson->flat);
+      if (is_parameter(label->at) || !placed_.insert(told).second) continue;
       list += (list.empty() ? "" : ", ") + told;
     }
     return list.empty() ? list : paragraph("In the picture: " + list + ".") + "\n";
+  }
+
+  bool is_parameter(const viz::Vec3& p) const {
+    return std::ranges::any_of(e_.parameters, [&](const auto& given) { return given.second == viz::Setting(p); });
   }
 
   static bool is_marked(const viz::Scene& scene, const viz::Vec3& at) {
@@ -200,12 +197,17 @@ class Teller {
   }
 
   std::string question(const viz::Question& q) {
-    std::string out = paragraph(fmt::format("Question {}: {}", ++asked_, plain(q.prompt)));
-    for (std::size_t i = 0; i < q.choices.size(); ++i)
+    const bool again = question_ && question_->choices == q.choices;
+    const bool same_reason = again && question_->because == q.because;
+    question_ = &q;
+    std::string out =
+        paragraph(fmt::format("Question {}: {}{}", ++asked_, plain(q.prompt), again ? " (The same choices.)" : ""));
+    for (std::size_t i = 0; i < q.choices.size() && !again; ++i)
       out += paragraph(fmt::format("{}. {}", i + 1, plain(q.choices[i])), 4);
-    const std::string right = plain(q.choices.at(static_cast<std::size_t>(q.answer)));
-    if (how_.answers) return out + paragraph(fmt::format("Answer: {}. {}", right, plain(q.because))) + "\n";
-    answers_ += paragraph(fmt::format("Question {}: {}. {}", asked_, right, plain(q.because)));
+    const std::string right = plain(q.choices.at(static_cast<std::size_t>(q.answer))) + ".",
+                      because = same_reason ? "" : " " + plain(q.because);
+    if (how_.answers) return out + paragraph("Answer: " + right + because) + "\n";
+    answers_ += paragraph(fmt::format("Question {}: {}{}", asked_, right, because));
     return out + "\n";
   }
 
@@ -229,6 +231,9 @@ class Teller {
 
   const Excerpt& e_;
   const Telling how_;
+  const viz::Step* told_ = nullptr;  ///< the last one
+  std::string source_;
+  const viz::Question* question_ = nullptr;  ///< the last one
   int asked_ = 0;
   std::string answers_;           ///< of what was asked so far
   std::set<std::string> placed_;  ///< points told

@@ -86,15 +86,8 @@ bool has_raster(const Scene& scene) {
   return std::ranges::any_of(scene.items, [](const Item& item) { return std::holds_alternative<Raster>(item); });
 }
 
-}  // namespace
-
-Scene question_scene(const Walk& walk, int step) {
-  const Step& asked = walk.steps.at(static_cast<std::size_t>(step));
-  const Scene& before = walk.steps.at(static_cast<std::size_t>(step) - 1).scene;
-  const Scene& after = asked.scene;
-  if (asked.question->over) return *asked.question->over;
-  if (before.chart || after.chart || has_raster(after)) return before;
-
+/// What is new in `after` and tells is left out, or stays as it was before.
+Scene without_answer(const Scene& after, const Scene& before) {
   Scene scene = after;
   scene.items.clear();
   std::vector<Vec3> left_out;
@@ -109,6 +102,33 @@ Scene question_scene(const Walk& walk, int step) {
       left_out.push_back(dot->at);
   }
   return scene;
+}
+
+}  // namespace
+
+Scene opening_scene(const Step& first) {
+  if (first.question->over) return *first.question->over;
+  Scene scene = first.scene;
+  std::vector<std::vector<Vec3>> left_out;
+  std::erase_if(scene.items, [&](const Item& item) {
+    const Role role = std::visit(Part{}, item).first;
+    const bool found = tells(role) || role == Role::highlight;
+    if (found) left_out.push_back(place(item));
+    return found;
+  });
+  std::erase_if(scene.items, [&](const Item& item) {
+    return std::holds_alternative<Label>(item) && std::ranges::find(left_out, place(item)) != left_out.end();
+  });
+  return scene;
+}
+
+Scene question_scene(const Walk& walk, int step) {
+  const Step& asked = walk.steps.at(static_cast<std::size_t>(step));
+  const Scene& before = walk.steps.at(static_cast<std::size_t>(step) - 1).scene;
+  const Scene& after = asked.scene;
+  if (asked.question->over) return *asked.question->over;
+  if (before.chart || after.chart || has_raster(after)) return before;
+  return without_answer(after, before);
 }
 
 }  // namespace isect::viz

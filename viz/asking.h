@@ -9,5 +9,7 @@ namespace isect::viz {
 /// step's scene but for what is new in it and tells: hits, misses, what is left out, numbers in headings. What such an
 /// item replaces stays as it was. Before a chart or a raster the scene before it stays.
 Scene question_scene(const Walk&, int step);
+/// What is drawn before a first step that has a question: nothing that it has found.
+Scene opening_scene(const Step& first);
 
 }  // namespace isect::viz

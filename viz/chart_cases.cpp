@@ -30,8 +30,13 @@ bool is_thin(const Cases& cases, int branch) {
 
 class PlaneOfCases {
  public:
-  PlaneOfCases(ChartInk& ink, const Cases& cases, const Bounds& b)
-      : ink_(ink), cases_(cases), b_(b), x_(cases.x, b.left, b.right), y_(cases.y, b.bottom, b.top) {}
+  PlaneOfCases(ChartInk& ink, const Cases& cases, const Bounds& b, double room_for_numbers)
+      : ink_(ink),
+        cases_(cases),
+        b_(b),
+        room_for_numbers_(room_for_numbers),
+        x_(cases.x, b.left, b.right),
+        y_(cases.y, b.bottom, b.top) {}
 
   void draw() {
     regions();
@@ -43,13 +48,26 @@ class PlaneOfCases {
     ink_.part("chart", "names");
     names();
     ink_.part("chart", "presets");
-    for (const Cases::Spot& preset : cases_.presets)
-      if (!is_here(preset)) {
-        const bool thin = is_thin(cases_, preset.branch);
-        ink_.mark(thin ? Mark::diamond : Mark::uncounted, at(preset.at), thin ? Role::highlight : Role::muted);
-      }
+    for (const bool thin : {false, true})  // those of lines and points above the others
+      for (const Cases::Spot& preset : cases_.presets)
+        if (!is_here(preset) && is_thin(cases_, preset.branch) == thin)
+          ink_.mark(thin ? Mark::diamond : Mark::uncounted, at(preset.at), thin ? Role::highlight : Role::muted);
     ink_.part("chart", "setting");
     if (cases_.here) ink_.mark(Mark::double_disc, at(cases_.here->at), Role::text);
+  }
+
+  /// A number of an axis: beside a marker that would cover it, or nowhere.
+  void number(const std::string& text, const Vec2& place, double align) {
+    const double size = ink_.sizes().axis, width = ink_.width(text, size);
+    Vec2 to = place;
+    for (const auto& [p, radius] : markers()) {
+      const double left = to.x() - align * width;
+      const Vec2 nearest = p.cwiseMax(Vec2(left, to.y() - 0.75 * size)).cwiseMin(Vec2(left + width, to.y()));
+      if ((nearest - p).norm() >= radius + 0.5 * ink_.sizes().label_clear) continue;
+      if (align < 1 || p.x() - radius - width < b_.left - room_for_numbers_) return;
+      to.x() = p.x() - radius - 0.5 * ink_.sizes().label_clear;
+    }
+    ink_.text(text, to, {size, Role::muted, align});
   }
 
  private:
@@ -91,7 +109,8 @@ class PlaneOfCases {
     for (int i = 0; i < branches(); ++i)
       if (const Cases::Spot* spot = is_thin(cases_, i) ? first_on(i) : nullptr)
         wanted.push_back({cases_.branches[i], at(spot->at), at(spot->at), mark_radius(Mark::diamond, s),
-                          ink_.theme().ink(ink_.theme().name == ThemeName::grey ? Role::text : Role::muted)});
+                          ink_.theme().ink(ink_.theme().name == ThemeName::grey ? Role::text : Role::muted), no_object,
+                          others(*spot)});
     ink_.place(wanted, obstacles(), b_);
 
     CaseNames places(cases_, b_);
@@ -99,6 +118,14 @@ class PlaneOfCases {
     for (const PlacedLabel& label : ink_.labels()) places.take(grown(label.box, s.label_clear));
     for (int i = 0; i < branches(); ++i)
       if (!is_thin(cases_, i)) name(i, places);
+  }
+
+  /// Where other settings are marked than this one.
+  std::vector<Vec2> others(const Cases::Spot& spot) const {
+    std::vector<Vec2> all;
+    for (const auto& [p, radius] : markers())
+      if ((p - at(spot.at)).norm() > radius) all.push_back(p);
+    return all;
   }
 
   /// A region's name, with its leader if it has one; later names keep off both.
@@ -139,6 +166,17 @@ class PlaneOfCases {
     places.take({b_.left, p.y() - clear, p.x(), p.y() + clear}, true);
   }
 
+  /// All markers, with their radii.
+  std::vector<std::pair<Vec2, double>> markers() const {
+    std::vector<std::pair<Vec2, double>> all;
+    for (const Cases::Spot& preset : cases_.presets)
+      if (!is_here(preset))
+        all.emplace_back(at(preset.at),
+                         mark_radius(is_thin(cases_, preset.branch) ? Mark::diamond : Mark::uncounted, ink_.sizes()));
+    if (cases_.here) all.emplace_back(at(cases_.here->at), mark_radius(Mark::double_disc, ink_.sizes()));
+    return all;
+  }
+
   std::vector<Obstacle> obstacles() const {
     const Sizes& s = ink_.sizes();
     std::vector<Obstacle> all;
@@ -161,6 +199,7 @@ class PlaneOfCases {
   ChartInk& ink_;
   const Cases& cases_;
   const Bounds b_;
+  const double room_for_numbers_;  ///< left of the plane
   const ScaleLine x_, y_;
 };
 
@@ -208,16 +247,16 @@ void draw(ChartInk& ink, const Cases& cases, const Bounds& room) {
   const Sizes& s = ink.sizes();
   const Theme& t = ink.theme();
   const Bounds b = plane_within(ink, cases, room);
-  PlaneOfCases(ink, cases, b).draw();
+  PlaneOfCases plane(ink, cases, b, left_of(ink, cases));
+  plane.draw();
   ink.part("chart", "scales");
   ink.line({{b.left, b.top}, {b.right, b.top}, {b.right, b.bottom}, {b.left, b.bottom}, {b.left, b.top}},
            t.ink(Role::construction), s.hairline);
 
   const ScaleLine x(cases.x, b.left, b.right, s.axis), y(cases.y, b.bottom, b.top);
   for (const auto& [value, text] : y.ticks(ink, false))
-    ink.text(text, {b.left - s.label_clear, y.at(value) + 0.33 * s.axis}, {s.axis, Role::muted, 1});
-  for (const auto& [value, text] : x.ticks(ink, true))
-    ink.text(text, {x.at(value), b.bottom + 1.3 * s.axis}, {s.axis, Role::muted, 0.5});
+    plane.number(text, {b.left - s.label_clear, y.at(value) + 0.33 * s.axis}, 1);
+  for (const auto& [value, text] : x.ticks(ink, true)) plane.number(text, {x.at(value), b.bottom + 1.3 * s.axis}, 0.5);
   const Titles titles(ink, cases, room.right - room.left);
   const double left = b.left - left_of(ink, cases), above = b.top - (1.9 + titles.above()) * s.axis;
   for (std::size_t i = 0; i < titles.y.size(); ++i)

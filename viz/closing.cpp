@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "viz/asking.h"
 #include "viz/case_map.h"
 
 namespace isect::viz {
@@ -44,10 +45,22 @@ Step closing_step(const Closing& closing, const Step& before) {
   return step;
 }
 
+/// What comes before a first step that is asked about.
+static Step opening_step(const Lesson& lesson, const Walk& walk) {
+  const Step& first = walk.steps.front();
+  Step step;
+  step.slug = opening_slug, step.title = "The setting", step.caption = lesson.opening, step.source = first.source;
+  step.scene = opening_scene(first);
+  return step;
+}
+
 Walk Lesson::walk(const Parameters& here) const {
   Walk walk = steps(here);
   if (walk.steps.empty()) return walk;
-  if (!opening.empty()) walk.steps.front().caption = opening + "\n" + walk.steps.front().caption;
+  if (walk.steps.front().question && !opening.empty())
+    walk.steps.insert(walk.steps.begin(), opening_step(*this, walk));
+  else if (!opening.empty())
+    walk.steps.front().caption = opening + "\n" + walk.steps.front().caption;
   const Step last = walk.steps.back();
   if (map)
     if (const std::optional<Cases::Spot> spot = spot_on(*map, here))

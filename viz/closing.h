@@ -8,6 +8,8 @@ namespace isect::viz {
 
 /// The slug of the step that shows the card.
 inline constexpr const char* closing_slug = "closing";
+/// The slug of a step that tells the lesson's opening alone.
+inline constexpr const char* opening_slug = "opening";
 
 /// The last step that shows the scene itself: a map of cases and a closing card may follow it.
 int outcome(const Walk&);

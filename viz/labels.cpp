@@ -76,10 +76,22 @@ std::vector<Candidate> beside_segment(const Wanted& wanted, const Vec2& half, co
   return candidates;
 }
 
-Fit fit(const Candidate& candidate, const Vec2& half, const std::vector<PlacedLabel>& placed,
-        const std::vector<Obstacle>& obstacles, const Bounds& bounds, const Sizes& sizes) {
-  Fit result = {candidate.effort, false};
+double distance(const Vec2& p, const TextBox& box) {
+  return std::hypot(std::max({box.left - p.x(), p.x() - box.right, 0.0}),
+                    std::max({box.top - p.y(), p.y() - box.bottom, 0.0}));
+}
+
+/// Whether a label without a leader stands about as near to another point as to its own.
+bool is_ambiguous(const Candidate& candidate, const TextBox& box, const std::vector<Vec2>& others, const Sizes& sizes) {
+  const double near = distance(candidate.anchor, box) + sizes.label_clear;
+  return !candidate.far && std::ranges::any_of(others, [&](const Vec2& p) { return distance(p, box) < near - slack; });
+}
+
+Fit fit(const Candidate& candidate, const Vec2& half, const std::vector<Vec2>& others,
+        const std::vector<PlacedLabel>& placed, const std::vector<Obstacle>& obstacles, const Bounds& bounds,
+        const Sizes& sizes) {
   const TextBox box = box_around(candidate.middle, half);
+  Fit result = {candidate.effort + (is_ambiguous(candidate, box, others, sizes) ? 500 : 0), false};
   for (const PlacedLabel& other : placed)
     if (overlap(grown(box, sizes.label_clear), other.box) > 0) result.cost += 2000;
 
@@ -140,7 +152,7 @@ std::vector<PlacedLabel> place_labels(const std::vector<Wanted>& labels, const s
     const Candidate* best = nullptr;
     Fit best_fit = {std::numeric_limits<double>::infinity(), false};
     for (const Candidate& candidate : candidates) {
-      const Fit f = fit(candidate, half, placed, obstacles, bounds, sizes);
+      const Fit f = fit(candidate, half, wanted.others, placed, obstacles, bounds, sizes);
       if (f.cost < best_fit.cost - slack) best = &candidate, best_fit = f;  // of equals, the first
     }
     if (best == nullptr) continue;  // a position that is no number

@@ -22,6 +22,7 @@ struct Wanted {
   double keep_off;  ///< radius of the marker it stands beside
   Colour colour;
   int object = no_object;
+  std::vector<Vec2> others = {};  ///< points that it must not seem to name: beside its own, or with a leader
 };
 
 struct Bounds {

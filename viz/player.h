@@ -64,6 +64,8 @@ class Player {
   void first() { go_to(0); }
   void last() { go_to(count() - 1); }
   bool at_end() const { return index() + 1 == count(); }
+  /// Whether a step's title gives no answer away: its question, if it has one, is behind the reader.
+  bool tells_title(int step) const { return step <= index() || (!asking_ && !walk().steps[step].question); }
 
   bool playing() const { return playing_; }
   /// Play goes on by itself: not while a question waits for its answer.

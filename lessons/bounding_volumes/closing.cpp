@@ -46,7 +46,8 @@ const Closing& closing() {
       .bug = "Testing surfaces only: a box wholly inside a solid object meets no triangle.",
       .bug_preset = "within",
       .reading = {"Christer Ericson, *Real-Time Collision Detection*, 2005, chapter 4.",
-                  "Stefan Gottschalk, Ming Lin and Dinesh Manocha, OBBTree, *SIGGRAPH*, 1996.",
+                  "Stefan Gottschalk, Ming Lin and Dinesh Manocha, OBBTree: A Hierarchical Structure for Rapid "
+                  "Interference Detection, *SIGGRAPH*, 1996.",
                   "James Klosowski et al., Efficient Collision Detection Using Bounding Volume Hierarchies of k-DOPs, "
                   "*IEEE TVCG* 4, 1998."},
       .exercises = {

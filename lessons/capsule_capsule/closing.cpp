@@ -35,11 +35,13 @@ const Closing& closing() {
       .used = "Character controllers, limbs of ragdolls, ropes and hair; a ball that moves sweeps a capsule.",
       .bug = "The nearest points of the lines, not clamped to the segments. They may lie beyond the ends.",
       .bug_preset = "ends",
-      .reading = {"Christer Ericson, *Real-Time Collision Detection*, 2005, section 4.5: sphere-swept volumes.",
-                  "Christer Ericson, *Real-Time Collision Detection*, 2005, section 5.1.9: closest points of two line "
-                  "segments.",
-                  "Vladimir Lumelsky, On fast computation of distance between line segments, Information Processing "
-                  "Letters, 1985."},
+      .reading =
+          {"Christer Ericson, *Real-Time Collision Detection*, 2005, section 4.5: sphere-swept volumes.",
+           "Christer Ericson, *Real-Time Collision Detection*, 2005, section 5.1.9: closest points of two line "
+           "segments.",
+           "Vladimir Lumelsky, On Fast Computation of Distance Between Line Segments, *Information Processing Letters* "
+           "21, 1985.",
+           "Dan Sunday, Distance between Lines and Segments with their Closest Point of Approach, *softSurfer*, 2001."},
       .exercises = {
           {"Move the ends of b until the capsules touch.",
            "They touch where the segments are *r*_a + *r*_b = 1.25 apart. Ends that are (0.75, 1) apart have that "

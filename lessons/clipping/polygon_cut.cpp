@@ -58,7 +58,7 @@ void PolygonTeller::cut(const Side& side) {
                                        plural(static_cast<long long>(known_.ring.size()), "vertex")));
   step.decides = true;
   step.scene = picture(known_, &cut);
-  step.question = {"How many vertices are left after this side?",
+  step.question = {"How many vertices are left after the cut at " + name_of(side) + "?",
                    {},
                    0,
                    "Outside vertices are removed; each crossing edge adds one."};

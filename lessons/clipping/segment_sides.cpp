@@ -56,14 +56,15 @@ void SegmentTeller::say(const clip_segment::Narrowed<Counted<double>>& e) {
     const double at = e.upper ? box_.hi[e.axis] : box_.lo[e.axis];
     const char* const axis = axis_names[e.axis];
     // not divided by d; the wrong way round; from q
-    step.question = which_value(fmt::format("From {} = {}, **d** advances by {}. At which *t* is {} = {}?", axis,
-                                            shown(p), shown(d), axis, shown(at)),
-                                t, {at - p, (p - at) / d, 1 - t},
-                                fmt::format("*t* = ({} − {}) / {}.", shown(at), shown(p), shown(d)));
+    step.question =
+        which_value(fmt::format("From {} = {}, **d** advances by {}. At which *t* is {} = {}?", axis, shown(p),
+                                shown(d), axis, shown(at)),
+                    t, {at - p, (p - at) / d, 1 - t},
+                    fmt::format("*t* = ({} − {}) / {}.", shown(at), p < 0 ? "(" + shown(p) + ")" : shown(p), shown(d)));
     step.question->over = over;
     return;
   }
-  step.question = {"What does this side do to the range?",
+  step.question = {"What does " + name_of(side) + " do to the range?",
                    {"it cuts its beginning", "it cuts its end", "it leaves it as it is", "it leaves none of it"},
                    known_.left     ? 3
                    : !narrowed     ? 2

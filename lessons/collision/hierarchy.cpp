@@ -37,7 +37,8 @@ class Hierarchy : Teller {
       if (const auto* e = std::get_if<Pruned>(&event)) {
         drawn_.compared = {bvh.nodes[e->a].box, bvh.nodes[e->b].box};
         script_.value("tests", ++tests_);
-        add(fmt::format("prune-{}", ++number), "Two nodes apart", 2,
+        ++number;
+        add(fmt::format("prune-{}", number), fmt::format("Test {}: two nodes apart", tests_), 2,
             "Their boxes share no point: one test rules out all pairs between them.")
             .decides = true;
       }
@@ -46,7 +47,9 @@ class Hierarchy : Teller {
         script_.value("tests", ++tests_);
         const bool leaves = bvh.nodes[e->a].leaf() && bvh.nodes[e->b].leaf();
         const bool leaf = bvh.nodes[e->a].leaf() || bvh.nodes[e->b].leaf(), self = e->a == e->b;
-        add(fmt::format("visit-{}", ++number), self ? "A node with itself" : "Two nodes overlap", leaves ? 3 : 4,
+        ++number;
+        add(fmt::format("visit-{}", number),
+            fmt::format("Test {}: {}", tests_, self ? "a node with itself" : "two nodes overlap"), leaves ? 3 : 4,
             self     ? leaves ? "The node is a leaf: the boxes in it are tested against each other."
                               : "A node may contain pairs. Each child is paired with itself, and both with each other."
             : leaves ? "Both are leaves: the boxes in one are tested against those in the other."

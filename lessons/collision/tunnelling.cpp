@@ -73,6 +73,7 @@ class Flight {
   Scene picture() const {
     Scene scene;
     scene.items.emplace_back(region(wall_.shape, Role::second));
+    if (!grown_) scene.items.emplace_back(Label{Vec3(wall_.shape.hi.x(), 1.5, 0), "wall", Role::second});
     if (swept_)
       scene.items.emplace_back(Chain{region(way(), Role::first).rings[0], true, Role::construction, Pen::construction});
     for (const double t : seen_)
@@ -116,8 +117,15 @@ class Flight {
     seen_.push_back(e.time);
     script_.value("*t*", e.time);
     add(fmt::format("time-{}", number), fmt::format("*t* = {}", shown(e.time)), e.meet ? 2 : 1,
-        e.meet ? "At this time box and wall have common points." : "At this time box and wall are apart.")
+        e.meet ? "Box and wall have common points." : apart(place(e.time)))
         .decides = e.meet;
+  }
+
+  std::string apart(const Box& box) const {
+    const double before = wall_.shape.lo.x() - box.hi.x(), after = box.lo.x() - wall_.shape.hi.x();
+    return before > 0  ? "The box is still " + shown(before) + " before the wall."
+           : after > 0 ? "The box is " + shown(after) + " beyond the wall."
+                       : "The box passes beside the wall.";
   }
 
   /// Whether more is to be asked.

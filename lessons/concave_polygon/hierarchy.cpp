@@ -21,7 +21,7 @@ class Coarsening {
   explicit Coarsening(const Setup& setup)
       : s_(setup),
         h_(make_hierarchy(setup.ring, {{frame.left, frame.low}, {frame.right, frame.high}})),
-        script_({"Lecture note, concave polygons; Kirkpatrick, SIAM Journal on Computing 12, 1983",
+        script_({"Lecture note, concave polygons; Kirkpatrick, SIAM Journal on Computing 12 (1983)",
                  alt_text(setup, "and a box around it, split into triangles"),
                  {"triangulate the polygon, and the rest of a box around it",  // 0
                   "while more than two triangles are left",                    // 1

@@ -65,7 +65,7 @@ class LevelPicture {
   static void add_bar(Scene& scene, double y, double size, double length, Role role) {
     const double x = frame.table, h = size / 2;
     Region bar = filled({{x, y - h, 0}, {x + length, y - h, 0}, {x + length, y + h, 0}, {x, y + h, 0}}, role);
-    bar.outlined = true;
+    bar.outlined = true, bar.pen = Pen::hairline;
     scene.items.emplace_back(bar);
   }
 

@@ -24,7 +24,7 @@ class Slabs {
   explicit Slabs(const Setup& setup)
       : s_(setup),
         map_(make_slab_map(setup.ring)),
-        script_({"Lecture note, concave polygons; Preparata and Shamos, Computational Geometry, 1990, 2.2.2",
+        script_({"Lecture note, concave polygons; Preparata and Shamos, Computational Geometry (1985), 2.2.2",
                  alt_text(setup, "split into slabs at the heights of its vertices"),
                  {"split the plane at the height of every vertex: slabs",      // 0
                   "in each slab store its edges from left to right",           // 1
@@ -122,9 +122,10 @@ class Slabs {
     if (e.turn < 0) drawn_.lo = mid + 1;
     Step& step =
         add(fmt::format("edge-{}", turns_),
-            e.turn > 0   ? "Left of the edge"
-            : e.turn < 0 ? "Right of the edge"
-                         : "On the edge",
+            fmt::format("Comparison {}: {} the edge", turns_,
+                        e.turn > 0   ? "left of"
+                        : e.turn < 0 ? "right of"
+                                     : "on"),
             e.turn == 0 ? 5 : 4,
             e.turn == 0  ? "The orientation is exactly zero: **p** lies on the edge."
             : e.turn > 0 ? "Compare **p** with the middle remaining edge. **p** is to its left: discard that edge "

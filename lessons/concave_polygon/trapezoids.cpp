@@ -25,17 +25,17 @@ class Trapezoids {
  public:
   explicit Trapezoids(const Setup& setup)
       : s_(setup),
-        script_(
-            {"Lecture note, concave polygons; Seidel, 1991; de Berg et al., Computational Geometry, 2008, chapter 6",
-             alt_text(setup, "split into trapezoids by walls at its vertices"),
-             {"for each edge, in random order",                        // 0
-              "    follow it through the trapezoids that it cuts",     // 1
-              "    put a question in the place of each: x or y",       // 2
-              "x: is p left or right of the vertex? next question",    // 3
-              "y: is p below or above the edge? next question",        // 4
-              "exactly on it: return ON",                              // 5
-              "no more questions: return the mark of the trapezoid"},  // 6
-             "trapezoidal map"}) {}
+        script_({"Lecture note, concave polygons; Seidel, Computational Geometry 1 (1991); de Berg et al., "
+                 "Computational Geometry (2008), ch. 6",
+                 alt_text(setup, "split into trapezoids by walls at its vertices"),
+                 {"for each edge, in random order",                        // 0
+                  "    follow it through the trapezoids that it cuts",     // 1
+                  "    put a question in the place of each: x or y",       // 2
+                  "x: is p left or right of the vertex? next question",    // 3
+                  "y: is p below or above the edge? next question",        // 4
+                  "exactly on it: return ON",                              // 5
+                  "no more questions: return the mark of the trapezoid"},  // 6
+                 "trapezoidal map"}) {}
 
   Walk tell() {
     Record<trapezoid_map::BuildEvent> record;

@@ -44,12 +44,13 @@ const Closing& closing() {
       .used =
           "Physics engines wrap bodies in hulls of few vertices; GJK and the separating axis test run on them. "
           "Also shadow and occlusion volumes.",
-      .bug = "An `if` instead of the `while`: one point is dropped where several must be.",
+      .bug = "An **if** instead of the **while**: one point is dropped where several must be.",
       .bug_preset = "scattered",
       .reading = {"Alex M. Andrew, Another Efficient Algorithm for Convex Hulls in Two Dimensions, *Information "
                   "Processing Letters* 9, 1979.",
-                  "Franco Preparata and Michael Shamos, *Computational Geometry*, 1985, chapter 3.",
-                  "Mark de Berg et al., *Computational Geometry*, 3rd edition, 2008, section 1.1."},
+                  "Franco Preparata and Michael Shamos, *Computational Geometry: An Introduction*, 1985, chapter 3.",
+                  "Mark de Berg et al., *Computational Geometry: Algorithms and Applications*, 3rd edition, 2008, "
+                  "section 1.1."},
       .exercises = {
           {"Drag **p** until it is no vertex of the hull.",
            "Any place inside the hull of the other points will do, or one on its boundary.",

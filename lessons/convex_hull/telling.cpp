@@ -64,11 +64,8 @@ class Teller {
     drawn_.chain.push_back(e.p);
     const bool none = removed_.empty();
     script_.value("chain", static_cast<double>(drawn_.chain.size()));
-    Step& step = add(fmt::format("{}-{}", drawn_.upper ? "upper" : "lower", ++number_),
-                     none                   ? started(drawn_.chain.size())
-                     : removed_.size() == 1 ? "No left turn: drop one, then append"
-                                            : fmt::format("No left turn: drop {}, then append", removed_.size()),
-                     none ? 2 : 1, caption());
+    Step& step =
+        add(fmt::format("{}-{}", drawn_.upper ? "upper" : "lower", ++number_), title(e.p), none ? 2 : 1, caption());
     step.decides = !none;
     // 0: every new point is kept; 1: `if` is read for `while`; all: the chain begins anew
     if (!none && asked_ < removed_.size()) {
@@ -102,8 +99,15 @@ class Teller {
     return scene;
   }
 
-  static const char* started(std::size_t points) {
-    return points == 1 ? "The chain begins" : points == 2 ? "No turn yet: append" : "A left turn: append";
+  /// "(2, −1.25): drop one, then append"
+  std::string title(const Point<double, 2>& q) const {
+    const std::size_t points = drawn_.chain.size();
+    const std::string done = removed_.size() == 1 ? "drop one, then append"
+                             : !removed_.empty()  ? fmt::format("drop {}, then append", removed_.size())
+                             : points == 1        ? "the chain begins"
+                             : points == 2        ? "no turn yet, append"
+                                                  : "a left turn, append";
+    return fmt::format("({}, {}): {}", shown(q.x()), shown(q.y()), done);
   }
 
   std::string caption() const {

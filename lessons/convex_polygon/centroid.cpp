@@ -17,7 +17,7 @@ class Around {
  public:
   explicit Around(const Setup& setup)
       : s_(setup),
-        script_({"Lecture note, convex polygons; Preparata and Shamos, Computational Geometry, 1990, 2.2.1",
+        script_({"Lecture note, convex polygons; Preparata and Shamos, Computational Geometry (1985), 2.2.1",
                  alt_text(setup),
                  {"q ← centroid of v0, v_{n/3}, v_{2n/3}; lo ← 0, hi ← n",    // 0
                   "while hi − lo > 1: if p beyond q v_{(lo+hi)/2}: lo ← it",  // 1

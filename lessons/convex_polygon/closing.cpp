@@ -48,8 +48,9 @@ const Closing& closing() {
           "same bisection.",
       .bug = "Trusting a rounded yes or no on the boundary. Methods that agree elsewhere differ there.",
       .bug_preset = "on-vertex",
-      .reading = {"Michael Ian Shamos, *Geometric complexity*, ACM Symposium on Theory of Computing, 1975.",
-                  "Franco Preparata and Michael Ian Shamos, *Computational Geometry*, 1990, section 2.2.1."},
+      .reading =
+          {"Michael Ian Shamos, Geometric Complexity, *ACM Symposium on Theory of Computing*, 1975.",
+           "Franco Preparata and Michael Shamos, *Computational Geometry: An Introduction*, 1985, section 2.2.1."},
       .exercises = {
           {"Drag **p** exactly onto the boundary.",
            "The middle of an edge has coordinates without rounding here: (−1.125, 0.875).",

@@ -19,7 +19,7 @@ class Fan {
  public:
   explicit Fan(const Setup& setup)
       : s_(setup),
-        script_({"Lecture note, convex polygons; Preparata and Shamos, Computational Geometry, 1990, 2.2.1",
+        script_({"Lecture note, convex polygons; Preparata and Shamos, Computational Geometry (1985), 2.2.1",
                  alt_text(setup),
                  {"lo ← 1, hi ← n − 1",                                                  // 0
                   "if p right of v0 v1, or left of v0 v_hi",                             // 1

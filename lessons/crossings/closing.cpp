@@ -52,11 +52,12 @@ const Closing& closing() {
           "projection.",
       .bug = "Edges that count with both ends: a vertex on the ray counts twice, and inside becomes outside.",
       .bug_preset = "vertex-passed-closed",
-      .reading = {"M. Shimrat, *Algorithm 112: Position of point relative to polygon*, Communications of the ACM 5, "
-                  "1962.",
-                  "Eric Haines, *Point in polygon strategies*, Graphics Gems IV, 1994.",
-                  "Kai Hormann and Alexander Agathos, *The point in polygon problem for arbitrary polygons*, "
-                  "Computational Geometry 20, 2001."},
+      .reading =
+          {"M. Shimrat, Algorithm 112: Position of Point Relative to Polygon, *Communications of the ACM* 5, 1962.",
+           "W. Randolph Franklin, PNPOLY: Point Inclusion in Polygon Test, 1970.",
+           "Eric Haines, Point in Polygon Strategies, in: *Graphics Gems IV*, 1994.",
+           "Kai Hormann and Alexander Agathos, The Point in Polygon Problem for Arbitrary Polygons, *Computational "
+           "Geometry* 20, 2001."},
       .exercises = {
           {"Drag **p** to a place where the closed rule gives a wrong answer.",
            "At the height −0.5 the ray passes the vertex (2.25, −0.5), which counts twice. So (−0.75, −0.5) seems to "

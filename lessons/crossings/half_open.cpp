@@ -16,7 +16,7 @@ namespace {
 class HalfOpen : Teller {
  public:
   explicit HalfOpen(const Setup& setup)
-      : Teller(setup, "half-open rule", "Lecture note, point in polygon; W. R. Franklin, PNPOLY, 1970",
+      : Teller(setup, "half-open rule", "Lecture note, point in polygon; Franklin, PNPOLY (1970)",
                {"count ← 0",                                          // 0
                 "for each edge a b",                                  // 1
                 "    if p = a, or p on a horizontal a b: return ON",  // 2
@@ -88,7 +88,7 @@ class HalfOpen : Teller {
         return below(edge, a.y() == y || b.y() == y);
       case Passage::horizontal: {
         known_.along.push_back(edge);
-        Step& step = add(slug(edge), "An edge along the ray", 4,
+        Step& step = add(slug(edge), "Along the ray", 4,
                          "Neither end lies above **p**: an edge along the line never counts. Its neighbours decide.");
         ask(step, edge, {6, 7}, "Both ends count as below, so it has no side to cross to.");
         return;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
+
 #include "lessons/shared/questions.h"
 
 namespace isect::lessons::crossings_lesson {
@@ -28,6 +30,12 @@ int crossings_of_line(const Setup& s) {
   return count;
 }
 
+/// "Edge 3: both ends below"
+std::string numbered(const std::string& slug, std::string title) {
+  title.front() = static_cast<char>(std::tolower(title.front()));
+  return "Edge " + slug.substr(slug.find('-') + 1) + ": " + title;
+}
+
 }  // namespace
 
 Teller::Teller(const Setup& setup, const std::string& title, const std::string& source, std::vector<std::string> lines)
@@ -35,7 +43,8 @@ Teller::Teller(const Setup& setup, const std::string& title, const std::string& 
 
 Step& Teller::add(const std::string& slug, const std::string& title, int line, const std::string& caption,
                   const std::string& formula) {
-  Step& step = script_.add(slug, title, line, caption, formula);
+  const bool of_edge = slug.starts_with("edge-");
+  Step& step = script_.add(slug, of_edge ? numbered(slug, title) : title, line, caption, formula);
   step.scene = picture(setup_, known_);
   return step;
 }

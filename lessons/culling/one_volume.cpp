@@ -79,7 +79,7 @@ class OneVolume {
                              caption(side), formula(plane));
     step.scene = std::move(scene);
     Script::decide(step, comparison);
-    step.question = {fmt::format("Where does the {} lie, relative to this plane?", they_),
+    step.question = {fmt::format("Where does the {} lie, relative to the {} plane?", they_, name),
                      {"wholly inside it", "on both sides of it", "wholly beyond it"},
                      side == Culling::inside     ? 0
                      : side == Culling::crossing ? 1

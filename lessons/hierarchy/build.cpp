@@ -18,7 +18,8 @@ class Building {
   explicit Building(const Vec3& p)
       : p_(p),
         tree_(scattered(p)),
-        script_({"Lecture note, bounding volume hierarchies; Goldsmith and Salmon (1987), Wald (2007)",
+        script_({"Lecture note, bounding volume hierarchies; Goldsmith and Salmon, IEEE CG&A 7 (1987); Wald, "
+                 "Interactive Ray Tracing (2007)",
                  fmt::format("{} boxes in nested boxes, and their tree.", tree_.boxes.size()),
                  {"box ← the smallest around all primitives",              // 0
                   "split them by their centres, where it costs least",     // 1
@@ -77,13 +78,14 @@ class Building {
     const char* const axis = split.axis == 0 ? "*x*" : "*y*";
     const std::string parts = fmt::format("{} on one side of it, {} on the other.", plural(split.left, "centre"),
                                           plural(split.right, "centre"));
-    Step& step = add(fmt::format("cut-{}", number), fmt::format("Split along {}", axis), number == 1 ? 1 : 3,
-                     number == 1 ? "The surface-area heuristic: the chance that a line meets a part grows with its "
-                                   "surface, in the plane its perimeter *P*.\n"
-                                   "Of the splits tried, the cheapest is taken: " +
-                                       parts
-                                 : too_many(split) + "The part is split in the same way: " + parts,
-                     &split);
+    Step& step =
+        add(fmt::format("cut-{}", number), fmt::format("Split {}: along {}", number, axis), number == 1 ? 1 : 3,
+            number == 1 ? "The surface-area heuristic: the chance that a line meets a part grows with its "
+                          "surface, in the plane its perimeter *P*.\n"
+                          "Of the splits tried, the cheapest is taken: " +
+                              parts
+                        : too_many(split) + "The part is split in the same way: " + parts,
+            &split);
     const auto half_perimeter = [&](int node) {
       const Vec2 side = tree_.node(node).box.hi - tree_.node(node).box.lo;
       return side.x() + side.y();

@@ -53,8 +53,11 @@ const Closing& closing() {
           "picking.",
       .bug = "Continuing past the closest hit: a node that the ray enters later needs no visit.",
       .bug_preset = "ray-beyond",
-      .reading = {"Jeffrey Goldsmith and John Salmon, Automatic Creation of Object Hierarchies for Ray Tracing, *IEEE "
+      .reading = {"Timothy Kay and James Kajiya, Ray Tracing Complex Scenes, *SIGGRAPH*, 1986.",
+                  "Jeffrey Goldsmith and John Salmon, Automatic Creation of Object Hierarchies for Ray Tracing, *IEEE "
                   "CG&A* 7, 1987.",
+                  "Stefan Gottschalk, Ming Lin and Dinesh Manocha, OBBTree: A Hierarchical Structure for Rapid "
+                  "Interference Detection, *SIGGRAPH*, 1996.",
                   "Ingo Wald, On Fast Construction of SAH-based Bounding Volume Hierarchies, *IEEE Symposium on "
                   "Interactive Ray Tracing*, 2007.",
                   "Christer Ericson, *Real-Time Collision Detection*, 2005, chapter 6."},

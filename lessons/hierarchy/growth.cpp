@@ -49,7 +49,7 @@ Cost cost(int n) {
           statistics(bvh).depth};
 }
 
-/// What it takes without a hierarchy and with one, over n.
+/// What it takes without a hierarchy and, unless null, with one, over n.
 std::shared_ptr<const Chart> chart(const std::string& title, const std::string& name, double (*plain)(double),
                                    double Cost::*with) {
   const double n = costs().back().n;
@@ -60,9 +60,10 @@ std::shared_ptr<const Chart> chart(const std::string& title, const std::string& 
   Curve each = {0, {}, name}, tree = {1, {}, "hierarchy"};
   for (const Cost& c : costs()) {
     each.points.emplace_back(c.n, plain(c.n));
-    tree.points.emplace_back(c.n, c.*with);
+    if (with) tree.points.emplace_back(c.n, c.*with);
   }
-  plot.panels = {{.title = {}, .curves = {each, tree}}};
+  plot.panels = {{.title = {}, .curves = {each}}};
+  if (with) plot.panels.front().curves.push_back(tree);
   return std::make_shared<const Chart>(Chart{plot});
 }
 
@@ -102,6 +103,10 @@ Walk growth() {
                            : as_root ? 1
                                      : 0,
                            "Counted over 64 rays among boxes of one density."};
+  Scene without;
+  without.chart = chart(
+      "tests for a ray", "every box", [](double n) { return n; }, nullptr);
+  rays.question->over = without;
   script.value("all pairs, *n* = 100,000", most.pairs, "tests");
   script.value("every pair, *n* = 100,000", 0.5 * most.n * (most.n - 1.0), "tests");
   script.settle(Verdict::Kind::yes, fmt::format("depth {} for 100,000 boxes", most.depth));

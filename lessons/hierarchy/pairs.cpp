@@ -106,15 +106,19 @@ class Colliding {
     }
     count();
     const bool leaves = b_.node(e.a).leaf() && a_.node(e.b).leaf();
-    Step& step = add(fmt::format("meet-{}", ++number_), leaves ? "Two leaves meet" : "Two nodes meet", leaves ? 2 : 3,
-                     leaves ? fmt::format("Both are leaves, which hold {} of boxes. Of these, {} {}.",
-                                          plural(static_cast<long long>(tested.size()), "pair"),
-                                          met == 0 ? "none" : std::to_string(met), met == 1 ? "meets" : "meet")
-                     : b_.node(e.a).leaf() || a_.node(e.b).leaf()
-                         ? "Their boxes share points. One node is a leaf, so the other one is opened."
-                         : "Their boxes share points, so the wider node is opened.");
+    Step& step =
+        add(fmt::format("meet-{}", ++number_), test(leaves ? "two leaves meet" : "two nodes meet"), leaves ? 2 : 3,
+            leaves ? fmt::format("Both are leaves, which hold {} of boxes. Of these, {} {}.",
+                                 plural(static_cast<long long>(tested.size()), "pair"),
+                                 met == 0 ? "none" : std::to_string(met), met == 1 ? "meets" : "meet")
+            : b_.node(e.a).leaf() || a_.node(e.b).leaf()
+                ? "Their boxes share points. One node is a leaf, so the other one is opened."
+                : "Their boxes share points, so the wider node is opened.");
     step.decides = leaves;
   }
+
+  /// The title of a test of two nodes.
+  std::string test(const char* what) const { return fmt::format("Test {}: {}", nodes_, what); }
 
   void pruned(const bvh_pairs::Pruned& e) {
     ++nodes_;
@@ -125,7 +129,7 @@ class Colliding {
     spared_ += spared;
     script_.value("pairs ruled out", static_cast<double>(spared_), {}, Role::miss);
     count();
-    Step& step = add(fmt::format("apart-{}", ++number_), "Two nodes apart", 1,
+    Step& step = add(fmt::format("apart-{}", ++number_), test("two nodes apart"), 1,
                      fmt::format("Their boxes share no point: one test rules out {} of boxes. Large rings mark both.",
                                  plural(static_cast<long long>(spared), "pair")));
     step.decides = true;

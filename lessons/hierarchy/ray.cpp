@@ -114,7 +114,8 @@ class Shooting {
   }
 
   void leaf(const BvhNode<double, 2>& node, const std::vector<int>& hits) {
-    Step& step = add(fmt::format("leaf-{}", ++number_), "A leaf", 2,
+    ++number_;
+    Step& step = add(fmt::format("leaf-{}", number_), fmt::format("Node {}: a leaf", number_), 2,
                      hits.empty() ? fmt::format("The leaf holds {}, and the ray misses {}.", plural(node.count, "box"),
                                                 node.count == 1 ? "it" : "them")
                                   : fmt::format("The ray meets box {}. The closest hit so far is box {}, at *t* = {}.",
@@ -123,7 +124,8 @@ class Shooting {
   }
 
   void inner(const std::vector<int>& missed) {
-    Step& step = add(fmt::format("open-{}", ++number_), "Open a node", 3,
+    ++number_;
+    Step& step = add(fmt::format("open-{}", number_), fmt::format("Node {}: open it", number_), 3,
                      missed.empty()
                          ? "The ray meets both children. The nearer one is opened first: its hits may prune the other."
                      : missed.size() == 1 ? "The ray misses one child: all below it is ruled out by one test."
@@ -142,7 +144,8 @@ class Shooting {
     for (State& s : drawn_.states)
       if (s == State::current) s = State::seen;
     rule_out(e.node);
-    add(fmt::format("farther-{}", ++number_), "Beyond the closest hit", 1,
+    ++number_;
+    add(fmt::format("farther-{}", number_), fmt::format("Node {}: beyond the closest hit", number_), 1,
         "The ray enters this box only after the closest hit. Nothing in it can be closer, so it is pruned.")
         .decides = true;
   }

@@ -35,9 +35,10 @@ const Closing& closing() {
       .used = "Sweep and prune in broad phases, slab tests of rays and boxes, separating axes, range clipping.",
       .bug = "Ends that are exchanged. The comparisons treat the empty interval as an ordinary one.",
       .bug_preset = "empty",
-      .reading = {"Lecture note *Intersection Detection*, intervals.",
-                  "Christer Ericson, *Real-Time Collision Detection*, 2005, section 4.2: axis-aligned bounding boxes.",
-                  "James F. Allen, Maintaining knowledge about temporal intervals, Communications of the ACM, 1983."},
+      .reading =
+          {"Lecture note *Intersection Detection*, intervals.",
+           "Christer Ericson, *Real-Time Collision Detection*, 2005, section 4.2: axis-aligned bounding boxes.",
+           "James F. Allen, Maintaining Knowledge about Temporal Intervals, *Communications of the ACM* 26, 1983."},
       .exercises = {
           {"Drag the ends of b until the intervals touch.",
            "They touch where an end of one equals the opposite end of the other.",

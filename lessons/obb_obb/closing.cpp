@@ -33,8 +33,8 @@ const Closing& closing() {
           "An absolute ε. Without it, parallel edges give false gaps; with a coarse one, thin boxes give false "
           "hits.",
       .bug_preset = "slender",
-      .reading = {"Stefan Gottschalk, Ming Lin and Dinesh Manocha, OBBTree: a hierarchical structure for rapid "
-                  "interference detection, SIGGRAPH, 1996.",
+      .reading = {"Stefan Gottschalk, Ming Lin and Dinesh Manocha, OBBTree: A Hierarchical Structure for Rapid "
+                  "Interference Detection, *SIGGRAPH*, 1996.",
                   "Christer Ericson, *Real-Time Collision Detection*, 2005, section 4.4: oriented bounding boxes.",
                   "Lecture note *Intersection Detection*, oriented boxes."},
       .exercises = {

@@ -44,8 +44,8 @@ const Closing& closing() {
       .bug_preset = "cube",
       .reading = {"Lecture note *Intersection Detection*, points.",
                   "Christer Ericson, *Real-Time Collision Detection*, 2005, chapter 11: numerical robustness.",
-                  "David Goldberg, What every computer scientist should know about floating-point arithmetic, ACM "
-                  "Computing Surveys, 1991."},
+                  "David Goldberg, What Every Computer Scientist Should Know About Floating-Point Arithmetic, *ACM "
+                  "Computing Surveys* 23, 1991."},
       .exercises = {
           {"Place **q** and **r** so that **p** ~ **q** and **q** ~ **r**, but not **p** ~ **r**.",
            "Put **r** beyond **q**, seen from **p**, and at most one tolerance away from **q**.",

@@ -21,7 +21,8 @@ std::vector<Opinion> opinions(const Parameters& p) {
   const Setup s = setup(p);
   Opinions all(verdict_text(s.truth));
   const auto add = [&](const std::string& method, bool hit) {
-    all.add(method, hit ? "HIT" : "MISS", hit == s.truth.t.has_value());
+    const std::string by_choice = s.truth.coplanar && !hit ? ", by choice" : "";
+    all.add(method, (hit ? "HIT" : "MISS") + by_choice, hit == s.truth.t.has_value());
   };
   add("projected (the note)", ray_polygon::projected(s.ray, s.ring).has_value());
   add("fan of triangles", ray_polygon::fan(s.ray, s.ring).has_value());

@@ -165,7 +165,10 @@ class Teller {
     if (truth.flat) return "The polygon has no area, and so no plane.";
     if (truth.coplanar)
       return "The whole line lies in the plane: no single *t*. The note's formula would divide 0 by 0.\n"
-             "The exact test reports it as a separate case, not as a hit.";
+             "Its form answers MISS, as most libraries choose; for a plane without outline the lesson on rays says "
+             "HIT. "
+             "The exact test gives an answer of its own: the ray lies in the plane.\n"
+             "Whether it crosses the polygon there is a question in two dimensions: a ray against each edge.";
     if (!truth.line) return "The line is parallel to the plane. The note's formula would divide by 0.";
     if (*truth.line < 0) return "A ray starts at **o**. What lies behind it does not count, so no edge is tested.";
     if (on)

@@ -73,11 +73,16 @@ std::vector<Opinion> opinions(const Parameters& p) {
     return t ? "*t* = " + shown(*t * scale) : std::string("no hit");
   };
   const std::optional<double>& truth = s.truth.surface;
-  Opinions all(says(truth) + (!truth ? "" : lengths ? ", a length" : " lengths of **d**"));
+  Opinions all(truth ? told(lengths ? unit : s, *truth * scale) : "no hit");
   const auto add = [&](const char* method, const std::optional<double>& t) {
-    const bool agrees = t && truth ? std::abs(*t - *truth) <= 5e-6 * (std::abs(*truth) + s.sphere.radius / length)
-                                   : t.has_value() == truth.has_value();
-    all.add(method, says(t), agrees);
+    if (!t || !truth) return all.add(method, says(t), t.has_value() == truth.has_value());
+    const bool agrees = says(t) == says(truth) || std::abs(*t - *truth) <= 5e-6 * std::abs(*truth) ||
+                        (*truth == 0 && std::abs(*t) <= 1e-12 * s.sphere.radius / length);
+    const int digits = digits_right(*t, *truth);
+    const std::string right = digits == 0 || *truth == 0 ? "no digit is right"
+                              : digits == 1              ? "1 digit is right"
+                                                         : fmt::format("{} digits are right", digits);
+    all.add(method, says(t) + (agrees ? "" : ": " + right), agrees);
   };
   std::optional<double> t = ray_sphere::haines(unit.ray, unit.sphere);
   if (t) *t /= length;

@@ -28,17 +28,19 @@ const Closing& closing() {
   static const Closing closing = {
       .result = "The first hit is the smallest root of |**f** + *t* **d**|^2 = *r*^2 in the ray's closed range.",
       .cost =
-          "Haines: one square root, no division; neither for a ball behind. The quadratic: one square root, two "
+          "Haines, given a unit direction: one square root, no division; neither for a ball behind. The quadratic: one "
+          "square root, two "
           "divisions.",
       .choose =
-          "Haines for unit directions. Half-B with stable roots for other directions. For yes or no alone, "
-          "compare squares without a square root.",
+          "Haines for unit directions. Half-B with stable roots for others: the root whose terms have equal signs, "
+          "then the other by *t*_1 *t*_2 = *C* / *A*. Far away also a robust discriminant, *A* (*r*^2 − *m*^2).",
       .used =
           "Primary and shadow rays, picking, line of sight, sphere trees. A moving ball against a ball is a ray "
           "against an expanded ball.",
       .bug = "Taking any real root for a hit, even one behind the origin.",
       .bug_preset = "behind-quadratic",
       .reading = {"Eric Haines, in: Andrew Glassner (ed.), *An Introduction to Ray Tracing*, 1989, chapter 2.",
+                  "Tomas Akenine-Möller and Eric Haines, *Real-Time Rendering*, 2nd edition, 2002, chapter 13.",
                   "Eric Haines, Johannes Günther and Tomas Akenine-Möller, Precision Improvements for Ray/Sphere "
                   "Intersection, in: *Ray Tracing Gems*, 2019, chapter 7.",
                   "William Press et al., *Numerical Recipes*, 3rd edition, 2007, section 5.6."},
@@ -54,7 +56,9 @@ const Closing& closing() {
            "is *t*_1 = (30 − √252) / 18 ≈ 0.785."},
           {"When does the entry root lose digits, and which form keeps them?",
            "For *B* < 0, −*B* and √*D* nearly cancel where *C* is small: the origin is near the surface. Compute "
-           "*t*_2 first, then *t*_1 = *C* / (*A* *t*_2)."},
+           "*t*_2 first, then *t*_1 = *C* / (*A* *t*_2): stable roots. Far away *B*^2 − *A* *C* cancels; "
+           "the robust discriminant *A* (*r*^2 − |**f** − (*B* / *A*) **d**|^2) does not (*B* halved).",
+           "near-surface-quadratic"},
           {"The direction is doubled in length. What happens to *A*, *B*, *C*, the roots and the points?",
            "*A* grows fourfold and *B* twofold; *C* is unchanged. The roots are halved; the points are unchanged."},
           {"The note's last branch only checks whether *l*^2 > *r*^2. Find a ray for which that fails.",

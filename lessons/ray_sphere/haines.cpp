@@ -1,5 +1,7 @@
 // Haines' geometric method (N19), one step for each event.
 
+#include <cmath>
+
 #include <isect/ray_sphere_methods.h>
 #include "lessons/ray_sphere/telling.h"
 #include "lessons/shared/questions.h"
@@ -126,9 +128,10 @@ class HainesTeller : Teller {
     known_.half_chord = true;
     script_.value("*q*", e.q.value, "length");
     add("half-chord", "Half the chord", 8,
-        e.q.value > 0 ? "Inside the ball the line runs equally far before and after the foot of the perpendicular.\n"
-                        "That distance, half the chord, is *q*. Its square root is the only one in the whole test."
-                      : "The foot of the perpendicular is the only common point, so half the chord is 0.",
+        e.q.value > 0
+            ? "Inside the ball the line runs equally far before and after the foot of the perpendicular.\n"
+              "That distance, half the chord, is *q*. Its square root is the only one once **d** has length 1."
+            : "The foot of the perpendicular is the only common point, so half the chord is 0.",
         Focus::half_chord, "*q* = √(*r*^2 − *m*^2) = " + shown(e.q.value));
   }
 
@@ -163,7 +166,7 @@ class HainesTeller : Teller {
     script_.value("*t*", e.t.value, "length", Role::hit);
     add("nearest-root", "The nearest root", from_outside_ ? 10 : 12,
         line_roots() == 1 ? "The line touches the ball at the foot."
-        : from_outside_   ? "The line enters the ball half a chord before the foot."
+        : from_outside_   ? "The line enters the ball half a chord before the foot." + cancellation(e.t.value)
                           : "The line leaves the ball half a chord after the foot.",
         from_outside_ ? Focus::first_root : Focus::second_root,
         (from_outside_ ? "*t* = *s* − *q* = " : "*t* = *s* + *q* = ") + shown(e.t.value));
@@ -203,6 +206,13 @@ class HainesTeller : Teller {
             (right(e.t.value) ? solid_caption(setup_) : astray()),
         Focus::none,
         fmt::format("**p** = ({}, {}, {})", shown(e.p.x().value), shown(e.p.y().value), shown(e.p.z().value)));
+  }
+
+  /// What is lost where the difference of *s* and *q* is small against them.
+  std::string cancellation(double t) const {
+    const std::string exactly = line_roots() == 2 ? lost_digits(t, setup_.truth.roots.lo) : "";
+    if (exactly.empty() || !(std::abs(t) < 1e-3 * s_)) return {};
+    return "\nThe origin is near the surface, so *s* and *q* nearly cancel and digits are lost." + exactly;
   }
 
   int line_roots() const { return setup_.truth.line_roots; }

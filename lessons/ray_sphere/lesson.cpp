@@ -45,6 +45,7 @@ const Situation situations[] = {
     {"segment-inside", "ends inside", {-3.5, 0.5}, {2, 0.25}, {1, 0}, 2},
     {"surface-in", "on, heading in", {-0.5, 0}, {1.5, 0.75}, {1, 0}, 0},
     {"surface-out", "on, heading out", {-0.5, 0}, {-1.5, 0.75}, {1, 0}, 0},
+    {"near-surface", "just before it", {-0.5, 0x1p-19}, {1.5, 0.75}, {1, 0}, 0},  // f · f − r² without rounding
 };
 
 std::vector<Preset> presets() {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lessons/shared/plane.h"
+#include "viz/rich_text.h"
 
 namespace isect::lessons::ray_sphere_lesson {
 
@@ -13,6 +14,10 @@ double Setup::foot() const {
   const Vec3 f = ray.origin - sphere.center;
   const double dd = ray.direction.squaredNorm();
   return dd > 0 ? -f.dot(ray.direction) / dd : 0;
+}
+
+std::string told(const Setup& s, double t) {
+  return "*t* = " + shown(t) + (s.lengths ? ", a length" : ", in lengths of **d**");
 }
 
 bool Setup::segment() const { return std::isfinite(ray.range.hi); }
@@ -30,6 +35,7 @@ Setup setup(const Parameters& parameters, bool unit_direction) {
   const double length = s.ray.direction.norm();
   if (!unit_direction || !(length > 0)) return s;
 
+  s.lengths = true;
   s.ray.direction /= length;
   s.ray.range.hi *= length;
   s.truth.roots = {s.truth.roots.lo * length, s.truth.roots.hi * length};
@@ -207,10 +213,10 @@ std::string alt_text(const Setup& s) {
   }
   if (!s.truth.solid) return what + "'s line crosses a ball, but only outside its range, so it misses.";
   if (!s.truth.surface) return what + " lies wholly inside a ball and does not meet its surface.";
-  const std::string where = shown(*s.truth.surface);
+  const std::string where = plain(told(s, *s.truth.surface));
   if (s.truth.origin == Location::on) return what + " starts on the surface of a ball: its first hit is at t = 0.";
-  if (s.truth.origin == Location::in) return what + " starts inside a ball and leaves it at t = " + where + ".";
-  return what + " enters a ball at t = " + where + ".";
+  if (s.truth.origin == Location::in) return what + " starts inside a ball and leaves it at " + where + ".";
+  return what + " enters a ball at " + where + ".";
 }
 
 }  // namespace isect::lessons::ray_sphere_lesson

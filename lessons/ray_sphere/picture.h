@@ -12,6 +12,8 @@ struct Setup {
   Sphere<double, 3> sphere;
   RaySphere<double> truth;
 
+  bool lengths = false;  ///< t is a length: the direction is a unit vector
+
   double foot() const;   ///< t of the line's point nearest to the center
   bool segment() const;  ///< the range is finite
 };
@@ -34,6 +36,9 @@ struct Known {
 };
 
 viz::Scene picture(const Setup&, const Known&);
+
+/// "*t* = 3.3884, a length" or "*t* = 1.6552, in lengths of **d**".
+std::string told(const Setup&, double t);
 
 /// One plain sentence for those who cannot see the picture.
 std::string alt_text(const Setup&);

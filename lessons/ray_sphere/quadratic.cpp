@@ -58,7 +58,8 @@ class QuadraticTeller : Teller {
             "Substitute **o** + *t* **d** into |**x** − **c**|^2 = *r*^2, with **f** = **o** − **c**. Expand the "
             "square.\n") +
             (half_ ? "The coefficients of *t*^2, *t* and 1 are *A*, 2*B* and *C*: only half of the middle one is kept."
-                   : "The coefficients of *t*^2, *t* and 1 are called *A*, *B* and *C*."),
+                   : "The coefficients of *t*^2, *t* and 1 are called *A*, *B* and *C*.") +
+            "\nHere *t* counts lengths of **d**, which need not be 1.",
         Focus::center_line,
         "|**f** + *t* **d**|^2 − *r*^2 = (**d** · **d**) *t*^2 + 2 (**f** · **d**) *t* + (**f** · **f** − *r*^2)");
   }
@@ -153,7 +154,7 @@ class QuadraticTeller : Teller {
         root_ == 0 ? std::string("Both roots are −*B* / ") + (half_ ? "*A*." : "2*A*.")
                    : std::string(first ? "The smaller root: where the line enters.\n"
                                        : "The larger root: where the line leaves.\n") +
-                         cancellation(first),
+                         cancellation(first, e.t.value),
         first ? Focus::first_root : Focus::half_chord, formula + shown(e.t.value));
   }
 
@@ -198,16 +199,20 @@ class QuadraticTeller : Teller {
   }
 
   /// Whether the two terms of a root cancel, in how many digits, and the form in which they do not.
-  std::string cancellation(bool first) const {
+  std::string cancellation(bool first, double t) const {
     if (b_ == 0) return "*B* is 0, so there is nothing to cancel.";
     if (first != (b_ < 0)) return "−*B* and the square-root term have the same sign, so no digits are lost here.";
     if (c_ == 0) return "As *C* = 0, the two terms are equal and cancel exactly: this root is 0.";
-    const double rest = std::abs(std::abs(b_) - root_);
+    const double rest = std::abs(std::abs(b_) - root_), truth = first ? setup_.truth.roots.lo : setup_.truth.roots.hi;
     const int digits = rest > 0 ? static_cast<int>(std::floor(std::log10(std::abs(b_) / rest))) : 16;
-    const std::string stable = first ? "*t*_1 = *C* / (*A* *t*_2)" : "*t*_2 = *C* / (*A* *t*_1)";
-    if (digits < 1) return "Near the surface −*B* and √*D* would nearly cancel. " + stable + " would not.";
+    const std::string over = half_ ? " / *A*" : " / 2*A*";
+    const std::string stable =
+        "Stable roots take " + (first ? "*t*_2 = (−*B* + √*D*)" + over + " first, then *t*_1 = *C* / (*A* *t*_2)."
+                                      : "*t*_1 = (−*B* − √*D*)" + over + " first, then *t*_2 = *C* / (*A* *t*_1).");
+    if (digits < 1) return "Near the surface −*B* and √*D* would nearly cancel.\n" + stable;
     return "−*B* and √*D* nearly cancel: the origin is near the surface. " +
-           fmt::format("About {} digit{} are lost; {} loses none.", digits, digits == 1 ? "" : "s", stable);
+           fmt::format("About {} of 16 digits are lost.", std::min(digits, 16)) +
+           (setup_.truth.line_roots == 2 ? lost_digits(t, truth) : "") + "\n" + stable;
   }
 
   const bool half_;

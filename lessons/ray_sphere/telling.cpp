@@ -28,14 +28,25 @@ bool Teller::right(const std::optional<double>& found) const {
 
 std::string Teller::astray() const {
   return "Rounding made this method wrong here: " +
-         (setup_.truth.surface ? "exactly, the first hit is at *t* = " + shown(*setup_.truth.surface) + "."
+         (setup_.truth.surface ? "exactly, the first hit is at " + told(setup_, *setup_.truth.surface) + "."
                                : std::string("exactly, there is no hit."));
+}
+
+std::string Teller::lost_digits(double found, double truth) {
+  if (digits_right(found, truth) >= 5) return {};
+  return " Exactly it is " + shown(truth) + ".";
 }
 
 std::string Teller::astray_line() const {
   static const char* const shares[] = {"no point", "one point", "two points"};
   return std::string("Rounding decides wrongly here: exactly, the line shares ") + shares[setup_.truth.line_roots] +
          " with the sphere.";
+}
+
+int digits_right(double found, double truth) {
+  if (found == truth) return 16;
+  const double error = std::abs(found - truth) / std::abs(truth);
+  return error < 1 ? static_cast<int>(-std::log10(error)) : 0;
 }
 
 Question roots_question(const Setup& s) {
@@ -60,7 +71,7 @@ std::optional<Question> first_hit_question(const Setup& s, const std::vector<std
 }
 
 std::string verdict_text(const Setup& s) {
-  if (s.truth.surface) return "hit at *t* = " + shown(*s.truth.surface);
+  if (s.truth.surface) return "hit at " + told(s, *s.truth.surface);
   if (s.truth.solid) return "inside the ball, surface not met";
   if (s.truth.line_roots == 0) return "miss: the line passes by";
   return s.segment() && s.truth.roots.lo > s.ray.range.hi ? "miss: the segment ends before"

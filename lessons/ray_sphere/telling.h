@@ -38,6 +38,8 @@ class Teller {
   bool right(const std::optional<double>& found) const;
   /// Where it did not: "Rounding made this method wrong here: ..."
   std::string astray() const;
+  /// Where fewer digits are right than are shown: " Exactly it is ...".
+  static std::string lost_digits(double found, double truth);
   /// What the line has in common with the sphere, where the computed sign says otherwise.
   std::string astray_line() const;
   void settle(viz::Verdict::Kind);
@@ -47,6 +49,8 @@ class Teller {
   Known known_;
 };
 
+/// How many leading decimal digits are right: at most 16, 0 for what is off by its own size.
+int digits_right(double found, double truth);
 /// "How many points does the line share with the sphere?"
 viz::Question roots_question(const Setup&);
 /// "Which is the first hit?" with the names of the two roots; not asked of a double root.

@@ -27,9 +27,8 @@ class Teller {
  public:
   explicit Teller(const OnePixel& one)
       : s_(one),
-        script_(
-            {"Lecture note, ray tracing; Arthur Appel, Some techniques for shading machine renderings of solids, 1968",
-             "An eye looks through an image plane at balls, a box and a floor. " + outcome() + ".", pseudocode}) {}
+        script_({"Lecture note, ray tracing; Appel, AFIPS Spring Joint Computer Conference (1968)",
+                 "An eye looks through an image plane at balls, a box and a floor. " + outcome() + ".", pseudocode}) {}
 
   Walk tell() {
     step("picture-plane", "A picture of pixels", 0,

@@ -53,10 +53,10 @@ const Closing& closing() {
       .used = "Shewchuk's predicates in Triangle and TetGen, CGAL's exact kernels, watertight ray tests in renderers.",
       .bug = "Comparing with a tolerance and calling it robust: verdicts then contradict each other.",
       .bug_preset = "orientation",
-      .reading = {"Lutz Kettner et al., *Classroom examples of robustness "
-                  "problems in geometric computations*, Computational Geometry 40, 2008.",
-                  "Jonathan Richard Shewchuk, *Adaptive precision floating-point arithmetic and fast robust geometric "
-                  "predicates*, Discrete & Computational Geometry 18, 1997.",
+      .reading = {"Lutz Kettner et al., Classroom Examples of Robustness Problems in Geometric Computations, "
+                  "*Computational Geometry* 40, 2008.",
+                  "Jonathan Richard Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric "
+                  "Predicates, *Discrete & Computational Geometry* 18, 1997.",
                   "Christer Ericson, *Real-Time Collision Detection*, 2005, chapter 11."},
       .exercises = {
           {"Drag **p** to a place where the naive orientation is right in every cell.",

@@ -33,7 +33,7 @@ class Teller {
         cells_(asked(s_)),
         on_(count(Fault::called_on)),
         side_(count(Fault::wrong_side)),
-        script_({"Lecture note, rules of thumb (8); Kettner et al., Classroom examples of robustness problems, 2008",
+        script_({"Lecture note, rules of thumb (8); Kettner et al., Classroom examples of robustness problems (2008)",
                  fmt::format("{} Each of {} cells is a neighbour of a point in {}; the naive test is wrong in {}.",
                              s_.title, cells_.size(), scalar_, wrong()),
                  {"for each neighbour of the point",  // 0

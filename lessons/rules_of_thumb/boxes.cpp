@@ -119,7 +119,7 @@ Experiment reuse(const Flat& p) {
   const Box b = upright({-1.05, -0.9}, 0, 1.9, 0.4);
   Experiment e = {
       .title = "2: reuse results",
-      .source = "Lecture note, rules of thumb (2); Ericson, Real-Time Collision Detection, 2005, 4.4",
+      .source = "Lecture note, rules of thumb (2); Ericson, Real-Time Collision Detection (2005), 4.4",
       .alt = "A slender box glides past a flat one, shown at twelve moments.",
       .pseudocode = {"for each time", "    without: test axis after axis until one separates",
                      "    with: test the axis that separated before", "    only if it fails: test axis after axis"},

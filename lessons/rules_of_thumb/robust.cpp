@@ -41,7 +41,7 @@ Experiment robust(const Flat& p) {
   const Flat a(-3.1, -1.7);
   Experiment e = {
       .title = "8: make it robust",
-      .source = "Lecture note, rules of thumb (8); Kettner et al., Classroom examples of robustness problems, 2008",
+      .source = "Lecture note, rules of thumb (8); Kettner et al., Classroom examples of robustness problems (2008)",
       .alt = "Points computed on a line, and the side that each test reports for them.",
       .pseudocode = {"for each of many points near the line from a to p",
                      "    without: the sign of a rounded determinant",

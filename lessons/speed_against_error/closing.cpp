@@ -45,10 +45,14 @@ const Closing& closing() {
           "tolerances.",
       .bug = "Judging a method by ordinary cases alone: no wrong verdict shows up there.",
       .bug_preset = "sphere-sphere",
-      .reading = {"Jonathan Richard Shewchuk, *Adaptive precision floating-point arithmetic and fast robust geometric "
-                  "predicates*, Discrete & Computational Geometry 18, 1997.",
-                  "David Goldberg, *What every computer scientist should know about floating-point arithmetic*, ACM "
-                  "Computing Surveys 23, 1991."},
+      .reading = {"Jonathan Richard Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric "
+                  "Predicates, *Discrete & Computational Geometry* 18, 1997.",
+                  "David Goldberg, What Every Computer Scientist Should Know About Floating-Point Arithmetic, *ACM "
+                  "Computing Surveys* 23, 1991.",
+                  "Tomas Möller and Ben Trumbore, Fast, Minimum Storage Ray/Triangle Intersection, *Journal of "
+                  "Graphics Tools* 2, 1997.",
+                  "Sven Woop, Carsten Benthin and Ingo Wald, Watertight Ray/Triangle Intersection, *Journal of "
+                  "Computer Graphics Techniques* 2, 2013."},
       .exercises = {
           {"Choose a test whose exact call is faster than the naive method, beyond the noise.",
            "Ball and box: the naive method branches on every axis, the exact call does not.",

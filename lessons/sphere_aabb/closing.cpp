@@ -44,7 +44,7 @@ const Closing& closing() {
       .bug_preset = "corner-miss",
       .reading =
           {"Lecture note *Intersection Detection*, sphere and box.",
-           "James Arvo, A simple method for box-sphere intersection testing, *Graphics Gems*, 1990.",
+           "James Arvo, A Simple Method for Box-Sphere Intersection Testing, in: *Graphics Gems*, 1990.",
            "Christer Ericson, *Real-Time Collision Detection*, 2005, section 5.2.5: testing sphere against AABB."},
       .exercises = {
           {"Find a ball that the expanded box accepts, and the exact test rejects.",

@@ -28,7 +28,9 @@ std::string alt(const Setup& s) {
 class Teller {
  public:
   explicit Teller(const Setup& setup)
-      : s_(setup), script_({"Lecture note, sphere and sphere; Ericson (2005), 4.3.1", alt(setup), pseudocode}) {}
+      : s_(setup),
+        script_({"Lecture note, sphere and sphere; Ericson, Real-Time Collision Detection (2005), 4.3.1", alt(setup),
+                 pseudocode}) {}
 
   Walk tell() {
     const Ball3 a = s_.tested(s_.a), b = s_.tested(s_.b);

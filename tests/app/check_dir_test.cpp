@@ -42,7 +42,7 @@ TEST_CASE("presets of one's own are checked against baselines in a folder of the
   const Ran made = shell("isect check --dir course --update=missing");
   CHECK(made.status == 0);
   CHECK(fs::exists(shell.work() / "course/snapshots/intervals/week-3/trace.json"));
-  CHECK(fs::exists(shell.work() / "course/snapshots/intervals/sub/week-3/03-relation.png"));
+  CHECK(fs::exists(shell.work() / "course/snapshots/intervals/sub/week-3/04-relation.png"));
   const Ran whole = shell("isect check --dir course");
   CHECK_THAT(whole.out, StartsWith("ok: ") && Contains("2 presets"));
   CHECK(whole.err.empty());

@@ -61,52 +61,52 @@ TEST_CASE("no update changes or removes what isect did not make", "[check]") {
 
 TEST_CASE("a file of another's in the place of a baseline is an error, and stays", "[check]") {
   const Accepted shell;
-  write(shell.file("03-relation.png"), photo());
+  write(shell.file("04-relation.png"), photo());
   write(shell.file("trace.json"), R"({"traceEvents": []})");
   for (const std::string mode : {"", " --update=missing", " --update", " --update=all"}) {
     INFO(mode);
     const Ran r = shell(check + mode);
     CHECK(r.status == 1);
-    CHECK_THAT(r.out, Contains("FAILED intervals overlapping, step 3 (relation): size:"));
+    CHECK_THAT(r.out, Contains("FAILED intervals overlapping, step 4 (relation): size:"));
     CHECK_THAT(r.out, Contains("the file in its place was not made by isect"));
     CHECK_THAT(r.out, !Contains("to accept"));
-    CHECK(contents(shell.file("03-relation.png")) == photo());
+    CHECK(contents(shell.file("04-relation.png")) == photo());
     CHECK(contents(shell.file("trace.json")) == R"({"traceEvents": []})");
   }
 }
 
 TEST_CASE("a baseline without its metadata still serves, but is not replaced", "[check]") {
   const Accepted shell;
-  const std::string stripped = viz::png(viz::read_png(contents(shell.file("03-relation.png"))));
-  write(shell.file("03-relation.png"), stripped);
+  const std::string stripped = viz::png(viz::read_png(contents(shell.file("04-relation.png"))));
+  write(shell.file("04-relation.png"), stripped);
   CHECK(shell(check).status == 0);
-  CHECK_THAT(shell(check + " --update=all").out, Contains("left alone: " + baselines + "/03-relation.png"));
-  CHECK(contents(shell.file("03-relation.png")) == stripped);
+  CHECK_THAT(shell(check + " --update=all").out, Contains("left alone: " + baselines + "/04-relation.png"));
+  CHECK(contents(shell.file("04-relation.png")) == stripped);
 }
 
 TEST_CASE("pictures of another's are not replaced by the new one and the difference", "[check]") {
   const Accepted shell;
-  fs::copy_file(shell.file("01-a-beyond-b.png"), shell.file("03-relation.png"), fs::copy_options::overwrite_existing);
-  write(shell.file("03-relation.new.png"), photo());
-  write(shell.file("03-relation.diff.png"), photo());
-  CHECK_THAT(shell(check).out, Contains("not written: " + baselines + "/03-relation.new.png is there"));
+  fs::copy_file(shell.file("02-a-beyond-b.png"), shell.file("04-relation.png"), fs::copy_options::overwrite_existing);
+  write(shell.file("04-relation.new.png"), photo());
+  write(shell.file("04-relation.diff.png"), photo());
+  CHECK_THAT(shell(check).out, Contains("not written: " + baselines + "/04-relation.new.png is there"));
   CHECK(shell(check + " --update").status == 0);
-  CHECK(contents(shell.file("03-relation.new.png")) == photo());
-  CHECK(contents(shell.file("03-relation.diff.png")) == photo());
+  CHECK(contents(shell.file("04-relation.new.png")) == photo());
+  CHECK(contents(shell.file("04-relation.diff.png")) == photo());
 }
 
 TEST_CASE("a baseline that is a link is followed", "[check]") {
   const Accepted shell;
   fs::create_directory(shell.work() / "store");
-  fs::rename(shell.file("03-relation.png"), shell.work() / "store/a.png");
-  fs::create_symlink("../../../store/a.png", shell.file("03-relation.png"));
+  fs::rename(shell.file("04-relation.png"), shell.work() / "store/a.png");
+  fs::create_symlink("../../../store/a.png", shell.file("04-relation.png"));
   fs::rename(shell.file("trace.json"), shell.work() / "store/t.json");
   fs::create_symlink("../../../store/t.json", shell.file("trace.json"));
   CHECK(shell(check).status == 0);
   accept_other_interval(shell);
   CHECK(shell(check).status == 1);
   CHECK(shell(check + " --update").status == 0);
-  CHECK(fs::is_symlink(shell.file("03-relation.png")));
+  CHECK(fs::is_symlink(shell.file("04-relation.png")));
   CHECK(fs::is_symlink(shell.file("trace.json")));
   CHECK(viz::png_metadata(contents(shell.work() / "store/a.png")).contains("file"));
   CHECK(shell(check).status == 0);
@@ -122,8 +122,8 @@ TEST_CASE("baselines of a preset or lesson that is gone are left over", "[check]
   std::string trace = contents(shell.file("trace.json"));
   trace.replace(trace.find("\"overlapping\""), 13, "\"gone\"");
   write(shell.work() / "snapshots/intervals/gone/trace.json", trace);
-  const std::string picture = contents(shell.file("01-a-beyond-b.png"));
-  write(shell.work() / "snapshots/intervals/gone/01-a-beyond-b.png", as_of(picture, {intervals.lesson, "gone"}, "01"));
+  const std::string picture = contents(shell.file("02-a-beyond-b.png"));
+  write(shell.work() / "snapshots/intervals/gone/02-a-beyond-b.png", as_of(picture, {intervals.lesson, "gone"}, "02"));
   write(shell.work() / "snapshots/no-lesson/x/01-a.png",
         viz::png(viz::read_png(picture), {{"lesson", "no-lesson"}, {"file", "no-lesson/x/01-a"}}));
   write(shell.work() / "snapshots/README.md", "no baseline");
@@ -133,7 +133,7 @@ TEST_CASE("baselines of a preset or lesson that is gone are left over", "[check]
   std::vector<std::string> files;
   for (const auto& f : result["failures"])
     if (f["kind"] == "orphan") files.push_back(f["baseline"]);
-  CHECK(files == std::vector<std::string>{"snapshots/intervals/gone/01-a-beyond-b.png",
+  CHECK(files == std::vector<std::string>{"snapshots/intervals/gone/02-a-beyond-b.png",
                                           "snapshots/intervals/gone/trace.json", "snapshots/no-lesson/x/01-a.png"});
   CHECK(result["accept"] == "isect check --update=failed");
   CHECK_THAT(shell("isect check intervals --update").out, Contains("removed intervals gone: "));

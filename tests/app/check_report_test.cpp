@@ -54,11 +54,11 @@ TEST_CASE("where nothing can be written a difference is still told in words", "[
   const Accepted shell;
   accept_other_interval(shell);
   // A folder where the picture should go stops root as well.
-  fs::create_directories(shell.file("03-relation.new.png"));
-  fs::create_directories(shell.file("03-relation.diff.png/x"));
+  fs::create_directories(shell.file("04-relation.new.png"));
+  fs::create_directories(shell.file("04-relation.diff.png/x"));
   const Ran r = shell(check);
   CHECK(r.status == 1);
-  CHECK_THAT(r.out, Contains("step 3 (relation): picture:") && Contains("parameter b_min was") && Contains("note "));
+  CHECK_THAT(r.out, Contains("step 4 (relation): picture:") && Contains("parameter b_min was") && Contains("note "));
   CHECK(shell(check + " --update").status == 0);
 
   accept_other_interval(shell);
@@ -81,7 +81,7 @@ TEST_CASE("a report shows what would be accepted for the first time", "[check]")
   const std::string page = contents(shell.work() / "new.html");
   std::size_t pictures = 0;
   for (std::size_t at = 0; (at = page.find("<img alt=\"New\"", at)) != std::string::npos; ++at) ++pictures;
-  CHECK(pictures == 5);
+  CHECK(pictures == 6);
   CHECK_THAT(page, Contains(check + " --update=missing"));
 }
 
@@ -90,7 +90,7 @@ TEST_CASE("a report is never written over a baseline, a figure or another report
   REQUIRE(shell("isect check intervals --preset touching --update && isect render intervals --step 1").status == 0);
   const std::string command = "isect check intervals --preset touching ";
   const std::string trace = "snapshots/intervals/touching/trace.json",
-                    figure = "figures/intervals/overlapping/01-a-beyond-b.png";
+                    figure = "figures/intervals/overlapping/01-opening.png";
   for (const std::string& file : {trace, figure})
     for (const std::string option : {"--report ", "--junit "}) {
       const std::string before = contents(shell.work() / file);
@@ -141,7 +141,7 @@ TEST_CASE("where there are no baselines it is said once, with the place and the 
                                fs::canonical(shell.work()).string() + "/snapshots\n"));
   CHECK_THAT(r.out, Contains("--snapshots DIR") && Contains("--dir DIR") && !Contains("MISSING"));
   CHECK(fs::is_empty(shell.work()));
-  CHECK(nlohmann::json::parse(shell(check + " --json").out)["failures"].size() == 6);
+  CHECK(nlohmann::json::parse(shell(check + " --json").out)["failures"].size() == 7);
 
   // Where others have theirs, those without are named, a line each.
   REQUIRE(shell(check + " --update").status == 0);

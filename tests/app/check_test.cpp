@@ -24,7 +24,7 @@ TEST_CASE("what was accepted passes, from any locale and with CI set", "[check]"
   const Accepted shell;
   const Ran r = shell(check);
   CHECK(r.status == 0);
-  CHECK_THAT(r.out, StartsWith("ok: 5 pictures of 1 preset\n"));
+  CHECK_THAT(r.out, StartsWith("ok: 6 pictures of 1 preset\n"));
   CHECK(r.err.empty());
   CHECK(shell("CI=1 LC_ALL=C LANG=de_DE.UTF-8 " + check + " --backend egl").status == 0);
 }
@@ -47,28 +47,28 @@ TEST_CASE("the new picture and the difference lie beside the baseline until they
   accept_other_interval(shell);
   const Ran r = shell(check);
   CHECK(r.status == 1);
-  CHECK_THAT(r.out, Contains(baselines + "/03-relation.new.png") && Contains(baselines + "/03-relation.diff.png"));
-  CHECK(viz::read_png(contents(shell.file("03-relation.diff.png"))).width == 960);
+  CHECK_THAT(r.out, Contains(baselines + "/04-relation.new.png") && Contains(baselines + "/04-relation.diff.png"));
+  CHECK(viz::read_png(contents(shell.file("04-relation.diff.png"))).width == 960);
 
   CHECK(shell(check + " --update=missing").status == 1);  // nothing is missing
   CHECK(shell(check + " --update=failed").status == 0);
   CHECK(shell(check).status == 0);
-  CHECK_FALSE(fs::exists(shell.file("03-relation.new.png")));
-  CHECK_FALSE(fs::exists(shell.file("03-relation.diff.png")));
+  CHECK_FALSE(fs::exists(shell.file("04-relation.new.png")));
+  CHECK_FALSE(fs::exists(shell.file("04-relation.diff.png")));
 }
 
 TEST_CASE("a missing baseline exits 3, a failed check outranks it", "[check]") {
   const Accepted shell;
-  fs::remove(shell.file("02-b-beyond-a.png"));
+  fs::remove(shell.file("03-b-beyond-a.png"));
   const Ran missing = shell(check);
   CHECK(missing.status == 3);
   CHECK_THAT(missing.out,
-             Contains("MISSING intervals overlapping, step 2 (b-beyond-a)") && Contains("--update=missing"));
+             Contains("MISSING intervals overlapping, step 3 (b-beyond-a)") && Contains("--update=missing"));
 
-  fs::copy_file(shell.file("01-a-beyond-b.png"), shell.file("03-relation.png"), fs::copy_options::overwrite_existing);
+  fs::copy_file(shell.file("02-a-beyond-b.png"), shell.file("04-relation.png"), fs::copy_options::overwrite_existing);
   CHECK(shell(check).status == 1);
   CHECK(shell(check + " --update=missing").status == 1);
-  CHECK(fs::exists(shell.file("02-b-beyond-a.png")));
+  CHECK(fs::exists(shell.file("03-b-beyond-a.png")));
   CHECK(shell(check + " --update").status == 0);
   CHECK(shell(check).status == 0);
 }
@@ -82,28 +82,28 @@ TEST_CASE("with no baselines at all every one is missing, and nothing is written
 
 TEST_CASE("all failures come in one run", "[check]") {
   const Accepted shell;
-  write(shell.file("05-left-over.png"),
-        viz::png(viz::read_png(contents(shell.file("01-a-beyond-b.png"))),
-                 {{"lesson", "intervals"}, {"file", "intervals/overlapping/05-left-over"}}));
-  write(shell.file("03-relation.png"), "no picture");
-  REQUIRE(shell("isect render intervals --preset overlapping --step 4 --size 480x300 --out - >" + baselines +
-                "/04-cases.png")
+  write(shell.file("07-left-over.png"),
+        viz::png(viz::read_png(contents(shell.file("02-a-beyond-b.png"))),
+                 {{"lesson", "intervals"}, {"file", "intervals/overlapping/07-left-over"}}));
+  write(shell.file("04-relation.png"), "no picture");
+  REQUIRE(shell("isect render intervals --preset overlapping --step 5 --size 480x300 --out - >" + baselines +
+                "/05-cases.png")
               .status == 0);
-  fs::copy_file(shell.file("01-a-beyond-b.png"), shell.file("02-b-beyond-a.png"), fs::copy_options::overwrite_existing);
+  fs::copy_file(shell.file("02-a-beyond-b.png"), shell.file("03-b-beyond-a.png"), fs::copy_options::overwrite_existing);
   write(shell.file("trace.json"), "{}");
-  fs::remove(shell.file("01-a-beyond-b.png"));
+  fs::remove(shell.file("02-a-beyond-b.png"));
   const auto result = nlohmann::json::parse(shell(check + " --json --report report.html").out);
   CHECK(result["passed"] == false);
   std::map<std::string, nlohmann::json> failures;
   for (const auto& f : result["failures"]) failures[f["kind"]] = f;
   REQUIRE(failures.size() == 6);
   CHECK_THAT(failures["trace"]["what"].get<std::string>(), Contains("damaged"));
-  CHECK(failures["unreadable"]["step"] == 3);
+  CHECK(failures["unreadable"]["step"] == 4);
   CHECK_THAT(failures["size"]["what"].get<std::string>(), Contains("480x300") && Contains("960x600"));
   CHECK(failures["picture"]["slug"] == "b-beyond-a");
   CHECK(failures["picture"]["pixels_over_8"] > 24);
-  CHECK(failures["missing"]["step"] == 1);
-  CHECK_THAT(failures["orphan"]["baseline"].get<std::string>(), Contains("05-left-over.png"));
+  CHECK(failures["missing"]["step"] == 2);
+  CHECK_THAT(failures["orphan"]["baseline"].get<std::string>(), Contains("07-left-over.png"));
   CHECK(failures["orphan"]["accept"] == check + " --update=failed");
   CHECK(failures["unreadable"]["foreign"] == true);
   CHECK_FALSE(failures["unreadable"].contains("accept"));
@@ -116,12 +116,12 @@ TEST_CASE("all failures come in one run", "[check]") {
   const Ran update = shell(check + " --update");
   CHECK(update.status == 1);  // two files there are not isect's
   CHECK_THAT(update.out, Contains("removed intervals overlapping: ") && Contains("; 3 accepted; 1 removed"));
-  CHECK_FALSE(fs::exists(shell.file("05-left-over.png")));
-  CHECK(contents(shell.file("03-relation.png")) == "no picture");
+  CHECK_FALSE(fs::exists(shell.file("07-left-over.png")));
+  CHECK(contents(shell.file("04-relation.png")) == "no picture");
   CHECK(contents(shell.file("trace.json")) == "{}");
   CHECK_THAT(update.out, Contains("was not made by isect") && Contains("move it away"));
   CHECK_THAT(update.out, !Contains("to accept"));
-  fs::remove(shell.file("03-relation.png")), fs::remove(shell.file("trace.json"));
+  fs::remove(shell.file("04-relation.png")), fs::remove(shell.file("trace.json"));
   CHECK(shell(check + " --update=missing").status == 0);
   CHECK(shell(check).status == 0);
 }

@@ -37,7 +37,7 @@ std::string all_whole(const std::string& folder) {
 const std::string svg = "isect render ray-sphere --format svg --out disk";
 const std::string accept = "isect check intervals --preset touching --snapshots disk --update";
 const std::string check = "isect check intervals --preset touching --snapshots disk";
-const std::string picture = "disk/intervals/touching/03-relation.png",
+const std::string picture = "disk/intervals/touching/04-relation.png",
                   text = "disk/ray-sphere/two-roots/01-to-center.txt";
 const std::string at_once = "timeout 60 ";  ///< what would wait for ever is ended, with another status
 const std::string a_state = R"(printf '{"lesson": "intervals"}' >preset.json)";
@@ -143,8 +143,8 @@ const std::vector<Fault> damaged = {
      "test -c disk/intervals/touching/trace.json"},
     {"a pipe in the place of a baseline", accept + "; rm " + picture + "; mkfifo " + picture, at_once + check, 1,
      "png': not a regular file", "test -p " + picture},
-    {"a link to itself in the place of a baseline", accept + "; ln -sf 03-relation.png " + picture, check, 1,
-     "unreadable: cannot read 'disk/intervals/touching/03-relation.png'", "test -h " + picture},
+    {"a link to itself in the place of a baseline", accept + "; ln -sf 04-relation.png " + picture, check, 1,
+     "unreadable: cannot read 'disk/intervals/touching/04-relation.png'", "test -h " + picture},
     {"a pipe in the place of an alt text",
      svg + "; rm " + text + "; mkfifo " + text + "; timeout 60 cat " + text + " >disk/copy &",
      at_once + svg + " && wait", 0, "01-to-center.svg", "test -p " + text + " && grep -q sphere disk/copy"},

@@ -51,4 +51,29 @@ TEST_CASE("a handout is never written over a file of somebody else's", "[handout
   CHECK(isect::test::files_in(shell.work()).size() == 1);  // nothing else was written either
 }
 
+TEST_CASE("a question stands before the title of its step, which may be the answer", "[handout]") {
+  const std::tuple<const char*, const char*, const char*> all[] = {
+      {"convex-hull/scattered", "How many points leave the chain?", ": drop one, then append"},
+      {"crossings/grazed-two", "Which line settles it?", ": crossed on the right"},
+      {"clipping/both-ends-cut", "What do comparisons of the ends with the sides show?", "outcodes"}};
+  const Shell shell;
+  for (const auto& [place, question, title] : all) {
+    const std::string name = place, lesson = name.substr(0, name.find('/')), preset = name.substr(name.find('/') + 1);
+    const std::string of = lesson + " --preset " + preset;
+    std::vector<std::pair<std::string, std::string>> texts = {
+        {"explain", shell("COLUMNS=200 isect explain " + of).out}};
+    for (const std::string command : {"handout", "deck"}) {
+      REQUIRE(shell("isect " + command + " " + of + " --out out").status == 0);
+      for (const std::string suffix : {".tex", ".html"})
+        texts.emplace_back(command + suffix, contents((shell.work() / "out" / name / (command + suffix)).string()));
+    }
+    for (const auto& [kind, text] : texts) {
+      INFO(name << ", " << kind);
+      const std::size_t asked = text.find(question), told = text.find(title);
+      REQUIRE((asked != std::string::npos && told != std::string::npos));
+      CHECK(asked < told);
+    }
+  }
+}
+
 }  // namespace handout_test

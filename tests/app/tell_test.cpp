@@ -29,7 +29,7 @@ TEST_CASE("list names lessons in the order of the course, and presets", "[list]"
   const Shell shell;
   const Ran r = shell("isect list");
   CHECK(r.status == 0);
-  CHECK_THAT(r.out, Contains("ray-sphere") && Contains("27 presets") && Contains("surface-out-half-b") &&
+  CHECK_THAT(r.out, Contains("ray-sphere") && Contains("30 presets") && Contains("surface-out-half-b") &&
                         Contains("after: relations, intervals"));
   CHECK_THAT(r.out, !Contains("N16"));  // row ids are for those who write lessons
   CHECK(r.out.find("sphere-sphere  ") < r.out.find("ray-sphere  "));
@@ -42,7 +42,7 @@ TEST_CASE("list --json holds what a program needs", "[list]") {
   REQUIRE(all.size() >= 1);
   const auto one = std::ranges::find_if(all, [](const auto& lesson) { return lesson["id"] == "ray-sphere"; });
   REQUIRE(one != all.end());
-  REQUIRE((*one)["presets"].size() == 27);
+  REQUIRE((*one)["presets"].size() == 30);
   for (const auto& lesson : all)
     for (const auto& parameter : lesson["parameters"]) {
       CHECK(parameter.contains("help"));
@@ -164,6 +164,31 @@ TEST_CASE("explain tells the setting and what was changed, and a map in words", 
              Contains("Sphere and sphere: overlapping+r2=1.25") && Contains("r₂ = 1.25. Radius of the second ball"));
   CHECK_THAT(told, Contains("A map of all cases. Across:") && Contains("This setting: overlapping") &&
                        !Contains("dashed") && !Contains("rings"));
+}
+
+TEST_CASE("explain tells first where the objects lie that its questions ask about", "[explain]") {
+  const Shell shell;
+  const std::pair<const char*, const char*> all[] = {
+      {"collision --preset tunnelling", "box wall: (0.4, -1.75) to (0.6, 1.75)"},
+      {"collision --preset tunnelling", "box p: (-2.75, -0.25) to (-2.25, 0.25)"},
+      {"crossings --preset inside", "polygon: ("},
+      {"clipping --preset both-ends-cut", "box: (-2, -1.25) to (2, 1.25)"},
+      {"concave-polygon --preset slabs", "polygon: (-3, -1), (-1.5, -1.75), (-0.875, -0.25), (0.25, -1.25), "},
+      {"picking --preset behind", "box crate: (2.5, -1, -2) to (3.5, 1.5, -0.5625)"},
+      {"picking --preset behind", "solid gem: (0.125, 0.25, -0.75), (1, 0.25, -1.625)"},
+      {"culling --preset scene", "ball: centre (-0.25, 0.125, 0.5), radius 0.5"},
+      {"culling --preset scene", "solid: (-2.5, -0.375, -0.5625), (-2.5, -0.375, 0.5625)"},
+      {"relations --preset aabb-touching", "box b: (1, -0.6875, -0.3125) to (2.5, 0.4375, 0.8125)"},
+      {"obb-obb --preset normal-of-b", "box a: (-2.25, -0.75, -0.75) to (-0.25, 0.75, 0.75)"},
+      {"convex-hull --preset scattered", "points: (-2.25, -0.5), (-1.5, 1.25), (-1, -1.5), (-0.5, 0.25)"},
+      {"rays --preset line", "segment wall: (1.5, -1.5) to (1.5, 1.75)"}};
+  for (const auto& [lesson, object] : all) {
+    INFO(lesson);
+    const std::string told = shell(std::string("COLUMNS=200 isect explain ") + lesson).out;
+    const std::size_t first = std::min(told.find("\nQuestion 1"), told.find("\nStep 1"));
+    CHECK_THAT(told.substr(0, first), Contains(std::string("\n  ") + object));
+  }
+  CHECK_THAT(shell("isect explain sphere-sphere").out, !Contains("\nObjects:"));  // its parameters tell all
 }
 
 TEST_CASE("explain is as wide as the terminal", "[explain]") {

@@ -10,6 +10,7 @@
 #include "tests/viz/drawn.h"
 #include "viz/case_map.h"
 #include "viz/chart.h"
+#include "viz/marks.h"
 #include "viz/rich_text.h"
 
 namespace maps_test {
@@ -97,13 +98,36 @@ class Drawn {
     std::vector<Cases::Spot> spots = cases_.presets;
     if (cases_.here) spots.push_back(*cases_.here);
     return std::ranges::any_of(spots, [&](const Cases::Spot& spot) {
-      const Vec2 share = (spot.at - map_.lo).cwiseQuotient(map_.hi - map_.lo);
-      const Vec2 p = plane_.lo + Vec2(share.x(), 1 - share.y()).cwiseProduct(plane_.hi - plane_.lo);
+      const Vec2 p = drawn(spot.at);
       if (label.leads_to) return spot.branch == wanted && (*label.leads_to - p).norm() < 1e-6;
-      const Vec2 off(std::max({label.box.left - p.x(), p.x() - label.box.right, 0.0}),
-                     std::max({label.box.top - p.y(), p.y() - label.box.bottom, 0.0}));
-      return spot.branch == wanted && off.norm() < 1.5 * theme_.sizes.label;
+      const auto nearer = [&](const Cases::Spot& other) {
+        const bool apart =
+            (drawn(other.at) - p).norm() > mark_radius(Mark::uncounted, theme_.sizes);  // else one marker
+        return apart && off(drawn(other.at), label) < off(p, label);
+      };
+      return spot.branch == wanted && off(p, label) < 1.5 * theme_.sizes.label && std::ranges::none_of(spots, nearer);
     });
+  }
+  /// How far a drawn point is from a text.
+  static double off(const Vec2& p, const PlacedLabel& label) {
+    return std::hypot(std::max({label.box.left - p.x(), p.x() - label.box.right, 0.0}),
+                      std::max({label.box.top - p.y(), p.y() - label.box.bottom, 0.0}));
+  }
+  Vec2 drawn(const Vec2& at) const {
+    const Vec2 share = (at - map_.lo).cwiseQuotient(map_.hi - map_.lo);
+    return plane_.lo + Vec2(share.x(), 1 - share.y()).cwiseProduct(plane_.hi - plane_.lo);
+  }
+  /// Texts that a marker covers.
+  std::vector<std::string> covered() const {
+    std::vector<std::string> all;
+    const auto look = [&](const Cases::Spot& spot, Mark mark) {
+      for (const PlacedLabel& label : composed_.labels)
+        if (off(drawn(spot.at), label) < mark_radius(mark, theme_.sizes)) all.push_back(label.text);
+    };
+    for (const Cases::Spot& preset : cases_.presets)
+      look(preset, regions().contains(preset.branch) ? Mark::uncounted : Mark::diamond);
+    if (cases_.here) look(*cases_.here, Mark::double_disc);
+    return all;
   }
   bool is_marked(int branch) const {
     const auto on = [&](const Cases::Spot& spot) { return spot.branch == branch; };
@@ -151,6 +175,13 @@ TEST_CASE("the name of a region lies in it or has a leader that ends in it, that
         for (const PlacedLabel& name : names) CHECK(map.stands_beside(name, i));
       }
     }
+  });
+}
+
+TEST_CASE("no marker of a map covers a name or a number of an axis", "[every lesson]") {
+  on_every_map([](const Lesson&, const Drawn& map) {
+    CAPTURE(map.covered());
+    CHECK(map.covered().empty());
   });
 }
 

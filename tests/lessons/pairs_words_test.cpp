@@ -18,6 +18,7 @@
 #include "lessons/sphere_sphere/picture.h"
 #include "tests/catch.h"
 #include "tests/lessons/random_settings.h"
+#include "tests/lessons/words.h"
 #include "tests/settings.h"
 #include "viz/closing.h"
 #include "viz/place.h"
@@ -134,11 +135,11 @@ TEST_CASE("what the sphere-and-box lesson says is true of any ball and box", "[p
     const Relation truth = oracle::relation(ball, box);
     CHECK(last.verdict.kind == lessons::verdict_kind(truth));
     if ((box.lo.array() > box.hi.array()).any()) {
-      CHECK(says(walk.steps[3].caption, "exchanged"));
+      CHECK(says(tests::own_step(walk, 3).caption, "exchanged"));
       return;
     }
 
-    const Step& end = walk.steps[3];
+    const Step& end = tests::own_step(walk, 3);
     CHECK(answer(end) == in_choices(truth));
     CHECK(says(end.caption, "does not reach") == (truth == Relation::disjoint));
     const Vec3 nearest = ball.center.cwiseMax(box.lo).cwiseMin(box.hi);
@@ -193,7 +194,7 @@ TEST_CASE("what the lesson of relations says is true of any pair of any kind", "
     if (!kind) {
       std::set<Relation> found;
       for (const Kind k : kinds) found.insert(Pair(k, pose(p)).truth);
-      CHECK(answer(walk.steps.front()) == std::to_string(found.size()));
+      CHECK(answer(tests::own_step(walk, 0)) == std::to_string(found.size()));
       return;
     }
     const Pair pair(*kind, pose(p));

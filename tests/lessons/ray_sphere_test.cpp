@@ -31,10 +31,10 @@ Sphere<double, 3> ball_of(const Parameters& p) {
 
 }  // namespace
 
-TEST_CASE("nine situations stand ready for each of the three methods", "[ray-sphere lesson]") {
+TEST_CASE("ten situations stand ready for each of the three methods", "[ray-sphere lesson]") {
   std::map<std::string, int> by_method;
   for (const Preset& p : lesson().presets) ++by_method[p.group];
-  CHECK(by_method == std::map<std::string, int>{{"haines", 9}, {"quadratic", 9}, {"half-b", 9}});
+  CHECK(by_method == std::map<std::string, int>{{"haines", 10}, {"quadratic", 10}, {"half-b", 10}});
   for (const Preset& p : lesson().presets) CHECK_NOTHROW(validate(lesson(), p.parameters));
 }
 
@@ -55,6 +55,28 @@ TEST_CASE("the presets are what their names say, exactly", "[ray-sphere lesson]"
   CHECK(truth("surface-in").roots.lo == 0);
   CHECK(truth("surface-out").origin == Location::on);
   CHECK(truth("surface-out").roots.hi == 0);
+}
+
+TEST_CASE("just before the surface three methods lose digits that stable roots keep", "[ray-sphere lesson]") {
+  for (const Preset& p : lesson().presets) {
+    INFO(p.id);
+    const bool near = p.id.starts_with("near-surface");
+    for (const Opinion& o : lesson().opinions(p.parameters)) {
+      CAPTURE(o.method, o.says);
+      const bool stable = o.method == "exact" || o.method == "stable roots" || o.method == "robust discriminant";
+      CHECK(o.agrees == (stable || !near));
+      CHECK(o.says.ends_with("4 digits are right") == !o.agrees);
+    }
+    if (!near) continue;
+    const Walk walk = lesson().walk(p.parameters);
+    const double scale = p.group == "haines" ? std::get<Vec3>(p.parameters.at("direction")).norm() : 1;
+    const double truth = *intersect(ray_of(p.parameters), ball_of(p.parameters)).surface * scale;
+    const char* const slug = p.group == "haines" ? "nearest-root" : "first-root";
+    const Step& step = *std::ranges::find(walk.steps, slug, &Step::slug);
+    CHECK(step.caption.find("nearly cancel") != std::string::npos);
+    CHECK(step.caption.find("Exactly it is " + shown(truth) + ".") != std::string::npos);
+    CHECK_FALSE(step.formula.ends_with(shown(truth)));
+  }
 }
 
 TEST_CASE("the method's answer in the last step is the exact one", "[ray-sphere lesson]") {

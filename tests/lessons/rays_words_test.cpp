@@ -34,10 +34,10 @@ double value(const Step& step, const std::string& name) {
   throw std::runtime_error("no value " + name);
 }
 
-/// Whether the text ends with the number as shown; its fifth digit may hang on the last bit.
-bool ends_with_number(const std::string& text, double x) {
-  for (const double near : {x, x * (1 - 1e-14), x * (1 + 1e-14)})
-    if (text.ends_with("= " + shown(near))) return true;
+/// Whether the text tells the number as shown, with its unit; its fifth digit may hang on the last bit.
+bool is_hit_at(const std::string& text, double t, const std::string& unit) {
+  for (const double near : {t, t * (1 - 1e-14), t * (1 + 1e-14)})
+    if (text == "hit at *t* = " + shown(near) + unit) return true;
   return false;
 }
 
@@ -98,7 +98,8 @@ TEST_CASE("a ray and a sphere end with the oracle's verdict, and say why on its 
                                   : truth.origin == Location::on ? Verdict::Kind::on
                                                                  : Verdict::Kind::yes));
     if (truth.surface)
-      CHECK(ends_with_number(last.verdict.text, truth.surface->nearest * (haines ? ray.direction.norm() : 1)));
+      CHECK(is_hit_at(last.verdict.text, truth.surface->nearest * (haines ? ray.direction.norm() : 1),
+                      haines ? ", a length" : ", in lengths of **d**"));
     CHECK(holds(last.verdict.text, "inside the ball") == (!truth.surface && truth.enter.has_value()));
     CHECK(holds(last.caption, "For a solid ball") == (truth.surface && truth.origin == Location::in));
     on += truth.origin == Location::on;
@@ -165,15 +166,16 @@ TEST_CASE("methods of ray and sphere that agree say one number, in the unit of t
     const std::string& verdict = walk.steps[outcome(walk)].verdict.text;
     const auto opinions = lesson("ray-sphere").opinions(p);
     const bool lengths = std::get<std::string>(p.at("method")) == "haines";
-    const std::string exact = opinions.front().says, unit = lengths ? ", a length" : " lengths of **d**";
-    if (holds(verdict, "hit at ")) CHECK(verdict + unit == "hit at " + exact);
+    const std::string exact = opinions.front().says, unit = lengths ? ", a length" : ", in lengths of **d**";
+    if (holds(verdict, "hit at ")) CHECK(verdict == "hit at " + exact);
+    CHECK((exact == "no hit" || exact.ends_with(unit)));
     for (const Opinion& o : opinions)
       if (o.says == exact || o.says + unit == exact) CHECK(o.agrees);
   });
 }
 
 TEST_CASE("a ray and a polygon end with the oracle's verdict, on the line that the method takes", "[ray-polygon]") {
-  int notches = 0, hits = 0, parallel = 0, behind = 0;
+  int notches = 0, hits = 0, parallel = 0, behind = 0, coplanar = 0;
   over_settings(lesson("ray-polygon"), tests::cases(1000, 10000), [&](const Parameters& p) {
     const auto s = lessons::ray_polygon_lesson::setup(p);
     const oracle::RayPolygon truth = oracle::ray_polygon(s.ray, s.ring);
@@ -186,6 +188,11 @@ TEST_CASE("a ray and a polygon end with the oracle's verdict, on the line that t
                                                                    : Verdict::Kind::yes));
     const bool astray = holds(last.caption, "plain method wrong");
     CHECK(holds(last.caption, "parallel to the plane") == (!astray && truth.parallel && !truth.coplanar));
+    const bool in_plane = truth.coplanar && !astray && !s.truth.flat;
+    CHECK(holds(last.caption, "an answer of its own: the ray lies in the plane") == in_plane);
+    for (const Opinion& o : lesson("ray-polygon").opinions(p))
+      if (o.says.starts_with("MISS")) CHECK(holds(o.says, "by choice") == truth.coplanar);
+    coplanar += in_plane;
     CHECK(holds(last.caption, "behind it does not count") == (!astray && !truth.parallel && truth.t < 0));
     if (!astray && last.line == 6) CHECK(truth.hit);
     if (!astray && last.line == 7) CHECK((!truth.hit || truth.location == Location::on));
@@ -199,7 +206,7 @@ TEST_CASE("a ray and a polygon end with the oracle's verdict, on the line that t
     if (const Step* plane = step_of(walk, "plane"); plane && !astray)
       CHECK(holds(plane->caption, "lies behind") == (truth.t < 0));
   });
-  for (const int seen : {notches, hits, parallel, behind}) CHECK(seen > 0);
+  for (const int seen : {notches, hits, parallel, behind, coplanar}) CHECK(seen > 0);
 }
 
 }  // namespace rays_words_test

@@ -46,4 +46,15 @@ TEST_CASE("no two steps in a row have one picture, caption and values", "[every 
     }
 }
 
+TEST_CASE("no two steps in a row have one title", "[every lesson]") {
+  for (const Lesson* lesson : those_asked_for())
+    for (const Preset& preset : lesson->presets) {
+      const Walk walk = lesson->walk(preset.parameters);
+      for (std::size_t i = 1; i < walk.steps.size(); ++i) {
+        INFO(lesson->id << ' ' << preset.id << ", " << walk.steps[i].slug);
+        CHECK(walk.steps[i].title != walk.steps[i - 1].title);
+      }
+    }
+}
+
 }  // namespace runs_test

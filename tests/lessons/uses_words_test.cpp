@@ -9,6 +9,7 @@
 #include "lessons/lessons.h"
 #include "tests/catch.h"
 #include "tests/lessons/random_settings.h"
+#include "tests/lessons/words.h"
 #include "tests/settings.h"
 #include "viz/closing.h"
 #include "viz/place.h"
@@ -66,7 +67,7 @@ TEST_CASE("a part is kept where segment or polygon and box share a point, and no
       const bool meet = meets_box(at(p, "p"), at(p, "q"));
       CHECK((last.verdict.kind != Verdict::Kind::no) == meet);
       kept += meet;
-      const bool beyond = walk.steps.front().line == 2;
+      const bool beyond = tests::own_step(walk, 0).line == 2;
       trivial += beyond;
       bool one_side = false;
       for (int i = 0; i < 2; ++i)
@@ -129,7 +130,15 @@ TEST_CASE("a moving box tunnels only with a step longer than wall and box, and i
     }
     CHECK(holds(last.caption, "tunnelled") == (meet && !seen));
     if (holds(last.caption, "tunnelled")) CHECK(0.25 * v > 0.7);
-    if (clear(0.25 * v, 0.7)) CHECK(holds(walk.steps.front().caption, "can jump") == (0.25 * v > 0.7));
+    if (clear(0.25 * v, 0.7)) CHECK(holds(tests::own_step(walk, 0).caption, "can jump") == (0.25 * v > 0.7));
+    for (const Step& s : walk.steps) {
+      if (!s.slug.starts_with("time-")) continue;
+      const double now = v * s.values.back().value, before = from - now, after = now - to;
+      if (!clear(before, 0) || !clear(after, 0)) continue;
+      CHECK(holds(s.caption, "have common points") == (level && before < 0 && after < 0));
+      CHECK(holds(s.caption, "before the wall") == (before > 0));
+      CHECK(holds(s.caption, "beyond the wall") == (after > 0));
+    }
     CHECK(holds(last.verdict.text, "until the motion ends") == (meet && to > 1.5 * v));
     CHECK((last.line == 4) == !meet);
     tunnels += meet && !seen, never += !meet, until_the_end += meet && to > 1.5 * v, seen_too += seen;

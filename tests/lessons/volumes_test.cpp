@@ -21,6 +21,7 @@
 #include "lessons/relations/picture.h"
 #include "lessons/shared/relation.h"
 #include "tests/catch.h"
+#include "tests/lessons/words.h"
 #include "viz/chart.h"
 #include "viz/closing.h"
 #include "viz/place.h"
@@ -123,7 +124,7 @@ TEST_CASE("five of the six relations say yes, and the walks' verdicts name them"
   // Same places, same sizes: the balls touch, the AABBs overlap.
   const Walk all = walk_of("relations", "all-kinds");
   std::vector<std::string> notes;
-  for (const Item& item : all.steps.front().scene.items)
+  for (const Item& item : tests::own_step(all, 0).scene.items)
     if (const auto* heading = std::get_if<viz::Heading>(&item))
       if (!heading->bold) notes.push_back(heading->text);
   REQUIRE(notes.size() == 4);

@@ -29,6 +29,11 @@ inline const viz::Step* find(const viz::Walk& walk, const std::string& slug) {
 }
 inline const viz::Step& ending(const viz::Walk& walk) { return walk.steps[static_cast<std::size_t>(outcome(walk))]; }
 
+/// A lesson's own step, counted from 0: one that tells its opening alone is passed over.
+inline const viz::Step& own_step(const viz::Walk& walk, std::size_t i) {
+  return walk.steps.at(walk.steps.front().slug == viz::opening_slug ? i + 1 : i);
+}
+
 inline double value(const viz::Step& step, const std::string& name) {
   for (const viz::Value& v : step.values)
     if (v.name == name) return v.value;

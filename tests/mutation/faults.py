@@ -205,4 +205,8 @@ FAULTS = [
      "words ray-sphere"),
     ("a hit where the method went astray", TELLER, 'return "Rounding made this method wrong here: " +',
      'if (FAULT) return solid_caption(setup_);\n  return "Rounding made this method wrong here: " +', "words ray-sphere"),
+    ("before the wall for beyond it", "lessons/collision/tunnelling.cpp", "return before > 0  ?", "return (before > 0) != FAULT ?",
+     "words collision"),
+    ("a ray in the plane called parallel to it", "lessons/ray_polygon/telling.cpp", "if (truth.coplanar)\n      return",
+     "if (truth.coplanar && !FAULT)\n      return", "words ray-polygon"),
 ]

@@ -103,7 +103,7 @@ TEST_CASE("Right to a question about the next edge lights and names that edge", 
 }
 
 TEST_CASE("clipping asks about a side that is drawn and lit", "[window]") {
-  WindowDriver window(lessons::all_lessons(), 1280, 800, at("clipping", "both-ends-cut", 2));
+  WindowDriver window(lessons::all_lessons(), 1280, 800, at("clipping", "both-ends-cut", 3));
   window.key(key::right);
   REQUIRE(window.player().asked());
   REQUIRE(lit_lines(window.player().scene()).size() == 1);
@@ -144,6 +144,19 @@ TEST_CASE("what methods say waits while a question is open", "[window]") {
   CHECK_FALSE(window.has("alarm"));
   CHECK_FALSE(window.has("methods side by side"));
   CHECK_FALSE(window.has("comparison"));
+}
+
+TEST_CASE("two sides that read alike and differ are shown in full", "[window]") {
+  const auto card = [](const char* preset) {
+    WindowDriver window(lessons::all_lessons(), 1280, 800, at("ray-sphere", preset, 7));
+    REQUIRE(window.player().step().slug == "which-root");
+    REQUIRE(window.has("comparison"));
+    return std::pair(window.has("meaning in full"), window.rect("comparison").height());
+  };
+  const auto [near_alike, near_height] = card("near-surface");
+  const auto [far_alike, far_height] = card("two-roots");
+  CHECK((near_alike && !far_alike));
+  CHECK(near_height > far_height);
 }
 
 TEST_CASE("play rests at a question without taking time, and says so by its icon", "[window]") {

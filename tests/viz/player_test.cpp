@@ -107,6 +107,18 @@ TEST_CASE("a question is asked before its step, and stepping on skips it", "[pla
   CHECK_FALSE(player.answered());
 }
 
+TEST_CASE("a title to come is told where no question stands before it", "[player]") {
+  Player player(both);  // its third step has a question
+  player.go_to(0);
+  CHECK((player.tells_title(0) && player.tells_title(1) && !player.tells_title(2) && player.tells_title(3)));
+  player.go_to(1);
+  player.next();
+  REQUIRE(player.asked());
+  CHECK((player.tells_title(1) && !player.tells_title(2) && !player.tells_title(3)));
+  player.answer(0);
+  CHECK((player.tells_title(2) && player.tells_title(3)));
+}
+
 TEST_CASE("an answer shows the step, and whether it was right", "[player]") {
   Player player(both);
   player.go_to(1);

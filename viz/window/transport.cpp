@@ -27,8 +27,8 @@ void scrubber(Session& s, const Rect& r, float y) {
   const int under = step_at(r, ImGui::GetIO().MousePos.x, player.count());
   if (p.held && under != player.index()) player.go_to(under);
   if (p.hovered || p.held) {
-    const bool told = under <= player.index() || !player.asked();  // a title to come may be the answer
-    tooltip(ui, std::to_string(under + 1) + (told ? "  " + plain(player.walk().steps[under].title) : ""));
+    const std::string title = player.tells_title(under) ? "  " + plain(player.walk().steps[under].title) : "";
+    tooltip(ui, std::to_string(under + 1) + title);
   }
 
   const float knob = place_of(r, player.index(), player.count());

@@ -25,11 +25,19 @@ std::vector<std::string> lines_of(const Ui& ui, const std::string& words, float 
   return lines;
 }
 
+/// Both sides, where they would read alike among the values; else nothing.
+std::string in_full(const Comparison& c) {
+  if (c.left == c.right || shown(c.left) != shown(c.right)) return {};
+  const auto [left, right] = shown_apart(c.left, c.right);
+  return left + " and " + right;
+}
+
 float card_height(const Ui& ui, const Comparison& c, float width) {
+  const float numbers = meaning_pitch * static_cast<float>(lines_of(ui, in_full(c), width - 32).size());
   const float line = text_width(ui.fonts.mono, plain(c.text)) + 41 + text_width(ui.fonts.small, "false") +
                      text_width(ui.fonts.small, plain(c.meaning));
-  if (line <= width - 32) return 72;
-  return 72 + meaning_pitch * static_cast<float>(lines_of(ui, plain(c.meaning), width - 32).size());
+  if (line <= width - 32) return 72 + numbers;
+  return 72 + numbers + meaning_pitch * static_cast<float>(lines_of(ui, plain(c.meaning), width - 32).size());
 }
 
 /// A bar scale that several values share: where zero lies and what fills it.
@@ -128,6 +136,14 @@ void comparison_card(Session& s, const Comparison& comparison, const Rect& r) {
     }
   }
   s.ui.rects["meaning"] = {x0, r.top + 8, x1, bar_y - 10};
+  if (const std::vector<std::string> numbers = lines_of(ui, in_full(comparison), x1 - x0); !numbers.empty()) {
+    const float top = bar_y - 10;
+    for (const std::string& line : numbers) {
+      text(ui.fonts.small, x0, bar_y - 4, packed(c.text), line);
+      bar_y += meaning_pitch;
+    }
+    s.ui.rects["meaning in full"] = {x0, top, x1, bar_y - 10};
+  }
 
   BarScale scale;
   scale.take(comparison.left);

@@ -1,0 +1,177 @@
+#include "app/geometry.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "viz/rich_text.h"
+
+namespace isect::program {
+namespace {
+
+using namespace viz;
+using Points = std::vector<Vec3>;
+
+/// Of more of them nobody computes along.
+constexpr std::size_t most_vertices = 24, most_objects = 20;
+
+/// In full where that is short.
+std::string number(double x) {
+  const std::string full = to_text(x);
+  if (full.size() <= 10) return full;
+  std::string text = shown(x);
+  if (text.starts_with("−")) text.replace(0, std::string("−").size(), "-");
+  return text;
+}
+
+struct Extent {
+  Vec3 lo, hi;
+  bool holds(const Vec3& p) const { return (p.array() >= lo.array()).all() && (p.array() <= hi.array()).all(); }
+};
+Extent extent_of(const Points& points) {
+  Extent e = {points.front(), points.front()};
+  for (const Vec3& p : points) e.lo = e.lo.cwiseMin(p), e.hi = e.hi.cwiseMax(p);
+  return e;
+}
+
+/// The corners of a box with sides along the axes, each once.
+bool is_box(const Points& points) {
+  const Extent e = extent_of(points);
+  const auto at_a_corner = [&](const Vec3& p) {
+    return ((p.array() == e.lo.array()) || (p.array() == e.hi.array())).all();
+  };
+  const int dimensions = static_cast<int>((e.lo.array() != e.hi.array()).count());
+  return points.size() == std::size_t{1} << dimensions && std::ranges::all_of(points, at_a_corner);
+}
+
+class Teller {
+ public:
+  Teller(const Scene& scene, const Parameters& parameters, bool flat)
+      : scene_(scene), parameters_(parameters), flat_(flat) {
+    for (const Item& item : scene.items) std::visit(*this, item);
+    if (!points_.empty() && points_.size() <= most_vertices) say("points", {}, list(points_));
+  }
+
+  std::vector<std::string> take() {
+    if (told_.size() <= most_objects) return std::move(told_);
+    std::string counts;
+    for (const auto& [kind, count] : counts_)
+      counts += (counts.empty() ? "" : ", ") + fmt::format("{} of the kind {}", count, kind);
+    return {counts};
+  }
+
+  void operator()(const Ball& it) { round("ball", it.center, it.radius, it.role, Pen::solid); }
+  void operator()(const Circle& it) { round("circle", it.center, it.radius, it.role, it.pen); }
+  void operator()(const Region& it) {
+    if (it.outlined && is_object(it.role, it.pen))
+      for (const Points& ring : it.rings) corners("polygon", ring, it.role);
+  }
+  void operator()(const Solid& it) {
+    if (is_object(it.role) || it.role == Role::text) corners("solid", it.vertices, it.role);
+  }
+  void operator()(const Mesh& it) {
+    if (is_object(it.role) || it.role == Role::text) corners("mesh", it.vertices, it.role);
+  }
+  void operator()(const Line& it) {
+    if (is_object(it.role, it.pen) && !(is_parameter(it.from) && is_parameter(it.to)))
+      say("segment", name_of(it), place(it.from) + " to " + place(it.to));
+  }
+  void operator()(const Dot& it) {
+    if (flat_ && it.role == Role::text && name_at(it.at).empty()) points_.push_back(it.at);
+  }
+  void operator()(const auto&) {}
+
+ private:
+  static bool is_object(Role role, Pen pen = Pen::solid) {
+    return (role == Role::first || role == Role::second || role == Role::muted) &&
+           (pen == Pen::solid || pen == Pen::thick);
+  }
+
+  bool is_parameter(const Setting& value) const {
+    return std::ranges::any_of(parameters_, [&](const auto& p) { return p.second == value; });
+  }
+  std::string place(const Vec3& p) const {
+    const std::string xy = number(p.x()) + ", " + number(p.y());
+    return "(" + xy + (flat_ ? ")" : ", " + number(p.z()) + ")");
+  }
+  std::string list(const Points& points) const {
+    std::string text;
+    for (const Vec3& p : points) text += (text.empty() ? "" : ", ") + place(p);
+    return text;
+  }
+
+  std::string name_at(const Vec3& p) const {
+    for (const Item& item : scene_.items)
+      if (const auto* label = std::get_if<Label>(&item); label && !label->until && (label->at - p).norm() <= 1e-12)
+        return plain(label->text);
+    return {};
+  }
+  bool is_dotted(const Vec3& p) const {
+    return std::ranges::any_of(scene_.items, [&](const Item& item) {
+      const auto* dot = std::get_if<Dot>(&item);
+      return dot && dot->at == p;
+    });
+  }
+  std::string name_of(const Line& line) const {
+    for (const Item& item : scene_.items)
+      if (const auto* label = std::get_if<Label>(&item); label && label->until)
+        if ((label->at == line.from && *label->until == line.to) ||
+            (label->at == line.to && *label->until == line.from))
+          return plain(label->text);
+    return name_within(extent_of({line.from, line.to}), line.role);
+  }
+  /// The label at its middle. Else the one label of its own role within it, or heading, that names no point of it.
+  std::string name_within(const Extent& e, Role role) const {
+    if (const std::string name = name_at((e.lo + e.hi) / 2); !name.empty()) return name;
+    std::set<std::string> labels, headings;
+    for (const Item& item : scene_.items) {
+      const auto* label = std::get_if<Label>(&item);
+      if (label && !label->until && label->role == role && e.holds(label->at) && !is_dotted(label->at))
+        labels.insert(plain(label->text));
+      if (const auto* heading = std::get_if<Heading>(&item); heading && e.holds(heading->at))
+        headings.insert(plain(heading->text));
+    }
+    const std::set<std::string>& names = labels.empty() ? headings : labels;
+    return names.size() == 1 ? *names.begin() : "";
+  }
+
+  void say(const std::string& kind, const std::string& name, const std::string& where) {
+    const std::string text = kind + (name.empty() || name == kind ? "" : " " + name) + ": " + where;
+    if (std::ranges::find(told_, text) != told_.end()) return;
+    told_.push_back(text);
+    ++counts_[kind];
+  }
+  void round(const std::string& kind, const Vec3& c, double radius, Role role, Pen pen) {
+    if (!(is_object(role, pen) || role == Role::text) || (is_parameter(c) && is_parameter(radius))) return;
+    const Vec3 reach = Vec3::Constant(radius);
+    say(kind, name_within({c - reach, c + reach}, role), fmt::format("centre {}, radius {}", place(c), number(radius)));
+  }
+  void corners(const std::string& kind, const Points& points, Role role) {
+    if (points.empty()) return;
+    const Extent e = extent_of(points);
+    const bool within = points.size() > most_vertices;
+    if (e.lo == e.hi || (within && kind == "polygon")) return;  // nothing, or a curve
+    const std::string name = name_within(e, role), ends = place(e.lo) + " to " + place(e.hi);
+    if (is_box(points))
+      say(!flat_ && (e.lo.array() == e.hi.array()).any() ? "rectangle" : "box", name, ends);
+    else
+      say(kind, name, within ? fmt::format("{} vertices within {}", points.size(), ends) : list(points));
+  }
+
+  const Scene& scene_;
+  const Parameters& parameters_;
+  const bool flat_;
+  std::vector<std::string> told_;
+  std::map<std::string, int> counts_;
+  Points points_;
+};
+
+}  // namespace
+
+std::vector<std::string> geometry(const Scene& scene, const Parameters& parameters, bool flat) {
+  return Teller(scene, parameters, flat).take();
+}
+
+}  // namespace isect::program

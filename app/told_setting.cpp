@@ -1,0 +1,66 @@
+#include "app/told_setting.h"
+
+#include <fmt/format.h>
+
+#include "app/geometry.h"
+#include "app/terminal.h"
+#include "viz/closing.h"
+#include "viz/rich_text.h"
+
+namespace isect::program {
+namespace {
+
+using viz::plain;
+
+std::string settings(const Excerpt& e, std::size_t columns) {
+  std::string out = "Setting:\n";
+  for (const viz::Parameter& p : e.lesson->parameters) {
+    const std::string name = plain(p.label.empty() ? p.name : p.label);
+    out +=
+        wrapped(fmt::format("{} = {}. {}", name, in_full(e.parameters.at(p.name), e.lesson->flat), p.help), columns, 2);
+  }
+  return out + "\n";
+}
+
+/// What is fixed besides the parameters.
+std::string objects(const Excerpt& e, std::size_t columns) {
+  const viz::Scene& scene = e.walk.steps.front().scene;
+  if (scene.chart) return {};
+  std::string out;
+  for (const std::string& object : geometry(scene, e.parameters, e.lesson->flat)) out += wrapped(object, columns, 2);
+  return out.empty() ? out : "Objects:\n" + out + "\n";
+}
+
+std::string pseudocode(const Excerpt& e, std::size_t columns) {
+  if (e.walk.pseudocode.empty()) return {};
+  std::string out = "Algorithm:\n";
+  for (std::size_t i = 0; i < e.walk.pseudocode.size(); ++i)
+    out += fmt::format("  {:>2}  {}\n", i + 1, e.walk.pseudocode[i]);
+  for (const viz::Erratum& erratum : e.lesson->errata) {
+    const int line = viz::line_of(erratum, e.walk);
+    if (line < 0) continue;
+    const bool published = e.walk.pseudocode[line] == erratum.published;
+    const std::string& other = published ? erratum.corrected : erratum.published;
+    out += wrapped(fmt::format("Line {} {}: {}. {} (Preset {} shows it.)", line + 1,
+                               published ? "should read" : "was published as", viz::unindented(other),
+                               plain(erratum.why), erratum.preset),
+                   columns, 2);
+  }
+  return out + "\n";
+}
+
+}  // namespace
+
+std::string in_full(const viz::Setting& setting, bool flat) {
+  const auto* p = std::get_if<viz::Vec3>(&setting);
+  if (!p) return viz::to_text(setting);
+  const std::string xy = viz::to_text(p->x()) + ", " + viz::to_text(p->y());
+  return "(" + xy + (flat ? ")" : ", " + viz::to_text(p->z()) + ")");
+}
+
+std::string told_setting(const Excerpt& e, const Telling& how) {
+  const std::string given = settings(e, how.columns);
+  return how.brief ? given : given + objects(e, how.columns) + pseudocode(e, how.columns);
+}
+
+}  // namespace isect::program
