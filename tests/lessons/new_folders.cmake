@@ -11,7 +11,7 @@ endforeach()
 file(WRITE ${SCRATCH}/isect/lessons/one_more/lesson.cpp "")
 file(WRITE ${SCRATCH}/isect/bench/one_more/suite.cpp "")
 
-execute_process(COMMAND ${CMAKE_COMMAND} -S ${SCRATCH}/isect -B ${SCRATCH}/build -D CMAKE_CXX_COMPILER=${CXX}
+execute_process(COMMAND ${CMAKE_COMMAND} -G Ninja -S ${SCRATCH}/isect -B ${SCRATCH}/build -D CMAKE_CXX_COMPILER=${CXX}
   -D BUILD_TESTING=OFF -D ISECT_BENCH=OFF RESULT_VARIABLE status OUTPUT_VARIABLE text ERROR_VARIABLE text)
 if(NOT status EQUAL 0)
   message(FATAL_ERROR "${text}")

@@ -12,7 +12,7 @@ endfunction()
 
 file(REMOVE_RECURSE ${SCRATCH})
 must(${CMAKE_COMMAND} --install ${ISECT_BUILD} --prefix ${SCRATCH}/prefix)
-must(${CMAKE_COMMAND} -S ${CONSUMER} -B ${SCRATCH}/build -D CMAKE_PREFIX_PATH=${SCRATCH}/prefix
+must(${CMAKE_COMMAND} -G Ninja -S ${CONSUMER} -B ${SCRATCH}/build -D CMAKE_PREFIX_PATH=${SCRATCH}/prefix
   -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_BUILD_TYPE=Release)
 file(GLOB_RECURSE headers ${CONSUMER}/../../core/isect/*.h)
 list(LENGTH headers count)
