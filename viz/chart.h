@@ -131,6 +131,7 @@ struct Cases {
   std::vector<Patch> patches;
   std::vector<std::vector<Vec2>> borders;
   bool one_scale = false;         ///< a unit is as long along y as along x
+  bool named = true;              ///< the names are written
   std::vector<Spot> presets;      ///< small rings; a branch without an area gets its name beside one
   std::optional<Spot> here = {};  ///< the setting that is shown
 };

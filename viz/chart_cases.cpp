@@ -46,7 +46,7 @@ class PlaneOfCases {
     ink_.part("chart", "setting");
     here();
     ink_.part("chart", "names");
-    names();
+    if (cases_.named) names();
     ink_.part("chart", "presets");
     for (const bool thin : {false, true})  // those of lines and points above the others
       for (const Cases::Spot& preset : cases_.presets)

@@ -32,12 +32,12 @@ std::array<int, 3> bytes(const Colour& c) {
 
 /// What a person aims at or reads; the rest are areas that hold such things, or lie over others for a while.
 bool is_widget(const std::string& name) {
-  static const std::set<std::string> areas = {"scene",      "lesson panel", "code panel",    "top bar",
-                                              "transport",  "lesson words", "lesson fields", "values",
-                                              "message",    "operations",   "comparison",    "methods side by side",
-                                              "focus ring", "code lines"};
+  static const std::set<std::string> areas = {
+      "scene",         "lesson panel", "code panel", "top bar",    "transport",   "lesson words",
+      "lesson fields", "values",       "message",    "operations", "comparison",  "methods side by side",
+      "focus ring",    "code lines",   "map",        "map plane",  "map setting", "trail"};
   return !areas.contains(name) && !name.starts_with("handle ") && !name.starts_with("no ") &&
-         !name.ends_with(" under pointer");
+         !name.starts_with("trail ") && !name.ends_with(" under pointer");
 }
 
 bool meet(const Rect& a, const Rect& b) {
@@ -74,7 +74,8 @@ void check_layout(const WindowDriver& window, float width, float height) {
     for (std::size_t j = 0; j < i; ++j)
       if (meet(r, widgets[j].second)) FAIL_CHECK("it meets " << widgets[j].first);
   }
-  const char* regions[] = {"top bar", "lesson panel", "scene", "code panel", "transport"};
+  std::vector<const char*> regions = {"top bar", "lesson panel", "scene", "code panel", "transport"};
+  if (window.has("map")) regions.push_back("map");
   float area = 0;
   for (const char* a : regions) {
     area += window.rect(a).width() * window.rect(a).height();
@@ -133,6 +134,24 @@ TEST_CASE("nothing overlaps, nothing is cut and nothing leaves the window, at an
       window.player().load(preset);
       walk(window, width, height);
     }
+  }
+}
+
+TEST_CASE("with the map beside the scene nothing overlaps, and nothing is cut, at any size", "[window][layout]") {
+  const auto [width, height] =
+      GENERATE(table<float, float>({{800, 600}, {1024, 768}, {1280, 800}, {1920, 1080}, {2560, 1440}}));
+  Settings settings;
+  settings.map = true;
+  WindowDriver window(isect::lessons::all_lessons(), width, height, {}, settings,
+                      {.reduced_motion = true, .draw_scene = false});
+  for (const Lesson* lesson : isect::lessons::all_lessons()) {
+    if (!lesson->map) continue;
+    window.player().open(*lesson);
+    window.frames();
+    REQUIRE(window.has("map"));
+    CHECK(window.rect("map plane").width() > 120);
+    CHECK(window.rect("map plane").height() > 40);
+    walk(window, width, height);
   }
 }
 

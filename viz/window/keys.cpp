@@ -104,6 +104,8 @@ void character(Session& s, char c) {
       s.settings.reduced_motion = !s.settings.reduced_motion;
       player.reduce_motion(s.settings.reduced_motion);
       return s.say(s.settings.reduced_motion ? "Nothing moves by itself now" : "Steps and views glide again");
+    case 'w':
+      return show_map(s);
     case 'r':
       return s.attempt([&] { player.restart(); });
     case 'p':
@@ -131,6 +133,11 @@ void character(Session& s, char c) {
 }
 
 }  // namespace
+
+void show_map(Session& s) {
+  if (!s.player.lesson().map) return s.say("This lesson has no map of cases");
+  s.settings.map = !s.settings.map;
+}
 
 void keys(Session& s) {
   const ImGuiIO& io = ImGui::GetIO();

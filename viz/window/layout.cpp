@@ -19,6 +19,15 @@ WindowLayout window_layout(float width, float height, bool panels) {
           .transport = {0, bottom, width, height}};
 }
 
+Halves halves(const Rect& r, float share) {
+  Halves h{r, r};
+  if (r.width() > 1.25f * r.height())
+    h.first.right = h.second.left = std::round(r.right - share * r.width());
+  else
+    h.first.bottom = h.second.top = std::round(r.bottom - share * r.height());
+  return h;
+}
+
 std::vector<float> chip_widths(const std::vector<float>& wide, float narrow, float gap, float width, int chosen) {
   std::vector<float> widths = wide;
   const float gaps = gap * static_cast<float>(std::max<std::size_t>(wide.size(), 1) - 1);

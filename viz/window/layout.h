@@ -25,6 +25,13 @@ struct WindowLayout {
 /// `panels`: false hides the lesson and the code, and the scene takes their place.
 WindowLayout window_layout(float width, float height, bool panels);
 
+/// A rectangle cut in two with a share of it for the second part: side by side, or one below the other where it is not
+/// much wider than high.
+struct Halves {
+  Rect first, second;
+};
+Halves halves(const Rect&, float share);
+
 /// The width each of the chips gets in a row of `width` px, `gap` apart: those of `wide` where they fit;
 /// otherwise the last ones shrink to `narrow`, the chosen one excepted.
 std::vector<float> chip_widths(const std::vector<float>& wide, float narrow, float gap, float width, int chosen);

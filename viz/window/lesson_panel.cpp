@@ -6,6 +6,7 @@
 #include "viz/closing.h"
 #include "viz/rich_text.h"
 #include "viz/window/column.h"
+#include "viz/window/map_view.h"
 #include "viz/window/panels.h"
 
 namespace isect::viz {
@@ -86,9 +87,9 @@ struct Hint {
   std::string markup;
   bool turns = false;  ///< the scene, and no object
 };
-std::vector<Hint> hints_of(const Player& player) {
+std::vector<Hint> hints_of(const Player& player, bool map) {
   std::vector<Hint> hints;
-  if (player.step().slug == case_map_slug) hints.push_back({Role::text, "drag over the map"});
+  if (player.step().slug == case_map_slug || map) hints.push_back({Role::text, "drag over the map"});
   for (const Handle& h : player.scene().handles) {
     std::string label = h.parameter;
     for (const Parameter& p : player.lesson().parameters)
@@ -142,7 +143,7 @@ void lesson_panel(Session& s, const Rect& r) {
   begin_region(s.ui, "lesson panel", r, s.ui.palette.window);
   const float x = r.left + margin, width = r.width() - 2 * margin;
   const bool open = s.settings.parameters_open && !s.player.lesson().parameters.empty();
-  const std::vector<Hint> hints = hints_of(s.player);
+  const std::vector<Hint> hints = hints_of(s.player, shows_map(s));
   const bool hinting = !open && r.height() > 420;
 
   const float below = 44 + (open      ? std::min(s.fields_height, r.height() * 0.5f) + 12

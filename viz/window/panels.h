@@ -28,6 +28,8 @@ void keep_score(Session&);
 /// Keeps the lessons last opened, the one on show first. (score.cpp)
 void keep_recent(Session&);
 
+/// Shows the lesson's map of cases beside the scene, or no longer; says so where it has none. (keys.cpp)
+void show_map(Session&);
 /// Does what this frame's keys ask for. (keys.cpp)
 void keys(Session&);
 

@@ -57,6 +57,8 @@ void SceneView::draw(Session& s, const Rect& r, const View& view) {
   drawing.shapes = std::move(composed.shapes);
   labels_ = std::move(composed.labels);
   renderer_.draw(drawing, scale_);
+  const PixelBox size = pixels(drawing, scale_);
+  picture_.take(renderer_.texture(), size.width, size.height);
   drawn_ = wanted;
 }
 
@@ -83,27 +85,6 @@ void SceneView::drag_held(Session& s, const View& view) {
     }
 }
 
-/// The setting follows the pointer over the map.
-void SceneView::drag_case(Session& s, const View& view, bool hovered) {
-  const Cases& cases = *map_of(s);
-  const Vec2 head(0, head_of(s, view.width()));
-  const Box2 plane = plane_of(cases, view.corner() + head, view.width(), view.height() - head.y(), s.ui.palette.theme);
-  const Vec2 share = (mouse() - plane.lo).cwiseQuotient(plane.hi - plane.lo);
-  const bool inside = (share.array() >= 0).all() && (share.array() <= 1).all();
-  if (hovered && inside && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
-    s.player.end_action();
-    s.player.remember("drag");
-    on_map_ = true;
-  } else if (mouse() == last_) {
-    return;
-  }
-  if (on_map_)
-    s.attempt([&] {
-      s.player.go_to_case(
-          {cases.x.lo + share.x() * (cases.x.hi - cases.x.lo), cases.y.hi - share.y() * (cases.y.hi - cases.y.lo)});
-    });
-}
-
 void SceneView::wheel(Session& s, const View& view) {
   const double turns = ImGui::GetIO().MouseWheel;
   if (turns != 0) s.player.zoom(view, mouse(), std::pow(1.15, turns));
@@ -120,7 +101,7 @@ void SceneView::keyboard(Session& s, const View& view) {
   if (ImGui::IsKeyPressed(key::right, true)) way.x() += 1;
   if (ImGui::IsKeyPressed(key::up, true)) way.y() -= 1;
   if (ImGui::IsKeyPressed(key::down, true)) way.y() += 1;
-  if (way == Vec2::Zero() || s.player.scene().chart) return;
+  if (way == Vec2::Zero() || s.player.scene().chart || s.ui.focus.name() == "map setting") return;
   way *= 8;
   const std::vector<Handle>& handles = s.player.scene().handles;
   const auto held =
@@ -138,9 +119,11 @@ void SceneView::keyboard(Session& s, const View& view) {
 
 void SceneView::pointer(Session& s, const View& view, bool hovered, bool active) {
   const ImGuiIO& io = ImGui::GetIO();
-  if (!io.MouseDown[0]) on_map_ = false;
-  if (map_of(s)) {
-    drag_case(s, view, hovered);
+  if (const Cases* cases = map_of(s)) {
+    const Vec2 head(0, head_of(s, view.width()));
+    const Theme& theme = s.ui.palette.theme;
+    map_drag_.follow(s, *cases, plane_of(*cases, view.corner() + head, view.width(), view.height() - head.y(), theme),
+                     hovered);
     last_ = mouse();
     return;
   }
@@ -190,8 +173,7 @@ void SceneView::show(Session& s, const Rect& r) {
 
   const View view(s.player.camera().now(), r.width(), r.height(), corner);
   draw(s, r, view);
-  const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(renderer_.texture()));
-  ImGui::GetWindowDrawList()->AddImage(texture, top_left(r), bottom_right(r), {0, 1}, {1, 0});
+  ImGui::GetWindowDrawList()->AddImage(picture_.id(), top_left(r), bottom_right(r), {0, 1}, {1, 0});
 
   for (const Handle& h : s.player.scene().handles) {
     const Vec2 at = view.project(h.at).at;

@@ -6,6 +6,8 @@
 
 #include "viz/compose.h"
 #include "viz/renderer.h"
+#include "viz/window/kept_picture.h"
+#include "viz/window/map_view.h"
 #include "viz/window/session.h"
 
 namespace isect::viz {
@@ -18,8 +20,6 @@ class SceneView {
 
   /// Draws the scene with what lies over it, and does what the pointer asks for.
   void show(Session&, const Rect&);
-  /// Draws anew in the next frame: the renderer was used for something else.
-  void invalidate() { drawn_.clear(); }
   const std::vector<PlacedLabel>& labels() const { return labels_; }
   void rescale(double scale) { scale_ = scale; }
 
@@ -29,16 +29,16 @@ class SceneView {
   void wheel(Session&, const View&);
   void keyboard(Session&, const View&);
   void drag_held(Session&, const View&);
-  void drag_case(Session&, const View&, bool hovered);
   std::optional<Handle> handle_near(const Session&, const View&, const Vec2& pixel) const;
 
   Renderer& renderer_;
   double scale_;
   bool drawing_;
   std::vector<PlacedLabel> labels_;
-  std::string drawn_;           ///< what the texture shows, as one line; drawing it again is saved
+  KeptPicture picture_;
+  std::string drawn_;           ///< what the picture shows, as one line; drawing it again is saved
   std::optional<Handle> held_;  ///< while a handle is dragged: the handle as it is now
-  bool on_map_ = false;         ///< while the setting is dragged on the map of cases
+  MapDrag map_drag_;            ///< while the step shows the map of cases
   Vec2 grip_ = Vec2::Zero();    ///< from the held handle to the pointer that took it
   Vec2 last_ = Vec2::Zero();    ///< the pointer in the frame before
 };

@@ -41,6 +41,7 @@ struct Settings {
   double speed = 1;
   int width = 1280, height = 800;  ///< px of the layout, whatever the screen's density
   bool reduced_motion = false;
+  bool map = false;          ///< of cases, beside the scene
   double size = 1;           ///< of everything
   double save_width_cm = 0;  ///< of a saved figure on paper; 0: a picture for a screen
   std::optional<Place> place = {};

@@ -106,6 +106,7 @@ Settings read_settings(const std::string& file, const std::vector<const Lesson*>
   s.width = size_field(json, "width", least_width, s.width);
   s.height = size_field(json, "height", least_height, s.height);
   s.reduced_motion = field(json, "reduced_motion", s.reduced_motion);
+  s.map = field(json, "map", s.map);
   s.size = std::clamp(field(json, "size", s.size), least_size, most_size);
   const double cm = field(json, "save_width_cm", s.save_width_cm);
   if (cm >= least_width_cm && cm <= most_width_cm) s.save_width_cm = cm;
@@ -141,6 +142,7 @@ void write_settings(const std::string& file, const Settings& s) {
                {"width", s.width},
                {"height", s.height},
                {"reduced_motion", s.reduced_motion},
+               {"map", s.map},
                {"size", s.size},
                {"save_width_cm", s.save_width_cm},
                {"recent", s.recent},

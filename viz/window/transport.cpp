@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "viz/rich_text.h"
+#include "viz/window/map_view.h"
 #include "viz/window/panels.h"
 
 namespace isect::viz {
@@ -69,6 +70,10 @@ void buttons(Session& s, float middle, float y) {
   }
   const int i = std::clamp(static_cast<int>(std::lround(player.speed() * 2)) - 1, 0, 3);
   text(ui.fonts.small, speed.middle_x(), y, packed(ui.palette.muted), speeds[i], 0.5f);
+
+  const Rect map{speed.right + 12, y - 18, speed.right + 56, y + 18};
+  if (icon_button(ui, "show map", map, Icon::map, shows_map(s), player.lesson().map)) show_map(s);
+  if (ImGui::IsItemHovered()) tooltip(ui, "Where this case lies: the map of cases beside the scene (W)");
 }
 
 void key_hints(const Ui& ui, float right, float room, float y) {
@@ -100,7 +105,7 @@ void transport(Session& s, const Rect& r) {
   else if (room > 60)
     text(ui.fonts.body, end + 24, y, packed(ui.palette.muted), fitted(ui.fonts.body, plain(title.markup), room));
   buttons(s, middle, y);
-  key_hints(ui, r.right - 24, r.right - 24 - (middle + 200), y);
+  key_hints(ui, r.right - 24, r.right - 24 - (middle + 250), y);
   ImGui::End();
 }
 

@@ -36,6 +36,10 @@ void draw_icon(Icon icon, float x, float y, ImU32 colour) {
       return;
     case Icon::next:
       return triangle(x + 0.5f, y, 1, 13, colour);
+    case Icon::map:
+      list().AddRect({x - 9, y - 8}, {x + 9, y + 8}, colour, 2, 0, 1.5f);
+      list().AddBezierCubic({x - 3, y + 8}, {x - 2, y - 2}, {x + 3, y + 2}, {x + 5, y - 8}, colour, 1.5f);
+      return list().AddCircleFilled({x - 4, y - 2}, 2.5f, colour, 12);
     case Icon::last:
       stop_bar(x + 7, y, colour);
       return triangle(x - 1.5f, y, 1, 13, colour);
@@ -104,7 +108,7 @@ Press press(Ui& ui, const std::string& name, const Rect& r) {
 bool focused(Ui& ui, const std::string& name, const Rect& r) {
   ImGuiWindow* const window = ImGui::GetCurrentWindow();
   const std::string root = window->RootWindow->Name;
-  constexpr const char* parts[] = {"top bar", "lesson panel", "question over scene", "scene", "code panel"};
+  constexpr const char* parts[] = {"top bar", "lesson panel", "question over scene", "scene", "map", "code panel"};
   const int part = static_cast<int>(std::find(std::begin(parts), std::end(parts), root) - std::begin(parts));
   if (!ui.focus.offer(name, part, window->RootWindow->Flags & ImGuiWindowFlags_Popup)) return false;
   const ImRect clip = window->ClipRect;

@@ -27,7 +27,7 @@ struct Ui {
   Rect ring = {};  ///< around what the keyboard holds, as far as it is to be seen; empty: nothing
 };
 
-enum class Icon { first, back, play, pause, next, last };
+enum class Icon { first, back, play, pause, next, last, map };
 
 inline ImVec2 top_left(const Rect& r) { return {r.left, r.top}; }
 inline ImVec2 bottom_right(const Rect& r) { return {r.right, r.bottom}; }

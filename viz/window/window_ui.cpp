@@ -12,6 +12,7 @@
 #include "viz/files.h"
 #include "viz/rich_text.h"
 #include "viz/window/key_codes.h"
+#include "viz/window/map_view.h"
 #include "viz/window/panels.h"
 #include "viz/window/save_figure.h"
 #include "viz/window/scene_view.h"
@@ -55,7 +56,8 @@ struct WindowUi::Impl {
         ui{palette(kept.theme), fonts_at(options.scale), TextTextures(options.scale)},
         course(options.course),
         session{.player = player, .ui = ui, .settings = settings, .course = course, .figures = options.figures},
-        scene(gl, options.scale, options.draw_scene) {
+        scene(gl, options.scale, options.draw_scene),
+        map(gl, options.scale, options.draw_scene) {
     player.set_speed(kept.speed);
   }
 
@@ -67,7 +69,6 @@ struct WindowUi::Impl {
     } catch (const BadInput& too_narrow) {
       session.complain(too_narrow.what());
     }
-    scene.invalidate();
   }
 
   void keep_setting() {
@@ -97,6 +98,7 @@ struct WindowUi::Impl {
     ImGui_ImplOpenGL3_CreateFontsTexture();
     ui.texts.rescale(scale);
     scene.rescale(scale);
+    map.rescale(scale);
     io.DisplaySize = {io.DisplaySize.x * by, io.DisplaySize.y * by};
     io.DisplayFramebufferScale = {scale, scale};
     if (io.MousePos.x > -1e6f) io.MousePos = {io.MousePos.x * by, io.MousePos.y * by};
@@ -111,6 +113,7 @@ struct WindowUi::Impl {
   Course course;
   Session session;
   SceneView scene;
+  MapView map;
 };
 
 WindowUi::WindowUi(const std::vector<const Lesson*>& lessons, const Place& at, Renderer& renderer,
@@ -140,7 +143,13 @@ void WindowUi::frame() {
   ImGui::PushFont(w.ui.fonts.body);
   keys(w.session);
   const WindowLayout at = window_layout(io.DisplaySize.x, io.DisplaySize.y, w.session.panels);
-  w.scene.show(w.session, at.scene);
+  if (shows_map(w.session)) {
+    const Halves parts = halves(at.scene, 0.42f);
+    w.scene.show(w.session, parts.first);
+    w.map.show(w.session, parts.second);
+  } else {
+    w.scene.show(w.session, at.scene);
+  }
   top_bar(w.session, at.top);
   if (w.session.panels) {
     lesson_panel(w.session, at.lesson);

@@ -1,0 +1,212 @@
+#include "viz/window/map_view.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "viz/chart.h"
+#include "viz/compose.h"
+#include "viz/rich_text.h"
+#include "viz/window/key_codes.h"
+
+namespace isect::viz {
+namespace {
+
+constexpr std::size_t trail_kept = 240;  ///< places
+constexpr float map_header = 40, map_grip = 14;
+
+Vec2 pointer_now() { return {ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y}; }
+
+/// From a place on the plane to its case, and back.
+Vec2 case_at(const Cases& cases, const Box2& plane, const Vec2& pixel) {
+  const Vec2 share = (pixel - plane.lo).cwiseQuotient(plane.hi - plane.lo);
+  return {cases.x.lo + share.x() * (cases.x.hi - cases.x.lo), cases.y.hi - share.y() * (cases.y.hi - cases.y.lo)};
+}
+ImVec2 pixel_of(const Cases& cases, const Box2& plane, const Vec2& at) {
+  const Vec2 share((at.x() - cases.x.lo) / (cases.x.hi - cases.x.lo),
+                   (cases.y.hi - at.y()) / (cases.y.hi - cases.y.lo));
+  const Vec2 p = plane.lo + share.cwiseProduct(plane.hi - plane.lo);
+  return {static_cast<float>(p.x()), static_cast<float>(p.y())};
+}
+
+/// A line from a to b ends here, so that it leaves the marker alone.
+ImVec2 short_of(const ImVec2& marker, const ImVec2& a, const ImVec2& b) {
+  constexpr float radius = 9;
+  const float from = std::hypot(a.x - marker.x, a.y - marker.y);
+  if (std::hypot(b.x - marker.x, b.y - marker.y) >= radius) return b;
+  if (from <= radius) return a;
+  return {marker.x + (a.x - marker.x) * radius / from, marker.y + (a.y - marker.y) * radius / from};
+}
+
+/// Smaller where the pane is.
+Theme look(const Session& s, const Rect& r) {
+  const double fits = std::min(r.width() / 420, r.height() / 330);
+  return window_theme(s.ui.palette.theme.name, std::clamp(fits, 0.7, 1.0));
+}
+
+/// Where there is no room for all names the pane goes without: it tells the setting's own above the map, and any
+/// other's under the pointer.
+bool names_meet(const std::vector<PlacedLabel>& labels) {
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k) {
+      const TextBox &a = labels[i].box, &b = labels[k].box;
+      if (a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom) return true;
+    }
+  return false;
+}
+
+Rect below_header(const Rect& r) { return {r.left, r.top + map_header, r.right, r.bottom}; }
+
+}  // namespace
+
+bool shows_map(const Session& s) {
+  const Player& p = s.player;
+  return s.settings.map && p.lesson().map && p.step().slug != case_map_slug;
+}
+
+void MapDrag::follow(Session& s, const Cases& cases, const Box2& plane, bool hovered) {
+  const bool moved = pointer_now() != last_;
+  last_ = pointer_now();
+  if (!ImGui::GetIO().MouseDown[0]) held_ = false;
+  const bool inside = (last_.array() >= plane.lo.array()).all() && (last_.array() <= plane.hi.array()).all();
+  if (hovered && inside && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+    s.player.end_action();
+    s.player.remember("drag");
+    held_ = true;
+  } else if (!moved) {
+    return;
+  }
+  if (held_) s.attempt([&] { s.player.go_to_case(case_at(cases, plane, last_)); });
+}
+
+/// The sweep over the plane is made anew only where its regions may have changed.
+void MapView::find_cases(const Player& player) {
+  const CaseMap& map = *player.lesson().map;
+  const Parameters elsewhere = map.moved(player.parameters(), (map.lo + map.hi) / 2);
+  if (lesson_ != &player.lesson() || elsewhere != elsewhere_) {
+    if (lesson_ != &player.lesson()) trail_.clear();
+    cases_ = std::get<Cases>(case_map(player.lesson(), player.parameters()).kind);
+    lesson_ = &player.lesson(), elsewhere_ = elsewhere;
+    ++found_;
+  }
+  cases_.here = player.asked() ? std::nullopt : spot_on(map, player.parameters());
+}
+
+/// A preset begins a new one.
+void MapView::leave_trail(const Player& player) {
+  if (!player.preset_id().empty() || !cases_.here) trail_.clear();
+  if (!cases_.here || (!trail_.empty() && trail_.back().at == cases_.here->at)) return;
+  trail_.push_back(*cases_.here);
+  if (trail_.size() > trail_kept) trail_.pop_front();
+}
+
+void MapView::draw(const Rect& r, const Theme& theme) {
+  const Vec2 here = cases_.here ? cases_.here->at : Vec2(NAN, NAN);
+  const std::string wanted = fmt::format("{} {} {} {} {} {} {}", found_, here.x(), here.y(), r.width(), r.height(),
+                                         scale_, name_of(theme.name));
+  if (wanted == drawn_ || !drawing_) return;
+  Drawing drawing{r.width(), r.height(), theme.background, {}};
+  Cases cases = cases_;
+  Composed composed = compose({cases}, Vec2::Zero(), r.width(), r.height(), theme);
+  if (names_meet(composed.labels)) {
+    cases.named = false;
+    composed = compose({cases}, Vec2::Zero(), r.width(), r.height(), theme);
+  }
+  drawing.shapes = std::move(composed.shapes);
+  renderer_.draw(drawing, scale_);
+  const PixelBox size = pixels(drawing, scale_);
+  picture_.take(renderer_.texture(), size.width, size.height);
+  drawn_ = wanted;
+}
+
+/// It fades with every further place, and has a mark where the case changed.
+void MapView::draw_trail(Ui& ui, const Box2& plane) const {
+  if (trail_.size() < 2) return;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  Rect box{1e9f, 1e9f, -1e9f, -1e9f};
+  const ImVec2 here = pixel_of(cases_, plane, trail_.back().at);
+  int crossings = 0;
+  for (std::size_t i = 0; i < trail_.size(); ++i) {
+    const ImVec2 p = pixel_of(cases_, plane, trail_[i].at);
+    box = {std::min(box.left, p.x), std::min(box.top, p.y), std::max(box.right, p.x), std::max(box.bottom, p.y)};
+    if (i == 0) continue;
+    const ImVec2 before = pixel_of(cases_, plane, trail_[i - 1].at);
+    const ImVec2 end = short_of(here, before, p);
+    const double left = static_cast<double>(trail_.size() - i) / trail_kept;
+    const ImU32 ink = packed(ui.palette.first, 0.85 * std::pow(1 - left, 2));
+    if (end.x != before.x || end.y != before.y) list.AddLine(before, end, ink, 2.5f);
+    if (trail_[i].branch == trail_[i - 1].branch) continue;
+    const ImVec2 middle{(before.x + p.x) / 2, (before.y + p.y) / 2};
+    list.AddCircleFilled(middle, 4, ink, 16);
+    ui.rects[fmt::format("trail crossing {}", ++crossings)] = {middle.x - 4, middle.y - 4, middle.x + 4, middle.y + 4};
+  }
+  ui.rects["trail"] = box;
+}
+
+/// Shift and the arrows move the setting, while the keyboard holds it.
+void MapView::keyboard(Session& s, const Box2& plane) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (!io.KeyShift || io.KeyCtrl || s.ui.focus.name() != "map setting" || io.WantTextInput) return;
+  Vec2 way = Vec2::Zero();
+  if (ImGui::IsKeyPressed(key::left, true)) way.x() -= 1;
+  if (ImGui::IsKeyPressed(key::right, true)) way.x() += 1;
+  if (ImGui::IsKeyPressed(key::up, true)) way.y() -= 1;
+  if (ImGui::IsKeyPressed(key::down, true)) way.y() += 1;
+  if (way == Vec2::Zero()) return;
+  const ImVec2 p = pixel_of(cases_, plane, cases_.here->at);
+  s.player.remember("nudge on the map");
+  s.attempt([&] { s.player.go_to_case(case_at(cases_, plane, Vec2(p.x, p.y) + 8 * way)); });
+}
+
+void MapView::name_under_pointer(const Session& s, const Box2& plane) const {
+  const Vec2 p = pointer_now();
+  if (!(p.array() >= plane.lo.array()).all() || !(p.array() <= plane.hi.array()).all()) return;
+  const CaseMap& map = *s.player.lesson().map;
+  tooltip(s.ui, plain(map.branches[map.branch(map.moved(s.player.parameters(), case_at(cases_, plane, p)))]));
+}
+
+void MapView::show(Session& s, const Rect& r) {
+  Ui& ui = s.ui;
+  begin_region(ui, "map", r, ui.palette.card);
+  find_cases(s.player);
+  const Theme theme = look(s, r);
+  const Rect within = below_header(r);
+  const Box2 plane = plane_of(cases_, {within.left, within.top}, within.width(), within.height(), theme);
+
+  ImGui::SetCursorScreenPos(top_left(within));
+  ImGui::InvisibleButton("map picture", {within.width(), within.height()});
+  const bool hovered = ImGui::IsItemHovered();
+  if (cases_.here) {
+    drag_.follow(s, cases_, plane, hovered);
+    keyboard(s, plane);
+    find_cases(s.player);
+  }
+  leave_trail(s.player);
+  draw(within, theme);
+  ImGui::GetWindowDrawList()->AddImage(picture_.id(), top_left(within), bottom_right(within), {0, 1}, {1, 0});
+  draw_trail(ui, plane);
+  if (hovered && !ImGui::GetIO().MouseDown[0]) name_under_pointer(s, plane);
+
+  const float x = r.left + 20, y = r.top + 22;
+  std::string told = "here: after your answer";
+  if (!s.player.asked()) told = cases_.here ? "here: " + cases_.branches[cases_.here->branch] : "beyond this map";
+  const Paragraph words{.markup = told, .colour = cases_.here ? ui.palette.text : ui.palette.muted};
+  ImGui::PushClipRect({x, r.top}, {r.right - 8, within.top}, true);
+  rich_line(ui, words, x, y);
+  ImGui::PopClipRect();
+  ui.rects["map plane"] = {static_cast<float>(plane.lo.x()), static_cast<float>(plane.lo.y()),
+                           static_cast<float>(plane.hi.x()), static_cast<float>(plane.hi.y())};
+  if (cases_.here) {
+    const ImVec2 p = pixel_of(cases_, plane, cases_.here->at);
+    const Rect place{p.x - map_grip, p.y - map_grip, p.x + map_grip, p.y + map_grip};
+    ui.rects["map setting"] = place;
+    focused(ui, "map setting", place);
+  }
+  const bool right = r.left > 0 && ui.rects.contains("scene") && ui.rects["scene"].right <= r.left + 1;
+  ImGui::GetWindowDrawList()->AddRectFilled(
+      top_left(r), right ? ImVec2{r.left + 1, r.bottom} : ImVec2{r.right, r.top + 1}, packed(ui.palette.rule));
+  ImGui::End();
+}
+
+}  // namespace isect::viz

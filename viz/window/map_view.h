@@ -1,0 +1,60 @@
+#pragma once
+// The map of cases beside the scene: where the setting lies now, and which way it came.
+
+#include <deque>
+#include <optional>
+#include <string>
+
+#include "viz/case_map.h"
+#include "viz/renderer.h"
+#include "viz/window/kept_picture.h"
+#include "viz/window/session.h"
+
+namespace isect::viz {
+
+/// Whether the map stands beside this step: the reader wants it, the lesson has one, and the step does not show it
+/// itself.
+bool shows_map(const Session&);
+
+/// A drag over the plane of a map moves the setting.
+class MapDrag {
+ public:
+  /// `plane`: where the map's plane lies. `hovered`: the pointer is at the picture.
+  void follow(Session&, const Cases&, const Box2& plane, bool hovered);
+
+ private:
+  bool held_ = false;
+  Vec2 last_ = Vec2::Zero();  ///< the pointer in the frame before
+};
+
+class MapView {
+ public:
+  MapView(Renderer& renderer, double scale, bool drawing) : renderer_(renderer), scale_(scale), drawing_(drawing) {}
+
+  /// Draws the map, and does what pointer and keys ask for.
+  void show(Session&, const Rect&);
+  void rescale(double scale) { scale_ = scale; }
+
+ private:
+  void find_cases(const Player&);
+  void leave_trail(const Player&);
+  void draw(const Rect&, const Theme&);
+  void draw_trail(Ui&, const Box2& plane) const;
+  void keyboard(Session&, const Box2& plane);
+  void name_under_pointer(const Session&, const Box2& plane) const;
+
+  Renderer& renderer_;
+  double scale_;
+  bool drawing_;
+  KeptPicture picture_;
+  std::string drawn_;  ///< what the picture shows, as one line
+
+  const Lesson* lesson_ = nullptr;
+  Parameters elsewhere_;  ///< the setting brought to the middle of the map: what the regions depend on
+  Cases cases_;           ///< of that lesson; `here` is this setting's, unless a question waits
+  unsigned found_ = 0;    ///< grows with every new set of regions
+  std::deque<Cases::Spot> trail_;
+  MapDrag drag_;
+};
+
+}  // namespace isect::viz
