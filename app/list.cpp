@@ -57,6 +57,7 @@ std::string in_rows(const std::string& name, std::size_t widest, const std::stri
 
 /// What is taken where it is not set: the value of the first preset.
 std::string initial(const viz::Lesson& lesson, const viz::Parameter& p) {
+  if (p.optional) return "not moved";
   return viz::to_text(lesson.presets.empty() ? p.initial : lesson.presets.front().parameters.at(p.name));
 }
 

@@ -27,7 +27,8 @@ std::uint64_t digest(const std::string& text) {
 std::string name_of_change(const viz::Parameters& from, const viz::Parameters& to) {
   std::string exact;
   for (const auto& [name, value] : to)
-    if (from.at(name) != value) exact += "+" + name + "=" + viz::to_text(value);
+    if (const auto before = from.find(name); before == from.end() || before->second != value)
+      exact += "+" + name + "=" + viz::to_text(value);
 
   constexpr std::size_t most = 80;
   if (exact.size() <= most && std::ranges::all_of(exact, is_plain)) return exact;

@@ -15,6 +15,7 @@ using viz::plain;
 std::string settings(const Excerpt& e, std::size_t columns) {
   std::string out = "Setting:\n";
   for (const viz::Parameter& p : e.lesson->parameters) {
+    if (!e.parameters.contains(p.name)) continue;  // as the choices have it
     const std::string name = plain(p.label.empty() ? p.name : p.label);
     out +=
         wrapped(fmt::format("{} = {}. {}", name, in_full(e.parameters.at(p.name), e.lesson->flat), p.help), columns, 2);

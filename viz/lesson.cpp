@@ -169,19 +169,28 @@ void set(const Lesson& lesson, Parameters& to, const std::string& name, const st
 void validate(const Lesson& lesson, const Parameters& parameters) {
   for (const auto& [name, value] : parameters) check(parameter(lesson, name), value, to_text(value));
   for (const Parameter& p : lesson.parameters)
-    if (!parameters.contains(p.name))
+    if (!p.optional && !parameters.contains(p.name))
       throw BadInput(fmt::format("{}: missing; every parameter of {} is needed", p.name, lesson.id));
   if (const Condition* c = broken(lesson, parameters))
     throw BadInput(
         fmt::format("{}: \"{}\" does not do; give {}", c->parameter, to_text(parameters.at(c->parameter)), c->allowed));
 }
 
-void drag(const Lesson& lesson, Parameters& parameters, const Handle& handle, const Vec3& p) {
-  if (!p.allFinite()) return;
+const Condition* drag(const Lesson& lesson, Parameters& parameters, const Handle& handle, const Vec3& p) {
+  if (!p.allFinite()) return nullptr;
   const Parameter& knob = parameter(lesson, handle.parameter);
-  const Setting before = parameters.at(knob.name);
-  parameters.at(knob.name) = clamped(knob, handle, p);
-  if (broken(lesson, parameters)) parameters.at(knob.name) = before;
+  Parameters moved = parameters;
+  moved.insert_or_assign(knob.name, clamped(knob, handle, p));
+  const Condition* forbids = broken(lesson, moved);
+  if (!forbids) parameters = std::move(moved);
+  return forbids;
+}
+
+void choose(const Lesson& lesson, Parameters& parameters, const std::string& name, const Setting& value) {
+  const bool anew = std::holds_alternative<std::string>(value) && name != lesson.group_by;
+  for (const Parameter& p : lesson.parameters)
+    if (anew && p.optional) parameters.erase(p.name);
+  parameters.insert_or_assign(name, value);
 }
 
 std::string to_text(const Setting& setting) {

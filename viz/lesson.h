@@ -30,9 +30,10 @@ struct Parameter {
   double lo = -1e300, hi = 1e300;         ///< allowed range of a number or of each coordinate
   double drag_lo = -10, drag_hi = 10;     ///< comfortable range for a slider
   std::vector<std::string> choices = {};  ///< allowed values of a choice
+  bool optional = false;  ///< may be absent: then all is as the choices have it, and `initial` only gives the type
 };
 
-/// Values by parameter name; always complete for its lesson.
+/// Values by parameter name; always complete for its lesson, but for what is optional.
 using Parameters = std::map<std::string, Setting>;
 
 /// What a parameter must keep besides its own range: a direction that is not zero, a side that is not along another.
@@ -209,8 +210,11 @@ void set(const Lesson&, Parameters& to, const std::string& name, const std::stri
 std::string wanted(const Parameter&);
 /// Throws BadInput unless every parameter is present, of the right type, finite and in range, and keeps the conditions.
 void validate(const Lesson&, const Parameters&);
-/// Moves what the handle holds to `p`, clamped to the parameter's range. Where a condition forbids that, it stays.
-void drag(const Lesson&, Parameters&, const Handle&, const Vec3& p);
+/// Moves what the handle holds to `p`, clamped to the parameter's range. Where a condition forbids that, it stays, and
+/// the condition is returned; else null.
+const Condition* drag(const Lesson&, Parameters&, const Handle&, const Vec3& p);
+/// Sets a parameter. Another choice of objects starts anew: what was moved of the old ones is forgotten.
+void choose(const Lesson&, Parameters&, const std::string& name, const Setting&);
 std::string to_text(const Setting&);  ///< shortest text that `set` reads back exactly
 /// The candidate closest to `word` by edit distance; empty if there are none.
 std::string nearest(const std::string& word, const std::vector<std::string>& candidates);

@@ -140,7 +140,8 @@ Place place_of(const Json& object, const std::vector<const Lesson*>& lessons) {
   place.lesson = lesson.id;
 
   Parameters parameters;
-  for (const Parameter& p : lesson.parameters) parameters.emplace(p.name, p.initial);
+  for (const Parameter& p : lesson.parameters)
+    if (!p.optional) parameters.emplace(p.name, p.initial);
   if (object.contains("preset")) place.preset = text_of(object["preset"], "preset");
   if (!place.preset.empty()) parameters = preset(lesson, place.preset).parameters;
   if (object.contains("parameters")) parameters = parameters_of(object["parameters"], lesson, parameters);

@@ -287,16 +287,18 @@ void Player::set_parameters(Parameters parameters) {
 }
 
 void Player::edit(const std::string& name, const Setting& value) {
-  if (!parameters().contains(name)) throw BadInput("lesson " + lesson().id + " has no parameter " + name);
+  if (std::ranges::find(lesson().parameters, name, &Parameter::name) == lesson().parameters.end())
+    throw BadInput("lesson " + lesson().id + " has no parameter " + name);
   Parameters edited = parameters();
-  edited[name] = value;
+  viz::choose(lesson(), edited, name, value);
   set_parameters(std::move(edited));
 }
 
-void Player::drag_handle(const Handle& handle, const Vec3& to) {
+const Condition* Player::drag_handle(const Handle& handle, const Vec3& to) {
   Parameters dragged = parameters();
-  drag(lesson(), dragged, handle, to);
+  const Condition* forbids = drag(lesson(), dragged, handle, to);
   set_parameters(std::move(dragged));
+  return forbids;
 }
 
 bool Player::methods_differ() const {
@@ -321,7 +323,8 @@ void Player::go(const Place& place) {
   else if (!state.origin.empty())
     state.parameters = preset(l, state.origin).parameters;
   else
-    for (const Parameter& p : l.parameters) state.parameters[p.name] = p.initial;
+    for (const Parameter& p : l.parameters)
+      if (!p.optional) state.parameters[p.name] = p.initial;
 
   all_or_nothing([&](Player& next) {
     if (walk_) next.remember("", true);

@@ -110,7 +110,8 @@ class Player {
   void load_method(const std::string& choice);
   void restart();
   void edit(const std::string& name, const Setting&);
-  void drag_handle(const Handle&, const Vec3& to);
+  /// What forbids it, if anything: then nothing moves.
+  const Condition* drag_handle(const Handle&, const Vec3& to);
   /// Brings the setting to a place on the lesson's map of cases; what lies beyond it is taken to its rim.
   void go_to_case(const Vec2&);
   void go(const Place&);

@@ -167,6 +167,7 @@ struct Handle {
   Vec3 anchor = Vec3::Zero();
   Role role = Role::first;
   Vec3 direction = Vec3::UnitX();  ///< for `along`
+  std::string one_of = {};         ///< where there are many alike: "a corner"
 };
 
 /// The same marks in one dimension: the ray's own t-axis under its picture. Positions are values of t.

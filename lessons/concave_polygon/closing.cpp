@@ -10,12 +10,10 @@ using namespace viz;
 
 namespace {
 
-Setup setup_of(const Parameters& p) { return {std::get<std::string>(p.at("polygon")), std::get<Vec3>(p.at("p"))}; }
-
-bool on_the_boundary(const Parameters& p) { return setup_of(p).truth == Location::on; }
+bool on_the_boundary(const Parameters& p) { return Setup(p).truth == Location::on; }
 
 bool level_with_a_vertex(const Parameters& p) {
-  const Setup s = setup_of(p);
+  const Setup s(p);
   return s.truth == Location::in &&
          std::ranges::any_of(s.ring, [&](const Point<double, 2>& v) { return v.y() == s.p.y(); });
 }

@@ -4,6 +4,7 @@
 #include <isect/slab_map_methods.h>
 #include "lessons/concave_polygon/picture.h"
 #include "lessons/shared/parameters.h"
+#include "lessons/shared/vertices.h"
 
 namespace isect::lessons {
 namespace {
@@ -28,16 +29,36 @@ std::vector<Preset> presets() {
           preset_of("hierarchy", "inside", "hierarchy", "concave", inside)};
 }
 
+std::vector<Parameter> parameters() {
+  std::vector<Parameter> all = {
+      choice("method", "method", "How the polygon is preprocessed.", {"slabs", "trapezoids", "hierarchy"}),
+      choice("polygon", "polygon", "With notches, or with long spikes.", {"concave", "spiky"}),
+      vector("p", "**p**", "The point, in world units; its third coordinate is not used.", Vec3(-0.875, 1, 0))};
+  for (int i = 0; i < most_corners(); ++i) all.push_back(movable("v", i, "polygon's corner"));
+  return all;
+}
+
+/// Edges that cross or corners beyond the frame are refused.
+std::vector<Condition> conditions() {
+  std::vector<Condition> all;
+  for (int i = 0; i < most_corners(); ++i) {
+    const std::string name = "v" + std::to_string(i);
+    all.push_back({name, "a corner within the frame, where no two edges cross or touch",
+                   [name](const Parameters& values) { return !values.contains(name) || can_be_prepared(values); }});
+  }
+  return all;
+}
+
 Walk walk(const Parameters& values) {
   const std::string& method = std::get<std::string>(values.at("method"));
-  const Setup setup(std::get<std::string>(values.at("polygon")), std::get<Vec3>(values.at("p")));
+  const Setup setup(values);
   if (method == "slabs") return slabs(setup);
   return method == "trapezoids" ? trapezoids(setup) : hierarchy(setup);
 }
 
 std::vector<Opinion> opinions(const Parameters& values) {
   using slab_map::Abscissa, slab_map::make_naive_slabs;
-  const Setup s(std::get<std::string>(values.at("polygon")), std::get<Vec3>(values.at("p")));
+  const Setup s(values);
   LocationOpinions all(s.truth);
   all.add("slabs, *x* = *m* *y* + *k*", slabs_naive(s.p, make_naive_slabs(s.ring, Abscissa::line)));
   all.add("slabs, interpolated", slabs_naive(s.p, make_naive_slabs(s.ring, Abscissa::interpolated)));
@@ -53,11 +74,8 @@ const Lesson& concave_polygon() {
       .title = "Point in concave polygon",
       .rows = "N24",
       .summary = "Whether a point lies in a concave polygon, in O(lg n), after preprocessing in three ways.",
-      .parameters = {choice("method", "method", "How the polygon is preprocessed.",
-                            {"slabs", "trapezoids", "hierarchy"}),
-                     choice("polygon", "polygon", "With notches, or with long spikes.", {"concave", "spiky"}),
-                     vector("p", "**p**", "The point, in world units; its third coordinate is not used.",
-                            Vec3(-0.875, 1, 0))},
+      .parameters = parameters(),
+      .conditions = conditions(),
       .group_by = "method",
       .presets = presets(),
       .camera = {.azimuth = 0, .elevation = 0},

@@ -2,6 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include <isect/orient.h>
+#include <isect/polygon.h>
+#include "lessons/shared/parameters.h"
+#include "lessons/shared/vertices.h"
+
 namespace isect::lessons::concave_polygon_lesson {
 
 using namespace viz;
@@ -16,20 +23,44 @@ Ring<double, 2> spiky_polygon(int spikes) {
   return ring;
 }
 
-Setup::Setup(const std::string& polygon, const Vec3& at)
-    : spiky(polygon == "spiky"),
-      ring(spiky ? spiky_polygon(4)
-                 : Ring<double, 2>{{-3, -1},
-                                   {-1.5, -1.75},
-                                   {-0.875, -0.25},
-                                   {0.25, -1.25},
-                                   {0.875, 0.5},
-                                   {-0.25, 0.25},
-                                   {-0.5, 1.75},
-                                   {-1.75, 0.75},
-                                   {-2.5, 1.375}}),
-      p(at.x(), at.y()),
-      truth(locate(p, ring)) {}
+namespace {
+
+const Ring<double, 2>& given(bool spiky) {
+  static const Ring<double, 2> spikes = spiky_polygon(4);
+  static const Ring<double, 2> notches = {{-3, -1},      {-1.5, -1.75}, {-0.875, -0.25}, {0.25, -1.25}, {0.875, 0.5},
+                                          {-0.25, 0.25}, {-0.5, 1.75},  {-1.75, 0.75},   {-2.5, 1.375}};
+  return spiky ? spikes : notches;
+}
+
+bool is_spiky(const Parameters& values) { return std::get<std::string>(values.at("polygon")) == "spiky"; }
+
+Ring<double, 2> ring_of(const Parameters& values) {
+  Ring<double, 2> ring = given(is_spiky(values));
+  move_vertices(values, "v", ring);
+  return ring;
+}
+
+bool turns_right(const Ring<double, 2>& ring) {
+  const std::size_t n = ring.size();
+  for (std::size_t i = 0; i < n; ++i)
+    if (orient2d(ring[i], ring[(i + 1) % n], ring[(i + 2) % n]) < 0) return true;
+  return false;
+}
+
+}  // namespace
+
+int most_corners() { return static_cast<int>(std::max(given(false).size(), given(true).size())); }
+
+bool can_be_prepared(const Parameters& values) {
+  const Ring<double, 2> ring = ring_of(values);
+  const bool framed = std::ranges::all_of(ring, [](const Point<double, 2>& v) {
+    return v.x() > frame.left && v.x() < frame.right && v.y() > frame.low && v.y() < frame.high;
+  });
+  return framed && is_simple(ring) && area(ring) > 0;
+}
+
+Setup::Setup(const Parameters& values)
+    : spiky(is_spiky(values)), ring(ring_of(values)), p(flat_point(values, "p")), truth(locate(p, ring)) {}
 
 Region polygon(const Setup& s, bool outlined) {
   Region region;
@@ -63,11 +94,12 @@ void add_point(Scene& scene, const Setup& s, bool on) {
                               : Dot{flat(s.p), Mark::disc, Role::first});
   scene.items.emplace_back(Label{flat(s.p), "**p**", Role::first});
   scene.handles.push_back({"p", Handle::Kind::point, flat(s.p), Vec3::Zero(), Role::first});
+  add_handles(scene, "v", s.ring, Role::second, "a corner");
 }
 
 std::string alt_text(const Setup& s, const std::string& prepared) {
-  return fmt::format("A concave polygon of {} vertices, {}, and a point that lies {}.", s.size(), prepared,
-                     lies(s.truth));
+  return fmt::format("A {} polygon of {} vertices, {}, and a point that lies {}.",
+                     turns_right(s.ring) ? "concave" : "convex", s.size(), prepared, lies(s.truth));
 }
 
 }  // namespace isect::lessons::concave_polygon_lesson

@@ -19,7 +19,7 @@ struct Frame {
 inline constexpr Frame frame;
 
 struct Setup {
-  Setup(const std::string& polygon, const viz::Vec3& at);
+  explicit Setup(const viz::Parameters&);
 
   bool spiky;
   Ring<double, 2> ring;
@@ -28,6 +28,11 @@ struct Setup {
 
   int size() const { return static_cast<int>(ring.size()); }
 };
+
+/// What the three ways need: the polygon of the setting is simple, counter-clockwise and within the frame.
+bool can_be_prepared(const viz::Parameters&);
+/// So many corners has the polygon with most of them.
+int most_corners();
 
 /// A polygon with this many long spikes, side by side: n = 2 spikes + 1, no two vertices at one height or abscissa.
 Ring<double, 2> spiky_polygon(int spikes);

@@ -6,6 +6,7 @@
 
 #include "lessons/convex_hull/picture.h"
 #include "lessons/shared/parameters.h"
+#include "lessons/shared/vertices.h"
 
 namespace isect::lessons {
 namespace {
@@ -47,6 +48,7 @@ Walk walk(const Parameters& values) { return tell(points_of(values)); }
 Ring<double, 2> convex_hull_lesson::points_of(const Parameters& values) {
   const std::string& id = std::get<std::string>(values.at("points"));
   Ring<double, 2> points = std::ranges::find_if(situations(), [&](const Situation& s) { return s.id == id; })->points;
+  move_vertices(values, "v", points);
   const Vec3& moved = std::get<Vec3>(values.at("p"));
   points.push_back({moved.x(), moved.y()});
   return points;
@@ -60,14 +62,19 @@ const Lesson& convex_hull() {
       names.emplace_back(s.id);
       presets.push_back({s.id, s.title, {}, {{"points", std::string(s.id)}, {"p", s.moved}}});
     }
+    std::vector<Parameter> parameters = {
+        choice("points", "points", "The kind of point set.", names),
+        vector("p", "**p**", "One more point, in world units; its third coordinate is not used.",
+               situations().front().moved)};
+    std::size_t most = 0;
+    for (const Situation& s : situations()) most = std::max(most, s.points.size());
+    for (std::size_t i = 0; i < most; ++i) parameters.push_back(movable("v", static_cast<int>(i), "point"));
     return Lesson{
         .id = "convex-hull",
         .title = "Convex hull",
         .rows = "N05",
         .summary = "The hull of points, built step by step, and why no convex volume is tighter.",
-        .parameters = {choice("points", "points", "The kind of point set.", names),
-                       vector("p", "**p**", "One more point, in world units; its third coordinate is not used.",
-                              situations().front().moved)},
+        .parameters = parameters,
         .group_by = {},
         .presets = presets,
         .camera = {.azimuth = 0, .elevation = 0},

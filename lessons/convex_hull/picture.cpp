@@ -5,7 +5,7 @@
 #include <isect/fit.h>
 #include <isect/fit_tight.h>
 #include <isect/volume.h>
-#include "lessons/shared/flat.h"
+#include "lessons/shared/vertices.h"
 
 namespace isect::lessons::convex_hull_lesson {
 
@@ -71,6 +71,7 @@ Scene picture(const Drawn& d) {
   const bool in_turn = !d.chain.empty() && d.chain.back() == d.points.back();
   scene.items.emplace_back(Label{flat(d.points.back()), in_turn ? "**q** = **p**" : "**p**", Role::first});
   scene.handles.push_back({"p", Handle::Kind::point, flat(d.points.back()), Vec3::Zero(), Role::first});
+  add_handles(scene, "v", {d.points.begin(), d.points.end() - 1}, Role::text, "a point");
   return scene;
 }
 

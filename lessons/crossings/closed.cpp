@@ -28,14 +28,13 @@ class Closed : Teller {
   Walk tell() {
     first_step();
     int counted = 0;
-    for (const Ring<double, 2>& ring : setup_.situation.polygon.rings)
-      counted += point_polygon::crossings_closed(setup_.p, ring);
+    for (const Ring<double, 2>& ring : setup_.polygon.rings) counted += point_polygon::crossings_closed(setup_.p, ring);
     add("rule", "The rule", 1,
         "An edge counts if it has a point on the ray, its ends included.\n"
         "That sounds right, but each vertex belongs to two edges.")
         .question = how_many("Each edge counts with both its ends.", counted);
     tally() = {};
-    const std::vector<Ring<double, 2>>& rings = setup_.situation.polygon.rings;
+    const std::vector<Ring<double, 2>>& rings = setup_.polygon.rings;
     for (int r = 0; r < static_cast<int>(rings.size()); ++r) {
       Ring<C, 2> ring;
       for (const Point<double, 2>& v : rings[r]) ring.push_back(v.cast<C>());
@@ -82,7 +81,7 @@ class Closed : Teller {
 
   /// What becomes of the other edge at the end that lies on the ray.
   std::string other_edge(const EdgeOf& e) const {
-    const int n = static_cast<int>(setup_.situation.polygon.rings[e.ring].size());
+    const int n = static_cast<int>(setup_.polygon.rings[e.ring].size());
     const bool first = ends(setup_, e)[0].y() == setup_.p.y();
     const auto [a, b] = ends(setup_, {e.ring, (e.index + (first ? n - 1 : 1)) % n});
     return a.y() == b.y() ? "The other edge at this end lies along the ray."

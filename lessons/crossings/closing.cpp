@@ -1,7 +1,6 @@
 // What a reader takes along from counting crossings, and what there is to do.
 
 #include "lessons/crossings/telling.h"
-#include "lessons/shared/parameters.h"
 
 namespace isect::lessons::crossings_lesson {
 
@@ -9,19 +8,15 @@ using namespace viz;
 
 namespace {
 
-Setup setup_of(const Parameters& values) {
-  return {situation(std::get<std::string>(values.at("polygon"))), flat_point(values, "p")};
-}
-
 bool closed_rule_is_wrong(const Parameters& values) {
-  const Setup s = setup_of(values);
+  const Setup s(values);
   int count = 0;
-  for (const Ring<double, 2>& ring : s.situation.polygon.rings) count += point_polygon::crossings_closed(s.p, ring);
+  for (const Ring<double, 2>& ring : s.polygon.rings) count += point_polygon::crossings_closed(s.p, ring);
   return s.truth.even_odd != Location::on && (count % 2 != 0) != (s.truth.even_odd == Location::in);
 }
 
 bool inside_by_both_rules(const Parameters& values) {
-  const Winding w = setup_of(values).truth;
+  const Winding w = Setup(values).truth;
   return w.even_odd == Location::in && w.nonzero == Location::in;
 }
 

@@ -33,7 +33,7 @@ class HalfOpen : Teller {
     first_step();
     tell_rule();
     tally() = {};
-    const std::vector<Ring<double, 2>>& rings = setup_.situation.polygon.rings;
+    const std::vector<Ring<double, 2>>& rings = setup_.polygon.rings;
     for (int r = 0; r < static_cast<int>(rings.size()) && !known_.on; ++r) {
       CountingRecord<point_polygon::Event> record;
       run(rings[r], r, record);

@@ -8,6 +8,7 @@
 #include "lessons/crossings/telling.h"
 #include "lessons/shared/location.h"
 #include "lessons/shared/parameters.h"
+#include "lessons/shared/vertices.h"
 
 namespace isect::lessons {
 namespace {
@@ -18,9 +19,12 @@ using namespace crossings_lesson;
 std::vector<Parameter> parameters() {
   std::vector<std::string> shapes;
   for (const Situation& s : situations()) shapes.emplace_back(s.id);
-  return {choice("rule", "rule", "What counts as a crossing.", {"half-open", "closed"}),
-          choice("polygon", "polygon", "Which polygon, named after its special case.", shapes),
-          vector("p", "**p**", "The point, in world units; its third coordinate is not used.", Vec3(0, 0, 0))};
+  std::vector<Parameter> all = {
+      choice("rule", "rule", "What counts as a crossing.", {"half-open", "closed"}),
+      choice("polygon", "polygon", "Which polygon, named after its special case.", shapes),
+      vector("p", "**p**", "The point, in world units; its third coordinate is not used.", Vec3(0, 0, 0))};
+  for (int i = 0; i < most_corners(); ++i) all.push_back(movable("v", i, "polygon's corner"));
+  return all;
 }
 
 std::vector<Preset> presets() {
@@ -35,17 +39,17 @@ std::vector<Preset> presets() {
 }
 
 Walk walk(const Parameters& values) {
-  const Setup setup(situation(std::get<std::string>(values.at("polygon"))), flat_point(values, "p"));
+  const Setup setup(values);
   return std::get<std::string>(values.at("rule")) == "closed" ? closed(setup) : half_open(setup);
 }
 
 /// Even-odd answers.
 std::vector<Opinion> opinions(const Parameters& values) {
-  const Setup s(situation(std::get<std::string>(values.at("polygon"))), flat_point(values, "p"));
+  const Setup s(values);
   LocationOpinions all(s.truth.even_odd);
   const auto ask = [&](const std::string& method, auto&& crossings) {
     bool inside = false;
-    for (const Ring<double, 2>& ring : s.situation.polygon.rings) inside = inside != crossings(s.p, ring);
+    for (const Ring<double, 2>& ring : s.polygon.rings) inside = inside != crossings(s.p, ring);
     all.add(method, inside);
   };
   ask("with a division", [](const auto& p, const auto& ring) { return point_polygon::crossings_naive(p, ring); });
@@ -54,7 +58,7 @@ std::vector<Opinion> opinions(const Parameters& values) {
       [](const auto& p, const auto& ring) { return point_polygon::crossings_translated(p, ring); });
   ask("closed rule", [](const auto& p, const auto& ring) { return point_polygon::crossings_closed(p, ring) % 2 == 1; });
   int turns = 0;  // odd if and only if the count of crossings is: each of them adds 1 or takes 1 away
-  for (const Ring<double, 2>& ring : s.situation.polygon.rings) turns += point_polygon::winding_naive(s.p, ring);
+  for (const Ring<double, 2>& ring : s.polygon.rings) turns += point_polygon::winding_naive(s.p, ring);
   all.add("winding number, odd or even", turns % 2 != 0);
   return all.take();
 }

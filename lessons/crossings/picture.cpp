@@ -4,6 +4,7 @@
 
 #include "lessons/shared/flat.h"
 #include "lessons/shared/location.h"
+#include "lessons/shared/vertices.h"
 
 namespace isect::lessons::crossings_lesson {
 
@@ -16,7 +17,7 @@ const char* word(Location l) { return l == Location::in ? "IN" : l == Location::
 /// Right of everything, so that the ray leaves the picture last.
 double end_of_ray(const Setup& s) {
   double end = s.p.x();
-  for (const Ring<double, 2>& ring : s.situation.polygon.rings)
+  for (const Ring<double, 2>& ring : s.polygon.rings)
     for (const Point<double, 2>& v : ring) end = std::max(end, v.x());
   return end + 0.75;
 }
@@ -24,7 +25,7 @@ double end_of_ray(const Setup& s) {
 /// The ray a little higher: by half the way to the next vertex above it, and little enough to look like one ray.
 void add_raised(const Setup& s, Scene& scene) {
   double rise = 0.15;
-  for (const Ring<double, 2>& ring : s.situation.polygon.rings)
+  for (const Ring<double, 2>& ring : s.polygon.rings)
     for (const Point<double, 2>& v : ring)
       if (v.y() > s.p.y()) rise = std::min(rise, (v.y() - s.p.y()) / 2);
   const Vec3 up = {0, rise, 0}, from = flat(s.p) + up, to = Vec3(end_of_ray(s), s.p.y(), 0) + up;
@@ -54,7 +55,7 @@ void add_meetings(const Known& known, Scene& scene) {
 }  // namespace
 
 std::array<Point<double, 2>, 2> ends(const Setup& s, const EdgeOf& e) {
-  const Ring<double, 2>& ring = s.situation.polygon.rings[e.ring];
+  const Ring<double, 2>& ring = s.polygon.rings[e.ring];
   const std::size_t i = static_cast<std::size_t>(e.index);
   return {ring[i], ring[(i + 1) % ring.size()]};
 }
@@ -69,7 +70,7 @@ Point<double, 2> meeting(const Setup& s, const EdgeOf& e) {
 Scene picture(const Setup& s, const Known& known) {
   Scene scene;
   Region region;
-  for (const Ring<double, 2>& ring : s.situation.polygon.rings) region.rings.push_back(flat(ring));
+  for (const Ring<double, 2>& ring : s.polygon.rings) region.rings.push_back(flat(ring));
   region.corners = true;
   if (region.rings.size() == 1)  // several rings are filled by the even-odd rule: a second one, of no area, asks for it
     region.rings.push_back({region.rings[0][0], region.rings[0][0], region.rings[0][0]});
@@ -95,6 +96,11 @@ Scene picture(const Setup& s, const Known& known) {
   scene.items.emplace_back(known.on ? Dot{p, Mark::diamond, Role::highlight} : Dot{p, Mark::disc, Role::first});
   scene.items.emplace_back(Label{p, "**p**", Role::first});
   scene.handles.push_back({"p", Handle::Kind::point, p, Vec3::Zero(), Role::first});
+  std::size_t first = 0;
+  for (const Ring<double, 2>& ring : s.polygon.rings) {
+    add_handles(scene, "v", ring, Role::second, "a corner", first);
+    first += ring.size();
+  }
   return scene;
 }
 
@@ -108,11 +114,11 @@ std::string verdict_text(const Winding& w) {
 }
 
 std::string alt_text(const Setup& s) {
-  const std::size_t rings = s.situation.polygon.rings.size();
+  const std::size_t rings = s.polygon.rings.size();
   return fmt::format("A point and a polygon{}, with a ray from the point to the right. {}",
-                     rings > 1            ? " with a hole"
-                     : s.situation.simple ? ""
-                                          : " that meets itself",
+                     rings > 1  ? " with a hole"
+                     : s.simple ? ""
+                                : " that meets itself",
                      s.truth.even_odd == Location::on
                          ? "The point lies on the boundary."
                          : fmt::format("The ray crosses {} edge{}: by the even-odd rule the point lies {}.",

@@ -1,6 +1,10 @@
 #include "lessons/crossings/situations.h"
 
 #include <algorithm>
+#include <numeric>
+
+#include "lessons/shared/parameters.h"
+#include "lessons/shared/vertices.h"
 
 namespace isect::lessons::crossings_lesson {
 
@@ -60,20 +64,17 @@ const std::vector<Situation>& situations() {
        "spike",
        {-1.25, 0},
        {{{{-2, -1.5}, {1.5, -1.5}, {1.25, 0.5}, {2.5, -0.5}, {1.25, 0.5}, {1, 1.75}, {-1.75, 1.5}}}},
-       "Two edges run out to a tip and back: they cancel.",
-       false},
+       "Two edges run out to a tip and back: they cancel."},
       {"hole",
        "hole",
        {-0.25, 0.25},
        {{{{-2.25, -1.75}, {2.25, -1.75}, {2.25, 1.75}, {-2.25, 1.75}}, {{-1, -0.75}, {-1, 1}, {1, 1.25}, {1, -0.75}}}},
-       "The point lies in a hole, which is a separate ring.",
-       false},
+       "The point lies in a hole, which is a separate ring."},
       {"pentagram",
        "crosses itself",
        {0, 0.125},
        {{{{-1.25, -1.75}, {0, 2.25}, {1.25, -1.75}, {-2, 0.75}, {2, 0.75}}}},
-       "The boundary goes around the point twice.",
-       false},
+       "The boundary goes around the point twice."},
   };
   return all;
 }
@@ -82,9 +83,40 @@ const Situation& situation(const std::string& id) {
   return *std::ranges::find_if(situations(), [&](const Situation& s) { return s.id == id; });
 }
 
+namespace {
+
+int corners_of(const Situation& s) {
+  return std::accumulate(s.polygon.rings.begin(), s.polygon.rings.end(), 0,
+                         [](int sum, const Ring<double, 2>& ring) { return sum + static_cast<int>(ring.size()); });
+}
+
+Polygon<double, 2> moved(Polygon<double, 2> polygon, const viz::Parameters& values) {
+  std::size_t first = 0;
+  for (Ring<double, 2>& ring : polygon.rings) {
+    move_vertices(values, "v", ring, first);
+    first += ring.size();
+  }
+  return polygon;
+}
+
+}  // namespace
+
+int most_corners() {
+  int most = 0;
+  for (const Situation& s : situations()) most = std::max(most, corners_of(s));
+  return most;
+}
+
+Setup::Setup(const viz::Parameters& values)
+    : situation(crossings_lesson::situation(std::get<std::string>(values.at("polygon")))),
+      p(flat_point(values, "p")),
+      polygon(moved(situation.polygon, values)),
+      simple(polygon.rings.size() == 1 && is_simple(polygon.rings[0])),
+      truth(winding(p, polygon)) {}
+
 int Setup::vertices_on_ray() const {
   int on_ray = 0;
-  for (const Ring<double, 2>& ring : situation.polygon.rings)
+  for (const Ring<double, 2>& ring : polygon.rings)
     on_ray +=
         static_cast<int>(std::ranges::count_if(ring, [&](const auto& v) { return v.y() == p.y() && v.x() > p.x(); }));
   return on_ray;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <isect/point_polygon.h>
+#include "viz/lesson.h"
 
 namespace isect::lessons::crossings_lesson {
 
@@ -13,22 +14,27 @@ struct Situation {
   const char* title;
   Point<double, 2> p;
   Polygon<double, 2> polygon;
-  const char* note;    ///< one sentence on what is special, with the point where it is given
-  bool simple = true;  ///< one ring that neither crosses nor meets itself: what Jordan's theorem speaks of
+  const char* note;  ///< one sentence on what is special, with the point where it is given
 };
 
 /// The first is the one to start with.
 const std::vector<Situation>& situations();
 const Situation& situation(const std::string& id);
+/// So many corners has the polygon with most of them.
+int most_corners();
 
-/// A situation with its point perhaps moved, and what is true of it by the exact test.
+/// A situation with its point and its corners perhaps moved, and what is true of it by the exact test.
 struct Setup {
-  Setup(const Situation& the_situation, const Point<double, 2>& the_point)
-      : situation(the_situation), p(the_point), truth(winding(p, situation.polygon)) {}
+  explicit Setup(const viz::Parameters&);
 
   const Situation& situation;
   Point<double, 2> p;
+  Polygon<double, 2> polygon;
+  bool simple;  ///< one ring that neither crosses nor meets itself: what Jordan's theorem speaks of
   Winding truth;
+
+  /// Nothing was moved.
+  bool as_given() const { return p == situation.p && polygon.rings == situation.polygon.rings; }
 
   /// The vertices on the ray, its origin left out.
   int vertices_on_ray() const;

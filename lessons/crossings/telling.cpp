@@ -14,7 +14,7 @@ namespace {
 
 /// What is special about the point where it stands now.
 std::string special(const Setup& s) {
-  if (s.p == s.situation.p) return s.situation.note;
+  if (s.as_given()) return s.situation.note;
   if (s.truth.even_odd == Location::on) return "The point lies on the boundary.";
   const int vertices = s.vertices_on_ray();
   return vertices == 0 ? "No vertex lies on the ray."
@@ -24,7 +24,7 @@ std::string special(const Setup& s) {
 /// Edges that meet the whole line of the ray, by the half-open rule: those on the left of the point, too.
 int crossings_of_line(const Setup& s) {
   int count = 0;
-  for (const Ring<double, 2>& ring : s.situation.polygon.rings)
+  for (const Ring<double, 2>& ring : s.polygon.rings)
     for (std::size_t i = 0; i < ring.size(); ++i)
       count += (ring[i].y() > s.p.y()) != (ring[(i + 1) % ring.size()].y() > s.p.y());
   return count;
@@ -52,7 +52,7 @@ Step& Teller::add(const std::string& slug, const std::string& title, int line, c
 void Teller::first_step() {
   script_.value("count", 0, {}, Role::hit);
   add("ray", "A ray to the right", 0,
-      std::string(setup_.situation.simple
+      std::string(setup_.simple
                       ? "Count the edges that it crosses: an odd number means inside (Jordan curve theorem).\n"
                       : "Count the edges that it crosses: odd means inside.\n"
                         "Jordan's theorem speaks of simple closed curves only. Here this even-odd rule is a "
@@ -63,7 +63,7 @@ void Teller::first_step() {
 /// Misconceptions: a vertex counts as often as in the other rule; edges on the left count, too; all edges count.
 Question Teller::how_many(const std::string& rule, int counted) const {
   int closed = 0, edges = 0;
-  for (const Ring<double, 2>& ring : setup_.situation.polygon.rings) {
+  for (const Ring<double, 2>& ring : setup_.polygon.rings) {
     closed += point_polygon::crossings_closed(setup_.p, ring);
     edges += static_cast<int>(ring.size());
   }
@@ -74,7 +74,7 @@ Question Teller::how_many(const std::string& rule, int counted) const {
 
 std::string Teller::slug(const EdgeOf& e) const {
   int number = e.index + 1;
-  for (int r = 0; r < e.ring; ++r) number += static_cast<int>(setup_.situation.polygon.rings[r].size());
+  for (int r = 0; r < e.ring; ++r) number += static_cast<int>(setup_.polygon.rings[r].size());
   return "edge-" + std::to_string(number);
 }
 

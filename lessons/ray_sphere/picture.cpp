@@ -36,6 +36,7 @@ Setup setup(const Parameters& parameters, bool unit_direction) {
   if (!unit_direction || !(length > 0)) return s;
 
   s.lengths = true;
+  s.given = length;
   s.ray.direction /= length;
   s.ray.range.hi *= length;
   s.truth.roots = {s.truth.roots.lo * length, s.truth.roots.hi * length};
@@ -173,6 +174,10 @@ class Painter {
                       {"direction", Handle::Kind::vector, at(1), o, Role::first},
                       {"center", Handle::Kind::point, c, Vec3::Zero(), Role::second},
                       {"radius", Handle::Kind::length, rim, c, Role::second}};
+    const Vec3& d = s_.ray.direction;
+    const double dd = d.squaredNorm();
+    if (s_.segment() && dd > 0)  // the parameter counts in lengths of the direction as given
+      scene_.handles.push_back({"t_max", Handle::Kind::along, at(end_), o, Role::first, d / (dd * s_.given)});
   }
 
   void axis() {

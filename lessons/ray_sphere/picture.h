@@ -13,6 +13,7 @@ struct Setup {
   RaySphere<double> truth;
 
   bool lengths = false;  ///< t is a length: the direction is a unit vector
+  double given = 1;      ///< length of the direction as given, in lengths of the ray's
 
   double foot() const;   ///< t of the line's point nearest to the center
   bool segment() const;  ///< the range is finite

@@ -203,6 +203,15 @@ TEST_CASE("explain follows changed parameters", "[explain]") {
   CHECK_THAT(shell("isect explain ray-sphere --set radius=0.25 --step 3").out, Contains("r² = 0.0625"));
 }
 
+TEST_CASE("explain tells of a corner only where it was moved, and refuses one that may not stand there", "[explain]") {
+  const Shell shell;
+  CHECK_THAT(shell("isect explain crossings --step 1").out, !Contains("v2"));
+  CHECK_THAT(shell("isect explain crossings --step 1 --set v2=1,1,0").out, Contains("v₂ = (1, 1)"));
+  const Ran refused = shell("isect explain concave-polygon --set v2=-2,1.25,0");
+  CHECK(refused.status == 2);
+  CHECK_THAT(refused.err, Contains("v2") && Contains("no two edges cross"));
+}
+
 TEST_CASE("explain and show refuse what does not exist", "[explain][show]") {
   const Shell shell;
   for (const std::string sub : {"explain", "show"}) {

@@ -27,7 +27,7 @@ TEST_CASE("alt text names what is drawn and from which numbers, the formula and 
       INFO(lesson->id << ", " << step.slug << ":\n" << alt);
       CHECK_THAT(alt, StartsWith(lesson->title + ": "));
       CHECK_THAT(alt, Contains(plain(step.caption)));
-      for (const Parameter& p : lesson->parameters) CHECK_THAT(alt, Contains(p.name));
+      for (const auto& [name, value] : preset.parameters) CHECK_THAT(alt, Contains(name));
       if (!step.formula.empty()) CHECK_THAT(alt, Contains("Formula: " + plain(step.formula)));
       if (step.verdict.kind != Verdict::Kind::open) CHECK_THAT(alt, Contains("Verdict: " + plain(step.verdict.text)));
       CHECK(alt.find('*') == alt.npos);  // no mark is left

@@ -26,6 +26,8 @@ const Lesson& lesson() {
 
 Walk walk_of(const std::string& id) { return lesson().walk(preset(lesson(), id).parameters); }
 
+Setup of(const std::string& polygon) { return Setup({{"polygon", polygon}, {"p", Vec3(0, 0, 0)}}); }
+
 double value(const Step& step, const std::string& name) {
   for (const Value& v : step.values)
     if (v.name == name) return v.value;
@@ -52,7 +54,7 @@ TEST_CASE("each way ends with the exact location, wherever the point is dragged"
   for (const Preset& p : lesson().presets) {
     INFO(p.id);
     Parameters parameters = p.parameters;
-    const Setup setup(std::get<std::string>(parameters.at("polygon")), Vec3::Zero());
+    const Setup setup(parameters);
     for (double x = -3.5; x <= 1.25; x += 0.25)
       for (double y = -2.25; y <= 2.25; y += 0.25) {
         parameters["p"] = Vec3(x, y, 0);
@@ -87,7 +89,7 @@ TEST_CASE("the lesson visits a line of a slab, an edge, and both sides of vertic
 
 TEST_CASE("slabs store an edge in each slab that it crosses", "[concave-polygon lesson]") {
   for (const char* polygon : {"concave", "spiky"}) {
-    const Setup setup(polygon, Vec3::Zero());
+    const Setup setup = of(polygon);
     std::set<double> heights;
     for (const auto& v : setup.ring) heights.insert(v.y());
     CHECK(heights.size() == setup.ring.size());  // no two vertices are level
@@ -113,7 +115,7 @@ TEST_CASE("on spikes slabs grow as the square of n, the map as n", "[concave-pol
 }
 
 TEST_CASE("the map told edge by edge is the core's own", "[concave-polygon lesson]") {
-  const Setup setup("concave", Vec3::Zero());
+  const Setup setup = of("concave");
   const Walk walk = walk_of("trapezoids");
   const TrapezoidMap map = make_trapezoid_map(setup.ring);
   CHECK(sizes(map).trapezoids == 2 * setup.size() + 1);
@@ -128,7 +130,7 @@ TEST_CASE("the map told edge by edge is the core's own", "[concave-polygon lesso
 }
 
 TEST_CASE("every level of the hierarchy tiles the box, and links tell what shares area", "[concave-polygon lesson]") {
-  const Setup setup("concave", Vec3::Zero());
+  const Setup setup = of("concave");
   const Hierarchy h = make_hierarchy(setup.ring, {{-3.5, -2}, {1.5, 2}});
   REQUIRE(h.levels.size() > 2);
   for (std::size_t l = 0; l < h.levels.size(); ++l) {

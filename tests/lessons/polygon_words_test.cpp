@@ -51,6 +51,31 @@ Truth truth_of(const Point<double, 2>& p, const Rings& rings) {
   return truth;
 }
 
+/// The corners that the setting moves, counted over all rings.
+void move(const Parameters& setting, Rings& rings) {
+  int i = 0;
+  for (Ring<double, 2>& ring : rings)
+    for (Point<double, 2>& corner : ring)
+      if (const auto moved = setting.find("v" + std::to_string(i++)); moved != setting.end())
+        corner = std::get<Vec3>(moved->second).head<2>();
+}
+
+/// By turns in rationals: no two edges have more in common than the end where one leads on to the other.
+bool is_simple(const Ring<double, 2>& ring) {
+  const std::size_t n = ring.size();
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = i + 1; j < n; ++j) {
+      const Point<double, 2>&a = ring[i], &b = ring[(i + 1) % n], &c = ring[j], &d = ring[(j + 1) % n];
+      if (j == i + 1 || (i == 0 && j == n - 1)) {  // neighbours: does one run back on the other?
+        const Point<double, 2>&tip = j == i + 1 ? b : a, &from = j == i + 1 ? a : b, &to = j == i + 1 ? d : c;
+        if (turn(from, tip, to) == 0 && (from - tip).dot(to - tip) > 0) return false;
+      } else if (turn(a, b, c) * turn(a, b, d) <= 0 && turn(c, d, a) * turn(c, d, b) <= 0) {
+        return false;
+      }
+    }
+  return true;
+}
+
 Verdict::Kind kind_of(Location l) {
   return l == Location::in ? Verdict::Kind::yes : l == Location::on ? Verdict::Kind::on : Verdict::Kind::no;
 }
@@ -60,8 +85,10 @@ Verdict::Kind kind_of(Location l) {
 TEST_CASE("crossings are counted as they are in rationals, by either rule", "[words]") {
   int wrong = 0;
   on_random_settings("crossings", 1000, [&](const Parameters& setting, const Walk& walk) {
-    const auto& s = lessons::crossings_lesson::situation(text(setting, "polygon"));
-    const Truth truth = truth_of(point(setting), s.polygon.rings);
+    Rings rings = lessons::crossings_lesson::situation(text(setting, "polygon")).polygon.rings;
+    move(setting, rings);
+    const Truth truth = truth_of(point(setting), rings);
+    CHECK(says(walk.steps[0].caption, "(Jordan curve theorem)") == (rings.size() == 1 && is_simple(rings[0])));
     const Step& last = ending(walk);
     const int counting = static_cast<int>(std::ranges::count_if(walk.steps, [&](const Step& step) {
       return step.slug.starts_with("edge-") && walk.pseudocode[step.line].find("count + 1") != std::string::npos;
@@ -98,22 +125,9 @@ TEST_CASE("where a graze is counted twice, the closed rule is said to be right b
 TEST_CASE("Jordan's theorem is cited for simple closed curves only", "[words]") {
   for (const auto& s : lessons::crossings_lesson::situations()) {
     INFO(s.id);
-    bool meets = s.polygon.rings.size() > 1;
-    const Ring<double, 2>& ring = s.polygon.rings[0];
-    const std::size_t n = ring.size();
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = i + 1; j < n; ++j) {
-        const Point<double, 2>&a = ring[i], &b = ring[(i + 1) % n], &c = ring[j], &d = ring[(j + 1) % n];
-        if (b == c || d == a) {  // neighbours: does one run back on the other?
-          const Point<double, 2>&tip = b == c ? b : a, &from = b == c ? a : b, &to = b == c ? d : c;
-          meets = meets || (turn(from, tip, to) == 0 && (from - tip).dot(to - tip) > 0);
-        } else {
-          meets = meets || (turn(a, b, c) * turn(a, b, d) <= 0 && turn(c, d, a) * turn(c, d, b) <= 0);
-        }
-      }
-    CHECK(s.simple == !meets);
+    const bool simple = s.polygon.rings.size() == 1 && is_simple(s.polygon.rings[0]);
     const Walk walk = walk_of("crossings", s.id);
-    CHECK(says(walk.steps[0].caption, "(Jordan curve theorem)") == s.simple);
+    CHECK(says(walk.steps[0].caption, "(Jordan curve theorem)") == simple);
   }
 }
 
@@ -155,8 +169,13 @@ TEST_CASE("the fan rejects, accepts and counts its orientations as said", "[word
 
 TEST_CASE("slabs, trapezoids and triangles end with the exact location, and keep what is said", "[words]") {
   on_random_settings("concave-polygon", 300, [&](const Parameters& setting, const Walk& walk) {
-    const lessons::concave_polygon_lesson::Setup s(text(setting, "polygon"), std::get<Vec3>(setting.at("p")));
-    const Location truth = truth_of(s.p, {s.ring}).location;
+    const lessons::concave_polygon_lesson::Setup s(setting);
+    Parameters unmoved = setting;
+    std::erase_if(unmoved, [](const auto& p) { return p.first[0] == 'v'; });
+    Rings rings = {lessons::concave_polygon_lesson::Setup(unmoved).ring};
+    move(setting, rings);
+    CHECK(s.ring == rings[0]);
+    const Location truth = truth_of(s.p, rings).location;
     const Step& last = ending(walk);
     CHECK(last.verdict.kind == kind_of(truth));
     CHECK(last.verdict.text == lessons::verdict_text(truth));

@@ -21,15 +21,16 @@ inline viz::Setting random_setting(const viz::Parameter& p, bench::Random& rando
   return viz::Vec3(random_number(p, random), random_number(p, random), random_number(p, random));
 }
 
-/// Each parameter drawn anew or, one time in two, as in a preset; what the lesson refuses is drawn again.
+/// Each parameter drawn anew or, one time in two, as in a preset; of what need not be there little is. What the lesson
+/// refuses is drawn again.
 inline viz::Parameters random_setting(const viz::Lesson& lesson, bench::Random& random) {
   for (;;) {
     viz::Parameters setting =
         lesson.presets[static_cast<std::size_t>(random.below(static_cast<int>(lesson.presets.size())))].parameters;
     for (const viz::Parameter& p : lesson.parameters)
-      if (random.one_in(2)) setting[p.name] = random_setting(p, random);
-    for (const viz::Parameter& p : lesson.parameters)  // a point of a flat lesson stays in its plane
-      if (lesson.flat && std::holds_alternative<viz::Vec3>(p.initial)) std::get<viz::Vec3>(setting[p.name]).z() = 0;
+      if (random.one_in(p.optional ? 12 : 2)) setting[p.name] = random_setting(p, random);
+    for (auto& [name, value] : setting)  // a point of a flat lesson stays in its plane
+      if (viz::Vec3* v = std::get_if<viz::Vec3>(&value); v && lesson.flat) v->z() = 0;
     try {
       validate(lesson, setting);
       return setting;

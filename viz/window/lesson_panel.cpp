@@ -94,6 +94,7 @@ std::vector<Hint> hints_of(const Player& player, bool map) {
     std::string label = h.parameter;
     for (const Parameter& p : player.lesson().parameters)
       if (p.name == h.parameter && !p.label.empty()) label = p.label;
+    if (!h.one_of.empty()) label = h.one_of;
     auto found = std::find_if(hints.begin(), hints.end(), [&](const Hint& hint) { return hint.role == h.role; });
     if (found == hints.end())
       hints.push_back({h.role, "drag " + label});

@@ -148,6 +148,7 @@ float parameter_fields(Session& s, float x, float y, float width) {
   const Parameters now = s.player.parameters();  // a field may change the player's own while we go through it
   const float labels = label_width(s);
   for (const Parameter& p : s.player.lesson().parameters) {
+    if (!now.contains(p.name)) continue;
     const Setting& value = now.at(p.name);
     const Rect r{x + labels, y, x + width, y + 26};
     ImGui::PushClipRect({x, y}, {r.left - 4, y + field_height}, true);

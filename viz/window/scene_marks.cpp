@@ -55,7 +55,8 @@ Rect projection_rect(const Session& s, const Rect& scene) {
 
 std::size_t corners_of(const Region& region) {
   std::size_t corners = 0;
-  for (const std::vector<Vec3>& ring : region.rings) corners += ring.size();
+  for (const std::vector<Vec3>& ring : region.rings)
+    if (std::ranges::any_of(ring, [&](const Vec3& v) { return v != ring[0]; })) corners += ring.size();
   return corners;
 }
 
@@ -186,7 +187,7 @@ void toast(Session& s, const Rect& scene) {
                                       toast.text.c_str(), nullptr, room - 56);
 }
 
-void handle_under_pointer(Session& s, const View& view, const Handle& handle) {
+void handle_under_pointer(Session& s, const View& view, const Handle& handle, const std::string& forbidden) {
   const Vec2 at = view.project(handle.at).at;
   const ImVec2 middle{static_cast<float>(at.x()), static_cast<float>(at.y())};
   ImGui::GetWindowDrawList()->AddCircle(middle, 14, packed(s.ui.palette.highlight), 32, 2);
@@ -196,7 +197,9 @@ void handle_under_pointer(Session& s, const View& view, const Handle& handle) {
       if (!p.label.empty()) name = plain(p.label);
       help = "\n" + p.help;
     }
-  tooltip(s.ui, name + " = " + words_of(s.player.parameters().at(handle.parameter)) + help);
+  const auto value = s.player.parameters().find(handle.parameter);  // what was not moved yet has none
+  tooltip(s.ui, name + " = " + words_of(value == s.player.parameters().end() ? Setting(handle.at) : value->second) +
+                    help + (forbidden.empty() ? "" : "\n" + forbidden));
 }
 
 void item_under_pointer(Session& s, const View& view, const Vec2& pixel) {

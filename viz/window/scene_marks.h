@@ -22,8 +22,9 @@ void changed_text(Session&, const Rect& scene);
 /// The message of the moment at the bottom.
 void toast(Session&, const Rect& scene);
 
-/// Rings a handle and names its parameter and value.
-void handle_under_pointer(Session&, const View&, const Handle&);
+/// Rings a handle, names its parameter and value, and tells why it does not follow the pointer, if anything forbids
+/// that.
+void handle_under_pointer(Session&, const View&, const Handle&, const std::string& forbidden);
 /// Names the ball, solid, mesh or polygon that the viewing ray through `pixel` meets first, asking the core's own ray
 /// tests.
 void item_under_pointer(Session&, const View&, const Vec2& pixel);

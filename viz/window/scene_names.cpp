@@ -17,6 +17,7 @@ bool is_tip(const Scene& scene, const Vec3& at) {
 Scene with_names(const Player& player) {
   Scene scene = player.scene();
   for (const Handle& h : scene.handles) {
+    if (!h.one_of.empty()) continue;  // so many names would hide the rest: the pointer asks for one
     std::string name = h.parameter;
     for (const Parameter& p : player.lesson().parameters)
       if (p.name == h.parameter && !p.label.empty()) name = p.label;

@@ -4,7 +4,8 @@
 
 namespace isect::viz {
 
-/// The scene with a name at each handle that has none. An arrow's name moves from its tip to its handle.
+/// The scene with a name at each handle that has none, but for those that are one of many. An arrow's name moves from
+/// its tip to its handle.
 Scene with_names(const Player&);
 
 }  // namespace isect::viz

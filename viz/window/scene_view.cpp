@@ -40,6 +40,10 @@ const Cases* map_of(const Session& s) {
   return scene.chart && s.player.lesson().map ? std::get_if<Cases>(&scene.chart->kind) : nullptr;
 }
 
+std::string refusal(const Condition* forbids) {
+  return forbids ? "That does not do; give " + forbids->allowed : std::string();
+}
+
 bool same_handle(const Handle& a, const Handle& b) { return a.parameter == b.parameter && a.kind == b.kind; }
 
 }  // namespace
@@ -77,7 +81,8 @@ std::optional<Handle> SceneView::handle_near(const Session& s, const View& view,
 
 void SceneView::drag_held(Session& s, const View& view) {
   if (mouse() == last_) return;
-  s.attempt([&] { s.player.drag_handle(*held_, view.on_facing_plane(mouse() - grip_, held_->at)); });
+  s.attempt(
+      [&] { forbidden_ = refusal(s.player.drag_handle(*held_, view.on_facing_plane(mouse() - grip_, held_->at))); });
   for (const Handle& h : s.player.scene().handles)
     if (same_handle(h, *held_)) {
       held_ = h;
@@ -109,7 +114,12 @@ void SceneView::keyboard(Session& s, const View& view) {
   if (io.KeyShift && held != handles.end()) {
     const Handle handle = *held;
     s.player.remember("nudge " + handle.parameter);
-    s.attempt([&] { s.player.drag_handle(handle, view.on_facing_plane(view.project(handle.at).at + way, handle.at)); });
+    std::string forbidden;
+    s.attempt([&] {
+      forbidden =
+          refusal(s.player.drag_handle(handle, view.on_facing_plane(view.project(handle.at).at + way, handle.at)));
+    });
+    if (!forbidden.empty()) s.complain(forbidden);
   } else if (io.KeyShift && !s.player.lesson().flat) {
     s.player.orbit(2 * way);
   } else {
@@ -131,6 +141,7 @@ void SceneView::pointer(Session& s, const View& view, bool hovered, bool active)
   if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
     s.player.end_action();
     held_ = handle_near(s, view, mouse());
+    forbidden_.clear();
     if (held_) {
       s.player.remember("drag");
       grip_ = mouse() - view.project(held_->at).at;
@@ -183,7 +194,7 @@ void SceneView::show(Session& s, const Rect& r) {
     focused(ui, "handle " + h.parameter, grip);
   }
   if (const std::optional<Handle> under = held_ ? held_ : hovered ? handle_near(s, view, mouse()) : std::nullopt)
-    handle_under_pointer(s, view, *under);
+    handle_under_pointer(s, view, *under, held_ ? forbidden_ : std::string());
   else if (hovered && !active)
     item_under_pointer(s, view, mouse());
 

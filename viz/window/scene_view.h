@@ -38,6 +38,7 @@ class SceneView {
   KeptPicture picture_;
   std::string drawn_;           ///< what the picture shows, as one line; drawing it again is saved
   std::optional<Handle> held_;  ///< while a handle is dragged: the handle as it is now
+  std::string forbidden_;       ///< why it does not follow the pointer; empty: it does
   MapDrag map_drag_;            ///< while the step shows the map of cases
   Vec2 grip_ = Vec2::Zero();    ///< from the held handle to the pointer that took it
   Vec2 last_ = Vec2::Zero();    ///< the pointer in the frame before

@@ -1,0 +1,100 @@
+// What can be taken hold of: corners of polygons, points of clouds, the end of a segment.
+
+#include "lessons/lessons.h"
+#include "tests/catch.h"
+#include "tests/viz/window_driver.h"
+#include "viz/place.h"
+
+namespace moving_test {
+using namespace isect;
+using namespace isect::viz;
+
+namespace {
+
+Place at(const std::string& lesson, const std::string& preset) {
+  Place place;
+  place.lesson = lesson, place.preset = preset;
+  return place;
+}
+
+const Handle& handle(const Player& player, const std::string& name) {
+  for (const Handle& h : player.scene().handles)
+    if (h.parameter == name) return h;
+  throw std::runtime_error("no handle " + name);
+}
+
+}  // namespace
+
+TEST_CASE("every corner and every point that a lesson draws can be dragged with the pointer", "[window]") {
+  const auto [lesson, preset, count] =
+      GENERATE(table<const char*, const char*, int>({{"crossings", "inside", 5},
+                                                     {"crossings", "hole", 8},
+                                                     {"concave-polygon", "slabs", 9},
+                                                     {"concave-polygon", "hierarchy", 9},
+                                                     {"convex-hull", "scattered", 8}}));
+  INFO(lesson << " " << preset);
+  WindowDriver window(lessons::all_lessons(), 1280, 800, at(lesson, preset));
+  for (int i = 0; i < count; ++i) {
+    const std::string name = "v" + std::to_string(i);
+    INFO(name);
+    const Rect before = window.rect("handle " + name);
+    CHECK((before.width() >= 24 && before.height() >= 24));
+    CHECK_FALSE(window.player().parameters().contains(name));
+    window.drag("handle " + name, 3, -2);
+    CHECK(window.player().parameters().contains(name));
+    window.frames(60);
+    CHECK(window.player().undo());
+    window.frames(60);
+    CHECK_FALSE(window.player().parameters().contains(name));
+  }
+  CHECK_FALSE(window.has("handle v" + std::to_string(count)));
+}
+
+TEST_CASE("a moved corner is kept by the other rule and in a copied state, and forgotten with its polygon",
+          "[player]") {
+  const auto lessons = lessons::all_lessons();
+  Player player(lessons, at("crossings", "inside"));
+  player.drag_handle(handle(player, "v2"), {1.5, 0.25, 0});
+  const Setting moved = Vec3(1.5, 0.25, 0);
+  CHECK(player.parameters().at("v2") == moved);
+  CHECK(handle(player, "v2").at == Vec3(1.5, 0.25, 0));
+  player.load_method("closed");
+  CHECK(player.parameters().at("v2") == moved);
+  CHECK(place_from_json(to_json(player.place()), lessons).parameters->at("v2") == moved);
+  player.edit("polygon", std::string("outside"));
+  CHECK_FALSE(player.parameters().contains("v2"));
+}
+
+TEST_CASE("a corner does not go where a method's polygon would no longer be simple, and that is said", "[player]") {
+  Player player(lessons::all_lessons(), at("concave-polygon", "slabs"));
+  const Parameters before = player.parameters();
+  const Condition* forbids = player.drag_handle(handle(player, "v2"), {-2, 1.25, 0});  // across the edge v7 v8
+  REQUIRE(forbids);
+  CHECK(forbids->allowed.find("no two edges cross") != std::string::npos);
+  CHECK(player.parameters() == before);
+  CHECK(player.drag_handle(handle(player, "v2"), {5, 0, 0}));  // beyond the frame
+  CHECK_FALSE(player.drag_handle(handle(player, "v2"), {-0.75, 0, 0}));
+  CHECK(player.parameters().contains("v2"));
+}
+
+TEST_CASE("where a moved corner makes edges cross, Jordan's theorem is no longer cited", "[player]") {
+  Player player(lessons::all_lessons(), at("crossings", "inside"));
+  const auto cites = [&] { return player.walk().steps[0].caption.find("(Jordan curve theorem)") != std::string::npos; };
+  CHECK(cites());
+  player.drag_handle(handle(player, "v0"), {2, 2.25, 0});
+  CHECK_FALSE(cites());
+  CHECK(player.walk().alt.find("that meets itself") != std::string::npos);
+}
+
+TEST_CASE("a segment's end is dragged along it, in lengths of the direction as given", "[player]") {
+  const std::string preset = GENERATE("segment-before", "segment-before-quadratic", "segment-inside-half-b");
+  Player player(lessons::all_lessons(), at("ray-sphere", preset));
+  const Vec3 o = handle(player, "origin").at, d = std::get<Vec3>(player.parameters().at("direction"));
+  player.drag_handle(handle(player, "t_max"), o + 1.5 * d);
+  CHECK(std::get<double>(player.parameters().at("t_max")) == Approx(1.5).epsilon(1e-12));
+  CHECK((handle(player, "t_max").at - (o + 1.5 * d)).norm() < 1e-9);
+  player.edit("extent", std::string("ray"));
+  CHECK_THROWS(handle(player, "t_max"));
+}
+
+}  // namespace moving_test
