@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "viz/lesson.h"
+#include "viz/names.h"
 #include "viz/rich_text.h"
 #include "viz/typeset.h"
 
@@ -209,6 +210,26 @@ Picture raster(const Paragraph& paragraph, double scale) {
     cairo_fill(cr);
   }
   return canvas.picture(paragraph.colour);
+}
+
+std::vector<NameBox> name_boxes(const Paragraph& paragraph) {
+  const std::vector<Name> names = names_in(paragraph.markup);
+  if (names.empty()) return {};
+  const Block block = lay_out(paragraph);
+  std::vector<NameBox> boxes;
+  for (const Name& name : names)
+    for (const auto& [line, baseline] : block.lines) {
+      const int begin = static_cast<int>(name.begin), end = static_cast<int>(name.end);
+      if (begin < line->start_index || begin >= line->start_index + line->length) continue;
+      int left = 0, right = 0;
+      pango_layout_line_index_to_x(line, begin, false, &left);
+      pango_layout_line_index_to_x(line, std::min(end, line->start_index + line->length), false, &right);
+      const double unit = PANGO_SCALE;
+      boxes.push_back({name.key,
+                       {left / unit - block.left, baseline - 0.95 * paragraph.size, right / unit - block.left,
+                        baseline + 0.35 * paragraph.size}});
+    }
+  return boxes;
 }
 
 void use_figure_font(const std::string& family) {

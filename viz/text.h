@@ -47,6 +47,13 @@ struct Paragraph {
 /// it.
 Picture raster(const Paragraph&, double scale = 1);
 
+/// Where a name (viz/names.h) stands in a paragraph, in px from its top left corner.
+struct NameBox {
+  std::string key;
+  TextBox box;
+};
+std::vector<NameBox> name_boxes(const Paragraph&);
+
 /// Families used, found by fontconfig: {"STIXGeneral" or a named substitute, "DejaVu Sans"}.
 struct Fonts {
   std::string figure, window;

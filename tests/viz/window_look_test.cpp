@@ -47,11 +47,17 @@ bool meet(const Rect& a, const Rect& b) {
 
 /// The part of a pseudocode line, a field or an answer that its scrolling area shows; empty if it is scrolled away.
 Rect visible(const WindowDriver& window, const std::string& name, Rect r) {
-  static const std::pair<const char*, const char*> areas[] = {
-      {"line ", "code lines"},      {"choice ", "lesson words"},     {"save preset", "lesson words"},
-      {"try ", "lesson words"},     {"solution ", "lesson words"},   {"see it fail", "lesson words"},
-      {"exercise", "lesson words"}, {"parameter ", "lesson fields"}, {"refused ", "lesson fields"},
-      {"meaning", "values"}};
+  static const std::pair<const char*, const char*> areas[] = {{"line ", "code lines"},
+                                                              {"choice ", "lesson words"},
+                                                              {"save preset", "lesson words"},
+                                                              {"try ", "lesson words"},
+                                                              {"solution ", "lesson words"},
+                                                              {"see it fail", "lesson words"},
+                                                              {"exercise", "lesson words"},
+                                                              {"parameter ", "lesson fields"},
+                                                              {"refused ", "lesson fields"},
+                                                              {"meaning", "values"},
+                                                              {"value ", "values"}};
   for (const auto& [start, area] : areas) {
     if (!name.starts_with(start) || !window.has(area)) continue;
     const Rect clip = window.rect(area);

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "viz/names.h"
 #include "viz/window/panels.h"
 
 namespace isect::viz {
@@ -119,10 +120,17 @@ void code_line(Session& s, int line, const CodeLine& words, float pitch, const R
   const Colour& ink = current ? c.on_highlight : has(step.untaken, line) ? c.muted : c.text;
   float y = r.top + pitch / 2;
   const float number = r.left + 26;
+  const Rect place{r.left, std::max(r.top, ImGui::GetWindowPos().y), r.right,
+                   std::min(r.bottom, ImGui::GetWindowPos().y + ImGui::GetWindowHeight())};
+  const std::vector<std::string> subject =
+      subject_of_line(s.player.walk().pseudocode[static_cast<std::size_t>(line)], ui.names);
+  if (p.hovered) ui.light.point(subject, place);
+  if (ui.focus.name() == "line " + std::to_string(line + 1)) ui.light.hold(subject, place);
   text(ui.fonts.mono_small, number, y, packed(current ? c.on_highlight : c.muted), std::to_string(line + 1), 1);
   const bool refused = has(step.refused, line) || (current && refused_here(s.player));
   ImGui::PushClipRect({number + 8, r.top}, {r.right - (refused ? 38 : 4), r.bottom}, true);
   for (const std::string& row : words.rows) {
+    lights_in(ui, words.font, r.left + code_left, y, row, current);
     text(words.font, r.left + code_left, y, packed(ink), row);
     y += row_pitch;
   }

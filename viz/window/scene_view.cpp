@@ -10,6 +10,7 @@
 #include "viz/compose.h"
 #include "viz/motion.h"
 #include "viz/window/key_codes.h"
+#include "viz/window/scene_lights.h"
 #include "viz/window/scene_marks.h"
 #include "viz/window/scene_names.h"
 
@@ -193,9 +194,12 @@ void SceneView::show(Session& s, const Rect& r) {
     ui.rects["handle " + h.parameter] = grip;
     focused(ui, "handle " + h.parameter, grip);
   }
-  if (const std::optional<Handle> under = held_ ? held_ : hovered ? handle_near(s, view, mouse()) : std::nullopt)
+  const std::optional<Handle> under = held_ ? held_ : hovered ? handle_near(s, view, mouse()) : std::nullopt;
+  if (hovered && !active) point_at_names(s, view, r, labels_, under);
+  light_names(s, view, r, labels_);
+  if (under)
     handle_under_pointer(s, view, *under, held_ ? forbidden_ : std::string());
-  else if (hovered && !active)
+  else if (hovered && !active && ui.sum.empty())
     item_under_pointer(s, view, mouse());
 
   verdict_chip(s, r);

@@ -29,19 +29,32 @@ void TextTextures::rescale(double scale) {
   scale_ = scale;
 }
 
-TextImage TextTextures::of(const Paragraph& paragraph) {
+TextTextures::Kept* TextTextures::kept(const Paragraph& paragraph) {
   const std::string key = key_of(paragraph);
   auto found = kept_.find(key);
   if (found == kept_.end()) {
     const Picture picture = raster(paragraph, scale_);
-    if (picture.width == 0 || picture.height == 0) return {nullptr, {0, 0}};
+    if (picture.width == 0 || picture.height == 0) return nullptr;
     const unsigned name = gl::make_texture(picture);
     const ImVec2 size{static_cast<float>(picture.width / scale_), static_cast<float>(picture.height / scale_)};
     const TextImage image{reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(name)), size};
     found = kept_.emplace(key, Kept{image, name, frame_}).first;
   }
   found->second.last_used = frame_;
-  return found->second.image;
+  return &found->second;
+}
+
+TextImage TextTextures::of(const Paragraph& paragraph) {
+  const Kept* const one = kept(paragraph);
+  return one ? one->image : TextImage{nullptr, {0, 0}};
+}
+
+const std::vector<NameBox>& TextTextures::names(const Paragraph& paragraph) {
+  static const std::vector<NameBox> none;
+  Kept* const one = kept(paragraph);
+  if (!one) return none;
+  if (!one->names) one->names = name_boxes(paragraph);
+  return *one->names;
 }
 
 void TextTextures::next_frame() {

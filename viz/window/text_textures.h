@@ -4,7 +4,9 @@
 #include <imgui.h>
 
 #include <map>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "viz/text.h"
 
@@ -26,6 +28,8 @@ class TextTextures {
   TextTextures& operator=(const TextTextures&) = delete;
 
   TextImage of(const Paragraph&);
+  /// Where its names stand, in px from its top left corner.
+  const std::vector<NameBox>& names(const Paragraph&);
   /// From now on so many framebuffer pixels per px.
   void rescale(double scale);
   /// Ends a frame: what has not been asked for during the last few hundred frames is dropped.
@@ -38,7 +42,9 @@ class TextTextures {
     TextImage image;
     unsigned name;
     int last_used;
+    std::optional<std::vector<NameBox>> names = {};
   };
+  Kept* kept(const Paragraph&);
   double scale_;
   int frame_ = 0;
   std::map<std::string, Kept> kept_;

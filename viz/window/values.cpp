@@ -4,6 +4,7 @@
 #include <map>
 #include <sstream>
 
+#include "viz/names.h"
 #include "viz/rich_text.h"
 #include "viz/window/panels.h"
 
@@ -97,10 +98,15 @@ void value_row(Session& s, const Value& v, const std::map<std::string, BarScale>
   for (ImFont* narrower : {ui.fonts.mono_small, ui.fonts.small})
     if (text_width(font, plain(v.name)) > room) font = narrower;
   const std::string name = fitted(font, plain(v.name), room);
+  const std::vector<std::string> names = keys(names_in(v.name));
+  if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r))) ui.light.point(names, r);
+  ui.rects["value " + name] = r;
+  if (focused(ui, "value " + name, r)) ui.light.hold(names, r);
+  lights_in(ui, font, r.left + 10, y, name);
   text(font, r.left + 10, y, packed(c.text), name);
   if (name != plain(v.name) && ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r))) tooltip(ui, plain(v.name));
   text(ui.fonts.mono, number, y, packed(c.text), shown(v.value), 1);
-  if (!v.unit.empty() && ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r)))
+  if (!v.unit.empty() && names.empty() && ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r)))
     tooltip(ui, "unit: " + plain(v.unit));
   const float right = r.right - 10;
   if (v.fresh) {
@@ -120,8 +126,12 @@ void comparison_card(Session& s, const Comparison& comparison, const Rect& r) {
   const Palette& c = ui.palette;
   s.ui.rects["comparison"] = r;
   filled(r, c.card, 8);
+  const std::vector<std::string> names = keys(names_in(comparison.text));
+  if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r))) ui.light.point(names, r);
+  if (focused(ui, "comparison", r)) ui.light.hold(names, r);
   const Colour& ink = comparison.holds ? c.hit : c.miss;
   const float y = r.top + 20, x0 = r.left + 16, x1 = r.right - 16;
+  lights_in(ui, ui.fonts.mono, x0, y, plain(comparison.text));
   const float end = x0 + text(ui.fonts.mono, x0, y, packed(c.text), plain(comparison.text)) + 10;
   (comparison.holds ? tick : ring)(end + 6, y, 13, packed(ink));
   const float told = end + 17 + text(ui.fonts.small, end + 17, y, packed(ink), comparison.holds ? "true" : "false");

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viz/names.h"
+
 namespace isect::viz {
 namespace {
 
@@ -87,8 +89,61 @@ ImVec2 rich(Ui& ui, const Paragraph& p, ImVec2 at) {
   const TextImage image = ui.texts.of(p);
   const ImVec2 from{std::round(at.x), std::round(at.y)};
   tell_if_cut(p.markup, from.x, from.x + image.size.x);
+  const bool near =
+      ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(from, {from.x + image.size.x, from.y + image.size.y});
+  if ((near || ui.light.on()) && !(ImGui::GetCurrentWindow()->RootWindow->Flags & ImGuiWindowFlags_Popup))
+    for (const NameBox& name : ui.texts.names(p)) {
+      const TextBox& b = name.box;
+      const auto x = [&](double px) { return from.x + static_cast<float>(px); };
+      const auto y = [&](double px) { return from.y + static_cast<float>(px); };
+      lights(ui, {name.key}, {x(b.left) - 1, y(b.top), x(b.right) + 1, y(b.bottom)});
+    }
   if (image.texture) list().AddImage(image.texture, from, {from.x + image.size.x, from.y + image.size.y});
   return image.size;
+}
+
+void lights(Ui& ui, const std::vector<std::string>& names, const Rect& r, bool bright) {
+  if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r))) ui.light.point(names, r);
+  light_up(ui, r, ui.light.of(names), bright);
+  if (ui.light.of(names) > 0)
+    for (int i = 1;; ++i)
+      if (ui.rects.try_emplace("lit " + names.front() + " " + std::to_string(i), r).second) break;
+}
+
+void lights_in(Ui& ui, ImFont* font, float x, float y, const std::string& s, bool bright) {
+  const float half = font->FontSize * font->Scale * 0.6f;
+  for (const Name& name : names_in_line(s, ui.names)) {
+    const float from = x + text_width(font, s.substr(0, name.begin));
+    const float width = text_width(font, s.substr(name.begin, name.end - name.begin));
+    lights(ui, {name.key}, {from - 1, y - half, from + width + 1, y + half}, bright);
+  }
+}
+
+void light_up(Ui& ui, const Rect& r, double strength, bool bright) {
+  if (!(strength > 0)) return;
+  const Palette& c = ui.palette;
+  if (!bright) filled(r, c.highlight.with_alpha(0.35 * strength), 3);
+  outlined(r, (bright ? c.on_highlight : c.fresh).with_alpha(strength), 1.5f, 3);
+}
+
+void tell_sum(Ui& ui, const Rect& window) {
+  constexpr double patience = 3;  // as a tooltip
+  if (ui.sum.empty() || (!ui.light.by_keyboard() && ui.pointer_rest > patience)) return;
+  ImFont* const font = ui.fonts.small;
+  const float size = font->FontSize * font->Scale, most = 420;
+  const ImVec2 words = font->CalcTextSizeA(size, most, most, ui.sum.c_str());
+  const Rect& at = ui.light.at();
+  const float width = words.x + 20, height = words.y + 14;
+  const float left =
+      std::round(std::clamp(at.left, window.left + 4, std::max(window.left + 4, window.right - width - 4)));
+  const float below = std::round(at.bottom + 8), above = std::round(at.top - 8 - height);
+  const float top = below + height <= window.bottom - 4 ? below : above;
+  const Rect r{left, top, left + width, top + height};
+  ui.rects["sum"] = r;
+  ImDrawList& over = *ImGui::GetForegroundDrawList();
+  over.AddRectFilled(top_left(r), bottom_right(r), packed(ui.palette.window), 8);
+  over.AddRect(top_left(r), bottom_right(r), packed(ui.palette.fresh), 8, 0, 1.5f);
+  over.AddText(font, size, {r.left + 10, r.top + 7}, packed(ui.palette.text), ui.sum.c_str(), nullptr, most);
 }
 
 ImVec2 rich_line(Ui& ui, const Paragraph& p, float x, float y, float align) {

@@ -5,11 +5,13 @@
 #include <imgui.h>
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "viz/window/focus.h"
 #include "viz/window/layout.h"
+#include "viz/window/light.h"
 #include "viz/window/palette.h"
 #include "viz/window/text_textures.h"
 #include "viz/window/ui_fonts.h"
@@ -24,7 +26,10 @@ struct Ui {
   std::map<std::string, Rect> rects = {};  ///< this frame's widgets by name
   double pointer_rest = 1e9;               ///< seconds since the pointer last moved
   Focus focus = {};
-  Rect ring = {};  ///< around what the keyboard holds, as far as it is to be seen; empty: nothing
+  Light light = {};
+  std::set<std::string> names = {};  ///< that the walk knows; what else a line of pseudocode says is words
+  std::string sum = {};              ///< what is told of the name that is lit; empty: nothing
+  Rect ring = {};                    ///< around what the keyboard holds, as far as it is to be seen; empty: nothing
 };
 
 enum class Icon { first, back, play, pause, next, last, map };
@@ -45,6 +50,15 @@ std::string fitted(ImFont*, const std::string&, float room);
 ImVec2 rich(Ui&, const Paragraph&, ImVec2 at);
 /// One line of rich text around the middle `y`; align as above.
 ImVec2 rich_line(Ui&, const Paragraph&, float x, float y, float align = 0);
+
+/// A place where names stand: the pointer on it lights them, and they are lit there. `bright`: on a bright ground.
+void lights(Ui&, const std::vector<std::string>& names, const Rect&, bool bright = false);
+/// The same for the names in a line of plain text that is drawn from x on, around the middle y.
+void lights_in(Ui&, ImFont*, float x, float y, const std::string&, bool bright = false);
+/// The light itself, behind or over what stands there.
+void light_up(Ui&, const Rect&, double strength, bool bright = false);
+/// Tells what is known of the name that is lit, beside it, over all.
+void tell_sum(Ui&, const Rect& window);
 
 /// Whether the keyboard holds the widget of this name; then it is ringed, and comes into view.
 bool focused(Ui&, const std::string& name, const Rect&);

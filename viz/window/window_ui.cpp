@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "viz/files.h"
+#include "viz/names.h"
 #include "viz/rich_text.h"
 #include "viz/window/key_codes.h"
 #include "viz/window/map_view.h"
@@ -52,6 +53,7 @@ struct WindowUi::Impl {
       : renderer(gl),
         player(lessons, at, options.reduced_motion || kept.reduced_motion),
         settings(kept),
+        reduced_motion(options.reduced_motion),
         density(options.scale),
         ui{palette(kept.theme), fonts_at(options.scale), TextTextures(options.scale)},
         course(options.course),
@@ -104,10 +106,19 @@ struct WindowUi::Impl {
     if (io.MousePos.x > -1e6f) io.MousePos = {io.MousePos.x * by, io.MousePos.y * by};
   }
 
+  /// What the walk on show calls by a name.
+  void learn_names() {
+    if (names_of_revision == player.revision() && !ui.names.empty()) return;
+    names_of_revision = player.revision();
+    ui.names = names_of(player.lesson(), player.walk());
+  }
+
   ImGuiScope imgui;
   Renderer& renderer;
   Player player;
   Settings settings;
+  bool reduced_motion;  ///< whatever the settings say
+  unsigned names_of_revision = 0;
   double density, size = 1;
   Ui ui;
   Course course;
@@ -142,6 +153,7 @@ void WindowUi::frame() {
   w.ui.pointer_rest = moved ? 0 : w.ui.pointer_rest + io.DeltaTime;
   ImGui::PushFont(w.ui.fonts.body);
   keys(w.session);
+  w.learn_names();
   const WindowLayout at = window_layout(io.DisplaySize.x, io.DisplaySize.y, w.session.panels);
   if (shows_map(w.session)) {
     const Halves parts = halves(at.scene, 0.42f);
@@ -160,6 +172,11 @@ void WindowUi::frame() {
   transport(w.session, at.transport);
   sheets(w.session, {0, 0, io.DisplaySize.x, io.DisplaySize.y});
   focus_ring(w.ui);
+  w.ui.light.end_frame(io.DeltaTime, w.settings.reduced_motion || w.reduced_motion, moved, w.ui.focus.moved());
+  const std::string name = w.ui.light.name();
+  w.ui.sum =
+      name.empty() ? name : sum_of(w.player.lesson(), w.player.parameters(), w.player.walk(), w.player.index(), name);
+  tell_sum(w.ui, {0, 0, io.DisplaySize.x, io.DisplaySize.y});
   w.ui.focus.end_frame();
   keep_score(w.session);
   keep_recent(w.session);
@@ -193,7 +210,7 @@ std::string WindowUi::title() const {
 
 double WindowUi::rest() const {
   const Player& p = impl_->player;
-  if (p.camera().moving() || p.motion() < 1 || p.light() < 1) return 0;
+  if (p.camera().moving() || p.motion() < 1 || p.light() < 1 || impl_->ui.light.changing()) return 0;
   double rest = std::numeric_limits<double>::infinity();
   if (p.running()) rest = std::min(rest, std::max(p.seconds_to_step(), 0.0));
   if (impl_->session.toast.seconds_left > 0) rest = std::min(rest, impl_->session.toast.seconds_left);
@@ -212,6 +229,7 @@ std::string WindowUi::message() const {
   return impl_->session.toast.seconds_left > 0 ? impl_->session.toast.text : impl_->session.refused.why;
 }
 const std::vector<PlacedLabel>& WindowUi::labels() const { return impl_->scene.labels(); }
+const std::string& WindowUi::sum() const { return impl_->ui.sum; }
 const std::string& WindowUi::focus() const { return impl_->ui.focus.name(); }
 
 Player& WindowUi::player() { return impl_->player; }

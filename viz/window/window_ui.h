@@ -53,6 +53,8 @@ class WindowUi {
   std::string message() const;
   /// The widget that the keyboard holds; empty if it holds none.
   const std::string& focus() const;
+  /// What is told of the name that is lit; empty: nothing.
+  const std::string& sum() const;
   /// Shows a message as an error.
   void complain(const std::string& words);
   Player& player();

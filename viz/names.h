@@ -1,0 +1,37 @@
+#pragma once
+// The names of mathematics in a walk's texts, so that one name can be lit wherever it occurs, and what is known of it.
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "viz/lesson.h"
+
+namespace isect::viz {
+
+/// A name, and where it stands in a text. Letters and subscript make the key, whatever their face: "t_max", "s".
+struct Name {
+  std::string key;
+  std::size_t begin = 0, end = 0;  ///< bytes
+  bool vector = false;             ///< set in bold
+};
+
+/// Of markup, where letters are italic or bold; places in the text of its runs, one after the other.
+std::vector<Name> names_in(const std::string& markup);
+/// Of plain text or a line of pseudocode: whatever may be a name, also a short word. `known`: only these.
+std::vector<Name> names_in_line(const std::string& text);
+std::vector<Name> names_in_line(const std::string& text, const std::set<std::string>& known);
+/// The keys of some names, each once.
+std::vector<std::string> keys(const std::vector<Name>&);
+
+/// All that the lesson's knobs and the walk's markup and pictures call by a name.
+std::set<std::string> names_of(const Lesson&, const Walk&);
+
+/// What a line of pseudocode is about: what it assigns or, where it assigns nothing, all it names.
+std::vector<std::string> subject_of_line(const std::string& line, const std::set<std::string>& known);
+
+/// What is known of a name at a step, in plain words: how the pseudocode computes it, and its number: "s = l · d =
+/// 4.472"; of a knob, its value and what it is. Empty: nothing is.
+std::string sum_of(const Lesson&, const Parameters&, const Walk&, int step, const std::string& key);
+
+}  // namespace isect::viz

@@ -1,0 +1,15 @@
+#pragma once
+// Names in the picture: which one the pointer is at, and the light on what bears a name that is lit.
+
+#include "viz/compose.h"
+#include "viz/window/session.h"
+
+namespace isect::viz {
+
+/// The handle or the named point or line nearest to the pointer, or the label under it, is asked for.
+void point_at_names(Session&, const View&, const Rect& scene, const std::vector<PlacedLabel>&,
+                    const std::optional<Handle>& under);
+/// Draws the light over labels and objects.
+void light_names(Session&, const View&, const Rect& scene, const std::vector<PlacedLabel>&);
+
+}  // namespace isect::viz
