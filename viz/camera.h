@@ -14,6 +14,7 @@ struct Camera {
   double half_height = 3;                          ///< world units from the middle to the top edge, at the target
   bool perspective = false;
   double field_of_view = 35 * std::numbers::pi / 180;  ///< vertical, for perspective
+  bool operator==(const Camera&) const = default;
 };
 
 /// A point on the picture: pixels from the top left corner (y down), and the distance along the view direction.

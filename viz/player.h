@@ -127,6 +127,16 @@ class Player {
   void frame_all();
   void set_perspective(bool);  ///< a flat lesson has none
 
+  // Two panes. (player_pair.cpp)
+  /// Becomes one that shows these parameters at the lead's step and through the lead's camera. Throws BadInput, and
+  /// nothing has changed.
+  void follow(const Player& lead, const Parameters&);
+  /// Does what a reader has done to `other` since it last followed this one: its step, its camera, and the parameters
+  /// that this player has `shared` with it.
+  void take_from(const Player& other, const Parameters& shared);
+  /// Frames views so that the other's walk is in them, too; null: no longer.
+  void accompany(const Player* other);
+
   /// Remembers the present state for undo(). A run of actions of one name counts as one, until end_action().
   void remember(const std::string& action) { remember(action, false); }
   void end_action() { action_.clear(); }
@@ -205,7 +215,8 @@ class Player {
 
   CameraRig camera_;
   double aspect_ = 1;
-  bool moved_ = false;  ///< the reader has moved the camera
+  bool moved_ = false;                  ///< the reader has moved the camera
+  std::shared_ptr<const Walk> beside_;  ///< in the other pane
 
   std::vector<Memory> memory_, undone_;
   std::string action_;

@@ -15,6 +15,11 @@ std::vector<const Scene*> scenes_of(const Walk& walk) {
 }  // namespace
 
 Camera Player::opening_view() const {
+  if (beside_) {
+    std::vector<const Scene*> scenes = scenes_of(walk());
+    for (const Scene* scene : scenes_of(*beside_)) scenes.push_back(scene);
+    return frame(opening(lesson()), scenes, aspect_);
+  }
   return closer(frame_alike(opening(lesson()), walk(), overview_->samples, aspect_), step().scene, aspect_);
 }
 

@@ -227,8 +227,10 @@ void keep(const std::string& file, Settings settings, const Window& window) {
 void show(const std::vector<const Lesson*>& lessons, const Course& course, const Place& at,
           const std::function<void(const std::string&)>& say) {
   const std::string file = settings_file();
-  const Settings kept = read_settings(file, lessons);
-  const Place start = at.lesson.empty() && kept.place ? *kept.place : at;
+  Settings kept = read_settings(file, lessons);
+  const bool resumed = at.lesson.empty() && kept.place;
+  const Place start = resumed ? *kept.place : at;
+  if (!resumed) kept.beside.reset();
   const EndSignals signals(glfwPostEmptyEvent);
   Window window(kept.width, kept.height);
   Renderer renderer([](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); });

@@ -70,7 +70,7 @@ TEST_CASE("what is no number is refused with its reason", "[number_text]") {
                                                                      {"four", "no number"}}));
   INFO(text);
   CHECK_THROWS_WITH(number_from(text), isect::test::Contains(why));
-  CHECK_THROWS_AS(number_from(std::string(1000, '-') + "1"), BadInput);
+  CHECK_THROWS_AS(number_from(std::string(1000, '-').append("1")), BadInput);
 }
 
 TEST_CASE("a typed number counts on Enter or on leaving the field, and not before", "[window]") {

@@ -8,7 +8,7 @@
 namespace isect::viz {
 namespace {
 
-constexpr float padding = 20, code_top = 46;
+constexpr float padding = 20, code_top = 46, code_top_of_two = 14;
 constexpr float code_left = 42, row_pitch = 18;  ///< of a line's words; from row to row of a long line
 
 /// A line of pseudocode on as many rows as it takes, the later ones indented further.
@@ -66,21 +66,24 @@ float most_values(const Ui& ui, const Walk& walk, float width, float pitch) {
   return most;
 }
 
-Fit fit(const Ui& ui, const Walk& walk, const std::vector<CodeLine>& lines, const Step& step, float width,
-        float height) {
+/// `top`: what stands above the code.
+Fit fit(const Session& s, const std::vector<CodeLine>& lines, float width, float height, float top) {
+  const Ui& ui = s.ui;
+  const Walk& walk = s.player.walk();
   constexpr Fit sizes[] = {{26, 28, 58, 0, 0}, {23, 25, 34, 0, 0}, {21, 22, 34, 0, 0}};
   Fit f{};
   float room = 0;
   for (const Fit& size : sizes) {
     f = size;
+    if (s.paired) f.operations = 0;
     f.code_height = height_of(lines, f.code_pitch);
     f.values_height = most_values(ui, walk, width, f.value_pitch);
-    room = height - code_top - f.operations;
+    room = height - top - f.operations;
     if (f.code_height + f.values_height <= room) return f;
   }
   // Too much for this window: the code shows a part around its current line, the values scroll if they must.
   const float least_code = std::min(f.code_height, 5 * f.code_pitch);
-  f.values_height = std::min(values_height(ui, step, width, f.value_pitch), room - least_code);
+  f.values_height = std::min(values_height(ui, s.player.step(), width, f.value_pitch), room - least_code);
   f.code_height = std::min(f.code_height, room - f.values_height);
   return f;
 }
@@ -117,6 +120,7 @@ void code_line(Session& s, int line, const CodeLine& words, float pitch, const R
     filled(r, c.frame, 5);
   if (p.clicked && to >= 0) s.player.go_to(to);
 
+  if (line == s.parted_line) parted_mark(ui, "parted line", r);
   const Colour& ink = current ? c.on_highlight : has(step.untaken, line) ? c.muted : c.text;
   float y = r.top + pitch / 2;
   const float number = r.left + 26;
@@ -171,15 +175,17 @@ void code_panel(Session& s, const Rect& r) {
   begin_region(ui, "code panel", r, ui.palette.window);
   ImGui::GetWindowDrawList()->AddRectFilled({r.left, r.top}, {r.left + 1, r.bottom}, packed(ui.palette.rule));
   const std::vector<CodeLine> lines = code_lines(ui, s.player.walk(), r.width() - 20);
-  const Fit f = fit(ui, s.player.walk(), lines, s.player.step(), r.width() - 20, r.height());
+  const float top = s.paired ? code_top_of_two : code_top;
+  const Fit f = fit(s, lines, r.width() - 20, r.height(), top);
   const float heading = r.top + 32;
-  if (!lines.empty()) text(ui.fonts.bold, r.left + padding, heading, packed(ui.palette.text), "Pseudocode");
-  if (s.player.step().counters.early_out)
+  if (!lines.empty() && !s.paired)
+    text(ui.fonts.bold, r.left + padding, heading, packed(ui.palette.text), "Pseudocode");
+  if (s.player.step().counters.early_out && !s.paired)
     text(ui.fonts.small, r.right - padding, heading, packed(ui.palette.fresh_text), "early out", 1);
-  const float code_bottom = r.top + code_top + f.code_height;
-  code(s, lines, {r.left + 10, r.top + code_top, r.right - 10, code_bottom}, f.code_pitch);
+  const float code_bottom = r.top + top + f.code_height;
+  code(s, lines, {r.left + 10, r.top + top, r.right - 10, code_bottom}, f.code_pitch);
   values_block(s, {r.left + 10, code_bottom, r.right - 10, code_bottom + f.values_height}, f.value_pitch);
-  operations_block(s, {r.left + 10, r.bottom - f.operations, r.right - 10, r.bottom});
+  if (!s.paired) operations_block(s, {r.left + 10, r.bottom - f.operations, r.right - 10, r.bottom});
   ImGui::End();
 }
 

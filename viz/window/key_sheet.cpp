@@ -44,6 +44,7 @@ void key_sheet(Session& s, const Rect& window) {
       {"Ctrl+click a number", "type it: 1,5 or 2*pi or 1/3"},
       {"Tab", "hide / show the panels"},
       {"F11", "full screen"},
+      {"V", "two panes, or one"},
       {"W", "where this case lies: the map"},
       {"M", "reduce motion, or not"},
       {"Ctrl and + / − / 0", "size of everything"},

@@ -104,6 +104,8 @@ void character(Session& s, char c) {
       s.settings.reduced_motion = !s.settings.reduced_motion;
       player.reduce_motion(s.settings.reduced_motion);
       return s.say(s.settings.reduced_motion ? "Nothing moves by itself now" : "Steps and views glide again");
+    case 'v':
+      return toggle_panes(s);
     case 'w':
       return show_map(s);
     case 'r':
@@ -137,6 +139,7 @@ void character(Session& s, char c) {
 void show_map(Session& s) {
   if (!s.player.lesson().map) return s.say("This lesson has no map of cases");
   s.settings.map = !s.settings.map;
+  if (s.settings.map) s.settings.beside.reset();
 }
 
 void keys(Session& s) {

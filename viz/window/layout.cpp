@@ -28,6 +28,21 @@ Halves halves(const Rect& r, float share) {
   return h;
 }
 
+PanesLayout panes_layout(const WindowLayout& whole) {
+  constexpr float head = 40, least_pane = 400;
+  Rect all{whole.lesson.left, whole.lesson.top, whole.top.right, whole.transport.top}, lesson = all;
+  const bool beside = all.width() - whole.lesson.width() >= 2 * least_pane;
+  lesson.right = all.left = beside ? whole.lesson.right : all.left;
+  const float middle = std::round(all.middle_x()), top = all.top + head;
+  const float code = std::round(all.bottom - std::clamp(0.53f * (all.bottom - top), 200.0f, 430.0f));
+  return {.lesson = lesson,
+          .heads = {all.left, all.top, all.right, top},
+          .first_scene = {all.left, top, middle, code},
+          .second_scene = {middle, top, all.right, code},
+          .first_code = {all.left, code, middle, all.bottom},
+          .second_code = {middle, code, all.right, all.bottom}};
+}
+
 std::vector<float> chip_widths(const std::vector<float>& wide, float narrow, float gap, float width, int chosen) {
   std::vector<float> widths = wide;
   const float gaps = gap * static_cast<float>(std::max<std::size_t>(wide.size(), 1) - 1);

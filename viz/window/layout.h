@@ -32,6 +32,13 @@ struct Halves {
 };
 Halves halves(const Rect&, float share);
 
+/// Two panes: each with its scene above its pseudocode and values. The lesson's text stands beside them where that
+/// leaves both wide enough; else `lesson` is empty.
+struct PanesLayout {
+  Rect lesson, heads, first_scene, second_scene, first_code, second_code;
+};
+PanesLayout panes_layout(const WindowLayout&);
+
 /// The width each of the chips gets in a row of `width` px, `gap` apart: those of `wide` where they fit;
 /// otherwise the last ones shrink to `narrow`, the chosen one excepted.
 std::vector<float> chip_widths(const std::vector<float>& wide, float narrow, float gap, float width, int chosen);

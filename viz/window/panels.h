@@ -30,6 +30,10 @@ void keep_recent(Session&);
 
 /// Shows the lesson's map of cases beside the scene, or no longer; says so where it has none. (keys.cpp)
 void show_map(Session&);
+/// Marks a row as the first that differs from the other pane's. (second_pane.cpp)
+void parted_mark(Ui&, const std::string& name, const Rect&);
+/// Sets the next method or preset beside this one, or takes it away. (second_pane.cpp)
+void toggle_panes(Session&);
 /// Does what this frame's keys ask for. (keys.cpp)
 void keys(Session&);
 

@@ -23,9 +23,9 @@ Vec2 mouse() { return {ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y}; }
 
 std::string line_of(const Session& s, const Rect& r, double scale) {
   const Camera& c = s.player.camera().now();
-  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {}", s.player.revision(), s.player.motion(), r.width(),
-                     r.height(), scale, name_of(s.settings.theme), c.target.x(), c.target.y(), c.target.z(), c.azimuth,
-                     c.elevation, c.half_height, c.perspective, c.field_of_view);
+  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", static_cast<int>(s.pane), s.player.revision(),
+                     s.player.motion(), r.width(), r.height(), scale, name_of(s.settings.theme), c.target.x(),
+                     c.target.y(), c.target.z(), c.azimuth, c.elevation, c.half_height, c.perspective, c.field_of_view);
 }
 
 /// What a chart leaves to the chips above it, where the scene's are drawn over.
@@ -58,7 +58,7 @@ void SceneView::draw(Session& s, const Rect& r, const View& view) {
   Drawing drawing{view.width(), view.height(), theme.background, {}};
   Scene scene = with_names(s.player);
   if (const Scene* before = s.player.scene_before()) scene = between(*before, scene, s.player.motion());
-  Composed composed = compose(scene, own, theme, true);
+  Composed composed = compose(scene, own, theme, s.pane != Pane::fixed);
   drawing.shapes = std::move(composed.shapes);
   labels_ = std::move(composed.labels);
   renderer_.draw(drawing, scale_);
@@ -69,6 +69,7 @@ void SceneView::draw(Session& s, const Rect& r, const View& view) {
 
 std::optional<Handle> SceneView::handle_near(const Session& s, const View& view, const Vec2& pixel) const {
   std::optional<Handle> nearest;
+  if (s.pane == Pane::fixed) return nearest;
   double least = hit_area;
   for (const Handle& h : s.player.scene().handles) {
     const Projected p = view.project(h.at);
@@ -174,20 +175,22 @@ void SceneView::show(Session& s, const Rect& r) {
   const Vec2 corner(r.left, r.top);
   const View before(s.player.camera().now(), r.width(), r.height(), corner);
 
-  if (!s.player.lesson().flat && !s.player.scene().chart) projection_name(s, r);
-  changed_mark(s, r);
+  const bool lead = s.pane == Pane::lead;
+  if (lead && !s.player.lesson().flat && !s.player.scene().chart) projection_name(s, r);
+  if (lead) changed_mark(s, r);
   ImGui::SetCursorScreenPos(top_left(r));
   ImGui::InvisibleButton("picture", {r.width(), r.height()},
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
   const bool hovered = ImGui::IsItemHovered(), active = ImGui::IsItemActive();
   pointer(s, before, hovered, active);
-  keyboard(s, before);
+  if (lead) keyboard(s, before);
 
   const View view(s.player.camera().now(), r.width(), r.height(), corner);
   draw(s, r, view);
   ImGui::GetWindowDrawList()->AddImage(picture_.id(), top_left(r), bottom_right(r), {0, 1}, {1, 0});
 
   for (const Handle& h : s.player.scene().handles) {
+    if (s.pane == Pane::fixed) break;
     const Vec2 at = view.project(h.at).at;
     const float x = static_cast<float>(at.x()), y = static_cast<float>(at.y());
     const Rect grip{x - hit_area, y - hit_area, x + hit_area, y + hit_area};
@@ -206,9 +209,10 @@ void SceneView::show(Session& s, const Rect& r) {
   alarm_chip(s, r);
   const bool in_space = !s.player.scene().chart;
   if (in_space) tripod(s, view, r);
-  if (in_space && !s.player.lesson().flat) projection_text(s, r);
-  changed_text(s, r);
+  if (lead && in_space && !s.player.lesson().flat) projection_text(s, r);
+  if (lead) changed_text(s, r);
   toast(s, r);
+  if (!lead) filled({r.left, r.top, r.left + 1, r.bottom}, ui.palette.rule, 0);
   ImGui::End();
 }
 

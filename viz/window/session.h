@@ -32,6 +32,14 @@ struct Score {
 };
 constexpr std::size_t recent_kept = 5;
 
+/// What stands in the second of two panes: a method, or a preset.
+struct Beside {
+  std::string lesson, method, preset;  ///< one of the latter two is empty
+  bool operator==(const Beside&) const = default;
+};
+/// The first pane or the only one; a second that its reader's hand moves along; one that stays as it is.
+enum class Pane { lead, along, fixed };
+
 /// What is kept between runs.
 struct Settings {
   ThemeName theme = ThemeName::dark;
@@ -45,6 +53,7 @@ struct Settings {
   double size = 1;           ///< of everything
   double save_width_cm = 0;  ///< of a saved figure on paper; 0: a picture for a screen
   std::optional<Place> place = {};
+  std::optional<Beside> beside = {};
   std::map<std::string, Score> scores = {};  ///< by lesson
   std::vector<std::string> recent = {};      ///< ids of the lessons last opened
 };
@@ -74,12 +83,15 @@ struct Session {
   bool save_preset = false;       ///< the setting shall become a preset file
   bool close = false;             ///< the reader wants to leave
   bool full_screen = false;
-  std::string search = {};                   ///< words in the picker, or among the terms
-  std::string width_text = {};               ///< typed into the sheet that saves figures
-  std::vector<std::string> presets = {};     ///< files of saved presets, as the picker found them
-  float fields_height = 0;                   ///< of the parameters' fields, as the last frame found it
-  float question_height = 120;               ///< of the question over the scene, likewise
-  double zoom = 1;                           ///< asked for by a key
+  std::string search = {};                ///< words in the picker, or among the terms
+  std::string width_text = {};            ///< typed into the sheet that saves figures
+  std::vector<std::string> presets = {};  ///< files of saved presets, as the picker found them
+  float fields_height = 0;                ///< of the parameters' fields, as the last frame found it
+  float question_height = 120;            ///< of the question over the scene, likewise
+  double zoom = 1;                        ///< asked for by a key
+  Pane pane = Pane::lead;
+  bool paired = false;                       ///< two panes: headings and counts give way to lines and values
+  int parted_line = -1, parted_value = -1;   ///< where two panes part: a line, one of the step's values
   unsigned words_seen = 0;                   ///< revision whose words are on show
   std::set<const Exercise*> solutions = {};  ///< that are on show
 

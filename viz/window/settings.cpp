@@ -49,6 +49,15 @@ std::optional<Place> place_field(const Json& from, const std::vector<const Lesso
   }
 }
 
+std::optional<Beside> beside_field(const Json& from) {
+  const auto found = from.find("beside");
+  if (found == from.end() || !found->is_object()) return std::nullopt;
+  const auto text = [&](const char* name) { return field(*found, name, std::string()); };
+  Beside beside{text("lesson"), text("method"), text("preset")};
+  if (beside.method.empty() == beside.preset.empty()) return std::nullopt;
+  return beside;
+}
+
 std::map<std::string, Score> scores_field(const Json& from) {
   std::map<std::string, Score> scores;
   const auto found = from.find("scores");
@@ -111,6 +120,7 @@ Settings read_settings(const std::string& file, const std::vector<const Lesson*>
   const double cm = field(json, "save_width_cm", s.save_width_cm);
   if (cm >= least_width_cm && cm <= most_width_cm) s.save_width_cm = cm;
   s.place = place_field(json, lessons);
+  s.beside = beside_field(json);
   s.scores = scores_field(json);
   s.recent = field(json, "recent", s.recent);
   std::erase_if(s.recent, [&](const std::string& id) {
@@ -147,6 +157,7 @@ void write_settings(const std::string& file, const Settings& s) {
                {"save_width_cm", s.save_width_cm},
                {"recent", s.recent},
                {"scores", json_of(s.scores)}};
+  if (const auto& b = s.beside) json["beside"] = {{"lesson", b->lesson}, {"method", b->method}, {"preset", b->preset}};
   if (s.place) json["place"] = Json::parse(to_json(*s.place));
   write_file(file, json.dump(2) + "\n");
 }

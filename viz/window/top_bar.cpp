@@ -2,36 +2,18 @@
 
 #include "viz/rich_text.h"
 #include "viz/window/panels.h"
+#include "viz/window/second_pane.h"
 
 namespace isect::viz {
 namespace {
-
-/// Words that open a menu, with its sign behind them, in at most `room` px. Returns where it ends.
-struct Opener {
-  std::string name, words, help;
-  float x, y, room;
-};
-float opener(Session& s, const Opener& o, bool quiet, bool& pressed) {
-  Ui& ui = s.ui;
-  const std::string words = fitted(ui.fonts.body, o.words, o.room - 18);
-  const float end = o.x + text_width(ui.fonts.body, words) + 18;
-  const Rect r{o.x - 8, o.y - 16, end + 6, o.y + 16};
-  const Press p = press(ui, o.name, r);
-  const Colour& ink = p.hovered || !quiet ? ui.palette.text : ui.palette.muted;
-  if (p.hovered) filled(r, ui.palette.frame);
-  text(ui.fonts.body, o.x, o.y, packed(ink), words);
-  caret(end - 6, o.y, true, packed(p.hovered ? ui.palette.text : ui.palette.muted));
-  if (p.hovered) tooltip(ui, words == o.words ? o.help : o.words + "\n" + o.help);
-  pressed = p.clicked;
-  return end;
-}
 
 void method_menu(Session& s, float x, float bottom) {
   ImGui::SetNextWindowPos({x, bottom});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{6, 6});
   if (ImGui::BeginPopup("methods")) {
     ImVec2 at = ImGui::GetCursorScreenPos();
-    float width = 120;
+    constexpr const char* two_methods = "two methods side by side";
+    float width = text_width(s.ui.fonts.body, two_methods) + 28;
     for (const Method& m : s.player.methods())
       width = std::max(width, text_width(s.ui.fonts.body, plain(m.title)) + 28);
     for (const Method& m : s.player.methods()) {
@@ -41,6 +23,10 @@ void method_menu(Session& s, float x, float bottom) {
         ImGui::CloseCurrentPopup();
       }
       at.y += 34;
+    }
+    if (chip(s.ui, "method against method", {at.x, at.y, at.x + width, at.y + 30}, two_methods, two_panes(s))) {
+      toggle_panes(s);
+      ImGui::CloseCurrentPopup();
     }
     ImGui::EndPopup();
   }
@@ -162,18 +148,18 @@ void top_bar(Session& s, const Rect& r) {
   const float for_variant = variants ? std::min(wide(variant), room * 0.4f) : 0;
   room -= variants ? for_variant + 20 : 0;
   bool pressed = false;
-  float x = opener(s, {"lesson", title, "Another lesson (Ctrl+O)", x0, y, room}, false, pressed);
+  float x = opener(ui, {"lesson", title, "Another lesson (Ctrl+O)", x0, y, room}, false, pressed);
   if (pressed) s.open_next = Sheet::picker;
   if (variants) {
     x += 20;
-    opener(s, {"method", variant, "Another method", x, y, for_variant + 1}, true, pressed);
+    opener(ui, {"method", variant, "Another method", x, y, for_variant + 1}, true, pressed);
     if (pressed) ImGui::OpenPopup("methods");
     method_menu(s, x - 8, y + 20);
   }
   if (in_a_row) {
     draw_chips(s, group, chips, x1, y);
   } else {
-    opener(s, {"presets", chosen_label(s, group), "Another preset (Page Up, Page Down)", x1 - menu + 8, y, menu - 8},
+    opener(ui, {"presets", chosen_label(s, group), "Another preset (Page Up, Page Down)", x1 - menu + 8, y, menu - 8},
            false, pressed);
     if (pressed) ImGui::OpenPopup("preset menu");
     preset_menu(s, group, x1 + 12, y + 20);

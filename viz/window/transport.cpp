@@ -4,6 +4,7 @@
 #include "viz/rich_text.h"
 #include "viz/window/map_view.h"
 #include "viz/window/panels.h"
+#include "viz/window/second_pane.h"
 
 namespace isect::viz {
 namespace {
@@ -74,6 +75,9 @@ void buttons(Session& s, float middle, float y) {
   const Rect map{speed.right + 12, y - 18, speed.right + 56, y + 18};
   if (icon_button(ui, "show map", map, Icon::map, shows_map(s), player.lesson().map)) show_map(s);
   if (ImGui::IsItemHovered()) tooltip(ui, "Where this case lies: the map of cases beside the scene (W)");
+  const Rect panes{map.right + 8, map.top, map.right + 52, map.bottom};
+  if (icon_button(ui, "two panes", panes, Icon::panes, two_panes(s), true)) toggle_panes(s);
+  if (ImGui::IsItemHovered()) tooltip(ui, "Method against method, or preset against preset (V)");
 }
 
 void key_hints(const Ui& ui, float right, float room, float y) {
@@ -105,7 +109,7 @@ void transport(Session& s, const Rect& r) {
   else if (room > 60)
     text(ui.fonts.body, end + 24, y, packed(ui.palette.muted), fitted(ui.fonts.body, plain(title.markup), room));
   buttons(s, middle, y);
-  key_hints(ui, r.right - 24, r.right - 24 - (middle + 250), y);
+  key_hints(ui, r.right - 24, r.right - 24 - (middle + 302), y);
   ImGui::End();
 }
 

@@ -189,7 +189,10 @@ void values_block(Session& s, const Rect& r, float pitch) {
     y += heading;
     const std::map<std::string, BarScale> scales = scales_of(step);
     for (const Value& v : step.values) {
-      value_row(s, v, scales, {r.left, y, r.right, y + pitch});
+      const Rect row{r.left, y, r.right, y + pitch};
+      const bool parted = &v - step.values.data() == s.parted_value;
+      value_row(s, v, scales, {r.left + (s.paired ? 10 : 0), y, r.right, y + pitch});
+      if (parted) parted_mark(ui, "parted value", row);
       y += pitch;
     }
   }

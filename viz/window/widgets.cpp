@@ -42,6 +42,9 @@ void draw_icon(Icon icon, float x, float y, ImU32 colour) {
       list().AddRect({x - 9, y - 8}, {x + 9, y + 8}, colour, 2, 0, 1.5f);
       list().AddBezierCubic({x - 3, y + 8}, {x - 2, y - 2}, {x + 3, y + 2}, {x + 5, y - 8}, colour, 1.5f);
       return list().AddCircleFilled({x - 4, y - 2}, 2.5f, colour, 12);
+    case Icon::panes:
+      list().AddRect({x - 10, y - 8}, {x - 1, y + 8}, colour, 2, 0, 1.5f);
+      return list().AddRect({x + 1, y - 8}, {x + 10, y + 8}, colour, 2, 0, 1.5f);
     case Icon::last:
       stop_bar(x + 7, y, colour);
       return triangle(x - 1.5f, y, 1, 13, colour);
@@ -162,10 +165,12 @@ Press press(Ui& ui, const std::string& name, const Rect& r) {
 
 bool focused(Ui& ui, const std::string& name, const Rect& r) {
   ImGuiWindow* const window = ImGui::GetCurrentWindow();
-  const std::string root = window->RootWindow->Name;
-  constexpr const char* parts[] = {"top bar", "lesson panel", "question over scene", "scene", "map", "code panel"};
+  std::string root = window->RootWindow->Name;
+  if (root.starts_with(ui.side)) root.erase(0, ui.side.size());
+  constexpr const char* parts[] = {"top bar", "lesson panel", "question over scene", "pane heads",
+                                   "scene",   "map",          "code panel"};
   const int part = static_cast<int>(std::find(std::begin(parts), std::end(parts), root) - std::begin(parts));
-  if (!ui.focus.offer(name, part, window->RootWindow->Flags & ImGuiWindowFlags_Popup)) return false;
+  if (!ui.focus.offer(ui.side + name, part, window->RootWindow->Flags & ImGuiWindowFlags_Popup)) return false;
   const ImRect clip = window->ClipRect;
   ui.ring = {std::max(r.left - 3, clip.Min.x), std::max(r.top - 3, clip.Min.y), std::min(r.right + 3, clip.Max.x),
              std::min(r.bottom + 3, clip.Max.y)};
@@ -188,7 +193,7 @@ void begin_region(Ui& ui, const char* name, const Rect& r, const Colour& backgro
   ImGui::SetNextWindowSize({r.width(), r.height()});
   ImGui::PushStyleColor(ImGuiCol_WindowBg, packed(background));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{0, 0});
-  ImGui::Begin(name, nullptr,
+  ImGui::Begin((ui.side + name).c_str(), nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoScrollWithMouse | (above ? 0 : ImGuiWindowFlags_NoBringToFrontOnFocus));
   ImGui::PopStyleVar();
@@ -215,6 +220,20 @@ void outlined(const Rect& r, const Colour& colour, float width, float rounding) 
 
 void rule(const Ui& ui, float x0, float x1, float y) {
   list().AddRectFilled({x0, std::round(y)}, {x1, std::round(y) + 1}, packed(ui.palette.rule));
+}
+
+float opener(Ui& ui, const Opener& o, bool quiet, bool& pressed) {
+  const std::string words = fitted(ui.fonts.body, o.words, o.room - 18);
+  const float end = o.x + text_width(ui.fonts.body, words) + 18;
+  const Rect r{o.x - 8, o.y - 16, end + 6, o.y + 16};
+  const Press p = press(ui, o.name, r);
+  const Colour& ink = p.hovered || !quiet ? ui.palette.text : ui.palette.muted;
+  if (p.hovered) filled(r, ui.palette.frame);
+  text(ui.fonts.body, o.x, o.y, packed(ink), words);
+  caret(end - 6, o.y, true, packed(p.hovered ? ui.palette.text : ui.palette.muted));
+  if (p.hovered) tooltip(ui, words == o.words ? o.help : o.words + "\n" + o.help);
+  pressed = p.clicked;
+  return end;
 }
 
 bool chip(Ui& ui, const std::string& name, const Rect& r, const std::string& label, bool chosen, ImFont* font) {

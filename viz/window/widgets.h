@@ -26,13 +26,14 @@ struct Ui {
   std::map<std::string, Rect> rects = {};  ///< this frame's widgets by name
   double pointer_rest = 1e9;               ///< seconds since the pointer last moved
   Focus focus = {};
+  std::string side = {};  ///< before the names of what belongs to the second of two panes
   Light light = {};
   std::set<std::string> names = {};  ///< that the walk knows; what else a line of pseudocode says is words
   std::string sum = {};              ///< what is told of the name that is lit; empty: nothing
   Rect ring = {};                    ///< around what the keyboard holds, as far as it is to be seen; empty: nothing
 };
 
-enum class Icon { first, back, play, pause, next, last, map };
+enum class Icon { first, back, play, pause, next, last, map, panes };
 
 inline ImVec2 top_left(const Rect& r) { return {r.left, r.top}; }
 inline ImVec2 bottom_right(const Rect& r) { return {r.right, r.bottom}; }
@@ -78,6 +79,12 @@ void filled(const Rect&, const Colour&, float rounding = 6);
 void outlined(const Rect&, const Colour&, float width = 1.5f, float rounding = 6);
 void rule(const Ui&, float x0, float x1, float y);
 
+/// Words that open a menu, with its sign behind them, in at most `room` px. Returns where it ends.
+struct Opener {
+  std::string name, words, help;
+  float x, y, room;
+};
+float opener(Ui&, const Opener&, bool quiet, bool& pressed);
 /// A button with a word on it.
 bool chip(Ui&, const std::string& name, const Rect&, const std::string& label, bool chosen, ImFont* = nullptr);
 /// A transport button.

@@ -17,6 +17,7 @@
 #include "viz/window/panels.h"
 #include "viz/window/save_figure.h"
 #include "viz/window/scene_view.h"
+#include "viz/window/second_pane.h"
 
 namespace isect::viz {
 
@@ -59,7 +60,8 @@ struct WindowUi::Impl {
         course(options.course),
         session{.player = player, .ui = ui, .settings = settings, .course = course, .figures = options.figures},
         scene(gl, options.scale, options.draw_scene),
-        map(gl, options.scale, options.draw_scene) {
+        map(gl, options.scale, options.draw_scene),
+        panes(gl, options.scale, options.draw_scene) {
     player.set_speed(kept.speed);
   }
 
@@ -101,6 +103,7 @@ struct WindowUi::Impl {
     ui.texts.rescale(scale);
     scene.rescale(scale);
     map.rescale(scale);
+    panes.rescale(scale);
     io.DisplaySize = {io.DisplaySize.x * by, io.DisplaySize.y * by};
     io.DisplayFramebufferScale = {scale, scale};
     if (io.MousePos.x > -1e6f) io.MousePos = {io.MousePos.x * by, io.MousePos.y * by};
@@ -111,6 +114,27 @@ struct WindowUi::Impl {
     if (names_of_revision == player.revision() && !ui.names.empty()) return;
     names_of_revision = player.revision();
     ui.names = names_of(player.lesson(), player.walk());
+  }
+
+  /// All between the two bars.
+  void show_step(const WindowLayout& at) {
+    if (two_panes(session)) {
+      const PanesLayout two = panes_layout(at);
+      panes.show(session, scene, two);
+      if (two.lesson.width() > 0) return lesson_panel(session, two.lesson);
+      return question_over_scene(session, {at.lesson.left, at.scene.top, at.code.right, at.scene.bottom});
+    }
+    panes.leave(session);
+    if (shows_map(session)) {
+      const Halves parts = halves(at.scene, 0.42f);
+      scene.show(session, parts.first);
+      map.show(session, parts.second);
+    } else {
+      scene.show(session, at.scene);
+    }
+    if (!session.panels) return question_over_scene(session, at.scene);
+    lesson_panel(session, at.lesson);
+    code_panel(session, at.code);
   }
 
   ImGuiScope imgui;
@@ -125,6 +149,7 @@ struct WindowUi::Impl {
   Session session;
   SceneView scene;
   MapView map;
+  SecondPane panes;
 };
 
 WindowUi::WindowUi(const std::vector<const Lesson*>& lessons, const Place& at, Renderer& renderer,
@@ -155,20 +180,8 @@ void WindowUi::frame() {
   keys(w.session);
   w.learn_names();
   const WindowLayout at = window_layout(io.DisplaySize.x, io.DisplaySize.y, w.session.panels);
-  if (shows_map(w.session)) {
-    const Halves parts = halves(at.scene, 0.42f);
-    w.scene.show(w.session, parts.first);
-    w.map.show(w.session, parts.second);
-  } else {
-    w.scene.show(w.session, at.scene);
-  }
+  w.show_step(at);
   top_bar(w.session, at.top);
-  if (w.session.panels) {
-    lesson_panel(w.session, at.lesson);
-    code_panel(w.session, at.code);
-  } else {
-    question_over_scene(w.session, at.scene);
-  }
   transport(w.session, at.transport);
   sheets(w.session, {0, 0, io.DisplaySize.x, io.DisplaySize.y});
   focus_ring(w.ui);

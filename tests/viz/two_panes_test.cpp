@@ -1,0 +1,205 @@
+// Two panes: method against method, or preset against preset, at one step and through one camera.
+
+#include <filesystem>
+
+#include "lessons/lessons.h"
+#include "tests/catch.h"
+#include "tests/scratch.h"
+#include "tests/viz/sample_lesson.h"
+#include "tests/viz/window_driver.h"
+#include "viz/closing.h"
+#include "viz/parting.h"
+
+namespace two_panes_test {
+using namespace isect;
+using namespace isect::viz;
+
+namespace {
+
+const Lesson disc = sample::lesson(), ball = sample::other_lesson();
+const std::vector<const Lesson*> both = {&disc, &ball};
+
+Vec3 center(WindowDriver& window) { return std::get<Vec3>(window.player().parameters().at("c")); }
+
+/// Opens the menu of the second pane and chooses.
+void choose(WindowDriver& window, const std::string& name) {
+  window.click("against");
+  window.frames(2);
+  window.click(name);
+  window.frames(2);
+}
+
+void check_alike(const WindowDriver& window) {
+  const Rect a = window.rect("scene"), b = window.rect("other scene");
+  CHECK(a.width() == Approx(b.width()).margin(1));
+  CHECK(a.height() == b.height());
+  CHECK(a.right <= b.left);
+}
+
+}  // namespace
+
+TEST_CASE("V, a button and the method's menu set two methods side by side, and take one away", "[window]") {
+  WindowDriver window(both);
+  const Rect scene = window.rect("scene");
+  const Camera camera = window.player().camera().goal();
+  window.type("v");
+  REQUIRE(window.has("other scene"));
+  check_alike(window);
+  CHECK((window.ui.settings().beside == Beside{"point-disc", "distance", ""}));
+  window.type("v");
+  CHECK_FALSE(window.has("other scene"));
+  CHECK_FALSE(window.ui.settings().beside);
+  CHECK(window.rect("scene").width() == scene.width());
+  CHECK(window.player().camera().goal() == camera);
+
+  window.click("two panes");
+  CHECK(window.has("other scene"));
+  window.click("one pane");
+  window.frames();
+  CHECK_FALSE(window.has("other scene"));
+
+  window.click("method");
+  window.frames(2);
+  window.click("method against method");
+  window.frames(2);
+  CHECK(window.has("other scene"));
+  window.type("]");
+  window.frames(2);
+  CHECK_FALSE(window.has("other scene"));
+  window.type("[");
+  window.frames(2);
+  CHECK_FALSE(window.has("other scene"));  // it does not come back by itself
+}
+
+TEST_CASE("the first line and the first value that differ are marked in both panes", "[window]") {
+  WindowDriver window(both);
+  window.type("v");
+  window.frames();
+  // The texts differ in line 2: l² ← l · l against d ← |l|.
+  CHECK(window.rect("parted line").top == window.rect("line 2").top);
+  CHECK(window.rect("other parted line").top == window.rect("other line 2").top);
+  CHECK_FALSE(window.has("parted value"));
+  window.key(key::right);
+  window.frames();
+  CHECK(window.has("parted value"));
+  CHECK(window.has("other parted value"));
+
+  choose(window, "against squared-outside");
+  CHECK((window.ui.settings().beside == Beside{"point-disc", "", "squared-outside"}));
+  CHECK_FALSE(window.has("parted line"));  // one text, and so far they run alike
+  CHECK(window.has("parted value"));
+  window.key(key::end);
+  for (int i = 0; i < 3 && window.player().step().slug != "in"; ++i) window.key(key::left);
+  window.frames();
+  CHECK(window.rect("parted line").top == window.rect("line 5").top);
+  CHECK(window.rect("other parted line").top == window.rect("other line 4").top);
+}
+
+TEST_CASE("both panes keep one step and one camera, whichever is touched", "[window]") {
+  WindowDriver window(both);
+  window.type("v");
+  window.frames();
+  const Camera before = window.player().camera().goal();
+  const Rect other = window.rect("other scene"), first = window.rect("scene");
+  const Rect far = window.rect("handle c");
+  window.drag(other.right - 30, other.top + 150, other.right - 90, other.top + 180, 1);
+  CHECK(window.player().camera().goal() != before);
+  window.frames(2);
+  const Rect c = window.rect("handle c"), c_other = window.rect("other handle c");
+  CHECK(c.left != far.left);
+  CHECK(c.left - first.left == Approx(c_other.left - other.left).margin(1));
+  CHECK(c.top == Approx(c_other.top).margin(1));
+  window.key(key::z, true);
+  window.frames(2);
+  CHECK(window.player().camera().goal() == before);
+
+  window.click("other line 3");
+  CHECK(window.player().index() == 2);
+  window.key(key::home);
+  CHECK(window.player().index() == 0);
+}
+
+TEST_CASE("with two methods a handle of either pane moves both, and one undo takes it back", "[window]") {
+  WindowDriver window(both);
+  window.type("v");
+  window.frames();
+  const Vec3 before = center(window);
+  const Rect c = window.rect("handle c");
+  window.drag("other handle c", 40, 20);
+  CHECK(center(window) != before);
+  CHECK(window.player().method() == "squared");
+  window.frames();
+  CHECK(window.rect("handle c").middle_x() == Approx(c.middle_x() + 40).margin(1));
+  window.key(key::z, true);
+  CHECK(center(window) == before);
+  window.drag("handle c", 30, 0);
+  CHECK(center(window) != before);
+  window.frames();
+  CHECK(window.rect("other handle c").middle_x() - window.rect("other scene").left ==
+        Approx(window.rect("handle c").middle_x() - window.rect("scene").left).margin(1));
+}
+
+TEST_CASE("a preset beside this one stays as it is", "[window]") {
+  WindowDriver window(both);
+  window.type("v");
+  window.frames();
+  choose(window, "against squared-on");
+  CHECK_FALSE(window.has("other handle c"));
+  const Vec3 before = center(window);
+  window.drag("handle c", 40, 20);
+  CHECK(center(window) != before);
+  CHECK(window.has("other scene"));
+  CHECK((window.ui.settings().beside == Beside{"point-disc", "", "squared-on"}));
+}
+
+TEST_CASE("a lesson without other methods sets the next preset beside this one, or the one it came from", "[window]") {
+  Place place;
+  place.lesson = "sphere-sphere";
+  WindowDriver window(lessons::all_lessons(), 1280, 800, place);
+  const auto group = window.player().group();
+  window.type("v");
+  CHECK(window.ui.settings().beside->preset == group[1]->id);
+  window.type("v");
+  window.drag("handle " + window.player().scene().handles.front().parameter, 20, 10);
+  window.type("v");
+  CHECK(window.ui.settings().beside->preset == group[0]->id);
+}
+
+TEST_CASE("two panes are kept between runs, and what is no pane is not", "[window]") {
+  const std::string file = isect::test::scratch("isect-two-panes.json").string();
+  Settings settings;
+  settings.beside = Beside{"point-disc", "distance", ""};
+  Place place;
+  place.lesson = "point-disc";
+  settings.place = place;
+  settings.place->parameters = disc.presets.front().parameters;
+  settings.place->step = 0;
+  write_settings(file, settings);
+  const Settings kept = read_settings(file, both);
+  CHECK((kept.beside == settings.beside));
+  WindowDriver window(both, 1280, 800, *kept.place, kept);
+  CHECK(window.has("other scene"));
+
+  Settings wrong = settings;
+  wrong.beside->method = "guessing";
+  WindowDriver other(both, 1280, 800, *kept.place, wrong);
+  CHECK_FALSE(other.has("other scene"));
+  CHECK_FALSE(other.ui.message().empty());
+  write_file(file, R"({"beside": {"lesson": "point-disc", "method": "", "preset": 3}})");
+  CHECK_FALSE(read_settings(file, both).beside);
+}
+
+TEST_CASE("where walks part is told up to the steps shown, and no further", "[parting]") {
+  const auto walk = [](const Vec3& p) { return sample::walk(sample::parameters("squared", p, Vec3::Zero(), 1.5)); };
+  const Walk in = walk({0.5, 0.5, 0}), out = walk({2.5, 1, 0});
+  CHECK((parting(in, 2, in, 2) == Parting{}));
+  CHECK(parting(in, 2, out, 2).line_a == -1);
+  CHECK(parting(in, 3, out, 3).line_a == 4);
+  CHECK(parting(in, 3, out, 3).line_b == 3);
+  CHECK(parting(in, 1, out, 1).value_a == 0);
+  CHECK(parting(in, 0, out, 0).value_a == -1);
+  CHECK(parting(in, 0, in, 1).value_b == 0);  // only the second has come to a value
+  CHECK(parting(in, 0, in, 1).value_a == -1);
+}
+
+}  // namespace two_panes_test

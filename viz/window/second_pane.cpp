@@ -1,0 +1,199 @@
+#include "viz/window/second_pane.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "viz/names.h"
+#include "viz/parting.h"
+#include "viz/rich_text.h"
+#include "viz/window/panels.h"
+
+namespace isect::viz {
+namespace {
+
+std::string method_title(const Player& p, const std::string& choice) {
+  for (const Method& m : p.methods())
+    if (m.choice == choice) return plain(m.title);
+  return choice;
+}
+
+std::string preset_title(const Player& p, const std::string& id) {
+  const auto found = std::ranges::find(p.lesson().presets, id, &Preset::id);
+  return found == p.lesson().presets.end() ? "changed" : plain(found->title);
+}
+
+/// What the first pane has instead.
+std::string first_title(const Session& s) {
+  const bool methods = !s.settings.beside->method.empty();
+  return methods ? method_title(s.player, s.player.method()) : preset_title(s.player, s.player.preset_id());
+}
+std::string second_title(const Session& s) {
+  const Beside& side = *s.settings.beside;
+  return side.method.empty() ? preset_title(s.player, side.preset) : method_title(s.player, side.method);
+}
+
+/// The one after `now`, going round; empty where there is no other one.
+std::string next_of(const std::vector<std::string>& all, const std::string& now) {
+  const auto at = std::ranges::find(all, now);
+  const std::string& next = at == all.end() || at + 1 == all.end() ? all.front() : at[1];
+  return next == now ? std::string() : next;
+}
+
+/// The next method, else the preset that was left by hand, else the next preset.
+std::optional<Beside> usual(const Player& p) {
+  std::vector<std::string> methods, presets;
+  for (const Method& m : p.methods()) methods.push_back(m.choice);
+  for (const Preset* preset : p.group()) presets.push_back(preset->id);
+  Beside side{p.lesson().id, {}, {}};
+  if (methods.size() > 1)
+    side.method = next_of(methods, p.method());
+  else if (p.preset_id().empty() && !p.origin().empty())
+    side.preset = p.origin();
+  else if (!presets.empty())
+    side.preset = next_of(presets, p.preset_id());
+  if (side.method.empty() && side.preset.empty()) return std::nullopt;
+  return side;
+}
+
+/// What the second pane can show: methods, then presets of the first one's method.
+void menu(Session& s, const ImVec2& at) {
+  ImGui::SetNextWindowPos(at);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{6, 6});
+  if (ImGui::BeginPopup("other side")) {
+    std::vector<std::pair<std::string, Beside>> rows;
+    const std::string& lesson = s.player.lesson().id;
+    for (const Method& m : s.player.methods()) rows.emplace_back(plain(m.title), Beside{lesson, m.choice, {}});
+    for (const Preset* p : s.player.group()) rows.emplace_back(plain(p->title), Beside{lesson, {}, p->id});
+    float width = 160;
+    for (const auto& [title, side] : rows) width = std::max(width, text_width(s.ui.fonts.body, title) + 28);
+    const ImVec2 top = ImGui::GetCursorScreenPos();
+    float y = top.y;
+    for (const auto& [title, side] : rows) {
+      const std::string name = "against " + (side.method.empty() ? side.preset : side.method);
+      if (chip(s.ui, name, {top.x, y, top.x + width, y + 28}, title, side == *s.settings.beside)) {
+        s.settings.beside = side;
+        ImGui::CloseCurrentPopup();
+      }
+      y += 31;
+    }
+    ImGui::EndPopup();
+  }
+  ImGui::PopStyleVar();
+}
+
+/// "≠ line 6, m²": where a pane is the first to differ, as its mark may be scrolled away.
+void told(const Ui& ui, const Step& step, int line, int value, float left, float right, float y) {
+  std::string words = line < 0 ? "" : "line " + std::to_string(line + 1);
+  if (value >= 0) words += (words.empty() ? "" : ", ") + plain(step.values[static_cast<std::size_t>(value)].name);
+  if (words.empty() || right - left < 60) return;
+  text(ui.fonts.small, right, y, packed(ui.palette.miss), fitted(ui.fonts.small, "≠ " + words, right - left), 1);
+}
+
+void heads(Session& s, const Player& other, const Parting& parted, const PanesLayout& at) {
+  Ui& ui = s.ui;
+  begin_region(ui, "pane heads", at.heads, ui.palette.window);
+  const float y = at.heads.middle_y(), left = at.heads.left + 20, middle = at.second_scene.left;
+  const float end = left + text(ui.fonts.bold, left, y, packed(ui.palette.text),
+                                fitted(ui.fonts.bold, first_title(s), middle - left - 12));
+  told(ui, s.player.step(), parted.line_a, parted.value_a, end + 16, middle - 16, y);
+  const Rect close{at.heads.right - 48, y - 14, at.heads.right - 20, y + 14};
+  bool pressed = false;
+  const Opener against{"against", "against " + second_title(s), "Another method or preset on this side", middle + 20,
+                       y,         close.left - middle - 40};
+  const float opened = opener(ui, against, false, pressed);
+  told(ui, other.step(), parted.line_b, parted.value_b, opened + 16, close.left - 12, y);
+  if (pressed) ImGui::OpenPopup("other side");
+  menu(s, {middle + 12, at.heads.bottom});
+  const Press p = press(ui, "one pane", close);
+  if (p.hovered) filled(close, ui.palette.hovered), tooltip(ui, "One pane again (V)");
+  cross(close.middle_x(), y, 15, packed(ui.palette.text));
+  rule(ui, at.heads.left, at.heads.right, at.heads.bottom - 1);
+  filled({middle, at.heads.top, middle + 1, at.heads.bottom}, ui.palette.rule, 0);
+  if (p.clicked) toggle_panes(s);
+  ImGui::End();
+}
+
+}  // namespace
+
+bool two_panes(const Session& s) { return s.settings.beside && s.settings.beside->lesson == s.player.lesson().id; }
+
+void parted_mark(Ui& ui, const std::string& name, const Rect& r) {
+  ui.rects[name] = r;
+  outlined(r, ui.palette.miss, 1.5f, 5);
+  text(ui.fonts.small, r.left + 7, r.middle_y(), packed(ui.palette.miss), "≠", 0.5f);
+}
+
+void toggle_panes(Session& s) {
+  if (std::exchange(s.settings.beside, std::nullopt)) return;
+  s.settings.beside = usual(s.player);
+  if (!s.settings.beside) return s.say("There is nothing to set against this");
+  s.settings.map = false;
+}
+
+/// False where the other side can't be had; then there is one pane.
+bool SecondPane::follow(Session& s) {
+  const Beside& side = *s.settings.beside;
+  const Lesson& lesson = s.player.lesson();
+  try {
+    Parameters parameters = s.player.parameters();
+    if (side.method.empty())
+      parameters = preset(lesson, side.preset).parameters;
+    else
+      parameters[lesson.group_by] = side.method;
+    if (!other_) other_.emplace(s.player);
+    other_->follow(s.player, parameters);
+    s.player.accompany(&*other_);
+    return true;
+  } catch (const BadInput& wrong) {
+    s.complain(wrong.what());
+    s.settings.beside.reset();
+    leave(s);
+    return false;
+  }
+}
+
+void SecondPane::leave(Session& s) {
+  if (s.settings.beside) s.settings.beside.reset();  // of another lesson
+  s.player.accompany(nullptr);
+  other_.reset();
+}
+
+void SecondPane::show_other(Session& s, const PanesLayout& at) {
+  const bool methods = !s.settings.beside->method.empty();
+  Session along{.player = *other_, .ui = s.ui, .settings = s.settings, .course = s.course, .figures = {}};
+  along.paired = true;
+  along.pane = methods ? Pane::along : Pane::fixed;
+  const Parting parted = parting(s.player.walk(), s.player.index(), other_->walk(), other_->index());
+  along.parted_line = parted.line_b, along.parted_value = parted.value_b;
+  const std::map<std::string, Rect> first = std::exchange(s.ui.rects, {});
+  if (std::exchange(named_, other_->revision()) != other_->revision() || names_.empty())
+    names_ = names_of(other_->lesson(), other_->walk());
+  std::swap(s.ui.names, names_);
+  s.ui.side = "other ";
+  scene_.show(along, at.second_scene);
+  code_panel(along, at.second_code);
+  std::map<std::string, Rect> all = first;
+  for (const auto& [name, rect] : s.ui.rects) all[s.ui.side + name] = rect;
+  s.ui.rects = std::move(all);
+  s.ui.side.clear();
+  std::swap(s.ui.names, names_);
+
+  Parameters shared = methods ? other_->parameters() : s.player.parameters();
+  if (methods) shared[s.player.lesson().group_by] = s.player.method();
+  s.attempt([&] { s.player.take_from(*other_, shared); });
+}
+
+void SecondPane::show(Session& s, SceneView& lead, const PanesLayout& at) {
+  if (!follow(s)) return;
+  const Parting parted = parting(s.player.walk(), s.player.index(), other_->walk(), other_->index());
+  heads(s, *other_, parted, at);
+  s.paired = true;
+  s.parted_line = parted.line_a, s.parted_value = parted.value_a;
+  lead.show(s, at.first_scene);
+  code_panel(s, at.first_code);
+  s.paired = false;
+  s.parted_line = s.parted_value = -1;
+  if (two_panes(s) && follow(s)) show_other(s, at);
+}
+
+}  // namespace isect::viz

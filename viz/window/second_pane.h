@@ -1,0 +1,37 @@
+#pragma once
+// Two panes: a method against another one, or a preset against another one, at one step and through one camera.
+
+#include <optional>
+#include <set>
+#include <string>
+
+#include "viz/window/layout.h"
+#include "viz/window/scene_view.h"
+#include "viz/window/session.h"
+
+namespace isect::viz {
+
+/// Whether the lesson on show stands in two panes.
+bool two_panes(const Session&);
+
+class SecondPane {
+ public:
+  SecondPane(Renderer& renderer, double scale, bool drawing) : scene_(renderer, scale, drawing) {}
+
+  /// Both panes, with what tells them apart above them. `lead`: the scene of the first.
+  void show(Session&, SceneView& lead, const PanesLayout&);
+  /// There is one pane.
+  void leave(Session&);
+  void rescale(double scale) { scene_.rescale(scale); }
+
+ private:
+  bool follow(Session&);
+  void show_other(Session&, const PanesLayout&);
+
+  SceneView scene_;
+  std::optional<Player> other_;
+  std::set<std::string> names_;  ///< that its walk knows
+  unsigned named_ = 0;           ///< the revision of that walk
+};
+
+}  // namespace isect::viz
