@@ -3,6 +3,7 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 #include <imgui_impl_glfw.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -118,73 +119,106 @@ class Window {
   int x_ = 0, y_ = 0, width_ = 0, height_ = 0;  ///< before it filled the screen, in GLFW's coordinates
 };
 
-/// Dear ImGui's input from GLFW. Keys wait in a queue, since Dear ImGui sees what is down in a frame and
-/// would miss a key that comes and goes between two.
+/// GLFW numbers keys by their place on a US keyboard; Ctrl+Z means the key that says Z, Ctrl++ the one that says +.
+int by_layout(int code, int scancode) {
+  if (code <= GLFW_KEY_SPACE || code > GLFW_KEY_GRAVE_ACCENT) return code;
+  const char* name = glfwGetKeyName(code, scancode);
+  if (!name || !name[0] || name[1]) return code;
+  if (name[0] >= 'a' && name[0] <= 'z') return name[0] - 'a' + GLFW_KEY_A;
+  return name[0] == '+' || name[0] == '-' || name[0] == '=' || name[0] == '0' ? name[0] : code;
+}
+
+/// Dear ImGui's input from GLFW. Before 1.87 it sees what is down in a frame, and would miss a key that comes and goes
+/// between two: there, keys wait in a queue. Since then it has a queue of its own, and is told of each key and place of
+/// the pointer as they come, in px of the layout: later it would find other keys held than those that a key came with.
 class Input {
  public:
   explicit Input(GLFWwindow* window) : window_(window) {
     ImGui_ImplGlfw_InitForOpenGL(window, true);
     glfwSetWindowUserPointer(window, this);
     glfwSetKeyCallback(window, [](GLFWwindow* w, int code, int scancode, int action, int modifiers) {
-      if (action == GLFW_REPEAT) return;  // Dear ImGui repeats by itself
-      const KeyEvent event{by_layout(code, scancode), scancode, action, modifiers};
-      static_cast<Input*>(glfwGetWindowUserPointer(w))->waiting_.push_back(event);
+      if (action != GLFW_REPEAT)  // Dear ImGui repeats by itself
+        static_cast<Input*>(glfwGetWindowUserPointer(w))->key({code, scancode, action, modifiers});
     });
+#if IMGUI_VERSION_NUM >= 18700
+    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
+      const double to_px = static_cast<Input*>(glfwGetWindowUserPointer(w))->to_px_;
+      ImGui::GetIO().AddMousePosEvent(static_cast<float>(to_px * x), static_cast<float>(to_px * y));
+    });
+#endif
   }
   ~Input() { ImGui_ImplGlfw_Shutdown(); }
   Input(const Input&) = delete;
   Input& operator=(const Input&) = delete;
 
   /// Some keys have not been seen yet.
-  bool waiting() const { return !waiting_.empty(); }
-
-  /// Starts a frame. It sees one key come, with the modifiers it came with, and never one key go and come
-  /// again.
-  void new_frame() {
-    std::set<int> gone;
-    for (bool pressed = false; waiting() && !pressed;) {
-      const KeyEvent e = waiting_.front();
-      if (e.action == GLFW_PRESS && gone.contains(e.code)) break;
-      waiting_.pop_front();
-      ImGui_ImplGlfw_KeyCallback(window_, e.code, e.scancode, e.action, e.modifiers);
-      if (e.action == GLFW_RELEASE) gone.insert(e.code);
-      pressed = e.action == GLFW_PRESS && !is_modifier(e.code);
-    }
-    ImGui_ImplGlfw_NewFrame();
-  }
+  bool waiting() const;
+  /// Starts a frame, in a layout with `scale` framebuffer pixels a px. It sees one key come, with the modifiers it came
+  /// with, and never one key go and come again.
+  void new_frame(double scale);
 
  private:
   struct KeyEvent {
     int code, scancode, action, modifiers;
   };
+  void key(const KeyEvent&);
+  void to_layout(double scale);
 
   static bool is_modifier(int code) { return code >= GLFW_KEY_LEFT_SHIFT && code <= GLFW_KEY_RIGHT_SUPER; }
 
-  /// GLFW numbers keys by their place on a US keyboard; Ctrl+Z means the key that says Z, Ctrl++ the one that says +.
-  static int by_layout(int code, int scancode) {
-    if (code <= GLFW_KEY_SPACE || code > GLFW_KEY_GRAVE_ACCENT) return code;
-    const char* name = glfwGetKeyName(code, scancode);
-    if (!name || !name[0] || name[1]) return code;
-    if (name[0] >= 'a' && name[0] <= 'z') return name[0] - 'a' + GLFW_KEY_A;
-    return name[0] == '+' || name[0] == '-' || name[0] == '=' || name[0] == '0' ? name[0] : code;
-  }
-
   GLFWwindow* window_;
   std::deque<KeyEvent> waiting_;
+  double to_px_ = 1;  ///< px of the layout to a window coordinate
 };
 
-/// GLFW speaks of window coordinates; the layout has px of its own, `scale` framebuffer pixels each.
-void to_layout(GLFWwindow* window, double scale) {
+#if IMGUI_VERSION_NUM < 18700
+void Input::key(const KeyEvent& e) {
+  waiting_.push_back({by_layout(e.code, e.scancode), e.scancode, e.action, e.modifiers});
+}
+
+bool Input::waiting() const { return !waiting_.empty(); }
+
+void Input::new_frame(double scale) {
+  std::set<int> gone;
+  for (bool pressed = false; waiting() && !pressed;) {
+    const KeyEvent e = waiting_.front();
+    if (e.action == GLFW_PRESS && gone.contains(e.code)) break;
+    waiting_.pop_front();
+    ImGui_ImplGlfw_KeyCallback(window_, e.code, e.scancode, e.action, e.modifiers);
+    if (e.action == GLFW_RELEASE) gone.insert(e.code);
+    pressed = e.action == GLFW_PRESS && !is_modifier(e.code);
+  }
+  ImGui_ImplGlfw_NewFrame();
+  to_layout(scale);
+  ImGuiIO& io = ImGui::GetIO();
+  const float to_px = static_cast<float>(to_px_);
+  if (io.MousePos.x > -1e6f) io.MousePos = {io.MousePos.x * to_px, io.MousePos.y * to_px};
+}
+#else
+void Input::key(const KeyEvent& e) {
+  // Dear ImGui reads letters and - by layout, too; a + may stand anywhere, and the number block's is the same to us.
+  const int code = by_layout(e.code, e.scancode) == '+' ? GLFW_KEY_KP_ADD : e.code;
+  ImGui_ImplGlfw_KeyCallback(window_, code, e.scancode, e.action, e.modifiers);
+}
+
+bool Input::waiting() const { return !ImGui::GetCurrentContext()->InputEventsQueue.empty(); }
+
+void Input::new_frame(double scale) {
+  ImGui_ImplGlfw_NewFrame();
+  to_layout(scale);
+}
+#endif
+
+/// GLFW speaks of window coordinates; the layout has px of its own.
+void Input::to_layout(double scale) {
   int width = 1, height = 1, pixels_across = 1, pixels_down = 1;
-  glfwGetWindowSize(window, &width, &height);
-  glfwGetFramebufferSize(window, &pixels_across, &pixels_down);
+  glfwGetWindowSize(window_, &width, &height);
+  glfwGetFramebufferSize(window_, &pixels_across, &pixels_down);
   ImGuiIO& io = ImGui::GetIO();
   const float s = static_cast<float>(scale);
   io.DisplaySize = {static_cast<float>(pixels_across) / s, static_cast<float>(pixels_down) / s};
   io.DisplayFramebufferScale = {s, s};
-  if (width <= 0 || !(io.MousePos.x > -1e6f)) return;
-  const float to_px = static_cast<float>(pixels_across) / static_cast<float>(width) / s;
-  io.MousePos = {io.MousePos.x * to_px, io.MousePos.y * to_px};
+  if (width > 0) to_px_ = pixels_across / (width * scale);
 }
 
 void run(Window& window, Input& input, WindowUi& ui, const EndSignals& signals) {
@@ -202,8 +236,7 @@ void run(Window& window, Input& input, WindowUi& ui, const EndSignals& signals) 
       frames_due = settle;
     }
     --frames_due;
-    input.new_frame();
-    to_layout(window.handle(), ui.scale());
+    input.new_frame(ui.scale());
     if (ImGui::GetIO().DisplaySize.x < 1 || ImGui::GetIO().DisplaySize.y < 1) continue;  // minimised
     ui.frame();
     ui.draw();

@@ -12,12 +12,6 @@ using namespace isect::viz;
 
 namespace {
 
-Place at(const std::string& lesson, const std::string& preset) {
-  Place place;
-  place.lesson = lesson, place.preset = preset;
-  return place;
-}
-
 bool apart(const Rect& a, const Rect& b) {
   return a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top;
 }
@@ -28,7 +22,7 @@ Vec2 place(WindowDriver& window) { return window.player().lesson().map->place(wi
 }  // namespace
 
 TEST_CASE("W and a button show the map beside the scene at any step, and hide it", "[window]") {
-  WindowDriver window(lessons::all_lessons(), 1280, 800, at("sphere-sphere", "overlapping"));
+  WindowDriver window(lessons::all_lessons(), 1280, 800, place_at("sphere-sphere", "overlapping"));
   CHECK_FALSE(window.has("map"));
   window.type("w");
   REQUIRE(window.has("map"));
@@ -56,7 +50,7 @@ TEST_CASE("W and a button show the map beside the scene at any step, and hide it
 TEST_CASE("dragging over the map moves scene and setting, and the verdict stays a verdict", "[window]") {
   Settings settings;
   settings.map = true;
-  WindowDriver window(lessons::all_lessons(), 1280, 800, at("sphere-sphere", "overlapping"), settings);
+  WindowDriver window(lessons::all_lessons(), 1280, 800, place_at("sphere-sphere", "overlapping"), settings);
   window.player().go_to(outcome(window.player().walk()));
   window.frames(2);
   const int overlapping = branch(window);
@@ -93,7 +87,7 @@ TEST_CASE("dragging over the map moves scene and setting, and the verdict stays 
 TEST_CASE("the marker follows a handle that is dragged, across a border, and the drag goes on", "[window]") {
   Settings settings;
   settings.map = true;
-  WindowDriver window(lessons::all_lessons(), 1280, 800, at("sphere-sphere", "overlapping"), settings);
+  WindowDriver window(lessons::all_lessons(), 1280, 800, place_at("sphere-sphere", "overlapping"), settings);
   window.player().go_to(outcome(window.player().walk()));
   window.frames(2);
   const Handle handle = window.player().scene().handles.front();
@@ -123,7 +117,7 @@ TEST_CASE("the marker follows a handle that is dragged, across a border, and the
 TEST_CASE("with the keyboard alone Shift and the arrows move the setting on the map", "[window]") {
   Settings settings;
   settings.map = true;
-  WindowDriver window(lessons::all_lessons(), 1280, 800, at("sphere-sphere", "overlapping"), settings);
+  WindowDriver window(lessons::all_lessons(), 1280, 800, place_at("sphere-sphere", "overlapping"), settings);
   const Camera home = window.player().camera().goal();
   const Vec2 before = place(window);
   const Rect marker = window.rect("map setting");
@@ -141,7 +135,7 @@ TEST_CASE("with the keyboard alone Shift and the arrows move the setting on the 
 TEST_CASE("the map keeps a question's answer to itself", "[window]") {
   Settings settings;
   settings.map = true;
-  WindowDriver window(lessons::all_lessons(), 1280, 800, at("sphere-sphere", "overlapping"), settings);
+  WindowDriver window(lessons::all_lessons(), 1280, 800, place_at("sphere-sphere", "overlapping"), settings);
   while (!window.player().asked()) window.key(key::right);
   CHECK(window.has("map"));
   CHECK_FALSE(window.has("map setting"));

@@ -11,12 +11,6 @@ using namespace isect::viz;
 
 namespace {
 
-Place at(const std::string& lesson, const std::string& preset) {
-  Place place;
-  place.lesson = lesson, place.preset = preset;
-  return place;
-}
-
 const Handle& handle(const Player& player, const std::string& name) {
   for (const Handle& h : player.scene().handles)
     if (h.parameter == name) return h;
@@ -33,7 +27,7 @@ TEST_CASE("every corner and every point that a lesson draws can be dragged with 
                                                      {"concave-polygon", "hierarchy", 9},
                                                      {"convex-hull", "scattered", 8}}));
   INFO(lesson << " " << preset);
-  WindowDriver window(lessons::all_lessons(), 1280, 800, at(lesson, preset));
+  WindowDriver window(lessons::all_lessons(), 1280, 800, place_at(lesson, preset));
   for (int i = 0; i < count; ++i) {
     const std::string name = "v" + std::to_string(i);
     INFO(name);
@@ -53,7 +47,7 @@ TEST_CASE("every corner and every point that a lesson draws can be dragged with 
 TEST_CASE("a moved corner is kept by the other rule and in a copied state, and forgotten with its polygon",
           "[player]") {
   const auto lessons = lessons::all_lessons();
-  Player player(lessons, at("crossings", "inside"));
+  Player player(lessons, place_at("crossings", "inside"));
   player.drag_handle(handle(player, "v2"), {1.5, 0.25, 0});
   const Setting moved = Vec3(1.5, 0.25, 0);
   CHECK(player.parameters().at("v2") == moved);
@@ -66,7 +60,7 @@ TEST_CASE("a moved corner is kept by the other rule and in a copied state, and f
 }
 
 TEST_CASE("a corner does not go where a method's polygon would no longer be simple, and that is said", "[player]") {
-  Player player(lessons::all_lessons(), at("concave-polygon", "slabs"));
+  Player player(lessons::all_lessons(), place_at("concave-polygon", "slabs"));
   const Parameters before = player.parameters();
   const Condition* forbids = player.drag_handle(handle(player, "v2"), {-2, 1.25, 0});  // across the edge v7 v8
   REQUIRE(forbids);
@@ -78,7 +72,7 @@ TEST_CASE("a corner does not go where a method's polygon would no longer be simp
 }
 
 TEST_CASE("where a moved corner makes edges cross, Jordan's theorem is no longer cited", "[player]") {
-  Player player(lessons::all_lessons(), at("crossings", "inside"));
+  Player player(lessons::all_lessons(), place_at("crossings", "inside"));
   const auto cites = [&] { return player.walk().steps[0].caption.find("(Jordan curve theorem)") != std::string::npos; };
   CHECK(cites());
   player.drag_handle(handle(player, "v0"), {2, 2.25, 0});
@@ -88,7 +82,7 @@ TEST_CASE("where a moved corner makes edges cross, Jordan's theorem is no longer
 
 TEST_CASE("a segment's end is dragged along it, in lengths of the direction as given", "[player]") {
   const std::string preset = GENERATE("segment-before", "segment-before-quadratic", "segment-inside-half-b");
-  Player player(lessons::all_lessons(), at("ray-sphere", preset));
+  Player player(lessons::all_lessons(), place_at("ray-sphere", preset));
   const Vec3 o = handle(player, "origin").at, d = std::get<Vec3>(player.parameters().at("direction"));
   player.drag_handle(handle(player, "t_max"), o + 1.5 * d);
   CHECK(std::get<double>(player.parameters().at("t_max")) == Approx(1.5).epsilon(1e-12));

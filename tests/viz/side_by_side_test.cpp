@@ -20,12 +20,6 @@ using namespace isect::viz;
 
 namespace {
 
-Place at(const std::string& lesson, const std::string& preset) {
-  Place place;
-  place.lesson = lesson, place.preset = preset;
-  return place;
-}
-
 std::string read(const std::filesystem::path& path) {
   std::stringstream text;
   text << std::ifstream(path).rdbuf();
@@ -35,7 +29,7 @@ std::string read(const std::filesystem::path& path) {
 }  // namespace
 
 TEST_CASE("the setting follows the pointer on the map of cases, and one undo takes the drag back", "[window]") {
-  WindowDriver window(lessons::all_lessons(), 1280, 800, at("sphere-sphere", "overlapping"));
+  WindowDriver window(lessons::all_lessons(), 1280, 800, place_at("sphere-sphere", "overlapping"));
   window.ui.player().go_to(outcome(window.player().walk()) + 1);
   window.frames();
   REQUIRE(window.player().step().slug == case_map_slug);
@@ -72,7 +66,7 @@ TEST_CASE("the alarm shows where methods differ, and keeps the setting as a pres
   std::filesystem::remove_all(folder);
   WindowOptions options{.reduced_motion = true};
   options.figures = folder;
-  WindowDriver window(lessons::all_lessons(), 1280, 1400, at("sphere-sphere", "overlapping"), {}, options);
+  WindowDriver window(lessons::all_lessons(), 1280, 1400, place_at("sphere-sphere", "overlapping"), {}, options);
   CHECK_FALSE(window.player().methods_differ());
   CHECK_FALSE(window.has("methods side by side"));  // the answer stays hidden until the outcome
   window.ui.player().go_to(outcome(window.player().walk()));

@@ -17,6 +17,13 @@
 
 namespace isect::viz {
 
+/// A lesson's preset.
+inline Place place_at(const std::string& lesson, const std::string& preset) {
+  Place place;
+  place.lesson = lesson, place.preset = preset;
+  return place;
+}
+
 class WindowDriver {
  public:
   WindowDriver(const std::vector<const Lesson*>& lessons, float width = 1280, float height = 800, const Place& at = {},

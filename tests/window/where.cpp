@@ -1,5 +1,7 @@
 // Prints where a widget of the window stands at 1280 x 800, so that a test with a real pointer can aim at it:
 // where LESSON STEP WIDGET -> "x y"
+// or how many times Down is to be pressed until the keyboard holds it, the parameters being open:
+// where LESSON STEP WIDGET downs -> "n"
 
 #include <cstdio>
 #include <cstdlib>
@@ -11,13 +13,26 @@
 using namespace isect::viz;
 
 int main(int argc, char** argv) try {
-  if (argc != 4) throw std::runtime_error("usage: where LESSON STEP WIDGET");
+  const bool downs = argc == 5 && std::strcmp(argv[4], "downs") == 0;
+  if (argc != 4 && !downs) throw std::runtime_error("usage: where LESSON STEP WIDGET [downs]");
   Place place;
   place.lesson = argv[1];
   place.step = std::atoi(argv[2]) - 1;
-  const WindowDriver window(isect::lessons::all_lessons(), 1280, 800, place);
-  const Rect r = window.rect(argv[3]);
-  std::printf("%.0f %.0f\n", r.middle_x(), r.middle_y());
+  Settings settings;
+  settings.parameters_open = downs;
+  WindowDriver window(isect::lessons::all_lessons(), 1280, 800, place, settings);
+  if (!downs) {
+    const Rect r = window.rect(argv[3]);
+    std::printf("%.0f %.0f\n", r.middle_x(), r.middle_y());
+    return 0;
+  }
+  for (int n = 1; n < 200; ++n) {
+    window.key(key::down);
+    if (window.ui.focus() != argv[3]) continue;
+    std::printf("%d\n", n);
+    return 0;
+  }
+  throw std::runtime_error(std::string("Down leads to no widget called ") + argv[3]);
 } catch (const std::exception& failed) {
   std::fprintf(stderr, "where: %s\n", failed.what());
   return 1;

@@ -47,7 +47,9 @@ Theme look(const Session& s, const Rect& r) {
 
 /// Where there is no room for all names the pane goes without: it tells the setting's own above the map, and any
 /// other's under the pointer.
-bool names_meet(const std::vector<PlacedLabel>& labels) {
+bool crowded(const std::vector<PlacedLabel>& labels, double plane_height) {
+  if (plane_height < 180 && std::ranges::any_of(labels, [](const PlacedLabel& l) { return l.leads_to.has_value(); }))
+    return true;
   for (std::size_t i = 0; i < labels.size(); ++i)
     for (std::size_t k = 0; k < i; ++k) {
       const TextBox &a = labels[i].box, &b = labels[k].box;
@@ -109,7 +111,8 @@ void MapView::draw(const Rect& r, const Theme& theme) {
   Drawing drawing{r.width(), r.height(), theme.background, {}};
   Cases cases = cases_;
   Composed composed = compose({cases}, Vec2::Zero(), r.width(), r.height(), theme);
-  if (names_meet(composed.labels)) {
+  const Box2 plane = plane_of(cases, Vec2::Zero(), r.width(), r.height(), theme);
+  if (crowded(composed.labels, plane.hi.y() - plane.lo.y())) {
     cases.named = false;
     composed = compose({cases}, Vec2::Zero(), r.width(), r.height(), theme);
   }

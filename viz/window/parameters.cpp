@@ -18,7 +18,8 @@ constexpr float field_height = 32;
 /// What typing into this field has come to: nothing yet, a number, or a refusal, which is told below the field.
 std::optional<double> typed(Session& s, const std::string& field) {
   Session::Typing& typing = s.typing;
-  if (!typing.begun) ImGui::SetKeyboardFocusHere();
+  // Dear ImGui hands it over in one of the next frames; to ask again before that would take it away.
+  if (!typing.begun && typing.frames++ % 4 == 0) ImGui::SetKeyboardFocusHere();
   const bool entered = ImGui::InputText(("##" + field).c_str(), &typing.text,
                                         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   const bool left = typing.begun && !ImGui::IsItemActive();
@@ -115,8 +116,8 @@ float choice(Session& s, const Parameter& p, const std::string& value, const Rec
     std::string title = c;
     for (const Method& m : s.player.methods())
       if (p.name == s.player.lesson().group_by && m.choice == c) title = plain(m.title);
-    const float width = std::min(text_width(s.ui.fonts.small, title) + 18, r.width());
-    title = fitted(s.ui.fonts.small, title, width - 18);
+    title = fitted(s.ui.fonts.small, title, r.width() - 18);
+    const float width = text_width(s.ui.fonts.small, title) + 18;
     if (x > r.left && x + width > r.right) {
       x = r.left;
       y += 30;

@@ -98,6 +98,7 @@ struct Session {
   /// A number that is being typed into a field, and why the last one was refused.
   struct Typing {
     std::string field, text;
+    int frames = 0;      ///< without the keyboard, so far
     bool begun = false;  ///< the field has the keyboard
   } typing = {};
   struct Refused {
