@@ -31,11 +31,13 @@ void key_sheet(Session& s, const Rect& window) {
   static constexpr Row right[] = {
       {"drag a handle", "move the object"},
       {"drag on a map", "move the setting"},
+      {"Shift while dragging", "snap to where the case changes"},
       {"drag, right-drag", "turn, shift the scene"},
       {"wheel", "zoom at the pointer"},
       {"double click or F", "frame all"},
       {"P / O", "perspective / orthographic"},
       {"Shift+arrows", "turn, or move the held handle"},
+      {"Ctrl+Shift+arrows", "snap it to the next case"},
       {"Ctrl+arrows, + / −", "shift, zoom"},
       {"↓ / ↑", "go through all controls"},
       {"F6", "to the next part of the window"},

@@ -75,11 +75,20 @@ void MapDrag::follow(Session& s, const Cases& cases, const Box2& plane, bool hov
   if (hovered && inside && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
     s.player.end_action();
     s.player.remember("drag");
-    held_ = true;
-  } else if (!moved) {
+    held_ = true, snapping_ = false;
+    start_ = case_at(cases, plane, last_);
+  } else if (!moved && snapping_ == ImGui::GetIO().KeyShift) {
     return;
   }
-  if (held_) s.attempt([&] { s.player.go_to_case(case_at(cases, plane, last_)); });
+  snapping_ = ImGui::GetIO().KeyShift;
+  if (!held_) return;
+  s.attempt([&] {
+    const Vec2 to = case_at(cases, plane, last_);
+    std::string told;
+    if (snapping_) told = s.player.snap_on(way_of(s.player.lesson(), s.player.parameters(), start_, to), 0, 1.25, 1);
+    if (told.empty()) return s.player.go_to_case(to);
+    s.say(told);
+  });
 }
 
 /// The sweep over the plane is made anew only where its regions may have changed.

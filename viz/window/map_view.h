@@ -23,8 +23,9 @@ class MapDrag {
   void follow(Session&, const Cases&, const Box2& plane, bool hovered);
 
  private:
-  bool held_ = false;
-  Vec2 last_ = Vec2::Zero();  ///< the pointer in the frame before
+  bool held_ = false, snapping_ = false;
+  Vec2 start_ = Vec2::Zero();  ///< the place where it was taken hold of
+  Vec2 last_ = Vec2::Zero();   ///< the pointer in the frame before
 };
 
 class MapView {

@@ -81,10 +81,19 @@ std::optional<Handle> SceneView::handle_near(const Session& s, const View& view,
   return nearest;
 }
 
+/// With Shift only as far as where the case changes, next to the pointer.
 void SceneView::drag_held(Session& s, const View& view) {
-  if (mouse() == last_) return;
-  s.attempt(
-      [&] { forbidden_ = refusal(s.player.drag_handle(*held_, view.on_facing_plane(mouse() - grip_, held_->at))); });
+  const bool snapping = ImGui::GetIO().KeyShift;
+  if (mouse() == last_ && snapping == snapping_) return;
+  snapping_ = snapping;
+  const Vec3 to = view.on_facing_plane(mouse() - grip_, held_->at);
+  s.attempt([&] {
+    std::string told;
+    if (snapping)
+      told = s.player.snap_on(way_of(s.player.lesson(), s.player.parameters(), *held_, start_, to), 0, 1.25, 1);
+    forbidden_ = told.empty() ? refusal(s.player.drag_handle(*held_, to)) : std::string();
+    if (!told.empty()) s.say(told);
+  });
   for (const Handle& h : s.player.scene().handles)
     if (same_handle(h, *held_)) {
       held_ = h;
@@ -97,35 +106,44 @@ void SceneView::wheel(Session& s, const View& view) {
   if (turns != 0) s.player.zoom(view, mouse(), std::pow(1.15, turns));
 }
 
-/// Shift and the arrows move the handle that the keyboard holds, or else turn the scene; Ctrl and the arrows shift it.
+/// Shift and the arrows move the handle that the keyboard holds, with Ctrl to where the case changes next; or else they
+/// turn the scene. Ctrl and the arrows shift it.
 void SceneView::keyboard(Session& s, const View& view) {
   const ImGuiIO& io = ImGui::GetIO();
   const Vec2 middle = view.corner() + Vec2(view.width(), view.height()) / 2;
   if (const double zoom = std::exchange(s.zoom, 1.0); zoom != 1) s.player.zoom(view, middle, zoom);
-  if (io.KeyShift == io.KeyCtrl || io.WantTextInput || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) return;
+  if (!(io.KeyShift || io.KeyCtrl) || io.WantTextInput || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) return;
   Vec2 way = Vec2::Zero();
   if (ImGui::IsKeyPressed(key::left, true)) way.x() -= 1;
   if (ImGui::IsKeyPressed(key::right, true)) way.x() += 1;
   if (ImGui::IsKeyPressed(key::up, true)) way.y() -= 1;
   if (ImGui::IsKeyPressed(key::down, true)) way.y() += 1;
   if (way == Vec2::Zero() || s.player.scene().chart || s.ui.focus.name() == "map setting") return;
-  way *= 8;
+  constexpr double step = 8, search = 600;  // px
   const std::vector<Handle>& handles = s.player.scene().handles;
   const auto held =
       std::ranges::find_if(handles, [&](const Handle& h) { return "handle " + h.parameter == s.ui.focus.name(); });
   if (io.KeyShift && held != handles.end()) {
     const Handle handle = *held;
-    s.player.remember("nudge " + handle.parameter);
-    std::string forbidden;
+    const auto beside = [&](double px) {
+      return view.on_facing_plane(view.project(handle.at).at + px * way, handle.at);
+    };
+    s.player.remember((io.KeyCtrl ? "snap " : "nudge ") + handle.parameter);
     s.attempt([&] {
-      forbidden =
-          refusal(s.player.drag_handle(handle, view.on_facing_plane(view.project(handle.at).at + way, handle.at)));
+      if (io.KeyCtrl) {
+        const Way on = way_of(s.player.lesson(), s.player.parameters(), handle, handle.at, beside(search));
+        const std::string told = s.player.snap_on(on, 1 / search, 1, 0);
+        s.say(told.empty() ? "The case does not change that way" : told);
+      } else if (const std::string why = refusal(s.player.drag_handle(handle, beside(step))); !why.empty()) {
+        s.complain(why);
+      }
     });
-    if (!forbidden.empty()) s.complain(forbidden);
+  } else if (io.KeyShift && io.KeyCtrl) {
+    return;
   } else if (io.KeyShift && !s.player.lesson().flat) {
-    s.player.orbit(2 * way);
+    s.player.orbit(2 * step * way);
   } else {
-    s.player.pan(view, middle, middle - 2 * way);
+    s.player.pan(view, middle, middle - 2 * step * way);
   }
 }
 
@@ -146,6 +164,7 @@ void SceneView::pointer(Session& s, const View& view, bool hovered, bool active)
     forbidden_.clear();
     if (held_) {
       s.player.remember("drag");
+      start_ = held_->at, snapping_ = false;
       grip_ = mouse() - view.project(held_->at).at;
     } else if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
       s.player.frame_all();

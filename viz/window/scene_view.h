@@ -40,6 +40,8 @@ class SceneView {
   std::optional<Handle> held_;  ///< while a handle is dragged: the handle as it is now
   std::string forbidden_;       ///< why it does not follow the pointer; empty: it does
   MapDrag map_drag_;            ///< while the step shows the map of cases
+  Vec3 start_ = Vec3::Zero();   ///< where it stood when it was taken
+  bool snapping_ = false;       ///< Shift was held in the frame before
   Vec2 grip_ = Vec2::Zero();    ///< from the held handle to the pointer that took it
   Vec2 last_ = Vec2::Zero();    ///< the pointer in the frame before
 };
