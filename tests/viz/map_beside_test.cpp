@@ -132,6 +132,32 @@ TEST_CASE("with the keyboard alone Shift and the arrows move the setting on the 
   CHECK(window.player().camera().goal().target == home.target);
 }
 
+TEST_CASE("no name of a case meets another, in the least window either", "[window]") {
+  const bool panels = GENERATE(true, false);
+  WindowDriver window(lessons::all_lessons(), 800, 600);
+  if (!panels) window.key(key::tab);
+  int maps = 0;
+  for (const Lesson* lesson : lessons::all_lessons()) {
+    if (!lesson->map) continue;
+    window.player().open(*lesson);
+    window.player().go_to(outcome(window.player().walk()) + 1);
+    if (window.player().step().slug != case_map_slug) continue;  // a setting beyond the map
+    ++maps;
+    window.frames(2);
+    const std::vector<PlacedLabel>& labels = window.ui.labels();
+    const std::vector<std::string>& names = lesson->map->branches;
+    CHECK(labels.size() > 4);
+    for (std::size_t i = 0; i < labels.size(); ++i)
+      for (std::size_t k = 0; k < i; ++k) {
+        const TextBox &one = labels[i].box, &two = labels[k].box;
+        if (std::ranges::count(names, labels[i].text) + std::ranges::count(names, labels[k].text) == 0) continue;
+        INFO(lesson->id << ": " << labels[i].text << ", " << labels[k].text);
+        CHECK_FALSE((one.left < two.right && two.left < one.right && one.top < two.bottom && two.top < one.bottom));
+      }
+  }
+  CHECK(maps > 8);
+}
+
 TEST_CASE("the map keeps a question's answer to itself", "[window]") {
   Settings settings;
   settings.map = true;

@@ -44,7 +44,8 @@ bool is_widget(const std::string& full_name) {
       "map plane",    "map setting",          "trail",      "pane heads", "parted line",
       "parted value", "question over scene"};
   return !areas.contains(name) && !name.starts_with("handle ") && !name.starts_with("no ") &&
-         !name.starts_with("trail ") && !name.ends_with(" under pointer");
+         !name.starts_with("number ") && !name.starts_with("new ") && !name.starts_with("trail ") &&
+         !name.ends_with(" under pointer");
 }
 
 bool meet(const Rect& a, const Rect& b) {
@@ -94,6 +95,8 @@ void check_layout(const WindowDriver& window, float width, float height) {
     for (std::size_t j = 0; j < i; ++j)
       if (meet(r, widgets[j].second)) FAIL_CHECK("it meets " << widgets[j].first);
   }
+  for (const auto& [name, r] : window.ui.rects())
+    if (name.starts_with("new ") && meet(r, window.rect("number " + name.substr(4)))) FAIL_CHECK(name << " covers it");
   std::vector<const char*> regions = {"top bar", "scene", "code panel", "transport"};
   for (const char* name : {"lesson panel", "map", "pane heads", "other scene", "other code panel"})
     if (window.has(name)) regions.push_back(name);

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "viz/chart.h"
-#include "viz/compose.h"
 #include "viz/rich_text.h"
 #include "viz/window/key_codes.h"
 
@@ -45,22 +44,33 @@ Theme look(const Session& s, const Rect& r) {
   return window_theme(s.ui.palette.theme.name, std::clamp(fits, 0.7, 1.0));
 }
 
-/// Where there is no room for all names the pane goes without: it tells the setting's own above the map, and any
+/// Where there is no room for all names a map goes without: the setting's own is told beside it, and a pane tells any
 /// other's under the pointer.
-bool crowded(const std::vector<PlacedLabel>& labels, double plane_height) {
-  if (plane_height < 180 && std::ranges::any_of(labels, [](const PlacedLabel& l) { return l.leads_to.has_value(); }))
-    return true;
-  for (std::size_t i = 0; i < labels.size(); ++i)
+bool crowded(const Cases& cases, const std::vector<PlacedLabel>& labels, double plane_height) {
+  const auto is_name = [&](const PlacedLabel& l) { return std::ranges::count(cases.branches, l.text) > 0; };
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (is_name(labels[i]) && labels[i].leads_to && plane_height < 180) return true;
     for (std::size_t k = 0; k < i; ++k) {
       const TextBox &a = labels[i].box, &b = labels[k].box;
-      if (a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom) return true;
+      const bool meet = a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+      if (meet && (is_name(labels[i]) || is_name(labels[k]))) return true;
     }
+  }
   return false;
 }
 
 Rect below_header(const Rect& r) { return {r.left, r.top + map_header, r.right, r.bottom}; }
 
 }  // namespace
+
+Composed compose_map(const Cases& all, const Vec2& corner, double width, double height, const Theme& theme) {
+  Cases cases = all;
+  Composed composed = compose({cases}, corner, width, height, theme);
+  const Box2 plane = plane_of(cases, corner, width, height, theme);
+  if (!crowded(cases, composed.labels, plane.hi.y() - plane.lo.y())) return composed;
+  cases.named = false;
+  return compose({cases}, corner, width, height, theme);
+}
 
 bool shows_map(const Session& s) {
   const Player& p = s.player;
@@ -118,14 +128,7 @@ void MapView::draw(const Rect& r, const Theme& theme) {
                                          scale_, name_of(theme.name));
   if (wanted == drawn_ || !drawing_) return;
   Drawing drawing{r.width(), r.height(), theme.background, {}};
-  Cases cases = cases_;
-  Composed composed = compose({cases}, Vec2::Zero(), r.width(), r.height(), theme);
-  const Box2 plane = plane_of(cases, Vec2::Zero(), r.width(), r.height(), theme);
-  if (crowded(composed.labels, plane.hi.y() - plane.lo.y())) {
-    cases.named = false;
-    composed = compose({cases}, Vec2::Zero(), r.width(), r.height(), theme);
-  }
-  drawing.shapes = std::move(composed.shapes);
+  drawing.shapes = compose_map(cases_, Vec2::Zero(), r.width(), r.height(), theme).shapes;
   renderer_.draw(drawing, scale_);
   const PixelBox size = pixels(drawing, scale_);
   picture_.take(renderer_.texture(), size.width, size.height);

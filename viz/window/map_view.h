@@ -6,6 +6,7 @@
 #include <string>
 
 #include "viz/case_map.h"
+#include "viz/compose.h"
 #include "viz/renderer.h"
 #include "viz/window/kept_picture.h"
 #include "viz/window/session.h"
@@ -15,6 +16,9 @@ namespace isect::viz {
 /// Whether the map stands beside this step: the reader wants it, the lesson has one, and the step does not show it
 /// itself.
 bool shows_map(const Session&);
+
+/// The map composed with the names of its cases, or without where they would meet or crowd.
+Composed compose_map(const Cases&, const Vec2& corner, double width, double height, const Theme&);
 
 /// A drag over the plane of a map moves the setting.
 class MapDrag {

@@ -58,7 +58,9 @@ void SceneView::draw(Session& s, const Rect& r, const View& view) {
   Drawing drawing{view.width(), view.height(), theme.background, {}};
   Scene scene = with_names(s.player);
   if (const Scene* before = s.player.scene_before()) scene = between(*before, scene, s.player.motion());
-  Composed composed = compose(scene, own, theme, s.pane != Pane::fixed);
+  const Cases* const map = map_of(s);
+  Composed composed = map ? compose_map(*map, own.corner(), own.width(), own.height(), theme)
+                          : compose(scene, own, theme, s.pane != Pane::fixed);
   drawing.shapes = std::move(composed.shapes);
   labels_ = std::move(composed.labels);
   renderer_.draw(drawing, scale_);

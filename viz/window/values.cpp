@@ -73,12 +73,8 @@ void bar(const Ui& ui, const BarScale& scale, const Value& v, float x0, float x1
   filled({left, y - 4, std::max(right, left + 3), y + 4}, ink, std::min(4.0f, (right - left) / 2));
 }
 
-/// Room for the word "new" beside the bars; all of a step's bars end alike, or they would not share a scale.
-float room_for_new(const Step& step) {
-  for (const Value& v : step.values)
-    if (v.fresh && !v.unit.empty()) return 38;
-  return 0;
-}
+/// Room for the word "new" beside bars and numbers; all of a step's bars end alike, or they would not share a scale.
+float room_for_new(const Step& step) { return std::ranges::any_of(step.values, &Value::fresh) ? 38 : 0; }
 
 /// Where the numbers end: beside the longest name that comes with its number, or further left where all are short.
 float number_column(const Ui& ui, const Step& step, const Rect& r) {
@@ -105,13 +101,15 @@ void value_row(Session& s, const Value& v, const std::map<std::string, BarScale>
   lights_in(ui, font, r.left + 10, y, name);
   text(font, r.left + 10, y, packed(c.text), name);
   if (name != plain(v.name) && ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r))) tooltip(ui, plain(v.name));
-  text(ui.fonts.mono, number, y, packed(c.text), shown(v.value), 1);
+  const float from = number - text(ui.fonts.mono, number, y, packed(c.text), shown(v.value), 1);
+  ui.rects["number " + name] = {from, y - 7, number, y + 7};
   if (!v.unit.empty() && names.empty() && ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r)))
     tooltip(ui, "unit: " + plain(v.unit));
   const float right = r.right - 10;
   if (v.fresh) {
     outlined({r.left, r.top + 1, r.right, r.bottom - 1}, c.fresh, 1.5f, 5);
-    text(ui.fonts.small, right - 2, y, packed(c.fresh_text), "new", 1);
+    const float width = text(ui.fonts.small, right - 2, y, packed(c.fresh_text), "new", 1);
+    ui.rects["new " + name] = {right - 2 - width, y - 7, right - 2, y + 7};
   }
   const auto scale = scales.find(v.unit);
   const bool room_for_bar = right - room_for_new(s.player.step()) - number - 26 > 20;
