@@ -65,9 +65,7 @@ void Batch::add(const Stroke& s) {
     triangles.insert(triangles.end(), more.begin(), more.end());
   }
 
-  if (nib.colour.a >= 1) return add(Pass::paint, triangles, nib.colour);
-  add(Pass::once, triangles, nib.colour);
-  add(Pass::wipe, triangles, {});
+  add(nib.colour.a >= 1 ? Pass::paint : Pass::once, triangles, nib.colour);
 }
 
 void Batch::add(const Gradient& gradient) {

@@ -14,7 +14,8 @@ struct Vertex {
   float x, y, u, v, r, g, b, a;
 };
 
-/// How a run of triangles is drawn. Every shape leaves the stencil at 0 as it found it.
+/// How a run of triangles is drawn. Every shape leaves the stencil at 0 as it found it, but for `once`, whose marks the
+/// next passes that need a 0 have wiped.
 enum class Pass {
   paint,     ///< colour
   gradient,  ///< colour by RadialColours; (u, v) is the place in the unit circle
@@ -23,7 +24,7 @@ enum class Pass {
   parity,    ///< no colour; the stencil turns over under every triangle: even-odd
   inside,    ///< colour where the stencil is not 0
   finish,    ///< as inside, and the stencil becomes 0
-  once,      ///< colour where the stencil is 0, which becomes 1: overlapping triangles blend once
+  once,      ///< colour where the stencil has not this shape's own mark, and mark: overlapping triangles blend once
   wipe       ///< no colour; the stencil becomes 0
 };
 

@@ -135,6 +135,11 @@ void Player::reduce_motion(bool reduced) {
   if (reduced) before_.reset();
 }
 
+void Player::arrive() {
+  before_.reset();
+  if (camera_.moving()) camera_.jump(camera_.goal());
+}
+
 void Player::ask(bool wanted) {
   asking_ = wanted && !at_end() && walk().steps[index() + 1].question;
   asked_scene_ = asking_ ? std::make_shared<const Scene>(question_scene(walk(), index() + 1)) : nullptr;

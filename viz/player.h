@@ -42,6 +42,8 @@ class Player {
   double motion() const;
   double light() const;
   void reduce_motion(bool);  ///< all is there at once
+  /// What moves is where it is to be: a scene that takes long to draw does not move smoothly anyway.
+  void arrive();
   /// What the lesson's methods say of these parameters, where it has several that should agree.
   const std::vector<Opinion>& opinions() const { return opinions_; }
   bool methods_differ() const;

@@ -115,13 +115,13 @@ class TextCache {
 
 namespace {
 
-/// What the pass does to the stencil and whether it colours.
-void set_pass(Pass pass) {
+/// What the pass does to the stencil and whether it colours. `mark`: of `once`.
+void set_pass(Pass pass, int mark) {
   const bool coloured = pass != Pass::winding && pass != Pass::parity && pass != Pass::wipe;
   glColorMask(coloured, coloured, coloured, coloured);
-  const auto stencil = [](GLenum test, GLenum then) {
+  const auto stencil = [mark](GLenum test, GLenum then) {
     glEnable(GL_STENCIL_TEST);
-    glStencilFunc(test, 0, 0xff);
+    glStencilFunc(test, mark, 0xff);
     glStencilOp(GL_KEEP, then, then);
   };
   switch (pass) {
@@ -145,7 +145,7 @@ void set_pass(Pass pass) {
       stencil(GL_NOTEQUAL, GL_ZERO);
       break;
     case Pass::once:
-      stencil(GL_EQUAL, GL_INCR);
+      stencil(GL_NOTEQUAL, GL_REPLACE);
       break;
     case Pass::wipe:
       stencil(GL_ALWAYS, GL_ZERO);
@@ -208,8 +208,15 @@ struct Renderer::Impl {
       set_uniform(program->uniform("units"), units);
       set_uniform(program->uniform("origin"), origin);
     }
+    int marks = 0;  // on the stencil, from 1 up
     for (const Call& call : batch.calls()) {
-      set_pass(call.pass);
+      const bool once = call.pass == Pass::once,
+                 plain = call.pass == Pass::paint || call.pass == Pass::image || call.pass == Pass::gradient;
+      if (marks == 255 ? !plain : marks > 0 && !plain && !once) {
+        glClear(GL_STENCIL_BUFFER_BIT);
+        marks = 0;
+      }
+      set_pass(call.pass, once ? ++marks : 0);
       use_program(call);
       glDrawArrays(GL_TRIANGLES, call.first, call.count);
     }

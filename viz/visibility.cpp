@@ -145,11 +145,56 @@ class Cuts {
   std::vector<double> found_ = {0, 1};
 };
 
+/// Whether the eye sees the solid apart from the segment, by more than that may be rounded: then it hides nothing of
+/// it. False where parallel sights do not tell.
+bool seen_apart(const Vec3& from, const Vec3& to, const View& view, const Shell& solid) {
+  if (view.camera().perspective) return false;
+  constexpr double more = 1.001;
+  const Vec3 &right = view.right(), &up = view.up();
+  const Vec2 a(right.dot(from - solid.middle), up.dot(from - solid.middle));
+  const Vec2 d(right.dot(to - from), up.dot(to - from));
+  const double t = d.squaredNorm() > 0 ? std::clamp(-a.dot(d) / d.squaredNorm(), 0.0, 1.0) : 0;
+  return (a + t * d).norm() > more * solid.size + 1e-9 * (from.norm() + to.norm());
+}
+
+using Shells = std::vector<const Shell*>;
+
+/// The solids that may hide some of a segment.
+Shells beside(const Vec3& from, const Vec3& to, const View& view, const Occluders& all) {
+  Shells near;
+  for (const Shell& solid : all.solids)
+    if (!seen_apart(from, to, view, solid)) near.push_back(&solid);
+  return near;
+}
+
+const Shell& of(const Shell& solid) { return solid; }
+const Shell& of(const Shell* solid) { return *solid; }
+
+/// As hidden(), of these solids.
+bool hidden_among(const Vec3& p, const View& view, const Occluders& occluders, const auto& solids, int own) {
+  const Vec3 direction = view.towards_eye(p);
+  const double to_eye = view.camera().perspective ? (view.eye() - p).norm() : HUGE_VAL;
+  const Ray<double, 3> sight = {p, direction, {0, to_eye}};
+  for (int i = 0; i < static_cast<int>(occluders.balls.size()); ++i) {
+    if (i == own) continue;
+    const Ball& ball = occluders.balls[i];
+    const RaySphere<double> shared = intersect(sight, Sphere<double, 3>{ball.center, ball.radius * (1 - drawn_in)});
+    if (shared && shared.solid->hi > shared.solid->lo) return true;
+  }
+  for (const auto& solid : solids)
+    if (runs_through(sight, of(solid))) return true;
+  const double beyond = drawn_in * std::max(view.camera().half_height, p.norm());  // p may lie on the screen itself
+  for (const Polygon<double, 3>& screen : occluders.screens)
+    if (intersect(Ray<double, 3>{p, direction, {beyond, to_eye}}, screen).t) return true;
+  return false;
+}
+
 /// The places to look at on a segment.
-std::vector<double> places(const Vec3& from, const Vec3& to, const View& view, const Occluders& occluders) {
-  if (occluders.solids.empty() && occluders.screens.empty()) return even(occluders.balls.empty() ? 1 : 64);
+std::vector<double> places(const Vec3& from, const Vec3& to, const View& view, const Occluders& occluders,
+                           const Shells& solids) {
+  if (solids.empty() && occluders.screens.empty()) return even(occluders.balls.empty() ? 1 : 64);
   Cuts cuts(from, to, view);
-  for (const Shell& solid : occluders.solids) cuts.behind(solid);
+  for (const Shell* solid : solids) cuts.behind(*solid);
   for (const Polygon<double, 3>& screen : occluders.screens) cuts.behind(screen);
   std::vector<double> all = cuts.places();
   if (!occluders.balls.empty()) {
@@ -222,27 +267,15 @@ Occluders around_solid(const Occluders& all, int index, const std::vector<Vec3>&
 }
 
 bool hidden(const Vec3& p, const View& view, const Occluders& occluders, int own) {
-  const Vec3 direction = view.towards_eye(p);
-  const double to_eye = view.camera().perspective ? (view.eye() - p).norm() : HUGE_VAL;
-  const Ray<double, 3> sight = {p, direction, {0, to_eye}};
-  for (int i = 0; i < static_cast<int>(occluders.balls.size()); ++i) {
-    if (i == own) continue;
-    const Ball& ball = occluders.balls[i];
-    const RaySphere<double> shared = intersect(sight, Sphere<double, 3>{ball.center, ball.radius * (1 - drawn_in)});
-    if (shared && shared.solid->hi > shared.solid->lo) return true;
-  }
-  for (const Shell& solid : occluders.solids)
-    if (runs_through(sight, solid)) return true;
-  const double beyond = drawn_in * std::max(view.camera().half_height, p.norm());  // p may lie on the screen itself
-  for (const Polygon<double, 3>& screen : occluders.screens)
-    if (intersect(Ray<double, 3>{p, direction, {beyond, to_eye}}, screen).t) return true;
-  return false;
+  return hidden_among(p, view, occluders, occluders.solids, own);
 }
 
 std::vector<Stretch> stretches(const Vec3& from, const Vec3& to, const View& view, const Occluders& occluders) {
   const auto at = [&](double s) -> Vec3 { return s == 1 ? to : Vec3(from + s * (to - from)); };
+  const Shells solids = beside(from, to, view, occluders);
   std::vector<Stretch> parts = split(
-      at, [&](const Vec3& p) { return hidden(p, view, occluders); }, places(from, to, view, occluders));
+      at, [&](const Vec3& p) { return hidden_among(p, view, occluders, solids, -1); },
+      places(from, to, view, occluders, solids));
   for (Stretch& part : parts) part.points = {part.points.front(), part.points.back()};
   return parts;
 }

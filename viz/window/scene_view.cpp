@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <utility>
 
 #include "viz/chart.h"
@@ -50,6 +51,7 @@ bool same_handle(const Handle& a, const Handle& b) { return a.parameter == b.par
 }  // namespace
 
 void SceneView::draw(Session& s, const Rect& r, const View& view) {
+  behind_ = false;
   const std::string wanted = line_of(s, r, scale_);
   if (wanted == drawn_ || !drawing_) return;
   const Theme& theme = s.ui.palette.theme;
@@ -57,6 +59,7 @@ void SceneView::draw(Session& s, const Rect& r, const View& view) {
   const View own(view.camera(), view.width(), view.height() - head, {0, head});
   Drawing drawing{view.width(), view.height(), theme.background, {}};
   Scene scene = with_names(s.player);
+  const std::clock_t begun = std::clock();  // the processor's time: that others use it, too, is no reason to stop
   if (const Scene* before = s.player.scene_before()) scene = between(*before, scene, s.player.motion());
   const Cases* const map = map_of(s);
   Composed composed = map ? compose_map(*map, own.corner(), own.width(), own.height(), theme)
@@ -67,6 +70,8 @@ void SceneView::draw(Session& s, const Rect& r, const View& view) {
   const PixelBox size = pixels(drawing, scale_);
   picture_.take(renderer_.texture(), size.width, size.height);
   drawn_ = wanted;
+  constexpr double most_to_move = 0.060;  // seconds
+  if (static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC > most_to_move) s.player.arrive(), behind_ = true;
 }
 
 std::optional<Handle> SceneView::handle_near(const Session& s, const View& view, const Vec2& pixel) const {

@@ -21,6 +21,8 @@ class SceneView {
   /// Draws the scene with what lies over it, and does what the pointer asks for.
   void show(Session&, const Rect&);
   const std::vector<PlacedLabel>& labels() const { return labels_; }
+  /// What is on show is not yet all: the next frame has it.
+  bool behind() const { return behind_; }
   void rescale(double scale) { scale_ = scale; }
 
  private:
@@ -33,7 +35,7 @@ class SceneView {
 
   Renderer& renderer_;
   double scale_;
-  bool drawing_;
+  bool drawing_, behind_ = false;
   std::vector<PlacedLabel> labels_;
   KeptPicture picture_;
   std::string drawn_;           ///< what the picture shows, as one line; drawing it again is saved

@@ -3,6 +3,10 @@
 #include <glad/gl.h>
 #include <imgui_impl_opengl3.h>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -46,6 +50,16 @@ UiFonts fonts_at(double scale) {
   return load_fonts(scale);
 }
 
+/// Each frame needs about as much memory as the one before: what it frees is kept for it, not given back and fetched
+/// again page by page.
+void keep_memory() {
+#ifdef __GLIBC__
+  mallopt(M_TRIM_THRESHOLD, 256 << 20);
+  mallopt(M_MMAP_THRESHOLD, 64 << 20);
+  mallopt(M_TOP_PAD, 16 << 20);
+#endif
+}
+
 }  // namespace
 
 struct WindowUi::Impl {
@@ -62,6 +76,7 @@ struct WindowUi::Impl {
         scene(gl, options.scale, options.draw_scene),
         map(gl, options.scale, options.draw_scene),
         panes(gl, options.scale, options.draw_scene) {
+    keep_memory();
     player.set_speed(kept.speed);
   }
 
@@ -223,7 +238,8 @@ std::string WindowUi::title() const {
 
 double WindowUi::rest() const {
   const Player& p = impl_->player;
-  if (p.camera().moving() || p.motion() < 1 || p.light() < 1 || impl_->ui.light.changing()) return 0;
+  if (p.camera().moving() || p.motion() < 1 || p.light() < 1 || impl_->ui.light.changing() || impl_->scene.behind())
+    return 0;
   double rest = std::numeric_limits<double>::infinity();
   if (p.running()) rest = std::min(rest, std::max(p.seconds_to_step(), 0.0));
   if (impl_->session.toast.seconds_left > 0) rest = std::min(rest, impl_->session.toast.seconds_left);
