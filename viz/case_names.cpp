@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace isect::viz {
 namespace {
@@ -10,12 +11,11 @@ constexpr int lines = 4;        ///< on which a row of cells is looked at
 constexpr double whole = 0.98;  ///< a cell of which so much lies in a region counts as its own
 constexpr double tie = 1e-6;    ///< what only rounding could decide
 
+// What a place for a name costs besides the length of its leader.
+constexpr double over_border = 1000, through_name = 2000, over_leader = 2000, over_name = 8000;
+
 bool share_ink(const TextBox& a, const TextBox& b) {
   return a.left < b.right - tie && b.left < a.right - tie && a.top < b.bottom - tie && b.top < a.bottom - tie;
-}
-
-Vec2 nearest_in(const TextBox& b, const Vec2& p) {
-  return {std::clamp(p.x(), b.left, b.right), std::clamp(p.y(), b.top, b.bottom)};
 }
 
 double area_of(const Cases::Patch& patch) {
@@ -34,6 +34,17 @@ CaseNames::CaseNames(const Cases& cases, const Bounds& plane)
 }
 
 void CaseNames::take(const TextBox& box, bool may_cross) { (may_cross ? crossable_ : taken_).push_back(box); }
+
+void CaseNames::take_leader(const Vec2& from, const Vec2& to) { leaders_.emplace_back(from, to); }
+
+double CaseNames::in_the_way(const Vec2& from, const Vec2& to) const {
+  double cost = 0;
+  for (const TextBox& t : taken_)
+    if (length_inside(from, to, t) > 0) cost += through_name;
+  for (const auto& [a, b] : leaders_)
+    if (cross(from, to, a, b)) cost += crossed;
+  return cost;
+}
 
 int& CaseNames::sum(int branch, int x, int y) { return sums_[branch][static_cast<std::size_t>(y) * (columns + 1) + x]; }
 
@@ -75,6 +86,8 @@ void CaseNames::rasterise(const Cases& cases) {
 
 bool CaseNames::filled(int branch, const Vec2& middle, const Vec2& half) const {
   const TextBox box = box_around(drawn(middle), half.cwiseProduct(cell_));
+  if (std::ranges::any_of(leaders_, [&](const auto& l) { return length_inside(l.first, l.second, box) > 0; }))
+    return false;
   for (const std::vector<TextBox>* all : {&taken_, &crossable_})
     if (std::ranges::any_of(*all, [&](const TextBox& taken) { return share_ink(box, taken); })) return false;
   const Vec2 inset = Vec2::Constant(tie), lo = middle - half + inset, hi = middle + half - inset;
@@ -127,12 +140,23 @@ Vec2 CaseNames::some_point_of(int branch) const {
   return drawn(((a + b + c + d) / 4 - lo).cwiseQuotient(size).cwiseProduct(Vec2(columns, rows)));
 }
 
-/// The nearest place for the whole name in one region, with a free way for the leader; over borders only if there is
-/// none.
+/// The nearest place for the whole name in one region, with a free way for the leader from the region's middle, or else
+/// from another point of it; over borders only if there is none.
 NamePlace CaseNames::beside(int branch, const Vec2& size) const {
-  const Vec2 to = some_point_of(branch), half = size / 2;
-  std::optional<NamePlace> best;
-  double least = 0;
+  NamePlace best = beside(some_point_of(branch), size);
+  if (best.cost < crossed) return best;
+  constexpr int apart = 6;
+  const Vec2 side = Vec2::Constant(apart * std::min(cell_.x(), cell_.y()) / 4).cwiseQuotient(cell_);
+  for (int y = apart / 2; y < rows; y += apart)
+    for (int x = apart / 2; x < columns; x += apart)
+      if (const Vec2 at(x, y); filled(branch, at, side))
+        if (const NamePlace other = beside(drawn(at), size); other.cost < best.cost - tie) best = other;
+  return best;
+}
+
+NamePlace CaseNames::beside(const Vec2& to, const Vec2& size) const {
+  const Vec2 half = size / 2;
+  NamePlace best = {to, to, false, std::numeric_limits<double>::infinity()};
   for (int y = 0; y <= 2 * rows; ++y)
     for (int x = 0; x <= 2 * columns; ++x) {
       const Vec2 at(x / 2.0, y / 2.0), middle = drawn(at);
@@ -141,15 +165,17 @@ NamePlace CaseNames::beside(int branch, const Vec2& size) const {
         continue;
       const Vec2 from = nearest_in(box, to);
       double cost = (to - from).norm() + 0.1 * (to - middle).norm();
-      if ((to - from).norm() < 0.8 * size.y() || (best && cost > least - tie)) continue;
-      const bool taken = std::ranges::any_of(
-          taken_, [&](const TextBox& t) { return share_ink(box, t) || length_inside(from, to, t) > 0; });
-      if (taken) cost += 2000;
+      if ((to - from).norm() < 0.8 * size.y() || cost > best.cost - tie) continue;
+      cost += in_the_way(from, to);
+      for (const TextBox& t : taken_)
+        if (share_ink(box, t)) cost += over_name;
+      for (const auto& [a, b] : leaders_)
+        if (length_inside(a, b, box) > 0) cost += over_leader;
       const bool on_border = !filled(at, half.cwiseQuotient(cell_));
-      if (on_border) cost += 1000;
-      if (!best || cost < least - tie) best = NamePlace{middle, to, on_border}, least = cost;
+      if (on_border) cost += over_border;
+      if (cost < best.cost - tie) best = {middle, to, on_border, cost};
     }
-  return best.value_or(NamePlace{to, to});
+  return best;
 }
 
 NamePlace CaseNames::place(int branch, const Vec2& size) const {

@@ -2,6 +2,7 @@
 // Where the names of a map's regions stand: each wholly in its region, or beside it with a leader that ends there.
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "viz/chart.h"
@@ -13,15 +14,23 @@ struct NamePlace {
   Vec2 middle;
   std::optional<Vec2> leads_to = {};  ///< a point of its region, where the name stands beside it
   bool on_border = false;             ///< there is no place off the borders
+  double cost = 0;                    ///< 0 in its region; else the leader's length, and more for what is in the way
 };
 
 /// The plane as fine cells, each wholly of one branch or of none.
 class CaseNames {
  public:
+  /// A place that costs so much has a leader across another one, or something on a name.
+  static constexpr double crossed = 1500;
+
   CaseNames(const Cases&, const Bounds& plane);
 
   /// Names keep off this box, and leaders too, unless they `may_cross` it.
   void take(const TextBox&, bool may_cross = false);
+  /// Names keep off this line, and their leaders do not cross it.
+  void take_leader(const Vec2& from, const Vec2& to);
+  /// What a leader would cost for the names and leaders that it meets.
+  double in_the_way(const Vec2& from, const Vec2& to) const;
   /// Where a name of this size has most room in its region; else the nearest place from which a leader reaches it. Of
   /// equally good places the first in order, however a machine rounds.
   NamePlace place(int branch, const Vec2& size) const;
@@ -41,6 +50,7 @@ class CaseNames {
   bool filled(const Vec2& middle, const Vec2& half) const;
   Vec2 some_point_of(int branch) const;
   NamePlace beside(int branch, const Vec2& size) const;
+  NamePlace beside(const Vec2& to, const Vec2& size) const;
 
   int& sum(int branch, int x, int y);
   int count(int branch, int x0, int y0, int x1, int y1) const;
@@ -51,6 +61,7 @@ class CaseNames {
   Vec2 cell_;                           ///< its size
   std::vector<std::vector<int>> sums_;  ///< of each branch: the cells below and left of a corner
   std::vector<TextBox> taken_, crossable_;
+  std::vector<std::pair<Vec2, Vec2>> leaders_;
 };
 
 }  // namespace isect::viz

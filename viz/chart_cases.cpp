@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "viz/case_names.h"
 #include "viz/chart_parts.h"
@@ -102,22 +103,74 @@ class PlaneOfCases {
     ink_.line({{b_.left, p.y()}, p}, colour, s.construction, s.construction_dash);
   }
 
-  /// Those of lines and points stand beside a setting that lies there; then those of regions, where they are left room.
+  /// Those of lines, then those of regions; in another order where a leader would cross another one or a name.
   void names() {
-    const Sizes& s = ink_.sizes();
-    std::vector<Wanted> wanted;
+    CaseNames room(cases_, b_);
+    keep_off_marks(room);
+    std::vector<int> within, beside;
+    for (int i = 0; i < branches(); ++i)
+      if (!is_thin(cases_, i)) (room.place(i, size_of_name(i)).leads_to ? beside : within).push_back(i);
+    std::vector<int> order(within.size() + beside.size());
+    std::ranges::merge(within, beside, order.begin());
+
+    Names best = arranged(order, true, room);
+    bool more = best.cost >= CaseNames::crossed;
+    for (; more && best.cost >= CaseNames::crossed; more = std::ranges::next_permutation(beside).found)
+      for (const bool lines_first : {true, false}) {
+        std::ranges::copy(beside, std::ranges::copy(within, order.begin()).out);
+        constexpr double tie = 1e-3;  // what only rounding could decide
+        if (Names other = arranged(order, lines_first, room); other.cost < best.cost - tie) best = std::move(other);
+      }
+    if (best.lines_first) ink_.place(names_of_lines(), obstacles(ink_.labels()), b_);
+    for (const auto& [branch, place] : best.places) write(branch, place);
+    if (!best.lines_first) ink_.place(names_of_lines(), obstacles(ink_.labels()), b_);
+  }
+
+  /// Where the names of regions go, before or after those of lines.
+  struct Names {
+    std::vector<std::pair<int, NamePlace>> places = {};
+    bool lines_first = true;
+    double cost = 0;
+  };
+
+  Names arranged(const std::vector<int>& order, bool lines_first, CaseNames room) const {
+    Names all = {{}, lines_first, 0};
+    std::vector<PlacedLabel> there = ink_.labels();
+    const auto lines = [&] {
+      std::vector<Shape> unseen;
+      const std::size_t before = there.size();
+      there = place_labels(names_of_lines(), obstacles(there), b_, ink_.theme(), unseen, std::move(there));
+      for (const PlacedLabel& label : std::span(there).subspan(before)) {
+        if (label.leads_to) all.cost += room.in_the_way(nearest_in(label.box, *label.leads_to), *label.leads_to);
+        take(room, label);
+      }
+    };
+    if (lines_first) lines();
+    for (const int branch : order) {
+      const NamePlace place = room.place(branch, size_of_name(branch));
+      there.push_back({{}, box_around(place.middle, size_of_name(branch) / 2), place.leads_to});
+      take(room, there.back());
+      all.places.emplace_back(branch, place);
+      all.cost += place.cost;
+    }
+    if (!lines_first) lines();
+    return all;
+  }
+
+  void take(CaseNames& room, const PlacedLabel& label) const {
+    room.take(grown(label.box, ink_.sizes().label_clear));
+    if (label.leads_to) room.take_leader(nearest_in(label.box, *label.leads_to), *label.leads_to);
+  }
+
+  /// Of the branches that are no more than a line or a point of the plane: each beside a setting that lies there.
+  std::vector<Wanted> names_of_lines() const {
+    std::vector<Wanted> all;
     for (int i = 0; i < branches(); ++i)
       if (const Cases::Spot* spot = is_thin(cases_, i) ? first_on(i) : nullptr)
-        wanted.push_back({cases_.branches[i], at(spot->at), at(spot->at), mark_radius(Mark::diamond, s),
-                          ink_.theme().ink(ink_.theme().name == ThemeName::grey ? Role::text : Role::muted), no_object,
-                          others(*spot)});
-    ink_.place(wanted, obstacles(), b_);
-
-    CaseNames places(cases_, b_);
-    keep_off_marks(places);
-    for (const PlacedLabel& label : ink_.labels()) places.take(grown(label.box, s.label_clear));
-    for (int i = 0; i < branches(); ++i)
-      if (!is_thin(cases_, i)) name(i, places);
+        all.push_back({cases_.branches[i], at(spot->at), at(spot->at), mark_radius(Mark::diamond, ink_.sizes()),
+                       ink_.theme().ink(ink_.theme().name == ThemeName::grey ? Role::text : Role::muted), no_object,
+                       others(*spot)});
+    return all;
   }
 
   /// Where other settings are marked than this one.
@@ -128,23 +181,23 @@ class PlaneOfCases {
     return all;
   }
 
-  /// A region's name, with its leader if it has one; later names keep off both.
-  void name(int branch, CaseNames& places) {
+  Vec2 size_of_name(int branch) const {
     const Sizes& s = ink_.sizes();
-    const std::string& text = cases_.branches[branch];
-    const Vec2 size(ink_.width(text, s.label) + 0.5 * s.label, 1.4 * s.label);
-    const NamePlace place = places.place(branch, size);
+    return {ink_.width(cases_.branches[branch], s.label) + 0.5 * s.label, 1.4 * s.label};
+  }
+
+  /// A region's name, with its leader if it has one.
+  TextBox write(int branch, const NamePlace& place) {
+    const Sizes& s = ink_.sizes();
     if (place.leads_to) {
-      const Vec2 &to = *place.leads_to, from = to.cwiseMax(place.middle - size / 2).cwiseMin(place.middle + size / 2);
-      ink_.line({from, to}, ink_.theme().ink(Role::text), s.leader);
+      const Vec2& to = *place.leads_to;
+      ink_.line({nearest_in(box_around(place.middle, size_of_name(branch) / 2), to), to}, ink_.theme().ink(Role::text),
+                s.leader);
       ink_.glyph(Glyph::disc, to, 0.4 * s.disc, ink_.theme().ink(Role::text), false);
-      const Vec2 clear(s.label_clear, s.label_clear);
-      for (int i = 0; i <= 16; ++i) places.take(box_around(from + i / 16.0 * (to - from), clear));
     }
     const double halo = place.on_border ? s.label_halo : 0;
     const Vec2 baseline = place.middle + Vec2(0, 0.33 * s.label);
-    const TextBox box = ink_.text(text, baseline, {s.label, Role::text, 0.5, false, halo}, place.leads_to);
-    places.take(grown(box, s.label_clear));
+    return ink_.text(cases_.branches[branch], baseline, {s.label, Role::text, 0.5, false, halo}, place.leads_to);
   }
 
   int branches() const { return static_cast<int>(cases_.branches.size()); }
@@ -177,9 +230,11 @@ class PlaneOfCases {
     return all;
   }
 
-  std::vector<Obstacle> obstacles() const {
+  std::vector<Obstacle> obstacles(const std::vector<PlacedLabel>& there) const {
     const Sizes& s = ink_.sizes();
     std::vector<Obstacle> all;
+    for (const PlacedLabel& label : there)
+      if (label.leads_to) all.push_back({nearest_in(label.box, *label.leads_to), *label.leads_to, s.leader, true});
     const auto marker = [&](const Cases::Spot& spot, Mark mark) {
       all.push_back({at(spot.at), at(spot.at), mark_radius(mark, s), true});
     };

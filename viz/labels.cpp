@@ -87,13 +87,26 @@ bool is_ambiguous(const Candidate& candidate, const TextBox& box, const std::vec
   return !candidate.far && std::ranges::any_of(others, [&](const Vec2& p) { return distance(p, box) < near - slack; });
 }
 
+/// Whether the label, or its leader, meets another one's leader, or its leader a name.
+bool is_tangled(const Candidate& candidate, const TextBox& box, const PlacedLabel& other) {
+  const Vec2 from = nearest_in(box, candidate.anchor);
+  if (candidate.far && length_inside(from, candidate.anchor, other.box) > 0) return true;
+  if (!other.leads_to) return false;
+  const Vec2 begin = nearest_in(other.box, *other.leads_to);
+  return length_inside(begin, *other.leads_to, box) > 0 ||
+         (candidate.far && cross(from, candidate.anchor, begin, *other.leads_to));
+}
+
 Fit fit(const Candidate& candidate, const Vec2& half, const std::vector<Vec2>& others,
         const std::vector<PlacedLabel>& placed, const std::vector<Obstacle>& obstacles, const Bounds& bounds,
         const Sizes& sizes) {
   const TextBox box = box_around(candidate.middle, half);
   Fit result = {candidate.effort + (is_ambiguous(candidate, box, others, sizes) ? 500 : 0), false};
   for (const PlacedLabel& other : placed)
-    if (overlap(grown(box, sizes.label_clear), other.box) > 0) result.cost += 2000;
+    if (overlap(grown(box, sizes.label_clear), other.box) > 0)
+      result.cost += 2000;
+    else if (is_tangled(candidate, box, other))
+      result.cost += 400;
 
   const double outside = std::max(
       {bounds.left - box.left, bounds.top - box.top, box.right - bounds.right, box.bottom - bounds.bottom, 0.0});
@@ -116,6 +129,17 @@ TextBox box_around(const Vec2& middle, const Vec2& half) {
 }
 
 TextBox grown(const TextBox& b, double by) { return {b.left - by, b.top - by, b.right + by, b.bottom + by}; }
+
+Vec2 nearest_in(const TextBox& b, const Vec2& p) {
+  return {std::clamp(p.x(), b.left, b.right), std::clamp(p.y(), b.top, b.bottom)};
+}
+
+bool cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  const auto side = [](const Vec2& p, const Vec2& q, const Vec2& r) {
+    return (q - p).x() * (r - p).y() - (q - p).y() * (r - p).x();
+  };
+  return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
+}
 
 // Slabs, N12 per axis.
 double length_inside(const Vec2& from, const Vec2& to, const TextBox& b) {

@@ -31,8 +31,11 @@ struct Bounds {
 
 TextBox box_around(const Vec2& middle, const Vec2& half);
 TextBox grown(const TextBox&, double by);
+Vec2 nearest_in(const TextBox&, const Vec2&);
 /// The length of a segment's part inside a box; of a part that is a point, 1.
 double length_inside(const Vec2& from, const Vec2& to, const TextBox&);
+/// Whether the segments a b and c d cross.
+bool cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
 
 /// Places the labels in order, tries the compass points near first and then further out, and takes the place that
 /// disturbs least. A label that had to go far gets a leader; one that crosses a line gets a halo. Those `there` already

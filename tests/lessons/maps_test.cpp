@@ -10,6 +10,7 @@
 #include "tests/viz/drawn.h"
 #include "viz/case_map.h"
 #include "viz/chart.h"
+#include "viz/labels.h"
 #include "viz/marks.h"
 #include "viz/rich_text.h"
 
@@ -144,6 +145,33 @@ class Drawn {
   Composed composed_;
 };
 
+struct Leader {
+  std::string name;
+  Vec2 from, to;
+};
+
+std::vector<Leader> leaders(const std::vector<PlacedLabel>& labels) {
+  std::vector<Leader> all;
+  for (const PlacedLabel& label : labels)
+    if (label.leads_to) all.push_back({label.text, nearest_in(label.box, *label.leads_to), *label.leads_to});
+  return all;
+}
+
+/// Names that the leader of another one runs through or grazes, and leaders that cross.
+std::vector<std::string> crossed(const std::vector<PlacedLabel>& labels, double clear) {
+  std::vector<std::string> all;
+  const std::vector<Leader> lines = leaders(labels);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const auto& [name, from, to] = lines[i];
+    for (const PlacedLabel& label : labels)
+      if (label.text != name && length_inside(from, to, grown(label.box, clear)) > 0)
+        all.push_back(name + " through " + label.text);
+    for (std::size_t j = 0; j < i; ++j)
+      if (cross(from, to, lines[j].from, lines[j].to)) all.push_back(name + " across that of " + lines[j].name);
+  }
+  return all;
+}
+
 template <class Check>
 void on_every_map(const Check& check) {
   for (const Lesson* lesson : those_asked_for()) {
@@ -183,6 +211,27 @@ TEST_CASE("no marker of a map covers a name or a number of an axis", "[every les
     CAPTURE(map.covered());
     CHECK(map.covered().empty());
   });
+}
+
+TEST_CASE("no leader of a map grazes another name or crosses another leader", "[every lesson]") {
+  struct Size {
+    double width, height;
+  };
+  for (const Lesson* lesson : those_asked_for())
+    for (const Preset& preset : lesson->presets) {
+      if (!lesson->map || !spot_on(*lesson->map, preset.parameters)) continue;
+      Step step;
+      step.formula = step.verdict.text = "as in a walk";
+      step.scene.chart = std::make_shared<const Chart>(case_map(*lesson, preset.parameters));
+      for (const ThemeName name : {ThemeName::screen, ThemeName::grey})
+        for (const auto& [width, height] : {Size{960, 600}, {640, 400}, {1280, 800}}) {
+          const Figure drawn = figure(step, opening(*lesson), name, width, height);
+          const auto faults = crossed(drawn.labels, 0.3 * theme(name, width, height).sizes.label_clear);
+          INFO(lesson->id << ' ' << preset.id << ", " << name_of(name) << ' ' << width << 'x' << height);
+          CAPTURE(faults);
+          CHECK(faults.empty());
+        }
+    }
 }
 
 TEST_CASE("a circle on a map of lengths is a circle", "[every lesson]") {
