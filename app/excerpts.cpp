@@ -35,6 +35,7 @@ Excerpt from_scene(const std::string& text, const PresetFile& file) {
   Excerpt e;
   e.lesson = &scene::kept_lesson_of(text, std::filesystem::path(file.path).parent_path().string());
   e.folder = file.name;
+  e.path = file.path;
   e.parameters = e.lesson->presets.front().parameters;
   return e;
 }
@@ -53,6 +54,7 @@ Excerpt from_file(const Program& program, const PresetFile& file) {
   Excerpt e;
   e.lesson = &viz::lesson_named(program.lessons, place.lesson);
   e.folder = file.name;
+  e.path = file.path;
   e.preset = place.preset;
   e.parameters = *place.parameters;
   e.camera = place.camera;

@@ -53,6 +53,7 @@ struct Excerpt {
   std::vector<int> steps;                  ///< chosen ones, from 0
   std::optional<viz::Camera> camera = {};  ///< of the preset's file
   std::optional<int> step = {};            ///< of the preset's file, from 0
+  std::string path = {};                   ///< of the preset's or the scene's file; empty where there is none
 };
 
 /// Everything that is asked for. Throws viz::BadInput, or viz::FileError where a preset's file can't be read.

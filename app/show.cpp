@@ -3,10 +3,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <filesystem>
+#include <functional>
 #include <memory>
+#include <optional>
 
 #include "app/options.h"
 #include "app/scene/lesson.h"
+#include "app/scene/save.h"
 #include "app/surroundings.h"
 #include "app/terminal.h"
 #include "lessons/course.h"
@@ -41,7 +45,8 @@ viz::Place place_in_figure(const Program& program, const std::string& path, cons
   }
 }
 
-viz::Place place_of(const Program& program, Selection asked, Lessons& lessons) {
+/// `file` becomes the scene's, if it is one that can be written to.
+viz::Place place_of(const Program& program, Selection asked, Lessons& lessons, std::optional<scene::KeptFile>& file) {
   const std::string first = asked.lessons.empty() ? std::string() : asked.lessons.front();
   if (const viz::Format* format = viz::format_of(first)) return place_in_figure(program, first, *format, lessons);
   const bool anywhere = asked.lessons.empty() && asked.preset.empty() && asked.changes.empty() && asked.step.empty();
@@ -50,7 +55,10 @@ viz::Place place_of(const Program& program, Selection asked, Lessons& lessons) {
   const Excerpt e = excerpt(program, asked);
   if (!asked.step.empty() && e.steps.size() != 1)
     throw viz::BadInput(fmt::format("step: \"{}\" does not do here; give one", asked.step));
-  if (!e.lesson->made_from.empty()) lessons.push_back(e.lesson);
+  if (!e.lesson->made_from.empty()) {
+    lessons.push_back(e.lesson);
+    if (std::error_code absent; std::filesystem::is_regular_file(e.path, absent)) file.emplace(e.path);
+  }
   viz::Place place;
   place.lesson = e.lesson->id;
   place.preset = e.preset;
@@ -62,11 +70,15 @@ viz::Place place_of(const Program& program, Selection asked, Lessons& lessons) {
 
 int show(const Program& program, const Selection& asked) {
   Lessons lessons = program.lessons;
-  const viz::Place place = place_of(program, asked, lessons);
+  std::optional<scene::KeptFile> file;
+  const viz::Place place = place_of(program, asked, lessons, file);
+  std::function<void(const viz::Parameters&)> save;
+  if (file) save = [&](const viz::Parameters& p) { file->save(p); };
   need_surroundings(program);
   try {
-    viz::show(lessons, lessons::course(), place,
-              [&](const std::string& words) { say(fmt::format("{}: {}", program.name, words)); });
+    viz::show(
+        lessons, lessons::course(), place,
+        [&](const std::string& words) { say(fmt::format("{}: {}", program.name, words)); }, save);
   } catch (const viz::NoDisplay& e) {
     say(fmt::format("{}: {}", program.name, e.what()));
     const bool scene = lessons.size() > program.lessons.size();

@@ -258,7 +258,8 @@ void keep(const std::string& file, Settings settings, const Window& window) {
 }  // namespace
 
 void show(const std::vector<const Lesson*>& lessons, const Course& course, const Place& at,
-          const std::function<void(const std::string&)>& say) {
+          const std::function<void(const std::string&)>& say,
+          const std::function<void(const Parameters&)>& save_scene) {
   const std::string file = settings_file();
   Settings kept = read_settings(file, lessons);
   const bool resumed = at.lesson.empty() && kept.place;
@@ -268,7 +269,7 @@ void show(const std::vector<const Lesson*>& lessons, const Course& course, const
   Window window(kept.width, kept.height);
   Renderer renderer([](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); });
   const double scale = window.scale();
-  WindowUi ui(lessons, start, renderer, kept, {.scale = scale, .course = course});
+  WindowUi ui(lessons, start, renderer, kept, {.scale = scale, .course = course, .save_scene = save_scene});
   if (const std::string damage = set_spoilt_settings_aside(file); !damage.empty()) {
     if (say) say(damage);
     ui.complain(damage);

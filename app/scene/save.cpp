@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <vector>
+
+#include "viz/files.h"
 
 namespace isect::program::scene {
 
@@ -104,6 +107,18 @@ std::string with_numbers(const std::string& text, const File& file, const viz::P
   std::string out = text;
   for (const auto& [begin, change] : changes) out.replace(begin, change.first - begin, change.second);
   return out;
+}
+
+KeptFile::KeptFile(const std::string& path) : path_(path), text_(viz::read_regular_file(path)) {}
+
+void KeptFile::save(const viz::Parameters& parameters) {
+  if (viz::read_regular_file(path_) != text_)
+    throw viz::FileError(
+        fmt::format("cannot write '{}': somebody has changed it since it was opened; open it again", path_));
+  const File file = read_scene(text_, std::filesystem::path(path_).parent_path().string());
+  const std::string text = with_numbers(text_, file, parameters);
+  viz::write_file(path_, text);
+  text_ = text;
 }
 
 }  // namespace isect::program::scene

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "app/scene/save.h"
 #include "tests/app/shell.h"
 #include "tests/catch.h"
 #include "viz/files.h"
@@ -259,6 +260,29 @@ TEST_CASE("numbers are saved into the scene's own text, and nothing else of it c
   write(shell.work() / "f.json", R"({"objects": [{"cloud": "C", "file": "p.csv"}]})");
   CHECK_THAT(shell("isect scene f.json --set C.1=2,2,2 --save g.json").err, Contains("C.1: it stands in a file"));
   CHECK_FALSE(fs::exists(shell.work() / "g.json"));
+}
+
+TEST_CASE("the window writes into the scene's file unless somebody else has changed it", "[scene]") {
+  const Shell shell;
+  const std::string path = (shell.work() / "s.json").string();
+  const std::string text = R"({"objects": [{"sphere": "A", "center": [0, 0.10, 0], "radius": 2 }]} // mine)";
+  write(path, text);
+  isect::program::scene::KeptFile file(path);
+  viz::Parameters now = isect::program::scene::read_scene(text, "").parameters;
+  for (const double radius : {3.5, 0.25}) {  // again, after its own change
+    now.at("A.radius") = radius;
+    file.save(now);
+    std::string expected = text;
+    expected.replace(expected.find("\"radius\": 2 ") + 10, 1, viz::to_text(radius));
+    CHECK(contents(path) == expected);
+  }
+  write(path, text + "\n");
+  CHECK_THROWS_WITH(file.save(now), Contains("somebody has changed it"));
+  CHECK(contents(path) == text + "\n");
+  fs::remove(path);
+  CHECK_THROWS_AS(file.save(now), viz::FileError);
+  CHECK_FALSE(fs::exists(path));
+  CHECK_THROWS_AS(isect::program::scene::KeptFile("/dev/null"), viz::FileError);
 }
 
 TEST_CASE("the examples are scenes, each under fifteen lines of objects, and answer", "[scene]") {

@@ -133,6 +133,45 @@ TEST_CASE("the width of a figure is typed in cm, and one that makes no sense is 
   CHECK(window.ui.message().find("60") != std::string::npos);
 }
 
+TEST_CASE("Ctrl+S writes a scene back into its file, says what failed, and saves a figure of a lesson", "[window]") {
+  Lesson scene = disc;
+  scene.made_from = "{}";
+  std::vector<Parameters> written;
+  bool full = false;
+  const auto write = [&](const Parameters& p) {
+    if (full) throw FileError("cannot write 's.json': no room");
+    written.push_back(p);
+  };
+  const std::vector<const Lesson*> lessons = {&scene, &ball};
+  WindowDriver window(lessons, 1280, 800, {}, {}, {.reduced_motion = true, .save_scene = write});
+  window.drag("handle c", 60, 30);
+  window.key(key::s, true);
+  REQUIRE(written.size() == 1);
+  CHECK(written.front() == window.player().parameters());
+  CHECK(written.front() != disc.presets.front().parameters);
+  CHECK(window.ui.message() == "Saved into the scene's file");
+
+  window.type("s");
+  window.frames(2);
+  CHECK_FALSE(window.has("save as preset"));
+  window.click("save scene");
+  window.frames(2);
+  CHECK(written.size() == 2);
+  CHECK_FALSE(window.has("save sheet"));
+  full = true;
+  window.key(key::s, true);
+  CHECK(window.ui.message() == "cannot write 's.json': no room");
+  CHECK(written.size() == 2);
+
+  window.type("]");
+  window.key(key::s, true);
+  window.frames(2);
+  CHECK(window.has("save sheet"));
+  CHECK(window.has("save as preset"));
+  CHECK_FALSE(window.has("save scene"));
+  CHECK(written.size() == 2);
+}
+
 TEST_CASE("a setting is saved as a preset, which the picker lists and opens", "[window]") {
   const std::string folder = (std::filesystem::temp_directory_path() / "isect-window-presets").string();
   std::filesystem::remove_all(folder);

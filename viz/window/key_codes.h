@@ -39,6 +39,7 @@ enum Code : int {
   c = 'C',
   o = 'O',
   q = 'Q',
+  s = 'S',
   v = 'V',
   x = 'X',
   y = 'Y',
@@ -79,7 +80,7 @@ inline constexpr Code tab = ImGuiKey_Tab, left = ImGuiKey_LeftArrow, right = ImG
                       backspace = ImGuiKey_Backspace, space = ImGuiKey_Space, enter = ImGuiKey_Enter,
                       escape = ImGuiKey_Escape, keypad_enter = ImGuiKey_KeypadEnter, f1 = ImGuiKey_F1, f6 = ImGuiKey_F6,
                       f11 = ImGuiKey_F11, f12 = ImGuiKey_F12, a = ImGuiKey_A, c = ImGuiKey_C, o = ImGuiKey_O,
-                      q = ImGuiKey_Q, zero = ImGuiKey_0, minus = ImGuiKey_Minus, equal = ImGuiKey_Equal,
+                      q = ImGuiKey_Q, s = ImGuiKey_S, zero = ImGuiKey_0, minus = ImGuiKey_Minus, equal = ImGuiKey_Equal,
                       plus = ImGuiKey_Equal, keypad_0 = ImGuiKey_Keypad0, keypad_minus = ImGuiKey_KeypadSubtract,
                       keypad_plus = ImGuiKey_KeypadAdd, v = ImGuiKey_V, x = ImGuiKey_X, y = ImGuiKey_Y, z = ImGuiKey_Z;
 

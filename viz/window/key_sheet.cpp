@@ -25,6 +25,7 @@ void key_sheet(Session& s, const Rect& window) {
       {"Ctrl+Z", "take the last change back"},
       {"Ctrl+Y, Ctrl+Shift+Z", "do it again"},
       {"S or F12", "save this figure or preset"},
+      {"Ctrl+S", "save a scene into its file"},
       {"F1 or ?", "this sheet"},
       {"Ctrl+Q", "leave"},
   };

@@ -27,6 +27,7 @@ void with_control(Session& s) {
     s.say("Nothing to take back");
   }
   if (pressed(key::v)) paste(s);
+  if (pressed(key::s)) save_back(s);
   if (pressed(key::q)) s.close = true;
   double& size = s.settings.size;
   if (pressed(key::plus, true) || pressed(key::equal, true) || pressed(key::keypad_plus, true)) size += 0.1;
@@ -135,6 +136,19 @@ void character(Session& s, char c) {
 }
 
 }  // namespace
+
+bool keeps_file(const Session& s) { return s.save_scene && !s.player.lesson().made_from.empty(); }
+
+void save_back(Session& s) {
+  if (!keeps_file(s)) {
+    s.open_next = Sheet::save;
+    return;
+  }
+  s.attempt([&] {
+    s.save_scene(s.player.parameters());
+    s.say("Saved into the scene's file");
+  });
+}
 
 void show_map(Session& s) {
   if (!s.player.lesson().map) return s.say("This lesson has no map of cases");

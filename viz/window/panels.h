@@ -28,6 +28,10 @@ void keep_score(Session&);
 /// Keeps the lessons last opened, the one on show first. (score.cpp)
 void keep_recent(Session&);
 
+/// Whether the lesson lies in a file that can be written to; and writes the setting there, or else opens the sheet that
+/// saves figures. (keys.cpp)
+bool keeps_file(const Session&);
+void save_back(Session&);
 /// Shows the lesson's map of cases beside the scene, or no longer; says so where it has none. (keys.cpp)
 void show_map(Session&);
 /// Marks a row as the first that differs from the other pane's. (second_pane.cpp)

@@ -5,6 +5,7 @@
 
 #include "viz/formats.h"
 #include "viz/window/number_text.h"
+#include "viz/window/panels.h"
 #include "viz/window/sheets.h"
 
 namespace isect::viz {
@@ -73,7 +74,12 @@ void save_sheet(Session& s, const Rect& window) {
     s.save_now = true;
     ImGui::CloseCurrentPopup();
   }
-  if (chip(ui, "save as preset", {x + 120, y - 18, x + 260, y + 18}, "Save as preset", false)) {
+  const bool scene = !s.player.lesson().made_from.empty();
+  if (scene && keeps_file(s) && chip(ui, "save scene", {x + 120, y - 18, x + 260, y + 18}, "Save the scene", false)) {
+    save_back(s);
+    ImGui::CloseCurrentPopup();
+  }
+  if (!scene && chip(ui, "save as preset", {x + 120, y - 18, x + 260, y + 18}, "Save as preset", false)) {
     s.save_preset = true;
     ImGui::CloseCurrentPopup();
   }

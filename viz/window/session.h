@@ -2,6 +2,7 @@
 // What the parts of the window share while it is open.
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -76,7 +77,8 @@ struct Session {
   Ui& ui;
   Settings& settings;
   const Course& course;
-  std::string figures;  ///< folder for saved figures
+  std::string figures;                                     ///< folder for saved figures
+  std::function<void(const Parameters&)> save_scene = {};  ///< into its own file; null: there is none
   bool panels = true;
   Sheet open_next = Sheet::none;  ///< asked for by a key or a button, opened at the end of the frame
   bool save_now = false;          ///< this frame's figure shall become a file
@@ -120,6 +122,8 @@ struct Session {
       action();
     } catch (const BadInput& wrong) {
       complain(wrong.what());
+    } catch (const FileError& failed) {
+      complain(failed.what());
     }
   }
 };

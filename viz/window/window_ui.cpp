@@ -72,7 +72,12 @@ struct WindowUi::Impl {
         density(options.scale),
         ui{palette(kept.theme), fonts_at(options.scale), TextTextures(options.scale)},
         course(options.course),
-        session{.player = player, .ui = ui, .settings = settings, .course = course, .figures = options.figures},
+        session{.player = player,
+                .ui = ui,
+                .settings = settings,
+                .course = course,
+                .figures = options.figures,
+                .save_scene = options.save_scene},
         scene(gl, options.scale, options.draw_scene),
         map(gl, options.scale, options.draw_scene),
         panes(gl, options.scale, options.draw_scene) {
@@ -81,21 +86,13 @@ struct WindowUi::Impl {
   }
 
   void save() {
-    try {
+    session.attempt([&] {
       session.say("Saved " + save_figure(player, settings, renderer, session.figures) + ", with its alt text");
-    } catch (const FileError& failed) {
-      session.complain(failed.what());
-    } catch (const BadInput& too_narrow) {
-      session.complain(too_narrow.what());
-    }
+    });
   }
 
   void keep_setting() {
-    try {
-      session.say("Saved " + save_preset(player, session.figures));
-    } catch (const FileError& failed) {
-      session.complain(failed.what());
-    }
+    session.attempt([&] { session.say("Saved " + save_preset(player, session.figures)); });
   }
 
   /// The size that is wanted, as far as the least layout fits into the window.

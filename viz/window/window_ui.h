@@ -2,6 +2,7 @@
 // The whole window on top of any OpenGL context: one Dear ImGui frame at a time. The GLFW loop drives it, and
 // so do the tests, through ImGui's own input, with no display at all.
 
+#include <functional>
 #include <memory>
 
 #include "viz/compose.h"
@@ -17,6 +18,8 @@ struct WindowOptions {
   bool draw_scene = true;       ///< tests of the layout do without it
   std::string figures = "figures";
   Course course = {};
+  /// Writes a setting into the file of the lesson that is made from one; null: there is none.
+  std::function<void(const Parameters&)> save_scene = {};
 };
 
 class WindowUi {
