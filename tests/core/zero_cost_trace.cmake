@@ -2,8 +2,9 @@
 # every trace line deleted. The code is the same byte for byte, or the same instructions in another order with other
 # registers: deleting a line renumbers what the compiler sees, and its scheduler breaks ties by number. Then padding,
 # moves from register to register and addresses taken again instead of kept don't count; every calculation, load, store,
-# jump and call does. Some compilers (GCC 14) also turn a jump round, or take an operand from memory instead of a
-# register that holds it: then there are as many operations of each kind, and that is told.
+# jump and call does. Some compilers (GCC 13, 14) also turn a jump round, or take an operand from memory instead of a
+# register that holds it: then there are as many calculations, comparisons, jumps and calls of each kind, whatever moves
+# bring their operands, and that is told. What a trace would cost is never moves alone.
 # The comparison can fail: a listener must change the code.
 #
 # An ordinary run compiles as a release does, at -O3, and the listener's with one group of calls; a long one
@@ -66,13 +67,14 @@ function(operations variable code)
   set(${variable} "${code}" PARENT_SCOPE)
 endfunction()
 
-# kinds(variable operations...): without the places of their operands, a jump on a condition like one on its opposite.
+# kinds(variable operations...): without moves and the places of operands, a jump on a condition like one on its opposite.
 function(kinds variable)
   string(REGEX REPLACE " *;" " ;" code ";${ARGN};")
   string(REGEX REPLACE "%|\\(%[^)]*\\)" "_" code "${code}")
   foreach(pair "jae|jb" "je|jne" "ja|jbe" "jp|jnp" "jg|jle" "jl|jge" "js|jns")
     string(REGEX REPLACE ";(${pair}) " ";${pair} " code "${code}")
   endforeach()
+  list(FILTER code EXCLUDE REGEX "^mov")
   list(SORT code)
   set(${variable} "${code}" PARENT_SCOPE)
 endfunction()
@@ -101,7 +103,7 @@ foreach(level ${levels})
     kinds(traced_kinds ${traced_operations})
     kinds(untraced_kinds ${untraced_operations})
     if(traced_kinds STREQUAL untraced_kinds)
-      message(STATUS "${CALLS} ${level}: ${count} operations, as many of each kind")
+      message(STATUS "${CALLS} ${level}: ${count} operations, as many calculations, jumps and calls of each kind")
       continue()
     endif()
     foreach(code traced untraced)
