@@ -69,7 +69,7 @@ endfunction()
 
 # kinds(variable operations...): without moves and the places of operands, a jump on a condition like one on its opposite.
 function(kinds variable)
-  string(REGEX REPLACE " *;" " ;" code ";${ARGN};")
+  string(REGEX REPLACE " *#? *;" " ;" code ";${ARGN};")  # "#": of an operand at an address that is told
   string(REGEX REPLACE "%|\\(%[^)]*\\)" "_" code "${code}")
   foreach(pair "jae|jb" "je|jne" "ja|jbe" "jp|jnp" "jg|jle" "jl|jge" "js|jns")
     string(REGEX REPLACE ";(${pair}) " ";${pair} " code "${code}")
