@@ -3,11 +3,11 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 #include <imgui_impl_glfw.h>
-#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <map>
 #include <set>
 #include <string>
 
@@ -128,19 +128,55 @@ int by_layout(int code, int scancode) {
   return name[0] == '+' || name[0] == '-' || name[0] == '=' || name[0] == '0' ? name[0] : code;
 }
 
-/// Dear ImGui's input from GLFW. Before 1.87 it sees what is down in a frame, and would miss a key that comes and goes
-/// between two: there, keys wait in a queue. Since then it has a queue of its own, and is told of each key and place of
-/// the pointer as they come, in px of the layout: later it would find other keys held than those that a key came with.
+#if IMGUI_VERSION_NUM >= 18700
+/// Dear ImGui's own number of a key that we or its fields know.
+ImGuiKey number_of(int code) {
+  const auto within = [code](int first, int last, ImGuiKey from) {
+    return code >= first && code <= last ? static_cast<ImGuiKey>(from + code - first) : ImGuiKey_None;
+  };
+  static const std::map<int, ImGuiKey> others = {{GLFW_KEY_SPACE, ImGuiKey_Space},
+                                                 {GLFW_KEY_ESCAPE, ImGuiKey_Escape},
+                                                 {GLFW_KEY_ENTER, ImGuiKey_Enter},
+                                                 {GLFW_KEY_TAB, ImGuiKey_Tab},
+                                                 {GLFW_KEY_BACKSPACE, ImGuiKey_Backspace},
+                                                 {GLFW_KEY_INSERT, ImGuiKey_Insert},
+                                                 {GLFW_KEY_DELETE, ImGuiKey_Delete},
+                                                 {GLFW_KEY_RIGHT, ImGuiKey_RightArrow},
+                                                 {GLFW_KEY_LEFT, ImGuiKey_LeftArrow},
+                                                 {GLFW_KEY_DOWN, ImGuiKey_DownArrow},
+                                                 {GLFW_KEY_UP, ImGuiKey_UpArrow},
+                                                 {GLFW_KEY_PAGE_UP, ImGuiKey_PageUp},
+                                                 {GLFW_KEY_PAGE_DOWN, ImGuiKey_PageDown},
+                                                 {GLFW_KEY_HOME, ImGuiKey_Home},
+                                                 {GLFW_KEY_END, ImGuiKey_End},
+                                                 {GLFW_KEY_MINUS, ImGuiKey_Minus},
+                                                 {GLFW_KEY_EQUAL, ImGuiKey_Equal},
+                                                 {'+', ImGuiKey_KeypadAdd},
+                                                 {GLFW_KEY_KP_0, ImGuiKey_Keypad0},
+                                                 {GLFW_KEY_KP_ADD, ImGuiKey_KeypadAdd},
+                                                 {GLFW_KEY_KP_SUBTRACT, ImGuiKey_KeypadSubtract},
+                                                 {GLFW_KEY_KP_ENTER, ImGuiKey_KeypadEnter}};
+  const auto found = others.find(code);
+  if (found != others.end()) return found->second;
+  if (const ImGuiKey letter = within(GLFW_KEY_A, GLFW_KEY_Z, ImGuiKey_A); letter != ImGuiKey_None) return letter;
+  if (const ImGuiKey digit = within(GLFW_KEY_0, GLFW_KEY_9, ImGuiKey_0); digit != ImGuiKey_None) return digit;
+  return within(GLFW_KEY_F1, GLFW_KEY_F12, ImGuiKey_F1);
+}
+#endif
+
+/// Dear ImGui's input from GLFW. Keys wait in a queue: a frame sees one come, with the modifiers it came with, even
+/// where these go again before the frame begins.
 class Input {
  public:
   explicit Input(GLFWwindow* window) : window_(window) {
     ImGui_ImplGlfw_InitForOpenGL(window, true);
     glfwSetWindowUserPointer(window, this);
     glfwSetKeyCallback(window, [](GLFWwindow* w, int code, int scancode, int action, int modifiers) {
-      if (action != GLFW_REPEAT)  // Dear ImGui repeats by itself
-        static_cast<Input*>(glfwGetWindowUserPointer(w))->key({code, scancode, action, modifiers});
+      if (action == GLFW_REPEAT) return;  // Dear ImGui repeats by itself
+      const KeyEvent event{by_layout(code, scancode), scancode, action, modifiers};
+      static_cast<Input*>(glfwGetWindowUserPointer(w))->waiting_.push_back(event);
     });
-#if IMGUI_VERSION_NUM >= 18700
+#if IMGUI_VERSION_NUM >= 18700  // places of the pointer are told as they come, and so in px of the layout
     glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
       const double to_px = static_cast<Input*>(glfwGetWindowUserPointer(w))->to_px_;
       ImGui::GetIO().AddMousePosEvent(static_cast<float>(to_px * x), static_cast<float>(to_px * y));
@@ -152,16 +188,33 @@ class Input {
   Input& operator=(const Input&) = delete;
 
   /// Some keys have not been seen yet.
-  bool waiting() const;
-  /// Starts a frame, in a layout with `scale` framebuffer pixels a px. It sees one key come, with the modifiers it came
-  /// with, and never one key go and come again.
-  void new_frame(double scale);
+  bool waiting() const { return !waiting_.empty(); }
+  /// Starts a frame, in a layout with `scale` framebuffer pixels a px. It sees one key come, and never one key go and
+  /// come again.
+  void new_frame(double scale) {
+    std::set<int> gone;
+    for (bool pressed = false; waiting() && !pressed;) {
+      const KeyEvent e = waiting_.front();
+      if (e.action == GLFW_PRESS && gone.contains(e.code)) break;
+      waiting_.pop_front();
+      tell(e);
+      if (e.action == GLFW_RELEASE) gone.insert(e.code);
+      pressed = e.action == GLFW_PRESS && !is_modifier(e.code);
+    }
+    ImGui_ImplGlfw_NewFrame();
+    to_layout(scale);
+#if IMGUI_VERSION_NUM < 18700
+    ImGuiIO& io = ImGui::GetIO();
+    const float to_px = static_cast<float>(to_px_);
+    if (io.MousePos.x > -1e6f) io.MousePos = {io.MousePos.x * to_px, io.MousePos.y * to_px};
+#endif
+  }
 
  private:
   struct KeyEvent {
     int code, scancode, action, modifiers;
   };
-  void key(const KeyEvent&);
+  void tell(const KeyEvent&);
   void to_layout(double scale);
 
   static bool is_modifier(int code) { return code >= GLFW_KEY_LEFT_SHIFT && code <= GLFW_KEY_RIGHT_SUPER; }
@@ -172,40 +225,20 @@ class Input {
 };
 
 #if IMGUI_VERSION_NUM < 18700
-void Input::key(const KeyEvent& e) {
-  waiting_.push_back({by_layout(e.code, e.scancode), e.scancode, e.action, e.modifiers});
-}
-
-bool Input::waiting() const { return !waiting_.empty(); }
-
-void Input::new_frame(double scale) {
-  std::set<int> gone;
-  for (bool pressed = false; waiting() && !pressed;) {
-    const KeyEvent e = waiting_.front();
-    if (e.action == GLFW_PRESS && gone.contains(e.code)) break;
-    waiting_.pop_front();
-    ImGui_ImplGlfw_KeyCallback(window_, e.code, e.scancode, e.action, e.modifiers);
-    if (e.action == GLFW_RELEASE) gone.insert(e.code);
-    pressed = e.action == GLFW_PRESS && !is_modifier(e.code);
-  }
-  ImGui_ImplGlfw_NewFrame();
-  to_layout(scale);
-  ImGuiIO& io = ImGui::GetIO();
-  const float to_px = static_cast<float>(to_px_);
-  if (io.MousePos.x > -1e6f) io.MousePos = {io.MousePos.x * to_px, io.MousePos.y * to_px};
-}
+void Input::tell(const KeyEvent& e) { ImGui_ImplGlfw_KeyCallback(window_, e.code, e.scancode, e.action, e.modifiers); }
 #else
-void Input::key(const KeyEvent& e) {
-  // Dear ImGui reads letters and - by layout, too; a + may stand anywhere, and the number block's is the same to us.
-  const int code = by_layout(e.code, e.scancode) == '+' ? GLFW_KEY_KP_ADD : e.code;
-  ImGui_ImplGlfw_KeyCallback(window_, code, e.scancode, e.action, e.modifiers);
-}
-
-bool Input::waiting() const { return !ImGui::GetCurrentContext()->InputEventsQueue.empty(); }
-
-void Input::new_frame(double scale) {
-  ImGui_ImplGlfw_NewFrame();
-  to_layout(scale);
+/// Not through Dear ImGui's back end, which asks what modifiers are down by now.
+void Input::tell(const KeyEvent& e) {
+  ImGuiIO& io = ImGui::GetIO();
+  const bool down = e.action == GLFW_PRESS;
+  const auto modifier = [&](ImGuiKey mod, int bit, int left, int right) {
+    const bool itself = e.code == left || e.code == right;  // of which `modifiers` tells how it was before
+    io.AddKeyEvent(mod, itself ? down : (e.modifiers & bit) != 0);
+  };
+  modifier(ImGuiMod_Ctrl, GLFW_MOD_CONTROL, GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
+  modifier(ImGuiMod_Shift, GLFW_MOD_SHIFT, GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
+  modifier(ImGuiMod_Alt, GLFW_MOD_ALT, GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT);
+  if (const ImGuiKey key = number_of(e.code); key != ImGuiKey_None) io.AddKeyEvent(key, down);
 }
 #endif
 

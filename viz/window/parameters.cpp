@@ -18,8 +18,11 @@ constexpr float field_height = 32;
 /// What typing into this field has come to: nothing yet, a number, or a refusal, which is told below the field.
 std::optional<double> typed(Session& s, const std::string& field) {
   Session::Typing& typing = s.typing;
-  // Dear ImGui hands it over in one of the next frames; to ask again before that would take it away.
-  if (!typing.begun && typing.frames++ % 4 == 0) ImGui::SetKeyboardFocusHere();
+  // Dear ImGui hands it over in one of the next frames, and 1.90 only within the window that has the focus already.
+  if (!typing.begun && typing.frames++ % 4 == 0) {
+    ImGui::SetWindowFocus();
+    ImGui::SetKeyboardFocusHere();
+  }
   const bool entered = ImGui::InputText(("##" + field).c_str(), &typing.text,
                                         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   const bool left = typing.begun && !ImGui::IsItemActive();
