@@ -21,7 +21,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_file(const std::string& preset) { return preset.ends_with(".json") || preset.find('/') != std::string::npos; }
+/// No name of ours has a dot.
+bool is_file(const std::string& preset) {
+  std::error_code absent;
+  return preset.ends_with(".json") || preset.find('/') != preset.npos ||
+         (preset.find('.') != preset.npos && fs::is_regular_file(preset, absent));
+}
 
 void change(Excerpt& to, const std::vector<std::string>& changes) {
   const viz::Parameters before = to.parameters;
@@ -46,6 +51,7 @@ Excerpt from_file(const Program& program, const PresetFile& file) {
   try {
     require_utf8(file);
     const std::string text = viz::read_file(file.path);
+    scene::require_shallow(text);
     if (scene::is_scene(text)) return from_scene(text, file);
     place = viz::place_from_json(text, program.lessons);
   } catch (const viz::BadInput& e) {

@@ -41,6 +41,11 @@ std::vector<PresetFile> json_files(const fs::path& folder) {
   return files;
 }
 
+/// One that is no JSON any more.
+bool is_broken_scene(const std::string& text) {
+  return !Json::accept(text, true) && std::regex_search(text, std::regex("\"objects\"\\s*:"));
+}
+
 /// A preset names its lesson; where the text is no JSON any more, a field of that name shows what was meant.
 bool is_meant_as_preset(const std::string& text) {
   const Json json = Json::parse(text, nullptr, false);
@@ -54,12 +59,13 @@ PresetFolder preset_folder(const std::string& folder, const Program& program) {
   PresetFolder found;
   for (const PresetFile& file : json_files(folder)) try {
       const std::string text = viz::read_regular_file(file.path);
-      if (scene::holds_objects(text)) {
+      if (scene::holds_objects(text) || is_broken_scene(text)) {
         require_utf8(file);
         scene::lesson_of(text, std::filesystem::path(file.path).parent_path().string());
         found.presets.push_back(file);
         continue;
       }
+      scene::require_shallow(text);
       if (!is_meant_as_preset(text)) {
         found.foreign.push_back(file.path);
         continue;

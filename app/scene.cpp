@@ -1,6 +1,7 @@
 // isect scene: objects of one's own, and the exact answers about them.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <filesystem>
 #include <memory>
@@ -48,7 +49,10 @@ int tell(const SceneOptions& options) {
       return done;
     }
     for (const scene::Json& answer : all) print(answer["verdict"].get<std::string>() + "\n");
-    if (all.empty()) say(fmt::format("{}: nothing is asked; add \"ask\": \"all pairs\", say", options.path));
+    if (!file.not_asked.empty())
+      say(fmt::format("not asked, as there is no test of such pairs: {}", fmt::join(file.not_asked, ", ")));
+    else if (all.empty())
+      say(fmt::format("{}: nothing is asked; add \"ask\": \"all pairs\", say", options.path));
     return done;
   } catch (const viz::BadInput& e) {
     throw viz::BadInput(fmt::format("{}: {}", options.path, e.what()));
@@ -76,7 +80,8 @@ void add_scene(CLI::App& app, Program& program) {
       "   \"objects\": [{\"ray\": \"r\", \"origin\": [-4, 0, 1], \"dir\": [1, 0, 0]},\n"
       "               {\"box\": \"A\", \"lo\": [-1, -1, -1], \"hi\": [1, 1, 1]}],\n"
       "   \"ask\": [[\"r\", \"A\"], {\"first hit\": \"r\"}]}\n"
-      "Objects, with two coordinates or with three (what stands in brackets may be left out):\n"
+      "Objects, with two coordinates or with three (what stands in brackets may be left out). A name has 1 to 16\n"
+      "letters a to z, A to Z and digits, a letter first; y points up.\n"
       "  point at           segment from to      ray origin dir [tmin] [tmax]\n"
       "  line origin dir    plane normal d       sphere center radius\n"
       "  box lo hi          obb center u v [w] half\n"
@@ -84,6 +89,8 @@ void add_scene(CLI::App& app, Program& program) {
       "  kdop normals lo hi (lists)              hull points (or file)\n"
       "  cloud points (or file, .csv)            mesh file (.obj, .stl, .ply; or points triangles)\n"
       "  frustum eye forward up angle [aspect] near far\n"
+      "A plane is where normal . x + d = 0. An obb reaches from center as far as half tells along u, v and, in space,\n"
+      "w: axes of length 1 at right angles. angle is in degrees, from bottom to top.\n"
       "Questions: two names; {\"first hit\": \"r\"}; {\"fit\": \"M\"} with \"volume\": sphere, box, obb, kdop or hull, "
       "or\n"
       "all five; {\"clip\": \"r\", \"to\": \"A\"}; {\"hierarchy\": \"M\"}, or [\"A\", \"B\"], or \"all\"; {\"walk\": "
@@ -92,6 +99,7 @@ void add_scene(CLI::App& app, Program& program) {
       "\"notes\": [{\"at\": [0, 2, 0], \"text\": \"*h*\"}] and \"camera\": {\"azimuth\": 30, \"elevation\": 20} may "
       "follow.\n"
       "Whatever takes a preset's file takes a scene: show, render, strip, explain, handout, deck, check --dir.\n"
+      "Of \"all pairs\" those that no test is for are named and passed over.\n"
       "With --set, as in A.radius=2, the answers are those of other numbers; --save writes them into the file.\n"
       "Example: isect scene mine.json && isect render mine.json --format pdf --width 8cm");
   sub.callback([&program, options] { program.chosen = [options] { return tell(*options); }; });

@@ -82,12 +82,15 @@ int show(const Program& program, const Selection& asked) {
   } catch (const viz::NoDisplay& e) {
     say(fmt::format("{}: {}", program.name, e.what()));
     const bool scene = lessons.size() > program.lessons.size();
-    const std::string lesson = scene                  ? asked.lessons.empty() ? asked.preset : asked.lessons.front()
-                                                : place.lesson.empty() ? program.lessons.front()->id
-                                                      : place.lesson;
-    const std::string which = program.only ? "" : " " + lesson;
-    say(fmt::format("Without a display, `{0} render{1}` writes the figures, and `{0} explain{1}` tells them as text.",
-                    program.name, which));
+    const std::string which = scene ? file ? " " + (asked.lessons.empty() ? asked.preset : asked.lessons.front())
+                                           : std::string(" FILE.json, of the scene in it,")
+                              : program.only
+                                  ? ""
+                                  : " " + (place.lesson.empty() ? program.lessons.front()->id : place.lesson);
+    const std::string preset = scene || place.preset.empty() ? "" : " --preset " + place.preset;
+    say(fmt::format(
+        "Without a display, `{0} render{1}{2}` writes the figures, and `{0} explain{1}{2}` tells them as text.",
+        program.name, which, preset));
     return nowhere_to_draw;
   }
   return done;

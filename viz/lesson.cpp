@@ -41,15 +41,18 @@ std::optional<double> number(std::string_view text) {
   return value;
 }
 
-std::optional<Vec3> point(std::string_view text) {
-  Vec3 p;
+/// In the plane the third number may be left out.
+std::optional<Vec3> point(std::string_view text, bool flat) {
+  Vec3 p = Vec3::Zero();
   for (int i = 0; i < 3; ++i) {
     const std::size_t comma = text.find(',');
-    if ((comma == std::string_view::npos) != (i == 2)) return {};
+    const bool last = i == 2 || (flat && i == 1 && comma == text.npos);
+    if ((comma == text.npos) != last) return {};
     const std::optional<double> x = number(text.substr(0, comma));
     if (!x) return {};
     p[i] = *x;
-    if (i < 2) text.remove_prefix(comma + 1);
+    if (last) break;
+    text.remove_prefix(comma + 1);
   }
   return p;
 }
@@ -159,7 +162,7 @@ void set(const Lesson& lesson, Parameters& to, const std::string& name, const st
   } else if (std::holds_alternative<double>(p.initial)) {
     value = number(text);
   } else {
-    value = point(text);
+    value = point(text, lesson.flat);
   }
   if (!value) throw BadInput(fmt::format("{}: \"{}\" does not do; give {}", name, text, wanted(p)));
   check(p, *value, text);

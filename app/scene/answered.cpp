@@ -20,19 +20,30 @@ struct Hit {
   double t;
 };
 
-std::vector<Hit> hits_of(const Context& c, std::size_t ray) {
+/// By rising t; those that no test decides go to `open`.
+std::vector<Hit> hits_of(const Context& c, std::size_t ray, std::vector<std::size_t>& open) {
   std::vector<Hit> hits;
   for (std::size_t i = 0; i < c.file.objects.size(); ++i) {
     if (i == ray || runs_along_a_line(c.object(i).type) || !can_ask(c.object(ray).type, c.object(i).type, c.file.flat))
       continue;
-    if (const auto t = ask(c.setting, c.object(ray), c.object(i)).first_hit) hits.push_back({i, *t});
+    const Answer answer = ask(c.setting, c.object(ray), c.object(i));
+    if (answer.first_hit) hits.push_back({i, *answer.first_hit});
+    if (answer.open) open.push_back(i);
   }
   std::ranges::stable_sort(hits, {}, &Hit::t);
   return hits;
 }
 
 /// Each t is within 4 ulp of the true one, so closer ones are not told apart.
-viz::Verdict first_of(const Context& c, std::size_t ray, const std::vector<Hit>& hits) {
+viz::Verdict first_of(const Context& c, std::size_t ray, const std::vector<Hit>& hits,
+                      const std::vector<std::size_t>& open) {
+  if (!open.empty()) {
+    std::string names;
+    for (const std::size_t i : open) names += (names.empty() ? "" : ", ") + c.name(i);
+    return {
+        viz::Verdict::Kind::open,
+        fmt::format("what {} meets first is not decided, as no test decides whether it meets {}", c.name(ray), names)};
+  }
   if (hits.empty()) return {viz::Verdict::Kind::no, c.name(ray) + " meets none of them"};
   const std::string first = c.name(hits[0].object);
   constexpr double apart = 8 * std::numeric_limits<double>::epsilon();
@@ -59,7 +70,8 @@ Answered answered(const Context& c, const PairAsked& asked) {
   const Object &a = c.object(asked.a), &b = c.object(asked.b);
   Answer answer = ask(c.setting, a, b);
   Answered out = {slug_of(a.name + "-" + b.name), fmt::format("{} and {}", c.name(asked.a), c.name(asked.b)),
-                  fmt::format("Decided exactly for these numbers: {}.", answer.verdict.text), answer.verdict};
+                  fmt::format(answer.open ? "{}." : "Decided exactly for these numbers: {}.", answer.verdict.text),
+                  answer.verdict};
   out.formula = answer.formula, out.values = answer.values, out.items = std::move(answer.marks);
   out.lit = {asked.a, asked.b};
   out.json = {{"ask", {a.name, b.name}}, {"verdict", viz::plain(answer.verdict.text)}};
@@ -69,9 +81,10 @@ Answered answered(const Context& c, const PairAsked& asked) {
 }
 
 Answered answered(const Context& c, const FirstHitAsked& asked) {
-  const std::vector<Hit> hits = hits_of(c, asked.ray);
+  std::vector<std::size_t> open;
+  const std::vector<Hit> hits = hits_of(c, asked.ray, open);
   Answered out = {"first-hit-" + slug_of(c.object(asked.ray).name),
-                  fmt::format("What {} meets first", c.name(asked.ray)), "", first_of(c, asked.ray, hits)};
+                  fmt::format("What {} meets first", c.name(asked.ray)), "", first_of(c, asked.ray, hits, open)};
   out.lit = {asked.ray};
   out.json = {
       {"first hit", c.object(asked.ray).name}, {"verdict", viz::plain(out.verdict.text)}, {"hits", Json::array()}};

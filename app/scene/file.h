@@ -59,12 +59,15 @@ struct File {
   std::vector<Object> objects;
   viz::Parameters parameters;
   std::vector<Asked> asked;
+  std::vector<std::string> not_asked;  ///< of "all pairs": those that no test is for, "A and r"
   std::vector<Note> notes;
   viz::Camera camera;
   bool flat = false;
   std::string text;  ///< the file as it is, without comments, and with the points of short files that it names
 };
 
+/// Throws viz::BadInput where lists and objects nest so deep that no parser of ours may see them.
+void require_shallow(const std::string& text);
 /// Whether a text is meant as a scene: JSON with "objects".
 bool is_scene(const std::string& text);
 /// Whether there are objects of ours in it: not somebody else's JSON with a field of that name.

@@ -163,6 +163,12 @@ std::vector<viz::Condition> conditions_of(const File& file) {
         all.push_back({name, "a vector of any length but 0",
                        [name](const viz::Parameters& p) { return !std::get<viz::Vec3>(p.at(name)).isZero(0); }});
       }
+  for (const Object& o : file.objects)
+    for (const ShapeRule& rule : rules_of(o.type))
+      if (const std::string name = o.name + "." + rule.field; file.parameters.contains(name))
+        all.push_back({name, rule.allowed, [o, rule, flat = file.flat](const viz::Parameters& p) {
+                         return rule.holds({p, flat}, o);
+                       }});
   return all;
 }
 

@@ -89,6 +89,14 @@ struct Setting {
   Json list(const Object& o, const std::string& field) const { return list(point(o, field)); }
 };
 
+/// What an object's numbers must keep besides their own ranges.
+struct ShapeRule {
+  std::string field;    ///< the one to blame
+  std::string allowed;  ///< "a tmax of at least tmin"
+  bool (*holds)(const Setting&, const Object&);
+};
+std::vector<ShapeRule> rules_of(Type);
+
 /// The middle of a scene, and how far it reaches from there: rays and planes are drawn to beyond it.
 struct Room {
   viz::Vec3 middle = viz::Vec3::Zero();

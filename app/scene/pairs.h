@@ -29,7 +29,7 @@ std::vector<Pair> pairs_of_many_numbers();
 void relate(const Setting&, const Object& a, const Object& b, Answer&);
 /// The point a and the shape b: `where` is in, on or out.
 void locate(const Object& a, const Object& b, Answer&, const std::string& where);
-/// A ray, line or segment a, which the core takes as a ray. Throws viz::BadInput for a segment that is none.
+/// A ray, line or segment a, which the core takes as a ray. Throws NotDecided for a segment that is none.
 viz::Vec3 origin_of(const Setting&, const Object& a);
 viz::Vec3 direction_of(const Setting&, const Object& a);
 /// Where b is reached, on a's line.

@@ -8,6 +8,7 @@
 
 #include "app/query/query.h"
 #include "app/scene/pairs.h"
+#include "viz/rich_text.h"
 
 namespace isect::program::scene {
 
@@ -30,10 +31,9 @@ Vec3 direction_of(const Setting& s, const Object& o) {
   for (int i = 0; i < 3; ++i) {
     const double back = dir[i] + from[i], error = (to[i] - back) + ((back - dir[i]) - from[i]);
     if (back != to[i] || error != 0)
-      throw viz::BadInput(
-          o.name +
-          ": from one end to the other is no vector of floating-point numbers, so a test of it would be "
-          "of another segment; give a ray with origin, dir and \"tmax\": 1");
+      throw NotDecided("from one end of " + o.name +
+                       " to the other is no vector of floating-point numbers, so the test would be "
+                       "of another segment");
   }
   return dir;
 }
@@ -160,6 +160,7 @@ void ray_meets_plane(const Setting& s, const Object& a, const Object& b, Answer&
 
 void ray_meets_polygon(const Setting& s, const Object& a, const Object& b, Answer& out) {
   if (out.result["hit"].is_null()) {
+    out.open = true;
     out.verdict = {Verdict::Kind::on, out.result["coplanar"] == true
                                           ? shown_name(a.name) + " lies in the plane of " + shown_name(b.name)
                                           : shown_name(b.name) + " has no area"};
@@ -307,22 +308,55 @@ std::string partners(Type type, bool flat) {
   return fmt::format("{}", fmt::join(all, ", "));
 }
 
-Answer ask(const Setting& s, const Object& a, const Object& b) {
-  const Pair* pair = pair_of(a.type, b.type, s.flat);
-  if (!pair) return ask(s, b, a);
+namespace {
+
+/// A segment is a capsule of radius 0, whose test needs no direction.
+void segment_meets_sphere(const Setting& s, const Object& a, const Object& b, Answer& out) {
+  out = {};
+  const Json capsule = {{"p", s.list(a, "from")}, {"q", s.list(a, "to")}, {"r", 0}};
+  out.query = merged({{"kind", "sphere_capsule"}}, merged(sphere_of(s, b), capsule));
+  out.result = Json::parse(query::answer(out.query.dump()).text)["result"];
+  const std::string relation = out.result.value("relation", "");
+  meets(a, b, out, relation != "disjoint");
+  if (relation.starts_with("touch")) out.verdict = {Verdict::Kind::on, out.verdict.text + " in one point"};
+}
+
+Answer asked_in_order(const Setting& s, const Object& a, const Object& b, const Pair& pair) {
   Answer out;
-  if (!pair->kind) {
-    out.result = pair->written(s, a, b);
-    pair->tell(s, a, b, out);
+  if (!pair.kind) {
+    out.result = pair.written(s, a, b);
+    pair.tell(s, a, b, out);
     return out;
   }
-  out.query = merged({{"kind", pair->kind}}, pair->written(s, a, b));
+  out.query = merged({{"kind", pair.kind}}, pair.written(s, a, b));
   const Json reply = Json::parse(query::answer(out.query.dump()).text);
   if (reply.contains("error"))
     throw viz::BadInput(fmt::format("{} and {}: {}", a.name, b.name, reply["error"].get<std::string>()));
   out.result = reply["result"];
-  pair->tell(s, a, b, out);
+  pair.tell(s, a, b, out);
   return out;
+}
+
+}  // namespace
+
+Answer ask(const Setting& s, const Object& a, const Object& b) {
+  const Pair* pair = pair_of(a.type, b.type, s.flat);
+  if (!pair) return ask(s, b, a);
+  Answer out;
+  try {
+    return asked_in_order(s, a, b, *pair);
+  } catch (const NotDecided& why) {
+    if (a.type == Type::segment && b.type == Type::sphere) {
+      segment_meets_sphere(s, a, b, out);
+      return out;
+    }
+    out = {};
+    out.open = true;
+    out.result = {{"not decided", why.what()}};
+    out.verdict = {Verdict::Kind::open, fmt::format("{} and {}: not decided, as {}", shown_name(a.name),
+                                                    shown_name(b.name), viz::as_markup(why.what()))};
+    return out;
+  }
 }
 
 }  // namespace isect::program::scene

@@ -16,6 +16,12 @@ struct Answer {
   std::vector<viz::Value> values = {};
   std::vector<viz::Item> marks = {};     ///< where they meet
   std::optional<double> first_hit = {};  ///< of a ray, a line or a segment: the parameter of its first point there
+  bool open = false;                     ///< no test decides this pair; `verdict` says why
+};
+
+/// The test would be of other numbers than these: why, in words.
+struct NotDecided : viz::BadInput {
+  using BadInput::BadInput;
 };
 
 /// Whether there is an exact test of such objects, in the plane or in space, in either order.

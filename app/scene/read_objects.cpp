@@ -94,6 +94,9 @@ class Reader {
     }
     if (type.type == Type::obb && json.contains("w") == source_.flat())
       source_.refuse(path, source_.flat() ? "a third axis w in the plane" : "\"w\", the third axis, is missing");
+    for (const ShapeRule& rule : rules_of(type.type))
+      if (!rule.holds({out_.parameters, source_.flat()}, o))
+        source_.refuse(below(path, rule.field), rule.allowed + " is expected");
   }
 
   /// "normals", and as many numbers "lo" and "hi".

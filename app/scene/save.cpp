@@ -7,68 +7,12 @@
 #include <map>
 #include <vector>
 
+#include "app/scene/spans.h"
 #include "viz/files.h"
 
 namespace isect::program::scene {
 
 namespace {
-
-struct Span {
-  std::size_t begin, end;
-};
-
-/// Where each value of a JSON text stands, by its path: "objects/2/center". The text has been read before, so it is
-/// JSON, with comments.
-class Spans {
- public:
-  explicit Spans(const std::string& text) : text_(text) { value(""); }
-
-  const Span* at(const std::string& path) const {
-    const auto found = all_.find(path);
-    return found == all_.end() ? nullptr : &found->second;
-  }
-
- private:
-  void skip() {
-    for (;;) {
-      at_ = std::min(text_.find_first_not_of(" \t\r\n,:", at_), text_.size());
-      if (text_.compare(at_, 2, "//") == 0)
-        at_ = std::min(text_.find('\n', at_), text_.size());
-      else if (text_.compare(at_, 2, "/*") == 0)
-        at_ = std::min(text_.find("*/", at_) + 2, text_.size());
-      else
-        return;
-    }
-  }
-
-  std::string string() {
-    const std::size_t begin = ++at_;
-    while (at_ < text_.size() && text_[at_] != '"') at_ += text_[at_] == '\\' ? 2 : 1;
-    return text_.substr(begin, at_++ - begin);
-  }
-
-  void value(const std::string& path) {
-    skip();
-    const std::size_t begin = at_;
-    const char first = at_ < text_.size() ? text_[at_] : '\0';
-    if (first == '{' || first == '[') {
-      ++at_;
-      int count = 0;
-      for (skip(); at_ < text_.size() && text_[at_] != '}' && text_[at_] != ']'; skip())
-        value(path + "/" + (first == '{' ? string() : std::to_string(count++)));
-      ++at_;
-    } else if (first == '"') {
-      string();
-    } else {
-      at_ = std::min(text_.find_first_of(" \t\r\n,]}/", at_), text_.size());
-    }
-    all_[path] = {begin, at_};
-  }
-
-  const std::string& text_;
-  std::size_t at_ = 0;
-  std::map<std::string, Span> all_;
-};
 
 /// The paths at which a field may stand: that of a vertex depends on how the object is written.
 std::vector<std::string> places(const Object& o, const std::string& field) {
@@ -97,7 +41,7 @@ std::string with_numbers(const std::string& text, const File& file, const viz::P
     for (const std::string& field : file.objects[i].fields) {
       const std::string name = file.objects[i].name + "." + field;
       if (parameters.at(name) == file.parameters.at(name)) continue;
-      const Span* span = nullptr;
+      const Spans::Span* span = nullptr;
       for (const std::string& place : places(file.objects[i], field))
         if (!span) span = spans.at(fmt::format("/objects/{}{}", i, place));
       if (!span)

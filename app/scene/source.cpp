@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace isect::program::scene {
 
@@ -20,6 +21,17 @@ std::string told(const Path& path) {
   return text;
 }
 
+/// Of "/objects/2/lo".
+Path path_of(const std::string& text) {
+  Path path;
+  for (std::size_t at = 1; at <= text.size();) {
+    const std::size_t end = std::min(text.find('/', at), text.size());
+    path.push_back(text.substr(at, end - at));
+    at = end + 1;
+  }
+  return path;
+}
+
 /// The last part of the parser's sentence.
 std::string reason(const std::string& what) {
   const std::size_t dash = what.find(" - ");
@@ -33,12 +45,27 @@ Path below(Path path, const std::string& key) {
   return path;
 }
 
-Source::Source(const std::string& text) : text_(text) {
-  try {
-    json_ = Json::parse(text, nullptr, true, true);
-  } catch (const Json::parse_error& e) {
-    throw viz::BadInput(fmt::format("line {}: no JSON; {}", line_at(e.byte > 0 ? e.byte - 1 : 0), reason(e.what())));
+Source::Source(const std::string& text) : text_(text), spans_(text) {
+  if (const std::size_t at = spans_.too_deep(); at != text.npos)
+    throw viz::BadInput(fmt::format("line {}: lists and objects nest deeper than the {} levels that are allowed",
+                                    line_at(at), Spans::most_levels));
+  json_ = parsed();
+  if (!spans_.twice().empty()) refuse(path_of(spans_.twice().front()), "it is given twice");
+}
+
+Json Source::parsed() const try { return Json::parse(text_, nullptr, true, true); } catch (const Json::parse_error& e) {
+  const std::size_t at = std::min(e.byte > 0 ? e.byte - 1 : 0, text_.size());
+  throw viz::BadInput(text_.find_first_not_of(" \t\r\n") == text_.npos
+                          ? "the file is empty"
+                          : fmt::format("line {}: no JSON; {}", line_at(at), reason(e.what())));
+} catch (const Json::out_of_range&) {
+  for (const auto& [path, span] : spans_.all()) {
+    const std::string number = text_.substr(span.begin, span.end - span.begin);
+    const char first = number.empty() ? ' ' : number[0];
+    if ((first == '-' || (first >= '0' && first <= '9')) && !std::isfinite(std::strtod(number.c_str(), nullptr)))
+      refuse(path_of(path), number + " is too large for a floating-point number");
   }
+  throw viz::BadInput("a number is too large for a floating-point number");
 }
 
 int Source::line_at(std::size_t byte) const {
@@ -46,19 +73,16 @@ int Source::line_at(std::size_t byte) const {
                  text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text_.size())), '\n'));
 }
 
-/// The line of a field: its keys are looked for one after the other, entries of "objects" by how often they begin.
+/// The line of a field, or of what lacks it.
 int Source::line_of(const Path& path) const {
-  std::size_t at = 0;
-  for (std::size_t i = 0; i < path.size(); ++i) {
-    if (i == 1 && path[0] == "objects") {
-      for (int left = std::stoi(path[1]) + 1; left > 0 && at != text_.npos; --left) at = text_.find('{', at + 1);
-    } else if (path[i].find_first_not_of("0123456789") != path[i].npos) {
-      const std::size_t found = text_.find('"' + path[i] + '"', at);
-      if (found != text_.npos) at = found;
-    }
-    if (at == text_.npos) return line_at(text_.size());
+  std::size_t line = 0;
+  std::string to;
+  for (const std::string& key : path) {
+    const Spans::Span* span = spans_.at(to += "/" + key);
+    if (!span) break;
+    line = span->begin;
   }
-  return line_at(at);
+  return line_at(line);
 }
 
 void Source::refuse(const Path& path, const std::string& why) const {

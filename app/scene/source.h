@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/scene/objects.h"
+#include "app/scene/spans.h"
 
 namespace isect::program::scene {
 
@@ -14,7 +15,7 @@ Path below(Path, const std::string& key);
 
 class Source {
  public:
-  /// Throws viz::BadInput where it is no JSON.
+  /// Throws viz::BadInput where it is no JSON, nests too deep or gives a field twice.
   explicit Source(const std::string& text);
 
   const Json& json() const { return json_; }
@@ -38,7 +39,10 @@ class Source {
   int line_at(std::size_t byte) const;
   int line_of(const Path&) const;
 
+  Json parsed() const;
+
   const std::string& text_;
+  Spans spans_;
   Json json_;
   std::size_t dimension_ = 0;  ///< 0 until there is a point
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/scene/pairs.h"
 #include "app/scene/shapes.h"
 #include "lessons/clipping/picture.h"
 #include "lessons/lessons.h"
@@ -68,7 +69,7 @@ constexpr Walk ray_and_ball = [](const Setting& s, const Object& a, const Object
                                             : ends  ? s.number(a, "tmax")
                                                     : 1.0},
                                   {"origin", origin},
-                                  {"direction", segment ? Vec3(s.point(a, "to") - origin) : s.point(a, "dir")},
+                                  {"direction", direction_of(s, a)},
                                   {"center", s.point(b, "center")},
                                   {"radius", s.number(b, "radius")}});
 };

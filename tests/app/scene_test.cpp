@@ -262,6 +262,77 @@ TEST_CASE("numbers are saved into the scene's own text, and nothing else of it c
   CHECK_FALSE(fs::exists(shell.work() / "g.json"));
 }
 
+TEST_CASE("what is no shape is refused, and what no test decides is said to be open", "[scene]") {
+  const Shell shell;
+  struct Refused {
+    const char *objects, *why;
+  };
+  for (const auto& [objects, why] :
+       {Refused{R"({"box": "A", "lo": [1, 0], "hi": [0, 1]})",
+                "objects[0].lo: a lo with no coordinate above that of hi"},
+        {R"({"obb": "O", "center": [0, 0], "u": [1, 0], "v": [1, 0], "half": [1, 1]})", "right angles"},
+        {R"({"obb": "O", "center": [0, 0], "u": [0, 0], "v": [0, 1], "half": [1, 1]})", "length 1"},
+        {R"({"obb": "O", "center": [0, 0], "u": [1, 0], "v": [0, 1], "half": [1, -1]})", "at least 0"},
+        {R"({"ray": "r", "origin": [0, 0], "dir": [1, 0], "tmin": 2, "tmax": 1})", "a tmax of at least tmin"},
+        {R"({"sphere": "A", "center": [0, 0], "radius": -1e400})", "line 1: objects[0].radius: -1e400 is too large"},
+        {R"({"sphere": "A", "center": [0, 0], "radius": 1, "radius": 2})", "objects[0].radius: it is given twice"}}) {
+    INFO(objects);
+    write(shell.work() / "s.json", std::string(R"({"objects": [)") + objects + "]}");
+    const Ran r = shell("isect scene s.json");
+    CHECK(r.status == 2);
+    CHECK_THAT(r.err, Contains(why));
+  }
+  write(shell.work() / "box.json", R"({"objects": [{"box": "A", "lo": [0, 0], "hi": [1, 1]}]})");
+  CHECK_THAT(shell("isect scene box.json --set A.lo=2,0").err, Contains("A.lo") && Contains("above that of hi"));
+  CHECK(shell("isect scene box.json --set A.lo=0.5,0.25").status == 0);  // in the plane two numbers do
+
+  for (const char* command : {"isect scene d.json", "isect render d.json", "isect explain d.json"})
+    for (const int levels : {65, 200'000}) {
+      write(shell.work() / "d.json", R"({"objects": )" + std::string(static_cast<std::size_t>(levels), '['));
+      const Ran r = shell(command);
+      INFO(command << ' ' << levels);
+      CHECK(r.status == 2);
+      CHECK_THAT(r.err, Contains("deeper than the 64 levels"));
+    }
+
+  // 0.1 + 1.6 is rounded: of a segment with a ball the ends alone decide, of one with a triangle nothing does
+  const std::string segment = R"({"segment": "s", "from": [0.1, -1.3, -0.7], "to": [1.7, 0.1, 0.3]},
+    {"sphere": "S", "center": [1, -0.5, 0], "radius": 0.5}, {"triangle": "T", "points": [[0, -2, 0], [4, 0, 0], [0, 2, 0]]})";
+  const Json all = answers(shell, R"({"objects": [)" + segment + R"(], "ask": [["s", "S"], ["s", "T"]]})");
+  CHECK(all[0]["verdict"] == "s meets S");
+  CHECK_THAT(all[1]["verdict"].get<std::string>(), StartsWith("s and T: not decided"));
+  const Json first = answers(shell, R"({"objects": [{"ray": "r", "origin": [-2, 0, 0], "dir": [1, 0, 0]},
+    {"triangle": "T", "points": [[-1.5, -1, 0], [1, 0, 0], [-1.5, 1, 0]]},
+    {"sphere": "B", "center": [0, 0, 0], "radius": 1}], "ask": [{"first hit": "r"}]})");
+  CHECK_THAT(first[0]["verdict"].get<std::string>(), Contains("not decided") && Contains("T"));
+}
+
+TEST_CASE("of all pairs those without a test are named, and points are asked where there is nothing else", "[scene]") {
+  const Shell shell;
+  write(shell.work() / "s.json", R"({"objects": [{"sphere": "A", "center": [0, 0, 0], "radius": 1},
+    {"ray": "r", "origin": [0, 0, 0], "dir": [1, 0, 0]}, {"line": "l", "origin": [0, 0, 0], "dir": [0, 1, 0]}], "ask": "all pairs"})");
+  const Ran some = shell("isect scene s.json");
+  CHECK(some.out == "r meets A\nl meets A\n");
+  CHECK_THAT(some.err, Contains("no test of such pairs: r and l"));
+  write(shell.work() / "p.json",
+        R"({"objects": [{"point": "P", "at": [0, 0]}, {"point": "Q", "at": [0, 1]}], "ask": "all pairs"})");
+  CHECK(shell("isect scene p.json").out == "P and Q differ\n");
+}
+
+TEST_CASE("a broken scene fails a check, and its baselines are nobody's to remove", "[scene]") {
+  const Shell shell;
+  write(shell.work() / "notes/balls.json", two_balls);
+  REQUIRE(shell("isect check --dir notes --update=all").status == 0);
+  const std::vector<std::string> before = files_in(shell.work() / "notes/snapshots");
+  std::string broken = two_balls;
+  broken.erase(broken.find("[0, 0, 0]"), 1);
+  write(shell.work() / "notes/balls.json", broken);
+  const Ran r = shell("isect check --dir notes --update=failed");
+  CHECK(r.status == 1);
+  CHECK_THAT(r.out + r.err, Contains("line 5: no JSON"));
+  CHECK(files_in(shell.work() / "notes/snapshots") == before);
+}
+
 TEST_CASE("the window writes into the scene's file unless somebody else has changed it", "[scene]") {
   const Shell shell;
   const std::string path = (shell.work() / "s.json").string();
