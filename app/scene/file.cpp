@@ -92,8 +92,8 @@ class Reader {
 
   void need_type(std::size_t index, const Path& path, bool fits, const std::string& expected) const {
     if (!fits)
-      source_.refuse(path, fmt::format("\"{}\" is a {}; {} is expected", object(index).name,
-                                       spec(object(index).type).name, expected));
+      source_.refuse(path, fmt::format("\"{}\" is {}; {} is expected", object(index).name,
+                                       with_article(object(index).type), expected));
   }
 
   Asked fit(const Json& json, const Path& path) const {
@@ -148,7 +148,7 @@ class Reader {
     if (walk_of(a, b, file_.flat)) return WalkAsked{i, j};
     if (walk_of(b, a, file_.flat)) return WalkAsked{j, i};
     source_.refuse(path,
-                   fmt::format("no lesson steps through a {} and a {} {}; those are: {}", spec(a).name, spec(b).name,
+                   fmt::format("no lesson steps through {} and {} {}; those are: {}", with_article(a), with_article(b),
                                file_.flat ? "in the plane" : "in space", fmt::join(walks_in_words(file_.flat), ", ")));
   }
 
@@ -164,9 +164,9 @@ class Reader {
     const auto [a, b] = two_objects(json, path);
     const Type x = object(a).type, y = object(b).type;
     if (!can_ask(x, y, file_.flat))
-      source_.refuse(path, fmt::format("there is no test of a {} against a {} {}; a {} can be asked about: {}",
-                                       spec(x).name, spec(y).name, file_.flat ? "in the plane" : "in space",
-                                       spec(x).name, partners(x, file_.flat)));
+      source_.refuse(path, fmt::format("there is no test of {} against {} {}; {} can be asked about: {}",
+                                       with_article(x), with_article(y), file_.flat ? "in the plane" : "in space",
+                                       with_article(x), partners(x, file_.flat)));
     return {a, b};
   }
 

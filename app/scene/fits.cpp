@@ -179,7 +179,8 @@ Answered answered(const Context& c, const FitAsked& asked) {
       out.slug += "-" + volume;
       out.title = fmt::format("The {} of {}", words, c.name(asked.object));
       out.formula = one.told;
-      out.verdict = {viz::Verdict::Kind::yes, fmt::format("{} = {}", size, viz::shown(one.size))};
+      out.verdict = {viz::Verdict::Kind::yes,
+                     fmt::format("the {} of {} has {} {}", words, c.name(asked.object), size, viz::shown(one.size))};
       out.caption = fmt::format("Every point lies in it, exactly: {}.", one.told);
     } else {
       out.formula += fmt::format("{}{}: {}", out.formula.empty() ? "" : ", ", words, viz::shown(one.size));
@@ -192,8 +193,8 @@ Answered answered(const Context& c, const FitAsked& asked) {
         "The {} of each volume that holds every point. The hull, which is drawn, is the least "
         "convex one.",
         size);
-    out.verdict = {viz::Verdict::Kind::yes,
-                   fmt::format("the hull’s {} is {}", size, viz::shown(out.values.back().value))};
+    out.verdict = {viz::Verdict::Kind::yes, fmt::format("the hull of {} has {} {}", c.name(asked.object), size,
+                                                        viz::shown(out.values.back().value))};
   }
   out.json["verdict"] = viz::plain(out.verdict.text);
   return out;

@@ -81,6 +81,11 @@ double Setting::number(const Object& o, const std::string& field) const {
 }
 bool Setting::has(const Object& o, const std::string& field) const { return parameters.contains(o.name + "." + field); }
 
+std::string with_article(Type t) {
+  const std::string name = spec(t).name;
+  return (std::string("aeiou").find(name[0]) == std::string::npos ? "a " : "an ") + name;
+}
+
 bool runs_along_a_line(Type t) { return t == Type::ray || t == Type::line || t == Type::segment; }
 
 std::vector<Vec3> Setting::points(const Object& o) const {

@@ -69,6 +69,8 @@ struct Object {
 };
 /// A ray, a line or a segment.
 bool runs_along_a_line(Type);
+/// "a ray", "an obb"
+std::string with_article(Type);
 
 /// Objects with their numbers, in a plane or in space.
 struct Setting {

@@ -49,9 +49,9 @@ void relate(const Setting&, const Object& a, const Object& b, Answer& out) {
     out.verdict = {Verdict::Kind::on, names(a, b) + " touch, one inside the other"};
   else if (r == "equal")
     out.verdict = {Verdict::Kind::yes, names(a, b) + " are equal"};
-  else if (r == "a_contains_b" || r == "sphere_contains_box")
+  else if (r == "a_contains_b" || r.starts_with(spec(a.type).name + "_contains_"))
     out.verdict = {Verdict::Kind::yes, nb + " lies in " + na};
-  else if (r == "b_contains_a" || r == "box_contains_sphere")
+  else if (r == "b_contains_a" || r.starts_with(spec(b.type).name + "_contains_"))
     out.verdict = {Verdict::Kind::yes, na + " lies in " + nb};
   else
     out.verdict = {Verdict::Kind::yes, names(a, b) + " overlap"};

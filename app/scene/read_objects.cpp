@@ -55,7 +55,7 @@ class Reader {
     else
       fields(json, path, *known, o);
     if (source_.flat() && (o.type == Type::frustum || o.type == Type::mesh))
-      source_.refuse(path, fmt::format("a {} in the plane", known->name));
+      source_.refuse(path, with_article(known->type) + " in the plane");
     out_.all.push_back(std::move(o));
   }
 

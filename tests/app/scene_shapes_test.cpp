@@ -191,7 +191,7 @@ TEST_CASE("volumes fit their points, parts lie in their box, hierarchies hold al
   const auto size = [&](int i) { return all[0]["volumes"][i]["volume"].get<double>(); };
   CHECK(size(0) == Approx(4 * std::acos(-1) / 3 * std::pow(3, 1.5)));
   for (const int i : {1, 2, 3, 4}) CHECK(size(i) == Approx(8));
-  CHECK(all[0]["verdict"] == "the hull’s volume is 8");
+  CHECK(all[0]["verdict"] == "the hull of C has volume 8");
   CHECK(all[1]["volumes"][0]["result"]["center"] == Json::parse("[1.0, 1.0, 1.0]"));
 
   const std::string window = R"({"box": "W", "lo": [0,0], "hi": [2,1]},)";

@@ -307,6 +307,15 @@ TEST_CASE("what is no shape is refused, and what no test decides is said to be o
   CHECK_THAT(first[0]["verdict"].get<std::string>(), Contains("not decided") && Contains("T"));
 }
 
+TEST_CASE("what lies in what is told of every pair that can", "[scene]") {
+  const Shell shell;
+  const std::string ball = R"({"sphere": "S", "center": [0, 0, 0], "radius": 9}, )";
+  CHECK(verdict(shell, ball + R"({"capsule": "C", "p": [0, 0, 0], "q": [1, 0, 0], "r": 1})") == "C lies in S");
+  CHECK(verdict(shell, ball + R"({"capsule": "C", "p": [0, 0, 0], "q": [1, 0, 0], "r": 20})") == "S lies in C");
+  CHECK(verdict(shell, ball + R"({"box": "B", "lo": [0, 0, 0], "hi": [1, 1, 1]})") == "B lies in S");
+  CHECK(verdict(shell, ball + R"({"sphere": "T", "center": [1, 0, 0], "radius": 1})") == "T lies in S");
+}
+
 TEST_CASE("of all pairs those without a test are named, and points are asked where there is nothing else", "[scene]") {
   const Shell shell;
   write(shell.work() / "s.json", R"({"objects": [{"sphere": "A", "center": [0, 0, 0], "radius": 1},
