@@ -70,7 +70,7 @@ Answered answered(const Context& c, const PairAsked& asked) {
   const Object &a = c.object(asked.a), &b = c.object(asked.b);
   Answer answer = ask(c.setting, a, b);
   Answered out = {slug_of(a.name + "-" + b.name), fmt::format("{} and {}", c.name(asked.a), c.name(asked.b)),
-                  fmt::format(answer.open ? "{}." : "Decided exactly for these numbers: {}.", answer.verdict.text),
+                  (answer.open ? "" : "Decided exactly for these numbers: ") + answer.verdict.text + ".",
                   answer.verdict};
   out.formula = answer.formula, out.values = answer.values, out.items = std::move(answer.marks);
   out.lit = {asked.a, asked.b};
