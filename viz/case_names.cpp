@@ -143,23 +143,23 @@ Vec2 CaseNames::some_point_of(int branch) const {
 /// The nearest place for the whole name in one region, with a free way for the leader from the region's middle, or else
 /// from another point of it; over borders only if there is none.
 NamePlace CaseNames::beside(int branch, const Vec2& size) const {
-  NamePlace best = beside(some_point_of(branch), size);
+  NamePlace best = beside(some_point_of(branch), size, 0.5);
   if (best.cost < crossed) return best;
-  constexpr int apart = 6;
+  constexpr int apart = 10;
   const Vec2 side = Vec2::Constant(apart * std::min(cell_.x(), cell_.y()) / 4).cwiseQuotient(cell_);
   for (int y = apart / 2; y < rows; y += apart)
     for (int x = apart / 2; x < columns; x += apart)
       if (const Vec2 at(x, y); filled(branch, at, side))
-        if (const NamePlace other = beside(drawn(at), size); other.cost < best.cost - tie) best = other;
+        if (const NamePlace other = beside(drawn(at), size, 3); other.cost < best.cost - tie) best = other;
   return best;
 }
 
-NamePlace CaseNames::beside(const Vec2& to, const Vec2& size) const {
+NamePlace CaseNames::beside(const Vec2& to, const Vec2& size, double step) const {
   const Vec2 half = size / 2;
   NamePlace best = {to, to, false, std::numeric_limits<double>::infinity()};
-  for (int y = 0; y <= 2 * rows; ++y)
-    for (int x = 0; x <= 2 * columns; ++x) {
-      const Vec2 at(x / 2.0, y / 2.0), middle = drawn(at);
+  for (int y = 0; y * step <= rows; ++y)
+    for (int x = 0; x * step <= columns; ++x) {
+      const Vec2 at(x * step, y * step), middle = drawn(at);
       const TextBox box = box_around(middle, half);
       if (box.left < plane_.left || box.right > plane_.right || box.top < plane_.top || box.bottom > plane_.bottom)
         continue;

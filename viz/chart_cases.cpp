@@ -114,13 +114,12 @@ class PlaneOfCases {
     std::ranges::merge(within, beside, order.begin());
 
     Names best = arranged(order, true, room);
-    bool more = best.cost >= CaseNames::crossed;
-    for (; more && best.cost >= CaseNames::crossed; more = std::ranges::next_permutation(beside).found)
-      for (const bool lines_first : {true, false}) {
-        std::ranges::copy(beside, std::ranges::copy(within, order.begin()).out);
-        constexpr double tie = 1e-3;  // what only rounding could decide
-        if (Names other = arranged(order, lines_first, room); other.cost < best.cost - tie) best = std::move(other);
-      }
+    for (int tried = 0; tried < 4 && best.cost >= CaseNames::crossed; ++tried) {
+      if (tried == 2) std::ranges::reverse(beside);
+      std::ranges::copy(beside, std::ranges::copy(within, order.begin()).out);
+      constexpr double tie = 1e-3;  // what only rounding could decide
+      if (Names other = arranged(order, tried % 2 == 0, room); other.cost < best.cost - tie) best = std::move(other);
+    }
     if (best.lines_first) ink_.place(names_of_lines(), obstacles(ink_.labels()), b_);
     for (const auto& [branch, place] : best.places) write(branch, place);
     if (!best.lines_first) ink_.place(names_of_lines(), obstacles(ink_.labels()), b_);

@@ -316,9 +316,7 @@ void segment_meets_sphere(const Setting& s, const Object& a, const Object& b, An
   const Json capsule = {{"p", s.list(a, "from")}, {"q", s.list(a, "to")}, {"r", 0}};
   out.query = merged({{"kind", "sphere_capsule"}}, merged(sphere_of(s, b), capsule));
   out.result = Json::parse(query::answer(out.query.dump()).text)["result"];
-  const std::string relation = out.result.value("relation", "");
-  meets(a, b, out, relation != "disjoint");
-  if (relation.starts_with("touch")) out.verdict = {Verdict::Kind::on, out.verdict.text + " in one point"};
+  meets(a, b, out, out.result.value("relation", "") != "disjoint");
 }
 
 Answer asked_in_order(const Setting& s, const Object& a, const Object& b, const Pair& pair) {
