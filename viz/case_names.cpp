@@ -145,12 +145,12 @@ Vec2 CaseNames::some_point_of(int branch) const {
 NamePlace CaseNames::beside(int branch, const Vec2& size) const {
   NamePlace best = beside(some_point_of(branch), size, 0.5);
   if (best.cost < crossed) return best;
-  constexpr int apart = 10;
+  constexpr int apart = 6;
   const Vec2 side = Vec2::Constant(apart * std::min(cell_.x(), cell_.y()) / 4).cwiseQuotient(cell_);
   for (int y = apart / 2; y < rows; y += apart)
     for (int x = apart / 2; x < columns; x += apart)
       if (const Vec2 at(x, y); filled(branch, at, side))
-        if (const NamePlace other = beside(drawn(at), size, 3); other.cost < best.cost - tie) best = other;
+        if (const NamePlace other = beside(drawn(at), size, 1); other.cost < best.cost - tie) best = other;
   return best;
 }
 
