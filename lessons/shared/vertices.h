@@ -15,9 +15,10 @@ namespace isect::lessons {
 
 /// Of the point number i: `name` in front of its number, `kind` in its help: "corner".
 inline viz::Parameter movable(const std::string& name, int i, const std::string& kind) {
-  viz::Parameter p = vector(
-      fmt::format("{}{}", name, i), fmt::format("**{}**_{{{}}}", name, i),
-      fmt::format("The {} number {}, where it was moved; its third coordinate is not used.", kind, i), viz::Vec3::Zero());
+  viz::Parameter p =
+      vector(fmt::format("{}{}", name, i), fmt::format("**{}**_{{{}}}", name, i),
+             fmt::format("The {} number {}, where it was moved; its third coordinate is not used.", kind, i),
+             viz::Vec3::Zero());
   p.optional = true;
   return p;
 }
