@@ -7,6 +7,7 @@
 
 #include "app/terminal.h"
 #include "app/told_setting.h"
+#include "viz/alt_text.h"
 #include "viz/case_map.h"
 #include "viz/closing.h"
 #include "viz/rich_text.h"
@@ -51,9 +52,12 @@ class Teller {
     return fmt::format("Step {} of {}: {}", index + 1, e_.walk.steps.size(), plain(e_.walk.steps[index].title));
   }
 
+  /// With a full stop, unless it asks.
+  static std::string ended(const std::string& title) { return title.ends_with("?") ? title : title + "."; }
+
   std::string line_of(int index) const {
     const viz::Step& step = e_.walk.steps[index];
-    std::string out = title(index) + ".";
+    std::string out = ended(title(index));
     if (step.comparison) out += " " + comparison(step);
     if (step.verdict.kind != viz::Verdict::Kind::open) out += " Verdict: " + plain(step.verdict.text) + ".";
     return paragraph(out);
@@ -97,12 +101,12 @@ class Teller {
   /// Such a step, in one paragraph: what is new.
   std::string again(int index) {
     const viz::Step &step = e_.walk.steps[index], &before = e_.walk.steps[index - 1];
-    std::string out = title(index) + ".";
+    std::string out = ended(title(index));
     if (step.caption != before.caption) out += " " + plain(step.caption);
     if (!step.formula.empty()) out += " " + plain(step.formula) + ".";
     for (const viz::Value& v : step.values)
       if (v.fresh && !is_in_formula(v, step) && plain(step.title) != plain(v.name) + " = " + viz::shown(v.value))
-        out += " " + plain(v.name) + " = " + viz::shown(v.value) + ".";
+        out += " " + plain(v.name) + " = " + viz::shown_among(step.values, v) + ".";
     if (step.comparison) out += " " + comparison(step);
     std::ranges::replace(out, '\n', ' ');
     return paragraph(out) + "\n" + points(step);
@@ -131,18 +135,24 @@ class Teller {
     for (const viz::Value& v : step.values)
       if (told(v)) {
         const std::string name = plain(v.name);
-        out += fmt::format("     {}{} = {}\n", std::string(widest - length(name), ' '), name, viz::shown(v.value));
+        out += fmt::format("     {}{} = {}\n", std::string(widest - length(name), ' '), name,
+                           viz::shown_among(step.values, v));
       }
     return out.empty() ? out : out + "\n";
   }
 
   /// Where the points lie that the picture names and that are no parameters, when they first appear.
   std::string points(const viz::Step& step) {
+    const auto five_digits = [&](const viz::Vec3& p) {
+      const std::string xy = viz::shown(p.x()) + ", " + viz::shown(p.y());
+      return "(" + xy + (e_.lesson->flat ? ")" : ", " + viz::shown(p.z()) + ")");
+    };
     std::string list;
     for (const viz::Item& item : step.scene.items) {
       const auto* label = std::get_if<viz::Label>(&item);
       if (!label || label->until || !label->text.starts_with("**") || !is_marked(step.scene, label->at)) continue;
-      const std::string told = plain(label->text) + " " + in_full(label->at, e_.lesson->flat);
+      const std::string told = plain(label->text) + " " + five_digits(label->at);
+      if (label->text.ends_with("′")) continue;  // an image: where it is drawn is not where it lies
       if (is_parameter(label->at) || !placed_.insert(told).second) continue;
       list += (list.empty() ? "" : ", ") + told;
     }
@@ -180,6 +190,7 @@ class Teller {
   std::string side_by_side() const {
     if (!e_.lesson->opinions) return {};
     const std::vector<viz::Opinion> opinions = e_.lesson->opinions(e_.parameters);
+    if (opinions.empty()) return {};
     std::size_t widest = 0;
     for (const viz::Opinion& o : opinions) widest = std::max(widest, length(plain(o.method)));
     std::string out = "Methods side by side:\n";
@@ -250,8 +261,9 @@ std::string told_exercises(const viz::Lesson& lesson, const Telling& how) {
   for (const viz::Exercise& e : lesson.closing->exercises) {
     out += wrapped(fmt::format("{}. {}", ++number, plain(e.prompt)), how.columns, 0);
     if (!e.preset.empty()) out += wrapped(fmt::format("Start: --preset {}", e.preset), how.columns, 3);
-    for (const auto& [name, value] : e.by)
-      out += wrapped(fmt::format("One way: --set {}={}", name, value), how.columns, 3);
+    std::string way;  // all of it together
+    for (const auto& [name, value] : e.by) way += fmt::format(" --set {}={}", name, value);
+    if (!way.empty()) out += wrapped("One way:" + way, how.columns, 3);
     out += wrapped("Solution: " + plain(e.solution), how.columns, 3) + "\n";
   }
   out.pop_back();

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/geometry.h"
 #include "app/terminal.h"
 #include "viz/closing.h"
@@ -41,6 +43,12 @@ std::string pseudocode(const Excerpt& e, std::size_t columns) {
     const int line = viz::line_of(erratum, e.walk);
     if (line < 0) continue;
     const bool published = e.walk.pseudocode[line] == erratum.published;
+    if (!published && std::ranges::count(e.walk.pseudocode, erratum.published) > 0) {
+      out += wrapped(fmt::format("Line {} is not in the note. {} (Preset {} shows it.)", line + 1, plain(erratum.why),
+                                 erratum.preset),
+                     columns, 2);
+      continue;
+    }
     const std::string& other = published ? erratum.corrected : erratum.published;
     out += wrapped(fmt::format("Line {} {}: {}. {} (Preset {} shows it.)", line + 1,
                                published ? "should read" : "was published as", viz::unindented(other),

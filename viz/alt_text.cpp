@@ -136,11 +136,17 @@ std::string told(const Card& card) {
 std::string fresh_values(const Step& step) {
   std::vector<std::string> all;
   for (const Value& v : step.values)
-    if (v.fresh) all.push_back(fmt::format("{} = {}", plain(v.name), shown(v.value)));
+    if (v.fresh) all.push_back(fmt::format("{} = {}", plain(v.name), shown_among(step.values, v)));
   return fmt::format("{}", fmt::join(all, ", "));
 }
 
 }  // namespace
+
+std::string shown_among(const std::vector<Value>& all, const Value& v) {
+  const bool mistaken = std::ranges::any_of(
+      all, [&](const Value& other) { return other.value != v.value && shown(other.value) == shown(v.value); });
+  return mistaken ? to_text(v.value) : shown(v.value);
+}
 
 std::string figure_title(const Lesson& lesson, const Step& step) {
   return fmt::format("{}: {}", lesson.title, plain(step.title));

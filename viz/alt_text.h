@@ -10,6 +10,8 @@ namespace isect::viz {
 /// Plain text, paragraphs apart by empty lines: what is drawn and from which numbers, what is said of it, and what
 /// comes out. A chart is told as the chart it is. `step` from 0.
 std::string alt_text(const Lesson&, const Parameters&, const Walk&, int step);
+/// One of a step's values as shown; in full where another one would read alike and is not equal.
+std::string shown_among(const std::vector<Value>&, const Value&);
 /// "Ray and sphere: Two roots"
 std::string figure_title(const Lesson&, const Step&);
 

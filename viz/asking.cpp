@@ -1,6 +1,10 @@
 #include "viz/asking.h"
 
 #include <algorithm>
+#include <iterator>
+#include <sstream>
+
+#include "viz/rich_text.h"
 
 namespace isect::viz {
 namespace {
@@ -104,7 +108,42 @@ Scene without_answer(const Scene& after, const Scene& before) {
   return scene;
 }
 
+std::vector<std::string> words_of(const std::string& markup) {
+  std::istringstream text(plain(markup));
+  return {std::istream_iterator<std::string>(text), {}};
+}
+
+/// Whether two thirds of the longer prompt stand in the other, too, in the same order.
+bool alike(const std::string& a, const std::string& b) {
+  const std::vector<std::string> x = words_of(a), y = words_of(b);
+  std::vector<std::size_t> common(y.size() + 1, 0);  // the longest common subsequence with the words so far
+  for (const std::string& word : x) {
+    std::vector<std::size_t> longer = common;
+    for (std::size_t j = 1; j <= y.size(); ++j)
+      longer[j] = std::max({longer[j - 1], common[j], word == y[j - 1] ? common[j - 1] + 1 : 0});
+    common = std::move(longer);
+  }
+  return 3 * common.back() >= 2 * std::max(x.size(), y.size());
+}
+
+const std::string& answer(const Question& q) { return q.choices.at(static_cast<std::size_t>(q.answer)); }
+
 }  // namespace
+
+void ask_once(Walk& walk) {
+  std::vector<const Question*> asked;
+  for (Step& step : walk.steps) {
+    if (!step.question) continue;
+    const Question& q = *step.question;
+    const bool again = std::ranges::any_of(asked, [&](const Question* earlier) {
+      return answer(*earlier) == answer(q) && alike(earlier->prompt, q.prompt);
+    });
+    if (again)
+      step.question.reset();
+    else
+      asked.push_back(&q);
+  }
+}
 
 Scene opening_scene(const Step& first) {
   if (first.question->over) return *first.question->over;

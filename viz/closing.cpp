@@ -57,6 +57,7 @@ static Step opening_step(const Lesson& lesson, const Walk& walk) {
 Walk Lesson::walk(const Parameters& here) const {
   Walk walk = steps(here);
   if (walk.steps.empty()) return walk;
+  ask_once(walk);
   if (walk.steps.front().question && !opening.empty())
     walk.steps.insert(walk.steps.begin(), opening_step(*this, walk));
   else if (!opening.empty())

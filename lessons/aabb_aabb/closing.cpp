@@ -41,11 +41,11 @@ const Closing& closing() {
                   "Christer Ericson, *Real-Time Collision Detection*, 2005, section 4.2: axis-aligned bounding boxes.",
                   "Tomas Akenine-Möller and Eric Haines, *Real-Time Rendering*, 2nd edition, 2002, chapter 13."},
       .exercises = {
-          {"Drag b away until the boxes touch.",
+          {"Drag b towards a until the boxes touch.",
            "They touch when the ends of their intervals meet on some axis, and no axis has a gap.",
            "gap-x",
            they_touch,
-           {{"b_min", "0,-0.5,-0.5"}}},
+           {{"b_min", "0,-0.5,-0.5"}, {"b_max", "1.25,1,1"}}},
           {"Find boxes that overlap on *x* and on *y*, and are disjoint.",
            "Move b along *z* alone. Two axes prove nothing if the third has a gap.",
            "overlapping",

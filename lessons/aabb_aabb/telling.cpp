@@ -3,6 +3,7 @@
 
 #include "lessons/aabb_aabb/picture.h"
 #include "lessons/shared/axis_names.h"
+#include "lessons/shared/digits.h"
 #include "lessons/shared/questions.h"
 #include "lessons/shared/relation.h"
 #include "lessons/shared/script.h"
@@ -60,22 +61,24 @@ class Teller {
     if (!one_is_empty)
       script_.value((e.disjoint ? "length of the gap on " : "common length on ") + axis, std::abs(right - left),
                     "length", e.disjoint ? Role::miss : Role::hit);
-    const std::string formula = one_is_empty ? std::string()
-                                : e.disjoint ? "gap on " + axis + ": " + shown(right) + " to " + shown(left)
-                                             : "common on " + axis + ": " + shown(left) + " to " + shown(right);
+    const std::string formula =
+        one_is_empty    ? std::string()
+        : e.disjoint    ? "gap on " + axis + ": " + digits(right, left) + " to " + digits(left, right)
+        : left == right ? "common on " + axis + ": " + shown(left)
+                        : "common on " + axis + ": " + digits(left, right) + " to " + digits(right, left);
     Step& step = add(std::string("axis-") + "xyz"[e.axis], "Do the intervals on " + axis + " overlap?", 1,
                      axis_caption(e.axis, e.disjoint, a, b), e.axis, formula);
     Script::decide(step, {(a_later ? "a.min" + i + " ≤ b.max" : "b.min" + i + " ≤ a.max") + i, lo, hi, !e.disjoint,
                           e.disjoint ? "a gap on " + axis : "no gap on " + axis});
     // OVERLAP too early: that one common interval is enough, the note's slip.
-    step.question = which_line(pseudocode,
-                               e.disjoint   ? 2
-                               : e.axis < 2 ? 0
-                                            : 3,
-                               {0, 2, 3},
-                               e.disjoint   ? "One interval ends before the other begins."
-                               : e.axis < 2 ? "No gap on this axis, but the next may have one."
-                                            : "No gap on any axis.");
+    step.question = Question{fmt::format("The intervals on {} are compared. What follows?", axis),
+                             {"DISJOINT", "OVERLAP", "nothing yet"},
+                             e.disjoint   ? 0
+                             : e.axis < 2 ? 2
+                                          : 1,
+                             e.disjoint   ? "One interval ends before the other begins."
+                             : e.axis < 2 ? "No gap on this axis, but the next may have one."
+                                          : "No gap on any axis."};
     disjoint_ = e.disjoint;
     ++asked_;
   }
@@ -101,7 +104,7 @@ class Teller {
     script_.settle(verdict_kind(s_.truth), words(s_.truth, "the boxes"));
     Step& step = script_.add("relation", "How they lie", disjoint_ ? 2 : 3, end_caption(), end_formula());
     step.scene = picture(s_, -1, true);
-    step.question = relation_question(s_.truth, "the two boxes", because());
+    if (!disjoint_) step.question = relation_question(s_.truth, "the two boxes", because());  // else it has been told
   }
 
   std::string because() const {

@@ -25,12 +25,10 @@ using Box = Aabb<double, 3>;
 
 int operations(const Tally& t) { return t.mul + t.add + t.div + t.sqrt + t.compare; }
 
-/// Whether the box `inner` lies in `outer`, axis by axis.
+/// Whether the box `inner`, which is not empty, lies in `outer`, axis by axis.
 bool inside(const Aabb<C, 3>& inner, const Aabb<C, 3>& outer) {
-  for (int axis = 0; axis < 3; ++axis) {
-    const Interval<C> room = outer.along(axis);
-    if (!room.contains(inner.lo[axis]) || !room.contains(inner.hi[axis])) return false;
-  }
+  for (int axis = 0; axis < 3; ++axis)
+    if (inner.lo[axis] < outer.lo[axis] || inner.hi[axis] > outer.hi[axis]) return false;
   return true;
 }
 
@@ -125,7 +123,7 @@ class Teller {
   void volume_first() {
     const int cheap = operations(test_.cheap), all = operations(test_.expensive);
     script_.count(test_.cheap);
-    script_.value("volume tests", cheap, "operations", Role::hit);
+    script_.value("volumes", cheap, "operations", Role::hit);
     script_.value("all triangles", all, "operations", Role::muted);
     const bool trivial = test_.rejected || test_.accepted;
     if (!test_.rejected) script_.refuse(0, {1});
@@ -146,19 +144,20 @@ class Teller {
                 : "The volume and b overlap. That decides nothing about the object: the overlap is only potential.",
             true, false, fmt::format("{}, where all triangles take {}", plural(cheap, "operation"), all));
     step.decides = true;
-    step.question = Question{"What does the volume's test show?",
-                             {"trivial reject", "trivial accept", "potential overlap"},
-                             test_.rejected   ? 0
-                             : test_.accepted ? 1
-                                              : 2,
-                             "Two boxes are compared: at most eighteen comparisons."};
+    step.question = Question{
+        "What does the volume's test show?",
+        {"trivial reject", "trivial accept", "potential overlap"},
+        test_.rejected   ? 0
+        : test_.accepted ? 1
+                         : 2,
+        fmt::format("Each of the two tests takes six comparisons at most: here {} in all.", operations(test_.cheap))};
   }
 
   void triangles_then() {
     const bool meets = !test_.hits.empty();
     const Tally &c = test_.cheap, &e = test_.expensive;
     script_.count({c.mul + e.mul, c.add + e.add, c.div + e.div, c.sqrt + e.sqrt, c.compare + e.compare});
-    script_.value("triangles in b", static_cast<double>(test_.hits.size()), {}, meets ? Role::hit : Role::miss);
+    script_.value("triangles that meet b", static_cast<double>(test_.hits.size()), {}, meets ? Role::hit : Role::miss);
     add("triangles", "Now every triangle", 4,
         meets ? "Those in green meet b. A yes-or-no test could stop at the first."
               : "No triangle meets b. Finding that out took a test of each.\n"

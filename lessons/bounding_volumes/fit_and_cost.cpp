@@ -117,7 +117,8 @@ class Fit {
     Step& step = add("slab", "A slab between two planes", 3,
                      "The note's planes are **n** · **x** + *d* = 0, so its slab is −*d*_{max} ≤ **n** · **x** ≤ "
                      "−*d*_{min}. Note the sign.\n"
-                     "The note uses unit normals; integer normals let us decide touching exactly.",
+                     "A *k*-DOP (discrete oriented polytope) is the intersection of *k*/2 slabs. The note uses unit "
+                     "normals; integer normals let us decide touching exactly.",
                      fmt::format("{} ≤ **n** · **x** ≤ {},  **n** = ({}, {}, {})", shown(s.lo), shown(s.hi),
                                  shown(n.x()), shown(n.y()), shown(n.z())));
     std::vector<Item>& items = step.scene.items;
@@ -131,15 +132,17 @@ class Fit {
     for (const std::string& k : sizes_of_dops) all.push_back(measured_kdop(mesh_, std::stoi(k)));
     script_.value(all_[3].name, all_[3].volume, "volume", Role::second);
     Step& step = add("k-dops", "k-DOPs: more slabs, less void", 3,
-                     "*k* is even: *k*/2 normals give *k*/2 slabs, and the volume is their intersection.\n"
+                     "*k* is even, as each normal gives a slab with two bounds. More slabs cut off more.\n"
                      "All objects share the normals, so only *k* bounds are stored. With *k* = 6 this is the AABB.",
                      "*lo_i* ≤ **n***_i* · **x** ≤ *hi_i* for each *i*");
     step.scene.items = side_by_side(mesh_, fitted_.object, all);
     step.scene.handles.clear();  // the object stands in each small picture, and nowhere else
-    step.question = Question{"Can a 14-DOP have more void than the AABB?",
-                             {"yes", "no"},
-                             all[1].volume > all[0].volume ? 0 : 1,
-                             "Its normals are those of the AABB and four more."};
+    const int k = k_ > 6 ? k_ : 14;
+    step.question =
+        Question{fmt::format("How much void can {} {}-DOP have, compared with the AABB?", k == 18 ? "an" : "a", k),
+                 {"never more", "always less", "more, for some objects"},
+                 0,
+                 fmt::format("Its normals are those of the AABB and {} more, which may cut nothing off.", k / 2 - 3)};
     keep_picture(script_.walk());
   }
 
@@ -156,7 +159,8 @@ class Fit {
     const std::size_t best = tightest();
     Step& step = add("side-by-side", "Tightness, storage, cost", 4,
                      "Void is given relative to the object's own volume. No convex volume is tighter than the hull.\n"
-                     "A cell is one stored number; operations are for one test that finds an overlap.");
+                     "A cell is one stored number, and at most 33 are drawn. Operations are for one test that finds an "
+                     "overlap.");
     step.scene.items = side_by_side(mesh_, fitted_.object, all_);
     step.scene.handles.clear();
     step.question =
@@ -195,6 +199,7 @@ class Fit {
     Step& step = script_.add("trade-off", "Tightness against cost", -1,
                              "Those on the Pareto front (steps) are the tightest at their cost; the others are "
                              "dominated.\n"
+                             "Three *k*-DOPs are plotted, with *k* = 14, 18 and 26; the hull has no fixed cost. "
                              "Another object may change the order: drag its tip in an earlier step.");
     step.scene.chart = std::make_shared<const Chart>(Chart{plot});
   }

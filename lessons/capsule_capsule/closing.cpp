@@ -57,7 +57,8 @@ const Closing& closing() {
           {"a runs from (0, 0) to (4, 0), *r*_a = 1; b is a ball at (6, 3), radius 2. Do they meet?",
            "The nearest point is the end (4, 0), √(4 + 9) = 3.606 away. That is more than 3, so they do not."},
           {"Why may the four ends not be enough in space?",
-           "Two segments that pass each other, like the diagonals of a box's opposite faces, are nearest between their "
+           "Two segments that pass each other, like diagonals of a box's opposite faces that are not parallel, are "
+           "nearest between their "
            "ends."},
       }};
   return closing;

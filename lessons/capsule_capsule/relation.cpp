@@ -11,8 +11,9 @@ std::string because(const Setup& s) {
     case Relation::disjoint:
       return "No end comes within *s* of the other segment, and they do not cross.";
     case Relation::touching:
-      return s.thin() ? "One of them is a segment, which has no interior."
-                      : "An end is exactly *s* away, and none is nearer.";
+      return s.a.radius == 0 && s.b.radius == 0 ? "Both are segments, which have no interior."
+             : s.thin()                         ? "One of them is a segment, which has no interior."
+                                                : "An end is exactly *s* away, and none is nearer.";
     case Relation::overlapping:
       return "They come nearer than *s*, but neither contains the balls at both ends of the other.";
     default:
@@ -25,12 +26,13 @@ std::string end_caption(const Setup& s) {
   switch (s.truth) {
     case Relation::disjoint:
       return "The segments are more than *s* apart: a gap is left.\n"
-             "The core compares squares, multiplied out, so it needs no division and no square root.";
+             "The exact test compares squares, multiplied out, so it needs no division and no square root.";
     case Relation::touching:
       if (s.thin())
-        return "A capsule of radius 0 is a segment. In the plane it has no interior, so the two can only touch.\n"
+        return "A capsule of radius 0 is a segment. In the plane it has no interior: if the two meet, they touch, "
+               "unless one contains the other.\n"
                "If the common point is not a double, methods that compute it may miss it.";
-      return "The distance is exactly *s*: the core takes the sign of *d* − *s* without rounding.\n"
+      return "The distance is exactly *s*: the exact test takes the sign of *d* − *s* without rounding.\n"
              "They share boundary points, and no interior point.";
     case Relation::overlapping:
       return "They share interior points, and neither contains the other.\n"

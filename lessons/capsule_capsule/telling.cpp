@@ -21,8 +21,8 @@ namespace {
 const std::vector<std::string> pseudocode = {
     "s ← r_a + r_b",                                                // 0
     "if the segments cross: d ← 0",                                 // 1
-    "else: for p_a and q_a: d ← distance to b's segment, if less",  // 2
-    "      for p_b and q_b: d ← distance to a's segment, if less",  // 3
+    "else: for p_a, q_a, until d < s: d ← distance to b, if less",  // 2
+    "      for p_b, q_b, until d < s: d ← distance to a, if less",  // 3
     "if d > s: return DISJOINT",                                    // 4
     "if the balls at the ends of one lie in the other: INSIDE",     // 5
     "return OVERLAPPING, or TOUCHING if d = s or r_a r_b = 0"       // 6
@@ -111,10 +111,16 @@ class Teller {
     Step& step = add(of_a ? "ends-a" : "ends-b", of_a ? "The ends of a" : "The ends of b", of_a ? 2 : 3, caption,
                      "least *d* so far = " + shown(least_));
     step.question =
-        which_value(fmt::format("What is the smallest *d* so far, once the ends of {} are tested?", of_a ? "a" : "b"),
-                    least_, misconceived(), "The nearest point of a segment lies between its ends, or is one of them.");
+        which_value(fmt::format("{} tested. What is the least *d* so far?", tested()), least_, misconceived(),
+                    "The nearest point of a segment lies between its ends, or is one of them.");
     shown_.earlier.insert(shown_.earlier.end(), ends_.begin(), ends_.end());
     shown_.ways.clear(), ends_.clear();
+  }
+
+  /// "**p**_a is": the ends of this step; a search that ends early leaves some out.
+  std::string tested() const {
+    return ends_.size() == 1 ? std::string(end_names[ends_.front().end]) + " is"
+                             : fmt::format("{} and {} are", end_names[ends_.front().end], end_names[ends_.back().end]);
   }
 
   /// The least distances to the ends alone, and to the line without its ends.
@@ -160,9 +166,15 @@ class Teller {
                                              : "=",
                                  shown(sum())));
     if ((least_ <= sum()) == meet)  // else rounding hides the difference
-      Script::decide(step, {"*d* ≤ *s*", least_, sum(), meet, meet ? "they share a point" : "a gap between them"});
+      Script::decide(step, {"*d* ≤ *s*", least_, sum(), meet,
+                            !meet        ? "a gap between them"
+                            : is_least() ? "they share a point"
+                                         : "they share a point, and the distance may be less still"});
     step.question = relation_question(s_.truth, "the two capsules", because(s_));
   }
+
+  /// Whether d is the segments' distance: no endpoint was left out.
+  bool is_least() const { return crossed_ || shown_.earlier.size() == 4; }
 
   /// A segment without thickness in the other's interior.
   bool pierced() const { return s_.thin() && sum() > 0 && (crossed_ || nearer()); }

@@ -65,8 +65,8 @@ const Closing& closing() {
            {{"speed", "5"}}},
           {"A body of 0.1 m flies at 30 m/s towards a wall of 0.45 m. Tests run at 60 Hz. Can it tunnel?",
            "One step is 30 / 60 = 0.5 m. Wall and body together are 0.55 m. As 0.5 < 0.55, it cannot."},
-          {"Of 1,000 bodies, 900 never move. How many pairs are left to test?",
-           "Pairs of two bodies at rest are dropped: 900 · 899 / 2. Of 499,500 pairs, 94,950 are left."},
+          {"Of 1000 bodies, 900 never move. How many pairs are left to test?",
+           "Pairs of two bodies at rest are dropped: 900 · 899 / 2. Of 499 500 pairs, 94 950 are left."},
           {"Find boxes for which sweep and prune tests all pairs, though none overlap.",
            "Stack them: all have the same interval on the sorted axis, and gaps on the other one."},
       }};

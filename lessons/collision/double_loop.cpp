@@ -29,9 +29,12 @@ class DoubleLoop : Teller {
         "That is O(*n*^2), provided that each test is O(1).",
         fmt::format("*n* (*n* − 1) / 2 = {} tests", n * (n - 1) / 2))
         // j runs from i; each pair is tested twice; a box is tested with itself, too
-        .question = which_value(fmt::format("How many tests does the double loop take for {} boxes?", n),
-                                n * (n - 1) / 2, {n * (n + 1) / 2, n * (n - 1), n * n},
-                                "Each box is paired with every other, and each pair is counted twice.");
+        .question =
+        which_value(fmt::format("How many tests does the double loop take for {} boxes?", n), n * (n - 1) / 2,
+                    {n * (n + 1) / 2, n * (n - 1), n * n},
+                    fmt::format("Pairing each box with every other gives {} · {} = {}, which counts each pair twice. "
+                                "Half of it is {}.",
+                                n, n - 1, n * (n - 1), n * (n - 1) / 2));
     Record<all_pairs::Event<2>> record;
     all_pairs::brute_force(
         boxes_, [](int, int) {}, record);

@@ -61,7 +61,12 @@ class Sweep : Teller {
     drawn_.sweep = boxes_[box].lo[axis_];
     drawn_.active.push_back(box);
     std::string gone;
-    for (const int k : left_) gone += fmt::format("{}{}", gone.empty() ? "" : ", ", k);
+    for (std::size_t k = 0; k < left_.size(); ++k)
+      gone += fmt::format("{}{}",
+                          k == 0                 ? (left_.size() == 1 ? "box " : "boxes ")
+                          : k + 1 < left_.size() ? ", "
+                                                 : " and ",
+                          left_[k]);
     left_.clear();
     const auto active = static_cast<double>(drawn_.active.size());
     script_.value("active", active);
@@ -73,7 +78,7 @@ class Sweep : Teller {
     asked_ = true;
     // none is ever removed; the new one is not counted; those removed are counted too
     step.question = which_value(fmt::format("Next is box {}. How many boxes are active then, with it?", box), active,
-                                {static_cast<double>(entered_), active - 1, active + 1},
+                                {static_cast<double>(entered_), active > 1 ? active - 1 : active + 2, active + 1},
                                 "Boxes that have begun and not yet ended meet the plane.");
     keep_picture(script_.walk());
     for (Item& item : step.question->over->items)  // the plane has gone on

@@ -116,7 +116,7 @@ void Teller::total(int line, const std::string& caption) {
   const Tests& t = tests().back();
   Step& step = add(
       "growth", "As *n* grows", line,
-      fmt::format("1,000 random boxes: {} tests by brute force, {} by the sweep, {} of nodes and boxes by a "
+      fmt::format("1000 random boxes: {} tests by brute force, {} by the sweep, {} of nodes and boxes by a "
                   "hierarchy.\nAll find the same {} pairs. Boxes lying still need not be tested against others lying "
                   "still.",
                   shown(static_cast<double>(t.brute)), shown(static_cast<double>(t.sweep)),
@@ -124,7 +124,7 @@ void Teller::total(int line, const std::string& caption) {
       "*n* (*n* − 1) / 2 = O(*n*^2)");
   step.scene = {};
   step.scene.chart = chart();
-  step.question = Question{"Which needs fewest tests for 1,000 boxes?",
+  step.question = Question{"Which needs fewest tests for 1000 boxes?",
                            {"brute force", "the sweep", "the hierarchy"},
                            t.tree < t.sweep ? 2 : 1,
                            "All three were counted on the same boxes."};

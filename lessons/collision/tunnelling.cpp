@@ -137,8 +137,11 @@ class Flight {
                            "negatives."
                          : "A box around the whole path misses the wall: they cannot collide.");
     step.decides = true;
-    step.question = which_line(script_.walk().pseudocode, may ? 5 : 4, {2, 4, 5},
-                               "The swept volume is one box from the first place to the last one.");
+    // 2: that boxes around their ways are the bodies themselves
+    step.question = Question{"The discrete times are over. What does a box around the whole path show?",
+                             {"they never meet", "they may meet: a ray decides", "they meet"},
+                             may ? 1 : 0,
+                             "The swept volume is one box from the first place to the last one."};
     if (may) {
       script_.refuse(3, {4});
       return true;

@@ -65,8 +65,9 @@ class Coarsening {
       count();
       script_.value("levels", static_cast<double>(h_.levels.size()));
       add("coarsest", "Two triangles are left", 1,
-          "A triangulation has fewer than 3 edges per vertex, and at least 3 meet at each. So at least half of the "
-          "vertices have 8 edges or fewer.\n"
+          "*n* vertices have fewer than 3*n* edges: fewer than 6 meet at a vertex on average, and never fewer than 3. "
+          "So "
+          "at least half of the vertices have 8 edges or fewer.\n"
           "Each one chosen rules out 8 at most: each round removes a constant fraction. Hence O(lg *n*) levels, O(*n*) "
           "triangles.",
           level);
@@ -79,8 +80,8 @@ class Coarsening {
             "holes are apart.",
             level - 1);
     step.question = Question{"Why must no edge join two vertices that are removed at once?",
-                             {"Their holes would be one, which may grow without bound.",
-                              "The triangles left would overlap.", "The point **p** could lie on that edge."},
+                             {"Their holes would be one, which may grow without bound",
+                              "The triangles left would overlap", "The point **p** could lie on that edge"},
                              0,
                              "A hole of at most 8 sides is filled, and linked, in constant time."};
     drawn_.gone.clear();

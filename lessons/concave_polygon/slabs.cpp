@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "lessons/concave_polygon/slab_picture.h"
@@ -50,7 +51,7 @@ class Slabs {
         fmt::format("{} ≤ *n*^2/2 = {}", stored, shown(n * n / 2.0)))
         .question =
         // misconceptions: each edge is stored once; each lies in every slab; the bound is reached
-        which_value("How many squares are needed, one for each edge of each slab?", stored,
+        which_value("How many edges must be stored, if each counts once for every slab that it crosses?", stored,
                     {1.0 * n, 1.0 * n * (n - 1), std::floor(n * n / 2.0)},
                     "Count, for every edge, the slabs that it runs through.");
     keep_picture(script_.walk());
@@ -99,7 +100,8 @@ class Slabs {
   void say(const slab_map::OnLine& e) {
     on_line_ = e.holds;
     Step& step = add("line", "Level with a vertex", 3,
-                     e.holds ? "**p** lies on the slab's lower line, exactly, and on a vertex or a level edge."
+                     e.holds ? std::string("**p** lies on the slab's lower line, exactly, and ") +
+                                   (std::ranges::count(s_.ring, s_.p) > 0 ? "is a vertex." : "on a level edge.")
                      : real(drawn_.slab) ? "**p** lies on the slab's lower line, exactly, but on no vertex of it.\n"
                                            "A slab includes its lower line, so the search continues in it."
                                          : "**p** is level with the highest vertex, but not that vertex: outside.");

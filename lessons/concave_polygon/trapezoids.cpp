@@ -115,22 +115,28 @@ class Trapezoids {
     add_graph(scene, now, k == 0);
     count(now);
     Step& step =
-        add(fmt::format("insert-{}", k + 1), fmt::format("Edge *e*_{{{}}} is added", inserted.piece), k == 0 ? 2 : 1,
+        add(fmt::format("insert-{}", k + 1), fmt::format("Edge *e*_{{{}}} is added, number {}", inserted.piece, k + 1),
+            k == 0 ? 2 : 1,
             k == 0 ? "Walls run up and down from its two ends. Four trapezoids replace the one.\n"
                      "Queries lead to them: circles test left or right, squares below or above."
-                   : fmt::format("It cuts {} trapezoid{}, shaded here: questions take {} place. The rest stays "
+                   : fmt::format("{}The edge cuts {} trapezoid{}, shaded here: questions take {} place. The rest stays "
                                  "as it was.",
-                                 inserted.cut, inserted.cut == 1 ? "" : "s", inserted.cut == 1 ? "its" : "their"),
+                                 k == 1 ? "" : fmt::format("{} been added in between.\n", since(k)), inserted.cut,
+                                 inserted.cut == 1 ? "" : "s", inserted.cut == 1 ? "its" : "their"),
             std::move(scene));
     if (k > 0) {
       // misconceptions: only where it begins; only at its two ends; all
       step.question =
-          which_value(fmt::format("How many trapezoids does the new edge *e*_{{{}}} cut?", inserted.piece),
+          which_value(fmt::format("{}How many of the {} trapezoids does the new edge *e*_{{{}}} cut?",
+                                  k == 1 ? "" : since(k) + " been added. ", sizes(before).trapezoids, inserted.piece),
                       inserted.cut, {1, 2, 1.0 * sizes(before).trapezoids}, "Those whose interior it runs through.");
       step.question->over = grown(s_, before, inserted_, inserted.piece);
       add_graph(*step.question->over, before, false);
     }
   }
+
+  /// The edges between the first and the k-th after it.
+  static std::string since(int k) { return k == 2 ? "One more edge has" : fmt::format("{} more edges have", k - 1); }
 
   void search() {
     Record<trapezoid_map::Event> record;

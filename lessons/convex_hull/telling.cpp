@@ -32,9 +32,17 @@ class Teller {
 
   Walk tell() {
     script_.value("points", static_cast<double>(points_.size()));
+    Ring<double, 2> different = points_;
+    std::ranges::sort(different, before<double>);
+    different.erase(std::unique(different.begin(), different.end()), different.end());
+    const bool twice = different.size() < points_.size();
+    if (twice) script_.value("different points", static_cast<double>(different.size()));
+    const std::string kept =
+        twice ? fmt::format("Equal points are kept once: {} are left.\n", different.size()) : std::string();
     add("points", "Points", 0,
-        "Think of a rubber band around nails. Sorting by *x*, then *y*, dominates the time: O(*n* lg *n*).\n"
-        "The scan is linear: a chain takes each point once, and drops it at most once.");
+        kept +
+            "Think of a rubber band around nails. Sorting by *x*, then *y*, dominates the time: O(*n* lg *n*).\n"
+            "The scan is linear: a chain takes each point once, and drops it at most once.");
     Record<convex_hull_2d::Event<double>> record;
     isect::convex_hull(points_, record);
     for (const auto& event : record.events) {
@@ -104,7 +112,7 @@ class Teller {
     const std::size_t points = drawn_.chain.size();
     const std::string done = removed_.size() == 1 ? "drop one, then append"
                              : !removed_.empty()  ? fmt::format("drop {}, then append", removed_.size())
-                             : points == 1        ? "the chain begins"
+                             : points == 1        ? (drawn_.upper ? "the upper chain begins" : "the lower chain begins")
                              : points == 2        ? "no turn yet, append"
                                                   : "a left turn, append";
     return fmt::format("({}, {}): {}", shown(q.x()), shown(q.y()), done);
@@ -126,9 +134,9 @@ class Teller {
           right == 1 ? "its last point" : fmt::format("{} of its points", right), right == 1 ? "it is" : "they are",
           chain, drawn_.upper ? "" : " The upper chain may still take " + std::string(right == 1 ? "it." : "them."));
     if (straight > 0)
-      told += fmt::format("{}At {} it runs straight on: {} within an edge, and no vertex.", right > 0 ? "\n" : "",
+      told += fmt::format("{}At {} it runs straight on: {} within an edge, so {} no vertex.", right > 0 ? "\n" : "",
                           straight == 1 ? "one point" : fmt::format("{} points", straight),
-                          straight == 1 ? "that point lies" : "these points lie");
+                          straight == 1 ? "that point lies" : "these points lie", straight == 1 ? "it is" : "they are");
     return told;
   }
 
@@ -155,14 +163,21 @@ class Teller {
         add(m.slug, std::string("Against the ") + m.name, -1,
             fmt::format("The {} is kept in {} numbers, the hull in {}.\n", m.name, m.numbers, 2 * hull_.size()) +
                 (same ? "Both have the same area, so it leaves no void beyond the hull."
-                      : "Its volume outside the hull is void: the price of fewer numbers and a simpler test."),
+                      : "Its area outside the hull is void: the price of fewer numbers and a simpler test."),
             area_ > 0 ? fmt::format("void = {} = {} × the hull", shown(empty), shown(empty / area_)) : "");
-    step.question = Question{fmt::format("How large is the {}, compared with the hull?", m.name),
-                             {"smaller", "just as large", "up to twice as large", "more than twice as large"},
-                             same                  ? 1
-                             : m.area <= 2 * area_ ? 2
-                                                   : 3,
-                             "It is convex and contains the points, so it contains their hull: it is never smaller."};
+    step.question =
+        Question{fmt::format("How large is the {}, compared with the hull?", m.name),
+                 {"just as large", "up to twice as large", "more than twice as large"},
+                 same                  ? 0
+                 : m.area <= 2 * area_ ? 1
+                                       : 2,
+                 same        ? "It contains the hull, and leaves no void beside it."
+                 : area_ > 0 ? fmt::format("It contains the hull, and is {} times as large.", shown(m.area / area_))
+                             : "It contains the hull, which has no area here."};
+    if (what == Bounding::ball) {  // told once: what contains the hull is never smaller
+      step.question->choices.insert(step.question->choices.begin(), "smaller");
+      ++step.question->answer;
+    }
   }
 
   const Ring<double, 2>& points_;

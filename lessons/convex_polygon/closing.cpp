@@ -62,9 +62,9 @@ const Closing& closing() {
            "inside",
            rejected_by_two_orientations,
            {{"p", "2.75,1.25,0"}}},
-          {"How many orientations can a polygon of 1,000 vertices take?",
+          {"How many orientations can a polygon of 1000 vertices take?",
            "lg 998 is a little less than 10, rounded up 10. So at most 3 + 3 · 10 = 33."},
-          {"Why does a vertex as apex need no angles, and an interior point a case distinction?",
+          {"Why does a vertex as apex need no angles, while an interior point needs a case distinction?",
            "From a vertex all directions lie within half a turn, where one sign orders any two. Around an interior "
            "point "
            "they fill the whole turn."},

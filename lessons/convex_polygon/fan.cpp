@@ -69,7 +69,7 @@ class Fan {
     left_ = e.first < 0 || e.last > 0;
     Step& step = add("within", "Within the fan?", 1,
                      left_ ? "**p** lies outside one of the two edges at **v**_0, so outside the polygon."
-                           : "**p** lies on the inner side of both edges at **v**_0: some wedge contains it.");
+                           : "**p** lies beyond neither edge at **v**_0: if the polygon contains it, some wedge does.");
     step.decides = true;
     // misconceptions: every wedge is looked at; half of them are, on average
     step.question = which_value("How many bisections can it take at most to find the wedge?", bisections(s_.size()),

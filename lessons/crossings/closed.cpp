@@ -99,7 +99,7 @@ class Closed : Teller {
                                      : Verdict::Kind::no,
                    boundary ? counted + ". In truth ON the boundary"
                    : right  ? counted
-                            : counted + ". Wrong, true is " + verdict_text(setup_.truth));
+                            : counted + ". Wrong: the truth is " + verdict_text(setup_.truth));
     if (!inside) script_.refuse(6, {});
     Step& step = add("verdict", "Odd or even", inside ? 6 : 7, told(boundary, right));
     step.decides = true;
@@ -111,14 +111,14 @@ class Closed : Teller {
     if (right && extra == 0) return "The answer is right: this count is that of the half-open rule.";
     if (right)
       return fmt::format(
-          "The answer is right, but not the count: true is {}.\n"
+          "The answer is right, but not the count, which should be {}.\n"
           "Its error is even, so the parity survives, by luck.",
           setup_.truth.crossings);
     const std::string why = setup_.vertices_on_ray() > 0 ? "The vertices on the ray make the difference: the half-open "
                                                            "rule gives each of them to one side."
                                                          : "No vertex lies on the ray: rounding makes the difference.";
-    return fmt::format("The answer is wrong: {} crossing{} true.\n{}", setup_.truth.crossings,
-                       setup_.truth.crossings == 1 ? " is" : "s are", why);
+    return fmt::format("The answer is wrong: there {} {} crossing{}.\n{}", setup_.truth.crossings == 1 ? "is" : "are",
+                       setup_.truth.crossings, setup_.truth.crossings == 1 ? "" : "s", why);
   }
 };
 

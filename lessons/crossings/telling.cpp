@@ -67,9 +67,10 @@ Question Teller::how_many(const std::string& rule, int counted) const {
     closed += point_polygon::crossings_closed(setup_.p, ring);
     edges += static_cast<int>(ring.size());
   }
-  return which_value(rule + " How many edges count?", counted,
-                     {1.0 * closed, 1.0 * setup_.truth.crossings, 1.0 * crossings_of_line(setup_), 1.0 * edges},
-                     "Each edge is looked at in the next steps.");
+  return which_value(
+      rule + " How many edges count?", counted,
+      {1.0 * closed, 1.0 * setup_.truth.crossings, 1.0 * crossings_of_line(setup_), 1.0 * edges},
+      "An edge counts if it is neither wholly above nor wholly below, and crosses the height of **p** on the right.");
 }
 
 std::string Teller::slug(const EdgeOf& e) const {
@@ -89,9 +90,9 @@ void Teller::ask(Step& step, const EdgeOf& edge, const std::vector<int>& lines, 
   asked_ = true;
   const auto [a, b] = ends(setup_, edge);
   const auto pair = [](const Point<double, 2>& v) { return fmt::format("({}, {})", shown(v.x()), shown(v.y())); };
-  step.question = which_line(script_.walk().pseudocode, step.line, lines, because);
-  step.question->prompt = fmt::format("**p** = {}. The next edge runs from {} to {}. Which line settles it?",
-                                      pair(setup_.p), pair(a), pair(b));
+  step.question = which_line(fmt::format("**p** = {}. The next edge runs from {} to {}. Which line settles it?",
+                                         pair(setup_.p), pair(a), pair(b)),
+                             script_.walk().pseudocode, step.line, lines, because);
 }
 
 }  // namespace isect::lessons::crossings_lesson

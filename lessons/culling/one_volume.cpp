@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "lessons/culling/picture.h"
 #include "lessons/shared/script.h"
 #include "viz/solids.h"
@@ -80,10 +83,10 @@ class OneVolume {
     step.scene = std::move(scene);
     Script::decide(step, comparison);
     step.question = {fmt::format("Where does the {} lie, relative to the {} plane?", they_, name),
-                     {"wholly inside it", "on both sides of it", "wholly beyond it"},
-                     side == Culling::inside     ? 0
-                     : side == Culling::crossing ? 1
-                                                 : 2,
+                     {"wholly on its inner side", "wholly beyond it", "neither"},
+                     side == Culling::inside    ? 0
+                     : side == Culling::outside ? 1
+                                                : 2,
                      ball_ ? "Compare the distance of the centre with the radius."
                            : "Two opposite corners of the box decide: the p-vertex and the n-vertex."};
   }
@@ -96,9 +99,9 @@ class OneVolume {
     const auto at = [](const Point<C, 3>& p) -> Vec3 { return {p[0].value, p[1].value, p[2].value}; };
     const double greatest = e.at_greatest.value, least = e.at_least.value;
     const double length = plane_at(i).normal.norm();
-    script_.value("p-vertex", greatest / length, "length", greatest < 0 ? Role::miss : Role::hit);
+    script_.value("**n** · p-vertex + *d*", greatest / length, "length", greatest < 0 ? Role::miss : Role::hit);
     if (side != Culling::outside)
-      script_.value("n-vertex", least / length, "length", least < 0 ? Role::miss : Role::hit);
+      script_.value("**n** · n-vertex + *d*", least / length, "length", least < 0 ? Role::miss : Role::hit);
     const auto corner = [&](const Vec3& p, double height, const char* name) {
       scene.items.emplace_back(Dot{p,
                                    height < 0   ? Mark::no
@@ -112,6 +115,8 @@ class OneVolume {
     corner(at(e.greatest), greatest, "p-vertex");
     if (side != Culling::outside) corner(at(e.least), least, "n-vertex");
     reaches_ = greatest / length;
+    sharing_ = static_cast<int>(
+        std::ranges::count(std::array{plane_at(i).normal.x(), plane_at(i).normal.y(), plane_at(i).normal.z()}, 0.0));
     return {"0 ≤ **n** · **x** + *d*", 0, reaches_, greatest >= 0, ""};
   }
 
@@ -146,14 +151,15 @@ class OneVolume {
                      "One plane is enough to reject it, and no other is tested."
                    : "Even the p-vertex, the corner farthest along **n**, lies beyond. So all of the box does.\n"
                      "One plane is enough to reject it, and no other is tested.";
+    static const char* const sharing[] = {"The p-vertex", "An edge with the p-vertex", "A face with the p-vertex"};
     if (side == Culling::crossing)
       return ball_           ? "The centre is no farther than *r* from the plane: the ball may be visible."
-             : reaches_ == 0 ? "The p-vertex lies in the plane, and the rest beyond it: the box touches the plane."
+             : reaches_ == 0 ? sharing[sharing_] +
+                                   std::string(" lies in the plane, and the rest beyond it: the box touches the plane.")
                              : "The p-vertex lies on the inner side and the n-vertex beyond: the plane cuts the box.";
-    return ball_
-               ? "The whole ball lies on the inner side. That alone says nothing yet: each plane must agree."
-               : "Even the n-vertex, the corner least far along **n**, is not beyond. So the whole box is on the inner "
-                 "side.";
+    return ball_ ? "The whole ball lies on the inner side. That alone says nothing yet: each plane must agree."
+                 : "Even the n-vertex, the opposite corner, is not beyond. So the whole box is on the inner "
+                   "side.";
   }
 
   bool false_positive() const {
@@ -226,6 +232,7 @@ class OneVolume {
   const Answer truth_;
   const std::string they_;
   Script script_;
+  int sharing_ = 0;     ///< axes along the plane: what reaches farthest is a vertex, an edge or a face
   double reaches_ = 0;  ///< how far the volume reaches over the plane in turn
 };
 

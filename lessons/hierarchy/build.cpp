@@ -78,14 +78,14 @@ class Building {
     const char* const axis = split.axis == 0 ? "*x*" : "*y*";
     const std::string parts = fmt::format("{} on one side of it, {} on the other.", plural(split.left, "centre"),
                                           plural(split.right, "centre"));
-    Step& step =
-        add(fmt::format("cut-{}", number), fmt::format("Split {}: along {}", number, axis), number == 1 ? 1 : 3,
-            number == 1 ? "The surface-area heuristic: the chance that a line meets a part grows with its "
-                          "surface, in the plane its perimeter *P*.\n"
-                          "Of the splits tried, the cheapest is taken: " +
-                              parts
-                        : too_many(split) + "The part is split in the same way: " + parts,
-            &split);
+    Step& step = add(
+        fmt::format("cut-{}", number), fmt::format("Split {}: along {}", number, axis), number == 1 ? 1 : 3,
+        number == 1 ? "The surface-area heuristic: the chance that a line meets a part grows with its "
+                      "surface, in the plane its perimeter *P*.\n" +
+                          fmt::format("A visit costs {}, a test 1; a leaf costs its number of boxes. ", options.visit) +
+                          "Of the splits tried, the cheapest is taken: " + parts
+                    : too_many(split) + "The part is split in the same way: " + parts,
+        &split);
     const auto half_perimeter = [&](int node) {
       const Vec2 side = tree_.node(node).box.hi - tree_.node(node).box.lo;
       return side.x() + side.y();

@@ -85,8 +85,8 @@ Walk growth() {
                  {"for a ray: ask the nodes that it meets",            // 0
                   "for all pairs: ask the pairs of nodes that meet"},  // 1
                  "growth"});
-  script.value("a ray, *n* = 1,000", some.ray, "tests");
-  script.value("a ray, *n* = 100,000", most.ray, "tests");
+  script.value("a ray, *n* = 1000", some.ray, "tests");
+  script.value("a ray, *n* = 100 000", most.ray, "tests");
   Step& rays = script.add("rays", "A ray among *n* boxes", 0,
                           fmt::format("A hundred times as many boxes, but only {:.1f} times as many tests.\n"
                                       "The depth grew from {} to {}. Without a hierarchy a ray tests all *n* boxes.",
@@ -107,13 +107,13 @@ Walk growth() {
   without.chart = chart(
       "tests for a ray", "every box", [](double n) { return n; }, nullptr);
   rays.question->over = without;
-  script.value("all pairs, *n* = 100,000", most.pairs, "tests");
-  script.value("every pair, *n* = 100,000", 0.5 * most.n * (most.n - 1.0), "tests");
-  script.settle(Verdict::Kind::yes, fmt::format("depth {} for 100,000 boxes", most.depth));
+  script.value("all pairs, *n* = 100 000", most.pairs, "tests");
+  script.value("every pair, *n* = 100 000", 0.5 * most.n * (most.n - 1.0), "tests");
+  script.settle(Verdict::Kind::yes, fmt::format("depth {} for 100 000 boxes", most.depth));
   Step& pairs =
       script.add("pairs", "All pairs among *n* boxes", 1,
                  fmt::format("Testing every pair takes *n* (*n* − 1) / 2 tests. The hierarchy takes {:.1f} per box at "
-                             "*n* = 1,000, and {:.1f} at 100,000.\n"
+                             "*n* = 1000, and {:.1f} at 100 000.\n"
                              "Where few pairs meet, O(*n*^2) becomes O(*n* lg *n*) or even O(*n*). Where all meet, it "
                              "does not help.",
                              some.pairs / some.n, most.pairs / most.n));

@@ -137,9 +137,11 @@ class Colliding {
     asked_ = true;
     const auto in_b = static_cast<double>(b_.below(e.a).size()), in_a = static_cast<double>(a_.below(e.b).size());
     // only the nodes themselves; a sum for a product; all pairs there are
-    step.question = which_value("Two nodes lie apart. How many pairs of boxes does that rule out?", in_a * in_b,
-                                {1, in_a + in_b, static_cast<double>(a_.boxes.size() * b_.boxes.size())},
-                                "Each box below one node pairs with each box below the other.");
+    step.question = which_value(
+        fmt::format("A node of {} and one of {} lie apart. How many pairs of boxes does that rule out?",
+                    plural(static_cast<long long>(in_a), "box"), plural(static_cast<long long>(in_b), "box")),
+        in_a * in_b, {1, in_a + in_b, static_cast<double>(a_.boxes.size() * b_.boxes.size())},
+        "Each box below one node pairs with each box below the other.");
     step.question->over = asking;
   }
 

@@ -136,7 +136,9 @@ class Shooting {
     step.question = Question{"How many of the two children does the ray meet?",
                              {"none", "one", "both"},
                              2 - static_cast<int>(missed.size()),
-                             "The ray is tested against both boxes."};
+                             missed.empty()       ? "The ray meets the boxes of both."
+                             : missed.size() == 1 ? "The ray meets the box of one, and misses the other's."
+                                                  : "The ray misses the boxes of both."};
     keep_picture(script_.walk());
   }
 

@@ -53,9 +53,8 @@ const Closing& closing() {
           {"Derive the test for overlap by negating *a*_{min} > *b*_{max} or *b*_{min} > *a*_{max}.",
            "De Morgan: *a*_{min} ≤ *b*_{max} and *b*_{min} ≤ *a*_{max}. Both > become ≤, and \"or\" becomes \"and\"."},
           {"Allen counts 13 relations of two proper intervals. Which of them are one relation here?",
-           "Order does not matter here: before and after are disjoint, meets and met by are touching. Starts, during "
-           "and "
-           "finishes are all inside."},
+           "Disjoint: before, after. Touching: meets, met by. Overlapping: overlaps, overlapped by.\n"
+           "a inside b: starts, during, finishes. b inside a: started by, contains, finished by. Equals stands alone."},
       }};
   return closing;
 }

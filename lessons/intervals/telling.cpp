@@ -26,7 +26,15 @@ bool one_is_empty(const Setup& s) { return empty(s.a) || empty(s.b); }
 std::string they(const Setup& s) { return points(s) ? "the points" : "the intervals"; }
 
 std::string alt(const Setup& s) {
-  const auto ends = [](const Interval<double>& i) { return " from " + shown(i.lo) + " to " + shown(i.hi); };
+  if (points(s))
+    return "Two points on a number line, a at " + digits(s.a.lo, s.b.lo) + " and b at " + digits(s.b.lo, s.a.lo) +
+           ": " + words(s.truth, they(s)) + ".";
+  const auto end = [&](double x) {
+    for (const double other : {s.a.lo, s.a.hi, s.b.lo, s.b.hi})
+      if (digits(x, other) != shown(x)) return digits(x, other);
+    return shown(x);
+  };
+  const auto ends = [&](const Interval<double>& i) { return " from " + end(i.lo) + " to " + end(i.hi); };
   return "Two intervals above a number line, a" + ends(s.a) + " and b" + ends(s.b) + ": " + words(s.truth, they(s)) +
          ".";
 }
@@ -44,7 +52,8 @@ class Teller {
     if (line_ < 4) script_.leave_early();
     Step& step = script_.add("relation", "How they relate", line_, end_caption(), end_formula());
     step.scene = picture(s_, {}, true);
-    step.question = relation_question(s_.truth, they(s_), because());
+    if (line_ == 4 && !points(s_))
+      step.question = relation_question(s_.truth, they(s_), because());  // else it has been told
     return std::move(script_.walk());
   }
 
@@ -62,14 +71,14 @@ class Teller {
     step.scene = picture(s_, Vec2(lo, hi), false);
     Script::decide(step, {low + " > " + high, lo, hi, e.holds, e.holds ? "DISJOINT" : "no gap on this side"});
     // OVERLAP after one comparison: that one side tells all.
-    step.question = which_line(pseudocode,
-                               e.holds ? (first ? 1 : 3)
-                               : first ? 2
-                                       : 4,
-                               {first ? 1 : 3, first ? 2 : 4, 4},
-                               e.holds ? "One begins after the other has ended. Nothing else need be tested."
-                               : first ? "a does not begin after b has ended. The other side is still open."
-                                       : "Neither begins after the other has ended.");
+    step.question = Question{fmt::format("{} is compared with {}. What follows?", low, high),
+                             {"DISJOINT", "OVERLAP", "nothing yet"},
+                             e.holds ? 0
+                             : first ? 2
+                                     : 1,
+                             e.holds ? "One begins after the other has ended. Nothing else need be tested."
+                             : first ? "a does not begin after b has ended. The other side is still open."
+                                     : "Neither begins after the other has ended."};
     line_ = e.holds ? (first ? 1 : 3) : 4;
     if (!e.holds) script_.refuse(first ? 0 : 2, {first ? 1 : 3});
   }

@@ -26,8 +26,10 @@ const Closing& closing() {
       .result =
           "Two oriented boxes are disjoint if and only if |**l** · **t**| > *r*_a + *r*_b on one of 15 axes. "
           "Each *r* is the sum of *h*_j |**e**_j · **l**| over the box's axes **e**_j.",
-      .cost = "Up to 15 axes, about 200 operations. Pairs far apart are mostly rejected by the first axes.",
-      .choose = "For long, tilted bodies, after a cheaper test of balls or AABBs. For general polytopes use GJK.",
+      .cost = "Up to 15 axes, about 250 operations. Pairs far apart are mostly rejected by the first axes.",
+      .choose =
+          "For long, tilted bodies, after a cheaper test of balls or AABBs. For general polytopes use GJK (Gilbert, "
+          "Johnson and Keerthi).",
       .used = "Rigid bodies in physics engines, OBB trees of meshes, picking handles in editors, vehicles in games.",
       .bug =
           "An absolute ε. Without it, parallel edges give false gaps; with a coarse one, thin boxes give false "

@@ -106,16 +106,22 @@ void Teller::say(const Group& group, const std::vector<Compared>& all) {
 
 viz::Question Teller::question(const Group& group, const Compared& e) const {
   if (group.kind != Kind::face_of_a)
-    return which_line(pseudocode, e.separates ? group.line + 1 : group.line + 2, {group.line + 1, group.line + 2, 7},
-                      e.separates
-                          ? "On one axis of this group |**l** · **t**| > *r*_a + *r*_b."
-                          : "On each axis of this group |**l** · **t**| ≤ *r*_a + *r*_b, as the test computes.");
+    return {fmt::format("What follows, once {} are tested?", group.of),
+            {"DISJOINT", "OVERLAP", "nothing yet"},
+            e.separates                 ? 0
+            : group.kind == Kind::edges ? 1
+                                        : 2,
+            e.separates ? "On one axis of this group |**l** · **t**| > *r*_a + *r*_b."
+                        : "On each axis of this group |**l** · **t**| ≤ *r*_a + *r*_b, as the test computes."};
   // All half sides in full, the circumscribed ball, the longest side alone, and the sum without absolute values.
   const Vec3 along = s_.b.axes.transpose() * s_.a.axes.col(e.axis.i);
   const Vec3& h = s_.b.half;
-  return which_value(fmt::format("What is *r*_b on **l** = {}?", name_of(e.axis)), e.radius_b.value,
-                     {h.sum(), h.norm(), h.maxCoeff(), std::abs(h.dot(along))},
-                     "*r*_b = Σ *h*_j |**b**_j · **l**|, where ε is added to each |**b**_j · **l**|.");
+  return which_value(
+      fmt::format("**l** = {}: |**b**_u · **l**| = {}, |**b**_v · **l**| = {}, |**b**_w · **l**| = {}. "
+                  "What is *r*_b?",
+                  name_of(e.axis), shown(std::abs(along.x())), shown(std::abs(along.y())), shown(std::abs(along.z()))),
+      e.radius_b.value, {h.sum(), h.norm(), h.maxCoeff(), std::abs(h.dot(along))},
+      "*r*_b = Σ *h*_j |**b**_j · **l**|, where ε is added to each |**b**_j · **l**|.");
 }
 
 std::string Teller::separated(const Group& group, const Compared& e, double l, int asked) const {
@@ -151,9 +157,11 @@ std::string Teller::passed(const Group& group, const Compared& e, const std::vec
     return which + "\nOn another of them ε has closed a gap.";
   if (group.kind == Kind::face_of_a)
     return which + "\nFor **l** = **a**_i, *r*_a is the half-length *h*_i. *r*_b adds up three products.";
-  return group.kind == Kind::edges
-             ? which + "\nThe Minkowski difference of the boxes has no other face normals: no axis is left."
-             : which + "\nThe roles are exchanged, the numbers are reused.";
+  return group.kind == Kind::edges ? which +
+                                         "\nAll differences of a point of a and one of b form a polytope, the "
+                                         "Minkowski difference.\nIts faces have no other "
+                                         "normals: no axis is left."
+                                   : which + "\nThe roles are exchanged, the numbers are reused.";
 }
 
 bool Teller::widened(const Compared& e) const {

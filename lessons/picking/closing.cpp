@@ -54,7 +54,7 @@ const Closing& closing() {
                   "Christer Ericson, *Real-Time Collision Detection*, 2005, section 5.3."},
       .exercises = {
           {"Drag the pointer to where the ray hits two objects at the same *t*.",
-           "The two balls touch in a point that the eye sees at the height 0.25: (0.25, 0.5625) on the picture plane.",
+           "The two balls touch in a point that the eye sees at the height 0.25: (0.25, 0.5625) on the image plane.",
            "front",
            tied,
            {{"pointer", "-1.5,0.25,0.5625"}}},
@@ -70,8 +70,8 @@ const Closing& closing() {
               "**d** = "
               "**forward** + (0.5/540) **right** + (539.5/540) **up**.",
           },
-          {"10,000 objects have 500 triangles each, and the ray meets 12 bounding balls. How many tests are needed?",
-           "10,000 + 12 · 500 = 16,000, instead of 5,000,000."},
+          {"10 000 objects have 500 triangles each, and the ray meets 12 bounding balls. How many tests are needed?",
+           "10 000 + 12 · 500 = 16 000, instead of 5 000 000."},
       }};
   return closing;
 }

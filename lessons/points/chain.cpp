@@ -35,9 +35,9 @@ class Chain {
                  1,
                  "By the triangle inequality |**p** − **r**| ≤ |**p** − **q**| + |**q** − **r**|, and both may be the "
                  "tolerance."};
-    script_.settle(
-        broken ? Verdict::Kind::no : Verdict::Kind::yes,
-        broken ? "not transitive: **p** ~ **q** and **q** ~ **r**, but not **p** ~ **r**" : "no contradiction here");
+    script_.settle(broken ? Verdict::Kind::no : Verdict::Kind::yes,
+                   broken ? "not transitive: **p** near **q**, **q** near **r**, but **p** not near **r**"
+                          : "no contradiction here");
     Step& step = script_.add(
         "verdict", broken ? "Nearness is not transitive" : "No contradiction", 3,
         broken     ? "Nearness is not an equivalence relation: clusters depend on the order of merging.\n"

@@ -47,7 +47,7 @@ const Closing& closing() {
                   "David Goldberg, What Every Computer Scientist Should Know About Floating-Point Arithmetic, *ACM "
                   "Computing Surveys* 23, 1991."},
       .exercises = {
-          {"Place **q** and **r** so that **p** ~ **q** and **q** ~ **r**, but not **p** ~ **r**.",
+          {"Place **q** and **r** so that **p** is near **q** and **q** near **r**, but **p** is not near **r**.",
            "Put **r** beyond **q**, seen from **p**, and at most one tolerance away from **q**.",
            "cube",
            broken_chain,

@@ -42,7 +42,7 @@ class Nearness {
     using namespace point_point;
     script_.value("tolerance", s_.tested_within, "", Role::first);
     add("tolerance", "How near is near?", 3,
-        "**q** is near to **p** if it lies in the ball of this radius around **p**.\n"
+        "**q** is near **p** if it lies in the ball around **p** whose radius is the tolerance.\n"
         "The caller chooses the tolerance.",
         {});
     const Point<C, 3> p = s_.tp.cast<C>(), q = s_.tq.cast<C>();
@@ -89,9 +89,11 @@ class Nearness {
     if (method == 0) {
       const auto says_near = std::ranges::count_if(said_, [](const Said& x) { return x.near; });
       // 0 and 4: that all ways to write the test are one.
-      step.question =
-          which_value("Four methods, the exact one included. How many say NEAR?", static_cast<double>(says_near),
-                      {0, 1, 4}, "Compare what follows: a ball, a square root, a cube, and numbers out of range.");
+      step.question = which_value(
+          "Four methods, the exact one included. How many say NEAR?", static_cast<double>(says_near), {0, 1, 4},
+          says_near == 4   ? "All accept it: no rounding, and no corner of the cube, tells them apart here."
+          : says_near == 0 ? "All reject it: it lies outside the cube, and so outside the ball."
+                           : "They part where a square leaves the range, or **q** lies near a corner of the cube.");
     }
   }
 
@@ -131,7 +133,7 @@ class Nearness {
     const double largest = std::max(s_.tp.cwiseAbs().maxCoeff(), s_.tq.cwiseAbs().maxCoeff());
     const double apart = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
     add("spacing", "How small may a tolerance be?", -1,
-        "Doubles the size of the largest coordinate are this far apart. A smaller tolerance means equality.\n"
+        "Doubles as large as the largest coordinate are this far apart. A smaller tolerance means equality.\n"
         "Near 10^6 doubles are 1.2 · 10^{−10} apart, and floats 0.06. So scale the tolerance with the coordinates.",
         {}, fmt::format("next double after {}: + {}", shown(largest), shown(apart)));
   }

@@ -31,7 +31,10 @@ const std::string& opening() {
 
 const Closing& closing() {
   static const Closing closing = {
-      .result = "The ray hits if *t* ≥ 0 and its point lies in the polygon, both projected along the largest |*n_i*|.",
+      .result =
+          "The ray hits if *t* ≥ 0 and its point lies in the polygon: in the plane, without the coordinate of the "
+          "largest "
+          "|*n_i*|.",
       .cost =
           "O(*n*) for *n* vertices: one pass for **n**, one for the crossings. With **n** stored, only the "
           "crossings.",

@@ -80,8 +80,8 @@ class Teller {
                         (t > 0   ? "As *t* > 0, it lies ahead of **o**."
                          : t < 0 ? "As *t* < 0, it lies behind **o**."
                                  : "As *t* = 0, it is **o** itself.") +
-                        "\nThe note writes the plane with *D* = −**n** · **p**_0, and −(**n** · **o** + *D*) above "
-                        "the bar: the same *t*.",
+                        "\nThe note writes the plane with *D* = −**n** · **p**_0, and −(**n** · **o** + *D*) in "
+                        "the numerator: the same *t*.",
                     "*t* = **n** · (**p**_0 − **o**) / (**n** · **d**) = " + shown(t));
     step.scene = picture(s_, known_, normal_);
     Script::decide(step, {"*t* ≥ 0", t, 0, e.holds, e.holds ? "on the ray" : "behind the origin"});
@@ -109,8 +109,8 @@ class Teller {
   std::string drop_caption() const {
     const double least = normal_.cwiseAbs().minCoeff();
     return std::string(
-               "|*n_i*| is twice the area of the projection without coordinate *i*. Where it is not 0, in and "
-               "out stay.\n") +
+               "|*n_i*| is twice the area of the projection without coordinate *i*. Where it is not 0, inside "
+               "stays inside.\n") +
            (least == 0 ? "The coordinate with *n_i* = 0 must stay: without it, the polygon collapses to a segment."
                        : "The largest keeps most area. A thin projection lets rounding move the point over an edge.");
   }
@@ -122,7 +122,9 @@ class Teller {
         fmt::format("What is left is a point and a polygon in the plane.\n"
                     "Its ray to the right crosses {}: an {} number, so {}.",
                     plural(count, "edge"), count % 2 == 1 ? "odd" : "even", count % 2 == 1 ? "inside" : "outside"));
-    step.scene = crossings(s_, flattened(s_, point_, chosen_), passing_);
+    const Flat flat = flattened(s_, point_, chosen_);
+    step.formula = fmt::format("**r**′ = ({}, {})", shown(flat.point.x()), shown(flat.point.y()));
+    step.scene = crossings(s_, flat, passing_);
     step.question = {"How many edges does the point have on its right?",
                      {"none", "one", "two", "more"},
                      static_cast<int>(std::min<std::ptrdiff_t>(count, 3)),
@@ -165,7 +167,8 @@ class Teller {
     if (truth.flat) return "The polygon has no area, and so no plane.";
     if (truth.coplanar)
       return "The whole line lies in the plane: no single *t*. The note's formula would divide 0 by 0.\n"
-             "Its form answers MISS, as most libraries choose; for a plane without outline the lesson on rays says "
+             "The note's form answers MISS, as most libraries choose; for a plane without outline the lesson on rays "
+             "says "
              "HIT. "
              "The exact test gives an answer of its own: the ray lies in the plane.\n"
              "Whether it crosses the polygon there is a question in two dimensions: a ray against each edge.";

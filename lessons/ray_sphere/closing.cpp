@@ -26,14 +26,17 @@ const std::string& opening() {
 
 const Closing& closing() {
   static const Closing closing = {
-      .result = "The first hit is the smallest root of |**f** + *t* **d**|^2 = *r*^2 in the ray's closed range.",
+      .result =
+          "The first hit is the smallest root of |**o** + *t* **d** − **c**|^2 = *r*^2 in the ray's closed range.",
       .cost =
           "Haines, given a unit direction: one square root, no division; neither for a ball behind. The quadratic: one "
           "square root, two "
           "divisions.",
       .choose =
           "Haines for unit directions. Half-B with stable roots for others: the root whose terms have equal signs, "
-          "then the other by *t*_1 *t*_2 = *C* / *A*. Far away also a robust discriminant, *A* (*r*^2 − *m*^2).",
+          "then the other by *t*_1 *t*_2 = *C* / *A* (see the quadratic presets). Far away also a robust discriminant, "
+          "*A* "
+          "(*r*^2 − *m*^2).",
       .used =
           "Primary and shadow rays, picking, line of sight, sphere trees. A moving ball against a ball is a ray "
           "against an expanded ball.",
@@ -56,8 +59,9 @@ const Closing& closing() {
            "is *t*_1 = (30 − √252) / 18 ≈ 0.785."},
           {"When does the entry root lose digits, and which form keeps them?",
            "For *B* < 0, −*B* and √*D* nearly cancel where *C* is small: the origin is near the surface. Compute "
-           "*t*_2 first, then *t*_1 = *C* / (*A* *t*_2): stable roots. Far away *B*^2 − *A* *C* cancels; "
-           "the robust discriminant *A* (*r*^2 − |**f** − (*B* / *A*) **d**|^2) does not (*B* halved).",
+           "*t*_2 first, then *t*_1 = *C* / (*A* *t*_2): stable roots. Far away, with *B* halved, *B*^2 − *A* *C* "
+           "cancels; "
+           "the robust discriminant *A* (*r*^2 − |**f** − (*B* / *A*) **d**|^2) does not.",
            "near-surface-quadratic"},
           {"The direction is doubled in length. What happens to *A*, *B*, *C*, the roots and the points?",
            "*A* grows fourfold and *B* twofold; *C* is unchanged. The roots are halved; the points are unchanged."},
@@ -71,7 +75,7 @@ const Closing& closing() {
 
 const std::vector<Erratum>& errata() {
   static const std::vector<Erratum> all = {
-      {"if l² > r²", "if l² > r² or (= and s > 0)",
+      {"if l² > r²", "if l² > r² or (l² = r² and s > 0)",
        "For a ray that starts on the surface and heads inwards, it would return the exit.", "surface-in"},
       {"A ← (d · d) t²", "A ← d · d", "A coefficient does not contain the unknown: the *t* is a misprint.",
        "two-roots-quadratic"},

@@ -19,22 +19,22 @@ class HainesTeller : Teller {
       : Teller(setup, "Haines",
                "Lecture note, ray and sphere; Haines in Glassner (ed.), An Introduction to Ray Tracing (1989), ch. 2",
                {
-                   "l ← c − o",                    // 0
-                   "s ← l · d",                    // 1
-                   "l² ← l · l",                   // 2
-                   "if s < 0 and l² > r²",         // 3
-                   "    return REJECT",            // 4
-                   "m² ← l² − s²",                 // 5
-                   "if m² > r²",                   // 6
-                   "    return REJECT",            // 7
-                   "q ← √(r² − m²)",               // 8
-                   "if l² > r² or (= and s > 0)",  // 9
-                   "    t ← s − q",                // 10
-                   "else",                         // 11
-                   "    t ← s + q",                // 12
-                   "if t > t_max",                 // 13
-                   "    return REJECT",            // 14
-                   "return INTERSECT, t, o + t d"  // 15
+                   "l ← c − o",                          // 0
+                   "s ← l · d",                          // 1
+                   "l² ← l · l",                         // 2
+                   "if s < 0 and l² > r²",               // 3
+                   "    return REJECT",                  // 4
+                   "m² ← l² − s²",                       // 5
+                   "if m² > r²",                         // 6
+                   "    return REJECT",                  // 7
+                   "q ← √(r² − m²)",                     // 8
+                   "if l² > r² or (l² = r² and s > 0)",  // 9
+                   "    t ← s − q",                      // 10
+                   "else",                               // 11
+                   "    t ← s + q",                      // 12
+                   "if t > t_max",                       // 13
+                   "    return REJECT",                  // 14
+                   "return INTERSECT, t, o + t d"        // 15
                }) {}
 
   Walk tell() {
@@ -78,7 +78,7 @@ class HainesTeller : Teller {
   void say(const Behind<C>& e) {
     Step& step =
         add("early-reject", "A cheap rejection", 3,
-            e.holds         ? "The centre lies behind, and the origin outside: the ball is behind the ray.\n"
+            e.holds         ? "The centre lies behind, and the origin outside: along the ray the distance only grows.\n"
                               "No square root was needed to know it."
             : e.s.value < 0 ? "The centre lies behind, but the origin is not outside, so it is itself a point of "
                               "the ball."
@@ -88,10 +88,12 @@ class HainesTeller : Teller {
                   e.s.value < 0   ? "the centre lies behind"
                   : e.s.value > 0 ? "the centre lies ahead"
                                   : "the centre lies level"});
-    // 4: a centre behind is taken for enough; 8: real roots are taken for granted
-    step.question = which_line(script_.walk().pseudocode, e.holds ? 4 : 5, {4, 5, 8},
-                               e.holds ? "The centre lies behind an origin that is outside."
-                                       : "Rejection requires a centre behind the origin and an origin outside.");
+    // 0: a centre behind is taken for enough; 2: what is not rejected is taken for a hit
+    step.question = Question{"What does this cheap test tell?",
+                             {"the ray misses", "nothing yet: *m*^2 is needed", "the ray hits"},
+                             e.holds ? 0 : 1,
+                             e.holds ? "The centre lies behind an origin that is outside."
+                                     : "Rejection requires a centre behind the origin and an origin outside."};
     if (!e.holds) script_.refuse(3, {4});
   }
 
@@ -194,7 +196,12 @@ class HainesTeller : Teller {
     settle(viz::Verdict::Kind::no);
     const int line = script_.walk().steps.back().line + 1;  // stands below the condition that led to it
     if (!right({})) settle(setup_.truth.origin == Location::on ? viz::Verdict::Kind::on : viz::Verdict::Kind::yes);
-    add("reject", "No intersection", line, right({}) ? miss_caption(setup_) : astray(), Focus::none);
+    const bool early = !known_.passing;  // whether the line meets the ball has not been asked
+    add("reject", "No intersection", line,
+        !right({}) ? astray()
+        : early    ? "The ray leads away from the ball, whether or not its line meets it."
+                   : miss_caption(setup_),
+        Focus::none);
   }
 
   void say(const Intersect<C, 3>& e) {

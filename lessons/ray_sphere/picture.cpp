@@ -17,7 +17,7 @@ double Setup::foot() const {
 }
 
 std::string told(const Setup& s, double t) {
-  return "*t* = " + shown(t) + (s.lengths ? ", a length" : ", in lengths of **d**");
+  return "*t* = " + shown(t) + (s.lengths ? " (a length)" : ", in lengths of **d**");
 }
 
 bool Setup::segment() const { return std::isfinite(ray.range.hi); }

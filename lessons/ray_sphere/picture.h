@@ -38,7 +38,7 @@ struct Known {
 
 viz::Scene picture(const Setup&, const Known&);
 
-/// "*t* = 3.3884, a length" or "*t* = 1.6552, in lengths of **d**".
+/// "*t* = 3.3884 (a length)" or "*t* = 1.6552, in lengths of **d**".
 std::string told(const Setup&, double t);
 
 /// One plain sentence for those who cannot see the picture.

@@ -204,7 +204,10 @@ class QuadraticTeller : Teller {
     if (first != (b_ < 0)) return "−*B* and the square-root term have the same sign, so no digits are lost here.";
     if (c_ == 0) return "As *C* = 0, the two terms are equal and cancel exactly: this root is 0.";
     const double rest = std::abs(std::abs(b_) - root_), truth = first ? setup_.truth.roots.lo : setup_.truth.roots.hi;
-    const int digits = rest > 0 ? static_cast<int>(std::floor(std::log10(std::abs(b_) / rest))) : 16;
+    const int cancelled = rest > 0 ? static_cast<int>(std::floor(std::log10(std::abs(b_) / rest))) : 16;
+    // what the table beside it calls right is not lost
+    const int digits =
+        cancelled < 1 || setup_.truth.line_roots != 2 ? cancelled : std::max(cancelled, 16 - digits_right(t, truth));
     const std::string over = half_ ? " / *A*" : " / 2*A*";
     const std::string stable =
         "Stable roots take " + (first ? "*t*_2 = (−*B* + √*D*)" + over + " first, then *t*_1 = *C* / (*A* *t*_2)."

@@ -50,7 +50,7 @@ int digits_right(double found, double truth) {
 }
 
 Question roots_question(const Setup& s) {
-  static const char* const because[] = {"It passes further than *r* from the centre.",
+  static const char* const because[] = {"It passes farther than *r* from the centre.",
                                         "It passes at exactly *r* from the centre: a double root.",
                                         "It passes nearer than *r* to the centre."};
   return {"How many points does the whole line share with the sphere?",

@@ -54,7 +54,7 @@ const Closing& closing() {
            "Matt Pharr, Wenzel Jakob and Greg Humphreys, *Physically Based Rendering*, 4th edition, 2023."},
       .exercises = {
           {"Drag the pixel to a point that lies in the shadow of another object.",
-           "Ball **b** lies in the shadow of ball **a**, low in the middle of the picture.",
+           "The floor lies in the shadow of ball **a**, low in the middle of the picture.",
            "lit",
            in_shadow,
            {{"pixel", "-1.5,-0.2292,0.0208"}}},

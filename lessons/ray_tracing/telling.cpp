@@ -110,8 +110,11 @@ class Teller {
     Script::decide(
         s, {"**n** · **l** > 0", cosine, 0, !away, away ? "it does not face the light" : "it faces the light source"});
     // misconception: what faces the light is lit
-    s.question = which_line(pseudocode, away ? 4 : 5, {4, 5, 6}, "The sign of **n** · **l** decides.");
-    s.question->prompt = "**n** points away from the surface, **l** to the light source. Which line runs next?";
+    s.question =
+        Question{"**n** points away from the surface, **l** to the light source. What does **n** · **l** tell?",
+                 {"dim: it faces away", "a shadow ray is needed", "lit: it faces the light source"},
+                 away ? 0 : 1,
+                 "The sign of **n** · **l** decides."};
     if (!away) shadow();
     script_.value("brightness", s_.traced.brightness, "light", Role::highlight);
     const bool lit = !away && !s_.traced.blocker;

@@ -128,7 +128,7 @@ class Flight {
     Step& step =
         add("hit", "The ray's answer", 3,
             truth_  ? "The segment meets the wall, and *t* gives the time: continuous collision detection.\n"
-                      "For a larger object use the Minkowski sum of wall and object, and follow the object's centre."
+                      "For a larger object expand the wall by it (their Minkowski sum), and follow the object's centre."
             : later ? "The segment ends before the wall. On the same course a later frame will hit."
                     : "The bullet's course does not meet the wall at any later time.");
     step.question = {"When does the bullet hit the wall?",

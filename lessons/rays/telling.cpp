@@ -160,8 +160,11 @@ class Teller {
                                              "*t*; the range decides whether it "
                                              "counts.",
                      fmt::format("*t* = −(**n** · **o** + *D*) / (**n** · **{}**) = {}", letter(s_), shown(t)));
-    step.question = which_value("At which *t* does the line meet the wall?", t, misconceived,
-                                "Substitute **r**(*t*) into **n** · **x** + *D* = 0 and solve for *t*.");
+    step.question =
+        which_value("At which *t* does the line meet the wall?", t, misconceived,
+                    fmt::format("The wall is *x* = {0}: **n** = (1, 0) and *D* = {1}. Substitute **r**(*t*) into "
+                                "**n** · **x** + *D* = 0 and solve for *t*.",
+                                shown(s_.wall), shown(-s_.wall)));
   }
 
   void verdict() {
@@ -184,8 +187,8 @@ class Teller {
     if (std::isfinite(end) && holds == meets)  // else rounding hides the difference
       Script::decide(step, {below ? "*t*_{min} ≤ *t*" : "*t* ≤ *t*_{max}", below ? end : t, below ? t : end, meets,
                             meets ? "in the range" : "outside the range"});
-    step.question =
-        which_line(pseudocode_, line, {5, 6}, meets ? "Its *t* lies in the range." : "Its *t* lies outside the range.");
+    step.question = which_line("Which line returns the answer?", pseudocode_, line, {5, 6},
+                               meets ? "Its *t* lies in the range." : "Its *t* lies outside the range.");
   }
 
   const Setup& s_;

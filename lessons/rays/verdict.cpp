@@ -15,7 +15,7 @@ std::string rounding(const Setup& s) {
   const int turned = orient2d({0, 0}, d, s.ray.direction);
   return turned == 0 ? "Here the rounded **u** still points along **d**."
                      : fmt::format(
-                           "But the rounded unit vector points a little to the {} of **d**: exact "
+                           "The rounded unit vector, though, points a little to the {} of **d**: exact "
                            "predicates take **d** as given.",
                            turned > 0 ? "left" : "right");
 }

@@ -143,13 +143,16 @@ class Teller {
         add("containment", "One inside the other?", line == 0 ? 3 : line, contained_caption(), Focus::containment,
             fmt::format("a ⊆ b: {},  b ⊆ a: {}", a_in_b ? "yes" : "no", b_in_a ? "yes" : "no"));
     step.decides = true;
-    step.question = Question{"Which set is a subset of the other?",
-                             {"a lies in b", "b lies in a", "each in the other", "neither"},
-                             r == equal ? 2
-                             : a_in_b   ? 0
-                             : b_in_a   ? 1
-                                        : 3,
-                             "A ring marks a point of one outside the other."};
+    step.question =
+        Question{"Which set is a subset of the other?",
+                 {"a lies in b", "b lies in a", "each in the other", "neither"},
+                 r == equal ? 2
+                 : a_in_b   ? 0
+                 : b_in_a   ? 1
+                            : 3,
+                 r == equal         ? "No point of one lies outside the other."
+                 : a_in_b || b_in_a ? "A ring marks a point of the larger one that lies outside the smaller."
+                                    : "A ring marks a point of one outside the other."};
   }
 
   std::string contained_caption() const {
@@ -180,10 +183,13 @@ class Teller {
                     "The note calls it partial intersection.",
             Focus::settled);
     step.decides = true;
-    step.question = Question{"Which points do they share?",
-                             {"none", "boundary points only", "interior points, too"},
-                             touch ? 1 : 2,
-                             "An interior point has a small ball around it that lies in the set."};
+    step.question =
+        Question{"Which points do they share?",
+                 {"boundary points only", "interior points, too"},
+                 touch ? 0 : 1,
+                 pair_.kind == Kind::polygons
+                     ? "A point is interior if a small disc around it, in the polygon's plane, lies in the set."
+                     : "A point is interior if a small ball around it lies in the set."};
   }
 
   const Pair pair_;

@@ -76,7 +76,7 @@ const Closing& closing() {
            "one of "
            "10^{−12} "
            "is too small."},
-          {"Why does a tolerance not make *on the line* consistent?",
+          {"Why does a tolerance not make the verdict “on the line” consistent?",
            "**a** may be within it of **b**, and **b** of **c**, but **a** not of **c**. What follows from two "
            "verdicts may "
            "contradict the third."},

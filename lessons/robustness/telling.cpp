@@ -49,7 +49,7 @@ class Teller {
         s_.naive)
         .scene = s_.scene;
     raster("truth", "What is true", 1,
-           fmt::format("One cell is one {} number to the side or up: {}.\nThe exact test is right in every cell.\n"
+           fmt::format("One cell is one {} number to the side, or up: {}.\nThe exact test is right in every cell.\n"
                        "The handles at the border select the ringed neighbour.",
                        scalar_, s_.cell),
            [](int truth, int) { return role(truth); });
@@ -75,7 +75,7 @@ class Teller {
       return f == Fault::wrong_side ? Role::miss : f == Fault::called_on ? Role::text : role(truth);
     });
     step.decides = true;
-    step.question = how_it_errs();
+    if (wrong() > 0) step.question = how_it_errs();
     return std::move(script_.walk());
   }
 
@@ -94,7 +94,7 @@ class Teller {
     if (wrong() == 0) return "No verdict is wrong here. " + price();
     std::string kinds;
     if (s_.has_on && side_ == 0)
-      kinds = " Here each calls a point beside the line *on the line*; none names the wrong side.";
+      kinds = " Each says “on the line” of a point beside it; none names the wrong side.";
     return "Marked cells have a wrong verdict." + kinds + "\n" + s_.consequence +
            " A tolerance only moves the band, or widens it.\n" + price();
   }
@@ -121,13 +121,13 @@ class Teller {
     };
     const auto wrongly = [&](int verdict) { return "only by saying “" + s_.verdicts[verdict + 1] + "”"; };
     Question q = {"How does the naive test err in these cells?",
-                  {"not at all", wrongly(1), wrongly(-1), "in more than one way"},
+                  {wrongly(1), wrongly(-1), "in more than one way"},
                   0,
-                  wrong() == 0 ? "None is wrong." : "The wrong cells were looked through one by one."};
-    if (s_.has_on) q.choices.insert(q.choices.begin() + 2, wrongly(0));
+                  "All wrong cells were checked."};
+    if (s_.has_on) q.choices.insert(q.choices.begin() + 1, wrongly(0));
     const int ways = says(1) + says(0) + says(-1);
     const int last = static_cast<int>(q.choices.size()) - 1;
-    q.answer = ways == 0 ? 0 : ways > 1 ? last : says(1) ? 1 : says(0) ? 2 : last - 1;
+    q.answer = ways > 1 ? last : says(1) ? 0 : says(0) ? 1 : last - 1;
     return q;
   }
 

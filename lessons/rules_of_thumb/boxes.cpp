@@ -109,8 +109,8 @@ Experiment trivial(const Flat& p) {
       "Outer balls apart: surely disjoint. Inner balls meet: surely overlapping.";
   e.parts[3].title = "Full test only in doubt";
   const int left = others - rejected - accepted;
-  e.parts[3].caption = fmt::format("The balls reject {} and accept {}. To the axes {} left: {}.",
-                                   plural(rejected, "box"), accepted, left == 1 ? "is" : "are", left);
+  e.parts[3].caption = fmt::format("The balls reject {} and accept {}. {} left to the axes.", plural(rejected, "box"),
+                                   accepted, left == 1 ? "1 is" : fmt::format("{} are", left));
   e.saving = "Two squared distances are far cheaper than fifteen axes.";
   return e;
 }

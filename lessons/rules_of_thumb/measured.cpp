@@ -75,7 +75,7 @@ class Measuring {
                          speed_lesson::results().machine.cpu, percent(speed_lesson::results().machine.noise)),
              bars(true));
     step.question = question();
-    show("how", "Counts are no times", 2, farthest(), bars(true));
+    show("how", "Counts are not times", 2, farthest(), bars(true));
     families();
     return std::move(script_.walk());
   }

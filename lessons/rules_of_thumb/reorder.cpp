@@ -52,9 +52,9 @@ Experiment reorder(const Flat& p) {
   e.parts[2].title = "The boxes spread along *y*";
   e.parts[2].caption = "A gap is likeliest on the axis along which the boxes lie farthest apart. Test it first.";
   e.parts[3].title = "*y* before *x*";
-  e.parts[3].caption = fmt::format(
-      "On *y*, {} of 7 overlap. It is the same test with its axes in another order, and gives the same answers.",
-      overlap_on_y);
+  e.parts[3].caption =
+      fmt::format("On *y*, {} of 7 {}. It is the same test with its axes in another order, and gives the same answers.",
+                  overlap_on_y, overlap_on_y == 1 ? "overlaps" : "overlap");
   e.saving = "One gap ends a test, and more boxes have it on *y* than on *x*.";
   return e;
 }

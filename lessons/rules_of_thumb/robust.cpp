@@ -75,7 +75,7 @@ Experiment robust(const Flat& p) {
   e.parts[0].title = "Is it ever wrong?";
   e.parts[0].caption =
       fmt::format("{} points are computed on the line from **a** to **p**. Rounding puts {} beside it. On which side?",
-                  many, beside);
+                  many, beside == many ? fmt::format("all {}", many) : fmt::format("{}", beside));
   e.parts[1].title = "The rounded sign";
   e.parts[1].caption =
       std::string("Points said to lie left are drawn left of the line, seen from **a** to **p**; right ones right.") +

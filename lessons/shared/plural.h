@@ -2,7 +2,12 @@
 
 #include <string>
 
+#include "viz/lesson.h"
+
 namespace isect::lessons {
+
+/// A count as all numbers are shown: 2345, 48 528 with a thin space.
+inline std::string counted(long long n) { return viz::shown(static_cast<double>(n)); }
 
 /// "1 test", "3 tests", "2 boxes", "4 vertices"
 inline std::string plural(long long n, const std::string& one) {
@@ -11,7 +16,7 @@ inline std::string plural(long long n, const std::string& one) {
     word.replace(word.size() - 2, 2, "ices");
   else if (n != 1)
     word += word.ends_with("x") ? "es" : "s";
-  return std::to_string(n) + " " + word;
+  return counted(n) + " " + word;
 }
 
 }  // namespace isect::lessons

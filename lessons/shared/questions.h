@@ -34,15 +34,16 @@ inline void keep_picture(viz::Walk& walk) {
   if (last > 0) walk.steps[last].question->over = walk.steps[last - 1].scene;
 }
 
-/// "Which line runs next?": `next` among `others`, in the order of the pseudocode.
-inline viz::Question which_line(const std::vector<std::string>& pseudocode, int next, std::vector<int> others,
-                                const std::string& because) {
-  others.push_back(next);
+/// Which line settles or returns something: `line` among `others`, in the order of the pseudocode. Which line runs next
+/// is never asked: tests that fail run, too.
+inline viz::Question which_line(const std::string& prompt, const std::vector<std::string>& pseudocode, int line,
+                                std::vector<int> others, const std::string& because) {
+  others.push_back(line);
   std::ranges::sort(others);
   others.erase(std::unique(others.begin(), others.end()), others.end());
-  viz::Question question = {"Which line runs next?", {}, 0, because};
-  for (const int line : others) question.choices.push_back(viz::as_markup(viz::unindented(pseudocode.at(line))));
-  question.answer = static_cast<int>(std::ranges::find(others, next) - others.begin());
+  viz::Question question = {prompt, {}, 0, because};
+  for (const int i : others) question.choices.push_back(viz::as_markup(viz::unindented(pseudocode.at(i))));
+  question.answer = static_cast<int>(std::ranges::find(others, line) - others.begin());
   return question;
 }
 

@@ -61,7 +61,7 @@ const Closing& closing() {
            {{"test", "sphere-aabb"}}},
           {"Two methods take 14.5 and 14.6 ns on a machine whose noise is 50 %. Which is faster?",
            "That cannot be decided. Only ratios above 1.5 mean anything there."},
-          {"A call takes 4 ns if the filter decides, else 400 ns. One call in 1,000 needs the latter. What is the "
+          {"A call takes 4 ns if the filter decides, else 400 ns. One call in 1000 needs the latter. What is the "
            "mean?",
            "0.999 · 4 + 0.001 · 400 = 4.4 ns, a tenth more."},
           {"Method A takes 2 ns and errs by 8 ulp, B 3 ns and 1 ulp, C 4 ns and 2 ulp. Which is dominated?",

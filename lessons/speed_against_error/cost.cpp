@@ -59,10 +59,11 @@ void Teller::cost() {
                               ratio(usual), name_of(naive(ordinary_)), noise, words(worst), ratio(most), there));
   show(step, {bars});
 
-  const int bucket = usual <= 1.1 ? 0 : usual <= 3 ? 1 : usual <= 10 ? 2 : 3;
+  const int bucket = usual < 0.9 ? 0 : usual <= 1.1 ? 1 : usual <= 3 ? 2 : usual <= 10 ? 3 : 4;
   step.question = Question{
-      "How much longer than the naive method does the exact call take on ordinary cases?",
-      {"at most 1.1 times as long", "up to 3 times as long", "3 to 10 times as long", "more than 10 times as long"},
+      "Compared with the naive method, how long does the exact call take on ordinary cases?",
+      {"less than 0.9 times as long", "0.9 to 1.1 times as long", "1.1 to 3 times as long", "3 to 10 times as long",
+       "more than 10 times as long"},
       bucket,
       fmt::format("It takes {} ns, the naive method {} ns.", shown(exact(ordinary_).ns), shown(naive(ordinary_).ns))};
 }

@@ -59,9 +59,10 @@ void Teller::hard_family(const std::string& family, bool first) {
   show(step, {p});
   if (!first) return;
 
-  const Rows rows = of(family);
+  Rows rows = of(family);
+  std::erase_if(rows, [](const Row* r) { return r->exact; });  // never wrong
   const auto greatest = only_greatest(rows, [&](const Row& r) { return by_value_ ? bits(error(r)) : error(r); });
-  if (!greatest || rows.size() < 3) return;
+  if (!greatest || rows.size() < 2) return;
   Question q = {fmt::format("Which method errs most on the family “{}”?", words(family)), {}, 0, ""};
   for (std::size_t i = 0; i < rows.size() && q.choices.size() < 4; ++i) {
     const bool room = q.choices.size() < 3 || i >= *greatest;
@@ -96,7 +97,7 @@ void Teller::fall() {
                               "Exact calls were wrong {} in {}.",
                               sentence(name_of(*worst)), words(worst->family),
                               share(static_cast<double>(worst->wrong()), static_cast<double>(worst->judged)),
-                              plural(wrong, "time"), count(judged)));
+                              plural(wrong, "time"), counted(judged)));
   show(step, plotted.chart);
 }
 

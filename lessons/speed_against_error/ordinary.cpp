@@ -6,6 +6,7 @@
 
 #include "bench/prose.h"
 #include "bench/rows.h"
+#include "lessons/shared/plural.h"
 #include "lessons/speed_against_error/telling.h"
 
 namespace isect::lessons::speed_lesson {
@@ -23,15 +24,18 @@ void Teller::axes() {
     for (Spot& s : panel.spots) s.front = false;
   }
   values(ordinary_);
-  show(script_.add("axes", "Time across, error up", time_line,
-                   fmt::format("One marker is one method: here {}, which takes {} ns per call. Farther right "
-                               "is slower. {}\nThe time is the "
-                               "least of several passes over {} different cases.",
-                               name, shown(naive(ordinary_).ns),
-                               by_value_ ? "Higher up, its value is less accurate. The marker shows the "
-                                           "99th percentile, the bar reaches down to the median."
-                                         : "Higher up, more of its verdicts are wrong.",
-                               count(naive(ordinary_).cases))),
+  show(script_.add(
+           "axes", "Time across, error up", time_line,
+           fmt::format(
+               "One marker is one method: here {}, which takes {} ns per call. Farther right "
+               "is slower. {}\nThe time is the "
+               "least of several passes over {} different cases.",
+               name, shown(naive(ordinary_).ns),
+               by_value_
+                   ? "Higher up, its value is less accurate, in ulp: units in the last place. The marker shows the "
+                     "99th percentile, the bar reaches down to the median."
+                   : "Higher up, more of its verdicts are wrong.",
+               counted(naive(ordinary_).cases))),
        {p});
 }
 
@@ -42,20 +46,22 @@ void Teller::methods() {
   const Rows rows = of(ordinary_);
   const Row* fastest = *std::ranges::min_element(rows, {}, &Row::ns);
   const auto as_fast = std::ranges::count_if(rows, [&](const Row* r) { return !differ(r->ns, fastest->ns); });
+  const bool exact_alone = as_fast == 1 && fastest->exact;  // then its time has been told
   const std::string speed =
-      as_fast == 1 ? fmt::format("The fastest is {}, at {} ns.", name_of(*fastest), shown(fastest->ns))
-                   : fmt::format("The least time is {} ns. Within the noise of {}, {} methods are as fast.",
-                                 shown(fastest->ns), share(report_.machine.noise, 1), as_fast);
-  show(script_.add(
-           "ordinary", "Ordinary cases", judge_line,
-           fmt::format(
-               "All {} methods on the same ordinary cases, judged by an exact oracle. {} The exact call "
-               "takes {} ns.\n{}",
-               rows.size(), speed, shown(exact(ordinary_).ns),
-               by_value_
-                   ? fmt::format("Up to the 99th percentile {} errs by {}, the exact call by {}.",
-                                 name_of(naive(ordinary_)), error_text(naive(ordinary_)), error_text(exact(ordinary_)))
-                   : fmt::format("{}: {}.", sentence(name_of(naive(ordinary_))), error_text(naive(ordinary_))))),
+      as_fast == 1
+          ? fmt::format("The fastest is {}, at {} ns.{}", name_of(*fastest), shown(fastest->ns), exact_alone ? "" : " ")
+          : fmt::format("The least time is {} ns. Within the noise of {}, {} methods are as fast. ", shown(fastest->ns),
+                        share(report_.machine.noise, 1), as_fast);
+  const std::string exact_time =
+      exact_alone ? "" : fmt::format("The exact call takes {} ns.", shown(exact(ordinary_).ns));
+  show(script_.add("ordinary", "Ordinary cases", judge_line,
+                   fmt::format("All {} methods on the same ordinary cases, judged by an exact oracle. {}{}\n{}",
+                               rows.size(), speed, exact_time,
+                               by_value_ ? fmt::format("Up to the 99th percentile {} errs by {}, the exact call by {}.",
+                                                       name_of(naive(ordinary_)), error_text(naive(ordinary_)),
+                                                       error_text(exact(ordinary_)))
+                                         : fmt::format("{}: {}.", sentence(name_of(naive(ordinary_))),
+                                                       error_text(naive(ordinary_))))),
        {p});
 }
 
@@ -64,21 +70,30 @@ void Teller::front() {
   Step& step = script_.add(
       "front", "What nothing beats", front_line,
       fmt::format("Steps join the methods on the Pareto front: nothing measured was both as fast and as accurate. What "
-                  "lies on the tinted side is dominated.\n{} of {} methods are on it here.",
-                  front.size(), rows.size()));
+                  "lies on the tinted side is dominated.\n{} of {} methods {} on it here. Differences within the noise "
+                  "of {} may put others there.",
+                  front.size(), rows.size(), front.size() == 1 ? "is" : "are", share(report_.machine.noise, 1)));
   show(step, {plot({ordinary_})});
 
+  // Times within the noise are equal: what beats a method is as fast and more accurate, or faster and as accurate.
+  const auto beaten = [&](const Row* r) {
+    return std::ranges::any_of(rows, [&](const Row* other) {
+      const bool faster = other->ns < r->ns && differ(other->ns, r->ns),
+                 as_fast = other->ns <= r->ns || !differ(other->ns, r->ns);
+      return (as_fast && error(*other) < error(*r)) || (faster && error(*other) <= error(*r));
+    });
+  };
   // the step before names the exact method, the naive one, and the fastest if it is alone
   const auto untold = std::ranges::find_if(front, [&](const Row* r) {
     const bool alone =
         std::ranges::none_of(rows, [&](const Row* other) { return other != r && !differ(other->ns, r->ns); });
-    return !r->exact && !r->standard && !(alone && r == *std::ranges::min_element(rows, {}, &Row::ns));
+    return !r->exact && !r->standard && !beaten(r) && !(alone && r == *std::ranges::min_element(rows, {}, &Row::ns));
   });
   if (untold == front.end()) return;
   const Row& beaten_by_none = **untold;
-  Question q = {"Which of these does no other method beat in both time and error?", {}, 0, ""};
+  Question q = {"Which of these does no method beat? Times within the noise count as equal.", {}, 0, ""};
   for (const Row* r : rows) {
-    if (std::ranges::find(front, r) != front.end() || q.choices.size() > 2) continue;
+    if (!beaten(r) || q.choices.size() > 2) continue;
     q.choices.push_back(name_of(*r));
   }
   if (q.choices.empty()) return;

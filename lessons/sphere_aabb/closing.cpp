@@ -48,7 +48,7 @@ const Closing& closing() {
            "Christer Ericson, *Real-Time Collision Detection*, 2005, section 5.2.5: testing sphere against AABB."},
       .exercises = {
           {"Find a ball that the expanded box accepts, and the exact test rejects.",
-           "Bring **c** near a corner: within *r* on each axis, and farther than *r* in all.",
+           "Bring **c** near a corner: within *r* on each axis, and farther than *r* in total.",
            "corner",
            shortcut_errs,
            {{"c", "1.25,2,-2"}}},

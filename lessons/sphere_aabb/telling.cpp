@@ -67,10 +67,17 @@ class Teller {
     // The gap itself: that distances, not squares, add up. The rest: that the far side or the middle counts.
     const Interval<double> i = {e.interval.lo.value, e.interval.hi.value};
     const double c = e.center.value, middle = c - (i.lo + i.hi) / 2, far = std::max(c - i.lo, i.hi - c);
-    step.question =
-        which_value("What does " + axis + " add to *d*^2?", gap * gap, {std::abs(gap), middle * middle, far * far},
-                    gap == 0 ? "The box's interval contains the coordinate of **c**: nothing is added."
-                             : "The square of the gap between **c** and the nearer end.");
+    if (e.axis == 0)
+      step.question =
+          which_value("What does " + axis + " add to *d*^2?", gap * gap, {std::abs(gap), middle * middle, far * far},
+                      gap == 0 ? "The box's interval contains the coordinate of **c**: nothing is added."
+                               : "The square of the gap between **c** and the nearer end.");
+    gaps_ += std::abs(gap), largest_ = std::max(largest_, gap * gap);
+    // the square of the sum; the largest gap alone; the distance itself
+    if (e.axis == 2)
+      step.question =
+          which_value("What is *d*^2 after all three axes?", distance2_,
+                      {gaps_ * gaps_, largest_, std::sqrt(distance2_)}, "The squares of the three gaps, added up.");
     shown_.current = false;
   }
 
@@ -103,6 +110,7 @@ class Teller {
             "*d*^2 = " + shown(d2) + sign + shown(r2) + " = *r*^2");
     Script::decide(step, {"*d*^2 < *r*^2", d2, r2, near, near ? "the note says: OVERLAP" : "the note says: DISJOINT"});
     step.question = relation_question(s_.truth, "the ball and the box", because());
+    if (s_.ball.radius > 0) step.question->choices.pop_back();  // a ball is no box
     shown_.settled = false;
   }
   void say(const sphere_aabb::Decision&) {}  // of relate, which the lesson does not run
@@ -171,14 +179,14 @@ class Teller {
     shown_.grown = true;
     add("grown", "Why not expand the box by *r*?", 4,
         "The box expanded by *r* on every side (dashed) contains **c**, so that shortcut says: hit.\n"
-        "The right set of centres is the Minkowski sum of box and ball: the expanded box with rounded edges and "
-        "corners.");
+        "The right set of centres is the Minkowski sum of box and ball: all sums of a point of each. It has rounded "
+        "edges and corners.");
   }
 
   const Setup s_;
   Script script_;
   Shown shown_;
-  double distance2_ = 0;
+  double distance2_ = 0, gaps_ = 0, largest_ = 0;
 };
 
 }  // namespace

@@ -27,7 +27,7 @@ const Closing& closing() {
           "*d*^2 ≤ (*r*_1 − *r*_2)^2.",
       .cost = "Four products, six sums and one comparison, without a branch before it.",
       .choose =
-          "For round bodies, and before any costlier test. Long, thin bodies leave much void in a ball: use boxes.",
+          "For round bodies, and before any costlier test. Long, thin bodies leave much of a ball empty: use boxes.",
       .used = "Broad phase of physics engines, nodes of sphere trees, particles, triggers in games.",
       .bug = "A strict < answers DISJOINT for balls that touch.",
       .bug_preset = "touching",

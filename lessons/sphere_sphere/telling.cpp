@@ -69,7 +69,7 @@ class Teller {
     script_.value("*s*^2", s2, "area", Role::second);
     add("reach", "How far the balls reach", 2,
         "Together the balls reach as far as the sum of their radii.\n"
-        "Neither side is negative, so their squares compare as they do. No square root is needed.",
+        "Neither side is negative, so squaring keeps their order. No square root is needed.",
         Focus::radii, "*s*^2 = (*r*_1 + *r*_2)^2 = " + shown(s2));
   }
 
@@ -77,7 +77,11 @@ class Teller {
     const double d2 = d2_, s2 = s2_;
     const bool near = d2 < s2;
     Step& step = add("compare", "Nearer than they reach?", 3, compare_caption(d2, s2), Focus::none,
-                     "*d*^2 = " + shown(d2) + (near ? " < " : " ≥ ") + shown(s2) + " = *s*^2");
+                     "*d*^2 = " + shown(d2) +
+                         (near       ? " < "
+                          : d2 == s2 ? " = "
+                                     : " > ") +
+                         shown(s2) + " = *s*^2");
     Script::decide(step, {"*d*^2 < *s*^2", d2, s2, near, near ? "the note: OVERLAP" : "the note: DISJOINT"});
     step.question = relation_question(s_.truth, "the two balls", because());
     if (!near) script_.refuse(3, {4});
@@ -86,9 +90,10 @@ class Teller {
     add("relation", "How they relate", near ? 4 : 5, end_caption(near), Focus::settled, end_formula());
   }
 
-  static std::string distance_caption(double d2) {
+  std::string distance_caption(double d2) const {
     if (std::isinf(d2)) return "The centres lie so far apart that the square overflows: it is infinite.";
-    if (d2 == 0) return "The square is zero: the centres coincide, or the square underflowed.";
+    if (d2 == 0 && s_.tested(s_.a).center == s_.tested(s_.b).center) return "The square is zero: the centres coincide.";
+    if (d2 == 0) return "The square is too small for a double: it underflows to zero.";
     return "The dot product of **l** with itself is the square of the distance *d*.";
   }
 
@@ -145,12 +150,15 @@ class Teller {
   }
 
   std::string end_formula() const {
+    // both sides of the formula are in the unit of the setting
+    const std::string unit = s_.unit > 1 ? " · 2^{600}" : s_.unit < 1 ? " · 2^{−600}" : "";
     const double d = (s_.a.center - s_.b.center).norm(), r1 = s_.a.radius, r2 = s_.b.radius;
     const bool inside = s_.truth == Relation::a_inside_b || s_.truth == Relation::b_inside_a;
     if (inside)
-      return "*d* = " + shown(d) + (s_.inner_touch ? " = " : " < ") + "|*r*_1 − *r*_2| = " + shown(std::abs(r1 - r2));
+      return "*d* = " + shown(d) + unit + (s_.inner_touch ? " = " : " < ") +
+             "|*r*_1 − *r*_2| = " + shown(std::abs(r1 - r2)) + unit;
     const char* sign = s_.truth == Relation::disjoint ? " > " : s_.truth == Relation::touching ? " = " : " < ";
-    return "*d* = " + shown(d) + sign + "*r*_1 + *r*_2 = " + shown(r1 + r2);
+    return "*d* = " + shown(d) + unit + sign + "*r*_1 + *r*_2 = " + shown(r1 + r2) + unit;
   }
 
   const Setup s_;

@@ -191,6 +191,36 @@ TEST_CASE("explain tells first where the objects lie that its questions ask abou
   CHECK_THAT(shell("isect explain sphere-sphere").out, !Contains("\nObjects:"));  // its parameters tell all
 }
 
+TEST_CASE("explain tells numbers that read alike in full, and no place in a drawing as a coordinate", "[explain]") {
+  const Shell shell;
+  CHECK_THAT(shell("isect explain points --preset ten-steps --step all").out, Contains("q_x = 0.9999999999999999\n"));
+  const std::string projected = shell("isect explain ray-polygon --preset hit --step all").out;
+  CHECK_THAT(projected, Contains("r′ = (−0.54688, −0.375)") && !Contains("r′ ("));
+  CHECK_THAT(shell("isect explain convex-polygon --step all").out, !Contains("v₀ (2.07238"));
+}
+
+TEST_CASE("explain asks in titles without a full stop, and heads no table that is empty", "[explain]") {
+  const Shell shell;
+  for (const char* place :
+       {"aabb-aabb", "points --preset nan", "hierarchy", "collision", "culling", "points --preset chain"}) {
+    INFO(place);
+    const std::string out = shell(std::string("isect explain ") + place + " --step all").out;
+    CHECK_THAT(out, !Contains("?."));
+    CHECK_THAT(out, !Contains("Methods side by side:\n\n"));
+  }
+}
+
+TEST_CASE("explain tells the line that an erratum adds as one that the note lacks", "[explain]") {
+  const Shell shell;
+  CHECK_THAT(shell("isect explain rays").out, Contains("Line 4 is not in the note.") && !Contains("was published as"));
+}
+
+TEST_CASE("explain tells what must be set together in one line", "[explain]") {
+  const Shell shell;
+  CHECK_THAT(shell("isect explain points --exercises").out,
+             Contains("One way: --set question=chain --set q=0.75,0,0 --set r=1.5,0,0"));
+}
+
 TEST_CASE("explain is as wide as the terminal", "[explain]") {
   const Shell shell;
   CHECK(widest(shell("COLUMNS=60 isect explain sphere-sphere").out) <= 60);

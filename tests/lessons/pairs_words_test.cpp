@@ -76,7 +76,9 @@ TEST_CASE("what the interval lesson says is true of any two intervals, empty one
     const Relation truth = oracle::by_points(line(a_min, a_max), line(b_min, b_max));
     const bool points = a_min == a_max && b_min == b_max, reversed = a_min > a_max || b_min > b_max;
     CHECK(last.verdict.text == lessons::words(truth, points ? "the points" : "the intervals"));
-    CHECK(answer(last) == in_choices(truth));
+    const bool gap_found = a_min > b_max || b_min > a_max;
+    CHECK(last.question.has_value() == !(gap_found || points));  // it has been told
+    if (last.question) CHECK(answer(last) == in_choices(truth));
     CHECK(last.line == (a_min > b_max ? 1 : b_min > a_max ? 3 : 4));
     CHECK(says(last.caption, "exchanged ends") == reversed);
     CHECK(last.formula.starts_with("common") == (!reversed && truth != Relation::disjoint));
@@ -84,17 +86,26 @@ TEST_CASE("what the interval lesson says is true of any two intervals, empty one
     for (const Step& step : walk.steps) {
       if (says(step.caption, "a common number")) CHECK(truth != Relation::disjoint);
       if (step.comparison) CHECK((step.comparison->meaning == "DISJOINT") == step.comparison->holds);
+      if (step.comparison && step.question) CHECK((answer(step) == "DISJOINT") == step.comparison->holds);
+      if (step.slug == "b-beyond-a" && step.question) CHECK((answer(step) == "OVERLAP") == !step.comparison->holds);
     }
   });
 }
 
 TEST_CASE("what the box lesson says is true of any two boxes, empty ones too", "[pair words]") {
-  on_random_settings("aabb-aabb", 1000, [](const Walk&, const Step& last, const Parameters& p) {
+  on_random_settings("aabb-aabb", 1000, [](const Walk& walk, const Step& last, const Parameters& p) {
     const Aabb<double, 3> a = {vector(p, "a_min"), vector(p, "a_max")}, b = {vector(p, "b_min"), vector(p, "b_max")};
     const Relation truth = oracle::by_points(a, b);
     CHECK(last.verdict.text == lessons::words(truth, "the boxes"));
-    CHECK(answer(last) == in_choices(truth));
     const bool note_finds_a_gap = (a.lo.array() > b.hi.array()).any() || (b.lo.array() > a.hi.array()).any();
+    CHECK(last.question.has_value() != note_finds_a_gap);  // it has been told
+    if (last.question) CHECK(answer(last) == in_choices(truth));
+    for (const Step& step : walk.steps)
+      if (step.question && step.slug.starts_with("axis-")) {
+        const int axis = step.slug.back() - 'x';
+        const bool gap = a.lo[axis] > b.hi[axis] || b.lo[axis] > a.hi[axis];
+        CHECK(answer(step) == (gap ? "DISJOINT" : axis == 2 ? "OVERLAP" : "nothing yet"));
+      }
     CHECK(last.line == (note_finds_a_gap ? 2 : 3));
     CHECK(last.formula.starts_with("b ⊆ a") == (truth == Relation::b_inside_a));
     CHECK(last.formula.starts_with("a ⊆ b") == (truth == Relation::a_inside_b));
@@ -165,8 +176,14 @@ TEST_CASE("what the oriented-box lesson says is true of any two boxes, with any 
     CHECK(says(last.caption, "wrong here") == (meet != overlap));
     if (truth == Relation::b_inside_a && overlap) CHECK(says(last.caption, "*r*_b ≤ *r*_a for those of a"));
     if (truth == Relation::a_inside_b && overlap) CHECK(says(last.caption, "*r*_a ≤ *r*_b for those of b"));
-    for (const Step& step : walk.steps)
+    for (const Step& step : walk.steps) {
       if (says(step.caption, "there is a gap between the two projections")) CHECK_FALSE(meet);
+      const bool group = step.slug == "normals-b" || step.slug == "edges";
+      if (group && step.question)
+        CHECK(answer(step) == (!step.comparison->holds ? "DISJOINT"
+                               : step.slug == "edges"  ? "OVERLAP"
+                                                       : "nothing yet"));
+    }
   });
 }
 
@@ -182,8 +199,29 @@ TEST_CASE("what the capsule lesson says at the end is true of any two capsules",
     CHECK(last.line == (truth == Relation::disjoint                                     ? 4
                         : truth == Relation::touching || truth == Relation::overlapping ? 6
                                                                                         : 5));
-    for (const Step& step : walk.steps)
+    std::set<int> tested;  // the ends named so far
+    const Vec2 ends[] = {a.p, a.q, b.p, b.q};
+    const char* const names[] = {"**p**_a", "**q**_a", "**p**_b", "**q**_b"};
+    for (const Step& step : walk.steps) {
       if (step.slug == "crossing") CHECK((answer(step) == "2") == (step.formula == "*d* = 0"));
+      if (!step.slug.starts_with("ends-")) continue;
+      double least = std::numeric_limits<double>::infinity();
+      for (int i = 0; i < 4; ++i) {
+        if (step.question ? says(step.question->prompt, names[i])
+                          : says(step.caption, (names[i] + std::string(":")).c_str()))
+          tested.insert(i);
+        if (!tested.contains(i)) continue;
+        const Capsule<double, 2>& other = i < 2 ? b : a;
+        const Vec2 along = other.q - other.p;
+        const double way = along.squaredNorm() > 0 ? (ends[i] - other.p).dot(along) / along.squaredNorm() : 0.0;
+        least = std::min(least, (other.p + std::clamp(way, 0.0, 1.0) * along - ends[i]).norm());
+      }
+      CHECK(step.values.back().value == Approx(least).margin(1e-9));
+      if (step.question) CHECK(answer(step) == shown(step.values.back().value));
+    }
+    const auto& comparison = last.comparison;
+    const bool all = tested.size() == 4 || tested.empty();
+    if (comparison && comparison->holds) CHECK(says(comparison->meaning, "less still") == !all);
   });
 }
 
@@ -215,6 +253,15 @@ TEST_CASE("what the lesson of relations says is true of any pair of any kind", "
                                : truth == Relation::a_inside_b ? "a lies in b"
                                : truth == Relation::b_inside_a ? "b lies in a"
                                                                : "neither"));
+    for (const Step& step : walk.steps) {
+      if (step.slug != "containment") continue;
+      const auto rings = std::ranges::count_if(step.scene.items, [](const Item& item) {
+        const Dot* dot = std::get_if<Dot>(&item);
+        return dot && dot->mark == Mark::ring && dot->role == Role::miss;
+      });
+      CHECK(says(step.question->because, "No point") == (rings == 0));
+      CHECK(says(step.question->because, "of the larger one") == (rings == 1));
+    }
     if (const auto* ball = std::get_if<Sphere<double, 3>>(&pair.a)) {
       const auto& other = std::get<Sphere<double, 3>>(pair.b);
       const oracle::Rational rest = oracle::Rational(ball->radius) - oracle::Rational(other.radius);

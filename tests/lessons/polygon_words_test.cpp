@@ -119,7 +119,7 @@ TEST_CASE("where a graze is counted twice, the closed rule is said to be right b
   const Walk walk = walk_of("crossings", "grazed-none-closed");
   const Step& last = ending(walk);
   CHECK(value(last, "count") == 3);
-  CHECK_THAT(last.caption, Contains("true is 1"));
+  CHECK_THAT(last.caption, Contains("which should be 1"));
 }
 
 TEST_CASE("Jordan's theorem is cited for simple closed curves only", "[words]") {

@@ -99,7 +99,7 @@ TEST_CASE("a ray and a sphere end with the oracle's verdict, and say why on its 
                                                                  : Verdict::Kind::yes));
     if (truth.surface)
       CHECK(is_hit_at(last.verdict.text, truth.surface->nearest * (haines ? ray.direction.norm() : 1),
-                      haines ? ", a length" : ", in lengths of **d**"));
+                      haines ? " (a length)" : ", in lengths of **d**"));
     CHECK(holds(last.verdict.text, "inside the ball") == (!truth.surface && truth.enter.has_value()));
     CHECK(holds(last.caption, "For a solid ball") == (truth.surface && truth.origin == Location::in));
     on += truth.origin == Location::on;
@@ -166,7 +166,7 @@ TEST_CASE("methods of ray and sphere that agree say one number, in the unit of t
     const std::string& verdict = walk.steps[outcome(walk)].verdict.text;
     const auto opinions = lesson("ray-sphere").opinions(p);
     const bool lengths = std::get<std::string>(p.at("method")) == "haines";
-    const std::string exact = opinions.front().says, unit = lengths ? ", a length" : ", in lengths of **d**";
+    const std::string exact = opinions.front().says, unit = lengths ? " (a length)" : ", in lengths of **d**";
     if (holds(verdict, "hit at ")) CHECK(verdict == "hit at " + exact);
     CHECK((exact == "no hit" || exact.ends_with(unit)));
     for (const Opinion& o : opinions)

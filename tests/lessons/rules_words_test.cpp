@@ -67,7 +67,8 @@ TEST_CASE("a rule is said to save exactly where its count is less", "[words]") {
       }
       CHECK(without == wrong);
       CHECK(says(find(walk, "before")->caption, "Crosses") == (wrong > 0));
-      CHECK_THAT(find(walk, "rule")->caption, Contains("puts " + std::to_string(beside) + " beside"));
+      CHECK_THAT(find(walk, "rule")->caption,
+                 Contains((beside == 24 ? "puts all " : "puts ") + std::to_string(beside) + " beside"));
     }
   });
   CHECK((saved > 100 && lost > 20));
@@ -103,7 +104,7 @@ TEST_CASE("under the microscope a false zero and a wrong side are told apart", "
     CHECK(says(last.caption, "none names the wrong side") == (zeros > 0 && sides == 0));
     CHECK(says(last.caption, "No verdict is wrong") == (zeros + sides == 0));
     CHECK((last.verdict.kind == Verdict::Kind::yes) == (zeros + sides == 0));
-    CHECK((last.question->answer == 0) == (zeros + sides == 0));
+    CHECK(last.question.has_value() == (zeros + sides > 0));
     with_sides += sides > 0, zeros_only += zeros > 0 && sides == 0;
   });
   CHECK(with_sides > 0);

@@ -55,6 +55,7 @@ class Faults {
     language(walk.alt);
     if (step_->verdict.kind == Verdict::Kind::open) fault("the outcome is left open", "");
     returned(walk);
+    questions(walk);
   }
 
   const std::map<std::string, std::string>& found() const { return found_; }
@@ -191,6 +192,24 @@ class Faults {
     const std::string answer = plain(q.choices[q.answer]);
     if (answer.size() > 3 && plain(before->caption).find(answer) != std::string::npos)
       fault("the caption on the screen holds the answer", q.prompt + " → " + answer);
+  }
+
+  /// What is asked of lines, and what is asked again.
+  void questions(const Walk& walk) {
+    std::set<std::string> lines, asked;
+    for (const std::string& line : walk.pseudocode) lines.insert(as_markup(unindented(line)));
+    for (const Step& step : walk.steps) {
+      if (!step.question) continue;
+      step_ = &step;
+      const Question& q = *step.question;
+      if (plain(q.prompt).find("runs next") != std::string::npos) fault("tests that fail run, too", q.prompt);
+      if (std::ranges::all_of(q.choices, [&](const std::string& c) { return lines.contains(c); }) &&
+          q.choices[q.answer] != as_markup(unindented(walk.pseudocode.at(step.line))))
+        fault("the line asked for is not the step's", q.prompt);
+      std::string all = q.because + " " + std::to_string(q.answer);
+      for (const std::string& choice : q.choices) all += "/" + choice;
+      if (!asked.insert(all).second) fault("what was asked is asked again, with the same answer", q.prompt);
+    }
   }
 
   bool returns(const Walk& walk, int line) const {

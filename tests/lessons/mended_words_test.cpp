@@ -1,0 +1,180 @@
+// What some lessons once said wrongly: numbers, terms and answers, each against what the picture or the core has.
+
+#include <cmath>
+#include <regex>
+
+#include "lessons/sphere_sphere/picture.h"
+#include "tests/lessons/words.h"
+#include "viz/alt_text.h"
+#include "viz/rich_text.h"
+
+namespace mended_words_test {
+using namespace isect;
+using namespace isect::viz;
+using namespace isect::tests;
+using isect::test::Contains;
+
+namespace {
+
+/// The walk with these settings in place of the preset's own.
+Walk with(const std::string& id, const Exercise& e) {
+  Parameters setting = preset(lesson(id), e.preset).parameters;
+  for (const auto& [name, value] : e.by) set(lesson(id), setting, name, value);
+  return lesson(id).walk(setting);
+}
+
+}  // namespace
+
+TEST_CASE("the solution that shows a shadow names the object that lies in it", "[words]") {
+  const Exercise& e = lesson("ray-tracing").closing->exercises.front();
+  const std::string verdict = plain(ending(with("ray-tracing", e)).verdict.text);
+  const std::string lit = verdict.substr(0, verdict.find(','));
+  CHECK_THAT(verdict, Contains("in the shadow of ball a"));
+  std::string solution = plain(e.solution);
+  std::ranges::transform(solution, solution.begin(), [](unsigned char c) { return std::tolower(c); });
+  CHECK_THAT(solution, Contains(lit + " lies in the shadow of ball a"));
+}
+
+TEST_CASE("a box that is to touch is moved there in its own size", "[words]") {
+  const Exercise& e = lesson("aabb-aabb").closing->exercises.front();
+  const auto size = [](const Parameters& p) {
+    return Vec3(std::get<Vec3>(p.at("b_max")) - std::get<Vec3>(p.at("b_min")));
+  };
+  Parameters setting = preset(lesson("aabb-aabb"), e.preset).parameters;
+  const Vec3 before = size(setting);
+  for (const auto& [name, value] : e.by) set(lesson("aabb-aabb"), setting, name, value);
+  CHECK(size(setting) == before);
+}
+
+TEST_CASE("a side after the other is asked about where the answer is a new one, and only there", "[words]") {
+  for (const char* id : {"culling", "clipping", "convex-hull", "points", "aabb-aabb"})
+    for (const Preset& p : lesson(id).presets) {
+      INFO(id << " " << p.id);
+      std::set<std::string> asked;
+      for (const Step& s : lesson(id).walk(p.parameters).steps) {
+        if (!s.question) continue;
+        static const std::regex name("left|right|bottom|top|near|far|AABB|smallest (OBB|circle)|\\*[xyz]\\*");
+        CHECK(asked.insert(std::regex_replace(s.question->prompt, name, "…") + " " + answer(s)).second);
+      }
+    }
+}
+
+TEST_CASE("where a scene of other boxes is counted, the words say so", "[words]") {
+  for (const Preset& p : lesson("culling").presets) {
+    INFO(p.id);
+    const Walk walk = lesson("culling").walk(p.parameters);
+    const Step* const growth = find(walk, "growth");
+    if (!growth) continue;
+    CHECK_THAT(growth->caption, Contains("Another scene"));
+    const double sixteen = value(*growth, "hierarchy, *n* = 16");
+    CHECK(says(growth->caption, "Of 16 it takes " + shown(sixteen)));
+    CHECK(says(growth->caption, "more than one by one") == (sixteen > 16));
+  }
+}
+
+TEST_CASE("what of a box lies in a plane that it touches has as many corners as the words say", "[words]") {
+  const Walk walk = walk_of("culling", "touching");
+  int touched = 0;
+  for (const Step& step : walk.steps)
+    if (says(step.caption, "the box touches the plane")) {
+      ++touched;
+      CHECK_THAT(step.caption, Contains("A face with the p-vertex lies in the plane"));
+      if (step.question) CHECK(answer(step) == "neither");
+    }
+  CHECK(touched == 1);
+}
+
+TEST_CASE("the volumes' test takes twelve comparisons at most, as its two lines do", "[words]") {
+  int most = 0;
+  for (const Preset& p : lesson("bounding-volumes").presets) {
+    const Walk walk = lesson("bounding-volumes").walk(p.parameters);
+    const Step* const step = find(walk, "volume-first");
+    if (!step) continue;
+    const int taken = static_cast<int>(value(*step, "volumes"));
+    CHECK(taken <= 12);
+    CHECK_THAT(step->question->because, Contains("here " + std::to_string(taken)));
+    most = std::max(most, taken);
+  }
+  CHECK(most == 12);
+}
+
+TEST_CASE("numbers that read alike and are not equal are told in full", "[words]") {
+  const Walk ten = walk_of("points", "ten-steps");
+  const Step& x = *find(ten, "axis-x");
+  std::vector<std::string> told;
+  for (const Value& v : x.values) told.push_back(shown_among(x.values, v));
+  CHECK(told == std::vector<std::string>{"1", "0.9999999999999999"});
+  CHECK_THAT(walk_of("intervals", "near-points").alt, Contains("0.30000000000000004") && Contains("0.3:"));
+}
+
+TEST_CASE("a distance in a huge unit is told with its unit", "[words]") {
+  for (const Preset& p : lesson("sphere-sphere").presets) {
+    INFO(p.id);
+    const auto setup = lessons::sphere_sphere_lesson::setup(p.parameters);
+    const Walk walk = lesson("sphere-sphere").walk(p.parameters);
+    const Step& last = ending(walk);
+    CHECK(says(last.formula, "2^{600}") == (setup.unit > 1));
+    CHECK(says(last.formula, "2^{−600}") == (setup.unit < 1));
+    const std::string& told = find(walk, "distance")->caption;
+    CHECK_FALSE(says(told, " or "));
+    if (says(told, "coincide")) CHECK(setup.a.center == setup.b.center);
+    if (says(told, "underflow")) CHECK(setup.a.center != setup.b.center);
+  }
+}
+
+TEST_CASE("the points that a hull is built of are those that differ", "[words]") {
+  const Walk walk = walk_of("convex-hull", "twice");
+  const Step& first = walk.steps.front();
+  CHECK(value(first, "different points") == 4);
+  CHECK_THAT(first.caption, Contains("Equal points are kept once: 4 are left."));
+}
+
+TEST_CASE("digits that are lost and digits that are right are sixteen at least", "[words]") {
+  const std::regex count("About ([0-9]+) of 16 digits are lost");
+  int told = 0;
+  for (const Preset& p : lesson("ray-sphere").presets) {
+    const Walk walk = lesson("ray-sphere").walk(p.parameters);
+    for (const Step& step : walk.steps) {
+      std::smatch lost;
+      if (!std::regex_search(step.caption, lost, count)) continue;
+      for (const Opinion& o : lesson("ray-sphere").opinions(p.parameters)) {
+        std::smatch right;
+        static const std::regex digits("([0-9]+) digits? (is|are) right");
+        if (o.method != (walk.method == "half-B" ? "half of *B*" : "quadratic formula") ||
+            !std::regex_search(o.says, right, digits))
+          continue;
+        ++told;
+        CHECK(std::stoi(lost[1]) + std::stoi(right[1]) >= 16);
+      }
+    }
+  }
+  CHECK(told > 0);
+}
+
+TEST_CASE("a ray that is rejected before its line is asked about is not said to have roots", "[words]") {
+  int early = 0;
+  on_random_settings("ray-sphere", 300, [&](const Parameters&, const Walk& walk) {
+    const Step* const step = find(walk, "reject");
+    if (!step || find(walk, "passing-distance")) return;
+    ++early;
+    CHECK_FALSE(says(step->caption, "root"));
+    CHECK_FALSE(says(step->caption, "The line meets"));
+  });
+  CHECK(early > 0);
+}
+
+TEST_CASE("the trapezoid map counts the edges that are added without a step", "[words]") {
+  for (const Preset& p : lesson("concave-polygon").presets) {
+    INFO(p.id);
+    const Walk walk = lesson("concave-polygon").walk(p.parameters);
+    int steps = 0;
+    for (const Step& s : walk.steps) {
+      if (!s.slug.starts_with("insert-")) continue;
+      const int number = std::stoi(s.slug.substr(7));
+      CHECK(s.title.ends_with("number " + std::to_string(number)));
+      CHECK(says(s.caption, "been added in between") == (number > ++steps));
+    }
+  }
+}
+
+}  // namespace mended_words_test
