@@ -93,8 +93,7 @@ class Teller {
   std::string wrong_caption() const {
     if (wrong() == 0) return "No verdict is wrong here. " + price();
     std::string kinds;
-    if (s_.has_on && side_ == 0)
-      kinds = " Each says “on the line” of a point beside it; none names the wrong side.";
+    if (s_.has_on && side_ == 0) kinds = " Each says “on the line” of a point beside it; none names the wrong side.";
     return "Marked cells have a wrong verdict." + kinds + "\n" + s_.consequence +
            " A tolerance only moves the band, or widens it.\n" + price();
   }

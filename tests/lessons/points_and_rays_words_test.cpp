@@ -56,7 +56,8 @@ TEST_CASE("what the lesson of points says is true of any points, units and toler
       for (const Step& step : walk.steps) {
         if (says(step.caption, "ten steps")) CHECK(s.tq.x() == 1 - std::numeric_limits<double>::epsilon() / 2);
         if (step.question) CHECK((answer(step) == "DIFFERENT") == says(step.formula, "≠"));
-        if (step.question && says(step.formula, "no number")) CHECK(says(step.question->because, "not a number is unequal"));
+        if (step.question && says(step.formula, "no number"))
+          CHECK(says(step.question->because, "not a number is unequal"));
       }
     } else if (walk.method == "nearness") {
       const bool truth = near(s.tp, s.tq, s.tested_within);
