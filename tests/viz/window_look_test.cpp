@@ -2,6 +2,7 @@
 
 #include <imgui_internal.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <set>
 
@@ -292,6 +293,26 @@ TEST_CASE("chips shrink from the end, but never the chosen one", "[window]") {
   CHECK(chip_widths(wide, 30, 10, 310, 0) == std::vector<float>{80, 80, 80, 30});
   CHECK(chip_widths(wide, 30, 10, 310, 3) == std::vector<float>{80, 80, 30, 80});
   CHECK(chip_widths({}, 30, 10, 310, -1).empty());
+}
+
+TEST_CASE("values that read alike and are not equal are shown in full", "[window]") {
+  int found = 0;
+  const Lesson& points = lesson_named(isect::lessons::all_lessons(), "points");
+  const Walk walk = points.walk(preset(points, "ten-steps").parameters);
+  for (int step = 0; step < static_cast<int>(walk.steps.size()); ++step) {
+    const std::vector<Value>& values = walk.steps[step].values;
+    for (const Value& v : values) {
+      const auto alike = [&](const Value& w) { return shown(w.value) == shown(v.value) && w.value != v.value; };
+      if (std::ranges::none_of(values, alike) || shown(v.value) == to_text(v.value)) continue;
+      ++found;
+      WindowDriver window(isect::lessons::all_lessons(), 1280, 800,
+                          {.lesson = "points", .preset = "ten-steps", .step = step});
+      if (!window.has("number " + plain(v.name))) window.type("a");  // a question waits
+      INFO(step << ' ' << v.name);
+      CHECK(window.rect("number " + plain(v.name)).width() > 100);
+    }
+  }
+  CHECK(found > 0);
 }
 
 }  // namespace window_look_test

@@ -1,5 +1,7 @@
 // What a reader does with a lesson: sees a published line fail, tries exercises.
 
+#include <algorithm>
+
 #include "viz/closing.h"
 #include "viz/rich_text.h"
 #include "viz/window/column.h"
@@ -22,12 +24,16 @@ void erratum(Column& c) {
   Player& player = c.s.player;
   const Erratum* e = player.erratum();
   if (!e || line_of(*e, player.walk()) != player.step().line) return;
-  const bool published = player.walk().pseudocode[player.step().line] == e->published;
+  const std::vector<std::string>& code = player.walk().pseudocode;
+  const bool published = code[player.step().line] == e->published;
+  const bool added = !published && std::ranges::find(code, e->published) != code.end();
   const Palette& ink = c.s.ui.palette;
   c.y += 20;
-  c.paragraph(published ? "The published line errs" : "The published line erred", ink.text, 15, 23, true);
+  const char* head = published ? "The published line errs" : added ? "A line was missing" : "The published line erred";
+  c.paragraph(head, ink.text, 15, 23, true);
   c.paragraph(e->why, ink.text);
   c.paragraph(published ? "It should read: " + as_markup(unindented(e->corrected))
+              : added   ? "This line is not in the note."
                         : "It read: " + as_markup(unindented(e->published)),
               ink.muted);
   if (player.preset_id() == e->preset) return;  // it fails here

@@ -4,6 +4,7 @@
 #include <map>
 #include <sstream>
 
+#include "viz/alt_text.h"
 #include "viz/names.h"
 #include "viz/rich_text.h"
 #include "viz/window/panels.h"
@@ -80,8 +81,8 @@ float room_for_new(const Step& step) { return std::ranges::any_of(step.values, &
 float number_column(const Ui& ui, const Step& step, const Rect& r) {
   float column = r.width() * 0.494f;
   for (const Value& v : step.values)
-    column = std::max(column,
-                      10 + text_width(ui.fonts.mono, plain(v.name)) + 14 + text_width(ui.fonts.mono, shown(v.value)));
+    column = std::max(column, 10 + text_width(ui.fonts.mono, plain(v.name)) + 14 +
+                                  text_width(ui.fonts.mono, shown_among(step.values, v)));
   return r.left + std::min(column, r.width() - 10 - room_for_new(step));
 }
 
@@ -89,7 +90,8 @@ void value_row(Session& s, const Value& v, const std::map<std::string, BarScale>
   Ui& ui = s.ui;
   const Palette& c = ui.palette;
   const float y = r.middle_y(), number = number_column(ui, s.player.step(), r);
-  const float room = number - text_width(ui.fonts.mono, shown(v.value)) - 8 - (r.left + 10);
+  const std::string digits = shown_among(s.player.step().values, v);
+  const float room = number - text_width(ui.fonts.mono, digits) - 8 - (r.left + 10);
   ImFont* font = ui.fonts.mono;
   for (ImFont* narrower : {ui.fonts.mono_small, ui.fonts.small})
     if (text_width(font, plain(v.name)) > room) font = narrower;
@@ -101,7 +103,7 @@ void value_row(Session& s, const Value& v, const std::map<std::string, BarScale>
   lights_in(ui, font, r.left + 10, y, name);
   text(font, r.left + 10, y, packed(c.text), name);
   if (name != plain(v.name) && ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r))) tooltip(ui, plain(v.name));
-  const float from = number - text(ui.fonts.mono, number, y, packed(c.text), shown(v.value), 1);
+  const float from = number - text(ui.fonts.mono, number, y, packed(c.text), digits, 1);
   ui.rects["number " + name] = {from, y - 7, number, y + 7};
   if (!v.unit.empty() && names.empty() && ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r)))
     tooltip(ui, "unit: " + plain(v.unit));
