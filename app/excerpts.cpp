@@ -51,7 +51,6 @@ Excerpt from_file(const Program& program, const PresetFile& file) {
   try {
     require_utf8(file);
     const std::string text = viz::read_file(file.path);
-    scene::require_shallow(text);
     if (scene::is_scene(text)) return from_scene(text, file);
     place = viz::place_from_json(text, program.lessons);
   } catch (const viz::BadInput& e) {
