@@ -45,26 +45,24 @@ class Reader {
 
   // Questions.
 
-  bool are_points(std::size_t a, std::size_t b) const {
-    return object(a).type == Type::point && object(b).type == Type::point;
+  /// Points among themselves are asked only where there is nothing else.
+  void ask_all_pairs() {
+    std::vector<Asked> points;
+    for (std::size_t a = 0; a < file_.objects.size(); ++a)
+      for (std::size_t b = a + 1; b < file_.objects.size(); ++b) {
+        const Type x = object(a).type, y = object(b).type;
+        if (!can_ask(x, y, file_.flat))
+          file_.not_asked.push_back(object(a).name + " and " + object(b).name);
+        else
+          (x == Type::point && y == Type::point ? points : file_.asked).push_back(PairAsked{a, b});
+      }
+    if (file_.asked.empty()) file_.asked = std::move(points);
   }
-  bool are_points(const PairAsked& pair) const { return are_points(pair.a, pair.b); }
 
   void read_questions() {
     if (!json().contains("ask")) return;
     const Json& ask = json()["ask"];
-    if (ask == "all pairs") {
-      for (const bool points : {false, true})  // of points only where there is nothing else
-        for (std::size_t a = 0; a < file_.objects.size(); ++a)
-          for (std::size_t b = a + 1; b < file_.objects.size(); ++b) {
-            if (are_points(a, b) != points) continue;
-            if (!can_ask(object(a).type, object(b).type, file_.flat))
-              file_.not_asked.push_back(object(a).name + " and " + object(b).name);
-            else if (!points || file_.asked.empty() || are_points(std::get<PairAsked>(file_.asked.front())))
-              file_.asked.push_back(PairAsked{a, b});
-          }
-      return;
-    }
+    if (ask == "all pairs") return ask_all_pairs();
     if (!ask.is_array()) source_.refuse({"ask"}, "a list of questions is expected, or \"all pairs\"");
     for (std::size_t i = 0; i < ask.size(); ++i) {
       const Path path = {"ask", std::to_string(i)};
@@ -204,10 +202,12 @@ class Reader {
   File file_;
 };
 
+bool nests_too_deep(const std::string& text) { return Spans(text).too_deep() != text.npos; }
+
 }  // namespace
 
 bool holds_objects(const std::string& text) {
-  if (Spans(text).too_deep() != text.npos) return false;
+  if (nests_too_deep(text)) return false;
   const Json json = Json::parse(text, nullptr, false, true);
   if (!json.is_object() || !json.contains("objects") || !json["objects"].is_array()) return false;
   return std::ranges::any_of(json["objects"], [](const Json& o) {
@@ -217,13 +217,13 @@ bool holds_objects(const std::string& text) {
 }
 
 void require_shallow(const std::string& text) {
-  if (Spans(text).too_deep() != text.npos)
+  if (nests_too_deep(text))
     throw viz::BadInput(
         fmt::format("lists and objects nest deeper than the {} levels that are allowed", Spans::most_levels));
 }
 
 bool is_scene(const std::string& text) {
-  if (Spans(text).too_deep() != text.npos) return text.find("\"objects\"") != text.npos;
+  if (nests_too_deep(text)) return text.find("\"objects\"") != text.npos;
   const Json json = Json::parse(text, nullptr, false, true);
   if (json.is_object()) return json.contains("objects");
   return json.is_discarded() && text.find("\"objects\"") != text.npos;  // meant as one, though broken

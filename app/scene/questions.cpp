@@ -311,12 +311,13 @@ std::string partners(Type type, bool flat) {
 namespace {
 
 /// A segment is a capsule of radius 0, whose test needs no direction.
-void segment_meets_sphere(const Setting& s, const Object& a, const Object& b, Answer& out) {
-  out = {};
+Answer segment_meets_sphere(const Setting& s, const Object& a, const Object& b) {
+  Answer out;
   const Json capsule = {{"p", s.list(a, "from")}, {"q", s.list(a, "to")}, {"r", 0}};
   out.query = merged({{"kind", "sphere_capsule"}}, merged(sphere_of(s, b), capsule));
   out.result = Json::parse(query::answer(out.query.dump()).text)["result"];
   meets(a, b, out, out.result.value("relation", "") != "disjoint");
+  return out;
 }
 
 Answer asked_in_order(const Setting& s, const Object& a, const Object& b, const Pair& pair) {
@@ -340,15 +341,11 @@ Answer asked_in_order(const Setting& s, const Object& a, const Object& b, const 
 Answer ask(const Setting& s, const Object& a, const Object& b) {
   const Pair* pair = pair_of(a.type, b.type, s.flat);
   if (!pair) return ask(s, b, a);
-  Answer out;
   try {
     return asked_in_order(s, a, b, *pair);
   } catch (const NotDecided& why) {
-    if (a.type == Type::segment && b.type == Type::sphere) {
-      segment_meets_sphere(s, a, b, out);
-      return out;
-    }
-    out = {};
+    if (a.type == Type::segment && b.type == Type::sphere) return segment_meets_sphere(s, a, b);
+    Answer out;
     out.open = true;
     out.result = {{"not decided", why.what()}};
     out.verdict = {Verdict::Kind::open, fmt::format("{} and {}: not decided, as {}", shown_name(a.name),

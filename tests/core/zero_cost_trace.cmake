@@ -4,7 +4,7 @@
 # moves from register to register and addresses taken again instead of kept don't count; every calculation, load, store,
 # jump and call does. Some compilers (GCC 13, 14) also turn a jump round, or take an operand from memory instead of a
 # register that holds it: then there are as many calculations, comparisons, jumps and calls of each kind, whatever moves
-# bring their operands, and that is told. What a trace would cost is never moves alone.
+# bring their operands, and no more instructions than without the lines, and that is told.
 # The comparison can fail: a listener must change the code.
 #
 # An ordinary run compiles as a release does, at -O3, and the listener's with one group of calls; a long one
@@ -91,6 +91,7 @@ foreach(level ${levels})
   operations(traced_operations "${traced}")
   operations(untraced_operations "${untraced}")
   list(LENGTH traced_operations count)
+  list(LENGTH untraced_operations untraced_count)
   if(count LESS 300)
     message(FATAL_ERROR "${CALLS} ${level}: only ${count} operations: there is nothing to compare")
   endif()
@@ -102,7 +103,7 @@ foreach(level ${levels})
   else()
     kinds(traced_kinds ${traced_operations})
     kinds(untraced_kinds ${untraced_operations})
-    if(traced_kinds STREQUAL untraced_kinds)
+    if(traced_kinds STREQUAL untraced_kinds AND count LESS_EQUAL untraced_count)
       message(STATUS "${CALLS} ${level}: ${count} operations, as many calculations, jumps and calls of each kind")
       continue()
     endif()
