@@ -58,6 +58,10 @@ TEST_CASE("a wrong command line is refused in our own words", "[program]") {
       {"check --json=", "--json: \"\"", "takes none"},
       {"list ray-sphere rays", "list: \"rays\" is one argument too many", "list --help"},
       {"explain ray-sphere rays", "explain: \"rays\" is one argument too many", "explain --help"},
+      // The name of another subcommand, where a lesson is meant.
+      {"render list", "lesson: \"list\"", "Allowed: "},
+      {"render ray-sphere scene --preset x.json", "lesson: \"scene\"", "Allowed: "},
+      {"explain query", "lesson: \"query\"", "Allowed: "},
       {"show ray-sphere rays", "show: \"rays\" is one argument too many", "show --help"},
       {"query a.jsonl b.jsonl", "query: \"b.jsonl\" is one argument too many", "query --help"},
       {"doctor now", "doctor: \"now\" is one argument too many", "doctor --help"},
