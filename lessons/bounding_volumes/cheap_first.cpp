@@ -142,7 +142,7 @@ class Teller {
             : test_.accepted
                 ? "The volume lies in b, so its contents do too. No triangle is tested."
                 : "The volume and b overlap. That decides nothing about the object: the overlap is only potential.",
-            true, false, fmt::format("{}, where all triangles take {}", plural(cheap, "operation"), all));
+            true, false, fmt::format("{}, where all triangles take {}", plural(cheap, "operation"), counted(all)));
     step.decides = true;
     step.question = Question{
         "What does the volume's test show?",

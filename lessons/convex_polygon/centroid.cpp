@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "lessons/convex_polygon/picture.h"
+#include "lessons/shared/plural.h"
 #include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"
 
@@ -91,7 +92,7 @@ class Around {
     if (!inside_) script_.refuse(3, {});
     Step& step = add("verdict", "One edge decides", inside_ ? 3 : 4,
                      fmt::format("{} bisections for {} vertices, then one edge: **p** does {}lie on its outer side.",
-                                 rounds_, s_.size(), inside_ ? "not " : "") +
+                                 rounds_, counted(static_cast<long long>(s_.size())), inside_ ? "not " : "") +
                          (on ? "\nThe note's method has no answer for the boundary: rounding decides there." : ""));
     step.decides = true;
   }

@@ -26,8 +26,8 @@ const Situation situations[] = {
     {"on-vertex", "on a vertex", 4, {0, 1.75, 0}},
     {"on-edge", "on an edge", 4, {-1.125, 0.875, 0}},
     {"five", "n = 5", 5, {-0.75, 1, 0}},
-    {"thousand", "n = 1,000", 1000, {-2.1875, 0.375, 0}},
-    {"million", "n = 1,000,000", 1000000, {-2.1875, 0.375, 0}},
+    {"thousand", "n = 1000", 1000, {-2.1875, 0.375, 0}},
+    {"million", "n = 1\u2009000\u2009000", 1000000, {-2.1875, 0.375, 0}},
 };
 
 std::vector<Preset> presets() {

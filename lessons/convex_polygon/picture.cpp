@@ -6,6 +6,7 @@
 
 #include "lessons/convex_polygon/picture.h"
 #include "lessons/shared/flat.h"
+#include "lessons/shared/plural.h"
 
 namespace isect::lessons::convex_polygon_lesson {
 
@@ -92,7 +93,8 @@ Scene picture(const Setup& s, const Shown& shown) {
 }
 
 std::string alt_text(const Setup& s) {
-  return fmt::format("A convex polygon of {} vertices and a point that lies {}.", s.size(), lies(s.truth));
+  return fmt::format("A convex polygon of {} vertices and a point that lies {}.",
+                     counted(static_cast<long long>(s.size())), lies(s.truth));
 }
 
 }  // namespace isect::lessons::convex_polygon_lesson

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "lessons/ray_tracing/picture.h"
+#include "lessons/shared/plural.h"
 #include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"
 
@@ -188,8 +189,8 @@ class Teller {
         fmt::format(
             "{} primary and {} shadow rays make the picture. The hierarchy tests {} objects and {} nodes; without it, "
             "{} objects would be tested{}.\n",
-            all.work.eye_rays, all.work.shadow_rays, all.work.tests, all.work.nodes, without,
-            pays ? "" : ". For so few objects it does not pay") +
+            counted(all.work.eye_rays), counted(all.work.shadow_rays), counted(all.work.tests), counted(all.work.nodes),
+            counted(without), pays ? "" : ". For so few objects it does not pay") +
             (naive ? "Dim spots on lit surfaces are shadow acne."
                    : "Whitted (1980) added recursion: at mirrors and glass, further rays are traced in the same way."));
     s.scene = picture(s_, shown_, all);

@@ -175,6 +175,8 @@ class Faults {
     std::smatch match;
     if (std::regex_search(text, match, one)) fault("one of a plural", text);
     if (std::regex_search(text, match, twice)) fault("a word twice", text);
+    static const std::regex long_count("(^|[^0-9.{_^-])[0-9]{5,}(?![0-9.e])");
+    if (std::regex_search(markup, match, long_count)) fault("a count without a thin space", text);
     for (const char* wrong : {"..", "?.", "!.", " ,", " .", ",,", "::", "NaN", " nan", "(nan", "inf "})
       if (text.find(wrong) != std::string::npos && text.find("...") == std::string::npos)
         fault(std::string("“") + wrong + "” in a sentence", text);
