@@ -37,6 +37,7 @@ void add_render(CLI::App&, Program&);
 void add_strip(CLI::App&, Program&);
 void add_handout(CLI::App&, Program&);
 void add_deck(CLI::App&, Program&);
+void add_book(CLI::App&, Program&);
 void add_scene(CLI::App&, Program&);
 void add_check(CLI::App&, Program&);
 void add_query(CLI::App&, Program&);

@@ -39,22 +39,7 @@ std::string pseudocode(const Excerpt& e, std::size_t columns) {
   std::string out = "Algorithm:\n";
   for (std::size_t i = 0; i < e.walk.pseudocode.size(); ++i)
     out += fmt::format("  {:>2}  {}\n", i + 1, e.walk.pseudocode[i]);
-  for (const viz::Erratum& erratum : e.lesson->errata) {
-    const int line = viz::line_of(erratum, e.walk);
-    if (line < 0) continue;
-    const bool published = e.walk.pseudocode[line] == erratum.published;
-    if (!published && std::ranges::count(e.walk.pseudocode, erratum.published) > 0) {
-      out += wrapped(fmt::format("Line {} is not in the note. {} (Preset {} shows it.)", line + 1, plain(erratum.why),
-                                 erratum.preset),
-                     columns, 2);
-      continue;
-    }
-    const std::string& other = published ? erratum.corrected : erratum.published;
-    out += wrapped(fmt::format("Line {} {}: {}. {} (Preset {} shows it.)", line + 1,
-                               published ? "should read" : "was published as", viz::unindented(other),
-                               plain(erratum.why), erratum.preset),
-                   columns, 2);
-  }
+  for (const std::string& erratum : told_errata(e)) out += wrapped(erratum, columns, 2);
   return out + "\n";
 }
 
@@ -65,6 +50,25 @@ std::string in_full(const viz::Setting& setting, bool flat) {
   if (!p) return viz::to_text(setting);
   const std::string xy = viz::to_text(p->x()) + ", " + viz::to_text(p->y());
   return "(" + xy + (flat ? ")" : ", " + viz::to_text(p->z()) + ")");
+}
+
+std::vector<std::string> told_errata(const Excerpt& e) {
+  std::vector<std::string> all;
+  for (const viz::Erratum& erratum : e.lesson->errata) {
+    const int line = viz::line_of(erratum, e.walk);
+    if (line < 0) continue;
+    const bool published = e.walk.pseudocode[line] == erratum.published;
+    if (!published && std::ranges::count(e.walk.pseudocode, erratum.published) > 0) {
+      all.push_back(fmt::format("Line {} is not in the note. {} (Preset {} shows it.)", line + 1, plain(erratum.why),
+                                erratum.preset));
+      continue;
+    }
+    const std::string& other = published ? erratum.corrected : erratum.published;
+    all.push_back(fmt::format("Line {} {}: {}. {} (Preset {} shows it.)", line + 1,
+                              published ? "should read" : "was published as", viz::unindented(other),
+                              plain(erratum.why), erratum.preset));
+  }
+  return all;
 }
 
 std::string told_setting(const Excerpt& e, const Telling& how) {

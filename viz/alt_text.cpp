@@ -152,6 +152,14 @@ std::string figure_title(const Lesson& lesson, const Step& step) {
   return fmt::format("{}: {}", lesson.title, plain(step.title));
 }
 
+std::string drawn_text(const Walk& walk, const Scene& scene, bool outcome) {
+  if (scene.chart) return std::visit([](const auto& chart) { return told(chart); }, scene.chart->kind) + ".";
+  const std::string what = drawn(scene);
+  std::string text = outcome ? plain(walk.alt) : "";
+  if (!what.empty()) text += fmt::format("{}Drawn: {}.", text.empty() ? "" : " ", what);
+  return text;
+}
+
 std::string alt_text(const Lesson& lesson, const Parameters& parameters, const Walk& walk, int step) {
   const Step& s = walk.steps[step];
   std::string text = fmt::format("{}.\n\n", figure_title(lesson, s));

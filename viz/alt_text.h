@@ -10,6 +10,9 @@ namespace isect::viz {
 /// Plain text, paragraphs apart by empty lines: what is drawn and from which numbers, what is said of it, and what
 /// comes out. A chart is told as the chart it is. `step` from 0.
 std::string alt_text(const Lesson&, const Parameters&, const Walk&, int step);
+/// What is drawn and nothing else, on one line: for a picture that stands beside all that is said of it. `outcome`:
+/// whether what comes out may be told.
+std::string drawn_text(const Walk&, const Scene&, bool outcome);
 /// One of a step's values as shown; in full where another one would read alike and is not equal.
 std::string shown_among(const std::vector<Value>&, const Value&);
 /// "Ray and sphere: Two roots"

@@ -91,11 +91,13 @@ std::string svg_letters(const std::vector<Path>& outlines) {
   return pen.take();
 }
 
-std::string svg_address(const std::string& svg) {
-  const std::unique_ptr<char, decltype(&g_free)> base64(
-      g_base64_encode(reinterpret_cast<const guchar*>(svg.data()), svg.size()), g_free);
-  return std::string("data:image/svg+xml;base64,") + base64.get();
+std::string base64(const std::string& bytes) {
+  const std::unique_ptr<char, decltype(&g_free)> text(
+      g_base64_encode(reinterpret_cast<const guchar*>(bytes.data()), bytes.size()), g_free);
+  return text.get();
 }
+
+std::string svg_address(const std::string& svg) { return "data:image/svg+xml;base64," + base64(svg); }
 
 std::string xml_escaped(const std::string& text) {
   std::string out;

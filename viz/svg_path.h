@@ -18,6 +18,8 @@ std::string svg_paint(const std::string& what, const Colour&);
 std::string svg_path(const Path&);
 /// The outlines of letters: many and small, so each point is told from the one before, to a hundredth of a unit.
 std::string svg_letters(const std::vector<Path>&);
+/// For data inside an address.
+std::string base64(const std::string& bytes);
 /// A whole SVG as an image's `src`: as an image of its own, no id in it meets another picture's.
 std::string svg_address(const std::string& svg);
 /// For text and for attributes in either quotes. XML has no control characters; they become spaces.

@@ -1,0 +1,166 @@
+// isect book: the lessons as a folder of web pages, which open from disk and from any web server.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <set>
+
+#include "app/book/contents_page.h"
+#include "app/book/fonts.h"
+#include "app/book/lesson_page.h"
+#include "app/options.h"
+#include "app/ownership.h"
+#include "app/pages/pages.h"
+#include "app/surroundings.h"
+#include "app/terminal.h"
+#include "lessons/course.h"
+#include "viz/files.h"
+#include "viz/place.h"
+
+namespace isect::program {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct BookOptions {
+  std::string lesson, out = "book";
+  bool single = false;
+};
+
+std::string first_line(const std::string& file) {
+  const std::string own = book::mark(file);
+  if (file.ends_with(".css")) return fmt::format("/* {} */", own);
+  if (file.ends_with(".js")) return fmt::format("// {}", own);
+  return fmt::format("<!-- {} -->", own);
+}
+
+/// The folder of a book: writes over isect's own pages only.
+class Shelf {
+ public:
+  /// Throws viz::BadInput where the folder holds baselines, viz::FileError where one of the files is somebody else's.
+  Shelf(const std::string& folder, const Program& program, const std::vector<std::string>& files) : folder_(folder) {
+    if (const auto trace = baseline_below(folder, program))
+      throw viz::BadInput(
+          fmt::format("out: {} holds baselines ({}), and pages never lie among them; give another folder, such as "
+                      "--out book",
+                      folder, trace->string()));
+    std::vector<PageFile> own;
+    for (const std::string& file : files) own.push_back({file, first_line(file)});
+    need_own(path(""), own);
+  }
+
+  void add(const std::string& file, const std::string& text) {
+    viz::write_file(path(file), text);
+    added_.insert(file);
+    print(path(file) + "\n");
+  }
+
+  /// Pages of lessons that are no more. A page under another name than its own stays.
+  void remove_stale() const {
+    std::vector<fs::path> gone;
+    std::error_code absent;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder_, absent)) {
+      const std::string name = entry.path().filename().string();
+      if (!name.ends_with(".html") || added_.contains(name) || entry.is_symlink() || !entry.is_regular_file()) continue;
+      if (viz::read_regular_file(entry.path().string()).starts_with(first_line(name))) gone.push_back(entry.path());
+    }
+    for (const fs::path& page : gone) fs::remove(page);
+  }
+
+ private:
+  std::string path(const std::string& file) const { return (fs::path(folder_) / file).string(); }
+
+  std::string folder_;
+  std::set<std::string> added_;
+};
+
+std::vector<Excerpt> all_presets(const Program& program, const viz::Lesson& lesson) {
+  Selection asked;
+  if (!program.only) asked.lessons = {lesson.id};
+  asked.presets = {"all"};
+  return excerpts(program, asked);
+}
+
+std::string style(const viz::PageColours& colours) {
+  return fmt::format(
+      ":root {{ color-scheme: light dark; {}}}\n@media screen and (prefers-color-scheme: dark) {{ :root {{ {}}} "
+      "}}\n{}{}",
+      colours.variables(false), colours.variables(true), book::style_text(), colours.rules());
+}
+
+int single(const Program& program, const BookOptions& options) {
+  const viz::Lesson& lesson = program.only ? *program.only : viz::lesson_named(program.lessons, options.lesson);
+  const std::string file = book::file_of(lesson);
+  Shelf shelf(options.out, program, {file});
+  need_surroundings(program);
+  viz::PageColours colours;
+  const book::Page page =
+      book::lesson_page(lesson, all_presets(program, lesson), program.lessons, {nullptr, nullptr, true}, colours);
+  shelf.add(file,
+            first_line(file) + book::html(page, {book::fonts_text({page.body}) + style(colours), book::script_text()}));
+  return done;
+}
+
+int whole(const Program& program, const BookOptions& options) {
+  std::vector<std::string> files = {"index.html", "glossary.html", "book.css", "book.js", "fonts.css"};
+  for (const viz::Lesson* lesson : program.lessons) files.push_back(book::file_of(*lesson));
+  Shelf shelf(options.out, program, files);
+  need_surroundings(program);
+
+  const std::vector<const viz::Lesson*>& course = program.lessons;
+  viz::PageColours colours;
+  std::vector<Excerpt> firsts;
+  book::Letters letters;
+  const auto add = [&](const book::Page& page) {
+    letters.add(page.body);
+    shelf.add(page.file, first_line(page.file) + book::html(page, {}));
+  };
+  shelf.add("book.js", first_line("book.js") + "\n" + book::script_text());
+  Progress progress(course.size());
+  for (std::size_t i = 0; i < course.size(); ++i) {
+    std::vector<Excerpt> presets = all_presets(program, *course[i]);
+    add(book::lesson_page(*course[i], presets, course,
+                          {i > 0 ? course[i - 1] : nullptr, i + 1 < course.size() ? course[i + 1] : nullptr}, colours));
+    firsts.push_back(std::move(presets.front()));
+    progress.done(course[i]->id);
+  }
+  add(book::contents_page(firsts, lessons::course(), colours));
+  add(book::glossary_page(lessons::course(), course));
+  shelf.add("book.css", first_line("book.css") + "\n" + style(colours));
+  shelf.add("fonts.css", first_line("fonts.css") + "\n" + letters.fonts());
+  shelf.remove_stale();
+  return done;
+}
+
+int make_book(const Program& program, const BookOptions& options) {
+  if (options.single && !program.only && options.lesson.empty())
+    throw viz::BadInput("single: one lesson in one file; name the lesson, such as isect book ray-sphere --single");
+  if (!options.single && !options.lesson.empty())
+    throw viz::BadInput(
+        fmt::format("lesson: a book holds all lessons; for {0} alone, in one file: isect book {0} --single",
+                    viz::lesson_named(program.lessons, options.lesson).id));
+  return options.single || program.only ? single(program, options) : whole(program, options);
+}
+
+}  // namespace
+
+void add_book(CLI::App& app, Program& program) {
+  CLI::App& sub = *app.add_subcommand("book", "the lessons as web pages");
+  const auto options = std::make_shared<BookOptions>();
+  if (!program.only) {
+    sub.add_option("LESSON", options->lesson, "with --single: the lesson")->type_name("");
+    sub.add_flag("--single", options->single, "one lesson in one file, for a learning platform");
+  }
+  add_path(sub, "--out", options->out, "folder; book if not given", "DIR");
+  sub.footer(
+      "DIR/index.html is the first page. The pages open from disk and from any web server, and need no network.\n"
+      "Without scripts, and on paper, all presets stand one below the other. Files that isect did not make stay.\n"
+      "Example: " +
+      program.name + " book" + (program.only ? "" : " ray-sphere --single") + " --out site");
+  sub.callback([&program, options] { program.chosen = [&program, options] { return make_book(program, *options); }; });
+}
+
+}  // namespace isect::program

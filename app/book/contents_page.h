@@ -1,0 +1,18 @@
+#pragma once
+// The pages round the lessons: contents in the order of the course, and the terms.
+
+#include <string>
+#include <vector>
+
+#include "app/book/page.h"
+#include "app/options.h"
+#include "viz/course.h"
+#include "viz/page_svg.h"
+
+namespace isect::program::book {
+
+/// `openings`: of each lesson its first preset, walked; its outcome is the picture of the lesson.
+Page contents_page(const std::vector<Excerpt>& openings, const viz::Course&, viz::PageColours&);
+Page glossary_page(const viz::Course&, const std::vector<const viz::Lesson*>&);
+
+}  // namespace isect::program::book

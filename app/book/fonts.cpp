@@ -1,0 +1,69 @@
+#include "app/book/fonts.h"
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "app/book/page.h"
+#include "viz/font_subset.h"
+#include "viz/svg_path.h"
+
+namespace isect::program::book {
+
+namespace {
+
+/// The characters of UTF-8 text, each by its bytes.
+std::set<std::string> characters(const std::string& text) {
+  std::set<std::string> all;
+  for (std::size_t i = 0; i < text.size();) {
+    std::size_t n = 1;
+    while (i + n < text.size() && (static_cast<unsigned char>(text[i + n]) & 0xC0) == 0x80) ++n;
+    if (static_cast<unsigned char>(text[i]) >= ' ') all.insert(text.substr(i, n));
+    i += n;
+  }
+  return all;
+}
+
+std::string without_comment_ends(std::string text) {
+  for (std::size_t at = text.find("*/"); at != text.npos; at = text.find("*/")) text.erase(at, 2);
+  return text;
+}
+
+}  // namespace
+
+void Letters::add(const std::string& page) {
+  std::set<std::string> all = characters(known_);
+  all.merge(characters(page));
+  known_.clear();
+  for (const std::string& c : all) known_ += c;
+}
+
+std::string Letters::fonts() const {
+  const struct {
+    viz::Face face;
+    const char *weight, *style;
+  } faces[] = {{viz::Face::upright, "normal", "normal"},
+               {viz::Face::italic, "normal", "italic"},
+               {viz::Face::bold, "bold", "normal"}};
+  std::string rules, notice;
+  for (const auto& [face, weight, style] : faces) {
+    const auto subset = viz::font_subset(face, known_);
+    if (!subset) return {};
+    notice = subset->notice;
+    rules += fmt::format(
+        "@font-face {{ font-family: \"Isect Letters\"; font-weight: {}; font-style: {}; "
+        "src: url(data:font/otf;base64,{}) format(\"opentype\"); }}\n",
+        weight, style, viz::base64(subset->bytes));
+  }
+  return fmt::format(
+      "/* Isect Letters: a few letters of a font, under another name, as its licence asks.\n{}\n{}*/\n{}",
+      without_comment_ends(notice), without_comment_ends(licence_text()), rules);
+}
+
+std::string fonts_text(const std::string& page) {
+  Letters letters;
+  letters.add(page);
+  return letters.fonts();
+}
+
+}  // namespace isect::program::book

@@ -1,0 +1,60 @@
+#include "app/book/pictures.h"
+
+#include <fmt/format.h>
+
+#include "app/ownership.h"
+#include "app/studio.h"
+#include "viz/alt_text.h"
+#include "viz/asking.h"
+#include "viz/paper.h"
+
+namespace isect::program::book {
+
+namespace {
+
+/// Points, as on paper: texts of 9, which are 11 pixels high where a phone has 330 across.
+constexpr double width = 264, height = 0.6 * width;
+/// In sizes of its texts.
+constexpr double axis_height = 3;
+/// A wider picture is moved rather than made smaller where there is less room.
+constexpr double shrinks_below = 330;
+
+}  // namespace
+
+Pictures::Pictures(const Excerpt& e, viz::PagePictures& page) : e_(e), page_(page), bare_(e.walk) {
+  for (viz::Step& step : bare_.steps) step.formula.clear(), step.verdict = {};
+}
+
+std::string Pictures::of(int step) {
+  return figure(step, viz::drawn_text(e_.walk, e_.walk.steps[step].scene, true), false);
+}
+
+std::string Pictures::asked(int step) {
+  viz::Scene scene = viz::question_scene(e_.walk, step);
+  std::swap(bare_.steps[step].scene, scene);
+  const std::string made = figure(step, viz::drawn_text(e_.walk, bare_.steps[step].scene, false), true);
+  std::swap(bare_.steps[step].scene, scene);
+  return made;
+}
+
+std::string Pictures::figure(int step, const std::string& alt, bool asked) {
+  const viz::Step& shown = bare_.steps[step];
+  const auto camera = [&](double aspect) { return camera_for(e_, shown, aspect); };
+  viz::PaperSize size;
+  size.width = width;
+  if (!shown.scene.chart) size.height = height + (shown.scene.axis ? axis_height * size.text_size : 0);
+  const auto light = viz::readable_figure(bare_, step, viz::ThemeName::screen, size, false, camera);
+  if (!light)
+    throw viz::BadInput(fmt::format("book: the labels of {}, {} can't be set apart", folder_of(e_), shown.slug));
+  const viz::PageLayout layout = viz::paper_layout(bare_, step, viz::ThemeName::dark, light->size, false);
+  const viz::Figure dark = viz::figure(shown, camera(layout.width / layout.picture_height()), layout);
+  const std::string svg = page_.svg(light->figure.drawing, dark.drawing, alt);
+
+  const double wide = light->figure.drawing.width;
+  const std::string moved =
+      wide > shrinks_below ? fmt::format(" tabindex=\"0\" style=\"--least: {:.0f}px\"", wide) : std::string();
+  const std::string kind = !asked ? "" : page_.repeated() ? " class=\"asked again\"" : " class=\"asked\"";
+  return fmt::format("<figure{}{}>{}</figure>\n", kind, moved, svg);
+}
+
+}  // namespace isect::program::book

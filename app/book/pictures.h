@@ -1,0 +1,30 @@
+#pragma once
+// A step's picture for a page of the book, in the light and in the dark.
+
+#include <string>
+
+#include "app/options.h"
+#include "viz/page_svg.h"
+
+namespace isect::program::book {
+
+/// Draws the steps of one walk. Formula and verdict stand beside the picture, as text.
+class Pictures {
+ public:
+  /// Both must outlive it. Throws viz::BadInput where labels can't be set apart.
+  Pictures(const Excerpt&, viz::PagePictures&);
+  /// As a <figure>.
+  std::string of(int step);
+  /// What is drawn while the question before this step is open: nothing of the answer. Of the class "again" where the
+  /// picture before it looks the same.
+  std::string asked(int step);
+
+ private:
+  std::string figure(int step, const std::string& alt, bool asked);
+
+  const Excerpt& e_;
+  viz::PagePictures& page_;
+  viz::Walk bare_;  ///< without words
+};
+
+}  // namespace isect::program::book

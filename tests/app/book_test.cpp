@@ -1,0 +1,186 @@
+// The lessons as web pages: which files, what stands in them, and what is never written over.
+
+#include <filesystem>
+#include <regex>
+#include <set>
+
+#include "lessons/lessons.h"
+#include "tests/app/shell.h"
+#include "tests/catch.h"
+#include "viz/closing.h"
+
+namespace book_test {
+using Catch::Matchers::StartsWith;
+using isect::test::Contains;
+using isect::test::contents;
+using isect::test::Ran;
+using isect::test::Shell;
+using isect::test::write;
+
+int count(const std::string& text, const std::string& what) {
+  int found = 0;
+  for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + what.size())) ++found;
+  return found;
+}
+
+/// All that stands between `before` and the next quotation mark.
+std::vector<std::string> quoted(const std::string& text, const std::string& before) {
+  std::vector<std::string> all;
+  for (std::size_t at = text.find(before); at != text.npos; at = text.find(before, at)) {
+    at += before.size();
+    all.push_back(text.substr(at, text.find('"', at) - at));
+  }
+  return all;
+}
+
+/// Ids that stand twice, references to none, and tags that are not closed.
+std::string faults(const std::string& page) {
+  std::string out;
+  std::set<std::string> ids;
+  for (const std::string& id : quoted(page, " id=\""))
+    if (!ids.insert(id).second) out += "twice: " + id + "\n";
+  std::vector<std::string> wanted = quoted(page, "href=\"#");
+  for (std::size_t at = page.find("url(#"); at != page.npos; at = page.find("url(#", at + 1))
+    wanted.push_back(page.substr(at + 5, page.find(')', at) - at - 5));
+  for (const std::string& id : wanted)
+    if (!ids.contains(id)) out += "missing: " + id + "\n";
+  for (const std::string tag : {"g", "svg", "figure", "article", "section", "p", "table", "tr", "li", "ol", "details"})
+    if (count(page, "<" + tag + ">") + count(page, "<" + tag + " ") != count(page, "</" + tag + ">"))
+      out += "open: " + tag + "\n";
+  return out;
+}
+
+TEST_CASE("a book has a page for each lesson, with every preset and every step", "[book]") {
+  const Shell shell;
+  const Ran r = shell("isect book --out site");
+  REQUIRE(r.status == 0);
+  CHECK(r.err.empty());
+  const std::filesystem::path site = shell.work() / "site";
+  const auto& lessons = isect::lessons::all_lessons();
+  CHECK(isect::test::files_in(site).size() == lessons.size() + 5);
+  CHECK(count(r.out, "\n") == static_cast<int>(lessons.size()) + 5);
+
+  std::uintmax_t bytes = 0;
+  for (const std::string& file : isect::test::files_in(site)) {
+    const std::string text = contents(site / file);
+    INFO(file);
+    bytes += text.size();
+    CHECK_THAT(text.substr(0, text.find('\n')), Contains("Made by isect book: " + file + "."));
+    if (!file.ends_with(".html")) continue;
+    CHECK(faults(text) == "");
+    CHECK_THAT(text, Contains("<!DOCTYPE html>\n<html lang=\"en\">") && !Contains("**") && !Contains("http"));
+    for (const std::string& target : quoted(text, "href=\""))
+      if (!target.starts_with("#")) CHECK(std::filesystem::exists(site / target));
+  }
+  CHECK(bytes < 16'000'000);
+
+  std::size_t last = 0;
+  const std::string index = contents(site / "index.html");
+  for (const isect::viz::Lesson* lesson : lessons) {
+    INFO(lesson->id);
+    const std::size_t at = index.find("href=\"" + lesson->id + ".html\"");
+    REQUIRE(at != index.npos);
+    CHECK(at > last);  // in the order of the course
+    last = at;
+    const std::string page = contents(site / (lesson->id + ".html"));
+    int steps = 0, questions = 0;
+    for (const isect::viz::Preset& p : lesson->presets) {
+      CHECK_THAT(page, Contains("id=\"" + p.id + "\"") && Contains("href=\"#" + p.id + "\""));
+      const isect::viz::Walk walk = lesson->walk(p.parameters);
+      for (const isect::viz::Step& step : walk.steps) {
+        steps += step.slug != isect::viz::closing_slug;
+        questions += bool(step.question);
+      }
+    }
+    CHECK(count(page, "<article class=\"step") == steps);
+    CHECK(count(page, "<article class=\"ask\"") == questions);
+    CHECK(count(page, "<svg class=\"picture\"") == steps + questions);
+    CHECK(count(page, "role=\"img\" aria-label=\"\"") == 0);
+    CHECK(count(page, " data-right>") == questions);
+    CHECK(count(page, "<summary>Solution</summary>") == static_cast<int>(lesson->closing->exercises.size()));
+  }
+}
+
+TEST_CASE("a question stands before its step, and its picture does not tell what comes out", "[book]") {
+  const Shell shell;
+  REQUIRE(shell("isect book ray-sphere --single").status == 0);
+  const std::string page = contents(shell.work() / "book/ray-sphere.html");
+  const std::size_t asked = page.find("<article class=\"ask\""), step = page.find("</article>", asked);
+  REQUIRE(asked != page.npos);
+  const std::string question = page.substr(asked, step - asked);
+  const std::string id = quoted(question, "id=\"").front();
+  CHECK(page.find("id=\"" + id.substr(0, id.find("/question")) + "\"") > asked);
+  CHECK_THAT(question, Contains("aria-label=\"Drawn: ") && !Contains("ray enters"));
+}
+
+TEST_CASE("one lesson in one file needs nothing beside it, and is the same each time", "[book]") {
+  const Shell shell;
+  const Ran r = shell("isect book points --single --out one");
+  CHECK(r.status == 0);
+  CHECK(r.out == "one/points.html\n");
+  CHECK(isect::test::files_in(shell.work()) == std::vector<std::string>{"one/points.html"});
+  const std::string page = contents(shell.work() / "one/points.html");
+  CHECK(faults(page) == "");
+  CHECK_THAT(page, Contains("@font-face") && Contains("SIL OPEN FONT LICENSE") && Contains("addEventListener") &&
+                       !Contains("<link") && !Contains(" src=\"") && !Contains(".html\""));
+  REQUIRE(shell("isect book points --single --out one").status == 0);
+  CHECK(contents(shell.work() / "one/points.html") == page);
+  REQUIRE(shell("ray-sphere book --out two").status == 0);
+  CHECK(isect::test::files_in(shell.work() / "two") == std::vector<std::string>{"ray-sphere.html"});
+}
+
+TEST_CASE("a book is never written over somebody else's files", "[book]") {
+  for (const std::string mine : {"index.html", "picking.html", "book.css", "fonts.css"}) {
+    const Shell shell;
+    write(shell.work() / "book" / mine, "mine");
+    const Ran r = shell("isect book");
+    CHECK(r.status == 4);
+    CHECK_THAT(r.err, Contains("book/" + mine) && Contains("--out"));
+    CHECK(contents(shell.work() / "book" / mine) == "mine");
+    CHECK(isect::test::files_in(shell.work()).size() == 1);  // nothing else was written either
+  }
+  const Shell shell;
+  write(shell.work() / "file", "mine");
+  CHECK(shell("isect book --out file").status == 4);
+  CHECK(contents(shell.work() / "file") == "mine");
+  write(shell.work() / "s/points/far/trace.json",
+        R"({"lesson": "points", "preset": "far", "parameters": {}, "steps": []})");
+  const Ran among = shell("isect book --out s");
+  CHECK(among.status == 2);
+  CHECK_THAT(among.err, Contains("baselines"));
+  CHECK(isect::test::files_in(shell.work() / "s").size() == 1);
+}
+
+TEST_CASE("a book takes away its own pages of lessons that are gone, and nothing else", "[book]") {
+  const Shell shell;
+  const auto site = shell.work() / "book";
+  const auto own = [](const std::string& file) { return "<!-- Made by isect book: " + file + ". -->\n"; };
+  write(site / "gone.html", own("gone.html"));
+  write(site / "copy.html", own("index.html"));
+  write(site / "mine.html", "<p>mine</p>\n");
+  write(site / "notes/gone.html", own("gone.html"));
+  std::filesystem::create_symlink(site / "mine.html", site / "link.html");
+  write(site / "index.html", own("index.html"));
+  REQUIRE(shell("isect book").status == 0);
+  CHECK(!std::filesystem::exists(site / "gone.html"));
+  for (const std::string kept : {"copy.html", "mine.html", "notes/gone.html", "link.html"})
+    CHECK(std::filesystem::exists(site / kept));
+  CHECK(contents(site / "index.html").size() > 1000);
+}
+
+TEST_CASE("what is wrong with the words of a book is said", "[book]") {
+  const Shell shell;
+  const std::tuple<const char*, const char*> all[] = {{"isect book ray-sphere", "--single"},
+                                                      {"isect book --single", "ray-sphere --single"},
+                                                      {"isect book ray-spere --single", "ray-sphere"},
+                                                      {"isect book --out ''", "--out"}};
+  for (const auto& [command, told] : all) {
+    const Ran r = shell(command);
+    INFO(command);
+    CHECK(r.status == 2);
+    CHECK_THAT(r.err, Contains(told));
+    CHECK(isect::test::files_in(shell.work()).empty());
+  }
+}
+
+}  // namespace book_test

@@ -1,0 +1,120 @@
+// Pictures inside a web page: one set of shapes in two themes, texts that stay text, what is shared.
+
+#include "viz/page_svg.h"
+
+#include "tests/catch.h"
+#include "viz/theme.h"
+
+namespace page_svg_test {
+using isect::test::Contains;
+using namespace isect::viz;
+
+const Theme light = theme(ThemeName::screen, 960, 600), dark = theme(ThemeName::dark, 960, 600);
+
+Stroke line(const Colour& c, double y, double width = 2) { return {polyline({{0, y}, {90, y}}), c, width}; }
+Drawing drawing(std::vector<Shape> shapes) { return {100, 50, {}, std::move(shapes), {}}; }
+
+int count(const std::string& text, const std::string& what) {
+  int found = 0;
+  for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + 1)) ++found;
+  return found;
+}
+
+TEST_CASE("a role's colour is a class, whatever the theme", "[page]") {
+  PageColours colours;
+  PagePictures page(colours);
+  const std::string svg = page.svg(drawing({line(light.ink(Role::first), 10)}),
+                                   drawing({line(dark.ink(Role::first), 10)}), "a line & \"more\"");
+  CHECK_THAT(svg, Contains("class=\"line-first\"") && Contains("viewBox=\"0 0 100 50\"") && Contains("role=\"img\"") &&
+                      Contains("aria-label=\"a line &amp; &quot;more&quot;\""));
+  CHECK_THAT(svg, !Contains("#0b60c8"));
+  CHECK_THAT(colours.rules(), Contains(".line-first { stroke: var(--first); }") && !Contains(".fill-first"));
+  CHECK_THAT(colours.variables(false), Contains("--first: #0b60c8; "));
+  CHECK_THAT(colours.variables(true), Contains("--first: #5fa8ff; "));
+}
+
+TEST_CASE("a colour of no role has a number, and the same pair has the same one", "[page]") {
+  PageColours colours;
+  const PageColour pair = {hex(0x123456), hex(0x654321)}, other = {hex(0x123456), hex(0x654322)};
+  CHECK(colours.of("fill", pair) == "fill-paint-11");
+  CHECK(colours.of("line", pair) == "line-paint-11");
+  CHECK(colours.of("fill", other) == "fill-paint-12");
+  CHECK_THAT(colours.variables(false), Contains("--paint-11: #123456; "));
+  CHECK_THAT(colours.variables(true), Contains("--paint-11: #654321; "));
+}
+
+TEST_CASE("what only one theme draws is seen through in the other, and nothing else is lost", "[page]") {
+  PageColours colours;
+  PagePictures page(colours);
+  const Stroke edge = line(light.ink(Role::text), 20, 7);  // round the highlight, on white only
+  const std::string svg =
+      page.svg(drawing({line(light.ink(Role::first), 10), edge, line(light.ink(Role::highlight), 20, 5),
+                        line(light.ink(Role::second), 30)}),
+               drawing({line(dark.ink(Role::first), 10), line(dark.ink(Role::highlight), 20, 5),
+                        line(dark.ink(Role::second), 30)}),
+               "");
+  CHECK(count(svg, "<path") == 4);
+  CHECK_THAT(svg, Contains("class=\"line-highlight\"") && Contains("class=\"line-second\""));
+  CHECK_THAT(colours.variables(true), Contains(": transparent; "));
+  CHECK_THAT(colours.variables(false), !Contains("transparent"));
+
+  PagePictures another(colours);
+  const std::string turned = another.svg(drawing({line(light.ink(Role::first), 10)}),
+                                         drawing({line(dark.ink(Role::miss), 5), line(dark.ink(Role::first), 10)}), "");
+  CHECK(count(turned, "<path") == 2);
+  CHECK_THAT(turned, Contains("class=\"line-first\""));
+  CHECK_THAT(colours.variables(false), Contains("transparent"));
+}
+
+TEST_CASE("opacity is told once where the themes agree, and in the paint where they don't", "[page]") {
+  PageColours colours;
+  PagePictures page(colours);
+  const auto fill = [](const Colour& c) { return Fill{circle({50, 25}, 20), c, 0, 0, {}, {}}; };
+  CHECK_THAT(page.svg(drawing({fill(light.ink(Role::hit).with_alpha(0.3))}),
+                      drawing({fill(dark.ink(Role::hit).with_alpha(0.3))}), ""),
+             Contains("class=\"fill-hit\" fill-opacity=\"0.3\""));
+  const std::string svg =
+      page.svg(drawing({fill(hex(0).with_alpha(0.2))}), drawing({fill(hex(0).with_alpha(0.6))}), "");
+  CHECK_THAT(svg, !Contains("opacity"));
+  CHECK_THAT(colours.variables(false), Contains("#00000033"));
+  CHECK_THAT(colours.variables(true), Contains("#00000099"));
+}
+
+TEST_CASE("texts stay text, with their scripts, and neighbours that look alike are one path", "[page]") {
+  PageColours colours;
+  PagePictures page(colours);
+  const Text text = {"*t*_1 < 2", {10, 20}, 10, light.ink(Role::text), 0.5};
+  Text on_dark = text;
+  on_dark.colour = dark.ink(Role::text);
+  const Colour a = light.ink(Role::grid), b = dark.ink(Role::grid);
+  const std::string svg = page.svg(drawing({line(a, 1), line(a, 2), line(a, 3), text}),
+                                   drawing({line(b, 1), line(b, 2), line(b, 3), on_dark}), "");
+  CHECK_THAT(svg, Contains("<tspan font-style=\"italic\">t</tspan><tspan font-size=\"7\" dy=\"1.6\">1</tspan>") &&
+                      Contains("<tspan dy=\"-1.6\"> &lt; 2</tspan>") && Contains("text-anchor=\"middle\""));
+  CHECK(count(svg, "<path") == 1);
+}
+
+TEST_CASE("an object that was drawn before is referred to, and so is a gradient", "[page]") {
+  PageColours colours;
+  PagePictures page(colours);
+  const auto ball = [](const Theme& theme, double x) {
+    const Colour ink = theme.ink(Role::second);
+    Drawing d = drawing({Gradient{{x, 25}, {20, 0}, {0, 20}, {x - 5, 20}, ink.with_alpha(0.1), ink.with_alpha(0.3)},
+                         Stroke{circle({x, 25}, 20), ink, 2}});
+    d.objects = {{"ball", "c", Role::second}};
+    assign(d.shapes, 0, 0);
+    return d;
+  };
+  const std::string first = page.svg(ball(light, 50), ball(dark, 50), "");
+  CHECK(!page.repeated());
+  CHECK_THAT(first, Contains("<g id=\"g1\">") && Contains("fill=\"url(#gradient1)\""));
+  const std::string again = page.svg(ball(light, 50), ball(dark, 50), "");
+  CHECK(page.repeated());
+  CHECK_THAT(again, Contains("<use href=\"#g1\"/>") && !Contains("<path"));
+  CHECK_THAT(page.svg(ball(light, 51), ball(dark, 51), ""), Contains("<g id=\"g2\">") && Contains("#gradient2"));
+  CHECK(!page.repeated());
+  CHECK(count(page.shared(), "<radialGradient") == 2);
+  CHECK_THAT(page.shared(), Contains("class=\"stop-second\" stop-opacity=\"0.1\""));
+}
+
+}  // namespace page_svg_test

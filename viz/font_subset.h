@@ -1,0 +1,19 @@
+#pragma once
+// The letters of figures as a font of their own, for pages that bring it along.
+
+#include <optional>
+#include <string>
+
+namespace isect::viz {
+
+enum class Face { upright, italic, bold };
+
+struct FontSubset {
+  std::string bytes;   ///< an OpenType font with these letters, called "IsectLetter" inside
+  std::string notice;  ///< copyright, trademark and licence as the font states them
+};
+/// Those of `letters` (UTF-8) that the font of figures has. None where that font is not STIX, whose licence allows it
+/// under another name.
+std::optional<FontSubset> font_subset(Face, const std::string& letters);
+
+}  // namespace isect::viz
