@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 
 #include "viz/lesson.h"
@@ -169,7 +170,12 @@ std::vector<std::string> wrapped(const std::string& markup, double size, bool bo
     const auto splits_mark = [&] {  // a mark that opened before and closes behind is no mark any more
       return plain(markup.substr(at, end - at)) + plain(markup.substr(end)) != plain(markup.substr(at));
     };
-    while (end < markup.size() && splits_mark()) end = std::min(markup.find(' ', end + 1), markup.size());
+    const auto relation_follows = [&] {  // which ends a line rather than begins one, as in print
+      static const std::set<std::string> relations = {"=", "≠", "<", ">", "≤", "≥", "≈"};
+      return relations.contains(markup.substr(end + 1, markup.find(' ', end + 1) - end - 1));
+    };
+    while (end < markup.size() && (splits_mark() || relation_follows()))
+      end = std::min(markup.find(' ', end + 1), markup.size());
     const std::string word = markup.substr(at, end - at);
     if (!lines.empty() && width(lines.back() + ' ' + word) <= room)
       lines.back() += ' ' + word;

@@ -21,7 +21,7 @@ struct Picture {
 TextBox measure(const Text&);
 
 /// Words of markup on as few lines as fit into `room`; a word wider than that stands alone. What is marked as one stays
-/// on one line.
+/// on one line, and no line begins with = or another relation.
 std::vector<std::string> wrapped(const std::string& markup, double size, bool bold, double room);
 
 /// A Text as pixels at `scale` pixels per unit, with the position of its top left corner in the drawing.

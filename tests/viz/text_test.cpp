@@ -60,6 +60,18 @@ std::vector<std::pair<int, int>> bands(const Picture& p) {
 
 }  // namespace
 
+TEST_CASE("a line ends before the left side of an equation, or after its sign", "[text]") {
+  const std::string formula = "centre (1, 2), *r* = 3.6557";
+  const auto width = [](const std::string& line) {
+    const TextBox box = measure({.markup = line, .at = Vec2::Zero(), .size = 20, .colour = {}});
+    return box.right - box.left;
+  };
+  CHECK(wrapped(formula, 20, false, width(formula)) == std::vector<std::string>{formula});
+  CHECK(wrapped(formula, 20, false, width("centre (1, 2), *r*") + 1) ==
+        std::vector<std::string>{"centre (1, 2),", "*r* = 3.6557"});
+  CHECK(wrapped(formula, 20, false, 1) == std::vector<std::string>{"centre", "(1,", "2),", "*r* =", "3.6557"});
+}
+
 TEST_CASE("the fonts of figures and window are the designed ones", "[text]") {
   const Fonts f = fonts();
   CHECK(f.figure.starts_with("STIX"));
