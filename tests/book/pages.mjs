@@ -1,0 +1,167 @@
+// The pages of a book in a real browser. node pages.mjs FOLDER; prints what is wrong; exit status 1 if anything is.
+import { readdirSync } from "node:fs";
+import { join, resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+import { Browser } from "./browser.mjs";
+
+const folder = resolve(process.argv[2]);
+const pages = readdirSync(folder).filter(name => name.endsWith(".html")).sort();
+const wrong = [];
+let checks = 0;
+function check(holds, what) {
+  ++checks;
+  if (!holds) wrong.push(what), console.log("wrong: " + what);
+}
+const address = (page, hash = "") => pathToFileURL(join(folder, page)).href + hash;
+
+/// What of the page can be seen beyond its sides, or lies on something else it should not.
+const overflow = `(() => {
+  const wide = document.documentElement.clientWidth, out = [];
+  if (document.documentElement.scrollWidth > wide) out.push("the page is " + document.documentElement.scrollWidth + " wide");
+  for (const element of document.querySelectorAll("h1, h2, h3, p, li, button, td, th, code, svg.picture")) {
+    const box = element.getBoundingClientRect();
+    if (box.width === 0 || element.closest(".transport, nav.settings, figure[tabindex], .formula, .skip, .shared")) continue;
+    if (box.right > wide + 1 || box.left < -1) out.push(element.tagName + ": " + element.textContent.slice(0, 40));
+  }
+  return out;
+})()`;
+
+/// Contrast of texts to the ground below them, as WCAG 2.1 asks; names of what is pressed; order of headings.
+const accessible = `(() => {
+  const out = [], seen = element => element.getBoundingClientRect().width > 0;
+  const light = ([r, g, b]) => [r, g, b].map(c => c / 255).map(c => c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4)
+    .reduce((sum, c, i) => sum + c * [0.2126, 0.7152, 0.0722][i], 0);
+  const numbers = colour => colour.match(/[\\d.]+/g).map(Number);
+  const ground = element => {
+    for (let e = element; e; e = e.parentElement) {
+      const colour = numbers(getComputedStyle(e).backgroundColor);
+      if (colour.length === 3 || colour[3] === 1) return colour;
+    }
+    return [255, 255, 255];
+  };
+  for (const element of document.querySelectorAll("h1, h2, h3, p, li, td, th, a, button, code, summary, caption, dt, dd, small")) {
+    if (!seen(element) || !element.textContent.trim() || element.disabled) continue;
+    const a = light(numbers(getComputedStyle(element).color)), b = light(ground(element));
+    const contrast = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+    if (contrast < 4.5) out.push("contrast " + contrast.toFixed(2) + ": " + element.textContent.slice(0, 40));
+  }
+  for (const element of document.querySelectorAll("a, button, input, summary, [tabindex='0']")) {
+    const name = element.getAttribute("aria-label") || element.textContent.trim() ||
+      element.querySelector("[aria-label]")?.getAttribute("aria-label");
+    if (!name) out.push("no name: " + element.outerHTML.slice(0, 80));
+    const box = element.getBoundingClientRect();
+    if (seen(element) && element.matches("button, nav.settings a") && box.height < 24) out.push("small: " + name);
+  }
+  let level = 0;
+  for (const head of document.querySelectorAll("h1, h2, h3")) {
+    const now = Number(head.tagName[1]);
+    if (now > level + 1) out.push("a heading leaves out a level: " + head.textContent);
+    level = now;
+  }
+  if (document.querySelectorAll("h1").length !== 1) out.push("not one h1");
+  for (const landmark of ["main", "title"]) if (!document.querySelector(landmark)) out.push("no " + landmark);
+  for (const list of document.querySelectorAll("ul, ol"))
+    if ([...list.children].some(child => child.tagName !== "LI")) out.push("a list with what is no item");
+  return out;
+})()`;
+
+const shown = `(() => {
+  const all = [...document.querySelectorAll(".walk.shown > .steps > .shown")].filter(a => a.querySelector("svg").getBoundingClientRect().width > 0
+    || getComputedStyle(a.querySelector("figure")).display !== "none");
+  return { count: all.length, id: all.at(-1)?.id ?? "", hash: location.hash,
+    line: document.querySelectorAll(".walk.shown ol.code .current").length,
+    wanted: all.at(-1)?.dataset.line ?? null,
+    end: document.querySelector(".transport .next").disabled };
+})()`;
+
+const browser = await Browser.start();
+const beginning = Date.now();
+try {
+  // Each page in each look: nothing sticks out, nothing is hard to see, nothing is said on the console.
+  for (const page of pages)
+    for (const width of [360, 768, 1440])
+      for (const dark of [false, true]) {
+        await browser.look({ width, height: 900, dark });
+        await browser.open(address(page));
+        const at = `${page}, ${width} wide, ${dark ? "dark" : "light"}`;
+        for (const fault of [...await browser.ask(overflow), ...await browser.ask(accessible)]) check(false, `${at}: ${fault}`);
+        check(true, at);
+      }
+
+  // Each lesson stepped by keys to its end, each question answered on the way.
+  await browser.look({ width: 768, height: 1000 });
+  for (const page of pages) {
+    await browser.open(address(page));
+    if (!await browser.ask(`document.querySelector(".walk") !== null`)) continue;
+    const walks = await browser.ask(`document.querySelectorAll(".walk").length`);
+    for (let w = 0; w < Math.min(walks, 9); ++w) {
+      await browser.press(String(w + 1));
+      const articles = await browser.ask(`document.querySelectorAll(".walk")[${w}].querySelectorAll(".steps > article").length`);
+      const ids = new Set();
+      for (let i = 0; i < articles; ++i) {
+        const now = await browser.ask(shown);
+        const at = `${page}, walk ${w + 1}, ${i + 1} of ${articles}`;
+        ids.add(now.id);
+        check(now.count === 1 && now.id !== "", `${at}: ${now.count} are shown`);
+        check(decodeURIComponent(now.hash) === "#" + now.id, `${at}: the address is ${now.hash}`);
+        if (now.id && !now.id.endsWith("/question"))
+          check(now.line === (now.wanted === null ? 0 : 1), `${at}: ${now.line} lines are lit`);
+        check(now.end === (i + 1 === articles), `${at}: the end is ${now.end}`);
+        if (now.id.endsWith("/question")) {
+          const right = await browser.ask(`[...document.querySelectorAll(".walk.shown .steps > .shown .choices li")].findIndex(li => "right" in li.dataset)`);
+          await browser.press("abcdefgh"[w % 2 ? right : 0]);
+          const told = await browser.ask(`({ told: document.querySelector(".walk.shown .steps > .shown").classList.contains("told"),
+            wrong: document.querySelectorAll(".walk.shown .steps > .shown .wrong").length, answer: document.querySelector(".walk.shown .steps > .shown details").open })`);
+          check(told.told && told.answer, `${at}: the answer is not told`);
+          check(told.wrong === (w % 2 || right === 0 ? 0 : 1), `${at}: ${told.wrong} choices are wrong`);
+        }
+        for (const fault of i % 4 === 0 ? await browser.ask(overflow) : []) check(false, `${at}: ${fault}`);
+        await browser.press("ArrowRight");
+      }
+      check(ids.size === articles, `${page}, walk ${w + 1}: ${ids.size} of ${articles} were seen`);
+    }
+  }
+
+  // A link opens that very step; the buttons do what the keys do; all steps at once; without scripts; on paper.
+  const [lesson] = pages.includes("ray-sphere.html") ? ["ray-sphere.html"] : pages.filter(p => p !== "index.html");
+  await browser.open("about:blank");
+  const step = "tangent/3";
+  await browser.open(address(lesson, "#" + step));
+  check((await browser.ask(shown)).id === step, "a link opens another step");
+  check(await browser.ask(`document.querySelector("#walks").getBoundingClientRect().top <= 1`), "a link does not go to the step");
+  await browser.ask(`document.querySelector(".transport .next").click()`);
+  check((await browser.ask(shown)).id.startsWith("tangent/4"), "the button does not go on");
+  await browser.ask(`document.querySelector('nav.settings a[href="#miss"]').click()`);
+  await browser.ask(`new Promise(resolve => setTimeout(resolve, 100))`);
+  check((await browser.ask(shown)).id.startsWith("miss/1"), "a setting is not opened by its link");
+  await browser.ask(`[...document.querySelectorAll(".transport button")].at(-1).click()`);
+  const every = `[...document.querySelectorAll(".step")].filter(s => s.getBoundingClientRect().height > 0).length`;
+  const steps = await browser.ask(`document.querySelectorAll(".step").length`);
+  check(await browser.ask(every) === steps, "not all steps are shown at once");
+  await browser.look({ width: 360, scripts: false });
+  await browser.open(address(lesson));
+  await browser.look({ width: 360, scripts: true });  // to ask; none of the page's own has run
+  check(await browser.ask(every) === steps, "without scripts not all steps are shown");
+  check(await browser.ask(`document.querySelector(".transport") === null`), "a script has run");
+  check((await browser.ask(overflow)).length === 0, "without scripts something sticks out");
+  for (const [paper, width, height] of [["A4", 8.27, 11.69], ["Letter", 8.5, 11]]) {
+    await browser.look({ width: 1000, dark: true });
+    await browser.open(address(lesson));
+    const { data } = await browser.send("Page.printToPDF", { paperWidth: width, paperHeight: height });
+    const pdf = Buffer.from(data, "base64").toString("latin1");
+    const sheets = (pdf.match(/\/Type\s*\/Page\b/g) ?? []).length;
+    check(pdf.startsWith("%PDF") && sheets >= 3 && sheets <= 12, `${paper}: ${sheets} sheets`);
+  }
+  await browser.look({ width: 794, print: true, dark: true });
+  await browser.open(address(lesson));
+  check(await browser.ask(`getComputedStyle(document.body.parentElement).backgroundColor`) === "rgb(255, 255, 255)", "paper is dark");
+  check((await browser.ask(overflow)).length === 0, "on paper something sticks out");
+
+  browser.messages.forEach(message => check(false, "the console says: " + message));
+  const far = browser.requests.filter(url => !/^(file|data|about|blob):/.test(url));
+  check(far.length === 0, "asked of the network: " + far[0]);
+} finally {
+  await browser.stop();
+}
+console.log(`${checks} checks of ${pages.length} pages in ${((Date.now() - beginning) / 1000).toFixed(0)} s, ${wrong.length} wrong`);
+process.exit(wrong.length === 0 ? 0 : 1);
