@@ -15,8 +15,8 @@ namespace {
 
 constexpr int asked_places = 40;
 /// A lesson that takes longer over one setting, a traced picture say, is not searched: it asks for about a hundred.
-/// Seconds of processor time, so that a busy machine snaps as an idle one does.
-constexpr double most_a_setting = 0.012;
+/// By processor time, so that a busy machine snaps as an idle one does.
+constexpr std::clock_t most_a_setting = CLOCKS_PER_SEC / 80;
 
 /// Nor are what is counted, one or several, two cases.
 std::string without_numbers(const std::string& text) {
@@ -97,7 +97,7 @@ std::optional<Snapped> find_border(const Lesson& lesson, const Way& way, double 
   };
   const std::clock_t begun = std::clock();
   at(begin);
-  if (std::clock() - begun > most_a_setting * CLOCKS_PER_SEC) return {};
+  if (std::clock() - begun > most_a_setting) return {};
   std::vector<Found> all;
   for (int i = 0; i <= asked_places; ++i) all.push_back(at(begin + (end - begin) * i / asked_places));
   std::optional<std::size_t> best;
