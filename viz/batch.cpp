@@ -82,6 +82,18 @@ void Batch::add(const Gradient& gradient) {
   for (const Vec2& p : triangles) vertices_.push_back(vertex(p, to_circle * (p - gradient.center), {}));
 }
 
+void Batch::add(const Facets& facets) {
+  if (facets.colours.empty()) return;
+  call(Pass::opaque);
+  vertices_.reserve(vertices_.size() + facets.corners.size());
+  for (std::size_t i = 0; i < facets.colours.size(); ++i) {
+    const Vec2* const p = &facets.corners[3 * i];
+    if (!p[0].allFinite() || !p[1].allFinite() || !p[2].allFinite()) continue;
+    for (int k = 0; k < 3; ++k) vertices_.push_back(vertex(p[k], Vec2::Zero(), facets.colours[i]));
+    calls_.back().count += 3;
+  }
+}
+
 void Batch::add_image(unsigned image, const Box& box) {
   Call& here = call(Pass::image);
   here.image = image;
@@ -98,7 +110,7 @@ void Batch::add(Pass pass, const Triangles& triangles, const Colour& colour) {
 
 Call& Batch::call(Pass pass) {
   // `once` marks one shape; two shapes that overlap must blend twice.
-  const bool joins = pass == Pass::paint || pass == Pass::inside || pass == Pass::wipe;
+  const bool joins = pass == Pass::paint || pass == Pass::opaque || pass == Pass::inside || pass == Pass::wipe;
   if (calls_.empty() || calls_.back().pass != pass || !joins)
     calls_.push_back({.pass = pass, .first = static_cast<int>(vertices_.size())});
   return calls_.back();

@@ -18,6 +18,7 @@ struct Vertex {
 /// next passes that need a 0 have wiped.
 enum class Pass {
   paint,     ///< colour
+  opaque,    ///< the same where nothing shows through, which is quicker
   gradient,  ///< colour by RadialColours; (u, v) is the place in the unit circle
   image,     ///< colour from the image at (u, v)
   winding,   ///< no colour; the stencil counts up under triangles of one orientation, down under the other
@@ -50,6 +51,7 @@ class Batch {
   void add(const Fill&);
   void add(const Stroke&);
   void add(const Gradient&);
+  void add(const Facets&);  ///< without seams: samples leave none
   /// An image in a box, its first row on top.
   void add_image(unsigned image, const Box&);
 

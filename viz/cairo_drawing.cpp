@@ -92,6 +92,12 @@ void draw(cairo_t* cr, const Gradient& gradient) {
   cairo_pattern_destroy(pattern);
 }
 
+void draw(cairo_t* cr, const Text& text, TypesetLine::As letters) { TypesetLine(text).draw(cr, letters); }
+void draw(cairo_t* cr, const auto& shape, TypesetLine::As) { draw(cr, shape); }
+void draw(cairo_t* cr, const Facets& facets, TypesetLine::As letters) {
+  for (const Shape& shape : expanded(facets)) std::visit([&](const auto& s) { draw(cr, s, letters); }, shape);
+}
+
 }  // namespace
 
 void draw(cairo_t* cr, const Drawing& drawing, TypesetLine::As letters) {
@@ -100,15 +106,7 @@ void draw(cairo_t* cr, const Drawing& drawing, TypesetLine::As letters) {
     cairo_rectangle(cr, 0, 0, drawing.width, drawing.height);
     cairo_fill(cr);
   }
-  for (const Shape& shape : drawing.shapes) {
-    if (const Text* text = std::get_if<Text>(&shape)) {
-      TypesetLine(*text).draw(cr, letters);
-      continue;
-    }
-    if (const Fill* fill = std::get_if<Fill>(&shape)) draw(cr, *fill);
-    if (const Stroke* stroke = std::get_if<Stroke>(&shape)) draw(cr, *stroke);
-    if (const Gradient* gradient = std::get_if<Gradient>(&shape)) draw(cr, *gradient);
-  }
+  for (const Shape& shape : drawing.shapes) std::visit([&](const auto& s) { draw(cr, s, letters); }, shape);
 }
 
 }  // namespace isect::viz

@@ -1,6 +1,7 @@
 #include "viz/compose.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "viz/chart.h"
 #include "viz/compose/canvas.h"
@@ -37,8 +38,7 @@ Composed compose(const Scene& scene, const View& view, const Theme& theme, bool 
     for (const Handle& handle : scene.handles)
       canvas.own(add_object(result.objects, {"handle", handle.parameter, handle.role}), [&] { draw(canvas, handle); });
 
-  for (const std::vector<Shape>* layer : canvas.layers())
-    result.shapes.insert(result.shapes.end(), layer->begin(), layer->end());
+  for (std::vector<Shape>* layer : canvas.layers()) std::ranges::move(*layer, std::back_inserter(result.shapes));
   const Vec2 corner = view.corner();
   const double margin = theme.sizes.margin;
   const Bounds bounds = {corner.x() + margin, corner.y() + margin, corner.x() + view.width() - margin,

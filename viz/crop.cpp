@@ -30,6 +30,9 @@ struct Ink {
     grow({box.left, box.top}, text.halo);
     grow({box.right, box.bottom}, text.halo);
   }
+  void operator()(const Facets& facets) {
+    for (const Vec2& p : facets.corners) grow(p, facets.seam / 2);
+  }
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace isect::viz {
 namespace {
@@ -48,6 +49,9 @@ struct Moved {
   void operator()(Stroke& stroke) const { move(stroke.path, by); }
   void operator()(Gradient& g) const { g.center += by, g.focus += by; }
   void operator()(Text& text) const { text.at += by; }
+  void operator()(Facets& facets) const {
+    for (Vec2& p : facets.corners) p += by;
+  }
 };
 
 }  // namespace
@@ -55,6 +59,30 @@ struct Moved {
 std::string full_name(const Object& o) {
   const std::string name = o.name.empty() ? fmt::format("({})", name_of(o.role)) : o.name;
   return o.kind + ' ' + name + (o.number > 1 ? fmt::format("{}{}", o.name.empty() ? " " : " #", o.number) : "");
+}
+
+std::vector<Shape> expanded(const Facets& facets) {
+  std::vector<Shape> shapes;
+  shapes.reserve(2 * facets.colours.size());
+  for (std::size_t i = 0; i < facets.colours.size(); ++i) {
+    const Vec2* const p = &facets.corners[3 * i];
+    const Path outline = polyline({p[0], p[1], p[2]}, true);
+    shapes.emplace_back(Fill{.path = outline, .colour = facets.colours[i], .object = facets.object});
+    if (facets.seam > 0)
+      shapes.emplace_back(
+          Stroke{.path = outline, .colour = facets.colours[i], .width = facets.seam, .object = facets.object});
+  }
+  return shapes;
+}
+
+std::vector<Shape> expanded(const std::vector<Shape>& shapes) {
+  std::vector<Shape> all;
+  for (const Shape& shape : shapes)
+    if (const Facets* facets = std::get_if<Facets>(&shape))
+      std::ranges::move(expanded(*facets), std::back_inserter(all));
+    else
+      all.push_back(shape);
+  return all;
 }
 
 int object_of(const Shape& shape) {

@@ -81,7 +81,15 @@ struct Text {
   int object = no_object;
 };
 
-using Shape = std::variant<Fill, Stroke, Gradient, Text>;
+/// Opaque triangles, the later over the earlier ones: as many colours as triangles, three corners to each.
+struct Facets {
+  std::vector<Vec2> corners = {};
+  std::vector<Colour> colours = {};
+  double seam = 0;  ///< width of the line round each that closes what smoothing leaves open between neighbours
+  int object = no_object;
+};
+
+using Shape = std::variant<Fill, Stroke, Gradient, Text, Facets>;
 
 struct Drawing {
   double width = 0, height = 0;
@@ -89,6 +97,11 @@ struct Drawing {
   std::vector<Shape> shapes;
   std::vector<Object> objects = {};
 };
+
+/// Each facet as a fill and a stroke, for what knows no facets.
+std::vector<Shape> expanded(const Facets&);
+/// All shapes, those of facets in their place.
+std::vector<Shape> expanded(const std::vector<Shape>&);
 
 int object_of(const Shape&);
 /// The shapes from `first` on that belong to nothing yet now belong to `object`.

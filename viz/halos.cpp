@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <optional>
 
 #include "viz/labels.h"
@@ -67,6 +68,28 @@ Colour over(const Colour& below, const Colour& c) {
   return {below.r + c.a * (c.r - below.r), below.g + c.a * (c.g - below.g), below.b + c.a * (c.b - below.b), 1};
 }
 
+bool holds(const Vec2* triangle, const Vec2& p) {
+  const auto side = [&](const Vec2& a, const Vec2& b) {
+    return (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
+  };
+  const double u = side(triangle[0], triangle[1]), v = side(triangle[1], triangle[2]),
+               w = side(triangle[2], triangle[0]);
+  return (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
+}
+
+/// Those of them that meet the box.
+Facets within(const Facets& all, const TextBox& box) {
+  Facets some;
+  for (std::size_t i = 0; i < all.colours.size(); ++i) {
+    const Vec2* const p = &all.corners[3 * i];
+    const Vec2 lo = p[0].cwiseMin(p[1]).cwiseMin(p[2]), hi = p[0].cwiseMax(p[1]).cwiseMax(p[2]);
+    if (!(lo.x() <= box.right && box.left <= hi.x() && lo.y() <= box.bottom && box.top <= hi.y())) continue;
+    some.corners.insert(some.corners.end(), p, p + 3);
+    some.colours.push_back(all.colours[i]);
+  }
+  return some;
+}
+
 /// The colour at a point once `shape` is drawn on `below`.
 Colour drawn_on(const Colour& below, const Shape& shape, const Vec2& p) {
   if (const Fill* fill = std::get_if<Fill>(&shape)) {
@@ -83,6 +106,10 @@ Colour drawn_on(const Colour& below, const Shape& shape, const Vec2& p) {
     const Colour &in = ball->inner, &out = ball->outer;
     return over(below, {in.r + r * (out.r - in.r), in.g + r * (out.g - in.g), in.b + r * (out.b - in.b),
                         in.a + r * (out.a - in.a)});
+  }
+  if (const Facets* facets = std::get_if<Facets>(&shape)) {
+    for (std::size_t i = facets->colours.size(); i-- > 0;)
+      if (holds(&facets->corners[3 * i], p)) return facets->colours[i];
   }
   return below;
 }
@@ -103,7 +130,12 @@ double contrast_of(const std::vector<Shape>& shapes, std::size_t text, const Col
   const Text& t = std::get<Text>(shapes[text]);
   const TextBox box = measure(t);
   std::vector<const Shape*> below_it;
+  std::deque<Shape> parts;  // of what has thousands
   for (std::size_t k = 0; k < text; ++k) {
+    if (const Facets* facets = std::get_if<Facets>(&shapes[k])) {
+      below_it.push_back(&parts.emplace_back(within(*facets, box)));
+      continue;
+    }
     const TextBox b = around(shapes[k]);
     if (b.left <= box.right && box.left <= b.right && b.top <= box.bottom && box.top <= b.bottom)
       below_it.push_back(&shapes[k]);

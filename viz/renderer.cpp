@@ -21,7 +21,7 @@ layout(location = 2) in vec4 colour;
 uniform vec2 units;   // clip units per unit of the drawing; y runs down in a drawing
 uniform vec2 origin;  // where the drawing's corner lies in clip space
 out vec2 at;
-out vec4 ink;
+flat out vec4 ink;  // a triangle has one
 void main() {
   at = uv;
   ink = colour;
@@ -29,7 +29,7 @@ void main() {
 })";
 
 constexpr const char* paint_shader = R"(#version 330 core
-in vec4 ink;
+flat in vec4 ink;
 out vec4 pixel;
 void main() { pixel = ink; })";
 
@@ -119,6 +119,7 @@ namespace {
 void set_pass(Pass pass, int mark) {
   const bool coloured = pass != Pass::winding && pass != Pass::parity && pass != Pass::wipe;
   glColorMask(coloured, coloured, coloured, coloured);
+  (pass == Pass::opaque ? glDisable : glEnable)(GL_BLEND);
   const auto stencil = [mark](GLenum test, GLenum then) {
     glEnable(GL_STENCIL_TEST);
     glStencilFunc(test, mark, 0xff);
@@ -126,6 +127,7 @@ void set_pass(Pass pass, int mark) {
   };
   switch (pass) {
     case Pass::paint:
+    case Pass::opaque:
     case Pass::gradient:
     case Pass::image:
       glDisable(GL_STENCIL_TEST);
@@ -210,8 +212,8 @@ struct Renderer::Impl {
     }
     int marks = 0;  // on the stencil, from 1 up
     for (const Call& call : batch.calls()) {
-      const bool once = call.pass == Pass::once,
-                 plain = call.pass == Pass::paint || call.pass == Pass::image || call.pass == Pass::gradient;
+      const bool once = call.pass == Pass::once, plain = call.pass == Pass::paint || call.pass == Pass::opaque ||
+                                                         call.pass == Pass::image || call.pass == Pass::gradient;
       if (marks == 255 ? !plain : marks > 0 && !plain && !once) {
         glClear(GL_STENCIL_BUFFER_BIT);
         marks = 0;

@@ -141,6 +141,10 @@ class SvgWriter {
     path(d, svg_paint("fill", text.colour));
   }
 
+  void add(const Facets& facets) {
+    for (const Shape& shape : expanded(facets)) std::visit([this](const auto& s) { add(s); }, shape);
+  }
+
   /// Text that stays text. A script stands on a line of its own height, and what follows comes back from it.
   void editable(const Text& text, const TypesetLine& line, const std::string& halo) {
     const char* const anchor = text.align == 0.5 ? "middle" : text.align == 1 ? "end" : "start";

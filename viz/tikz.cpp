@@ -141,6 +141,10 @@ class TikzWriter {
                         point({verdict ? box.left : (box.left + box.right) / 2, text.at.y()}), tex(text.markup));
   }
 
+  void add(const Facets& facets) {
+    for (const Shape& shape : expanded(facets)) std::visit([this](const auto& s) { add(s); }, shape);
+  }
+
   const Drawing& drawing_;
   const double scale_;
   std::string out_;

@@ -22,6 +22,9 @@ TEST_CASE("a cropped drawing is its ink and a margin, within the frame", "[crop]
   const Drawing over = {200, 100, blue, {Fill{circle({0, 50}, 30), blue}}};  // half of it lies outside
   CHECK(cropped(over, 5).width == Approx(35).epsilon(1e-3));
   CHECK(cropped({200, 100, blue, {}}, 5).width == 200);
+  const Drawing facet = {200, 100, {1, 1, 1, 1}, {Facets{{{50, 40}, {90, 40}, {50, 60}}, {blue}}}};
+  CHECK(cropped(facet, 3).width == Approx(46));
+  CHECK(cropped(facet, 3).height == Approx(26));
 }
 
 TEST_CASE("a picture without a ground is found from how it looks on black and on white", "[crop]") {

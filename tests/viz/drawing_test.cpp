@@ -42,6 +42,24 @@ TEST_CASE("a polyline of one point or of none has no segment", "[drawing]") {
   CHECK(polyline({{3, 4}}).segments.empty());
 }
 
+TEST_CASE("facets are as many fills, each with a seam of its colour, for what knows no facets", "[drawing]") {
+  Facets facets = {{{0, 0}, {4, 0}, {0, 3}, {1, 1}, {5, 1}, {1, 4}}, {{1, 0, 0}, {0, 1, 0}}, 0.5, 7};
+  const std::vector<Shape> shapes = expanded(std::vector<Shape>{Text{}, facets, Text{}});
+  REQUIRE(shapes.size() == 6);
+  const Fill& fill = std::get<Fill>(shapes[3]);
+  const Stroke& seam = std::get<Stroke>(shapes[4]);
+  CHECK(flatten(fill.path) == std::vector<Vec2>{{1, 1}, {5, 1}, {1, 4}});
+  CHECK((fill.path.closed && seam.path.closed));
+  CHECK(flatten(seam.path) == flatten(fill.path));
+  CHECK((fill.colour == facets.colours[1] && seam.colour == facets.colours[1]));
+  CHECK((seam.width == 0.5 && seam.object == 7 && fill.object == 7));
+  facets.seam = 0;
+  CHECK(expanded(facets).size() == 2);
+  Shape moved = facets;
+  move(moved, {10, 20});
+  CHECK(std::get<Facets>(moved).corners.back() == Vec2(11, 24));
+}
+
 TEST_CASE("an ellipse of cubics stays within 3e-4 of the radius", "[drawing]") {
   const Vec2 center(7, -3);
   const double radius = 40;

@@ -28,6 +28,15 @@ TEST_CASE("contrast is measured against what the fills below a text come to", "[
   const Gradient ball = {{0, 0}, {99, 0}, {0, 99}, {0, 0}, white, black};
   CHECK(contrast_of({ball, word(black)}, 1, white) > 10);
   CHECK(contrast_of({ball, word(white)}, 1, white) == Approx(1).margin(0.3));
+  const std::vector<Vec2> everywhere = {{-99, -99}, {299, -99}, {-99, 299}};
+  Facets facets = {everywhere, {black}};
+  CHECK(contrast_of({facets, word(black)}, 1, white) == Approx(1));
+  facets.corners.insert(facets.corners.end(), everywhere.begin(), everywhere.end());
+  facets.colours.push_back(white);  // over the first
+  CHECK(contrast_of({facets, word(black)}, 1, white) == Approx(21));
+  facets.corners = {{500, 500}, {600, 500}, {500, 600}};
+  facets.colours = {black};
+  CHECK(contrast_of({facets, word(black)}, 1, white) == Approx(21));
 }
 
 TEST_CASE("a text gets a halo where it would not stand out, and only there", "[halos]") {

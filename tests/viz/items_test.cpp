@@ -157,8 +157,26 @@ TEST_CASE("a mesh is opaque, sorted from far to near, its far side left out", "[
   const Hull3<double> hull = convex_hull<double>(std::span<const Vec3>(mesh.vertices));
   mesh.vertices = hull.vertices;
   const Drawn d = drawn({mesh}, ThemeName::print, Camera{});
-  REQUIRE(d.all<Fill>().size() == 6);
-  for (const Fill& fill : d.all<Fill>()) CHECK(fill.colour.a == 1);
+  REQUIRE(d.all<Facets>().size() == 1);
+  CHECK(d.all<Fill>().empty());
+  const Facets facets = d.all<Facets>().front();
+  CHECK((facets.colours.size() == 6 && facets.corners.size() == 18));
+  for (const Colour& colour : facets.colours) CHECK(colour.a == 1);
+  CHECK(d.composed.objects.at(static_cast<std::size_t>(facets.object)).kind == "mesh");
+
+  const View view(Camera{}, 480, 300);
+  const Vec3 towards = -view.forward();
+  Mesh two;
+  for (const double off : {1.0, -1.0})
+    for (const Vec3& p : {Vec3(-view.right()), view.right(), view.up()}) two.vertices.push_back(p + off * towards);
+  two.triangles = {{0, 1, 2}, {3, 4, 5}};
+  const Facets both = drawn({two}, ThemeName::print, Camera{}).all<Facets>().front();
+  REQUIRE(both.colours.size() == 2);
+  const Facets turned = [&] {
+    std::swap(two.triangles[0], two.triangles[1]);
+    return drawn({two}, ThemeName::print, Camera{}).all<Facets>().front();
+  }();
+  CHECK(both.corners == turned.corners);
 }
 
 TEST_CASE("framing keeps each kind of item inside the picture", "[items]") {

@@ -220,6 +220,33 @@ TEST_CASE("later shapes cover earlier ones", "[renderer]") {
   CHECK(ink(render({Fill{box, black}, Text{"█", {100, 80}, 60, white, 0.5}})) < ink(render({Fill{box, black}})));
 }
 
+TEST_CASE("facets leave no seam between neighbours, and a later one covers an earlier one", "[renderer]") {
+  Facets fan;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> far(50, 55), near(-3, 3);
+  const int count = 37;
+  std::vector<Vec2> rim;
+  for (int i = 0; i < count; ++i)
+    rim.push_back(Vec2(100, 60) + far(random) * Vec2(std::cos(2 * pi * i / count), std::sin(2 * pi * i / count)));
+  const Vec2 middle(100.3 + near(random), 60.7 + near(random));
+  for (int i = 0; i < count; ++i) {
+    for (const Vec2& p : {middle, rim[i], rim[(i + 1) % count]}) fan.corners.push_back(p);
+    fan.colours.push_back(black);
+  }
+  for (const Picture& p : {render({fan}), window_frame(drawing_of({fan}))})
+    for (int y = 0; y < p.height; ++y)
+      for (int x = 0; x < p.width; ++x)
+        if (std::hypot(x - 100, y - 60) < 48) REQUIRE(ink(p, x, y) == 1);
+  CHECK(ink(render({fan})) == Approx(ink(render({Fill{polyline(rim, true), black}}))).epsilon(1e-3));
+
+  Facets twice = {{{0, 0}, {200, 0}, {0, 120}, {0, 0}, {200, 0}, {0, 120}}, {black, white}};
+  CHECK(ink(render({twice})) == 0);
+  std::swap(twice.colours[0], twice.colours[1]);
+  CHECK(ink(render({twice})) == Approx(100 * 120).epsilon(1e-3));
+  CHECK(ink(render({twice, Fill{polyline({{0, 0}, {200, 0}, {200, 120}, {0, 120}}, true), white.with_alpha(0.5)}})) ==
+        Approx(50 * 120).epsilon(0.01));  // blending goes on after them
+}
+
 TEST_CASE("one frame leaves no trace in the next", "[renderer]") {
   const Picture before = window_frame(one_of_everything());
   window_frame(drawing_of({Stroke{polyline({{0, 0}, {300, 200}, {300, 0}, {0, 200}}), black.with_alpha(0.5), 60},
@@ -250,8 +277,9 @@ TEST_CASE("shapes that are no numbers are left out and the others drawn", "[rend
   const Picture p = render(
       {Fill{polyline({{not_a_number, 0}, {1, 1}, {0, 1}}, true), black},
        Stroke{polyline({{0, 0}, {infinity, 1}}), black, 2}, Stroke{polyline({{0, 0}, {10, 1}}), black, not_a_number},
-       Stroke{Path{{5, 5}, {}, false}, black, 3}, Gradient{{not_a_number, 0}, {1, 0}, {0, 1}, {0, 0}, black, black},
-       Text{"x", {not_a_number, 10}, 20, black}, Text{"", {10, 10}, 20, black}, box});
+       Facets{{{0, 0}, {not_a_number, 9}, {9, 9}}, {black}}, Stroke{Path{{5, 5}, {}, false}, black, 3},
+       Gradient{{not_a_number, 0}, {1, 0}, {0, 1}, {0, 0}, black, black}, Text{"x", {not_a_number, 10}, 20, black},
+       Text{"", {10, 10}, 20, black}, box});
   CHECK(ink(p) == Approx(100 * 60).epsilon(1e-6));
 }
 

@@ -1,14 +1,19 @@
 // Measures how long frames take at 1280 x 720 in software: frames [--cpu] [LESSON...] -> a row a lesson, in ms, then
 // the slowest frames. Steps: every frame of the motion to every step of the first preset of each method. Drags: each
-// handle of the last step that has any, 16 moves there and back. Snaps: one move of it with Shift. Nothing is asserted:
-// the machine decides. On one that does other things, --cpu with LP_NUM_THREADS=0 counts the processor's time.
+// handle of the last step that has any, 16 moves there and back. Snaps: one move of it with Shift. Last, where no
+// lesson is named, or "100,000 triangles" and "10,000 corners" are: what a scene's file may hold, a mesh of 100,000
+// triangles and an outline of 10,000 corners; drags turn or shift it, and in place of snaps the pointer rests on it, so
+// that it is picked. Nothing is asserted: the machine decides. On one that does other things, --cpu with
+// LP_NUM_THREADS=0 counts the processor's time.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <ctime>
+#include <numbers>
 #include <set>
 
 #include "lessons/lessons.h"
@@ -27,6 +32,48 @@ double percentile(std::vector<Frame> frames, double share) {
   if (frames.empty()) return 0;
   std::ranges::sort(frames, {}, &Frame::ms);
   return frames[static_cast<std::size_t>(share * static_cast<double>(frames.size() - 1))].ms;
+}
+
+/// A torus with dents.
+Mesh large_mesh() {
+  constexpr int around = 250, across = 200;
+  Mesh mesh;
+  for (int i = 0; i < around; ++i)
+    for (int k = 0; k < across; ++k) {
+      const double u = 2 * std::numbers::pi * i / around, v = 2 * std::numbers::pi * k / across;
+      const double r = 1 + 0.08 * std::sin(7 * u) * std::sin(5 * v), x = 3 + r * std::cos(v);
+      mesh.vertices.emplace_back(x * std::cos(u), r * std::sin(v), x * std::sin(u));
+      const int next = (i + 1) % around, a = i * across + k, b = next * across + k,
+                c = next * across + (k + 1) % across, d = i * across + (k + 1) % across;
+      mesh.triangles.push_back({a, d, c}), mesh.triangles.push_back({a, c, b});
+    }
+  return mesh;
+}
+
+/// A ring with teeth.
+Region large_outline() {
+  constexpr int corners = 10'000;
+  Region region;
+  region.rings.emplace_back();
+  for (int i = 0; i < corners; ++i) {
+    const double a = 2 * std::numbers::pi * i / corners, r = 3 + 0.5 * std::sin(37 * a) + 0.2 * std::sin(211 * a);
+    region.rings[0].emplace_back(r * std::cos(a), r * std::sin(a), 0);
+  }
+  return region;
+}
+
+/// A lesson of one picture.
+Lesson lesson_of(const std::string& id, const Item& item, bool flat) {
+  Lesson lesson;
+  lesson.id = id, lesson.title = id, lesson.flat = flat;
+  lesson.presets = {{"all", "all", "", {}}};
+  lesson.steps = [item](const Parameters&) {
+    Walk walk;
+    walk.steps.emplace_back();
+    walk.steps[0].slug = "all", walk.steps[0].title = "All", walk.steps[0].scene.items = {item};
+    return walk;
+  };
+  return lesson;
 }
 
 class Measurement {
@@ -55,12 +102,28 @@ class Measurement {
         snap(h.parameter, where, snaps);
       }
     }
-    const auto told = [](const std::vector<Frame>& f) {
-      return fmt::format("{:7.1f} {:7.1f} {:7.1f}", percentile(f, 0.5), percentile(f, 0.99), percentile(f, 1));
-    };
-    fmt::print("{:<22} {} {} {}\n", lesson.id, told(steps), told(drags), told(snaps));
-    std::fflush(stdout);
-    keep(steps, steps_), keep(drags, drags_), keep(snaps, snaps_);
+    row(lesson.id, steps, drags, snaps);
+  }
+
+  /// Turned or shifted, and picked.
+  void measure_large(const Lesson& lesson) {
+    std::vector<Frame> turns, picks;
+    window_.player().open(lesson);
+    settle();
+    const Rect r = window_.rect("scene");
+    window_.move(r.middle_x(), r.middle_y());
+    window_.button(true);
+    for (int i = 1; i <= 64; ++i) {
+      ImGui::GetIO().MousePos = {r.middle_x() + 5 * static_cast<float>(i % 32), r.middle_y() - static_cast<float>(i)};
+      turns.push_back({frame(), fmt::format("{} turned", lesson.id)});
+    }
+    window_.button(false);
+    settle();
+    for (int i = 0; i < 64; ++i) {
+      ImGui::GetIO().MousePos = {r.left + r.width() * static_cast<float>(i) / 64, r.middle_y()};
+      picks.push_back({frame(), fmt::format("{} picked", lesson.id)});
+    }
+    row(lesson.id, {}, turns, picks);
   }
 
   void tell() {
@@ -74,6 +137,15 @@ class Measurement {
   }
 
  private:
+  void row(const std::string& id, const std::vector<Frame>& steps, const std::vector<Frame>& drags,
+           const std::vector<Frame>& snaps) {
+    const auto told = [](const std::vector<Frame>& f) {
+      return fmt::format("{:7.1f} {:7.1f} {:7.1f}", percentile(f, 0.5), percentile(f, 0.99), percentile(f, 1));
+    };
+    fmt::print("{:<22} {} {} {}\n", id, told(steps), told(drags), told(snaps));
+    std::fflush(stdout);
+    keep(steps, steps_), keep(drags, drags_), keep(snaps, snaps_);
+  }
   static void keep(const std::vector<Frame>& from, std::vector<Frame>& to) {
     to.insert(to.end(), from.begin(), from.end());
   }
@@ -141,17 +213,26 @@ class Measurement {
 
 int main(int argc, char** argv) try {
   std::vector<const Lesson*> asked;
-  const std::vector<const Lesson*> all = isect::lessons::all_lessons();
+  std::vector<const Lesson*> all = isect::lessons::all_lessons();
+  const Lesson mesh = lesson_of("100,000 triangles", large_mesh(), false);
+  const Lesson outline = lesson_of("10,000 corners", large_outline(), true);
+  std::vector<std::string> names;
   bool by_processor = false;
   for (int i = 1; i < argc; ++i)
     if (std::string(argv[i]) == "--cpu")
       by_processor = true;
     else
-      asked.push_back(&lesson_named(all, argv[i]));
+      names.emplace_back(argv[i]);
+  all.push_back(&mesh), all.push_back(&outline);
+  for (const std::string& name : names) asked.push_back(&lesson_named(all, name));
   if (asked.empty()) asked = all;
   Measurement measurement(all, by_processor);
   fmt::print("{:<22} {:^23} {:^23} {:^23}\n", "ms: median, 99 %, most", "steps", "drags", "snaps");
-  for (const Lesson* lesson : asked) measurement.measure(*lesson);
+  for (const Lesson* lesson : asked)
+    if (lesson == &mesh || lesson == &outline)
+      measurement.measure_large(*lesson);
+    else
+      measurement.measure(*lesson);
   measurement.tell();
 } catch (const std::exception& failed) {
   fmt::print(stderr, "frames: {}\n", failed.what());

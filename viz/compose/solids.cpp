@@ -93,24 +93,30 @@ void draw_solids(Canvas& c) {
 }
 
 void draw(Canvas& c, const Mesh& it) {
-  struct Facet {
+  struct Facing {
     double depth;
-    Fill fill;
+    const std::array<int, 3>* triangle;
+    Colour colour;
   };
-  std::vector<Facet> facets;
+  std::vector<Facing> facing;
+  facing.reserve(it.triangles.size());
+  const Colour ink = c.theme.ink(it.role);
   for (const std::array<int, 3>& t : it.triangles) {
-    const std::vector<Vec3> corners = {it.vertices[t[0]], it.vertices[t[1]], it.vertices[t[2]]};
-    const Vec3 n = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
-    if (!(n.dot(c.view.towards_eye(corners[0])) > 0)) continue;
-    const Colour colour = mixed(c.theme.ink(it.role), c.theme.background, 0.08 + 0.45 * lit(n));
-    facets.push_back({c.depth(middle(corners)), {polyline(c.projected(corners), true), colour, 0, 0, {}}});
+    const Vec3 &p = it.vertices[t[0]], &q = it.vertices[t[1]], &r = it.vertices[t[2]];
+    const Vec3 n = (q - p).cross(r - p).normalized();
+    if (!(n.dot(c.view.towards_eye(p)) > 0)) continue;
+    facing.push_back({c.depth((p + q + r) / 3), &t, mixed(ink, c.theme.background, 0.08 + 0.45 * lit(n))});
   }
-  std::stable_sort(facets.begin(), facets.end(), [](const Facet& a, const Facet& b) { return a.depth > b.depth; });
-  for (const Facet& facet : facets) {
-    // A hairline of the same colour closes the seams that smoothing leaves between neighbours.
-    c.contents.emplace_back(facet.fill);
-    c.contents.emplace_back(Stroke{facet.fill.path, facet.fill.colour, 0.3 * c.sizes().hairline, {0, 0}, true});
+  std::ranges::stable_sort(facing, std::ranges::greater{}, &Facing::depth);
+
+  const std::vector<Vec2> seen = c.projected(it.vertices);
+  Facets facets = {.seam = 0.3 * c.sizes().hairline};
+  facets.corners.reserve(3 * facing.size()), facets.colours.reserve(facing.size());
+  for (const Facing& f : facing) {
+    for (const int corner : *f.triangle) facets.corners.push_back(seen[static_cast<std::size_t>(corner)]);
+    facets.colours.push_back(f.colour);
   }
+  c.contents.emplace_back(std::move(facets));
 }
 
 }  // namespace isect::viz

@@ -121,7 +121,10 @@ Json style(const Text& t) {
   return s;
 }
 
+Json style(const Facets&) { return {}; }  // never asked: look() expands them
+
 Colour colour_of(const Gradient& g) { return g.inner; }
+Colour colour_of(const Facets&) { return {}; }
 template <class S>
 Colour colour_of(const S& s) {
   return s.colour;
@@ -138,6 +141,7 @@ void measure_into(Extent& e, const Fill& f) {
 void measure_into(Extent& e, const Stroke& s) { e.add(s.path); }
 void measure_into(Extent& e, const Gradient& g) { e.add(ellipse(g.center, g.major, g.minor)); }
 void measure_into(Extent&, const Text&) {}
+void measure_into(Extent&, const Facets&) {}
 
 /// Shapes of one style, as many as follow each other within one object.
 struct Part {
@@ -213,7 +217,9 @@ std::vector<Run> runs_of(const Drawing& drawing, const std::map<int, std::set<st
 
 }  // namespace
 
-Json look(const Drawing& drawing) {
+Json look(const Drawing& with_facets) {
+  Drawing drawing = with_facets;
+  drawing.shapes = expanded(with_facets.shapes);
   std::map<int, std::set<std::string>> colours;
   for (const Shape& shape : drawing.shapes) colours[object_of(shape)].insert(colour_key(shape));
 
