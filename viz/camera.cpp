@@ -50,6 +50,16 @@ Vec3 View::on_facing_plane(const Vec2& pixel, const Vec3& p) const {
   return line.origin + t * line.direction;
 }
 
+std::optional<Vec3> View::on_plane(const Vec2& pixel, const Vec3& p, const Vec3& normal) const {
+  constexpr double least_slope = 0.05;  // three degrees
+  const ViewingRay line = viewing_ray(pixel);
+  const double rate = line.direction.dot(normal);
+  if (!(std::abs(rate) > least_slope * normal.norm() * line.direction.norm())) return {};
+  const double t = (p - line.origin).dot(normal) / rate;
+  if (camera_.perspective && !(t > 0)) return {};
+  return Vec3(line.origin + t * line.direction);
+}
+
 double View::scale_at(const Vec3& p) const {
   if (!camera_.perspective) return pixels_per_unit_;
   return pixels_per_unit_ * (camera_.target - eye_).dot(forward_) / (p - eye_).dot(forward_);

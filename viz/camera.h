@@ -2,6 +2,7 @@
 // Where the viewer stands. y is up; azimuth turns about y, elevation lifts the eye; angles in radians.
 
 #include <numbers>
+#include <optional>
 
 #include "viz/scene.h"
 
@@ -39,6 +40,9 @@ class View {
   ViewingRay viewing_ray(const Vec2& pixel) const;
   /// The point under `pixel` on the plane through `p` that faces the viewer: where a dragged handle goes.
   Vec3 on_facing_plane(const Vec2& pixel, const Vec3& p) const;
+  /// The same on the plane through `p` with this normal, of any length; none where it is seen nearly edge-on, so that a
+  /// pixel is no place there, or lies behind the eye.
+  std::optional<Vec3> on_plane(const Vec2& pixel, const Vec3& p, const Vec3& normal) const;
   /// Pixels per world unit at `p`, across the view direction.
   double scale_at(const Vec3& p) const;
 

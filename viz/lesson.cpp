@@ -104,7 +104,12 @@ Setting clamped(const Parameter& p, const Handle& handle, const Vec3& to) {
   const Vec3 arm = to - handle.anchor;
   if (handle.kind == Handle::Kind::length) return std::clamp(arm.norm(), p.lo, p.hi);
   if (handle.kind == Handle::Kind::along) return std::clamp(arm.dot(handle.direction), p.lo, p.hi);
-  const Vec3 moved = handle.kind == Handle::Kind::point ? to : arm;
+  Vec3 moved = handle.kind == Handle::Kind::point ? to : arm;
+  if (handle.kind == Handle::Kind::plane) {
+    const Vec3 &u = handle.direction, &v = handle.across;
+    const double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), au = arm.dot(u), av = arm.dot(v), det = uu * vv - uv * uv;
+    moved = Vec3(au * vv - av * uv, av * uu - au * uv, 0) / det;
+  }
   return Vec3(moved.cwiseMax(p.lo).cwiseMin(p.hi));
 }
 

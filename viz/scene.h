@@ -159,15 +159,17 @@ struct Handle {
     point,   ///< parameter = p
     vector,  ///< parameter = p - anchor
     length,  ///< parameter = |p - anchor|
-    along    ///< parameter = (p - anchor) . direction
+    along,   ///< parameter = (p - anchor) . direction
+    plane    ///< parameter = (a, b, 0), the point of the plane anchor + a direction + b across that is nearest to p
   };
   std::string parameter;  ///< the parameter it changes
   Kind kind = Kind::point;
   Vec3 at;  ///< where it stands
   Vec3 anchor = Vec3::Zero();
   Role role = Role::first;
-  Vec3 direction = Vec3::UnitX();  ///< for `along`
+  Vec3 direction = Vec3::UnitX();  ///< for `along` and `plane`
   std::string one_of = {};         ///< where there are many alike: "a corner"
+  Vec3 across = Vec3::UnitY();     ///< for `plane`: not along `direction`
 };
 
 /// The same marks in one dimension: the ray's own t-axis under its picture. Positions are values of t.

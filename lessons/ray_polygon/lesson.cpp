@@ -8,12 +8,15 @@
 #include "lessons/ray_polygon/telling.h"
 #include "lessons/shared/opinions.h"
 #include "lessons/shared/parameters.h"
+#include "lessons/shared/vertices.h"
 
 namespace isect::lessons {
 namespace {
 
 using namespace viz;
 using namespace ray_polygon_lesson;
+
+const Vec3 inwards = {1, -0.25, -0.5};
 
 Walk walk(const Parameters& p) { return tell(setup(p)); }
 
@@ -32,6 +35,31 @@ std::vector<Opinion> opinions(const Parameters& p) {
   return all.take();
 }
 
+std::vector<Parameter> parameters() {
+  std::vector<Parameter> all = {choice("polygon", "polygon", "The pose of the polygon.", {"tilted", "upright"}),
+                                vector("o", "**o**", "Origin of the ray, in world units.", Vec3(-2.5, 0, 1), 6),
+                                vector("d", "**d**", "Direction of the ray, of any length but 0.", inwards)};
+  for (int i = 0; i < corner_count; ++i) {
+    all.push_back(movable("p", i, "corner"));
+    all.back().help = fmt::format(
+        "Corner number {}, where it was moved: along both sides of the plane, in steps of 1/64; its third coordinate "
+        "is "
+        "not used.",
+        i);
+  }
+  return all;
+}
+
+std::vector<Condition> conditions() {
+  std::vector<Condition> all = {not_zero("d")};
+  for (int i = 0; i < corner_count; ++i) {
+    const std::string name = "p" + std::to_string(i);
+    all.push_back({name, "corners that enclose an area",
+                   [name](const Parameters& p) { return !p.contains(name) || !setup(p).truth.flat; }});
+  }
+  return all;
+}
+
 /// A ray along d that is at the point (a, b) of the polygon's plane when t is the given one, or `off` normals beside
 /// it.
 Preset preset_of(const char* id, const char* title, const char* polygon, const Vec2& at, double t, const Vec3& d,
@@ -43,8 +71,6 @@ Preset preset_of(const char* id, const char* title, const char* polygon, const V
   return {id, title, "", p};
 }
 
-const Vec3 inwards = {1, -0.25, -0.5};
-
 }  // namespace
 
 const Lesson& ray_polygon() {
@@ -53,10 +79,8 @@ const Lesson& ray_polygon() {
       .title = "Ray and polygon",
       .rows = "N21, N20",
       .summary = "Whether a ray hits a polygon in space: its plane, a coordinate to drop, and crossings.",
-      .parameters = {choice("polygon", "polygon", "The pose of the polygon.", {"tilted", "upright"}),
-                     vector("o", "**o**", "Origin of the ray, in world units.", Vec3(-2.5, 0, 1), 6),
-                     vector("d", "**d**", "Direction of the ray, of any length but 0.", inwards)},
-      .conditions = {not_zero("d")},
+      .parameters = parameters(),
+      .conditions = conditions(),
       .group_by = "",
       .presets = {preset_of("hit", "a hit", "tilted", {-0.5, -0.375}, 2, inwards),
                   preset_of("notch", "through the notch", "tilted", {0.125, 0.625}, 2, inwards),

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "lessons/shared/axis_names.h"
@@ -29,8 +30,17 @@ Chain plane(const Setup& s) {
 }
 
 std::vector<Handle> handles(const Setup& s) {
-  return {{"o", Handle::Kind::point, s.ray.origin, Vec3::Zero(), Role::first},
-          {"d", Handle::Kind::vector, s.ray.origin + s.ray.direction, s.ray.origin, Role::first}};
+  std::vector<Handle> all = {{"o", Handle::Kind::point, s.ray.origin, Vec3::Zero(), Role::first},
+                             {"d", Handle::Kind::vector, s.ray.origin + s.ray.direction, s.ray.origin, Role::first}};
+  for (std::size_t i = 0; i < s.ring.size(); ++i)
+    all.push_back({.parameter = "p" + std::to_string(i),
+                   .kind = Handle::Kind::plane,
+                   .at = s.ring[i],
+                   .role = Role::second,
+                   .direction = s.across,
+                   .one_of = "a corner",
+                   .across = s.up});
+  return all;
 }
 
 /// A point of a projection, on the plane that faces the camera.
@@ -84,8 +94,14 @@ Setup setup(const Parameters& p) {
   const bool upright = std::get<std::string>(p.at("polygon")) == "upright";
   s.across = Vec3(1, 0, 0.5);
   s.up = upright ? Vec3(0, 1, 0) : Vec3(0.125, 1, -0.0625);
-  for (const auto& [a, b] : {std::pair{-1.25, -1.0}, {1.0, -1.0}, {1.25, 1.0}, {0.125, 0.0}, {-1.0, 1.0}})
-    s.ring.emplace_back(a * s.across + b * s.up);
+  const std::array<Vec2, corner_count> given = {{{-1.25, -1.0}, {1.0, -1.0}, {1.25, 1.0}, {0.125, 0.0}, {-1.0, 1.0}}};
+  for (int i = 0; i < corner_count; ++i) {
+    Vec2 at = given[i];
+    constexpr double grid = 64;
+    if (const auto moved = p.find("p" + std::to_string(i)); moved != p.end())
+      at = (grid * std::get<Vec3>(moved->second).head<2>()).array().round() / grid;
+    s.ring.emplace_back(at.x() * s.across + at.y() * s.up);
+  }
   s.truth = intersect(s.ray, s.ring);
   return s;
 }

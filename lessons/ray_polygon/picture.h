@@ -12,7 +12,9 @@ struct Setup {
   viz::Vec3 across, up;  ///< what spans the polygon's plane
   RayPolygon<double> truth;
 };
+/// Corners that were moved lie on a grid of 1/64 in the plane, so that all stay in it exactly.
 Setup setup(const viz::Parameters&);
+inline constexpr int corner_count = 5;
 
 /// What a step shows.
 struct Shown {

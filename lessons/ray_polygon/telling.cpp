@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include <isect/convex_hull.h>
 #include <isect/ray_polygon_methods.h>
 #include "lessons/shared/axis_names.h"
 #include "lessons/shared/plural.h"
@@ -187,8 +188,8 @@ class Teller {
 
   /// Within the polygon's hull, though not in the polygon.
   bool in_notch() const {
-    const Ring<double, 3> hull = {s_.ring[0], s_.ring[1], s_.ring[2], s_.ring[4]};
-    return intersect(s_.ray, hull).t.has_value();
+    const Flat flat = flattened(s_, point_, chosen_);
+    return locate(flat.point, convex_hull(flat.ring)) == Location::in;
   }
 
   const Setup s_;

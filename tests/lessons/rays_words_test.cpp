@@ -197,9 +197,12 @@ TEST_CASE("a ray and a polygon end with the oracle's verdict, on the line that t
     if (!astray && last.line == 6) CHECK(truth.hit);
     if (!astray && last.line == 7) CHECK((!truth.hit || truth.location == Location::on));
     if (holds(last.caption, "in the notch")) {
-      Ring<double, 3> hull = s.ring;
-      hull.erase(hull.begin() + 3);
-      CHECK((!truth.hit && oracle::ray_polygon(s.ray, hull).hit));
+      bool in_hull = false;  // in a triangle of corners
+      for (std::size_t i = 0; i < s.ring.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+          for (std::size_t k = 0; k < j; ++k)
+            in_hull |= oracle::ray_polygon(s.ray, {s.ring[i], s.ring[j], s.ring[k]}).hit;
+      CHECK((!truth.hit && in_hull));
       ++notches;
     }
     hits += truth.hit, parallel += truth.parallel, behind += !truth.parallel && truth.t < 0;

@@ -44,6 +44,41 @@ TEST_CASE("every corner and every point that a lesson draws can be dragged with 
   CHECK_FALSE(window.has("handle v" + std::to_string(count)));
 }
 
+TEST_CASE("a corner of a polygon in space stays in its plane under the pointer and under the keys", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, place_at("ray-polygon", "hit"));
+  const auto& parameters = [&]() -> const Parameters& { return window.player().parameters(); };
+  const Vec3 across(1, 0, 0.5), up(0.125, 1, -0.0625);
+  for (const std::string name : {"p0", "p1", "p2", "p3", "p4"}) {
+    INFO(name);
+    const Rect before = window.rect("handle " + name);
+    CHECK((before.width() >= 24 && before.height() >= 24));
+    window.drag("handle " + name, 11, -7);
+    REQUIRE(parameters().contains(name));
+    window.frames(60);
+    const Rect after = window.rect("handle " + name);
+    CHECK(after.middle_x() == Approx(before.middle_x() + 11).margin(1.5));  // the grid is a pixel wide
+    CHECK(after.middle_y() == Approx(before.middle_y() - 7).margin(1.5));
+    const Handle& corner = handle(window.player(), name);
+    CHECK(corner.at.dot(across.cross(up)) == 0);
+    CHECK(window.player().undo());
+    window.frames(60);
+    CHECK_FALSE(parameters().contains(name));
+  }
+  const std::size_t steps = window.player().walk().steps.size();
+  window.drag("handle p3", 0, -40);  // the notch is gone
+  CHECK(window.player().walk().steps.size() == steps);
+  CHECK_FALSE(parameters().at("p3") == Setting(Vec3(0, 0, 0)));
+}
+
+TEST_CASE("corners that would enclose no area are refused", "[player]") {
+  const auto lessons = lessons::all_lessons();
+  Player player(lessons, place_at("ray-polygon", "hit"));
+  for (const auto& [name, to] :
+       {std::pair{"p1", Vec3(0, 1, 0)}, {"p2", Vec3(0, 2, 0)}, {"p3", Vec3(0, 3, 0)}, {"p4", Vec3(0, 4, 0)}})
+    player.edit(name, to);
+  CHECK_THROWS_WITH(player.edit("p0", Vec3(0, 5, 0)), isect::test::Contains("enclose an area"));
+}
+
 TEST_CASE("a moved corner is kept by the other rule and in a copied state, and forgotten with its polygon",
           "[player]") {
   const auto lessons = lessons::all_lessons();

@@ -30,6 +30,7 @@ Canvas::Canvas(const Scene& s, const View& v, const Theme& t, bool grips)
 
 std::vector<Vec2> Canvas::projected(const std::vector<Vec3>& points) const {
   std::vector<Vec2> flat;
+  flat.reserve(points.size());
   for (const Vec3& p : points) flat.push_back(at(p));
   return flat;
 }
@@ -131,7 +132,7 @@ void draw(Canvas& c, const Handle& handle) {
   const Vec2 p = c.at(handle.at);
   const Colour ink = c.theme.ink(handle.role);
   const Sizes& s = c.sizes();
-  if (handle.kind != Handle::Kind::point)  // it hangs on what it measures from
+  if (handle.kind != Handle::Kind::point && handle.kind != Handle::Kind::plane)  // it hangs on what it measures from
     c.marks.emplace_back(Stroke{polyline({c.at(handle.anchor), p}), ink, s.hairline, s.construction_dash, false});
   c.marks.emplace_back(Fill{circle(p, s.handle_ring), ink.with_alpha(0.16), 0, 0, {}});
   c.marks.emplace_back(Stroke{circle(p, s.handle_ring), ink, s.construction, {0, 0}, true});

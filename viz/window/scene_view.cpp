@@ -1,6 +1,7 @@
 #include "viz/window/scene_view.h"
 
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -44,6 +45,12 @@ const Cases* map_of(const Session& s) {
 
 std::string refusal(const Condition* forbids) {
   return forbids ? "That does not do; give " + forbids->allowed : std::string();
+}
+
+/// Where a handle is brought when it is to stand at a pixel: it stays in its plane where it has one.
+Vec3 brought(const View& view, const Handle& handle, const Vec2& pixel) {
+  if (handle.kind != Handle::Kind::plane) return view.on_facing_plane(pixel, handle.at);
+  return view.on_plane(pixel, handle.at, handle.direction.cross(handle.across)).value_or(handle.at);
 }
 
 bool same_handle(const Handle& a, const Handle& b) { return a.parameter == b.parameter && a.kind == b.kind; }
@@ -93,7 +100,7 @@ void SceneView::drag_held(Session& s, const View& view) {
   const bool snapping = ImGui::GetIO().KeyShift;
   if (mouse() == last_ && snapping == snapping_) return;
   snapping_ = snapping;
-  const Vec3 to = view.on_facing_plane(mouse() - grip_, held_->at);
+  const Vec3 to = brought(view, *held_, mouse() - grip_);
   s.attempt([&] {
     std::string told;
     if (snapping)
@@ -132,9 +139,7 @@ void SceneView::keyboard(Session& s, const View& view) {
       std::ranges::find_if(handles, [&](const Handle& h) { return "handle " + h.parameter == s.ui.focus.name(); });
   if (io.KeyShift && held != handles.end()) {
     const Handle handle = *held;
-    const auto beside = [&](double px) {
-      return view.on_facing_plane(view.project(handle.at).at + px * way, handle.at);
-    };
+    const auto beside = [&](double px) { return brought(view, handle, view.project(handle.at).at + px * way); };
     s.player.remember((io.KeyCtrl ? "snap " : "nudge ") + handle.parameter);
     s.attempt([&] {
       if (io.KeyCtrl) {
