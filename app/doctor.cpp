@@ -9,6 +9,7 @@
 #include "app/surroundings.h"
 #include "app/terminal.h"
 #include "app/versions.h"
+#include "viz/formats.h"
 #include "viz/offscreen.h"
 #include "viz/place.h"
 #include "viz/text.h"
@@ -58,12 +59,24 @@ bool report_display(std::string& out) {
   return false;
 }
 
+/// What only some formats want.
+void report_programs(std::string& out) {
+  for (const viz::Format& format : viz::formats())
+    if (format.can_write && format.can_write())
+      out += line(true, format.program, "figures as " + format.name);
+    else if (format.can_write)
+      out += line(
+          false, format.program,
+          fmt::format("none, so no {} (apt-get install {}); no other format wants it", format.name, format.program));
+}
+
 int doctor() {
   std::string out = fmt::format("isect {}\n\n", viz::version());
   const bool osmesa = try_back_end("osmesa", out);
   const bool egl = try_back_end("egl", out);
   const Fonts fonts = report_fonts(out);
   report_display(out);
+  report_programs(out);
   out += fmt::format("\nBuilt with:");
   for (const Version& v : versions) out += fmt::format(" {} {},", v.name, v.version);
   out.back() = '\n';

@@ -162,7 +162,7 @@ void add_render(CLI::App& app, Program& program) {
            "counted from 1: 3, 3-6, 3,5,7-9 or all; if not given, that of\nthe preset's file, or all");
   add_set(sub, options->asked);
   add_style(sub, options->style, viz::format_names());
-  sub.add_option("--seconds", options->each, "of each step in gif and apng; 2.5 if not given")->type_name("N");
+  sub.add_option("--seconds", options->each, "of each step in gif, apng and mp4; 2.5 if not given")->type_name("N");
   add_path(sub, "--out", options->out, "folder (figures if not given); - is stdout, for one figure", "DIR|-");
   sub.add_option("--backend", options->backend, "auto (if not given), osmesa or egl")->type_name("NAME");
   sub.footer(

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "viz/lesson.h"
+#include "viz/offscreen.h"
 
 namespace isect::program {
 
@@ -65,9 +66,15 @@ Style style_of(const StyleOptions& options) {
   if (!options.font.empty() && std::ranges::all_of(style.formats, is_tikz))
     throw viz::BadInput("font: LaTeX sets the labels of tikz, in the document’s own");
   if (!options.font.empty()) viz::use_figure_font(options.font);
-  const auto loses_opacity = [](const viz::Format* format) { return format->name == "gif"; };
-  if (options.transparent && std::ranges::any_of(style.formats, loses_opacity))
-    throw viz::BadInput("transparent: a gif has no half-transparent pixels; give --format apng");
+  for (const viz::Format* format : style.formats)
+    if (format->can_write && !format->can_write())
+      throw viz::NoBackend(fmt::format(
+          "format: {0} is written by {1}, which is not here; apt-get install {1}, or give --format gif or apng",
+          format->name, format->program));
+  for (const viz::Format* format : style.formats)
+    if (options.transparent && (format->name == "gif" || format->name == "mp4"))
+      throw viz::BadInput(
+          fmt::format("transparent: {} has no half-transparent pixels; give --format apng", format->name));
   style.title = !options.no_title, style.crop = options.crop, style.transparent = options.transparent;
   return style;
 }

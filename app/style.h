@@ -31,7 +31,7 @@ struct Style {
   viz::Imprint::Letters letters = viz::Imprint::Letters::as_usual;
   bool title = true, crop = false, transparent = false;
 };
-/// Throws viz::BadInput, naming the option.
+/// Throws viz::BadInput, naming the option, and viz::NoBackend where a format wants a program that is not here.
 Style style_of(const StyleOptions&);
 
 }  // namespace isect::program

@@ -21,4 +21,12 @@ Metadata gif_metadata(const std::string& bytes);
 /// `png`, which png_metadata reads.
 std::string apng(const std::vector<Picture>&, double seconds, const Metadata& = {}, const Imprint& = {});
 
+/// Whether there is an ffmpeg, which writes MP4.
+bool can_write_mp4();
+/// The same as a video, 25 frames a second, that ends; opacity is lost. Metadata is its comment, alt text its
+/// description. Throws FileError, with what ffmpeg said where that fails.
+std::string mp4(const std::vector<Picture>&, double seconds, const Metadata& = {}, const Imprint& = {});
+/// Throws FileError on anything that is no MP4; empty if it carries none of ours.
+Metadata mp4_metadata(const std::string& bytes);
+
 }  // namespace isect::viz

@@ -39,6 +39,7 @@ const std::vector<Format>& formats() {
        tikz_metadata},
       {"gif", true, nullptr, gif_metadata, gif},
       {"apng", true, nullptr, png_metadata, apng},
+      {"mp4", true, nullptr, mp4_metadata, mp4, can_write_mp4, "ffmpeg"},
   };
   return all;
 }

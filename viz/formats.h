@@ -25,6 +25,8 @@ struct Format {
   Metadata (*metadata)(const std::string& bytes);  ///< what `write` was given; empty: not isect's. Throws FileError
   /// Of several steps in one file, each shown for so many seconds.
   std::string (*film)(const std::vector<Picture>&, double seconds, const Metadata&, const Imprint&) = nullptr;
+  bool (*can_write)() = nullptr;  ///< whether the program that it needs is here; null: it needs none
+  const char* program = "";       ///< its name, and that of its package
 };
 
 /// All of them; the first is the default.

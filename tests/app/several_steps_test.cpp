@@ -118,6 +118,25 @@ TEST_CASE("gif and apng show the steps in turn, one file a preset", "[animation]
   CHECK_THAT(shell("isect render ray-sphere --format eps").err, Contains("transparency") && Contains("pdf"));
 }
 
+TEST_CASE("mp4 is made by ffmpeg, and where there is none that is said before anything is drawn", "[animation]") {
+  const Shell shell;
+  write(shell.work() / "bin/ffmpeg",
+        "#!/bin/sh\nfor word; do :; done\nwc -c >/dev/null\nprintf '\\0\\0\\0\\030ftypisom' >\"$word\"\n");
+  const std::string film = "isect render ray-sphere --preset tangent --step 2-4 --format mp4 --size 320x200";
+  const Ran made = shell("chmod +x bin/ffmpeg; PATH=\"$PWD/bin:$PATH\" " + film);
+  CHECK(made.status == 0);
+  CHECK(made.out == "figures/ray-sphere/tangent/steps-02-04.mp4\n");
+  CHECK_THAT(shell("PATH=\"$PWD/bin:$PATH\" isect doctor").out, Contains("ok  ffmpeg"));
+
+  const std::string alone = "mkdir -p alone; ln -sf \"$(command -v isect)\" alone/isect; PATH=\"$PWD/alone\" ";
+  const Ran none = shell(alone + film + " --out none");
+  CHECK(none.status == 77);
+  CHECK_THAT(none.err, Contains("mp4 is written by ffmpeg") && Contains("gif"));
+  CHECK_FALSE(std::filesystem::exists(shell.work() / "none"));
+  CHECK_THAT(shell(alone + "isect doctor").out, Contains("--  ffmpeg") && Contains("no mp4"));
+  CHECK_THAT(shell("PATH=\"$PWD/bin:$PATH\" " + film + " --transparent").err, Contains("apng"));
+}
+
 TEST_CASE("a deck has a slide a step, its question before it, the answer behind a pause", "[deck]") {
   const Shell shell;
   const Ran r = shell("isect deck ray-sphere --preset tangent");

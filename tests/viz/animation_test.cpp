@@ -4,9 +4,13 @@
 
 #include <gif_lib.h>
 
+#include <cstdlib>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 
 #include "tests/catch.h"
+#include "tests/scratch.h"
 #include "viz/colour_table.h"
 
 namespace animation_test {
@@ -131,6 +135,70 @@ TEST_CASE("an animated PNG has a frame a picture, numbered through, and opens as
   }
   CHECK(controls == 3);
   CHECK(numbered >= 5);
+}
+
+// An ffmpeg of our own: what it is told and given, in an MP4's own atoms.
+constexpr const char* stand_in = R"(#!/bin/sh
+for word; do
+  case $before in -metadata) case $word in comment=*) comment=${word#comment=} ;; esac ;; -video_size) size=$word ;; esac
+  before=$word
+done
+count=$(wc -c)
+[ -z "$FFMPEG_FAILS" ] || { echo 'no such encoder' >&2; exit 3; }
+n=$((16 + ${#comment}))
+{ printf '\0\0\0\030ftypisom'
+  printf "$(printf '\\0\\%03o\\%03o\\%03o' $((n / 65536)) $((n / 256 % 256)) $((n % 256)))data\0\0\0\001\0\0\0\0"
+  printf '%s' "$comment"; echo "; $size $count"; } >"$word"
+)";
+
+/// With that one first in the PATH, or with no other program.
+class WithFfmpeg {
+ public:
+  explicit WithFfmpeg(bool there) : before_(std::getenv("PATH")) {
+    std::filesystem::create_directories(folder_);
+    std::ofstream(folder_ / "ffmpeg") << stand_in;
+    if (there) std::filesystem::permissions(folder_ / "ffmpeg", std::filesystem::perms::owner_all);
+    setenv("PATH", (folder_.string() + (there ? ":" + before_ : "")).c_str(), 1);
+  }
+  ~WithFfmpeg() {
+    setenv("PATH", before_.c_str(), 1), unsetenv("FFMPEG_FAILS");
+    std::filesystem::remove_all(folder_);
+  }
+  WithFfmpeg(const WithFfmpeg&) = delete;
+  WithFfmpeg& operator=(const WithFfmpeg&) = delete;
+
+ private:
+  std::filesystem::path folder_ = isect::test::scratch("isect-ffmpeg");
+  std::string before_;
+};
+
+TEST_CASE("an MP4 is written by ffmpeg, which gets every picture for its time, with even sides", "[animation]") {
+  const WithFfmpeg ffmpeg(true);
+  CHECK(can_write_mp4());
+  const std::vector<Picture> pictures = {stripes(41, 29, 9), stripes(41, 29, 3)};
+  const Metadata metadata = {{"lesson", "ray-sphere"}, {"q", std::string(700, '"') + "√ \x01 ;"}};
+  const std::string bytes = mp4(pictures, 1.5, metadata);
+  CHECK_THAT(bytes, Contains("; 42x30 " + std::to_string(2 * 38 * 42 * 30 * 3)));  // 1.5 s are 38 of 25 a second
+  CHECK(mp4_metadata(bytes) == metadata);
+  CHECK(mp4_metadata(mp4(pictures, 1.5)).empty());
+  CHECK_THROWS_AS(mp4({}, 1), FileError);
+  CHECK_THROWS_AS(mp4_metadata("GIF89a, and more"), FileError);
+  for (std::size_t n = 0; n < bytes.size(); n += 7) try {
+      mp4_metadata(bytes.substr(0, n));
+    } catch (const FileError&) {
+    }
+}
+
+TEST_CASE("an ffmpeg that fails or is not there is told", "[animation]") {
+  const std::vector<Picture> pictures = {stripes(64, 64, 9), stripes(64, 64, 3)};
+  {
+    const WithFfmpeg ffmpeg(true);
+    setenv("FFMPEG_FAILS", "yes", 1);
+    CHECK_THROWS_WITH(mp4(pictures, 60), Contains("status 3: no such encoder"));
+  }
+  const WithFfmpeg none(false);
+  CHECK_FALSE(can_write_mp4());
+  CHECK_THROWS_WITH(mp4(pictures, 1), Contains("ffmpeg"));
 }
 
 TEST_CASE("pictures that do not go together are no animation", "[animation]") {
