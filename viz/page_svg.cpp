@@ -124,7 +124,8 @@ class PageWriter {
   PageWriter(PagePictures& page, const Drawing& light, const Drawing& dark) : page_(page), light_(light), dark_(dark) {}
 
   std::string write() {
-    const std::vector<Pair> all = paired(light_.shapes, dark_.shapes);
+    const std::vector<Shape> light = expanded(light_.shapes), dark = expanded(dark_.shapes);
+    const std::vector<Pair> all = paired(light, dark);
     std::string out;
     for (std::size_t i = 0; i < all.size();) {
       const int object = object_of(all[i].any());
@@ -235,6 +236,8 @@ class PageWriter {
     out_ += fmt::format("<path fill=\"url(#{})\" d=\"{}\"/>", known->second,
                         svg_letters({ellipse(g.center, g.major, g.minor)}));
   }
+
+  void add(const Facets&, const Facets*, const Facets*) {}  // never: write() expands them
 
   /// A script stands on a line of its own height, and what follows comes back from it.
   void add(const Text&, const Text* light, const Text* dark) {

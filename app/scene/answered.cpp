@@ -72,6 +72,7 @@ Answered answered(const Context& c, const PairAsked& asked) {
   Answered out = {slug_of(a.name + "-" + b.name), fmt::format("{} and {}", c.name(asked.a), c.name(asked.b)),
                   (answer.open ? "" : "Decided exactly for these numbers: ") + answer.verdict.text + ".",
                   answer.verdict};
+  if (!answer.note.empty()) out.caption += "\n" + answer.note;
   out.formula = answer.formula, out.values = answer.values, out.items = std::move(answer.marks);
   out.lit = {asked.a, asked.b};
   out.json = {{"ask", {a.name, b.name}}, {"verdict", viz::plain(answer.verdict.text)}};

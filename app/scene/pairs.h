@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <isect/shapes.h>
+
 #include "app/scene/questions.h"
 
 namespace isect::program::scene {
@@ -32,6 +34,7 @@ void locate(const Object& a, const Object& b, Answer&, const std::string& where)
 /// A ray, line or segment a, which the core takes as a ray. Throws NotDecided for a segment that is none.
 viz::Vec3 origin_of(const Setting&, const Object& a);
 viz::Vec3 direction_of(const Setting&, const Object& a);
+Ray<double, 3> ray_in_space(const Setting&, const Object& a);
 /// Where b is reached, on a's line.
 void add_hit(const Setting&, const Object& a, Answer&, const char* name, const Json& t, viz::Mark);
 /// The verdict of whatever runs along a line, after its hits.

@@ -124,12 +124,7 @@ void tell_cloud(const Setting& s, const Object& a, const Object& b, Answer& out)
 // What a ray meets first of many triangles.
 
 Json ray_result(const Setting& s, const Object& a, const TriangleMesh<double>& mesh) {
-  Ray<double, 3> ray = {origin_of(s, a), direction_of(s, a)};
-  if (a.type == Type::line) ray.range = infinite<double>;
-  if (a.type == Type::segment) ray.range.hi = 1;
-  if (s.has(a, "tmin")) ray.range.lo = s.number(a, "tmin");
-  if (s.has(a, "tmax")) ray.range.hi = s.number(a, "tmax");
-  const auto hit = closest_hit(build_bvh(boxes(mesh)), mesh, ray);
+  const auto hit = closest_hit(build_bvh(boxes(mesh)), mesh, ray_in_space(s, a));
   if (!hit) return {{"hit", false}};
   return {{"hit", true}, {"t", hit->t}, {"triangle", hit->primitive}};
 }

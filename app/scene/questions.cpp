@@ -7,7 +7,9 @@
 #include <iterator>
 
 #include "app/query/query.h"
+#include "app/scene/in_plane.h"
 #include "app/scene/pairs.h"
+#include "app/scene/shapes.h"
 #include "viz/rich_text.h"
 
 namespace isect::program::scene {
@@ -36,6 +38,15 @@ Vec3 direction_of(const Setting& s, const Object& o) {
                        "of another segment");
   }
   return dir;
+}
+
+Ray<double, 3> ray_in_space(const Setting& s, const Object& o) {
+  Ray<double, 3> ray = {origin_of(s, o), direction_of(s, o)};
+  if (o.type == Type::line) ray.range = infinite<double>;
+  if (o.type == Type::segment) ray.range.hi = 1;
+  if (s.has(o, "tmin")) ray.range.lo = s.number(o, "tmin");
+  if (s.has(o, "tmax")) ray.range.hi = s.number(o, "tmax");
+  return ray;
 }
 
 void relate(const Setting&, const Object& a, const Object& b, Answer& out) {
@@ -158,18 +169,43 @@ void ray_meets_plane(const Setting& s, const Object& a, const Object& b, Answer&
     out.verdict = {Verdict::Kind::on, shown_name(a.name) + " lies in " + shown_name(b.name)};
 }
 
+/// Corners off the plane that is tested are told, and beyond what six digits leave open they are a part of the verdict.
+void tell_off_plane(const Object& b, const Ring<double, 3>& outline, Answer& out) {
+  const double off = off_plane(outline);
+  if (off == 0) return;
+  out.result["off_plane"] = off;
+  out.note = fmt::format(
+      "The corners of {} lie up to {} off one plane: what is tested is the outline laid into the plane through the "
+      "first "
+      "of them.",
+      shown_name(b.name), viz::shown(off));
+  Vec3 lo = outline.front(), hi = lo;
+  for (const Vec3& v : outline) lo = lo.cwiseMin(v), hi = hi.cwiseMax(v);
+  constexpr double as_written = 1e-6;
+  if (off > as_written * (hi - lo).norm()) out.verdict.text += ", laid flat";
+}
+
 void ray_meets_polygon(const Setting& s, const Object& a, const Object& b, Answer& out) {
-  if (out.result["hit"].is_null()) {
+  const bool coplanar = out.result["coplanar"] == true;
+  if (out.result["hit"].is_null() && !coplanar) {
     out.open = true;
-    out.verdict = {Verdict::Kind::on, out.result["coplanar"] == true
-                                          ? shown_name(a.name) + " lies in the plane of " + shown_name(b.name)
-                                          : shown_name(b.name) + " has no area"};
+    out.verdict = {Verdict::Kind::on, shown_name(b.name) + " has no area"};
     return;
+  }
+  const Ring<double, 3> outline = points_of<3>(s.rings(b).front());
+  if (coplanar) {
+    const auto t = first_in_plane(ray_in_space(s, a), outline);
+    out.result["hit_in_plane"] = t.has_value();
+    if (t) add_hit(s, a, out, "*t*", *t, viz::Mark::disc);
+    meets(a, b, out, t.has_value());
+    out.verdict.text += ", in whose plane it lies";
+    return tell_off_plane(b, outline, out);
   }
   if (out.result["hit"] == true) add_hit(s, a, out, "*t*", out.result["t"], viz::Mark::disc);
   meets(a, b, out, out.result["hit"] == true);
   if (out.result["hit"] == true && out.result["plane_point_location"] == "on")
     out.verdict = {Verdict::Kind::on, out.verdict.text + " on its boundary"};
+  tell_off_plane(b, outline, out);
 }
 
 void point_location(const Setting&, const Object& a, const Object& b, Answer& out) {

@@ -12,7 +12,7 @@ namespace isect::program::scene {
 struct Answer {
   Json query = {}, result = {};  ///< as `isect query` has them; no query where it has no kind for the pair
   viz::Verdict verdict;
-  std::string formula = {};  ///< markup, may be empty
+  std::string formula = {}, note = {};  ///< markup, may be empty; `note`: what more is to be said of the input
   std::vector<viz::Value> values = {};
   std::vector<viz::Item> marks = {};     ///< where they meet
   std::optional<double> first_hit = {};  ///< of a ray, a line or a segment: the parameter of its first point there

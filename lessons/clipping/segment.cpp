@@ -92,19 +92,18 @@ void SegmentTeller::end() {
   known_.settled = true, known_.left = !truth_, known_.started = true;
   known_.range = truth_.value_or(Interval<double>{0, 0});
   const bool one = truth_ && truth_->lo == truth_->hi;
+  const auto [lo, hi] = shown_apart(known_.range.lo, known_.range.hi);
   script_.settle(!truth_                                          ? Verdict::Kind::no
                  : one || runs_along_a_side(known_.segment, box_) ? Verdict::Kind::on
                                                                   : Verdict::Kind::yes,
                  !truth_ ? "nothing is kept"
                  : one   ? "one point is kept: *t* = " + shown(known_.range.lo)
-                         : fmt::format("kept: *t* from {} to {}", shown(known_.range.lo), shown(known_.range.hi)));
+                         : fmt::format("kept: *t* from {} to {}", lo, hi));
   const int last = script_.walk().steps.back().line;
   const int line = trivial_ || !found_ ? last : 9;
   script_
       .add("kept", truth_ ? "What is kept" : "Nothing is kept", line, end_caption(one),
-           truth_ && !one
-               ? fmt::format("**p** + *t* **d**,  {} ≤ *t* ≤ {}", shown(known_.range.lo), shown(known_.range.hi))
-               : "")
+           truth_ && !one ? fmt::format("**p** + *t* **d**,  {} ≤ *t* ≤ {}", lo, hi) : "")
       .scene = picture(known_);
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "lessons/shared/digits.h"
 #include "lessons/shared/questions.h"
 
 namespace isect::lessons::obb_obb_lesson {
@@ -85,6 +86,16 @@ const Teller::Compared& Teller::telling_one(const std::vector<Compared>& all) co
   return *best;
 }
 
+namespace {
+
+/// The sum in full where it would read as `other` does.
+std::string sum_of(double a, double b, double other) {
+  const std::string terms = shown(a) + " + " + shown(b), sum = digits(a + b, other);
+  return sum == shown(a + b) ? terms : terms + " = " + sum;
+}
+
+}  // namespace
+
 void Teller::say(const Group& group, const std::vector<Compared>& all) {
   const Compared& e = telling_one(all);
   const double d = e.distance.value, r_a = e.radius_a.value, r_b = e.radius_b.value;
@@ -94,8 +105,8 @@ void Teller::say(const Group& group, const std::vector<Compared>& all) {
   script_.value("*r*_b", r_b, "length", Role::second);
   Step& step = script_.add(group.slug, group.title, group.line + (e.separates ? 1 : 0),
                            e.separates ? separated(group, e, l, static_cast<int>(all.size())) : passed(group, e, all),
-                           fmt::format("**l** = {}: {} {} {} + {}", name_of(e.axis), shown(d), e.separates ? ">" : "≤",
-                                       shown(r_a), shown(r_b)));
+                           fmt::format("**l** = {}: {} {} {}", name_of(e.axis), digits(d, r_a + r_b),
+                                       e.separates ? ">" : "≤", sum_of(r_a, r_b, d)));
   step.scene = picture(s_, l > noise ? Focus::axis : Focus::edges, e.axis);
   Script::decide(step, {"*d* ≤ *r*_a + *r*_b", d, r_a + r_b, !e.separates,
                         e.separates ? "the test finds a gap" : "no gap on this axis"});

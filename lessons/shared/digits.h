@@ -13,4 +13,15 @@ inline std::string digits(double x, double other) {
   return x != other && viz::shown(x) == viz::shown(other) ? viz::to_text(x) : viz::shown(x);
 }
 
+/// "*d* = 3 > *s* = 2": both with as many digits as tell them apart. Where rounding hides what `sign` says of the true
+/// numbers, that is said instead. Either name may be empty. `unit` follows both numbers.
+inline std::string ordered(const std::string& left, double a, const std::string& sign, double b,
+                           const std::string& right, const std::string& unit = {}) {
+  if (sign == "=") a = b;  // they are equal, whatever rounding made of one of them
+  const bool seen = sign == "=" || (sign == ">" ? a > b : a < b);
+  if (!seen)
+    return left + " " + sign + " " + right + ", rounded to " + digits(a, b) + unit + " and " + digits(b, a) + unit;
+  return left + " = " + digits(a, b) + unit + " " + sign + " " + right + " = " + digits(b, a) + unit;
+}
+
 }  // namespace isect::lessons

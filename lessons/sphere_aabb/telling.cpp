@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include <isect/sphere_aabb_methods.h>
+#include "lessons/shared/digits.h"
 #include "lessons/shared/questions.h"
 #include "lessons/shared/relation.h"
 #include "lessons/shared/script.h"
@@ -107,7 +108,7 @@ class Teller {
     shown_.settled = true;
     Step& step =
         add("relation", "Nearer than the radius?", near ? 3 : 4, reach_caption(near) + "\n" + end_caption(near),
-            "*d*^2 = " + shown(d2) + sign + shown(r2) + " = *r*^2");
+            "*d*^2 = " + digits(d2, r2) + sign + digits(r2, d2) + " = *r*^2");
     Script::decide(step, {"*d*^2 < *r*^2", d2, r2, near, near ? "the note says: OVERLAP" : "the note says: DISJOINT"});
     step.question = relation_question(s_.truth, "the ball and the box", because());
     if (s_.ball.radius > 0) step.question->choices.pop_back();  // a ball is no box

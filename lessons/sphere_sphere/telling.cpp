@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "lessons/shared/digits.h"
 #include "lessons/shared/relation.h"
 #include "lessons/shared/script.h"
 #include "lessons/sphere_sphere/picture.h"
@@ -77,11 +78,11 @@ class Teller {
     const double d2 = d2_, s2 = s2_;
     const bool near = d2 < s2;
     Step& step = add("compare", "Nearer than they reach?", 3, compare_caption(d2, s2), Focus::none,
-                     "*d*^2 = " + shown(d2) +
+                     "*d*^2 = " + digits(d2, s2) +
                          (near       ? " < "
                           : d2 == s2 ? " = "
                                      : " > ") +
-                         shown(s2) + " = *s*^2");
+                         digits(s2, d2) + " = *s*^2");
     Script::decide(step, {"*d*^2 < *s*^2", d2, s2, near, near ? "the note: OVERLAP" : "the note: DISJOINT"});
     step.question = relation_question(s_.truth, "the two balls", because());
     if (!near) script_.refuse(3, {4});
@@ -154,11 +155,9 @@ class Teller {
     const std::string unit = s_.unit > 1 ? " · 2^{600}" : s_.unit < 1 ? " · 2^{−600}" : "";
     const double d = (s_.a.center - s_.b.center).norm(), r1 = s_.a.radius, r2 = s_.b.radius;
     const bool inside = s_.truth == Relation::a_inside_b || s_.truth == Relation::b_inside_a;
-    if (inside)
-      return "*d* = " + shown(d) + unit + (s_.inner_touch ? " = " : " < ") +
-             "|*r*_1 − *r*_2| = " + shown(std::abs(r1 - r2)) + unit;
-    const char* sign = s_.truth == Relation::disjoint ? " > " : s_.truth == Relation::touching ? " = " : " < ";
-    return "*d* = " + shown(d) + unit + sign + "*r*_1 + *r*_2 = " + shown(r1 + r2) + unit;
+    if (inside) return ordered("*d*", d, s_.inner_touch ? "=" : "<", std::abs(r1 - r2), "|*r*_1 − *r*_2|", unit);
+    const char* sign = s_.truth == Relation::disjoint ? ">" : s_.truth == Relation::touching ? "=" : "<";
+    return ordered("*d*", d, sign, r1 + r2, "*r*_1 + *r*_2", unit);
   }
 
   const Setup s_;

@@ -122,7 +122,8 @@ TEST_CASE("every pair of objects that has a test is told as it lies", "[scene]")
   CHECK(verdict(shell, floor + ray("[0,1,0]", "[1,1,0]")) == "r misses F");
   CHECK(verdict(shell, wall + ray("[-1,0,0]", "[1,0,0]")) == "r meets P");
   CHECK(verdict(shell, wall + ray("[-1,1,0]", "[1,0,0]")) == "r meets P on its boundary");
-  CHECK(verdict(shell, wall + ray("[0,3,0]", "[0,-1,0]")) == "r lies in the plane of P");
+  CHECK(verdict(shell, wall + ray("[0,3,0]", "[0,-1,0]")) == "r meets P, in whose plane it lies");
+  CHECK(verdict(shell, wall + ray("[0,3,0]", "[0,1,0]")) == "r misses P, in whose plane it lies");
   CHECK(verdict(shell, R"({"line": "g", "origin": [9,0,0], "dir": [1,0,0]}, )" + ball) == "g meets S");
   CHECK(verdict(shell, R"({"segment": "s", "from": [-3,0,0], "to": [-1,0,0]}, )" + ball) == "s meets S");
 }
@@ -303,7 +304,49 @@ TEST_CASE("what is no shape is refused, and what no test decides is said to be o
   const Json first = answers(shell, R"({"objects": [{"ray": "r", "origin": [-2, 0, 0], "dir": [1, 0, 0]},
     {"triangle": "T", "points": [[-1.5, -1, 0], [1, 0, 0], [-1.5, 1, 0]]},
     {"sphere": "B", "center": [0, 0, 0], "radius": 1}], "ask": [{"first hit": "r"}]})");
-  CHECK_THAT(first[0]["verdict"].get<std::string>(), Contains("not decided") && Contains("T"));
+  CHECK(first[0]["verdict"] == "r meets T first, at t = 0.5");
+  const Json open = answers(shell, R"({"objects": [)" + segment + R"(], "ask": [{"first hit": "s"}]})");
+  CHECK_THAT(open[0]["verdict"].get<std::string>(), Contains("not decided") && Contains("T"));
+}
+
+TEST_CASE("a ray in a polygon's plane is a hit like any other, and corners off one plane are told", "[scene]") {
+  const Shell shell;
+  const std::string ray = R"({"ray": "r", "origin": [-2, 0, 0], "dir": [1, 0, 0]}, )";
+  const std::string later = R"({"sphere": "B", "center": [9, 0, 0], "radius": 1}, )";
+  const Json first =
+      answers(shell, R"({"objects": [)" + ray + later + R"({"polygon": "P", "points": [[-1, -1, 0], [1, -1, 0],
+    [1, 1, 0], [-1, 1, 0]]}], "ask": [{"first hit": "r"}, ["r", "P"]]})");
+  CHECK(first[0]["verdict"] == "r meets P first, at t = 1");
+  CHECK((first[1]["result"]["hit_in_plane"] == true && first[1]["result"]["coplanar"] == true));
+  CHECK_FALSE(first[1]["result"].contains("off_plane"));
+
+  const std::string down = R"({"ray": "r", "origin": [0, 0, 5], "dir": [0, 0, -1]}, )";
+  const auto bent = [&](const std::string& z) {
+    return answers(shell, R"({"objects": [)" + down +
+                              R"({"polygon": "P", "points": [[-1, -1, 0], [1, -1, 0], [1, 1, )" + z +
+                              R"(], [-1, 1, 0]]}], "ask": [["r", "P"]]})")[0];
+  };
+  CHECK(bent("0")["verdict"] == "r meets P");
+  CHECK(bent("1e-12")["verdict"] == "r meets P");
+  CHECK(bent("1e-12")["result"]["off_plane"].get<double>() > 0);
+  CHECK(bent("0.5")["verdict"] == "r meets P, laid flat");
+  CHECK_THAT(shell("isect explain scene.json").out, Contains("off one plane"));
+}
+
+TEST_CASE("numbers that read alike are told apart in a walk", "[scene]") {
+  const Shell shell;
+  const auto told = [&](const std::string& x) {
+    write(shell.work() / "s.json", R"({"objects": [{"sphere": "A", "center": [0, 0, 0], "radius": 1},
+      {"sphere": "B", "center": [)" + x +
+                                       R"(, 0, 0], "radius": 1}], "ask": [{"walk": ["A", "B"]}]})");
+    return shell("isect explain s.json").out;
+  };
+  CHECK_THAT(told("2.0000000000000004"), Contains("d = 2.0000000000000004 > r₁ + r₂ = 2"));
+  CHECK_THAT(told("2"), Contains("d = 2 = r₁ + r₂ = 2"));
+  // the true sum of these radii is no double, and the distance is the one that it is rounded to
+  write(shell.work() / "h.json", R"({"objects": [{"sphere": "A", "center": [0, 0, 0], "radius": 1},
+      {"sphere": "B", "center": [1, 0, 0], "radius": 1e-30}], "ask": [{"walk": ["A", "B"]}]})");
+  CHECK_THAT(shell("isect explain h.json").out, Contains("d < r₁ + r₂, rounded to 1 and 1"));
 }
 
 TEST_CASE("what lies in what is told of every pair that can", "[scene]") {

@@ -1,0 +1,21 @@
+#pragma once
+// A ray and a polygon that lie in one plane: what `intersect` in isect/ray_polygon.h leaves to a test in two
+// dimensions.
+
+#include <optional>
+
+#include <isect/shapes.h>
+
+namespace isect::program::scene {
+
+/// The least t at which the ray meets the polygon, its boundary included, by the even-odd rule; both are projected
+/// along the axis of the largest |n_i|, as the core's test does. Whether there is one is decided exactly, and t is the
+/// double nearest to the true one. The numbers are finite but for the ray's range, the outline has an area, and the ray
+/// lies in its plane.
+std::optional<double> first_in_plane(const Ray<double, 3>&, const Ring<double, 3>& outline);
+
+/// The farthest that a vertex lies off the plane that the core's test takes for the outline's: through the first
+/// vertex, with Newell's normal. 0 if and only if all lie in it, exactly; else rounded. The outline has an area.
+double off_plane(const Ring<double, 3>& outline);
+
+}  // namespace isect::program::scene
