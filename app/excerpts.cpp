@@ -45,6 +45,21 @@ Excerpt from_scene(const std::string& text, const PresetFile& file) {
   return e;
 }
 
+/// The lesson's walks through a scene's objects.
+Excerpt from_scene_for(const viz::Lesson& lesson, const PresetFile& file) {
+  require_utf8(file);
+  try {
+    Excerpt e;
+    e.lesson = &scene::kept_walks_of(lesson, viz::read_file(file.path), fs::path(file.path).parent_path().string());
+    e.folder = lesson.id + "-" + file.name;
+    e.path = file.path;
+    e.parameters = e.lesson->presets.front().parameters;
+    return e;
+  } catch (const viz::BadInput& e) {
+    throw viz::BadInput(fmt::format("{}: {}", file.path, e.what()));
+  }
+}
+
 /// The preset of a file, whose name becomes the folder's.
 Excerpt from_file(const Program& program, const PresetFile& file) {
   viz::Place place;
@@ -195,6 +210,11 @@ std::vector<Excerpt> from_words(const Program& program, Selection asked) {
   }
   const std::vector<const viz::Lesson*> lessons = lessons_of(program, asked);
   std::vector<Excerpt> found;
+  if (!asked.scene.empty()) {
+    if (lessons.size() != 1 || !files.empty())
+      throw viz::BadInput("scene: one lesson is to take its objects; name that, and no other file");
+    return {from_scene_for(*lessons.front(), {asked.scene, fs::path(asked.scene).stem().string()})};
+  }
   if (files.empty() || !names.empty()) {
     if (lessons.empty())
       throw viz::BadInput(fmt::format("lesson: none given; allowed: {}", fmt::join(ids_of(program), ", ")));

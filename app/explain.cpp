@@ -14,6 +14,7 @@ void add_explain(CLI::App& app, Program& program) {
   add_preset(sub, *asked, Takes::one, "a preset, or a file with one (its step is honoured);\nthe first if not given");
   add_step(sub, *asked, Takes::many,
            "counted from 1: 3, 3-6, 3,5,7-9 or all; if not given, that of\nthe preset's file, or all");
+  add_scene_file(sub, program, *asked);
   add_set(sub, *asked);
   const auto how = std::make_shared<Telling>();
   const auto exercises = std::make_shared<bool>(false);

@@ -19,6 +19,13 @@ void add_step(CLI::App& sub, Selection& to, Takes takes, const std::string& help
   sub.add_option("--step", to.step, help)->type_name(takes == Takes::one ? "N" : "N|A-B|all");
 }
 
+void add_scene_file(CLI::App& sub, const Program& program, Selection& to) {
+  if (program.only) return;
+  sub.add_option("--scene", to.scene, "the lesson on the objects of a scene's file, where it takes any")
+      ->type_name("FILE")
+      ->check(not_empty())
+      ->excludes("--preset");
+}
 void add_set(CLI::App& sub, Selection& to) {
   sub.add_option("--set", to.changes, "change a parameter; may be repeated")
       ->type_name("NAME=VALUE")

@@ -24,6 +24,7 @@ struct Selection {
   bool all = false;
   std::string preset;                ///< empty: the lesson's first (every one with `all`)
   std::vector<std::string> presets;  ///< several, in place of one
+  std::string scene;                 ///< a scene's file, whose objects the lesson is to take; empty: none
   std::string step;                  ///< empty: the step of the preset's file, or all where it names none
   std::vector<std::string> changes;  ///< name=value
   std::vector<PresetFile> files;     ///< in place of names
@@ -35,6 +36,8 @@ void add_lesson(CLI::App&, const Program&, Selection&, Takes, const std::string&
 void add_preset(CLI::App&, Selection&, Takes, const std::string& help);
 void add_step(CLI::App&, Selection&, Takes, const std::string& help);
 void add_set(CLI::App&, Selection&);
+/// Where the program has more than one lesson, as that of one takes some objects alone.
+void add_scene_file(CLI::App&, const Program&, Selection&);
 /// The parameters with these changes, name=value each. Throws viz::BadInput.
 viz::Parameters changed(const viz::Lesson&, viz::Parameters, const std::vector<std::string>& changes);
 /// Refuses an empty value, which is most often a shell's variable that is not set.

@@ -160,6 +160,7 @@ void add_render(CLI::App& app, Program& program) {
       ->excludes("--all");
   add_step(sub, options->asked, Takes::many,
            "counted from 1: 3, 3-6, 3,5,7-9 or all; if not given, that of\nthe preset's file, or all");
+  add_scene_file(sub, program, options->asked);
   add_set(sub, options->asked);
   add_style(sub, options->style, viz::format_names());
   sub.add_option("--seconds", options->each, "of each step in gif, apng and mp4; 2.5 if not given")->type_name("N");

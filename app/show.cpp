@@ -49,9 +49,11 @@ viz::Place place_in_figure(const Program& program, const std::string& path, cons
 viz::Place place_of(const Program& program, Selection asked, Lessons& lessons, std::optional<scene::KeptFile>& file) {
   const std::string first = asked.lessons.empty() ? std::string() : asked.lessons.front();
   if (const viz::Format* format = viz::format_of(first)) return place_in_figure(program, first, *format, lessons);
-  const bool anywhere = asked.lessons.empty() && asked.preset.empty() && asked.changes.empty() && asked.step.empty();
+  const bool anywhere = asked.lessons.empty() && asked.preset.empty() && asked.changes.empty() && asked.step.empty() &&
+                        asked.scene.empty();
   if (anywhere && program.only == nullptr) return {};  // where the reader left off, or the first lesson
-  if (asked.lessons.empty() && asked.preset.empty()) asked.lessons = {program.lessons.front()->id};
+  if (asked.lessons.empty() && asked.preset.empty() && asked.scene.empty())
+    asked.lessons = {program.lessons.front()->id};
   const Excerpt e = excerpt(program, asked);
   if (!asked.step.empty() && e.steps.size() != 1)
     throw viz::BadInput(fmt::format("step: \"{}\" does not do here; give one", asked.step));
@@ -87,7 +89,9 @@ int show(const Program& program, const Selection& asked) {
                               : program.only
                                   ? ""
                                   : " " + (place.lesson.empty() ? program.lessons.front()->id : place.lesson);
-    const std::string preset = scene || place.preset.empty() ? "" : " --preset " + place.preset;
+    const std::string preset = !asked.scene.empty()            ? " --scene " + asked.scene
+                               : scene || place.preset.empty() ? ""
+                                                               : " --preset " + place.preset;
     say(fmt::format(
         "Without a display, `{0} render{1}{2}` writes the figures, and `{0} explain{1}{2}` tells them as text.",
         program.name, which, preset));
@@ -107,6 +111,7 @@ void add_show(CLI::App& app, Program& program) {
   add_preset(sub, *asked, Takes::one,
              "a preset, or a file with one (its step and camera are\nhonoured); the first if not given");
   add_step(sub, *asked, Takes::one, "counted from 1; if not given, that of the preset's file, or 1");
+  add_scene_file(sub, program, *asked);
   add_set(sub, *asked);
   sub.footer(program.only ? "Example: " + program.name + " show --step 3"
                           : "Examples: isect show ray-sphere --step 3\n          isect show "

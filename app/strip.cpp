@@ -74,6 +74,7 @@ void add_strip(CLI::App& app, Program& program) {
   add_lesson(sub, program, options->asked, Takes::one, "a lesson's id, or a preset's file");
   add_preset(sub, options->asked, Takes::one, "a preset, or a file with one; the first if not given");
   add_step(sub, options->asked, Takes::many, "counted from 1: 3-6, or 3,5,7-9");
+  add_scene_file(sub, program, options->asked);
   add_set(sub, options->asked);
   sub.add_option("--columns", options->columns, "a row; 3 if not given")->type_name("N");
   sub.add_flag("--captions", options->captions, "each step's caption below it, after its title");

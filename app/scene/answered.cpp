@@ -8,7 +8,9 @@
 #include <cmath>
 #include <limits>
 
+#include <isect/convex_hull.h>
 #include "app/scene/questions.h"
+#include "app/scene/shapes.h"
 #include "viz/rich_text.h"
 
 namespace isect::program::scene {
@@ -106,6 +108,16 @@ Answered answered(const Context& c, const FirstHitAsked& asked) {
 /// What its steps end with, where there is a test of the pair; a clipping walk has none.
 Answered answered(const Context& c, const WalkAsked& asked) {
   const Object &a = c.object(asked.a), &b = c.object(asked.b);
+  if (asked.a == asked.b) {
+    const Ring<double, 2> hull = convex_hull(points_of<2>(c.setting.points(a)));
+    Answered out;
+    out.verdict = {viz::Verdict::Kind::yes, fmt::format("the hull of {} has {} corner{}", c.name(asked.a), hull.size(),
+                                                        hull.size() == 1 ? "" : "s")};
+    Json corners = Json::array();
+    for (const Point<double, 2>& v : hull) corners.push_back({v.x(), v.y()});
+    out.json = {{"walk", a.name}, {"verdict", viz::plain(out.verdict.text)}, {"result", {{"hull", corners}}}};
+    return out;
+  }
   const bool clips = !can_ask(a.type, b.type, c.file.flat);
   Answered out = clips ? answered(c, ClipAsked{asked.a, asked.b}) : answered(c, PairAsked{asked.a, asked.b});
   Json json = {{"walk", {a.name, b.name}}};

@@ -78,11 +78,11 @@ class Reader {
     if (word == words.end()) source_.refuse(path, fmt::format("one of these is expected: {}", fmt::join(words, ", ")));
     if (*word == "fit") return fit(json, path);
     if (*word == "clip") return clip(json, path);
+    if (*word == "walk") return walk(json, path);
     source_.only(json, path, {*word});
     const Json& asked = json[*word];
     const Path to = below(path, *word);
     if (*word == "hierarchy") return hierarchy(asked, to);
-    if (*word == "walk") return walk(asked, to);
     const std::size_t ray = named(asked, to);
     need_type(ray, to, runs_along_a_line(object(ray).type), "a ray, a line or a segment");
     return FirstHitAsked{ray};
@@ -141,12 +141,28 @@ class Reader {
   }
 
   Asked walk(const Json& json, const Path& path) const {
-    const auto [i, j] = two_objects(json, path);
+    source_.only(json, path, {"walk", "lesson"});
+    const Path to = below(path, "walk");
+    std::string lesson;
+    if (json.contains("lesson")) {
+      const std::vector<std::string> known = walking_lessons();
+      lesson = source_.text(json["lesson"], below(path, "lesson"));
+      if (std::ranges::find(known, lesson) == known.end())
+        source_.refuse(below(path, "lesson"),
+                       fmt::format("no lesson that takes a scene's objects is called \"{}\"; did you mean \"{}\"? "
+                                   "Allowed: {}",
+                                   lesson, viz::nearest(lesson, known), fmt::join(known, ", ")));
+    }
+    const bool one = json["walk"].is_string();
+    const auto [i, j] =
+        one ? std::pair(named(json["walk"], to), named(json["walk"], to)) : two_objects(json["walk"], to);
     const Type a = object(i).type, b = object(j).type;
-    if (walk_of(a, b, file_.flat)) return WalkAsked{i, j};
-    if (walk_of(b, a, file_.flat)) return WalkAsked{j, i};
-    source_.refuse(path,
-                   fmt::format("no lesson steps through {} and {} {}; those are: {}", with_article(a), with_article(b),
+    if (walk_of(a, b, file_.flat, one, lesson)) return WalkAsked{i, j, lesson};
+    if (walk_of(b, a, file_.flat, one, lesson)) return WalkAsked{j, i, lesson};
+    source_.refuse(to,
+                   fmt::format("{} steps through {} {}; those are: {}",
+                               lesson.empty() ? "no lesson" : "the lesson " + lesson + " never",
+                               one ? with_article(a) : with_article(a) + " and " + with_article(b),
                                file_.flat ? "in the plane" : "in space", fmt::join(walks_in_words(file_.flat), ", ")));
   }
 

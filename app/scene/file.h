@@ -12,7 +12,8 @@
 //              {"clip": "r", "to": "A"},                             // the part of a line or a polygon in a box
 //              {"hierarchy": "M"},                                   // of its triangles; or of objects: ["A", "M"],
 //              "all"
-//              {"walk": ["r", "A"]} ],                               // step by step, as the lesson of such a pair
+//              {"walk": ["r", "A"]} ],                               // step by step, as the lesson of such a pair, or
+//                                                                    // of one object: "H"; with "lesson": another one
 //     "notes": [ {"at": [0, 2, 0], "text": "the *y*-axis"} ],
 //     "camera": {"azimuth": 30, "elevation": 20} }                   // degrees
 //
@@ -45,7 +46,8 @@ struct HierarchyAsked {
   std::vector<std::size_t> objects;  ///< one of them: its triangles
 };
 struct WalkAsked {
-  std::size_t a, b;
+  std::size_t a, b;         ///< the same where it is of one object
+  std::string lesson = {};  ///< its id, where another than the usual one for such objects is asked for
 };
 using Asked = std::variant<PairAsked, FirstHitAsked, FitAsked, ClipAsked, HierarchyAsked, WalkAsked>;
 

@@ -1,6 +1,7 @@
 #include "app/scene/lesson.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <deque>
@@ -97,17 +98,20 @@ class Walker {
   /// The lesson's own steps on these numbers; a walk has one text of an algorithm, that of the first.
   void add(const WalkAsked& asked, viz::Walk& to) {
     const Object &a = context_.object(asked.a), &b = context_.object(asked.b);
-    const WalkOfPair& pair = *walk_of(a.type, b.type, context_.file.flat);
+    const bool one = asked.a == asked.b;
+    const LessonWalk& pair = *walk_of(a.type, b.type, context_.file.flat, one, asked.lesson);
     viz::Walk walk = scene::walk(pair, context_.setting, a, b);
     const bool first = to.pseudocode.empty();
     if (first) to.pseudocode = walk.pseudocode;
     for (viz::Step& s : walk.steps) {
-      s.slug = slug_of(fmt::format("{}-{}-{}", a.name, b.name, s.slug));
+      s.slug = slug_of(one ? fmt::format("{}-{}", a.name, s.slug) : fmt::format("{}-{}-{}", a.name, b.name, s.slug));
       if (!first) s.line = -1;
       if (!s.scene.handles.empty()) s.scene.handles = handles_of(a, b);
-      if (&s == &walk.steps.front())
-        s.caption = fmt::format("Step by step: here {} is {}, and {} is {}. {}", shown_name(a.name), pair.name_a,
-                                shown_name(b.name), pair.name_b, s.caption);
+      if (&s == &walk.steps.front()) {
+        const std::string second = one ? "" : fmt::format(", and {} is {}", shown_name(b.name), pair.name_b);
+        s.caption = fmt::format("Step by step: here {} {} {}{}. {}", shown_name(a.name), one ? "are" : "is",
+                                pair.name_a, second, s.caption);
+      }
       to.steps.push_back(std::move(s));
     }
   }
@@ -115,6 +119,7 @@ class Walker {
   /// In place of the lesson's, whose parameters have other names.
   std::vector<viz::Handle> handles_of(const Object& a, const Object& b) const {
     std::vector<viz::Handle> all = handles(context_.setting, a, Role::first);
+    if (&a == &b) return all;
     std::ranges::move(handles(context_.setting, b, Role::second), std::back_inserter(all));
     return all;
   }
@@ -196,6 +201,52 @@ viz::Lesson lesson_of(const std::string& text, const std::string& folder) {
 const viz::Lesson& kept_lesson_of(const std::string& text, const std::string& folder) {
   static std::deque<viz::Lesson> all;  // none of them moves
   return all.emplace_back(lesson_of(text, folder));
+}
+
+namespace {
+
+/// What the lesson can walk through, in the order of the file, as questions.
+Json walks_through(const viz::Lesson& lesson, const File& file) {
+  const Setting setting = {file.parameters, file.flat};
+  Json asked = Json::array();
+  std::string refused;
+  const auto ask = [&](std::size_t i, std::size_t j) {
+    const Object &a = file.objects[i], &b = file.objects[j];
+    const LessonWalk* const found = walk_of(a.type, b.type, file.flat, i == j, lesson.id);
+    if (!found) return;
+    try {
+      static_cast<void>(walk(*found, setting, a, b));
+      const Json names = i == j ? Json(a.name) : Json{a.name, b.name};
+      asked.push_back({{"walk", names}, {"lesson", lesson.id}});
+    } catch (const viz::BadInput& e) {
+      refused += (refused.empty() ? "" : ", and ") + std::string(e.what());
+    }
+  };
+  for (std::size_t i = 0; i < file.objects.size(); ++i)
+    for (std::size_t j = 0; j < file.objects.size(); ++j)
+      if (i <= j || file.objects[i].type != file.objects[j].type) ask(i, j);
+  if (!asked.empty()) return asked;
+  if (!refused.empty()) throw viz::BadInput(refused);
+  std::string takes;
+  for (const LessonWalk& w : walks())
+    if (w.lesson == lesson.id)
+      takes += fmt::format("{}{}{} {}", takes.empty() ? "" : ", ", spec(w.a).name,
+                           w.of_one() ? std::string() : std::string(" and ") + spec(w.b).name,
+                           w.flat ? "in the plane" : "in space");
+  if (takes.empty())
+    throw viz::BadInput(fmt::format("scene: {} takes no objects of a scene; these do: {}", lesson.id,
+                                    fmt::join(walking_lessons(), ", ")));
+  throw viz::BadInput(fmt::format("scene: none of its objects are what {} takes: {}", lesson.id, takes));
+}
+
+}  // namespace
+
+const viz::Lesson& kept_walks_of(const viz::Lesson& lesson, const std::string& text, const std::string& folder) {
+  const File file = read_scene(text, folder);
+  Json scene = Json::parse(file.text);
+  scene["ask"] = walks_through(lesson, file);
+  scene["title"] = fmt::format("{}: {}", lesson.title, file.title);
+  return kept_lesson_of(scene.dump(), folder);
 }
 
 Json answers(const File& file) { return Walker(file, file.parameters).answers(); }

@@ -14,6 +14,10 @@ viz::Lesson lesson_of(const std::string& text, const std::string& folder);
 /// The same, kept as long as the program runs.
 const viz::Lesson& kept_lesson_of(const std::string& text, const std::string& folder);
 
+/// The lesson's own walk through each of the scene's objects that it takes, in place of what the scene asks; kept, too.
+/// Throws viz::BadInput where it takes none of them, naming what it takes and which lessons take any.
+const viz::Lesson& kept_walks_of(const viz::Lesson&, const std::string& text, const std::string& folder);
+
 /// The answers to all questions, as JSON: names, verdict in words, query and result.
 Json answers(const File&);
 

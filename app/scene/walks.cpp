@@ -4,9 +4,13 @@
 
 #include <algorithm>
 
+#include <isect/convex_hull.h>
 #include "app/scene/pairs.h"
 #include "app/scene/shapes.h"
 #include "lessons/clipping/picture.h"
+#include "lessons/convex_hull/picture.h"
+#include "lessons/convex_polygon/picture.h"
+#include "lessons/crossings/telling.h"
 #include "lessons/lessons.h"
 #include "lessons/obb_obb/telling.h"
 #include "lessons/ray_polygon/telling.h"
@@ -111,45 +115,98 @@ constexpr Walk clipped_polygon = [](const Setting& s, const Object& a, const Obj
   return lessons::clipping_lesson::clip_a_polygon(points_of<2>(s.rings(a).front()), box_of<2>(s, b));
 };
 
-const std::vector<WalkOfPair>& all() {
+/// A step each is told of them.
+template <class Points>
+void need_few(const Object& o, const Points& points) {
+  constexpr std::size_t most = 100;
+  if (points.size() > most)
+    throw viz::BadInput(fmt::format("{} has {} points, and the lesson has a step or more for each: {} are the most",
+                                    o.name, points.size(), most));
+}
+
+constexpr Walk point_in_polygon = [](const Setting& s, const Object& a, const Object& b) {
+  need_few(b, s.points(b));
+  Polygon<double, 2> polygon;
+  for (const auto& ring : s.rings(b)) polygon.rings.push_back(points_of<2>(ring));
+  return lessons::crossings_lesson::half_open({point_of<2>(s.point(a, "at")), polygon});
+};
+
+constexpr Walk point_in_convex_polygon = [](const Setting& s, const Object& a, const Object& b) {
+  Ring<double, 2> ring = points_of<2>(s.rings(b).front());
+  const Ring<double, 2> hull = convex_hull(ring);
+  for (int way = 0; way < 2; ++way) {
+    const auto first = hull.empty() ? ring.end() : std::ranges::find(ring, hull.front());
+    Ring<double, 2> turned = ring;
+    std::ranges::rotate(turned, turned.begin() + (first - ring.begin()));
+    if (s.rings(b).size() == 1 && hull.size() >= 3 && turned == hull)
+      return lessons::convex_polygon_lesson::fan({ConvexPolygon<double>{ring}, point_of<2>(s.point(a, "at"))});
+    std::ranges::reverse(ring);
+  }
+  throw viz::BadInput(b.name + " is not convex, or three of its corners lie on one line");
+};
+
+constexpr Walk hull_of_points = [](const Setting& s, const Object& a, const Object&) {
+  const std::vector<Vec3> points = s.points(a);
+  need_few(a, points);
+  return lessons::convex_hull_lesson::tell(points_of<2>(points));
+};
+
+}  // namespace
+
+const std::vector<LessonWalk>& walks() {
   using enum Type;
-  static const std::vector<WalkOfPair> table = {
-      {sphere, sphere, false, "a", "b", balls},
-      {box, box, false, "a", "b", boxes},
-      {sphere, box, false, "the ball", "the box", ball_and_box},
-      {ray, sphere, false, "the ray", "the ball", ray_and_ball},
-      {segment, sphere, false, "the segment", "the ball", ray_and_ball},
-      {obb, obb, false, "a", "b", oriented_boxes},
-      {ray, polygon, false, "the ray", "the polygon", ray_and_polygon},
-      {ray, triangle, false, "the ray", "the polygon", ray_and_polygon},
-      {capsule, capsule, true, "a", "b", capsules},
-      {segment, box, true, "the segment", "the box", clipped_segment},
-      {polygon, box, true, "the polygon", "the box", clipped_polygon},
-      {triangle, box, true, "the polygon", "the box", clipped_polygon},
+  static const std::vector<LessonWalk> table = {
+      {"sphere-sphere", sphere, sphere, false, "a", "b", balls},
+      {"aabb-aabb", box, box, false, "a", "b", boxes},
+      {"sphere-aabb", sphere, box, false, "the ball", "the box", ball_and_box},
+      {"ray-sphere", ray, sphere, false, "the ray", "the ball", ray_and_ball},
+      {"ray-sphere", segment, sphere, false, "the segment", "the ball", ray_and_ball},
+      {"obb-obb", obb, obb, false, "a", "b", oriented_boxes},
+      {"ray-polygon", ray, polygon, false, "the ray", "the polygon", ray_and_polygon},
+      {"ray-polygon", ray, triangle, false, "the ray", "the polygon", ray_and_polygon},
+      {"capsule-capsule", capsule, capsule, true, "a", "b", capsules},
+      {"clipping", segment, box, true, "the segment", "the box", clipped_segment},
+      {"clipping", polygon, box, true, "the polygon", "the box", clipped_polygon},
+      {"clipping", triangle, box, true, "the polygon", "the box", clipped_polygon},
+      {"crossings", point, polygon, true, "**p**", "the polygon", point_in_polygon},
+      {"crossings", point, triangle, true, "**p**", "the polygon", point_in_polygon},
+      {"convex-polygon", point, polygon, true, "**p**", "the polygon", point_in_convex_polygon},
+      {"convex-polygon", point, triangle, true, "**p**", "the polygon", point_in_convex_polygon},
+      {"convex-hull", hull, hull, true, "the points", nullptr, hull_of_points},
+      {"convex-hull", cloud, cloud, true, "the points", nullptr, hull_of_points},
   };
   return table;
 }
 
-}  // namespace
-
-const WalkOfPair* walk_of(Type a, Type b, bool flat) {
-  const auto found =
-      std::ranges::find_if(all(), [&](const WalkOfPair& w) { return w.a == a && w.b == b && w.flat == flat; });
-  return found == all().end() ? nullptr : &*found;
+const LessonWalk* walk_of(Type a, Type b, bool flat, bool one, const std::string& lesson) {
+  const auto found = std::ranges::find_if(
+      walks(), [&](const LessonWalk& w) { return w.takes(a, b, flat, one) && (lesson.empty() || lesson == w.lesson); });
+  return found == walks().end() ? nullptr : &*found;
 }
 
 std::vector<std::string> walks_in_words(bool flat) {
   std::vector<std::string> words;
-  for (const WalkOfPair& w : all())
-    if (w.flat == flat) words.push_back(fmt::format("{} and {}", spec(w.a).name, spec(w.b).name));
+  for (const LessonWalk& w : walks()) {
+    const std::string told =
+        w.of_one() ? std::string(spec(w.a).name) : fmt::format("{} and {}", spec(w.a).name, spec(w.b).name);
+    if (w.flat == flat && std::ranges::find(words, told) == words.end()) words.push_back(told);
+  }
   return words;
 }
 
-viz::Walk walk(const WalkOfPair& pair, const Setting& s, const Object& a, const Object& b) {
+std::vector<std::string> walking_lessons() {
+  std::vector<std::string> all;
+  for (const LessonWalk& w : walks())
+    if (std::ranges::find(all, w.lesson) == all.end()) all.emplace_back(w.lesson);
+  return all;
+}
+
+viz::Walk walk(const LessonWalk& pair, const Setting& s, const Object& a, const Object& b) {
   try {
     return pair.steps(s, a, b);
   } catch (const viz::BadInput& e) {
-    throw viz::BadInput(fmt::format("{} and {}, step by step: {}", a.name, b.name, e.what()));
+    const std::string names = pair.of_one() ? a.name : a.name + " and " + b.name;
+    throw viz::BadInput(fmt::format("{}, step by step: {}", names, e.what()));
   }
 }
 

@@ -55,6 +55,12 @@ std::string name(int i) { return fmt::format("**v**_{{{}}}", i); }
 Setup::Setup(int n, const Point<double, 2>& the_point)
     : polygon(polygon_of(n)), p(the_point), truth(locate(p, polygon)) {}
 
+Setup::Setup(ConvexPolygon<double> any, const Point<double, 2>& the_point)
+    : own(std::make_shared<const ConvexPolygon<double>>(std::move(any))),
+      polygon(*own),
+      p(the_point),
+      truth(locate(p, polygon)) {}
+
 Scene picture(const Setup& s, const Shown& shown) {
   Scene scene;
   Region region;

@@ -1,16 +1,22 @@
 #pragma once
 // The two walks, and the picture they share.
 
+#include <memory>
+
 #include <isect/point_convex_polygon.h>
 #include "lessons/shared/location.h"
 #include "viz/lesson.h"
 
 namespace isect::lessons::convex_polygon_lesson {
 
-/// A polygon of n vertices on an ellipse, and what is true of the point by the exact test.
+/// A convex polygon, and what is true of the point by the exact test.
 struct Setup {
+  /// Of n vertices on an ellipse.
   Setup(int n, const Point<double, 2>& the_point);
+  /// Any: three vertices or more, counter-clockwise, no three on one line.
+  Setup(ConvexPolygon<double>, const Point<double, 2>& the_point);
 
+  std::shared_ptr<const ConvexPolygon<double>> own;  ///< none where the polygon is one of the lesson's
   const ConvexPolygon<double>& polygon;
   Point<double, 2> p;
   Location truth;

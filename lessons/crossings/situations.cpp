@@ -114,6 +114,16 @@ Setup::Setup(const viz::Parameters& values)
       simple(polygon.rings.size() == 1 && is_simple(polygon.rings[0])),
       truth(winding(p, polygon)) {}
 
+Setup::Setup(const Point<double, 2>& point, const Polygon<double, 2>& of_ones_own)
+    : situation([]() -> const Situation& {
+        static const Situation none = {"", "", {0, 0}, {}, ""};
+        return none;
+      }()),
+      p(point),
+      polygon(of_ones_own),
+      simple(polygon.rings.size() == 1 && is_simple(polygon.rings[0])),
+      truth(winding(p, polygon)) {}
+
 int Setup::vertices_on_ray() const {
   int on_ray = 0;
   for (const Ring<double, 2>& ring : polygon.rings)

@@ -26,6 +26,8 @@ int most_corners();
 /// A situation with its point and its corners perhaps moved, and what is true of it by the exact test.
 struct Setup {
   explicit Setup(const viz::Parameters&);
+  /// Of any polygon; the situation then has no corners and no note.
+  Setup(const Point<double, 2>&, const Polygon<double, 2>&);
 
   const Situation& situation;
   Point<double, 2> p;

@@ -252,6 +252,74 @@ TEST_CASE("a walk tells the lesson's steps on the scene's numbers", "[scene]") {
   CHECK(shell("isect render w.json").status == 0);
 }
 
+TEST_CASE("a point in a polygon and the hull of points are walked as their lessons do", "[scene]") {
+  const Shell shell;
+  const std::string objects =
+      R"({"point": "q", "at": [0, 0]}, {"polygon": "P", "points": [[-2,-1],[2,-1],[2,1],[-2,1]]},
+    {"hull": "H", "points": [[0,0],[4,0],[4,4],[0,4],[2,2]]}, {"cloud": "C", "points": [[0,0],[1,0],[0,1]]})";
+  const std::string ask =
+      R"([{"walk": ["P", "q"]}, {"walk": ["q", "P"], "lesson": "convex-polygon"}, {"walk": "H"}, {"walk": "C"}])";
+  const Json all = answers(shell, objects, ask);
+  CHECK(all[0]["verdict"] == "q lies inside P");
+  CHECK(all[1]["verdict"] == "q lies inside P");
+  CHECK(all[2]["verdict"] == "the hull of H has 4 corners");
+  CHECK(all[2]["result"]["hull"].size() == 4);
+  CHECK(all[3]["verdict"] == "the hull of C has 3 corners");
+  const std::string told = shell("isect explain scene.json").out;
+  const Ran made = shell("isect render scene.json");
+  INFO(made.err);
+  CHECK(made.status == 0);
+  CHECK_THAT(told, Contains("here q is p, and P is the polygon") && Contains("Odd or even") &&
+                       Contains("A fan of wedges") && Contains("here H are the points"));
+
+  const std::string bent = R"({"point": "q", "at": [0, 0]}, {"polygon": "P", "points": [[-2,-1],[2,-1],[0,0],[2,1]]})";
+  CHECK_THAT(refused(shell, bent, R"([{"walk": ["q", "P"], "lesson": "convex-polygon"}])"),
+             Contains("P is not convex"));
+  std::string many;
+  for (int i = 0; i < 101; ++i) many += (i > 0 ? ",[" : "[") + std::to_string(i) + "," + std::to_string(i * i) + "]";
+  CHECK_THAT(refused(shell, R"({"hull": "H", "points": [)" + many + "]}", R"([{"walk": "H"}])"),
+             Contains("H, step by step: H has 101 points") && Contains("100 are the most"));
+}
+
+TEST_CASE("a lesson takes what it can of a scene", "[scene]") {
+  const Shell shell;
+  const std::string mine = R"({"title": "Mine", "objects": [{"sphere": "S", "center": [0, 0], "radius": 1},
+    {"point": "q", "at": [0.5, 0.25]}, {"polygon": "P", "points": [[-2,-1],[2,-1],[2,1],[-2,1]]},
+    {"polygon": "bent", "points": [[-2,-1],[2,-1],[0,0],[2,1]]}], "ask": [["q", "S"]]})";
+  write(shell.work() / "mine.json", mine);
+  const Ran both = shell("isect explain crossings --scene mine.json");
+  CHECK(both.status == 0);
+  CHECK_THAT(both.out, Contains("Point in polygon: crossings: Mine") && Contains("here q is p, and P is the polygon") &&
+                           Contains("bent is the polygon") && !Contains("q and S"));
+  const Ran convex = shell("isect explain convex-polygon --scene mine.json");  // of both polygons the one that is
+  CHECK(convex.status == 0);
+  CHECK_THAT(convex.out, Contains("A fan of wedges") && !Contains("bent is the polygon"));
+  const Ran moved = shell("isect explain crossings --scene mine.json --set q.at=9,0.25");
+  CHECK_THAT(moved.out, Contains("OUT"));
+
+  const Ran made = shell("isect render crossings --scene mine.json --step 2 --format svg");
+  CHECK(made.out == "figures/scene/crossings-mine/02-q-p-ray.svg\n");
+  const Ran again = shell("isect show " + made.out.substr(0, made.out.size() - 1));  // no display here
+  CHECK(again.status == 77);
+  const Ran shown = shell("isect show crossings --scene mine.json");
+  CHECK(shown.status == 77);
+  CHECK_THAT(shown.err, Contains("isect render crossings --scene mine.json"));
+
+  const auto refusal = [&](const std::string& words) {
+    const Ran r = shell("isect " + words);
+    CHECK(r.status == 2);
+    return r.err;
+  };
+  CHECK_THAT(refusal("show ray-sphere --scene mine.json"),
+             Contains("none of its objects are what ray-sphere takes: ray"));
+  CHECK_THAT(refusal("show trees --scene mine.json"), Contains("trees"));
+  CHECK_THAT(refusal("show culling --scene mine.json"),
+             Contains("culling takes no objects of a scene; these do: sphere-sphere"));
+  CHECK_THAT(refusal("show --scene mine.json"), Contains("lesson"));
+  CHECK_THAT(refusal("render crossings rays --scene mine.json"), Contains("one lesson"));
+  CHECK(contents(shell.work() / "mine.json") == mine);
+}
+
 TEST_CASE("what is wrong with many numbers is told by line and field, or by the file's own line", "[scene]") {
   const Shell shell;
   const auto file = [&](const std::string& name, const std::string& bytes) {
@@ -308,6 +376,8 @@ TEST_CASE("what is wrong with many numbers is told by line and field, or by the 
              Contains("a ray, a line, a segment"));
   CHECK_THAT(refused(shell, point, R"([{"hierarchy": "p"}])"), Contains("a mesh, \"all\""));
   CHECK_THAT(refused(shell, point, R"([{"hierarchy": "all"}])"), Contains("two objects at least"));
+  CHECK_THAT(refused(shell, point, R"([{"walk": "p"}])"), Contains("no lesson steps through a point in space"));
+  CHECK_THAT(refused(shell, point, R"([{"walk": "p", "lesson": "crosings"}])"), Contains("\"crossings\"?"));
   CHECK_THAT(refused(shell, point + R"(, {"box": "A", "lo": [0,0,0], "hi": [1,1,1]})", R"([{"walk": ["p", "A"]}])"),
              Contains("no lesson steps through a point and a box") && Contains("sphere and sphere"));
 }
