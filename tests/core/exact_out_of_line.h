@@ -19,6 +19,7 @@ class Exact {
   friend Exact abs(const Exact&);
   friend Exact sqrt(const Exact&);
   friend double quotient(const Exact&, const Exact&);
+  friend double near_quotient(const Exact&, const Exact&);
 
   int sign() const;
   double rounded() const;

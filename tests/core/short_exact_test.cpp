@@ -15,19 +15,21 @@ using oracle::Rational;
 
 namespace {
 
+template <class Number>
 struct Both {
-  ShortExact number;
+  Number number;
   Rational truth;
 };
 
-template <class Leaf>
-Both expression(bench::Random& random, int depth, const Leaf& leaf) {
+template <class Number, class Leaf>
+Both<Number> expression(bench::Random& random, int depth, const Leaf& leaf) {
   if (depth == 0) {
     const double x = leaf(), y = leaf();
-    if (random.one_in(2)) return {ShortExact(x), Rational(x)};
-    return {ShortExact::difference(x, y), Rational(x) - Rational(y)};
+    if (random.one_in(2)) return {Number(x), Rational(x)};
+    return {Number::difference(x, y), Rational(x) - Rational(y)};
   }
-  const Both a = expression(random, depth - 1, leaf), b = expression(random, random.below(depth), leaf);
+  const Both<Number> a = expression<Number>(random, depth - 1, leaf),
+                     b = expression<Number>(random, random.below(depth), leaf);
   switch (random.below(5)) {
     case 0:
       return {a.number + b.number, a.truth + b.truth};
@@ -43,12 +45,12 @@ Both expression(bench::Random& random, int depth, const Leaf& leaf) {
 }
 
 /// How many of `count` expressions have a known sign, which must be the true one.
-template <class Leaf>
+template <class Number, class Leaf>
 int known(bench::Random& random, int count, int depth, const Leaf& leaf) {
   int result = 0;
   for (int i = 0; i < count; ++i) {
     INFO("ISECT_SEED=" << tests::seed() << ", expression " << i);
-    const Both x = expression(random, 1 + random.below(depth), leaf);
+    const Both<Number> x = expression<Number>(random, 1 + random.below(depth), leaf);
     if (x.number.sign()) REQUIRE(*x.number.sign() == x.truth.sign());
     result += x.number.sign().has_value();
   }
@@ -63,12 +65,54 @@ TEST_CASE("a sign that is known is the true one", "[short_exact]") {
   const auto tenth = [&] { return random.integer(-30, 30) / 10; };
   const auto wide = [&] { return random.one_in(8) ? 0. : random.magnitude(-20, 20); };
   const auto extreme = [&] { return random.one_in(3) ? 0. : random.magnitude(-320, 308); };
-  CHECK(known(random, 20000, 4, small) == 20000);
-  CHECK(known(random, 20000, 4, tenth) > 10000);
-  const int of_wide = known(random, 20000, 5, wide);
+  CHECK(known<ShortExact>(random, 20000, 4, small) == 20000);
+  CHECK(known<ShortExact>(random, 20000, 4, tenth) > 10000);
+  const int of_wide = known<ShortExact>(random, 20000, 5, wide),
+            more_of_wide = known<MediumExact>(random, 20000, 5, wide);
   CHECK(of_wide > 2000);
-  CHECK(of_wide < 18000);
-  CHECK(known(random, 20000, 5, extreme) > 2000);
+  CHECK(of_wide < more_of_wide);
+  CHECK(more_of_wide < 20000);
+  CHECK(known<ShortExact>(random, 20000, 5, extreme) > 2000);
+  CHECK(known<MediumExact>(random, 20000, 5, extreme) > 2000);
+}
+
+TEST_CASE("tenths settle a polynomial of degree four in 255 bits", "[short_exact]") {
+  bench::Random random(bench::stream(tests::seed(), "tenths"));
+  int zeros = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const auto number = [&] { return random.integer(-9, 9) / 10.; };
+    const double a = number(), b = number(), c = random.one_in(2) ? a : number(), d = random.one_in(2) ? b : number();
+    const auto polynomial = [&]<class W>(W) -> W { return (W(a) * W(b) - W(c) * W(d)) * (W(a) * W(a) + W(d) * W(c)); };
+    const auto sign = polynomial(MediumExact()).sign();
+    REQUIRE(sign == polynomial(Rational()).sign());
+    zeros += sign == 0;
+  }
+  CHECK(zeros > 2000);
+}
+
+TEST_CASE("quotients and roots of short numbers err by less than a double shows", "[short_exact]") {
+  bench::Random random(bench::stream(tests::seed(), "quotients"));
+  for (int i = 0; i < 20000; ++i) {
+    const auto number = [&] { return random.magnitude(-2, 2); };
+    const double a = number(), b = number(), c = number();
+    const MediumExact num = MediumExact(a) * MediumExact(b) - MediumExact(c), den = MediumExact(c) * MediumExact(a);
+    const Rational truth = (Rational(a) * Rational(b) - Rational(c)) / (Rational(c) * Rational(a));
+    REQUIRE(oracle::ulps(quotient(num, den), oracle::real(truth)) <= 0.501);
+    const MediumExact square = den * den + MediumExact(a) * MediumExact(a), root = sqrt(square);
+    const Rational of_root = (Rational(c) * Rational(c) + 1) * Rational(a) * Rational(a);
+    const Rational r = Rational(quotient(root, MediumExact(1.0))), left = of_root - r * r;
+    REQUIRE(abs(left) <= of_root * Rational(0x1p-52));
+    const Rational rest = Rational(quotient(square - root * root, square));
+    REQUIRE(abs(rest) <= Rational(0x1p-101));
+  }
+  CHECK(quotient(MediumExact(), MediumExact(3.0)) == 0);
+  CHECK(quotient(MediumExact(5e-324), MediumExact(-0x1p-1000)) == -0x1p-74);
+  CHECK(sqrt(MediumExact(0x1p-1073)).sign() == 1);
+  CHECK(quotient(sqrt(MediumExact(9.)), MediumExact(1.)) == 3);
+  const MediumExact unknown = MediumExact(0x1p500) + MediumExact(1.0);
+  CHECK(std::isnan(quotient(unknown, MediumExact(1.0))));
+  CHECK(std::isnan(quotient(MediumExact(1.0), unknown)));
+  CHECK_FALSE(sqrt(unknown).sign());
 }
 
 TEST_CASE("whole numbers of 28 bits settle a polynomial of degree four", "[short_exact]") {
@@ -90,6 +134,17 @@ TEST_CASE("it knows 127 bits, and no more", "[short_exact]") {
   const ShortExact wide = ShortExact(0x1p60) + ShortExact(1.0);
   CHECK((wide * wide).sign() == 1);
   CHECK_FALSE((wide * wide * wide).sign());
+}
+
+TEST_CASE("the longer kind knows 255 bits, and no more", "[short_exact]") {
+  for (int shift = 1; shift < 250; ++shift) {
+    const MediumExact far = MediumExact(std::ldexp(1.0, shift)), both = far + MediumExact(3.0);
+    REQUIRE((both - far - MediumExact(3.0)).sign() == 0);
+    REQUIRE((both - far).rounded() == 3);
+    REQUIRE((-both + far).rounded() == -3);
+  }
+  CHECK((MediumExact(0x1p253) + MediumExact(1.0)).sign() == 1);
+  CHECK_FALSE((MediumExact(0x1p255) + MediumExact(1.0)).sign());
 }
 
 TEST_CASE("0 times the unknown is 0, all else made of the unknown is unknown", "[short_exact]") {

@@ -11,9 +11,11 @@
 //   a + b, a - b       value              size a + size b      max + 1
 //   a b                value              size a size b + tiny sum + 1
 //
-// Underflow: a product errs by at most 2^-1075 more in double, 2^-1072 in DoubleDouble, which is below u tiny. Overflow
-// makes the size infinite or the value NaN, and nothing certain. The size's own roundings, two for each of the value's,
-// and those of the last comparison are paid by one more u: (k + 1) u >= g(k) (1 - u)^-2k (1 + u)^4 for k < 2^20.
+// Underflow: a product errs by at most 2^-1075 more in double, 2^-1072 in DoubleDouble and Compensated, which is below
+// u tiny, or u^2 tiny. tiny is so large that no error is subnormal, which would take the machine ten times as long.
+// Overflow makes the size infinite or the value NaN, and nothing certain. The size's own roundings, two for each of the
+// value's, and those of the last comparison are paid by one more u: (k + 1) u >= g(k) (1 - u)^-2k (1 + u)^4 for k <
+// 2^20.
 
 #include <algorithm>
 #include <array>
@@ -26,14 +28,15 @@
 
 namespace isect {
 
-/// T is double, Extended or DoubleDouble. The size stays a double, as x87 code for it would be slow.
+/// T is double, Extended or DoubleDouble; or Compensated, for a number found otherwise. The size stays a double, as x87
+/// code for it would be slow.
 template <class T>
 class Bounded {
  public:
   Bounded() = default;
   Bounded(double x) : value_{x}, size_(std::abs(x)) {}
   /// A number found otherwise: a sum of products, each of `roundings` roundings at most, whose sizes add up to `size`
-  /// at most. At least 2^-1000 of that makes up for products that underflow.
+  /// at most. At least 2^-960 of that makes up for products that underflow.
   Bounded(const T& value, double size, int roundings) : value_(value), size_(size), roundings_(roundings) {}
 
   [[gnu::always_inline]] static Bounded difference(double x, double y) {
@@ -69,7 +72,10 @@ class Bounded {
   double size() const { return size_; }
   int roundings() const { return roundings_; }
   /// |value - truth| <= error(); infinite or NaN where nothing is known.
-  [[gnu::always_inline]] double error() const { return (roundings_ + 1) * unit<T> * size_; }
+  [[gnu::always_inline]] double error() const {
+    const double k = roundings_ + 1;
+    return std::is_same_v<T, Compensated> ? 2 * k * k * unit<double> * unit<double> * size_ : k * unit<T> * size_;
+  }
 
  private:
   /// What a product may lose, in units of u. Nothing when a factor is zero: that would make no sum of zeros certain. In
@@ -78,7 +84,7 @@ class Bounded {
     if constexpr (std::is_same_v<T, DoubleDouble>)
       return a.size_ == 0 || b.size_ == 0 ? 0 : 0x1p-960;
     else
-      return 0x1p-1000;
+      return 0x1p-960;
   }
 
   T value_ = {};
@@ -97,7 +103,7 @@ template <std::size_t N>
     largest_x = std::max(largest_x, x[i].size()), largest_y = std::max(largest_y, y[i].size());
     roundings = std::max(roundings, x[i].roundings() + y[i].roundings());
   }
-  return {sum, N * (largest_x * largest_y) + 0x1p-1000, roundings + static_cast<int>(N)};
+  return {sum, N * (largest_x * largest_y) + 0x1p-960, roundings + static_cast<int>(N)};
 }
 
 /// x times y, likewise.
@@ -105,7 +111,7 @@ template <std::size_t N>
                                                                    const std::array<Bounded<double>, 3>& y) {
   const double largest_x = std::max(std::max(x[0].size(), x[1].size()), x[2].size()),
                largest_y = std::max(std::max(y[0].size(), y[1].size()), y[2].size());
-  const double size = 2 * (largest_x * largest_y) + 0x1p-1000;
+  const double size = 2 * (largest_x * largest_y) + 0x1p-960;
   const int roundings = std::max(std::max(x[0].roundings(), x[1].roundings()), x[2].roundings()) +
                         std::max(std::max(y[0].roundings(), y[1].roundings()), y[2].roundings()) + 2;
   const auto minor = [&](int i, int j) -> Bounded<double> {
@@ -114,11 +120,13 @@ template <std::size_t N>
   return {minor(1, 2), minor(2, 0), minor(0, 1)};
 }
 
+class Grid;
+
 /// What the polynomial texts of predicates run in: one after the other.
 template <class W>
-concept Filtered =
-    std::same_as<W, Bounded<double>> || std::same_as<W, Bounded<Extended>> || std::same_as<W, Bounded<DoubleDouble>> ||
-    std::same_as<W, Extended> || std::same_as<W, ShortExact> || std::same_as<W, Exact>;
+concept Filtered = std::same_as<W, Bounded<double>> || std::same_as<W, Grid> || std::same_as<W, Compensated> ||
+    std::same_as<W, Bounded<Extended>> || std::same_as<W, Bounded<DoubleDouble>> || std::same_as<W, Extended> ||
+    std::same_as<W, ShortExact> || std::same_as<W, MediumExact> || std::same_as<W, Exact>;
 
 /// x - y of two doubles.
 template <Filtered W>

@@ -10,7 +10,7 @@
 #include <memory>
 #include <utility>
 
-#include <isect/conventions.h>
+#include <isect/numbers/double_double.h>
 
 namespace isect {
 
@@ -86,6 +86,8 @@ class Exact {
   friend Exact sqrt(const Exact& x);
   /// The double nearest to x / y, y != 0; infinite when too large.
   friend double quotient(const Exact& x, const Exact& y);
+  /// The same but for a relative 2^-100, in a fraction of the time.
+  friend double near_quotient(const Exact& x, const Exact& y);
 
  private:
   using Digit = detail::Digit;
@@ -111,6 +113,15 @@ class Exact {
   double leading() const {
     return static_cast<double>(static_cast<TwoDigits>(digit(end() - 1)) << 64 | digit(end() - 2));
   }
+  /// |x| / 2^(64 (end() - 3)), within a relative 2^-105.
+  DoubleDouble leading_digits() const {
+    DoubleDouble sum;
+    for (int i = 1; i <= 3; ++i) {
+      const Digit d = digit(end() - i);
+      sum = sum * 0x1p64 + fast_two_sum(static_cast<double>(d >> 32) * 0x1p32, static_cast<double>(d & 0xffffffff));
+    }
+    return sum;
+  }
   /// x + y + carry, or x - y - carry, and what is carried on.
   static Digit add(Digit x, Digit y, Digit& carry) {
     const TwoDigits sum = static_cast<TwoDigits>(x) + y + carry;
@@ -123,7 +134,7 @@ class Exact {
     return static_cast<Digit>(rest);
   }
   /// Drops the zeros at both ends.
-  Exact& trim();
+  void trim();
 
   detail::Digits digits_;
   int first_ = 0;
@@ -143,14 +154,13 @@ inline Exact::Exact(double x) : digits_(2), negative_(x < 0) {
   trim();
 }
 
-inline Exact& Exact::trim() {
+inline void Exact::trim() {
   const Digit* const digits = digits_.data();
   int low = 0, high = size();
   while (high > 0 && digits[high - 1] == 0) --high;
   while (low < high && digits[low] == 0) ++low;
   digits_.keep(low, high);
   first_ += low;
-  return *this;
 }
 
 inline Exact Exact::sum(const Exact& x, const Exact& y, bool negative_y) {
@@ -160,25 +170,19 @@ inline Exact Exact::sum(const Exact& x, const Exact& y, bool negative_y) {
   const int first = std::min(x.first_, y.first_), end = std::max(x.end(), y.end()) + 1, size = end - first;
   Exact result(size, first, x.negative_);
   Digit* const digits = result.digits_.data();
-  std::fill_n(digits, size, 0);
-  std::copy_n(x.digits_.data(), x.size(), digits + (x.first_ - first));
-
-  const Digit* const other = y.digits_.data();
   Digit carry = 0;
-  int i = y.first_ - first;
   if (x.negative_ == negative_y) {
-    for (int j = 0; j < y.size(); ++i, ++j) digits[i] = add(digits[i], other[j], carry);
-    for (; carry != 0; ++i) digits[i] = add(digits[i], 0, carry);
+    for (int i = 0; i < size; ++i) digits[i] = add(x.digit(first + i), y.digit(first + i), carry);
   } else {
-    for (int j = 0; j < y.size(); ++i, ++j) digits[i] = subtract(digits[i], other[j], carry);
-    for (; carry != 0 && i < size; ++i) digits[i] = subtract(digits[i], 0, carry);
+    for (int i = 0; i < size; ++i) digits[i] = subtract(x.digit(first + i), y.digit(first + i), carry);
     if (carry != 0) {  // |y| is the larger: what stands there is the difference to the base's next power
       result.negative_ = negative_y;
       carry = 0;
-      for (i = 0; i < size; ++i) digits[i] = subtract(0, digits[i], carry);
+      for (int i = 0; i < size; ++i) digits[i] = subtract(0, digits[i], carry);
     }
   }
-  return result.trim();
+  result.trim();
+  return result;
 }
 
 inline Exact operator*(const Exact& x, const Exact& y) {
@@ -186,16 +190,16 @@ inline Exact operator*(const Exact& x, const Exact& y) {
   Exact result(x.size() + y.size(), x.first_ + y.first_, x.negative_ != y.negative_);
   const detail::Digit *const a = x.digits_.data(), *const b = y.digits_.data();
   detail::Digit* const digits = result.digits_.data();
-  std::fill_n(digits, y.size(), 0);
   for (int i = 0; i < x.size(); ++i) {
     detail::Digit carry = 0;
     for (int j = 0; j < y.size(); ++j) {
-      const detail::TwoDigits p = static_cast<detail::TwoDigits>(a[i]) * b[j] + digits[i + j] + carry;
+      const detail::TwoDigits p = static_cast<detail::TwoDigits>(a[i]) * b[j] + (i > 0 ? digits[i + j] : 0) + carry;
       digits[i + j] = static_cast<detail::Digit>(p), carry = static_cast<detail::Digit>(p >> 64);
     }
     digits[i + y.size()] = carry;
   }
-  return result.trim();
+  result.trim();
+  return result;
 }
 
 inline double quotient(const Exact& x, const Exact& y) {
@@ -213,6 +217,13 @@ inline double quotient(const Exact& x, const Exact& y) {
   while (std::isfinite(std::bit_cast<double>(bits)) && rounds_beyond(bits)) ++bits;
   while (bits > 0 && !rounds_beyond(bits - 1)) --bits;
   return x.negative_ == y.negative_ ? std::bit_cast<double>(bits) : -std::bit_cast<double>(bits);
+}
+
+inline double near_quotient(const Exact& x, const Exact& y) {
+  if (x.size() == 0) return 0;
+  // Far beyond the range of doubles std::ldexp still says so.
+  const double q = std::ldexp(quotient(x.leading_digits(), y.leading_digits()), 64 * (x.end() - y.end()));
+  return x.negative_ == y.negative_ ? q : -q;
 }
 
 inline Exact sqrt(const Exact& x) {

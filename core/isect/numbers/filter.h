@@ -1,5 +1,6 @@
 #pragma once
-// One text, several arithmetics: double, Extended, DoubleDouble, ShortExact and Exact run the same template. Each obeys
+// One text, several arithmetics: double, Extended, DoubleDouble, ShortExact, MediumExact and Exact run the same
+// template. Each obeys
 //
 //   x + y -> x (1 + e1) + y (1 + e2),   x y -> x y (1 + e),   |e| <= u,   u = unit<W>,
 //
@@ -13,6 +14,7 @@
 #include <optional>
 #include <type_traits>
 
+#include <isect/numbers/compensated.h>
 #include <isect/numbers/double_double.h>
 #include <isect/numbers/exact.h>
 #include <isect/numbers/short_exact.h>
@@ -27,11 +29,13 @@ using Extended = std::conditional_t<LDBL_MANT_DIG == 64, long double, double>;
 
 /// Without rounding: what it knows of a sign is certain, and it needs no bound.
 template <class W>
-concept Unrounded = std::same_as<W, ShortExact> || std::same_as<W, Exact>;
+concept Unrounded = std::same_as<W, ShortExact> || std::same_as<W, MediumExact> || std::same_as<W, Exact>;
 
 /// The unit roundoff u of an arithmetic: 2^-53, 2^-64, 2^-103, 0.
 template <class W>
 inline constexpr double unit = static_cast<double>(std::numeric_limits<W>::epsilon() / 2);
+template <>
+inline constexpr double unit<Compensated> = unit<double>;  // of hi; see there what all of it errs by
 template <>
 inline constexpr double unit<DoubleDouble> = 8 * unit<double>* unit<double>;
 template <Unrounded W>
@@ -71,6 +75,7 @@ double leading(W x) {
   return static_cast<double>(x);
 }
 inline double leading(const DoubleDouble& x) { return x.hi; }
+inline double leading(const Compensated& x) { return x.hi + x.lo; }
 template <Unrounded W>
 double leading(const W&) {
   return 0;

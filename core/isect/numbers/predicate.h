@@ -5,10 +5,11 @@
 //
 //   sign_of([&]<class W>() -> W { return difference<W>(a[0], c[0]) * difference<W>(b[1], c[1]) - ...; })
 //
-// It runs in Bounded<double>, whose proved error bound settles nearly every sign, else in ShortExact, which is exact as
-// far as 127 bits go, in Bounded<DoubleDouble>, and at last in Exact, where every sign is certain. So the algorithms
-// above read like the book's, branch on true signs alone, and are right for all finite input of any magnitude.
-// Arguments must be finite.
+// It runs in Bounded<double>, whose proved error bound settles nearly every sign. Where that leaves it open, the text
+// runs on: in Grid, which knows a zero where nothing was rounded, as on integers; in Compensated, about 100 bits by the
+// sizes that doubles found; in ShortExact, where 127 bits hold all of it; and at last in Exact, where every sign is
+// certain. So the algorithms above read like the book's, branch on true signs alone, and are right for all finite input
+// of any magnitude. Arguments must be finite.
 //
 // An algorithm that asks several signs passes its listener on to each, and is run by in_doubles_first: then all of it
 // runs in Bounded<double> once, without a way out at each sign, and is run again only if one of them stayed open.
@@ -18,17 +19,42 @@
 
 #include <isect/numbers/bounded.h>
 #include <isect/numbers/exact.h>
+#include <isect/numbers/grid.h>
 #include <isect/trace.h>
 
 namespace isect {
 
 namespace detail {
-/// Apart and not inlined: the machine code of the slow path stays out of the fast one's way.
 template <class Text>
-[[gnu::noinline, gnu::cold]] int settled_sign(const Text& text) {
-  if (const std::optional<int> s = text.template operator()<ShortExact>().sign()) return *s;
-  if (const std::optional<int> s = text.template operator()<Bounded<DoubleDouble>>().sign()) return *s;
+[[gnu::noinline]] std::optional<int> short_sign(const Text& text) {
+  return text.template operator()<ShortExact>().sign();
+}
+template <class Text>
+[[gnu::noinline, gnu::cold]] int exact_sign(const Text& text) {
   return text.template operator()<Exact>().sign();
+}
+/// The sign of x, a whole multiple of `step`: 1, 0, -1, or nothing where the error could turn it.
+template <class T>
+std::optional<int> sign_on_grid(const Bounded<T>& x, double step) {
+  const double size = std::abs(leading(x.value())), error = x.error();
+  if (size - error > 0) return x.apparent_sign();
+  if (size + error < step) return 0;
+  return {};
+}
+/// Apart and not inlined: the machine code of the slow path stays out of the fast one's way. `quick` is what doubles
+/// found: its size and its roundings, too, serve the stages that follow.
+template <class Text>
+[[gnu::noinline]] int settled_sign(const Text& text, const Bounded<double>& quick) {
+  const double step = text.template operator()<Grid>().step(), size = quick.size();
+  if (std::abs(quick.value()) + quick.error() < step) return 0;
+  const bool in_range = 0x1p-800 < size && size < 0x1p900;
+  if (in_range) {
+    const Bounded<Compensated> fine(text.template operator()<Compensated>(), size, quick.roundings());
+    if (const std::optional<int> s = sign_on_grid(fine, step)) return *s;
+  }
+  if (!in_range || size < 0x1p120 * step)
+    if (const std::optional<int> s = short_sign(text)) return *s;
+  return exact_sign(text);
 }
 }  // namespace detail
 
@@ -78,7 +104,7 @@ int sign_of(const Text& text, Trace&& trace = {}) {
   } else {
     if (quick.certain()) return quick.apparent_sign();
     trace(Fallback{});
-    return detail::settled_sign(text);
+    return detail::settled_sign(text, quick);
   }
 }
 
@@ -112,11 +138,26 @@ std::optional<double> rough_quotient(const Text& text, double tolerance) {
   return static_cast<double>(r.num / r.den);
 }
 
+/// By what doubles found, where num is 0 or both are exact there; then finer.
 template <class Text>
-[[gnu::noinline, gnu::cold]] double settled_quotient(const Text& text, double tolerance) {
-  if (const std::optional<double> q = bounded_quotient<DoubleDouble>(text, tolerance)) return *q;
+[[gnu::noinline]] double settled_quotient(const Text& text, double tolerance) {
+  const auto [num, den] = text.template operator()<Bounded<double>>();
+  const Ratio<Grid> steps = text.template operator()<Grid>();
+  if (std::abs(num.value()) + num.error() < steps.num.step()) return 0;
+  if (num.error() < steps.num.step() && den.error() < steps.den.step()) return num.value() / den.value();
+  const auto in_range = [](double size) { return 0x1p-800 < size && size < 0x1p900; };
+  if (in_range(num.size()) && in_range(den.size())) {
+    const Ratio<Compensated> r = text.template operator()<Compensated>();
+    const Bounded<Compensated> fine_num(r.num, num.size(), num.roundings()),
+        fine_den(r.den, den.size(), den.roundings());
+    if (std::abs(leading(r.num)) + fine_num.error() < steps.num.step()) return 0;
+    if (fine_num.within(tolerance) && fine_den.within(tolerance))
+      if (const double q = quotient(r.num, r.den); std::isfinite(q)) return q;
+  }
+  if (num.roundings() > 64)  // DoubleDouble proves more of long sums
+    if (const std::optional<double> q = bounded_quotient<DoubleDouble>(text, tolerance)) return *q;
   const Ratio<Exact> r = text.template operator()<Exact>();
-  return quotient(r.num, r.den);
+  return near_quotient(r.num, r.den);
 }
 }  // namespace detail
 

@@ -1,7 +1,6 @@
 #pragma once
-// Exact arithmetic as far as 127 bits go: a whole number times a power of two, without a loop or a branch on the size.
-// It settles what comes out equal on integers and grids, at a few nanoseconds an operation, before any other
-// arithmetic is asked again.
+// Exact arithmetic in a fixed number of bits: a whole number times a power of two, without a loop or a branch on the
+// size. It settles what comes out equal, at a few nanoseconds an operation, where rounded numbers can't.
 //
 // What needs more bits is unknown, and so is what is made of it; but 0 times anything is 0. That alone settles the many
 // ties of shapes along the axes, where each product has a factor 0.
@@ -12,69 +11,161 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <utility>
+
+#include <isect/numbers/double_double.h>
 
 namespace isect {
 
-class ShortExact {
+namespace detail {
+__extension__ using Whole128 = unsigned __int128;
+
+/// A whole number modulo 2^256: low + 2^128 high.
+struct Whole256 {
+  Whole128 low = 0, high = 0;
+
+  friend bool operator==(const Whole256& x, const Whole256& y) { return ((x.low ^ y.low) | (x.high ^ y.high)) == 0; }
+};
+
+// The operations that both have. What lies below 0 is told by the highest bit.
+
+[[gnu::always_inline]] inline Whole128 sum(Whole128 x, Whole128 y) { return x + y; }
+[[gnu::always_inline]] inline Whole128 product(Whole128 x, Whole128 y) { return x * y; }
+[[gnu::always_inline]] inline Whole128 negative(Whole128 x) { return -x; }
+[[gnu::always_inline]] inline Whole128 shifted(Whole128 x, int by) { return x << by; }
+[[gnu::always_inline]] inline bool below_zero(Whole128 x) { return static_cast<std::uint64_t>(x >> 64) >> 63 != 0; }
+[[gnu::always_inline]] inline Whole128 whole(std::int64_t x, Whole128) { return static_cast<Whole128>(x); }
+/// x or y, without a branch that is hard to foresee: `mask` is all ones or 0.
+[[gnu::always_inline]] inline Whole128 either(std::int64_t mask, Whole128 x, Whole128 y) {
+  return y ^ ((x ^ y) & static_cast<Whole128>(mask));
+}
+[[gnu::always_inline]] inline int either(std::int64_t mask, int x, int y) {
+  return y ^ ((x ^ y) & static_cast<int>(mask));
+}
+
+[[gnu::always_inline]] inline Whole256 sum(const Whole256& x, const Whole256& y) {
+  const Whole128 low = x.low + y.low;
+  return {low, x.high + y.high + (low < y.low)};
+}
+[[gnu::always_inline]] inline Whole256 product(const Whole256& x, const Whole256& y) {
+  const std::uint64_t x0 = static_cast<std::uint64_t>(x.low), x1 = static_cast<std::uint64_t>(x.low >> 64),
+                      y0 = static_cast<std::uint64_t>(y.low), y1 = static_cast<std::uint64_t>(y.low >> 64);
+  const Whole128 p00 = static_cast<Whole128>(x0) * y0, p01 = static_cast<Whole128>(x0) * y1,
+                 p10 = static_cast<Whole128>(x1) * y0, p11 = static_cast<Whole128>(x1) * y1;
+  const Whole128 middle = (p00 >> 64) + static_cast<std::uint64_t>(p01) + static_cast<std::uint64_t>(p10);
+  return {middle << 64 | static_cast<std::uint64_t>(p00),
+          p11 + (p01 >> 64) + (p10 >> 64) + (middle >> 64) + x.low * y.high + x.high * y.low};
+}
+[[gnu::always_inline]] inline Whole256 negative(const Whole256& x) { return {-x.low, ~x.high + (x.low == 0)}; }
+[[gnu::always_inline]] inline Whole256 shifted(const Whole256& x, int by) {
+  const int rest = by & 127;
+  const Whole128 low = x.low << rest, high = x.high << rest | x.low >> 1 >> (127 - rest);
+  const std::int64_t far = -static_cast<std::int64_t>(by >> 7);
+  return {either(far, Whole128{0}, low), either(far, low, high)};
+}
+[[gnu::always_inline]] inline bool below_zero(const Whole256& x) { return below_zero(x.high); }
+[[gnu::always_inline]] inline Whole256 whole(std::int64_t x, const Whole256&) {
+  return {static_cast<Whole128>(x), static_cast<Whole128>(x >> 63)};
+}
+[[gnu::always_inline]] inline Whole256 either(std::int64_t mask, const Whole256& x, const Whole256& y) {
+  return {either(mask, x.low, y.low), either(mask, x.high, y.high)};
+}
+
+inline DoubleDouble in_doubles(std::uint64_t x) {
+  return fast_two_sum(static_cast<double>(x >> 32) * 0x1p32, static_cast<double>(x & 0xffffffff));
+}
+/// x >= 0, but for a relative 2^-105.
+inline DoubleDouble in_doubles(Whole128 x) {
+  return in_doubles(static_cast<std::uint64_t>(x >> 64)) * 0x1p64 + in_doubles(static_cast<std::uint64_t>(x));
+}
+inline DoubleDouble in_doubles(const Whole256& x) { return in_doubles(x.high) * 0x1p128 + in_doubles(x.low); }
+}  // namespace detail
+
+/// Whole is Whole128 or Whole256: 127 or 255 bits and a sign.
+template <class Whole>
+class FixedExact {
  public:
-  ShortExact() = default;
+  FixedExact() = default;
   /// x itself; unknown if x is infinite or NaN.
-  ShortExact(double x) {
-    const std::uint64_t digits = std::bit_cast<std::uint64_t>(x);
+  [[gnu::always_inline]] FixedExact(double x) {
+    const std::uint64_t digits = std::bit_cast<std::uint64_t>(x), hidden = std::uint64_t{1} << 52;
     const int field = static_cast<int>(digits >> 52 & 0x7ff);
-    const std::uint64_t fraction = digits & ((std::uint64_t{1} << 52) - 1);
-    const std::uint64_t mantissa = field == 0 ? fraction : fraction | std::uint64_t{1} << 52;
-    if (field == 0x7ff) *this = unknown();
-    if (field == 0x7ff || mantissa == 0) return;
-    const int zeros = std::countr_zero(mantissa);
-    whole_ = static_cast<Whole>(mantissa >> zeros);
-    if (x < 0) whole_ = -whole_;
-    bits_ = 64 - std::countl_zero(mantissa) - zeros;
-    exponent_ = std::max(field, 1) - 1075 + zeros;
+    const int subnormal = field == 0;
+    const std::uint64_t mantissa = (digits & (hidden - 1)) | static_cast<std::uint64_t>(1 - subnormal) << 52;
+    const int zeros = std::countr_zero(mantissa | hidden);
+    const std::int64_t size = static_cast<std::int64_t>(mantissa >> zeros),
+                       sign = static_cast<std::int64_t>(digits) >> 63, zero = -static_cast<std::int64_t>(size == 0);
+    whole_ = detail::whole((size ^ sign) - sign, Whole{});
+    exponent_ = detail::either(zero, zero_exponent, field + subnormal - 1075 + zeros);
+    bits_ = detail::either(zero, zero_bits, 53 - zeros + (static_cast<int>(field == 0x7ff) << 10));
   }
 
-  static ShortExact difference(double x, double y) { return ShortExact(x) - ShortExact(y); }
+  [[gnu::always_inline]] static FixedExact difference(double x, double y) { return FixedExact(x) - FixedExact(y); }
 
-  friend ShortExact operator+(const ShortExact& a, const ShortExact& b) {
-    if (a.whole_ == 0) return b;
-    if (b.whole_ == 0) return a;
-    if (a.exponent_ < b.exponent_) return b + a;
-    const int shift = a.exponent_ - b.exponent_, bits = std::max(a.bits_ + shift, b.bits_) + 1;
-    if (bits > most) return unknown();
-    return {(a.whole_ << shift) + b.whole_, b.exponent_, bits};
+  [[gnu::always_inline]] friend FixedExact operator+(const FixedExact& a, const FixedExact& b) {
+    const int ahead = a.exponent_ - b.exponent_, behind = ahead & ahead >> 31, up = ahead - behind;
+    const int bits_a = a.bits_ + up, bits_b = b.bits_ - behind, more = bits_a - bits_b;
+    const int bits = bits_a - (more & more >> 31) + 1, exponent = b.exponent_ + behind;
+    const Whole whole = detail::sum(detail::shifted(a.whole_, up & most), detail::shifted(b.whole_, -behind & most));
+    const std::int64_t zero = -static_cast<std::int64_t>((whole == Whole{}) & (bits <= most));
+    return {whole, detail::either(zero, zero_exponent, exponent), detail::either(zero, zero_bits, bits)};
   }
-  friend ShortExact operator-(const ShortExact& a, const ShortExact& b) { return a + -b; }
-  friend ShortExact operator*(const ShortExact& a, const ShortExact& b) {
-    if (a.whole_ == 0 || b.whole_ == 0) return {};
-    const int bits = a.bits_ + b.bits_;
-    if (bits > most) return unknown();
-    return {a.whole_ * b.whole_, a.exponent_ + b.exponent_, bits};
+  [[gnu::always_inline]] friend FixedExact operator-(const FixedExact& a, const FixedExact& b) { return a + -b; }
+  [[gnu::always_inline]] friend FixedExact operator*(const FixedExact& a, const FixedExact& b) {
+    return {detail::product(a.whole_, b.whole_), a.exponent_ + b.exponent_, a.bits_ + b.bits_};
   }
-  friend ShortExact operator-(const ShortExact& a) { return {-a.whole_, a.exponent_, a.bits_}; }
-  friend ShortExact abs(const ShortExact& a) { return a.whole_ < 0 ? -a : a; }
+  [[gnu::always_inline]] friend FixedExact operator-(const FixedExact& a) {
+    return {detail::negative(a.whole_), a.exponent_, a.bits_};
+  }
+  [[gnu::always_inline]] friend FixedExact abs(const FixedExact& a) { return detail::below_zero(a.whole_) ? -a : a; }
 
   /// 1, 0, -1, or nothing where it is unknown.
-  std::optional<int> sign() const {
-    if (bits_ > most) return {};
-    return (whole_ > 0) - (whole_ < 0);
+  [[gnu::always_inline]] std::optional<int> sign() const {
+    if (!known()) return {};
+    return whole_ == Whole{} ? 0 : detail::below_zero(whole_) ? -1 : 1;
   }
 
   /// The nearest double, for reports; NaN where it is unknown.
   double rounded() const {
-    return bits_ > most ? std::numeric_limits<double>::quiet_NaN() : std::ldexp(static_cast<double>(whole_), exponent_);
+    if (!known()) return std::numeric_limits<double>::quiet_NaN();
+    return whole_ == Whole{} ? 0 : std::ldexp(mantissa().hi, exponent_);
+  }
+  /// The double nearest to x / y, y != 0, but for a relative 2^-100; NaN where one is unknown.
+  friend double quotient(const FixedExact& x, const FixedExact& y) {
+    if (!x.known() || !y.known()) return std::numeric_limits<double>::quiet_NaN();
+    if (x.whole_ == Whole{}) return 0;
+    return std::ldexp(quotient(x.mantissa(), y.mantissa()), x.exponent_ - y.exponent_);
+  }
+  /// The square root of x >= 0, but for a relative 2^-103; unknown where x is.
+  friend FixedExact sqrt(const FixedExact& x) {
+    if (!x.known() || x.whole_ == Whole{}) return x;
+    const int odd = x.exponent_ & 1;
+    const DoubleDouble root = sqrt(x.mantissa() * (1.0 + odd));
+    FixedExact result = FixedExact(root.hi) + FixedExact(root.lo);
+    result.exponent_ += (x.exponent_ - odd) / 2;
+    return result;
   }
 
  private:
-  __extension__ using Whole = __int128;
-  static constexpr int most = 127;
+  bool known() const { return bits_ <= most; }
+  /// The number divided by 2^exponent, but for a relative 2^-105.
+  DoubleDouble mantissa() const {
+    return detail::below_zero(whole_) ? -detail::in_doubles(detail::negative(whole_)) : detail::in_doubles(whole_);
+  }
 
-  ShortExact(Whole whole, int exponent, int bits) : whole_(whole), exponent_(exponent), bits_(bits) {}
-  static ShortExact unknown() { return {1, 0, 2 * most}; }
+  static constexpr int most = 8 * sizeof(Whole) - 1;
+  // 0 is a multiple of any power of two and has no bits, whatever it is multiplied by: sums and products need no
+  // branch.
+  static constexpr int zero_exponent = 1 << 13, zero_bits = -(1 << 16);
 
-  Whole whole_ = 0;  // |whole_| < 2^bits_ where bits_ <= most; not 0 where the number is unknown
-  int exponent_ = 0;
-  int bits_ = 0;
+  [[gnu::always_inline]] FixedExact(const Whole& whole, int exponent, int bits)
+      : whole_(whole), exponent_(exponent), bits_(bits) {}
+
+  Whole whole_ = {};  // |whole| < 2^bits where that is known
+  int exponent_ = zero_exponent;
+  int bits_ = zero_bits;
 };
+
+using ShortExact = FixedExact<detail::Whole128>;
+using MediumExact = FixedExact<detail::Whole256>;
 
 }  // namespace isect

@@ -173,6 +173,7 @@ std::optional<Interval<double>> roots(const Ray<double, N>& ray, const Sphere<do
   if (!(std::abs(leading(c)) * tolerance >= 8 * unit<W> * reach)) return {};
 
   const double far = quotient(q, a), near = quotient(c, q);
+  if (Unrounded<W> && (std::isnan(far) || std::isnan(near))) return {};  // more digits than W has
   return ahead ? Interval<double>{near, far} : Interval<double>{-far, -near};
 }
 
@@ -190,7 +191,8 @@ std::optional<double> double_root(const Ray<double, N>& ray, const Sphere<double
     const bool at_origin = dot<ShortExact, N>(from_center<ShortExact>(ray, sphere), ray.direction).sign() == 0;
     return at_origin ? std::optional(0.0) : std::nullopt;
   }
-  return -quotient(b, a);
+  const double t = -quotient(b, a);
+  return std::isnan(t) ? std::nullopt : std::optional(t);
 }
 
 /// The roots of a line that has `count` of them, as `roots` and `double_root` give them.

@@ -1,0 +1,124 @@
+// The bound that isect/numbers/compensated.h derives, and the signs that predicates take from it, against rationals.
+
+#include <isect/numbers/compensated.h>
+
+#include <cmath>
+#include <tuple>
+
+#include <isect/numbers/predicate.h>
+#include "bench/random.h"
+#include "bench/rational.h"
+#include "tests/catch.h"
+#include "tests/settings.h"
+
+namespace compensated_test {
+using namespace isect;
+using oracle::Rational;
+
+namespace {
+
+/// As predicates use it: by the size and the roundings that doubles found, with the grid.
+struct Tracked {
+  Bounded<double> quick;
+  Compensated fine;
+  Grid grid;
+  Rational truth;
+};
+
+template <class Number>
+Tracked leaf(const Number& number) {
+  const double x = number(), y = number();
+  return {Bounded<double>::difference(x, y), Compensated::difference(x, y), Grid::difference(x, y),
+          Rational(x) - Rational(y)};
+}
+
+template <class Number>
+Tracked expression(bench::Random& random, int depth, const Number& number) {
+  if (depth == 0) {
+    if (random.one_in(2)) return leaf(number);
+    const double x = number();
+    return {Bounded<double>(x), Compensated(x), Grid(x), Rational(x)};
+  }
+  const Tracked a = expression(random, depth - 1, number);
+  const Tracked b = random.one_in(8) ? a : expression(random, random.below(depth), number);
+  switch (random.below(5)) {
+    case 0:
+      return {a.quick + b.quick, a.fine + b.fine, a.grid + b.grid, a.truth + b.truth};
+    case 1:
+      return {a.quick - b.quick, a.fine - b.fine, a.grid - b.grid, a.truth - b.truth};
+    case 2:
+      return {-a.quick, -a.fine, -a.grid, -a.truth};
+    case 3:
+      return {abs(a.quick), abs(a.fine), abs(a.grid), abs(a.truth)};
+    default:
+      return {a.quick * b.quick, a.fine * b.fine, a.grid * b.grid, a.truth * b.truth};
+  }
+}
+
+/// Of `count` expressions how many signs were certain, how many of those 0.
+template <class Number>
+std::pair<int, int> certain(bench::Random& random, int count, const Number& number) {
+  std::pair<int, int> result;
+  for (int i = 0; i < count; ++i) {
+    INFO("ISECT_SEED=" << tests::seed() << ", expression " << i);
+    const Tracked x = expression(random, 1 + random.below(4), number);
+    const double size = x.quick.size();
+    if (!(0x1p-800 < size && size < 0x1p900)) continue;
+    const Bounded<Compensated> fine(x.fine, size, x.quick.roundings());
+    REQUIRE(abs(Rational(x.fine.hi) + Rational(x.fine.lo) - x.truth) <= Rational(fine.error()));
+    const std::optional<int> sign = detail::sign_on_grid(fine, x.grid.step());
+    if (sign) REQUIRE(*sign == x.truth.sign());
+    result.first += sign.has_value(), result.second += sign == 0;
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("the error of a compensated expression stays within its bound", "[compensated]") {
+  bench::Random random(bench::stream(tests::seed(), "compensated"));
+  const auto close = [&] { return 1 + random.integer(-3, 3) * 0x1p-52; };  // all differences cancel
+  const auto integer = [&] { return static_cast<double>(random.integer(-4, 4)); };
+  const auto tenth = [&] { return random.integer(-30, 30) / 10.; };
+  const auto any = [&] { return random.magnitude(-2, 2); };
+  const auto wide = [&] { return random.one_in(8) ? 0. : random.magnitude(-60, 60); };
+  const int count = 10000;
+  const auto of_integers = certain(random, count, integer), of_tenths = certain(random, count, tenth);
+  CHECK(of_integers.first > 9 * count / 10);
+  CHECK(of_integers.second > count / 20);
+  CHECK(of_tenths.first > 9 * count / 10);
+  CHECK(of_tenths.second > 10);
+  CHECK(certain(random, count, close).first > count / 2);
+  CHECK(certain(random, count, any).first > 9 * count / 10);
+  CHECK(certain(random, count, wide).first > count / 2);
+}
+
+TEST_CASE("what a sum, a difference or a product leaves is kept in full", "[compensated]") {
+  const Compensated sum = Compensated(1.) + Compensated(0x1p-60), far = Compensated::difference(1, -0x1p-60);
+  CHECK(sum.hi == 1);
+  CHECK(sum.lo == 0x1p-60);
+  CHECK(far.lo == 0x1p-60);
+  const Compensated product = Compensated(1 + 0x1p-30) * Compensated(1 + 0x1p-30);
+  CHECK(product.hi == 1 + 0x1p-29);
+  CHECK(product.lo == 0x1p-60);
+  CHECK((product - product).lo == 0);
+  CHECK(quotient(sum + sum, sum) == 2);
+  CHECK(quotient(sum - Compensated(1.), sum) == 0x1p-60);
+}
+
+TEST_CASE("long sums stay within the bound", "[compensated]") {
+  bench::Random random(bench::stream(tests::seed(), "long"));
+  Bounded<double> quick(0.);
+  Compensated fine(0.);
+  Rational truth = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const double x = random.magnitude(-3, 3), y = random.magnitude(-3, 3);
+    quick = quick + Bounded<double>(x) * Bounded<double>(y), fine = fine + Compensated(x) * Compensated(y);
+    truth += Rational(x) * Rational(y);
+  }
+  const Bounded<Compensated> all(fine, quick.size(), quick.roundings());
+  CHECK(abs(Rational(fine.hi) + Rational(fine.lo) - truth) <= Rational(all.error()));
+  CHECK(all.error() < quick.error());
+}
+
+}  // namespace compensated_test
