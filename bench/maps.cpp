@@ -184,8 +184,9 @@ Plotted touching_map() {
                       {"called disjoint, is overlap", Tone::wrong}},
                      {},
                      "cell: the second centre moved by one float after the other"};
-  for (const auto& [name, radius, step] : seconds)
-    chart.maps.push_back(map_of(name, 5, 2, [&](int i, int j) {
+  for (const auto& second_ball : seconds)
+    chart.maps.push_back(map_of(second_ball.name, 5, 2, [&](int i, int j) {
+      const double radius = second_ball.radius, step = second_ball.step;
       const Point2 at = first.center * (1 - first.radius - radius);
       const Ball second = {at + Point2((i - side / 2) * step, (j - side / 2) * step), radius};
       const Relation truth = relate(first, second);

@@ -8,8 +8,6 @@
 
 #include "bench/prose.h"
 #include "bench/rows.h"
-#include "viz/files.h"
-#include "viz/offscreen.h"
 #include "viz/rich_text.h"
 
 namespace isect::bench {
@@ -319,17 +317,6 @@ std::vector<Plotted> plots(const Report& report) {
   if (std::ranges::any_of(report.duties, [](const Duty& d) { return d.target.has_value(); }))
     all.push_back(duty_plot(report));
   return all;
-}
-
-std::string svg_of(const Plotted& plotted, viz::ThemeName theme) {
-  return viz::svg(viz::chart_figure(plotted.chart, theme, plotted.width).drawing, {{"figure", plotted.name}},
-                  {plotted.width});
-}
-
-std::string png_of(const Plotted& plotted, viz::ThemeName theme) {
-  static viz::Offscreen offscreen;
-  return viz::png(offscreen.render(viz::chart_figure(plotted.chart, theme, 4 * plotted.width).drawing),
-                  {{"figure", plotted.name}});
 }
 
 }  // namespace isect::bench

@@ -1,10 +1,8 @@
 #include "viz/svg_path.h"
 
 #include <fmt/format.h>
-#include <glib.h>
 
 #include <cmath>
-#include <memory>
 
 namespace isect::viz {
 namespace {
@@ -92,9 +90,14 @@ std::string svg_letters(const std::vector<Path>& outlines) {
 }
 
 std::string base64(const std::string& bytes) {
-  const std::unique_ptr<char, decltype(&g_free)> text(
-      g_base64_encode(reinterpret_cast<const guchar*>(bytes.data()), bytes.size()), g_free);
-  return text.get();
+  constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const auto byte = [&](std::size_t k) { return k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : 0u; };
+    const unsigned group = byte(i) << 16 | byte(i + 1) << 8 | byte(i + 2);
+    for (unsigned k = 0; k < 4; ++k) text += i + k > bytes.size() ? '=' : digits[group >> (18 - 6 * k) & 63];
+  }
+  return text;
 }
 
 std::string svg_address(const std::string& svg) { return "data:image/svg+xml;base64," + base64(svg); }

@@ -84,11 +84,13 @@ std::vector<int> independent(const Level& level, int vertices) {
   }
   std::ranges::sort(by_degree);
   std::vector<int> chosen;
-  for (const auto& [_, v] : by_degree)
+  for (const auto& [_, vertex] : by_degree) {
+    const int v = vertex;  // older compilers capture no binding
     if (std::ranges::none_of(level.triangles, [&](const Triangle& t) {
           return has(t, v) && std::ranges::any_of(chosen, [&](int c) { return has(t, c); });
         }))
       chosen.push_back(v);
+  }
   return chosen;
 }
 

@@ -4,6 +4,7 @@
 
 #include <isect/convex_hull.h>
 #include "lessons/convex_hull/picture.h"
+#include "lessons/shared/flat.h"
 #include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"
 

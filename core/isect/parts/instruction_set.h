@@ -122,10 +122,13 @@ inline unsigned compared(const __m128& x, const __m128& y) {
 /// x becomes x + a b, rounded once where the set can, else twice.
 template <class V>
 [[gnu::always_inline]] inline void add_product(V& x, const V& a, const V& b) {
-  if constexpr (ISECT_X86 && sizeof(V) > 16)
+#if ISECT_X86
+  if constexpr (sizeof(V) > 16) {
     detail::fuse(x, a, b);
-  else
-    x += a * b;
+    return;
+  }
+#endif
+  x += a * b;
 }
 
 /// Bit k of the result: whether x[k] > y[k]; of `equal`, x[k] == y[k].
@@ -165,7 +168,7 @@ template <class Text>
 
 /// text.operator()<Bytes>(), in the instructions of a set that this machine has.
 template <class Text>
-void run(InstructionSet set, const Text& text) {
+void run([[maybe_unused]] InstructionSet set, const Text& text) {
 #if ISECT_X86
   if (set == InstructionSet::avx512) return detail::run_avx512(text);
   if (set == InstructionSet::avx2) return detail::run_avx2(text);

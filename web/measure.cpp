@@ -1,0 +1,10 @@
+// What the lessons' pictures need of a text, without Pango.
+
+#include "viz/font_table.h"
+#include "viz/text.h"
+
+namespace isect::viz {
+
+TextBox measure(const Text& text) { return measured_by_table(text); }
+
+}  // namespace isect::viz
