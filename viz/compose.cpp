@@ -15,11 +15,6 @@ namespace {
 void draw(Canvas&, const Ball&) {}
 void draw(Canvas&, const Solid&) {}
 
-/// Small drawings under headings are a page: nothing stands on a floor there.
-bool is_page(const Scene& scene) {
-  return std::ranges::any_of(scene.items, [](const Item& item) { return std::holds_alternative<Heading>(item); });
-}
-
 }  // namespace
 
 Composed compose(const Scene& scene, const View& view, const Theme& theme, bool handles) {

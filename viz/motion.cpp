@@ -50,9 +50,11 @@ bool same_name(const Object& a, const Object& b) {
 
 }  // namespace
 
+bool may_move(const Scene& from, const Scene& to) { return !from.chart && !to.chart && !is_page(from) && !is_page(to); }
+
 Scene between(const Scene& from, const Scene& to, double share) {
   Scene scene = to, old = from;
-  if (share >= 1 || from.chart || to.chart) return scene;
+  if (share >= 1 || !may_move(from, to)) return scene;
   const std::vector<Object> names = objects_of(to), old_names = objects_of(from);
   for (std::size_t i = 0; i < scene.items.size(); ++i) {
     const auto found = std::ranges::find_if(old_names, [&](const Object& o) { return same_name(o, names[i]); });

@@ -1,5 +1,7 @@
 #include "viz/objects.h"
 
+#include <algorithm>
+
 #include "viz/rich_text.h"
 
 namespace isect::viz {
@@ -42,6 +44,10 @@ std::vector<Object> objects_of(const Scene& scene) {
   std::vector<Object> objects;
   for (const Item& item : scene.items) add_object(objects, std::visit(Namer{scene}, item));
   return objects;
+}
+
+bool is_page(const Scene& scene) {
+  return std::ranges::any_of(scene.items, [](const Item& item) { return std::holds_alternative<Heading>(item); });
 }
 
 }  // namespace isect::viz

@@ -62,26 +62,33 @@ bool passes_far(const Ray<double, 3>& sight, const Shell& solid) {
          reach * reach * sight.direction.squaredNorm();
 }
 
-/// The same by rounded arithmetic, where its errors leave no doubt. Half-spaces are of unit normals.
-std::optional<bool> clearly_runs_through(const Ray<double, 3>& sight, const Shell& solid) {
+/// By rounded arithmetic, where its errors leave no doubt; else exactly by the half-spaces that they do not show to be
+/// implied by others. These are of unit normals.
+bool runs_through(Ray<double, 3> sight, const Shell& solid) {
+  if (solid.inside.empty() || passes_far(sight, solid)) return false;
   constexpr double share = 1e-13;  // some hundred roundings
   const double speed = sight.direction.norm(), far = sight.origin.norm();
   double lo = sight.range.lo, hi = sight.range.hi, doubt = 0;
+  bool parallel = false;
+  const auto rate_of = [&](const Plane<double, 3>& p) { return p.normal.dot(sight.direction); };
+  const auto is_parallel = [&](double rate) { return !(std::abs(rate) > 1e-6 * speed); };
+  const auto t_of = [&](const Plane<double, 3>& p, double rate) { return -(p.normal.dot(sight.origin) + p.d) / rate; };
   for (const Plane<double, 3>& p : solid.inside) {
-    const double rate = p.normal.dot(sight.direction), t = -(p.normal.dot(sight.origin) + p.d) / rate;
-    if (!(std::abs(rate) > 1e-6 * speed)) return std::nullopt;  // nearly parallel
+    const double rate = rate_of(p), inverse = 1 / rate, t = -(p.normal.dot(sight.origin) + p.d) * inverse;
+    if (is_parallel(rate)) {
+      parallel = true;
+      continue;
+    }
     (rate > 0 ? lo : hi) = rate > 0 ? std::max(lo, t) : std::min(hi, t);
-    doubt = std::max(doubt, share * ((far + std::abs(p.d)) / std::abs(rate) + std::abs(t) * speed / std::abs(rate)));
+    doubt = std::max(doubt, share * (far + std::abs(p.d) + std::abs(t) * speed) * std::abs(inverse));
   }
-  if (std::abs(hi - lo) > 2 * doubt) return hi > lo;
-  return std::nullopt;
-}
+  if (hi < lo - 2 * doubt) return false;
+  if (!parallel && hi > lo + 2 * doubt) return true;
 
-bool runs_through(Ray<double, 3> sight, const Shell& solid) {
-  if (solid.inside.empty() || passes_far(sight, solid)) return false;
-  if (const auto clear = clearly_runs_through(sight, solid)) return *clear;
-  for (const Plane<double, 3>& half_space : solid.inside) {
-    const auto kept = clip(sight, half_space);
+  for (const Plane<double, 3>& p : solid.inside) {
+    const double rate = rate_of(p), t = t_of(p, rate);
+    if (!is_parallel(rate) && (rate > 0 ? t < lo - 2 * doubt : t > hi + 2 * doubt)) continue;
+    const auto kept = clip(sight, p);
     if (!kept) return false;
     sight.range = *kept;
   }
@@ -255,13 +262,13 @@ Occluders around_ball(const Occluders& all, int index) {
   return left;
 }
 
-Occluders around_solid(const Occluders& all, int index, const std::vector<Vec3>& vertices) {
+Occluders around_solid(const Occluders& all, int index, const std::vector<Vec3>& vertices, bool itself) {
   Occluders left = {{}, {}, all.screens};
   const auto holds_all = [&](const auto& inside) { return std::all_of(vertices.begin(), vertices.end(), inside); };
   for (const Ball& ball : all.balls)
     if (!holds_all([&](const Vec3& p) { return (p - ball.center).norm() <= ball.radius; })) left.balls.push_back(ball);
   for (int i = 0; i < static_cast<int>(all.solids.size()); ++i)
-    if (i == index || !holds_all([&](const Vec3& p) { return contains(all.solids[i], p, 0); }))
+    if (i == index ? itself : !holds_all([&](const Vec3& p) { return contains(all.solids[i], p, 0); }))
       left.solids.push_back(all.solids[i]);
   return left;
 }

@@ -39,9 +39,9 @@ struct Occluders {
 };
 
 /// What hides ball number `index`, or solid number `index`: all but the solids and balls it lies in wholly. Contents
-/// are seen through their container.
+/// are seen through their container. `itself`: the solid counts, too, as it does for its far edges.
 Occluders around_ball(const Occluders&, int index);
-Occluders around_solid(const Occluders&, int index, const std::vector<Vec3>& vertices);
+Occluders around_solid(const Occluders&, int index, const std::vector<Vec3>& vertices, bool itself = true);
 
 /// Whether the viewing ray from `p` to the eye runs through the inside of a ball or a solid, or through a screen. Ball
 /// number `own` is left out.

@@ -48,6 +48,16 @@ TEST_CASE("what is new, gone or of another shape does not move", "[motion]") {
   CHECK(std::get<Chain>(half.items[4]).points[0] == Vec3(5, 0, 0));
 }
 
+TEST_CASE("a page of small drawings stands at once", "[motion]") {
+  const Scene from = with({0, 0, 0}, {1, 1, 1}, 1);
+  Scene to = with({4, 0, 0}, {1, 1, 1}, 1);
+  CHECK(may_move(from, to));
+  to.items.emplace_back(Heading{{0, 2, 0}, "one of many"});
+  CHECK_FALSE(may_move(from, to));
+  CHECK_FALSE(may_move(to, from));
+  CHECK(std::get<Dot>(between(from, to, 0.25).items[0]).at == Vec3(4, 0, 0));
+}
+
 TEST_CASE("a step takes 220 ms, its light 120, and then all is at rest", "[window]") {
   WindowDriver window(lessons::all_lessons(), 1280, 800, sides(), {}, reduced(false));
   window.wait(1);

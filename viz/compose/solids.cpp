@@ -60,16 +60,33 @@ bool is_silhouette(const Shell& shell, const Shell::Edge& edge, const View& view
   return edge.faces.size() != 2 || shell.normals[edge.faces[0]].dot(eye) * shell.normals[edge.faces[1]].dot(eye) <= 0;
 }
 
+/// Where an edge of a convex solid lies on it, as the eye sees it.
+enum class Side { front, back, unclear };
+Side side_of(const Shell& shell, const Shell::Edge& edge, const View& view) {
+  constexpr double least = 1e-9;
+  const Vec3 eye = view.towards_eye(edge.from);
+  bool back = edge.faces.size() == 2;
+  for (const int face : edge.faces) {
+    const double facing = shell.normals[face].dot(eye);
+    if (facing > least) return Side::front;
+    back = back && facing < -least;
+  }
+  return back ? Side::back : Side::unclear;
+}
+
 /// Number `index` of the scene's solids: faces and edges.
 void draw_solid(Canvas& c, const Solid& solid, int index) {
   const Shell& shell = c.occluders.solids[index];
   faces(c, solid, shell);
   const double width = solid.role == Role::hit ? c.sizes().shared : c.sizes().outline;
-  const Occluders around = solid.role == Role::hit ? c.occluders : around_solid(c.occluders, index, solid.vertices);
-  const bool fine = shell.edges.size() > fine_from;
+  const bool shared = solid.role == Role::hit, fine = shell.edges.size() > fine_from;
+  const Occluders around = shared ? c.occluders : around_solid(c.occluders, index, solid.vertices);
+  const Occluders others = fine && !shared ? around_solid(c.occluders, index, solid.vertices, false) : Occluders{};
   for (const Shell::Edge& edge : shell.edges) {
     if (!is_edge(shell, edge)) continue;
-    std::vector<Stretch> parts = stretches(edge.from, edge.to, c.view, around);
+    const Side side = fine && !shared ? side_of(shell, edge, c.view) : Side::unclear;
+    if (side == Side::back) continue;
+    std::vector<Stretch> parts = stretches(edge.from, edge.to, c.view, side == Side::front ? others : around);
     if (fine) std::erase_if(parts, [](const Stretch& part) { return part.hidden; });
     c.curve(parts, c.theme.ink(solid.role), fine && !is_silhouette(shell, edge, c.view) ? c.sizes().hidden : width,
             !fine);

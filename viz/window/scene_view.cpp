@@ -25,9 +25,11 @@ Vec2 mouse() { return {ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y}; }
 
 std::string line_of(const Session& s, const Rect& r, double scale) {
   const Camera& c = s.player.camera().now();
+  const Scene* const before = s.player.scene_before();
+  const double motion = before && may_move(*before, s.player.scene()) ? s.player.motion() : 1;
   return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", static_cast<int>(s.pane), s.player.revision(),
-                     s.player.motion(), r.width(), r.height(), scale, name_of(s.settings.theme), c.target.x(),
-                     c.target.y(), c.target.z(), c.azimuth, c.elevation, c.half_height, c.perspective, c.field_of_view);
+                     motion, r.width(), r.height(), scale, name_of(s.settings.theme), c.target.x(), c.target.y(),
+                     c.target.z(), c.azimuth, c.elevation, c.half_height, c.perspective, c.field_of_view);
 }
 
 /// What a chart leaves to the chips above it, where the scene's are drawn over.
