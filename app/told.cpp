@@ -31,7 +31,7 @@ class Teller {
     std::string out = opening();
     for (const int step : e_.steps) out += how_.brief ? line_of(step) : whole(step);
     if (!answers_.empty()) out += heading("Answers", '-', how_.columns) + answers_ + "\n";
-    out.pop_back();
+    if (out.ends_with("\n\n")) out.pop_back();
     return out;
   }
 
@@ -55,11 +55,23 @@ class Teller {
   /// With a full stop, unless it asks.
   static std::string ended(const std::string& title) { return title.ends_with("?") ? title : title + "."; }
 
+  static std::string first_sentence(const std::string& text) {
+    const std::size_t line = std::min(text.find('\n'), text.size()), stop = text.find(". ");
+    return text.substr(0, std::min(line, stop == std::string::npos ? line : stop + 1));
+  }
+
+  /// What a step decides or computes; else what it says first.
   std::string line_of(int index) const {
     const viz::Step& step = e_.walk.steps[index];
-    std::string out = ended(title(index));
-    if (step.comparison) out += " " + comparison(step);
-    if (step.verdict.kind != viz::Verdict::Kind::open) out += " Verdict: " + plain(step.verdict.text) + ".";
+    std::string out = ended(title(index)) + " ";
+    if (step.slug == viz::closing_slug) return paragraph(out + plain(e_.lesson->closing->result));
+    if (step.slug == viz::case_map_slug) return paragraph(out + "This setting: " + branch() + ".");
+    const std::string formula = plain(step.formula);
+    const bool decided = step.verdict.kind != viz::Verdict::Kind::open;
+    if (!formula.empty() && formula != plain(step.title)) out += ended(formula) + " ";
+    if (step.comparison) out += comparison(step);
+    if (formula.empty() && !step.comparison && !decided) out += first_sentence(plain(step.caption));
+    if (decided) out += " Verdict: " + plain(step.verdict.text) + ".";
     return paragraph(out);
   }
 
@@ -166,7 +178,9 @@ class Teller {
   static bool is_marked(const viz::Scene& scene, const viz::Vec3& at) {
     return std::ranges::any_of(scene.items, [&](const viz::Item& item) {
       const auto* dot = std::get_if<viz::Dot>(&item);
-      return dot && dot->at == at;
+      const auto* edge = std::get_if<viz::Line>(&item);  // the one in question
+      return (dot && dot->at == at) ||
+             (edge && edge->pen == viz::Pen::highlight && (edge->from == at || edge->to == at));
     });
   }
 
@@ -182,8 +196,12 @@ class Teller {
     std::string regions;
     for (const std::string& branch : map.branches) regions += (regions.empty() ? "" : "; ") + plain(branch);
     return fmt::format("A map of all cases. Across: {}. Up: {}.\n{}\nIts cases: {}.\nThis setting: {}.",
-                       plain(map.x_title), plain(map.y_title), plain(map.told), regions,
-                       plain(map.branches.at(static_cast<std::size_t>(map.branch(e_.parameters)))));
+                       plain(map.x_title), plain(map.y_title), plain(map.told), regions, branch());
+  }
+  /// Where this setting lies on the lesson's map.
+  std::string branch() const {
+    const viz::CaseMap& map = *e_.lesson->map;
+    return plain(map.branches.at(static_cast<std::size_t>(map.branch(e_.parameters))));
   }
 
   /// What the methods say that should agree.

@@ -37,8 +37,15 @@ std::string objects(const Excerpt& e, std::size_t columns) {
 std::string pseudocode(const Excerpt& e, std::size_t columns) {
   if (e.walk.pseudocode.empty()) return {};
   std::string out = "Algorithm:\n";
-  for (std::size_t i = 0; i < e.walk.pseudocode.size(); ++i)
-    out += fmt::format("  {:>2}  {}\n", i + 1, e.walk.pseudocode[i]);
+  for (std::size_t i = 0; i < e.walk.pseudocode.size(); ++i) {
+    const std::string& code = e.walk.pseudocode[i];
+    const std::string text = viz::unindented(code);
+    std::string line = std::string(6, ' ') + code + "\n";
+    if (length(line) > columns + 1) line = wrapped(text, columns - 2, 6 + code.size() - text.size());
+    for (std::size_t at = line.find('\n'); at + 1 < line.size(); at = line.find('\n', at + 1))
+      line.insert(at + 1, "  ");
+    out += fmt::format("  {:>2}", i + 1) + line.substr(4);
+  }
   for (const std::string& erratum : told_errata(e)) out += wrapped(erratum, columns, 2);
   return out + "\n";
 }

@@ -10,7 +10,7 @@ const viz::Course& course() {
     c.parts = {{"Ideas", "relations"},
                {"Pairs of shapes", "aabb-aabb"},
                {"Bounds and hierarchies", "bounding-volumes"},
-               {"Polygons", "ray-polygon"},
+               {"Polygons", "crossings"},
                {"Uses", "collision"},
                {"Speed and rounding", "rules-of-thumb"}};
     for (const Term& t : glossary()) c.terms.push_back({t.name, t.meaning, t.lesson});

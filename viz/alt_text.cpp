@@ -23,15 +23,23 @@ std::string setting_text(const Lesson& lesson, const Setting& setting) {
   return fmt::format("({}, {}, {})", shown(p.x()), shown(p.y()), shown(p.z()));
 }
 
+/// A word and its symbol, "origin o"; else what the label says: "size of b", "r₁".
+std::string name_of(const Parameter& p) {
+  const std::string label = plain(p.label);
+  if (label.empty()) return p.name;
+  const auto letters =
+      std::ranges::count_if(label, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
+  const bool word = p.name.size() > 2 && std::ranges::all_of(p.name, [](char c) { return c >= 'a' && c <= 'z'; });
+  return word && letters == 1 ? p.name + " " + label : label;
+}
+
 /// "origin o = (−3, 0.5, 2), radius r = 1.5"
 std::string given(const Lesson& lesson, const Parameters& parameters) {
   std::vector<std::string> all;
   for (const Parameter& p : lesson.parameters) {
     const auto value = parameters.find(p.name);
     if (value == parameters.end()) continue;
-    const std::string label = plain(p.label);
-    const std::string name = label == p.name ? p.name : p.name + " " + label;
-    all.push_back(fmt::format("{} = {}", name, setting_text(lesson, value->second)));
+    all.push_back(fmt::format("{} = {}", name_of(p), setting_text(lesson, value->second)));
   }
   return fmt::format("{}", fmt::join(all, ", "));
 }
@@ -162,7 +170,8 @@ std::string drawn_text(const Walk& walk, const Scene& scene, bool outcome) {
 
 std::string alt_text(const Lesson& lesson, const Parameters& parameters, const Walk& walk, int step) {
   const Step& s = walk.steps[step];
-  std::string text = fmt::format("{}.\n\n", figure_title(lesson, s));
+  std::string text = figure_title(lesson, s);
+  text += text.ends_with('?') || text.ends_with('!') ? "\n\n" : ".\n\n";
   if (s.scene.chart)
     text += std::visit([](const auto& chart) { return told(chart); }, s.scene.chart->kind) + ".\n\n";
   else

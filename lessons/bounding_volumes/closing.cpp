@@ -47,9 +47,9 @@ const Closing& closing() {
       .bug_preset = "within",
       .reading = {"Christer Ericson, *Real-Time Collision Detection*, 2005, chapter 4.",
                   "Stefan Gottschalk, Ming Lin and Dinesh Manocha, OBBTree: A Hierarchical Structure for Rapid "
-                  "Interference Detection, *SIGGRAPH*, 1996.",
+                  "Interference Detection, *SIGGRAPH*, 1996, pages 171–180.",
                   "James Klosowski et al., Efficient Collision Detection Using Bounding Volume Hierarchies of k-DOPs, "
-                  "*IEEE TVCG* 4, 1998."},
+                  "*IEEE TVCG* 4, 1998, pages 21–36."},
       .exercises = {
           {"Drag the tip until the AABB is at most a tenth larger than the OBB.",
            "Lay the long axis along a coordinate axis. Then the AABB fits as well as the OBB.",

@@ -27,7 +27,8 @@ class Fit {
         all_(measured(fitted_)),
         tip_(tip),
         script_({"Lecture note, bounding volumes; Ericson, Real-Time Collision Detection (2005), ch. 4",
-                 fmt::format("A {} in a sphere, an AABB, an OBB, a {}-DOP and its convex hull.", name, k),
+                 fmt::format("A {} in a sphere, an AABB, an OBB, {} {}-DOP and its convex hull.", name,
+                             k == 18 ? "an" : "a", k),
                  {"sphere: a centre, and the distance of the farthest vertex",  // 0
                   "AABB: on each axis the least and the greatest coordinate",   // 1
                   "OBB: the same along three axes of its own",                  // 2

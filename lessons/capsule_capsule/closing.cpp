@@ -40,7 +40,7 @@ const Closing& closing() {
            "Christer Ericson, *Real-Time Collision Detection*, 2005, section 5.1.9: closest points of two line "
            "segments.",
            "Vladimir Lumelsky, On Fast Computation of Distance Between Line Segments, *Information Processing Letters* "
-           "21, 1985.",
+           "21, 1985, pages 55–61.",
            "Dan Sunday, Distance between Lines and Segments with their Closest Point of Approach, *softSurfer*, 2001."},
       .exercises = {
           {"Move the ends of b until the capsules touch.",

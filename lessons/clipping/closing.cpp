@@ -43,8 +43,9 @@ const Closing& closing() {
       .bug = "Reciprocals of zero: 0 · ∞ is not a number, and a segment along a side is lost.",
       .bug_preset = "along-a-side",
       .reading = {"You-Dong Liang and Brian Barsky, A New Concept and Method for Line Clipping, *ACM Transactions on "
-                  "Graphics* 3, 1984.",
-                  "Ivan Sutherland and Gary Hodgman, Reentrant Polygon Clipping, *Communications of the ACM* 17, 1974.",
+                  "Graphics* 3, 1984, pages 1–22.",
+                  "Ivan Sutherland and Gary Hodgman, Reentrant Polygon Clipping, *Communications of the ACM* 17, 1974, "
+                  "pages 32–42.",
                   "James Foley et al., *Computer Graphics: Principles and Practice*, 2nd edition, 1990, chapter 3."},
       .exercises = {
           {"Drag **p** and **q** until nothing is kept, but the outcodes do not show it.",

@@ -48,10 +48,10 @@ const Closing& closing() {
           "continuous detection.",
       .bug = "Testing at discrete times only: a step longer than wall and body together can tunnel.",
       .bug_preset = "tunnelling",
-      .reading =
-          {"Christer Ericson, *Real-Time Collision Detection*, 2005, section 7.5 and section 5.5.",
-           "Jonathan Cohen et al., I-COLLIDE, *Symposium on Interactive 3D Graphics*, 1995, for sweep and prune.",
-           "Gino van den Bergen, *Collision Detection in Interactive 3D Environments*, 2004."},
+      .reading = {"Christer Ericson, *Real-Time Collision Detection*, 2005, section 7.5 and section 5.5.",
+                  "Jonathan Cohen et al., I-COLLIDE, *Symposium on Interactive 3D Graphics*, 1995, pages 189–196: "
+                  "sweep and prune.",
+                  "Gino van den Bergen, *Collision Detection in Interactive 3D Environments*, 2004, chapter 5."},
       .exercises = {
           {"Drag box 0 until it overlaps no other box.",
            "Some axis must separate it from each of the others.",

@@ -45,11 +45,13 @@ const Closing& closing() {
       .bug = "Slabs of a polygon with long spikes: most edges run through most slabs, and memory grows as *n*^2.",
       .bug_preset = "slabs-spiky",
       .reading =
-          {"David Kirkpatrick, Optimal Search in Planar Subdivisions, *SIAM Journal on Computing* 12, 1983.",
-           "David Dobkin and Richard Lipton, Multidimensional Searching Problems, *SIAM Journal on Computing* 5, 1976.",
+          {"David Kirkpatrick, Optimal Search in Planar Subdivisions, *SIAM Journal on Computing* 12, 1983, pages "
+           "28–35.",
+           "David Dobkin and Richard Lipton, Multidimensional Searching Problems, *SIAM Journal on Computing* 5, 1976, "
+           "pages 181–186.",
            "Franco Preparata and Michael Shamos, *Computational Geometry: An Introduction*, 1985, section 2.2.2.",
-           "R. Seidel, A Simple and Fast Incremental Randomized Algorithm for Computing Trapezoidal "
-           "Decompositions and for Triangulating Polygons, *Computational Geometry* 1, 1991.",
+           "Raimund Seidel, A Simple and Fast Incremental Randomized Algorithm for Computing Trapezoidal "
+           "Decompositions and for Triangulating Polygons, *Computational Geometry* 1, 1991, pages 51–64.",
            "Mark de Berg et al., *Computational Geometry: Algorithms and Applications*, 3rd edition, 2008, chapter 6."},
       .exercises = {
           {"Drag **p** exactly onto the boundary.",

@@ -47,7 +47,7 @@ const Closing& closing() {
       .bug = "An **if** instead of the **while**: one point is dropped where several must be.",
       .bug_preset = "scattered",
       .reading = {"Alex M. Andrew, Another Efficient Algorithm for Convex Hulls in Two Dimensions, *Information "
-                  "Processing Letters* 9, 1979.",
+                  "Processing Letters* 9, 1979, pages 216–219.",
                   "Franco Preparata and Michael Shamos, *Computational Geometry: An Introduction*, 1985, chapter 3.",
                   "Mark de Berg et al., *Computational Geometry: Algorithms and Applications*, 3rd edition, 2008, "
                   "section 1.1."},

@@ -49,7 +49,7 @@ const Closing& closing() {
       .bug = "Trusting a rounded yes or no on the boundary. Methods that agree elsewhere differ there.",
       .bug_preset = "on-vertex",
       .reading =
-          {"Michael Ian Shamos, Geometric Complexity, *ACM Symposium on Theory of Computing*, 1975.",
+          {"Michael Ian Shamos, Geometric Complexity, *ACM Symposium on Theory of Computing*, 1975, pages 224–233.",
            "Franco Preparata and Michael Shamos, *Computational Geometry: An Introduction*, 1985, section 2.2.1."},
       .exercises = {
           {"Drag **p** exactly onto the boundary.",

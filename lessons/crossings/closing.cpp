@@ -48,11 +48,12 @@ const Closing& closing() {
       .bug = "Edges that count with both ends: a vertex on the ray counts twice, and inside becomes outside.",
       .bug_preset = "vertex-passed-closed",
       .reading =
-          {"M. Shimrat, Algorithm 112: Position of Point Relative to Polygon, *Communications of the ACM* 5, 1962.",
+          {"M. Shimrat, Algorithm 112: Position of Point Relative to Polygon, *Communications of the ACM* 5, 1962, "
+           "page 434.",
            "W. Randolph Franklin, PNPOLY: Point Inclusion in Polygon Test, 1970.",
-           "Eric Haines, Point in Polygon Strategies, in: *Graphics Gems IV*, 1994.",
+           "Eric Haines, Point in Polygon Strategies, in: *Graphics Gems IV*, 1994, pages 24–46.",
            "Kai Hormann and Alexander Agathos, The Point in Polygon Problem for Arbitrary Polygons, *Computational "
-           "Geometry* 20, 2001."},
+           "Geometry* 20, 2001, pages 131–144."},
       .exercises = {
           {"Drag **p** to a place where the closed rule gives a wrong answer.",
            "At the height −0.5 the ray passes the vertex (2.25, −0.5), which counts twice. So (−0.75, −0.5) seems to "

@@ -38,7 +38,7 @@ const Closing& closing() {
       .bug = "Taking CROSSING for visible: beyond an edge, no single plane rejects a box.",
       .bug_preset = "beyond-an-edge",
       .reading = {"Ulf Assarsson and Tomas Möller, Optimized View Frustum Culling Algorithms for Bounding Boxes, "
-                  "*Journal of Graphics Tools* 5, 2000.",
+                  "*Journal of Graphics Tools* 5, 2000, pages 9–22.",
                   "Gil Gribb and Klaus Hartmann, *Fast Extraction of Viewing Frustum Planes from the "
                   "World-View-Projection Matrix*, 2001.",
                   "Tomas Akenine-Möller and Eric Haines, *Real-Time Rendering*, 2nd edition, 2002, chapters 9 and 13."},

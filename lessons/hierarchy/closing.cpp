@@ -53,13 +53,13 @@ const Closing& closing() {
           "picking.",
       .bug = "Continuing past the closest hit: a node that the ray enters later needs no visit.",
       .bug_preset = "ray-beyond",
-      .reading = {"Timothy Kay and James Kajiya, Ray Tracing Complex Scenes, *SIGGRAPH*, 1986.",
+      .reading = {"Timothy Kay and James Kajiya, Ray Tracing Complex Scenes, *SIGGRAPH*, 1986, pages 269–278.",
                   "Jeffrey Goldsmith and John Salmon, Automatic Creation of Object Hierarchies for Ray Tracing, *IEEE "
-                  "CG&A* 7, 1987.",
+                  "CG&A* 7, 1987, pages 14–20.",
                   "Stefan Gottschalk, Ming Lin and Dinesh Manocha, OBBTree: A Hierarchical Structure for Rapid "
-                  "Interference Detection, *SIGGRAPH*, 1996.",
+                  "Interference Detection, *SIGGRAPH*, 1996, pages 171–180.",
                   "Ingo Wald, On Fast Construction of SAH-based Bounding Volume Hierarchies, *IEEE Symposium on "
-                  "Interactive Ray Tracing*, 2007.",
+                  "Interactive Ray Tracing*, 2007, pages 33–40.",
                   "Christer Ericson, *Real-Time Collision Detection*, 2005, chapter 6."},
       .exercises = {
           {"Drag the ray until one test settles it.",

@@ -16,7 +16,8 @@ bool b_inside_a(const Parameters& p) { return setup(p).truth == Relation::b_insi
 const std::string& opening() {
   static const std::string text =
       "Do two intervals have a number in common? Boxes, slabs and separating axes all need this, once for each axis.\n"
-      "It is easier to say when they have none: one begins after the other has ended.";
+      "It is easier to say when they have none: one begins after the other has ended. So does the lecture note "
+      "*Intersection Detection*.";
   return text;
 }
 
@@ -35,10 +36,10 @@ const Closing& closing() {
       .used = "Sweep and prune in broad phases, slab tests of rays and boxes, separating axes, range clipping.",
       .bug = "Ends that are exchanged. The comparisons treat the empty interval as an ordinary one.",
       .bug_preset = "empty",
-      .reading =
-          {"Lecture note *Intersection Detection*, intervals.",
-           "Christer Ericson, *Real-Time Collision Detection*, 2005, section 4.2: axis-aligned bounding boxes.",
-           "James F. Allen, Maintaining Knowledge about Temporal Intervals, *Communications of the ACM* 26, 1983."},
+      .reading = {"Lecture note *Intersection Detection*, intervals.",
+                  "Christer Ericson, *Real-Time Collision Detection*, 2005, section 4.2: axis-aligned bounding boxes.",
+                  "James F. Allen, Maintaining Knowledge about Temporal Intervals, *Communications of the ACM* 26, "
+                  "1983, pages 832–843."},
       .exercises = {
           {"Drag the ends of b until the intervals touch.",
            "They touch where an end of one equals the opposite end of the other.",

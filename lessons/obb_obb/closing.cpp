@@ -36,7 +36,7 @@ const Closing& closing() {
           "hits.",
       .bug_preset = "slender",
       .reading = {"Stefan Gottschalk, Ming Lin and Dinesh Manocha, OBBTree: A Hierarchical Structure for Rapid "
-                  "Interference Detection, *SIGGRAPH*, 1996.",
+                  "Interference Detection, *SIGGRAPH*, 1996, pages 171–180.",
                   "Christer Ericson, *Real-Time Collision Detection*, 2005, section 4.4: oriented bounding boxes.",
                   "Lecture note *Intersection Detection*, oriented boxes."},
       .exercises = {

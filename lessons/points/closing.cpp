@@ -45,7 +45,7 @@ const Closing& closing() {
       .reading = {"Lecture note *Intersection Detection*, points.",
                   "Christer Ericson, *Real-Time Collision Detection*, 2005, chapter 11: numerical robustness.",
                   "David Goldberg, What Every Computer Scientist Should Know About Floating-Point Arithmetic, *ACM "
-                  "Computing Surveys* 23, 1991."},
+                  "Computing Surveys* 23, 1991, pages 5–48."},
       .exercises = {
           {"Place **q** and **r** so that **p** is near **q** and **q** near **r**, but **p** is not near **r**.",
            "Put **r** beyond **q**, seen from **p**, and at most one tolerance away from **q**.",

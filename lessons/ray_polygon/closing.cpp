@@ -47,8 +47,8 @@ const Closing& closing() {
       .bug = "Always dropping the same coordinate: a vertical polygon collapses to a segment.",
       .bug_preset = "upright",
       .reading = {"Ivan Sutherland et al., A Characterization of Ten Hidden-Surface Algorithms, *ACM Computing "
-                  "Surveys* 6, 1974.",
-                  "Eric Haines, Point in Polygon Strategies, in: *Graphics Gems IV*, 1994.",
+                  "Surveys* 6, 1974, pages 1–55.",
+                  "Eric Haines, Point in Polygon Strategies, in: *Graphics Gems IV*, 1994, pages 24–46.",
                   "Tomas Akenine-Möller and Eric Haines, *Real-Time Rendering*, 2nd edition, 2002, chapter 13."},
       .exercises = {
           {"Drag the ray until it passes through the notch.",

@@ -47,11 +47,12 @@ const Closing& closing() {
       .bug = "A shadow ray that starts at its rounded hit point may hit its own object: spots of shadow acne.",
       .bug_preset = "acne",
       .reading =
-          {"Arthur Appel, *Some techniques for shading machine renderings of solids*, AFIPS Spring Joint Computer "
-           "Conference, 1968.",
-           "Turner Whitted, *An improved illumination model for shaded display*, Communications of the ACM 23, "
-           "1980.",
-           "Matt Pharr, Wenzel Jakob and Greg Humphreys, *Physically Based Rendering*, 4th edition, 2023."},
+          {"Arthur Appel, Some Techniques for Shading Machine Renderings of Solids, *AFIPS Spring Joint Computer "
+           "Conference*, 1968, pages 37–45.",
+           "Turner Whitted, An Improved Illumination Model for Shaded Display, *Communications of the ACM* 23, "
+           "1980, pages 343–349.",
+           "Matt Pharr, Wenzel Jakob and Greg Humphreys, *Physically Based Rendering*, 4th edition, 2023, sections 1.2 "
+           "and 6.8."},
       .exercises = {
           {"Drag the pixel to a point that lies in the shadow of another object.",
            "The floor lies in the shadow of ball **a**, low in the middle of the picture.",

@@ -43,8 +43,8 @@ const Closing& closing() {
       .bug = "Testing whether the boundaries cross. A ball inside a ball then counts as disjoint.",
       .bug_preset = "ball-a-inside-b",
       .reading = {"Lecture note *Intersection Detection*, spatial relationships.",
-                  "Max Egenhofer and Robert Franzosa, Point-set topological spatial relations, International Journal "
-                  "of Geographical Information Systems, 1991.",
+                  "Max Egenhofer and Robert Franzosa, Point-Set Topological Spatial Relations, *International Journal "
+                  "of Geographical Information Systems* 5, 1991, pages 161–174.",
                   "Christer Ericson, *Real-Time Collision Detection*, 2005, chapter 5."},
       .exercises = {
           {"Move **b** until the two polygons touch.",

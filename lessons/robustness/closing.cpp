@@ -54,9 +54,9 @@ const Closing& closing() {
       .bug = "Comparing with a tolerance and calling it robust: verdicts then contradict each other.",
       .bug_preset = "orientation",
       .reading = {"Lutz Kettner et al., Classroom Examples of Robustness Problems in Geometric Computations, "
-                  "*Computational Geometry* 40, 2008.",
+                  "*Computational Geometry* 40, 2008, pages 61–78.",
                   "Jonathan Richard Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric "
-                  "Predicates, *Discrete & Computational Geometry* 18, 1997.",
+                  "Predicates, *Discrete & Computational Geometry* 18, 1997, pages 305–363.",
                   "Christer Ericson, *Real-Time Collision Detection*, 2005, chapter 11."},
       .exercises = {
           {"Drag **p** to a place where the naive orientation is right in every cell.",

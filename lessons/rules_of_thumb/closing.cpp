@@ -50,7 +50,7 @@ const Closing& closing() {
       .reading = {"Tomas Akenine-Möller and Eric Haines, *Real-Time Rendering*, 2nd edition, 2002, chapter 13.",
                   "Christer Ericson, *Real-Time Collision Detection*, 2005, chapters 11 and 13.",
                   "Lutz Kettner et al., Classroom Examples of Robustness Problems in Geometric Computations, "
-                  "*Computational Geometry* 40, 2008."},
+                  "*Computational Geometry* 40, 2008, pages 61–78."},
       .exercises = {
           {"Rule 3: drag **p** to a place where the other order of axes costs more than it saves.",
            "Beside the long boxes *x* separates at once: at (1.15, 0) the test on *y* is wasted.",

@@ -46,13 +46,13 @@ const Closing& closing() {
       .bug = "Judging a method by ordinary cases alone: no wrong verdict shows up there.",
       .bug_preset = "sphere-sphere",
       .reading = {"Jonathan Richard Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric "
-                  "Predicates, *Discrete & Computational Geometry* 18, 1997.",
+                  "Predicates, *Discrete & Computational Geometry* 18, 1997, pages 305–363.",
                   "David Goldberg, What Every Computer Scientist Should Know About Floating-Point Arithmetic, *ACM "
-                  "Computing Surveys* 23, 1991.",
+                  "Computing Surveys* 23, 1991, pages 5–48.",
                   "Tomas Möller and Ben Trumbore, Fast, Minimum Storage Ray/Triangle Intersection, *Journal of "
-                  "Graphics Tools* 2, 1997.",
+                  "Graphics Tools* 2, 1997, pages 21–28.",
                   "Sven Woop, Carsten Benthin and Ingo Wald, Watertight Ray/Triangle Intersection, *Journal of "
-                  "Computer Graphics Techniques* 2, 2013."},
+                  "Computer Graphics Techniques* 2, 2013, pages 65–82."},
       .exercises = {
           {"Choose a test whose exact call is faster than the naive method, beyond the noise.",
            "Ball and box: the naive method branches on every axis, the exact call does not.",

@@ -21,10 +21,10 @@ bool shortcut_errs(const Parameters& p) {
 
 const std::string& opening() {
   static const std::string text =
-      "Does a ball meet an axis-aligned box? Lights and tiles, explosions and buildings, spheres and nodes of "
-      "a "
+      "Does a ball meet an axis-aligned box? Lights and tiles, explosions and buildings, spheres and nodes of a "
       "hierarchy need this.\n"
-      "Clamp the centre to the box, axis by axis: that is the nearest point. Its squared distance decides.";
+      "Clamp the centre to the box, axis by axis: that is the nearest point **p**. Its squared distance decides, as in "
+      "the lecture note *Intersection Detection*.";
   return text;
 }
 
@@ -44,7 +44,7 @@ const Closing& closing() {
       .bug_preset = "corner-miss",
       .reading =
           {"Lecture note *Intersection Detection*, sphere and box.",
-           "James Arvo, A Simple Method for Box-Sphere Intersection Testing, in: *Graphics Gems*, 1990.",
+           "James Arvo, A Simple Method for Box-Sphere Intersection Testing, in: *Graphics Gems*, 1990, pages 335–339.",
            "Christer Ericson, *Real-Time Collision Detection*, 2005, section 5.2.5: testing sphere against AABB."},
       .exercises = {
           {"Find a ball that the expanded box accepts, and the exact test rejects.",

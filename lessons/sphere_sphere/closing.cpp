@@ -15,8 +15,8 @@ bool touching_outside(const Parameters& p) { return setup(p).truth == Relation::
 const std::string& opening() {
   static const std::string text =
       "Do two balls have a point in common? Engines test this first for any two bodies, as few tests are cheaper.\n"
-      "Two balls meet if and only if their centres are at most *r*_1 + *r*_2 apart. Both sides may be squared, so no "
-      "square root is needed.";
+      "Two balls meet if and only if their centres are at most *r*_1 + *r*_2 apart. Both sides may be squared, so the "
+      "lecture note *Intersection Detection* takes no square root.";
   return text;
 }
 
@@ -31,7 +31,8 @@ const Closing& closing() {
       .used = "Broad phase of physics engines, nodes of sphere trees, particles, triggers in games.",
       .bug = "A strict < answers DISJOINT for balls that touch.",
       .bug_preset = "touching",
-      .reading = {"Christer Ericson, *Real-Time Collision Detection*, 2005, section 4.3.1.",
+      .reading = {"Lecture note *Intersection Detection*, sphere and sphere.",
+                  "Christer Ericson, *Real-Time Collision Detection*, 2005, section 4.3.1.",
                   "Tomas Akenine-Möller and Eric Haines, *Real-Time Rendering*, 2nd edition, 2002, chapter 13."},
       .exercises = {
           {"Drag **b** until the balls touch from outside.",

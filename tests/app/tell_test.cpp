@@ -140,9 +140,27 @@ TEST_CASE("explain keeps answers for the end, or gives them at once, or tells in
   CHECK_THAT(open, Contains("Answer: overlapping") && Contains("Solution:") && !Contains("\nAnswers\n"));
   const std::string brief = shell("isect explain sphere-sphere --brief").out;
   CHECK(3 * std::ranges::count(brief, '\n') < std::ranges::count(whole, '\n'));
-  CHECK_THAT(brief, Contains("Verdict: the balls overlap") && !Contains("Question"));
+  CHECK_THAT(brief, Contains("Verdict: the balls\noverlap") && !Contains("Question"));
+  CHECK((brief.ends_with(".\n") && !brief.ends_with("\n\n")));
+  std::istringstream lines(brief.substr(brief.find("Step 1 of")));
+  for (std::string line; std::getline(lines, line);)  // after each title, what the step computes, decides or says
+    if (line.starts_with("Step ")) CHECK_THAT(line, Catch::Matchers::Matches("Step [0-9]+ of [0-9]+: [^.?]+[.?] .+"));
   const std::string exercises = shell("isect explain sphere-sphere --exercises").out;
   CHECK_THAT(exercises, Contains("1. Drag b") && Contains("Solution:") && !Contains("Step 1"));
+}
+
+TEST_CASE("explain obeys the terminal's width in its pseudocode, too", "[explain]") {
+  const Shell shell;
+  const std::string told = shell("COLUMNS=40 isect explain ray-polygon").out;
+  const std::size_t begin = told.find("Algorithm:"), end = told.find("\n\n", begin);
+  std::istringstream lines(told.substr(begin, end - begin));
+  for (std::string line; std::getline(lines, line);)
+    CHECK(std::ranges::count_if(line, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }) <= 40);
+  CHECK_THAT(told, Contains("\n        largest |n_i|\n"));
+}
+
+TEST_CASE("explain says where the ends of the edge in question lie", "[explain]") {
+  CHECK_THAT(Shell()("isect explain crossings").out, Contains("a (−2, −1.5), b (0.75, −1.75)"));
 }
 
 TEST_CASE("explain prints the pseudocode once, and the line of each step", "[explain]") {

@@ -3,6 +3,7 @@
 #include "viz/alt_text.h"
 
 #include <algorithm>
+#include <regex>
 
 #include "lessons/lessons.h"
 #include "tests/catch.h"
@@ -27,10 +28,14 @@ TEST_CASE("alt text names what is drawn and from which numbers, the formula and 
       INFO(lesson->id << ", " << step.slug << ":\n" << alt);
       CHECK_THAT(alt, StartsWith(lesson->title + ": "));
       CHECK_THAT(alt, Contains(plain(step.caption)));
-      for (const auto& [name, value] : preset.parameters) CHECK_THAT(alt, Contains(name));
+      for (const Parameter& p : lesson->parameters)
+        if (preset.parameters.contains(p.name)) CHECK_THAT(alt, Contains(p.label.empty() ? p.name : plain(p.label)));
       if (!step.formula.empty()) CHECK_THAT(alt, Contains("Formula: " + plain(step.formula)));
       if (step.verdict.kind != Verdict::Kind::open) CHECK_THAT(alt, Contains("Verdict: " + plain(step.verdict.text)));
       CHECK(alt.find('*') == alt.npos);  // no mark is left
+      for (const char* wrong : {"?.", "!.", "..", " a 8", " a 18"}) CHECK_THAT(alt, !Contains(wrong));
+      static const std::regex twice("\\b([a-z]+) \\1\\b");
+      CHECK_FALSE(std::regex_search(alt, twice));
     }
   }
 }

@@ -56,7 +56,7 @@ bool is_listed(const Lesson& lesson, const std::string& author, const std::strin
 
 /// Authors, title, edition, year: what stands before the section.
 std::string work(const std::string& entry) {
-  static const std::regex section(", (sections?|chapters?) .*$");
+  static const std::regex section(", (sections?|chapters?|pages?) .*$");
   std::string text = std::regex_replace(plain(entry), section, "");
   while (text.ends_with('.')) text.pop_back();
   return text;

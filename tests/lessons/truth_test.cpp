@@ -10,6 +10,7 @@
 #include <set>
 #include <sstream>
 
+#include "lessons/course.h"
 #include "lessons/lessons.h"
 #include "tests/catch.h"
 #include "tests/lessons/random_settings.h"
@@ -367,6 +368,16 @@ TEST_CASE("a course leads from lesson to lesson without a circle", "[every lesso
       CHECK(before.contains(id));
     }
     before.insert(lesson->id);
+  }
+}
+
+TEST_CASE("the course's part on polygons holds what is about them", "[every lesson]") {
+  std::string part;
+  for (const Lesson* lesson : lessons::all_lessons()) {
+    for (const Course::Part& p : lessons::course().parts)
+      if (p.first == lesson->id) part = p.title;
+    INFO(lesson->id);
+    CHECK((lesson->title.find("olygon") != std::string::npos) == (part == "Polygons"));
   }
 }
 
