@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
+#include <type_traits>
 #include <variant>
 
 #include <isect/numbers/predicate.h>
@@ -39,17 +41,29 @@ W gap(const Sphere<double, N>& a, const Sphere<double, N>& b, const Radii& radii
   return dot(f, f) - reach * reach;
 }
 
-/// The sign of |a - b|^2 - (r + s)^2; 1 for NaN and infinite coordinates, near which nothing lies. Not inlined: the
-/// machine code of the rare path stays out of the common one's.
+/// The sign of the text, whose terms doubles have found: x - y, as in isect/numbers/squares.h, is not certain. Six
+/// roundings lead to it. Finite arguments.
+template <class S, class Text, class Trace>
+int settled(const Text& text, S x, S y, Trace&& trace) {
+  if constexpr (std::is_same_v<S, double> && !heard<Trace>)
+    return isect::detail::settled_sign(text, Bounded<double>(x - y, x + y + 0x1p-950, 6));
+  else
+    return sign_of(text, trace);
+}
+
+/// The sign of |a - b|^2 - (r + s)^2, computed as x - y; 1 for NaN and infinite coordinates, near which nothing lies.
+/// Not inlined: the machine code of the rare path stays out of the common one's.
 template <class S, int N, class Trace>
-[[gnu::noinline]] int settled_outer(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trace) {
-  if (!finite(a) || !finite(b)) return 1;
-  return sign_of([&]<class W>() -> W { return gap<W, N>(cast<double>(a), cast<double>(b), std::plus<W>()); }, trace);
+[[gnu::noinline]] int settled_outer(const Sphere<S, N>& a, const Sphere<S, N>& b, S x, S y, Trace&& trace) {
+  if (!(x + y <= std::numeric_limits<S>::max()) && (!finite(a) || !finite(b))) return 1;
+  const auto text = [&]<class W>() -> W { return gap<W, N>(in_doubles(a), in_doubles(b), std::plus<W>()); };
+  return settled(text, x, y, trace);
 }
 /// The sign of |a - b|^2 - (r - s)^2, for finite balls.
 template <class S, int N, class Trace>
-[[gnu::noinline]] int settled_inner(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trace) {
-  return sign_of([&]<class W>() -> W { return gap<W, N>(cast<double>(a), cast<double>(b), std::minus<W>()); }, trace);
+[[gnu::noinline]] int settled_inner(const Sphere<S, N>& a, const Sphere<S, N>& b, S x, S y, Trace&& trace) {
+  const auto text = [&]<class W>() -> W { return gap<W, N>(in_doubles(a), in_doubles(b), std::minus<W>()); };
+  return settled(text, x, y, trace);
 }
 
 template <class S, int N>
@@ -82,7 +96,7 @@ bool intersects(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trace = {}
   using namespace sphere_sphere::detail;
   const S d2 = distance2(a, b), sum2 = squared(a.radius + b.radius);
   if (!ordered(d2, sum2)) [[unlikely]]
-    return !empty(a) && !empty(b) && settled_outer(a, b, trace) <= 0;
+    return !empty(a) && !empty(b) && settled_outer(a, b, d2, sum2, trace) <= 0;
   return (d2 < sum2) & (std::min(a.radius, b.radius) >= 0);  // without a branch on the answer
 }
 
@@ -93,8 +107,8 @@ Relation relate(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trace = {}
   if (empty(a) || empty(b)) return Relation::disjoint;
 
   const S d2 = distance2(a, b), sum2 = squared(a.radius + b.radius), rest2 = squared(a.radius - b.radius);
-  const int outer = order_of_squares(d2, sum2, [&] { return settled_outer(a, b, trace); });
-  const int inner = outer > 0 ? 1 : order_of_squares(d2, rest2, [&] { return settled_inner(a, b, trace); });
+  const int outer = order_of_squares(d2, sum2, [&] { return settled_outer(a, b, d2, sum2, trace); });
+  const int inner = outer > 0 ? 1 : order_of_squares(d2, rest2, [&] { return settled_inner(a, b, d2, rest2, trace); });
   if constexpr (heard<Trace>) trace(sphere_sphere::Decision{outer, inner});
 
   if (outer > 0) return Relation::disjoint;

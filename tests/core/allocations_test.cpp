@@ -1,5 +1,5 @@
-// No verdict between two shapes touches the heap: on integers, where shapes touch, on tenths, and on doubles of like
-// size, where all stages of the ladder are asked.
+// No verdict between two shapes touches the heap: on integers, where shapes touch, on tenths, on doubles of like size,
+// where all stages of the ladder are asked, and in every hard family.
 
 #include <isect/aabb_aabb.h>
 #include <isect/capsule_capsule.h>
@@ -25,7 +25,19 @@
 #include <cmath>
 #include <memory>
 
+#include "bench/capsule_capsule/families.h"
+#include "bench/obb_obb/families.h"
+#include "bench/orient2d/families.h"
 #include "bench/random.h"
+#include "bench/ray_aabb/families.h"
+#include "bench/ray_obb/families.h"
+#include "bench/ray_plane/families.h"
+#include "bench/ray_sphere/families.h"
+#include "bench/ray_triangle/families.h"
+#include "bench/sphere_aabb/families.h"
+#include "bench/sphere_capsule/families.h"
+#include "bench/sphere_sphere/families.h"
+#include "bench/triangle_aabb/families.h"
 #include "tests/catch.h"
 #include "tests/core/heap.h"
 #include "tests/settings.h"
@@ -93,6 +105,27 @@ void ask_all(const Number& number) {
   CHECK(after == before);
 }
 
+/// Asks every family's cases; `ask` returns some part of the answer.
+template <class Draws, class Ask>
+void ask_families(const Draws& draws, const Ask& ask) {
+  const int cases = tests::cases(300, 30000);
+  for (const auto& family : draws) {
+    bench::Random random(tests::seed());
+    int said = 0;
+    std::size_t calls = 0;
+    for (int i = 0; i < cases; ++i) {
+      const auto c = family.draw(random);
+      const std::size_t before = heap::calls;
+      said += static_cast<int>(ask(c));
+      calls += heap::calls - before;
+    }
+    INFO(family.name << ": answers add up to " << said);
+    CHECK(calls == 0);
+  }
+}
+
+constexpr auto related = [](const auto& c) { return relate(c.a, c.b); };
+
 }  // namespace
 
 TEST_CASE("the count of calls of the heap can fail", "[allocations]") {
@@ -119,6 +152,23 @@ TEST_CASE("no verdict on a few doubles of 53 bits, where ties go to the end of t
   std::array<double, 4> few{};
   for (double& x : few) x = random.uniform(-1, 1);
   ask_all([few](bench::Random& r) { return few[static_cast<std::size_t>(r.below(4))] * r.integer(-1, 1); });
+}
+
+TEMPLATE_TEST_CASE("no verdict in a hard family asks for memory", "[allocations]", float, double) {
+  using S = TestType;
+  ask_families(bench::sphere_sphere_draws<S>, related);
+  ask_families(bench::sphere_aabb_draws<S>, related);
+  ask_families(bench::sphere_capsule_draws<S>, related);
+  ask_families(bench::capsule_capsule_draws<S>, related);
+  ask_families(bench::obb_obb_draws<S>, related);
+  ask_families(bench::triangle_aabb_draws<S>, related);
+  ask_families(bench::ray_sphere_families<S, 3>(), [](const auto& c) { return bool(intersect(c.ray, c.sphere)); });
+  ask_families(bench::ray_plane_draws<S>, [](const auto& c) { return bool(intersect(c.ray, c.plane)); });
+  ask_families(bench::ray_triangle_draws<S>, [](const auto& c) { return bool(intersect(c.a, c.b)); });
+  ask_families(bench::ray_aabb_draws<S>, [](const auto& c) { return bool(intersect(c.a, c.b)); });
+  ask_families(bench::ray_obb_draws<S>, [](const auto& c) { return bool(intersect(c.a, c.b)); });
+  const auto wide = [](const Point<S, 2>& p) { return Point<double, 2>(p.template cast<double>()); };
+  ask_families(bench::orient2d_draws<S>, [&](const auto& c) { return orient2d(wide(c.a), wide(c.b), wide(c.c)); });
 }
 
 }  // namespace allocations_test

@@ -18,7 +18,7 @@ namespace detail {
 using Digit = std::uint64_t;
 __extension__ using TwoDigits = unsigned __int128;
 
-/// An array of digits, the least first: up to 16 in place, more on the heap.
+/// An array of digits, the least first: up to 208 in place, more on the heap.
 class Digits {
  public:
   Digits() = default;
@@ -48,14 +48,15 @@ class Digits {
   }
 
  private:
-  static constexpr int in_place = 16;  // 1,024 bits
+  static constexpr int in_place = 208;  // 13,312 bits
   int size_ = 0;
   std::unique_ptr<Digit[]> far_;
   Digit near_[in_place];
 };
 }  // namespace detail
 
-/// No heap is needed where the highest and the lowest bit of all numbers on the way are less than 960 places apart.
+/// No heap is needed where the highest and the lowest bit of all numbers on the way are less than 13,248 places apart:
+/// in no polynomial of degree six or less, as a double's bits lie 2,098 places apart at most.
 class Exact {
  public:
   Exact() = default;
