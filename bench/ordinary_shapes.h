@@ -40,8 +40,9 @@ Ray<S, 3> ordinary_ray(Random& random) {
 /// Its center at most `spread` from the origin along each axis.
 template <class S>
 Obb<S, 3> ordinary_obb(Random& random, double spread) {
-  const Eigen::Quaterniond turn =
-      Eigen::AngleAxisd(random.uniform(0, 2 * std::numbers::pi), random.heading<3>()) * Eigen::Quaterniond::Identity();
+  const Vector<double, 3> axis = random.heading<3>();  // drawn in turn: arguments have no order
+  const double angle = random.uniform(0, 2 * std::numbers::pi);
+  const Eigen::Quaterniond turn = Eigen::AngleAxisd(angle, axis) * Eigen::Quaterniond::Identity();
   const Vector<double, 3> half = random.in_box<3>(0.4) + Vector<double, 3>::Constant(0.6);
   return {random.in_box<3>(spread).template cast<S>(), turn.toRotationMatrix().cast<S>(), half.cast<S>()};
 }

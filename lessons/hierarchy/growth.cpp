@@ -25,7 +25,8 @@ double ray_tests(const Bvh<double, 2>& bvh, const Boxes& boxes) {
   bvh_ray::Counts counts;
   const double extent = std::sqrt(boxes.size());
   for (int i = 0; i < rays; ++i) {
-    const Point<double, 2> o(random.uniform(0, extent), random.uniform(0, extent));
+    const double y = random.uniform(0, extent), x = random.uniform(0, extent);  // arguments have no order
+    const Point<double, 2> o(x, y);
     const Ray<double, 2> ray = {o, random.heading<2>()};
     closest_hit(
         bvh, ray,

@@ -48,7 +48,8 @@ std::vector<Box> scattered() {
   std::vector<Box> boxes;
   for (int i = 0; i < 14; ++i) {
     const double x = -2.9 + 0.95 * (i % 5), y = -1.5 + 1.45 * (i / 5);
-    const Flat at(x + random.uniform(-0.2, 0.2), y + random.uniform(-0.2, 0.2));
+    const double up = random.uniform(-0.2, 0.2), right = random.uniform(-0.2, 0.2);  // arguments have no order
+    const Flat at(x + right, y + up);
     const double degrees = random.uniform(0, 90), u = random.uniform(0.25, 0.45), v = random.uniform(0.15, 0.3);
     boxes.push_back(upright(at, degrees, u, v));
   }
