@@ -132,8 +132,24 @@ int step_of(const Json& value, std::size_t steps) {
   return value.get<int>() - 1;
 }
 
+OtherSide beside_of(const Json& object, const Lesson& lesson) {
+  only_fields(object, "beside", {"method", "preset"});
+  if (object.size() != 1) throw BadInput("beside: give either a method or a preset");
+  OtherSide side;
+  if (object.contains("preset")) {
+    side.preset = preset(lesson, text_of(object["preset"], "beside preset")).id;
+    return side;
+  }
+  side.method = text_of(object["method"], "beside method");
+  for (const Parameter& p : lesson.parameters)
+    if (p.name == lesson.group_by && std::ranges::find(p.choices, side.method) == p.choices.end())
+      throw unknown("beside method", side.method, p.choices);
+  if (lesson.group_by.empty()) throw BadInput(fmt::format("beside method: {} has one method alone", lesson.id));
+  return side;
+}
+
 Place place_of(const Json& object, const std::vector<const Lesson*>& lessons) {
-  only_fields(object, "the state", {"lesson", "preset", "step", "parameters", "camera"});
+  only_fields(object, "the state", {"lesson", "preset", "step", "parameters", "camera", "beside"});
   if (!object.contains("lesson")) throw BadInput("lesson: missing; the state of which lesson is it?");
   const Lesson& lesson = lesson_named(lessons, text_of(object["lesson"], "lesson"));
   Place place;
@@ -148,6 +164,7 @@ Place place_of(const Json& object, const std::vector<const Lesson*>& lessons) {
   place.parameters = parameters;
 
   if (object.contains("camera")) place.camera = camera_of(object["camera"], lesson);
+  if (object.contains("beside")) place.beside = beside_of(object["beside"], lesson);
   if (object.contains("step")) place.step = step_of(object["step"], lesson.walk(parameters).steps.size());
   return place;
 }
@@ -162,6 +179,10 @@ std::string to_json(const Place& place) {
   if (place.step) text += fmt::format(",\n  \"step\": {}", *place.step + 1);
   if (place.parameters) text += fmt::format(",\n  \"parameters\": {}", to_json(*place.parameters));
   if (place.camera) text += fmt::format(",\n  \"camera\": {}", json(*place.camera).dump());
+  if (const auto& side = place.beside; side && side->method.empty())
+    text += fmt::format(",\n  \"beside\": {}", Json{{"preset", side->preset}}.dump());
+  else if (side)
+    text += fmt::format(",\n  \"beside\": {}", Json{{"method", side->method}}.dump());
   return text + "\n}\n";
 }
 

@@ -12,11 +12,18 @@
 
 namespace isect::viz {
 
+/// What stands beside it in a second pane: a method, or a preset; the other one is empty.
+struct OtherSide {
+  std::string method, preset;
+  bool operator==(const OtherSide&) const = default;
+};
+
 struct Place {
   std::string lesson, preset;    ///< preset empty: parameters were changed by hand
   std::optional<int> step = {};  ///< from 0, in every text from 1; none: the whole walk
   std::optional<Parameters> parameters = {};
   std::optional<Camera> camera = {};
+  std::optional<OtherSide> beside = {};
 };
 
 std::string to_json(const Place&);

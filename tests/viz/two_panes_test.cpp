@@ -71,6 +71,62 @@ TEST_CASE("V, a button and the method's menu set two methods side by side, and t
   CHECK_FALSE(window.has("other scene"));  // it does not come back by itself
 }
 
+TEST_CASE("two panes are copied with the state and come back when it is pasted", "[window]") {
+  WindowDriver window(both);
+  window.type("v");
+  window.frames();
+  window.key(key::c, true);
+  const std::string copied = ImGui::GetClipboardText();
+  CHECK_THAT(copied, isect::test::Contains("\"beside\": {\"method\":\"distance\"}"));
+  CHECK((place_from_json(copied, both).beside == OtherSide{"distance", ""}));
+  window.type("v");
+  REQUIRE_FALSE(window.has("other scene"));
+  window.key(key::v, true);
+  window.frames(2);
+  CHECK(window.has("other scene"));
+  CHECK((window.ui.settings().beside == Beside{"point-disc", "distance", ""}));
+
+  WindowDriver again(both, 1280, 800, place_from_json(copied, both));
+  CHECK(again.has("other scene"));
+  again.type("v");
+  again.key(key::c, true);
+  CHECK_THAT(ImGui::GetClipboardText(), !isect::test::Contains("beside"));
+  again.key(key::v, true);
+  again.frames(2);
+  CHECK_FALSE(again.has("other scene"));
+}
+
+TEST_CASE("beside what stands in a copied state is a method or a preset of its lesson", "[window]") {
+  const auto refused = [&](const std::string& beside) {
+    try {
+      place_from_json(R"({"lesson": "point-disc", "beside": )" + beside + "}", both);
+    } catch (const BadInput& why) {
+      return std::string(why.what());
+    }
+    return std::string();
+  };
+  CHECK_THAT(refused(R"({"method": "distanze"})"), isect::test::Contains("\"distance\""));
+  CHECK_THAT(refused(R"({"preset": "nowhere"})"), isect::test::Contains("nowhere"));
+  CHECK_THAT(refused("{}"), isect::test::Contains("either a method or a preset"));
+  CHECK_THAT(refused("7"), isect::test::Contains("no JSON object"));
+}
+
+TEST_CASE("in a small window a question covers neither pane's code", "[window]") {
+  const auto [width, height] = GENERATE(table<float, float>({{800, 600}, {1000, 700}, {1040, 900}}));
+  CAPTURE(width, height);
+  WindowDriver window(lessons::all_lessons(), width, height, place_at("ray-sphere", "two-roots"));
+  window.type("v");
+  window.frames(2);
+  for (int i = 0; i < 12 && !window.player().asked(); ++i) window.key(key::right);
+  window.frames(3);
+  REQUIRE(window.player().asked());
+  REQUIRE(window.has("other scene"));
+  const Rect asked = window.rect("question over scene");
+  CHECK(asked.bottom <= window.rect("scene").bottom);
+  CHECK((asked.top >= window.rect("scene").top && asked.right <= window.rect("other scene").right));
+  CHECK(asked.height() >= 80);
+}
+
 TEST_CASE("the first line and the first value that differ are marked in both panes", "[window]") {
   WindowDriver window(both);
   window.type("v");

@@ -68,6 +68,10 @@ Rect visible(const WindowDriver& window, const std::string& full_name, Rect r) {
                                                               {"refused ", "lesson fields"},
                                                               {"meaning", "values"},
                                                               {"value ", "values"}};
+  if (name.starts_with("choice ") && window.has("question over scene")) {  // the card scrolls
+    const Rect card = window.rect("question over scene");
+    return {r.left, std::max(r.top, card.top), r.right, std::min(r.bottom, card.bottom)};
+  }
   for (const auto& [start, area] : areas) {
     if (!name.starts_with(start) || !window.has(pane + area)) continue;
     const Rect clip = window.rect(pane + area);

@@ -89,6 +89,37 @@ TEST_CASE("a figure is saved where its name says, and opens again at its place",
   std::filesystem::remove_all(folder);
 }
 
+TEST_CASE("the sheet shows the figure as it would be saved, in its theme and size", "[window]") {
+  WindowDriver window(both);
+  CHECK_FALSE(window.has("save preview"));
+  window.type("s");
+  window.frames(3);
+  REQUIRE(window.has("save preview"));
+  const auto middle = [&] {  // of the figure's ground, near its corner
+    const Rect r = window.rect("save preview");
+    const Picture p = window.picture();
+    const std::size_t at = 4 * (static_cast<std::size_t>(r.top + 4) * p.width + static_cast<std::size_t>(r.left + 4));
+    return static_cast<int>(p.rgba[at]) + p.rgba[at + 1] + p.rgba[at + 2];
+  };
+  const auto shape = [&] { return window.rect("save preview").width() / window.rect("save preview").height(); };
+  window.click("save theme print");
+  window.frames(3);
+  CHECK(middle() > 3 * 240);
+  CHECK(shape() == Approx(1.6).epsilon(0.01));
+  window.click("save theme dark");
+  window.frames(3);
+  CHECK(middle() < 3 * 90);
+  window.click("size 8");
+  window.frames(3);
+  CHECK(std::abs(shape() - 1.6) > 0.02);
+  const Rect sheet = window.rect("save sheet"), preview = window.rect("save preview");
+  CHECK((preview.left > window.rect("other width").right && preview.right <= sheet.right &&
+         preview.bottom <= sheet.bottom));
+  window.key(key::escape);
+  window.frames(2);
+  CHECK_FALSE(window.has("save preview"));
+}
+
 TEST_CASE("a figure is saved in every format, on paper as wide as asked", "[window]") {
   const std::string folder = (std::filesystem::temp_directory_path() / "isect-window-formats").string();
   std::filesystem::remove_all(folder);

@@ -3,6 +3,7 @@
 
 #include "viz/window/key_codes.h"
 #include "viz/window/panels.h"
+#include "viz/window/second_pane.h"
 
 namespace isect::viz {
 namespace {
@@ -13,7 +14,9 @@ void paste(Session& s) {
   const char* text = ImGui::GetClipboardText();
   if (!text || !*text) return s.complain("The clipboard holds no text");
   s.attempt([&] {
-    s.player.go(place_from_json(text, s.player.lessons()));
+    const Place place = place_from_json(text, s.player.lessons());
+    s.player.go(place);
+    s.settings.beside = beside_of(place);
     s.say("State pasted. Ctrl+Z goes back");
   });
 }
@@ -35,7 +38,9 @@ void with_control(Session& s) {
   if (pressed(key::zero) || pressed(key::keypad_0)) size = 1;
   size = std::clamp(std::round(10 * size) / 10, least_size, most_size);
   if (!pressed(key::c)) return;
-  ImGui::SetClipboardText(to_json(s.player.place()).c_str());
+  Place place = s.player.place();
+  if (two_panes(s)) place.beside = OtherSide{s.settings.beside->method, s.settings.beside->preset};
+  ImGui::SetClipboardText(to_json(place).c_str());
   s.say("State copied as JSON");
 }
 

@@ -18,6 +18,8 @@ void values_block(Session&, const Rect&, float pitch);
 void operations_block(Session&, const Rect&);
 /// The question in a window of its own, where the lesson's panel is hidden. (question.cpp)
 void question_over_scene(Session&, const Rect& scene);
+/// The same over both scenes of two panes, so that neither's code is covered.
+void question_over_scenes(Session&, const Rect& scenes);
 /// Scrubber and buttons. (transport.cpp)
 void transport(Session&, const Rect&);
 /// The key sheet, the picker and the save sheet, over everything else. (sheets.cpp)

@@ -99,21 +99,35 @@ void question(Column& c, bool fresh) {
   c.paragraph(answered->question->because, ink.text);
 }
 
-void question_over_scene(Session& s, const Rect& scene) {
-  if (!s.player.asked() && !s.player.answered()) return;
+namespace {
+
+/// As high as its words, which scroll where that is more than `r` has; at its lower end.
+void question_within(Session& s, Rect r) {
   constexpr float margin = 16;
-  const float width = std::min(440.0f, scene.width() - 40);
-  const float height = std::min(s.question_height, scene.height() - 130);
-  const Rect r{scene.left + 20, scene.bottom - 60 - height, scene.left + 20 + width, scene.bottom - 60};
+  r.top = std::max(r.top, r.bottom - s.question_height);
   begin_region(s.ui, "question over scene", r, s.ui.palette.window, true);
   outlined(r, s.ui.palette.rule, 1.5f, 0);
   const float top = ImGui::GetCursorScreenPos().y;
-  Column c{s, r.left + margin, top - 12, width - 2 * margin};
+  Column c{s, r.left + margin, top - 12, r.width() - 2 * margin};
   question(c, false);
   s.question_height = c.y - top + margin;
   ImGui::SetCursorScreenPos({r.left, c.y});
   ImGui::Dummy({1, margin});
   ImGui::End();
+}
+
+bool has_question(const Session& s) { return s.player.asked() || s.player.answered(); }
+
+}  // namespace
+
+void question_over_scene(Session& s, const Rect& scene) {
+  const float width = std::min(440.0f, scene.width() - 40);
+  if (has_question(s))
+    question_within(s, {scene.left + 20, scene.top + 70, scene.left + 20 + width, scene.bottom - 60});
+}
+
+void question_over_scenes(Session& s, const Rect& scenes) {
+  if (has_question(s)) question_within(s, scenes.inset(12));
 }
 
 }  // namespace isect::viz

@@ -81,6 +81,20 @@ std::string save_figure(const Player& player, const Settings& settings, Renderer
   return std::filesystem::absolute(path).lexically_normal();
 }
 
+PixelBox draw_preview(const Player& player, const Settings& settings, Renderer& renderer, int most_width,
+                      int most_height, std::string& why) {
+  try {
+    const Made made = settings.save_width_cm > 0 ? on_paper(player, settings) : for_screen(player, settings);
+    const double scale = std::min(most_width / made.drawing.width, most_height / made.drawing.height);
+    renderer.draw(made.drawing, scale);
+    why.clear();
+    return pixels(made.drawing, scale);
+  } catch (const BadInput& wrong) {
+    why = wrong.what();
+    return {};
+  }
+}
+
 std::string save_preset(const Player& player, const std::string& folder) {
   Place place = player.place();
   place.preset.clear(), place.camera.reset(), place.step.reset();

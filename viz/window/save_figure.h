@@ -10,6 +10,10 @@ namespace isect::viz {
 /// with the ending .txt. Returns the whole path. Throws FileError; BadInput where it is too narrow for its labels.
 std::string save_figure(const Player&, const Settings&, Renderer&, const std::string& folder);
 
+/// Draws the same figure into the renderer's texture, as large as fits into so many pixels. Its size in them; 0 where
+/// it can't be made, with the reason in `why`.
+PixelBox draw_preview(const Player&, const Settings&, Renderer&, int most_width, int most_height, std::string& why);
+
 /// Writes the setting as a preset file, <folder>/<lesson>/disagreement-<N>.json where methods differ, else
 /// setting-<N>.json, with the first N that is free, which `--preset FILE` loads. Returns the whole path. Throws
 /// FileError.

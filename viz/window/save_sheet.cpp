@@ -3,7 +3,10 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include <algorithm>
+
 #include "viz/formats.h"
+#include "viz/rich_text.h"
 #include "viz/window/number_text.h"
 #include "viz/window/panels.h"
 #include "viz/window/sheets.h"
@@ -31,10 +34,31 @@ void other_width(Session& s, const Rect& r) {
   }
 }
 
+/// The figure as it would be saved, as large as it fits.
+void preview(Session& s, const Rect& room) {
+  const Session::Preview& p = s.preview;
+  if (!p.why.empty()) {
+    Paragraph why{.markup = as_markup(p.why), .line_pitch = 21, .colour = s.ui.palette.muted};
+    why.width = room.width();
+    return static_cast<void>(rich(s.ui, why, top_left(room)));
+  }
+  if (!p.picture || !(p.width > 0)) return;
+  const float scale = std::min(room.width() / p.width, room.height() / p.height);
+  const float left = room.middle_x() - scale * p.width / 2, top = room.middle_y() - scale * p.height / 2;
+  const Rect r{left, top, left + scale * p.width, top + scale * p.height};
+  s.ui.rects["save preview"] = r;
+  ImGui::GetWindowDrawList()->AddImage(p.picture, top_left(r), bottom_right(r), {0, 1}, {1, 0});
+  outlined(r, s.ui.palette.rule, 1, 0);
+}
+
 }  // namespace
 
 void save_sheet(Session& s, const Rect& window) {
-  if (!begin_sheet(s, "save sheet", window, 560, 290)) return;
+  if (!begin_sheet(s, "save sheet", window, 780, 310)) {
+    s.preview.wanted = false;
+    return;
+  }
+  s.preview.wanted = true;
   Ui& ui = s.ui;
   const Palette& c = ui.palette;
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -84,6 +108,8 @@ void save_sheet(Session& s, const Rect& window) {
     ImGui::CloseCurrentPopup();
   }
   text(ui.fonts.small, x + 276, y, packed(c.muted), "Enter saves");
+  preview(s, {ui.rects["other width"].right + 20, at.y + 10, ui.rects["save sheet"].right - 20,
+              ui.rects["save sheet"].bottom - 20});
   ImGui::EndPopup();
 }
 

@@ -38,6 +38,11 @@ struct Beside {
   std::string lesson, method, preset;  ///< one of the latter two is empty
   bool operator==(const Beside&) const = default;
 };
+/// Of a place that has one.
+inline std::optional<Beside> beside_of(const Place& place) {
+  if (!place.beside) return {};
+  return Beside{place.lesson, place.beside->method, place.beside->preset};
+}
 /// The first pane or the only one; a second that its reader's hand moves along; one that stays as it is.
 enum class Pane { lead, along, fixed };
 
@@ -81,9 +86,16 @@ struct Session {
   std::function<void(const Parameters&)> save_scene = {};  ///< into its own file; null: there is none
   bool panels = true;
   Sheet open_next = Sheet::none;  ///< asked for by a key or a button, opened at the end of the frame
-  bool save_now = false;          ///< this frame's figure shall become a file
-  bool save_preset = false;       ///< the setting shall become a preset file
-  bool close = false;             ///< the reader wants to leave
+  /// Of the figure as the sheet would save it, while that is open: drawn between two frames.
+  struct Preview {
+    bool wanted = false;  ///< the sheet is open
+    ImTextureID picture = {};
+    float width = 0, height = 0;  ///< of the figure, in any unit
+    std::string why = {};         ///< there is none
+  } preview = {};
+  bool save_now = false;     ///< this frame's figure shall become a file
+  bool save_preset = false;  ///< the setting shall become a preset file
+  bool close = false;        ///< the reader wants to leave
   bool full_screen = false;
   std::string search = {};                ///< words in the picker, or among the terms
   std::string width_text = {};            ///< typed into the sheet that saves figures

@@ -16,6 +16,7 @@
 #include "viz/files.h"
 #include "viz/names.h"
 #include "viz/rich_text.h"
+#include "viz/window/kept_picture.h"
 #include "viz/window/key_codes.h"
 #include "viz/window/map_view.h"
 #include "viz/window/panels.h"
@@ -69,6 +70,7 @@ struct WindowUi::Impl {
         player(lessons, at, options.reduced_motion || kept.reduced_motion),
         settings(kept),
         reduced_motion(options.reduced_motion),
+        drawing(options.draw_scene),
         density(options.scale),
         ui{palette(kept.theme), fonts_at(options.scale), TextTextures(options.scale)},
         course(options.course),
@@ -83,12 +85,29 @@ struct WindowUi::Impl {
         panes(gl, options.scale, options.draw_scene) {
     keep_memory();
     player.set_speed(kept.speed);
+    if (at.beside) settings.beside = beside_of(at);
   }
 
   void save() {
     session.attempt([&] {
       session.say("Saved " + save_figure(player, settings, renderer, session.figures) + ", with its alt text");
     });
+  }
+
+  /// Anew only where something has changed.
+  void draw_preview() {
+    if (!session.preview.wanted) return previewed.clear();
+    const std::string now =
+        to_json(player.place()) + name_of(settings.save_theme) + " " + shown(settings.save_width_cm) + " cm";
+    if (now == std::exchange(previewed, now) || !drawing) return;
+    constexpr double width = 320, height = 280;  // px of the layout, at most
+    const double scale = density * size;
+    const PixelBox made = viz::draw_preview(player, settings, renderer, static_cast<int>(width * scale),
+                                            static_cast<int>(height * scale), session.preview.why);
+    session.preview.width = static_cast<float>(made.width), session.preview.height = static_cast<float>(made.height);
+    if (made.width == 0) return;
+    preview.take(renderer.texture(), made.width, made.height);
+    session.preview.picture = preview.id();
   }
 
   void keep_setting() {
@@ -134,7 +153,8 @@ struct WindowUi::Impl {
       const PanesLayout two = panes_layout(at);
       panes.show(session, scene, two);
       if (two.lesson.width() > 0) return lesson_panel(session, two.lesson);
-      return question_over_scene(session, {at.lesson.left, at.scene.top, at.code.right, at.scene.bottom});
+      return question_over_scenes(
+          session, {two.first_scene.left, two.first_scene.top, two.second_scene.right, two.first_scene.bottom});
     }
     panes.leave(session);
     if (shows_map(session)) {
@@ -154,6 +174,7 @@ struct WindowUi::Impl {
   Player player;
   Settings settings;
   bool reduced_motion;  ///< whatever the settings say
+  bool drawing;
   unsigned names_of_revision = 0;
   double density, size = 1;
   Ui ui;
@@ -162,6 +183,8 @@ struct WindowUi::Impl {
   SceneView scene;
   MapView map;
   SecondPane panes;
+  KeptPicture preview;
+  std::string previewed;  ///< what it shows; empty: nothing
 };
 
 WindowUi::WindowUi(const std::vector<const Lesson*>& lessons, const Place& at, Renderer& renderer,
@@ -183,6 +206,7 @@ void WindowUi::frame() {
   // Not before now: the frame built last has shown the scene's texture, which saving draws over.
   if (std::exchange(w.session.save_now, false)) w.save();
   if (std::exchange(w.session.save_preset, false)) w.keep_setting();
+  w.draw_preview();
 
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
