@@ -65,7 +65,7 @@ class Teller {
         test_(mesh, window_, middle),
         script_({"Lecture note, bounding volumes",
                  "An object a in its bounding box, and another box, b: " + outcome() + ".",
-                 {"if the volume of a and b are disjoint",        // 0
+                 {"if the volume of a is disjoint from b",        // 0
                   "    return OUTSIDE",                           // 1
                   "if the volume of a lies in b",                 // 2
                   "    return INSIDE",                            // 3

@@ -34,9 +34,11 @@ const std::string& opening() {
 const Closing& closing() {
   static const Closing closing = {
       .result =
-          "Volumes apart: reject. One volume inside: accept. Otherwise nothing is known yet, and the objects "
-          "themselves are tested.",
-      .cost = "A sphere keeps 4 numbers, an AABB 6, a *k*-DOP *k*, an OBB 15. Tighter volumes cost more to test.",
+          "Volumes apart: reject. The volume of a wholly in the solid b: accept. Otherwise nothing is known yet, and "
+          "the objects themselves are tested.",
+      .cost =
+          "A sphere keeps 4 numbers, an AABB 6, a *k*-DOP *k*, an OBB 15. A test that finds an overlap takes 11, 6, "
+          "*k* and about 250 operations.",
       .choose =
           "AABB by default. Sphere for bodies that rotate often; OBB or *k*-DOP for long or tilted bodies close to "
           "others.",

@@ -133,7 +133,7 @@ class Fit {
     for (const std::string& k : sizes_of_dops) all.push_back(measured_kdop(mesh_, std::stoi(k)));
     script_.value(all_[3].name, all_[3].volume, "volume", Role::second);
     Step& step = add("k-dops", "k-DOPs: more slabs, less void", 3,
-                     "*k* is even, as each normal gives a slab with two bounds. More slabs cut off more.\n"
+                     "*k* is even, as each normal gives a slab with two bounds. More slabs can only cut off more.\n"
                      "All objects share the normals, so only *k* bounds are stored. With *k* = 6 this is the AABB.",
                      "*lo_i* ≤ **n***_i* · **x** ≤ *hi_i* for each *i*");
     step.scene.items = side_by_side(mesh_, fitted_.object, all);

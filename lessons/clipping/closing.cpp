@@ -38,7 +38,8 @@ const Closing& closing() {
           "Liang and Barsky for segments; Sutherland and Hodgman for convex windows. Weiler and Atherton, or "
           "sweeping, for windows that are not convex.",
       .used =
-          "GPUs clip triangles at the near plane and leave the sides to the scissor test. Maps, plotters, physics "
+          "GPUs clip triangles at the near plane; within a guard band they leave the sides to the rasteriser. Maps, "
+          "plotters, physics "
           "contacts (a face clipped by a face).",
       .bug = "Reciprocals of zero: 0 · ∞ is not a number, and a segment along a side is lost.",
       .bug_preset = "along-a-side",

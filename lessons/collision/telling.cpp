@@ -96,7 +96,7 @@ Step& Teller::apart(int i, const std::vector<int>& others, int no) {
   script_.value("tests", tests_);
   script_.value("pairs", static_cast<double>(drawn_.found.size()), {}, Role::hit);
   Step& step = add(fmt::format("apart-{}-{}", i, others.front()), fmt::format("Box {} with {}", i, names), no,
-                   fmt::format("Some axis separates box {} from each of these: {}, no pair.", i,
+                   fmt::format("Each of these is separated from box {} on some axis: {}, no pair.", i,
                                plural(static_cast<long long>(others.size()), "test")));
   drawn_.also.clear();
   return step;
@@ -109,19 +109,18 @@ void Teller::total(int line, const std::string& caption) {
   add("total", "What it cost", line, caption);
   for (const std::size_t i : {0, 2, 4}) {
     const Tests& t = tests()[i];
-    script_.value(fmt::format("brute force, *n* = {}", sizes[i]), static_cast<double>(t.brute), "tests");
-    script_.value(fmt::format("sweep, *n* = {}", sizes[i]), static_cast<double>(t.sweep), "tests");
-    script_.value(fmt::format("hierarchy, *n* = {}", sizes[i]), static_cast<double>(t.tree), "tests");
+    script_.value(fmt::format("brute force, {} boxes", sizes[i]), static_cast<double>(t.brute), "tests");
+    script_.value(fmt::format("sweep, {} boxes", sizes[i]), static_cast<double>(t.sweep), "tests");
+    script_.value(fmt::format("hierarchy, {} boxes", sizes[i]), static_cast<double>(t.tree), "tests");
   }
   const Tests& t = tests().back();
-  Step& step = add(
-      "growth", "As *n* grows", line,
-      fmt::format("1000 random boxes: {} tests by brute force, {} by the sweep, {} of nodes and boxes by a "
-                  "hierarchy.\nAll find the same {} pairs. Boxes lying still need not be tested against others lying "
-                  "still.",
-                  shown(static_cast<double>(t.brute)), shown(static_cast<double>(t.sweep)),
-                  shown(static_cast<double>(t.tree)), t.found),
-      "*n* (*n* − 1) / 2 = O(*n*^2)");
+  Step& step =
+      add("growth", "As *n* grows", line,
+          fmt::format("1000 random boxes: {} tests by brute force, {} by the sweep, {} of nodes and boxes by a "
+                      "hierarchy.\nAll find the same {} pairs. Boxes at rest need not be tested against each other.",
+                      shown(static_cast<double>(t.brute)), shown(static_cast<double>(t.sweep)),
+                      shown(static_cast<double>(t.tree)), t.found),
+          "*n* (*n* − 1) / 2 = O(*n*^2)");
   step.scene = {};
   step.scene.chart = chart();
   step.question = Question{"Which needs fewest tests for 1000 boxes?",

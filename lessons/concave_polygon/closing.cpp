@@ -65,7 +65,7 @@ const Closing& closing() {
            level_with_a_vertex,
            {{"p", "-1.5,-0.25,0"}}},
           {"How many edges can the slabs of a polygon with 200 vertices store at most?",
-           "*n*^2/2 = 20 000: above the *k* lowest vertices run at most 2 min(*k*, 200 − *k*) edges."},
+           "*n*^2/2 = 20 000: between the *k*-th height and the next run at most 2 min(*k*, 200 − *k*) edges."},
           {"Why can at least one vertex in 18 be removed each round?",
            "At least 3 edges meet at each vertex, fewer than 6 on average. So at least half have 8 edges or fewer. Of "
            "these, each one chosen rules out itself and at "

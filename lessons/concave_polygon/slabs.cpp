@@ -46,7 +46,7 @@ class Slabs {
     const int n = s_.size(), stored = static_cast<int>(map_.order.size());
     add("store", "Edges from left to right", 1,
         "So in each slab the edges are ordered from left to right. Each square is a stored edge.\n"
-        "Above the *k* lowest vertices run at most 2 min(*k*, *n* − *k*) edges, as each vertex has two. "
+        "Between the *k*-th height and the next run at most 2 min(*k*, *n* − *k*) edges, as each vertex has two. "
         "Summed over all slabs, that is at most *n*^2/2.",
         fmt::format("{} ≤ *n*^2/2 = {}", stored, shown(n * n / 2.0)))
         .question =

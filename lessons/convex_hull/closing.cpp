@@ -64,7 +64,7 @@ const Closing& closing() {
            {{"p", "0,1.5,0"}}},
           {"Why is the scan linear despite its nested loops?",
            "A point is appended once to a chain and dropped from it at most once. So each of the two chains takes at "
-           "most 2*n* turns."},
+           "most 2*n* steps."},
           {"Why does no method find hulls faster than it sorts?",
            "Map the numbers *x* to the parabola *y* = *x*^2. All points are vertices, and the hull lists them in "
            "order."},

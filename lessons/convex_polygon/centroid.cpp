@@ -90,9 +90,12 @@ class Around {
                                                           : right ? ""
                                                                   : " (wrong: " + verdict_text(s_.truth) + ")"));
     if (!inside_) script_.refuse(3, {});
+    const char* const side = e.cross.value > 0   ? "on its inner side"
+                             : e.cross.value < 0 ? "on its outer side"
+                                                 : "on its line";
     Step& step = add("verdict", "One edge decides", inside_ ? 3 : 4,
-                     fmt::format("{} bisections for {} vertices, then one edge: **p** does {}lie on its outer side.",
-                                 rounds_, counted(static_cast<long long>(s_.size())), inside_ ? "not " : "") +
+                     fmt::format("{} bisections for {} vertices, then one edge: the cross product puts **p** {}.",
+                                 rounds_, counted(static_cast<long long>(s_.size())), side) +
                          (on ? "\nThe note's method has no answer for the boundary: rounding decides there." : ""));
     step.decides = true;
   }

@@ -100,13 +100,13 @@ class Fan {
     script_.value("*lo*", e.lo);
     script_.value("*hi*", e.hi);
     const std::string mid = fmt::format("**v**_{{{}}}", e.mid);
-    Step& step = add(
-        fmt::format("bisect-{}", rounds_), e.turn >= 0 ? "The wedges after " + mid : "The wedges before " + mid,
-        out ? 5 : 4,
-        out ? "**p** lies beyond the edge after " + mid + ". The polygon lies on the inner side of every edge: outside."
-        : e.turn > 0  ? "**p** lies left of the ray through " + mid + ": drop the wedges before it."
-        : e.turn == 0 ? "**p** lies on the ray through " + mid + ": drop the wedges before it."
-                      : "**p** lies right of the ray through " + mid + ": drop the wedges after it.");
+    Step& step = add(fmt::format("bisect-{}", rounds_),
+                     e.turn >= 0 ? "The wedges after " + mid : "The wedges before " + mid, out ? 5 : 4,
+                     out ? "**p** lies beyond the edge after " + mid +
+                               ". The whole polygon lies on its inner side, so **p** is outside."
+                     : e.turn > 0  ? "**p** lies left of the ray through " + mid + ": drop the wedges before it."
+                     : e.turn == 0 ? "**p** lies on the ray through " + mid + ": drop the wedges before it."
+                                   : "**p** lies right of the ray through " + mid + ": drop the wedges after it.");
     if (rounds_ == 1) {
       const Point<double, 2>& v = s_.vertex(e.mid);
       step.question = {

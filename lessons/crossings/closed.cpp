@@ -30,7 +30,7 @@ class Closed : Teller {
     int counted = 0;
     for (const Ring<double, 2>& ring : setup_.polygon.rings) counted += point_polygon::crossings_closed(setup_.p, ring);
     add("rule", "The rule", 1,
-        "An edge counts if it has a point on the ray, its ends included.\n"
+        "An edge counts if it has a point on the ray beyond **p**, its ends included.\n"
         "That sounds right, but each vertex belongs to two edges.")
         .question = how_many("Each edge counts with both its ends.", counted);
     tally() = {};

@@ -80,7 +80,9 @@ const Closing& closing() {
 const std::vector<Erratum>& errata() {
   static const std::vector<Erratum> all = {
       {"    if both above or both below p: next edge", "    if neither or both are above p: next edge",
-       "A vertex on the ray belongs to two edges. Counted as below, it lies on one side.", "vertex-passed-closed"}};
+       "A vertex on the ray belongs to two edges. Counted as below, it lies on one side.", "vertex-passed-closed"},
+      {"    if not p.x < x: next edge", "    if p on a b: return ON; if not p.x < x: next edge",
+       "A point on the boundary belongs to the polygon. The count takes it for inside or outside.", "on-edge-closed"}};
   return all;
 }
 

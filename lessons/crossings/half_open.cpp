@@ -52,7 +52,7 @@ class HalfOpen : Teller {
     Step& step =
         add("rule", "The half-open rule", 1,
             "A vertex at the height of **p** counts as below it.\n"
-            "It really is below a ray raised by a tiny *ε* (dashed). That ray meets no vertex, only interiors of "
+            "It does lie below the same ray raised by a tiny *ε* (dashed). That ray meets no vertex, only interiors of "
             "edges.",
             "counts only if  (*a*_y > *p*_y) ≠ (*b*_y > *p*_y)");
     if (setup_.truth.even_odd != Location::on)

@@ -133,7 +133,7 @@ class UnderHierarchy {
       if (n == 16) fewest = tests;
       panel.curves[0].points.emplace_back(n, n);
       panel.curves[1].points.emplace_back(n, tests);
-      script_.value(fmt::format("hierarchy, *n* = {}", n), tests, "tests", Role::hit);
+      script_.value(fmt::format("hierarchy, {} boxes", n), tests, "tests", Role::hit);
     }
     Step& step = script_.add(
         "growth", "As *n* grows", 4,

@@ -117,7 +117,7 @@ class OneVolume {
     reaches_ = greatest / length;
     sharing_ = static_cast<int>(
         std::ranges::count(std::array{plane_at(i).normal.x(), plane_at(i).normal.y(), plane_at(i).normal.z()}, 0.0));
-    return {"0 ≤ **n** · **x** + *d*", 0, reaches_, greatest >= 0, ""};
+    return {"0 ≤ **n** · p-vertex + *d*", 0, reaches_, greatest >= 0, ""};
   }
 
   Comparison ask_ball(int i, Culling side, Scene& scene) {
@@ -131,7 +131,7 @@ class OneVolume {
     scene.items.emplace_back(Line{ball.center, foot, Role::construction, Pen::construction});
     scene.items.emplace_back(Dot{ball.center, Mark::disc, Role::second});
     scene.items.emplace_back(Label{ball.center, "**c**", Role::second});
-    return {"−*r* ≤ distance", -ball.radius, height, side != Culling::outside, ""};
+    return {"−*r* ≤ **n** · **c** + *d*", -ball.radius, height, side != Culling::outside, ""};
   }
 
   /// Which corner of the box lies furthest along **n**: the signs of **n** tell.
@@ -153,10 +153,12 @@ class OneVolume {
                      "One plane is enough to reject it, and no other is tested.";
     static const char* const sharing[] = {"The p-vertex", "An edge with the p-vertex", "A face with the p-vertex"};
     if (side == Culling::crossing)
-      return ball_           ? "The centre is no farther than *r* from the plane: the ball may be visible."
-             : reaches_ == 0 ? sharing[sharing_] +
-                                   std::string(" lies in the plane, and the rest beyond it: the box touches the plane.")
-                             : "The p-vertex lies on the inner side and the n-vertex beyond: the plane cuts the box.";
+      return ball_ ? "The centre is no farther than *r* from the plane: the ball may be visible."
+             : reaches_ == 0
+                 ? sharing[sharing_] +
+                       std::string(" lies in the plane, and the rest beyond it: the box touches the plane.")
+                 : "The p-vertex lies on the inner side and the n-vertex beyond: the plane cuts the box." +
+                       std::string(sharing_ > 0 ? "\nWhere *n_i* = 0, either of its coordinates will do." : "");
     return ball_ ? "The whole ball lies on the inner side. That alone says nothing yet: each plane must agree."
                  : "Even the n-vertex, the opposite corner, is not beyond. So the whole box is on the inner "
                    "side.";

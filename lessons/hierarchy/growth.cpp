@@ -86,8 +86,8 @@ Walk growth() {
                  {"for a ray: ask the nodes that it meets",            // 0
                   "for all pairs: ask the pairs of nodes that meet"},  // 1
                  "growth"});
-  script.value("a ray, *n* = 1000", some.ray, "tests");
-  script.value("a ray, *n* = 100 000", most.ray, "tests");
+  script.value("a ray, 1000 boxes", some.ray, "tests");
+  script.value("a ray, 100 000 boxes", most.ray, "tests");
   Step& rays = script.add("rays", "A ray among *n* boxes", 0,
                           fmt::format("A hundred times as many boxes, but only {:.1f} times as many tests.\n"
                                       "The depth grew from {} to {}. Without a hierarchy a ray tests all *n* boxes.",
@@ -108,8 +108,8 @@ Walk growth() {
   without.chart = chart(
       "tests for a ray", "every box", [](double n) { return n; }, nullptr);
   rays.question->over = without;
-  script.value("all pairs, *n* = 100 000", most.pairs, "tests");
-  script.value("every pair, *n* = 100 000", 0.5 * most.n * (most.n - 1.0), "tests");
+  script.value("all pairs, 100 000 boxes", most.pairs, "tests");
+  script.value("every pair, 100 000 boxes", 0.5 * most.n * (most.n - 1.0), "tests");
   script.settle(Verdict::Kind::yes, fmt::format("depth {} for 100 000 boxes", most.depth));
   Step& pairs =
       script.add("pairs", "All pairs among *n* boxes", 1,

@@ -45,6 +45,9 @@ const Lesson& intervals() {
       .map = &cases(),
       .opening = opening(),
       .closing = &closing(),
+      .errata = {{"return OVERLAP", "return a or b is empty ? DISJOINT : OVERLAP",
+                  "An interval that ends before it begins has no number in it. The comparisons do not see that.",
+                  "empty"}},
       .after = {"relations", "points"},
   };
   return lesson;

@@ -8,6 +8,7 @@
 
 #include <isect/obb_obb_methods.h>
 #include "lessons/obb_obb/telling.h"
+#include "lessons/shared/digits.h"
 #include "lessons/shared/opinions.h"
 #include "lessons/shared/parameters.h"
 
@@ -26,7 +27,7 @@ std::vector<Opinion> opinions(const Parameters& p) {
   Opinions all(in_words(s.truth));
   for (const double epsilon : {0.0, 1e-6, s.epsilon}) {
     const bool overlap = obb_obb::gottschalk(s.a, s.b, epsilon);
-    all.add("classical, ε = " + shown(epsilon), says_overlap(overlap), overlap == meets);
+    all.add("classical, ε = " + as_power(epsilon), says_overlap(overlap), overlap == meets);
   }
   return all.take();
 }

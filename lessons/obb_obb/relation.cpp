@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "lessons/obb_obb/telling.h"
+#include "lessons/shared/digits.h"
 #include "lessons/shared/relation.h"
 
 namespace isect::lessons::obb_obb_lesson {
@@ -46,7 +47,7 @@ std::string Teller::end_caption() const {
     return fmt::format(
         "The boxes are disjoint: ε = {} has closed the gap, so the classical test is wrong here.\n"
         "Ours needs no ε. It bounds the rounding error, and computes exactly where that leaves doubt.",
-        shown(s_.epsilon));
+        as_power(s_.epsilon));
   switch (s_.truth) {
     case Relation::disjoint:
       return asked_ < 15

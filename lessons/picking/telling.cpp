@@ -38,8 +38,8 @@ class Teller {
     const Vec2 at = s_.eye.pixel(s_.pointer);
     const double half = s_.eye.rows / 2.0, right = tidy(at.x() - s_.eye.columns / 2.0), up = tidy(half - at.y());
     step("viewing-ray", "The pointer's pick ray", 0,
-         fmt::format("The pointer is {} pixels {} of the image's centre and {} {} it. The image's half height is {} "
-                     "pixels, seen at half the field of view *φ*.\n"
+         fmt::format("The pointer is {} pixels {} of the image's centre and {} {} it. Half the field of view, *φ*/2, "
+                     "spans half the image's height: {} pixels.\n"
                      "Everything seen at this point lies on the ray from the eye **o** through the pointer.",
                      shown(std::abs(right)), right < 0 ? "left" : "right", shown(std::abs(up)),
                      up < 0 ? "below" : "above", shown(half)),
@@ -85,13 +85,12 @@ class Teller {
     if (left == 0) script_.leave_early();
     const std::string cost = few < all ? fmt::format("\nThat takes {} tests, and {} without the balls.", few, all)
                                        : "\nBoth large objects are left: here the balls cost more than they save.";
-    Step& s =
-        step("volumes", "Bounding balls first", 1,
-             (left == 0 ? "The ray meets no bounding ball: nothing is there."
-                        : fmt::format("A ray that misses the ball around an object (dashed) misses all its triangles. "
-                                      "{} of {} objects {} left.",
-                                      left, s_.size(), left == 1 ? "is" : "are")) +
-                 cost);
+    Step& s = step("volumes", "Bounding balls first", 1,
+                   (left == 0 ? "The ray meets no bounding ball: nothing is there."
+                              : fmt::format("A ray that misses the ball around an object (dashed) misses the object. "
+                                            "{} of {} objects {} left.",
+                                            left, s_.size(), left == 1 ? "is" : "are")) +
+                       cost);
     s.decides = true;
     s.question = {"How many objects need a closer look?", {}, left, "Those whose bounding ball the ray meets."};
     for (int i = 0; i <= s_.size(); ++i) s.question->choices.push_back(std::to_string(i));

@@ -44,7 +44,7 @@ class Chain {
                      "If **q** joins **p** first, **r** stays alone; if it joins **r** first, **p** does. Equality has no "
                      "such trouble."
         : pq && qr ? "All three are near to each other. Drag **r** away from **p**, but keep it near to **q**."
-                   : "Transitivity speaks of two near pairs that share **q**. Here one of them is not near.");
+                   : "Transitivity is about two near pairs that share **q**. Here one of them is not near.");
     step.scene = picture(s_.p);
     for (const auto& [from, to, near] : asked_)
       step.scene.items.emplace_back(Line{from, to, near ? Role::hit : Role::miss, near ? Pen::thick : Pen::excluded});

@@ -91,8 +91,9 @@ class Nearness {
       // 0 and 4: that all ways to write the test are one.
       step.question = which_value(
           "Four methods, the exact one included. How many say NEAR?", static_cast<double>(says_near), {0, 1, 4},
-          says_near == 4   ? "All accept it: no rounding, and no corner of the cube, tells them apart here."
-          : says_near == 0 ? "All reject it: it lies outside the cube, and so outside the ball."
+          says_near == 4 ? "All accept it: no rounding, and no corner of the cube, tells them apart here."
+          : says_near == 0 && s_.is_nan ? "All reject it: a comparison with what is not a number fails."
+          : says_near == 0              ? "All reject it: it lies outside the cube, and so outside the ball."
                            : "They part where a square leaves the range, or **q** lies near a corner of the cube.");
     }
   }
@@ -133,7 +134,8 @@ class Nearness {
     const double largest = std::max(s_.tp.cwiseAbs().maxCoeff(), s_.tq.cwiseAbs().maxCoeff());
     const double apart = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
     add("spacing", "How small may a tolerance be?", -1,
-        "Doubles as large as the largest coordinate are this far apart. A smaller tolerance means equality.\n"
+        "Doubles as large as the largest coordinate are this far apart. On that axis, a tolerance below half of that "
+        "means equality.\n"
         "Near 10^6 doubles are 1.2 · 10^{−10} apart, and floats 0.06. So scale the tolerance with the coordinates.",
         {}, fmt::format("next double after {}: + {}", shown(largest), shown(apart)));
   }

@@ -94,6 +94,11 @@ const Lesson& ray_polygon() {
       .opinions = opinions,
       .opening = opening(),
       .closing = &closing(),
+      .errata = {{"return MISS", "return r(t) is on an edge ? ON, t : MISS",
+                  "A point on the outline belongs to the polygon. The count of edges takes it for inside or outside.",
+                  "on-edge"},
+                 {"if n · d = 0: return MISS", "if n · d = 0: return n · (p₀ − o) = 0 ? IN THE PLANE : MISS",
+                  "A ray in the polygon's plane may cross the polygon: that takes a test in the plane.", "coplanar"}},
       .after = {"rays", "crossings"},
   };
   return lesson;

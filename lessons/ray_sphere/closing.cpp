@@ -33,7 +33,8 @@ const Closing& closing() {
           "square root, two "
           "divisions.",
       .choose =
-          "Haines for unit directions. Half-B with stable roots for others: the root whose terms have equal signs, "
+          "Haines for unit directions. Stable roots for others, with the full *B* or half of it: the root whose terms "
+          "have equal signs, "
           "then the other by *t*_1 *t*_2 = *C* / *A* (see the quadratic presets). Far away also a robust discriminant, "
           "*A* "
           "(*r*^2 − *m*^2).",
@@ -79,6 +80,7 @@ const std::vector<Erratum>& errata() {
        "For a ray that starts on the surface and heads inwards, it would return the exit.", "surface-in"},
       {"A ← (d · d) t²", "A ← d · d", "A coefficient does not contain the unknown: the *t* is a misprint.",
        "two-roots-quadratic"},
+      {"B ← 2 (f · d) t", "B ← 2 f · d", "The *t* is a misprint here, too: *B* is a constant.", "two-roots-quadratic"},
       {"if t₁ > 0", "if t_min ≤ t₁ ≤ t_max",
        "The smallest positive root misses *t* = 0 on the surface, and takes hits beyond a segment's end.",
        "surface-in-quadratic"},

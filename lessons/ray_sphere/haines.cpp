@@ -79,7 +79,7 @@ class HainesTeller : Teller {
     Step& step =
         add("early-reject", "A cheap rejection", 3,
             e.holds         ? "The centre lies behind, and the origin outside: along the ray the distance only grows.\n"
-                              "No square root was needed to know it."
+                              "That took no square root."
             : e.s.value < 0 ? "The centre lies behind, but the origin is not outside, so it is itself a point of "
                               "the ball."
                             : "The centre does not lie behind the origin, so the ball may lie ahead.",

@@ -70,7 +70,7 @@ class QuadraticTeller : Teller {
     add("coefficient-a", "The coefficient of *t*^2", 1,
         std::string("The squared length of the direction") +
             (a_ == 1 ? ", which is 1 here." : ". For a unit direction it would be 1.") +
-            "\nThe note prints a stray *t* here: *A* is a constant.",
+            "\nThe note prints a stray *t* here, and one in *B*: both are constants.",
         Focus::direction, "*A* = **d** · **d** = " + shown(e.a.value));
   }
 
@@ -110,10 +110,14 @@ class QuadraticTeller : Teller {
     script_.value("*D*", e.d.value);
     const double square = b_ * b_, product = a_ * c_;
     add("discriminant", "The discriminant", 4,
-        half_ ? "It equals *A* (*r*^2 − *m*^2), where *m* is the distance of the line from the centre.\n"
+        half_ ? "It equals *A* (*r*^2 − *m*^2): the line passes the centre at a distance *m*, with *m*^2 = **f** · "
+                "**f** − "
+                "(**f** · **d**)^2 / *A*.\n"
                 "Half of *B* saves three products. That paid when floating point was slow; with the full *B* this line "
                 "is wrong."
-              : "It equals 4 *A* (*r*^2 − *m*^2), where *m* is the distance of the line from the centre.\n"
+              : "It equals 4 *A* (*r*^2 − *m*^2): the line passes the centre at a distance *m*, with *m*^2 = **f** · "
+                "**f** − "
+                "(**f** · **d**)^2 / *A*.\n"
                 "So its sign gives the number of real roots.",
         Focus::passing, (half_ ? "*D* = *B*^2 − *A* *C* = " : "*D* = *B*^2 − 4 *A* *C* = ") + shown(e.d.value))
         // the two forms are mixed; a sign is lost; the discriminant is taken for its root

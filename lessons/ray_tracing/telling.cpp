@@ -121,7 +121,7 @@ class Teller {
     const bool lit = !away && !s_.traced.blocker;
     script_.settle(lit ? Verdict::Kind::yes : Verdict::Kind::no,
                    away      ? fmt::format("{}, turned away from the light", name())
-                   : s_.acne ? fmt::format("{}, in shadow of itself: wrong, by rounding", name())
+                   : s_.acne ? fmt::format("{}, in its own shadow: wrong, by rounding", name())
                    : s_.traced.blocker
                        ? fmt::format("{}, in the shadow of {}", name(), s_.world.object(*s_.traced.blocker).name)
                        : fmt::format("{}, lit", name()));

@@ -84,12 +84,12 @@ Walk page_of_all(const Pose& pose) {
   Script script({"Lecture note Intersection Detection, spatial relationships",
                  alt + ". Then each of six relations for each of four kinds.", pseudocode, all_kinds});
   // Whether four relations or one: the shapes matter, and the pose does.
-  Step& same = script.add("same-place", "One pose, four kinds", -1,
-                          found.size() == 1
-                              ? "All four pairs have one pose, and here one relation. Move b, and they will differ."
-                              : fmt::format("All four pairs have one pose, yet {} different relations.\n"
-                                            "Both count: what shape the two sets have, and where they are.",
-                                            found.size()));
+  Step& same =
+      script.add("same-place", "One pose, four kinds", -1,
+                 found.size() == 1 ? "All four pairs have one pose, and here one relation. Move b, and they may differ."
+                                   : fmt::format("All four pairs have one pose, yet {} different relations.\n"
+                                                 "Both count: what shape the two sets have, and where they are.",
+                                                 found.size()));
   same.scene.items = centred(insets, 2);
   // 1: that the pose alone decides; 4: that each shape is a case of its own.
   same.question = which_value("One pose, four kinds of shape. How many different relations?",

@@ -110,20 +110,21 @@ class Teller {
     // 1 after a yes: that "they meet" means "they overlap"; 2: the note's partial intersection and containment.
     step.question = which_value(
         "A test decides whether they have a common point. How many of the six relations remain?", alike(), {1, 2, 5},
-        pair_.meet ? "They have one. Only one relation is ruled out by that."
-                   : "They have none, and only one relation has none.");
+        pair_.meet ? "They share a point, which rules out only disjoint."
+                   : "They share no point, so they are disjoint.");
     if (!pair_.meet) script_.leave_early();
   }
 
   void what_it_loses() {
     script_.refuse(0, {});
     script_.value("pairs that meet", alike());
-    Step& step = script_.add(
-        "what-it-loses", "What a yes loses", 0,
-        fmt::format("{} of these {} pairs have the same answer: yes. Programs need to distinguish them.\n"
-                    "Culling stops at containment: all that is inside is visible. Physics starts at touching. "
-                    "Merging of duplicates needs equality.",
-                    alike(), situations(pair_.kind).size()));
+    Step& step =
+        script_.add("what-it-loses", "What a yes loses", 0,
+                    fmt::format("{} of these {} pairs have the same answer: yes. Programs need to distinguish them.\n"
+                                "Culling stops at containment: all that is inside is drawn without another test. "
+                                "Physics starts at touching. "
+                                "Merging of duplicates needs equality.",
+                                alike(), situations(pair_.kind).size()));
     step.scene = six(pair_.kind);
   }
 

@@ -37,7 +37,7 @@ Setting orientation(const Vec3& p) {
   Setting s;
   s.title = "On which side of a line?";
   s.naive = "(**b** − **a**) × (**c** − **a**), pivot **a**";
-  s.cell = "**a** moved to a neighbour";
+  s.cell = "one position of **a**";
   s.why =
       "The differences from **a** to the far points are rounded. The signs of a whole block of neighbours "
       "come out equal.";
@@ -67,7 +67,7 @@ Setting crossings(const Vec3& p) {
   Setting s;
   s.title = "Inside the polygon?";
   s.naive = "count edges with *p*_x < *x*, by a division";
-  s.cell = "**p** moved to a neighbour";
+  s.cell = "one position of **p**";
   s.why = "The *x*-coordinate where the edge crosses is rounded, and the point lies within that error.";
   s.consequence = "A ray aimed at the common edge of two triangles may miss both: it leaks through.";
   s.measured = "point-polygon";
@@ -92,7 +92,7 @@ Setting tangent(const Vec3& p) {
   Setting s;
   s.title = "Does the ray hit the circle?";
   s.naive = "*B*^2 − 4 *A* *C* ≥ 0";
-  s.cell = "the origin moved to a neighbour";
+  s.cell = "one position of **o**";
   s.why = "*B*^2 and 4 *A* *C* are nearly equal: what is left of their difference is rounding.";
   s.consequence = "A ray tracer loses pixels at the outline of a ball, or adds some.";
   s.measured = "ray-sphere";
@@ -115,7 +115,7 @@ Setting spheres(const Vec3& p) {
   Setting s;
   s.title = "Do the circles meet?";
   s.naive = "distance^2 < (*r*_1 + *r*_2)^2";
-  s.cell = "a centre moved to a neighbour";
+  s.cell = "one position of **c**";
   s.why = "The sum of the radii and both squares are rounded. Near tangency this decides.";
   s.consequence = "A contact begins a frame too late, or flickers while the bodies rest on each other.";
   s.measured = "sphere-sphere";

@@ -49,9 +49,10 @@ class Teller {
         s_.naive)
         .scene = s_.scene;
     raster("truth", "What is true", 1,
-           fmt::format("One cell is one {} number to the side, or up: {}.\nThe exact test is right in every cell.\n"
+           fmt::format("Each cell is {}: one step right is the next {} in *x*, one step up the next in *y*.\nThe exact "
+                       "test is right in every cell.\n"
                        "The handles at the border select the ringed neighbour.",
-                       scalar_, s_.cell),
+                       s_.cell, scalar_),
            [](int truth, int) { return role(truth); });
     Step& naive = raster("naive", "What the naive test says", 2,
                          wrong() > 0 ? s_.why : "Rounding happens here, too, but it changes no verdict.",
@@ -109,7 +110,7 @@ class Teller {
     }
     if (usual == nullptr || most == nullptr) return "The exact test is never wrong.";
     return fmt::format("The exact test is never wrong. It took {} ns on ordinary cases, up to {} ns on hard ones.",
-                       bench::number(usual->ns), bench::number(most->ns));
+                       shown(usual->ns), shown(most->ns));
   }
 
   /// Misconceptions: rounding only blurs the border; it always errs to the same side.

@@ -25,7 +25,7 @@ const std::string& opening() {
   static const std::string text =
       "How is a correct test made fast, and a fast test correct? The lecture note *Intersection Detection* gives eight "
       "rules of thumb.\n"
-      "None holds everywhere. So each is tried here: counted without it, and with it.";
+      "None holds everywhere. So each is put to the test here.";
   return text;
 }
 

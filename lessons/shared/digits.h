@@ -13,6 +13,12 @@ inline std::string digits(double x, double other) {
   return x != other && viz::shown(x) == viz::shown(other) ? viz::to_text(x) : viz::shown(x);
 }
 
+/// As shown, but a power of ten without its factor 1: "10⁻⁶".
+inline std::string as_power(double x) {
+  const std::string text = viz::shown(x), one = "1\u2009·\u2009";
+  return text.starts_with(one) ? text.substr(one.size()) : text;
+}
+
 /// "*d* = 3 > *s* = 2": both with as many digits as tell them apart. Where rounding hides what `sign` says of the true
 /// numbers, that is said instead. Either name may be empty. `unit` follows both numbers.
 inline std::string ordered(const std::string& left, double a, const std::string& sign, double b,

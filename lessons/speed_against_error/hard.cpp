@@ -90,14 +90,15 @@ void Teller::fall() {
   for (const Row* r : rows)
     if (families.size() < 4) families.push_back(r->family);
   const Plotted plotted = verdict_plot(report_, test_, "double", families);
-  Step& step =
-      script_.add("wrong-verdicts", "Where naive methods fail", wrong_line,
-                  fmt::format("A wrong verdict is worse than lost bits: yes and no are confused. {} does worst, on "
-                              "the family “{}”: {} of its verdicts are wrong.\n"
-                              "Exact calls were wrong {} in {}.",
-                              sentence(name_of(*worst)), words(worst->family),
-                              share(static_cast<double>(worst->wrong()), static_cast<double>(worst->judged)),
-                              plural(wrong, "time"), counted(judged)));
+  Step& step = script_.add(
+      "wrong-verdicts", "Where naive methods fail", wrong_line,
+      fmt::format("A wrong verdict is worse than lost bits: yes and no are confused. {} does worst, on "
+                  "the family “{}”: {} of its verdicts are wrong.\n"
+                  "{}.",
+                  sentence(name_of(*worst)), words(worst->family),
+                  share(static_cast<double>(worst->wrong()), static_cast<double>(worst->judged)),
+                  wrong == 0 ? fmt::format("The exact call was never wrong, in {} cases", counted(judged))
+                             : fmt::format("Exact calls were wrong {} in {}", plural(wrong, "time"), counted(judged))));
   show(step, plotted.chart);
 }
 

@@ -7,6 +7,7 @@
 #include "bench/prose.h"
 #include "bench/rows.h"
 #include "lessons/shared/plural.h"
+#include "lessons/shared/questions.h"
 #include "lessons/speed_against_error/telling.h"
 
 namespace isect::lessons::speed_lesson {
@@ -75,33 +76,16 @@ void Teller::front() {
                   front.size(), rows.size(), front.size() == 1 ? "is" : "are", share(report_.machine.noise, 1)));
   show(step, {plot({ordinary_})});
 
-  // Times within the noise are equal: what beats a method is as fast and more accurate, or faster and as accurate.
-  const auto beaten = [&](const Row* r) {
-    return std::ranges::any_of(rows, [&](const Row* other) {
-      const bool faster = other->ns < r->ns && differ(other->ns, r->ns),
-                 as_fast = other->ns <= r->ns || !differ(other->ns, r->ns);
-      return (as_fast && error(*other) < error(*r)) || (faster && error(*other) <= error(*r));
-    });
-  };
-  // the step before names the exact method, the naive one, and the fastest if it is alone
-  const auto untold = std::ranges::find_if(front, [&](const Row* r) {
-    const bool alone =
-        std::ranges::none_of(rows, [&](const Row* other) { return other != r && !differ(other->ns, r->ns); });
-    return !r->exact && !r->standard && !beaten(r) && !(alone && r == *std::ranges::min_element(rows, {}, &Row::ns));
-  });
-  if (untold == front.end()) return;
-  const Row& beaten_by_none = **untold;
-  Question q = {"Which of these does no method beat? Times within the noise count as equal.", {}, 0, ""};
-  for (const Row* r : rows) {
-    if (!beaten(r) || q.choices.size() > 2) continue;
-    q.choices.push_back(name_of(*r));
-  }
-  if (q.choices.empty()) return;
-  q.answer = static_cast<int>(q.choices.size() / 2);
-  q.choices.insert(q.choices.begin() + q.answer, name_of(beaten_by_none));
-  q.because = fmt::format("{} takes {} ns, with {}. Each of the others is beaten by some method.",
-                          sentence(name_of(beaten_by_none)), shown(beaten_by_none.ns), error_text(beaten_by_none));
-  step.question = q;
+  // one: that only the fastest counts; all: that each has its use
+  const double kept = static_cast<double>(front.size()), all = static_cast<double>(rows.size());
+  std::vector<std::string> names;
+  for (const Row* r : front) names.push_back(name_of(*r));
+  step.question = which_value(
+      fmt::format("A method is dominated if another is no slower and no less accurate, and better in one of both. How "
+                  "many of the {} are not?",
+                  rows.size()),
+      kept, {1, std::min(kept + 1, all), all}, sentence(listed(names)) + ".");
+  keep_picture(script_.walk());
 }
 
 }  // namespace isect::lessons::speed_lesson

@@ -88,12 +88,11 @@ class Teller {
     std::string text;
     if (number == 0)
       text =
-          "The ball meets the box if and only if it contains the box point closest to **c**: **c** clamped to the "
-          "box.\n";
+          "The ball meets the box if and only if it contains **p**, the box's point nearest to **c**: **c** clamped to "
+          "the box.\n";
     if (line == 0)
-      return text + "The box's interval on " + axis +
-             " contains the coordinate of **c**. The nearest point has the same one.";
-    text += fmt::format("**c** lies {} on {}. The nearest point has that end's coordinate.",
+      return text + "The box's interval on " + axis + " contains the coordinate of **c**. **p** has the same one.";
+    text += fmt::format("**c** lies {} on {}. **p** has that end's coordinate.",
                         line == 1 ? "below the interval's lower end" : "above the interval's upper end", axis);
     return before > 0 ? text + "\nThe legs are at right angles, so their squares add up." : text;
   }
@@ -121,7 +120,7 @@ class Teller {
 
   std::string reach_caption(bool near) const {
     if (empty(s_.box)) return "The box's corners are exchanged.";
-    if (s_.gaps() == 0) return "**c** lies in the box, so its nearest point is **c** itself.";
+    if (s_.gaps() == 0) return "**c** lies in the box, so **p** is **c** itself.";
     const char* const legs[] = {"No leg", "One leg", "Two legs", "Three legs"};
     const char* const reach = s_.truth == Relation::disjoint            ? " The ball does not reach it."
                               : s_.truth == Relation::touching && !near ? " The ball just reaches it."

@@ -70,7 +70,7 @@ class Teller {
     script_.value("*s*^2", s2, "area", Role::second);
     add("reach", "How far the balls reach", 2,
         "Together the balls reach as far as the sum of their radii.\n"
-        "Neither side is negative, so squaring keeps their order. No square root is needed.",
+        "Neither is negative, so squaring keeps their order while the squares stay in range. No root is needed.",
         Focus::radii, "*s*^2 = (*r*_1 + *r*_2)^2 = " + shown(s2));
   }
 

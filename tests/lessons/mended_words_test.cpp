@@ -66,7 +66,7 @@ TEST_CASE("where a scene of other boxes is counted, the words say so", "[words]"
     const Step* const growth = find(walk, "growth");
     if (!growth) continue;
     CHECK_THAT(growth->caption, Contains("Another scene"));
-    const double sixteen = value(*growth, "hierarchy, *n* = 16");
+    const double sixteen = value(*growth, "hierarchy, 16 boxes");
     CHECK(says(growth->caption, "Of 16 it takes " + shown(sixteen)));
     CHECK(says(growth->caption, "more than one by one") == (sixteen > 16));
   }

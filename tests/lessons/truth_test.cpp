@@ -90,6 +90,8 @@ class Faults {
     for (const Value& v : step_->values) {
       const std::string name = plain(v.name);
       if (!names.insert(name).second) fault("a name stands for two values", name);
+      static const std::regex equation(" = [−-]?[0-9][0-9\u2009  ]*$");
+      if (std::regex_search(name, equation)) fault("a value's name ends in an equation", name);
       static const std::regex number("^[−-]?[0-9][0-9 .\\u2009·⁰¹²³⁴⁵⁶⁷⁸⁹⁻]*$");
       if (formula.compare(0, name.size() + 3, name + " = ") != 0) continue;
       const std::string right = formula.substr(formula.rfind(" = ") + 3);
@@ -228,7 +230,8 @@ class Faults {
       fault("something runs after a return", walk.pseudocode[line]);
   }
 
-  /// A line that returns MISS stands under no verdict that says hit, unless the caption says that the note errs.
+  /// A line that returns MISS stands under no verdict that says hit, unless the caption says that rounding is to blame,
+  /// or that the note is; then an erratum corrects this line, or one on the way to it.
   void returned(const Walk& walk) {
     const int line = step_->line;
     if (!returns(walk, line)) return;
@@ -241,8 +244,12 @@ class Faults {
     if (no == yes) return;
     const Verdict::Kind kind = step_->verdict.kind;
     const std::string told = plain(step_->caption) + plain(step_->verdict.text);
-    const bool owned = std::ranges::any_of(std::initializer_list<const char*>{"note", "wrong", "published"},
-                                           [&](const char* w) { return told.find(w) != std::string::npos; });
+    const auto tells = [&](const char* word) { return told.find(word) != std::string::npos; };
+    const bool corrected = std::ranges::any_of(lesson_.errata, [&](const Erratum& e) {
+      const int at = line_of(e, walk);
+      return at >= 0 && at <= line;
+    });
+    const bool owned = tells("ounding") || tells("rounded") || (corrected && (tells("note") || tells("wrong")));
     const bool against = no ? kind == Verdict::Kind::yes || kind == Verdict::Kind::on : kind == Verdict::Kind::no;
     if (against && !owned)
       fault("the line that returns contradicts the verdict", code + " under " + step_->verdict.text);

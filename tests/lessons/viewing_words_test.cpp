@@ -56,13 +56,13 @@ TEST_CASE("a pixel is said to be lit, shaded, turned away or sky as all objects 
         blockers.emplace_back(s.world.object(i).name);
     const bool itself = first_hit({point, to_light, {0, 1}}, s.world.object(own).shape).has_value();
     const bool naive = std::get<std::string>(setting.at("shadow")) == "naive";
-    CHECK(says(text, "itself: wrong") == (blockers.empty() && itself && naive));
+    CHECK(says(text, "its own shadow: wrong") == (blockers.empty() && itself && naive));
     CHECK(says(text, ", lit") == (blockers.empty() && !(itself && naive)));
     CHECK(std::ranges::any_of(blockers, [&](const auto& b) { return says(text, "the shadow of " + b); }) ==
           !blockers.empty());
     const double brightness = value(ending(walk), "brightness");
     CHECK(brightness == Approx(says(text, ", lit") ? 0.2 + 0.8 * cosine : 0.2));
-    acne += says(text, "itself"), shaded += !blockers.empty(), lit += says(text, ", lit");
+    acne += says(text, "its own shadow"), shaded += !blockers.empty(), lit += says(text, ", lit");
   });
   for (const int often : {lit, shaded, away, sky, acne}) CHECK(often > 5);
 }
