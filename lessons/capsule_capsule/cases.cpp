@@ -1,5 +1,7 @@
 // All cases of two capsules as one of them is moved, and the methods side by side.
 
+#include <cmath>
+
 #include <isect/capsule_capsule_methods.h>
 #include "lessons/capsule_capsule/picture.h"
 #include "lessons/shared/flat.h"
@@ -63,10 +65,25 @@ const CaseMap& cases() {
   return map;
 }
 
+namespace {
+
+/// The typical bug: the lines' distance in place of the segments', without which all but parallel ones cross.
+bool lines_meet(const Setup& s) {
+  const Vec2 u = s.a.q - s.a.p, v = s.b.q - s.b.p, w = s.b.p - s.a.p;
+  const auto cross = [](const Vec2& x, const Vec2& y) { return x.x() * y.y() - x.y() * y.x(); };
+  if (cross(u, v) != 0) return true;
+  const Vec2 along = u.norm() > 0 ? u : v;
+  const double apart = along.norm() > 0 ? std::abs(cross(along, w)) / along.norm() : w.norm();
+  return apart <= s.a.radius + s.b.radius;
+}
+
+}  // namespace
+
 std::vector<Opinion> opinions(const Parameters& p) {
   const Setup s = setup(p);
   Opinions all(says_meet(s.truth != Relation::disjoint));
   all.add("nearest points, clamped (Ericson)", says_meet(capsule_capsule::clamped(s.a, s.b)));
+  all.add("nearest points of the lines, not clamped", says_meet(lines_meet(s)));
   all.add("the same, small = 10⁻⁸ (Sunday)", says_meet(capsule_capsule::sunday(s.a, s.b, 1e-8)));
   all.add("the same in floats (Ericson)", says_meet(capsule_capsule::clamped(cast<float>(s.a), cast<float>(s.b))));
   return all.take();

@@ -164,7 +164,10 @@ class Teller {
         add(m.slug, std::string("Against the ") + m.name, -1,
             fmt::format("The {} is kept in {} numbers, the hull in {}.\n", m.name, m.numbers, 2 * hull_.size()) +
                 (same ? "Both have the same area, so it leaves no void beyond the hull."
-                      : "Its area outside the hull is void: the price of fewer numbers and a simpler test."),
+                      : "Its area outside the hull is void: the price of fewer numbers and a simpler test.") +
+                (what == Bounding::obb && area_ > 0
+                     ? "\nOne of its sides lies along an edge of the hull; rotating calipers find it in O(*n*)."
+                     : ""),
             area_ > 0 ? fmt::format("void = {} = {} × the hull", shown(empty), shown(empty / area_)) : "");
     step.question =
         Question{fmt::format("How large is the {}, compared with the hull?", m.name),

@@ -51,7 +51,7 @@ const Closing& closing() {
           "Exact signs where others build on a verdict: hulls, meshes, maps. Rounded ones where an error is only a "
           "pixel.",
       .used = "Shewchuk's predicates in Triangle and TetGen, CGAL's exact kernels, watertight ray tests in renderers.",
-      .bug = "Comparing with a tolerance and calling it robust: verdicts then contradict each other.",
+      .bug = "Trusting a rounded sign: whole blocks of neighbours come out wrong. A tolerance only moves the block.",
       .bug_preset = "orientation",
       .reading = {"Lutz Kettner et al., Classroom Examples of Robustness Problems in Geometric Computations, "
                   "*Computational Geometry* 40, 2008, pages 61–78.",
