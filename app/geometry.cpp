@@ -62,21 +62,25 @@ class Teller {
     return {counts};
   }
 
-  void operator()(const Ball& it) { round("ball", it.center, it.radius, it.role, Pen::solid); }
-  void operator()(const Circle& it) { round("circle", it.center, it.radius, it.role, it.pen); }
+  void operator()(const Ball& it) {
+    if (is_body(it.role)) round("ball", it.center, it.radius, it.role);
+  }
+  void operator()(const Circle& it) {
+    if (is_object(it.role, it.pen) || it.role == Role::text) round("circle", it.center, it.radius, it.role);
+  }
   void operator()(const Region& it) {
     if (it.outlined && is_object(it.role, it.pen))
       for (const Points& ring : it.rings) corners("polygon", ring, it.role);
   }
   void operator()(const Solid& it) {
-    if (is_object(it.role) || it.role == Role::text) corners("solid", it.vertices, it.role);
+    if (is_body(it.role)) corners("solid", it.vertices, it.role);
   }
   void operator()(const Mesh& it) {
-    if (is_object(it.role) || it.role == Role::text) corners("mesh", it.vertices, it.role);
+    if (is_body(it.role)) corners("mesh", it.vertices, it.role);
   }
   void operator()(const Line& it) {
-    if (is_object(it.role, it.pen) && !(is_parameter(it.from) && is_parameter(it.to)))
-      say("segment", name_of(it), place(it.from) + " to " + place(it.to));
+    if (is_object(it.role, it.pen) && !(is_parameter(it.from) && is_parameter(it.to)) && !is_measured(it))
+      say("segment", name_within(extent_of({it.from, it.to}), it.role), place(it.from) + " to " + place(it.to));
   }
   void operator()(const Dot& it) {
     if (flat_ && it.role == Role::text && name_at(it.at).empty()) points_.push_back(it.at);
@@ -88,6 +92,9 @@ class Teller {
     return (role == Role::first || role == Role::second || role == Role::muted) &&
            (pen == Pen::solid || pen == Pen::thick);
   }
+
+  /// Solid things are objects also in the colours of what is hit or missed.
+  static bool is_body(Role role) { return role != Role::construction && role != Role::highlight; }
 
   bool is_parameter(const Setting& value) const {
     return std::ranges::any_of(parameters_, [&](const auto& p) { return p.second == value; });
@@ -108,32 +115,37 @@ class Teller {
         return plain(label->text);
     return {};
   }
+  /// A length rather than an object: its label runs along it.
+  bool is_measured(const Line& line) const {
+    return std::ranges::any_of(scene_.items, [&](const Item& item) {
+      const auto* label = std::get_if<Label>(&item);
+      return label && label->until &&
+             ((label->at == line.from && *label->until == line.to) ||
+              (label->at == line.to && *label->until == line.from));
+    });
+  }
   bool is_dotted(const Vec3& p) const {
     return std::ranges::any_of(scene_.items, [&](const Item& item) {
       const auto* dot = std::get_if<Dot>(&item);
       return dot && dot->at == p;
     });
   }
-  std::string name_of(const Line& line) const {
-    for (const Item& item : scene_.items)
-      if (const auto* label = std::get_if<Label>(&item); label && label->until)
-        if ((label->at == line.from && *label->until == line.to) ||
-            (label->at == line.to && *label->until == line.from))
-          return plain(label->text);
-    return name_within(extent_of({line.from, line.to}), line.role);
-  }
-  /// The label at its middle. Else the one label of its own role within it, or heading, that names no point of it.
-  std::string name_within(const Extent& e, Role role) const {
-    if (const std::string name = name_at((e.lo + e.hi) / 2); !name.empty()) return name;
-    std::set<std::string> labels, headings;
+  /// What stands in bold is a point or a vector; only balls are called after their centres.
+  static bool names_an_object(const std::string& markup) { return !markup.starts_with("**"); }
+  /// The label at its middle. Else the one label of its own role that stands within it and names no point of it, or the
+  /// one heading of its role: that of a first or second object may stand beside it.
+  std::string name_within(const Extent& e, Role role, bool is_round = false) const {
+    if (const std::string centre = name_at((e.lo + e.hi) / 2); !centre.empty()) return centre;
+    std::set<std::string> names;
     for (const Item& item : scene_.items) {
       const auto* label = std::get_if<Label>(&item);
-      if (label && !label->until && label->role == role && e.holds(label->at) && !is_dotted(label->at))
-        labels.insert(plain(label->text));
-      if (const auto* heading = std::get_if<Heading>(&item); heading && e.holds(heading->at))
-        headings.insert(plain(heading->text));
+      if (label && !label->until && label->role == role && e.holds(label->at) &&
+          (names_an_object(label->text) || (is_round && !is_dotted(label->at))))
+        names.insert(plain(label->text));
+      const auto* heading = std::get_if<Heading>(&item);
+      if (heading && heading->role == role && (e.holds(heading->at) || role == Role::first || role == Role::second))
+        names.insert(plain(heading->text));
     }
-    const std::set<std::string>& names = labels.empty() ? headings : labels;
     return names.size() == 1 ? *names.begin() : "";
   }
 
@@ -143,10 +155,12 @@ class Teller {
     told_.push_back(text);
     ++counts_[kind];
   }
-  void round(const std::string& kind, const Vec3& c, double radius, Role role, Pen pen) {
-    if (!(is_object(role, pen) || role == Role::text) || (is_parameter(c) && is_parameter(radius))) return;
+  void round(const std::string& kind, const Vec3& c, double radius, Role role) {
+    if (is_parameter(c) && is_parameter(radius)) return;
     const Vec3 reach = Vec3::Constant(radius);
-    say(kind, name_within({c - reach, c + reach}, role), fmt::format("centre {}, radius {}", place(c), number(radius)));
+    const std::string centre = name_at(c);
+    say(kind, centre.empty() ? name_within({c - reach, c + reach}, role, true) : centre,
+        fmt::format("centre {}, radius {}", place(c), number(radius)));
   }
   void corners(const std::string& kind, const Points& points, Role role) {
     if (points.empty()) return;

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "viz/chart.h"
+#include "viz/closing.h"
 #include "viz/objects.h"
 #include "viz/rich_text.h"
 
@@ -174,7 +175,7 @@ std::string alt_text(const Lesson& lesson, const Parameters& parameters, const W
   text += text.ends_with('?') || text.ends_with('!') ? "\n\n" : ".\n\n";
   if (s.scene.chart)
     text += std::visit([](const auto& chart) { return told(chart); }, s.scene.chart->kind) + ".\n\n";
-  else
+  else if (step >= outcome(walk))  // before, it would tell the answer
     text += plain(walk.alt) + "\n";
   if (const std::string what = s.scene.chart ? "" : drawn(s.scene); !what.empty())
     text += fmt::format("Drawn: {}.\n", what);

@@ -165,6 +165,9 @@ class Teller {
                     fmt::format("The wall is *x* = {0}: **n** = (1, 0) and *D* = {1}. Substitute **r**(*t*) into "
                                 "**n** · **x** + *D* = 0 and solve for *t*.",
                                 shown(s_.wall), shown(-s_.wall)));
+    Shown asked = known_;  // without the numbers along the line: one may stand at the wall
+    asked.marks = asked.hit = false;
+    step.question->over = picture(s_, asked);
   }
 
   void verdict() {

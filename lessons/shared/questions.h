@@ -2,6 +2,7 @@
 // Questions whose wrong answers come from a named misconception. The right answer is the predicate's.
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,7 @@
 namespace isect::lessons {
 
 /// "What is d^2?": the true value among those that `misconceived` ways give, in rising order. What reads alike is
-/// offered once; where nothing else is left, one larger value is made up.
+/// offered once; where fewer than three are left, larger ones are made up.
 inline viz::Question which_value(const std::string& prompt, double truth, std::vector<double> misconceived,
                                  const std::string& because) {
   std::vector<double> values = {truth};
@@ -20,7 +21,9 @@ inline viz::Question which_value(const std::string& prompt, double truth, std::v
   };
   for (const double x : misconceived)
     if (!offered(x) && x == x) values.push_back(x);
-  if (values.size() == 1) values.push_back(truth + 1);
+  const bool whole = truth == std::round(truth);
+  for (int k = 1; values.size() < 3 && k < 9; ++k)
+    if (const double x = whole ? truth + k : truth * (k + 1); !offered(x)) values.push_back(x);
   std::ranges::sort(values);
   viz::Question question = {prompt, {}, 0, because};
   for (const double v : values) question.choices.push_back(viz::shown(v));

@@ -75,7 +75,7 @@ class Teller {
                                : "The square of the gap between **c** and the nearer end.");
     gaps_ += std::abs(gap), largest_ = std::max(largest_, gap * gap);
     // the square of the sum; the largest gap alone; the distance itself
-    if (e.axis == 2)
+    if (e.axis == 2 && gap != 0)  // else the sum so far is the answer
       step.question =
           which_value("What is *d*^2 after all three axes?", distance2_,
                       {gaps_ * gaps_, largest_, std::sqrt(distance2_)}, "The squares of the three gaps, added up.");

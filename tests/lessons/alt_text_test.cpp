@@ -9,6 +9,7 @@
 #include "tests/catch.h"
 #include "viz/case_map.h"
 #include "viz/chart.h"
+#include "viz/closing.h"
 #include "viz/place.h"
 #include "viz/rich_text.h"
 
@@ -28,6 +29,7 @@ TEST_CASE("alt text names what is drawn and from which numbers, the formula and 
       INFO(lesson->id << ", " << step.slug << ":\n" << alt);
       CHECK_THAT(alt, StartsWith(lesson->title + ": "));
       CHECK_THAT(alt, Contains(plain(step.caption)));
+      if (i < outcome(walk)) CHECK_THAT(alt, !Contains(plain(walk.alt)));  // which tells how it ends
       for (const Parameter& p : lesson->parameters)
         if (preset.parameters.contains(p.name)) CHECK_THAT(alt, Contains(p.label.empty() ? p.name : plain(p.label)));
       if (!step.formula.empty()) CHECK_THAT(alt, Contains("Formula: " + plain(step.formula)));
