@@ -83,9 +83,9 @@ std::vector<Opinion> opinions(const Parameters& p) {
   const Setup s = setup(p);
   Opinions all(says_meet(s.truth != Relation::disjoint));
   all.add("nearest points, clamped (Ericson)", says_meet(capsule_capsule::clamped(s.a, s.b)));
-  all.add("nearest points of the lines, not clamped", says_meet(lines_meet(s)));
   all.add("the same, small = 10⁻⁸ (Sunday)", says_meet(capsule_capsule::sunday(s.a, s.b, 1e-8)));
   all.add("the same in floats (Ericson)", says_meet(capsule_capsule::clamped(cast<float>(s.a), cast<float>(s.b))));
+  all.add("nearest points of the lines, not clamped", says_meet(lines_meet(s)));
   return all.take();
 }
 
