@@ -99,8 +99,8 @@ TEST_CASE("collisions: each method finds the pairs of brute force", "[collision 
     CHECK(value(last((std::string(id) + "-apart").c_str()), "pairs") == value(last("brute-force-apart"), "pairs"));
   }
   CHECK(value(last("brute-force"), "tests") == 15);
-  CHECK(value(last("brute-force"), "brute force, *n* = 1000") == 499500);
-  CHECK(value(last("brute-force"), "sweep, *n* = 1000") < 499500);
+  CHECK(value(last("brute-force"), "brute force, 1000 boxes") == 499500);
+  CHECK(value(last("brute-force"), "sweep, 1000 boxes") < 499500);
   CHECK(verdict(lesson("collision").walk(preset(lesson("collision"), "tunnelling").parameters)).kind ==
         Verdict::Kind::yes);
 }

@@ -31,6 +31,8 @@ Box2 ink(const Drawing& drawing) {
     if (const auto* fill = std::get_if<Fill>(&shape)) path(fill->path);
     if (const auto* stroke = std::get_if<Stroke>(&shape)) path(stroke->path);
     if (const auto* ball = std::get_if<Gradient>(&shape)) path(ellipse(ball->center, ball->major, ball->minor));
+    if (const auto* facets = std::get_if<Facets>(&shape))
+      for (const Vec2& corner : facets->corners) grow(box, corner, corner);
     if (const auto* text = std::get_if<Text>(&shape)) {
       const TextBox b = measure(*text);
       grow(box, {b.left, b.top}, {b.right, b.bottom});
