@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "app/book/contents_page.h"
@@ -27,8 +28,14 @@ namespace fs = std::filesystem;
 
 struct BookOptions {
   std::string lesson, out = "book";
+  std::string live;  ///< file with the compiled lessons
   bool single = false;
 };
+
+/// The fonts again, for figures that are saved: a script can't read a style sheet from disk.
+constexpr const char* letters_file = "letters.js";
+/// What changed settings may show beyond the letters of all presets.
+const std::string lesson_letters = "0123456789.,+-−()=<>≤≥≠ e";
 
 std::string first_line(const std::string& file) {
   const std::string own = book::mark(file);
@@ -91,21 +98,34 @@ std::string style(const viz::PageColours& colours) {
       colours.variables(false), colours.variables(true), book::style_text(), colours.rules());
 }
 
+/// What makes pages live: their script, then the lessons' code. Empty where none was given. Throws viz::FileError, or
+/// viz::BadInput where the file is something else.
+std::string live_code(const BookOptions& options) {
+  if (options.live.empty()) return {};
+  const std::string code = viz::read_regular_file(options.live);
+  if (code.find("isect_module.packed") == code.npos)
+    throw viz::BadInput(fmt::format("live: {} is not what web/ is compiled to; ./run book makes it", options.live));
+  return book::live_script_text() + code;
+}
+
 int single(const Program& program, const BookOptions& options) {
   const viz::Lesson& lesson = program.only ? *program.only : viz::lesson_named(program.lessons, options.lesson);
   const std::string file = book::file_of(lesson);
+  const std::string live = live_code(options);
   Shelf shelf(options.out, program, {file});
   need_surroundings(program);
   viz::PageColours colours;
   const book::Page page =
       book::lesson_page(lesson, all_presets(program, lesson), program.lessons, {nullptr, nullptr, true}, colours);
-  shelf.add(file,
-            first_line(file) + book::html(page, {book::fonts_text({page.body}) + style(colours), book::script_text()}));
+  shelf.add(file, first_line(file) + book::html(page, {book::fonts_text(page.body + lesson_letters), style(colours),
+                                                       book::script_text(), live}));
   return done;
 }
 
 int whole(const Program& program, const BookOptions& options) {
   std::vector<std::string> files = {"index.html", "glossary.html", "book.css", "book.js", "fonts.css"};
+  const std::string live = live_code(options);
+  if (!live.empty()) files.insert(files.end(), {book::live_file, letters_file});
   for (const viz::Lesson* lesson : program.lessons) files.push_back(book::file_of(*lesson));
   Shelf shelf(options.out, program, files);
   need_surroundings(program);
@@ -116,7 +136,7 @@ int whole(const Program& program, const BookOptions& options) {
   book::Letters letters;
   const auto add = [&](const book::Page& page) {
     letters.add(page.body);
-    shelf.add(page.file, first_line(page.file) + book::html(page, {}));
+    shelf.add(page.file, first_line(page.file) + book::html(page, {{}, {}, {}, live}));
   };
   shelf.add("book.js", first_line("book.js") + "\n" + book::script_text());
   Progress progress(course.size());
@@ -130,7 +150,13 @@ int whole(const Program& program, const BookOptions& options) {
   add(book::contents_page(firsts, lessons::course(), colours));
   add(book::glossary_page(lessons::course(), course));
   shelf.add("book.css", first_line("book.css") + "\n" + style(colours));
-  shelf.add("fonts.css", first_line("fonts.css") + "\n" + letters.fonts());
+  letters.add(lesson_letters);
+  const std::string fonts = letters.fonts();
+  shelf.add("fonts.css", first_line("fonts.css") + "\n" + fonts);
+  if (!live.empty()) {
+    shelf.add(book::live_file, first_line(book::live_file) + "\n" + live);
+    shelf.add(letters_file, first_line(letters_file) + "\nvar isect_letters = " + nlohmann::json(fonts).dump() + ";\n");
+  }
   shelf.remove_stale();
   return done;
 }
@@ -154,10 +180,13 @@ void add_book(CLI::App& app, Program& program) {
     sub.add_option("LESSON", options->lesson, "with --single: the lesson")->type_name("");
     sub.add_flag("--single", options->single, "one lesson in one file, for a learning platform");
   }
+  add_path(sub, "--live", options->live,
+           "the compiled lessons, build/web/live.js: the pages can be dragged and changed", "FILE");
   add_path(sub, "--out", options->out, "folder; book if not given", "DIR");
   sub.footer(
       "DIR/index.html is the first page. The pages open from disk and from any web server, and need no network.\n"
       "Without scripts, and on paper, all presets stand one below the other. Files that isect did not make stay.\n"
+      "With --live what they show can be dragged and changed, too: ./run book compiles the lessons for that.\n"
       "Example: " +
       program.name + " book" + (program.only ? "" : " ray-sphere --single") + " --out site");
   sub.callback([&program, options] { program.chosen = [&program, options] { return make_book(program, *options); }; });

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "viz/lesson.h"
+#include "viz/spelling.h"
 
 namespace isect::program {
 
@@ -32,8 +33,14 @@ std::string usage(const CLI::App& app, const std::string& name) {
   return value.empty() ? name : name + (is_flag(*option) ? value : " " + value);
 }
 
-std::string unknown_option(const CLI::App& sub, const std::string& word) {
-  return viz::unknown("option", word.substr(0, word.find('=')), long_options(sub)).what();
+/// One of the program's own, such as --version, may be meant, too.
+std::string unknown_option(const CLI::App& app, const CLI::App& sub, const std::string& word) {
+  const std::string name = word.substr(0, word.find('='));
+  const std::vector<std::string> allowed = long_options(sub);
+  std::vector<std::string> meant = long_options(app);
+  meant.insert(meant.begin(), allowed.begin(), allowed.end());
+  return fmt::format("option: \"{}\" is unknown{}", name,
+                     spelling::instead(name, meant, "allowed: " + spelling::listed(allowed)));
 }
 
 std::string one_too_many(const CLI::App& sub, const std::string& word) {
@@ -96,7 +103,7 @@ std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
   const std::string text = error.what();
   const std::vector<std::string> extras = app.remaining(true);
   const auto option = std::ranges::find_if(extras, [](const std::string& word) { return word.starts_with("-"); });
-  if (option != extras.end()) return unknown_option(sub, *option);
+  if (option != extras.end()) return unknown_option(app, sub, *option);
   if (!extras.empty()) return one_too_many(sub, extras[0]);
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error)) return mismatch(sub, text.substr(0, text.find(": ")));
   if (dynamic_cast<const CLI::ConversionError*>(&error)) return conversion(sub, text);

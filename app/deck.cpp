@@ -73,7 +73,7 @@ class Slides {
   /// The card as text, then an exercise a slide.
   void close(const std::string& title) {
     Slide slide = {title, {}, {}, {}};
-    for (const auto& [head, text] : viz::card_rows(*e_.lesson->closing)) slide.left.push_back(Prose{text, head + "."});
+    for (const auto& [head, text] : viz::card_rows(*e_.lesson)) slide.left.push_back(Prose{text, head + "."});
     all_.push_back(std::move(slide));
     int number = 0;
     for (const viz::Exercise& x : e_.lesson->closing->exercises)

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <set>
 
+#include "app/figure_place.h"
 #include "app/options.h"
 #include "app/preset_folder.h"
 #include "app/scene/lesson.h"
@@ -24,7 +25,7 @@ namespace fs = std::filesystem;
 /// No name of ours has a dot.
 bool is_file(const std::string& preset) {
   std::error_code absent;
-  return preset.ends_with(".json") || preset.find('/') != preset.npos ||
+  return preset.ends_with(".json") || viz::format_of(preset) || preset.find('/') != preset.npos ||
          (preset.find('.') != preset.npos && fs::is_regular_file(preset, absent));
 }
 
@@ -60,8 +61,24 @@ Excerpt from_scene_for(const viz::Lesson& lesson, const PresetFile& file) {
   }
 }
 
-/// The preset of a file, whose name becomes the folder's.
+Excerpt at(const std::vector<const viz::Lesson*>& lessons, const viz::Place& place, const PresetFile& file) {
+  Excerpt e;
+  e.lesson = &viz::lesson_named(lessons, place.lesson);
+  e.folder = file.name;
+  e.preset = place.preset;
+  e.parameters = *place.parameters;
+  e.camera = place.camera;
+  e.step = place.step;
+  return e;
+}
+
+/// The preset of a file, or the place where a figure was made; the file's name becomes the folder's.
 Excerpt from_file(const Program& program, const PresetFile& file) {
+  if (const viz::Format* format = viz::format_of(file.path)) {
+    std::vector<const viz::Lesson*> lessons = program.lessons;
+    const viz::Place place = place_in_figure(program, file.path, *format, lessons);
+    return at(lessons, place, file);
+  }
   viz::Place place;
   try {
     require_utf8(file);
@@ -71,14 +88,8 @@ Excerpt from_file(const Program& program, const PresetFile& file) {
   } catch (const viz::BadInput& e) {
     throw viz::BadInput(fmt::format("{}: {}", file.path, e.what()));
   }
-  Excerpt e;
-  e.lesson = &viz::lesson_named(program.lessons, place.lesson);
-  e.folder = file.name;
+  Excerpt e = at(program.lessons, place, file);
   e.path = file.path;
-  e.preset = place.preset;
-  e.parameters = *place.parameters;
-  e.camera = place.camera;
-  e.step = place.step;
   return e;
 }
 

@@ -10,8 +10,11 @@
 #include "app/program.h"
 #include "app/terminal.h"
 #include "lessons/glossary.h"
+#include "lessons/lessons.h"
+#include "viz/closing.h"
 #include "viz/place.h"
 #include "viz/rich_text.h"
+#include "viz/utf8.h"
 
 namespace isect::program {
 
@@ -41,18 +44,29 @@ std::string builds_on(const viz::Lesson& lesson) {
   return lesson.after.empty() ? "" : wrapped(fmt::format("after: {}", fmt::join(lesson.after, ", ")), line_width, 2);
 }
 
+/// "shares: Minkowski sum (sphere-aabb, obb-obb); slab (clipping)"
+std::string shares(const viz::Lesson& lesson) {
+  std::vector<std::string> all;
+  for (const viz::SharedIdea& shared : viz::shared_ideas(lesson)) {
+    std::vector<std::string> ids;
+    for (const viz::Lesson* other : shared.others) ids.push_back(other->id);
+    all.push_back(fmt::format("{} ({})", shared.idea, fmt::join(ids, ", ")));
+  }
+  return all.empty() ? "" : wrapped(fmt::format("shares: {}", fmt::join(all, "; ")), line_width, 2);
+}
+
 std::string text(const std::vector<const viz::Lesson*>& lessons) {
   std::string out;
   for (const viz::Lesson* lesson : lessons)
     out += fmt::format("{}, {} presets\n", heading(*lesson), lesson->presets.size()) +
-           wrapped(lesson->summary, line_width, 2) + builds_on(*lesson) + preset_lines(*lesson);
+           wrapped(lesson->summary, line_width, 2) + builds_on(*lesson) + shares(*lesson) + preset_lines(*lesson);
   return out;
 }
 
 std::string in_rows(const std::string& name, std::size_t widest, const std::string& text) {
   const std::size_t indent = 4 + widest + 2;
   const std::string lines = wrapped(text, line_width, indent);
-  return "    " + name + lines.substr(4 + length(name));
+  return "    " + name + lines.substr(4 + viz::count_characters(name));
 }
 
 /// What is taken where it is not set: the value of the first preset.
@@ -75,14 +89,15 @@ std::string told(const viz::Lesson& lesson, const viz::Parameter& p) {
 }
 
 std::string text(const viz::Lesson& lesson) {
-  std::string out = heading(lesson) + "\n" + wrapped(lesson.summary, line_width, 2) + builds_on(lesson);
+  std::string out =
+      heading(lesson) + "\n" + wrapped(lesson.summary, line_width, 2) + builds_on(lesson) + shares(lesson);
   std::size_t widest = 0;
-  for (const viz::Parameter& p : lesson.parameters) widest = std::max(widest, length(p.name));
+  for (const viz::Parameter& p : lesson.parameters) widest = std::max(widest, viz::count_characters(p.name));
   out += "\n  Parameters (--set NAME=VALUE); the defaults are those of the first preset:\n";
   for (const viz::Parameter& p : lesson.parameters) out += in_rows(p.name, widest, told(lesson, p));
 
   widest = 0;
-  for (const viz::Preset& p : lesson.presets) widest = std::max(widest, length(p.id));
+  for (const viz::Preset& p : lesson.presets) widest = std::max(widest, viz::count_characters(p.id));
   out += "\n  Presets (--preset NAME):\n";
   for (const viz::Preset& p : lesson.presets)
     out +=
@@ -102,11 +117,8 @@ Json json(const viz::Lesson& lesson, const viz::Parameter& p) {
 }
 
 Json json(const viz::Lesson& lesson, bool with_steps) {
-  Json object = {{"id", lesson.id},
-                 {"title", lesson.title},
-                 {"rows", lesson.rows},
-                 {"summary", lesson.summary},
-                 {"after", lesson.after}};
+  Json object = {{"id", lesson.id},           {"title", lesson.title}, {"rows", lesson.rows},
+                 {"summary", lesson.summary}, {"after", lesson.after}, {"ideas", lesson.ideas}};
   object["parameters"] = Json::array();
   for (const viz::Parameter& p : lesson.parameters) object["parameters"].push_back(json(lesson, p));
   object["presets"] = Json::array();
@@ -132,13 +144,29 @@ int list_one(const viz::Lesson& lesson, bool as_json) {
   return done;
 }
 
+/// The ids of further lessons that have the idea.
+std::vector<std::string> also_in(const lessons::Term& term) {
+  std::vector<std::string> ids;
+  for (const viz::Lesson* lesson : lessons::all_lessons())
+    if (lesson->id != term.lesson && std::ranges::count(lesson->ideas, term.name) > 0) ids.push_back(lesson->id);
+  return ids;
+}
+
+std::string told(const std::string& name, const std::string& meaning, const std::string& where) {
+  return inked(Ink::bold, name) + "\n" + wrapped(fmt::format("{} ({})", viz::plain(meaning), where), line_width, 2);
+}
+
 int list_terms(bool as_json) {
   Json all = Json::array();
   std::string out;
   for (const lessons::Term& t : lessons::glossary()) {
-    all.push_back({{"term", t.name}, {"meaning", viz::plain(t.meaning)}, {"lesson", t.lesson}});
-    out += inked(Ink::bold, t.name) + "\n" +
-           wrapped(fmt::format("{} ({})", viz::plain(t.meaning), t.lesson), line_width, 2);
+    const std::vector<std::string> also = also_in(t);
+    all.push_back({{"term", t.name}, {"meaning", viz::plain(t.meaning)}, {"lesson", t.lesson}, {"also", also}});
+    out += told(t.name, t.meaning, t.lesson + (also.empty() ? "" : fmt::format("; also {}", fmt::join(also, ", "))));
+  }
+  for (const lessons::Letter& l : lessons::letters()) {
+    all.push_back({{"term", l.name}, {"meaning", viz::plain(l.meaning)}, {"lesson", l.lesson}});
+    out += told(l.name, l.meaning, l.lesson);
   }
   print(as_json ? all.dump(2) + "\n" : out);
   return done;

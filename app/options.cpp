@@ -1,5 +1,8 @@
 #include "app/options.h"
 
+#include "app/scene/walks.h"
+#include "viz/spelling.h"
+
 namespace isect::program {
 
 void add_lesson(CLI::App& sub, const Program& program, Selection& to, Takes takes, const std::string& help) {
@@ -21,7 +24,9 @@ void add_step(CLI::App& sub, Selection& to, Takes takes, const std::string& help
 
 void add_scene_file(CLI::App& sub, const Program& program, Selection& to) {
   if (program.only) return;
-  sub.add_option("--scene", to.scene, "the lesson on the objects of a scene's file, where it takes any")
+  sub.add_option(
+         "--scene", to.scene,
+         "the lesson on the objects of a scene's file: " + spelling::listed(scene::walking_lessons()) + "\ntake some")
       ->type_name("FILE")
       ->check(not_empty())
       ->excludes("--preset");

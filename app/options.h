@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/excerpt.h"
 #include "app/program.h"
 #include "app/values.h"
 #include "viz/lesson.h"
@@ -45,19 +46,6 @@ CLI::Validator not_empty();
 /// A file or a folder.
 CLI::Option* add_path(CLI::App&, const std::string& name, std::string& to, const std::string& help,
                       const std::string& type);
-
-/// One setting of a lesson's parameters, walked.
-struct Excerpt {
-  const viz::Lesson* lesson = nullptr;
-  std::string folder;  ///< the preset's id, or the name of the preset's file; and what was changed by hand
-  std::string preset;  ///< empty where a parameter was changed by hand
-  viz::Parameters parameters;
-  viz::Walk walk;
-  std::vector<int> steps;                  ///< chosen ones, from 0
-  std::optional<viz::Camera> camera = {};  ///< of the preset's file
-  std::optional<int> step = {};            ///< of the preset's file, from 0
-  std::string path = {};                   ///< of the preset's or the scene's file; empty where there is none
-};
 
 /// Everything that is asked for. Throws viz::BadInput, or viz::FileError where a preset's file can't be read.
 std::vector<Excerpt> excerpts(const Program&, const Selection&);

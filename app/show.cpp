@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/figure_place.h"
 #include "app/options.h"
 #include "app/scene/lesson.h"
 #include "app/scene/save.h"
@@ -24,26 +25,6 @@ namespace isect::program {
 namespace {
 
 using Lessons = std::vector<const viz::Lesson*>;
-
-/// The place where a figure of ours was made; the lesson of a scene goes `to` the others.
-viz::Place place_in_figure(const Program& program, const std::string& path, const viz::Format& format, Lessons& to) {
-  const std::string bytes = viz::read_file(path);
-  try {
-    const viz::Metadata data = format.metadata(bytes);
-    if (data.empty())
-      throw viz::BadInput(
-          fmt::format("it carries no isect metadata: isect did not make it, or the program that saved it "
-                      "last removed it. "
-                      "Name its place instead: {} show{} --preset P --step N",
-                      program.name, program.only ? "" : " LESSON"));
-    if (data.contains("scene")) to.push_back(&scene::kept_lesson_of(data.at("scene"), ""));
-    return viz::place_from_metadata(data, to);
-  } catch (const viz::BadInput& e) {
-    throw viz::BadInput(fmt::format("{}: {}", path, e.what()));
-  } catch (const viz::FileError& e) {
-    throw viz::FileError(fmt::format("{}: {}", path, e.what()));
-  }
-}
 
 /// `file` becomes the scene's, if it is one that can be written to.
 viz::Place place_of(const Program& program, Selection asked, Lessons& lessons, std::optional<scene::KeptFile>& file) {

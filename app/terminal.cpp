@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "viz/files.h"
+#include "viz/utf8.h"
 
 namespace isect::program {
 
@@ -102,10 +103,6 @@ void Progress::done(const std::string& what) {
   write_all(STDERR_FILENO, fmt::format("\r\x1b[K[{}{}] {}", count_, of, what.substr(0, 60)));
 }
 
-std::size_t length(const std::string& text) {
-  return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
 std::size_t columns() {
   long wide = 0;
   if (const char* set = std::getenv("COLUMNS")) wide = std::strtol(set, nullptr, 10);
@@ -123,7 +120,7 @@ std::string wrapped(const std::string& text, std::size_t width, std::size_t inde
     std::string line;
     const auto flush = [&] { out += std::string(indent, ' ') + std::exchange(line, {}) + "\n"; };
     for (std::string word; words >> word;) {
-      if (!line.empty() && indent + length(line) + 1 + length(word) > width) flush();
+      if (!line.empty() && indent + viz::count_characters(line) + 1 + viz::count_characters(word) > width) flush();
       line += (line.empty() ? "" : " ") + word;
     }
     flush();

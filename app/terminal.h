@@ -45,7 +45,5 @@ class Progress {
 std::string wrapped(const std::string& text, std::size_t width, std::size_t indent);
 /// How wide a line of stdout may be: COLUMNS if it is set, else the terminal's width, else 80. At least 40.
 std::size_t columns();
-/// Characters, not bytes, of UTF-8 text.
-std::size_t length(const std::string& text);
 
 }  // namespace isect::program

@@ -11,16 +11,18 @@
 #include "viz/case_map.h"
 #include "viz/closing.h"
 #include "viz/rich_text.h"
+#include "viz/utf8.h"
 
 namespace isect::program {
 
 namespace {
 
+using viz::count_characters;
 using viz::plain;
 
 /// "Title" over a line of `rule`.
 std::string heading(const std::string& text, char rule, std::size_t width) {
-  return inked(Ink::bold, wrapped(text, width, 0)) + std::string(std::min(length(text), width), rule) + "\n";
+  return inked(Ink::bold, wrapped(text, width, 0)) + std::string(std::min(count_characters(text), width), rule) + "\n";
 }
 
 class Teller {
@@ -142,12 +144,12 @@ class Teller {
     const auto told = [&](const viz::Value& v) { return (v.fresh || all) && !is_in_formula(v, step); };
     std::size_t widest = 0;
     for (const viz::Value& v : step.values)
-      if (told(v)) widest = std::max(widest, length(plain(v.name)));
+      if (told(v)) widest = std::max(widest, count_characters(plain(v.name)));
     std::string out;
     for (const viz::Value& v : step.values)
       if (told(v)) {
         const std::string name = plain(v.name);
-        out += fmt::format("     {}{} = {}\n", std::string(widest - length(name), ' '), name,
+        out += fmt::format("     {}{} = {}\n", std::string(widest - count_characters(name), ' '), name,
                            viz::shown_among(step.values, v));
       }
     return out.empty() ? out : out + "\n";
@@ -210,13 +212,13 @@ class Teller {
     const std::vector<viz::Opinion> opinions = e_.lesson->opinions(e_.parameters);
     if (opinions.empty()) return {};
     std::size_t widest = 0;
-    for (const viz::Opinion& o : opinions) widest = std::max(widest, length(plain(o.method)));
+    for (const viz::Opinion& o : opinions) widest = std::max(widest, count_characters(plain(o.method)));
     std::string out = "Methods side by side:\n";
     for (const viz::Opinion& o : opinions) {
       const std::string method = plain(o.method);
       std::string row = fmt::format(" {} {}{}  {}", o.agrees ? "✓" : "✗", method,
-                                    std::string(widest - length(method), ' '), plain(o.says));
-      if (length(row) > how_.columns)
+                                    std::string(widest - count_characters(method), ' '), plain(o.says));
+      if (count_characters(row) > how_.columns)
         row = fmt::format(" {} {}:\n", o.agrees ? "✓" : "✗", method) + paragraph(plain(o.says), 5);
       else
         row += "\n";
@@ -243,7 +245,7 @@ class Teller {
   std::string closing() {
     const viz::Closing& c = *e_.lesson->closing;
     std::string out;
-    for (const auto& [head, text] : viz::card_rows(c)) out += paragraph(head + ": " + plain(text));
+    for (const auto& [head, text] : viz::card_rows(*e_.lesson)) out += paragraph(head + ": " + plain(text));
     out += paragraph(fmt::format("See it: --preset {}", c.bug_preset), 2) + "\nTo read:\n";
     for (const std::string& source : c.reading) out += paragraph(plain(source), 2);
     out += "\n";

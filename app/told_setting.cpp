@@ -4,10 +4,11 @@
 
 #include <algorithm>
 
-#include "app/geometry.h"
 #include "app/terminal.h"
-#include "viz/closing.h"
+#include "app/told_values.h"
+#include "viz/geometry.h"
 #include "viz/rich_text.h"
+#include "viz/utf8.h"
 
 namespace isect::program {
 namespace {
@@ -30,7 +31,8 @@ std::string objects(const Excerpt& e, std::size_t columns) {
   const viz::Scene& scene = e.walk.steps.front().scene;
   if (scene.chart) return {};
   std::string out;
-  for (const std::string& object : geometry(scene, e.parameters, e.lesson->flat)) out += wrapped(object, columns, 2);
+  for (const std::string& object : viz::geometry(scene, e.parameters, e.lesson->flat))
+    out += wrapped(object, columns, 2);
   return out.empty() ? out : "Objects:\n" + out + "\n";
 }
 
@@ -41,42 +43,16 @@ std::string pseudocode(const Excerpt& e, std::size_t columns) {
     const std::string& code = e.walk.pseudocode[i];
     const std::string text = viz::unindented(code);
     std::string line = std::string(6, ' ') + code + "\n";
-    if (length(line) > columns + 1) line = wrapped(text, columns - 2, 6 + code.size() - text.size());
+    if (viz::count_characters(line) > columns + 1) line = wrapped(text, columns - 2, 6 + code.size() - text.size());
     for (std::size_t at = line.find('\n'); at + 1 < line.size(); at = line.find('\n', at + 1))
       line.insert(at + 1, "  ");
     out += fmt::format("  {:>2}", i + 1) + line.substr(4);
   }
-  for (const std::string& erratum : told_errata(e)) out += wrapped(erratum, columns, 2);
+  for (const std::string& erratum : told_errata(*e.lesson, e.walk)) out += wrapped(erratum, columns, 2);
   return out + "\n";
 }
 
 }  // namespace
-
-std::string in_full(const viz::Setting& setting, bool flat) {
-  const auto* p = std::get_if<viz::Vec3>(&setting);
-  if (!p) return viz::to_text(setting);
-  const std::string xy = viz::to_text(p->x()) + ", " + viz::to_text(p->y());
-  return "(" + xy + (flat ? ")" : ", " + viz::to_text(p->z()) + ")");
-}
-
-std::vector<std::string> told_errata(const Excerpt& e) {
-  std::vector<std::string> all;
-  for (const viz::Erratum& erratum : e.lesson->errata) {
-    const int line = viz::line_of(erratum, e.walk);
-    if (line < 0) continue;
-    const bool published = e.walk.pseudocode[line] == erratum.published;
-    if (!published && std::ranges::count(e.walk.pseudocode, erratum.published) > 0) {
-      all.push_back(fmt::format("Line {} is not in the note. {} (Preset {} shows it.)", line + 1, plain(erratum.why),
-                                erratum.preset));
-      continue;
-    }
-    const std::string& other = published ? erratum.corrected : erratum.published;
-    all.push_back(fmt::format("Line {} {}: {}. {} (Preset {} shows it.)", line + 1,
-                              published ? "should read" : "was published as", viz::unindented(other),
-                              plain(erratum.why), erratum.preset));
-  }
-  return all;
-}
 
 std::string told_setting(const Excerpt& e, const Telling& how) {
   const std::string given = settings(e, how.columns);

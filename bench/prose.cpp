@@ -47,6 +47,8 @@ std::string sentence(std::string text) {
   return text;
 }
 
-std::string ratio(double x) { return x >= 10 ? number(std::stod(fmt::format("{:.2g}", x))) : fmt::format("{:.2g}", x); }
+std::string ratio_text(double x) {
+  return x >= 10 ? number(std::stod(fmt::format("{:.2g}", x))) : fmt::format("{:.2g}", x);
+}
 
 }  // namespace isect::bench

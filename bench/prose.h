@@ -17,6 +17,6 @@ std::string sentence(std::string);
 /// All digits, thousands with commas: "65,536".
 std::string count(long);
 /// Two significant digits: "2.9", "0.34", "630".
-std::string ratio(double);
+std::string ratio_text(double);
 
 }  // namespace isect::bench

@@ -64,7 +64,7 @@ std::vector<std::string> wrong_on(std::vector<const Row*> rows, std::size_t most
 std::string cost(const Findings& d, const Findings& f) {
   std::string text =
       fmt::format("On ordinary cases in double the exact call takes {} ns and {} {} ns: a ratio of {}. ",
-                  number(d.exact->ns), name_of(*d.naive), number(d.naive->ns), ratio(d.exact->ns / d.naive->ns));
+                  number(d.exact->ns), name_of(*d.naive), number(d.naive->ns), ratio_text(d.exact->ns / d.naive->ns));
   if (f.exact != nullptr && f.naive != nullptr)
     text += fmt::format("In float they take {} and {} ns. ", number(f.exact->ns), number(f.naive->ns));
   std::vector<std::string> equals;
@@ -121,7 +121,8 @@ std::string runner_up(const Findings& d) {
   if (best == nullptr || best == d.naive || total_wrong(d.of(*best)) >= total_wrong(d.of(*d.naive))) return {};
   const std::vector<std::string> parts = wrong_on(d.of(*best), 2);
   return fmt::format("Of the inexact methods {} errs least, at a ratio of {}: {}. ", name_of(*best),
-                     ratio(best->ns / d.naive->ns), parts.empty() ? "on no case judged" : "still on " + listed(parts));
+                     ratio_text(best->ns / d.naive->ns),
+                     parts.empty() ? "on no case judged" : "still on " + listed(parts));
 }
 
 /// The exact call, or another method that is as exact, says as much and is clearly faster.
@@ -151,7 +152,7 @@ std::string choice(const Findings& d) {
         "**Choose {} where time matters.** It takes 1/{} of the time, and no case judged here broke it; only {} "
         "promises "
         "that none does.",
-        naive, ratio(slower), exact);
+        naive, ratio_text(slower), exact);
   return fmt::format(
       "**Choose {},** unless all input is like the ordinary family and {} ns a call are worth more than a wrong "
       "verdict.",
@@ -293,7 +294,7 @@ std::string loss_text(const Measured& m) {
         worst = r, most = r->ns / naive->ns;
     if (worst != nullptr && most > 2)
       lines.push_back(fmt::format("{}: the exact call takes up to {} times the time of {} ({}: {} ns).", sentence(test),
-                                  ratio(most), name_of(*d.naive), words(worst->family), number(worst->ns)));
+                                  ratio_text(most), name_of(*d.naive), words(worst->family), number(worst->ns)));
   }
   if (m.peers)
     for (const std::string& test : tests_of(*m.peers)) {

@@ -8,6 +8,7 @@ const std::vector<Term>& glossary() {
       {"arrangement of slabs",
        "The horizontal strips between the heights of a polygon's vertices, each with its edges in order.",
        "concave-polygon"},
+      {"bisection", "Halving a sorted range until one place is left: O(lg *n*) steps.", "convex-polygon"},
       {"bounding volume", "A simple solid that encloses an object and is tested before it.", "bounding-volumes"},
       {"bounding volume hierarchy", "A tree of bounding volumes: each node's volume encloses its children's.",
        "hierarchy"},
@@ -15,6 +16,7 @@ const std::vector<Term>& glossary() {
       {"cancellation", "The loss of leading digits when nearly equal rounded numbers are subtracted.", "ray-sphere"},
       {"capsule", "All points within a given distance of a segment.", "capsule-capsule"},
       {"clipping", "Keeping the part of an object that lies inside a window or volume.", "clipping"},
+      {"closest hit", "The point that a ray meets first: the smallest *t* of its range.", "ray-sphere"},
       {"closed set", "A set that includes its boundary; ours are closed, so touching is an intersection.", "relations"},
       {"containment", "All of one object lies in the other.", "relations"},
       {"continuous collision detection", "Testing the whole path of a moving object, not single moments.", "collision"},
@@ -22,7 +24,7 @@ const std::vector<Term>& glossary() {
       {"convex set", "A set that contains the segment between any two of its points.", "convex-hull"},
       {"culling", "Leaving out what cannot be seen, before it is drawn.", "culling"},
       {"degenerate case", "Input on the border between two answers: touching, collinear, coincident.", "robustness"},
-      {"discriminant", "The number *B*^2 − 4*AC*, whose sign gives the number of real roots of a quadratic.",
+      {"discriminant", "The number *Δ* = *B*^2 − 4 *A* *C*, whose sign gives the number of real roots of a quadratic.",
        "ray-sphere"},
       {"even-odd rule", "A point is inside if a ray from it crosses the outline an odd number of times.", "crossings"},
       {"exact predicate", "A test whose answer is true for the numbers as given, whatever rounding does.",
@@ -49,6 +51,8 @@ const std::vector<Term>& glossary() {
        "speed-against-error"},
       {"picking", "Finding the object under a pointer by a ray through the pixel.", "picking"},
       {"point location", "Finding which face of a subdivision of the plane contains a point.", "concave-polygon"},
+      {"projection", "What is left of a set when a coordinate is dropped, or when it is seen along an axis alone.",
+       "obb-obb"},
       {"ray", "A half-line: an origin and a direction, *t* ≥ 0.", "rays"},
       {"refitting", "Updating the volumes of a hierarchy for objects that have moved, its tree kept.", "hierarchy"},
       {"robust discriminant",
@@ -58,6 +62,7 @@ const std::vector<Term>& glossary() {
       {"shadow ray", "A ray from a visible point to a light source; what it meets casts a shadow there.",
        "ray-tracing"},
       {"slab", "All points between two parallel planes.", "bounding-volumes"},
+      {"squared distance", "Two distances compare as their squares do: no square root is needed.", "sphere-sphere"},
       {"stable roots", "Of the two roots first the one whose terms have equal signs, then the other by *C* / *A*.",
        "ray-sphere"},
       {"surface-area heuristic", "Choosing a split by the chance that a random ray meets each side.", "hierarchy"},
@@ -78,6 +83,43 @@ const std::vector<Term>& glossary() {
        "crossings"},
   };
   return terms;
+}
+
+const std::vector<Letter>& letters() {
+  static const std::vector<Letter> letters = {
+      {"A", "The coefficient of *t*^2 in a quadratic equation.", "ray-sphere", {"d · d"}},
+      {"B", "The coefficient of *t* in a quadratic equation, or half of it.", "ray-sphere", {"f · d", "2 f · d"}},
+      {"C", "The constant of a quadratic equation.", "ray-sphere", {"f · f − r²"}},
+      {"c", "Bold: the centre of a ball.", "ray-sphere"},
+      {"D", "The constant of a plane **n** · **x** + *D* = 0.", "rays"},
+      {"d", "Bold: the direction of a ray. Italic: a distance.", "rays"},
+      {"f", "Bold: from a ball's centre to the origin of a ray, −**l**.", "ray-sphere", {"o − c"}},
+      {"h", "Half the length of a box along an axis.", "obb-obb"},
+      {"I", "The brightness of a point.", "ray-tracing"},
+      {"k", "How many planes bound a *k*-DOP.", "bounding-volumes"},
+      {"l",
+       "Bold: from one point to another, such as from the first centre to the second, from an origin to a centre, or "
+       "from a surface to the light. Italic: its length.",
+       "sphere-sphere",
+       {"b − a", "c − o", "towards the light"}},
+      {"m", "The distance of a line from a centre.", "ray-sphere", {"l² − s²"}},
+      {"n", "Bold: a normal of a plane, or an axis to project on. Italic: how many there are.", "rays"},
+      {"o", "Bold: the origin of a ray.", "rays"},
+      {"p", "Bold: the point in question.", "points"},
+      {"q", "Bold: a second point. Italic: half the length of a chord.", "ray-sphere"},
+      {"R", "The sum of two radii.", "sphere-sphere", {"r_a + r_b"}},
+      {"r", "A radius; *r*_a and *r*_b are also how far boxes reach along an axis. Bold, **r**(*t*): a point of a ray.",
+       "sphere-sphere"},
+      {"s", "The length of **l** along a unit direction.", "ray-sphere", {"l · d"}},
+      {"t", "The parameter of a ray, in lengths of its direction.", "rays"},
+      {"u", "Bold: a unit direction. Italic, with *v*: coordinates on an image plane.", "rays"},
+      {"v", "Bold: a vertex of a polygon.", "convex-polygon"},
+      {"w", "With *u* and *v* it names the axes of an oriented box.", "obb-obb"},
+      {"x", "Bold: any point. Italic, with *y* and *z*: coordinates.", "intervals"},
+      {"Δ", "The discriminant. Before a letter: a difference.", "ray-sphere", {"B² − A C", "B² − 4 A C"}},
+      {"ε", "A tolerance, or a number as small as one likes.", "points"},
+  };
+  return letters;
 }
 
 }  // namespace isect::lessons

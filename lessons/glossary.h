@@ -15,4 +15,15 @@ struct Term {
 /// In alphabetical order.
 const std::vector<Term>& glossary();
 
+/// What a letter stands for, in whatever lesson: bold for points and vectors, italic for numbers.
+struct Letter {
+  std::string name;                     ///< plain text
+  std::string meaning;                  ///< markup
+  std::string lesson;                   ///< id: where it is introduced
+  std::vector<std::string> given = {};  ///< how algorithms may compute it, plain text; empty: in any way
+};
+
+/// In alphabetical order, Greek ones last. Indices (i, j) and names of objects (a, b) are none.
+const std::vector<Letter>& letters();
+
 }  // namespace isect::lessons

@@ -1,5 +1,5 @@
 #pragma once
-// The list of lessons, in the order of the course; lessons/CMakeLists.txt writes it from the folders.
+// The list of lessons, in the order of the course; lessons/sources.cmake writes it from the folders.
 
 #include <vector>
 

@@ -4,11 +4,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "viz/chart.h"
 #include "viz/closing.h"
+#include "viz/geometry.h"
 #include "viz/objects.h"
 #include "viz/rich_text.h"
+#include "viz/utf8.h"
 
 namespace isect::viz {
 namespace {
@@ -28,10 +31,8 @@ std::string setting_text(const Lesson& lesson, const Setting& setting) {
 std::string name_of(const Parameter& p) {
   const std::string label = plain(p.label);
   if (label.empty()) return p.name;
-  const auto letters =
-      std::ranges::count_if(label, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
   const bool word = p.name.size() > 2 && std::ranges::all_of(p.name, [](char c) { return c >= 'a' && c <= 'z'; });
-  return word && letters == 1 ? p.name + " " + label : label;
+  return word && count_characters(label) == 1 ? p.name + " " + label : label;
 }
 
 /// "origin o = (−3, 0.5, 2), radius r = 1.5"
@@ -49,6 +50,16 @@ std::string counted(std::size_t count, const std::string& what) {
   if (count == 1) return what;
   const bool es = what.ends_with("x") || what.ends_with("sh");
   return fmt::format("{} {}{}", count, what, es ? "es" : "s");
+}
+
+/// "Fixed: box: (−2, −1.25) to (2, 1.25)." What the parameters tell is left out.
+std::string fixed(const Lesson& lesson, const Parameters& parameters, const Scene& scene) {
+  const std::vector<std::string> all = geometry(scene, parameters, lesson.flat);
+  std::string text = fmt::format("{}", fmt::join(all, "; "));
+  for (const char* before : {" ", "("})
+    for (std::size_t at = 0; (at = text.find(before + std::string("-"), at)) != text.npos;)
+      text.replace(at + 1, 1, "−");
+  return all.empty() ? "" : fmt::format("\nFixed: {}.\n", text);
 }
 
 /// What of one kind and role stands in the picture: how many, and what they are called.
@@ -141,11 +152,17 @@ std::string told(const Card& card) {
   return text;
 }
 
+/// " (lengths of d)", unless the name tells: "volume of a" is one.
+std::string unit_of(const Value& v) {
+  const std::string unit = plain(v.unit);
+  return unit.empty() || plain(v.name).find(unit) != std::string::npos ? "" : " (" + unit + ")";
+}
+
 /// The numbers of this step that are new.
 std::string fresh_values(const Step& step) {
   std::vector<std::string> all;
   for (const Value& v : step.values)
-    if (v.fresh) all.push_back(fmt::format("{} = {}", plain(v.name), shown_among(step.values, v)));
+    if (v.fresh) all.push_back(fmt::format("{} = {}{}", plain(v.name), shown_among(step.values, v), unit_of(v)));
   return fmt::format("{}", fmt::join(all, ", "));
 }
 
@@ -154,7 +171,10 @@ std::string fresh_values(const Step& step) {
 std::string shown_among(const std::vector<Value>& all, const Value& v) {
   const bool mistaken = std::ranges::any_of(
       all, [&](const Value& other) { return other.value != v.value && shown(other.value) == shown(v.value); });
-  return mistaken ? to_text(v.value) : shown(v.value);
+  const bool other_zero = v.value == 0 && std::signbit(v.value) && std::ranges::any_of(all, [](const Value& other) {
+                            return other.value == 0 && !std::signbit(other.value);
+                          });
+  return mistaken ? to_text(v.value) : other_zero ? "−0" : shown(v.value);
 }
 
 std::string figure_title(const Lesson& lesson, const Step& step) {
@@ -181,6 +201,7 @@ std::string alt_text(const Lesson& lesson, const Parameters& parameters, const W
     text += fmt::format("Drawn: {}.\n", what);
   text += fmt::format("{}: {}.\n\n{}\n", s.scene.chart ? "The setting" : "Given", given(lesson, parameters),
                       plain(s.caption));
+  if (!s.scene.chart) text += fixed(lesson, parameters, walk.steps.front().scene);
   std::string found;
   if (!s.formula.empty()) found += fmt::format("Formula: {}\n", plain(s.formula));
   if (const std::string values = fresh_values(s); !values.empty()) found += fmt::format("New: {}\n", values);

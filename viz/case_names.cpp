@@ -85,16 +85,15 @@ void CaseNames::rasterise(const Cases& cases) {
 }
 
 bool CaseNames::filled(int branch, const Vec2& middle, const Vec2& half) const {
-  const TextBox box = box_around(drawn(middle), half.cwiseProduct(cell_));
-  if (std::ranges::any_of(leaders_, [&](const auto& l) { return length_inside(l.first, l.second, box) > 0; }))
-    return false;
-  for (const std::vector<TextBox>* all : {&taken_, &crossable_})
-    if (std::ranges::any_of(*all, [&](const TextBox& taken) { return share_ink(box, taken); })) return false;
   const Vec2 inset = Vec2::Constant(tie), lo = middle - half + inset, hi = middle + half - inset;
   const int x0 = static_cast<int>(std::floor(lo.x())), y0 = static_cast<int>(std::floor(lo.y())),
             x1 = static_cast<int>(std::ceil(hi.x())), y1 = static_cast<int>(std::ceil(hi.y()));
   if (x0 < 0 || y0 < 0 || x1 > columns || y1 > rows) return false;
-  return count(branch, x0, y0, x1, y1) == (x1 - x0) * (y1 - y0);
+  if (count(branch, x0, y0, x1, y1) != (x1 - x0) * (y1 - y0)) return false;
+  const TextBox box = box_around(drawn(middle), half.cwiseProduct(cell_));
+  for (const std::vector<TextBox>* all : {&taken_, &crossable_})
+    if (std::ranges::any_of(*all, [&](const TextBox& taken) { return share_ink(box, taken); })) return false;
+  return std::ranges::none_of(leaders_, [&](const auto& l) { return length_inside(l.first, l.second, box) > 0; });
 }
 
 bool CaseNames::filled(const Vec2& middle, const Vec2& half) const {
@@ -143,38 +142,48 @@ Vec2 CaseNames::some_point_of(int branch) const {
 /// The nearest place for the whole name in one region, with a free way for the leader from the region's middle, or else
 /// from another point of it; over borders only if there is none.
 NamePlace CaseNames::beside(int branch, const Vec2& size) const {
-  NamePlace best = beside(some_point_of(branch), size, 0.5);
+  const Vec2 middle = some_point_of(branch);
+  const NamePlace coarse = beside(middle, size, 1, std::numeric_limits<double>::infinity());  // bounds the finer search
+  NamePlace best = beside(middle, size, 0.5, coarse.cost + 2 * tie);
   if (best.cost < crossed) return best;
   constexpr int apart = 6;
   const Vec2 side = Vec2::Constant(apart * std::min(cell_.x(), cell_.y()) / 4).cwiseQuotient(cell_);
   for (int y = apart / 2; y < rows; y += apart)
     for (int x = apart / 2; x < columns; x += apart)
       if (const Vec2 at(x, y); filled(branch, at, side))
-        if (const NamePlace other = beside(drawn(at), size, 1); other.cost < best.cost - tie) best = other;
+        if (const NamePlace other = beside(drawn(at), size, 1, best.cost); other.cost < best.cost - tie) best = other;
   return best;
 }
 
-NamePlace CaseNames::beside(const Vec2& to, const Vec2& size, double step) const {
+NamePlace CaseNames::beside(const Vec2& to, const Vec2& size, double step, double most) const {
   const Vec2 half = size / 2;
-  NamePlace best = {to, to, false, std::numeric_limits<double>::infinity()};
-  for (int y = 0; y * step <= rows; ++y)
+  NamePlace best = {to, to, false, most};
+  const auto too_far = [&](double from, double place, double reach) {
+    return std::abs(place - from) - reach > best.cost;
+  };
+  for (int y = 0; y * step <= rows; ++y) {
+    if (too_far(to.y(), drawn({0, y * step}).y(), half.y())) continue;
     for (int x = 0; x * step <= columns; ++x) {
       const Vec2 at(x * step, y * step), middle = drawn(at);
+      if (too_far(to.x(), middle.x(), half.x())) continue;
       const TextBox box = box_around(middle, half);
       if (box.left < plane_.left || box.right > plane_.right || box.top < plane_.top || box.bottom > plane_.bottom)
         continue;
       const Vec2 from = nearest_in(box, to);
       double cost = (to - from).norm() + 0.1 * (to - middle).norm();
       if ((to - from).norm() < 0.8 * size.y() || cost > best.cost - tie) continue;
-      cost += in_the_way(from, to);
       for (const TextBox& t : taken_)
         if (share_ink(box, t)) cost += over_name;
+      if (cost > best.cost - tie) continue;
+      cost += in_the_way(from, to);
       for (const auto& [a, b] : leaders_)
         if (length_inside(a, b, box) > 0) cost += over_leader;
+      if (cost > best.cost - tie) continue;
       const bool on_border = !filled(at, half.cwiseQuotient(cell_));
       if (on_border) cost += over_border;
       if (cost < best.cost - tie) best = {middle, to, on_border, cost};
     }
+  }
   return best;
 }
 

@@ -50,8 +50,8 @@ class CaseNames {
   bool filled(const Vec2& middle, const Vec2& half) const;
   Vec2 some_point_of(int branch) const;
   NamePlace beside(int branch, const Vec2& size) const;
-  /// Of places every `step` cells, as a share of one.
-  NamePlace beside(const Vec2& to, const Vec2& size, double step) const;
+  /// Of places every `step` cells, as a share of one, that cost less than `most`.
+  NamePlace beside(const Vec2& to, const Vec2& size, double step, double most) const;
 
   int& sum(int branch, int x, int y);
   int count(int branch, int x0, int y0, int x1, int y1) const;

@@ -30,7 +30,32 @@ std::vector<Card::Row> card_rows(const Closing& c) {
   return {{"Result", c.result}, {"Cost", c.cost}, {"Choose it", c.choose}, {"Used", c.used}, {"Typical bug", c.bug}};
 }
 
-Step closing_step(const Closing& closing, const Step& before) {
+std::vector<Card::Row> card_rows(const Lesson& lesson) {
+  std::vector<Card::Row> rows = card_rows(*lesson.closing);
+  std::string text;
+  for (const SharedIdea& shared : shared_ideas(lesson)) {
+    text += (text.empty() ? "" : ". ") + heading(shared) + ": ";
+    for (const Lesson* other : shared.others)
+      text += (other == shared.others.front() ? "" : ", ") + short_title(*other);
+  }
+  if (!text.empty()) rows.push_back({shared_head, text + "."});
+  return rows;
+}
+
+std::string heading(const SharedIdea& shared) {
+  std::string text = shared.idea;
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z' && !text.starts_with("k-")) text[0] += 'A' - 'a';
+  return text;
+}
+
+std::vector<SharedIdea> shared_ideas(const Lesson& lesson) {
+  return lesson.shared ? lesson.shared(lesson) : std::vector<SharedIdea>();
+}
+
+std::string short_title(const Lesson& lesson) { return lesson.title.substr(0, lesson.title.find(':')); }
+
+Step closing_step(const Lesson& lesson, const Step& before) {
+  const Closing& closing = *lesson.closing;
   Step step = before;
   step.slug = closing_slug, step.title = "What to remember";
   step.caption = closing.result;
@@ -41,7 +66,7 @@ Step closing_step(const Closing& closing, const Step& before) {
   step.comparison.reset(), step.question.reset();
   for (Value& value : step.values) value.fresh = false;
   step.scene = {};
-  step.scene.chart = DeferredChart([&closing] { return Chart{Card{card_rows(closing)}}; });
+  step.scene.chart = DeferredChart([&lesson] { return Chart{Card{card_rows(lesson)}}; });
   return step;
 }
 
@@ -66,7 +91,7 @@ Walk Lesson::walk(const Parameters& here) const {
   if (map)
     if (const std::optional<Cases::Spot> spot = spot_on(*map, here))
       walk.steps.push_back(map_step(*this, here, *spot, last));
-  if (closing) walk.steps.push_back(closing_step(*closing, last));
+  if (closing) walk.steps.push_back(closing_step(*this, last));
   return walk;
 }
 

@@ -20,9 +20,19 @@ std::string own_caption(const Lesson&, const Step&);
 /// The line of the walk's pseudocode that an erratum speaks of, as published or as corrected; -1 if there is none.
 int line_of(const Erratum&, const Walk&);
 
-/// What the card says: a head and a text each.
+/// What the card says of the lesson itself: a head and a text each.
 std::vector<Card::Row> card_rows(const Closing&);
-/// The step that shows the card; what `before` has told stays.
-Step closing_step(const Closing&, const Step& before);
+/// The same, and where its ideas occur again.
+std::vector<Card::Row> card_rows(const Lesson&);
+/// The head of that row.
+inline constexpr const char* shared_head = "Same idea";
+/// What others share with the lesson; none where it stands alone.
+std::vector<SharedIdea> shared_ideas(const Lesson&);
+/// The idea with a capital letter.
+std::string heading(const SharedIdea&);
+/// A lesson's title up to its colon, markup: for lists of several.
+std::string short_title(const Lesson&);
+/// The step that shows the card of a lesson that has one; what `before` has told stays.
+Step closing_step(const Lesson&, const Step& before);
 
 }  // namespace isect::viz

@@ -9,28 +9,11 @@
 #include <numeric>
 #include <utility>
 
+#include "viz/spelling.h"
+
 namespace isect::viz {
 
 namespace {
-
-/// Edits that turn `a` into `b`: insert, delete, replace, swap neighbours. Case counts for nothing.
-std::size_t edit_distance(const std::string& a, const std::string& b) {
-  const auto same = [](char x, char y) {
-    return std::tolower(static_cast<unsigned char>(x)) == std::tolower(static_cast<unsigned char>(y));
-  };
-  std::vector<std::size_t> before_last, last(b.size() + 1), row(b.size() + 1);
-  std::iota(last.begin(), last.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + !same(a[i - 1], b[j - 1])});
-      if (i > 1 && j > 1 && same(a[i - 1], b[j - 2]) && same(a[i - 2], b[j - 1]))
-        row[j] = std::min(row[j], before_last[j - 2] + 1);
-    }
-    before_last = std::exchange(last, row);
-  }
-  return last[b.size()];
-}
 
 /// The whole of `text` as a number, whatever the locale; a leading '+' is fine.
 std::optional<double> number(std::string_view text) {
@@ -135,20 +118,14 @@ std::string wanted(const Parameter& p) {
 }
 
 std::string nearest(const std::string& word, const std::vector<std::string>& candidates) {
-  const auto rank = [&](const std::string& candidate) {
-    // Of equally distant names the one that begins alike is meant more often.
-    const auto [end, unused] = std::mismatch(word.begin(), word.end(), candidate.begin(), candidate.end());
-    return std::pair{edit_distance(word, candidate), word.end() - end};
-  };
-  const auto found = std::ranges::min_element(candidates, {}, rank);
-  return found == candidates.end() ? std::string{} : *found;
+  return spelling::nearest(word, candidates);
 }
 
 BadInput unknown(const std::string& field, const std::string& given, const std::vector<std::string>& allowed) {
   if (allowed.empty())
     return BadInput(fmt::format("{}: \"{}\" is unknown; there is none to choose from", field, given));
-  return BadInput(fmt::format("{}: \"{}\" is unknown; did you mean \"{}\"? Allowed: {}", field, given,
-                              nearest(given, allowed), fmt::join(allowed, ", ")));
+  return BadInput(fmt::format("{}: \"{}\" is unknown{}", field, given,
+                              spelling::instead(given, allowed, "allowed: " + spelling::listed(allowed))));
 }
 
 const Preset& preset(const Lesson& lesson, const std::string& id) {

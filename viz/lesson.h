@@ -166,6 +166,14 @@ struct Erratum {
   std::string preset;                ///< on which the published line fails
 };
 
+struct Lesson;
+
+/// An idea that other lessons have, too.
+struct SharedIdea {
+  std::string idea;  ///< plain text
+  std::vector<const Lesson*> others;
+};
+
 struct Lesson {
   std::string id;
   std::string title;
@@ -188,7 +196,10 @@ struct Lesson {
   const Closing* closing = nullptr;     ///< the last step of every walk
   std::vector<Erratum> errata = {};     ///< of the pseudocode as published
   std::vector<std::string> after = {};  ///< ids of the lessons that this one builds on
-  std::string made_from = {};           ///< the text of the scene file that this was made of; empty: it is built in
+  std::vector<std::string> ideas = {};  ///< terms of the glossary that it has in common with others
+  /// Which others those are, by idea. Null: the lesson stands alone.
+  std::vector<SharedIdea> (*shared)(const Lesson&) = nullptr;
+  std::string made_from = {};  ///< the text of the scene file that this was made of; empty: it is built in
 
   /// What the lesson tells of a setting: its steps, its map of cases, its closing card. The lesson must outlive the
   /// walk.

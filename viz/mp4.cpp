@@ -54,9 +54,8 @@ class Nameless {
  public:
   Nameless() : file_(::memfd_create("isect", 0)) {}
   int number() const { return file_.number(); }
-  std::string path() const {
-    return fmt::format("/proc/self/fd/{}", number());
-  }  // its name for a child that inherits it
+  /// Its name for a child that inherits it.
+  std::string path() const { return fmt::format("/proc/self/fd/{}", number()); }
   std::string contents() const {
     std::string all;
     std::array<char, 65536> part;

@@ -9,17 +9,12 @@
 #include <string_view>
 
 #include "viz/rich_text.h"
+#include "viz/utf8.h"
 
 namespace isect::viz {
 namespace {
 
 using Chars = std::string_view;
-
-Chars character(Chars text, std::size_t i) {
-  std::size_t n = 1;
-  while (i + n < text.size() && (static_cast<unsigned char>(text[i + n]) & 0xC0) == 0x80) ++n;
-  return text.substr(i, n);
-}
 
 bool is_digit(Chars c) { return c.size() == 1 && c[0] >= '0' && c[0] <= '9'; }
 
@@ -46,7 +41,7 @@ bool may_be_a_name(Chars letters) {
   constexpr std::array words = {"as", "at", "by", "do", "go", "if", "in", "is",
                                 "it", "no", "of", "on", "or", "so", "to"};
   std::size_t count = 0;
-  for (std::size_t i = 0; i < letters.size(); i += character(letters, i).size()) ++count;
+  for (std::size_t i = 0; i < letters.size(); i += character_at(letters, i).size()) ++count;
   return (count <= 2 || letters == "mid") && std::ranges::find(words, letters) == words.end();
 }
 
@@ -58,14 +53,15 @@ bool is_article(Chars text, std::size_t begin, std::size_t end) {
 
 /// The end of the letters that begin at i.
 std::size_t end_of_letters(Chars text, std::size_t i) {
-  while (i < text.size() && is_name_letter(character(text, i))) i += character(text, i).size();
+  while (i < text.size() && is_name_letter(character_at(text, i))) i += character_at(text, i).size();
   return i;
 }
 
 /// A subscript behind a name: small signs, or `_` with a word or a group. Moves `i` behind it.
 std::string subscript(Chars text, std::size_t& i) {
   std::string below;
-  for (Chars small; i < text.size() && !(small = lowered(character(text, i))).empty(); i += character(text, i).size())
+  for (Chars small; i < text.size() && !(small = lowered(character_at(text, i))).empty();
+       i += character_at(text, i).size())
     below += small;
   if (!below.empty() || i >= text.size()) return below;
   if (text[i] == '_' && i + 1 < text.size()) {
@@ -74,12 +70,12 @@ std::string subscript(Chars text, std::size_t& i) {
     if (group)
       end = std::min(text.find('}', i), text.size() - 1) + 1;
     else
-      while (end < text.size() && (is_name_letter(character(text, end)) || is_digit(character(text, end))))
-        end += character(text, end).size();
+      while (end < text.size() && (is_name_letter(character_at(text, end)) || is_digit(character_at(text, end))))
+        end += character_at(text, end).size();
     below = text.substr(i + 1 + group, end - i - 1 - 2 * group);
     i = end;
   } else {
-    for (; i < text.size() && is_digit(character(text, i)); ++i) below += text[i];
+    for (; i < text.size() && is_digit(character_at(text, i)); ++i) below += text[i];
   }
   return below;
 }
@@ -172,7 +168,7 @@ std::vector<Name> names_in(const std::string& markup) {
     for (std::size_t i = 0; i < text.size();) {
       const std::size_t end = end_of_letters(text, i);
       if (end == i) {
-        i += character(text, i).size();
+        i += character_at(text, i).size();
         continue;
       }
       Name name = {std::string(text.substr(i, end - i)), at + i, at + end, run.bold};
@@ -192,7 +188,7 @@ std::vector<Name> names_in_line(const std::string& text) {
     const std::size_t begin = i;
     i = end_of_letters(text, i);
     if (i == begin) {
-      i += character(text, i).size();
+      i += character_at(text, i).size();
       continue;
     }
     const std::string letters = text.substr(begin, i - begin);

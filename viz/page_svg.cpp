@@ -74,6 +74,11 @@ std::vector<Pair> paired(const std::vector<Shape>& light, const std::vector<Shap
   return all;
 }
 
+/// Which property a class of this beginning sets.
+std::string property(const std::string& what) {
+  return what == "line" ? "stroke" : what == "stop" ? "stop-color" : what;
+}
+
 /// A paint that one theme lacks is seen through there.
 constexpr Colour none = {0, 0, 0, 0};
 
@@ -110,11 +115,10 @@ std::string PageColours::variables(bool dark) const {
 }
 
 std::string PageColours::rules() const {
-  const std::map<std::string, std::string> properties = {{"fill", "fill"}, {"line", "stroke"}, {"stop", "stop-color"}};
   std::string out;
   for (const Named& n : all_)
     for (const std::string& what : n.used)
-      out += fmt::format(".{0}-{1} {{ {2}: var(--{1}); }}\n", what, n.name, properties.at(what));
+      out += fmt::format(".{0}-{1} {{ {2}: var(--{1}); }}\n", what, n.name, property(what));
   return out;
 }
 
@@ -144,7 +148,7 @@ class PageWriter {
       std::visit([&](const auto& any) { add(any, part(any, pair.light), part(any, pair.dark)); }, pair.any());
     end_stroke();
     page_.last_ += out_;
-    if (out_.size() < worth_sharing) return out_ + "\n";
+    if (out_.size() < worth_sharing || !page_.colours_) return out_ + "\n";
     const auto [known, fresh] = page_.groups_.emplace(out_, fmt::format("g{}", page_.groups_.size() + 1));
     if (!fresh) return fmt::format("<use href=\"#{}\"/>\n", known->second);
     return fmt::format("<g id=\"{}\">{}</g>\n", known->second, out_);
@@ -155,19 +159,25 @@ class PageWriter {
     return shape ? std::get_if<Part>(shape) : nullptr;
   }
 
-  /// The class and, where it is not opaque, the opacity. A theme whose colour is null has no such paint; where the
-  /// themes differ in opacity, the class has it.
+  /// The class, or the colour of a picture that stands alone, and, where it is not opaque, the opacity. A theme whose
+  /// colour is null has no such paint; where the themes differ in opacity, the class has it.
   std::string paint(const std::string& what, const Colour* light, const Colour* dark, const std::string& more = {}) {
     const Colour &a = light ? *light : *dark, &b = dark ? *dark : *light;
+    if (!page_.colours_) return painted(what, a) + more + opacity(what, a.a);
     const bool alike = a.a == b.a;
     PageColour c = {alike ? a.with_alpha(1) : a, alike ? b.with_alpha(1) : b};
     if (!light) c.light = none;
     if (!dark) c.dark = none;
-    return fmt::format("class=\"{}{}\"{}", page_.colours_.of(what, c), more, alike ? opacity(what, a.a) : "");
+    return fmt::format("class=\"{}{}\"{}", page_.colours_->of(what, c), more, alike ? opacity(what, a.a) : "");
+  }
+
+  /// `fill="#0b60c8"`
+  static std::string painted(const std::string& what, const Colour& c) {
+    return fmt::format("{}=\"{}\"", property(what), svg_colour(c));
   }
 
   static std::string opacity(const std::string& what, double alpha) {
-    const std::string name = what == "line" ? "stroke" : what;
+    const std::string name = what == "line" ? "stroke" : what;  // stop-opacity
     return alpha < 1 ? fmt::format(" {}-opacity=\"{}\"", name, svg_number(alpha)) : "";
   }
 
@@ -195,7 +205,8 @@ class PageWriter {
   void add(const Stroke&, const Stroke* light, const Stroke* dark) {
     const Stroke& stroke = light ? *light : *dark;
     std::string attributes;
-    if (const std::optional<double> faint = light && dark ? faded({light->colour, dark->colour}) : std::nullopt)
+    if (const std::optional<double> faint =
+            page_.colours_ && light && dark ? faded({light->colour, dark->colour}) : std::nullopt)
       attributes = "class=\"line-grid\"" + opacity("line", *faint);
     else
       attributes = paint("line", colour_of(light), colour_of(dark));
@@ -231,7 +242,8 @@ class PageWriter {
         svg_number(focus.x()), svg_number(focus.y()), svg_number(g.major.x()), svg_number(g.major.y()),
         svg_number(g.minor.x()), svg_number(g.minor.y()), svg_number(g.center.x()), svg_number(g.center.y()),
         stop(0, &Gradient::inner), stop(1, &Gradient::outer));
-    const auto [known, fresh] = page_.gradients_.emplace(body, fmt::format("gradient{}", page_.gradients_.size() + 1));
+    const auto [known, fresh] =
+        page_.gradients_.emplace(body, fmt::format("{}gradient{}", page_.id_, page_.gradients_.size() + 1));
     if (fresh) page_.definitions_ += fmt::format("<radialGradient id=\"{}\"{}\n", known->second, body);
     out_ += fmt::format("<path fill=\"url(#{})\" d=\"{}\"/>", known->second,
                         svg_letters({ellipse(g.center, g.major, g.minor)}));
@@ -268,7 +280,10 @@ class PageWriter {
     if (rim_light || rim_dark) {
       rim = fmt::format(" stroke-width=\"{}\" paint-order=\"stroke\"",
                         svg_number(2 * std::max(rim_light ? light->halo : 0, rim_dark ? dark->halo : 0)));
-      rim_class = " " + page_.colours_.of("line", {rim_light ? *rim_light : none, rim_dark ? *rim_dark : none});
+      if (page_.colours_)
+        rim_class = " " + page_.colours_->of("line", {rim_light ? *rim_light : none, rim_dark ? *rim_dark : none});
+      else
+        rim_class = " " + painted("line", light->halo_colour);
     }
     out_ += fmt::format("<text {} x=\"{}\" y=\"{}\" font-size=\"{}\"{}{}{}>{}</text>",
                         paint("fill", colour_of(light), colour_of(dark), rim_class), svg_number(text.at.x()),
@@ -292,6 +307,15 @@ std::string PagePictures::svg(const Drawing& light, const Drawing& dark, const s
   const std::string shapes = PageWriter(*this, light, dark).write();
   return fmt::format("<svg class=\"picture\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">\n{}</svg>",
                      svg_number(light.width), svg_number(light.height), xml_escaped(alt), shapes);
+}
+
+std::string lone_svg(const Drawing& drawing, const std::string& alt, const std::string& id) {
+  PagePictures page;
+  page.id_ = id;
+  const std::string svg = page.svg(drawing, drawing, alt);
+  if (page.definitions_.empty()) return svg;
+  const std::size_t body = svg.find(">\n") + 1;
+  return svg.substr(0, body) + "<defs>\n" + page.definitions_ + "</defs>" + svg.substr(body);
 }
 
 std::string PagePictures::shared() const {

@@ -41,7 +41,7 @@ class PageColours {
 /// The pictures of one page.
 class PagePictures {
  public:
-  explicit PagePictures(PageColours& colours) : colours_(colours) {}
+  explicit PagePictures(PageColours& colours) : colours_(&colours) {}
   /// An <svg> of one step, drawn in the light and in the dark theme: the same shapes, but that either may have some of
   /// its own. `alt`: plain text, the picture in words. What an earlier picture of the page has drawn alike is referred
   /// to.
@@ -53,11 +53,18 @@ class PagePictures {
 
  private:
   friend class PageWriter;
-  PageColours& colours_;
+  friend std::string lone_svg(const Drawing&, const std::string&, const std::string&);
+  PagePictures() = default;  // for a picture that stands alone
+  PageColours* colours_ = nullptr;
   std::map<std::string, std::string> groups_;     ///< what an object draws -> its id
   std::map<std::string, std::string> gradients_;  ///< without the id -> the id
 
   std::string definitions_, last_, before_;
+  std::string id_;  ///< what ids begin with
 };
+
+/// An <svg> of one drawing that refers to nothing outside it, in the drawing's own colours. `id` begins the ids in it:
+/// no other picture of its page may have them.
+std::string lone_svg(const Drawing&, const std::string& alt, const std::string& id);
 
 }  // namespace isect::viz

@@ -163,7 +163,7 @@ void Player::back() {
 }
 
 void Player::toggle_play() {
-  if (playing_ && asking_) return next();
+  if (playing_ && asking_ && stops_) return next();
   if (!playing_ && at_end()) first();
   playing_ = !playing_;
   waited_ = 0;
@@ -181,6 +181,7 @@ void Player::advance(double seconds) {
   waited_ += seconds * speed_;
   if (waited_ < seconds_a_step) return;
   waited_ = 0;
+  if (!stops_) asked_.try_emplace(index() + 1);
   next();
   if (at_end()) playing_ = false;
 }
@@ -198,6 +199,12 @@ std::optional<Player::Answered> Player::answered() const {
   const auto found = asked_.find(index());
   if (found == asked_.end() || !found->second) return std::nullopt;
   return Answered{&*step().question, *found->second};
+}
+
+void Player::ask_again(int step) {
+  asked_.erase(step);
+  go_to(step - 1);
+  next();
 }
 
 const Erratum* Player::erratum() const {

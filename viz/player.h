@@ -71,8 +71,11 @@ class Player {
   bool tells_title(int step) const { return step <= index() || (!asking_ && !walk().steps[step].question); }
 
   bool playing() const { return playing_; }
-  /// Play goes on by itself: not while a question waits for its answer.
-  bool running() const { return playing_ && !asking_; }
+  /// Play goes on by itself: not while a question waits for its answer, where it stops at questions.
+  bool running() const { return playing_ && !(asking_ && stops_); }
+  /// Whether play stops at questions, as it does at first, or passes over them.
+  bool stops_at_questions() const { return stops_; }
+  void stop_at_questions(bool wanted) { stops_ = wanted; }
   /// Until play shows another step.
   double seconds_to_step() const;
   void toggle_play();
@@ -93,6 +96,8 @@ class Player {
     bool right() const { return choice == question->answer; }
   };
   std::optional<Answered> answered() const;
+  /// Goes before that step, which has a question, and asks it, whatever came of it before.
+  void ask_again(int step);
 
   /// Where the pseudocode as published errs: at the current line, or else anywhere in this walk.
   const Erratum* erratum() const;
@@ -212,7 +217,7 @@ class Player {
   std::shared_ptr<const Scene> asked_scene_;  ///< while asking
   std::map<int, std::optional<int>> asked_;   ///< by step: the answer, or none where it was skipped
 
-  bool playing_ = false;
+  bool playing_ = false, stops_ = true;
   double speed_ = 1, waited_ = 0;
 
   std::shared_ptr<const Scene> before_;

@@ -116,10 +116,11 @@ class TextCache {
 namespace {
 
 /// What the pass does to the stencil and whether it colours. `mark`: of `once`.
-void set_pass(Pass pass, int mark) {
+void set_pass(Pass pass, int mark, bool sketched) {
   const bool coloured = pass != Pass::winding && pass != Pass::parity && pass != Pass::wipe;
   glColorMask(coloured, coloured, coloured, coloured);
   (pass == Pass::opaque ? glDisable : glEnable)(GL_BLEND);
+  (pass == Pass::opaque && sketched ? glDisable : glEnable)(GL_MULTISAMPLE);
   const auto stencil = [mark](GLenum test, GLenum then) {
     glEnable(GL_STENCIL_TEST);
     glStencilFunc(test, mark, 0xff);
@@ -218,7 +219,7 @@ struct Renderer::Impl {
         glClear(GL_STENCIL_BUFFER_BIT);
         marks = 0;
       }
-      set_pass(call.pass, once ? ++marks : 0);
+      set_pass(call.pass, once ? ++marks : 0, sketched);
       use_program(call);
       glDrawArrays(GL_TRIANGLES, call.first, call.count);
     }
@@ -246,6 +247,7 @@ struct Renderer::Impl {
   gl::Program gradient{vertex_shader, gradient_shader};
   gl::Target target;
   TextCache texts;
+  bool sketched = false;  ///< facets by the pixel, not by its four samples
 };
 
 PixelBox pixels(const Drawing& drawing, double scale) {
@@ -262,6 +264,17 @@ Renderer::Renderer(GetProc get_proc) : impl_(std::make_unique<Impl>(get_proc)) {
 Renderer::~Renderer() = default;
 
 void Renderer::draw(const Drawing& drawing, double scale) { draw(drawing, scale, pixels(drawing, scale)); }
+
+void Renderer::sketch(const Drawing& drawing, double scale) {
+  impl_->sketched = true;
+  try {
+    draw(drawing, scale);
+  } catch (...) {
+    impl_->sketched = false;
+    throw;
+  }
+  impl_->sketched = false;
+}
 
 void Renderer::draw(const Drawing& drawing, double scale, const PixelBox& part) {
   impl_->target.bind(part.width, part.height);
@@ -291,6 +304,7 @@ void Renderer::draw(const Drawing& drawing, double scale, const PixelBox& part) 
 
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glDisable(GL_STENCIL_TEST);
+  glEnable(GL_MULTISAMPLE);
   impl_->target.resolve();
   assert(glGetError() == GL_NO_ERROR);
 }

@@ -34,6 +34,8 @@ class Renderer {
   /// Draws into an own multisampled framebuffer, `scale` pixels per unit of the drawing. The result stays in
   /// texture() until the next call; nothing else of the context's state is promised.
   void draw(const Drawing&, double scale = 1);
+  /// The same at once: the facets of meshes by the pixel, so that their rims are jagged.
+  void sketch(const Drawing&, double scale = 1);
   /// The same picture's `part` alone; beyond the drawing's edge lies background.
   void draw(const Drawing&, double scale, const PixelBox& part);
   unsigned texture() const;     ///< resolved colour, for ImGui::Image (v runs upwards)

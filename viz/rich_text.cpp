@@ -5,17 +5,12 @@
 #include <map>
 #include <string_view>
 
+#include "viz/utf8.h"
+
 namespace isect::viz {
 namespace {
 
 using Script = Run::Script;
-
-/// Bytes of the UTF-8 character that begins at text[i].
-std::size_t character_length(std::string_view text, std::size_t i) {
-  std::size_t n = 1;
-  while (i + n < text.size() && (static_cast<unsigned char>(text[i + n]) & 0xC0) == 0x80) ++n;
-  return n;
-}
 
 bool is_escape(std::string_view text, std::size_t i) {
   return text[i] == '\\' && i + 1 < text.size() && std::string_view("*_^\\").find(text[i + 1]) != text.npos;
@@ -58,7 +53,7 @@ class Parser {
         continue;
       }
       if (is_escape(text_, i)) ++i;
-      const std::size_t n = character_length(text_, i);
+      const std::size_t n = character_at(text_, i).size();
       add(text_.substr(i, n), style);
       i += n;
     }
@@ -117,7 +112,7 @@ class Parser {
       return close + 1;
     }
     if (is_escape(text_, i)) ++i;
-    const std::size_t n = character_length(text_, i);
+    const std::size_t n = character_at(text_, i).size();
     add(text_.substr(i, n), style);
     return i + n;
   }
@@ -144,7 +139,7 @@ std::string plain_script(const std::string& text, Script script) {
   std::size_t characters = 0;
   bool all = true;
   for (std::size_t i = 0, n = 0; i < text.size(); i += n, ++characters) {
-    n = character_length(text, i);
+    n = character_at(text, i).size();
     const auto form = forms.find(std::string_view(text).substr(i, n));
     all = all && form != forms.end();
     if (all) small += form->second;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "viz/rich_text.h"
+#include "viz/utf8.h"
 
 namespace isect::viz {
 namespace {
@@ -130,12 +131,6 @@ char script_of(std::string_view character, std::string& base) {
   return found->second.first;
 }
 
-std::size_t length_at(std::string_view text, std::size_t i) {
-  std::size_t n = 1;
-  while (i + n < text.size() && (static_cast<unsigned char>(text[i + n]) & 0xC0) == 0x80) ++n;
-  return n;
-}
-
 bool is_digit(std::string_view c) { return c.size() == 1 && c[0] >= '0' && c[0] <= '9'; }
 
 /// Two scripts of one kind in a row would be an error of TeX's, so they become one.
@@ -151,7 +146,7 @@ std::string all_math(const Atoms& atoms);
 
 void add_characters(Atoms& atoms, std::string_view text) {
   for (std::size_t i = 0, n = 0; i < text.size(); i += n) {
-    n = length_at(text, i);
+    n = character_at(text, i).size();
     const std::string_view c = text.substr(i, n);
     std::string base;
     if (const char script = script_of(c, base)) {
@@ -170,7 +165,7 @@ void add_letters(Atoms& atoms, const Run& run) {
     std::size_t end = i;
     while (end < run.text.size() && std::isalpha(static_cast<unsigned char>(run.text[end]))) ++end;
     if (end == i) {
-      end = i + length_at(run.text, i);
+      end = i + character_at(run.text, i).size();
       add_characters(atoms, std::string_view(run.text).substr(i, end - i));
     } else {
       const std::string letters = run.text.substr(i, end - i);

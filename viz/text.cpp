@@ -6,12 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <stdexcept>
 
 #include "viz/lesson.h"
 #include "viz/names.h"
 #include "viz/rich_text.h"
+#include "viz/spelling.h"
 #include "viz/typeset.h"
 
 namespace isect::viz {
@@ -217,7 +217,7 @@ void use_figure_font(const std::string& family) {
   const auto found = std::ranges::find_if(all, same);
   if (found == all.end())
     throw BadInput(fmt::format("font: no family is called \"{}\"{}; `fc-list : family` lists those that are installed",
-                               family, all.empty() ? "" : fmt::format("; did you mean \"{}\"?", nearest(family, all))));
+                               family, spelling::did_you_mean(family, all)));
   wanted_for_figures() = *found;
 }
 

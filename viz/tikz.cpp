@@ -22,7 +22,10 @@ constexpr double css_pixel = 0.75;  // in points
 
 class TikzWriter {
  public:
-  TikzWriter(const Drawing& drawing, double scale) : drawing_(drawing), scale_(scale) {}
+  TikzWriter(const Drawing& drawing, double scale) : drawing_(drawing), scale_(scale) {
+    for (const Shape& shape : drawing.shapes)
+      if (const Text* text = std::get_if<Text>(&shape)) largest_ = std::max(largest_, text->size);
+  }
 
   std::string write() {
     std::string body;
@@ -137,6 +140,7 @@ class TikzWriter {
       style += fmt::format(", fill={}, fill opacity=0.8, text opacity=1, inner sep={}bp", colour(text.halo_colour),
                            number(text.halo));
     if (text.bold) style += ", font=\\bfseries\\boldmath";
+    if (text.size < shrunk * largest_) style += fmt::format(", scale={:.2f}", text.size / largest_);
     out_ += fmt::format("\\node[{}] at {} {{{}}};\n", style,
                         point({verdict ? box.left : (box.left + box.right) / 2, text.at.y()}), tex(text.markup));
   }
@@ -145,8 +149,12 @@ class TikzWriter {
     for (const Shape& shape : expanded(facets)) std::visit([this](const auto& s) { add(s); }, shape);
   }
 
+  /// What is smaller than this beside the largest text was made so, to fit into its room: LaTeX is told.
+  static constexpr double shrunk = 0.9;
+
   const Drawing& drawing_;
   const double scale_;
+  double largest_ = 0;
   std::string out_;
   std::map<std::string, std::string> colours_;
   int shadings_ = 0;

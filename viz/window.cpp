@@ -254,7 +254,43 @@ void Input::to_layout(double scale) {
   if (width > 0) to_px_ = pixels_across / (width * scale);
 }
 
-void run(Window& window, Input& input, WindowUi& ui, const EndSignals& signals) {
+/// The state in its file. It is written whenever all has been at rest for a while, too, so that no crash loses it.
+class KeptState {
+ public:
+  KeptState(std::string file, const Window& window, const WindowUi& ui)
+      : file_(std::move(file)), window_(window), ui_(ui) {}
+
+  void write() {
+    Settings settings = ui_.settings();
+    settings.width = window_.size().width, settings.height = window_.size().height;
+    std::string text = text_of(settings);
+    if (text == written_) return;
+    written_ = std::move(text);
+    try {
+      write_settings(file_, settings);
+    } catch (const FileError&) {
+      // A state folder that can't be written is no reason to end badly: the next run starts from the defaults.
+    }
+  }
+
+ private:
+  std::string file_, written_;
+  const Window& window_;
+  const WindowUi& ui_;
+};
+
+/// Waits for events; while nothing is moved or pressed, no longer than `rest` seconds.
+void wait(double rest, KeptState& state) {
+  constexpr double patience = 1;
+  const double begun = glfwGetTime();
+  glfwWaitEventsTimeout(std::min(rest, patience));
+  if (rest <= patience || glfwGetTime() - begun < patience) return;
+  state.write();
+  rest -= patience;
+  std::isfinite(rest) ? glfwWaitEventsTimeout(rest) : glfwWaitEvents();
+}
+
+void run(Window& window, Input& input, WindowUi& ui, const EndSignals& signals, KeptState& state) {
   constexpr int settle = 3;  // frames that Dear ImGui may need to answer an event
   int frames_due = settle;
   std::string title;
@@ -265,7 +301,7 @@ void run(Window& window, Input& input, WindowUi& ui, const EndSignals& signals) 
     if (frames_due > 0) {
       glfwPollEvents();
     } else {
-      std::isfinite(rest) ? glfwWaitEventsTimeout(rest) : glfwWaitEvents();
+      wait(rest, state);
       frames_due = settle;
     }
     --frames_due;
@@ -276,15 +312,6 @@ void run(Window& window, Input& input, WindowUi& ui, const EndSignals& signals) 
     glfwSwapBuffers(window.handle());
     window.fill_screen(ui.full_screen());
     if (ui.title() != title) glfwSetWindowTitle(window.handle(), (title = ui.title()).c_str());
-  }
-}
-
-void keep(const std::string& file, Settings settings, const Window& window) {
-  settings.width = window.size().width, settings.height = window.size().height;
-  try {
-    write_settings(file, settings);
-  } catch (const FileError&) {
-    // A state folder that can't be written is no reason to end badly: the next run starts from the defaults.
   }
 }
 
@@ -308,8 +335,9 @@ void show(const std::vector<const Lesson*>& lessons, const Course& course, const
     ui.complain(damage);
   }
   Input input(window.handle());
-  run(window, input, ui, signals);
-  keep(file, ui.settings(), window);
+  KeptState state(file, window, ui);
+  run(window, input, ui, signals, state);
+  state.write();
 }
 
 }  // namespace isect::viz

@@ -1,3 +1,5 @@
+// Lines of words, by whatever measures texts: Pango, or the table of a font where there is none.
+
 #include <algorithm>
 #include <set>
 

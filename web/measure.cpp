@@ -1,6 +1,6 @@
 // What the lessons' pictures need of a text, without Pango.
 
-#include "viz/font_table.h"
+#include "viz/font/table.h"
 #include "viz/text.h"
 
 namespace isect::viz {

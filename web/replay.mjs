@@ -1,6 +1,6 @@
 // The lessons and the oracle as emscripten compiles them, held to what the native program has said:
 //   node replay.mjs BUILD ROOT ISECT [PEER_CASES]
-// Each preset's trace is the accepted one, and each query's answer is the native one, to the byte.
+// Each query's answer is the native one, to the byte; each preset's trace is the accepted one, but for what `known` says.
 import { spawnSync } from "node:child_process";
 import { existsSync, readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
@@ -10,9 +10,13 @@ const options = { encoding: "utf8", maxBuffer: 1 << 30 };
 const compiled = (args, input = "") =>
   spawnSync(process.execPath, ["--no-experimental-fetch", join(build, "replay.js"), ...args], { ...options, input });
 
-/// What differs still. The boxes fitted to a mesh and the raster of a surface that shades itself hang on the last bit of a
-/// sine; and the hypot of three of libc++ 13 squares without scaling.
-const known = /^(bounding-volumes\/(ball|bracket|tilted|upright)|ray-tracing\/acne|sphere-sphere\/overflow), step \d+/;
+/// What differs still: how five walks are drawn, and the box of one. A mesh's vertices come from sines, whose last bit
+/// is the C library's, and Eigen sums three products in another order where it has vector instructions: the search for a
+/// tight box then follows another of several equal ways, and a surface that shades itself shows each rounding.
+const known = new RegExp([
+  "^bounding-volumes/(ball|bracket|tilted|upright), step \\d+ \\(drawn\\): ",
+  "^bounding-volumes/tilted, step \\d+: OBB was 5\\.39\\d+, is 5\\.30\\d+$",
+  "^ray-tracing/acne, step 6 \\(drawn\\): the raster "].join("|"));
 const traces = compiled([join(root, "snapshots")]);
 const told = traces.stdout.trim().split("\n"), summary = told.pop();
 const wrong = told.filter(line => !known.test(line));
@@ -32,20 +36,12 @@ for (const folder of [join(root, "tests/cases"), peers].filter(f => f && existsS
 const input = lines.join("\n") + "\n";
 const native = spawnSync(isect, ["query"], { ...options, input }).stdout.split("\n");
 const answers = compiled([], input).stdout.split("\n");
-/// Numbers may differ in the last place: roots come from the C library. All else is equal.
-const number = /-?\d+(\.\d+)?(e[+-]?\d+)?/g;
-function alike(a, b) {
-  if (a.replace(number, "#") !== b.replace(number, "#")) return false;
-  const x = a.match(number) ?? [], y = b.match(number) ?? [];
-  return x.every((n, i) => n === y[i] || (/[.e]/.test(n + y[i]) && Math.abs(n - y[i]) <= 2.3e-16 * Math.abs(n)));
-}
-let same = 0, last_place = 0;
+let same = 0;
 const other = [];
 lines.forEach((line, i) => {
   if (native[i] === answers[i]) ++same;
-  else if (alike(native[i], answers[i] ?? "")) ++last_place;
   else other.push(`${line.slice(0, 160)}\n  native   ${native[i]}\n  compiled ${answers[i]}`);
 });
 other.slice(0, 10).forEach(text => console.log(text));
-console.log(`queries: ${lines.length}, ${same} answers are equal, ${last_place} but for the last place, ${other.length} are not`);
+console.log(`queries: ${lines.length}, ${same} answers are equal, ${other.length} are not`);
 process.exit(wrong.length === 0 && other.length === 0 && lines.length > 1000 ? 0 : 1);

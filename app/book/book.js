@@ -1,5 +1,6 @@
 "use strict";
-// Steps through the walks of a page. All that is shown stands in the page; nothing is fetched.
+// Steps through the walks of a page. All that is shown stands in the page; nothing is fetched. Where the lessons' own code
+// is beside the page, live.js takes over what is shown.
 (() => {
   const root = document.documentElement;
   const walks = [...document.querySelectorAll(".walk")];
@@ -8,6 +9,7 @@
   const links = [...document.querySelectorAll("nav.settings a")];
   const seconds_a_step = 1.6;
   let walk = walks[0], at = 0, playing = 0;
+  let live = null;  // what live.js has made of the page
 
   const icons = {
     first: "M3 3h2v10H3zM14 3v10L6 8z", back: "M12 3v10L4 8z", play: "M2 3l6 5-6 5zM8 3l6 5-6 5z",
@@ -27,25 +29,57 @@
   }
   const bar = document.createElement("div");
   bar.className = "transport", bar.setAttribute("role", "group"), bar.setAttribute("aria-label", "Steps");
-  const first = button("first", () => go(walk, 0)), back = button("back", () => step(-1));
+  const first = button("first", () => stand(0)), back = button("back", () => step(-1));
   const play = button("play", toggle_play), next = button("next", () => step(1));
   next.className = "next";
-  const last = button("last", () => go(walk, articles(walk).length - 1));
+  const last = button("last", () => stand(count() - 1));
   const all = button("All steps", () => read(!root.classList.contains("reading")));
   const slider = document.createElement("input");
   slider.type = "range", slider.min = 1, slider.setAttribute("aria-label", "Step");
-  slider.addEventListener("input", () => go(walk, Number(slider.value) - 1));
+  slider.addEventListener("input", () => stand(Number(slider.value) - 1));
   const place = document.createElement("p");
   place.className = "place", place.setAttribute("aria-live", "polite");
   bar.append(first, back, play, next, last, slider, all, place);
   document.getElementById("walks").append(bar);
 
   const is_open = article => article.classList.contains("ask") && !article.classList.contains("told");
+  /// Without its number.
+  const title_of = article => [...article.querySelector("h3").childNodes].slice(1).map(n => n.textContent).join("").trim();
   /// Where the reader is. A title may be the answer, so it waits.
   function told(article, list) {
     const steps = list.filter(a => a.classList.contains("step")), before = steps.indexOf(article);
     if (before < 0) return article.querySelector("h3").textContent;
-    return `Step ${before + 1} of ${steps.length}: ${article.querySelector("h3").lastChild.textContent.trim()}`;
+    return `Step ${before + 1} of ${steps.length}: ${title_of(article)}`;
+  }
+
+  const count = () => live ? live.count : articles(walk).length;
+  const position = () => live ? live.at : at;
+  function stand(to) { live ? live.go(Math.max(0, Math.min(to, count() - 1))) : go(walk, to); }
+  function open_walk(to) { live ? live.load(to.id) : go(to, 0); }
+
+  /// The code and the links, for a station of a walk: `lines` are what data-line, data-refused and data-untaken say.
+  function light_code(section, lines) {
+    [...section.querySelectorAll("ol.code li")].forEach((line, i) => {
+      line.classList.toggle("current", lines.line === i);
+      line.classList.toggle("no", lines.refused.includes(i));
+      line.classList.toggle("untaken", lines.untaken.includes(i));
+      if (lines.line === i) line.setAttribute("aria-current", "step");
+      else line.removeAttribute("aria-current");
+    });
+  }
+  function mark_link(id) {
+    links.forEach(link => {
+      if (link.hash === "#" + id) link.setAttribute("aria-current", "true");
+      else link.removeAttribute("aria-current");
+    });
+  }
+  function show_controls(told) {
+    const here = position(), end = count() - 1;
+    first.disabled = back.disabled = here === 0;
+    next.disabled = last.disabled = here === end;
+    slider.max = end + 1, slider.value = here + 1;
+    place.textContent = told;
+    slider.setAttribute("aria-valuetext", told);
   }
 
   /// Shows one article: the address, the code and the controls follow.
@@ -58,31 +92,20 @@
     walk.classList.toggle("over", at === list.length - 1);
     const stepped = article.classList.contains("ask") ? list[at - 1] ?? article : article;  // the code waits, too
     const numbers = name => (stepped.dataset[name] ?? "").split(" ").filter(Boolean).map(Number);
-    const refused = numbers("refused"), untaken = numbers("untaken");
-    [...walk.querySelectorAll("ol.code li")].forEach((line, i) => {
-      line.classList.toggle("current", stepped.dataset.line === String(i));
-      line.classList.toggle("no", refused.includes(i));
-      line.classList.toggle("untaken", untaken.includes(i));
-      if (stepped.dataset.line === String(i)) line.setAttribute("aria-current", "step");
-      else line.removeAttribute("aria-current");
+    light_code(walk, {
+      line: numbers("line")[0] ?? -1, refused: numbers("refused"), untaken: numbers("untaken")
     });
-    links.forEach(link => {
-      if (link.hash === "#" + walk.id) link.setAttribute("aria-current", "true");
-      else link.removeAttribute("aria-current");
-    });
-    first.disabled = back.disabled = at === 0;
-    next.disabled = last.disabled = at === list.length - 1;
-    slider.max = list.length, slider.value = at + 1;
-    place.textContent = told(article, list);
-    slider.setAttribute("aria-valuetext", place.textContent);
+    if (live) return;
+    mark_link(walk.id);
+    show_controls(told(article, list));
     if (!keep_address) try { history.replaceState(null, "", "#" + article.id); } catch { /* nowhere to keep it */ }
     if (playing && (at === list.length - 1 || is_open(article))) toggle_play();
   }
-  function step(by) { go(walk, at + by); }
+  function step(by) { stand(position() + by); }
   function toggle_play() {
     if (playing) clearInterval(playing), playing = 0;
     else {
-      if (at === articles(walk).length - 1) go(walk, 0);
+      if (position() === count() - 1) stand(0);
       playing = setInterval(() => step(1), 1000 * seconds_a_step);
     }
     name_button(play, playing ? "pause" : "play");
@@ -91,11 +114,12 @@
   function read(whole) {
     root.classList.toggle("reading", whole);
     all.setAttribute("aria-pressed", String(whole));
-    articles(walk)[at].scrollIntoView({ block: "nearest" });
+    (whole || !live ? articles(walk)[at] : live.article).scrollIntoView({ block: "nearest" });
   }
 
   /// A choice is a button; the first that is pressed is the answer.
-  document.querySelectorAll(".ask").forEach(ask => {
+  document.querySelectorAll(".ask").forEach(prepare);
+  function prepare(ask) {
     const choices = [...ask.querySelectorAll(".choices li")];
     choices.forEach((choice, i) => {
       const pressed = document.createElement("button");
@@ -106,7 +130,7 @@
       pressed.addEventListener("click", () => answer(ask, i));
       choice.append(pressed);
     });
-  });
+  }
   function answer(ask, chosen) {
     if (ask.classList.contains("told")) return;
     ask.classList.add("told");
@@ -117,7 +141,8 @@
   }
 
   function from_address() {
-    const id = decodeURIComponent(location.hash.slice(1)), found = id && document.getElementById(id);
+    if (live) return live.from_address();
+    const id = decodeURIComponent(location.hash.slice(1).split("?")[0]), found = id && document.getElementById(id);
     const owner = found && found.closest(".walk");
     if (!owner) return false;
     go(owner, Math.max(0, articles(owner).indexOf(found)), true);
@@ -125,22 +150,58 @@
     return true;
   }
   const keys = {
-    ArrowRight: () => step(1), ArrowLeft: () => step(-1), Home: () => go(walk, 0),
-    End: () => go(walk, articles(walk).length - 1), " ": toggle_play
+    ArrowRight: () => step(1), ArrowLeft: () => step(-1), Home: () => stand(0), End: () => stand(count() - 1),
+    " ": toggle_play, n: () => next_walk(1), p: () => next_walk(-1)
   };
+  /// Presets beyond the ninth have no number.
+  function next_walk(by) {
+    const to = walks[walks.indexOf(walk) + by];
+    if (to) open_walk(to);
+  }
   addEventListener("keydown", event => {
     if (event.ctrlKey || event.altKey || event.metaKey || root.classList.contains("reading")) return;
     const on = event.target;
     if (on.matches("input, textarea, select") || (on.matches("button, a, summary") && event.key === " ")) return;
-    const shown = articles(walk)[at];
+    const shown = live ? live.article : articles(walk)[at];
     const choice = is_open(shown) && /^[a-h]$/.test(event.key)
         ? shown.querySelectorAll(".choices button")[event.key.charCodeAt(0) - 97] : null;
     if (choice) choice.click();
-    else if (/^[1-9]$/.test(event.key) && walks[event.key - 1]) go(walks[event.key - 1], 0);
+    else if (/^[1-9]$/.test(event.key) && walks[event.key - 1]) open_walk(walks[event.key - 1]);
     else if (keys[event.key]) keys[event.key]();
     else return;
     event.preventDefault();
   });
   addEventListener("hashchange", from_address);
   if (!from_address()) go(walk, 0, true);
+
+  /// The lessons' own code: a script that holds a function from request to answer. Without it all stays as it is.
+  function load(script) {
+    return new Promise((resolve, reject) => {
+      const made = document.createElement("script"), inside = document.getElementById(script.slice(1));
+      made.onload = resolve, made.onerror = reject;
+      if (script.startsWith("#")) made.textContent = inside.textContent;
+      else made.src = script;
+      document.head.append(made);
+      if (script.startsWith("#")) resolve();
+    });
+  }
+  async function come_alive(script) {
+    await load(script);
+    const packed = Uint8Array.from(atob(isect_module.packed), letter => letter.charCodeAt(0));
+    isect_module.packed = "";
+    const unpacked = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
+    const code = await isect_module({ wasmBinary: await new Response(unpacked).arrayBuffer() });
+    const answer = asked => code.ccall("isect_answer", "string", ["string"], [asked]);
+    live = isect_live({
+      request: asked => JSON.parse(answer(JSON.stringify(asked))), walks, load, prepare, light_code, mark_link,
+      show_controls, title_of, stop: () => playing && toggle_play(), playing: () => playing !== 0,
+      /// Keeps the page's own walks at the same place, for paper and for reading.
+      follow: (id, to) => go(walks.find(w => w.id === id), to, true)
+    });
+    if (live) live.begin(walk.id, at);
+    root.dataset.live = live ? "ready" : "none";
+  }
+  const script = document.body.dataset.live;
+  if (script && window.WebAssembly && window.DecompressionStream)
+    come_alive(script).catch(() => { live = null, root.dataset.live = "none"; });
 })();

@@ -35,8 +35,7 @@ Page contents_page(const std::vector<Excerpt>& openings, const viz::Course& cour
   contents.body =
       "<div class=\"opening\">\n<h1>Intersection detection, step by step</h1>\n"
       "<p class=\"summary\">Do two shapes meet, and where? Each lesson walks through a test as it runs, line by line, "
-      "with "
-      "its values and its picture. All verdicts are exact for the numbers given.</p>\n"
+      "with its values and its picture. All verdicts are exact for the numbers given.</p>\n"
       "<p><a href=\"glossary.html\">The terms of the course</a></p>\n</div>\n" +
       page.shared() + parts;
   return contents;

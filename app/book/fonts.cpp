@@ -5,8 +5,9 @@
 #include <set>
 
 #include "app/book/page.h"
-#include "viz/font_subset.h"
+#include "viz/font/subset.h"
 #include "viz/svg_path.h"
+#include "viz/utf8.h"
 
 namespace isect::program::book {
 
@@ -16,10 +17,9 @@ namespace {
 std::set<std::string> characters(const std::string& text) {
   std::set<std::string> all;
   for (std::size_t i = 0; i < text.size();) {
-    std::size_t n = 1;
-    while (i + n < text.size() && (static_cast<unsigned char>(text[i + n]) & 0xC0) == 0x80) ++n;
-    if (static_cast<unsigned char>(text[i]) >= ' ') all.insert(text.substr(i, n));
-    i += n;
+    const std::string_view character = viz::character_at(text, i);
+    if (static_cast<unsigned char>(character[0]) >= ' ') all.emplace(character);
+    i += character.size();
   }
   return all;
 }

@@ -25,6 +25,13 @@ std::string course_links(const Page& page, const char* element, const char* name
       link(n.after, "next", "", "<span aria-hidden=\"true\"> →</span>"));
 }
 
+std::string attributes_of_body(const Page& page, bool lives) {
+  if (page.is_contents) return " class=\"contents\"";
+  if (!lives) return {};
+  return fmt::format(" data-lesson=\"{}\" data-live=\"{}\"", page.lesson,
+                     page.neighbours.alone ? "#live-code" : live_file);
+}
+
 }  // namespace
 
 std::string mark(const std::string& file) { return fmt::format("Made by isect book: {}.", file); }
@@ -36,10 +43,14 @@ std::string html(const Page& page, const Looks& looks) {
   const std::string scripted = "<script>document.documentElement.className = \"scripted\"</script>\n";
   const std::string head =
       page.neighbours.alone
-          ? fmt::format("<style>\n{}</style>\n{}", looks.style, scripted)
+          ? fmt::format("<style id=\"letters\">\n{}</style>\n<style>\n{}</style>\n{}", looks.fonts, looks.style,
+                        scripted)
           : "<link rel=\"stylesheet\" href=\"fonts.css\">\n<link rel=\"stylesheet\" href=\"book.css\">\n" + scripted;
+  const bool lives = !looks.live.empty() && !page.lesson.empty();
+  const std::string inside =
+      lives ? fmt::format("<script type=\"text/plain\" id=\"live-code\">{}</script>\n", looks.live) : "";
   const std::string script =
-      page.neighbours.alone ? fmt::format("<script>\n{}</script>\n", looks.script)
+      page.neighbours.alone ? fmt::format("{}<script>\n{}</script>\n", inside, looks.script)
                             : "<script src=\"book.js\" onerror=\"document.documentElement.className = ''\"></script>\n";
   return fmt::format(
       "\n<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
@@ -47,7 +58,7 @@ std::string html(const Page& page, const Looks& looks) {
       "<meta name=\"color-scheme\" content=\"light dark\">\n<meta name=\"description\" content=\"{}\">\n"
       "<title>{}</title>\n{}</head>\n<body{}>\n<a class=\"skip\" href=\"#main\">Skip to the text</a>\n"
       "{}<main id=\"main\">\n{}</main>\n{}{}</body>\n</html>\n",
-      viz::xml_escaped(page.summary), viz::xml_escaped(page.title), head, page.is_contents ? " class=\"contents\"" : "",
+      viz::xml_escaped(page.summary), viz::xml_escaped(page.title), head, attributes_of_body(page, lives),
       course_links(page, "header", "Course"), page.body, course_links(page, "footer", "Course, again"), script);
 }
 

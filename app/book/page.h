@@ -24,13 +24,19 @@ struct Page {
   std::string body;  ///< all within <main>
   Neighbours neighbours;
   bool is_contents = false;
+  std::string lesson = {};  ///< its id; empty: the page is of none
 };
 
-/// A whole file, from the end of its first line on. `style` and `script` are inside it where the page stands alone, and
-/// beside it otherwise.
+/// The file with the lessons' own code, beside the pages.
+inline constexpr const char* live_file = "isect.js";
+
+/// What a page brings along: inside it where it stands alone, and beside it otherwise, where only `live` counts:
+/// whether there is any.
 struct Looks {
-  std::string style, script;
+  std::string fonts, style, script;
+  std::string live = {};  ///< the script by which the page can be changed; empty: it can't
 };
+/// A whole file, from the end of its first line on.
 std::string html(const Page&, const Looks&);
 
 /// The files of a lesson, "ray-sphere.html".
@@ -39,6 +45,7 @@ std::string file_of(const viz::Lesson&);
 /// What stands in book.css and book.js, and the licence of the fonts.
 const std::string& style_text();
 const std::string& script_text();
+const std::string& live_script_text();
 const std::string& licence_text();
 
 }  // namespace isect::program::book

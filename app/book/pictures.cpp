@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/book/picture_size.h"
 #include "app/ownership.h"
 #include "app/studio.h"
 #include "viz/alt_text.h"
@@ -9,17 +10,6 @@
 #include "viz/paper.h"
 
 namespace isect::program::book {
-
-namespace {
-
-/// Points, as on paper: texts of 9, which are 11 pixels high where a phone has 330 across.
-constexpr double width = 264, height = 0.6 * width;
-/// In sizes of its texts.
-constexpr double axis_height = 3;
-/// A wider picture is moved rather than made smaller where there is less room.
-constexpr double shrinks_below = 330;
-
-}  // namespace
 
 Pictures::Pictures(const Excerpt& e, viz::PagePictures& page) : e_(e), page_(page), bare_(e.walk) {
   for (viz::Step& step : bare_.steps) step.formula.clear(), step.verdict = {};
@@ -40,21 +30,16 @@ std::string Pictures::asked(int step) {
 std::string Pictures::figure(int step, const std::string& alt, bool asked) {
   const viz::Step& shown = bare_.steps[step];
   const auto camera = [&](double aspect) { return camera_for(e_, shown, aspect); };
-  viz::PaperSize size;
-  size.width = width;
-  if (!shown.scene.chart) size.height = height + (shown.scene.axis ? axis_height * size.text_size : 0);
-  const auto light = viz::readable_figure(bare_, step, viz::ThemeName::screen, size, false, camera);
+  const auto light =
+      viz::readable_figure(bare_, step, viz::ThemeName::screen, picture_size(shown.scene), false, camera);
   if (!light)
     throw viz::BadInput(fmt::format("book: the labels of {}, {} can't be set apart", folder_of(e_), shown.slug));
   const viz::PageLayout layout = viz::paper_layout(bare_, step, viz::ThemeName::dark, light->size, false);
   const viz::Figure dark = viz::figure(shown, camera(layout.width / layout.picture_height()), layout);
   const std::string svg = page_.svg(light->figure.drawing, dark.drawing, alt);
 
-  const double wide = light->figure.drawing.width;
-  const std::string moved =
-      wide > shrinks_below ? fmt::format(" tabindex=\"0\" style=\"--least: {:.0f}px\"", wide) : std::string();
   const std::string kind = !asked ? "" : page_.repeated() ? " class=\"asked again\"" : " class=\"asked\"";
-  return fmt::format("<figure{}{}>{}</figure>\n", kind, moved, svg);
+  return fmt::format("<figure{}{}>{}</figure>\n", kind, attributes_of_picture(light->figure.drawing.width), svg);
 }
 
 }  // namespace isect::program::book

@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "app/options.h"
+#include "app/excerpt.h"
 
 namespace isect::program {
 

@@ -43,16 +43,18 @@ struct AsHtml {
 
 std::string html_mark(const std::string& what) { return fmt::format("<!-- Made by isect {}. -->", what); }
 
+std::string html_text(const viz::Run& run) {
+  std::string text = viz::xml_escaped(run.text);
+  if (run.bold) text = fmt::format("<b>{}</b>", text);
+  if (run.italic) text = fmt::format("<i>{}</i>", text);
+  if (run.script == viz::Run::Script::sub) text = fmt::format("<sub>{}</sub>", text);
+  if (run.script == viz::Run::Script::super) text = fmt::format("<sup>{}</sup>", text);
+  return text;
+}
+
 std::string html_text(const std::string& markup) {
   std::string out;
-  for (const viz::Run& run : viz::parse_markup(markup)) {
-    std::string text = viz::xml_escaped(run.text);
-    if (run.bold) text = fmt::format("<b>{}</b>", text);
-    if (run.italic) text = fmt::format("<i>{}</i>", text);
-    if (run.script == viz::Run::Script::sub) text = fmt::format("<sub>{}</sub>", text);
-    if (run.script == viz::Run::Script::super) text = fmt::format("<sup>{}</sup>", text);
-    out += text;
-  }
+  for (const viz::Run& run : viz::parse_markup(markup)) out += html_text(run);
   return out;
 }
 

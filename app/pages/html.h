@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/pages/blocks.h"
+#include "viz/rich_text.h"
 
 namespace isect::program {
 
@@ -11,6 +12,7 @@ namespace isect::program {
 std::string html_mark(const std::string& what);
 /// Markup as HTML, on one line.
 std::string html_text(const std::string& markup);
+std::string html_text(const viz::Run&);
 std::string html(const Blocks&);
 /// A whole file: the mark, the head with title and style, the body.
 std::string html_page(const std::string& mark, const std::string& title, const std::string& style,

@@ -59,8 +59,7 @@ const Known& kind_of(const Field& fields) {
   if (found != known().end()) return *found;
   std::vector<std::string> names;
   for (const Known& k : known()) names.push_back(k.handler->kind);
-  given->refuse(described_text(kind) + " is not known; did you mean \"" + nearest(kind, names) +
-                "\"? Allowed: " + listed(names));
+  given->refuse(described_text(kind) + " is not known" + spelling::instead(kind, names, "allowed: " + listed(names)));
 }
 
 /// The text of a field that may be missing, one of those allowed. The first is what it is then.

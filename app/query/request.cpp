@@ -67,8 +67,7 @@ void Field::only(const std::vector<std::string>& names) const {
   for (std::size_t i = at_ + 1; i < document_->next(at_); i = document_->next(i + 1)) {
     const std::string_view name = document_->text(i);
     if (std::find(names.begin(), names.end(), name) != names.end()) continue;
-    Field(*document_, i + 1)
-        .refuse("it is not known; did you mean \"" + nearest(name, names) + "\"? Allowed: " + listed(names));
+    Field(*document_, i + 1).refuse("it is not known" + spelling::instead(name, names, "allowed: " + listed(names)));
   }
 }
 

@@ -11,6 +11,7 @@
 #include <isect/convex_hull.h>
 #include "app/scene/questions.h"
 #include "app/scene/shapes.h"
+#include "app/scene/walks.h"
 #include "viz/rich_text.h"
 
 namespace isect::program::scene {
@@ -22,11 +23,14 @@ struct Hit {
   double t;
 };
 
+/// Whether it stands where a ray can reach it: no other ray, and no point.
+bool can_be_first(Type t) { return t == Type::segment || !(runs_along_a_line(t) || t == Type::point); }
+
 /// By rising t; those that no test decides go to `open`.
 std::vector<Hit> hits_of(const Context& c, std::size_t ray, std::vector<std::size_t>& open) {
   std::vector<Hit> hits;
   for (std::size_t i = 0; i < c.file.objects.size(); ++i) {
-    if (i == ray || runs_along_a_line(c.object(i).type) || !can_ask(c.object(ray).type, c.object(i).type, c.file.flat))
+    if (i == ray || !can_be_first(c.object(i).type) || !can_ask(c.object(ray).type, c.object(i).type, c.file.flat))
       continue;
     const Answer answer = ask(c.setting, c.object(ray), c.object(i));
     if (answer.first_hit) hits.push_back({i, *answer.first_hit});
@@ -50,10 +54,10 @@ viz::Verdict first_of(const Context& c, std::size_t ray, const std::vector<Hit>&
   const std::string first = c.name(hits[0].object);
   constexpr double apart = 8 * std::numeric_limits<double>::epsilon();
   if (hits.size() > 1 && hits[1].t - hits[0].t <= apart * std::max(std::abs(hits[0].t), std::abs(hits[1].t)))
-    return {viz::Verdict::Kind::on, fmt::format("{} meets {} and {} at the same t, as far as rounding tells",
+    return {viz::Verdict::Kind::on, fmt::format("{} meets {} and {} at the same *t*, as far as rounding tells",
                                                 c.name(ray), first, c.name(hits[1].object))};
   return {viz::Verdict::Kind::yes,
-          fmt::format("{} meets {} first, at t = {}", c.name(ray), first, viz::shown(hits[0].t))};
+          fmt::format("{} meets {} first, at *t* = {}", c.name(ray), first, viz::shown(hits[0].t))};
 }
 
 }  // namespace
@@ -105,7 +109,7 @@ Answered answered(const Context& c, const FirstHitAsked& asked) {
   return out;
 }
 
-/// What its steps end with, where there is a test of the pair; a clipping walk has none.
+/// What its steps end with.
 Answered answered(const Context& c, const WalkAsked& asked) {
   const Object &a = c.object(asked.a), &b = c.object(asked.b);
   if (asked.a == asked.b) {
@@ -118,7 +122,7 @@ Answered answered(const Context& c, const WalkAsked& asked) {
     out.json = {{"walk", a.name}, {"verdict", viz::plain(out.verdict.text)}, {"result", {{"hull", corners}}}};
     return out;
   }
-  const bool clips = !can_ask(a.type, b.type, c.file.flat);
+  const bool clips = std::string_view(walk_of(a.type, b.type, c.file.flat, false, asked.lesson)->lesson) == "clipping";
   Answered out = clips ? answered(c, ClipAsked{asked.a, asked.b}) : answered(c, PairAsked{asked.a, asked.b});
   Json json = {{"walk", {a.name, b.name}}};
   for (const auto& [key, value] : out.json.items())

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include <isect/point_polygon.h>
 #include "app/scene/objects.h"
 #include "app/scene/shapes.h"
 
@@ -37,6 +38,35 @@ Vec3 middle_of(const std::vector<Vec3>& points) {
 
 Vec3 top_of(const std::vector<Vec3>& points) {
   return *std::ranges::max_element(points, {}, [](const Vec3& p) { return p.y(); });
+}
+
+/// Where an outline in the plane is widest, by the even-odd rule: beside its notches and holes.
+Vec3 inside_of(const std::vector<std::vector<Vec3>>& rings) {
+  const auto [low, high] = std::ranges::minmax(rings.front(), {}, [](const Vec3& p) { return p.y(); });
+  Vec3 best = middle_of(rings.front());
+  double widest = 0;
+  for (const double share : {0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9}) {
+    const double y = low.y() + share * (high.y() - low.y());
+    std::vector<double> crossed;
+    for (const std::vector<Vec3>& ring : rings)
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Vec3 &p = ring[i], &q = ring[i + 1 < ring.size() ? i + 1 : 0];
+        if ((p.y() > y) != (q.y() > y)) crossed.push_back(p.x() + (y - p.y()) / (q.y() - p.y()) * (q.x() - p.x()));
+      }
+    std::ranges::sort(crossed);
+    for (std::size_t i = 0; i + 1 < crossed.size(); i += 2)
+      if (crossed[i + 1] - crossed[i] > 1.05 * widest)
+        widest = crossed[i + 1] - crossed[i], best = Vec3((crossed[i] + crossed[i + 1]) / 2, y, 0);
+  }
+  return best;
+}
+
+/// Its middle, unless that lies in a notch or a hole.
+Vec3 place_of_name(const std::vector<std::vector<Vec3>>& rings) {
+  const Vec3 middle = middle_of(rings.front());
+  Polygon<double, 2> polygon;
+  for (const std::vector<Vec3>& ring : rings) polygon.rings.push_back(points_of<2>(ring));
+  return locate(point_of<2>(middle), polygon) == Location::in ? middle : inside_of(rings);
 }
 
 struct Drawer {
@@ -166,7 +196,7 @@ struct Drawer {
     viz::Region region;
     region.rings = rings, region.role = role, region.hides = !s.flat;
     items.push_back(region);
-    name(middle_of(rings.front()));
+    name(s.flat ? place_of_name(rings) : middle_of(rings.front()));
   }
 
   void solid(viz::Solid shape) {

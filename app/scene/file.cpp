@@ -11,6 +11,7 @@
 #include "app/scene/questions.h"
 #include "app/scene/read_objects.h"
 #include "app/scene/walks.h"
+#include "viz/spelling.h"
 
 namespace isect::program::scene {
 
@@ -103,8 +104,9 @@ class Reader {
     const Path to = below(path, "volume");
     asked.volume = source_.text(json["volume"], to);
     if (std::ranges::find(volumes(), asked.volume) == volumes().end())
-      source_.refuse(to, fmt::format("no volume is called \"{}\"; did you mean \"{}\"? Allowed: {}, all", asked.volume,
-                                     viz::nearest(asked.volume, volumes()), fmt::join(volumes(), ", ")));
+      source_.refuse(
+          to, fmt::format("no volume is called \"{}\"{}, all", asked.volume,
+                          spelling::instead(asked.volume, volumes(), "allowed: " + spelling::listed(volumes()))));
     return asked;
   }
 
@@ -149,9 +151,8 @@ class Reader {
       lesson = source_.text(json["lesson"], below(path, "lesson"));
       if (std::ranges::find(known, lesson) == known.end())
         source_.refuse(below(path, "lesson"),
-                       fmt::format("no lesson that takes a scene's objects is called \"{}\"; did you mean \"{}\"? "
-                                   "Allowed: {}",
-                                   lesson, viz::nearest(lesson, known), fmt::join(known, ", ")));
+                       fmt::format("no lesson that takes a scene's objects is called \"{}\"{}", lesson,
+                                   spelling::instead(lesson, known, "allowed: " + spelling::listed(known))));
     }
     const bool one = json["walk"].is_string();
     const auto [i, j] =
@@ -227,8 +228,8 @@ bool holds_objects(const std::string& text) {
   const Json json = Json::parse(text, nullptr, false, true);
   if (!json.is_object() || !json.contains("objects") || !json["objects"].is_array()) return false;
   return std::ranges::any_of(json["objects"], [](const Json& o) {
-    return o.is_object() &&
-           std::ranges::any_of(types(), [&](const TypeSpec& t) { return o.contains(t.name) && o[t.name].is_string(); });
+    const auto named = [&](const std::string& type) { return o.contains(type) && o[type].is_string(); };
+    return o.is_object() && (named(other_name_of_sphere) || std::ranges::any_of(types(), named, &TypeSpec::name));
   });
 }
 

@@ -44,24 +44,18 @@ struct Place {
   int beyond(double t) const { return std::isinf(t) ? (t < 0 ? 1 : -1) : beyond(Place(Exact(t), Exact(1.0))); }
 };
 
+/// Its corners, from the ray's origin.
+using Outline = std::vector<Exact2>;
+
 class InPlane {
  public:
-  InPlane(const Ray<double, 3>& ray, const Ring<double, 3>& outline) : range_(ray.range) {
-    const Exact3 n = normal_of(outline);
-    int axis = 0;
-    for (int i = 1; i < 3; ++i)
-      if ((abs(n[i]) - abs(n[axis])).sign() > 0) axis = i;
-    const int x = (axis + 1) % 3, y = (axis + 2) % 3;
-    direction_ = {Exact(ray.direction[x]), Exact(ray.direction[y])};
-    for (const Point<double, 3>& v : outline) {
-      const Exact3 from_origin = difference(v, ray.origin);
-      corners_.push_back({from_origin[x], from_origin[y]});
-    }
-  }
+  InPlane(const Interval<double>& range, Exact2 direction, std::vector<Outline> outlines)
+      : range_(range), direction_(std::move(direction)), outlines_(std::move(outlines)) {}
 
   std::optional<double> first() {
     if (!(range_.lo <= range_.hi) || range_.lo == HUGE_VAL || range_.hi == -HUGE_VAL) return {};
-    for (std::size_t i = 0; i < corners_.size(); ++i) edge(corners_[i], corners_[(i + 1) % corners_.size()]);
+    for (const Outline& o : outlines_)
+      for (std::size_t i = 0; i < o.size(); ++i) edge(o[i], o[(i + 1) % o.size()]);
     if (std::isfinite(range_.lo) && starts_inside()) return range_.lo;
     if (!first_) return {};
     return std::clamp(quotient(first_->num, first_->den), range_.lo, range_.hi);
@@ -91,24 +85,57 @@ class InPlane {
   bool starts_inside() const {
     const Exact2 p = {Exact(range_.lo) * direction_[0], Exact(range_.lo) * direction_[1]};
     bool inside = false;
-    for (std::size_t i = 0; i < corners_.size(); ++i) {
-      const Exact2 a = corners_[i] - p, b = corners_[(i + 1) % corners_.size()] - p;
-      const bool rises = a[1].sign() <= 0 && b[1].sign() > 0, falls = a[1].sign() > 0 && b[1].sign() <= 0;
-      if ((rises && cross(a, b).sign() > 0) || (falls && cross(a, b).sign() < 0)) inside = !inside;
-    }
+    for (const Outline& o : outlines_)
+      for (std::size_t i = 0; i < o.size(); ++i) {
+        const Exact2 a = o[i] - p, b = o[(i + 1) % o.size()] - p;
+        const bool rises = a[1].sign() <= 0 && b[1].sign() > 0, falls = a[1].sign() > 0 && b[1].sign() <= 0;
+        if ((rises && cross(a, b).sign() > 0) || (falls && cross(a, b).sign() < 0)) inside = !inside;
+      }
     return inside;
   }
 
   Interval<double> range_;
   Exact2 direction_;
-  std::vector<Exact2> corners_;  ///< from the ray's origin
+  std::vector<Outline> outlines_;
   std::optional<Place> first_;
 };
+
+Exact2 difference(const Point<double, 2>& a, const Point<double, 2>& b) {
+  return {Exact(a[0]) - Exact(b[0]), Exact(a[1]) - Exact(b[1])};
+}
+
+std::vector<Outline> seen_from(const Point<double, 2>& origin, const std::vector<Ring<double, 2>>& rings) {
+  std::vector<Outline> all;
+  for (const Ring<double, 2>& ring : rings) {
+    all.emplace_back();
+    for (const Point<double, 2>& v : ring) all.back().push_back(difference(v, origin));
+  }
+  return all;
+}
 
 }  // namespace
 
 std::optional<double> first_in_plane(const Ray<double, 3>& ray, const Ring<double, 3>& outline) {
-  return InPlane(ray, outline).first();
+  const Exact3 n = normal_of(outline);
+  int axis = 0;
+  for (int i = 1; i < 3; ++i)
+    if ((abs(n[i]) - abs(n[axis])).sign() > 0) axis = i;
+  const int x = (axis + 1) % 3, y = (axis + 2) % 3;
+  Outline corners;
+  for (const Point<double, 3>& v : outline) {
+    const Exact3 from_origin = difference(v, ray.origin);
+    corners.push_back({from_origin[x], from_origin[y]});
+  }
+  return InPlane(ray.range, {Exact(ray.direction[x]), Exact(ray.direction[y])}, {corners}).first();
+}
+
+std::optional<double> first_in_plane(const Ray<double, 2>& ray, const std::vector<Ring<double, 2>>& outlines) {
+  return InPlane(ray.range, {Exact(ray.direction[0]), Exact(ray.direction[1])}, seen_from(ray.origin, outlines))
+      .first();
+}
+
+std::optional<double> first_in_plane(const Segment<double, 2>& segment, const std::vector<Ring<double, 2>>& outlines) {
+  return InPlane({0, 1}, difference(segment.q, segment.p), seen_from(segment.p, outlines)).first();
 }
 
 double off_plane(const Ring<double, 3>& outline) {

@@ -3,6 +3,7 @@
 // dimensions.
 
 #include <optional>
+#include <vector>
 
 #include <isect/shapes.h>
 
@@ -13,6 +14,11 @@ namespace isect::program::scene {
 /// double nearest to the true one. The numbers are finite but for the ray's range, the outline has an area, and the ray
 /// lies in its plane.
 std::optional<double> first_in_plane(const Ray<double, 3>&, const Ring<double, 3>& outline);
+
+/// The same in the plane, of outlines and their holes; of a segment of any length but 0 the share of it, from 0 to 1. A
+/// ring of two corners is a segment.
+std::optional<double> first_in_plane(const Ray<double, 2>&, const std::vector<Ring<double, 2>>& outlines);
+std::optional<double> first_in_plane(const Segment<double, 2>&, const std::vector<Ring<double, 2>>& outlines);
 
 /// The farthest that a vertex lies off the plane that the core's test takes for the outline's: through the first
 /// vertex, with Newell's normal. 0 if and only if all lie in it, exactly; else rounded. The outline has an area.

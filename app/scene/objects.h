@@ -51,6 +51,8 @@ struct TypeSpec {
   std::vector<FieldSpec> fields;  ///< none of what is made of points: they are called 1, 2, ...
 };
 const std::vector<TypeSpec>& types();
+/// What files may call it in the plane.
+inline constexpr const char* other_name_of_sphere = "circle";
 const TypeSpec& spec(Type);
 
 /// Numbers that are no parameters.

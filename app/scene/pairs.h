@@ -24,6 +24,8 @@ struct Pair {
 
 /// Those of k-DOPs, frusta, hulls, meshes and clouds.
 std::vector<Pair> pairs_of_many_numbers();
+/// Those of outlines, lines and segments in the plane; a point beside a line or a plane.
+std::vector<Pair> pairs_in_plane();
 
 // What the tables share.
 

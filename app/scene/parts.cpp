@@ -66,8 +66,11 @@ void tell_line(const Context& c, const ClipAsked& asked, Answered& out) {
   for (const Vec3& end : {a, b}) out.items.push_back(viz::Dot{end, viz::Mark::disc, Role::hit});
   out.values = {{"*t*_{in}", part->lo, "t", Role::hit, true}, {"*t*_{out}", part->hi, "t", Role::hit, true}};
   const auto [lo, hi] = viz::shown_apart(part->lo, part->hi);
-  out.verdict = part->lo == part->hi ? Verdict{Verdict::Kind::on, fmt::format("one point is kept: *t* = {}", lo)}
-                                     : Verdict{Verdict::Kind::yes, fmt::format("kept: *t* from {} to {}", lo, hi)};
+  out.verdict = part->lo == part->hi
+                    ? Verdict{Verdict::Kind::on, fmt::format("of {} one point lies in {}: *t* = {}", c.name(asked.what),
+                                                             c.name(asked.box), lo)}
+                    : Verdict{Verdict::Kind::yes, fmt::format("of {} the part from *t* = {} to {} lies in {}",
+                                                              c.name(asked.what), lo, hi, c.name(asked.box))};
 }
 
 void tell_outline(const Context& c, const ClipAsked& asked, Answered& out) {
@@ -83,7 +86,9 @@ void tell_outline(const Context& c, const ClipAsked& asked, Answered& out) {
   viz::Region region;
   region.rings = {kept}, region.role = Role::hit, region.pen = viz::Pen::thick, region.corners = true;
   out.items.push_back(region);
-  out.verdict = {Verdict::Kind::yes, fmt::format("kept: {} {}", kept.size(), kept.size() == 1 ? "vertex" : "vertices")};
+  out.verdict = {Verdict::Kind::yes,
+                 fmt::format("the part of {} in {} has {} {}", c.name(asked.what), c.name(asked.box), kept.size(),
+                             kept.size() == 1 ? "corner" : "corners")};
   if (o.type == Type::polygon)
     out.caption += " Of a polygon that is not convex, edges along the box may join what is kept.";
 }

@@ -175,9 +175,8 @@ void tell_off_plane(const Object& b, const Ring<double, 3>& outline, Answer& out
   if (off == 0) return;
   out.result["off_plane"] = off;
   out.note = fmt::format(
-      "The corners of {} lie up to {} off one plane: what is tested is the outline laid into the plane through the "
-      "first "
-      "of them.",
+      "The corners of {} lie up to {} off one plane: what is tested is the outline "
+      "laid into the plane through the first of them.",
       shown_name(b.name), viz::shown(off));
   Vec3 lo = outline.front(), hi = lo;
   for (const Vec3& v : outline) lo = lo.cwiseMin(v), hi = hi.cwiseMax(v);
@@ -231,6 +230,10 @@ void segments(const Setting& s, const Object& a, const Object& b, Answer& out) {
   relate(s, a, b, out);
   if (r == "cross") out.verdict = {Verdict::Kind::yes, names(a, b) + " cross"};
   if (r == "overlap") out.verdict = {Verdict::Kind::yes, names(a, b) + " share a stretch"};
+  if (r == "disjoint") return;
+  const auto end = [&](const Object& o, const char* name) { return point_of<2>(s.point(o, name)); };
+  const Segment<double, 2> of_a = {end(a, "from"), end(a, "to")};
+  out.first_hit = of_a.p == of_a.q ? 0 : first_in_plane(of_a, {{end(b, "from"), end(b, "to")}});
 }
 
 const std::vector<Pair>& pairs() {
@@ -323,6 +326,7 @@ const std::vector<Pair>& pairs() {
                          ray_meets_polygon});
     }
     std::ranges::copy(pairs_of_many_numbers(), std::back_inserter(table));
+    std::ranges::copy(pairs_in_plane(), std::back_inserter(table));
     return table;
   }();
   return all;

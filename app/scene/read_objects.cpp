@@ -8,6 +8,7 @@
 #include <set>
 
 #include "app/scene/shape_file.h"
+#include "viz/spelling.h"
 
 namespace isect::program::scene {
 
@@ -29,12 +30,20 @@ class Reader {
     for (std::size_t i = 0; i < all.size(); ++i) {
       const Path path = {"objects", std::to_string(i)};
       out_.json.push_back(all[i]);
-      read(all[i], path);
+      read(with_types_own_name(all[i]), path);
     }
     return std::move(out_);
   }
 
  private:
+  /// A circle is the sphere of the plane.
+  static Json with_types_own_name(const Json& json) {
+    if (!json.is_object() || !json.contains(other_name_of_sphere) || json.contains("sphere")) return json;
+    Json renamed = Json::object();
+    for (const auto& [key, value] : json.items()) renamed[key == other_name_of_sphere ? "sphere" : key] = value;
+    return renamed;
+  }
+
   void read(const Json& json, const Path& path) {
     if (!json.is_object() || json.empty())
       source_.refuse(path, "an object such as {\"sphere\": \"A\", ...} is expected");
@@ -43,8 +52,8 @@ class Reader {
       std::vector<std::string> names;
       for (const TypeSpec& t : types()) names.push_back(t.name);
       const std::string first = json.begin().key();
-      source_.refuse(below(path, first), fmt::format("no type of object; did you mean \"{}\"? Allowed: {}",
-                                                     viz::nearest(first, names), fmt::join(names, ", ")));
+      source_.refuse(below(path, first),
+                     "no type of object" + spelling::instead(first, names, "allowed: " + spelling::listed(names)));
     }
     Object o = {known->type, source_.text(json[known->name], below(path, known->name))};
     check_name(o.name, below(path, known->name));
@@ -56,6 +65,8 @@ class Reader {
       fields(json, path, *known, o);
     if (source_.flat() && (o.type == Type::frustum || o.type == Type::mesh))
       source_.refuse(path, with_article(known->type) + " in the plane");
+    if (!source_.flat() && out_.json.back().contains(other_name_of_sphere))
+      source_.refuse(path, "a circle in space; a sphere, a ball, is meant");
     out_.all.push_back(std::move(o));
   }
 
@@ -96,7 +107,7 @@ class Reader {
       source_.refuse(path, source_.flat() ? "a third axis w in the plane" : "\"w\", the third axis, is missing");
     for (const ShapeRule& rule : rules_of(type.type))
       if (!rule.holds({out_.parameters, source_.flat()}, o))
-        source_.refuse(below(path, rule.field), rule.allowed + " is expected");
+        source_.refuse(below(path, rule.field), "give " + rule.allowed);
   }
 
   /// "normals", and as many numbers "lo" and "hi".
@@ -235,8 +246,8 @@ std::size_t object_named(const Source& source, const std::vector<Object>& object
   if (found != objects.end()) return static_cast<std::size_t>(found - objects.begin());
   std::vector<std::string> names;
   for (const Object& o : objects) names.push_back(o.name);
-  source.refuse(path, fmt::format("no object is called \"{}\"; did you mean \"{}\"? There are {}", name,
-                                  viz::nearest(name, names), fmt::join(names, ", ")));
+  source.refuse(path, fmt::format("no object is called \"{}\"{}", name,
+                                  spelling::instead(name, names, "there are " + spelling::listed(names))));
 }
 
 }  // namespace isect::program::scene

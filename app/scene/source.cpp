@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "viz/spelling.h"
+
 namespace isect::program::scene {
 
 namespace {
@@ -93,8 +95,7 @@ void Source::only(const Json& object, const Path& path, const std::vector<std::s
   if (!object.is_object()) refuse(path, "an object in braces is expected");
   for (const auto& [key, value] : object.items())
     if (std::ranges::find(allowed, key) == allowed.end())
-      refuse(below(path, key), fmt::format("unknown; did you mean \"{}\"? Allowed: {}", viz::nearest(key, allowed),
-                                           fmt::join(allowed, ", ")));
+      refuse(below(path, key), "unknown" + spelling::instead(key, allowed, "allowed: " + spelling::listed(allowed)));
 }
 
 const Json& Source::member(const Json& object, const Path& path, const std::string& key) const {

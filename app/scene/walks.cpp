@@ -5,15 +5,19 @@
 #include <algorithm>
 
 #include <isect/convex_hull.h>
+#include <isect/polygon.h>
 #include "app/scene/pairs.h"
 #include "app/scene/shapes.h"
 #include "lessons/clipping/picture.h"
+#include "lessons/concave_polygon/picture.h"
 #include "lessons/convex_hull/picture.h"
 #include "lessons/convex_polygon/picture.h"
 #include "lessons/crossings/telling.h"
+#include "lessons/culling/picture.h"
 #include "lessons/lessons.h"
 #include "lessons/obb_obb/telling.h"
 #include "lessons/ray_polygon/telling.h"
+#include "lessons/shared/vertices.h"
 #include "viz/place.h"
 
 namespace isect::program::scene {
@@ -33,11 +37,15 @@ viz::Walk of_lesson(const char* id, const Parameters& parameters) {
   return lesson.steps(all);
 }
 
+constexpr Walk two_points = [](const Setting& s, const Object& a, const Object& b) {
+  return of_lesson("points", {{"question", "equal"}, {"p", s.point(a, "at")}, {"q", s.point(b, "at")}});
+};
+
 constexpr Walk balls = [](const Setting& s, const Object& a, const Object& b) {
   return of_lesson("sphere-sphere", {{"a", s.point(a, "center")},
-                                     {"r1", s.number(a, "radius")},
+                                     {"r_a", s.number(a, "radius")},
                                      {"b", s.point(b, "center")},
-                                     {"r2", s.number(b, "radius")}});
+                                     {"r_b", s.number(b, "radius")}});
 };
 
 constexpr Walk boxes = [](const Setting& s, const Object& a, const Object& b) {
@@ -115,10 +123,17 @@ constexpr Walk clipped_polygon = [](const Setting& s, const Object& a, const Obj
   return lessons::clipping_lesson::clip_a_polygon(points_of<2>(s.rings(a).front()), box_of<2>(s, b));
 };
 
+constexpr Walk culled_box = [](const Setting& s, const Object& a, const Object& b) {
+  return lessons::culling_lesson::one_volume(frustum_of(s, a), s.point(a, "eye"), box_of<3>(s, b));
+};
+
+constexpr Walk culled_ball = [](const Setting& s, const Object& a, const Object& b) {
+  return lessons::culling_lesson::one_volume(frustum_of(s, a), s.point(a, "eye"), sphere_of<3>(s, b));
+};
+
 /// A step each is told of them.
 template <class Points>
-void need_few(const Object& o, const Points& points) {
-  constexpr std::size_t most = 100;
+void need_few(const Object& o, const Points& points, std::size_t most = 100) {
   if (points.size() > most)
     throw viz::BadInput(fmt::format("{} has {} points, and the lesson has a step or more for each: {} are the most",
                                     o.name, points.size(), most));
@@ -145,6 +160,16 @@ constexpr Walk point_in_convex_polygon = [](const Setting& s, const Object& a, c
   throw viz::BadInput(b.name + " is not convex, or three of its corners lie on one line");
 };
 
+/// What is stored of each corner is drawn beside the polygon.
+constexpr Walk point_in_concave_polygon = [](const Setting& s, const Object& a, const Object& b) {
+  need_few(b, s.points(b), 24);
+  Ring<double, 2> ring = points_of<2>(s.rings(b).front());
+  if (s.rings(b).size() > 1) throw viz::BadInput(b.name + " has holes, and the lesson prepares one outline");
+  if (!lessons::is_simple(ring)) throw viz::BadInput("edges of " + b.name + " cross or touch, or it has no area");
+  if (area(ring) < 0) std::ranges::reverse(ring);
+  return lessons::concave_polygon_lesson::slabs({ring, point_of<2>(s.point(a, "at"))});
+};
+
 constexpr Walk hull_of_points = [](const Setting& s, const Object& a, const Object&) {
   const std::vector<Vec3> points = s.points(a);
   need_few(a, points);
@@ -156,6 +181,7 @@ constexpr Walk hull_of_points = [](const Setting& s, const Object& a, const Obje
 const std::vector<LessonWalk>& walks() {
   using enum Type;
   static const std::vector<LessonWalk> table = {
+      {"points", point, point, false, "**p**", "**q**", two_points},
       {"sphere-sphere", sphere, sphere, false, "a", "b", balls},
       {"aabb-aabb", box, box, false, "a", "b", boxes},
       {"sphere-aabb", sphere, box, false, "the ball", "the box", ball_and_box},
@@ -164,6 +190,8 @@ const std::vector<LessonWalk>& walks() {
       {"obb-obb", obb, obb, false, "a", "b", oriented_boxes},
       {"ray-polygon", ray, polygon, false, "the ray", "the polygon", ray_and_polygon},
       {"ray-polygon", ray, triangle, false, "the ray", "the polygon", ray_and_polygon},
+      {"culling", frustum, box, false, "the view frustum", "the box", culled_box},
+      {"culling", frustum, sphere, false, "the view frustum", "the ball", culled_ball},
       {"capsule-capsule", capsule, capsule, true, "a", "b", capsules},
       {"clipping", segment, box, true, "the segment", "the box", clipped_segment},
       {"clipping", polygon, box, true, "the polygon", "the box", clipped_polygon},
@@ -172,6 +200,8 @@ const std::vector<LessonWalk>& walks() {
       {"crossings", point, triangle, true, "**p**", "the polygon", point_in_polygon},
       {"convex-polygon", point, polygon, true, "**p**", "the polygon", point_in_convex_polygon},
       {"convex-polygon", point, triangle, true, "**p**", "the polygon", point_in_convex_polygon},
+      {"concave-polygon", point, polygon, true, "**p**", "the polygon", point_in_concave_polygon},
+      {"concave-polygon", point, triangle, true, "**p**", "the polygon", point_in_concave_polygon},
       {"convex-hull", hull, hull, true, "the points", nullptr, hull_of_points},
       {"convex-hull", cloud, cloud, true, "the points", nullptr, hull_of_points},
   };

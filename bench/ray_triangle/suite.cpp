@@ -41,7 +41,7 @@ void compete(Session& session, const NamedDraw<Case<S>>& drawn) {
   CaseFamily<Case<S>> family = family_of<S, Case<S>>("ray-triangle", drawn, truth<S>);
   family.residual = [](const Case<S>& c, double t) { return oracle::off_plane(c.a, c.b, t); };
   Contest<S, Case<S>> contest(session, family);
-  contest.enter("Moller, Trumbore", [](const Case<S>& c) { return t_of(methods::moller_trumbore(c.a, c.b)); })
+  contest.enter("Möller, Trumbore", [](const Case<S>& c) { return t_of(methods::moller_trumbore(c.a, c.b)); })
       .standard();
   contest.enter("signed volumes", [](const Case<S>& c) { return t_of(methods::signed_volumes(c.a, c.b)); });
   contest.enter("Woop", [](const Case<S>& c) { return t_of(methods::woop(c.a, c.b)); });
@@ -69,7 +69,7 @@ void shared_edge(Session& session) {
     return [meets](const Two& c) -> bool { return meets(c.ray, c.left) || meets(c.ray, c.right); };
   };
   contest
-      .enter("Moller, Trumbore",
+      .enter("Möller, Trumbore",
              either([](const auto& ray, const auto& x) { return methods::moller_trumbore(ray, x).has_value(); }))
       .standard();
   contest.enter("signed volumes",

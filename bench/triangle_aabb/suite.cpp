@@ -27,9 +27,9 @@ template <class S>
 void compete(Session& session, const NamedDraw<Case<S>>& drawn) {
   namespace methods = triangle_aabb;
   Contest<S, Case<S>> contest(session, family_of<S, Case<S>>("triangle-aabb", drawn, truth<S>));
-  contest.enter("Akenine-Moller", [](const Case<S>& c) { return methods::akenine_moller(c.a, c.b); }).standard();
+  contest.enter("Akenine-Möller", [](const Case<S>& c) { return methods::akenine_moller(c.a, c.b); }).standard();
   if constexpr (std::is_same_v<S, float>)
-    contest.enter("Akenine-Moller in double",
+    contest.enter("Akenine-Möller in double",
                   [](const Case<S>& c) { return methods::akenine_moller(cast<double>(c.a), cast<double>(c.b)); });
   enter_exact(contest);
 #ifdef ISECT_PEERS

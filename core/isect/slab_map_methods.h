@@ -43,8 +43,8 @@ struct NaiveSlabs {
     Point<S, 2> lower, upper;
     S m, k;  ///< x = m y + k
 
-    S at(S y, Abscissa form) const {
-      if (form == Abscissa::line) return m * y + k;
+    S at(S y, Abscissa as) const {
+      if (as == Abscissa::line) return m * y + k;
       return lower[0] + (y - lower[1]) * (upper[0] - lower[0]) / (upper[1] - lower[1]);
     }
   };

@@ -6,6 +6,7 @@
 // it has been rounded before. Squares overflow or vanish beyond 1e+-154 in double, 1e+-19 in float; only std::hypot is
 // free of that. Negative radii are taken as they are, so that empty balls may meet.
 
+#include <algorithm>
 #include <cmath>
 #include <variant>
 
@@ -44,6 +45,19 @@ bool by_distance(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trace = {
   return distance <= sum;
 }
 
+namespace detail {
+
+/// std::hypot of three, as libstdc++ has it: that of other libraries squares without scaling.
+template <class S>
+S hypot(S x, S y, S z) {
+  const S largest = std::max({std::abs(x), std::abs(y), std::abs(z)});
+  if (largest == S(0)) return largest;
+  const S u = x / largest, v = y / largest, w = z / largest;
+  return largest * std::sqrt(u * u + v * v + w * w);
+}
+
+}  // namespace detail
+
 /// By std::hypot, whose squares neither overflow nor vanish.
 template <class S, int N, class Trace = NoTrace>
 bool by_hypot(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trace = {}) {
@@ -52,7 +66,7 @@ bool by_hypot(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trace = {}) 
   if constexpr (N == 2)
     distance = std::hypot(l[0], l[1]);
   else
-    distance = std::hypot(l[0], l[1], l[2]);
+    distance = detail::hypot(l[0], l[1], l[2]);
   const S sum = a.radius + b.radius;
   trace(Lengths<S>{distance, sum});
 

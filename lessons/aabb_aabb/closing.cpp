@@ -21,7 +21,7 @@ bool apart_on_z_alone(const Parameters& p) {
 const std::string& opening() {
   static const std::string text =
       "Do two axis-aligned boxes meet? Broad phases and hierarchies answer this millions of times a second.\n"
-      "One gap on one axis is enough to say no. So the test goes axis by axis and stops at the first gap.";
+      "A gap on one axis is enough to say no: that is a separating axis. So the test stops at the first gap.";
   return text;
 }
 

@@ -1,6 +1,7 @@
 // Axis-aligned boxes (N13): an interval test for each axis, up to the first gap.
 
 #include "lessons/aabb_aabb/picture.h"
+#include "lessons/course.h"
 #include "lessons/shared/parameters.h"
 
 namespace isect::lessons {
@@ -56,6 +57,8 @@ const Lesson& aabb_aabb() {
                   "Inside the loop it lets x alone decide; boxes that overlap on x may have a gap on y or z.",
                   "gap-y"}},
       .after = {"relations", "intervals"},
+      .ideas = {"separating axis", "containment"},
+      .shared = shared_ideas,
   };
   return lesson;
 }

@@ -63,9 +63,12 @@ const Closing& closing() {
            "overlap",
            in_void,
            {{"q", "1,-1,-0.25"}}},
-          {"A box with half-lengths **h** is turned by a matrix *R*. Find the half-lengths of the AABB around it.",
-           "On axis *i* it is the sum of |*R_{ij}*| *h_j* over *j*. That takes nine products. Around an object in the "
+          {"A box with half-lengths **h** is turned by a matrix *M*. Find the half-lengths of the AABB around it.",
+           "On axis *i* it is the sum of |*M_{ij}*| *h_j* over *j*. That takes nine products. Around an object in the "
            "box it is looser than fitting the object's vertices again."},
+          {"An object is translated by **v**. What changes in its sphere, AABB, OBB and *k*-DOP?",
+           "The centre of the sphere and of the OBB moves by **v**, and so do both corners of the AABB. The bounds of "
+           "slab *i* grow by **n**_i · **v**. Nothing is fitted again."},
           {"An object with *n* vertices rotates every frame. What does it cost to update each volume?",
            "Sphere: one point. OBB: a centre and three axes. AABB and *k*-DOP: O(*n*) for a tight fit, or only the "
            "hull's vertices."},

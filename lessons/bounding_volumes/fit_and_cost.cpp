@@ -14,9 +14,10 @@
 namespace isect::lessons::bounding_volumes_lesson {
 
 using namespace viz;
-using Mesh3 = TriangleMesh<double>;
 
 namespace {
+
+using Mesh3 = TriangleMesh<double>;
 
 class Fit {
  public:
@@ -69,7 +70,7 @@ class Fit {
     std::vector<Item>& items = step.scene.items;
     items = {drawn(mesh_, Role::first), m.drawn};
     for (const Item& item : own) items.push_back(item);
-    items.push_back(below(items, fmt::format("{} numbers, {}", m.numbers, void_of(m, fitted_.object))));
+    items.push_back(below(items, fmt::format("{} numbers, void {}", m.numbers, void_of(m, fitted_.object))));
     return step;
   }
 

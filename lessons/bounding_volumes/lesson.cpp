@@ -7,6 +7,7 @@
 #include "lessons/bounding_volumes/cheap_first.h"
 #include "lessons/bounding_volumes/fit_and_cost.h"
 #include "lessons/bounding_volumes/picture.h"
+#include "lessons/course.h"
 #include "lessons/shared/parameters.h"
 
 namespace isect::lessons {
@@ -82,6 +83,8 @@ const Lesson& bounding_volumes() {
       .opening = opening(),
       .closing = &closing(),
       .after = {"relations", "aabb-aabb", "sphere-sphere", "obb-obb"},
+      .ideas = {"trivial reject", "slab"},
+      .shared = shared_ideas,
   };
   return lesson;
 }

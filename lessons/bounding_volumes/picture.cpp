@@ -27,7 +27,7 @@ Vec3 in_view(double x, double y) {
 
 std::string void_of(const Measured& m, double object) {
   const double times = m.volume / object - 1;
-  return times < 0.995 ? fmt::format("void {:.2f} ×", times) : fmt::format("void {:.1f} ×", times);
+  return times < 0.995 ? fmt::format("{:.2f} ×", times) : fmt::format("{:.1f} ×", times);
 }
 
 Item below(const Items& items, const std::string& text) {
@@ -115,8 +115,13 @@ class Page {
 
   static Vec3 at(double x, double y) { return in_view(x, y); }
 
+  /// In a column of its own: neighbours never touch, however small the picture is.
   void text(double x, double y, const std::string& what, bool bold = false) {
-    items.push_back(viz::Heading{at(x, y), what, Role::text, 0.94 * pitch, bold});
+    items.push_back(viz::Heading{at(x, y), what, Role::text, 0.8 * pitch, bold});
+  }
+  /// Over what stands in all `columns`.
+  void over(double y, const std::string& what, std::size_t columns) {
+    items.push_back(viz::Heading{at(0, y), what, Role::muted, pitch * static_cast<double>(columns), false});
   }
   void box(double x, double y, double width, double height, Role role) {
     items.push_back(
@@ -179,15 +184,18 @@ Items side_by_side(const TriangleMesh<double>& mesh, double object, const std::v
     const Items both = {scaled(drawn(mesh, Role::first), k), scaled(m.drawn, k)};
     for (const Item& item : moved(both, page.at(x - middle.x(), 0.8 - middle.y()))) page.items.push_back(item);
 
-    page.text(x, -0.2, void_of(m, object));
-    page.box(left, -0.5, unit * object, 0.13, Role::first);
-    page.hatched(left + unit * object, -0.5, unit * (m.volume - object), 0.13, Role::second);
-    page.text(x, -0.8, fmt::format("{} numbers", m.numbers));
-    page.cells(left, -1.0, m.numbers);
+    page.text(x, -0.66, void_of(m, object));
+    page.box(left, -0.98, unit * object, 0.13, Role::first);
+    page.hatched(left + unit * object, -0.98, unit * (m.volume - object), 0.13, Role::second);
+    page.text(x, -1.69, std::to_string(m.numbers));
+    page.cells(left, -1.87, m.numbers);
     if (m.operations() == 0) continue;
-    page.text(x, -1.65, fmt::format("{} operations", m.operations()));
-    page.box(left, -1.95, room / most * m.operations(), 0.13, Role::muted);
+    page.text(x, -2.91, std::to_string(m.operations()));
+    page.box(left, -3.23, room / most * m.operations(), 0.13, Role::muted);
   }
+  page.over(-0.25, "void, in volumes of the object", all.size());
+  page.over(-1.28, "stored numbers", all.size());
+  page.over(-2.5, "operations of a test that finds an overlap", all.size());
   return page.items;
 }
 

@@ -61,7 +61,7 @@ const CaseMap& cases() {
       moved,
       "The second capsule is moved without rotation.\n"
       "The segments cross inside a parallelogram: their Minkowski difference, flat if they are parallel. "
-      "The capsules meet there, and within *s* around it."};
+      "The capsules meet there, and within *R* around it."};
   return map;
 }
 

@@ -1,6 +1,7 @@
 // Capsule against capsule in the plane: whether the segments cross, how near each end comes, and the exact relation.
 
 #include "lessons/capsule_capsule/picture.h"
+#include "lessons/course.h"
 #include "lessons/shared/parameters.h"
 
 namespace isect::lessons {
@@ -62,6 +63,8 @@ const Lesson& capsule_capsule() {
       .opening = opening(),
       .closing = &closing(),
       .after = {"intervals", "sphere-sphere"},
+      .ideas = {"Minkowski sum"},
+      .shared = shared_ideas,
   };
   return lesson;
 }

@@ -9,13 +9,13 @@ namespace isect::lessons::capsule_capsule_lesson {
 std::string because(const Setup& s) {
   switch (s.truth) {
     case Relation::disjoint:
-      return "No end comes within *s* of the other segment, and they do not cross.";
+      return "No end comes within *R* of the other segment, and they do not cross.";
     case Relation::touching:
       return s.a.radius == 0 && s.b.radius == 0 ? "Both are segments, which have no interior."
              : s.thin()                         ? "One of them is a segment, which has no interior."
-                                                : "An end is exactly *s* away, and none is nearer.";
+                                                : "An end is exactly *R* away, and none is nearer.";
     case Relation::overlapping:
-      return "They come nearer than *s*, but neither contains the balls at both ends of the other.";
+      return "They come nearer than *R*, but neither contains the balls at both ends of the other.";
     default:
       return "One capsule contains the balls at both ends of the other. It is convex, so it contains everything "
              "between.";
@@ -25,14 +25,14 @@ std::string because(const Setup& s) {
 std::string end_caption(const Setup& s) {
   switch (s.truth) {
     case Relation::disjoint:
-      return "The segments are more than *s* apart: a gap is left.\n"
+      return "The segments are more than *R* apart: a gap is left.\n"
              "The exact test compares squares, multiplied out, so it needs no division and no square root.";
     case Relation::touching:
       if (s.thin())
         return "A capsule of radius 0 is a segment. In the plane it has no interior: if the two meet, they touch, "
                "unless one contains the other.\n"
                "If the common point is not a double, methods that compute it may miss it.";
-      return "The distance is exactly *s*: the exact test takes the sign of *d* − *s* without rounding.\n"
+      return "The distance is exactly *R*: the exact test takes the sign of *d* − *R* without rounding.\n"
              "They share boundary points, and no interior point.";
     case Relation::overlapping:
       return "They share interior points, and neither contains the other.\n"

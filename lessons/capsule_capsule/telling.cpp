@@ -19,13 +19,13 @@ using capsule_capsule::Nearest;
 namespace {
 
 const std::vector<std::string> pseudocode = {
-    "s ← r_a + r_b",                                                // 0
+    "R ← r_a + r_b",                                                // 0
     "if the segments cross: d ← 0",                                 // 1
-    "else: for p_a, q_a, until d < s: d ← distance to b, if less",  // 2
-    "      for p_b, q_b, until d < s: d ← distance to a, if less",  // 3
-    "if d > s: return DISJOINT",                                    // 4
+    "else: for p_a, q_a, until d < R: d ← distance to b, if less",  // 2
+    "      for p_b, q_b, until d < R: d ← distance to a, if less",  // 3
+    "if d > R: return DISJOINT",                                    // 4
     "if the balls at the ends of one lie in the other: INSIDE",     // 5
-    "return OVERLAPPING, or TOUCHING if d = s or r_a r_b = 0"       // 6
+    "return OVERLAPPING, or TOUCHING if d = R or r_a r_b = 0"       // 6
 };
 const char* const end_names[] = {"**p**_a", "**q**_a", "**p**_b", "**q**_b"};
 
@@ -54,12 +54,12 @@ class Teller {
   }
 
   void reach() {
-    script_.value("*s*", sum(), "length", Role::first);
+    script_.value("*R*", sum(), "length", Role::first);
     shown_.radii = true;
     add("reach", "How far do they reach?", 0,
         "A capsule is the Minkowski sum of a segment and a ball: all points within *r* of the segment.\n"
-        "So two capsules meet if and only if their segments come within *s* = *r*_a + *r*_b of each other.",
-        fmt::format("*s* = {} + {} = {}", shown(s_.a.radius), shown(s_.b.radius), shown(sum())));
+        "So two capsules meet if and only if their segments come within *R* = *r*_a + *r*_b of each other.",
+        fmt::format("*R* = {} + {} = {}", shown(s_.a.radius), shown(s_.b.radius), shown(sum())));
     shown_.radii = false;
   }
 
@@ -139,7 +139,7 @@ class Teller {
 
   static std::string said(const End& e) {
     const char* const other = e.end < 2 ? "b" : "a";
-    const char* const far = e.sign > 0 ? "farther off than *s*" : e.sign < 0 ? "nearer than *s*" : "exactly *s* away";
+    const char* const far = e.sign > 0 ? "farther off than *R*" : e.sign < 0 ? "nearer than *R*" : "exactly *R* away";
     if (e.nearest == Nearest::between)
       return fmt::format("{}: the nearest point lies between the ends of {}, {}.", end_names[e.end], other, far);
     const int nearest = (e.end < 2 ? 2 : 0) + (e.nearest == Nearest::q ? 1 : 0);
@@ -159,14 +159,14 @@ class Teller {
                      : inside ? 5
                               : 6,
                      end_caption(s_),
-                     fmt::format("*d* {} {} = *s*",
+                     fmt::format("*d* {} {} = *R*",
                                  !meet       ? ">"
                                  : equal     ? "="
                                  : sum() > 0 ? "<"
                                              : "=",
                                  shown(sum())));
     if ((least_ <= sum()) == meet)  // else rounding hides the difference
-      Script::decide(step, {"*d* ≤ *s*", least_, sum(), meet,
+      Script::decide(step, {"*d* ≤ *R*", least_, sum(), meet,
                             !meet        ? "a gap between them"
                             : is_least() ? "they share a point"
                                          : "they share a point, and the distance may be less still"});

@@ -23,7 +23,8 @@ const std::string& opening() {
   static const std::string text =
       "Which part of a segment or polygon lies in a box? Every renderer clips its lines and triangles at the image "
       "edges.\n"
-      "A box is the intersection of half-planes, so each side cuts in turn. In the lecture note *Intersection "
+      "A box is an intersection of half-spaces (in the plane: half-planes), so each side cuts in turn. In the lecture "
+      "note *Intersection "
       "Detection*, clipping is the first use.";
   return text;
 }

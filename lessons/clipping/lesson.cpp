@@ -5,6 +5,7 @@
 #include <isect/clip_segment.h>
 #include <isect/ray_aabb_methods.h>
 #include "lessons/clipping/picture.h"
+#include "lessons/course.h"
 #include "lessons/shared/opinions.h"
 #include "lessons/shared/parameters.h"
 
@@ -103,6 +104,8 @@ const Lesson& clipping() {
       .opening = opening(),
       .closing = &closing(),
       .after = {"intervals", "rays", "ray-polygon"},
+      .ideas = {"trivial reject", "slab", "half-space"},
+      .shared = shared_ideas,
   };
   return lesson;
 }

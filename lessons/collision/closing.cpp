@@ -37,12 +37,13 @@ const Closing& closing() {
           "All pairs take *n*(*n* − 1)/2 tests; sorting or a hierarchy leaves few. Discrete times miss what "
           "happens between them.",
       .cost =
-          "Brute force O(*n*^2). Sweep and prune: a sort, then the pairs that overlap on one axis. Hierarchy: about "
+          "Brute force O(*n*^2). Sweep and prune: a sort, then the pairs that overlap on one axis. Bounding volume "
+          "hierarchy: about "
           "O(*n* lg *n*).",
       .choose =
           "Brute force below a few dozen bodies. Sweep where little moves between frames; a hierarchy or grid for "
           "large "
-          "scenes. Continuous detection for fast bodies.",
+          "scenes. Continuous collision detection for fast bodies.",
       .used =
           "Broad phase (all pairs), narrow phase (GJK, contacts): Bullet, Box2D, Jolt and PhysX all have both, and "
           "continuous detection.",

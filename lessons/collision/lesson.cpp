@@ -5,6 +5,7 @@
 // collision/picture, the moving box in collision/tunnelling.
 
 #include "lessons/collision/telling.h"
+#include "lessons/course.h"
 #include "lessons/shared/parameters.h"
 
 namespace isect::lessons {
@@ -57,6 +58,8 @@ const Lesson& collision() {
         .closing = &closing(),
         .errata = errata(),
         .after = {"aabb-aabb", "rays", "hierarchy"},
+        .ideas = {"Minkowski sum", "continuous collision detection", "bounding volume hierarchy", "temporal coherence"},
+        .shared = shared_ideas,
     };
   }();
   return lesson;

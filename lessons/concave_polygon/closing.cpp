@@ -35,7 +35,7 @@ const Closing& closing() {
       .result = "Every simple polygon can be preprocessed so that any point is located in O(lg *n*).",
       .cost =
           "Slabs: O(*n*^2) time and space to build. Trapezoids: O(*n* lg *n*) and O(*n*), expected. Kirkpatrick: the "
-          "same, guaranteed. A query: O(lg *n*).",
+          "same, guaranteed. A query: O(lg *n*), in slabs by bisection.",
       .choose =
           "Few points: count crossings, without preprocessing. Many points, one fixed polygon: trapezoids. Slabs "
           "only for small *n*.",
@@ -60,7 +60,8 @@ const Closing& closing() {
            on_the_boundary,
            {{"p", "-0.875,-0.25,0"}}},
           {"Drag **p** to an interior point level with a vertex.",
-           "A vertex has the height −0.25, so (−1.5, −0.25) will do. Slabs must then look at their lower line, too.",
+           "A vertex has the height −0.25, so (−1.5, −0.25) will do. By the half-open rule a slab includes its lower "
+           "line: it must look there, too.",
            "slabs",
            level_with_a_vertex,
            {{"p", "-1.5,-0.25,0"}}},

@@ -20,7 +20,7 @@ class Coarsening {
  public:
   explicit Coarsening(const Setup& setup)
       : s_(setup),
-        h_(make_hierarchy(setup.ring, {{frame.left, frame.low}, {frame.right, frame.high}})),
+        h_(make_hierarchy(setup.ring, {{setup.frame.left, setup.frame.low}, {setup.frame.right, setup.frame.high}})),
         script_({"Lecture note, concave polygons; Kirkpatrick, SIAM Journal on Computing 12 (1983)",
                  alt_text(setup, "and a box around it, split into triangles"),
                  {"triangulate the polygon, and the rest of a box around it",  // 0

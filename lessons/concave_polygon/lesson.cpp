@@ -3,6 +3,7 @@
 
 #include <isect/slab_map_methods.h>
 #include "lessons/concave_polygon/picture.h"
+#include "lessons/course.h"
 #include "lessons/shared/parameters.h"
 #include "lessons/shared/vertices.h"
 
@@ -85,6 +86,8 @@ const Lesson& concave_polygon() {
       .opening = opening(),
       .closing = &closing(),
       .after = {"crossings", "convex-polygon"},
+      .ideas = {"bisection", "half-open rule"},
+      .shared = shared_ideas,
   };
   return lesson;
 }

@@ -44,26 +44,27 @@ class LevelPicture {
   void table(Scene& scene, Index level) const {
     const bool searching = d_.here >= 0 || d_.done;
     const Index shown = searching ? h_.levels.size() : level + 1;
-    const double size = 0.1, pitch = 0.13;
+    const Frame& f = s_.frame;
+    const double size = 0.1 * f.unit, pitch = 0.13;
     for (Index l = 0; l < shown; ++l) {
       const std::vector<Triangle>& triangles = h_.levels[l].triangles;
-      const double y = -1.4 + 0.5 * static_cast<double>(l);
+      const double y = f.below_top(3.4 - 0.5 * static_cast<double>(l));
       scene.items.emplace_back(viz::Heading{
-          {frame.table - 0.18, y, 0}, std::to_string(l), l == level ? Role::text : Role::muted, 0.2, l == level});
-      add_bar(scene, y, size, pitch * static_cast<double>(triangles.size()),
+          {f.table(-0.18), y, 0}, std::to_string(l), l == level ? Role::text : Role::muted, 0.2 * f.unit, l == level});
+      add_bar(scene, f.table(), y, size, f.unit * pitch * static_cast<double>(triangles.size()),
               l == level ? Role::second : Role::construction);
-      const auto mark = [&](int k, Role role) { add_cell(scene, frame.table + (k + 0.5) * pitch, y, size, role); };
+      const auto mark = [&](int k, Role role) { add_cell(scene, f.table((k + 0.5) * pitch), y, size, role); };
       if (l == level)
         for (const int k : d_.linked) mark(k, Role::highlight);
       const Index down = h_.levels.size() - 1 - l;
       if (searching && l >= level && down < d_.path.size()) mark(d_.path[down], Role::first);
     }
-    scene.items.emplace_back(table_heading("triangles of each level"));
+    scene.items.emplace_back(table_heading(f, "triangles of each level"));
   }
 
   /// As long as there are triangles.
-  static void add_bar(Scene& scene, double y, double size, double length, Role role) {
-    const double x = frame.table, h = size / 2;
+  static void add_bar(Scene& scene, double x, double y, double size, double length, Role role) {
+    const double h = size / 2;
     Region bar = filled({{x, y - h, 0}, {x + length, y - h, 0}, {x + length, y + h, 0}, {x, y + h, 0}}, role);
     bar.outlined = true, bar.pen = Pen::hairline;
     scene.items.emplace_back(bar);

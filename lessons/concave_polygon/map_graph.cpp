@@ -29,7 +29,7 @@ void add_mark(Scene& scene, const Vec3& at, Ask ask, Role role, double size) {
 /// Where the questions stand: leaves side by side in the order of a search, questions above the middle of theirs.
 class Layout {
  public:
-  explicit Layout(const TrapezoidMap& map) : map_(map), depth_(depths(map)) {
+  Layout(const Frame& frame, const TrapezoidMap& map) : frame_(frame), map_(map), depth_(depths(map)) {
     place(0);
     spread();
   }
@@ -38,7 +38,8 @@ class Layout {
     int deepest = 1;
     for (const auto& [_, d] : depth_) deepest = std::max(deepest, d);
     const double height = std::min(3.2, 0.5 * deepest);
-    return {frame.table + frame.table_width * (x_.at(i) + 0.5) / leaves_, 1.4 - height * depth_.at(i) / deepest, 0};
+    return {frame_.table(table_width * (x_.at(i) + 0.5) / leaves_),
+            frame_.below_top(0.6 + height * depth_.at(i) / deepest), 0};
   }
   const std::map<int, int>& all() const { return depth_; }
 
@@ -67,6 +68,7 @@ class Layout {
     }
   }
 
+  const Frame& frame_;
   const TrapezoidMap& map_;
   std::map<int, int> depth_;
   std::map<int, double> x_;
@@ -75,8 +77,8 @@ class Layout {
 
 }  // namespace
 
-void add_graph(Scene& scene, const TrapezoidMap& map, bool named) {
-  const Layout layout(map);
+void add_graph(Scene& scene, const Frame& frame, const TrapezoidMap& map, bool named) {
+  const Layout layout(frame, map);
   for (const auto& [i, _] : layout.all()) {
     const Node& n = map.nodes[i];
     if (n.ask == Ask::nothing) continue;
@@ -85,20 +87,22 @@ void add_graph(Scene& scene, const TrapezoidMap& map, bool named) {
   }
   for (const auto& [i, _] : layout.all()) {
     const Node& n = map.nodes[i];
-    add_mark(scene, layout.at(i), n.ask, n.ask == Ask::nothing ? Role::second : Role::first, named ? 0.14 : 0.1);
+    add_mark(scene, layout.at(i), n.ask, n.ask == Ask::nothing ? Role::second : Role::first,
+             frame.unit * (named ? 0.14 : 0.1));
     if (named && n.ask != Ask::nothing) scene.items.emplace_back(Label{layout.at(i), name(n), Role::first});
   }
 }
 
-void add_path(Scene& scene, const TrapezoidMap& map, const std::vector<Asked>& path) {
-  const double x = frame.table + 0.3, top = 1.4, pitch = 0.36, stub = 0.22;
+void add_path(Scene& scene, const Frame& frame, const TrapezoidMap& map, const std::vector<Asked>& path) {
+  const double unit = frame.unit, x = frame.table(0.3), top = frame.below_top(0.6), pitch = 0.36 * unit,
+               stub = 0.22 * unit;
   for (Index k = 0; k < path.size(); ++k) {
     const Node& n = map.nodes[path[k].node];
     const double y = top - pitch * static_cast<double>(k);
     const bool last = k + 1 == path.size();
     if (n.ask == Ask::nothing) {
-      add_mark(scene, {x, y, 0}, n.ask, Role::highlight, 0.16);
-      scene.items.emplace_back(viz::Heading{{x + 1.05, y, 0}, "a trapezoid", Role::text, 1.5, false});
+      add_mark(scene, {x, y, 0}, n.ask, Role::highlight, 0.16 * unit);
+      scene.items.emplace_back(viz::Heading{{x + 1.05 * unit, y, 0}, "a trapezoid", Role::text, 1.5 * unit, false});
       continue;
     }
     const double side = path[k].side < 0 ? stub : -stub;  // the way not taken
@@ -106,11 +110,14 @@ void add_path(Scene& scene, const TrapezoidMap& map, const std::vector<Asked>& p
       scene.items.emplace_back(Line{{x, y, 0}, {x + side, y - 0.6 * pitch, 0}, Role::construction, Pen::construction});
       scene.items.emplace_back(Line{{x, y, 0}, {x, y - pitch, 0}, Role::text, Pen::solid});
     }
-    add_mark(scene, {x, y, 0}, n.ask, last ? Role::highlight : Role::first, 0.17);
+    add_mark(scene, {x, y, 0}, n.ask, last ? Role::highlight : Role::first, 0.17 * unit);
     const char* const word =
         n.ask == Ask::vertex ? (path[k].side < 0 ? "left of " : "right of ") : (path[k].side < 0 ? "below " : "above ");
-    scene.items.emplace_back(viz::Heading{
-        {x + 1.05, y, 0}, (path[k].side == 0 ? "on " : word) + name(n), last ? Role::text : Role::muted, 1.5, false});
+    scene.items.emplace_back(viz::Heading{{x + 1.05 * unit, y, 0},
+                                          (path[k].side == 0 ? "on " : word) + name(n),
+                                          last ? Role::text : Role::muted,
+                                          1.5 * unit,
+                                          false});
   }
 }
 

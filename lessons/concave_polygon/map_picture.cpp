@@ -24,7 +24,7 @@ double height(const TrapezoidMap& map, int piece, double x, double none) {
   return a.y() + (x - a.x()) / (b.x() - a.x()) * (b.y() - a.y());
 }
 
-double wall(const TrapezoidMap& map, int vertex) {
+double wall(const Frame& frame, const TrapezoidMap& map, int vertex) {
   if (vertex < 0) return frame.left;
   return vertex < static_cast<int>(map.boundary.vertices.size()) ? map.boundary.vertex(vertex).x() : frame.right;
 }
@@ -63,20 +63,20 @@ std::string name(const Node& n) {
   return std::string(n.ask == Ask::vertex ? "**v**_{" : "*e*_{") + std::to_string(n.index) + "}";
 }
 
-Region trapezoid(const TrapezoidMap& map, const TrapezoidMap::Trapezoid& t, Role role) {
-  const double x0 = wall(map, t.left), x1 = wall(map, t.right);
+Region trapezoid(const Frame& frame, const TrapezoidMap& map, const TrapezoidMap::Trapezoid& t, Role role) {
+  const double x0 = wall(frame, map, t.left), x1 = wall(frame, map, t.right);
   const auto y = [&](int piece, double x) { return height(map, piece, x, piece == t.bottom ? frame.low : frame.high); };
   const double top0 = height(map, t.top, x0, frame.high), top1 = height(map, t.top, x1, frame.high);
   return filled({{x0, y(t.bottom, x0), 0}, {x1, y(t.bottom, x1), 0}, {x1, top1, 0}, {x0, top0, 0}}, role);
 }
 
-void add_walls(Scene& scene, const TrapezoidMap& map) {
+void add_walls(Scene& scene, const Frame& frame, const TrapezoidMap& map) {
   std::set<std::pair<double, std::pair<double, double>>> drawn;
   for (const int i : reachable(map, 0)) {
     const TrapezoidMap::Trapezoid& t = map.trapezoids[i];
     for (const int v : {t.left, t.right}) {
       if (v < 0 || v >= static_cast<int>(map.boundary.vertices.size())) continue;
-      const double x = wall(map, v), below = height(map, t.bottom, x, frame.low),
+      const double x = wall(frame, map, v), below = height(map, t.bottom, x, frame.low),
                    above = height(map, t.top, x, frame.high), y = map.boundary.vertex(v).y();
       for (const double end : {below, above})
         if (end != y && drawn.insert({x, {y, end}}).second)
@@ -93,7 +93,7 @@ Line edge(const TrapezoidMap& map, int piece, Role role, Pen pen) {
 Scene grown(const Setup& s, const TrapezoidMap& map, const std::vector<int>& inserted, int fresh) {
   Scene scene;
   scene.items.emplace_back(polygon(s, false));
-  add_walls(scene, map);
+  add_walls(scene, s.frame, map);
   for (int piece = 0; piece < static_cast<int>(map.boundary.pieces.size()); ++piece) {
     const bool in = std::ranges::find(inserted, piece) != inserted.end();
     scene.items.emplace_back(edge(map, piece, in ? Role::second : Role::construction,
@@ -109,8 +109,8 @@ Scene searched(const Setup& s, const TrapezoidMap& map, const std::vector<Asked>
   scene.items.emplace_back(polygon(s, false));
   if (next >= 0)
     for (const int t : reachable(map, next))
-      scene.items.emplace_back(trapezoid(map, map.trapezoids[t], Role::highlight));
-  add_walls(scene, map);
+      scene.items.emplace_back(trapezoid(s.frame, map, map.trapezoids[t], Role::highlight));
+  add_walls(scene, s.frame, map);
   for (int piece = 0; piece < static_cast<int>(map.boundary.pieces.size()); ++piece)
     scene.items.emplace_back(edge(map, piece, Role::second, Pen::solid));
   const TrapezoidMap::Node& node = map.nodes[path.back().node];
@@ -120,11 +120,11 @@ Scene searched(const Setup& s, const TrapezoidMap& map, const std::vector<Asked>
     scene.items.emplace_back(Label{l.from, name(node), Role::text, l.to});
   } else {
     const Vec3 v = flat(map.boundary.vertex(node.index));
-    scene.items.emplace_back(Line{{v.x(), frame.low, 0}, {v.x(), frame.high, 0}, Role::text, Pen::hairline});
+    scene.items.emplace_back(Line{{v.x(), s.frame.low, 0}, {v.x(), s.frame.high, 0}, Role::text, Pen::hairline});
     scene.items.emplace_back(Dot{v, Mark::disc, Role::text});
     scene.items.emplace_back(Label{v, name(node), Role::text});
   }
-  add_path(scene, map, path);
+  add_path(scene, s.frame, map, path);
   return scene;
 }
 
@@ -132,9 +132,10 @@ Scene found(const Setup& s, const TrapezoidMap& map, const std::vector<Asked>& p
   Scene scene;
   scene.items.emplace_back(polygon(s));
   if (reached >= 0)
-    scene.items.emplace_back(trapezoid(map, map.trapezoids[reached], s.truth == Location::in ? Role::hit : Role::miss));
-  add_walls(scene, map);
-  add_path(scene, map, path);
+    scene.items.emplace_back(
+        trapezoid(s.frame, map, map.trapezoids[reached], s.truth == Location::in ? Role::hit : Role::miss));
+  add_walls(scene, s.frame, map);
+  add_path(scene, s.frame, map, path);
   return scene;
 }
 

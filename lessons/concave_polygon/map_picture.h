@@ -23,20 +23,20 @@ Sizes sizes(const TrapezoidMap&);
 std::string name(const TrapezoidMap::Node&);
 
 /// The trapezoid within the frame.
-viz::Region trapezoid(const TrapezoidMap&, const TrapezoidMap::Trapezoid&, viz::Role);
+viz::Region trapezoid(const Frame&, const TrapezoidMap&, const TrapezoidMap::Trapezoid&, viz::Role);
 /// The walls of all trapezoids.
-void add_walls(viz::Scene&, const TrapezoidMap&);
+void add_walls(viz::Scene&, const Frame&, const TrapezoidMap&);
 /// The edge of a piece.
 viz::Line edge(const TrapezoidMap&, int piece, viz::Role, viz::Pen);
 /// All questions, in the table's place: circles for vertices, squares for edges, dots for trapezoids.
-void add_graph(viz::Scene&, const TrapezoidMap&, bool named);
+void add_graph(viz::Scene&, const Frame&, const TrapezoidMap&, bool named);
 
 /// A question on the way of a search, and how it was answered.
 struct Asked {
   int node, side;
 };
 /// The questions asked, one below the other; the last one is the one of this step.
-void add_path(viz::Scene&, const TrapezoidMap&, const std::vector<Asked>&);
+void add_path(viz::Scene&, const Frame&, const TrapezoidMap&, const std::vector<Asked>&);
 
 /// The map while it grows: with these edges inserted, the last one `fresh`; -1: none.
 viz::Scene grown(const Setup&, const TrapezoidMap&, const std::vector<int>& inserted, int fresh);

@@ -1,6 +1,7 @@
 #include "lessons/concave_polygon/picture.h"
 
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 
@@ -47,13 +48,27 @@ bool turns_right(const Ring<double, 2>& ring) {
   return false;
 }
 
+/// As wide and high as that of the lesson beside its own polygons, about the middle of this one.
+Frame frame_of(const Ring<double, 2>& ring) {
+  constexpr Frame usual;
+  Eigen::AlignedBox2d box;
+  for (const Point<double, 2>& v : ring) box.extend(v);
+  const double width = usual.right - usual.left, height = usual.high - usual.low;
+  Frame frame;
+  frame.unit = 1.15 * std::max(box.sizes().x() / width, box.sizes().y() / height);
+  const Point<double, 2> middle = box.center();
+  frame.left = middle.x() - frame.unit * width / 2, frame.right = middle.x() + frame.unit * width / 2;
+  frame.low = middle.y() - frame.unit * height / 2, frame.high = middle.y() + frame.unit * height / 2;
+  return frame;
+}
+
 }  // namespace
 
 int most_corners() { return static_cast<int>(std::max(given(false).size(), given(true).size())); }
 
 bool can_be_prepared(const Parameters& values) {
   const Ring<double, 2> ring = ring_of(values);
-  const bool framed = std::ranges::all_of(ring, [](const Point<double, 2>& v) {
+  const bool framed = std::ranges::all_of(ring, [frame = Frame()](const Point<double, 2>& v) {
     return v.x() > frame.left && v.x() < frame.right && v.y() > frame.low && v.y() < frame.high;
   });
   return framed && is_simple(ring) && area(ring) > 0;
@@ -61,6 +76,9 @@ bool can_be_prepared(const Parameters& values) {
 
 Setup::Setup(const Parameters& values)
     : spiky(is_spiky(values)), ring(ring_of(values)), p(flat_point(values, "p")), truth(locate(p, ring)) {}
+
+Setup::Setup(const Ring<double, 2>& of, const Point<double, 2>& at)
+    : frame(frame_of(of)), spiky(false), ring(of), p(at), truth(locate(p, ring)) {}
 
 Region polygon(const Setup& s, bool outlined) {
   Region region;
@@ -85,8 +103,8 @@ void add_cell(Scene& scene, double x, double y, double size, Role role, bool thi
       Chain{ring, true, role == Role::highlight ? Role::text : role, thick ? Pen::thick : Pen::solid});
 }
 
-viz::Heading table_heading(const std::string& text) {
-  return {{frame.table + frame.table_width / 2, frame.high, 0}, text, Role::text, frame.table_width};
+viz::Heading table_heading(const Frame& frame, const std::string& text) {
+  return {{frame.table(table_width / 2), frame.high, 0}, text, Role::text, frame.unit * table_width};
 }
 
 void add_point(Scene& scene, const Setup& s, bool on) {

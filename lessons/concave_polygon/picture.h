@@ -14,13 +14,21 @@ namespace isect::lessons::concave_polygon_lesson {
 /// The part of the plane that is drawn; what is stored stands to the right of it.
 struct Frame {
   double left = -3.3, right = 1.15, low = -2, high = 2;
-  double table = 1.6, table_width = 2.6;  ///< where the stored cells stand
+  double unit = 1;  ///< of lengths in the table
+
+  double table(double right_of = 0) const {
+    return right + unit * (0.45 + right_of);
+  }  ///< where the stored cells stand
+  double below_top(double by) const { return high - unit * by; }
 };
-inline constexpr Frame frame;
+inline constexpr double table_width = 2.6;
 
 struct Setup {
   explicit Setup(const viz::Parameters&);
+  /// Of any simple polygon, counter-clockwise, in a frame that fits it.
+  Setup(const Ring<double, 2>& ring, const Point<double, 2>& p);
 
+  Frame frame;
   bool spiky;
   Ring<double, 2> ring;
   Point<double, 2> p;
@@ -60,7 +68,7 @@ viz::Region filled(const std::vector<viz::Vec3>& ring, viz::Role role);
 /// One stored thing: a small square around `at`.
 void add_cell(viz::Scene&, double x, double y, double size, viz::Role role, bool thick = false);
 /// What stands above the cells.
-viz::Heading table_heading(const std::string&);
+viz::Heading table_heading(const Frame&, const std::string&);
 /// The point with its name and its handle.
 void add_point(viz::Scene&, const Setup&, bool on = false);
 

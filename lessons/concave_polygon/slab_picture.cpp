@@ -19,14 +19,16 @@ class SlabPicture {
     scene.items.emplace_back(polygon(s_));
     if (real(d_.slab) && !(d_.done && s_.truth == Location::on)) scene.items.emplace_back(possible());
     for (int i = 0; i <= count(); ++i)
-      scene.items.emplace_back(Line{
-          {frame.left, slab(i).bottom, 0}, {frame.right, slab(i).bottom, 0}, Role::construction, Pen::construction});
+      scene.items.emplace_back(Line{{s_.frame.left, slab(i).bottom, 0},
+                                    {s_.frame.right, slab(i).bottom, 0},
+                                    Role::construction,
+                                    Pen::construction});
     for (Index k = 0; k < d_.probed.size(); ++k) {
       if (d_.probed[k] > count()) continue;
       const double y = slab(d_.probed[k]).bottom;
-      scene.items.emplace_back(Line{{frame.left, y, 0}, {frame.right, y, 0}, Role::text, Pen::solid});
-      scene.items.emplace_back(
-          viz::Heading{{frame.left - (k % 2 == 0 ? 0.12 : 0.3), y, 0}, std::to_string(k + 1), Role::text, 0.2});
+      scene.items.emplace_back(Line{{s_.frame.left, y, 0}, {s_.frame.right, y, 0}, Role::text, Pen::solid});
+      scene.items.emplace_back(viz::Heading{
+          {s_.frame.left - unit() * (k % 2 == 0 ? 0.12 : 0.3), y, 0}, std::to_string(k + 1), Role::text, 0.2 * unit()});
     }
     if (d_.asked >= 0) {
       const SlabMap::Edge& e = map_.edges[d_.asked];
@@ -39,6 +41,7 @@ class SlabPicture {
   }
 
  private:
+  double unit() const { return s_.frame.unit; }
   int count() const { return static_cast<int>(map_.slabs.size()) - 2; }
   const SlabMap::Slab& slab(int i) const { return map_.slabs[i]; }
   bool real(int i) const { return i >= 0 && i < count(); }
@@ -56,8 +59,8 @@ class SlabPicture {
     const double y0 = slab(d_.slab).bottom, y1 = slab(d_.slab + 1).bottom;
     const bool none_left = d_.lo == slab(d_.slab).first, none_right = d_.hi == slab(d_.slab + 1).first;
     const auto x = [&](bool left, double y) {
-      if (left) return none_left ? frame.left : abscissa(map_.order[d_.lo - 1], y);
-      return none_right ? frame.right : abscissa(map_.order[d_.hi], y);
+      if (left) return none_left ? s_.frame.left : abscissa(map_.order[d_.lo - 1], y);
+      return none_right ? s_.frame.right : abscissa(map_.order[d_.hi], y);
     };
     const Role role = !d_.done || s_.truth == Location::on ? Role::highlight
                       : s_.truth == Location::in           ? Role::hit
@@ -74,7 +77,7 @@ class SlabPicture {
         const Index at = slab(i).first + k;
         const bool here = i == d_.slab, asked = here && map_.order[at] == d_.asked;
         const bool gone = here && d_.narrowed && !asked && (at < d_.lo || at >= d_.hi);
-        add_cell(scene, frame.table + (static_cast<double>(k) + 0.5) * pitch, y, size,
+        add_cell(scene, s_.frame.table((static_cast<double>(k) + 0.5) * pitch), y, size * unit(),
                  asked  ? Role::highlight
                  : gone ? Role::muted
                  : here ? Role::second
@@ -82,8 +85,10 @@ class SlabPicture {
                  asked);
       }
     }
-    scene.items.emplace_back(viz::Heading{
-        {frame.table + 1, frame.high, 0}, fmt::format("{} edges stored", map_.order.size()), Role::text, 2});
+    scene.items.emplace_back(viz::Heading{{s_.frame.table(1), s_.frame.high, 0},
+                                          fmt::format("{} edges stored", map_.order.size()),
+                                          Role::text,
+                                          2 * unit()});
   }
 
   const Setup& s_;

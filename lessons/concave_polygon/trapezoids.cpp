@@ -68,7 +68,8 @@ class Trapezoids {
     trapezoid_map::Builder builder(map);
     script_.value("*n*", s_.size());
     Scene start;
-    start.items = {polygon(s_), trapezoid(map, {-1, -1, -1, static_cast<int>(s_.ring.size())}, Role::highlight)};
+    start.items = {polygon(s_),
+                   trapezoid(s_.frame, map, {-1, -1, -1, static_cast<int>(s_.ring.size())}, Role::highlight)};
     add("edges", "One trapezoid: the whole plane", 0,
         "The map starts with one trapezoid. Edges are added one by one, in random order, so that no polygon "
         "is bad on average.",
@@ -83,8 +84,9 @@ class Trapezoids {
       if (k == 0 || k == most) tell_insert(before, map, inserted, static_cast<int>(k));
     }
     Scene all = grown(s_, map, inserted_, -1);
-    all.items.emplace_back(table_heading(fmt::format("{} nodes", sizes(map).questions + sizes(map).trapezoids)));
-    add_graph(all, map, false);
+    all.items.emplace_back(
+        table_heading(s_.frame, fmt::format("{} nodes", sizes(map).questions + sizes(map).trapezoids)));
+    add_graph(all, s_.frame, map, false);
     count(map);
     const int n = s_.size();
     Step& step = add(
@@ -109,10 +111,10 @@ class Trapezoids {
       const Trapezoid& t = before.trapezoids[i];
       const std::vector<int> left = reachable(now, 0);
       const bool stays = std::ranges::any_of(left, [&](int j) { return key(now.trapezoids[j]) == key(t); });
-      if (!stays) cut.emplace_back(trapezoid(before, t, Role::highlight));
+      if (!stays) cut.emplace_back(trapezoid(s_.frame, before, t, Role::highlight));
     }
     scene.items.insert(scene.items.begin() + 1, cut.begin(), cut.end());
-    add_graph(scene, now, k == 0);
+    add_graph(scene, s_.frame, now, k == 0);
     count(now);
     Step& step =
         add(fmt::format("insert-{}", k + 1), fmt::format("Edge *e*_{{{}}} is added, number {}", inserted.piece, k + 1),
@@ -131,7 +133,7 @@ class Trapezoids {
                                   k == 1 ? "" : since(k) + " been added. ", sizes(before).trapezoids, inserted.piece),
                       inserted.cut, {1, 2, 1.0 * sizes(before).trapezoids}, "Those whose interior it runs through.");
       step.question->over = grown(s_, before, inserted_, inserted.piece);
-      add_graph(*step.question->over, before, false);
+      add_graph(*step.question->over, s_.frame, before, false);
     }
   }
 

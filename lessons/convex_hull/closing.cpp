@@ -69,7 +69,8 @@ const Closing& closing() {
            "Map the numbers *x* to the parabola *y* = *x*^2. All points are vertices, and the hull lists them in "
            "order."},
           {"Rounding makes one orientation wrong. What can happen to the hull?",
-           "It may lose a true vertex or keep a dent, so that it is not convex. Exact orientations prevent both."},
+           "It may lose a true vertex or keep a dent, so that it is not convex. An exact predicate for the orientation "
+           "prevents both."},
       }};
   return closing;
 }

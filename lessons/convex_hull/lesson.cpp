@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "lessons/convex_hull/picture.h"
+#include "lessons/course.h"
 #include "lessons/shared/parameters.h"
 #include "lessons/shared/vertices.h"
 
@@ -83,6 +84,8 @@ const Lesson& convex_hull() {
         .opening = opening(),
         .closing = &closing(),
         .after = {"bounding-volumes"},
+        .ideas = {"orientation", "exact predicate"},
+        .shared = shared_ideas,
     };
   }();
   return lesson;

@@ -3,6 +3,7 @@
 
 #include <isect/point_polygon.h>
 #include "lessons/convex_polygon/picture.h"
+#include "lessons/course.h"
 #include "lessons/shared/parameters.h"
 
 namespace isect::lessons {
@@ -78,6 +79,8 @@ const Lesson& convex_polygon() {
       .opening = opening(),
       .closing = &closing(),
       .after = {"crossings"},
+      .ideas = {"bisection", "orientation"},
+      .shared = shared_ideas,
   };
   return lesson;
 }

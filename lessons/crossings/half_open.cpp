@@ -152,7 +152,9 @@ class HalfOpen : Teller {
         add("verdict", "Odd or even", odd ? 8 : 9,
             std::string(odd ? "The count is odd: **p** lies inside." : "The count is even: **p** lies outside.") +
                 "\nThe winding number adds 1 for an edge upwards and −1 for one downwards." +
-                (differs ? " It is not 0: by the non-zero rule **p** lies inside." : ""));
+                (differs         ? " It is not 0: by the non-zero rule **p** lies inside."
+                 : setup_.simple ? " In a simple polygon it is 0, 1 or −1, so the even-odd and the non-zero rule agree."
+                                 : ""));
     step.decides = true;
     // misconceptions: it is the count; every crossing adds 1 with the same sign; it is 1 inside and 0 outside
     step.question = which_value("How many times does the boundary wind around **p**, counter-clockwise?", truth.winding,

@@ -4,6 +4,7 @@
 // crossings/half_open and crossings/closed.
 
 #include <isect/point_polygon_methods.h>
+#include "lessons/course.h"
 #include "lessons/crossings/situations.h"
 #include "lessons/crossings/telling.h"
 #include "lessons/shared/location.h"
@@ -52,9 +53,9 @@ std::vector<Opinion> opinions(const Parameters& values) {
     for (const Ring<double, 2>& ring : s.polygon.rings) inside = inside != crossings(s.p, ring);
     all.add(method, inside);
   };
-  ask("with a division", [](const auto& p, const auto& ring) { return point_polygon::crossings_naive(p, ring); });
-  ask("multiplied out", [](const auto& p, const auto& ring) { return point_polygon::crossings_multiplied(p, ring); });
-  ask("shifted to the origin",
+  ask("division", [](const auto& p, const auto& ring) { return point_polygon::crossings_naive(p, ring); });
+  ask("multiplication", [](const auto& p, const auto& ring) { return point_polygon::crossings_multiplied(p, ring); });
+  ask("translated to the origin",
       [](const auto& p, const auto& ring) { return point_polygon::crossings_translated(p, ring); });
   ask("closed rule", [](const auto& p, const auto& ring) { return point_polygon::crossings_closed(p, ring) % 2 == 1; });
   int turns = 0;  // odd if and only if the count of crossings is: each of them adds 1 or takes 1 away
@@ -82,6 +83,8 @@ const Lesson& crossings() {
       .closing = &closing(),
       .errata = errata(),
       .after = {"intervals", "rays"},
+      .ideas = {"half-open rule", "orientation"},
+      .shared = shared_ideas,
   };
   return lesson;
 }

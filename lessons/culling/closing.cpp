@@ -28,7 +28,9 @@ const Closing& closing() {
       .result =
           "A volume beyond one plane is outside. One within all six is inside. Any other may be visible, and is "
           "drawn.",
-      .cost = "Box: one corner per plane to reject, two to accept. A hierarchy settles whole groups with one test.",
+      .cost =
+          "Box: one corner per plane to reject, two to accept. A bounding volume hierarchy settles whole groups with "
+          "one test.",
       .choose =
           "Spheres or AABBs with a hierarchy. Occlusion culling is another step: it removes what is hidden behind "
           "walls.",

@@ -2,6 +2,7 @@
 //
 // The walks stand in culling/one_volume, culling/whole_scene and culling/hierarchy, the view volume in culling/picture.
 
+#include "lessons/course.h"
 #include "lessons/culling/picture.h"
 #include "lessons/shared/parameters.h"
 
@@ -76,6 +77,8 @@ const Lesson& culling() {
       .opening = opening(),
       .closing = &closing(),
       .after = {"bounding-volumes", "hierarchy"},
+      .ideas = {"half-space", "bounding volume hierarchy", "temporal coherence"},
+      .shared = shared_ideas,
   };
   return lesson;
 }

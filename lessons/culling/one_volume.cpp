@@ -18,7 +18,7 @@ namespace {
 
 const std::vector<std::string> pseudocode = {
     "result ← INSIDE",                                       // 0
-    "for each plane n · x + d ≥ 0 of the frustum",           // 1
+    "for each plane n · x + D ≥ 0 of the frustum",           // 1
     "    if the volume lies beyond it: return OUTSIDE",      // 2
     "    if the plane meets the volume: result ← CROSSING",  // 3
     "return result"                                          // 4
@@ -99,9 +99,9 @@ class OneVolume {
     const auto at = [](const Point<C, 3>& p) -> Vec3 { return {p[0].value, p[1].value, p[2].value}; };
     const double greatest = e.at_greatest.value, least = e.at_least.value;
     const double length = plane_at(i).normal.norm();
-    script_.value("**n** · p-vertex + *d*", greatest / length, "length", greatest < 0 ? Role::miss : Role::hit);
+    script_.value("**n** · p-vertex + *D*", greatest / length, "length", greatest < 0 ? Role::miss : Role::hit);
     if (side != Culling::outside)
-      script_.value("**n** · n-vertex + *d*", least / length, "length", least < 0 ? Role::miss : Role::hit);
+      script_.value("**n** · n-vertex + *D*", least / length, "length", least < 0 ? Role::miss : Role::hit);
     const auto corner = [&](const Vec3& p, double height, const char* name) {
       scene.items.emplace_back(Dot{p,
                                    height < 0   ? Mark::no
@@ -117,7 +117,7 @@ class OneVolume {
     reaches_ = greatest / length;
     sharing_ = static_cast<int>(
         std::ranges::count(std::array{plane_at(i).normal.x(), plane_at(i).normal.y(), plane_at(i).normal.z()}, 0.0));
-    return {"0 ≤ **n** · p-vertex + *d*", 0, reaches_, greatest >= 0, ""};
+    return {"0 ≤ **n** · p-vertex + *D*", 0, reaches_, greatest >= 0, ""};
   }
 
   Comparison ask_ball(int i, Culling side, Scene& scene) {
@@ -131,12 +131,12 @@ class OneVolume {
     scene.items.emplace_back(Line{ball.center, foot, Role::construction, Pen::construction});
     scene.items.emplace_back(Dot{ball.center, Mark::disc, Role::second});
     scene.items.emplace_back(Label{ball.center, "**c**", Role::second});
-    return {"−*r* ≤ **n** · **c** + *d*", -ball.radius, height, side != Culling::outside, ""};
+    return {"−*r* ≤ **n** · **c** + *D*", -ball.radius, height, side != Culling::outside, ""};
   }
 
   /// Which corner of the box lies furthest along **n**: the signs of **n** tell.
   std::string formula(int i) const {
-    if (ball_) return "**n** · **c** + *d* = " + shown(reaches_ - std::get<Ball>(asked_).radius) + ", with |**n**| = 1";
+    if (ball_) return "**n** · **c** + *D* = " + shown(reaches_ - std::get<Ball>(asked_).radius) + ", with |**n**| = 1";
     std::string corner;
     for (int axis = 0; axis < 3; ++axis)
       corner += std::string(axis > 0 ? ", " : "") + (plane_at(i).normal[axis] >= 0 ? "*b*_{max," : "*b*_{min,") +

@@ -2,6 +2,7 @@
 //
 // Each walk stands in a file of its own in hierarchy/, the pictures in hierarchy/tree.
 
+#include "lessons/course.h"
 #include "lessons/hierarchy/tree.h"
 #include "lessons/shared/parameters.h"
 
@@ -56,6 +57,8 @@ const Lesson& hierarchy() {
       .opening = opening(),
       .closing = &closing(),
       .after = {"bounding-volumes", "aabb-aabb", "rays"},
+      .ideas = {"bounding volume hierarchy", "trivial reject"},
+      .shared = shared_ideas,
   };
   return lesson;
 }

@@ -24,7 +24,8 @@ const std::string& opening() {
 const Closing& closing() {
   static const Closing closing = {
       .result =
-          "Two intervals that are not empty meet if and only if *a*_{min} ≤ *b*_{max} and *b*_{min} ≤ *a*_{max}. What "
+          "Intervals are closed sets. Two that are not empty meet if and only if *a*_{min} ≤ *b*_{max} and *b*_{min} ≤ "
+          "*a*_{max}. What "
           "they share is "
           "[max of the lower ends, min of the upper ends].",
       .cost =

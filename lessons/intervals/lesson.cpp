@@ -1,5 +1,6 @@
 // Interval against interval (N12), with points as intervals of one number (N11): the test that boxes are made of.
 
+#include "lessons/course.h"
 #include "lessons/intervals/picture.h"
 
 namespace isect::lessons {
@@ -49,6 +50,8 @@ const Lesson& intervals() {
                   "An interval that ends before it begins has no number in it. The comparisons do not see that.",
                   "empty"}},
       .after = {"relations", "points"},
+      .ideas = {"closed set", "slab", "separating axis"},
+      .shared = shared_ideas,
   };
   return lesson;
 }

@@ -24,16 +24,16 @@ const std::string& opening() {
 const Closing& closing() {
   static const Closing closing = {
       .result =
-          "Two oriented boxes are disjoint if and only if |**l** · **t**| > *r*_a + *r*_b on one of 15 axes. "
-          "Each *r* is the sum of *h*_j |**e**_j · **l**| over the box's axes **e**_j.",
+          "Two oriented boxes are disjoint if and only if |**n** · **l**| > *r*_a + *r*_b on one of 15 axes. "
+          "*r*_b is the sum of *h*_j |**b**_j · **n**| over the axes of b, and *r*_a alike.",
       .cost = "Up to 15 axes, about 250 operations. Pairs far apart are mostly rejected by the first axes.",
       .choose =
           "For long, tilted bodies, after a cheaper test of balls or AABBs. For general polytopes use GJK (Gilbert, "
           "Johnson and Keerthi).",
       .used = "Rigid bodies in physics engines, OBB trees of meshes, picking handles in editors, vehicles in games.",
       .bug =
-          "An absolute ε. Without it, parallel edges give false gaps; with a coarse one, thin boxes give false "
-          "hits.",
+          "An absolute tolerance ε. Without it, parallel edges give false gaps; with a coarse one, thin boxes give "
+          "false hits.",
       .bug_preset = "slender",
       .reading = {"Stefan Gottschalk, Ming Lin and Dinesh Manocha, OBBTree: A Hierarchical Structure for Rapid "
                   "Interference Detection, *SIGGRAPH*, 1996, pages 171–180.",
@@ -50,15 +50,14 @@ const Closing& closing() {
            "normal-of-b",
            only_edges_separate,
            {{"b_u", "-1,0.25,0"}, {"b_v", "-1,-0.75,1"}}},
-          {"Half-lengths (2, 1, 0.5), axes *x*, *y*, *z*. How far does the box reach along **l** = (0.6, −0.8, 0)?",
+          {"Half-lengths (2, 1, 0.5), axes *x*, *y*, *z*. How far does the box reach along **n** = (0.6, −0.8, 0)?",
            "2 · 0.6 + 1 · 0.8 + 0.5 · 0 = 2. The signs do not matter, as the farthest corner takes each sign as "
            "needed."},
           {"How many axes do two rectangles in the plane need? And two boxes with a common face normal?",
            "Rectangles: 4 normals, no cross products. With one common direction, the remaining candidates are 5: that "
            "direction and 4 in the plane."},
           {"Why are the cross products needed, if no face has such a normal?",
-           "The Minkowski difference of the boxes has faces that two edges span. Their normals are the cross "
-           "products."},
+           "The Minkowski sum of a and −b has faces that two edges span. Their normals are the cross products."},
       }};
   return closing;
 }

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include <isect/obb_obb_methods.h>
+#include "lessons/course.h"
 #include "lessons/obb_obb/telling.h"
 #include "lessons/shared/digits.h"
 #include "lessons/shared/opinions.h"
@@ -27,7 +28,7 @@ std::vector<Opinion> opinions(const Parameters& p) {
   Opinions all(in_words(s.truth));
   for (const double epsilon : {0.0, 1e-6, s.epsilon}) {
     const bool overlap = obb_obb::gottschalk(s.a, s.b, epsilon);
-    all.add("classical, ε = " + as_power(epsilon), says_overlap(overlap), overlap == meets);
+    all.add(epsilon == 0 ? "no epsilon" : "epsilon " + as_power(epsilon), says_overlap(overlap), overlap == meets);
   }
   return all.take();
 }
@@ -119,10 +120,12 @@ const Lesson& obb_obb() {
       .map = &cases(),
       .opening = opening(),
       .closing = &closing(),
-      .errata = {{"t ← b − a; q_ij ← |a_i · b_j| + ε", "t ← b − a; q_ij ← |a_i · b_j|, and each gap's sign exact",
+      .errata = {{"l ← b − a; c_ij ← |a_i · b_j| + ε", "l ← b − a; c_ij ← |a_i · b_j|, and each gap's sign exact",
                   "An absolute ε that hides rounding between parallel edges also hides the gap between thin boxes.",
                   "slender"}},
       .after = {"aabb-aabb"},
+      .ideas = {"separating axis", "Minkowski sum", "projection", "tolerance"},
+      .shared = shared_ideas,
   };
   return lesson;
 }

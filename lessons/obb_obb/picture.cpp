@@ -144,7 +144,7 @@ Scene picture(const Setup& s, Focus focus, const std::optional<obb_obb::Axis>& a
   scene.items = {solid(s.a, Role::first), solid(s.b, Role::second)};
   if (focus == Focus::centers && a != b) {
     scene.items.push_back(Arrow{a, b, Role::highlight, Pen::highlight});
-    scene.items.push_back(Label{a, "**t**", Role::text, b});
+    scene.items.push_back(Label{a, "**l**", Role::text, b});
   }
   if (axis) {
     const Vec3 l = projections(s, *axis).l;

@@ -25,7 +25,7 @@ void Teller::relation() {
 std::string Teller::because() const {
   switch (s_.truth) {
     case Relation::disjoint:
-      return gap_ ? "There is an axis on which |**l** · **t**| > *r*_a + *r*_b."
+      return gap_ ? "There is an axis on which |**n** · **l**| > *r*_a + *r*_b."
                   : "Without ε, an axis separates the boxes.";
     case Relation::touching:
       return "No axis separates them, but on one the projections share a single number.";
@@ -63,12 +63,12 @@ std::string Teller::end_caption() const {
       return "OVERLAP does not say that the boxes are the same set.";
     case Relation::a_inside_b:
       return "OVERLAP does not say that a lies inside b.\n"
-             "That takes the normals again: |**l** · **t**| + *r*_a ≤ *r*_b for those of b.";
+             "That takes the normals again: |**n** · **l**| + *r*_a ≤ *r*_b for those of b.";
     case Relation::b_inside_a:
       break;
   }
   return "OVERLAP does not say that b lies inside a.\n"
-         "That takes the normals again: |**l** · **t**| + *r*_b ≤ *r*_a for those of a.";
+         "That takes the normals again: |**n** · **l**| + *r*_b ≤ *r*_a for those of a.";
 }
 
 }  // namespace isect::lessons::obb_obb_lesson

@@ -24,13 +24,13 @@ struct Group {
 namespace {
 
 const std::vector<std::string> pseudocode = {
-    "t ← b − a; q_ij ← |a_i · b_j| + ε",               // 0
-    "for each of the 3 normals l of a",                // 1
-    "    if |l · t| > r_a + r_b: return DISJOINT",     // 2
-    "for each of the 3 normals l of b",                // 3
-    "    if |l · t| > r_a + r_b: return DISJOINT",     // 4
-    "for each of the 9 cross products l = a_i × b_j",  // 5
-    "    if |l · t| > r_a + r_b: return DISJOINT",     // 6
+    "l ← b − a; c_ij ← |a_i · b_j| + ε",               // 0
+    "for each of the 3 normals n of a",                // 1
+    "    if |n · l| > r_a + r_b: return DISJOINT",     // 2
+    "for each of the 3 normals n of b",                // 3
+    "    if |n · l| > r_a + r_b: return DISJOINT",     // 4
+    "for each of the 9 cross products n = a_i × b_j",  // 5
+    "    if |n · l| > r_a + r_b: return DISJOINT",     // 6
     "return OVERLAP"                                   // 7
 };
 constexpr double noise = 1e-9;  ///< a cross product of edges shorter than this is drawn as edges alone
@@ -50,9 +50,9 @@ Walk Teller::tell() {
   Step& first =
       script_.add("axes", "Which axes can separate?", 0,
                   "For boxes 15 axes suffice: 3 normals of a, 3 of b, and 9 cross products of an edge of each.\n"
-                  "On **l**, box b reaches *r*_b to either side: each half side adds the length of its "
+                  "On **n**, box b reaches *r*_b to either side: each half side adds the length of its "
                   "projection.",
-                  "*r*_b = *h*_u |**b**_u · **l**| + *h*_v |**b**_v · **l**| + *h*_w |**b**_w · **l**|");
+                  "*r*_b = *h*_u |**b**_u · **n**| + *h*_v |**b**_v · **n**| + *h*_w |**b**_w · **n**|");
   first.scene = picture(s_, Focus::centers);
   CountingRecord<std::variant<Compared>> record;
   tally() = {};
@@ -88,10 +88,10 @@ const Teller::Compared& Teller::telling_one(const std::vector<Compared>& all) co
 
 namespace {
 
-/// The sum in full where it would read as `other` does.
+/// The sum, and then its terms, in full where it would read as `other` does.
 std::string sum_of(double a, double b, double other) {
   const std::string terms = shown(a) + " + " + shown(b), sum = digits(a + b, other);
-  return sum == shown(a + b) ? terms : terms + " = " + sum;
+  return sum == shown(a + b) ? terms : fmt::format("{} + {} = {}", to_text(a), to_text(b), sum);
 }
 
 }  // namespace
@@ -100,12 +100,12 @@ void Teller::say(const Group& group, const std::vector<Compared>& all) {
   const Compared& e = telling_one(all);
   const double d = e.distance.value, r_a = e.radius_a.value, r_b = e.radius_b.value;
   const double l = length(e);
-  script_.value("*d* = |**l** · **t**|", d, "length", Role::highlight);
+  script_.value("*d* = |**n** · **l**|", d, "length", Role::highlight);
   script_.value("*r*_a", r_a, "length", Role::first);
   script_.value("*r*_b", r_b, "length", Role::second);
   Step& step = script_.add(group.slug, group.title, group.line + (e.separates ? 1 : 0),
                            e.separates ? separated(group, e, l, static_cast<int>(all.size())) : passed(group, e, all),
-                           fmt::format("**l** = {}: {} {} {}", name_of(e.axis), digits(d, r_a + r_b),
+                           fmt::format("**n** = {}: {} {} {}", name_of(e.axis), digits(d, r_a + r_b),
                                        e.separates ? ">" : "≤", sum_of(r_a, r_b, d)));
   step.scene = picture(s_, l > noise ? Focus::axis : Focus::edges, e.axis);
   Script::decide(step, {"*d* ≤ *r*_a + *r*_b", d, r_a + r_b, !e.separates,
@@ -122,17 +122,17 @@ viz::Question Teller::question(const Group& group, const Compared& e) const {
             e.separates                 ? 0
             : group.kind == Kind::edges ? 1
                                         : 2,
-            e.separates ? "On one axis of this group |**l** · **t**| > *r*_a + *r*_b."
-                        : "On each axis of this group |**l** · **t**| ≤ *r*_a + *r*_b, as the test computes."};
+            e.separates ? "On one axis of this group |**n** · **l**| > *r*_a + *r*_b."
+                        : "On each axis of this group |**n** · **l**| ≤ *r*_a + *r*_b, as the test computes."};
   // All half sides in full, the circumscribed ball, the longest side alone, and the sum without absolute values.
   const Vec3 along = s_.b.axes.transpose() * s_.a.axes.col(e.axis.i);
   const Vec3& h = s_.b.half;
   return which_value(
-      fmt::format("**l** = {}: |**b**_u · **l**| = {}, |**b**_v · **l**| = {}, |**b**_w · **l**| = {}. "
+      fmt::format("**n** = {}: |**b**_u · **n**| = {}, |**b**_v · **n**| = {}, |**b**_w · **n**| = {}. "
                   "What is *r*_b?",
                   name_of(e.axis), shown(std::abs(along.x())), shown(std::abs(along.y())), shown(std::abs(along.z()))),
       e.radius_b.value, {h.sum(), h.norm(), h.maxCoeff(), std::abs(h.dot(along))},
-      "*r*_b = Σ *h*_j |**b**_j · **l**|, where ε is added to each |**b**_j · **l**|.");
+      "*r*_b = Σ *h*_j |**b**_j · **n**|, where ε is added to each |**b**_j · **n**|.");
 }
 
 std::string Teller::separated(const Group& group, const Compared& e, double l, int asked) const {
@@ -167,7 +167,7 @@ std::string Teller::passed(const Group& group, const Compared& e, const std::vec
   if (std::ranges::any_of(all, [&](const Compared& other) { return widened(other); }))
     return which + "\nOn another of them ε has closed a gap.";
   if (group.kind == Kind::face_of_a)
-    return which + "\nFor **l** = **a**_i, *r*_a is the half-length *h*_i. *r*_b adds up three products.";
+    return which + "\nFor **n** = **a**_i, *r*_a is the half-length *h*_i. *r*_b adds up three products.";
   return group.kind == Kind::edges ? which +
                                          "\nAll differences of a point of a and one of b form a polytope, the "
                                          "Minkowski difference.\nIts faces have no other "

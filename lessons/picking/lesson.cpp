@@ -3,6 +3,7 @@
 // The steps stand in picking/telling, the objects in picking/objects, the pictures in picking/picture, the eye and the
 // objects' ray tests in shared/viewing.
 
+#include "lessons/course.h"
 #include "lessons/picking/picture.h"
 #include "lessons/shared/parameters.h"
 
@@ -38,6 +39,8 @@ const Lesson& picking() {
       .opening = opening(),
       .closing = &closing(),
       .after = {"rays", "ray-sphere", "bounding-volumes", "ray-tracing"},
+      .ideas = {"closest hit", "trivial reject"},
+      .shared = shared_ideas,
   };
   return lesson;
 }

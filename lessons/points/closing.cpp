@@ -34,8 +34,8 @@ const Closing& closing() {
   static const Closing closing = {
       .result = "Equality of coordinates is exact and transitive. Nearness within a tolerance is not transitive.",
       .cost =
-          "Equality: at most three comparisons. Nearness: four products, five sums, one comparison, and no square "
-          "root.",
+          "Equality: at most three comparisons. Nearness, by the squared distance: four products, five sums, one "
+          "comparison, no square root.",
       .choose =
           "Equality for copied numbers. For computed ones a tolerance that grows with the coordinates: absolute "
           "near 0, relative beyond.",

@@ -1,6 +1,7 @@
 // Point and point (N11): exact equality, nearness within a tolerance, and what the tolerance changes.
 
 #include <isect/point_point.h>
+#include "lessons/course.h"
 #include "lessons/points/picture.h"
 #include "lessons/shared/opinions.h"
 #include "lessons/shared/parameters.h"
@@ -87,6 +88,8 @@ const Lesson& points() {
       .opening = points_lesson::opening(),
       .closing = &points_lesson::closing(),
       .after = {"relations"},
+      .ideas = {"tolerance", "squared distance"},
+      .shared = shared_ideas,
   };
   return lesson;
 }

@@ -36,8 +36,8 @@ const Closing& closing() {
           "largest "
           "|*n_i*|.",
       .cost =
-          "O(*n*) for *n* vertices: one pass for **n**, one for the crossings. With **n** stored, only the "
-          "crossings.",
+          "O(*n*) for *n* vertices: one pass for **n**, one for the crossings, by the half-open rule. With **n** "
+          "stored, only the crossings.",
       .choose =
           "For polygons of any shape, with notches and many vertices. For triangles use a triangle test. "
           "Non-planar polygons must be split into triangles.",

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <isect/ray_polygon_methods.h>
+#include "lessons/course.h"
 #include "lessons/ray_polygon/telling.h"
 #include "lessons/shared/opinions.h"
 #include "lessons/shared/parameters.h"
@@ -100,6 +101,8 @@ const Lesson& ray_polygon() {
                  {"if n · d = 0: return MISS", "if n · d = 0: return n · (p₀ − o) = 0 ? IN THE PLANE : MISS",
                   "A ray in the polygon's plane may cross the polygon: that takes a test in the plane.", "coplanar"}},
       .after = {"rays", "crossings"},
+      .ideas = {"half-open rule", "projection"},
+      .shared = shared_ideas,
   };
   return lesson;
 }

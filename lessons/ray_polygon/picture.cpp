@@ -144,8 +144,8 @@ Scene projections(const Setup& s, const Vec3& point, const Vec3& normal, int cho
     const Flat flat = flattened(s, point, axis);
     Inset inset;
     inset.items = {outline(flat.ring, scale), Dot{facing(flat.point, scale), Mark::disc, Role::text}};
-    inset.heading = fmt::format("{} dropped: {} right, {} up", axis_names[axis], axis_names[(axis + 1) % 3],
-                                axis_names[(axis + 2) % 3]);
+    inset.heading =
+        fmt::format("{} dropped: ({}, {})", axis_names[axis], axis_names[(axis + 1) % 3], axis_names[(axis + 2) % 3]);
     inset.note = fmt::format("{}area {}", axis == chosen ? "largest " : "", shown(std::abs(normal[axis]) / 2));
     inset.role = axis == chosen ? Role::hit : Role::muted;
     insets.push_back(inset);

@@ -34,7 +34,9 @@ class Teller {
   explicit Teller(const Setup& setup)
       : s_(setup),
         script_({"Lecture note, ray and polygon; Sutherland, Sproull and Schumacker, ACM Computing Surveys 6 (1974)",
-                 "A ray and a polygon with a notch, in space: " + plain(verdict_text(s_.truth)) + ".", pseudocode}) {}
+                 "A ray and a polygon with a notch, in space: " + plain(verdict_text(s_.truth)) +
+                     (s_.truth.t ? ", in lengths of d." : "."),
+                 pseudocode}) {}
 
   Walk tell() {
     script_.tell<ray_polygon::ProjectedEvent<C>>(

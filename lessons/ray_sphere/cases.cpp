@@ -88,7 +88,7 @@ std::vector<Opinion> opinions(const Parameters& p) {
   if (t) *t /= length;
   add("Haines", t);
   add("quadratic formula", ray_sphere::quadratic(s.ray, s.sphere));
-  add("half of *B*", ray_sphere::half_b(s.ray, s.sphere));
+  add("half-B", ray_sphere::half_b(s.ray, s.sphere));
   add("stable roots", ray_sphere::stable_roots(s.ray, s.sphere));
   add("robust discriminant", ray_sphere::robust(s.ray, s.sphere));
   return all.take();

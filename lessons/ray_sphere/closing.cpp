@@ -27,7 +27,7 @@ const std::string& opening() {
 const Closing& closing() {
   static const Closing closing = {
       .result =
-          "The first hit is the smallest root of |**o** + *t* **d** − **c**|^2 = *r*^2 in the ray's closed range.",
+          "The closest hit is the smallest root of |**o** + *t* **d** − **c**|^2 = *r*^2 in the ray's closed range.",
       .cost =
           "Haines, given a unit direction: one square root, no division; neither for a ball behind. The quadratic: one "
           "square root, two "
@@ -40,7 +40,7 @@ const Closing& closing() {
           "(*r*^2 − *m*^2).",
       .used =
           "Primary and shadow rays, picking, line of sight, sphere trees. A moving ball against a ball is a ray "
-          "against an expanded ball.",
+          "against their Minkowski sum, an expanded ball.",
       .bug = "Taking any real root for a hit, even one behind the origin.",
       .bug_preset = "behind-quadratic",
       .reading = {"Eric Haines, in: Andrew Glassner (ed.), *An Introduction to Ray Tracing*, 1989, chapter 2.",
@@ -56,10 +56,10 @@ const Closing& closing() {
            {{"origin", "2.3203125,0.46875,-1.984375"}}},
           {"Let **o** = (0, 0, 0), **d** = (1, 2, 2), **c** = (3, 3, 3) and *r* = 3. Find *A*, *B*, *C* and the first "
            "hit.",
-           "**f** = (−3, −3, −3). So *A* = 9, *B* = 2 · (−15) = −30, *C* = 27 − 9 = 18 and *D* = 252. The first hit "
+           "**f** = (−3, −3, −3). So *A* = 9, *B* = 2 · (−15) = −30, *C* = 27 − 9 = 18 and *Δ* = 252. The first hit "
            "is *t*_1 = (30 − √252) / 18 ≈ 0.785."},
           {"When does the entry root lose digits, and which form keeps them?",
-           "For *B* < 0, −*B* and √*D* nearly cancel where *C* is small: the origin is near the surface. Compute "
+           "For *B* < 0, −*B* and √*Δ* nearly cancel where *C* is small: the origin is near the surface. Compute "
            "*t*_2 first, then *t*_1 = *C* / (*A* *t*_2): stable roots. Far away, with *B* halved, *B*^2 − *A* *C* "
            "cancels; "
            "the robust discriminant *A* (*r*^2 − |**f** − (*B* / *A*) **d**|^2) does not.",

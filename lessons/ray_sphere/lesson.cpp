@@ -3,6 +3,7 @@
 // The picture is drawn by ray_sphere/picture, the steps stand in ray_sphere/haines and ray_sphere/quadratic;
 // ray_sphere/cases has the map of all cases and the methods side by side.
 
+#include "lessons/course.h"
 #include "lessons/ray_sphere/telling.h"
 #include "lessons/shared/parameters.h"
 #include "lessons/shared/plane.h"
@@ -95,6 +96,8 @@ const Lesson& ray_sphere() {
       .closing = &closing(),
       .errata = errata(),
       .after = {"rays", "sphere-sphere"},
+      .ideas = {"Minkowski sum", "stable roots", "closest hit"},
+      .shared = shared_ideas,
   };
   return lesson;
 }

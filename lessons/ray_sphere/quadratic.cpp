@@ -21,11 +21,11 @@ std::vector<std::string> pseudocode(bool half) {
       "A ← d · d",                                          // 1
       half ? "B ← f · d" : "B ← 2 f · d",                   // 2
       "C ← f · f − r²",                                     // 3
-      half ? "D ← B² − A C" : "D ← B² − 4 A C",             // 4
-      "if D < 0",                                           // 5
+      half ? "Δ ← B² − A C" : "Δ ← B² − 4 A C",             // 4
+      "if Δ < 0",                                           // 5
       "    return MISS",                                    // 6
-      half ? "t₁ ← (−B − √D) / A" : "t₁ ← (−B − √D) / 2A",  // 7
-      half ? "t₂ ← (−B + √D) / A" : "t₂ ← (−B + √D) / 2A",  // 8
+      half ? "t₁ ← (−B − √Δ) / A" : "t₁ ← (−B − √Δ) / 2A",  // 7
+      half ? "t₂ ← (−B + √Δ) / A" : "t₂ ← (−B + √Δ) / 2A",  // 8
       "if t_min ≤ t₁ ≤ t_max",                              // 9
       "    return HIT, t₁",                                 // 10
       "if t_min ≤ t₂ ≤ t_max",                              // 11
@@ -107,7 +107,7 @@ class QuadraticTeller : Teller {
 
   void say(const ray_sphere::Discriminant<C>& e) {
     known_.passing = true;
-    script_.value("*D*", e.d.value);
+    script_.value("*Δ*", e.d.value);
     const double square = b_ * b_, product = a_ * c_;
     add("discriminant", "The discriminant", 4,
         half_ ? "It equals *A* (*r*^2 − *m*^2): the line passes the centre at a distance *m*, with *m*^2 = **f** · "
@@ -119,10 +119,10 @@ class QuadraticTeller : Teller {
                 "**f** − "
                 "(**f** · **d**)^2 / *A*.\n"
                 "So its sign gives the number of real roots.",
-        Focus::passing, (half_ ? "*D* = *B*^2 − *A* *C* = " : "*D* = *B*^2 − 4 *A* *C* = ") + shown(e.d.value))
+        Focus::passing, (half_ ? "*Δ* = *B*^2 − *A* *C* = " : "*Δ* = *B*^2 − 4 *A* *C* = ") + shown(e.d.value))
         // the two forms are mixed; a sign is lost; the discriminant is taken for its root
         .question = which_value(
-        "What is the discriminant *D*?", e.d.value,
+        "What is the discriminant *Δ*?", e.d.value,
         {square - (half_ ? 4 : 1) * product, square + (half_ ? 1 : 4) * product, std::sqrt(std::abs(e.d.value))},
         half_ ? "With half of *B*, the factor 4 cancels." : "The full *B* takes the factor 4.");
   }
@@ -134,11 +134,11 @@ class QuadraticTeller : Teller {
     Step& step =
         add("real-roots", "Are there real roots?", 5,
             !as_true     ? astray_line()
-            : roots == 0 ? "*D* is negative, so there is no real root: the line misses the sphere."
-            : roots == 1 ? "*D* is exactly zero: both roots coincide, and the line touches the sphere."
-                         : "*D* is positive: the line meets the sphere twice. Whether the *ray* does is still open.",
+            : roots == 0 ? "*Δ* is negative, so there is no real root: the line misses the sphere."
+            : roots == 1 ? "*Δ* is exactly zero: both roots coincide, and the line touches the sphere."
+                         : "*Δ* is positive: the line meets the sphere twice. Whether the *ray* does is still open.",
             Focus::passing);
-    decide(step, {"*D* ≥ 0", e.d.value, 0, !e.holds,
+    decide(step, {"*Δ* ≥ 0", e.d.value, 0, !e.holds,
                   !as_true     ? "by rounding"
                   : roots == 0 ? "no real root"
                   : roots == 1 ? "a double root"
@@ -153,7 +153,7 @@ class QuadraticTeller : Teller {
     known_.half_chord = true;
     script_.value(first ? "*t*_1" : "*t*_2", e.t.value, "lengths of **d**", Role::hit);
     const std::string formula =
-        std::string(first ? "*t*_1 = (−*B* − √*D*) / " : "*t*_2 = (−*B* + √*D*) / ") + (half_ ? "*A* = " : "2*A* = ");
+        std::string(first ? "*t*_1 = (−*B* − √*Δ*) / " : "*t*_2 = (−*B* + √*Δ*) / ") + (half_ ? "*A* = " : "2*A* = ");
     add(first ? "first-root" : "second-root", first ? "The smaller root" : "The larger root", first ? 7 : 8,
         root_ == 0 ? std::string("Both roots are −*B* / ") + (half_ ? "*A*." : "2*A*.")
                    : std::string(first ? "The smaller root: where the line enters.\n"
@@ -214,10 +214,10 @@ class QuadraticTeller : Teller {
         cancelled < 1 || setup_.truth.line_roots != 2 ? cancelled : std::max(cancelled, 16 - digits_right(t, truth));
     const std::string over = half_ ? " / *A*" : " / 2*A*";
     const std::string stable =
-        "Stable roots take " + (first ? "*t*_2 = (−*B* + √*D*)" + over + " first, then *t*_1 = *C* / (*A* *t*_2)."
-                                      : "*t*_1 = (−*B* − √*D*)" + over + " first, then *t*_2 = *C* / (*A* *t*_1).");
-    if (digits < 1) return "Near the surface −*B* and √*D* would nearly cancel.\n" + stable;
-    return "−*B* and √*D* nearly cancel: the origin is near the surface. " +
+        "Stable roots take " + (first ? "*t*_2 = (−*B* + √*Δ*)" + over + " first, then *t*_1 = *C* / (*A* *t*_2)."
+                                      : "*t*_1 = (−*B* − √*Δ*)" + over + " first, then *t*_2 = *C* / (*A* *t*_1).");
+    if (digits < 1) return "Near the surface −*B* and √*Δ* would nearly cancel.\n" + stable;
+    return "−*B* and √*Δ* nearly cancel: the origin is near the surface. " +
            fmt::format("About {} of 16 digits are lost.", std::min(digits, 16)) +
            (setup_.truth.line_roots == 2 ? lost_digits(t, truth) : "") + "\n" + stable;
   }

@@ -34,7 +34,8 @@ const Closing& closing() {
           "A pixel shows the object at the smallest *t* ≥ 0 of its primary ray. The point is lit if it faces the light "
           "and no object lies between.",
       .cost =
-          "One primary ray and at most one shadow ray per pixel. Each searches a hierarchy: about lg *n* nodes, not "
+          "One primary ray and at most one shadow ray per pixel. Each searches a bounding volume hierarchy: about lg "
+          "*n* nodes, not "
           "*n* "
           "objects.",
       .choose =

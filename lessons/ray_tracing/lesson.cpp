@@ -3,6 +3,7 @@
 // The steps stand in ray_tracing/telling, the tracer in ray_tracing/tracer, the pictures in ray_tracing/picture, the
 // eye and the objects' ray tests in shared/viewing.
 
+#include "lessons/course.h"
 #include "lessons/ray_tracing/picture.h"
 #include "lessons/shared/parameters.h"
 
@@ -18,7 +19,8 @@ const Vec3 standard_lamp = {-1, 2.25, -1.5};
 Walk walk(const Parameters& values) { return tell(setup(values)); }
 
 Preset preset_of(const char* id, const char* title, int column, int row, const char* shadow = "apart") {
-  const Vec3 at = Eye(columns, rows).on_plane({column + 0.5, row + 0.5});
+  const Vec3 middle = Eye(columns, rows).on_plane({column + 0.5, row + 0.5});
+  const Vec3 at = (1e4 * middle).array().round() / 1e4;  // any point of the pixel will do: one that can be read
   return {id, title, "", {{"pixel", at}, {"lamp", standard_lamp}, {"shadow", std::string(shadow)}}};
 }
 
@@ -53,6 +55,8 @@ const Lesson& ray_tracing() {
       .opening = opening(),
       .closing = &closing(),
       .after = {"rays", "ray-sphere", "hierarchy", "ray-polygon"},
+      .ideas = {"closest hit", "bounding volume hierarchy"},
+      .shared = shared_ideas,
   };
   return lesson;
 }

@@ -58,7 +58,8 @@ const Closing& closing() {
            "**v** · **d** / |**d**| = 20 / 5 = 4, and **v** · **u** = 4 · 0.6 + 2 · 0.8 = 4. The unit vector saves the "
            "division."},
           {"Why is a ray's range closed at *t* = 0?",
-           "Then a ray that starts on a surface meets it. Renderers that do not want that start at a small *t*."},
+           "Then a ray is a closed set, and meets a surface on which it starts. Renderers that do not want that start "
+           "at a small *t*."},
       }};
   return closing;
 }

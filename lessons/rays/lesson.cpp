@@ -1,5 +1,6 @@
 // Rays (N16): a point and a direction, or two points; finite, semi-infinite or infinite; and what t means.
 
+#include "lessons/course.h"
 #include "lessons/rays/picture.h"
 #include "lessons/shared/parameters.h"
 
@@ -91,6 +92,8 @@ const Lesson& rays() {
       .errata = {{"t ← −(n · o + D) / (n · d)", "if n · d = 0: return n · o + D = 0 ? HIT : MISS",
                   "For a ray parallel to the plane the quotient divides by zero.", "parallel"}},
       .after = {"intervals"},
+      .ideas = {"closed set", "Minkowski sum", "continuous collision detection"},
+      .shared = shared_ideas,
   };
   return lesson;
 }

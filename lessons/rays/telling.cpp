@@ -31,6 +31,11 @@ std::vector<std::string> pseudocode(const Setup& s) {
           "return HIT, r(t)"};                                                         // 6
 }
 
+/// Of t, for whoever does not see the axis.
+std::string unit_of_t(const Setup& s) {
+  return s.made == Made::unit || s.d.head<2>().squaredNorm() == 1 ? " (a length)" : ", in lengths of d";
+}
+
 class Teller {
  public:
   explicit Teller(const Setup& setup)
@@ -39,7 +44,7 @@ class Teller {
         script_({"Lecture note Intersection Detection, rays, and ray against plane",
                  fmt::format("A {} and a wall at x = {}: {}.", s_.extent, shown(s_.wall),
                              s_.truth.coplanar ? "it lies in the wall"
-                             : s_.truth.meets  ? "they meet at t = " + shown(*s_.truth.t)
+                             : s_.truth.meets  ? "they meet at t = " + shown(*s_.truth.t) + unit_of_t(s_)
                                                : "they do not meet"),
                  pseudocode_,
                  s_.made == Made::points ? "two points"

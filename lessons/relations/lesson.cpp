@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "lessons/course.h"
 #include "lessons/relations/pages.h"
 #include "lessons/relations/telling.h"
 #include "lessons/shared/parameters.h"
@@ -70,6 +71,8 @@ const Lesson& relations() {
         .map = &cases(),
         .opening = opening(),
         .closing = &closing(),
+        .ideas = {"closed set", "containment"},
+        .shared = shared_ideas,
     };
   }();
   return lesson;

@@ -14,7 +14,7 @@ namespace isect::lessons::relations_lesson {
 
 using namespace viz;
 
-const std::vector<std::string> pseudocode = {
+const std::vector<std::string> note_pseudocode = {
     "DISJOINT if a and b have no common point",              // 0
     "else EQUAL if a ⊆ b and b ⊆ a",                         // 1
     "else A INSIDE B if a ⊆ b",                              // 2
@@ -82,7 +82,7 @@ Walk page_of_all(const Pose& pose) {
     alt += (kind == kinds[0] ? ": " : ", ") + name(kind) + " " + relation_name(pair.truth);
   }
   Script script({"Lecture note Intersection Detection, spatial relationships",
-                 alt + ". Then each of six relations for each of four kinds.", pseudocode, all_kinds});
+                 alt + ". Then each of six relations for each of four kinds.", note_pseudocode, all_kinds});
   // Whether four relations or one: the shapes matter, and the pose does.
   Step& same =
       script.add("same-place", "One pose, four kinds", -1,

@@ -6,7 +6,7 @@
 
 namespace isect::lessons::relations_lesson {
 
-extern const std::vector<std::string> pseudocode;
+extern const std::vector<std::string> note_pseudocode;
 inline constexpr const char* all_kinds = "all kinds";  ///< a choice beside the kinds
 inline const viz::Camera camera = {.azimuth = azimuth, .elevation = elevation};
 

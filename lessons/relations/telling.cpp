@@ -41,7 +41,8 @@ class Teller {
         pose_(pose),
         they_(they(kind)),
         script_({"Lecture note Intersection Detection, spatial relationships",
-                 fmt::format("Two {}, a and b: {}.", name(kind), words(pair_.truth, they_)), pseudocode, name(kind)}) {}
+                 fmt::format("Two {}, a and b: {}.", name(kind), words(pair_.truth, they_)), note_pseudocode,
+                 name(kind)}) {}
 
   Walk tell() {
     add("pair", fmt::format("Two {}", name(pair_.kind)), 0,

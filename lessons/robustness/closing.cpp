@@ -50,7 +50,9 @@ const Closing& closing() {
       .choose =
           "Exact signs where others build on a verdict: hulls, meshes, maps. Rounded ones where an error is only a "
           "pixel.",
-      .used = "Shewchuk's predicates in Triangle and TetGen, CGAL's exact kernels, watertight ray tests in renderers.",
+      .used =
+          "Shewchuk's exact predicates in Triangle and TetGen, CGAL's exact kernels, watertight ray tests in "
+          "renderers.",
       .bug = "Trusting a rounded sign: whole blocks of neighbours come out wrong. A tolerance only moves the block.",
       .bug_preset = "orientation",
       .reading = {"Lutz Kettner et al., Classroom Examples of Robustness Problems in Geometric Computations, "

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "lessons/course.h"
 #include "lessons/robustness/settings.h"
 #include "lessons/shared/parameters.h"
 
@@ -69,6 +70,8 @@ const Lesson& robustness() {
         .opening = opening(),
         .closing = &closing(),
         .after = {"points", "sphere-sphere", "ray-sphere", "crossings", "rules-of-thumb"},
+        .ideas = {"exact predicate", "tolerance", "orientation"},
+        .shared = shared_ideas,
     };
   }();
   return lesson;

@@ -114,7 +114,7 @@ template <class S>
 Setting spheres(const Vec3& p) {
   Setting s;
   s.title = "Do the circles meet?";
-  s.naive = "distance^2 < (*r*_1 + *r*_2)^2";
+  s.naive = "distance^2 < (*r*_a + *r*_b)^2";
   s.cell = "one position of **c**";
   s.why = "The sum of the radii and both squares are rounded. Near tangency this decides.";
   s.consequence = "A contact begins a frame too late, or flickers while the bodies rest on each other.";

@@ -32,14 +32,15 @@ const std::string& opening() {
 const Closing& closing() {
   static const Closing closing = {
       .result =
-          "Cheap tests first, results kept, work prepared where many objects meet one: each rule saves where its "
-          "assumption holds.",
+          "Trivial rejects first, results kept, a projection for a dimension less, work prepared: each rule saves "
+          "where its assumption holds.",
       .cost =
           "Each costs something: storage, preprocessing, or a wasted test. Counts show the promise; only the clock "
           "shows "
           "the gain.",
       .choose =
-          "Make it right first (rule 8), then measure (rule 7). Apply the others where the profile says that time is "
+          "Make it right first, by exact predicates (rule 8), then measure (rule 7). Apply the others where the "
+          "profile says that time is "
           "spent.",
       .used =
           "Bounding volumes, cached separating axes and sorted sweeps in physics engines; hierarchies built once in "
@@ -69,7 +70,7 @@ const Closing& closing() {
            "Without: 150 a box. With: 11 + 0.1 · 150 = 26, so 83 % are saved."},
           {"Why does a separating axis of the last frame help, even though it may fail?",
            "If it fails, one more test is lost; if it holds, up to fourteen are saved. In slow motion it usually "
-           "holds."},
+           "holds: that is temporal coherence."},
       }};
   return closing;
 }

@@ -2,6 +2,7 @@
 //
 // The experiments stand in rules_of_thumb/.
 
+#include "lessons/course.h"
 #include "lessons/rules_of_thumb/experiment.h"
 #include "lessons/shared/parameters.h"
 
@@ -63,6 +64,8 @@ const Lesson& rules_of_thumb() {
         .opening = opening(),
         .closing = &closing(),
         .after = {"sphere-aabb", "ray-sphere", "obb-obb", "hierarchy", "concave-polygon"},
+        .ideas = {"trivial reject", "temporal coherence", "projection", "exact predicate"},
+        .shared = shared_ideas,
     };
   }();
   return lesson;

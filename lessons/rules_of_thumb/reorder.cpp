@@ -9,7 +9,10 @@
 namespace isect::lessons::rules_lesson {
 
 using namespace viz;
+
+namespace {
 using C = Counted<double>;
+}  // namespace
 
 Experiment reorder(const Flat& p) {
   bench::Random random(3);

@@ -19,7 +19,7 @@ inline std::string as_power(double x) {
   return text.starts_with(one) ? text.substr(one.size()) : text;
 }
 
-/// "*d* = 3 > *s* = 2": both with as many digits as tell them apart. Where rounding hides what `sign` says of the true
+/// "*d* = 3 > *R* = 2": both with as many digits as tell them apart. Where rounding hides what `sign` says of the true
 /// numbers, that is said instead. Either name may be empty. `unit` follows both numbers.
 inline std::string ordered(const std::string& left, double a, const std::string& sign, double b,
                            const std::string& right, const std::string& unit = {}) {

@@ -39,9 +39,10 @@ const Closing& closing() {
           "open.",
       .choose =
           "The exact call, unless a profile shows its time and every input is ordinary. For pictures a rounded method "
-          "will do.",
+          "will do; for a ray and a sphere, stable roots.",
       .used =
-          "CGAL's filtered kernels and Shewchuk's predicates work so; game engines mostly choose rounded tests and "
+          "CGAL's filtered kernels and Shewchuk's exact predicates work so; game engines mostly choose rounded tests "
+          "and "
           "tolerances.",
       .bug = "Judging a method by ordinary cases alone: no wrong verdict shows up there.",
       .bug_preset = "sphere-sphere",

@@ -1,6 +1,7 @@
 // What the exact call costs, how often it needs exact numbers, and what to choose.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +41,7 @@ void Teller::cost() {
   for (const std::string& family : families_of(rows_)) {
     if (standard_of(of(family)) == nullptr || exact_of(of(family)) == nullptr) continue;
     const double times = exact(family).ns / naive(family).ns;
-    bars.bars.push_back({as_markup(words(family)), {{0, times}}, 1.0, ratio(times), Verdict::Kind::open});
+    bars.bars.push_back({as_markup(words(family)), {{0, times}}, 1.0, ratio_text(times), Verdict::Kind::open});
     bars.x.lo = std::min(bars.x.lo, times / 1.5), bars.x.hi = std::max(bars.x.hi, 1.5 * times);
     if (times > most) most = times, worst = family;
   }
@@ -52,11 +53,11 @@ void Teller::cost() {
                                 ? "There the naive method is wrong on " + error_share(naive(worst)) + "."
                                 : "There no verdict of the naive method is wrong.";
   const std::string noise = differ(exact(ordinary_).ns, naive(ordinary_).ns) ? "" : ", no difference beyond the noise";
-  Step& step =
-      script_.add("cost", "What exactness costs", cost_line,
-                  fmt::format("On ordinary cases the exact call takes {} times as long as {}{}. It "
-                              "loses most on “{}”: {} times as long.\n{}",
-                              ratio(usual), name_of(naive(ordinary_)), noise, words(worst), ratio(most), there));
+  Step& step = script_.add(
+      "cost", "What exactness costs", cost_line,
+      fmt::format("On ordinary cases the exact call takes {} times as long as {}{}. It "
+                  "loses most on “{}”: {} times as long.\n{}",
+                  ratio_text(usual), name_of(naive(ordinary_)), noise, words(worst), ratio_text(most), there));
   show(step, {bars});
 
   const int bucket = usual < 0.9 ? 0 : usual <= 1.1 ? 1 : usual <= 3 ? 2 : usual <= 10 ? 3 : 4;
@@ -90,14 +91,16 @@ void Teller::fallback() {
 void Teller::choose() {
   const Row &plain = naive(ordinary_), &right = exact(ordinary_), &fast = rival();
   const std::string name = name_of(plain), faster = name_of(fast);
-  long plainly_wrong = 0, wrong = 0, judged = 0;
-  for (const Row* r : rows_) {
+  long plainly_wrong = 0;
+  for (const Row* r : rows_)
     if (name_of(*r) == name) plainly_wrong += r->wrong();
-    if (name_of(*r) == faster && r->hard) wrong += r->wrong(), judged += r->judged;
-  }
+  std::vector<std::string> others;
+  for (const Row* r : as_fast_as(fast))
+    if (name_of(*r) != faster) others.push_back(name_of(*r));
   const bool saves = fast.ns < right.ns && differ(fast.ns, right.ns);
-  const std::string errs = fmt::format("It is wrong on {} of the hard cases, the exact call on none.",
-                                       share(static_cast<double>(wrong), static_cast<double>(judged)));
+  const std::string errs =
+      fmt::format("That is wrong on {} of the hard cases, the exact call on none.{}", share(wrong_when_hard(fast), 1),
+                  others.empty() ? "" : fmt::format(" As fast, within the noise: {}.", fmt::join(others, ", ")));
   std::string text, verdict = "choose the exact call";
   if (right.ns <= 1.1 * plain.ns && !saves)
     text = fmt::format("The exact call costs no more than {}, and nothing here is faster beyond the noise.", name);
@@ -107,9 +110,9 @@ void Teller::choose() {
     verdict = "choose the exact call, or " + faster + " where every input is ordinary";
   else if (plainly_wrong > 0)
     text = fmt::format(
-        "{} saves {} ns a call on ordinary cases. {}\n"
+        "With {}, an ordinary call takes {} ns less. {}\n"
         "If you need that time, be sure that every input is ordinary. Otherwise use the exact call.",
-        sentence(faster), shown(right.ns - fast.ns), errs);
+        faster, shown(right.ns - fast.ns), errs);
   else
     text = fmt::format("No case judged here broke {}. Only the exact call promises that none does.", name),
     verdict = "choose " + name + " for speed, the exact call for certainty";

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <regex>
 
 #include "bench/prose.h"
 #include "bench/rows.h"
@@ -32,8 +31,10 @@ std::optional<std::size_t> only_greatest(const List& list, const Value& value) {
 
 /// What a family is made of, in the words of a reader: "0.1", where a programmer writes ".1".
 std::string readable(std::string note) {
-  note = std::regex_replace(note, std::regex(" \\.([0-9])"), " 0.$1");
-  return std::regex_replace(note, std::regex("NaN"), "not-a-number");
+  for (std::size_t at = note.find(" ."); at != note.npos; at = note.find(" .", at + 1))
+    if (at + 2 < note.size() && note[at + 2] >= '0' && note[at + 2] <= '9') note.insert(at + 1, "0");
+  for (std::size_t at = note.find("NaN"); at != note.npos; at = note.find("NaN")) note.replace(at, 3, "not-a-number");
+  return note;
 }
 
 }  // namespace

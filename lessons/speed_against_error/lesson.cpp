@@ -3,6 +3,7 @@
 // The numbers are those of bench/results.json, so that every run of the lesson says the same; `isect bench` makes new
 // ones. What is said of them is computed in speed_against_error/telling.
 
+#include "lessons/course.h"
 #include "lessons/shared/parameters.h"
 #include "lessons/speed_against_error/results.h"
 #include "lessons/speed_against_error/telling.h"
@@ -38,6 +39,8 @@ const Lesson& speed_against_error() {
       .opening = opening(),
       .closing = &closing(),
       .after = {"rules-of-thumb", "robustness"},
+      .ideas = {"exact predicate", "stable roots"},
+      .shared = shared_ideas,
   };
   return lesson;
 }

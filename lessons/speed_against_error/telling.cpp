@@ -79,7 +79,24 @@ const Row& Teller::rival() const {
   const Row* best = &naive(ordinary_);
   for (const Row* r : of(ordinary_))
     if (r->library == "isect" && !r->exact && r->wrong() == 0 && (best->wrong() > 0 || r->ns < best->ns)) best = r;
-  return *best;
+  const Row* rival = best;
+  for (const Row* r : as_fast_as(*best))
+    if (wrong_when_hard(*r) < wrong_when_hard(*rival)) rival = r;
+  return *rival;
+}
+
+Teller::Rows Teller::as_fast_as(const Row& best) const {
+  Rows all = of(ordinary_);
+  std::erase_if(
+      all, [&](const Row* r) { return r->library != "isect" || r->exact || r->wrong() > 0 || differ(r->ns, best.ns); });
+  return all;
+}
+
+double Teller::wrong_when_hard(const Row& method) const {
+  long wrong = 0, judged = 0;
+  for (const Row* r : rows_)
+    if (name_of(*r) == name_of(method) && r->hard) wrong += r->wrong(), judged += r->judged;
+  return judged > 0 ? static_cast<double>(wrong) / static_cast<double>(judged) : 0;
 }
 
 double Teller::error(const Row& r) const { return !by_value_ ? r.wrong_per_million() : r.ulps ? r.ulps->p99 : NAN; }

@@ -29,8 +29,13 @@ class Teller {
   viz::Plot plot(const std::vector<std::string>& families) const;
   /// Whether two times differ by more than the noise of the machine that took them.
   bool differ(double a, double b) const;
-  /// The fastest of isect's methods on ordinary cases, the exact one left out, that is right on all of them.
+  /// Of isect's methods that are right on all ordinary cases, the exact one left out, and as fast there as the fastest:
+  /// the one that is least often wrong on hard cases.
   const bench::Row& rival() const;
+  /// Those, but for noise.
+  Rows as_fast_as(const bench::Row&) const;
+  /// The share of its verdicts on hard cases.
+  double wrong_when_hard(const bench::Row& method) const;
   void values(const std::string& family);
   void show(viz::Step&, viz::Chart) const;
 

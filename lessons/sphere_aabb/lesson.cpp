@@ -5,6 +5,7 @@
 #include <isect/sphere_aabb.h>
 
 #include <isect/sphere_aabb_methods.h>
+#include "lessons/course.h"
 #include "lessons/shared/opinions.h"
 #include "lessons/shared/parameters.h"
 #include "lessons/sphere_aabb/telling.h"
@@ -23,9 +24,9 @@ std::vector<Opinion> opinions(const Parameters& p) {
   const bool meets = s.truth != Relation::disjoint;
   Opinions all(in_words(s.truth));
   const auto add = [&](const char* method, bool overlap) { all.add(method, says_overlap(overlap), overlap == meets); };
-  add("accumulated, strict (the note)", sphere_aabb::accumulate(s.ball, s.box));
-  add("with early rejections", sphere_aabb::with_rejections(s.ball, s.box));
-  add("clamped centre", sphere_aabb::clamped(s.ball, s.box));
+  add("if, else (<), the note's", sphere_aabb::accumulate(s.ball, s.box));
+  add("rejections first", sphere_aabb::with_rejections(s.ball, s.box));
+  add("clamp the centre", sphere_aabb::clamped(s.ball, s.box));
   add("centre in the box expanded by *r*", s.in_grown);
   return all.take();
 }
@@ -68,6 +69,8 @@ const Lesson& sphere_aabb() {
                   "A ball that touches the box shares a point with it; closed sets include their boundary.",
                   "touching-face"}},
       .after = {"relations", "aabb-aabb"},
+      .ideas = {"Minkowski sum", "squared distance"},
+      .shared = shared_ideas,
   };
   return lesson;
 }

@@ -24,23 +24,23 @@ Parameters moved(const Parameters& p, const Vec2& to) {
   const Vec3 direction = l.norm() > 0 ? Vec3(l.normalized()) : Vec3(across() / axis_length);
   Parameters there = p;
   there["b"] = Vec3(s.a.center + to.x() * s.a.radius * direction);
-  there["r2"] = to.y() * s.a.radius;
+  there["r_b"] = to.y() * s.a.radius;
   return there;
 }
 
 }  // namespace
 
 const CaseMap& cases() {
-  static const CaseMap map = {"distance *d* between the centres, in units of *r*_1",
-                              "radius *r*_2, in units of *r*_1",
+  static const CaseMap map = {"distance *d* between the centres, in units of *r*_a",
+                              "radius *r*_b, in units of *r*_a",
                               {0, 0},
                               {6, 3},
                               relation_cases(),
                               branch,
                               place,
                               moved,
-                              "Only two numbers matter: the distance and the second radius, both in units of *r*_1.\n"
-                              "Touching is not a region but the line *d* = *r*_1 + *r*_2; equal balls are one point."};
+                              "Only two numbers matter: the distance and the second radius, both in units of *r*_a.\n"
+                              "Touching is not a region but the line *d* = *r*_a + *r*_b; equal balls are one point."};
   return map;
 }
 
@@ -48,10 +48,10 @@ std::vector<Opinion> opinions(const Parameters& p) {
   const Setup s = setup(p);
   const Ball3 a = s.tested(s.a), b = s.tested(s.b);
   Opinions all(says_meet(s.truth != Relation::disjoint));
-  all.add("*d*^2 < *s*^2, the note's", says_meet(sphere_sphere::squared_distance(a, b)));
-  all.add("*d*^2 ≤ *s*^2", says_meet(sphere_sphere::closed_squared_distance(a, b)));
-  all.add("*d* ≤ *s*, by square root", says_meet(sphere_sphere::by_distance(a, b)));
-  all.add("*d* ≤ *s*, by hypot", says_meet(sphere_sphere::by_hypot(a, b)));
+  all.add("squares (<), the note's: *d*^2 < *R*^2", says_meet(sphere_sphere::squared_distance(a, b)));
+  all.add("squares: *d*^2 ≤ *R*^2", says_meet(sphere_sphere::closed_squared_distance(a, b)));
+  all.add("root: *d* ≤ *R*", says_meet(sphere_sphere::by_distance(a, b)));
+  all.add("hypot: *d* ≤ *R*", says_meet(sphere_sphere::by_hypot(a, b)));
   return all.take();
 }
 

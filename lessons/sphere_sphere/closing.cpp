@@ -34,7 +34,7 @@ bool touching_outside(const Parameters& p) { return setup(p).truth == Relation::
 const std::string& opening() {
   static const std::string text =
       "Do two balls have a point in common? Engines test this first for any two bodies, as few tests are cheaper.\n"
-      "Two balls meet if and only if their centres are at most *r*_1 + *r*_2 apart. Both sides may be squared, so the "
+      "Two balls meet if and only if their centres are at most *r*_a + *r*_b apart. Both sides may be squared, so the "
       "lecture note *Intersection Detection* takes no square root.";
   return text;
 }
@@ -42,14 +42,15 @@ const std::string& opening() {
 const Closing& closing() {
   static const Closing closing = {
       .result =
-          "Two balls meet if and only if *d*^2 ≤ (*r*_1 + *r*_2)^2. One lies inside the other if and only if "
-          "*d*^2 ≤ (*r*_1 − *r*_2)^2.",
+          "Two balls meet if and only if *d*^2 ≤ (*r*_a + *r*_b)^2. One lies inside the other if and only if "
+          "*d*^2 ≤ (*r*_a − *r*_b)^2.",
       .cost =
           "Four products, six sums and one comparison. A square root, once a routine in software, is one instruction "
           "now; yet it takes as long as several products." +
           measured(),
       .choose =
-          "For round bodies, and before any costlier test. Long, thin bodies leave much of a ball empty: use boxes.",
+          "For round bodies, and before any costlier test. A point against the Minkowski sum, a ball of radius *R* = "
+          "*r*_a + *r*_b, asks the same. Long, thin bodies leave much of a ball empty: use boxes.",
       .used = "Broad phase of physics engines, nodes of sphere trees, particles, triggers in games.",
       .bug = "A strict < answers DISJOINT for balls that touch.",
       .bug_preset = "touching",
@@ -58,14 +59,14 @@ const Closing& closing() {
                   "Tomas Akenine-Möller and Eric Haines, *Real-Time Rendering*, 2nd edition, 2002, chapter 13."},
       .exercises = {
           {"Drag **b** until the balls touch from outside.",
-           "They touch where *d* = *r*_1 + *r*_2. The radii add up to 2.5390625, so the centres must be that far "
+           "They touch where *d* = *r*_a + *r*_b. The radii add up to 2.5390625, so the centres must be that far "
            "apart.",
            "overlapping",
            touching_outside,
            {{"b", "1.21875,0,-0.9140625"}}},
           {"Two balls have radii 3 and 4, and their centres are 5 apart. Do their surfaces meet?",
            "Yes: 5 lies between 4 − 3 = 1 and 4 + 3 = 7. The surfaces share a circle."},
-          {"Why may both sides of *d* ≤ *r*_1 + *r*_2 be squared?",
+          {"Why may both sides of *d* ≤ *r*_a + *r*_b be squared?",
            "Neither is negative, and squaring keeps the order of such numbers. With a negative radius it would not."},
           {"Lengths are stored in 32-bit floats. Beyond which distance does *d*^2 overflow?",
            "The largest float is about 3.4 · 10^{38}. Its square root is about 1.8 · 10^{19}."},

@@ -1,5 +1,6 @@
 // Sphere against sphere by squared distances (N14), and what the exact test adds: all six relations, touching included.
 
+#include "lessons/course.h"
 #include "lessons/shared/parameters.h"
 #include "lessons/shared/plane.h"
 #include "lessons/sphere_sphere/picture.h"
@@ -18,9 +19,9 @@ Preset preset_of(const char* id, const char* title, const Vec2& b, double r1, do
           title,
           "",
           {{"a", in_plane(-1, 0)},
-           {"r1", r1 * axis_length},
+           {"r_a", r1 * axis_length},
            {"b", in_plane(b.x(), b.y())},
-           {"r2", r2 * axis_length},
+           {"r_b", r2 * axis_length},
            {"unit", std::string(unit)}}};
 }
 
@@ -33,9 +34,9 @@ const Lesson& sphere_sphere() {
       .rows = "N14",
       .summary = "Whether two balls meet, by squared distances: no square root.",
       .parameters = {vector("a", "**a**", "Centre of the first ball, in units.", in_plane(-1, 0), 6),
-                     {"r1", "*r*_1", "Radius of the first ball, in units.", 1.5 * axis_length, 0, 1e6, 0.1, 4},
+                     {"r_a", "*r*_a", "Radius of the first ball, in units.", 1.5 * axis_length, 0, 1e6, 0.1, 4},
                      vector("b", "**b**", "Centre of the second ball, in units.", in_plane(2, 0), 6),
-                     {"r2", "*r*_2", "Radius of the second ball, in units.", axis_length, 0, 1e6, 0.1, 4},
+                     {"r_b", "*r*_b", "Radius of the second ball, in units.", axis_length, 0, 1e6, 0.1, 4},
                      choice("unit", "unit", "The unit of all lengths: 1, 2^600 or 2^-600.", {"one", "huge", "tiny"})},
       .group_by = "",
       .presets = {preset_of("overlapping", "overlapping", {1, 0}, 1.5, 1),
@@ -52,9 +53,11 @@ const Lesson& sphere_sphere() {
       .map = &cases(),
       .opening = opening(),
       .closing = &closing(),
-      .errata = {{"if d² < s²", "if d² ≤ s²",
+      .errata = {{"if d² < R²", "if d² ≤ R²",
                   "Balls that touch have a common point; closed sets include their boundary.", "touching"}},
       .after = {"relations", "intervals"},
+      .ideas = {"Minkowski sum", "squared distance"},
+      .shared = shared_ideas,
   };
   return lesson;
 }

@@ -25,8 +25,8 @@ void shared(Scene& scene, const Setup& s) {
 
 Setup setup(const Parameters& p) {
   Setup s;
-  s.a = {std::get<Vec3>(p.at("a")), std::get<double>(p.at("r1"))};
-  s.b = {std::get<Vec3>(p.at("b")), std::get<double>(p.at("r2"))};
+  s.a = {std::get<Vec3>(p.at("a")), std::get<double>(p.at("r_a"))};
+  s.b = {std::get<Vec3>(p.at("b")), std::get<double>(p.at("r_b"))};
   const std::string& unit = std::get<std::string>(p.at("unit"));
   s.unit = unit == "huge" ? 0x1p600 : unit == "tiny" ? 0x1p-600 : 1;
   int inner = 1;
@@ -46,14 +46,14 @@ Scene picture(const Setup& s, Focus focus) {
   if (d > 0) {
     const Role role = lit ? Role::highlight : Role::construction;
     const Pen pen = lit ? Pen::highlight : Pen::construction;
-    scene.items.push_back(focus == Focus::line ? Item(Arrow{b, a, role, pen}) : Item(Line{a, b, role, pen}));
+    scene.items.push_back(focus == Focus::line ? Item(Arrow{a, b, role, pen}) : Item(Line{a, b, role, pen}));
     const bool radii = focus == Focus::radii;
     const Vec3 e = l / d;
     if (radii) {
       scene.items.push_back(Line{a, a + s.a.radius * e, Role::first, Pen::thick});
       scene.items.push_back(Line{b, b - s.b.radius * e, Role::second, Pen::thick});
-      scene.items.push_back(Label{a, "*r*_1", Role::first, a + s.a.radius * e});
-      scene.items.push_back(Label{b, "*r*_2", Role::second, b - s.b.radius * e});
+      scene.items.push_back(Label{a, "*r*_a", Role::first, a + s.a.radius * e});
+      scene.items.push_back(Label{b, "*r*_b", Role::second, b - s.b.radius * e});
     } else {
       scene.items.push_back(Label{a, focus == Focus::line ? "**l**" : "*d*", Role::text, b});
     }
@@ -66,8 +66,8 @@ Scene picture(const Setup& s, Focus focus) {
   const Vec3 down = -upwards() / axis_length;
   scene.handles = {{"a", Handle::Kind::point, a, Vec3::Zero(), Role::first},
                    {"b", Handle::Kind::point, b, Vec3::Zero(), Role::second},
-                   {"r1", Handle::Kind::length, a + s.a.radius * down, a, Role::first},
-                   {"r2", Handle::Kind::length, b + s.b.radius * down, b, Role::second}};
+                   {"r_a", Handle::Kind::length, a + s.a.radius * down, a, Role::first},
+                   {"r_b", Handle::Kind::length, b + s.b.radius * down, b, Role::second}};
   return scene;
 }
 

@@ -13,10 +13,10 @@ using C = Counted<double>;
 namespace {
 
 const std::vector<std::string> pseudocode = {
-    "l ← a − b",           // 0
+    "l ← b − a",           // 0
     "d² ← l · l",          // 1
-    "s ← r₁ + r₂",         // 2
-    "if d² < s²",          // 3
+    "R ← r_a + r_b",       // 2
+    "if d² < R²",          // 3
     "    return OVERLAP",  // 4
     "return DISJOINT"      // 5
 };
@@ -54,11 +54,11 @@ class Teller {
   void measured(double d2, double s2) {
     d2_ = d2, s2_ = s2;
     tally() = {};
-    const Vector<C, 3> l = s_.tested(s_.a).center.cast<C>() - s_.tested(s_.b).center.cast<C>();
+    const Vector<C, 3> l = s_.tested(s_.b).center.cast<C>() - s_.tested(s_.a).center.cast<C>();
     script_.count(tally());
     add("difference", "From centre to centre", 0,
         "Only the line between the centres matters. Two balls are nearest to each other along it.", Focus::line,
-        "**l** = **a** − **b**");
+        "**l** = **b** − **a**");
     l.dot(l);
     script_.count(tally());
     script_.value("*d*^2", d2, "area");
@@ -67,11 +67,11 @@ class Teller {
     const C sum = C(s_.a.radius) + C(s_.b.radius);
     static_cast<void>(sum * sum);
     script_.count(tally());
-    script_.value("*s*^2", s2, "area", Role::second);
+    script_.value("*R*^2", s2, "area", Role::second);
     add("reach", "How far the balls reach", 2,
         "Together the balls reach as far as the sum of their radii.\n"
         "Neither is negative, so squaring keeps their order while the squares stay in range. No root is needed.",
-        Focus::radii, "*s*^2 = (*r*_1 + *r*_2)^2 = " + shown(s2));
+        Focus::radii, "*R*^2 = (*r*_a + *r*_b)^2 = " + shown(s2));
   }
 
   void compared() {
@@ -82,8 +82,8 @@ class Teller {
                          (near       ? " < "
                           : d2 == s2 ? " = "
                                      : " > ") +
-                         digits(s2, d2) + " = *s*^2");
-    Script::decide(step, {"*d*^2 < *s*^2", d2, s2, near, near ? "the note: OVERLAP" : "the note: DISJOINT"});
+                         digits(s2, d2) + " = *R*^2");
+    Script::decide(step, {"*d*^2 < *R*^2", d2, s2, near, near ? "the note: OVERLAP" : "the note: DISJOINT"});
     step.question = relation_question(s_.truth, "the two balls", because());
     if (!near) script_.refuse(3, {4});
 
@@ -114,15 +114,15 @@ class Teller {
   std::string because() const {
     switch (s_.truth) {
       case Relation::disjoint:
-        return "*d* > *r*_1 + *r*_2.";
+        return "*d* > *r*_a + *r*_b.";
       case Relation::touching:
-        return "*d* = *r*_1 + *r*_2: one common point.";
+        return "*d* = *r*_a + *r*_b: one common point.";
       case Relation::overlapping:
-        return "*d* < *r*_1 + *r*_2, and *d* > |*r*_1 − *r*_2|.";
+        return "*d* < *r*_a + *r*_b, and *d* > |*r*_a − *r*_b|.";
       case Relation::equal:
         return "Centres and radii are the same.";
       default:
-        return "*d* ≤ |*r*_1 − *r*_2|: the larger ball contains the smaller one.";
+        return "*d* ≤ |*r*_a − *r*_b|: the larger ball contains the smaller one.";
     }
   }
 
@@ -136,14 +136,14 @@ class Teller {
              "The exact test computes again in wider numbers, and its answer holds at any scale.";
     switch (s_.truth) {
       case Relation::overlapping:
-        return "Their surfaces share a circle. Neither ball contains the other, as *d* > |*r*_1 − *r*_2|.";
+        return "Their surfaces share a circle. Neither ball contains the other, as *d* > |*r*_a − *r*_b|.";
       case Relation::disjoint:
         return "A gap is left between them. Four products and no square root show it.";
       case Relation::equal:
         return "The two balls are the same set.";
       default:
         if (s_.inner_touch)
-          return "One ball lies inside the other and touches it from within: *d* = |*r*_1 − *r*_2|.\n"
+          return "One ball lies inside the other and touches it from within: *d* = |*r*_a − *r*_b|.\n"
                  "This is called internal tangency.";
         return "OVERLAP does not say that one ball lies inside the other.\n"
                "That takes a second comparison, with the difference of the radii.";
@@ -155,9 +155,9 @@ class Teller {
     const std::string unit = s_.unit > 1 ? " · 2^{600}" : s_.unit < 1 ? " · 2^{−600}" : "";
     const double d = (s_.a.center - s_.b.center).norm(), r1 = s_.a.radius, r2 = s_.b.radius;
     const bool inside = s_.truth == Relation::a_inside_b || s_.truth == Relation::b_inside_a;
-    if (inside) return ordered("*d*", d, s_.inner_touch ? "=" : "<", std::abs(r1 - r2), "|*r*_1 − *r*_2|", unit);
+    if (inside) return ordered("*d*", d, s_.inner_touch ? "=" : "<", std::abs(r1 - r2), "|*r*_a − *r*_b|", unit);
     const char* sign = s_.truth == Relation::disjoint ? ">" : s_.truth == Relation::touching ? "=" : "<";
-    return ordered("*d*", d, sign, r1 + r2, "*r*_1 + *r*_2", unit);
+    return ordered("*d*", d, sign, r1 + r2, "*r*_a + *r*_b", unit);
   }
 
   const Setup s_;

@@ -73,6 +73,8 @@ TEST_CASE("a book has a page for each lesson, with every preset and every step",
       if (!target.starts_with("#")) CHECK(std::filesystem::exists(site / target));
   }
   CHECK(bytes < 16'000'000);
+  CHECK_THAT(contents(site / "convex-polygon.html"),
+             Contains("<dd>Bisection: <a href=\"concave-polygon.html\">Point in concave polygon</a>"));
 
   std::size_t last = 0;
   const std::string index = contents(site / "index.html");
@@ -127,6 +129,19 @@ TEST_CASE("one lesson in one file needs nothing beside it, and is the same each 
   CHECK(contents(shell.work() / "one/points.html") == page);
   REQUIRE(shell("ray-sphere book --out two").status == 0);
   CHECK(isect::test::files_in(shell.work() / "two") == std::vector<std::string>{"ray-sphere.html"});
+}
+
+TEST_CASE("a page with compiled lessons has them, and its fonts for figures that are saved", "[book]") {
+  const Shell shell;
+  write(shell.work() / "live.js", "isect_module.packed = \"\";\n");
+  const Ran r = shell("isect book ray-sphere --single --live live.js --out one");
+  REQUIRE(r.status == 0);
+  const std::string page = contents(shell.work() / "one" / "ray-sphere.html");
+  CHECK_THAT(page, Contains("<body data-lesson=\"ray-sphere\" data-live=\"#live-code\">") &&
+                       Contains("<script type=\"text/plain\" id=\"live-code\">") &&
+                       Contains("isect_module.packed = ") && Contains("<style id=\"letters\">") &&
+                       Contains("function isect_live(book)"));
+  CHECK_THAT(page, !Contains(" src=\"isect.js\""));
 }
 
 TEST_CASE("a book is never written over somebody else's files", "[book]") {

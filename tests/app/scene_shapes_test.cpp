@@ -199,9 +199,10 @@ TEST_CASE("volumes fit their points, parts lie in their box, hierarchies hold al
     return answers(shell, window + what, R"([{"clip": "x", "to": "W"}])")[0];
   };
   CHECK(clipped(R"({"segment": "x", "from": [-1,0.5], "to": [3,0.5]})")["range"] == Json::parse("[0.25, 0.75]"));
-  CHECK(clipped(R"({"ray": "x", "origin": [-1,0.5], "dir": [1,0]})")["verdict"] == "kept: t from 1 to 3");
+  CHECK(clipped(R"({"ray": "x", "origin": [-1,0.5], "dir": [1,0]})")["verdict"] ==
+        "of x the part from t = 1 to 3 lies in W");
   CHECK(clipped(R"({"line": "x", "origin": [-1,1], "dir": [0,1]})")["range"].is_null());
-  CHECK(clipped(R"({"segment": "x", "from": [-1,0], "to": [1,2]})")["verdict"] == "one point is kept: t = 0.5");
+  CHECK(clipped(R"({"segment": "x", "from": [-1,0], "to": [1,2]})")["verdict"] == "of x one point lies in W: t = 0.5");
   CHECK(clipped(R"({"triangle": "x", "points": [[1,0.5],[5,0.5],[1,-3.5]]})")["vertices"].size() == 4);
   CHECK(clipped(R"({"polygon": "x", "points": [[3,3],[4,3],[4,4]]})")["verdict"] == "nothing of x lies in W");
 
@@ -218,7 +219,8 @@ TEST_CASE("a walk tells the lesson's steps on the scene's numbers", "[scene]") {
   write(shell.work() / "w.json", R"({"objects": [{"sphere": "A", "center": [0,0,0], "radius": 2},
     {"sphere": "B", "center": [3,4,0], "radius": 3}], "ask": [{"walk": ["A", "B"]}]})");
   const std::string told = shell("isect explain w.json").out;
-  const std::string lesson = shell("isect explain sphere-sphere --set a=0,0,0 --set r1=2 --set b=3,4,0 --set r2=3").out;
+  const std::string lesson =
+      shell("isect explain sphere-sphere --set a=0,0,0 --set r_a=2 --set b=3,4,0 --set r_b=3").out;
   CHECK_THAT(told, Contains("here A is a, and B is b") && Contains("Verdict: the balls touch"));
   const std::string line = "return d_sq <= s_sq";
   for (const std::string both : {"Nearer than they reach?", "25", "How they relate"}) {
@@ -233,7 +235,7 @@ TEST_CASE("a walk tells the lesson's steps on the scene's numbers", "[scene]") {
     {"polygon": "P", "points": [[3,0],[2,1.5],[0,2],[-2,1.5],[-3,0],[-2,-1.5],[0,-2],[2,-1.5]]})";
   const Json two = answers(shell, flat, R"([{"walk": ["W", "s"]}, {"walk": ["P", "W"]}])");
   CHECK(two[0]["walk"] == Json::parse(R"(["s", "W"])"));
-  CHECK(two[1]["verdict"] == "kept: 4 vertices");
+  CHECK(two[1]["verdict"] == "the part of P in W has 4 corners");
   write(shell.work() / "flat.json", R"({"objects": [)" + flat + R"(], "ask": [{"walk": ["P", "W"]}]})");
   CHECK_THAT(shell("isect explain flat.json").out, Contains("Cut at the top side") && !Contains("**"));
   CHECK(shell("isect render flat.json").status == 0);
@@ -314,10 +316,131 @@ TEST_CASE("a lesson takes what it can of a scene", "[scene]") {
              Contains("none of its objects are what ray-sphere takes: ray"));
   CHECK_THAT(refusal("show trees --scene mine.json"), Contains("trees"));
   CHECK_THAT(refusal("show culling --scene mine.json"),
-             Contains("culling takes no objects of a scene; these do: sphere-sphere"));
+             Contains("none of its objects are what culling takes: frustum and box in space"));
+  CHECK_THAT(refusal("show picking --scene mine.json"),
+             Contains("picking takes no objects of a scene; these do: points, sphere-sphere"));
   CHECK_THAT(refusal("show --scene mine.json"), Contains("lesson"));
   CHECK_THAT(refusal("render crossings rays --scene mine.json"), Contains("one lesson"));
   CHECK(contents(shell.work() / "mine.json") == mine);
+}
+
+TEST_CASE("a circle is the sphere of the plane", "[scene]") {
+  const Shell shell;
+  CHECK(verdict(shell,
+                R"({"circle": "C", "center": [0,0], "radius": 1}, {"sphere": "D", "center": [2,0], "radius": 1})") ==
+        "C and D touch");
+  CHECK(shell("isect render scene.json --format svg").status == 0);
+  CHECK(shell("isect scene scene.json --set C.radius=0.5 --save scene.json").status == 0);
+  CHECK_THAT(contents(shell.work() / "scene.json"), Contains(R"({"circle": "C", "center": [0,0], "radius": 0.5})"));
+}
+
+TEST_CASE("outlines, segments and lines in the plane are asked about each other", "[scene]") {
+  const Shell shell;
+  const std::string notched = R"({"polygon": "P", "points": [[0,0],[4,0],[4,3],[2,1],[0,3]]}, )";
+  const std::string holed = R"({"polygon": "P", "rings": [[[0,0],[6,0],[6,6],[0,6]],[[2,2],[4,2],[4,4],[2,4]]]}, )";
+  const std::string hull = R"({"hull": "H", "points": [[0,0],[4,0],[4,4],[0,4],[2,2]]}, )";
+
+  CHECK(verdict(shell, notched + R"({"ray": "r", "origin": [2,2], "dir": [0,-1]})") == "r meets P");
+  CHECK(answers(shell, notched + R"({"ray": "r", "origin": [2,2], "dir": [0,-2]})",
+                R"("all pairs")")[0]["result"]["t"] == 0.5);
+  CHECK(verdict(shell, notched + R"({"ray": "r", "origin": [2,2], "dir": [0,1]})") == "r misses P");
+  CHECK(verdict(shell, notched + R"({"ray": "r", "origin": [1,4], "dir": [0,-1], "tmax": 1.5})") == "r misses P");
+  CHECK(verdict(shell, notched + R"({"line": "l", "origin": [2,2], "dir": [0,1]})") == "l meets P");
+  CHECK(verdict(shell, holed + R"({"segment": "s", "from": [2.5,2.5], "to": [3.5,3.5]})") == "s misses P");
+  CHECK(verdict(shell, holed + R"({"segment": "s", "from": [2.5,2.5], "to": [4,4]})") == "s meets P");  // its corner
+  CHECK(verdict(shell, holed + R"({"segment": "s", "from": [1,1], "to": [1,1]})") == "s meets P");      // a point
+  CHECK(verdict(shell, holed + R"({"segment": "s", "from": [3,3], "to": [3,3]})") == "s misses P");
+  CHECK(verdict(shell, hull + R"({"ray": "r", "origin": [-1,2], "dir": [1,0]})") == "r meets H");
+
+  const std::string segment = R"({"segment": "s", "from": [1,0], "to": [1,0.1]}, )";
+  CHECK(verdict(shell, segment + R"({"ray": "r", "origin": [0,0.1], "dir": [1,0]})") == "r meets s");
+  CHECK(verdict(shell, segment + R"({"ray": "r", "origin": [0,0.10000000000000002], "dir": [1,0]})") == "r misses s");
+  CHECK(verdict(shell, segment + R"({"line": "r", "origin": [1,9], "dir": [0,1]})") == "r meets s");
+  CHECK(answers(shell, segment + R"({"segment": "u", "from": [2,-1], "to": [2,1]},
+                                    {"ray": "r", "origin": [0,0.05], "dir": [1,0]})",
+                R"([{"first hit": "r"}])")[0]["verdict"] == "r meets s first, at t = 1");
+  CHECK(answers(shell, segment + R"({"segment": "u", "from": [0,0], "to": [4,0]})",
+                R"([{"first hit": "u"}])")[0]["verdict"] == "u meets s first, at t = 0.25");
+
+  const auto other = [&](const std::string& with, const std::string& points) {
+    return verdict(shell, with + R"({"triangle": "T", "points": )" + points + "}");
+  };
+  CHECK(other(hull, "[[5,0],[6,0],[5,1]]") == "H and T are disjoint");
+  CHECK(other(hull, "[[4,1],[6,0],[5,2]]") == "H and T touch");
+  CHECK(other(hull, "[[3,1],[6,0],[5,2]]") == "H and T overlap");
+  CHECK(other(hull, "[[1,1],[1,2],[2,1]]") == "T lies in H");              // clockwise
+  CHECK(other(notched, "[[2,2],[3,3],[1,3]]") == "P and T are disjoint");  // in the notch
+  CHECK(other(notched, "[[2,1],[3,3],[1,3]]") == "P and T have a common point");
+  CHECK(other(notched, "[[0.5,0.5],[1,0.5],[1,1]]") == "P and T have a common point");  // within
+  CHECK(other(holed, "[[2.5,2.5],[3,2.5],[3,3]]") == "P and T are disjoint");           // in the hole
+  CHECK(verdict(shell, hull + R"({"box": "B", "lo": [1,1], "hi": [2,2]})") == "B lies in H");
+  CHECK(verdict(shell, hull + R"({"hull": "K", "points": [[0,0],[0,4],[4,4],[4,0]]})") == "H and K are equal");
+  CHECK(verdict(shell, hull + R"({"hull": "K", "points": [[5,5],[6,6]]})") == "H and K are disjoint");  // no area
+}
+
+TEST_CASE("a point lies beside a line or a plane, on it, or beyond its end", "[scene]") {
+  const Shell shell;
+  const auto at = [&](const std::string& x, const std::string& other) {
+    return verdict(shell, R"({"point": "p", "at": )" + x + "}, " + other);
+  };
+  const std::string segment = R"({"segment": "s", "from": [0,0], "to": [0.3,0.9]})";
+  CHECK(at("[0.1,0.3]", segment) == "p lies right of s");  // 0.9 is no three times 0.3
+  CHECK(at("[0.15,0.45]", segment) == "p lies on s");
+  CHECK(at("[0.6,1.8]", segment) == "p lies in line with s, beyond its end");
+  CHECK(at("[1,0]", segment) == "p lies right of s");
+  const std::string point = R"({"segment": "s", "from": [1,1], "to": [1,1]})";
+  CHECK(at("[1,1]", point) == "p lies on s");
+  CHECK(at("[1,2]", point) == "p lies in line with s, beyond its end");
+  CHECK(at("[-2,0]", R"({"ray": "r", "origin": [0,0], "dir": [1,0]})") == "p lies in line with r, beyond its end");
+  CHECK(at("[-2,0]", R"({"line": "l", "origin": [0,0], "dir": [1,0]})") == "p lies on l");
+  CHECK(at("[2,0]", R"({"ray": "r", "origin": [0,0], "dir": [1,0], "tmax": 2})") == "p lies on r");
+
+  const std::string plane = R"({"plane": "w", "normal": [0,0,1], "d": -0.5})";
+  CHECK(at("[1,2,0.5]", plane) == "p lies in w");
+  CHECK(at("[1,2,0.50000000000000011]", plane) == "p lies beside w, where its normal points");
+  CHECK(at("[1,2,0]", plane) == "p lies beside w, on the side that its normal leaves");
+}
+
+TEST_CASE("a concave polygon, two points and a frustum of a scene are walked through by their lessons", "[scene]") {
+  const Shell shell;
+  const auto told = [&](const std::string& lesson, const std::string& objects) {
+    write(shell.work() / "s.json", R"({"objects": [)" + objects + "]}");
+    return shell("isect explain " + lesson + " --scene s.json --step all");
+  };
+  // Large, far off and clockwise; on a corner, on an edge, inside, in the notch.
+  const std::string arrow =
+      R"(, {"polygon": "P", "points": [[1e6,1e6],[1000100,1000400],[1000200,1e6],[1000100,1000100]]})";
+  const auto at = [&](const std::string& x, const std::string& y) {
+    const Ran r = told("concave-polygon", R"({"point": "q", "at": [)" + x + ", " + y + "]}" + arrow);
+    CHECK(r.status == 0);
+    return r.out;
+  };
+  CHECK_THAT(at("1000100", "1000200"), Contains("Verdict: IN"));
+  CHECK_THAT(at("1000100", "1000050"), Contains("Verdict: OUT"));
+  CHECK_THAT(at("1000100", "1000100"), Contains("Verdict: ON"));
+  CHECK_THAT(at("1000050", "1000200"), Contains("Verdict: ON"));
+  CHECK(shell("isect render concave-polygon --scene s.json --format svg").status == 0);
+
+  const std::string q = R"({"point": "q", "at": [0, 0]}, {"polygon": "P", )";
+  CHECK_THAT(told("concave-polygon", q + R"("points": [[0,0],[1,1],[1,0],[0,1]]})").err, Contains("cross"));
+  CHECK_THAT(told("concave-polygon", q + R"("rings": [[[0,0],[9,0],[9,9]],[[5,1],[6,1],[6,2]]]})").err,
+             Contains("P has holes"));
+  std::string round;
+  for (int i = 0; i < 25; ++i)
+    round +=
+        (i == 0 ? "[" : ",[") + std::to_string(std::cos(0.25 * i)) + "," + std::to_string(std::sin(0.25 * i)) + "]";
+  CHECK_THAT(told("concave-polygon", q + "\"points\": [" + round + "]}").err, Contains("24 are the most"));
+
+  const std::string p = R"({"point": "p", "at": [1, 2, 3]}, {"point": "q", "at": )";
+  CHECK_THAT(told("points", p + "[1, 2, 3]}").out, Contains("Verdict: EQUAL"));
+  CHECK_THAT(told("points", p + "[1, 2, 3.0000000000000004]}").out, Contains("Verdict: DIFFERENT"));
+
+  const std::string view = R"({"frustum": "F", "eye": [0,0,0], "forward": [1,0,0], "up": [0,1,0], "angle": 90,
+                               "near": 1, "far": 4}, )";
+  CHECK_THAT(told("culling", view + R"({"sphere": "S", "center": [9, 0, 0], "radius": 1})").out,
+             Contains("Verdict: outside"));
+  CHECK_THAT(told("culling", view + R"({"box": "B", "lo": [2, 0, 0], "hi": [3, 1, 1]})").out,
+             Contains("Verdict: inside"));
 }
 
 TEST_CASE("what is wrong with many numbers is told by line and field, or by the file's own line", "[scene]") {

@@ -173,6 +173,10 @@ TEST_CASE("what is wrong with a scene is told by line and field, with what is al
   CHECK_THAT(refused(R"({"objects": [)" + point + R"(, {"point": "q", "at": [0, 0, 1]}]})"), Contains("3 coordinates"));
   CHECK_THAT(refused(R"({"objects": [{"ray": "r", "origin": [0, 0], "dir": [0, 0]}]})"),
              Contains("dir: a vector of any length but 0"));
+  CHECK_THAT(refused(R"({"objects": [{"circle": "C", "center": [0, 0, 0], "radius": 1}]})"), Contains("in space"));
+  CHECK_THAT(refused(R"({"objects": [{"circle": "C", "center": [0, 0], "radios": 1}]})"), Contains("mean \"radius\""));
+  CHECK_THAT(refused(R"({"objects": [{"obb": "O", "center": [0, 0], "u": [1, 1], "v": [0, 1], "half": [1, 1]}]})"),
+             Contains("objects[0].u: give axes of length 1"));
   CHECK_THAT(refused(R"({"objects": [{"point": "p q", "at": [0, 0]}]})"), Contains("letters and digits"));
   CHECK_THAT(refused(R"({"objects": [{"triangle": "t", "points": [[0, 0], [1, 0]]}]})"),
              Contains("3 points are expected"));
@@ -180,8 +184,8 @@ TEST_CASE("what is wrong with a scene is told by line and field, with what is al
   CHECK_THAT(refused(R"({"objects": [)" + point + R"(], "ask": [["p", "r"]]})"),
              Contains("ask[0]: no object is called \"r\""));
   CHECK_THAT(refused(R"({"objects": [)" + point +
-                     R"(, {"line": "g", "origin": [0, 0], "dir": [1, 0]}], "ask": [["p", "g"]]})"),
-             Contains("no test of a point against a line in the plane") && Contains("polygon"));
+                     R"(, {"capsule": "g", "p": [0, 0], "q": [1, 0], "r": 1}], "ask": [["p", "g"]]})"),
+             Contains("no test of a point against a capsule in the plane") && Contains("polygon"));
   CHECK_THAT(refused(R"({"objects": [)" + point + R"(], "ask": [{"first hit": "p"}]})"),
              Contains("a ray, a line or a segment"));
   CHECK_THAT(refused(R"({"objects": [)" + point + R"(], "camera": {"elevation": 100}})"), Contains("-90 to 90"));
@@ -269,7 +273,7 @@ TEST_CASE("what is no shape is refused, and what no test decides is said to be o
   };
   for (const auto& [objects, why] :
        {Refused{R"({"box": "A", "lo": [1, 0], "hi": [0, 1]})",
-                "objects[0].lo: a lo with no coordinate above that of hi"},
+                "objects[0].lo: give a lo with no coordinate above that of hi"},
         {R"({"obb": "O", "center": [0, 0], "u": [1, 0], "v": [1, 0], "half": [1, 1]})", "right angles"},
         {R"({"obb": "O", "center": [0, 0], "u": [0, 0], "v": [0, 1], "half": [1, 1]})", "length 1"},
         {R"({"obb": "O", "center": [0, 0], "u": [1, 0], "v": [0, 1], "half": [1, -1]})", "at least 0"},
@@ -341,12 +345,12 @@ TEST_CASE("numbers that read alike are told apart in a walk", "[scene]") {
                                        R"(, 0, 0], "radius": 1}], "ask": [{"walk": ["A", "B"]}]})");
     return shell("isect explain s.json").out;
   };
-  CHECK_THAT(told("2.0000000000000004"), Contains("d = 2.0000000000000004 > r₁ + r₂ = 2"));
-  CHECK_THAT(told("2"), Contains("d = 2 = r₁ + r₂ = 2"));
+  CHECK_THAT(told("2.0000000000000004"), Contains("d = 2.0000000000000004 > r_a + r_b = 2"));
+  CHECK_THAT(told("2"), Contains("d = 2 = r_a + r_b = 2"));
   // the true sum of these radii is no double, and the distance is the one that it is rounded to
   write(shell.work() / "h.json", R"({"objects": [{"sphere": "A", "center": [0, 0, 0], "radius": 1},
       {"sphere": "B", "center": [1, 0, 0], "radius": 1e-30}], "ask": [{"walk": ["A", "B"]}]})");
-  CHECK_THAT(shell("isect explain h.json").out, Contains("d < r₁ + r₂, rounded to 1 and 1"));
+  CHECK_THAT(shell("isect explain h.json").out, Contains("d < r_a + r_b, rounded to 1 and 1"));
 }
 
 TEST_CASE("what lies in what is told of every pair that can", "[scene]") {

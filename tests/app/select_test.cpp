@@ -57,6 +57,35 @@ TEST_CASE("the step of a preset's file is what is rendered, explained and shown,
   CHECK(lines_of(shell("isect render --preset all.json --format svg").out).size() > 5);
 }
 
+TEST_CASE("a figure is taken as a preset's file is: with its lesson, step, numbers and camera", "[select]") {
+  const Shell shell;
+  write(shell.work() / "p.json", from_above);
+  write(shell.work() / "s.json", R"({"objects": [{"sphere": "A", "center": [0, 0, 0], "radius": 1},
+                                                 {"point": "P", "at": [1, 0, 0]}], "ask": [["P", "A"]]})");
+  REQUIRE(shell("isect render --preset p.json --set radius=1.5 --format png --out made").status == 0);
+  REQUIRE(shell("isect render s.json --step 2 --format svg,pdf --out made").status == 0);
+
+  const std::string ball = "made/ray-sphere/p+radius=1.5/03-distance.png", scene = "made/scene/s/02-a-p.svg";
+  const std::string points = fs::exists(shell.work() / scene) ? scene : "made/scene/s/02-p-a.svg";
+  CHECK(shell("isect render " + ball + " --format png --out again").out ==
+        "again/ray-sphere/03-distance/03-distance.png\n");
+  CHECK(viz::compare(viz::read_png(contents(shell.work() / ball)),
+                     viz::read_png(contents(shell.work() / "again/ray-sphere/03-distance/03-distance.png")))
+            .over_1 == 0);
+  CHECK(shell("isect render --preset " + points + " --format svg --out again").status == 0);
+  CHECK_THAT(shell("isect explain " + ball).out, Contains("Step 3 of") && Contains("= 1.5"));
+  CHECK_THAT(shell("isect explain " + points).out, Contains("Step 2 of") && Contains("P lies on the boundary of A"));
+  CHECK(lines_of(shell("isect render " + ball + " --step all --format svg --out again").out).size() > 5);
+
+  // Several at once, each of its own name; what is no figure of ours, and no figure at all, is refused.
+  CHECK(lines_of(shell("isect render " + ball + " " + points + " --format svg --out both").out).size() == 2);
+  write(shell.work() / "o.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"/>");
+  CHECK_THAT(shell("isect render o.svg").err, Contains("o.svg: it carries no isect metadata"));
+  write(shell.work() / "o.png", "text");
+  CHECK(shell("isect render o.png").status == 4);
+  CHECK(shell("isect render nowhere.png").status == 4);
+}
+
 TEST_CASE("a file's step that a changed parameter takes away is refused", "[select]") {
   const Shell shell;
   write(shell.work() / "p.json", R"({"lesson": "ray-sphere", "preset": "two-roots", "step": 12})");

@@ -55,11 +55,25 @@ TEST_CASE("list --glossary explains the terms of the course, each with its lesso
   const Shell shell;
   const Ran r = shell("isect list --glossary");
   CHECK(r.status == 0);
-  CHECK_THAT(r.out, Contains("separating axis") && Contains("(obb-obb)"));
+  CHECK_THAT(r.out, Contains("separating axis") && Contains("(obb-obb; also intervals, aabb-aabb)") &&
+                        Contains("Bold: the direction of a ray. Italic: a distance."));
   CHECK(widest(r.out) <= 80);
   const auto terms = nlohmann::json::parse(shell("isect list --glossary --json").out);
   CHECK(terms.size() > 40);
   for (const auto& term : terms) CHECK_FALSE(term["meaning"].get<std::string>().empty());
+}
+
+TEST_CASE("lessons that share an idea are told with each other", "[list]") {
+  const Shell shell;
+  CHECK_THAT(shell("isect list convex-polygon").out, Contains("shares: bisection (concave-polygon); orientation ("));
+  CHECK_THAT(shell("isect explain convex-polygon").out, Contains("Same idea: Bisection: Point in concave polygon."));
+  for (const auto& lesson : nlohmann::json::parse(shell("isect list --json").out)) CHECK_FALSE(lesson["ideas"].empty());
+}
+
+TEST_CASE("explain tells a floor with its name, and a pixel by numbers that can be read", "[explain]") {
+  const std::string told = Shell()("isect explain ray-tracing").out;
+  CHECK_THAT(told, Contains("polygon floor: (") || Contains("rectangle floor: ("));
+  CHECK_THAT(told, Contains("-0.6875") && !Contains("0.68749"));
 }
 
 TEST_CASE("list walks no lesson, and so it is there at once", "[list]") {
@@ -134,7 +148,7 @@ TEST_CASE("explain keeps answers for the end, or gives them at once, or tells in
     CHECK(at < answers);
   CHECK_THAT(whole.substr(0, answers), !Contains("Answer:") && !Contains("Solution:"));
   CHECK_THAT(whole.substr(answers), Contains("Question 1: overlapping") && Contains("Exercise 1:"));
-  CHECK_THAT(whole, Contains("Line 4 should read: if d² ≤ s²") && Contains("--preset touching"));
+  CHECK_THAT(whole, Contains("Line 4 should read: if d² ≤ R²") && Contains("--preset touching"));
 
   const std::string open = shell("isect explain sphere-sphere --answers").out;
   CHECK_THAT(open, Contains("Answer: overlapping") && Contains("Solution:") && !Contains("\nAnswers\n"));
@@ -177,9 +191,9 @@ TEST_CASE("explain prints the pseudocode once, and the line of each step", "[exp
 
 TEST_CASE("explain tells the setting and what was changed, and a map in words", "[explain]") {
   const Shell shell;
-  const std::string told = shell("isect explain sphere-sphere --set r2=1.25").out;
+  const std::string told = shell("isect explain sphere-sphere --set r_b=1.25").out;
   CHECK_THAT(told,
-             Contains("Sphere and sphere: overlapping+r2=1.25") && Contains("r₂ = 1.25. Radius of the second ball"));
+             Contains("Sphere and sphere: overlapping+r_b=1.25") && Contains("r_b = 1.25. Radius of the second ball"));
   CHECK_THAT(told, Contains("A map of all cases. Across:") && Contains("This setting: overlapping") &&
                        !Contains("dashed") && !Contains("rings"));
 }
@@ -295,7 +309,7 @@ TEST_CASE("show opens a figure only if isect made it", "[show]") {
   CHECK_THAT(rubbish.err, Contains("r.png"));
   const Ran other = shell("echo '<svg xmlns=\"http://www.w3.org/2000/svg\"/>' >o.svg && isect show o.svg");
   CHECK(other.status == 2);
-  CHECK_THAT(other.err, Contains("o.svg") && Contains("no isect metadata") && Contains("isect show LESSON"));
+  CHECK_THAT(other.err, Contains("o.svg") && Contains("no isect metadata") && Contains("LESSON --preset P --step N"));
 }
 
 TEST_CASE("doctor tries each back end and names versions and fonts", "[doctor]") {

@@ -19,19 +19,19 @@ TEST_CASE("a wrong command line is refused in our own words", "[program]") {
       {"rendr ray-sphere", "subcommand: \"rendr\"", "mean \"render\""},
       {"Render ray-sphere", "subcommand: \"Render\"", "mean \"render\""},
       {"chek", "subcommand: \"chek\"", "mean \"check\""},
-      {"--vresion", "option: \"--vresion\"", "did you mean"},
+      {"--vresion", "option: \"--vresion\"", "mean \"--version\""},
       {"--prset tangent", "option: \"--prset\"", "mean \"--preset\""},
       {"\"\"", "subcommand", "list, "},
       // Options nobody knows.
       {"render ray-sphere --frmat png", "option: \"--frmat\"", "mean \"--format\""},
       {"render ray-sphere --frmat=png", "option: \"--frmat\"", "mean \"--format\""},
       {"render ray-sphere -step 3", "option: \"-step\"", "mean \"--step\""},
-      {"render ray-sphere -x", "option: \"-x\"", "Allowed: "},
+      {"render ray-sphere -x", "option: \"-x\"", "llowed: "},
       {"explain ray-sphere --stp 3", "option: \"--stp\"", "mean \"--step\""},
       {"list --jsn", "option: \"--jsn\"", "mean \"--json\""},
       {"check --updat", "option: \"--updat\"", "mean \"--update\""},
-      {"query --file x", "option: \"--file\"", "Allowed: "},
-      {"doctor --all", "option: \"--all\"", "Allowed: "},
+      {"query --file x", "option: \"--file\"", "llowed: "},
+      {"doctor --all", "option: \"--all\"", "llowed: "},
       {"bench --quik", "option: \"--quik\"", "mean \"--quick\""},
       {"show --set=radius=2 --stp 3", "option: \"--stp\"", "mean \"--step\""},
       // Values that are missing.
@@ -59,9 +59,9 @@ TEST_CASE("a wrong command line is refused in our own words", "[program]") {
       {"list ray-sphere rays", "list: \"rays\" is one argument too many", "list --help"},
       {"explain ray-sphere rays", "explain: \"rays\" is one argument too many", "explain --help"},
       // The name of another subcommand, where a lesson is meant.
-      {"render list", "lesson: \"list\"", "Allowed: "},
-      {"render ray-sphere scene --preset x.json", "lesson: \"scene\"", "Allowed: "},
-      {"explain query", "lesson: \"query\"", "Allowed: "},
+      {"render list", "lesson: \"list\"", "llowed: "},
+      {"render ray-sphere scene --preset x.json", "lesson: \"scene\"", "llowed: "},
+      {"explain query", "lesson: \"query\"", "llowed: "},
       {"show ray-sphere rays", "show: \"rays\" is one argument too many", "show --help"},
       {"query a.jsonl b.jsonl", "query: \"b.jsonl\" is one argument too many", "query --help"},
       {"doctor now", "doctor: \"now\" is one argument too many", "doctor --help"},
@@ -106,6 +106,15 @@ TEST_CASE("a wrong command line is refused in our own words", "[program]") {
     for (const char* raw : {"required", "requires", "Could not convert", "excludes", "not expected", "At Most"})
       CHECK_THAT(r.err, !Contains(raw));
     CHECK(std::count(r.err.begin(), r.err.end(), '\n') == 1);
+  }
+}
+
+TEST_CASE("a name is offered only where it is near", "[program]") {
+  const Shell shell;
+  for (const char* line : {"render list", "render ray-sphere --theme purple", "explain query", "doctor --all",
+                           "render ray-sphere --set weight=3", "bench everything"}) {
+    INFO("isect " << line);
+    CHECK_THAT(shell(std::string("isect ") + line).err, Contains("llowed: ") && !Contains("did you mean"));
   }
 }
 

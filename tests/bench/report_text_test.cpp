@@ -89,8 +89,8 @@ TEST_CASE("numbers read as words of a sentence", "[report_text]") {
   CHECK(share(240, 1000) == "24 %");
   CHECK(share(1, 65536) == "15 in a million");
   CHECK(listed({"a", "b", "c"}) == "a, b and c");
-  CHECK(ratio(2.94) == "2.9");
-  CHECK(ratio(634) == "630");
+  CHECK(ratio_text(2.94) == "2.9");
+  CHECK(ratio_text(634) == "630");
 }
 
 TEST_CASE("what to choose follows from the times and the verdicts", "[report_text]") {

@@ -79,10 +79,28 @@ export class Browser {
     });
     await this.send("Emulation.setScriptExecutionDisabled", { value: !scripts });
   }
-  async press(key) {
+  async press(key, modifiers = 0) {
     const text = key.length === 1 ? key : undefined;
-    await this.send("Input.dispatchKeyEvent", { type: text ? "keyDown" : "rawKeyDown", key, code: key, text });
-    await this.send("Input.dispatchKeyEvent", { type: "keyUp", key, code: key });
+    await this.send("Input.dispatchKeyEvent", { type: text ? "keyDown" : "rawKeyDown", key, code: key, text, modifiers });
+    await this.send("Input.dispatchKeyEvent", { type: "keyUp", key, code: key, modifiers });
+  }
+  /// A press and release of the mouse with moves between; `modifiers`: 8 is Shift.
+  async drag(from, to, steps = 8, modifiers = 0) {
+    const send = (type, at, buttons) => this.send("Input.dispatchMouseEvent",
+      { type, x: at.x, y: at.y, button: type === "mouseMoved" ? "none" : "left", buttons, clickCount: 1, modifiers });
+    await send("mouseMoved", from, 0);
+    await send("mousePressed", from, 1);
+    for (let i = 1; i <= steps; ++i)
+      await send("mouseMoved", { x: from.x + (to.x - from.x) * i / steps, y: from.y + (to.y - from.y) * i / steps }, 1);
+    await send("mouseReleased", to, 0);
+  }
+  /// The same with a finger.
+  async swipe(from, to, steps = 8) {
+    const send = (type, points) => this.send("Input.dispatchTouchEvent", { type, touchPoints: points });
+    await send("touchStart", [from]);
+    for (let i = 1; i <= steps; ++i)
+      await send("touchMove", [{ x: from.x + (to.x - from.x) * i / steps, y: from.y + (to.y - from.y) * i / steps }]);
+    await send("touchEnd", []);
   }
   async screenshot(whole = false) {
     const { data } = await this.send("Page.captureScreenshot", { format: "png", captureBeyondViewport: whole });

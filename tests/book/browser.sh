@@ -1,11 +1,20 @@
 #!/bin/sh
-# browser.sh ISECT SCRATCH: makes the book and looks at its pages in a headless Chromium. Exit status 77: none is there.
+# browser.sh ISECT SCRATCH [LIVE]: makes the book and looks at its pages in a headless Chromium; with LIVE, the compiled
+# lessons, at what they do there. Exit status 77: there is no Chromium, or no LIVE.
 set -eu
-isect=$1 scratch=$2
+isect=$1 scratch=$2 live=${3:-}
 here=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
 for program in node "${CHROMIUM:-chromium}"; do
   command -v "$program" >/dev/null || { echo "skipped: no $program here; on Debian: apt install chromium nodejs"; exit 77; }
 done
+[ -z "$live" ] || [ -f "$live" ] ||
+  { echo "skipped: no $live; build it first: emcmake cmake -S web -B build/web -G Ninja && cmake --build build/web"; exit 77; }
 rm -rf "$scratch"
+if [ -n "$live" ]; then
+  ! command -v emcc >/dev/null || cmake --build "$(dirname "$live")" --target isect >/dev/null
+  "$isect" book --live "$live" --out "$scratch/site" >/dev/null
+  node "$here/told.mjs" "$scratch/site"
+  exec node "$here/live.mjs" "$scratch/site" "$isect"
+fi
 "$isect" book --out "$scratch/site" >/dev/null
 exec node "$here/pages.mjs" "$scratch/site"

@@ -95,7 +95,7 @@ TEST_CASE("the box grown by the radius errs at a corner, and the note's comparis
   CHECK(has_step(walk_of("sphere-aabb", "corner-miss"), "grown"));
   CHECK_FALSE(has_step(walk_of("sphere-aabb", "touching-face"), "grown"));
   CHECK(dissenters("sphere-aabb", "corner-miss") == std::vector<std::string>{"centre in the box expanded by *r*"});
-  CHECK(dissenters("sphere-aabb", "touching-corner") == std::vector<std::string>{"accumulated, strict (the note)"});
+  CHECK(dissenters("sphere-aabb", "touching-corner") == std::vector<std::string>{"if, else (<), the note's"});
   CHECK(dissenters("sphere-aabb", "corner").empty());
 }
 
@@ -177,11 +177,11 @@ TEST_CASE("the classical test errs on parallel edges without its epsilon, and on
           "[obb-obb]") {
   const Walk parallel = walk_of("obb-obb", "parallel");
   CHECK(step_of(parallel, "edges").line == 6);  // DISJOINT, by rounding errors
-  CHECK(value_of(step_of(parallel, "edges"), "*d* = |**l** · **t**|") < 1e-15);
+  CHECK(value_of(step_of(parallel, "edges"), "*d* = |**n** · **l**|") < 1e-15);
   CHECK(parallel.steps.back().verdict.kind == Verdict::Kind::yes);
-  CHECK(dissenters("obb-obb", "parallel").front() == "classical, ε = 0");
+  CHECK(dissenters("obb-obb", "parallel").front() == "no epsilon");
   CHECK(walk_of("obb-obb", "slender").steps.back().line == 7);  // OVERLAP
-  CHECK(dissenters("obb-obb", "slender") == std::vector<std::string>{"classical, ε = 0.125"});
+  CHECK(dissenters("obb-obb", "slender") == std::vector<std::string>{"epsilon 0.125"});
   CHECK(dissenters("obb-obb", "overlapping").empty());
 }
 

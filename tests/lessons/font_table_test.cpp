@@ -1,6 +1,6 @@
 // The table of the font against Pango, on every text that a lesson draws.
 
-#include "viz/font_table.h"
+#include "viz/font/table.h"
 
 #include <cmath>
 #include <set>

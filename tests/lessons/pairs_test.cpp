@@ -39,7 +39,8 @@ Relation of_boxes(const Parameters& p) {
                 Aabb<double, 3>{vector(p, "b_min"), vector(p, "b_max")});
 }
 Relation of_balls(const Parameters& p) {  // the unit changes nothing about how they lie
-  return relate(Sphere<double, 3>{vector(p, "a"), number(p, "r1")}, Sphere<double, 3>{vector(p, "b"), number(p, "r2")});
+  return relate(Sphere<double, 3>{vector(p, "a"), number(p, "r_a")},
+                Sphere<double, 3>{vector(p, "b"), number(p, "r_b")});
 }
 Capsule<double, 2> capsule(const Parameters& p, const std::string& of) {
   return {vector(p, ("p_" + of).c_str()).head<2>(), vector(p, ("q_" + of).c_str()).head<2>(),
@@ -175,9 +176,9 @@ TEST_CASE("what the capsule lesson says of each end is true, in any setting", "[
       for (std::string line; std::getline(lines, line);)
         for (const auto& [name, d2] : ends) {
           if (!line.starts_with(name)) continue;
-          const char* const far = d2 > s * s   ? "farther off than *s*."
-                                  : d2 < s * s ? "nearer than *s*."
-                                               : "exactly *s* away.";
+          const char* const far = d2 > s * s   ? "farther off than *R*."
+                                  : d2 < s * s ? "nearer than *R*."
+                                               : "exactly *R* away.";
           CHECK(line.ends_with(far));
           ++heard[far];
         }

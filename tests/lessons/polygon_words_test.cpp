@@ -98,6 +98,9 @@ TEST_CASE("crossings are counted as they are in rationals, by either rule", "[wo
       if (truth.location == Location::on) return;
       CHECK(value(last, "count") == truth.crossings);
       CHECK(counting == truth.crossings);
+      const bool rules_agree = says(last.caption, "0, 1 or −1");
+      CHECK(rules_agree == (rings.size() == 1 && is_simple(rings[0])));
+      if (rules_agree) CHECK(std::abs(value(last, "winding number")) == truth.crossings % 2);
       CHECK_THAT(walk.pseudocode[last.line], Contains(truth.location == Location::in ? "IN" : "OUT"));
       return;
     }

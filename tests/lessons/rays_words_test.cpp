@@ -122,7 +122,7 @@ TEST_CASE("a ray and a sphere end with the oracle's verdict, and say why on its 
       if (holds(s->caption, "point the same way")) CHECK(b > 0);
     }
     if (const Step* s = step_of(walk, "discriminant"))
-      CHECK(s->question->choices[s->question->answer] == shown(value(*s, "*D*")));
+      CHECK(s->question->choices[s->question->answer] == shown(value(*s, "*Δ*")));
     for (const char* slug : {"real-roots", "passes-by"})
       if (const Step* s = step_of(walk, slug)) {
         CHECK(s->question->answer == truth.line_roots);

@@ -10,13 +10,14 @@
 #include "lessons/glossary.h"
 #include "tests/catch.h"
 #include "tests/lessons/asked_for.h"
-#include "viz/case_map.h"
+#include "tests/lessons/texts.h"
 #include "viz/closing.h"
 #include "viz/rich_text.h"
 
 namespace sources_test {
 using namespace isect;
 using namespace isect::viz;
+using isect::tests::texts;
 
 namespace {
 
@@ -60,36 +61,6 @@ std::string work(const std::string& entry) {
   std::string text = std::regex_replace(plain(entry), section, "");
   while (text.ends_with('.')) text.pop_back();
   return text;
-}
-
-std::vector<std::string> texts(const Lesson& lesson) {
-  std::vector<std::string> all = {lesson.title, lesson.summary, lesson.opening};
-  for (const Parameter& p : lesson.parameters) all.insert(all.end(), {p.label, p.help});
-  for (const Card::Row& row : card_rows(*lesson.closing)) all.insert(all.end(), {row.head, row.text});
-  all.insert(all.end(), lesson.closing->reading.begin(), lesson.closing->reading.end());
-  for (const Exercise& e : lesson.closing->exercises) all.insert(all.end(), {e.prompt, e.solution});
-  for (const Erratum& e : lesson.errata) all.insert(all.end(), {e.published, e.corrected, e.why});
-  if (lesson.map) all.insert(all.end(), {lesson.map->x_title, lesson.map->y_title, lesson.map->told});
-  for (const Preset& p : lesson.presets) {
-    all.push_back(p.title);
-    if (lesson.opinions)
-      for (const Opinion& o : lesson.opinions(p.parameters)) all.insert(all.end(), {o.method, o.says});
-    const Walk walk = lesson.walk(p.parameters);
-    all.insert(all.end(), {walk.method, walk.alt});
-    all.insert(all.end(), walk.pseudocode.begin(), walk.pseudocode.end());
-    for (const Step& s : walk.steps) {
-      all.insert(all.end(), {s.title, s.caption, s.formula, s.source, s.verdict.text});
-      for (const Value& v : s.values) all.push_back(v.name);
-      for (const Item& item : s.scene.items) {
-        if (const auto* label = std::get_if<Label>(&item)) all.push_back(label->text);
-        if (const auto* heading = std::get_if<viz::Heading>(&item)) all.push_back(heading->text);
-      }
-      if (!s.question) continue;
-      all.insert(all.end(), {s.question->prompt, s.question->because});
-      all.insert(all.end(), s.question->choices.begin(), s.question->choices.end());
-    }
-  }
-  return all;
 }
 
 }  // namespace
@@ -137,7 +108,7 @@ TEST_CASE("a reading is spelt in one way, in whatever lesson it stands", "[every
 
 TEST_CASE("a card's rows and a glossary's meanings are single paragraphs", "[every lesson]") {
   for (const Lesson* lesson : those_asked_for())
-    for (const Card::Row& row : card_rows(*lesson->closing)) {
+    for (const Card::Row& row : card_rows(*lesson)) {
       INFO(lesson->id << ": " << row.text);
       CHECK(row.text.find('\n') == std::string::npos);
     }

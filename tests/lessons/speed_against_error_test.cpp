@@ -141,7 +141,7 @@ TEST_CASE("what the lesson says follows from the numbers", "[speed lesson]") {
         std::string::npos);
   CHECK(step(walk, "cost").question->answer == 3);
   CHECK(step(walk, "cost").caption.find("4 times as long as naive") != std::string::npos);
-  CHECK(walk.steps.back().caption.find("30 ns a call") != std::string::npos);
+  CHECK(walk.steps.back().caption.find("takes 30 ns less") != std::string::npos);
 
   CHECK(Teller(cheap, "a-b").tell().steps.back().caption.find("costs no more than naive") != std::string::npos);
 

@@ -174,7 +174,7 @@ TEST_CASE("a false positive of culling is called one where box and frustum are a
         greatest = std::max(greatest, view.planes[i].normal.dot(x) + view.planes[i].d);
       }
       for (const Value& value : step->values)
-        if (value.name == "**n** · p-vertex + *d*")
+        if (value.name == "**n** · p-vertex + *D*")
           CHECK(value.value == Approx(greatest / view.planes[i].normal.norm()).margin(1e-9));
     }
     false_positives += apart;

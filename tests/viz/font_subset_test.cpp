@@ -1,6 +1,6 @@
 // A few letters of the figures' font, as a font of another name.
 
-#include "viz/font_subset.h"
+#include "viz/font/subset.h"
 
 #include "tests/catch.h"
 

@@ -19,8 +19,22 @@ TEST_CASE("the nearest name is the one with the fewest edits", "[lesson]") {
   CHECK(nearest("ceter", {"center", "meter"}) == "center");
   CHECK(nearest("gray", {"screen", "print", "grey", "dark"}) == "grey");
   CHECK(nearest("pirnt", {"point", "print"}) == "print");  // swapped neighbours count once
-  CHECK(nearest("", {"a"}) == "a");
+  CHECK(nearest("poly", {"point", "polygon"}) == "polygon");  // its beginning
+  CHECK(nearest("eg", {"osmesa", "egl"}) == "egl");
+  CHECK(nearest("KDOPS", {"kdop"}) == "kdop");
   CHECK(nearest("anything", {}).empty());
+}
+
+TEST_CASE("no name is offered that is far from the word", "[lesson]") {
+  CHECK(nearest("", {"a"}).empty());
+  CHECK(nearest("list", {"points", "rays", "clipping"}).empty());
+  CHECK(nearest("C", {"A", "B"}).empty());
+  CHECK(nearest("png", {"pdf", "svg"}).empty());
+  CHECK(nearest("purple", {"screen", "print", "grey", "dark"}).empty());
+  CHECK(nearest("x", {"points"}).empty());
+  CHECK(nearest(std::string(100'000, 'x'), {"point", "print"}).empty());
+  CHECK_THAT(unknown("lesson", "list", {"points", "rays"}).what(),
+             Contains("\"list\" is unknown; allowed: points, rays"));
 }
 
 TEST_CASE("an unknown name is answered with field, word, nearest and all that is allowed", "[lesson]") {

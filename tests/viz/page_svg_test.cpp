@@ -117,4 +117,18 @@ TEST_CASE("an object that was drawn before is referred to, and so is a gradient"
   CHECK_THAT(page.shared(), Contains("class=\"stop-second\" stop-opacity=\"0.1\""));
 }
 
+TEST_CASE("a picture that stands alone has its own colours and ids, and refers to nothing outside", "[page]") {
+  Text name = {"*r*", {20, 20}, 9, light.ink(Role::first)};
+  name.halo = 2, name.halo_colour = light.background;
+  const Gradient ball = {{50, 25}, {10, 0}, {0, 10}, {50, 25}, hex(0xffffff), hex(0x123456)};
+  const std::string svg =
+      lone_svg(drawing({line(light.ink(Role::first).with_alpha(0.5), 10), ball, name}), "a > b", "x-");
+  CHECK_THAT(svg, Contains("stroke=\"#0b60c8\" stroke-opacity=\"0.5\"") && Contains("fill=\"#0b60c8\"") &&
+                      Contains("<defs>") && Contains("id=\"x-gradient1\"") && Contains("url(#x-gradient1)") &&
+                      Contains("stop-color=\"#123456\""));
+  CHECK(count(svg, "class=") == 1);  // of the whole
+  CHECK_THAT(svg, !Contains("<use") && !Contains("var("));
+  CHECK(svg.find("<defs>") > svg.find("aria-label"));
+}
+
 }  // namespace page_svg_test

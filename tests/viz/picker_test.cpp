@@ -111,6 +111,55 @@ TEST_CASE("what was answered and read to its end is kept, and stands in the pick
   CHECK_FALSE(window.has("score clipping"));
 }
 
+TEST_CASE("the picker shows what a lesson looks like", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, at("ray-sphere"), {}, with_course());
+  const auto shown = [&] {
+    const Rect r = window.rect("lesson picture").inset(4);
+    const Picture all = window.picture();
+    std::set<std::array<int, 3>> colours;
+    for (int y = static_cast<int>(r.top); y < static_cast<int>(r.bottom); ++y)
+      for (int x = static_cast<int>(r.left); x < static_cast<int>(r.right); ++x) {
+        const std::uint8_t* p = &all.rgba[4 * (static_cast<std::size_t>(y) * all.width + static_cast<std::size_t>(x))];
+        colours.insert({p[0], p[1], p[2]});
+      }
+    return colours;
+  };
+  window.key(key::o, true);
+  window.frames(3);
+  const auto own = shown();
+  CHECK(own.size() > 100);
+  const Rect other = window.rect("lesson intervals");
+  window.move(other.middle_x(), other.middle_y());
+  window.frames(3);
+  CHECK(shown() != own);
+}
+
+TEST_CASE("what was answered wrong is offered again at the end, until it is answered right", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, at("ray-sphere"), {}, with_course());
+  int step = -1;
+  while (!window.player().at_end()) {
+    window.key(key::right);
+    const Question* q = window.player().asked();
+    if (!q || step >= 0) continue;
+    step = window.player().index() + 1;
+    window.type(std::string(1, static_cast<char>('a' + (q->answer + 1) % static_cast<int>(q->choices.size()))));
+  }
+  REQUIRE(step > 0);
+  window.frames(2);
+  const std::string again = "again " + std::to_string(step + 1);
+  window.ui.player().last();
+  for (int i = 0; i < 60 && window.ui.focus() != again; ++i) window.key(key::down);
+  REQUIRE(window.ui.focus() == again);
+  window.key(key::enter);
+  const Question* q = window.player().asked();
+  REQUIRE(q);
+  CHECK(window.player().index() + 1 == step);
+  window.type(std::string(1, static_cast<char>('a' + q->answer)));
+  window.player().last();
+  window.frames(2);
+  CHECK_FALSE(window.has(again));
+}
+
 TEST_CASE("G shows the terms, and each leads to its lesson", "[window]") {
   WindowDriver window(lessons::all_lessons(), 1280, 800, {}, {}, with_course());
   window.type("g");

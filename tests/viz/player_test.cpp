@@ -176,6 +176,27 @@ TEST_CASE("play takes 1.6 s a step, waits for answers, and ends with the walk", 
   CHECK(player.playing());
 }
 
+TEST_CASE("play passes over questions where it is told to, and after a restart they are asked again", "[player]") {
+  Player player(both);
+  player.stop_at_questions(false);
+  player.next();
+  while (!player.asked()) player.next();
+  const int before = player.index();
+  player.toggle_play();
+  CHECK(player.running());
+  player.advance(1.7);
+  CHECK(player.index() == before + 1);
+  CHECK_FALSE(player.answered());
+  for (int i = 0; i < 100 && player.playing(); ++i) player.advance(1.7);
+  CHECK(player.at_end());
+  player.go_to(before);
+  player.stop_at_questions(true);
+  player.restart();
+  while (player.index() < before) player.next();
+  player.next();
+  CHECK(player.asked());
+}
+
 TEST_CASE("the speed goes round from 0.5x to 2x", "[player]") {
   Player player(both);
   std::vector<double> speeds;

@@ -92,12 +92,12 @@ TEST_CASE("a step keeps its name when the setting changes, and a map that is lef
     return static_cast<int>(std::ranges::find(player.walk().steps, slug, &Step::slug) - player.walk().steps.begin());
   };
   player.go_to(step_named("compare"));
-  player.edit("r2", 0.01);
+  player.edit("r_b", 0.01);
   CHECK(player.step().slug == "compare");
   player.go_to(step_named(case_map_slug));
-  player.edit("r2", 1e5);  // beyond the map
+  player.edit("r_b", 1e5);  // beyond the map
   CHECK(player.index() == outcome(player.walk()));
-  player.edit("r2", 1.0);
+  player.edit("r_b", 1.0);
   CHECK(player.step().slug == case_map_slug);
 }
 
@@ -191,6 +191,16 @@ TEST_CASE("an exercise is tried from its own preset, and found when the core say
   window.frames(2);
   CHECK(window.player().step().slug == closing_slug);
   CHECK_FALSE(window.has("exercise"));
+}
+
+TEST_CASE("the closing step leads to lessons that share an idea", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 2400, at("inside"));
+  window.key(key::end);
+  window.frames(2);
+  REQUIRE(window.has("Minkowski sum: sphere-aabb"));
+  window.click("Minkowski sum: sphere-aabb");
+  window.frames(2);
+  CHECK(window.player().lesson().id == "sphere-aabb");
 }
 
 TEST_CASE("one key shows the published line fail", "[window]") {

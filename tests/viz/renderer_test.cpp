@@ -247,6 +247,27 @@ TEST_CASE("facets leave no seam between neighbours, and a later one covers an ea
         Approx(50 * 120).epsilon(0.01));  // blending goes on after them
 }
 
+TEST_CASE("a sketch is jagged at the rims of facets, and nowhere else", "[renderer]") {
+  const Facets facet = {{{20, 10}, {180, 15}, {25, 110}}, {black}};
+  const Stroke line = {polyline({{190, 5}, {100, 115}}), black, 1.5};
+  const auto greys = [](const Picture& p, int left, int right) {
+    int count = 0;
+    for (int y = 0; y < p.height; ++y)
+      for (int x = left; x < right; ++x) count += ink(p, x, y) > 0.01 && ink(p, x, y) < 0.99;
+    return count;
+  };
+  Renderer& renderer = offscreen().renderer();
+  const Drawing drawing = drawing_of({facet, line});
+  renderer.sketch(drawing);
+  const Picture sketched = renderer.read();
+  renderer.draw(drawing);
+  const Picture drawn = renderer.read();
+  CHECK(greys(sketched, 0, 95) == 0);
+  CHECK(greys(drawn, 0, 95) > 50);
+  CHECK(greys(sketched, 185, 200) == greys(drawn, 185, 200));  // the line alone
+  CHECK(ink(sketched) == Approx(ink(drawn)).epsilon(0.01));
+}
+
 TEST_CASE("one frame leaves no trace in the next", "[renderer]") {
   const Picture before = window_frame(one_of_everything());
   window_frame(drawing_of({Stroke{polyline({{0, 0}, {300, 200}, {300, 0}, {0, 200}}), black.with_alpha(0.5), 60},

@@ -52,6 +52,15 @@ TEST_CASE("labels of TikZ are set by LaTeX, in the document's own font and size"
   CHECK_THAT(text, !Contains("font="));
 }
 
+TEST_CASE("a text that was made smaller to fit into its room is so in TikZ, too", "[tikz]") {
+  Drawing drawing = everything();
+  drawing.shapes.emplace_back(Text{.markup = "14 operations", .at = {50, 20}, .size = 4.62, .colour = blue});
+  drawing.shapes.emplace_back(Text{.markup = "axis", .at = {50, 40}, .size = 6.3, .colour = blue});
+  const std::string text = tikz(drawing, {}, of_width(200));
+  CHECK_THAT(text, Contains("scale=0.70] at") && Contains("{14 operations}"));
+  CHECK(text.find("scale=") == text.rfind("scale="));  // the others are set as they come
+}
+
 TEST_CASE("a verdict of TikZ begins after its sign, however wide the document's letters are", "[tikz]") {
   Drawing drawing = everything();
   drawing.objects = {{"page", "verdict", Role::text}};

@@ -250,6 +250,7 @@ TEST_CASE("settings survive a run, and a spoilt file or field gives defaults", "
   s.theme = ThemeName::grey;
   s.save_format = "svg";
   s.speed = 1.5;
+  s.nonstop = true;
   s.width = 1600;
   s.place = Player(both).place();
   s.place->step = 3;
@@ -260,6 +261,7 @@ TEST_CASE("settings survive a run, and a spoilt file or field gives defaults", "
   CHECK(read.theme == ThemeName::grey);
   CHECK(read.save_format == "svg");
   CHECK(read.speed == 1.5);
+  CHECK(read.nonstop);
   CHECK(read.width == 1600);
   REQUIRE(read.place);
   CHECK(read.place->step == 3);

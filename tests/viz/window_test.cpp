@@ -78,6 +78,37 @@ TEST_CASE("a radius handle changes a number", "[window]") {
   CHECK(std::get<double>(window.player().parameters().at("r")) > 1.6);
 }
 
+TEST_CASE("a large mesh is sketched while it is dragged, and drawn once it is let go", "[window]") {
+  Mesh mesh;
+  for (int i = 0; i < 120; ++i)
+    for (int k = 0; k < 100; ++k) {
+      const auto corner = [&](int u, int v) { return Vec3(0.04 * u - 2.4, 0.04 * v - 2, 0); };  // of one shade
+      const int first = static_cast<int>(mesh.vertices.size());
+      for (const Vec3& p : {corner(i, k), corner(i + 1, k), corner(i + 1, k + 1), corner(i, k + 1)})
+        mesh.vertices.push_back(p);
+      mesh.triangles.push_back({first, first + 1, first + 2}), mesh.triangles.push_back({first, first + 2, first + 3});
+    }
+  Lesson lesson;
+  lesson.id = lesson.title = "mesh", lesson.presets = {{"all", "all", "", {}}};
+  lesson.steps = [mesh](const Parameters&) {
+    Walk walk;
+    walk.steps.emplace_back();
+    walk.steps[0].slug = walk.steps[0].title = "all", walk.steps[0].scene.items = {mesh};
+    return walk;
+  };
+  WindowDriver window({&lesson});
+  const Rect r = window.rect("scene");
+  window.move(r.middle_x(), r.middle_y());
+  window.button(true);
+  window.move(r.middle_x() + 30, r.middle_y() + 7);
+  const Picture held = window.picture();
+  window.button(false);
+  window.move(5, r.bottom - 5);  // where nothing tells what lies under the pointer
+  const Difference changed = compare(held, window.picture());
+  CHECK(changed.over_8 > 50);    // the rim of the mesh
+  CHECK(changed.over_8 < 5000);  // and nothing else: it stands where it was let go
+}
+
 TEST_CASE("dragging beside the handles orbits, the right button pans, the wheel zooms, two clicks frame all",
           "[window]") {
   WindowDriver window(both);

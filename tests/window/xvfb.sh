@@ -70,6 +70,16 @@ program=
 grep -q '"step": 4' "$state" || { echo "FAILED: SIGTERM loses the state"; exit 1; }
 echo "ok: SIGTERM keeps the state"
 
+start show ray-sphere
+xdotool key Right sleep 0.3 key Right sleep 0.3 key Right sleep 0.3 key Right sleep 2.5
+kill -KILL $program
+wait $program 2>/dev/null || :
+program=
+grep -q '"step": 4' "$state" || { echo "FAILED: a crash loses the state"; exit 1; }
+start
+expect 'Ray and sphere, two roots, step 4 of' "a crash keeps the state"
+leave
+
 if command -v xprop >/dev/null; then
   xprop -root -f RESOURCE_MANAGER 8s -set RESOURCE_MANAGER 'Xft.dpi: 192'
   for run in 1 2 3; do

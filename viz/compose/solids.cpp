@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <tuple>
 
 #include "viz/compose/canvas.h"
 
@@ -112,26 +113,31 @@ void draw_solids(Canvas& c) {
 void draw(Canvas& c, const Mesh& it) {
   struct Facing {
     double depth;
-    const std::array<int, 3>* triangle;
-    Colour colour;
+    std::size_t triangle;
   };
   std::vector<Facing> facing;
   facing.reserve(it.triangles.size());
-  const Colour ink = c.theme.ink(it.role);
-  for (const std::array<int, 3>& t : it.triangles) {
-    const Vec3 &p = it.vertices[t[0]], &q = it.vertices[t[1]], &r = it.vertices[t[2]];
-    const Vec3 n = (q - p).cross(r - p).normalized();
-    if (!(n.dot(c.view.towards_eye(p)) > 0)) continue;
-    facing.push_back({c.depth((p + q + r) / 3), &t, mixed(ink, c.theme.background, 0.08 + 0.45 * lit(n))});
+  const auto corners = [&](std::size_t i) {
+    const std::array<int, 3>& t = it.triangles[i];
+    return std::tie(it.vertices[t[0]], it.vertices[t[1]], it.vertices[t[2]]);
+  };
+  for (std::size_t i = 0; i < it.triangles.size(); ++i) {
+    const auto& [p, q, r] = corners(i);
+    if (!((q - p).cross(r - p).dot(c.view.towards_eye(p)) > 0)) continue;
+    facing.push_back({c.depth((p + q + r) / 3), i});
   }
   std::ranges::stable_sort(facing, std::ranges::greater{}, &Facing::depth);
 
   const std::vector<Vec2> seen = c.projected(it.vertices);
+  const Colour ink = c.theme.ink(it.role);
+  const double darkest = c.theme.name == ThemeName::grey ? 0.5 : 0.08;  // without colours only light tells lines on it
   Facets facets = {.seam = 0.3 * c.sizes().hairline};
   facets.corners.reserve(3 * facing.size()), facets.colours.reserve(facing.size());
   for (const Facing& f : facing) {
-    for (const int corner : *f.triangle) facets.corners.push_back(seen[static_cast<std::size_t>(corner)]);
-    facets.colours.push_back(f.colour);
+    for (const int corner : it.triangles[f.triangle]) facets.corners.push_back(seen[static_cast<std::size_t>(corner)]);
+    const auto& [p, q, r] = corners(f.triangle);
+    const Vec3 n = (q - p).cross(r - p).normalized();
+    facets.colours.push_back(mixed(ink, c.theme.background, darkest + 0.45 * lit(n)));
   }
   c.contents.emplace_back(std::move(facets));
 }

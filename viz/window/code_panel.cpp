@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "viz/names.h"
+#include "viz/rich_text.h"
 #include "viz/window/panels.h"
 
 namespace isect::viz {
@@ -107,6 +108,10 @@ bool refused_here(const Player& player) {
   return step.line >= 0 && count(player.walk().steps[static_cast<std::size_t>(player.index()) + 1]) > count(step);
 }
 
+bool says_no(const Player& player, int line) {
+  return has(player.step().refused, line) || (line == player.step().line && refused_here(player));
+}
+
 void code_line(Session& s, int line, const CodeLine& words, float pitch, const Rect& r) {
   Ui& ui = s.ui;
   const Palette& c = ui.palette;
@@ -131,7 +136,7 @@ void code_line(Session& s, int line, const CodeLine& words, float pitch, const R
   if (p.hovered) ui.light.point(subject, place);
   if (ui.focus.name() == "line " + std::to_string(line + 1)) ui.light.hold(subject, place);
   text(ui.fonts.mono_small, number, y, packed(current ? c.on_highlight : c.muted), std::to_string(line + 1), 1);
-  const bool refused = has(step.refused, line) || (current && refused_here(s.player));
+  const bool refused = says_no(s.player, line);
   ImGui::PushClipRect({number + 8, r.top}, {r.right - (refused ? 38 : 4), r.bottom}, true);
   for (const std::string& row : words.rows) {
     lights_in(ui, words.font, r.left + code_left, y, row, current);
@@ -168,7 +173,19 @@ void code(Session& s, const std::vector<CodeLine>& lines, const Rect& r, float p
   ImGui::EndChild();
 }
 
+CodeLine laid_out_alone(const Session& s, float width) {
+  const int line = s.player.step().line;
+  const std::string& words = s.player.walk().pseudocode[static_cast<std::size_t>(line)];
+  return laid_out(unindented(words), s.ui.fonts.mono, width - code_left - (says_no(s.player, line) ? 44 : 10));
+}
+
 }  // namespace
+
+float current_line_height(const Session& s, float width) { return laid_out_alone(s, width).height(34); }
+
+void current_line(Session& s, const Rect& r) {
+  code_line(s, s.player.step().line, laid_out_alone(s, r.width()), 34, r);
+}
 
 void code_panel(Session& s, const Rect& r) {
   Ui& ui = s.ui;

@@ -26,8 +26,12 @@ struct Column {
 void question(Column&, bool fresh);
 /// Where the current line errs as published: the right one, and a button to see it fail. (practice.cpp)
 void erratum(Column&);
+/// On the closing card: what was answered wrong, to be answered again. (practice.cpp)
+void missed(Column&);
 /// The closing card's exercises, each to be tried or looked up. (practice.cpp)
 void exercises(Column&);
+/// The lessons in which this one's ideas occur again, each to be opened. (practice.cpp)
+void same_ideas(Column&);
 /// The exercise that is being tried, and whether its setting has been found. (practice.cpp)
 void exercise_on_hand(Column&);
 

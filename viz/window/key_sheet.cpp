@@ -13,6 +13,7 @@ void key_sheet(Session& s, const Rect& window) {
       {"← / →", "step back / on"},
       {"Home / End", "first / last step"},
       {"Space", "play / pause"},
+      {"N", "play passes over questions, or not"},
       {"1 … 9, 0", "presets"},
       {"Page Up / Down", "preset before / after"},
       {"A, B, C …", "answer the question"},

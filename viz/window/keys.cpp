@@ -110,6 +110,8 @@ void character(Session& s, char c) {
       s.settings.reduced_motion = !s.settings.reduced_motion;
       player.reduce_motion(s.settings.reduced_motion);
       return s.say(s.settings.reduced_motion ? "Nothing moves by itself now" : "Steps and views glide again");
+    case 'n':
+      return pass_questions(s);
     case 'v':
       return toggle_panes(s);
     case 'w':
@@ -159,6 +161,12 @@ void show_map(Session& s) {
   if (!s.player.lesson().map) return s.say("This lesson has no map of cases");
   s.settings.map = !s.settings.map;
   if (s.settings.map) s.settings.beside.reset();
+}
+
+void pass_questions(Session& s) {
+  s.settings.nonstop = !s.settings.nonstop;
+  s.player.stop_at_questions(!s.settings.nonstop);
+  s.say(s.settings.nonstop ? "Play passes over questions now" : "Play stops at questions again");
 }
 
 void keys(Session& s) {

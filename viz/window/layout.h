@@ -1,6 +1,6 @@
 #pragma once
 // Where the parts of the window lie: bars of fixed height, panels of almost fixed width, and all the rest the
-// scene's.
+// scene's. In a narrow window the lesson's panel lies below the scene.
 
 #include <string>
 #include <vector>
@@ -22,8 +22,10 @@ struct WindowLayout {
   Rect top, lesson, scene, code, transport;
 };
 
-/// `panels`: false hides the lesson and the code, and the scene takes their place.
-WindowLayout window_layout(float width, float height, bool panels);
+WindowLayout window_layout(float width, float height);
+/// Without the lesson's panel and the code, whose place the scene takes but for what is told below it, `told` px high:
+/// that is `lesson`.
+WindowLayout window_layout_without_panels(float width, float height, float told);
 
 /// A rectangle cut in two with a share of it for the second part: side by side, or one below the other where it is not
 /// much wider than high.

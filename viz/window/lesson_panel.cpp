@@ -74,7 +74,7 @@ void lesson_text(Session& s, const Rect& r, bool fresh) {
   erratum(c);
   question(c, fresh);
   if (step.slug == closing_slug)
-    exercises(c);
+    missed(c), exercises(c), same_ideas(c);
   else
     side_by_side(c);
   ImGui::SetCursorScreenPos({r.left, c.y});
@@ -107,16 +107,45 @@ std::vector<Hint> hints_of(const Player& player, bool map) {
   return hints;
 }
 
-float hints_height(const std::vector<Hint>& hints) { return 32 * static_cast<float>(hints.size()); }
+constexpr float hint_sign = 28, hint_gap = 20;
 
+Paragraph words_of(const Session& s, const Hint& hint, float width) {
+  return {.markup = hint.markup, .width = width, .line_pitch = 21, .colour = s.ui.palette.muted};
+}
+
+float hint_height(Session& s, const Hint& hint, float width) {
+  return s.ui.texts.of(words_of(s, hint, width - hint_sign)).size.y + 11;
+}
+
+float hints_height(Session& s, const std::vector<Hint>& hints, float width) {
+  float height = 0;
+  for (const Hint& hint : hints) height += hint_height(s, hint, width);
+  return height;
+}
+
+void hint_mark(const Session& s, const Hint& hint, float x, float y) {
+  (hint.turns ? turn_sign : handle_sign)(x + 9, y, s.ui.palette.theme.ink(hint.role));
+}
+
+/// Below each other.
 void draw_hints(Session& s, const std::vector<Hint>& hints, float x, float y, float width) {
-  ImGui::PushClipRect({x, y}, {x + width, y + hints_height(hints)}, true);
   for (const Hint& hint : hints) {
-    (hint.turns ? turn_sign : handle_sign)(x + 9, y + 16, s.ui.palette.theme.ink(hint.role));
-    rich_line(s.ui, {.markup = hint.markup, .colour = s.ui.palette.muted}, x + 28, y + 16);
-    y += 32;
+    hint_mark(s, hint, x, y + 16);
+    rich(s.ui, words_of(s, hint, width - hint_sign), {x + hint_sign, y + 5.5f});
+    y += hint_height(s, hint, width);
   }
-  ImGui::PopClipRect();
+}
+
+/// Beside each other, as many as there is room for, around the middle y.
+void draw_hints_in_a_row(Session& s, const std::vector<Hint>& hints, float x, float right, float y) {
+  for (const Hint& hint : hints) {
+    const Paragraph words = words_of(s, hint, 0);
+    const float end = x + hint_sign + s.ui.texts.of(words).size.x;
+    if (end > right) continue;
+    hint_mark(s, hint, x, y);
+    rich_line(s.ui, words, x + hint_sign, y);
+    x = end + hint_gap;
+  }
 }
 
 void parameters_header(Session& s, const Rect& r) {
@@ -127,51 +156,67 @@ void parameters_header(Session& s, const Rect& r) {
   if (p.clicked) s.settings.parameters_open = !s.settings.parameters_open;
 }
 
-/// A part of the panel that scrolls by itself; `inside` draws it.
-template <class Inside>
-void scrolling(const char* name, const Rect& r, Inside&& inside) {
-  ImGui::SetCursorScreenPos(top_left(r));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{0, 0});
-  ImGui::BeginChild(name, {r.width(), r.height()}, false, 0);
-  ImGui::PopStyleVar();
-  inside();
-  ImGui::EndChild();
+/// What stands where in the panel: the words, and the header of the parameters with their fields or the hints below it,
+/// or, where the panel is low, beside the words or in one row.
+struct Parts {
+  Rect words, header, fields;
+  bool low = false;
+};
+
+Parts parts_of(const Rect& r, bool open, float fields, float hints) {
+  constexpr float row = 40, words_share = 0.48f, header_width = 128;
+  const float left = r.left + margin, right = r.right - margin;
+  Parts p{{r.left, r.top, r.right - 1, r.bottom}, {}, {}, r.width() > 1.6f * r.height()};
+  if (p.low && open) {
+    p.words.right = std::round(r.left + words_share * r.width());
+    p.header = {p.words.right + margin, r.top + 6, right, r.top + 36};
+    p.fields = {p.words.right, p.header.bottom + 4, r.right - 1, r.bottom - 4};
+  } else if (p.low) {
+    p.words.bottom = r.bottom - row;
+    p.header = {left, p.words.bottom + 5, left + header_width, r.bottom - 5};
+  } else {
+    p.words.bottom = r.bottom - 44 - (open ? std::min(fields, r.height() * 0.5f) + 12 : hints > 0 ? hints + 12 : 0);
+    p.header = {left, p.words.bottom + 8, right, p.words.bottom + 38};
+    p.fields = {r.left, p.words.bottom + 42, r.right - 1, r.bottom - 4};
+  }
+  return p;
 }
 
 }  // namespace
 
 void lesson_panel(Session& s, const Rect& r) {
   begin_region(s.ui, "lesson panel", r, s.ui.palette.window);
-  const float x = r.left + margin, width = r.width() - 2 * margin;
   const bool open = s.settings.parameters_open && !s.player.lesson().parameters.empty();
+  const float width = r.width() - 2 * margin;
   const std::vector<Hint> hints = hints_of(s.player, shows_map(s));
-  const bool hinting = !open && r.height() > 420;
-
-  const float below = 44 + (open      ? std::min(s.fields_height, r.height() * 0.5f) + 12
-                            : hinting ? hints_height(hints) + 12
-                                      : 0);
-  const Rect words{r.left, r.top, r.right - 1, r.bottom - below};
-  scrolling("words", words, [&] {
+  Parts at = parts_of(r, open, s.fields_height, r.height() > 420 ? hints_height(s, hints, width) : 0);
+  const bool bare = at.low && !open && s.player.asked();  // a question needs all the room
+  if (bare) at.words.bottom = r.bottom;
+  scrolling("words", at.words, [&] {
     const bool fresh = std::exchange(s.words_seen, s.player.revision()) != s.player.revision();
     if (fresh) ImGui::SetScrollY(0);
-    lesson_text(s, words, fresh);
+    lesson_text(s, at.words, fresh);
   });
-  s.ui.rects["lesson words"] = words;
+  s.ui.rects["lesson words"] = at.words;
 
-  rule(s.ui, x, r.right - margin, words.bottom);
-  parameters_header(s, {x, words.bottom + 8, r.right - margin, words.bottom + 38});
+  if (!bare) parameters_header(s, at.header);
+  if (at.low && open)
+    filled({at.words.right, r.top, at.words.right + 1, r.bottom}, s.ui.palette.rule, 0);
+  else if (!bare)
+    rule(s.ui, r.left + margin, r.right - margin, at.words.bottom);
   if (open) {
-    const Rect area{r.left, words.bottom + 42, r.right - 1, r.bottom - 4};
-    scrolling("fields", area, [&] {
+    scrolling("fields", at.fields, [&] {
       const float top = ImGui::GetCursorScreenPos().y;
-      s.fields_height = parameter_fields(s, x, top, width) - top;
+      s.fields_height = parameter_fields(s, at.header.left, top, at.header.width()) - top;
     });
-    s.ui.rects["lesson fields"] = area;
-  } else if (hinting) {
-    draw_hints(s, hints, x, words.bottom + 44, width);
+    s.ui.rects["lesson fields"] = at.fields;
+  } else if (at.low && !bare) {
+    draw_hints_in_a_row(s, hints, at.header.right + hint_gap, r.right - margin, at.header.middle_y());
+  } else if (!at.low && r.height() > 420) {
+    draw_hints(s, hints, at.header.left, at.words.bottom + 44, width);
   }
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled({r.right - 1, r.top}, {r.right, r.bottom}, packed(s.ui.palette.rule));
+  if (r.top > s.ui.rects["scene"].top) rule(s.ui, r.left, r.right, r.top);  // it lies below the scene
+  filled({r.right - 1, r.top, r.right, r.bottom}, s.ui.palette.rule, 0);
   ImGui::End();
 }
 

@@ -17,15 +17,8 @@ constexpr float map_header = 40, map_grip = 14;
 
 Vec2 pointer_now() { return {ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y}; }
 
-/// From a place on the plane to its case, and back.
-Vec2 case_at(const Cases& cases, const Box2& plane, const Vec2& pixel) {
-  const Vec2 share = (pixel - plane.lo).cwiseQuotient(plane.hi - plane.lo);
-  return {cases.x.lo + share.x() * (cases.x.hi - cases.x.lo), cases.y.hi - share.y() * (cases.y.hi - cases.y.lo)};
-}
-ImVec2 pixel_of(const Cases& cases, const Box2& plane, const Vec2& at) {
-  const Vec2 share((at.x() - cases.x.lo) / (cases.x.hi - cases.x.lo),
-                   (cases.y.hi - at.y()) / (cases.y.hi - cases.y.lo));
-  const Vec2 p = plane.lo + share.cwiseProduct(plane.hi - plane.lo);
+ImVec2 screen_at(const Cases& cases, const Box2& plane, const Vec2& at) {
+  const Vec2 p = pixel_of(cases, plane, at);
   return {static_cast<float>(p.x()), static_cast<float>(p.y())};
 }
 
@@ -39,38 +32,14 @@ ImVec2 short_of(const ImVec2& marker, const ImVec2& a, const ImVec2& b) {
 }
 
 /// Smaller where the pane is.
-Theme look(const Session& s, const Rect& r) {
+Theme map_look(const Session& s, const Rect& r) {
   const double fits = std::min(r.width() / 420, r.height() / 330);
   return window_theme(s.ui.palette.theme.name, std::clamp(fits, 0.7, 1.0));
-}
-
-/// Where there is no room for all names a map goes without: the setting's own is told beside it, and a pane tells any
-/// other's under the pointer.
-bool crowded(const Cases& cases, const std::vector<PlacedLabel>& labels, double plane_height) {
-  const auto is_name = [&](const PlacedLabel& l) { return std::ranges::count(cases.branches, l.text) > 0; };
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    if (is_name(labels[i]) && labels[i].leads_to && plane_height < 180) return true;
-    for (std::size_t k = 0; k < i; ++k) {
-      const TextBox &a = labels[i].box, &b = labels[k].box;
-      const bool meet = a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
-      if (meet && (is_name(labels[i]) || is_name(labels[k]))) return true;
-    }
-  }
-  return false;
 }
 
 Rect below_header(const Rect& r) { return {r.left, r.top + map_header, r.right, r.bottom}; }
 
 }  // namespace
-
-Composed compose_map(const Cases& all, const Vec2& corner, double width, double height, const Theme& theme) {
-  Cases cases = all;
-  Composed composed = compose({cases}, corner, width, height, theme);
-  const Box2 plane = plane_of(cases, corner, width, height, theme);
-  if (!crowded(cases, composed.labels, plane.hi.y() - plane.lo.y())) return composed;
-  cases.named = false;
-  return compose({cases}, corner, width, height, theme);
-}
 
 bool shows_map(const Session& s) {
   const Player& p = s.player;
@@ -93,42 +62,27 @@ void MapDrag::follow(Session& s, const Cases& cases, const Box2& plane, bool hov
   snapping_ = ImGui::GetIO().KeyShift;
   if (!held_) return;
   s.attempt([&] {
-    const Vec2 to = case_at(cases, plane, last_);
-    std::string told;
-    if (snapping_) told = s.player.snap_on(way_of(s.player.lesson(), s.player.parameters(), start_, to), 0, 1.25, 1);
-    if (told.empty()) return s.player.go_to_case(to);
-    s.say(told);
+    const Moved came = drag_on_map(s.player, start_, case_at(cases, plane, last_), snapping_);
+    if (!came.told.empty()) s.say(came.told);
   });
-}
-
-/// The sweep over the plane is made anew only where its regions may have changed.
-void MapView::find_cases(const Player& player) {
-  const CaseMap& map = *player.lesson().map;
-  const Parameters elsewhere = map.moved(player.parameters(), (map.lo + map.hi) / 2);
-  if (lesson_ != &player.lesson() || elsewhere != elsewhere_) {
-    if (lesson_ != &player.lesson()) trail_.clear();
-    cases_ = std::get<Cases>(case_map(player.lesson(), player.parameters()).kind);
-    lesson_ = &player.lesson(), elsewhere_ = elsewhere;
-    ++found_;
-  }
-  cases_.here = player.asked() ? std::nullopt : spot_on(map, player.parameters());
 }
 
 /// A preset begins a new one.
 void MapView::leave_trail(const Player& player) {
-  if (!player.preset_id().empty() || !cases_.here) trail_.clear();
-  if (!cases_.here || (!trail_.empty() && trail_.back().at == cases_.here->at)) return;
-  trail_.push_back(*cases_.here);
+  if (!player.preset_id().empty() || !map_.cases().here || trail_of_ != map_.lesson()) trail_.clear();
+  trail_of_ = map_.lesson();
+  if (!map_.cases().here || (!trail_.empty() && trail_.back().at == map_.cases().here->at)) return;
+  trail_.push_back(*map_.cases().here);
   if (trail_.size() > trail_kept) trail_.pop_front();
 }
 
 void MapView::draw(const Rect& r, const Theme& theme) {
-  const Vec2 here = cases_.here ? cases_.here->at : Vec2(NAN, NAN);
-  const std::string wanted = fmt::format("{} {} {} {} {} {} {}", found_, here.x(), here.y(), r.width(), r.height(),
-                                         scale_, name_of(theme.name));
+  const Vec2 here = map_.cases().here ? map_.cases().here->at : Vec2(NAN, NAN);
+  const std::string wanted = fmt::format("{} {} {} {} {} {} {}", map_.found(), here.x(), here.y(), r.width(),
+                                         r.height(), scale_, name_of(theme.name));
   if (wanted == drawn_ || !drawing_) return;
   Drawing drawing{r.width(), r.height(), theme.background, {}};
-  drawing.shapes = compose_map(cases_, Vec2::Zero(), r.width(), r.height(), theme).shapes;
+  drawing.shapes = compose_map(map_.cases(), Vec2::Zero(), r.width(), r.height(), theme).shapes;
   renderer_.draw(drawing, scale_);
   const PixelBox size = pixels(drawing, scale_);
   picture_.take(renderer_.texture(), size.width, size.height);
@@ -140,13 +94,13 @@ void MapView::draw_trail(Ui& ui, const Box2& plane) const {
   if (trail_.size() < 2) return;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   Rect box{1e9f, 1e9f, -1e9f, -1e9f};
-  const ImVec2 here = pixel_of(cases_, plane, trail_.back().at);
+  const ImVec2 here = screen_at(map_.cases(), plane, trail_.back().at);
   int crossings = 0;
   for (std::size_t i = 0; i < trail_.size(); ++i) {
-    const ImVec2 p = pixel_of(cases_, plane, trail_[i].at);
+    const ImVec2 p = screen_at(map_.cases(), plane, trail_[i].at);
     box = {std::min(box.left, p.x), std::min(box.top, p.y), std::max(box.right, p.x), std::max(box.bottom, p.y)};
     if (i == 0) continue;
-    const ImVec2 before = pixel_of(cases_, plane, trail_[i - 1].at);
+    const ImVec2 before = screen_at(map_.cases(), plane, trail_[i - 1].at);
     const ImVec2 end = short_of(here, before, p);
     const double left = static_cast<double>(trail_.size() - i) / trail_kept;
     const ImU32 ink = packed(ui.palette.first, 0.85 * std::pow(1 - left, 2));
@@ -169,33 +123,33 @@ void MapView::keyboard(Session& s, const Box2& plane) {
   if (ImGui::IsKeyPressed(key::up, true)) way.y() -= 1;
   if (ImGui::IsKeyPressed(key::down, true)) way.y() += 1;
   if (way == Vec2::Zero()) return;
-  const ImVec2 p = pixel_of(cases_, plane, cases_.here->at);
+  const ImVec2 p = screen_at(map_.cases(), plane, map_.cases().here->at);
   s.player.remember("nudge on the map");
-  s.attempt([&] { s.player.go_to_case(case_at(cases_, plane, Vec2(p.x, p.y) + 8 * way)); });
+  s.attempt([&] { s.player.go_to_case(case_at(map_.cases(), plane, Vec2(p.x, p.y) + 8 * way)); });
 }
 
 void MapView::name_under_pointer(const Session& s, const Box2& plane) const {
   const Vec2 p = pointer_now();
   if (!(p.array() >= plane.lo.array()).all() || !(p.array() <= plane.hi.array()).all()) return;
   const CaseMap& map = *s.player.lesson().map;
-  tooltip(s.ui, plain(map.branches[map.branch(map.moved(s.player.parameters(), case_at(cases_, plane, p)))]));
+  tooltip(s.ui, plain(map.branches[map.branch(map.moved(s.player.parameters(), case_at(map_.cases(), plane, p)))]));
 }
 
 void MapView::show(Session& s, const Rect& r) {
   Ui& ui = s.ui;
   begin_region(ui, "map", r, ui.palette.card);
-  find_cases(s.player);
-  const Theme theme = look(s, r);
+  map_.find(s.player);
+  const Theme theme = map_look(s, r);
   const Rect within = below_header(r);
-  const Box2 plane = plane_of(cases_, {within.left, within.top}, within.width(), within.height(), theme);
+  const Box2 plane = plane_of(map_.cases(), {within.left, within.top}, within.width(), within.height(), theme);
 
   ImGui::SetCursorScreenPos(top_left(within));
   ImGui::InvisibleButton("map picture", {within.width(), within.height()});
   const bool hovered = ImGui::IsItemHovered();
-  if (cases_.here) {
-    drag_.follow(s, cases_, plane, hovered);
+  if (map_.cases().here) {
+    drag_.follow(s, map_.cases(), plane, hovered);
     keyboard(s, plane);
-    find_cases(s.player);
+    map_.find(s.player);
   }
   leave_trail(s.player);
   draw(within, theme);
@@ -205,15 +159,16 @@ void MapView::show(Session& s, const Rect& r) {
 
   const float x = r.left + 20, y = r.top + 22;
   std::string told = "here: after your answer";
-  if (!s.player.asked()) told = cases_.here ? "here: " + cases_.branches[cases_.here->branch] : "beyond this map";
-  const Paragraph words{.markup = told, .colour = cases_.here ? ui.palette.text : ui.palette.muted};
+  if (!s.player.asked())
+    told = map_.cases().here ? "here: " + map_.cases().branches[map_.cases().here->branch] : "beyond this map";
+  const Paragraph words{.markup = told, .colour = map_.cases().here ? ui.palette.text : ui.palette.muted};
   ImGui::PushClipRect({x, r.top}, {r.right - 8, within.top}, true);
   rich_line(ui, words, x, y);
   ImGui::PopClipRect();
   ui.rects["map plane"] = {static_cast<float>(plane.lo.x()), static_cast<float>(plane.lo.y()),
                            static_cast<float>(plane.hi.x()), static_cast<float>(plane.hi.y())};
-  if (cases_.here) {
-    const ImVec2 p = pixel_of(cases_, plane, cases_.here->at);
+  if (map_.cases().here) {
+    const ImVec2 p = screen_at(map_.cases(), plane, map_.cases().here->at);
     const Rect place{p.x - map_grip, p.y - map_grip, p.x + map_grip, p.y + map_grip};
     ui.rects["map setting"] = place;
     focused(ui, "map setting", place);

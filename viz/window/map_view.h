@@ -6,7 +6,7 @@
 #include <string>
 
 #include "viz/case_map.h"
-#include "viz/compose.h"
+#include "viz/map_beside.h"
 #include "viz/renderer.h"
 #include "viz/window/kept_picture.h"
 #include "viz/window/session.h"
@@ -16,9 +16,6 @@ namespace isect::viz {
 /// Whether the map stands beside this step: the reader wants it, the lesson has one, and the step does not show it
 /// itself.
 bool shows_map(const Session&);
-
-/// The map composed with the names of its cases, or without where they would meet or crowd.
-Composed compose_map(const Cases&, const Vec2& corner, double width, double height, const Theme&);
 
 /// A drag over the plane of a map moves the setting.
 class MapDrag {
@@ -41,7 +38,6 @@ class MapView {
   void rescale(double scale) { scale_ = scale; }
 
  private:
-  void find_cases(const Player&);
   void leave_trail(const Player&);
   void draw(const Rect&, const Theme&);
   void draw_trail(Ui&, const Box2& plane) const;
@@ -54,10 +50,8 @@ class MapView {
   KeptPicture picture_;
   std::string drawn_;  ///< what the picture shows, as one line
 
-  const Lesson* lesson_ = nullptr;
-  Parameters elsewhere_;  ///< the setting brought to the middle of the map: what the regions depend on
-  Cases cases_;           ///< of that lesson; `here` is this setting's, unless a question waits
-  unsigned found_ = 0;    ///< grows with every new set of regions
+  MapBeside map_;
+  const Lesson* trail_of_ = nullptr;  ///< which lesson left it
   std::deque<Cases::Spot> trail_;
   MapDrag drag_;
 };

@@ -13,13 +13,21 @@ void lesson_panel(Session&, const Rect&);
 float parameter_fields(Session&, float x, float y, float width);
 /// Pseudocode, values, comparison and operations. (code_panel.cpp, values.cpp)
 void code_panel(Session&, const Rect&);
+/// The current line alone, on a bright ground; there is one. (code_panel.cpp)
+float current_line_height(const Session&, float width);
+void current_line(Session&, const Rect&);
 float values_height(const Ui&, const Step&, float width, float pitch);
 void values_block(Session&, const Rect&, float pitch);
 void operations_block(Session&, const Rect&);
-/// The question in a window of its own, where the lesson's panel is hidden. (question.cpp)
-void question_over_scene(Session&, const Rect& scene);
+/// The question in a window of its own, where the lesson's panel is hidden: over the words that it comes after, and the
+/// scene above them; once it is answered, over the scene alone. (question.cpp)
+void question_over_scene(Session&, const Rect& scene, const Rect& words);
 /// The same over both scenes of two panes, so that neither's code is covered.
 void question_over_scenes(Session&, const Rect& scenes);
+/// Below the scene, while the panels are hidden: the step's words, the current line, the formula. (lecture.cpp)
+/// `room`: the height of scene and words.
+float lecture_height(Session&, float width, float room);
+void lecture(Session&, const Rect&);
 /// Scrubber and buttons. (transport.cpp)
 void transport(Session&, const Rect&);
 /// The key sheet, the picker and the save sheet, over everything else. (sheets.cpp)
@@ -27,6 +35,8 @@ void sheets(Session&, const Rect& window);
 
 /// Keeps what was answered, and that a lesson was read to its end. (score.cpp)
 void keep_score(Session&);
+/// The steps of this walk whose questions were answered wrong when they were asked last.
+std::vector<int> missed_questions(const Session&);
 /// Keeps the lessons last opened, the one on show first. (score.cpp)
 void keep_recent(Session&);
 
@@ -36,6 +46,8 @@ bool keeps_file(const Session&);
 void save_back(Session&);
 /// Shows the lesson's map of cases beside the scene, or no longer; says so where it has none. (keys.cpp)
 void show_map(Session&);
+/// Lets play pass over questions, or stop at them again. (keys.cpp)
+void pass_questions(Session&);
 /// Marks a row as the first that differs from the other pane's. (second_pane.cpp)
 void parted_mark(Ui&, const std::string& name, const Rect&);
 /// Sets the next method or preset beside this one, or takes it away. (second_pane.cpp)

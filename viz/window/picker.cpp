@@ -5,9 +5,11 @@
 #include <filesystem>
 #include <utility>
 
+#include "viz/closing.h"
 #include "viz/files.h"
 #include "viz/place.h"
 #include "viz/rich_text.h"
+#include "viz/window/lesson_picture.h"
 #include "viz/window/save_figure.h"
 #include "viz/window/sheets.h"
 
@@ -103,6 +105,44 @@ void open_preset(Session& s, const std::string& file) {
   }
 }
 
+/// "After Interval and interval. Minkowski sum: Oriented boxes."
+std::string leads(const Session& s, const Lesson& l) {
+  std::string text;
+  const auto name = [&](const std::string& head, const Lesson& other) {
+    text += (text.ends_with(' ') || text.empty() ? head : ", ") + plain(short_title(other));
+  };
+  for (const Lesson* other : s.player.lessons())
+    if (std::ranges::count(l.after, other->id) > 0) name("After ", *other);
+  if (!text.empty()) text += ". ";
+  for (const SharedIdea& shared : shared_ideas(l)) {
+    for (const Lesson* other : shared.others) name(heading(shared) + ": ", *other);
+    text += ". ";
+  }
+  return text;
+}
+
+/// Below the rows: the lesson's picture, and in words what it is about.
+void foot(Session& s, const Lesson& l, const Rect& r) {
+  Ui& ui = s.ui;
+  const Palette& c = ui.palette;
+  const float width = r.height() * picture_width / picture_height;
+  const Rect picture{r.left, r.top, r.left + width, r.bottom};
+  filled(picture, c.card, 0);
+  s.pictured.lesson = &l;
+  if (s.pictured.picture) {
+    ui.rects["lesson picture"] = picture;
+    ImGui::GetWindowDrawList()->AddImage(s.pictured.picture, top_left(picture), bottom_right(picture), {0, 1}, {1, 0});
+  }
+  outlined(picture, c.rule, 1, 0);
+  const float left = picture.right + 16, room = r.right - left;
+  text(ui.fonts.bold, left, r.top + 12, packed(c.text), fitted(ui.fonts.bold, plain(l.title), room));
+  const Paragraph words{.markup = l.summary, .width = room, .size = 13, .line_pitch = 19, .colour = c.text};
+  const float end = r.top + 30 + rich(ui, words, {left, r.top + 26}).y;
+  const Paragraph near{.markup = leads(s, l), .width = room, .size = 13, .line_pitch = 19, .colour = c.muted};
+  if (end + ui.texts.of(near).size.y < r.bottom - 22) rich(ui, near, {left, end});
+  text(ui.fonts.small, left, r.bottom - 10, packed(c.muted), "↓ and ↑ choose, Enter opens, Escape closes");
+}
+
 /// The rows in as many columns as there is room for, equally long. Returns the one that was pressed.
 const Entry* columns(Session& s, const std::vector<Entry>& rows, ImVec2 at, float width, const Lesson*& told) {
   const int count = width >= 660 ? 2 : 1;
@@ -134,21 +174,20 @@ const Entry* columns(Session& s, const std::vector<Entry>& rows, ImVec2 at, floa
 }  // namespace
 
 void picker(Session& s, const Rect& window) {
-  if (!begin_sheet(s, "picker", window, 860, 640)) return;
+  s.pictured.lesson = nullptr;
+  if (!begin_sheet(s, "picker", window, 860, 730)) return;
   if (ImGui::IsWindowAppearing()) s.presets = saved_presets(s.figures);
   const bool entered = search_field(s, "Search lessons");
   const std::vector<Entry> rows = rows_of(s);
 
-  constexpr float foot = 34;
+  const float below_rows = window.height() < 700 ? 86 : picture_height;
   const Lesson* told = nullptr;
-  ImGui::BeginChild("lessons", {0, ImGui::GetContentRegionAvail().y - foot});
+  ImGui::BeginChild("lessons", {0, ImGui::GetContentRegionAvail().y - below_rows - 18});
   const Entry* chosen = columns(s, rows, ImGui::GetCursorScreenPos(), ImGui::GetContentRegionAvail().x - 4, told);
   ImGui::EndChild();
-  const ImVec2 below = ImGui::GetCursorScreenPos();
-  const float room = ImGui::GetContentRegionAvail().x;
-  const std::string words = told ? plain(told->summary) : "↓ and ↑ choose, Enter opens, Escape closes";
-  text(s.ui.fonts.small, below.x + 8, below.y + 16, packed(s.ui.palette.muted),
-       fitted(s.ui.fonts.small, words, room - 16));
+  const ImVec2 below = ImGui::GetCursorScreenPos(), left = ImGui::GetContentRegionAvail();
+  foot(s, told ? *told : s.player.lesson(),
+       {below.x, below.y + left.y - below_rows, below.x + left.x, below.y + left.y});
   if (entered && !chosen && s.ui.focus.name().empty()) {
     const auto first = std::ranges::find_if(rows, [](const Entry& row) { return row.heading.empty(); });
     if (first != rows.end()) chosen = &*first;

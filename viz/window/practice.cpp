@@ -5,16 +5,19 @@
 #include "viz/closing.h"
 #include "viz/rich_text.h"
 #include "viz/window/column.h"
+#include "viz/window/panels.h"
 
 namespace isect::viz {
 namespace {
 
 constexpr float button_height = 34;
 
+float button_width(Ui& ui, const std::string& words) { return text_width(ui.fonts.body, words) + 28; }
+
 }  // namespace
 
 bool Column::button(const std::string& name, const std::string& words, float& from) {
-  const float wide = text_width(s.ui.fonts.body, words) + 28;
+  const float wide = button_width(s.ui, words);
   const bool pressed = chip(s.ui, name, {from, y, from + wide, y + button_height}, words, false);
   from += wide + 8;
   return pressed;
@@ -43,6 +46,22 @@ void erratum(Column& c) {
   c.y += button_height;
 }
 
+void missed(Column& c) {
+  const std::vector<int> steps = missed_questions(c.s);
+  if (steps.empty()) return;
+  const Palette& ink = c.s.ui.palette;
+  c.y += 24;
+  c.paragraph("Not yet right", ink.text, 15, 23, true);
+  for (const int step : steps) {
+    c.y += 10;
+    c.paragraph(c.s.player.walk().steps[static_cast<std::size_t>(step)].question->prompt, ink.text);
+    c.y += 6;
+    float x = c.x;
+    if (c.button("again " + std::to_string(step + 1), "Answer again", x)) return c.s.player.ask_again(step);
+    c.y += button_height + 4;
+  }
+}
+
 void exercises(Column& c) {
   Session& s = c.s;
   const Closing* closing = s.player.lesson().closing;
@@ -64,6 +83,25 @@ void exercises(Column& c) {
       open ? (void)s.solutions.erase(&e) : (void)s.solutions.insert(&e);
     c.y += button_height + 4;
     if (open) c.paragraph(e.solution, ink.muted);
+  }
+}
+
+void same_ideas(Column& c) {
+  const std::vector<SharedIdea> all = shared_ideas(c.s.player.lesson());
+  if (all.empty()) return;
+  c.y += 24;
+  c.paragraph("The same idea elsewhere", c.s.ui.palette.text, 15, 23, true);
+  for (const SharedIdea& shared : all) {
+    c.y += 6;
+    c.paragraph(heading(shared), c.s.ui.palette.muted);
+    c.y += 4;
+    float x = c.x;
+    for (const Lesson* other : shared.others) {
+      const std::string title = plain(short_title(*other));
+      if (x > c.x && x + button_width(c.s.ui, title) > c.x + c.width) x = c.x, c.y += button_height + 6;
+      if (c.button(shared.idea + ": " + other->id, title, x)) return c.s.attempt([&] { c.s.player.open(*other); });
+    }
+    c.y += button_height + 4;
   }
 }
 

@@ -120,10 +120,10 @@ bool has_question(const Session& s) { return s.player.asked() || s.player.answer
 
 }  // namespace
 
-void question_over_scene(Session& s, const Rect& scene) {
-  const float width = std::min(440.0f, scene.width() - 40);
-  if (has_question(s))
-    question_within(s, {scene.left + 20, scene.top + 70, scene.left + 20 + width, scene.bottom - 60});
+void question_over_scene(Session& s, const Rect& scene, const Rect& words) {
+  if (!has_question(s)) return;
+  const float width = std::min(640.0f, scene.width() - 40), bottom = s.player.asked() ? words.bottom : scene.bottom;
+  question_within(s, {scene.left + 20, scene.top + 70, scene.left + 20 + width, bottom - 12});
 }
 
 void question_over_scenes(Session& s, const Rect& scenes) {

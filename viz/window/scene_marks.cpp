@@ -64,29 +64,62 @@ std::size_t corners_of(const Region& region) {
 
 namespace {
 
+constexpr float low_head = 42;
+/// From the scene's edges to its chips.
+float edge(const Rect& scene) { return is_low(scene) ? 8.0f : 20.0f; }
+
+bool has_alarm(const Session& s) {
+  return s.player.methods_differ() && !s.player.asked() && !is_card(s.player.step().scene);
+}
+
+std::string alarm_words(const Session& s) {
+  const std::vector<Opinion>& said = s.player.opinions();
+  const auto differ = std::ranges::count_if(said, [](const Opinion& o) { return !o.agrees; });
+  return fmt::format("{} of {} methods {}", differ, said.size(), differ == 1 ? "differs" : "differ");
+}
+
+float alarm_width(const Session& s) { return 46 + text_width(s.ui.fonts.small, alarm_words(s)); }
+
 /// On one line if there is room, else on several.
-Paragraph verdict_words(Session& s, float room) {
+Paragraph verdict_words(Session& s, const Rect& scene) {
   Paragraph words{.markup = s.player.step().verdict.text, .colour = s.ui.palette.text};
+  if (is_low(scene)) words.size = 13, words.line_pitch = 19;
+  const float alarm = is_low(scene) && has_alarm(s) ? alarm_width(s) + 12 : 0;
+  const float room = scene.width() - 60 - 2 * edge(scene) - alarm;
   if (s.ui.texts.of(words).size.x > room) words.width = room;
   return words;
 }
 
+/// 0: there is none.
+float verdict_height(Session& s, const Rect& scene) {
+  if (s.player.step().verdict.text.empty() || is_card(s.player.step().scene)) return 0;
+  return s.ui.texts.of(verdict_words(s, scene)).size.y + (is_low(scene) ? 9.0f : 13.0f);
+}
+
 }  // namespace
 
-float verdict_height(Session& s, float scene_width) {
-  if (s.player.step().verdict.text.empty() || is_card(s.player.step().scene)) return 0;
-  return s.ui.texts.of(verdict_words(s, scene_width - 100)).size.y + 13;
+float steady_head(const Session& s, const Rect& scene) {
+  const auto says = [](const Step& step) { return !step.verdict.text.empty(); };
+  return is_low(scene) && (s.player.methods_differ() || std::ranges::any_of(s.player.walk().steps, says)) ? low_head
+                                                                                                          : 0;
+}
+
+float head_of(Session& s, const Rect& scene) {
+  if (!s.player.scene().chart) return steady_head(s, scene);
+  const float verdict = verdict_height(s, scene), alarm = has_alarm(s) ? 40.0f : 0.0f;
+  if (is_low(scene)) return std::max(verdict, alarm) + 14;
+  return (verdict > 0 ? verdict + 28 : 12) + alarm;
 }
 
 void verdict_chip(Session& s, const Rect& scene) {
   const Verdict& verdict = s.player.step().verdict;
-  const float height = verdict_height(s, scene.width());
+  const float height = verdict_height(s, scene), in = edge(scene);
   if (height == 0) return;
   Ui& ui = s.ui;
   const Colour& ink = ink_of(ui.palette, verdict.kind);
-  const Paragraph words = verdict_words(s, scene.width() - 100);
+  const Paragraph words = verdict_words(s, scene);
   const ImVec2 size = ui.texts.of(words).size;
-  const Rect r{scene.left + 20, scene.top + 20, scene.left + 80 + size.x, scene.top + 20 + height};
+  const Rect r{scene.left + in, scene.top + in, scene.left + in + 60 + size.x, scene.top + in + height};
   ui.rects["verdict"] = r;
   filled(r, ui.palette.window, 8);
   outlined(r, ink, 1.5f, 8);
@@ -95,22 +128,21 @@ void verdict_chip(Session& s, const Rect& scene) {
 }
 
 void alarm_chip(Session& s, const Rect& scene) {
-  if (!s.player.methods_differ() || s.player.asked() || is_card(s.player.step().scene)) return;
+  if (!has_alarm(s)) return;
   Ui& ui = s.ui;
-  const std::vector<Opinion>& said = s.player.opinions();
-  const auto differ = std::ranges::count_if(said, [](const Opinion& o) { return !o.agrees; });
-  const std::string words = fmt::format("{} of {} methods {}", differ, said.size(), differ == 1 ? "differs" : "differ");
-  const float verdict = verdict_height(s, scene.width());
-  const float top = scene.top + 20 + (verdict > 0 ? verdict + 8 : 0);
-  const Rect r{scene.left + 20, top, scene.left + 66 + text_width(ui.fonts.small, words), top + 32};
+  const float verdict = verdict_height(s, scene), width = alarm_width(s), in = edge(scene);
+  const bool low = is_low(scene);
+  const float top = scene.top + in + (verdict > 0 && !low ? verdict + 8 : 0);
+  const float left = low ? scene.right - in - width : scene.left + in;
+  const Rect r{left, top, left + width, top + (low ? 28.0f : 32.0f)};
   ui.rects["alarm"] = r;
   filled(r, ui.palette.window, 8);
   outlined(r, ui.palette.miss, 1.5f, 8);
   cross(r.left + 20, r.middle_y(), 11, packed(ui.palette.miss));
-  text(ui.fonts.small, r.left + 40, r.middle_y(), packed(ui.palette.text), words);
+  text(ui.fonts.small, r.left + 40, r.middle_y(), packed(ui.palette.text), alarm_words(s));
   if (!ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r))) return;
   std::string all;
-  for (const Opinion& o : said)
+  for (const Opinion& o : s.player.opinions())
     all += fmt::format("{}{}: {}{}", all.empty() ? "" : "\n", plain(o.method), plain(o.says),
                        o.agrees ? "" : "  (differs)");
   tooltip(ui, all);

@@ -5,10 +5,17 @@
 
 namespace isect::viz {
 
-/// The verdict in a chip at the top left, and how high that is; 0: none.
+/// Much of it would be covered by what lies over it.
+inline bool is_low(const Rect& scene) { return scene.height() < 340; }
+/// What the scene leaves free at its top for the chips: in a chart as much as they take, in a low scene as much at each
+/// step, as they would cover much of it.
+float head_of(Session&, const Rect& scene);
+/// The part of that which does not change from step to step.
+float steady_head(const Session&, const Rect& scene);
+/// The verdict in a chip at the top left.
 void verdict_chip(Session&, const Rect& scene);
-float verdict_height(Session&, float scene_width);
-/// Below it, where methods that should agree do not: how many differ, and with the pointer on it what each says.
+/// Below it, or beside it in a low scene, where methods that should agree do not: how many differ, and with the pointer
+/// on it what each says.
 void alarm_chip(Session&, const Rect& scene);
 /// The directions of the axes at the bottom left.
 void tripod(Session&, const View&, const Rect& scene);

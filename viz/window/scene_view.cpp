@@ -1,7 +1,6 @@
 #include "viz/window/scene_view.h"
 
 #include <fmt/format.h>
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +10,7 @@
 #include "viz/chart.h"
 #include "viz/compose.h"
 #include "viz/motion.h"
+#include "viz/moving.h"
 #include "viz/window/key_codes.h"
 #include "viz/window/scene_lights.h"
 #include "viz/window/scene_marks.h"
@@ -23,20 +23,29 @@ constexpr float hit_area = 14;
 
 Vec2 mouse() { return {ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y}; }
 
+/// Small drawings, each with a heading.
+bool has_drawings(const Scene& scene) {
+  return std::ranges::count_if(scene.items, [](const Item& i) { return std::holds_alternative<Heading>(i); }) > 2;
+}
+
+/// Small drawings stand closer than their texts have room for, and a chart's plane gets what its texts leave, where the
+/// scene is small.
+Theme look(const Session& s, const View& view) {
+  const Theme& theme = s.ui.palette.theme;
+  const double fits = std::clamp(std::min(view.width() / 600, view.height() / 350), 0.65, 1.0);
+  const bool smaller = s.player.scene().chart || has_drawings(s.player.scene());
+  return smaller ? window_theme(theme.name, fits) : theme;
+}
+
 std::string line_of(const Session& s, const Rect& r, double scale) {
   const Camera& c = s.player.camera().now();
   const Scene* const before = s.player.scene_before();
   const double motion = before && may_move(*before, s.player.scene()) ? s.player.motion() : 1;
-  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", static_cast<int>(s.pane), s.player.revision(),
-                     motion, r.width(), r.height(), scale, name_of(s.settings.theme), c.target.x(), c.target.y(),
-                     c.target.z(), c.azimuth, c.elevation, c.half_height, c.perspective, c.field_of_view);
-}
-
-/// What a chart leaves to the chips above it, where the scene's are drawn over.
-double head_of(Session& s, double scene_width) {
-  if (!s.player.scene().chart) return 0;
-  const float verdict = verdict_height(s, static_cast<float>(scene_width));
-  return (verdict > 0 ? verdict + 28 : 12) + (s.player.methods_differ() && !s.player.asked() ? 40 : 0);
+  const std::string what = fmt::format("{} {} {} {} {} {} {}", static_cast<int>(s.pane), s.player.revision(), motion,
+                                       r.width(), r.height(), scale, name_of(s.settings.theme));
+  if (s.player.scene().chart) return what;  // wherever the camera is
+  return what + fmt::format(" {} {} {} {} {} {} {} {}", c.target.x(), c.target.y(), c.target.z(), c.azimuth,
+                            c.elevation, c.half_height, c.perspective, c.field_of_view);
 }
 
 /// The map of cases that this step shows, if any.
@@ -45,28 +54,26 @@ const Cases* map_of(const Session& s) {
   return scene.chart && s.player.lesson().map ? std::get_if<Cases>(&scene.chart->kind) : nullptr;
 }
 
-std::string refusal(const Condition* forbids) {
-  return forbids ? "That does not do; give " + forbids->allowed : std::string();
+/// So many facets turn smoothly only where their rims are drawn less so.
+bool has_many_facets(const Drawing& drawing) {
+  constexpr std::size_t many = 10'000;
+  std::size_t count = 0;
+  for (const Shape& shape : drawing.shapes)
+    if (const Facets* facets = std::get_if<Facets>(&shape)) count += facets->colours.size();
+  return count > many;
 }
-
-/// Where a handle is brought when it is to stand at a pixel: it stays in its plane where it has one.
-Vec3 brought(const View& view, const Handle& handle, const Vec2& pixel) {
-  if (handle.kind != Handle::Kind::plane) return view.on_facing_plane(pixel, handle.at);
-  return view.on_plane(pixel, handle.at, handle.direction.cross(handle.across)).value_or(handle.at);
-}
-
-bool same_handle(const Handle& a, const Handle& b) { return a.parameter == b.parameter && a.kind == b.kind; }
 
 }  // namespace
 
 void SceneView::draw(Session& s, const Rect& r, const View& view) {
   behind_ = false;
   const std::string wanted = line_of(s, r, scale_);
-  if (wanted == drawn_ || !drawing_) return;
-  const Theme& theme = s.ui.palette.theme;
-  const double head = head_of(s, view.width());
-  const View own(view.camera(), view.width(), view.height() - head, {0, head});
-  Drawing drawing{view.width(), view.height(), theme.background, {}};
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool moves = io.MouseDown[0] || io.MouseDown[1];
+  if ((wanted == drawn_ && (moves || !sketched_)) || !drawing_) return;
+  const Theme theme = look(s, view);
+  const View own(view.camera(), view.width(), view.height(), {0, r.height() - view.height()});
+  Drawing drawing{r.width(), r.height(), theme.background, {}};
   Scene scene = with_names(s.player);
   const std::clock_t begun = std::clock();  // the processor's time: that others use it, too, is no reason to stop
   if (const Scene* before = s.player.scene_before()) scene = between(*before, scene, s.player.motion());
@@ -75,7 +82,11 @@ void SceneView::draw(Session& s, const Rect& r, const View& view) {
                           : compose(scene, own, theme, s.pane != Pane::fixed);
   drawing.shapes = std::move(composed.shapes);
   labels_ = std::move(composed.labels);
-  renderer_.draw(drawing, scale_);
+  sketched_ = moves && has_many_facets(drawing);
+  if (sketched_)
+    renderer_.sketch(drawing, scale_);
+  else
+    renderer_.draw(drawing, scale_);
   const PixelBox size = pixels(drawing, scale_);
   picture_.take(renderer_.texture(), size.width, size.height);
   drawn_ = wanted;
@@ -102,19 +113,12 @@ void SceneView::drag_held(Session& s, const View& view) {
   const bool snapping = ImGui::GetIO().KeyShift;
   if (mouse() == last_ && snapping == snapping_) return;
   snapping_ = snapping;
-  const Vec3 to = brought(view, *held_, mouse() - grip_);
   s.attempt([&] {
-    std::string told;
-    if (snapping)
-      told = s.player.snap_on(way_of(s.player.lesson(), s.player.parameters(), *held_, start_, to), 0, 1.25, 1);
-    forbidden_ = told.empty() ? refusal(s.player.drag_handle(*held_, to)) : std::string();
-    if (!told.empty()) s.say(told);
+    const Moved moved = drag_to(s.player, *held_, start_, brought(view, *held_, mouse() - grip_), snapping);
+    forbidden_ = moved.refused;
+    if (!moved.told.empty()) s.say(moved.told);
   });
-  for (const Handle& h : s.player.scene().handles)
-    if (same_handle(h, *held_)) {
-      held_ = h;
-      return;
-    }
+  if (const Handle* now = same_handle(s.player.scene(), *held_)) held_ = *now;
 }
 
 void SceneView::wheel(Session& s, const View& view) {
@@ -135,39 +139,31 @@ void SceneView::keyboard(Session& s, const View& view) {
   if (ImGui::IsKeyPressed(key::up, true)) way.y() -= 1;
   if (ImGui::IsKeyPressed(key::down, true)) way.y() += 1;
   if (way == Vec2::Zero() || s.player.scene().chart || s.ui.focus.name() == "map setting") return;
-  constexpr double step = 8, search = 600;  // px
+  constexpr double step = 16;  // px
   const std::vector<Handle>& handles = s.player.scene().handles;
   const auto held =
       std::ranges::find_if(handles, [&](const Handle& h) { return "handle " + h.parameter == s.ui.focus.name(); });
   if (io.KeyShift && held != handles.end()) {
     const Handle handle = *held;
-    const auto beside = [&](double px) { return brought(view, handle, view.project(handle.at).at + px * way); };
-    s.player.remember((io.KeyCtrl ? "snap " : "nudge ") + handle.parameter);
     s.attempt([&] {
-      if (io.KeyCtrl) {
-        const Way on = way_of(s.player.lesson(), s.player.parameters(), handle, handle.at, beside(search));
-        const std::string told = s.player.snap_on(on, 1 / search, 1, 0);
-        s.say(told.empty() ? "The case does not change that way" : told);
-      } else if (const std::string why = refusal(s.player.drag_handle(handle, beside(step))); !why.empty()) {
-        s.complain(why);
-      }
+      const Moved moved = nudge(s.player, view, handle, way, io.KeyCtrl);
+      if (!moved.told.empty()) s.say(moved.told);
+      if (!moved.refused.empty()) s.complain(moved.refused);
     });
   } else if (io.KeyShift && io.KeyCtrl) {
     return;
   } else if (io.KeyShift && !s.player.lesson().flat) {
-    s.player.orbit(2 * step * way);
+    s.player.orbit(step * way);
   } else {
-    s.player.pan(view, middle, middle - 2 * step * way);
+    s.player.pan(view, middle, middle - step * way);
   }
 }
 
 void SceneView::pointer(Session& s, const View& view, bool hovered, bool active) {
   const ImGuiIO& io = ImGui::GetIO();
   if (const Cases* cases = map_of(s)) {
-    const Vec2 head(0, head_of(s, view.width()));
-    const Theme& theme = s.ui.palette.theme;
-    map_drag_.follow(s, *cases, plane_of(*cases, view.corner() + head, view.width(), view.height() - head.y(), theme),
-                     hovered);
+    const Theme theme = look(s, view);
+    map_drag_.follow(s, *cases, plane_of(*cases, view.corner(), view.width(), view.height(), theme), hovered);
     last_ = mouse();
     return;
   }
@@ -204,12 +200,13 @@ void SceneView::pointer(Session& s, const View& view, bool hovered, bool active)
 void SceneView::show(Session& s, const Rect& r) {
   Ui& ui = s.ui;
   begin_region(ui, "scene", r, ui.palette.card);
-  s.player.set_aspect(r.width() / r.height());
-  const Vec2 corner(r.left, r.top);
-  const View before(s.player.camera().now(), r.width(), r.height(), corner);
+  s.player.set_aspect(r.width() / (r.height() - steady_head(s, r)));
+  const float head = head_of(s, r);
+  const Vec2 corner(r.left, r.top + head);
+  const View before(s.player.camera().now(), r.width(), r.height() - head, corner);
 
-  const bool lead = s.pane == Pane::lead;
-  if (lead && !s.player.lesson().flat && !s.player.scene().chart) projection_name(s, r);
+  const bool lead = s.pane == Pane::lead, in_space = !s.player.scene().chart && !has_drawings(s.player.scene());
+  if (lead && in_space && !s.player.lesson().flat) projection_name(s, r);
   if (lead) changed_mark(s, r);
   ImGui::SetCursorScreenPos(top_left(r));
   ImGui::InvisibleButton("picture", {r.width(), r.height()},
@@ -218,7 +215,7 @@ void SceneView::show(Session& s, const Rect& r) {
   pointer(s, before, hovered, active);
   if (lead) keyboard(s, before);
 
-  const View view(s.player.camera().now(), r.width(), r.height(), corner);
+  const View view(s.player.camera().now(), r.width(), r.height() - head, corner);
   draw(s, r, view);
   ImGui::GetWindowDrawList()->AddImage(picture_.id(), top_left(r), bottom_right(r), {0, 1}, {1, 0});
 
@@ -240,8 +237,7 @@ void SceneView::show(Session& s, const Rect& r) {
 
   verdict_chip(s, r);
   alarm_chip(s, r);
-  const bool in_space = !s.player.scene().chart;
-  if (in_space) tripod(s, view, r);
+  if (in_space && !(s.player.lesson().flat && is_low(r))) tripod(s, view, r);
   if (lead && in_space && !s.player.lesson().flat) projection_text(s, r);
   if (lead) changed_text(s, r);
   toast(s, r);

@@ -39,6 +39,7 @@ class SceneView {
   std::vector<PlacedLabel> labels_;
   KeptPicture picture_;
   std::string drawn_;           ///< what the picture shows, as one line; drawing it again is saved
+  bool sketched_ = false;       ///< while it is dragged: it is drawn smoothly once the button is released
   std::optional<Handle> held_;  ///< while a handle is dragged: the handle as it is now
   std::string forbidden_;       ///< why it does not follow the pointer; empty: it does
   MapDrag map_drag_;            ///< while the step shows the map of cases

@@ -4,16 +4,35 @@
 #include "viz/window/panels.h"
 
 namespace isect::viz {
+namespace {
+
+std::string question_name(const Player& player, int step) {
+  std::string name = player.method() + "/" + player.walk().steps[static_cast<std::size_t>(step)].slug;
+  std::erase_if(name, [](char c) { return c >= '0' && c <= '9'; });  // one question, however often a loop asks it
+  return name;
+}
+
+}  // namespace
 
 void keep_score(Session& s) {
   const Player& player = s.player;
   Score& score = s.settings.scores[player.lesson().id];
-  if (const auto answered = player.answered()) {
-    std::string name = player.method() + "/" + player.step().slug;
-    std::erase_if(name, [](char c) { return c >= '0' && c <= '9'; });  // one question, however often a loop asks it
-    score.answers[name] = answered->right();
-  }
+  if (const auto answered = player.answered()) score.answers[question_name(player, player.index())] = answered->right();
   if (player.step().slug == closing_slug) score.finished = true;
+}
+
+std::vector<int> missed_questions(const Session& s) {
+  std::vector<int> missed;
+  const auto score = s.settings.scores.find(s.player.lesson().id);
+  if (score == s.settings.scores.end()) return missed;
+  std::set<std::string> seen;
+  for (int i = 1; i < s.player.count(); ++i) {
+    if (!s.player.walk().steps[static_cast<std::size_t>(i)].question) continue;
+    const std::string name = question_name(s.player, i);
+    const auto answer = score->second.answers.find(name);
+    if (answer != score->second.answers.end() && !answer->second && seen.insert(name).second) missed.push_back(i);
+  }
+  return missed;
 }
 
 void keep_recent(Session& s) {

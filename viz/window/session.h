@@ -53,6 +53,7 @@ struct Settings {
   ThemeName save_theme = ThemeName::print;
   bool parameters_open = false;
   double speed = 1;
+  bool nonstop = false;            ///< play passes over questions
   int width = 1280, height = 800;  ///< px of the layout, whatever the screen's density
   bool reduced_motion = false;
   bool map = false;          ///< of cases, beside the scene
@@ -71,6 +72,8 @@ Settings read_settings(const std::string& file, const std::vector<const Lesson*>
 /// What is there but can't be read as settings would be overwritten at the end: moves it to a name of its own beside
 /// it. What to say of that; empty where there was nothing to do.
 std::string set_spoilt_settings_aside(const std::string& file);
+/// As the file holds them.
+std::string text_of(const Settings&);
 /// Throws FileError.
 void write_settings(const std::string& file, const Settings&);
 
@@ -93,6 +96,11 @@ struct Session {
     float width = 0, height = 0;  ///< of the figure, in any unit
     std::string why = {};         ///< there is none
   } preview = {};
+  /// A lesson's picture in the picker, drawn between two frames, likewise.
+  struct Pictured {
+    const Lesson* lesson = nullptr;  ///< that is wanted; null: none
+    ImTextureID picture = {};        ///< nothing until it has been drawn
+  } pictured = {};
   bool save_now = false;     ///< this frame's figure shall become a file
   bool save_preset = false;  ///< the setting shall become a preset file
   bool close = false;        ///< the reader wants to leave
@@ -102,7 +110,12 @@ struct Session {
   std::vector<std::string> presets = {};  ///< files of saved presets, as the picker found them
   float fields_height = 0;                ///< of the parameters' fields, as the last frame found it
   float question_height = 120;            ///< of the question over the scene, likewise
-  double zoom = 1;                        ///< asked for by a key
+  /// What is told below the scene, as high as the fullest step of the lesson so far, so that the scene keeps its size.
+  struct Lecture {
+    const Lesson* lesson = nullptr;
+    float width = 0, height = 0;
+  } lecture = {};
+  double zoom = 1;  ///< asked for by a key
   Pane pane = Pane::lead;
   bool paired = false;                       ///< two panes: headings and counts give way to lines and values
   int parted_line = -1, parted_value = -1;   ///< where two panes part: a line, one of the step's values

@@ -112,6 +112,7 @@ Settings read_settings(const std::string& file, const std::vector<const Lesson*>
   if (format && format->write) s.save_format = format->name;
   s.parameters_open = field(json, "parameters_open", s.parameters_open);
   s.speed = std::clamp(field(json, "speed", s.speed), 0.5, 2.0);
+  s.nonstop = field(json, "nonstop", s.nonstop);
   s.width = size_field(json, "width", least_width, s.width);
   s.height = size_field(json, "height", least_height, s.height);
   s.reduced_motion = field(json, "reduced_motion", s.reduced_motion);
@@ -142,13 +143,13 @@ std::string set_spoilt_settings_aside(const std::string& file) {
                : fmt::format("{} is damaged, and the window starts afresh. It is kept as {}", file, aside);
 }
 
-void write_settings(const std::string& file, const Settings& s) {
-  if (file.empty()) return;
+std::string text_of(const Settings& s) {
   Json json = {{"theme", name_of(s.theme)},
                {"save_theme", name_of(s.save_theme)},
                {"save_format", s.save_format},
                {"parameters_open", s.parameters_open},
                {"speed", s.speed},
+               {"nonstop", s.nonstop},
                {"width", s.width},
                {"height", s.height},
                {"reduced_motion", s.reduced_motion},
@@ -159,7 +160,11 @@ void write_settings(const std::string& file, const Settings& s) {
                {"scores", json_of(s.scores)}};
   if (const auto& b = s.beside) json["beside"] = {{"lesson", b->lesson}, {"method", b->method}, {"preset", b->preset}};
   if (s.place) json["place"] = Json::parse(to_json(*s.place));
-  write_file(file, json.dump(2) + "\n");
+  return json.dump(2) + "\n";
+}
+
+void write_settings(const std::string& file, const Settings& s) {
+  if (!file.empty()) write_file(file, text_of(s));
 }
 
 }  // namespace isect::viz

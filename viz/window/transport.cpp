@@ -78,6 +78,9 @@ void buttons(Session& s, float middle, float y) {
   const Rect panes{map.right + 8, map.top, map.right + 52, map.bottom};
   if (icon_button(ui, "two panes", panes, Icon::panes, two_panes(s), true)) toggle_panes(s);
   if (ImGui::IsItemHovered()) tooltip(ui, "Method against method, or preset against preset (V)");
+  const Rect pass{panes.right + 8, panes.top, panes.right + 52, panes.bottom};
+  if (icon_button(ui, "pass questions", pass, Icon::pass, s.settings.nonstop, true)) pass_questions(s);
+  if (ImGui::IsItemHovered()) tooltip(ui, "Play passes over questions (N)");
 }
 
 void key_hints(const Ui& ui, float right, float room, float y) {
@@ -109,7 +112,7 @@ void transport(Session& s, const Rect& r) {
   else if (room > 60)
     text(ui.fonts.body, end + 24, y, packed(ui.palette.muted), fitted(ui.fonts.body, plain(title.markup), room));
   buttons(s, middle, y);
-  key_hints(ui, r.right - 24, r.right - 24 - (middle + 302), y);
+  key_hints(ui, r.right - 24, r.right - 24 - (middle + 354), y);
   ImGui::End();
 }
 

@@ -1,9 +1,9 @@
 #include "viz/window/ui_fonts.h"
 
-#include <fontconfig/fontconfig.h>
-
-#include <memory>
 #include <stdexcept>
+#include <string>
+
+#include "viz/font/file.h"
 
 namespace isect::viz {
 namespace {
@@ -31,20 +31,6 @@ ImFont* load(const std::string& pattern, double size, double scale) {
 }
 
 }  // namespace
-
-std::string font_file(const std::string& pattern) {
-  const std::unique_ptr<FcPattern, decltype(&FcPatternDestroy)> wanted(
-      FcNameParse(reinterpret_cast<const FcChar8*>(pattern.c_str())), FcPatternDestroy);
-  if (!wanted) return {};
-  FcConfigSubstitute(nullptr, wanted.get(), FcMatchPattern);
-  FcDefaultSubstitute(wanted.get());
-  FcResult result = FcResultNoMatch;
-  const std::unique_ptr<FcPattern, decltype(&FcPatternDestroy)> found(FcFontMatch(nullptr, wanted.get(), &result),
-                                                                      FcPatternDestroy);
-  FcChar8* file = nullptr;
-  if (!found || FcPatternGetString(found.get(), FC_FILE, 0, &file) != FcResultMatch) return {};
-  return reinterpret_cast<const char*>(file);
-}
 
 UiFonts load_fonts(double scale) {
   return {.body = load("DejaVu Sans", 15, scale),

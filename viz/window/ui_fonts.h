@@ -3,8 +3,6 @@
 
 #include <imgui.h>
 
-#include <string>
-
 namespace isect::viz {
 
 struct UiFonts {
@@ -14,8 +12,5 @@ struct UiFonts {
 /// Fills the atlas of the current Dear ImGui context; `scale`: framebuffer pixels per px. Throws
 /// std::runtime_error where no font file is found.
 UiFonts load_fonts(double scale);
-
-/// The file that fontconfig finds for a pattern such as "DejaVu Sans:bold"; empty if there is none.
-std::string font_file(const std::string& pattern);
 
 }  // namespace isect::viz

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "viz/names.h"
+#include "viz/utf8.h"
 
 namespace isect::viz {
 namespace {
@@ -45,6 +46,13 @@ void draw_icon(Icon icon, float x, float y, ImU32 colour) {
     case Icon::panes:
       list().AddRect({x - 10, y - 8}, {x - 1, y + 8}, colour, 2, 0, 1.5f);
       return list().AddRect({x + 1, y - 8}, {x + 10, y + 8}, colour, 2, 0, 1.5f);
+    case Icon::pass:  // a question mark, and an arrow over it
+      list().AddBezierCubic({x - 11, y + 1}, {x - 8, y - 11}, {x + 4, y - 11}, {x + 8, y - 3}, colour, 1.5f);
+      list().AddTriangleFilled({x + 10.5f, y + 1}, {x + 4.5f, y - 1.5f}, {x + 10.5f, y - 5}, colour);
+      list().PathArcTo({x - 2, y + 1}, 3, -2.8f, 1.2f, 12);
+      list().PathLineTo({x - 2, y + 6});
+      list().PathStroke(colour, 0, 1.5f);
+      return list().AddCircleFilled({x - 2, y + 9}, 1.2f, colour, 8);
     case Icon::last:
       stop_bar(x + 7, y, colour);
       return triangle(x - 1.5f, y, 1, 13, colour);
@@ -73,7 +81,7 @@ std::string fitted(ImFont* font, const std::string& s, float room) {
   if (text_width(font, s) <= room) return s;
   std::string part = s;
   do {
-    while (!part.empty() && (static_cast<unsigned char>(part.back()) & 0xC0) == 0x80) part.pop_back();  // of one sign
+    while (!part.empty() && continues_character(part.back())) part.pop_back();  // of one sign
     if (!part.empty()) part.pop_back();
   } while (!part.empty() && (part.back() == ' ' || text_width(font, part + "…") > room));
   return part + "…";

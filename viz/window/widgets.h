@@ -33,7 +33,7 @@ struct Ui {
   Rect ring = {};                    ///< around what the keyboard holds, as far as it is to be seen; empty: nothing
 };
 
-enum class Icon { first, back, play, pause, next, last, map, panes };
+enum class Icon { first, back, play, pause, next, last, map, panes, pass };
 
 inline ImVec2 top_left(const Rect& r) { return {r.left, r.top}; }
 inline ImVec2 bottom_right(const Rect& r) { return {r.right, r.bottom}; }
@@ -73,6 +73,16 @@ struct Press {
 Press press(Ui&, const std::string& name, const Rect&);
 /// A window that fills `r`, not moved, not decorated; `above`: over the others. End it with ImGui::End().
 void begin_region(Ui&, const char* name, const Rect& r, const Colour& background, bool above = false);
+/// A part of a region that scrolls by itself; `inside` draws it.
+template <class Inside>
+void scrolling(const char* name, const Rect& r, Inside&& inside) {
+  ImGui::SetCursorScreenPos(top_left(r));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{0, 0});
+  ImGui::BeginChild(name, {r.width(), r.height()}, false, 0);
+  ImGui::PopStyleVar();
+  inside();
+  ImGui::EndChild();
+}
 void tooltip(const Ui&, const std::string&);
 
 void filled(const Rect&, const Colour&, float rounding = 6);

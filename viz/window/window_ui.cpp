@@ -18,6 +18,7 @@
 #include "viz/rich_text.h"
 #include "viz/window/kept_picture.h"
 #include "viz/window/key_codes.h"
+#include "viz/window/lesson_picture.h"
 #include "viz/window/map_view.h"
 #include "viz/window/panels.h"
 #include "viz/window/save_figure.h"
@@ -85,6 +86,7 @@ struct WindowUi::Impl {
         panes(gl, options.scale, options.draw_scene) {
     keep_memory();
     player.set_speed(kept.speed);
+    player.stop_at_questions(!kept.nonstop);
     if (at.beside) settings.beside = beside_of(at);
   }
 
@@ -108,6 +110,19 @@ struct WindowUi::Impl {
     if (made.width == 0) return;
     preview.take(renderer.texture(), made.width, made.height);
     session.preview.picture = preview.id();
+  }
+
+  /// The first preset's outcome, once a lesson and theme.
+  void draw_pictured() {
+    const Lesson* const lesson = session.pictured.lesson;
+    session.pictured.picture = {};
+    if (!lesson || !drawing) return;
+    KeptPicture& kept = pictured[{lesson, settings.theme}];
+    if (!kept.id()) {
+      const PixelBox made = draw_lesson(*lesson, window_theme(settings.theme), renderer, density * size);
+      kept.take(renderer.texture(), made.width, made.height);
+    }
+    session.pictured.picture = kept.id();
   }
 
   void keep_setting() {
@@ -135,6 +150,7 @@ struct WindowUi::Impl {
     scene.rescale(scale);
     map.rescale(scale);
     panes.rescale(scale);
+    pictured.clear();
     io.DisplaySize = {io.DisplaySize.x * by, io.DisplaySize.y * by};
     io.DisplayFramebufferScale = {scale, scale};
     if (io.MousePos.x > -1e6f) io.MousePos = {io.MousePos.x * by, io.MousePos.y * by};
@@ -145,6 +161,15 @@ struct WindowUi::Impl {
     if (names_of_revision == player.revision() && !ui.names.empty()) return;
     names_of_revision = player.revision();
     ui.names = names_of(player.lesson(), player.walk());
+  }
+
+  WindowLayout layout() {
+    const ImVec2& whole = ImGui::GetIO().DisplaySize;
+    const WindowLayout at = window_layout(whole.x, whole.y);
+    if (session.panels) return at;
+    const float room = at.transport.top - at.top.bottom;
+    return window_layout_without_panels(whole.x, whole.y,
+                                        two_panes(session) ? 0 : lecture_height(session, whole.x, room));
   }
 
   /// All between the two bars.
@@ -164,7 +189,10 @@ struct WindowUi::Impl {
     } else {
       scene.show(session, at.scene);
     }
-    if (!session.panels) return question_over_scene(session, at.scene);
+    if (!session.panels) {
+      lecture(session, at.lesson);
+      return question_over_scene(session, at.scene, at.lesson);
+    }
     lesson_panel(session, at.lesson);
     code_panel(session, at.code);
   }
@@ -185,6 +213,7 @@ struct WindowUi::Impl {
   SecondPane panes;
   KeptPicture preview;
   std::string previewed;  ///< what it shows; empty: nothing
+  std::map<std::pair<const Lesson*, ThemeName>, KeptPicture> pictured;
 };
 
 WindowUi::WindowUi(const std::vector<const Lesson*>& lessons, const Place& at, Renderer& renderer,
@@ -207,6 +236,7 @@ void WindowUi::frame() {
   if (std::exchange(w.session.save_now, false)) w.save();
   if (std::exchange(w.session.save_preset, false)) w.keep_setting();
   w.draw_preview();
+  w.draw_pictured();
 
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
@@ -215,7 +245,7 @@ void WindowUi::frame() {
   ImGui::PushFont(w.ui.fonts.body);
   keys(w.session);
   w.learn_names();
-  const WindowLayout at = window_layout(io.DisplaySize.x, io.DisplaySize.y, w.session.panels);
+  const WindowLayout at = w.layout();
   w.show_step(at);
   top_bar(w.session, at.top);
   transport(w.session, at.transport);

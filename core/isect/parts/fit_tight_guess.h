@@ -235,7 +235,7 @@ inline Eigen::Matrix3d tight_axes(const std::vector<Point<double, 3>>& q) {
     found.push_back({volume_along<3>(axes, hull.vertices), axes});
   }
   const auto smaller = [](const auto& a, const auto& b) { return a.first < b.first; };
-  std::sort(found.begin(), found.end(), smaller);
+  std::stable_sort(found.begin(), found.end(), smaller);
   if (found.size() > 16) found.resize(16);
   for (auto& [volume, axes] : found) {
     axes = descended(polished(descended(axes, hull.vertices), hull.vertices), hull.vertices);

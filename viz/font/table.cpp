@@ -1,4 +1,4 @@
-#include "viz/font_table.h"
+#include "viz/font/table.h"
 
 #include <algorithm>
 #include <array>
@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "viz/rich_text.h"
+#include "viz/utf8.h"
 
 namespace isect::viz {
 namespace {
@@ -17,13 +18,14 @@ struct GlyphBox {
   char32_t code;
   short advance, left, bottom, right, top;
 };
-/// Two neighbours that stand nearer together, or farther apart.
+/// A character and those that stand nearer to it, or farther from it, where they follow.
 struct Kern {
-  char32_t first, second;
+  char32_t first;
   short by;
+  std::u32string_view seconds;
 };
 
-#include "viz/font_table.inc"
+#include "viz/font/table.inc"
 
 /// What the table calls letters that are one glyph: "ff", "fi", "fl", "ffi", "ffl".
 constexpr std::array<std::pair<std::u32string_view, char32_t>, 5> ligatures = {
@@ -39,11 +41,11 @@ struct FaceTable {
     return at != glyphs.end() && at->code == code ? &*at : nullptr;
   }
   double kern(char32_t first, char32_t second) const {
-    const auto before = [](const Kern& k, const std::pair<char32_t, char32_t>& wanted) {
-      return std::pair(k.first, k.second) < wanted;
-    };
-    const auto at = std::lower_bound(kerns.begin(), kerns.end(), std::pair(first, second), before);
-    return at != kerns.end() && at->first == first && at->second == second ? at->by : 0;
+    auto k = std::lower_bound(kerns.begin(), kerns.end(), first,
+                              [](const Kern& kern, char32_t wanted) { return kern.first < wanted; });
+    for (; k != kerns.end() && k->first == first; ++k)
+      if (k->seconds.find(second) != k->seconds.npos) return k->by;
+    return 0;
   }
 };
 
@@ -54,22 +56,9 @@ FaceTable face(bool italic, bool bold) {
   return {upright_glyphs, upright_kerns};
 }
 
-std::u32string characters(std::string_view utf8) {
-  std::u32string all;
-  for (std::size_t i = 0; i < utf8.size();) {
-    const auto byte = [&](std::size_t k) { return i + k < utf8.size() ? static_cast<unsigned char>(utf8[i + k]) : 0u; };
-    const std::size_t length = byte(0) < 0x80 ? 1 : byte(0) < 0xE0 ? 2 : byte(0) < 0xF0 ? 3 : 4;
-    char32_t code = length == 1 ? byte(0) : byte(0) & (0x7Fu >> length);
-    for (std::size_t k = 1; k < length; ++k) code = code << 6 | (byte(k) & 0x3Fu);
-    all += code;
-    i += length;
-  }
-  return all;
-}
-
 /// The codes of a run's glyphs: a ligature is one.
 std::u32string glyphs_of(const Run& run, const FaceTable& font) {
-  const std::u32string all = characters(run.text);
+  const std::u32string all = code_points(run.text);
   std::u32string codes;
   for (std::size_t i = 0; i < all.size();) {
     const auto joined = std::ranges::find_if(ligatures, [&](const auto& l) {

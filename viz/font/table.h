@@ -1,5 +1,5 @@
 #pragma once
-// The measures of the figures' font as a table, for where there is no Pango: in a browser. viz/make_font_table.cpp
+// The measures of the figures' font as a table, for where there is no Pango: in a browser. viz/font/make_table.cpp
 // writes it from the installed font; a test holds it to what Pango measures.
 
 #include "viz/drawing.h"

@@ -1,12 +1,12 @@
-#include "viz/font_subset.h"
+#include "viz/font/subset.h"
 
-#include <fontconfig/fontconfig.h>
 #include <glib.h>
 #include <hb-ot.h>
 #include <hb-subset.h>
 
 #include <memory>
 
+#include "viz/font/file.h"
 #include "viz/text.h"
 
 namespace isect::viz {
@@ -24,19 +24,10 @@ using Owned = std::unique_ptr<T, Destroy<destroy>>;
 using Blob = Owned<hb_blob_t, hb_blob_destroy>;
 using FontFace = Owned<hb_face_t, hb_face_destroy>;
 
-/// Where fontconfig has it.
-std::string file_of(const std::string& family, Face face) {
-  const Owned<FcPattern, FcPatternDestroy> wanted(FcPatternCreate());
-  FcPatternAddString(wanted.get(), FC_FAMILY, reinterpret_cast<const FcChar8*>(family.c_str()));
-  FcPatternAddInteger(wanted.get(), FC_SLANT, face == Face::italic ? FC_SLANT_ITALIC : FC_SLANT_ROMAN);
-  FcPatternAddInteger(wanted.get(), FC_WEIGHT, face == Face::bold ? FC_WEIGHT_BOLD : FC_WEIGHT_REGULAR);
-  FcConfigSubstitute(nullptr, wanted.get(), FcMatchPattern);
-  FcDefaultSubstitute(wanted.get());
-  FcResult result = FcResultNoMatch;
-  const Owned<FcPattern, FcPatternDestroy> match(FcFontMatch(nullptr, wanted.get(), &result));
-  FcChar8* file = nullptr;
-  if (!match || FcPatternGetString(match.get(), FC_FILE, 0, &file) != FcResultMatch) return {};
-  return reinterpret_cast<const char*>(file);
+/// As fontconfig calls it.
+std::string pattern_of(Face face) {
+  const std::string style = face == Face::italic ? ":italic" : face == Face::bold ? ":bold" : "";
+  return std::string(reserved) + style;
 }
 
 std::string name_in(hb_face_t* face, hb_ot_name_id_t id) {
@@ -57,7 +48,7 @@ void add_letters(hb_set_t* to, const std::string& utf8) {
 std::optional<FontSubset> font_subset(Face face, const std::string& letters) {
   if (fonts().figure != reserved || !g_utf8_validate(letters.data(), static_cast<gssize>(letters.size()), nullptr))
     return {};
-  const Blob file(hb_blob_create_from_file_or_fail(file_of(fonts().figure, face).c_str()));
+  const Blob file(hb_blob_create_from_file_or_fail(font_file(pattern_of(face)).c_str()));
   if (!file) return {};
   const FontFace whole(hb_face_create(file.get(), 0));
   const Owned<hb_subset_input_t, hb_subset_input_destroy> input(hb_subset_input_create_or_fail());

@@ -1,4 +1,4 @@
-#include "app/geometry.h"
+#include "viz/geometry.h"
 
 #include <fmt/format.h>
 
@@ -8,10 +8,9 @@
 
 #include "viz/rich_text.h"
 
-namespace isect::program {
+namespace isect::viz {
 namespace {
 
-using namespace viz;
 using Points = std::vector<Vec3>;
 
 /// Of more of them nobody computes along.
@@ -26,19 +25,19 @@ std::string number(double x) {
   return text;
 }
 
-struct Extent {
+struct Limits {
   Vec3 lo, hi;
   bool holds(const Vec3& p) const { return (p.array() >= lo.array()).all() && (p.array() <= hi.array()).all(); }
 };
-Extent extent_of(const Points& points) {
-  Extent e = {points.front(), points.front()};
+Limits limits_of(const Points& points) {
+  Limits e = {points.front(), points.front()};
   for (const Vec3& p : points) e.lo = e.lo.cwiseMin(p), e.hi = e.hi.cwiseMax(p);
   return e;
 }
 
 /// The corners of a box with sides along the axes, each once.
 bool is_box(const Points& points) {
-  const Extent e = extent_of(points);
+  const Limits e = limits_of(points);
   const auto at_a_corner = [&](const Vec3& p) {
     return ((p.array() == e.lo.array()) || (p.array() == e.hi.array())).all();
   };
@@ -69,8 +68,10 @@ class Teller {
     if (is_object(it.role, it.pen) || it.role == Role::text) round("circle", it.center, it.radius, it.role);
   }
   void operator()(const Region& it) {
-    if (it.outlined && is_object(it.role, it.pen))
-      for (const Points& ring : it.rings) corners("polygon", ring, it.role);
+    const bool body = it.hides && is_body(it.role);  // a floor has the colour of a grid, and its name is muted
+    const Role role = body && it.role == Role::grid ? Role::muted : it.role;
+    if (it.outlined && (body || is_object(it.role, it.pen)))
+      for (const Points& ring : it.rings) corners("polygon", ring, role);
   }
   void operator()(const Solid& it) {
     if (is_body(it.role)) corners("solid", it.vertices, it.role);
@@ -80,7 +81,7 @@ class Teller {
   }
   void operator()(const Line& it) {
     if (is_object(it.role, it.pen) && !(is_parameter(it.from) && is_parameter(it.to)) && !is_measured(it))
-      say("segment", name_within(extent_of({it.from, it.to}), it.role), place(it.from) + " to " + place(it.to));
+      say("segment", name_within(limits_of({it.from, it.to}), it.role), place(it.from) + " to " + place(it.to));
   }
   void operator()(const Dot& it) {
     if (flat_ && it.role == Role::text && name_at(it.at).empty()) points_.push_back(it.at);
@@ -134,7 +135,7 @@ class Teller {
   static bool names_an_object(const std::string& markup) { return !markup.starts_with("**"); }
   /// The label at its middle. Else the one label of its own role that stands within it and names no point of it, or the
   /// one heading of its role: that of a first or second object may stand beside it.
-  std::string name_within(const Extent& e, Role role, bool is_round = false) const {
+  std::string name_within(const Limits& e, Role role, bool is_round = false) const {
     if (const std::string centre = name_at((e.lo + e.hi) / 2); !centre.empty()) return centre;
     std::set<std::string> names;
     for (const Item& item : scene_.items) {
@@ -164,7 +165,7 @@ class Teller {
   }
   void corners(const std::string& kind, const Points& points, Role role) {
     if (points.empty()) return;
-    const Extent e = extent_of(points);
+    const Limits e = limits_of(points);
     const bool within = points.size() > most_vertices;
     if (e.lo == e.hi || (within && kind == "polygon")) return;  // nothing, or a curve
     const std::string name = name_within(e, role), ends = place(e.lo) + " to " + place(e.hi);
@@ -188,4 +189,4 @@ std::vector<std::string> geometry(const Scene& scene, const Parameters& paramete
   return Teller(scene, parameters, flat).take();
 }
 
-}  // namespace isect::program
+}  // namespace isect::viz

@@ -6,10 +6,10 @@
 
 #include "viz/lesson.h"
 
-namespace isect::program {
+namespace isect::viz {
 
 /// What is drawn of the objects themselves, but for what the parameters tell: "box: (-2, -1.25) to (2, 1.25)". Many
 /// are counted only.
-std::vector<std::string> geometry(const viz::Scene&, const viz::Parameters&, bool flat);
+std::vector<std::string> geometry(const Scene&, const Parameters&, bool flat);
 
-}  // namespace isect::program
+}  // namespace isect::viz

@@ -1,13 +1,13 @@
-// make_font_table >viz/font_table.inc: the measures of the figures' font, for viz/font_table.h.
+// make_font_table >viz/font/table.inc: the measures of the figures' font, for viz/font/table.h.
 
 #include <fmt/format.h>
-#include <fontconfig/fontconfig.h>
 #include <hb-ot.h>
 
-#include <cstdlib>
+#include <map>
 #include <string>
 #include <vector>
 
+#include "viz/font/file.h"
 #include "viz/text.h"
 
 namespace {
@@ -31,18 +31,9 @@ bool is_lent(unsigned code) {
   return false;
 }
 
-hb_font_t* font_of(int slant, int weight) {
-  FcPattern* const pattern = FcPatternCreate();
-  FcPatternAddString(pattern, FC_FAMILY, reinterpret_cast<const FcChar8*>("STIXGeneral"));
-  FcPatternAddInteger(pattern, FC_SLANT, slant);
-  FcPatternAddInteger(pattern, FC_WEIGHT, weight);
-  FcConfigSubstitute(nullptr, pattern, FcMatchPattern);
-  FcDefaultSubstitute(pattern);
-  FcResult result = FcResultNoMatch;
-  FcPattern* const match = FcFontMatch(nullptr, pattern, &result);
-  FcChar8* file = nullptr;
-  if (!match || FcPatternGetString(match, FC_FILE, 0, &file) != FcResultMatch) std::exit(1);
-  hb_face_t* const face = hb_face_create(hb_blob_create_from_file(reinterpret_cast<const char*>(file)), 0);
+hb_font_t* font_of(const std::string& style) {
+  const std::string file = isect::viz::font_file("STIXGeneral" + style);
+  hb_face_t* const face = hb_face_create(hb_blob_create_from_file(file.c_str()), 0);
   hb_font_t* const font = hb_font_create(face);
   hb_font_set_scale(font, 1000, 1000);
   return font;
@@ -76,6 +67,13 @@ std::string measured(unsigned code) {
                      ink.right, -ink.top);
 }
 
+/// Inside a literal between such quotes.
+std::string letter(unsigned code, char quote) {
+  if (code >= 0x7F) return fmt::format("\\u{:04x}", code);
+  const char c = static_cast<char>(code);
+  return c == quote || c == '\\' ? std::string("\\") + c : std::string(1, c);
+}
+
 void write(const char* name, hb_font_t* font) {
   std::string line = fmt::format("constexpr GlyphBox {}_glyphs[] = {{", name);
   const auto add = [&](const std::string& entry) {
@@ -102,9 +100,12 @@ void write(const char* name, hb_font_t* font) {
       hb_codepoint_t glyph = 0;
       if (hb_font_get_nominal_glyph(font, code, &glyph)) all.emplace_back(code, advance(font, code, 0));
     }
-  for (const auto& [a, width_a] : all)
+  for (const auto& [a, width_a] : all) {
+    std::map<int, std::string> seconds;
     for (const auto& [b, width_b] : all)
-      if (const int by = advance(font, a, b) - width_a - width_b) add(fmt::format("{{{:#x}, {:#x}, {}}},", a, b, by));
+      if (const int by = advance(font, a, b) - width_a - width_b) seconds[by] += letter(b, '"');
+    for (const auto& [by, letters] : seconds) add(fmt::format("{{U'{}', {}, U\"{}\"}},", letter(a, '\''), by, letters));
+  }
   fmt::print("{}}};\n", line);
 }
 
@@ -112,11 +113,12 @@ void write(const char* name, hb_font_t* font) {
 
 int main() {
   fmt::print(
-      "// Written by make_font_table from STIXGeneral, {{code, advance, left, bottom, right, top}}.\n// clang-format "
+      "// Written by make_font_table from STIXGeneral, {{code, advance, left, bottom, right, top}} and\n// {{first, "
+      "by, seconds}}.\n// clang-format "
       "off\n");
-  write("upright", font_of(FC_SLANT_ROMAN, FC_WEIGHT_REGULAR));
-  write("italic", font_of(FC_SLANT_ITALIC, FC_WEIGHT_REGULAR));
-  write("bold", font_of(FC_SLANT_ROMAN, FC_WEIGHT_BOLD));
-  write("bold_italic", font_of(FC_SLANT_ITALIC, FC_WEIGHT_BOLD));
+  write("upright", font_of(""));
+  write("italic", font_of(":italic"));
+  write("bold", font_of(":bold"));
+  write("bold_italic", font_of(":bold:italic"));
   fmt::print("// clang-format on\n");
 }

@@ -1,0 +1,365 @@
+"use strict";
+// What a page does once the lessons' own code runs beside it: each walk can be changed, and what is shown is computed anew.
+// `book`: what book.js has to offer. All state but what is on the screen is the session's, behind book.request.
+function isect_live(book) {
+  const root = document.documentElement;
+  const scene_drag = 4;  // px before a press on the scene turns it
+  function element(tag, attributes = {}, ...children) {
+    const made = tag === "svg" || tag === "g" || tag === "circle"
+        ? document.createElementNS("http://www.w3.org/2000/svg", tag) : document.createElement(tag);
+    for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
+    made.append(...children);
+    return made;
+  }
+  function pressed(name, action) {
+    const made = element("button", { type: "button" }, name);
+    made.addEventListener("click", action);
+    return made;
+  }
+  const html = (made, text) => { if (made.told !== text) made.innerHTML = made.told = text; };
+
+  // The parts of the section, in reading order.
+  const heading = element("h2"), given = element("div", { class: "given-holder" });
+  const algorithm = element("div", { class: "algorithm-holder" }), opinions = element("div", { class: "opinions-holder" });
+  const above = element("div", { class: "above" }), below = element("div", { class: "below" });
+  const lights = element("g", { class: "lights" }), grips = element("g");
+  const over = element("svg", { class: "over" }, lights, grips);
+  const holder = element("div", { class: "holder" });
+  const stage = element("figure", { class: "stage" }, holder);
+  const map_over = element("svg", { class: "over", tabindex: "0", role: "application",
+    "aria-label": "Map of cases; the arrow keys move the setting" });
+  const map_holder = element("div", { class: "holder" }), map_told = element("figcaption");
+  const map = element("figure", { class: "map", hidden: "" }, map_holder, map_told);
+  const message = element("p", { class: "message", role: "status" });
+  const wants_map = pressed("Map of cases", () => look({ map: wants_map.getAttribute("aria-pressed") !== "true" }));
+  const undo = pressed("Undo", () => act({ do: "undo" })), redo = pressed("Redo", () => act({ do: "redo" }));
+  const frame_all = pressed("Whole scene", () => act({ do: "frame all" }));
+  const form = element("form"), saved = element("textarea", { readonly: "", "aria-label": "Text to copy", hidden: "" });
+  const values = element("details", { class: "changes" }, element("summary", {}, "Change the values"), form);
+  const share = element("details", { class: "share" }, element("summary", {}, "Save or share"));
+  const tools = element("div", { class: "tools", role: "group", "aria-label": "Tools" }, wants_map, undo, redo, frame_all);
+  const pictures = element("div", { class: "pictures" }, stage, map, message);
+  const article = element("article", { class: "step shown" }, above, pictures, below,
+    element("div", { class: "workshop" }, tools, values, share));
+  const section = element("section", { class: "walk live shown", id: "live" }, heading, given, algorithm,
+    element("div", { class: "steps" }, article), opinions);
+
+  const lesson = document.body.dataset.lesson;
+  let now = null;            // the last frame
+  const live = { count: 0, at: 0, article, go: at => act({ do: "go", at }), load, from_address, begin };
+
+  // Asking the session, and showing what it answers.
+  function act(request, address = "replace") {
+    const reply = book.request(request);
+    if (reply.wrong) { message.textContent = reply.wrong; return null; }
+    if (reply.picture !== undefined) show(reply, address);
+    return reply;
+  }
+  function load(preset) { act({ do: "load", preset }, "push"); }
+  function look(wanted) { act({ do: "look", ...wanted }, "keep"); }
+
+  function show(frame, address) {
+    const fresh = !now || now.step !== frame.step || now.asks !== frame.asks;
+    now = frame;
+    live.at = frame.at, live.count = frame.count;
+    const place = frame.place, changed = place.preset === "";
+    section.classList.toggle("changed", changed);
+    article.classList.toggle("ask", frame.asks), article.classList.toggle("step", !frame.asks);
+    if (fresh) article.classList.remove("told");
+    html(heading, place["preset title"] + (changed ? ", changed" : "") +
+      (place.method && place.method !== place["preset title"] ? ` <small>${place.method}</small>` : ""));
+    draw(frame);
+    html(given, frame.given), html(opinions, frame.opinions), html(above, frame.above);
+    if (frame.algorithm !== undefined) html(algorithm, frame.algorithm);
+    if (below.told !== frame.below || fresh) {
+      html(below, frame.below);
+      if (frame.asks) article.classList.remove("told"), book.prepare(article);
+    }
+    book.light_code(section, frame);
+    if (frame.solved) mark_solved(frame.solved);
+    show_values(frame.values);
+    message.textContent = frame.told || frame.refuses || "";
+    book.mark_link(changed ? "" : place.origin);
+    book.show_controls(frame.asks ? below.querySelector("h3").textContent
+        : `Step ${frame.step + 1} of ${frame.steps}: ${book.title_of(above)}`);
+    if (!changed) book.follow(place.preset, frame.at);
+    keep_address(address);
+    if (book.playing() && (frame.at === frame.count - 1 || frame.asks)) book.stop();
+  }
+  function draw(frame) {
+    const box = `0 0 ${frame.width} ${frame.height}`;
+    holder.innerHTML = frame.picture;
+    over.setAttribute("viewBox", box);
+    holder.append(over);
+    stage.style.setProperty("--least", frame.width > 330 ? `${Math.round(frame.width)}px` : "0");
+    lights.replaceChildren();
+    show_grips(frame.handles);
+    const beside = frame.map && !frame.map.own;
+    map.hidden = !beside;
+    stage.classList.toggle("is-map", Boolean(frame.map && frame.map.own));
+    if (!beside) return;
+    map_holder.innerHTML = frame.map.svg;
+    map_over.setAttribute("viewBox", `0 0 ${frame.map.width} ${frame.map.height}`);
+    map_holder.append(map_over);
+    html(map_told, frame.map.here);
+  }
+
+  // Handles: what can be dragged, also by keys.
+  function show_grips(handles) {
+    const known = new Map([...grips.children].map(grip => [grip.dataset.handle, grip]));
+    const unit = now.width / (holder.clientWidth || now.width);  // of the picture, a px
+    handles.forEach(handle => {
+      let grip = known.get(handle.name);
+      known.delete(handle.name);
+      if (!grip) {
+        grip = element("g", { class: "grip", tabindex: "0", role: "button", "aria-roledescription": "handle",
+          "data-handle": handle.name }, element("circle", { class: "reach" }), element("circle", { class: "ring" }));
+        grips.append(grip);
+      }
+      grip.setAttribute("transform", `translate(${handle.x} ${handle.y})`);
+      grip.setAttribute("aria-label", handle.label);
+      grip.dataset.role = handle.role;
+      grip.firstChild.setAttribute("r", 18 * unit), grip.lastChild.setAttribute("r", 6 * unit);
+    });
+    known.forEach(grip => grip.remove());
+  }
+  const place_in = (svg, event) => {
+    const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
+    return { x: at.x, y: at.y };
+  };
+  /// Follows a pointer that was pressed, at most once a frame: `step` gets the last event, `end` ends it.
+  function follow(target, event, step, end) {
+    let last = null, asked = 0;
+    const run = () => { asked = 0; if (last) step(last); last = null; };
+    const move = moved => { last = moved; asked ||= requestAnimationFrame(run); };
+    const stop = () => {
+      if (asked) cancelAnimationFrame(asked), run();
+      target.removeEventListener("pointermove", move);
+      ["pointerup", "pointercancel"].forEach(name => target.removeEventListener(name, stop));
+      end();
+    };
+    target.setPointerCapture(event.pointerId);
+    target.addEventListener("pointermove", move);
+    ["pointerup", "pointercancel"].forEach(name => target.addEventListener(name, stop));
+  }
+  const drag = svg => event => act({ do: "drag", ...place_in(svg, event), snap: event.shiftKey }, "keep");
+  const drop = () => act({ do: "drop" }, "push");
+  stage.addEventListener("pointerdown", event => {
+    if (event.button !== 0) return;
+    const grip = event.target.closest(".grip"), at = place_in(over, event);
+    if (grip || stage.classList.contains("is-map")) {
+      if (grip) grip.focus({ preventScroll: true });
+      event.preventDefault();
+      act({ do: "take", ...(grip ? { handle: grip.dataset.handle } : {}), ...at }, "keep");
+      follow(stage, event, drag(over), drop);
+    } else if (event.pointerType === "mouse" && event.target.closest(".holder")) {
+      let from = null;
+      follow(stage, event, moved => {
+        if (!from && Math.hypot(moved.clientX - event.clientX, moved.clientY - event.clientY) < scene_drag) return;
+        const to = place_in(over, moved);
+        if (from) act({ do: "turn", x: to.x - from.x, y: to.y - from.y }, "keep");
+        from = to;
+      }, () => from && act({ do: "drop" }, "replace"));
+    }
+  });
+  stage.addEventListener("dblclick", event => event.target.closest(".grip") || act({ do: "frame all" }));
+  map.addEventListener("pointerdown", event => {
+    if (event.button !== 0 || !event.target.closest(".holder")) return;
+    event.preventDefault(), map_over.focus({ preventScroll: true });
+    act({ do: "take", ...place_in(map_over, event) }, "keep");
+    follow(map, event, drag(map_over), drop);
+  });
+  const ways = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+  let pushed = 0;
+  section.addEventListener("keydown", event => {
+    if (event.ctrlKey && !event.altKey && (event.key === "z" || event.key === "y") && !event.target.matches("input")) {
+      event.preventDefault();
+      return void act({ do: event.key === "z" ? "undo" : "redo" }, "push");
+    }
+    const way = ways[event.key], grip = event.target.closest(".grip");
+    if (!way || event.ctrlKey || event.altKey || event.metaKey || !(grip || event.target === map_over)) return;
+    event.preventDefault(), event.stopPropagation();
+    act({ do: "push", ...(grip ? { handle: grip.dataset.handle } : {}), x: way[0], y: way[1], snap: event.shiftKey }, "keep");
+    clearTimeout(pushed), pushed = setTimeout(() => rest(message.textContent), 400);
+  });
+  /// What was moved by keys is drawn as it is to stay, once they rest.
+  function rest(told) { act({ do: "drop" }, "push"), message.textContent = told; }
+
+  // One name, one light.
+  let lit = "";
+  function light(request) {
+    const reply = request ? book.request(request) : { names: [], marks: "", sum: "" };
+    const names = reply.names ?? [];
+    if (names.join() === lit) return;
+    lit = names.join();
+    lights.innerHTML = reply.marks;
+    section.querySelectorAll("[data-name]").forEach(e => e.classList.toggle("lit", names.includes(e.dataset.name)));
+    message.textContent = reply.sum;
+  }
+  let pointed = 0;
+  stage.addEventListener("pointermove", event => {
+    if (event.buttons || event.pointerType !== "mouse" || pointed || !now) return;
+    const grip = event.target.closest(".grip"), at = place_in(over, event);
+    pointed = requestAnimationFrame(() => {
+      pointed = 0;
+      light(grip ? { do: "light", handle: grip.dataset.handle } : { do: "point", ...at });
+    });
+  });
+  stage.addEventListener("pointerleave", () => light(null));
+  section.addEventListener("pointerover", event => {
+    const name = event.target.closest("[data-name]");
+    if (name) light({ do: "light", names: [name.dataset.name] });
+    else if (!stage.contains(event.target) && lit) light(null);
+  });
+  grips.addEventListener("focusin", event => light({ do: "light", handle: event.target.closest(".grip").dataset.handle }));
+
+  // The values, typed.
+  function make_form(parameters) {
+    form.replaceChildren(...parameters.map(p => {
+      const id = "value-" + p.name, label = element("label", { for: id });
+      label.innerHTML = p.label;
+      const field = p.kind === "choice" ? element("select", { id }, ...p.choices.map(c => element("option", {}, c)))
+          : element("input", { id, type: "text", autocomplete: "off", spellcheck: "false" });
+      field.title = p.help, field.name = p.name;
+      field.addEventListener("change", () => set(p.name, field.value, field));
+      const row = element("div", { class: "value" }, label, field);
+      if (p.kind === "number") {
+        const slide = element("input", { type: "range", min: p.from, max: p.to, step: "any", "data-slides": p.name });
+        slide.setAttribute("aria-label", label.textContent);
+        slide.addEventListener("input", () => set(p.name, slide.value, field, "keep"));
+        slide.addEventListener("change", () => set(p.name, slide.value, field));
+        row.append(slide);
+      }
+      row.append(element("p", { class: "help" }, p.help));
+      return row;
+    }));
+    form.addEventListener("submit", event => event.preventDefault());
+  }
+  function set(name, text, field, address = "push") {
+    const done = act({ do: "set", name, text }, address);
+    if (done && field.type === "text") field.value = now.values[name];
+    field.setAttribute("aria-invalid", String(!done));
+    const help = field.parentElement.querySelector(".help");
+    help.classList.toggle("refused", !done);
+    help.textContent = done ? field.title : message.textContent;
+  }
+  function show_values(all) {
+    for (const field of form.elements) {
+      const name = field.name || field.dataset.slides;
+      field.parentElement.hidden = !(name in all) && field.matches("select") === false && !field.name;
+      if (name in all && field !== document.activeElement) field.value = all[name];
+      else if (name in all && field.matches("[type=text]") === false) field.value = all[name];
+    }
+  }
+  function mark_solved(which) {
+    [...document.querySelectorAll(".exercises > ol > li")].forEach((exercise, i) => {
+      const here = section.classList.contains("changed") && which.includes(i);
+      let note = exercise.querySelector(".solved");
+      if (here && !note) exercise.append(note = element("p", { class: "solved" }, "✓ The setting above is one."));
+      if (!here && note) note.remove();
+    });
+  }
+
+  // The address holds the state.
+  function address_of({ place, step, asks }) {
+    const parts = place.changes.map(([name, text]) => encodeURIComponent(name) + "=" + encodeURIComponent(text).replaceAll("%2C", ","));
+    if (place.camera) parts.push("camera=" + place.camera);
+    return `#${place.origin}/${step + 1}${asks ? "/question" : ""}${parts.length ? "?" + parts.join("&") : ""}`;
+  }
+  function keep_address(how) {
+    const address = address_of(now);
+    if (how === "keep" || address === location.hash) return;
+    try { history[how === "push" ? "pushState" : "replaceState"](null, "", address); } catch { /* nowhere to keep it */ }
+  }
+  function request_from(hash) {
+    const [path, query] = hash.slice(1).split("?"), [preset, step, question] = decodeURIComponent(path).split("/");
+    if (!book.walks.some(w => w.id === preset)) return null;
+    const request = { do: "open", lesson, preset, step: Math.max(0, Number(step || 1) - 1 || 0), asks: question === "question", changes: [] };
+    for (const [name, text] of new URLSearchParams((query ?? "").replaceAll("+", "%2B")))
+      if (name === "camera") request.camera = text;
+      else request.changes.push([name, text]);
+    return request;
+  }
+  function from_address() {
+    const request = request_from(location.hash);
+    if (!request) return false;
+    const reply = act(request, "keep");
+    if (!reply) return false;
+    section.scrollIntoView({ block: "start" });
+    return true;
+  }
+
+  // Save and copy.
+  function letters() {
+    const inside = document.getElementById("letters");
+    if (inside) return Promise.resolve(inside.textContent);
+    return (window.isect_letters ? Promise.resolve() : book.load("letters.js")).then(() => isect_letters, () => "");
+  }
+  async function figure() {
+    const made = book.request({ do: "copy" }), style = await letters();
+    const head = `<svg xmlns="http://www.w3.org/2000/svg" width="${made.width}pt" height="${made.height}pt" ` +
+      `font-family="'Isect Letters', 'STIX Two Text', serif" fill="none" stroke-linecap="round" stroke-linejoin="round" ` +
+      `style="background: ${made.background}; white-space: pre"`;
+    made.svg = made.svg.replace('<svg class="picture"', head).replace(/>\n/, `>\n<style>${style.replace(/\/\*[^]*?\*\//g, "")}</style>\n` +
+      `<rect width="100%" height="100%" fill="${made.background}"/>`);
+    return made;
+  }
+  function save(bytes, name) {
+    const address = URL.createObjectURL(bytes), link = element("a", { href: address, download: name });
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(address), 10000);
+    message.textContent = `${name} is saved.`;
+  }
+  async function save_svg() {
+    const made = await figure();
+    save(new Blob([made.svg], { type: "image/svg+xml" }), made.file + ".svg");
+  }
+  async function save_png() {
+    const made = await figure(), image = new Image(), scale = 4;
+    image.src = "data:image/svg+xml;charset=utf-8," + encodeURIComponent(made.svg);
+    await image.decode();
+    const canvas = element("canvas", { width: Math.round(scale * made.width), height: Math.round(scale * made.height) });
+    canvas.getContext("2d").drawImage(image, 0, 0, canvas.width, canvas.height);
+    canvas.toBlob(bytes => save(bytes, made.file + ".png"), "image/png");
+  }
+  async function copy(text, what) {
+    saved.hidden = false, saved.value = text;
+    try { await navigator.clipboard.writeText(text); message.textContent = `${what} is copied.`; } catch {
+      saved.select();
+      message.textContent = document.execCommand("copy") ? `${what} is copied.` : "Copy it from the field below.";
+    }
+  }
+  const escaped = text => text.replaceAll("&", "&amp;").replaceAll('"', "&quot;").replaceAll("<", "&lt;");
+  const copied = name => () => copy(book.request({ do: "copy" })[name], { latex: "LaTeX", markdown: "Markdown", alt: "The alt text" }[name]);
+  share.append(element("div", { class: "tools" }, pressed("Save SVG", save_svg), pressed("Save PNG", save_png),
+    pressed("Copy link", () => copy(location.href, "The link")),
+    pressed("Copy LaTeX", copied("latex")), pressed("Copy Markdown", copied("markdown")),
+    pressed("Copy alt text", copied("alt")),
+    pressed("Copy iframe", () => copy(`<iframe src="${escaped(location.href)}" title="${escaped(document.title)}" width="100%" ` +
+      `height="800" style="border: 0" loading="lazy"></iframe>`, "The line for a page of your own"))), saved);
+
+  // Light and dark, paper, and the beginning.
+  const dark = matchMedia("(prefers-color-scheme: dark)");
+  dark.addEventListener("change", () => look({ dark: dark.matches }));
+  addEventListener("resize", () => now && show_grips(now.handles));
+  addEventListener("beforeprint", () => {
+    if (!section.classList.contains("changed")) return;
+    section.insertAdjacentHTML("beforeend", `<div class="printed">${book.request({ do: "whole" }).html}</div>`);
+  });
+  addEventListener("afterprint", () => section.querySelectorAll(".printed").forEach(e => e.remove()));
+
+  function begin(walk, at) {
+    book.request({ do: "look", dark: dark.matches });
+    const station = book.walks.find(w => w.id === walk).querySelectorAll(".steps > article")[at];
+    const reply = book.request(request_from(location.hash) ?? request_from("#" + (station ? station.id : walk)));
+    const known = reply.wrong ? book.request({ do: "open", lesson }) : reply;
+    make_form(known.parameters);
+    wants_map.hidden = !known["has map"], frame_all.hidden = known.flat;
+    document.getElementById("walks").prepend(section);
+    root.classList.add("lively");
+    show(known, "keep");
+    if (reply.wrong) message.textContent = reply.wrong;
+  }
+  wants_map.addEventListener("click", () => wants_map.setAttribute("aria-pressed", String(!map.hidden)));
+  return live;
+}

@@ -1,0 +1,212 @@
+#include "app/book/walk_section.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "app/book/lit_text.h"
+#include "app/pages/html.h"
+#include "app/told_values.h"
+#include "viz/alt_text.h"
+#include "viz/closing.h"
+#include "viz/geometry.h"
+#include "viz/rich_text.h"
+#include "viz/svg_path.h"
+
+namespace isect::program::book {
+
+namespace {
+
+using viz::xml_escaped;
+
+std::string listed(const std::vector<int>& lines) { return fmt::format("{}", fmt::join(lines, " ")); }
+
+}  // namespace
+
+std::vector<Station> stations(const viz::Walk& walk) {
+  std::vector<Station> all;
+  for (int i = 0; i < static_cast<int>(walk.steps.size()); ++i) {
+    if (walk.steps[i].slug == viz::closing_slug) continue;
+    if (walk.steps[i].question) all.push_back({i, true});
+    all.push_back({i, false});
+  }
+  return all;
+}
+
+std::string folded(const std::string& head, const std::string& prose) {
+  return fmt::format("<details><summary>{}</summary>\n{}</details>\n", head, prose);
+}
+
+std::string WalkSection::html(bool first_is_shown) const {
+  std::string out = given() + algorithm() + "<div class=\"steps\">\n";
+  for (const Station& at : stations(walk_)) out += article(at, first_is_shown && at == Station{});
+  return out + "</div>\n" + opinions() + answers();
+}
+
+std::string WalkSection::text(const std::string& markup) const {
+  return names_.empty() ? html_text(markup) : lit_text(markup, names_);
+}
+
+std::string WalkSection::prose(const std::string& markup) const {
+  std::string out;
+  for (const std::string& paragraph : paragraphs(markup)) out += fmt::format("<p>{}</p>\n", text(paragraph));
+  return out;
+}
+
+std::string WalkSection::given() const {
+  std::vector<std::string> all;
+  for (const viz::Parameter& p : lesson_.parameters)
+    if (parameters_.contains(p.name) && p.name != lesson_.group_by)
+      all.push_back(fmt::format("{} = {}", text(p.label.empty() ? p.name : p.label),
+                                xml_escaped(in_full(parameters_.at(p.name), lesson_.flat))));
+  std::string out = fmt::format("<p class=\"given\"><b class=\"head\">Given</b> {}.", fmt::join(all, ", "));
+  const viz::Scene& scene = walk_.steps.front().scene;
+  if (!scene.chart)
+    for (const std::string& object : viz::geometry(scene, parameters_, lesson_.flat))
+      out += " " + xml_escaped(object.ends_with(".") ? object : object + ".");
+  return out + "</p>\n";
+}
+
+std::string WalkSection::code(const std::string& line) const {
+  return names_.empty() ? xml_escaped(line) : lit_line(line, names_);
+}
+
+std::string WalkSection::algorithm() const {
+  if (walk_.pseudocode.empty()) return {};
+  std::string out = "<div class=\"algorithm\">\n<h3>Algorithm</h3>\n<ol class=\"code\">\n";
+  for (const std::string& line : walk_.pseudocode) out += fmt::format("<li>{}</li>\n", code(line));
+  out += "</ol>\n";
+  for (const std::string& erratum : told_errata(lesson_, walk_))
+    out += fmt::format("<p class=\"erratum\">{}</p>\n", xml_escaped(erratum));
+  return out + "</div>\n";
+}
+
+std::string WalkSection::id(const Station& at) const {
+  return fmt::format("{}/{}{}", id_, at.step + 1, at.asks ? "/question" : "");
+}
+
+std::string WalkSection::attributes(const Station& at) const {
+  if (at.asks) return {};
+  const viz::Step& s = walk_.steps[at.step];
+  std::string out;
+  if (s.line >= 0) out += fmt::format(" data-line=\"{}\"", s.line);
+  if (!s.refused.empty()) out += fmt::format(" data-refused=\"{}\"", listed(s.refused));
+  if (!s.untaken.empty()) out += fmt::format(" data-untaken=\"{}\"", listed(s.untaken));
+  if (s.decides) out += " data-decides";
+  return out;
+}
+
+std::string WalkSection::article(const Station& at, bool shown) const {
+  const std::string picture = at.asks && at.step == 0 ? std::string() : picture_(at);
+  return fmt::format("<article class=\"{}{}\" id=\"{}\"{}>\n{}{}{}</article>\n", at.asks ? "ask" : "step",
+                     shown ? " shown" : "", id(at), attributes(at), above(at), picture, below(at));
+}
+
+/// A question stands before its step, whose title may be the answer.
+std::string WalkSection::above(const Station& at) const {
+  if (at.asks) return {};
+  return fmt::format("<h3><span>{}</span> {}</h3>\n", at.step + 1, text(walk_.steps[at.step].title));
+}
+
+std::string WalkSection::below(const Station& at) const {
+  if (at.asks) return question(at.step);
+  const viz::Step& s = walk_.steps[at.step];
+  return words(s, at.step) + numbers(s);
+}
+
+std::string WalkSection::question(int step) const {
+  const viz::Question& q = *walk_.steps[step].question;
+  std::string choices;
+  for (std::size_t i = 0; i < q.choices.size(); ++i)
+    choices += fmt::format("<li{}>{}</li>\n", static_cast<int>(i) == q.answer ? " data-right" : "", text(q.choices[i]));
+  return fmt::format("<h3>Question {}</h3>\n<div class=\"words\">\n{}<ol class=\"choices\">\n{}</ol>\n{}</div>\n",
+                     number_of_question(step), prose(q.prompt), choices, folded("Answer", prose(answer(q))));
+}
+
+int WalkSection::number_of_question(int step) const {
+  return 1 + static_cast<int>(std::count_if(walk_.steps.begin(), walk_.steps.begin() + step,
+                                            [](const viz::Step& s) { return bool(s.question); }));
+}
+
+std::string WalkSection::words(const viz::Step& s, int index) const {
+  std::string out = "<div class=\"words\">\n" + prose(caption(s));
+  if (!s.formula.empty()) out += fmt::format("<p class=\"formula\">{}</p>\n", text(s.formula));
+  return out + verdict(s.verdict) + source(index) + "</div>\n";
+}
+
+std::string WalkSection::numbers(const viz::Step& s) const {
+  const std::string counted = line(s) + values(s) + comparison(s);
+  return counted.empty() ? counted : "<div class=\"numbers\">\n" + counted + "</div>\n";
+}
+
+/// The lesson's opening stands above all walks.
+std::string WalkSection::caption(const viz::Step& s) const {
+  if (s.slug == viz::opening_slug) return "This is what is given.";
+  return viz::own_caption(lesson_, s);
+}
+
+std::string WalkSection::verdict(const viz::Verdict& v) const {
+  using Kind = viz::Verdict::Kind;
+  if (v.text.empty()) return {};
+  const char* kind = v.kind == Kind::yes ? "yes" : v.kind == Kind::no ? "no" : v.kind == Kind::on ? "on" : "open";
+  return fmt::format("<p class=\"verdict {}\">{}</p>\n", kind, text(v.text));
+}
+
+/// Where it is another than the one told before.
+std::string WalkSection::source(int step) const {
+  const std::string& source = walk_.steps[step].source;
+  int before = step - 1;
+  while (before >= 0 && walk_.steps[before].source.empty()) --before;
+  if (source.empty() || (before >= 0 && walk_.steps[before].source == source)) return {};
+  return fmt::format("<p class=\"source\">{}</p>\n", html_text(source));
+}
+
+std::string WalkSection::line(const viz::Step& s) const {
+  if (s.line < 0) return {};
+  return fmt::format("<p class=\"line\">Line {} <code>{}</code>{}</p>\n", s.line + 1,
+                     code(viz::unindented(walk_.pseudocode.at(static_cast<std::size_t>(s.line)))),
+                     std::ranges::count(s.refused, s.line) > 0 ? " <b class=\"refused\">no</b>" : "");
+}
+
+/// All that is known; on paper, and where there are no scripts, what is new.
+std::string WalkSection::values(const viz::Step& s) const {
+  if (s.values.empty()) return {};
+  const bool fresh = std::ranges::any_of(s.values, &viz::Value::fresh);
+  std::string out = fmt::format("<table class=\"values{}\">\n<caption>Values</caption>\n", fresh ? "" : " known");
+  for (const viz::Value& v : s.values)
+    out +=
+        fmt::format("<tr{}><th scope=\"row\">{}</th><td>{}</td>{}</tr>\n", v.fresh ? " class=\"fresh\"" : "",
+                    text(v.name), xml_escaped(viz::shown_among(s.values, v)), v.fresh ? "<td>new</td>" : "<td></td>");
+  return out + "</table>\n";
+}
+
+std::string WalkSection::comparison(const viz::Step& s) const {
+  if (!s.comparison) return {};
+  const viz::Comparison& c = *s.comparison;
+  const auto [left, right] = viz::shown_apart(c.left, c.right);
+  return fmt::format("<p class=\"comparison {}\">{}? <b>{}</b>, by {} and {}{}.</p>\n", c.holds ? "yes" : "no",
+                     text(c.text), c.holds ? "Yes" : "No", xml_escaped(left), xml_escaped(right),
+                     c.meaning.empty() ? "" : ": " + text(c.meaning));
+}
+
+std::string WalkSection::opinions() const {
+  if (!lesson_.opinions) return {};
+  const std::vector<viz::Opinion> all = lesson_.opinions(parameters_);
+  if (all.empty()) return {};
+  std::string rows;
+  for (const viz::Opinion& o : all)
+    rows += fmt::format("<tr class=\"{}\"><td>{}</td><th scope=\"row\">{}</th><td>{}</td></tr>\n",
+                        o.agrees ? "agrees" : "differs", o.agrees ? "✓" : "✗", html_text(o.method), html_text(o.says));
+  return fmt::format("<table class=\"opinions\">\n<caption>Methods side by side</caption>\n{}</table>\n", rows);
+}
+
+std::string WalkSection::answers() const {
+  std::string out;
+  int number = 0;
+  for (const viz::Step& s : walk_.steps)
+    if (s.question) out += program::html(Blocks{Prose{answer(*s.question), fmt::format("Question {}.", ++number)}});
+  return out.empty() ? out : "<div class=\"answers\">\n<h3>Answers</h3>\n" + out + "</div>\n";
+}
+
+}  // namespace isect::program::book

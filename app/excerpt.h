@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viz/lesson.h"
+
+namespace isect::program {
+
+/// One setting of a lesson's parameters, walked.
+struct Excerpt {
+  const viz::Lesson* lesson = nullptr;
+  std::string folder;  ///< the preset's id, or the name of the preset's file; and what was changed by hand
+  std::string preset;  ///< empty where a parameter was changed by hand
+  viz::Parameters parameters;
+  viz::Walk walk;
+  std::vector<int> steps;                  ///< chosen ones, from 0
+  std::optional<viz::Camera> camera = {};  ///< of the preset's file
+  std::optional<int> step = {};            ///< of the preset's file, from 0
+  std::string path = {};                   ///< of the preset's or the scene's file; empty where there is none
+};
+
+}  // namespace isect::program

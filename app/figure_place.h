@@ -1,0 +1,18 @@
+#pragma once
+// A figure of ours carries the place where it was made: lesson, step, parameters and camera, and a scene whole.
+
+#include <string>
+#include <vector>
+
+#include "app/program.h"
+#include "viz/formats.h"
+#include "viz/place.h"
+
+namespace isect::program {
+
+/// The place where a figure was made; the lesson of a scene goes `to` the others. Throws viz::BadInput, also where it
+/// carries none, and viz::FileError.
+viz::Place place_in_figure(const Program&, const std::string& path, const viz::Format&,
+                           std::vector<const viz::Lesson*>& to);
+
+}  // namespace isect::program

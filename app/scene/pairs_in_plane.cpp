@@ -1,0 +1,204 @@
+// In the plane: outlines against outlines, and whatever runs along a line against outlines and segments. A point beside
+// a line or a plane.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <isect/convex_hull.h>
+#include <isect/convex_polygons.h>
+#include <isect/numbers/exact.h>
+#include <isect/point_polygon.h>
+#include <isect/segment_segment.h>
+
+#include "app/scene/in_plane.h"
+#include "app/scene/pairs.h"
+#include "app/scene/shapes.h"
+
+namespace isect::program::scene {
+
+namespace {
+
+using viz::Vec3;
+using viz::Verdict;
+using Ring2 = Ring<double, 2>;
+
+/// A box, a hull, a triangle or a polygon; a segment as one that has no inside.
+std::vector<Ring2> outlines_of(const Setting& s, const Object& o) {
+  if (o.type == Type::segment) return {{point_of<2>(s.point(o, "from")), point_of<2>(s.point(o, "to"))}};
+  if (o.type == Type::hull) return {convex_hull(points_of<2>(s.points(o)))};
+  if (o.type == Type::box) {
+    const Vec3 lo = s.point(o, "lo"), hi = s.point(o, "hi");
+    return {{{lo.x(), lo.y()}, {hi.x(), lo.y()}, {hi.x(), hi.y()}, {lo.x(), hi.y()}}};
+  }
+  std::vector<Ring2> rings;
+  for (const auto& ring : s.rings(o)) rings.push_back(points_of<2>(ring));
+  return rings;
+}
+
+// What runs along a line.
+
+Json along_result(const Setting& s, const Object& a, const Object& b) {
+  const std::vector<Ring2> rings = outlines_of(s, b);
+  std::optional<double> t;
+  if (a.type == Type::segment) {
+    const Segment<double, 2> segment = {point_of<2>(s.point(a, "from")), point_of<2>(s.point(a, "to"))};
+    if (segment.p == segment.q) {
+      const bool in = locate(segment.p, Polygon<double, 2>{rings}) != Location::out;
+      return in ? Json{{"hit", true}, {"t", 0.0}} : Json{{"hit", false}};
+    }
+    t = first_in_plane(segment, rings);
+  } else {
+    const Ray<double, 3> ray = ray_in_space(s, a);
+    t = first_in_plane(Ray<double, 2>{point_of<2>(ray.origin), point_of<2>(ray.direction), ray.range}, rings);
+  }
+  Json result = {{"hit", t.has_value()}};
+  if (t) result["t"] = *t;
+  return result;
+}
+
+void tell_along(const Setting& s, const Object& a, const Object& b, Answer& out) {
+  const bool hit = out.result["hit"] == true;
+  if (hit) {
+    const Vec3 from = origin_of(s, a),
+               along = a.type == Type::segment ? Vec3(s.point(a, "to") - from) : s.point(a, "dir");
+    const double t = out.result["t"];
+    out.values.push_back({"*t*", t, "t", viz::Role::hit, true});
+    if (std::isfinite(t)) out.marks.push_back(viz::Dot{from + t * along, viz::Mark::disc, viz::Role::hit});
+  }
+  meets(a, b, out, hit);
+}
+
+// Outlines.
+
+/// Counter-clockwise, if it is convex and has an area.
+std::optional<ConvexPolygon<double>> convex(const std::vector<Ring2>& rings) {
+  if (rings.size() != 1) return {};
+  Ring2 ring = rings.front();
+  const Ring2 hull = convex_hull(ring);
+  if (hull.size() < 3) return {};
+  for (int way = 0; way < 2; ++way) {
+    const auto first = std::ranges::find(ring, hull.front());
+    if (first == ring.end()) return {};
+    std::ranges::rotate(ring, first);
+    if (ring == hull) return ConvexPolygon<double>{ring};
+    std::ranges::reverse(ring);
+  }
+  return {};
+}
+
+/// Whether edges of both have a common point.
+bool edges_meet(const std::vector<Ring2>& a, const std::vector<Ring2>& b) {
+  const auto edge = [](const Ring2& r, std::size_t i) {
+    return Segment<double, 2>{r[i], r[i + 1 < r.size() ? i + 1 : 0]};
+  };
+  for (const Ring2& r : a)
+    for (std::size_t i = 0; i < r.size(); ++i) {
+      const Segment<double, 2> e = edge(r, i);
+      const Point<double, 2> lo = e.p.cwiseMin(e.q), hi = e.p.cwiseMax(e.q);
+      for (const Ring2& q : b)
+        for (std::size_t j = 0; j < q.size(); ++j) {
+          const Segment<double, 2> f = edge(q, j);
+          const bool apart = (f.p.array() < lo.array() && f.q.array() < lo.array()).any() ||
+                             (f.p.array() > hi.array() && f.q.array() > hi.array()).any();
+          if (!apart && intersect(e, f).relation != segment_segment::Meeting::disjoint) return true;
+        }
+    }
+  return false;
+}
+
+bool holds_a_corner(const std::vector<Ring2>& outer, const std::vector<Ring2>& inner) {
+  const Polygon<double, 2> polygon = {outer};
+  return std::ranges::any_of(inner, [&](const Ring2& r) { return locate(r.front(), polygon) != Location::out; });
+}
+
+/// Of convex ones how they lie; of others whether they have a common point, by the even-odd rule.
+Json outlines_result(const Setting& s, const Object& a, const Object& b) {
+  const std::vector<Ring2> p = outlines_of(s, a), q = outlines_of(s, b);
+  const auto convex_p = convex(p), convex_q = convex(q);
+  if (convex_p && convex_q) {
+    static constexpr const char* names[] = {"disjoint", "equal", "b_contains_a", "a_contains_b", "touch", "overlap"};
+    return {{"relation", names[static_cast<int>(relate(*convex_p, *convex_q))]}};
+  }
+  return {{"meet", edges_meet(p, q) || holds_a_corner(p, q) || holds_a_corner(q, p)}};
+}
+
+void tell_outlines(const Setting& s, const Object& a, const Object& b, Answer& out) {
+  if (out.result.contains("relation")) return relate(s, a, b, out);
+  const bool meet = out.result["meet"] == true;
+  const std::string both = shown_name(a.name) + " and " + shown_name(b.name);
+  out.verdict = meet ? Verdict{Verdict::Kind::yes, both + " have a common point"}
+                     : Verdict{Verdict::Kind::no, both + " are disjoint"};
+}
+
+// A point beside a line or a plane.
+
+Exact product_sum(const Vec3& n, const Vec3& p, const Vec3& o) {
+  Exact sum(0.0);
+  for (int i = 0; i < 3; ++i) sum = sum + Exact(n[i]) * (Exact(p[i]) - Exact(o[i]));
+  return sum;
+}
+
+Json beside_plane(const Setting& s, const Object& a, const Object& b) {
+  return {
+      {"side", (product_sum(s.point(b, "normal"), s.point(a, "at"), Vec3::Zero()) + Exact(s.number(b, "d"))).sign()}};
+}
+void tell_beside_plane(const Setting&, const Object& a, const Object& b, Answer& out) {
+  const std::string na = shown_name(a.name), nb = shown_name(b.name);
+  const int side = out.result["side"];
+  if (side == 0) out.verdict = {Verdict::Kind::on, na + " lies in " + nb};
+  if (side > 0) out.verdict = {Verdict::Kind::no, fmt::format("{} lies beside {}, where its normal points", na, nb)};
+  if (side < 0)
+    out.verdict = {Verdict::Kind::no, fmt::format("{} lies beside {}, on the side that its normal leaves", na, nb)};
+}
+
+/// Left of it, right of it, on it, or in line with it and beyond an end.
+Json beside_line(const Setting& s, const Object& a, const Object& b) {
+  const bool segment = b.type == Type::segment;
+  const Vec3 p = s.point(a, "at"), o = segment ? s.point(b, "from") : s.point(b, "origin");
+  const auto part = [&](int i) {
+    return segment ? Exact(s.point(b, "to")[i]) - Exact(o[i]) : Exact(s.point(b, "dir")[i]);
+  };
+  const Exact x = Exact(p.x()) - Exact(o.x()), y = Exact(p.y()) - Exact(o.y()), u = part(0), v = part(1);
+  const int side = (u * y - v * x).sign();
+  if (side != 0) return {{"where", side > 0 ? "left" : "right"}};
+  const Exact along = x * u + y * v, length = u * u + v * v;
+  const double lo = segment ? 0 : b.type == Type::line ? -HUGE_VAL : s.has(b, "tmin") ? s.number(b, "tmin") : 0;
+  const double hi = segment ? 1 : s.has(b, "tmax") ? s.number(b, "tmax") : HUGE_VAL;
+  const bool before = std::isfinite(lo) && (along - Exact(lo) * length).sign() < 0;
+  const bool beyond = std::isfinite(hi) && (along - Exact(hi) * length).sign() > 0;
+  // A segment that is a point is told from others by the place, not by the side.
+  const bool off = segment && length.sign() == 0 && (x.sign() != 0 || y.sign() != 0);
+  return {{"where", before || beyond || off ? "in line" : "on"}};
+}
+void tell_beside_line(const Setting&, const Object& a, const Object& b, Answer& out) {
+  const std::string na = shown_name(a.name), nb = shown_name(b.name), where = out.result["where"];
+  if (where == "on") out.verdict = {Verdict::Kind::on, na + " lies on " + nb};
+  if (where == "in line")
+    out.verdict = {Verdict::Kind::no, fmt::format("{} lies in line with {}, beyond its end", na, nb)};
+  if (where == "left" || where == "right")
+    out.verdict = {Verdict::Kind::no, fmt::format("{} lies {} of {}", na, where, nb)};
+}
+
+}  // namespace
+
+std::vector<Pair> pairs_in_plane() {
+  using enum Type;
+  using In = Pair::In;
+  std::vector<Pair> table = {{point, plane, nullptr, In::both, beside_plane, tell_beside_plane}};
+  for (const Type along : {segment, ray, line}) {
+    table.push_back({point, along, nullptr, In::plane, beside_line, tell_beside_line});
+    for (const Type outline : {triangle, polygon, hull})
+      table.push_back({along, outline, nullptr, In::plane, along_result, tell_along});
+    if (along != segment) table.push_back({along, segment, nullptr, In::plane, along_result, tell_along});
+  }
+  for (const Type a : {triangle, polygon, hull, box})  // in both orders, so that they are named as they are asked about
+    for (const Type b : {triangle, polygon, hull, box}) {
+      const bool has_query = (a == box && b == box) || (a == box && b == triangle) || (a == triangle && b == box);
+      if (!has_query) table.push_back({a, b, nullptr, In::plane, outlines_result, tell_outlines});
+    }
+  return table;
+}
+
+}  // namespace isect::program::scene

@@ -1,0 +1,40 @@
+#include "app/told_values.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "viz/closing.h"
+#include "viz/rich_text.h"
+
+namespace isect::program {
+
+using viz::plain;
+
+std::string in_full(const viz::Setting& setting, bool flat) {
+  const auto* p = std::get_if<viz::Vec3>(&setting);
+  if (!p) return viz::to_text(setting);
+  const std::string xy = viz::to_text(p->x()) + ", " + viz::to_text(p->y());
+  return "(" + xy + (flat ? ")" : ", " + viz::to_text(p->z()) + ")");
+}
+
+std::vector<std::string> told_errata(const viz::Lesson& lesson, const viz::Walk& walk) {
+  std::vector<std::string> all;
+  for (const viz::Erratum& erratum : lesson.errata) {
+    const int line = viz::line_of(erratum, walk);
+    if (line < 0) continue;
+    const bool published = walk.pseudocode[line] == erratum.published;
+    if (!published && std::ranges::count(walk.pseudocode, erratum.published) > 0) {
+      all.push_back(fmt::format("Line {} is not in the note. {} (Preset {} shows it.)", line + 1, plain(erratum.why),
+                                erratum.preset));
+      continue;
+    }
+    const std::string& other = published ? erratum.corrected : erratum.published;
+    all.push_back(fmt::format("Line {} {}: {}. {} (Preset {} shows it.)", line + 1,
+                              published ? "should read" : "was published as", viz::unindented(other),
+                              plain(erratum.why), erratum.preset));
+  }
+  return all;
+}
+
+}  // namespace isect::program

@@ -1,0 +1,17 @@
+#pragma once
+// Words about a setting that every way of telling a lesson shares.
+
+#include <string>
+#include <vector>
+
+#include "viz/lesson.h"
+
+namespace isect::program {
+
+/// A parameter's value with all its digits.
+std::string in_full(const viz::Setting&, bool flat);
+
+/// Where the pseudocode of this walk differs from the published one, and why: plain text, one each.
+std::vector<std::string> told_errata(const viz::Lesson&, const viz::Walk&);
+
+}  // namespace isect::program

@@ -1,0 +1,48 @@
+# What the lessons are made of, for the native build and for the one in web/.
+
+# The order of the course: ideas, tests, uses, robustness; each lesson after those that it builds on. Lessons not listed come
+# last.
+set(course relations points intervals rays aabb_aabb sphere_sphere sphere_aabb capsule_capsule ray_sphere obb_obb
+  bounding_volumes convex_hull hierarchy crossings ray_polygon convex_polygon concave_polygon collision clipping culling
+  ray_tracing picking rules_of_thumb robustness speed_against_error)
+file(GLOB lessons CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_LIST_DIR} ${CMAKE_CURRENT_LIST_DIR}/*/lesson.cpp)
+list(TRANSFORM lessons REPLACE "/lesson.cpp" "")
+foreach(subject ${course})
+  if(NOT subject IN_LIST lessons)
+    message(FATAL_ERROR "lessons/sources.cmake: the course names ${subject}, but there is no lessons/${subject}/lesson.cpp")
+  endif()
+endforeach()
+list(PREPEND lessons ${course})
+list(REMOVE_DUPLICATES lessons)
+
+# isect_add_lessons(TARGET): all files of the lessons, and those that are generated.
+function(isect_add_lessons target)
+  set(here ${CMAKE_CURRENT_FUNCTION_LIST_DIR})
+  set(generated ${CMAKE_CURRENT_BINARY_DIR}/generated)
+
+  # A lesson's files are compiled as one.
+  target_sources(${target} PRIVATE ${here}/course.cpp ${here}/glossary.cpp)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+  foreach(subject ${lessons} shared)
+    file(GLOB files CONFIGURE_DEPENDS ${here}/${subject}/*.cpp)
+    target_sources(${target} PRIVATE ${files})
+    set_source_files_properties(${files} PROPERTIES UNITY_GROUP ${subject})
+  endforeach()
+
+  # all_lessons(), in that order.
+  set(declarations "")
+  set(references "")
+  foreach(subject ${lessons})
+    string(APPEND declarations "const viz::Lesson& ${subject}();\n")
+    string(APPEND references "      &${subject}(),\n")
+  endforeach()
+  configure_file(${here}/lessons.cpp.in ${generated}/lessons.cpp @ONLY)
+  target_sources(${target} PRIVATE ${generated}/lessons.cpp)
+
+  # speed_against_error embeds bench/results.json, a string literal a line.
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${here}/../bench/results.json)
+  file(READ ${here}/../bench/results.json results)
+  string(REGEX REPLACE "([^\n]+)\n" "    R\"json(\\1)json\"\n" ISECT_RESULTS "${results}")
+  configure_file(${here}/speed_against_error/results.cpp.in ${generated}/speed_against_error_results.cpp @ONLY)
+  target_sources(${target} PRIVATE ${generated}/speed_against_error_results.cpp)
+endfunction()

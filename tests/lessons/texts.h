@@ -1,0 +1,45 @@
+#pragma once
+// All that a lesson says, in any of its presets.
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "viz/chart.h"
+#include "viz/closing.h"
+#include "viz/lesson.h"
+
+namespace isect::tests {
+
+/// Markup. What it shares with other lessons is left out.
+inline std::vector<std::string> texts(const viz::Lesson& lesson) {
+  std::vector<std::string> all = {lesson.title, lesson.summary, lesson.opening};
+  for (const viz::Parameter& p : lesson.parameters) all.insert(all.end(), {p.label, p.help});
+  for (const viz::Card::Row& row : card_rows(*lesson.closing)) all.insert(all.end(), {row.head, row.text});
+  all.insert(all.end(), lesson.closing->reading.begin(), lesson.closing->reading.end());
+  for (const viz::Exercise& e : lesson.closing->exercises) all.insert(all.end(), {e.prompt, e.solution});
+  for (const viz::Erratum& e : lesson.errata) all.insert(all.end(), {e.published, e.corrected, e.why});
+  if (lesson.map) all.insert(all.end(), {lesson.map->x_title, lesson.map->y_title, lesson.map->told});
+  for (const viz::Preset& p : lesson.presets) {
+    all.push_back(p.title);
+    if (lesson.opinions)
+      for (const viz::Opinion& o : lesson.opinions(p.parameters)) all.insert(all.end(), {o.method, o.says});
+    const viz::Walk walk = lesson.walk(p.parameters);
+    all.insert(all.end(), {walk.method, walk.alt});
+    all.insert(all.end(), walk.pseudocode.begin(), walk.pseudocode.end());
+    for (const viz::Step& s : walk.steps) {
+      all.insert(all.end(), {s.title, s.caption, s.formula, s.source, s.verdict.text});
+      for (const viz::Value& v : s.values) all.push_back(v.name);
+      for (const viz::Item& item : s.scene.items) {
+        if (const auto* label = std::get_if<viz::Label>(&item)) all.push_back(label->text);
+        if (const auto* heading = std::get_if<viz::Heading>(&item)) all.push_back(heading->text);
+      }
+      if (!s.question) continue;
+      all.insert(all.end(), {s.question->prompt, s.question->because});
+      all.insert(all.end(), s.question->choices.begin(), s.question->choices.end());
+    }
+  }
+  return all;
+}
+
+}  // namespace isect::tests

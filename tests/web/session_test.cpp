@@ -1,0 +1,174 @@
+// The session behind a live page: what is asked of it and what comes of that.
+
+#include "web/session.h"
+
+#include <isect/sphere_sphere.h>
+#include "lessons/lessons.h"
+#include "tests/catch.h"
+
+namespace session_test {
+using isect::test::Contains;
+using isect::web::Session;
+using Json = Session::Json;
+
+Session fresh() { return Session(isect::lessons::all_lessons()); }
+
+Json ask(Session& session, const Json& request) { return Json::parse(session.answer(request.dump())); }
+
+Json open(Session& session, const std::string& lesson, const std::string& preset = {}) {
+  Json request = {{"do", "open"}, {"lesson", lesson}};
+  if (!preset.empty()) request["preset"] = preset;
+  return ask(session, request);
+}
+
+Json handle(const Json& frame, const std::string& name) {
+  for (const Json& h : frame.at("handles"))
+    if (h.at("name").get<std::string>().starts_with(name + "/")) return h;
+  FAIL("no handle " << name);
+  return {};
+}
+
+isect::Point<double, 3> point(const Json& values, const char* name) {
+  isect::Point<double, 3> p;
+  std::istringstream in(values.at(name).get<std::string>());
+  char comma = ',';
+  in >> p[0] >> comma >> p[1] >> comma >> p[2];
+  return p;
+}
+
+/// What the exact test says of the values that a page shows.
+bool meet(const Json& values) {
+  const auto number = [&](const char* name) { return std::stod(values.at(name).get<std::string>()); };
+  return intersects(isect::Sphere<double, 3>{point(values, "a"), number("r_a")},
+                    isect::Sphere<double, 3>{point(values, "b"), number("r_b")});
+}
+
+TEST_CASE("every preset opens, and each of its stations has words and a picture", "[session]") {
+  Session session = fresh();
+  for (const isect::viz::Lesson* lesson : isect::lessons::all_lessons()) {
+    const Json first = open(session, lesson->id);
+    INFO(lesson->id);
+    REQUIRE_FALSE(first.contains("wrong"));
+    CHECK(first.at("parameters").size() == lesson->parameters.size());
+    const Json frame = ask(session, {{"do", "go"}, {"at", 1}});
+    CHECK(frame.at("at") == 1);
+    CHECK_THAT(frame.at("picture").get<std::string>(),
+               Contains("<svg") && Contains("</svg>") && !Contains("class=\"fill-"));
+    CHECK_THAT(frame.at("below").get<std::string>(), Contains("<div class=\"words\">"));
+    CHECK(frame.at("place").at("changes").empty());
+  }
+}
+
+TEST_CASE("a dragged handle changes its value alone, and the verdict is the exact one", "[session]") {
+  Session session = fresh();
+  Json frame = open(session, "sphere-sphere", "disjoint");
+  frame = ask(session, {{"do", "go"}, {"at", frame.at("count").get<int>() - 2}});
+  const Json before = frame.at("values"), b = handle(frame, "b");
+  ask(session, {{"do", "take"}, {"handle", b.at("name")}, {"x", b.at("x")}, {"y", b.at("y")}});
+  int met = 0;
+  for (int i = 0; i < 12; ++i) {
+    frame = ask(session, {{"do", "drag"}, {"x", b.at("x").get<double>() - 8 * i}, {"y", b.at("y")}});
+    const bool truth = meet(frame.at("values"));
+    met += truth;
+    const std::string words = frame.at("below");
+    INFO(words);
+    CHECK((words.find("verdict yes") != words.npos) == truth);
+    CHECK(frame.at("values").at("a") == before.at("a"));
+    CHECK_FALSE(frame.contains("algorithm"));  // what stays is not told again
+  }
+  CHECK(met > 0);
+  CHECK(met < 12);
+  frame = ask(session, {{"do", "drop"}});
+  CHECK(frame.at("place").at("preset") == "");
+  CHECK(frame.at("place").at("changes").size() == 1);
+  frame = ask(session, {{"do", "undo"}});
+  CHECK(frame.at("values") == before);
+  frame = ask(session, {{"do", "redo"}});
+  CHECK(frame.at("values") != before);
+}
+
+TEST_CASE("what the place says opens the same setting at the same station", "[session]") {
+  Session session = fresh(), other = fresh();
+  Json frame = open(session, "ray-sphere", "tangent");
+  ask(session, {{"do", "set"}, {"name", "radius"}, {"text", "1,25"}});
+  ask(session, {{"do", "set"}, {"name", "origin"}, {"text", "-4, 1/4, 0"}});
+  ask(session, {{"do", "turn"}, {"x", 9}, {"y", 4}});
+  frame = ask(session, {{"do", "go"}, {"at", 4}});
+  const Json& place = frame.at("place");
+  CHECK(place.at("changes").size() == 2);
+  const Json again = ask(other, {{"do", "open"},
+                                 {"lesson", "ray-sphere"},
+                                 {"preset", place.at("origin")},
+                                 {"step", frame.at("step")},
+                                 {"asks", frame.at("asks")},
+                                 {"changes", place.at("changes")},
+                                 {"camera", place.at("camera")}});
+  REQUIRE_FALSE(again.contains("wrong"));
+  for (const char* same : {"values", "above", "below", "picture", "place", "at"})
+    CHECK(again.at(same) == frame.at(same));
+  CHECK(again.at("values").at("radius") == "1.25");
+}
+
+TEST_CASE("what can't be had is told, and changes nothing", "[session]") {
+  Session session = fresh();
+  CHECK(ask(session, {{"do", "go"}, {"at", 0}}).contains("wrong"));
+  const Json before = open(session, "sphere-sphere");
+  const Json all[] = {{{"do", "dance"}},
+                      {{"do", "set"}, {"name", "r_a"}, {"text", "round"}},
+                      {{"do", "set"}, {"name", "r_a"}, {"text", "-1"}},
+                      {{"do", "set"}, {"name", "b"}, {"text", "1, 2"}},
+                      {{"do", "set"}, {"name", "nothing"}, {"text", "1"}},
+                      {{"do", "load"}, {"preset", "nothing"}},
+                      {{"do", "take"}, {"handle", "nothing/0"}, {"x", 0}, {"y", 0}},
+                      {{"do", "open"}, {"lesson", "nothing"}},
+                      {{"do", "open"}, {"lesson", "sphere-sphere"}, {"camera", "1,2"}},
+                      {{"do", "open"}, {"lesson", "sphere-sphere"}, {"changes", {{"r_a", "nan"}}}}};
+  for (const Json& request : all) {
+    INFO(request.dump());
+    CHECK(ask(session, request).value("wrong", "").size() > 5);
+    const Json now = ask(session, {{"do", "go"}, {"at", 0}});
+    CHECK(now.at("values") == before.at("values"));
+    CHECK(now.at("picture") == before.at("picture"));
+  }
+  CHECK(Json::parse(session.answer("no JSON")).contains("wrong"));
+}
+
+TEST_CASE("a drag over the map moves the setting to the case there", "[session]") {
+  Session session = fresh();
+  open(session, "sphere-sphere", "disjoint");
+  Json frame = ask(session, {{"do", "look"}, {"map", true}});
+  REQUIRE(frame.at("map").at("own") == false);
+  CHECK_THAT(frame.at("map").at("here").get<std::string>(), Contains("disjoint"));
+  ask(session, {{"do", "take"}, {"x", 60}, {"y", 60}});
+  frame = ask(session, {{"do", "drag"}, {"x", 50}, {"y", 90}});
+  CHECK(meet(frame.at("values")));
+  CHECK_THAT(frame.at("map").at("here").get<std::string>(), !Contains("disjoint"));
+}
+
+TEST_CASE("a name lights what bears it, and tells what is known of it", "[session]") {
+  Session session = fresh();
+  const Json frame = open(session, "sphere-sphere");
+  CHECK_THAT(frame.at("below").get<std::string>(), Contains("<span data-name=\"l\"><b>l</b></span>"));
+  Json lit = ask(session, {{"do", "light"}, {"names", {"l"}}});
+  CHECK_THAT(lit.at("marks").get<std::string>(), Contains("<path"));
+  lit = ask(session, {{"do", "light"}, {"handle", handle(frame, "r_a").at("name")}});
+  CHECK(lit.at("names") == Json{"r_a"});
+  CHECK_THAT(lit.at("sum").get<std::string>(), Contains("1.52"));
+  const Json a = handle(frame, "a");
+  CHECK(ask(session, {{"do", "point"}, {"x", a.at("x")}, {"y", a.at("y")}}).at("names") == Json{"a"});
+  CHECK(ask(session, {{"do", "point"}, {"x", 1}, {"y", 1}}).at("names").empty());
+}
+
+TEST_CASE("a step is copied for LaTeX and Markdown with its words", "[session]") {
+  Session session = fresh();
+  open(session, "sphere-sphere");
+  const Json copied = ask(session, {{"do", "copy"}});
+  CHECK_THAT(copied.at("latex").get<std::string>(),
+             Contains("\\includegraphics[width=8cm,alt={") && Contains("\\caption{From centre to centre."));
+  CHECK_THAT(copied.at("markdown").get<std::string>(), Contains("](sphere-sphere-01-difference.svg)"));
+  CHECK_THAT(copied.at("svg").get<std::string>(), Contains("<svg") && !Contains("var("));
+  const Json whole = ask(session, {{"do", "whole"}});
+  CHECK_THAT(whole.at("html").get<std::string>(), Contains("id=\"live/6\"") && Contains("<svg"));
+}
+
+}  // namespace session_test

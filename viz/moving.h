@@ -1,0 +1,24 @@
+#pragma once
+// How a handle follows a pointer or the arrow keys, in the window and on a page.
+
+#include "viz/player.h"
+
+namespace isect::viz {
+
+/// What came of moving something: where it went is in the player.
+struct Moved {
+  std::string told = {};     ///< what is there, after snapping
+  std::string refused = {};  ///< why it stays where it is; empty: it does not
+};
+
+/// Where a handle is brought when it is to stand at a pixel: it stays in its plane where it has one.
+Vec3 brought(const View&, const Handle&, const Vec2& pixel);
+/// The handle as it is now; null: there is none of its kind any more.
+const Handle* same_handle(const Scene&, const Handle&);
+
+/// A drag, from `start` on. With `snapping` only as far as where the case changes, next to the pointer.
+Moved drag_to(Player&, const Handle&, const Vec3& start, const Vec3& to, bool snapping);
+/// One press of an arrow key, whose way is one pixel long. With `snapping` to where the case changes next.
+Moved nudge(Player&, const View&, const Handle&, const Vec2& way, bool snapping);
+
+}  // namespace isect::viz

@@ -1,0 +1,15 @@
+#pragma once
+// What a lesson looks like, small.
+
+#include "viz/lesson.h"
+#include "viz/renderer.h"
+
+namespace isect::viz {
+
+/// In px of the layout.
+constexpr float picture_width = 176, picture_height = 110;
+
+/// Draws the outcome of the lesson's first preset into the renderer's texture. `density`: framebuffer pixels per px.
+PixelBox draw_lesson(const Lesson&, const Theme&, Renderer&, double density);
+
+}  // namespace isect::viz

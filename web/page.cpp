@@ -1,0 +1,17 @@
+// What a page's script calls: one function, from text to text.
+
+#include <emscripten.h>
+
+#include "lessons/lessons.h"
+#include "web/session.h"
+
+extern "C" {
+
+/// The answer is good until the next call.
+EMSCRIPTEN_KEEPALIVE const char* isect_answer(const char* request) {
+  static isect::web::Session session(isect::lessons::all_lessons());
+  static std::string answer;
+  answer = session.answer(request);
+  return answer.c_str();
+}
+}

@@ -1,0 +1,545 @@
+#include "web/session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/book/picture_size.h"
+#include "app/pages/html.h"
+#include "app/told_values.h"
+#include "viz/alt_text.h"
+#include "viz/case_map.h"
+#include "viz/closing.h"
+#include "viz/lights.h"
+#include "viz/names.h"
+#include "viz/page_svg.h"
+#include "viz/paper.h"
+#include "viz/rich_text.h"
+#include "viz/snapshot.h"
+#include "viz/svg_path.h"
+#include "viz/tex.h"
+#include "viz/window/number_text.h"
+#include "viz/window/scene_names.h"
+
+namespace isect::web {
+
+namespace {
+
+using program::html_text;
+using program::book::Station;
+using viz::BadInput;
+using viz::Vec2;
+using viz::Vec3;
+using Json = Session::Json;
+
+/// A press of an arrow key moves what is held by eight of these, in units of the picture.
+constexpr double a_pixel = 0.4;
+/// Of a map beside the scene, as the picture is.
+constexpr double map_width = 264, map_height = 190;
+/// Of what lights up, beside the window's.
+constexpr double thinner = 0.45;
+
+Vec2 point_in(const Json& request) { return {request.at("x").get<double>(), request.at("y").get<double>()}; }
+
+/// Which way an arrow key goes.
+Vec2 way_in(const Json& request) { return {request.at("x").get<double>(), request.at("y").get<double>()}; }
+
+std::string name_of(const viz::Handle& h) { return fmt::format("{}/{}", h.parameter, static_cast<int>(h.kind)); }
+
+/// "1,5" is a number and "1, 5, 2" a point: its coordinates are written as numbers are.
+std::string number_text(const std::string& text) { return viz::to_text(viz::Setting(viz::number_from(text))); }
+std::string point_text(const std::string& text) {
+  const char parts_at = text.find(';') != text.npos ? ';' : ',';
+  std::string out;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t end = std::min(text.find(parts_at, from), text.size());
+    out += (from > 0 ? "," : "") + number_text(text.substr(from, end - from));
+    from = end + 1;
+  }
+  return out;
+}
+
+/// As `set` of viz/lesson.h, for what people type.
+void set_typed(const viz::Lesson& lesson, viz::Parameters& to, const std::string& name, const std::string& text) {
+  const auto p = std::ranges::find(lesson.parameters, name, &viz::Parameter::name);
+  if (p == lesson.parameters.end()) return viz::set(lesson, to, name, text);  // which says what there is
+  if (std::holds_alternative<double>(p->initial)) return viz::set(lesson, to, name, number_text(text));
+  if (std::holds_alternative<Vec3>(p->initial)) return viz::set(lesson, to, name, point_text(text));
+  viz::set(lesson, to, name, text);
+}
+
+std::string camera_text(const viz::Camera& c) {
+  return fmt::format("{},{},{},{},{},{},{}", c.azimuth, c.elevation, c.half_height, c.target.x(), c.target.y(),
+                     c.target.z(), c.perspective ? 1 : 0);
+}
+
+std::optional<viz::Camera> camera_from(const std::string& text, const viz::Lesson& lesson) {
+  std::vector<double> n;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t end = std::min(text.find(',', from), text.size());
+    n.push_back(viz::number_from(text.substr(from, end - from)));
+    from = end + 1;
+  }
+  if (n.size() != 7 || !(n[2] > 0)) throw BadInput("camera: seven numbers, the third more than 0");
+  viz::Camera camera = viz::opening(lesson);
+  camera.azimuth = n[0], camera.elevation = std::clamp(n[1], -1.5707963, 1.5707963), camera.half_height = n[2];
+  camera.target = {n[3], n[4], n[5]}, camera.perspective = n[6] != 0 && !lesson.flat;
+  return camera;
+}
+
+std::string svg_of(const viz::LitStroke& s) {
+  const std::string width = fmt::format("stroke-width=\"{}\"", viz::svg_number(thinner * s.width));
+  if (s.radius > 0)
+    return fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" {}/>", viz::svg_number(s.a.x()), viz::svg_number(s.a.y()),
+                       viz::svg_number(s.radius), width);
+  return fmt::format("<path d=\"M{} {}L{} {}\" {}/>", viz::svg_number(s.a.x()), viz::svg_number(s.a.y()),
+                     viz::svg_number(s.b.x()), viz::svg_number(s.b.y()), width);
+}
+
+std::string svg_of(const viz::TextBox& b) {
+  return fmt::format("<rect class=\"lit-label\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" rx=\"2\"/>",
+                     viz::svg_number(b.left - 1), viz::svg_number(b.top - 1), viz::svg_number(b.right - b.left + 2),
+                     viz::svg_number(b.bottom - b.top + 2));
+}
+
+bool meet(const std::vector<std::string>& a, const std::vector<std::string>& b) {
+  return std::ranges::any_of(a, [&](const std::string& name) { return std::ranges::find(b, name) != b.end(); });
+}
+
+/// A walk of this one step, whose page is laid out as the whole walk's.
+viz::Walk alone(const viz::Walk& walk, viz::Step step) {
+  viz::Walk one;
+  one.steps.resize(1);
+  if (walk.steps.front().scene.axis) one.steps[0].scene.axis = walk.steps.front().scene.axis;
+  one.steps.push_back(std::move(step));
+  return one;
+}
+
+}  // namespace
+
+Session::Session(std::vector<const viz::Lesson*> lessons) : lessons_(std::move(lessons)) {
+  const auto known = [&](const char* name, Json (Session::*member)(const Json&)) {
+    asked_[name] = [this, member](const Json& request) { return (this->*member)(request); };
+  };
+  known("open", &Session::open), known("go", &Session::go), known("load", &Session::load), known("set", &Session::set);
+  known("take", &Session::take), known("drag", &Session::drag), known("drop", &Session::drop);
+  known("push", &Session::push), known("turn", &Session::turn), known("zoom", &Session::zoom);
+  known("frame all", &Session::frame_all), known("undo", &Session::undo), known("redo", &Session::redo);
+  known("look", &Session::look), known("point", &Session::point), known("light", &Session::light);
+  known("copy", &Session::copy), known("whole", &Session::whole);
+}
+
+std::string Session::answer(const std::string& text) {
+  const auto wrong = [](const std::string& why) { return Json{{"wrong", why}}.dump(); };
+  try {
+    const Json request = Json::parse(text);
+    const auto found = asked_.find(request.at("do").get<std::string>());
+    if (found == asked_.end()) return wrong("nothing of that name can be asked for");
+    return found->second(request).dump();
+  } catch (const std::exception& e) {
+    return wrong(e.what());
+  }
+}
+
+viz::Player& Session::player() {
+  if (!player_) throw BadInput("no lesson is open");
+  return *player_;
+}
+
+program::book::WalkSection Session::section(program::book::WalkSection::Picture picture) const {
+  return {{player_->lesson(), player_->parameters(), player_->walk()}, "live", std::move(picture), names_};
+}
+
+Station Session::station() const {
+  return player_->asked() ? Station{player_->index() + 1, true} : Station{player_->index(), false};
+}
+
+void Session::stand_at(const Station& at) {
+  player_->go_to(at.asks ? at.step - 1 : at.step);
+  if (at.asks) player_->next();
+}
+
+// What can be asked for.
+
+/// {"lesson", "preset", "step", "asks", "changes": [[name, text]], "camera"}: all but the first may be absent.
+Json Session::open(const Json& request) {
+  const viz::Lesson& lesson = viz::lesson_named(lessons_, request.at("lesson").get<std::string>());
+  viz::Place place;
+  place.lesson = lesson.id;
+  place.preset = request.value("preset", lesson.presets.front().id);
+  viz::Parameters setting = viz::preset(lesson, place.preset).parameters;
+  for (const Json& change : request.value("changes", Json::array()))
+    set_typed(lesson, setting, change.at(0).get<std::string>(), change.at(1).get<std::string>());
+  viz::validate(lesson, setting);
+  place.parameters = setting;
+  if (const std::string camera = request.value("camera", ""); !camera.empty())
+    place.camera = camera_from(camera, lesson);
+  viz::Player fresh = player_ ? *player_ : viz::Player(lessons_, place, true);
+  if (player_) fresh.go(place);  // what was done before can be undone
+  const std::vector<Station> all = program::book::stations(fresh.walk());
+  const Station wanted = {request.value("step", 0), request.value("asks", false)};
+  player_ = std::move(fresh);
+  held_.reset(), map_start_.reset();
+  stand_at(std::ranges::find(all, wanted) != all.end() ? wanted : Station{});
+  Json reply = frame(Drawn::at_rest);
+  reply["parameters"] = parameters();
+  reply["flat"] = lesson.flat;
+  reply["has map"] = lesson.map != nullptr;
+  return reply;
+}
+
+/// {"at"}: one of the stations, from 0.
+Json Session::go(const Json& request) {
+  const std::vector<Station> all = program::book::stations(player().walk());
+  const int at = std::clamp(request.at("at").get<int>(), 0, static_cast<int>(all.size()) - 1);
+  stand_at(all[static_cast<std::size_t>(at)]);
+  return frame(Drawn::at_rest);
+}
+
+/// {"preset"}
+Json Session::load(const Json& request) {
+  player().load(viz::preset(player().lesson(), request.at("preset").get<std::string>()));
+  player_->go_to(0);
+  return frame(Drawn::at_rest);
+}
+
+/// {"name", "text"}: as it was typed.
+Json Session::set(const Json& request) {
+  const std::string name = request.at("name").get<std::string>();
+  viz::Parameters typed = player().parameters();
+  set_typed(player_->lesson(), typed, name, request.at("text").get<std::string>());
+  player_->end_action(), player_->remember("type");
+  player_->edit(name, typed.at(name));
+  return frame(Drawn::at_rest);
+}
+
+/// {"handle", "x", "y"}, or "x" and "y" of the map
+Json Session::take(const Json& request) {
+  player().end_action(), player_->remember("drag");
+  if (!request.contains("handle")) {
+    if (plane_) map_start_ = viz::case_at(map_.cases(), *plane_, point_in(request));
+    return Json::object();
+  }
+  const viz::Handle handle = handle_named(request.at("handle").get<std::string>());
+  held_ = Held{handle, handle.at, point_in(request) - figure_.view.project(handle.at).at};
+  return Json::object();
+}
+
+/// {"x", "y", "snap"}
+Json Session::drag(const Json& request) {
+  const bool snap = request.value("snap", false);
+  if (map_start_ && plane_) {
+    const Vec2 to = viz::case_at(map_.cases(), *plane_, point_in(request));
+    return frame(Drawn::in_motion, viz::drag_on_map(player(), *map_start_, to, snap));
+  }
+  if (!held_) return Json::object();
+  const Vec3 to = viz::brought(figure_.view, held_->handle, point_in(request) - held_->grip);
+  const viz::Moved moved = viz::drag_to(player(), held_->handle, held_->start, to, snap);
+  if (const viz::Handle* now = viz::same_handle(player_->scene(), held_->handle)) held_->handle = *now;
+  return frame(Drawn::in_motion, moved);
+}
+
+Json Session::drop(const Json&) {
+  held_.reset(), map_start_.reset();
+  player().end_action();
+  return frame(Drawn::at_rest);
+}
+
+/// {"handle", "x", "y", "snap"}: an arrow key; without a handle, on the map
+Json Session::push(const Json& request) {
+  const Vec2 way = a_pixel * way_in(request);
+  if (request.contains("handle"))
+    return frame(Drawn::in_motion,
+                 viz::nudge(player(), figure_.view, handle_named(request.at("handle").get<std::string>()), way,
+                            request.value("snap", false)));
+  if (!plane_ || !map_.cases().here) return Json::object();
+  const Vec2 from = viz::pixel_of(map_.cases(), *plane_, map_.cases().here->at);
+  player().remember("nudge on the map");
+  player_->go_to_case(viz::case_at(map_.cases(), *plane_, from + 8 * way));
+  return frame(Drawn::in_motion);
+}
+
+/// {"x", "y"}: a drag of the scene itself, in units of the picture
+Json Session::turn(const Json& request) {
+  const Vec2 middle = figure_.view.corner() + Vec2(figure_.view.width(), figure_.view.height()) / 2;
+  if (player().lesson().flat)
+    player_->pan(figure_.view, middle, middle + way_in(request));
+  else
+    player_->orbit(way_in(request) / a_pixel);
+  return frame(Drawn::in_motion);
+}
+
+/// {"factor"}: above 1 closer
+Json Session::zoom(const Json& request) {
+  const Vec2 middle = figure_.view.corner() + Vec2(figure_.view.width(), figure_.view.height()) / 2;
+  player().zoom(figure_.view, middle, std::clamp(request.at("factor").get<double>(), 0.2, 5.0));
+  return frame(Drawn::at_rest);
+}
+
+Json Session::frame_all(const Json&) {
+  player().frame_all();
+  return frame(Drawn::at_rest);
+}
+
+Json Session::undo(const Json&) {
+  player().undo();
+  return frame(Drawn::at_rest);
+}
+
+Json Session::redo(const Json&) {
+  player().redo();
+  return frame(Drawn::at_rest);
+}
+
+/// {"dark", "map"}
+Json Session::look(const Json& request) {
+  if (request.contains("dark")) theme_ = request.at("dark").get<bool>() ? viz::ThemeName::dark : viz::ThemeName::screen;
+  if (request.contains("map")) with_map_ = request.at("map").get<bool>();
+  return player_ ? frame(Drawn::at_rest) : Json::object();
+}
+
+/// {"x", "y"}: the pointer, in the picture
+Json Session::point(const Json& request) {
+  const Vec2 at = point_in(request);
+  for (const viz::PlacedLabel& label : figure_.labels)
+    if (at.x() >= label.box.left - 2 && at.x() <= label.box.right + 2 && at.y() >= label.box.top - 2 &&
+        at.y() <= label.box.bottom + 2)
+      return lit(viz::keys_of(label, names_));
+  return lit(viz::names_near(player().scene(), figure_.view, at, names_));
+}
+
+/// {"names"}, or {"handle"}
+Json Session::light(const Json& request) {
+  if (request.contains("handle"))
+    return lit(viz::keys_of(handle_named(request.at("handle").get<std::string>()), player().lesson()));
+  return lit(request.at("names").get<std::vector<std::string>>());
+}
+
+/// The step for other documents: {"svg", "latex", "markdown", "alt", "place", "file"}.
+Json Session::copy(const Json&) {
+  const viz::Player& p = player();
+  const viz::Step& step = p.step();
+  const auto camera = [&](double) { return p.camera().goal(); };
+  const auto made = viz::readable_figure(p.walk(), p.index(), viz::ThemeName::screen, {320, 200}, true, camera);
+  const viz::Drawing& drawing = made ? made->figure.drawing : figure_.drawing;
+  const std::string alt = viz::alt_text(p.lesson(), p.parameters(), p.walk(), p.index());
+  std::string line = alt;
+  std::ranges::replace(line, '\n', ' ');
+  line.erase(line.find_last_not_of(' ') + 1);
+  const std::string file = fmt::format("{}-{}", p.lesson().id, viz::file_stem(p.index(), step));
+  std::string caption = step.title + ". " + viz::own_caption(p.lesson(), step);
+  std::ranges::replace(caption, '\n', ' ');
+  return {{"svg", viz::lone_svg(drawing, alt, "figure-")},
+          {"width", drawing.width},
+          {"height", drawing.height},
+          {"background", viz::svg_colour(drawing.background)},
+          {"alt", alt},
+          {"file", file},
+          {"place", viz::to_json(p.place())},
+          {"latex", fmt::format("\\begin{{figure}}\n  \\centering\n  \\includegraphics[width=8cm,alt={{{}}}]{{{}}}\n"
+                                "  \\caption{{{}}}\n\\end{{figure}}\n",
+                                viz::tex(viz::as_markup(line)), file, viz::tex(caption))},
+          {"markdown", fmt::format("![{}]({}.svg)\n\n{}\n", line, file, viz::plain(caption))}};
+}
+
+/// Every station with its picture, one below the other: {"html"}.
+Json Session::whole(const Json&) {
+  const Station before = station();
+  const auto picture = [&](const Station& at) {
+    stand_at(at);
+    const viz::Figure drawn = composed(Drawn::at_rest);
+    return fmt::format("<figure{}>{}</figure>\n", program::book::attributes_of_picture(drawn.drawing.width),
+                       viz::lone_svg(drawn.drawing, viz::drawn_text(player_->walk(), player_->scene(), !at.asks),
+                                     fmt::format("whole-{}-{}-", at.step, at.asks)));
+  };
+  const viz::Player kept = player();
+  const viz::PaperSize size = size_;
+  const std::string html = section(picture).html();
+  player_ = kept, size_ = size;
+  stand_at(before);
+  return {{"html", html}};
+}
+
+// What is shown.
+
+viz::Handle Session::handle_named(const std::string& name) const {
+  for (const viz::Handle& h : player_->scene().handles)
+    if (name_of(h) == name) return h;
+  throw BadInput("there is no handle " + name);
+}
+
+viz::Figure Session::composed(Drawn how) {
+  viz::Player& p = player();
+  viz::Step bare;
+  bare.slug = p.step().slug, bare.title = p.step().title;
+  bare.scene = viz::with_names(p);
+  const viz::Walk one = alone(p.walk(), std::move(bare));
+  const bool chart = bool(one.steps[1].scene.chart);
+  const auto camera = [&](double aspect) {
+    if (!chart) p.set_aspect(aspect);
+    return p.camera().goal();
+  };
+  if (how == Drawn::at_rest) {
+    const viz::PaperSize asked = program::book::picture_size(one.steps[1].scene);
+    if (auto made = viz::readable_figure(one, 1, theme_, asked, false, camera)) {
+      size_ = made->size;
+      return std::move(made->figure);
+    }
+    size_ = asked;
+  }
+  const viz::PageLayout layout = viz::paper_layout(one, 1, theme_, size_, false);
+  return viz::figure(one.steps[1], camera(layout.width / layout.picture_height()), layout);
+}
+
+Json Session::frame(Drawn how, const viz::Moved& moved) {
+  viz::Player& p = player();
+  figure_ = composed(how);
+  if (how == Drawn::at_rest || names_.empty()) names_ = viz::names_of(p.lesson(), p.walk());
+  const auto none = [](const Station&) { return std::string(); };
+  const program::book::WalkSection told = section(none);
+  const std::vector<Station> all = program::book::stations(p.walk());
+  const Station here = station();
+  Json reply = {{"at", std::ranges::find(all, here) - all.begin()},
+                {"count", all.size()},
+                {"step", here.step},
+                {"steps", std::ranges::count(all, false, &Station::asks)},
+                {"asks", here.asks},
+                {"title", here.asks ? std::string() : html_text(p.walk().steps[here.step].title)},
+                {"picture", viz::lone_svg(figure_.drawing, viz::drawn_text(p.walk(), p.scene(), !here.asks), "live-")},
+                {"width", figure_.drawing.width},
+                {"height", figure_.drawing.height},
+                {"figure", program::book::attributes_of_picture(figure_.drawing.width)},
+                {"above", told.above(here)},
+                {"below", told.below(here)},
+                {"given", told.given()},
+                {"opinions", told.opinions()},
+                {"line", p.step().line},
+                {"refused", p.step().refused},
+                {"untaken", p.step().untaken},
+                {"handles", handles()},
+                {"values", values()},
+                {"place", place()},
+                {"map", map_beside()},
+                {"told", moved.told},
+                {"refuses", moved.refused}};
+  if (how == Drawn::at_rest) reply["algorithm"] = told.algorithm(), reply["solved"] = solved();
+  return reply;
+}
+
+/// Where each stands in the picture, and what it is.
+Json Session::handles() const {
+  Json all = Json::array();
+  for (const viz::Handle& h : player_->scene().handles) {
+    const viz::Projected at = figure_.view.project(h.at);
+    if (!(at.depth > 0)) continue;
+    std::string label = h.one_of, value;
+    for (const viz::Parameter& p : player_->lesson().parameters) {
+      if (p.name != h.parameter) continue;
+      if (label.empty()) label = viz::plain(p.label.empty() ? p.name : p.label);
+      if (player_->parameters().contains(p.name))
+        value = program::in_full(player_->parameters().at(p.name), player_->lesson().flat);
+    }
+    all.push_back({{"name", name_of(h)},
+                   {"label", label + (value.empty() ? "" : " = " + value)},
+                   {"role", viz::name_of(h.role)},
+                   {"x", at.at.x()},
+                   {"y", at.at.y()}});
+  }
+  return all;
+}
+
+Json Session::values() const {
+  Json all = Json::object();
+  for (const auto& [name, value] : player_->parameters()) all[name] = viz::to_text(value);
+  return all;
+}
+
+/// For the address: the preset that all began with, and what is other than there.
+Json Session::place() const {
+  const viz::Lesson& lesson = player_->lesson();
+  Json changes = Json::array();
+  const viz::Parameters& before = viz::preset(lesson, player_->origin()).parameters;
+  for (const auto& [name, value] : player_->parameters())
+    if (const auto was = before.find(name); was == before.end() || was->second != value)
+      changes.push_back({name, viz::to_text(value)});
+  Json place = {{"origin", player_->origin()},
+                {"preset", player_->preset_id()},
+                {"preset title", html_text(viz::preset(lesson, player_->origin()).title)},
+                {"method", html_text(player_->walk().method)},
+                {"changes", changes}};
+  if (player_->camera_moved()) place["camera"] = camera_text(player_->camera().goal());
+  return place;
+}
+
+/// What a reader can set.
+Json Session::parameters() const {
+  Json all = Json::array();
+  for (const viz::Parameter& p : player_->lesson().parameters) {
+    const char* kind = std::holds_alternative<double>(p.initial) ? "number"
+                       : std::holds_alternative<Vec3>(p.initial) ? "point"
+                                                                 : "choice";
+    Json one = {{"name", p.name},
+                {"label", html_text(p.label.empty() ? p.name : p.label)},
+                {"help", p.help},
+                {"kind", kind},
+                {"choices", p.choices}};
+    if (kind == std::string("number")) one["from"] = std::max(p.lo, p.drag_lo), one["to"] = std::min(p.hi, p.drag_hi);
+    all.push_back(one);
+  }
+  return all;
+}
+
+/// Null where the lesson has none, this step shows it itself, or the reader does not want it.
+Json Session::map_beside() {
+  plane_.reset();
+  if (player_->scene().chart) {  // the step's own may be dragged over
+    const viz::Cases* cases = player_->lesson().map ? std::get_if<viz::Cases>(&player_->scene().chart->kind) : nullptr;
+    if (!cases) return nullptr;
+    map_.find(*player_);
+    const viz::View& view = figure_.view;
+    plane_ = viz::plane_of(*cases, view.corner(), view.width(), view.height(), viz::paper_theme(theme_));
+    return {{"own", true}};
+  }
+  if (!with_map_ || !player_->lesson().map) return nullptr;
+  const viz::Cases& cases = map_.find(*player_);
+  const viz::Theme theme = viz::paper_theme(theme_);
+  viz::Drawing drawing{map_width, map_height, theme.background, {}};
+  drawing.shapes = viz::compose_map(cases, Vec2::Zero(), map_width, map_height, theme).shapes;
+  plane_ = viz::plane_of(cases, Vec2::Zero(), map_width, map_height, theme);
+  const std::string here = player_->asked() ? "here: after your answer"
+                           : cases.here     ? "here: " + cases.branches[cases.here->branch]
+                                            : "beyond this map";
+  return {{"own", false},
+          {"svg", viz::lone_svg(drawing, viz::plain(here), "map-")},
+          {"here", html_text(here)},
+          {"width", map_width},
+          {"height", map_height}};
+}
+
+/// Which exercises ask for a setting that this is one of.
+Json Session::solved() const {
+  Json all = Json::array();
+  if (const viz::Closing* closing = player_->lesson().closing)
+    for (std::size_t i = 0; i < closing->exercises.size(); ++i)
+      if (const viz::Exercise& e = closing->exercises[i]; e.found && e.found(player_->parameters())) all.push_back(i);
+  return all;
+}
+
+/// {"names", "marks": what lights up in the picture, "sum": what is known of the one name}
+Json Session::lit(const std::vector<std::string>& names) const {
+  std::string marks;
+  if (!names.empty()) {
+    viz::each_named(player_->scene(), names_, [&](const viz::Item& item, const std::vector<std::string>& own) {
+      const auto stroke = meet(own, names) ? viz::lit_stroke(item, figure_.view) : std::nullopt;
+      if (stroke) marks += svg_of(*stroke);
+    });
+    for (const viz::PlacedLabel& label : figure_.labels)
+      if (meet(viz::keys_of(label, names_), names)) marks += svg_of(label.box);
+  }
+  const viz::Player& p = *player_;
+  return {{"names", names},
+          {"marks", marks},
+          {"sum", names.size() == 1 ? viz::sum_of(p.lesson(), p.parameters(), p.walk(), p.index(), names[0]) : ""}};
+}
+
+}  // namespace isect::web
