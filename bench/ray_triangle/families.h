@@ -106,9 +106,8 @@ RayAndTriangle<S> far(Random& random) {
 template <class S>
 RayAndTriangle<S> near_coplanar(Random& random) {
   RayAndTriangle<S> c = ordinary<S>(random);
-  const auto& [p, q, r] = c.b.vertices;
-  const auto in_plane = [&](double u, double v) -> Point<S, 3> {
-    return p + static_cast<S>(u) * (q - p) + static_cast<S>(v) * (r - p);
+  const auto in_plane = [&x = c.b.vertices](double u, double v) -> Point<S, 3> {
+    return x[0] + static_cast<S>(u) * (x[1] - x[0]) + static_cast<S>(v) * (x[2] - x[0]);
   };
   constexpr double least = std::numeric_limits<S>::digits == 53 ? -15 : -7;
   c.a.origin = in_plane(random.uniform(-3, 3), random.uniform(-3, 3)) +

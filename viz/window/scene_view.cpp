@@ -71,15 +71,15 @@ void SceneView::draw(Session& s, const Rect& r, const View& view) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool moves = io.MouseDown[0] || io.MouseDown[1];
   if ((wanted == drawn_ && (moves || !sketched_)) || !drawing_) return;
-  const Theme theme = look(s, view);
+  const Theme ink = look(s, view);
   const View own(view.camera(), view.width(), view.height(), {0, r.height() - view.height()});
-  Drawing drawing{r.width(), r.height(), theme.background, {}};
+  Drawing drawing{r.width(), r.height(), ink.background, {}};
   Scene scene = with_names(s.player);
   const std::clock_t begun = std::clock();  // the processor's time: that others use it, too, is no reason to stop
   if (const Scene* before = s.player.scene_before()) scene = between(*before, scene, s.player.motion());
   const Cases* const map = map_of(s);
-  Composed composed = map ? compose_map(*map, own.corner(), own.width(), own.height(), theme)
-                          : compose(scene, own, theme, s.pane != Pane::fixed);
+  Composed composed = map ? compose_map(*map, own.corner(), own.width(), own.height(), ink)
+                          : compose(scene, own, ink, s.pane != Pane::fixed);
   drawing.shapes = std::move(composed.shapes);
   labels_ = std::move(composed.labels);
   sketched_ = moves && has_many_facets(drawing);
@@ -162,8 +162,8 @@ void SceneView::keyboard(Session& s, const View& view) {
 void SceneView::pointer(Session& s, const View& view, bool hovered, bool active) {
   const ImGuiIO& io = ImGui::GetIO();
   if (const Cases* cases = map_of(s)) {
-    const Theme theme = look(s, view);
-    map_drag_.follow(s, *cases, plane_of(*cases, view.corner(), view.width(), view.height(), theme), hovered);
+    const Theme ink = look(s, view);
+    map_drag_.follow(s, *cases, plane_of(*cases, view.corner(), view.width(), view.height(), ink), hovered);
     last_ = mouse();
     return;
   }
