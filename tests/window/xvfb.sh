@@ -56,11 +56,10 @@ before=$(spent); sleep 3; after=$(spent)
 [ $((after - before)) -le 3 ] || { echo "FAILED: at a question it takes $((after - before)) hundredths of 3 s"; exit 1; }
 expect 'step 3 of' "play waits at a question, and takes no time"
 xdotool key Right; expect 'step 4 of' "Right goes on"
-xdotool key F11 sleep 1
 size() { xdotool getwindowgeometry --shell "$window" | sed -n 's/^WIDTH=//p'; }
-[ "$(size)" = 2700 ] || { echo "FAILED: F11 makes a window of $(size)"; exit 1; }
-xdotool key F11 sleep 1
-[ "$(size)" = 1280 ] || { echo "FAILED: F11 leads back to $(size)"; exit 1; }
+wide() { [ "$(size)" = "$wanted" ]; }
+wanted=2700; xdotool key F11; wait_for 20 wide || { echo "FAILED: F11 makes a window of $(size)"; exit 1; }
+wanted=1280; xdotool key F11; wait_for 20 wide || { echo "FAILED: F11 leads back to $(size)"; exit 1; }
 echo "ok: F11 fills the screen, and leads back"
 kill -TERM $program
 closed() { ! kill -0 $program 2>/dev/null; }
@@ -70,12 +69,13 @@ program=
 grep -q '"step": 4' "$state" || { echo "FAILED: SIGTERM loses the state"; exit 1; }
 echo "ok: SIGTERM keeps the state"
 
+rm "$state"
 start show ray-sphere
-xdotool key Right sleep 0.3 key Right sleep 0.3 key Right sleep 0.3 key Right sleep 2.5
+xdotool key Right sleep 0.3 key Right sleep 0.3 key Right sleep 0.3 key Right
+wait_for 20 grep -qs '"step": 4' "$state" || { echo "FAILED: a crash would lose the state"; exit 1; }
 kill -KILL $program
 wait $program 2>/dev/null || :
 program=
-grep -q '"step": 4' "$state" || { echo "FAILED: a crash loses the state"; exit 1; }
 start
 expect 'Ray and sphere, two roots, step 4 of' "a crash keeps the state"
 leave
