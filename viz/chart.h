@@ -130,8 +130,9 @@ struct Cases {
   std::vector<std::string> branches;  ///< names, written into the regions; the first one has no colour
   std::vector<Patch> patches;
   std::vector<std::vector<Vec2>> borders;
-  bool one_scale = false;         ///< a unit is as long along y as along x
-  bool named = true;              ///< the names are written
+  bool one_scale = false;  ///< a unit is as long along y as along x
+  /// Names that are written: all, those that their regions have room for, or none.
+  enum class Named { all, within, none } named = Named::all;
   std::vector<Spot> presets;      ///< small rings; a branch without an area gets its name beside one
   std::optional<Spot> here = {};  ///< the setting that is shown
 };

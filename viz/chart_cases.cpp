@@ -47,7 +47,8 @@ class PlaneOfCases {
     ink_.part("chart", "setting");
     here();
     ink_.part("chart", "names");
-    if (cases_.named) names();
+    if (cases_.named == Cases::Named::all) names();
+    if (cases_.named == Cases::Named::within) names_within();
     ink_.part("chart", "presets");
     for (const bool thin : {false, true})  // those of lines and points above the others
       for (const Cases::Spot& preset : cases_.presets)
@@ -123,6 +124,16 @@ class PlaneOfCases {
     if (best.lines_first) ink_.place(names_of_lines(), obstacles(ink_.labels()), b_);
     for (const auto& [branch, place] : best.places) write(branch, place);
     if (!best.lines_first) ink_.place(names_of_lines(), obstacles(ink_.labels()), b_);
+  }
+
+  void names_within() {
+    CaseNames room(cases_, b_);
+    keep_off_marks(room);
+    for (int i = 0; i < branches(); ++i) {
+      if (is_thin(cases_, i)) continue;
+      const NamePlace place = room.place(i, size_of_name(i));
+      if (!place.leads_to) room.take(grown(write(i, place), ink_.sizes().label_clear));
+    }
   }
 
   /// Where the names of regions go, before or after those of lines.

@@ -7,8 +7,8 @@
 namespace isect::viz {
 namespace {
 
-/// Where there is no room for all names a map goes without: the setting's own is told beside it, and a pane tells any
-/// other's under the pointer.
+/// Where there is no room for all names, regions too small for theirs go without: the setting's own is told beside the
+/// map, and a pane tells any other's under the pointer.
 bool crowded(const Cases& cases, const std::vector<PlacedLabel>& labels, double plane_height) {
   const auto is_name = [&](const PlacedLabel& l) { return std::ranges::count(cases.branches, l.text) > 0; };
   for (std::size_t i = 0; i < labels.size(); ++i) {
@@ -29,7 +29,10 @@ Composed compose_map(const Cases& all, const Vec2& corner, double width, double 
   Composed composed = compose({cases}, corner, width, height, theme);
   const Box2 plane = plane_of(cases, corner, width, height, theme);
   if (!crowded(cases, composed.labels, plane.hi.y() - plane.lo.y())) return composed;
-  cases.named = false;
+  cases.named = Cases::Named::within;
+  composed = compose({cases}, corner, width, height, theme);
+  if (!crowded(cases, composed.labels, plane.hi.y() - plane.lo.y())) return composed;
+  cases.named = Cases::Named::none;
   return compose({cases}, corner, width, height, theme);
 }
 

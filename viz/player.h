@@ -118,6 +118,7 @@ class Player {
   void load_method(const std::string& choice);
   void restart();
   void edit(const std::string& name, const Setting&);
+  void set_parameters(Parameters);
   /// What forbids it, if anything: then nothing moves.
   const Condition* drag_handle(const Handle&, const Vec3& to);
   /// Brings the setting to where the lesson's case changes on a way, nearest to `wish` (viz/snap.h), and tells what is
@@ -195,7 +196,6 @@ class Player {
   void show(State, bool same_lesson);
   void remember(const std::string& action, bool with_step);
   bool travel(std::vector<Memory> Player::*from, std::vector<Memory> Player::*to);
-  void set_parameters(Parameters);
   static int step_in(const Walk&, const State&);
   void choose(int step);  ///< of the walk that is shown
   void begin_motion();    ///< from what is shown now

@@ -10,6 +10,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "viz/files.h"
 #include "viz/window/end_signals.h"
@@ -174,11 +175,27 @@ class Input {
     glfwSetKeyCallback(window, [](GLFWwindow* w, int code, int scancode, int action, int modifiers) {
       if (action == GLFW_REPEAT) return;  // Dear ImGui repeats by itself
       const KeyEvent event{by_layout(code, scancode), scancode, action, modifiers};
-      static_cast<Input*>(glfwGetWindowUserPointer(w))->waiting_.push_back(event);
+      told(w).waiting_.push_back(event);
     });
-#if IMGUI_VERSION_NUM >= 18700  // places of the pointer are told as they come, and so in px of the layout
+    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int modifiers) {
+      told(w);
+      ImGui_ImplGlfw_MouseButtonCallback(w, button, action, modifiers);
+    });
+    glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
+      told(w);
+      ImGui_ImplGlfw_ScrollCallback(w, x, y);
+    });
+    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned int c) {
+      told(w);
+      ImGui_ImplGlfw_CharCallback(w, c);
+    });
+    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { told(w); });
+    glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { told(w); });
+#if IMGUI_VERSION_NUM < 18700
+    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) { told(w); });
+#else  // places of the pointer are told as they come, and so in px of the layout
     glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
-      const double to_px = static_cast<Input*>(glfwGetWindowUserPointer(w))->to_px_;
+      const double to_px = told(w).to_px_;
       ImGui::GetIO().AddMousePosEvent(static_cast<float>(to_px * x), static_cast<float>(to_px * y));
     });
 #endif
@@ -189,6 +206,8 @@ class Input {
 
   /// Some keys have not been seen yet.
   bool waiting() const { return !waiting_.empty(); }
+  /// Whether anything has come since this was last asked.
+  bool came() { return std::exchange(came_, false); }
   /// Starts a frame, in a layout with `scale` framebuffer pixels a px. It sees one key come, and never one key go and
   /// come again.
   void new_frame(double scale) {
@@ -214,6 +233,11 @@ class Input {
   struct KeyEvent {
     int code, scancode, action, modifiers;
   };
+  static Input& told(GLFWwindow* window) {
+    Input& input = *static_cast<Input*>(glfwGetWindowUserPointer(window));
+    input.came_ = true;
+    return input;
+  }
   void tell(const KeyEvent&);
   void to_layout(double scale);
 
@@ -221,6 +245,7 @@ class Input {
 
   GLFWwindow* window_;
   std::deque<KeyEvent> waiting_;
+  bool came_ = false;
   double to_px_ = 1;  ///< px of the layout to a window coordinate
 };
 
@@ -304,6 +329,7 @@ void run(Window& window, Input& input, WindowUi& ui, const EndSignals& signals, 
       wait(rest, state);
       frames_due = settle;
     }
+    if (input.came()) frames_due = settle;
     --frames_due;
     input.new_frame(ui.scale());
     if (ImGui::GetIO().DisplaySize.x < 1 || ImGui::GetIO().DisplaySize.y < 1) continue;  // minimised

@@ -39,7 +39,7 @@ class Fit {
 
   Walk tell() {
     script_.value("object", fitted_.object, "volume", Role::first);
-    add("object", "An object of many parts", 4,
+    add("object", "An object of many parts", -1,
         fmt::format("A mesh of {} triangles: an exact test may have to test them all.\n"
                     "A bounding volume encloses them all, and is cheap to test instead.",
                     mesh_.triangles.size()));

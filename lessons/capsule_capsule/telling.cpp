@@ -166,7 +166,7 @@ class Teller {
                                              : "=",
                                  shown(sum())));
     if ((least_ <= sum()) == meet)  // else rounding hides the difference
-      Script::decide(step, {"*d* ≤ *R*", least_, sum(), meet,
+      Script::decide(step, {"*d* > *R*", least_, sum(), !meet,
                             !meet        ? "a gap between them"
                             : is_least() ? "they share a point"
                                          : "they share a point, and the distance may be less still"});

@@ -48,7 +48,7 @@ void SegmentTeller::say(const clip_segment::Narrowed<Counted<double>>& e) {
   untouched.range = before, untouched.left = false;
   const Scene over = picture(untouched, &side);
   if (e.heading != 0)
-    Script::decide(step, {"*t*_{in} ≤ *t*_{out}", known_.range.lo, known_.range.hi, e.holds,
+    Script::decide(step, {"*t*_{in} > *t*_{out}", known_.range.lo, known_.range.hi, !e.holds,
                           e.holds ? "something is left" : "nothing is left"});
   if (e.heading != 0 && !asked_) {
     asked_ = true;

@@ -108,7 +108,7 @@ void Teller::say(const Group& group, const std::vector<Compared>& all) {
                            fmt::format("**n** = {}: {} {} {}", name_of(e.axis), digits(d, r_a + r_b),
                                        e.separates ? ">" : "≤", sum_of(r_a, r_b, d)));
   step.scene = picture(s_, l > noise ? Focus::axis : Focus::edges, e.axis);
-  Script::decide(step, {"*d* ≤ *r*_a + *r*_b", d, r_a + r_b, !e.separates,
+  Script::decide(step, {"*d* > *r*_a + *r*_b", d, r_a + r_b, e.separates,
                         e.separates ? "the test finds a gap" : "the test finds no gap"});
   step.question = question(group, e);
   if (!e.separates) script_.refuse(group.line + 1, {});

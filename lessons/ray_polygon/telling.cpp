@@ -87,7 +87,7 @@ class Teller {
                         "the numerator: the same *t*.",
                     "*t* = **n** · (**p**_0 − **o**) / (**n** · **d**) = " + shown(t));
     step.scene = picture(s_, known_, normal_);
-    Script::decide(step, {"*t* ≥ 0", t, 0, e.holds, e.holds ? "on the ray" : "behind the origin"});
+    Script::decide(step, {"*t* < 0", t, 0, !e.holds, e.holds ? "on the ray" : "behind the origin"});
     step.question = where_question();
     keep_picture(script_.walk());
     script_.refuse(1, {});

@@ -118,7 +118,7 @@ class HainesTeller : Teller {
                      : tangent ? "The line passes at exactly *r*: it touches the ball in one point. Touching counts."
                                : "The line passes nearer than *r*: it meets the ball.",
                      Focus::passing);
-    decide(step, {"*m*^2 ≤ *r*^2", e.m2.value, e.r2.value, !e.holds,
+    decide(step, {"*m*^2 > *r*^2", e.m2.value, e.r2.value, e.holds,
                   e.holds != (line_roots() == 0) ? "by rounding"
                   : e.holds                      ? "the line misses the ball"
                                                  : "the line meets the ball"});
@@ -185,7 +185,7 @@ class HainesTeller : Teller {
                             : "The segment ends inside the ball, before the line leaves it.",
             Focus::none);
     if (segment) {
-      decide(step, {"*t* ≤ *t*_{max}", e.t.value, e.limit.value, !e.holds,
+      decide(step, {"*t* > *t*_{max}", e.t.value, e.limit.value, e.holds,
                     e.holds ? "beyond the segment's end" : "on the segment"});
     }
     if (!e.holds) script_.refuse(13, {14});

@@ -138,7 +138,7 @@ class QuadraticTeller : Teller {
             : roots == 1 ? "*Δ* is exactly zero: both roots coincide, and the line touches the sphere."
                          : "*Δ* is positive: the line meets the sphere twice. Whether the *ray* does is still open.",
             Focus::passing);
-    decide(step, {"*Δ* ≥ 0", e.d.value, 0, !e.holds,
+    decide(step, {"*Δ* < 0", e.d.value, 0, e.holds,
                   !as_true     ? "by rounding"
                   : roots == 0 ? "no real root"
                   : roots == 1 ? "a double root"

@@ -109,7 +109,7 @@ class Teller {
                           "A matt surface reflects light in proportion to it (Lambert's law).",
                    "**n** · **l** = " + shown(cosine));
     Script::decide(
-        s, {"**n** · **l** > 0", cosine, 0, !away, away ? "it does not face the light" : "it faces the light source"});
+        s, {"**n** · **l** ≤ 0", cosine, 0, away, away ? "it does not face the light" : "it faces the light source"});
     // misconception: what faces the light is lit
     s.question =
         Question{"**n** points away from the surface, **l** to the light source. What does **n** · **l** tell?",

@@ -193,7 +193,7 @@ class Teller {
     const double end = below ? s_.ray.range.lo : s_.ray.range.hi;
     const bool holds = below ? end <= t : t <= end;
     if (std::isfinite(end) && holds == meets)  // else rounding hides the difference
-      Script::decide(step, {below ? "*t*_{min} ≤ *t*" : "*t* ≤ *t*_{max}", below ? end : t, below ? t : end, meets,
+      Script::decide(step, {below ? "*t* < *t*_{min}" : "*t* > *t*_{max}", t, end, !meets,
                             meets ? "in the range" : "outside the range"});
     step.question = which_line("Which line returns the answer?", pseudocode_, line, {5, 6},
                                meets ? "Its *t* lies in the range." : "Its *t* lies outside the range.");

@@ -45,6 +45,7 @@ class Faults {
     for (int i = 0; i <= last; ++i) {
       step_ = &walk.steps[i];
       comparison();
+      asked_by_line(walk);
       equations();
       chains();
       stretches();
@@ -81,6 +82,24 @@ class Faults {
         if (truth != c.holds) fault("a comparison says the opposite of its numbers", text);
         return;
       }
+  }
+
+  /// The card asks what its line asks: "x ≤ y" is no way to put "if x > y".
+  void asked_by_line(const Walk& walk) {
+    if (!step_->comparison || step_->line < 0) return;
+    const std::string line = walk.pseudocode[step_->line], card = plain(step_->comparison->text);
+    const auto signs_in = [](const std::string& text) {
+      std::set<int> found;  // strict, not strict, equal, unequal
+      for (const auto& [sign, kind] : std::initializer_list<std::pair<std::string, int>>{
+               {" < ", 0}, {" > ", 0}, {" ≤ ", 1}, {" ≥ ", 1}, {" = ", 2}, {" ≠ ", 3}})
+        for (std::size_t at = text.find(sign); at != std::string::npos; at = text.find(sign, at + 1))
+          found.insert(kind);
+      return found;
+    };
+    const std::set<int> of_line = signs_in(line), of_card = signs_in(card);
+    const std::size_t first = std::min(line.find_first_not_of(' '), line.size());
+    if (line.compare(first, 3, "if ") == 0 && of_line.size() == 1 && of_card.size() == 1 && of_line != of_card)
+      fault("a comparison does not ask what its line asks", card + " beside " + line);
   }
 
   /// "d² = l · l = 2.64": a name that stands among the values has the value given there.

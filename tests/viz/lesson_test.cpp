@@ -18,7 +18,7 @@ TEST_CASE("the nearest name is the one with the fewest edits", "[lesson]") {
   CHECK(nearest("Tangent", {"two-roots", "tangent", "miss"}) == "tangent");
   CHECK(nearest("ceter", {"center", "meter"}) == "center");
   CHECK(nearest("gray", {"screen", "print", "grey", "dark"}) == "grey");
-  CHECK(nearest("pirnt", {"point", "print"}) == "print");  // swapped neighbours count once
+  CHECK(nearest("pirnt", {"point", "print"}) == "print");     // swapped neighbours count once
   CHECK(nearest("poly", {"point", "polygon"}) == "polygon");  // its beginning
   CHECK(nearest("eg", {"osmesa", "egl"}) == "egl");
   CHECK(nearest("KDOPS", {"kdop"}) == "kdop");

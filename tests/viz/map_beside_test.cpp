@@ -47,6 +47,19 @@ TEST_CASE("W and a button show the map beside the scene at any step, and hide it
   CHECK(window.ui.message() == "This lesson has no map of cases");
 }
 
+TEST_CASE("a setting that has no place on the map stands without it", "[window]") {
+  Settings settings;
+  settings.map = true;
+  const std::vector<const Lesson*> all = lessons::all_lessons();
+  WindowDriver window(all, 1280, 800, place_at("bounding-volumes", "tilted"), settings);
+  CHECK_FALSE(window.has("map"));
+  window.type("w");
+  CHECK(window.ui.message() == "This setting has no place on the map of cases");
+  window.player().load(preset(lesson_named(all, "bounding-volumes"), "reject"));
+  window.frames(2);
+  CHECK(window.has("map"));
+}
+
 TEST_CASE("dragging over the map moves scene and setting, and the verdict stays a verdict", "[window]") {
   Settings settings;
   settings.map = true;
@@ -156,6 +169,16 @@ TEST_CASE("no name of a case meets another, in the least window either", "[windo
       }
   }
   CHECK(maps > 8);
+}
+
+TEST_CASE("regions with room for their names keep them where others have none", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 800, 600, place_at("intervals", "overlapping"));
+  window.player().go_to(outcome(window.player().walk()) + 1);
+  REQUIRE(window.player().step().slug == case_map_slug);
+  window.frames(2);
+  const std::vector<std::string>& names = window.player().lesson().map->branches;
+  CHECK(std::ranges::count_if(window.ui.labels(),
+                              [&](const PlacedLabel& l) { return std::ranges::count(names, l.text) > 0; }) > 2);
 }
 
 TEST_CASE("the map keeps a question's answer to itself", "[window]") {

@@ -111,6 +111,30 @@ TEST_CASE("a handle stands on what is drawn", "[player]") {
         }
 }
 
+TEST_CASE("a handle that is dragged back to where it was taken leaves the preset as it was", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800);
+  int dragged = 0;
+  for (const Lesson* lesson : lessons::all_lessons()) {
+    window.player().open(*lesson);
+    window.frames(2);
+    const std::string preset = window.player().preset_id();
+    const std::vector<Handle> handles = window.player().scene().handles;
+    for (const Handle& handle : handles) {
+      INFO(lesson->id << ": " << handle.parameter);
+      const Rect grip = window.rect("handle " + handle.parameter);
+      const float x = grip.middle_x() + 3, y = grip.middle_y() - 2;
+      window.move(x, y);
+      window.button(true);
+      window.move(x + 37, y + 23);
+      window.move(x, y);
+      window.button(false);
+      CHECK(window.player().preset_id() == preset);
+      ++dragged;
+    }
+  }
+  CHECK(dragged > 60);
+}
+
 TEST_CASE("every handle is at least 24 px wide, and has its name beside it", "[window]") {
   WindowDriver window(lessons::all_lessons(), 1280, 800);
   for (const Lesson* lesson : lessons::all_lessons()) {
@@ -197,8 +221,8 @@ TEST_CASE("the closing step leads to lessons that share an idea", "[window]") {
   WindowDriver window(lessons::all_lessons(), 1280, 2400, at("inside"));
   window.key(key::end);
   window.frames(2);
-  REQUIRE(window.has("Minkowski sum: sphere-aabb"));
-  window.click("Minkowski sum: sphere-aabb");
+  REQUIRE(window.has("same idea Minkowski sum: sphere-aabb"));
+  window.click("same idea Minkowski sum: sphere-aabb");
   window.frames(2);
   CHECK(window.player().lesson().id == "sphere-aabb");
 }

@@ -62,6 +62,23 @@ TEST_CASE("where the border is no double, a drag snaps to one of its neighbours,
         std::get<double>(preset(window.player().lesson(), "two-roots").parameters.at("radius")));
 }
 
+TEST_CASE("what has snapped stays when Shift is let go before the button", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, place_at("intervals", "overlapping"));
+  const Rect a = window.rect("handle a_max"), b = window.rect("handle b_min");
+  window.move(b.middle_x(), b.middle_y());
+  window.button(true);
+  window.modifiers(false, true);
+  window.move(a.middle_x() + 7, b.middle_y());
+  window.modifiers(false, false);
+  window.frames(2);
+  CHECK(number(window.player(), "b_min") == number(window.player(), "a_max"));
+  const Rect toast = window.rect("message");
+  CHECK(toast.bottom <= window.rect("changed").top);
+  window.move(a.middle_x() + 9, b.middle_y());
+  CHECK(number(window.player(), "b_min") > number(window.player(), "a_max"));
+  window.button(false);
+}
+
 TEST_CASE("a drag on which nothing changes goes where the pointer goes", "[window]") {
   WindowDriver window(lessons::all_lessons(), 1280, 800, place_at("intervals", "overlapping"));
   const double before = number(window.player(), "b_max");

@@ -22,6 +22,17 @@ xdotool mousemove "$1" "$2" sleep 0.3 mousedown 1 sleep 0.3 mouseup 1
 expect 'miss, step 1 of' "a click on a chip loads its preset"
 xdotool key 1; expect 'two roots, step 1 of' "and back"
 
+# what a click leads to is drawn, and no further event is needed
+set -- $(at "parameters")
+xdotool mousemove "$1" "$2" sleep 1 mousedown 1 sleep 0.05 mouseup 1 sleep 3
+shown() { import -window "$window" -crop 284x380+10+320 +repage -depth 8 gray:- | cksum; }
+if command -v import >/dev/null; then
+  alone=$(shown)
+  xdotool mousemove_relative -- 0 1 sleep 1 mousemove_relative -- 0 -1 sleep 2
+  [ "$alone" = "$(shown)" ] || { echo "FAILED: the parameters wait for another event"; exit 1; }
+  echo "ok: a click alone opens the parameters"
+fi
+
 set -- $(at "handle center")
 xdotool mousemove "$1" "$2" sleep 0.3 mousedown 1 sleep 0.3
 xdotool mousemove $(($1 + 40)) $(($2 + 60)) sleep 0.3 mousemove $(($1 + 80)) $(($2 + 120)) sleep 0.3 mouseup 1

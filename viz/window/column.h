@@ -17,7 +17,7 @@ struct Column {
               {x, y})
              .y;
   }
-  /// A button as wide as its words, in a row that begins at `from`; moves `from` behind it.
+  /// A button as wide as its words, in a row that begins at `from`, or in a row below; moves `from` behind it.
   bool button(const std::string& name, const std::string& words, float& from);
 };
 

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "viz/window/key_codes.h"
+#include "viz/window/map_view.h"
 #include "viz/window/panels.h"
 #include "viz/window/second_pane.h"
 
@@ -159,6 +160,7 @@ void save_back(Session& s) {
 
 void show_map(Session& s) {
   if (!s.player.lesson().map) return s.say("This lesson has no map of cases");
+  if (!has_map(s.player)) return s.say("This setting has no place on the map of cases");
   s.settings.map = !s.settings.map;
   if (s.settings.map) s.settings.beside.reset();
 }

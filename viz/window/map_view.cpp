@@ -41,9 +41,15 @@ Rect below_header(const Rect& r) { return {r.left, r.top + map_header, r.right, 
 
 }  // namespace
 
+bool has_map(const Player& player) {
+  const CaseMap* const map = player.lesson().map;
+  return map && map->place(player.parameters()).allFinite();
+}
+
 bool shows_map(const Session& s) {
   const Player& p = s.player;
-  return s.settings.map && p.lesson().map && p.step().slug != case_map_slug;
+  const bool drags = ImGui::GetIO().MouseDown[0];  // then all stays where it is
+  return s.settings.map && p.step().slug != case_map_slug && (has_map(p) || (p.lesson().map && drags));
 }
 
 void MapDrag::follow(Session& s, const Cases& cases, const Box2& plane, bool hovered) {
@@ -67,10 +73,11 @@ void MapDrag::follow(Session& s, const Cases& cases, const Box2& plane, bool hov
   });
 }
 
-/// A preset begins a new one.
+/// A preset begins a new one, but where a drag leads back to it.
 void MapView::leave_trail(const Player& player) {
-  if (!player.preset_id().empty() || !map_.cases().here || trail_of_ != map_.lesson()) trail_.clear();
-  trail_of_ = map_.lesson();
+  const bool preset = player.preset_id() != trail_from_ && !ImGui::GetIO().MouseDown[0];
+  if ((preset && !player.preset_id().empty()) || !map_.cases().here || trail_of_ != map_.lesson()) trail_.clear();
+  trail_of_ = map_.lesson(), trail_from_ = player.preset_id();
   if (!map_.cases().here || (!trail_.empty() && trail_.back().at == map_.cases().here->at)) return;
   trail_.push_back(*map_.cases().here);
   if (trail_.size() > trail_kept) trail_.pop_front();

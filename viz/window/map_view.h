@@ -13,8 +13,9 @@
 
 namespace isect::viz {
 
-/// Whether the map stands beside this step: the reader wants it, the lesson has one, and the step does not show it
-/// itself.
+/// Whether the lesson has a map and the setting a place on it or beyond it.
+bool has_map(const Player&);
+/// Whether the map stands beside this step: the reader wants it, there is one, and the step does not show it itself.
 bool shows_map(const Session&);
 
 /// A drag over the plane of a map moves the setting.
@@ -52,6 +53,7 @@ class MapView {
 
   MapBeside map_;
   const Lesson* trail_of_ = nullptr;  ///< which lesson left it
+  std::string trail_from_;            ///< the preset in the frame before
   std::deque<Cases::Spot> trail_;
   MapDrag drag_;
 };

@@ -12,13 +12,16 @@ namespace {
 
 constexpr float button_height = 34;
 
-float button_width(Ui& ui, const std::string& words) { return text_width(ui.fonts.body, words) + 28; }
+constexpr float button_sides = 28;  ///< beside its words, both
 
 }  // namespace
 
 bool Column::button(const std::string& name, const std::string& words, float& from) {
-  const float wide = button_width(s.ui, words);
-  const bool pressed = chip(s.ui, name, {from, y, from + wide, y + button_height}, words, false);
+  ImFont* font = s.ui.fonts.body;
+  if (text_width(font, words) + button_sides > width) font = s.ui.fonts.small;
+  const float wide = text_width(font, words) + button_sides;
+  if (from > x && from + wide > x + width) from = x, y += button_height + 6;
+  const bool pressed = chip(s.ui, name, {from, y, from + wide, y + button_height}, words, false, font);
   from += wide + 8;
   return pressed;
 }
@@ -98,8 +101,8 @@ void same_ideas(Column& c) {
     float x = c.x;
     for (const Lesson* other : shared.others) {
       const std::string title = plain(short_title(*other));
-      if (x > c.x && x + button_width(c.s.ui, title) > c.x + c.width) x = c.x, c.y += button_height + 6;
-      if (c.button(shared.idea + ": " + other->id, title, x)) return c.s.attempt([&] { c.s.player.open(*other); });
+      if (c.button("same idea " + shared.idea + ": " + other->id, title, x))
+        return c.s.attempt([&] { c.s.player.open(*other); });
     }
     c.y += button_height + 4;
   }

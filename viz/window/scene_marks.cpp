@@ -148,9 +148,15 @@ void alarm_chip(Session& s, const Rect& scene) {
   tooltip(ui, all);
 }
 
-void tripod(Session& s, const View& view, const Rect& scene) {
+void tripod(Session& s, const View& view, const Rect& scene, const std::vector<PlacedLabel>& labels) {
   constexpr float length = 28;
   const ImVec2 origin{scene.left + 46, scene.bottom - 44};
+  const Rect place{origin.x - 40, origin.y - 46, origin.x + 46, origin.y + 36};
+  const TextBox room = {place.left - scene.left, place.top - scene.top, place.right - scene.left,
+                        place.bottom - scene.top};
+  for (const auto& [text, box, leads_to] : labels)
+    if (box.left < room.right && room.left < box.right && box.top < room.bottom && room.top < box.bottom) return;
+  s.ui.rects["tripod"] = place;
   const Palette& c = s.ui.palette;
   const ImU32 ink = packed(c.muted);
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -209,7 +215,7 @@ void toast(Session& s, const Rect& scene) {
   const float room = std::min(scene.width() - 40, 560.0f), size = font->FontSize * font->Scale;
   const ImVec2 words = font->CalcTextSizeA(size, room - 56, room - 56, toast.text.c_str());
   const float width = words.x + 56, height = words.y + 22;
-  const float left = std::round(scene.middle_x() - width / 2), top = std::round(scene.bottom - 52 - height);
+  const float left = std::round(scene.middle_x() - width / 2), top = std::round(scene.bottom - 68 - height);
   const Rect r{left, top, left + width, top + height};
   ui.rects["message"] = r;
   filled(r, ui.palette.window, 8);

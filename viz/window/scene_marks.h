@@ -18,7 +18,7 @@ void verdict_chip(Session&, const Rect& scene);
 /// on it what each says.
 void alarm_chip(Session&, const Rect& scene);
 /// The directions of the axes at the bottom left.
-void tripod(Session&, const View&, const Rect& scene);
+void tripod(Session&, const View&, const Rect& scene, const std::vector<PlacedLabel>&);
 /// The projection's name at the bottom right: a button (before the scene's own), and its text (over the
 /// picture).
 void projection_name(Session&, const Rect& scene);

@@ -108,12 +108,18 @@ std::optional<Handle> SceneView::handle_near(const Session& s, const View& view,
   return nearest;
 }
 
-/// With Shift only as far as where the case changes, next to the pointer.
+/// With Shift only as far as where the case changes, next to the pointer. Where it was taken, all is as it was then.
 void SceneView::drag_held(Session& s, const View& view) {
   const bool snapping = ImGui::GetIO().KeyShift;
-  if (mouse() == last_ && snapping == snapping_) return;
+  const bool released = snapping_ && !snapping;  // it stays where it has snapped until the pointer moves on
+  if (mouse() == last_ && (snapping == snapping_ || released)) return;
   snapping_ = snapping;
   s.attempt([&] {
+    if (mouse() == pressed_) {
+      forbidden_.clear();
+      s.player.set_parameters(begun_);
+      return;
+    }
     const Moved moved = drag_to(s.player, *held_, start_, brought(view, *held_, mouse() - grip_), snapping);
     forbidden_ = moved.refused;
     if (!moved.told.empty()) s.say(moved.told);
@@ -175,6 +181,7 @@ void SceneView::pointer(Session& s, const View& view, bool hovered, bool active)
     if (held_) {
       s.player.remember("drag");
       start_ = held_->at, snapping_ = false;
+      begun_ = s.player.parameters(), pressed_ = mouse();
       grip_ = mouse() - view.project(held_->at).at;
     } else if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
       s.player.frame_all();
@@ -237,7 +244,7 @@ void SceneView::show(Session& s, const Rect& r) {
 
   verdict_chip(s, r);
   alarm_chip(s, r);
-  if (in_space && !(s.player.lesson().flat && is_low(r))) tripod(s, view, r);
+  if (in_space && !(s.player.lesson().flat && is_low(r))) tripod(s, view, r, labels_);
   if (lead && in_space && !s.player.lesson().flat) projection_text(s, r);
   if (lead) changed_text(s, r);
   toast(s, r);

@@ -38,15 +38,17 @@ class SceneView {
   bool drawing_, behind_ = false;
   std::vector<PlacedLabel> labels_;
   KeptPicture picture_;
-  std::string drawn_;           ///< what the picture shows, as one line; drawing it again is saved
-  bool sketched_ = false;       ///< while it is dragged: it is drawn smoothly once the button is released
-  std::optional<Handle> held_;  ///< while a handle is dragged: the handle as it is now
-  std::string forbidden_;       ///< why it does not follow the pointer; empty: it does
-  MapDrag map_drag_;            ///< while the step shows the map of cases
-  Vec3 start_ = Vec3::Zero();   ///< where it stood when it was taken
-  bool snapping_ = false;       ///< Shift was held in the frame before
-  Vec2 grip_ = Vec2::Zero();    ///< from the held handle to the pointer that took it
-  Vec2 last_ = Vec2::Zero();    ///< the pointer in the frame before
+  std::string drawn_;            ///< what the picture shows, as one line; drawing it again is saved
+  bool sketched_ = false;        ///< while it is dragged: it is drawn smoothly once the button is released
+  std::optional<Handle> held_;   ///< while a handle is dragged: the handle as it is now
+  std::string forbidden_;        ///< why it does not follow the pointer; empty: it does
+  MapDrag map_drag_;             ///< while the step shows the map of cases
+  Vec3 start_ = Vec3::Zero();    ///< where it stood when it was taken
+  Parameters begun_;             ///< the setting then
+  Vec2 pressed_ = Vec2::Zero();  ///< the pointer that took it
+  bool snapping_ = false;        ///< Shift was held in the frame before
+  Vec2 grip_ = Vec2::Zero();     ///< from the held handle to the pointer that took it
+  Vec2 last_ = Vec2::Zero();     ///< the pointer in the frame before
 };
 
 }  // namespace isect::viz

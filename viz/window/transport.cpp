@@ -73,7 +73,7 @@ void buttons(Session& s, float middle, float y) {
   text(ui.fonts.small, speed.middle_x(), y, packed(ui.palette.muted), speeds[i], 0.5f);
 
   const Rect map{speed.right + 12, y - 18, speed.right + 56, y + 18};
-  if (icon_button(ui, "show map", map, Icon::map, shows_map(s), player.lesson().map)) show_map(s);
+  if (icon_button(ui, "show map", map, Icon::map, shows_map(s), has_map(player))) show_map(s);
   if (ImGui::IsItemHovered()) tooltip(ui, "Where this case lies: the map of cases beside the scene (W)");
   const Rect panes{map.right + 8, map.top, map.right + 52, map.bottom};
   if (icon_button(ui, "two panes", panes, Icon::panes, two_panes(s), true)) toggle_panes(s);

@@ -220,13 +220,13 @@ void operations_block(Session& s, const Rect& r) {
   rule(ui, r.left + 10, r.right - 10, r.top);
   if (r.height() > 50) text(ui.fonts.bold, r.left + 10, r.top + 16, packed(c.text), "Operations");
   const float y = r.bottom - 18;
-  const float share = (r.width() - 20) / 5;
+  const float share = (r.width() - 20) / 5, gap = 12;
   float x = r.left + 10;
   for (const auto& [name, count] : counts) {
     const float width = text(ui.fonts.small, x, y, packed(c.muted), name);
-    text(ui.fonts.mono, x + width + 6, y, packed(c.text), std::to_string(count));
-    s.ui.rects[std::string("count ") + name] = {x, y - 9, x + share, y + 9};
-    x += share;
+    const float end = x + width + 6 + text(ui.fonts.mono, x + width + 6, y, packed(c.text), std::to_string(count));
+    s.ui.rects[std::string("count ") + name] = {x, y - 9, end, y + 9};
+    x = std::max(x + share, end + gap);
   }
   if (ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r))) tooltip(ui, "Operations up to this step");
 }
