@@ -1,9 +1,10 @@
-// In the plane: outlines against outlines, and whatever runs along a line against outlines and segments. A point beside
-// a line or a plane.
+// In the plane: outlines against outlines, and whatever runs along a line against outlines and segments. Points and
+// corners beside a line or a plane.
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <isect/convex_hull.h>
@@ -153,6 +154,52 @@ void tell_beside_plane(const Setting&, const Object& a, const Object& b, Answer&
     out.verdict = {Verdict::Kind::no, fmt::format("{} lies beside {}, on the side that its normal leaves", na, nb)};
 }
 
+/// Its corners, or its points.
+std::vector<Vec3> all_corners(const Setting& s, const Object& o) {
+  std::vector<Vec3> all;
+  if (o.type == Type::triangle || o.type == Type::polygon)
+    for (const std::vector<Vec3>& ring : s.rings(o)) all.insert(all.end(), ring.begin(), ring.end());
+  else if (o.type == Type::mesh)  // those of its triangles
+    for (const TriangleMesh<double> mesh = mesh_of(o); const std::array<int, 3>& triangle : mesh.triangles)
+      for (const int i : triangle) all.push_back(mesh.vertices[static_cast<std::size_t>(i)]);
+  else
+    all = s.points(o);
+  return all;
+}
+
+/// The sign of n . p + d, in doubles where their rounding can't change it.
+int side_of_plane(const Vec3& n, double d, const Vec3& p) {
+  const double value = n.dot(p) + d, sum = n.cwiseAbs().dot(p.cwiseAbs()) + std::abs(d);
+  if (sum > 1e-290 && sum < 1e290 && std::abs(value) > 1e-14 * sum) return value > 0 ? 1 : -1;
+  return (product_sum(n, p, Vec3::Zero()) + Exact(d)).sign();
+}
+
+Json corners_beside_plane(const Setting& s, const Object& a, const Object& b) {
+  std::array<int, 3> count = {};
+  for (const Vec3& p : all_corners(s, b))
+    ++count[static_cast<std::size_t>(1 + side_of_plane(s.point(a, "normal"), s.number(a, "d"), p))];
+  return {{"behind", count[0]}, {"on", count[1]}, {"before", count[2]}};
+}
+void tell_corners(const Setting&, const Object& a, const Object& b, Answer& out) {
+  const std::string na = shown_name(a.name), nb = shown_name(b.name);
+  const int behind = out.result["behind"], on = out.result["on"], before = out.result["before"];
+  if (behind > 0 && before > 0)
+    out.verdict = {Verdict::Kind::yes, b.type == Type::cloud ? fmt::format("{} has points on both sides of {}", nb, na)
+                                                             : fmt::format("{} cuts {}", na, nb)};
+  else if (on > 0)
+    out.verdict = {Verdict::Kind::on,
+                   behind + before > 0 ? fmt::format("{} and {} touch", na, nb) : fmt::format("{} lies in {}", nb, na)};
+  else
+    out.verdict = {Verdict::Kind::no,
+                   fmt::format("{} lies beside {}, {}", nb, na,
+                               before > 0 ? "where its normal points" : "on the side that its normal leaves")};
+  if (b.type == Type::mesh) return;  // whose triangles share corners
+  const char* unit = b.type == Type::cloud || b.type == Type::hull ? "points" : "corners";
+  out.values = {{"where the normal points", static_cast<double>(before), unit, viz::Role::text, true},
+                {"in the plane", static_cast<double>(on), unit, viz::Role::hit, true},
+                {"on the other side", static_cast<double>(behind), unit, viz::Role::text, true}};
+}
+
 /// Left of it, right of it, on it, or in line with it and beyond an end.
 Json beside_line(const Setting& s, const Object& a, const Object& b) {
   const bool segment = b.type == Type::segment;
@@ -187,6 +234,8 @@ std::vector<Pair> pairs_in_plane() {
   using enum Type;
   using In = Pair::In;
   std::vector<Pair> table = {{point, plane, nullptr, In::both, beside_plane, tell_beside_plane}};
+  for (const Type with_corners : {triangle, polygon, hull, mesh, cloud})
+    table.push_back({plane, with_corners, nullptr, In::space, corners_beside_plane, tell_corners});
   for (const Type along : {segment, ray, line}) {
     table.push_back({point, along, nullptr, In::plane, beside_line, tell_beside_line});
     for (const Type outline : {triangle, polygon, hull})

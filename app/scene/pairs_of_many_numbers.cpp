@@ -7,6 +7,7 @@
 
 #include <isect/aabb_frustum.h>
 #include <isect/bvh_ray.h>
+#include <isect/numbers/exact.h>
 #include <isect/orient.h>
 #include <isect/point_aabb.h>
 #include <isect/point_kdop.h>
@@ -14,6 +15,7 @@
 #include <isect/point_polygon.h>
 #include <isect/point_sphere.h>
 #include <isect/sphere_frustum.h>
+#include <isect/triangle_aabb.h>
 
 #include "app/scene/pairs.h"
 #include "app/scene/shapes.h"
@@ -27,6 +29,20 @@ using viz::Vec3;
 using viz::Verdict;
 
 // Where points lie.
+
+/// By the squared distance from the segment p q, times its squared length where the nearest point is no end.
+Location beside_capsule(const Vec3& x, const Vec3& p, const Vec3& q, double r) {
+  const auto product = [](const Vec3& a, const Vec3& from_a, const Vec3& b, const Vec3& from_b) {
+    Exact sum(0.0);
+    for (int i = 0; i < 3; ++i) sum = sum + (Exact(a[i]) - Exact(from_a[i])) * (Exact(b[i]) - Exact(from_b[i]));
+    return sum;
+  };
+  const Exact along = product(x, p, q, p), length = product(q, p, q, p), radius = Exact(r) * Exact(r);
+  const int side = along.sign() <= 0              ? (product(x, p, x, p) - radius).sign()
+                   : (along - length).sign() >= 0 ? (product(x, q, x, q) - radius).sign()
+                                                  : ((product(x, p, x, p) - radius) * length - along * along).sign();
+  return side < 0 ? Location::in : side == 0 ? Location::on : Location::out;
+}
 
 /// Beside the triangles of a hull in space, which are counter-clockwise seen from outside.
 Location beside(const Vec3& p, const Hull3<double>& hull) {
@@ -61,6 +77,10 @@ Locator locator(const Setting& s, const Object& o) {
       return of(obb_of<N>(s, o));
     case Type::kdop:
       return of(kdop_of<N>(s, o));
+    case Type::capsule:
+      return [p = s.point(o, "p"), q = s.point(o, "q"), r = s.number(o, "r")](const Vec3& x) {
+        return beside_capsule(x, p, q, r);
+      };
     case Type::hull:
       if constexpr (N == 3) {
         static_cast<void>(solid_of(s, o));  // refuses one without a volume
@@ -144,6 +164,22 @@ void tell_ray(const Setting& s, const Object& a, const Object& b, Answer& out) {
 Json culled(Culling culling) {
   return {{"culling", culling == Culling::inside ? "inside" : culling == Culling::outside ? "outside" : "crossing"}};
 }
+/// The triangles that have a point in the box; a box within the mesh has none.
+Json mesh_and_box(const Setting& s, const Object& a, const Object& b) {
+  const TriangleMesh<double> mesh = mesh_of(a);
+  const Aabb<double, 3> box = box_of<3>(s, b);
+  int met = 0;
+  for (int i = 0; i < static_cast<int>(mesh.triangles.size()); ++i) met += intersects(triangle(mesh, i), box);
+  return {{"triangles_met", met}};
+}
+void tell_mesh_and_box(const Setting&, const Object& a, const Object& b, Answer& out) {
+  const std::string na = shown_name(a.name), nb = shown_name(b.name);
+  const int met = out.result["triangles_met"];
+  out.verdict = met > 0 ? Verdict{Verdict::Kind::yes, fmt::format("{} meets {} of {} triangles of {}", nb, met,
+                                                                  a.fixed.triangles.size(), na)}
+                        : Verdict{Verdict::Kind::no, fmt::format("{} meets no triangle of {}", nb, na)};
+  out.values = {{"triangles met", static_cast<double>(met), "", Role::hit, true}};
+}
 Json frustum_and_box(const Setting& s, const Object& a, const Object& b) {
   return culled(cull(box_of<3>(s, b), frustum_of(s, a)));
 }
@@ -188,8 +224,10 @@ std::vector<Pair> pairs_of_many_numbers() {
   std::vector<Pair> table = {{kdop, kdop, "kdop_kdop", In::both, two_kdops, tell_kdops},
                              {frustum, box, nullptr, In::space, frustum_and_box, tell_culling},
                              {frustum, sphere, nullptr, In::space, frustum_and_sphere, tell_culling}};
-  for (const Type shape : {kdop, hull}) table.push_back({point, shape, nullptr, In::both, point_result, tell_point});
-  for (const Type shape : {box, sphere, obb, kdop, hull})
+  table.push_back({mesh, box, nullptr, In::space, mesh_and_box, tell_mesh_and_box});
+  for (const Type shape : {kdop, hull, capsule})
+    table.push_back({point, shape, nullptr, In::both, point_result, tell_point});
+  for (const Type shape : {box, sphere, obb, kdop, hull, capsule})
     table.push_back({cloud, shape, nullptr, In::both, cloud_result, tell_cloud});
   for (const Type shape : {triangle, polygon})
     table.push_back({cloud, shape, nullptr, In::plane, cloud_result, tell_cloud});

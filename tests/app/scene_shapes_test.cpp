@@ -401,6 +401,53 @@ TEST_CASE("a point lies beside a line or a plane, on it, or beyond its end", "[s
   CHECK(at("[1,2,0]", plane) == "p lies beside w, on the side that its normal leaves");
 }
 
+TEST_CASE("corners lie beside a plane, in it or on both sides", "[scene]") {
+  const Shell shell;
+  const auto told = [&](const std::string& d, const std::string& other) {
+    return verdict(shell, R"({"plane": "w", "normal": [0,0,1], "d": )" + d + "}, " + other);
+  };
+  const std::string triangle = R"({"triangle": "T", "points": [[0,0,0],[1,0,1],[0,1,1]]})";
+  CHECK(told("-0.5", triangle) == "w cuts T");
+  CHECK(told("-1", triangle) == "w and T touch");
+  CHECK(told("-1.0000000000000002", triangle) == "T lies beside w, on the side that its normal leaves");
+  CHECK(told("1e-300", triangle) == "T lies beside w, where its normal points");
+  CHECK(told("-1", R"({"polygon": "T", "points": [[0,0,1],[1,0,1],[0,1,1]]})") == "T lies in w");
+  CHECK(told("-0.5", R"({"hull": "T", "points": [[0,0,0],[1,0,0],[0,1,0],[0,0,1]]})") == "w cuts T");
+  CHECK(told("-0.5", R"({"cloud": "T", "points": [[0,0,0],[1,0,1]]})") == "T has points on both sides of w");
+  // a vertex that no triangle has is no corner
+  const std::string mesh = R"({"mesh": "T", "points": [[0,0,0],[1,0,0],[0,1,0],[0,0,9]], "triangles": [[0,1,2]]})";
+  CHECK(told("0", mesh) == "T lies in w");
+  CHECK(told("-1", mesh) == "T lies beside w, on the side that its normal leaves");
+}
+
+TEST_CASE("a point lies in a capsule, on it or outside", "[scene]") {
+  const Shell shell;
+  const auto told = [&](const std::string& at, const std::string& capsule) {
+    return verdict(shell, R"({"point": "p", "at": )" + at + R"(}, {"capsule": "c", )" + capsule + "}");
+  };
+  const std::string flat = R"("p": [0,0], "q": [4,3], "r": 2.5)";
+  CHECK(told("[0.5,3.5]", flat) == "p lies on the boundary of c");  // 2.5 from (2, 1.5), at right angles
+  CHECK(told("[0.5,3.4999999999999996]", flat) == "p lies inside c");
+  CHECK(told("[0.5,3.5000000000000004]", flat) == "p lies outside c");
+  CHECK(told("[-1.5,-2]", flat) == "p lies on the boundary of c");  // beside an end
+  CHECK(told("[5.5,5]", flat) == "p lies on the boundary of c");
+  CHECK(told("[5.5,5.0000000000000009]", flat) == "p lies outside c");
+  CHECK(told("[0,0,1]", R"("p": [0,0,0], "q": [0,0,0], "r": 1)") == "p lies on the boundary of c");
+  CHECK(verdict(shell, R"({"cloud": "C", "points": [[0,0],[9,9],[0.5,3.5]]}, {"capsule": "c", )" + flat + "}") ==
+        "1 of 3 points of C lies inside c, 1 on its boundary");
+}
+
+TEST_CASE("a box meets those triangles of a mesh that have a point in it", "[scene]") {
+  const Shell shell;
+  const std::string mesh =
+      R"({"mesh": "M", "points": [[0,0,0],[4,0,0],[0,4,0],[0,0,4]], "triangles": [[0,2,1],[0,1,3],[0,3,2],[1,2,3]]}, )";
+  const auto told = [&](const std::string& box) { return verdict(shell, mesh + R"({"box": "A", )" + box + "}"); };
+  CHECK(told(R"("lo": [-1,-1,-1], "hi": [0,0,0])") == "A meets 3 of 4 triangles of M");
+  CHECK(told(R"("lo": [0.5,0.5,0.5], "hi": [1,1,1])") == "A meets no triangle of M");  // within it
+  CHECK(told(R"("lo": [2,1,1], "hi": [9,9,9])") == "A meets 1 of 4 triangles of M");
+  CHECK(told(R"("lo": [2,1,1.0000000000000002], "hi": [9,9,9])") == "A meets no triangle of M");
+}
+
 TEST_CASE("a concave polygon, two points and a frustum of a scene are walked through by their lessons", "[scene]") {
   const Shell shell;
   const auto told = [&](const std::string& lesson, const std::string& objects) {

@@ -183,9 +183,9 @@ TEST_CASE("what is wrong with a scene is told by line and field, with what is al
   CHECK_THAT(refused(R"({"objects": [], "ask": []})"), Contains("objects: a list of 1 to"));
   CHECK_THAT(refused(R"({"objects": [)" + point + R"(], "ask": [["p", "r"]]})"),
              Contains("ask[0]: no object is called \"r\""));
-  CHECK_THAT(refused(R"({"objects": [)" + point +
-                     R"(, {"capsule": "g", "p": [0, 0], "q": [1, 0], "r": 1}], "ask": [["p", "g"]]})"),
-             Contains("no test of a point against a capsule in the plane") && Contains("polygon"));
+  CHECK_THAT(refused(R"({"objects": [{"box": "p", "lo": [0, 0], "hi": [1, 1]},
+                         {"capsule": "g", "p": [0, 0], "q": [1, 0], "r": 1}], "ask": [["p", "g"]]})"),
+             Contains("no test of a box against a capsule in the plane") && Contains("polygon"));
   CHECK_THAT(refused(R"({"objects": [)" + point + R"(], "ask": [{"first hit": "p"}]})"),
              Contains("a ray, a line or a segment"));
   CHECK_THAT(refused(R"({"objects": [)" + point + R"(], "camera": {"elevation": 100}})"), Contains("-90 to 90"));
