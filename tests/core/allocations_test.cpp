@@ -9,10 +9,12 @@
 #include <isect/plane_sphere.h>
 #include <isect/point_obb.h>
 #include <isect/point_point.h>
+#include <isect/point_polygon.h>
 #include <isect/point_sphere.h>
 #include <isect/ray_aabb.h>
 #include <isect/ray_obb.h>
 #include <isect/ray_plane.h>
+#include <isect/ray_polygon.h>
 #include <isect/ray_sphere.h>
 #include <isect/ray_triangle.h>
 #include <isect/segment_segment.h>
@@ -24,14 +26,17 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <vector>
 
 #include "bench/capsule_capsule/families.h"
 #include "bench/obb_obb/families.h"
 #include "bench/orient2d/families.h"
+#include "bench/point_polygon/families.h"
 #include "bench/random.h"
 #include "bench/ray_aabb/families.h"
 #include "bench/ray_obb/families.h"
 #include "bench/ray_plane/families.h"
+#include "bench/ray_polygon/families.h"
 #include "bench/ray_sphere/families.h"
 #include "bench/ray_triangle/families.h"
 #include "bench/sphere_aabb/families.h"
@@ -68,6 +73,7 @@ struct Draw {
   Triangle<double, 3> triangle() const { return {{vec(), vec(), vec()}}; }
   Segment<double, 2> segment() const { return {point(), point()}; }
   Point<double, 2> point() const { return {number(random), number(random)}; }
+  Ring<double, 3> ring() const { return {vec(), vec(), vec(), vec(), vec()}; }
   Aabb<double, 3> box() const {
     const Vec a = vec(), b = vec();
     return {a.cwiseMin(b), a.cwiseMax(b)};
@@ -105,6 +111,28 @@ void ask_all(const Number& number) {
   CHECK(after == before);
 }
 
+/// The same of polygons, which are drawn beforehand, as their vertices stand on the heap.
+template <class Number>
+void ask_polygons(const Number& number) {
+  bench::Random random(tests::seed());
+  const Draw<Number> d{random, number};
+  int said = 0;
+  std::size_t calls = 0;
+  const int cases = tests::cases(1000, 100000);
+  for (int i = 0; i < cases; ++i) {
+    const Ring<double, 3> ring = d.ring();
+    Ring<double, 2> outline;
+    for (const Vec& v : ring) outline.emplace_back(v[0], v[1]);
+    const Ray<double, 3> ray = d.ray();
+    const Point<double, 2> point = d.point();
+    const std::size_t before = heap::calls;
+    said += bool(intersect(ray, ring)) + winding(point, outline).winding;
+    calls += heap::calls - before;
+  }
+  INFO("answers add up to " << said);
+  CHECK(calls == 0);
+}
+
 /// Asks every family's cases; `ask` returns some part of the answer.
 template <class Draws, class Ask>
 void ask_families(const Draws& draws, const Ask& ask) {
@@ -135,15 +163,21 @@ TEST_CASE("the count of calls of the heap can fail", "[allocations]") {
 }
 
 TEST_CASE("no verdict on integers asks for memory", "[allocations]") {
-  ask_all([](bench::Random& random) -> double { return random.integer(-4, 4); });
+  const auto integer = [](bench::Random& random) -> double { return random.integer(-4, 4); };
+  ask_all(integer);
+  ask_polygons(integer);
 }
 
 TEST_CASE("no verdict on tenths asks for memory", "[allocations]") {
-  ask_all([](bench::Random& random) { return random.integer(-9, 9) / 10.0; });
+  const auto tenth = [](bench::Random& random) { return random.integer(-9, 9) / 10.0; };
+  ask_all(tenth);
+  ask_polygons(tenth);
 }
 
 TEST_CASE("no verdict on doubles of like size asks for memory", "[allocations]") {
-  ask_all([](bench::Random& random) { return random.uniform(-1, 1); });
+  const auto any = [](bench::Random& random) { return random.uniform(-1, 1); };
+  ask_all(any);
+  ask_polygons(any);
 }
 
 TEST_CASE("no verdict on a few doubles of 53 bits, where ties go to the end of the ladder, asks for memory",
@@ -151,7 +185,9 @@ TEST_CASE("no verdict on a few doubles of 53 bits, where ties go to the end of t
   bench::Random random(tests::seed());
   std::array<double, 4> few{};
   for (double& x : few) x = random.uniform(-1, 1);
-  ask_all([few](bench::Random& r) { return few[static_cast<std::size_t>(r.below(4))] * r.integer(-1, 1); });
+  const auto one = [few](bench::Random& r) { return few[static_cast<std::size_t>(r.below(4))] * r.integer(-1, 1); };
+  ask_all(one);
+  ask_polygons(one);
 }
 
 TEMPLATE_TEST_CASE("no verdict in a hard family asks for memory", "[allocations]", float, double) {
@@ -164,9 +200,15 @@ TEMPLATE_TEST_CASE("no verdict in a hard family asks for memory", "[allocations]
   ask_families(bench::triangle_aabb_draws<S>, related);
   ask_families(bench::ray_sphere_families<S, 3>(), [](const auto& c) { return bool(intersect(c.ray, c.sphere)); });
   ask_families(bench::ray_plane_draws<S>, [](const auto& c) { return bool(intersect(c.ray, c.plane)); });
+  ask_families(bench::ray_polygon_draws<S>, [](const auto& c) { return bool(intersect(c.a, c.b)); });
   ask_families(bench::ray_triangle_draws<S>, [](const auto& c) { return bool(intersect(c.a, c.b)); });
   ask_families(bench::ray_aabb_draws<S>, [](const auto& c) { return bool(intersect(c.a, c.b)); });
   ask_families(bench::ray_obb_draws<S>, [](const auto& c) { return bool(intersect(c.a, c.b)); });
+  std::vector<bench::PolygonFamily<S>> polygons;
+  for (const char* name : {"ordinary", "near-edge", "on-vertex", "horizontal", "degenerate", "bow-tie", "far 1e8",
+                           "near-horizontal", "near-vertical", "coincident"})
+    polygons.push_back(bench::polygon_family<S>(name, 20));
+  ask_families(polygons, [](const auto& c) { return winding(c.point, *c.ring).winding; });
   const auto wide = [](const Point<S, 2>& p) { return Point<double, 2>(p.template cast<double>()); };
   ask_families(bench::orient2d_draws<S>, [&](const auto& c) { return orient2d(wide(c.a), wide(c.b), wide(c.c)); });
 }
