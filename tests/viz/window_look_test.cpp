@@ -268,6 +268,34 @@ TEST_CASE("small drawings on a page keep their texts apart and in the scene, in 
   CHECK(pages > 5);
 }
 
+TEST_CASE("nothing overlaps and nothing is cut at 3840 x 2160, nor at 288 dpi", "[window][layout]") {
+  const auto [scale, width, height] = GENERATE(table<double, float, float>({{1.0, 3840, 2160}, {3.0, 1280, 720}}));
+  WindowDriver window(isect::lessons::all_lessons(), width, height, {}, {},
+                      {.scale = scale, .reduced_motion = true, .draw_scene = false});
+  for (const Lesson* lesson : isect::lessons::all_lessons()) {
+    window.player().open(*lesson);
+    walk(window, width, height);
+  }
+}
+
+TEST_CASE("large counts stand beside each other within their panel", "[window][layout]") {
+  for (const char* preset : {"overlap", "void", "within"}) {
+    WindowDriver window(isect::lessons::all_lessons(), 800, 600, place_at("bounding-volumes", preset));
+    for (int i = 0; i < window.player().count(); ++i) {
+      window.player().go_to(i);
+      window.frames(2);
+      check_layout(window, 800, 600);
+      float end = 0;
+      for (const char* name : {"mul", "add", "div", "sqrt", "cmp"}) {
+        const std::string count = std::string("count ") + name;
+        if (!window.has(count)) continue;
+        CHECK(window.rect(count).left > end + 5);
+        end = window.rect(count).right;
+      }
+    }
+  }
+}
+
 TEST_CASE("the axes in the corner give way to what is named there", "[window]") {
   WindowDriver window(isect::lessons::all_lessons(), 800, 600, place_at("ray-tracing", "lit"));
   window.frames(2);

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -220,15 +222,36 @@ void operations_block(Session& s, const Rect& r) {
   rule(ui, r.left + 10, r.right - 10, r.top);
   if (r.height() > 50) text(ui.fonts.bold, r.left + 10, r.top + 16, packed(c.text), "Operations");
   const float y = r.bottom - 18;
-  const float share = (r.width() - 20) / 5, gap = 12;
-  float x = r.left + 10;
-  for (const auto& [name, count] : counts) {
-    const float width = text(ui.fonts.small, x, y, packed(c.muted), name);
-    const float end = x + width + 6 + text(ui.fonts.mono, x + width + 6, y, packed(c.text), std::to_string(count));
-    s.ui.rects[std::string("count ") + name] = {x, y - 9, end, y + 9};
-    x = std::max(x + share, end + gap);
+  // In equal shares; as near as they must where one is wider; large numbers in a smaller font, or in thousands.
+  const float room = r.width() - 20, share = room / 5, least_gap = 8;
+  ImFont* font = ui.fonts.mono;
+  std::vector<std::string> numbers;
+  float widest = 0, sum = 0;
+  for (const auto& [narrower, thousands] : {std::pair{ui.fonts.mono, false},
+                                            {ui.fonts.mono_small, false},
+                                            {ui.fonts.small, false},
+                                            {ui.fonts.small, true}}) {
+    font = narrower, widest = sum = 0;
+    numbers.clear();
+    for (const auto& [name, count] : counts) {
+      numbers.push_back(thousands && count >= 10'000 ? fmt::format("{:.0f} k", count / 1e3) : std::to_string(count));
+      const float width = text_width(ui.fonts.small, name) + 6 + text_width(font, numbers.back());
+      widest = std::max(widest, width), sum += width;
+    }
+    if (sum + least_gap * static_cast<float>(counts.size() - 1) <= room) break;
   }
-  if (ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r))) tooltip(ui, "Operations up to this step");
+  const float gap = counts.size() > 1 ? std::min(16.0f, (room - sum) / static_cast<float>(counts.size() - 1)) : 0;
+  float x = r.left + 10;
+  std::string told = "Operations up to this step:";
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const auto& [name, count] = counts[i];
+    const float width = text(ui.fonts.small, x, y, packed(c.muted), name);
+    const float end = x + width + 6 + text(font, x + width + 6, y, packed(c.text), numbers[i]);
+    s.ui.rects[std::string("count ") + name] = {x, y - 9, end, y + 9};
+    x = widest + least_gap <= share ? x + share : end + gap;
+    told += fmt::format(" {} {}{}", name, count, i + 1 < counts.size() ? "," : "");
+  }
+  if (ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r))) tooltip(ui, told);
 }
 
 }  // namespace isect::viz
