@@ -77,6 +77,7 @@ TEST_CASE("words narrow the picker, and Enter opens the first that has them", "[
   window.type("BALL ray");
   CHECK(window.has("lesson ray-sphere"));
   CHECK_FALSE(window.has("lesson clipping"));
+  CHECK(window.has("about ray-sphere"));  // what Enter opens
   CHECK(window.player().index() == 0);
   window.key(key::enter);
   window.frames(2);

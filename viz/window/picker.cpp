@@ -129,6 +129,7 @@ void foot(Session& s, const Lesson& l, const Rect& r) {
   const Rect picture{r.left, r.top, r.left + width, r.bottom};
   filled(picture, c.card, 0);
   s.pictured.lesson = &l;
+  ui.rects["about " + l.id] = r;
   if (s.pictured.picture) {
     ui.rects["lesson picture"] = picture;
     ImGui::GetWindowDrawList()->AddImage(s.pictured.picture, top_left(picture), bottom_right(picture), {0, 1}, {1, 0});
@@ -186,12 +187,11 @@ void picker(Session& s, const Rect& window) {
   const Entry* chosen = columns(s, rows, ImGui::GetCursorScreenPos(), ImGui::GetContentRegionAvail().x - 4, told);
   ImGui::EndChild();
   const ImVec2 below = ImGui::GetCursorScreenPos(), left = ImGui::GetContentRegionAvail();
+  const auto first = std::ranges::find_if(rows, [](const Entry& row) { return row.heading.empty(); });
+  if (!told && !s.search.empty() && first != rows.end()) told = first->lesson;  // what Enter opens
   foot(s, told ? *told : s.player.lesson(),
        {below.x, below.y + left.y - below_rows, below.x + left.x, below.y + left.y});
-  if (entered && !chosen && s.ui.focus.name().empty()) {
-    const auto first = std::ranges::find_if(rows, [](const Entry& row) { return row.heading.empty(); });
-    if (first != rows.end()) chosen = &*first;
-  }
+  if (entered && !chosen && s.ui.focus.name().empty() && first != rows.end()) chosen = &*first;
   if (chosen) {
     if (chosen->lesson)
       s.attempt([&] { s.player.open(*chosen->lesson); });
