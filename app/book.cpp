@@ -11,6 +11,7 @@
 #include "app/book/contents_page.h"
 #include "app/book/fonts.h"
 #include "app/book/lesson_page.h"
+#include "app/book/scene_page.h"
 #include "app/options.h"
 #include "app/ownership.h"
 #include "app/pages/pages.h"
@@ -28,7 +29,7 @@ namespace fs = std::filesystem;
 
 struct BookOptions {
   std::string lesson, out = "book";
-  std::string live;  ///< file with the compiled lessons
+  std::string live, live_scenes;  ///< files with the compiled lessons
   bool single = false;
 };
 
@@ -100,18 +101,18 @@ std::string style(const viz::PageColours& colours) {
 
 /// What makes pages live: their script, then the lessons' code. Empty where none was given. Throws viz::FileError, or
 /// viz::BadInput where the file is something else.
-std::string live_code(const BookOptions& options) {
-  if (options.live.empty()) return {};
-  const std::string code = viz::read_regular_file(options.live);
+std::string live_code(const std::string& file) {
+  if (file.empty()) return {};
+  const std::string code = viz::read_regular_file(file);
   if (code.find("isect_module.packed") == code.npos)
-    throw viz::BadInput(fmt::format("live: {} is not what web/ is compiled to; ./run book makes it", options.live));
+    throw viz::BadInput(fmt::format("live: {} is not what web/ is compiled to; ./run book makes it", file));
   return book::live_script_text() + code;
 }
 
 int single(const Program& program, const BookOptions& options) {
   const viz::Lesson& lesson = program.only ? *program.only : viz::lesson_named(program.lessons, options.lesson);
   const std::string file = book::file_of(lesson);
-  const std::string live = live_code(options);
+  const std::string live = live_code(options.live);
   Shelf shelf(options.out, program, {file});
   need_surroundings(program);
   viz::PageColours colours;
@@ -124,8 +125,9 @@ int single(const Program& program, const BookOptions& options) {
 
 int whole(const Program& program, const BookOptions& options) {
   std::vector<std::string> files = {"index.html", "glossary.html", "book.css", "book.js", "fonts.css"};
-  const std::string live = live_code(options);
+  const std::string live = live_code(options.live), live_scenes = live_code(options.live_scenes);
   if (!live.empty()) files.insert(files.end(), {book::live_file, letters_file});
+  if (!live_scenes.empty()) files.insert(files.end(), {book::live_scenes_file, book::scene_file});
   for (const viz::Lesson* lesson : program.lessons) files.push_back(book::file_of(*lesson));
   Shelf shelf(options.out, program, files);
   need_surroundings(program);
@@ -136,7 +138,8 @@ int whole(const Program& program, const BookOptions& options) {
   book::Letters letters;
   const auto add = [&](const book::Page& page) {
     letters.add(page.body);
-    shelf.add(page.file, first_line(page.file) + book::html(page, {{}, {}, {}, live}));
+    shelf.add(page.file, first_line(page.file) +
+                             book::html(page, {{}, {}, {}, page.file == book::scene_file ? live_scenes : live}));
   };
   shelf.add("book.js", first_line("book.js") + "\n" + book::script_text());
   Progress progress(course.size());
@@ -147,12 +150,14 @@ int whole(const Program& program, const BookOptions& options) {
     firsts.push_back(std::move(presets.front()));
     progress.done(course[i]->id);
   }
-  add(book::contents_page(firsts, lessons::course(), colours));
+  if (!live_scenes.empty()) add(book::scene_page(colours));
+  add(book::contents_page(firsts, lessons::course(), !live_scenes.empty(), colours));
   add(book::glossary_page(lessons::course(), course));
   shelf.add("book.css", first_line("book.css") + "\n" + style(colours));
   letters.add(lesson_letters);
   const std::string fonts = letters.fonts();
   shelf.add("fonts.css", first_line("fonts.css") + "\n" + fonts);
+  if (!live_scenes.empty()) shelf.add(book::live_scenes_file, first_line(book::live_scenes_file) + "\n" + live_scenes);
   if (!live.empty()) {
     shelf.add(book::live_file, first_line(book::live_file) + "\n" + live);
     shelf.add(letters_file, first_line(letters_file) + "\nvar isect_letters = " + nlohmann::json(fonts).dump() + ";\n");
@@ -182,6 +187,10 @@ void add_book(CLI::App& app, Program& program) {
   }
   add_path(sub, "--live", options->live,
            "the compiled lessons, build/web/live.js: the pages can be dragged and changed", "FILE");
+  if (!program.only)
+    add_path(sub, "--live-scenes", options->live_scenes,
+             "build/web/live_scenes.js: and a page for scenes of the reader's own", "FILE")
+        ->needs("--live");
   add_path(sub, "--out", options->out, "folder; book if not given", "DIR");
   sub.footer(
       "DIR/index.html is the first page. The pages open from disk and from any web server, and need no network.\n"

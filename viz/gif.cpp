@@ -10,14 +10,13 @@
 
 #include "viz/animation.h"
 #include "viz/colour_table.h"
+#include "viz/most_metadata.h"
 
 namespace isect::viz {
 namespace {
 
 /// Before our metadata among the comments, so that nobody else's are taken for them.
 constexpr std::string_view ours = "isect:";
-/// Far above any figure's; a text that is longer is hostile.
-constexpr std::size_t most_metadata = std::size_t{1} << 20;
 constexpr int most_colours = 256;
 constexpr int no_colour = -1;
 

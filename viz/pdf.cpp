@@ -9,14 +9,13 @@
 
 #include "viz/cairo_drawing.h"
 #include "viz/files.h"
+#include "viz/most_metadata.h"
 
 namespace isect::viz {
 namespace {
 
 /// Before our metadata among the keywords, so that nobody else's are taken for them.
 constexpr std::string_view ours = "isect:";
-/// Far above any figure's; a text that is longer is hostile.
-constexpr std::size_t most_metadata = std::size_t{1} << 20;
 /// Of a pixel of CSS, 96 an inch.
 constexpr double points_a_unit = 0.75;
 

@@ -8,12 +8,10 @@
 #include <nlohmann/json.hpp>
 
 #include "viz/files.h"
+#include "viz/most_metadata.h"
 
 namespace isect::viz {
 namespace {
-
-/// Far above any figure's; a text that grows beyond it is hostile.
-constexpr std::size_t most_metadata = std::size_t{1} << 20;
 
 /// The name without its namespace, which Expat writes before it.
 std::string_view local_name(std::string_view name) { return name.substr(name.rfind(' ') + 1); }

@@ -1,11 +1,11 @@
 #!/bin/sh
-# pack.sh FOLDER: FOLDER/isect.js and isect.wasm as one script, FOLDER/live.js.
+# pack.sh FOLDER NAME LIVE: FOLDER/NAME.js and NAME.wasm as one script, FOLDER/LIVE.
 set -eu
 cd "$1"
 {
-  cat isect.js
+  cat "$2.js"
   printf 'isect_module.packed = "'
-  gzip -9 -n <isect.wasm | base64 -w 0
+  gzip -9 -n <"$2.wasm" | base64 -w 0
   printf '";\n'
-} >live.js.new
-mv live.js.new live.js
+} >"$3.new"
+mv "$3.new" "$3"

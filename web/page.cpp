@@ -5,13 +5,9 @@
 #include "lessons/lessons.h"
 #include "web/session.h"
 
-extern "C" {
-
 /// The answer is good until the next call.
-EMSCRIPTEN_KEEPALIVE const char* isect_answer(const char* request) {
+extern "C" EMSCRIPTEN_KEEPALIVE const char* isect_answer(const char* request) {
   static isect::web::Session session(isect::lessons::all_lessons());
   static std::string answer;
-  answer = session.answer(request);
-  return answer.c_str();
-}
+  return (answer = session.answer(request)).c_str();
 }

@@ -117,7 +117,8 @@ viz::Walk alone(const viz::Walk& walk, viz::Step step) {
 
 }  // namespace
 
-Session::Session(std::vector<const viz::Lesson*> lessons) : lessons_(std::move(lessons)) {
+Session::Session(std::vector<const viz::Lesson*> lessons, ReadScene read_scene)
+    : lessons_(std::move(lessons)), read_scene_(std::move(read_scene)) {
   const auto known = [&](const char* name, Json (Session::*member)(const Json&)) {
     asked_[name] = [this, member](const Json& request) { return (this->*member)(request); };
   };
@@ -161,9 +162,16 @@ void Session::stand_at(const Station& at) {
 
 // What can be asked for.
 
-/// {"lesson", "preset", "step", "asks", "changes": [[name, text]], "camera"}: all but the first may be absent.
+/// {"lesson", "preset", "step", "asks", "changes": [[name, text]], "camera"}: all but the first may be absent. Or
+/// {"scene"}, the text of a scene file, in place of the first.
 Json Session::open(const Json& request) {
-  const viz::Lesson& lesson = viz::lesson_named(lessons_, request.at("lesson").get<std::string>());
+  std::optional<Scene> scene;
+  if (request.contains("scene")) {
+    if (!read_scene_) throw BadInput("scenes are opened on the page of scenes");
+    scene = read_scene_(request.at("scene").get<std::string>());
+  }
+  const viz::Lesson& lesson =
+      scene ? *scene->lesson : viz::lesson_named(lessons_, request.at("lesson").get<std::string>());
   viz::Place place;
   place.lesson = lesson.id;
   place.preset = request.value("preset", lesson.presets.front().id);
@@ -174,11 +182,13 @@ Json Session::open(const Json& request) {
   place.parameters = setting;
   if (const std::string camera = request.value("camera", ""); !camera.empty())
     place.camera = camera_from(camera, lesson);
-  viz::Player fresh = player_ ? *player_ : viz::Player(lessons_, place, true);
-  if (player_) fresh.go(place);  // what was done before can be undone
+  const bool again = player_ && !scene && !scene_;
+  viz::Player fresh = again ? *player_ : viz::Player(scene ? std::vector{&lesson} : lessons_, place, true);
+  if (again) fresh.go(place);  // what was done before can be undone
   const std::vector<Station> all = program::book::stations(fresh.walk());
   const Station wanted = {request.value("step", 0), request.value("asks", false)};
   player_ = std::move(fresh);
+  scene_ = std::move(scene);
   held_.reset(), map_start_.reset();
   stand_at(std::ranges::find(all, wanted) != all.end() ? wanted : Station{});
   Json reply = frame(Drawn::at_rest);
@@ -422,7 +432,10 @@ Json Session::frame(Drawn how, const viz::Moved& moved) {
                 {"map", map_beside()},
                 {"told", moved.told},
                 {"refuses", moved.refused}};
-  if (how == Drawn::at_rest) reply["algorithm"] = told.algorithm(), reply["solved"] = solved();
+  if (how == Drawn::at_rest) {
+    reply["algorithm"] = told.algorithm(), reply["solved"] = solved();
+    if (scene_) reply["scene"] = scene_->text(p.parameters());
+  }
   return reply;
 }
 
@@ -464,7 +477,7 @@ Json Session::place() const {
       changes.push_back({name, viz::to_text(value)});
   Json place = {{"origin", player_->origin()},
                 {"preset", player_->preset_id()},
-                {"preset title", html_text(viz::preset(lesson, player_->origin()).title)},
+                {"preset title", html_text(scene_ ? lesson.title : viz::preset(lesson, player_->origin()).title)},
                 {"method", html_text(player_->walk().method)},
                 {"changes", changes}};
   if (player_->camera_moved()) place["camera"] = camera_text(player_->camera().goal());

@@ -17,11 +17,20 @@
 
 namespace isect::web {
 
+/// A scene file that was read: as a lesson, and its text with other numbers.
+struct Scene {
+  const viz::Lesson* lesson;
+  std::function<std::string(const viz::Parameters&)> text;
+};
+/// Throws viz::BadInput.
+using ReadScene = std::function<Scene(const std::string& text)>;
+
 class Session {
  public:
   using Json = nlohmann::ordered_json;
 
-  explicit Session(std::vector<const viz::Lesson*>);
+  /// `read_scene`: none where there are no scenes of one's own.
+  explicit Session(std::vector<const viz::Lesson*>, ReadScene read_scene = {});
 
   /// `request`: an object whose "do" names what is asked for, such as {"do": "go", "at": 3}. The first is "open". What
   /// can't be had changes nothing and is told, plainly, as {"wrong": "..."}.
@@ -71,8 +80,10 @@ class Session {
   Json lit(const std::vector<std::string>& names) const;
 
   std::vector<const viz::Lesson*> lessons_;
+  ReadScene read_scene_;
   std::map<std::string, std::function<Json(const Json&)>> asked_;
   std::optional<viz::Player> player_;
+  std::optional<Scene> scene_;  ///< that the player is in, if any
   viz::ThemeName theme_ = viz::ThemeName::screen;
   viz::Figure figure_ = {{}, {}, viz::View({}, 1, 1)};  ///< that is shown
   viz::PaperSize size_;                                 ///< its own

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/book/pictures.h"
+#include "app/book/scene_page.h"
 #include "app/pages/html.h"
 #include "viz/closing.h"
 #include "viz/rich_text.h"
@@ -12,7 +13,8 @@
 
 namespace isect::program::book {
 
-Page contents_page(const std::vector<Excerpt>& openings, const viz::Course& course, viz::PageColours& colours) {
+Page contents_page(const std::vector<Excerpt>& openings, const viz::Course& course, bool with_scene,
+                   viz::PageColours& colours) {
   viz::PagePictures page(colours);
   std::string parts;
   bool open = false;
@@ -36,7 +38,8 @@ Page contents_page(const std::vector<Excerpt>& openings, const viz::Course& cour
       "<div class=\"opening\">\n<h1>Intersection detection, step by step</h1>\n"
       "<p class=\"summary\">Do two shapes meet, and where? Each lesson walks through a test as it runs, line by line, "
       "with its values and its picture. All verdicts are exact for the numbers given.</p>\n"
-      "<p><a href=\"glossary.html\">The terms of the course</a></p>\n</div>\n" +
+      "<p><a href=\"glossary.html\">The terms of the course</a></p>\n" +
+      (with_scene ? fmt::format("<p><a href=\"{}\">A scene of your own</a></p>\n", scene_file) : "") + "</div>\n" +
       page.shared() + parts;
   return contents;
 }

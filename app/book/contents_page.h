@@ -11,8 +11,9 @@
 
 namespace isect::program::book {
 
-/// `openings`: of each lesson its first preset, walked; its outcome is the picture of the lesson.
-Page contents_page(const std::vector<Excerpt>& openings, const viz::Course&, viz::PageColours&);
+/// `openings`: of each lesson its first preset, walked; its outcome is the picture of the lesson. `with_scene`: whether
+/// there is the page of a scene of one's own.
+Page contents_page(const std::vector<Excerpt>& openings, const viz::Course&, bool with_scene, viz::PageColours&);
 Page glossary_page(const viz::Course&, const std::vector<const viz::Lesson*>&);
 
 }  // namespace isect::program::book

@@ -20,16 +20,6 @@ using viz::xml_escaped;
 
 std::string prose(const std::string& markup) { return html(Blocks{Prose{markup}}); }
 
-std::string walk_section(const Excerpt& e, const viz::Preset& preset, bool first, viz::PagePictures& page) {
-  Pictures pictures(e, page);
-  const auto picture = [&](const Station& at) { return at.asks ? pictures.asked(at.step) : pictures.of(at.step); };
-  const bool known = e.walk.method.empty() || e.walk.method == preset.title;
-  const std::string method = known ? "" : fmt::format(" <small>{}</small>", html_text(e.walk.method));
-  return fmt::format("<section class=\"walk{}\" id=\"{}\">\n<h2>{}{}</h2>\n{}</section>\n", first ? " shown" : "",
-                     preset.id, html_text(preset.title), method,
-                     WalkSection({*e.lesson, e.parameters, e.walk}, preset.id, picture).html(first));
-}
-
 /// Links to the walks, a list for each method.
 std::string settings(const std::vector<Excerpt>& presets, const viz::Lesson& lesson) {
   std::string out = "<nav class=\"settings\" aria-label=\"Settings\">\n", group;
@@ -106,6 +96,17 @@ std::string builds_on(const viz::Lesson& lesson, const std::vector<const viz::Le
 }
 
 }  // namespace
+
+std::string walk_section(const Excerpt& e, const viz::Preset& as, bool first, viz::PagePictures& page,
+                         const std::string& end) {
+  Pictures pictures(e, page);
+  const auto picture = [&](const Station& at) { return at.asks ? pictures.asked(at.step) : pictures.of(at.step); };
+  const bool known = e.walk.method.empty() || e.walk.method == as.title;
+  const std::string method = known ? "" : fmt::format(" <small>{}</small>", html_text(e.walk.method));
+  return fmt::format("<section class=\"walk{}\" id=\"{}\">\n<h2>{}{}</h2>\n{}{}</section>\n", first ? " shown" : "",
+                     as.id, html_text(as.title), method,
+                     WalkSection({*e.lesson, e.parameters, e.walk}, as.id, picture).html(first), end);
+}
 
 Page lesson_page(const viz::Lesson& lesson, const std::vector<Excerpt>& presets,
                  const std::vector<const viz::Lesson*>& course, const Neighbours& neighbours,

@@ -10,6 +10,10 @@
 
 namespace isect::program::book {
 
+/// A setting, walked, under the id and the title of `as`; `end`: what stands below it.
+std::string walk_section(const Excerpt&, const viz::Preset& as, bool first, viz::PagePictures&,
+                         const std::string& end = {});
+
 /// `presets`: all of the lesson's, walked, in order.
 Page lesson_page(const viz::Lesson&, const std::vector<Excerpt>& presets, const std::vector<const viz::Lesson*>& course,
                  const Neighbours&, viz::PageColours&);

@@ -36,33 +36,48 @@ function isect_live(book) {
   const frame_all = pressed("Whole scene", () => act({ do: "frame all" }));
   const form = element("form"), saved = element("textarea", { readonly: "", "aria-label": "Text to copy", hidden: "" });
   const values = element("details", { class: "changes" }, element("summary", {}, "Change the values"), form);
+  const scene = element("textarea", { "aria-label": "The scene as text", spellcheck: "false" });
+  const scene_told = element("p", { class: "help", role: "status" }), chosen = element("input", { type: "file", hidden: "" });
+  const own_scene = element("details", { class: "own-scene", open: "" }, element("summary", {}, "Change the scene"), scene, scene_told,
+    element("div", { class: "tools" }, pressed("Show this scene", show_scene), pressed("Open a file", () => chosen.click()),
+      pressed("Save the scene", () => save(new Blob([scene.value], { type: "application/json" }), example + ".json"))), chosen);
   const share = element("details", { class: "share" }, element("summary", {}, "Save or share"));
   const tools = element("div", { class: "tools", role: "group", "aria-label": "Tools" }, wants_map, undo, redo, frame_all);
   const pictures = element("div", { class: "pictures" }, stage, map, message);
   const article = element("article", { class: "step shown" }, above, pictures, below,
-    element("div", { class: "workshop" }, tools, values, share));
+    element("div", { class: "workshop" }, tools, own_scene, values, share));
   const section = element("section", { class: "walk live shown", id: "live" }, heading, given, algorithm,
     element("div", { class: "steps" }, article), opinions);
 
   const lesson = document.body.dataset.lesson;
+  const is_scene = lesson === "scene";
   let now = null;            // the last frame
+  let example = "";          // the scene of the page that was opened last
   const live = { count: 0, at: 0, article, go: at => act({ do: "go", at }), load, from_address, begin };
 
   // Asking the session, and showing what it answers.
   function act(request, address = "replace") {
     const reply = book.request(request);
     if (reply.wrong) { message.textContent = reply.wrong; return null; }
+    if (request.example) example = request.example;
+    if (reply.parameters) opened(reply);
     if (reply.picture !== undefined) show(reply, address);
     return reply;
   }
-  function load(preset) { act({ do: "load", preset }, "push"); }
+  function opened(reply) {
+    if (is_scene || form.children.length === 0) make_form(reply.parameters);
+    wants_map.hidden = !reply["has map"], frame_all.hidden = reply.flat, own_scene.hidden = !is_scene;
+  }
+  function load(preset) { act(is_scene ? scene_request(preset) : { do: "load", preset }, "push"); }
   function look(wanted) { act({ do: "look", ...wanted }, "keep"); }
 
   function show(frame, address) {
     const fresh = !now || now.step !== frame.step || now.asks !== frame.asks;
+    const place = frame.place;
+    if (is_scene) place_scene(frame);
+    const changed = place.preset === "";
     now = frame;
     live.at = frame.at, live.count = frame.count;
-    const place = frame.place, changed = place.preset === "";
     section.classList.toggle("changed", changed);
     article.classList.toggle("ask", frame.asks), article.classList.toggle("step", !frame.asks);
     if (fresh) article.classList.remove("told");
@@ -95,7 +110,7 @@ function isect_live(book) {
     lights.replaceChildren();
     show_grips(frame.handles);
     const beside = frame.map && !frame.map.own;
-    map.hidden = !beside;
+    map.hidden = !beside, pictures.classList.toggle("with-map", Boolean(beside));
     stage.classList.toggle("is-map", Boolean(frame.map && frame.map.own));
     if (!beside) return;
     map_holder.innerHTML = frame.map.svg;
@@ -260,9 +275,31 @@ function isect_live(book) {
     });
   }
 
+  // A scene of one's own: its text is the state, with what was dragged written into it.
+  const text_of = id => document.getElementById(id).querySelector(".written pre").textContent;
+  const scene_request = (id, text = text_of(id)) => ({ do: "open", example: id, scene: text });
+  function place_scene(frame) {
+    const kept = frame.scene !== undefined;
+    if (!kept) frame.scene = now.scene;
+    frame.place.origin = example;
+    frame.place.preset = kept && frame.scene === text_of(example) ? example : "";
+    if (kept && scene !== document.activeElement) scene.value = frame.scene;
+  }
+  function show_scene() {
+    const shown = act({ ...scene_request(example, scene.value), step: now.step }, "push");
+    scene.setAttribute("aria-invalid", String(!shown));
+    scene_told.classList.toggle("refused", !shown);
+    scene_told.textContent = shown ? "" : message.textContent;
+  }
+  scene.addEventListener("keydown", event => event.key === "Enter" && (event.ctrlKey || event.metaKey) && show_scene());
+  chosen.addEventListener("change", async () => {
+    if (chosen.files.length) scene.value = await chosen.files[0].text(), show_scene();
+    chosen.value = "";
+  });
+
   // The address holds the state.
   function address_of({ place, step, asks }) {
-    const parts = place.changes.map(([name, text]) => encodeURIComponent(name) + "=" + encodeURIComponent(text).replaceAll("%2C", ","));
+    const parts = is_scene ? place.preset ? [] : ["scene=" + encodeURIComponent(now.scene)] : place.changes.map(([name, text]) => encodeURIComponent(name) + "=" + encodeURIComponent(text).replaceAll("%2C", ","));
     if (place.camera) parts.push("camera=" + place.camera);
     return `#${place.origin}/${step + 1}${asks ? "/question" : ""}${parts.length ? "?" + parts.join("&") : ""}`;
   }
@@ -274,10 +311,11 @@ function isect_live(book) {
   function request_from(hash) {
     const [path, query] = hash.slice(1).split("?"), [preset, step, question] = decodeURIComponent(path).split("/");
     if (!book.walks.some(w => w.id === preset)) return null;
-    const request = { do: "open", lesson, preset, step: Math.max(0, Number(step || 1) - 1 || 0), asks: question === "question", changes: [] };
+    const request = { ...(is_scene ? scene_request(preset) : { do: "open", lesson, preset, changes: [] }),
+      step: Math.max(0, Number(step || 1) - 1 || 0), asks: question === "question" };
     for (const [name, text] of new URLSearchParams((query ?? "").replaceAll("+", "%2B")))
-      if (name === "camera") request.camera = text;
-      else request.changes.push([name, text]);
+      if (name === "camera" || (is_scene && name === "scene")) request[name] = text;
+      else if (!is_scene) request.changes.push([name, text]);
     return request;
   }
   function from_address() {
@@ -351,14 +389,12 @@ function isect_live(book) {
   function begin(walk, at) {
     book.request({ do: "look", dark: dark.matches });
     const station = book.walks.find(w => w.id === walk).querySelectorAll(".steps > article")[at];
-    const reply = book.request(request_from(location.hash) ?? request_from("#" + (station ? station.id : walk)));
-    const known = reply.wrong ? book.request({ do: "open", lesson }) : reply;
-    make_form(known.parameters);
-    wants_map.hidden = !known["has map"], frame_all.hidden = known.flat;
     document.getElementById("walks").prepend(section);
     root.classList.add("lively");
-    show(known, "keep");
-    if (reply.wrong) message.textContent = reply.wrong;
+    if (act(request_from(location.hash) ?? request_from("#" + (station ? station.id : walk)), "keep")) return;
+    const wrong = message.textContent;  // a link that is no longer good
+    act(request_from("#" + walk), "keep");
+    message.textContent = wrong;
   }
   wants_map.addEventListener("click", () => wants_map.setAttribute("aria-pressed", String(!map.hidden)));
   return live;

@@ -29,7 +29,7 @@ std::string attributes_of_body(const Page& page, bool lives) {
   if (page.is_contents) return " class=\"contents\"";
   if (!lives) return {};
   return fmt::format(" data-lesson=\"{}\" data-live=\"{}\"", page.lesson,
-                     page.neighbours.alone ? "#live-code" : live_file);
+                     page.neighbours.alone ? "#live-code" : page.live);
 }
 
 }  // namespace

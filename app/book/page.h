@@ -17,6 +17,10 @@ struct Neighbours {
   bool alone = false;
 };
 
+/// The files with the lessons' own code, beside the pages; the page of scenes has one of its own.
+inline constexpr const char* live_file = "isect.js";
+inline constexpr const char* live_scenes_file = "scenes.js";
+
 struct Page {
   std::string file;   ///< "ray-sphere.html"
   std::string title;  ///< plain text
@@ -25,10 +29,8 @@ struct Page {
   Neighbours neighbours;
   bool is_contents = false;
   std::string lesson = {};  ///< its id; empty: the page is of none
+  std::string live = live_file;
 };
-
-/// The file with the lessons' own code, beside the pages.
-inline constexpr const char* live_file = "isect.js";
 
 /// What a page brings along: inside it where it stands alone, and beside it otherwise, where only `live` counts:
 /// whether there is any.

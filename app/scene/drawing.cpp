@@ -42,11 +42,12 @@ Vec3 top_of(const std::vector<Vec3>& points) {
 
 /// Where an outline in the plane is widest, by the even-odd rule: beside its notches and holes.
 Vec3 inside_of(const std::vector<std::vector<Vec3>>& rings) {
-  const auto [low, high] = std::ranges::minmax(rings.front(), {}, [](const Vec3& p) { return p.y(); });
+  const auto lower = [](const Vec3& a, const Vec3& b) { return a.y() < b.y(); };
+  const auto [low, high] = std::minmax_element(rings.front().begin(), rings.front().end(), lower);
   Vec3 best = middle_of(rings.front());
   double widest = 0;
   for (const double share : {0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9}) {
-    const double y = low.y() + share * (high.y() - low.y());
+    const double y = low->y() + share * (high->y() - low->y());
     std::vector<double> crossed;
     for (const std::vector<Vec3>& ring : rings)
       for (std::size_t i = 0; i < ring.size(); ++i) {

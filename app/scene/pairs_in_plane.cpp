@@ -82,7 +82,7 @@ std::optional<ConvexPolygon<double>> convex(const std::vector<Ring2>& rings) {
   for (int way = 0; way < 2; ++way) {
     const auto first = std::ranges::find(ring, hull.front());
     if (first == ring.end()) return {};
-    std::ranges::rotate(ring, first);
+    std::rotate(ring.begin(), first, ring.end());
     if (ring == hull) return ConvexPolygon<double>{ring};
     std::ranges::reverse(ring);
   }

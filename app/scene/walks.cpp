@@ -152,7 +152,7 @@ constexpr Walk point_in_convex_polygon = [](const Setting& s, const Object& a, c
   for (int way = 0; way < 2; ++way) {
     const auto first = hull.empty() ? ring.end() : std::ranges::find(ring, hull.front());
     Ring<double, 2> turned = ring;
-    std::ranges::rotate(turned, turned.begin() + (first - ring.begin()));
+    std::rotate(turned.begin(), turned.begin() + (first - ring.begin()), turned.end());
     if (s.rings(b).size() == 1 && hull.size() >= 3 && turned == hull)
       return lessons::convex_polygon_lesson::fan({ConvexPolygon<double>{ring}, point_of<2>(s.point(a, "at"))});
     std::ranges::reverse(ring);

@@ -52,13 +52,14 @@ std::string faults(const std::string& page) {
 
 TEST_CASE("a book has a page for each lesson, with every preset and every step", "[book]") {
   const Shell shell;
-  const Ran r = shell("isect book --out site");
+  write(shell.work() / "live.js", "isect_module.packed = \"\";\n");
+  const Ran r = shell("isect book --live live.js --live-scenes live.js --out site");
   REQUIRE(r.status == 0);
   CHECK(r.err.empty());
   const std::filesystem::path site = shell.work() / "site";
   const auto& lessons = isect::lessons::all_lessons();
-  CHECK(isect::test::files_in(site).size() == lessons.size() + 5);
-  CHECK(count(r.out, "\n") == static_cast<int>(lessons.size()) + 5);
+  CHECK(isect::test::files_in(site).size() == lessons.size() + 9);
+  CHECK(count(r.out, "\n") == static_cast<int>(lessons.size()) + 9);
 
   std::uintmax_t bytes = 0;
   for (const std::string& file : isect::test::files_in(site)) {
@@ -76,8 +77,15 @@ TEST_CASE("a book has a page for each lesson, with every preset and every step",
   CHECK_THAT(contents(site / "convex-polygon.html"),
              Contains("<dd>Bisection: <a href=\"concave-polygon.html\">Point in concave polygon</a>"));
 
+  const std::string scenes = contents(site / "scene.html");
+  CHECK_THAT(scenes, Contains("<body data-lesson=\"scene\" data-live=\"scenes.js\">") &&
+                         Contains("<h2>Segments that cross, touch and share a stretch</h2>") &&
+                         Contains("{&quot;box&quot;: &quot;A&quot;, &quot;lo&quot;: [0, 0], &quot;hi&quot;: [4, 3]}"));
+  CHECK(count(scenes, "<details class=\"written\">") == count(scenes, "<section class=\"walk"));
+
   std::size_t last = 0;
   const std::string index = contents(site / "index.html");
+  CHECK_THAT(index, Contains("href=\"scene.html\""));
   for (const isect::viz::Lesson* lesson : lessons) {
     INFO(lesson->id);
     const std::size_t at = index.find("href=\"" + lesson->id + ".html\"");

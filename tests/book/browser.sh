@@ -8,12 +8,13 @@ for program in node "${CHROMIUM:-chromium}"; do
   command -v "$program" >/dev/null || { echo "skipped: no $program here; on Debian: apt install chromium nodejs"; exit 77; }
 done
 [ -z "$live" ] || [ -f "$live" ] ||
-  { echo "skipped: no $live; build it first: emcmake cmake -S web -B build/web -G Ninja && cmake --build build/web"; exit 77; }
+  { echo "skipped: no $live: ./run book makes it, where Debian's emscripten is or can be installed"; exit 77; }
 rm -rf "$scratch"
 if [ -n "$live" ]; then
-  ! command -v emcc >/dev/null || cmake --build "$(dirname "$live")" --target isect >/dev/null
-  "$isect" book --live "$live" --out "$scratch/site" >/dev/null
+  ! command -v emcc >/dev/null || cmake --build "$(dirname "$live")" --target isect scenes >/dev/null
+  "$isect" book --live "$live" --live-scenes "$(dirname "$live")/live_scenes.js" --out "$scratch/site" >/dev/null
   node "$here/told.mjs" "$scratch/site"
+  node "$here/scene.mjs" "$scratch/site" "$isect"
   exec node "$here/live.mjs" "$scratch/site" "$isect"
 fi
 "$isect" book --out "$scratch/site" >/dev/null

@@ -1,61 +1,27 @@
 // Pages whose lessons run in the browser. node live.mjs FOLDER ISECT; prints what is wrong; exit status 1 if anything is.
-import { spawnSync } from "node:child_process";
-import { existsSync, readFileSync, readdirSync } from "node:fs";
-import { join, resolve } from "node:path";
-import { pathToFileURL } from "node:url";
-import { Browser } from "./browser.mjs";
+import { existsSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { LivePages, rest } from "./live_page.mjs";
 
-const folder = resolve(process.argv[2]), isect = process.argv[3];
+const [folder, isect] = process.argv.slice(2);
 const pages = readdirSync(folder).filter(name => name.endsWith(".html")).sort();
-const wrong = [];
-let checks = 0;
-function check(holds, what) {
-  ++checks;
-  if (!holds) wrong.push(what), console.log("wrong: " + what);
-}
-const address = (page, hash = "") => pathToFileURL(join(folder, page)).href + hash;
-const browser = await Browser.start();
-
-/// Opens a page and waits until it can be changed.
-async function open(page, hash = "") {
-  await browser.open("about:blank");
-  await browser.open(address(page, hash));
-  const state = await browser.ask(`new Promise(done => {
-    const look = () => document.documentElement.dataset.live ? done(document.documentElement.dataset.live) : setTimeout(look, 10);
-    document.body.dataset.live ? look() : done("static");
-  })`);
-  return state;
-}
-const shown = `(() => {
-  const text = s => document.querySelector(".live " + s)?.textContent.trim() ?? "";
-  const grips = [...document.querySelectorAll(".live .grip")].map(g => {
-    const box = g.querySelector(".ring").getBoundingClientRect();
-    return { name: g.dataset.handle, label: g.getAttribute("aria-label"), x: box.x + box.width / 2, y: box.y + box.height / 2 };
-  });
-  const values = Object.fromEntries([...document.querySelectorAll(".live form [name]")].map(f => [f.name, f.value]));
-  return { hash: location.hash, title: text("h3"), heading: text("h2"), verdict: text(".verdict"),
-    yes: document.querySelector(".live .verdict.yes") !== null, no: document.querySelector(".live .verdict.no") !== null,
-    asks: document.querySelector(".live article").classList.contains("ask"),
-    told: document.querySelector(".live article").classList.contains("told"),
-    right: [...document.querySelectorAll(".live .choices li")].findIndex(li => "right" in li.dataset),
-    picture: document.querySelector(".live .picture").outerHTML.length, wide: document.documentElement.scrollWidth - document.documentElement.clientWidth,
-    message: text(".message"), grips, values, end: document.querySelector(".transport .next").disabled };
-})()`;
-const look = () => browser.ask(shown);
-const rest = ms => new Promise(done => setTimeout(done, ms));
-const click = text => browser.ask(`[...document.querySelectorAll(".live button")].find(b => b.textContent === ${JSON.stringify(text)}).click()`);
+const site = await LivePages.start(folder, isect), browser = site.browser;
+const check = (holds, what) => site.check(holds, what), look = () => site.look(), click = text => site.click(text);
+const open = (page, hash) => site.open(page, hash), same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
 
 /// What the exact answer is for the values of a page: of each lesson whether the two meet.
 const point = text => text.split(",").map(Number);
+const interval = (lo, hi) => [lo, hi].map(text => Math.abs(Number(text)) < Infinity ? Number(text) : text);
+const capsule = (v, name) => ({ p: point(v["p_" + name]), q: point(v["q_" + name]), r: Number(v["r_" + name]) });
 const queries = {
+  "intervals.html": v => ({ kind: "interval_interval", a: interval(v.a_min, v.a_max), b: interval(v.b_min, v.b_max) }),
   "sphere-sphere.html": v => ({ kind: "sphere_sphere", c1: point(v.a), r1: Number(v.r_a), c2: point(v.b), r2: Number(v.r_b) }),
   "aabb-aabb.html": v => ({ kind: "box_box", alo: point(v.a_min), ahi: point(v.a_max), blo: point(v.b_min), bhi: point(v.b_max) }),
-  "sphere-aabb.html": v => ({ kind: "sphere_box", center: point(v.c), radius: Number(v.r), lo: point(v.b_min), hi: point(v.b_max) })
+  "sphere-aabb.html": v => ({ kind: "sphere_box", center: point(v.c), radius: Number(v.r), lo: point(v.b_min), hi: point(v.b_max) }),
+  "capsule-capsule.html": v => ({ kind: "capsule_capsule", a: capsule(v, "a"), b: capsule(v, "b") }),
+  "ray-sphere.html": v => ({ kind: "ray_sphere", origin: point(v.origin), dir: point(v.direction), center: point(v.center),
+    radius: Number(v.radius), ...(v.extent === "segment" ? { tmax: Number(v.t_max) } : {}) })
 };
-function meets(query) {
-  const { stdout } = spawnSync(isect, ["query"], { input: JSON.stringify(query) + "\n", encoding: "utf8" });
-  return JSON.parse(stdout).result.intersects;
-}
 async function compare(page, how) {
   await browser.press("End");
   let now = await look();
@@ -65,14 +31,38 @@ async function compare(page, how) {
     now = await look();
     if (now.hash === before) break;
   }
-  const truth = meets(queries[page](now.values));
+  const { result } = JSON.parse(site.native(["query"], JSON.stringify(queries[page](now.values)) + "\n"));
+  const truth = result.intersects ?? result.ray_hit;
   check(now.yes === truth && now.no === !truth, `${page}, ${how}: "${now.verdict}", but they ${truth ? "meet" : "do not meet"}`);
+}
+/// Every verdict of the setting that is shown is the native program's.
+const letters = text => text.replace(/[\s.,:]/g, "").toLowerCase();
+async function compare_native(lesson, how) {
+  await browser.press("Home");
+  const told = [];
+  let now = await look();
+  for (let i = 0; i < 80; ++i) {
+    if (now.verdict) told.push(now.verdict);
+    if (now.end) break;
+    await browser.press("ArrowRight");
+    now = await look();
+  }
+  const [path, query] = now.hash.slice(1).split("?");
+  const changes = [...new URLSearchParams((query ?? "").replaceAll("+", "%2B"))].filter(([name]) => name !== "camera");
+  const native = site.native(["explain", lesson, "--brief", "--preset", path.split("/")[0], ...changes.flatMap(([name, text]) => ["--set", `${name}=${text}`])]);
+  const verdicts = native.split(/^(?=Step )/m).slice(1).map(letters).filter(step => step.includes("verdict"));
+  // The map of cases shows the verdict again, beside the words of its own.
+  check(told.length >= verdicts.length && told.every(verdict => verdicts.some(step => step.includes("verdict" + letters(verdict)))),
+    `${lesson}, ${how}, ${now.hash}: ${JSON.stringify(told)}; natively ${JSON.stringify(verdicts)}`);
+  return told.length;
 }
 
 const ready = {};
+let compared = 0;
 try {
   await browser.look({ width: 1280, height: 900 });
   for (const page of pages) {
+    if (page === "scene.html") continue;  // scene.mjs
     const begun = Date.now(), state = await open(page);
     if (state === "static") continue;
     ready[page] = Date.now() - begun;
@@ -80,7 +70,7 @@ try {
     if (state !== "ready") continue;
 
     // Stepped to its end, the questions answered; never wider than the page.
-    let answered = 0, last = "";
+    let last = "";
     for (let i = 0; i < 80; ++i) {
       const now = await look();
       check(now.wide <= 0, `${page} ${now.hash}: ${now.wide} px too wide`);
@@ -90,41 +80,28 @@ try {
         check(now.right >= 0, `${page} ${now.hash}: no choice is right`);
         await browser.press("abcdefgh"[now.right]);
         check((await look()).told, `${page} ${now.hash}: the answer is not told`);
-        ++answered;
       }
       if (now.end) break;
       last = now.hash;
       await browser.press("ArrowRight");
     }
-    const end = await look();
-    check(end.end, `${page}: its end is not reached`);
+    check((await look()).end, `${page}: its end is not reached`);
 
-    // A handle, dragged by mouse and by keys; the link opens that very setting; back and forth.
+    // A handle, dragged by mouse and by keys; the verdicts are the native ones; the link opens that very setting.
     await browser.press("Home");
     let now = await look();
     for (let i = 0; i < 12 && now.grips.length === 0 && !now.end; ++i) await browser.press("ArrowRight"), now = await look();
     if (now.grips.length === 0) continue;
-    await browser.ask(`document.querySelector(".live .grip").scrollIntoView({ block: "center" })`);
-    now = await look();
-    const grip = now.grips[0];
-    await browser.drag(grip, { x: grip.x + 24, y: grip.y + 14 });
-    await rest(50);
-    const dragged = await look();
-    check(JSON.stringify(dragged.values) !== JSON.stringify(now.values) || dragged.message !== "",
-      `${page}: ${grip.name} does not follow the mouse`);
-    await browser.ask(`document.querySelector(".live .grip").focus()`);
-    for (const key of ["ArrowLeft", "ArrowUp", "ArrowLeft"]) await browser.press(key);
-    await rest(600);
-    const pushed = await look();
-    check(JSON.stringify(pushed.values) !== JSON.stringify(dragged.values) || pushed.message !== "",
-      `${page}: ${grip.name} does not follow the keys`);
-    await browser.ask(`document.activeElement.blur()`);
+    const { before, dragged, pushed, name } = await site.move_a_handle();
+    check(!same(dragged.values, before.values) || dragged.message !== "", `${page}: ${name} does not follow the mouse`);
+    check(!same(pushed.values, dragged.values) || pushed.message !== "", `${page}: ${name} does not follow the keys`);
     if (queries[page]) await compare(page, "after a drag");
+    compared += await compare_native(page.replace(".html", ""), "after a drag");
     if (pushed.hash.includes("?")) {
       const kept = await look();
       check(await open(page, kept.hash) === "ready", `${page}: its link does not open`);
       const again = await look();
-      check(JSON.stringify(again.values) === JSON.stringify(kept.values) && again.title === kept.title && again.hash === kept.hash,
+      check(same(again.values, kept.values) && again.title === kept.title && again.hash === kept.hash,
         `${page}: its link opens something else: ${kept.hash}`);
     }
   }
@@ -154,15 +131,16 @@ try {
   check((await look()).hash !== changed.hash, "back goes nowhere");
   await browser.ask(`history.forward()`);
   await rest(300);
-  check(JSON.stringify((await look()).values) === JSON.stringify(changed.values), "forward does not bring the values back");
+  check(same((await look()).values, changed.values), "forward does not bring the values back");
   await click("Undo");
-  check(JSON.stringify((await look()).values) !== JSON.stringify(changed.values), "nothing is undone");
+  check(!same((await look()).values, changed.values), "nothing is undone");
   await browser.ask(`document.querySelector('nav.settings li:last-child a').click()`);
   await rest(200);
   check(!(await look()).hash.includes("?"), "a setting of the list is not opened");
   await browser.press("p");
   await rest(50);
-  check(new URL((await look()).hash, "file:///").hash !== changed.hash, "the key before goes nowhere");
+  check((await look()).hash.startsWith("#" + await browser.ask(`document.querySelector('nav.settings li:nth-last-child(2) a').hash.slice(1)`) + "/"),
+    "the key p does not open the setting before: " + (await look()).hash);
 
   // The map of cases, lights, a finger.
   await open(lesson);
@@ -176,7 +154,7 @@ try {
       return { x: b.x + b.width / 2, y: b.y + b.height / 2 }; })()`);
     await browser.drag(at, { x: at.x + 30, y: at.y - 20 });
     await rest(50);
-    check(JSON.stringify((await look()).values) !== JSON.stringify(first.values), "a drag on the map moves nothing");
+    check(!same((await look()).values, first.values), "a drag on the map moves nothing");
     await compare(lesson, "after a drag on the map");
   }
   const lit = await browser.ask(`(() => { const name = document.querySelector(".live [data-name]");
@@ -190,15 +168,57 @@ try {
   const before = await look(), finger = before.grips[0];
   await browser.swipe(finger, { x: finger.x - 30, y: finger.y + 20 });
   await rest(100);
-  check(JSON.stringify((await look()).values) !== JSON.stringify(before.values), "a handle does not follow a finger");
+  check(!same((await look()).values, before.values), "a handle does not follow a finger");
   await browser.send("Emulation.setTouchEmulationEnabled", { enabled: false });
 
-  // What is copied; paper shows a setting of one's own.
+  // Play goes on by itself, and stops at a question.
+  await browser.look({ width: 1280, height: 900 });
+  await open(lesson);
+  await browser.press(" ");
+  await rest(2200);
+  check((await look()).hash !== first.hash, "play does not go on");
+  const stops = Date.now() + 40000;
+  while (!(await look()).asks && !(await look()).end && Date.now() < stops) await rest(200);
+  const stopped = await look();
+  await rest(2200);
+  check((await look()).hash === stopped.hash, "play does not stop at " + stopped.hash);
+
+  // At rest nothing runs.
+  await browser.send("Performance.enable");
+  const metrics = async () => Object.fromEntries((await browser.send("Performance.getMetrics")).metrics.map(m => [m.name, m.value]));
+  const then = await metrics();
+  await rest(2000);
+  const later = await metrics();
+  check(later.LayoutCount === then.LayoutCount && later.RecalcStyleCount === then.RecalcStyleCount && later.ScriptDuration - then.ScriptDuration < 0.002,
+    `at rest something runs: ${later.LayoutCount - then.LayoutCount} layouts, ${later.ScriptDuration - then.ScriptDuration} s of scripts`);
+
+  // What is saved.
+  await browser.ask(`window.saved = [], HTMLAnchorElement.prototype.click = function () {
+    const name = this.download; saved.push(fetch(this.href).then(r => r.arrayBuffer()).then(b => ({ name, bytes: [...new Uint8Array(b)] }))); }`);
+  for (const button of ["Save SVG", "Save PNG"]) {
+    await click(button);
+    for (let i = 0; i < 50 && await browser.ask("saved.length") === 0; ++i) await rest(100);
+    const { name, bytes } = await browser.ask("saved.pop()");
+    const text = Buffer.from(bytes).toString("latin1"), png = button === "Save PNG";
+    check(name.endsWith(png ? ".png" : ".svg") && (png ? text.startsWith("\x89PNG") && bytes.length > 20000
+      : text.startsWith("<svg xmlns=") && text.includes("@font-face") && !text.includes("var(")), `${button}: ${name}, ${bytes.length} bytes`);
+    if (process.env.PICTURES) writeFileSync(join(process.env.PICTURES, name), Buffer.from(bytes));
+  }
+
+  // What is copied.
   for (const [name, holds] of [["Copy LaTeX", "\\includegraphics"], ["Copy Markdown", "!["], ["Copy alt text", "ball"], ["Copy iframe", "<iframe src="], ["Copy link", "#"]]) {
     await click(name);
     await rest(30);
     const text = await browser.ask(`document.querySelector(".share textarea").value`);
     check(text.includes(holds), `${name}: ${text.slice(0, 60)}`);
+  }
+  // On paper: a setting of one's own with all of its steps.
+  for (const [paper, width, height] of [["A4", 8.27, 11.69], ["Letter", 8.5, 11]]) {
+    await open(lesson, changed.hash);
+    const { data } = await browser.send("Page.printToPDF", { paperWidth: width, paperHeight: height });
+    const pdf = Buffer.from(data, "base64").toString("latin1"), sheets = (pdf.match(/\/Type\s*\/Page\b/g) ?? []).length;
+    check(pdf.startsWith("%PDF") && sheets >= 3 && sheets <= 12, `${paper}: ${sheets} sheets`);
+    if (process.env.PICTURES) writeFileSync(join(process.env.PICTURES, paper + ".pdf"), Buffer.from(data, "base64"));
   }
   for (const width of [360, 768, 1440])
     for (const dark of [false, true]) {
@@ -214,24 +234,24 @@ try {
   if (process.env.AXE && existsSync(process.env.AXE)) {
     const axe = readFileSync(process.env.AXE, "utf8");
     for (const page of pages)
-      for (const dark of [false, true]) {
-        await browser.look({ width: 1280, height: 900, dark });
+      for (const [width, dark] of [[1280, false], [1280, true], [390, false]]) {
+        await browser.look({ width, height: 900, dark });
         await open(page);
+        await browser.ask(`document.querySelectorAll(".live details").forEach(d => d.open = true)`);
         await browser.ask(axe + ";0");
         const found = await browser.ask(`axe.run({ preload: false }).then(r => r.violations.map(v => v.id + ": " + v.nodes.slice(0, 3).map(n => n.target.join(" ")).join(", ")))`);
-        found.forEach(fault => check(false, `${page}, ${dark ? "dark" : "light"}, axe: ${fault}`));
+        found.forEach(fault => check(false, `${page}, ${width} wide, ${dark ? "dark" : "light"}, axe: ${fault}`));
         check(true, page);
       }
   } else {
     console.log("axe is not at hand (AXE=.../axe.min.js)");
   }
-  browser.messages.forEach(message => check(false, "the console says: " + message));
-  const far = browser.requests.filter(url => !/^(file|data|about|blob):/.test(url));
-  check(far.length === 0, "asked of the network: " + far[0]);
+  site.check_silence();
 } finally {
   await browser.stop();
 }
 check(Object.keys(ready).length > 0, "no page comes alive");
+check(compared > 20, `${compared} verdicts compared`);
 const times = Object.values(ready).sort((a, b) => a - b);
-console.log(`${checks} checks of ${times.length} live pages, ${wrong.length} wrong; ready after ${times[0]} to ${times.at(-1)} ms`);
-process.exit(wrong.length === 0 ? 0 : 1);
+console.log(`${site.checks} checks of ${times.length} live pages, ${compared} verdicts as native, ${site.wrong.length} wrong; ready after ${times[0]} to ${times.at(-1)} ms`);
+process.exit(site.wrong.length === 0 ? 0 : 1);

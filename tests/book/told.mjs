@@ -7,10 +7,10 @@ import { tmpdir } from "node:os";
 import { gunzipSync } from "node:zlib";
 
 const folder = resolve(process.argv[2]);
-/// The session, from the script that the pages load.
-export async function session(site) {
+/// The session, from a script that pages load.
+export async function session(site, file) {
   const made = mkdtempSync(join(tmpdir(), "isect-live-"));
-  const script = readFileSync(join(site, "isect.js"), "utf8");
+  const script = readFileSync(join(site, file), "utf8");
   writeFileSync(join(made, "isect.cjs"), script + "\nmodule.exports = isect_module;\n");
   const isect_module = createRequire(import.meta.url)(join(made, "isect.cjs"));
   rmSync(made, { recursive: true });
@@ -19,7 +19,8 @@ export async function session(site) {
   return request => JSON.parse(answer(JSON.stringify(request)));
 }
 
-const ask = await session(folder);
+const of_lessons = await session(folder, "isect.js"), of_scenes = await session(folder, "scenes.js");
+const text = html => html.replaceAll("&lt;", "<").replaceAll("&gt;", ">").replaceAll("&quot;", '"').replaceAll("&amp;", "&");
 const plain = html => html.replace(/<span data-name="[^"]*">([^]*?)<\/span>/g, "$1").replace(/<svg[^]*?<\/svg>/g, "").trim();
 /// Numbers may differ in their last places: sums of three products are taken in another order by the vector instructions
 /// of the native build, and sines come from the C library. All else is equal.
@@ -40,11 +41,12 @@ function difference(a, b) {
 let stations = 0, last_place = 0;
 const wrong = [];
 for (const page of readdirSync(folder).filter(name => name.endsWith(".html")).sort()) {
-  const text = readFileSync(join(folder, page), "utf8"), lesson = text.match(/data-lesson="([^"]*)"/)?.[1];
+  const source = readFileSync(join(folder, page), "utf8"), lesson = source.match(/data-lesson="([^"]*)"/)?.[1];
   if (!lesson) continue;
-  for (const [, preset, walk] of text.matchAll(/<section class="walk[^"]*" id="([^"]*)">([^]*?)<\/section>/g)) {
+  const scenes = lesson === "scene", ask = scenes ? of_scenes : of_lessons;
+  for (const [, preset, walk] of source.matchAll(/<section class="walk[^"]*" id="([^"]*)">([^]*?)<\/section>/g)) {
     const articles = [...walk.matchAll(/<article class="(?:ask|step)[^"]*" id="([^"]*)"[^>]*>\n([^]*?)<\/article>/g)];
-    let frame = ask({ do: "open", lesson, preset });
+    let frame = ask({ do: "open", ...(scenes ? { scene: text(walk.match(/<pre>([^]*?)<\/pre>/)[1]) } : { lesson, preset }) });
     articles.forEach(([, id, body], at) => {
       if (at > 0) frame = ask({ do: "go", at });
       ++stations;

@@ -1,6 +1,6 @@
 // The session behind a live page: what is asked of it and what comes of that.
 
-#include "web/session.h"
+#include "web/scenes.h"
 
 #include <isect/sphere_sphere.h>
 #include "lessons/lessons.h"
@@ -11,7 +11,7 @@ using isect::test::Contains;
 using isect::web::Session;
 using Json = Session::Json;
 
-Session fresh() { return Session(isect::lessons::all_lessons()); }
+Session fresh() { return Session(isect::lessons::all_lessons(), isect::web::read_scene); }
 
 Json ask(Session& session, const Json& request) { return Json::parse(session.answer(request.dump())); }
 
@@ -169,6 +169,52 @@ TEST_CASE("a step is copied for LaTeX and Markdown with its words", "[session]")
   CHECK_THAT(copied.at("svg").get<std::string>(), Contains("<svg") && !Contains("var("));
   const Json whole = ask(session, {{"do", "whole"}});
   CHECK_THAT(whole.at("html").get<std::string>(), Contains("id=\"live/6\"") && Contains("<svg"));
+}
+
+TEST_CASE("a scene's text opens, follows what is dragged, and opens again as it was left", "[session]") {
+  Session session = fresh();
+  const std::string text =
+      "{\"title\": \"Two balls\",  // apart\n"
+      " \"objects\": [{\"sphere\": \"a\", \"center\": [0, 0, 0], \"radius\": 1},\n"
+      "             {\"sphere\": \"b\", \"center\": [4, 0, 0], \"radius\": 1}],\n"
+      " \"ask\": [[\"a\", \"b\"]]}\n";
+  Json frame = ask(session, {{"do", "open"}, {"scene", text}, {"step", 1}});
+  REQUIRE_FALSE(frame.contains("wrong"));
+  CHECK(frame.at("scene") == text);
+  CHECK(frame.at("place").at("preset title") == "Two balls");
+  CHECK(frame.at("parameters").size() == 4);
+  const Json a = handle(frame, "a.center"), b = handle(frame, "b.center");
+  ask(session, {{"do", "take"}, {"handle", b.at("name")}, {"x", b.at("x")}, {"y", b.at("y")}});
+  int met = 0;
+  for (int i = 0; i < 12; ++i) {
+    const auto between = [&](const char* x) {
+      return b.at(x).get<double>() + i / 11.0 * (a.at(x).get<double>() - b.at(x).get<double>());
+    };
+    frame = ask(session, {{"do", "drag"}, {"x", between("x")}, {"y", between("y")}});
+    const Json& values = frame.at("values");
+    const bool truth = intersects(isect::Sphere<double, 3>{point(values, "a.center"), 1},
+                                  isect::Sphere<double, 3>{point(values, "b.center"), 1});
+    met += truth;
+    CHECK((frame.at("below").get<std::string>().find("verdict yes") != std::string::npos) == truth);
+  }
+  CHECK(met > 0);
+  CHECK(met < 12);
+  frame = ask(session, {{"do", "drop"}});
+  const std::string kept = frame.at("scene");
+  CHECK(kept != text);
+  CHECK_THAT(kept, Contains("// apart") && Contains("\"sphere\": \"a\", \"center\": [0, 0, 0], \"radius\": 1"));
+  Session other = fresh();
+  const Json again = ask(other, {{"do", "open"}, {"scene", kept}, {"step", 1}});
+  CHECK(again.at("values") == frame.at("values"));
+  CHECK(again.at("below") == frame.at("below"));
+
+  const Json wrong =
+      ask(session, {{"do", "open"}, {"scene", "{\"objects\": [\n{\"sphere\": \"a\", \"radius\": -1}]}"}});
+  CHECK_THAT(wrong.value("wrong", ""), Contains("line 2"));
+  CHECK(ask(session, {{"do", "go"}, {"at", 1}}).at("scene") == kept);
+  CHECK_FALSE(open(session, "sphere-sphere").contains("scene"));
+  Session lessons_only(isect::lessons::all_lessons());
+  CHECK(ask(lessons_only, {{"do", "open"}, {"scene", text}}).contains("wrong"));
 }
 
 }  // namespace session_test

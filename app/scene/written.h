@@ -1,0 +1,35 @@
+#pragma once
+// How a scene file is written, for whoever writes one: in the help of `isect scene` and on its page.
+
+namespace isect::program::scene {
+
+inline constexpr const char* how_written =
+    "A scene:\n"
+    "  {\"title\": \"A ray past a box\",\n"
+    "   \"objects\": [{\"ray\": \"r\", \"origin\": [-4, 0, 1], \"dir\": [1, 0, 0]},\n"
+    "               {\"box\": \"A\", \"lo\": [-1, -1, -1], \"hi\": [1, 1, 1]}],\n"
+    "   \"ask\": [[\"r\", \"A\"], {\"first hit\": \"r\"}]}\n"
+    "Objects, with two coordinates or with three (what stands in brackets may be left out). A name has 1 to 16\n"
+    "letters a to z, A to Z and digits, a letter first; y points up.\n"
+    "  point at           segment from to      ray origin dir [tmin] [tmax]\n"
+    "  line origin dir    plane normal d       sphere (or circle) center radius\n"
+    "  box lo hi          obb center u v [w] half\n"
+    "  capsule p q r      triangle points      polygon points (or rings, for holes)\n"
+    "  kdop normals lo hi (lists)              hull points (or file)\n"
+    "  cloud points (or file, .csv)            mesh file (.obj, .stl, .ply; or points triangles)\n"
+    "  frustum eye forward up angle [aspect] near far\n"
+    "A plane is where normal . x + d = 0. An obb reaches from center as far as half tells along u, v and, in space,\n"
+    "w: axes of length 1 at right angles. angle is in degrees, from bottom to top.\n"
+    "Numbers are decided exactly as the doubles nearest to them: 0.1 + 0.2 lies above 0.3. Where objects are to\n"
+    "touch, write halves, quarters or whole numbers.\n"
+    "Questions: two names; {\"first hit\": \"r\"}; {\"fit\": \"M\"} with \"volume\": sphere, box, obb, kdop or hull, "
+    "or\n"
+    "all five; {\"clip\": \"r\", \"to\": \"A\"}; {\"hierarchy\": \"M\"}, or [\"A\", \"B\"], or \"all\"; {\"walk\": "
+    "[\"r\", \"S\"]},\n"
+    "step by step as in the usual lesson, or with \"lesson\": \"convex-polygon\" in that one; {\"walk\": \"H\"} of "
+    "points.\n"
+    "\"ask\" may be \"all pairs\".\n"
+    "\"notes\": [{\"at\": [0, 2, 0], \"text\": \"*h*\"}] and \"camera\": {\"azimuth\": 30, \"elevation\": 20} may "
+    "follow.\n";
+
+}  // namespace isect::program::scene

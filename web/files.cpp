@@ -1,0 +1,22 @@
+// A page has no files beside the text that is opened in it.
+
+#include "viz/files.h"
+
+#include <fmt/format.h>
+
+namespace isect::viz {
+
+namespace {
+
+[[noreturn]] std::string refuse(const std::string& path) {
+  throw FileError(
+      fmt::format("{}: a page reads no other files; write its points or triangles into the scene itself", path));
+}
+
+}  // namespace
+
+std::string read_file(const std::string& path, std::size_t) { return refuse(path); }
+std::string read_regular_file(const std::string& path) { return refuse(path); }
+void write_file(const std::string& path, const std::string&) { refuse(path); }
+
+}  // namespace isect::viz

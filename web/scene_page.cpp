@@ -1,0 +1,13 @@
+// As page.cpp, where scenes of one's own are opened, too.
+
+#include <emscripten.h>
+
+#include "lessons/lessons.h"
+#include "web/scenes.h"
+
+/// The answer is good until the next call.
+extern "C" EMSCRIPTEN_KEEPALIVE const char* isect_answer(const char* request) {
+  static isect::web::Session session(isect::lessons::all_lessons(), isect::web::read_scene);
+  static std::string answer;
+  return (answer = session.answer(request)).c_str();
+}

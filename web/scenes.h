@@ -1,0 +1,11 @@
+#pragma once
+// Scenes of one's own, for a session.
+
+#include "web/session.h"
+
+namespace isect::web {
+
+/// Throws viz::BadInput, which names the line, and viz::FileError where the text refers to other files.
+Scene read_scene(const std::string& text);
+
+}  // namespace isect::web
