@@ -150,7 +150,8 @@ int render(const Program& program, Options options) {
 void add_render(CLI::App& app, Program& program) {
   CLI::App& sub = *app.add_subcommand("render", "figures as files, with alt text and a manifest");
   const auto options = std::make_shared<Options>();
-  add_lesson(sub, program, options->asked, Takes::many, "one lesson or several, by id; or files of presets, scenes or figures");
+  add_lesson(sub, program, options->asked, Takes::many,
+             "one lesson or several, by id; or files of presets, scenes or figures");
   sub.add_flag("--all", options->asked.all, "every lesson, and every preset unless --preset is given");
   add_preset(sub, options->asked, Takes::many,
              "presets, files with one each, or all; the first if not given.\nA word that ends in .json or "

@@ -5,7 +5,7 @@ cmake_minimum_required(VERSION 3.22)
 
 file(REMOVE_RECURSE ${SCRATCH})
 file(COPY ${ROOT}/CMakeLists.txt ${ROOT}/bench ${ROOT}/lessons DESTINATION ${SCRATCH}/isect)
-foreach(folder app core viz)
+foreach(folder app core examples viz)
   file(CREATE_LINK ${ROOT}/${folder} ${SCRATCH}/isect/${folder} SYMBOLIC)
 endforeach()
 file(WRITE ${SCRATCH}/isect/lessons/one_more/lesson.cpp "")
