@@ -20,7 +20,7 @@ export async function session(site, file) {
 }
 
 const of_lessons = await session(folder, "isect.js"), of_scenes = await session(folder, "scenes.js");
-const text = html => html.replaceAll("&lt;", "<").replaceAll("&gt;", ">").replaceAll("&quot;", '"').replaceAll("&amp;", "&");
+const text = html => html.replaceAll("&lt;", "<").replaceAll("&gt;", ">").replaceAll("&quot;", '"').replaceAll("&apos;", "'").replaceAll("&amp;", "&");
 const plain = html => html.replace(/<span data-name="[^"]*">([^]*?)<\/span>/g, "$1").replace(/<svg[^]*?<\/svg>/g, "").trim();
 /// Numbers may differ in their last places: sums of three products are taken in another order by the vector instructions
 /// of the native build, and sines come from the C library. All else is equal.
