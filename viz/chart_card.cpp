@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "viz/chart_parts.h"
+#include "viz/rich_text.h"
 
 namespace isect::viz {
 namespace {
@@ -11,17 +12,12 @@ constexpr double line_pitch = 1.45;     // from line to line, in sizes of the te
 constexpr double row_gap = 0.75;        // from row to row, beyond that
 constexpr double most_enlarged = 1.25;  // of a label's size
 
-/// A word and how wide it is at size 1.
+/// A word, or what stays together, and how wide it is at size 1.
 using Word = std::pair<std::string, double>;
 
 std::vector<Word> words_of(const ChartInk& ink, const std::string& markup) {
   std::vector<Word> all;
-  for (std::size_t at = 0; at < markup.size();) {
-    const std::size_t end = std::min(markup.find(' ', at), markup.size());
-    const std::string word = markup.substr(at, end - at);
-    all.emplace_back(word, ink.width(word, 1));
-    at = end + 1;
-  }
+  for (const std::string& part : unbreakable(markup)) all.emplace_back(part, ink.width(part, 1));
   return all;
 }
 

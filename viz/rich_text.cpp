@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <string_view>
 
 #include "viz/utf8.h"
@@ -198,6 +199,25 @@ std::string plain(const std::string& markup) {
     out += plain_script(text, script);
   }
   return out;
+}
+
+std::vector<std::string> unbreakable(const std::string& markup) {
+  static const std::set<std::string> relations = {"=", "≠", "<", ">", "≤", "≥", "≈"};
+  std::vector<std::string> parts;
+  for (std::size_t at = 0; at < markup.size();) {
+    std::size_t end = std::min(markup.find(' ', at), markup.size());
+    const auto splits_mark = [&] {  // a mark that opened before and closes behind is no mark any more
+      return plain(markup.substr(at, end - at)) + plain(markup.substr(end)) != plain(markup.substr(at));
+    };
+    const auto relation_follows = [&] {
+      return relations.contains(markup.substr(end + 1, markup.find(' ', end + 1) - end - 1));
+    };
+    while (end < markup.size() && (splits_mark() || relation_follows()))
+      end = std::min(markup.find(' ', end + 1), markup.size());
+    parts.push_back(markup.substr(at, end - at));
+    at = end + 1;
+  }
+  return parts;
 }
 
 std::string pango(const std::string& markup, const std::string& math_font, double math_scale, double em) {

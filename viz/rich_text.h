@@ -25,6 +25,9 @@ std::string unindented(const std::string& line);
 /// For terminals and screen readers: marks dropped, digits and signs in scripts as Unicode (t₁, m²) where
 /// they exist.
 std::string plain(const std::string& markup);
+/// The parts between which a line may end, in place of the space there: words, but for marks that span several, and
+/// for relations (=, ≤), which end a line rather than begin one, as in print.
+std::vector<std::string> unbreakable(const std::string& markup);
 /// Scripts: how large they are, and how far above the baseline, in em of the text around them.
 constexpr double script_size = 0.70, sub_rise = -0.16, super_rise = 0.34;
 /// Pango markup. Escapes &, < and >.

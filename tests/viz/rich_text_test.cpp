@@ -31,6 +31,14 @@ TEST_CASE("scalars slant, vectors are bold and upright", "[rich_text]") {
   CHECK(shape("**a *b***") == "b(a )bi(b)");
 }
 
+TEST_CASE("a line ends between words, never within a mark or before a relation", "[rich_text]") {
+  using Parts = std::vector<std::string>;
+  CHECK(unbreakable("").empty());
+  CHECK(unbreakable("two balls meet") == Parts{"two", "balls", "meet"});
+  CHECK(unbreakable("if *d*^2 ≤ (*r*_a − *r*_b)^2.") == Parts{"if", "*d*^2 ≤", "(*r*_a", "−", "*r*_b)^2."});
+  CHECK(unbreakable("is *s = **l**·**d*** here") == Parts{"is", "*s = **l**·**d***", "here"});
+}
+
 TEST_CASE("only letters slant: digits, signs and brackets of italic text stay upright", "[rich_text]") {
   CHECK(shape("*2t*") == "(2)i(t)");
   CHECK(shape("*(a−b)*") == "(()i(a)(−)i(b)())");
