@@ -227,9 +227,10 @@ const Condition* drag(const Lesson&, Parameters&, const Handle&, const Vec3& p);
 /// Sets a parameter. Another choice of objects starts anew: what was moved of the old ones is forgotten.
 void choose(const Lesson&, Parameters&, const std::string& name, const Setting&);
 std::string to_text(const Setting&);  ///< shortest text that `set` reads back exactly
-/// The candidate closest to `word` by edit distance; empty if there are none.
+/// The candidate closest to `word` by edit distance; empty where none is near.
 std::string nearest(const std::string& word, const std::vector<std::string>& candidates);
-/// The answer to a name nobody knows: names the field, what was given, the nearest spelling and all that is allowed.
+/// The answer to a name nobody knows: names the field, what was given, a name near to it, if any, and all that is
+/// allowed.
 BadInput unknown(const std::string& field, const std::string& given, const std::vector<std::string>& allowed);
 /// The number as shown to readers: about five significant digits, a real minus, no trailing zeros lost.
 std::string shown(double value);
