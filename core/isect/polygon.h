@@ -26,25 +26,16 @@ namespace polygon_area {
 
 /// The area vector: the size of its largest component, and the vector divided by that.
 struct AreaVector {
-  std::array<double, 3> scaled;
-  double largest;
+  std::array<Extended, 3> scaled;
+  Extended largest;
+
+  Extended length() const {
+    return std::sqrt(scaled[0] * scaled[0] + scaled[1] * scaled[1] + scaled[2] * scaled[2]);  // 1 to sqrt(3)
+  }
 };
 using Event = std::variant<AreaVector, Fallback>;
 
 namespace detail {
-
-/// An area vector to more digits: its components divided by `unit`, the largest of which is 1 to 2 in size.
-struct FineAreaVector {
-  std::array<Tailed, 3> scaled;
-  double unit;
-
-  Tailed length() const { return sqrt(dot(scaled, scaled)); }  // 1 to 2 sqrt(3)
-  AreaVector rounded() const {
-    double largest = 0;
-    for (const Tailed& x : scaled) largest = std::max(largest, std::abs(leading(x)));
-    return {{leading(scaled[0]) / largest, leading(scaled[1]) / largest, leading(scaled[2]) / largest}, largest * unit};
-  }
-};
 
 /// Twice the area vector; 0 for fewer than three vertices.
 template <Filtered W, class S>
@@ -77,33 +68,13 @@ W area2(const Ring<S, 2>& ring) {
 
 /// The exact area vector, every number rounded once; nothing when it is zero.
 template <class S>
-[[gnu::noinline, gnu::cold]] std::optional<FineAreaVector> exact_area_vector(const Ring<S, 3>& ring) {
+[[gnu::noinline, gnu::cold]] std::optional<AreaVector> exact_area_vector(const Ring<S, 3>& ring) {
   const std::array<Exact, 3> n = newell<Exact>(ring);
   const auto smaller = [](const Exact& x, const Exact& y) { return (abs(x) - abs(y)).sign() < 0; };
   const Exact largest = abs(*std::max_element(n.begin(), n.end(), smaller));
   if (largest.sign() == 0) return {};
-  return FineAreaVector{{quotient(n[0], largest), quotient(n[1], largest), quotient(n[2], largest)},
-                        quotient(largest, Exact(2.))};
-}
-
-/// The area vector as V gives it, divided by a power of two, or by 0 if it is 0; nothing where a component may be
-/// further than eps / 8 of the largest from the truth, or where that is out of range.
-template <class V, class S>
-std::optional<FineAreaVector> quick_area_vector(const Ring<S, 3>& ring) {
-  const std::array<Bounded<V>, 3> n = newell<Bounded<V>>(ring);
-  double largest = 0, error = 0;
-  for (const Bounded<V>& x : n)
-    largest = std::max(largest, std::abs(leading(x.value()))), error = std::max(error, x.error());
-  if (!(error <= std::numeric_limits<S>::epsilon() / 8 * largest)) return {};  // true for NaN
-  if (largest == 0) return FineAreaVector{{}, 0};
-  if (!(0x1p-1000 < largest && largest < 0x1p1000)) return {};
-  const double unit = std::ldexp(1, std::ilogb(largest));
-  FineAreaVector result = {{}, unit / 2};
-  for (int i = 0; i < 3; ++i) {
-    const Tailed x(n[i].value());
-    result.scaled[i] = {x.hi / unit, x.lo / unit};
-  }
-  return result;
+  return AreaVector{{quotient(n[0], largest), quotient(n[1], largest), quotient(n[2], largest)},
+                    quotient(largest, Exact(2.))};
 }
 
 /// The area vector; nothing when it is exactly zero.
@@ -111,13 +82,22 @@ std::optional<FineAreaVector> quick_area_vector(const Ring<S, 3>& ring) {
 /// Bound, eps that of S, u = eps / 2. Every component is taken within eps / 8 of the largest, or Exact takes over and
 /// rounds each once. An error d of the vector n turns its direction by |d| / |n| at most, and changes its length by
 /// as much: sqrt(3) eps / 8 there, as no component is longer than n; u here, as every |d_i| <= u |n_i|. Both are at
-/// most u. What follows is rounded in Tailed, and once to S.
+/// most u. What follows is rounded in Extended, and once to S.
 template <class S, class Trace>
-std::optional<FineAreaVector> area_vector(const Ring<S, 3>& ring, Trace&& trace) {
-  using V = std::conditional_t<std::is_same_v<S, float>, double, Tailed>;
-  if (const std::optional<FineAreaVector> n = quick_area_vector<V>(ring)) return n->unit == 0 ? std::nullopt : n;
-  trace(Fallback{});
-  return exact_area_vector(ring);
+std::optional<AreaVector> area_vector(const Ring<S, 3>& ring, Trace&& trace) {
+  using V = std::conditional_t<std::is_same_v<S, float>, double, Extended>;
+  const std::array<Bounded<V>, 3> n = newell<Bounded<V>>(ring);
+  V largest = 0;
+  double error = 0;
+  for (const Bounded<V>& x : n) largest = std::max(largest, std::abs(x.value())), error = std::max(error, x.error());
+  const V bound = static_cast<V>(std::numeric_limits<S>::epsilon() / 8) * largest;
+  if (!(error <= bound && std::isfinite(error))) {  // true for NaN
+    trace(Fallback{});
+    return exact_area_vector(ring);
+  }
+  if (largest == 0) return {};
+  const Extended size = largest;
+  return AreaVector{{n[0].value() / size, n[1].value() / size, n[2].value() / size}, size / 2};
 }
 
 }  // namespace detail
@@ -161,21 +141,22 @@ S area(const Ring<S, 2>& ring, Trace&& trace = {}) {
 template <class S, class Trace = NoTrace>
 S area(const Ring<S, 3>& ring, Trace&& trace = {}) {
   if (!finite(ring)) return std::numeric_limits<S>::quiet_NaN();
-  const auto n = polygon_area::detail::area_vector(ring, trace);
-  return n ? static_cast<S>(n->unit * leading(n->length())) : S(0);
+  const std::optional<polygon_area::AreaVector> n = polygon_area::detail::area_vector(ring, trace);
+  return n ? static_cast<S>(n->largest * n->length()) : S(0);
 }
 
 /// The unit normal of a ring in space, from whose tip it goes counter-clockwise. Every component is within eps of S
-/// of the true one. Nothing when the area is exactly zero, and when a coordinate is NaN or infinite.
+/// of the true one (4 eps where the machine has no type wider than double). Nothing when the area is exactly zero,
+/// and when a coordinate is NaN or infinite.
 template <class S, class Trace = NoTrace>
 std::optional<Vector<S, 3>> normal(const Ring<S, 3>& ring, Trace&& trace = {}) {
   if (!finite(ring)) return {};
-  const auto n = polygon_area::detail::area_vector(ring, trace);
+  const std::optional<polygon_area::AreaVector> n = polygon_area::detail::area_vector(ring, trace);
   if (!n) return {};
-  if constexpr (heard<Trace>) trace(n->rounded());
-  const Tailed length = n->length();
-  const auto over_length = [&](int i) -> S { return static_cast<S>(quotient(n->scaled[i], length)); };
-  return Vector<S, 3>(over_length(0), over_length(1), over_length(2));
+  trace(*n);
+  const Extended length = n->length();
+  return Vector<S, 3>(static_cast<S>(n->scaled[0] / length), static_cast<S>(n->scaled[1] / length),
+                      static_cast<S>(n->scaled[2] / length));
 }
 
 }  // namespace isect

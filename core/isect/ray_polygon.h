@@ -120,7 +120,7 @@ class Crossing {
   PlanePoint<Bounded<double>> quick_;
   template <class... W>
   using Each = std::tuple<std::optional<PlanePoint<W>>...>;
-  mutable Each<Grid, Compensated, ShortExact, Tailed, Bounded<DoubleDouble>, Exact> others_;
+  mutable Each<Grid, Compensated, ShortExact, Bounded<Extended>, Extended, Bounded<DoubleDouble>, Exact> others_;
 };
 
 /// The axis of the largest |n_i|, the first of several.

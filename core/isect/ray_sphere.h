@@ -12,8 +12,8 @@
 // division.
 //
 // decide<W> in isect/parts/ray_sphere_roots.h is that text. It runs in double; where a sign is within its error
-// bound, again in DoubleDouble, and at last in Exact, where every sign is certain. The values of t come from a step of
-// Newton's, ordinary_roots there, else from DoubleDouble or Exact.
+// bound, again in DoubleDouble, and at last in Exact, where every sign is certain. The values of t come from
+// DoubleDouble or Exact.
 //
 // Source: the note, N16-N19; Haines, Gunther, Akenine-Moller, Precision improvements for ray/sphere
 // intersection, Ray Tracing Gems (2019), ch. 7, for what goes wrong in the textbook forms. Bounds: derived
@@ -61,7 +61,8 @@ template <class S, int N, class Trace = NoTrace>
   const std::optional<ray_sphere::Verdict> verdict = decide<double>(wide, ball, trace);
   if (verdict) {
     if (verdict->line_roots == 0) return {};
-    if (const std::optional<Interval<double>> t = quick_roots<S>(wide, ball)) {
+    using W = std::conditional_t<std::is_same_v<S, float>, double, Extended>;
+    if (const std::optional<Interval<double>> t = roots<W>(wide, ball, tolerance<S>)) {
       trace(ray_sphere::Values{*t});
       return report(ray.range, *verdict, *t);
     }

@@ -28,7 +28,8 @@
 
 namespace isect {
 
-/// T is double, Tailed or DoubleDouble; or Compensated, for a number found otherwise.
+/// T is double, Extended or DoubleDouble; or Compensated, for a number found otherwise. The size stays a double, as x87
+/// code for it would be slow.
 template <class T>
 class Bounded {
  public:
@@ -124,7 +125,7 @@ class Grid;
 /// What the polynomial texts of predicates run in: one after the other.
 template <class W>
 concept Filtered = std::same_as<W, Bounded<double>> || std::same_as<W, Grid> || std::same_as<W, Compensated> ||
-    std::same_as<W, Bounded<Tailed>> || std::same_as<W, Bounded<DoubleDouble>> || std::same_as<W, Tailed> ||
+    std::same_as<W, Bounded<Extended>> || std::same_as<W, Bounded<DoubleDouble>> || std::same_as<W, Extended> ||
     std::same_as<W, ShortExact> || std::same_as<W, MediumExact> || std::same_as<W, Exact>;
 
 /// x - y of two doubles.

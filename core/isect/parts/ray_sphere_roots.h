@@ -5,13 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <optional>
 #include <variant>
 
 #include <isect/numbers/filter.h>
-#include <isect/parts/instruction_set.h>
 #include <isect/shapes.h>
 #include <isect/trace.h>
 
@@ -44,11 +42,6 @@ struct Values {
 using Event = std::variant<Decision, Values, Fallback>;
 
 namespace detail {
-
-/// How far, relatively, sums and products may be from their true values before the last rounding: at most an
-/// ulp of S.
-template <class S>
-inline constexpr double tolerance = std::numeric_limits<S>::epsilon() / 2;
 
 template <Arithmetic W, int N>
 using Offset = std::array<W, N>;
@@ -184,53 +177,6 @@ std::optional<Interval<double>> roots(const Ray<double, N>& ray, const Sphere<do
   return ahead ? Interval<double>{near, far} : Interval<double>{-far, -near};
 }
 
-/// The same for ordinary rays, both roots side by side, each within a relative 2^-55 before its last rounding; nothing
-/// where that is too much to promise.
-///
-/// Newton. For any t, with p = f + t d, a root t + h obeys A h^2 + 2 M h + C(t) = 0, M = A t + B, C(t) = p.p - r^2.
-/// Near by, h = -C / 2 M - (A / 2 M) (C / 2 M)^2 but for a relative 2 (A h / M)^2, and the sign of M tells which root
-/// it is. So C(t) alone is needed to more digits than doubles have.
-///
-/// Bound. t has 26 bits, so that its products with the heads of d are exact. p, in two parts, misses 2^-76 (|f| + |t
-/// d|). The heads of p and of r have 24 bits on one grid, so that their squares add up exactly; the rest, below 2^-23
-/// (|f| + r), is rounded in doubles. As |t d| <= |f| + r, and |p| is r nearly, C errs by less than 2^-68 R, R = f.f +
-/// r^2. That is 2^-57 |t| in h where |M t| >= 2^-12 R. There M errs by a relative 2^-36, 16 u sqrt(A R) at most, of an
-/// h below 2^-22 |t|; and 2 (A h / M)^2 <= 2^-35 where |A h| <= 2^-18 |M|.
-template <int N>
-[[gnu::always_inline]] inline std::optional<Interval<double>> ordinary_roots(const Ray<double, N>& ray,
-                                                                             const Sphere<double, N>& sphere) {
-  using Two = simd::Of<double, 16>::Vector;
-  const auto both = [](double x) -> Two { return Two{} + x; };
-  using Bits = simd::Of<std::int64_t, 16>::Vector;
-  const auto head = [](Two x) -> Two { return (Two)((Bits)x & -(std::int64_t{1} << 27)); };  // 26 bits
-
-  const Vector<double, N>& d = ray.direction;
-  const Offset<double, N> f = from_center<double>(ray, sphere);
-  const double a = dot<double, N>(d, d), b = dot<double, N>(f, d), r = sphere.radius, rr = r * r;
-  const double reach = dot<double, N>(f, f) + rr;
-  if (!in_range<double>(a) || !in_range<double>(reach)) return {};
-  const double s = std::sqrt(a * rr - cross_squared<double, N>(f, d));
-  const Two t = head(Two{-b - s, s - b} * (1 / a));
-
-  const double grid = isect::detail::grid_for(r), r_head = (grid + r) - grid;
-  Two heads = both(-(r_head * r_head)), rest = both(-((r - r_head) * (r + r_head)));
-  for (int i = 0; i < N; ++i) {
-    const double f_tail = two_sum(ray.origin[i], -sphere.center[i]).lo;
-    const Two d_head = head(both(d[i])), along = t * d_head, p = f[i] + along, back = p - f[i];
-    const Two p_tail = ((f[i] - (p - back)) + (along - back)) + (f_tail + t * (d[i] - d_head));
-    const Two p_head = (grid + p) - grid, p_rest = (p - p_head) + p_tail;
-    heads += p_head * p_head;
-    rest += p_rest * (p_head + (p_head + p_rest));
-  }
-  const Two m = a * t + b, half = 0.5 / m, step = (heads + rest) * half, h = step + a * half * (step * step);
-  for (int k = 0; k < 2; ++k) {
-    const double size = std::abs(t[k]), slope = std::abs(m[k]);
-    if (!(std::abs(h[k]) <= 0x1p-22 * size && a * std::abs(h[k]) <= 0x1p-18 * slope && slope * size >= 0x1p-12 * reach))
-      return {};
-  }
-  return Interval<double>{t[0] - h[0], t[1] - h[1]};
-}
-
 /// t of a tangent line's double root, -B / A, within a relative `tolerance` before its last rounding; nothing where W
 /// can't promise that.
 ///
@@ -253,24 +199,9 @@ std::optional<double> double_root(const Ray<double, N>& ray, const Sphere<double
 template <Arithmetic W, int N>
 std::optional<Interval<double>> roots(const Ray<double, N>& ray, const Sphere<double, N>& sphere, double tolerance,
                                       int count) {
-  if (count == 2) {
-    if constexpr (std::same_as<W, Tailed>)
-      return ordinary_roots(ray, sphere);
-    else
-      return roots<W>(ray, sphere, tolerance);
-  }
+  if (count == 2) return roots<W>(ray, sphere, tolerance);
   const std::optional<double> t = double_root<W>(ray, sphere, tolerance);
   return t ? std::optional(Interval<double>{*t, *t}) : std::nullopt;
-}
-
-/// The roots of a line that has two, for ordinary rays.
-template <class S, int N>
-[[gnu::always_inline]] inline std::optional<Interval<double>> quick_roots(const Ray<double, N>& ray,
-                                                                          const Sphere<double, N>& sphere) {
-  if constexpr (std::is_same_v<S, float>)
-    return roots<double>(ray, sphere, tolerance<S>);
-  else
-    return ordinary_roots(ray, sphere);
 }
 
 /// The answer for the part of the line that the range holds.
@@ -292,6 +223,11 @@ RaySphere<S> report(const Interval<S>& range, const Verdict& verdict, const Inte
     result.solid = {lo >= AmongRoots::entry ? range.lo : entry, hi <= AmongRoots::exit ? range.hi : exit};
   return result;
 }
+
+/// How far, relatively, sums and products may be from their true values before the last rounding: at most an
+/// ulp of S.
+template <class S>
+inline constexpr double tolerance = std::numeric_limits<S>::epsilon() / 2;
 
 }  // namespace detail
 

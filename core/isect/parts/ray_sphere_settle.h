@@ -90,13 +90,13 @@ template <class S, int N, class Trace>
   if (verdict && verdict->origin == Location::on)  // a root at 0, which no rounded number can promise
     if (const auto answer = attempt<MediumExact, MediumExact>(ray, sphere, range, 0, verdict, trace)) return *answer;
   if (const std::optional<Scaled<N>> s = scaled(ray, sphere)) {
-    if (const auto answer = attempt<double, Tailed>(s->ray, s->sphere, range, s->exponent, verdict, trace))
+    if (const auto answer = attempt<double, Extended>(s->ray, s->sphere, range, s->exponent, verdict, trace))
       return *answer;
     if (const auto answer = attempt<DoubleDouble, DoubleDouble>(s->ray, s->sphere, range, s->exponent, verdict, trace))
       return *answer;
   } else {
     if (!known && verdict)
-      if (const auto answer = attempt<double, Tailed>(ray, sphere, range, 0, verdict, trace)) return *answer;
+      if (const auto answer = attempt<double, Extended>(ray, sphere, range, 0, verdict, trace)) return *answer;
     if (const auto answer = attempt<DoubleDouble, DoubleDouble>(ray, sphere, range, 0, verdict, trace)) return *answer;
   }
   if (const auto answer = attempt<MediumExact, MediumExact>(ray, sphere, range, 0, verdict, trace)) return *answer;
