@@ -121,7 +121,7 @@ FAULTS = [
     ("the name of a method", HAINES, '"Haines",', 'FAULT ? "Heines" : "Haines",', RAY),
     ("a step that decides no more", TELLING, "{ Script::decide(step, comparison); }",
      "{ Script::decide(step, comparison); step.decides = !FAULT; }", RAY),
-    ("the text of a comparison", HAINES, '{"*m*^2 ≤ *r*^2",', '{FAULT ? "*m*^2 < *r*^2" : "*m*^2 ≤ *r*^2",', RAY),
+    ("the text of a comparison", HAINES, '{"*m*^2 > *r*^2",', '{FAULT ? "*m*^2 < *r*^2" : "*m*^2 > *r*^2",', RAY),
     ("numbers shown with four digits", "viz/lesson.cpp", 'fmt::format("{:.{}f}", std::abs(value), std::max(0, 4 - exponent))',
      'fmt::format("{:.{}f}", std::abs(value), std::max(0, 3 - exponent))', RAY),
 
