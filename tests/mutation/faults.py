@@ -172,7 +172,7 @@ FAULTS = [
      "words aabb-aabb"),
     ("containment said of overlapping boxes", BOXES, "if (s_.truth == Relation::b_inside_a) return",
      "if (s_.truth == (FAULT ? Relation::overlapping : Relation::b_inside_a)) return", "words aabb-aabb"),
-    ("a comparison that holds where it fails", BOXES, "lo, hi, !e.disjoint,", "lo, hi, FAULT ? e.disjoint : !e.disjoint,",
+    ("a comparison that holds where it fails", BOXES, "lo, hi, e.disjoint,", "lo, hi, FAULT ? !e.disjoint : e.disjoint,",
      "words aabb-aabb"),
     ("the sign between two squares", BALLS, '(near       ? " < "', '(near && !FAULT ? " < "', "words sphere-sphere"),
     ("the sign between distance and reach", BALLS, 's_.truth == Relation::disjoint ? ">"', 's_.truth == Relation::disjoint && !FAULT ? ">"',
