@@ -169,8 +169,9 @@ std::string fresh_values(const Step& step) {
 }  // namespace
 
 std::string shown_among(const std::vector<Value>& all, const Value& v) {
-  const bool mistaken = std::ranges::any_of(
-      all, [&](const Value& other) { return other.value != v.value && shown(other.value) == shown(v.value); });
+  const bool mistaken = std::ranges::any_of(all, [&](const Value& other) {
+    return other.value != v.value && !std::isnan(v.value) && shown(other.value) == shown(v.value);
+  });
   const bool other_zero = v.value == 0 && std::signbit(v.value) && std::ranges::any_of(all, [](const Value& other) {
                             return other.value == 0 && !std::signbit(other.value);
                           });

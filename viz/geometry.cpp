@@ -81,7 +81,7 @@ class Teller {
   }
   void operator()(const Line& it) {
     if (is_object(it.role, it.pen) && !(is_parameter(it.from) && is_parameter(it.to)) && !is_measured(it))
-      say("segment", name_within(limits_of({it.from, it.to}), it.role), place(it.from) + " to " + place(it.to));
+      say("segment", name_along(it), place(it.from) + " to " + place(it.to));
   }
   void operator()(const Dot& it) {
     if (flat_ && it.role == Role::text && name_at(it.at).empty()) points_.push_back(it.at);
@@ -150,6 +150,11 @@ class Teller {
     return names.size() == 1 ? *names.begin() : "";
   }
 
+  /// A point that is marked half-way has a name of its own.
+  std::string name_along(const Line& it) const {
+    return is_dotted((it.from + it.to) / 2) ? "" : name_within(limits_of({it.from, it.to}), it.role);
+  }
+
   void say(const std::string& kind, const std::string& name, const std::string& where) {
     const std::string text = kind + (name.empty() || name == kind ? "" : " " + name) + ": " + where;
     if (std::ranges::find(told_, text) != told_.end()) return;
@@ -164,7 +169,7 @@ class Teller {
         fmt::format("centre {}, radius {}", place(c), number(radius)));
   }
   void corners(const std::string& kind, const Points& points, Role role) {
-    if (points.empty()) return;
+    if (std::ranges::all_of(points, [&](const Vec3& p) { return is_parameter(p); })) return;  // told already
     const Limits e = limits_of(points);
     const bool within = points.size() > most_vertices;
     if (e.lo == e.hi || (within && kind == "polygon")) return;  // nothing, or a curve

@@ -69,7 +69,7 @@ const Lesson& bounding_volumes() {
                      {"reach", "reach of b", "Half the side of the box b, in units.", 0.5, 0, 1e6, 0.25, 3}},
       .group_by = "",
       .presets = {fit_preset("tilted", "a tilted pin", "pin", tilted, "14"),
-                  fit_preset("upright", "an upright pin", "pin", {0, 1.625, 0}, "14"),
+                  fit_preset("upright", "a vertical pin", "pin", {0, 1.625, 0}, "14"),
                   fit_preset("bracket", "a bracket", "bracket", {1.25, 0.75, 0.75}, "26"),
                   fit_preset("ball", "nearly a ball", "ball", {1.25, 0.5, 0}, "18"),
                   test_preset("reject", "trivial reject", {1.625, -0.75, 0}, 0.5),

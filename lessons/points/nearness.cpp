@@ -85,7 +85,7 @@ class Nearness {
     if (std::isnan(left)) step.formula = name + " is not a number: no comparison holds";
     step.decides = true;
     if (std::isfinite(left) && std::isfinite(right) && left + right > 0)
-      step.comparison = Comparison{name + " ≤ " + limit, left, right, s.near, "says " + word(s.near)};
+      step.comparison = Comparison{name + " ≤ " + limit, left, right, s.near, "this test says " + word(s.near)};
     if (method == 0) {
       const auto says_near = std::ranges::count_if(said_, [](const Said& x) { return x.near; });
       // 0 and 4: that all ways to write the test are one.
@@ -94,8 +94,19 @@ class Nearness {
           says_near == 4 ? "All accept it: no rounding, and no corner of the cube, tells them apart here."
           : says_near == 0 && s_.is_nan ? "All reject it: a comparison with what is not a number fails."
           : says_near == 0              ? "All reject it: it lies outside the cube, and so outside the ball."
-                           : "They part where a square leaves the range, or **q** lies near a corner of the cube.");
+                                        : why_they_part());
     }
+  }
+
+  /// Only rounding tells the first two methods from the exact one, and only a cube the third.
+  std::string why_they_part() const {
+    const auto wrong = [&](std::size_t method) { return said_[method].near != said_[0].near; };
+    std::string reasons;
+    if (wrong(1) || wrong(2))
+      reasons = s_.extreme() ? "A square leaves the range of doubles."
+                             : "The two sides differ in the last bits only, which rounding loses.";
+    if (wrong(3)) reasons += std::string(reasons.empty() ? "" : " ") + "**q** lies in the cube, but not in the ball.";
+    return reasons;
   }
 
   /// `left` and `right`: the two sides as computed.

@@ -55,8 +55,7 @@ Line line(const Flat& from, const Flat& to, Role role, Pen pen) { return {flat(f
 viz::Heading text(const Flat& at, const std::string& what, Role role) { return {flat(at), what, role, 0, false}; }
 
 std::string number_of(double count, const std::string& unit) {
-  std::string digits = fmt::format("{:.0f}", count);
-  for (int i = static_cast<int>(digits.size()) - 3; i > 0; i -= 3) digits.insert(static_cast<std::size_t>(i), "\u2009");
+  const std::string digits = shown(std::round(count));
   if (unit.empty()) return digits;
   if (std::round(count) != 1) return digits + " " + unit;
   return digits + " " + (unit == "axes tested" ? "axis tested" : unit.substr(0, unit.size() - 1));

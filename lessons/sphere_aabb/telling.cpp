@@ -108,7 +108,8 @@ class Teller {
     Step& step =
         add("relation", "Nearer than the radius?", near ? 3 : 4, reach_caption(near) + "\n" + end_caption(near),
             "*d*^2 = " + digits(d2, r2) + sign + digits(r2, d2) + " = *r*^2");
-    Script::decide(step, {"*d*^2 < *r*^2", d2, r2, near, near ? "the note says: OVERLAP" : "the note says: DISJOINT"});
+    Script::decide(step,
+                   {"*d*^2 < *r*^2", d2, r2, near, near ? "the note returns OVERLAP" : "the note returns DISJOINT"});
     step.question = relation_question(s_.truth, "the ball and the box", because());
     if (s_.ball.radius > 0) step.question->choices.pop_back();  // a ball is no box
     shown_.settled = false;

@@ -83,7 +83,8 @@ class Teller {
                           : d2 == s2 ? " = "
                                      : " > ") +
                          digits(s2, d2) + " = *R*^2");
-    Script::decide(step, {"*d*^2 < *R*^2", d2, s2, near, near ? "the note: OVERLAP" : "the note: DISJOINT"});
+    Script::decide(step,
+                   {"*d*^2 < *R*^2", d2, s2, near, near ? "the note returns OVERLAP" : "the note returns DISJOINT"});
     step.question = relation_question(s_.truth, "the two balls", because());
     if (!near) script_.refuse(3, {4});
 

@@ -6,6 +6,7 @@
 #include "lessons/sphere_sphere/picture.h"
 #include "tests/lessons/words.h"
 #include "viz/alt_text.h"
+#include "viz/geometry.h"
 #include "viz/rich_text.h"
 
 namespace mended_words_test {
@@ -105,6 +106,40 @@ TEST_CASE("numbers that read alike and are not equal are told in full", "[words]
   for (const Value& v : x.values) told.push_back(shown_among(x.values, v));
   CHECK(told == std::vector<std::string>{"1", "0.9999999999999999"});
   CHECK_THAT(walk_of("intervals", "near-points").alt, Contains("0.30000000000000004") && Contains("0.3:"));
+}
+
+TEST_CASE("what is no number is told as NaN", "[words]") {
+  const Walk walk = walk_of("points", "nan");
+  const Step& z = *find(walk, "axis-z");
+  REQUIRE(std::isnan(z.values.back().value));
+  CHECK(shown_among(z.values, z.values.back()) == "NaN");
+}
+
+TEST_CASE("a question of three tests says why they part in this very case", "[words]") {
+  const auto why = [](const char* preset) {
+    const Walk walk = walk_of("points", preset);
+    return find(walk, "squares")->question->because;
+  };
+  CHECK_THAT(why("cube"), Contains("in the cube, but not in the ball") && !Contains("range") && !Contains("rounding"));
+  CHECK_THAT(why("rounding"), Contains("rounding loses") && !Contains("range"));
+  CHECK_THAT(why("overflow"), Contains("leaves the range") && !Contains("rounding"));
+}
+
+TEST_CASE("a line is not called after a point that lies half-way on it", "[words]") {
+  const Preset& p = preset(lesson("robustness"), "orientation");
+  const Walk walk = lesson("robustness").walk(p.parameters);
+  const std::vector<std::string> told = geometry(walk.steps.front().scene, p.parameters, true);
+  CHECK(told == std::vector<std::string>{"segment: (-0.25, -0.25) to (3.25, 3.25)"});
+}
+
+TEST_CASE("alt text tells where what no parameter moves lies", "[words]") {
+  const auto alt = [](const char* id, const char* preset_id) {
+    const Parameters& p = preset(lesson(id), preset_id).parameters;
+    return alt_text(lesson(id), p, lesson(id).walk(p), 0);
+  };
+  CHECK_THAT(alt("crossings", "vertex-passed"), Contains("Fixed: polygon: (−2, −1.5), (0.75, −1.75), (2.25, 0)"));
+  CHECK_THAT(alt("ray-tracing", "lit"), Contains("rectangle floor: (0.25, −1, −2.5) to (4.5, −1, 2.5)"));
+  CHECK_THAT(alt("clipping", "cut"), Contains("Fixed: box: (−2, −1.25) to (2, 1.25)."));
 }
 
 TEST_CASE("a distance in a huge unit is told with its unit", "[words]") {

@@ -38,6 +38,12 @@ bool near(const Vec3& p, const Vec3& q, double tolerance) {
   return oracle::dot(l, l) <= oracle::Rational(tolerance) * oracle::Rational(tolerance);
 }
 
+bool near_on_each_axis(const Vec3& p, const Vec3& q, double tolerance) {
+  for (int i = 0; i < 3; ++i)
+    if (abs(oracle::Rational(p[i]) - oracle::Rational(q[i])) > oracle::Rational(tolerance)) return false;
+  return true;
+}
+
 }  // namespace
 
 TEST_CASE("what the lesson of points says is true of any points, units and tolerances", "[point and ray words]") {
@@ -71,6 +77,13 @@ TEST_CASE("what the lesson of points says is true of any points, units and toler
         if (says(step.caption, "overflow")) CHECK(says(step.formula, "∞"));
         if (says(step.caption, "vanish")) CHECK(says(step.formula, " = 0 "));
       }
+      const bool in_cube = !s.is_nan && near_on_each_axis(s.tp, s.tq, s.tested_within);
+      const std::string& why = step_of(walk, "squares").question->because;
+      const bool rounded_err = says(step_of(walk, "squares").caption, "and is wrong") ||
+                               says(step_of(walk, "distance").caption, "and is wrong");
+      CHECK(says(why, "in the cube, but not in the ball") == (in_cube && !truth));
+      CHECK(says(why, "leaves the range") == (rounded_err && s.unit != 1));
+      CHECK(says(why, "rounding loses") == (rounded_err && s.unit == 1));
       const char* const counts[] = {"All four methods agree", "One of the other three", "Two of the other three",
                                     "All three other methods"};
       CHECK(says(last.caption, counts[wrong]));

@@ -74,6 +74,7 @@ class Faults {
     if (!step_->comparison) return;
     const Comparison& c = *step_->comparison;
     const std::string text = plain(c.text);
+    if (c.meaning.find(':') != c.meaning.npos) fault("a meaning is not one clause", plain(c.meaning));
     const std::pair<const char*, bool> signs[] = {{" ≤ ", c.left <= c.right}, {" ≥ ", c.left >= c.right},
                                                   {" < ", c.left < c.right},  {" > ", c.left > c.right},
                                                   {" = ", c.left == c.right}, {" ≠ ", c.left != c.right}};
@@ -199,6 +200,8 @@ class Faults {
     if (std::regex_search(text, match, twice)) fault("a word twice", text);
     static const std::regex long_count("(^|[^0-9.{_^-])[0-9]{5,}(?![0-9.e])");
     if (std::regex_search(markup, match, long_count)) fault("a count without a thin space", text);
+    static const std::regex short_count("(^|[^0-9\u2009])[0-9]\u2009[0-9]{3}($|[^0-9\u2009])");
+    if (std::regex_search(markup, match, short_count)) fault("a count of four digits with a thin space", text);
     for (const char* wrong : {"..", "?.", "!.", " ,", " .", ",,", "::", "NaN", " nan", "(nan", "inf "})
       if (text.find(wrong) != std::string::npos && text.find("...") == std::string::npos)
         fault(std::string("“") + wrong + "” in a sentence", text);
