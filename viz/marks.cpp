@@ -20,6 +20,7 @@ double mark_radius(Mark kind, const Sizes& sizes) {
 void mark(std::vector<Shape>& out, Mark kind, const Vec2& p, Role role, const Theme& theme) {
   const Sizes& s = theme.sizes;
   const Colour ink = theme.ink(role);
+  const bool edged = role == Role::highlight && theme.name != ThemeName::dark;  // yellow on white needs an edge
   const auto disc = [&](double radius, const Colour& colour) {
     out.emplace_back(Fill{circle(p, radius), colour, 0, 0, {}});
   };
@@ -30,10 +31,12 @@ void mark(std::vector<Shape>& out, Mark kind, const Vec2& p, Role role, const Th
   if (kind != Mark::cross && kind != Mark::diamond) disc(mark_radius(kind, s) + s.halo, theme.background);
   switch (kind) {
     case Mark::disc:
-      disc(s.disc, ink);
+      if (edged) disc(s.disc + 0.25 * s.marker_line, theme.ink(Role::text));
+      disc(edged ? s.disc - 0.25 * s.marker_line : s.disc, ink);
       break;
     case Mark::ring:
-      ring(s.ring, s.marker_line, ink);
+      if (edged) ring(s.ring, 1.5 * s.marker_line, theme.ink(Role::text));
+      ring(s.ring, edged ? 0.7 * s.marker_line : s.marker_line, ink);
       break;
     case Mark::no:
       ring(1.4 * s.disc - s.marker_line / 2, s.marker_line, ink);

@@ -4,6 +4,7 @@
 
 #include "tests/catch.h"
 #include "tests/viz/drawn.h"
+#include "viz/solids.h"
 #include "viz/text.h"
 
 namespace compose_test {
@@ -119,6 +120,22 @@ TEST_CASE("a figure's picture stands still when formula and verdict come and go"
   const View b = figure(full, camera, ThemeName::print, 960, 600).view;
   CHECK(a.height() == b.height());
   CHECK((a.corner() - b.corner()).norm() == 0);
+}
+
+TEST_CASE("a solid seen on a mesh is cut out of its shades, one beside it is not", "[compose]") {
+  const auto opaque_paper = [](const Vec3& at) {
+    Scene scene;
+    scene.items = {Mesh{{{-2, -2, 0}, {2, -2, 0}, {0, 2, 0}}, {{0, 1, 2}}},
+                   solid(isect::Aabb<double, 3>{at - Vec3::Constant(0.1), at + Vec3::Constant(0.1)}, Role::second)};
+    const Theme style = theme(ThemeName::grey, 960, 600);
+    const View view(Camera{.azimuth = 0, .elevation = 0, .half_height = 3}, 960, 600);
+    int found = 0;
+    for (const Fill& fill : all<Fill>(compose(scene, view, style).shapes))
+      found += fill.colour.a == 1 && fill.colour.r == style.background.r;
+    return found;
+  };
+  CHECK(opaque_paper({0, 0, 0.5}) > 0);
+  CHECK(opaque_paper({2.5, 0, 0.5}) == 0);
 }
 
 }  // namespace compose_test

@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "tests/catch.h"
+#include "tests/viz/drawn.h"
 #include "viz/lesson.h"
+#include "viz/marks.h"
 
 namespace theme_test {
 using namespace isect::viz;
@@ -158,6 +160,22 @@ TEST_CASE("among lines, the shared part is drawn thicker and hidden edges thinne
     CHECK(s.ray > s.outline);
     CHECK(s.outline > s.construction);
     CHECK(s.construction > s.hidden);
+  }
+}
+
+TEST_CASE("every mark stands out from paper, in every role and theme", "[theme]") {
+  for (const ThemeName name : all_themes) {
+    const Theme style = theme(name, 960, 600);
+    for (const Mark kind : {Mark::disc, Mark::ring, Mark::diamond})
+      for (const Role role : {Role::first, Role::second, Role::hit, Role::miss, Role::highlight, Role::text}) {
+        std::vector<Shape> shapes;
+        mark(shapes, kind, {0, 0}, role, style);
+        double best = 1;
+        for (const Fill& f : all<Fill>(shapes)) best = std::max(best, contrast(f.colour, style.background));
+        for (const Stroke& s : all<Stroke>(shapes)) best = std::max(best, contrast(s.colour, style.background));
+        INFO(name_of(name) << " " << static_cast<int>(kind) << " " << name_of(role));
+        CHECK(best >= 3);  // Source: WCAG 2.1, "non-text contrast"
+      }
   }
 }
 

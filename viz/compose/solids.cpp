@@ -29,15 +29,45 @@ Vec3 middle(const std::vector<Vec3>& points) {
   return sum / static_cast<double>(std::max<std::size_t>(points.size(), 1));
 }
 
+bool holds(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& p) {
+  const auto turn = [&](const Vec2& from, const Vec2& to) {
+    return (to.x() - from.x()) * (p.y() - from.y()) - (to.y() - from.y()) * (p.x() - from.x());
+  };
+  const double u = turn(a, b), v = turn(b, c), w = turn(c, a);
+  return (u > 0 && v > 0 && w > 0) || (u < 0 && v < 0 && w < 0);
+}
+
+/// In larger meshes no solid is looked for: every frame would search them anew.
+constexpr std::size_t most_searched = 5000;
+
+/// Whether all of the solid is seen against a mesh, whose shades may be as dark as its edges.
+bool is_seen_on_a_mesh(const Canvas& c, const Solid& solid) {
+  const std::vector<Vec2> points = c.projected(solid.vertices);
+  return std::ranges::any_of(c.scene.items, [&](const Item& item) {
+    const Mesh* mesh = std::get_if<Mesh>(&item);
+    if (mesh == nullptr || mesh->triangles.size() > most_searched) return false;
+    const std::vector<Vec2> seen = c.projected(mesh->vertices);
+    return std::ranges::all_of(points, [&](const Vec2& p) {
+      return std::ranges::any_of(
+          mesh->triangles, [&](const std::array<int, 3>& t) { return holds(seen[t[0]], seen[t[1]], seen[t[2]], p); });
+    });
+  });
+}
+
 void faces(Canvas& c, const Solid& solid, const Shell& shell) {
   const Colour ink = c.theme.ink(solid.role);
-  const bool hatched = c.theme.hatched(solid.role);
+  const bool hatched = c.theme.hatched(solid.role), cut_out = is_seen_on_a_mesh(c, solid);
   for (std::size_t i = 0; i < solid.faces.size(); ++i) {
     const Vec3& n = shell.normals[i];
     std::vector<Vec3> corners;
     for (const int v : solid.faces[i]) corners.push_back(solid.vertices[v]);
     if (n.squaredNorm() == 0 || n.dot(c.view.towards_eye(middle(corners))) <= 0) continue;
     Fill face = {polyline(c.projected(corners), true), ink.with_alpha(alpha(c.theme, solid.role, lit(n))), 0, 0, {}};
+    if (cut_out) {
+      const Path outline = face.path;
+      c.fronts.emplace_back(Fill{outline, c.theme.background, 0, 0, {}});
+      c.fronts.emplace_back(Stroke{outline, c.theme.background, 2 * c.sizes().halo, {0, 0}, true});
+    }
     if (hatched) {
       face.colour = ink.with_alpha(0.7 * face.colour.a);
       face.hatch_gap = c.sizes().hatch_gap, face.hatch_line = c.sizes().hatch_line, face.hatch_colour = ink;
