@@ -33,9 +33,7 @@ const std::string& opening() {
 
 const Closing& closing() {
   static const Closing closing = {
-      .result =
-          "All pairs take *n*(*n* − 1)/2 tests; sorting or a hierarchy leaves few. Discrete times miss what "
-          "happens between them.",
+      .result = "Sorting or a hierarchy leaves few of *n*(*n* − 1)/2 tests. Discrete times may miss a hit.",
       .cost =
           "Brute force O(*n*^2). Sweep and prune: a sort, then the pairs that overlap on one axis. Bounding volume "
           "hierarchy: about "

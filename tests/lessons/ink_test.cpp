@@ -6,6 +6,7 @@
 #include "tests/lessons/asked_for.h"
 #include "tests/viz/drawn.h"
 #include "viz/chart.h"
+#include "viz/closing.h"
 #include "viz/compose.h"
 #include "viz/halos.h"
 #include "viz/text.h"
@@ -63,6 +64,19 @@ TEST_CASE("every picture uses 60 % of its frame's width or height", "[every less
         }
       }
   }
+}
+
+TEST_CASE("no card has smaller texts than a lecture hall can read", "[every lesson]") {
+  for (const Lesson* lesson : those_asked_for())
+    for (const ThemeName name : {ThemeName::screen, ThemeName::grey}) {
+      const Step card = lesson->walk(lesson->presets.front().parameters).steps.back();
+      REQUIRE(card.slug == closing_slug);
+      double least = INFINITY;
+      for (const Text& text : all<Text>(figure(card, lesson->camera, name, 960, 600).drawing.shapes))
+        least = std::min(least, text.size);
+      INFO(lesson->id << ", " << name_of(name));
+      CHECK(least >= 19);  // of 600: 17 points on a slide
+    }
 }
 
 TEST_CASE("every text stands out from what lies under it, or has a halo", "[every lesson]") {
