@@ -164,12 +164,12 @@ class Teller {
 
   /// Two lines that meet in the neighbour looked at, each with a grip at the rim.
   void crosshair(Step& step) const {
-    const double cell = side / (2 * half + 1), rim = 0.25;
+    const double cell = side / (2 * half + 1), rim = 0.6, end = 0.9;  // a grip has room for its name beside it
     const Vec3 middle = {left + side / 2, bottom + side / 2, 0};
     const Vec3 at = middle + cell * Vec3(look_[0], look_[1], 0);
     const Vec3 below = {at.x(), bottom - rim, 0}, beside = {left - rim, at.y(), 0};
-    step.scene.items.emplace_back(Line{below, at, Role::construction, Pen::construction});
-    step.scene.items.emplace_back(Line{beside, at, Role::construction, Pen::construction});
+    step.scene.items.emplace_back(Line{{at.x(), bottom - end, 0}, at, Role::construction, Pen::construction});
+    step.scene.items.emplace_back(Line{{left - end, at.y(), 0}, at, Role::construction, Pen::construction});
     step.scene.items.emplace_back(Dot{at, Mark::ring, Role::text});
     step.scene.handles = {
         {"right", Handle::Kind::along, below, {middle.x(), below.y(), 0}, Role::text, Vec3::UnitX() / cell},

@@ -5,6 +5,8 @@
 
 #include "tests/catch.h"
 #include "tests/lessons/asked_for.h"
+#include "tests/viz/drawn.h"
+#include "viz/compose.h"
 
 namespace handles_test {
 using namespace isect;
@@ -83,6 +85,34 @@ TEST_CASE("every handle stands on something that its picture shows", "[every les
           const bool shown = is_shown(handle.at) || (hangs && is_shown(handle.anchor));
           INFO(handle.parameter << " at " << handle.at.transpose());
           CHECK(shown);
+        }
+      }
+}
+
+TEST_CASE("in a small window the name of a grip beside a raster lies beside it, too", "[every lesson]") {
+  constexpr double width = 496, height = 260;  // the scene of a window of 800 x 600
+  for (const Lesson* lesson : those_asked_for())
+    for (const Preset& preset : lesson->presets)
+      for (const Step& step : lesson->walk(preset.parameters).steps) {
+        Scene scene = step.scene;
+        const auto raster = std::ranges::find_if(scene.items, [](const Item& item) {
+          const Raster* it = std::get_if<Raster>(&item);
+          return it && it->framed;
+        });
+        if (raster == scene.items.end()) continue;
+        const Raster picture = std::get<Raster>(*raster);
+        for (const Handle& h : scene.handles) scene.items.emplace_back(Label{h.at, h.parameter, h.role});
+        const View view(frame(lesson->camera, {&scene}, width / height), width, height);
+        const Vec2 corner = view.project(picture.corner).at,
+                   opposite = view.project(picture.corner + picture.across + picture.down).at;
+        const TextBox all = {std::min(corner.x(), opposite.x()), std::min(corner.y(), opposite.y()),
+                             std::max(corner.x(), opposite.x()), std::max(corner.y(), opposite.y())};
+        const Composed drawn = compose(scene, view, window_theme(ThemeName::dark), true);
+        for (const Handle& h : scene.handles) {
+          const auto name = std::ranges::find(drawn.labels, h.parameter, &PlacedLabel::text);
+          REQUIRE(name != drawn.labels.end());
+          INFO(lesson->id << ' ' << preset.id << ", " << step.slug << ": " << h.parameter);
+          CHECK_FALSE(meet(name->box, all));
         }
       }
 }
