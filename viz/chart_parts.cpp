@@ -184,7 +184,7 @@ std::vector<std::pair<double, std::string>> ScaleLine::ticks(const ChartInk& ink
   std::vector<std::vector<double>> choices;  // from dense to sparse
   if (scale_.kind == Scale::Kind::linear) {
     for (int k = -6; k <= 6; ++k)
-      for (const double m : {1, 2, 4, 5}) choices.push_back(linear_ticks(scale_.lo, scale_.hi, m * std::pow(10.0, k)));
+      for (const double m : {1, 2, 5}) choices.push_back(linear_ticks(scale_.lo, scale_.hi, m * std::pow(10.0, k)));
   } else {
     for (const auto& of_decade : {std::vector<double>{1, 2, 3, 5}, {1, 2, 5}, {1, 3}, {1}})
       choices.push_back(log_ticks(scale_.lo, scale_.hi, of_decade, 1));
@@ -203,8 +203,9 @@ std::vector<std::pair<double, std::string>> ScaleLine::ticks(const ChartInk& ink
   }
 
   const double size = ink.sizes().axis, gap = across ? 0.55 * size : 1.1 * size;
+  constexpr std::size_t most = 11;  // more are a ruler, however large the picture
   for (const std::vector<double>& values : choices) {
-    bool fits = true;
+    bool fits = values.size() <= most;
     double end = -INFINITY;
     std::vector<std::pair<double, std::string>> ticks;
     const bool powers =

@@ -1,4 +1,5 @@
 #include "viz/chart.h"
+#include "viz/chart_parts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -133,6 +134,21 @@ TEST_CASE("the same chart gives the same bytes", "[chart]") {
   for (const Chart& chart : {race(4), rows(), maps(2)})
     CHECK(svg(chart_figure(chart, ThemeName::grey, 227).drawing) ==
           svg(chart_figure(chart, ThemeName::grey, 227).drawing));
+}
+
+TEST_CASE("numbers at an axis go by 1, 2 or 5, and are eleven at most", "[chart]") {
+  const ChartInk ink(window_theme(ThemeName::screen));
+  for (const double top : {0.7, 1.0, 5.1, 9.0, 26.0, 130.0})
+    for (double height = 120; height < 2000; height *= 1.3) {
+      const Scale scale{Scale::Kind::linear, 0, top, "", {}};
+      const auto ticks = ScaleLine(scale, height, 0).ticks(ink, false);
+      INFO(top << " over " << height << " px: " << ticks.size());
+      REQUIRE(ticks.size() >= 2);
+      CHECK(ticks.size() <= 11);
+      const double step = ticks[1].first - ticks[0].first;
+      const double digit = step / std::pow(10, std::floor(std::log10(step) + 1e-9));
+      CHECK((std::abs(digit - 1) < 1e-6 || std::abs(digit - 2) < 1e-6 || std::abs(digit - 5) < 1e-6));
+    }
 }
 
 TEST_CASE("a plot without a panel is drawn, if with nothing in it", "[chart]") {
