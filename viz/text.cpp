@@ -124,6 +124,23 @@ struct Block {
   double height = 0;
 };
 
+/// No line ends within "50 %", nor after the sign of "-O3".
+void keep_together(PangoLayout* layout) {
+  const std::string text = pango_layout_get_text(layout);
+  const std::unique_ptr<PangoAttrList, decltype(&pango_attr_list_unref)> all(
+      pango_attr_list_copy(pango_layout_get_attributes(layout)), pango_attr_list_unref);
+  const auto keep = [&](std::size_t from, std::size_t to) {
+    PangoAttribute* whole = pango_attr_allow_breaks_new(FALSE);
+    whole->start_index = static_cast<guint>(from), whole->end_index = static_cast<guint>(to);
+    pango_attr_list_insert(all.get(), whole);
+  };
+  for (std::size_t at = text.find(" %"); at != std::string::npos; at = text.find(" %", at + 1))
+    keep(at == 0 ? 0 : at - 1, at + 2);
+  for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at + 1))
+    if (at == 0 || text[at - 1] == ' ') keep(at, std::min(text.find(' ', at), text.size()));
+  pango_layout_set_attributes(layout, all.get());
+}
+
 Block lay_out(const Paragraph& paragraph) {
   const Fonts families = fonts();
   constexpr double math_scale = 18.0 / 15;
@@ -135,6 +152,7 @@ Block lay_out(const Paragraph& paragraph) {
   if (paragraph.width > 0) {
     pango_layout_set_width(layout, static_cast<int>(std::lround(paragraph.width * PANGO_SCALE)));
     pango_layout_set_wrap(layout, PANGO_WRAP_WORD_CHAR);
+    keep_together(layout);
   }
 
   // Capitals, about 0.72 em high, stand in the middle of the pitch.

@@ -212,6 +212,24 @@ TEST_CASE("a word wider than the paragraph is broken, never cut", "[text]") {
   CHECK(bands(p).size() >= 4);
 }
 
+TEST_CASE("no line ends before a per cent sign, nor after the sign of an option", "[text]") {
+  const auto width_of = [](const Picture& p, std::pair<int, int> rows) {
+    int right = 0;
+    for (int y = rows.first; y <= rows.second; ++y)
+      for (int x = 0; x < p.width; ++x)
+        if (p.rgba[4 * (static_cast<std::size_t>(y) * p.width + x) + 3] > 60) right = std::max(right, x);
+    return right;
+  };
+  for (const auto& [words, kept] : {std::pair{"noise of 50 %", "50 %"}, {"GCC 12, -O3", "-O3"}}) {
+    INFO(words);
+    const int whole = raster(paragraph(words, 0)).width, last = raster(paragraph(kept, 0)).width;
+    const Picture wrapped = raster(paragraph(words, whole - 3));
+    const auto lines = bands(wrapped);
+    REQUIRE(lines.size() == 2);
+    CHECK(width_of(wrapped, lines.back()) > last - 6);
+  }
+}
+
 TEST_CASE("paragraphs are parted by a gap", "[text]") {
   const auto lines = bands(raster(paragraph("nnn\nnnn", 200)));
   REQUIRE(lines.size() == 2);
