@@ -36,7 +36,7 @@ class Extent {
   void operator()(const Raster& it) {
     grow({it.corner, it.corner + it.across, it.corner + it.down, it.corner + it.across + it.down});
   }
-  void operator()(const Heading& it) { grow(it.at, {it.room / 2, 0, 0}); }
+  void operator()(const Heading& it) { grow(it.at + (0.5 - it.lean) * it.room * view_.right(), {it.room / 2, 0, 0}); }
   /// The disc reaches as far in each direction as the sine of the angle between that and its normal says.
   void operator()(const Circle& it) {
     const Vec3 n = along(it.normal.normalized());

@@ -148,6 +148,7 @@ struct Heading {
   Role role = Role::text;
   double room = 0;  ///< 0: as wide as it is
   bool bold = true;
+  double lean = 0.5;  ///< the share of it that stands left of `at`; 0 beside a mark that it explains
 };
 
 using Item =

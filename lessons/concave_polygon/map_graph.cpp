@@ -102,7 +102,7 @@ void add_path(Scene& scene, const Frame& frame, const TrapezoidMap& map, const s
     const bool last = k + 1 == path.size();
     if (n.ask == Ask::nothing) {
       add_mark(scene, {x, y, 0}, n.ask, Role::highlight, 0.16 * unit);
-      scene.items.emplace_back(viz::Heading{{x + 1.05 * unit, y, 0}, "a trapezoid", Role::text, 1.5 * unit, false});
+      scene.items.emplace_back(viz::Heading{{x + 0.3 * unit, y, 0}, "a trapezoid", Role::text, 1.5 * unit, false, 0});
       continue;
     }
     const double side = path[k].side < 0 ? stub : -stub;  // the way not taken
@@ -113,11 +113,12 @@ void add_path(Scene& scene, const Frame& frame, const TrapezoidMap& map, const s
     add_mark(scene, {x, y, 0}, n.ask, last ? Role::highlight : Role::first, 0.17 * unit);
     const char* const word =
         n.ask == Ask::vertex ? (path[k].side < 0 ? "left of " : "right of ") : (path[k].side < 0 ? "below " : "above ");
-    scene.items.emplace_back(viz::Heading{{x + 1.05 * unit, y, 0},
+    scene.items.emplace_back(viz::Heading{{x + 0.3 * unit, y, 0},
                                           (path[k].side == 0 ? "on " : word) + name(n),
                                           last ? Role::text : Role::muted,
                                           1.5 * unit,
-                                          false});
+                                          false,
+                                          0});
   }
 }
 

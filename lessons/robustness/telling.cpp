@@ -151,7 +151,7 @@ class Teller {
     const auto key = [&](Mark mark, Role ink, const std::string& text) {
       step.scene.items.emplace_back(Dot{{left + side + 0.6, y, 0}, mark, ink});
       step.scene.items.emplace_back(
-          viz::Heading{{left + side + 1.8, y - 0.08, 0}, text, ink == Role::highlight ? Role::text : ink, 1.9, false});
+          viz::Heading{{left + side + 0.84, y, 0}, text, ink == Role::highlight ? Role::text : ink, 1.9, false, 0});
       y -= 0.6;
     };
     key(Mark::disc, Role::first, s_.verdicts[2]);

@@ -114,14 +114,27 @@ void draw(Canvas& c, const Label& it) {
   c.labels.push_back({it.text, from, to, keep_off, c.theme.ink(role)});
 }
 
+namespace {
+
+bool is_within(const Vec2& p, const TextBox& b) {
+  return p.x() > b.left && p.x() < b.right && p.y() > b.top && p.y() < b.bottom;
+}
+
+}  // namespace
+
 void draw(Canvas& c, const Heading& it) {
-  Text text = {it.text, c.at(it.at), it.bold ? c.sizes().title : c.sizes().label, c.theme.ink(it.role), 0.5, it.bold,
-               0,       {}};
+  Text text = {
+      it.text, c.at(it.at), it.bold ? c.sizes().title : c.sizes().label, c.theme.ink(it.role), it.lean, it.bold, 0, {}};
   TextBox box = measure(text);
   const double room = it.room * c.view.scale_at(it.at);
   if (room > 0 && box.right - box.left > room) text.size *= room / (box.right - box.left);
   text.at.y() += 0.34 * text.size;  // half the height of capitals, so that headings side by side share a baseline
   box = measure(text);
+  for (const Handle& handle : c.scene.handles)  // which would cover it: it stands beside, as labels do
+    if (c.handles && is_within(c.at(handle.at), grown(box, c.sizes().handle_ring))) {
+      c.labels.push_back({it.text, c.at(it.at), c.at(it.at), c.sizes().handle_ring, text.colour});
+      return;
+    }
   c.marks.emplace_back(text);
   const double height = (box.top + box.bottom) / 2;
   c.block({{box.left, height}, {box.right, height}}, (box.bottom - box.top) / 2, true);
@@ -132,8 +145,10 @@ void draw(Canvas& c, const Handle& handle) {
   const Vec2 p = c.at(handle.at);
   const Colour ink = c.theme.ink(handle.role);
   const Sizes& s = c.sizes();
-  if (handle.kind != Handle::Kind::point && handle.kind != Handle::Kind::plane)  // it hangs on what it measures from
+  if (handle.kind != Handle::Kind::point && handle.kind != Handle::Kind::plane) {  // it hangs on what it measures from
     c.marks.emplace_back(Stroke{polyline({c.at(handle.anchor), p}), ink, s.hairline, s.construction_dash, false});
+    c.obstacles.push_back({c.at(handle.anchor), p, s.hairline, false});
+  }
   c.marks.emplace_back(Fill{circle(p, s.handle_ring), ink.with_alpha(0.16), 0, 0, {}});
   c.marks.emplace_back(Stroke{circle(p, s.handle_ring), ink, s.construction, {0, 0}, true});
   c.marks.emplace_back(Fill{circle(p, s.handle), ink, 0, 0, {}});
