@@ -13,6 +13,7 @@
 #include "viz/alt_text.h"
 #include "viz/objects.h"
 #include "viz/rich_text.h"
+#include "viz/utf8.h"
 #include "viz/window/layout.h"
 #include "viz/window/map_view.h"
 
@@ -49,7 +50,7 @@ bool is_widget(const std::string& full_name) {
       "parted value", "question over scene",  "lecture",    "tripod"};
   return !areas.contains(name) && !name.starts_with("handle ") && !name.starts_with("no ") &&
          !name.starts_with("number ") && !name.starts_with("new ") && !name.starts_with("trail ") &&
-         !name.ends_with(" under pointer");
+         !name.starts_with("more ") && !name.ends_with(" under pointer");
 }
 
 bool meet(const Rect& a, const Rect& b) {
@@ -158,11 +159,112 @@ TEST_CASE("the scene has room in every window: in a narrow one the text stands b
   const WindowLayout at = window_layout(width, height);
   INFO(width << " x " << height);
   CHECK(at.scene.width() >= 400);
-  CHECK(at.scene.height() >= 200);
+  CHECK(at.scene.height() >= (height < 600 ? 210 : 270));
   CHECK(at.lesson.height() >= 160);
   const bool below = at.lesson.top == at.scene.bottom && at.lesson.right == at.code.left;
   const bool beside = at.lesson.right == at.scene.left && at.lesson.top == at.scene.top;
   CHECK((width < 960 ? below : beside));
+}
+
+TEST_CASE("a long line of pseudocode ends its rows where a reader minds it least", "[window]") {
+  using Rows = std::vector<std::string>;
+  CHECK(code_rows("q ← √(r² − m²)", 31) == Rows{"q ← √(r² − m²)"});
+  CHECK(code_rows("if l² > r² or (l² = r² and s > 0)", 31) == Rows{"if l² > r²", "    or (l² = r² and s > 0)"});
+  CHECK(code_rows("  if n · d > 0: t_in ← max(t_in, t)", 31) == Rows{"  if n · d > 0:", "      t_in ← max(t_in, t)"});
+  CHECK(code_rows("  else: as bright as n · l says", 26) == Rows{"  else: as bright", "      as n · l says"});
+  CHECK(code_rows("a_very_long_word another", 10) == Rows{"a_very_long_word another"});
+  for (const Lesson* lesson : isect::lessons::all_lessons())
+    for (const Preset& preset : lesson->presets)
+      for (const std::string& line : lesson->walk(preset.parameters).pseudocode)
+        for (const int columns : {24, 28, 31, 35}) {
+          std::string all;
+          const Rows rows = code_rows(line, columns);
+          for (const std::string& row : rows) {
+            INFO(lesson->id << ": " << row);
+            const std::size_t begin = row.find_first_not_of(' ');
+            CHECK((static_cast<int>(count_characters(row)) <= columns || row.find(' ', begin) == std::string::npos));
+            all += (all.empty() ? row : " " + row.substr(begin));
+          }
+          CHECK(all == line);
+        }
+}
+
+TEST_CASE("what goes on beyond the end of a panel is seen to", "[window]") {
+  WindowDriver window(isect::lessons::all_lessons(), 800, 600, place_at("relations", "polygon-overlapping"));
+  window.player().go_to(2);
+  window.frames(3);
+  REQUIRE(window.has("more below words"));
+  CHECK_FALSE(window.has("more above words"));
+  const Rect r = window.rect("more below words");
+  window.move(r.middle_x(), r.top - 20);
+  for (int i = 0; i < 20; ++i) window.wheel(-5);
+  CHECK_FALSE(window.has("more below words"));
+  CHECK(window.has("more above words"));
+  window.resize(1280, 1400);
+  window.frames(3);
+  CHECK_FALSE((window.has("more below words") || window.has("more above words")));
+}
+
+TEST_CASE("no handle covers a name, at any size", "[window][layout]") {
+  const auto [width, height] = GENERATE(table<float, float>({{800, 600}, {1280, 800}, {2560, 1440}}));
+  WindowDriver window(isect::lessons::all_lessons(), width, height, {}, {}, {.reduced_motion = true});
+  const double ring = width == 800 ? 7.8 : 12;  // px; small drawings have small ones in a small window
+  for (const Lesson* lesson : isect::lessons::all_lessons()) {
+    window.player().open(*lesson);
+    std::set<std::string> methods;
+    for (const Preset& preset : lesson->presets) {
+      if (!methods.insert(preset.group).second) continue;
+      window.player().load(preset);
+      for (int i = 0; i < window.player().count(); ++i) {
+        window.player().go_to(i);
+        window.frames(2);
+        const Rect scene = window.rect("scene");
+        for (const Handle& h : window.player().scene().handles) {
+          const Rect grip = window.rect("handle " + h.parameter);
+          for (const PlacedLabel& label : window.ui.labels()) {
+            const double x = grip.middle_x() - scene.left, y = grip.middle_y() - scene.top;
+            const double across = std::max({label.box.left - x, x - label.box.right, 0.0});
+            const double down = std::max({label.box.top - y, y - label.box.bottom, 0.0});
+            INFO(window.ui.title() << " at " << width << ": " << h.parameter << " over " << label.text);
+            CHECK(std::hypot(across, down) >= ring - 1);
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("what explains a mark stands beside it, however large the window is", "[window][layout]") {
+  const auto [width, height] = GENERATE(table<float, float>({{800, 600}, {1280, 800}, {2560, 1440}}));
+  WindowDriver window(isect::lessons::all_lessons(), width, height, place_at("robustness", "orientation"));
+  window.player().go_to(3);
+  window.frames(2);
+  const Scene& scene = window.player().scene();
+  const Rect r = window.rect("scene");
+  const View view(window.player().camera().now(), r.width(), r.height() - 42, {0, 0});
+  int explained = 0;
+  for (const PlacedLabel& label : window.ui.labels())
+    for (std::size_t i = 0; i + 1 < scene.items.size(); ++i) {
+      const Dot* dot = std::get_if<Dot>(&scene.items[i]);
+      const Heading* heading = std::get_if<Heading>(&scene.items[i + 1]);
+      if (!dot || !heading || plain(heading->text) != label.text) continue;
+      const double gap = (heading->at - dot->at).x() * view.scale_at(dot->at);
+      INFO(label.text << ": " << gap);
+      CHECK(gap < 48);
+      ++explained;
+    }
+  CHECK(explained >= 4);
+  const auto raster =
+      std::ranges::find_if(scene.items, [](const Item& i) { return std::holds_alternative<Raster>(i); });
+  REQUIRE(raster != scene.items.end());
+  const Raster& cells = std::get<Raster>(*raster);
+  const Vec2 a = view.project(cells.corner).at + Vec2(0, 42);
+  const Vec2 b = view.project(cells.corner + cells.across + cells.down).at + Vec2(0, 42);
+  for (const PlacedLabel& label : window.ui.labels()) {
+    INFO(label.text << " stands on the cells");
+    const bool beside = label.box.right <= a.x() || label.box.left >= b.x();
+    CHECK((beside || label.box.bottom <= a.y() || label.box.top >= b.y()));
+  }
 }
 
 TEST_CASE("with the panels hidden the step's words and its line stand below the scene, which keeps its size",

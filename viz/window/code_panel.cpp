@@ -4,6 +4,7 @@
 
 #include "viz/names.h"
 #include "viz/rich_text.h"
+#include "viz/window/layout.h"
 #include "viz/window/panels.h"
 
 namespace isect::viz {
@@ -21,33 +22,25 @@ struct CodeLine {
 };
 
 CodeLine laid_out(const std::string& words, ImFont* font, float room) {
-  const std::string indent(words.find_first_not_of(' ') + 4, ' ');
-  CodeLine line{{}, font};
-  std::string row = words;
-  while (text_width(font, row) > room) {
-    std::size_t end = row.rfind(' ');
-    while (end != std::string::npos && end > indent.size() && text_width(font, row.substr(0, end)) > room)
-      end = row.rfind(' ', end - 1);
-    if (end == std::string::npos || end <= indent.size()) break;  // one long word
-    line.rows.push_back(row.substr(0, end));
-    row = indent + row.substr(end + 1);
-  }
-  line.rows.push_back(row);
-  return line;
+  return {code_rows(words, static_cast<int>(room / text_width(font, "0"))), font};
 }
 
-/// All lines of the walk, smaller where one is long. Where a condition may fail there is room for its "no".
+/// All lines of the walk, smaller where that saves rows. Where a condition may fail there is room for its "no".
 std::vector<CodeLine> code_lines(const Ui& ui, const Walk& walk, float width) {
-  const auto room = [&](const std::string& words) {
-    const bool asks = words.find("if ") != std::string::npos || words.find("else") != std::string::npos;
-    return width - code_left - (asks ? 38 : 6);
+  const auto lines_in = [&](ImFont* font) {
+    std::vector<CodeLine> lines;
+    for (const std::string& words : walk.pseudocode) {
+      const bool asks = words.find("if ") != std::string::npos || words.find("else") != std::string::npos;
+      lines.push_back(laid_out(words, font, width - code_left - (asks ? 38 : 6)));
+    }
+    return lines;
   };
-  const bool fits = std::ranges::all_of(
-      walk.pseudocode, [&](const std::string& words) { return text_width(ui.fonts.mono, words) <= room(words); });
-  std::vector<CodeLine> lines;
-  for (const std::string& words : walk.pseudocode)
-    lines.push_back(laid_out(words, fits ? ui.fonts.mono : ui.fonts.mono_small, room(words)));
-  return lines;
+  const auto rows_of = [](const std::vector<CodeLine>& lines) {
+    return std::accumulate(lines.begin(), lines.end(), std::size_t{0},
+                           [](std::size_t sum, const CodeLine& line) { return sum + line.rows.size(); });
+  };
+  std::vector<CodeLine> large = lines_in(ui.fonts.mono), small = lines_in(ui.fonts.mono_small);
+  return rows_of(large) <= rows_of(small) ? large : small;
 }
 
 float height_of(const std::vector<CodeLine>& lines, float pitch) {
@@ -170,6 +163,7 @@ void code(Session& s, const std::vector<CodeLine>& lines, const Rect& r, float p
   }
   ImGui::SetCursorScreenPos({r.left, top});
   ImGui::Dummy({1, y - top});
+  more_beyond(s.ui, "code", r);
   ImGui::EndChild();
 }
 

@@ -3,19 +3,25 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
+#include <string_view>
+
+#include "viz/utf8.h"
 
 namespace isect::viz {
 
 namespace {
-constexpr float bar = 48, buttons = 88;
-}
+constexpr float bar = 48;
+/// Of the transport: thinner where a window is low.
+float buttons(float height) { return height < 700 ? 64 : 88; }
+}  // namespace
 
 WindowLayout window_layout(float width, float height) {
   // 304 and 344 from 1280 px on; a smaller window takes a little from both, the scene still loses most.
   const float lesson = std::round(std::clamp(width * 0.2375f, 256.0f, 304.0f));
   const float code = std::round(std::clamp(width * 0.26875f, 304.0f, 344.0f));
   constexpr float least_scene = 400, scene_share = 0.56f;
-  const float bottom = height - buttons, right = width - code;
+  const float bottom = height - buttons(height), right = width - code;
   WindowLayout at{.top = {0, 0, width, bar},
                   .lesson = {0, bar, lesson, bottom},
                   .scene = {lesson, bar, right, bottom},
@@ -29,7 +35,7 @@ WindowLayout window_layout(float width, float height) {
 }
 
 WindowLayout window_layout_without_panels(float width, float height, float told) {
-  const float bottom = height - buttons;
+  const float bottom = height - buttons(height);
   return {.top = {0, 0, width, bar},
           .lesson = {0, bottom - told, width, bottom},
           .scene = {0, bar, width, bottom - told},
@@ -59,6 +65,67 @@ PanesLayout panes_layout(const WindowLayout& whole) {
           .second_scene = {middle, top, all.right, code},
           .first_code = {all.left, code, middle, all.bottom},
           .second_code = {middle, code, all.right, all.bottom}};
+}
+
+namespace {
+
+int letters(std::string_view words) { return static_cast<int>(count_characters(words)); }
+
+/// The spaces at which a row may end so that it fits, the longest row first.
+std::vector<std::size_t> ends_of(const std::string& row, std::size_t indent, int columns) {
+  std::vector<std::size_t> ends;
+  for (std::size_t end = row.rfind(' '); end != std::string::npos && end > indent; end = row.rfind(' ', end - 1))
+    if (letters({row.data(), end}) <= columns) ends.push_back(end);
+  return ends;
+}
+
+int least_rows(std::string row, const std::string& indent, int columns) {
+  int rows = 1;
+  for (; letters(row) > columns; ++rows) {
+    const std::vector<std::size_t> ends = ends_of(row, indent.size(), columns);
+    if (ends.empty()) break;  // one long word
+    row = indent + row.substr(ends.front() + 1);
+  }
+  return rows;
+}
+
+/// How much a reader minds that a row ends here.
+int harm(const std::string& row, std::size_t end) {
+  static const std::set<std::string> signs = {"+", "−", "·", "×", "/", "=", "≠", "<", ">", "≤", "≥", "∈", "⊆", "←"};
+  static const std::set<std::string> begin_a_part = {"and",   "or",   "return", "else", "then", "where", "with",
+                                                     "until", "that", "if",     "as",   "for",  "of",    "in"};
+  static const std::set<std::string> never_last = {"a", "an", "the", "if", "is", "of", "and", "or", "not", "in", "no"};
+  const std::size_t begin = row.rfind(' ', end - 1) + 1;
+  const std::string before = row.substr(begin, end - begin);
+  const std::string after = row.substr(end + 1, row.find(' ', end + 1) - end - 1);
+  const auto brackets = [&](const char* these) {
+    return std::count_if(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(end),
+                         [&](char c) { return c == these[0] || c == these[1]; });
+  };
+  const bool within = brackets("([") > brackets(")]");
+  if (signs.contains(before) || signs.contains(after)) return within ? 6 : 4;
+  if (within) return 3;
+  if (before.ends_with(':') || before.ends_with(';') || before.ends_with(',') || begin_a_part.contains(after)) return 0;
+  return never_last.contains(before) ? 2 : 1;
+}
+
+}  // namespace
+
+std::vector<std::string> code_rows(const std::string& line, int columns) {
+  const std::string indent(std::min(line.find_first_not_of(' '), line.size()) + 4, ' ');
+  std::vector<std::string> rows;
+  std::string row = line;
+  for (int left = least_rows(row, indent, columns); left > 1; --left) {
+    std::size_t best = 0;
+    for (const std::size_t end : ends_of(row, indent.size(), columns)) {
+      if (least_rows(indent + row.substr(end + 1), indent, columns) >= left) break;
+      if (best == 0 || harm(row, end) < harm(row, best)) best = end;
+    }
+    rows.push_back(row.substr(0, best));
+    row = indent + row.substr(best + 1);
+  }
+  rows.push_back(row);
+  return rows;
 }
 
 std::vector<float> chip_widths(const std::vector<float>& wide, float narrow, float gap, float width, int chosen) {

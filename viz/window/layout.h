@@ -41,6 +41,10 @@ struct PanesLayout {
 };
 PanesLayout panes_layout(const WindowLayout&);
 
+/// A line of pseudocode on as few rows as `columns` letters allow, the later ones indented further, each ending where a
+/// reader minds it least: after a colon or before "and", not in a formula.
+std::vector<std::string> code_rows(const std::string& line, int columns);
+
 /// The width each of the chips gets in a row of `width` px, `gap` apart: those of `wide` where they fit;
 /// otherwise the last ones shrink to `narrow`, the chosen one excepted.
 std::vector<float> chip_widths(const std::vector<float>& wide, float narrow, float gap, float width, int chosen);

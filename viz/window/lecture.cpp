@@ -55,7 +55,7 @@ void lecture(Session& s, const Rect& r) {
   const Told told = told_of(s, r.width());
   const float left = r.left + told_margin, top = r.top + told_padding;
   const float caption = static_cast<float>(told.caption.width);
-  scrolling("told words", {left, r.top + 1, left + caption + 12, r.bottom - 1}, [&] {
+  scrolling(s.ui, "told words", {left, r.top + 1, left + caption + 12, r.bottom - 1}, [&] {
     const float y = ImGui::GetCursorScreenPos().y + told_padding;
     if (std::exchange(s.words_seen, s.player.revision()) != s.player.revision()) ImGui::SetScrollY(0);
     const ImVec2 size = rich(ui, told.caption, {left, y});

@@ -54,11 +54,11 @@ void side_by_side(Column& c) {
 }
 
 /// `fresh`: these words were not yet there in the last frame.
-void lesson_text(Session& s, const Rect& r, bool fresh) {
+void lesson_text(Session& s, const Rect& r, bool fresh, bool low) {
   const Step& step = s.player.step();
   const Palette& ink = s.ui.palette;
   const float top = ImGui::GetCursorScreenPos().y;  // moves with the scroll
-  Column c{s, r.left + margin, top + 18, r.width() - 2 * margin};
+  Column c{s, r.left + margin, top + (low ? 10.0f : 18.0f), r.width() - 2 * margin};
   exercise_on_hand(c);
   c.paragraph(step.title, ink.text, 19, 26, true);
   c.y += 8;
@@ -164,7 +164,7 @@ struct Parts {
 };
 
 Parts parts_of(const Rect& r, bool open, float fields, float hints) {
-  constexpr float row = 40, words_share = 0.48f, header_width = 128;
+  constexpr float row = 34, words_share = 0.48f, header_width = 128;
   const float left = r.left + margin, right = r.right - margin;
   Parts p{{r.left, r.top, r.right - 1, r.bottom}, {}, {}, r.width() > 1.6f * r.height()};
   if (p.low && open) {
@@ -192,10 +192,10 @@ void lesson_panel(Session& s, const Rect& r) {
   Parts at = parts_of(r, open, s.fields_height, r.height() > 420 ? hints_height(s, hints, width) : 0);
   const bool bare = at.low && !open && s.player.asked();  // a question needs all the room
   if (bare) at.words.bottom = r.bottom;
-  scrolling("words", at.words, [&] {
+  scrolling(s.ui, "words", at.words, [&] {
     const bool fresh = std::exchange(s.words_seen, s.player.revision()) != s.player.revision();
     if (fresh) ImGui::SetScrollY(0);
-    lesson_text(s, at.words, fresh);
+    lesson_text(s, at.words, fresh, at.low);
   });
   s.ui.rects["lesson words"] = at.words;
 
@@ -205,7 +205,7 @@ void lesson_panel(Session& s, const Rect& r) {
   else if (!bare)
     rule(s.ui, r.left + margin, r.right - margin, at.words.bottom);
   if (open) {
-    scrolling("fields", at.fields, [&] {
+    scrolling(s.ui, "fields", at.fields, [&] {
       const float top = ImGui::GetCursorScreenPos().y;
       s.fields_height = parameter_fields(s, at.header.left, top, at.header.width()) - top;
     });

@@ -100,9 +100,10 @@ void transport(Session& s, const Rect& r) {
   const Player& player = s.player;
   begin_region(ui, "transport", r, ui.palette.window);
   rule(ui, r.left, r.right, r.top);
-  scrubber(s, r, r.top + 20);
+  const bool low = r.height() < 80;
+  scrubber(s, r, r.top + (low ? 12.0f : 20.0f));
 
-  const float y = r.top + 58, middle = std::round(r.middle_x());
+  const float y = r.top + (low ? 43.0f : 58.0f), middle = std::round(r.middle_x());
   const std::string where = "Step " + std::to_string(player.index() + 1) + " of " + std::to_string(player.count());
   const float end = 24 + text(ui.fonts.body, 24, y, packed(ui.palette.text), where);
   const Paragraph title{.markup = player.step().title, .colour = ui.palette.muted};

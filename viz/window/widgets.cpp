@@ -208,6 +208,20 @@ void begin_region(Ui& ui, const char* name, const Rect& r, const Colour& backgro
   ImGui::PopStyleColor();
 }
 
+void more_beyond(Ui& ui, const std::string& name, const Rect& r) {
+  constexpr float dimmed = 20, bar = 12;
+  const float right = r.right - (ImGui::GetScrollMaxY() > 0 ? bar : 0);
+  const ImU32 none = packed(ui.palette.window, 0), all = packed(ui.palette.window, 0.9);
+  if (ImGui::GetScrollY() > 1) {
+    list().AddRectFilledMultiColor({r.left, r.top}, {right, r.top + dimmed}, all, all, none, none);
+    ui.rects["more above " + name] = {r.left, r.top, right, r.top + dimmed};
+  }
+  if (ImGui::GetScrollY() < ImGui::GetScrollMaxY() - 1) {
+    list().AddRectFilledMultiColor({r.left, r.bottom - dimmed}, {right, r.bottom}, none, none, all, all);
+    ui.rects["more below " + name] = {r.left, r.bottom - dimmed, right, r.bottom};
+  }
+}
+
 void tooltip(const Ui& ui, const std::string& s) {
   constexpr double patience = 3;  // a pointer left lying while the keys step must not cover the text for ever
   if (ui.pointer_rest > patience) return;

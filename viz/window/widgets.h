@@ -73,14 +73,17 @@ struct Press {
 Press press(Ui&, const std::string& name, const Rect&);
 /// A window that fills `r`, not moved, not decorated; `above`: over the others. End it with ImGui::End().
 void begin_region(Ui&, const char* name, const Rect& r, const Colour& background, bool above = false);
+/// In what scrolls: dims its upper or lower end where there is more beyond it.
+void more_beyond(Ui&, const std::string& name, const Rect& r);
 /// A part of a region that scrolls by itself; `inside` draws it.
 template <class Inside>
-void scrolling(const char* name, const Rect& r, Inside&& inside) {
+void scrolling(Ui& ui, const char* name, const Rect& r, Inside&& inside) {
   ImGui::SetCursorScreenPos(top_left(r));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{0, 0});
   ImGui::BeginChild(name, {r.width(), r.height()}, false, 0);
   ImGui::PopStyleVar();
   inside();
+  more_beyond(ui, name, r);
   ImGui::EndChild();
 }
 void tooltip(const Ui&, const std::string&);
