@@ -124,8 +124,8 @@ struct Block {
   double height = 0;
 };
 
-/// No line ends within "50 %", nor after the sign of "-O3".
-void keep_together(PangoLayout* layout) {
+/// No line ends within "50 %", after the sign of "-O3", or within a product of two names, such as *t* **d**.
+void keep_together(PangoLayout* layout, const std::string& markup) {
   const std::string text = pango_layout_get_text(layout);
   const std::unique_ptr<PangoAttrList, decltype(&pango_attr_list_unref)> all(
       pango_attr_list_copy(pango_layout_get_attributes(layout)), pango_attr_list_unref);
@@ -138,6 +138,13 @@ void keep_together(PangoLayout* layout) {
     keep(at == 0 ? 0 : at - 1, at + 2);
   for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at + 1))
     if (at == 0 || text[at - 1] == ' ') keep(at, std::min(text.find(' ', at), text.size()));
+  const std::vector<Run> runs = parse_markup(markup);
+  const auto is_name = [](const Run& run) {
+    return (run.italic || run.bold) && run.text.find(' ') == std::string::npos;
+  };
+  for (std::size_t i = 0, at = 0; i < runs.size(); at += runs[i].text.size(), ++i)
+    if (i > 0 && i + 1 < runs.size() && runs[i].text == " " && is_name(runs[i - 1]) && is_name(runs[i + 1]))
+      keep(at - 1, at + 2);
   pango_layout_set_attributes(layout, all.get());
 }
 
@@ -152,7 +159,7 @@ Block lay_out(const Paragraph& paragraph) {
   if (paragraph.width > 0) {
     pango_layout_set_width(layout, static_cast<int>(std::lround(paragraph.width * PANGO_SCALE)));
     pango_layout_set_wrap(layout, PANGO_WRAP_WORD_CHAR);
-    keep_together(layout);
+    keep_together(layout, paragraph.markup);
   }
 
   // Capitals, about 0.72 em high, stand in the middle of the pitch.
