@@ -214,6 +214,33 @@ TEST_CASE("Shift and the arrows move the handle that is held, or else turn the s
   CHECK(window.rect("handle c").middle_y() == Approx(before.middle_y()).margin(0.5));
 }
 
+TEST_CASE("a key that is held turns and shifts the scene smoothly, and then all is at rest", "[window]") {
+  WindowDriver window(both);
+  const bool turns = GENERATE(true, false);
+  const auto seen = [&] {
+    const Camera& c = window.player().camera().now();
+    return turns ? 2 * c.azimuth : 400 * c.target.y() / c.half_height;  // what a frame may change by a tenth at most
+  };
+  const double home = seen();
+  window.modifiers(!turns, turns);
+  window.press(turns ? key::right : key::up, true);
+  double last = home;
+  for (int frame = 0; frame < 60; ++frame) {
+    window.frames();
+    CHECK(window.ui.rest() == 0);
+    CHECK(std::abs(seen() - last) < (turns ? 0.1 : 10));
+    last = seen();
+  }
+  CHECK(std::abs(last - home) > (turns ? 2 : 80));
+  window.press(turns ? key::right : key::up, false);
+  window.modifiers(false, false);
+  window.frames(2);
+  CHECK(seen() == last);
+  CHECK(window.ui.rest() > 1);
+  window.key(key::z, true);
+  CHECK(seen() == Approx(home));
+}
+
 TEST_CASE("undo leaves the step where the reader has gone on, and redo does it again", "[window]") {
   WindowDriver window(both);
   const Vec3 before = std::get<Vec3>(window.player().parameters().at("c"));

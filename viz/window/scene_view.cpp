@@ -69,7 +69,7 @@ void SceneView::draw(Session& s, const Rect& r, const View& view) {
   behind_ = false;
   const std::string wanted = line_of(s, r, scale_);
   const ImGuiIO& io = ImGui::GetIO();
-  const bool moves = io.MouseDown[0] || io.MouseDown[1];
+  const bool moves = io.MouseDown[0] || io.MouseDown[1] || turning_ >= 0;
   if ((wanted == drawn_ && (moves || !sketched_)) || !drawing_) return;
   const Theme ink = look(s, view);
   const View own(view.camera(), view.width(), view.height(), {0, r.height() - view.height()});
@@ -138,31 +138,38 @@ void SceneView::keyboard(Session& s, const View& view) {
   const ImGuiIO& io = ImGui::GetIO();
   const Vec2 middle = view.corner() + Vec2(view.width(), view.height()) / 2;
   if (const double zoom = std::exchange(s.zoom, 1.0); zoom != 1) s.player.zoom(view, middle, zoom);
+  const double held_for = std::exchange(turning_, -1);
   if (!(io.KeyShift || io.KeyCtrl) || io.WantTextInput || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) return;
-  Vec2 way = Vec2::Zero();
-  if (ImGui::IsKeyPressed(key::left, true)) way.x() -= 1;
-  if (ImGui::IsKeyPressed(key::right, true)) way.x() += 1;
-  if (ImGui::IsKeyPressed(key::up, true)) way.y() -= 1;
-  if (ImGui::IsKeyPressed(key::down, true)) way.y() += 1;
-  if (way == Vec2::Zero() || s.player.scene().chart || s.ui.focus.name() == "map setting") return;
-  constexpr double step = 16;  // px
+  const auto way_of = [](auto&& asks) {
+    return Vec2(asks(key::right) - asks(key::left), asks(key::down) - asks(key::up));
+  };
+  const Vec2 way = way_of([](key::Code code) { return ImGui::IsKeyPressed(code, true) ? 1.0 : 0.0; });
+  const Vec2 down = way_of([](key::Code code) { return ImGui::IsKeyDown(code) ? 1.0 : 0.0; });
+  if (down == Vec2::Zero() || s.player.scene().chart || s.ui.focus.name() == "map setting") return;
   const std::vector<Handle>& handles = s.player.scene().handles;
   const auto held =
       std::ranges::find_if(handles, [&](const Handle& h) { return "handle " + h.parameter == s.ui.focus.name(); });
   if (io.KeyShift && held != handles.end()) {
+    if (way == Vec2::Zero()) return;
     const Handle handle = *held;
     s.attempt([&] {
       const Moved moved = nudge(s.player, view, handle, way, io.KeyCtrl);
       if (!moved.told.empty()) s.say(moved.told);
       if (!moved.refused.empty()) s.complain(moved.refused);
     });
-  } else if (io.KeyShift && io.KeyCtrl) {
     return;
-  } else if (io.KeyShift && !s.player.lesson().flat) {
-    s.player.orbit(step * way);
-  } else {
-    s.player.pan(view, middle, middle - step * way);
   }
+  if (io.KeyShift && io.KeyCtrl) return;
+  // A little at once; on and on, frame by frame, while the key is held.
+  constexpr double once = 6, a_second = 240, patience = 0.18;  // px, seconds
+  const double passed = std::min<double>(io.DeltaTime, 0.05);
+  turning_ = held_for < 0 ? 0 : held_for + passed;
+  const double far = held_for < 0 ? once : turning_ > patience ? a_second * passed : 0;
+  if (far == 0) return;
+  if (io.KeyShift && !s.player.lesson().flat)
+    s.player.orbit(far * down);
+  else
+    s.player.pan(view, middle, middle - far * down);
 }
 
 void SceneView::pointer(Session& s, const View& view, bool hovered, bool active) {

@@ -21,8 +21,8 @@ class SceneView {
   /// Draws the scene with what lies over it, and does what the pointer asks for.
   void show(Session&, const Rect&);
   const std::vector<PlacedLabel>& labels() const { return labels_; }
-  /// What is on show is not yet all: the next frame has it.
-  bool behind() const { return behind_; }
+  /// What is on show is not yet all, or a key goes on turning it: the next frame is wanted.
+  bool behind() const { return behind_ || turning_ >= 0; }
   void rescale(double scale) { scale_ = scale; }
 
  private:
@@ -39,6 +39,7 @@ class SceneView {
   std::vector<PlacedLabel> labels_;
   KeptPicture picture_;
   std::string drawn_;            ///< what the picture shows, as one line; drawing it again is saved
+  double turning_ = -1;          ///< seconds for which keys have turned or shifted it; < 0: they do not
   bool sketched_ = false;        ///< while it is dragged: it is drawn smoothly once the button is released
   std::optional<Handle> held_;   ///< while a handle is dragged: the handle as it is now
   std::string forbidden_;        ///< why it does not follow the pointer; empty: it does
