@@ -203,6 +203,26 @@ TEST_CASE("Ctrl+S writes a scene back into its file, says what failed, and saves
   CHECK(written.size() == 2);
 }
 
+TEST_CASE("a scene of a file leaves the reader's place among the lessons as it was", "[window]") {
+  Lesson scene = disc;
+  scene.id = "scene", scene.made_from = "{}";
+  const std::vector<const Lesson*> lessons = {&ball, &scene};
+  Settings kept;
+  kept.place = place_at(ball.id, ball.presets.front().id);
+  kept.place->step = 1;
+  kept.recent = {ball.id};
+  WindowDriver window(lessons, 1280, 800, place_at("scene", disc.presets.front().id), kept);
+  window.key(key::right);
+  window.drag("handle c", 30, 10);
+  REQUIRE(window.player().lesson().id == "scene");
+  REQUIRE(window.ui.settings().place);
+  CHECK(window.ui.settings().place->lesson == ball.id);
+  CHECK(window.ui.settings().place->step == 1);
+  CHECK(window.ui.settings().recent == std::vector<std::string>{ball.id});
+  window.type("]");
+  CHECK(window.ui.settings().place->step == 0);
+}
+
 TEST_CASE("a setting is saved as a preset, which the picker lists and opens", "[window]") {
   const std::string folder = (std::filesystem::temp_directory_path() / "isect-window-presets").string();
   std::filesystem::remove_all(folder);

@@ -38,6 +38,7 @@ std::vector<int> missed_questions(const Session& s) {
 void keep_recent(Session& s) {
   std::vector<std::string>& recent = s.settings.recent;
   const std::string& id = s.player.lesson().id;
+  if (!s.player.lesson().made_from.empty()) return;  // it is not among the lessons
   if (!recent.empty() && recent.front() == id) return;
   std::erase(recent, id);
   recent.insert(recent.begin(), id);

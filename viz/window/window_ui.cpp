@@ -317,6 +317,7 @@ Player& WindowUi::player() { return impl_->player; }
 Settings WindowUi::settings() const {
   Settings settings = impl_->settings;
   settings.speed = impl_->player.speed();
+  if (!impl_->player.lesson().made_from.empty()) return settings;  // of a file, which the next run does not know
   settings.place = impl_->player.place();
   if (!impl_->player.camera_moved()) settings.place->camera.reset();  // presets go on framing themselves
   return settings;
