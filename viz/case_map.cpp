@@ -7,7 +7,7 @@
 namespace isect::viz {
 namespace {
 
-constexpr int columns = 60, rows = 36;
+constexpr int map_columns = 60, map_rows = 36;
 
 /// One level of the plane: from left to right, `branches[i]` up to `cuts[i]`, and the last one up to the end.
 struct Level {
@@ -27,10 +27,10 @@ class Sweep {
   Sweep(const CaseMap& map, const Parameters& here, Cases& out) : map_(map), here_(here), out_(out) {}
 
   void run() {
-    const double step = (map_.hi.y() - map_.lo.y()) / rows;
+    const double step = (map_.hi.y() - map_.lo.y()) / map_rows;
     Level below = level(map_.lo.y());
-    for (int j = 0; j < rows; ++j) {
-      const Level above = level(j + 1 == rows ? map_.hi.y() : map_.lo.y() + (j + 1) * step);
+    for (int j = 0; j < map_rows; ++j) {
+      const Level above = level(j + 1 == map_rows ? map_.hi.y() : map_.lo.y() + (j + 1) * step);
       between(below, above, 7);
       below = above;
     }
@@ -39,7 +39,7 @@ class Sweep {
 
  private:
   double width() const { return map_.hi.x() - map_.lo.x(); }
-  double abscissa(double i) const { return map_.lo.x() + i * width() / columns; }
+  double abscissa(double i) const { return map_.lo.x() + i * width() / map_columns; }
   int branch(double x, double y) const { return map_.branch(map_.moved(here_, {x, y})); }
 
   /// The samples keep off round numbers, where lines and points of the plane have branches of their own.
@@ -49,8 +49,8 @@ class Sweep {
     const double at = y + off * (y == map_.hi.y() ? -1 : 1) * (map_.hi.y() - map_.lo.y());
     double left = map_.lo.x() + off * width();
     l.branches.push_back(branch(left, at));
-    for (int i = 1; i <= columns; ++i) {
-      const double right = abscissa(i) + (i == columns ? -off : off) * width();
+    for (int i = 1; i <= map_columns; ++i) {
+      const double right = abscissa(i) + (i == map_columns ? -off : off) * width();
       const int there = branch(right, at);
       for (int thinner = 0; l.branches.back() != there && thinner < 4; ++thinner) {
         left = end_of(l.branches.back(), left, right, at);
@@ -78,7 +78,7 @@ class Sweep {
     if (alike)
       for (std::size_t i = 0; i < below.cuts.size(); ++i)
         moved = std::max(moved, std::abs(below.cuts[i] - above.cuts[i]));
-    if (depth > 0 && (!alike || moved > 2.5 * width() / columns)) {
+    if (depth > 0 && (!alike || moved > 2.5 * width() / map_columns)) {
       const Level middle = level((below.y + above.y) / 2);
       between(below, middle, depth - 1);
       between(middle, above, depth - 1);

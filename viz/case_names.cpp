@@ -7,15 +7,15 @@
 namespace isect::viz {
 namespace {
 
-constexpr int lines = 4;        ///< on which a row of cells is looked at
-constexpr double whole = 0.98;  ///< a cell of which so much lies in a region counts as its own
-constexpr double tie = 1e-6;    ///< what only rounding could decide
+constexpr int scan_lines = 4;          ///< on which a row of cells is looked at
+constexpr double nearly_whole = 0.98;  ///< a cell of which so much lies in a region counts as its own
+constexpr double hair = 1e-6;          ///< what only rounding could decide
 
 // What a place for a name costs besides the length of its leader.
 constexpr double over_border = 1000, through_name = 2000, over_leader = 2000, over_name = 8000;
 
 bool share_ink(const TextBox& a, const TextBox& b) {
-  return a.left < b.right - tie && b.left < a.right - tie && a.top < b.bottom - tie && b.top < a.bottom - tie;
+  return a.left < b.right - hair && b.left < a.right - hair && a.top < b.bottom - hair && b.top < a.bottom - hair;
 }
 
 double area_of(const Cases::Patch& patch) {
@@ -68,24 +68,24 @@ void CaseNames::rasterise(const Cases& cases) {
     const Vec2 a = in_cells(patch.corners[0]), b = in_cells(patch.corners[1]), c = in_cells(patch.corners[2]),
                d = in_cells(patch.corners[3]);
     const double off = 0.47;  // keeps the lines off round numbers, where borders lie
-    for (int line = static_cast<int>(std::ceil(a.y() * lines - off)); line + off < d.y() * lines; ++line) {
-      if (line < 0 || line >= rows * lines) continue;
-      const double share = ((line + off) / lines - a.y()) / (d.y() - a.y());
+    for (int line = static_cast<int>(std::ceil(a.y() * scan_lines - off)); line + off < d.y() * scan_lines; ++line) {
+      if (line < 0 || line >= rows * scan_lines) continue;
+      const double share = ((line + off) / scan_lines - a.y()) / (d.y() - a.y());
       const double from = a.x() + share * (d.x() - a.x()), to = b.x() + share * (c.x() - b.x());
       for (int x = std::max(0, static_cast<int>(from)); x < std::min<double>(columns, to); ++x)
-        covered[patch.branch][static_cast<std::size_t>(line / lines) * columns + x] +=
-            std::max(0.0, std::min(to, x + 1.0) - std::max<double>(from, x)) / lines;
+        covered[patch.branch][static_cast<std::size_t>(line / scan_lines) * columns + x] +=
+            std::max(0.0, std::min(to, x + 1.0) - std::max<double>(from, x)) / scan_lines;
     }
   }
   for (int i = 0; i < static_cast<int>(sums_.size()); ++i)
     for (int y = 0; y < rows; ++y)
       for (int x = 0; x < columns; ++x)
-        sum(i, x + 1, y + 1) = (covered[i][static_cast<std::size_t>(y) * columns + x] >= whole) + sum(i, x, y + 1) +
-                               sum(i, x + 1, y) - sum(i, x, y);
+        sum(i, x + 1, y + 1) = (covered[i][static_cast<std::size_t>(y) * columns + x] >= nearly_whole) +
+                               sum(i, x, y + 1) + sum(i, x + 1, y) - sum(i, x, y);
 }
 
 bool CaseNames::filled(int branch, const Vec2& middle, const Vec2& half) const {
-  const Vec2 inset = Vec2::Constant(tie), lo = middle - half + inset, hi = middle + half - inset;
+  const Vec2 inset = Vec2::Constant(hair), lo = middle - half + inset, hi = middle + half - inset;
   const int x0 = static_cast<int>(std::floor(lo.x())), y0 = static_cast<int>(std::floor(lo.y())),
             x1 = static_cast<int>(std::ceil(hi.x())), y1 = static_cast<int>(std::ceil(hi.y()));
   if (x0 < 0 || y0 < 0 || x1 > columns || y1 > rows) return false;
@@ -132,7 +132,7 @@ Vec2 CaseNames::some_point_of(int branch) const {
 
   const Cases::Patch* best = nullptr;
   for (const Cases::Patch& patch : cases_.patches)
-    if (patch.branch == branch && (!best || area_of(patch) > (1 + tie) * area_of(*best))) best = &patch;
+    if (patch.branch == branch && (!best || area_of(patch) > (1 + hair) * area_of(*best))) best = &patch;
   if (!best) return drawn(Vec2(columns, rows) / 2);
   const auto& [a, b, c, d] = best->corners;
   const Vec2 lo(cases_.x.lo, cases_.y.lo), size(cases_.x.hi - cases_.x.lo, cases_.y.hi - cases_.y.lo);
@@ -144,14 +144,14 @@ Vec2 CaseNames::some_point_of(int branch) const {
 NamePlace CaseNames::beside(int branch, const Vec2& size) const {
   const Vec2 middle = some_point_of(branch);
   const NamePlace coarse = beside(middle, size, 1, std::numeric_limits<double>::infinity());  // bounds the finer search
-  NamePlace best = beside(middle, size, 0.5, coarse.cost + 2 * tie);
+  NamePlace best = beside(middle, size, 0.5, coarse.cost + 2 * hair);
   if (best.cost < crossed) return best;
   constexpr int apart = 6;
   const Vec2 side = Vec2::Constant(apart * std::min(cell_.x(), cell_.y()) / 4).cwiseQuotient(cell_);
   for (int y = apart / 2; y < rows; y += apart)
     for (int x = apart / 2; x < columns; x += apart)
       if (const Vec2 at(x, y); filled(branch, at, side))
-        if (const NamePlace other = beside(drawn(at), size, 1, best.cost); other.cost < best.cost - tie) best = other;
+        if (const NamePlace other = beside(drawn(at), size, 1, best.cost); other.cost < best.cost - hair) best = other;
   return best;
 }
 
@@ -171,17 +171,17 @@ NamePlace CaseNames::beside(const Vec2& to, const Vec2& size, double step, doubl
         continue;
       const Vec2 from = nearest_in(box, to);
       double cost = (to - from).norm() + 0.1 * (to - middle).norm();
-      if ((to - from).norm() < 0.8 * size.y() || cost > best.cost - tie) continue;
+      if ((to - from).norm() < 0.8 * size.y() || cost > best.cost - hair) continue;
       for (const TextBox& t : taken_)
         if (share_ink(box, t)) cost += over_name;
-      if (cost > best.cost - tie) continue;
+      if (cost > best.cost - hair) continue;
       cost += in_the_way(from, to);
       for (const auto& [a, b] : leaders_)
         if (length_inside(a, b, box) > 0) cost += over_leader;
-      if (cost > best.cost - tie) continue;
+      if (cost > best.cost - hair) continue;
       const bool on_border = !filled(at, half.cwiseQuotient(cell_));
       if (on_border) cost += over_border;
-      if (cost < best.cost - tie) best = {middle, to, on_border, cost};
+      if (cost < best.cost - hair) best = {middle, to, on_border, cost};
     }
   }
   return best;

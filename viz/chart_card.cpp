@@ -8,7 +8,7 @@
 namespace isect::viz {
 namespace {
 
-constexpr double line_pitch = 1.45;     // from line to line, in sizes of the text
+constexpr double card_pitch = 1.45;     // from line to line, in sizes of the text
 constexpr double row_gap = 0.75;        // from row to row, beyond that
 constexpr double most_enlarged = 1.25;  // of a label's size
 
@@ -56,7 +56,7 @@ class Typesetter {
     Typeset s{size, column_ * size, {}, 0};
     for (const std::vector<Word>& text : texts_) {
       s.lines.push_back(broken(text, width / size - column_));
-      s.height += (line_pitch * static_cast<double>(std::max<std::size_t>(s.lines.back().size(), 1)) + row_gap) * size;
+      s.height += (card_pitch * static_cast<double>(std::max<std::size_t>(s.lines.back().size(), 1)) + row_gap) * size;
     }
     s.height -= texts_.empty() ? 0 : row_gap * size;
     return s;
@@ -93,7 +93,7 @@ void draw(ChartInk& ink, const Card& card, const Bounds& all) {
     ink.text(head, {room.left, y}, {s.size, Role::first, 0, true});
     for (const std::string& line : s.lines[i]) {
       ink.text(line, {room.left + s.column, y}, {s.size});
-      y += line_pitch * s.size;
+      y += card_pitch * s.size;
     }
     y += row_gap * s.size;
     if (i + 1 == card.rows.size()) break;

@@ -16,7 +16,6 @@ namespace isect::viz {
 namespace {
 
 /// Before our metadata among the comments, so that nobody else's are taken for them.
-constexpr std::string_view ours = "isect:";
 constexpr int most_colours = 256;
 constexpr int no_colour = -1;
 
@@ -109,19 +108,19 @@ int read(GifFileType* file, GifByteType* to, int count) {
   return static_cast<int>(got);
 }
 
-class Reader {
+class GifReader {
  public:
-  explicit Reader(const std::string& bytes) : source_{bytes} {
+  explicit GifReader(const std::string& bytes) : source_{bytes} {
     int error = 0;
     file_ = DGifOpen(&source_, read, &error);
     if (!file_) throw FileError("not a GIF file");
   }
-  ~Reader() {
+  ~GifReader() {
     int error = 0;
     DGifCloseFile(file_, &error);
   }
-  Reader(const Reader&) = delete;
-  Reader& operator=(const Reader&) = delete;
+  GifReader(const GifReader&) = delete;
+  GifReader& operator=(const GifReader&) = delete;
 
   /// The first comment of ours; empty if there is none.
   std::string comment() {
@@ -130,7 +129,8 @@ class Reader {
       if (kind == TERMINATE_RECORD_TYPE) return {};
       if (kind == IMAGE_DESC_RECORD_TYPE) skip_image();
       if (kind == EXTENSION_RECORD_TYPE)
-        if (const std::string text = extension(); text.starts_with(ours)) return text.substr(ours.size());
+        if (const std::string text = extension(); text.starts_with(metadata_mark))
+          return text.substr(metadata_mark.size());
     }
   }
 
@@ -179,7 +179,7 @@ std::string gif(const std::vector<Picture>& pictures, double seconds, const Meta
   need_alike(pictures);
   Writer writer(pictures.front().width, pictures.front().height);
   if (!metadata.empty())
-    writer.comment(std::string(ours) +
+    writer.comment(std::string(metadata_mark) +
                    nlohmann::json(metadata).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace));
   if (!imprint.alt.empty()) writer.comment(imprint.alt);
   for (const Picture& picture : pictures) writer.add(picture, seconds);
@@ -187,7 +187,7 @@ std::string gif(const std::vector<Picture>& pictures, double seconds, const Meta
 }
 
 Metadata gif_metadata(const std::string& bytes) {
-  const std::string text = Reader(bytes).comment();
+  const std::string text = GifReader(bytes).comment();
   if (text.empty()) return {};
   if (text.size() > most_metadata) throw FileError("broken GIF: its metadata is too long");
   try {

@@ -10,7 +10,7 @@
 namespace isect::viz {
 namespace {
 
-constexpr double reach = 9;              ///< px from the pointer to what it is at
+constexpr double pointer_reach = 9;      ///< px from the pointer to what it is at
 constexpr std::size_t most_items = 400;  ///< of more nobody knows the names
 
 double distance(const Vec2& p, const Vec2& a, const Vec2& b) {
@@ -83,7 +83,7 @@ void each_named(const Scene& scene, const std::set<std::string>& known,
 
 std::vector<std::string> names_near(const Scene& scene, const View& view, const Vec2& at,
                                     const std::set<std::string>& known) {
-  double least = reach;
+  double least = pointer_reach;
   std::vector<std::string> nearest;
   each_named(scene, known, [&](const Item& item, const std::vector<std::string>& names) {
     const double away = std::visit(Distance{view, at}, item);

@@ -19,25 +19,25 @@
 #include <sstream>
 
 #include "viz/animation.h"
+#include "viz/most_metadata.h"
 
 namespace isect::viz {
 namespace {
 
 constexpr int frames_a_second = 25;                 ///< pictures a second: players stumble over slower ones
-constexpr std::string_view mp4_mark = "isect:";     ///< before our metadata
 constexpr std::size_t most_mp4_metadata = 1 << 20;  ///< far above any figure's
 
 FileError failure(const std::string& why) { return FileError("mp4: " + why); }
 
 /// A file descriptor, closed in the end.
-class Descriptor {
+class OwnedNumber {
  public:
-  explicit Descriptor(int number) : number_(number) {
+  explicit OwnedNumber(int number) : number_(number) {
     if (number < 0) throw failure(std::strerror(errno));
   }
-  ~Descriptor() { close(); }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
+  ~OwnedNumber() { close(); }
+  OwnedNumber(const OwnedNumber&) = delete;
+  OwnedNumber& operator=(const OwnedNumber&) = delete;
 
   int number() const { return number_; }
   void close() {
@@ -69,7 +69,7 @@ class Nameless {
   }
 
  private:
-  Descriptor file_;
+  OwnedNumber file_;
 };
 
 std::vector<std::string> command(int width, int height, const Metadata& metadata, const Imprint& imprint,
@@ -84,7 +84,7 @@ std::vector<std::string> command(int width, int height, const Metadata& metadata
   add({"-color_primaries", "bt709", "-color_trc", "bt709", "-c:v", "libx264", "-crf", "16", "-tune", "stillimage"});
   if (!metadata.empty())
     add({"-metadata",
-         fmt::format("comment={}{}", mp4_mark,
+         fmt::format("comment={}{}", metadata_mark,
                      nlohmann::json(metadata).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace))});
   if (!imprint.title.empty()) add({"-metadata", "title=" + imprint.title});
   if (!imprint.alt.empty()) add({"-metadata", "description=" + imprint.alt});
@@ -122,8 +122,8 @@ class Encoder {
   Encoder(const std::vector<std::string>& words, const Nameless& said) {
     std::array<int, 2> ends;
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) throw failure(std::strerror(errno));
-    in_ = std::make_unique<Descriptor>(ends[0]);
-    const Descriptor out(ends[1]);
+    in_ = std::make_unique<OwnedNumber>(ends[0]);
+    const OwnedNumber out(ends[1]);
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, out.number(), STDIN_FILENO);
@@ -153,7 +153,7 @@ class Encoder {
   }
 
  private:
-  std::unique_ptr<Descriptor> in_;
+  std::unique_ptr<OwnedNumber> in_;
   pid_t child_ = 0;
   int status_ = 0;
 };
@@ -191,15 +191,16 @@ std::string mp4(const std::vector<Picture>& pictures, double seconds, const Meta
 Metadata mp4_metadata(const std::string& bytes) {
   if (bytes.size() < 8 || bytes.compare(4, 4, "ftyp") != 0) throw FileError("not an MP4 file");
   // In an atom "data": its size, its name, eight bytes of type and place, the text.
-  for (std::size_t at = 0; (at = bytes.find(mp4_mark, at)) != bytes.npos; ++at) {
+  for (std::size_t at = 0; (at = bytes.find(metadata_mark, at)) != bytes.npos; ++at) {
     constexpr std::size_t head = 16;
     if (at < head || bytes.compare(at - head + 4, 4, "data") != 0) continue;
     std::size_t size = 0;
     for (std::size_t i = at - head; i < at - head + 4; ++i) size = size << 8 | static_cast<unsigned char>(bytes[i]);
     const std::size_t text = size - std::min(size, head);
-    if (text < mp4_mark.size() || text > most_mp4_metadata || at + text > bytes.size()) continue;
+    if (text < metadata_mark.size() || text > most_mp4_metadata || at + text > bytes.size()) continue;
     try {
-      return nlohmann::json::parse(bytes.substr(at + mp4_mark.size(), text - mp4_mark.size())).get<Metadata>();
+      return nlohmann::json::parse(bytes.substr(at + metadata_mark.size(), text - metadata_mark.size()))
+          .get<Metadata>();
     } catch (const nlohmann::json::exception&) {
       throw FileError("broken MP4: its metadata cannot be read");
     }

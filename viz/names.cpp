@@ -16,8 +16,6 @@ namespace {
 
 using Chars = std::string_view;
 
-bool is_digit(Chars c) { return c.size() == 1 && c[0] >= '0' && c[0] <= '9'; }
-
 /// Latin and Greek ones; the sign of a sum is none.
 bool is_name_letter(Chars c) {
   if (c.size() == 1) return (c[0] >= 'a' && c[0] <= 'z') || (c[0] >= 'A' && c[0] <= 'Z');

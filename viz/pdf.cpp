@@ -15,7 +15,6 @@ namespace isect::viz {
 namespace {
 
 /// Before our metadata among the keywords, so that nobody else's are taken for them.
-constexpr std::string_view ours = "isect:";
 /// Of a pixel of CSS, 96 an inch.
 constexpr double points_a_unit = 0.75;
 
@@ -26,7 +25,8 @@ cairo_status_t append(void* out, const unsigned char* data, unsigned length) {
 
 /// In ASCII: cairo then writes it byte by byte, or as UTF-16 where there is a bracket in it.
 std::string keywords(const Metadata& metadata) {
-  return std::string(ours) + nlohmann::json(metadata).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+  return std::string(metadata_mark) +
+         nlohmann::json(metadata).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
 }
 
 void tell(cairo_surface_t* surface, const Metadata& metadata, const Imprint& imprint) {
@@ -107,10 +107,10 @@ Metadata pdf_metadata(const std::string& bytes) {
     at = bytes.find_first_not_of(" \r\n", at + key.size());
     if (at == bytes.npos) break;
     const std::string text = as_ascii(string_at(bytes, at));
-    if (!text.starts_with(ours)) continue;
+    if (!text.starts_with(metadata_mark)) continue;
     if (text.size() > most_metadata) throw FileError("broken PDF: its metadata is too long");
     try {
-      return nlohmann::json::parse(text.substr(ours.size())).get<Metadata>();
+      return nlohmann::json::parse(text.substr(metadata_mark.size())).get<Metadata>();
     } catch (const nlohmann::json::exception&) {
       throw FileError("broken PDF: its metadata cannot be read");
     }

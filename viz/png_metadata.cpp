@@ -11,10 +11,11 @@
 #include <optional>
 #include <stdexcept>
 
+#include "viz/most_metadata.h"
+
 namespace isect::viz {
 namespace {
 
-constexpr std::string_view key_prefix = "isect:";
 constexpr std::size_t around_data = 12;  ///< of a chunk: length and type before, CRC after
 /// Far above any figure's; a text that unpacks to more is hostile.
 constexpr std::size_t most_text = std::size_t{1} << 20;
@@ -31,7 +32,7 @@ std::uint32_t crc(std::string_view bytes) {
 
 /// iTXt: keyword, 0, uncompressed, method 0, no language, no translated keyword, UTF-8 text.
 std::string text_chunk(const std::string& key, const std::string& text) {
-  const std::string keyword = std::string(key_prefix) + key;
+  const std::string keyword = std::string(metadata_mark) + key;
   const bool printable = std::all_of(key.begin(), key.end(), [](char c) { return c > ' ' && c <= '~'; });
   if (key.empty() || keyword.size() > 79 || !printable)
     throw std::invalid_argument("metadata keyword '" + key + "': 1 to 73 printable ASCII characters, no space");
@@ -145,12 +146,12 @@ Metadata png_metadata(const std::string& bytes) {
   Metadata metadata;
   for (const auto& [at, type, whole] : png_chunks(bytes)) {
     const bool text = type == "iTXt" || type == "tEXt" || type == "zTXt";
-    if (!text || !whole.starts_with(key_prefix)) continue;
+    if (!text || !whole.starts_with(metadata_mark)) continue;
     const std::string_view checked = std::string_view(bytes).substr(at + 4);
     if (crc(checked.substr(0, 4 + whole.size())) != read_big_endian(checked.substr(4 + whole.size())))
       throw FileError("broken PNG: a text is damaged");
     std::string_view data = whole;
-    const std::string_view key = cut(data).substr(key_prefix.size());
+    const std::string_view key = cut(data).substr(metadata_mark.size());
     metadata[std::string(key)] = text_of(type, data);
   }
   return metadata;

@@ -1,6 +1,6 @@
 #include "viz/solids.h"
 
-#include <Eigen/LU>
+#include <Eigen/Geometry>
 
 #include <isect/convex_hull_3d.h>
 #include <isect/kdop_polytope.h>
@@ -46,14 +46,10 @@ Solid solid(const Hull3<double>& hull, Role role) {
 Solid solid(const Frustum<double>& frustum, Role role) {
   std::array<Vec3, 8> corners;
   for (int i = 0; i < 8; ++i) {  // left or right, bottom or top, near or far
-    Eigen::Matrix3d normals;
-    Vec3 d;
-    for (int axis = 0; axis < 3; ++axis) {
-      const Plane<double, 3>& plane = frustum.planes[2 * axis + (i >> axis & 1)];
-      normals.row(axis) = plane.normal.transpose();
-      d[axis] = -plane.d;
-    }
-    corners[i] = normals.partialPivLu().solve(d);
+    const auto plane = [&](int axis) -> const Plane<double, 3>& { return frustum.planes[2 * axis + (i >> axis & 1)]; };
+    const Plane<double, 3>&a = plane(0), &b = plane(1), &c = plane(2);
+    const Vec3 bc = b.normal.cross(c.normal), ca = c.normal.cross(a.normal), ab = a.normal.cross(b.normal);
+    corners[i] = -(a.d * bc + b.d * ca + c.d * ab) / a.normal.dot(bc);
   }
   return hexahedron(corners, role);
 }

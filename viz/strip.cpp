@@ -8,9 +8,9 @@
 namespace isect::viz {
 namespace {
 
-constexpr double line_pitch = 1.3;   ///< of captions, in their text's size
-constexpr double above_caption = 1;  ///< from a figure's foot to the first baseline, likewise
-constexpr double slack = 1;          ///< of a line: its ink is not quite in its middle
+constexpr double caption_pitch = 1.3;  ///< of captions, in their text's size
+constexpr double above_caption = 1;    ///< from a figure's foot to the first baseline, likewise
+constexpr double slack = 1;            ///< of a line: its ink is not quite in its middle
 
 class Rows {
  public:
@@ -64,9 +64,9 @@ class Rows {
       text.object = object;
       out_.labels.push_back({plain(line), measure(text)});
       out_.drawing.shapes.push_back(std::move(text));
-      baseline += line_pitch * size;
+      baseline += caption_pitch * size;
     }
-    return baseline - 0.65 * line_pitch * size;  // what hangs below it
+    return baseline - 0.65 * caption_pitch * size;  // what hangs below it
   }
 
   const Theme& theme_;

@@ -17,19 +17,19 @@ namespace {
 std::string_view local_name(std::string_view name) { return name.substr(name.rfind(' ') + 1); }
 
 /// One pass over a file. No handler throws: Expat is C.
-class Reader {
+class MetadataReader {
  public:
-  Reader() : parser_(XML_ParserCreateNS(nullptr, ' ')) {
+  MetadataReader() : parser_(XML_ParserCreateNS(nullptr, ' ')) {
     if (!parser_) throw std::bad_alloc();
     XML_SetUserData(parser_.get(), this);
     XML_SetElementHandler(
         parser_.get(),
         [](void* self, const char* name, const char** attributes) {
-          static_cast<Reader*>(self)->open(local_name(name), attributes);
+          static_cast<MetadataReader*>(self)->open(local_name(name), attributes);
         },
-        [](void* self, const char*) { static_cast<Reader*>(self)->close(); });
+        [](void* self, const char*) { static_cast<MetadataReader*>(self)->close(); });
     XML_SetCharacterDataHandler(parser_.get(), [](void* self, const char* text, int length) {
-      static_cast<Reader*>(self)->hear({text, static_cast<std::size_t>(length)});
+      static_cast<MetadataReader*>(self)->hear({text, static_cast<std::size_t>(length)});
     });
   }
 
@@ -89,7 +89,7 @@ class Reader {
 }  // namespace
 
 Metadata svg_metadata(const std::string& bytes) {
-  const std::string json = Reader().read(bytes);
+  const std::string json = MetadataReader().read(bytes);
   if (json.empty()) return {};
   try {
     return nlohmann::json::parse(json).get<Metadata>();

@@ -131,8 +131,6 @@ char script_of(std::string_view character, std::string& base) {
   return found->second.first;
 }
 
-bool is_digit(std::string_view c) { return c.size() == 1 && c[0] >= '0' && c[0] <= '9'; }
-
 /// Two scripts of one kind in a row would be an error of TeX's, so they become one.
 void add_script(Atoms& atoms, char script, const std::string& tex) {
   if (!atoms.empty() && atoms.back().script == script)

@@ -52,33 +52,33 @@ constexpr Sizes paper = {.outline = 0.75,
                          .hatch_line = 0.2};
 
 /// Pixels at 1x, for a picture 960 x 600.
-constexpr Sizes pixels = {.outline = 2,
-                          .ray = 2.5,
-                          .shared = 3,
-                          .highlight = 5,
-                          .hidden = 1.2,
-                          .construction = 1.5,
-                          .hairline = 1,
-                          .hidden_dash = {5, 5},
-                          .construction_dash = {6, 5},
-                          .disc = 5.5,
-                          .ring = 5,
-                          .marker_line = 2.5,
-                          .halo = 2.5,
-                          .arrow = 14,
-                          .handle = 5.5,
-                          .handle_ring = 12,
-                          .title = 24,
-                          .label = 22,
-                          .axis = 18,
-                          .label_offset = 25,
-                          .label_clear = 6,
-                          .label_halo = 3,
-                          .leader = 1,
-                          .margin = 8,
-                          .gutter = 16,
-                          .hatch_gap = 8,
-                          .hatch_line = 0.8};
+constexpr Sizes in_pixels = {.outline = 2,
+                             .ray = 2.5,
+                             .shared = 3,
+                             .highlight = 5,
+                             .hidden = 1.2,
+                             .construction = 1.5,
+                             .hairline = 1,
+                             .hidden_dash = {5, 5},
+                             .construction_dash = {6, 5},
+                             .disc = 5.5,
+                             .ring = 5,
+                             .marker_line = 2.5,
+                             .halo = 2.5,
+                             .arrow = 14,
+                             .handle = 5.5,
+                             .handle_ring = 12,
+                             .title = 24,
+                             .label = 22,
+                             .axis = 18,
+                             .label_offset = 25,
+                             .label_clear = 6,
+                             .label_halo = 3,
+                             .leader = 1,
+                             .margin = 8,
+                             .gutter = 16,
+                             .hatch_gap = 8,
+                             .hatch_line = 0.8};
 
 /// Sizes holds lengths and nothing else, so all of them scale.
 Sizes scaled(const Sizes& sizes, double by) {
@@ -152,7 +152,7 @@ Colour Theme::tint(Role role) const {
 Theme theme(ThemeName name, double width, double height) {
   if (name == ThemeName::print || name == ThemeName::grey)
     return theme_with(name, scaled(paper, std::min(width / 227, height / 142)));
-  return theme_with(name, scaled(pixels, std::min(width / 960, height / 600)));
+  return theme_with(name, scaled(in_pixels, std::min(width / 960, height / 600)));
 }
 
 Theme paper_theme(ThemeName name, double text_size) {
@@ -163,7 +163,7 @@ Theme paper_theme(ThemeName name, double text_size) {
   return theme_with(name, sizes);
 }
 
-Theme window_theme(ThemeName name, double scale) { return theme_with(name, scaled(pixels, scale)); }
+Theme window_theme(ThemeName name, double scale) { return theme_with(name, scaled(in_pixels, scale)); }
 
 std::string name_of(Role role) {
   constexpr std::array roles = {"first", "second", "hit", "miss", "construction", "highlight", "text", "muted", "grid"};

@@ -17,6 +17,9 @@ constexpr std::string_view character_at(std::string_view text, std::size_t i) {
   return text.substr(i, n);
 }
 
+/// Whether it is one of 0 to 9.
+constexpr bool is_digit(std::string_view c) { return c.size() == 1 && c[0] >= '0' && c[0] <= '9'; }
+
 /// How many there are.
 constexpr std::size_t count_characters(std::string_view text) {
   return text.size() - static_cast<std::size_t>(std::ranges::count_if(text, continues_character));

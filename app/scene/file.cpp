@@ -17,9 +17,9 @@ namespace isect::program::scene {
 
 namespace {
 
-class Reader {
+class SceneReader {
  public:
-  Reader(const std::string& text, const std::string& folder) : source_(text), folder_(folder) {}
+  SceneReader(const std::string& text, const std::string& folder) : source_(text), folder_(folder) {}
 
   File read() {
     source_.only(json(), {}, {"title", "objects", "ask", "notes", "camera"});
@@ -246,6 +246,6 @@ bool is_scene(const std::string& text) {
   return json.is_discarded() && text.find("\"objects\"") != text.npos;  // meant as one, though broken
 }
 
-File read_scene(const std::string& text, const std::string& folder) { return Reader(text, folder).read(); }
+File read_scene(const std::string& text, const std::string& folder) { return SceneReader(text, folder).read(); }
 
 }  // namespace isect::program::scene

@@ -20,9 +20,9 @@ constexpr std::size_t most_knobs = 40;
 /// Of a file whose points a figure takes along, so that it can be opened without that file.
 constexpr std::size_t most_taken_along = 2'000;
 
-class Reader {
+class ObjectReader {
  public:
-  Reader(Source& source, const std::string& folder) : source_(source), folder_(folder) {}
+  ObjectReader(Source& source, const std::string& folder) : source_(source), folder_(folder) {}
 
   ReadObjects read() {
     const Json& all =
@@ -237,7 +237,7 @@ class Reader {
 
 }  // namespace
 
-ReadObjects read_objects(Source& source, const std::string& folder) { return Reader(source, folder).read(); }
+ReadObjects read_objects(Source& source, const std::string& folder) { return ObjectReader(source, folder).read(); }
 
 std::size_t object_named(const Source& source, const std::vector<Object>& objects, const Json& value,
                          const Path& path) {

@@ -4,12 +4,11 @@
 #include "lessons/course.h"
 #include "lessons/shared/parameters.h"
 
-namespace isect::lessons {
+namespace isect::lessons::aabb_aabb_lesson {
 
 namespace {
 
 using namespace viz;
-using namespace aabb_aabb_lesson;
 
 Walk walk(const Parameters& p) { return tell(setup(p)); }
 
@@ -26,7 +25,7 @@ Preset preset_of(const char* id, const char* title, const Vec3& b_min, const Vec
 
 }  // namespace
 
-const Lesson& aabb_aabb() {
+const Lesson& lesson() {
   static const Lesson lesson = {
       .id = "aabb-aabb",
       .title = "Box and box",
@@ -63,4 +62,4 @@ const Lesson& aabb_aabb() {
   return lesson;
 }
 
-}  // namespace isect::lessons
+}  // namespace isect::lessons::aabb_aabb_lesson

@@ -10,12 +10,11 @@
 #include "lessons/course.h"
 #include "lessons/shared/parameters.h"
 
-namespace isect::lessons {
+namespace isect::lessons::bounding_volumes_lesson {
 
 namespace {
 
 using namespace viz;
-using namespace bounding_volumes_lesson;
 
 Walk walk(const Parameters& p) {
   const std::string& name = std::get<std::string>(p.at("object"));
@@ -53,7 +52,7 @@ Preset test_preset(const char* id, const char* title, const Vec3& q, double reac
 
 }  // namespace
 
-const Lesson& bounding_volumes() {
+const Lesson& lesson() {
   static const Lesson lesson = {
       .id = "bounding-volumes",
       .title = "Bounding volumes",
@@ -89,4 +88,4 @@ const Lesson& bounding_volumes() {
   return lesson;
 }
 
-}  // namespace isect::lessons
+}  // namespace isect::lessons::bounding_volumes_lesson

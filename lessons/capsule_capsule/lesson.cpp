@@ -4,12 +4,11 @@
 #include "lessons/course.h"
 #include "lessons/shared/parameters.h"
 
-namespace isect::lessons {
+namespace isect::lessons::capsule_capsule_lesson {
 
 namespace {
 
 using namespace viz;
-using namespace capsule_capsule_lesson;
 
 Walk walk(const Parameters& p) { return tell(setup(p)); }
 
@@ -41,7 +40,7 @@ std::vector<Preset> presets() {
 
 }  // namespace
 
-const Lesson& capsule_capsule() {
+const Lesson& lesson() {
   static const Lesson lesson = {
       .id = "capsule-capsule",
       .title = "Capsule and capsule",
@@ -69,4 +68,4 @@ const Lesson& capsule_capsule() {
   return lesson;
 }
 
-}  // namespace isect::lessons
+}  // namespace isect::lessons::capsule_capsule_lesson

@@ -9,12 +9,11 @@
 #include "lessons/shared/opinions.h"
 #include "lessons/shared/parameters.h"
 
-namespace isect::lessons {
+namespace isect::lessons::clipping_lesson {
 
 namespace {
 
 using namespace viz;
-using namespace clipping_lesson;
 
 struct Situation {
   const char* id;
@@ -83,7 +82,7 @@ std::vector<Opinion> opinions(const Parameters& values) {
 
 }  // namespace
 
-const Lesson& clipping() {
+const Lesson& lesson() {
   static const Lesson lesson = {
       .id = "clipping",
       .title = "Clipping",
@@ -110,4 +109,4 @@ const Lesson& clipping() {
   return lesson;
 }
 
-}  // namespace isect::lessons
+}  // namespace isect::lessons::clipping_lesson

@@ -8,11 +8,10 @@
 #include "lessons/course.h"
 #include "lessons/shared/parameters.h"
 
-namespace isect::lessons {
+namespace isect::lessons::collision_lesson {
 namespace {
 
 using namespace viz;
-using namespace collision_lesson;
 
 Walk walk(const Parameters& values) {
   const std::string& method = std::get<std::string>(values.at("method"));
@@ -25,7 +24,7 @@ Walk walk(const Parameters& values) {
 
 }  // namespace
 
-const Lesson& collision() {
+const Lesson& lesson() {
   static const Lesson lesson = [] {
     std::vector<Preset> presets;
     const auto add = [&](const char* id, const char* title, const char* method, const Vec3& p, double speed) {
@@ -65,4 +64,4 @@ const Lesson& collision() {
   return lesson;
 }
 
-}  // namespace isect::lessons
+}  // namespace isect::lessons::collision_lesson

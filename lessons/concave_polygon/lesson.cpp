@@ -7,11 +7,10 @@
 #include "lessons/shared/parameters.h"
 #include "lessons/shared/vertices.h"
 
-namespace isect::lessons {
+namespace isect::lessons::concave_polygon_lesson {
 namespace {
 
 using namespace viz;
-using namespace concave_polygon_lesson;
 
 Preset preset_of(const char* id, const char* title, const std::string& method, const std::string& polygon,
                  const Vec3& p) {
@@ -69,7 +68,7 @@ std::vector<Opinion> opinions(const Parameters& values) {
 
 }  // namespace
 
-const Lesson& concave_polygon() {
+const Lesson& lesson() {
   static const Lesson lesson = {
       .id = "concave-polygon",
       .title = "Point in concave polygon",
@@ -92,4 +91,4 @@ const Lesson& concave_polygon() {
   return lesson;
 }
 
-}  // namespace isect::lessons
+}  // namespace isect::lessons::concave_polygon_lesson

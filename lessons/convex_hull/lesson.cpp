@@ -9,11 +9,10 @@
 #include "lessons/shared/parameters.h"
 #include "lessons/shared/vertices.h"
 
-namespace isect::lessons {
+namespace isect::lessons::convex_hull_lesson {
 namespace {
 
 using namespace viz;
-using namespace convex_hull_lesson;
 
 struct Situation {
   const char* id;
@@ -46,7 +45,7 @@ Walk walk(const Parameters& values) { return tell(points_of(values)); }
 
 }  // namespace
 
-Ring<double, 2> convex_hull_lesson::points_of(const Parameters& values) {
+Ring<double, 2> points_of(const Parameters& values) {
   const std::string& id = std::get<std::string>(values.at("points"));
   Ring<double, 2> points = std::ranges::find_if(situations(), [&](const Situation& s) { return s.id == id; })->points;
   move_vertices(values, "v", points);
@@ -55,7 +54,7 @@ Ring<double, 2> convex_hull_lesson::points_of(const Parameters& values) {
   return points;
 }
 
-const Lesson& convex_hull() {
+const Lesson& lesson() {
   static const Lesson lesson = [] {
     std::vector<std::string> names;
     std::vector<Preset> presets;
@@ -91,4 +90,4 @@ const Lesson& convex_hull() {
   return lesson;
 }
 
-}  // namespace isect::lessons
+}  // namespace isect::lessons::convex_hull_lesson

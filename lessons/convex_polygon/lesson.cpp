@@ -6,11 +6,10 @@
 #include "lessons/course.h"
 #include "lessons/shared/parameters.h"
 
-namespace isect::lessons {
+namespace isect::lessons::convex_polygon_lesson {
 namespace {
 
 using namespace viz;
-using namespace convex_polygon_lesson;
 
 struct Situation {
   const char* id;
@@ -57,7 +56,7 @@ std::vector<Opinion> opinions(const Parameters& values) {
 
 }  // namespace
 
-const Lesson& convex_polygon() {
+const Lesson& lesson() {
   static const Lesson lesson = {
       .id = "convex-polygon",
       .title = "Point in convex polygon",
@@ -85,4 +84,4 @@ const Lesson& convex_polygon() {
   return lesson;
 }
 
-}  // namespace isect::lessons
+}  // namespace isect::lessons::convex_polygon_lesson

@@ -11,11 +11,10 @@
 #include "lessons/shared/parameters.h"
 #include "lessons/shared/vertices.h"
 
-namespace isect::lessons {
+namespace isect::lessons::crossings_lesson {
 namespace {
 
 using namespace viz;
-using namespace crossings_lesson;
 
 std::vector<Parameter> parameters() {
   std::vector<std::string> shapes;
@@ -66,7 +65,7 @@ std::vector<Opinion> opinions(const Parameters& values) {
 
 }  // namespace
 
-const Lesson& crossings() {
+const Lesson& lesson() {
   static const Lesson lesson = {
       .id = "crossings",
       .title = "Point in polygon: crossings",
@@ -89,4 +88,4 @@ const Lesson& crossings() {
   return lesson;
 }
 
-}  // namespace isect::lessons
+}  // namespace isect::lessons::crossings_lesson

@@ -6,12 +6,11 @@
 #include "lessons/culling/picture.h"
 #include "lessons/shared/parameters.h"
 
-namespace isect::lessons {
+namespace isect::lessons::culling_lesson {
 
 namespace {
 
 using namespace viz;
-using namespace culling_lesson;
 
 struct Situation {
   const char* id;
@@ -56,7 +55,7 @@ Walk walk(const Parameters& values) {
 
 }  // namespace
 
-const Lesson& culling() {
+const Lesson& lesson() {
   static const Lesson lesson = {
       .id = "culling",
       .title = "View-volume culling",
@@ -83,4 +82,4 @@ const Lesson& culling() {
   return lesson;
 }
 
-}  // namespace isect::lessons
+}  // namespace isect::lessons::culling_lesson

@@ -6,11 +6,10 @@
 #include "lessons/hierarchy/tree.h"
 #include "lessons/shared/parameters.h"
 
-namespace isect::lessons {
+namespace isect::lessons::hierarchy_lesson {
 namespace {
 
 using namespace viz;
-using namespace hierarchy_lesson;
 
 const std::vector<std::string> walks = {"build", "ray", "pairs", "growth"};
 const Vec3 beside = {-3.5, 1.25, 0};
@@ -30,7 +29,7 @@ Preset preset_of(const char* id, const char* title, const char* walk, const Vec3
 
 }  // namespace
 
-const Lesson& hierarchy() {
+const Lesson& lesson() {
   static const Lesson lesson = {
       .id = "hierarchy",
       .title = "Bounding volume hierarchies",
@@ -63,4 +62,4 @@ const Lesson& hierarchy() {
   return lesson;
 }
 
-}  // namespace isect::lessons
+}  // namespace isect::lessons::hierarchy_lesson

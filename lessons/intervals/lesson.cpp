@@ -3,12 +3,11 @@
 #include "lessons/course.h"
 #include "lessons/intervals/picture.h"
 
-namespace isect::lessons {
+namespace isect::lessons::intervals_lesson {
 
 namespace {
 
 using namespace viz;
-using namespace intervals_lesson;
 
 Walk walk(const Parameters& p) { return tell(setup(p)); }
 
@@ -22,7 +21,7 @@ Parameter end(const char* name, const char* label, const char* help, double init
 
 }  // namespace
 
-const Lesson& intervals() {
+const Lesson& lesson() {
   static const Lesson lesson = {
       .id = "intervals",
       .title = "Interval and interval",
@@ -56,4 +55,4 @@ const Lesson& intervals() {
   return lesson;
 }
 
-}  // namespace isect::lessons
+}  // namespace isect::lessons::intervals_lesson

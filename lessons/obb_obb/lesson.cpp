@@ -13,12 +13,11 @@
 #include "lessons/shared/opinions.h"
 #include "lessons/shared/parameters.h"
 
-namespace isect::lessons {
+namespace isect::lessons::obb_obb_lesson {
 
 namespace {
 
 using namespace viz;
-using namespace obb_obb_lesson;
 
 Walk walk(const Parameters& p) { return Teller(setup(p)).tell(); }
 
@@ -93,7 +92,7 @@ Condition aside(const char* v, const char* u) {
 
 }  // namespace
 
-const Lesson& obb_obb() {
+const Lesson& lesson() {
   static const Lesson lesson = {
       .id = "obb-obb",
       .title = "Oriented boxes",
@@ -130,4 +129,4 @@ const Lesson& obb_obb() {
   return lesson;
 }
 
-}  // namespace isect::lessons
+}  // namespace isect::lessons::obb_obb_lesson

@@ -7,12 +7,11 @@
 #include "lessons/picking/picture.h"
 #include "lessons/shared/parameters.h"
 
-namespace isect::lessons {
+namespace isect::lessons::picking_lesson {
 namespace {
 
 using namespace viz;
 using namespace viewing;
-using namespace picking_lesson;
 
 Walk walk(const Parameters& values) { return tell(std::get<Vec3>(values.at("pointer"))); }
 
@@ -22,7 +21,7 @@ Preset preset_of(const char* id, const char* title, double y, double z) {
 
 }  // namespace
 
-const Lesson& picking() {
+const Lesson& lesson() {
   static const Lesson lesson = {
       .id = "picking",
       .title = "Picking",
@@ -45,4 +44,4 @@ const Lesson& picking() {
   return lesson;
 }
 
-}  // namespace isect::lessons
+}  // namespace isect::lessons::picking_lesson

@@ -6,11 +6,10 @@
 #include "lessons/shared/opinions.h"
 #include "lessons/shared/parameters.h"
 
-namespace isect::lessons {
+namespace isect::lessons::points_lesson {
 namespace {
 
 using namespace viz;
-using namespace points_lesson;
 
 Walk walk(const Parameters& values) {
   const std::string& question = std::get<std::string>(values.at("question"));
@@ -67,7 +66,7 @@ std::vector<Preset> presets() {
 
 }  // namespace
 
-const Lesson& points() {
+const Lesson& lesson() {
   static const Lesson lesson = {
       .id = "points",
       .title = "Point and point",
@@ -94,4 +93,4 @@ const Lesson& points() {
   return lesson;
 }
 
-}  // namespace isect::lessons
+}  // namespace isect::lessons::points_lesson

@@ -11,11 +11,10 @@
 #include "lessons/shared/parameters.h"
 #include "lessons/shared/vertices.h"
 
-namespace isect::lessons {
+namespace isect::lessons::ray_polygon_lesson {
 namespace {
 
 using namespace viz;
-using namespace ray_polygon_lesson;
 
 const Vec3 inwards = {1, -0.25, -0.5};
 
@@ -74,7 +73,7 @@ Preset preset_of(const char* id, const char* title, const char* polygon, const V
 
 }  // namespace
 
-const Lesson& ray_polygon() {
+const Lesson& lesson() {
   static const Lesson lesson = {
       .id = "ray-polygon",
       .title = "Ray and polygon",
@@ -107,4 +106,4 @@ const Lesson& ray_polygon() {
   return lesson;
 }
 
-}  // namespace isect::lessons
+}  // namespace isect::lessons::ray_polygon_lesson

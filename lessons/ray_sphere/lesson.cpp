@@ -8,12 +8,11 @@
 #include "lessons/shared/parameters.h"
 #include "lessons/shared/plane.h"
 
-namespace isect::lessons {
+namespace isect::lessons::ray_sphere_lesson {
 
 namespace {
 
 using namespace viz;
-using namespace ray_sphere_lesson;
 
 const std::vector<Parameter>& parameters() {
   static const std::vector<Parameter> all = {
@@ -78,7 +77,7 @@ Walk walk(const Parameters& values) {
 
 }  // namespace
 
-const Lesson& ray_sphere() {
+const Lesson& lesson() {
   static const Lesson lesson = {
       .id = "ray-sphere",
       .title = "Ray and sphere",
@@ -102,4 +101,4 @@ const Lesson& ray_sphere() {
   return lesson;
 }
 
-}  // namespace isect::lessons
+}  // namespace isect::lessons::ray_sphere_lesson

@@ -7,12 +7,11 @@
 #include "lessons/ray_tracing/picture.h"
 #include "lessons/shared/parameters.h"
 
-namespace isect::lessons {
+namespace isect::lessons::ray_tracing_lesson {
 namespace {
 
 using namespace viz;
 using namespace viewing;
-using namespace ray_tracing_lesson;
 
 const Vec3 standard_lamp = {-1, 2.25, -1.5};
 
@@ -26,13 +25,13 @@ Preset preset_of(const char* id, const char* title, int column, int row, const c
 
 }  // namespace
 
-ray_tracing_lesson::OnePixel ray_tracing_lesson::setup(const Parameters& p) {
+OnePixel setup(const Parameters& p) {
   const bool apart = std::get<std::string>(p.at("shadow")) == "apart";
   return {std::get<Vec3>(p.at("pixel")), std::get<Vec3>(p.at("lamp")),
           apart ? ShadowRay::leaves_own_out : ShadowRay::naive};
 }
 
-const Lesson& ray_tracing() {
+const Lesson& lesson() {
   static const Lesson lesson = {
       .id = "ray-tracing",
       .title = "Ray tracing",
@@ -61,4 +60,4 @@ const Lesson& ray_tracing() {
   return lesson;
 }
 
-}  // namespace isect::lessons
+}  // namespace isect::lessons::ray_tracing_lesson

@@ -4,12 +4,11 @@
 #include "lessons/rays/picture.h"
 #include "lessons/shared/parameters.h"
 
-namespace isect::lessons {
+namespace isect::lessons::rays_lesson {
 
 namespace {
 
 using namespace viz;
-using namespace rays_lesson;
 
 Preset preset_of(const char* id, const char* title, const char* made, const char* extent, const Vec3& o,
                  const Vec3& d_or_q) {
@@ -64,7 +63,7 @@ Condition second_point() {
 
 }  // namespace
 
-const Lesson& rays() {
+const Lesson& lesson() {
   static const Lesson lesson = {
       .id = "rays",
       .title = "Rays",
@@ -98,4 +97,4 @@ const Lesson& rays() {
   return lesson;
 }
 
-}  // namespace isect::lessons
+}  // namespace isect::lessons::rays_lesson

@@ -11,12 +11,11 @@
 #include "lessons/shared/parameters.h"
 #include "lessons/shared/plane.h"
 
-namespace isect::lessons {
+namespace isect::lessons::relations_lesson {
 
 namespace {
 
 using namespace viz;
-using namespace relations_lesson;
 
 Walk walk(const Parameters& p) {
   const Kind* const kind = kind_of(p);
@@ -50,7 +49,7 @@ std::vector<Preset> presets() {
 
 }  // namespace
 
-const Lesson& relations() {
+const Lesson& lesson() {
   static const Lesson lesson = [] {
     std::vector<std::string> choices;
     for (const Kind kind : kinds) choices.push_back(name(kind));
@@ -78,4 +77,4 @@ const Lesson& relations() {
   return lesson;
 }
 
-}  // namespace isect::lessons
+}  // namespace isect::lessons::relations_lesson

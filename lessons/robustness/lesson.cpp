@@ -9,11 +9,10 @@
 #include "lessons/robustness/settings.h"
 #include "lessons/shared/parameters.h"
 
-namespace isect::lessons {
+namespace isect::lessons::robustness_lesson {
 namespace {
 
 using namespace viz;
-using namespace robustness_lesson;
 
 Walk walk(const Parameters& values) {
   const std::string& scalar = std::get<std::string>(values.at("scalar"));
@@ -33,7 +32,7 @@ const Look looks[] = {{"orientation", "double", 6, -6}, {"orientation", "float",
 
 }  // namespace
 
-const Lesson& robustness() {
+const Lesson& lesson() {
   static const Lesson lesson = [] {
     std::vector<Preset> presets;
     for (const auto& [test, scalar, right, up] : looks)
@@ -77,4 +76,4 @@ const Lesson& robustness() {
   return lesson;
 }
 
-}  // namespace isect::lessons
+}  // namespace isect::lessons::robustness_lesson

@@ -101,7 +101,7 @@ class Teller {
 
   /// What the exact test costs, as measured far from degeneracy and near it.
   std::string price() const {
-    const auto rows = bench::rows_of(speed_lesson::results(), s_.measured, "double");
+    const auto rows = bench::rows_of(speed_against_error_lesson::results(), s_.measured, "double");
     const bench::Row *usual = nullptr, *most = nullptr;
     for (const bench::Row* r : rows) {
       if (!r->exact || r->library != "isect" || r->method != "exact") continue;

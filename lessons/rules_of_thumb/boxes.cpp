@@ -11,7 +11,7 @@
 #include "lessons/rules_of_thumb/experiment.h"
 #include "lessons/shared/plural.h"
 
-namespace isect::lessons::rules_lesson {
+namespace isect::lessons::rules_of_thumb_lesson {
 
 using namespace viz;
 
@@ -178,4 +178,4 @@ Experiment reuse(const Flat& p) {
   return e;
 }
 
-}  // namespace isect::lessons::rules_lesson
+}  // namespace isect::lessons::rules_of_thumb_lesson

@@ -2,7 +2,7 @@
 
 #include "lessons/rules_of_thumb/experiment.h"
 
-namespace isect::lessons::rules_lesson {
+namespace isect::lessons::rules_of_thumb_lesson {
 
 using namespace viz;
 
@@ -75,4 +75,4 @@ const Closing& closing() {
   return closing;
 }
 
-}  // namespace isect::lessons::rules_lesson
+}  // namespace isect::lessons::rules_of_thumb_lesson

@@ -8,7 +8,7 @@
 #include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"
 
-namespace isect::lessons::rules_lesson {
+namespace isect::lessons::rules_of_thumb_lesson {
 
 using namespace viz;
 
@@ -91,4 +91,4 @@ Walk tell(const Experiment& e, const Flat& p) {
   return std::move(script.walk());
 }
 
-}  // namespace isect::lessons::rules_lesson
+}  // namespace isect::lessons::rules_of_thumb_lesson

@@ -10,7 +10,7 @@
 #include "lessons/shared/flat.h"
 #include "viz/lesson.h"
 
-namespace isect::lessons::rules_lesson {
+namespace isect::lessons::rules_of_thumb_lesson {
 
 using Flat = Point<double, 2>;
 
@@ -66,4 +66,4 @@ viz::Heading text(const Flat& at, const std::string& what, viz::Role role);
 /// "1 234 operations", "1 operation"
 std::string number_of(double count, const std::string& unit);
 
-}  // namespace isect::lessons::rules_lesson
+}  // namespace isect::lessons::rules_of_thumb_lesson

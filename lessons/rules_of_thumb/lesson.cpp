@@ -6,11 +6,10 @@
 #include "lessons/rules_of_thumb/experiment.h"
 #include "lessons/shared/parameters.h"
 
-namespace isect::lessons {
+namespace isect::lessons::rules_of_thumb_lesson {
 namespace {
 
 using namespace viz;
-using namespace rules_lesson;
 
 struct Rule {
   const char* id;
@@ -39,7 +38,7 @@ Walk walk(const Parameters& values) {
 
 }  // namespace
 
-const Lesson& rules_of_thumb() {
+const Lesson& lesson() {
   static const Lesson lesson = [] {
     std::vector<std::string> ids;
     std::vector<Preset> presets;
@@ -71,4 +70,4 @@ const Lesson& rules_of_thumb() {
   return lesson;
 }
 
-}  // namespace isect::lessons
+}  // namespace isect::lessons::rules_of_thumb_lesson

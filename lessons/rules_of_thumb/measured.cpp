@@ -13,7 +13,7 @@
 #include "lessons/speed_against_error/results.h"
 #include "viz/chart.h"
 
-namespace isect::lessons::rules_lesson {
+namespace isect::lessons::rules_of_thumb_lesson {
 
 using namespace viz;
 
@@ -44,7 +44,8 @@ std::vector<Method> methods() {
       sum += total(counted([&] { all_of_them[m](sphere, box); }));
     }
     Method method = {names[m], static_cast<double>(sum) / many, 0};
-    for (const bench::Row* r : bench::rows_of(speed_lesson::results(), "sphere-aabb", "double", "ordinary"))
+    for (const bench::Row* r :
+         bench::rows_of(speed_against_error_lesson::results(), "sphere-aabb", "double", "ordinary"))
       if (r->library == "isect" && r->method == names[m]) method.ns = r->ns;
     all.push_back(method);
   }
@@ -72,7 +73,8 @@ class Measuring {
         show("before", "What the clock says", 1,
              fmt::format("Times as measured on {}, as shares of the first.\nThat machine was busy: a loop took up to "
                          "{} % longer than its least.",
-                         speed_lesson::results().machine.cpu, percent(speed_lesson::results().machine.noise)),
+                         speed_against_error_lesson::results().machine.cpu,
+                         percent(speed_against_error_lesson::results().machine.noise)),
              bars(true));
     step.question = question();
     show("how", "Counts are not times", 2, farthest(), bars(true));
@@ -82,7 +84,7 @@ class Measuring {
 
  private:
   static std::string source() {
-    const bench::Machine& m = speed_lesson::results().machine;
+    const bench::Machine& m = speed_against_error_lesson::results().machine;
     return fmt::format("Lecture note, rules of thumb (7); measured on {}, {}, {}, {}", m.cpu, m.compiler, m.flags,
                        m.date);
   }
@@ -113,7 +115,7 @@ class Measuring {
 
   /// Whether two times differ by more than the noise of the machine that took them.
   static bool differ(double a, double b) {
-    return std::max(a, b) / std::min(a, b) > 1 + speed_lesson::results().machine.noise;
+    return std::max(a, b) / std::min(a, b) > 1 + speed_against_error_lesson::results().machine.noise;
   }
 
   Question question() const {
@@ -144,7 +146,8 @@ class Measuring {
 
   static std::string half_b() {
     const bench::Row *quadratic = nullptr, *half = nullptr;
-    for (const bench::Row* r : bench::rows_of(speed_lesson::results(), "ray-sphere", "double", "ordinary")) {
+    for (const bench::Row* r :
+         bench::rows_of(speed_against_error_lesson::results(), "ray-sphere", "double", "ordinary")) {
       if (r->library == "isect" && r->method == "quadratic") quadratic = r;
       if (r->library == "isect" && r->method == "half-B") half = r;
     }
@@ -155,8 +158,8 @@ class Measuring {
 
   /// The same call on other families of cases.
   void families() {
-    const auto rows = bench::rows_of(speed_lesson::results(), "sphere-aabb", "double");
-    Bars all = {{Scale::Kind::log, 1, 50, "time per call (ns), " + speed_lesson::results().machine.cpu},
+    const auto rows = bench::rows_of(speed_against_error_lesson::results(), "sphere-aabb", "double");
+    Bars all = {{Scale::Kind::log, 1, 50, "time per call (ns), " + speed_against_error_lesson::results().machine.cpu},
                 {{methods_.back().name, Glyph::disc, Role::second}, {"exact", Glyph::star, Role::hit}},
                 {}};
     double least = INFINITY, most = 0;
@@ -187,4 +190,4 @@ class Measuring {
 
 Walk measure() { return Measuring().tell(); }
 
-}  // namespace isect::lessons::rules_lesson
+}  // namespace isect::lessons::rules_of_thumb_lesson

@@ -11,7 +11,7 @@
 #include "lessons/rules_of_thumb/experiment.h"
 #include "viz/lesson.h"
 
-namespace isect::lessons::rules_lesson {
+namespace isect::lessons::rules_of_thumb_lesson {
 
 using namespace viz;
 
@@ -98,4 +98,4 @@ Experiment precalculate(const Flat& p) {
   return e;
 }
 
-}  // namespace isect::lessons::rules_lesson
+}  // namespace isect::lessons::rules_of_thumb_lesson

@@ -9,7 +9,7 @@
 #include "lessons/rules_of_thumb/experiment.h"
 #include "lessons/shared/plural.h"
 
-namespace isect::lessons::rules_lesson {
+namespace isect::lessons::rules_of_thumb_lesson {
 
 using namespace viz;
 
@@ -147,4 +147,4 @@ Experiment fewer_axes(const Flat& p) {
   return e;
 }
 
-}  // namespace isect::lessons::rules_lesson
+}  // namespace isect::lessons::rules_of_thumb_lesson

@@ -6,7 +6,7 @@
 #include "bench/random.h"
 #include "lessons/rules_of_thumb/experiment.h"
 
-namespace isect::lessons::rules_lesson {
+namespace isect::lessons::rules_of_thumb_lesson {
 
 using namespace viz;
 
@@ -62,4 +62,4 @@ Experiment reorder(const Flat& p) {
   return e;
 }
 
-}  // namespace isect::lessons::rules_lesson
+}  // namespace isect::lessons::rules_of_thumb_lesson

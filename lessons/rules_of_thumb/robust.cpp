@@ -12,7 +12,7 @@
 #include "lessons/speed_against_error/results.h"
 #include "viz/lesson.h"
 
-namespace isect::lessons::rules_lesson {
+namespace isect::lessons::rules_of_thumb_lesson {
 
 using namespace viz;
 
@@ -28,11 +28,11 @@ Dot said(const Flat& q, const Vector<double, 2>& left, int side, bool wrong) {
 
 /// What the measurements say of the price.
 std::string price() {
-  const auto rows = bench::rows_of(speed_lesson::results(), "orient2d", "double", "ordinary");
+  const auto rows = bench::rows_of(speed_against_error_lesson::results(), "orient2d", "double", "ordinary");
   const bench::Row *naive = bench::standard_of(rows), *exact = bench::exact_of(rows);
   if (naive == nullptr || exact == nullptr) return "";
   return fmt::format("\nMeasured far from a line ({}): {} ns a call instead of {} ns.",
-                     speed_lesson::results().machine.cpu, shown(exact->ns), shown(naive->ns));
+                     speed_against_error_lesson::results().machine.cpu, shown(exact->ns), shown(naive->ns));
 }
 
 }  // namespace
@@ -93,4 +93,4 @@ Experiment robust(const Flat& p) {
   return e;
 }
 
-}  // namespace isect::lessons::rules_lesson
+}  // namespace isect::lessons::rules_of_thumb_lesson

@@ -4,7 +4,7 @@
 #include "lessons/speed_against_error/results.h"
 #include "lessons/speed_against_error/telling.h"
 
-namespace isect::lessons::speed_lesson {
+namespace isect::lessons::speed_against_error_lesson {
 
 using namespace viz;
 
@@ -71,4 +71,4 @@ const Closing& closing() {
   return closing;
 }
 
-}  // namespace isect::lessons::speed_lesson
+}  // namespace isect::lessons::speed_against_error_lesson

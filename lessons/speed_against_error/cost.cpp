@@ -12,7 +12,7 @@
 #include "viz/chart.h"
 #include "viz/rich_text.h"
 
-namespace isect::lessons::speed_lesson {
+namespace isect::lessons::speed_against_error_lesson {
 
 using namespace viz;
 using namespace bench;
@@ -124,4 +124,4 @@ void Teller::choose() {
   show(step, {plot(families)});
 }
 
-}  // namespace isect::lessons::speed_lesson
+}  // namespace isect::lessons::speed_against_error_lesson

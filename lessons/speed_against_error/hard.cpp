@@ -10,7 +10,7 @@
 #include "lessons/speed_against_error/telling.h"
 #include "viz/rich_text.h"
 
-namespace isect::lessons::speed_lesson {
+namespace isect::lessons::speed_against_error_lesson {
 
 using namespace viz;
 using namespace bench;
@@ -103,4 +103,4 @@ void Teller::fall() {
   show(step, plotted.chart);
 }
 
-}  // namespace isect::lessons::speed_lesson
+}  // namespace isect::lessons::speed_against_error_lesson

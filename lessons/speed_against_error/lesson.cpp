@@ -8,11 +8,10 @@
 #include "lessons/speed_against_error/results.h"
 #include "lessons/speed_against_error/telling.h"
 
-namespace isect::lessons {
+namespace isect::lessons::speed_against_error_lesson {
 namespace {
 
 using namespace viz;
-using namespace speed_lesson;
 
 std::vector<Preset> presets() {
   std::vector<Preset> all;
@@ -24,7 +23,7 @@ Walk walk(const Parameters& values) { return Teller(results(), std::get<std::str
 
 }  // namespace
 
-const Lesson& speed_against_error() {
+const Lesson& lesson() {
   static const Lesson lesson = {
       .id = "speed-against-error",
       .title = "Speed against error",
@@ -45,4 +44,4 @@ const Lesson& speed_against_error() {
   return lesson;
 }
 
-}  // namespace isect::lessons
+}  // namespace isect::lessons::speed_against_error_lesson

@@ -10,7 +10,7 @@
 #include "lessons/shared/questions.h"
 #include "lessons/speed_against_error/telling.h"
 
-namespace isect::lessons::speed_lesson {
+namespace isect::lessons::speed_against_error_lesson {
 
 using namespace viz;
 using namespace bench;
@@ -88,4 +88,4 @@ void Teller::front() {
   keep_picture(script_.walk());
 }
 
-}  // namespace isect::lessons::speed_lesson
+}  // namespace isect::lessons::speed_against_error_lesson

@@ -10,7 +10,7 @@
 #include "bench/prose.h"
 #include "bench/rows.h"
 
-namespace isect::lessons::speed_lesson {
+namespace isect::lessons::speed_against_error_lesson {
 namespace {
 
 using namespace viz;
@@ -136,4 +136,4 @@ Walk Teller::tell() {
   return std::move(script_.walk());
 }
 
-}  // namespace isect::lessons::speed_lesson
+}  // namespace isect::lessons::speed_against_error_lesson

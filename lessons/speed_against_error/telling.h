@@ -7,7 +7,7 @@
 #include "bench/plots.h"
 #include "lessons/shared/script.h"
 
-namespace isect::lessons::speed_lesson {
+namespace isect::lessons::speed_against_error_lesson {
 
 class Teller {
  public:
@@ -67,4 +67,4 @@ const viz::Closing& closing();
 /// The tests that the results can tell about: with a naive method, an exact one and a hard family.
 std::vector<std::string> tests(const bench::Report&);
 
-}  // namespace isect::lessons::speed_lesson
+}  // namespace isect::lessons::speed_against_error_lesson

@@ -10,12 +10,11 @@
 #include "lessons/shared/parameters.h"
 #include "lessons/sphere_aabb/telling.h"
 
-namespace isect::lessons {
+namespace isect::lessons::sphere_aabb_lesson {
 
 namespace {
 
 using namespace viz;
-using namespace sphere_aabb_lesson;
 
 Walk walk(const Parameters& p) { return tell(setup(p)); }
 
@@ -37,7 +36,7 @@ Preset preset_of(const char* id, const char* title, const Vec3& c, double r) {
 
 }  // namespace
 
-const Lesson& sphere_aabb() {
+const Lesson& lesson() {
   static const Lesson lesson = {
       .id = "sphere-aabb",
       .title = "Sphere and box",
@@ -75,4 +74,4 @@ const Lesson& sphere_aabb() {
   return lesson;
 }
 
-}  // namespace isect::lessons
+}  // namespace isect::lessons::sphere_aabb_lesson

@@ -16,7 +16,7 @@ namespace {
 
 /// " Measured: 1.1 ns by squares, ..."; nothing where one of them was not.
 std::string measured() {
-  const auto rows = bench::rows_of(speed_lesson::results(), "sphere-sphere", "double", "ordinary");
+  const auto rows = bench::rows_of(speed_against_error_lesson::results(), "sphere-sphere", "double", "ordinary");
   std::string told;
   for (const char* method : {"squares", "root", "hypot"}) {
     const auto row =

@@ -5,12 +5,11 @@
 #include "lessons/shared/plane.h"
 #include "lessons/sphere_sphere/picture.h"
 
-namespace isect::lessons {
+namespace isect::lessons::sphere_sphere_lesson {
 
 namespace {
 
 using namespace viz;
-using namespace sphere_sphere_lesson;
 
 Walk walk(const Parameters& p) { return tell(setup(p)); }
 
@@ -27,7 +26,7 @@ Preset preset_of(const char* id, const char* title, const Vec2& b, double r1, do
 
 }  // namespace
 
-const Lesson& sphere_sphere() {
+const Lesson& lesson() {
   static const Lesson lesson = {
       .id = "sphere-sphere",
       .title = "Sphere and sphere",
@@ -62,4 +61,4 @@ const Lesson& sphere_sphere() {
   return lesson;
 }
 
-}  // namespace isect::lessons
+}  // namespace isect::lessons::sphere_sphere_lesson

@@ -207,4 +207,36 @@ TEST_CASE("the events tell which points decide", "[fit]") {
   for (const fit::Extreme& extreme : extremes) CHECK(extreme.point == (extreme.side == 1 ? 1 : 2));
 }
 
+TEMPLATE_TEST_CASE_SIG("eigenvectors are orthonormal, belong to a symmetric matrix and ascend", "[fit]", ((int N), N),
+                       2, 3) {
+  using Matrix = Eigen::Matrix<double, N, N>;
+  bench::Random random(tests::seed());
+  const auto check = [](const Matrix& m) {
+    const Matrix v = fit::detail::eigenvectors<N>(m), diagonal = v.transpose() * m * v;
+    CAPTURE(m, v);
+    const double tolerance = 16 * std::numeric_limits<double>::epsilon() * std::max(m.norm(), 1e-290);
+    CHECK((v.transpose() * v - Matrix::Identity()).norm() <= 16 * std::numeric_limits<double>::epsilon());
+    for (int i = 0; i < N; ++i) {
+      for (int j = 0; j < N; ++j) CHECK((i == j || std::abs(diagonal(i, j)) <= tolerance));
+      CHECK((i == 0 || diagonal(i - 1, i - 1) <= diagonal(i, i) + tolerance));
+    }
+  };
+  for (int round = 0; round < tests::cases(200, 100000); ++round) {
+    Matrix m = Matrix::NullaryExpr([&] { return random.uniform(-1, 1); });
+    m = m + m.transpose().eval();
+    check(m);
+    check(m * 1e-150);
+    check(m * m);                            // as covariances are
+    check(m.col(0) * m.col(0).transpose());  // two eigenvalues are 0
+    for (int i = 0; i < N; ++i)
+      for (int j = 0; j < N; ++j)
+        if (i != j) m(i, j) *= 1e-17;  // nearly along the axes
+    check(m);
+  }
+  CHECK(fit::detail::eigenvectors<N>(3 * Matrix::Identity()) == Matrix::Identity());
+  CHECK(fit::detail::eigenvectors<N>(Matrix::Zero()) == Matrix::Identity());
+  const Matrix hair = Matrix::Identity() + std::numeric_limits<double>::denorm_min() * Matrix::Ones();
+  CHECK(fit::detail::eigenvectors<N>(hair).array().isFinite().all());
+}
+
 }  // namespace fit_test

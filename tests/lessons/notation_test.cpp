@@ -109,7 +109,8 @@ TEST_CASE("a method has one name, in its lesson and where it is measured", "[eve
                                                                     {"crossings", "point-polygon"}}) {
     const Lesson& lesson = lesson_named(lessons::all_lessons(), id);
     const std::vector<Opinion> said = lesson.opinions(lesson.presets.front().parameters);
-    for (const bench::Row* row : bench::rows_of(lessons::speed_lesson::results(), suite, "double", "ordinary")) {
+    for (const bench::Row* row :
+         bench::rows_of(lessons::speed_against_error_lesson::results(), suite, "double", "ordinary")) {
       if (row->library != "isect" || apart.contains(row->method)) continue;
       const std::string name = std::regex_replace(row->method, std::regex(" [0-9].*"), "");  // "epsilon" of 10^-6
       INFO(id << ": " << name);

@@ -15,7 +15,7 @@
 
 namespace rules_of_thumb_test {
 using namespace isect;
-using namespace isect::lessons::rules_lesson;
+using namespace isect::lessons::rules_of_thumb_lesson;
 namespace viz = isect::viz;
 
 namespace {
@@ -118,20 +118,20 @@ TEST_CASE("preparing pays from the point that the lesson names", "[rules-of-thum
 
 TEST_CASE("the chart of times is that of the measurements", "[rules-of-thumb lesson]") {
   const viz::Walk walk = walk_of("7-measure");
-  const auto rows = bench::rows_of(lessons::speed_lesson::results(), "sphere-aabb", "double", "ordinary");
+  const auto rows = bench::rows_of(lessons::speed_against_error_lesson::results(), "sphere-aabb", "double", "ordinary");
   for (const char* method : {"if, else (<)", "rejections", "clamp"}) {
     const auto row =
         std::ranges::find_if(rows, [&](const bench::Row* r) { return r->library == "isect" && r->method == method; });
     REQUIRE(row != rows.end());
     CHECK(value(walk, std::string(method) + ", time") == (*row)->ns);
   }
-  const double noise = lessons::speed_lesson::results().machine.noise;
+  const double noise = lessons::speed_against_error_lesson::results().machine.noise;
   const auto answer = walk.steps[1].question->choices[walk.steps[1].question->answer];
   CHECK((answer == "clamp") == (value(walk, "clamp, time") * (1 + noise) < value(walk, "if, else (<), time")));
   for (const viz::Step& s : walk.steps) {
     CHECK(bool(s.scene.chart));
     if (s.slug != viz::closing_slug)
-      CHECK_THAT(s.source, isect::test::Contains(lessons::speed_lesson::results().machine.cpu));
+      CHECK_THAT(s.source, isect::test::Contains(lessons::speed_against_error_lesson::results().machine.cpu));
   }
 }
 

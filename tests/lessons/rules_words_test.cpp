@@ -17,7 +17,7 @@ using namespace isect;
 using namespace isect::viz;
 using namespace isect::tests;
 using isect::test::Contains;
-using lessons::speed_lesson::results;
+using lessons::speed_against_error_lesson::results;
 
 namespace {
 

@@ -17,8 +17,8 @@
 namespace speed_against_error_test {
 using namespace isect;
 using namespace isect::viz;
-using lessons::speed_lesson::results;
-using lessons::speed_lesson::Teller;
+using lessons::speed_against_error_lesson::results;
+using lessons::speed_against_error_lesson::Teller;
 
 namespace {
 

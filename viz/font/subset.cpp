@@ -13,7 +13,7 @@ namespace isect::viz {
 namespace {
 
 /// The name that the font's licence reserves, and ours, of the same length.
-constexpr std::string_view reserved = "STIXGeneral", own = "IsectLetter";
+constexpr std::string_view reserved = "STIXGeneral", own_name = "IsectLetter";
 
 template <auto destroy>
 struct Destroy {
@@ -69,7 +69,7 @@ std::optional<FontSubset> font_subset(Face face, const std::string& letters) {
   const char* const data = hb_blob_get_data(bytes.get(), &size);
   std::string font(data, size);
   for (std::size_t at = font.find(reserved); at != font.npos; at = font.find(reserved, at))
-    font.replace(at, own.size(), own);
+    font.replace(at, own_name.size(), own_name);
   subset.bytes = std::move(font);
   return subset;
 }

@@ -12,7 +12,7 @@
 namespace isect::viz {
 namespace {
 
-constexpr float margin = 20;
+constexpr float panel_margin = 20;
 
 /// The formula as large as it fits on one line; on several lines where it would be hard to read.
 void formula_card(Column& c, const std::string& markup) {
@@ -58,7 +58,7 @@ void lesson_text(Session& s, const Rect& r, bool fresh, bool low) {
   const Step& step = s.player.step();
   const Palette& ink = s.ui.palette;
   const float top = ImGui::GetCursorScreenPos().y;  // moves with the scroll
-  Column c{s, r.left + margin, top + (low ? 10.0f : 18.0f), r.width() - 2 * margin};
+  Column c{s, r.left + panel_margin, top + (low ? 10.0f : 18.0f), r.width() - 2 * panel_margin};
   exercise_on_hand(c);
   c.paragraph(step.title, ink.text, 19, 26, true);
   c.y += 8;
@@ -165,11 +165,11 @@ struct Parts {
 
 Parts parts_of(const Rect& r, bool open, float fields, float hints) {
   constexpr float row = 34, words_share = 0.48f, header_width = 128;
-  const float left = r.left + margin, right = r.right - margin;
+  const float left = r.left + panel_margin, right = r.right - panel_margin;
   Parts p{{r.left, r.top, r.right - 1, r.bottom}, {}, {}, r.width() > 1.6f * r.height()};
   if (p.low && open) {
     p.words.right = std::round(r.left + words_share * r.width());
-    p.header = {p.words.right + margin, r.top + 6, right, r.top + 36};
+    p.header = {p.words.right + panel_margin, r.top + 6, right, r.top + 36};
     p.fields = {p.words.right, p.header.bottom + 4, r.right - 1, r.bottom - 4};
   } else if (p.low) {
     p.words.bottom = r.bottom - row;
@@ -187,7 +187,7 @@ Parts parts_of(const Rect& r, bool open, float fields, float hints) {
 void lesson_panel(Session& s, const Rect& r) {
   begin_region(s.ui, "lesson panel", r, s.ui.palette.window);
   const bool open = s.settings.parameters_open && !s.player.lesson().parameters.empty();
-  const float width = r.width() - 2 * margin;
+  const float width = r.width() - 2 * panel_margin;
   const std::vector<Hint> hints = hints_of(s.player, shows_map(s));
   Parts at = parts_of(r, open, s.fields_height, r.height() > 420 ? hints_height(s, hints, width) : 0);
   const bool bare = at.low && !open && s.player.asked();  // a question needs all the room
@@ -203,7 +203,7 @@ void lesson_panel(Session& s, const Rect& r) {
   if (at.low && open)
     filled({at.words.right, r.top, at.words.right + 1, r.bottom}, s.ui.palette.rule, 0);
   else if (!bare)
-    rule(s.ui, r.left + margin, r.right - margin, at.words.bottom);
+    rule(s.ui, r.left + panel_margin, r.right - panel_margin, at.words.bottom);
   if (open) {
     scrolling(s.ui, "fields", at.fields, [&] {
       const float top = ImGui::GetCursorScreenPos().y;
@@ -211,7 +211,7 @@ void lesson_panel(Session& s, const Rect& r) {
     });
     s.ui.rects["lesson fields"] = at.fields;
   } else if (at.low && !bare) {
-    draw_hints_in_a_row(s, hints, at.header.right + hint_gap, r.right - margin, at.header.middle_y());
+    draw_hints_in_a_row(s, hints, at.header.right + hint_gap, r.right - panel_margin, at.header.middle_y());
   } else if (!at.low && r.height() > 420) {
     draw_hints(s, hints, at.header.left, at.words.bottom + 44, width);
   }

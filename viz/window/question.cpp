@@ -17,12 +17,12 @@ struct Choice {
 };
 
 /// What a button keeps free of words: the key, or the sign, at its left.
-constexpr float beside = 26;
+constexpr float beside_key = 26;
 
 /// On one line if there is room, else on several.
 Paragraph choice_words(Ui& ui, const std::string& markup, float width, const Colour& colour) {
   Paragraph words{.markup = markup, .line_pitch = 21, .colour = colour};
-  if (ui.texts.of(words).size.x > width - beside - 6) words.width = width - beside - 6;
+  if (ui.texts.of(words).size.x > width - beside_key - 6) words.width = width - beside_key - 6;
   return words;
 }
 
@@ -39,7 +39,7 @@ bool choice_button(Ui& ui, const Choice& choice, const Rect& r) {
   const bool quiet = !choice.open && !choice.right && !choice.chosen;
   const Paragraph words = choice_words(ui, choice.markup, r.width(), quiet ? c.muted : c.text);
   const ImVec2 size = ui.texts.of(words).size;
-  const float left = words.width > 0 ? r.left + beside : r.middle_x() + 7 - size.x / 2;
+  const float left = words.width > 0 ? r.left + beside_key : r.middle_x() + 7 - size.x / 2;
   rich(ui, words, {left, y - size.y / 2});
   return p.clicked && choice.open;
 }

@@ -1,10 +1,10 @@
 #pragma once
 // Where to put the bounding volumes of isect/fit.h, and how to turn them: rounded numbers, which need not be right.
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include <isect/shapes.h>
@@ -77,14 +77,54 @@ Aabb<double, N> along(const Eigen::Matrix<double, N, N>& axes, const std::vector
   return box;
 }
 
+/// Unit eigenvectors of a symmetric matrix, a column each, by ascending eigenvalues: Jacobi's rotations, each of which
+/// makes one entry beside the diagonal 0. Needs no more than a square root, so that all machines find the same.
+/// Source: Golub, Van Loan, Matrix computations, 4th ed., 8.5.
+template <int N>
+Eigen::Matrix<double, N, N> eigenvectors(Eigen::Matrix<double, N, N> m) {
+  Eigen::Matrix<double, N, N> v = Eigen::Matrix<double, N, N>::Identity();
+  constexpr int rounds = 12;  // the entries fall quadratically at last: after five or six rounds all are 0
+  for (int round = 0; round < rounds; ++round)
+    for (int i = 0; i < N; ++i)
+      for (int j = i + 1; j < N; ++j) {
+        if (m(i, j) == 0) continue;
+        const double cot2 = (m(j, j) - m(i, i)) / (2 * m(i, j));
+        const double tan = std::copysign(1 / (std::abs(cot2) + std::sqrt(cot2 * cot2 + 1)), cot2);
+        const double cos = 1 / std::sqrt(tan * tan + 1), sin = tan * cos;
+        for (int k = 0; k < N; ++k) {
+          const double x = m(k, i), y = m(k, j), vx = v(k, i), vy = v(k, j);
+          m(k, i) = cos * x - sin * y, m(k, j) = sin * x + cos * y;
+          v(k, i) = cos * vx - sin * vy, v(k, j) = sin * vx + cos * vy;
+        }
+        for (int k = 0; k < N; ++k) {
+          const double x = m(i, k), y = m(j, k);
+          m(i, k) = cos * x - sin * y, m(j, k) = sin * x + cos * y;
+        }
+        m(i, j) = m(j, i) = 0;
+      }
+
+  for (int i = 0; i < N; ++i) {
+    int least = i;
+    for (int j = i + 1; j < N; ++j)
+      if (m(j, j) < m(least, least)) least = j;
+    std::swap(m(i, i), m(least, least));
+    v.col(i).swap(v.col(least));
+  }
+  return v;
+}
+
 /// The eigenvectors of the points' covariance.
 template <int N>
 Eigen::Matrix<double, N, N> principal_axes(const std::vector<Point<double, N>>& q) {
   Point<double, N> mean = Point<double, N>::Zero();
   for (const Point<double, N>& x : q) mean += x / static_cast<double>(q.size());
   Eigen::Matrix<double, N, N> covariance = Eigen::Matrix<double, N, N>::Zero();
-  for (const Point<double, N>& x : q) covariance += (x - mean) * (x - mean).transpose();
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, N, N>>(covariance).eigenvectors();
+  for (const Point<double, N>& x : q) {
+    const Vector<double, N> d = x - mean;
+    for (int i = 0; i < N; ++i)
+      for (int j = 0; j < N; ++j) covariance(i, j) += d[i] * d[j];
+  }
+  return eigenvectors<N>(covariance);
 }
 
 }  // namespace detail
