@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 
 #include "lessons/shared/digits.h"
 #include "lessons/shared/relation.h"
@@ -92,9 +93,18 @@ class Teller {
     add("relation", "How they relate", near ? 4 : 5, end_caption(near), Focus::settled, end_formula());
   }
 
+  bool same_centre() const { return s_.tested(s_.a).center == s_.tested(s_.b).center; }
+  bool one_point() const { return same_centre() && s_.a.radius == 0 && s_.b.radius == 0; }
+  /// Whether a square is too large for a double, or too small for all its digits.
+  bool left_range() const {
+    const auto small = [](double square) { return square < std::numeric_limits<double>::min(); };
+    return std::isinf(d2_) || std::isinf(s2_) || (small(d2_) && !same_centre()) ||
+           (small(s2_) && s_.a.radius + s_.b.radius > 0);
+  }
+
   std::string distance_caption(double d2) const {
     if (std::isinf(d2)) return "The centres lie so far apart that the square overflows: it is infinite.";
-    if (d2 == 0 && s_.tested(s_.a).center == s_.tested(s_.b).center) return "The square is zero: the centres coincide.";
+    if (d2 == 0 && same_centre()) return "The square is zero: the centres coincide.";
     if (d2 == 0) return "The square is too small for a double: it underflows to zero.";
     return "The dot product of **l** with itself is the square of the distance *d*.";
   }
@@ -103,8 +113,10 @@ class Teller {
     if (std::isinf(d2) && std::isinf(s2))
       return "Both squares have overflowed. Infinity is not less than infinity; with ≤ any two balls would seem to "
              "meet.";
+    if (d2 == 0 && s2 == 0 && one_point())
+      return "Both balls are the same point. Zero is not less than zero: the strict comparison refuses it.";
     if (d2 == 0 && s2 == 0)
-      return "Both squares have vanished. Zero is not less than zero; with ≤ any two balls would seem to meet.";
+      return "Both squares are stored as zero. Zero is not less than zero; with ≤ any two balls would seem to meet.";
     const bool touch = s_.truth == Relation::touching, apart = s_.truth == Relation::disjoint;
     if (d2 == s2 && touch) return "The distance equals the reach: the balls touch. The strict comparison refuses it.";
     if (d2 < s2 && !touch && !apart) return "The centres lie nearer than the balls reach: they overlap.";
@@ -132,9 +144,12 @@ class Teller {
     if (s_.truth == Relation::touching)
       return "The lecture note calls touching DISJOINT here, but OVERLAP for boxes.\n"
              "With ≤, one rule serves all shapes: sets are closed, so one common point is an intersection.";
+    if (near != meets && one_point())
+      return "The lecture note's answer is wrong here: the balls share a point, and its strict < refuses it.";
     if (near != meets)
-      return "The lecture note's answer is wrong here: its squares left the range of the numbers.\n"
-             "The exact test computes again in wider numbers, and its answer holds at any scale.";
+      return std::string("The lecture note's answer is wrong here: ") +
+             (left_range() ? "its squares left the range of the numbers." : "rounding has changed its squares.") +
+             "\nThe exact test computes again in wider numbers, and its answer holds at any scale.";
     switch (s_.truth) {
       case Relation::overlapping:
         return "Their surfaces share a circle. Neither ball contains the other, as *d* > |*r*_a − *r*_b|.";
@@ -157,7 +172,8 @@ class Teller {
     const double d = (s_.a.center - s_.b.center).norm(), r1 = s_.a.radius, r2 = s_.b.radius;
     const bool inside = s_.truth == Relation::a_inside_b || s_.truth == Relation::b_inside_a;
     if (inside) return ordered("*d*", d, s_.inner_touch ? "=" : "<", std::abs(r1 - r2), "|*r*_a − *r*_b|", unit);
-    const char* sign = s_.truth == Relation::disjoint ? ">" : s_.truth == Relation::touching ? "=" : "<";
+    const bool even = s_.truth == Relation::touching || one_point();
+    const char* sign = s_.truth == Relation::disjoint ? ">" : even ? "=" : "<";
     return ordered("*d*", d, sign, r1 + r2, "*r*_a + *r*_b", unit);
   }
 

@@ -65,6 +65,31 @@ std::string in_choices(Relation r) {
 
 bool says(const std::string& text, const char* words) { return text.find(words) != std::string::npos; }
 
+/// What the end of the walk of two balls says, against rationals.
+void said_of_balls(const Walk& walk, const Step& last, const Parameters& p) {
+  const auto setup = lessons::sphere_sphere_lesson::setup(p);
+  const Sphere<double, 3> a = setup.tested(setup.a), b = setup.tested(setup.b);
+  const Relation truth = oracle::relation(a, b);
+  CHECK(last.verdict.text == lessons::words(truth, "the balls"));
+  CHECK(last.verdict.kind == lessons::verdict_kind(truth));
+  const bool overlap = last.line == 4, touch = truth == Relation::touching;
+  CHECK(says(last.caption, "is wrong here") == (!touch && overlap != (truth != Relation::disjoint)));
+  CHECK(says(last.caption, "calls touching DISJOINT") == touch);
+  using oracle::operator-;
+  const auto l = oracle::rational<double, 3>(a.center) - oracle::rational<double, 3>(b.center);
+  const oracle::Rational rest = oracle::Rational(a.radius) - oracle::Rational(b.radius);
+  const bool inside = truth == Relation::a_inside_b || truth == Relation::b_inside_a;
+  if (overlap || touch) CHECK(says(last.caption, "internal tangency") == (inside && oracle::dot(l, l) == rest * rest));
+  const bool one_point = truth == Relation::equal && a.radius == 0, inner = inside && oracle::dot(l, l) == rest * rest;
+  CHECK(says(last.formula, " > ") == (truth == Relation::disjoint));
+  CHECK(says(last.formula, " < ") == !(truth == Relation::disjoint || touch || inner || one_point));
+  if (says(last.caption, "left the range")) CHECK(setup.unit != 1);
+  if (says(last.caption, "rounding has changed")) CHECK(setup.unit == 1);
+  const auto compare = std::ranges::find(walk.steps, std::string("compare"), &Step::slug);
+  CHECK(says(compare->caption, "the same point") == one_point);
+  if (says(compare->caption, "stored as zero")) CHECK((setup.unit < 1 && !one_point));
+}
+
 }  // namespace
 
 TEST_CASE("what the interval lesson says is true of any two intervals, empty ones too", "[pair words]") {
@@ -113,22 +138,27 @@ TEST_CASE("what the box lesson says is true of any two boxes, empty ones too", "
 }
 
 TEST_CASE("what the sphere lesson says is true of any two balls, in huge and tiny units too", "[pair words]") {
-  on_random_settings("sphere-sphere", 1000, [](const Walk&, const Step& last, const Parameters& p) {
-    const auto setup = lessons::sphere_sphere_lesson::setup(p);
-    const Sphere<double, 3> a = setup.tested(setup.a), b = setup.tested(setup.b);
-    const Relation truth = oracle::relation(a, b);
-    CHECK(last.verdict.text == lessons::words(truth, "the balls"));
-    CHECK(last.verdict.kind == lessons::verdict_kind(truth));
-    const bool overlap = last.line == 4, touch = truth == Relation::touching;
-    CHECK(says(last.caption, "is wrong here") == (!touch && overlap != (truth != Relation::disjoint)));
-    CHECK(says(last.caption, "calls touching DISJOINT") == touch);
-    using oracle::operator-;
-    const auto l = oracle::rational<double, 3>(a.center) - oracle::rational<double, 3>(b.center);
-    const oracle::Rational rest = oracle::Rational(a.radius) - oracle::Rational(b.radius);
-    const bool inside = truth == Relation::a_inside_b || truth == Relation::b_inside_a;
-    if (overlap || touch)
-      CHECK(says(last.caption, "internal tangency") == (inside && oracle::dot(l, l) == rest * rest));
-  });
+  on_random_settings("sphere-sphere", 1000, said_of_balls);
+  const Lesson& of_balls = lesson_named(lessons::all_lessons(), "sphere-sphere");
+  bench::Random random(bench::stream(tests::seed(), "points and near misses"));
+  int points = 0, rounded = 0;
+  for (int i = 0; i < tests::cases(300, 3000); ++i) {
+    Parameters p = tests::random_setting(of_balls, random);
+    if (i % 3 != 0) p["b"] = p["a"];
+    if (i % 3 != 1) p["r_a"] = 0.0, p["r_b"] = 0.0;
+    if (i % 3 == 0) {  // as far apart as they reach, but for rounding
+      const Vec3 way(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(0.1, 1));
+      p["r_a"] = way.norm(), p["unit"] = std::string("one");
+      p["b"] = Vec3(std::get<Vec3>(p["a"]) + way);
+    }
+    const Walk walk = of_balls.walk(p);
+    const Step& last = walk.steps[outcome(walk)];
+    INFO(last.caption << "\n" << last.formula);
+    said_of_balls(walk, last, p);
+    points += says(last.caption, "refuses it"), rounded += says(last.caption, "rounding has changed");
+  }
+  CHECK(points > 0);
+  CHECK(rounded > 0);
   const Lesson& lesson = lesson_named(lessons::all_lessons(), "sphere-sphere");
   for (const Preset& p : lesson.presets) {
     INFO(p.id);

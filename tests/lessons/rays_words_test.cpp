@@ -73,7 +73,7 @@ void said_of_misses(const Step& last, const oracle::RaySphere& truth, bool ahead
 }  // namespace
 
 TEST_CASE("a ray and a sphere end with the oracle's verdict, and say why on its conditions only", "[ray-sphere]") {
-  int before = 0, within = 0, cancelled = 0, on = 0, astray = 0;
+  int before = 0, within = 0, cancelled = 0, on = 0, astray = 0, denied_wrongly = 0;
   int turn = 0;
   over_settings(lesson("ray-sphere"), tests::cases(1500, 10000), [&](Parameters p) {
     if (++turn % 3 == 0) p["method"] = std::string("haines"), p["extent"] = std::string("segment");
@@ -129,6 +129,12 @@ TEST_CASE("a ray and a sphere end with the oracle's verdict, and say why on its 
         said_of_roots(s->caption, truth.line_roots);
         astray += holds(s->caption, "Rounding decides wrongly");
       }
+    const std::string& returns = walk.pseudocode[last.line];
+    const bool denied = holds(returns, "MISS") || holds(returns, "REJECT");
+    if (last.line >= 0 && denied == truth.surface.has_value()) {
+      CHECK(holds(last.caption, "Rounding made this method wrong here: "));
+      ++denied_wrongly;
+    }
     said_of_misses(last, truth, (ball.center - ray.origin).dot(ray.direction) > 0);
     if (const Step* s = step_of(walk, "coefficient-b")) {
       CHECK(holds(s->caption, "It is negative") == (value(*s, "*B*") < 0));
@@ -147,6 +153,7 @@ TEST_CASE("a ray and a sphere end with the oracle's verdict, and say why on its 
       }
   });
   CHECK(astray > 5);
+  CHECK(denied_wrongly > 5);
   CHECK(before > 5);
   CHECK(within > 0);
   CHECK(cancelled > 5);
