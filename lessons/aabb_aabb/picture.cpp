@@ -35,7 +35,8 @@ void rulers(Scene& scene, const Setup& s, int axis) {
   };
   scene.items.push_back(both(common.lo));
   scene.items.push_back(both(common.hi));
-  scene.items.push_back(Label{ruler(s, axis, std::max(a.hi, b.hi), 1), axis_names[axis], Role::text});
+  const double beyond = 0.1 * (s.all().hi - s.all().lo).maxCoeff();  // or the name would stand between the rulers
+  scene.items.push_back(Label{ruler(s, axis, std::max(a.hi, b.hi) + beyond, 1), axis_names[axis], Role::text});
 }
 
 /// What the boxes share: a box, a face, an edge or a corner.
