@@ -117,7 +117,9 @@ Fit fit(const Candidate& candidate, const Vec2& half, const std::vector<Vec2>& o
     const double touched = length_inside(o.from, o.to, grown(box, o.radius + 0.5 * sizes.label_clear));
     if (touched <= 0) continue;
     result.cost += (o.firm ? 14 : 6) + (o.firm ? 20 : 8) * touched / size;
-    result.crossed = result.crossed || length_inside(o.from, o.to, grown(box, o.radius)) > 0;
+    const bool inside = length_inside(o.from, o.to, grown(box, o.radius)) > 0;
+    result.crossed = result.crossed || inside;
+    if (inside && o.firm && o.from == o.to && o.from != candidate.anchor) result.cost += 60;  // a marker hides letters
   }
   return result;
 }

@@ -53,8 +53,8 @@ const CaseMap& cases() {
   static const CaseMap map = {
       "*b*_{min}, where *a* runs from 0 to 1",
       "*b*_{max}",
-      {-6, -2},
-      {4, 3},
+      {-5, -2},
+      {5, 3},
       {"b is empty", "b inside a", "a inside b", "overlapping", "b before a", "b after a", "touching", "equal"},
       branch,
       place,

@@ -73,7 +73,7 @@ class Chain {
 
   Scene picture(const Vec3& around) const {
     Scene scene;
-    add_tolerance(scene, s_, around);
+    add_tolerance(scene, s_, around, 1.1);
     add_point(scene, "p", s_.p, "**p**", Role::first);
     add_point(scene, "q", s_.q, "**q**", Role::second);
     add_point(scene, "r", s_.r, "**r**", Role::text);

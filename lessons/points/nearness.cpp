@@ -186,7 +186,7 @@ class Nearness {
       scene.items.emplace_back(
           solid(Aabb<double, 3>{s_.p - Vec3::Constant(s_.tolerance), s_.p + Vec3::Constant(s_.tolerance)},
                 Role::construction));
-    add_tolerance(scene, s_, s_.p);
+    add_tolerance(scene, s_, s_.p, 1.5);  // above the cube, too
     const bool open = !method && script_.walk().steps.size() == 1;
     const bool near = said_[method ? static_cast<std::size_t>(*method) + 1 : 0].near;
     scene.items.emplace_back(Line{s_.p, s_.q,

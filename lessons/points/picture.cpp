@@ -41,11 +41,11 @@ void add_point(Scene& scene, const char* parameter, const Vec3& at, const std::s
   scene.handles.push_back({parameter, Handle::Kind::point, at, Vec3::Zero(), role});
 }
 
-void add_tolerance(Scene& scene, const Setup& s, const Vec3& center) {
+void add_tolerance(Scene& scene, const Setup& s, const Vec3& center, double above) {
   const View view(camera, 1, 1);
   const std::string unit = s.unit > 1 ? " · 2^{600}" : s.unit < 1 ? " · 2^{−600}" : "";
-  scene.items.emplace_back(
-      viz::Heading{1.7 * view.up(), "tolerance: " + shown(s.tolerance) + unit, Role::first, 1.8, false});
+  scene.items.emplace_back(viz::Heading{center + (above * s.tolerance + 0.2) * view.up(),
+                                        "tolerance: " + shown(s.tolerance) + unit, Role::first, 1.8, false});
   scene.items.emplace_back(Ball{center, s.tolerance, Role::first});
   const Vec3 down = -Vec3::UnitY();
   scene.handles.push_back({"tolerance", Handle::Kind::along, center + s.tolerance * down, center, Role::first, down});

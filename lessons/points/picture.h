@@ -43,8 +43,8 @@ extern const viz::Camera camera;
 
 void add_point(viz::Scene&, const char* parameter, const viz::Vec3& at, const std::string& label, viz::Role,
                viz::Mark = viz::Mark::disc);
-/// The ball of tolerance and its handle.
-void add_tolerance(viz::Scene&, const Setup&, const viz::Vec3& center);
+/// The ball of tolerance and its handle. `above`: its centre, so many tolerances up, stands what it is.
+void add_tolerance(viz::Scene&, const Setup&, const viz::Vec3& center, double above);
 /// All sizes that doubles have, as a line of powers of two, with the distance and its square.
 void add_range(viz::Scene&, double distance_exponent, bool squared);
 

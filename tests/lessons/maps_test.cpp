@@ -48,8 +48,9 @@ class Drawn {
         chart_(rounded(case_map(lesson, setting), rounding)),
         cases_(std::get<Cases>(chart_.kind)),
         theme_(theme(page.theme, page.width, page.height)),
-        plane_(plane_of(cases_, {0, 0}, page.width, page.height, theme_)),
-        composed_(compose(chart_, {0, 0}, page.width, page.height, theme_)) {}
+        height_(height_of(lesson.walk(setting), page)),
+        plane_(plane_of(cases_, {0, 0}, page.width, height_, theme_)),
+        composed_(compose(chart_, {0, 0}, page.width, height_, theme_)) {}
 
   const std::vector<PlacedLabel>& labels() const { return composed_.labels; }
   Vec2 unit() const { return (plane_.hi - plane_.lo).cwiseQuotient(map_.hi - map_.lo); }
@@ -136,11 +137,17 @@ class Drawn {
   }
 
  private:
+  /// What title, formula and verdict leave of the page.
+  static double height_of(const Walk& walk, const Page& page) {
+    return page_layout(walk, page.theme, page.width, page.height).picture_height();
+  }
+
   const CaseMap& map_;
   const Parameters& setting_;
   Chart chart_;
   const Cases& cases_;
   Theme theme_;
+  double height_;
   Box2 plane_;
   Composed composed_;
 };

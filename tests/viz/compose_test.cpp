@@ -138,4 +138,24 @@ TEST_CASE("a solid seen on a mesh is cut out of its shades, one beside it is not
   CHECK(opaque_paper({2.5, 0, 0.5}) == 0);
 }
 
+TEST_CASE("what is drawn in yellow has an edge, hidden or not hidden by others, but on a dark screen", "[compose]") {
+  for (const bool solid_behind : {false, true})
+    for (const ThemeName name : {ThemeName::screen, ThemeName::grey, ThemeName::dark}) {
+      Scene scene;
+      scene.items = {Chain{{{-1, -1, 1}, {1, -1, 1}, {0, 1, 1}}, true, Role::highlight, Pen::highlight}};
+      if (solid_behind)
+        scene.items.push_back(solid(isect::Aabb<double, 3>{{-0.5, -0.5, -1}, {0.5, 0.5, 0}}, Role::second));
+      const Theme style = theme(name, 960, 600);
+      const View view(Camera{.azimuth = 0.3, .elevation = 0.3, .half_height = 3}, 960, 600);
+      const Colour text = style.ink(Role::text), yellow = style.ink(Role::highlight);
+      int edges = 0, cores = 0;
+      for (const Stroke& s : all<Stroke>(compose(scene, view, style).shapes)) {
+        cores += s.colour.r == yellow.r && s.colour.b == yellow.b && s.width == style.sizes.highlight;
+        edges += s.colour.r == text.r && s.colour.b == text.b && s.width > style.sizes.highlight;
+      }
+      CHECK(cores > 0);
+      CHECK(edges == (name == ThemeName::dark ? 0 : cores));
+    }
+}
+
 }  // namespace compose_test

@@ -15,6 +15,15 @@ void segment(Canvas& c, const Vec3& from, const Vec3& to, Role role, Pen pen) {
     c.plain_line({c.at(from), c.at(to)}, false, role, pen);
 }
 
+/// What of a line in yellow is seen gets an edge, as one that is never hidden has (Canvas::plain_line).
+void edge(Canvas& c, const std::vector<Stretch>& parts, double width) {
+  if (c.theme.name == ThemeName::dark) return;
+  for (const Stretch& part : parts)
+    if (!part.hidden)
+      c.lines.emplace_back(Stroke{
+          polyline(c.projected(part.points)), c.theme.ink(Role::text), width + 2 * c.sizes().hairline, {0, 0}, true});
+}
+
 /// An arrow head at `to` that keeps `keep_off` pixels off it. An arrow towards the eye has none.
 class Head {
  public:
@@ -55,7 +64,10 @@ void draw(Canvas& c, const Chain& it) {
   if (it.points.size() < 2) return;
   if (!Canvas::is_split(it.pen, true) || c.occluders.none())
     return c.plain_line(c.projected(it.points), it.closed, it.role, it.pen);
-  c.curve(stretches(it.points, it.closed, c.view, c.occluders), c.theme.ink(it.role), c.width(it.pen, it.role), true);
+  const std::vector<Stretch> parts = stretches(it.points, it.closed, c.view, c.occluders);
+  const double width = c.width(it.pen, it.role);
+  if (it.pen == Pen::highlight) edge(c, parts, width);
+  c.curve(parts, c.theme.ink(it.role), width, true);
 }
 
 void draw(Canvas& c, const Circle& it) {
