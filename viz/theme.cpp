@@ -120,7 +120,7 @@ struct Named {
   ThemeName name;
   const char* text;
 };
-constexpr Named names[] = {
+constexpr Named named_themes[] = {
     {ThemeName::screen, "screen"}, {ThemeName::print, "print"}, {ThemeName::grey, "grey"}, {ThemeName::dark, "dark"}};
 
 }  // namespace
@@ -172,18 +172,18 @@ std::string name_of(Role role) {
 
 std::vector<std::string> theme_names() {
   std::vector<std::string> all;
-  for (const Named& named : names) all.emplace_back(named.text);
+  for (const Named& named : named_themes) all.emplace_back(named.text);
   return all;
 }
 
 ThemeName theme_named(const std::string& text) {
-  for (const Named& named : names)
+  for (const Named& named : named_themes)
     if (text == named.text) return named.name;
   throw unknown("theme", text, theme_names());
 }
 
 std::string name_of(ThemeName name) {
-  for (const Named& named : names)
+  for (const Named& named : named_themes)
     if (name == named.name) return named.text;
   return {};
 }

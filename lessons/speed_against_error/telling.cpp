@@ -45,7 +45,7 @@ std::vector<std::string> tests(const Report& report) {
     const std::vector<const Row*> rows = rows_of(report, test, "double");
     if (standard_of(rows) != nullptr && exact_of(rows) != nullptr && families_of(rows).size() > 1) all.push_back(test);
   }
-  std::ranges::stable_partition(all, [](const std::string& test) { return test == "ray-sphere"; });  // first
+  std::stable_partition(all.begin(), all.end(), [](const std::string& test) { return test == "ray-sphere"; });  // first
   return all;
 }
 

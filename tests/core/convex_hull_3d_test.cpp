@@ -402,7 +402,7 @@ TEST_CASE("the hull in space grows like n lg n on clouds, on surfaces, and where
       {"sizes of all kinds", [&](int) -> P { return random.heading<3>() * random.magnitude(-30, 30); }},
       {"all in one place but four", [&](int i) -> P { return i < 4 ? random.in_box<3>(1) : P(0, 0, 0); }}};
   for (const auto& [name, draw] : families) {
-    const auto cloud = [&](int n) {
+    const auto cloud = [&, &draw = draw](int n) {  // clang before 16 captures no binding by itself
       Points<double> points;
       for (int i = 0; i < n; ++i) points.push_back(draw(i));
       shuffle(points, random);
