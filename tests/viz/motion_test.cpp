@@ -78,6 +78,45 @@ TEST_CASE("a step takes 220 ms, its light 120, and then all is at rest", "[windo
   CHECK(at_start != on_the_way);
 }
 
+TEST_CASE("a chart is made while all is at rest before its step, not while the scene is turned", "[window]") {
+  static int made = 0;
+  made = 0;
+  Lesson lesson;
+  lesson.id = lesson.title = "two-steps";
+  lesson.presets = {{"all", "all", "", {}}};
+  lesson.steps = [](const Parameters&) {
+    Walk walk;
+    walk.steps.resize(2);
+    walk.steps[0].slug = walk.steps[0].title = "ball", walk.steps[0].scene.items = {Ball{{0, 0, 0}, 1}};
+    walk.steps[1].slug = walk.steps[1].title = "chart";
+    walk.steps[1].scene.chart = DeferredChart([] {
+      ++made;
+      return Chart{Plot{}};
+    });
+    return walk;
+  };
+  const std::vector<const Lesson*> lessons = {&lesson};
+  WindowDriver window(lessons, 1280, 800, {}, {}, {.reduced_motion = false});
+  const int before = made;
+  window.frames(60);
+  REQUIRE(window.ui.rest() > 0);
+  CHECK(made == 1);
+  CHECK(before <= 1);
+
+  made = 0;
+  window.player().restart();  // another walk
+  const Rect scene = window.rect("scene");
+  window.move(scene.middle_x() + 200, scene.middle_y() + 200);
+  window.button(true);
+  made = 0;
+  window.player().restart();
+  for (int i = 0; i < 20; ++i) window.move(scene.middle_x() + 200 - static_cast<float>(i), scene.middle_y() + 200);
+  CHECK(made == 0);
+  window.button(false);
+  window.frames(30);
+  CHECK(made == 1);
+}
+
 TEST_CASE("under reduced motion nothing moves by itself", "[window]") {
   WindowDriver still(lessons::all_lessons(), 1280, 800, sides(), {}, reduced(true));
   still.key(key::left);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 #include "viz/names.h"
@@ -22,7 +23,13 @@ struct CodeLine {
 };
 
 CodeLine laid_out(const std::string& words, ImFont* font, float room) {
-  return {code_rows(words, static_cast<int>(room / text_width(font, "0"))), font};
+  constexpr std::size_t most = 2000;                                             // those of a lesson are a hundred
+  static std::map<std::pair<std::string, int>, std::vector<std::string>> known;  // each frame asks for all
+  if (known.size() > most) known.clear();
+  const int columns = static_cast<int>(room / text_width(font, "0"));
+  const auto [found, fresh] = known.try_emplace({words, columns});
+  if (fresh) found->second = code_rows(words, columns);
+  return {found->second, font};
 }
 
 /// All lines of the walk, smaller where that saves rows. Where a condition may fail there is room for its "no".

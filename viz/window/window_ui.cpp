@@ -129,6 +129,13 @@ struct WindowUi::Impl {
     session.attempt([&] { session.say("Saved " + save_preset(player, session.figures)); });
   }
 
+  /// A map of cases takes as long as a frame: it is made while all is at rest, before its step comes.
+  void prepare_next_step() const {
+    if (player.at_end()) return;
+    const Scene& next = player.walk().steps[static_cast<std::size_t>(player.index()) + 1].scene;
+    if (next.chart) static_cast<void>(*next.chart);
+  }
+
   /// The size that is wanted, as far as the least layout fits into the window.
   double fitting_size() const {
     const ImGuiIO& io = ImGui::GetIO();
@@ -263,6 +270,7 @@ void WindowUi::frame() {
   ImGui::Render();
 
   w.ui.texts.next_frame();
+  if (rest() > 0 && !io.MouseDown[0] && !io.MouseDown[1]) w.prepare_next_step();
 }
 
 void WindowUi::draw(unsigned framebuffer) {
