@@ -119,6 +119,10 @@ class Page {
   void text(double x, double y, const std::string& what, bool bold = false) {
     items.push_back(viz::Heading{at(x, y), what, Role::text, 0.8 * pitch, bold});
   }
+  /// Over a bar or cells that begin at x.
+  void number(double x, double y, const std::string& what) {
+    items.push_back(viz::Heading{at(x, y), what, Role::text, 0.8 * pitch, false, 0});
+  }
   /// Over what stands in all `columns`.
   void over(double y, const std::string& what, std::size_t columns) {
     items.push_back(viz::Heading{at(0, y), what, Role::muted, pitch * static_cast<double>(columns), false});
@@ -184,13 +188,13 @@ Items side_by_side(const TriangleMesh<double>& mesh, double object, const std::v
     const Items both = {scaled(drawn(mesh, Role::first), k), scaled(m.drawn, k)};
     for (const Item& item : moved(both, page.at(x - middle.x(), 0.8 - middle.y()))) page.items.push_back(item);
 
-    page.text(x, -0.66, void_of(m, object));
+    page.number(left, -0.62, void_of(m, object));
     page.box(left, -0.98, unit * object, 0.13, Role::first);
     page.hatched(left + unit * object, -0.98, unit * (m.volume - object), 0.13, Role::second);
-    page.text(x, -1.69, std::to_string(m.numbers));
+    page.number(left, -1.65, std::to_string(m.numbers));
     page.cells(left, -1.87, m.numbers);
     if (m.operations() == 0) continue;
-    page.text(x, -2.91, std::to_string(m.operations()));
+    page.number(left, -2.87, std::to_string(m.operations()));
     page.box(left, -3.23, room / most * m.operations(), 0.13, Role::muted);
   }
   page.over(-0.25, "void, in volumes of the object", all.size());

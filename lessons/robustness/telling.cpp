@@ -148,17 +148,24 @@ class Teller {
     step.scene.items.emplace_back(picture);
     crosshair(step);
     double y = bottom + side - 0.4;
-    const auto key = [&](Mark mark, Role ink, const std::string& text) {
-      step.scene.items.emplace_back(Dot{{left + side + 0.6, y, 0}, mark, ink});
-      step.scene.items.emplace_back(
-          viz::Heading{{left + side + 0.84, y, 0}, text, ink == Role::highlight ? Role::text : ink, 1.9, false, 0});
+    // In the cells' own colours; once it is told what is wrong, with the number of cells.
+    const auto key = [&](Role ink, const std::string& text) {
+      const auto cells = std::ranges::count(picture.cells, ink, &Cell::role);
+      const Vec3 corner = {left + side + 0.45, y + 0.16, 0};
+      step.scene.items.emplace_back(Raster{corner, {0.32, 0, 0}, {0, -0.32, 0}, 1, {{ink, {}}}, true});
+      step.scene.items.emplace_back(viz::Heading{{left + side + 0.95, y, 0},
+                                                 slug == "wrong" ? fmt::format("{}: {}", text, cells) : text,
+                                                 ink == Role::highlight ? Role::text : ink,
+                                                 3.1,
+                                                 false,
+                                                 0});
       y -= 0.6;
     };
-    key(Mark::disc, Role::first, s_.verdicts[2]);
-    key(Mark::diamond, Role::highlight, s_.verdicts[1]);
-    key(Mark::disc, Role::second, s_.verdicts[0]);
-    if (slug == "wrong" && side_ > 0) key(Mark::cross, Role::miss, s_.has_on ? "wrong side" : "wrong");
-    if (slug == "wrong" && on_ > 0) key(Mark::cross, Role::text, "wrongly on");
+    key(Role::first, s_.verdicts[2]);
+    key(Role::highlight, s_.verdicts[1]);
+    key(Role::second, s_.verdicts[0]);
+    if (slug == "wrong" && side_ > 0) key(Role::miss, s_.has_on ? "wrong side" : "wrong");
+    if (slug == "wrong" && on_ > 0) key(Role::text, "wrongly on");
     return step;
   }
 

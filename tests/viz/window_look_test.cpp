@@ -172,6 +172,10 @@ TEST_CASE("a long line of pseudocode ends its rows where a reader minds it least
   CHECK(code_rows("if l² > r² or (l² = r² and s > 0)", 31) == Rows{"if l² > r²", "    or (l² = r² and s > 0)"});
   CHECK(code_rows("  if n · d > 0: t_in ← max(t_in, t)", 31) == Rows{"  if n · d > 0:", "      t_in ← max(t_in, t)"});
   CHECK(code_rows("  else: as bright as n · l says", 26) == Rows{"  else: as bright", "      as n · l says"});
+  CHECK(code_rows("DISJOINT if a and b have no common point", 31) ==
+        Rows{"DISJOINT if a and b have", "    no common point"});
+  CHECK(code_rows("  if n · d = 0: go on, as p and q are not beyond it", 33) ==
+        Rows{"  if n · d = 0: go on, as p and q", "      are not beyond it"});
   CHECK(code_rows("a_very_long_word another", 10) == Rows{"a_very_long_word another"});
   for (const Lesson* lesson : isect::lessons::all_lessons())
     for (const Preset& preset : lesson->presets)
@@ -242,13 +246,18 @@ TEST_CASE("what explains a mark stands beside it, however large the window is", 
   const Scene& scene = window.player().scene();
   const Rect r = window.rect("scene");
   const View view(window.player().camera().now(), r.width(), r.height() - 42, {0, 0});
-  int explained = 0;
+  int explained = 0, counted = 0;
+  for (const Item& item : scene.items)
+    if (const Heading* heading = std::get_if<Heading>(&item))
+      if (const std::size_t colon = heading->text.find(": "); colon != std::string::npos)
+        counted += std::stoi(heading->text.substr(colon + 2));
+  CHECK(counted == window.player().step().values[0].value);  // each cell once
   for (const PlacedLabel& label : window.ui.labels())
     for (std::size_t i = 0; i + 1 < scene.items.size(); ++i) {
-      const Dot* dot = std::get_if<Dot>(&scene.items[i]);
+      const Raster* swatch = std::get_if<Raster>(&scene.items[i]);
       const Heading* heading = std::get_if<Heading>(&scene.items[i + 1]);
-      if (!dot || !heading || plain(heading->text) != label.text) continue;
-      const double gap = (heading->at - dot->at).x() * view.scale_at(dot->at);
+      if (!swatch || !heading || plain(heading->text) != label.text) continue;
+      const double gap = (heading->at - swatch->corner - swatch->across).x() * view.scale_at(heading->at);
       INFO(label.text << ": " << gap);
       CHECK(gap < 48);
       ++explained;

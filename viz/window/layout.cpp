@@ -105,6 +105,8 @@ int harm(const std::string& row, std::size_t end) {
   const bool within = brackets("([") > brackets(")]");
   if (signs.contains(before) || signs.contains(after)) return within ? 6 : 4;
   if (within) return 3;
+  const bool of_names = (after == "and" || after == "or") && letters(before) == 1;  // "a and b" is one
+  if (of_names) return 3;
   if (before.ends_with(':') || before.ends_with(';') || before.ends_with(',') || begin_a_part.contains(after)) return 0;
   return never_last.contains(before) ? 2 : 1;
 }
