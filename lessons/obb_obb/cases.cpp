@@ -35,17 +35,19 @@ int branch(const Parameters& p) {
 
 double degrees(const Vec3& u) { return std::atan2(-u.z(), u.x()) * 180 / std::numbers::pi; }
 
-const Vec3& vector(const Parameters& p, const char* name) { return std::get<Vec3>(p.at(name)); }
+const Vec3& vector_of(const Parameters& p, const char* name) { return std::get<Vec3>(p.at(name)); }
 
 /// The centres' distance, and the turn of b's first side about the vertical axis, from *x*.
-Vec2 place(const Parameters& p) { return {(vector(p, "b") - vector(p, "a")).norm(), degrees(vector(p, "b_u"))}; }
+Vec2 place(const Parameters& p) {
+  return {(vector_of(p, "b") - vector_of(p, "a")).norm(), degrees(vector_of(p, "b_u"))};
+}
 /// Asked for thousands of places: no box is built.
 Parameters moved(const Parameters& p, const Vec2& to) {
-  const Vec3 &a = vector(p, "a"), l = vector(p, "b") - a;
-  const Eigen::AngleAxisd turn((to.y() - degrees(vector(p, "b_u"))) * std::numbers::pi / 180, Vec3::UnitY());
+  const Vec3 &a = vector_of(p, "a"), l = vector_of(p, "b") - a;
+  const Eigen::AngleAxisd turn((to.y() - degrees(vector_of(p, "b_u"))) * std::numbers::pi / 180, Vec3::UnitY());
   Parameters there = p;
   there["b"] = Vec3(a + to.x() * (l.norm() > 0 ? Vec3(l.normalized()) : Vec3(Vec3::UnitX())));
-  for (const char* side : {"b_u", "b_v"}) there[side] = Vec3(turn * vector(p, side));
+  for (const char* side : {"b_u", "b_v"}) there[side] = Vec3(turn * vector_of(p, side));
   return there;
 }
 
