@@ -24,7 +24,10 @@ struct Page {
   ThemeName theme;
   double width, height;
 };
-constexpr Page pages[] = {{ThemeName::screen, 960, 430}, {ThemeName::grey, 640, 360}, {ThemeName::screen, 640, 600}};
+constexpr Page pages[] = {{ThemeName::screen, 960, 600},
+                          {ThemeName::grey, 960, 600},
+                          {ThemeName::grey, 640, 360},
+                          {ThemeName::screen, 640, 600}};
 
 /// The map as another machine may compute it: each number off by up to `rounding`.
 Chart rounded(Chart chart, double rounding) {
