@@ -70,7 +70,7 @@ CaseFile convex_hull2d() {
                                    std::pair("on a circle", tests::clouds::Cloud::circle),
                                    std::pair("within 2 ulp of a point", tests::clouds::Cloud::cluster),
                                    std::pair("on a line but for rounding", tests::clouds::Cloud::line)}) {
-    const auto draw = [kind]<class S>(Random& r) {
+    const auto draw = [kind = kind]<class S>(Random& r) {
       return hull_of(tests::clouds::cloud<S>(r, kind, Numbers::decimal, 10));
     };
     file.family(name, 4, [&](Random& r) { return draw.template operator()<double>(r); });
