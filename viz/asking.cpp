@@ -90,9 +90,18 @@ bool has_raster(const Scene& scene) {
   return std::ranges::any_of(scene.items, [](const Item& item) { return std::holds_alternative<Raster>(item); });
 }
 
+/// A t-axis without what it tells.
+std::optional<Axis> asked_axis(std::optional<Axis> axis) {
+  if (!axis) return axis;
+  axis->shared.reset();
+  std::erase_if(axis->ticks, [](const Axis::Tick& tick) { return tells(tick.role) || tick.role == Role::highlight; });
+  return axis;
+}
+
 /// What is new in `after` and tells is left out, or stays as it was before.
 Scene without_answer(const Scene& after, const Scene& before) {
   Scene scene = after;
+  scene.axis = before.axis ? before.axis : asked_axis(after.axis);
   scene.items.clear();
   std::vector<Vec3> left_out;
   for (const Item& item : after.items) {
@@ -148,6 +157,7 @@ void ask_once(Walk& walk) {
 Scene opening_scene(const Step& first) {
   if (first.question->over) return *first.question->over;
   Scene scene = first.scene;
+  scene.axis = asked_axis(scene.axis);
   std::vector<std::vector<Vec3>> left_out;
   std::erase_if(scene.items, [&](const Item& item) {
     const Role role = std::visit(Part{}, item).first;

@@ -2,17 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "viz/chart.h"
 #include "viz/compose.h"
 #include "viz/marks.h"
 #include "viz/rich_text.h"
+#include "viz/t_axis.h"
 #include "viz/text.h"
 
 namespace isect::viz {
 namespace {
 
-constexpr double axis_height = 3.1;   ///< of a t-axis, in its texts' sizes
 constexpr double verdict_sign = 1.3;  ///< room for the sign before a verdict, in its text's size
 
 /// From baseline to baseline, in the text's size.
@@ -38,7 +39,7 @@ class Page {
       part("title", [&] { text(step_.title, {width / 2, 1.45 * s().title}, title_style()); });
     double y = layout_.top() + picture;
     if (step_.scene.axis) {
-      part("t-axis", [&] { axis(*step_.scene.axis, y + 1.75 * s().axis); });
+      part("t-axis", [&] { axis(*step_.scene.axis, y + axis_line * s().axis); });
       y += axis_height * s().axis;
     }
     const double formula = y + 1.15 * s().label;
@@ -83,12 +84,7 @@ class Page {
 
   TextBox one_line(const std::string& markup, const Vec2& at, const Style& style) {
     Text t = {markup, at, style.size, style.colour, 0.5, style.bold, 0, {}};
-    TextBox box = measure(t);
-    const double most = room(layout_);
-    if (box.right - box.left > most) {  // a long line shrinks rather than leave the picture
-      t.size *= most / (box.right - box.left);
-      box = measure(t);
-    }
+    const TextBox box = fit_width(t, room(layout_));
     add(t);
     out_->labels.push_back({plain(markup), box});
     return box;
@@ -114,57 +110,11 @@ class Page {
     if (kind == Kind::on) mark(out_->drawing.shapes, Mark::diamond, p, Role::highlight, theme_);
   }
 
-  /// The same marks in one dimension. Root labels stand above the line, the range's ends below it.
   void axis(const Axis& axis, double y) {
-    const double left = 0.2 * layout_.width, right = 0.8 * layout_.width;
-    const auto x = [&](double t) {
-      return left + std::clamp((t - axis.lo) / (axis.hi - axis.lo), 0.0, 1.0) * (right - left);
-    };
-    const auto line = [&](double from, double to, Colour colour, double width, std::array<double, 2> dash = {0, 0}) {
-      if (to > from) add(Stroke{polyline({{from, y}, {to, y}}), colour, width, dash, false});
-    };
-    const Colour first = theme_.ink(Role::first);
-    const double from = x(axis.range_lo), to = x(axis.range_hi);
-    const bool open = axis.range_hi > axis.hi;
-    line(left, from, theme_.ink(Role::construction), s().construction, s().construction_dash);
-    line(from, open ? to - 0.8 * s().arrow : to, first, s().ray);
-    line(to, right, theme_.ink(Role::construction), s().construction, s().construction_dash);
-    if (open) add(arrow_head({to, y}, {1, 0}, first, s()));
-    if (axis.shared) line(x(axis.shared->x()), x(axis.shared->y()), theme_.ink(Role::hit), s().shared);
-
-    const auto end = [&](double t, const std::string& name) {
-      const double h = 0.38 * s().axis;
-      add(Stroke{polyline({{x(t), y - h}, {x(t), y + h}}), first, s().ray, {0, 0}, false});
-      one_line(name, {x(t), y + 1.3 * s().axis}, {s().axis, theme_.ink(Role::muted)});
-    };
-    if (std::isfinite(axis.range_lo)) end(axis.range_lo, shown(axis.range_lo));
-    if (std::isfinite(axis.range_hi)) end(axis.range_hi, shown(axis.range_hi));
-
-    for (const Axis::Tick& tick : axis.ticks) mark(out_->drawing.shapes, tick.mark, {x(tick.t), y}, tick.role, theme_);
-    tick_labels(axis, y, x);
-  }
-
-  template <class Position>
-  void tick_labels(const Axis& axis, double y, const Position& x) {
-    std::vector<Text> texts;
-    for (const Axis::Tick& tick : axis.ticks)
-      if (!tick.label.empty())
-        texts.push_back({tick.label,
-                         {x(tick.t), y - 0.45 * s().axis - mark_radius(tick.mark, s())},
-                         s().axis,
-                         theme_.ink(Role::text),
-                         0.5,
-                         false,
-                         0,
-                         {}});
-    std::sort(texts.begin(), texts.end(), [](const Text& a, const Text& b) { return a.at.x() < b.at.x(); });
-    for (std::size_t i = 1; i < texts.size(); ++i) {  // neighbours make room for each other
-      const double gap = measure(texts[i]).left - measure(texts[i - 1]).right - s().label_clear;
-      if (gap >= 0) continue;
-      texts[i - 1].at.x() += gap / 2;
-      texts[i].at.x() -= gap / 2;
-    }
-    for (const Text& t : texts) one_line(t.markup, t.at, {t.size, t.colour});
+    const double width = layout_.width;
+    Composed drawn = compose_axis(axis, 0.2 * width, 0.8 * width, y, room(layout_), theme_);
+    std::ranges::move(drawn.shapes, std::back_inserter(out_->drawing.shapes));
+    std::ranges::move(drawn.labels, std::back_inserter(out_->labels));
   }
 
   const Step& step_;

@@ -234,7 +234,7 @@ std::vector<std::string> subject_of_line(const std::string& line, const std::set
 
 std::string sum_of(const Lesson& lesson, const Parameters& parameters, const Walk& walk, int step,
                    const std::string& key) {
-  const Step& now = walk.steps[static_cast<std::size_t>(step)];
+  const Step& now = walk.steps[step];
   const std::optional<Assignment> computed = assignment_of(walk, step, key);
   const Value* value = nullptr;
   for (const Value& v : now.values) {

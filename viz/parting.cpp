@@ -21,7 +21,7 @@ std::pair<int, int> first_apart(const std::vector<T>& a, const std::vector<T>& b
 std::vector<int> run(const Walk& walk, int at) {
   std::vector<int> lines;
   for (int i = 0; i <= at; ++i) {
-    const int line = walk.steps[static_cast<std::size_t>(i)].line;
+    const int line = walk.steps[i].line;
     if (line >= 0 && (lines.empty() || lines.back() != line)) lines.push_back(line);
   }
   return lines;
@@ -40,11 +40,9 @@ Parting parting(const Walk& a, int at_a, const Walk& b, int at_b) {
   } else {
     const std::vector<int> lines_a = run(a, at_a), lines_b = run(b, at_b);
     const auto [i, k] = first_apart(lines_a, lines_b, std::equal_to<>());
-    if (i >= 0 && k >= 0)
-      p.line_a = lines_a[static_cast<std::size_t>(i)], p.line_b = lines_b[static_cast<std::size_t>(k)];
+    if (i >= 0 && k >= 0) p.line_a = lines_a[i], p.line_b = lines_b[k];
   }
-  std::tie(p.value_a, p.value_b) = first_apart(a.steps[static_cast<std::size_t>(at_a)].values,
-                                               b.steps[static_cast<std::size_t>(at_b)].values, same_value);
+  std::tie(p.value_a, p.value_b) = first_apart(a.steps[at_a].values, b.steps[at_b].values, same_value);
   return p;
 }
 

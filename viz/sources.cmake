@@ -9,7 +9,7 @@ set(viz_sources
   geometry.cpp grid.cpp halos.cpp hatch.cpp labels.cpp lesson.cpp lights.cpp map_beside.cpp marks.cpp motion.cpp
   moving.cpp names.cpp objects.cpp page_svg.cpp paper.cpp parting.cpp pick.cpp place.cpp player.cpp player_camera.cpp
   player_pair.cpp rich_text.cpp snap.cpp snapshot.cpp snapshot/look.cpp snapshot/look_words.cpp snapshot/said.cpp
-  snapshot/said_words.cpp solids.cpp svg_path.cpp tex.cpp theme.cpp visibility.cpp wrap.cpp)
+  snapshot/said_words.cpp solids.cpp svg_path.cpp t_axis.cpp tex.cpp theme.cpp visibility.cpp wrap.cpp)
 # Files, fonts and formats: cairo, Pango, libpng.
 set(viz_file_sources
   cairo_drawing.cpp colour_table.cpp compare.cpp crop.cpp files.cpp font/file.cpp font/subset.cpp formats.cpp gif.cpp

@@ -19,6 +19,8 @@ struct Picture {
 
 /// The box a Text covers in its drawing's units, halo excluded.
 TextBox measure(const Text&);
+/// Makes a long line smaller rather than wider than `most`. Its box then.
+TextBox fit_width(Text&, double most);
 
 /// Words of markup on as few lines as fit into `room`; a word wider than that stands alone. What is marked as one stays
 /// on one line, and no line begins with = or another relation.

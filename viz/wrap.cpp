@@ -19,4 +19,11 @@ std::vector<std::string> wrapped(const std::string& markup, double size, bool bo
   return lines;
 }
 
+TextBox fit_width(Text& text, double most) {
+  const TextBox box = measure(text);
+  if (!(box.right - box.left > most)) return box;
+  text.size *= most / (box.right - box.left);
+  return measure(text);
+}
+
 }  // namespace isect::viz

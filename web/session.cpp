@@ -202,7 +202,7 @@ Json Session::open(const Json& request) {
 Json Session::go(const Json& request) {
   const std::vector<Station> all = program::book::stations(player().walk());
   const int at = std::clamp(request.at("at").get<int>(), 0, static_cast<int>(all.size()) - 1);
-  stand_at(all[static_cast<std::size_t>(at)]);
+  stand_at(all[at]);
   return frame(Drawn::at_rest);
 }
 

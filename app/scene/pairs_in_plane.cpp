@@ -161,7 +161,7 @@ std::vector<Vec3> all_corners(const Setting& s, const Object& o) {
     for (const std::vector<Vec3>& ring : s.rings(o)) all.insert(all.end(), ring.begin(), ring.end());
   else if (o.type == Type::mesh)  // those of its triangles
     for (const TriangleMesh<double> mesh = mesh_of(o); const std::array<int, 3>& triangle : mesh.triangles)
-      for (const int i : triangle) all.push_back(mesh.vertices[static_cast<std::size_t>(i)]);
+      for (const int i : triangle) all.push_back(mesh.vertices[i]);
   else
     all = s.points(o);
   return all;

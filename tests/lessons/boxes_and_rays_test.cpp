@@ -245,7 +245,7 @@ TEST_CASE("the map of rays is that of t = distance / direction, however the ray 
 TEST_CASE("the rays lesson: the bullet hits between two frames that both miss it", "[rays]") {
   const Walk walk = walk_of("rays", "bullet");
   const Question& seen = *step_of(walk, "frames").question;
-  CHECK(seen.choices[static_cast<std::size_t>(seen.answer)] == "0");
+  CHECK(seen.choices[seen.answer] == "0");
   CHECK(walk.steps.back().verdict.kind == Verdict::Kind::yes);
   CHECK(value_of(walk.steps.back(), "*t*_{in}") == Approx(2.75 / 4.5).epsilon(1e-15));
 }

@@ -44,7 +44,8 @@ TEST_CASE("a polyline of one point or of none has no segment", "[drawing]") {
 
 TEST_CASE("facets are as many fills, each with a seam of its colour, for what knows no facets", "[drawing]") {
   Facets facets = {{{0, 0}, {4, 0}, {0, 3}, {1, 1}, {5, 1}, {1, 4}}, {{1, 0, 0}, {0, 1, 0}}, 0.5, 7};
-  const std::vector<Shape> shapes = expanded(std::vector<Shape>{Text{}, facets, Text{}});
+  const Text text{"", Vec2::Zero(), 10, {}};
+  const std::vector<Shape> shapes = expanded(std::vector<Shape>{text, facets, text});
   REQUIRE(shapes.size() == 6);
   const Fill& fill = std::get<Fill>(shapes[3]);
   const Stroke& seam = std::get<Stroke>(shapes[4]);

@@ -164,7 +164,7 @@ void draw(Canvas& c, const Mesh& it) {
   Facets facets = {.seam = 0.3 * c.sizes().hairline};
   facets.corners.reserve(3 * facing.size()), facets.colours.reserve(facing.size());
   for (const Facing& f : facing) {
-    for (const int corner : it.triangles[f.triangle]) facets.corners.push_back(seen[static_cast<std::size_t>(corner)]);
+    for (const int corner : it.triangles[f.triangle]) facets.corners.push_back(seen[corner]);
     const auto& [p, q, r] = corners(f.triangle);
     const Vec3 n = (q - p).cross(r - p).normalized();
     facets.colours.push_back(mixed(ink, c.theme.background, darkest + 0.45 * lit(n)));

@@ -131,8 +131,7 @@ void code_line(Session& s, int line, const CodeLine& words, float pitch, const R
   const float number = r.left + 26;
   const Rect place{r.left, std::max(r.top, ImGui::GetWindowPos().y), r.right,
                    std::min(r.bottom, ImGui::GetWindowPos().y + ImGui::GetWindowHeight())};
-  const std::vector<std::string> subject =
-      subject_of_line(s.player.walk().pseudocode[static_cast<std::size_t>(line)], ui.names);
+  const std::vector<std::string> subject = subject_of_line(s.player.walk().pseudocode[line], ui.names);
   if (p.hovered) ui.light.point(subject, place);
   if (ui.focus.name() == "line " + std::to_string(line + 1)) ui.light.hold(subject, place);
   text(ui.fonts.mono_small, number, y, packed(current ? c.on_highlight : c.muted), std::to_string(line + 1), 1);
@@ -176,7 +175,7 @@ void code(Session& s, const std::vector<CodeLine>& lines, const Rect& r, float p
 
 CodeLine laid_out_alone(const Session& s, float width) {
   const int line = s.player.step().line;
-  const std::string& words = s.player.walk().pseudocode[static_cast<std::size_t>(line)];
+  const std::string& words = s.player.walk().pseudocode[line];
   return laid_out(unindented(words), s.ui.fonts.mono, width - code_left - (says_no(s.player, line) ? 44 : 10));
 }
 

@@ -57,7 +57,7 @@ void missed(Column& c) {
   c.paragraph("Not yet right", ink.text, 15, 23, true);
   for (const int step : steps) {
     c.y += 10;
-    c.paragraph(c.s.player.walk().steps[static_cast<std::size_t>(step)].question->prompt, ink.text);
+    c.paragraph(c.s.player.walk().steps[step].question->prompt, ink.text);
     c.y += 6;
     float x = c.x;
     if (c.button("again " + std::to_string(step + 1), "Answer again", x)) return c.s.player.ask_again(step);

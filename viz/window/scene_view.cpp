@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <iterator>
 #include <utility>
 
 #include "viz/chart.h"
 #include "viz/compose.h"
 #include "viz/motion.h"
 #include "viz/moving.h"
+#include "viz/t_axis.h"
 #include "viz/window/key_codes.h"
 #include "viz/window/scene_lights.h"
 #include "viz/window/scene_marks.h"
@@ -48,6 +50,27 @@ std::string line_of(const Session& s, const Rect& r, double scale) {
                             c.elevation, c.half_height, c.perspective, c.field_of_view);
 }
 
+/// Smaller where the scene is low.
+Theme axis_look(const Session& s, const Rect& r) {
+  return window_theme(s.ui.palette.theme.name, is_low(r) ? 0.7 : 0.9);
+}
+
+/// What a ray's t-axis takes below the scene: the same in all steps.
+float axis_room(const Session& s, const Rect& r) {
+  const bool has_axis = s.player.walk().steps.front().scene.axis.has_value();
+  return has_axis ? static_cast<float>(axis_height * axis_look(s, r).sizes.axis) + 10 : 0;
+}
+
+/// It stands between the tripod and the name of the projection.
+Composed axis_below(const Axis& axis, const Session& s, const Rect& r) {
+  constexpr double tripod_room = 100, projection_room = 130;
+  const Theme theme = axis_look(s, r);
+  const double left = std::max(0.2 * r.width(), tripod_room),
+               right = std::min(0.8 * r.width(), r.width() - projection_room);
+  const double y = r.height() - axis_room(s, r) + axis_line * theme.sizes.axis;
+  return compose_axis(axis, left, std::max(right, left + 40), y, r.width(), theme);
+}
+
 /// The map of cases that this step shows, if any.
 const Cases* map_of(const Session& s) {
   const Scene& scene = s.player.scene();
@@ -72,7 +95,7 @@ void SceneView::draw(Session& s, const Rect& r, const View& view) {
   const bool moves = io.MouseDown[0] || io.MouseDown[1] || turning_ >= 0;
   if ((wanted == drawn_ && (moves || !sketched_)) || !drawing_) return;
   const Theme ink = look(s, view);
-  const View own(view.camera(), view.width(), view.height(), {0, r.height() - view.height()});
+  const View own(view.camera(), view.width(), view.height(), {0, view.corner().y() - r.top});
   Drawing drawing{r.width(), r.height(), ink.background, {}};
   Scene scene = with_names(s.player);
   const std::clock_t begun = std::clock();  // the processor's time: that others use it, too, is no reason to stop
@@ -82,6 +105,11 @@ void SceneView::draw(Session& s, const Rect& r, const View& view) {
                           : compose(scene, own, ink, s.pane != Pane::fixed);
   drawing.shapes = std::move(composed.shapes);
   labels_ = std::move(composed.labels);
+  if (scene.axis && !scene.chart) {
+    const Composed axis = axis_below(*scene.axis, s, r);
+    std::ranges::copy(axis.shapes, std::back_inserter(drawing.shapes));
+    std::ranges::copy(axis.labels, std::back_inserter(labels_));
+  }
   sketched_ = moves && has_many_facets(drawing);
   if (sketched_)
     renderer_.sketch(drawing, scale_);
@@ -214,10 +242,10 @@ void SceneView::pointer(Session& s, const View& view, bool hovered, bool active)
 void SceneView::show(Session& s, const Rect& r) {
   Ui& ui = s.ui;
   begin_region(ui, "scene", r, ui.palette.card);
-  s.player.set_aspect(r.width() / (r.height() - steady_head(s, r)));
-  const float head = head_of(s, r);
+  s.player.set_aspect(r.width() / (r.height() - steady_head(s, r) - axis_room(s, r)));
+  const float head = head_of(s, r), height = r.height() - head - (s.player.scene().chart ? 0 : axis_room(s, r));
   const Vec2 corner(r.left, r.top + head);
-  const View before(s.player.camera().now(), r.width(), r.height() - head, corner);
+  const View before(s.player.camera().now(), r.width(), height, corner);
 
   const bool lead = s.pane == Pane::lead, in_space = !s.player.scene().chart && !has_drawings(s.player.scene());
   if (lead && in_space && !s.player.lesson().flat) projection_name(s, r);
@@ -229,7 +257,7 @@ void SceneView::show(Session& s, const Rect& r) {
   pointer(s, before, hovered, active);
   if (lead) keyboard(s, before);
 
-  const View view(s.player.camera().now(), r.width(), r.height() - head, corner);
+  const View view(s.player.camera().now(), r.width(), height, corner);
   draw(s, r, view);
   ImGui::GetWindowDrawList()->AddImage(picture_.id(), top_left(r), bottom_right(r), {0, 1}, {1, 0});
 

@@ -7,7 +7,7 @@ namespace isect::viz {
 namespace {
 
 std::string question_name(const Player& player, int step) {
-  std::string name = player.method() + "/" + player.walk().steps[static_cast<std::size_t>(step)].slug;
+  std::string name = player.method() + "/" + player.walk().steps[step].slug;
   std::erase_if(name, [](char c) { return c >= '0' && c <= '9'; });  // one question, however often a loop asks it
   return name;
 }
@@ -27,7 +27,7 @@ std::vector<int> missed_questions(const Session& s) {
   if (score == s.settings.scores.end()) return missed;
   std::set<std::string> seen;
   for (int i = 1; i < s.player.count(); ++i) {
-    if (!s.player.walk().steps[static_cast<std::size_t>(i)].question) continue;
+    if (!s.player.walk().steps[i].question) continue;
     const std::string name = question_name(s.player, i);
     const auto answer = score->second.answers.find(name);
     if (answer != score->second.answers.end() && !answer->second && seen.insert(name).second) missed.push_back(i);

@@ -84,7 +84,7 @@ void menu(Session& s, const ImVec2& at) {
 /// "≠ line 6, m²": where a pane is the first to differ, as its mark may be scrolled away.
 void told(const Ui& ui, const Step& step, int line, int value, float left, float right, float y) {
   std::string words = line < 0 ? "" : "line " + std::to_string(line + 1);
-  if (value >= 0) words += (words.empty() ? "" : ", ") + plain(step.values[static_cast<std::size_t>(value)].name);
+  if (value >= 0) words += (words.empty() ? "" : ", ") + plain(step.values[value].name);
   if (words.empty() || right - left < 60) return;
   text(ui.fonts.small, right, y, packed(ui.palette.miss), fitted(ui.fonts.small, "≠ " + words, right - left), 1);
 }
