@@ -43,7 +43,7 @@ Failure failure(Kind kind, const std::string& what, const std::string& baseline)
 
 /// What is not of one step first: a parameter that changed explains the steps.
 std::vector<std::string> in_words(std::vector<viz::Change> changes) {
-  std::ranges::stable_partition(changes, [](const viz::Change& c) { return c.step < 0; });
+  std::stable_partition(changes.begin(), changes.end(), [](const viz::Change& c) { return c.step < 0; });
   std::vector<std::string> lines;
   for (const viz::Change& c : changes)
     lines.push_back((c.step < 0 ? "" : fmt::format("step {}: ", c.step + 1)) + c.what);
@@ -155,7 +155,8 @@ std::vector<viz::Change> Baselines::check_trace(const Excerpt& e, const std::vec
   } else {
     try {
       changes = viz::compare_traces(viz::read_regular_file(baseline), now);
-      std::ranges::stable_partition(changes, [](const viz::Change& c) { return !c.drawn; });  // said, then drawn
+      std::stable_partition(changes.begin(), changes.end(),
+                            [](const viz::Change& c) { return !c.drawn; });  // said, then drawn
       if (!changes.empty()) {
         f = about(e, changes[0].step, failure(Kind::trace, changes[0].what, baseline));
         f->more = in_words({changes.begin() + 1, changes.end()});

@@ -61,8 +61,8 @@ std::string counts(const std::vector<std::pair<std::string, Cases>>& all) {
 }  // namespace
 
 std::string escaped(const std::string& text) {
-  using Json = nlohmann::json;  // its escapes replace broken UTF-8
-  const std::string whole = Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace));
+  using Value = nlohmann::json;  // its escapes replace broken UTF-8
+  const std::string whole = Value::parse(Value(text).dump(-1, ' ', false, Value::error_handler_t::replace));
   std::string out;
   for (const char c : whole)
     out += c == '&'                                      ? "&amp;"
