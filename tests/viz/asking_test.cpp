@@ -196,4 +196,24 @@ TEST_CASE("N and a button let play pass over questions, and that is kept", "[win
   CHECK_FALSE(again.ui.settings().nonstop);
 }
 
+TEST_CASE("the t-axis of a question's picture marks no t that its own step finds", "[asking]") {
+  int kept_back = 0;
+  for (const Lesson* lesson : isect::lessons::all_lessons())
+    for (const Preset& preset : lesson->presets) {
+      const Walk walk = lesson->walk(preset.parameters);
+      for (std::size_t k = 1; k < walk.steps.size(); ++k) {
+        const Step& step = walk.steps[k];
+        const std::optional<Axis>& before = walk.steps[k - 1].scene.axis;
+        if (!step.question || step.question->over || !step.scene.axis || !before) continue;
+        CAPTURE(lesson->id, preset.id, k + 1);
+        const Scene asked = question_scene(walk, static_cast<int>(k));
+        REQUIRE(asked.axis);
+        CHECK(asked.axis->ticks.size() == before->ticks.size());
+        CHECK(asked.axis->shared == before->shared);
+        kept_back += step.scene.axis->ticks.size() > before->ticks.size() || step.scene.axis->shared != before->shared;
+      }
+    }
+  CHECK(kept_back > 0);
+}
+
 }  // namespace asking_test
