@@ -5,15 +5,12 @@
 #include <deque>
 #include <optional>
 
+#include "viz/in_box_or_triangle.h"
 #include "viz/labels.h"
 #include "viz/text.h"
 
 namespace isect::viz {
 namespace {
-
-bool holds(const TextBox& b, const Vec2& p) {
-  return b.left <= p.x() && p.x() <= b.right && b.top <= p.y() && p.y() <= b.bottom;
-}
 
 /// A box around a path: curves stay within their control points.
 TextBox around(const Path& path) {
@@ -68,15 +65,6 @@ Colour over(const Colour& below, const Colour& c) {
   return {below.r + c.a * (c.r - below.r), below.g + c.a * (c.g - below.g), below.b + c.a * (c.b - below.b), 1};
 }
 
-bool holds(const Vec2* triangle, const Vec2& p) {
-  const auto side = [&](const Vec2& a, const Vec2& b) {
-    return (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
-  };
-  const double u = side(triangle[0], triangle[1]), v = side(triangle[1], triangle[2]),
-               w = side(triangle[2], triangle[0]);
-  return (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
-}
-
 /// Those of them that meet the box.
 Facets within(const Facets& all, const TextBox& box) {
   Facets some;
@@ -109,7 +97,8 @@ Colour drawn_on(const Colour& below, const Shape& shape, const Vec2& p) {
   }
   if (const Facets* facets = std::get_if<Facets>(&shape)) {
     for (std::size_t i = facets->colours.size(); i-- > 0;)
-      if (holds(&facets->corners[3 * i], p)) return facets->colours[i];
+      if (const Vec2* t = &facets->corners[3 * i]; locate(t[0], t[1], t[2], p) != Location::out)
+        return facets->colours[i];
   }
   return below;
 }

@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
+#include "viz/t_axis.h"
+
 namespace isect::program::book {
 
 namespace {
 
 constexpr double width = 264, height = 0.6 * width;
-/// In sizes of its texts.
-constexpr double axis_height = 3;
 constexpr double shrinks_below = 330;
 
 }  // namespace
@@ -16,7 +16,7 @@ constexpr double shrinks_below = 330;
 viz::PaperSize picture_size(const viz::Scene& scene) {
   viz::PaperSize size;
   size.width = width;
-  if (!scene.chart) size.height = height + (scene.axis ? axis_height * size.text_size : 0);
+  if (!scene.chart) size.height = height + (scene.axis ? viz::axis_height * size.text_size : 0);
   return size;
 }
 

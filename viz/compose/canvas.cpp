@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viz/in_box_or_triangle.h"
 #include "viz/marks.h"
 #include "viz/rich_text.h"
 #include "viz/text.h"
@@ -114,14 +115,6 @@ void draw(Canvas& c, const Label& it) {
   c.labels.push_back({it.text, from, to, keep_off, c.theme.ink(role)});
 }
 
-namespace {
-
-bool is_within(const Vec2& p, const TextBox& b) {
-  return p.x() > b.left && p.x() < b.right && p.y() > b.top && p.y() < b.bottom;
-}
-
-}  // namespace
-
 void draw(Canvas& c, const Heading& it) {
   Text text = {
       it.text, c.at(it.at), it.bold ? c.sizes().title : c.sizes().label, c.theme.ink(it.role), it.lean, it.bold, 0, {}};
@@ -131,7 +124,7 @@ void draw(Canvas& c, const Heading& it) {
   text.at.y() += 0.34 * text.size;  // half the height of capitals, so that headings side by side share a baseline
   box = measure(text);
   for (const Handle& handle : c.scene.handles)  // which would cover it: it stands beside, as labels do
-    if (c.handles && is_within(c.at(handle.at), grown(box, c.sizes().handle_ring))) {
+    if (c.handles && holds(grown(box, c.sizes().handle_ring), c.at(handle.at))) {
       c.labels.push_back({it.text, c.at(it.at), c.at(it.at), c.sizes().handle_ring, text.colour});
       return;
     }

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "viz/compose/canvas.h"
+#include "viz/in_box_or_triangle.h"
 
 namespace isect::viz {
 namespace {
@@ -29,14 +30,6 @@ Vec3 middle(const std::vector<Vec3>& points) {
   return sum / static_cast<double>(std::max<std::size_t>(points.size(), 1));
 }
 
-bool holds(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& p) {
-  const auto turn = [&](const Vec2& from, const Vec2& to) {
-    return (to.x() - from.x()) * (p.y() - from.y()) - (to.y() - from.y()) * (p.x() - from.x());
-  };
-  const double u = turn(a, b), v = turn(b, c), w = turn(c, a);
-  return (u > 0 && v > 0 && w > 0) || (u < 0 && v < 0 && w < 0);
-}
-
 /// In larger meshes no solid is looked for: every frame would search them anew.
 constexpr std::size_t most_searched = 5000;
 
@@ -48,8 +41,9 @@ bool is_seen_on_a_mesh(const Canvas& c, const Solid& solid) {
     if (mesh == nullptr || mesh->triangles.size() > most_searched) return false;
     const std::vector<Vec2> seen = c.projected(mesh->vertices);
     return std::ranges::all_of(points, [&](const Vec2& p) {
-      return std::ranges::any_of(
-          mesh->triangles, [&](const std::array<int, 3>& t) { return holds(seen[t[0]], seen[t[1]], seen[t[2]], p); });
+      return std::ranges::any_of(mesh->triangles, [&](const std::array<int, 3>& t) {
+        return locate(seen[t[0]], seen[t[1]], seen[t[2]], p) == Location::in;
+      });
     });
   });
 }
