@@ -60,12 +60,13 @@ const Cases& MapBeside::find(const Player& player) {
 }
 
 Moved drag_on_map(Player& player, const Vec2& start, const Vec2& to, bool snapping) {
-  if (snapping) {
-    const Way way = way_of(player.lesson(), player.parameters(), start, to);
-    if (const std::string told = player.snap_on(way, 0, 1.25, 1); !told.empty()) return {told};
-  }
-  player.go_to_case(to);
-  return {};
+  const auto go = [to](Player& moved) {
+    moved.go_to_case(to);
+    return Moved{};
+  };
+  if (!snapping) return go(player);
+  const Way way = way_of(player.lesson(), player.parameters(), start, to);
+  return Snap(BorderSearch(player.lesson(), way, 0, 1.25, 1), go).settle(player);
 }
 
 }  // namespace isect::viz

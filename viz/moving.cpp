@@ -24,22 +24,37 @@ const Handle* same_handle(const Scene& scene, const Handle& handle) {
   return found == scene.handles.end() ? nullptr : &*found;
 }
 
+Moved Snap::settle(Player& player) {
+  while (search_.go_on()) continue;
+  if (!search_.found()) return otherwise_(player);
+  player.set_parameters(search_.found()->setting);
+  return {search_.found()->told};
+}
+
+Snap snapping_drag(const Player& player, const Handle& handle, const Vec3& start, const Vec3& to) {
+  const Way way = way_of(player.lesson(), player.parameters(), handle, start, to);
+  return {BorderSearch(player.lesson(), way, 0, 1.25, 1),
+          [handle, to](Player& moved) { return refused_by(moved.drag_handle(handle, to)); }};
+}
+
+Snap snapping_nudge(const Player& player, const View& view, const Handle& handle, const Vec2& way) {
+  constexpr double search = 600;  // px
+  const Vec3 far = brought(view, handle, view.project(handle.at).at + search * way);
+  return {BorderSearch(player.lesson(), way_of(player.lesson(), player.parameters(), handle, handle.at, far),
+                       1 / search, 1, 0),
+          [](Player&) { return Moved{"The case does not change that way"}; }};
+}
+
 Moved drag_to(Player& player, const Handle& handle, const Vec3& start, const Vec3& to, bool snapping) {
-  if (snapping) {
-    const Way way = way_of(player.lesson(), player.parameters(), handle, start, to);
-    if (const std::string told = player.snap_on(way, 0, 1.25, 1); !told.empty()) return {told};
-  }
+  if (snapping) return snapping_drag(player, handle, start, to).settle(player);
   return refused_by(player.drag_handle(handle, to));
 }
 
 Moved nudge(Player& player, const View& view, const Handle& handle, const Vec2& way, bool snapping) {
-  constexpr double step = 8, search = 600;  // px
-  const auto beside = [&](double px) { return brought(view, handle, view.project(handle.at).at + px * way); };
+  constexpr double step = 8;  // px
   player.remember((snapping ? "snap " : "nudge ") + handle.parameter);
-  if (!snapping) return refused_by(player.drag_handle(handle, beside(step)));
-  const Way on = way_of(player.lesson(), player.parameters(), handle, handle.at, beside(search));
-  const std::string told = player.snap_on(on, 1 / search, 1, 0);
-  return {told.empty() ? "The case does not change that way" : told};
+  if (snapping) return snapping_nudge(player, view, handle, way).settle(player);
+  return refused_by(player.drag_handle(handle, brought(view, handle, view.project(handle.at).at + step * way)));
 }
 
 }  // namespace isect::viz

@@ -317,13 +317,6 @@ bool Player::methods_differ() const {
   return std::ranges::any_of(opinions_, [](const Opinion& o) { return !o.agrees; });
 }
 
-std::string Player::snap_on(const Way& way, double begin, double end, double wish) {
-  std::optional<Snapped> found = find_border(lesson(), way, begin, end, wish);
-  if (!found) return {};
-  set_parameters(std::move(found->setting));
-  return found->told;
-}
-
 void Player::go_to_case(const Vec2& at) {
   const CaseMap& map = *lesson().map;
   Parameters moved = map.moved(parameters(), at.cwiseMax(map.lo).cwiseMin(map.hi));

@@ -12,7 +12,6 @@
 
 #include "viz/camera_rig.h"
 #include "viz/lesson.h"
-#include "viz/snap.h"
 #include "viz/window.h"
 
 namespace isect::viz {
@@ -121,9 +120,6 @@ class Player {
   void set_parameters(Parameters);
   /// What forbids it, if anything: then nothing moves.
   const Condition* drag_handle(const Handle&, const Vec3& to);
-  /// Brings the setting to where the lesson's case changes on a way, nearest to `wish` (viz/snap.h), and tells what is
-  /// there; empty: it changes nowhere, and nothing has moved.
-  std::string snap_on(const Way&, double begin, double end, double wish);
   /// Brings the setting to a place on the lesson's map of cases; what lies beyond it is taken to its rim.
   void go_to_case(const Vec2&);
   void go(const Place&);

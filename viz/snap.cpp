@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <numeric>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 #include "viz/rich_text.h"
@@ -14,8 +16,8 @@ namespace isect::viz {
 namespace {
 
 constexpr int asked_places = 40;
-/// A lesson that takes longer over one setting, a traced picture say, is not searched: it asks for about a hundred.
-/// By processor time, so that a busy machine snaps as an idle one does.
+/// A lesson that takes longer over each of two settings, a traced picture say, is not searched: a hundred would take
+/// seconds. By processor time, so that a busy machine snaps as an idle one does.
 constexpr std::clock_t most_a_setting = CLOCKS_PER_SEC / 80;
 
 /// Nor are what is counted, one or several, two cases.
@@ -32,13 +34,6 @@ std::string without_numbers(const std::string& text) {
   }
   return words;
 }
-
-/// A setting of the way, with its case.
-struct Found {
-  double share = 0;
-  std::optional<Parameters> setting = {};
-  std::string is = {};
-};
 
 std::vector<double*> numbers(Parameters& setting) {
   std::vector<double*> all;
@@ -63,21 +58,6 @@ std::optional<std::size_t> only_difference(Parameters a, Parameters b) {
   return found;
 }
 
-/// Two settings that differ in one number, brought together until that is a pair of neighbouring doubles.
-void bisect_number(const Lesson& lesson, Found& near, Found& far) {
-  const auto which = only_difference(*near.setting, *far.setting);
-  if (!which) return;
-  const auto number = [&](Found& place) -> double& { return *numbers(*place.setting)[*which]; };
-  for (;;) {
-    Found middle = near;
-    const double x = number(near) / 2 + number(far) / 2;
-    if (x == number(near) || x == number(far)) return;
-    number(middle) = x;
-    middle.is = case_of(lesson, *middle.setting);
-    (middle.is == near.is ? near : far) = middle;
-  }
-}
-
 }  // namespace
 
 std::string case_of(const Lesson& lesson, const Parameters& setting) {
@@ -89,37 +69,86 @@ std::string case_of(const Lesson& lesson, const Parameters& setting) {
   return decided == walk.steps.rend() ? std::string() : without_numbers(plain(decided->verdict.text));
 }
 
-std::optional<Snapped> find_border(const Lesson& lesson, const Way& way, double begin, double end, double wish) {
-  const auto at = [&](double share) {
-    Found place = {share, way(share)};
-    if (place.setting) place.is = case_of(lesson, *place.setting);
-    return place;
-  };
-  const std::clock_t begun = std::clock();
-  at(begin);
-  if (std::clock() - begun > most_a_setting) return {};
-  std::vector<Found> all;
-  for (int i = 0; i <= asked_places; ++i) all.push_back(at(begin + (end - begin) * i / asked_places));
-  std::optional<std::size_t> best;
-  const auto distance = [&](std::size_t i) { return std::abs((all[i].share + all[i + 1].share) / 2 - wish); };
-  for (std::size_t i = 0; i + 1 < all.size(); ++i)
-    if (all[i].setting && all[i + 1].setting && all[i].is != all[i + 1].is && (!best || distance(i) < distance(*best)))
-      best = i;
-  if (!best) return {};
+BorderSearch::BorderSearch(const Lesson& lesson, Way way, double begin, double end, double wish)
+    : lesson_(lesson), way_(std::move(way)), begin_(begin), end_(end), wish_(wish), order_(asked_places) {
+  std::iota(order_.begin(), order_.end(), 0);
+  const auto distance = [&](int part) { return std::abs(begin + (end - begin) * (part + 0.5) / asked_places - wish); };
+  std::ranges::stable_sort(order_, {}, distance);
+}
 
-  Found near = all[*best], far = all[*best + 1];
-  const std::string beyond = far.is;
-  for (;;) {
-    Found middle = at(near.share / 2 + far.share / 2);
-    if (middle.share == near.share || middle.share == far.share || !middle.setting) break;
-    (middle.is == near.is ? near : far) = middle;
+bool BorderSearch::go_on() { return (this->*next_)(); }
+
+BorderSearch::Place BorderSearch::at(double share) const {
+  Place place = {share, way_(share)};
+  if (place.setting) place.is = case_of(lesson_, *place.setting);
+  return place;
+}
+
+bool BorderSearch::end() { return false; }
+
+/// From `wish` outwards, until the case changes between two places.
+bool BorderSearch::look_for_change() {
+  for (; looked_at_ < order_.size(); ++looked_at_) {
+    const int part = order_[looked_at_];
+    for (const int i : {part, part + 1}) {
+      if (places_.contains(i)) continue;
+      const std::clock_t begun = std::clock();
+      places_[i] = at(begin_ + (end_ - begin_) * i / asked_places);
+      slow_ = slow_ && std::clock() - begun > most_a_setting;
+      if (places_.size() == 2 && slow_) next_ = &BorderSearch::end;
+      return true;
+    }
+    near_ = places_[part], far_ = places_[part + 1];
+    if (!near_.setting || !far_.setting || near_.is == far_.is) continue;
+    beyond_ = far_.is;
+    next_ = &BorderSearch::bisect;
+    return go_on();
   }
-  bisect_number(lesson, near, far);
+  next_ = &BorderSearch::end;
+  return false;
+}
+
+bool BorderSearch::bisect() {
+  Place middle = at(near_.share / 2 + far_.share / 2);
+  if (middle.share != near_.share && middle.share != far_.share && middle.setting) {
+    (middle.is == near_.is ? near_ : far_) = std::move(middle);
+    return true;
+  }
+  only_different_ = only_difference(*near_.setting, *far_.setting);
+  next_ = &BorderSearch::bisect_number;
+  return go_on();
+}
+
+/// Where they differ in one number, until that is a pair of neighbouring doubles.
+bool BorderSearch::bisect_number() {
+  if (only_different_) {
+    const auto number = [&](Place& place) -> double& { return *numbers(*place.setting)[*only_different_]; };
+    const double x = number(near_) / 2 + number(far_) / 2;
+    if (x != number(near_) && x != number(far_)) {
+      Place middle = near_;
+      number(middle) = x;
+      middle.is = case_of(lesson_, *middle.setting);
+      (middle.is == near_.is ? near_ : far_) = std::move(middle);
+      return true;
+    }
+  }
+  next_ = &BorderSearch::end;
   // The first setting of another case is the border itself where it is neither of the two that meet there.
-  if (far.is != beyond) return Snapped{*far.setting, true, far.is + ", exactly"};
-  const Found& side = near.share < wish ? far : near;
-  return Snapped{*side.setting, false,
-                 fmt::format("Between two neighbouring doubles: “{}” on one side, “{}” on the other", near.is, far.is)};
+  if (far_.is != beyond_) {
+    found_ = Snapped{*far_.setting, true, far_.is + ", exactly"};
+    return false;
+  }
+  const Place& side = near_.share < wish_ ? far_ : near_;
+  found_ =
+      Snapped{*side.setting, false,
+              fmt::format("Between two neighbouring doubles: “{}” on one side, “{}” on the other", near_.is, far_.is)};
+  return false;
+}
+
+std::optional<Snapped> find_border(const Lesson& lesson, const Way& way, double begin, double end, double wish) {
+  BorderSearch search(lesson, way, begin, end, wish);
+  while (search.go_on()) continue;
+  return search.found();
 }
 
 Way way_of(const Lesson& lesson, const Parameters& setting, const Handle& handle, const Vec3& from, const Vec3& to) {

@@ -3,8 +3,10 @@
 // answer down to neighbouring doubles.
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "viz/lesson.h"
 
@@ -22,8 +24,47 @@ struct Snapped {
 
 /// Settings along a way, from 0 on; nothing where the lesson forbids one.
 using Way = std::function<std::optional<Parameters>(double)>;
-/// The border nearest to `wish` on a part of the way; nothing if the case does not change there, as far as some forty
-/// places tell, nor where the lesson takes long over one setting.
+
+/// Looks for the border nearest to `wish` on a part of a way. It asks the lesson about a hundred settings: a window
+/// does that over several frames. The lesson must outlive it.
+class BorderSearch {
+ public:
+  BorderSearch(const Lesson&, Way, double begin, double end, double wish);
+  /// Asks about one setting more; false: all is asked.
+  bool go_on();
+  /// In the end: nothing if the case does not change there, as far as some forty places tell, nor where the lesson
+  /// takes long over one setting.
+  const std::optional<Snapped>& found() const { return found_; }
+
+ private:
+  /// A setting of the way, with its case.
+  struct Place {
+    double share = 0;
+    std::optional<Parameters> setting = {};
+    std::string is = {};
+  };
+
+  Place at(double share) const;
+  bool look_for_change();
+  bool bisect();
+  bool bisect_number();
+  bool end();
+
+  const Lesson& lesson_;
+  Way way_;
+  double begin_, end_, wish_;
+  bool (BorderSearch::*next_)() = &BorderSearch::look_for_change;
+  std::vector<int> order_;                     ///< the parts of the way, the one nearest to `wish` first
+  std::map<int, Place> places_;                ///< what was asked at the ends of such parts
+  std::size_t looked_at_ = 0;                  ///< of `order_`
+  bool slow_ = true;                           ///< as far as the first two settings tell
+  Place near_, far_;                           ///< two settings of different cases, brought together
+  std::string beyond_;                         ///< the case of `far_` at first
+  std::optional<std::size_t> only_different_;  ///< the only number in which they differ
+  std::optional<Snapped> found_;
+};
+
+/// All of such a search at once.
 std::optional<Snapped> find_border(const Lesson&, const Way&, double begin, double end, double wish);
 
 /// The way of a handle from one point to another; a coordinate that changes much less than another is kept.

@@ -1,6 +1,7 @@
 // Shift snaps a drag to where the case changes: found to neighbouring doubles, and exactly where a double is there.
 
 #include <cmath>
+#include <ctime>
 
 #include "lessons/lessons.h"
 #include "tests/catch.h"
@@ -17,6 +18,11 @@ namespace {
 
 double number(const Player& player, const std::string& name) { return std::get<double>(player.parameters().at(name)); }
 
+/// Until a search has ended.
+void rest(WindowDriver& window) {
+  for (int i = 0; i < 1000 && window.ui.rest() == 0; ++i) window.frames();
+}
+
 /// Takes hold of a handle and drags it with Shift held.
 void drag_with_shift(WindowDriver& window, const std::string& handle, float dx, float dy) {
   const Rect r = window.rect("handle " + handle);
@@ -24,9 +30,44 @@ void drag_with_shift(WindowDriver& window, const std::string& handle, float dx, 
   window.button(true);
   window.modifiers(false, true);
   window.move(r.middle_x() + dx / 2, r.middle_y() + dy / 2);
+  rest(window);
   window.move(r.middle_x() + dx, r.middle_y() + dy);
+  rest(window);
   window.modifiers(false, false);
   window.button(false);
+}
+
+/// How often the slow lesson was asked for its steps.
+int asked = 0;
+
+/// Is x at least a third? It takes 3 ms of the processor's time to tell.
+const Lesson& slow() {
+  static const Lesson lesson = {
+      .id = "slow",
+      .title = "Slow",
+      .rows = "N00",
+      .summary = "Whether a number is at least a third.",
+      .parameters = {{.name = "x", .label = "*x*", .help = "A number.", .initial = 0.0, .lo = -9, .hi = 9}},
+      .group_by = "",
+      .presets = {{"less", "less", "", {{"x", 0.0}}}},
+      .camera = {},
+      .steps =
+          [](const Parameters& p) {
+            ++asked;
+            const std::clock_t begun = std::clock();
+            while (std::clock() - begun < 3 * CLOCKS_PER_SEC / 1000) continue;
+            const double x = std::get<double>(p.at("x"));
+            Walk walk;
+            Step step;
+            step.slug = "told", step.title = "Told";
+            step.verdict = {Verdict::Kind::yes, 3 * x >= 1 ? "more" : "less"};
+            step.scene.items = {Ball{Vec3::Zero(), 1}};
+            step.scene.handles = {{.parameter = "x", .kind = Handle::Kind::along, .at = Vec3(x, 0, 0)}};
+            walk.steps = {step};
+            return walk;
+          },
+      .flat = true};
+  return lesson;
 }
 
 /// The case where a number is one double less, and where it is one more.
@@ -69,6 +110,7 @@ TEST_CASE("what has snapped stays when Shift is let go before the button", "[win
   window.button(true);
   window.modifiers(false, true);
   window.move(a.middle_x() + 7, b.middle_y());
+  rest(window);
   window.modifiers(false, false);
   window.frames(2);
   CHECK(number(window.player(), "b_min") == number(window.player(), "a_max"));
@@ -103,9 +145,11 @@ TEST_CASE("Ctrl, Shift and an arrow take a held handle to where the case changes
   WindowDriver window(lessons::all_lessons(), 1280, 800, place_at("intervals", "overlapping"));
   for (int i = 0; i < 200 && window.ui.focus() != "handle b_min"; ++i) window.key(key::down);
   window.key(key::right, true, true);
+  rest(window);
   CHECK(number(window.player(), "b_min") == number(window.player(), "a_max"));
   CHECK_THAT(window.ui.message(), Contains("exactly"));
   window.key(key::up, true, true);
+  rest(window);
   CHECK_THAT(window.ui.message(), Contains("does not change"));
 }
 
@@ -136,6 +180,80 @@ TEST_CASE("the setting snaps to a border of the map, too", "[window]") {
   CHECK(map.place(player.parameters()) != here);
   CHECK((window.ui.message().find("exactly") != std::string::npos ||
          window.ui.message().find("neighbouring doubles") != std::string::npos));
+}
+
+TEST_CASE("a frame asks a slow lesson a few questions, and the snap comes when all are asked", "[window]") {
+  // Of those that a frame may ask, and of the walk that is shown then: no clock is needed to see that they are few.
+  constexpr int most = 6;
+  WindowDriver window({&slow()}, 1280, 800);
+  const auto x = [&] { return number(window.player(), "x"); };
+  const auto asked_in = [&](const auto& action) {
+    const int before = asked;
+    action();
+    return asked - before;
+  };
+  const auto hold = [&] {
+    const Rect r = window.rect("handle x");
+    window.move(r.middle_x(), r.middle_y());
+    window.button(true);
+    return r;
+  };
+  Rect r = hold();
+  window.move(r.middle_x() + 100, r.middle_y());
+  const float unit = static_cast<float>(100 / x());
+  window.button(false);
+  CHECK(window.player().undo());
+  window.frames(2);
+  CHECK(x() == 0);
+
+  r = hold();
+  window.modifiers(false, true);
+  CHECK(asked_in([&] { window.move(r.middle_x() + unit * 0.5f, r.middle_y()); }) <= most);
+  int all = 0, frames = 0;
+  SECTION("while the button is held") {
+    // The pointer goes on, and the search does not begin anew each time.
+    for (; x() == 0 && frames < 200; ++frames) {
+      const float away = 0.5f + 0.001f * static_cast<float>(frames % 5);
+      const int now = asked_in([&] { window.move(r.middle_x() + unit * away, r.middle_y()); });
+      CHECK(now <= most);
+      all += now;
+    }
+  }
+  SECTION("after it was released") {
+    window.modifiers(false, false);
+    window.button(false);
+    for (; window.ui.rest() == 0 && frames < 200; ++frames) {
+      const int now = asked_in([&] { window.frames(); });
+      CHECK(now <= most);
+      all += now;
+    }
+  }
+  CHECK(all > 30);
+  CHECK(frames > 10);
+  CHECK(3 * x() >= 1);
+  CHECK(3 * std::nextafter(x(), 0.0) < 1);
+  CHECK_THAT(window.ui.message(), Contains("Between two neighbouring doubles"));
+}
+
+TEST_CASE("what is done meanwhile ends the search for a border", "[window]") {
+  WindowDriver window({&slow()}, 1280, 800);
+  const Rect r = window.rect("handle x");
+  window.move(r.middle_x(), r.middle_y());
+  window.button(true);
+  window.modifiers(false, true);
+  window.move(r.middle_x() + 200, r.middle_y());
+  CHECK(window.ui.rest() == 0);
+  SECTION("a drag without Shift") {
+    window.modifiers(false, false);
+    window.move(r.middle_x() + 20, r.middle_y());
+  }
+  SECTION("another setting") { window.player().edit("x", -2.0); }
+  const double x = number(window.player(), "x");
+  CHECK(x != 0);
+  window.frames(3);
+  CHECK(window.ui.rest() > 0);
+  rest(window);
+  CHECK(number(window.player(), "x") == x);
 }
 
 TEST_CASE("in every lesson a drag that changes the case snaps to a border between cases", "[snap]") {

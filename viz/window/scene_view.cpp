@@ -139,20 +139,45 @@ std::optional<Handle> SceneView::handle_near(const Session& s, const View& view,
 /// With Shift only as far as where the case changes, next to the pointer. Where it was taken, all is as it was then.
 void SceneView::drag_held(Session& s, const View& view) {
   const bool snapping = ImGui::GetIO().KeyShift;
-  const bool released = snapping_ && !snapping;  // it stays where it has snapped until the pointer moves on
-  if (mouse() == last_ && (snapping == snapping_ || released)) return;
-  snapping_ = snapping;
+  if (mouse() == followed_ &&
+      (snapping == snapping_ || !snapping)) {  // it stays where it has snapped until it moves on
+    snapping_ = snapping;
+    return;
+  }
+  if (snapping && search_) return;  // one search after another: it would never end while the pointer moves
+  snapping_ = snapping, followed_ = mouse();
+  search_.reset();
   s.attempt([&] {
     if (mouse() == pressed_) {
       forbidden_.clear();
       s.player.set_parameters(begun_);
       return;
     }
-    const Moved moved = drag_to(s.player, *held_, start_, brought(view, *held_, mouse() - grip_), snapping);
+    const Vec3 to = brought(view, *held_, mouse() - grip_);
+    if (snapping) return begin_snap(s.player, snapping_drag(s.player, *held_, start_, to));
+    forbidden_ = drag_to(s.player, *held_, start_, to, false).refused;
+  });
+}
+
+void SceneView::begin_snap(const Player& player, Snap snap) {
+  search_.emplace(Search{std::move(snap), player.revision()});
+}
+
+/// As far as a frame has time, by the processor's clock; what was found is shown in a frame that has searched little.
+/// It is found, too, where the button has been released meanwhile.
+void SceneView::go_on_snapping(Session& s) {
+  if (!search_) return;
+  if (search_->revision != s.player.revision()) return search_.reset();
+  constexpr std::clock_t most = CLOCKS_PER_SEC / 80, little = CLOCKS_PER_SEC / 400;
+  const std::clock_t begun = std::clock();
+  while (!search_->ended && std::clock() - begun < most) search_->ended = !search_->snap.go_on();
+  if (!search_->ended || std::clock() - begun > little) return;
+  s.attempt([&] {
+    const Moved moved = search_->snap.settle(s.player);
     forbidden_ = moved.refused;
     if (!moved.told.empty()) s.say(moved.told);
   });
-  if (const Handle* now = same_handle(s.player.scene(), *held_)) held_ = *now;
+  search_.reset();
 }
 
 void SceneView::wheel(Session& s, const View& view) {
@@ -180,9 +205,13 @@ void SceneView::keyboard(Session& s, const View& view) {
   if (io.KeyShift && held != handles.end()) {
     if (way == Vec2::Zero()) return;
     const Handle handle = *held;
+    if (io.KeyCtrl) {
+      if (search_) return;
+      s.player.remember("snap " + handle.parameter);
+      return begin_snap(s.player, snapping_nudge(s.player, view, handle, way));
+    }
     s.attempt([&] {
-      const Moved moved = nudge(s.player, view, handle, way, io.KeyCtrl);
-      if (!moved.told.empty()) s.say(moved.told);
+      const Moved moved = nudge(s.player, view, handle, way, false);
       if (!moved.refused.empty()) s.complain(moved.refused);
     });
     return;
@@ -213,10 +242,11 @@ void SceneView::pointer(Session& s, const View& view, bool hovered, bool active)
     s.player.end_action();
     held_ = handle_near(s, view, mouse());
     forbidden_.clear();
+    search_.reset();
     if (held_) {
       s.player.remember("drag");
       start_ = held_->at, snapping_ = false;
-      begun_ = s.player.parameters(), pressed_ = mouse();
+      begun_ = s.player.parameters(), pressed_ = followed_ = mouse();
       grip_ = mouse() - view.project(held_->at).at;
     } else if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
       s.player.frame_all();
@@ -256,6 +286,8 @@ void SceneView::show(Session& s, const Rect& r) {
   const bool hovered = ImGui::IsItemHovered(), active = ImGui::IsItemActive();
   pointer(s, before, hovered, active);
   if (lead) keyboard(s, before);
+  go_on_snapping(s);
+  if (const Handle* now = held_ ? same_handle(s.player.scene(), *held_) : nullptr) held_ = *now;
 
   const View view(s.player.camera().now(), r.width(), height, corner);
   draw(s, r, view);

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "viz/compose.h"
+#include "viz/moving.h"
 #include "viz/renderer.h"
 #include "viz/window/kept_picture.h"
 #include "viz/window/map_view.h"
@@ -21,8 +22,8 @@ class SceneView {
   /// Draws the scene with what lies over it, and does what the pointer asks for.
   void show(Session&, const Rect&);
   const std::vector<PlacedLabel>& labels() const { return labels_; }
-  /// What is on show is not yet all, or a key goes on turning it: the next frame is wanted.
-  bool behind() const { return behind_ || turning_ >= 0; }
+  /// What is on show is not yet all, a key goes on turning it, or a snap is being searched: the next frame is wanted.
+  bool behind() const { return behind_ || turning_ >= 0 || search_; }
   void rescale(double scale) { scale_ = scale; }
 
  private:
@@ -31,6 +32,8 @@ class SceneView {
   void wheel(Session&, const View&);
   void keyboard(Session&, const View&);
   void drag_held(Session&, const View&);
+  void begin_snap(const Player&, Snap);
+  void go_on_snapping(Session&);
   std::optional<Handle> handle_near(const Session&, const View&, const Vec2& pixel) const;
 
   Renderer& renderer_;
@@ -38,18 +41,26 @@ class SceneView {
   bool drawing_, behind_ = false;
   std::vector<PlacedLabel> labels_;
   KeptPicture picture_;
-  std::string drawn_;            ///< what the picture shows, as one line; drawing it again is saved
-  double turning_ = -1;          ///< seconds for which keys have turned or shifted it; < 0: they do not
-  bool sketched_ = false;        ///< while it is dragged: it is drawn smoothly once the button is released
-  std::optional<Handle> held_;   ///< while a handle is dragged: the handle as it is now
-  std::string forbidden_;        ///< why it does not follow the pointer; empty: it does
-  MapDrag map_drag_;             ///< while the step shows the map of cases
-  Vec3 start_ = Vec3::Zero();    ///< where it stood when it was taken
-  Parameters begun_;             ///< the setting then
-  Vec2 pressed_ = Vec2::Zero();  ///< the pointer that took it
-  bool snapping_ = false;        ///< Shift was held in the frame before
-  Vec2 grip_ = Vec2::Zero();     ///< from the held handle to the pointer that took it
-  Vec2 last_ = Vec2::Zero();     ///< the pointer in the frame before
+  std::string drawn_;           ///< what the picture shows, as one line; drawing it again is saved
+  double turning_ = -1;         ///< seconds for which keys have turned or shifted it; < 0: they do not
+  bool sketched_ = false;       ///< while it is dragged: it is drawn smoothly once the button is released
+  std::optional<Handle> held_;  ///< while a handle is dragged: the handle as it is now
+  /// A snap that takes more than a frame to find, and what was on show when it began.
+  struct Search {
+    Snap snap;
+    unsigned revision;
+    bool ended = false;
+  };
+  std::optional<Search> search_;
+  std::string forbidden_;         ///< why it does not follow the pointer; empty: it does
+  MapDrag map_drag_;              ///< while the step shows the map of cases
+  Vec3 start_ = Vec3::Zero();     ///< where it stood when it was taken
+  Parameters begun_;              ///< the setting then
+  Vec2 pressed_ = Vec2::Zero();   ///< the pointer that took it
+  Vec2 followed_ = Vec2::Zero();  ///< the pointer that it has followed or is being snapped to
+  bool snapping_ = false;         ///< Shift was held in the frame before
+  Vec2 grip_ = Vec2::Zero();      ///< from the held handle to the pointer that took it
+  Vec2 last_ = Vec2::Zero();      ///< the pointer in the frame before
 };
 
 }  // namespace isect::viz

@@ -22,6 +22,8 @@ class SecondPane {
   void show(Session&, SceneView& lead, const PanesLayout&);
   /// There is one pane.
   void leave(Session&);
+  /// As SceneView has it, while there are two.
+  bool behind() const { return other_ && scene_.behind(); }
   void rescale(double scale) { scene_.rescale(scale); }
 
  private:

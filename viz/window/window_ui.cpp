@@ -297,7 +297,8 @@ std::string WindowUi::title() const {
 
 double WindowUi::rest() const {
   const Player& p = impl_->player;
-  if (p.camera().moving() || p.motion() < 1 || p.light() < 1 || impl_->ui.light.changing() || impl_->scene.behind())
+  if (p.camera().moving() || p.motion() < 1 || p.light() < 1 || impl_->ui.light.changing() || impl_->scene.behind() ||
+      impl_->panes.behind())
     return 0;
   double rest = std::numeric_limits<double>::infinity();
   if (p.running()) rest = std::min(rest, std::max(p.seconds_to_step(), 0.0));
