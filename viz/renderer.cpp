@@ -1,10 +1,12 @@
 #include "viz/renderer.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
 #include <map>
 #include <tuple>
+#include <vector>
 
 #include "viz/batch.h"
 #include "viz/gl.h"
@@ -115,12 +117,57 @@ class TextCache {
 
 namespace {
 
+/// A facet's pixels are those whose middles lie in it; neighbours share none, and leave none out.
+void fill(Picture& picture, std::array<Vec2, 3> p, const std::array<std::uint8_t, 4>& colour) {
+  std::ranges::sort(p, [](const Vec2& a, const Vec2& b) { return a.y() != b.y() ? a.y() < b.y() : a.x() < b.x(); });
+  const auto first = [](double from, int count) {  // pixel whose middle is not before
+    return static_cast<int>(std::clamp(std::ceil(from - 0.5), 0.0, static_cast<double>(count)));
+  };
+  const std::array<Vec2, 3> slope = {p[2] - p[0], p[1] - p[0], p[2] - p[1]};
+  const auto at = [&](const Vec2& from, const Vec2& way, double y) {
+    return from.x() + (y - from.y()) * (way.x() / way.y());
+  };
+  const int end = first(p[2].y(), picture.height);
+  for (int row = first(p[0].y(), picture.height); row < end; ++row) {
+    const double y = row + 0.5, one = at(p[0], slope[0], y);
+    const double other = y < p[1].y() ? at(p[0], slope[1], y) : at(p[1], slope[2], y);
+    const int right = first(std::max(one, other), picture.width);
+    std::uint8_t* const pixels = &picture.rgba[4 * static_cast<std::size_t>(row) * picture.width];
+    for (int x = first(std::min(one, other), picture.width); x < right; ++x) std::ranges::copy(colour, pixels + 4 * x);
+  }
+}
+
+/// Facets by the pixel: thousands of them, of a few pixels each, take a software renderer with four samples six times
+/// as long. Nothing where none is seen.
+Rastered raster(const Facets& facets, double scale, const PixelBox& part) {
+  const auto finite = [&](std::size_t i) {
+    return std::all_of(&facets.corners[3 * i], &facets.corners[3 * i] + 3, [](const Vec2& p) { return p.allFinite(); });
+  };
+  Vec2 lo(part.left + part.width, part.top + part.height), hi(part.left, part.top);
+  for (const Vec2& p : facets.corners)
+    if (p.allFinite()) lo = lo.cwiseMin(p * scale), hi = hi.cwiseMax(p * scale);
+  lo = lo.cwiseMax(Vec2(part.left, part.top)).array().floor();
+  hi = hi.cwiseMin(Vec2(part.left + part.width, part.top + part.height)).array().ceil();
+  Rastered out{{}, lo / scale};
+  if (!(lo.x() < hi.x() && lo.y() < hi.y())) return out;
+  out.picture.width = static_cast<int>(hi.x() - lo.x()), out.picture.height = static_cast<int>(hi.y() - lo.y());
+  out.picture.rgba.resize(4 * static_cast<std::size_t>(out.picture.width) * out.picture.height);
+  const auto byte = [](double x) { return static_cast<std::uint8_t>(std::lround(255 * std::clamp(x, 0.0, 1.0))); };
+  for (std::size_t i = 0; i < facets.colours.size(); ++i) {
+    if (!finite(i)) continue;
+    const Vec2* const p = &facets.corners[3 * i];
+    const Colour& c = facets.colours[i];
+    fill(out.picture, {p[0] * scale - lo, p[1] * scale - lo, p[2] * scale - lo},
+         {byte(c.r), byte(c.g), byte(c.b), 255});
+  }
+  return out;
+}
+
 /// What the pass does to the stencil and whether it colours. `mark`: of `once`.
-void set_pass(Pass pass, int mark, bool sketched) {
+void set_pass(Pass pass, int mark) {
   const bool coloured = pass != Pass::winding && pass != Pass::parity && pass != Pass::wipe;
   glColorMask(coloured, coloured, coloured, coloured);
   (pass == Pass::opaque ? glDisable : glEnable)(GL_BLEND);
-  (pass == Pass::opaque && sketched ? glDisable : glEnable)(GL_MULTISAMPLE);
   const auto stencil = [mark](GLenum test, GLenum then) {
     glEnable(GL_STENCIL_TEST);
     glStencilFunc(test, mark, 0xff);
@@ -184,10 +231,21 @@ struct Renderer::Impl {
     glDeleteBuffers(1, &buffer);
   }
 
-  Batch batch(const Drawing& drawing, double scale) {
+  Batch batch(const Drawing& drawing, double scale, const PixelBox& part) {
     Batch out(scale);
-    for (const Shape& shape : drawing.shapes) std::visit([&](const auto& s) { add(out, s, scale); }, shape);
+    for (const Shape& shape : drawing.shapes)
+      if (const Facets* facets = std::get_if<Facets>(&shape); facets && sketched)
+        add_pixels(out, *facets, scale, part);
+      else
+        std::visit([&](const auto& s) { add(out, s, scale); }, shape);
     return out;
+  }
+
+  void add_pixels(Batch& out, const Facets& facets, double scale, const PixelBox& part) {
+    const auto [picture, corner] = raster(facets, scale, part);
+    if (picture.width == 0) return;
+    facet_textures.push_back(gl::make_texture(picture));
+    out.add_image(facet_textures.back(), {corner, corner + Vec2(picture.width, picture.height) / scale});
   }
 
   static void add(Batch& out, const auto& shape, double) { out.add(shape); }
@@ -219,11 +277,13 @@ struct Renderer::Impl {
         glClear(GL_STENCIL_BUFFER_BIT);
         marks = 0;
       }
-      set_pass(call.pass, once ? ++marks : 0, sketched);
+      set_pass(call.pass, once ? ++marks : 0);
       use_program(call);
       glDrawArrays(GL_TRIANGLES, call.first, call.count);
     }
     glBindVertexArray(0);
+    glDeleteTextures(static_cast<GLsizei>(facet_textures.size()), facet_textures.data());
+    facet_textures.clear();
   }
 
   void use_program(const Call& call) {
@@ -248,6 +308,7 @@ struct Renderer::Impl {
   gl::Target target;
   TextCache texts;
   bool sketched = false;  ///< facets by the pixel, not by its four samples
+  std::vector<unsigned> facet_textures;
 };
 
 PixelBox pixels(const Drawing& drawing, double scale) {
@@ -299,12 +360,11 @@ void Renderer::draw(const Drawing& drawing, double scale, const PixelBox& part) 
   const Vec2 up(1, -1);
   const Vec2 units = 2 * scale * up.cwiseQuotient(size);
   const Vec2 origin = -up - 2 * up.cwiseProduct(Vec2(part.left, part.top)).cwiseQuotient(size);
-  impl_->play(impl_->batch(drawing, scale), units, origin);
+  impl_->play(impl_->batch(drawing, scale, part), units, origin);
   impl_->texts.trim();
 
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glDisable(GL_STENCIL_TEST);
-  glEnable(GL_MULTISAMPLE);
   impl_->target.resolve();
   assert(glGetError() == GL_NO_ERROR);
 }

@@ -23,6 +23,11 @@ Picture window_frame(const Drawing& drawing, double scale = 1) {
 
 Picture render(std::vector<Shape> shapes) { return offscreen().render(drawing_of(std::move(shapes))); }
 
+Picture sketch(std::vector<Shape> shapes, double scale = 1) {
+  offscreen().renderer().sketch(drawing_of(std::move(shapes)), scale);
+  return offscreen().renderer().read();
+}
+
 /// The colour of a pixel with 0..1 channels.
 Colour colour_at(const Picture& p, int x, int y) {
   return {channel(p, x, y, 0) / 255.0, channel(p, x, y, 1) / 255.0, channel(p, x, y, 2) / 255.0};
@@ -233,7 +238,7 @@ TEST_CASE("facets leave no seam between neighbours, and a later one covers an ea
     for (const Vec2& p : {middle, rim[i], rim[(i + 1) % count]}) fan.corners.push_back(p);
     fan.colours.push_back(black);
   }
-  for (const Picture& p : {render({fan}), window_frame(drawing_of({fan}))})
+  for (const Picture& p : {render({fan}), window_frame(drawing_of({fan})), sketch({fan})})
     for (int y = 0; y < p.height; ++y)
       for (int x = 0; x < p.width; ++x)
         if (std::hypot(x - 100, y - 60) < 48) REQUIRE(ink(p, x, y) == 1);
@@ -241,10 +246,41 @@ TEST_CASE("facets leave no seam between neighbours, and a later one covers an ea
 
   Facets twice = {{{0, 0}, {200, 0}, {0, 120}, {0, 0}, {200, 0}, {0, 120}}, {black, white}};
   CHECK(ink(render({twice})) == 0);
+  CHECK(ink(sketch({twice})) == 0);
   std::swap(twice.colours[0], twice.colours[1]);
   CHECK(ink(render({twice})) == Approx(100 * 120).epsilon(1e-3));
   CHECK(ink(render({twice, Fill{polyline({{0, 0}, {200, 0}, {200, 120}, {0, 120}}, true), white.with_alpha(0.5)}})) ==
         Approx(50 * 120).epsilon(0.01));  // blending goes on after them
+}
+
+TEST_CASE("a sketch has a facet's pixels where their middles lie in it, at any scale and beyond the edge",
+          "[renderer]") {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> x(-60, 260), y(-60, 180);
+  for (int i = 0; i < 60; ++i) {
+    const Facets facet = {{{x(random), y(random)}, {x(random), y(random)}, {x(random), y(random)}}, {black}};
+    const double scale = i % 2 == 0 ? 1 : 1.7;
+    const Picture sketched = sketch({facet}, scale);
+    for (int row = 0; row < sketched.height; ++row)
+      for (int column = 0; column < sketched.width; ++column) {
+        const std::vector<Vec2>& p = facet.corners;
+        const Vec2 middle = Vec2(column + 0.5, row + 0.5) / scale;
+        // How far on the inner side of the nearest edge, twice: in either orientation.
+        double left = 1e9, right = 1e9;
+        for (int k = 0; k < 3; ++k) {
+          const Vec2 edge = p[(k + 1) % 3] - p[k], to = middle - p[k];
+          const double side = (edge.x() * to.y() - edge.y() * to.x()) / edge.norm();
+          left = std::min(left, side), right = std::min(right, -side);
+        }
+        const double inside = std::max(left, right);
+        if (std::abs(inside) < 1e-6) continue;
+        INFO(i << ": " << column << ", " << row);
+        REQUIRE((ink(sketched, column, row) == 1) == (inside > 0));
+      }
+  }
+  const double inf = std::numeric_limits<double>::infinity();
+  CHECK(ink(sketch({Facets{{{0, 0}, {inf, 0}, {0, 50}}, {black}}})) == 0);
+  CHECK(ink(sketch({Facets{{{-90, -90}, {-10, -90}, {-90, -10}}, {black}}})) == 0);
 }
 
 TEST_CASE("a sketch is jagged at the rims of facets, and nowhere else", "[renderer]") {
@@ -258,8 +294,7 @@ TEST_CASE("a sketch is jagged at the rims of facets, and nowhere else", "[render
   };
   Renderer& renderer = offscreen().renderer();
   const Drawing drawing = drawing_of({facet, line});
-  renderer.sketch(drawing);
-  const Picture sketched = renderer.read();
+  const Picture sketched = sketch({facet, line});
   renderer.draw(drawing);
   const Picture drawn = renderer.read();
   CHECK(greys(sketched, 0, 95) == 0);
