@@ -2,6 +2,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <utility>
 
 #include "viz/names.h"
 #include "viz/rich_text.h"
@@ -32,7 +33,8 @@ CodeLine laid_out(const std::string& words, ImFont* font, float room) {
   return {found->second, font};
 }
 
-/// All lines of the walk, smaller where that saves rows. Where a condition may fail there is room for its "no".
+/// All lines of the walk, smaller where that saves rows or ends them better. Where a condition may fail there is room
+/// for its "no".
 std::vector<CodeLine> code_lines(const Ui& ui, const Walk& walk, float width) {
   const auto lines_in = [&](ImFont* font) {
     std::vector<CodeLine> lines;
@@ -42,12 +44,16 @@ std::vector<CodeLine> code_lines(const Ui& ui, const Walk& walk, float width) {
     }
     return lines;
   };
-  const auto rows_of = [](const std::vector<CodeLine>& lines) {
-    return std::accumulate(lines.begin(), lines.end(), std::size_t{0},
-                           [](std::size_t sum, const CodeLine& line) { return sum + line.rows.size(); });
+  const auto cost_of = [](const std::vector<CodeLine>& lines) {
+    std::pair<std::size_t, int> rows_and_harm;
+    for (const CodeLine& line : lines) {
+      rows_and_harm.first += line.rows.size();
+      rows_and_harm.second += harm_of(line.rows);
+    }
+    return rows_and_harm;
   };
   std::vector<CodeLine> large = lines_in(ui.fonts.mono), small = lines_in(ui.fonts.mono_small);
-  return rows_of(large) <= rows_of(small) ? large : small;
+  return cost_of(large) <= cost_of(small) ? large : small;
 }
 
 float height_of(const std::vector<CodeLine>& lines, float pitch) {

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <set>
 #include <string_view>
+#include <utility>
 
 #include "viz/utf8.h"
 
@@ -92,6 +94,7 @@ int least_rows(std::string row, const std::string& indent, int columns) {
 /// How much a reader minds that a row ends here.
 int harm(const std::string& row, std::size_t end) {
   static const std::set<std::string> signs = {"+", "−", "·", "×", "/", "=", "≠", "<", ">", "≤", "≥", "∈", "⊆", "←"};
+  static const std::set<std::string> comparisons = {"=", "≠", "<", ">", "≤", "≥", "∈", "⊆"};
   static const std::set<std::string> begin_a_part = {"and",   "or",   "return", "else", "then", "where", "with",
                                                      "until", "that", "if",     "as",   "for",  "of",    "in"};
   static const std::set<std::string> never_last = {"a", "an", "the", "if", "is", "of", "and", "or", "not", "in", "no"};
@@ -102,7 +105,8 @@ int harm(const std::string& row, std::size_t end) {
     return std::count_if(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(end),
                          [&](char c) { return c == these[0] || c == these[1]; });
   };
-  const bool within = brackets("([") > brackets(")]");
+  const bool within = brackets("([") > brackets(")]") || brackets("||") % 2 == 1;
+  if (comparisons.contains(after) && !within) return 3;
   if (signs.contains(before) || signs.contains(after)) return within ? 6 : 4;
   if (within) return 3;
   const bool of_names = (after == "and" || after == "or") && letters(before) == 1;  // "a and b" is one
@@ -111,23 +115,40 @@ int harm(const std::string& row, std::size_t end) {
   return never_last.contains(before) ? 2 : 1;
 }
 
+struct Broken {
+  std::vector<std::string> rows;
+  int harm = 0;
+};
+
+/// On so many rows, which must do; a row as long as it may be where that is no harm.
+Broken least_harm(const std::string& row, const std::string& indent, int columns, int count) {
+  Broken best{{row}};
+  if (count == 1) return best;
+  best.harm = std::numeric_limits<int>::max();
+  for (const std::size_t end : ends_of(row, indent.size(), columns)) {
+    const std::string rest = indent + row.substr(end + 1);
+    if (least_rows(rest, indent, columns) >= count) break;
+    Broken broken = least_harm(rest, indent, columns, count - 1);
+    broken.harm += harm(row, end);
+    if (broken.harm >= best.harm) continue;
+    broken.rows.insert(broken.rows.begin(), row.substr(0, end));
+    best = std::move(broken);
+  }
+  return best;
+}
+
 }  // namespace
 
 std::vector<std::string> code_rows(const std::string& line, int columns) {
   const std::string indent(std::min(line.find_first_not_of(' '), line.size()) + 4, ' ');
-  std::vector<std::string> rows;
-  std::string row = line;
-  for (int left = least_rows(row, indent, columns); left > 1; --left) {
-    std::size_t best = 0;
-    for (const std::size_t end : ends_of(row, indent.size(), columns)) {
-      if (least_rows(indent + row.substr(end + 1), indent, columns) >= left) break;
-      if (best == 0 || harm(row, end) < harm(row, best)) best = end;
-    }
-    rows.push_back(row.substr(0, best));
-    row = indent + row.substr(best + 1);
-  }
-  rows.push_back(row);
-  return rows;
+  return least_harm(line, indent, columns, least_rows(line, indent, columns)).rows;
+}
+
+int harm_of(const std::vector<std::string>& rows) {
+  int all = 0;
+  for (std::size_t i = 0; i + 1 < rows.size(); ++i)
+    all += harm(rows[i] + " " + rows[i + 1].substr(rows[i + 1].find_first_not_of(' ')), rows[i].size());
+  return all;
 }
 
 std::vector<float> chip_widths(const std::vector<float>& wide, float narrow, float gap, float width, int chosen) {

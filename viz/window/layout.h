@@ -44,6 +44,8 @@ PanesLayout panes_layout(const WindowLayout&);
 /// A line of pseudocode on as few rows as `columns` letters allow, the later ones indented further, each ending where a
 /// reader minds it least: after a colon or before "and", not in a formula.
 std::vector<std::string> code_rows(const std::string& line, int columns);
+/// How much a reader minds that such rows end where they do.
+int harm_of(const std::vector<std::string>& rows);
 
 /// The width each of the chips gets in a row of `width` px, `gap` apart: those of `wide` where they fit;
 /// otherwise the last ones shrink to `narrow`, the chosen one excepted.
