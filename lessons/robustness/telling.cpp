@@ -51,7 +51,7 @@ class Teller {
     raster("truth", "What is true", 1,
            fmt::format("Each cell is {}: one step right is the next {} in *x*, one step up the next in *y*.\nThe exact "
                        "test is right in every cell.\n"
-                       "The handles at the border select the ringed neighbour.",
+                       "Numbers at the border count these steps; the handles there select the ringed neighbour.",
                        s_.cell, scalar_),
            [](int truth, int) { return role(truth); });
     Step& naive = raster("naive", "What the naive test says", 2,
@@ -147,6 +147,7 @@ class Teller {
     for (const auto& [truth, answer] : cells_) picture.cells.push_back({choose(truth, answer), {}});
     step.scene.items.emplace_back(picture);
     crosshair(step);
+    axes(step);
     double y = bottom + side - 0.4;
     // In the cells' own colours; once it is told what is wrong, with the number of cells.
     const auto key = [&](Role ink, const std::string& text) {
@@ -167,6 +168,20 @@ class Teller {
     if (slug == "wrong" && side_ > 0) key(Role::miss, s_.has_on ? "wrong side" : "wrong");
     if (slug == "wrong" && on_ > 0) key(Role::text, "wrongly on");
     return step;
+  }
+
+  /// How many steps away the border is; not where the crosshair's grips and names stand.
+  void axes(Step& step) const {
+    constexpr double cell = side / (2 * half + 1), middle = side / 2, near = 9;
+    const auto number = [&](int steps, int looked_at, const Vec3& at, double lean) {
+      if (std::abs(steps - looked_at) <= near) return;
+      step.scene.items.emplace_back(Heading{at, shown(steps), Role::muted, 0, false, lean});
+    };
+    for (const int steps : {-half, half}) {
+      const double along = middle + cell * steps;
+      number(steps, look_[0], {left + along, bottom - 0.4, 0}, 0.5);
+      number(steps, look_[1], {left - 0.14, bottom + along, 0}, 1);
+    }
   }
 
   /// Two lines that meet in the neighbour looked at, each with a grip at the rim.

@@ -120,6 +120,37 @@ TEST_CASE("the neighbour that a preset rings is one that the naive test has wron
   }
 }
 
+TEST_CASE("the microscope's axes count its cells, away from the crosshair", "[robustness lesson]") {
+  constexpr int half = lessons::robustness_lesson::half;
+  for (const auto& [right, up] : {std::pair{6.0, -6.0}, {-half + 0.0, half + 0.0}, {20.0, 20.0}}) {
+    Parameters p = preset(lesson("robustness"), "orientation").parameters;
+    p["right"] = right, p["up"] = up;
+    int numbers = 0, rasters = 0;
+    for (const Step& step : lesson("robustness").walk(p).steps) {
+      const auto raster =
+          std::ranges::find_if(step.scene.items, [](const Item& i) { return std::holds_alternative<viz::Raster>(i); });
+      if (raster == step.scene.items.end()) continue;
+      const auto& cells = std::get<viz::Raster>(*raster);
+      ++rasters;
+      for (const Item& item : step.scene.items) {
+        const auto* heading = std::get_if<viz::Heading>(&item);
+        if (!heading || heading->role != Role::muted) continue;
+        ++numbers;
+        const Vec3 middle = cells.corner + (cells.across + cells.down) / 2, from = heading->at - middle;
+        const bool below = heading->at.y() < (cells.corner + cells.down).y();
+        const double cell = cells.across.x() / cells.columns;
+        const double steps = (below ? from.x() : from.y()) / cell, looked_at = below ? right : up;
+        INFO(heading->text << " at " << steps);
+        CHECK(heading->text == shown(std::round(steps)));
+        CHECK(std::abs(steps - std::round(steps)) < 1e-9);
+        CHECK(std::abs(steps - looked_at) > 6);
+      }
+    }
+    CHECK(rasters == 3);
+    CHECK(numbers == (right < -20 ? 2 : 4) * rasters);
+  }
+}
+
 TEST_CASE("under the microscope each naive test is wrong somewhere, as counted", "[robustness lesson]") {
   for (const std::string& test : lessons::robustness_lesson::tests())
     for (const std::string scalar : {"float", "double"}) {
