@@ -158,4 +158,39 @@ TEST_CASE("what is drawn in yellow has an edge, hidden or not hidden by others, 
     }
 }
 
+TEST_CASE("a line that is left out leaves a gap in what lies below it", "[compose]") {
+  Scene scene;
+  scene.items = {Line{{-2, 0, 0}, {2, 0, 0}, Role::first, Pen::solid},
+                 Line{{-1, 0, 0}, {1, 0, 0}, Role::construction, Pen::excluded}};
+  for (const ThemeName name : {ThemeName::screen, ThemeName::grey, ThemeName::dark}) {
+    const Theme style = theme(name, 960, 600);
+    const std::vector<Stroke> strokes = all<Stroke>(compose(scene, View({.half_height = 3}, 960, 600), style).shapes);
+    REQUIRE(strokes.size() == 3);
+    CHECK(strokes[1].colour.r == style.background.r);
+    CHECK(strokes[1].width > strokes[0].width);
+    CHECK(strokes[1].width > strokes[2].width);
+    CHECK(strokes[2].dash[0] > strokes[2].dash[1]);
+    CHECK(strokes[2].dash[1] >= style.sizes.ray);  // so that the gap is seen
+  }
+}
+
+TEST_CASE("a handle does not cover what is marked in its place", "[compose]") {
+  const Theme style = theme(ThemeName::screen, 960, 600);
+  const auto discs = [&](const Dot& dot) {
+    Scene scene;
+    scene.items = {dot};
+    scene.handles = {{.parameter = "v", .at = Vec3::Zero(), .role = Role::second}};
+    int count = 0;
+    const Colour ink = style.ink(Role::second);
+    for (const Fill& fill : all<Fill>(compose(scene, View({.half_height = 3}, 960, 600), style, true).shapes))
+      count += fill.colour == ink;
+    return count;
+  };
+  CHECK(discs({Vec3(1, 0, 0), Mark::disc, Role::hit}) == 1);
+  CHECK(discs({Vec3::Zero(), Mark::disc, Role::second}) == 2);
+  CHECK(discs({Vec3::Zero(), Mark::disc, Role::hit}) == 0);
+  CHECK(discs({Vec3::Zero(), Mark::uncounted, Role::construction}) == 0);
+  CHECK(discs({Vec3::Zero(), Mark::diamond, Role::highlight}) == 0);
+}
+
 }  // namespace compose_test

@@ -79,7 +79,10 @@ void Canvas::plain_line(const std::vector<Vec2>& points, bool closed, Role role,
     lines.emplace_back(Stroke{polyline(points, closed), theme.ink(Role::text), w + 2 * sizes().hairline, {0, 0}, true});
   std::array<double, 2> dash = {0, 0};
   if (pen == Pen::construction) dash = sizes().construction_dash;
-  if (pen == Pen::excluded) dash = {w, 0.7 * w};
+  if (pen == Pen::excluded) {  // a gap in what lies below, which is most often the ray
+    dash = {1.5 * w, w};
+    lines.emplace_back(Stroke{polyline(points, closed), theme.background, w + 2 * sizes().hairline, {0, 0}, false});
+  }
   lines.emplace_back(Stroke{polyline(points, closed), theme.ink(role), w, dash, !dashed});
   std::vector<Vec2> chain = points;
   if (closed) chain.push_back(points.front());
@@ -134,6 +137,18 @@ void draw(Canvas& c, const Heading& it) {
   c.placed.push_back({plain(it.text), box});
 }
 
+namespace {
+
+/// Whether something is marked where the handle stands, so that its own disc would cover what is told there.
+bool has_mark(const Canvas& c, const Handle& handle) {
+  return std::ranges::any_of(c.scene.items, [&](const Item& item) {
+    const Dot* dot = std::get_if<Dot>(&item);
+    return dot && dot->at == handle.at && (dot->mark != Mark::disc || dot->role != handle.role);
+  });
+}
+
+}  // namespace
+
 void draw(Canvas& c, const Handle& handle) {
   const Vec2 p = c.at(handle.at);
   const Colour ink = c.theme.ink(handle.role);
@@ -144,7 +159,7 @@ void draw(Canvas& c, const Handle& handle) {
   }
   c.marks.emplace_back(Fill{circle(p, s.handle_ring), ink.with_alpha(0.16), 0, 0, {}});
   c.marks.emplace_back(Stroke{circle(p, s.handle_ring), ink, s.construction, {0, 0}, true});
-  c.marks.emplace_back(Fill{circle(p, s.handle), ink, 0, 0, {}});
+  if (!has_mark(c, handle)) c.marks.emplace_back(Fill{circle(p, s.handle), ink, 0, 0, {}});
   c.obstacles.push_back({p, p, s.handle_ring, true});
 }
 
