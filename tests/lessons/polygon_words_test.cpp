@@ -10,6 +10,9 @@
 #include "lessons/convex_polygon/picture.h"
 #include "lessons/crossings/situations.h"
 #include "tests/lessons/words.h"
+#include "tests/viz/drawn.h"
+#include "tests/viz/pixels.h"
+#include "viz/compose.h"
 #include "viz/rich_text.h"
 
 namespace polygon_words_test {
@@ -76,6 +79,19 @@ bool is_simple(const Ring<double, 2>& ring) {
   return true;
 }
 
+/// The polygon's area alone, as the lesson's first step fills it.
+Picture area_of(const Scene& scene, const View& view) {
+  Scene polygon;
+  for (const Item& item : scene.items)  // the polygon comes first, before cells of what was prepared
+    if (std::holds_alternative<Region>(item) && polygon.items.empty()) polygon.items.push_back(item);
+  const Theme style = theme(ThemeName::screen, view.width(), view.height());
+  Drawing drawing{view.width(), view.height(), style.background, {}};
+  for (const Fill& fill : all<Fill>(compose(polygon, view, style).shapes))
+    if (fill.colour == style.tint(Role::second)) drawing.shapes.emplace_back(fill);
+  REQUIRE(drawing.shapes.size() == 1);
+  return offscreen().render(drawing);
+}
+
 Verdict::Kind kind_of(Location l) {
   return l == Location::in ? Verdict::Kind::yes : l == Location::on ? Verdict::Kind::on : Verdict::Kind::no;
 }
@@ -116,6 +132,41 @@ TEST_CASE("crossings are counted as they are in rationals, by either rule", "[wo
     CHECK((last.verdict.kind == Verdict::Kind::on) == on);
   });
   CHECK(wrong > 10);
+}
+
+TEST_CASE("a polygon is filled where the verdict is IN, and nowhere else", "[words]") {
+  for (const char* const id : {"crossings", "concave-polygon", "convex-polygon"})
+    for (const Preset& preset : lesson(id).presets) {
+      if (preset.id.ends_with("-closed")) continue;  // a rule that errs
+      INFO(id << " " << preset.id);
+      const Scene scene = lesson(id).walk(preset.parameters).steps.front().scene;
+      const View view(frame(opening(lesson(id)), {&scene}, 1.6), 480, 300);
+      const Picture picture = area_of(scene, view);
+      int in = 0, out = 0;
+      for (double y = 6.5; y < 300; y += 24)
+        for (double x = 6.5; x < 480; x += 24) {
+          const int column = static_cast<int>(x), row = static_cast<int>(y);
+          const double here = ink(picture, column, row);
+          bool plain = true;  // no edge is near
+          for (int i = -2; i <= 2; ++i)
+            for (int k = -2; k <= 2; ++k) plain = plain && ink(picture, column + i, row + k) == here;
+          if (!plain) continue;
+          Parameters setting = preset.parameters;
+          setting["p"] = Vec3(view.on_facing_plane({x, y}, Vec3::Zero()));
+          const Verdict::Kind kind = ending(lesson(id).walk(setting)).verdict.kind;
+          INFO(to_text(setting["p"]));
+          CHECK(kind == (here > 0 ? Verdict::Kind::yes : Verdict::Kind::no));
+          ++(here > 0 ? in : out);
+        }
+      CHECK(in > 5);
+      CHECK(out > 5);
+    }
+  // Where a pentagram winds twice round its middle, even-odd has a hole.
+  const Scene scene = walk_of("crossings", "pentagram").steps.front().scene;
+  const View view(frame(opening(lesson("crossings")), {&scene}, 1.6), 480, 300);
+  const Vec2 p = view.project(Vec3(std::get<Vec3>(preset(lesson("crossings"), "pentagram").parameters.at("p")))).at;
+  CHECK(ink(area_of(scene, view), static_cast<int>(p.x()), static_cast<int>(p.y())) == 0);
+  CHECK(ending(walk_of("crossings", "pentagram")).verdict.kind == Verdict::Kind::no);
 }
 
 TEST_CASE("where a graze is counted twice, the closed rule is said to be right by luck", "[words]") {

@@ -1,6 +1,7 @@
 // What the lessons of rays say, in words, is what rational arithmetic says.
 
 #include <cmath>
+#include <map>
 
 #include "bench/oracle.h"
 #include "bench/ray_polygon/oracle.h"
@@ -158,6 +159,36 @@ TEST_CASE("a ray and a sphere end with the oracle's verdict, and say why on its 
   CHECK(within > 0);
   CHECK(cancelled > 5);
   CHECK(on > 5);
+}
+
+TEST_CASE("a return of Haines' test tells what its own condition has found, wherever the map places the setting",
+          "[ray-sphere]") {
+  const Lesson& spheres = lesson("ray-sphere");
+  const auto ends_at = [&](const Vec2& place) {
+    const Parameters p = spheres.map->moved(preset(spheres, "two-roots").parameters, place);
+    const Walk walk = spheres.walk(p);
+    const Step& last = walk.steps[outcome(walk)];
+    CAPTURE(place.transpose(), last.line, last.caption);
+    CHECK(holds(last.caption, "leads away from the ball") == (last.line == 4));
+    CHECK(holds(last.caption, "no point in common") == (last.line == 7));
+    CHECK(holds(last.verdict.text, "the line passes by") ==
+          holds(spheres.map->branches[spheres.map->branch(p)], "no real root"));
+    if (last.line == 4 || last.line == 7) {
+      CHECK(walk.pseudocode[last.line] == "    return REJECT");
+      CHECK(last.verdict.kind == Verdict::Kind::no);
+      // The condition above it has just been told, with its answer.
+      const Step& before = walk.steps[static_cast<std::size_t>(outcome(walk)) - 1];
+      CHECK(before.line == last.line - 1);
+    }
+    return last.line;
+  };
+  std::map<int, int> ends;
+  for (double x = -3.3; x < 2.5; x += 0.37)
+    for (double y = 0.03; y < 2.2; y += 0.23) ++ends[ends_at({x, y})];
+  CHECK(ends[4] > 10);
+  CHECK(ends[7] > 10);
+  CHECK(ends_at({1.9, 1.4}) == 4);  // past the ball, and beside it: it was told to have no point in common
+  CHECK(ends_at({-1.9, 1.4}) == 7);
 }
 
 TEST_CASE("half of B saves three products, as its step says", "[ray-sphere]") {
