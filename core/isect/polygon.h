@@ -26,16 +26,25 @@ namespace polygon_area {
 
 /// The area vector: the size of its largest component, and the vector divided by that.
 struct AreaVector {
-  std::array<Extended, 3> scaled;
-  Extended largest;
-
-  Extended length() const {
-    return std::sqrt(scaled[0] * scaled[0] + scaled[1] * scaled[1] + scaled[2] * scaled[2]);  // 1 to sqrt(3)
-  }
+  std::array<double, 3> scaled;
+  double largest;
 };
 using Event = std::variant<AreaVector, Fallback>;
 
 namespace detail {
+
+/// An area vector to more digits: its components divided by `unit`, the largest of which is 1 to 2 in size.
+struct FineAreaVector {
+  std::array<Compensated, 3> scaled;
+  double unit;
+
+  Compensated length() const { return sqrt(dot(scaled, scaled)); }  // 1 to 2 sqrt(3)
+  AreaVector rounded() const {
+    double largest = 0;
+    for (const Compensated& x : scaled) largest = std::max(largest, std::abs(leading(x)));
+    return {{leading(scaled[0]) / largest, leading(scaled[1]) / largest, leading(scaled[2]) / largest}, largest * unit};
+  }
+};
 
 /// Twice the area vector; 0 for fewer than three vertices.
 template <Filtered W, class S>
@@ -68,13 +77,45 @@ W area2(const Ring<S, 2>& ring) {
 
 /// The exact area vector, every number rounded once; nothing when it is zero.
 template <class S>
-[[gnu::noinline, gnu::cold]] std::optional<AreaVector> exact_area_vector(const Ring<S, 3>& ring) {
+[[gnu::noinline, gnu::cold]] std::optional<FineAreaVector> exact_area_vector(const Ring<S, 3>& ring) {
   const std::array<Exact, 3> n = newell<Exact>(ring);
   const auto smaller = [](const Exact& x, const Exact& y) { return (abs(x) - abs(y)).sign() < 0; };
   const Exact largest = abs(*std::max_element(n.begin(), n.end(), smaller));
   if (largest.sign() == 0) return {};
-  return AreaVector{{quotient(n[0], largest), quotient(n[1], largest), quotient(n[2], largest)},
-                    quotient(largest, Exact(2.))};
+  return FineAreaVector{{quotient(n[0], largest), quotient(n[1], largest), quotient(n[2], largest)},
+                        quotient(largest, Exact(2.))};
+}
+
+/// The area vector in W, double or Compensated or Fused, by the sizes and roundings that doubles found, divided by a
+/// power of two; by 0 if it is 0. Nothing where a component may be further than eps / 8 of the largest from the truth,
+/// or where that is out of range.
+template <class W, class S>
+std::optional<FineAreaVector> quick_area_vector(const Ring<S, 3>& ring) {
+  const std::array<Bounded<double>, 3> quick = newell<Bounded<double>>(ring);
+  std::array<W, 3> n;
+  if constexpr (std::is_same_v<W, double>)
+    n = {quick[0].value(), quick[1].value(), quick[2].value()};
+  else
+    n = newell<W>(ring);
+  double largest = 0, error = 0;
+  for (int i = 0; i < 3; ++i) {
+    largest = std::max(largest, std::abs(leading(n[i])));
+    error = std::max(error, Bounded<W>(n[i], quick[i].size(), quick[i].roundings()).error());
+  }
+  if (!(error <= std::numeric_limits<S>::epsilon() / 8 * largest)) return {};  // true for NaN
+  if (largest == 0) return FineAreaVector{{}, 0};
+  if (!(0x1p-800 < largest && largest < 0x1p900)) return {};
+  const double unit = std::ldexp(1, std::ilogb(largest));
+  FineAreaVector result = {{}, unit / 2};
+  for (int i = 0; i < 3; ++i) {
+    if constexpr (std::is_same_v<W, double>) {
+      result.scaled[i] = n[i] / unit;
+    } else {
+      const DoubleDouble x = two_sum(n[i].hi, n[i].lo);  // after cancellation the rest may be large
+      result.scaled[i] = {x.hi / unit, x.lo / unit};
+    }
+  }
+  return result;
 }
 
 /// The area vector; nothing when it is exactly zero.
@@ -82,22 +123,17 @@ template <class S>
 /// Bound, eps that of S, u = eps / 2. Every component is taken within eps / 8 of the largest, or Exact takes over and
 /// rounds each once. An error d of the vector n turns its direction by |d| / |n| at most, and changes its length by
 /// as much: sqrt(3) eps / 8 there, as no component is longer than n; u here, as every |d_i| <= u |n_i|. Both are at
-/// most u. What follows is rounded in Extended, and once to S.
+/// most u. What follows is rounded in Compensated, and once to S.
 template <class S, class Trace>
-std::optional<AreaVector> area_vector(const Ring<S, 3>& ring, Trace&& trace) {
-  using V = std::conditional_t<std::is_same_v<S, float>, double, Extended>;
-  const std::array<Bounded<V>, 3> n = newell<Bounded<V>>(ring);
-  V largest = 0;
-  double error = 0;
-  for (const Bounded<V>& x : n) largest = std::max(largest, std::abs(x.value())), error = std::max(error, x.error());
-  const V bound = static_cast<V>(std::numeric_limits<S>::epsilon() / 8) * largest;
-  if (!(error <= bound && std::isfinite(error))) {  // true for NaN
-    trace(Fallback{});
-    return exact_area_vector(ring);
-  }
-  if (largest == 0) return {};
-  const Extended size = largest;
-  return AreaVector{{n[0].value() / size, n[1].value() / size, n[2].value() / size}, size / 2};
+std::optional<FineAreaVector> area_vector(const Ring<S, 3>& ring, Trace&& trace) {
+  std::optional<FineAreaVector> n;
+  if constexpr (std::is_same_v<S, float>)
+    n = quick_area_vector<double>(ring);
+  else
+    n = compensated([&]<class W>() { return quick_area_vector<W>(ring); });
+  if (n) return n->unit == 0 ? std::nullopt : n;
+  trace(Fallback{});
+  return exact_area_vector(ring);
 }
 
 }  // namespace detail
@@ -141,22 +177,21 @@ S area(const Ring<S, 2>& ring, Trace&& trace = {}) {
 template <class S, class Trace = NoTrace>
 S area(const Ring<S, 3>& ring, Trace&& trace = {}) {
   if (!finite(ring)) return std::numeric_limits<S>::quiet_NaN();
-  const std::optional<polygon_area::AreaVector> n = polygon_area::detail::area_vector(ring, trace);
-  return n ? static_cast<S>(n->largest * n->length()) : S(0);
+  const auto n = polygon_area::detail::area_vector(ring, trace);
+  return n ? static_cast<S>(n->unit * leading(n->length())) : S(0);
 }
 
 /// The unit normal of a ring in space, from whose tip it goes counter-clockwise. Every component is within eps of S
-/// of the true one (4 eps where the machine has no type wider than double). Nothing when the area is exactly zero,
-/// and when a coordinate is NaN or infinite.
+/// of the true one. Nothing when the area is exactly zero, and when a coordinate is NaN or infinite.
 template <class S, class Trace = NoTrace>
 std::optional<Vector<S, 3>> normal(const Ring<S, 3>& ring, Trace&& trace = {}) {
   if (!finite(ring)) return {};
-  const std::optional<polygon_area::AreaVector> n = polygon_area::detail::area_vector(ring, trace);
+  const auto n = polygon_area::detail::area_vector(ring, trace);
   if (!n) return {};
-  trace(*n);
-  const Extended length = n->length();
-  return Vector<S, 3>(static_cast<S>(n->scaled[0] / length), static_cast<S>(n->scaled[1] / length),
-                      static_cast<S>(n->scaled[2] / length));
+  if constexpr (heard<Trace>) trace(n->rounded());
+  const Compensated length = n->length();
+  const auto over_length = [&](int i) -> S { return static_cast<S>(quotient(n->scaled[i], length)); };
+  return Vector<S, 3>(over_length(0), over_length(1), over_length(2));
 }
 
 }  // namespace isect

@@ -167,7 +167,7 @@ std::optional<Interval<S>> projections(const Ray<S, N>& ray, const Obb<S, N>& bo
 /// empty box or range, NaN or an infinite coordinate: nothing.
 template <class S, int N, class Trace = NoTrace>
 std::optional<Interval<S>> intersect(const Ray<S, N>& ray, const Obb<S, N>& box, Trace&& trace = {}) {
-  return in_doubles_first([&](auto& pass) { return ray_obb::detail::meet(ray, box, pass); }, trace);
+  return with_values_first<S>([&](auto& pass) { return ray_obb::detail::meet(ray, box, pass); }, trace);
 }
 
 /// Whether ray and box have a common point; see intersect.

@@ -45,9 +45,10 @@ namespace detail {
 
 /// t on the whole line, as the numerator and the denominator.
 template <Filtered W, int N>
-Ratio<W> parameter(const Ray<double, N>& ray, const Plane<double, N>& plane) {
-  const Components<W, N> n = exactly<W>(plane.normal);
-  return {-(dot(n, exactly<W>(ray.origin)) + W(plane.d)), dot(n, exactly<W>(ray.direction))};
+[[gnu::always_inline]] inline Ratio<W> parameter(const Ray<double, N>& ray, const Plane<double, N>& plane) {
+  Ratio<W> t = ratio_of_dots<W, N>(plane.normal, ray.origin, ray.direction);
+  t.num = -(t.num + W(plane.d));
+  return t;
 }
 
 template <class S, int N, class Trace>
@@ -57,10 +58,12 @@ RayPlane<S> meet(const Ray<S, N>& ray, const Plane<S, N>& plane, Trace& trace) {
     if (!finite(ray) || !finite(plane) || plane.normal == Vector<S, N>::Zero()) return result;
   const Ray<double, N>& wide = in_doubles(ray);
   const Plane<double, N>& wall = in_doubles(plane);
-  const auto t = [&]<class W>() -> Ratio<W> { return ray_plane::detail::parameter<W>(wide, wall); };
+  const auto t = [&]<class W>() __attribute__((always_inline))->Ratio<W> {
+    return ray_plane::detail::parameter<W>(wide, wall);
+  };
 
-  const int heading = sign_of([&]<class W>() -> W { return t.template operator()<W>().den; }, trace);
-  const int side = -sign_of([&]<class W>() -> W { return t.template operator()<W>().num; }, trace);
+  const auto [ahead, heading] = signs_of<S>(t, trace);
+  const int side = -ahead;
   trace(ray_plane::Decision{heading, side});
 
   result.parallel = heading == 0;
@@ -71,7 +74,7 @@ RayPlane<S> meet(const Ray<S, N>& ray, const Plane<S, N>& plane, Trace& trace) {
   }
 
   result.line = value_of<S>(t, trace);
-  result.meets = ray_range::holds(wide.range, t, heading, trace);
+  result.meets = ray_range::holds_value(wide.range, t, heading, *result.line, trace);
   trace(ray_plane::Hit<S>{*result.line, result.meets});
   if (result.meets) result.t = ray_range::clamped(*result.line, ray.range);
   return result;
@@ -120,7 +123,7 @@ std::optional<S> textbook(const Ray<S, N>& ray, const Plane<S, N>& plane, Trace&
 /// coordinate: no hit.
 template <class S, int N, class Trace = NoTrace>
 RayPlane<S> intersect(const Ray<S, N>& ray, const Plane<S, N>& plane, Trace&& trace = {}) {
-  return in_doubles_first([&](auto& pass) { return ray_plane::detail::meet(ray, plane, pass); }, trace);
+  return with_values_first<S>([&](auto& pass) { return ray_plane::detail::meet(ray, plane, pass); }, trace);
 }
 
 }  // namespace isect

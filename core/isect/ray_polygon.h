@@ -120,7 +120,7 @@ class Crossing {
   PlanePoint<Bounded<double>> quick_;
   template <class... W>
   using Each = std::tuple<std::optional<PlanePoint<W>>...>;
-  mutable Each<Grid, Compensated, ShortExact, Bounded<Extended>, Extended, Bounded<DoubleDouble>, Exact> others_;
+  mutable Each<Grid, CompensatedBy<false>, Fused, ShortExact, Bounded<DoubleDouble>, Exact> others_;
 };
 
 /// The axis of the largest |n_i|, the first of several.
@@ -195,7 +195,7 @@ RayPolygon<S> meet(const Ray<S, 3>& ray, std::span<const Ring<S, 3>> rings, Fill
 
 template <class S, class Trace>
 RayPolygon<S> intersect(const Ray<S, 3>& ray, std::span<const Ring<S, 3>> rings, FillRule rule, Trace&& trace) {
-  return in_doubles_first([&](auto& pass) { return meet(ray, rings, rule, pass); }, trace);
+  return with_values_first<S>([&](auto& pass) { return meet(ray, rings, rule, pass); }, trace);
 }
 
 }  // namespace detail

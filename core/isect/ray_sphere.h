@@ -12,8 +12,8 @@
 // division.
 //
 // decide<W> in isect/parts/ray_sphere_roots.h is that text. It runs in double; where a sign is within its error
-// bound, again in DoubleDouble, and at last in Exact, where every sign is certain. The values of t come from
-// DoubleDouble or Exact.
+// bound, again in DoubleDouble, and at last in Exact, where every sign is certain. The values of t come from a step of
+// Newton's, ordinary_roots there, else from DoubleDouble or Exact.
 //
 // Source: the note, N16-N19; Haines, Gunther, Akenine-Moller, Precision improvements for ray/sphere
 // intersection, Ray Tracing Gems (2019), ch. 7, for what goes wrong in the textbook forms. Bounds: derived
@@ -50,25 +50,20 @@ struct RaySphere {
 /// if the point lies in the ball, `surface` its lower end if it lies on the sphere. Radius 0 is a point,
 /// radius < 0 the empty set. NaN or an infinite coordinate: no hit.
 template <class S, int N, class Trace = NoTrace>
-[[gnu::flatten]] RaySphere<S> intersect(const Ray<S, N>& ray, const Sphere<S, N>& sphere, Trace&& trace = {}) {
+[[gnu::always_inline]] inline RaySphere<S> intersect(const Ray<S, N>& ray, const Sphere<S, N>& sphere,
+                                                     Trace&& trace = {}) {
   using namespace ray_sphere::detail;
   if (!(sphere.radius >= 0)) return {};  // empty, or NaN
-
-  const Ray<double, N> wide = {
-      ray.origin.template cast<double>(), ray.direction.template cast<double>(), {ray.range.lo, ray.range.hi}};
-  const Sphere<double, N> ball = {sphere.center.template cast<double>(), sphere.radius};
-
-  const std::optional<ray_sphere::Verdict> verdict = decide<double>(wide, ball, trace);
-  if (verdict) {
-    if (verdict->line_roots == 0) return {};
-    using W = std::conditional_t<std::is_same_v<S, float>, double, Extended>;
-    if (const std::optional<Interval<double>> t = roots<W>(wide, ball, tolerance<S>)) {
-      trace(ray_sphere::Values{*t});
-      return report(ray.range, *verdict, *t);
-    }
+  const Ray<double, N>& wide = in_doubles(ray);
+  const Sphere<double, N>& ball = in_doubles(sphere);
+  if constexpr (std::is_same_v<S, double> && !heard<Trace>) {
+    RaySphere<S> answer;
+    if (!quick_answer(wide, ball, ray.range, answer)) [[unlikely]]
+      answer = settled_step_by_step(wide, ball, ray.range, trace);
+    return answer;
+  } else {
+    return step_by_step(wide, ball, ray.range, trace);
   }
-  trace(Fallback{});
-  return settle(wide, ball, ray.range, verdict, trace);
 }
 
 }  // namespace isect

@@ -50,22 +50,23 @@ namespace detail {
 
 /// d.((p - o) x (q - o)): on which side of the line the edge pq passes.
 template <Filtered W>
-W volume(const Ray<double, 3>& ray, const Point<double, 3>& p, const Point<double, 3>& q) {
+[[gnu::always_inline]] inline W volume(const Ray<double, 3>& ray, const Point<double, 3>& p,
+                                       const Point<double, 3>& q) {
   return dot(exactly<W>(ray.direction), cross(difference<W>(p, ray.origin), difference<W>(q, ray.origin)));
 }
 
 /// (b - a) x (c - a)
 template <Filtered W>
-Components<W, 3> normal(const Triangle<double, 3>& x) {
+[[gnu::always_inline]] inline Components<W, 3> normal(const Triangle<double, 3>& x) {
   const auto& [a, b, c] = x.vertices;
   return cross(difference<W>(b, a), difference<W>(c, a));
 }
 
 /// t on the whole line, as the numerator and the denominator.
 template <Filtered W>
-Ratio<W> parameter(const Ray<double, 3>& ray, const Triangle<double, 3>& x) {
+[[gnu::always_inline]] inline Ratio<W> parameter(const Ray<double, 3>& ray, const Triangle<double, 3>& x) {
   const Components<W, 3> n = normal<W>(x);
-  return {dot(n, difference<W>(x.vertices[0], ray.origin)), dot(n, exactly<W>(ray.direction))};
+  return ratio_of_dots<W, 3>(n, difference<W>(x.vertices[0], ray.origin), ray.direction);
 }
 
 /// Whether the triangle has no area.
@@ -85,16 +86,14 @@ Volumes volumes(const Ray<double, 3>& ray, const Triangle<double, 3>& x, Trace&&
   return {sign(b, c), sign(c, a), sign(a, b)};
 }
 
-/// The weight volume(p, q) / (w_a + w_b + w_c), all of one sign; `side` is that of the volume.
-template <class S, class Trace>
-S weight(const Ray<double, 3>& ray, const Triangle<double, 3>& x, int p, int q, int side, Trace&& trace) {
-  if (side == 0) return S(0);
-  const auto& v = x.vertices;
-  const auto ratio = [&]<class W>() -> Ratio<W> {
-    const W sum = volume<W>(ray, v[0], v[1]) + volume<W>(ray, v[1], v[2]) + volume<W>(ray, v[2], v[0]);
-    return {volume<W>(ray, v[p], v[q]), sum};
-  };
-  return ray_range::clamped(value_of<S>(ratio, trace), {S(0), S(1)});
+/// t, u, v on the whole line, as numerators and denominator: w_b = -C.(d x A), w_c = B.(d x A).
+template <Filtered W>
+[[gnu::always_inline]] inline ThreeRatios<W> coordinates(const Ray<double, 3>& ray, const Triangle<double, 3>& x) {
+  const auto& [a, b, c] = x.vertices;
+  const Ratio<W> t = parameter<W>(ray, x);
+  const Components<W, 3> moment = cross(exactly<W>(ray.direction), difference<W>(a, ray.origin));
+  const Ratio<W> w = ratio_of_dots<W, 3>(moment, difference<W>(c, ray.origin), difference<W>(b, ray.origin));
+  return {t.num, -w.num, w.den, t.den};
 }
 
 template <class S, class Trace>
@@ -110,7 +109,7 @@ RayTriangle<S> meet(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle, Trace&
   const bool positive = side.a > 0 || side.b > 0 || side.c > 0, negative = side.a < 0 || side.b < 0 || side.c < 0;
   if (positive && negative) return result;
 
-  const auto t = [&]<class W>() -> Ratio<W> { return parameter<W>(wide, x); };
+  const auto t = [&]<class W>() __attribute__((always_inline))->Ratio<W> { return parameter<W>(wide, x); };
   if (!positive && !negative) {  // in the plane, a point, or no triangle
     const auto height = [&]<class W>() -> W { return t.template operator()<W>().num; };
     result.coplanar = sign_of(height, trace) == 0 && !flat(x, trace);
@@ -119,9 +118,11 @@ RayTriangle<S> meet(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle, Trace&
 
   result.location = side.a != 0 && side.b != 0 && side.c != 0 ? Location::in : Location::on;
   if (!ray_range::holds(wide.range, t, positive ? 1 : -1, trace)) return result;
-  result.t = ray_range::clamped(value_of<S>(t, trace), ray.range);
-  result.u = weight<S>(wide, x, 2, 0, side.b, trace);
-  result.v = weight<S>(wide, x, 0, 1, side.c, trace);
+  const auto all = [&]<class W>() __attribute__((always_inline))->ThreeRatios<W> { return coordinates<W>(wide, x); };
+  const auto [line, u, v] = values_of<S>(all, {false, side.b == 0, side.c == 0}, trace);
+  const Interval<S> weights = {S(0), S(1)};
+  result.t = ray_range::clamped(line, ray.range);
+  result.u = ray_range::clamped(u, weights), result.v = ray_range::clamped(v, weights);
   trace(Hit<S>{*result.t, result.u, result.v});
   return result;
 }
@@ -137,7 +138,7 @@ bool met(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle, Trace& trace) {
   trace(side);
   const bool positive = side.a > 0 || side.b > 0 || side.c > 0, negative = side.a < 0 || side.b < 0 || side.c < 0;
   if (positive == negative) return false;
-  const auto t = [&]<class W>() -> Ratio<W> { return parameter<W>(wide, x); };
+  const auto t = [&]<class W>() __attribute__((always_inline))->Ratio<W> { return parameter<W>(wide, x); };
   return ray_range::holds(wide.range, t, positive ? 1 : -1, trace);
 }
 
@@ -192,7 +193,7 @@ std::optional<Hit<S>> moller_trumbore(const Ray<S, 3>& ray, const Triangle<S, 3>
 /// the plane. A triangle without area has no plane: no hit. NaN or an infinite coordinate, or an empty range: no hit.
 template <class S, class Trace = NoTrace>
 RayTriangle<S> intersect(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle, Trace&& trace = {}) {
-  return in_doubles_first([&](auto& pass) { return ray_triangle::detail::meet(ray, triangle, pass); }, trace);
+  return with_values_first<S>([&](auto& pass) { return ray_triangle::detail::meet(ray, triangle, pass); }, trace);
 }
 
 /// Whether the ray meets the triangle; see intersect. No for a coplanar ray.

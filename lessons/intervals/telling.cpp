@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "lessons/intervals/picture.h"
@@ -98,7 +100,7 @@ class Teller {
   /// Which of them has its ends exchanged.
   std::string reversed() const {
     if (empty(s_.a) && empty(s_.b)) return "Both intervals end before they begin: they are empty.";
-    return std::string("Yet ") + (empty(s_.a) ? "a" : "b") + " ends before it begins: it is empty.";
+    return fmt::format("Yet {} ends before it begins: it is empty.", empty(s_.a) ? "a" : "b");
   }
 
   std::string because() const {

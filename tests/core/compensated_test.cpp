@@ -2,6 +2,7 @@
 
 #include <isect/numbers/compensated.h>
 
+#include <array>
 #include <cmath>
 #include <tuple>
 
@@ -104,6 +105,61 @@ TEST_CASE("what a sum, a difference or a product leaves is kept in full", "[comp
   CHECK((product - product).lo == 0);
   CHECK(quotient(sum + sum, sum) == 2);
   CHECK(quotient(sum - Compensated(1.), sum) == 0x1p-60);
+}
+
+TEST_CASE("quotients and square roots miss by less than a hundredth of an ulp before they are rounded",
+          "[compensated]") {
+  bench::Random random(bench::stream(tests::seed(), "quotient"));
+  for (int i = 0; i < 20000; ++i) {
+    INFO("ISECT_SEED=" << tests::seed() << ", numbers " << i);
+    const auto number = [&]() -> Compensated {
+      const double x = random.magnitude(-20, 20);
+      return {x, x * random.uniform(-1, 1) * 0x1p-32};
+    };
+    const auto rational = [](const Compensated& t) -> Rational { return Rational(t.hi) + Rational(t.lo); };
+    const Compensated x = number(), y = number();
+    const Rational true_q = rational(x) / rational(y);
+    REQUIRE(abs(Rational(quotient(x, y)) - true_q) <= abs(true_q) * Rational(0x1p-53 + 0x1p-60));
+    const Compensated square = x.hi < 0 ? -x : x;
+    const Rational root = rational(sqrt(square));  // |root^2 - x| is about twice the relative error
+    REQUIRE(abs(root * root - rational(square)) <= rational(square) * Rational(0x1p-59));
+  }
+}
+
+TEST_CASE("fused and split products give the same numbers, alone and side by side", "[compensated]") {
+  bench::Random random(bench::stream(tests::seed(), "fused"));
+  const auto [lo, hi] = GENERATE(std::tuple{-2., 2.}, std::tuple{-100., 100.});
+  for (int i = 0; i < 20000; ++i) {
+    INFO("ISECT_SEED=" << tests::seed() << ", vectors " << i);
+    std::array<double, 15> x;
+    for (double& component : x) component = random.magnitude(lo, hi);
+    const auto vector = [&]<bool fused>(int from) -> std::array<CompensatedBy<fused>, 3> {
+      return {CompensatedBy<fused>(x[from], x[from] * 0x1p-54), CompensatedBy<fused>(x[from + 1]),
+              CompensatedBy<fused>::difference(x[from + 2], x[from + 3])};
+    };
+    const Vector<double, 3> leaf(x[12], x[13], x[14]);
+    const auto all = [&]<bool fused>() -> std::array<double, 8> {
+      using V = std::array<CompensatedBy<fused>, 3>;
+      const V n = vector.template operator()<fused>(0), u = vector.template operator()<fused>(4),
+              v = vector.template operator()<fused>(8);
+      const auto both = two_dots<fused, 3>(n, u, v), with_leaf = two_dots<fused, 3>(leaf, u, leaf);
+      return {both.x.hi,      both.x.lo,      both.y.hi,      both.y.lo,
+              with_leaf.x.hi, with_leaf.x.lo, with_leaf.y.hi, with_leaf.y.lo};
+    };
+    const std::array<double, 8> split = all.operator()<false>(), fused = all.operator()<true>();
+    REQUIRE(split == fused);
+
+    const auto n = vector.operator()<true>(0), u = vector.operator()<true>(4), v = vector.operator()<true>(8);
+    const auto rational = [](const Fused& t) -> Rational { return Rational(t.hi) + Rational(t.lo); };
+    Rational nu = 0, nv = 0, size_u = 0, size_v = 0;
+    for (int k = 0; k < 3; ++k) {
+      nu += rational(n[k]) * rational(u[k]), size_u += abs(rational(n[k]) * rational(u[k]));
+      nv += rational(n[k]) * rational(v[k]), size_v += abs(rational(n[k]) * rational(v[k]));
+    }
+    const Rational bound = 2 * 16 * Rational(0x1p-106);  // 2 k^2 u^2 of the size, for k = 4
+    REQUIRE(abs(Rational(fused[0]) + Rational(fused[1]) - nu) <= bound * size_u);
+    REQUIRE(abs(Rational(fused[2]) + Rational(fused[3]) - nv) <= bound * size_v);
+  }
 }
 
 TEST_CASE("long sums stay within the bound", "[compensated]") {

@@ -29,8 +29,7 @@ TEST_CASE("differences of doubles are exact in the finer arithmetics", "[filter]
   CHECK((difference<Exact>(1, 0x1p-60) - Exact(1.0)).rounded() == -0x1p-60);
 }
 
-TEMPLATE_TEST_CASE("every arithmetic multiplies doubles and itself", "[filter]", double, Extended, DoubleDouble,
-                   Exact) {
+TEMPLATE_TEST_CASE("every arithmetic multiplies doubles and itself", "[filter]", double, DoubleDouble, Exact) {
   const TestType three = product<TestType>(1.5, 2.0);
   CHECK(rounded(three) == 3);
   CHECK(rounded(product<TestType>(three, 2.0)) == 6);
@@ -39,15 +38,14 @@ TEMPLATE_TEST_CASE("every arithmetic multiplies doubles and itself", "[filter]",
   CHECK(quotient(three, product<TestType>(1.0, 4.0)) == 0.75);
 }
 
-TEMPLATE_TEST_CASE("products err by at most the unit roundoff, differences too", "[filter]", double, Extended,
-                   DoubleDouble) {
+TEMPLATE_TEST_CASE("products err by at most the unit roundoff, differences too", "[filter]", double, DoubleDouble) {
   bench::Random random(bench::stream(tests::seed(), "filter"));
   INFO("ISECT_SEED=" << tests::seed());
   const auto exact = [](const TestType& x) {
     if constexpr (std::is_same_v<TestType, DoubleDouble>)
       return Exact(x.hi) + Exact(x.lo);
     else
-      return Exact(static_cast<double>(x)) + Exact(static_cast<double>(x - static_cast<double>(x)));
+      return Exact(x);
   };
   const auto within = [&](const TestType& got, const Exact& truth) {
     const Exact error = exact(got) - truth, bound = truth * unit<TestType>;

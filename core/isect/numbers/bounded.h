@@ -28,8 +28,7 @@
 
 namespace isect {
 
-/// T is double, Extended or DoubleDouble; or Compensated, for a number found otherwise. The size stays a double, as x87
-/// code for it would be slow.
+/// T is double or DoubleDouble; or Compensated, for a number found otherwise.
 template <class T>
 class Bounded {
  public:
@@ -74,7 +73,7 @@ class Bounded {
   /// |value - truth| <= error(); infinite or NaN where nothing is known.
   [[gnu::always_inline]] double error() const {
     const double k = roundings_ + 1;
-    return std::is_same_v<T, Compensated> ? 2 * k * k * unit<double> * unit<double> * size_ : k * unit<T> * size_;
+    return is_compensated<T> ? 2 * k * k * unit<double> * unit<double> * size_ : k * unit<T> * size_;
   }
 
  private:
@@ -124,9 +123,9 @@ class Grid;
 
 /// What the polynomial texts of predicates run in: one after the other.
 template <class W>
-concept Filtered = std::same_as<W, Bounded<double>> || std::same_as<W, Grid> || std::same_as<W, Compensated> ||
-    std::same_as<W, Bounded<Extended>> || std::same_as<W, Bounded<DoubleDouble>> || std::same_as<W, Extended> ||
-    std::same_as<W, ShortExact> || std::same_as<W, MediumExact> || std::same_as<W, Exact>;
+concept Filtered = std::same_as<W, Bounded<double>> || std::same_as<W, Grid> || is_compensated<W> ||
+    std::same_as<W, Bounded<DoubleDouble>> || std::same_as<W, ShortExact> || std::same_as<W, MediumExact> ||
+    std::same_as<W, Exact>;
 
 /// x - y of two doubles.
 template <Filtered W>

@@ -16,11 +16,22 @@ struct DoubleDouble {
   double hi = 0, lo = 0;
 };
 
+/// What is said here of doubles holds for vectors of them, number by number.
+template <class T>
+struct SumOf {
+  T hi, lo;
+};
+
 /// a + b exactly. Source: Knuth, TAOCP 2, 4.2.2.
-inline DoubleDouble two_sum(double a, double b) {
-  const double s = a + b;
-  const double bb = s - a;
+template <class T>
+[[gnu::always_inline]] inline SumOf<T> two_sum_of(const T& a, const T& b) {
+  const T s = a + b;
+  const T bb = s - a;
   return {s, (a - (s - bb)) + (b - bb)};
+}
+[[gnu::always_inline]] inline DoubleDouble two_sum(double a, double b) {
+  const auto [hi, lo] = two_sum_of(a, b);
+  return {hi, lo};
 }
 
 /// a + b exactly, for |a| >= |b| or a = 0. Source: Dekker 1971.
@@ -29,19 +40,34 @@ inline DoubleDouble fast_two_sum(double a, double b) {
   return {s, b - (s - a)};
 }
 
-/// a * b exactly, with a fused multiply-add where the machine has one, by Veltkamp's splitting elsewhere: the
-/// same value either way.
-inline DoubleDouble two_product(double a, double b) {
-  const double p = a * b;
+/// Whether the compiler was told to build for machines with a fused multiply-add.
 #if defined(__FMA__) || defined(__aarch64__)
-  return {p, std::fma(a, b, -p)};
+inline constexpr bool fuses_products = true;
 #else
-  constexpr double split = 134217729;  // 2^27 + 1
-  const double ta = split * a, tb = split * b;
-  const double ah = ta - (ta - a), bh = tb - (tb - b);
-  const double al = a - ah, bl = b - bh;
-  return {p, ((ah * bh - p) + ah * bl + al * bh) + al * bl};
+inline constexpr bool fuses_products = false;
 #endif
+
+namespace detail {
+/// a b - p for p = a b, rounded.
+template <class T>
+[[gnu::always_inline]] inline T split_rest(const T& a, const T& b, const T& p) {
+  constexpr double split = 134217729;  // 2^27 + 1
+  const T ta = split * a, tb = split * b;
+  const T ah = ta - (ta - a), bh = tb - (tb - b);
+  const T al = a - ah, bl = b - bh;
+  return ((ah * bh - p) + ah * bl + al * bh) + al * bl;
+}
+}  // namespace detail
+
+/// a * b exactly, with a fused multiply-add or by Veltkamp's splitting: the same value either way, unless a step
+/// overflows, beyond 2^996, or underflows.
+template <bool fused = fuses_products>
+[[gnu::always_inline]] inline DoubleDouble two_product(double a, double b) {
+  const double p = a * b;
+  if constexpr (fused)
+    return {p, __builtin_fma(a, b, -p)};
+  else
+    return {p, detail::split_rest(a, b, p)};
 }
 
 /// |error| <= 4 u^2 (|x| + |y|).

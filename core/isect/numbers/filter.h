@@ -1,5 +1,5 @@
 #pragma once
-// One text, several arithmetics: double, Extended, DoubleDouble, ShortExact, MediumExact and Exact run the same
+// One text, several arithmetics: double, DoubleDouble, ShortExact, MediumExact and Exact run the same
 // template. Each obeys
 //
 //   x + y -> x (1 + e1) + y (1 + e2),   x y -> x y (1 + e),   |e| <= u,   u = unit<W>,
@@ -22,28 +22,22 @@
 
 namespace isect {
 
-/// The widest type that the machine computes in by itself: 64 bits on x86, else the 53 of double. It serves
-/// values, where it is five times as fast as DoubleDouble, never verdicts. So a machine without it gives the same
-/// verdicts, and values within the same bounds unless a header states wider ones there; last digits may differ.
-using Extended = std::conditional_t<LDBL_MANT_DIG == 64, long double, double>;
-
 /// Without rounding: what it knows of a sign is certain, and it needs no bound.
 template <class W>
 concept Unrounded = std::same_as<W, ShortExact> || std::same_as<W, MediumExact> || std::same_as<W, Exact>;
 
-/// The unit roundoff u of an arithmetic: 2^-53, 2^-64, 2^-103, 0.
+/// The unit roundoff u of an arithmetic: 2^-53, 2^-103, 0.
 template <class W>
 inline constexpr double unit = static_cast<double>(std::numeric_limits<W>::epsilon() / 2);
-template <>
-inline constexpr double unit<Compensated> = unit<double>;  // of hi; see there what all of it errs by
+template <bool fused>
+inline constexpr double unit<CompensatedBy<fused>> = unit<double>;  // of hi; see there what all of it errs by
 template <>
 inline constexpr double unit<DoubleDouble> = 8 * unit<double>* unit<double>;
 template <Unrounded W>
 inline constexpr double unit<W> = 0;
 
 template <class W>
-concept Arithmetic =
-    std::same_as<W, double> || std::same_as<W, Extended> || std::same_as<W, DoubleDouble> || Unrounded<W>;
+concept Arithmetic = std::same_as<W, double> || std::same_as<W, DoubleDouble> || Unrounded<W>;
 
 /// x - y of two doubles in W; exact but for W = double.
 template <Arithmetic W>
@@ -67,15 +61,16 @@ W product(const X& x, const Y& y) {
     return x * y;
 }
 
-inline Extended abs(Extended x) { return std::abs(x); }
-
 /// The double that leads x, for sizes and bounds; 0 where nothing is rounded, as bounds are 0 there.
 template <std::floating_point W>
 double leading(W x) {
   return static_cast<double>(x);
 }
 inline double leading(const DoubleDouble& x) { return x.hi; }
-inline double leading(const Compensated& x) { return x.hi + x.lo; }
+template <bool fused>
+double leading(const CompensatedBy<fused>& x) {
+  return x.hi + x.lo;
+}
 template <Unrounded W>
 double leading(const W&) {
   return 0;

@@ -48,10 +48,11 @@ template <class Text>
   const double step = text.template operator()<Grid>().step(), size = quick.size();
   if (std::abs(quick.value()) + quick.error() < step) return 0;
   const bool in_range = 0x1p-800 < size && size < 0x1p900;
-  if (in_range) {
-    const Bounded<Compensated> fine(text.template operator()<Compensated>(), size, quick.roundings());
-    if (const std::optional<int> s = sign_on_grid(fine, step)) return *s;
-  }
+  if (in_range)
+    if (const std::optional<int> s = compensated([&]<class W>() -> std::optional<int> {
+          return sign_on_grid(Bounded<W>(text.template operator()<W>(), size, quick.roundings()), step);
+        }))
+      return *s;
   if (!in_range || size < 0x1p120 * step)
     if (const std::optional<int> s = short_sign(text)) return *s;
   return exact_sign(text);
@@ -59,18 +60,24 @@ template <class Text>
 }  // namespace detail
 
 /// What an algorithm is given in place of a listener when it runs in plain doubles alone: keeps whether these left a
-/// sign or a value open. Then what was found is worth nothing.
+/// sign or a value open. Then what was found is worth nothing. Values are found in W, Compensated or Fused.
+template <class W>
 struct FirstTry : NoTrace {
+  using Fine = W;
   bool open = false;
 };
 
 /// Whether the algorithm runs in plain doubles alone.
 template <class Trace>
-inline constexpr bool first_try = std::is_same_v<std::remove_cvref_t<Trace>, FirstTry>;
+inline constexpr bool first_try = false;
+template <class W>
+inline constexpr bool first_try<FirstTry<W>> = true;
+template <class Trace>
+inline constexpr bool first_try<Trace&> = first_try<std::remove_cv_t<Trace>>;
 
 namespace detail {
-template <class Algorithm>
-[[gnu::flatten]] inline auto tried(const Algorithm& algorithm, FirstTry& first) {
+template <class Algorithm, class W>
+[[gnu::flatten]] inline auto tried(const Algorithm& algorithm, FirstTry<W>& first) {
   return algorithm(first);
 }
 template <class Algorithm, class Trace>
@@ -84,13 +91,32 @@ template <class Algorithm, class Trace>
 template <class Algorithm, class Trace>
 inline auto in_doubles_first(const Algorithm& algorithm, Trace& trace) {
   if constexpr (!heard<Trace>) {
-    FirstTry first;
+    FirstTry<Compensated> first;
     auto result = detail::tried(algorithm, first);
     if (first.open) [[unlikely]]
       result = detail::settled(algorithm, trace);
     return result;
   } else {
     return algorithm(trace);
+  }
+}
+
+/// The same for an algorithm that finds values in doubles, which are faster with fused products.
+template <class S, class Algorithm, class Trace>
+inline auto with_values_first(const Algorithm& algorithm, Trace& trace) {
+  if constexpr (std::is_same_v<S, double> && !heard<Trace>) {
+    bool open = false;
+    auto result = compensated([&]<class W>() {
+      FirstTry<W> first;
+      auto found = algorithm(first);
+      open = first.open;
+      return found;
+    });
+    if (open) [[unlikely]]
+      result = detail::settled(algorithm, trace);
+    return result;
+  } else {
+    return in_doubles_first(algorithm, trace);
   }
 }
 
@@ -115,27 +141,47 @@ struct Ratio {
 };
 
 namespace detail {
-/// The quotient in V, if it is finite there and num and den are within a relative `tolerance`.
+/// The quotient by what doubles found, for the float of an S.
+template <class Text>
+std::optional<double> rough_quotient(const Text& text, double tolerance) {
+  const auto [num, den] = text.template operator()<Bounded<double>>();
+  if (!num.within(tolerance) || !den.within(tolerance)) return {};
+  return num.value() / den.value();
+}
+
+/// Num and den in W, Compensated or Fused. Safe: neither loses more than 14 bits by cancellation, so that |lo| <= 2^-32
+/// |hi| in both, and both are within a relative 2^-76; or num is 0. By the sizes and roundings that doubles found.
+struct FineRatio {
+  double num, num_rest, den, den_rest;
+  bool safe;
+};
+/// Whether x loses no more than 14 bits by cancellation.
+template <class W>
+[[gnu::always_inline]] inline bool ordinary(const Bounded<double>& quick, const W& fine) {
+  const double size = std::abs(fine.hi);
+  return (size >= 0x1p-14 * quick.size()) & (size >= 0x1p-800) & (quick.roundings() <= 64);
+}
+template <class W, class Text>
+[[gnu::always_inline]] inline FineRatio fine_ratio(const Text& text) {
+  const Ratio<Bounded<double>> quick = text.template operator()<Bounded<double>>();
+  const Ratio<W> r = text.template operator()<W>();
+  const bool safe = (ordinary(quick.num, r.num) | (quick.num.size() == 0)) & ordinary(quick.den, r.den);
+  return {r.num.hi, r.num.lo, r.den.hi, r.den.lo, safe};
+}
+template <class W, class Text>
+[[gnu::always_inline]] inline std::optional<double> fine_quotient(const Text& text) {
+  const FineRatio r = fine_ratio<W>(text);
+  const double q = quotient(W(r.num, r.num_rest), W(r.den, r.den_rest));
+  return r.safe & (std::abs(q) <= std::numeric_limits<double>::max()) ? std::optional(q) : std::nullopt;
+}
+
+/// The quotient in V by its own bounds, if it is finite there and num and den are within a relative `tolerance`.
 template <class V, class Text>
 [[gnu::noinline]] std::optional<double> bounded_quotient(const Text& text, double tolerance) {
   const Ratio<Bounded<V>> r = text.template operator()<Bounded<V>>();
   if (!r.num.within(tolerance) || !r.den.within(tolerance)) return {};
   const double q = quotient(r.num.value(), r.den.value());
   return std::isfinite(q) ? std::optional(q) : std::nullopt;  // beyond 2^996 DoubleDouble's steps overflow
-}
-
-/// The same by the sizes and roundings that doubles found, which are at hand, and larger and as many.
-template <class V, class Text>
-std::optional<double> rough_quotient(const Text& text, double tolerance) {
-  const auto [num, den] = text.template operator()<Bounded<double>>();
-  Ratio<V> r;
-  if constexpr (std::is_same_v<V, double>)
-    r = {num.value(), den.value()};
-  else
-    r = text.template operator()<V>();
-  const Bounded<V> fine_num(r.num, num.size(), num.roundings()), fine_den(r.den, den.size(), den.roundings());
-  if (!fine_num.within(tolerance) || !fine_den.within(tolerance)) return {};
-  return static_cast<double>(r.num / r.den);
 }
 
 /// By what doubles found, where num is 0 or both are exact there; then finer.
@@ -147,12 +193,15 @@ template <class Text>
   if (num.error() < steps.num.step() && den.error() < steps.den.step()) return num.value() / den.value();
   const auto in_range = [](double size) { return 0x1p-800 < size && size < 0x1p900; };
   if (in_range(num.size()) && in_range(den.size())) {
-    const Ratio<Compensated> r = text.template operator()<Compensated>();
-    const Bounded<Compensated> fine_num(r.num, num.size(), num.roundings()),
-        fine_den(r.den, den.size(), den.roundings());
-    if (std::abs(leading(r.num)) + fine_num.error() < steps.num.step()) return 0;
-    if (fine_num.within(tolerance) && fine_den.within(tolerance))
-      if (const double q = quotient(r.num, r.den); std::isfinite(q)) return q;
+    const auto by = [&]<class W>() -> std::optional<double> {
+      const Ratio<W> r = text.template operator()<W>();
+      const Bounded<W> fine_num(r.num, num.size(), num.roundings()), fine_den(r.den, den.size(), den.roundings());
+      if (std::abs(leading(r.num)) + fine_num.error() < steps.num.step()) return 0;
+      if (!fine_num.within(tolerance) || !fine_den.within(tolerance)) return {};
+      const double q = quotient(two_sum(r.num.hi, r.num.lo), two_sum(r.den.hi, r.den.lo));
+      return std::isfinite(q) ? std::optional(q) : std::nullopt;
+    };
+    if (const std::optional<double> q = compensated(by)) return *q;
   }
   if (num.roundings() > 64)  // DoubleDouble proves more of long sums
     if (const std::optional<double> q = bounded_quotient<DoubleDouble>(text, tolerance)) return *q;
@@ -166,21 +215,81 @@ template <class Text>
 ///
 /// Bound. Each of num and den is within a relative eps / 3 of the truth, eps that of S, or Exact takes over; so the
 /// quotient is within 2/3 eps (1 + eps), at most 1.34 ulp, rounded once to S: within 1.85 ulp in all. Subnormal results
-/// lose what S loses there: half a unit of the least subnormal more.
+/// lose what S loses there: half a unit of the least subnormal more. In double most are within 0.51 ulp.
 template <class S, class Text, class Trace = NoTrace>
 S value_of(const Text& text, Trace&& trace = {}) {
-  using V = std::conditional_t<std::is_same_v<S, float>, double, Extended>;
   constexpr double tolerance = std::numeric_limits<S>::epsilon() / 3;
+  std::optional<double> q;
+  if constexpr (std::is_same_v<S, float>)
+    q = detail::rough_quotient(text, tolerance);
+  else if constexpr (first_try<Trace>)
+    q = detail::fine_quotient<typename std::remove_cvref_t<Trace>::Fine>(text);
+  else
+    q = compensated([&]<class W>() { return detail::fine_quotient<W>(text); });
   if constexpr (first_try<Trace>) {
-    std::optional<double> q = detail::rough_quotient<V>(text, tolerance);
-    if (!q) [[unlikely]]
-      q = detail::bounded_quotient<V>(text, tolerance);
     trace.open |= !q;
     return static_cast<S>(q.value_or(0));
   } else {
-    if (const std::optional<double> q = detail::bounded_quotient<V>(text, tolerance)) return static_cast<S>(*q);
+    if (q) return static_cast<S>(*q);
     trace(Fallback{});
     return static_cast<S>(detail::settled_quotient(text, tolerance));
+  }
+}
+
+/// Three quotients with one denominator, not divided yet; den is not zero.
+template <class W>
+struct ThreeRatios {
+  W x, y, z, den;
+};
+
+/// The three quotients, each as value_of finds it; `zero` tells which of them are known to be 0.
+template <class S, class Text, class Trace = NoTrace>
+[[gnu::always_inline]] inline std::array<S, 3> values_of(const Text& text, const std::array<bool, 3>& zero,
+                                                         Trace&& trace = {}) {
+  if constexpr (first_try<Trace> && std::is_same_v<S, double>) {
+    using W = typename std::remove_cvref_t<Trace>::Fine;
+    const ThreeRatios<Bounded<double>> quick = text.template operator()<Bounded<double>>();
+    const ThreeRatios<W> fine = text.template operator()<W>();
+    const double inverse = 1 / fine.den.hi;
+    bool safe = detail::ordinary(quick.den, fine.den);
+    const auto value = [&](const Bounded<double>& rough, const W& num, bool is_zero) __attribute__((always_inline))
+                           ->double {
+      const double q = detail::quotient(num, fine.den, inverse);
+      const bool good = detail::ordinary(rough, num) & (std::abs(q) <= std::numeric_limits<double>::max());
+      safe &= good | is_zero;
+      return is_zero ? 0 : q;
+    };
+    const double x = value(quick.x, fine.x, zero[0]), y = value(quick.y, fine.y, zero[1]);
+    const double z = value(quick.z, fine.z, zero[2]);
+    trace.open |= !safe;
+    return {x, y, z};
+  } else {
+    const auto value = [&](auto part, bool is_zero) -> S {
+      const auto ratio = [&]<class W>() -> Ratio<W> {
+        const ThreeRatios<W> all = text.template operator()<W>();
+        return {all.*part(all), all.den};
+      };
+      return is_zero ? S(0) : value_of<S>(ratio, trace);
+    };
+    const S x = value([]<class W>(const ThreeRatios<W>&) { return &ThreeRatios<W>::x; }, zero[0]);
+    const S y = value([]<class W>(const ThreeRatios<W>&) { return &ThreeRatios<W>::y; }, zero[1]);
+    return {x, y, value([]<class W>(const ThreeRatios<W>&) { return &ThreeRatios<W>::z; }, zero[2])};
+  }
+}
+
+/// The signs of num and den.
+struct Signs {
+  int num, den;
+};
+template <class S, class Text, class Trace = NoTrace>
+[[gnu::always_inline]] inline Signs signs_of(const Text& text, Trace&& trace = {}) {
+  if constexpr (first_try<Trace> && std::is_same_v<S, double>) {  // those of what value_of finds, too
+    const detail::FineRatio r = detail::fine_ratio<typename std::remove_cvref_t<Trace>::Fine>(text);
+    trace.open |= !r.safe;
+    return {(r.num > 0) - (r.num < 0), (r.den > 0) - (r.den < 0)};
+  } else {
+    const int den = sign_of([&]<class W>() -> W { return text.template operator()<W>().den; }, trace);
+    return {sign_of([&]<class W>() -> W { return text.template operator()<W>().num; }, trace), den};
   }
 }
 
@@ -191,7 +300,7 @@ using Components = std::array<W, N>;
 
 /// x - y, component by component.
 template <Filtered W, int N>
-Components<W, N> difference(const Point<double, N>& x, const Point<double, N>& y) {
+[[gnu::always_inline]] inline Components<W, N> difference(const Point<double, N>& x, const Point<double, N>& y) {
   Components<W, N> v;
   for (int i = 0; i < N; ++i) v[i] = difference<W>(x[i], y[i]);
   return v;
@@ -199,21 +308,42 @@ Components<W, N> difference(const Point<double, N>& x, const Point<double, N>& y
 
 /// x itself in W.
 template <Filtered W, int N>
-Components<W, N> exactly(const Vector<double, N>& x) {
+[[gnu::always_inline]] inline Components<W, N> exactly(const Vector<double, N>& x) {
   Components<W, N> v;
   for (int i = 0; i < N; ++i) v[i] = W(x[i]);
   return v;
 }
 
 template <Filtered W, std::size_t N>
-inline W dot(const std::array<W, N>& x, const std::array<W, N>& y) {
+[[gnu::always_inline]] inline W dot(const std::array<W, N>& x, const std::array<W, N>& y) {
   W sum = x[0] * y[0];
   for (std::size_t i = 1; i < N; ++i) sum = sum + x[i] * y[i];
   return sum;
 }
 
+/// A vector of doubles in W, one of W as it is.
+template <Filtered W, int N>
+[[gnu::always_inline]] inline Components<W, N> in(const Vector<double, N>& x) {
+  return exactly<W>(x);
+}
+template <Filtered W, int N>
+[[gnu::always_inline]] inline const Components<W, N>& in(const Components<W, N>& x) {
+  return x;
+}
+
+/// n.x / n.y, each of which is a vector of doubles or of W.
+template <Filtered W, int N, class X, class Y, class Z>
+[[gnu::always_inline]] inline Ratio<W> ratio_of_dots(const X& n, const Y& x, const Z& y) {
+  if constexpr (is_compensated<W>) {
+    const auto both = two_dots<std::is_same_v<W, Fused>, N>(n, x, y);
+    return {W(both.x.hi, both.x.lo), W(both.y.hi, both.y.lo)};
+  } else {
+    return {dot(in<W, N>(n), in<W, N>(x)), dot(in<W, N>(n), in<W, N>(y))};
+  }
+}
+
 template <Filtered W>
-inline std::array<W, 3> cross(const std::array<W, 3>& x, const std::array<W, 3>& y) {
+[[gnu::always_inline]] inline std::array<W, 3> cross(const std::array<W, 3>& x, const std::array<W, 3>& y) {
   return {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
 }
 

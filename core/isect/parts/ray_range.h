@@ -34,6 +34,18 @@ bool holds(const Interval<double>& range, const Text& t, int den, Trace&& trace 
   return compare(t, den, range.lo, trace) >= 0 && compare(t, den, range.hi, trace) <= 0;
 }
 
+/// The same for a text whose value is known, as value_of finds it.
+template <class S, class Text, class Trace = NoTrace>
+bool holds_value(const Interval<double>& range, const Text& t, int den, S value, Trace&& trace = {}) {
+  if constexpr (first_try<Trace>) {
+    const double x = value, room = std::min(x - range.lo, range.hi - x);
+    trace.open |= !(std::abs(room) > 4 * std::numeric_limits<S>::epsilon() * std::abs(x) && range.lo <= range.hi);
+    return room > 0;
+  } else {
+    return holds(range, t, den, trace);
+  }
+}
+
 /// Whether some real t lies in the range.
 template <class S>
 bool has_points(const Interval<S>& range) {

@@ -43,11 +43,16 @@ using Event = std::variant<Decision, Values, Fallback>;
 
 namespace detail {
 
+/// How far, relatively, sums and products may be from their true values before the last rounding: at most an
+/// ulp of S.
+template <class S>
+inline constexpr double tolerance = std::numeric_limits<S>::epsilon() / 2;
+
 template <Arithmetic W, int N>
 using Offset = std::array<W, N>;
 
 template <Arithmetic W, int N>
-Offset<W, N> from_center(const Ray<double, N>& ray, const Sphere<double, N>& sphere) {
+[[gnu::always_inline]] inline Offset<W, N> from_center(const Ray<double, N>& ray, const Sphere<double, N>& sphere) {
   Offset<W, N> f;
   for (int i = 0; i < N; ++i) f[i] = difference<W>(ray.origin[i], sphere.center[i]);
   return f;
@@ -55,7 +60,7 @@ Offset<W, N> from_center(const Ray<double, N>& ray, const Sphere<double, N>& sph
 
 /// x.y
 template <Arithmetic W, int N, class X, class Y>
-W dot(const X& x, const Y& y) {
+[[gnu::always_inline]] inline W dot(const X& x, const Y& y) {
   if constexpr (std::same_as<W, DoubleDouble>) return compensated_dot<N>(x, y);
   W sum = product<W>(x[0], y[0]);
   for (int i = 1; i < N; ++i) sum = sum + product<W>(x[i], y[i]);
@@ -64,9 +69,11 @@ W dot(const X& x, const Y& y) {
 
 /// |f x d|^2
 template <Arithmetic W, int N>
-W cross_squared(const Offset<W, N>& f, const Vector<double, N>& d) {
-  const auto component = [&](int i, int j) -> W { return product<W>(f[i], d[j]) - product<W>(f[j], d[i]); };
-  const auto squared = [](const W& k) -> W { return k * k; };
+[[gnu::always_inline]] inline W cross_squared(const Offset<W, N>& f, const Vector<double, N>& d) {
+  const auto component = [&](int i, int j) __attribute__((always_inline))->W {
+    return product<W>(f[i], d[j]) - product<W>(f[j], d[i]);
+  };
+  const auto squared = [](const W& k) __attribute__((always_inline))->W { return k * k; };
   W sum = squared(component(0, 1));
   for (int j = 2; j < N; ++j)
     for (int i = 0; i < j; ++i) sum = sum + squared(component(i, j));
@@ -177,6 +184,77 @@ std::optional<Interval<double>> roots(const Ray<double, N>& ray, const Sphere<do
   return ahead ? Interval<double>{near, far} : Interval<double>{-far, -near};
 }
 
+/// What doubles make of a ray and a sphere: f, A, B, r^2, and by Lagrange's identity D.
+template <int N>
+struct Plain {
+  Offset<double, N> f;
+  double a, b, rr, reach, arr, cross;  ///< reach: f.f + r^2
+
+  [[gnu::always_inline]] Plain(const Ray<double, N>& ray, const Sphere<double, N>& sphere)
+      : f(from_center<double>(ray, sphere)),
+        a(dot<double, N>(ray.direction, ray.direction)),
+        b(dot<double, N>(f, ray.direction)),
+        rr(sphere.radius * sphere.radius),
+        reach(dot<double, N>(f, f) + rr),
+        arr(a * rr),
+        cross(cross_squared<double, N>(f, ray.direction)) {}
+
+  /// Whether the line misses the sphere, -1, or meets it twice, 1; or 0 where rounding may decide: see decide.
+  int meets() const {
+    const double d = arr - cross, bound2 = 1024 * unit<double> * unit<double> * (arr + cross) * (a * reach);
+    const bool certain = in_range<double>(a) & in_range<double>(reach) & (d * d > bound2);
+    return certain ? d > 0 ? 1 : -1 : 0;
+  }
+};
+
+/// The roots of a line that meets the sphere twice, side by side, each within a relative 2^-55 before its last
+/// rounding; nothing where that is too much to promise. W is Compensated or Fused.
+///
+/// Newton. For any t, with p = f + t d, a root t + h obeys A h^2 + 2 M h + C(t) = 0, M = A t + B, C(t) = p.p - r^2.
+/// Near by, h = -C / 2 M - (A / 2 M) (C / 2 M)^2 but for a relative 2 (A h / M)^2, and the sign of M tells which root
+/// it is. So C(t) alone is needed to more digits than doubles have.
+///
+/// Bound. p, in two parts, misses 2^-102 (|f| + |t d|), and the sum of its squares less r^2, with all that rounding
+/// takes from it, is rounded to some 100 bits. As |t d| <= |f| + r, and |p| is r nearly, C errs by less than 2^-90 R, R
+/// = f.f + r^2. That is 2^-61 |t| in h where |M t| >= 2^-30 R. There M errs by 16 u sqrt(A R) at most, which changes h
+/// by 2^-57 |t| at most where 2^8 |h| sqrt(A R) <= |M t|; and 2 (A h / M)^2 <= 2^-35 where |A h| <= 2^-18 |M|, of an h
+/// below 2^-22 |t|.
+template <class W, int N>
+[[gnu::always_inline]] inline std::optional<Interval<double>> ordinary_roots(const Ray<double, N>& ray,
+                                                                             const Sphere<double, N>& sphere,
+                                                                             const Plain<N>& plain) {
+  using isect::detail::Two, isect::detail::both;
+  constexpr bool fused = std::is_same_v<W, Fused>;
+  const double a = plain.a, b = plain.b, s = std::sqrt(plain.arr - plain.cross), inverse = 1 / a;
+  const Two t = Two{-b - s, s - b} * inverse;
+
+  const DoubleDouble square = two_product<fused>(sphere.radius, sphere.radius);
+  Two sum = both(-square.hi), rest = both(-square.lo);
+  for (int i = 0; i < N; ++i) {
+    const double f_rest = two_sum(ray.origin[i], -sphere.center[i]).lo;
+    const SumOf<Two> along = isect::detail::two_product_of<fused>(t, both(ray.direction[i])),
+                     p = two_sum_of(both(plain.f[i]), along.hi);
+    const SumOf<Two> p2 = isect::detail::two_product_of<fused>(p.hi, p.hi), c = two_sum_of(sum, p2.hi);
+    sum = c.hi, rest += (c.lo + p2.lo) + 2 * p.hi * ((p.lo + along.lo) + f_rest);
+  }
+  const Two m = a * t + b, half = 0.5 / m, step = (sum + rest) * half, h = step + a * half * (step * step);
+
+  const double breadth = 0x1p8 * std::sqrt(a * plain.reach);
+  bool safe = in_range<double>(a) & in_range<double>(plain.reach);
+  for (int k = 0; k < 2; ++k) {
+    const double size = std::abs(t[k]), slope = std::abs(m[k]), off = std::abs(h[k]);
+    safe &= (off <= 0x1p-22 * size) & (a * off <= 0x1p-18 * slope) & (slope * size >= 0x1p-30 * plain.reach) &
+            (off * breadth <= slope * size);
+  }
+  return safe ? std::optional(Interval<double>{t[0] - h[0], t[1] - h[1]}) : std::nullopt;
+}
+template <int N>
+[[gnu::always_inline]] inline std::optional<Interval<double>> ordinary_roots(const Ray<double, N>& ray,
+                                                                             const Sphere<double, N>& sphere,
+                                                                             const Plain<N>& plain) {
+  return compensated([&]<class W>() { return ordinary_roots<W>(ray, sphere, plain); });
+}
+
 /// t of a tangent line's double root, -B / A, within a relative `tolerance` before its last rounding; nothing where W
 /// can't promise that.
 ///
@@ -204,11 +282,23 @@ std::optional<Interval<double>> roots(const Ray<double, N>& ray, const Sphere<do
   return t ? std::optional(Interval<double>{*t, *t}) : std::nullopt;
 }
 
+/// The roots of a line that has two, for ordinary rays.
+template <class S, int N>
+[[gnu::always_inline]] inline std::optional<Interval<double>> quick_roots(const Ray<double, N>& ray,
+                                                                          const Sphere<double, N>& sphere) {
+  if constexpr (std::is_same_v<S, float>)
+    return roots<double>(ray, sphere, tolerance<S>);
+  else
+    return ordinary_roots(ray, sphere, Plain<N>(ray, sphere));
+}
+
 /// The answer for the part of the line that the range holds.
 template <class S>
-RaySphere<S> report(const Interval<S>& range, const Verdict& verdict, const Interval<double>& t) {
-  RaySphere<S> result = {verdict.line_roots, {static_cast<S>(t.lo), static_cast<S>(t.hi)}, verdict.origin, {}, {}};
-  if (!(range.lo <= range.hi)) return result;
+void report(const Interval<S>& range, const Verdict& verdict, const Interval<double>& t, RaySphere<S>& result) {
+  result.line_roots = verdict.line_roots;
+  result.roots = {static_cast<S>(t.lo), static_cast<S>(t.hi)};
+  result.origin = verdict.origin;
+  if (!(range.lo <= range.hi)) return;
 
   const AmongRoots lo = verdict.lo, hi = verdict.hi;
   // min and max are one instruction each, std::clamp branches
@@ -221,13 +311,36 @@ RaySphere<S> report(const Interval<S>& range, const Verdict& verdict, const Inte
     result.surface = exit;
   if (lo <= AmongRoots::exit && hi >= AmongRoots::entry)
     result.solid = {lo >= AmongRoots::entry ? range.lo : entry, hi <= AmongRoots::exit ? range.hi : exit};
+}
+template <class S>
+RaySphere<S> report(const Interval<S>& range, const Verdict& verdict, const Interval<double>& t) {
+  RaySphere<S> result;
+  report(range, verdict, t, result);
   return result;
 }
 
-/// How far, relatively, sums and products may be from their true values before the last rounding: at most an
-/// ulp of S.
-template <class S>
-inline constexpr double tolerance = std::numeric_limits<S>::epsilon() / 2;
+/// The whole answer for an ordinary ray, by the sign of D and by the roots: they are so near to the true ones that an
+/// end of the range, or 0, lies among these as it does among those, unless it is nearly one of them. False where that
+/// is not certain. `answer` is as it was made.
+template <class S, int N>
+[[gnu::always_inline]] inline bool quick_answer(const Ray<double, N>& ray, const Sphere<double, N>& sphere,
+                                                const Interval<S>& range, RaySphere<S>& answer) {
+  const Plain<N> plain(ray, sphere);
+  const int meets = plain.meets();
+  if (meets <= 0) return meets < 0;
+  const std::optional<Interval<double>> t = ordinary_roots(ray, sphere, plain);
+  if (!t) return false;
+
+  bool certain = true;
+  const double near_lo = 0x1p-50 * std::abs(t->lo), near_hi = 0x1p-50 * std::abs(t->hi);
+  const auto among = [&](double e) -> AmongRoots {
+    certain &= (std::abs(e - t->lo) > near_lo) & (std::abs(e - t->hi) > near_hi);
+    return static_cast<AmongRoots>(2 * ((e > t->lo) + (e > t->hi)));
+  };
+  const AmongRoots origin = among(0), lo = among(range.lo), hi = among(range.hi);
+  if (certain) report(range, {2, location(origin), lo, hi}, *t, answer);
+  return certain;
+}
 
 }  // namespace detail
 

@@ -45,8 +45,19 @@ std::optional<Scaled<N>> scaled(const Ray<double, N>& ray, const Sphere<double, 
   return exact ? std::optional(s) : std::nullopt;
 }
 
+/// The roots of a line that has `count` of them, by V; those of ordinary rays where V is Compensated.
+template <class V, class S, int N>
+std::optional<Interval<double>> roots_by(const Ray<double, N>& ray, const Sphere<double, N>& sphere, int count) {
+  if constexpr (std::is_same_v<V, Compensated>) {
+    if (count == 1) return roots<DoubleDouble>(ray, sphere, tolerance<S>, count);
+    return ordinary_roots(ray, sphere, Plain<N>(ray, sphere));
+  } else {
+    return roots<V>(ray, sphere, tolerance<S>, count);
+  }
+}
+
 /// Verdict by W, unless it is known, and values by V; or nothing.
-template <Arithmetic W, Arithmetic V, class S, int N, class Trace>
+template <Arithmetic W, class V, class S, int N, class Trace>
 std::optional<RaySphere<S>> attempt(const Ray<double, N>& ray, const Sphere<double, N>& sphere,
                                     const Interval<S>& range, int exponent, const std::optional<Verdict>& known,
                                     Trace&& trace) {
@@ -54,7 +65,7 @@ std::optional<RaySphere<S>> attempt(const Ray<double, N>& ray, const Sphere<doub
   if (!verdict) return {};
   if (verdict->line_roots == 0) return RaySphere<S>{};
 
-  const std::optional<Interval<double>> t = roots<V>(ray, sphere, tolerance<S>, verdict->line_roots);
+  const std::optional<Interval<double>> t = roots_by<V, S>(ray, sphere, verdict->line_roots);
   if (!t) return {};
   const Interval<double> values = {std::ldexp(t->lo, exponent), std::ldexp(t->hi, exponent)};
   trace(Values{values});
@@ -90,17 +101,38 @@ template <class S, int N, class Trace>
   if (verdict && verdict->origin == Location::on)  // a root at 0, which no rounded number can promise
     if (const auto answer = attempt<MediumExact, MediumExact>(ray, sphere, range, 0, verdict, trace)) return *answer;
   if (const std::optional<Scaled<N>> s = scaled(ray, sphere)) {
-    if (const auto answer = attempt<double, Extended>(s->ray, s->sphere, range, s->exponent, verdict, trace))
+    if (const auto answer = attempt<double, Compensated>(s->ray, s->sphere, range, s->exponent, verdict, trace))
       return *answer;
     if (const auto answer = attempt<DoubleDouble, DoubleDouble>(s->ray, s->sphere, range, s->exponent, verdict, trace))
       return *answer;
   } else {
     if (!known && verdict)
-      if (const auto answer = attempt<double, Extended>(ray, sphere, range, 0, verdict, trace)) return *answer;
+      if (const auto answer = attempt<double, Compensated>(ray, sphere, range, 0, verdict, trace)) return *answer;
     if (const auto answer = attempt<DoubleDouble, DoubleDouble>(ray, sphere, range, 0, verdict, trace)) return *answer;
   }
   if (const auto answer = attempt<MediumExact, MediumExact>(ray, sphere, range, 0, verdict, trace)) return *answer;
   return *attempt<Exact, Exact>(ray, sphere, range, 0, verdict, trace);
+}
+
+/// The verdict and the values in doubles, each settled where doubles can't tell.
+template <class S, int N, class Trace>
+RaySphere<S> step_by_step(const Ray<double, N>& ray, const Sphere<double, N>& sphere, const Interval<S>& range,
+                          Trace&& trace) {
+  const std::optional<Verdict> verdict = decide<double>(ray, sphere, trace);
+  if (verdict) {
+    if (verdict->line_roots == 0) return {};
+    if (const std::optional<Interval<double>> t = quick_roots<S>(ray, sphere)) {
+      trace(Values{*t});
+      return report(range, *verdict, *t);
+    }
+  }
+  trace(Fallback{});
+  return settle(ray, sphere, range, verdict, trace);
+}
+template <class S, int N, class Trace>
+[[gnu::noinline]] RaySphere<S> settled_step_by_step(const Ray<double, N>& ray, const Sphere<double, N>& sphere,
+                                                    const Interval<S>& range, Trace&& trace) {
+  return step_by_step(ray, sphere, range, trace);
 }
 
 }  // namespace detail

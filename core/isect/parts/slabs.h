@@ -114,8 +114,8 @@ Estimate<N> estimate(const Interval<S>& range, const Slabs& slabs) {
 
 /// What `clip` returns, once the estimate shows that some t is in all slabs. Open when two of them may be the last, or
 /// the first.
-template <class S, int N, class Slabs>
-Interval<S> stretch(const Interval<S>& range, const Estimate<N>& seen, const Slabs& slabs, FirstTry& first) {
+template <class S, int N, class Slabs, class Fine>
+Interval<S> stretch(const Interval<S>& range, const Estimate<N>& seen, const Slabs& slabs, FirstTry<Fine>& first) {
   int last = 0, left = 0;  // the slab entered last, the slab left first
   for (int i = 1; i < N; ++i) {
     last = seen.entries[i] > seen.entries[last] ? i : last;

@@ -138,7 +138,7 @@ class Through {
   using Known = std::optional<Way<W, N>>;
 
   std::vector<Point<double, N>> p_;
-  mutable std::tuple<Known<Bounded<double>>, Known<Grid>, Known<Compensated>, Known<ShortExact>,
+  mutable std::tuple<Known<Bounded<double>>, Known<Grid>, Known<CompensatedBy<false>>, Known<Fused>, Known<ShortExact>,
                      Known<Bounded<DoubleDouble>>, Known<Exact>>
       known_;
   mutable std::optional<int> den_;
