@@ -8,6 +8,11 @@
 
 namespace isect::viz {
 
+/// What is thin, or a text, in a role's colour: yellow can't be seen on white.
+inline Colour edge_ink(Role role, const Theme& theme) {
+  return theme.ink(role == Role::highlight && theme.name != ThemeName::dark ? Role::text : role);
+}
+
 /// Draws the marker at `p`, with a halo in the background's colour.
 void mark(std::vector<Shape>& out, Mark, const Vec2& p, Role, const Theme&);
 /// The radius a label must keep off.

@@ -124,7 +124,8 @@ struct Block {
   double height = 0;
 };
 
-/// No line ends within "50 %", after the sign of "-O3", or within a product of two names, such as *t* **d**.
+/// No line ends within "50 %", "[0.25, 0.75]", after the sign of "-O3", or within a product of two names, such as *t*
+/// **d**.
 void keep_together(PangoLayout* layout, const std::string& markup) {
   const std::string text = pango_layout_get_text(layout);
   const std::unique_ptr<PangoAttrList, decltype(&pango_attr_list_unref)> all(
@@ -138,6 +139,9 @@ void keep_together(PangoLayout* layout, const std::string& markup) {
     keep(at == 0 ? 0 : at - 1, at + 2);
   for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at + 1))
     if (at == 0 || text[at - 1] == ' ') keep(at, std::min(text.find(' ', at), text.size()));
+  constexpr std::size_t longest = 30;  // of an interval; of a longer one each end may have a line
+  for (std::size_t at = text.find('['); at != std::string::npos; at = text.find('[', at + 1))
+    if (const std::size_t end = text.find(']', at); end != std::string::npos && end - at < longest) keep(at, end + 1);
   const std::vector<Run> runs = parse_markup(markup);
   const auto is_name = [](const Run& run) {
     return (run.italic || run.bold) && run.text.find(' ') == std::string::npos;

@@ -4,6 +4,7 @@
 
 #include "tests/catch.h"
 #include "tests/viz/drawn.h"
+#include "viz/halos.h"
 #include "viz/solids.h"
 #include "viz/text.h"
 
@@ -191,6 +192,18 @@ TEST_CASE("a handle does not cover what is marked in its place", "[compose]") {
   CHECK(discs({Vec3::Zero(), Mark::disc, Role::hit}) == 0);
   CHECK(discs({Vec3::Zero(), Mark::uncounted, Role::construction}) == 0);
   CHECK(discs({Vec3::Zero(), Mark::diamond, Role::highlight}) == 0);
+}
+
+TEST_CASE("the ring of a yellow handle is seen on white", "[compose]") {
+  Scene scene;
+  scene.handles = {{.parameter = "v", .at = Vec3::Zero(), .role = Role::highlight}};
+  for (const ThemeName name : {ThemeName::screen, ThemeName::grey, ThemeName::dark}) {
+    const Theme style = theme(name, 960, 600);
+    const std::vector<Stroke> rings =
+        all<Stroke>(compose(scene, View({.half_height = 3}, 960, 600), style, true).shapes);
+    REQUIRE(rings.size() == 1);
+    CHECK(contrast_ratio(rings[0].colour, style.background) > 3);
+  }
 }
 
 }  // namespace compose_test

@@ -212,7 +212,8 @@ TEST_CASE("a word wider than the paragraph is broken, never cut", "[text]") {
   CHECK(bands(p).size() >= 4);
 }
 
-TEST_CASE("no line ends before a per cent sign, after the sign of an option, or within a product", "[text]") {
+TEST_CASE("no line ends before a per cent sign, after the sign of an option, or within a product or an interval",
+          "[text]") {
   const auto width_of = [](const Picture& p, std::pair<int, int> rows) {
     int right = 0;
     for (int y = rows.first; y <= rows.second; ++y)
@@ -220,8 +221,10 @@ TEST_CASE("no line ends before a per cent sign, after the sign of an option, or 
         if (p.rgba[4 * (static_cast<std::size_t>(y) * p.width + x) + 3] > 60) right = std::max(right, x);
     return right;
   };
-  for (const auto& [words, kept] :
-       {std::pair{"noise of 50 %", "50 %"}, {"GCC 12, -O3", "-O3"}, {"where **o** + *t* **d**", "*t* **d**"}}) {
+  for (const auto& [words, kept] : {std::pair{"noise of 50 %", "50 %"},
+                                    {"GCC 12, -O3", "-O3"},
+                                    {"where **o** + *t* **d**", "*t* **d**"},
+                                    {"range [0.25, 0.75]", "[0.25, 0.75]"}}) {
     INFO(words);
     const int whole = raster(paragraph(words, 0)).width, last = raster(paragraph(kept, 0)).width;
     const Picture wrapped = raster(paragraph(words, whole - 3));

@@ -114,8 +114,7 @@ void draw(Canvas& c, const Label& it) {
   double keep_off = it.until ? c.sizes().outline : c.dot_radius(it.at);
   for (const Handle& handle : c.scene.handles)
     if (!it.until && handle.at == it.at && c.handles) keep_off = c.sizes().handle_ring;
-  const Role role = it.role == Role::highlight && c.theme.name != ThemeName::dark ? Role::text : it.role;
-  c.labels.push_back({it.text, from, to, keep_off, c.theme.ink(role)});
+  c.labels.push_back({it.text, from, to, keep_off, edge_ink(it.role, c.theme)});
 }
 
 void draw(Canvas& c, const Heading& it) {
@@ -158,7 +157,7 @@ void draw(Canvas& c, const Handle& handle) {
     c.obstacles.push_back({c.at(handle.anchor), p, s.hairline, false});
   }
   c.marks.emplace_back(Fill{circle(p, s.handle_ring), ink.with_alpha(0.16), 0, 0, {}});
-  c.marks.emplace_back(Stroke{circle(p, s.handle_ring), ink, s.construction, {0, 0}, true});
+  c.marks.emplace_back(Stroke{circle(p, s.handle_ring), edge_ink(handle.role, c.theme), s.construction, {0, 0}, true});
   if (!has_mark(c, handle)) c.marks.emplace_back(Fill{circle(p, s.handle), ink, 0, 0, {}});
   c.obstacles.push_back({p, p, s.handle_ring, true});
 }

@@ -115,6 +115,9 @@ int harm(const std::string& row, std::size_t end) {
   return never_last.contains(before) ? 2 : 1;
 }
 
+/// A reader minds a last row of one word a little.
+int lone_word(const std::string& row, std::size_t indent) { return row.find(' ', indent) == std::string::npos ? 1 : 0; }
+
 struct Broken {
   std::vector<std::string> rows;
   int harm = 0;
@@ -122,7 +125,7 @@ struct Broken {
 
 /// On so many rows, which must do; a row as long as it may be where that is no harm.
 Broken least_harm(const std::string& row, const std::string& indent, int columns, int count) {
-  Broken best{{row}};
+  Broken best{{row}, lone_word(row, indent.size())};
   if (count == 1) return best;
   best.harm = std::numeric_limits<int>::max();
   for (const std::size_t end : ends_of(row, indent.size(), columns)) {
@@ -148,7 +151,7 @@ int harm_of(const std::vector<std::string>& rows) {
   int all = 0;
   for (std::size_t i = 0; i + 1 < rows.size(); ++i)
     all += harm(rows[i] + " " + rows[i + 1].substr(rows[i + 1].find_first_not_of(' ')), rows[i].size());
-  return all;
+  return rows.size() < 2 ? 0 : all + lone_word(rows.back(), rows.back().find_first_not_of(' '));
 }
 
 std::vector<float> chip_widths(const std::vector<float>& wide, float narrow, float gap, float width, int chosen) {

@@ -4,6 +4,7 @@
 
 #include "viz/case_map.h"
 #include "viz/closing.h"
+#include "viz/marks.h"
 #include "viz/rich_text.h"
 #include "viz/window/column.h"
 #include "viz/window/map_view.h"
@@ -124,7 +125,11 @@ float hints_height(Session& s, const std::vector<Hint>& hints, float width) {
 }
 
 void hint_mark(const Session& s, const Hint& hint, float x, float y) {
-  (hint.turns ? turn_sign : handle_sign)(x + 9, y, s.ui.palette.theme.ink(hint.role));
+  const Theme& theme = s.ui.palette.theme;
+  if (hint.turns)
+    turn_sign(x + 9, y, theme.ink(hint.role));
+  else
+    handle_sign(x + 9, y, theme.ink(hint.role), edge_ink(hint.role, theme));
 }
 
 /// Below each other.

@@ -304,9 +304,9 @@ void caret(float x, float y, bool open, ImU32 colour) {
     list().AddTriangleFilled({x - 2.5f, y - 4.5f}, {x + 3.5f, y}, {x - 2.5f, y + 4.5f}, colour);
 }
 
-void handle_sign(float x, float y, const Colour& colour) {
+void handle_sign(float x, float y, const Colour& colour, const Colour& rim) {
   list().AddCircleFilled({x, y}, 8.5f, packed(colour, 0.25), 24);
-  list().AddCircle({x, y}, 8.5f, packed(colour), 24, 1.2f);
+  list().AddCircle({x, y}, 8.5f, packed(rim), 24, 1.2f);
   list().AddCircleFilled({x, y}, 3.8f, packed(colour), 16);
 }
 

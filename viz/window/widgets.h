@@ -111,7 +111,7 @@ void diamond(float x, float y, float size, ImU32);
 /// A small triangle: pointing down when `open`, else to the right.
 void caret(float x, float y, bool open, ImU32);
 /// A handle's sign: a disc in a ring.
-void handle_sign(float x, float y, const Colour&);
+void handle_sign(float x, float y, const Colour&, const Colour& rim);
 /// An arrow that goes round.
 void turn_sign(float x, float y, const Colour&);
 /// isect's mark: a ray through a ball, green where they meet.
