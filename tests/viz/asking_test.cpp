@@ -1,6 +1,7 @@
 // The picture and the window while a question is open.
 
 #include "viz/asking.h"
+#include "viz/closing.h"
 
 #include <algorithm>
 
@@ -134,10 +135,14 @@ TEST_CASE("with the panels hidden the question stands over the scene, and is ans
   CHECK(window.has("question over scene"));  // it says whether that was right
 }
 
-TEST_CASE("what methods say waits while a question is open", "[window]") {
+TEST_CASE("what methods say waits for the outcome, and while a question is open", "[window]") {
   WindowDriver window(lessons::all_lessons(), 1280, 800, at("sphere-sphere", "touching", 2));
   REQUIRE(window.player().methods_differ());
+  CHECK_FALSE(window.has("alarm"));
+  window.player().go_to(outcome(window.player().walk()));
+  window.frames(2);
   CHECK(window.has("alarm"));
+  window.player().go_to(2);
   window.key(key::right);
   REQUIRE(window.player().asked());
   window.frames(2);

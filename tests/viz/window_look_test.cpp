@@ -214,6 +214,33 @@ TEST_CASE("what goes on beyond the end of a panel is seen to", "[window]") {
   CHECK_FALSE((window.has("more below words") || window.has("more above words")));
 }
 
+TEST_CASE("what says that a setting was changed covers no word", "[window][layout]") {
+  const auto [width, height] = GENERATE(table<float, float>({{800, 600}, {1280, 800}}));
+  WindowDriver window(isect::lessons::all_lessons(), width, height, {}, {}, {.reduced_motion = true});
+  int changed = 0;
+  for (const Lesson* lesson : isect::lessons::all_lessons()) {
+    window.player().open(*lesson);
+    window.player().first();
+    if (window.player().scene().handles.empty()) continue;
+    const Handle handle = window.player().scene().handles.front();
+    window.player().drag_handle(handle, handle.at + Vec3(0.11, 0.07, 0));
+    if (!window.player().preset_id().empty()) continue;
+    for (int i = 0; i < window.player().count(); ++i) {
+      window.player().go_to(i);
+      window.frames(2);
+      ++changed;
+      const Rect scene = window.rect("scene"), mark = window.rect("changed");
+      for (const PlacedLabel& label : window.ui.labels()) {
+        const TextBox& b = label.box;
+        INFO(window.ui.title() << " at " << width << ": " << label.text);
+        CHECK_FALSE((b.left + scene.left < mark.right - 8 && mark.left + 8 < b.right + scene.left &&
+                     b.top + scene.top < mark.bottom - 8 && mark.top + 8 < b.bottom + scene.top));
+      }
+    }
+  }
+  CHECK(changed > 50);
+}
+
 TEST_CASE("no handle covers a name, at any size", "[window][layout]") {
   const auto [width, height] = GENERATE(table<float, float>({{800, 600}, {1280, 800}, {2560, 1440}}));
   WindowDriver window(isect::lessons::all_lessons(), width, height, {}, {}, {.reduced_motion = true});

@@ -223,6 +223,18 @@ TEST_CASE("letters typed into a field are no commands", "[window]") {
   CHECK_FALSE(window.has("lesson point-disc"));
 }
 
+TEST_CASE("the columns of the key sheet have room beside each other, at any size", "[window]") {
+  const auto [width, height] = GENERATE(table<float, float>({{800, 600}, {1024, 768}, {1280, 800}, {2560, 1440}}));
+  WindowDriver window(both, width, height);
+  window.type("?");
+  window.frames(2);
+  const Rect sheet = window.rect("key sheet"), left = window.rect("keys left"), right = window.rect("keys right");
+  CHECK(sheet.left < left.left);
+  CHECK(left.right + 12 < right.left);
+  CHECK(right.right + 8 < sheet.right);
+  CHECK(std::max(left.bottom, right.bottom) < sheet.bottom);
+}
+
 TEST_CASE("the key sheet opens by key and by button, and closes by Escape", "[window]") {
   WindowDriver window(both);
   window.key(key::f1);

@@ -13,7 +13,7 @@ void key_sheet(Session& s, const Rect& window) {
       {"← / →", "step back / on"},
       {"Home / End", "first / last step"},
       {"Space", "play / pause"},
-      {"N", "play passes over questions, or not"},
+      {"N", "play past questions, or stop"},
       {"1 … 9, 0", "presets"},
       {"Page Up / Down", "preset before / after"},
       {"A, B, C …", "answer the question"},
@@ -60,19 +60,30 @@ void key_sheet(Session& s, const Rect& window) {
   const Palette& c = s.ui.palette;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float half = ImGui::GetContentRegionAvail().x / 2;
-  const bool narrow = half < 420;
+  const auto widest = [](const auto& all, ImFont* font, auto member) {
+    float most = 0;
+    for (const Row& r : all) most = std::max(most, text_width(font, r.*member));
+    return most;
+  };
+  constexpr float gap = 18;
+  const auto width = [&](const auto& all, ImFont* font) {
+    return widest(all, font, &Row::input) + gap + widest(all, font, &Row::action);
+  };
+  const bool narrow = std::max(width(left, s.ui.fonts.body), width(right, s.ui.fonts.body)) + gap > half;
   ImFont* font = narrow ? s.ui.fonts.small : s.ui.fonts.body;
   text(s.ui.fonts.heading, at.x, at.y + 10, packed(c.text), "Keys");
-  const auto column = [&](const auto& all, float x) {
+  const auto column = [&](const char* name, const auto& all, float x) {
     float y = at.y + 46;
+    s.ui.rects[name] = {x, y, x + width(all, font), y + row * static_cast<float>(std::size(all))};
+    const float actions = x + widest(all, font, &Row::input) + gap;
     for (const Row& r : all) {
       text(font, x, y, packed(c.first), r.input);
-      text(font, x + (narrow ? 150 : 188), y, packed(c.text), r.action);
+      text(font, actions, y, packed(c.text), r.action);
       y += row;
     }
   };
-  column(left, at.x);
-  column(right, at.x + half);
+  column("keys left", left, at.x);
+  column("keys right", right, at.x + half);
   ImGui::SetCursorScreenPos({at.x, at.y});
   ImGui::Dummy({1, 46 + row * rows});
   ImGui::EndPopup();

@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "viz/chart.h"
+#include "viz/closing.h"
+#include "viz/objects.h"
 #include "viz/pick.h"
 #include "viz/rich_text.h"
 
@@ -68,8 +70,10 @@ constexpr float low_head = 42;
 /// From the scene's edges to its chips.
 float edge(const Rect& scene) { return is_low(scene) ? 8.0f : 20.0f; }
 
+/// Not before the outcome: it tells what the exact method says.
 bool has_alarm(const Session& s) {
-  return s.player.methods_differ() && !s.player.asked() && !is_card(s.player.step().scene);
+  const bool known = s.player.index() >= outcome(s.player.walk());
+  return s.player.methods_differ() && known && !s.player.asked() && !is_card(s.player.step().scene);
 }
 
 std::string alarm_words(const Session& s) {
@@ -175,9 +179,24 @@ void tripod(Session& s, const View& view, const Rect& scene, const std::vector<P
   list.AddCircleFilled(origin, 1.5f, ink, 8);
 }
 
+namespace {
+
+bool shows_cases(const Scene& scene) { return scene.chart && std::holds_alternative<Cases>(scene.chart->kind); }
+
+}  // namespace
+
+float changed_room(const Session& s) {
+  const Scene& scene = s.player.scene();
+  if (!s.player.preset_id().empty() || !scene.handles.empty() || shows_cases(scene)) return 0;
+  return scene.chart || is_page(scene) ? 26 : 0;
+}
+
 Rect changed_rect(const Session& s, const Rect& scene) {
-  const float width = text_width(s.ui.fonts.small, "changed");
-  return {scene.right - 28 - width, scene.bottom - 64, scene.right - 12, scene.bottom - 40};
+  const float left = scene.right - 28 - text_width(s.ui.fonts.small, "changed"), right = scene.right - 12;
+  if (const float room = changed_room(s); room > 0) return {left, scene.bottom - room, right, scene.bottom - 2};
+  if (shows_cases(s.player.scene()) && !is_low(scene))  // beside the verdict, above all numbers
+    return {left, scene.top + 26, right, scene.top + 50};
+  return {left, scene.bottom - 64, right, scene.bottom - 40};
 }
 
 void changed_mark(Session& s, const Rect& scene) {

@@ -24,6 +24,9 @@ void tripod(Session&, const View&, const Rect& scene, const std::vector<PlacedLa
 void projection_name(Session&, const Rect& scene);
 void projection_text(Session&, const Rect& scene);
 /// Above it, where parameters were changed by hand: leads back to the preset. A button and its text, likewise.
+/// Charts and pages, whose words reach everywhere, leave a strip below them for it; not where a drag makes the change,
+/// under which nothing else may move.
+float changed_room(const Session&);
 void changed_mark(Session&, const Rect& scene);
 void changed_text(Session&, const Rect& scene);
 /// The message of the moment at the bottom.

@@ -273,7 +273,8 @@ void SceneView::show(Session& s, const Rect& r) {
   Ui& ui = s.ui;
   begin_region(ui, "scene", r, ui.palette.card);
   s.player.set_aspect(r.width() / (r.height() - steady_head(s, r) - axis_room(s, r)));
-  const float head = head_of(s, r), height = r.height() - head - (s.player.scene().chart ? 0 : axis_room(s, r));
+  const float head = head_of(s, r), below = s.player.scene().chart ? 0 : axis_room(s, r);
+  const float height = r.height() - head - std::max(below, changed_room(s));
   const Vec2 corner(r.left, r.top + head);
   const View before(s.player.camera().now(), r.width(), height, corner);
 
