@@ -10,10 +10,9 @@ const options = { encoding: "utf8", maxBuffer: 1 << 30 };
 const compiled = (args, input = "") =>
   spawnSync(process.execPath, ["--no-experimental-fetch", join(build, "replay.js"), ...args], { ...options, input });
 
-/// What differs still, to the letter: how five walks are drawn, and the box of one. A mesh's vertices come from sines,
-/// whose last bit is the C library's, and Eigen sums three products in another order where it has vector instructions:
-/// the search for a tight box then follows another of several equal ways, and a surface that shades itself shows each
-/// rounding.
+/// What differs still, to the letter: how three walks are drawn, and the box of one. Directions of a search come from
+/// sines, whose last bit is the C library's, and Eigen sums three products in another order where it has vector
+/// instructions: the search for a tight box then follows another of several equal ways.
 const known = new Set(readFileSync(join(root, "web/known.txt"), "utf8").split("\n"));
 const traces = compiled([join(root, "snapshots")]);
 const told = traces.stdout.trim().split("\n"), summary = told.pop();

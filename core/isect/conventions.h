@@ -44,4 +44,11 @@ enum class Location { in, on, out };
 /// What a view volume has of a shape. `crossing` is what remains: it may still be outside, near an edge of the volume.
 enum class Culling { outside, inside, crossing };
 
+/// Whether algorithms run in plain doubles first. Not where a build asks for small code: what follows says the same.
+#ifdef __OPTIMIZE_SIZE__
+inline constexpr bool doubles_first = false;
+#else
+inline constexpr bool doubles_first = true;
+#endif
+
 }  // namespace isect

@@ -56,7 +56,7 @@ template <class S, int N, class Trace = NoTrace>
   if (!(sphere.radius >= 0)) return {};  // empty, or NaN
   const Ray<double, N>& wide = in_doubles(ray);
   const Sphere<double, N>& ball = in_doubles(sphere);
-  if constexpr (std::is_same_v<S, double> && !heard<Trace>) {
+  if constexpr (doubles_first && std::is_same_v<S, double> && !heard<Trace>) {
     RaySphere<S> answer;
     if (!quick_answer(wide, ball, ray.range, answer)) [[unlikely]]
       answer = settled_step_by_step(wide, ball, ray.range, trace);

@@ -38,6 +38,12 @@ Eigen::Matrix3d frame_along(const Vec3& tip) {
   return axes;
 }
 
+/// The point at this angle on the unit circle, rounded to 40 bits: mathematical libraries differ in the last ones.
+Vec2 on_circle(double angle) {
+  const auto rounded = [](double x) { return std::round(x * 0x1p40) * 0x1p-40; };
+  return {rounded(std::cos(angle)), rounded(std::sin(angle))};
+}
+
 /// Rings of vertices around the first axis, closed by a point at either end. Along runs from -1 to 1.
 Mesh3 revolved(const std::vector<Vec2>& profile, double half_length, const Eigen::Matrix3d& axes) {
   constexpr int columns = 20;
@@ -46,8 +52,8 @@ Mesh3 revolved(const std::vector<Vec2>& profile, double half_length, const Eigen
   mesh.vertices = {-half_length * axes.col(0), half_length * axes.col(0)};
   for (const Vec2& p : profile)
     for (int j = 0; j < columns; ++j) {
-      const double angle = 2 * std::numbers::pi * j / columns;
-      mesh.vertices.emplace_back(axes * Vec3(p.x() * half_length, p.y() * std::cos(angle), p.y() * std::sin(angle)));
+      const Vec2 around = on_circle(2 * std::numbers::pi * j / columns);
+      mesh.vertices.emplace_back(axes * Vec3(p.x() * half_length, p.y() * around.x(), p.y() * around.y()));
     }
   const auto at = [&](int i, int j) { return 2 + i * columns + j % columns; };
   for (int j = 0; j < columns; ++j) {
@@ -84,8 +90,8 @@ Mesh3 ball(double half_length, const Eigen::Matrix3d& axes) {
   constexpr int rows = 12;
   std::vector<Vec2> profile;
   for (int i = 1; i < rows; ++i) {
-    const double angle = std::numbers::pi * i / rows;
-    profile.emplace_back(-std::cos(angle), half_length * std::sin(angle));
+    const Vec2 on = on_circle(std::numbers::pi * i / rows);
+    profile.emplace_back(-on.x(), half_length * on.y());
   }
   return revolved(profile, half_length, axes);
 }

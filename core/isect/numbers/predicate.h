@@ -90,7 +90,7 @@ template <class Algorithm, class Trace>
 /// straight text without a branch for each sign, and all but a few cases end there. A listener hears the whole.
 template <class Algorithm, class Trace>
 inline auto in_doubles_first(const Algorithm& algorithm, Trace& trace) {
-  if constexpr (!heard<Trace>) {
+  if constexpr (doubles_first && !heard<Trace>) {
     FirstTry<Compensated> first;
     auto result = detail::tried(algorithm, first);
     if (first.open) [[unlikely]]
@@ -104,7 +104,7 @@ inline auto in_doubles_first(const Algorithm& algorithm, Trace& trace) {
 /// The same for an algorithm that finds values in doubles, which are faster with fused products.
 template <class S, class Algorithm, class Trace>
 inline auto with_values_first(const Algorithm& algorithm, Trace& trace) {
-  if constexpr (std::is_same_v<S, double> && !heard<Trace>) {
+  if constexpr (doubles_first && std::is_same_v<S, double> && !heard<Trace>) {
     bool open = false;
     auto result = compensated([&]<class W>() {
       FirstTry<W> first;
@@ -172,7 +172,8 @@ template <class W, class Text>
 [[gnu::always_inline]] inline std::optional<double> fine_quotient(const Text& text) {
   const FineRatio r = fine_ratio<W>(text);
   const double q = quotient(W(r.num, r.num_rest), W(r.den, r.den_rest));
-  return r.safe & (std::abs(q) <= std::numeric_limits<double>::max()) ? std::optional(q) : std::nullopt;
+  const bool good = r.safe & (std::abs(q) <= std::numeric_limits<double>::max());
+  return good ? std::optional(q) : std::nullopt;
 }
 
 /// The quotient in V by its own bounds, if it is finite there and num and den are within a relative `tolerance`.
@@ -187,7 +188,8 @@ template <class V, class Text>
 /// By what doubles found, where num is 0 or both are exact there; then finer.
 template <class Text>
 [[gnu::noinline]] double settled_quotient(const Text& text, double tolerance) {
-  const auto [num, den] = text.template operator()<Bounded<double>>();
+  const Ratio<Bounded<double>> quick = text.template operator()<Bounded<double>>();
+  const Bounded<double>&num = quick.num, &den = quick.den;
   const Ratio<Grid> steps = text.template operator()<Grid>();
   if (std::abs(num.value()) + num.error() < steps.num.step()) return 0;
   if (num.error() < steps.num.step() && den.error() < steps.den.step()) return num.value() / den.value();
