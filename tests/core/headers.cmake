@@ -7,6 +7,7 @@ set(tested_by
   batch_point_polygon=batch
   batch_ray_sphere=batch
   bvh_split=bvh
+  capsule_half_spaces=half_spaces
   conventions=shapes
   convex_hull_3d_growth=convex_hull_3d
   directions=kdop_polytope
@@ -14,6 +15,7 @@ set(tested_by
   fit_tight_guess=fit_tight
   frustum_planes=aabb_frustum
   index_pair=all_pairs
+  inequalities=half_spaces
   instruction_set=batch
   obb_obb_axes=obb_obb
   obb_obb_first_pass=obb_obb
@@ -24,13 +26,16 @@ set(tested_by
   point_polygon_fast=point_polygon
   point_segment=sphere_capsule
   predicate=bounded
+  ray_half_spaces=half_spaces
   ray_mesh_parts=ray_mesh
   ray_range=ray_plane
   ray_sphere_roots=ray_sphere
   ray_sphere_settle=ray_sphere
   slabs=ray_aabb
+  sphere_half_spaces=half_spaces
   triangle_aabb_first_pass=triangle_aabb
-  triangle_aabb_methods=triangle_aabb)
+  triangle_aabb_methods=triangle_aabb
+  triangle_half_spaces=half_spaces)
 
 # All files of ours that a file includes.
 function(includes_of file result)

@@ -1,0 +1,105 @@
+#pragma once
+// Sphere against a convex solid given by half-spaces (isect/half_spaces.h): an oriented box, a k-DOP, a frustum, a
+// hull.
+//
+// The distance of the center from the solid against the radius, by duality: isect/parts/inequalities.h. The ball lies
+// in the solid iff its center is at least r inside each face, and the solid in the ball iff its corners do and it is
+// bounded. All is compared squared and multiplied out.
+
+#include <variant>
+
+#include <isect/half_spaces.h>
+
+namespace isect {
+
+namespace sphere_half_spaces {
+
+using Event = std::variant<Fallback>;
+
+namespace detail {
+
+/// The faces as seen from that point.
+inline auto seen_from(const std::vector<half_spaces::Face>& faces, const Point<double, 3>& from) {
+  return [&faces, from]<class W>(int i) -> inequalities::Row<W> {
+    inequalities::Row<W> row = half_spaces::detail::row<W>(faces[static_cast<std::size_t>(i)]);
+    row[3] = row[3] + dot(inequalities::detail::normal(row), exactly<W>(from));
+    return row;
+  };
+}
+
+/// Whether the ball lies in the solid.
+template <class Trace>
+bool contained(const Point<double, 3>& center, double r, const HalfSpaces& solid, Trace&& trace) {
+  const auto rows = seen_from(solid.faces, center);
+  for (int i = 0; i < half_spaces::detail::count(solid.faces); ++i) {
+    if (sign_of([&]<class W>() -> W { return rows.template operator()<W>(i)[3]; }, trace) < 0) return false;
+    const auto room = [&]<class W>() -> W {
+      const inequalities::Row<W> row = rows.template operator()<W>(i);
+      const Components<W, 3> n = inequalities::detail::normal(row);
+      return row[3] * row[3] - W(r) * W(r) * dot(n, n);
+    };
+    if (sign_of(room, trace) < 0) return false;
+  }
+  return true;
+}
+
+/// Of the plane: its own faces, and the plane itself for a third, so that there are corners.
+inline std::vector<half_spaces::Face> with_corners(const HalfSpaces& solid) {
+  std::vector<half_spaces::Face> faces = solid.faces;
+  if (solid.dimension == 2) faces.push_back({half_spaces::Level{Vector<double, 3>::UnitZ(), 0}});
+  return faces;
+}
+
+template <class Trace>
+bool bounded(const HalfSpaces& solid, Trace&& trace) {
+  return inequalities::bounded(half_spaces::detail::count(solid.faces), solid.dimension,
+                               half_spaces::detail::text_of(solid.faces), trace);
+}
+
+}  // namespace detail
+
+}  // namespace sphere_half_spaces
+
+/// How the ball (A) and the solid lie. Exact. A solid without a volume has no interior: the ball can only touch or
+/// contain it, or be a point of it. What is empty, NaN or infinite is disjoint from all.
+template <class S, int N, class Trace = NoTrace>
+Relation relate(const Sphere<S, N>& sphere, const HalfSpaces& solid, Trace&& trace = {}) {
+  if (empty(sphere) || !finite(sphere)) return Relation::disjoint;
+  const int room = half_spaces::detail::common(solid.faces, false, trace);
+  if (room < 0) return Relation::disjoint;
+  const Point<double, 3> center = half_spaces::detail::in_space<S, N>(sphere.center);
+  const double r = sphere.radius;
+  const int count = half_spaces::detail::count(solid.faces);
+  const int reach = inequalities::distance(count, sphere_half_spaces::detail::seen_from(solid.faces, center), r, trace);
+  if (reach > 0) return Relation::disjoint;
+
+  const bool a_in_b = sphere_half_spaces::detail::contained(center, r, solid, trace);
+  const std::vector<half_spaces::Face> faces = sphere_half_spaces::detail::with_corners(solid);
+  const auto held = [&](const auto& corner, const auto& scale) {
+    return sign_of(
+               [&]<class W>() -> W {
+                 const Components<W, 3> x = corner.template operator()<W>();
+                 const W d = scale.template operator()<W>();
+                 return dot(x, x) - W(r) * W(r) * (d * d);
+               },
+               trace) <= 0;
+  };
+  const bool b_in_a = inequalities::all_corners(half_spaces::detail::count(faces),
+                                                sphere_half_spaces::detail::seen_from(faces, center), held, trace) &&
+                      sphere_half_spaces::detail::bounded(solid, trace);
+  if (a_in_b) return b_in_a ? Relation::equal : Relation::a_inside_b;
+  if (b_in_a) return Relation::b_inside_a;
+  return reach == 0 || room == 0 ? Relation::touching : Relation::overlapping;
+}
+
+/// Whether they have a common point. Exact.
+template <class S, int N, class Trace = NoTrace>
+bool intersects(const Sphere<S, N>& sphere, const HalfSpaces& solid, Trace&& trace = {}) {
+  if (empty(sphere) || !finite(sphere) || !has_a_point(solid, trace)) return false;
+  const Point<double, 3> center = half_spaces::detail::in_space<S, N>(sphere.center);
+  return inequalities::distance(half_spaces::detail::count(solid.faces),
+                                sphere_half_spaces::detail::seen_from(solid.faces, center),
+                                static_cast<double>(sphere.radius), trace) <= 0;
+}
+
+}  // namespace isect

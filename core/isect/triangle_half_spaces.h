@@ -1,0 +1,151 @@
+#pragma once
+// Triangle against a convex solid given by half-spaces (isect/half_spaces.h): an oriented box, a k-DOP, a frustum, a
+// hull; and against another triangle, which is flat and has half-spaces as well.
+//
+// The points of the triangle are a + s (b - a) + t (c - a) with s, t >= 0, s + t <= 1. So each half-space says one
+// linear inequality in s and t, and whether all have a common solution is a question in the plane: three of them
+// contradict each other, or none do (see isect/parts/inequalities.h, here in two variables). A triangle that is a
+// segment or a point needs no case of its own.
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <variant>
+
+#include <isect/capsule_capsule.h>
+#include <isect/half_spaces.h>
+
+namespace isect {
+
+namespace triangle_half_spaces {
+
+using Event = std::variant<Fallback>;
+
+namespace detail {
+
+/// In s, in t, and without them.
+template <Filtered W>
+std::array<W, 3> row(const std::vector<half_spaces::Face>& faces, const Triangle<double, 3>& x, int i) {
+  if (i == 0) return {W(1), W(0), W(0)};
+  if (i == 1) return {W(0), W(1), W(0)};
+  if (i == 2) return {W(-1), W(-1), W(1)};
+  const inequalities::Row<W> face = half_spaces::detail::row<W>(faces[static_cast<std::size_t>(i - 3)]);
+  const Components<W, 3> n = inequalities::detail::normal(face);
+  const auto& [a, b, c] = x.vertices;
+  return {dot(n, difference<W>(b, a)), dot(n, difference<W>(c, a)), dot(n, exactly<W>(a)) + face[3]};
+}
+
+/// 1: some point within the triangle lies in the interior of all half-spaces. 0: a point of it lies in all. -1: none.
+template <class Trace>
+int common(const Triangle<double, 3>& x, const std::vector<half_spaces::Face>& faces, Trace&& trace) {
+  const int n = static_cast<int>(faces.size()) + 3;
+  std::vector<std::array<Bounded<double>, 3>> quick;
+  for (int i = 0; i < n; ++i) quick.push_back(row<Bounded<double>>(faces, x, i));
+  const auto at = [&]<class W>(int i) -> std::array<W, 3> {
+    if constexpr (std::is_same_v<W, Bounded<double>>)
+      return quick[static_cast<std::size_t>(i)];
+    else
+      return row<W>(faces, x, i);
+  };
+  const auto turn = [&]<class W>(int i, int j) -> W {
+    const std::array<W, 3> p = at.template operator()<W>(i), q = at.template operator()<W>(j);
+    return p[0] * q[1] - p[1] * q[0];
+  };
+  std::vector<int> signs(static_cast<std::size_t>(n) * n);
+  const auto sign = [&](int i, int j) -> int& { return signs[static_cast<std::size_t>(i) * n + j]; };
+  for (int i = 0; i < n; ++i)
+    for (int j = i + 1; j < n; ++j)
+      sign(i, j) = sign_of([&]<class W>() -> W { return turn.template operator()<W>(i, j); }, trace);
+
+  int least = 1;
+  for (int i = 0; i < n; ++i)
+    for (int j = i + 1; j < n; ++j)
+      for (int k = j + 1; k < n; ++k) {
+        const auto [lo, hi] = std::minmax({sign(j, k), -sign(i, k), sign(i, j)});
+        if (lo == hi ? lo == 0 : lo < 0 && hi > 0) continue;
+        const int sum = sign_of(
+            [&]<class W>() -> W {
+              return at.template operator()<W>(i)[2] * turn.template operator()<W>(j, k) -
+                     at.template operator()<W>(j)[2] * turn.template operator()<W>(i, k) +
+                     at.template operator()<W>(k)[2] * turn.template operator()<W>(i, j);
+            },
+            trace);
+        least = std::min(least, hi > 0 ? sum : -sum);
+        if (least < 0) return least;
+      }
+  return least;
+}
+
+template <class S, int N>
+Triangle<double, 3> in_space(const Triangle<S, N>& x) {
+  const auto at = [&](std::size_t i) { return half_spaces::detail::in_space<S, N>(x.vertices[i]); };
+  return {{at(0), at(1), at(2)}};
+}
+
+/// Whether the corners lie on one line.
+template <class Trace>
+bool degenerate(const Triangle<double, 3>& x, Trace&& trace) {
+  const auto& [a, b, c] = x.vertices;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (sign_of([&]<class W>() -> W { return half_spaces::detail::normal<W>(a, b, c)[i]; }, trace) != 0) return false;
+  return true;
+}
+
+/// The segment that a degenerate triangle is: between the two corners that have the third between them.
+template <class Trace>
+Capsule<double, 3> as_segment(const Triangle<double, 3>& x, Trace&& trace) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Point<double, 3>&p = x.vertices[i], &q = x.vertices[(i + 1) % 3], &r = x.vertices[(i + 2) % 3];
+    if (sign_of([&]<class W>() -> W { return dot(difference<W>(p, r), difference<W>(q, r)); }, trace) <= 0)
+      return {p, q, 0};
+  }
+  return {x.vertices[0], x.vertices[0], 0};
+}
+
+}  // namespace detail
+
+}  // namespace triangle_half_spaces
+
+/// How triangle (A) and solid lie. Exact; degenerate triangles are segments or points. Here `touching` means that no
+/// point of the triangle lies in the interior of the solid, also where a solid without a volume lies in the triangle.
+/// What is empty, NaN or infinite is disjoint from all.
+template <class S, int N, class Trace = NoTrace>
+Relation relate(const Triangle<S, N>& triangle, const HalfSpaces& solid, Trace&& trace = {}) {
+  if (!finite(triangle)) return Relation::disjoint;
+  const int meet =
+      triangle_half_spaces::detail::common(triangle_half_spaces::detail::in_space<S, N>(triangle), solid.faces, trace);
+  if (meet < 0) return Relation::disjoint;
+  const bool inside = std::ranges::all_of(
+      triangle.vertices, [&](const Point<S, N>& v) { return locate<S, N>(v, solid, trace) != Location::out; });
+  if (inside) return Relation::a_inside_b;
+  return meet == 0 ? Relation::touching : Relation::overlapping;
+}
+
+/// Whether they have a common point. Exact.
+template <class S, int N, class Trace = NoTrace>
+bool intersects(const Triangle<S, N>& triangle, const HalfSpaces& solid, Trace&& trace = {}) {
+  if (!finite(triangle)) return false;
+  return triangle_half_spaces::detail::common(triangle_half_spaces::detail::in_space<S, N>(triangle), solid.faces,
+                                              trace) >= 0;
+}
+
+/// Whether two triangles in space have a common point. Exact, in one plane, too, and where they are segments or points.
+/// NaN or an infinite coordinate: no.
+template <class S, class Trace = NoTrace>
+bool intersects(const Triangle<S, 3>& a, const Triangle<S, 3>& b, Trace&& trace = {}) {
+  if (!finite(a) || !finite(b)) return false;
+  using namespace triangle_half_spaces::detail;
+  const Triangle<double, 3> x = cast<double>(a), y = cast<double>(b);
+  const bool flat_x = degenerate(x, trace), flat_y = degenerate(y, trace);
+  if (flat_x && flat_y) return intersects(as_segment(x, trace), as_segment(y, trace), trace);
+  const Triangle<double, 3>&outer = flat_y ? x : y, &inner = flat_y ? y : x;
+  const auto& [p, q, r] = outer.vertices;
+  const std::vector<half_spaces::Face> faces = {{half_spaces::Behind{p, q, r}},
+                                                {half_spaces::Behind{p, q, r}, true},
+                                                {half_spaces::Beside{p, q, r}},
+                                                {half_spaces::Beside{q, r, p}},
+                                                {half_spaces::Beside{r, p, q}}};
+  return triangle_half_spaces::detail::common(inner, faces, trace) >= 0;
+}
+
+}  // namespace isect

@@ -1,0 +1,324 @@
+#include <isect/capsule_half_spaces.h>
+#include <isect/half_spaces.h>
+#include <isect/ray_half_spaces.h>
+#include <isect/sphere_half_spaces.h>
+#include <isect/triangle_half_spaces.h>
+
+#include <random>
+
+#include <isect/aabb_aabb.h>
+#include <isect/obb_obb.h>
+#include "bench/half_spaces/oracle.h"
+#include "tests/catch.h"
+#include "tests/settings.h"
+
+namespace half_spaces_test {
+using namespace isect;
+
+namespace {
+
+constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
+using Vec = Vector<double, 3>;
+
+/// Whole numbers, so that much touches, or any.
+struct Draw {
+  std::mt19937_64 random{tests::seed()};
+  bool whole = true;
+
+  double number(int lo, int hi) {
+    if (whole) return std::uniform_int_distribution<int>(lo, hi)(random);
+    return std::uniform_real_distribution<double>(lo, hi)(random);
+  }
+  Vec vector(int reach) { return {number(-reach, reach), number(-reach, reach), number(-reach, reach)}; }
+
+  Aabb<double, 3> box() {
+    const Vec a = vector(4), b = vector(4);
+    return {a.cwiseMin(b), a.cwiseMax(b)};
+  }
+  Obb<double, 3> obb() {
+    Obb<double, 3> box = {vector(3), {}, {number(0, 2), number(0, 2), number(0, 2)}};
+    do
+      for (int i = 0; i < 3; ++i) box.axes.col(i) = vector(1);
+    while (box.axes.determinant() == 0);
+    return box;
+  }
+  Kdop<double, 3> kdop() {
+    Kdop<double, 3> k = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {1, -1, 1}}, {}};
+    for (std::size_t i = 0; i < k.normals.size(); ++i) {
+      const double lo = number(-4, 3);
+      k.slabs.push_back({lo, lo + number(0, 4)});
+    }
+    return k;
+  }
+  /// A pyramid cut off, somewhere.
+  Frustum<double> frustum() {
+    const Vec eye = vector(3);
+    const auto plane = [&](const Vec& n, double d) { return Plane<double, 3>{n, d - n.dot(eye)}; };
+    const double near = number(1, 2), far = near + number(1, 3);
+    return {{plane({1, 0, 1}, 0), plane({-1, 0, 1}, 0), plane({0, 1, 2}, 0), plane({0, -1, 2}, 0),
+             plane({0, 0, 1}, -near), plane({0, 0, -1}, far)}};
+  }
+  Triangle<double, 3> triangle() { return {{vector(4), vector(4), vector(4)}}; }
+};
+
+/// |x| <= z and |y| <= z for z from 1 to 4.
+Frustum<double> pyramid() {
+  const auto plane = [](const Vec& n, double d) { return Plane<double, 3>{n, d}; };
+  return {{plane({1, 0, 1}, 0), plane({-1, 0, 1}, 0), plane({0, 1, 1}, 0), plane({0, -1, 1}, 0), plane({0, 0, 1}, -1),
+           plane({0, 0, -1}, 4)}};
+}
+
+/// A solid in the core's form and in the oracle's.
+struct Solid {
+  HalfSpaces core;
+  oracle::Sides sides;
+};
+template <class Shape>
+Solid solid(const Shape& shape) {
+  return {half_spaces_of(shape), oracle::sides(shape)};
+}
+Solid any_solid(Draw& draw, int kind) {
+  if (kind == 0) return solid(draw.box());
+  if (kind == 1) return solid(draw.obb());
+  if (kind == 2) return solid(draw.kdop());
+  return solid(draw.frustum());
+}
+
+/// f(draw, round): on whole numbers, then on any.
+template <class F>
+void rounds(int count, const F& f) {
+  Draw draw;
+  for (const bool whole : {true, false}) {
+    draw.whole = whole;
+    for (int round = 0; round < tests::cases(count, 20 * count); ++round) f(draw, round);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("two convex solids lie as their corners tell", "[half_spaces]") {
+  std::array<int, 6> seen = {};
+  rounds(300, [&](Draw& draw, int round) {
+    Solid a = any_solid(draw, round % 4);
+    const Solid b = any_solid(draw, round / 4 % 4);
+    if (round % 6 == 0) {  // small ones
+      const Vec lo = draw.vector(2);
+      a = solid(Aabb<double, 3>{lo, lo + Vec(draw.number(0, 1), draw.number(0, 1), 0.5)});
+    }
+    const Relation truth = oracle::relation(a.sides, b.sides);
+    CAPTURE(round, draw.whole);
+    REQUIRE(relate(a.core, b.core) == truth);
+    REQUIRE(relate(b.core, a.core) == reversed(truth));
+    REQUIRE(intersects(a.core, b.core) == (truth != Relation::disjoint));
+    ++seen[static_cast<std::size_t>(truth)];
+  });
+  for (const Relation r : {Relation::disjoint, Relation::a_inside_b, Relation::touching, Relation::overlapping})
+    CHECK(seen[static_cast<std::size_t>(r)] > 0);
+}
+
+TEST_CASE("boxes and oriented boxes lie as half-spaces as their own tests say", "[half_spaces]") {
+  rounds(150, [](Draw& draw, int round) {
+    const Aabb<double, 3> a = draw.box(), b = draw.box();
+    const Obb<double, 3> p = draw.obb(), q = draw.obb();
+    CAPTURE(round, draw.whole);
+    REQUIRE(relate(half_spaces_of(a), half_spaces_of(b)) == relate(a, b));
+    REQUIRE(relate(half_spaces_of(p), half_spaces_of(q)) == relate(p, q));
+    REQUIRE(relate(half_spaces_of(a), half_spaces_of(a)) == Relation::equal);
+  });
+}
+
+TEST_CASE("an ulp decides how a box lies to a frustum, a ball and a capsule", "[half_spaces]") {
+  // Beyond an edge of the frustum, where no single plane of it has the box beside it
+  const Frustum<double> frustum = pyramid();
+  const auto box_at = [](double x) { return half_spaces_of(Aabb<double, 3>{{x, x, -1}, {x + 1, x + 1, x}}); };
+  CHECK(relate(box_at(2), half_spaces_of(frustum)) == Relation::touching);
+  CHECK(relate(half_spaces_of(Aabb<double, 3>{{2, 2, -1}, {3, 3, std::nextafter(2, 0)}}), half_spaces_of(frustum)) ==
+        Relation::disjoint);
+  CHECK(relate(half_spaces_of(Aabb<double, 3>{{2, 2, -1}, {3, 3, std::nextafter(2, 3)}}), half_spaces_of(frustum)) ==
+        Relation::overlapping);
+
+  const HalfSpaces box = half_spaces_of(Aabb<double, 3>{{0, 0, 0}, {4, 4, 4}});
+  const Vec corner(6, 7, 10);  // 2, 3, 6 from the corner: 7 away
+  CHECK(relate(Sphere<double, 3>{corner, 7}, box) == Relation::touching);
+  CHECK(relate(Sphere<double, 3>{corner, std::nextafter(7, 0)}, box) == Relation::disjoint);
+  CHECK(relate(Sphere<double, 3>{corner, std::nextafter(7, 8)}, box) == Relation::overlapping);
+  const Capsule<double, 3> beside = {{7, 8, -10}, {7, 8, 20}, 5};  // 3, 4 from an edge
+  CHECK(relate(beside, box) == Relation::touching);
+  CHECK(relate(Capsule<double, 3>{beside.p, beside.q, std::nextafter(5, 0)}, box) == Relation::disjoint);
+  CHECK(relate(Capsule<double, 3>{beside.p, beside.q, std::nextafter(5, 6)}, box) == Relation::overlapping);
+  CHECK(relate(Capsule<double, 3>{{2, 2, -10}, {2, 2, 20}, 9}, box) == Relation::b_inside_a);
+  CHECK(relate(Capsule<double, 3>{{1, 2, 2}, {3, 2, 2}, 1}, box) == Relation::a_inside_b);
+}
+
+TEST_CASE("a ball lies to a solid as its distance tells", "[half_spaces]") {
+  std::array<int, 6> seen = {};
+  rounds(240, [&](Draw& draw, int round) {
+    const Solid s = any_solid(draw, round % 4);
+    const Sphere<double, 3> ball = {draw.vector(6), draw.number(0, round % 3 == 0 ? 9 : 3)};
+    const Relation truth = oracle::relation({ball.center, ball.center, ball.radius}, s.sides);
+    CAPTURE(round, draw.whole);
+    REQUIRE(relate(ball, s.core) == truth);
+    REQUIRE(intersects(ball, s.core) == (truth != Relation::disjoint));
+    ++seen[static_cast<std::size_t>(truth)];
+  });
+  for (const Relation r :
+       {Relation::disjoint, Relation::a_inside_b, Relation::b_inside_a, Relation::touching, Relation::overlapping})
+    CHECK(seen[static_cast<std::size_t>(r)] > 0);
+}
+
+TEST_CASE("a capsule lies to a solid as its segment's distance tells", "[half_spaces]") {
+  std::array<int, 6> seen = {};
+  rounds(120, [&](Draw& draw, int round) {
+    const Solid s = any_solid(draw, round % 4);
+    const Capsule<double, 3> capsule = {draw.vector(6), draw.vector(6), draw.number(0, round % 3 == 0 ? 9 : 3)};
+    const Relation truth = oracle::relation(capsule, s.sides);
+    CAPTURE(round, draw.whole);
+    REQUIRE(relate(capsule, s.core) == truth);
+    REQUIRE(intersects(capsule, s.core) == (truth != Relation::disjoint));
+    ++seen[static_cast<std::size_t>(truth)];
+  });
+  for (const Relation r : {Relation::disjoint, Relation::b_inside_a, Relation::touching, Relation::overlapping})
+    CHECK(seen[static_cast<std::size_t>(r)] > 0);
+}
+
+TEST_CASE("a triangle lies to a solid as what is left of it, clipped", "[half_spaces]") {
+  std::array<int, 6> seen = {};
+  rounds(600, [&](Draw& draw, int round) {
+    const Solid s = any_solid(draw, round % 4);
+    Triangle<double, 3> triangle = draw.triangle();
+    if (round % 7 == 0) triangle.vertices[2] = triangle.vertices[round % 14 == 0];  // a segment
+    const Relation truth = oracle::relation(triangle, s.sides);
+    CAPTURE(round, draw.whole);
+    REQUIRE(relate(triangle, s.core) == truth);
+    REQUIRE(intersects(triangle, s.core) == (truth != Relation::disjoint));
+    ++seen[static_cast<std::size_t>(truth)];
+  });
+  for (const Relation r : {Relation::disjoint, Relation::a_inside_b, Relation::touching, Relation::overlapping})
+    CHECK(seen[static_cast<std::size_t>(r)] > 0);
+}
+
+TEST_CASE("two triangles in space meet where something is left of one, clipped by the other", "[half_spaces]") {
+  int met = 0, apart = 0;
+  rounds(600, [&](Draw& draw, int round) {
+    const Triangle<double, 3> a = draw.triangle();
+    Triangle<double, 3> b = draw.triangle();
+    if (round % 3 == 0)
+      for (Vec& v : b.vertices) v.z() = 0;
+    if (round % 6 == 0) b.vertices[2] = b.vertices[0];
+    Triangle<double, 3> lying = a;
+    if (round % 9 == 0)
+      for (Vec& v : lying.vertices) v.z() = 0;
+    const auto area = [](const Triangle<double, 3>& x) {
+      const auto& [p, q, r] = x.vertices;
+      return (q - p).cross(r - p).squaredNorm() > 0;
+    };
+    if (!area(lying)) return;
+    const bool truth = !oracle::clipped(b, oracle::sides(lying)).empty();
+    CAPTURE(round, draw.whole);
+    REQUIRE(intersects(lying, b) == truth);
+    REQUIRE(intersects(b, lying) == truth);
+    ++(truth ? met : apart);
+  });
+  CHECK(met > 20);
+  CHECK(apart > 20);
+  const auto segment = [](const Vec& p, const Vec& q) { return Triangle<double, 3>{{p, q, p}}; };
+  CHECK(intersects(segment({0, 0, 0}, {2, 2, 0}), segment({0, 2, 0}, {2, 0, 0})));
+  CHECK_FALSE(intersects(segment({0, 0, 0}, {2, 2, 0}), segment({0, 2, 1}, {2, 0, 1})));
+}
+
+TEST_CASE("the part of a ray in a solid is that of its clipping", "[half_spaces]") {
+  int met = 0;
+  rounds(400, [&](Draw& draw, int round) {
+    const Solid s = any_solid(draw, round % 4);
+    const Segment<double, 3> segment = {draw.vector(6), draw.vector(6)};
+    const auto truth = oracle::part(oracle::rational(segment.p), oracle::rational(segment.q), s.sides);
+    const auto found = intersect(segment, s.core);
+    CAPTURE(round, draw.whole);
+    REQUIRE(found.has_value() == truth.has_value());
+    if (!found) return;
+    ++met;
+    REQUIRE(std::abs(found->lo - truth->first.convert_to<double>()) <= 1e-15);
+    REQUIRE(std::abs(found->hi - truth->second.convert_to<double>()) <= 1e-15);
+    if (!draw.whole) return;
+    const Ray<double, 3> line = {segment.p, segment.q - segment.p, infinite<double>};
+    REQUIRE(intersect(line, s.core).has_value());
+  });
+  CHECK(met > 60);
+  const HalfSpaces box = half_spaces_of(Aabb<double, 3>{{0, 0, 0}, {1, 1, 1}});
+  const auto along = intersect(Ray<double, 3>{{-2, 1, 1}, {2, 0, 0}}, box);  // an edge
+  REQUIRE(along);
+  CHECK(along->lo == 1);
+  CHECK(along->hi == 1.5);
+  CHECK_FALSE(intersect(Ray<double, 3>{{-2, std::nextafter(1, 2), 1}, {2, 0, 0}}, box));
+  CHECK_FALSE(intersect(Ray<double, 3>{{-2, 1, 1}, {2, 0, 0}, {0, std::nextafter(1, 0)}}, box));
+  CHECK(intersect(Ray<double, 3>{{-2, 1, 1}, {2, 0, 0}, {0, 1}}, box));
+  CHECK(intersect(Ray<double, 3>{{0.5, 0.5, 0.5}, {0, 0, 0}}, box));
+}
+
+TEST_CASE("a plane cuts a solid, touches it, or has it on one side", "[half_spaces]") {
+  const HalfSpaces box =
+      half_spaces_of(Obb<double, 3>{{0, 0, 0}, Eigen::Matrix3d{{3, -4, 0}, {4, 3, 0}, {0, 0, 5}}, {1, 1, 1}});
+  CHECK(relate(Plane<double, 3>{{1, 0, 0}, 6}, box) == Relation::overlapping);  // it reaches 7
+  CHECK(relate(Plane<double, 3>{{1, 0, 0}, -7}, box) == Relation::touching);
+  CHECK(relate(Plane<double, 3>{{-1, 0, 0}, -7}, box) == Relation::touching);
+  CHECK(relate(Plane<double, 3>{{1, 0, 0}, -std::nextafter(7, 8)}, box) == Relation::disjoint);
+  CHECK(relate(Plane<double, 3>{{1, 0, 0}, -std::nextafter(7, 0)}, box) == Relation::overlapping);
+  const HalfSpaces flat = half_spaces_of(Aabb<double, 3>{{0, 0, 1}, {1, 1, 1}});
+  CHECK(relate(Plane<double, 3>{{0, 0, 1}, -1}, flat) == Relation::touching);
+  CHECK(relate(Plane<double, 3>{{0, 0, 0}, 0}, box) == Relation::disjoint);
+}
+
+TEST_CASE("where a point lies in a frustum is the sign of each plane", "[half_spaces]") {
+  const HalfSpaces frustum = half_spaces_of(pyramid());
+  CHECK(locate<double, 3>({0, 0, 2}, frustum) == Location::in);
+  CHECK(locate<double, 3>({2, 0, 2}, frustum) == Location::on);
+  CHECK(locate<double, 3>({std::nextafter(2, 3), 0, 2}, frustum) == Location::out);
+  CHECK(locate<double, 3>({0, 0, 0.5}, frustum) == Location::out);
+  CHECK(locate<double, 3>({0, 0, nan_}, frustum) == Location::out);
+}
+
+TEST_CASE("solids of the plane are prisms without ends", "[half_spaces]") {
+  const HalfSpaces square = half_spaces_of(Aabb<double, 2>{{0, 0}, {4, 4}});
+  const HalfSpaces tilted = half_spaces_of(Obb<double, 2>{{5, 2}, Eigen::Matrix2d{{1, -1}, {1, 1}}, {0.5, 0.5}});
+  CHECK(relate(square, tilted) == Relation::touching);
+  CHECK(relate(half_spaces_of(Aabb<double, 2>{{0, 0}, {9, 9}}), tilted) == Relation::b_inside_a);
+  CHECK(relate(Sphere<double, 2>{{7, 8}, 5}, square) == Relation::touching);
+  CHECK(relate(Sphere<double, 2>{{2, 2}, 2}, square) == Relation::a_inside_b);
+  CHECK(relate(Sphere<double, 2>{{2, 2}, 3}, square) == Relation::b_inside_a);
+  CHECK(relate(Capsule<double, 2>{{2, 8}, {20, 8}, 4}, square) == Relation::touching);
+  CHECK(relate(Capsule<double, 2>{{1, 2}, {3, 2}, 1}, square) == Relation::a_inside_b);
+  CHECK(relate(Triangle<double, 2>{{{{4, 4}, {6, 4}, {6, 9}}}}, square) == Relation::touching);
+  CHECK(locate<double, 2>({4, 2}, square) == Location::on);
+}
+
+TEST_CASE("a hull is the half-spaces of its facets", "[half_spaces]") {
+  const Hull3<double> hull = convex_hull(std::vector<Vec>{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {1, 1, 1}});
+  const HalfSpaces tetrahedron = half_spaces_of(hull);
+  CHECK(locate<double, 3>({1, 1, 1}, tetrahedron) == Location::in);
+  CHECK(locate<double, 3>({1, 1, 2}, tetrahedron) == Location::on);
+  CHECK(locate<double, 3>({2, 2, 1}, tetrahedron) == Location::out);
+  CHECK(relate(half_spaces_of(Aabb<double, 3>{{1, 1, 2}, {5, 5, 5}}), tetrahedron) == Relation::touching);
+}
+
+TEST_CASE("what is empty, unbounded or not finite is no common point, or no part of a ball", "[half_spaces]") {
+  const HalfSpaces box = half_spaces_of(Aabb<double, 3>{{0, 0, 0}, {1, 1, 1}});
+  const HalfSpaces empty_slabs = half_spaces_of(Kdop<double, 3>{{{1, 0, 0}, {-1, 0, 0}}, {{1, 2}, {1, 2}}});
+  CHECK_FALSE(has_a_point(empty_slabs));
+  CHECK(relate(box, empty_slabs) == Relation::disjoint);
+  CHECK(relate(Sphere<double, 3>{{0, 0, 0}, 9}, empty_slabs) == Relation::disjoint);
+  CHECK(relate(Capsule<double, 3>{{0, 0, 0}, {1, 0, 0}, 9}, empty_slabs) == Relation::disjoint);
+  for (const double bad : {nan_, inf, -inf}) {
+    CHECK(relate(half_spaces_of(Aabb<double, 3>{{bad, 0, 0}, {1, 1, 1}}), box) == Relation::disjoint);
+    CHECK(relate(Sphere<double, 3>{{bad, 0, 0}, 9}, box) == Relation::disjoint);
+    CHECK(relate(Capsule<double, 3>{{bad, 0, 0}, {0, 0, 0}, 9}, box) == Relation::disjoint);
+    CHECK(relate(Triangle<double, 3>{{{{bad, 0, 0}, {0, 0, 0}, {1, 0, 0}}}}, box) == Relation::disjoint);
+  }
+  CHECK_FALSE(has_a_point(half_spaces_of(Obb<double, 3>{{0, 0, 0}, Eigen::Matrix3d::Zero(), {1, 1, 1}})));
+  // Above z = 0 and between x = 0 and 1: corners, but no end
+  const HalfSpaces endless = {
+      {{half_spaces::Level{{1, 0, 0}, 0}}, {half_spaces::Level{{0, 1, 0}, 0}}, {half_spaces::Level{{0, 0, 1}, 0}}}};
+  CHECK(relate(Sphere<double, 3>{{0, 0, 0}, 9}, endless) == Relation::overlapping);
+  CHECK(relate(Capsule<double, 3>{{0, 0, 0}, {1, 0, 0}, 9}, endless) == Relation::overlapping);
+}
+
+}  // namespace half_spaces_test
