@@ -75,12 +75,14 @@ void add_scene(CLI::App& app, Program& program) {
                  "write the scene with these numbers, all else as it is: the scene's own file, or\na new one")
       ->type_name("FILE")
       ->check(not_empty());
-  sub.footer(std::string(scene::how_written) +
-             "A lesson takes a scene's objects, too: show crossings --scene mine.json.\n"
-             "Whatever takes a preset's file takes a scene: show, render, strip, explain, handout, deck, check --dir.\n"
-             "Of \"all pairs\" those that no test is for are named and passed over.\n"
-             "With --set, as in A.radius=2, the answers are those of other numbers; --save writes them into the file.\n"
-             "Example: isect scene mine.json && isect render mine.json --format pdf --width 8cm");
+  std::string footer = scene::how_written;  // GCC 12 warns wrongly of a sum of them
+  footer +=
+      "A lesson takes a scene's objects, too: show crossings --scene mine.json.\n"
+      "Whatever takes a preset's file takes a scene: show, render, strip, explain, handout, deck, check --dir.\n"
+      "Of \"all pairs\" those that no test is for are named and passed over.\n"
+      "With --set, as in A.radius=2, the answers are those of other numbers; --save writes them into the file.\n"
+      "Example: isect scene mine.json && isect render mine.json --format pdf --width 8cm";
+  sub.footer(footer);
   sub.callback([&program, options] { program.chosen = [options] { return tell(*options); }; });
 }
 

@@ -34,7 +34,7 @@ std::vector<Hit> hits_of(const Context& c, std::size_t ray, std::vector<std::siz
       continue;
     const Answer answer = ask(c.setting, c.object(ray), c.object(i));
     if (answer.first_hit) hits.push_back({i, *answer.first_hit});
-    if (answer.open) open.push_back(i);
+    if (answer.open || answer.somewhere) open.push_back(i);
   }
   std::ranges::stable_sort(hits, {}, &Hit::t);
   return hits;
@@ -46,9 +46,9 @@ viz::Verdict first_of(const Context& c, std::size_t ray, const std::vector<Hit>&
   if (!open.empty()) {
     std::string names;
     for (const std::size_t i : open) names += (names.empty() ? "" : ", ") + c.name(i);
-    return {
-        viz::Verdict::Kind::open,
-        fmt::format("what {} meets first is not decided, as no test decides whether it meets {}", c.name(ray), names)};
+    return {viz::Verdict::Kind::open,
+            fmt::format("what {} meets first is not decided, as no test decides whether and where it meets {}",
+                        c.name(ray), names)};
   }
   if (hits.empty()) return {viz::Verdict::Kind::no, c.name(ray) + " meets none of them"};
   const std::string first = c.name(hits[0].object);

@@ -1,6 +1,7 @@
 #pragma once
 // The table of pairs of objects that have an exact test, and how their results are told.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,15 @@ std::vector<Pair> pairs_of_many_numbers();
 /// Those of outlines, lines and segments in the plane; a point beside a line or a plane.
 std::vector<Pair> pairs_in_plane();
 
+/// Convex solids and what they are asked about; lines in space.
+std::vector<Pair> pairs_of_solids();
+
 // What the tables share.
+
+/// How two convex solids lie, or a ball or a capsule and one, as "relation".
+Json relation_of_solids(const Setting&, const Object& a, const Object& b);
+/// A segment with both its ends as given, where the tables' test would need a direction; nothing if none does that.
+std::optional<Answer> exact_of_segment(const Setting&, const Object& a, const Object& b);
 
 /// "relation" of a result.
 void relate(const Setting&, const Object& a, const Object& b, Answer&);

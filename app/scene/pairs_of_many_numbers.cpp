@@ -7,10 +7,13 @@
 
 #include <isect/aabb_frustum.h>
 #include <isect/bvh_ray.h>
+#include <isect/half_spaces.h>
+#include <isect/kdop_kdop.h>
 #include <isect/numbers/exact.h>
 #include <isect/orient.h>
 #include <isect/point_aabb.h>
 #include <isect/point_kdop.h>
+#include <isect/point_mesh.h>
 #include <isect/point_obb.h>
 #include <isect/point_polygon.h>
 #include <isect/point_sphere.h>
@@ -81,6 +84,11 @@ Locator locator(const Setting& s, const Object& o) {
       return [p = s.point(o, "p"), q = s.point(o, "q"), r = s.number(o, "r")](const Vec3& x) {
         return beside_capsule(x, p, q, r);
       };
+    case Type::frustum:
+      return [solid = half_spaces_of(frustum_of(s, o))](const Vec3& p) { return isect::locate(p, solid); };
+    case Type::mesh:
+      if (!point_mesh::closed(mesh_of(o))) throw NotDecided(o.name + " is not closed, so that nothing is inside");
+      return [mesh = mesh_of(o)](const Vec3& p) { return isect::locate(p, mesh); };
     case Type::hull:
       if constexpr (N == 3) {
         static_cast<void>(solid_of(s, o));  // refuses one without a volume
@@ -180,40 +188,37 @@ void tell_mesh_and_box(const Setting&, const Object& a, const Object& b, Answer&
                         : Verdict{Verdict::Kind::no, fmt::format("{} meets no triangle of {}", nb, na)};
   out.values = {{"triangles met", static_cast<double>(met), "", Role::hit, true}};
 }
+/// What six planes tell, as a renderer asks, and how they lie.
 Json frustum_and_box(const Setting& s, const Object& a, const Object& b) {
-  return culled(cull(box_of<3>(s, b), frustum_of(s, a)));
+  Json result = relation_of_solids(s, a, b);
+  result.update(culled(cull(box_of<3>(s, b), frustum_of(s, a))));
+  return result;
 }
 Json frustum_and_sphere(const Setting& s, const Object& a, const Object& b) {
-  return culled(cull(sphere_of<3>(s, b), frustum_of(s, a)));
+  Json result = relation_of_solids(s, a, b);
+  result.update(culled(cull(sphere_of<3>(s, b), frustum_of(s, a))));
+  return result;
 }
 /// Only "outside" and "inside" are certain: see isect/aabb_frustum.h.
-void tell_culling(const Setting&, const Object& a, const Object& b, Answer& out) {
-  const std::string na = shown_name(a.name), nb = shown_name(b.name), r = out.result["culling"];
-  if (r == "outside") out.verdict = {Verdict::Kind::no, nb + " lies outside " + na};
-  if (r == "inside") out.verdict = {Verdict::Kind::yes, nb + " lies inside " + na};
-  if (r == "crossing")
-    out.verdict = {Verdict::Kind::on, nb + " crosses the boundary of " + na + ", or passes beyond one of its edges"};
+void tell_culling(const Setting& s, const Object& a, const Object& b, Answer& out) {
+  relate(s, a, b, out);
+  if (out.result["relation"] == "disjoint" && out.result["culling"] == "crossing")
+    out.note = fmt::format("No single plane of {} has {} beyond it, so the test by planes would draw it.",
+                           shown_name(a.name), shown_name(b.name));
 }
 
+/// How they lie; and what their slabs tell, where these are the same.
 Json two_kdops(const Setting& s, const Object& a, const Object& b) {
-  if (a.fixed.normals != b.fixed.normals)
-    throw viz::BadInput(fmt::format("{} and {}: slabs are compared where both have the same normals in the same order",
-                                    a.name, b.name));
-  const auto slabs = [&](const Object& o) {
-    Json all;
-    for (std::size_t i = 1; i <= o.fixed.normals.size(); ++i)
-      for (const char* end : {"lo", "hi"}) all[end].push_back(s.number(o, end + std::to_string(i)));
-    return all;
-  };
-  Json normals;
-  for (const Vec3& n : a.fixed.normals) normals.push_back(s.list(n));
-  return {{"normals", normals}, {"a", slabs(a)}, {"b", slabs(b)}};
+  Json result = relation_of_solids(s, a, b);
+  if (a.fixed.normals == b.fixed.normals)
+    result["slabs"] = may_intersect(kdop_of<3>(s, a), kdop_of<3>(s, b)) ? "overlap" : "disjoint";
+  return result;
 }
-void tell_kdops(const Setting&, const Object& a, const Object& b, Answer& out) {
-  const std::string both = shown_name(a.name) + " and " + shown_name(b.name);
-  out.verdict = out.result["slabs"] == "disjoint"
-                    ? Verdict{Verdict::Kind::no, both + " are disjoint"}
-                    : Verdict{Verdict::Kind::on, both + " overlap on every slab, so they may meet"};
+void tell_kdops(const Setting& s, const Object& a, const Object& b, Answer& out) {
+  relate(s, a, b, out);
+  if (out.result["relation"] == "disjoint" && out.result.value("slabs", "") == "overlap")
+    out.note = fmt::format("{} and {} overlap on every slab, so the test by slabs would not tell.", shown_name(a.name),
+                           shown_name(b.name));
 }
 
 }  // namespace
@@ -221,12 +226,14 @@ void tell_kdops(const Setting&, const Object& a, const Object& b, Answer& out) {
 std::vector<Pair> pairs_of_many_numbers() {
   using enum Type;
   using In = Pair::In;
-  std::vector<Pair> table = {{kdop, kdop, "kdop_kdop", In::both, two_kdops, tell_kdops},
+  std::vector<Pair> table = {{kdop, kdop, nullptr, In::both, two_kdops, tell_kdops},
                              {frustum, box, nullptr, In::space, frustum_and_box, tell_culling},
                              {frustum, sphere, nullptr, In::space, frustum_and_sphere, tell_culling}};
   table.push_back({mesh, box, nullptr, In::space, mesh_and_box, tell_mesh_and_box});
-  for (const Type shape : {kdop, hull, capsule})
-    table.push_back({point, shape, nullptr, In::both, point_result, tell_point});
+  for (const Type shape : {kdop, hull, capsule, frustum})
+    table.push_back({point, shape, nullptr, shape == frustum ? In::space : In::both, point_result, tell_point});
+  for (const Type shape : {frustum, mesh})
+    table.push_back({cloud, shape, nullptr, In::space, cloud_result, tell_cloud});
   for (const Type shape : {box, sphere, obb, kdop, hull, capsule})
     table.push_back({cloud, shape, nullptr, In::both, cloud_result, tell_cloud});
   for (const Type shape : {triangle, polygon})

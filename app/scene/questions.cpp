@@ -327,6 +327,7 @@ const std::vector<Pair>& pairs() {
     }
     std::ranges::copy(pairs_of_many_numbers(), std::back_inserter(table));
     std::ranges::copy(pairs_in_plane(), std::back_inserter(table));
+    std::ranges::copy(pairs_of_solids(), std::back_inserter(table));
     return table;
   }();
   return all;
@@ -356,7 +357,8 @@ Answer segment_meets_sphere(const Setting& s, const Object& a, const Object& b) 
   const Json capsule = {{"p", s.list(a, "from")}, {"q", s.list(a, "to")}, {"r", 0}};
   out.query = merged({{"kind", "sphere_capsule"}}, merged(sphere_of(s, b), capsule));
   out.result = Json::parse(query::answer(out.query.dump()).text)["result"];
-  meets(a, b, out, out.result.value("relation", "") != "disjoint");
+  out.somewhere = out.result.value("relation", "") != "disjoint";
+  meets(a, b, out, out.somewhere);
   return out;
 }
 
@@ -385,6 +387,8 @@ Answer ask(const Setting& s, const Object& a, const Object& b) {
     return asked_in_order(s, a, b, *pair);
   } catch (const NotDecided& why) {
     if (a.type == Type::segment && b.type == Type::sphere) return segment_meets_sphere(s, a, b);
+    if (a.type == Type::segment)
+      if (std::optional<Answer> exact = exact_of_segment(s, a, b)) return std::move(*exact);
     Answer out;
     out.open = true;
     out.result = {{"not decided", why.what()}};

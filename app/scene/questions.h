@@ -16,6 +16,7 @@ struct Answer {
   std::vector<viz::Value> values = {};
   std::vector<viz::Item> marks = {};     ///< where they meet
   std::optional<double> first_hit = {};  ///< of a ray, a line or a segment: the parameter of its first point there
+  bool somewhere = false;                ///< such a one meets it, but where first is not known
   bool open = false;                     ///< no test decides this pair; `verdict` says why
 };
 

@@ -189,6 +189,16 @@ HalfSpaces half_spaces_of(const Frustum<S>& frustum) {
   return result;
 }
 
+/// Of a triangle in space that has an area: its plane from both sides, and a side for each edge.
+template <class S>
+HalfSpaces half_spaces_of(const Triangle<S, 3>& triangle) {
+  if (!finite(triangle)) return {{half_spaces::detail::nothing()}};
+  const auto at = [&](std::size_t i) { return half_spaces::detail::in_space<S, 3>(triangle.vertices[i]); };
+  const Point<double, 3> a = at(0), b = at(1), c = at(2);
+  using half_spaces::Behind, half_spaces::Beside;
+  return {{{Behind{a, b, c}}, {Behind{a, b, c}, true}, {Beside{a, b, c}}, {Beside{b, c, a}}, {Beside{c, a, b}}}};
+}
+
 /// Of a hull that has a volume.
 template <class S>
 HalfSpaces half_spaces_of(const Hull3<S>& hull) {

@@ -76,6 +76,19 @@ int common(const Triangle<double, 3>& x, const std::vector<half_spaces::Face>& f
   return least;
 }
 
+/// Whether no corner lies in that half-space.
+template <class Trace>
+bool beyond(const Triangle<double, 3>& x, const half_spaces::Face& face, Trace&& trace) {
+  return std::ranges::all_of(x.vertices, [&](const Point<double, 3>& v) {
+    return sign_of(
+               [&]<class W>() -> W {
+                 const inequalities::Row<W> row = half_spaces::detail::row<W>(face);
+                 return dot(inequalities::detail::normal(row), exactly<W>(v)) + row[3];
+               },
+               trace) < 0;
+  });
+}
+
 template <class S, int N>
 Triangle<double, 3> in_space(const Triangle<S, N>& x) {
   const auto at = [&](std::size_t i) { return half_spaces::detail::in_space<S, N>(x.vertices[i]); };
@@ -125,8 +138,10 @@ Relation relate(const Triangle<S, N>& triangle, const HalfSpaces& solid, Trace&&
 template <class S, int N, class Trace = NoTrace>
 bool intersects(const Triangle<S, N>& triangle, const HalfSpaces& solid, Trace&& trace = {}) {
   if (!finite(triangle)) return false;
-  return triangle_half_spaces::detail::common(triangle_half_spaces::detail::in_space<S, N>(triangle), solid.faces,
-                                              trace) >= 0;
+  const Triangle<double, 3> x = triangle_half_spaces::detail::in_space<S, N>(triangle);
+  for (const half_spaces::Face& face : solid.faces)  // most are beyond one face
+    if (triangle_half_spaces::detail::beyond(x, face, trace)) return false;
+  return triangle_half_spaces::detail::common(x, solid.faces, trace) >= 0;
 }
 
 /// Whether two triangles in space have a common point. Exact, in one plane, too, and where they are segments or points.
@@ -139,13 +154,7 @@ bool intersects(const Triangle<S, 3>& a, const Triangle<S, 3>& b, Trace&& trace 
   const bool flat_x = degenerate(x, trace), flat_y = degenerate(y, trace);
   if (flat_x && flat_y) return intersects(as_segment(x, trace), as_segment(y, trace), trace);
   const Triangle<double, 3>&outer = flat_y ? x : y, &inner = flat_y ? y : x;
-  const auto& [p, q, r] = outer.vertices;
-  const std::vector<half_spaces::Face> faces = {{half_spaces::Behind{p, q, r}},
-                                                {half_spaces::Behind{p, q, r}, true},
-                                                {half_spaces::Beside{p, q, r}},
-                                                {half_spaces::Beside{q, r, p}},
-                                                {half_spaces::Beside{r, p, q}}};
-  return triangle_half_spaces::detail::common(inner, faces, trace) >= 0;
+  return triangle_half_spaces::detail::common(inner, half_spaces_of(outer).faces, trace) >= 0;
 }
 
 }  // namespace isect

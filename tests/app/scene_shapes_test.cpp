@@ -100,14 +100,13 @@ TEST_CASE("k-DOPs, frusta and hulls are asked as they lie", "[scene]") {
            R"(], "hi": [1,1,1,3]})";
   };
   CHECK(verdict(shell, kdop + other("2.5")) == "K and L are disjoint");
-  CHECK(verdict(shell, kdop + other("2")) == "K and L overlap on every slab, so they may meet");
+  CHECK(verdict(shell, kdop + other("2")) == "K and L touch");
 
   const std::string frustum =
       R"({"frustum": "F", "eye": [0,0,0], "forward": [2,0,0], "up": [0,1,0], "angle": 90, "near": 1, "far": 4},)";
-  CHECK(verdict(shell, frustum + R"({"box": "A", "lo": [2,-1,-1], "hi": [3,1,1]})") == "A lies inside F");
-  CHECK(verdict(shell, frustum + R"({"box": "A", "lo": [-2,-1,-1], "hi": [-1,1,1]})") == "A lies outside F");
-  CHECK_THAT(verdict(shell, frustum + R"({"sphere": "S", "center": [1,0,0], "radius": 0.5})"),
-             StartsWith("S crosses the boundary of F"));
+  CHECK(verdict(shell, frustum + R"({"box": "A", "lo": [2,-1,-1], "hi": [3,1,1]})") == "A lies in F");
+  CHECK(verdict(shell, frustum + R"({"box": "A", "lo": [-2,-1,-1], "hi": [-1,1,1]})") == "F and A are disjoint");
+  CHECK(verdict(shell, frustum + R"({"sphere": "S", "center": [1,0,0], "radius": 0.5})") == "F and S overlap");
 
   const std::string hull = R"({"hull": "H", "points": [[0,0,0],[2,0,0],[0,2,0],[0,0,2],[0.25,0.25,0.25]]},)";
   CHECK(verdict(shell, hull + R"({"point": "p", "at": [0.5, 0.5, 0.5]})") == "p lies inside H");
@@ -117,6 +116,62 @@ TEST_CASE("k-DOPs, frusta and hulls are asked as they lie", "[scene]") {
   CHECK(verdict(shell, hull + R"({"line": "g", "origin": [9, 1.5, 1.5], "dir": [1,0,0]})") == "g misses H");
   const std::string flat = R"({"hull": "H", "points": [[0,0],[4,0],[4,4],[0,4],[1,1]]},)";
   CHECK(verdict(shell, flat + R"({"point": "p", "at": [4, 1]})") == "p lies on the boundary of H");
+}
+
+TEST_CASE("convex solids, balls, capsules, triangles, meshes and lines in space are asked about each other",
+          "[scene]") {
+  const Shell shell;
+  // Of each pair one that touches in whole numbers or lies apart by a little
+  const std::string
+      box = R"({"box": "A", "lo": [0,0,0], "hi": [4,4,4]})",
+      tilted = R"(, {"obb": "O", "center": [5,0,2], "u": [0.6,0.8,0], "v": [-0.8,0.6,0], "w": [0,0,1],)",
+      triangle = R"({"triangle": "T", "points": [[0,0,0],[9,0,0],[0,9,0]]})",
+      frustum =
+          R"({"frustum": "F", "eye": [0,0,0], "forward": [2,0,0], "up": [0,1,0], "angle": 90, "near": 1, "far": 4},)",
+      capsule = R"(, {"capsule": "C", "p": [7,8,-10], "q": [7,8,20], "r": )";
+  write(shell.work() / "t.obj", tetrahedron_obj);
+  const std::string mesh = R"({"mesh": "M", "file": "t.obj"}, )";
+  const auto expect = [&](const std::string& objects, const char* expected) {
+    INFO(objects);
+    CHECK(verdict(shell, objects) == expected);
+  };
+  expect(box + tilted + R"( "half": [1,1,1]})", "A and O overlap");
+  expect(box + tilted + R"( "half": [0.5,0.5,0.5]})", "A and O are disjoint");
+  expect(box + capsule + "5}", "C and A touch");
+  expect(box + capsule + "4.9999999}", "C and A are disjoint");
+  expect(triangle + R"(, {"sphere": "S", "center": [-2,-3,6], "radius": 7})", "S and T touch");
+  expect(triangle + R"(, {"capsule": "C", "p": [2,2,-5], "q": [2,2,5], "r": 0})", "C and T touch");
+  expect(triangle + R"(, {"triangle": "U", "points": [[1,1,-1],[1,1,1],[2,2,5]]})", "T and U have a common point");
+  expect(triangle + R"(, {"triangle": "U", "points": [[1,1,1],[1,1,2],[2,2,5]]})", "T and U are disjoint");
+  expect(triangle + R"(, {"point": "p", "at": [4.5,4.5,0]})", "p lies on T");
+  expect(triangle + R"(, {"point": "p", "at": [5,4.5,0]})", "p does not lie on T");
+  expect(triangle + tilted + R"( "half": [1,1,1]})", "T and O are disjoint");
+  expect(triangle + tilted + R"( "half": [1,1,2]})", "T and O touch");
+  expect(frustum + R"({"point": "p", "at": [2,0,0]})", "p lies inside F");
+  expect(frustum + R"({"point": "p", "at": [4.5,0,0]})", "p lies outside F");
+  expect(frustum + R"({"capsule": "C", "p": [5,0,0], "q": [9,0,0], "r": 0.5})", "C and F are disjoint");
+  expect(frustum + R"({"segment": "s", "from": [0,0,0], "to": [2,0,0]})", "s meets F");
+  expect(R"({"plane": "P", "normal": [1,0,0], "d": -9})" + tilted + R"( "half": [1,1,1]})", "P and O are disjoint");
+  expect(R"({"plane": "P", "normal": [1,0,0], "d": -5})" + tilted + R"( "half": [1,1,1]})", "P cuts O");
+  expect(R"({"plane": "P", "normal": [1,0,0], "d": -12})" + capsule + "5}", "P and C touch");
+  expect(R"({"plane": "P", "normal": [1,0,0], "d": 1}, {"plane": "Q", "normal": [2,0,0], "d": 2})",
+         "P and Q are the same");
+  expect(R"({"plane": "P", "normal": [1,0,0], "d": 1}, {"plane": "Q", "normal": [2,0,0], "d": 3})",
+         "P and Q are parallel");
+  expect(mesh + R"({"point": "p", "at": [0.25,0.25,0.25]})", "p lies inside M");
+  expect(mesh + R"({"point": "p", "at": [0,0,1]})", "p lies on the boundary of M");
+  expect(mesh + R"({"sphere": "S", "center": [0.25,0.25,0.25], "radius": 0.125})", "S meets no triangle of M");
+  expect(mesh + R"({"sphere": "S", "center": [0.25,0.25,0.25], "radius": 0.25})", "S meets 3 of 4 triangles of M");
+  expect(R"({"line": "g", "origin": [0,0,0], "dir": [1,0,0]}, {"line": "h", "origin": [3,-1,0], "dir": [0,1,0]})",
+         "g and h have one point in common");
+  expect(R"({"line": "g", "origin": [0,0,0], "dir": [1,0,0]}, {"line": "h", "origin": [3,-1,1e-300], "dir": [0,1,0]})",
+         "g and h are skew");
+  expect(R"({"line": "g", "origin": [0,0], "dir": [1,0]}, {"ray": "h", "origin": [3,1], "dir": [2,0]})",
+         "g and h are parallel");
+  expect(R"({"sphere": "S", "center": [7,8], "radius": 5}, {"triangle": "T", "points": [[0,0],[4,0],[4,4]]})",
+         "S and T have a common point");
+  expect(R"({"sphere": "S", "center": [7,8], "radius": 4.5}, {"triangle": "T", "points": [[0,0],[4,0],[4,4]]})",
+         "S and T are disjoint");
 }
 
 TEST_CASE("the points of a cloud are told apart by where they lie", "[scene]") {

@@ -1,0 +1,454 @@
+// Convex solids against each other and against balls, capsules, triangles, meshes and lines; lines in space; points
+// beside what is thin or has no convex form.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <isect/capsule_half_spaces.h>
+#include <isect/convex_hull.h>
+#include <isect/line_line.h>
+#include <isect/plane_sphere.h>
+#include <isect/point_mesh.h>
+#include <isect/point_polygon.h>
+#include <isect/ray_half_spaces.h>
+#include <isect/sphere_triangle.h>
+
+#include "app/scene/in_plane.h"
+#include "app/scene/pairs.h"
+#include "app/scene/shapes.h"
+#include "viz/rich_text.h"
+
+namespace isect::program::scene {
+
+namespace {
+
+using viz::Role;
+using viz::Vec3;
+using viz::Verdict;
+
+Json told(Relation r) {
+  static constexpr const char* names[] = {"disjoint", "equal", "b_contains_a", "a_contains_b", "touch", "overlap"};
+  return {{"relation", names[static_cast<int>(r)]}};
+}
+
+constexpr std::size_t many_facets = 40;  // the price of two solids rises with the fourth power of their faces
+
+HalfSpaces hull_faces(const Setting& s, const Object& o) {
+  if (!s.flat) {
+    static_cast<void>(solid_of(s, o));  // refuses one without a volume
+    return half_spaces_of(hull_of(s, o));
+  }
+  HalfSpaces result = {{}, 2};
+  const std::vector<Vec3> ring = outline_of(s, o);
+  if (ring.size() < 3)
+    throw viz::BadInput(fmt::format("{}: its points lie on one line, so their hull has no area", o.name));
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec3 &a = ring[i], &b = ring[(i + 1) % ring.size()];
+    result.faces.push_back({half_spaces::Behind{a, b, a + Vec3::UnitZ()}});
+  }
+  return result;
+}
+
+template <int N>
+HalfSpaces faces(const Setting& s, const Object& o) {
+  if (o.type == Type::box) return half_spaces_of(box_of<N>(s, o));
+  if (o.type == Type::obb) return half_spaces_of(obb_of<N>(s, o));
+  if (o.type == Type::kdop) return half_spaces_of(kdop_of<N>(s, o));
+  if (o.type == Type::frustum) return half_spaces_of(frustum_of(s, o));
+  return hull_faces(s, o);
+}
+HalfSpaces faces_of(const Setting& s, const Object& o) { return s.flat ? faces<2>(s, o) : faces<3>(s, o); }
+
+Triangle<double, 3> triangle_of(const Setting& s, const Object& o) {
+  const std::vector<Vec3> p = s.rings(o).front();
+  return {{p[0], p[1], p[2]}};
+}
+
+/// A ball is a capsule whose ends coincide.
+Capsule<double, 3> capsule_in_space(const Setting& s, const Object& o) {
+  if (o.type == Type::sphere) return {s.point(o, "center"), s.point(o, "center"), s.number(o, "radius")};
+  return {s.point(o, "p"), s.point(o, "q"), s.number(o, "r")};
+}
+bool is_round(Type t) { return t == Type::sphere || t == Type::capsule; }
+
+Relation relate_round(const Setting& s, const Object& o, const HalfSpaces& solid) {
+  if (o.type == Type::sphere) return relate(sphere_of<3>(s, o), solid);
+  return relate(capsule_in_space(s, o), solid);
+}
+
+// Hulls of many facets: their triangles are asked one by one.
+
+std::vector<Triangle<double, 3>> facets(const Hull3<double>& hull) {
+  std::vector<Triangle<double, 3>> all;
+  for (const auto& [a, b, c] : hull.triangles)
+    all.push_back({{hull.vertices[static_cast<std::size_t>(a)], hull.vertices[static_cast<std::size_t>(b)],
+                    hull.vertices[static_cast<std::size_t>(c)]}});
+  return all;
+}
+
+/// How it lies to the hull (B), by how it lies to each facet and whether either holds the other.
+template <class ToFacet>
+Relation to_hull(const Hull3<double>& hull, bool in_hull, bool hull_in, const ToFacet& to_facet) {
+  if (in_hull) return hull_in ? Relation::equal : Relation::a_inside_b;
+  if (hull_in) return Relation::b_inside_a;
+  Relation result = Relation::disjoint;
+  for (const Triangle<double, 3>& facet : facets(hull)) {
+    const Relation r = to_facet(facet);
+    if (r == Relation::touching) result = r;
+    if (r != Relation::touching && r != Relation::disjoint) return Relation::overlapping;
+  }
+  return result;
+}
+
+Relation round_to_hull(const Setting& s, const Object& a, const Object& b) {
+  const HalfSpaces solid = hull_faces(s, b);
+  const Hull3<double> hull = hull_of(s, b);
+  const Capsule<double, 3> capsule = capsule_in_space(s, a);
+  const auto end_in = [&](const Vec3& end) {
+    return sphere_half_spaces::detail::contained(end, capsule.radius, solid, NoTrace());
+  };
+  const auto to_facet = [&](const Triangle<double, 3>& facet) { return relate(capsule, facet); };
+  const bool holds_hull = std::ranges::all_of(
+      facets(hull), [&](const Triangle<double, 3>& f) { return to_facet(f) == Relation::b_inside_a; });
+  return to_hull(hull, end_in(capsule.p) && end_in(capsule.q), holds_hull, to_facet);
+}
+
+Relation solid_to_hull(const Setting& s, const HalfSpaces& a, const Object& b) {
+  const HalfSpaces solid = hull_faces(s, b);
+  if (a.faces.size() + solid.faces.size() <= many_facets) return relate(a, solid);
+  if (a.faces.size() > many_facets || s.flat)
+    throw NotDecided(fmt::format("the test of two such solids is made for {} faces at most", many_facets));
+  const Hull3<double> hull = hull_of(s, b);
+  const bool in_hull = has_a_point(a) && std::ranges::all_of(solid.faces, [&](const half_spaces::Face& face) {
+                         return half_spaces::detail::inside(a, face, NoTrace());
+                       });
+  const bool hull_in = std::ranges::all_of(hull.vertices, [&](const Vec3& v) { return locate(v, a) != Location::out; });
+  return to_hull(hull, in_hull, hull_in, [&](const Triangle<double, 3>& facet) {
+    const Relation r = relate(facet, a);
+    return r == Relation::a_inside_b ? Relation::overlapping : r;  // the hull is not in it, so more of it is
+  });
+}
+
+Json solids_result(const Setting& s, const Object& a, const Object& b) {
+  if (is_round(b.type)) return told(reversed(relate_round(s, b, faces_of(s, a))));
+  if (is_round(a.type))
+    return told(b.type == Type::hull && !s.flat ? round_to_hull(s, a, b) : relate_round(s, a, faces_of(s, b)));
+  if (a.type == Type::triangle) return told(relate(triangle_of(s, a), faces_of(s, b)));
+  if (b.type == Type::hull) return told(solid_to_hull(s, faces_of(s, a), b));
+  if (a.type == Type::hull) return told(reversed(solid_to_hull(s, faces_of(s, b), a)));
+  return told(relate(faces_of(s, a), faces_of(s, b)));
+}
+
+Json round_and_triangle(const Setting& s, const Object& a, const Object& b) {
+  return told(relate(capsule_in_space(s, a), triangle_of(s, b)));
+}
+
+void tell_meeting(const Setting&, const Object& a, const Object& b, Answer& out) {
+  const bool meet = out.result["meet"] == true;
+  const std::string both = shown_name(a.name) + " and " + shown_name(b.name);
+  out.verdict = meet ? Verdict{Verdict::Kind::yes, both + " have a common point"}
+                     : Verdict{Verdict::Kind::no, both + " are disjoint"};
+}
+
+Json two_triangles(const Setting& s, const Object& a, const Object& b) {
+  return {{"meet", intersects(triangle_of(s, a), triangle_of(s, b))}};
+}
+
+// Planes.
+
+Json plane_result(const Setting& s, const Object& a, const Object& b) {
+  const Plane<double, 3> plane = {s.point(a, "normal"), s.number(a, "d")};
+  if (b.type != Type::capsule) return told(relate(plane, faces_of(s, b)));
+  const Capsule<double, 3> capsule = capsule_in_space(s, b);
+  std::array<int, 2> signs = {};  // of the ends, 0 where the ball there meets the plane; and whether one is cut
+  bool cut = false, touch = false;
+  for (int i = 0; i < 2; ++i) {
+    const Vec3 end = i == 0 ? capsule.p : capsule.q;
+    const Relation r = relate(plane, Sphere<double, 3>{end, capsule.radius});
+    cut |= r == Relation::overlapping, touch |= r != Relation::disjoint;
+    signs[static_cast<std::size_t>(i)] =
+        sign_of([&]<class W>() -> W { return dot(exactly<W>(plane.normal), exactly<W>(end)) + W(plane.d); });
+  }
+  cut |= signs[0] * signs[1] < 0;
+  return told(cut ? Relation::overlapping : touch ? Relation::touching : Relation::disjoint);
+}
+void tell_plane(const Setting& s, const Object& a, const Object& b, Answer& out) {
+  relate(s, a, b, out);
+  if (out.verdict.kind == Verdict::Kind::yes)
+    out.verdict.text = fmt::format("{} cuts {}", shown_name(a.name), shown_name(b.name));
+}
+
+Json two_planes(const Setting& s, const Object& a, const Object& b) {
+  const Vec3 m = s.point(a, "normal"), n = s.point(b, "normal");
+  const double d = s.number(a, "d"), e = s.number(b, "d");
+  const auto vanish = [](const auto& text) {
+    for (std::size_t i = 0; i < 3; ++i)
+      if (sign_of([&]<class W>() -> W { return text.template operator()<W>()[i]; }) != 0) return false;
+    return true;
+  };
+  if (!vanish([&]<class W>() -> Components<W, 3> { return cross(exactly<W>(m), exactly<W>(n)); }))
+    return {{"relation", "a line in common"}};
+  const bool equal = vanish([&]<class W>() -> Components<W, 3> {
+    Components<W, 3> x;
+    for (int i = 0; i < 3; ++i) x[static_cast<std::size_t>(i)] = W(m[i]) * W(e) - W(n[i]) * W(d);
+    return x;
+  });
+  return {{"relation", equal ? "equal" : "parallel"}};
+}
+void tell_two_planes(const Setting&, const Object& a, const Object& b, Answer& out) {
+  const std::string both = shown_name(a.name) + " and " + shown_name(b.name), r = out.result["relation"];
+  if (r == "equal") out.verdict = {Verdict::Kind::on, both + " are the same"};
+  if (r == "parallel") out.verdict = {Verdict::Kind::no, both + " are parallel"};
+  if (r == "a line in common") out.verdict = {Verdict::Kind::yes, both + " meet in a line"};
+}
+
+// Meshes.
+
+/// How many triangles have a point in the other; that may also lie within the mesh and have none.
+Json mesh_result(const Setting& s, const Object& a, const Object& b) {
+  const TriangleMesh<double> mesh = mesh_of(a);
+  const auto count = [&](const auto& meets) {
+    int met = 0;
+    for (int i = 0; i < static_cast<int>(mesh.triangles.size()); ++i) met += meets(triangle(mesh, i));
+    return Json{{"triangles_met", met}};
+  };
+  if (is_round(b.type))
+    return count([c = capsule_in_space(s, b)](const Triangle<double, 3>& x) {
+      if (c.p == c.q) return intersects(Sphere<double, 3>{c.p, c.radius}, x);
+      return intersects(c, x);
+    });
+  if (b.type == Type::triangle)
+    return count([t = triangle_of(s, b)](const Triangle<double, 3>& x) {
+      const auto box = [](const Triangle<double, 3>& y) {
+        const auto& [p, q, r] = y.vertices;
+        return std::array<Vec3, 2>{p.cwiseMin(q).cwiseMin(r), p.cwiseMax(q).cwiseMax(r)};
+      };
+      const auto [lo, hi] = box(t);
+      const auto [other_lo, other_hi] = box(x);
+      const bool near = (lo.array() <= other_hi.array()).all() && (other_lo.array() <= hi.array()).all();
+      return near && intersects(x, t);
+    });
+  return count([solid = faces_of(s, b)](const Triangle<double, 3>& x) { return intersects(x, solid); });
+}
+void tell_mesh(const Setting&, const Object& a, const Object& b, Answer& out) {
+  const std::string na = shown_name(a.name), nb = shown_name(b.name);
+  const int met = out.result["triangles_met"];
+  out.verdict = met > 0 ? Verdict{Verdict::Kind::yes, fmt::format("{} meets {} of {} triangles of {}", nb, met,
+                                                                  a.fixed.triangles.size(), na)}
+                        : Verdict{Verdict::Kind::no, fmt::format("{} meets no triangle of {}", nb, na)};
+  out.values = {{"triangles met", static_cast<double>(met), "", Role::hit, true}};
+}
+
+Json point_and_mesh(const Setting& s, const Object& a, const Object& b) {
+  const TriangleMesh<double> mesh = mesh_of(b);
+  const Vec3 p = s.point(a, "at");
+  if (!point_mesh::closed(mesh)) {
+    for (int i = 0; i < static_cast<int>(mesh.triangles.size()); ++i)
+      if (intersects(Sphere<double, 3>{p, 0}, triangle(mesh, i))) return {{"location", "on"}};
+    throw NotDecided(b.name + " is not closed, so that nothing is inside; the point is not on it");
+  }
+  static constexpr const char* words[] = {"in", "on", "out"};
+  return {{"location", words[static_cast<int>(locate(p, mesh))]}};
+}
+
+// Points beside what is thin.
+
+Json point_on_triangle(const Setting& s, const Object& a, const Object& b) {
+  return {{"on", intersects(Sphere<double, 3>{s.point(a, "at"), 0}, triangle_of(s, b))}};
+}
+line_line::Straight straight(const Setting& s, const Object& o) {
+  if (o.type == Type::segment) return Segment<double, 3>{s.point(o, "from"), s.point(o, "to")};
+  return ray_in_space(s, o);
+}
+Json point_on_line(const Setting& s, const Object& a, const Object& b) {
+  const Vec3 at = s.point(a, "at");
+  return {{"on", intersect(straight(s, b), Segment<double, 3>{at, at}).meets()}};
+}
+void tell_on(const Setting&, const Object& a, const Object& b, Answer& out) {
+  const std::string na = shown_name(a.name), nb = shown_name(b.name);
+  out.verdict = out.result["on"] == true ? Verdict{Verdict::Kind::on, fmt::format("{} lies on {}", na, nb)}
+                                         : Verdict{Verdict::Kind::no, fmt::format("{} does not lie on {}", na, nb)};
+}
+
+// What runs along a line.
+
+/// The point at t, as drawn.
+void add_point(const Setting& s, const Object& a, Answer& out, const char* name, double t, viz::Mark mark) {
+  const Vec3 from = origin_of(s, a),
+             along = a.type == Type::segment ? Vec3(s.point(a, "to") - from) : s.point(a, "dir");
+  out.values.push_back({name, t, "t", Role::hit, true});
+  if (std::isfinite(t)) out.marks.push_back(viz::Dot{from + t * along, mark, Role::hit});
+}
+
+Json two_lines(const Setting& s, const Object& a, const Object& b) {
+  static constexpr const char* names[] = {"skew", "parallel", "apart", "point", "stretch"};
+  const line_line::Result r = intersect(straight(s, a), straight(s, b));
+  Json result = {{"meeting", names[static_cast<int>(r.meeting)]}};
+  if (r.t) result["t"] = *r.t;
+  return result;
+}
+void tell_two_lines(const Setting& s, const Object& a, const Object& b, Answer& out) {
+  const std::string both = shown_name(a.name) + " and " + shown_name(b.name), r = out.result["meeting"];
+  if (out.result.contains("t")) add_point(s, a, out, "*t*", out.result["t"], viz::Mark::disc);
+  meets(a, b, out, r == "point" || r == "stretch");
+  if (r == "point") out.verdict.text = both + " have one point in common";
+  if (r == "stretch") out.verdict.text = both + " share a stretch";
+  if (r == "skew") out.verdict.text = both + " are skew";
+  if (r == "parallel") out.verdict.text = both + " are parallel";
+}
+
+Json line_and_solid(const Setting& s, const Object& a, const Object& b) {
+  const HalfSpaces solid = faces_of(s, b);
+  const auto part = a.type == Type::segment ? intersect(Segment<double, 3>{s.point(a, "from"), s.point(a, "to")}, solid)
+                                            : intersect(ray_in_space(s, a), solid);
+  if (!part) return {{"hit", false}};
+  Json result = {{"hit", true}};
+  if (std::isfinite(part->lo)) result["t_in"] = part->lo;
+  if (std::isfinite(part->hi)) result["t_out"] = part->hi;
+  return result;
+}
+void tell_line_and_solid(const Setting& s, const Object& a, const Object& b, Answer& out) {
+  if (out.result.contains("t_in")) add_point(s, a, out, "*t*_{in}", out.result["t_in"], viz::Mark::disc);
+  if (out.result.contains("t_out")) add_point(s, a, out, "*t*_{out}", out.result["t_out"], viz::Mark::ring);
+  meets(a, b, out, out.result["hit"] == true);
+}
+
+Json segment_and_capsule(const Setting& s, const Object& a, const Object& b) {
+  return {{"hit", intersects(Capsule<double, 3>{s.point(a, "from"), s.point(a, "to"), 0}, capsule_in_space(s, b))}};
+}
+void tell_segment(const Setting&, const Object& a, const Object& b, Answer& out) {
+  out.somewhere = out.result["hit"] == true;
+  meets(a, b, out, out.somewhere);
+}
+
+// In the plane: outlines, which need not be convex, against what is no outline.
+
+using Ring2 = Ring<double, 2>;
+
+std::vector<Ring2> plane_rings(const Setting& s, const Object& o) {
+  std::vector<Ring2> rings;
+  for (const auto& ring : s.rings(o)) rings.push_back(points_of<2>(ring));
+  return rings;
+}
+
+/// Some point of it, for certain.
+Vec3 some_point(const Setting& s, const Object& o) {
+  if (o.type == Type::segment) return s.point(o, "from");
+  if (o.type == Type::obb) return s.point(o, "center");
+  if (is_round(o.type)) return capsule_in_space(s, o).p;
+  Vec3 sum = Vec3::Zero();
+  const std::vector<Vec3> corners = outline_of(s, o);
+  for (const Vec3& c : corners) sum += c / static_cast<double>(corners.size());
+  if (locate(sum, faces_of(s, o)) == Location::out)
+    throw NotDecided(o.name + " is too thin for a point of it in floating-point numbers");
+  return sum;
+}
+
+Json outline_result(const Setting& s, const Object& a, const Object& b) {
+  const std::vector<Ring2> rings = plane_rings(s, b);
+  const bool solid = a.type == Type::obb || a.type == Type::kdop;
+  const HalfSpaces other = solid ? faces_of(s, a) : HalfSpaces{};
+  for (const Ring2& ring : rings)
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec3 p = half_spaces::detail::in_space<double, 2>(ring[i]),
+                 q = half_spaces::detail::in_space<double, 2>(ring[i + 1 < ring.size() ? i + 1 : 0]);
+      if (solid ? intersects(Triangle<double, 3>{{p, q, q}}, other)
+                : intersects(capsule_in_space(s, a), Capsule<double, 3>{p, q, 0}))
+        return {{"meet", true}};
+    }
+  const Vec3 inner = some_point(s, a);
+  return {{"meet", locate(point_of<2>(inner), Polygon<double, 2>{rings}) != Location::out}};
+}
+
+}  // namespace
+
+Json relation_of_solids(const Setting& s, const Object& a, const Object& b) { return solids_result(s, a, b); }
+
+std::optional<Answer> exact_of_segment(const Setting& s, const Object& a, const Object& b) {
+  const Segment<double, 3> segment = {s.point(a, "from"), s.point(a, "to")};
+  std::optional<Interval<double>> part;
+  const auto of_triangle = [&](const Triangle<double, 3>& x) -> std::optional<Interval<double>> {
+    if (triangle_half_spaces::detail::degenerate(x, NoTrace())) return {};
+    return intersect(segment, half_spaces_of(x));
+  };
+  if (b.type == Type::box || b.type == Type::obb || b.type == Type::hull)
+    part = intersect(segment, faces_of(s, b));
+  else if (b.type == Type::triangle)
+    part = of_triangle(triangle_of(s, b));
+  else if (b.type == Type::plane) {
+    half_spaces::Face face = {half_spaces::Level{s.point(b, "normal"), s.number(b, "d")}};
+    HalfSpaces plane = {{face}};
+    face.turned = true;
+    plane.faces.push_back(face);
+    part = intersect(segment, plane);
+  } else if (b.type == Type::mesh) {
+    const TriangleMesh<double> mesh = mesh_of(b);
+    for (int i = 0; i < static_cast<int>(mesh.triangles.size()); ++i)
+      if (const auto here = of_triangle(triangle(mesh, i)); here && (!part || here->lo < part->lo)) part = here;
+  } else {
+    return {};
+  }
+  Answer out;
+  out.result = {{"hit", part.has_value()}};
+  if (part) {
+    out.result["t"] = part->lo;
+    add_point(s, a, out, "*t*", part->lo, viz::Mark::disc);
+  }
+  meets(a, b, out, part.has_value());
+  return out;
+}
+
+std::vector<Pair> pairs_of_solids() {
+  using enum Type;
+  using In = Pair::In;
+  std::vector<Pair> table;
+  const auto add = [&](Type a, Type b, In in, auto written, auto tell) {
+    table.push_back({a, b, nullptr, in, written, tell});
+  };
+  for (const Type a :
+       {box, obb, kdop, frustum, hull})  // in both orders, so that they are named as they are asked about
+    for (const Type b : {box, obb, kdop, frustum, hull}) {
+      const bool in_plane = a != frustum && b != frustum && !(a == hull && b == box) && !(a == box && b == hull) &&
+                            !(a == hull && b == hull);
+      const bool has_query = a == b && (a == box || a == obb);
+      const bool culls = (a == frustum && b == box) || (a == box && b == frustum);
+      if (!has_query && !culls && !(a == kdop && b == kdop))
+        add(a, b, in_plane ? In::both : In::space, solids_result, relate);
+    }
+  for (const Type round : {sphere, capsule}) {
+    for (const Type solid : {box, obb, kdop, frustum, hull}) {
+      if (round == sphere && (solid == box || solid == frustum)) continue;
+      add(round, solid, solid == frustum ? In::space : In::both, solids_result, relate);
+    }
+    add(round, triangle, In::space, round_and_triangle, relate);
+    for (const Type outline : {triangle, polygon}) add(round, outline, In::plane, outline_result, tell_meeting);
+    add(mesh, round, In::space, mesh_result, tell_mesh);
+  }
+  for (const Type solid : {obb, kdop, frustum, hull}) {
+    add(triangle, solid, solid == obb || solid == kdop ? In::both : In::space, solids_result, relate);
+    add(mesh, solid, In::space, mesh_result, tell_mesh);
+    if (solid != hull) add(plane, solid, In::space, plane_result, tell_plane);
+  }
+  for (const Type solid : {obb, kdop}) add(solid, polygon, In::plane, outline_result, tell_meeting);
+  add(mesh, triangle, In::space, mesh_result, tell_mesh);
+  add(triangle, triangle, In::space, two_triangles, tell_meeting);
+  add(plane, capsule, In::space, plane_result, tell_plane);
+  add(plane, plane, In::space, two_planes, tell_two_planes);
+  add(point, mesh, In::space, point_and_mesh,
+      [](const Setting&, const Object& a, const Object& b, Answer& out) { locate(a, b, out, out.result["location"]); });
+  add(point, triangle, In::space, point_on_triangle, tell_on);
+  for (const Type along : {ray, line, segment}) {
+    add(point, along, In::space, point_on_line, tell_on);
+    for (const Type other : {ray, line, segment})
+      add(along, other, along == segment || other == segment ? In::space : In::both, two_lines, tell_two_lines);
+    add(along, kdop, In::both, line_and_solid, tell_line_and_solid);
+    add(along, frustum, In::space, line_and_solid, tell_line_and_solid);
+  }
+  add(segment, capsule, In::both, segment_and_capsule, tell_segment);
+  return table;
+}
+
+}  // namespace isect::program::scene
