@@ -27,7 +27,7 @@ namespace detail {
 /// The sign of the distance of c from the triangle less r, by the foot of the perpendicular; 1 where that lies outside.
 template <class Trace>
 int by_foot(const Point<double, 3>& c, double r, const Triangle<double, 3>& x, Trace&& trace) {
-  const auto& [p, q, s] = x.vertices;
+  const Point<double, 3>&p = x.vertices[0], &q = x.vertices[1], &s = x.vertices[2];
   if (triangle_half_spaces::detail::degenerate(x, trace)) return 1;
   const auto beside = [&](const Point<double, 3>& a, const Point<double, 3>& b) {
     return sign_of(

@@ -98,7 +98,7 @@ Triangle<double, 3> in_space(const Triangle<S, N>& x) {
 /// Whether the corners lie on one line.
 template <class Trace>
 bool degenerate(const Triangle<double, 3>& x, Trace&& trace) {
-  const auto& [a, b, c] = x.vertices;
+  const Point<double, 3>&a = x.vertices[0], &b = x.vertices[1], &c = x.vertices[2];
   for (std::size_t i = 0; i < 3; ++i)
     if (sign_of([&]<class W>() -> W { return half_spaces::detail::normal<W>(a, b, c)[i]; }, trace) != 0) return false;
   return true;
