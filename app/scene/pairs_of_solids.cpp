@@ -207,6 +207,22 @@ void tell_two_planes(const Setting&, const Object& a, const Object& b, Answer& o
 
 // Meshes.
 
+struct Extent {
+  Vec3 lo, hi;
+
+  bool meets(const Extent& x) const { return (lo.array() <= x.hi.array()).all() && (x.lo.array() <= hi.array()).all(); }
+};
+Extent extent(const Triangle<double, 3>& x) {
+  const auto& [p, q, r] = x.vertices;
+  return {p.cwiseMin(q).cwiseMin(r), p.cwiseMax(q).cwiseMax(r)};
+}
+/// Rounded outwards.
+Extent extent(const Capsule<double, 3>& x) {
+  Extent e = {x.p.cwiseMin(x.q).array() - x.radius, x.p.cwiseMax(x.q).array() + x.radius};
+  for (int i = 0; i < 3; ++i) e.lo[i] = std::nextafter(e.lo[i], -HUGE_VAL), e.hi[i] = std::nextafter(e.hi[i], HUGE_VAL);
+  return e;
+}
+
 /// How many triangles have a point in the other; that may also lie within the mesh and have none.
 Json mesh_result(const Setting& s, const Object& a, const Object& b) {
   const TriangleMesh<double> mesh = mesh_of(a);
@@ -215,22 +231,20 @@ Json mesh_result(const Setting& s, const Object& a, const Object& b) {
     for (int i = 0; i < static_cast<int>(mesh.triangles.size()); ++i) met += meets(triangle(mesh, i));
     return Json{{"triangles_met", met}};
   };
-  if (is_round(b.type))
-    return count([c = capsule_in_space(s, b)](const Triangle<double, 3>& x) {
+  const auto count_near = [&](const Extent& near, const auto& meets) {
+    return count([&](const Triangle<double, 3>& x) { return near.meets(extent(x)) && meets(x); });
+  };
+  if (is_round(b.type)) {
+    const Capsule<double, 3> c = capsule_in_space(s, b);
+    return count_near(extent(c), [&](const Triangle<double, 3>& x) {
       if (c.p == c.q) return intersects(Sphere<double, 3>{c.p, c.radius}, x);
       return intersects(c, x);
     });
-  if (b.type == Type::triangle)
-    return count([t = triangle_of(s, b)](const Triangle<double, 3>& x) {
-      const auto box = [](const Triangle<double, 3>& y) {
-        const auto& [p, q, r] = y.vertices;
-        return std::array<Vec3, 2>{p.cwiseMin(q).cwiseMin(r), p.cwiseMax(q).cwiseMax(r)};
-      };
-      const auto [lo, hi] = box(t);
-      const auto [other_lo, other_hi] = box(x);
-      const bool near = (lo.array() <= other_hi.array()).all() && (other_lo.array() <= hi.array()).all();
-      return near && intersects(x, t);
-    });
+  }
+  if (b.type == Type::triangle) {
+    const Triangle<double, 3> t = triangle_of(s, b);
+    return count_near(extent(t), [&](const Triangle<double, 3>& x) { return intersects(x, t); });
+  }
   return count([solid = faces_of(s, b)](const Triangle<double, 3>& x) { return intersects(x, solid); });
 }
 void tell_mesh(const Setting&, const Object& a, const Object& b, Answer& out) {
