@@ -50,5 +50,7 @@ Ray<double, 3> ray_in_space(const Setting&, const Object& a);
 void add_hit(const Setting&, const Object& a, Answer&, const char* name, const Json& t, viz::Mark);
 /// The verdict of whatever runs along a line, after its hits.
 void meets(const Object& a, const Object& b, Answer&, bool hit);
+/// How many triangles of mesh a have a point in b: the result's triangles_met.
+void tell_mesh(const Setting&, const Object& a, const Object& b, Answer&);
 
 }  // namespace isect::program::scene

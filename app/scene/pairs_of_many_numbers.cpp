@@ -180,14 +180,6 @@ Json mesh_and_box(const Setting& s, const Object& a, const Object& b) {
   for (int i = 0; i < static_cast<int>(mesh.triangles.size()); ++i) met += intersects(triangle(mesh, i), box);
   return {{"triangles_met", met}};
 }
-void tell_mesh_and_box(const Setting&, const Object& a, const Object& b, Answer& out) {
-  const std::string na = shown_name(a.name), nb = shown_name(b.name);
-  const int met = out.result["triangles_met"];
-  out.verdict = met > 0 ? Verdict{Verdict::Kind::yes, fmt::format("{} meets {} of {} triangles of {}", nb, met,
-                                                                  a.fixed.triangles.size(), na)}
-                        : Verdict{Verdict::Kind::no, fmt::format("{} meets no triangle of {}", nb, na)};
-  out.values = {{"triangles met", static_cast<double>(met), "", Role::hit, true}};
-}
 /// What six planes tell, as a renderer asks, and how they lie.
 Json frustum_and_box(const Setting& s, const Object& a, const Object& b) {
   Json result = relation_of_solids(s, a, b);
@@ -229,7 +221,7 @@ std::vector<Pair> pairs_of_many_numbers() {
   std::vector<Pair> table = {{kdop, kdop, nullptr, In::both, two_kdops, tell_kdops},
                              {frustum, box, nullptr, In::space, frustum_and_box, tell_culling},
                              {frustum, sphere, nullptr, In::space, frustum_and_sphere, tell_culling}};
-  table.push_back({mesh, box, nullptr, In::space, mesh_and_box, tell_mesh_and_box});
+  table.push_back({mesh, box, nullptr, In::space, mesh_and_box, tell_mesh});
   for (const Type shape : {kdop, hull, capsule, frustum})
     table.push_back({point, shape, nullptr, shape == frustum ? In::space : In::both, point_result, tell_point});
   for (const Type shape : {frustum, mesh})

@@ -247,14 +247,6 @@ Json mesh_result(const Setting& s, const Object& a, const Object& b) {
   }
   return count([solid = faces_of(s, b)](const Triangle<double, 3>& x) { return intersects(x, solid); });
 }
-void tell_mesh(const Setting&, const Object& a, const Object& b, Answer& out) {
-  const std::string na = shown_name(a.name), nb = shown_name(b.name);
-  const int met = out.result["triangles_met"];
-  out.verdict = met > 0 ? Verdict{Verdict::Kind::yes, fmt::format("{} meets {} of {} triangles of {}", nb, met,
-                                                                  a.fixed.triangles.size(), na)}
-                        : Verdict{Verdict::Kind::no, fmt::format("{} meets no triangle of {}", nb, na)};
-  out.values = {{"triangles met", static_cast<double>(met), "", Role::hit, true}};
-}
 
 Json point_and_mesh(const Setting& s, const Object& a, const Object& b) {
   const TriangleMesh<double> mesh = mesh_of(b);
@@ -378,6 +370,15 @@ Json outline_result(const Setting& s, const Object& a, const Object& b) {
 }
 
 }  // namespace
+
+void tell_mesh(const Setting&, const Object& a, const Object& b, Answer& out) {
+  const std::string na = shown_name(a.name), nb = shown_name(b.name);
+  const int met = out.result["triangles_met"];
+  out.verdict = met > 0 ? Verdict{Verdict::Kind::yes, fmt::format("{} meets {} of {} triangles of {}", nb, met,
+                                                                  a.fixed.triangles.size(), na)}
+                        : Verdict{Verdict::Kind::no, fmt::format("{} meets no triangle of {}", nb, na)};
+  out.values = {{"triangles met", static_cast<double>(met), "", Role::hit, true}};
+}
 
 Json relation_of_solids(const Setting& s, const Object& a, const Object& b) { return solids_result(s, a, b); }
 
