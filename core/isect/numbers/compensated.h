@@ -144,11 +144,13 @@ template <class V>
   else
     return v[i];
 }
-/// n_i x_i and n_i y_i.
+/// n_i x_i and n_i y_i. Where y has tails, x has some.
 template <bool fused, class X, class Y, class Z>
 [[gnu::always_inline]] inline SumOf<Two> two_products(const X& n, const Y& x, const Z& y, int i) {
   const Two pair = {head(x, i), head(y, i)}, twice = both(head(n, i));
   SumOf<Two> p = two_product_of<fused>(twice, pair);
+  static_assert(
+      requires { x[i].lo; } || !requires { y[i].lo; });
   if constexpr (requires { x[i].lo; }) {
     if constexpr (requires { y[i].lo; })
       p.lo += twice * Two{x[i].lo, y[i].lo};
