@@ -75,8 +75,7 @@ namespace detail {
 ///
 /// Never beyond `end`, and beyond the true entry T by at most 2 eps |T| and a subnormal.
 template <class S, int N>
-[[gnu::always_inline]] inline std::optional<S> entry(const ray_aabb::Prepared<S, N>& ray, S end,
-                                                     const Aabb<S, N>& box) {
+ISECT_INLINE std::optional<S> entry(const ray_aabb::Prepared<S, N>& ray, S end, const Aabb<S, N>& box) {
   const Point<S, N>* const ends[2] = {&box.lo, &box.hi};  // an index, where a condition would be a branch
   S in = ray.range.lo, out = end;
   for (int i = 0; i < N; ++i) {

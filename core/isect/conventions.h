@@ -44,11 +44,17 @@ enum class Location { in, on, out };
 /// What a view volume has of a shape. `crossing` is what remains: it may still be outside, near an edge of the volume.
 enum class Culling { outside, inside, crossing };
 
-/// Whether algorithms run in plain doubles first. Not where a build asks for small code: what follows says the same.
-#ifdef __OPTIMIZE_SIZE__
-inline constexpr bool doubles_first = false;
+// Whether code shall be small and quick to compile rather than fast: a build says so by ISECT_SMALL_CODE, or -Os. All
+// answers are the same, bit for bit. Then nothing runs in plain doubles first, what these leave open is settled by
+// isect/numbers/recorded.h, and the operations of numbers may stay calls.
+#if defined(ISECT_SMALL_CODE) || defined(__OPTIMIZE_SIZE__)
+inline constexpr bool small_code = true;
+#define ISECT_INLINE inline
 #else
-inline constexpr bool doubles_first = true;
+inline constexpr bool small_code = false;
+#endif
+#ifndef ISECT_INLINE
+#define ISECT_INLINE [[gnu::always_inline]] inline
 #endif
 
 }  // namespace isect

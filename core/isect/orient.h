@@ -16,7 +16,7 @@ namespace detail {
 
 /// Twice the signed area of a b c.
 template <Filtered W>
-[[gnu::always_inline]] inline W area2(const Point<double, 2>& a, const Point<double, 2>& b, const Point<double, 2>& c) {
+ISECT_INLINE W area2(const Point<double, 2>& a, const Point<double, 2>& b, const Point<double, 2>& c) {
   return difference<W>(a[0], c[0]) * difference<W>(b[1], c[1]) - difference<W>(a[1], c[1]) * difference<W>(b[0], c[0]);
 }
 

@@ -45,7 +45,7 @@ namespace detail {
 
 /// t on the whole line, as the numerator and the denominator.
 template <Filtered W, int N>
-[[gnu::always_inline]] inline Ratio<W> parameter(const Ray<double, N>& ray, const Plane<double, N>& plane) {
+ISECT_INLINE Ratio<W> parameter(const Ray<double, N>& ray, const Plane<double, N>& plane) {
   Ratio<W> t = ratio_of_dots<W, N>(plane.normal, ray.origin, ray.direction);
   t.num = -(t.num + W(plane.d));
   return t;

@@ -83,8 +83,10 @@ class Crossing {
       : ray_(ray), ring_(ring), quick_(plane_point<Bounded<double>>(ray, ring)) {}
 
   template <Filtered W>
-  const PlanePoint<W>& point() const {
-    if constexpr (std::is_same_v<W, Bounded<double>>) {
+  kept_t<W, PlanePoint<W>> point() const {
+    if constexpr (std::is_same_v<W, Recorded>) {
+      return plane_point<W>(ray_, ring_);
+    } else if constexpr (std::is_same_v<W, Bounded<double>>) {
       return quick_;
     } else {
       std::optional<PlanePoint<W>>& kept = std::get<std::optional<PlanePoint<W>>>(others_);

@@ -50,13 +50,12 @@ struct RaySphere {
 /// if the point lies in the ball, `surface` its lower end if it lies on the sphere. Radius 0 is a point,
 /// radius < 0 the empty set. NaN or an infinite coordinate: no hit.
 template <class S, int N, class Trace = NoTrace>
-[[gnu::always_inline]] inline RaySphere<S> intersect(const Ray<S, N>& ray, const Sphere<S, N>& sphere,
-                                                     Trace&& trace = {}) {
+ISECT_INLINE RaySphere<S> intersect(const Ray<S, N>& ray, const Sphere<S, N>& sphere, Trace&& trace = {}) {
   using namespace ray_sphere::detail;
   if (!(sphere.radius >= 0)) return {};  // empty, or NaN
   const Ray<double, N>& wide = in_doubles(ray);
   const Sphere<double, N>& ball = in_doubles(sphere);
-  if constexpr (doubles_first && std::is_same_v<S, double> && !heard<Trace>) {
+  if constexpr (!small_code && std::is_same_v<S, double> && !heard<Trace>) {
     RaySphere<S> answer;
     if (!quick_answer(wide, ball, ray.range, answer)) [[unlikely]]
       answer = settled_step_by_step(wide, ball, ray.range, trace);

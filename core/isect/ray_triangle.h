@@ -50,21 +50,20 @@ namespace detail {
 
 /// d.((p - o) x (q - o)): on which side of the line the edge pq passes.
 template <Filtered W>
-[[gnu::always_inline]] inline W volume(const Ray<double, 3>& ray, const Point<double, 3>& p,
-                                       const Point<double, 3>& q) {
+ISECT_INLINE W volume(const Ray<double, 3>& ray, const Point<double, 3>& p, const Point<double, 3>& q) {
   return dot(exactly<W>(ray.direction), cross(difference<W>(p, ray.origin), difference<W>(q, ray.origin)));
 }
 
 /// (b - a) x (c - a)
 template <Filtered W>
-[[gnu::always_inline]] inline Components<W, 3> normal(const Triangle<double, 3>& x) {
+ISECT_INLINE Components<W, 3> normal(const Triangle<double, 3>& x) {
   const auto& [a, b, c] = x.vertices;
   return cross(difference<W>(b, a), difference<W>(c, a));
 }
 
 /// t on the whole line, as the numerator and the denominator.
 template <Filtered W>
-[[gnu::always_inline]] inline Ratio<W> parameter(const Ray<double, 3>& ray, const Triangle<double, 3>& x) {
+ISECT_INLINE Ratio<W> parameter(const Ray<double, 3>& ray, const Triangle<double, 3>& x) {
   const Components<W, 3> n = normal<W>(x);
   return ratio_of_dots<W, 3>(n, difference<W>(x.vertices[0], ray.origin), ray.direction);
 }
@@ -88,7 +87,7 @@ Volumes volumes(const Ray<double, 3>& ray, const Triangle<double, 3>& x, Trace&&
 
 /// t, u, v on the whole line, as numerators and denominator: w_b = -C.(d x A), w_c = B.(d x A).
 template <Filtered W>
-[[gnu::always_inline]] inline ThreeRatios<W> coordinates(const Ray<double, 3>& ray, const Triangle<double, 3>& x) {
+ISECT_INLINE ThreeRatios<W> coordinates(const Ray<double, 3>& ray, const Triangle<double, 3>& x) {
   const auto& [a, b, c] = x.vertices;
   const Ratio<W> t = parameter<W>(ray, x);
   const Components<W, 3> moment = cross(exactly<W>(ray.direction), difference<W>(a, ray.origin));

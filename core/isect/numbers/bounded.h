@@ -38,40 +38,38 @@ class Bounded {
   /// at most. At least 2^-960 of that makes up for products that underflow.
   Bounded(const T& value, double size, int roundings) : value_(value), size_(size), roundings_(roundings) {}
 
-  [[gnu::always_inline]] static Bounded difference(double x, double y) {
+  ISECT_INLINE static Bounded difference(double x, double y) {
     const T value = isect::difference<T>(x, y);
     return {value, std::abs(leading(value)), 1};
   }
 
-  [[gnu::always_inline]] friend Bounded operator+(const Bounded& a, const Bounded& b) {
+  ISECT_INLINE friend Bounded operator+(const Bounded& a, const Bounded& b) {
     return {a.value_ + b.value_, a.size_ + b.size_, std::max(a.roundings_, b.roundings_) + 1};
   }
-  [[gnu::always_inline]] friend Bounded operator-(const Bounded& a, const Bounded& b) {
+  ISECT_INLINE friend Bounded operator-(const Bounded& a, const Bounded& b) {
     return {a.value_ - b.value_, a.size_ + b.size_, std::max(a.roundings_, b.roundings_) + 1};
   }
-  [[gnu::always_inline]] friend Bounded operator*(const Bounded& a, const Bounded& b) {
+  ISECT_INLINE friend Bounded operator*(const Bounded& a, const Bounded& b) {
     return {a.value_ * b.value_, a.size_ * b.size_ + underflow(a, b), a.roundings_ + b.roundings_ + 1};
   }
-  [[gnu::always_inline]] friend Bounded operator-(const Bounded& a) { return {-a.value_, a.size_, a.roundings_}; }
-  [[gnu::always_inline]] friend Bounded abs(const Bounded& a) { return leading(a.value_) < 0 ? -a : a; }
+  ISECT_INLINE friend Bounded operator-(const Bounded& a) { return {-a.value_, a.size_, a.roundings_}; }
+  ISECT_INLINE friend Bounded abs(const Bounded& a) { return leading(a.value_) < 0 ? -a : a; }
 
   /// Whether the value has the sign of the truth. False for what overflowed, as inf - inf is NaN. An error that
   /// underflows is none: without products all is a multiple of the least double.
-  [[gnu::always_inline]] bool certain() const { return std::abs(leading(value_)) - error() >= 0; }
+  ISECT_INLINE bool certain() const { return std::abs(leading(value_)) - error() >= 0; }
   /// The sign of the value, whether or not that of the truth.
-  [[gnu::always_inline]] int apparent_sign() const { return (leading(value_) > 0) - (leading(value_) < 0); }
+  ISECT_INLINE int apparent_sign() const { return (leading(value_) > 0) - (leading(value_) < 0); }
   /// 1, 0, -1, or nothing where the error could turn it.
   std::optional<int> sign() const { return certain() ? std::optional(apparent_sign()) : std::nullopt; }
   /// Whether the value lies within a relative `tolerance` of the truth.
-  [[gnu::always_inline]] bool within(double tolerance) const {
-    return tolerance * std::abs(leading(value_)) - error() >= 0;
-  }
+  ISECT_INLINE bool within(double tolerance) const { return tolerance * std::abs(leading(value_)) - error() >= 0; }
 
   const T& value() const { return value_; }
   double size() const { return size_; }
   int roundings() const { return roundings_; }
   /// |value - truth| <= error(); infinite or NaN where nothing is known.
-  [[gnu::always_inline]] double error() const {
+  ISECT_INLINE double error() const {
     const double k = roundings_ + 1;
     return is_compensated<T> ? 2 * k * k * unit<double> * unit<double> * size_ : k * unit<T> * size_;
   }
@@ -93,8 +91,7 @@ class Bounded {
 
 /// x.y, its size found from the largest sizes alone: that costs half as much as the sum of all products' sizes.
 template <std::size_t N>
-[[gnu::always_inline]] inline Bounded<double> dot(const std::array<Bounded<double>, N>& x,
-                                                  const std::array<Bounded<double>, N>& y) {
+ISECT_INLINE Bounded<double> dot(const std::array<Bounded<double>, N>& x, const std::array<Bounded<double>, N>& y) {
   double sum = x[0].value() * y[0].value(), largest_x = x[0].size(), largest_y = y[0].size();
   int roundings = x[0].roundings() + y[0].roundings();
   for (std::size_t i = 1; i < N; ++i) {
@@ -106,8 +103,8 @@ template <std::size_t N>
 }
 
 /// x times y, likewise.
-[[gnu::always_inline]] inline std::array<Bounded<double>, 3> cross(const std::array<Bounded<double>, 3>& x,
-                                                                   const std::array<Bounded<double>, 3>& y) {
+ISECT_INLINE std::array<Bounded<double>, 3> cross(const std::array<Bounded<double>, 3>& x,
+                                                  const std::array<Bounded<double>, 3>& y) {
   const double largest_x = std::max(std::max(x[0].size(), x[1].size()), x[2].size()),
                largest_y = std::max(std::max(y[0].size(), y[1].size()), y[2].size());
   const double size = 2 * (largest_x * largest_y) + 0x1p-960;
@@ -120,12 +117,13 @@ template <std::size_t N>
 }
 
 class Grid;
+class Recorded;
 
 /// What the polynomial texts of predicates run in: one after the other.
 template <class W>
-concept Filtered = std::same_as<W, Bounded<double>> || std::same_as<W, Grid> || is_compensated<W> ||
-    std::same_as<W, Bounded<DoubleDouble>> || std::same_as<W, ShortExact> || std::same_as<W, MediumExact> ||
-    std::same_as<W, Exact>;
+concept Filtered = std::same_as<W, Bounded<double>> || std::same_as<W, Grid> || std::same_as<W, Recorded> ||
+    is_compensated<W> || std::same_as<W, Bounded<DoubleDouble>> || std::same_as<W, ShortExact> ||
+    std::same_as<W, MediumExact> || std::same_as<W, Exact>;
 
 /// x - y of two doubles.
 template <Filtered W>

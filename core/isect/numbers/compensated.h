@@ -44,7 +44,7 @@ struct CompensatedBy {
 
   CompensatedBy() = default;
   CompensatedBy(double value, double rest = 0) : hi(value), lo(rest) {}
-  [[gnu::always_inline]] static CompensatedBy difference(double x, double y) {
+  ISECT_INLINE static CompensatedBy difference(double x, double y) {
     const DoubleDouble d = two_sum(x, -y);
     return {d.hi, d.lo};
   }
@@ -61,43 +61,39 @@ inline constexpr bool is_compensated<CompensatedBy<fused>> = true;
 
 namespace detail {
 /// Whether the compiler sees that it is 0, as of a leaf: that saves what it is multiplied by and added to.
-[[gnu::always_inline]] inline bool nothing(double x) { return __builtin_constant_p(x == 0) && x == 0; }
-[[gnu::always_inline]] inline double plus(double x, double y) { return nothing(y) ? x : nothing(x) ? y : x + y; }
-[[gnu::always_inline]] inline double times(double x, double y) { return nothing(y) ? 0 : x * y; }
+ISECT_INLINE bool nothing(double x) { return __builtin_constant_p(x == 0) && x == 0; }
+ISECT_INLINE double plus(double x, double y) { return nothing(y) ? x : nothing(x) ? y : x + y; }
+ISECT_INLINE double times(double x, double y) { return nothing(y) ? 0 : x * y; }
 }  // namespace detail
 
 template <bool fused>
-[[gnu::always_inline]] inline CompensatedBy<fused> operator+(const CompensatedBy<fused>& x,
-                                                             const CompensatedBy<fused>& y) {
+ISECT_INLINE CompensatedBy<fused> operator+(const CompensatedBy<fused>& x, const CompensatedBy<fused>& y) {
   const DoubleDouble s = two_sum(x.hi, y.hi);
   return {s.hi, detail::plus(detail::plus(x.lo, y.lo), s.lo)};
 }
 template <bool fused>
-[[gnu::always_inline]] inline CompensatedBy<fused> operator-(const CompensatedBy<fused>& x) {
+ISECT_INLINE CompensatedBy<fused> operator-(const CompensatedBy<fused>& x) {
   return {-x.hi, -x.lo};
 }
 template <bool fused>
-[[gnu::always_inline]] inline CompensatedBy<fused> operator-(const CompensatedBy<fused>& x,
-                                                             const CompensatedBy<fused>& y) {
+ISECT_INLINE CompensatedBy<fused> operator-(const CompensatedBy<fused>& x, const CompensatedBy<fused>& y) {
   return x + (-y);
 }
 template <bool fused>
-[[gnu::always_inline]] inline CompensatedBy<fused> operator*(const CompensatedBy<fused>& x,
-                                                             const CompensatedBy<fused>& y) {
+ISECT_INLINE CompensatedBy<fused> operator*(const CompensatedBy<fused>& x, const CompensatedBy<fused>& y) {
   const DoubleDouble p = two_product<fused>(x.hi, y.hi);
   return {p.hi, detail::plus(p.lo, detail::plus(detail::times(x.hi, y.lo), detail::times(y.hi, x.lo)))};
 }
 
 template <bool fused>
-[[gnu::always_inline]] inline CompensatedBy<fused> abs(const CompensatedBy<fused>& x) {
+ISECT_INLINE CompensatedBy<fused> abs(const CompensatedBy<fused>& x) {
   return x.hi + x.lo < 0 ? -x : x;
 }
 
 namespace detail {
 /// x / y by 1 / y.hi.
 template <bool fused>
-[[gnu::always_inline]] inline double quotient(const CompensatedBy<fused>& x, const CompensatedBy<fused>& y,
-                                              double inverse) {
+ISECT_INLINE double quotient(const CompensatedBy<fused>& x, const CompensatedBy<fused>& y, double inverse) {
   const double q = x.hi * inverse;
   const DoubleDouble back = two_product<fused>(q, y.hi);
   return q + (((x.hi - back.hi) - back.lo) + (x.lo - q * y.lo)) * inverse;
@@ -107,7 +103,7 @@ template <bool fused>
 /// x / y for |lo| <= 2^-32 |hi| in y, within 2^-60 (|hi| + |lo|) / |y| of x before the last rounding; NaN or infinite
 /// where it overflows, or 1 / y.
 template <bool fused>
-[[gnu::always_inline]] inline double quotient(const CompensatedBy<fused>& x, const CompensatedBy<fused>& y) {
+ISECT_INLINE double quotient(const CompensatedBy<fused>& x, const CompensatedBy<fused>& y) {
   return detail::quotient(x, y, 1 / y.hi);
 }
 
@@ -124,11 +120,11 @@ namespace detail {
 typedef double Two __attribute__((vector_size(16)));
 
 /// x in both.
-[[gnu::always_inline]] inline Two both(double x) { return Two{x, x}; }
+ISECT_INLINE Two both(double x) { return Two{x, x}; }
 
 /// Two products exactly.
 template <bool fused>
-[[gnu::always_inline]] inline SumOf<Two> two_product_of(const Two& x, const Two& y) {
+ISECT_INLINE SumOf<Two> two_product_of(const Two& x, const Two& y) {
   const Two p = x * y;
   if constexpr (fused)
     return {p, Two{__builtin_fma(x[0], y[0], -p[0]), __builtin_fma(x[1], y[1], -p[1])}};
@@ -138,26 +134,35 @@ template <bool fused>
 
 /// Component i of a vector of doubles, or of numbers with tails.
 template <class V>
-[[gnu::always_inline]] inline double head(const V& v, int i) {
-  if constexpr (requires { v[i].hi; })
+inline constexpr bool has_tails = requires(const V& v) {
+  v[0].lo;
+};
+template <class V>
+ISECT_INLINE double head(const V& v, int i) {
+  if constexpr (has_tails<V>)
     return v[i].hi;
   else
     return v[i];
 }
 /// n_i x_i and n_i y_i. Where y has tails, x has some.
 template <bool fused, class X, class Y, class Z>
-[[gnu::always_inline]] inline SumOf<Two> two_products(const X& n, const Y& x, const Z& y, int i) {
+ISECT_INLINE SumOf<Two> two_products(const X& n, const Y& x, const Z& y, int i) {
   const Two pair = {head(x, i), head(y, i)}, twice = both(head(n, i));
   SumOf<Two> p = two_product_of<fused>(twice, pair);
-  static_assert(
-      requires { x[i].lo; } || !requires { y[i].lo; });
-  if constexpr (requires { x[i].lo; }) {
-    if constexpr (requires { y[i].lo; })
-      p.lo += twice * Two{x[i].lo, y[i].lo};
+  constexpr bool of_n = has_tails<X>, of_x = has_tails<Y>, of_y = has_tails<Z>;
+  static_assert(of_x || !of_y);
+  const Two tails = [&] {
+    if constexpr (of_y)
+      return twice * Two{x[i].lo, y[i].lo};
+    else if constexpr (of_x)
+      return Two{twice[0] * x[i].lo, 0};
     else
-      p.lo += Two{twice[0] * x[i].lo, 0};
-  }
-  if constexpr (requires { n[i].lo; }) p.lo += n[i].lo * pair;
+      return Two{0, 0};
+  }();
+  if constexpr (of_n)
+    p.lo += tails + n[i].lo * pair;  // the order of operator*, so that the bits are the same
+  else if constexpr (of_x)
+    p.lo += tails;
   return p;
 }
 }  // namespace detail
@@ -168,7 +173,7 @@ struct TwoDots {
   CompensatedBy<fused> x, y;
 };
 template <bool fused, int N, class X, class Y, class Z>
-[[gnu::always_inline]] inline TwoDots<fused> two_dots(const X& n, const Y& x, const Z& y) {
+ISECT_INLINE TwoDots<fused> two_dots(const X& n, const Y& x, const Z& y) {
   static_assert(N == 2 || N == 3);  // without a loop, which GCC would vectorise by way of memory
   using detail::Two;
   const SumOf<Two> p = detail::two_products<fused>(n, x, y, 0), q = detail::two_products<fused>(n, x, y, 1);
@@ -176,7 +181,7 @@ template <bool fused, int N, class X, class Y, class Z>
   Two hi = s.hi, lo = (p.lo + q.lo) + s.lo;
   if constexpr (N == 3) {
     const SumOf<Two> r = detail::two_products<fused>(n, x, y, 2), t = two_sum_of(hi, r.hi);
-    hi = t.hi, lo += r.lo + t.lo;
+    hi = t.hi, lo = (lo + r.lo) + t.lo;
   }
   return {{hi[0], lo[0]}, {hi[1], lo[1]}};
 }
@@ -196,7 +201,7 @@ template <class Text>
 
 /// text.operator()<W>() for the faster W of Compensated and Fused on this machine.
 template <class Text>
-[[gnu::always_inline]] inline auto compensated(const Text& text) {
+ISECT_INLINE auto compensated(const Text& text) {
 #if ISECT_DISPATCH
   if (__builtin_cpu_supports("fma")) return detail::fused(text);
 #endif

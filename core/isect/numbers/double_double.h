@@ -24,12 +24,12 @@ struct SumOf {
 
 /// a + b exactly. Source: Knuth, TAOCP 2, 4.2.2.
 template <class T>
-[[gnu::always_inline]] inline SumOf<T> two_sum_of(const T& a, const T& b) {
+ISECT_INLINE SumOf<T> two_sum_of(const T& a, const T& b) {
   const T s = a + b;
   const T bb = s - a;
   return {s, (a - (s - bb)) + (b - bb)};
 }
-[[gnu::always_inline]] inline DoubleDouble two_sum(double a, double b) {
+ISECT_INLINE DoubleDouble two_sum(double a, double b) {
   const auto [hi, lo] = two_sum_of(a, b);
   return {hi, lo};
 }
@@ -50,7 +50,7 @@ inline constexpr bool fuses_products = false;
 namespace detail {
 /// a b - p for p = a b, rounded.
 template <class T>
-[[gnu::always_inline]] inline T split_rest(const T& a, const T& b, const T& p) {
+ISECT_INLINE T split_rest(const T& a, const T& b, const T& p) {
   constexpr double split = 134217729;  // 2^27 + 1
   const T ta = split * a, tb = split * b;
   const T ah = ta - (ta - a), bh = tb - (tb - b);
@@ -62,7 +62,7 @@ template <class T>
 /// a * b exactly, with a fused multiply-add or by Veltkamp's splitting: the same value either way, unless a step
 /// overflows, beyond 2^996, or underflows.
 template <bool fused = fuses_products>
-[[gnu::always_inline]] inline DoubleDouble two_product(double a, double b) {
+ISECT_INLINE DoubleDouble two_product(double a, double b) {
   const double p = a * b;
   if constexpr (fused)
     return {p, __builtin_fma(a, b, -p)};

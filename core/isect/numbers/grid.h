@@ -25,22 +25,18 @@ class Grid {
   Grid() = default;
   /// Of x itself: its last bit if that is normal, else 0. Without a branch, as whether a coordinate is 0 is hard to
   /// foresee.
-  [[gnu::always_inline]] Grid(double x) : step_(std::bit_cast<double>(bits_of(x))) {}
+  ISECT_INLINE Grid(double x) : step_(std::bit_cast<double>(bits_of(x))) {}
 
-  [[gnu::always_inline]] static Grid difference(double x, double y) {
+  ISECT_INLINE static Grid difference(double x, double y) {
     const std::int64_t none = mask_of_zero(x - y), finer = std::min(bits_of(x), bits_of(y));
     return Grid(std::bit_cast<double>((finer & ~none) | (coarse & none)), nullptr);
   }
 
-  [[gnu::always_inline]] friend Grid operator+(const Grid& a, const Grid& b) {
-    return Grid(std::min(a.step_, b.step_), nullptr);
-  }
-  [[gnu::always_inline]] friend Grid operator-(const Grid& a, const Grid& b) { return a + b; }
-  [[gnu::always_inline]] friend Grid operator*(const Grid& a, const Grid& b) {
-    return Grid(a.step_ * b.step_, nullptr);
-  }
-  [[gnu::always_inline]] friend Grid operator-(const Grid& a) { return a; }
-  [[gnu::always_inline]] friend Grid abs(const Grid& a) { return a; }
+  ISECT_INLINE friend Grid operator+(const Grid& a, const Grid& b) { return Grid(std::min(a.step_, b.step_), nullptr); }
+  ISECT_INLINE friend Grid operator-(const Grid& a, const Grid& b) { return a + b; }
+  ISECT_INLINE friend Grid operator*(const Grid& a, const Grid& b) { return Grid(a.step_ * b.step_, nullptr); }
+  ISECT_INLINE friend Grid operator-(const Grid& a) { return a; }
+  ISECT_INLINE friend Grid abs(const Grid& a) { return a; }
 
   /// NaN where a number of unknown grid was multiplied by one of infinite grid.
   double step() const { return step_; }
@@ -48,13 +44,13 @@ class Grid {
  private:
   static constexpr std::int64_t coarse = std::bit_cast<std::int64_t>(0x1p256);
 
-  [[gnu::always_inline]] Grid(double step, std::nullptr_t) : step_(step) {}
+  ISECT_INLINE Grid(double step, std::nullptr_t) : step_(step) {}
 
   /// All ones if x is 0, else 0.
-  [[gnu::always_inline]] static std::int64_t mask_of_zero(double x) {
+  ISECT_INLINE static std::int64_t mask_of_zero(double x) {
     return -static_cast<std::int64_t>(std::bit_cast<std::uint64_t>(x) << 1 == 0);
   }
-  [[gnu::always_inline]] static std::int64_t bits_of(double x) {
+  ISECT_INLINE static std::int64_t bits_of(double x) {
     const std::uint64_t bits = std::bit_cast<std::uint64_t>(x), hidden = std::uint64_t{1} << 52;
     const std::int64_t exponent = static_cast<std::int64_t>(bits & std::uint64_t{0x7ff} << 52);
     const std::int64_t step = exponent - (static_cast<std::int64_t>(52 - std::countr_zero(bits | hidden)) << 52);

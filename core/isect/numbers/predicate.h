@@ -20,9 +20,52 @@
 #include <isect/numbers/bounded.h>
 #include <isect/numbers/exact.h>
 #include <isect/numbers/grid.h>
+#include <isect/numbers/recorded.h>
 #include <isect/trace.h>
 
 namespace isect {
+
+/// A quotient of two polynomials, not divided yet; den is not zero.
+template <class W>
+struct Ratio {
+  W num, den;
+};
+
+/// The steps of a text as a text of their own, for one polynomial and for a quotient.
+class RecordedSum {
+ public:
+  template <class Text>
+  explicit RecordedSum(const Text& text) : steps_([&] { return std::array{text.template operator()<Recorded>()}; }) {}
+  template <class W>
+  W operator()() const {
+    return steps_.run<W>()[0];
+  }
+
+ private:
+  Recording steps_;
+};
+class RecordedRatio {
+ public:
+  template <class Text>
+  explicit RecordedRatio(const Text& text)
+      : quick_(text.template operator()<Bounded<double>>()), steps_([&] {
+          const Ratio<Recorded> r = text.template operator()<Recorded>();
+          return std::array{r.num, r.den};
+        }) {}
+  template <class W>
+  Ratio<W> operator()() const {
+    if constexpr (std::is_same_v<W, Bounded<double>>) {
+      return quick_;
+    } else {
+      const std::vector<W> found = steps_.run<W>();
+      return {found[0], found[1]};
+    }
+  }
+
+ private:
+  Ratio<Bounded<double>> quick_;
+  Recording steps_;
+};
 
 namespace detail {
 template <class Text>
@@ -90,7 +133,7 @@ template <class Algorithm, class Trace>
 /// straight text without a branch for each sign, and all but a few cases end there. A listener hears the whole.
 template <class Algorithm, class Trace>
 inline auto in_doubles_first(const Algorithm& algorithm, Trace& trace) {
-  if constexpr (doubles_first && !heard<Trace>) {
+  if constexpr (!small_code && !heard<Trace>) {
     FirstTry<Compensated> first;
     auto result = detail::tried(algorithm, first);
     if (first.open) [[unlikely]]
@@ -104,7 +147,7 @@ inline auto in_doubles_first(const Algorithm& algorithm, Trace& trace) {
 /// The same for an algorithm that finds values in doubles, which are faster with fused products.
 template <class S, class Algorithm, class Trace>
 inline auto with_values_first(const Algorithm& algorithm, Trace& trace) {
-  if constexpr (doubles_first && std::is_same_v<S, double> && !heard<Trace>) {
+  if constexpr (!small_code && std::is_same_v<S, double> && !heard<Trace>) {
     bool open = false;
     auto result = compensated([&]<class W>() {
       FirstTry<W> first;
@@ -130,15 +173,21 @@ int sign_of(const Text& text, Trace&& trace = {}) {
   } else {
     if (quick.certain()) return quick.apparent_sign();
     trace(Fallback{});
-    return detail::settled_sign(text, quick);
+    if constexpr (small_code)
+      return detail::settled_sign(RecordedSum(text), quick);
+    else
+      return detail::settled_sign(text, quick);
   }
 }
 
-/// A quotient of two polynomials, not divided yet; den is not zero.
-template <class W>
-struct Ratio {
-  W num, den;
-};
+/// The same for a long text, which the compiler need not read for each arithmetic anew.
+template <class Text, class Trace = NoTrace>
+int sign_of_long(const Text& text, Trace&& trace = {}) {
+  const Bounded<double> quick = text.template operator()<Bounded<double>>();
+  if (quick.certain()) return quick.apparent_sign();
+  trace(Fallback{});
+  return detail::settled_sign(RecordedSum(text), quick);
+}
 
 namespace detail {
 /// The quotient by what doubles found, for the float of an S.
@@ -157,19 +206,19 @@ struct FineRatio {
 };
 /// Whether x loses no more than 14 bits by cancellation.
 template <class W>
-[[gnu::always_inline]] inline bool ordinary(const Bounded<double>& quick, const W& fine) {
+ISECT_INLINE bool ordinary(const Bounded<double>& quick, const W& fine) {
   const double size = std::abs(fine.hi);
   return (size >= 0x1p-14 * quick.size()) & (size >= 0x1p-800) & (quick.roundings() <= 64);
 }
 template <class W, class Text>
-[[gnu::always_inline]] inline FineRatio fine_ratio(const Text& text) {
+ISECT_INLINE FineRatio fine_ratio(const Text& text) {
   const Ratio<Bounded<double>> quick = text.template operator()<Bounded<double>>();
   const Ratio<W> r = text.template operator()<W>();
   const bool safe = (ordinary(quick.num, r.num) | (quick.num.size() == 0)) & ordinary(quick.den, r.den);
   return {r.num.hi, r.num.lo, r.den.hi, r.den.lo, safe};
 }
 template <class W, class Text>
-[[gnu::always_inline]] inline std::optional<double> fine_quotient(const Text& text) {
+ISECT_INLINE std::optional<double> fine_quotient(const Text& text) {
   const FineRatio r = fine_ratio<W>(text);
   const double q = quotient(W(r.num, r.num_rest), W(r.den, r.den_rest));
   const bool good = r.safe & (std::abs(q) <= std::numeric_limits<double>::max());
@@ -220,6 +269,7 @@ template <class Text>
 /// lose what S loses there: half a unit of the least subnormal more. In double most are within 0.51 ulp.
 template <class S, class Text, class Trace = NoTrace>
 S value_of(const Text& text, Trace&& trace = {}) {
+  if constexpr (small_code && !std::is_same_v<Text, RecordedRatio>) return value_of<S>(RecordedRatio(text), trace);
   constexpr double tolerance = std::numeric_limits<S>::epsilon() / 3;
   std::optional<double> q;
   if constexpr (std::is_same_v<S, float>)
@@ -246,8 +296,7 @@ struct ThreeRatios {
 
 /// The three quotients, each as value_of finds it; `zero` tells which of them are known to be 0.
 template <class S, class Text, class Trace = NoTrace>
-[[gnu::always_inline]] inline std::array<S, 3> values_of(const Text& text, const std::array<bool, 3>& zero,
-                                                         Trace&& trace = {}) {
+ISECT_INLINE std::array<S, 3> values_of(const Text& text, const std::array<bool, 3>& zero, Trace&& trace = {}) {
   if constexpr (first_try<Trace> && std::is_same_v<S, double>) {
     using W = typename std::remove_cvref_t<Trace>::Fine;
     const ThreeRatios<Bounded<double>> quick = text.template operator()<Bounded<double>>();
@@ -284,7 +333,7 @@ struct Signs {
   int num, den;
 };
 template <class S, class Text, class Trace = NoTrace>
-[[gnu::always_inline]] inline Signs signs_of(const Text& text, Trace&& trace = {}) {
+ISECT_INLINE Signs signs_of(const Text& text, Trace&& trace = {}) {
   if constexpr (first_try<Trace> && std::is_same_v<S, double>) {  // those of what value_of finds, too
     const detail::FineRatio r = detail::fine_ratio<typename std::remove_cvref_t<Trace>::Fine>(text);
     trace.open |= !r.safe;
@@ -302,7 +351,7 @@ using Components = std::array<W, N>;
 
 /// x - y, component by component.
 template <Filtered W, int N>
-[[gnu::always_inline]] inline Components<W, N> difference(const Point<double, N>& x, const Point<double, N>& y) {
+ISECT_INLINE Components<W, N> difference(const Point<double, N>& x, const Point<double, N>& y) {
   Components<W, N> v;
   for (int i = 0; i < N; ++i) v[i] = difference<W>(x[i], y[i]);
   return v;
@@ -310,14 +359,14 @@ template <Filtered W, int N>
 
 /// x itself in W.
 template <Filtered W, int N>
-[[gnu::always_inline]] inline Components<W, N> exactly(const Vector<double, N>& x) {
+ISECT_INLINE Components<W, N> exactly(const Vector<double, N>& x) {
   Components<W, N> v;
   for (int i = 0; i < N; ++i) v[i] = W(x[i]);
   return v;
 }
 
 template <Filtered W, std::size_t N>
-[[gnu::always_inline]] inline W dot(const std::array<W, N>& x, const std::array<W, N>& y) {
+ISECT_INLINE W dot(const std::array<W, N>& x, const std::array<W, N>& y) {
   W sum = x[0] * y[0];
   for (std::size_t i = 1; i < N; ++i) sum = sum + x[i] * y[i];
   return sum;
@@ -325,17 +374,17 @@ template <Filtered W, std::size_t N>
 
 /// A vector of doubles in W, one of W as it is.
 template <Filtered W, int N>
-[[gnu::always_inline]] inline Components<W, N> in(const Vector<double, N>& x) {
+ISECT_INLINE Components<W, N> in(const Vector<double, N>& x) {
   return exactly<W>(x);
 }
 template <Filtered W, int N>
-[[gnu::always_inline]] inline const Components<W, N>& in(const Components<W, N>& x) {
+ISECT_INLINE const Components<W, N>& in(const Components<W, N>& x) {
   return x;
 }
 
 /// n.x / n.y, each of which is a vector of doubles or of W.
 template <Filtered W, int N, class X, class Y, class Z>
-[[gnu::always_inline]] inline Ratio<W> ratio_of_dots(const X& n, const Y& x, const Z& y) {
+ISECT_INLINE Ratio<W> ratio_of_dots(const X& n, const Y& x, const Z& y) {
   if constexpr (is_compensated<W>) {
     const auto both = two_dots<std::is_same_v<W, Fused>, N>(n, x, y);
     return {W(both.x.hi, both.x.lo), W(both.y.hi, both.y.lo)};
@@ -345,7 +394,7 @@ template <Filtered W, int N, class X, class Y, class Z>
 }
 
 template <Filtered W>
-[[gnu::always_inline]] inline std::array<W, 3> cross(const std::array<W, 3>& x, const std::array<W, 3>& y) {
+ISECT_INLINE std::array<W, 3> cross(const std::array<W, 3>& x, const std::array<W, 3>& y) {
   return {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
 }
 

@@ -28,25 +28,23 @@ struct Whole256 {
 
 // The operations that both have. What lies below 0 is told by the highest bit.
 
-[[gnu::always_inline]] inline Whole128 sum(Whole128 x, Whole128 y) { return x + y; }
-[[gnu::always_inline]] inline Whole128 product(Whole128 x, Whole128 y) { return x * y; }
-[[gnu::always_inline]] inline Whole128 negative(Whole128 x) { return -x; }
-[[gnu::always_inline]] inline Whole128 shifted(Whole128 x, int by) { return x << by; }
-[[gnu::always_inline]] inline bool below_zero(Whole128 x) { return static_cast<std::uint64_t>(x >> 64) >> 63 != 0; }
-[[gnu::always_inline]] inline Whole128 whole(std::int64_t x, Whole128) { return static_cast<Whole128>(x); }
+ISECT_INLINE Whole128 sum(Whole128 x, Whole128 y) { return x + y; }
+ISECT_INLINE Whole128 product(Whole128 x, Whole128 y) { return x * y; }
+ISECT_INLINE Whole128 negative(Whole128 x) { return -x; }
+ISECT_INLINE Whole128 shifted(Whole128 x, int by) { return x << by; }
+ISECT_INLINE bool below_zero(Whole128 x) { return static_cast<std::uint64_t>(x >> 64) >> 63 != 0; }
+ISECT_INLINE Whole128 whole(std::int64_t x, Whole128) { return static_cast<Whole128>(x); }
 /// x or y, without a branch that is hard to foresee: `mask` is all ones or 0.
-[[gnu::always_inline]] inline Whole128 either(std::int64_t mask, Whole128 x, Whole128 y) {
+ISECT_INLINE Whole128 either(std::int64_t mask, Whole128 x, Whole128 y) {
   return y ^ ((x ^ y) & static_cast<Whole128>(mask));
 }
-[[gnu::always_inline]] inline int either(std::int64_t mask, int x, int y) {
-  return y ^ ((x ^ y) & static_cast<int>(mask));
-}
+ISECT_INLINE int either(std::int64_t mask, int x, int y) { return y ^ ((x ^ y) & static_cast<int>(mask)); }
 
-[[gnu::always_inline]] inline Whole256 sum(const Whole256& x, const Whole256& y) {
+ISECT_INLINE Whole256 sum(const Whole256& x, const Whole256& y) {
   const Whole128 low = x.low + y.low;
   return {low, x.high + y.high + (low < y.low)};
 }
-[[gnu::always_inline]] inline Whole256 product(const Whole256& x, const Whole256& y) {
+ISECT_INLINE Whole256 product(const Whole256& x, const Whole256& y) {
   const std::uint64_t x0 = static_cast<std::uint64_t>(x.low), x1 = static_cast<std::uint64_t>(x.low >> 64),
                       y0 = static_cast<std::uint64_t>(y.low), y1 = static_cast<std::uint64_t>(y.low >> 64);
   const Whole128 p00 = static_cast<Whole128>(x0) * y0, p01 = static_cast<Whole128>(x0) * y1,
@@ -55,18 +53,18 @@ struct Whole256 {
   return {middle << 64 | static_cast<std::uint64_t>(p00),
           p11 + (p01 >> 64) + (p10 >> 64) + (middle >> 64) + x.low * y.high + x.high * y.low};
 }
-[[gnu::always_inline]] inline Whole256 negative(const Whole256& x) { return {-x.low, ~x.high + (x.low == 0)}; }
-[[gnu::always_inline]] inline Whole256 shifted(const Whole256& x, int by) {
+ISECT_INLINE Whole256 negative(const Whole256& x) { return {-x.low, ~x.high + (x.low == 0)}; }
+ISECT_INLINE Whole256 shifted(const Whole256& x, int by) {
   const int rest = by & 127;
   const Whole128 low = x.low << rest, high = x.high << rest | x.low >> 1 >> (127 - rest);
   const std::int64_t far = -static_cast<std::int64_t>(by >> 7);
   return {either(far, Whole128{0}, low), either(far, low, high)};
 }
-[[gnu::always_inline]] inline bool below_zero(const Whole256& x) { return below_zero(x.high); }
-[[gnu::always_inline]] inline Whole256 whole(std::int64_t x, const Whole256&) {
+ISECT_INLINE bool below_zero(const Whole256& x) { return below_zero(x.high); }
+ISECT_INLINE Whole256 whole(std::int64_t x, const Whole256&) {
   return {static_cast<Whole128>(x), static_cast<Whole128>(x >> 63)};
 }
-[[gnu::always_inline]] inline Whole256 either(std::int64_t mask, const Whole256& x, const Whole256& y) {
+ISECT_INLINE Whole256 either(std::int64_t mask, const Whole256& x, const Whole256& y) {
   return {either(mask, x.low, y.low), either(mask, x.high, y.high)};
 }
 
@@ -86,7 +84,7 @@ class FixedExact {
  public:
   FixedExact() = default;
   /// x itself; unknown if x is infinite or NaN.
-  [[gnu::always_inline]] FixedExact(double x) {
+  ISECT_INLINE FixedExact(double x) {
     const std::uint64_t digits = std::bit_cast<std::uint64_t>(x), hidden = std::uint64_t{1} << 52;
     const int field = static_cast<int>(digits >> 52 & 0x7ff);
     const int subnormal = field == 0;
@@ -99,9 +97,9 @@ class FixedExact {
     bits_ = detail::either(zero, zero_bits, 53 - zeros + (static_cast<int>(field == 0x7ff) << 10));
   }
 
-  [[gnu::always_inline]] static FixedExact difference(double x, double y) { return FixedExact(x) - FixedExact(y); }
+  ISECT_INLINE static FixedExact difference(double x, double y) { return FixedExact(x) - FixedExact(y); }
 
-  [[gnu::always_inline]] friend FixedExact operator+(const FixedExact& a, const FixedExact& b) {
+  ISECT_INLINE friend FixedExact operator+(const FixedExact& a, const FixedExact& b) {
     const int ahead = a.exponent_ - b.exponent_, behind = ahead & ahead >> 31, up = ahead - behind;
     const int bits_a = a.bits_ + up, bits_b = b.bits_ - behind, more = bits_a - bits_b;
     const int bits = bits_a - (more & more >> 31) + 1, exponent = b.exponent_ + behind;
@@ -109,17 +107,17 @@ class FixedExact {
     const std::int64_t zero = -static_cast<std::int64_t>((whole == Whole{}) & (bits <= most));
     return {whole, detail::either(zero, zero_exponent, exponent), detail::either(zero, zero_bits, bits)};
   }
-  [[gnu::always_inline]] friend FixedExact operator-(const FixedExact& a, const FixedExact& b) { return a + -b; }
-  [[gnu::always_inline]] friend FixedExact operator*(const FixedExact& a, const FixedExact& b) {
+  ISECT_INLINE friend FixedExact operator-(const FixedExact& a, const FixedExact& b) { return a + -b; }
+  ISECT_INLINE friend FixedExact operator*(const FixedExact& a, const FixedExact& b) {
     return {detail::product(a.whole_, b.whole_), a.exponent_ + b.exponent_, a.bits_ + b.bits_};
   }
-  [[gnu::always_inline]] friend FixedExact operator-(const FixedExact& a) {
+  ISECT_INLINE friend FixedExact operator-(const FixedExact& a) {
     return {detail::negative(a.whole_), a.exponent_, a.bits_};
   }
-  [[gnu::always_inline]] friend FixedExact abs(const FixedExact& a) { return detail::below_zero(a.whole_) ? -a : a; }
+  ISECT_INLINE friend FixedExact abs(const FixedExact& a) { return detail::below_zero(a.whole_) ? -a : a; }
 
   /// 1, 0, -1, or nothing where it is unknown.
-  [[gnu::always_inline]] std::optional<int> sign() const {
+  ISECT_INLINE std::optional<int> sign() const {
     if (!known()) return {};
     return whole_ == Whole{} ? 0 : detail::below_zero(whole_) ? -1 : 1;
   }
@@ -157,7 +155,7 @@ class FixedExact {
   // branch.
   static constexpr int zero_exponent = 1 << 13, zero_bits = -(1 << 16);
 
-  [[gnu::always_inline]] FixedExact(const Whole& whole, int exponent, int bits)
+  ISECT_INLINE FixedExact(const Whole& whole, int exponent, int bits)
       : whole_(whole), exponent_(exponent), bits_(bits) {}
 
   Whole whole_ = {};  // |whole| < 2^bits where that is known

@@ -98,7 +98,7 @@ int common(int count, const Text& text, bool last, Trace&& trace) {
   for (int i = 0; i < n; ++i)
     for (int j = i + 1; j < n; ++j)
       for (int k = j + 1; k < n; ++k)
-        signs[place(i, j, k)] = static_cast<signed char>(sign_of(
+        signs[place(i, j, k)] = static_cast<signed char>(sign_of_long(
             [&]<class W>() -> W {
               return determinant(rows.template row<W>(i), rows.template row<W>(j), rows.template row<W>(k));
             },
@@ -121,7 +121,7 @@ int common(int count, const Text& text, bool last, Trace&& trace) {
             if (of[m] == count - 1) counts |= weight[m] != 0;
           }
           if (!counts || !idle) continue;
-          const int sum = sign_of(
+          const int sum = sign_of_long(
               [&]<class W>() -> W {
                 const Row<W> a = rows.template row<W>(i), b = rows.template row<W>(j), c = rows.template row<W>(k),
                              d = rows.template row<W>(l);
@@ -142,13 +142,13 @@ int distance(int count, const Text& text, double r, Trace&& trace) {
   const Rows rows(count, text);
   std::vector<char> beyond;  // those that the origin doesn't keep
   for (int i = 0; i < count; ++i)
-    beyond.push_back(sign_of([&]<class W>() -> W { return rows.template row<W>(i)[3]; }, trace) < 0);
+    beyond.push_back(sign_of_long([&]<class W>() -> W { return rows.template row<W>(i)[3]; }, trace) < 0);
 
   int most = r > 0 ? -1 : 0;
   const auto take = [&](int sign) { most = std::max(most, sign); };
   for (int i = 0; i < count && most < 1; ++i) {
     if (!beyond[static_cast<std::size_t>(i)]) continue;
-    take(sign_of(
+    take(sign_of_long(
         [&]<class W>() -> W {
           const Row<W> x = rows.template row<W>(i);
           return x[3] * x[3] - W(r) * W(r) * dot(normal(x), normal(x));
@@ -159,7 +159,7 @@ int distance(int count, const Text& text, double r, Trace&& trace) {
     for (int j = i + 1; j < count && most < 1; ++j) {
       if (!beyond[static_cast<std::size_t>(i)] && !beyond[static_cast<std::size_t>(j)]) continue;
       const auto weight = [&](int p, int q) {
-        return sign_of(
+        return sign_of_long(
             [&]<class W>() -> W {
               const Row<W> x = rows.template row<W>(p), y = rows.template row<W>(q);
               return y[3] * dot(normal(x), normal(y)) - x[3] * dot(normal(y), normal(y));
@@ -171,8 +171,8 @@ int distance(int count, const Text& text, double r, Trace&& trace) {
         const Components<W, 3> n = cross(normal(rows.template row<W>(i)), normal(rows.template row<W>(j)));
         return dot(n, n);
       };
-      if (sign_of(independent, trace) == 0) continue;
-      take(sign_of(
+      if (sign_of_long(independent, trace) == 0) continue;
+      take(sign_of_long(
           [&]<class W>() -> W {
             const Row<W> x = rows.template row<W>(i), y = rows.template row<W>(j);
             const Components<W, 3> a = normal(x), b = normal(y);
@@ -196,7 +196,7 @@ int distance(int count, const Text& text, double r, Trace&& trace) {
           return corner(rows.template row<W>(i), rows.template row<W>(j), rows.template row<W>(k));
         };
         const auto weight = [&](int p, int q) {
-          return sign_of(
+          return sign_of_long(
               [&]<class W>() -> W {
                 return dot(at.template operator()<W>(),
                            cross(normal(rows.template row<W>(p)), normal(rows.template row<W>(q))));
@@ -204,8 +204,8 @@ int distance(int count, const Text& text, double r, Trace&& trace) {
               trace);
         };
         if (weight(j, k) < 0 || weight(k, i) < 0 || weight(i, j) < 0) continue;
-        if (sign_of(det, trace) == 0) continue;
-        take(sign_of(
+        if (sign_of_long(det, trace) == 0) continue;
+        take(sign_of_long(
             [&]<class W>() -> W {
               const Components<W, 3> x = at.template operator()<W>();
               const W d = det.template operator()<W>();
@@ -232,12 +232,12 @@ bool all_corners(int count, const Text& text, const Holds& holds, Trace&& trace)
         const auto at = [&]<class W>() -> Components<W, 3> {
           return corner(rows.template row<W>(i), rows.template row<W>(j), rows.template row<W>(k));
         };
-        const int side = sign_of(det, trace);
+        const int side = sign_of_long(det, trace);
         bool common = side != 0;
         for (int m = 0; m < count && common; ++m) {
           if (m == i || m == j || m == k) continue;
           common =
-              side * sign_of(
+              side * sign_of_long(
                          [&]<class W>() -> W {
                            const Row<W> row = rows.template row<W>(m);
                            return dot(normal(row), at.template operator()<W>()) + row[3] * det.template operator()<W>();

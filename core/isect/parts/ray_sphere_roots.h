@@ -52,7 +52,7 @@ template <Arithmetic W, int N>
 using Offset = std::array<W, N>;
 
 template <Arithmetic W, int N>
-[[gnu::always_inline]] inline Offset<W, N> from_center(const Ray<double, N>& ray, const Sphere<double, N>& sphere) {
+ISECT_INLINE Offset<W, N> from_center(const Ray<double, N>& ray, const Sphere<double, N>& sphere) {
   Offset<W, N> f;
   for (int i = 0; i < N; ++i) f[i] = difference<W>(ray.origin[i], sphere.center[i]);
   return f;
@@ -60,7 +60,7 @@ template <Arithmetic W, int N>
 
 /// x.y
 template <Arithmetic W, int N, class X, class Y>
-[[gnu::always_inline]] inline W dot(const X& x, const Y& y) {
+ISECT_INLINE W dot(const X& x, const Y& y) {
   if constexpr (std::same_as<W, DoubleDouble>) return compensated_dot<N>(x, y);
   W sum = product<W>(x[0], y[0]);
   for (int i = 1; i < N; ++i) sum = sum + product<W>(x[i], y[i]);
@@ -69,7 +69,7 @@ template <Arithmetic W, int N, class X, class Y>
 
 /// |f x d|^2
 template <Arithmetic W, int N>
-[[gnu::always_inline]] inline W cross_squared(const Offset<W, N>& f, const Vector<double, N>& d) {
+ISECT_INLINE W cross_squared(const Offset<W, N>& f, const Vector<double, N>& d) {
   const auto component = [&](int i, int j) __attribute__((always_inline))->W {
     return product<W>(f[i], d[j]) - product<W>(f[j], d[i]);
   };
@@ -190,7 +190,7 @@ struct Plain {
   Offset<double, N> f;
   double a, b, rr, reach, arr, cross;  ///< reach: f.f + r^2
 
-  [[gnu::always_inline]] Plain(const Ray<double, N>& ray, const Sphere<double, N>& sphere)
+  ISECT_INLINE Plain(const Ray<double, N>& ray, const Sphere<double, N>& sphere)
       : f(from_center<double>(ray, sphere)),
         a(dot<double, N>(ray.direction, ray.direction)),
         b(dot<double, N>(f, ray.direction)),
@@ -220,9 +220,8 @@ struct Plain {
 /// by 2^-57 |t| at most where 2^8 |h| sqrt(A R) <= |M t|; and 2 (A h / M)^2 <= 2^-35 where |A h| <= 2^-18 |M|, of an h
 /// below 2^-22 |t|.
 template <class W, int N>
-[[gnu::always_inline]] inline std::optional<Interval<double>> ordinary_roots(const Ray<double, N>& ray,
-                                                                             const Sphere<double, N>& sphere,
-                                                                             const Plain<N>& plain) {
+ISECT_INLINE std::optional<Interval<double>> ordinary_roots(const Ray<double, N>& ray, const Sphere<double, N>& sphere,
+                                                            const Plain<N>& plain) {
   using isect::detail::Two, isect::detail::both;
   constexpr bool fused = std::is_same_v<W, Fused>;
   const double a = plain.a, b = plain.b, s = std::sqrt(plain.arr - plain.cross), inverse = 1 / a;
@@ -249,9 +248,8 @@ template <class W, int N>
   return safe ? std::optional(Interval<double>{t[0] - h[0], t[1] - h[1]}) : std::nullopt;
 }
 template <int N>
-[[gnu::always_inline]] inline std::optional<Interval<double>> ordinary_roots(const Ray<double, N>& ray,
-                                                                             const Sphere<double, N>& sphere,
-                                                                             const Plain<N>& plain) {
+ISECT_INLINE std::optional<Interval<double>> ordinary_roots(const Ray<double, N>& ray, const Sphere<double, N>& sphere,
+                                                            const Plain<N>& plain) {
   return compensated([&]<class W>() { return ordinary_roots<W>(ray, sphere, plain); });
 }
 
@@ -284,8 +282,7 @@ std::optional<Interval<double>> roots(const Ray<double, N>& ray, const Sphere<do
 
 /// The roots of a line that has two, for ordinary rays.
 template <class S, int N>
-[[gnu::always_inline]] inline std::optional<Interval<double>> quick_roots(const Ray<double, N>& ray,
-                                                                          const Sphere<double, N>& sphere) {
+ISECT_INLINE std::optional<Interval<double>> quick_roots(const Ray<double, N>& ray, const Sphere<double, N>& sphere) {
   if constexpr (std::is_same_v<S, float>)
     return roots<double>(ray, sphere, tolerance<S>);
   else
@@ -323,8 +320,8 @@ RaySphere<S> report(const Interval<S>& range, const Verdict& verdict, const Inte
 /// end of the range, or 0, lies among these as it does among those, unless it is nearly one of them. False where that
 /// is not certain. `answer` is as it was made.
 template <class S, int N>
-[[gnu::always_inline]] inline bool quick_answer(const Ray<double, N>& ray, const Sphere<double, N>& sphere,
-                                                const Interval<S>& range, RaySphere<S>& answer) {
+ISECT_INLINE bool quick_answer(const Ray<double, N>& ray, const Sphere<double, N>& sphere, const Interval<S>& range,
+                               RaySphere<S>& answer) {
   const Plain<N> plain(ray, sphere);
   const int meets = plain.meets();
   if (meets <= 0) return meets < 0;

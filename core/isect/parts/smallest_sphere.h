@@ -53,10 +53,14 @@ class Through {
 
   /// The way from the first point to the center. Found once in each arithmetic, as many points are compared with it.
   template <Filtered W>
-  const Way<W, N>& way() const {
-    Known<W>& known = std::get<Known<W>>(known_);
-    if (!known) known = found<W>();
-    return *known;
+  kept_t<W, Way<W, N>> way() const {
+    if constexpr (std::is_same_v<W, Recorded>) {
+      return found<W>();
+    } else {
+      Known<W>& known = std::get<Known<W>>(known_);
+      if (!known) known = found<W>();
+      return *known;
+    }
   }
 
   /// Whether p lies outside. The points must be independent. Asked where doubles leave it in doubt.

@@ -1,0 +1,132 @@
+#pragma once
+// A polynomial's text as a list of steps, to be run in any arithmetic later.
+//
+// A text is compiled once for each arithmetic that it runs in, and where it is long that takes the compiler a second or
+// more each time. Run once in Recorded it leaves its steps behind, and one loop runs these in all the others, at some
+// nanoseconds a step. So is settled what doubles leave open where code must be small, and always for the long texts of
+// isect/half_spaces.h. What comes out is what the text itself finds, bit for bit.
+
+#include <cstddef>
+#include <initializer_list>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <isect/numbers/bounded.h>
+#include <isect/numbers/grid.h>
+
+namespace isect {
+
+namespace detail {
+struct Step {
+  enum class Kind { number, difference, plus, minus, times, opposite, size };
+  Kind kind;
+  double x = 0, y = 0;  // of a number, and of a difference of two
+  int a = -1, b = -1;   // of the others: the steps that found what they are made from
+};
+/// What is being recorded.
+inline thread_local std::vector<Step>* recording = nullptr;
+}  // namespace detail
+
+/// A number of a text that is being recorded: the step that finds it.
+class Recorded {
+ public:
+  Recorded() = default;
+  Recorded(double x) : Recorded({.kind = Kind::number, .x = x}) {}
+  static Recorded difference(double x, double y) { return Recorded({.kind = Kind::difference, .x = x, .y = y}); }
+
+  friend Recorded operator+(const Recorded& a, const Recorded& b) { return {Kind::plus, a, b}; }
+  friend Recorded operator-(const Recorded& a, const Recorded& b) { return {Kind::minus, a, b}; }
+  friend Recorded operator*(const Recorded& a, const Recorded& b) { return {Kind::times, a, b}; }
+  friend Recorded operator-(const Recorded& a) { return {Kind::opposite, a, a}; }
+  friend Recorded abs(const Recorded& a) { return {Kind::size, a, a}; }
+
+  int step() const { return step_; }
+
+ private:
+  using Kind = detail::Step::Kind;
+  [[gnu::noinline]] explicit Recorded(const detail::Step& step) : step_(static_cast<int>(detail::recording->size())) {
+    detail::recording->push_back(step);
+  }
+  Recorded(Kind kind, const Recorded& a, const Recorded& b)
+      : Recorded(detail::Step{.kind = kind, .a = a.step_, .b = b.step_}) {}
+
+  int step_ = 0;
+};
+
+/// The steps of a text, to be run in other arithmetics.
+class Recording {
+ public:
+  /// `text` finds its numbers in Recorded and returns them as a list.
+  template <class Text>
+  explicit Recording(const Text& text) {
+    std::vector<detail::Step>* const outer = std::exchange(detail::recording, &steps_);
+    for (const Recorded& x : text()) results_.push_back(x.step());
+    detail::recording = outer;
+    share_places();
+  }
+
+  /// The numbers in W.
+  template <class W>
+  std::vector<W> run() const {
+    std::vector<W> at(places_);
+    for (std::size_t i = 0; i < steps_.size(); ++i) at[place_[i]] = found(steps_[i], at);
+    std::vector<W> results;
+    for (const int i : results_) results.push_back(at[place_[i]]);
+    return results;
+  }
+
+  /// How many numbers are kept at a time.
+  std::size_t places() const { return places_; }
+
+ private:
+  using Kind = detail::Step::Kind;
+
+  template <class W>
+  W found(const detail::Step& step, const std::vector<W>& at) const {
+    if (step.kind == Kind::number) return W(step.x);
+    if (step.kind == Kind::difference) return isect::difference<W>(step.x, step.y);
+    const W &a = at[place_[step.a]], &b = at[place_[step.b]];
+    switch (step.kind) {
+      case Kind::plus:
+        return a + b;
+      case Kind::minus:
+        return a - b;
+      case Kind::times:
+        return a * b;
+      case Kind::opposite:
+        return -a;
+      default:
+        return abs(a);
+    }
+  }
+
+  /// Where each step puts what it finds: a place that no later step needs, as an exact number is large.
+  void share_places() {
+    const std::size_t count = steps_.size();
+    std::vector<std::size_t> last(count);  // the last step to need it
+    for (std::size_t i = 0; i < count; ++i)
+      if (steps_[i].a >= 0) last[steps_[i].a] = last[steps_[i].b] = i;
+    for (const int i : results_) last[i] = count;
+    std::vector<std::size_t> free;
+    for (std::size_t i = 0; i < count; ++i) {
+      for (const int from : {steps_[i].a, steps_[i].b})
+        if (from >= 0 && std::exchange(last[from], last[from] == i ? count : last[from]) == i)
+          free.push_back(place_[from]);
+      if (free.empty()) free.push_back(places_++);
+      place_.push_back(free.back());
+      free.pop_back();
+    }
+  }
+
+  std::vector<detail::Step> steps_;
+  std::vector<int> results_;
+  std::vector<std::size_t> place_;  // of each step
+  std::size_t places_ = 0;
+};
+
+/// How a text gets at what it keeps in W between its runs: by reference, or anew where its steps are recorded.
+template <class W, class Kept>
+using kept_t = std::conditional_t<std::is_same_v<W, Recorded>, Kept, const Kept&>;
+
+}  // namespace isect
