@@ -18,6 +18,14 @@ Nib visible(double width, const Colour& colour, double scale) {
   return {1 / scale, colour.with_alpha(colour.a * pixels)};
 }
 
+/// As many points as can be told apart.
+Polyline seen(const Path& path, double scale) {
+  constexpr std::size_t many = 1000;
+  const double tolerance = tolerance_px / scale;
+  Polyline line = flat(path, tolerance);
+  return line.points.size() > many ? thinned(line, tolerance) : line;
+}
+
 Vertex vertex(const Vec2& p, const Vec2& uv, const Colour& c) {
   const auto f = [](double x) { return static_cast<float>(x); };
   return {f(p.x()), f(p.y()), f(uv.x()), f(uv.y()), f(c.r), f(c.g), f(c.b), f(c.a)};
@@ -33,13 +41,13 @@ Vec2 well_inside(const Vec2& focus) {
 }  // namespace
 
 void Batch::add(const Fill& fill) {
-  std::vector<Vec2> outline = flat(fill.path, tolerance_px / scale_).points;
+  std::vector<Vec2> outline = seen(fill.path, scale_).points;
   if (outline.size() < 3) return;
   const Nib nib = visible(fill.hatch_line, fill.hatch_colour, scale_);
   Triangles triangles = triangulated(outline);
   const bool simple = fill.more.empty() && is_convex(outline);
   for (const Path& path : fill.more) {
-    const std::vector<Vec2> ring = flat(path, tolerance_px / scale_).points;
+    const std::vector<Vec2> ring = seen(path, scale_).points;
     if (ring.size() < 3) continue;
     const Triangles more = triangulated(ring);
     triangles.insert(triangles.end(), more.begin(), more.end());
@@ -60,7 +68,7 @@ void Batch::add(const Stroke& s) {
   const double tolerance = tolerance_px / scale_;
   const Nib nib = visible(s.width, s.colour, scale_);
   Triangles triangles;
-  for (const Polyline& line : dashes(flat(s.path, tolerance), s.dash)) {
+  for (const Polyline& line : dashes(seen(s.path, scale_), s.dash)) {
     const Triangles more = stroke(line, nib.width, s.round_cap, tolerance);
     triangles.insert(triangles.end(), more.begin(), more.end());
   }

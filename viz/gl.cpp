@@ -56,7 +56,7 @@ Program::Program(const char* vertex_shader, const char* fragment_shader) {
   if (!done) throw failure("a program does not link");
 }
 
-Target::Target() {
+Target::Target(int samples) : samples_(samples) {
   glGenFramebuffers(2, framebuffers_);
   glGenRenderbuffers(2, buffers_);
   glGenTextures(1, &texture_);
@@ -85,7 +85,7 @@ void Target::resize(int width, int height) {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffers_[0]);
   const auto attach = [&](int i, GLenum format, GLenum where) {
     glBindRenderbuffer(GL_RENDERBUFFER, buffers_[i]);
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, 4, format, width, height);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples_, format, width, height);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, where, GL_RENDERBUFFER, buffers_[i]);
   };
   attach(0, GL_RGBA8, GL_COLOR_ATTACHMENT0);

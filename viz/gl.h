@@ -30,10 +30,10 @@ class Program {
   unsigned id_ = glCreateProgram();
 };
 
-/// A framebuffer with four samples a pixel and a stencil, and the texture it is resolved into.
+/// A framebuffer with so many samples a pixel (0: one) and a stencil, and the texture it is resolved into.
 class Target {
  public:
-  Target();
+  explicit Target(int samples);
   ~Target();
   Target(const Target&) = delete;
   Target& operator=(const Target&) = delete;
@@ -49,7 +49,7 @@ class Target {
   void resize(int width, int height);
 
   unsigned framebuffers_[2], buffers_[2], texture_;  // multisampled, resolved; colour, stencil
-  int width_ = 0, height_ = 0;
+  int samples_, width_ = 0, height_ = 0;
 };
 
 /// A texture of a picture, shown pixel for pixel.

@@ -305,9 +305,11 @@ struct Renderer::Impl {
   gl::Program paint{vertex_shader, paint_shader};
   gl::Program image{vertex_shader, image_shader};
   gl::Program gradient{vertex_shader, gradient_shader};
-  gl::Target target;
+  gl::Target& target() { return sketched ? coarse : fine; }
+
+  gl::Target fine{4}, coarse{0};
   TextCache texts;
-  bool sketched = false;  ///< facets by the pixel, not by its four samples
+  bool sketched = false;  ///< the last drawing: by the pixel, not by its four samples
   std::vector<unsigned> facet_textures;
 };
 
@@ -326,19 +328,18 @@ Renderer::~Renderer() = default;
 
 void Renderer::draw(const Drawing& drawing, double scale) { draw(drawing, scale, pixels(drawing, scale)); }
 
-void Renderer::sketch(const Drawing& drawing, double scale) {
-  impl_->sketched = true;
-  try {
-    draw(drawing, scale);
-  } catch (...) {
-    impl_->sketched = false;
-    throw;
-  }
+void Renderer::draw(const Drawing& drawing, double scale, const PixelBox& part) {
   impl_->sketched = false;
+  make(drawing, scale, part);
 }
 
-void Renderer::draw(const Drawing& drawing, double scale, const PixelBox& part) {
-  impl_->target.bind(part.width, part.height);
+void Renderer::sketch(const Drawing& drawing, double scale) {
+  impl_->sketched = true;
+  make(drawing, scale, pixels(drawing, scale));
+}
+
+void Renderer::make(const Drawing& drawing, double scale, const PixelBox& part) {
+  impl_->target().bind(part.width, part.height);
   const Colour& ground = drawing.background;
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glStencilMask(0xff);
@@ -365,12 +366,12 @@ void Renderer::draw(const Drawing& drawing, double scale, const PixelBox& part) 
 
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glDisable(GL_STENCIL_TEST);
-  impl_->target.resolve();
+  impl_->target().resolve();
   assert(glGetError() == GL_NO_ERROR);
 }
 
-unsigned Renderer::texture() const { return impl_->target.texture(); }
-Picture Renderer::read() const { return impl_->target.read(); }
+unsigned Renderer::texture() const { return impl_->target().texture(); }
+Picture Renderer::read() const { return impl_->target().read(); }
 std::string Renderer::name() const { return reinterpret_cast<const char*>(glGetString(GL_RENDERER)); }
 std::string Renderer::version() const { return reinterpret_cast<const char*>(glGetString(GL_VERSION)); }
 void Renderer::reload() { gl::load(impl_->get_proc); }

@@ -34,7 +34,7 @@ class Renderer {
   /// Draws into an own multisampled framebuffer, `scale` pixels per unit of the drawing. The result stays in
   /// texture() until the next call; nothing else of the context's state is promised.
   void draw(const Drawing&, double scale = 1);
-  /// The same at once: the facets of meshes by the pixel, so that their rims are jagged.
+  /// The same in less time: by the pixel, so that what is not upright or level has jagged edges.
   void sketch(const Drawing&, double scale = 1);
   /// The same picture's `part` alone; beyond the drawing's edge lies background.
   void draw(const Drawing&, double scale, const PixelBox& part);
@@ -46,6 +46,8 @@ class Renderer {
   void reload();
 
  private:
+  void make(const Drawing&, double scale, const PixelBox& part);
+
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

@@ -86,6 +86,31 @@ Polyline flat(const Path& path, double tolerance) {
   return line;
 }
 
+Polyline thinned(const Polyline& line, double tolerance) {
+  if (line.points.size() < 3) return line;
+  Polyline out{{line.points.front()}, line.closed};
+  // From the point kept last, a chord in any of the directions between `right` and `left` passes by all that came
+  // since.
+  Vec2 right, left;
+  double far = 0;  // of what came since
+  for (std::size_t i = 1; i < line.points.size(); ++i) {
+    Vec2 way = line.points[i] - out.points.back();
+    if (far > 0 && !(way.norm() >= far && cross(right, way) >= 0 && cross(way, left) >= 0)) {
+      out.points.push_back(line.points[i - 1]);
+      way = line.points[i] - line.points[i - 1];
+      far = 0;
+    }
+    const double length = way.norm();
+    if (length <= tolerance) continue;
+    const Vec2 reach = std::sqrt(length * length - tolerance * tolerance) * way, aside = tolerance * turned(way);
+    if (const Vec2 side = reach - aside; far == 0 || cross(right, side) > 0) right = side;
+    if (const Vec2 side = reach + aside; far == 0 || cross(side, left) > 0) left = side;
+    far = length;
+  }
+  if (out.points.back() != line.points.back()) out.points.push_back(line.points.back());
+  return out;
+}
+
 bool is_convex(const std::vector<Vec2>& outline) {
   const std::size_t n = outline.size();
   if (n < 4) return true;

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "tests/catch.h"
+#include "viz/batch.h"
 
 namespace tessellate_test {
 using namespace isect::viz;
@@ -243,6 +244,47 @@ TEST_CASE("a path without segments or with a coordinate that is not finite is em
   CHECK(flat(Path{{1, 1}, {}, true}, 0.1).points.empty());
   CHECK(flat(polyline({{0, 0}, {not_a_number, 1}, {1, 1}}), 0.1).points.empty());
   CHECK(flat(polyline({{infinity, 0}, {1, 1}}), 0.1).points.empty());
+}
+
+TEST_CASE("a line is thinned of the points that no one could tell apart", "[tessellate]") {
+  constexpr double tolerance = 0.08;
+  std::mt19937 random(seed);
+  std::normal_distribution<double> little(0, 0.02), some(0, 0.6), far(0, 9);
+  for (int i = 0; i < 400; ++i) {
+    INFO("line " << i << " of seed " << seed);
+    std::normal_distribution<double>& size = i % 4 == 0 ? far : i % 4 == 1 ? some : little;
+    Polyline line{{{5, 3}}, i % 2 == 0};
+    const Vec2 drift = i % 8 < 4 ? Vec2(0.05, 0.02) : Vec2(0, 0);
+    while (line.points.size() < 300)
+      line.points.push_back(line.points.back() + drift + Vec2(size(random), size(random)));
+    const Polyline thin = thinned(line, tolerance);
+    REQUIRE(thin.closed == line.closed);
+    REQUIRE(thin.points.front() == line.points.front());
+    REQUIRE(thin.points.back() == line.points.back());
+    if (&size == &little) CHECK(10 * thin.points.size() < 7 * line.points.size());
+    for (const Vec2& p : line.points) REQUIRE(distance(thin, p) <= tolerance * (1 + 1e-9));
+    for (std::size_t k = 0, at = 0; k < thin.points.size(); ++k, ++at)  // in their order, none of them new
+      while (true) {
+        REQUIRE(at < line.points.size());
+        if (line.points[at] == thin.points[k]) break;
+        ++at;
+      }
+  }
+  const Polyline spike{{{0, 0}, {4, 0}, {9, 0}, {4, 0}, {5, 0}, {5, 3}}, false};
+  CHECK(thinned(spike, tolerance).points == std::vector<Vec2>{{0, 0}, {9, 0}, {4, 0}, {5, 0}, {5, 3}});
+  const Polyline dot{{{0, 0}, {0.01, 0}, {0, 0.01}}, true};
+  CHECK(thinned(dot, tolerance).points.size() == 2);
+}
+
+TEST_CASE("an outline of thousands of corners is drawn by those that can be told apart", "[tessellate]") {
+  const Path outline = polyline(star(10'000, 1), true);
+  for (const double scale : {100.0, 1e6}) {  // 16 and far under one corner a pixel
+    Batch batch(scale);
+    batch.add(Fill{outline, {}, 0, 0, {}});
+    batch.add(Stroke{outline, {}, 2 / scale, {0, 0}, true});
+    CHECK((batch.vertices().size() < 3'000) == (scale == 100));
+    CHECK((batch.vertices().size() > 80'000) == (scale != 100));
+  }
 }
 
 TEST_CASE("a closed outline does not repeat its first point", "[tessellate]") {

@@ -22,6 +22,7 @@ namespace isect::viz {
 namespace {
 
 constexpr float hit_area = 14;
+constexpr const char* searching = "Looking for where the case changes …";
 
 Vec2 mouse() { return {ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y}; }
 
@@ -77,13 +78,20 @@ const Cases* map_of(const Session& s) {
   return scene.chart && s.player.lesson().map ? std::get_if<Cases>(&scene.chart->kind) : nullptr;
 }
 
-/// So many facets turn smoothly only where their rims are drawn less so.
-bool has_many_facets(const Drawing& drawing) {
-  constexpr std::size_t many = 10'000;
-  std::size_t count = 0;
+/// So many facets or corners move smoothly only where they are drawn less so.
+bool has_much(const Drawing& drawing) {
+  constexpr std::size_t many_facets = 10'000, many_corners = 8000;
+  std::size_t facets = 0, corners = 0;
   for (const Shape& shape : drawing.shapes)
-    if (const Facets* facets = std::get_if<Facets>(&shape)) count += facets->colours.size();
-  return count > many;
+    if (const Facets* mesh = std::get_if<Facets>(&shape)) {
+      facets += mesh->colours.size();
+    } else if (const Fill* fill = std::get_if<Fill>(&shape)) {
+      corners += fill->path.segments.size();
+      for (const Path& more : fill->more) corners += more.segments.size();
+    } else if (const Stroke* stroke = std::get_if<Stroke>(&shape)) {
+      corners += stroke->path.segments.size();
+    }
+  return facets > many_facets || corners > many_corners;
 }
 
 }  // namespace
