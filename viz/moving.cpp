@@ -33,16 +33,18 @@ Moved Snap::settle(Player& player) {
 
 Snap snapping_drag(const Player& player, const Handle& handle, const Vec3& start, const Vec3& to) {
   const Way way = way_of(player.lesson(), player.parameters(), handle, start, to);
-  return {BorderSearch(player.lesson(), way, 0, 1.25, 1),
+  return {BorderSearch(player.lesson(), way, 0, 1.25, 1,
+                       landmarks(player.lesson(), player.parameters(), handle, start, to, player.scene(), 1)),
           [handle, to](Player& moved) { return refused_by(moved.drag_handle(handle, to)); }};
 }
 
 Snap snapping_nudge(const Player& player, const View& view, const Handle& handle, const Vec2& way) {
   constexpr double search = 600;  // px
   const Vec3 far = brought(view, handle, view.project(handle.at).at + search * way);
-  return {BorderSearch(player.lesson(), way_of(player.lesson(), player.parameters(), handle, handle.at, far),
-                       1 / search, 1, 0),
-          [](Player&) { return Moved{"The case does not change that way"}; }};
+  return {
+      BorderSearch(player.lesson(), way_of(player.lesson(), player.parameters(), handle, handle.at, far), 1 / search, 1,
+                   0, landmarks(player.lesson(), player.parameters(), handle, handle.at, far, player.scene(), 0)),
+      [](Player&) { return Moved{"The case does not change that way"}; }};
 }
 
 Moved drag_to(Player& player, const Handle& handle, const Vec3& start, const Vec3& to, bool snapping) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <iterator>
 #include <numeric>
 #include <sstream>
 #include <utility>
@@ -16,9 +17,9 @@ namespace isect::viz {
 namespace {
 
 constexpr int asked_places = 40;
-/// A lesson that takes longer over each of two settings, a traced picture say, is not searched: a hundred would take
-/// seconds. By processor time, so that a busy machine snaps as an idle one does.
-constexpr std::clock_t most_a_setting = CLOCKS_PER_SEC / 80;
+/// A lesson that takes longer over each of two settings is not searched: a frame that asks about one would be late, and
+/// a hundred take seconds. By processor time, so that a busy machine snaps as an idle one does.
+constexpr std::clock_t most_a_setting = CLOCKS_PER_SEC / 30;
 
 /// Nor are what is counted, one or several, two cases.
 std::string without_numbers(const std::string& text) {
@@ -58,6 +59,28 @@ std::optional<std::size_t> only_difference(Parameters a, Parameters b) {
   return found;
 }
 
+/// Of a way, what does not change much less than something else.
+Vec3 main_part(Vec3 way) {
+  constexpr double little = 0.09;  // five degrees
+  const double most = way.cwiseAbs().maxCoeff();
+  for (int i = 0; i < 3; ++i)
+    if (std::abs(way[i]) < little * most) way[i] = 0;
+  return way;
+}
+
+/// Where other handles, dots and the corners of areas are.
+std::vector<Vec3> marked_points(const Scene& scene, const Handle& handle) {
+  std::vector<Vec3> points;
+  for (const Handle& other : scene.handles)
+    if (other.parameter != handle.parameter) points.push_back(other.at);
+  for (const Item& item : scene.items) {
+    if (const Dot* dot = std::get_if<Dot>(&item); dot && dot->at != handle.at) points.push_back(dot->at);
+    if (const Region* region = std::get_if<Region>(&item))
+      for (const std::vector<Vec3>& ring : region->rings) points.insert(points.end(), ring.begin(), ring.end());
+  }
+  return points;
+}
+
 }  // namespace
 
 std::string case_of(const Lesson& lesson, const Parameters& setting) {
@@ -69,35 +92,74 @@ std::string case_of(const Lesson& lesson, const Parameters& setting) {
   return decided == walk.steps.rend() ? std::string() : without_numbers(plain(decided->verdict.text));
 }
 
-BorderSearch::BorderSearch(const Lesson& lesson, Way way, double begin, double end, double wish)
-    : lesson_(lesson), way_(std::move(way)), begin_(begin), end_(end), wish_(wish), order_(asked_places) {
+BorderSearch::BorderSearch(const Lesson& lesson, Way way, double begin, double end, double wish,
+                           std::vector<Landmark> landmarks)
+    : lesson_(lesson), way_(std::move(way)), begin_(begin), end_(end), wish_(wish) {
+  std::ranges::copy_if(landmarks, std::back_inserter(landmarks_),
+                       [&](const Landmark& l) { return begin < l.share && l.share < end; });
+  order_.resize(asked_places + landmarks_.size());
   std::iota(order_.begin(), order_.end(), 0);
-  const auto distance = [&](int part) { return std::abs(begin + (end - begin) * (part + 0.5) / asked_places - wish); };
+  const auto distance = [&](int i) {
+    const double at = i < asked_places ? begin + (end - begin) * (i + 0.5) / asked_places
+                                       : landmarks_[static_cast<std::size_t>(i - asked_places)].share;
+    return std::abs(at - wish);
+  };
   std::ranges::stable_sort(order_, {}, distance);
 }
 
 bool BorderSearch::go_on() { return (this->*next_)(); }
 
-BorderSearch::Place BorderSearch::at(double share) const {
-  Place place = {share, way_(share)};
+BorderSearch::Place BorderSearch::of(double share, std::optional<Parameters> setting) const {
+  Place place = {share, std::move(setting)};
   if (place.setting) place.is = case_of(lesson_, *place.setting);
   return place;
 }
 
+BorderSearch::Place BorderSearch::at(double share) const { return of(share, way_(share)); }
+
 bool BorderSearch::end() { return false; }
+
+/// False: that was asked before.
+bool BorderSearch::ask_at(int i) {
+  if (places_.contains(i)) return false;
+  const std::clock_t begun = std::clock();
+  places_[i] = at(begin_ + (end_ - begin_) * i / asked_places);
+  slow_ = slow_ && std::clock() - begun > most_a_setting;
+  if (places_.size() == 2 && slow_) next_ = &BorderSearch::end;
+  return true;
+}
+
+/// False: all is asked. The ends of its part come first: where one of them is of its case, it is none of its own.
+bool BorderSearch::ask_at(const Landmark& landmark) {
+  const double where = (landmark.share - begin_) / (end_ - begin_) * asked_places;
+  const int part = std::clamp(static_cast<int>(where), 0, asked_places - 1);
+  if (ask_at(part) || ask_at(part + 1)) return true;
+  const double beside = 1e-9 * (end_ - begin_);
+  if (about_.empty()) {
+    about_.push_back(of(landmark.share, landmark.setting));
+    return true;
+  }
+  const std::string& is = about_[0].is;
+  const bool own = places_[part].is != is && places_[part + 1].is != is;
+  if (own && about_.size() < 3) {
+    about_.push_back(at(landmark.share + (about_.size() == 1 ? -beside : beside)));
+    return true;
+  }
+  if (own && std::ranges::none_of(&about_[1], &about_[1] + 2, [&](const Place& p) { return !p.setting || p.is == is; }))
+    found_ = Snapped{landmark.setting, true, fmt::format("Here exactly: “{}”", is)};
+  about_.clear();
+  return false;
+}
 
 /// From `wish` outwards, until the case changes between two places.
 bool BorderSearch::look_for_change() {
-  for (; looked_at_ < order_.size(); ++looked_at_) {
+  for (; looked_at_ < order_.size() && !found_; ++looked_at_) {
     const int part = order_[looked_at_];
-    for (const int i : {part, part + 1}) {
-      if (places_.contains(i)) continue;
-      const std::clock_t begun = std::clock();
-      places_[i] = at(begin_ + (end_ - begin_) * i / asked_places);
-      slow_ = slow_ && std::clock() - begun > most_a_setting;
-      if (places_.size() == 2 && slow_) next_ = &BorderSearch::end;
-      return true;
+    if (part >= asked_places) {
+      if (ask_at(landmarks_[static_cast<std::size_t>(part - asked_places)])) return true;
+      continue;
     }
+    if (ask_at(part) || ask_at(part + 1)) return true;
     near_ = places_[part], far_ = places_[part + 1];
     if (!near_.setting || !far_.setting || near_.is == far_.is) continue;
     beyond_ = far_.is;
@@ -145,23 +207,48 @@ bool BorderSearch::bisect_number() {
   return false;
 }
 
-std::optional<Snapped> find_border(const Lesson& lesson, const Way& way, double begin, double end, double wish) {
-  BorderSearch search(lesson, way, begin, end, wish);
+std::optional<Snapped> find_border(const Lesson& lesson, const Way& way, double begin, double end, double wish,
+                                   std::vector<Landmark> landmarks) {
+  BorderSearch search(lesson, way, begin, end, wish, std::move(landmarks));
   while (search.go_on()) continue;
   return search.found();
 }
 
 Way way_of(const Lesson& lesson, const Parameters& setting, const Handle& handle, const Vec3& from, const Vec3& to) {
-  constexpr double little = 0.09;  // five degrees
-  Vec3 way = to - from;
-  const double most = way.cwiseAbs().maxCoeff();
-  for (int i = 0; i < 3; ++i)
-    if (std::abs(way[i]) < little * most) way[i] = 0;
-  return [&lesson, setting, handle, from, way](double share) -> std::optional<Parameters> {
+  return [&lesson, setting, handle, from, way = main_part(to - from)](double share) -> std::optional<Parameters> {
     Parameters dragged = setting;
     if (drag(lesson, dragged, handle, from + share * way)) return {};
     return dragged;
   };
+}
+
+std::vector<Landmark> landmarks(const Lesson& lesson, const Parameters& setting, const Handle& handle, const Vec3& from,
+                                const Vec3& to, const Scene& scene, double wish) {
+  constexpr double end = 1.25;
+  constexpr std::size_t most = 40;
+  const Vec3 way = main_part(to - from);
+  struct Level {
+    double share;
+    int axis;
+    double value;
+  };
+  std::vector<Level> levels;
+  for (const Vec3& p : marked_points(scene, handle))
+    for (int i = 0; i < 3; ++i)
+      if (const double share = (p[i] - from[i]) / way[i]; way[i] != 0 && 0 < share && share < end)
+        levels.push_back({share, i, p[i]});
+  std::ranges::stable_sort(levels, {}, [&](const Level& l) { return std::abs(l.share - wish); });
+  std::vector<Landmark> found;
+  for (const Level& level : levels) {
+    if (found.size() == most) break;
+    Vec3 place = from + level.share * way;
+    place[level.axis] = level.value;  // without what the product is rounded by
+    Parameters dragged = setting;
+    if (drag(lesson, dragged, handle, place)) continue;
+    if (std::ranges::none_of(found, [&](const Landmark& l) { return l.setting == dragged; }))
+      found.push_back({level.share, std::move(dragged)});
+  }
+  return found;
 }
 
 Way way_of(const Lesson& lesson, const Parameters& setting, const Vec2& from, const Vec2& to) {

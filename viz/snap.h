@@ -25,11 +25,17 @@ struct Snapped {
 /// Settings along a way, from 0 on; nothing where the lesson forbids one.
 using Way = std::function<std::optional<Parameters>(double)>;
 
-/// Looks for the border nearest to `wish` on a part of a way. It asks the lesson about a hundred settings: a window
-/// does that over several frames. The lesson must outlive it.
+/// A setting of a way that may be unlike all others about it: where the handle is level with another point.
+struct Landmark {
+  double share = 0;
+  Parameters setting;
+};
+
+/// Looks for the border nearest to `wish` on a part of a way, or the landmark that is a case of its own. It asks the
+/// lesson about a hundred settings: a window does that over several frames. The lesson must outlive it.
 class BorderSearch {
  public:
-  BorderSearch(const Lesson&, Way, double begin, double end, double wish);
+  BorderSearch(const Lesson&, Way, double begin, double end, double wish, std::vector<Landmark> = {});
   /// Asks about one setting more; false: all is asked.
   bool go_on();
   /// In the end: nothing if the case does not change there, as far as some forty places tell, nor where the lesson
@@ -45,6 +51,9 @@ class BorderSearch {
   };
 
   Place at(double share) const;
+  Place of(double share, std::optional<Parameters> setting) const;
+  bool ask_at(int i);
+  bool ask_at(const Landmark&);
   bool look_for_change();
   bool bisect();
   bool bisect_number();
@@ -54,9 +63,11 @@ class BorderSearch {
   Way way_;
   double begin_, end_, wish_;
   bool (BorderSearch::*next_)() = &BorderSearch::look_for_change;
-  std::vector<int> order_;                     ///< the parts of the way, the one nearest to `wish` first
+  std::vector<Landmark> landmarks_;
+  std::vector<int> order_;                     ///< the parts of the way, then landmarks; the nearest to `wish` first
   std::map<int, Place> places_;                ///< what was asked at the ends of such parts
   std::size_t looked_at_ = 0;                  ///< of `order_`
+  std::vector<Place> about_;                   ///< a landmark and what lies right before and behind it
   bool slow_ = true;                           ///< as far as the first two settings tell
   Place near_, far_;                           ///< two settings of different cases, brought together
   std::string beyond_;                         ///< the case of `far_` at first
@@ -65,10 +76,15 @@ class BorderSearch {
 };
 
 /// All of such a search at once.
-std::optional<Snapped> find_border(const Lesson&, const Way&, double begin, double end, double wish);
+std::optional<Snapped> find_border(const Lesson&, const Way&, double begin, double end, double wish,
+                                   std::vector<Landmark> = {});
 
 /// The way of a handle from one point to another; a coordinate that changes much less than another is kept.
 Way way_of(const Lesson&, const Parameters&, const Handle&, const Vec3& from, const Vec3& to);
+/// The landmarks on that way: level with another handle, or with what the scene marks. Of thousands, those nearest to
+/// `wish`.
+std::vector<Landmark> landmarks(const Lesson&, const Parameters&, const Handle&, const Vec3& from, const Vec3& to,
+                                const Scene&, double wish);
 /// The way of a setting over the lesson's map.
 Way way_of(const Lesson&, const Parameters&, const Vec2& from, const Vec2& to);
 

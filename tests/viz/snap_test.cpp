@@ -141,6 +141,77 @@ TEST_CASE("a point snaps onto the edge that its drag crosses", "[window]") {
   CHECK_THAT(window.ui.message(), Contains("exactly"));
 }
 
+TEST_CASE("a point snaps to a place that is unlike all about it, and so an exercise is solved by dragging",
+          "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, place_at("crossings", "inside"));
+  Player& player = window.player();
+  player.last();
+  window.frames(2);
+  player.begin_exercise(0);  // where does the closed rule err? only at the height of a corner
+  window.frames(2);
+  CHECK_FALSE(player.exercise_solved());
+  const Rect p = window.rect("handle p");
+  const Vec3 from = std::get<Vec3>(player.parameters().at("p"));
+  window.move(p.middle_x(), p.middle_y());
+  window.button(true);
+  window.modifiers(false, true);
+  const Rect corner = window.rect("handle v2");  // at (2.25, -0.5)
+  window.move(p.middle_x() + 2, corner.middle_y() + 5);
+  rest(window);
+  window.modifiers(false, false);
+  window.button(false);
+  window.frames(2);
+  const Vec3 now = std::get<Vec3>(player.parameters().at("p"));
+  CHECK(now != from);
+  CHECK(now.y() == -0.5);
+  CHECK_THAT(window.ui.message(), Contains("Here exactly"));
+  CHECK_THAT(window.ui.message(), Contains("Wrong"));
+  CHECK(player.exercise_solved());
+}
+
+TEST_CASE("a landmark is found where it is a case of its own, and the nearer border if there is one", "[snap]") {
+  // x = 1 is unlike all about it; from 3 on is another case.
+  Lesson lesson = slow();
+  lesson.steps = [](const Parameters& p) {
+    const double x = std::get<double>(p.at("x"));
+    Walk walk;
+    walk.steps.emplace_back();
+    walk.steps[0].verdict = {Verdict::Kind::yes, x == 1 ? "one" : x >= 3 ? "more" : "less"};
+    return walk;
+  };
+  const Handle handle = {.parameter = "x", .kind = Handle::Kind::along, .at = Vec3::Zero()};
+  Scene scene;
+  scene.items = {Dot{Vec3(1, 5, 0), Mark::disc, Role::first}, Dot{Vec3(2, 5, 0), Mark::disc, Role::first}};
+  const Parameters setting = {{"x", 0.0}};
+  const auto found = [&](double to, const Scene& marked) {
+    const Vec3 end(to, 0, 0);
+    const auto all = landmarks(lesson, setting, handle, Vec3::Zero(), end, marked, 1);
+    return find_border(lesson, way_of(lesson, setting, handle, Vec3::Zero(), end), 0, 1.25, 1, all);
+  };
+  const auto one = found(1.1, scene), without = found(1.1, {}), near = found(2.9, scene);
+  REQUIRE(one);
+  CHECK(one->exact);
+  CHECK(std::get<double>(one->setting.at("x")) == 1);
+  CHECK(one->told == "Here exactly: “one”");
+  CHECK_FALSE(without);
+  REQUIRE(near);
+  CHECK(std::get<double>(near->setting.at("x")) == Approx(3));
+  const auto beyond = found(0.7, scene);  // x = 1 lies behind the end of the way
+  CHECK_FALSE(beyond);
+}
+
+TEST_CASE("bounding volumes snap, though a walk of them takes long", "[snap]") {
+  const Lesson& lesson = lesson_named(lessons::all_lessons(), "bounding-volumes");
+  int found = 0;
+  for (const Preset& preset : lesson.presets) {
+    const Walk walk = lesson.walk(preset.parameters);
+    for (const Handle& h : walk.steps.front().scene.handles)
+      for (const Vec3& way : {Vec3(4, 2, 0), Vec3(-4, -2, 0)})
+        found += find_border(lesson, way_of(lesson, preset.parameters, h, h.at, h.at + way), 0, 1, 1).has_value();
+  }
+  CHECK(found > 0);
+}
+
 TEST_CASE("Ctrl, Shift and an arrow take a held handle to where the case changes next", "[window]") {
   WindowDriver window(lessons::all_lessons(), 1280, 800, place_at("intervals", "overlapping"));
   for (int i = 0; i < 200 && window.ui.focus() != "handle b_min"; ++i) window.key(key::down);
@@ -210,12 +281,14 @@ TEST_CASE("a frame asks a slow lesson a few questions, and the snap comes when a
   window.modifiers(false, true);
   CHECK(asked_in([&] { window.move(r.middle_x() + unit * 0.5f, r.middle_y()); }) <= most);
   int all = 0, frames = 0;
+  CHECK(window.ui.message().empty());
   SECTION("while the button is held") {
     // The pointer goes on, and the search does not begin anew each time.
     for (; x() == 0 && frames < 200; ++frames) {
       const float away = 0.5f + 0.001f * static_cast<float>(frames % 5);
       const int now = asked_in([&] { window.move(r.middle_x() + unit * away, r.middle_y()); });
       CHECK(now <= most);
+      if (frames == 14) CHECK_THAT(window.ui.message(), Contains("Looking for where the case changes"));
       all += now;
     }
   }
@@ -243,6 +316,8 @@ TEST_CASE("what is done meanwhile ends the search for a border", "[window]") {
   window.modifiers(false, true);
   window.move(r.middle_x() + 200, r.middle_y());
   CHECK(window.ui.rest() == 0);
+  for (int i = 0; i < 100 && window.ui.message().empty(); ++i) window.frames();
+  CHECK_THAT(window.ui.message(), Contains("Looking"));
   SECTION("a drag without Shift") {
     window.modifiers(false, false);
     window.move(r.middle_x() + 20, r.middle_y());
@@ -252,6 +327,7 @@ TEST_CASE("what is done meanwhile ends the search for a border", "[window]") {
   CHECK(x != 0);
   window.frames(3);
   CHECK(window.ui.rest() > 0);
+  CHECK(window.ui.message().empty());
   rest(window);
   CHECK(number(window.player(), "x") == x);
 }

@@ -118,7 +118,7 @@ void SceneView::draw(Session& s, const Rect& r, const View& view) {
     std::ranges::copy(axis.shapes, std::back_inserter(drawing.shapes));
     std::ranges::copy(axis.labels, std::back_inserter(labels_));
   }
-  sketched_ = moves && has_many_facets(drawing);
+  sketched_ = moves && has_much(drawing);
   if (sketched_)
     renderer_.sketch(drawing, scale_);
   else
@@ -154,7 +154,7 @@ void SceneView::drag_held(Session& s, const View& view) {
   }
   if (snapping && search_) return;  // one search after another: it would never end while the pointer moves
   snapping_ = snapping, followed_ = mouse();
-  search_.reset();
+  end_search(s);
   s.attempt([&] {
     if (mouse() == pressed_) {
       forbidden_.clear();
@@ -175,7 +175,9 @@ void SceneView::begin_snap(const Player& player, Snap snap) {
 /// It is found, too, where the button has been released meanwhile.
 void SceneView::go_on_snapping(Session& s) {
   if (!search_) return;
-  if (search_->revision != s.player.revision()) return search_.reset();
+  if (search_->revision != s.player.revision()) return end_search(s);
+  constexpr int long_for_a_hand = 12;  // frames
+  if (++search_->frames == long_for_a_hand) s.say(searching);
   constexpr std::clock_t most = CLOCKS_PER_SEC / 80, little = CLOCKS_PER_SEC / 400;
   const std::clock_t begun = std::clock();
   while (!search_->ended && std::clock() - begun < most) search_->ended = !search_->snap.go_on();
@@ -183,9 +185,15 @@ void SceneView::go_on_snapping(Session& s) {
   s.attempt([&] {
     const Moved moved = search_->snap.settle(s.player);
     forbidden_ = moved.refused;
+    end_search(s);
     if (!moved.told.empty()) s.say(moved.told);
   });
   search_.reset();
+}
+
+void SceneView::end_search(Session& s) {
+  search_.reset();
+  if (s.toast.text == searching) s.toast = {};
 }
 
 void SceneView::wheel(Session& s, const View& view) {
@@ -250,7 +258,7 @@ void SceneView::pointer(Session& s, const View& view, bool hovered, bool active)
     s.player.end_action();
     held_ = handle_near(s, view, mouse());
     forbidden_.clear();
-    search_.reset();
+    end_search(s);
     if (held_) {
       s.player.remember("drag");
       start_ = held_->at, snapping_ = false;

@@ -34,6 +34,7 @@ class SceneView {
   void drag_held(Session&, const View&);
   void begin_snap(const Player&, Snap);
   void go_on_snapping(Session&);
+  void end_search(Session&);
   std::optional<Handle> handle_near(const Session&, const View&, const Vec2& pixel) const;
 
   Renderer& renderer_;
@@ -50,6 +51,7 @@ class SceneView {
     Snap snap;
     unsigned revision;
     bool ended = false;
+    int frames = 0;  ///< so far
   };
   std::optional<Search> search_;
   std::string forbidden_;         ///< why it does not follow the pointer; empty: it does
