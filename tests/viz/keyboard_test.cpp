@@ -287,4 +287,31 @@ TEST_CASE("presets beyond the ninth have keys", "[window]") {
   CHECK(window.player().preset_id() == group[0]->id);
 }
 
+TEST_CASE("an exercise begun by keyboard hands over what there is to move", "[window]") {
+  const auto [lesson, handle] =
+      GENERATE(table<const char*, const char*>({{"crossings", "handle p"}, {"sphere-sphere", "handle b"}}));
+  WindowDriver window(lessons::all_lessons(), 1280, 800, place_at(lesson, ""));
+  window.player().last();
+  window.frames(2);
+  hold(window, "try 1");
+  window.key(key::enter);
+  window.frames(3);
+  REQUIRE(window.player().exercise());
+  CHECK(window.ui.focus() == handle);
+  CHECK(window.has("focus ring"));
+  const Parameters before = window.player().parameters();
+  window.key(key::right, false, true);
+  CHECK(window.player().parameters() != before);
+}
+
+TEST_CASE("an exercise begun by the pointer leaves the keyboard alone", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 1400, place_at("sphere-sphere", ""));
+  window.player().last();
+  window.frames(2);
+  window.click("try 1");
+  window.frames(3);
+  REQUIRE(window.player().exercise());
+  CHECK(window.ui.focus().empty());
+}
+
 }  // namespace keyboard_test

@@ -17,7 +17,8 @@ void Focus::end_frame() {
   if (!in_popup && in_popup_) name_ = std::exchange(before_popup_, {});
   in_popup_ = in_popup;
   known_ = std::exchange(stops_, {});
-  if (std::ranges::find(known_, name_, &Stop::name) == known_.end()) name_.clear();
+  if (patience_ > 0) --patience_;
+  if (patience_ == 0 && std::ranges::find(known_, name_, &Stop::name) == known_.end()) name_.clear();
   pressed_ = moved_ = false;
 }
 

@@ -19,6 +19,8 @@ class Focus {
   void move(int by);
   /// The first one of the next part of the window.
   void next_group();
+  /// This one, which may appear only in the next frames.
+  void take(const std::string& name) { name_ = name, patience_ = 3, moved_ = true; }
   /// Presses what is held, in this frame.
   void press() { pressed_ = true; }
   void clear() { name_.clear(); }
@@ -35,6 +37,7 @@ class Focus {
   };
   std::vector<Stop> stops_, known_;  ///< of this frame; of the last one
   std::string name_, before_popup_;
+  int patience_ = 0;  ///< frames in which what is held may be missing
   bool in_popup_ = false, pressed_ = false, moved_ = false;
 };
 

@@ -14,6 +14,20 @@ constexpr float button_height = 34;
 
 constexpr float button_sides = 28;  ///< beside its words, both
 
+/// The keyboard, if it began the exercise, gets hold of what there is to move.
+void begin_exercise(Session& s, int index) {
+  const bool by_keyboard = s.ui.focus.pressed();
+  s.attempt([&] { s.player.begin_exercise(index); });
+  const std::vector<Handle>& handles = s.player.scene().handles;
+  const Exercise* e = s.player.exercise();
+  if (!by_keyboard || !e || handles.empty()) return;
+  const auto meant = [&](const Handle& h) {
+    return std::ranges::any_of(e->by, [&](const auto& set) { return set.first == h.parameter; });
+  };
+  const auto first = std::ranges::find_if(handles, meant);
+  s.ui.focus.take("handle " + (first == handles.end() ? handles.front() : *first).parameter);
+}
+
 }  // namespace
 
 bool Column::button(const std::string& name, const std::string& words, float& from) {
@@ -79,8 +93,7 @@ void exercises(Column& c) {
     c.paragraph(number + ". " + e.prompt, ink.text);
     c.y += 6;
     float x = c.x;
-    if (e.found && c.button("try " + number, "Try it", x))
-      return s.attempt([&] { s.player.begin_exercise(static_cast<int>(i)); });
+    if (e.found && c.button("try " + number, "Try it", x)) return begin_exercise(s, static_cast<int>(i));
     const bool open = s.solutions.contains(&e);
     if (c.button("solution " + number, open ? "Hide the solution" : "Solution", x))
       open ? (void)s.solutions.erase(&e) : (void)s.solutions.insert(&e);
