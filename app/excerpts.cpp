@@ -11,6 +11,7 @@
 #include "app/options.h"
 #include "app/preset_folder.h"
 #include "app/scene/lesson.h"
+#include "app/scene/walks.h"
 #include "app/setting_name.h"
 #include "app/terminal.h"
 #include "viz/files.h"
@@ -51,7 +52,8 @@ Excerpt from_scene_for(const viz::Lesson& lesson, const PresetFile& file) {
   require_utf8(file);
   try {
     Excerpt e;
-    e.lesson = &scene::kept_walks_of(lesson, viz::read_file(file.path), fs::path(file.path).parent_path().string());
+    e.lesson =
+        &scene::kept_walks_of(lesson, method, viz::read_file(file.path), fs::path(file.path).parent_path().string());
     e.folder = lesson.id + "-" + file.name;
     e.path = file.path;
     e.parameters = e.lesson->presets.front().parameters;
@@ -224,7 +226,8 @@ std::vector<Excerpt> from_words(const Program& program, Selection asked) {
   if (!asked.scene.empty()) {
     if (lessons.size() != 1 || !files.empty())
       throw viz::BadInput("scene: one lesson is to take its objects; name that, and no other file");
-    return {from_scene_for(*lessons.front(), {asked.scene, fs::path(asked.scene).stem().string()})};
+    const viz::Lesson& lesson = *lessons.front();
+    return {from_scene_for(lesson, method_for(lesson, names), {asked.scene, fs::path(asked.scene).stem().string()})};
   }
   if (files.empty() || !names.empty()) {
     if (lessons.empty())

@@ -24,12 +24,16 @@ void add_step(CLI::App& sub, Selection& to, Takes takes, const std::string& help
 
 void add_scene_file(CLI::App& sub, const Program& program, Selection& to) {
   if (program.only) return;
-  sub.add_option(
-         "--scene", to.scene,
-         "the lesson on the objects of a scene's file: " + spelling::listed(scene::walking_lessons()) + "\ntake some")
+  constexpr std::size_t widest = 60;
+  std::string help = "the lesson on the objects of a scene's file; those that take\nsome: ", row = "some: ";
+  for (const std::string& id : scene::walking_lessons()) {
+    if (row.size() + id.size() + 2 > widest) help += "\n", row.clear();
+    help += id + ", ", row += id + ", ";
+  }
+  help.resize(help.size() - 2);
+  sub.add_option("--scene", to.scene, help + ".\nIn collision --preset chooses the method")
       ->type_name("FILE")
-      ->check(not_empty())
-      ->excludes("--preset");
+      ->check(not_empty());
 }
 void add_set(CLI::App& sub, Selection& to) {
   sub.add_option("--set", to.changes, "change a parameter; may be repeated")

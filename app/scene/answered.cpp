@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include <isect/all_pairs.h>
 #include <isect/convex_hull.h>
 #include "app/scene/questions.h"
 #include "app/scene/shapes.h"
@@ -109,8 +110,38 @@ Answered answered(const Context& c, const FirstHitAsked& asked) {
   return out;
 }
 
+namespace {
+
+/// All pairs of boxes that meet.
+Answered all_that_meet(const Context& c, const WalkAsked& asked) {
+  std::vector<Aabb<double, 2>> boxes;
+  Json names = Json::array(), found = Json::array();
+  for (const std::size_t i : asked.many) {
+    boxes.push_back(box_of<2>(c.setting, c.object(i)));
+    names.push_back(c.object(i).name);
+  }
+  std::string told;
+  all_pairs::brute_force(boxes, [&](int i, int j) {
+    const std::size_t a = asked.many[static_cast<std::size_t>(i)], b = asked.many[static_cast<std::size_t>(j)];
+    told += fmt::format("{}{} and {}", told.empty() ? "" : ", ", c.name(a), c.name(b));
+    found.push_back({c.object(a).name, c.object(b).name});
+  });
+  Answered out;
+  out.verdict = found.empty()
+                    ? viz::Verdict{viz::Verdict::Kind::no, fmt::format("no two of {} boxes meet", boxes.size())}
+                    : viz::Verdict{viz::Verdict::Kind::yes, "these meet: " + told};
+  out.json = {{"walk", names},
+              {"lesson", asked.lesson},
+              {"verdict", viz::plain(out.verdict.text)},
+              {"result", {{"pairs", found}}}};
+  return out;
+}
+
+}  // namespace
+
 /// What its steps end with.
 Answered answered(const Context& c, const WalkAsked& asked) {
+  if (!asked.many.empty()) return all_that_meet(c, asked);
   const Object &a = c.object(asked.a), &b = c.object(asked.b);
   if (asked.a == asked.b) {
     const Ring<double, 2> hull = convex_hull(points_of<2>(c.setting.points(a)));

@@ -142,8 +142,39 @@ class SceneReader {
     return asked;
   }
 
+  /// All objects of the type that the lesson takes, or those named.
+  Asked walk_of_many(const Json& json, const std::string& lesson, const Path& path) const {
+    WalkAsked asked = {.a = 0, .b = 0, .lesson = lesson};
+    if (json.contains("method")) {
+      const std::vector<std::string> known = methods_for_many(lesson);
+      asked.method = source_.text(json["method"], below(path, "method"));
+      if (std::ranges::find(known, asked.method) == known.end())
+        source_.refuse(below(path, "method"),
+                       fmt::format("{} has no method \"{}\"{}", lesson, asked.method,
+                                   spelling::instead(asked.method, known, "allowed: " + spelling::listed(known))));
+    }
+    const LessonWalk& way = *scene::walk_of_many(lesson, asked.method);
+    const Path to = below(path, "walk");
+    const std::string expected = fmt::format("{} {}", with_article(way.a), way.flat ? "in the plane" : "in space");
+    if (json["walk"] == "all") {
+      for (std::size_t i = 0; i < file_.objects.size(); ++i)
+        if (object(i).type == way.a) asked.many.push_back(i);
+      if (asked.many.size() < 2) source_.refuse(to, fmt::format("two {} at least are expected", way.name_a));
+    } else {
+      for (const Json& name : source_.list(json["walk"], to, 2, file_.objects.size(), "names, or \"all\""))
+        asked.many.push_back(named(name, to));
+    }
+    for (const std::size_t i : asked.many)
+      need_type(i, to, object(i).type == way.a && file_.flat == way.flat, expected);
+    std::vector<std::size_t> sorted = asked.many;
+    std::ranges::sort(sorted);
+    if (std::ranges::adjacent_find(sorted) != sorted.end()) source_.refuse(to, "an object is named twice");
+    asked.a = asked.many[0], asked.b = asked.many[1];
+    return asked;
+  }
+
   Asked walk(const Json& json, const Path& path) const {
-    source_.only(json, path, {"walk", "lesson"});
+    source_.only(json, path, {"walk", "lesson", "method"});
     const Path to = below(path, "walk");
     std::string lesson;
     if (json.contains("lesson")) {
@@ -154,6 +185,9 @@ class SceneReader {
                        fmt::format("no lesson that takes a scene's objects is called \"{}\"{}", lesson,
                                    spelling::instead(lesson, known, "allowed: " + spelling::listed(known))));
     }
+    if (scene::walk_of_many(lesson, "")) return walk_of_many(json, lesson, path);
+    if (json.contains("method"))
+      source_.refuse(below(path, "method"), "no such field is known here; with \"lesson\": \"collision\" it is");
     const bool one = json["walk"].is_string();
     const auto [i, j] =
         one ? std::pair(named(json["walk"], to), named(json["walk"], to)) : two_objects(json["walk"], to);

@@ -12,8 +12,10 @@
 //              {"clip": "r", "to": "A"},                             // the part of a line or a polygon in a box
 //              {"hierarchy": "M"},                                   // of its triangles; or of objects: ["A", "M"],
 //              "all"
-//              {"walk": ["r", "A"]} ],                               // step by step, as the lesson of such a pair, or
+//              {"walk": ["r", "A"]},                                 // step by step, as the lesson of such a pair, or
 //                                                                    // of one object: "H"; with "lesson": another one
+//              {"walk": ["A", "B", "C"], "lesson": "collision",      // of many, or "all"
+//               "method": "sweep"} ],
 //     "notes": [ {"at": [0, 2, 0], "text": "the *y*-axis"} ],
 //     "camera": {"azimuth": 30, "elevation": 20} }                   // degrees
 //
@@ -46,8 +48,10 @@ struct HierarchyAsked {
   std::vector<std::size_t> objects;  ///< one of them: its triangles
 };
 struct WalkAsked {
-  std::size_t a, b;         ///< the same where it is of one object
-  std::string lesson = {};  ///< its id, where another than the usual one for such objects is asked for
+  std::size_t a, b;                    ///< the same where it is of one object
+  std::string lesson = {};             ///< its id, where another than the usual one for such objects is asked for
+  std::vector<std::size_t> many = {};  ///< where it is of many: all of them, of which a is the first and b the second
+  std::string method = {};             ///< of those that the lesson has for many; empty: the first
 };
 using Asked = std::variant<PairAsked, FirstHitAsked, FitAsked, ClipAsked, HierarchyAsked, WalkAsked>;
 

@@ -97,6 +97,7 @@ class Walker {
 
   /// The lesson's own steps on these numbers; a walk has one text of an algorithm, that of the first.
   void add(const WalkAsked& asked, viz::Walk& to) {
+    if (!asked.many.empty()) return add_of_many(asked, to);
     const Object &a = context_.object(asked.a), &b = context_.object(asked.b);
     const bool one = asked.a == asked.b;
     const LessonWalk& pair = *walk_of(a.type, b.type, context_.file.flat, one, asked.lesson);
@@ -112,6 +113,29 @@ class Walker {
         s.caption = fmt::format("Step by step: here {} {} {}{}. {}", shown_name(a.name), one ? "are" : "is",
                                 pair.name_a, second, s.caption);
       }
+      to.steps.push_back(std::move(s));
+    }
+  }
+
+  /// The lesson numbers them, as they come.
+  void add_of_many(const WalkAsked& asked, viz::Walk& to) {
+    const LessonWalk& way = *walk_of_many(asked.lesson, asked.method);
+    std::vector<const Object*> all;
+    std::vector<viz::Handle> handles;
+    std::string who;
+    for (const std::size_t i : asked.many) {
+      all.push_back(&context_.object(i));
+      who += fmt::format("{}{} is {}", all.size() == 1 ? "" : ", ", context_.name(i), all.size() - 1);
+      std::ranges::move(scene::handles(context_.setting, *all.back(), Role::second), std::back_inserter(handles));
+    }
+    viz::Walk walk = scene::walk(way, context_.setting, all);
+    const bool first = to.pseudocode.empty();
+    if (first) to.pseudocode = walk.pseudocode;
+    walk.steps.front().caption = fmt::format("Step by step: here {}. {}", who, walk.steps.front().caption);
+    for (viz::Step& s : walk.steps) {
+      s.slug = slug_of(fmt::format("{}-{}", way.lesson, s.slug));
+      if (!first) s.line = -1;
+      if (!s.scene.handles.empty()) s.scene.handles = handles;
       to.steps.push_back(std::move(s));
     }
   }
@@ -206,10 +230,15 @@ const viz::Lesson& kept_lesson_of(const std::string& text, const std::string& fo
 namespace {
 
 /// What the lesson can walk through, in the order of the file, as questions.
-Json walks_through(const viz::Lesson& lesson, const File& file) {
+Json walks_through(const viz::Lesson& lesson, const std::string& method, const File& file) {
   const Setting setting = {file.parameters, file.flat};
   Json asked = Json::array();
   std::string refused;
+  if (const LessonWalk* const way = walk_of_many(lesson.id, method); way && way->flat == file.flat)
+    if (std::ranges::count(file.objects, way->a, &Object::type) > 1) {
+      asked.push_back({{"walk", "all"}, {"lesson", lesson.id}, {"method", way->method}});
+      return asked;
+    }
   const auto ask = [&](std::size_t i, std::size_t j) {
     const Object &a = file.objects[i], &b = file.objects[j];
     const LessonWalk* const found = walk_of(a.type, b.type, file.flat, i == j, lesson.id);
@@ -230,9 +259,10 @@ Json walks_through(const viz::Lesson& lesson, const File& file) {
   std::string takes;
   for (const LessonWalk& w : walks())
     if (w.lesson == lesson.id)
-      takes += fmt::format("{}{}{} {}", takes.empty() ? "" : ", ", spec(w.a).name,
-                           w.of_one() ? std::string() : std::string(" and ") + spec(w.b).name,
-                           w.flat ? "in the plane" : "in space");
+      takes = fmt::format("{}{}{} {}", takes.empty() || w.of_many() ? "" : takes + ", ",
+                          w.of_many() ? std::string("two ") + w.name_a + " or more" : spec(w.a).name,
+                          w.of_one() || w.of_many() ? std::string() : std::string(" and ") + spec(w.b).name,
+                          w.flat ? "in the plane" : "in space");
   if (takes.empty())
     throw viz::BadInput(fmt::format("scene: {} takes no objects of a scene; these do: {}", lesson.id,
                                     fmt::join(walking_lessons(), ", ")));
@@ -241,10 +271,11 @@ Json walks_through(const viz::Lesson& lesson, const File& file) {
 
 }  // namespace
 
-const viz::Lesson& kept_walks_of(const viz::Lesson& lesson, const std::string& text, const std::string& folder) {
+const viz::Lesson& kept_walks_of(const viz::Lesson& lesson, const std::string& method, const std::string& text,
+                                 const std::string& folder) {
   const File file = read_scene(text, folder);
   Json scene = Json::parse(file.text);
-  scene["ask"] = walks_through(lesson, file);
+  scene["ask"] = walks_through(lesson, method, file);
   scene["title"] = fmt::format("{}: {}", lesson.title, file.title);
   return kept_lesson_of(scene.dump(), folder);
 }

@@ -15,8 +15,10 @@ viz::Lesson lesson_of(const std::string& text, const std::string& folder);
 const viz::Lesson& kept_lesson_of(const std::string& text, const std::string& folder);
 
 /// The lesson's own walk through each of the scene's objects that it takes, in place of what the scene asks; kept, too.
-/// Throws viz::BadInput where it takes none of them, naming what it takes and which lessons take any.
-const viz::Lesson& kept_walks_of(const viz::Lesson&, const std::string& text, const std::string& folder);
+/// `method`: of those that it has for many objects; empty: the first. Throws viz::BadInput where it takes none of them,
+/// naming what it takes and which lessons take any.
+const viz::Lesson& kept_walks_of(const viz::Lesson&, const std::string& method, const std::string& text,
+                                 const std::string& folder);
 
 /// The answers to all questions, as JSON: names, verdict in words, query and result.
 Json answers(const File&);

@@ -9,6 +9,7 @@
 #include "app/scene/pairs.h"
 #include "app/scene/shapes.h"
 #include "lessons/clipping/picture.h"
+#include "lessons/collision/telling.h"
 #include "lessons/concave_polygon/picture.h"
 #include "lessons/convex_hull/picture.h"
 #include "lessons/convex_polygon/picture.h"
@@ -170,6 +171,19 @@ constexpr Walk point_in_concave_polygon = [](const Setting& s, const Object& a, 
   return lessons::concave_polygon_lesson::slabs({ring, point_of<2>(s.point(a, "at"))});
 };
 
+/// The most that a walk of all their pairs is told of.
+constexpr std::size_t most_boxes = 12;
+
+template <viz::Walk (*Way)(const lessons::collision_lesson::Boxes&, const lessons::collision_lesson::Frame&)>
+viz::Walk colliding(const Setting& s, const std::vector<const Object*>& all) {
+  if (all.size() > most_boxes)
+    throw viz::BadInput(fmt::format("they are {}, and the lesson tells of their pairs one by one: {} are the most",
+                                    all.size(), most_boxes));
+  lessons::collision_lesson::Boxes of_all;
+  for (const Object* o : all) of_all.push_back(box_of<2>(s, *o));
+  return Way(of_all, lessons::collision_lesson::frame_of(of_all));
+}
+
 constexpr Walk hull_of_points = [](const Setting& s, const Object& a, const Object&) {
   const std::vector<Vec3> points = s.points(a);
   need_few(a, points);
@@ -202,6 +216,11 @@ const std::vector<LessonWalk>& walks() {
       {"convex-polygon", point, triangle, true, "**p**", "the polygon", point_in_convex_polygon},
       {"concave-polygon", point, polygon, true, "**p**", "the polygon", point_in_concave_polygon},
       {"concave-polygon", point, triangle, true, "**p**", "the polygon", point_in_concave_polygon},
+      {"collision", box, box, true, "boxes", nullptr, nullptr, colliding<lessons::collision_lesson::double_loop>,
+       "brute-force"},
+      {"collision", box, box, true, "boxes", nullptr, nullptr, colliding<lessons::collision_lesson::sweep>, "sweep"},
+      {"collision", box, box, true, "boxes", nullptr, nullptr, colliding<lessons::collision_lesson::hierarchy>,
+       "hierarchy"},
       {"convex-hull", hull, hull, true, "the points", nullptr, hull_of_points},
       {"convex-hull", cloud, cloud, true, "the points", nullptr, hull_of_points},
   };
@@ -214,11 +233,26 @@ const LessonWalk* walk_of(Type a, Type b, bool flat, bool one, const std::string
   return found == walks().end() ? nullptr : &*found;
 }
 
+const LessonWalk* walk_of_many(const std::string& lesson, const std::string& method) {
+  const auto found = std::ranges::find_if(walks(), [&](const LessonWalk& w) {
+    return w.of_many() && lesson == w.lesson && (method.empty() || method == w.method);
+  });
+  return found == walks().end() ? nullptr : &*found;
+}
+
+std::vector<std::string> methods_for_many(const std::string& lesson) {
+  std::vector<std::string> all;
+  for (const LessonWalk& w : walks())
+    if (w.of_many() && lesson == w.lesson) all.emplace_back(w.method);
+  return all;
+}
+
 std::vector<std::string> walks_in_words(bool flat) {
   std::vector<std::string> words;
   for (const LessonWalk& w : walks()) {
-    const std::string told =
-        w.of_one() ? std::string(spec(w.a).name) : fmt::format("{} and {}", spec(w.a).name, spec(w.b).name);
+    const std::string told = w.of_many()  ? fmt::format("2 to {} {} ({})", most_boxes, w.name_a, w.lesson)
+                             : w.of_one() ? std::string(spec(w.a).name)
+                                          : fmt::format("{} and {}", spec(w.a).name, spec(w.b).name);
     if (w.flat == flat && std::ranges::find(words, told) == words.end()) words.push_back(told);
   }
   return words;
@@ -237,6 +271,14 @@ viz::Walk walk(const LessonWalk& pair, const Setting& s, const Object& a, const 
   } catch (const viz::BadInput& e) {
     const std::string names = pair.of_one() ? a.name : a.name + " and " + b.name;
     throw viz::BadInput(fmt::format("{}, step by step: {}", names, e.what()));
+  }
+}
+
+viz::Walk walk(const LessonWalk& way, const Setting& s, const std::vector<const Object*>& all) {
+  try {
+    return way.steps_of_many(s, all);
+  } catch (const viz::BadInput& e) {
+    throw viz::BadInput(fmt::format("{}, step by step: {}", way.name_a, e.what()));
   }
 }
 

@@ -27,8 +27,11 @@ inline constexpr const char* how_written =
     "all five; {\"clip\": \"r\", \"to\": \"A\"}; {\"hierarchy\": \"M\"}, or [\"A\", \"B\"], or \"all\"; {\"walk\": "
     "[\"r\", \"S\"]},\n"
     "step by step as in the usual lesson, or with \"lesson\": \"convex-polygon\" in that one; {\"walk\": \"H\"} of "
-    "points.\n"
+    "points;\n"
+    "{\"walk\": \"all\", \"lesson\": \"collision\", \"method\": \"sweep\"} of boxes in the plane, or of a list "
+    "of them.\n"
     "\"ask\" may be \"all pairs\".\n"
+    "Texts: *italic*, **bold**, a_1 and a_{in}, x^2, √2, Greek letters and signs as they are.\n"
     "\"notes\": [{\"at\": [0, 2, 0], \"text\": \"*h*\"}] and \"camera\": {\"azimuth\": 30, \"elevation\": 20} may "
     "follow.\n";
 

@@ -15,8 +15,8 @@ namespace {
 
 class DoubleLoop : Teller {
  public:
-  explicit DoubleLoop(const Boxes& boxes)
-      : Teller(boxes, "brute force",
+  DoubleLoop(const Boxes& boxes, const Frame& frame)
+      : Teller(boxes, frame, "brute force",
                {"for i ← 0 to n − 1",                // 0
                 "    for j ← i + 1 to n − 1",        // 1
                 "        if boxes i and j overlap",  // 2
@@ -69,6 +69,6 @@ class DoubleLoop : Teller {
 
 }  // namespace
 
-Walk double_loop(const Boxes& boxes) { return DoubleLoop(boxes).tell(); }
+Walk double_loop(const Boxes& boxes, const Frame& frame) { return DoubleLoop(boxes, frame).tell(); }
 
 }  // namespace isect::lessons::collision_lesson

@@ -13,8 +13,8 @@ namespace {
 
 class Hierarchy : Teller {
  public:
-  explicit Hierarchy(const Boxes& boxes)
-      : Teller(boxes, "hierarchy",
+  Hierarchy(const Boxes& boxes, const Frame& frame)
+      : Teller(boxes, frame, "hierarchy",
                {"build a hierarchy of boxes",                   // 0
                 "for two nodes a, b",                           // 1
                 "    if their boxes are apart: prune",          // 2
@@ -62,13 +62,13 @@ class Hierarchy : Teller {
     drawn_.compared.clear();
     const int pairs = static_cast<int>(boxes_.size() * (boxes_.size() - 1) / 2);
     total(1, fmt::format("{} of nodes and boxes, where brute force takes {}.{}", plural(tests_, "test"), pairs,
-                         tests_ >= pairs ? " Six boxes are too few to gain from a hierarchy." : ""));
+                         tests_ >= pairs ? " So few boxes gain nothing from a hierarchy." : ""));
     return std::move(script_.walk());
   }
 };
 
 }  // namespace
 
-Walk hierarchy(const Boxes& boxes) { return Hierarchy(boxes).tell(); }
+Walk hierarchy(const Boxes& boxes, const Frame& frame) { return Hierarchy(boxes, frame).tell(); }
 
 }  // namespace isect::lessons::collision_lesson

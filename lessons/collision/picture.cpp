@@ -29,11 +29,23 @@ Boxes many(int n) {
   return boxes;
 }
 
+Frame frame_of(const Boxes& boxes) {
+  Aabb<double, 2> all = boxes.front();
+  for (const Aabb<double, 2>& b : boxes) all = {all.lo.cwiseMin(b.lo), all.hi.cwiseMax(b.hi)};
+  const Vec2 size = all.hi - all.lo;
+  Frame frame;
+  if (const double unit = std::max(size.x() / 5.75, size.y() / 3.5); unit > 0) frame.unit = unit;  // as that of the few
+  frame.below = all.lo.y() - 0.45 * frame.unit;
+  frame.bottom = frame.below - frame.unit * (0.11 * static_cast<double>(boxes.size() - 1) + 0.1);
+  frame.top = all.hi.y() + 0.5 * frame.unit;
+  return frame;
+}
+
 namespace {
 
 /// In a corner of box k that no other box covers; else in the lower left one.
-Vec3 place_of_number(const Boxes& boxes, int k) {
-  const Vec2 in(0.16, 0.18);
+Vec3 place_of_number(const Boxes& boxes, int k, double unit) {
+  const Vec2 in = unit * Vec2(0.16, 0.18);
   const Aabb<double, 2> places = {boxes[k].lo + in, boxes[k].hi - in};
   for (const Vec3& p : corners(places)) {
     bool covered = false;
@@ -48,7 +60,7 @@ Vec3 place_of_number(const Boxes& boxes, int k) {
 
 }  // namespace
 
-Scene picture(const Boxes& boxes, const Drawn& d) {
+Scene picture(const Boxes& boxes, const Drawn& d, const Frame& frame) {
   Scene scene;
   for (const Aabb<double, 2>& node : d.nodes)
     scene.items.emplace_back(Chain{corners(node), true, Role::construction, Pen::construction});
@@ -76,15 +88,16 @@ Scene picture(const Boxes& boxes, const Drawn& d) {
                                   d.overlap ? Pen::thick : Pen::construction});
   if (d.sweeping) {
     for (int k = 0; k < static_cast<int>(boxes.size()); ++k) {  // their intervals on the axis
-      const double y = -2.45 - 0.11 * k;
+      const double y = frame.below - 0.11 * frame.unit * k;
       const Role role = among(d.active, k) ? Role::first : Role::muted;
       scene.items.emplace_back(Line{{boxes[k].lo.x(), y, 0}, {boxes[k].hi.x(), y, 0}, role, Pen::thick});
     }
-    scene.items.emplace_back(Line{{d.sweep, -3.1, 0}, {d.sweep, 2, 0}, Role::highlight, Pen::highlight});
+    scene.items.emplace_back(
+        Line{{d.sweep, frame.bottom, 0}, {d.sweep, frame.top, 0}, Role::highlight, Pen::highlight});
   }
   for (int k = 0; k < static_cast<int>(boxes.size()); ++k)
-    scene.items.emplace_back(
-        Heading{place_of_number(boxes, k), std::to_string(k), k == d.i ? Role::first : Role::second, 0.3, false});
+    scene.items.emplace_back(Heading{place_of_number(boxes, k, frame.unit), std::to_string(k),
+                                     k == d.i ? Role::first : Role::second, 0.3 * frame.unit, false});
   scene.handles.push_back({"p", Handle::Kind::point, middle(boxes[0]), Vec3::Zero(), Role::second});
   return scene;
 }

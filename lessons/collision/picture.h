@@ -14,6 +14,14 @@ Boxes few(const viz::Vec3& p);
 /// As dense as the few, and the same on every machine.
 Boxes many(int n);
 
+/// How large what is drawn beside the boxes is, and where; as it stands, for the few.
+struct Frame {
+  double unit = 1;
+  double below = -2.45;           ///< y of the intervals on the axis
+  double bottom = -3.1, top = 2;  ///< of the sweeping plane
+};
+Frame frame_of(const Boxes&);
+
 struct Drawn {
   int i = -1, j = -1;          ///< the pair that is tested
   std::vector<int> also = {};  ///< i was tested with these, too, in the same step
@@ -25,6 +33,6 @@ struct Drawn {
   std::vector<Aabb<double, 2>> compared;  ///< two nodes of a hierarchy
   std::vector<Aabb<double, 2>> nodes;     ///< all nodes, as dashed boxes
 };
-viz::Scene picture(const Boxes&, const Drawn&);
+viz::Scene picture(const Boxes&, const Drawn&, const Frame&);
 
 }  // namespace isect::lessons::collision_lesson

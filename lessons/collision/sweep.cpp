@@ -13,8 +13,8 @@ namespace {
 
 class Sweep : Teller {
  public:
-  explicit Sweep(const Boxes& boxes)
-      : Teller(boxes, "sweep and prune",
+  Sweep(const Boxes& boxes, const Frame& frame)
+      : Teller(boxes, frame, "sweep and prune",
                {"sort the boxes by their lower ends",                      // 0
                 "for each box b",                                          // 1
                 "    remove what ended before b begins",                   // 2
@@ -94,6 +94,6 @@ class Sweep : Teller {
 
 }  // namespace
 
-Walk sweep(const Boxes& boxes) { return Sweep(boxes).tell(); }
+Walk sweep(const Boxes& boxes, const Frame& frame) { return Sweep(boxes, frame).tell(); }
 
 }  // namespace isect::lessons::collision_lesson

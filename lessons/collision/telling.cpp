@@ -64,15 +64,16 @@ std::string alt_text(const Boxes& boxes) {
 
 }  // namespace
 
-Teller::Teller(const Boxes& boxes, const std::string& title, std::vector<std::string> lines)
+Teller::Teller(const Boxes& boxes, const Frame& frame, const std::string& title, std::vector<std::string> lines)
     : boxes_(boxes),
+      frame_(frame),
       script_({"Lecture note, collision detection (corrected); Ericson, Real-Time Collision Detection (2005), ch. 7",
                alt_text(boxes), std::move(lines), title}) {}
 
 Step& Teller::add(const std::string& slug, const std::string& title, int line, const std::string& caption,
                   const std::string& formula) {
   Step& step = script_.add(slug, title, line, caption, formula);
-  step.scene = picture(boxes_, drawn_);
+  step.scene = picture(boxes_, drawn_, frame_);
   return step;
 }
 

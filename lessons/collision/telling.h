@@ -9,9 +9,9 @@
 
 namespace isect::lessons::collision_lesson {
 
-viz::Walk double_loop(const Boxes&);
-viz::Walk sweep(const Boxes&);  ///< sweep and prune
-viz::Walk hierarchy(const Boxes&);
+viz::Walk double_loop(const Boxes&, const Frame& = {});
+viz::Walk sweep(const Boxes&, const Frame& = {});  ///< sweep and prune
+viz::Walk hierarchy(const Boxes&, const Frame& = {});
 
 /// A small box flies at a thin wall: what discrete times miss, and what a ray does not. The box is centred at `p` and
 /// moves to the right at this speed, for a second and a half.
@@ -31,7 +31,7 @@ Encounter encounter(const viz::Vec3& p, double speed);
 
 class Teller {
  protected:
-  Teller(const Boxes&, const std::string& title, std::vector<std::string> lines);
+  Teller(const Boxes&, const Frame&, const std::string& title, std::vector<std::string> lines);
 
   viz::Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption,
                  const std::string& formula = {});
@@ -42,6 +42,7 @@ class Teller {
   void total(int line, const std::string& caption);
 
   const Boxes& boxes_;
+  const Frame frame_;
   Script script_;
   Drawn drawn_;
   int tests_ = 0;

@@ -12,6 +12,7 @@ namespace scene_shapes_test {
 using Catch::Matchers::StartsWith;
 using isect::test::Contains;
 using isect::test::contents;
+using isect::test::files_in;
 using isect::test::Ran;
 using isect::test::Shell;
 using isect::test::write;
@@ -377,6 +378,57 @@ TEST_CASE("a lesson takes what it can of a scene", "[scene]") {
   CHECK_THAT(refusal("show --scene mine.json"), Contains("lesson"));
   CHECK_THAT(refusal("render crossings rays --scene mine.json"), Contains("one lesson"));
   CHECK(contents(shell.work() / "mine.json") == mine);
+}
+
+TEST_CASE("the boxes of a scene are walked through by each method of collision, and all find the same pairs",
+          "[scene]") {
+  const Shell shell;
+  // Large and far off; A and B touch, D is a point in C, E lies apart.
+  const std::string objects = R"({"box": "A", "lo": [1000, 0], "hi": [1100, 100]}, {"circle": "S", "center": [0, 0],
+    "radius": 1}, {"box": "B", "lo": [1100, 50], "hi": [1300, 90]}, {"box": "C", "lo": [1250, -200], "hi": [1400, 60]},
+    {"box": "D", "lo": [1300, 0], "hi": [1300, 0]}, {"box": "E", "lo": [2000, 0], "hi": [2050, 400]})";
+  write(shell.work() / "s.json", R"({"objects": [)" + objects + "]}");
+  for (const char* preset : {"brute-force", "sweep", "hierarchy"}) {
+    const std::string words = " collision --scene s.json --preset " + std::string(preset);
+    const Ran r = shell("isect explain" + words + " --step all");
+    INFO(preset << r.err);
+    CHECK(r.status == 0);
+    CHECK_THAT(r.out, Contains("here A is 0, B is 1, C is 2, D is 3, E is 4.") && Contains("Verdict: 3 pairs, "));
+    CHECK(shell("isect render" + words + " --format svg --out " + preset).status == 0);
+  }
+  CHECK(files_in(shell.work() / "brute-force").size() != files_in(shell.work() / "sweep").size());
+  CHECK(shell("isect explain collision --scene s.json --brief").out ==
+        shell("isect explain collision --scene s.json --preset brute-force --brief").out);
+  CHECK_THAT(shell("isect explain collision --scene s.json --set E.lo=1350,0").out, Contains("Verdict: 4 pairs, "));
+
+  const Json asked = answers(shell, objects, R"([{"walk": "all", "lesson": "collision"},
+    {"walk": ["E", "A", "D"], "lesson": "collision", "method": "sweep"}])");
+  CHECK(asked[0]["verdict"] == "these meet: A and B, B and C, C and D");
+  CHECK(asked[0]["result"]["pairs"] == Json::parse(R"([["A","B"],["B","C"],["C","D"]])"));
+  CHECK(asked[1]["verdict"] == "no two of 3 boxes meet");
+  CHECK_THAT(shell("isect explain scene.json").out, Contains("here E is 0, A is 1, D is 2."));
+
+  const auto why = [&](const std::string& ask) {
+    write(shell.work() / "w.json", R"({"objects": [)" + objects + R"(], "ask": [)" + ask + "]}");
+    const Ran r = shell("isect scene w.json");
+    CHECK(r.status == 2);
+    return r.err;
+  };
+  CHECK_THAT(why(R"({"walk": ["A", "S"], "lesson": "collision"})"), Contains("\"S\" is a sphere; a box in the plane"));
+  CHECK_THAT(why(R"({"walk": ["A", "A"], "lesson": "collision"})"), Contains("named twice"));
+  CHECK_THAT(why(R"({"walk": ["A"], "lesson": "collision"})"), Contains("ask[0].walk: ") && Contains("2 to"));
+  CHECK_THAT(why(R"({"walk": "all", "lesson": "collision", "method": "swep"})"), Contains("mean \"sweep\""));
+  CHECK_THAT(why(R"({"walk": ["A", "B"], "lesson": "aabb-aabb", "method": "sweep"})"), Contains("ask[0].method: "));
+  CHECK_THAT(shell("isect show collision --scene s.json --preset tunnelling").err,
+             Contains("it is for the method, one of brute-force, sweep, hierarchy"));
+  CHECK_THAT(shell("isect show crossings --scene s.json --preset vertex-passed").err, Contains("crossings takes none"));
+  write(shell.work() / "s.json", R"({"objects": [{"box": "A", "lo": [0, 0, 0], "hi": [1, 1, 1]}]})");
+  CHECK_THAT(shell("isect show collision --scene s.json").err, Contains("two boxes or more in the plane"));
+  std::string many;
+  for (int i = 0; i < 13; ++i)
+    many += (i > 0 ? "," : "") + (R"({"box": "b)" + std::to_string(i) + R"(", "lo": [0, 0], "hi": [1, 1]})");
+  write(shell.work() / "s.json", R"({"objects": [)" + many + "]}");
+  CHECK_THAT(shell("isect show collision --scene s.json").err, Contains("they are 13") && Contains("12 are the most"));
 }
 
 TEST_CASE("a circle is the sphere of the plane", "[scene]") {
