@@ -47,8 +47,23 @@ Excerpt from_scene(const std::string& text, const PresetFile& file) {
   return e;
 }
 
+/// A preset beside a scene says by which method the lesson goes through many objects, if it has several.
+std::string method_for(const viz::Lesson& lesson, const std::vector<std::string>& presets) {
+  if (presets.empty()) return {};
+  const viz::Preset& preset = viz::preset(lesson, presets.front());
+  const std::vector<std::string> known = scene::methods_for_many(lesson.id);
+  if (const auto at = preset.parameters.find("method"); at != preset.parameters.end() && presets.size() == 1)
+    if (const auto* name = std::get_if<std::string>(&at->second);
+        name && std::ranges::find(known, *name) != known.end())
+      return *name;
+  throw viz::BadInput(fmt::format("preset: beside --scene, whose objects are taken, {}",
+                                  known.empty()
+                                      ? lesson.id + " takes none"
+                                      : fmt::format("it is for the method, one of {}", fmt::join(known, ", "))));
+}
+
 /// The lesson's walks through a scene's objects.
-Excerpt from_scene_for(const viz::Lesson& lesson, const PresetFile& file) {
+Excerpt from_scene_for(const viz::Lesson& lesson, const std::string& method, const PresetFile& file) {
   require_utf8(file);
   try {
     Excerpt e;
@@ -78,8 +93,10 @@ Excerpt at(const std::vector<const viz::Lesson*>& lessons, const viz::Place& pla
 Excerpt from_file(const Program& program, const PresetFile& file) {
   if (const viz::Format* format = viz::format_of(file.path)) {
     std::vector<const viz::Lesson*> lessons = program.lessons;
-    const viz::Place place = place_in_figure(program, file.path, *format, lessons);
-    return at(lessons, place, file);
+    const FigurePlace found = place_in_figure(program, file.path, *format, lessons);
+    Excerpt e = at(lessons, found.place, file);
+    e.several = found.steps;
+    return e;
   }
   viz::Place place;
   try {
@@ -144,7 +161,10 @@ std::vector<PresetFile> named_files(const std::vector<std::string>& paths) {
 void walk(Excerpt& e, const std::string& asked, bool one_of_many) {
   e.walk = e.lesson->walk(e.parameters);
   const int count = static_cast<int>(e.walk.steps.size());
-  const std::string text = !asked.empty() ? asked : e.step ? std::to_string(*e.step + 1) : "all";
+  const std::string text = !asked.empty()       ? asked
+                           : !e.several.empty() ? e.several
+                           : e.step             ? std::to_string(*e.step + 1)
+                                                : "all";
   one_of_many = one_of_many && !asked.empty();  // the step that a file names must be there
   const std::optional<Steps> wanted = Steps::read(text);
   if (!wanted || (!one_of_many && !wanted->all_in(count)))

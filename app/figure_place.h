@@ -10,9 +10,13 @@
 
 namespace isect::program {
 
+struct FigurePlace {
+  viz::Place place;
+  std::string steps = {};  ///< of a strip or an animation: all of them, "2-4"; else empty
+};
 /// The place where a figure was made; the lesson of a scene goes `to` the others. Throws viz::BadInput, also where it
 /// carries none, and viz::FileError.
-viz::Place place_in_figure(const Program&, const std::string& path, const viz::Format&,
-                           std::vector<const viz::Lesson*>& to);
+FigurePlace place_in_figure(const Program&, const std::string& path, const viz::Format&,
+                            std::vector<const viz::Lesson*>& to);
 
 }  // namespace isect::program

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/ownership.h"
+#include "app/values.h"
 #include "viz/alt_text.h"
 #include "viz/rich_text.h"
 
@@ -14,13 +15,13 @@ namespace {
 
 constexpr const char* several = "steps";
 
-/// "03-06" where they follow each other, "03-05-09" otherwise.
+/// "03-06" where they follow each other, "03+05" otherwise.
 std::string numbers(const std::vector<int>& steps) {
   const bool in_a_row = steps.back() - steps.front() + 1 == static_cast<int>(steps.size());
   std::string text;
   for (std::size_t i = 0; i < steps.size(); ++i)
     if (!in_a_row || i == 0 || i + 1 == steps.size())
-      text += fmt::format("{}{:02}", text.empty() ? "" : "-", steps[i] + 1);
+      text += fmt::format("{}{:02}", text.empty() ? "" : in_a_row ? "-" : "+", steps[i] + 1);
   return text;
 }
 
@@ -44,7 +45,8 @@ Piece piece_of(const Excerpt& e, const std::string& kind) {
   for (std::size_t i = 0; i < e.steps.size(); ++i) {
     const Piece one = piece_of(e, e.steps[i]);
     const char letter = static_cast<char>('a' + i % 26);
-    piece.caption += fmt::format("{}({}) {}.", i == 0 ? "" : " ", letter, one.title);
+    const bool asks = one.title.ends_with('?');
+    piece.caption += fmt::format("{}({}) {}{}", i == 0 ? "" : " ", letter, one.title, asks ? "" : ".");
     piece.alt += fmt::format("{}({}) {}", i == 0 ? "" : "\n\n", letter, one.alt);
   }
   piece.metadata = metadata_of(e, e.steps.front());
@@ -54,5 +56,12 @@ Piece piece_of(const Excerpt& e, const std::string& kind) {
 }
 
 bool shows_several(const viz::Metadata& data) { return data.contains(several); }
+
+std::string steps_of(const viz::Metadata& data) {
+  if (!shows_several(data)) return {};
+  std::string text = data.at(several);
+  std::ranges::replace(text, '+', ',');
+  return Steps::read(text) ? text : std::string();
+}
 
 }  // namespace isect::program

@@ -24,5 +24,7 @@ Piece piece_of(const Excerpt&, int step);
 Piece piece_of(const Excerpt&, const std::string& kind);
 /// Whether a figure shows several steps.
 bool shows_several(const viz::Metadata&);
+/// Those of a figure of several, as --step takes them; empty where it is of one.
+std::string steps_of(const viz::Metadata&);
 
 }  // namespace isect::program

@@ -86,6 +86,40 @@ TEST_CASE("a figure is taken as a preset's file is: with its lesson, step, numbe
   CHECK(shell("isect render nowhere.png").status == 4);
 }
 
+TEST_CASE("a figure of any format is drawn again as it was, one of several steps with all of them", "[select]") {
+  const Shell shell;
+  write(shell.work() / "p.json", from_above);
+  write(shell.work() / "s.json", R"({"objects": [{"polygon": "A", "points": [[0, 0], [4, 0], [0, 4]]},
+                                                 {"point": "P", "at": [1, 1]}], "ask": [["P", "A"]]})");
+  const std::string formats = " --format png,svg,pdf,tikz,gif,apng --size 320x200 --out made";
+  for (const std::string& request :
+       {std::string("--preset p.json --set radius=1.5 --step 3"), std::string("s.json --step 2"),
+        std::string("crossings --scene s.json --step 3")}) {
+    const std::vector<std::string> made = lines_of(shell("isect render " + request + formats).out);
+    REQUIRE(made.size() == 6);
+    const viz::Picture first = viz::read_png(contents(shell.work() / made[0]));
+    for (const std::string& figure : made) {
+      INFO(figure);
+      const Ran again = shell("isect render --preset " + figure + " --format png --size 320x200 --out again");
+      REQUIRE(again.status == 0);
+      CHECK(viz::read_png(contents(shell.work() / again.out.substr(0, again.out.size() - 1))).rgba == first.rgba);
+      CHECK(shell("isect show " + figure).status == 77);  // no display, and nothing else to complain of
+      CHECK(shell("isect explain --brief " + figure).status == 0);
+    }
+  }
+
+  for (const auto& [steps, name] : {std::pair{"2-4", "02-04"}, {"2,4", "02+04"}}) {
+    const std::string of = "made/ray-sphere/tangent/steps-" + std::string(name);
+    REQUIRE(shell("isect render ray-sphere --preset tangent --step " + std::string(steps) + formats).status == 0);
+    CHECK_THAT(shell("isect render --preset " + of + ".gif --format apng --out again").out,
+               Contains("/steps-" + std::string(name) + ".apng\n"));
+  }
+  REQUIRE(shell("isect strip ray-sphere --step 2-3 --format pdf --out made").status == 0);
+  CHECK(shell("isect strip made/ray-sphere/two-roots/strip-02-03.pdf --out again").out ==
+        "again/ray-sphere/strip-02-03/strip-02-03.png\n");
+  CHECK_THAT(shell("isect show made/ray-sphere/two-roots/strip-02-03.pdf --step 99").err, Contains("step: \"99\""));
+}
+
 TEST_CASE("a file's step that a changed parameter takes away is refused", "[select]") {
   const Shell shell;
   write(shell.work() / "p.json", R"({"lesson": "ray-sphere", "preset": "two-roots", "step": 12})");
