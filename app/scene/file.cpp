@@ -22,6 +22,9 @@ class SceneReader {
   SceneReader(const std::string& text, const std::string& folder) : source_(text), folder_(folder) {}
 
   File read() {
+    if (json().is_object() && json().contains("lesson") && !json().contains("objects"))
+      source_.refuse({"lesson"},
+                     "this is a preset’s file, which show, render and explain take; a scene has \"objects\"");
     source_.only(json(), {}, {"title", "objects", "ask", "notes", "camera"});
     file_.title = json().contains("title") ? source_.text(json()["title"], {"title"}) : "A scene";
     ReadObjects objects = read_objects(source_, folder_);
@@ -213,9 +216,11 @@ class SceneReader {
     const auto [a, b] = two_objects(json, path);
     const Type x = object(a).type, y = object(b).type;
     if (!can_ask(x, y, file_.flat))
-      source_.refuse(path, fmt::format("there is no test of {} against {} {}; {} can be asked about: {}",
-                                       with_article(x), with_article(y), file_.flat ? "in the plane" : "in space",
-                                       with_article(x), partners(x, file_.flat)));
+      source_.refuse(
+          path, fmt::format(
+                    "there is no test of {} against {} {}; {} can be asked about: {}{}", with_article(x),
+                    with_article(y), file_.flat ? "in the plane" : "in space", with_article(x), partners(x, file_.flat),
+                    x == y ? std::string() : fmt::format("; {} about: {}", with_article(y), partners(y, file_.flat))));
     return {a, b};
   }
 

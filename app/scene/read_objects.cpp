@@ -8,6 +8,7 @@
 #include <set>
 
 #include "app/scene/shape_file.h"
+#include "viz/files.h"
 #include "viz/spelling.h"
 
 namespace isect::program::scene {
@@ -52,8 +53,9 @@ class ObjectReader {
       std::vector<std::string> names;
       for (const TypeSpec& t : types()) names.push_back(t.name);
       const std::string first = json.begin().key();
+      const std::string instead = spelling::instead(first, names, "allowed: " + spelling::listed(names));
       source_.refuse(below(path, first),
-                     "no type of object" + spelling::instead(first, names, "allowed: " + spelling::listed(names)));
+                     "no type of object" + instead + ", each with the object’s name, as in {\"sphere\": \"A\", ...}");
     }
     Object o = {known->type, source_.text(json[known->name], below(path, known->name))};
     check_name(o.name, below(path, known->name));
@@ -64,16 +66,28 @@ class ObjectReader {
     else
       fields(json, path, *known, o);
     if (source_.flat() && (o.type == Type::frustum || o.type == Type::mesh))
-      source_.refuse(path, with_article(known->type) + " in the plane");
+      source_.refuse(path,
+                     fmt::format("{} has three coordinates; there is none in the plane", with_article(known->type)));
     if (!source_.flat() && out_.json.back().contains(other_name_of_sphere))
       source_.refuse(path, "a circle in space; a sphere, a ball, is meant");
+    require_shape(o, path);
     out_.all.push_back(std::move(o));
+  }
+
+  /// Whether the numbers make one: a frustum that is empty has no corners.
+  void require_shape(const Object& o, const Path& path) const {
+    if (o.type != Type::frustum && o.type != Type::kdop) return;
+    try {
+      static_cast<void>(Setting{out_.parameters, source_.flat()}.extent(o));
+    } catch (const viz::BadInput& e) {
+      source_.refuse(path, e.what());
+    }
   }
 
   void check_name(const std::string& name, const Path& path) const {
     const auto fits = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); };
     if (name.empty() || name.size() > 16 || !std::ranges::all_of(name, fits) || (name[0] >= '0' && name[0] <= '9'))
-      source_.refuse(path, "a name of 1 to 16 letters and digits is expected, a letter first");
+      source_.refuse(path, "a name of 1 to 16 letters and digits is expected (a to z and A to Z), a letter first");
     if (std::ranges::find(out_.all, name, &Object::name) != out_.all.end())
       source_.refuse(path, fmt::format("\"{}\" is the name of another object", name));
   }
@@ -201,6 +215,8 @@ class ObjectReader {
       shape = read_shape_file(file);
     } catch (const viz::BadInput& e) {
       source_.refuse(path, e.what());
+    } catch (const viz::FileError& e) {
+      throw viz::FileError(fmt::format("{} ({})", e.what(), source_.place(path)));
     }
     source_.need_dimension(shape.flat ? 2 : 3, path);
     if (o.type == Type::mesh && shape.triangles.empty()) source_.refuse(path, file + " holds no triangles");

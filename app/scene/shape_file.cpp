@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <map>
@@ -16,11 +17,23 @@ namespace {
 
 using viz::Vec3;
 
+/// On lines with a semicolon a comma is a decimal one, as many countries write them: 0,5;1,25.
+std::string with_decimal_points(std::string bytes) {
+  for (std::size_t at = 0; at < bytes.size();) {
+    const std::size_t end = std::min(bytes.find('\n', at), bytes.size());
+    const auto line = bytes.begin() + static_cast<std::ptrdiff_t>(at),
+               last = bytes.begin() + static_cast<std::ptrdiff_t>(end);
+    if (std::find(line, last, ';') != last) std::replace(line, last, ',', '.');
+    at = end + 1;
+  }
+  return bytes;
+}
+
 ShapeFile csv(const std::string& bytes, const std::string& file) {
   ShapeFile shape;
   bool first = true;
   std::size_t columns = 0;
-  each_line(bytes, file, [&](Line& line) {
+  each_line(with_decimal_points(bytes), file, [&](Line& line) {
     constexpr std::string_view separators = " \t\r,;";
     std::vector<std::string_view> words;
     while (!line.ended(separators)) words.push_back(line.word(separators));
@@ -29,7 +42,8 @@ ShapeFile csv(const std::string& bytes, const std::string& file) {
     if (std::exchange(first, false) && of_words) return;
     if (columns == 0) columns = words.size();
     if (words.size() != columns || columns < 2 || columns > 3)
-      line.refuse(fmt::format("{} numbers; two or three are expected, as many on every line", words.size()));
+      line.refuse(fmt::format("{} number{}; two or three are expected, as many on every line", words.size(),
+                              words.size() == 1 ? "" : "s"));
     Vec3 p = Vec3::Zero();
     for (std::size_t i = 0; i < columns; ++i) p[static_cast<int>(i)] = line.number(words[i]);
     shape.points.push_back(p);
@@ -107,6 +121,7 @@ ShapeFile stl(const std::string& bytes, const std::string& file) {
     facets.add({corners[0], corners[1], corners[2]});
     corners.clear();
   });
+  if (!corners.empty()) refuse(file, "it ends within a facet");
   return facets.made();
 }
 

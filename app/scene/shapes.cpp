@@ -55,8 +55,8 @@ viz::Solid solid_of(const Setting& s, const Object& o) {
     const viz::Solid solid = viz::solid(kdop_of<3>(s, o), viz::Role::second);
     if (solid.vertices.empty()) has_none(o, "it is empty: its slabs have no common point");
     return solid;
-  } catch (const std::invalid_argument& e) {
-    has_none(o, e.what());
+  } catch (const std::invalid_argument&) {
+    has_none(o, "its normals do not span space, so it has no end");
   }
 }
 
@@ -66,8 +66,8 @@ std::vector<Vec3> outline_of(const Setting& s, const Object& o) {
     const std::vector<Vec3> corners = in_space(polytope(kdop_of<2>(s, o)).vertices);
     if (corners.empty()) has_none(o, "it is empty: its slabs have no common point");
     return corners;
-  } catch (const std::invalid_argument& e) {
-    has_none(o, e.what());
+  } catch (const std::invalid_argument&) {
+    has_none(o, "its normals do not span the plane, so it has no end");
   }
 }
 

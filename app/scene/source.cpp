@@ -40,6 +40,41 @@ std::string reason(const std::string& what) {
   return dash == what.npos ? what.substr(what.find("] ") + 2) : what.substr(dash + 3);
 }
 
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+/// The word that a character stands in.
+std::string_view word_at(const std::string& text, std::size_t at) {
+  std::size_t begin = at, end = at;
+  while (begin > 0 && is_letter(text[begin - 1])) --begin;
+  while (end < text.size() && is_letter(text[end])) ++end;
+  return std::string_view(text).substr(begin, end - begin);
+}
+
+/// What people write by hand that is no JSON, by the character that the parser stops at; empty where there is nothing
+/// to tell.
+std::string habit(const std::string& text, std::size_t at, const std::string& parsers) {
+  if (at >= text.size()) return {};
+  const char c = text[at], last = at > 0 ? text[at - 1] : ' ';
+  const std::string_view word = word_at(text, at);
+  const std::size_t gap = text.find_last_not_of(" \t\r\n", static_cast<std::size_t>(word.data() - text.data()) - 1);
+  const char before = word.data() == text.data() || gap == text.npos ? ' ' : text[gap];
+  if ((c == '}' || c == ']') && before == ',') return "the comma before it is one too many";
+  if (c == '\'') return "names and texts stand in double quotes";
+  if (c == '#') return "a comment begins with //";
+  if (c == '.') return "a number begins with a digit: 0.5";
+  if (c == '+') return "a number has no plus sign before it";
+  if (c == '/' || last == '/') return "a number is written out: 0.25, not 1/4";
+  if (parsers.find("number literal; expected string") != parsers.npos)
+    return "a decimal point is expected, not a comma";
+  for (const char* no_number : {"NaN", "nan", "Infinity", "Inf", "inf"})
+    if (word == no_number) return "a number is finite; an end that a ray does not have is left out";
+  if (!word.empty() && (before == '{' || before == ',')) return "names and texts stand in double quotes";
+  const bool goes_on = c == '{' || c == '[' || c == '"';
+  if (goes_on && parsers.starts_with("unexpected") && parsers.find("end of input") == parsers.npos)
+    return "is a comma missing before it?";
+  return {};
+}
+
 }  // namespace
 
 Path below(Path path, const std::string& key) {
@@ -57,9 +92,14 @@ Source::Source(const std::string& text) : text_(text), spans_(text) {
 
 Json Source::parsed() const try { return Json::parse(text_, nullptr, true, true); } catch (const Json::parse_error& e) {
   const std::size_t at = std::min(e.byte > 0 ? e.byte - 1 : 0, text_.size());
-  throw viz::BadInput(text_.find_first_not_of(" \t\r\n") == text_.npos
-                          ? "the file is empty"
-                          : fmt::format("line {}: no JSON; {}", line_at(at), reason(e.what())));
+  if (text_.find_first_not_of(" \t\r\n") == text_.npos) throw viz::BadInput("the file is empty");
+  const std::string why = reason(e.what()), told = habit(text_, at, why);
+  const bool no_text = text_.find('\0') != text_.npos || why.find("UTF-8") != why.npos || text_[0] == '\xff' ||
+                       text_[0] == '\xfe' || text_[0] == '\x89';
+  throw viz::BadInput(fmt::format("line {}, column {}: no JSON; {}", line_at(at), column_at(at),
+                                  no_text        ? "it is no text in UTF-8"
+                                  : told.empty() ? why
+                                                 : told));
 } catch (const Json::out_of_range&) {
   for (const auto& [path, span] : spans_.all()) {
     const std::string number = text_.substr(span.begin, span.end - span.begin);
@@ -75,6 +115,15 @@ int Source::line_at(std::size_t byte) const {
                  text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text_.size())), '\n'));
 }
 
+/// Counted from 1, as editors do.
+int Source::column_at(std::size_t byte) const {
+  const std::size_t line = byte == 0 ? 0 : text_.rfind('\n', byte - 1) + 1;  // 0 after npos
+  int column = 1;
+  for (std::size_t i = line; i < std::min(byte, text_.size()); ++i)
+    column += (static_cast<unsigned char>(text_[i]) & 0xC0) != 0x80;
+  return column;
+}
+
 /// The line of a field, or of what lacks it.
 int Source::line_of(const Path& path) const {
   std::size_t line = 0;
@@ -88,7 +137,11 @@ int Source::line_of(const Path& path) const {
 }
 
 void Source::refuse(const Path& path, const std::string& why) const {
-  throw viz::BadInput(fmt::format("line {}: {}: {}", line_of(path), path.empty() ? "the file" : told(path), why));
+  throw viz::BadInput(fmt::format("{}: {}", place(path), why));
+}
+
+std::string Source::place(const Path& path) const {
+  return fmt::format("line {}: {}", line_of(path), path.empty() ? "the file" : told(path));
 }
 
 void Source::only(const Json& object, const Path& path, const std::vector<std::string>& allowed) const {
@@ -109,7 +162,9 @@ std::string Source::text(const Json& value, const Path& path) const {
 }
 
 double Source::number(const Json& value, const Path& path) const {
+  constexpr double most = 1e300;  // what is drawn is added up and multiplied
   if (!value.is_number() || !std::isfinite(value.get<double>())) refuse(path, "a finite number is expected");
+  if (std::abs(value.get<double>()) > most) refuse(path, value.dump() + " is too large; 1e300 is the most");
   return value;
 }
 

@@ -21,6 +21,8 @@ class Source {
   const Json& json() const { return json_; }
   /// Throws viz::BadInput: "line 3: objects[2].lo: why".
   [[noreturn]] void refuse(const Path&, const std::string& why) const;
+  /// "line 3: objects[2].lo"
+  std::string place(const Path&) const;
 
   // What is expected at a place, or else refused.
   void only(const Json& object, const Path&, const std::vector<std::string>& allowed) const;
@@ -37,6 +39,7 @@ class Source {
 
  private:
   int line_at(std::size_t byte) const;
+  int column_at(std::size_t byte) const;
   int line_of(const Path&) const;
 
   Json parsed() const;

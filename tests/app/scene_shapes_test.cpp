@@ -632,7 +632,7 @@ TEST_CASE("what is wrong with many numbers is told by line and field, or by the 
   CHECK_THAT(refused(shell, R"({"hull": "H", "points": [[0,0,0],[1,0,0],[0,1,0],[1,1,0]]})"), Contains("no volume"));
   CHECK_THAT(refused(shell, R"({"frustum": "F", "eye": [0,0], "forward": [1,0], "up": [0,1], "angle": 30, "near": 1,
     "far": 2})"),
-             Contains("a frustum in the plane"));
+             Contains("a frustum has three coordinates"));
   CHECK_THAT(refused(shell, R"({"frustum": "F", "eye": [0,0,0], "forward": [0,2,0], "up": [0,1,0], "angle": 30,
     "near": 1, "far": 2})"),
              Contains("along one line"));

@@ -189,9 +189,102 @@ TEST_CASE("what is wrong with a scene is told by line and field, with what is al
   CHECK_THAT(refused(R"({"objects": [)" + point + R"(], "ask": [{"first hit": "p"}]})"),
              Contains("a ray, a line or a segment"));
   CHECK_THAT(refused(R"({"objects": [)" + point + R"(], "camera": {"elevation": 100}})"), Contains("-90 to 90"));
-  CHECK_THAT(refused("{\"objects\": [\n" + point + "\n"), Contains("line 3: no JSON"));
+  CHECK_THAT(refused("{\"objects\": [\n" + point + "\n"), Contains("line 3, column 1: no JSON"));
   CHECK_THAT(refused("[1]"), Contains("an object in braces"));
   CHECK(shell("isect scene absent.json").status == 4);
+}
+
+TEST_CASE("a scene that is no JSON, or holds what is none of ours, is told by its place and what is meant", "[scene]") {
+  const Shell shell;
+  struct Wrong {
+    std::string scene, place, why;
+  };
+  const std::string point = R"({"point": "p", "at": [0, 0]})", space = R"({"point": "p", "at": [0, 0, 0]})";
+  const auto objects = [](const std::string& text) { return "{\"objects\": [\n" + text + "]}"; };
+  const std::vector<Wrong> all = {
+      // No JSON.
+      {" \n\n", "the file is empty", ""},
+      {std::string("\0\1\2", 3), "line 1, column 1: no JSON", "no text in UTF-8"},
+      {"{\"title\": \"\xE9t\xE9\", \"objects\": []}", "line 1, column 13", "no text in UTF-8"},
+      {"\xFF\xFE{", "line 1, column 1", "no text in UTF-8"},
+      {objects(point + ",\n"), "line 3, column 1", "the comma before it is one too many"},
+      {objects(point + "\n " + point), "line 3, column 2", "is a comma missing before it?"},
+      {"{'objects': []}", "line 1, column 2", "double quotes"},
+      {"{objects: []}", "line 1, column 2", "double quotes"},
+      {"# mine\n{}", "line 1, column 1", "a comment begins with //"},
+      {objects(R"({"sphere": "Ä", "center": [0, 0], "radius": NaN})"), "line 2, column 45", "a number is finite"},
+      {objects(R"({"point": "p", "at": [0, Infinity]})"), "line 2, column 26", "a number is finite"},
+      {objects(R"({"point": "p", "at": [.5, 1]})"), "line 2, column 23", "0.5"},
+      {objects(R"({"point": "p", "at": [+5, 1]})"), "line 2, column 23", "no plus sign"},
+      {objects(R"({"point": "p", "at": [1/3, 1]})"), "line 2, column ", "written out"},
+      {objects(R"({"sphere": "A", "center": [0, 0], "radius": 0,5})"), "line 2, column ", "a decimal point"},
+      {objects(point) + " {}", "line 2, column ", "expected end of input"},
+      {"{\"objects\": [" + point + "]", "line 1, column ", "expected '}'"},
+      // No scene.
+      {"7", "line 1: the file: ", "in braces"},
+      {"{\"title\": \"x\"}", "line 1: the file: ", "\"objects\" is missing"},
+      {R"({"lesson": "ray-sphere"})", "line 1: lesson: ", "a preset’s file"},
+      {R"({"objects": {"a": 1}})", "line 1: objects: ", "a list of 1 to 200"},
+      {objects("7"), "line 2: objects[0]: ", "{\"sphere\": \"A\", ...}"},
+      {objects(R"({"type": "sphere", "name": "A"})"), "line 2: objects[0].type: ", "{\"sphere\": \"A\", ...}"},
+      {"{\"objects\": [" + point + "], \"asks\": []}", "line 1: asks: ", "mean \"ask\""},
+      {"{\"title\": 3, \"objects\": [" + point + "]}", "line 1: title: ", "a text"},
+      // No object of ours.
+      {objects(R"({"point": "ä", "at": [0, 0]})"), "line 2: objects[0].point: ", "a to z"},
+      {objects(R"({"point": "p", "at": [0, null]})"), "line 2: objects[0].at[1]: ", "a finite number"},
+      {objects(R"({"point": "p", "at": [0, 1e308]})"), "line 2: objects[0].at[1]: ", "1e300 is the most"},
+      {objects(R"({"point": "p", "at": [0, 0, 0, 0]})"), "line 2: objects[0].at: ", "two or three numbers"},
+      {objects(R"({"sphere": "A", "center": [0, 0]})"), "line 2: objects[0]: ", "\"radius\" is missing"},
+      {objects(R"({"frustum": "F", "eye": [0, 0], "forward": [0, 1], "up": [1, 0], "angle": 40, "near": 1, "far": 5})"),
+       "line 2: objects[0]: ", "three coordinates"},
+      {objects(
+           R"({"frustum": "F", "eye": [0,0,0], "forward": [0,1,0], "up": [0,1,0], "angle": 40, "near": 1, "far": 5})"),
+       "line 2: objects[0]: F: ", "along one line"},
+      {objects(
+           R"({"frustum": "F", "eye": [0,0,0], "forward": [0,1,0], "up": [1,0,0], "angle": 40, "near": 6, "far": 5})"),
+       "line 2: objects[0]: F: ", "less than far"},
+      {objects(R"({"kdop": "K", "normals": [[1, 0], [0, 1]], "lo": [2, 0], "hi": [1, 1]})"),
+       "line 2: objects[0]: K: ", "it is empty"},
+      {objects(R"({"kdop": "K", "normals": [[1, 0]], "lo": [0], "hi": [1]})"),
+       "line 2: objects[0]: K: ", "do not span the plane"},
+      {objects(R"({"polygon": "P", "points": [[0,0],[1,0],[1,1]], "rings": []})"), "line 2: objects[0]: ", "one of"},
+      {objects(R"({"mesh": "M", "points": [[0,0,0],[1,0,0],[0,1,0]], "triangles": [[0,1,3]]})"),
+       "line 2: objects[0].triangles: ", "they are 0 to 2"},
+      // No question, note or camera of ours.
+      {"{\"objects\": [" + point + "], \"ask\": \"all\"}", "line 1: ask: ", "\"all pairs\""},
+      {"{\"objects\": [" + point + "], \"ask\": [\"p\"]}", "line 1: ask[0]: ", "two names"},
+      {"{\"objects\": [" + point + "], \"ask\": [{\"firsthit\": \"p\"}]}",
+       "line 1: ask[0].firsthit: ", "mean \"first hit\""},
+      {"{\"objects\": [" + point + "], \"notes\": [{\"text\": \"x\"}]}", "line 1: notes[0]: ", "\"at\" is missing"},
+      {"{\"objects\": [" + space + "], \"camera\": {\"zoom\": 2}}", "line 1: camera.zoom: ", "azimuth"},
+      {objects(space + R"(, {"ray": "r", "origin": [0,0,0], "dir": [1,0,0]},
+        {"capsule": "C", "p": [0,0,0], "q": [1,0,0], "r": 1}], "ask": [["r", "C"])"),
+       "ask[0]: there is no test of a ray against a capsule in space", "a capsule about: point, "},
+  };
+  for (const Wrong& w : all) {
+    write(shell.work() / "bad.json", w.scene);
+    const Ran r = shell("isect scene bad.json");
+    INFO(w.scene);
+    CHECK(r.status == 2);
+    CHECK(r.out.empty());
+    CHECK_THAT(r.err, StartsWith("isect: bad.json: ") && Contains(w.place) && Contains(w.why));
+    CHECK(std::count(r.err.begin(), r.err.end(), '\n') == 1);
+  }
+  write(shell.work() / "bad.json", objects(R"({"cloud": "C", "file": "absent.csv"})"));
+  const Ran absent = shell("isect scene bad.json");
+  CHECK(absent.status == 4);
+  CHECK_THAT(absent.err, Contains("absent.csv") && Contains("line 2: objects[0].file"));
+  CHECK_THAT(shell("isect bad.json").err, Contains("isect scene bad.json"));
+}
+
+TEST_CASE("a table with semicolons may have decimal commas, and a text STL that is cut off is refused", "[scene]") {
+  const Shell shell;
+  write(shell.work() / "p.csv", "x;y\n0,5;0,25\n1;-1,5\n");
+  CHECK(verdict(shell, R"({"cloud": "C", "file": "p.csv"}, {"box": "B", "lo": [0.25, 0], "hi": [1, 1]})") ==
+        "1 of 2 points of C lies inside B");
+  write(shell.work() / "m.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n");
+  write(shell.work() / "s.json", R"({"objects": [{"mesh": "M", "file": "m.stl"}]})");
+  CHECK_THAT(shell("isect scene s.json").err, Contains("m.stl: it ends within a facet"));
 }
 
 TEST_CASE("whatever takes a preset's file takes a scene", "[scene]") {
@@ -384,7 +477,7 @@ TEST_CASE("a broken scene fails a check, and its baselines are nobody's to remov
   write(shell.work() / "notes/balls.json", broken);
   const Ran r = shell("isect check --dir notes --update=failed");
   CHECK(r.status == 2);
-  CHECK_THAT(r.out + r.err, Contains("line 5: no JSON"));
+  CHECK_THAT(r.out + r.err, Contains("line 5, column ") && Contains("no JSON"));
   CHECK(files_in(shell.work() / "notes/snapshots") == before);
 }
 
