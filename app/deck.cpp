@@ -107,7 +107,8 @@ int deck(const Program& program, const PageOptions& options) {
   Studio small(beside, "auto"), large(alone, "auto");
   const std::function<Image(int)> picture = [&](int step) {
     const viz::Step& s = e.walk.steps[step];
-    Studio& studio = s.line >= 0 && !s.scene.chart ? small : large;
+    const bool asks_next = step + 1 < static_cast<int>(e.walk.steps.size()) && e.walk.steps[step + 1].question;
+    Studio& studio = (s.line >= 0 || asks_next) && !s.scene.chart ? small : large;
     const Piece piece = piece_of(e, step);
     const viz::Drawing drawing = studio.draw(e, step);
     gallery.add(e, piece, tikz.name, studio.write(piece, drawing, tikz),

@@ -127,22 +127,31 @@ class TikzWriter {
         path(ellipse(g.center, g.major, g.minor)));
   }
 
-  /// Where its middle stood: whatever font the document has, it grows to both sides alike. A verdict grows away from
-  /// the sign before it.
+  /// Where its middle stood: whatever font the document has, it grows to both sides alike; away from an edge of the
+  /// picture that it would run over. A verdict grows away from the sign before it, and rows of a card begin below each
+  /// other, small enough for the card.
   void add(const Text& text) {
     const TextBox box = measure(text);
     if (!(box.right > box.left)) return;
-    const bool verdict =
-        text.object != no_object && drawing_.objects.at(static_cast<std::size_t>(text.object)).name == "verdict";
-    std::string style =
-        fmt::format("anchor=base{}, text={}", verdict ? " west, inner xsep=0" : "", colour(text.colour));
+    const Object* const object =
+        text.object == no_object ? nullptr : &drawing_.objects.at(static_cast<std::size_t>(text.object));
+    const bool verdict = object && object->name == "verdict", row = object && object->kind == "row";
+    const double middle = (box.left + box.right) / 2, reach = wider * (box.right - box.left) / 2;
+    const bool west = verdict || (row && text.align == 0) || middle - reach < 0;
+    const bool east = !west && ((row && text.align == 1) || middle + reach > drawing_.width);
+    const double at = row && (west || east) ? text.at.x() : west ? box.left : east ? box.right : middle;
+    std::string style = fmt::format("anchor=base{}, text={}",
+                                    verdict ? " west, inner xsep=0"
+                                    : west  ? " west"
+                                    : east  ? " east"
+                                            : "",
+                                    colour(text.colour));
     if (text.halo > 0)
       style += fmt::format(", fill={}, fill opacity=0.8, text opacity=1, inner sep={}bp", colour(text.halo_colour),
                            number(text.halo));
     if (text.bold) style += ", font=\\bfseries\\boldmath";
-    if (text.size < shrunk * largest_) style += fmt::format(", scale={:.2f}", text.size / largest_);
-    out_ += fmt::format("\\node[{}] at {} {{{}}};\n", style,
-                        point({verdict ? box.left : (box.left + box.right) / 2, text.at.y()}), tex(text.markup));
+    if (row || text.size < shrunk * largest_) style += fmt::format(", scale={:.2f}", text.size / largest_ / wider);
+    out_ += fmt::format("\\node[{}] at {} {{{}}};\n", style, point({at, text.at.y()}), tex(text.markup));
   }
 
   void add(const Facets& facets) {
@@ -151,6 +160,8 @@ class TikzWriter {
 
   /// What is smaller than this beside the largest text was made so, to fit into its room: LaTeX is told.
   static constexpr double shrunk = 0.9;
+  /// How much wider LaTeX's usual letters run than those that the picture was made for.
+  static constexpr double wider = 1.12;
 
   const Drawing& drawing_;
   const double scale_;

@@ -39,10 +39,12 @@ struct AsLatex {
     return fmt::format("\\begin{{center}}{}\\end{{center}}\n", image.fits ? fitted(picture) : picture);
   }
   std::string operator()(const Choices& choices) const {
-    std::string out = "\\begin{itemize}\n";
+    // No page ends within them, or between them and what they answer.
+    std::string out =
+        "{\\csname @beginparpenalty\\endcsname=10000\n\\begin{itemize}\\csname @itempenalty\\endcsname=10000\n";
     for (std::size_t i = 0; i < choices.all.size(); ++i)
       out += fmt::format("\\item[({})] {}\n", choice_letter(i), viz::tex(choices.all[i]));
-    return out + "\\end{itemize}\n";
+    return out + "\\end{itemize}}\n";
   }
   std::string operator()(const Pause&) const { return "\\pause\n"; }
 };

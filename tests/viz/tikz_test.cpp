@@ -54,11 +54,43 @@ TEST_CASE("labels of TikZ are set by LaTeX, in the document's own font and size"
 
 TEST_CASE("a text that was made smaller to fit into its room is so in TikZ, too", "[tikz]") {
   Drawing drawing = everything();
-  drawing.shapes.emplace_back(Text{.markup = "14 operations", .at = {50, 20}, .size = 4.62, .colour = blue});
+  drawing.shapes.emplace_back(Text{.markup = "14 operations", .at = {50, 20}, .size = 4.5, .colour = blue});
   drawing.shapes.emplace_back(Text{.markup = "axis", .at = {50, 40}, .size = 6.3, .colour = blue});
   const std::string text = tikz(drawing, {}, of_width(200));
-  CHECK_THAT(text, Contains("scale=0.70] at") && Contains("{14 operations}"));
-  CHECK(text.find("scale=") == text.rfind("scale="));  // the others are set as they come
+  CHECK_THAT(text, Contains("scale=0.61] at") && Contains("{14 operations}"));  // 4.5 / 6.6, and LaTeX's are wider
+  CHECK(text.find("scale=") == text.rfind("scale="));                           // the others are set as they come
+}
+
+TEST_CASE("a text of TikZ by an edge of the picture grows away from it", "[tikz]") {
+  const auto node_of = [](double x, double align) {
+    Drawing drawing = everything();
+    const Text axis = {.markup = "degrees about the axis", .at = {x, 20}, .size = 6, .colour = blue, .align = align};
+    drawing.shapes.emplace_back(axis);
+    const std::string text = tikz(drawing, {}, of_width(drawing.width));
+    const std::size_t end = text.find("{degrees"), begin = text.rfind("\\node", end);
+    return text.substr(begin, end - begin);
+  };
+  const double width = everything().width;
+  CHECK_THAT(
+      node_of(1, 0),
+      Contains("[anchor=base west,") &&
+          Contains(
+              "at (" +
+              svg_number(
+                  measure(Text{.markup = "degrees about the axis", .at = {1, 20}, .size = 6, .colour = blue}).left)));
+  CHECK_THAT(node_of(width - 1, 1), Contains("[anchor=base east,"));
+  CHECK_THAT(node_of(width / 2, 0.5), Contains("[anchor=base,"));
+}
+
+TEST_CASE("rows of a card begin below each other in TikZ, and leave room for wider letters", "[tikz]") {
+  Drawing drawing = everything();
+  drawing.objects = {{"row", "Cost", Role::text}};
+  for (const char* line : {"one root, and no division", "at all."})
+    drawing.shapes.emplace_back(Text{.markup = line, .at = {50, 20}, .size = 6.6, .colour = blue, .object = 0});
+  const std::string text = tikz(drawing, {}, of_width(200));
+  const std::string expected = "scale=0.89] at (50,";
+  CHECK_THAT(text, Contains("anchor=base west, text="));
+  CHECK(text.find(expected) != text.rfind(expected));
 }
 
 TEST_CASE("a verdict of TikZ begins after its sign, however wide the document's letters are", "[tikz]") {
