@@ -280,6 +280,9 @@ viz::Parameters changed(const viz::Lesson& lesson, viz::Parameters parameters,
 }
 
 std::vector<Excerpt> excerpts(const Program& program, const Selection& asked) {
+  for (const std::string& text : asked.changes)  // before a word after it is taken for a lesson
+    if (text.find('=') == text.npos)
+      throw viz::BadInput(fmt::format("set: \"{}\" has no '='; write name=value, such as {}=2", text, text));
   std::vector<Excerpt> found = asked.files.empty() ? from_words(program, asked) : from_folder(program, asked);
   for (Excerpt& e : found) {
     change(e, asked.changes);

@@ -45,6 +45,12 @@ void complete(const CLI::App& app, std::vector<std::string>& arguments) {
   if (arguments.empty() || first.starts_with("-")) {
     arguments.insert(arguments.begin(), "show");
   } else if (const auto names = names_of(app); std::ranges::find(names, first) == names.end()) {
+    std::error_code absent;
+    if (std::filesystem::is_regular_file(first, absent))
+      throw viz::BadInput(
+          fmt::format("subcommand: \"{0}\" is a file; isect show {0} opens it, isect render {0} draws "
+                      "it, and isect scene {0} tells the answers of a scene",
+                      first));
     throw viz::unknown("subcommand", first, names);
   }
 }

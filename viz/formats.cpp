@@ -1,9 +1,12 @@
 #include "viz/formats.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "viz/animation.h"
 #include "viz/lesson.h"
+#include "viz/spelling.h"
 #include "viz/tikz.h"
 
 namespace isect::viz {
@@ -62,6 +65,16 @@ const Format& format_named(const std::string& name) {
     throw BadInput(
         "format: EPS knows no transparency, so shaded parts would become pixels; give pdf, which LaTeX takes");
   const auto found = std::ranges::find(formats(), name, &Format::name);
+  for (const auto& [other, ours] : {std::pair{"tex", "tikz"},
+                                    {"latex", "tikz"},
+                                    {"pgf", "tikz"},
+                                    {"jpg", "png"},
+                                    {"jpeg", "png"},
+                                    {"ps", "pdf"},
+                                    {"webm", "mp4"}})
+    if (name == other)
+      throw BadInput(fmt::format("format: \"{}\" is unknown; did you mean \"{}\"? Allowed: {}", name, ours,
+                                 spelling::listed(format_names())));
   if (found == formats().end()) throw unknown("format", name, format_names());
   return *found;
 }

@@ -1,9 +1,12 @@
 #include "viz/theme.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 
 #include "viz/lesson.h"
+#include "viz/spelling.h"
 
 namespace isect::viz {
 namespace {
@@ -179,6 +182,9 @@ std::vector<std::string> theme_names() {
 ThemeName theme_named(const std::string& text) {
   for (const Named& named : named_themes)
     if (text == named.text) return named.name;
+  if (text.starts_with("gray") || text.starts_with("grey"))
+    throw BadInput(fmt::format("theme: \"{}\" is unknown; did you mean \"grey\"? Allowed: {}", text,
+                               spelling::listed(theme_names())));
   throw unknown("theme", text, theme_names());
 }
 

@@ -86,6 +86,10 @@ TEST_CASE("a wrong command line is refused in our own words", "[program]") {
       {"check ray-sphere --update=fialed", "update: \"fialed\"", "mean \"failed\""},
       {"render ray-sphere --set radius", "set: \"radius\" has no '='", "name=value"},
       {"render ray-sphere --set radius=1 center=0,0,0", "lesson: \"center=0,0,0\"", "--set center=0,0,0"},
+      {"render ray-sphere --set radius 2", "set: \"radius\" has no '='", "name=value"},
+      {"render ray-sphere --format latex", "format: \"latex\"", "mean \"tikz\""},
+      {"render ray-sphere --format jpg", "format: \"jpg\"", "mean \"png\""},
+      {"render ray-sphere --theme greyscale", "theme: \"greyscale\"", "mean \"grey\""},
       {"render ray-sphere --set radius=big", "radius: \"big\"", "a number from 0"},
       // Names nobody knows.
       {"render ray-spere", "lesson: \"ray-spere\"", "mean \"ray-sphere\""},
