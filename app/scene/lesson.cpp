@@ -216,9 +216,12 @@ viz::Lesson lesson_of(const std::string& text, const std::string& folder) {
   lesson.presets = {{"file", "As in the file", "", file->parameters}};
   lesson.camera = file->camera;
   lesson.flat = file->flat;
-  lesson.steps = [file](const viz::Parameters& parameters) { return Walker(*file, parameters).made(); };
+  // Whatever the core refuses is told now; a large mesh is asked once.
+  const auto first = std::make_shared<const viz::Walk>(Walker(*file, file->parameters).made());
+  lesson.steps = [file, first](const viz::Parameters& parameters) {
+    return parameters == file->parameters ? *first : Walker(*file, parameters).made();
+  };
   lesson.made_from = file->text;
-  static_cast<void>(lesson.steps(file->parameters));  // whatever the core refuses is told now
   return lesson;
 }
 
