@@ -88,7 +88,7 @@ bool span(const std::vector<HalfSpace<N>>& planes, Trace&& trace, std::vector<in
   if (chosen.size() == N) {
     std::array<HalfSpace<N>, N> of;
     for (int i = 0; i < N; ++i) of[i] = planes[chosen[i]];
-    return sign_of([&]<class W>() -> W { return meet<W>(of).w; }, trace) != 0;
+    return sign_of_long([&]<class W>() -> W { return meet<W>(of).w; }, trace) != 0;
   }
   for (int i = chosen.empty() ? 0 : chosen.back() + 2; i < static_cast<int>(planes.size()); i += 2) {
     chosen.push_back(i);  // one plane of each slab
@@ -113,7 +113,7 @@ int turn(const Corner<N>& a, const Corner<N>& b, const Corner<N>& c, int i, int 
     return p.w * (q.x[i] * r.x[j] - q.x[j] * r.x[i]) + q.w * (r.x[i] * p.x[j] - r.x[j] * p.x[i]) +
            r.w * (p.x[i] * q.x[j] - p.x[j] * q.x[i]);
   };
-  return a.w * b.w * c.w * sign_of(area, trace);
+  return a.w * b.w * c.w * sign_of_long(area, trace);
 }
 
 template <int N, class Trace>
@@ -139,7 +139,7 @@ class Corners {
       if (std::includes(known.through.begin(), known.through.end(), chosen.begin(), chosen.end())) return;
     Corner<N> corner;
     for (int i = 0; i < N; ++i) corner.planes[i] = planes_[chosen[i]];
-    corner.w = sign_of([&]<class W>() -> W { return meet<W>(corner.planes).w; }, trace_);
+    corner.w = sign_of_long([&]<class W>() -> W { return meet<W>(corner.planes).w; }, trace_);
     if (corner.w == 0) return;
 
     for (int i = 0; i < static_cast<int>(planes_.size()); ++i) {
@@ -148,7 +148,7 @@ class Corners {
         const Homogeneous<W, N> p = meet<W>(corner.planes);
         return dot(exactly<W>(planes_[i].normal), p.x) - W(planes_[i].d) * p.w;
       };
-      const int side = own ? 0 : corner.w * sign_of(above, trace_);
+      const int side = own ? 0 : corner.w * sign_of_long(above, trace_);
       if (side > 0) return;
       if (side == 0) corner.through.push_back(i);
     }

@@ -55,7 +55,7 @@ int common(const Triangle<double, 3>& x, const std::vector<half_spaces::Face>& f
   const auto sign = [&](int i, int j) -> int& { return signs[static_cast<std::size_t>(i) * n + j]; };
   for (int i = 0; i < n; ++i)
     for (int j = i + 1; j < n; ++j)
-      sign(i, j) = sign_of([&]<class W>() -> W { return turn.template operator()<W>(i, j); }, trace);
+      sign(i, j) = sign_of_long([&]<class W>() -> W { return turn.template operator()<W>(i, j); }, trace);
 
   int least = 1;
   for (int i = 0; i < n; ++i)
@@ -63,7 +63,7 @@ int common(const Triangle<double, 3>& x, const std::vector<half_spaces::Face>& f
       for (int k = j + 1; k < n; ++k) {
         const auto [lo, hi] = std::minmax({sign(j, k), -sign(i, k), sign(i, j)});
         if (lo == hi ? lo == 0 : lo < 0 && hi > 0) continue;
-        const int sum = sign_of(
+        const int sum = sign_of_long(
             [&]<class W>() -> W {
               return at.template operator()<W>(i)[2] * turn.template operator()<W>(j, k) -
                      at.template operator()<W>(j)[2] * turn.template operator()<W>(i, k) +
@@ -80,7 +80,7 @@ int common(const Triangle<double, 3>& x, const std::vector<half_spaces::Face>& f
 template <class Trace>
 bool beyond(const Triangle<double, 3>& x, const half_spaces::Face& face, Trace&& trace) {
   return std::ranges::all_of(x.vertices, [&](const Point<double, 3>& v) {
-    return sign_of(
+    return sign_of_long(
                [&]<class W>() -> W {
                  const inequalities::Row<W> row = half_spaces::detail::row<W>(face);
                  return dot(inequalities::detail::normal(row), exactly<W>(v)) + row[3];
@@ -100,7 +100,8 @@ template <class Trace>
 bool degenerate(const Triangle<double, 3>& x, Trace&& trace) {
   const Point<double, 3>&a = x.vertices[0], &b = x.vertices[1], &c = x.vertices[2];
   for (std::size_t i = 0; i < 3; ++i)
-    if (sign_of([&]<class W>() -> W { return half_spaces::detail::normal<W>(a, b, c)[i]; }, trace) != 0) return false;
+    if (sign_of_long([&]<class W>() -> W { return half_spaces::detail::normal<W>(a, b, c)[i]; }, trace) != 0)
+      return false;
   return true;
 }
 
@@ -109,7 +110,7 @@ template <class Trace>
 Capsule<double, 3> as_segment(const Triangle<double, 3>& x, Trace&& trace) {
   for (std::size_t i = 0; i < 3; ++i) {
     const Point<double, 3>&p = x.vertices[i], &q = x.vertices[(i + 1) % 3], &r = x.vertices[(i + 2) % 3];
-    if (sign_of([&]<class W>() -> W { return dot(difference<W>(p, r), difference<W>(q, r)); }, trace) <= 0)
+    if (sign_of_long([&]<class W>() -> W { return dot(difference<W>(p, r), difference<W>(q, r)); }, trace) <= 0)
       return {p, q, 0};
   }
   return {x.vertices[0], x.vertices[0], 0};

@@ -80,7 +80,7 @@ class Through {
   bool least() const {
     if (sign_of_den() == 0) return false;
     for (int i = 0; i < weights(); ++i)
-      if (sign_of([&]<class W>() -> W { return weight<W>(i); }) < 0) return false;
+      if (sign_of_long([&]<class W>() -> W { return weight<W>(i); }) < 0) return false;
     return true;
   }
 
@@ -91,7 +91,7 @@ class Through {
     return difference<W, N>(p_[i], p_[0]);
   }
   int sign_of_den() const {
-    if (!den_) den_ = sign_of([&]<class W>() -> W { return way<W>().den; });
+    if (!den_) den_ = sign_of_long([&]<class W>() -> W { return way<W>().den; });
     return *den_;
   }
 
