@@ -34,6 +34,7 @@ Composed compose(const Scene& scene, const View& view, const Theme& theme, bool 
       canvas.own(add_object(result.objects, {"handle", handle.parameter, handle.role}), [&] { draw(canvas, handle); });
 
   for (std::vector<Shape>* layer : canvas.layers()) std::ranges::move(*layer, std::back_inserter(result.shapes));
+  add_halos_over_lines(result.shapes, theme);  // headings, which keep their places; labels keep off lines
   const Vec2 corner = view.corner();
   const double margin = theme.sizes.margin;
   const Bounds bounds = {corner.x() + margin, corner.y() + margin, corner.x() + view.width() - margin,

@@ -150,4 +150,32 @@ void add_halos(std::vector<Shape>& shapes, const Theme& theme) {
   }
 }
 
+void add_halos_over_lines(std::vector<Shape>& shapes, const Theme& theme) {
+  const auto meets = [](const Stroke& stroke, const TextBox& box) {
+    const TextBox wide = grown(box, stroke.width / 2), all = grown(around(stroke.path), stroke.width / 2);
+    if (!(all.left <= box.right && box.left <= all.right && all.top <= box.bottom && box.top <= all.bottom))
+      return false;
+    std::vector<Vec2> line = flatten(stroke.path, 0.5);
+    if (stroke.path.closed) line.push_back(line.front());
+    for (std::size_t i = 1; i < line.size(); ++i)
+      if (length_inside(line[i - 1], line[i], wide) > 0) return true;
+    return false;
+  };
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    Text* text = std::get_if<Text>(&shapes[i]);
+    if (!text || text->halo > 0) continue;
+    const TextBox box = grown(measure(*text), theme.sizes.label_halo);
+    const bool met = std::any_of(shapes.begin(), shapes.begin() + static_cast<std::ptrdiff_t>(i), [&](const Shape& s) {
+      const Stroke* stroke = std::get_if<Stroke>(&s);
+      return stroke && meets(*stroke, box);
+    });
+    if (!met) continue;
+    const Vec2 middle((box.left + box.right) / 2, (box.top + box.bottom) / 2);
+    Colour below = theme.background;
+    for (std::size_t k = 0; k < i; ++k) below = drawn_on(below, shapes[k], middle);
+    if (contrast_ratio(text->colour, below) < least_contrast) below = theme.background;
+    text->halo = theme.sizes.label_halo, text->halo_colour = below;
+  }
+}
+
 }  // namespace isect::viz

@@ -1,6 +1,7 @@
 #include "viz/halos.h"
 
 #include "tests/catch.h"
+#include "viz/text.h"
 
 namespace halos_test {
 using namespace isect::viz;
@@ -47,6 +48,35 @@ TEST_CASE("a text gets a halo where it would not stand out, and only there", "[h
   CHECK(std::get<Text>(shapes[0]).halo == 0);
   CHECK(std::get<Text>(shapes[2]).halo > 0);
   CHECK(std::get<Text>(shapes[4]).halo == 0);
+}
+
+TEST_CASE("a text that a line runs through or close by gets a halo", "[halos]") {
+  const Theme screen = theme(ThemeName::screen, 960, 600);
+  const auto halo = [&](const Shape& line, const Shape& text) {
+    std::vector<Shape> shapes = {line, text};
+    add_halos_over_lines(shapes, screen);
+    return std::get<Text>(shapes[1]).halo;
+  };
+  const Text text = word(screen.ink(Role::second));
+  const TextBox box = measure(text);
+  const auto upright = [&](double x) {
+    return Stroke{polyline({{x, -500}, {x, 500}}), screen.ink(Role::first), 2, {3, 3}, false};
+  };
+  CHECK(halo(upright((box.left + box.right) / 2), text) == screen.sizes.label_halo);
+  CHECK(halo(upright(box.right + screen.sizes.label_halo), text) > 0);
+  CHECK(halo(upright(box.right + screen.sizes.label_halo + 1.5), text) == 0);
+  CHECK(halo(Stroke{polyline({{box.left - 9, -500}, {box.right + 9, -500}, {0, 0}}, true), {}, 1}, text) > 0);
+  CHECK(halo(square(99, screen.ink(Role::first)), text) == 0);  // no line
+  const Colour pale = hex(0xF4F4F8);
+  std::vector<Shape> shapes = {square(99, pale), upright(0), text};
+  add_halos_over_lines(shapes, screen);
+  CHECK(contrast_ratio(std::get<Text>(shapes[2]).halo_colour, pale) == Approx(1));
+  shapes = {square(99, text.colour), upright(0), text};  // it would not be seen on its own colour
+  add_halos_over_lines(shapes, screen);
+  CHECK(contrast_ratio(std::get<Text>(shapes[2]).halo_colour, screen.background) == Approx(1));
+  Text own = text;
+  own.halo = 1;
+  CHECK(halo(upright(0), own) == 1);
 }
 
 }  // namespace halos_test
