@@ -81,15 +81,26 @@ std::vector<Vec3> marked_points(const Scene& scene, const Handle& handle) {
   return points;
 }
 
+/// In plain words; empty: there is none.
+std::string verdict_of(const Lesson& lesson, const Parameters& setting) {
+  const Walk walk = lesson.steps(setting);
+  const auto decided = std::find_if(walk.steps.rbegin(), walk.steps.rend(),
+                                    [](const Step& s) { return s.verdict.kind != Verdict::Kind::open; });
+  return decided == walk.steps.rend() ? std::string() : plain(decided->verdict.text);
+}
+
+/// Its case as it is told: a verdict with its numbers.
+std::string told_case(const Lesson& lesson, const Parameters& setting) {
+  const bool on_map = lesson.map && lesson.map->place(setting).allFinite();
+  return on_map ? case_of(lesson, setting) : verdict_of(lesson, setting);
+}
+
 }  // namespace
 
 std::string case_of(const Lesson& lesson, const Parameters& setting) {
   if (lesson.map && lesson.map->place(setting).allFinite())
     return plain(lesson.map->branches[static_cast<std::size_t>(lesson.map->branch(setting))]);
-  const Walk walk = lesson.steps(setting);
-  const auto decided = std::find_if(walk.steps.rbegin(), walk.steps.rend(),
-                                    [](const Step& s) { return s.verdict.kind != Verdict::Kind::open; });
-  return decided == walk.steps.rend() ? std::string() : without_numbers(plain(decided->verdict.text));
+  return without_numbers(verdict_of(lesson, setting));
 }
 
 BorderSearch::BorderSearch(const Lesson& lesson, Way way, double begin, double end, double wish,
@@ -146,7 +157,7 @@ bool BorderSearch::ask_at(const Landmark& landmark) {
     return true;
   }
   if (own && std::ranges::none_of(&about_[1], &about_[1] + 2, [&](const Place& p) { return !p.setting || p.is == is; }))
-    found_ = Snapped{landmark.setting, true, fmt::format("Here exactly: “{}”", is)};
+    found_ = Snapped{landmark.setting, true, fmt::format("Here exactly: “{}”", told_case(lesson_, landmark.setting))};
   about_.clear();
   return false;
 }
@@ -197,13 +208,13 @@ bool BorderSearch::bisect_number() {
   next_ = &BorderSearch::end;
   // The first setting of another case is the border itself where it is neither of the two that meet there.
   if (far_.is != beyond_) {
-    found_ = Snapped{*far_.setting, true, far_.is + ", exactly"};
+    found_ = Snapped{*far_.setting, true, told_case(lesson_, *far_.setting) + ", exactly"};
     return false;
   }
   const Place& side = near_.share < wish_ ? far_ : near_;
-  found_ =
-      Snapped{*side.setting, false,
-              fmt::format("Between two neighbouring doubles: “{}” on one side, “{}” on the other", near_.is, far_.is)};
+  found_ = Snapped{*side.setting, false,
+                   fmt::format("Between two neighbouring doubles: “{}” on one side, “{}” on the other",
+                               told_case(lesson_, *near_.setting), told_case(lesson_, *far_.setting))};
   return false;
 }
 

@@ -165,7 +165,7 @@ TEST_CASE("a point snaps to a place that is unlike all about it, and so an exerc
   CHECK(now != from);
   CHECK(now.y() == -0.5);
   CHECK_THAT(window.ui.message(), Contains("Here exactly"));
-  CHECK_THAT(window.ui.message(), Contains("Wrong"));
+  CHECK_THAT(window.ui.message(), Contains("Wrong: the truth is 1 crossing"));
   CHECK(player.exercise_solved());
 }
 
