@@ -1,5 +1,7 @@
 // All lessons in one sheet, and the terms in another.
 
+#include <filesystem>
+
 #include "lessons/course.h"
 #include "lessons/lessons.h"
 #include "tests/catch.h"
@@ -54,6 +56,27 @@ TEST_CASE("the picker shows all lessons without scrolling, each by its whole tit
     CHECK(text_width(ImGui::GetFont(), lesson->title) <= r.width());
     if (r.left < sheet.middle_x()) CHECK(std::exchange(top, r.top) < r.top);  // in the order of the course
   }
+}
+
+TEST_CASE("no lesson leaves the picker's sight when a preset has been saved", "[window]") {
+  const std::string folder = (std::filesystem::temp_directory_path() / "isect-picker-presets").string();
+  std::filesystem::remove_all(folder);
+  WindowOptions options = with_course();
+  options.figures = folder;
+  WindowDriver window(lessons::all_lessons(), 1280, 800, {}, {}, options);
+  window.type("s");
+  window.frames(2);
+  window.click("save as preset");
+  window.frames(2);
+  window.key(key::o, true);
+  window.frames(2);
+  const std::string id = window.player().lesson().id;
+  REQUIRE(window.has("saved " + id + ", setting-1"));
+  for (const Lesson* lesson : window.player().lessons()) {
+    INFO(lesson->id);
+    CHECK(window.rect("lesson " + lesson->id).bottom <= window.rect("about " + id).top);
+  }
+  std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("arrows choose a lesson and Enter opens it", "[window]") {

@@ -144,16 +144,29 @@ void foot(Session& s, const Lesson& l, const Rect& r) {
   text(ui.fonts.small, left, r.bottom - 10, packed(c.muted), "↓ and ↑ choose, Enter opens, Escape closes");
 }
 
-/// The rows in as many columns as there is room for, equally long. Returns the one that was pressed.
+/// The heading that begins the second of two columns, so that the longer one is as short as can be; null: none.
+const Entry* second_column(const std::vector<Entry>& rows) {
+  float total = 0, before = 0;
+  for (const Entry& row : rows) total += row.height();
+  const Entry* best = nullptr;
+  float least = total;
+  for (const Entry& row : rows) {
+    if (const float longer = std::max(before, total - before); !row.heading.empty() && longer < least)
+      least = longer, best = &row;
+    before += row.height();
+  }
+  return best;
+}
+
+/// The rows in as many columns as there is room for, about equally long. Returns the one that was pressed.
 const Entry* columns(Session& s, const std::vector<Entry>& rows, ImVec2 at, float width, const Lesson*& told) {
   const int count = width >= 660 ? 2 : 1;
   const float wide = (width - gutter * static_cast<float>(count - 1)) / static_cast<float>(count);
-  float total = 0;
-  for (const Entry& row : rows) total += row.height();
-  float x = at.x, y = at.y + 8, end = y, left = total;
+  const Entry* const second = count > 1 ? second_column(rows) : nullptr;
+  float x = at.x, y = at.y + 8, end = y;
   const Entry* pressed = nullptr;
   for (const Entry& row : rows) {
-    if (x == at.x && count > 1 && left <= total / 2 && !row.heading.empty()) x += wide + gutter, y = at.y + 8;
+    if (&row == second) x += wide + gutter, y = at.y + 8;
     const Rect r{x, y, x + wide, y + row_height};
     bool clicked = false;
     if (!row.heading.empty())
@@ -163,7 +176,7 @@ const Entry* columns(Session& s, const std::vector<Entry>& rows, ImVec2 at, floa
     else
       clicked = preset_row(s, row.preset, r);
     if (clicked) pressed = &row;
-    y += row.height(), left -= row.height();
+    y += row.height();
     end = std::max(end, y);
   }
   if (rows.empty()) text(s.ui.fonts.body, x + 8, y + 16, packed(s.ui.palette.muted), "No lesson has these words");
