@@ -132,7 +132,9 @@ TEST_CASE("with the panels hidden the question stands over the scene, and is ans
   CHECK(window.player().answered()->right());
   CHECK(window.player().camera().goal().azimuth == camera.azimuth);  // the click did not reach the scene
   window.frames(2);
-  CHECK(window.has("question over scene"));  // it says whether that was right
+  REQUIRE(window.has("question over scene"));  // it says whether that was right
+  REQUIRE(window.has("tripod"));
+  CHECK(window.rect("question over scene").bottom <= window.rect("tripod").top);
 }
 
 TEST_CASE("what methods say waits for the outcome, and while a question is open", "[window]") {

@@ -241,6 +241,28 @@ TEST_CASE("what says that a setting was changed covers no word", "[window][layou
   CHECK(changed > 50);
 }
 
+TEST_CASE("no verdict covers a name, at any size", "[window][layout]") {
+  const auto [width, height] = GENERATE(table<float, float>({{800, 600}, {1280, 800}, {2560, 1440}}));
+  WindowDriver window(isect::lessons::all_lessons(), width, height, {}, {}, {.reduced_motion = true});
+  int told = 0;
+  for (const Lesson* lesson : isect::lessons::all_lessons()) {
+    window.player().open(*lesson);
+    for (const Preset& preset : lesson->presets) {
+      window.player().load(preset);
+      window.player().go_to(outcome(window.player().walk()));
+      window.frames(2);
+      if (!window.has("verdict")) continue;
+      ++told;
+      const Rect scene = window.rect("scene"), chip = window.rect("verdict");
+      for (const PlacedLabel& label : window.ui.labels()) {
+        INFO(window.ui.title() << " at " << width << ": " << label.text);
+        CHECK((label.box.left + scene.left >= chip.right || label.box.top + scene.top >= chip.bottom));
+      }
+    }
+  }
+  CHECK(told > 150);
+}
+
 TEST_CASE("no handle covers a name, at any size", "[window][layout]") {
   const auto [width, height] = GENERATE(table<float, float>({{800, 600}, {1280, 800}, {2560, 1440}}));
   WindowDriver window(isect::lessons::all_lessons(), width, height, {}, {}, {.reduced_motion = true});

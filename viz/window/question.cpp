@@ -122,7 +122,9 @@ bool has_question(const Session& s) { return s.player.asked() || s.player.answer
 
 void question_over_scene(Session& s, const Rect& scene, const Rect& words) {
   if (!has_question(s)) return;
-  const float width = std::min(640.0f, scene.width() - 40), bottom = s.player.asked() ? words.bottom : scene.bottom;
+  // Once it is answered, the axes in the scene's corner and a ray's t-axis stay in sight below it, if there is room.
+  const float width = std::min(640.0f, scene.width() - 40), axes = scene.height() < 480 ? 0 : 94;
+  const float bottom = s.player.asked() ? words.bottom : scene.bottom - axes;
   question_within(s, {scene.left + 20, scene.top + 70, scene.left + 20 + width, bottom - 12});
 }
 

@@ -66,7 +66,7 @@ std::size_t corners_of(const Region& region) {
 
 namespace {
 
-constexpr float low_head = 42;
+constexpr float low_head = 42, high_head = 60;
 /// From the scene's edges to its chips.
 float edge(const Rect& scene) { return is_low(scene) ? 8.0f : 20.0f; }
 
@@ -103,9 +103,9 @@ float verdict_height(Session& s, const Rect& scene) {
 }  // namespace
 
 float steady_head(const Session& s, const Rect& scene) {
-  const auto says = [](const Step& step) { return !step.verdict.text.empty(); };
-  return is_low(scene) && (s.player.methods_differ() || std::ranges::any_of(s.player.walk().steps, says)) ? low_head
-                                                                                                          : 0;
+  const bool says = std::ranges::any_of(s.player.walk().steps, [](const Step& it) { return !it.verdict.text.empty(); });
+  if (is_low(scene)) return says || s.player.methods_differ() ? low_head : 0;
+  return says ? high_head : 0;
 }
 
 float head_of(Session& s, const Rect& scene) {
