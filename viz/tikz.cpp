@@ -128,18 +128,19 @@ class TikzWriter {
   }
 
   /// Where its middle stood: whatever font the document has, it grows to both sides alike; away from an edge of the
-  /// picture that it would run over. A verdict grows away from the sign before it, and rows of a card begin below each
-  /// other, small enough for the card.
+  /// picture that it would run over. A verdict grows away from the sign before it. What stands in a chart, a map or
+  /// a card keeps its own end, and is small enough for its room.
   void add(const Text& text) {
     const TextBox box = measure(text);
     if (!(box.right > box.left)) return;
     const Object* const object =
         text.object == no_object ? nullptr : &drawing_.objects.at(static_cast<std::size_t>(text.object));
-    const bool verdict = object && object->name == "verdict", row = object && object->kind == "row";
+    const bool verdict = object && object->name == "verdict", chart = object && is_of_chart(*object);
     const double middle = (box.left + box.right) / 2, reach = wider * (box.right - box.left) / 2;
-    const bool west = verdict || (row && text.align == 0) || middle - reach < 0;
-    const bool east = !west && ((row && text.align == 1) || middle + reach > drawing_.width);
-    const double at = row && (west || east) ? text.at.x() : west ? box.left : east ? box.right : middle;
+    const bool west = verdict || (chart && text.align == 0) || middle - reach < 0;
+    const bool east = !west && ((chart && text.align == 1) || middle + reach > drawing_.width);
+    const bool by_its_end = chart && (text.align == 0 || text.align == 1);
+    const double at = by_its_end ? text.at.x() : west ? box.left : east ? box.right : middle;
     std::string style = fmt::format("anchor=base{}, text={}",
                                     verdict ? " west, inner xsep=0"
                                     : west  ? " west"
@@ -150,8 +151,13 @@ class TikzWriter {
       style += fmt::format(", fill={}, fill opacity=0.8, text opacity=1, inner sep={}bp", colour(text.halo_colour),
                            number(text.halo));
     if (text.bold) style += ", font=\\bfseries\\boldmath";
-    if (row || text.size < shrunk * largest_) style += fmt::format(", scale={:.2f}", text.size / largest_ / wider);
+    if (chart || text.size < shrunk * largest_) style += fmt::format(", scale={:.2f}", text.size / largest_ / wider);
     out_ += fmt::format("\\node[{}] at {} {{{}}};\n", style, point({at, text.at.y()}), tex(text.markup));
+  }
+
+  static bool is_of_chart(const Object& object) {
+    const std::string& kind = object.kind;
+    return kind == "row" || kind == "chart" || kind == "panel" || kind == "map" || kind == "region";
   }
 
   void add(const Facets& facets) {

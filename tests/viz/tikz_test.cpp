@@ -82,7 +82,9 @@ TEST_CASE("a text of TikZ by an edge of the picture grows away from it", "[tikz]
   CHECK_THAT(node_of(width / 2, 0.5), Contains("[anchor=base,"));
 }
 
-TEST_CASE("rows of a card begin below each other in TikZ, and leave room for wider letters", "[tikz]") {
+TEST_CASE(
+    "rows of a card begin below each other in TikZ, names in a chart at their leaders, with room for wider letters",
+    "[tikz]") {
   Drawing drawing = everything();
   drawing.objects = {{"row", "Cost", Role::text}};
   for (const char* line : {"one root, and no division", "at all."})
@@ -91,6 +93,10 @@ TEST_CASE("rows of a card begin below each other in TikZ, and leave room for wid
   const std::string expected = "scale=0.89] at (50,";
   CHECK_THAT(text, Contains("anchor=base west, text="));
   CHECK(text.find(expected) != text.rfind(expected));
+  for (const char* kind : {"chart", "panel", "map", "region"}) {
+    drawing.objects = {{kind, "a", Role::text}};
+    CHECK_THAT(tikz(drawing, {}, of_width(200)), Contains(expected));
+  }
 }
 
 TEST_CASE("a verdict of TikZ begins after its sign, however wide the document's letters are", "[tikz]") {
