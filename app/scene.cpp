@@ -40,11 +40,12 @@ int tell(const SceneOptions& options) {
   try {
     const std::string text = viz::read_file(options.path), folder = fs::path(options.path).parent_path().string();
     scene::File file = scene::read_scene(text, folder);
-    const viz::Lesson lesson = scene::lesson_of(text, folder);  // refuses what has no shape, asked about or not
-    const viz::Parameters to = changed(lesson, file.parameters, options.asked.changes);
+    const scene::Opened opened = scene::opened(text, folder);  // refuses what has no shape, asked about or not
+    const viz::Parameters to = changed(opened.lesson, file.parameters, options.asked.changes);
     if (!options.save.empty()) save(options, text, file, to);
+    const bool same = to == file.parameters;
     file.parameters = to;
-    const scene::Json all = scene::answers(file);
+    const scene::Json all = same ? opened.answers : scene::answers(file);
     if (options.json) {
       print(all.dump(2) + "\n");
       return done;

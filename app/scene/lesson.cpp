@@ -35,24 +35,21 @@ class Walker {
   Walker(const File& file, const viz::Parameters& parameters)
       : context_{file, {parameters, file.flat}, room({parameters, file.flat}, file.objects)} {}
 
-  viz::Walk made() {
+  /// The answers as JSON go to `answers`, if there is one.
+  viz::Walk made(Json* answers = nullptr) {
     viz::Walk walk;
     walk.alt = "The objects of a scene file.";
     walk.steps.push_back(all_objects());
-    for (const Asked& asked : context_.file.asked)
-      if (const WalkAsked* pair = std::get_if<WalkAsked>(&asked))
-        add(*pair, walk);
-      else
-        walk.steps.push_back(step(std::visit([&](const auto& a) { return answered(context_, a); }, asked)));
+    for (const Asked& asked : context_.file.asked) {
+      const WalkAsked* const pair = std::get_if<WalkAsked>(&asked);
+      if (pair) add(*pair, walk);
+      if (pair && !answers) continue;
+      Answered answer = std::visit([&](const auto& a) { return answered(context_, a); }, asked);
+      if (answers) answers->push_back(answer.json);
+      if (!pair) walk.steps.push_back(step(std::move(answer)));
+    }
     if (rows_.size() > 1) walk.steps.push_back(summary());
     return walk;
-  }
-
-  Json answers() const {
-    Json all = Json::array();
-    for (const Asked& asked : context_.file.asked)
-      all.push_back(std::visit([&](const auto& a) { return answered(context_, a); }, asked).json);
-    return all;
   }
 
  private:
@@ -203,9 +200,10 @@ std::vector<viz::Condition> conditions_of(const File& file) {
 
 }  // namespace
 
-viz::Lesson lesson_of(const std::string& text, const std::string& folder) {
+Opened opened(const std::string& text, const std::string& folder) {
+  Opened opened;
   const auto file = std::make_shared<const File>(read_scene(text, folder));
-  viz::Lesson lesson;
+  viz::Lesson& lesson = opened.lesson;
   lesson.id = "scene";
   lesson.title = file->title;
   lesson.summary = fmt::format("A scene of {} object{}, and {} question{} about {}.", file->objects.size(),
@@ -217,13 +215,15 @@ viz::Lesson lesson_of(const std::string& text, const std::string& folder) {
   lesson.camera = file->camera;
   lesson.flat = file->flat;
   // Whatever the core refuses is told now; a large mesh is asked once.
-  const auto first = std::make_shared<const viz::Walk>(Walker(*file, file->parameters).made());
+  const auto first = std::make_shared<const viz::Walk>(Walker(*file, file->parameters).made(&opened.answers));
   lesson.steps = [file, first](const viz::Parameters& parameters) {
     return parameters == file->parameters ? *first : Walker(*file, parameters).made();
   };
   lesson.made_from = file->text;
-  return lesson;
+  return opened;
 }
+
+viz::Lesson lesson_of(const std::string& text, const std::string& folder) { return opened(text, folder).lesson; }
 
 const viz::Lesson& kept_lesson_of(const std::string& text, const std::string& folder) {
   static std::deque<viz::Lesson> all;  // none of them moves
@@ -283,6 +283,10 @@ const viz::Lesson& kept_walks_of(const viz::Lesson& lesson, const std::string& m
   return kept_lesson_of(scene.dump(), folder);
 }
 
-Json answers(const File& file) { return Walker(file, file.parameters).answers(); }
+Json answers(const File& file) {
+  Json all = Json::array();
+  static_cast<void>(Walker(file, file.parameters).made(&all));
+  return all;
+}
 
 }  // namespace isect::program::scene

@@ -8,6 +8,13 @@
 
 namespace isect::program::scene {
 
+/// The lesson with the answers to all questions, as JSON: names, verdict in words, query and result.
+struct Opened {
+  viz::Lesson lesson;
+  Json answers = Json::array();
+};
+Opened opened(const std::string& text, const std::string& folder);
+
 /// Called "scene". `folder` and what is thrown are as in read_scene.
 viz::Lesson lesson_of(const std::string& text, const std::string& folder);
 
@@ -20,7 +27,7 @@ const viz::Lesson& kept_lesson_of(const std::string& text, const std::string& fo
 const viz::Lesson& kept_walks_of(const viz::Lesson&, const std::string& method, const std::string& text,
                                  const std::string& folder);
 
-/// The answers to all questions, as JSON: names, verdict in words, query and result.
+/// The answers with the file's parameters.
 Json answers(const File&);
 
 }  // namespace isect::program::scene
