@@ -113,6 +113,12 @@ void require_own_places(const Options& options) {
 
 int check(const Program& program, const Options& options) {
   require_own_places(options);
+  for (const std::string& name : options.asked.lessons)
+    if (std::error_code absent; options.dir.empty() && fs::is_regular_file(name, absent))
+      throw viz::BadInput(
+          fmt::format("lesson: \"{}\" is a file; {} check --dir FOLDER compares all of a folder with "
+                      "what was accepted",
+                      name, program.name));
   const Update update = update_named(options.update);
   const viz::Backend backend = viz::backend_named(options.backend.empty() ? "auto" : options.backend);
   const bool own = !options.dir.empty();  // presets of the user's own

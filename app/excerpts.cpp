@@ -91,6 +91,9 @@ Excerpt at(const std::vector<const viz::Lesson*>& lessons, const viz::Place& pla
 
 /// The preset of a file, or the place where a figure was made; the file's name becomes the folder's.
 Excerpt from_file(const Program& program, const PresetFile& file) {
+  if (std::error_code absent; fs::is_directory(file.path, absent))
+    throw viz::FileError(
+        fmt::format("preset: \"{0}\" is a folder; render --dir {0} draws all presets and scenes in it", file.path));
   if (const viz::Format* format = viz::format_of(file.path)) {
     std::vector<const viz::Lesson*> lessons = program.lessons;
     const FigurePlace found = place_in_figure(program, file.path, *format, lessons);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -194,6 +195,9 @@ void add_list(CLI::App& app, Program& program) {
       if (*terms) return list_terms(*as_json);
       if (program.only) return list_one(*program.only, *as_json);
       if (lesson->empty()) return list_all(program.lessons, *as_json);
+      if (std::error_code absent; std::filesystem::is_regular_file(*lesson, absent))
+        throw viz::BadInput(
+            fmt::format("lesson: \"{0}\" is a file; {1} explain {0} tells what it holds", *lesson, program.name));
       return list_one(viz::lesson_named(program.lessons, *lesson), *as_json);
     };
   });

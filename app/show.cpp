@@ -71,7 +71,8 @@ int show(const Program& program, const Selection& asked) {
                               : program.only
                                   ? ""
                                   : " " + (place.lesson.empty() ? program.lessons.front()->id : place.lesson);
-    const std::string preset = !asked.scene.empty()            ? " --scene " + asked.scene
+    const std::string method = asked.preset.empty() ? "" : " --preset " + asked.preset;
+    const std::string preset = !asked.scene.empty()            ? " --scene " + asked.scene + method
                                : scene || place.preset.empty() ? ""
                                                                : " --preset " + place.preset;
     say(fmt::format(

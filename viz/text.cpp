@@ -244,9 +244,11 @@ void use_figure_font(const std::string& family) {
   const std::vector<std::string> all = installed_families();
   const auto same = [&](const std::string& other) { return g_ascii_strcasecmp(other.c_str(), family.c_str()) == 0; };
   const auto found = std::ranges::find_if(all, same);
-  if (found == all.end())
-    throw BadInput(fmt::format("font: no family is called \"{}\"{}; `fc-list : family` lists those that are installed",
-                               family, spelling::did_you_mean(family, all)));
+  if (found == all.end()) {
+    const std::string near = spelling::did_you_mean(family, all);
+    throw BadInput(fmt::format("font: no family is called \"{}\"{}`fc-list : family` lists those that are installed",
+                               family, near.empty() ? "; " : near + " "));
+  }
   wanted_for_figures() = *found;
 }
 

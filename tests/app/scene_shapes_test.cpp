@@ -396,6 +396,8 @@ TEST_CASE("the boxes of a scene are walked through by each method of collision, 
     CHECK_THAT(r.out, Contains("here A is 0, B is 1, C is 2, D is 3, E is 4.") && Contains("Verdict: 3 pairs, "));
     CHECK(shell("isect render" + words + " --format svg --out " + preset).status == 0);
   }
+  CHECK_THAT(shell("isect show collision --scene s.json --preset sweep").err,
+             Contains("isect render collision --scene s.json --preset sweep"));
   CHECK(files_in(shell.work() / "brute-force").size() != files_in(shell.work() / "sweep").size());
   CHECK(shell("isect explain collision --scene s.json --brief").out ==
         shell("isect explain collision --scene s.json --preset brute-force --brief").out);

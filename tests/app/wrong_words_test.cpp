@@ -113,6 +113,23 @@ TEST_CASE("a wrong command line is refused in our own words", "[program]") {
   }
 }
 
+TEST_CASE("a file or a folder in the place of a name is told as one, with what takes it", "[program]") {
+  const Shell shell;
+  isect::test::write(shell.work() / "in/mine.json", R"({"objects": [{"point": "p", "at": [0, 0]}]})");
+  const auto refused = [&](const std::string& words) {
+    const Ran r = shell("isect " + words);
+    CHECK(r.status == 2);
+    return r.err;
+  };
+  CHECK_THAT(refused("in/mine.json"), Contains("isect show in/mine.json") && Contains("isect scene in/mine.json"));
+  CHECK_THAT(refused("list in/mine.json"), Contains("isect explain in/mine.json"));
+  CHECK_THAT(refused("check in/mine.json"), Contains("check --dir"));
+  const Ran folder = shell("isect render ./in");
+  CHECK(folder.status == 4);
+  CHECK_THAT(folder.err, Contains("render --dir ./in"));
+  CHECK_THAT(refused("render ray-sphere --step 3 --font \"DejaVu San\""), Contains("mean \"DejaVu Sans\"? `fc-list"));
+}
+
 TEST_CASE("a name is offered only where it is near", "[program]") {
   const Shell shell;
   for (const char* line : {"render list", "render ray-sphere --theme purple", "explain query", "doctor --all",
