@@ -17,6 +17,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <isect/conventions.h>
+
 namespace isect {
 
 /// A number's grid: a power of two, or 0 where none is known. It runs in a polynomial's text in place of the number.
