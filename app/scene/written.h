@@ -31,7 +31,7 @@ inline constexpr const char* how_written =
     "{\"walk\": \"all\", \"lesson\": \"collision\", \"method\": \"sweep\"} of boxes in the plane, or of a list "
     "of them.\n"
     "\"ask\" may be \"all pairs\".\n"
-    "Texts: *italic*, **bold**, a_1 and a_{in}, x^2, √2, Greek letters and signs as they are.\n"
+    "Texts: *italic*, a_1 and a_{in}, x^2, √2, Greek letters and signs as they are.\n"
     "\"notes\": [{\"at\": [0, 2, 0], \"text\": \"*h*\"}] and \"camera\": {\"azimuth\": 30, \"elevation\": 20} may "
     "follow.\n";
 
