@@ -260,12 +260,14 @@ Json walks_through(const viz::Lesson& lesson, const std::string& method, const F
   if (!asked.empty()) return asked;
   if (!refused.empty()) throw viz::BadInput(refused);
   std::string takes;
-  for (const LessonWalk& w : walks())
-    if (w.lesson == lesson.id)
-      takes = fmt::format("{}{}{} {}", takes.empty() || w.of_many() ? "" : takes + ", ",
-                          w.of_many() ? std::string("two ") + w.name_a + " or more" : spec(w.a).name,
-                          w.of_one() || w.of_many() ? std::string() : std::string(" and ") + spec(w.b).name,
-                          w.flat ? "in the plane" : "in space");
+  for (const LessonWalk& w : walks()) {
+    if (w.lesson != lesson.id) continue;
+    const std::string one =
+        fmt::format("{}{} {}", w.of_many() ? std::string("two ") + w.name_a + " or more" : spec(w.a).name,
+                    w.of_one() || w.of_many() ? std::string() : std::string(" and ") + spec(w.b).name,
+                    w.flat ? "in the plane" : "in space");
+    if (takes.find(one) == takes.npos) takes += (takes.empty() ? "" : ", ") + one;  // several methods take the same
+  }
   if (takes.empty())
     throw viz::BadInput(fmt::format("scene: {} takes no objects of a scene; these do: {}", lesson.id,
                                     fmt::join(walking_lessons(), ", ")));

@@ -52,8 +52,6 @@ inline constexpr bool small_code = true;
 #define ISECT_INLINE inline
 #else
 inline constexpr bool small_code = false;
-#endif
-#ifndef ISECT_INLINE
 #define ISECT_INLINE [[gnu::always_inline]] inline
 #endif
 

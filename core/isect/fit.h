@@ -16,6 +16,7 @@
 #include <vector>
 
 #include <isect/numbers/predicate.h>
+#include <isect/numbers/quotient.h>
 #include <isect/parts/fit_guess.h>
 #include <isect/point_obb.h>
 #include <isect/shapes.h>

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include <isect/numbers/predicate.h>
+#include <isect/numbers/quotient.h>
 #include <isect/shapes.h>
 #include <isect/trace.h>
 

@@ -17,6 +17,7 @@
 #include <variant>
 
 #include <isect/numbers/predicate.h>
+#include <isect/numbers/quotient.h>
 #include <isect/shapes.h>
 #include <isect/trace.h>
 

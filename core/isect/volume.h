@@ -18,6 +18,7 @@
 #include <isect/convex_hull_3d.h>
 #include <isect/kdop_polytope.h>
 #include <isect/numbers/predicate.h>
+#include <isect/numbers/quotient.h>
 #include <isect/point_obb.h>
 #include <isect/shapes.h>
 

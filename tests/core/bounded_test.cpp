@@ -4,6 +4,7 @@
 #include <limits>
 #include <tuple>
 
+#include <isect/numbers/quotient.h>
 #include <isect/orient.h>
 #include "bench/random.h"
 #include "bench/rational.h"

@@ -26,6 +26,7 @@ set(tested_by
   point_polygon_fast=point_polygon
   point_segment=sphere_capsule
   predicate=bounded
+  quotient=bounded
   ray_half_spaces=half_spaces
   ray_mesh_parts=ray_mesh
   ray_range=ray_plane

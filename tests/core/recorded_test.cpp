@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <isect/numbers/predicate.h>
+#include <isect/numbers/quotient.h>
 #include "bench/random.h"
 #include "tests/catch.h"
 #include "tests/settings.h"

@@ -2,10 +2,11 @@
 // A polynomial's text as a list of steps, to be run in any arithmetic later.
 //
 // A text is compiled once for each arithmetic that it runs in, and where it is long that takes the compiler a second or
-// more each time. Run once in Recorded it leaves its steps behind, and one loop runs these in all the others, at some
-// nanoseconds a step. So is settled what doubles leave open where code must be small, and always for long texts, as of
-// half-spaces, polytopes and smallest balls. What comes out is what the text itself finds, bit for bit.
+// more each time. Run once in Recorded it leaves its steps behind, on the heap, and one loop runs these in all the
+// others. So is settled what doubles leave open where code must be small, and always for long texts, as of half-spaces,
+// polytopes and smallest balls. What comes out is what the text itself finds, bit for bit.
 
+#include <array>
 #include <cstddef>
 #include <initializer_list>
 #include <type_traits>
@@ -111,8 +112,10 @@ class Recording {
     std::vector<std::size_t> free;
     for (std::size_t i = 0; i < count; ++i) {
       for (const int from : {steps_[i].a, steps_[i].b})
-        if (from >= 0 && std::exchange(last[from], last[from] == i ? count : last[from]) == i)
+        if (from >= 0 && last[from] == i) {
+          last[from] = count;  // x x frees x once
           free.push_back(place_[from]);
+        }
       if (free.empty()) free.push_back(places_++);
       place_.push_back(free.back());
       free.pop_back();
@@ -125,6 +128,19 @@ class Recording {
   std::size_t places_ = 0;
 };
 
+/// The steps of a polynomial's text as a text of their own.
+class RecordedSum {
+ public:
+  template <class Text>
+  explicit RecordedSum(const Text& text) : steps_([&] { return std::array{text.template operator()<Recorded>()}; }) {}
+  template <class W>
+  W operator()() const {
+    return steps_.run<W>()[0];
+  }
+
+ private:
+  Recording steps_;
+};
 /// How a text gets at what it keeps in W between its runs: by reference, or anew where its steps are recorded.
 template <class W, class Kept>
 using kept_t = std::conditional_t<std::is_same_v<W, Recorded>, Kept, const Kept&>;

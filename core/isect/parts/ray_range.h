@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include <isect/numbers/predicate.h>
+#include <isect/numbers/quotient.h>
 #include <isect/shapes.h>
 
 namespace isect::ray_range {

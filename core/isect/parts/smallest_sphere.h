@@ -19,6 +19,7 @@
 #include <vector>
 
 #include <isect/numbers/predicate.h>
+#include <isect/numbers/quotient.h>
 #include <isect/parts/fit_tight_guess.h>
 
 namespace isect::fit_tight::detail {
