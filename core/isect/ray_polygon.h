@@ -130,10 +130,10 @@ template <class S, class Trace>
 int steepest(const Crossing<S>& crossing, Trace&& trace) {
   int axis = 0;
   for (int i = 1; i < 3; ++i) {
-    const auto excess = [&]<class W>() -> W {
+    const Keeping excess{[&]<class W>() -> W {
       const PlanePoint<W>& p = crossing.template point<W>();
       return abs(p.normal[i]) - abs(p.normal[axis]);
-    };
+    }};
     if (sign_of(excess, trace) > 0) axis = i;
   }
   return axis;
@@ -145,12 +145,12 @@ Location locate(const Crossing<S>& crossing, int den, int axis, std::span<const 
                 Trace&& trace) {
   const int x = (axis + 1) % 3, y = (axis + 2) % 3;
   const auto along = [&](const Point<S, 3>& v, int i) -> int {
-    return den * sign_of([&]<class W>() -> W { return crossing.template offset<W>(v, i); }, trace);
+    return den * sign_of(Keeping{[&]<class W>() -> W { return crossing.template offset<W>(v, i); }}, trace);
   };
   const auto abscissa = [&](const Point<S, 3>& v) -> int { return along(v, x); };
   const auto height = [&](const Point<S, 3>& v) -> int { return along(v, y); };
   const auto side = [&](const Point<S, 3>& a, const Point<S, 3>& b) -> int {
-    return den * sign_of([&]<class W>() -> W { return crossing.template area2<W>(a, b, x, y); }, trace);
+    return den * sign_of(Keeping{[&]<class W>() -> W { return crossing.template area2<W>(a, b, x, y); }}, trace);
   };
 
   point_polygon::Crossings sum;
@@ -178,11 +178,11 @@ RayPolygon<S> meet(const Ray<S, 3>& ray, std::span<const Ring<S, 3>> rings, Fill
   const Crossing<S> crossing(wide, rings[0]);
   const auto t = [&]<class W>() -> Ratio<W> { return crossing.template parameter<W>(); };
   const int axis = steepest(crossing, trace);
-  result.flat = sign_of([&]<class W>() -> W { return crossing.template point<W>().normal[axis]; }, trace) == 0;
+  result.flat = sign_of(Keeping{[&]<class W>() -> W { return crossing.template point<W>().normal[axis]; }}, trace) == 0;
   if (result.flat) return result;
 
-  const int heading = sign_of([&]<class W>() -> W { return t.template operator()<W>().den; }, trace);
-  const int side = sign_of([&]<class W>() -> W { return t.template operator()<W>().num; }, trace);
+  const int heading = sign_of(Keeping{[&]<class W>() -> W { return t.template operator()<W>().den; }}, trace);
+  const int side = sign_of(Keeping{[&]<class W>() -> W { return t.template operator()<W>().num; }}, trace);
   trace(Decision{axis, heading, side});
   result.coplanar = heading == 0 && side == 0;
   if (heading == 0) return result;

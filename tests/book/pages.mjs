@@ -78,15 +78,17 @@ const browser = await Browser.start();
 const beginning = Date.now();
 try {
   // Each page in each look: nothing sticks out, nothing is hard to see, nothing is said on the console.
-  for (const page of pages)
-    for (const width of [360, 768, 1440])
+  for (const page of pages) {
+    await browser.look({ width: 1440, height: 900 });
+    await browser.open(address(page));
+    for (const width of [1440, 768, 360])
       for (const dark of [false, true]) {
         await browser.look({ width, height: 900, dark });
-        await browser.open(address(page));
         const at = `${page}, ${width} wide, ${dark ? "dark" : "light"}`;
         for (const fault of [...await browser.ask(overflow), ...await browser.ask(accessible)]) check(false, `${at}: ${fault}`);
         check(true, at);
       }
+  }
 
   // Each lesson stepped by keys to its end, each question answered on the way.
   await browser.look({ width: 768, height: 1000 });

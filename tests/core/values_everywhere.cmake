@@ -1,6 +1,7 @@
 # Verdicts and values are the same on every machine, bit for bit, and values keep their promises: values_everywhere.cpp as
-# the compiler makes it, without fused products, with all that this machine has, with a long double of 64 bits, and, where
-# a cross-compiler and an emulator are found, on aarch64.
+# the compiler makes it, and in small code without fused products; in a long run (ISECT_LONG=1) also without fused products
+# alone, with all that this machine has, with a long double of 64 bits, and, where a cross-compiler and an emulator are
+# found, on aarch64.
 #
 #   cmake -DCOMPILER=c++ "-DOPTIONS=<of isect::core>" -DROOT=<repository> -DWORK=<scratch> -DEIGEN=<include>
 #     [-DCROSS=aarch64-linux-gnu-g++ -DEMULATOR=qemu-aarch64] -P values_everywhere.cmake
@@ -41,10 +42,13 @@ function(same compiler emulator)
   endif()
 endfunction()
 
+same(${COMPILER} "" -Os -DISECT_DISPATCH=0)
+if(NOT "$ENV{ISECT_LONG}" STREQUAL 1)
+  return()
+endif()
 same(${COMPILER} "" -DISECT_DISPATCH=0)
 same(${COMPILER} "" -march=native)
 same(${COMPILER} "" -mlong-double-64)
-same(${COMPILER} "" -Os)
 if(CROSS AND EMULATOR)
   same(${CROSS} ${EMULATOR} -static)
 endif()

@@ -7,8 +7,8 @@
 # bring their operands, and no more instructions than without the lines, and that is told.
 # The comparison can fail: a listener must change the code.
 #
-# An ordinary run compiles as a release does, at -O3, and the listener's with one group of calls; a long one
-# (ISECT_LONG=1) at -O2 too, and every group's.
+# An ordinary run compiles as a release does, at -O3, the listener's with one group of calls, and what doubles leave open
+# in small code but for two groups; a long one (ISECT_LONG=1) all in full, at -O2 too, and every group's listener.
 #
 #   cmake -DCALLS=RELATE -DCOMPILER=c++ "-DOPTIONS=<of isect::core>" -DOBJDUMP=objdump -DROOT=<repository> -DWORK=<scratch>
 #     -DEIGEN=<include> -P zero_cost_trace.cmake
@@ -84,6 +84,9 @@ if(CALLS STREQUAL RAYS)
   set(levels -O2)  # at -O3 GCC schedules ray_plane::parameter, which has no trace line, in two ways
 elseif("$ENV{ISECT_LONG}" STREQUAL 1)
   set(levels -O2 -O3)
+endif()
+if(NOT CALLS MATCHES "^(INTERSECT|METHODS)$" AND NOT "$ENV{ISECT_LONG}" STREQUAL 1)
+  list(APPEND OPTIONS -DISECT_SMALL_CODE)
 endif()
 foreach(level ${levels})
   disassemble(traced ${WORK}/traced ${level} -D${CALLS})

@@ -1,5 +1,6 @@
 #!/bin/sh
-# compile.sh ISECT FOLDER: figures, captions, strips, handouts and decks go through pdflatex and lualatex.
+# compile.sh ISECT FOLDER: figures, captions, strips, handouts and decks go through pdflatex and lualatex, but most
+# handouts and decks through lualatex in a long run (ISECT_LONG=1) only.
 # Exit 77 where LaTeX is not installed.
 set -eu
 isect=$1
@@ -36,7 +37,9 @@ compile() {
   mkdir "$1"
   cp -r all.tex figures handouts decks "$1"
   cd "$1"
-  for text in all.tex handouts/*/*/handout.tex decks/*/*/deck.tex; do
+  lesson=*
+  [ "$1" = pdflatex ] || [ "${ISECT_LONG:-}" = 1 ] || lesson=ray-sphere
+  for text in all.tex handouts/$lesson/*/handout.tex decks/$lesson/*/deck.tex; do
     if ! (cd "$(dirname "$text")" && "$1" -interaction=nonstopmode -halt-on-error "$(basename "$text")") >log.txt 2>&1; then
       echo "$1: $text: $(grep -A3 '^!' log.txt | head -8)"
       return 1

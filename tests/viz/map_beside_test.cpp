@@ -147,7 +147,7 @@ TEST_CASE("with the keyboard alone Shift and the arrows move the setting on the 
 
 TEST_CASE("no name of a case meets another, in the least window either", "[window]") {
   const bool panels = GENERATE(true, false);
-  WindowDriver window(lessons::all_lessons(), 800, 600);
+  WindowDriver window(lessons::all_lessons(), 800, 600, {}, {}, names_only);
   if (!panels) window.key(key::tab);
   int maps = 0;
   for (const Lesson* lesson : lessons::all_lessons()) {

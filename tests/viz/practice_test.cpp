@@ -112,7 +112,7 @@ TEST_CASE("a handle stands on what is drawn", "[player]") {
 }
 
 TEST_CASE("a handle that is dragged back to where it was taken leaves the preset as it was", "[window]") {
-  WindowDriver window(lessons::all_lessons(), 1280, 800);
+  WindowDriver window(lessons::all_lessons(), 1280, 800, {}, {}, names_only);
   int dragged = 0;
   for (const Lesson* lesson : lessons::all_lessons()) {
     window.player().open(*lesson);
@@ -136,7 +136,7 @@ TEST_CASE("a handle that is dragged back to where it was taken leaves the preset
 }
 
 TEST_CASE("every handle is at least 24 px wide, and has its name beside it", "[window]") {
-  WindowDriver window(lessons::all_lessons(), 1280, 800);
+  WindowDriver window(lessons::all_lessons(), 1280, 800, {}, {}, names_only);
   for (const Lesson* lesson : lessons::all_lessons()) {
     window.player().open(*lesson);
     window.frames(2);

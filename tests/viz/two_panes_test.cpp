@@ -243,6 +243,7 @@ TEST_CASE("two panes are kept between runs, and what is no pane is not", "[windo
   CHECK_FALSE(other.ui.message().empty());
   write_file(file, R"({"beside": {"lesson": "point-disc", "method": "", "preset": 3}})");
   CHECK_FALSE(read_settings(file, both).beside);
+  std::filesystem::remove(file);
 }
 
 TEST_CASE("where walks part is told up to the steps shown, and no further", "[parting]") {

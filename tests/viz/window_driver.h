@@ -24,6 +24,10 @@ inline Place place_at(const std::string& lesson, const std::string& preset) {
   return place;
 }
 
+/// For tests of where things stand: drawing the scene takes most of a frame, and placing its names much of the rest.
+inline const WindowOptions layout_only = {.reduced_motion = true, .draw_scene = false, .place_names = false};
+inline const WindowOptions names_only = {.reduced_motion = true, .draw_scene = false};
+
 class WindowDriver {
  public:
   WindowDriver(const std::vector<const Lesson*>& lessons, float width = 1280, float height = 800, const Place& at = {},

@@ -216,8 +216,8 @@ TEST_CASE("what goes on beyond the end of a panel is seen to", "[window]") {
 
 TEST_CASE("what says that a setting was changed covers no word", "[window][layout]") {
   const auto [width, height] = GENERATE(table<float, float>({{800, 600}, {1280, 800}}));
-  WindowDriver window(isect::lessons::all_lessons(), width, height, {}, {}, {.reduced_motion = true});
-  int changed = 0;
+  WindowDriver window(isect::lessons::all_lessons(), width, height, {}, {}, names_only);
+  int changed = 0, names = 0;
   for (const Lesson* lesson : isect::lessons::all_lessons()) {
     window.player().open(*lesson);
     window.player().first();
@@ -232,6 +232,7 @@ TEST_CASE("what says that a setting was changed covers no word", "[window][layou
       const Rect scene = window.rect("scene"), mark = window.rect("changed");
       for (const PlacedLabel& label : window.ui.labels()) {
         const TextBox& b = label.box;
+        ++names;
         INFO(window.ui.title() << " at " << width << ": " << label.text);
         CHECK_FALSE((b.left + scene.left < mark.right - 8 && mark.left + 8 < b.right + scene.left &&
                      b.top + scene.top < mark.bottom - 8 && mark.top + 8 < b.bottom + scene.top));
@@ -239,12 +240,13 @@ TEST_CASE("what says that a setting was changed covers no word", "[window][layou
     }
   }
   CHECK(changed > 50);
+  CHECK(names > 200);
 }
 
 TEST_CASE("no verdict covers a name, at any size", "[window][layout]") {
   const auto [width, height] = GENERATE(table<float, float>({{800, 600}, {1280, 800}, {2560, 1440}}));
-  WindowDriver window(isect::lessons::all_lessons(), width, height, {}, {}, {.reduced_motion = true});
-  int told = 0;
+  WindowDriver window(isect::lessons::all_lessons(), width, height, {}, {}, names_only);
+  int told = 0, names = 0;
   for (const Lesson* lesson : isect::lessons::all_lessons()) {
     window.player().open(*lesson);
     for (const Preset& preset : lesson->presets) {
@@ -256,16 +258,19 @@ TEST_CASE("no verdict covers a name, at any size", "[window][layout]") {
       const Rect scene = window.rect("scene"), chip = window.rect("verdict");
       for (const PlacedLabel& label : window.ui.labels()) {
         INFO(window.ui.title() << " at " << width << ": " << label.text);
+        ++names;
         CHECK((label.box.left + scene.left >= chip.right || label.box.top + scene.top >= chip.bottom));
       }
     }
   }
   CHECK(told > 150);
+  CHECK(names > 1000);
 }
 
 TEST_CASE("no handle covers a name, at any size", "[window][layout]") {
   const auto [width, height] = GENERATE(table<float, float>({{800, 600}, {1280, 800}, {2560, 1440}}));
-  WindowDriver window(isect::lessons::all_lessons(), width, height, {}, {}, {.reduced_motion = true});
+  WindowDriver window(isect::lessons::all_lessons(), width, height, {}, {}, names_only);
+  int names = 0;
   const double ring = width == 800 ? 7.8 : 12;  // px; small drawings have small ones in a small window
   for (const Lesson* lesson : isect::lessons::all_lessons()) {
     window.player().open(*lesson);
@@ -280,6 +285,7 @@ TEST_CASE("no handle covers a name, at any size", "[window][layout]") {
         for (const Handle& h : window.player().scene().handles) {
           const Rect grip = window.rect("handle " + h.parameter);
           for (const PlacedLabel& label : window.ui.labels()) {
+            ++names;
             const double x = grip.middle_x() - scene.left, y = grip.middle_y() - scene.top;
             const double across = std::max({label.box.left - x, x - label.box.right, 0.0});
             const double down = std::max({label.box.top - y, y - label.box.bottom, 0.0});
@@ -290,6 +296,7 @@ TEST_CASE("no handle covers a name, at any size", "[window][layout]") {
       }
     }
   }
+  CHECK(names > 1000);
 }
 
 TEST_CASE("what explains a mark stands beside it, however large the window is", "[window][layout]") {
@@ -354,7 +361,7 @@ TEST_CASE("nothing overlaps, nothing is cut and nothing leaves the window, at an
   Settings settings;
   settings.parameters_open = width == 1280 || (width == 800 && scale > 1);
   WindowDriver window(isect::lessons::all_lessons(), width, height, {}, settings,
-                      {.scale = scale, .reduced_motion = true, .draw_scene = false});
+                      {.scale = scale, .reduced_motion = true, .draw_scene = false, .place_names = false});
   const bool all = std::getenv("ISECT_LONG") != nullptr;
   for (const Lesson* lesson : isect::lessons::all_lessons()) {
     window.player().open(*lesson);
@@ -373,8 +380,7 @@ TEST_CASE("with the map beside the scene nothing overlaps, and nothing is cut, a
       GENERATE(table<float, float>({{800, 600}, {1024, 768}, {1280, 800}, {1920, 1080}, {2560, 1440}}));
   Settings settings;
   settings.map = true;
-  WindowDriver window(isect::lessons::all_lessons(), width, height, {}, settings,
-                      {.reduced_motion = true, .draw_scene = false});
+  WindowDriver window(isect::lessons::all_lessons(), width, height, {}, settings, layout_only);
   for (const Lesson* lesson : isect::lessons::all_lessons()) {
     if (!lesson->map) continue;
     window.player().open(*lesson);
@@ -391,8 +397,7 @@ TEST_CASE("with the map beside the scene nothing overlaps, and nothing is cut, a
 TEST_CASE("with two panes nothing overlaps, and nothing is cut, at any size", "[window][layout]") {
   const auto [width, height] =
       GENERATE(table<float, float>({{800, 600}, {1024, 768}, {1280, 800}, {1920, 1080}, {2560, 1440}}));
-  WindowDriver window(isect::lessons::all_lessons(), width, height, {}, {},
-                      {.reduced_motion = true, .draw_scene = false});
+  WindowDriver window(isect::lessons::all_lessons(), width, height, {}, {}, layout_only);
   for (const Lesson* lesson : isect::lessons::all_lessons()) {
     window.player().open(*lesson);
     window.frames();
@@ -436,7 +441,7 @@ TEST_CASE("small drawings on a page keep their texts apart and in the scene, in 
 TEST_CASE("nothing overlaps and nothing is cut at 3840 x 2160, nor at 288 dpi", "[window][layout]") {
   const auto [scale, width, height] = GENERATE(table<double, float, float>({{1.0, 3840, 2160}, {3.0, 1280, 720}}));
   WindowDriver window(isect::lessons::all_lessons(), width, height, {}, {},
-                      {.scale = scale, .reduced_motion = true, .draw_scene = false});
+                      {.scale = scale, .reduced_motion = true, .draw_scene = false, .place_names = false});
   for (const Lesson* lesson : isect::lessons::all_lessons()) {
     window.player().open(*lesson);
     walk(window, width, height);
@@ -521,8 +526,7 @@ TEST_CASE("the axes in the corner give way to what is named there", "[window]") 
 
 TEST_CASE("with the panels hidden nothing overlaps, and nothing is cut, at any size", "[window][layout]") {
   const auto [width, height] = GENERATE(table<float, float>({{800, 600}, {1280, 800}, {2560, 1440}}));
-  WindowDriver window(isect::lessons::all_lessons(), width, height, {}, {},
-                      {.reduced_motion = true, .draw_scene = false});
+  WindowDriver window(isect::lessons::all_lessons(), width, height, {}, {}, layout_only);
   window.key(key::tab);
   for (const Lesson* lesson : isect::lessons::all_lessons()) {
     window.player().open(*lesson);
@@ -532,7 +536,7 @@ TEST_CASE("with the panels hidden nothing overlaps, and nothing is cut, at any s
 }
 
 TEST_CASE("with the panels hidden a question has room for all its answers, in the least window", "[window][layout]") {
-  WindowDriver window(isect::lessons::all_lessons(), 800, 600, {}, {}, {.reduced_motion = true, .draw_scene = false});
+  WindowDriver window(isect::lessons::all_lessons(), 800, 600, {}, {}, layout_only);
   window.key(key::tab);
   int asked = 0;
   for (const Lesson* lesson : isect::lessons::all_lessons()) {

@@ -101,7 +101,7 @@ void SceneView::draw(Session& s, const Rect& r, const View& view) {
   const std::string wanted = line_of(s, r, scale_);
   const ImGuiIO& io = ImGui::GetIO();
   const bool moves = io.MouseDown[0] || io.MouseDown[1] || turning_ >= 0;
-  if ((wanted == drawn_ && (moves || !sketched_)) || !drawing_) return;
+  if ((wanted == drawn_ && (moves || !sketched_)) || !placing_) return;
   const Theme ink = look(s, view);
   const View own(view.camera(), view.width(), view.height(), {0, view.corner().y() - r.top});
   Drawing drawing{r.width(), r.height(), ink.background, {}};
@@ -118,14 +118,15 @@ void SceneView::draw(Session& s, const Rect& r, const View& view) {
     std::ranges::copy(axis.shapes, std::back_inserter(drawing.shapes));
     std::ranges::copy(axis.labels, std::back_inserter(labels_));
   }
+  drawn_ = wanted;
   sketched_ = moves && has_much(drawing);
+  if (!drawing_) return;
   if (sketched_)
     renderer_.sketch(drawing, scale_);
   else
     renderer_.draw(drawing, scale_);
   const PixelBox size = pixels(drawing, scale_);
   picture_.take(renderer_.texture(), size.width, size.height);
-  drawn_ = wanted;
   constexpr double most_to_move = 0.060;  // seconds
   if (static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC > most_to_move) s.player.arrive(), behind_ = true;
 }

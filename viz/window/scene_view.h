@@ -15,9 +15,10 @@ namespace isect::viz {
 
 class SceneView {
  public:
-  /// `scale`: framebuffer pixels per px of the layout.
-  SceneView(Renderer& renderer, double scale, bool drawing = true)
-      : renderer_(renderer), scale_(scale), drawing_(drawing) {}
+  /// `scale`: framebuffer pixels per px of the layout. It may place names without `drawing`, or nothing without
+  /// `placing`.
+  SceneView(Renderer& renderer, double scale, bool drawing = true, bool placing = true)
+      : renderer_(renderer), scale_(scale), drawing_(drawing), placing_(placing) {}
 
   /// Draws the scene with what lies over it, and does what the pointer asks for.
   void show(Session&, const Rect&);
@@ -39,7 +40,7 @@ class SceneView {
 
   Renderer& renderer_;
   double scale_;
-  bool drawing_, behind_ = false;
+  bool drawing_, placing_, behind_ = false;
   std::vector<PlacedLabel> labels_;
   KeptPicture picture_;
   std::string drawn_;           ///< what the picture shows, as one line; drawing it again is saved

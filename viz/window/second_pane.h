@@ -16,7 +16,7 @@ bool two_panes(const Session&);
 
 class SecondPane {
  public:
-  SecondPane(Renderer& renderer, double scale, bool drawing) : scene_(renderer, scale, drawing) {}
+  SecondPane(Renderer& renderer, double scale, bool drawing) : scene_(renderer, scale, drawing, drawing) {}
 
   /// Both panes, with what tells them apart above them. `lead`: the scene of the first.
   void show(Session&, SceneView& lead, const PanesLayout&);

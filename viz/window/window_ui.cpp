@@ -81,7 +81,7 @@ struct WindowUi::Impl {
                 .course = course,
                 .figures = options.figures,
                 .save_scene = options.save_scene},
-        scene(gl, options.scale, options.draw_scene),
+        scene(gl, options.scale, options.draw_scene, options.place_names),
         map(gl, options.scale, options.draw_scene),
         panes(gl, options.scale, options.draw_scene) {
     keep_memory();

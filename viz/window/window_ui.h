@@ -15,7 +15,8 @@ namespace isect::viz {
 struct WindowOptions {
   double scale = 1;             ///< the screen's density: framebuffer pixels per px of the layout, at size 1
   bool reduced_motion = false;  ///< the camera arrives at once
-  bool draw_scene = true;       ///< tests of the layout do without it
+  bool draw_scene = true;       ///< tests of the layout do without it, most of them without its names, too
+  bool place_names = true;
   std::string figures = "figures";
   Course course = {};
   /// Writes a setting into the file of the lesson that is made from one; null: there is none.

@@ -26,6 +26,13 @@
 
 namespace isect {
 
+/// A text that keeps what it finds in each arithmetic, for others of its kind. It is never recorded: its steps would
+/// find all of that anew for each sign.
+template <class Text>
+struct Keeping : Text {};
+template <class Text>
+Keeping(Text) -> Keeping<Text>;
+
 namespace detail {
 template <class Text>
 [[gnu::noinline]] std::optional<int> short_sign(const Text& text) {
@@ -43,6 +50,12 @@ std::optional<int> sign_on_grid(const Bounded<T>& x, double step) {
   if (size + error < step) return 0;
   return {};
 }
+/// Whether a text is recorded before it runs in what follows doubles: where code is to be small, and where somebody
+/// listens, who waits for longer anyway.
+template <class Text, class Trace>
+inline constexpr bool recorded_for = small_code || heard<Trace>;
+template <class Text, class Trace>
+inline constexpr bool recorded_for<Keeping<Text>, Trace> = false;
 /// Apart and not inlined: the machine code of the slow path stays out of the fast one's way. `quick` is what doubles
 /// found: its size and its roundings, too, serve the stages that follow.
 template <class Text>
@@ -132,7 +145,7 @@ int sign_of(const Text& text, Trace&& trace = {}) {
   } else {
     if (quick.certain()) return quick.apparent_sign();
     trace(Fallback{});
-    if constexpr (small_code)
+    if constexpr (detail::recorded_for<Text, Trace>)
       return detail::settled_sign(RecordedSum(text), quick);
     else
       return detail::settled_sign(text, quick);

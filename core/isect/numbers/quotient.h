@@ -123,7 +123,8 @@ template <class Text>
 /// lose what S loses there: half a unit of the least subnormal more. In double most are within 0.51 ulp.
 template <class S, class Text, class Trace = NoTrace>
 S value_of(const Text& text, Trace&& trace = {}) {
-  if constexpr (small_code && !std::is_same_v<Text, RecordedRatio>) return value_of<S>(RecordedRatio(text), trace);
+  if constexpr (detail::recorded_for<Text, Trace> && !std::is_same_v<Text, RecordedRatio>)
+    return value_of<S>(RecordedRatio(text), trace);
   constexpr double tolerance = std::numeric_limits<S>::epsilon() / 3;
   std::optional<double> q;
   if constexpr (std::is_same_v<S, float>)

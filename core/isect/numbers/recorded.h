@@ -3,8 +3,8 @@
 //
 // A text is compiled once for each arithmetic that it runs in, and where it is long that takes the compiler a second or
 // more each time. Run once in Recorded it leaves its steps behind, on the heap, and one loop runs these in all the
-// others. So is settled what doubles leave open where code must be small, and always for long texts, as of half-spaces,
-// polytopes and smallest balls. What comes out is what the text itself finds, bit for bit.
+// others. So is settled what doubles leave open where code must be small, where somebody listens, and always for long
+// texts, as of half-spaces, polytopes and smallest balls. What comes out is what the text itself finds, bit for bit.
 
 #include <array>
 #include <cstddef>
