@@ -17,14 +17,8 @@ inline bool long_run() {
   return text && std::string(text) == "1";
 }
 
-/// How many random cases to draw: few in an ordinary run, many in a long one. Under the address sanitizer, which looks
-/// for accesses and not for verdicts, a fourth of the few will do.
-inline int cases(int few, int many) {
-#ifdef __SANITIZE_ADDRESS__
-  few = (few + 3) / 4;
-#endif
-  return long_run() ? many : few;
-}
+/// How many random cases to draw: few in an ordinary run, many in a long one.
+inline int cases(int few, int many) { return long_run() ? many : few; }
 
 }  // namespace isect::tests
 
