@@ -143,7 +143,7 @@ TEST_CASE("an algorithm whose signs doubles leave open runs again, and only then
       return sign_of([&]<class W>() -> W { return W(x) * W(below) - W(1); }, pass);
     };
     CHECK(in_doubles_first(algorithm, silent) == (x == 2 ? 1 : -1));
-    CHECK(runs == (x == 2 ? 1 : 2));
+    CHECK(runs == (small_code || x == 2 ? 1 : 2));
     Record<std::variant<Fallback>> record;
     runs = 0;
     CHECK(in_doubles_first(algorithm, record) == (x == 2 ? 1 : -1));
