@@ -44,6 +44,7 @@ endfunction()
 
 same(${COMPILER} "" -Os -DISECT_DISPATCH=0)
 if(NOT "$ENV{ISECT_LONG}" STREQUAL 1)
+  message(STATUS "the other builds and aarch64: in a long run, ISECT_LONG=1")
   return()
 endif()
 same(${COMPILER} "" -DISECT_DISPATCH=0)
