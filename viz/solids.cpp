@@ -32,10 +32,9 @@ Solid solid(const Obb<double, 3>& box, Role role) {
   return hexahedron(corners, role);
 }
 
-Solid solid(const Kdop<double, 3>& kdop, Role role) {
-  const Polytope<double, 3> shape = polytope(kdop);
-  return {shape.vertices, shape.faces, role};
-}
+Solid solid(const Polytope<double, 3>& shape, Role role) { return {shape.vertices, shape.faces, role}; }
+
+Solid solid(const Kdop<double, 3>& kdop, Role role) { return solid(polytope(kdop), role); }
 
 Solid solid(const Hull3<double>& hull, Role role) {
   Solid result = {hull.vertices, {}, role};

@@ -7,7 +7,9 @@
 namespace isect {
 template <class S>
 struct Hull3;  // isect/convex_hull_3d.h
-}
+template <class S, int N>
+struct Polytope;  // isect/kdop_polytope.h
+}  // namespace isect
 
 namespace isect::viz {
 
@@ -16,6 +18,7 @@ Solid hexahedron(const std::array<Vec3, 8>& corners, Role);
 
 Solid solid(const Aabb<double, 3>&, Role);
 Solid solid(const Obb<double, 3>&, Role);
+Solid solid(const Polytope<double, 3>&, Role);
 Solid solid(const Kdop<double, 3>&, Role);  ///< without vertices when it is empty
 Solid solid(const Hull3<double>&,
             Role);  ///< faces of one plane stay triangles; no edge is drawn between them

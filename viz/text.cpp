@@ -5,6 +5,7 @@
 #include <pango/pangocairo.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -42,11 +43,13 @@ class Canvas {
     if (cairo_surface_status(surface_) != CAIRO_STATUS_SUCCESS) throw std::runtime_error("no memory for a text");
     cairo_surface_flush(surface_);
     Picture out{cairo_image_surface_get_width(surface_), cairo_image_surface_get_height(surface_), {}};
-    out.rgba.reserve(std::size_t{4} * out.width * out.height);
+    out.rgba.resize(std::size_t{4} * out.width * out.height);
+    const std::array<std::uint8_t, 4> empty = {byte(under.r), byte(under.g), byte(under.b), 0};
     const unsigned char* row = cairo_image_surface_get_data(surface_);
+    std::uint8_t* to = out.rgba.data();
     for (int y = 0; y < out.height; ++y, row += cairo_image_surface_get_stride(surface_)) {
       const auto* pixels = reinterpret_cast<const std::uint32_t*>(row);
-      for (int x = 0; x < out.width; ++x) append_straight(out.rgba, pixels[x], under);
+      for (int x = 0; x < out.width; ++x, to += 4) std::ranges::copy(pixels[x] >> 24 ? straight(pixels[x]) : empty, to);
     }
     return out;
   }
@@ -54,17 +57,13 @@ class Canvas {
  private:
   static std::uint8_t byte(double channel) { return static_cast<std::uint8_t>(std::lround(255 * channel)); }
 
-  static void append_straight(std::vector<std::uint8_t>& rgba, std::uint32_t premultiplied, const Colour& under) {
+  static std::array<std::uint8_t, 4> straight(std::uint32_t premultiplied) {
     const std::uint32_t alpha = premultiplied >> 24;
-    if (alpha == 0) {
-      rgba.insert(rgba.end(), {byte(under.r), byte(under.g), byte(under.b), 0});
-      return;
-    }
-    for (const int shift : {16, 8, 0}) {
-      const std::uint32_t channel = premultiplied >> shift & 255;
-      rgba.push_back(static_cast<std::uint8_t>(std::min<std::uint32_t>(255, (channel * 255 + alpha / 2) / alpha)));
-    }
-    rgba.push_back(static_cast<std::uint8_t>(alpha));
+    const auto channel = [&](int shift) {
+      return static_cast<std::uint8_t>(
+          std::min<std::uint32_t>(255, ((premultiplied >> shift & 255) * 255 + alpha / 2) / alpha));
+    };
+    return {channel(16), channel(8), channel(0), static_cast<std::uint8_t>(alpha)};
   }
 
   cairo_surface_t* surface_;
@@ -184,6 +183,11 @@ Block lay_out(const Paragraph& paragraph) {
   return block;
 }
 
+/// Of the picture of a paragraph that is at least `width` px wide.
+Vec2 pixels(const Block& block, double width, double scale) {
+  return {std::ceil(std::max(width, block.right - block.left) * scale), std::ceil(block.height * scale)};
+}
+
 }  // namespace
 
 TextBox measure(const Text& text) { return ink_box(text); }
@@ -204,11 +208,15 @@ Rastered raster(const Text& text, double scale) {
   return {canvas.picture(text.halo > 0 ? text.halo_colour : text.colour), {left / scale, top / scale}};
 }
 
+Vec2 extent(const Paragraph& paragraph, double scale) {
+  return paragraph.markup.empty() || !(scale > 0) ? Vec2(0, 0) : pixels(lay_out(paragraph), paragraph.width, scale);
+}
+
 Picture raster(const Paragraph& paragraph, double scale) {
   if (paragraph.markup.empty() || !(scale > 0)) return {};
   const Block block = lay_out(paragraph);
-  const double width = std::max(paragraph.width, block.right - block.left);
-  const Canvas canvas(std::ceil(width * scale), std::ceil(block.height * scale));
+  const Vec2 size = pixels(block, paragraph.width, scale);
+  const Canvas canvas(size.x(), size.y());
   cairo_t* cr = canvas.cr();
   set_source(cr, paragraph.colour);
   cairo_scale(cr, scale, scale);

@@ -48,6 +48,8 @@ struct Paragraph {
 /// `width` px wide (as wide as its text on one line); one pitch high for each line, capitals in the middle of
 /// it.
 Picture raster(const Paragraph&, double scale = 1);
+/// The pixels across and down of that picture, which is not drawn for it.
+Vec2 extent(const Paragraph&, double scale = 1);
 
 /// Where a name (viz/names.h) stands in a paragraph, in px from its top left corner.
 struct NameBox {

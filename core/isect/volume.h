@@ -246,17 +246,26 @@ S surface_area(const Kdop<S, 2>& kdop) {
   return volume_detail::sum<S>(sides);
 }
 
-/// Of its rounded vertices; empty where its slabs contradict each other. Throws where it is unbounded. Within 2 ulp
-/// of that polytope's, whose vertices are within 2 ulp of the true ones, the surface within 3 ulp of that polytope's.
+/// Of its vertices as they are, within 2 ulp.
+template <class S>
+S volume(const Polytope<S, 3>& solid) {
+  return volume(solid.vertices, volume_detail::triangles(solid));
+}
+/// Within 3 ulp.
+template <class S>
+S surface_area(const Polytope<S, 3>& solid) {
+  return surface_area(solid.vertices, volume_detail::triangles(solid));
+}
+
+/// Of its polytope, whose vertices are within 2 ulp of the true ones; 0 where its slabs contradict each other. Throws
+/// where it is unbounded.
 template <class S>
 S volume(const Kdop<S, 3>& kdop) {
-  const Polytope<S, 3> solid = polytope(kdop);
-  return volume(solid.vertices, volume_detail::triangles(solid));
+  return volume(polytope(kdop));
 }
 template <class S>
 S surface_area(const Kdop<S, 3>& kdop) {
-  const Polytope<S, 3> solid = polytope(kdop);
-  return surface_area(solid.vertices, volume_detail::triangles(solid));
+  return surface_area(polytope(kdop));
 }
 
 /// Within 2 ulp; 0 of a hull in a plane.

@@ -26,6 +26,7 @@ class Fit {
         k_(k),
         fitted_(mesh_, k),
         all_(measured(fitted_)),
+        dops_(measured_kdops(mesh_)),
         tip_(tip),
         script_({"Lecture note, bounding volumes; Ericson, Real-Time Collision Detection (2005), ch. 4",
                  fmt::format("A {} in a sphere, an AABB, an OBB, {} {}-DOP and its convex hull.", name,
@@ -130,14 +131,12 @@ class Fit {
   }
 
   void dops() {
-    std::vector<Measured> all;
-    for (const std::string& k : sizes_of_dops) all.push_back(measured_kdop(mesh_, std::stoi(k)));
     script_.value(all_[3].name, all_[3].volume, "volume", Role::second);
     Step& step = add("k-dops", "k-DOPs: more slabs, less void", 3,
                      "*k* is even, as each normal gives a slab with two bounds. More slabs can only cut off more.\n"
                      "All objects share the normals, so only *k* bounds are stored. With *k* = 6 this is the AABB.",
                      "*lo_i* ≤ **n***_i* · **x** ≤ *hi_i* for each *i*");
-    step.scene.items = side_by_side(mesh_, fitted_.object, all);
+    step.scene.items = side_by_side(mesh_, fitted_.object, dops_);
     step.scene.handles.clear();  // the object stands in each small picture, and nowhere else
     const int k = k_ > 6 ? k_ : 14;
     step.question =
@@ -175,8 +174,7 @@ class Fit {
 
   void trade_off() {
     std::vector<Measured> points = {all_[0], all_[1], all_[2]};
-    for (const std::string& k : sizes_of_dops)
-      if (k != "6") points.push_back(measured_kdop(mesh_, std::stoi(k)));
+    points.insert(points.end(), dops_.begin() + 1, dops_.end());  // a 6-DOP is the AABB
     std::vector<Vec2> places;
     Plot plot;
     double least = 1e300, greatest = 0;
@@ -209,7 +207,7 @@ class Fit {
   const Mesh3 mesh_;
   const int k_;
   const Fitted fitted_;
-  const std::vector<Measured> all_;
+  const std::vector<Measured> all_, dops_;
   const Vec3 tip_;
   Script script_;
 };

@@ -194,13 +194,20 @@ std::vector<Measured> measured(const Fitted& f) {
   return {measure("sphere", f.ball, Ball{f.ball.center, f.ball.radius, Role::second}),
           measure("AABB", f.aabb, solid(f.aabb, Role::second)),
           measure("OBB", f.obb, solid(f.obb, Role::second)),
-          measure(dop(f.kdop), f.kdop, solid(f.kdop, Role::second)),
+          measured(f.kdop),
           {"hull", volume(f.hull), numbers_kept(f.hull), {}, solid(f.hull, Role::second)}};
 }
 
-Measured measured_kdop(const Mesh3& mesh, int k) {
-  const Kdop<double, 3> kdop = fit_kdop(mesh.vertices, directions<double, 3>(k));
-  return measure(dop(kdop), kdop, solid(kdop, Role::second));
+Measured measured(const Kdop<double, 3>& kdop) {
+  const Polytope<double, 3> shape = polytope(kdop);  // once for both: the slowest part
+  return {dop(kdop), volume(shape), numbers_kept(kdop), cost(kdop), solid(shape, Role::second)};
+}
+
+std::vector<Measured> measured_kdops(const Mesh3& mesh) {
+  std::vector<Measured> all;
+  for (const std::string& k : sizes_of_dops)
+    all.push_back(measured(fit_kdop(mesh.vertices, directions<double, 3>(std::stoi(k)))));
+  return all;
 }
 
 }  // namespace isect::lessons::bounding_volumes_lesson

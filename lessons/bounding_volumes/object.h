@@ -44,8 +44,9 @@ struct Measured {
 };
 /// Sphere, AABB, OBB, k-DOP, hull.
 std::vector<Measured> measured(const Fitted&);
-/// The k-DOP of another k around the same object.
-Measured measured_kdop(const TriangleMesh<double>&, int k);
+Measured measured(const Kdop<double, 3>&);
+/// The k-DOPs of all sizes around an object.
+std::vector<Measured> measured_kdops(const TriangleMesh<double>&);
 
 /// What is told before the first step, and after the last one. (closing.cpp)
 const std::string& opening();

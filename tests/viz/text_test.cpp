@@ -263,6 +263,19 @@ TEST_CASE("a formula on a generous pitch keeps all its ink", "[text]") {
   }
 }
 
+TEST_CASE("a paragraph's extent is the size of its picture, which is not drawn for it", "[text]") {
+  for (const char* markup : {"", "void", "The sphere **c** and *r*^2 of it, on several lines, one after the other",
+                             "a\nb", "averylongwordthatfitsintonoline *d*^2 ≤ *r*^2"})
+    for (const double wrap : {0.0, 40.0, 130.5})
+      for (const double scale : {1.0, 1.25, 2.0, 3.0}) {
+        const Paragraph p = paragraph(markup, wrap);
+        const Picture picture = raster(p, scale);
+        INFO(markup << ", " << wrap << ", " << scale);
+        CHECK(extent(p, scale) == Vec2(picture.width, picture.height));
+      }
+  CHECK(extent(paragraph("void", 0), 0) == Vec2(0, 0));
+}
+
 TEST_CASE("an empty paragraph is an empty picture", "[text]") {
   CHECK(raster(paragraph("", 100)).rgba.empty());
   CHECK(raster(paragraph("a", 100), 0).rgba.empty());

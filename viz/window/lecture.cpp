@@ -36,8 +36,8 @@ float line_height(const Session& s, const Told& told) {
 }
 
 float height_of(Session& s, const Told& told) {
-  const float formula = told.formula.markup.empty() ? 0 : s.ui.texts.of(told.formula).size.y;
-  return 2 * told_padding + std::max(s.ui.texts.of(told.caption).size.y, line_height(s, told) + formula);
+  const float formula = told.formula.markup.empty() ? 0 : s.ui.texts.size_of(told.formula).y;
+  return 2 * told_padding + std::max(s.ui.texts.size_of(told.caption).y, line_height(s, told) + formula);
 }
 
 }  // namespace

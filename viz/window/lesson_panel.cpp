@@ -20,10 +20,10 @@ void formula_card(Column& c, const std::string& markup) {
   Ui& ui = c.s.ui;
   constexpr double largest = 24, least = 17;
   Paragraph p{.markup = markup, .size = largest, .line_pitch = 30, .math = true, .colour = ui.palette.text};
-  const float room = c.width - 24, natural = ui.texts.of(p).size.x;
+  const float room = c.width - 24, natural = ui.texts.size_of(p).x;
   if (natural > room) p.size = std::max(least, std::floor(p.size * room / natural));
-  if (ui.texts.of(p).size.x > room) p.width = room, p.size = least - 1, p.line_pitch = 25;
-  const ImVec2 size = ui.texts.of(p).size;
+  if (ui.texts.size_of(p).x > room) p.width = room, p.size = least - 1, p.line_pitch = 25;
+  const ImVec2 size = ui.texts.size_of(p);
   const float height = std::max(60.0f, size.y + 24);
   filled({c.x, c.y, c.x + c.width, c.y + height}, ui.palette.card, 8);
   const float left = p.width > 0 ? c.x + 12 : c.x + (c.width - size.x) / 2;
@@ -115,7 +115,7 @@ Paragraph words_of(const Session& s, const Hint& hint, float width) {
 }
 
 float hint_height(Session& s, const Hint& hint, float width) {
-  return s.ui.texts.of(words_of(s, hint, width - hint_sign)).size.y + 11;
+  return s.ui.texts.size_of(words_of(s, hint, width - hint_sign)).y + 11;
 }
 
 float hints_height(Session& s, const std::vector<Hint>& hints, float width) {
@@ -145,7 +145,7 @@ void draw_hints(Session& s, const std::vector<Hint>& hints, float x, float y, fl
 void draw_hints_in_a_row(Session& s, const std::vector<Hint>& hints, float x, float right, float y) {
   for (const Hint& hint : hints) {
     const Paragraph words = words_of(s, hint, 0);
-    const float end = x + hint_sign + s.ui.texts.of(words).size.x;
+    const float end = x + hint_sign + s.ui.texts.size_of(words).x;
     if (end > right) continue;
     hint_mark(s, hint, x, y);
     rich_line(s.ui, words, x + hint_sign, y);

@@ -138,7 +138,7 @@ const std::string& label_of(const Parameter& p) { return p.label.empty() ? p.nam
 float label_width(Session& s) {
   float widest = 40;
   for (const Parameter& p : s.player.lesson().parameters)
-    widest = std::max(widest, s.ui.texts.of({.markup = label_of(p), .colour = s.ui.palette.text}).size.x);
+    widest = std::max(widest, s.ui.texts.size_of({.markup = label_of(p), .colour = s.ui.palette.text}).x);
   return std::min(widest + 12, 96.0f);
 }
 

@@ -140,7 +140,7 @@ void foot(Session& s, const Lesson& l, const Rect& r) {
   const Paragraph words{.markup = l.summary, .width = room, .size = 13, .line_pitch = 19, .colour = c.text};
   const float end = r.top + 30 + rich(ui, words, {left, r.top + 26}).y;
   const Paragraph near{.markup = leads(s, l), .width = room, .size = 13, .line_pitch = 19, .colour = c.muted};
-  if (end + ui.texts.of(near).size.y < r.bottom - 22) rich(ui, near, {left, end});
+  if (end + ui.texts.size_of(near).y < r.bottom - 22) rich(ui, near, {left, end});
   text(ui.fonts.small, left, r.bottom - 10, packed(c.muted), "↓ and ↑ choose, Enter opens, Escape closes");
 }
 

@@ -22,7 +22,7 @@ constexpr float beside_key = 26;
 /// On one line if there is room, else on several.
 Paragraph choice_words(Ui& ui, const std::string& markup, float width, const Colour& colour) {
   Paragraph words{.markup = markup, .line_pitch = 21, .colour = colour};
-  if (ui.texts.of(words).size.x > width - beside_key - 6) words.width = width - beside_key - 6;
+  if (ui.texts.size_of(words).x > width - beside_key - 6) words.width = width - beside_key - 6;
   return words;
 }
 
@@ -38,7 +38,7 @@ bool choice_button(Ui& ui, const Choice& choice, const Rect& r) {
   if (!choice.open && !choice.right && choice.chosen) cross(r.left + 13, y, 11, packed(c.miss));
   const bool quiet = !choice.open && !choice.right && !choice.chosen;
   const Paragraph words = choice_words(ui, choice.markup, r.width(), quiet ? c.muted : c.text);
-  const ImVec2 size = ui.texts.of(words).size;
+  const ImVec2 size = ui.texts.size_of(words);
   const float left = words.width > 0 ? r.left + beside_key : r.middle_x() + 7 - size.x / 2;
   rich(ui, words, {left, y - size.y / 2});
   return p.clicked && choice.open;
@@ -50,14 +50,14 @@ int choices(Column& c, const Question& question, int given) {
   const int n = static_cast<int>(question.choices.size());
   float widest = 0;
   for (const std::string& markup : question.choices)
-    widest = std::max(widest, ui.texts.of({.markup = markup, .colour = ui.palette.text}).size.x);
+    widest = std::max(widest, ui.texts.size_of({.markup = markup, .colour = ui.palette.text}).x);
   const float share = (c.width - 8 * static_cast<float>(n - 1)) / static_cast<float>(std::max(n, 1));
   const bool in_a_row = widest + 38 <= share;
   int pressed = -1;
   for (int i = 0; i < n; ++i) {
     const float x = in_a_row ? c.x + static_cast<float>(i) * (share + 8) : c.x;
     const float width = in_a_row ? share : c.width;
-    const float lines = ui.texts.of(choice_words(ui, question.choices[i], width, ui.palette.text)).size.y;
+    const float lines = ui.texts.size_of(choice_words(ui, question.choices[i], width, ui.palette.text)).y;
     const Rect r{x, c.y, x + width, c.y + std::max(36.0f, lines + 12)};
     const Choice choice{"choice " + std::to_string(i), question.choices[i], static_cast<char>('A' + i), given < 0,
                         i == question.answer,          i == given};

@@ -90,14 +90,14 @@ Paragraph verdict_words(Session& s, const Rect& scene) {
   if (is_low(scene)) words.size = 13, words.line_pitch = 19;
   const float alarm = is_low(scene) && has_alarm(s) ? alarm_width(s) + 12 : 0;
   const float room = scene.width() - 60 - 2 * edge(scene) - alarm;
-  if (s.ui.texts.of(words).size.x > room) words.width = room;
+  if (s.ui.texts.size_of(words).x > room) words.width = room;
   return words;
 }
 
 /// 0: there is none.
 float verdict_height(Session& s, const Rect& scene) {
   if (s.player.step().verdict.text.empty() || is_card(s.player.step().scene)) return 0;
-  return s.ui.texts.of(verdict_words(s, scene)).size.y + (is_low(scene) ? 9.0f : 13.0f);
+  return s.ui.texts.size_of(verdict_words(s, scene)).y + (is_low(scene) ? 9.0f : 13.0f);
 }
 
 }  // namespace
@@ -122,7 +122,7 @@ void verdict_chip(Session& s, const Rect& scene) {
   Ui& ui = s.ui;
   const Colour& ink = ink_of(ui.palette, verdict.kind);
   const Paragraph words = verdict_words(s, scene);
-  const ImVec2 size = ui.texts.of(words).size;
+  const ImVec2 size = ui.texts.size_of(words);
   const Rect r{scene.left + in, scene.top + in, scene.left + in + 60 + size.x, scene.top + in + height};
   ui.rects["verdict"] = r;
   filled(r, ui.palette.window, 8);

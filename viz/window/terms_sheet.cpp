@@ -18,7 +18,7 @@ void terms_sheet(Session& s, const Rect& window) {
     if (!matches(term.name + " " + plain(term.meaning), s.search)) continue;
     if (!first) first = &term;
     const Paragraph meaning{.markup = term.meaning, .width = width - 16, .colour = c.text};
-    const Rect r{at.x, y, at.x + width, y + 34 + s.ui.texts.of(meaning).size.y};
+    const Rect r{at.x, y, at.x + width, y + 34 + s.ui.texts.size_of(meaning).y};
     const Press p = press(s.ui, "term " + term.name, r);
     if (p.hovered) filled(r, c.card, 5);
     text(s.ui.fonts.bold, r.left + 8, y + 16, packed(c.text), term.name);

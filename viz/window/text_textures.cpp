@@ -20,7 +20,7 @@ std::string key_of(const Paragraph& p) {
 TextTextures::~TextTextures() { drop(); }
 
 void TextTextures::drop() {
-  for (const auto& [key, kept] : kept_) glDeleteTextures(1, &kept.name);
+  for (const auto& [key, kept] : kept_) glDeleteTextures(1, &kept.texture);
   kept_.clear();
 }
 
@@ -29,32 +29,29 @@ void TextTextures::rescale(double scale) {
   scale_ = scale;
 }
 
-TextTextures::Kept* TextTextures::kept(const Paragraph& paragraph) {
-  const std::string key = key_of(paragraph);
-  auto found = kept_.find(key);
-  if (found == kept_.end()) {
-    const Picture picture = raster(paragraph, scale_);
-    if (picture.width == 0 || picture.height == 0) return nullptr;
-    const unsigned name = gl::make_texture(picture);
-    const ImVec2 size{static_cast<float>(picture.width / scale_), static_cast<float>(picture.height / scale_)};
-    const TextImage image{reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(name)), size};
-    found = kept_.emplace(key, Kept{image, name, frame_}).first;
+TextTextures::Kept& TextTextures::kept(const Paragraph& paragraph) {
+  const auto [at, fresh] = kept_.try_emplace(key_of(paragraph));
+  Kept& one = at->second;
+  if (fresh) {
+    const Vec2 pixels = extent(paragraph, scale_);
+    one.size = {static_cast<float>(pixels.x() / scale_), static_cast<float>(pixels.y() / scale_)};
   }
-  found->second.last_used = frame_;
-  return &found->second;
+  one.last_used = frame_;
+  return one;
 }
 
-TextImage TextTextures::of(const Paragraph& paragraph) {
-  const Kept* const one = kept(paragraph);
-  return one ? one->image : TextImage{nullptr, {0, 0}};
+ImTextureID TextTextures::of(const Paragraph& paragraph) {
+  Kept& one = kept(paragraph);
+  if (one.texture == 0 && one.size.x > 0 && one.size.y > 0) one.texture = gl::make_texture(raster(paragraph, scale_));
+  return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(one.texture));
 }
+
+ImVec2 TextTextures::size_of(const Paragraph& paragraph) { return kept(paragraph).size; }
 
 const std::vector<NameBox>& TextTextures::names(const Paragraph& paragraph) {
-  static const std::vector<NameBox> none;
-  Kept* const one = kept(paragraph);
-  if (!one) return none;
-  if (!one->names) one->names = name_boxes(paragraph);
-  return *one->names;
+  Kept& one = kept(paragraph);
+  if (!one.names) one.names = name_boxes(paragraph);
+  return *one.names;
 }
 
 void TextTextures::next_frame() {
@@ -64,7 +61,7 @@ void TextTextures::next_frame() {
       ++it;
       continue;
     }
-    glDeleteTextures(1, &it->second.name);
+    glDeleteTextures(1, &it->second.texture);
     it = kept_.erase(it);
   }
 }

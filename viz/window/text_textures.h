@@ -12,12 +12,6 @@
 
 namespace isect::viz {
 
-/// A picture on the graphics card, with its size in px of the layout.
-struct TextImage {
-  ImTextureID texture;
-  ImVec2 size;
-};
-
 /// Needs the context that was current when it was made, in every call and at its end.
 class TextTextures {
  public:
@@ -27,7 +21,10 @@ class TextTextures {
   TextTextures(const TextTextures&) = delete;
   TextTextures& operator=(const TextTextures&) = delete;
 
-  TextImage of(const Paragraph&);
+  /// Its picture on the graphics card; none of an empty one.
+  ImTextureID of(const Paragraph&);
+  /// The size of that picture, in px of the layout. The picture is not drawn for it.
+  ImVec2 size_of(const Paragraph&);
   /// Where its names stand, in px from its top left corner.
   const std::vector<NameBox>& names(const Paragraph&);
   /// From now on so many framebuffer pixels per px.
@@ -39,12 +36,12 @@ class TextTextures {
  private:
   void drop();
   struct Kept {
-    TextImage image;
-    unsigned name;
-    int last_used;
+    ImVec2 size;
+    unsigned texture = 0;  ///< none drawn yet
+    int last_used = 0;
     std::optional<std::vector<NameBox>> names = {};
   };
-  Kept* kept(const Paragraph&);
+  Kept& kept(const Paragraph&);
   double scale_;
   int frame_ = 0;
   std::map<std::string, Kept> kept_;

@@ -108,7 +108,7 @@ void transport(Session& s, const Rect& r) {
   const float end = 24 + text(ui.fonts.body, 24, y, packed(ui.palette.text), where);
   const Paragraph title{.markup = player.step().title, .colour = ui.palette.muted};
   const float room = middle - 136 - (end + 24);
-  if (ui.texts.of(title).size.x <= room)
+  if (ui.texts.size_of(title).x <= room)
     rich_line(ui, title, end + 24, y);
   else if (room > 60)
     text(ui.fonts.body, end + 24, y, packed(ui.palette.muted), fitted(ui.fonts.body, plain(title.markup), room));

@@ -97,11 +97,10 @@ float text(ImFont* font, float x, float y, ImU32 colour, const std::string& s, f
 
 ImVec2 rich(Ui& ui, const Paragraph& p, ImVec2 at) {
   if (p.markup.empty()) return {0, 0};
-  const TextImage image = ui.texts.of(p);
-  const ImVec2 from{std::round(at.x), std::round(at.y)};
-  tell_if_cut(p.markup, from.x, from.x + image.size.x);
-  const bool near =
-      ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(from, {from.x + image.size.x, from.y + image.size.y});
+  const ImVec2 size = ui.texts.size_of(p);
+  const ImVec2 from{std::round(at.x), std::round(at.y)}, to{from.x + size.x, from.y + size.y};
+  tell_if_cut(p.markup, from.x, to.x);
+  const bool near = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(from, to);
   if ((near || ui.light.on()) && !(ImGui::GetCurrentWindow()->RootWindow->Flags & ImGuiWindowFlags_Popup))
     for (const NameBox& name : ui.texts.names(p)) {
       const TextBox& b = name.box;
@@ -109,8 +108,9 @@ ImVec2 rich(Ui& ui, const Paragraph& p, ImVec2 at) {
       const auto y = [&](double px) { return from.y + static_cast<float>(px); };
       lights(ui, {name.key}, {x(b.left) - 1, y(b.top), x(b.right) + 1, y(b.bottom)});
     }
-  if (image.texture) list().AddImage(image.texture, from, {from.x + image.size.x, from.y + image.size.y});
-  return image.size;
+  if (ImGui::IsRectVisible(from, to))
+    if (const ImTextureID image = ui.texts.of(p)) list().AddImage(image, from, to);
+  return size;
 }
 
 void lights(Ui& ui, const std::vector<std::string>& names, const Rect& r, bool bright) {
@@ -159,7 +159,7 @@ void tell_sum(Ui& ui, const Rect& window) {
 
 ImVec2 rich_line(Ui& ui, const Paragraph& p, float x, float y, float align) {
   if (p.markup.empty()) return {0, 0};
-  const ImVec2 size = ui.texts.of(p).size;
+  const ImVec2 size = ui.texts.size_of(p);
   return rich(ui, p, {x - align * size.x, y - size.y / 2});
 }
 

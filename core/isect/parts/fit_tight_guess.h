@@ -180,15 +180,33 @@ inline Eigen::Matrix3d descended(Eigen::Matrix3d axes, const std::vector<Point<d
   return axes;
 }
 
+/// Adds the points that the box along the axes rests on, one a face, where they are missing.
+inline void add_ends(std::vector<Point<double, 3>>& ends, const Eigen::Matrix3d& axes,
+                     const std::vector<Point<double, 3>>& q) {
+  for (int i = 0; i < 3; ++i) {
+    const auto before = [&](const auto& x, const auto& y) { return axes.col(i).dot(x) < axes.col(i).dot(y); };
+    const auto [least, most] = std::minmax_element(q.begin(), q.end(), before);
+    for (const auto& end : {*least, *most})
+      if (std::find(ends.begin(), ends.end(), end) == ends.end()) ends.push_back(end);
+  }
+}
+
 /// Turns by ever smaller angles, about any of many directions, while that helps: the least volume may be at a ridge,
-/// where no turn about a single axis of the box does.
+/// where no turn about a single axis of the box does. The few points that boxes have rested on so far mostly make a
+/// turned one too large already, and then the others are not looked at.
 inline Eigen::Matrix3d polished(Eigen::Matrix3d axes, const std::vector<Point<double, 3>>& q) {
+  static const std::vector<Vector<double, 3>> about = directions<double, 3>(26);
   double volume = volume_along<3>(axes, q);
+  constexpr std::size_t few = 16;  // are looked at as quickly as they are chosen from
+  std::vector<Point<double, 3>> ends;
+  if (q.size() <= few) ends = q;
+  add_ends(ends, axes, q);
   for (double angle = 0.2; angle > resolution; angle /= 2)
     for (int since = 0, tries = 0; since < 26 && tries < 200; ++since, ++tries) {
-      static const std::vector<Vector<double, 3>> about = directions<double, 3>(26);
       const double turn = tries % 2 ? angle : -angle;
       const Eigen::Matrix3d next = Eigen::AngleAxisd(turn, about[tries / 2 % 13].normalized()) * axes;
+      if (!(volume_along<3>(next, ends) < volume)) continue;
+      if (q.size() > few) add_ends(ends, next, q);
       const double less = volume_along<3>(next, q);
       if (less < volume) axes = next, volume = less, since = 0;
     }
