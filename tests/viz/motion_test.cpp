@@ -5,6 +5,7 @@
 #include "lessons/lessons.h"
 #include "tests/catch.h"
 #include "tests/viz/window_driver.h"
+#include "viz/halos.h"
 
 namespace motion_test {
 using namespace isect;
@@ -76,6 +77,31 @@ TEST_CASE("a step takes 220 ms, its light 120, and then all is at rest", "[windo
   CHECK(std::isinf(window.ui.rest()));
   CHECK(window.picture().rgba != on_the_way);
   CHECK(at_start != on_the_way);
+}
+
+TEST_CASE("the current line can be read while its light comes on", "[window]") {
+  Settings settings;
+  settings.theme = GENERATE(ThemeName::dark, ThemeName::screen, ThemeName::grey);
+  WindowDriver window(lessons::all_lessons(), 1280, 800, sides(), settings, reduced(false));
+  window.wait(1);
+  window.key(key::left);
+  int frames = 0;
+  for (; window.player().light() < 1; window.frames(), ++frames) {
+    const Rect line = window.rect("line " + std::to_string(window.player().step().line + 1));
+    const Picture picture = window.picture();
+    const auto at = [&](float x, float y) {
+      const std::uint8_t* p =
+          &picture.rgba[4 * (static_cast<std::size_t>(y) * picture.width + static_cast<std::size_t>(x))];
+      return Colour{p[0] / 255.0, p[1] / 255.0, p[2] / 255.0};
+    };
+    const Colour ground = at(line.right - 6, line.middle_y());
+    double most = 1;
+    for (float y = line.top + 2; y < line.bottom - 2; ++y)
+      for (float x = line.left + 30; x < line.right - 40; ++x) most = std::max(most, contrast_ratio(at(x, y), ground));
+    INFO("light " << window.player().light());
+    CHECK(most > 3.5);
+  }
+  CHECK(frames > 1);
 }
 
 TEST_CASE("a chart is made while all is at rest before its step, not while the scene is turned", "[window]") {

@@ -132,7 +132,8 @@ void code_line(Session& s, int line, const CodeLine& words, float pitch, const R
   if (p.clicked && to >= 0) s.player.go_to(to);
 
   if (line == s.parted_line) parted_mark(ui, "parted line", r);
-  const Colour& ink = current ? c.on_highlight : has(step.untaken, line) ? c.muted : c.text;
+  const bool lit = current && s.player.light() > 0.5;  // until then light ink reads better on the ground
+  const Colour& ink = lit ? c.on_highlight : has(step.untaken, line) ? c.muted : c.text;
   float y = r.top + pitch / 2;
   const float number = r.left + 26;
   const Rect place{r.left, std::max(r.top, ImGui::GetWindowPos().y), r.right,
@@ -140,18 +141,18 @@ void code_line(Session& s, int line, const CodeLine& words, float pitch, const R
   const std::vector<std::string> subject = subject_of_line(s.player.walk().pseudocode[line], ui.names);
   if (p.hovered) ui.light.point(subject, place);
   if (ui.focus.name() == "line " + std::to_string(line + 1)) ui.light.hold(subject, place);
-  text(ui.fonts.mono_small, number, y, packed(current ? c.on_highlight : c.muted), std::to_string(line + 1), 1);
+  text(ui.fonts.mono_small, number, y, packed(lit ? c.on_highlight : c.muted), std::to_string(line + 1), 1);
   const bool refused = says_no(s.player, line);
   ImGui::PushClipRect({number + 8, r.top}, {r.right - (refused ? 38 : 4), r.bottom}, true);
   for (const std::string& row : words.rows) {
-    lights_in(ui, words.font, r.left + code_left, y, row, current);
+    lights_in(ui, words.font, r.left + code_left, y, row, lit);
     text(words.font, r.left + code_left, y, packed(ink), row);
     y += row_pitch;
   }
   ImGui::PopClipRect();
   y = r.top + pitch / 2;
   if (refused) {
-    text(ui.fonts.small, r.right - 12, y, packed(current ? c.on_highlight : c.miss), "no", 1);
+    text(ui.fonts.small, r.right - 12, y, packed(lit ? c.on_highlight : c.miss), "no", 1);
     ui.rects["no " + std::to_string(line + 1)] = {r.right - 34, y - 9, r.right - 8, y + 9};
   }
 }
