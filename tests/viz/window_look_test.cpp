@@ -106,6 +106,12 @@ void check_layout(const WindowDriver& window, float width, float height) {
     for (std::size_t j = 0; j < i; ++j)
       if (meet(r, widgets[j].second)) FAIL_CHECK("it meets " << widgets[j].first);
   }
+  for (const auto& [full_name, r] : window.ui.rects()) {
+    const std::string name = within_pane(full_name), pane = full_name.substr(0, full_name.size() - name.size());
+    if (!name.starts_with("handle ")) continue;
+    for (const char* mark : {"tripod", "verdict", "alarm", "projection", "changed"})
+      if (window.has(pane + mark) && meet(r, window.rect(pane + mark))) FAIL_CHECK(full_name << " meets " << mark);
+  }
   for (const auto& [name, r] : window.ui.rects())
     if (name.starts_with("new ") && meet(r, window.rect("number " + name.substr(4)))) FAIL_CHECK(name << " covers it");
   std::vector<const char*> regions = {"top bar", "scene", "transport"};

@@ -152,6 +152,18 @@ void alarm_chip(Session& s, const Rect& scene) {
   tooltip(ui, all);
 }
 
+namespace {
+
+bool meets_handle(const Session& s, const View& view, const Rect& r) {
+  constexpr double ring = 14;
+  return s.pane != Pane::fixed && std::ranges::any_of(s.player.scene().handles, [&](const Handle& handle) {
+    const Vec2 at = view.project(handle.at).at;
+    return at.x() > r.left - ring && at.x() < r.right + ring && at.y() > r.top - ring && at.y() < r.bottom + ring;
+  });
+}
+
+}  // namespace
+
 void tripod(Session& s, const View& view, const Rect& scene, const std::vector<PlacedLabel>& labels) {
   constexpr float length = 28;
   const ImVec2 origin{scene.left + 46, scene.bottom - 44};
@@ -160,6 +172,7 @@ void tripod(Session& s, const View& view, const Rect& scene, const std::vector<P
                         place.bottom - scene.top};
   for (const auto& [text, box, leads_to] : labels)
     if (box.left < room.right && room.left < box.right && box.top < room.bottom && room.top < box.bottom) return;
+  if (meets_handle(s, view, place)) return;
   s.ui.rects["tripod"] = place;
   const Palette& c = s.ui.palette;
   const ImU32 ink = packed(c.muted);

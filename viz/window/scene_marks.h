@@ -17,7 +17,7 @@ void verdict_chip(Session&, const Rect& scene);
 /// Below it, or beside it in a low scene, where methods that should agree do not: how many differ, and with the pointer
 /// on it what each says.
 void alarm_chip(Session&, const Rect& scene);
-/// The directions of the axes at the bottom left.
+/// The directions of the axes at the bottom left, unless a label or a handle stands there.
 void tripod(Session&, const View&, const Rect& scene, const std::vector<PlacedLabel>&);
 /// The projection's name at the bottom right: a button (before the scene's own), and its text (over the
 /// picture).
