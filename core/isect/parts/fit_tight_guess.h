@@ -228,39 +228,72 @@ inline std::vector<Point<double, 3>> few_vertices(const std::vector<Point<double
   return few;
 }
 
+/// A bound from below on the volume of every box around the hull with a side along `base`: its extent there, times the
+/// area of its shadow, which its faces cover twice.
+inline double least_volume(const Vector<double, 3>& base, const Hull3<double>& hull,
+                           const std::vector<Vector<double, 3>>& normals) {
+  const Vector<double, 3> w = unit<3>(base, Vector<double, 3>::UnitZ());
+  double lo = std::numeric_limits<double>::infinity(), hi = -lo, shadow = 0;
+  for (const Point<double, 3>& p : hull.vertices) lo = std::min(lo, w.dot(p)), hi = std::max(hi, w.dot(p));
+  for (const Vector<double, 3>& n : normals) shadow += std::abs(n.dot(w)) / 4;  // |n|: twice a face
+  return (hi - lo) * shadow;
+}
+
+/// The best box along each base, of those that are among the `most` smallest; the earlier base goes first among equals.
+inline std::vector<Eigen::Matrix3d> smallest_along(const std::vector<Vector<double, 3>>& bases,
+                                                   const Hull3<double>& hull,
+                                                   const std::vector<Vector<double, 3>>& normals, std::size_t most) {
+  std::vector<std::pair<double, std::size_t>> hopeful;
+  for (std::size_t i = 0; i < bases.size(); ++i) hopeful.push_back({least_volume(bases[i], hull, normals), i});
+  std::sort(hopeful.begin(), hopeful.end());
+  struct Found {
+    double volume;
+    std::size_t base;
+    Eigen::Matrix3d axes;
+    bool operator<(const Found& other) const { return std::pair(volume, base) < std::pair(other.volume, other.base); }
+  };
+  std::vector<Found> found;  // ascending
+  for (const auto& [least, i] : hopeful) {
+    constexpr double rounding = 1e-9;  // of both volumes, many times over
+    if (found.size() == most && least * (1 - rounding) > found.back().volume) break;
+    const Eigen::Matrix3d axes = turned_about(bases[i], hull.vertices);
+    const Found one = {volume_along<3>(axes, hull.vertices), i, axes};
+    found.insert(std::upper_bound(found.begin(), found.end(), one), one);
+    if (found.size() > most) found.pop_back();
+  }
+  std::vector<Eigen::Matrix3d> axes;
+  for (const Found& one : found) axes.push_back(one.axes);
+  return axes;
+}
+
 /// Axes of a box of small volume. The smallest one has two adjacent faces flush with edges of the hull (O'Rourke);
 /// those with a whole face flush are tried, by calipers in its plane, and those along two edges of a small hull.
 /// What comes near the best is then turned about its axes. Source: O'Rourke, Finding minimal enclosing boxes, 1985;
 /// Chang, Gorissen, Melchior, Fast oriented bounding box optimization on the rotation group, ACM TOG 30 (2011).
 inline Eigen::Matrix3d tight_axes(const std::vector<Point<double, 3>>& q) {
   const Hull3<double> hull = convex_hull(few_vertices(convex_hull(q).vertices));
-  std::vector<Vector<double, 3>> bases, edges;
+  std::vector<Vector<double, 3>> normals, edges;
   for (const auto& [a, b, c] : hull.triangles) {
     const Point<double, 3>&p = hull.vertices[a], &r = hull.vertices[b], &s = hull.vertices[c];
-    bases.push_back((r - p).cross(s - p));
+    normals.push_back((r - p).cross(s - p));
     for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
       if (from < to) edges.push_back(hull.vertices[to] - hull.vertices[from]);
   }
   if (hull.dimension == 1) edges.push_back(hull.vertices[1] - hull.vertices[0]);
+  std::vector<Vector<double, 3>> bases = normals;
   bases.insert(bases.end(), edges.begin(), edges.end());
   if (edges.size() <= 40)
     for (std::size_t i = 0; i < edges.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) bases.push_back(edges[i].cross(edges[j]));
 
-  std::vector<std::pair<double, Eigen::Matrix3d>> found;
-  for (const Vector<double, 3>& base : bases) {
-    const Eigen::Matrix3d axes = turned_about(base, hull.vertices);
-    found.push_back({volume_along<3>(axes, hull.vertices), axes});
-  }
-  const auto smaller = [](const auto& a, const auto& b) { return a.first < b.first; };
-  std::stable_sort(found.begin(), found.end(), smaller);
-  if (found.size() > 16) found.resize(16);
-  for (auto& [volume, axes] : found) {
+  Eigen::Matrix3d best = Eigen::Matrix3d::Identity();
+  double least = std::numeric_limits<double>::infinity();
+  for (Eigen::Matrix3d& axes : smallest_along(bases, hull, normals, 16)) {
     axes = descended(polished(descended(axes, hull.vertices), hull.vertices), hull.vertices);
-    volume = volume_along<3>(axes, hull.vertices);
+    const double volume = volume_along<3>(axes, hull.vertices);
+    if (volume < least) least = volume, best = axes;
   }
-  if (found.empty()) return Eigen::Matrix3d::Identity();
-  return std::min_element(found.begin(), found.end(), smaller)->second;
+  return best;
 }
 
 }  // namespace detail
