@@ -118,9 +118,11 @@ class Teller {
     std::string out = ended(title(index));
     if (step.caption != before.caption) out += " " + plain(step.caption);
     if (!step.formula.empty()) out += " " + plain(step.formula) + ".";
-    for (const viz::Value& v : step.values)
-      if (v.fresh && !is_in_formula(v, step) && plain(step.title) != plain(v.name) + " = " + viz::shown(v.value))
-        out += " " + plain(v.name) + " = " + viz::shown_among(step.values, v) + ".";
+    const std::vector<std::string> digits = viz::shown(step.values);
+    for (std::size_t i = 0; i < digits.size(); ++i)
+      if (const viz::Value& v = step.values[i];
+          v.fresh && !is_in_formula(v, step) && plain(step.title) != plain(v.name) + " = " + viz::shown(v.value))
+        out += " " + plain(v.name) + " = " + digits[i] + ".";
     if (step.comparison) out += " " + comparison(step);
     std::ranges::replace(out, '\n', ' ');
     return paragraph(out) + "\n" + points(step);
@@ -146,11 +148,11 @@ class Teller {
     for (const viz::Value& v : step.values)
       if (told(v)) widest = std::max(widest, count_characters(plain(v.name)));
     std::string out;
-    for (const viz::Value& v : step.values)
-      if (told(v)) {
-        const std::string name = plain(v.name);
-        out += fmt::format("     {}{} = {}\n", std::string(widest - count_characters(name), ' '), name,
-                           viz::shown_among(step.values, v));
+    const std::vector<std::string> digits = viz::shown(step.values);
+    for (std::size_t i = 0; i < digits.size(); ++i)
+      if (told(step.values[i])) {
+        const std::string name = plain(step.values[i].name);
+        out += fmt::format("     {}{} = {}\n", std::string(widest - count_characters(name), ' '), name, digits[i]);
       }
     return out.empty() ? out : out + "\n";
   }

@@ -161,21 +161,29 @@ std::string unit_of(const Value& v) {
 /// The numbers of this step that are new.
 std::string fresh_values(const Step& step) {
   std::vector<std::string> all;
-  for (const Value& v : step.values)
-    if (v.fresh) all.push_back(fmt::format("{} = {}{}", plain(v.name), shown_among(step.values, v), unit_of(v)));
+  const std::vector<std::string> digits = shown(step.values);
+  for (std::size_t i = 0; i < digits.size(); ++i)
+    if (const Value& v = step.values[i]; v.fresh)
+      all.push_back(fmt::format("{} = {}{}", plain(v.name), digits[i], unit_of(v)));
   return fmt::format("{}", fmt::join(all, ", "));
 }
 
 }  // namespace
 
-std::string shown_among(const std::vector<Value>& all, const Value& v) {
-  const bool mistaken = std::ranges::any_of(all, [&](const Value& other) {
-    return other.value != v.value && !std::isnan(v.value) && shown(other.value) == shown(v.value);
-  });
-  const bool other_zero = v.value == 0 && std::signbit(v.value) && std::ranges::any_of(all, [](const Value& other) {
-                            return other.value == 0 && !std::signbit(other.value);
-                          });
-  return mistaken ? to_text(v.value) : other_zero ? "−0" : shown(v.value);
+std::vector<std::string> shown(const std::vector<Value>& values) {
+  const std::size_t n = values.size();
+  const bool has_zero = std::ranges::any_of(values, [](const Value& v) { return v.value == 0 && !std::signbit(v.value); });
+  std::vector<std::string> alone, digits;
+  for (const Value& v : values) alone.push_back(shown(v.value));
+  for (std::size_t i = 0; i < n; ++i) {
+    const double value = values[i].value;
+    bool mistaken = false;
+    for (std::size_t k = 0; k < n && !std::isnan(value); ++k)
+      mistaken |= values[k].value != value && alone[k] == alone[i];
+    const bool is_negative_zero = value == 0 && std::signbit(value);
+    digits.push_back(mistaken ? to_text(value) : is_negative_zero && has_zero ? "−0" : alone[i]);
+  }
+  return digits;
 }
 
 std::string figure_title(const Lesson& lesson, const Step& step) {

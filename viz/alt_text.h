@@ -2,6 +2,7 @@
 // A figure in words, for whoever can't see it: the text beside it, and inside it where its format has a place for one.
 
 #include <string>
+#include <vector>
 
 #include "viz/lesson.h"
 
@@ -13,9 +14,9 @@ std::string alt_text(const Lesson&, const Parameters&, const Walk&, int step);
 /// What is drawn and nothing else, on one line: for a picture that stands beside all that is said of it. `outcome`:
 /// whether what comes out may be told.
 std::string drawn_text(const Walk&, const Scene&, bool outcome);
-/// One of a step's values as shown; in full where another one would read alike and is not equal, and −0 with its sign
-/// where another one is 0.
-std::string shown_among(const std::vector<Value>&, const Value&);
+/// A step's values as shown, in their order; in full where another one would read alike and is not equal, and −0 with
+/// its sign where another one is 0.
+std::vector<std::string> shown(const std::vector<Value>&);
 /// "Ray and sphere: Two roots"
 std::string figure_title(const Lesson&, const Step&);
 

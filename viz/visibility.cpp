@@ -95,6 +95,36 @@ bool runs_through(Ray<double, 3> sight, const Shell& solid) {
   return sight.range.hi > sight.range.lo;
 }
 
+/// Twice the area of an outline, along its normal (Newell).
+Vec3 area(const std::vector<Vec3>& points) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) sum += (points[i] - points[0]).cross(points[i + 1] - points[0]);
+  return sum;
+}
+
+/// Whether the ray misses the screen by more than may be rounded: most pass the ball around it, or leave its plane
+/// behind, as those that begin on it do. False where rounded arithmetic does not tell.
+bool misses(const Ray<double, 3>& sight, const Polygon<double, 3>& screen) {
+  if (screen.rings.empty() || screen.rings[0].empty()) return true;
+  const std::vector<Vec3>& outline = screen.rings[0];
+  double size = 0;
+  for (const Ring<double, 3>& ring : screen.rings)
+    for (const Vec3& p : ring) size = std::max(size, (p - outline[0]).norm());
+  const Vec3 ahead = outline[0] - sight.origin;
+  const double speed = sight.direction.norm(), far = ahead.norm();
+  const double reach = 1.001 * size + 1e-9 * (far + sight.origin.norm());
+  if (ahead.cross(sight.direction).norm() > reach * speed) return true;
+
+  const double corners = static_cast<double>(outline.size());
+  const double doubt = 1e-14 * corners * corners * size * size;  // some ten roundings of each term of the normal
+  const Vec3 n = area(outline);
+  const double num = n.dot(ahead), den = n.dot(sight.direction);
+  if (!(std::abs(den) > doubt * speed)) return false;
+  const auto beyond = [&](double t) { return (num - t * den) * (den > 0 ? 1 : -1); };  // > 0: the plane is met after t
+  const auto [lo, hi] = sight.range;
+  return beyond(lo) < -doubt * (far + lo * speed) || (std::isfinite(hi) && beyond(hi) > doubt * (far + hi * speed));
+}
+
 /// Whether the ball lies in the solid, up to a rounding.
 bool contains(const Shell& solid, const Vec3& center, double radius) {
   return !solid.inside.empty() && std::all_of(solid.inside.begin(), solid.inside.end(), [&](const Plane<double, 3>& p) {
@@ -122,8 +152,9 @@ class Cuts {
   void behind(const Polygon<double, 3>& screen) {
     for (const Ring<double, 3>& ring : screen.rings)
       for (std::size_t i = 0; i < ring.size(); ++i) behind(ring[i], ring[(i + 1) % ring.size()]);
-    const auto crossing = intersect(Ray<double, 3>{from_, d_, {0, 1}}, screen);
-    if (crossing.t) add(*crossing.t);
+    if (screen.rings.empty() || screen.rings[0].empty()) return;
+    const Vec3 n = area(screen.rings[0]);
+    add(n.dot(screen.rings[0][0] - from_) / n.dot(d_));
   }
 
   /// A place in each stretch between two cuts that are more than a rounding apart.
@@ -191,8 +222,9 @@ bool hidden_among(const Vec3& p, const View& view, const Occluders& occluders, c
   for (const auto& solid : solids)
     if (runs_through(sight, of(solid))) return true;
   const double beyond = drawn_in * std::max(view.camera().half_height, p.norm());  // p may lie on the screen itself
+  const Ray<double, 3> past_own = {p, direction, {beyond, to_eye}};
   for (const Polygon<double, 3>& screen : occluders.screens)
-    if (intersect(Ray<double, 3>{p, direction, {beyond, to_eye}}, screen).t) return true;
+    if (!misses(past_own, screen) && intersect(past_own, screen).t) return true;
   return false;
 }
 
@@ -211,13 +243,10 @@ std::vector<double> places(const Vec3& from, const Vec3& to, const View& view, c
   return all.empty() ? even(1) : all;
 }
 
-/// Twice the face's area, along its normal (Newell).
-Vec3 area(const Solid& solid, const std::vector<int>& face) {
-  Vec3 sum = Vec3::Zero();
-  const Vec3& first = solid.vertices[face.front()];
-  for (std::size_t i = 1; i + 1 < face.size(); ++i)
-    sum += (solid.vertices[face[i]] - first).cross(solid.vertices[face[i + 1]] - first);
-  return sum;
+std::vector<Vec3> corners(const Solid& solid, const std::vector<int>& face) {
+  std::vector<Vec3> points;
+  for (const int i : face) points.push_back(solid.vertices[i]);
+  return points;
 }
 
 }  // namespace
@@ -236,7 +265,7 @@ Shell shell(const Solid& solid) {
     if (face.size() < 3) continue;
     for (std::size_t i = 0; i < face.size(); ++i)
       faces_of[std::minmax(face[i], face[(i + 1) % face.size()])].push_back(index);
-    Vec3 n = area(solid, face);
+    Vec3 n = area(corners(solid, face));
     if (!(n.squaredNorm() > 0)) continue;
     n.normalize();
     const Vec3& on = solid.vertices[face.front()];

@@ -174,10 +174,12 @@ std::string WalkSection::values(const viz::Step& s) const {
   if (s.values.empty()) return {};
   const bool fresh = std::ranges::any_of(s.values, &viz::Value::fresh);
   std::string out = fmt::format("<table class=\"values{}\">\n<caption>Values</caption>\n", fresh ? "" : " known");
-  for (const viz::Value& v : s.values)
-    out +=
-        fmt::format("<tr{}><th scope=\"row\">{}</th><td>{}</td>{}</tr>\n", v.fresh ? " class=\"fresh\"" : "",
-                    text(v.name), xml_escaped(viz::shown_among(s.values, v)), v.fresh ? "<td>new</td>" : "<td></td>");
+  const std::vector<std::string> digits = viz::shown(s.values);
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    const viz::Value& v = s.values[i];
+    out += fmt::format("<tr{}><th scope=\"row\">{}</th><td>{}</td>{}</tr>\n", v.fresh ? " class=\"fresh\"" : "",
+                       text(v.name), xml_escaped(digits[i]), v.fresh ? "<td>new</td>" : "<td></td>");
+  }
   return out + "</table>\n";
 }
 

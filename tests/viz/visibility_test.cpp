@@ -2,7 +2,9 @@
 
 #include <Eigen/Geometry>
 
+#include <isect/ray_polygon.h>
 #include <isect/ray_sphere.h>
+#include <random>
 #include "tests/catch.h"
 
 namespace visibility_test {
@@ -103,6 +105,34 @@ TEST_CASE("half of a ball's equator is hidden by the ball itself", "[visibility]
       length[part.hidden] += (part.points[i] - part.points[i - 1]).norm();
   CHECK(length[0] == Approx(std::numbers::pi).epsilon(1e-3));
   CHECK(length[1] == Approx(std::numbers::pi).epsilon(1e-3));
+}
+
+TEST_CASE("a screen hides what the core's own ray meets it from, on it and seen edge-on, too", "[visibility]") {
+  std::mt19937_64 random(11);
+  const auto any = [&](double lo, double hi) { return std::uniform_real_distribution<double>(lo, hi)(random); };
+  const auto at = [&] { return Vec3(any(-3, 3), any(-3, 3), any(-3, 3)); };
+  int hides = 0, on_it = 0;
+  for (int k = 0; k < 4000; ++k) {
+    Camera camera;
+    camera.perspective = k % 2 == 0;
+    camera.azimuth = any(-3, 3), camera.elevation = any(-1.4, 1.4);
+    const View view(camera, 480, 300);
+    const Vec3 p = at(), towards = view.towards_eye(p);
+    const Vec3 u = at(), v = k % 3 == 0 ? Vec3(towards + 1e-9 * any(-1, 1) * at()) : at();  // or edge-on
+    const double small = k % 5 == 0 ? 1e-6 : 1;
+    const double ahead = k % 7 == 0 ? 0 : any(-1, 3);  // of the point on the way to the eye
+    const Vec3 corner = p + ahead * towards - small * (any(-0.2, 1.2) * u + any(-0.2, 1.2) * v);
+    const Polygon<double, 3> screen = {{{corner, corner + small * u, corner + small * (u + v), corner + small * v}}};
+    const Vec3 from = k % 2 ? p : Vec3(p + 1e-10 * any(-1, 1) * at());
+    const double beyond = 0x1p-30 * std::max(camera.half_height, from.norm());
+    const double to_eye = camera.perspective ? (view.eye() - from).norm() : HUGE_VAL;
+    const bool met = intersect(Ray<double, 3>{from, view.towards_eye(from), {beyond, to_eye}}, screen).t.has_value();
+    CAPTURE(k);
+    CHECK(hidden(from, view, {{}, {}, {screen}}) == met);
+    hides += met, on_it += k % 7 == 0 && !met;
+  }
+  CHECK(hides > 1000);
+  CHECK(on_it > 200);
 }
 
 }  // namespace visibility_test

@@ -1,7 +1,5 @@
 #include "viz/window/text_textures.h"
 
-#include <fmt/format.h>
-
 #include "viz/gl.h"
 
 namespace isect::viz {
@@ -9,18 +7,12 @@ namespace {
 
 constexpr int frames_kept = 300;
 
-std::string key_of(const Paragraph& p) {
-  const Colour& c = p.colour;
-  return fmt::format("{}|{}|{}|{}{}|{:.4f},{:.4f},{:.4f},{:.4f}|{}", p.width, p.size, p.line_pitch, p.bold, p.math, c.r,
-                     c.g, c.b, c.a, p.markup);
-}
-
 }  // namespace
 
 TextTextures::~TextTextures() { drop(); }
 
 void TextTextures::drop() {
-  for (const auto& [key, kept] : kept_) glDeleteTextures(1, &kept.texture);
+  for (const auto& [paragraph, kept] : kept_) glDeleteTextures(1, &kept.texture);
   kept_.clear();
 }
 
@@ -30,7 +22,7 @@ void TextTextures::rescale(double scale) {
 }
 
 TextTextures::Kept& TextTextures::kept(const Paragraph& paragraph) {
-  const auto [at, fresh] = kept_.try_emplace(key_of(paragraph));
+  const auto [at, fresh] = kept_.try_emplace(paragraph);
   Kept& one = at->second;
   if (fresh) {
     const Vec2 pixels = extent(paragraph, scale_);

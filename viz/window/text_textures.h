@@ -5,7 +5,6 @@
 
 #include <map>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "viz/text.h"
@@ -44,7 +43,7 @@ class TextTextures {
   Kept& kept(const Paragraph&);
   double scale_;
   int frame_ = 0;
-  std::map<std::string, Kept> kept_;
+  std::map<Paragraph, Kept> kept_;
 };
 
 }  // namespace isect::viz

@@ -80,19 +80,20 @@ void bar(const Ui& ui, const BarScale& scale, const Value& v, float x0, float x1
 float room_for_new(const Step& step) { return std::ranges::any_of(step.values, &Value::fresh) ? 38 : 0; }
 
 /// Where the numbers end: beside the longest name that comes with its number, or further left where all are short.
-float number_column(const Ui& ui, const Step& step, const Rect& r) {
+float number_column(const Ui& ui, const Step& step, const std::vector<std::string>& digits, const Rect& r) {
   float column = r.width() * 0.494f;
-  for (const Value& v : step.values)
-    column = std::max(column, 10 + text_width(ui.fonts.mono, plain(v.name)) + 14 +
-                                  text_width(ui.fonts.mono, shown_among(step.values, v)));
+  for (std::size_t i = 0; i < digits.size(); ++i)
+    column = std::max(column, 10 + text_width(ui.fonts.mono, plain(step.values[i].name)) + 14 +
+                                  text_width(ui.fonts.mono, digits[i]));
   return r.left + std::min(column, r.width() - 10 - room_for_new(step));
 }
 
-void value_row(Session& s, const Value& v, const std::map<std::string, BarScale>& scales, const Rect& r) {
+/// `number`: where the digits end.
+void value_row(Session& s, const Value& v, const std::string& digits, const std::map<std::string, BarScale>& scales,
+               const Rect& r, float number) {
   Ui& ui = s.ui;
   const Palette& c = ui.palette;
-  const float y = r.middle_y(), number = number_column(ui, s.player.step(), r);
-  const std::string digits = shown_among(s.player.step().values, v);
+  const float y = r.middle_y();
   const float room = number - text_width(ui.fonts.mono, digits) - 8 - (r.left + 10);
   ImFont* font = ui.fonts.mono;
   for (ImFont* narrower : {ui.fonts.mono_small, ui.fonts.small})
@@ -190,11 +191,11 @@ void values_block(Session& s, const Rect& r, float pitch) {
     text(ui.fonts.bold, r.left + 10, y + 22, packed(ui.palette.text), "Values");
     y += heading;
     const std::map<std::string, BarScale> scales = scales_of(step);
-    for (const Value& v : step.values) {
-      const Rect row{r.left, y, r.right, y + pitch};
-      const bool parted = &v - step.values.data() == s.parted_value;
-      value_row(s, v, scales, {r.left + (s.paired ? 10 : 0), y, r.right, y + pitch});
-      if (parted) parted_mark(ui, "parted value", row);
+    const std::vector<std::string> digits = shown(step.values);
+    const float indent = s.paired ? 10 : 0, number = number_column(ui, step, digits, {r.left + indent, y, r.right, y});
+    for (std::size_t i = 0; i < digits.size(); ++i) {
+      value_row(s, step.values[i], digits[i], scales, {r.left + indent, y, r.right, y + pitch}, number);
+      if (static_cast<int>(i) == s.parted_value) parted_mark(ui, "parted value", {r.left, y, r.right, y + pitch});
       y += pitch;
     }
   }
