@@ -20,6 +20,9 @@ struct Level {
     while (i < cuts.size() && !(x < cuts[i])) ++i;
     return branches[i];
   }
+  bool has_cut(double left, double right) const {
+    return std::ranges::any_of(cuts, [&](double cut) { return left <= cut && cut <= right; });
+  }
 };
 
 class Sweep {
@@ -28,37 +31,60 @@ class Sweep {
 
   void run() {
     const double step = (map_.hi.y() - map_.lo.y()) / map_rows;
-    Level below = level(map_.lo.y());
-    for (int j = 0; j < map_rows; ++j) {
-      const Level above = level(j + 1 == map_rows ? map_.hi.y() : map_.lo.y() + (j + 1) * step);
-      between(below, above, 7);
-      below = above;
-    }
+    std::vector<Level> levels;
+    for (int j = 0; j < map_rows; ++j) levels.push_back(level(map_.lo.y() + j * step));
+    levels.push_back(level(map_.hi.y()));
+    const auto bent_at = [&](int j) { return j > 0 && j < map_rows && bent(levels[j - 1], levels[j], levels[j + 1]); };
+    for (int j = 0; j < map_rows; ++j) between(levels[j], levels[j + 1], bent_at(j) || bent_at(j + 1), 7);
     end_borders();
   }
 
  private:
+  static constexpr double off = 1.234e-5;  // a share of width and height
+
   double width() const { return map_.hi.x() - map_.lo.x(); }
   double abscissa(double i) const { return map_.lo.x() + i * width() / map_columns; }
   int branch(double x, double y) const { return map_.branch(map_.moved(here_, {x, y})); }
 
-  /// The samples keep off round numbers, where lines and points of the plane have branches of their own.
-  Level level(double y) const {
+  /// Two levels that another one lies between.
+  struct Around {
+    const Level &below, &above;
+
+    /// Where both have one and the same branch far and wide, so has what lies between.
+    bool agree(double x, double wide) const {
+      return below.at(x) == above.at(x) && !below.has_cut(x - wide, x + wide) && !above.has_cut(x - wide, x + wide);
+    }
+  };
+
+  /// One a column and, between two levels, some in each narrow region of theirs, which may become narrower. They keep
+  /// off round numbers, where lines and points of the plane have branches of their own.
+  std::vector<double> samples(const Around* around) const {
+    std::vector<double> places;
+    for (int i = 0; i <= map_columns; ++i) places.push_back(abscissa(i) + (i == map_columns ? -off : off) * width());
+    if (!around) return places;
+    for (const Level* level : {&around->below, &around->above})
+      for (std::size_t i = 1; i < level->cuts.size(); ++i)
+        if (const double from = level->cuts[i - 1], to = level->cuts[i]; to - from < 2 * width() / map_columns)
+          for (const double share : {1 / 16.0, 1 / 4.0, 1 / 2.0, 3 / 4.0, 15 / 16.0})
+            places.push_back(from + (share + off) * (to - from));
+    std::ranges::sort(places);
+    return places;
+  }
+
+  Level level(double y, const Around* around = nullptr) const {
     Level l{y, {}, {}};
-    const double off = 1.234e-5;
     const double at = y + off * (y == map_.hi.y() ? -1 : 1) * (map_.hi.y() - map_.lo.y());
-    double left = map_.lo.x() + off * width();
-    l.branches.push_back(branch(left, at));
-    for (int i = 1; i <= map_columns; ++i) {
-      const double right = abscissa(i) + (i == map_columns ? -off : off) * width();
-      const int there = branch(right, at);
+    const std::vector<double> places = samples(around);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const double x = places[i];
+      const int there = around && around->agree(x, width() / map_columns) ? around->below.at(x) : branch(x, at);
+      if (i == 0) l.branches.push_back(there);
       for (int thinner = 0; l.branches.back() != there && thinner < 4; ++thinner) {
-        left = end_of(l.branches.back(), left, right, at);
-        l.cuts.push_back(left);
-        l.branches.push_back(branch(left, at));
+        const double left = l.cuts.empty() ? places[i - 1] : std::max(places[i - 1], l.cuts.back());
+        l.cuts.push_back(end_of(l.branches.back(), left, x, at));
+        l.branches.push_back(branch(l.cuts.back(), at));
       }
       if (l.branches.back() != there) l.branches.back() = there;
-      left = right;
     }
     return l;
   }
@@ -72,16 +98,27 @@ class Sweep {
     return right;
   }
 
-  void between(const Level& below, const Level& above, int depth) {
+  /// Whether a border turns at the middle one of three levels by more than can be seen; true where they do not tell.
+  bool bent(const Level& below, const Level& middle, const Level& above) const {
+    if (below.branches != middle.branches || middle.branches != above.branches) return true;
+    for (std::size_t i = 0; i < middle.cuts.size(); ++i)
+      if (std::abs(below.cuts[i] - 2 * middle.cuts[i] + above.cuts[i]) > 0.003 * width()) return true;
+    return false;
+  }
+
+  /// `turns`: a border may do so in between, at a corner or in a curve.
+  void between(const Level& below, const Level& above, bool turns, int depth) {
     const bool alike = below.branches == above.branches;
     double moved = 0;  // of the cut that moves most
     if (alike)
       for (std::size_t i = 0; i < below.cuts.size(); ++i)
         moved = std::max(moved, std::abs(below.cuts[i] - above.cuts[i]));
-    if (depth > 0 && (!alike || moved > 2.5 * width() / map_columns)) {
-      const Level middle = level((below.y + above.y) / 2);
-      between(below, middle, depth - 1);
-      between(middle, above, depth - 1);
+    if (depth > 0 && (!alike || turns || moved > 2.5 * width() / map_columns)) {
+      const Around around = {below, above};
+      const Level middle = level((below.y + above.y) / 2, &around);
+      const bool still = bent(below, middle, above);
+      between(below, middle, still, depth - 1);
+      between(middle, above, still, depth - 1);
     } else if (alike) {
       strip(below, above);
     } else {

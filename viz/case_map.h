@@ -2,7 +2,8 @@
 // The map of cases: the plane of a lesson's two natural parameters, in regions by the branch that the core takes.
 //
 // Nothing of a region is known beforehand. The plane is swept in level lines; on each, a change of branch between two
-// samples is found by bisection, and where the sequence of branches changes from line to line, so is the level.
+// samples is found by bisection, and where the sequence of branches changes from line to line, so is the level. Between
+// lines borders run straight; where they turn, there are more lines, until that is seen nowhere.
 
 #include "viz/chart.h"
 #include "viz/lesson.h"

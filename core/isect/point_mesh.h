@@ -42,13 +42,17 @@ bool closed(const TriangleMesh<S>& mesh) {
 
 namespace detail {
 
-/// Whether a ray of that direction crosses an odd number of times; nothing where it says nothing.
+/// Whether a ray of that direction, to larger coordinates, crosses an odd number of times; nothing where it says
+/// nothing.
 template <class S>
 std::optional<bool> odd(const Point<S, 3>& p, const Vector<S, 3>& direction, const TriangleMesh<S>& mesh) {
   const Ray<S, 3> ray = {p, direction};
   bool result = false;
   for (int i = 0; i < static_cast<int>(mesh.triangles.size()); ++i) {
-    const RayTriangle<S> hit = intersect(ray, triangle(mesh, i));
+    const Triangle<S, 3> x = triangle(mesh, i);
+    const auto& [a, b, c] = x.vertices;
+    if ((a.cwiseMax(b).cwiseMax(c).array() < p.array()).any()) continue;  // behind
+    const RayTriangle<S> hit = intersect(ray, x);
     if (hit.coplanar || (hit.t && hit.location == Location::on)) return {};
     if (hit.t) result = !result;
   }

@@ -4,6 +4,7 @@
 
 #include <isect/aabb_aabb.h>
 #include <isect/fit.h>
+#include <isect/point_mesh.h>
 #include <isect/triangle_aabb.h>
 #include "lessons/bounding_volumes/cheap_first.h"
 
@@ -44,7 +45,7 @@ int branch(const Parameters& p) {
   if (r == Relation::a_inside_b || r == Relation::equal) return 1;
   for (std::size_t i = 0; i < a.parts.size(); ++i)
     if (intersects(a.parts[i], b) && intersects(triangle(a.mesh, static_cast<int>(i)), b)) return 3;
-  return encloses(a.mesh, q) ? 4 : 2;
+  return locate(q, a.mesh) == Location::in ? 4 : 2;
 }
 
 /// The other walk has no place on the map.

@@ -6,6 +6,7 @@
 
 #include <isect/aabb_aabb.h>
 #include <isect/fit.h>
+#include <isect/point_mesh.h>
 #include <isect/triangle_aabb.h>
 #include <isect/triangle_aabb_methods.h>
 #include "lessons/bounding_volumes/picture.h"
@@ -46,7 +47,7 @@ struct Tested {
     expensive = tally();
     for (int i = 0; i < static_cast<int>(mesh.triangles.size()); ++i)
       if (intersects(triangle(mesh, i), window)) hits.push_back(i);
-    if (!rejected && !accepted && hits.empty()) within = encloses(mesh, middle);
+    if (!rejected && !accepted && hits.empty()) within = locate(middle, mesh) == Location::in;
   }
 
   Box around;

@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
-#include <optional>
 
 #include <isect/aabb_aabb.h>
 #include <isect/directions.h>
@@ -157,29 +156,6 @@ Mesh3 object(const std::string& name, const Vec3& tip) {
   const double half_length = std::max(tip.norm(), 0.125);
   if (name == "bracket") return bracket(half_length, axes);
   return name == "ball" ? ball(half_length, axes) : pin(half_length, axes);
-}
-
-bool encloses(const Mesh3& mesh, const Vec3& p) {
-  // Towards the middle of some triangle the ray enters another one, or this one, away from all edges; there the side
-  // of its plane tells.
-  const int n = static_cast<int>(mesh.triangles.size());
-  for (int target = 0; target < n; ++target) {
-    const Triangle<double, 3> aim = triangle(mesh, target);
-    const Ray<double, 3> ray = {p, (aim.vertices[0] + aim.vertices[1] + aim.vertices[2]) / 3 - p};
-    std::optional<double> first;
-    int hit = -1;
-    for (int i = 0; i < n; ++i) {
-      const RayTriangle<double> met = intersect(ray, triangle(mesh, i));
-      if (!met.t || (first && *met.t > *first)) continue;
-      const bool clear = met.location == Location::in && met.t != first;
-      first = met.t, hit = clear ? i : -1;
-    }
-    if (!first) return false;
-    if (hit < 0) continue;
-    const Triangle<double, 3> face = triangle(mesh, hit);
-    return orient3d(face.vertices[0], face.vertices[1], face.vertices[2], p) > 0;  // below it
-  }
-  return false;
 }
 
 Fitted::Fitted(const Mesh3& mesh, int k)

@@ -17,9 +17,6 @@ inline const std::vector<std::string> sizes_of_dops = {"6", "14", "18", "26"};
 /// The mesh of an object whose long axis runs from -tip to tip.
 TriangleMesh<double> object(const std::string& name, const viz::Vec3& tip);
 
-/// Whether the closed surface has the point inside; exact. The point does not lie on it.
-bool encloses(const TriangleMesh<double>&, const viz::Vec3& p);
-
 /// The volumes around a mesh. Every one holds all of its vertices, exactly.
 struct Fitted {
   Fitted(const TriangleMesh<double>&, int k);

@@ -56,6 +56,35 @@ TEST_CASE("regions have the areas that the branches have", "[case_map]") {
   CHECK(std::abs(area(cases, outside) + area(cases, disc) + area(cases, right) - 16) < 1e-9);
 }
 
+TEST_CASE("corners of regions are as sharp as they are, also between two lines of the sweep", "[case_map]") {
+  // a triangle with its tip at (-1, 0.013) and an upright side, and a half-plane with a notch narrower than a line's pitch
+  const CaseMap plane = {"x",
+                         "y",
+                         {-2, -2},
+                         {2, 2},
+                         {"outside", "triangle", "right"},
+                         [](const Parameters& p) {
+                           const Vec2 at = place(p);
+                           if (at.x() < 1.2 && std::abs(at.y() - 0.013) < 0.4 * (at.x() + 1)) return 1;
+                           const double notch = 0.25 * std::max(0.0, 1 - std::abs(at.y() - 0.04) / 0.06);
+                           return at.x() > 1.7 - notch ? 2 : 0;
+                         },
+                         place,
+                         moved};
+  Lesson l = lesson();
+  l.map = &plane;
+  const Cases cases = std::get<Cases>(case_map(l, l.presets[0].parameters).kind);
+  CHECK(std::abs(area(cases, 1) - 0.4 * 2.2 * 2.2) < 2e-4);
+  CHECK(std::abs(area(cases, 2) - (0.3 * 4 + 0.25 * 0.06)) < 2e-4);
+  for (const Vec2& corner : {Vec2(-1, 0.013), Vec2(1.2, 0.893), Vec2(1.2, -0.867), Vec2(1.45, 0.04), Vec2(1.7, 0.1)}) {
+    double nearest = HUGE_VAL;
+    for (const std::vector<Vec2>& border : cases.borders)
+      for (const Vec2& p : border) nearest = std::min(nearest, (p - corner).norm());
+    CAPTURE(corner.x(), corner.y());
+    CHECK(nearest < 0.005);  // of 4: a pixel of a large picture
+  }
+}
+
 TEST_CASE("borders lie where the branch changes", "[case_map]") {
   const Lesson l = lesson();
   const Cases cases = std::get<Cases>(case_map(l, l.presets[0].parameters).kind);

@@ -1,5 +1,5 @@
 // Measures how long frames take at 1280 x 720 in software: frames [--cpu] [LESSON...] -> a row a lesson, in ms, then
-// the slowest frames. Steps: every frame of the motion to every step of the first preset of each method. Drags: each
+// the slowest frames. Steps: every frame of the motion to every step of the first preset of each walk. Drags: each
 // handle of the last step that has any, 16 moves there and back. Snaps: one move of it with Shift, until all is found.
 // Last, where no lesson is named, or "100,000 triangles" and "10,000 corners" are: what a scene's file may hold, a mesh
 // of 100,000 triangles and an outline of 10,000 corners; drags turn or shift it, and in place of snaps the pointer
@@ -86,9 +86,11 @@ class Measurement {
   void measure(const Lesson& lesson) {
     std::vector<Frame> steps, drags, snaps;
     window_.player().open(lesson);
-    std::set<std::string> methods;
+    std::set<std::string> walks;
     for (const Preset& preset : lesson.presets) {
-      if (!methods.insert(preset.group).second) continue;
+      std::string slugs = preset.group;
+      for (const Step& step : lesson.walk(preset.parameters).steps) slugs += " " + step.slug;
+      if (!walks.insert(slugs).second) continue;
       window_.player().load(preset);
       settle();
       const std::string where = lesson.id + " " + preset.id;

@@ -2,7 +2,22 @@
 
 #include "viz/compose/canvas.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace isect::viz {
+namespace {
+
+/// Whether it is seen through balls or solids and covers none, as a floor from above.
+bool lies_behind(const Canvas& c, const Region& it) {
+  const Occluders& all = c.occluders;
+  if (!it.hides || (all.balls.empty() && all.solids.empty())) return false;
+  const Occluders alone = {{}, {}, {{it.rings}}};
+  return std::ranges::none_of(all.balls, [&](const Ball& ball) { return hidden(ball.center, c.view, alone); }) &&
+         std::ranges::none_of(all.solids, [&](const Shell& solid) { return hidden(solid.middle, c.view, alone); });
+}
+
+}  // namespace
 
 void draw(Canvas& c, const Region& it) {
   std::vector<Path> outlines;
@@ -11,7 +26,9 @@ void draw(Canvas& c, const Region& it) {
   if (outlines.empty()) return;
   Fill fill = area(c, outlines.front(), it.role);
   fill.more.assign(outlines.begin() + 1, outlines.end());
-  c.contents.emplace_back(fill);
+  const bool behind = lies_behind(c, it);
+  (behind ? c.ground : c.contents).emplace_back(fill);
+  const auto drawn = static_cast<std::ptrdiff_t>(c.lines.size());
 
   for (const std::vector<Vec3>& ring : it.rings) {
     if (it.outlined) draw(c, Chain{ring, true, it.role, it.pen});
@@ -19,6 +36,9 @@ void draw(Canvas& c, const Region& it) {
     for (const Vec3& corner : ring)  // under the other markers, without a halo
       c.lines.emplace_back(Fill{circle(c.at(corner), 0.75 * c.sizes().disc), c.theme.ink(it.role), 0, 0, {}});
   }
+  if (!behind) return;  // else its outline ends at theirs, and would cut into them
+  std::ranges::move(c.lines.begin() + drawn, c.lines.end(), std::back_inserter(c.ground));
+  c.lines.erase(c.lines.begin() + drawn, c.lines.end());
 }
 
 }  // namespace isect::viz

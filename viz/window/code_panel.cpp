@@ -131,8 +131,8 @@ void code_line(Session& s, int line, const CodeLine& words, float pitch, const R
     filled(r, c.frame, 5);
   if (p.clicked && to >= 0) s.player.go_to(to);
 
-  if (line == s.parted_line) parted_mark(ui, "parted line", r);
-  const bool lit = current && s.player.light() > 0.5;  // until then light ink reads better on the ground
+  const bool lit = current && s.player.light() > 0.5;  // until then the ink of other lines reads better on the ground
+  if (line == s.parted_line) parted_mark(ui, "parted line", r, lit);
   const Colour& ink = lit ? c.on_highlight : has(step.untaken, line) ? c.muted : c.text;
   float y = r.top + pitch / 2;
   const float number = r.left + 26;

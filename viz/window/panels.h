@@ -48,8 +48,8 @@ void save_back(Session&);
 void show_map(Session&);
 /// Lets play pass over questions, or stop at them again. (keys.cpp)
 void pass_questions(Session&);
-/// Marks a row as the first that differs from the other pane's. (second_pane.cpp)
-void parted_mark(Ui&, const std::string& name, const Rect&);
+/// Marks a row as the first that differs from the other pane's; `lit`: on the current line. (second_pane.cpp)
+void parted_mark(Ui&, const std::string& name, const Rect&, bool lit = false);
 /// Sets the next method or preset beside this one, or takes it away. (second_pane.cpp)
 void toggle_panes(Session&);
 /// Does what this frame's keys ask for. (keys.cpp)

@@ -117,10 +117,10 @@ void heads(Session& s, const Player& other, const Parting& parted, const PanesLa
 
 bool two_panes(const Session& s) { return s.settings.beside && s.settings.beside->lesson == s.player.lesson().id; }
 
-void parted_mark(Ui& ui, const std::string& name, const Rect& r) {
+void parted_mark(Ui& ui, const std::string& name, const Rect& r, bool lit) {
   ui.rects[name] = r;
   outlined(r, ui.palette.miss, 1.5f, 5);
-  text(ui.fonts.small, r.left + 7, r.middle_y(), packed(ui.palette.miss), "≠", 0.5f);
+  text(ui.fonts.small, r.left + 7, r.middle_y(), packed(lit ? ui.palette.on_highlight : ui.palette.miss), "≠", 0.5f);
 }
 
 void toggle_panes(Session& s) {
