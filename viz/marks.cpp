@@ -77,11 +77,11 @@ void mark(std::vector<Shape>& out, Mark kind, const Vec2& p, Role role, const Th
   }
 }
 
-Shape arrow_head(const Vec2& tip, const Vec2& direction, const Colour& colour, const Sizes& s) {
+Path arrow_head(const Vec2& tip, const Vec2& direction, double length) {
   const Vec2 side = {-direction.y(), direction.x()};
-  const Vec2 base = tip - s.arrow * direction, notch = tip - 0.75 * s.arrow * direction;
-  const double half = 0.36 * s.arrow;
-  return Fill{polyline({tip, base + half * side, notch, base - half * side}, true), colour, 0, 0, {}};
+  const Vec2 base = tip - length * direction, notch = tip - 0.75 * length * direction;
+  const double half = 0.36 * length;
+  return polyline({tip, base + half * side, notch, base - half * side}, true);
 }
 
 }  // namespace isect::viz

@@ -17,7 +17,7 @@ inline Colour edge_ink(Role role, const Theme& theme) {
 void mark(std::vector<Shape>& out, Mark, const Vec2& p, Role, const Theme&);
 /// The radius a label must keep off.
 double mark_radius(Mark, const Sizes&);
-/// A notched arrow head with its tip at `tip`; `direction` has unit length.
-Shape arrow_head(const Vec2& tip, const Vec2& direction, const Colour&, const Sizes&);
+/// The outline of a notched arrow head with its tip at `tip`; `direction` has unit length.
+Path arrow_head(const Vec2& tip, const Vec2& direction, double length);
 
 }  // namespace isect::viz

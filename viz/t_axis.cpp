@@ -22,7 +22,7 @@ class AxisPart {
     line(left_, from, beyond, s().construction, s().construction_dash);
     line(from, open ? to - 0.8 * s().arrow : to, first, s().ray);
     line(to, right_, beyond, s().construction, s().construction_dash);
-    if (open) out_.shapes.push_back(arrow_head({to, y_}, {1, 0}, first, s()));
+    if (open) out_.shapes.push_back(Fill{arrow_head({to, y_}, {1, 0}, s().arrow), first, 0, 0, {}});
     if (axis_.shared) line(x(axis_.shared->x()), x(axis_.shared->y()), theme_.ink(Role::hit), s().shared);
 
     if (std::isfinite(axis_.range_lo)) end(axis_.range_lo);

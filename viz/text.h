@@ -2,7 +2,6 @@
 // Text shaped by Pango and drawn by cairo: measured for layout, as pixels for OpenGL, as glyphs for vector
 // files.
 
-#include <compare>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
@@ -45,7 +44,6 @@ struct Paragraph {
   bool bold = false;
   bool math = false;  ///< a formula: STIX throughout
   Colour colour;
-  auto operator<=>(const Paragraph&) const = default;
 };
 /// `width` px wide (as wide as its text on one line); one pitch high for each line, capitals in the middle of
 /// it.

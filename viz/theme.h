@@ -2,7 +2,6 @@
 // Roles become ink here and nowhere else. Blue meets orange; green is where they meet.
 
 #include <array>
-#include <compare>
 #include <string>
 #include <vector>
 
@@ -14,7 +13,7 @@ namespace isect::viz {
 struct Colour {
   double r = 0, g = 0, b = 0, a = 1;
   Colour with_alpha(double alpha) const { return {r, g, b, alpha}; }
-  auto operator<=>(const Colour&) const = default;
+  bool operator==(const Colour&) const = default;
 };
 Colour hex(unsigned rgb);
 

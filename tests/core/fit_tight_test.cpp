@@ -238,4 +238,57 @@ TEST_CASE("tight boxes are as tight as the known ones", "[fit_tight]") {
   CHECK(count > 0);
 }
 
+namespace {
+
+/// fit::detail::polished, with all points each time.
+Eigen::Matrix3d polished_by_all(Eigen::Matrix3d axes, const Points<double, 3>& q) {
+  const auto about = directions<double, 3>(26);
+  double volume = fit::detail::volume_along<3>(axes, q);
+  for (double angle = 0.2; angle > fit::detail::resolution; angle /= 2)
+    for (int since = 0, tries = 0; since < 26 && tries < 200; ++since, ++tries) {
+      const double turn = tries % 2 ? angle : -angle;
+      const Eigen::Matrix3d next = Eigen::AngleAxisd(turn, about[tries / 2 % 13].normalized()) * axes;
+      const double less = fit::detail::volume_along<3>(next, q);
+      if (less < volume) axes = next, volume = less, since = 0;
+    }
+  return axes;
+}
+
+/// fit::detail::smallest_along, without bounds.
+std::vector<Eigen::Matrix3d> smallest_of_all(const std::vector<Vector<double, 3>>& bases, const Points<double, 3>& q,
+                                             std::size_t most) {
+  std::vector<std::pair<double, Eigen::Matrix3d>> found;
+  for (const Vector<double, 3>& base : bases) {
+    const Eigen::Matrix3d axes = fit::detail::turned_about(base, q);
+    found.push_back({fit::detail::volume_along<3>(axes, q), axes});
+  }
+  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  if (found.size() > most) found.resize(most);
+  std::vector<Eigen::Matrix3d> axes;
+  for (const auto& one : found) axes.push_back(one.second);
+  return axes;
+}
+
+}  // namespace
+
+TEST_CASE("the search for a tight box finds the same by few points and bounds as by all", "[fit_tight]") {
+  bench::Random random(23);
+  int many = 0;
+  for (int k = 0; k < 60; ++k) {
+    const Points<double, 3> q = cloud<double, 3>(random, k % 2 ? Numbers::grid : Numbers::ordinary, 4 + random.below(60));
+    const Hull3<double> hull = convex_hull(q);
+    std::vector<Vector<double, 3>> normals, bases;
+    for (const auto& [a, b, c] : hull.triangles)
+      normals.push_back((hull.vertices[b] - hull.vertices[a]).cross(hull.vertices[c] - hull.vertices[a]));
+    bases = normals;
+    for (int i = 0; i < 40; ++i) bases.push_back(bench::vector<double, 3>(random, Numbers::ordinary));
+    const std::vector<Eigen::Matrix3d> best = fit::detail::smallest_along(bases, hull, normals, 16);
+    CAPTURE(k, q.size());
+    CHECK(best == smallest_of_all(bases, hull.vertices, 16));
+    CHECK(fit::detail::polished(best[0], q) == polished_by_all(best[0], q));
+    many += hull.vertices.size() > 16;
+  }
+  CHECK(many > 15);
+}
+
 }  // namespace fit_tight_test

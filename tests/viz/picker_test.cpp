@@ -112,6 +112,33 @@ TEST_CASE("words narrow the picker, and Enter opens the first that has them", "[
   CHECK(window.player().lesson().id == "relations");
 }
 
+TEST_CASE("the picker understands the words of the subject, and Enter on none of them keeps the search", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, {}, {}, with_course());
+  const auto search = [&](const char* words) {
+    window.key(key::escape);
+    window.frames(2);
+    window.key(key::o, true);
+    window.frames(2);
+    window.type(words);
+  };
+  for (const auto& [words, lesson] : {std::pair("ray box", "clipping"),
+                                      {"cube", "aabb-aabb"},
+                                      {"point inside", "crossings"},
+                                      {"slab", "intervals"},
+                                      {"ray polygon", "ray-polygon"}}) {
+    CAPTURE(words);
+    search(words);
+    CHECK(window.has(std::string("lesson ") + lesson));
+  }
+  search("quaternion");
+  CHECK_FALSE(window.has("about relations"));  // no lesson has it, so none is shown
+  window.key(key::enter);
+  window.frames(2);
+  for (int i = 0; i < 10; ++i) window.key(key::backspace);
+  window.type("sphere");
+  CHECK(window.has("lesson sphere-sphere"));
+}
+
 TEST_CASE("what was answered and read to its end is kept, and stands in the picker", "[window]") {
   WindowDriver window(lessons::all_lessons(), 1280, 800, at("ray-sphere"), {}, with_course());
   int asked = 0, right = 0;

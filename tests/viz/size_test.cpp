@@ -37,6 +37,22 @@ TEST_CASE("nothing grows beyond what the least layout leaves", "[window]") {
   CHECK(window.ui.scale() == Approx(0.5));
 }
 
+TEST_CASE("a window that a display made too small shows all of it smaller", "[window]") {
+  for (const auto& [width, height] : {std::pair(420.0f, 320.0f), {300.0f, 200.0f}, {160.0f, 100.0f}, {20.0f, 10.0f}}) {
+    WindowDriver window(lessons::all_lessons(), width, height, place_at("ray-sphere", "two-roots"));
+    for (const char* panes : {"", "v"}) {
+      CAPTURE(width, height, panes);
+      window.type(panes);
+      window.frames(3);
+      window.key(key::end);
+      CHECK(window.picture().width == static_cast<int>(width));
+      if (width < 160) continue;  // drawn without harm is all that can be asked
+      CHECK(window.rect("top bar").width() > 799);
+      CHECK(window.rect("scene").height() > 100);
+    }
+  }
+}
+
 TEST_CASE("a kept size holds on a screen of double density", "[window]") {
   Settings settings;
   settings.size = 1.5;

@@ -89,6 +89,64 @@ TEST_CASE("a figure is saved where its name says, and opens again at its place",
   std::filesystem::remove_all(folder);
 }
 
+TEST_CASE("no figure and no text that was saved is lost to a later one", "[window]") {
+  const std::string folder = isect::test::scratch("isect-window-keeps-test").string();
+  std::filesystem::remove_all(folder);
+  WindowDriver window(both, 1280, 800, {}, {}, {.reduced_motion = true, .figures = folder});
+  const auto save = [&](const char* choice = nullptr) {
+    window.type("s");
+    window.frames(2);
+    if (choice) window.click(choice);
+    window.click("save");
+    window.frames(2);
+    return window.ui.message();
+  };
+  const std::string stem = folder + "/point-disc/squared-inside/01-" + window.player().step().slug;
+  CHECK(save() == "Saved " + stem + ".png, with its alt text");
+  const std::string first = read_file(stem + ".png"), text = read_file(stem + ".txt");
+  CHECK(save() == "Saved " + stem + ".png, with its alt text");  // the same again
+  CHECK_FALSE(std::filesystem::exists(stem + "-2.png"));
+  CHECK(save("save theme grey") == "Saved " + stem + "-2.png, with its alt text");
+  CHECK(save("format svg") == "Saved " + stem + ".svg, with its alt text");
+  CHECK(read_file(stem + ".png") == first);
+  CHECK(read_file(stem + "-2.png") != first);
+  std::filesystem::create_directory(stem + "-3.png");  // not ours
+  CHECK(save("format png") == "Saved " + stem + "-2.png, with its alt text");
+  CHECK(save("save theme dark") == "Saved " + stem + "-4.png, with its alt text");
+  write_file(stem + ".txt", "mine");
+  CHECK(save("save theme print") == "Saved " + stem + "-5.png, with its alt text");
+  CHECK(read_file(stem + ".txt") == "mine");
+  CHECK(read_file(stem + "-5.txt") == text);
+  std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("a width that is refused is told in the sheet, and nothing is saved until it is mended", "[window]") {
+  const std::string folder = isect::test::scratch("isect-window-width-test").string();
+  std::filesystem::remove_all(folder);
+  WindowDriver window(both, 1280, 800, {}, {}, {.reduced_motion = true, .figures = folder});
+  for (const char* wrong : {"?", "0", "-3", "1e9"}) {
+    CAPTURE(wrong);
+    window.type("s");
+    window.frames(2);
+    window.click("other width");
+    window.type(wrong);
+    window.key(key::enter);
+    window.frames(2);
+    CHECK(window.has("refused width"));
+    window.key(key::enter);
+    window.click("save");
+    window.frames(2);
+    CHECK(window.has("save sheet"));
+    CHECK_FALSE(std::filesystem::exists(folder));
+    window.click("size 12");
+    window.frames(2);
+    CHECK_FALSE(window.has("refused width"));
+    window.key(key::escape);
+    window.frames(2);
+  }
+  std::filesystem::remove_all(folder);
+}
+
 TEST_CASE("the sheet shows the figure as it would be saved, in its theme and size", "[window]") {
   WindowDriver window(both);
   CHECK_FALSE(window.has("save preview"));

@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+
 #include "viz/compose/canvas.h"
 #include "viz/marks.h"
 
@@ -24,29 +26,46 @@ void edge(Canvas& c, const std::vector<Stretch>& parts, double width) {
           polyline(c.projected(part.points)), c.theme.ink(Role::text), width + 2 * c.sizes().hairline, {0, 0}, true});
 }
 
-/// An arrow head at `to` that keeps `keep_off` pixels off it. An arrow towards the eye has none.
+/// An arrow head at `to` that keeps `keep_off` pixels off it, larger on a broad line. An arrow towards the eye has none.
 class Head {
  public:
-  Head(const Canvas& c, const Vec3& from, const Vec3& to, double keep_off)
-      : from_(from), to_(to), keep_off_(keep_off), length_((c.at(to) - c.at(from)).norm()) {
-    shown_ = length_ > 1.2 * c.sizes().arrow + keep_off;
+  Head(const Canvas& c, const Vec3& from, const Vec3& to, double keep_off, Role role, Pen pen)
+      : from_(from),
+        to_(to),
+        keep_off_(keep_off),
+        role_(role),
+        edged_(pen == Pen::highlight && c.theme.name != ThemeName::dark),
+        size_(std::max(c.sizes().arrow, pen == Pen::highlight ? 4.4 * c.width(pen, role) : 0.0)),
+        length_((c.at(to) - c.at(from)).norm()) {
+    shown_ = length_ > 1.2 * size_ + keep_off;
   }
 
   /// Where the line must end so that the head covers its end.
-  Vec3 line_end(const Canvas& c) const { return shown_ ? before_end(keep_off_ + 0.8 * c.sizes().arrow) : to_; }
+  Vec3 line_end() const { return shown_ ? before_end(keep_off_ + 0.8 * size_) : to_; }
 
-  void draw(Canvas& c, Role role) const {
+  /// Before the line, which covers it at the head's base (Canvas::plain_line has the same edge).
+  void draw_edge(Canvas& c) const {
+    if (shown_ && edged_)
+      c.lines.emplace_back(Stroke{path(c), c.theme.ink(Role::text), 2 * c.sizes().hairline, {0, 0}, true});
+  }
+  void draw(Canvas& c) const {
     if (!shown_) return;
+    c.lines.emplace_back(Fill{path(c), c.theme.ink(role_), 0, 0, {}});
     const Vec2 tip = c.at(before_end(keep_off_));
-    c.lines.emplace_back(arrow_head(tip, (c.at(to_) - c.at(from_)) / length_, c.theme.ink(role), c.sizes()));
-    c.obstacles.push_back({tip, tip, 0.5 * c.sizes().arrow, true});
+    c.obstacles.push_back({tip, tip, 0.5 * size_, true});
   }
 
  private:
   Vec3 before_end(double pixels) const { return to_ + (pixels / length_) * (from_ - to_); }
+  Path path(const Canvas& c) const {
+    return arrow_head(c.at(before_end(keep_off_)), (c.at(to_) - c.at(from_)) / length_, size_);
+  }
 
   Vec3 from_, to_;
-  double keep_off_, length_;
+  double keep_off_;
+  Role role_;
+  bool edged_;
+  double size_, length_;
   bool shown_;
 };
 
@@ -55,9 +74,10 @@ class Head {
 void draw(Canvas& c, const Line& it) { segment(c, it.from, it.to, it.role, it.pen); }
 
 void draw(Canvas& c, const Arrow& it) {
-  const Head head(c, it.from, it.to, c.dot_radius(it.to));
-  segment(c, it.from, head.line_end(c), it.role, it.pen);
-  head.draw(c, it.role);
+  const Head head(c, it.from, it.to, c.dot_radius(it.to), it.role, it.pen);
+  head.draw_edge(c);
+  segment(c, it.from, head.line_end(), it.role, it.pen);
+  head.draw(c);
 }
 
 void draw(Canvas& c, const Chain& it) {
@@ -90,14 +110,16 @@ void draw(Canvas& c, const Circle& it) {
 }
 
 void draw(Canvas& c, const Span& it) {
-  const Head to(c, it.from, it.to, 0), from(c, it.to, it.from, 0);
-  segment(c, it.open_from ? from.line_end(c) : it.from, it.open_to ? to.line_end(c) : it.to, it.role, it.pen);
+  const Head to(c, it.from, it.to, 0, it.role, it.pen), from(c, it.to, it.from, 0, it.role, it.pen);
+  if (it.open_from) from.draw_edge(c);
+  if (it.open_to) to.draw_edge(c);
+  segment(c, it.open_from ? from.line_end() : it.from, it.open_to ? to.line_end() : it.to, it.role, it.pen);
   if (it.open_from)
-    from.draw(c, it.role);
+    from.draw(c);
   else
     draw(c, Dot{it.from, Mark::disc, it.role});
   if (it.open_to)
-    to.draw(c, it.role);
+    to.draw(c);
   else
     draw(c, Dot{it.to, Mark::disc, it.role});
 }

@@ -25,8 +25,8 @@ void key_sheet(Session& s, const Rect& window) {
       {"Ctrl+C / Ctrl+V", "copy / paste the whole state"},
       {"Ctrl+Z", "take the last change back"},
       {"Ctrl+Y, Ctrl+Shift+Z", "do it again"},
-      {"S or F12", "save this figure or preset"},
-      {"Ctrl+S", "save a scene into its file"},
+      {"S, F12, Ctrl+S", "save this figure or preset"},
+      {"Ctrl+S in a scene", "save it into its file"},
       {"F1 or ?", "this sheet"},
       {"Ctrl+Q", "leave"},
   };

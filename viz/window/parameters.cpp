@@ -33,7 +33,7 @@ std::optional<double> typed(Session& s, const std::string& field) {
   try {
     return number_from(text);
   } catch (const BadInput& wrong) {
-    s.refused = {field, wrong.what()};
+    s.refused = {field, wrong.what(), s.player.revision()};
     return std::nullopt;
   }
 }
@@ -79,13 +79,14 @@ void edit(Session& s, const std::string& parameter, const std::string& field, co
   try {
     s.player.edit(parameter, value);
   } catch (const BadInput& refused) {
-    s.refused = {field, refused.what()};
+    s.refused = {field, refused.what(), s.player.revision()};
   }
 }
 
 /// Why the last number was refused, if it was one of this parameter's. Returns the height that takes.
 float refusal(Session& s, const std::string& name, float x, float y, float width) {
   const std::string field = "parameter " + name;
+  if (s.refused.revision != s.player.revision()) return 0;
   if (s.refused.field != field && !s.refused.field.starts_with(field + ".")) return 0;
   const Paragraph p{
       .markup = as_markup(s.refused.why), .width = width, .size = 13, .line_pitch = 18, .colour = s.ui.palette.miss};

@@ -28,7 +28,9 @@ struct Entry {
 };
 
 bool wanted(const Lesson& l, const std::string& words) {
-  return matches(l.id + " " + plain(l.title) + " " + l.summary, words);
+  std::string all = l.id + " " + plain(l.title) + " " + l.summary;
+  for (const std::string& idea : l.ideas) all += " " + idea;
+  return matches(all, words);
 }
 
 std::vector<Entry> rows_of(const Session& s) {
@@ -202,8 +204,9 @@ void picker(Session& s, const Rect& window) {
   const ImVec2 below = ImGui::GetCursorScreenPos(), left = ImGui::GetContentRegionAvail();
   const auto first = std::ranges::find_if(rows, [](const Entry& row) { return row.heading.empty(); });
   if (!told && !s.search.empty() && first != rows.end()) told = first->lesson;  // what Enter opens
-  foot(s, told ? *told : s.player.lesson(),
-       {below.x, below.y + left.y - below_rows, below.x + left.x, below.y + left.y});
+  if (told || s.search.empty())
+    foot(s, told ? *told : s.player.lesson(),
+         {below.x, below.y + left.y - below_rows, below.x + left.x, below.y + left.y});
   if (entered && !chosen && s.ui.focus.name().empty() && first != rows.end()) chosen = &*first;
   if (chosen) {
     if (chosen->lesson)

@@ -86,6 +86,7 @@ void question(Column& c, bool fresh) {
   const auto answered = player.answered();
   if (!answered) return;
   c.y += 24;
+  const float begin = c.y;
   const bool right = answered->right();
   const Colour& colour = right ? ink.hit : ink.miss;
   (right ? tick : cross)(c.x + 7, c.y + 11, 13, packed(colour));
@@ -97,6 +98,13 @@ void question(Column& c, bool fresh) {
   choices(c, *answered->question, answered->choice);
   c.y += 10;
   c.paragraph(answered->question->because, ink.text);
+  if (!fresh) return;
+  // in sight to its end, or from its beginning on
+  constexpr float margin = 20;
+  const float top = ImGui::GetWindowPos().y, height = ImGui::GetWindowHeight();
+  if (c.y + margin > top + height)
+    ImGui::SetScrollFromPosY(c.y - begin + margin < height ? c.y + margin - top : begin - top,
+                             c.y - begin + margin < height ? 1 : 0);
 }
 
 namespace {

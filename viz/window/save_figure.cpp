@@ -63,20 +63,44 @@ Made on_paper(const Player& player, const Settings& settings) {
 
 }  // namespace
 
+namespace {
+
+bool is_free_for(const std::string& path, const std::string& bytes) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) return true;
+  try {
+    return read_regular_file(path) == bytes;
+  } catch (const FileError&) {  // something else
+    return false;
+  }
+}
+
+/// The path without its ending, with a number where another figure or another text has that name.
+std::string free_stem(const std::string& wanted, const std::string& format, const std::string& figure,
+                      const std::string& text) {
+  std::string stem = wanted;
+  for (int i = 2; !is_free_for(stem + "." + format, figure) || !is_free_for(stem + ".txt", text); ++i)
+    stem = wanted + "-" + std::to_string(i);
+  return stem;
+}
+
+}  // namespace
+
 std::string save_figure(const Player& player, const Settings& settings, Renderer& renderer, const std::string& folder) {
   const Place place = player.place();
   const std::string preset = place.preset.empty() ? "changed" : place.preset;
-  const std::string stem = folder + "/" + place.lesson + "/" + preset + "/" + file_stem(*place.step, player.step());
+  const std::string wanted = folder + "/" + place.lesson + "/" + preset + "/" + file_stem(*place.step, player.step());
   Made made = settings.save_width_cm > 0 ? on_paper(player, settings) : for_screen(player, settings);
   made.imprint.title = figure_title(player.lesson(), player.step());
   made.imprint.alt = alt_text(player.lesson(), player.parameters(), player.walk(), player.index());
-  const std::string path = stem + "." + settings.save_format;
-  write_file(
-      path,
+  const std::string figure =
       format_named(settings.save_format).write(made.drawing, metadata(place), made.imprint, [&](const Drawing& d) {
         renderer.draw(d, 2 * made.scale);
         return halved(renderer.read());
-      }));
+      });
+  const std::string stem = free_stem(wanted, settings.save_format, figure, made.imprint.alt);
+  const std::string path = stem + "." + settings.save_format;
+  write_file(path, figure);
   write_file(stem + ".txt", made.imprint.alt);
   return std::filesystem::absolute(path).lexically_normal();
 }

@@ -7,7 +7,8 @@ namespace isect::viz {
 
 /// Writes the current step, seen as it is now, to <folder>/<lesson>/<preset>/<NN>-<slug>.<format> in the theme and the
 /// size of the settings: 960 x 600, or so many cm on paper, PNG at 300 dots an inch. Its alt text stands beside it,
-/// with the ending .txt. Returns the whole path. Throws FileError; BadInput where it is too narrow for its labels.
+/// with the ending .txt. Where another figure or text has that name, a number is added to it. Returns the whole path.
+/// Throws FileError; BadInput where it is too narrow for its labels.
 std::string save_figure(const Player&, const Settings&, Renderer&, const std::string& folder);
 
 /// Draws the same figure into the renderer's texture, as large as fits into so many pixels. Its size in them; 0 where

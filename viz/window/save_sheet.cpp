@@ -23,14 +23,17 @@ void other_width(Session& s, const Rect& r) {
   ImGui::SetNextItemWidth(r.width());
   if (held && s.ui.focus.pressed()) ImGui::SetKeyboardFocusHere();
   ImGui::InputTextWithHint("##width", "cm", &s.width_text, ImGuiInputTextFlags_AutoSelectAll);
+  const bool chosen = s.settings.save_width_cm > 0 && s.width_text == shown(s.settings.save_width_cm);
+  if (chosen || !s.width_wrong.empty()) outlined(r, chosen ? s.ui.palette.first : s.ui.palette.miss, 1.5f);
   if (!ImGui::IsItemDeactivatedAfterEdit()) return;
+  s.width_wrong.clear();
   try {
     const double cm = number_from(s.width_text);
     if (!(cm >= least_width_cm && cm <= most_width_cm))
       throw BadInput("give a width from " + shown(least_width_cm) + " to " + shown(most_width_cm) + " cm");
-    s.settings.save_width_cm = cm;
+    s.settings.save_width_cm = cm, s.width_text = shown(cm);
   } catch (const BadInput& wrong) {
-    s.complain(std::string("Width: ") + wrong.what());
+    s.width_wrong = wrong.what();
   }
 }
 
@@ -86,15 +89,19 @@ void save_sheet(Session& s, const Rect& window) {
     const std::string name = cm > 0 ? shown(cm) + " cm" : std::string("960 × 600");
     const float width = text_width(ui.fonts.body, name) + 20;
     if (chip(ui, "size " + shown(cm), {x + 80, y - 15, x + 80 + width, y + 15}, name, s.settings.save_width_cm == cm))
-      s.settings.save_width_cm = cm;
+      s.settings.save_width_cm = cm, s.width_text.clear(), s.width_wrong.clear();
     x += width + 6;
   }
   other_width(s, {x + 80, y - 15, x + 150, y + 15});
-  x = at.x, y += 56;
+  if (const std::string why = s.width_wrong; !why.empty()) {
+    const float width = text(ui.fonts.small, at.x + 80, y + 28, packed(c.miss), why);
+    ui.rects["refused width"] = {at.x + 80, y + 20, at.x + 80 + width, y + 36};
+  }
+  x = at.x, y += 60;
   const bool again = ImGui::GetIO().InputQueueCharacters.contains('s') && !ImGui::IsWindowAppearing();
   const bool held = !ui.focus.name().empty() || ImGui::GetIO().WantTextInput;  // then Enter is theirs
   const bool enter = (!held && (key_down(key::enter) || key_down(key::keypad_enter))) || key_down(key::f12) || again;
-  if (chip(ui, "save", {x, y - 18, x + 110, y + 18}, "Save", true) || enter) {
+  if ((chip(ui, "save", {x, y - 18, x + 110, y + 18}, "Save", true) || enter) && s.width_wrong.empty()) {
     s.save_now = true;
     ImGui::CloseCurrentPopup();
   }

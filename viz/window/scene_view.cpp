@@ -98,6 +98,7 @@ bool has_much(const Drawing& drawing) {
 
 void SceneView::draw(Session& s, const Rect& r, const View& view) {
   behind_ = false;
+  if (r.width() < 1 || r.height() < 1) return;  // a display may make a window as small as it likes
   const std::string wanted = line_of(s, r, scale_);
   const ImGuiIO& io = ImGui::GetIO();
   const bool moves = io.MouseDown[0] || io.MouseDown[1] || turning_ >= 0;

@@ -107,6 +107,7 @@ struct Session {
   bool full_screen = false;
   std::string search = {};                ///< words in the picker, or among the terms
   std::string width_text = {};            ///< typed into the sheet that saves figures
+  std::string width_wrong = {};           ///< why it is refused
   std::vector<std::string> presets = {};  ///< files of saved presets, as the picker found them
   float fields_height = 0;                ///< of the parameters' fields, as the last frame found it
   float question_height = 120;            ///< of the question over the scene, likewise
@@ -130,6 +131,7 @@ struct Session {
   } typing = {};
   struct Refused {
     std::string field, why;
+    unsigned revision = 0;  ///< the player's; told until something changes
   } refused = {};
 
   struct Toast {

@@ -39,6 +39,7 @@ bool search_field(Session& s, const char* hint) {
   }
   ImGui::SetNextItemWidth(-1);
   const bool entered = ImGui::InputTextWithHint("##search", hint, &s.search, ImGuiInputTextFlags_EnterReturnsTrue);
+  if (entered) ImGui::SetKeyboardFocusHere(-1);  // Enter leads nowhere where no row is left
   const ImVec2 lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
   s.ui.rects["search"] = {lo.x, lo.y, hi.x, hi.y};
   return entered;
@@ -49,7 +50,7 @@ bool matches(const std::string& text, const std::string& wanted) {
       {"box", {"aabb", "obb"}},  {"cube", {"box", "aabb"}}, {"ball", {"sphere"}},     {"circle", {"sphere"}},
       {"bvh", {"hierarchy"}},    {"tree", {"hierarchy"}},   {"camera", {"frustum"}},  {"view", {"culling", "picking"}},
       {"mouse", {"picking"}},    {"hull", {"convex"}},      {"inside", {"polygon"}},  {"rounding", {"robust"}},
-      {"cylinder", {"capsule"}}, {"line", {"ray"}},         {"moving", {"collision"}}};
+      {"cylinder", {"capsule"}}, {"line", {"ray"}},         {"moving", {"collision"}}, {"ray", {"segment"}}};
   const std::string all = lower(text);
   const auto stands = [&](const std::string& word) { return all.find(word) != std::string::npos; };
   std::istringstream words(lower(wanted));

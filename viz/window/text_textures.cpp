@@ -1,5 +1,7 @@
 #include "viz/window/text_textures.h"
 
+#include <tuple>
+
 #include "viz/gl.h"
 
 namespace isect::viz {
@@ -7,7 +9,14 @@ namespace {
 
 constexpr int frames_kept = 300;
 
+auto all_of(const Paragraph& p) {
+  const Colour& c = p.colour;
+  return std::tie(p.markup, p.width, p.size, p.line_pitch, p.bold, p.math, c.r, c.g, c.b, c.a);
+}
+
 }  // namespace
+
+bool TextTextures::Before::operator()(const Paragraph& a, const Paragraph& b) const { return all_of(a) < all_of(b); }
 
 TextTextures::~TextTextures() { drop(); }
 

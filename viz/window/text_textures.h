@@ -40,10 +40,13 @@ class TextTextures {
     int last_used = 0;
     std::optional<std::vector<NameBox>> names = {};
   };
+  struct Before {
+    bool operator()(const Paragraph&, const Paragraph&) const;
+  };
   Kept& kept(const Paragraph&);
   double scale_;
   int frame_ = 0;
-  std::map<Paragraph, Kept> kept_;
+  std::map<Paragraph, Kept, Before> kept_;
 };
 
 }  // namespace isect::viz

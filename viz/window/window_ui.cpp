@@ -136,11 +136,12 @@ struct WindowUi::Impl {
     if (next.chart) static_cast<void>(*next.chart);
   }
 
-  /// The size that is wanted, as far as the least layout fits into the window.
+  /// The size that is wanted, as far as the least layout fits into the window; smaller than usual where a display has
+  /// made the window smaller than it may be.
   double fitting_size() const {
     const ImGuiIO& io = ImGui::GetIO();
     const double across = io.DisplaySize.x * size / least_width, down = io.DisplaySize.y * size / least_height;
-    return std::min(settings.size, std::max(1.0, std::floor(10 * std::min(across, down) + 1e-3) / 10));
+    return std::min(settings.size, std::max(0.2, std::floor(10 * std::min(across, down) + 1e-3) / 10));
   }
 
   void resize() {
@@ -315,7 +316,8 @@ const std::map<std::string, Rect>& WindowUi::rects() const { return impl_->ui.re
 
 void WindowUi::complain(const std::string& words) { impl_->session.complain(words); }
 std::string WindowUi::message() const {
-  return impl_->session.toast.seconds_left > 0 ? impl_->session.toast.text : impl_->session.refused.why;
+  const Session& s = impl_->session;
+  return s.toast.seconds_left > 0 ? s.toast.text : s.width_wrong.empty() ? s.refused.why : s.width_wrong;
 }
 const std::vector<PlacedLabel>& WindowUi::labels() const { return impl_->scene.labels(); }
 const std::string& WindowUi::sum() const { return impl_->ui.sum; }

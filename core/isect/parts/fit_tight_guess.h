@@ -252,10 +252,12 @@ inline std::vector<Eigen::Matrix3d> smallest_along(const std::vector<Vector<doub
     Eigen::Matrix3d axes;
     bool operator<(const Found& other) const { return std::pair(volume, base) < std::pair(other.volume, other.base); }
   };
-  std::vector<Found> found;  // ascending
+  double size = 0;
+  for (const Point<double, 3>& p : hull.vertices) size = std::max(size, (p - hull.vertices[0]).norm());
+  const double rounding = 1e-12 * size * size * size;  // of bound and volume together, many times over
+  std::vector<Found> found;                            // ascending
   for (const auto& [least, i] : hopeful) {
-    constexpr double rounding = 1e-9;  // of both volumes, many times over
-    if (found.size() == most && least * (1 - rounding) > found.back().volume) break;
+    if (found.size() == most && least - rounding > found.back().volume) break;
     const Eigen::Matrix3d axes = turned_about(bases[i], hull.vertices);
     const Found one = {volume_along<3>(axes, hull.vertices), i, axes};
     found.insert(std::upper_bound(found.begin(), found.end(), one), one);
