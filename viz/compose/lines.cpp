@@ -51,8 +51,9 @@ class Head {
   void draw(Canvas& c) const {
     if (!shown_) return;
     c.lines.emplace_back(Fill{path(c), c.theme.ink(role_), 0, 0, {}});
-    const Vec2 tip = c.at(before_end(keep_off_));
+    const Vec2 tip = c.at(before_end(keep_off_)), base = c.at(before_end(keep_off_ + size_));
     c.obstacles.push_back({tip, tip, 0.5 * size_, true});
+    if (edged_) c.obstacles.push_back({tip, base, 0.4 * size_, true});
   }
 
  private:
