@@ -172,7 +172,8 @@ std::string fresh_values(const Step& step) {
 
 std::vector<std::string> shown(const std::vector<Value>& values) {
   const std::size_t n = values.size();
-  const bool has_zero = std::ranges::any_of(values, [](const Value& v) { return v.value == 0 && !std::signbit(v.value); });
+  const bool has_zero =
+      std::ranges::any_of(values, [](const Value& v) { return v.value == 0 && !std::signbit(v.value); });
   std::vector<std::string> alone, digits;
   for (const Value& v : values) alone.push_back(shown(v.value));
   for (std::size_t i = 0; i < n; ++i) {

@@ -44,8 +44,8 @@ const Closing& closing() {
            "Dan Sunday, Distance between Lines and Segments with their Closest Point of Approach, *softSurfer*, 2001."},
       .exercises = {
           {"Move the ends of b until the capsules touch.",
-           "They touch where the segments are *r*_a + *r*_b = 1.25 apart. Ends that are (0.75, 1) apart have that "
-           "distance.",
+           "They touch where the segments are *r*_a + *r*_b apart, which is 1.25 where this exercise begins. Ends that "
+           "are (0.75, 1) apart have that distance.",
            "ends",
            they_touch,
            {{"p_b", "1.25,0.5,0"}, {"q_b", "2.75,1.25,0"}}},

@@ -34,7 +34,9 @@ const Closing& closing() {
       .result =
           "Outcodes accept or reject most. The others are cut side by side: a segment as a range of *t*, a "
           "polygon as a ring of vertices.",
-      .cost = "Segment: eight comparisons, then at most four divisions. Polygon of *n* vertices: O(*n*) per side.",
+      .cost =
+          "Segment: eight comparisons for the outcodes, then at most four divisions. Polygon of *n* vertices: "
+          "O(*n*) per side.",
       .choose =
           "Liang and Barsky for segments; Sutherland and Hodgman for convex windows. Weiler and Atherton, or "
           "sweeping, for windows that are not convex.",

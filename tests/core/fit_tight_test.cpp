@@ -275,7 +275,8 @@ TEST_CASE("the search for a tight box finds the same by few points and bounds as
   bench::Random random(23);
   int many = 0;
   for (int k = 0; k < 60; ++k) {
-    const Points<double, 3> q = cloud<double, 3>(random, k % 2 ? Numbers::grid : Numbers::ordinary, 4 + random.below(60));
+    const Points<double, 3> q =
+        cloud<double, 3>(random, k % 2 ? Numbers::grid : Numbers::ordinary, 4 + random.below(60));
     const Hull3<double> hull = convex_hull(q);
     std::vector<Vector<double, 3>> normals, bases;
     for (const auto& [a, b, c] : hull.triangles)

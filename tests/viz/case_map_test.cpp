@@ -57,7 +57,8 @@ TEST_CASE("regions have the areas that the branches have", "[case_map]") {
 }
 
 TEST_CASE("corners of regions are as sharp as they are, also between two lines of the sweep", "[case_map]") {
-  // a triangle with its tip at (-1, 0.013) and an upright side, and a half-plane with a notch narrower than a line's pitch
+  // a triangle with its tip at (-1, 0.013) and an upright side, and a half-plane with a notch narrower than a line's
+  // pitch
   const CaseMap plane = {"x",
                          "y",
                          {-2, -2},

@@ -314,4 +314,17 @@ TEST_CASE("an exercise begun by the pointer leaves the keyboard alone", "[window
   CHECK(window.ui.focus().empty());
 }
 
+TEST_CASE("in a sheet the arrows lead along its rows", "[window]") {
+  WindowDriver window(isect::lessons::all_lessons());
+  window.type("s");
+  window.frames(2);
+  window.key(key::down);
+  const std::string first = window.ui.focus();
+  window.key(key::right);
+  CHECK(window.ui.focus() != first);
+  window.key(key::left);
+  CHECK(window.ui.focus() == first);
+  CHECK(window.player().index() == 0);
+}
+
 }  // namespace keyboard_test

@@ -47,7 +47,7 @@ bool is_widget(const std::string& full_name) {
       "lesson words", "lesson fields",        "values",     "message",    "operations",
       "comparison",   "methods side by side", "focus ring", "code lines", "map",
       "map plane",    "map setting",          "trail",      "pane heads", "parted line",
-      "parted value", "question over scene",  "lecture",    "tripod"};
+      "parted value", "question over scene",  "lecture",    "tripod",     "what came of it"};
   return !areas.contains(name) && !name.starts_with("handle ") && !name.starts_with("no ") &&
          !name.starts_with("number ") && !name.starts_with("new ") && !name.starts_with("trail ") &&
          !name.starts_with("more ") && !name.ends_with(" under pointer");

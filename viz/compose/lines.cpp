@@ -26,7 +26,8 @@ void edge(Canvas& c, const std::vector<Stretch>& parts, double width) {
           polyline(c.projected(part.points)), c.theme.ink(Role::text), width + 2 * c.sizes().hairline, {0, 0}, true});
 }
 
-/// An arrow head at `to` that keeps `keep_off` pixels off it, larger on a broad line. An arrow towards the eye has none.
+/// An arrow head at `to` that keeps `keep_off` pixels off it, larger on a broad line. An arrow towards the eye has
+/// none.
 class Head {
  public:
   Head(const Canvas& c, const Vec3& from, const Vec3& to, double keep_off, Role role, Pen pen)

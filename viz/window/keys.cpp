@@ -64,6 +64,8 @@ void focus_keys(Session& s, bool in_popup) {
   if ((io.WantTextInput && !in_popup) || io.KeyCtrl || io.KeyShift) return;
   if (pressed(key::down, true)) focus.move(1);
   if (pressed(key::up, true)) focus.move(-1);
+  if (in_popup && !io.WantTextInput && pressed(key::right, true)) focus.move(1);
+  if (in_popup && !io.WantTextInput && pressed(key::left, true)) focus.move(-1);
   if (pressed(key::f6)) focus.next_group();
   if (pressed(key::enter) || pressed(key::keypad_enter)) focus.press();
 }
@@ -81,7 +83,10 @@ void moving_keys(Session& s) {
   if (pressed(key::tab)) s.panels = !s.panels;
   if (pressed(key::f1)) s.open_next = Sheet::keys;
   if (pressed(key::f12)) s.open_next = Sheet::save;
-  if (pressed(key::f11)) s.full_screen = !s.full_screen;
+  if (pressed(key::f11)) {
+    s.full_screen = !s.full_screen;
+    if (s.full_screen) s.say("Ctrl + and Ctrl − change the size of everything, Tab hides the panels");
+  }
 }
 
 void load_number(Session& s, std::size_t number) {

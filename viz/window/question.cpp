@@ -93,6 +93,7 @@ void question(Column& c, bool fresh) {
   c.x += 22, c.width -= 22;
   c.paragraph(right ? "Right" : "Not quite", colour, 15, 23, true);
   c.x -= 22, c.width += 22;
+  c.s.ui.rects["what came of it"] = {c.x, begin, c.x + c.width, c.y};
   c.paragraph(answered->question->prompt, ink.muted);
   c.y += 8;
   choices(c, *answered->question, answered->choice);
@@ -102,7 +103,7 @@ void question(Column& c, bool fresh) {
   // in sight to its end, or from its beginning on
   constexpr float margin = 20;
   const float top = ImGui::GetWindowPos().y, height = ImGui::GetWindowHeight();
-  if (c.y + margin > top + height)
+  if (c.y + margin + ImGui::GetScrollY() > top + height)  // the words begin at its top by now
     ImGui::SetScrollFromPosY(c.y - begin + margin < height ? c.y + margin - top : begin - top,
                              c.y - begin + margin < height ? 1 : 0);
 }

@@ -157,9 +157,10 @@ namespace {
 bool meets_handle(const Session& s, const View& view, const Rect& r) {
   constexpr double ring = 14;
   return s.pane != Pane::fixed && std::ranges::any_of(s.player.scene().handles, [&](const Handle& handle) {
-    const Vec2 at = view.project(handle.at).at;
-    return at.x() > r.left - ring && at.x() < r.right + ring && at.y() > r.top - ring && at.y() < r.bottom + ring;
-  });
+           const Vec2 at = view.project(handle.at).at;
+           return at.x() > r.left - ring && at.x() < r.right + ring && at.y() > r.top - ring &&
+                  at.y() < r.bottom + ring;
+         });
 }
 
 }  // namespace

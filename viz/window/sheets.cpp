@@ -47,9 +47,9 @@ bool search_field(Session& s, const char* hint) {
 
 bool matches(const std::string& text, const std::string& wanted) {
   static const std::map<std::string, std::vector<std::string>> others = {
-      {"box", {"aabb", "obb"}},  {"cube", {"box", "aabb"}}, {"ball", {"sphere"}},     {"circle", {"sphere"}},
-      {"bvh", {"hierarchy"}},    {"tree", {"hierarchy"}},   {"camera", {"frustum"}},  {"view", {"culling", "picking"}},
-      {"mouse", {"picking"}},    {"hull", {"convex"}},      {"inside", {"polygon"}},  {"rounding", {"robust"}},
+      {"box", {"aabb", "obb"}},  {"cube", {"box", "aabb"}}, {"ball", {"sphere"}},      {"circle", {"sphere"}},
+      {"bvh", {"hierarchy"}},    {"tree", {"hierarchy"}},   {"camera", {"frustum"}},   {"view", {"culling", "picking"}},
+      {"mouse", {"picking"}},    {"hull", {"convex"}},      {"inside", {"polygon"}},   {"rounding", {"robust"}},
       {"cylinder", {"capsule"}}, {"line", {"ray"}},         {"moving", {"collision"}}, {"ray", {"segment"}}};
   const std::string all = lower(text);
   const auto stands = [&](const std::string& word) { return all.find(word) != std::string::npos; };

@@ -83,8 +83,8 @@ float room_for_new(const Step& step) { return std::ranges::any_of(step.values, &
 float number_column(const Ui& ui, const Step& step, const std::vector<std::string>& digits, const Rect& r) {
   float column = r.width() * 0.494f;
   for (std::size_t i = 0; i < digits.size(); ++i)
-    column = std::max(column, 10 + text_width(ui.fonts.mono, plain(step.values[i].name)) + 14 +
-                                  text_width(ui.fonts.mono, digits[i]));
+    column = std::max(
+        column, 10 + text_width(ui.fonts.mono, plain(step.values[i].name)) + 14 + text_width(ui.fonts.mono, digits[i]));
   return r.left + std::min(column, r.width() - 10 - room_for_new(step));
 }
 
