@@ -224,6 +224,7 @@ void Player::show_erratum() {
   const int line = line_of(*e, walk());
   for (int i = 0; i < count(); ++i)
     if (walk().steps[i].line == line) return go_to(i);
+  go_to(outcome(walk()));  // the line was refused on the way there
 }
 
 void Player::begin_exercise(int index) {

@@ -355,7 +355,8 @@ void show(const std::vector<const Lesson*>& lessons, const Course& course, const
   Window window(kept.width, kept.height);
   Renderer renderer([](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); });
   const double scale = window.scale();
-  WindowUi ui(lessons, start, renderer, kept, {.scale = scale, .course = course, .save_scene = save_scene});
+  WindowUi ui(lessons, start, renderer, kept,
+              {.scale = scale, .texts_a_frame = smooth_texts, .course = course, .save_scene = save_scene});
   if (const std::string damage = set_spoilt_settings_aside(file); !damage.empty()) {
     if (say) say(damage);
     ui.complain(damage);

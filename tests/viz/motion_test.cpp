@@ -169,4 +169,22 @@ TEST_CASE("a drag is no motion: the scene follows at once", "[window]") {
   CHECK(window.player().motion() == 1);
 }
 
+TEST_CASE("many new texts come in several frames, and all is there before the window rests", "[window]") {
+  const auto closing = [](double texts_a_frame, int& frames) {
+    WindowOptions options = {.reduced_motion = true};
+    options.texts_a_frame = texts_a_frame;
+    WindowDriver window(isect::lessons::all_lessons(), 1280, 800, place_at("crossings", "vertex-passed"), {}, options);
+    window.frames(20);
+    window.key(key::end);
+    for (frames = 0; window.ui.rest() == 0 && frames < 100; ++frames) window.frames();
+    window.frames(3);
+    return window.picture();
+  };
+  int at_once = 0, in_turn = 0;
+  const Picture all = closing(HUGE_VAL, at_once), same = closing(5000, in_turn);
+  CHECK(in_turn >= at_once + 3);
+  CHECK(in_turn < 100);
+  CHECK(all.rgba == same.rgba);
+}
+
 }  // namespace motion_test

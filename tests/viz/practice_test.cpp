@@ -237,6 +237,20 @@ TEST_CASE("one key shows the published line fail", "[window]") {
   CHECK(window.player().preset_id() == "touching");
   CHECK(window.player().walk().pseudocode[window.player().step().line] == spheres().errata.front().published);
   CHECK_FALSE(window.has("see it fail"));  // it does
+  int shown = 0;
+  for (const Lesson* lesson : lessons::all_lessons())
+    for (const Preset& preset : lesson->presets) {
+      window.player().open(*lesson);
+      window.player().load(preset);
+      for (int i = 0; i < window.player().count() && !window.player().erratum(); ++i) window.player().go_to(i);
+      if (!window.player().erratum()) continue;
+      CAPTURE(lesson->id, preset.id);
+      window.player().show_erratum();
+      const bool first_line = window.player().step().line == 0;
+      CHECK((window.player().index() > 0 || first_line));  // where its line stands, or where it has led
+      ++shown;
+    }
+  CHECK(shown > 5);
 }
 
 }  // namespace practice_test

@@ -80,7 +80,7 @@ class Measurement {
  public:
   Measurement(const std::vector<const Lesson*>& lessons, bool by_processor)
       : by_processor_(by_processor),
-        window_(lessons, 1280, 720, {}, {}, {.reduced_motion = false}),
+        window_(lessons, 1280, 720, {}, {}, {.reduced_motion = false, .texts_a_frame = smooth_texts}),
         target_(1280, 720) {}
 
   void measure(const Lesson& lesson) {

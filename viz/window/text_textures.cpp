@@ -1,6 +1,7 @@
 #include "viz/window/text_textures.h"
 
 #include <tuple>
+#include <utility>
 
 #include "viz/gl.h"
 
@@ -43,7 +44,11 @@ TextTextures::Kept& TextTextures::kept(const Paragraph& paragraph) {
 
 ImTextureID TextTextures::of(const Paragraph& paragraph) {
   Kept& one = kept(paragraph);
-  if (one.texture == 0 && one.size.x > 0 && one.size.y > 0) one.texture = gl::make_texture(raster(paragraph, scale_));
+  if (one.texture == 0 && one.size.x > 0 && one.size.y > 0) {
+    const double area = one.size.x * one.size.y;
+    late_ = late_ || (drawn_ > 0 && drawn_ + area > a_frame_);  // then all that follow wait as well, from above down
+    if (!late_) one.texture = gl::make_texture(raster(paragraph, scale_)), drawn_ += area;
+  }
   return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(one.texture));
 }
 
@@ -57,6 +62,7 @@ const std::vector<NameBox>& TextTextures::names(const Paragraph& paragraph) {
 
 void TextTextures::next_frame() {
   ++frame_;
+  drawn_ = 0, waiting_ = std::exchange(late_, false);
   for (auto it = kept_.begin(); it != kept_.end();) {
     if (frame_ - it->second.last_used < frames_kept) {
       ++it;

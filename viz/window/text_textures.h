@@ -3,6 +3,7 @@
 
 #include <imgui.h>
 
+#include <limits>
 #include <map>
 #include <optional>
 #include <vector>
@@ -14,13 +15,15 @@ namespace isect::viz {
 /// Needs the context that was current when it was made, in every call and at its end.
 class TextTextures {
  public:
-  /// `scale`: framebuffer pixels per px.
-  explicit TextTextures(double scale) : scale_(scale) {}
+  /// `scale`: framebuffer pixels per px. `a_frame`: so many square px of texts that a frame draws at most, but for its
+  /// first one.
+  explicit TextTextures(double scale, double a_frame = std::numeric_limits<double>::infinity())
+      : scale_(scale), a_frame_(a_frame) {}
   ~TextTextures();
   TextTextures(const TextTextures&) = delete;
   TextTextures& operator=(const TextTextures&) = delete;
 
-  /// Its picture on the graphics card; none of an empty one.
+  /// Its picture on the graphics card; none of an empty one, and of one that waits for the next frame.
   ImTextureID of(const Paragraph&);
   /// The size of that picture, in px of the layout. The picture is not drawn for it.
   ImVec2 size_of(const Paragraph&);
@@ -30,6 +33,8 @@ class TextTextures {
   void rescale(double scale);
   /// Ends a frame: what has not been asked for during the last few hundred frames is dropped.
   void next_frame();
+  /// Whether a text that the last frame wanted is still to be drawn.
+  bool waiting() const { return waiting_; }
   std::size_t size() const { return kept_.size(); }
 
  private:
@@ -44,7 +49,8 @@ class TextTextures {
     bool operator()(const Paragraph&, const Paragraph&) const;
   };
   Kept& kept(const Paragraph&);
-  double scale_;
+  double scale_, a_frame_, drawn_ = 0;
+  bool late_ = false, waiting_ = false;
   int frame_ = 0;
   std::map<Paragraph, Kept, Before> kept_;
 };

@@ -73,7 +73,7 @@ struct WindowUi::Impl {
         reduced_motion(options.reduced_motion),
         drawing(options.draw_scene),
         density(options.scale),
-        ui{palette(kept.theme), fonts_at(options.scale), TextTextures(options.scale)},
+        ui{palette(kept.theme), fonts_at(options.scale), TextTextures(options.scale, options.texts_a_frame)},
         course(options.course),
         session{.player = player,
                 .ui = ui,
@@ -299,7 +299,7 @@ std::string WindowUi::title() const {
 double WindowUi::rest() const {
   const Player& p = impl_->player;
   if (p.camera().moving() || p.motion() < 1 || p.light() < 1 || impl_->ui.light.changing() || impl_->scene.behind() ||
-      impl_->panes.behind())
+      impl_->panes.behind() || impl_->ui.texts.waiting())
     return 0;
   double rest = std::numeric_limits<double>::infinity();
   if (p.running()) rest = std::min(rest, std::max(p.seconds_to_step(), 0.0));

@@ -3,6 +3,7 @@
 // so do the tests, through ImGui's own input, with no display at all.
 
 #include <functional>
+#include <limits>
 #include <memory>
 
 #include "viz/compose.h"
@@ -12,11 +13,16 @@
 
 namespace isect::viz {
 
+/// Square px of new texts that a frame has time for: the words of a step are fewer, those of a closing more.
+inline constexpr double smooth_texts = 60'000;
+
 struct WindowOptions {
   double scale = 1;             ///< the screen's density: framebuffer pixels per px of the layout, at size 1
   bool reduced_motion = false;  ///< the camera arrives at once
   bool draw_scene = true;       ///< tests of the layout do without it, most of them without its names, too
   bool place_names = true;
+  /// So many square px of new texts that a frame draws; what is more follows in the next ones.
+  double texts_a_frame = std::numeric_limits<double>::infinity();
   std::string figures = "figures";
   Course course = {};
   /// Writes a setting into the file of the lesson that is made from one; null: there is none.
