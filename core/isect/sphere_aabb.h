@@ -50,16 +50,19 @@ bool accumulate(const Sphere<S, N>& sphere, const Aabb<S, N>& box, Trace&& trace
   for (int axis = 0; axis < N; ++axis) {
     const S c = sphere.center[axis];
     S gap = S(0);
-    if (c < box.lo[axis])
+    if (c < box.lo[axis]) {
       gap = c - box.lo[axis];
-    else if (c > box.hi[axis])
+      distance2 = distance2 + gap * gap;
+    } else if (c > box.hi[axis]) {
       gap = c - box.hi[axis];
-    distance2 = distance2 + gap * gap;
+      distance2 = distance2 + gap * gap;
+    }
     if constexpr (heard<Trace>) trace(Axis<S>{axis, c, box.along(axis), gap, distance2});
   }
   const S radius2 = sphere.radius * sphere.radius;
+  const bool near = distance2 < radius2;
   if constexpr (heard<Trace>) trace(Compared<S>{distance2, radius2});
-  return distance2 < radius2;
+  return near;
 }
 
 /// The point of the box nearest to the center. Exact; the box is not empty, and all is finite.
