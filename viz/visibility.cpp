@@ -302,6 +302,21 @@ Occluders around_solid(const Occluders& all, int index, const std::vector<Vec3>&
   return left;
 }
 
+bool lies_behind(const Polygon<double, 3>& screen, const View& view, const Occluders& all) {
+  if ((all.balls.empty() && all.solids.empty()) || screen.rings.empty() || screen.rings[0].empty()) return false;
+  const Vec3 &on = screen.rings[0][0], towards = view.towards_eye(on);
+  Vec3 n = area(screen.rings[0]).normalized();
+  if (n.dot(towards) < 0) n = -n;
+  const auto before = [&](const Vec3& p, double radius) {
+    return n.dot(p - on) >= radius - 1e-9 * (radius + (p - on).norm());
+  };
+  return std::ranges::all_of(all.balls, [&](const Ball& ball) { return before(ball.center, ball.radius); }) &&
+         std::ranges::all_of(all.solids, [&](const Shell& solid) {
+           return std::ranges::all_of(solid.edges,
+                                      [&](const Shell::Edge& e) { return before(e.from, 0) && before(e.to, 0); });
+         });
+}
+
 bool hidden(const Vec3& p, const View& view, const Occluders& occluders, int own) {
   return hidden_among(p, view, occluders, occluders.solids, own);
 }

@@ -43,6 +43,9 @@ struct Occluders {
 Occluders around_ball(const Occluders&, int index);
 Occluders around_solid(const Occluders&, int index, const std::vector<Vec3>& vertices, bool itself = true);
 
+/// Whether all balls and solids, if there are any, stand before the screen's plane or on it: none is behind any of it.
+bool lies_behind(const Polygon<double, 3>& screen, const View&, const Occluders&);
+
 /// Whether the viewing ray from `p` to the eye runs through the inside of a ball or a solid, or through a screen. Ball
 /// number `own` is left out.
 bool hidden(const Vec3& p, const View&, const Occluders&, int own = -1);

@@ -6,18 +6,6 @@
 #include <iterator>
 
 namespace isect::viz {
-namespace {
-
-/// Whether it is seen through balls or solids and covers none, as a floor from above.
-bool lies_behind(const Canvas& c, const Region& it) {
-  const Occluders& all = c.occluders;
-  if (!it.hides || (all.balls.empty() && all.solids.empty())) return false;
-  const Occluders alone = {{}, {}, {{it.rings}}};
-  return std::ranges::none_of(all.balls, [&](const Ball& ball) { return hidden(ball.center, c.view, alone); }) &&
-         std::ranges::none_of(all.solids, [&](const Shell& solid) { return hidden(solid.middle, c.view, alone); });
-}
-
-}  // namespace
 
 void draw(Canvas& c, const Region& it) {
   std::vector<Path> outlines;
@@ -26,7 +14,7 @@ void draw(Canvas& c, const Region& it) {
   if (outlines.empty()) return;
   Fill fill = area(c, outlines.front(), it.role);
   fill.more.assign(outlines.begin() + 1, outlines.end());
-  const bool behind = lies_behind(c, it);
+  const bool behind = it.hides && lies_behind({{it.rings}}, c.view, c.occluders);
   (behind ? c.ground : c.contents).emplace_back(fill);
   const auto drawn = static_cast<std::ptrdiff_t>(c.lines.size());
 
