@@ -3,7 +3,8 @@
 //
 // Nothing of a region is known beforehand. The plane is swept in level lines; on each, a change of branch between two
 // samples is found by bisection, and where the sequence of branches changes from line to line, so is the level. Between
-// lines borders run straight; where they turn, there are more lines, until that is seen nowhere.
+// lines borders run straight; where they turn, there are more lines, until that is seen nowhere or they lie closer than
+// 1/128 of the pitch.
 
 #include "viz/chart.h"
 #include "viz/lesson.h"

@@ -227,22 +227,15 @@ TEST_CASE("what came of an answer is in sight, whatever stands above it", "[wind
   const auto [width, height] = GENERATE(table<float, float>({{1280, 800}, {800, 600}}));
   WindowDriver window(isect::lessons::all_lessons(), width, height, {}, {}, layout_only);
   int answered = 0;
-  for (const Lesson* lesson : isect::lessons::all_lessons()) {
-    window.player().open(*lesson);
-    for (int i = 1; i < window.player().count(); ++i) {
-      window.player().go_to(i - 1);
-      window.player().next();
-      const Question* question = window.player().asked();
-      if (!question) continue;
-      window.player().answer(0);
-      window.frames(4);
-      if (!window.player().answered()) continue;
-      ++answered;
-      INFO(window.ui.title());
-      const Rect told = window.rect("what came of it"), words = window.rect("lesson words");
-      CHECK((told.top >= words.top && told.bottom <= words.bottom));
-    }
-  }
+  ask_all(window, isect::lessons::all_lessons(), [&](const Question&) {
+    window.player().answer(0);
+    window.frames(4);
+    if (!window.player().answered()) return;
+    ++answered;
+    INFO(window.ui.title());
+    const Rect told = window.rect("what came of it"), words = window.rect("lesson words");
+    CHECK((told.top >= words.top && told.bottom <= words.bottom));
+  });
   CHECK(answered > 40);
 }
 

@@ -161,4 +161,17 @@ class WindowDriver {
   float scale_;
 };
 
+/// Has each question of each lesson's first preset asked, and calls `then` with it.
+template <class Then>
+void ask_all(WindowDriver& window, const std::vector<const Lesson*>& lessons, const Then& then) {
+  for (const Lesson* lesson : lessons) {
+    window.player().open(*lesson);
+    for (int i = 1; i < window.player().count(); ++i) {
+      window.player().go_to(i - 1);
+      window.player().next();
+      if (const Question* question = window.player().asked()) then(*question);
+    }
+  }
+}
+
 }  // namespace isect::viz

@@ -545,24 +545,17 @@ TEST_CASE("with the panels hidden a question has room for all its answers, in th
   WindowDriver window(isect::lessons::all_lessons(), 800, 600, {}, {}, layout_only);
   window.key(key::tab);
   int asked = 0;
-  for (const Lesson* lesson : isect::lessons::all_lessons()) {
-    window.player().open(*lesson);
-    for (int i = 1; i < window.player().count(); ++i) {
-      window.player().go_to(i - 1);
-      window.player().next();
-      const Question* question = window.player().asked();
-      if (!question) continue;
-      ++asked;
-      window.frames(3);
-      INFO(window.ui.title());
-      const Rect card = window.rect("question over scene"), scene = window.rect("scene");
-      CHECK((card.top >= scene.top && card.bottom <= window.rect("transport").top));
-      for (std::size_t k = 0; k < question->choices.size(); ++k) {
-        const Rect choice = window.rect("choice " + std::to_string(k));
-        CHECK((choice.top >= card.top && choice.bottom <= card.bottom));
-      }
+  ask_all(window, isect::lessons::all_lessons(), [&](const Question& question) {
+    ++asked;
+    window.frames(3);
+    INFO(window.ui.title());
+    const Rect card = window.rect("question over scene"), scene = window.rect("scene");
+    CHECK((card.top >= scene.top && card.bottom <= window.rect("transport").top));
+    for (std::size_t k = 0; k < question.choices.size(); ++k) {
+      const Rect choice = window.rect("choice " + std::to_string(k));
+      CHECK((choice.top >= card.top && choice.bottom <= card.bottom));
     }
-  }
+  });
   CHECK(asked > 40);
 }
 

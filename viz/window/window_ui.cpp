@@ -317,7 +317,9 @@ const std::map<std::string, Rect>& WindowUi::rects() const { return impl_->ui.re
 void WindowUi::complain(const std::string& words) { impl_->session.complain(words); }
 std::string WindowUi::message() const {
   const Session& s = impl_->session;
-  return s.toast.seconds_left > 0 ? s.toast.text : s.width_wrong.empty() ? s.refused.why : s.width_wrong;
+  if (s.toast.seconds_left > 0) return s.toast.text;
+  if (!s.width_wrong.empty()) return s.width_wrong;
+  return s.refused.revision == s.player.revision() ? s.refused.why : std::string();
 }
 const std::vector<PlacedLabel>& WindowUi::labels() const { return impl_->scene.labels(); }
 const std::string& WindowUi::sum() const { return impl_->ui.sum; }
