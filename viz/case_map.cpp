@@ -29,14 +29,18 @@ class Sweep {
  public:
   Sweep(const CaseMap& map, const Parameters& here, Cases& out) : map_(map), here_(here), out_(out) {}
 
-  void run() {
-    const double step = (map_.hi.y() - map_.lo.y()) / map_rows;
-    std::vector<Level> levels;
-    for (int j = 0; j < map_rows; ++j) levels.push_back(level(map_.lo.y() + j * step));
-    levels.push_back(level(map_.hi.y()));
-    const auto bent_at = [&](int j) { return j > 0 && j < map_rows && bent(levels[j - 1], levels[j], levels[j + 1]); };
-    for (int j = 0; j < map_rows; ++j) between(levels[j], levels[j + 1], bent_at(j) || bent_at(j + 1), 7);
+  /// A level line, or what lies between two of them; false when that was the last.
+  bool next() {
+    if (const auto j = static_cast<int>(levels_.size()); j <= map_rows) {
+      const double step = (map_.hi.y() - map_.lo.y()) / map_rows;
+      levels_.push_back(level(j == map_rows ? map_.hi.y() : map_.lo.y() + j * step));
+      return true;
+    }
+    const int j = row_++;
+    between(levels_[j], levels_[j + 1], bent_at(j) || bent_at(j + 1), 7);
+    if (row_ < map_rows) return true;
     end_borders();
+    return false;
   }
 
  private:
@@ -106,6 +110,8 @@ class Sweep {
     return false;
   }
 
+  bool bent_at(int j) const { return j > 0 && j < map_rows && bent(levels_[j - 1], levels_[j], levels_[j + 1]); }
+
   /// `turns`: a border may do so in between, at a corner or in a curve.
   void between(const Level& below, const Level& above, bool turns, int depth) {
     const bool alike = below.branches == above.branches;
@@ -169,6 +175,8 @@ class Sweep {
   const CaseMap& map_;
   const Parameters& here_;
   Cases& out_;
+  std::vector<Level> levels_;
+  int row_ = 0;                          ///< of those between two levels
   std::vector<std::vector<Vec2>> open_;  ///< one for each cut, while the sequence stays the same
 };
 
@@ -203,6 +211,40 @@ bool belongs(const CaseMap& map, const Parameters& here, const Parameters& prese
   return there == around(map, preset, at);
 }
 
+class MapInParts {
+ public:
+  MapInParts(const Lesson& lesson, const Parameters& here)
+      : lesson_(lesson), map_(*lesson.map), here_(here), sweep_(map_, here_, cases_) {}
+  MapInParts(const MapInParts&) = delete;
+  MapInParts& operator=(const MapInParts&) = delete;
+
+  std::optional<Chart> next() {
+    if (sweep_.next()) return {};
+    cases_.x = {Scale::Kind::linear, map_.lo.x(), map_.hi.x(), map_.x_title, ticks(map_.lo.x(), map_.hi.x())};
+    cases_.y = {Scale::Kind::linear, map_.lo.y(), map_.hi.y(), map_.y_title, ticks(map_.lo.y(), map_.hi.y())};
+    cases_.branches = map_.branches;
+    cases_.one_scale = map_.one_scale;
+    for (const Preset& preset : lesson_.presets) mark(preset.parameters);
+    cases_.here = spot_on(map_, here_);
+    return Chart{std::move(cases_)};
+  }
+
+ private:
+  void mark(const Parameters& preset) {
+    const Cases::Spot spot = {map_.place(preset), map_.branch(preset)};
+    const bool twice = std::ranges::any_of(cases_.presets, [&](const Cases::Spot& s) {
+      return s.branch == spot.branch && (s.at - spot.at).norm() < 1e-9;
+    });
+    if (!twice && within(map_, spot.at) && belongs(map_, here_, preset, spot.at)) cases_.presets.push_back(spot);
+  }
+
+  const Lesson& lesson_;
+  const CaseMap& map_;
+  Parameters here_;
+  Cases cases_;
+  Sweep sweep_;
+};
+
 }  // namespace
 
 std::optional<Cases::Spot> spot_on(const CaseMap& map, const Parameters& here) {
@@ -211,22 +253,8 @@ std::optional<Cases::Spot> spot_on(const CaseMap& map, const Parameters& here) {
   return Cases::Spot{at, map.branch(here)};
 }
 
-Chart case_map(const Lesson& lesson, const Parameters& here) {
-  const CaseMap& map = *lesson.map;
-  Cases cases;
-  cases.x = {Scale::Kind::linear, map.lo.x(), map.hi.x(), map.x_title, ticks(map.lo.x(), map.hi.x())};
-  cases.y = {Scale::Kind::linear, map.lo.y(), map.hi.y(), map.y_title, ticks(map.lo.y(), map.hi.y())};
-  cases.branches = map.branches;
-  cases.one_scale = map.one_scale;
-  Sweep(map, here, cases).run();
-  for (const Preset& preset : lesson.presets) {
-    const Cases::Spot spot = {map.place(preset.parameters), map.branch(preset.parameters)};
-    const bool twice = std::ranges::any_of(
-        cases.presets, [&](const Cases::Spot& s) { return s.branch == spot.branch && (s.at - spot.at).norm() < 1e-9; });
-    if (!twice && within(map, spot.at) && belongs(map, here, preset.parameters, spot.at)) cases.presets.push_back(spot);
-  }
-  cases.here = spot_on(map, here);
-  return {cases};
+DeferredChart case_map(const Lesson& lesson, const Parameters& here) {
+  return DeferredChart([map = std::make_shared<MapInParts>(lesson, here)] { return map->next(); });
 }
 
 Step map_step(const Lesson& lesson, const Parameters& here, const Cases::Spot& spot, const Step& before) {
@@ -238,7 +266,7 @@ Step map_step(const Lesson& lesson, const Parameters& here, const Cases::Spot& s
   step.comparison.reset(), step.question.reset();
   for (Value& value : step.values) value.fresh = false;
   step.scene = {};
-  step.scene.chart = DeferredChart([&lesson, here] { return case_map(lesson, here); });
+  step.scene.chart = case_map(lesson, here);
   return step;
 }
 

@@ -17,8 +17,9 @@ inline constexpr const char* case_map_slug = "cases";
 /// Where this setting lies on the map, and its branch; none where the map does not reach.
 std::optional<Cases::Spot> spot_on(const CaseMap&, const Parameters& here);
 
-/// The map with the lesson's presets and this setting on it. `lesson.map` must be there.
-Chart case_map(const Lesson& lesson, const Parameters& here);
+/// The map with the lesson's presets and this setting on it, made in some seventy parts. `lesson.map` must be there,
+/// and the lesson must outlive it.
+DeferredChart case_map(const Lesson& lesson, const Parameters& here);
 /// The step that shows where `here` lies among all cases; what `before` has told stays. The lesson must outlive it.
 Step map_step(const Lesson& lesson, const Parameters& here, const Cases::Spot& spot, const Step& before);
 

@@ -7,23 +7,36 @@
 namespace isect::viz {
 
 struct DeferredChart::Once {
-  Once(std::shared_ptr<const Chart> chart, std::function<Chart()> how) : made(std::move(chart)), make(std::move(how)) {}
+  bool prepare() {
+    const std::lock_guard lock(busy);
+    if (made) return false;
+    if (std::optional<Chart> chart = part()) {
+      made = std::make_shared<const Chart>(std::move(*chart));
+      part = nullptr;
+    }
+    return true;
+  }
 
+  std::mutex busy;
   std::shared_ptr<const Chart> made;
-  std::function<Chart()> make;
-  std::once_flag flag;
+  std::function<std::optional<Chart>()> part;
 };
 
 DeferredChart::DeferredChart(std::shared_ptr<const Chart> made) {
-  if (made) once_ = std::make_shared<Once>(std::move(made), nullptr);
+  if (!made) return;
+  once_ = std::make_shared<Once>();
+  once_->made = std::move(made);
 }
 
-DeferredChart::DeferredChart(std::function<Chart()> make) : once_(std::make_shared<Once>(nullptr, std::move(make))) {}
+DeferredChart::DeferredChart(std::function<std::optional<Chart>()> part) : once_(std::make_shared<Once>()) {
+  once_->part = std::move(part);
+}
+
+bool DeferredChart::prepare() const { return once_->prepare(); }
 
 const Chart& DeferredChart::operator*() const {
-  std::call_once(once_->flag, [&] {
-    if (!once_->made) once_->made = std::make_shared<const Chart>(once_->make());
-  });
+  while (prepare()) {
+  }
   return *once_->made;
 }
 

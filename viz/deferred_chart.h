@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 namespace isect::viz {
 
@@ -13,10 +14,13 @@ class DeferredChart {
  public:
   DeferredChart() = default;
   DeferredChart(std::shared_ptr<const Chart> made);
-  /// `make` keeps what it needs: it may run long after the walk was made.
-  explicit DeferredChart(std::function<Chart()> make);
+  /// Each call of `part` does some of the work, and the last one gives the chart. It keeps what it needs: it may run
+  /// long after the walk was made.
+  explicit DeferredChart(std::function<std::optional<Chart>()> part);
 
   explicit operator bool() const { return once_ != nullptr; }
+  /// Does a part of what is left; false when nothing was. There must be a chart.
+  bool prepare() const;
   const Chart& operator*() const;
   const Chart* operator->() const { return &**this; }
 

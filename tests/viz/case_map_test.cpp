@@ -49,7 +49,7 @@ double area(const Cases& cases, int of) {
 
 TEST_CASE("regions have the areas that the branches have", "[case_map]") {
   const Lesson l = lesson();
-  const Cases cases = std::get<Cases>(case_map(l, l.presets[0].parameters).kind);
+  const Cases cases = std::get<Cases>(case_map(l, l.presets[0].parameters)->kind);
   CHECK(std::abs(area(cases, disc) - 3.14159265) < 0.01);
   CHECK(std::abs(area(cases, right) - 2) < 0.005);
   CHECK(area(cases, rim) == 0);
@@ -74,7 +74,7 @@ TEST_CASE("corners of regions are as sharp as they are, also between two lines o
                          moved};
   Lesson l = lesson();
   l.map = &plane;
-  const Cases cases = std::get<Cases>(case_map(l, l.presets[0].parameters).kind);
+  const Cases cases = std::get<Cases>(case_map(l, l.presets[0].parameters)->kind);
   CHECK(std::abs(area(cases, 1) - 0.4 * 2.2 * 2.2) < 2e-4);
   CHECK(std::abs(area(cases, 2) - (0.3 * 4 + 0.25 * 0.06)) < 2e-4);
   for (const Vec2& corner : {Vec2(-1, 0.013), Vec2(1.2, 0.893), Vec2(1.2, -0.867), Vec2(1.45, 0.04), Vec2(1.7, 0.1)}) {
@@ -88,7 +88,7 @@ TEST_CASE("corners of regions are as sharp as they are, also between two lines o
 
 TEST_CASE("borders lie where the branch changes", "[case_map]") {
   const Lesson l = lesson();
-  const Cases cases = std::get<Cases>(case_map(l, l.presets[0].parameters).kind);
+  const Cases cases = std::get<Cases>(case_map(l, l.presets[0].parameters)->kind);
   REQUIRE_FALSE(cases.borders.empty());
   for (const std::vector<Vec2>& border : cases.borders)
     for (const Vec2& p : border) {
@@ -99,18 +99,18 @@ TEST_CASE("borders lie where the branch changes", "[case_map]") {
 
 TEST_CASE("presets on the map are marked once, with their own branch", "[case_map]") {
   const Lesson l = lesson();
-  const Cases cases = std::get<Cases>(case_map(l, preset_at("", -1.75, 1.75).parameters).kind);
+  const Cases cases = std::get<Cases>(case_map(l, preset_at("", -1.75, 1.75).parameters)->kind);
   REQUIRE(cases.presets.size() == 2);  // c lies beyond it, d where a is
   CHECK(cases.presets[0].branch == disc);
   CHECK(cases.presets[1].branch == rim);
   REQUIRE(cases.here);
   CHECK(cases.here->branch == outside);
-  CHECK_FALSE(std::get<Cases>(case_map(l, preset_at("", 9, 0).parameters).kind).here);
+  CHECK_FALSE(std::get<Cases>(case_map(l, preset_at("", 9, 0).parameters)->kind).here);
 }
 
 TEST_CASE("a map names its regions and its lines, inside its plane", "[case_map]") {
   const Lesson l = lesson();
-  const Chart chart = case_map(l, l.presets[0].parameters);
+  const Chart chart = *case_map(l, l.presets[0].parameters);
   for (const ThemeName name : {ThemeName::screen, ThemeName::print, ThemeName::grey, ThemeName::dark}) {
     const Theme styled = theme(name, 600, 400);
     const Composed composed = compose(chart, {0, 0}, 600, 400, styled);
@@ -140,8 +140,25 @@ TEST_CASE("a deferred chart is made at the first look, once for all copies", "[c
   CHECK(std::holds_alternative<Bars>(copy->kind));
   CHECK(&*copy == &*chart);
   CHECK(made == 1);
+  CHECK_FALSE(copy.prepare());
+  CHECK(made == 1);
   CHECK_FALSE(bool(DeferredChart()));
   CHECK_FALSE(bool(DeferredChart(std::shared_ptr<const Chart>())));
+}
+
+TEST_CASE("a deferred chart is made in parts, by whichever copy is asked", "[case_map]") {
+  int parts = 0;
+  const DeferredChart chart([&parts]() -> std::optional<Chart> {
+    if (++parts < 5) return {};
+    return Chart{Bars{}};
+  });
+  const DeferredChart copy = chart;
+  CHECK(chart.prepare());
+  CHECK(copy.prepare());
+  CHECK(parts == 2);
+  CHECK(std::holds_alternative<Bars>(copy->kind));
+  CHECK(parts == 5);
+  CHECK_FALSE(chart.prepare());
 }
 
 }  // namespace case_map_test

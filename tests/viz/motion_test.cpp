@@ -2,6 +2,9 @@
 
 #include "viz/motion.h"
 
+#include <chrono>
+#include <thread>
+
 #include "lessons/lessons.h"
 #include "tests/catch.h"
 #include "tests/viz/window_driver.h"
@@ -141,6 +144,39 @@ TEST_CASE("a chart is made while all is at rest before its step, not while the s
   window.button(false);
   window.frames(30);
   CHECK(made == 1);
+}
+
+TEST_CASE("a chart that takes long is made a little in each frame, and no rest comes before it is there", "[window]") {
+  static int parts = 0;
+  constexpr int all = 12;
+  Lesson lesson;
+  lesson.id = lesson.title = "two-steps";
+  lesson.presets = {{"all", "all", "", {}}};
+  lesson.steps = [](const Parameters&) {
+    parts = 0;
+    Walk walk;
+    walk.steps.resize(2);
+    walk.steps[0].slug = walk.steps[0].title = "ball", walk.steps[0].scene.items = {Ball{{0, 0, 0}, 1}};
+    walk.steps[1].slug = walk.steps[1].title = "chart";
+    walk.steps[1].scene.chart = DeferredChart([]() -> std::optional<Chart> {
+      std::this_thread::sleep_for(std::chrono::milliseconds(4));
+      if (++parts < all) return {};
+      return Chart{Plot{}};
+    });
+    return walk;
+  };
+  const std::vector<const Lesson*> lessons = {&lesson};
+  WindowDriver window(lessons, 1280, 800, {}, {}, {.reduced_motion = true});
+  window.player().restart();
+  for (int i = 1; i < all; ++i) {
+    const int before = parts;
+    window.frames();
+    CHECK(parts <= before + 1);
+    CHECK((window.ui.rest() == 0) == (parts < all));
+  }
+  window.frames(10);
+  CHECK(parts == all);
+  CHECK(window.ui.rest() > 0);
 }
 
 TEST_CASE("under reduced motion nothing moves by itself", "[window]") {

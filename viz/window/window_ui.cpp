@@ -8,6 +8,7 @@
 #endif
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -129,11 +130,18 @@ struct WindowUi::Impl {
     session.attempt([&] { session.say("Saved " + save_preset(player, session.figures)); });
   }
 
-  /// A map of cases takes as long as a frame: it is made while all is at rest, before its step comes.
-  void prepare_next_step() const {
-    if (player.at_end()) return;
-    const Scene& next = player.walk().steps[static_cast<std::size_t>(player.index()) + 1].scene;
-    if (next.chart) static_cast<void>(*next.chart);
+  /// A map of cases takes as long as a frame: it is made before its step comes, a little a frame, but never while a
+  /// hand moves something. Whether there is more to do.
+  bool prepare_next_step() const {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (player.at_end() || io.MouseDown[0] || io.MouseDown[1]) return false;
+    const DeferredChart& next = player.walk().steps[static_cast<std::size_t>(player.index()) + 1].scene.chart;
+    if (!next) return false;
+    using Clock = std::chrono::steady_clock;
+    const auto begin = Clock::now();
+    while (next.prepare())
+      if (Clock::now() - begin > std::chrono::milliseconds(3)) return true;
+    return false;
   }
 
   /// The size that is wanted, as far as the least layout fits into the window; smaller than usual where a display has
@@ -211,6 +219,7 @@ struct WindowUi::Impl {
   Settings settings;
   bool reduced_motion;  ///< whatever the settings say
   bool drawing;
+  bool preparing = false;  ///< of what the next step shows, something is left to do
   unsigned names_of_revision = 0;
   double density, size = 1;
   Ui ui;
@@ -271,7 +280,7 @@ void WindowUi::frame() {
   ImGui::Render();
 
   w.ui.texts.next_frame();
-  if (rest() > 0 && !io.MouseDown[0] && !io.MouseDown[1]) w.prepare_next_step();
+  w.preparing = w.prepare_next_step();
 }
 
 void WindowUi::draw(unsigned framebuffer) {
@@ -299,7 +308,7 @@ std::string WindowUi::title() const {
 double WindowUi::rest() const {
   const Player& p = impl_->player;
   if (p.camera().moving() || p.motion() < 1 || p.light() < 1 || impl_->ui.light.changing() || impl_->scene.behind() ||
-      impl_->panes.behind() || impl_->ui.texts.waiting())
+      impl_->panes.behind() || impl_->ui.texts.waiting() || impl_->preparing)
     return 0;
   double rest = std::numeric_limits<double>::infinity();
   if (p.running()) rest = std::min(rest, std::max(p.seconds_to_step(), 0.0));
