@@ -26,6 +26,15 @@ Polyline seen(const Path& path, double scale) {
   return line.points.size() > many ? thinned(line, tolerance) : line;
 }
 
+Pass pass_of(const Colour& colour) { return colour.a >= 1 ? Pass::opaque : Pass::paint; }
+
+/// Whether no two triangles of a stroke overlap: a straight line's, or those of its dashes, if no round cap reaches
+/// into the next.
+bool apart(const std::vector<Polyline>& lines, bool round_cap) {
+  return (lines.size() == 1 || !round_cap) &&
+         std::ranges::all_of(lines, [](const Polyline& l) { return l.points.size() == 2 && !l.closed; });
+}
+
 Vertex vertex(const Vec2& p, const Vec2& uv, const Colour& c) {
   const auto f = [](double x) { return static_cast<float>(x); };
   return {f(p.x()), f(p.y()), f(uv.x()), f(uv.y()), f(c.r), f(c.g), f(c.b), f(c.a)};
@@ -55,7 +64,7 @@ void Batch::add(const Fill& fill) {
   }
   const Box box = bounds(outline);
   const Triangles lines = hatch(box, fill.hatch_gap, nib.width);
-  if (lines.empty() && simple) return add(Pass::paint, triangles, fill.colour);
+  if (lines.empty() && simple) return add(pass_of(fill.colour), triangles, fill.colour);
 
   add(fill.more.empty() ? Pass::winding : Pass::parity, triangles, {});
   if (lines.empty()) return add(Pass::finish, cover(box), fill.colour);
@@ -67,13 +76,14 @@ void Batch::add(const Fill& fill) {
 void Batch::add(const Stroke& s) {
   const double tolerance = tolerance_px / scale_;
   const Nib nib = visible(s.width, s.colour, scale_);
+  const std::vector<Polyline> lines = dashes(seen(s.path, scale_), s.dash);
   Triangles triangles;
-  for (const Polyline& line : dashes(seen(s.path, scale_), s.dash)) {
+  for (const Polyline& line : lines) {
     const Triangles more = stroke(line, nib.width, s.round_cap, tolerance);
     triangles.insert(triangles.end(), more.begin(), more.end());
   }
-
-  add(nib.colour.a >= 1 ? Pass::paint : Pass::once, triangles, nib.colour);
+  const bool blends_twice = nib.colour.a < 1 && !apart(lines, s.round_cap);
+  add(blends_twice ? Pass::once : pass_of(nib.colour), triangles, nib.colour);
 }
 
 void Batch::add(const Gradient& gradient) {

@@ -140,26 +140,41 @@ Vec2 CaseNames::some_point_of(int branch) const {
 }
 
 /// The nearest place for the whole name in one region, with a free way for the leader from the region's middle, or else
-/// from another point of it; over borders only if there is none.
+/// from another point of it; over borders only if there is none. What coarser steps find bounds the finer search.
 NamePlace CaseNames::beside(int branch, const Vec2& size) const {
   const Vec2 middle = some_point_of(branch);
-  const NamePlace coarse = beside(middle, size, 1, std::numeric_limits<double>::infinity());  // bounds the finer search
-  NamePlace best = beside(middle, size, 0.5, coarse.cost + 2 * hair);
+  NamePlace best;
+  best.cost = std::numeric_limits<double>::infinity();
+  for (const double step : {4.0, 1.0, 0.5}) best = beside(middle, size, step, best.cost + 2 * hair);
   if (best.cost < crossed) return best;
+
   constexpr int apart = 6;
   const Vec2 side = Vec2::Constant(apart * std::min(cell_.x(), cell_.y()) / 4).cwiseQuotient(cell_);
+  std::vector<Vec2> others;
   for (int y = apart / 2; y < rows; y += apart)
     for (int x = apart / 2; x < columns; x += apart)
-      if (const Vec2 at(x, y); filled(branch, at, side))
-        if (const NamePlace other = beside(drawn(at), size, 1, best.cost); other.cost < best.cost - hair) best = other;
-  return best;
+      if (const Vec2 at(x, y); filled(branch, at, side)) others.push_back(drawn(at));
+  const auto cheapest = [&](double step, double most) {
+    NamePlace found;
+    found.cost = most;
+    for (const Vec2& to : others)
+      if (const NamePlace other = beside(to, size, step, found.cost); other.cost < found.cost - hair) found = other;
+    return found;
+  };
+  const double bound = std::min(cheapest(4, best.cost).cost + 2 * hair, best.cost);
+  const NamePlace other = cheapest(1, bound);
+  return other.cost < bound - hair ? other : best;
 }
 
 NamePlace CaseNames::beside(const Vec2& to, const Vec2& size, double step, double most) const {
   const Vec2 half = size / 2;
   NamePlace best = {to, to, false, most};
+  const double least =
+      through_name * static_cast<double>(std::ranges::count_if(taken_, [&](const TextBox& t) {
+        return t.left + hair < to.x() && to.x() < t.right - hair && t.top + hair < to.y() && to.y() < t.bottom - hair;
+      }));  // wherever a leader comes from
   const auto too_far = [&](double from, double place, double reach) {
-    return std::abs(place - from) - reach > best.cost;
+    return std::abs(place - from) - reach + least > best.cost;
   };
   for (int y = 0; y * step <= rows; ++y) {
     if (too_far(to.y(), drawn({0, y * step}).y(), half.y())) continue;
@@ -171,10 +186,10 @@ NamePlace CaseNames::beside(const Vec2& to, const Vec2& size, double step, doubl
         continue;
       const Vec2 from = nearest_in(box, to);
       double cost = (to - from).norm() + 0.1 * (to - middle).norm();
-      if ((to - from).norm() < 0.8 * size.y() || cost > best.cost - hair) continue;
+      if ((to - from).norm() < 0.8 * size.y() || cost + least > best.cost - hair) continue;
       for (const TextBox& t : taken_)
         if (share_ink(box, t)) cost += over_name;
-      if (cost > best.cost - hair) continue;
+      if (cost + least > best.cost - hair) continue;
       cost += in_the_way(from, to);
       for (const auto& [a, b] : leaders_)
         if (length_inside(a, b, box) > 0) cost += over_leader;

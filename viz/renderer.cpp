@@ -269,12 +269,13 @@ struct Renderer::Impl {
       set_uniform(program->uniform("units"), units);
       set_uniform(program->uniform("origin"), origin);
     }
-    int marks = 0;  // on the stencil, from 1 up
+    int marks = 255;  // on the stencil, from 1 up; as many as there can be before it is first cleared
     for (const Call& call : batch.calls()) {
       const bool once = call.pass == Pass::once, plain = call.pass == Pass::paint || call.pass == Pass::opaque ||
                                                          call.pass == Pass::image || call.pass == Pass::gradient;
       if (marks == 255 ? !plain : marks > 0 && !plain && !once) {
-        glClear(GL_STENCIL_BUFFER_BIT);
+        // No depth is used, but it shares words with the stencil: clearing both is much quicker.
+        glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
         marks = 0;
       }
       set_pass(call.pass, once ? ++marks : 0);
@@ -346,9 +347,8 @@ void Renderer::make(const Drawing& drawing, double scale, const PixelBox& part) 
   glDisable(GL_SCISSOR_TEST);
   glClearColor(static_cast<float>(ground.r), static_cast<float>(ground.g), static_cast<float>(ground.b), 1);
   glClearStencil(0);
-  // No depth is used, but it shares words with the stencil: clearing both is much quicker.
   glDepthMask(GL_TRUE);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+  glClear(GL_COLOR_BUFFER_BIT);
 
   glDisable(GL_CULL_FACE);
   glDisable(GL_DEPTH_TEST);

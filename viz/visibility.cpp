@@ -102,6 +102,14 @@ Vec3 area(const std::vector<Vec3>& points) {
   return sum;
 }
 
+/// Whether the ray passes the ball by, or leaves it behind, by more than may be rounded.
+bool misses(const Ray<double, 3>& sight, const Vec3& center, double radius) {
+  const Vec3 ahead = center - sight.origin;
+  const double far = ahead.norm(), reach = 1.001 * radius + 1e-9 * (far + sight.origin.norm());
+  return ahead.cross(sight.direction).norm() > reach * sight.direction.norm() ||
+         (far > reach && ahead.dot(sight.direction) < 0);
+}
+
 /// Whether the ray misses the screen by more than may be rounded: most pass the ball around it, or leave its plane
 /// behind, as those that begin on it do. False where rounded arithmetic does not tell.
 bool misses(const Ray<double, 3>& sight, const Polygon<double, 3>& screen) {
@@ -110,11 +118,10 @@ bool misses(const Ray<double, 3>& sight, const Polygon<double, 3>& screen) {
   double size = 0;
   for (const Ring<double, 3>& ring : screen.rings)
     for (const Vec3& p : ring) size = std::max(size, (p - outline[0]).norm());
+  if (misses(sight, outline[0], size)) return true;
+
   const Vec3 ahead = outline[0] - sight.origin;
   const double speed = sight.direction.norm(), far = ahead.norm();
-  const double reach = 1.001 * size + 1e-9 * (far + sight.origin.norm());
-  if (ahead.cross(sight.direction).norm() > reach * speed) return true;
-
   const double corners = static_cast<double>(outline.size());
   const double doubt = 1e-14 * corners * corners * size * size;  // some ten roundings of each term of the normal
   const Vec3 n = area(outline);
@@ -183,60 +190,64 @@ class Cuts {
   std::vector<double> found_ = {0, 1};
 };
 
-/// Whether the eye sees the solid apart from the segment, by more than that may be rounded: then it hides nothing of
-/// it. False where parallel sights do not tell.
-bool seen_apart(const Vec3& from, const Vec3& to, const View& view, const Shell& solid) {
+/// Whether the eye sees the ball apart from the segment, by more than that may be rounded: then nothing in it hides any
+/// of that. False where parallel sights do not tell.
+bool seen_apart(const Vec3& from, const Vec3& to, const View& view, const Vec3& center, double radius) {
   if (view.camera().perspective) return false;
   constexpr double more = 1.001;
   const Vec3 &right = view.right(), &up = view.up();
-  const Vec2 a(right.dot(from - solid.middle), up.dot(from - solid.middle));
+  const Vec2 a(right.dot(from - center), up.dot(from - center));
   const Vec2 d(right.dot(to - from), up.dot(to - from));
   const double t = d.squaredNorm() > 0 ? std::clamp(-a.dot(d) / d.squaredNorm(), 0.0, 1.0) : 0;
-  return (a + t * d).norm() > more * solid.size + 1e-9 * (from.norm() + to.norm());
+  return (a + t * d).norm() > more * radius + 1e-9 * (from.norm() + to.norm());
 }
 
-using Shells = std::vector<const Shell*>;
+/// What may hide some of a segment.
+struct Near {
+  Near(const Vec3& from, const Vec3& to, const View& view, const Occluders& all) : screens(all.screens) {
+    for (const Ball& ball : all.balls)
+      if (!seen_apart(from, to, view, ball.center, ball.radius)) balls.push_back(ball);
+    for (const Shell& solid : all.solids)
+      if (!seen_apart(from, to, view, solid.middle, solid.size)) solids.push_back(&solid);
+  }
 
-/// The solids that may hide some of a segment.
-Shells beside(const Vec3& from, const Vec3& to, const View& view, const Occluders& all) {
-  Shells near;
-  for (const Shell& solid : all.solids)
-    if (!seen_apart(from, to, view, solid)) near.push_back(&solid);
-  return near;
-}
+  std::vector<Ball> balls;
+  std::vector<const Shell*> solids;
+  const std::vector<Polygon<double, 3>>& screens;
+};
 
 const Shell& of(const Shell& solid) { return solid; }
 const Shell& of(const Shell* solid) { return *solid; }
 
-/// As hidden(), of these solids.
-bool hidden_among(const Vec3& p, const View& view, const Occluders& occluders, const auto& solids, int own) {
+/// As hidden(); `among`: Occluders, or what is Near.
+bool hidden_among(const Vec3& p, const View& view, const auto& among, int own) {
   const Vec3 direction = view.towards_eye(p);
   const double to_eye = view.camera().perspective ? (view.eye() - p).norm() : HUGE_VAL;
   const Ray<double, 3> sight = {p, direction, {0, to_eye}};
-  for (int i = 0; i < static_cast<int>(occluders.balls.size()); ++i) {
+  for (int i = 0; i < static_cast<int>(among.balls.size()); ++i) {
     if (i == own) continue;
-    const Ball& ball = occluders.balls[i];
+    const Ball& ball = among.balls[i];
+    if (misses(sight, ball.center, ball.radius)) continue;
     const RaySphere<double> shared = intersect(sight, Sphere<double, 3>{ball.center, ball.radius * (1 - drawn_in)});
     if (shared && shared.solid->hi > shared.solid->lo) return true;
   }
-  for (const auto& solid : solids)
+  for (const auto& solid : among.solids)
     if (runs_through(sight, of(solid))) return true;
   const double beyond = drawn_in * std::max(view.camera().half_height, p.norm());  // p may lie on the screen itself
   const Ray<double, 3> past_own = {p, direction, {beyond, to_eye}};
-  for (const Polygon<double, 3>& screen : occluders.screens)
+  for (const Polygon<double, 3>& screen : among.screens)
     if (!misses(past_own, screen) && intersect(past_own, screen).t) return true;
   return false;
 }
 
 /// The places to look at on a segment.
-std::vector<double> places(const Vec3& from, const Vec3& to, const View& view, const Occluders& occluders,
-                           const Shells& solids) {
-  if (solids.empty() && occluders.screens.empty()) return even(occluders.balls.empty() ? 1 : 64);
+std::vector<double> places(const Vec3& from, const Vec3& to, const View& view, const Near& near) {
+  if (near.solids.empty() && near.screens.empty()) return even(near.balls.empty() ? 1 : 64);
   Cuts cuts(from, to, view);
-  for (const Shell* solid : solids) cuts.behind(*solid);
-  for (const Polygon<double, 3>& screen : occluders.screens) cuts.behind(screen);
+  for (const Shell* solid : near.solids) cuts.behind(*solid);
+  for (const Polygon<double, 3>& screen : near.screens) cuts.behind(screen);
   std::vector<double> all = cuts.places();
-  if (!occluders.balls.empty()) {
+  if (!near.balls.empty()) {
     for (int i = 0; i < 64; ++i) all.push_back((i + 0.5) / 64);
     std::sort(all.begin(), all.end());
   }
@@ -318,15 +329,14 @@ bool lies_behind(const Polygon<double, 3>& screen, const View& view, const Occlu
 }
 
 bool hidden(const Vec3& p, const View& view, const Occluders& occluders, int own) {
-  return hidden_among(p, view, occluders, occluders.solids, own);
+  return hidden_among(p, view, occluders, own);
 }
 
 std::vector<Stretch> stretches(const Vec3& from, const Vec3& to, const View& view, const Occluders& occluders) {
   const auto at = [&](double s) -> Vec3 { return s == 1 ? to : Vec3(from + s * (to - from)); };
-  const Shells solids = beside(from, to, view, occluders);
+  const Near near(from, to, view, occluders);
   std::vector<Stretch> parts = split(
-      at, [&](const Vec3& p) { return hidden_among(p, view, occluders, solids, -1); },
-      places(from, to, view, occluders, solids));
+      at, [&](const Vec3& p) { return hidden_among(p, view, near, -1); }, places(from, to, view, near));
   for (Stretch& part : parts) part.points = {part.points.front(), part.points.back()};
   return parts;
 }

@@ -7,6 +7,7 @@
 
 #include "tests/catch.h"
 #include "tests/viz/pixels.h"
+#include "viz/batch.h"
 
 namespace renderer_test {
 using namespace isect::viz;
@@ -88,6 +89,26 @@ TEST_CASE("a translucent stroke that crosses itself is one sheet of ink", "[rend
   CHECK(ink(p, 179, 61) == ink(p, 100, 60));  // in a joint
   for (int y = 0; y < p.height; ++y)
     for (int x = 0; x < p.width; ++x) CHECK(ink(p, x, y) <= ink(p, 100, 60));
+}
+
+TEST_CASE("a translucent straight stroke is one sheet of ink, and many of them are drawn in one call", "[renderer]") {
+  const auto darkest = [](bool round_cap, const std::array<double, 2>& dash) {
+    Stroke stroke{polyline({{30, 20}, {170, 93}}), black.with_alpha(0.4), 20};
+    stroke.round_cap = round_cap, stroke.dash = dash;
+    const Picture p = render({stroke});
+    double most = 0;
+    for (int y = 0; y < p.height; ++y)
+      for (int x = 0; x < p.width; ++x) most = std::max(most, ink(p, x, y));
+    return most;
+  };
+  CHECK(darkest(false, {0, 0}) == Approx(0.4).margin(0.003));
+  CHECK(darkest(true, {0, 0}) == Approx(0.4).margin(0.003));
+  CHECK(darkest(false, {15, 5}) == Approx(0.4).margin(0.003));
+  CHECK(darkest(true, {15, 5}) == Approx(0.4).margin(0.003));  // each cap reaches into the next dash
+
+  Batch grid(1);
+  for (int i = 0; i < 50; ++i) grid.add(Stroke{polyline({{2.0 * i, 0}, {2.0 * i, 90}}), black, 0.5});
+  CHECK(grid.calls().size() == 1);
 }
 
 TEST_CASE("two translucent strokes blend where they cross", "[renderer]") {

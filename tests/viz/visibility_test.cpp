@@ -135,4 +135,51 @@ TEST_CASE("a screen hides what the core's own ray meets it from, on it and seen 
   CHECK(on_it > 200);
 }
 
+TEST_CASE("a ball hides what the core's own ray enters it from, closely past its outline, too", "[visibility]") {
+  std::mt19937_64 random(12);
+  const auto any = [&](double lo, double hi) { return std::uniform_real_distribution<double>(lo, hi)(random); };
+  const auto at = [&] { return Vec3(any(-3, 3), any(-3, 3), any(-3, 3)); };
+  int hides = 0, closely_past = 0;
+  for (int k = 0; k < 4000; ++k) {
+    Camera camera;
+    camera.perspective = k % 2 == 0;
+    camera.azimuth = any(-3, 3), camera.elevation = any(-1.4, 1.4);
+    const View view(camera, 480, 300);
+    const Vec3 p = at(), towards = view.towards_eye(p), aside = towards.cross(at()).normalized();
+    const double radius = std::pow(10, any(-4, 0.5)), off = std::pow(10, any(-12, 0)) * (k % 3 - 1);
+    const double ahead = k % 7 == 0 ? 0 : any(-2, 3);  // of the point on the way to the eye
+    const Ball ball{p + ahead * towards + radius * (1 + off) * aside, radius};
+    const double to_eye = camera.perspective ? (view.eye() - p).norm() : HUGE_VAL;
+    const auto shared =
+        intersect(Ray<double, 3>{p, towards, {0, to_eye}}, Sphere<double, 3>{ball.center, ball.radius * (1 - 0x1p-30)});
+    const bool entered = shared && shared.solid->hi > shared.solid->lo;
+    CAPTURE(k);
+    CHECK(hidden(p, view, {{ball}, {}, {}}) == entered);
+    hides += entered, closely_past += !entered && ahead > 0 && std::abs(off) < 1e-6;
+  }
+  CHECK(hides > 400);
+  CHECK(closely_past > 400);
+}
+
+TEST_CASE("each part of a segment among many balls is hidden or not, as its points are", "[visibility]") {
+  std::mt19937_64 random(13);
+  const auto any = [&](double lo, double hi) { return std::uniform_real_distribution<double>(lo, hi)(random); };
+  const auto at = [&] { return Vec3(any(-3, 3), any(-3, 3), any(-3, 3)); };
+  int parts = 0, hides = 0;
+  for (int k = 0; k < 400; ++k) {
+    Camera camera;
+    camera.perspective = k % 2 == 0;
+    camera.azimuth = any(-3, 3), camera.elevation = any(-1.4, 1.4);
+    const View view(camera, 480, 300);
+    Occluders all;
+    for (int i = 0; i < 8; ++i) all.balls.push_back({at(), any(0.1, 1)});
+    for (const Stretch& part : stretches(at(), at(), view, all)) {
+      CHECK(hidden((part.points.front() + part.points.back()) / 2, view, all) == part.hidden);
+      ++parts, hides += part.hidden;
+    }
+  }
+  CHECK(parts > 600);
+  CHECK(hides > 200);
+}
+
 }  // namespace visibility_test

@@ -196,7 +196,7 @@ void current_line(Session& s, const Rect& r) {
 
 void code_panel(Session& s, const Rect& r) {
   Ui& ui = s.ui;
-  begin_region(ui, "code panel", r, ui.palette.window);
+  begin_region(ui, "code panel", r);
   ImGui::GetWindowDrawList()->AddRectFilled({r.left, r.top}, {r.left + 1, r.bottom}, packed(ui.palette.rule));
   const std::vector<CodeLine> lines = code_lines(ui, s.player.walk(), r.width() - 20);
   const float top = s.paired ? code_top_of_two : code_top;

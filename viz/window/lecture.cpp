@@ -51,7 +51,7 @@ float lecture_height(Session& s, float width, float room) {
 
 void lecture(Session& s, const Rect& r) {
   Ui& ui = s.ui;
-  begin_region(ui, "lecture", r, ui.palette.window);
+  begin_region(ui, "lecture", r);
   const Told told = told_of(s, r.width());
   const float left = r.left + told_margin, top = r.top + told_padding;
   const float caption = static_cast<float>(told.caption.width);

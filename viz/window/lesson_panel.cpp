@@ -190,7 +190,7 @@ Parts parts_of(const Rect& r, bool open, float fields, float hints) {
 }  // namespace
 
 void lesson_panel(Session& s, const Rect& r) {
-  begin_region(s.ui, "lesson panel", r, s.ui.palette.window);
+  begin_region(s.ui, "lesson panel", r);
   const bool open = s.settings.parameters_open && !s.player.lesson().parameters.empty();
   const float width = r.width() - 2 * panel_margin;
   const std::vector<Hint> hints = hints_of(s.player, shows_map(s));

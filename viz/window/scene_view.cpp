@@ -289,7 +289,7 @@ void SceneView::pointer(Session& s, const View& view, bool hovered, bool active)
 
 void SceneView::show(Session& s, const Rect& r) {
   Ui& ui = s.ui;
-  begin_region(ui, "scene", r, ui.palette.card);
+  begin_region(ui, "scene", r);
   s.player.set_aspect(r.width() / (r.height() - steady_head(s, r) - axis_room(s, r)));
   const float head = head_of(s, r), below = s.player.scene().chart ? 0 : axis_room(s, r);
   const float height = r.height() - head - std::max(below, changed_room(s));

@@ -91,7 +91,7 @@ void told(const Ui& ui, const Step& step, int line, int value, float left, float
 
 void heads(Session& s, const Player& other, const Parting& parted, const PanesLayout& at) {
   Ui& ui = s.ui;
-  begin_region(ui, "pane heads", at.heads, ui.palette.window);
+  begin_region(ui, "pane heads", at.heads);
   const float y = at.heads.middle_y(), left = at.heads.left + 20, middle = at.second_scene.left;
   const float end = left + text(ui.fonts.bold, left, y, packed(ui.palette.text),
                                 fitted(ui.fonts.bold, first_title(s), middle - left - 12));

@@ -129,7 +129,7 @@ void theme_button(Session& s, const Rect& r) {
 
 void top_bar(Session& s, const Rect& r) {
   Ui& ui = s.ui;
-  begin_region(ui, "top bar", r, ui.palette.window);
+  begin_region(ui, "top bar", r);
   const float y = 24;
   logo(ui, 30, y);
   text(ui.fonts.heading, 54, y, packed(ui.palette.text), "isect");

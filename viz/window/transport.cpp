@@ -98,7 +98,7 @@ void key_hints(const Ui& ui, float right, float room, float y) {
 void transport(Session& s, const Rect& r) {
   Ui& ui = s.ui;
   const Player& player = s.player;
-  begin_region(ui, "transport", r, ui.palette.window);
+  begin_region(ui, "transport", r);
   rule(ui, r.left, r.right, r.top);
   const bool low = r.height() < 80;
   scrubber(s, r, r.top + (low ? 12.0f : 20.0f));

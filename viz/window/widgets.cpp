@@ -195,15 +195,16 @@ void focus_ring(Ui& ui) {
   over.AddRect(top_left(r), bottom_right(r), packed(ui.palette.text), 8, 0, 2);
 }
 
-void begin_region(Ui& ui, const char* name, const Rect& r, const Colour& background, bool above) {
+void begin_region(Ui& ui, const char* name, const Rect& r, const std::optional<Colour>& background, bool above) {
   ui.rects[name] = r;
   ImGui::SetNextWindowPos(top_left(r));
   ImGui::SetNextWindowSize({r.width(), r.height()});
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, packed(background));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, packed(background.value_or(ui.palette.window)));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{0, 0});
   ImGui::Begin((ui.side + name).c_str(), nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_NoScrollWithMouse | (above ? 0 : ImGuiWindowFlags_NoBringToFrontOnFocus));
+                   ImGuiWindowFlags_NoScrollWithMouse | (background ? 0 : ImGuiWindowFlags_NoBackground) |
+                   (above ? 0 : ImGuiWindowFlags_NoBringToFrontOnFocus));
   ImGui::PopStyleVar();
   ImGui::PopStyleColor();
 }

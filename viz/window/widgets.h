@@ -71,8 +71,10 @@ struct Press {
   bool clicked, hovered, held;
 };
 Press press(Ui&, const std::string& name, const Rect&);
-/// A window that fills `r`, not moved, not decorated; `above`: over the others. End it with ImGui::End().
-void begin_region(Ui&, const char* name, const Rect& r, const Colour& background, bool above = false);
+/// A window that fills `r`, not moved, not decorated; `above`: over the others. End it with ImGui::End(). Without a
+/// background the whole window's shows, which costs a software renderer nothing more.
+void begin_region(Ui&, const char* name, const Rect& r, const std::optional<Colour>& background = {},
+                  bool above = false);
 /// In what scrolls: dims its upper or lower end where there is more beyond it.
 void more_beyond(Ui&, const std::string& name, const Rect& r);
 /// A part of a region that scrolls by itself; `inside` draws it.
