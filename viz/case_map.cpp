@@ -260,7 +260,7 @@ DeferredChart case_map(const Lesson& lesson, const Parameters& here) {
 Step map_step(const Lesson& lesson, const Parameters& here, const Cases::Spot& spot, const Step& before) {
   Step step = before;
   step.slug = case_map_slug, step.title = "Where this case lies";
-  step.caption = lesson.map->told + "\nThe dashed lines lead to this setting. Small rings are the other presets.";
+  step.caption = lesson.map->told + "\nThe dashed lines lead to this setting. Each small ring is another preset.";
   step.formula = "here: " + lesson.map->branches[spot.branch];
   step.decides = false;
   step.comparison.reset(), step.question.reset();

@@ -69,10 +69,12 @@ class Teller {
     const Interval<double> i = {e.interval.lo.value, e.interval.hi.value};
     const double c = e.center.value, middle = c - (i.lo + i.hi) / 2, far = std::max(c - i.lo, i.hi - c);
     if (e.axis == 0)
-      step.question =
-          which_value("What does " + axis + " add to *d*^2?", gap * gap, {std::abs(gap), middle * middle, far * far},
-                      gap == 0 ? "The box's interval contains the coordinate of **c**: nothing is added."
-                               : "The square of the gap between **c** and the nearer end.");
+      step.question = which_value(
+          fmt::format("On {0} the box reaches from {1} to {2}, and **c** has {3}. What does {0} add to *d*^2?", axis,
+                      shown(i.lo), shown(i.hi), shown(c)),
+          gap * gap, {std::abs(gap), middle * middle, far * far},
+          gap == 0 ? "The box's interval contains the coordinate of **c**: nothing is added."
+                   : "The square of the gap between **c** and the nearer end.");
     gaps_ += std::abs(gap), largest_ = std::max(largest_, gap * gap);
     // the square of the sum; the largest gap alone; the distance itself
     if (e.axis == 2 && gap != 0)  // else the sum so far is the answer
@@ -84,16 +86,19 @@ class Teller {
 
   /// `before`: the sum of the earlier axes.
   static std::string axis_caption(int number, int line, double before) {
-    const std::string axis = std::string("*") + "xyz"[number] + "*";
+    const std::string letter(1, "xyz"[number]), axis = "*" + letter + "*", gap = "*g*_" + letter;
     std::string text;
     if (number == 0)
       text =
           "The ball meets the box if and only if it contains **p**, the box's point nearest to **c**: **c** clamped to "
           "the box.\n";
     if (line == 0)
-      return text + "The box's interval on " + axis + " contains the coordinate of **c**. **p** has the same one.";
-    text += fmt::format("**c** lies {} on {}. **p** has that end's coordinate.",
-                        line == 1 ? "below the interval's lower end" : "above the interval's upper end", axis);
+      return text + fmt::format(
+                        "The box's interval on {} contains the coordinate of **c**. **p** has the same one: the "
+                        "gap {} is 0.",
+                        axis, gap);
+    text += fmt::format("**c** lies {} on {}, by the gap {}. **p** has that end's coordinate.",
+                        line == 1 ? "below the interval's lower end" : "above the interval's upper end", axis, gap);
     return before > 0 ? text + "\nThe legs are at right angles, so their squares add up." : text;
   }
 

@@ -58,6 +58,7 @@ TEST_CASE("a setting that has no place on the map stands without it", "[window]"
   window.player().load(preset(lesson_named(all, "bounding-volumes"), "reject"));
   window.frames(2);
   CHECK(window.has("map"));
+  CHECK(window.ui.message().empty());
 }
 
 TEST_CASE("dragging over the map moves scene and setting, and the verdict stays a verdict", "[window]") {

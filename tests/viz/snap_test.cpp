@@ -88,6 +88,7 @@ TEST_CASE("an end of an interval snaps to where the intervals touch, exactly", "
   CHECK_THAT(window.ui.message(), Contains("exactly"));
   window.drag("handle b_min", 30, 0);  // without Shift it goes on
   CHECK(number(window.player(), "b_min") > number(window.player(), "a_max"));
+  CHECK(window.ui.message().empty());
 }
 
 TEST_CASE("where the border is no double, a drag snaps to one of its neighbours, and that is said", "[window]") {

@@ -165,9 +165,9 @@ void save_back(Session& s) {
 }
 
 void show_map(Session& s) {
-  if (!s.player.lesson().map) return s.say("This lesson has no map of cases");
-  if (s.player.step().slug == case_map_slug) return s.say("This step is the map of cases");
-  if (!has_map(s.player)) return s.say("This setting has no place on the map of cases");
+  if (!s.player.lesson().map) return s.say_here("This lesson has no map of cases");
+  if (s.player.step().slug == case_map_slug) return s.say_here("This step is the map of cases");
+  if (!has_map(s.player)) return s.say_here("This setting has no place on the map of cases");
   s.settings.map = !s.settings.map;
   if (s.settings.map) s.settings.beside.reset();
 }

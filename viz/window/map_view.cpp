@@ -69,7 +69,7 @@ void MapDrag::follow(Session& s, const Cases& cases, const Box2& plane, bool hov
   if (!held_) return;
   s.attempt([&] {
     const Moved came = drag_on_map(s.player, start_, case_at(cases, plane, last_), snapping_);
-    if (!came.told.empty()) s.say(came.told);
+    if (!came.told.empty()) s.say_here(came.told);
   });
 }
 

@@ -59,7 +59,7 @@ std::vector<Entry> rows_of(const Session& s) {
   return rows;
 }
 
-/// "5 of 6 right", with a tick before it where the lesson was read to its end.
+/// "5 of 6 right", with a tick before it where the lesson was read to its end: a green one if all answers were right.
 void score(Session& s, const Lesson& l, float right, float y) {
   const auto found = s.settings.scores.find(l.id);
   if (found == s.settings.scores.end()) return;
@@ -69,7 +69,8 @@ void score(Session& s, const Lesson& l, float right, float y) {
   if (!score.answers.empty())
     x -= 20 + text(s.ui.fonts.small, x, y, packed(c.muted),
                    std::to_string(score.right()) + " of " + std::to_string(score.answers.size()) + " right", 1);
-  if (score.finished) tick(x, y, 12, packed(c.hit));
+  const bool all_right = !score.answers.empty() && score.right() == static_cast<int>(score.answers.size());
+  if (score.finished) tick(x, y, 12, packed(all_right ? c.hit : c.muted));
   s.ui.rects["score " + l.id] = {x - 6, y - 9, right, y + 9};
 }
 

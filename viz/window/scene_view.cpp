@@ -188,7 +188,7 @@ void SceneView::go_on_snapping(Session& s) {
     const Moved moved = search_->snap.settle(s.player);
     forbidden_ = moved.refused;
     end_search(s);
-    if (!moved.told.empty()) s.say(moved.told);
+    if (!moved.told.empty()) s.say_here(moved.told);
   });
   search_.reset();
 }

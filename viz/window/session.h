@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "viz/course.h"
@@ -138,9 +139,13 @@ struct Session {
     std::string text;
     bool error = false;
     double seconds_left = 0;
+    std::optional<std::pair<unsigned, int>> at = {};  ///< revision and step that it speaks of, if of no others
   } toast = {};
 
   void say(const std::string& words) { toast = {words, false, 5}; }
+  /// What holds of this setting and step: gone with them.
+  void say_here(const std::string& words) { toast = {words, false, 5, here()}; }
+  std::pair<unsigned, int> here() const { return {player.revision(), player.index()}; }
   void complain(const std::string& words) { toast = {words, true, 12}; }
   /// Does what may be refused, and shows why it was.
   template <class Action>

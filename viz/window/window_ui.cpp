@@ -249,6 +249,7 @@ void WindowUi::frame() {
   w.ui.rects.clear();
   w.session.toast.seconds_left -= io.DeltaTime;
   w.player.advance(io.DeltaTime);
+  if (w.session.toast.at && *w.session.toast.at != w.session.here()) w.session.toast = {};
   // Not before now: the frame built last has shown the scene's texture, which saving draws over.
   if (std::exchange(w.session.save_now, false)) w.save();
   if (std::exchange(w.session.save_preset, false)) w.keep_setting();
