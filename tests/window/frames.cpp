@@ -1,10 +1,10 @@
-// Measures how long frames take at 1280 x 720 in software: frames [--cpu] [LESSON...] -> a row a lesson, in ms, then
-// the slowest frames. Steps: every frame of the motion to every step of the first preset of each walk. Drags: each
-// handle of the last step that has any, 16 moves there and back. Snaps: one move of it with Shift, until all is found.
-// Last, where no lesson is named, or "100,000 triangles" and "10,000 corners" are: what a scene's file may hold, a mesh
-// of 100,000 triangles and an outline of 10,000 corners; drags turn or shift it, and in place of snaps the pointer
-// rests on it, so that it is picked. Nothing is asserted: the machine decides. On one that does other things, --cpu
-// with LP_NUM_THREADS=0 counts the processor's time.
+// Measures how long frames take at 1280 x 720 in software: frames [--cpu] [LESSON...|SCENE.json...] -> a row a lesson
+// or scene, in ms, then the slowest frames. Steps: every frame of the motion to every step of the first preset of each
+// walk. Drags: each handle of the last step that has any, 16 moves there and back. Snaps: one move of it with Shift,
+// until all is found. Last, where no lesson is named, or "100,000 triangles" and "10,000 corners" are: what a scene's
+// file may hold, a mesh of 100,000 triangles and an outline of 10,000 corners; drags turn or shift it, and in place of
+// snaps the pointer rests on it, so that it is picked; the same with a scene's file. Nothing is asserted: the machine
+// decides. On one that does other things, --cpu with LP_NUM_THREADS=0 counts the processor's time.
 
 #include <fmt/format.h>
 
@@ -13,9 +13,12 @@
 #include <cmath>
 #include <cstdio>
 #include <ctime>
+#include <deque>
+#include <filesystem>
 #include <numbers>
 #include <set>
 
+#include "app/scene/lesson.h"
 #include "lessons/lessons.h"
 #include "tests/viz/window_driver.h"
 
@@ -107,10 +110,12 @@ class Measurement {
     row(lesson.id, steps, drags, snaps);
   }
 
-  /// Turned or shifted, and picked.
+  /// Turned or shifted, and picked, on the last step that is a picture.
   void measure_large(const Lesson& lesson) {
-    std::vector<Frame> turns, picks;
+    std::vector<Frame> opened, turns, picks;
     window_.player().open(lesson);
+    for (int i = 0; i < window_.player().count() && !window_.player().walk().steps[i].scene.chart; ++i)
+      walk_to(i, lesson.id, opened);
     settle();
     const Rect r = window_.rect("scene");
     window_.move(r.middle_x(), r.middle_y());
@@ -125,7 +130,7 @@ class Measurement {
       ImGui::GetIO().MousePos = {r.left + r.width() * static_cast<float>(i) / 64, r.middle_y()};
       picks.push_back({frame(), fmt::format("{} picked", lesson.id)});
     }
-    row(lesson.id, {}, turns, picks);
+    row(lesson.id, opened, turns, picks);
   }
 
   void tell() {
@@ -228,12 +233,20 @@ int main(int argc, char** argv) try {
     else
       names.emplace_back(argv[i]);
   all.push_back(&mesh), all.push_back(&outline);
+  std::deque<Lesson> scenes;
+  for (std::string& name : names)
+    if (const std::filesystem::path file = name; file.extension() == ".json") {
+      scenes.push_back(isect::program::scene::lesson_of(read_file(file), file.parent_path()));
+      scenes.back().id = name = file.stem();
+      all.push_back(&scenes.back());
+    }
   for (const std::string& name : names) asked.push_back(&lesson_named(all, name));
   if (asked.empty()) asked = all;
   Measurement measurement(all, by_processor);
   fmt::print("{:<22} {:^23} {:^23} {:^23}\n", "ms: median, 99 %, most", "steps", "drags", "snaps");
+  const std::vector<const Lesson*> own = isect::lessons::all_lessons();
   for (const Lesson* lesson : asked)
-    if (lesson == &mesh || lesson == &outline)
+    if (std::ranges::find(own, lesson) == own.end())
       measurement.measure_large(*lesson);
     else
       measurement.measure(*lesson);
