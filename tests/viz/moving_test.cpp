@@ -44,6 +44,19 @@ TEST_CASE("every corner and every point that a lesson draws can be dragged with 
   CHECK_FALSE(window.has("handle v" + std::to_string(count)));
 }
 
+TEST_CASE("who drops a handle out of sight is told how to see it again", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, place_at("crossings", "inside"));
+  window.drag("handle v0", 12, 8);
+  CHECK(window.ui.message().empty());
+  const Rect scene = window.rect("scene"), corner = window.rect("handle v0");
+  window.drag("handle v0", scene.right + 60 - corner.middle_x(), 0);
+  CHECK(window.ui.message() == "It is out of sight: F shows all of the scene");
+  window.type("f");
+  window.frames(60);
+  const Rect again = window.rect("handle v0");
+  CHECK((again.left >= scene.left && again.right <= scene.right));
+}
+
 TEST_CASE("a corner of a polygon in space stays in its plane under the pointer and under the keys", "[window]") {
   WindowDriver window(lessons::all_lessons(), 1280, 800, place_at("ray-polygon", "hit"));
   const auto& parameters = [&]() -> const Parameters& { return window.player().parameters(); };

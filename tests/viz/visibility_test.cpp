@@ -161,6 +161,32 @@ TEST_CASE("a ball hides what the core's own ray enters it from, closely past its
   CHECK(closely_past > 400);
 }
 
+TEST_CASE("a screen lies behind the bodies that stand before its plane, all of them, as the eye sees it",
+          "[visibility]") {
+  const Polygon<double, 3> floor = {{{{-4, 0, -4}, {4, 0, -4}, {4, 0, 4}, {-4, 0, 4}}}};
+  Camera camera;
+  camera.elevation = 0.5;
+  const View above(camera, 480, 300);
+  camera.elevation = -0.5;
+  const View below(camera, 480, 300);
+  const Ball standing{{0, 1, 0}, 1}, higher{{1, 3, 0}, 0.5}, sunk{{2, 0.5, 0}, 1}, under{{0, -2, 0}, 1};
+  Solid cube;
+  for (int i = 0; i < 8; ++i) cube.vertices.emplace_back(i & 1, (i >> 1 & 1), i >> 2);
+  cube.faces = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
+  Solid lower = cube;
+  for (Vec3& v : lower.vertices) v.y() -= 0.25;
+
+  CHECK(lies_behind(floor, above, {{standing, higher}, {}, {}}));
+  CHECK_FALSE(lies_behind(floor, below, {{standing, higher}, {}, {}}));
+  CHECK_FALSE(lies_behind(floor, above, {{standing, sunk}, {}, {}}));
+  CHECK_FALSE(lies_behind(floor, above, {{standing, under}, {}, {}}));
+  CHECK(lies_behind(floor, below, {{under}, {}, {}}));
+  CHECK(lies_behind(floor, above, {{standing}, {shell(cube)}, {}}));
+  CHECK_FALSE(lies_behind(floor, above, {{standing}, {shell(lower)}, {}}));
+  CHECK_FALSE(lies_behind(floor, above, {{}, {}, {}}));  // then nothing is to be drawn over it
+  CHECK_FALSE(lies_behind({}, above, {{standing}, {}, {}}));
+}
+
 TEST_CASE("each part of a segment among many balls is hidden or not, as its points are", "[visibility]") {
   std::mt19937_64 random(13);
   const auto any = [&](double lo, double hi) { return std::uniform_real_distribution<double>(lo, hi)(random); };

@@ -271,7 +271,12 @@ void SceneView::pointer(Session& s, const View& view, bool hovered, bool active)
     }
   }
   if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) s.player.end_action();
-  if (!io.MouseDown[0]) held_.reset();
+  if (!io.MouseDown[0] && held_) {
+    const Vec2 at = view.project(held_->at).at - view.corner();
+    const bool seen = at.x() >= 0 && at.x() <= view.width() && at.y() >= 0 && at.y() <= view.height();
+    if (!seen) s.say_here("It is out of sight: F shows all of the scene");
+    held_.reset();
+  }
 
   const bool moved = mouse() != last_;
   if (held_) {
