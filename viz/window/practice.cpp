@@ -135,7 +135,10 @@ void exercise_on_hand(Column& c) {
     c.paragraph("Found. " + e->solution, ink.hit);
     c.x -= 22, c.width += 22;
   } else {
-    c.paragraph("Drag the handles, with Shift to where the case changes. Where no handle reaches, type numbers under Parameters.", ink.muted);
+    c.paragraph(
+        "Drag the handles, with Shift to where the case changes. Where no handle reaches, type numbers under "
+        "Parameters.",
+        ink.muted);
   }
   s.ui.rects["exercise"] = {c.x, top, c.x + c.width, c.y};
   c.y += 8;
