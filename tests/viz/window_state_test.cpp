@@ -309,6 +309,35 @@ TEST_CASE("a setting is saved as a preset, which the picker lists and opens", "[
   std::filesystem::remove_all(folder);
 }
 
+TEST_CASE("a saved preset is listed wherever the window is opened next, until it is gone", "[window]") {
+  const std::string folder = (std::filesystem::temp_directory_path() / "isect-presets-elsewhere").string();
+  std::filesystem::remove_all(folder);
+  Settings settings;
+  Parameters saved;
+  {
+    WindowDriver window(both, 1280, 800, {}, {}, {.reduced_motion = true, .figures = folder});
+    window.drag("handle c", 60, 30);
+    saved = window.player().parameters();
+    window.type("s");
+    window.frames(2);
+    window.click("save as preset");
+    window.frames(2);
+    settings = window.ui.settings();
+  }
+  settings.place.reset();
+  WindowDriver elsewhere(both, 1280, 800, {}, settings, {.reduced_motion = true, .figures = "/nowhere"});
+  REQUIRE_FALSE((elsewhere.player().parameters() == saved));
+  const std::string name = "saved point-disc, setting-1, in " + folder;
+  elsewhere.key(key::o, true);
+  elsewhere.frames(2);
+  elsewhere.click(name);
+  CHECK((elsewhere.player().parameters() == saved));
+  std::filesystem::remove_all(folder);
+  elsewhere.key(key::o, true);
+  elsewhere.frames(2);
+  CHECK_FALSE(elsewhere.has(name));
+}
+
 TEST_CASE("a figure that can't be written is told, and the window goes on", "[window]") {
   const std::string file = isect::test::scratch("isect-window-no-folder").string();
   write_file(file, "a file where a folder should be");
@@ -334,6 +363,7 @@ TEST_CASE("settings survive a run, and a spoilt file or field gives defaults", "
   s.place->step = 3;
   s.scores["point-disc"] = {{{"squared/compare", true}, {"squared/length", false}}, true};
   s.recent = {"point-ball", "point-disc"};
+  s.saved = {"/b/point-disc/setting-1.json", "/a/point-disc/setting-2.json"};
   write_settings(file, s);
   const Settings read = read_settings(file, both);
   CHECK(read.theme == ThemeName::grey);
@@ -347,6 +377,7 @@ TEST_CASE("settings survive a run, and a spoilt file or field gives defaults", "
   CHECK(read.scores.at("point-disc").answers.size() == 2);
   CHECK(read.scores.at("point-disc").finished);
   CHECK(read.recent == s.recent);
+  CHECK(read.saved == s.saved);
 
   write_file(file, R"({"theme": 7, "width": "wide", "save_theme": "gray", "speed": 2, "place": {"lesson": "x"}})");
   const Settings half = read_settings(file, both);

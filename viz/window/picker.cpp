@@ -88,9 +88,17 @@ bool lesson_row(Session& s, const Lesson& l, const Rect& r, bool again, const Le
   return p.clicked;
 }
 
+/// "ray-sphere, setting-1", with the folder where that is not the one for figures.
+std::string name_of_preset(const Session& s, const std::filesystem::path& file) {
+  const std::filesystem::path lesson = file.parent_path(), folder = lesson.parent_path();
+  const std::string name = lesson.filename().string() + ", " + file.stem().string();
+  std::error_code error;
+  const std::filesystem::path own = std::filesystem::absolute(s.figures, error);
+  return (own / "").lexically_normal() == folder / "" ? name : name + ", in " + folder.string();
+}
+
 bool preset_row(Session& s, const std::string& file, const Rect& r) {
-  const std::filesystem::path path = file;
-  const std::string name = path.parent_path().filename().string() + ", " + path.stem().string();
+  const std::string name = name_of_preset(s, file);
   const Press p = press(s.ui, "saved " + name, r);
   if (p.hovered) filled(r, s.ui.palette.hovered, 5);
   text(s.ui.fonts.body, r.left + 8, r.middle_y(), packed(s.ui.palette.text),
@@ -193,7 +201,7 @@ const Entry* columns(Session& s, const std::vector<Entry>& rows, ImVec2 at, floa
 void picker(Session& s, const Rect& window) {
   s.pictured.lesson = nullptr;
   if (!begin_sheet(s, "picker", window, 860, 730)) return;
-  if (ImGui::IsWindowAppearing()) s.presets = saved_presets(s.figures);
+  if (ImGui::IsWindowAppearing()) s.presets = saved_presets(s.figures, s.settings.saved);
   const bool entered = search_field(s, "Search lessons");
   const std::vector<Entry> rows = rows_of(s);
 

@@ -130,13 +130,17 @@ std::string save_preset(const Player& player, const std::string& folder) {
   return std::filesystem::absolute(path).lexically_normal();
 }
 
-std::vector<std::string> saved_presets(const std::string& folder) {
+std::vector<std::string> saved_presets(const std::string& folder, const std::vector<std::string>& others) {
   std::vector<std::string> files;
   std::error_code error;
-  for (const auto& lesson : std::filesystem::directory_iterator(folder, error))
+  const std::filesystem::path whole = std::filesystem::absolute(folder, error).lexically_normal();
+  for (const auto& lesson : std::filesystem::directory_iterator(whole, error))
     for (const auto& file : std::filesystem::directory_iterator(lesson.path(), error))
       if (file.path().extension() == ".json" && file.is_regular_file(error)) files.push_back(file.path());
   std::ranges::sort(files);
+  for (const std::string& file : others)
+    if (std::ranges::find(files, file) == files.end() && std::filesystem::is_regular_file(file, error))
+      files.push_back(file);
   return files;
 }
 

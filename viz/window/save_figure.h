@@ -19,7 +19,7 @@ PixelBox draw_preview(const Player&, const Settings&, Renderer&, int most_width,
 /// setting-<N>.json, with the first N that is free, which `--preset FILE` loads. Returns the whole path. Throws
 /// FileError.
 std::string save_preset(const Player&, const std::string& folder);
-/// The preset files in the folders of the lessons.
-std::vector<std::string> saved_presets(const std::string& folder);
+/// Whole paths of the preset files in the folder's folders of lessons, then of those of `others` that are still there.
+std::vector<std::string> saved_presets(const std::string& folder, const std::vector<std::string>& others);
 
 }  // namespace isect::viz

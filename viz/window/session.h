@@ -32,7 +32,7 @@ struct Score {
     return static_cast<int>(std::ranges::count_if(answers, [](const auto& answer) { return answer.second; }));
   }
 };
-constexpr std::size_t recent_kept = 5;
+constexpr std::size_t recent_kept = 5, saved_kept = 100;
 
 /// What stands in the second of two panes: a method, or a preset.
 struct Beside {
@@ -64,6 +64,7 @@ struct Settings {
   std::optional<Beside> beside = {};
   std::map<std::string, Score> scores = {};  ///< by lesson
   std::vector<std::string> recent = {};      ///< ids of the lessons last opened
+  std::vector<std::string> saved = {};       ///< whole paths of presets, the last saved first, wherever they lie
 };
 
 /// The file of the user's state folder; empty where there is no home.

@@ -128,6 +128,8 @@ Settings read_settings(const std::string& file, const std::vector<const Lesson*>
     return std::ranges::none_of(lessons, [&](const Lesson* l) { return l->id == id; });
   });
   if (s.recent.size() > recent_kept) s.recent.resize(recent_kept);
+  s.saved = field(json, "saved", s.saved);
+  if (s.saved.size() > saved_kept) s.saved.resize(saved_kept);
   return s;
 }
 
@@ -157,6 +159,7 @@ std::string text_of(const Settings& s) {
                {"size", s.size},
                {"save_width_cm", s.save_width_cm},
                {"recent", s.recent},
+               {"saved", s.saved},
                {"scores", json_of(s.scores)}};
   if (const auto& b = s.beside) json["beside"] = {{"lesson", b->lesson}, {"method", b->method}, {"preset", b->preset}};
   if (s.place) json["place"] = Json::parse(to_json(*s.place));

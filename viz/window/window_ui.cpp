@@ -127,7 +127,12 @@ struct WindowUi::Impl {
   }
 
   void keep_setting() {
-    session.attempt([&] { session.say("Saved " + save_preset(player, session.figures)); });
+    session.attempt([&] {
+      const std::string path = save_preset(player, session.figures);
+      settings.saved.insert(settings.saved.begin(), path);
+      if (settings.saved.size() > saved_kept) settings.saved.pop_back();
+      session.say("Saved " + path);
+    });
   }
 
   /// A map of cases takes as long as a frame: it is made before its step comes, a little a frame, but never while a
