@@ -211,6 +211,7 @@ bool belongs(const CaseMap& map, const Parameters& here, const Parameters& prese
   return there == around(map, preset, at);
 }
 
+/// A map in the making.
 class MapInParts {
  public:
   MapInParts(const Lesson& lesson, const Parameters& here)

@@ -107,7 +107,7 @@ TEST_CASE("the current line can be read while its light comes on", "[window]") {
   CHECK(frames > 1);
 }
 
-TEST_CASE("a chart is made while all is at rest before its step, not while the scene is turned", "[window]") {
+TEST_CASE("a chart is made before its step comes, not while the scene is turned", "[window]") {
   static int made = 0;
   made = 0;
   Lesson lesson;

@@ -76,6 +76,15 @@ TEST_CASE("no lesson leaves the picker's sight when a preset has been saved", "[
     INFO(lesson->id);
     CHECK(window.rect("lesson " + lesson->id).bottom <= window.rect("about " + id).top);
   }
+
+  // A preset is found by the name that stands there, not by folders above it.
+  for (const char* words : {"setting", "isect-picker-presets"}) {
+    window.click("search");
+    window.type(words);
+    window.frames(2);
+    CHECK(window.has("saved " + id + ", setting-1") == (words == std::string("setting")));
+    for (std::size_t i = 0; i < std::string(words).size(); ++i) window.key(key::backspace);
+  }
   std::filesystem::remove_all(folder);
 }
 

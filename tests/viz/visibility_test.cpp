@@ -33,6 +33,23 @@ bool inside(const Outline& o, const Vec2& p) {
   return u * u + v * v <= 1;
 }
 
+/// Views and points that come again in every run.
+struct Chance {
+  explicit Chance(unsigned seed) : random(seed) {}
+  double any(double lo, double hi) { return std::uniform_real_distribution<double>(lo, hi)(random); }
+  Vec3 at() {
+    const double x = any(-3, 3), y = any(-3, 3), z = any(-3, 3);
+    return {x, y, z};
+  }
+  View view(bool perspective) {
+    Camera camera;
+    camera.perspective = perspective;
+    camera.azimuth = any(-3, 3), camera.elevation = any(-1.4, 1.4);
+    return {camera, 480, 300};
+  }
+  std::mt19937_64 random;
+};
+
 }  // namespace
 
 TEST_CASE("a ball's outline is where the core's rays begin to meet it, pixel by pixel", "[visibility]") {
@@ -108,24 +125,20 @@ TEST_CASE("half of a ball's equator is hidden by the ball itself", "[visibility]
 }
 
 TEST_CASE("a screen hides what the core's own ray meets it from, on it and seen edge-on, too", "[visibility]") {
-  std::mt19937_64 random(11);
-  const auto any = [&](double lo, double hi) { return std::uniform_real_distribution<double>(lo, hi)(random); };
-  const auto at = [&] { return Vec3(any(-3, 3), any(-3, 3), any(-3, 3)); };
+  Chance chance(11);
   int hides = 0, on_it = 0;
   for (int k = 0; k < 4000; ++k) {
-    Camera camera;
-    camera.perspective = k % 2 == 0;
-    camera.azimuth = any(-3, 3), camera.elevation = any(-1.4, 1.4);
-    const View view(camera, 480, 300);
-    const Vec3 p = at(), towards = view.towards_eye(p);
-    const Vec3 u = at(), v = k % 3 == 0 ? Vec3(towards + 1e-9 * any(-1, 1) * at()) : at();  // or edge-on
+    const View view = chance.view(k % 2 == 0);
+    const Vec3 p = chance.at(), towards = view.towards_eye(p);
+    const Vec3 u = chance.at(),
+               v = k % 3 == 0 ? Vec3(towards + 1e-9 * chance.any(-1, 1) * chance.at()) : chance.at();  // or edge-on
     const double small = k % 5 == 0 ? 1e-6 : 1;
-    const double ahead = k % 7 == 0 ? 0 : any(-1, 3);  // of the point on the way to the eye
-    const Vec3 corner = p + ahead * towards - small * (any(-0.2, 1.2) * u + any(-0.2, 1.2) * v);
+    const double ahead = k % 7 == 0 ? 0 : chance.any(-1, 3);  // of the point on the way to the eye
+    const Vec3 corner = p + ahead * towards - small * (chance.any(-0.2, 1.2) * u + chance.any(-0.2, 1.2) * v);
     const Polygon<double, 3> screen = {{{corner, corner + small * u, corner + small * (u + v), corner + small * v}}};
-    const Vec3 from = k % 2 ? p : Vec3(p + 1e-10 * any(-1, 1) * at());
-    const double beyond = 0x1p-30 * std::max(camera.half_height, from.norm());
-    const double to_eye = camera.perspective ? (view.eye() - from).norm() : HUGE_VAL;
+    const Vec3 from = k % 2 ? p : Vec3(p + 1e-10 * chance.any(-1, 1) * chance.at());
+    const double beyond = 0x1p-30 * std::max(view.camera().half_height, from.norm());
+    const double to_eye = view.camera().perspective ? (view.eye() - from).norm() : HUGE_VAL;
     const bool met = intersect(Ray<double, 3>{from, view.towards_eye(from), {beyond, to_eye}}, screen).t.has_value();
     CAPTURE(k);
     CHECK(hidden(from, view, {{}, {}, {screen}}) == met);
@@ -136,20 +149,15 @@ TEST_CASE("a screen hides what the core's own ray meets it from, on it and seen 
 }
 
 TEST_CASE("a ball hides what the core's own ray enters it from, closely past its outline, too", "[visibility]") {
-  std::mt19937_64 random(12);
-  const auto any = [&](double lo, double hi) { return std::uniform_real_distribution<double>(lo, hi)(random); };
-  const auto at = [&] { return Vec3(any(-3, 3), any(-3, 3), any(-3, 3)); };
+  Chance chance(12);
   int hides = 0, closely_past = 0;
   for (int k = 0; k < 4000; ++k) {
-    Camera camera;
-    camera.perspective = k % 2 == 0;
-    camera.azimuth = any(-3, 3), camera.elevation = any(-1.4, 1.4);
-    const View view(camera, 480, 300);
-    const Vec3 p = at(), towards = view.towards_eye(p), aside = towards.cross(at()).normalized();
-    const double radius = std::pow(10, any(-4, 0.5)), off = std::pow(10, any(-12, 0)) * (k % 3 - 1);
-    const double ahead = k % 7 == 0 ? 0 : any(-2, 3);  // of the point on the way to the eye
+    const View view = chance.view(k % 2 == 0);
+    const Vec3 p = chance.at(), towards = view.towards_eye(p), aside = towards.cross(chance.at()).normalized();
+    const double radius = std::pow(10, chance.any(-4, 0.5)), off = std::pow(10, chance.any(-12, 0)) * (k % 3 - 1);
+    const double ahead = k % 7 == 0 ? 0 : chance.any(-2, 3);  // of the point on the way to the eye
     const Ball ball{p + ahead * towards + radius * (1 + off) * aside, radius};
-    const double to_eye = camera.perspective ? (view.eye() - p).norm() : HUGE_VAL;
+    const double to_eye = view.camera().perspective ? (view.eye() - p).norm() : HUGE_VAL;
     const auto shared =
         intersect(Ray<double, 3>{p, towards, {0, to_eye}}, Sphere<double, 3>{ball.center, ball.radius * (1 - 0x1p-30)});
     const bool entered = shared && shared.solid->hi > shared.solid->lo;
@@ -188,18 +196,13 @@ TEST_CASE("a screen lies behind the bodies that stand before its plane, all of t
 }
 
 TEST_CASE("each part of a segment among many balls is hidden or not, as its points are", "[visibility]") {
-  std::mt19937_64 random(13);
-  const auto any = [&](double lo, double hi) { return std::uniform_real_distribution<double>(lo, hi)(random); };
-  const auto at = [&] { return Vec3(any(-3, 3), any(-3, 3), any(-3, 3)); };
+  Chance chance(13);
   int parts = 0, hides = 0;
-  for (int k = 0; k < 400; ++k) {
-    Camera camera;
-    camera.perspective = k % 2 == 0;
-    camera.azimuth = any(-3, 3), camera.elevation = any(-1.4, 1.4);
-    const View view(camera, 480, 300);
+  for (int k = 0; k < 500; ++k) {
+    const View view = chance.view(k % 2 == 0);
     Occluders all;
-    for (int i = 0; i < 8; ++i) all.balls.push_back({at(), any(0.1, 1)});
-    for (const Stretch& part : stretches(at(), at(), view, all)) {
+    for (int i = 0; i < 8; ++i) all.balls.push_back({chance.at(), chance.any(0.1, 1)});
+    for (const Stretch& part : stretches(chance.at(), chance.at(), view, all)) {
       CHECK(hidden((part.points.front() + part.points.back()) / 2, view, all) == part.hidden);
       ++parts, hides += part.hidden;
     }

@@ -33,6 +33,15 @@ bool wanted(const Lesson& l, const std::string& words) {
   return matches(all, words);
 }
 
+/// "ray-sphere, setting-1", with the folder where that is not the one for figures.
+std::string name_of_preset(const Session& s, const std::filesystem::path& file) {
+  const std::filesystem::path lesson = file.parent_path(), folder = lesson.parent_path();
+  const std::string name = lesson.filename().string() + ", " + file.stem().string();
+  std::error_code error;
+  const std::filesystem::path own = std::filesystem::absolute(s.figures, error);
+  return (own / "").lexically_normal() == folder / "" ? name : name + ", in " + folder.string();
+}
+
 std::vector<Entry> rows_of(const Session& s) {
   std::vector<Entry> rows;
   const std::vector<const Lesson*>& lessons = s.player.lessons();
@@ -55,7 +64,7 @@ std::vector<Entry> rows_of(const Session& s) {
   }
   heading = "Saved presets";
   for (const std::string& file : s.presets)
-    if (matches(file, s.search)) add(std::exchange(heading, {}), {{}, nullptr, file});
+    if (matches(name_of_preset(s, file), s.search)) add(std::exchange(heading, {}), {{}, nullptr, file});
   return rows;
 }
 
@@ -86,15 +95,6 @@ bool lesson_row(Session& s, const Lesson& l, const Rect& r, bool again, const Le
        fitted(ui.fonts.body, plain(l.title), r.width() - 16 - marks));
   score(s, l, r.right - 8, r.middle_y());
   return p.clicked;
-}
-
-/// "ray-sphere, setting-1", with the folder where that is not the one for figures.
-std::string name_of_preset(const Session& s, const std::filesystem::path& file) {
-  const std::filesystem::path lesson = file.parent_path(), folder = lesson.parent_path();
-  const std::string name = lesson.filename().string() + ", " + file.stem().string();
-  std::error_code error;
-  const std::filesystem::path own = std::filesystem::absolute(s.figures, error);
-  return (own / "").lexically_normal() == folder / "" ? name : name + ", in " + folder.string();
 }
 
 bool preset_row(Session& s, const std::string& file, const Rect& r) {

@@ -129,6 +129,7 @@ struct WindowUi::Impl {
   void keep_setting() {
     session.attempt([&] {
       const std::string path = save_preset(player, session.figures);
+      std::erase(settings.saved, path);  // one of this name may have been there, and gone
       settings.saved.insert(settings.saved.begin(), path);
       if (settings.saved.size() > saved_kept) settings.saved.pop_back();
       session.say("Saved " + path);
