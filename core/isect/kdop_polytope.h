@@ -13,7 +13,9 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <optional>
 #include <stdexcept>
+#include <unordered_map>
 #include <variant>
 #include <vector>
 
@@ -140,24 +142,48 @@ class Corners {
       if (std::includes(known.through.begin(), known.through.end(), chosen.begin(), chosen.end())) return;
     Corner<N> corner;
     for (int i = 0; i < N; ++i) corner.planes[i] = planes_[chosen[i]];
-    corner.w = sign_of_long([&]<class W>() -> W { return meet<W>(corner.planes).w; }, trace_);
+    corner.w = orientation(chosen, corner.planes);
     if (corner.w == 0) return;
 
-    for (int i = 0; i < static_cast<int>(planes_.size()); ++i) {
-      const bool own = std::find(chosen.begin(), chosen.end(), i) != chosen.end();
+    const Homogeneous<Bounded<double>, N> quick = meet<Bounded<double>>(corner.planes);  // settles nearly all
+    const auto at = [&]<class W>() -> Homogeneous<W, N> {
+      if constexpr (std::is_same_v<W, Bounded<double>>)
+        return quick;
+      else
+        return meet<W>(corner.planes);
+    };
+    const auto side = [&](int i) {
+      if (std::find(chosen.begin(), chosen.end(), i) != chosen.end()) return 0;
       const auto above = [&]<class W>() -> W {
-        const Homogeneous<W, N> p = meet<W>(corner.planes);
+        const Homogeneous<W, N> p = at.template operator()<W>();
         return dot(exactly<W>(planes_[i].normal), p.x) - W(planes_[i].d) * p.w;
       };
-      const int side = own ? 0 : corner.w * sign_of_long(above, trace_);
-      if (side > 0) return;
-      if (side == 0) corner.through.push_back(i);
+      return corner.w * sign_of_long(above, trace_);
+    };
+    if (side(above_) > 0) return;
+    for (int i = 0; i < static_cast<int>(planes_.size()); ++i) {
+      const int s = side(i);
+      if (s > 0) return void(above_ = i);
+      if (s == 0) corner.through.push_back(i);
     }
     all.push_back(corner);
   }
 
+  /// The sign of the determinant of the planes' normals: found once for slabs, as their lower planes only turn it.
+  int orientation(const std::vector<int>& chosen, const std::array<HalfSpace<N>, N>& of) {
+    std::size_t slabs = 0;
+    int lower = 0;
+    for (const int i : chosen) slabs = slabs * (planes_.size() / 2) + i / 2, lower += i % 2;
+    const int turned = lower % 2 ? -1 : 1;
+    std::optional<int>& known = orientations_[slabs];
+    if (!known) known = turned * sign_of_long([&]<class W>() -> W { return meet<W>(of).w; }, trace_);
+    return turned * *known;
+  }
+
   const std::vector<HalfSpace<N>>& planes_;
   Trace& trace_;
+  std::unordered_map<std::size_t, std::optional<int>> orientations_;
+  int above_ = 0;  ///< the plane that the last choice's point was above: the next one's often is, too
 };
 
 /// Sorts corners of a convex polygon by their turn around the first one.

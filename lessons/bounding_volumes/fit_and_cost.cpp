@@ -25,8 +25,8 @@ class Fit {
       : mesh_(object(name, tip)),
         k_(k),
         fitted_(mesh_, k),
-        all_(measured(fitted_)),
         dops_(measured_kdops(mesh_)),
+        all_(measured(fitted_, dops_[std::ranges::find(sizes_of_dops, std::to_string(k)) - sizes_of_dops.begin()])),
         tip_(tip),
         script_({"Lecture note, bounding volumes; Ericson, Real-Time Collision Detection (2005), ch. 4",
                  fmt::format("A {} in a sphere, an AABB, an OBB, {} {}-DOP and its convex hull.", name,
@@ -207,7 +207,7 @@ class Fit {
   const Mesh3 mesh_;
   const int k_;
   const Fitted fitted_;
-  const std::vector<Measured> all_, dops_;
+  const std::vector<Measured> dops_, all_;
   const Vec3 tip_;
   Script script_;
 };

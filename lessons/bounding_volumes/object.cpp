@@ -166,14 +166,6 @@ Fitted::Fitted(const Mesh3& mesh, int k)
       kdop(fit_kdop(mesh.vertices, directions<double, 3>(k))),
       hull(convex_hull(mesh.vertices)) {}
 
-std::vector<Measured> measured(const Fitted& f) {
-  return {measure("sphere", f.ball, Ball{f.ball.center, f.ball.radius, Role::second}),
-          measure("AABB", f.aabb, solid(f.aabb, Role::second)),
-          measure("OBB", f.obb, solid(f.obb, Role::second)),
-          measured(f.kdop),
-          {"hull", volume(f.hull), numbers_kept(f.hull), {}, solid(f.hull, Role::second)}};
-}
-
 Measured measured(const Kdop<double, 3>& kdop) {
   const Polytope<double, 3> shape = polytope(kdop);  // once for both: the slowest part
   return {dop(kdop), volume(shape), numbers_kept(kdop), cost(kdop), solid(shape, Role::second)};
@@ -184,6 +176,14 @@ std::vector<Measured> measured_kdops(const Mesh3& mesh) {
   for (const std::string& k : sizes_of_dops)
     all.push_back(measured(fit_kdop(mesh.vertices, directions<double, 3>(std::stoi(k)))));
   return all;
+}
+
+std::vector<Measured> measured(const Fitted& f, const Measured& kdop) {
+  return {measure("sphere", f.ball, Ball{f.ball.center, f.ball.radius, Role::second}),
+          measure("AABB", f.aabb, solid(f.aabb, Role::second)),
+          measure("OBB", f.obb, solid(f.obb, Role::second)),
+          kdop,
+          {"hull", volume(f.hull), numbers_kept(f.hull), {}, solid(f.hull, Role::second)}};
 }
 
 }  // namespace isect::lessons::bounding_volumes_lesson

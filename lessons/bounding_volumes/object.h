@@ -39,11 +39,11 @@ struct Measured {
 
   int operations() const { return tally.mul + tally.add + tally.div + tally.sqrt + tally.compare; }
 };
-/// Sphere, AABB, OBB, k-DOP, hull.
-std::vector<Measured> measured(const Fitted&);
 Measured measured(const Kdop<double, 3>&);
 /// The k-DOPs of all sizes around an object.
 std::vector<Measured> measured_kdops(const TriangleMesh<double>&);
+/// Sphere, AABB, OBB, k-DOP, hull.
+std::vector<Measured> measured(const Fitted&, const Measured& kdop);
 
 /// What is told before the first step, and after the last one. (closing.cpp)
 const std::string& opening();

@@ -113,10 +113,32 @@ Vector<double, N> unit(const Vector<double, N>& v, const Vector<double, N>& othe
   return std::abs(u.squaredNorm() - 1) < 0.01 ? u : other;
 }
 
+/// The convex hull but for rounding, by isect/convex_hull.h's chain with rounded turns: shadows of symmetrical objects
+/// have many points that are one in truth, and to tell exactly how rounding has parted them takes long.
+inline Ring<double, 2> rounded_hull(Ring<double, 2> points) {
+  sort_points(points);
+  const auto chain = [](auto first, auto last) {
+    Ring<double, 2> kept;
+    for (auto p = first; p != last; kept.push_back(*p++))
+      while (kept.size() > 1) {
+        const Vector<double, 2> along = kept.back() - kept[kept.size() - 2], on = *p - kept.back();
+        if (along[0] * on[1] - along[1] * on[0] > 0) break;
+        kept.pop_back();
+      }
+    return kept;
+  };
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if (points.size() < 2) return points;
+  Ring<double, 2> hull = chain(points.begin(), points.end());
+  const Ring<double, 2> back = chain(points.rbegin(), points.rend());
+  hull.insert(hull.end(), back.begin() + 1, back.end() - 1);
+  return hull;
+}
+
 /// The direction of an edge of the points' convex hull, such that the rectangle along it has the least area. All four
 /// sides turn with it around the hull: rotating calipers. Source: Freeman, Shapira, CACM 18 (1975); Toussaint 1983.
 inline Vector<double, 2> rectangle(const Ring<double, 2>& points) {
-  const Ring<double, 2> hull = convex_hull(points);
+  const Ring<double, 2> hull = rounded_hull(points);
   const int n = static_cast<int>(hull.size());
   Vector<double, 2> best(1, 0);
   if (n == 2) best = unit<2>(hull[1] - hull[0], best);
