@@ -86,7 +86,8 @@ std::string told(const viz::Lesson& lesson, const viz::Parameter& p) {
   std::string takes = viz::wanted(p);
   takes.erase(std::min(takes.find(", such as"), takes.size()));  // the default is example enough
   if (const viz::Condition* c = condition_of(lesson, p)) takes += "; " + c->allowed;
-  return fmt::format("{}\n{}. Default: {}", p.help, takes, initial(lesson, p));
+  const std::string where = p.where.empty() ? "" : viz::told_where(p) + ". ";
+  return fmt::format("{}\n{}. {}Default: {}", p.help, takes, where, initial(lesson, p));
 }
 
 std::string text(const viz::Lesson& lesson) {
@@ -113,6 +114,7 @@ Json json(const viz::Lesson& lesson, const viz::Parameter& p) {
     object["choices"] = p.choices;
   else
     object.update({{"from", p.lo}, {"to", p.hi}});
+  if (!p.where.empty()) object["where"] = p.where;
   if (const viz::Condition* c = condition_of(lesson, p)) object["condition"] = c->allowed;
   return object;
 }

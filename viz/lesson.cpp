@@ -104,6 +104,20 @@ Camera opening(const Lesson& lesson) {
   return camera;
 }
 
+bool counts(const Parameter& p, const Parameters& values) {
+  return std::ranges::all_of(p.where, [&](const auto& where) {
+    const auto& [choice, with] = where;
+    return std::ranges::find(with, std::get<std::string>(values.at(choice))) != with.end();
+  });
+}
+
+std::string told_where(const Parameter& p) {
+  std::string words;
+  for (const auto& [choice, with] : p.where)
+    words += (words.empty() ? "Counts where " : ", and ") + fmt::format("{} is {}", choice, fmt::join(with, " or "));
+  return words;
+}
+
 std::string wanted(const Parameter& p) {
   if (!p.choices.empty()) return fmt::format("one of {}", fmt::join(p.choices, ", "));
   std::string range;

@@ -31,6 +31,8 @@ struct Parameter {
   double drag_lo = -10, drag_hi = 10;     ///< comfortable range for a slider
   std::vector<std::string> choices = {};  ///< allowed values of a choice
   bool optional = false;  ///< may be absent: then all is as the choices have it, and `initial` only gives the type
+  /// The choices with which it counts, by the name of the parameter that makes them: with others it changes nothing.
+  std::map<std::string, std::vector<std::string>> where = {};
 };
 
 /// Values by parameter name; always complete for its lesson, but for what is optional.
@@ -219,6 +221,9 @@ const Preset& preset(const Lesson&, const std::string& id);  ///< throws BadInpu
 void set(const Lesson&, Parameters& to, const std::string& name, const std::string& text);
 /// What a parameter takes, in words: "a number from 0 to 10".
 std::string wanted(const Parameter&);
+bool counts(const Parameter&, const Parameters&);
+/// "Counts where walk is test"; empty where it always counts.
+std::string told_where(const Parameter&);
 /// Throws BadInput unless every parameter is present, of the right type, finite and in range, and keeps the conditions.
 void validate(const Lesson&, const Parameters&);
 /// Moves what the handle holds to `p`, clamped to the parameter's range. Where a condition forbids that, it stays, and

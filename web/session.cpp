@@ -428,6 +428,7 @@ Json Session::frame(Drawn how, const viz::Moved& moved) {
                 {"untaken", p.step().untaken},
                 {"handles", handles()},
                 {"values", values()},
+                {"idle", idle()},
                 {"place", place()},
                 {"map", map_beside()},
                 {"told", moved.told},
@@ -467,6 +468,14 @@ Json Session::values() const {
   return all;
 }
 
+/// What changes nothing in this setting.
+Json Session::idle() const {
+  Json all = Json::array();
+  for (const viz::Parameter& p : player_->lesson().parameters)
+    if (!viz::counts(p, player_->parameters())) all.push_back(p.name);
+  return all;
+}
+
 /// For the address: the preset that all began with, and what is other than there.
 Json Session::place() const {
   const viz::Lesson& lesson = player_->lesson();
@@ -496,6 +505,7 @@ Json Session::parameters() const {
                 {"help", p.help},
                 {"kind", kind},
                 {"choices", p.choices}};
+    if (!p.where.empty()) one["where"] = viz::told_where(p);
     if (kind == std::string("number")) one["from"] = std::max(p.lo, p.drag_lo), one["to"] = std::min(p.hi, p.drag_hi);
     all.push_back(one);
   }

@@ -73,6 +73,7 @@ class Session {
   viz::Figure composed(Drawn);
   Json handles() const;
   Json values() const;
+  Json idle() const;
   Json place() const;
   Json parameters() const;
   Json map_beside();

@@ -92,7 +92,7 @@ function isect_live(book) {
     }
     book.light_code(section, frame);
     if (frame.solved) mark_solved(frame.solved);
-    show_values(frame.values);
+    show_values(frame.values, frame.idle);
     message.textContent = frame.told || frame.refuses || "";
     book.mark_link(changed ? "" : place.origin);
     book.show_controls(frame.asks ? below.querySelector("h3").textContent
@@ -246,6 +246,7 @@ function isect_live(book) {
         row.append(slide);
       }
       row.append(element("p", { class: "help" }, p.help));
+      if (p.where) row.append(element("p", { class: "help where" }, p.where + "."));
       return row;
     }));
     form.addEventListener("submit", event => event.preventDefault());
@@ -258,8 +259,9 @@ function isect_live(book) {
     help.classList.toggle("refused", !done);
     help.textContent = done ? field.title : message.textContent;
   }
-  function show_values(all) {
+  function show_values(all, idle) {
     for (const field of form.elements) {
+      field.parentElement.classList.toggle("idle", idle.includes(field.name || field.dataset.slides));
       const name = field.name || field.dataset.slides;
       field.parentElement.hidden = !(name in all) && field.matches("select") === false && !field.name;
       if (name in all && field !== document.activeElement) field.value = all[name];

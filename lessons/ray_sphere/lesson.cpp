@@ -20,7 +20,8 @@ const std::vector<Parameter>& parameters() {
       choice("extent", "extent", "A ray has no end; a segment ends at t_max.", {"ray", "segment"}),
       vector("origin", "**o**", "Origin of the ray, in world units.", in_plane(-3.5, 0.5), 6),
       vector("direction", "**d**", "Direction of the ray, of any length but 0.", in_plane(2, 0.25)),
-      {"t_max", "*t*_{max}", "End of a segment, in lengths of the direction.", 1.0, 0, 1e6, 0, 4},
+      where("extent", {"segment"},
+            {"t_max", "*t*_{max}", "End of a segment, in lengths of the direction.", 1.0, 0, 1e6, 0, 4}),
       vector("center", "**c**", "Centre of the ball, in world units.", in_plane(1, 0), 6),
       {"radius", "*r*", "Radius of the ball, in world units.", 1.5 * axis_length, 0, 1e6, 0.1, 4},
   };

@@ -33,7 +33,7 @@ std::vector<std::string> pseudocode(const Setup& s) {
 
 /// Of t, for whoever does not see the axis.
 std::string unit_of_t(const Setup& s) {
-  return s.made == Made::unit || s.d.head<2>().squaredNorm() == 1 ? " (a length)" : ", in lengths of d";
+  return s.made == Made::unit || s.ray.direction.squaredNorm() == 1 ? " (a length)" : ", in lengths of d";
 }
 
 class Teller {

@@ -54,6 +54,9 @@ const Lesson& lesson() {
     std::vector<std::string> choices;
     for (const Kind kind : kinds) choices.push_back(name(kind));
     choices.emplace_back(all_kinds);
+    std::vector<std::string> turned = choices;
+    std::erase_if(turned,
+                  [](const std::string& kind) { return kind == name(Kind::balls) || kind == name(Kind::aabbs); });
     return Lesson{
         .id = "relations",
         .title = "How two sets are related",
@@ -62,7 +65,9 @@ const Lesson& lesson() {
         .parameters = {choice("kind", "kind", "What the two sets are.", choices),
                        vector("b", "**b**", "The position of b, in units; a stays at the origin.", Vec3(0, 0, 0)),
                        {"size", "size of b", "The size of b, relative to a.", 1.0, 0.0625, 64, 0.25, 2},
-                       choice("turn", "turn of b", "The rotation of b; balls and AABBs are not rotated.", turns)},
+                       where(
+                           "kind", turned,
+                           choice("turn", "turn of b", "The rotation of b; balls and AABBs are not rotated.", turns))},
         .group_by = "",
         .presets = presets(),
         .camera = camera,

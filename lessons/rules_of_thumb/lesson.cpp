@@ -46,15 +46,18 @@ const Lesson& lesson() {
       ids.emplace_back(r.id);
       presets.push_back({r.id, r.title, {}, {{"rule", std::string(r.id)}, {"p", r.p}}});
     }
+    std::vector<std::string> with_query = ids;
+    std::erase(with_query, "7-measure");
     return Lesson{
         .id = "rules-of-thumb",
         .title = "Eight rules of thumb",
         .rows = "N10",
         .summary = "Eight rules of the lecture note as experiments: counted without the rule, and with it.",
         .parameters = {choice("rule", "rule", "Which rule.", ids),
-                       vector("p", "**p**",
-                              "Position of the query object, in world units; its third coordinate is not used.",
-                              rules.front().p)},
+                       where("rule", with_query,
+                             vector("p", "**p**",
+                                    "Position of the query object, in world units; its third coordinate is not used.",
+                                    rules.front().p))},
         .group_by = {},
         .presets = presets,
         .camera = {.azimuth = 0, .elevation = 0},

@@ -24,6 +24,12 @@ inline viz::Parameter vector(std::string name, std::string label, std::string he
   return {std::move(name), std::move(label), std::move(help), initial, -1e6, 1e6, -reach, reach};
 }
 
+/// A parameter that counts only where a choice is one of these.
+inline viz::Parameter where(const std::string& choice, std::vector<std::string> values, viz::Parameter p) {
+  p.where[choice] = std::move(values);
+  return p;
+}
+
 /// A point of a plane lesson: the third coordinate is not used.
 inline Point<double, 2> flat_point(const viz::Parameters& values, const std::string& name) {
   return std::get<viz::Vec3>(values.at(name)).head<2>();

@@ -113,6 +113,29 @@ TEST_CASE("a refused number leaves the old one, and the reason stands below the 
   CHECK_FALSE(window.has("refused parameter r"));
 }
 
+TEST_CASE("what changes nothing in this setting is pale, and says when it would", "[window]") {
+  WindowDriver window(isect::lessons::all_lessons(), 1280, 800, place_at("bounding-volumes", "tilted"),
+                      with_parameters());
+  CHECK((window.has("without effect q") && window.has("without effect reach")));
+  CHECK((!window.has("without effect k") && !window.has("without effect tip")));
+  const Picture fit = window.picture();
+  const Rect field = window.rect("parameter reach");
+  window.player().load(preset(window.player().lesson(), "overlap"));
+  window.frames(2);
+  CHECK((window.has("without effect k") && !window.has("without effect reach")));
+  const Picture test = window.picture();
+  const auto contrast = [&](const Picture& p) {
+    int least = 255, most = 0;
+    for (int y = static_cast<int>(field.top) + 3; y < static_cast<int>(field.bottom) - 3; ++y)
+      for (int x = static_cast<int>(field.left) + 3; x < static_cast<int>(field.right) - 3; ++x) {
+        const int green = p.rgba[4 * (static_cast<std::size_t>(y) * p.width + x) + 1];
+        least = std::min(least, green), most = std::max(most, green);
+      }
+    return most - least;
+  };
+  CHECK(contrast(fit) < 0.6 * contrast(test));
+}
+
 TEST_CASE("a direction of 0, 0, 0 is refused", "[window]") {
   Place place;
   place.lesson = "ray-sphere";
@@ -325,6 +348,43 @@ TEST_CASE("in a sheet the arrows lead along its rows", "[window]") {
   window.key(key::left);
   CHECK(window.ui.focus() == first);
   CHECK(window.player().index() == 0);
+}
+
+TEST_CASE("in a sheet Tab leads to all there is, and out of a field too", "[window]") {
+  WindowDriver window(isect::lessons::all_lessons());
+  window.type("s");
+  window.frames(2);
+  window.key(key::tab);
+  const std::string first = window.ui.focus();
+  std::set<std::string> met;
+  for (int i = 0; i < 40 && met.insert(window.ui.focus()).second; ++i) window.key(key::tab);
+  CHECK(window.ui.focus() == first);
+  CHECK((met.contains("format svg") && met.contains("other width") && met.contains("save")));
+  window.key(key::tab, false, true);
+  window.key(key::tab);
+  CHECK(window.ui.focus() == first);
+  CHECK(window.has("lesson panel"));
+
+  for (int i = 0; i < 40 && window.ui.focus() != "other width"; ++i) window.key(key::tab);
+  window.key(key::enter);
+  window.frames(2);
+  window.type("9,5");
+  window.key(key::tab);
+  CHECK(window.ui.focus() == "save");
+  CHECK(window.ui.settings().save_width_cm == 9.5);
+}
+
+TEST_CASE("Tab leaves a number that is typed for the next field, and takes it", "[window]") {
+  WindowDriver window(both, 1280, 800, {}, with_parameters());
+  type_into(window, "parameter r", "2,75");
+  window.key(key::tab);
+  CHECK(radius(window) == 2.75);
+  const std::string next = window.ui.focus();
+  CHECK((!next.empty() && next != "parameter r"));
+  type_into(window, "parameter r", "3");
+  window.key(key::tab, false, true);
+  CHECK(radius(window) == 3);
+  CHECK((!window.ui.focus().empty() && window.ui.focus() != next));
 }
 
 }  // namespace keyboard_test

@@ -151,6 +151,25 @@ TEST_CASE("the first line and the first value that differ are marked in both pan
   CHECK(window.rect("other parted line").top == window.rect("other line 4").top);
 }
 
+TEST_CASE("where the panes differ is brought into view by what tells of it", "[window]") {
+  Settings settings;
+  settings.beside = Beside{"ray-sphere", "quadratic", ""};
+  WindowDriver window(isect::lessons::all_lessons(), 800, 600, place_at("ray-sphere", "two-roots"), settings);
+  window.player().go_to(window.player().count() - 3);
+  window.frames(3);
+  for (const std::string side : {"", "other "}) {
+    INFO(side);
+    const auto seen = [&] {
+      const Rect line = window.rect(side + "parted line"), all = window.rect(side + "code lines");
+      return line.top >= all.top - 1 && line.bottom <= all.bottom + 1;
+    };
+    CHECK_FALSE(seen());
+    window.click(side + "differs");
+    window.frames(3);
+    CHECK(seen());
+  }
+}
+
 TEST_CASE("both panes keep one step and one camera, whichever is touched", "[window]") {
   WindowDriver window(both);
   window.type("v");

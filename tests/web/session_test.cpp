@@ -87,6 +87,16 @@ TEST_CASE("a dragged handle changes its value alone, and the verdict is the exac
   CHECK(frame.at("values") != before);
 }
 
+TEST_CASE("what changes nothing in a setting is named, and when it would is told", "[session]") {
+  Session session = fresh();
+  const Json opened = open(session, "ray-sphere", "tangent");
+  CHECK(opened.at("idle") == Json{"t_max"});
+  const auto& all = opened.at("parameters");
+  const auto t_max = std::ranges::find_if(all, [](const Json& p) { return p.at("name") == "t_max"; });
+  CHECK(t_max->at("where") == "Counts where extent is segment");
+  CHECK(ask(session, {{"do", "set"}, {"name", "extent"}, {"text", "segment"}}).at("idle").empty());
+}
+
 TEST_CASE("what the place says opens the same setting at the same station", "[session]") {
   Session session = fresh(), other = fresh();
   Json frame = open(session, "ray-sphere", "tangent");

@@ -170,7 +170,7 @@ void code(Session& s, const std::vector<CodeLine>& lines, const Rect& r, float p
     const CodeLine& words = lines[i];
     const float height = words.height(pitch);
     code_line(s, i, words, pitch, {r.left, y, r.right, y + height});
-    if (i == line && !s.ui.focus.name().starts_with("line "))
+    if (i == line && !s.ui.focus.name().starts_with(s.ui.side + "line "))
       ImGui::SetScrollFromPosY(y + height / 2 - ImGui::GetWindowPos().y, 0.5f);
     y += height;
   }

@@ -61,6 +61,7 @@ void focus_keys(Session& s, bool in_popup) {
   const ImGuiIO& io = ImGui::GetIO();
   Focus& focus = s.ui.focus;
   if (io.MouseClicked[0]) focus.clear();
+  if (in_popup && !io.KeyCtrl && pressed(key::tab, true)) focus.move(io.KeyShift ? -1 : 1);
   if ((io.WantTextInput && !in_popup) || io.KeyCtrl || io.KeyShift) return;
   if (pressed(key::down, true)) focus.move(1);
   if (pressed(key::up, true)) focus.move(-1);

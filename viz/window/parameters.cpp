@@ -25,7 +25,7 @@ std::optional<double> typed(Session& s, const std::string& field) {
   }
   const bool entered = ImGui::InputText(("##" + field).c_str(), &typing.text,
                                         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-  const bool left = typing.begun && !ImGui::IsItemActive();
+  const bool left = left_by_tab(s.ui, field) || (typing.begun && !ImGui::IsItemActive());
   if (ImGui::IsItemActive()) typing.begun = true;
   if (!entered && !left) return std::nullopt;
   const std::string text = std::exchange(typing, {}).text;
@@ -134,6 +134,15 @@ float choice(Session& s, const Parameter& p, const std::string& value, const Rec
   return y - r.top;
 }
 
+/// Pales what changes nothing in this setting, and tells when it would.
+void without_effect(Session& s, const Parameter& p, const Rect& r) {
+  s.ui.rects["without effect " + p.name] = r;
+  filled(r, s.ui.palette.window.with_alpha(0.6), 0);
+  const bool hovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) &&
+                       ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r));
+  if (hovered) tooltip(s.ui, told_where(p) + ".\n" + p.help);
+}
+
 const std::string& label_of(const Parameter& p) { return p.label.empty() ? p.name : p.label; }
 
 float label_width(Session& s) {
@@ -162,6 +171,7 @@ float parameter_fields(Session& s, float x, float y, float width) {
     if (const double* real = std::get_if<double>(&value)) number(s, p, *real, r);
     if (const Vec3* v = std::get_if<Vec3>(&value)) vector(s, p, *v, r);
     if (const std::string* word = std::get_if<std::string>(&value)) y += choice(s, p, *word, r);
+    if (!counts(p, now)) without_effect(s, p, {x, r.top - 2, x + width, y + 28});
     y += field_height;
     y += refusal(s, p.name, x + labels, y - 4, width - labels);
   }

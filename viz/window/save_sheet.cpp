@@ -23,9 +23,10 @@ void other_width(Session& s, const Rect& r) {
   ImGui::SetNextItemWidth(r.width());
   if (held && s.ui.focus.pressed()) ImGui::SetKeyboardFocusHere();
   ImGui::InputTextWithHint("##width", "cm", &s.width_text, ImGuiInputTextFlags_AutoSelectAll);
+  const bool tab = left_by_tab(s.ui, "other width") && !s.width_text.empty();
   const bool chosen = s.settings.save_width_cm > 0 && s.width_text == shown(s.settings.save_width_cm);
   if (chosen || !s.width_wrong.empty()) outlined(r, chosen ? s.ui.palette.first : s.ui.palette.miss, 1.5f);
-  if (!ImGui::IsItemDeactivatedAfterEdit()) return;
+  if (!tab && !ImGui::IsItemDeactivatedAfterEdit()) return;
   s.width_wrong.clear();
   try {
     const double cm = number_from(s.width_text);

@@ -81,12 +81,17 @@ void menu(Session& s, const ImVec2& at) {
   ImGui::PopStyleVar();
 }
 
-/// "≠ line 6, m²": where a pane is the first to differ, as its mark may be scrolled away.
-void told(const Ui& ui, const Step& step, int line, int value, float left, float right, float y) {
+/// "≠ line 6, m²": where a pane is the first to differ. Pressed, it brings the line into view. `side`: of its names.
+void told(Ui& ui, const std::string& side, const Step& step, int line, int value, float left, float right, float y) {
   std::string words = line < 0 ? "" : "line " + std::to_string(line + 1);
   if (value >= 0) words += (words.empty() ? "" : ", ") + plain(step.values[value].name);
   if (words.empty() || right - left < 60) return;
-  text(ui.fonts.small, right, y, packed(ui.palette.miss), fitted(ui.fonts.small, "≠ " + words, right - left), 1);
+  words = fitted(ui.fonts.small, "≠ " + words, right - left);
+  const Rect r{right - text_width(ui.fonts.small, words) - 6, y - 14, right + 6, y + 14};
+  const Press p = line < 0 ? Press{} : press(ui, side + "differs", r);
+  if (p.hovered) filled(r, ui.palette.hovered);
+  if (p.clicked) ui.focus.take(side + "line " + std::to_string(line + 1));
+  text(ui.fonts.small, right, y, packed(ui.palette.miss), words, 1);
 }
 
 void heads(Session& s, const Player& other, const Parting& parted, const PanesLayout& at) {
@@ -95,13 +100,13 @@ void heads(Session& s, const Player& other, const Parting& parted, const PanesLa
   const float y = at.heads.middle_y(), left = at.heads.left + 20, middle = at.second_scene.left;
   const float end = left + text(ui.fonts.bold, left, y, packed(ui.palette.text),
                                 fitted(ui.fonts.bold, first_title(s), middle - left - 12));
-  told(ui, s.player.step(), parted.line_a, parted.value_a, end + 16, middle - 16, y);
+  told(ui, "", s.player.step(), parted.line_a, parted.value_a, end + 16, middle - 16, y);
   const Rect close{at.heads.right - 48, y - 14, at.heads.right - 20, y + 14};
   bool pressed = false;
   const Opener against{"against", "against " + second_title(s), "Another method or preset on this side", middle + 20,
                        y,         close.left - middle - 40};
   const float opened = opener(ui, against, false, pressed);
-  told(ui, other.step(), parted.line_b, parted.value_b, opened + 16, close.left - 12, y);
+  told(ui, "other ", other.step(), parted.line_b, parted.value_b, opened + 16, close.left - 12, y);
   if (pressed) ImGui::OpenPopup("other side");
   menu(s, {middle + 12, at.heads.bottom});
   const Press p = press(ui, "one pane", close);

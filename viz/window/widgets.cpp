@@ -7,6 +7,7 @@
 
 #include "viz/names.h"
 #include "viz/utf8.h"
+#include "viz/window/key_codes.h"
 
 namespace isect::viz {
 namespace {
@@ -183,6 +184,15 @@ bool focused(Ui& ui, const std::string& name, const Rect& r) {
   ui.ring = {std::max(r.left - 3, clip.Min.x), std::max(r.top - 3, clip.Min.y), std::min(r.right + 3, clip.Max.x),
              std::min(r.bottom + 3, clip.Max.y)};
   if (ui.focus.moved() && window->ScrollMax.y > 0) ImGui::SetScrollFromPosY(r.middle_y() - window->Pos.y, 0.5f);
+  return true;
+}
+
+bool left_by_tab(Ui& ui, const std::string& name) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (!ImGui::IsItemActive() || io.KeyCtrl || !ImGui::IsKeyPressed(key::tab, false)) return false;
+  ImGui::ClearActiveID();
+  ui.focus.take(name);
+  ui.focus.move(io.KeyShift ? -1 : 1);
   return true;
 }
 

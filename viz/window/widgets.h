@@ -63,6 +63,8 @@ void tell_sum(Ui&, const Rect& window);
 
 /// Whether the keyboard holds the widget of this name; then it is ringed, and comes into view.
 bool focused(Ui&, const std::string& name, const Rect&);
+/// Of the field drawn last, while it is typed into: Tab lets go of it and leads on to the next widget, or back.
+bool left_by_tab(Ui&, const std::string& name);
 /// Draws the ring, over all.
 void focus_ring(Ui&);
 

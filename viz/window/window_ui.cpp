@@ -2,6 +2,7 @@
 
 #include <glad/gl.h>
 #include <imgui_impl_opengl3.h>
+#include <imgui_internal.h>
 
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -267,6 +268,7 @@ void WindowUi::frame() {
   const bool moved = io.MouseDelta.x != 0 || io.MouseDelta.y != 0;
   w.ui.pointer_rest = moved ? 0 : w.ui.pointer_rest + io.DeltaTime;
   ImGui::PushFont(w.ui.fonts.body);
+  ImGui::PushItemFlag(ImGuiItemFlags_NoTabStop, true);  // Tab is the window's own
   keys(w.session);
   w.learn_names();
   const WindowLayout at = w.layout();
@@ -283,6 +285,7 @@ void WindowUi::frame() {
   w.ui.focus.end_frame();
   keep_score(w.session);
   keep_recent(w.session);
+  ImGui::PopItemFlag();
   ImGui::PopFont();
   ImGui::Render();
 
