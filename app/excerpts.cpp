@@ -299,7 +299,7 @@ std::vector<Excerpt> excerpts(const Program& program, const Selection& asked) {
 }
 
 Excerpt excerpt(const Program& program, const Selection& asked) {
-  if (asked.preset == "all") throw viz::BadInput("preset: \"all\" does not do here; name one");
+  if (asked.preset == "all") throw viz::BadInput("preset: \"all\" is not allowed here; name one");
   return std::move(excerpts(program, asked).front());
 }
 

@@ -38,7 +38,7 @@ viz::Place place_of(const Program& program, Selection asked, Lessons& lessons, s
     asked.lessons = {program.lessons.front()->id};
   const Excerpt e = excerpt(program, asked);
   if (!asked.step.empty() && e.steps.size() != 1)
-    throw viz::BadInput(fmt::format("step: \"{}\" does not do here; give one", asked.step));
+    throw viz::BadInput(fmt::format("step: \"{}\" is not allowed here; give one", asked.step));
   if (!e.lesson->made_from.empty()) {
     lessons.push_back(e.lesson);
     if (std::error_code absent; std::filesystem::is_regular_file(e.path, absent)) file.emplace(e.path);

@@ -48,7 +48,7 @@ Size size_of(const std::string& text) {
   const auto side = [&](const std::string& part) {
     const std::optional<int> n = number<int>(part);
     if (x == std::string::npos || !n || *n < least || *n > most)
-      throw viz::BadInput(fmt::format("size: \"{}\" does not do; give WIDTHxHEIGHT, each {} to {}, such as 960x600",
+      throw viz::BadInput(fmt::format("size: \"{}\" is not allowed; give WIDTHxHEIGHT, each {} to {}, such as 960x600",
                                       text, least, most));
     return *n;
   };
@@ -67,7 +67,7 @@ double points_of(const std::string& option, const std::string& text, double leas
     if (n && *n * unit.points >= least && *n * unit.points <= most) return *n * unit.points;
   }
   throw viz::BadInput(
-      fmt::format("{}: \"{}\" does not do; give a length with its unit (cm, mm, pt, in), {}pt to {}pt, such as {}",
+      fmt::format("{}: \"{}\" is not allowed; give a length with its unit (cm, mm, pt, in), {}pt to {}pt, such as {}",
                   option, text, least, most, least < 10 ? "9pt" : "8cm"));
 }
 
@@ -75,7 +75,7 @@ double dpi_of(const std::string& text) {
   constexpr double least = 30, most = 2400;
   const std::optional<double> n = number<double>(text);
   if (!n || !(*n >= least && *n <= most))
-    throw viz::BadInput(fmt::format("dpi: \"{}\" does not do; give a number from {} to {}", text, least, most));
+    throw viz::BadInput(fmt::format("dpi: \"{}\" is not allowed; give a number from {} to {}", text, least, most));
   return *n;
 }
 
@@ -83,7 +83,7 @@ int columns_of(const std::string& text) {
   constexpr int most = 12;
   const std::optional<int> n = number<int>(text);
   if (!n || *n < 1 || *n > most)
-    throw viz::BadInput(fmt::format("columns: \"{}\" does not do; give a number from 1 to {}", text, most));
+    throw viz::BadInput(fmt::format("columns: \"{}\" is not allowed; give a number from 1 to {}", text, most));
   return *n;
 }
 
@@ -91,7 +91,7 @@ double seconds_of(const std::string& text) {
   constexpr double least = 0.1, most = 60;
   const std::optional<double> n = number<double>(text);
   if (!n || !(*n >= least && *n <= most))
-    throw viz::BadInput(fmt::format("seconds: \"{}\" does not do; give a number from {} to {}", text, least, most));
+    throw viz::BadInput(fmt::format("seconds: \"{}\" is not allowed; give a number from {} to {}", text, least, most));
   return *n;
 }
 

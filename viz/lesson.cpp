@@ -45,6 +45,11 @@ std::string shortest(double x) {
   return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), x).ptr};
 }
 
+/// The same, but a large whole number in all its digits.
+std::string in_digits(double x) {
+  return std::abs(x) < 1e15 && x == std::trunc(x) ? fmt::format("{:.0f}", x) : shortest(x);
+}
+
 std::vector<std::string> parameter_names(const Lesson& lesson) {
   std::vector<std::string> names;
   for (const Parameter& p : lesson.parameters) names.push_back(p.name);
@@ -72,7 +77,7 @@ void check(const Parameter& p, const Setting& value, const std::string& given) {
   }
   if (good) return;
   if (!p.choices.empty()) throw unknown(p.name, given, p.choices);
-  throw BadInput(fmt::format("{}: \"{}\" does not do; give {}", p.name, given, wanted(p)));
+  throw BadInput(fmt::format("{}: \"{}\" is not allowed; give {}", p.name, given, wanted(p)));
 }
 
 /// The first condition that these parameters break, if any.
@@ -122,11 +127,11 @@ std::string wanted(const Parameter& p) {
   if (!p.choices.empty()) return fmt::format("one of {}", fmt::join(p.choices, ", "));
   std::string range;
   if (p.lo > -1e300 && p.hi < 1e300)
-    range = fmt::format(" from {} to {}", shortest(p.lo), shortest(p.hi));
+    range = fmt::format(" from {} to {}", in_digits(p.lo), in_digits(p.hi));
   else if (p.lo > -1e300)
-    range = fmt::format(" of at least {}", shortest(p.lo));
+    range = fmt::format(" of at least {}", in_digits(p.lo));
   else if (p.hi < 1e300)
-    range = fmt::format(" of at most {}", shortest(p.hi));
+    range = fmt::format(" of at most {}", in_digits(p.hi));
   if (std::holds_alternative<double>(p.initial)) return "a number" + range;
   return "three numbers" + (range.empty() ? range : ", each" + range) + ", such as " + to_text(p.initial);
 }
@@ -160,7 +165,7 @@ void set(const Lesson& lesson, Parameters& to, const std::string& name, const st
   } else {
     value = point(text, lesson.flat);
   }
-  if (!value) throw BadInput(fmt::format("{}: \"{}\" does not do; give {}", name, text, wanted(p)));
+  if (!value) throw BadInput(fmt::format("{}: \"{}\" is not allowed; give {}", name, text, wanted(p)));
   check(p, *value, text);
   to.insert_or_assign(name, *value);
 }
@@ -171,8 +176,8 @@ void validate(const Lesson& lesson, const Parameters& parameters) {
     if (!p.optional && !parameters.contains(p.name))
       throw BadInput(fmt::format("{}: missing; every parameter of {} is needed", p.name, lesson.id));
   if (const Condition* c = broken(lesson, parameters))
-    throw BadInput(
-        fmt::format("{}: \"{}\" does not do; give {}", c->parameter, to_text(parameters.at(c->parameter)), c->allowed));
+    throw BadInput(fmt::format("{}: \"{}\" is not allowed; give {}", c->parameter, to_text(parameters.at(c->parameter)),
+                               c->allowed));
 }
 
 const Condition* drag(const Lesson& lesson, Parameters& parameters, const Handle& handle, const Vec3& p) {

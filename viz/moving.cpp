@@ -8,7 +8,7 @@ namespace isect::viz {
 namespace {
 
 Moved refused_by(const Condition* forbids) {
-  return {{}, forbids ? "That does not do; give " + forbids->allowed : std::string()};
+  return {{}, forbids ? "That is not allowed; give " + forbids->allowed : std::string()};
 }
 
 }  // namespace

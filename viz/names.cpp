@@ -191,6 +191,10 @@ std::vector<Name> names_in_line(const std::string& text) {
     }
     const std::string letters = text.substr(begin, i - begin);
     const std::string below = subscript(text, i);
+    const std::size_t hyphen = i;
+    while (i + 1 < text.size() && text[i] == '-' && end_of_letters(text, i + 1) > i + 1)
+      i = end_of_letters(text, i + 1);
+    if (i > hyphen) continue;  // "p-vertex" is a word
     if (may_be_a_name(letters) && !is_article(text, begin, i)) names.push_back({key_of(letters, below), begin, i});
   }
   return names;

@@ -70,7 +70,7 @@ std::string text_of(const Json& value, const std::string& field) {
 double number_of(const Json& value, const std::string& field, double lo, double hi) {
   const double x = value.is_number() ? value.get<double>() : NAN;
   if (!(x >= lo && x <= hi))
-    throw BadInput(fmt::format("{}: {} does not do; give a number from {} to {}", field, value.dump(), lo, hi));
+    throw BadInput(fmt::format("{}: {} is not allowed; give a number from {} to {}", field, value.dump(), lo, hi));
   return x;
 }
 
@@ -78,7 +78,7 @@ Vec3 point_of(const Json& value, const std::string& field) {
   const bool good =
       value.is_array() && value.size() == 3 && std::ranges::all_of(value, [](const Json& x) { return x.is_number(); });
   if (!good)
-    throw BadInput(fmt::format("{}: {} does not do; give three numbers, such as [0, 1, 0]", field, value.dump()));
+    throw BadInput(fmt::format("{}: {} is not allowed; give three numbers, such as [0, 1, 0]", field, value.dump()));
   return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
 }
 
@@ -115,7 +115,7 @@ Camera camera_of(const Json& object, const Lesson& lesson) {
   if (object.contains("perspective")) {
     const Json& value = object["perspective"];
     if (!value.is_boolean())
-      throw BadInput(fmt::format("camera perspective: {} does not do; give true or false", value.dump()));
+      throw BadInput(fmt::format("camera perspective: {} is not allowed; give true or false", value.dump()));
     camera.perspective = value.get<bool>();
   }
   if (lesson.flat && (camera.azimuth != 0 || camera.elevation != 0 || camera.perspective))

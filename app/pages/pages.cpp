@@ -27,7 +27,7 @@ void need_own(const std::string& folder, const std::vector<PageFile>& files) {
 
 std::string theme_of_pages(const PageOptions& options) {
   if (viz::theme_named(options.theme) == viz::ThemeName::dark)
-    throw viz::BadInput("theme: \"dark\" does not do on white pages; give print, grey or screen");
+    throw viz::BadInput("theme: \"dark\" is not meant for white pages; give print, grey or screen");
   return options.theme;
 }
 

@@ -44,6 +44,7 @@ template <class S> struct EventNames<ray_plane::Hit<S>> : Named<"Hit", "t in_ran
 template <class S> struct EventNames<ray_plane::Numerator<S>> : Named<"Numerator", "value"> {};
 template <class S> struct EventNames<ray_plane::Denominator<S>> : Named<"Denominator", "value"> {};
 template <class S> struct EventNames<ray_plane::Parallel<S>> : Named<"Parallel", "denominator holds"> {};
+template <class S> struct EventNames<ray_plane::Quotient<S>> : Named<"Quotient", "t"> {};
 template <class S> struct EventNames<ray_plane::InRange<S>> : Named<"InRange", "t holds"> {};
 template <> struct EventNames<slabs::Outside> : Named<"Outside", "slab"> {};
 template <> struct EventNames<slabs::Stretch> : Named<"Stretch", "entered left"> {};

@@ -42,6 +42,8 @@ std::optional<Answer> exact_of_segment(const Setting&, const Object& a, const Ob
 void relate(const Setting&, const Object& a, const Object& b, Answer&);
 /// The point a and the shape b: `where` is in, on or out.
 void locate(const Object& a, const Object& b, Answer&, const std::string& where);
+/// Whether the point lies on what has no inside: a point, a segment, a ray, a line, a triangle in space, a cloud.
+bool lies_on(const Setting&, const viz::Vec3&, const Object&);
 /// A ray, line or segment a, which the core takes as a ray. Throws NotDecided for a segment that is none.
 viz::Vec3 origin_of(const Setting&, const Object& a);
 viz::Vec3 direction_of(const Setting&, const Object& a);

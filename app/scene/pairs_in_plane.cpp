@@ -180,7 +180,7 @@ Json corners_beside_plane(const Setting& s, const Object& a, const Object& b) {
     ++count[static_cast<std::size_t>(1 + side_of_plane(s.point(a, "normal"), s.number(a, "d"), p))];
   return {{"behind", count[0]}, {"on", count[1]}, {"before", count[2]}};
 }
-void tell_corners(const Setting&, const Object& a, const Object& b, Answer& out) {
+void tell_corners(const Setting& s, const Object& a, const Object& b, Answer& out) {
   const std::string na = shown_name(a.name), nb = shown_name(b.name);
   const int behind = out.result["behind"], on = out.result["on"], before = out.result["before"];
   if (behind > 0 && before > 0)
@@ -196,7 +196,7 @@ void tell_corners(const Setting&, const Object& a, const Object& b, Answer& out)
   if (b.type == Type::mesh) return;  // whose triangles share corners
   const char* unit = b.type == Type::cloud || b.type == Type::hull ? "points" : "corners";
   out.values = {{"where the normal points", static_cast<double>(before), unit, viz::Role::text, true},
-                {"in the plane", static_cast<double>(on), unit, viz::Role::hit, true},
+                {s.flat ? "on the line" : "in the plane", static_cast<double>(on), unit, viz::Role::hit, true},
                 {"on the other side", static_cast<double>(behind), unit, viz::Role::text, true}};
 }
 
@@ -235,7 +235,8 @@ std::vector<Pair> pairs_in_plane() {
   using In = Pair::In;
   std::vector<Pair> table = {{point, plane, nullptr, In::both, beside_plane, tell_beside_plane}};
   for (const Type with_corners : {triangle, polygon, hull, mesh, cloud})
-    table.push_back({plane, with_corners, nullptr, In::space, corners_beside_plane, tell_corners});
+    table.push_back({plane, with_corners, nullptr, with_corners == mesh ? In::space : In::both, corners_beside_plane,
+                     tell_corners});
   for (const Type along : {segment, ray, line}) {
     table.push_back({point, along, nullptr, In::plane, beside_line, tell_beside_line});
     for (const Type outline : {triangle, polygon, hull})

@@ -149,6 +149,31 @@ void tell_cloud(const Setting& s, const Object& a, const Object& b, Answer& out)
                 {"outside", static_cast<double>(out.result["out"].size()), "points", Role::miss, true}};
 }
 
+/// Those that lie on what has no inside, or are points of another cloud.
+Json cloud_on_result(const Setting& s, const Object& a, const Object& b) {
+  Json result = {{"on", Json::array()}, {"out", Json::array()}};
+  const std::vector<Vec3> points = s.points(a);
+  for (std::size_t i = 0; i < points.size(); ++i) result[lies_on(s, points[i], b) ? "on" : "out"].push_back(i);
+  return result;
+}
+void tell_cloud_on(const Setting& s, const Object& a, const Object& b, Answer& out) {
+  const std::vector<Vec3> points = s.points(a);
+  for (const auto& [where, kind, role] :
+       {std::tuple{"out", viz::Mark::ring, Role::miss}, {"on", viz::Mark::diamond, Role::hit}})
+    for (const std::size_t i : out.result[where]) out.marks.push_back(viz::Dot{points[i], kind, role});
+  const std::size_t on = out.result["on"].size();
+  const bool one = on == 1;
+  const std::string place = b.type == Type::point   ? one ? "is" : "are"
+                            : b.type == Type::cloud ? one ? "is also in" : "are also in"
+                            : one                   ? "lies on"
+                                                    : "lie on";
+  out.verdict = {
+      on > 0 ? Verdict::Kind::on : Verdict::Kind::no,
+      fmt::format("{} of {} points of {} {} {}", on, points.size(), shown_name(a.name), place, shown_name(b.name))};
+  out.values = {{"on it", static_cast<double>(on), "points", Role::hit, true},
+                {"beside it", static_cast<double>(out.result["out"].size()), "points", Role::miss, true}};
+}
+
 // What a ray meets first of many triangles.
 
 Json ray_result(const Setting& s, const Object& a, const TriangleMesh<double>& mesh) {
@@ -230,6 +255,9 @@ std::vector<Pair> pairs_of_many_numbers() {
     table.push_back({cloud, shape, nullptr, In::both, cloud_result, tell_cloud});
   for (const Type shape : {triangle, polygon})
     table.push_back({cloud, shape, nullptr, In::plane, cloud_result, tell_cloud});
+  for (const Type thin : {point, ray, line, segment, cloud})
+    table.push_back({cloud, thin, nullptr, In::both, cloud_on_result, tell_cloud_on});
+  table.push_back({cloud, triangle, nullptr, In::space, cloud_on_result, tell_cloud_on});
   for (const Type along : {ray, line, segment}) {
     table.push_back({along, mesh, nullptr, In::space, ray_and_mesh, tell_ray});
     table.push_back({along, hull, nullptr, In::space, ray_and_hull, tell_ray});

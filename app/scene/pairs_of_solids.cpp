@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include <isect/bvh_pairs.h>
 #include <isect/capsule_half_spaces.h>
 #include <isect/convex_hull.h>
 #include <isect/line_line.h>
@@ -190,7 +191,7 @@ Json two_planes(const Setting& s, const Object& a, const Object& b) {
     return true;
   };
   if (!vanish([&]<class W>() -> Components<W, 3> { return cross(exactly<W>(m), exactly<W>(n)); }))
-    return {{"relation", "a line in common"}};
+    return {{"relation", s.flat ? "a point in common" : "a line in common"}};
   const bool equal = vanish([&]<class W>() -> Components<W, 3> {
     Components<W, 3> x;
     for (int i = 0; i < 3; ++i) x[static_cast<std::size_t>(i)] = W(m[i]) * W(e) - W(n[i]) * W(d);
@@ -198,11 +199,12 @@ Json two_planes(const Setting& s, const Object& a, const Object& b) {
   });
   return {{"relation", equal ? "equal" : "parallel"}};
 }
-void tell_two_planes(const Setting&, const Object& a, const Object& b, Answer& out) {
+void tell_two_planes(const Setting& s, const Object& a, const Object& b, Answer& out) {
   const std::string both = shown_name(a.name) + " and " + shown_name(b.name), r = out.result["relation"];
   if (r == "equal") out.verdict = {Verdict::Kind::on, both + " are the same"};
   if (r == "parallel") out.verdict = {Verdict::Kind::no, both + " are parallel"};
-  if (r == "a line in common") out.verdict = {Verdict::Kind::yes, both + " meet in a line"};
+  if (r.ends_with("in common"))
+    out.verdict = {Verdict::Kind::yes, both + (s.flat ? " meet in a point" : " meet in a line")};
 }
 
 // Meshes.
@@ -262,17 +264,11 @@ Json point_and_mesh(const Setting& s, const Object& a, const Object& b) {
 
 // Points beside what is thin.
 
-Json point_on_triangle(const Setting& s, const Object& a, const Object& b) {
-  return {{"on", intersects(Sphere<double, 3>{s.point(a, "at"), 0}, triangle_of(s, b))}};
-}
 line_line::Straight straight(const Setting& s, const Object& o) {
   if (o.type == Type::segment) return Segment<double, 3>{s.point(o, "from"), s.point(o, "to")};
   return ray_in_space(s, o);
 }
-Json point_on_line(const Setting& s, const Object& a, const Object& b) {
-  const Vec3 at = s.point(a, "at");
-  return {{"on", intersect(straight(s, b), Segment<double, 3>{at, at}).meets()}};
-}
+Json point_on(const Setting& s, const Object& a, const Object& b) { return {{"on", lies_on(s, s.point(a, "at"), b)}}; }
 void tell_on(const Setting&, const Object& a, const Object& b, Answer& out) {
   const std::string na = shown_name(a.name), nb = shown_name(b.name);
   out.verdict = out.result["on"] == true ? Verdict{Verdict::Kind::on, fmt::format("{} lies on {}", na, nb)}
@@ -369,7 +365,25 @@ Json outline_result(const Setting& s, const Object& a, const Object& b) {
   return {{"meet", locate(point_of<2>(inner), Polygon<double, 2>{rings}) != Location::out}};
 }
 
+/// How many triangles of one mesh have a point in the other; those of a closed one that hold the other have none.
+Json two_meshes(const Setting&, const Object& a, const Object& b) {
+  const TriangleMesh<double> mesh = mesh_of(a), other = mesh_of(b);
+  const std::vector<Aabb<double, 3>> around = boxes(mesh), around_other = boxes(other);
+  std::vector<char> met(mesh.triangles.size(), 0);
+  for (const auto& [i, j] : overlapping_pairs(build_bvh(around), around, build_bvh(around_other), around_other))
+    if (!met[static_cast<std::size_t>(i)])
+      met[static_cast<std::size_t>(i)] = intersects(triangle(mesh, i), triangle(other, j));
+  return {{"triangles_met", std::ranges::count(met, 1)}};
+}
+
 }  // namespace
+
+bool lies_on(const Setting& s, const Vec3& p, const Object& o) {
+  if (o.type == Type::triangle) return intersects(Sphere<double, 3>{p, 0}, triangle_of(s, o));
+  if (runs_along_a_line(o.type)) return intersect(straight(s, o), Segment<double, 3>{p, p}).meets();
+  const std::vector<Vec3> points = o.type == Type::point ? std::vector{s.point(o, "at")} : s.points(o);
+  return std::ranges::find(points, p) != points.end();
+}
 
 void tell_mesh(const Setting&, const Object& a, const Object& b, Answer& out) {
   const std::string na = shown_name(a.name), nb = shown_name(b.name);
@@ -445,18 +459,19 @@ std::vector<Pair> pairs_of_solids() {
   for (const Type solid : {obb, kdop, frustum, hull}) {
     add(triangle, solid, solid == obb || solid == kdop ? In::both : In::space, solids_result, relate);
     add(mesh, solid, In::space, mesh_result, tell_mesh);
-    if (solid != hull) add(plane, solid, In::space, plane_result, tell_plane);
+    if (solid != hull) add(plane, solid, solid == frustum ? In::space : In::both, plane_result, tell_plane);
   }
   for (const Type solid : {obb, kdop}) add(solid, polygon, In::plane, outline_result, tell_meeting);
   add(mesh, triangle, In::space, mesh_result, tell_mesh);
   add(triangle, triangle, In::space, two_triangles, tell_meeting);
-  add(plane, capsule, In::space, plane_result, tell_plane);
-  add(plane, plane, In::space, two_planes, tell_two_planes);
+  add(mesh, mesh, In::space, two_meshes, tell_mesh);
+  add(plane, capsule, In::both, plane_result, tell_plane);
+  add(plane, plane, In::both, two_planes, tell_two_planes);
   add(point, mesh, In::space, point_and_mesh,
       [](const Setting&, const Object& a, const Object& b, Answer& out) { locate(a, b, out, out.result["location"]); });
-  add(point, triangle, In::space, point_on_triangle, tell_on);
+  add(point, triangle, In::space, point_on, tell_on);
   for (const Type along : {ray, line, segment}) {
-    add(point, along, In::space, point_on_line, tell_on);
+    add(point, along, In::space, point_on, tell_on);
     for (const Type other : {ray, line, segment})
       add(along, other, along == segment || other == segment ? In::space : In::both, two_lines, tell_two_lines);
     add(along, kdop, In::both, line_and_solid, tell_line_and_solid);

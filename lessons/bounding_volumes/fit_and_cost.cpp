@@ -82,13 +82,15 @@ class Fit {
     for (const auto& event : record.events)
       if (const auto* e = std::get_if<fit::Extreme>(&event)) farthest = e->point;
     volume_step(0, 0, "Sphere: a centre and a radius",
-                "The radius reaches to the farthest vertex. When the object turns, only the centre moves with it.",
+                "The radius reaches to the farthest vertex. When the object turns, only the centre moves with it.\n"
+                "Void is what of a volume the object leaves empty, here in volumes of the object.",
                 radius(fitted_.ball, mesh_.vertices[farthest]), "|**x** − **c**| ≤ *r*");
   }
 
   void aabb() {
     Step& step = volume_step(1, 1, "AABB: two extreme points",
-                             "The least and the greatest coordinate on each axis, so *a*_{min,*i*} ≤ *a*_{max,*i*}. "
+                             "An axis-aligned bounding box (AABB): the least and the greatest coordinate on each axis, "
+                             "so *a*_{min,*i*} ≤ *a*_{max,*i*}. "
                              "Both are found and tested by comparisons alone.\n"
                              "When the object turns, the box must be fitted again.",
                              corners(fitted_.aabb), "*a*_{min,*i*} ≤ *x_i* ≤ *a*_{max,*i*} for *i* = x, y, z");
@@ -102,10 +104,12 @@ class Fit {
   }
 
   void obb() {
-    volume_step(2, 2, "OBB: axes and half-lengths",
-                "A centre, three unit axes (orthogonal, right-handed) and a half-length along each.\n"
-                "It rotates with the object: its axes are rotated. Finding the tightest axes takes a search.",
-                axes(fitted_.obb), "|(**x** − **b**_c) · **b***_i*| ≤ *h_i* for *i* = u, v, w")
+    volume_step(
+        2, 2, "OBB: axes and half-lengths",
+        "An oriented bounding box (OBB): a centre, three unit axes (orthogonal, right-handed) and a half-length along "
+        "each.\n"
+        "It rotates with the object: its axes are rotated. Finding the tightest axes takes a search.",
+        axes(fitted_.obb), "|(**x** − **b**_c) · **b***_i*| ≤ *h_i* for *i* = u, v, w")
         // one axis follows from the other two; a corner instead of axes; an AABB's
         .question = which_value("How many numbers does the OBB keep?", static_cast<double>(all_[2].numbers), {6, 9, 12},
                                 "Three for the centre, nine for the axes and three half-lengths.");
@@ -165,7 +169,7 @@ class Fit {
     step.scene.items = side_by_side(mesh_, fitted_.object, all_);
     step.scene.handles.clear();
     step.question =
-        Question{"Which has the least void, apart from the hull?",
+        Question{"Which of these four has the least void?",
                  {all_[0].name, all_[1].name, all_[2].name, all_[3].name},
                  static_cast<int>(best),
                  fmt::format("Its void is {} × the object.", shown(all_[best].volume / fitted_.object - 1))};

@@ -92,12 +92,19 @@ class OneVolume {
   }
 
   Comparison ask_box(int i, Culling side, Scene& scene) {
-    Record<plane_aabb::Corners<C, 3>> record;
-    plane_aabb::corners(cast<C>(plane_at(i)), cast<C>(std::get<Box>(asked_)), record);
-    script_.count(tally());
-    const auto& e = record.events.front();
+    // Counted as isect/aabb_frustum.h asks: the n-vertex only where the p-vertex is not beyond.
+    const Plane<C, 3> plane = cast<C>(plane_at(i));
+    const Aabb<C, 3> box = cast<C>(std::get<Box>(asked_));
     const auto at = [](const Point<C, 3>& p) -> Vec3 { return {p[0].value, p[1].value, p[2].value}; };
-    const double greatest = e.at_greatest.value, least = e.at_least.value;
+    const auto asked = [&](bool far) {
+      const Point<C, 3> corner = plane_aabb::detail::corner(plane.normal, box, far);
+      const C height = plane.normal.dot(corner) + plane.d;
+      static_cast<void>(height < C(0));
+      return std::pair(at(corner), height.value);
+    };
+    const auto [p_vertex, greatest] = asked(true);
+    const auto [n_vertex, least] = side == Culling::outside ? std::pair(Vec3(Vec3::Zero()), 0.0) : asked(false);
+    script_.count(tally());
     const double length = plane_at(i).normal.norm();
     script_.value("**n** · p-vertex + *D*", greatest / length, "length", greatest < 0 ? Role::miss : Role::hit);
     if (side != Culling::outside)
@@ -112,8 +119,8 @@ class OneVolume {
                                                 : Role::highlight});
       scene.items.emplace_back(Label{p, name, Role::text});
     };
-    corner(at(e.greatest), greatest, "p-vertex");
-    if (side != Culling::outside) corner(at(e.least), least, "n-vertex");
+    corner(p_vertex, greatest, "p-vertex");
+    if (side != Culling::outside) corner(n_vertex, least, "n-vertex");
     reaches_ = greatest / length;
     sharing_ = static_cast<int>(
         std::ranges::count(std::array{plane_at(i).normal.x(), plane_at(i).normal.y(), plane_at(i).normal.z()}, 0.0));

@@ -72,19 +72,24 @@ class Shooting {
     changes_.tell(script_, "box tests", tested_, "tests");
     changes_.tell(script_, "ruled out", ruled_out_, {}, Role::miss);
     Step& step = script_.add(slug, title, line, caption);
-    Scene& scene = step.scene;
-    scene.items = nested(tree_, drawn_);
+    step.scene = picture(drawn_);
+    return step;
+  }
+
+  Scene picture(const Drawn& drawn) const {
+    Scene scene;
+    scene.items = nested(tree_, drawn);
     const Vec3 o = flat(ray_.origin), d = flat(ray_.direction);
     const double length = d.norm() > 0 ? 5.5 / d.norm() : 0;
     scene.items.push_back(Arrow{o, o + length * d, Role::first});
     scene.items.push_back(Dot{o, Mark::disc, Role::first});
     scene.items.push_back(Label{o, "**o**", Role::first});
     if (hit_) scene.items.push_back(Dot{flat(ray_.at(*hit_)), Mark::disc, Role::hit});
-    for (const Item& item : branches(tree_, drawn_, {1.25, -1.5}, {5, 1.625})) scene.items.push_back(item);
+    for (const Item& item : branches(tree_, drawn, {1.25, -1.5}, {5, 1.625})) scene.items.push_back(item);
     scene.handles = {{"p", Handle::Kind::point, p_, Vec3::Zero(), Role::second},
                      {"o", Handle::Kind::point, o, Vec3::Zero(), Role::first},
                      {"d", Handle::Kind::vector, o + d, o, Role::first}};
-    return step;
+    return scene;
   }
 
   /// A node with what follows from it, up to the next node that is taken from the stack.
@@ -110,7 +115,7 @@ class Shooting {
     asked_ += 2;
     for (const int child : {node.first, node.first + 1})
       if (drawn_.states[child] == State::unseen) set(child, State::waiting);
-    inner(missed);
+    inner(node, missed);
   }
 
   void leaf(const BvhNode<double, 2>& node, const std::vector<int>& hits) {
@@ -123,7 +128,7 @@ class Shooting {
     step.decides = true;
   }
 
-  void inner(const std::vector<int>& missed) {
+  void inner(const BvhNode<double, 2>& node, const std::vector<int>& missed) {
     ++number_;
     Step& step = add(fmt::format("open-{}", number_), fmt::format("Node {}: open it", number_), 3,
                      missed.empty()
@@ -139,7 +144,9 @@ class Shooting {
                              missed.empty()       ? "The ray meets the boxes of both."
                              : missed.size() == 1 ? "The ray meets the box of one, and misses the other's."
                                                   : "The ray misses the boxes of both."};
-    keep_picture(script_.walk());
+    Drawn asked = drawn_;
+    for (const int child : {node.first, node.first + 1}) asked.states[child] = State::waiting;
+    step.question->over = picture(asked);
   }
 
   void farther(const Pruned& e) {

@@ -16,16 +16,9 @@ Aabb<double, 2> around(double x, double y, double half_x, double half_y) {
   return {{x - half_x, y - half_y}, {x + half_x, y + half_y}};
 }
 
-/// A little larger, so that nested boxes do not coincide.
-Aabb<double, 2> padded(const Tree& tree, int node) {
-  const Vec2 pad = Vec2::Constant(0.06 * (tree.height(node) + 1));
-  const Aabb<double, 2>& box = tree.node(node).box;
-  return {box.lo - pad, box.hi + pad};
-}
-
 std::string held(const Tree& tree, int leaf, const std::string& prefix) {
   std::string text;
-  for (const int i : tree.below(leaf)) text += fmt::format("{}{}{}", text.empty() ? "" : " ", prefix, i);
+  for (const int i : tree.below(leaf)) text += fmt::format("{}{}{}", text.empty() ? "" : ", ", prefix, i);
   return text;
 }
 
@@ -73,7 +66,7 @@ Items nested(const Tree& tree, const Drawn& drawn) {
   }
   for (int i = 0; i < tree.size(); ++i) {
     const State state = drawn.states[i];
-    const Aabb<double, 2> box = padded(tree, i);
+    const Aabb<double, 2>& box = tree.node(i).box;
     if (state == State::seen || state == State::waiting)
       items.push_back(Chain{corners(box), true, Role::construction, Pen::construction});
     if (state == State::current) items.push_back(Chain{corners(box), true, Role::highlight, Pen::highlight});
@@ -90,7 +83,7 @@ Items branches(const Tree& tree, const Drawn& drawn, const Vec2& lo, const Vec2&
   std::vector<double> widths(drawn.states.size());  // of leaves, as their texts need
   double all = 0;
   for (int i = 0; i < tree.size(); ++i)
-    if (tree.node(i).leaf()) all += widths[i] = 1.5 + static_cast<double>(held(tree, i, drawn.prefix).size());
+    if (tree.node(i).leaf()) all += widths[i] = 3 + static_cast<double>(held(tree, i, drawn.prefix).size());
   for (double& width : widths) width *= (hi.x() - lo.x()) / all;
   const double row = (hi.y() - lo.y()) / std::max(1, tree.height(0));
   double next = lo.x();

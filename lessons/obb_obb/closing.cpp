@@ -25,7 +25,7 @@ const Closing& closing() {
   static const Closing closing = {
       .result =
           "Two oriented boxes are disjoint if and only if |**n** · **l**| > *r*_a + *r*_b on one of 15 axes. "
-          "*r*_b is the sum of *h*_j |**b**_j · **n**| over the axes of b, and *r*_a alike.",
+          "*r*_b is the sum of *h*_j |**b**_j · **n**| over the axes of b, and likewise *r*_a.",
       .cost = "Up to 15 axes, about 250 operations. Pairs far apart are mostly rejected by the first axes.",
       .choose =
           "For long, tilted bodies, after a cheaper test of balls or AABBs. For general polytopes use GJK (Gilbert, "

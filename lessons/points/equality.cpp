@@ -73,15 +73,16 @@ class Equality {
             (std::isnan(b) ? " ≠ *q*" + i + ", no number" : (e.equal ? " = " : " ≠ ") + digits(b, a) + " = *q*" + i));
     step.decides = true;
     // EQUAL too early: that one equal coordinate is enough. DIFFERENT: that 0 and −0 are different numbers.
-    step.question =
-        Question{fmt::format("The coordinates on {} are compared. What follows?", axis),
-                 {"DIFFERENT", "EQUAL", "nothing yet"},
-                 !e.equal     ? 0
-                 : e.axis < 2 ? 2
-                              : 1,
-                 std::isnan(a) || std::isnan(b) ? "What is not a number is unequal to every number, and to itself."
-                 : e.equal ? "The coordinates are equal by value. Only after all three may EQUAL be returned."
-                           : "The coordinates differ by value, however little."};
+    step.question = Question{
+        fmt::format("The coordinates on {} are compared: *p*{} = {}{}. What follows?", axis, i, digits(a, b),
+                    std::isnan(b) ? ", and *q*" + i + " is not a number" : " and *q*" + i + " = " + digits(b, a)),
+        {"DIFFERENT", "EQUAL", "nothing yet"},
+        !e.equal     ? 0
+        : e.axis < 2 ? 2
+                     : 1,
+        std::isnan(a) || std::isnan(b) ? "What is not a number is unequal to every number, and to itself."
+        : e.equal ? "The coordinates are equal by value. Only after all three may EQUAL be returned."
+                  : "The coordinates differ by value, however little."};
     stopped_ = !e.equal;
   }
   void say(const point_point::Distance&) {}  // of nearly_equal

@@ -89,7 +89,7 @@ class HainesTeller : Teller {
                   : e.s.value > 0 ? "the centre lies ahead"
                                   : "the centre lies level"});
     // 0: a centre behind is taken for enough; 2: what is not rejected is taken for a hit
-    step.question = Question{"What does this cheap test tell?",
+    step.question = Question{"Next the signs of *s* and *l*^2 − *r*^2 are asked. What do they tell?",
                              {"the ray misses", "nothing yet: *m*^2 is needed", "the ray hits"},
                              e.holds ? 0 : 1,
                              e.holds ? "The centre lies behind an origin that is outside."

@@ -111,7 +111,7 @@ class Teller {
         : of_length_one           ? "As |**d**| = 1, *t* is the signed distance from **o**."
                                   : "*t* counts lengths of **d**, so the distance from **o** is |*t*| |**d**|.";
     add("parameter", "One number for each point", 1,
-        "Each *t* has its point on the line: *x*(*t*) = *o*_x + *t* *d*_x, and *y* alike.\n" + unit,
+        "Each *t* has its point on the line: *x*(*t*) = *o*_x + *t* *d*_x, and likewise for *y*.\n" + unit,
         fmt::format("**r**(*t*) = **o** + *t* **{}**", letter(s_)));
   }
 
@@ -150,7 +150,8 @@ class Teller {
                     letter(s_)),
         fmt::format("**n** · **{}** = 0", letter(s_)));
   }
-  void say(const ray_plane::InRange<C>& e) {
+  void say(const ray_plane::InRange<C>&) {}  // the verdict says it
+  void say(const ray_plane::Quotient<C>& e) {
     const double t = e.t.value;
     known_.hit = true;
     script_.value("*t*", t);

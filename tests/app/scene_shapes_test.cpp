@@ -1,5 +1,7 @@
 // Scenes of many numbers: k-DOPs, frusta, hulls, meshes and clouds, files of other programs, and what is made of them.
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
@@ -527,6 +529,54 @@ TEST_CASE("corners lie beside a plane, in it or on both sides", "[scene]") {
   const std::string mesh = R"({"mesh": "T", "points": [[0,0,0],[1,0,0],[0,1,0],[0,0,9]], "triangles": [[0,1,2]]})";
   CHECK(told("0", mesh) == "T lies in w");
   CHECK(told("-1", mesh) == "T lies beside w, on the side that its normal leaves");
+}
+
+TEST_CASE("a line of the plane, as a normal and a distance, is asked about all that has corners or is round",
+          "[scene]") {
+  const Shell shell;
+  const auto [line, other, told] = GENERATE(table<const char*, const char*, const char*>(
+      {{"[1, 1], \"d\": -2", R"({"obb": "B", "center": [0, 0], "u": [1, 0], "v": [0, 1], "half": [1, 1]})", "touch"},
+       {"[1, 1], \"d\": -1.5", R"({"obb": "B", "center": [0, 0], "u": [1, 0], "v": [0, 1], "half": [1, 1]})", "cuts"},
+       {"[1, 1], \"d\": -3", R"({"kdop": "B", "normals": [[1, 0], [0, 1]], "lo": [0, 0], "hi": [1, 2]})", "touch"},
+       {"[1, 1], \"d\": -3.5", R"({"kdop": "B", "normals": [[1, 0], [0, 1]], "lo": [0, 0], "hi": [1, 2]})", "disjoint"},
+       {"[0, 1], \"d\": -1", R"({"capsule": "B", "p": [0, 0], "q": [3, 0], "r": 1})", "touch"},
+       {"[0, 1], \"d\": -1", R"({"capsule": "B", "p": [0, 0], "q": [3, 2], "r": 0})", "cuts"},
+       {"[0, 1], \"d\": -1", R"({"triangle": "B", "points": [[0, 0], [1, 0], [0, 1]]})", "touch"},
+       {"[0, 1], \"d\": -1", R"({"polygon": "B", "points": [[0, 0], [1, 0], [1, 3]]})", "cuts"},
+       {"[0, 1], \"d\": -1", R"({"hull": "B", "points": [[0, 0], [1, 0], [1, 0.5]]})", "normal leaves"},
+       {"[0, 1], \"d\": -1", R"({"cloud": "B", "points": [[0, 0], [1, 4]]})", "both sides"},
+       {"[0, 1], \"d\": -1", R"({"plane": "B", "normal": [0, 2], "d": -2})", "the same"},
+       {"[0, 1], \"d\": -1", R"({"plane": "B", "normal": [0, 2], "d": -1})", "parallel"},
+       {"[0, 1], \"d\": -1", R"({"plane": "B", "normal": [1, 2], "d": -1})", "meet in a point"}}));
+  CHECK_THAT(verdict(shell, std::string(R"({"plane": "A", "normal": )") + line + "}, " + other), Contains(told));
+}
+
+TEST_CASE("points of a cloud lie on what has no inside, or do not", "[scene]") {
+  const Shell shell;
+  const auto [other, told] = GENERATE(table<const char*, const char*>(
+      {{R"({"segment": "s", "from": [0, 0], "to": [1.5, 1.5]})", "2 of 4 points of C lie on s"},
+       {R"({"ray": "s", "origin": [1, 1], "dir": [1, 1]})", "2 of 4 points of C lie on s"},
+       {R"({"line": "s", "origin": [9, 9], "dir": [1, 1]})", "3 of 4 points of C lie on s"},
+       {R"({"point": "P", "at": [2, 3]})", "1 of 4 points of C is P"},
+       {R"({"cloud": "D", "points": [[2, 2], [5, 5], [0, 0]]})", "2 of 4 points of C are also in D"}}));
+  const std::string cloud = R"({"cloud": "C", "points": [[0, 0], [1, 1], [2, 2], [2, 3]]}, )";
+  CHECK_THAT(verdict(shell, cloud + other), Contains(told));
+  CHECK_THAT(verdict(shell, R"({"cloud": "C", "points": [[0, 0, 0], [1, 1, 0], [0.25, 0.25, 0], [0, 0, 1]]},
+                               {"triangle": "T", "points": [[0, 0, 0], [1, 0, 0], [0, 1, 0]]})"),
+             Contains("2 of 4 points of C lie on T"));
+}
+
+TEST_CASE("two meshes meet where triangles of both have a point in common", "[scene]") {
+  const Shell shell;
+  const auto tetrahedron = [](const char* name, double x) {
+    return fmt::format(R"({{"mesh": "{}", "points": [[{}, 0, 0], [{}, 0, 0], [{}, 2, 0], [{}, 0, 2]],
+                        "triangles": [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]}})",
+                       name, x, x + 2, x, x);
+  };
+  CHECK_THAT(verdict(shell, tetrahedron("M", 0) + ", " + tetrahedron("N", 2)),
+             Contains("N meets 3 of 4 triangles of M"));  // at a corner, which three triangles share
+  CHECK_THAT(verdict(shell, tetrahedron("M", 0) + ", " + tetrahedron("N", 2.0009765625)),
+             Contains("meets no triangle"));
 }
 
 TEST_CASE("a point lies in a capsule, on it or outside", "[scene]") {

@@ -294,7 +294,7 @@ TEST_CASE("a setting that a parameter's help forbids is refused at every door", 
       const Ran r = shell(command);
       CHECK((r.status == 2 || command == "isect check --dir ."));
       CHECK(r.status != 0);
-      CHECK_THAT(r.err + r.out, Contains("does not do; give ") && Contains(w.hint));
+      CHECK_THAT(r.err + r.out, Contains("is not allowed; give ") && Contains(w.hint));
     }
   }
   // Only all settings together must keep it.

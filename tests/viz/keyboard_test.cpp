@@ -60,14 +60,14 @@ TEST_CASE("what is no number is refused with its reason", "[number_text]") {
   const auto [text, why] = GENERATE(table<const char*, const char*>({{"", "missing"},
                                                                      {"1e400", "beyond the range"},
                                                                      {"1/0", "divides by 0"},
-                                                                     {"inf", "no number"},
-                                                                     {"nan", "no number"},
+                                                                     {"inf", "not a number"},
+                                                                     {"nan", "not a number"},
                                                                      {"1.5.2", "does not belong"},
                                                                      {"2 3", "does not belong"},
                                                                      {"(1", "not closed"},
                                                                      {"1e308*10", "finite"},
                                                                      {"1+", "missing"},
-                                                                     {"four", "no number"}}));
+                                                                     {"four", "not a number"}}));
   INFO(text);
   CHECK_THROWS_WITH(number_from(text), isect::test::Contains(why));
   CHECK_THROWS_AS(number_from(std::string(1000, '-').append("1")), BadInput);
@@ -366,9 +366,8 @@ TEST_CASE("in a sheet Tab leads to all there is, and out of a field too", "[wind
   CHECK(window.has("lesson panel"));
 
   for (int i = 0; i < 40 && window.ui.focus() != "other width"; ++i) window.key(key::tab);
-  window.key(key::enter);
   window.frames(2);
-  window.type("9,5");
+  window.type("9,5");  // what has the ring takes what is typed
   window.key(key::tab);
   CHECK(window.ui.focus() == "save");
   CHECK(window.ui.settings().save_width_cm == 9.5);

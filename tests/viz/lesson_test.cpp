@@ -132,7 +132,7 @@ TEST_CASE("what a lesson's conditions forbid is refused once all is set, and a d
   Parameters p = lesson.presets[0].parameters;
   CHECK_NOTHROW(validate(lesson, p));
   set(lesson, p, "origin", "0,0,0");  // what is set next may mend it
-  CHECK_THROWS_WITH(validate(lesson, p), "origin: \"0,0,0\" does not do; give a point that is not 0");
+  CHECK_THROWS_WITH(validate(lesson, p), "origin: \"0,0,0\" is not allowed; give a point that is not 0");
 
   p = lesson.presets[0].parameters;
   drag(lesson, p, {"origin", Handle::Kind::point, {}}, Vec3(0, 0, 0));

@@ -87,7 +87,7 @@ class Reader {
     const char* const begin = text_.data() + at_;
     const auto [end, error] = std::from_chars(begin, text_.data() + text_.size(), value);
     const bool word = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');  // "inf", "nan"
-    if (word || error == std::errc::invalid_argument) fail("“" + text_.substr(at_) + "” is no number");
+    if (word || error == std::errc::invalid_argument) fail("“" + text_.substr(at_) + "” is not a number");
     if (error == std::errc::result_out_of_range)
       fail("“" + std::string(begin, end) + "” is beyond the range of numbers");
     at_ += static_cast<std::size_t>(end - begin);

@@ -2,7 +2,9 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <optional>
 #include <utility>
 
@@ -38,6 +40,17 @@ std::optional<double> typed(Session& s, const std::string& field) {
   }
 }
 
+/// As many digits, up to `most`, as there is room for.
+std::string format_for(ImFont* font, double value, float room, int most) {
+  for (int digits = most; digits > 2; --digits) {
+    const std::string format = "%." + std::to_string(digits) + "g";
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), format.c_str(), value);
+    if (text_width(font, text.data()) <= room) return format;
+  }
+  return "%.2g";
+}
+
 /// A number to drag along; Ctrl+click, a double click or Enter begin to type it. The new value, if there is one.
 std::optional<double> number_field(Session& s, const std::string& name, const Parameter& p, double value, const Rect& r,
                                    bool slider) {
@@ -59,10 +72,12 @@ std::optional<double> number_field(Session& s, const std::string& name, const Pa
   }
   const std::string id = "##" + name;
   constexpr ImGuiSliderFlags by_hand = ImGuiSliderFlags_NoInput;
-  const bool changed =
-      slider ? ImGui::SliderScalar(id.c_str(), ImGuiDataType_Double, &value, &p.drag_lo, &p.drag_hi, "%.5g", by_hand)
-             : ImGui::DragScalar(id.c_str(), ImGuiDataType_Double, &value,
-                                 static_cast<float>((p.drag_hi - p.drag_lo) / 800), nullptr, nullptr, "%.4g", by_hand);
+  const std::string format = format_for(s.ui.fonts.small, value, r.width() - 6, slider ? 5 : 4);
+  const bool changed = slider ? ImGui::SliderScalar(id.c_str(), ImGuiDataType_Double, &value, &p.drag_lo, &p.drag_hi,
+                                                    format.c_str(), by_hand)
+                              : ImGui::DragScalar(id.c_str(), ImGuiDataType_Double, &value,
+                                                  static_cast<float>((p.drag_hi - p.drag_lo) / 800), nullptr, nullptr,
+                                                  format.c_str(), by_hand);
   if (ImGui::IsItemActivated()) {
     s.player.end_action();
     s.player.remember("edit");

@@ -1,6 +1,7 @@
 // How the figure on show becomes a file.
 
 #include <imgui.h>
+#include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
@@ -21,8 +22,9 @@ void other_width(Session& s, const Rect& r) {
   const bool held = focused(s.ui, "other width", r);
   ImGui::SetCursorScreenPos(top_left(r));
   ImGui::SetNextItemWidth(r.width());
-  if (held && s.ui.focus.pressed()) ImGui::SetKeyboardFocusHere();
+  if (held && (s.ui.focus.pressed() || s.ui.focus.moved())) ImGui::SetKeyboardFocusHere();
   ImGui::InputTextWithHint("##width", "cm", &s.width_text, ImGuiInputTextFlags_AutoSelectAll);
+  if (ImGui::IsItemActive() && !held && s.ui.focus.moved()) ImGui::ClearActiveID();
   const bool tab = left_by_tab(s.ui, "other width") && !s.width_text.empty();
   const bool chosen = s.settings.save_width_cm > 0 && s.width_text == shown(s.settings.save_width_cm);
   if (chosen || !s.width_wrong.empty()) outlined(r, chosen ? s.ui.palette.first : s.ui.palette.miss, 1.5f);

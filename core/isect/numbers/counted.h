@@ -39,6 +39,12 @@ struct Counted {
   friend bool operator==(const Counted& x, const Counted& y) { return ++tally().compare, x.value == y.value; }
 };
 
+/// Asked at the doors of algorithms, and no step of theirs: not counted.
+template <class S, int N, int M>
+bool finite(const Eigen::Matrix<Counted<S>, N, M>& x) {
+  return x.unaryExpr([](const Counted<S>& c) { return c.value; }).allFinite();
+}
+
 }  // namespace isect
 
 namespace std {
