@@ -15,6 +15,9 @@ bool pressed(key::Code code, bool repeat = false) { return ImGui::IsKeyPressed(c
 void paste(Session& s) {
   const char* text = ImGui::GetClipboardText();
   if (!text || !*text) return s.complain("The clipboard holds no text");
+  const std::string words = text;
+  if (words.find_first_not_of(" \t\r\n") != words.find('{'))
+    return s.complain("The clipboard holds some other text; Ctrl+C copies a state that can be pasted");
   s.attempt([&] {
     const Place place = place_from_json(text, s.player.lessons());
     s.player.go(place);
