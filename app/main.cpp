@@ -6,6 +6,7 @@
 #include "app/terminal.h"
 #include "lessons/lessons.h"
 #include "viz/place.h"
+#include "viz/resources.h"
 
 namespace isect::program {
 extern const char* const only_lesson;  ///< its id, or null: for all of them. CMake writes it for each program.
@@ -14,6 +15,7 @@ extern const char* const only_lesson;  ///< its id, or null: for all of them. CM
 int main(int argc, char** argv) try {
   using namespace isect;
   program::guard_streams();
+  viz::share_scarce_heap();
   program::Program program{"isect", lessons::all_lessons()};
   if (program::only_lesson) {
     program.name = program::only_lesson;

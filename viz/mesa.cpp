@@ -15,9 +15,7 @@ namespace isect::viz {
 namespace {
 
 constexpr std::size_t megabyte = std::size_t{1} << 20;
-/// Up to the first picture, one thread takes 385 MB beyond what the program had. Sixteen take 1.6 GB, most of it for
-/// heaps of their own.
-constexpr std::size_t least_room = 448 * megabyte, ample_room = 3072 * megabyte;
+constexpr std::size_t least_room = 448 * megabyte;  // see viz/resources.h
 /// Sixteen at most that draw, and those that Mesa and Pango start beside.
 constexpr int ample_threads = 24;
 

@@ -1,5 +1,8 @@
 #include "viz/resources.h"
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 #include <sys/mman.h>
 
 #include <latch>
@@ -14,6 +17,12 @@ bool has_room(std::size_t bytes) {
   if (room == MAP_FAILED) return false;
   ::munmap(room, bytes);
   return true;
+}
+
+void share_scarce_heap() {
+#ifdef __GLIBC__
+  if (!has_room(ample_room)) ::mallopt(M_ARENA_MAX, 1);
+#endif
 }
 
 bool has_threads(int count) {

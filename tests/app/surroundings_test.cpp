@@ -160,6 +160,7 @@ TEST_CASE("little memory is told or is enough, and nothing crashes", "[surroundi
     }
   // What one thread needs is granted here, whatever the number of processors.
   const Ran enough = shell("ulimit -v 800000; LP_NUM_THREADS=16 isect render ray-sphere --step 1 --out few");
+  INFO(enough.err);
   CHECK(enough.status == 0);
   const Ran little = shell("ulimit -v 400000; isect render ray-sphere --step 1 --out none");
   CHECK(little.status == 77);

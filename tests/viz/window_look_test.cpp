@@ -43,11 +43,12 @@ std::string within_pane(const std::string& name) { return name.starts_with(side)
 bool is_widget(const std::string& full_name) {
   const std::string name = within_pane(full_name);
   static const std::set<std::string> areas = {
-      "scene",        "lesson panel",         "code panel", "top bar",    "transport",
-      "lesson words", "lesson fields",        "values",     "message",    "operations",
-      "comparison",   "methods side by side", "focus ring", "code lines", "map",
-      "map plane",    "map setting",          "trail",      "pane heads", "parted line",
-      "parted value", "question over scene",  "lecture",    "tripod",     "what came of it"};
+      "scene",          "lesson panel",         "code panel", "top bar",    "transport",
+      "lesson words",   "lesson fields",        "values",     "message",    "operations",
+      "comparison",     "methods side by side", "focus ring", "code lines", "map",
+      "map plane",      "map setting",          "trail",      "pane heads", "parted line",
+      "parted value",   "question over scene",  "lecture",    "tripod",     "what came of it",
+      "projection text"};
   return !areas.contains(name) && !name.starts_with("handle ") && !name.starts_with("no ") &&
          !name.starts_with("number ") && !name.starts_with("new ") && !name.starts_with("trail ") &&
          !name.starts_with("more ") && !name.starts_with("without effect ") && !name.ends_with(" under pointer");
@@ -288,6 +289,11 @@ TEST_CASE("no handle covers a name, at any size", "[window][layout]") {
         window.player().go_to(i);
         window.frames(2);
         const Rect scene = window.rect("scene");
+        if (window.has("projection text")) {
+          const Rect r = window.rect("projection text");
+          for (const PlacedLabel& label : window.ui.labels())
+            CHECK((label.box.right < r.left - scene.left + 8 || label.box.bottom < r.top - scene.top + 4));
+        }
         for (const Handle& h : window.player().scene().handles) {
           const Rect grip = window.rect("handle " + h.parameter);
           for (const PlacedLabel& label : window.ui.labels()) {

@@ -163,17 +163,20 @@ bool meets_handle(const Session& s, const View& view, const Rect& r) {
          });
 }
 
+bool meets_label(const Rect& place, const Rect& scene, const std::vector<PlacedLabel>& labels) {
+  return std::ranges::any_of(labels, [&](const PlacedLabel& label) {
+    return label.box.left < place.right - scene.left && place.left - scene.left < label.box.right &&
+           label.box.top < place.bottom - scene.top && place.top - scene.top < label.box.bottom;
+  });
+}
+
 }  // namespace
 
 void tripod(Session& s, const View& view, const Rect& scene, const std::vector<PlacedLabel>& labels) {
   constexpr float length = 28;
   const ImVec2 origin{scene.left + 46, scene.bottom - 44};
   const Rect place{origin.x - 40, origin.y - 46, origin.x + 46, origin.y + 36};
-  const TextBox room = {place.left - scene.left, place.top - scene.top, place.right - scene.left,
-                        place.bottom - scene.top};
-  for (const auto& [text, box, leads_to] : labels)
-    if (box.left < room.right && room.left < box.right && box.top < room.bottom && room.top < box.bottom) return;
-  if (meets_handle(s, view, place)) return;
+  if (meets_label(place, scene, labels) || meets_handle(s, view, place)) return;
   s.ui.rects["tripod"] = place;
   const Palette& c = s.ui.palette;
   const ImU32 ink = packed(c.muted);
@@ -231,8 +234,10 @@ void projection_name(Session& s, const Rect& scene) {
     s.player.set_perspective(!s.player.camera().goal().perspective);
 }
 
-void projection_text(Session& s, const Rect& scene) {
+void projection_text(Session& s, const Rect& scene, const std::vector<PlacedLabel>& labels) {
   const Rect r = projection_rect(s, scene);
+  if (meets_label({r.left + 8, r.top + 4, r.right - 4, r.bottom - 4}, scene, labels)) return;
+  s.ui.rects["projection text"] = r;
   const bool hovered = ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r));
   const Palette& c = s.ui.palette;
   const char* name = s.player.camera().goal().perspective ? "perspective" : "orthographic";

@@ -19,10 +19,10 @@ void verdict_chip(Session&, const Rect& scene);
 void alarm_chip(Session&, const Rect& scene);
 /// The directions of the axes at the bottom left, unless a label or a handle stands there.
 void tripod(Session&, const View&, const Rect& scene, const std::vector<PlacedLabel>&);
-/// The projection's name at the bottom right: a button (before the scene's own), and its text (over the
-/// picture).
+/// The projection's name at the bottom right: a button (before the scene's own), and its text (over the picture, unless
+/// a label stands there).
 void projection_name(Session&, const Rect& scene);
-void projection_text(Session&, const Rect& scene);
+void projection_text(Session&, const Rect& scene, const std::vector<PlacedLabel>&);
 /// Above it, where parameters were changed by hand: leads back to the preset. A button and its text, likewise.
 /// Charts and pages, whose words reach everywhere, leave a strip below them for it; not where a drag makes the change,
 /// under which nothing else may move.

@@ -336,7 +336,7 @@ void SceneView::show(Session& s, const Rect& r) {
   verdict_chip(s, r);
   alarm_chip(s, r);
   if (in_space && !(s.player.lesson().flat && is_low(r))) tripod(s, view, r, labels_);
-  if (lead && in_space && !s.player.lesson().flat) projection_text(s, r);
+  if (lead && in_space && !s.player.lesson().flat) projection_text(s, r, labels_);
   if (lead) changed_text(s, r);
   toast(s, r);
   if (!lead) filled({r.left, r.top, r.left + 1, r.bottom}, ui.palette.rule, 0);
