@@ -104,6 +104,13 @@ std::vector<const Preset*> Player::group() const {
   return group;
 }
 
+std::string Player::told_title(const Preset& preset) const {
+  if (!asking_) return preset.title;
+  const std::vector<const Preset*> all = group();
+  const auto found = std::ranges::find(all, &preset);
+  return found == all.end() ? "another preset" : "preset " + std::to_string(found - all.begin() + 1);
+}
+
 std::string Player::method() const {
   const auto found = parameters().find(lesson().group_by);
   return found == parameters().end() ? std::string() : std::get<std::string>(found->second);

@@ -48,6 +48,8 @@ class Player {
   bool methods_differ() const;
   /// The preset whose parameters these are; empty when they were changed by hand.
   const std::string& preset_id() const { return preset_; }
+  /// The title of a preset; while a question is open, whose answer it may tell, "preset 2" by its place in the group.
+  std::string told_title(const Preset&) const;
   /// The preset that was loaded last.
   const std::string& origin() const { return state_.origin; }
   /// The presets of the current group, in order: what the keys 1 to 9 load.

@@ -21,8 +21,7 @@ class Painter {
   }
 
   Scene paint() {
-    draw_wall(scene_, {s_.wall, s_.wall});
-    scene_.items.emplace_back(Label{Vec3(s_.wall, view.lo.y() + 0.25, 0), "wall", Role::second});
+    if (k_.wall) wall();
     if (k_.marks) line();
     if (k_.range) range();
     if (!k_.marks) given();
@@ -37,6 +36,11 @@ class Painter {
  private:
   Vec3 at(double t) const { return flat(s_.ray.at(t)); }
   void add(Item item) { scene_.items.push_back(std::move(item)); }
+
+  void wall() {
+    draw_wall(scene_, {s_.wall, s_.wall});
+    add(Label{Vec3(s_.wall, view.lo.y() + 0.25, 0), "wall", Role::second});
+  }
 
   /// The line without its range.
   void line() { add(Line{at(line_.lo), at(line_.hi), Role::construction, Pen::construction}); }
@@ -83,6 +87,7 @@ class Painter {
       scene_.handles.push_back({"q", Handle::Kind::point, s_.q, Vec3::Zero(), Role::first});
     else
       scene_.handles.push_back({"d", Handle::Kind::vector, s_.o + s_.d, s_.o, Role::first});
+    if (!k_.wall) return;
     const Vec3 foot = {0, view.lo.y(), 0};
     scene_.handles.push_back({"wall", Handle::Kind::along, foot + s_.wall * Vec3::UnitX(), foot, Role::second});
   }

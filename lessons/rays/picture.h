@@ -25,6 +25,7 @@ Setup setup(const viz::Parameters&);
 struct Shown {
   bool marks = false;    ///< t along the line
   bool range = false;    ///< the part that belongs to the ray
+  bool wall = false;     ///< not before it is asked for: a mark of t may stand at it
   bool hit = false;      ///< t in the wall
   bool settled = false;  ///< and whether it counts
 };

@@ -144,6 +144,7 @@ class Teller {
   }
   void say(const ray_plane::Parallel<C>& e) {
     if (!e.holds) return script_.refuse(3, {});
+    known_.wall = true;
     add("parallel", "Parallel", 3,
         fmt::format("**n** · **{}** = 0: the line is parallel to the wall. The quotient would divide by zero.\n"
                     "If **n** · **o** + *D* = 0, the line lies in the wall.",
@@ -153,7 +154,7 @@ class Teller {
   void say(const ray_plane::InRange<C>&) {}  // the verdict says it
   void say(const ray_plane::Quotient<C>& e) {
     const double t = e.t.value;
-    known_.hit = true;
+    known_.wall = known_.hit = true;
     script_.value("*t*", t);
     const double length = s_.made == Made::unit ? s_.d.head<2>().norm() : s_.ray.direction.norm();
     std::vector<double> misconceived = {t * length, s_.plane.normal.dot(s_.ray.origin) + s_.plane.d};
@@ -171,7 +172,7 @@ class Teller {
                     fmt::format("The wall is *x* = {0}: **n** = (1, 0) and *D* = {1}. Substitute **r**(*t*) into "
                                 "**n** · **x** + *D* = 0 and solve for *t*.",
                                 shown(s_.wall), shown(-s_.wall)));
-    Shown asked = known_;  // without the numbers along the line: one may stand at the wall
+    Shown asked = known_;  // without the numbers along the line
     asked.marks = asked.hit = false;
     step.question->over = picture(s_, asked);
   }

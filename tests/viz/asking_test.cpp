@@ -8,6 +8,7 @@
 #include "lessons/lessons.h"
 #include "tests/catch.h"
 #include "tests/viz/window_driver.h"
+#include "viz/rich_text.h"
 
 namespace asking_test {
 using namespace isect;
@@ -151,6 +152,46 @@ TEST_CASE("what methods say waits for the outcome, and while a question is open"
   CHECK_FALSE(window.has("alarm"));
   CHECK_FALSE(window.has("methods side by side"));
   CHECK_FALSE(window.has("comparison"));
+}
+
+TEST_CASE("the wall stands nowhere before it is asked where a line meets it", "[asking]") {
+  const auto named = [](const Scene& scene, const char* name) {
+    return std::ranges::any_of(scene.items, [&](const Item& item) {
+      const Label* label = std::get_if<Label>(&item);
+      return label && label->text == name;
+    });
+  };
+  int asked = 0;
+  const Lesson& rays = lesson_named(lessons::all_lessons(), "rays");
+  for (const Preset& preset : rays.presets) {
+    const Walk walk = rays.walk(preset.parameters);
+    const auto wall = std::ranges::find(walk.steps, "wall", &Step::slug);
+    if (wall == walk.steps.end()) continue;
+    CAPTURE(preset.id);
+    for (auto step = walk.steps.begin(); step != wall; ++step) CHECK_FALSE(named(step->scene, "wall"));
+    const Scene question = question_scene(walk, static_cast<int>(wall - walk.steps.begin()));
+    CHECK(named(question, "wall"));
+    CHECK_FALSE(named(question, "1"));  // no mark stands at it
+    ++asked;
+  }
+  CHECK(asked == 7);
+}
+
+TEST_CASE("presets are numbers while a question is open, as their names may tell its answer", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, at("ray-sphere", "two-roots", 4));
+  const Rect chip = window.rect("preset 2");
+  CHECK(window.ui.title().find("two roots") != std::string::npos);
+  window.key(key::right);
+  REQUIRE(window.player().asked());
+  window.frames(2);
+  CHECK(window.ui.title() == "Ray and sphere, preset 1, step 5 of 13 – isect");
+  CHECK(window.rect("preset 2").left == chip.left);  // nothing moves
+  for (const Preset* preset : window.player().group())
+    CHECK(window.player().told_title(*preset).find(plain(preset->title)) == std::string::npos);
+  window.player().answer(0);
+  window.frames(2);
+  CHECK(window.ui.title().find("two roots") != std::string::npos);
+  CHECK(window.player().told_title(window.player().lesson().presets[0]) == "two roots");
 }
 
 TEST_CASE("two sides that read alike and differ are shown in full", "[window]") {

@@ -33,9 +33,9 @@ void method_menu(Session& s, float x, float bottom) {
   ImGui::PopStyleVar();
 }
 
-std::string chip_label(const Preset& preset, std::size_t number, bool wide) {
+std::string chip_label(const Preset& preset, std::size_t number, bool named) {
   const std::string digits = std::to_string(number);
-  return wide ? digits + "  " + plain(preset.title) : digits;
+  return named ? digits + "  " + plain(preset.title) : digits;
 }
 
 /// The chips of the presets in a row: named while there is room for the name.
@@ -72,10 +72,13 @@ void draw_chips(Session& s, const std::vector<const Preset*>& group, const Chips
   for (std::size_t i = 0; i < group.size(); ++i) {
     const bool whole = chips.widths[i] == chips.wide[i];
     const Rect r{x, y - 15, x + chips.widths[i], y + 15};
-    if (chip(s.ui, "preset " + std::to_string(i + 1), r, chip_label(*group[i], i + 1, whole),
+    if (chip(s.ui, "preset " + std::to_string(i + 1), r, chip_label(*group[i], i + 1, whole && !s.player.asked()),
              static_cast<int>(i) == chips.chosen, chips.font))
       s.attempt([&] { s.player.load(*group[i]); });
-    if (!whole && ImGui::IsItemHovered()) tooltip(s.ui, plain(group[i]->title));
+    if (ImGui::IsItemHovered() && s.player.asked())
+      tooltip(s.ui, "It is named once the question is answered");
+    else if (ImGui::IsItemHovered() && !whole)
+      tooltip(s.ui, plain(group[i]->title));
     x += chips.widths[i] + chips.gap;
   }
 }
@@ -91,7 +94,7 @@ void preset_menu(Session& s, const std::vector<const Preset*>& group, float righ
     ImVec2 at = ImGui::GetCursorScreenPos();
     for (std::size_t i = 0; i < group.size(); ++i) {
       const Rect r{at.x, at.y, at.x + width, at.y + 30};
-      if (chip(s.ui, "preset " + std::to_string(i + 1), r, chip_label(*group[i], i + 1, true),
+      if (chip(s.ui, "preset " + std::to_string(i + 1), r, chip_label(*group[i], i + 1, !s.player.asked()),
                group[i]->id == s.player.preset_id())) {
         s.attempt([&] { s.player.load(*group[i]); });
         ImGui::CloseCurrentPopup();
@@ -105,7 +108,7 @@ void preset_menu(Session& s, const std::vector<const Preset*>& group, float righ
 
 std::string chosen_label(const Session& s, const std::vector<const Preset*>& group) {
   for (std::size_t i = 0; i < group.size(); ++i)
-    if (group[i]->id == s.player.preset_id()) return chip_label(*group[i], i + 1, true);
+    if (group[i]->id == s.player.preset_id()) return chip_label(*group[i], i + 1, !s.player.asked());
   return "presets";
 }
 

@@ -310,7 +310,7 @@ std::string WindowUi::title() const {
   const Player& p = impl_->player;
   std::string preset_title = "changed";
   for (const Preset& preset : p.lesson().presets)
-    if (preset.id == p.preset_id()) preset_title = plain(preset.title);
+    if (preset.id == p.preset_id()) preset_title = plain(p.told_title(preset));
   return plain(p.lesson().title) + ", " + preset_title + ", step " + std::to_string(p.index() + 1) + " of " +
          std::to_string(p.count()) + " – isect";
 }
