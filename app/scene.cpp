@@ -51,10 +51,7 @@ int tell(const SceneOptions& options) {
       return done;
     }
     for (const scene::Json& answer : all) print(answer["verdict"].get<std::string>() + "\n");
-    if (!file.not_asked.empty())
-      say(fmt::format("not asked, as there is no test of such pairs: {}", fmt::join(file.not_asked, ", ")));
-    else if (all.empty())
-      say(fmt::format("{}: nothing is asked; add \"ask\": \"all pairs\", say", options.path));
+    if (all.empty()) say(fmt::format("{}: nothing is asked; add \"ask\": \"all pairs\", say", options.path));
     return done;
   } catch (const viz::BadInput& e) {
     throw viz::BadInput(fmt::format("{}: {}", options.path, e.what()));

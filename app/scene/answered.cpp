@@ -31,11 +31,10 @@ bool can_be_first(Type t) { return t == Type::segment || !(runs_along_a_line(t) 
 std::vector<Hit> hits_of(const Context& c, std::size_t ray, std::vector<std::size_t>& open) {
   std::vector<Hit> hits;
   for (std::size_t i = 0; i < c.file.objects.size(); ++i) {
-    if (i == ray || !can_be_first(c.object(i).type) || !can_ask(c.object(ray).type, c.object(i).type, c.file.flat))
-      continue;
+    if (i == ray || !can_be_first(c.object(i).type)) continue;
     const Answer answer = ask(c.setting, c.object(ray), c.object(i));
     if (answer.first_hit) hits.push_back({i, *answer.first_hit});
-    if (answer.open || answer.somewhere) open.push_back(i);
+    if (answer.open) open.push_back(i);
   }
   std::ranges::stable_sort(hits, {}, &Hit::t);
   return hits;

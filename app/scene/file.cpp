@@ -54,11 +54,8 @@ class SceneReader {
     std::vector<Asked> points;
     for (std::size_t a = 0; a < file_.objects.size(); ++a)
       for (std::size_t b = a + 1; b < file_.objects.size(); ++b) {
-        const Type x = object(a).type, y = object(b).type;
-        if (!can_ask(x, y, file_.flat))
-          file_.not_asked.push_back(object(a).name + " and " + object(b).name);
-        else
-          (x == Type::point && y == Type::point ? points : file_.asked).push_back(PairAsked{a, b});
+        const bool two_points = object(a).type == Type::point && object(b).type == Type::point;
+        (two_points ? points : file_.asked).push_back(PairAsked{a, b});
       }
     if (file_.asked.empty()) file_.asked = std::move(points);
   }
@@ -214,13 +211,6 @@ class SceneReader {
 
   PairAsked pair(const Json& json, const Path& path) const {
     const auto [a, b] = two_objects(json, path);
-    const Type x = object(a).type, y = object(b).type;
-    if (!can_ask(x, y, file_.flat))
-      source_.refuse(
-          path, fmt::format(
-                    "there is no test of {} against {} {}; {} can be asked about: {}{}", with_article(x),
-                    with_article(y), file_.flat ? "in the plane" : "in space", with_article(x), partners(x, file_.flat),
-                    x == y ? std::string() : fmt::format("; {} about: {}", with_article(y), partners(y, file_.flat))));
     return {a, b};
   }
 

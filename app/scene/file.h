@@ -65,7 +65,6 @@ struct File {
   std::vector<Object> objects;
   viz::Parameters parameters;
   std::vector<Asked> asked;
-  std::vector<std::string> not_asked;  ///< of "all pairs": those that no test is for, "A and r"
   std::vector<Note> notes;
   viz::Camera camera;
   bool flat = false;

@@ -115,12 +115,16 @@ std::vector<Outline> seen_from(const Point<double, 2>& origin, const std::vector
 
 }  // namespace
 
-std::optional<double> first_in_plane(const Ray<double, 3>& ray, const Ring<double, 3>& outline) {
+Projection projection(const Ring<double, 3>& outline) {
   const Exact3 n = normal_of(outline);
   int axis = 0;
   for (int i = 1; i < 3; ++i)
     if ((abs(n[i]) - abs(n[axis])).sign() > 0) axis = i;
-  const int x = (axis + 1) % 3, y = (axis + 2) % 3;
+  return {(axis + 1) % 3, (axis + 2) % 3, n[axis].sign() < 0};
+}
+
+std::optional<double> first_in_plane(const Ray<double, 3>& ray, const Ring<double, 3>& outline) {
+  const auto [x, y, clockwise] = projection(outline);
   Outline corners;
   for (const Point<double, 3>& v : outline) {
     const Exact3 from_origin = difference(v, ray.origin);

@@ -20,6 +20,13 @@ std::optional<double> first_in_plane(const Ray<double, 3>&, const Ring<double, 3
 std::optional<double> first_in_plane(const Ray<double, 2>&, const std::vector<Ring<double, 2>>& outlines);
 std::optional<double> first_in_plane(const Segment<double, 2>&, const std::vector<Ring<double, 2>>& outlines);
 
+/// The axes that are left of a projection along the largest |n_i|, and whether the outline runs clockwise there.
+struct Projection {
+  int x, y;
+  bool clockwise;
+};
+Projection projection(const Ring<double, 3>& outline);
+
 /// The farthest that a vertex lies off the plane that the core's test takes for the outline's: through the first
 /// vertex, with Newell's normal. 0 if and only if all lie in it, exactly; else rounded. The outline has an area.
 double off_plane(const Ring<double, 3>& outline);

@@ -30,6 +30,8 @@ std::vector<Pair> pairs_in_plane();
 
 /// Convex solids and what they are asked about; lines in space.
 std::vector<Pair> pairs_of_solids();
+/// Those of polygons in space, but what runs along a line.
+std::vector<Pair> pairs_of_polygons();
 
 // What the tables share.
 
@@ -54,5 +56,11 @@ void add_hit(const Setting&, const Object& a, Answer&, const char* name, const J
 void meets(const Object& a, const Object& b, Answer&, bool hit);
 /// How many triangles of mesh a have a point in b: the result's triangles_met.
 void tell_mesh(const Setting&, const Object& a, const Object& b, Answer&);
+/// Whether they have a common point: the result's meet.
+void tell_meeting(const Setting&, const Object& a, const Object& b, Answer&);
+/// Whether point a lies on b: the result's on.
+void tell_on(const Setting&, const Object& a, const Object& b, Answer&);
+/// Which points of cloud a lie on b: the result's on and out.
+void tell_cloud_on(const Setting&, const Object& a, const Object& b, Answer&);
 
 }  // namespace isect::program::scene

@@ -156,23 +156,6 @@ Json cloud_on_result(const Setting& s, const Object& a, const Object& b) {
   for (std::size_t i = 0; i < points.size(); ++i) result[lies_on(s, points[i], b) ? "on" : "out"].push_back(i);
   return result;
 }
-void tell_cloud_on(const Setting& s, const Object& a, const Object& b, Answer& out) {
-  const std::vector<Vec3> points = s.points(a);
-  for (const auto& [where, kind, role] :
-       {std::tuple{"out", viz::Mark::ring, Role::miss}, {"on", viz::Mark::diamond, Role::hit}})
-    for (const std::size_t i : out.result[where]) out.marks.push_back(viz::Dot{points[i], kind, role});
-  const std::size_t on = out.result["on"].size();
-  const bool one = on == 1;
-  const std::string place = b.type == Type::point   ? one ? "is" : "are"
-                            : b.type == Type::cloud ? one ? "is also in" : "are also in"
-                            : one                   ? "lies on"
-                                                    : "lie on";
-  out.verdict = {
-      on > 0 ? Verdict::Kind::on : Verdict::Kind::no,
-      fmt::format("{} of {} points of {} {} {}", on, points.size(), shown_name(a.name), place, shown_name(b.name))};
-  out.values = {{"on it", static_cast<double>(on), "points", Role::hit, true},
-                {"beside it", static_cast<double>(out.result["out"].size()), "points", Role::miss, true}};
-}
 
 // What a ray meets first of many triangles.
 
@@ -239,6 +222,24 @@ void tell_kdops(const Setting& s, const Object& a, const Object& b, Answer& out)
 }
 
 }  // namespace
+
+void tell_cloud_on(const Setting& s, const Object& a, const Object& b, Answer& out) {
+  const std::vector<Vec3> points = s.points(a);
+  for (const auto& [where, kind, role] :
+       {std::tuple{"out", viz::Mark::ring, Role::miss}, {"on", viz::Mark::diamond, Role::hit}})
+    for (const std::size_t i : out.result[where]) out.marks.push_back(viz::Dot{points[i], kind, role});
+  const std::size_t on = out.result["on"].size();
+  const bool one = on == 1;
+  const std::string place = b.type == Type::point   ? one ? "is" : "are"
+                            : b.type == Type::cloud ? one ? "is also in" : "are also in"
+                            : one                   ? "lies on"
+                                                    : "lie on";
+  out.verdict = {
+      on > 0 ? Verdict::Kind::on : Verdict::Kind::no,
+      fmt::format("{} of {} points of {} {} {}", on, points.size(), shown_name(a.name), place, shown_name(b.name))};
+  out.values = {{"on it", static_cast<double>(on), "points", Role::hit, true},
+                {"beside it", static_cast<double>(out.result["out"].size()), "points", Role::miss, true}};
+}
 
 std::vector<Pair> pairs_of_many_numbers() {
   using enum Type;

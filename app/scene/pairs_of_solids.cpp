@@ -14,10 +14,11 @@
 #include <isect/plane_sphere.h>
 #include <isect/point_mesh.h>
 #include <isect/point_polygon.h>
+#include <isect/ray_capsule.h>
 #include <isect/ray_half_spaces.h>
 #include <isect/sphere_triangle.h>
 
-#include "app/scene/in_plane.h"
+#include "app/scene/along_capsule.h"
 #include "app/scene/pairs.h"
 #include "app/scene/shapes.h"
 #include "viz/rich_text.h"
@@ -37,42 +38,6 @@ Json told(Relation r) {
 
 constexpr std::size_t many_facets = 40;  // the price of two solids rises with the fourth power of their faces
 
-HalfSpaces hull_faces(const Setting& s, const Object& o) {
-  if (!s.flat) {
-    static_cast<void>(solid_of(s, o));  // refuses one without a volume
-    return half_spaces_of(hull_of(s, o));
-  }
-  HalfSpaces result = {{}, 2};
-  const std::vector<Vec3> ring = outline_of(s, o);
-  if (ring.size() < 3)
-    throw viz::BadInput(fmt::format("{}: its points lie on one line, so their hull has no area", o.name));
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Vec3 &a = ring[i], &b = ring[(i + 1) % ring.size()];
-    result.faces.push_back({half_spaces::Behind{a, b, a + Vec3::UnitZ()}});
-  }
-  return result;
-}
-
-template <int N>
-HalfSpaces faces(const Setting& s, const Object& o) {
-  if (o.type == Type::box) return half_spaces_of(box_of<N>(s, o));
-  if (o.type == Type::obb) return half_spaces_of(obb_of<N>(s, o));
-  if (o.type == Type::kdop) return half_spaces_of(kdop_of<N>(s, o));
-  if (o.type == Type::frustum) return half_spaces_of(frustum_of(s, o));
-  return hull_faces(s, o);
-}
-HalfSpaces faces_of(const Setting& s, const Object& o) { return s.flat ? faces<2>(s, o) : faces<3>(s, o); }
-
-Triangle<double, 3> triangle_of(const Setting& s, const Object& o) {
-  const std::vector<Vec3> p = s.rings(o).front();
-  return {{p[0], p[1], p[2]}};
-}
-
-/// A ball is a capsule whose ends coincide.
-Capsule<double, 3> capsule_in_space(const Setting& s, const Object& o) {
-  if (o.type == Type::sphere) return {s.point(o, "center"), s.point(o, "center"), s.number(o, "radius")};
-  return {s.point(o, "p"), s.point(o, "q"), s.number(o, "r")};
-}
 bool is_round(Type t) { return t == Type::sphere || t == Type::capsule; }
 
 Relation relate_round(const Setting& s, const Object& o, const HalfSpaces& solid) {
@@ -105,7 +70,7 @@ Relation to_hull(const Hull3<double>& hull, bool in_hull, bool hull_in, const To
 }
 
 Relation round_to_hull(const Setting& s, const Object& a, const Object& b) {
-  const HalfSpaces solid = hull_faces(s, b);
+  const HalfSpaces solid = faces_of(s, b);
   const Hull3<double> hull = hull_of(s, b);
   const Capsule<double, 3> capsule = capsule_in_space(s, a);
   const auto end_in = [&](const Vec3& end) {
@@ -118,7 +83,7 @@ Relation round_to_hull(const Setting& s, const Object& a, const Object& b) {
 }
 
 Relation solid_to_hull(const Setting& s, const HalfSpaces& a, const Object& b) {
-  const HalfSpaces solid = hull_faces(s, b);
+  const HalfSpaces solid = faces_of(s, b);
   if (a.faces.size() + solid.faces.size() <= many_facets) return relate(a, solid);
   if (a.faces.size() > many_facets || s.flat)
     throw NotDecided(fmt::format("the test of two such solids is made for {} faces at most", many_facets));
@@ -145,13 +110,6 @@ Json solids_result(const Setting& s, const Object& a, const Object& b) {
 
 Json round_and_triangle(const Setting& s, const Object& a, const Object& b) {
   return told(relate(capsule_in_space(s, a), triangle_of(s, b)));
-}
-
-void tell_meeting(const Setting&, const Object& a, const Object& b, Answer& out) {
-  const bool meet = out.result["meet"] == true;
-  const std::string both = shown_name(a.name) + " and " + shown_name(b.name);
-  out.verdict = meet ? Verdict{Verdict::Kind::yes, both + " have a common point"}
-                     : Verdict{Verdict::Kind::no, both + " are disjoint"};
 }
 
 Json two_triangles(const Setting& s, const Object& a, const Object& b) {
@@ -269,11 +227,6 @@ line_line::Straight straight(const Setting& s, const Object& o) {
   return ray_in_space(s, o);
 }
 Json point_on(const Setting& s, const Object& a, const Object& b) { return {{"on", lies_on(s, s.point(a, "at"), b)}}; }
-void tell_on(const Setting&, const Object& a, const Object& b, Answer& out) {
-  const std::string na = shown_name(a.name), nb = shown_name(b.name);
-  out.verdict = out.result["on"] == true ? Verdict{Verdict::Kind::on, fmt::format("{} lies on {}", na, nb)}
-                                         : Verdict{Verdict::Kind::no, fmt::format("{} does not lie on {}", na, nb)};
-}
 
 // What runs along a line.
 
@@ -302,15 +255,19 @@ void tell_two_lines(const Setting& s, const Object& a, const Object& b, Answer& 
   if (r == "parallel") out.verdict.text = both + " are parallel";
 }
 
-Json line_and_solid(const Setting& s, const Object& a, const Object& b) {
-  const HalfSpaces solid = faces_of(s, b);
-  const auto part = a.type == Type::segment ? intersect(Segment<double, 3>{s.point(a, "from"), s.point(a, "to")}, solid)
-                                            : intersect(ray_in_space(s, a), solid);
+Segment<double, 3> segment_of(const Setting& s, const Object& o) { return {s.point(o, "from"), s.point(o, "to")}; }
+
+Json part_of_line(const std::optional<Interval<double>>& part) {
   if (!part) return {{"hit", false}};
   Json result = {{"hit", true}};
   if (std::isfinite(part->lo)) result["t_in"] = part->lo;
   if (std::isfinite(part->hi)) result["t_out"] = part->hi;
   return result;
+}
+Json line_and_solid(const Setting& s, const Object& a, const Object& b) {
+  const HalfSpaces solid = faces_of(s, b);
+  return part_of_line(a.type == Type::segment ? intersect(segment_of(s, a), solid)
+                                              : intersect(ray_in_space(s, a), solid));
 }
 void tell_line_and_solid(const Setting& s, const Object& a, const Object& b, Answer& out) {
   if (out.result.contains("t_in")) add_point(s, a, out, "*t*_{in}", out.result["t_in"], viz::Mark::disc);
@@ -318,12 +275,21 @@ void tell_line_and_solid(const Setting& s, const Object& a, const Object& b, Ans
   meets(a, b, out, out.result["hit"] == true);
 }
 
-Json segment_and_capsule(const Setting& s, const Object& a, const Object& b) {
-  return {{"hit", intersects(Capsule<double, 3>{s.point(a, "from"), s.point(a, "to"), 0}, capsule_in_space(s, b))}};
-}
-void tell_segment(const Setting&, const Object& a, const Object& b, Answer& out) {
-  out.somewhere = out.result["hit"] == true;
-  meets(a, b, out, out.somewhere);
+/// A capsule or a ball.
+Json line_and_round(const Setting& s, const Object& a, const Object& b) {
+  const Capsule<double, 3> capsule = capsule_in_space(s, b);
+  const auto part = [&](const auto& line, bool hit) -> std::optional<Interval<double>> {
+    if (!hit) return {};
+    const Interval<double> in = part_in(line, capsule);
+    if (!finite(in)) throw NotDecided("the numbers are too large or too small to tell where they meet");
+    return in;
+  };
+  if (a.type != Type::segment) {
+    const Ray<double, 3> ray = ray_in_space(s, a);
+    return part_of_line(part(ray, intersects(ray, capsule)));
+  }
+  const Segment<double, 3> segment = segment_of(s, a);
+  return part_of_line(part(segment, intersects(Capsule<double, 3>{segment.p, segment.q, 0}, capsule)));
 }
 
 // In the plane: outlines, which need not be convex, against what is no outline.
@@ -378,6 +344,19 @@ Json two_meshes(const Setting&, const Object& a, const Object& b) {
 
 }  // namespace
 
+void tell_meeting(const Setting&, const Object& a, const Object& b, Answer& out) {
+  const bool meet = out.result["meet"] == true;
+  const std::string both = shown_name(a.name) + " and " + shown_name(b.name);
+  out.verdict = meet ? Verdict{Verdict::Kind::yes, both + " have a common point"}
+                     : Verdict{Verdict::Kind::no, both + " are disjoint"};
+}
+
+void tell_on(const Setting&, const Object& a, const Object& b, Answer& out) {
+  const std::string na = shown_name(a.name), nb = shown_name(b.name);
+  out.verdict = out.result["on"] == true ? Verdict{Verdict::Kind::on, fmt::format("{} lies on {}", na, nb)}
+                                         : Verdict{Verdict::Kind::no, fmt::format("{} does not lie on {}", na, nb)};
+}
+
 bool lies_on(const Setting& s, const Vec3& p, const Object& o) {
   if (o.type == Type::triangle) return intersects(Sphere<double, 3>{p, 0}, triangle_of(s, o));
   if (runs_along_a_line(o.type)) return intersect(straight(s, o), Segment<double, 3>{p, p}).meets();
@@ -397,7 +376,13 @@ void tell_mesh(const Setting&, const Object& a, const Object& b, Answer& out) {
 Json relation_of_solids(const Setting& s, const Object& a, const Object& b) { return solids_result(s, a, b); }
 
 std::optional<Answer> exact_of_segment(const Setting& s, const Object& a, const Object& b) {
-  const Segment<double, 3> segment = {s.point(a, "from"), s.point(a, "to")};
+  if (b.type == Type::sphere) {
+    Answer out;
+    out.result = line_and_round(s, a, b);
+    tell_line_and_solid(s, a, b, out);
+    return out;
+  }
+  const Segment<double, 3> segment = segment_of(s, a);
   std::optional<Interval<double>> part;
   const auto of_triangle = [&](const Triangle<double, 3>& x) -> std::optional<Interval<double>> {
     if (triangle_half_spaces::detail::degenerate(x, NoTrace())) return {};
@@ -476,8 +461,8 @@ std::vector<Pair> pairs_of_solids() {
       add(along, other, along == segment || other == segment ? In::space : In::both, two_lines, tell_two_lines);
     add(along, kdop, In::both, line_and_solid, tell_line_and_solid);
     add(along, frustum, In::space, line_and_solid, tell_line_and_solid);
+    add(along, capsule, In::both, line_and_round, tell_line_and_solid);
   }
-  add(segment, capsule, In::both, segment_and_capsule, tell_segment);
   return table;
 }
 

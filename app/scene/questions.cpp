@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <stdexcept>
 
 #include "app/query/query.h"
 #include "app/scene/in_plane.h"
@@ -328,6 +329,7 @@ const std::vector<Pair>& pairs() {
     std::ranges::copy(pairs_of_many_numbers(), std::back_inserter(table));
     std::ranges::copy(pairs_in_plane(), std::back_inserter(table));
     std::ranges::copy(pairs_of_solids(), std::back_inserter(table));
+    std::ranges::copy(pairs_of_polygons(), std::back_inserter(table));
     return table;
   }();
   return all;
@@ -336,30 +338,6 @@ const std::vector<Pair>& pairs() {
 const Pair* pair_of(Type a, Type b, bool flat) {
   const auto found = std::ranges::find_if(pairs(), [&](const Pair& p) { return p.a == a && p.b == b && p.fits(flat); });
   return found == pairs().end() ? nullptr : &*found;
-}
-
-}  // namespace
-
-bool can_ask(Type a, Type b, bool flat) { return pair_of(a, b, flat) || pair_of(b, a, flat); }
-
-std::string partners(Type type, bool flat) {
-  std::vector<std::string> all;
-  for (const TypeSpec& other : types())
-    if (can_ask(type, other.type, flat)) all.push_back(other.name);
-  return fmt::format("{}", fmt::join(all, ", "));
-}
-
-namespace {
-
-/// A segment is a capsule of radius 0, whose test needs no direction.
-Answer segment_meets_sphere(const Setting& s, const Object& a, const Object& b) {
-  Answer out;
-  const Json capsule = {{"p", s.list(a, "from")}, {"q", s.list(a, "to")}, {"r", 0}};
-  out.query = merged({{"kind", "sphere_capsule"}}, merged(sphere_of(s, b), capsule));
-  out.result = Json::parse(query::answer(out.query.dump()).text)["result"];
-  out.somewhere = out.result.value("relation", "") != "disjoint";
-  meets(a, b, out, out.somewhere);
-  return out;
 }
 
 Answer asked_in_order(const Setting& s, const Object& a, const Object& b, const Pair& pair) {
@@ -382,13 +360,18 @@ Answer asked_in_order(const Setting& s, const Object& a, const Object& b, const 
 
 Answer ask(const Setting& s, const Object& a, const Object& b) {
   const Pair* pair = pair_of(a.type, b.type, s.flat);
+  if (!pair && !pair_of(b.type, a.type, s.flat))
+    throw std::logic_error(spec(a.type).name + " and " + spec(b.type).name + " have no test");
   if (!pair) return ask(s, b, a);
   try {
-    return asked_in_order(s, a, b, *pair);
+    try {
+      return asked_in_order(s, a, b, *pair);
+    } catch (const NotDecided&) {
+      std::optional<Answer> exact = a.type == Type::segment ? exact_of_segment(s, a, b) : std::nullopt;
+      if (!exact) throw;
+      return std::move(*exact);
+    }
   } catch (const NotDecided& why) {
-    if (a.type == Type::segment && b.type == Type::sphere) return segment_meets_sphere(s, a, b);
-    if (a.type == Type::segment)
-      if (std::optional<Answer> exact = exact_of_segment(s, a, b)) return std::move(*exact);
     Answer out;
     out.open = true;
     out.result = {{"not decided", why.what()}};

@@ -16,7 +16,6 @@ struct Answer {
   std::vector<viz::Value> values = {};
   std::vector<viz::Item> marks = {};     ///< where they meet
   std::optional<double> first_hit = {};  ///< of a ray, a line or a segment: the parameter of its first point there
-  bool somewhere = false;                ///< such a one meets it, but where first is not known
   bool open = false;                     ///< no test decides this pair; `verdict` says why
 };
 
@@ -25,11 +24,7 @@ struct NotDecided : viz::BadInput {
   using BadInput::BadInput;
 };
 
-/// Whether there is an exact test of such objects, in the plane or in space, in either order.
-bool can_ask(Type a, Type b, bool flat);
-/// The types that an object of this type can be asked about, in words.
-std::string partners(Type, bool flat);
-/// Throws viz::BadInput where the core refuses the input, naming the objects.
+/// Of any two objects, in either order. Throws viz::BadInput where the core refuses the input, naming the objects.
 Answer ask(const Setting&, const Object& a, const Object& b);
 
 }  // namespace isect::program::scene

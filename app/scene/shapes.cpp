@@ -19,6 +19,30 @@ using viz::Vec3;
   throw viz::BadInput(fmt::format("{}: {}", o.name, what));
 }
 
+HalfSpaces hull_faces(const Setting& s, const Object& o) {
+  if (!s.flat) {
+    static_cast<void>(solid_of(s, o));  // refuses one without a volume
+    return half_spaces_of(hull_of(s, o));
+  }
+  HalfSpaces result = {{}, 2};
+  const std::vector<Vec3> ring = outline_of(s, o);
+  if (ring.size() < 3) has_none(o, "its points lie on one line, so their hull has no area");
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec3 &a = ring[i], &b = ring[(i + 1) % ring.size()];
+    result.faces.push_back({half_spaces::Behind{a, b, a + Vec3::UnitZ()}});
+  }
+  return result;
+}
+
+template <int N>
+HalfSpaces faces(const Setting& s, const Object& o) {
+  if (o.type == Type::box) return half_spaces_of(box_of<N>(s, o));
+  if (o.type == Type::obb) return half_spaces_of(obb_of<N>(s, o));
+  if (o.type == Type::kdop) return half_spaces_of(kdop_of<N>(s, o));
+  if (o.type == Type::frustum) return half_spaces_of(frustum_of(s, o));
+  return hull_faces(s, o);
+}
+
 }  // namespace
 
 std::vector<Vec3> in_space(const std::vector<Point<double, 2>>& points) {
@@ -44,6 +68,18 @@ Frustum<double> frustum_of(const Setting& s, const Object& o) {
 Hull3<double> hull_of(const Setting& s, const Object& o) { return convex_hull(s.points(o)); }
 
 TriangleMesh<double> mesh_of(const Object& o) { return {o.fixed.points, o.fixed.triangles}; }
+
+Triangle<double, 3> triangle_of(const Setting& s, const Object& o) {
+  const std::vector<Vec3> p = s.rings(o).front();
+  return {{p[0], p[1], p[2]}};
+}
+
+Capsule<double, 3> capsule_in_space(const Setting& s, const Object& o) {
+  if (o.type == Type::sphere) return {s.point(o, "center"), s.point(o, "center"), s.number(o, "radius")};
+  return {s.point(o, "p"), s.point(o, "q"), s.number(o, "r")};
+}
+
+HalfSpaces faces_of(const Setting& s, const Object& o) { return s.flat ? faces<2>(s, o) : faces<3>(s, o); }
 
 viz::Solid solid_of(const Setting& s, const Object& o) {
   if (o.type == Type::hull) {

@@ -2,6 +2,7 @@
 // The objects of a scene as the core's shapes.
 
 #include <isect/convex_hull_3d.h>
+#include <isect/half_spaces.h>
 #include <isect/shapes.h>
 #include <isect/triangle_mesh.h>
 
@@ -54,6 +55,12 @@ Kdop<double, N> kdop_of(const Setting& s, const Object& o) {
 Frustum<double> frustum_of(const Setting&, const Object&);
 Hull3<double> hull_of(const Setting&, const Object&);
 TriangleMesh<double> mesh_of(const Object&);
+Triangle<double, 3> triangle_of(const Setting&, const Object&);
+/// A ball is a capsule whose ends coincide.
+Capsule<double, 3> capsule_in_space(const Setting&, const Object&);
+/// A box, an OBB, a k-DOP, a frustum, or a hull, which throws viz::BadInput where it has no volume, in the plane no
+/// area.
+HalfSpaces faces_of(const Setting&, const Object&);
 
 /// A k-DOP or a hull in space. Throws viz::BadInput where it has no volume to be drawn.
 viz::Solid solid_of(const Setting&, const Object&);

@@ -1,0 +1,133 @@
+// Polygons in space against what has a test of triangles: they are cut into some.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include <isect/bvh_pairs.h>
+#include <isect/ray_polygon.h>
+#include <isect/sphere_triangle.h>
+
+#include "app/scene/in_plane.h"
+#include "app/scene/pairs.h"
+#include "app/scene/shapes.h"
+#include "app/scene/triangulated.h"
+#include "viz/rich_text.h"
+
+namespace isect::program::scene {
+
+namespace {
+
+using viz::Vec3;
+using Triangles = std::vector<Triangle<double, 3>>;
+
+Ring<double, 3> outline_in_space(const Setting& s, const Object& o) { return points_of<3>(s.rings(o).front()); }
+
+constexpr std::size_t most_corners = 2'000;  // cutting takes the square of their number, and more
+
+Triangles surface_of(const Setting& s, const Object& o) {
+  if (o.type == Type::triangle) return {triangle_of(s, o)};
+  const Ring<double, 3> outline = outline_in_space(s, o);
+  if (outline.size() > most_corners) throw NotDecided(fmt::format("{} has more than {} corners", o.name, most_corners));
+  Triangles all = triangulated(outline);
+  if (all.empty()) throw NotDecided(fmt::format("the outline of {} has no area, crosses or touches itself", o.name));
+  return all;
+}
+
+/// Corners off one plane are told.
+void tell_surface(const Setting& s, const Object& o, Answer& out) {
+  if (o.type != Type::polygon) return;
+  const double off = off_plane(outline_in_space(s, o));
+  if (off == 0) return;
+  out.result["off_plane"] = std::max(off, out.result.value("off_plane", 0.0));
+  out.note += fmt::format(
+      "{}The corners of {} lie up to {} off one plane: what is tested are the triangles that its outline is cut into.",
+      out.note.empty() ? "" : " ", shown_name(o.name), viz::shown(off));
+}
+template <void (*tell)(const Setting&, const Object&, const Object&, Answer&)>
+void tell_it(const Setting& s, const Object& a, const Object& b, Answer& out) {
+  tell(s, a, b, out);
+  tell_surface(s, a, out);
+  tell_surface(s, b, out);
+}
+
+bool some_meets(const Triangles& triangles, const auto& meets) { return std::ranges::any_of(triangles, meets); }
+
+/// By the facets of the hull, which may be many.
+bool meets_hull(const Triangles& triangles, const Hull3<double>& hull, const HalfSpaces& faces) {
+  if (locate(triangles.front().vertices[0], faces) != Location::out) return true;
+  const auto corner = [&](int i) { return hull.vertices[static_cast<std::size_t>(i)]; };
+  return std::ranges::any_of(hull.triangles, [&](const auto& facet) {
+    const Triangle<double, 3> f = {{corner(facet[0]), corner(facet[1]), corner(facet[2])}};
+    return some_meets(triangles, [&](const auto& t) { return intersects(t, f); });
+  });
+}
+
+bool meet(const Setting& s, const Triangles& triangles, const Object& b) {
+  switch (b.type) {
+    case Type::sphere:
+      return some_meets(triangles, [ball = sphere_of<3>(s, b)](const auto& t) { return intersects(ball, t); });
+    case Type::capsule:
+      return some_meets(triangles, [c = capsule_in_space(s, b)](const auto& t) { return intersects(c, t); });
+    case Type::triangle:
+    case Type::polygon: {
+      const Triangles others = surface_of(s, b);
+      return some_meets(triangles, [&](const auto& t) {
+        return some_meets(others, [&](const auto& other) { return intersects(t, other); });
+      });
+    }
+    case Type::hull:
+      return meets_hull(triangles, hull_of(s, b), faces_of(s, b));
+    default:
+      return some_meets(triangles, [faces = faces_of(s, b)](const auto& t) { return intersects(t, faces); });
+  }
+}
+
+Json polygon_result(const Setting& s, const Object& a, const Object& b) {
+  return {{"meet", meet(s, surface_of(s, a), b)}};
+}
+
+/// How many triangles of the mesh have a point in the polygon.
+Json mesh_and_polygon(const Setting& s, const Object& a, const Object& b) {
+  const TriangleMesh<double> mesh = mesh_of(a);
+  const Triangles triangles = surface_of(s, b);
+  std::vector<Aabb<double, 3>> around;
+  for (const Triangle<double, 3>& t : triangles)
+    around.push_back({t.vertices[0].cwiseMin(t.vertices[1]).cwiseMin(t.vertices[2]),
+                      t.vertices[0].cwiseMax(t.vertices[1]).cwiseMax(t.vertices[2])});
+  const std::vector<Aabb<double, 3>> around_mesh = boxes(mesh);
+  std::vector<char> met(mesh.triangles.size(), 0);
+  for (const auto& [i, j] : overlapping_pairs(build_bvh(around_mesh), around_mesh, build_bvh(around), around))
+    if (!met[static_cast<std::size_t>(i)])
+      met[static_cast<std::size_t>(i)] = intersects(triangle(mesh, i), triangles[static_cast<std::size_t>(j)]);
+  return {{"triangles_met", std::ranges::count(met, 1)}};
+}
+
+bool holds(const Triangles& triangles, const Vec3& p) {
+  return some_meets(triangles, [&](const auto& t) { return intersects(Sphere<double, 3>{p, 0}, t); });
+}
+Json point_and_polygon(const Setting& s, const Object& a, const Object& b) {
+  return {{"on", holds(surface_of(s, b), s.point(a, "at"))}};
+}
+Json cloud_and_polygon(const Setting& s, const Object& a, const Object& b) {
+  Json result = {{"on", Json::array()}, {"out", Json::array()}};
+  const Triangles triangles = surface_of(s, b);
+  const std::vector<Vec3> points = s.points(a);
+  for (std::size_t i = 0; i < points.size(); ++i) result[holds(triangles, points[i]) ? "on" : "out"].push_back(i);
+  return result;
+}
+
+}  // namespace
+
+std::vector<Pair> pairs_of_polygons() {
+  using enum Type;
+  const auto in = Pair::In::space;
+  std::vector<Pair> table = {{point, polygon, nullptr, in, point_and_polygon, tell_it<tell_on>},
+                             {cloud, polygon, nullptr, in, cloud_and_polygon, tell_it<tell_cloud_on>},
+                             {mesh, polygon, nullptr, in, mesh_and_polygon, tell_it<tell_mesh>}};
+  for (const Type other : {sphere, box, obb, capsule, triangle, polygon, kdop, hull, frustum})
+    table.push_back({polygon, other, nullptr, in, polygon_result, tell_it<tell_meeting>});
+  return table;
+}
+
+}  // namespace isect::program::scene

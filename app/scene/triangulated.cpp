@@ -1,0 +1,101 @@
+#include "app/scene/triangulated.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <isect/orient.h>
+#include <isect/segment_segment.h>
+
+#include "app/scene/in_plane.h"
+
+namespace isect::program::scene {
+
+namespace {
+
+using Corner = Point<double, 2>;
+using segment_segment::Meeting;
+
+/// The corners of a simple outline, counter-clockwise, of which ears are cut off.
+class Ears {
+ public:
+  explicit Ears(std::vector<Corner> corners) : corners_(std::move(corners)) {
+    for (int i = 0; i < static_cast<int>(corners_.size()); ++i) left_.push_back(i);
+  }
+
+  /// Whether no two edges have more in common than the corner between them.
+  bool simple() const {
+    const std::size_t n = corners_.size();
+    const auto edge = [&](std::size_t i) { return Segment<double, 2>{corners_[i], corners_[(i + 1) % n]}; };
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = i + 1; j < n; ++j) {
+        const Segment<double, 2> a = edge(i), b = edge(j);
+        if (apart(a, b)) continue;
+        const Meeting meeting = intersect(a, b).relation;
+        const bool neighbours = j == i + 1 || (i == 0 && j + 1 == n);
+        if (meeting != Meeting::disjoint && !(neighbours && meeting == Meeting::touch)) return false;
+      }
+    return true;
+  }
+
+  /// Three corners each.
+  std::vector<std::array<int, 3>> cut() {
+    std::vector<std::array<int, 3>> triangles;
+    for (std::size_t at = 0, tried = 0; left_.size() > 2 && tried <= left_.size(); ++tried) {
+      at %= left_.size();
+      const std::array<int, 3> three = {left(at + left_.size() - 1), left(at), left(at + 1)};
+      if (!is_ear(three)) {
+        ++at;
+        continue;
+      }
+      triangles.push_back(three);
+      left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(at));
+      tried = 0;
+    }
+    return triangles;
+  }
+
+ private:
+  static bool apart(const Segment<double, 2>& a, const Segment<double, 2>& b) {
+    return (a.p.cwiseMax(a.q).array() < b.p.cwiseMin(b.q).array()).any() ||
+           (b.p.cwiseMax(b.q).array() < a.p.cwiseMin(a.q).array()).any();
+  }
+  int left(std::size_t i) const { return left_[i % left_.size()]; }
+  const Corner& corner(int i) const { return corners_[static_cast<std::size_t>(i)]; }
+
+  /// A triangle with an area that holds no other corner, not even on its boundary.
+  bool is_ear(const std::array<int, 3>& three) const {
+    const auto [a, b, c] = three;
+    if (orient2d(corner(a), corner(b), corner(c)) <= 0) return false;
+    return std::ranges::none_of(left_, [&, a = a, b = b, c = c](int i) {
+      if (i == a || i == b || i == c) return false;
+      const Corner& p = corner(i);
+      return orient2d(corner(a), corner(b), p) >= 0 && orient2d(corner(b), corner(c), p) >= 0 &&
+             orient2d(corner(c), corner(a), p) >= 0;
+    });
+  }
+
+  std::vector<Corner> corners_;
+  std::vector<int> left_;  ///< what is not cut off yet
+};
+
+}  // namespace
+
+std::vector<Triangle<double, 3>> triangulated(const Ring<double, 3>& outline) {
+  const auto [x, y, clockwise] = projection(outline);
+  Ring<double, 3> ring = outline;
+  if (clockwise) std::ranges::reverse(ring);
+  ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+  if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
+  std::vector<Corner> corners;
+  for (const Point<double, 3>& p : ring) corners.emplace_back(p[x], p[y]);
+  Ears ears(corners);
+  if (corners.size() < 3 || !ears.simple()) return {};
+  std::vector<Triangle<double, 3>> all;
+  for (const auto& [a, b, c] : ears.cut())
+    all.push_back(
+        {{ring[static_cast<std::size_t>(a)], ring[static_cast<std::size_t>(b)], ring[static_cast<std::size_t>(c)]}});
+  return all;
+}
+
+}  // namespace isect::program::scene

@@ -1,0 +1,15 @@
+#pragma once
+// A polygon in space as triangles between its corners, so that what has a test of triangles has one of polygons.
+
+#include <vector>
+
+#include <isect/shapes.h>
+
+namespace isect::program::scene {
+
+/// Triangles whose union is the polygon, if its corners lie in one plane; else the surface that is tested in its place.
+/// They are found by cutting off ears (Meisters, Polygons have ears, 1975) where the corners are seen along the axis of
+/// the normal's largest component, exactly. None if that outline has no area, crosses or touches itself.
+std::vector<Triangle<double, 3>> triangulated(const Ring<double, 3>& outline);
+
+}  // namespace isect::program::scene

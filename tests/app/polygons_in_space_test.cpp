@@ -1,0 +1,254 @@
+// Polygons in space as triangles, and where a line enters a capsule: held to the core's exact verdicts.
+
+#include <isect/point_polygon.h>
+#include <isect/ray_capsule.h>
+#include <isect/sphere_triangle.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "app/scene/along_capsule.h"
+#include "app/scene/triangulated.h"
+#include "tests/app/shell.h"
+#include "tests/catch.h"
+
+namespace polygons_in_space_test {
+using namespace isect;
+using isect::test::Contains;
+using isect::test::Shell;
+using isect::test::write;
+using Json = nlohmann::ordered_json;
+using program::scene::part_in, program::scene::triangulated;
+using Vec3 = Vector<double, 3>;
+
+namespace {
+
+/// Planes in which whole numbers stay whole.
+Vec3 in_space(const Point<double, 2>& p, int pose) {
+  const Vec3 u = pose == 0 ? Vec3(1, 0, 0) : pose == 1 ? Vec3(0, 2, 1) : Vec3(3, -1, 2);
+  const Vec3 v = pose == 0 ? Vec3(0, 1, 0) : pose == 1 ? Vec3(1, 0, 0) : Vec3(1, 4, -2);
+  return p.x() * u + p.y() * v + Vec3(5, -7, 1);
+}
+
+/// Its corners in the order of their directions from (0, 0), one in each: simple.
+Ring<double, 2> star(std::mt19937& random) {
+  std::uniform_int_distribution<int> whole(-6, 6), count(3, 12);
+  Ring<double, 2> ring;
+  const auto angle = [](const Point<double, 2>& p) { return std::atan2(p.y(), p.x()); };
+  for (int i = count(random); i > 0; --i) {
+    const Point<double, 2> p(whole(random), whole(random));
+    const auto along = [&](const Point<double, 2>& q) { return std::abs(angle(p) - angle(q)) < 1e-9; };
+    if (!p.isZero(0) && std::ranges::none_of(ring, along)) ring.push_back(p);
+  }
+  std::ranges::sort(ring, {}, angle);
+  return ring;
+}
+/// Whether no gap between neighbouring directions is half a turn or more, so that it winds round (0, 0).
+bool winds_round(const Ring<double, 2>& ring) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const auto &a = ring[i], &b = ring[(i + 1) % ring.size()];
+    if (a.x() * b.y() - a.y() * b.x() <= 0) return false;
+  }
+  return ring.size() > 2;
+}
+
+/// What the first question of a scene is answered.
+Json answer(const Shell& shell, const std::string& objects, const std::string& ask = R"("all pairs")") {
+  write(shell.work() / "s.json", R"({"objects": [)" + objects + R"(], "ask": )" + ask + "}");
+  const auto ran = shell("isect scene s.json --json");
+  INFO(objects << "\n" << ran.err);
+  REQUIRE(ran.status == 0);
+  return Json::parse(ran.out)[0];
+}
+std::string verdict(const Shell& shell, const std::string& objects) { return answer(shell, objects)["verdict"]; }
+
+}  // namespace
+
+TEST_CASE("triangles of a polygon hold the points that it holds, and each corner is used", "[scene]") {
+  std::mt19937 random(5);
+  int polygons = 0, inside = 0, outside = 0;
+  for (int i = 0; i < 600; ++i) {
+    Ring<double, 2> flat = star(random);
+    if (!winds_round(flat)) continue;
+    if (i % 2) std::ranges::reverse(flat);
+    const int pose = i % 3;
+    Ring<double, 3> outline;
+    for (const auto& p : flat) outline.push_back(in_space(p, pose));
+    const auto triangles = triangulated(outline);
+    CAPTURE(i);
+    REQUIRE(triangles.size() == flat.size() - 2);
+    ++polygons;
+    for (int k = 0; k < 40; ++k) {
+      const Point<double, 2> p(0.5 * (k % 8) * 3 - 6, 0.5 * (k / 8) * 5 - 5);
+      const bool held = std::ranges::any_of(triangles, [&](const Triangle<double, 3>& t) {
+        return intersects(Sphere<double, 3>{in_space(p, pose), 0}, t);
+      });
+      CHECK(held == (locate(p, flat) != Location::out));
+      ++(held ? inside : outside);
+    }
+  }
+  CHECK(polygons > 100);
+  CHECK(inside > 1000);
+  CHECK(outside > 1000);
+}
+
+TEST_CASE("outlines that are no polygon's have no triangles, and straight corners do no harm", "[scene]") {
+  const auto flat = [](std::vector<Point<double, 2>> corners) {
+    Ring<double, 3> ring;
+    for (const auto& p : corners) ring.push_back(in_space(p, 2));
+    return triangulated(ring);
+  };
+  CHECK(flat({{0, 0}, {2, 2}, {2, 0}, {0, 2}}).empty());                      // a bow tie
+  CHECK(flat({{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}).empty());              // a corner on an edge
+  CHECK(flat({{0, 0}, {4, 0}, {2, 0}, {2, 3}}).empty());                      // back along an edge
+  CHECK(flat({{0, 0}, {1, 0}, {2, 0}}).empty());                              // no area
+  CHECK(flat({{0, 0}, {2, 2}, {0, 2}, {2, 2}, {4, 0}}).empty());              // a corner met twice
+  CHECK(flat({{0, 0}, {2, 0}, {4, 0}, {4, 4}, {2, 2}}).size() == 3);          // straight on at two corners
+  CHECK(flat({{0, 0}, {0, 0}, {4, 0}, {4, 4}, {4, 4}, {0, 0}}).size() == 1);  // said twice
+}
+
+TEST_CASE("a polygon in space meets what has a point in it", "[scene]") {
+  const Shell shell;
+  const std::string polygon =  // an L; what is right above (1, 3) is its notch
+      R"({"polygon": "P", "points": [[0,0,0],[4,0,0],[4,4,0],[2,4,0],[2,2,0],[0,2,0]]}, )";
+  const auto expect = [&](const std::string& other, const char* expected) {
+    INFO(other);
+    CHECK(verdict(shell, polygon + other) == expected);
+  };
+  expect(R"({"point": "q", "at": [1,1,0]})", "q lies on P");
+  expect(R"({"point": "q", "at": [2,3,0]})", "q lies on P");
+  expect(R"({"point": "q", "at": [1,3,0]})", "q does not lie on P");
+  expect(R"({"point": "q", "at": [1,1,1e-300]})", "q does not lie on P");
+  expect(R"({"sphere": "S", "center": [1,3,0], "radius": 1})", "P and S have a common point");
+  expect(R"({"sphere": "S", "center": [1,3,0], "radius": 0.9999999999999999})", "P and S are disjoint");
+  expect(R"({"sphere": "S", "center": [1,1,3], "radius": 3})", "P and S have a common point");
+  expect(R"({"box": "A", "lo": [0.5,2.5,-1], "hi": [1.5,3.5,1]})", "P and A are disjoint");
+  expect(R"({"box": "A", "lo": [0.5,2,-1], "hi": [1.5,3.5,1]})", "P and A have a common point");
+  expect(R"({"box": "A", "lo": [-1,-1,-1], "hi": [9,9,1]})", "P and A have a common point");
+  expect(R"({"obb": "O", "center": [1,3,0], "u": [0.6,0.8,0], "v": [-0.8,0.6,0], "w": [0,0,1], "half": [0.5,0.5,1]})",
+         "P and O are disjoint");
+  expect(R"({"obb": "O", "center": [1,3,0], "u": [0.6,0.8,0], "v": [-0.8,0.6,0], "w": [0,0,1], "half": [1,0.5,1]})",
+         "P and O have a common point");
+  expect(R"({"capsule": "C", "p": [1,3,-5], "q": [1,3,5], "r": 1})", "P and C have a common point");
+  expect(R"({"capsule": "C", "p": [1,3,-5], "q": [1,3,5], "r": 0.99})", "P and C are disjoint");
+  expect(R"({"triangle": "T", "points": [[1,3,-1],[1,3,1],[1.5,3.5,0]]})", "P and T are disjoint");
+  expect(R"({"triangle": "T", "points": [[1,3,-1],[1,3,1],[2.5,3,0]]})", "P and T have a common point");
+  expect(R"({"polygon": "Q", "points": [[1,3,-1],[1.5,3,-1],[1.5,3,1],[1,3,1]]})", "P and Q are disjoint");
+  expect(R"({"polygon": "Q", "points": [[1,3,-1],[2,3,-1],[2,3,1],[1,3,1]]})", "P and Q have a common point");
+  expect(R"({"kdop": "K", "normals": [[1,0,0],[0,1,0],[0,0,1]], "lo": [0,2.5,-1], "hi": [1,3,1]})",
+         "P and K are disjoint");
+  expect(R"({"kdop": "K", "normals": [[1,0,0],[0,1,0],[0,0,1]], "lo": [0,2,-1], "hi": [1,3,1]})",
+         "P and K have a common point");
+  expect(R"({"hull": "H", "points": [[1,3,-1],[1.5,3,1],[1,3.5,1],[0.5,3,1]]})", "P and H are disjoint");
+  expect(R"({"hull": "H", "points": [[1,3,-1],[4,3,1],[1,3.5,1],[0.5,3,1]]})", "P and H have a common point");
+  expect(R"({"hull": "H", "points": [[-9,-9,-9],[90,0,-9],[0,90,-9],[0,0,90]]})", "P and H have a common point");
+  expect(R"({"frustum": "F", "eye": [1,3,9], "forward": [0,0,-1], "up": [0,1,0], "angle": 2, "near": 1, "far": 10})",
+         "P and F are disjoint");
+  expect(R"({"frustum": "F", "eye": [1,3,9], "forward": [0,0,-1], "up": [0,1,0], "angle": 20, "near": 1, "far": 10})",
+         "P and F have a common point");
+  expect(R"({"cloud": "D", "points": [[1,1,0],[1,3,0],[4,4,0]]})", "2 of 3 points of D lie on P");
+  expect(R"({"mesh": "M", "points": [[1,3,-1],[1,3,1],[1.5,3.5,0],[3,1,0]], "triangles": [[0,1,2],[0,1,3]]})",
+         "P meets 1 of 2 triangles of M");
+}
+
+TEST_CASE("any two objects have a test, in space and in the plane", "[scene]") {
+  const Shell shell;
+  const auto all_decided = [&](const std::vector<std::string>& kinds) {
+    std::string objects;
+    for (const std::string& kind : kinds)
+      for (const char* name : {"A", "B"}) {  // "sphere": "sphereA", ...
+        const std::string type = kind.substr(0, kind.find(' '));
+        objects += (objects.empty() ? "" : ", ") + ("{\"" + type + "\": \"" + type + name + "\", ") +
+                   kind.substr(kind.find(' ') + 1) + "}";
+      }
+    write(shell.work() / "s.json", R"({"objects": [)" + objects + R"(], "ask": "all pairs"})");
+    const auto ran = shell("isect scene s.json --json");
+    INFO(ran.err);
+    REQUIRE(ran.status == 0);
+    const Json all = Json::parse(ran.out);
+    const std::size_t n = 2 * kinds.size();
+    CHECK(all.size() == n * (n - 1) / 2 - 1);  // but the two points
+    for (const Json& answer : all) CHECK_THAT(answer["verdict"].get<std::string>(), !Contains("not decided"));
+  };
+  const std::string cube = R"([[0,0,0],[1,0,0],[0,1,0],[0,0,1],[1,1,1]])";
+  all_decided({R"(point "at": [0,0,1])", R"(segment "from": [0,0,0], "to": [1,1,2])",
+               R"(ray "origin": [0,0,0], "dir": [1,1,1])", R"(line "origin": [0,0,0], "dir": [1,1,1])",
+               R"(plane "normal": [0,0,1], "d": -1)", R"(sphere "center": [0,0,0], "radius": 1)",
+               R"(box "lo": [0,0,0], "hi": [1,1,1])",
+               R"(obb "center": [0,0,0], "u": [1,0,0], "v": [0,1,0], "w": [0,0,1], "half": [1,1,1])",
+               R"(capsule "p": [0,0,0], "q": [1,0,0], "r": 0.5)", R"(triangle "points": [[0,0,0],[1,0,0],[0,1,0]])",
+               R"(polygon "points": [[0,0,0],[1,0,0],[1,1,0],[0,1,0]])",
+               R"(kdop "normals": [[1,0,0],[0,1,0],[0,0,1]], "lo": [0,0,0], "hi": [1,1,1])", "hull \"points\": " + cube,
+               "cloud \"points\": " + cube,
+               R"(mesh "points": [[0,0,0],[1,0,0],[0,1,0],[0,0,1]], "triangles": [[0,2,1],[0,1,3],[1,2,3],[0,3,2]])",
+               R"(frustum "eye": [0,0,0], "forward": [1,0,0], "up": [0,1,0], "angle": 60, "near": 1, "far": 4)"});
+  const std::string square = R"([[0,0],[1,0],[1,1],[0,1]])";
+  all_decided({R"(point "at": [0,1])", R"(segment "from": [0,0], "to": [1,2])", R"(ray "origin": [0,0], "dir": [1,1])",
+               R"(line "origin": [0,0], "dir": [1,1])", R"(plane "normal": [0,1], "d": -1)",
+               R"(circle "center": [0,0], "radius": 1)", R"(box "lo": [0,0], "hi": [1,1])",
+               R"(obb "center": [0,0], "u": [1,0], "v": [0,1], "half": [1,1])",
+               R"(capsule "p": [0,0], "q": [1,0], "r": 0.5)", R"(triangle "points": [[0,0],[1,0],[0,1]])",
+               "polygon \"points\": " + square, R"(kdop "normals": [[1,0],[0,1],[1,1]], "lo": [0,0,0], "hi": [1,1,2])",
+               "hull \"points\": " + square, "cloud \"points\": " + square});
+}
+
+TEST_CASE("a polygon that has no surface is not decided, and one that is not plane is told", "[scene]") {
+  const Shell shell;
+  CHECK_THAT(verdict(shell, R"({"polygon": "P", "points": [[0,0,0],[2,2,0],[2,0,0],[0,2,0]]}, )"
+                            R"({"sphere": "S", "center": [0,0,0], "radius": 1})"),
+             Contains("not decided, as the outline of P has no area, crosses or touches itself"));
+  const Json bent = answer(shell, R"({"polygon": "P", "points": [[0,0,0],[4,0,0],[4,4,1],[0,4,0]]}, )"
+                                  R"({"sphere": "S", "center": [0,0,0], "radius": 1})");
+  CHECK(bent["verdict"] == "P and S have a common point");
+  CHECK(bent["result"]["off_plane"].get<double>() > 0.4);
+}
+
+TEST_CASE("where a line enters a capsule and leaves it is known to 5 ulp", "[scene]") {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> any(-3, 3);
+  const auto vec = [&] { return Vec3(any(random), any(random), any(random)); };
+  int checked = 0;
+  for (int i = 0; i < 20000; ++i) {
+    Capsule<double, 3> c = {vec(), vec(), std::abs(any(random))};
+    if (i % 5 == 0) c.q = c.p;
+    Ray<double, 3> line = {vec() * 2, vec(), infinite<double>};
+    if (i % 7 == 0) line.direction = c.q - c.p;
+    if (line.direction.isZero(0) || !intersects(line, c)) continue;
+    const Interval<double> part = part_in(line, c);
+    const auto in = [&](double t) { return intersects(Ray<double, 3>{line.origin, line.direction, {t, t}}, c); };
+    const auto moved = [](double t, double ulps) { return t + ulps * std::abs(t) * 0x1p-52; };
+    if (part.hi - part.lo < 1e-10) continue;  // too short to be in it for certain
+    CAPTURE(i, part.lo, part.hi);
+    if (in(moved(part.lo, -5)) || !in(moved(part.lo, 5)) || !in(moved(part.hi, -5)) || in(moved(part.hi, 5)))
+      FAIL("more than 5 ulp off");
+    ++checked;
+  }
+  CHECK(checked > 2000);
+}
+
+TEST_CASE("rays, lines and segments enter a capsule", "[scene]") {
+  const Shell shell;
+  const auto hit = [&](const std::string& line, const char* ask) {
+    return answer(shell, line + R"(, {"capsule": "C", "p": [-3,0,0], "q": [3,0,0], "r": 5},
+                              {"sphere": "S", "center": [-3,0,0], "radius": 1})",
+                  "[" + std::string(ask) + "]");
+  };
+  const auto ray = hit(R"({"ray": "r", "origin": [9,4,0], "dir": [-1,0,0]})", R"(["r", "C"])");
+  CHECK(ray["verdict"] == "r meets C");
+  CHECK(ray["result"]["t_in"] == 3);
+  CHECK(ray["result"]["t_out"] == 15);
+  const auto within = hit(R"({"ray": "r", "origin": [0,1,0], "dir": [0,2,0]})", R"(["r", "C"])");
+  CHECK(within["result"]["t_in"] == 0);
+  CHECK(within["result"]["t_out"] == 2);
+  const auto segment = hit(R"({"segment": "s", "from": [9,4,0], "to": [1,4,0]})", R"(["s", "C"])");
+  CHECK(segment["result"]["t_in"] == 0.375);
+  CHECK(segment["result"]["t_out"] == 1);
+  const auto missed = hit(R"({"line": "g", "origin": [0,5.000000000000001,0], "dir": [1,0,0]})", R"(["g", "C"])");
+  CHECK(missed["verdict"] == "g misses C");
+  const auto first = hit(R"({"ray": "r", "origin": [9,0,0], "dir": [-1,0,0]})", R"({"first hit": "r"})");
+  CHECK(first["verdict"] == "r meets C first, at t = 1");
+}
+
+}  // namespace polygons_in_space_test
