@@ -127,8 +127,6 @@ bool meet(const TextBox& a, const TextBox& b) {
   return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 }
 
-bool has_axis(const Walk& walk) { return bool(walk.steps.front().scene.axis); }
-
 }  // namespace
 
 double PageLayout::top() const {

@@ -7,8 +7,10 @@
 #include <charconv>
 #include <cmath>
 #include <numeric>
+#include <string_view>
 #include <utility>
 
+#include "viz/rich_text.h"
 #include "viz/spelling.h"
 
 namespace isect::viz {
@@ -56,10 +58,20 @@ std::vector<std::string> parameter_names(const Lesson& lesson) {
   return names;
 }
 
+/// "p2" of "**p**_2" and of "p_2".
+std::string letters(std::string symbol) {
+  std::erase_if(symbol, [](char c) { return std::string_view("*_{}").find(c) != std::string_view::npos; });
+  return symbol;
+}
+
 const Parameter& parameter(const Lesson& lesson, const std::string& name) {
   const auto found = std::ranges::find(lesson.parameters, name, &Parameter::name);
-  if (found == lesson.parameters.end()) throw unknown("parameter", name, parameter_names(lesson));
-  return *found;
+  if (found != lesson.parameters.end()) return *found;
+  for (const Parameter& p : lesson.parameters)
+    if (!p.label.empty() && letters(p.label) == letters(name))
+      throw BadInput(fmt::format("parameter: \"{}\" is unknown; {} in the pictures is called \"{}\"", name,
+                                 plain(p.label), p.name));
+  throw unknown("parameter", name, parameter_names(lesson));
 }
 
 /// `given` is the value as it was written.
@@ -145,6 +157,10 @@ BadInput unknown(const std::string& field, const std::string& given, const std::
     return BadInput(fmt::format("{}: \"{}\" is unknown; there is none to choose from", field, given));
   return BadInput(fmt::format("{}: \"{}\" is unknown{}", field, given,
                               spelling::instead(given, allowed, "allowed: " + spelling::listed(allowed))));
+}
+
+bool has_axis(const Walk& walk) {
+  return std::ranges::any_of(walk.steps, [](const Step& step) { return step.scene.axis.has_value(); });
 }
 
 const Preset& preset(const Lesson& lesson, const std::string& id) {

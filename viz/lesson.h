@@ -215,6 +215,8 @@ struct BadInput : std::runtime_error {
 
 /// The lesson's own view. A flat lesson is seen straight on, whatever its camera says.
 Camera opening(const Lesson&);
+/// Whether some step has a t-axis: then all leave room for it, and the scene stays where it is.
+bool has_axis(const Walk&);
 const Preset& preset(const Lesson&, const std::string& id);  ///< throws BadInput with the nearest name
 /// Sets one parameter from text ("1.5", "1,2,3", "haines"). Throws BadInput; `to` is unchanged then. The lesson's
 /// conditions are left to `validate`, as they may hold only when all parameters are set.

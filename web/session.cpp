@@ -110,7 +110,7 @@ bool meet(const std::vector<std::string>& a, const std::vector<std::string>& b) 
 viz::Walk alone(const viz::Walk& walk, viz::Step step) {
   viz::Walk one;
   one.steps.resize(1);
-  if (walk.steps.front().scene.axis) one.steps[0].scene.axis = walk.steps.front().scene.axis;
+  if (viz::has_axis(walk)) one.steps[0].scene.axis = viz::Axis();
   one.steps.push_back(std::move(step));
   return one;
 }

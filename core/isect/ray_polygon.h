@@ -217,7 +217,10 @@ using ProjectedEvent = std::variant<Normal<S>, InPlane<S>, InRange<S>, Projected
 template <class S, class Trace = NoTrace>
 std::optional<S> projected(const Ray<S, 3>& ray, const Ring<S, 3>& ring, Trace&& trace = {}) {
   Vector<S, 3> n(S(0), S(0), S(0));
-  for (std::size_t i = 1; i + 1 < ring.size(); ++i) n = n + (ring[i] - ring[0]).cross(ring[i + 1] - ring[0]);
+  for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
+    const Vector<S, 3> a = ring[i] - ring[0], b = ring[i + 1] - ring[0];
+    n = n + a.cross(b);
+  }
   trace(Normal<S>{n});
 
   const S denominator = n.dot(ray.direction);

@@ -29,9 +29,12 @@ std::string end_caption(const Setup& s) {
              "The exact test compares squares, multiplied out, so it needs no division and no square root.";
     case Relation::touching:
       if (s.thin())
-        return "A capsule of radius 0 is a segment. In the plane it has no interior: if the two meet, they touch, "
-               "unless one contains the other.\n"
-               "If the common point is not a double, methods that compute it may miss it.";
+        return std::string(
+                   "A capsule of radius 0 is a segment. In the plane it has no interior: if the two meet, they "
+                   "touch, unless one contains the other.") +
+               (s.a.radius == 0 && s.b.radius == 0
+                    ? "\nIf a common point is not a double, methods that compute it may miss it."
+                    : "");
       return "The distance is exactly *R*: the exact test takes the sign of *d* − *R* without rounding.\n"
              "They share boundary points, and no interior point.";
     case Relation::overlapping:

@@ -98,6 +98,7 @@ class Teller {
   /// Those of one segment that were asked.
   void ends() {
     const bool of_a = ends_.back().end < 2;
+    const double before = least_;
     std::string caption;
     for (const End& e : ends_) {
       const auto [end, nearest] = s_.way(e);
@@ -111,7 +112,7 @@ class Teller {
     Step& step = add(of_a ? "ends-a" : "ends-b", of_a ? "The ends of a" : "The ends of b", of_a ? 2 : 3, caption,
                      "least *d* so far = " + shown(least_));
     step.question =
-        which_value(fmt::format("{} tested. What is the least *d* so far?", tested()), least_, misconceived(),
+        which_value(fmt::format("{} tested. What is the least *d* so far?", tested()), least_, misconceived(before),
                     "The nearest point of a segment lies between its ends, or is one of them.");
     shown_.earlier.insert(shown_.earlier.end(), ends_.begin(), ends_.end());
     shown_.ways.clear(), ends_.clear();
@@ -123,9 +124,10 @@ class Teller {
                              : fmt::format("{} and {} are", end_names[ends_.front().end], end_names[ends_.back().end]);
   }
 
-  /// The least distances to the ends alone, and to the line without its ends.
-  std::vector<double> misconceived() const {
-    double to_ends = std::numeric_limits<double>::infinity(), to_line = to_ends;
+  /// The least distances to the ends alone, and to the line without its ends, with what was found `before`; that alone;
+  /// and from the other capsule's surface.
+  std::vector<double> misconceived(double before) const {
+    double to_ends = before, to_line = before;
     for (const End& e : ends_) {
       const Vec2 end = s_.way(e).first;
       const Capsule2& other = e.end < 2 ? s_.b : s_.a;
@@ -133,8 +135,10 @@ class Teller {
       to_ends = std::min({to_ends, w.norm(), (end - other.q).norm()});
       if (d.norm() > 0) to_line = std::min(to_line, std::abs(d.x() * w.y() - d.y() * w.x()) / d.norm());
     }
-    if (std::isinf(to_line)) return {to_ends};
-    return {to_ends, to_line};
+    const double to_surface = least_ - (ends_.front().end < 2 ? s_.b.radius : s_.a.radius);
+    std::vector<double> all = {to_ends, to_line, before, to_surface};
+    std::erase_if(all, [](double d) { return std::isinf(d) || d < 0; });
+    return all;
   }
 
   static std::string said(const End& e) {

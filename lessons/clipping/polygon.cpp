@@ -8,6 +8,7 @@
 #include <isect/clip_segment.h>
 #include <isect/point_convex_polygon.h>
 #include <isect/point_polygon.h>
+#include <isect/segment_segment.h>
 #include "lessons/shared/plural.h"
 
 namespace isect::lessons::clipping_lesson {
@@ -15,6 +16,15 @@ namespace isect::lessons::clipping_lesson {
 using namespace viz;
 
 namespace {
+
+/// Whether two edges run along each other.
+bool has_bridges(const Ring<double, 2>& ring) {
+  const auto edge = [&](std::size_t i) { return Segment<double, 2>{ring[i], ring[(i + 1) % ring.size()]}; };
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    for (std::size_t j = i + 1; j < ring.size(); ++j)
+      if (intersect(edge(i), edge(j)).relation == segment_segment::Meeting::overlap) return true;
+  return false;
+}
 
 /// Some edge meets the box, or the box lies in the polygon; exact.
 bool share_a_point(const Ring<double, 2>& ring, const Box& box) {
@@ -117,6 +127,8 @@ void PolygonTeller::end() {
     if (!among(different, v)) different.push_back(v);
   const std::size_t n = share_a_point(known_.original, box_) ? different.size() : 0;
   bridges_ = n == 0 && !different.empty();
+  script_.forget({"removed", "new"});  // which were of the last cut
+  script_.value("vertices", static_cast<double>(n), {}, n > 0 ? Role::hit : Role::muted);
   script_.settle(n == 0  ? Verdict::Kind::no
                  : n < 3 ? Verdict::Kind::on
                          : Verdict::Kind::yes,
@@ -143,9 +155,11 @@ std::string PolygonTeller::end_caption(std::size_t n) const {
     return "The polygon and the box share points, but no area. The sets are closed, so they intersect.\n"
            "A renderer may drop it; a test for contact must not.";
   if (trivial_) return "No edge was cut, so the polygon is kept as it is.";
-  if (!make_convex(known_.original))
-    return "The polygon is not convex, so what is kept may fall into parts.\n"
+  if (has_bridges(known_.ring))
+    return "The polygon is not convex, and what is kept falls into parts.\n"
            "The method returns one ring: zero-width bridges along the clip side join the pieces.";
+  if (!make_convex(known_.original))
+    return "The polygon is not convex, so the cuts might have left several parts. Here they leave one.";
   return fmt::format("A convex polygon of {} vertices and four sides: at most {} vertices can be left, here {}.",
                      known_.original.size(), known_.original.size() + 4, n);
 }

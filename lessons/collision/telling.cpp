@@ -125,7 +125,8 @@ void Teller::total(int line, const std::string& caption) {
   step.scene = {};
   step.scene.chart = chart();
   step.question = Question{"Which needs fewest tests for 1000 boxes?",
-                           {"brute force", "the sweep", "the hierarchy"},
+                           {"brute force: all pairs", "a sweep: pairs that overlap on *x*",
+                            "a hierarchy: pairs in groups whose boxes overlap"},
                            t.tree < t.sweep ? 2 : 1,
                            "All three were counted on the same boxes."};
 }

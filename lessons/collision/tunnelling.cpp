@@ -34,7 +34,8 @@ class Flight {
         truth_(contact(bullet_, wall_, duration)),
         script_({"Lecture note, rays and collision detection; Ericson, Real-Time Collision Detection (2005), section "
                  "5.5",
-                 std::string("A small box flies to the right; a thin wall stands in the middle. ") +
+                 std::string(speed > 0 ? "A small box flies to the right; a thin wall stands in the middle. "
+                                       : "A small box rests; a thin wall stands in the middle. ") +
                      (truth_ ? "They meet along its path." : "They never meet."),
                  {"for each time t ← 0, dt, 2 dt, ...",                       // 0
                   "    move the box to its place at t",                       // 1
@@ -51,14 +52,18 @@ class Flight {
     script_.value("wall + box", reach, "length", Role::second);
     Step& first =
         add("motion", "A moving box", 0,
-            fmt::format("It moves to the right at constant speed and is tested every {} s.\n", duration / times) +
+            fmt::format("{} it is tested every {} s.\n",
+                        step > 0 ? "It moves to the right at constant speed;" : "Its speed is 0;", duration / times) +
                 (step > reach ? "One step is longer than wall and box together, so it can jump the wall unseen."
                               : "One step is no longer than wall and box together: it cannot jump the wall."));
     first.formula = fmt::format("step = {} {} {} = wall + box", shown(step), step > reach ? ">" : "≤", shown(reach));
     // the thickness of the wall alone, and the step itself, are taken for the limit
-    first.question = which_value("How long may one step be, so that no hit is missed?", reach,
-                                 {width(wall_.shape), width(bullet_.shape), 2 * reach},
-                                 "The box touches the wall while it moves by the sum of both lengths.");
+    first.question =
+        which_value(fmt::format("The wall is {} wide, the box {}. How long may one step be, so that no hit "
+                                "is missed?",
+                                shown(width(wall_.shape)), shown(width(bullet_.shape))),
+                    reach, {width(wall_.shape), width(bullet_.shape), 2 * reach},
+                    "The box touches the wall while it moves by the sum of both lengths.");
     Record<motion::Event<double, 2>> record;
     const std::vector<double> hits = discrete_hits(bullet_, wall_, duration, times, record);
     int number = 0;
@@ -131,17 +136,23 @@ class Flight {
   /// Whether more is to be asked.
   bool swept() {
     swept_ = true;
-    const bool may = may_collide(bullet_, wall_, duration);
-    Step& step = add("swept", "The swept volume", 3,
-                     may ? "A box around the whole path meets the wall: they may collide. This test gives no false "
-                           "negatives."
-                         : "A box around the whole path misses the wall: they cannot collide.");
+    const bool may = may_collide(bullet_, wall_, duration), meet = truth_.has_value();
+    Step& step =
+        add("swept", "The swept volume", 3,
+            !may   ? "A box around the whole path misses the wall: they cannot collide."
+            : meet ? "A box around the whole path meets the wall. The box moves along an axis, so it sweeps just "
+                     "that box: they do meet.\n"
+                     "On a slanted path the box around it is larger than what is swept, and they might not."
+                   : "A box around the whole path, rounded outwards, meets the wall: they may collide.");
     step.decides = true;
-    // 2: that boxes around their ways are the bodies themselves
+    // 2: that it is so on a slanted path
     step.question = Question{"The discrete times are over. What does a box around the whole path show?",
-                             {"they never meet", "they may meet: a ray decides", "they meet"},
-                             may ? 1 : 0,
-                             "The swept volume is one box from the first place to the last one."};
+                             {"they never meet", "they meet, though not when", "nothing for certain"},
+                             !may   ? 0
+                             : meet ? 1
+                                    : 2,
+                             "It is one box from the first place to the last one. Along an axis it is just what the "
+                             "moving box sweeps."};
     if (may) {
       script_.refuse(3, {4});
       return true;

@@ -55,9 +55,10 @@ class HalfOpen : Teller {
             "It does lie below the same ray raised by a tiny *ε* (dashed). That ray meets no vertex, only interiors of "
             "edges.",
             "counts only if  (*a*_y > *p*_y) ≠ (*b*_y > *p*_y)");
-    if (setup_.truth.even_odd != Location::on)
-      step.question = how_many("A vertex on the ray counts as below it.", setup_.truth.crossings);
     known_.raised = false;
+    if (setup_.truth.even_odd == Location::on) return;
+    step.question = how_many("A vertex on the ray counts as below it.", setup_.truth.crossings);
+    step.question->over = picture(setup_, known_);  // the raised ray would tell
   }
 
   /// The core's walk along a ring; its three predicates count their operations, and the orientation's sign is exact.

@@ -27,7 +27,7 @@ class Flight {
         ray_{p.head<2>(), velocity.head<2>(), {0, frame}},
         truth_(contact(bullet_, wall_, frame)),
         script_({"Lecture note Intersection Detection, rays; Ericson, Real-Time Collision Detection (2005), 5.5",
-                 std::string("A bullet flies towards a thin wall from *x* = 0.25 to 0.5: ") +
+                 std::string("A bullet, and a thin wall from *x* = 0.25 to 0.5: ") +
                      (truth_ ? "it is in the wall within the frame." : "it does not reach the wall within the frame."),
                  {"o ← position; d ← velocity",                 // 0
                   "test at t = 0 and at t = Δt",                // 1
@@ -51,7 +51,9 @@ class Flight {
 
   Scene picture() const {
     Scene scene;
-    draw_wall(scene, wall_x);
+    Region wall;
+    wall.rings = {corners(wall_box)};
+    scene.items.emplace_back(wall);
     scene.items.emplace_back(Label{Vec3(wall_x.hi, -1.25, 0), "wall", Role::second});
     if (!segment_ && !frames_) {
       scene.items.emplace_back(Arrow{at(0), at(frame), Role::first, Pen::solid});

@@ -44,18 +44,18 @@ Parameters moved(const Parameters& p, const Vec2& to) {
 }  // namespace
 
 const CaseMap& cases() {
-  static const CaseMap map = {
-      "from **o** to the wall",
-      "*x* of **d**",
-      {-9, -4},
-      {9, 4.5},
-      {"within **d**", "beyond **d**", "behind **o**", "parallel"},
-      branch,
-      place,
-      moved,
-      "The wall moves along *x*, and **d** changes; **o** is fixed.\n"
-      "A wall within **d** counts for all three kinds. Beyond **d** it counts for rays and lines, behind **o** for "
-      "lines only."};
+  static const CaseMap map = {"from **o** to the wall",
+                              "*x* of **d**",
+                              {-9, -4},
+                              {9, 4.5},
+                              {"within **d**", "beyond **d**", "behind **o**", "parallel"},
+                              branch,
+                              place,
+                              moved,
+                              "The wall moves along *x*, and **d** changes; **o** is fixed.\n"
+                              "A wall within **d** counts for segments, rays and lines. Beyond **d** it counts for "
+                              "rays and lines, behind **o** for "
+                              "lines only."};
   return map;
 }
 

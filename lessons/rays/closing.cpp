@@ -27,8 +27,8 @@ const Closing& closing() {
           "A line meets a plane at *t* = −(**n** · **o** + *D*) / (**n** · **d**). The hit counts if and only if "
           "*t* lies in the closed range.",
       .cost =
-          "In space: six products, five sums and one division. A unit direction adds a square root and three "
-          "divisions, once per ray.",
+          "In space: six products, five sums and one division. Normalising **d** takes three products, two sums, a "
+          "square root and three divisions more, once per ray.",
       .choose =
           "Segments for line of sight and moving points. Rays for light and picking. Unit **d** where *t* must be "
           "a distance or many projections follow.",

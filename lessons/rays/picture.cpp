@@ -12,11 +12,49 @@ using Point2 = Point<double, 2>;
 
 namespace {
 
-const Aabb<double, 2> view = {{-3.5, -1.5}, {3.5, 1.75}};
+/// What is drawn of the plane, at least.
+const Aabb<double, 2> least_view = {{-3.5, -1.5}, {3.5, 1.75}};
+
+/// With all that is told of: what gives the ray, and where the line meets the wall.
+Aabb<double, 2> view_of(const Setup& s, bool hit) {
+  Aabb<double, 2> view = least_view;
+  const auto show = [&](const Point2& p) {
+    constexpr double margin = 0.25;
+    view.lo = view.lo.cwiseMin(p - Point2::Constant(margin)), view.hi = view.hi.cwiseMax(p + Point2::Constant(margin));
+  };
+  show(s.o.head<2>());
+  const Vec3 tip = s.made == Made::points ? s.q : Vec3(s.o + s.d);
+  show(tip.head<2>());
+  if (hit && s.truth.line) show(s.ray.at(1.15 * *s.truth.line));  // and beyond
+  return view;
+}
+
+/// The stretch of t in which the line runs through the view.
+Interval<double> drawn(const Ray<double, 2>& ray, const Aabb<double, 2>& view) {
+  const Ray<double, 2> line = {ray.origin, ray.direction, infinite<double>};
+  const std::optional<Interval<double>> part = intersect(line, view);
+  if (!part || !finite(*part)) return {0, 1};
+  return {std::min(part->lo, 0.0), std::max(part->hi, 1.0)};
+}
+
+/// Small strokes across the line at every whole t, named.
+void draw_marks(Scene& scene, const Ray<double, 2>& ray, const Interval<double>& t) {
+  const double length = ray.direction.norm();
+  if (!(length > 0.2)) return;  // too dense to draw
+  const Vector<double, 2> across = 0.09 / length * Vector<double, 2>(-ray.direction.y(), ray.direction.x());
+  const int first = static_cast<int>(std::ceil(std::max(t.lo, -40.0)));
+  const int last = static_cast<int>(std::floor(std::min(t.hi, 40.0)));
+  for (int i = first; i <= last; ++i) {
+    const Point2 p = ray.at(i);
+    scene.items.emplace_back(Line{flat(p - across), flat(p + across), Role::text, Pen::solid});
+    scene.items.emplace_back(Label{flat(p), shown(i), Role::muted});
+  }
+}
 
 class Painter {
  public:
-  Painter(const Setup& s, const Shown& shown) : s_(s), k_(shown), line_(drawn(s.ray)) {
+  Painter(const Setup& s, const Shown& shown)
+      : s_(s), k_(shown), view_(view_of(s, shown.hit)), line_(drawn(s.ray, view_)) {
     own_ = {std::max(line_.lo, s.ray.range.lo), std::min(line_.hi, s.ray.range.hi)};
   }
 
@@ -29,7 +67,7 @@ class Painter {
     if (k_.hit && s_.truth.line) hit();
     points();
     handles();
-    if (s_.ray.direction != Point2::Zero()) axis();
+    if (k_.range && s_.ray.direction != Point2::Zero()) axis();
     return std::move(scene_);
   }
 
@@ -38,8 +76,8 @@ class Painter {
   void add(Item item) { scene_.items.push_back(std::move(item)); }
 
   void wall() {
-    draw_wall(scene_, {s_.wall, s_.wall});
-    add(Label{Vec3(s_.wall, view.lo.y() + 0.25, 0), "wall", Role::second});
+    add(Line{{s_.wall, view_.lo.y(), 0}, {s_.wall, view_.hi.y(), 0}, Role::second, Pen::thick});
+    add(Label{Vec3(s_.wall, view_.lo.y() + 0.25, 0), "wall", Role::second});
   }
 
   /// The line without its range.
@@ -56,7 +94,7 @@ class Painter {
   void given() {
     const Vec3 tip = s_.made == Made::points ? s_.q : Vec3(s_.o + s_.d);
     add(Arrow{s_.o, tip, Role::first, Pen::solid});
-    add(Label{s_.o, "**d**", Role::first, tip});
+    add(s_.made == Made::points ? Label{s_.o, "**d**", Role::first, tip} : Label{tip, "**d**", Role::first});
     if (s_.made != Made::unit) return;
     add(Arrow{s_.o, at(1), Role::highlight, Pen::highlight});
     add(Label{at(1), "**u**", Role::text});
@@ -88,15 +126,14 @@ class Painter {
     else
       scene_.handles.push_back({"d", Handle::Kind::vector, s_.o + s_.d, s_.o, Role::first});
     if (!k_.wall) return;
-    const Vec3 foot = {0, view.lo.y(), 0};
+    const Vec3 foot = {0, view_.lo.y(), 0};
     scene_.handles.push_back({"wall", Handle::Kind::along, foot + s_.wall * Vec3::UnitX(), foot, Role::second});
   }
 
   void axis() {
     Axis axis;
     axis.lo = line_.lo, axis.hi = line_.hi;
-    axis.range_lo = k_.range ? s_.ray.range.lo : infinite<double>.lo;
-    axis.range_hi = k_.range ? s_.ray.range.hi : infinite<double>.hi;
+    axis.range_lo = s_.ray.range.lo, axis.range_hi = s_.ray.range.hi;
     if (k_.hit && s_.truth.line) {
       const bool counts = s_.ray.range.contains(*s_.truth.line);
       axis.ticks.push_back({*s_.truth.line, met_mark(counts), met_role(counts), "*t*"});
@@ -106,6 +143,7 @@ class Painter {
 
   const Setup& s_;
   const Shown& k_;
+  Aabb<double, 2> view_;
   Interval<double> line_, own_;  ///< as far as drawn: the line, and the range
   Scene scene_;
 };
@@ -132,36 +170,6 @@ Setup setup(const Parameters& p) {
   s.plane = {{1, 0}, -s.wall};
   s.truth = intersect(s.ray, s.plane);
   return s;
-}
-
-void draw_wall(Scene& scene, const Interval<double>& x) {
-  if (x.lo == x.hi) {
-    scene.items.emplace_back(Line{{x.lo, view.lo.y(), 0}, {x.lo, view.hi.y(), 0}, Role::second, Pen::thick});
-    return;
-  }
-  Region wall;
-  wall.rings = {{{x.lo, view.lo.y(), 0}, {x.hi, view.lo.y(), 0}, {x.hi, view.hi.y(), 0}, {x.lo, view.hi.y(), 0}}};
-  scene.items.emplace_back(wall);
-}
-
-Interval<double> drawn(const Ray<double, 2>& ray) {
-  const Ray<double, 2> line = {ray.origin, ray.direction, infinite<double>};
-  const std::optional<Interval<double>> part = intersect(line, view);
-  if (!part || !finite(*part)) return {0, 1};
-  return {std::min(part->lo, 0.0), std::max(part->hi, 1.0)};
-}
-
-void draw_marks(Scene& scene, const Ray<double, 2>& ray, const Interval<double>& t) {
-  const double length = ray.direction.norm();
-  if (!(length > 0.2)) return;  // too dense to draw
-  const Vector<double, 2> across = 0.09 / length * Vector<double, 2>(-ray.direction.y(), ray.direction.x());
-  const int first = static_cast<int>(std::ceil(std::max(t.lo, -40.0)));
-  const int last = static_cast<int>(std::floor(std::min(t.hi, 40.0)));
-  for (int i = first; i <= last; ++i) {
-    const Point2 p = ray.at(i);
-    scene.items.emplace_back(Line{flat(p - across), flat(p + across), Role::text, Pen::solid});
-    scene.items.emplace_back(Label{flat(p), shown(i), Role::muted});
-  }
 }
 
 Scene picture(const Setup& s, const Shown& shown) { return Painter(s, shown).paint(); }

@@ -31,13 +31,6 @@ struct Shown {
 };
 viz::Scene picture(const Setup&, const Shown&);
 
-/// The wall of a thickness, or the line that is its front.
-void draw_wall(viz::Scene&, const Interval<double>& x);
-/// The stretch of t in which the line runs through the part of the plane that is drawn.
-Interval<double> drawn(const Ray<double, 2>&);
-/// Small strokes across the line at every `spacing` of t, named, and a line through all of them.
-void draw_marks(viz::Scene&, const Ray<double, 2>&, const Interval<double>& t);
-
 const viz::CaseMap& cases();                                      ///< of the wall's place and the direction
 viz::Walk tell(const Setup&);                                     ///< a ray against the wall
 viz::Walk bullet(const viz::Vec3& p, const viz::Vec3& velocity);  ///< a moving point, as a ray

@@ -160,18 +160,15 @@ class Teller {
     std::vector<double> misconceived = {t * length, s_.plane.normal.dot(s_.ray.origin) + s_.plane.d};
     if (t != 0) misconceived.push_back(-t);  // the sign forgotten; before: a distance, and the numerator alone
     Step& step = add("wall", "Where the line meets the wall", 4,
-                     s_.made == Made::unit ? "The wall is the plane **n** · **x** + *D* = 0. The line meets it at one "
-                                             "*t*, the signed distance from **o**. "
-                                             "The range decides whether it counts."
-                                           : "The wall is the plane **n** · **x** + *D* = 0. The line meets it at one "
-                                             "*t*; the range decides whether it "
-                                             "counts.",
+                     fmt::format("The wall is the plane **n** · **x** + *D* = 0 with **n** = (1, 0) and *D* = {}. The "
+                                 "line meets it at one *t*{}. The range decides whether it counts.",
+                                 shown(-s_.wall), s_.made == Made::unit ? ", the signed distance from **o**" : ""),
                      fmt::format("*t* = −(**n** · **o** + *D*) / (**n** · **{}**) = {}", letter(s_), shown(t)));
     step.question =
-        which_value("At which *t* does the line meet the wall?", t, misconceived,
-                    fmt::format("The wall is *x* = {0}: **n** = (1, 0) and *D* = {1}. Substitute **r**(*t*) into "
-                                "**n** · **x** + *D* = 0 and solve for *t*.",
-                                shown(s_.wall), shown(-s_.wall)));
+        which_value(fmt::format("At which *t* does the line meet the wall *x* = {}?", shown(s_.wall)), t, misconceived,
+                    fmt::format("**n** = (1, 0) and *D* = {}: substitute **r**(*t*) into **n** · **x** + *D* = 0 and "
+                                "solve for *t*.",
+                                shown(-s_.wall)));
     Shown asked = known_;  // without the numbers along the line
     asked.marks = asked.hit = false;
     step.question->over = picture(s_, asked);

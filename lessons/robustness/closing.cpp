@@ -41,9 +41,8 @@ const std::string& opening() {
 const Closing& closing() {
   static const Closing closing = {
       .result =
-          "Near a border a rounded test is wrong in whole regions, not just at single points. An exact sign is right "
-          "in "
-          "every cell.",
+          "Near a border a rounded test is wrong in whole regions, not just at single points. An exact sign is "
+          "correct in every cell.",
       .cost =
           "A filter decides almost all calls in nanoseconds. Where its error bound leaves the sign open, exact numbers "
           "take far longer.",
@@ -61,18 +60,19 @@ const Closing& closing() {
                   "Predicates, *Discrete & Computational Geometry* 18, 1997, pages 305–363.",
                   "Christer Ericson, *Real-Time Collision Detection*, 2005, chapter 11."},
       .exercises = {
-          {"Drag **p** to a place where the naive orientation is right in every cell.",
+          {"Drag **p** to a place where the naive orientation is correct in every cell.",
            "Well beside the line all signs survive: at (1, 2), for instance.",
            "orientation",
            never_wrong,
            {{"p", "1,2,0"}}},
-          {"Ring a neighbour left of the line for which the naive test is right.",
-           "Up is left here. Far enough from the line, at 32 up and 32 to the left, the sign is right.",
+          {"Ring a neighbour left of the line for which the naive test is correct.",
+           "Up is left here. Far enough from the line, at 32 up and 32 to the left, the sign is correct.",
            "orientation",
            ringed_is_right,
            {{"right", "-32"}, {"up", "32"}}},
-          {"How far apart are two neighbouring doubles near 0.0625, and near 3?",
-           "2^{−56} and 2^{−51}: a difference of the two drops the last 5 bits or so of the smaller one."},
+          {"How far apart are two neighbouring doubles just above 0.0625, and near 3?",
+           "2^{−56} and 2^{−51}: a difference of the two drops the last 5 bits or so of the smaller one. Just below "
+           "0.0625, a power of two, they are 2^{−57} apart."},
           {"Coordinates are near 10^6, with 53 bits. Which tolerance is the smallest that makes sense?",
            "Neighbouring doubles there are 2^{−33}, about 10^{−10}, apart. A tolerance must be several of these gaps; "
            "one of "

@@ -50,7 +50,7 @@ class Teller {
         .scene = s_.scene;
     raster("truth", "What is true", 1,
            fmt::format("Each cell is {}: one step right is the next {} in *x*, one step up the next in *y*.\nThe exact "
-                       "test is right in every cell.\n"
+                       "test is correct in every cell.\n"
                        "Numbers at the border count these steps; the handles there select the ringed neighbour.",
                        s_.cell, scalar_),
            [](int truth, int) { return role(truth); });

@@ -75,6 +75,11 @@ class Script {
     state_.values.push_back({name, number, unit, role, fresh});
   }
 
+  /// Values that the next steps don't have.
+  void forget(const std::vector<std::string>& names) {
+    std::erase_if(state_.values, [&](const viz::Value& v) { return std::ranges::count(names, v.name) > 0; });
+  }
+
   /// The condition on `line` was false, so the lines of its branch are not taken.
   void refuse(int line, const std::vector<int>& branch) {
     state_.refused.push_back(line);

@@ -4,9 +4,11 @@
 #include "viz/closing.h"
 
 #include <algorithm>
+#include <array>
 
 #include "lessons/lessons.h"
 #include "tests/catch.h"
+#include "tests/viz/pixels.h"
 #include "tests/viz/window_driver.h"
 #include "viz/rich_text.h"
 
@@ -152,6 +154,28 @@ TEST_CASE("what methods say waits for the outcome, and while a question is open"
   CHECK_FALSE(window.has("alarm"));
   CHECK_FALSE(window.has("methods side by side"));
   CHECK_FALSE(window.has("comparison"));
+}
+
+TEST_CASE("while a question is open the step before it is told no more, as the picture is of the next one",
+          "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, at("crossings", "vertex-passed", 2));
+  const auto ground = [&] {  // of the current line
+    const Rect r = window.rect("line 5");
+    const Picture picture = window.picture();
+    const int x = static_cast<int>(r.left + 6), y = static_cast<int>(r.middle_y());
+    return std::array{channel(picture, x, y, 0), channel(picture, x, y, 1), channel(picture, x, y, 2)};
+  };
+  const std::array<int, 3> marked = ground();
+  window.key(key::right);
+  window.frames(2);
+  REQUIRE(window.player().asked());
+  REQUIRE(window.player().step().line == 4);
+  CHECK(ground() != marked);
+  const Rect words = window.rect("lesson words");
+  CHECK(window.rect("choice 1").top < words.top + 0.4f * words.height());  // nothing but the prompt stands above it
+  window.player().answer(0);
+  window.frames(2);
+  CHECK(window.has("what came of it"));
 }
 
 TEST_CASE("the wall stands nowhere before it is asked where a line meets it", "[asking]") {

@@ -71,6 +71,7 @@ TEST_CASE("set refuses what is no value of the parameter and changes nothing", "
   }
   CHECK_THROWS_WITH(set(toy(), p, "method", "exat"), Contains("method") && Contains("mean \"exact\""));
   CHECK_THROWS_WITH(set(toy(), p, "radus", "1"), Contains("parameter") && Contains("mean \"radius\""));
+  CHECK_THROWS_WITH(set(toy(), p, "r", "1"), "parameter: \"r\" is unknown; r in the pictures is called \"radius\"");
   CHECK(p == before);
 }
 

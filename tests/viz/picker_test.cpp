@@ -148,6 +148,19 @@ TEST_CASE("the picker understands the words of the subject, and Enter on none of
   CHECK(window.has("lesson sphere-sphere"));
 }
 
+TEST_CASE("a lesson is found by its presets and by the terms that it explains", "[window]") {
+  for (const auto& [words, lesson] : {std::pair("tunnelling", "collision"), std::pair("too short", "rays")}) {
+    WindowDriver window(lessons::all_lessons(), 1280, 800, {}, {}, with_course());
+    window.key(key::o, true);
+    window.frames(2);
+    window.type(words);
+    window.frames(2);
+    INFO(words);
+    CHECK(window.has(std::string("lesson ") + lesson));
+    CHECK_FALSE(window.has("lesson points"));
+  }
+}
+
 TEST_CASE("what was answered and read to its end is kept, and stands in the picker", "[window]") {
   WindowDriver window(lessons::all_lessons(), 1280, 800, at("ray-sphere"), {}, with_course());
   int asked = 0, right = 0;

@@ -135,6 +135,22 @@ TEST_CASE("a handle that is dragged back to where it was taken leaves the preset
   CHECK(dragged > 60);
 }
 
+TEST_CASE("what to remember is no scene: no drag over it and no wheel moves the one before", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, place_at("rays", "ray"));
+  window.key(key::end);
+  REQUIRE(window.player().scene().chart);
+  const Camera before = window.player().camera().goal();
+  const Rect scene = window.rect("scene");
+  window.move(scene.middle_x(), scene.middle_y());
+  window.button(true);
+  window.move(scene.middle_x() + 100, scene.middle_y() + 140);
+  window.button(false);
+  ImGui::GetIO().MouseWheel = 3;
+  window.frames(2);
+  const Camera after = window.player().camera().goal();
+  CHECK((after.target == before.target && after.half_height == before.half_height && after.azimuth == before.azimuth));
+}
+
 TEST_CASE("every handle is at least 24 px wide, and has its name beside it", "[window]") {
   WindowDriver window(lessons::all_lessons(), 1280, 800, {}, {}, names_only);
   for (const Lesson* lesson : lessons::all_lessons()) {

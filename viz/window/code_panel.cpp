@@ -122,7 +122,7 @@ void code_line(Session& s, int line, const CodeLine& words, float pitch, const R
   Ui& ui = s.ui;
   const Palette& c = ui.palette;
   const Step& step = s.player.step();
-  const bool current = line == step.line;
+  const bool current = line == step.line && !s.player.asked();
   const int to = step_at_line(s.player, line);
   const Press p = press(ui, "line " + std::to_string(line + 1), r);
   if (current)

@@ -52,6 +52,11 @@ float lecture_height(Session& s, float width, float room) {
 void lecture(Session& s, const Rect& r) {
   Ui& ui = s.ui;
   begin_region(ui, "lecture", r);
+  if (s.player.asked()) {  // the question stands over the scene
+    rule(ui, r.left, r.right, r.top);
+    ImGui::End();
+    return;
+  }
   const Told told = told_of(s, r.width());
   const float left = r.left + told_margin, top = r.top + told_padding;
   const float caption = static_cast<float>(told.caption.width);

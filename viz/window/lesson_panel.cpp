@@ -61,18 +61,22 @@ void lesson_text(Session& s, const Rect& r, bool fresh, bool low) {
   const float top = ImGui::GetCursorScreenPos().y;  // moves with the scroll
   Column c{s, r.left + panel_margin, top + (low ? 10.0f : 18.0f), r.width() - 2 * panel_margin};
   exercise_on_hand(c);
-  c.paragraph(step.title, ink.text, 19, 26, true);
-  c.y += 8;
-  c.paragraph(step.caption, ink.text);
-  if (!step.formula.empty()) {
-    c.y += 16;
-    formula_card(c, step.formula);
-  }
-  if (!step.source.empty() && step.slug != closing_slug) {  // there all sources are in the caption
+  if (s.player.asked()) {  // of the next step, which is drawn already: what is told of this one would be taken for its
+    c.y -= 24;
+  } else {
+    c.paragraph(step.title, ink.text, 19, 26, true);
     c.y += 8;
-    c.paragraph(step.source, ink.muted, 13, 19);
+    c.paragraph(step.caption, ink.text);
+    if (!step.formula.empty()) {
+      c.y += 16;
+      formula_card(c, step.formula);
+    }
+    if (!step.source.empty() && step.slug != closing_slug) {  // there all sources are in the caption
+      c.y += 8;
+      c.paragraph(step.source, ink.muted, 13, 19);
+    }
+    erratum(c);
   }
-  erratum(c);
   question(c, fresh);
   if (step.slug == closing_slug)
     missed(c), exercises(c), same_ideas(c);

@@ -116,8 +116,9 @@ void number(Session& s, const Parameter& p, double value, const Rect& r) {
 
 void vector(Session& s, const Parameter& p, const Vec3& value, const Rect& r) {
   constexpr const char* axes[] = {"x", "y", "z"};
-  const float width = std::floor((r.width() - 8) / 3);
-  for (int i = 0; i < 3; ++i) {
+  const int count = s.player.lesson().flat ? 2 : 3;  // a plane lesson does not use the third coordinate
+  const float width = std::floor((r.width() - 4 * static_cast<float>(count - 1)) / static_cast<float>(count));
+  for (int i = 0; i < count; ++i) {
     const float x = r.left + static_cast<float>(i) * (width + 4);
     const std::string name = p.name + "." + axes[i];
     const auto now = number_field(s, name, p, value[i], {x, r.top, x + width, r.bottom}, false);

@@ -27,9 +27,12 @@ struct Entry {
   float height() const { return heading.empty() ? row_height + 2 : heading_height; }
 };
 
-bool wanted(const Lesson& l, const std::string& words) {
+bool wanted(const Lesson& l, const Course& course, const std::string& words) {
   std::string all = l.id + " " + plain(l.title) + " " + l.summary;
   for (const std::string& idea : l.ideas) all += " " + idea;
+  for (const Preset& preset : l.presets) all += " " + plain(preset.title);
+  for (const Course::Term& term : course.terms)
+    if (term.lesson == l.id) all += " " + term.name;
   return matches(all, words);
 }
 
@@ -60,7 +63,7 @@ std::vector<Entry> rows_of(const Session& s) {
   for (const Lesson* l : lessons) {
     for (const Course::Part& part : s.course.parts)
       if (part.first == l->id) heading = part.title;
-    if (wanted(*l, s.search)) add(std::exchange(heading, {}), {{}, l});
+    if (wanted(*l, s.course, s.search)) add(std::exchange(heading, {}), {{}, l});
   }
   heading = "Saved presets";
   for (const std::string& file : s.presets)
@@ -190,7 +193,9 @@ const Entry* columns(Session& s, const std::vector<Entry>& rows, ImVec2 at, floa
     y += row.height();
     end = std::max(end, y);
   }
-  if (rows.empty()) text(s.ui.fonts.body, x + 8, y + 16, packed(s.ui.palette.muted), "No lesson has these words");
+  if (rows.empty())
+    text(s.ui.fonts.body, x + 8, y + 16, packed(s.ui.palette.muted),
+         "No title, summary, term or preset has these words");
   ImGui::SetCursorScreenPos(at);
   ImGui::Dummy({1, end - at.y});
   return pressed;

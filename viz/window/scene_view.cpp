@@ -58,8 +58,7 @@ Theme axis_look(const Session& s, const Rect& r) {
 
 /// What a ray's t-axis takes below the scene: the same in all steps.
 float axis_room(const Session& s, const Rect& r) {
-  const bool has_axis = s.player.walk().steps.front().scene.axis.has_value();
-  return has_axis ? static_cast<float>(axis_height * axis_look(s, r).sizes.axis) + 10 : 0;
+  return has_axis(s.player.walk()) ? static_cast<float>(axis_height * axis_look(s, r).sizes.axis) + 10 : 0;
 }
 
 /// It stands between the tripod and the name of the projection.
@@ -252,6 +251,10 @@ void SceneView::pointer(Session& s, const View& view, bool hovered, bool active)
   if (const Cases* cases = map_of(s)) {
     const Theme ink = look(s, view);
     map_drag_.follow(s, *cases, plane_of(*cases, view.corner(), view.width(), view.height(), ink), hovered);
+    last_ = mouse();
+    return;
+  }
+  if (s.player.scene().chart && !held_) {  // no camera looks at it
     last_ = mouse();
     return;
   }

@@ -63,7 +63,8 @@ void menu(Session& s, const ImVec2& at) {
     std::vector<std::pair<std::string, Beside>> rows;
     const std::string& lesson = s.player.lesson().id;
     for (const Method& m : s.player.methods()) rows.emplace_back(plain(m.title), Beside{lesson, m.choice, {}});
-    for (const Preset* p : s.player.group()) rows.emplace_back(plain(s.player.told_title(*p)), Beside{lesson, {}, p->id});
+    for (const Preset* p : s.player.group())
+      rows.emplace_back(plain(s.player.told_title(*p)), Beside{lesson, {}, p->id});
     float width = 160;
     for (const auto& [title, side] : rows) width = std::max(width, text_width(s.ui.fonts.body, title) + 28);
     const ImVec2 top = ImGui::GetCursorScreenPos();
