@@ -52,7 +52,7 @@ std::string method_for(const viz::Lesson& lesson, const std::vector<std::string>
   if (presets.empty()) return {};
   const viz::Preset& preset = viz::preset(lesson, presets.front());
   const std::vector<std::string> known = scene::methods_for_many(lesson.id);
-  if (const auto at = preset.parameters.find("method"); at != preset.parameters.end() && presets.size() == 1)
+  if (const auto at = preset.parameters.find(lesson.group_by); at != preset.parameters.end() && presets.size() == 1)
     if (const auto* name = std::get_if<std::string>(&at->second);
         name && std::ranges::find(known, *name) != known.end())
       return *name;

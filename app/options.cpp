@@ -31,7 +31,7 @@ void add_scene_file(CLI::App& sub, const Program& program, Selection& to) {
     help += id + ", ", row += id + ", ";
   }
   help.resize(help.size() - 2);
-  sub.add_option("--scene", to.scene, help + ".\nIn collision --preset chooses the method")
+  sub.add_option("--scene", to.scene, help + ".\nIn collision and hierarchy --preset chooses the method")
       ->type_name("FILE")
       ->check(not_empty());
 }

@@ -136,11 +136,40 @@ Answered all_that_meet(const Context& c, const WalkAsked& asked) {
   return out;
 }
 
+/// The nodes of the boxes' hierarchy; the box that the ray meets first.
+Answered of_hierarchy(const Context& c, const WalkAsked& asked) {
+  const std::size_t boxes = asked.many.size() - (asked.with_ray ? 1 : 0);
+  Json names = Json::array();
+  for (std::size_t i = 0; i < boxes; ++i) names.push_back(c.object(asked.many[i]).name);
+  Answered out;
+  Json result;
+  if (asked.with_ray) {
+    const std::size_t ray = asked.many.back();
+    std::vector<Hit> hits;
+    for (std::size_t i = 0; i < boxes; ++i)
+      if (const auto t = ask(c.setting, c.object(ray), c.object(asked.many[i])).first_hit)
+        hits.push_back({asked.many[i], *t});
+    std::ranges::stable_sort(hits, {}, &Hit::t);
+    out.verdict = first_of(c, ray, hits, {});
+    result["hits"] = Json::array();
+    for (const Hit& hit : hits) result["hits"].push_back({{"object", c.object(hit.object).name}, {"t", hit.t}});
+  } else {
+    std::vector<const Object*> all;
+    for (const std::size_t i : asked.many) all.push_back(&c.object(i));
+    out.verdict = walk(*walk_of_many(asked.lesson, asked.method), c.setting, all).steps.back().verdict;
+    result["hierarchy"] = viz::plain(out.verdict.text);
+  }
+  out.json = {{"walk", names}, {"lesson", asked.lesson}};
+  if (asked.with_ray) out.json["ray"] = c.object(asked.many.back()).name;
+  out.json["verdict"] = viz::plain(out.verdict.text), out.json["result"] = result;
+  return out;
+}
+
 }  // namespace
 
 /// What its steps end with.
 Answered answered(const Context& c, const WalkAsked& asked) {
-  if (!asked.many.empty()) return all_that_meet(c, asked);
+  if (!asked.many.empty()) return asked.lesson == "hierarchy" ? of_hierarchy(c, asked) : all_that_meet(c, asked);
   const Object &a = c.object(asked.a), &b = c.object(asked.b);
   if (asked.a == asked.b) {
     const Ring<double, 2> hull = convex_hull(points_of<2>(c.setting.points(a)));

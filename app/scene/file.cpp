@@ -166,6 +166,10 @@ class SceneReader {
     }
     for (const std::size_t i : asked.many)
       need_type(i, to, object(i).type == way.a && file_.flat == way.flat, expected);
+    if (way.with_ray)
+      asked.many.push_back(ray_of(json, path)), asked.with_ray = true;
+    else if (json.contains("ray"))
+      source_.refuse(below(path, "ray"), fmt::format("{} asks by no ray here", lesson));
     std::vector<std::size_t> sorted = asked.many;
     std::ranges::sort(sorted);
     if (std::ranges::adjacent_find(sorted) != sorted.end()) source_.refuse(to, "an object is named twice");
@@ -173,8 +177,21 @@ class SceneReader {
     return asked;
   }
 
+  /// The one that is named, or the only one.
+  std::size_t ray_of(const Json& json, const Path& path) const {
+    if (json.contains("ray")) {
+      const std::size_t i = named(json["ray"], below(path, "ray"));
+      need_type(i, below(path, "ray"), object(i).type == Type::ray, "a ray");
+      return i;
+    }
+    const auto is_ray = [](const Object& o) { return o.type == Type::ray; };
+    if (std::ranges::count_if(file_.objects, is_ray) != 1)
+      source_.refuse(path, "\"ray\" is expected: the name of the ray that asks");
+    return static_cast<std::size_t>(std::ranges::find_if(file_.objects, is_ray) - file_.objects.begin());
+  }
+
   Asked walk(const Json& json, const Path& path) const {
-    source_.only(json, path, {"walk", "lesson", "method"});
+    source_.only(json, path, {"walk", "lesson", "method", "ray"});
     const Path to = below(path, "walk");
     std::string lesson;
     if (json.contains("lesson")) {
@@ -187,7 +204,10 @@ class SceneReader {
     }
     if (scene::walk_of_many(lesson, "")) return walk_of_many(json, lesson, path);
     if (json.contains("method"))
-      source_.refuse(below(path, "method"), "no such field is known here; with \"lesson\": \"collision\" it is");
+      source_.refuse(below(path, "method"),
+                     "no such field is known here; with \"lesson\": \"collision\" or \"hierarchy\" it is");
+    if (json.contains("ray"))
+      source_.refuse(below(path, "ray"), "no such field is known here; with \"lesson\": \"hierarchy\" it is");
     const bool one = json["walk"].is_string();
     const auto [i, j] =
         one ? std::pair(named(json["walk"], to), named(json["walk"], to)) : two_objects(json["walk"], to);

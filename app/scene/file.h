@@ -52,6 +52,7 @@ struct WalkAsked {
   std::string lesson = {};             ///< its id, where another than the usual one for such objects is asked for
   std::vector<std::size_t> many = {};  ///< where it is of many: all of them, of which a is the first and b the second
   std::string method = {};             ///< of those that the lesson has for many; empty: the first
+  bool with_ray = false;               ///< the last of the many is the ray that they are asked by
 };
 using Asked = std::variant<PairAsked, FirstHitAsked, FitAsked, ClipAsked, HierarchyAsked, WalkAsked>;
 

@@ -122,7 +122,9 @@ class Walker {
     std::string who;
     for (const std::size_t i : asked.many) {
       all.push_back(&context_.object(i));
-      who += fmt::format("{}{} is {}", all.size() == 1 ? "" : ", ", context_.name(i), all.size() - 1);
+      const bool ray = asked.with_ray && all.size() == asked.many.size();
+      who += fmt::format("{}{} is {}", all.size() == 1 ? "" : ", ", context_.name(i),
+                         ray ? "the ray" : std::to_string(all.size() - 1));
       std::ranges::move(scene::handles(context_.setting, *all.back(), Role::second), std::back_inserter(handles));
     }
     viz::Walk walk = scene::walk(way, context_.setting, all);
@@ -238,7 +240,7 @@ Json walks_through(const viz::Lesson& lesson, const std::string& method, const F
   Json asked = Json::array();
   std::string refused;
   if (const LessonWalk* const way = walk_of_many(lesson.id, method); way && way->flat == file.flat)
-    if (std::ranges::count(file.objects, way->a, &Object::type) > 1) {
+    if (std::ranges::count(file.objects, way->a, &Object::type) > 1) {  // its ray, if it needs one, is the only one
       asked.push_back({{"walk", "all"}, {"lesson", lesson.id}, {"method", way->method}});
       return asked;
     }

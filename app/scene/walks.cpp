@@ -15,6 +15,7 @@
 #include "lessons/convex_polygon/picture.h"
 #include "lessons/crossings/telling.h"
 #include "lessons/culling/picture.h"
+#include "lessons/hierarchy/tree.h"
 #include "lessons/lessons.h"
 #include "lessons/obb_obb/telling.h"
 #include "lessons/ray_polygon/telling.h"
@@ -184,6 +185,28 @@ viz::Walk colliding(const Setting& s, const std::vector<const Object*>& all) {
   return Way(of_all, lessons::collision_lesson::frame_of(of_all));
 }
 
+lessons::hierarchy_lesson::Boxes for_hierarchy(const Setting& s, const std::vector<const Object*>& some) {
+  if (some.size() > most_boxes)
+    throw viz::BadInput(
+        fmt::format("they are {}, and the lesson draws their tree: {} are the most", some.size(), most_boxes));
+  lessons::hierarchy_lesson::Boxes all;
+  for (const Object* o : some) all.push_back(box_of<2>(s, *o));
+  const auto point = [&](const auto& box) { return box.lo == all[0].lo && box.hi == all[0].lo; };
+  if (std::ranges::all_of(all, point)) throw viz::BadInput("all of them are one point");
+  return all;
+}
+
+viz::Walk built(const Setting& s, const std::vector<const Object*>& all) {
+  return lessons::hierarchy_lesson::build(for_hierarchy(s, all));
+}
+
+viz::Walk asked_by_ray(const Setting& s, const std::vector<const Object*>& all) {
+  const Object& ray = *all.back();
+  if (s.has(ray, "tmin") || s.has(ray, "tmax")) throw viz::BadInput("the lesson’s rays begin at t = 0 and have no end");
+  return lessons::hierarchy_lesson::ray(for_hierarchy(s, {all.begin(), all.end() - 1}),
+                                        {point_of<2>(s.point(ray, "origin")), point_of<2>(s.point(ray, "dir"))});
+}
+
 constexpr Walk hull_of_points = [](const Setting& s, const Object& a, const Object&) {
   const std::vector<Vec3> points = s.points(a);
   need_few(a, points);
@@ -221,6 +244,8 @@ const std::vector<LessonWalk>& walks() {
       {"collision", box, box, true, "boxes", nullptr, nullptr, colliding<lessons::collision_lesson::sweep>, "sweep"},
       {"collision", box, box, true, "boxes", nullptr, nullptr, colliding<lessons::collision_lesson::hierarchy>,
        "hierarchy"},
+      {"hierarchy", box, box, true, "boxes", nullptr, nullptr, built, "build"},
+      {"hierarchy", box, box, true, "boxes", nullptr, nullptr, asked_by_ray, "ray", true},
       {"convex-hull", hull, hull, true, "the points", nullptr, hull_of_points},
       {"convex-hull", cloud, cloud, true, "the points", nullptr, hull_of_points},
   };

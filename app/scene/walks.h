@@ -16,6 +16,7 @@ struct LessonWalk {
   viz::Walk (*steps)(const Setting&, const Object& a, const Object& b);
   viz::Walk (*steps_of_many)(const Setting&, const std::vector<const Object*>&) = nullptr;
   const char* method = "";  ///< of those that the lesson has for many
+  bool with_ray = false;    ///< the last of the many is a ray
 
   bool of_many() const { return steps_of_many != nullptr; }
   bool of_one() const { return name_b == nullptr && !of_many(); }

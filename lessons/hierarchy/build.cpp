@@ -15,9 +15,8 @@ namespace {
 
 class Building {
  public:
-  explicit Building(const Vec3& p)
-      : p_(p),
-        tree_(scattered(p)),
+  explicit Building(Tree tree)
+      : tree_(std::move(tree)),
         script_({"Lecture note, bounding volume hierarchies; Goldsmith and Salmon, IEEE CG&A 7 (1987); Wald, "
                  "Interactive Ray Tracing (2007)",
                  fmt::format("{} boxes in nested boxes, and their tree.", tree_.boxes.size()),
@@ -57,8 +56,8 @@ class Building {
       from[split->axis] = to[split->axis] = split->at;
       scene.items.push_back(Line{from, to, Role::text, Pen::thick});
     }
-    for (const Item& item : branches(tree_, drawn_, {1.25, -1.5}, {5, 1.625})) scene.items.push_back(item);
-    scene.handles = {{"p", Handle::Kind::point, p_, Vec3::Zero(), Role::second}};
+    for (const Item& item : branches(tree_, drawn_)) scene.items.push_back(item);
+    scene.handles = {{"p", Handle::Kind::point, middle(tree_.box(0)), Vec3::Zero(), Role::second}};
     return step;
   }
 
@@ -126,7 +125,6 @@ class Building {
                                 {n, 2 * n, n * (n - 1) / 2}, "A binary tree with *n* leaves has *n* − 1 inner nodes.");
   }
 
-  const Vec3 p_;
   const Tree tree_;
   Script script_;
   Drawn drawn_;
@@ -134,6 +132,7 @@ class Building {
 
 }  // namespace
 
-Walk build(const Vec3& p) { return Building({p.x(), p.y(), 0}).tell(); }
+Walk build(const Vec3& p) { return Building(Tree(scattered(p))).tell(); }
+Walk build(const Boxes& boxes) { return Building(Tree(boxes, place_beside(boxes))).tell(); }
 
 }  // namespace isect::lessons::hierarchy_lesson

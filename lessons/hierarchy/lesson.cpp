@@ -12,7 +12,7 @@ namespace {
 using namespace viz;
 
 const std::vector<std::string> walks = {"build", "ray", "pairs", "growth"};
-const Vec3 beside = {-3.5, 1.25, 0};
+const Vec3 at_the_left = {-3.5, 1.25, 0};
 
 Walk walk(const Parameters& values) {
   const std::string& which = std::get<std::string>(values.at("walk"));
@@ -22,7 +22,7 @@ Walk walk(const Parameters& values) {
   return which == "growth" ? growth() : build(vector("p"));
 }
 
-Preset preset_of(const char* id, const char* title, const char* walk, const Vec3& p = beside,
+Preset preset_of(const char* id, const char* title, const char* walk, const Vec3& p = at_the_left,
                  const Vec3& o = {-4.25, -0.25, 0}, const Vec3& d = {1, 0.1875, 0}, const Vec3& q = {0.25, -0.75, 0}) {
   return {id, title, walk, {{"walk", std::string(walk)}, {"p", p}, {"o", o}, {"d", d}, {"q", q}}};
 }
@@ -35,25 +35,24 @@ const Lesson& lesson() {
       .title = "Bounding volume hierarchies",
       .rows = "N09",
       .summary = "Boxes in boxes: how a hierarchy is built, what it rules out, and how that grows.",
-      .parameters = {choice("walk", "walk", "What is done with the hierarchy.", walks),
-                     where(
-                         "walk", {"build", "ray", "pairs"},
-                         vector("p", "**p**", "Centre of box 0, in units; its third coordinate is not used.", beside)),
-                     where("walk", {"ray"},
-                           vector("o", "**o**", "The origin of the ray, in units; its third coordinate is not used.",
-                                  Vec3::Zero())),
-                     where("walk", {"ray"},
-                           vector("d", "**d**",
-                                  "The direction of the ray, of any length but 0; its third coordinate is not used.",
-                                  Vec3::UnitX())),
-                     where("walk", {"pairs"},
-                           vector("q", "**q**", "Centre of the second object, in units.", Vec3::Zero()))},
+      .parameters =
+          {choice("walk", "walk", "What is done with the hierarchy.", walks),
+           where("walk", {"build", "ray", "pairs"},
+                 vector("p", "**p**", "Centre of box 0, in units; its third coordinate is not used.", at_the_left)),
+           where("walk", {"ray"},
+                 vector("o", "**o**", "The origin of the ray, in units; its third coordinate is not used.",
+                        Vec3::Zero())),
+           where(
+               "walk", {"ray"},
+               vector("d", "**d**", "The direction of the ray, of any length but 0; its third coordinate is not used.",
+                      Vec3::UnitX())),
+           where("walk", {"pairs"}, vector("q", "**q**", "Centre of the second object, in units.", Vec3::Zero()))},
       .conditions = {not_zero("d", true)},
       .group_by = "walk",
       .presets = {preset_of("build", "build", "build"), preset_of("outlier", "one far off", "build", {0.5, -2.75, 0}),
                   preset_of("ray", "a ray", "ray"),
-                  preset_of("ray-beyond", "pruned beyond the hit", "ray", beside, {-4.25, 1.375, 0}, {1, 0, 0}),
-                  preset_of("ray-missed", "past all boxes", "ray", beside, {-4.25, -2.25, 0}, {1, -0.0625, 0}),
+                  preset_of("ray-beyond", "pruned beyond the hit", "ray", at_the_left, {-4.25, 1.375, 0}, {1, 0, 0}),
+                  preset_of("ray-missed", "past all boxes", "ray", at_the_left, {-4.25, -2.25, 0}, {1, -0.0625, 0}),
                   preset_of("pairs", "two objects meet", "pairs"), preset_of("growth", "as n grows", "growth")},
       .camera = {.azimuth = 0, .elevation = 0},
       .steps = walk,

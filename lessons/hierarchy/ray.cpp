@@ -22,10 +22,9 @@ using Events = std::vector<bvh_ray::Event<double>>;
 
 class Shooting {
  public:
-  Shooting(const Vec3& p, const Vec3& o, const Vec3& d)
-      : p_(p),
-        ray_{{o.x(), o.y()}, {d.x(), d.y()}},
-        tree_(scattered(p)),
+  Shooting(Tree tree, const Ray<double, 2>& ray)
+      : ray_(ray),
+        tree_(std::move(tree)),
         script_({"Lecture note, bounding volume hierarchies; Kay and Kajiya, SIGGRAPH (1986)",
                  fmt::format("A ray through {} boxes in nested boxes, and their tree.", tree_.boxes.size()),
                  {"push the root, if the ray meets its box",                  // 0
@@ -80,13 +79,15 @@ class Shooting {
     Scene scene;
     scene.items = nested(tree_, drawn);
     const Vec3 o = flat(ray_.origin), d = flat(ray_.direction);
-    const double length = d.norm() > 0 ? 5.5 / d.norm() : 0;
+    const Vec2 centre = (tree_.node(0).box.lo + tree_.node(0).box.hi) / 2;
+    const double unit = tree_.place.unit, reach = std::max(5.5 * unit, (centre - ray_.origin).norm() + 2 * unit),
+                 length = d.norm() > 0 ? reach / d.norm() : 0;
     scene.items.push_back(Arrow{o, o + length * d, Role::first});
     scene.items.push_back(Dot{o, Mark::disc, Role::first});
     scene.items.push_back(Label{o, "**o**", Role::first});
     if (hit_) scene.items.push_back(Dot{flat(ray_.at(*hit_)), Mark::disc, Role::hit});
-    for (const Item& item : branches(tree_, drawn, {1.25, -1.5}, {5, 1.625})) scene.items.push_back(item);
-    scene.handles = {{"p", Handle::Kind::point, p_, Vec3::Zero(), Role::second},
+    for (const Item& item : branches(tree_, drawn)) scene.items.push_back(item);
+    scene.handles = {{"p", Handle::Kind::point, middle(tree_.box(0)), Vec3::Zero(), Role::second},
                      {"o", Handle::Kind::point, o, Vec3::Zero(), Role::first},
                      {"d", Handle::Kind::vector, o + d, o, Role::first}};
     return scene;
@@ -175,7 +176,6 @@ class Shooting {
                   plural(asked_, "test"), tested_, tree_.boxes.size(), ruled_out_, ruled_out_ == 1 ? "was" : "were"));
   }
 
-  const Vec3 p_;
   const Ray<double, 2> ray_;
   const Tree tree_;
   Script script_;
@@ -187,10 +187,13 @@ class Shooting {
   bool asked_question_ = false;
 };
 
-Vec3 in_plane(const Vec3& p) { return {p.x(), p.y(), 0}; }
-
 }  // namespace
 
-Walk ray(const Vec3& p, const Vec3& o, const Vec3& d) { return Shooting(in_plane(p), in_plane(o), in_plane(d)).tell(); }
+Walk ray(const Vec3& p, const Vec3& o, const Vec3& d) {
+  return Shooting(Tree(scattered(p)), {o.head<2>(), d.head<2>()}).tell();
+}
+Walk ray(const Boxes& boxes, const Ray<double, 2>& ray) {
+  return Shooting(Tree(boxes, place_beside(boxes)), ray).tell();
+}
 
 }  // namespace isect::lessons::hierarchy_lesson

@@ -39,7 +39,16 @@ Boxes cluster(const Vec3& middle) {
   return boxes;
 }
 
-Tree::Tree(Boxes the_boxes) : boxes(std::move(the_boxes)), bvh(build_bvh(boxes, options)) {}
+TreePlace place_beside(const Boxes& boxes) {
+  Vec2 lo = boxes.front().lo, hi = boxes.front().hi;
+  for (const Aabb<double, 2>& box : boxes) lo = lo.cwiseMin(box.lo), hi = hi.cwiseMax(box.hi);
+  const double unit = std::max((hi.x() - lo.x()) / 4.2, (hi.y() - lo.y()) / 3.55);  // the lesson's own span these
+  const Vec2 corner = {hi.x() + 0.9 * unit, (lo.y() + hi.y()) / 2 - 1.5 * unit};
+  return {corner, corner + Vec2(3.75, 3.125) * unit, unit};
+}
+
+Tree::Tree(Boxes the_boxes, const TreePlace& the_place)
+    : boxes(std::move(the_boxes)), place(the_place), bvh(build_bvh(boxes, options)) {}
 
 std::vector<int> Tree::below(int i) const {
   const BvhNode<double, 2>& n = node(i);
@@ -61,8 +70,8 @@ Items nested(const Tree& tree, const Drawn& drawn) {
     const bool hit = std::ranges::find(drawn.hits, i) != drawn.hits.end();
     items.push_back(Region{.rings = {corners(tree.box(i))}, .role = hit ? Role::hit : drawn.role});
     const Vec2 middle = (tree.box(i).lo + tree.box(i).hi) / 2;
-    items.push_back(
-        viz::Heading{flat(middle), fmt::format("{}{}", drawn.prefix, i), hit ? Role::hit : drawn.role, 0.36, false});
+    items.push_back(viz::Heading{flat(middle), fmt::format("{}{}", drawn.prefix, i), hit ? Role::hit : drawn.role,
+                                 0.36 * tree.place.unit, false});
   }
   for (int i = 0; i < tree.size(); ++i) {
     const State state = drawn.states[i];
@@ -120,8 +129,8 @@ Items branches(const Tree& tree, const Drawn& drawn, const Vec2& lo, const Vec2&
                     : state(i) == State::seen   ? Dot{p, Mark::disc, drawn.role}
                                                 : Dot{p, Mark::ring, drawn.role});
     if (tree.node(i).leaf())
-      items.push_back(
-          viz::Heading{p - Vec3(0, 0.28, 0), held(tree, i, drawn.prefix), drawn.role, 0.8 * widths[i], false});
+      items.push_back(viz::Heading{p - Vec3(0, 0.28 * tree.place.unit, 0), held(tree, i, drawn.prefix), drawn.role,
+                                   0.8 * widths[i], false});
   }
   return items;
 }

@@ -18,10 +18,18 @@ Boxes cluster(const viz::Vec3& middle);  ///< six, for a second object
 /// Leaves of up to three boxes, as a node's test costs twice a box's here: small trees, that are drawn clearly.
 inline constexpr BvhOptions options = {.largest_leaf = 3, .visit = 2};
 
+/// Where a tree is drawn, beside its boxes, and how long the lesson's unit is there.
+struct TreePlace {
+  viz::Vec2 lo = {1.25, -1.5}, hi = {5, 1.625};
+  double unit = 1;
+};
+TreePlace place_beside(const Boxes&);
+
 struct Tree {
-  explicit Tree(Boxes);
+  explicit Tree(Boxes, const TreePlace& = {});
 
   Boxes boxes;
+  TreePlace place;
   Bvh<double, 2> bvh;
 
   int size() const { return static_cast<int>(bvh.nodes.size()); }
@@ -50,8 +58,11 @@ struct Drawn {
 
 /// The boxes, and around them those of the nodes: dashed, crossed out where pruned.
 std::vector<viz::Item> nested(const Tree&, const Drawn&);
-/// The tree within a rectangle; what its leaves hold stands below them.
+/// The tree in its place, or within another rectangle; what its leaves hold stands below them.
 std::vector<viz::Item> branches(const Tree&, const Drawn&, const viz::Vec2& lo, const viz::Vec2& hi);
+inline std::vector<viz::Item> branches(const Tree& tree, const Drawn& drawn) {
+  return branches(tree, drawn, tree.place.lo, tree.place.hi);
+}
 
 /// What is told before the first step, and after the last one. (closing.cpp)
 const std::string& opening();
@@ -62,6 +73,9 @@ const viz::Closing& closing();
 viz::Walk build(const viz::Vec3& p);
 /// The closest hit of the ray from o along d.
 viz::Walk ray(const viz::Vec3& p, const viz::Vec3& o, const viz::Vec3& d);
+/// The same of any boxes, two or more, that are not all one point.
+viz::Walk build(const Boxes&);
+viz::Walk ray(const Boxes&, const Ray<double, 2>&);
 /// All pairs between the boxes and a second object's.
 viz::Walk pairs(const viz::Vec3& p, const viz::Vec3& q);
 viz::Walk growth();

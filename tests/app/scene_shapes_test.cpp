@@ -435,6 +435,39 @@ TEST_CASE("the boxes of a scene are walked through by each method of collision, 
   CHECK_THAT(shell("isect show collision --scene s.json").err, Contains("they are 13") && Contains("12 are the most"));
 }
 
+TEST_CASE("a scene's boxes are built into a hierarchy and asked by its ray, step by step", "[scene]") {
+  const Shell shell;
+  const std::string objects = R"({"box": "A", "lo": [10, 0], "hi": [12, 3]}, {"box": "B", "lo": [14, 1], "hi": [15, 4]},
+    {"box": "C", "lo": [11, 6], "hi": [14, 7]}, {"box": "D", "lo": [20, 0], "hi": [23, 2]},
+    {"box": "E", "lo": [21, 4], "hi": [22, 8]}, {"box": "F", "lo": [17, 5], "hi": [19, 6]},
+    {"ray": "r", "origin": [5, 3], "dir": [4, 0.75]})";
+  const std::string of_ray = R"({"walk": "all", "lesson": "hierarchy", "method": "ray"})";
+  const Json all = answers(shell, objects, R"([{"walk": "all", "lesson": "hierarchy"}, )" + of_ray + "]");
+  CHECK(all[0]["result"]["hierarchy"] == "3 nodes, depth 1");
+  CHECK(all[1]["verdict"] == "r meets F first, at t = 3");  // which touches the ray's height 5.25
+  CHECK(all[1]["result"]["hits"].size() == 2);
+  const Json none = answers(shell, objects + R"(, {"ray": "q", "origin": [5, 3], "dir": [-1, 0]})",
+                            R"([{"walk": ["A", "B"], "lesson": "hierarchy", "method": "ray", "ray": "q"}])");
+  CHECK(none[0]["verdict"] == "q meets none of them");
+
+  write(shell.work() / "boxes.json", R"({"objects": [)" + objects + "]}");
+  const Ran told = shell("isect explain hierarchy --scene boxes.json --preset ray");
+  CHECK(told.status == 0);
+  CHECK_THAT(told.out, Contains("box 5 at t = 3") && Contains("r is the ray"));
+  CHECK_THAT(shell("isect explain hierarchy --scene boxes.json").out, Contains("3 nodes, depth 1"));
+
+  const auto why = [&](const std::string& ask, const std::string& more = "") {
+    return refused(shell, objects + more, "[" + ask + "]");
+  };
+  CHECK_THAT(why(of_ray, R"(, {"ray": "q", "origin": [5, 3], "dir": [-1, 0]})"), Contains("\"ray\" is expected"));
+  CHECK_THAT(why(R"({"walk": "all", "lesson": "hierarchy", "method": "ray", "ray": "A"})"), Contains("a ray"));
+  CHECK_THAT(why(R"({"walk": "all", "lesson": "collision", "ray": "r"})"), Contains("asks by no ray"));
+  CHECK_THAT(why(R"({"walk": ["A", "B"], "ray": "r"})"), Contains("no such field"));
+  CHECK_THAT(refused(shell, R"({"box": "A", "lo": [1, 1], "hi": [1, 1]}, {"box": "B", "lo": [1, 1], "hi": [1, 1]})",
+                     R"([{"walk": "all", "lesson": "hierarchy"}])"),
+             Contains("all of them are one point"));
+}
+
 TEST_CASE("a circle is the sphere of the plane", "[scene]") {
   const Shell shell;
   CHECK(verdict(shell,
