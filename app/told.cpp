@@ -199,7 +199,7 @@ class Teller {
     const viz::CaseMap& map = *e_.lesson->map;
     std::string regions;
     for (const std::string& branch : map.branches) regions += (regions.empty() ? "" : "; ") + plain(branch);
-    return fmt::format("A map of all cases. Across: {}. Up: {}.\n{}\nIts cases: {}.\nThis setting: {}.",
+    return fmt::format("A map of all cases. Across: {}. Up: {}.\n{}\nThe lesson's cases: {}.\nThis setting: {}.",
                        plain(map.x_title), plain(map.y_title), plain(map.told), regions, branch());
   }
   /// Where this setting lies on the lesson's map.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "viz/chart.h"
 #include "viz/closing.h"
@@ -132,7 +133,12 @@ std::string told(const Bars& bars) {
 }
 
 std::string told(const Cases& cases) {
-  const auto regions = all_plain(cases.branches, [](const std::string& b) { return b; });
+  std::set<int> present;  // the others have no place on this map
+  for (const Cases::Patch& patch : cases.patches) present.insert(patch.branch);
+  for (const Cases::Spot& spot : cases.presets) present.insert(spot.branch);
+  if (cases.here) present.insert(cases.here->branch);
+  const auto regions = all_plain(
+      present, [&](int branch) -> const std::string& { return cases.branches[static_cast<std::size_t>(branch)]; });
   const auto scale = [](const Scale& s) {
     return fmt::format("{} from {} to {}", plain(s.title), shown(s.lo), shown(s.hi));
   };

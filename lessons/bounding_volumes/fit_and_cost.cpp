@@ -111,7 +111,8 @@ class Fit {
         "It rotates with the object: its axes are rotated. Finding the tightest axes takes a search.",
         axes(fitted_.obb), "|(**x** − **b**_c) · **b***_i*| ≤ *h_i* for *i* = u, v, w")
         // one axis follows from the other two; a corner instead of axes; an AABB's
-        .question = which_value("How many numbers does the OBB keep?", static_cast<double>(all_[2].numbers), {6, 9, 12},
+        .question = which_value("An OBB keeps a centre, three axes and three half-lengths. How many numbers are that?",
+                                static_cast<double>(all_[2].numbers), {6, 9, 12},
                                 "Three for the centre, nine for the axes and three half-lengths.");
   }
 

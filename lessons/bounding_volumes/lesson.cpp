@@ -60,7 +60,9 @@ const Lesson& lesson() {
       .summary = "One object in a sphere, boxes and k-DOPs: fit, storage, cost, and the cheap test first.",
       .parameters = {choice("walk", "walk", "How the volumes fit, or how they save tests.", {"fit", "test"}),
                      choice("object", "object", "What is bounded.", objects),
-                     vector("tip", "tip", "Where the object's long axis ends, in units; its midpoint is the origin.",
+                     vector("tip", "tip",
+                            "Where the object's long axis ends, in units; its midpoint is the origin, and its half at "
+                            "least 0.125 long.",
                             tilted, 3),
                      where("walk", {"fit"}, choice("k", "*k*", "How many planes the k-DOP has.", sizes_of_dops, 1)),
                      where("walk", {"test"},

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include <isect/numbers/predicate.h>
 #include "lessons/culling/picture.h"
 #include "lessons/shared/script.h"
 #include "viz/solids.h"
@@ -187,6 +188,16 @@ class OneVolume {
     return found;
   }
 
+  /// Of a ball, whose centre each plane is asked about.
+  bool centre_inside() const {
+    if (!ball_) return false;
+    const Point<double, 3>& centre = std::get<Ball>(asked_).center;
+    return std::ranges::all_of(view_.planes, [&](const Plane<double, 3>& plane) {
+      return sign_of([&]<class W>() -> W { return dot(exactly<W>(plane.normal), exactly<W>(centre)) + W(plane.d); }) >=
+             0;
+    });
+  }
+
   void answer() {
     const Culling culling = truth_.culling;
     using Kind = Verdict::Kind;
@@ -214,8 +225,10 @@ class OneVolume {
     if (culling == Culling::crossing)
       step.question = {fmt::format("What do the six planes say about the {}?", they_),
                        {"some of it is visible", "some of it may be visible", "none of it is visible"},
-                       1,
-                       "Each plane alone leaves something. What is left may differ from plane to plane."};
+                       centre_inside() ? 0 : 1,
+                       centre_inside()
+                           ? "The centre lies on the inner side of all six."
+                           : "Each plane alone leaves something. What is left may differ from plane to plane."};
   }
 
   std::string answer_caption() const {
@@ -230,6 +243,10 @@ class OneVolume {
     if (touches())
       return "The box touches a plane from outside, and the sets are closed: only a box beyond is rejected.\n"
              "What the two share (green) has no volume.";
+    if (centre_inside())
+      return "Crossing only means perhaps. Here the centre lies on the inner side of all planes, so some of the ball "
+             "is "
+             "visible.";
     if (ball_) return "Crossing only means perhaps. Beyond an edge a ball may cut two planes and miss the frustum.";
     return "Crossing only means perhaps. Here a part is inside (green), found by clipping the faces.";
   }

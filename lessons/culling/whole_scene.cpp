@@ -34,7 +34,7 @@ class WholeScene {
       : view_(view),
         eye_(eye),
         script_({"Lecture note, view-volume culling; Akenine-Möller and Haines, Real-Time Rendering (2002), ch. 13",
-                 "A view frustum with its eye, and boxes and balls: inside, crossing and outside.",
+                 {},
                  {"for each volume of the scene",                              // 0
                   "    for each plane: skip the volume if it lies beyond",     // 1
                   "    if no plane cuts it: draw it, and test nothing in it",  // 2
@@ -51,6 +51,9 @@ class WholeScene {
         .scene = picture(-1, false, false);
     for (int plane = 0; plane < 6; ++plane) reject(plane);
     const int inside = count(Culling::inside), crossing = count(Culling::crossing);
+    script_.walk().alt =
+        fmt::format("A view frustum with its eye, and {} boxes and balls: {} inside, {} crossing, {} outside.", size(),
+                    inside, crossing, size() - inside - crossing);
     script_.value("inside", inside, {}, Role::hit);
     script_
         .add("inside", "Inside all six", 2,

@@ -73,7 +73,7 @@ class Teller {
     step.scene = picture(s_, Vec2(lo, hi), false);
     Script::decide(step, {low + " > " + high, lo, hi, e.holds, e.holds ? "DISJOINT" : "no gap on this side"});
     // OVERLAP after one comparison: that one side tells all.
-    step.question = Question{fmt::format("{} is compared with {}. What follows?", low, high),
+    step.question = Question{fmt::format("{} is compared with {}. What does the note's test conclude?", low, high),
                              {"DISJOINT", "OVERLAP", "nothing yet"},
                              e.holds ? 0
                              : first ? 2

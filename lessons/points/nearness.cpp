@@ -145,8 +145,8 @@ class Nearness {
     const double largest = std::max(s_.tp.cwiseAbs().maxCoeff(), s_.tq.cwiseAbs().maxCoeff());
     const double apart = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
     add("spacing", "How small may a tolerance be?", -1,
-        "Doubles as large as the largest coordinate are this far apart. On that axis, a tolerance below half of that "
-        "means equality.\n"
+        "Doubles as large as the largest coordinate are this far apart, and half as far below a power of two. On that "
+        "axis, a tolerance below that half means equality.\n"
         "Near 10^6 doubles are 1.2 · 10^{−10} apart, and floats 0.06. So scale the tolerance with the coordinates.",
         {}, fmt::format("next double after {}: + {}", shown(largest), shown(apart)));
   }

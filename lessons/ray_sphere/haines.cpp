@@ -88,12 +88,18 @@ class HainesTeller : Teller {
                   e.s.value < 0   ? "the centre lies behind"
                   : e.s.value > 0 ? "the centre lies ahead"
                                   : "the centre lies level"});
+    const bool from_within = setup_.truth.origin != Location::out && !setup_.segment();
     // 0: a centre behind is taken for enough; 2: what is not rejected is taken for a hit
-    step.question = Question{"Next the signs of *s* and *l*^2 − *r*^2 are asked. What do they tell?",
-                             {"the ray misses", "nothing yet: *m*^2 is needed", "the ray hits"},
-                             e.holds ? 0 : 1,
-                             e.holds ? "The centre lies behind an origin that is outside."
-                                     : "Rejection requires a centre behind the origin and an origin outside."};
+    step.question =
+        Question{"Next the signs of *s* and *l*^2 − *r*^2 are asked. What do they tell?",
+                 {"the ray misses", "nothing yet: *m*^2 is needed", "the ray hits"},
+                 e.holds       ? 0
+                 : from_within ? 2
+                               : 1,
+                 e.holds       ? "The centre lies behind an origin that is outside."
+                 : from_within ? "The origin is not outside, and a ray without end leaves the ball. Where it does "
+                                 "takes *m*^2."
+                               : "Rejection requires a centre behind the origin and an origin outside."};
     if (!e.holds) script_.refuse(3, {4});
   }
 

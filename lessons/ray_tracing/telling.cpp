@@ -148,7 +148,9 @@ class Teller {
     s.decides = true;
     // misconceptions: the ray goes on beyond the light; every object counts
     s.question = which_value(
-        "How many objects does the segment from the point to the light source meet?", between(1),
+        fmt::format("How many {}objects does the segment from the point to the light source meet?",
+                    s_.start == ShadowRay::naive ? "" : "other "),
+        between(1),
         {1.0 * between(INFINITY), between(1) > 0 ? 0.0 : 1.0, static_cast<double>(s_.world.objects.size()) - 1},
         "The range is 0 ≤ *t* ≤ 1. The search may stop at the first one found.");
     keep_picture(script_.walk());

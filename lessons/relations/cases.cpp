@@ -50,7 +50,7 @@ const CaseMap& cases() {
                               place_of,
                               moved,
                               "The second set is shifted to the right and grows; the rest is fixed.\n"
-                              "On this map, touching is a curve. Equality is one point at most.",
+                              "Where the sets can touch, that is a curve on this map. Equality is one point at most.",
                               false};
   return map;
 }

@@ -27,7 +27,7 @@ Experiment postpone(const Flat& p) {
                                      {-0.5, 0.25},  {-0.25, 1.5},  {0.125, -1.5},  {0.5, -0.25}, {0.75, 1}};
   Experiment e = {.title = "4: postpone expensive calculations",
                   .source = "Lecture note, rules of thumb (4), ray and sphere",
-                  .alt = "A ray to the right and ten balls: some behind it, some beside it, some hit.",
+                  .alt = {},
                   .pseudocode = {"for each ball", "    without: solve the quadratic equation for both roots",
                                  "    with: behind the ray: no; too far beside it: no",
                                  "    only then: a square root, for the nearer point"},
@@ -89,6 +89,8 @@ Experiment postpone(const Flat& p) {
                                  "A square root is taken for {} hit, and no division at all: the direction has unit "
                                  "length.",
                                  plural(hits, "ball"));
+  e.alt = fmt::format("A ray to the right and {} balls: {} behind it, {} beside it, {} hit.", centers.size(), behind,
+                      beside, hits);
   e.saving = "Balls behind or beside the ray cost no square root at all.";
   return e;
 }

@@ -49,16 +49,18 @@ Experiment reorder(const Flat& p) {
   e.parts[0].caption = "Which of the long boxes meets the small one, around **p**? They lie one above the other.";
   e.parts[1].title = "*x* before *y*";
   e.parts[1].caption = fmt::format(
-      "On *x*, {} of 7 boxes overlap the small one: comparisons that decide nothing.\n"
+      "On *x*, {} of 7 boxes {} the small one{}.\n"
       "Beside each box: how many comparisons its test needs.",
-      overlap_on_x);
+      overlap_on_x, overlap_on_x == 1 ? "overlaps" : "overlap",
+      overlap_on_x > 0 ? ": comparisons that decide nothing" : ", so that *x* alone decides");
   e.parts[2].title = "The boxes spread along *y*";
   e.parts[2].caption = "A gap is likeliest on the axis along which the boxes lie farthest apart. Test it first.";
   e.parts[3].title = "*y* before *x*";
   e.parts[3].caption =
       fmt::format("On *y*, {} of 7 {}. It is the same test with its axes in another order, and gives the same answers.",
                   overlap_on_y, overlap_on_y == 1 ? "overlaps" : "overlap");
-  e.saving = "One gap ends a test, and more boxes have it on *y* than on *x*.";
+  e.saving = overlap_on_y < overlap_on_x ? "One gap ends a test, and more boxes have it on *y* than on *x*."
+                                         : "One gap ends a test, whichever axis has it.";
   return e;
 }
 

@@ -74,8 +74,11 @@ Experiment robust(const Flat& p) {
   e.details = {{"points", many}, {"sign left open", open}};
   e.parts[0].title = "Is it ever wrong?";
   e.parts[0].caption =
-      fmt::format("{} points are computed on the line from **a** to **p**. Rounding puts {} beside it. On which side?",
-                  many, beside == many ? fmt::format("all {}", many) : fmt::format("{}", beside));
+      fmt::format("{} points are computed on the line from **a** to **p**. Rounding puts {} beside it.{}", many,
+                  beside == many ? fmt::format("all {}", many)
+                  : beside == 0  ? std::string("none")
+                                 : fmt::format("{}", beside),
+                  beside == 0 ? "" : " On which side?");
   e.parts[1].title = "The rounded sign";
   e.parts[1].caption =
       std::string("Points said to lie left are drawn left of the line, seen from **a** to **p**; right ones right.") +
@@ -84,11 +87,11 @@ Experiment robust(const Flat& p) {
   e.parts[2].caption = fmt::format("A bound on the rounding error comes with the value. It leaves {} open{}.",
                                    plural(open, "sign"), open > 0 ? " (rings)" : "") +
                        "\nShewchuk's bound: the sign of *l* − *r*, both rounded products, is right where "
-                       "|*l* − *r*| ≥ (3 + 16*u*) *u* (|*l*| + |*r*|), *u* = 2^{−53}.";
+                       "|*l* − *r*| > (3 + 16*u*) *u* (|*l*| + |*r*|), *u* = 2^{−53}.";
   e.parts[3].title = "Exact where needed";
   e.parts[3].caption =
       std::string(open > 0 ? "Open signs are computed again, exactly. So no sign is wrong." : "No sign is wrong.") +
-      " The note expects 80 % of the work here." + price();
+      " The note expects 80 % of all work on a test to go into this." + price();
   e.saving = "The exact test is right on every input: that is its promise.";
   return e;
 }

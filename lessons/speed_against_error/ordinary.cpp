@@ -76,6 +76,11 @@ void Teller::front() {
                   front.size(), rows.size(), front.size() == 1 ? "is" : "are", share(report_.machine.noise, 1)));
   show(step, {plot({ordinary_})});
 
+  // Whether, for times as noisy as these, some method may be dominated or not
+  const auto unclear = [&](const Row* r) {
+    return std::ranges::any_of(rows, [&](const Row* other) { return other != r && !differ(r->ns, other->ns); });
+  };
+  if (std::ranges::any_of(rows, unclear)) return;
   // one: that only the fastest counts; all: that each has its use
   const double kept = static_cast<double>(front.size()), all = static_cast<double>(rows.size());
   std::vector<std::string> names;

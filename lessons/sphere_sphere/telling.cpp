@@ -95,6 +95,8 @@ class Teller {
 
   bool same_centre() const { return s_.tested(s_.a).center == s_.tested(s_.b).center; }
   bool one_point() const { return same_centre() && s_.a.radius == 0 && s_.b.radius == 0; }
+  /// A ball of radius 0 on the other's surface: the distance is the reach.
+  bool point_on_surface() const { return s_.inner_touch && (s_.a.radius == 0 || s_.b.radius == 0); }
   /// Whether a square is too large for a double, or too small for all its digits.
   bool left_range() const {
     const auto small = [](double square) { return square < std::numeric_limits<double>::min(); };
@@ -119,6 +121,9 @@ class Teller {
       return "Both squares are stored as zero. Zero is not less than zero; with ≤ any two balls would seem to meet.";
     const bool touch = s_.truth == Relation::touching, apart = s_.truth == Relation::disjoint;
     if (d2 == s2 && touch) return "The distance equals the reach: the balls touch. The strict comparison refuses it.";
+    if (d2 == s2 && point_on_surface())
+      return "The distance equals the reach: one ball is a point on the other's surface. The strict comparison refuses "
+             "it.";
     if (d2 < s2 && !touch && !apart) return "The centres lie nearer than the balls reach: they overlap.";
     if (d2 > s2 && apart) return "The centres lie farther apart than the balls reach: no common point.";
     return "The two squares are so close that rounding has changed which of them is larger, or made them equal.";
@@ -144,6 +149,8 @@ class Teller {
     if (s_.truth == Relation::touching)
       return "The lecture note calls touching DISJOINT here, but OVERLAP for boxes.\n"
              "With ≤, one rule serves all shapes: sets are closed, so one common point is an intersection.";
+    if (near != meets && d2_ == s2_ && point_on_surface())
+      return "The lecture note's answer is wrong here: the point lies in the other ball, and its strict < refuses it.";
     if (near != meets && one_point())
       return "The lecture note's answer is wrong here: the balls share a point, and its strict < refuses it.";
     if (near != meets)
@@ -154,7 +161,9 @@ class Teller {
       case Relation::overlapping:
         return "Their surfaces share a circle. Neither ball contains the other, as *d* > |*r*_a − *r*_b|.";
       case Relation::disjoint:
-        return "A gap is left between them. Four products and no square root show it.";
+        return d2_ > s2_ ? "A gap is left between them. Four products and no square root show it."
+                         : "A gap is left between them. The squares do not show it; the exact test computes again in "
+                           "wider numbers.";
       case Relation::equal:
         return "The two balls are the same set.";
       default:

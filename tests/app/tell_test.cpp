@@ -223,7 +223,7 @@ TEST_CASE("explain tells first where the objects lie that its questions ask abou
       {"relations --preset aabb-touching", "box b: (1, -0.6875, -0.3125) to (2.5, 0.4375, 0.8125)"},
       {"obb-obb --preset normal-of-b", "box a: (-2.25, -0.75, -0.75) to (-0.25, 0.75, 0.75)"},
       {"convex-hull --preset scattered", "points: (-2.25, -0.5), (-1.5, 1.25), (-1, -1.5), (-0.5, 0.25)"},
-      {"rays --preset line", "segment wall: (1.5, -1.5) to (1.5, 1.75)"}};
+      {"rays --preset bullet", "box wall: (0.25, -1.5) to (0.5, 1.75)"}};
   for (const auto& [lesson, object] : all) {
     INFO(lesson);
     const std::string told = shell(std::string("COLUMNS=200 isect explain ") + lesson).out;
