@@ -44,7 +44,8 @@ struct Made {
 
 Made for_screen(const Player& player, const Settings& settings) {
   const Camera& camera = player.camera().goal();
-  return {figure(player.step(), camera, settings.save_theme, figure_width, figure_height).drawing, {}, 1};
+  const PageLayout page = page_layout(player.walk(), settings.save_theme, figure_width, figure_height);
+  return {figure(player.step(), camera, page).drawing, {}, 1};
 }
 
 /// As seen here, and no narrower than its labels need.
