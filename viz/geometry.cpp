@@ -125,6 +125,14 @@ class Teller {
               (label->at == line.to && *label->until == line.from));
     });
   }
+  /// Whether a ball or a circle lies around it, whose name stands there.
+  bool is_round_at(const Vec3& p) const {
+    return std::ranges::any_of(scene_.items, [&](const Item& item) {
+      const auto* ball = std::get_if<Ball>(&item);
+      const auto* circle = std::get_if<Circle>(&item);
+      return (ball && ball->center == p) || (circle && circle->center == p && is_object(circle->role, circle->pen));
+    });
+  }
   bool is_dotted(const Vec3& p) const {
     return std::ranges::any_of(scene_.items, [&](const Item& item) {
       const auto* dot = std::get_if<Dot>(&item);
@@ -136,7 +144,9 @@ class Teller {
   /// The label at its middle. Else the one label of its own role that stands within it and names no point of it, or the
   /// one heading of its role: that of a first or second object may stand beside it.
   std::string name_within(const Limits& e, Role role, bool is_round = false) const {
-    if (const std::string centre = name_at((e.lo + e.hi) / 2); !centre.empty()) return centre;
+    const Vec3 middle = (e.lo + e.hi) / 2;
+    if (const std::string centre = name_at(middle); !centre.empty() && (is_round || !is_round_at(middle)))
+      return centre;
     std::set<std::string> names;
     for (const Item& item : scene_.items) {
       const auto* label = std::get_if<Label>(&item);

@@ -94,9 +94,13 @@ class Walker {
 
   /// The lesson's own steps on these numbers; a walk has one text of an algorithm, that of the first.
   void add(const WalkAsked& asked, viz::Walk& to) {
-    if (!asked.many.empty()) return add_of_many(asked, to);
     const Object &a = context_.object(asked.a), &b = context_.object(asked.b);
     const bool one = asked.a == asked.b;
+    rows_.push_back({!asked.many.empty() ? asked.lesson + ", step by step"
+                     : one               ? a.name + ", step by step"
+                                         : fmt::format("{} and {}, step by step", a.name, b.name),
+                     answered(context_, asked).verdict.text});
+    if (!asked.many.empty()) return add_of_many(asked, to);
     const LessonWalk& pair = *walk_of(a.type, b.type, context_.file.flat, one, asked.lesson);
     viz::Walk walk = scene::walk(pair, context_.setting, a, b);
     const bool first = to.pseudocode.empty();

@@ -17,9 +17,11 @@
 #include <isect/point_obb.h>
 #include <isect/point_polygon.h>
 #include <isect/point_sphere.h>
+#include <isect/ray_triangle.h>
 #include <isect/sphere_frustum.h>
 #include <isect/triangle_aabb.h>
 
+#include "app/scene/along_triangle.h"
 #include "app/scene/pairs.h"
 #include "app/scene/shapes.h"
 
@@ -160,7 +162,13 @@ Json cloud_on_result(const Setting& s, const Object& a, const Object& b) {
 // What a ray meets first of many triangles.
 
 Json ray_result(const Setting& s, const Object& a, const TriangleMesh<double>& mesh) {
-  const auto hit = closest_hit(build_bvh(boxes(mesh)), mesh, ray_in_space(s, a));
+  const Ray<double, 3> ray = ray_in_space(s, a);
+  const auto hit = closest_hit(build_bvh(boxes(mesh)), ray, [&](int i) {
+    const Triangle<double, 3> x = triangle(mesh, i);
+    const RayTriangle<double> found = intersect(ray, x);
+    const bool left_open = !found.t && (found.coplanar || triangle_half_spaces::detail::degenerate(x, NoTrace()));
+    return left_open ? first_in(ray, x) : found.t;
+  });
   if (!hit) return {{"hit", false}};
   return {{"hit", true}, {"t", hit->t}, {"triangle", hit->primitive}};
 }

@@ -19,6 +19,7 @@
 #include <isect/sphere_triangle.h>
 
 #include "app/scene/along_capsule.h"
+#include "app/scene/along_triangle.h"
 #include "app/scene/pairs.h"
 #include "app/scene/shapes.h"
 #include "viz/rich_text.h"
@@ -385,8 +386,8 @@ std::optional<Answer> exact_of_segment(const Setting& s, const Object& a, const 
   const Segment<double, 3> segment = segment_of(s, a);
   std::optional<Interval<double>> part;
   const auto of_triangle = [&](const Triangle<double, 3>& x) -> std::optional<Interval<double>> {
-    if (triangle_half_spaces::detail::degenerate(x, NoTrace())) return {};
-    return intersect(segment, half_spaces_of(x));
+    const std::optional<double> t = first_in(segment, x);
+    return t ? std::optional(Interval<double>{*t, 1}) : std::nullopt;
   };
   if (b.type == Type::box || b.type == Type::obb || b.type == Type::hull)
     part = intersect(segment, faces_of(s, b));

@@ -153,6 +153,33 @@ TEST_CASE("a polygon in space meets what has a point in it", "[scene]") {
          "P meets 1 of 2 triangles of M");
 }
 
+TEST_CASE("what runs along a line meets a mesh in whose plane it lies, and triangles without an area", "[scene]") {
+  const Shell shell;
+  for (const char* line :
+       {R"({"ray": "g", "origin": [-1,1,0], "dir": [1,0,0]})", R"({"line": "g", "origin": [-1,1,0], "dir": [1,0,0]})",
+        R"({"segment": "g", "from": [-1,1,0], "to": [4,1,0]})"}) {
+    const std::string along = std::string(line) + R"(, {"mesh": "M", "points": )";
+    CHECK(verdict(shell, along + R"([[0,0,0],[3,0,0],[0,3,0]], "triangles": [[0,1,2]]})") == "g meets M");
+    CHECK(verdict(shell, along + R"([[0,2,0],[3,2,0],[0,3,0]], "triangles": [[0,1,2]]})") == "g misses M");
+    CHECK(verdict(shell, along + R"([[0,0,0],[0,3,0],[0,2,0]], "triangles": [[0,1,2]]})") == "g meets M");
+    CHECK(verdict(shell, along + R"([[0,2,0],[0,3,0],[0,5,0]], "triangles": [[0,1,2]]})") == "g misses M");
+  }
+  const Json first = answer(shell, R"({"ray": "r", "origin": [-1,1,0], "dir": [1,0,0]},
+      {"mesh": "M", "points": [[0,0,0],[3,0,0],[0,3,0]], "triangles": [[0,1,2]]})");
+  CHECK(first["result"]["t"] == 1);
+}
+
+TEST_CASE("a walk's answer stands among all answers, and a box is not called after the circle around it", "[scene]") {
+  const Shell shell;
+  write(shell.work() / "s.json", R"({"objects": [{"circle": "A", "center": [0,0], "radius": 2},
+      {"box": "W", "lo": [-1,-1], "hi": [1,1]}, {"point": "p", "at": [0,0]},
+      {"polygon": "P", "points": [[-1,-1],[1,-1],[0,2]]}], "ask": [["A", "W"], {"walk": ["p", "P"]}]})");
+  CHECK_THAT(shell("isect explain s.json").out, !Contains("box A"));
+  const std::string last =
+      shell("isect render s.json --format svg --step all --out out && cat out/scene/s/*-answers.txt").out;
+  CHECK_THAT(last, Contains("p and P, step by step: p lies inside P"));
+}
+
 TEST_CASE("any two objects have a test, in space and in the plane", "[scene]") {
   const Shell shell;
   const auto all_decided = [&](const std::vector<std::string>& kinds) {
