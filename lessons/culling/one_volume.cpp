@@ -245,8 +245,7 @@ class OneVolume {
              "What the two share (green) has no volume.";
     if (centre_inside())
       return "Crossing only means perhaps. Here the centre lies on the inner side of all planes, so some of the ball "
-             "is "
-             "visible.";
+             "is visible.";
     if (ball_) return "Crossing only means perhaps. Beyond an edge a ball may cut two planes and miss the frustum.";
     return "Crossing only means perhaps. Here a part is inside (green), found by clipping the faces.";
   }

@@ -54,8 +54,7 @@ const CaseMap& cases() {
                               moved,
                               "The wall moves along *x*, and **d** changes; **o** is fixed.\n"
                               "A wall within **d** counts for segments, rays and lines. Beyond **d** it counts for "
-                              "rays and lines, behind **o** for "
-                              "lines only."};
+                              "rays and lines, behind **o** for lines only."};
   return map;
 }
 

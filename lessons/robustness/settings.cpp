@@ -43,7 +43,7 @@ Setting orientation(const Vec3& p) {
       "come out equal.";
   s.consequence = "A convex hull built on such signs loses a vertex, or turns back on itself.";
   s.measured = "orient2d", s.has_on = true;
-  s.verdicts = {"right of the line", "on the line", "left of the line"};
+  s.verdicts = {"right", "on the line", "left"};
   const Point<S, 2> b = {S(1.5), S(1.5)}, c = {S(3), S(3)};
   s.answer = [=](int i, int j) {
     return sign(static_cast<double>(orient::pivoted<orient::Corner::a, S>(neighbour<S>(p, i, j), b, c)));

@@ -197,7 +197,10 @@ class Teller {
         {"right", Handle::Kind::along, below, {middle.x(), below.y(), 0}, Role::text, Vec3::UnitX() / cell},
         {"up", Handle::Kind::along, beside, {beside.x(), middle.y(), 0}, Role::text, Vec3::UnitY() / cell}};
     const auto& [truth, answer] = cells_[(half - look_[1]) * (2 * half + 1) + half + look_[0]];
-    const auto words = [&](int verdict) { return s_.verdicts[verdict + 1]; };
+    const auto words = [&](int verdict) {  // "right" alone would be a handle, or the word for correct
+      const std::string word = s_.verdicts[verdict + 1];
+      return word == "left" || word == "right" ? word + " of the line" : word;
+    };
     step.formula = "ringed: " + (step.line == 1   ? words(truth)
                                  : step.line == 2 ? "naive says " + words(answer)
                                                   : words(truth) + ", naive says " + words(answer));

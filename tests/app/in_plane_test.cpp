@@ -7,24 +7,15 @@
 
 #include <random>
 
+#include "tests/app/poses.h"
 #include "tests/catch.h"
 
 namespace in_plane_test {
 using namespace isect;
+using isect::test::in_space;
 using program::scene::first_in_plane;
 using program::scene::off_plane;
 using Vec3 = Vector<double, 3>;
-
-namespace {
-
-/// Planes in which whole numbers stay whole: any two of these axes.
-Vec3 in_space(const Point<double, 2>& p, int pose) {
-  const Vec3 u = pose == 0 ? Vec3(1, 0, 0) : pose == 1 ? Vec3(0, 2, 1) : Vec3(3, -1, 2);
-  const Vec3 v = pose == 0 ? Vec3(0, 1, 0) : pose == 1 ? Vec3(1, 0, 0) : Vec3(1, 4, -2);
-  return p.x() * u + p.y() * v + Vec3(5, -7, 1);
-}
-
-}  // namespace
 
 TEST_CASE("a ray in a polygon's plane meets it where the segment to its end does, for whole numbers", "[scene]") {
   std::mt19937 random(11);

@@ -11,12 +11,14 @@
 
 #include "app/scene/along_capsule.h"
 #include "app/scene/triangulated.h"
+#include "tests/app/poses.h"
 #include "tests/app/shell.h"
 #include "tests/catch.h"
 
 namespace polygons_in_space_test {
 using namespace isect;
 using isect::test::Contains;
+using isect::test::in_space;
 using isect::test::Shell;
 using isect::test::write;
 using Json = nlohmann::ordered_json;
@@ -24,13 +26,6 @@ using program::scene::part_in, program::scene::triangulated;
 using Vec3 = Vector<double, 3>;
 
 namespace {
-
-/// Planes in which whole numbers stay whole.
-Vec3 in_space(const Point<double, 2>& p, int pose) {
-  const Vec3 u = pose == 0 ? Vec3(1, 0, 0) : pose == 1 ? Vec3(0, 2, 1) : Vec3(3, -1, 2);
-  const Vec3 v = pose == 0 ? Vec3(0, 1, 0) : pose == 1 ? Vec3(1, 0, 0) : Vec3(1, 4, -2);
-  return p.x() * u + p.y() * v + Vec3(5, -7, 1);
-}
 
 /// Its corners in the order of their directions from (0, 0), one in each: simple.
 Ring<double, 2> star(std::mt19937& random) {
