@@ -24,6 +24,12 @@ struct Setting {
   viz::Scene scene;                   ///< the situation at its own size
   std::function<int(int i, int j)> truth,
       answer;  ///< for the neighbour i to the right and j up, from -half to half
+
+  /// A verdict where no legend stands beside it: "right" alone would be a handle, or the word for correct.
+  std::string in_words(int verdict) const {
+    const std::string& word = verdicts.at(static_cast<std::size_t>(verdict + 1));
+    return word == "left" || word == "right" ? word + " of the line" : word;
+  }
 };
 
 inline constexpr int half = 32;  ///< cells on either side of the middle one

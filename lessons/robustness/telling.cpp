@@ -197,13 +197,8 @@ class Teller {
         {"right", Handle::Kind::along, below, {middle.x(), below.y(), 0}, Role::text, Vec3::UnitX() / cell},
         {"up", Handle::Kind::along, beside, {beside.x(), middle.y(), 0}, Role::text, Vec3::UnitY() / cell}};
     const auto& [truth, answer] = cells_[(half - look_[1]) * (2 * half + 1) + half + look_[0]];
-    const auto words = [&](int verdict) {  // "right" alone would be a handle, or the word for correct
-      const std::string word = s_.verdicts[verdict + 1];
-      return word == "left" || word == "right" ? word + " of the line" : word;
-    };
-    step.formula = "ringed: " + (step.line == 1   ? words(truth)
-                                 : step.line == 2 ? "naive says " + words(answer)
-                                                  : words(truth) + ", naive says " + words(answer));
+    const std::string is = s_.in_words(truth), said = "naive says " + s_.in_words(answer);
+    step.formula = "ringed: " + (step.line == 1 ? is : step.line == 2 ? said : is + ", " + said);
   }
 
   static constexpr double side = 5.2, left = -2.3, bottom = -2;  ///< of the raster

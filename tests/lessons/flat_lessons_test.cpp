@@ -116,7 +116,7 @@ TEST_CASE("the neighbour that a preset rings is one that the naive test has wron
     CHECK(truth != answer);
     const Walk walk = lesson("robustness").walk(p.parameters);
     const std::string told = walk.steps[outcome(walk)].formula;
-    CHECK(told == "ringed: " + s.verdicts[truth + 1] + ", naive says " + s.verdicts[answer + 1]);
+    CHECK(told == "ringed: " + s.in_words(truth) + ", naive says " + s.in_words(answer));
   }
 }
 
