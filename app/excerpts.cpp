@@ -40,7 +40,8 @@ void change(Excerpt& to, const std::vector<std::string>& changes) {
 /// The objects of a file and what it asks of them.
 Excerpt from_scene(const std::string& text, const PresetFile& file) {
   Excerpt e;
-  e.lesson = &scene::kept_lesson_of(text, std::filesystem::path(file.path).parent_path().string());
+  e.lesson = scene::naming_scene(
+      file.path, [&] { return &scene::kept_lesson_of(text, fs::path(file.path).parent_path().string()); });
   e.folder = file.name;
   e.path = file.path;
   e.parameters = e.lesson->presets.front().parameters;
@@ -67,8 +68,10 @@ Excerpt from_scene_for(const viz::Lesson& lesson, const std::string& method, con
   require_utf8(file);
   try {
     Excerpt e;
-    e.lesson =
-        &scene::kept_walks_of(lesson, method, viz::read_file(file.path), fs::path(file.path).parent_path().string());
+    const std::string text = viz::read_file(file.path);
+    e.lesson = scene::naming_scene(file.path, [&] {
+      return &scene::kept_walks_of(lesson, method, text, fs::path(file.path).parent_path().string());
+    });
     e.folder = lesson.id + "-" + file.name;
     e.path = file.path;
     e.parameters = e.lesson->presets.front().parameters;

@@ -39,8 +39,8 @@ void save(const SceneOptions& options, const std::string& text, const scene::Fil
 int tell(const SceneOptions& options) {
   try {
     const std::string text = viz::read_file(options.path), folder = fs::path(options.path).parent_path().string();
+    const scene::Opened opened = scene::naming_scene(options.path, [&] { return scene::opened(text, folder); });
     scene::File file = scene::read_scene(text, folder);
-    const scene::Opened opened = scene::opened(text, folder);  // refuses what has no shape, asked about or not
     const viz::Parameters to = changed(opened.lesson, file.parameters, options.asked.changes);
     if (!options.save.empty()) save(options, text, file, to);
     const bool same = to == file.parameters;
@@ -77,7 +77,6 @@ void add_scene(CLI::App& app, Program& program) {
   footer +=
       "A lesson takes a scene's objects, too: show crossings --scene mine.json.\n"
       "Whatever takes a preset's file takes a scene: show, render, strip, explain, handout, deck, check --dir.\n"
-      "Of \"all pairs\" those that no test is for are named and passed over.\n"
       "With --set, as in A.radius=2, the answers are those of other numbers; --save writes them into the file.\n"
       "Example: isect scene mine.json && isect render mine.json --format pdf --width 8cm";
   sub.footer(footer);

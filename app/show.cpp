@@ -57,7 +57,11 @@ int show(const Program& program, const Selection& asked) {
   std::optional<scene::KeptFile> file;
   const viz::Place place = place_of(program, asked, lessons, file);
   std::function<void(const viz::Parameters&)> save;
-  if (file) save = [&](const viz::Parameters& p) { file->save(p); };
+  if (file)
+    save = [&](const viz::Parameters& p) {
+      file->save(p);
+      scene::keep(*lessons.back(), file->folder(), p);
+    };
   need_surroundings(program);
   try {
     viz::show(

@@ -9,6 +9,7 @@
 #include "app/told_setting.h"
 #include "viz/alt_text.h"
 #include "viz/case_map.h"
+#include "viz/chart.h"
 #include "viz/closing.h"
 #include "viz/rich_text.h"
 #include "viz/utf8.h"
@@ -87,7 +88,7 @@ class Teller {
     out += paragraph(step.slug == viz::case_map_slug ? map_in_words() : plain(step.caption)) + "\n";
     if (step.line >= 0) out += line(step);
     if (!step.formula.empty()) out += paragraph(plain(step.formula), 5) + "\n";
-    out += values(step) + points(step);
+    out += values(step) + points(step) + rows(step);
     if (step.comparison) out += paragraph(comparison(step)) + "\n";
     if (step.verdict.kind != viz::Verdict::Kind::open)
       out += inked(Ink::bold, paragraph("Verdict: " + plain(step.verdict.text))) + "\n";
@@ -173,6 +174,15 @@ class Teller {
       list += (list.empty() ? "" : ", ") + told;
     }
     return list.empty() ? list : paragraph("In the picture: " + list + ".") + "\n";
+  }
+
+  /// Of a card.
+  std::string rows(const viz::Step& step) const {
+    std::string out;
+    if (viz::is_card(step.scene))
+      for (const viz::Card::Row& row : std::get<viz::Card>(step.scene.chart->kind).rows)
+        out += paragraph(plain(row.head) + ": " + plain(row.text), 5);
+    return out.empty() ? out : out + "\n";
   }
 
   bool is_parameter(const viz::Vec3& p) const {

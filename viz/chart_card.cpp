@@ -11,6 +11,7 @@ namespace {
 constexpr double card_pitch = 1.45;     // from line to line, in sizes of the text
 constexpr double row_gap = 0.75;        // from row to row, beyond that
 constexpr double most_enlarged = 1.25;  // of a label's size
+constexpr double narrow = 12;           // in sizes: a text with less room stands below its head
 
 /// A word, or what stays together, and how wide it is at size 1.
 using Word = std::pair<std::string, double>;
@@ -38,7 +39,7 @@ std::vector<std::string> broken(const std::vector<Word>& words, double room) {
 
 /// The card's texts at one size.
 struct Typeset {
-  double size, column;  ///< where the texts begin
+  double size, column;  ///< where the texts begin; 0: below their heads
   std::vector<std::vector<std::string>> lines;
   double height = 0;
 };
@@ -53,10 +54,12 @@ class Typesetter {
   }
 
   Typeset at(double size, double width) const {
-    Typeset s{size, column_ * size, {}, 0};
+    const double column = width / size - column_ < narrow ? 0 : column_;
+    Typeset s{size, column * size, {}, 0};
     for (const std::vector<Word>& text : texts_) {
-      s.lines.push_back(broken(text, width / size - column_));
-      s.height += (card_pitch * static_cast<double>(std::max<std::size_t>(s.lines.back().size(), 1)) + row_gap) * size;
+      s.lines.push_back(broken(text, width / size - column));
+      const std::size_t lines = s.lines.back().size() + (column > 0 ? 0 : 1);
+      s.height += (card_pitch * static_cast<double>(std::max<std::size_t>(lines, 1)) + row_gap) * size;
     }
     s.height -= texts_.empty() ? 0 : row_gap * size;
     return s;
@@ -83,7 +86,7 @@ double natural_height(const ChartInk& ink, const Card& card, double width) {
 }
 
 void draw(ChartInk& ink, const Card& card, const Bounds& all) {
-  const double side = 1.5 * ink.sizes().label;
+  const double side = std::min(1.5 * ink.sizes().label, 0.04 * (all.right - all.left));
   const Bounds room = {all.left + side, all.top, all.right - side, all.bottom};
   const Typeset s = Typesetter(ink, card).within(room);
   double y = room.top + std::max(0.0, (room.bottom - room.top - s.height) / 2) + s.size;
@@ -91,6 +94,7 @@ void draw(ChartInk& ink, const Card& card, const Bounds& all) {
     const auto& [head, text] = card.rows[i];
     ink.part("row", head);
     ink.text(head, {room.left, y}, {s.size, Role::first, 0, true});
+    if (s.column == 0) y += card_pitch * s.size;
     for (const std::string& line : s.lines[i]) {
       ink.text(line, {room.left + s.column, y}, {s.size});
       y += card_pitch * s.size;

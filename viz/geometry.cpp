@@ -80,6 +80,7 @@ class Teller {
     if (is_body(it.role)) corners("mesh", it.vertices, it.role);
   }
   void operator()(const Line& it) {
+    if (!it.name.empty()) return;  // a part of what is told as a whole
     if (is_object(it.role, it.pen) && !(is_parameter(it.from) && is_parameter(it.to)) && !is_measured(it))
       say("segment", name_along(it), place(it.from) + " to " + place(it.to));
   }

@@ -18,22 +18,26 @@ std::string label_at(const Scene& scene, const Vec3& at, const std::optional<Vec
   return {};
 }
 
+std::string given_or(const auto& item, const std::string& label) {
+  return item.name.empty() ? label : plain(item.name);
+}
+
 /// Kind, name and role of an item.
 struct Namer {
   const Scene& scene;
 
-  Object operator()(const Ball& it) const { return {"ball", label_at(scene, it.center), it.role}; }
-  Object operator()(const Line& it) const { return {"line", label_at(scene, it.from, it.to), it.role}; }
-  Object operator()(const Arrow& it) const { return {"arrow", label_at(scene, it.from, it.to), it.role}; }
+  Object operator()(const Ball& it) const { return {"ball", given_or(it, label_at(scene, it.center)), it.role}; }
+  Object operator()(const Line& it) const { return {"line", given_or(it, label_at(scene, it.from, it.to)), it.role}; }
+  Object operator()(const Arrow& it) const { return {"arrow", given_or(it, label_at(scene, it.from, it.to)), it.role}; }
   Object operator()(const RightAngle&) const { return {"right angle", "", Role::construction}; }
   Object operator()(const Dot& it) const { return {"point", label_at(scene, it.at), it.role}; }
   Object operator()(const Label& it) const { return {"label", plain(it.text), it.role}; }
   Object operator()(const Chain& it) const { return {"chain", "", it.role}; }
   Object operator()(const Circle& it) const { return {"circle", label_at(scene, it.center), it.role}; }
   Object operator()(const Span& it) const { return {"interval", label_at(scene, it.from, it.to), it.role}; }
-  Object operator()(const Region& it) const { return {"region", "", it.role}; }
-  Object operator()(const Solid& it) const { return {"solid", "", it.role}; }
-  Object operator()(const Mesh& it) const { return {"mesh", "", it.role}; }
+  Object operator()(const Region& it) const { return {"region", plain(it.name), it.role}; }
+  Object operator()(const Solid& it) const { return {"solid", plain(it.name), it.role}; }
+  Object operator()(const Mesh& it) const { return {"mesh", plain(it.name), it.role}; }
   Object operator()(const Raster&) const { return {"raster", "", Role::text}; }
   Object operator()(const Heading& it) const { return {"heading", plain(it.text), it.role}; }
 };

@@ -283,6 +283,13 @@ void Player::load_method(const std::string& choice) {
   });
 }
 
+void Player::reread() {
+  overview_ = overview_of(lesson(), walk(), parameters());
+  preset_ = matching_preset(lesson(), parameters());
+  if (!preset_.empty()) state_.origin = preset_;
+  ++revision_;
+}
+
 void Player::restart() {
   all_or_nothing([&](Player& next) {
     next.remember("", true);

@@ -118,6 +118,8 @@ class Player {
   void load(const Preset&);
   void load_method(const std::string& choice);
   void restart();
+  /// Its lesson has other presets now.
+  void reread();
   void edit(const std::string& name, const Setting&);
   void set_parameters(Parameters);
   /// What forbids it, if anything: then nothing moves.

@@ -55,18 +55,21 @@ struct Line {
   Vec3 from, to;
   Role role = Role::text;
   Pen pen = Pen::solid;
+  std::string name = {};
 };
 /// A line with an arrow head at `to`.
 struct Arrow {
   Vec3 from, to;
   Role role = Role::text;
   Pen pen = Pen::solid;
+  std::string name = {};
 };
 /// A ball with its silhouette and one equator.
 struct Ball {
   Vec3 center;
   double radius = 1;
   Role role = Role::second;
+  std::string name = {};  ///< of the object that it is a part of, as markup; here and below, where no label tells it
 };
 /// Lines from point to point, in the plane or in space: the chain of a hull, the curve where two surfaces meet.
 struct Chain {
@@ -99,6 +102,7 @@ struct Region {
   bool outlined = true;
   bool corners = false;  ///< a small disc on each vertex
   bool hides = false;    ///< what lies behind is dashed, as behind a solid: a plane, a polygon in space
+  std::string name = {};
 };
 /// A convex polyhedron: a box, a k-DOP, a hull, a frustum, a wedge. A face lists its vertices in order, either way
 /// round; edges between faces of one plane are not drawn. viz/solids.h makes one from the core's shapes.
@@ -106,6 +110,7 @@ struct Solid {
   std::vector<Vec3> vertices;
   std::vector<std::vector<int>> faces;
   Role role = Role::second;
+  std::string name = {};
 };
 /// A surface of triangles, counter-clockwise seen from outside; opaque, so it need not be convex: what a bounding
 /// volume contains.
@@ -113,6 +118,7 @@ struct Mesh {
   std::vector<Vec3> vertices;
   std::vector<std::array<int, 3>> triangles;
   Role role = Role::first;
+  std::string name = {};
 };
 /// One cell of a raster. An object's cell is a light tint of its colour, any other has the full ink, unless `light`
 /// says how brightly it is lit, from 0 to 1. Grey print adds a hatch where colours would look alike.

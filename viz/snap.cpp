@@ -81,18 +81,24 @@ std::vector<Vec3> marked_points(const Scene& scene, const Handle& handle) {
   return points;
 }
 
-/// In plain words; empty: there is none.
-std::string verdict_of(const Lesson& lesson, const Parameters& setting) {
-  const Walk walk = lesson.steps(setting);
-  const auto decided = std::find_if(walk.steps.rbegin(), walk.steps.rend(),
-                                    [](const Step& s) { return s.verdict.kind != Verdict::Kind::open; });
-  return decided == walk.steps.rend() ? std::string() : plain(decided->verdict.text);
+/// In plain words: the last of the walk or, of a scene with several questions, all of them.
+std::vector<std::string> verdicts_of(const Lesson& lesson, const Parameters& setting) {
+  std::vector<std::string> all;
+  for (const Step& s : lesson.steps(setting).steps)
+    if (s.verdict.kind != Verdict::Kind::open) all.push_back(plain(s.verdict.text));
+  if (lesson.made_from.empty() && all.size() > 1) all.erase(all.begin(), all.end() - 1);
+  return all;
 }
 
-/// Its case as it is told: a verdict with its numbers.
-std::string told_case(const Lesson& lesson, const Parameters& setting) {
-  const bool on_map = lesson.map && lesson.map->place(setting).allFinite();
-  return on_map ? case_of(lesson, setting) : verdict_of(lesson, setting);
+/// Its case as it is told: a verdict with its numbers, the first that is another at `beyond`.
+std::string told_case(const Lesson& lesson, const Parameters& setting, const Parameters& beyond) {
+  if (lesson.map && lesson.map->place(setting).allFinite()) return case_of(lesson, setting);
+  const std::vector<std::string> here = verdicts_of(lesson, setting);
+  if (here.size() == 1) return here.front();
+  const std::vector<std::string> there = verdicts_of(lesson, beyond);
+  for (std::size_t i = 0; i < here.size(); ++i)
+    if (i >= there.size() || without_numbers(here[i]) != without_numbers(there[i])) return here[i];
+  return here.empty() ? std::string() : here.back();
 }
 
 }  // namespace
@@ -100,7 +106,10 @@ std::string told_case(const Lesson& lesson, const Parameters& setting) {
 std::string case_of(const Lesson& lesson, const Parameters& setting) {
   if (lesson.map && lesson.map->place(setting).allFinite())
     return plain(lesson.map->branches[static_cast<std::size_t>(lesson.map->branch(setting))]);
-  return without_numbers(verdict_of(lesson, setting));
+  std::string all;
+  for (const std::string& verdict : verdicts_of(lesson, setting))
+    all += (all.empty() ? "" : "\n") + without_numbers(verdict);
+  return all;
 }
 
 BorderSearch::BorderSearch(const Lesson& lesson, Way way, double begin, double end, double wish,
@@ -157,7 +166,8 @@ bool BorderSearch::ask_at(const Landmark& landmark) {
     return true;
   }
   if (own && std::ranges::none_of(&about_[1], &about_[1] + 2, [&](const Place& p) { return !p.setting || p.is == is; }))
-    found_ = Snapped{landmark.setting, true, fmt::format("Here exactly: “{}”", told_case(lesson_, landmark.setting))};
+    found_ = Snapped{landmark.setting, true,
+                     fmt::format("Here exactly: “{}”", told_case(lesson_, landmark.setting, *about_[1].setting))};
   about_.clear();
   return false;
 }
@@ -208,13 +218,14 @@ bool BorderSearch::bisect_number() {
   next_ = &BorderSearch::end;
   // The first setting of another case is the border itself where it is neither of the two that meet there.
   if (far_.is != beyond_) {
-    found_ = Snapped{*far_.setting, true, told_case(lesson_, *far_.setting) + ", exactly"};
+    found_ = Snapped{*far_.setting, true, told_case(lesson_, *far_.setting, *near_.setting) + ", exactly"};
     return false;
   }
   const Place& side = near_.share < wish_ ? far_ : near_;
   found_ = Snapped{*side.setting, false,
                    fmt::format("Between two neighbouring doubles: “{}” on one side, “{}” on the other",
-                               told_case(lesson_, *near_.setting), told_case(lesson_, *far_.setting))};
+                               told_case(lesson_, *near_.setting, *far_.setting),
+                               told_case(lesson_, *far_.setting, *near_.setting))};
   return false;
 }
 

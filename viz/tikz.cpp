@@ -30,6 +30,7 @@ class TikzWriter {
   std::string write() {
     std::string body;
     std::swap(body, out_);
+    place_labels();
     int named = no_object;
     if (drawing_.background.a > 0)
       out_ += fmt::format("\\fill[{}] (0,0) rectangle ({},{});\n", paint("", drawing_.background),
@@ -46,7 +47,8 @@ class TikzWriter {
     out_ += "\\begin{tikzpicture}[x=1bp, y=-1bp, line join=round, inner sep=0pt]\n";
     for (const auto& [html, name] : colours_) out_ += fmt::format("\\definecolor{{{}}}{{HTML}}{{{}}}\n", name, html);
     const std::string frame = fmt::format("(0,0) rectangle ({},{})", number(drawing_.width), number(drawing_.height));
-    return out_ + fmt::format("\\path[use as bounding box] {0};\n\\clip {0};\n{1}\\end{{tikzpicture}}\n", frame, body);
+    return out_ + fmt::format("{2}\\path[use as bounding box] {0};\n\\clip {0};\n{1}\\end{{tikzpicture}}\n", frame,
+                              body, labels_.empty() ? "" : fitted);
   }
 
  private:
@@ -127,12 +129,21 @@ class TikzWriter {
         path(ellipse(g.center, g.major, g.minor)));
   }
 
-  /// Where its middle stood: whatever font the document has, it grows to both sides alike; away from an edge of the
-  /// picture that it would run over. A verdict grows away from the sign before it. What stands in a chart, a map or
+  /// A label as LaTeX is to set it: where it is held, and how wide it may become.
+  struct Label {
+    TextBox box;
+    double at = 0;
+    std::string anchor = {};
+    double scale = 1;
+    double room = 0;
+  };
+
+  /// Held where its middle stood: whatever font the document has, it grows to both sides alike; away from an edge of
+  /// the picture that it would run over. A verdict grows away from the sign before it. What stands in a chart, a map or
   /// a card keeps its own end, and is small enough for its room.
-  void add(const Text& text) {
-    const TextBox box = measure(text);
-    if (!(box.right > box.left)) return;
+  Label held(const Text& text) const {
+    Label label = {measure(text)};
+    const TextBox& box = label.box;
     const Object* const object =
         text.object == no_object ? nullptr : &drawing_.objects.at(static_cast<std::size_t>(text.object));
     const bool verdict = object && object->name == "verdict", chart = object && is_of_chart(*object);
@@ -140,19 +151,49 @@ class TikzWriter {
     const bool west = verdict || (chart && text.align == 0) || middle - reach < 0;
     const bool east = !west && ((chart && text.align == 1) || middle + reach > drawing_.width);
     const bool by_its_end = chart && (text.align == 0 || text.align == 1);
-    const double at = by_its_end ? text.at.x() : west ? box.left : east ? box.right : middle;
-    std::string style = fmt::format("anchor=base{}, text={}",
-                                    verdict ? " west, inner xsep=0"
-                                    : west  ? " west"
-                                    : east  ? " east"
-                                            : "",
-                                    colour(text.colour));
+    label.at = by_its_end ? text.at.x() : west ? box.left : east ? box.right : middle;
+    label.anchor = verdict ? " west, inner xsep=0" : west ? " west" : east ? " east" : "";
+    if (chart || text.size < shrunk * largest_) label.scale = text.size / largest_ / wider;
+    return label;
+  }
+
+  /// Each label may grow up to the edges of the picture, and halfway to a label beside it.
+  void place_labels() {
+    std::vector<TextBox> boxes;
+    for (const Shape& shape : drawing_.shapes)
+      if (const Text* text = std::get_if<Text>(&shape))
+        if (const TextBox box = measure(*text); box.right > box.left) boxes.push_back(box);
+    for (const Shape& shape : drawing_.shapes) {
+      const Text* const text = std::get_if<Text>(&shape);
+      if (!text) continue;
+      Label label = held(*text);
+      const TextBox& box = label.box;
+      double left = 0, right = drawing_.width;
+      for (const TextBox& other : boxes) {
+        if (!(other.top < box.bottom && box.top < other.bottom)) continue;
+        if (other.right <= box.left) left = std::max(left, (other.right + box.left) / 2);
+        if (box.right <= other.left) right = std::min(right, (box.right + other.left) / 2);
+      }
+      const double before = label.at - left, behind = right - label.at;
+      label.room = label.anchor.starts_with(" west") ? behind
+                   : label.anchor == " east"         ? before
+                                                     : 2 * std::min(before, behind);
+      label.room = std::max(label.room, box.right - box.left);
+      labels_.emplace(text, std::move(label));
+    }
+  }
+
+  void add(const Text& text) {
+    const Label& label = labels_.at(&text);
+    if (!(label.box.right > label.box.left)) return;
+    std::string style = fmt::format("anchor=base{}, text={}", label.anchor, colour(text.colour));
     if (text.halo > 0)
       style += fmt::format(", fill={}, fill opacity=0.8, text opacity=1, inner sep={}bp", colour(text.halo_colour),
                            number(text.halo));
     if (text.bold) style += ", font=\\bfseries\\boldmath";
-    if (chart || text.size < shrunk * largest_) style += fmt::format(", scale={:.2f}", text.size / largest_ / wider);
-    out_ += fmt::format("\\node[{}] at {} {{{}}};\n", style, point({at, text.at.y()}), tex(text.markup));
+    if (label.scale != 1) style += fmt::format(", scale={:.2f}", label.scale);
+    out_ += fmt::format("\\node[{}] at {} {{\\isectfitted{{{}bp}}{{{}}}}};\n", style, point({label.at, text.at.y()}),
+                        number(label.room / label.scale), tex(text.markup));
   }
 
   static bool is_of_chart(const Object& object) {
@@ -161,17 +202,21 @@ class TikzWriter {
   }
 
   void add(const Facets& facets) {
-    for (const Shape& shape : expanded(facets)) std::visit([this](const auto& s) { add(s); }, shape);
+    for (const Shape& shape : expanded(facets)) std::visit([this](const auto& s) { add(s); }, shape);  // no texts
   }
 
   /// What is smaller than this beside the largest text was made so, to fit into its room: LaTeX is told.
   static constexpr double shrunk = 0.9;
   /// How much wider LaTeX's usual letters run than those that the picture was made for.
   static constexpr double wider = 1.12;
+  /// A label that is wider in the document's font than there is room for is made smaller.
+  static constexpr const char* fitted =
+      "\\def\\isectfitted#1#2{\\setbox0\\hbox{#2}\\ifdim\\wd0>#1\\resizebox{#1}{!}{\\box0}\\else\\box0\\fi}\n";
 
   const Drawing& drawing_;
   const double scale_;
   double largest_ = 0;
+  std::map<const Text*, Label> labels_;  ///< of the drawing's texts
   std::string out_;
   std::map<std::string, std::string> colours_;
   int shadings_ = 0;

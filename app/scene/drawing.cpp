@@ -304,6 +304,12 @@ Items drawn(const Setting& s, const Object& o, const Room& room, Role role) {
       d.cloud();
       break;
   }
+  for (viz::Item& item : d.items)
+    std::visit(
+        [&](auto& part) {
+          if constexpr (requires { part.name; }) part.name = shown_name(o.name);
+        },
+        item);
   return std::move(d.items);
 }
 
@@ -325,6 +331,11 @@ std::vector<viz::Handle> handles(const Setting& s, const Object& o, Role role) {
     if (f.name == "radius")
       add(f.name, viz::Handle::Kind::length, s.point(o, "center") + Vec3(s.number(o, "radius"), 0, 0),
           s.point(o, "center"));
+    if (o.type == Type::capsule && f.name == "r") {  // beside its end q
+      const Vec3 p = s.point(o, "p"), q = s.point(o, "q");
+      const Vec3 aside = p == q ? Vec3::UnitY() : across(q - p, s.flat);
+      add(f.name, viz::Handle::Kind::length, q + s.number(o, "r") * aside, q);
+    }
   }
   if (!o.fixed.points.empty()) return all;
   int vertex = 0;

@@ -28,6 +28,7 @@
 #include <vector>
 
 #include "app/scene/objects.h"
+#include "viz/files.h"
 
 namespace isect::program::scene {
 
@@ -81,5 +82,15 @@ bool holds_objects(const std::string& text);
 /// `folder`: what names of files in it are relative to. Throws viz::BadInput, which names line and field, what is
 /// allowed and the nearest name, and viz::FileError.
 File read_scene(const std::string& text, const std::string& folder);
+
+/// What `read` gives; what it says of another file, as one of a mesh, is told with the scene's.
+template <class Read>
+auto naming_scene(const std::string& path, const Read& read) {
+  try {
+    return read();
+  } catch (const viz::FileError& e) {
+    throw viz::FileError(path + ": " + e.what());
+  }
+}
 
 }  // namespace isect::program::scene

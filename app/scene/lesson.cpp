@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "app/scene/answered.h"
+#include "app/scene/save.h"
 #include "app/scene/walks.h"
 #include "viz/chart.h"
 #include "viz/rich_text.h"
@@ -75,7 +76,8 @@ class Walker {
     step.title = context_.file.title;
     std::string list;
     for (const Object& o : context_.file.objects)
-      list += fmt::format("{}{} {}{}", list.empty() ? "" : ", ", spec(o.type).name, shown_name(o.name), how_many(o));
+      list += fmt::format("{}{} {}{}", list.empty() ? "" : ", ", in_words(o.type, context_.file.flat),
+                          shown_name(o.name), how_many(o));
     step.caption = fmt::format("The scene holds {}.", list);
     step.scene = picture({});
     return step;
@@ -231,9 +233,23 @@ Opened opened(const std::string& text, const std::string& folder) {
 
 viz::Lesson lesson_of(const std::string& text, const std::string& folder) { return opened(text, folder).lesson; }
 
-const viz::Lesson& kept_lesson_of(const std::string& text, const std::string& folder) {
+namespace {
+
+std::deque<viz::Lesson>& kept_lessons() {
   static std::deque<viz::Lesson> all;  // none of them moves
-  return all.emplace_back(lesson_of(text, folder));
+  return all;
+}
+
+}  // namespace
+
+const viz::Lesson& kept_lesson_of(const std::string& text, const std::string& folder) {
+  return kept_lessons().emplace_back(lesson_of(text, folder));
+}
+
+void keep(const viz::Lesson& kept, const std::string& folder, const viz::Parameters& parameters) {
+  const auto at = std::ranges::find(kept_lessons(), &kept, [](const viz::Lesson& one) { return &one; });
+  const std::string text = with_numbers(kept.made_from, read_scene(kept.made_from, folder), parameters);
+  *at = lesson_of(text, folder);
 }
 
 namespace {

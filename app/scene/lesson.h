@@ -21,6 +21,9 @@ viz::Lesson lesson_of(const std::string& text, const std::string& folder);
 /// The same, kept as long as the program runs.
 const viz::Lesson& kept_lesson_of(const std::string& text, const std::string& folder);
 
+/// Such a lesson is now one whose file has these numbers.
+void keep(const viz::Lesson& kept, const std::string& folder, const viz::Parameters&);
+
 /// The lesson's own walk through each of the scene's objects that it takes, in place of what the scene asks; kept, too.
 /// `method`: of those that it has for many objects; empty: the first. Throws viz::BadInput where it takes none of them,
 /// naming what it takes and which lessons take any.

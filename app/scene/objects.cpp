@@ -81,6 +81,20 @@ double Setting::number(const Object& o, const std::string& field) const {
 }
 bool Setting::has(const Object& o, const std::string& field) const { return parameters.contains(o.name + "." + field); }
 
+std::string in_words(Type t, bool flat) {
+  switch (t) {
+    case Type::sphere:
+      return flat ? other_name_of_sphere : "sphere";
+    case Type::obb:
+      return "oriented box";
+    case Type::kdop:
+      return "k-DOP";
+    case Type::cloud:
+      return "point cloud";
+    default:
+      return spec(t).name;
+  }
+}
 std::string with_article(Type t) {
   const std::string name = spec(t).name;
   return (std::string("aeiou").find(name[0]) == std::string::npos ? "a " : "an ") + name;

@@ -73,6 +73,8 @@ struct Object {
 bool runs_along_a_line(Type);
 /// "a ray", "an obb"
 std::string with_article(Type);
+/// "circle", "oriented box"
+std::string in_words(Type, bool flat);
 
 /// Objects with their numbers, in a plane or in space.
 struct Setting {

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <stdexcept>
 
@@ -11,6 +12,7 @@
 #include "app/scene/in_plane.h"
 #include "app/scene/pairs.h"
 #include "app/scene/shapes.h"
+#include "app/scene/triangulated.h"
 #include "viz/rich_text.h"
 
 namespace isect::program::scene {
@@ -149,10 +151,14 @@ void touch_of_plane(const Setting& s, const Object& a, const Object& b, Answer& 
 
 void ray_meets_sphere(const Setting& s, const Object& a, const Object& b, Answer& out) {
   const bool hit = !out.result["t_enter_solid"].is_null();
-  const Json& enters = out.result["t_enter_solid"];
-  add_hit(s, a, out, "*t*", enters, viz::Mark::disc);
+  const bool tangent = out.result["line_roots"] == 1;
+  add_hit(s, a, out, tangent ? "*t*" : "*t*_{in}", out.result["t_enter_solid"], viz::Mark::disc);
+  if (hit && !tangent) {
+    const double last = a.type == Type::segment ? 1 : s.has(a, "tmax") ? s.number(a, "tmax") : INFINITY;
+    add_hit(s, a, out, "*t*_{out}", std::min(out.result["t1"].get<double>(), last), viz::Mark::ring);
+  }
   meets(a, b, out, hit);
-  if (out.result["line_roots"] == 1 && hit) out.verdict = {Verdict::Kind::on, out.verdict.text + " in one point"};
+  if (tangent && hit) out.verdict = {Verdict::Kind::on, out.verdict.text + " in one point"};
 }
 
 void ray_meets_box(const Setting& s, const Object& a, const Object& b, Answer& out) {
@@ -175,10 +181,10 @@ void tell_off_plane(const Object& b, const Ring<double, 3>& outline, Answer& out
   const double off = off_plane(outline);
   if (off == 0) return;
   out.result["off_plane"] = off;
-  out.note = fmt::format(
-      "The corners of {} lie up to {} off one plane: what is tested is the outline "
+  out.note += fmt::format(
+      "{}The corners of {} lie up to {} off one plane: what is tested is the outline "
       "laid into the plane through the first of them.",
-      shown_name(b.name), viz::shown(off));
+      out.note.empty() ? "" : "\n", shown_name(b.name), viz::shown(off));
   Vec3 lo = outline.front(), hi = lo;
   for (const Vec3& v : outline) lo = lo.cwiseMin(v), hi = hi.cwiseMax(v);
   constexpr double as_written = 1e-6;
@@ -187,12 +193,12 @@ void tell_off_plane(const Object& b, const Ring<double, 3>& outline, Answer& out
 
 void ray_meets_polygon(const Setting& s, const Object& a, const Object& b, Answer& out) {
   const bool coplanar = out.result["coplanar"] == true;
-  if (out.result["hit"].is_null() && !coplanar) {
-    out.open = true;
-    out.verdict = {Verdict::Kind::on, shown_name(b.name) + " has no area"};
-    return;
-  }
   const Ring<double, 3> outline = points_of<3>(s.rings(b).front());
+  if (out.result["hit"].is_null() && !coplanar)
+    throw NotDecided(fmt::format("the outline of {} has no area, crosses or touches itself", b.name));
+  constexpr std::size_t most_looked_at = 2'000;  // it takes the square of their number
+  if (outline.size() <= most_looked_at && !is_simple(outline))
+    out.note = shown_name(b.name) + " crosses or touches itself: what is inside is told by the even-odd rule.";
   if (coplanar) {
     const auto t = first_in_plane(ray_in_space(s, a), outline);
     out.result["hit_in_plane"] = t.has_value();

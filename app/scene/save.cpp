@@ -55,11 +55,13 @@ std::string with_numbers(const std::string& text, const File& file, const viz::P
 
 KeptFile::KeptFile(const std::string& path) : path_(path), text_(viz::read_regular_file(path)) {}
 
+std::string KeptFile::folder() const { return std::filesystem::path(path_).parent_path().string(); }
+
 void KeptFile::save(const viz::Parameters& parameters) {
   if (viz::read_regular_file(path_) != text_)
     throw viz::FileError(
         fmt::format("cannot write '{}': somebody has changed it since it was opened; open it again", path_));
-  const File file = read_scene(text_, std::filesystem::path(path_).parent_path().string());
+  const File file = read_scene(text_, folder());
   const std::string text = with_numbers(text_, file, parameters);
   viz::write_file(path_, text);
   text_ = text;

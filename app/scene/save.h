@@ -17,6 +17,7 @@ class KeptFile {
   explicit KeptFile(const std::string& path);
   /// Throws viz::BadInput, or viz::FileError where somebody else has changed the file since; it stays as it is then.
   void save(const viz::Parameters&);
+  std::string folder() const;
 
  private:
   std::string path_, text_;  ///< as it was read or written last

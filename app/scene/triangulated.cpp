@@ -79,22 +79,31 @@ class Ears {
   std::vector<int> left_;  ///< what is not cut off yet
 };
 
+/// An outline counter-clockwise as it is seen, each of its corners once.
+struct Seen {
+  Ring<double, 3> ring;
+  std::vector<Corner> corners = {};
+
+  explicit Seen(const Ring<double, 3>& outline) : ring(outline) {
+    const auto [x, y, clockwise] = projection(outline);
+    if (clockwise) std::ranges::reverse(ring);
+    ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+    if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
+    for (const Point<double, 3>& p : ring) corners.emplace_back(p[x], p[y]);
+  }
+  bool simple() const { return corners.size() >= 3 && Ears(corners).simple(); }
+};
+
 }  // namespace
 
+bool is_simple(const Ring<double, 3>& outline) { return Seen(outline).simple(); }
+
 std::vector<Triangle<double, 3>> triangulated(const Ring<double, 3>& outline) {
-  const auto [x, y, clockwise] = projection(outline);
-  Ring<double, 3> ring = outline;
-  if (clockwise) std::ranges::reverse(ring);
-  ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
-  if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
-  std::vector<Corner> corners;
-  for (const Point<double, 3>& p : ring) corners.emplace_back(p[x], p[y]);
-  Ears ears(corners);
-  if (corners.size() < 3 || !ears.simple()) return {};
+  const Seen seen(outline);
+  if (!seen.simple()) return {};
+  const auto corner = [&](int i) { return seen.ring[static_cast<std::size_t>(i)]; };
   std::vector<Triangle<double, 3>> all;
-  for (const auto& [a, b, c] : ears.cut())
-    all.push_back(
-        {{ring[static_cast<std::size_t>(a)], ring[static_cast<std::size_t>(b)], ring[static_cast<std::size_t>(c)]}});
+  for (const auto& [a, b, c] : Ears(seen.corners).cut()) all.push_back({{corner(a), corner(b), corner(c)}});
   return all;
 }
 

@@ -11,5 +11,7 @@ namespace isect::program::scene {
 /// They are found by cutting off ears (Meisters, Polygons have ears, 1975) where the corners are seen along the axis of
 /// the normal's largest component, exactly. None if that outline has no area, crosses or touches itself.
 std::vector<Triangle<double, 3>> triangulated(const Ring<double, 3>& outline);
+/// Whether it neither crosses nor touches itself, as seen along that axis.
+bool is_simple(const Ring<double, 3>& outline);
 
 }  // namespace isect::program::scene

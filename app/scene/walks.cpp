@@ -96,7 +96,9 @@ constexpr Walk oriented_boxes = [](const Setting& s, const Object& a, const Obje
   setup.a_u = s.point(a, "u"), setup.b_u = s.point(b, "u");
   setup.epsilon = 1e-9;
   setup.truth = relate(setup.a, setup.b);
-  return lessons::obb_obb_lesson::Teller(setup).tell();
+  viz::Walk walk = lessons::obb_obb_lesson::Teller(setup).tell();
+  walk.steps.front().caption += " The classical test adds *ε* = 10^{−9}.";
+  return walk;
 };
 
 constexpr Walk ray_and_polygon = [](const Setting& s, const Object& a, const Object& b) {
@@ -113,6 +115,7 @@ constexpr Walk ray_and_polygon = [](const Setting& s, const Object& a, const Obj
   const double reach = 0.5 * std::sqrt(normal.norm());
   setup.across = reach * side.stableNormalized();
   setup.up = reach * normal.cross(side).stableNormalized();
+  for (const Vec3& v : setup.ring) setup.center += v / static_cast<double>(setup.ring.size());
   return lessons::ray_polygon_lesson::tell(setup);
 };
 

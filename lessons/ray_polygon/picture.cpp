@@ -118,7 +118,7 @@ Scene picture(const Setup& s, const Shown& shown, const Vec3& normal) {
       scene.items.emplace_back(Line{s.ring[0], s.ring[i], Role::construction, Pen::construction});
     scene.items.emplace_back(Dot{s.ring[0], Mark::disc, Role::second});
     scene.items.emplace_back(Label{s.ring[0], "**p**_0", Role::second});
-    const Vec3 foot = 0.5 * s.across - 0.625 * s.up, tip = foot + 1.125 * normal.normalized();
+    const Vec3 foot = s.center + 0.5 * s.across - 0.625 * s.up, tip = foot + 1.125 * normal.normalized();
     scene.items.emplace_back(Arrow{foot, tip, Role::second, Pen::solid});
     scene.items.emplace_back(Label{tip, "**n**", Role::second});
   }

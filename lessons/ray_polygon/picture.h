@@ -9,7 +9,8 @@ namespace isect::lessons::ray_polygon_lesson {
 struct Setup {
   Ray<double, 3> ray;
   Ring<double, 3> ring;
-  viz::Vec3 across, up;  ///< what spans the polygon's plane
+  viz::Vec3 across, up;                  ///< what spans the polygon's plane
+  viz::Vec3 center = viz::Vec3::Zero();  ///< a point of it where its normal is drawn beside
   RayPolygon<double> truth;
 };
 /// Corners that were moved lie on a grid of 1/64 in the plane, so that all stay in it exactly.

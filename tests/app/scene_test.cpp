@@ -3,10 +3,12 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "app/scene/lesson.h"
 #include "app/scene/save.h"
 #include "tests/app/shell.h"
 #include "tests/catch.h"
 #include "viz/files.h"
+#include "viz/snap.h"
 
 namespace scene_test {
 namespace fs = std::filesystem;
@@ -491,6 +493,83 @@ TEST_CASE("the window writes into the scene's file unless somebody else has chan
   CHECK_THROWS_AS(file.save(now), viz::FileError);
   CHECK_FALSE(fs::exists(path));
   CHECK_THROWS_AS(isect::program::scene::KeptFile("/dev/null"), viz::FileError);
+}
+
+TEST_CASE("a scene that was saved is as if opened from its file", "[scene]") {
+  const std::string text = R"({"objects": [{"sphere": "A", "center": [0, 0, 0], "radius": 2}]} // mine)";
+  const viz::Lesson& scene = isect::program::scene::kept_lesson_of(text, "");
+  viz::Parameters now = scene.presets.front().parameters;
+  now.at("A.radius") = 0.25;
+  isect::program::scene::keep(scene, "", now);
+  CHECK(scene.presets.front().parameters == now);
+  CHECK_THAT(scene.made_from, Contains("0.25"));
+  CHECK(scene.steps(now).steps.size() == 1);
+}
+
+TEST_CASE("a drag in a scene snaps to where any of its answers changes, and says which", "[scene]") {
+  const std::string text = R"({"objects": [{"sphere": "A", "center": [0, 0, 0], "radius": 1},
+    {"sphere": "B", "center": [4, 0, 0], "radius": 1}, {"sphere": "C", "center": [0, 9, 0], "radius": 1}],
+    "ask": [["A", "B"], ["A", "C"]]})";
+  const viz::Lesson& scene = isect::program::scene::kept_lesson_of(text, "");
+  const viz::Parameters before = scene.presets.front().parameters;
+  const viz::Walk walk = scene.steps(before);
+  const auto handle = std::ranges::find(walk.steps[0].scene.handles, "A.center", &viz::Handle::parameter);
+  REQUIRE(handle != walk.steps[0].scene.handles.end());
+  const viz::Vec3 to(2.75, 0, 0);
+  const auto found = viz::find_border(scene, viz::way_of(scene, before, *handle, handle->at, to), 0, 1.25, 1);
+  REQUIRE(found);
+  CHECK(found->exact);
+  CHECK(std::get<viz::Vec3>(found->setting.at("A.center")) == viz::Vec3(2, 0, 0));
+  CHECK(found->told == "A and B touch, exactly");
+}
+
+TEST_CASE("the parts of a scene's objects bear their names, in figures and in words", "[scene]") {
+  const Shell shell;
+  write(shell.work() / "s.json", R"({"objects": [{"ray": "r1", "origin": [-4, 0, 0], "dir": [1, 0, 0]},
+    {"capsule": "C", "p": [0, 0.1, 0], "q": [0.3, 1, 0.2], "r": 0.7}, {"box": "A", "lo": [1, 1, 1], "hi": [2, 2, 2]},
+    {"obb": "B", "center": [5, 0, 0], "u": [1, 0, 0], "v": [0, 1, 0], "w": [0, 0, 1], "half": [1, 1, 1]},
+    {"polygon": "P", "points": [[6, -1, -1], [6, 1, -1], [6, 1, 1]]}], "ask": [["r1", "C"], ["r1", "A"]]})");
+  REQUIRE(shell("isect render s.json --step 1 --format svg --out out").status == 0);
+  const std::string svg = contents(shell.work() / "out/scene/s/01-objects.svg");
+  for (const char* id : {"arrow-r1", "ball-C", "line-C", "solid-A", "solid-B", "region-P"})
+    CHECK_THAT(svg, Contains(std::string("<g id=\"") + id));
+  CHECK_THAT(svg, !Contains("id=\"solid-second") && !Contains("id=\"region-second"));
+  const Ran words = shell("isect explain s.json");
+  CHECK_THAT(words.out, Contains("oriented box B") && Contains("r₁ and A: r₁ misses A"));
+  CHECK_THAT(words.out, !Contains("segment"));  // the capsule is told by its numbers
+}
+
+TEST_CASE("a missing file of a mesh is told with the scene's name", "[scene]") {
+  const Shell shell;
+  write(shell.work() / "s.json", R"({"objects": [{"mesh": "M", "file": "none.obj"}], "ask": []})");
+  for (const char* command : {"isect scene s.json", "isect render s.json --out out", "isect explain s.json"}) {
+    const Ran r = shell(command);
+    CHECK(r.status == 4);
+    CHECK_THAT(r.err, Contains("s.json: ") && Contains("none.obj") && Contains("objects[0].file"));
+  }
+}
+
+TEST_CASE("where an outline crosses itself, that is said, and what has no area is not decided", "[scene]") {
+  const Shell shell;
+  const std::string ray = R"({"ray": "r", "origin": [2.1, 1.5, -2], "dir": [0, 0, 1]}, )";
+  CHECK(verdict(shell, ray + R"({"polygon": "P", "points": [[-1,-1,0],[1,1,0],[1,-1,0],[-1,1,0]]})") ==
+        "r and P: not decided, as the outline of P has no area, crosses or touches itself");
+  write(shell.work() / "s.json", R"({"objects": [)" + ray + R"({"polygon": "Q", "points":
+    [[1,1,0],[4,1,0],[2,3,0],[2,0,0],[3,3,0]]}], "ask": [["r", "Q"]]})");
+  CHECK_THAT(shell("isect explain s.json").out, Contains("Q crosses or touches itself") && Contains("even-odd rule"));
+}
+
+TEST_CASE("a ray enters a ball and leaves it, within its own range", "[scene]") {
+  const Shell shell;
+  const auto formula = [&](const std::string& range) {
+    write(shell.work() / "s.json",
+          R"({"objects": [{"ray": "r", "origin": [-3, 0, 0], "dir": [1, 0, 0])" + range +
+              R"(}, {"sphere": "S", "center": [0, 0, 0], "radius": 1}], "ask": [["r", "S"]]})");
+    return shell("isect explain s.json --brief").out;
+  };
+  CHECK_THAT(formula(""), Contains("t_in = 2, t_out = 4"));
+  CHECK_THAT(formula(R"(, "tmax": 3.5)"), Contains("t_in = 2, t_out = 3.5"));
+  CHECK_THAT(formula(R"(, "tmin": 2.5)"), Contains("t_in = 2.5, t_out = 4"));
 }
 
 TEST_CASE("the examples are scenes, each under fifteen lines of objects, and answer", "[scene]") {

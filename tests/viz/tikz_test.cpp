@@ -48,7 +48,7 @@ TEST_CASE("every kind of shape reaches TikZ, within a frame of its own size", "[
 
 TEST_CASE("labels of TikZ are set by LaTeX, in the document's own font and size", "[tikz]") {
   const std::string text = tikz(everything(), {}, of_width(200));
-  CHECK_THAT(text, Contains("{$t_{1,2} = \\sqrt{2}$};") && Contains("anchor=base"));
+  CHECK_THAT(text, Contains("{$t_{1,2} = \\sqrt{2}$}};") && Contains("anchor=base"));
   CHECK_THAT(text, !Contains("font="));
 }
 
@@ -59,6 +59,28 @@ TEST_CASE("a text that was made smaller to fit into its room is so in TikZ, too"
   const std::string text = tikz(drawing, {}, of_width(200));
   CHECK_THAT(text, Contains("scale=0.61] at") && Contains("{14 operations}"));  // 4.5 / 6.6, and LaTeX's are wider
   CHECK(text.find("scale=") == text.rfind("scale="));                           // the others are set as they come
+}
+
+TEST_CASE("a label that is wider in the document's font than its room is made smaller", "[tikz]") {
+  Drawing drawing = everything();
+  drawing.shapes.clear();
+  CHECK_THAT(tikz(drawing), !Contains("isectfitted"));
+  for (const double x : {10.0, 100.0})
+    drawing.shapes.emplace_back(
+        Text{.markup = x < 50 ? "left" : "right", .at = {x, 20}, .size = 6, .colour = blue, .align = 0});
+  const auto room_of = [text = tikz(drawing, {}, of_width(200))](const std::string& word) {
+    const std::size_t end = text.find("bp}{" + word), begin = text.rfind("{", end);
+    return std::stod(text.substr(begin + 1));
+  };
+  const auto box = [&](std::size_t i) { return measure(std::get<Text>(drawing.shapes[i])); };
+  const double between = box(1).left - box(0).right, middle = box(0).right + between / 2;
+  const double of_left = room_of("left"), of_right = room_of("right");
+  CHECK(box(0).left + of_left <= middle + 0.01);  // neither grows over the other, nor over the edge
+  CHECK(of_left > box(0).right - box(0).left);
+  const double centre = (box(1).left + box(1).right) / 2;
+  CHECK(centre - of_right / 2 >= middle - 0.01);
+  CHECK(centre + of_right / 2 <= drawing.width + 0.01);
+  CHECK(of_right > box(1).right - box(1).left);
 }
 
 TEST_CASE("a text of TikZ by an edge of the picture grows away from it", "[tikz]") {

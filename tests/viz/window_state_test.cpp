@@ -232,6 +232,7 @@ TEST_CASE("Ctrl+S writes a scene back into its file, says what failed, and saves
   const auto write = [&](const Parameters& p) {
     if (full) throw FileError("cannot write 's.json': no room");
     written.push_back(p);
+    scene.presets.front().parameters = p;
   };
   const std::vector<const Lesson*> lessons = {&scene, &ball};
   WindowDriver window(lessons, 1280, 800, {}, {}, {.reduced_motion = true, .save_scene = write});
@@ -241,6 +242,11 @@ TEST_CASE("Ctrl+S writes a scene back into its file, says what failed, and saves
   CHECK(written.front() == window.player().parameters());
   CHECK(written.front() != disc.presets.front().parameters);
   CHECK(window.ui.message() == "Saved into the scene's file");
+  CHECK(window.player().preset_id() == scene.presets.front().id);  // nothing is "changed" any more
+  window.drag("handle c", 30, 30);
+  CHECK(window.player().preset_id().empty());
+  window.type("1");
+  CHECK(window.player().parameters() == written.front());  // and not as it was once opened
 
   window.type("s");
   window.frames(2);

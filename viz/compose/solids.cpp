@@ -154,6 +154,19 @@ void draw(Canvas& c, const Mesh& it) {
 
   const std::vector<Vec2> seen = c.projected(it.vertices);
   const Colour ink = c.theme.ink(it.role);
+  if (c.theme.name == ThemeName::grey) {  // its light parts are as light as the ground
+    std::vector<std::pair<int, int>> edges;
+    for (const Facing& f : facing)
+      for (int k = 0; k < 3; ++k)
+        edges.emplace_back(it.triangles[f.triangle][k], it.triangles[f.triangle][(k + 1) % 3]);
+    std::ranges::sort(edges);
+    for (const auto& [from, to] : edges)  // no neighbour is seen; facets then hide what lies before others
+      if (!std::ranges::binary_search(edges, std::pair(to, from)))
+        c.contents.emplace_back(Stroke{.path = polyline({seen[from], seen[to]}),
+                                       .colour = ink,
+                                       .width = 2 * c.sizes().outline,
+                                       .round_cap = true});
+  }
   const double darkest = c.theme.name == ThemeName::grey ? 0.5 : 0.08;  // without colours only light tells lines on it
   Facets facets = {.seam = 0.3 * c.sizes().hairline};
   facets.corners.reserve(3 * facing.size()), facets.colours.reserve(facing.size());

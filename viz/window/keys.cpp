@@ -164,6 +164,7 @@ void save_back(Session& s) {
   }
   s.attempt([&] {
     s.save_scene(s.player.parameters());
+    s.player.reread();
     s.say("Saved into the scene's file");
   });
 }

@@ -87,8 +87,9 @@ struct Session {
   Ui& ui;
   Settings& settings;
   const Course& course;
-  std::string figures;                                     ///< folder for saved figures
-  std::function<void(const Parameters&)> save_scene = {};  ///< into its own file; null: there is none
+  std::string figures;  ///< folder for saved figures
+  /// Into its own file, which the lesson is made from then; null: there is none.
+  std::function<void(const Parameters&)> save_scene = {};
   bool panels = true;
   Sheet open_next = Sheet::none;  ///< asked for by a key or a button, opened at the end of the frame
   /// Of the figure as the sheet would save it, while that is open: drawn between two frames.
