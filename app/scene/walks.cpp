@@ -144,7 +144,7 @@ void need_few(const Object& o, const Points& points, std::size_t most = 100) {
                                     o.name, points.size(), most));
 }
 
-constexpr Walk point_and_polygon = [](const Setting& s, const Object& a, const Object& b) {
+constexpr Walk point_by_crossings = [](const Setting& s, const Object& a, const Object& b) {
   need_few(b, s.points(b));
   Polygon<double, 2> polygon;
   for (const auto& ring : s.rings(b)) polygon.rings.push_back(points_of<2>(ring));
@@ -236,8 +236,8 @@ const std::vector<LessonWalk>& walks() {
       {"clipping", segment, box, true, "the segment", "the box", clipped_segment},
       {"clipping", polygon, box, true, "the polygon", "the box", clipped_polygon},
       {"clipping", triangle, box, true, "the polygon", "the box", clipped_polygon},
-      {"crossings", point, polygon, true, "**p**", "the polygon", point_and_polygon},
-      {"crossings", point, triangle, true, "**p**", "the polygon", point_and_polygon},
+      {"crossings", point, polygon, true, "**p**", "the polygon", point_by_crossings},
+      {"crossings", point, triangle, true, "**p**", "the polygon", point_by_crossings},
       {"convex-polygon", point, polygon, true, "**p**", "the polygon", point_in_convex_polygon},
       {"convex-polygon", point, triangle, true, "**p**", "the polygon", point_in_convex_polygon},
       {"concave-polygon", point, polygon, true, "**p**", "the polygon", point_in_concave_polygon},

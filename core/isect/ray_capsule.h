@@ -129,7 +129,7 @@ Between between(const Ray<double, N>& ray, const Capsule<double, N>& capsule, Tr
     return all * sign_of([&]<class W>() -> W { return excess(places<W, N>(ray, capsule)); }, trace) > 0;
   };
   if (!after([](const auto& p) { return p.axis; }) || !after([](const auto& p) { return p.all - p.axis; })) return {};
-  const auto [lo, hi] = ray.range;
+  const double lo = ray.range.lo, hi = ray.range.hi;
   if (std::isfinite(lo) && !after([lo]<class W>(const Places<W, N>& p) { return p.ray - W(lo) * p.all; })) return {};
   if (std::isfinite(hi) && !after([hi]<class W>(const Places<W, N>& p) { return W(hi) * p.all - p.ray; })) return {};
   if constexpr (N == 2) {
