@@ -194,7 +194,9 @@ std::vector<std::string> shown(const std::vector<Value>& values) {
 }
 
 std::string figure_title(const Lesson& lesson, const Step& step) {
-  return fmt::format("{}: {}", lesson.title, plain(step.title));
+  const std::string title = plain(step.title);
+  return title == lesson.title ? title
+                               : fmt::format("{}: {}", lesson.title, title);  // a scene's first step has its own
 }
 
 std::string drawn_text(const Walk& walk, const Scene& scene, bool outcome) {

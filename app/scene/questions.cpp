@@ -368,7 +368,12 @@ Answer ask(const Setting& s, const Object& a, const Object& b) {
   const Pair* pair = pair_of(a.type, b.type, s.flat);
   if (!pair && !pair_of(b.type, a.type, s.flat))
     throw std::logic_error(spec(a.type).name + " and " + spec(b.type).name + " have no test");
-  if (!pair) return ask(s, b, a);
+  if (!pair) {
+    Answer out = ask(s, b, a);
+    if (const std::string other = names(b, a); out.verdict.text.starts_with(other))
+      out.verdict.text.replace(0, other.size(), names(a, b));  // in the order of the question
+    return out;
+  }
   try {
     try {
       return asked_in_order(s, a, b, *pair);

@@ -140,10 +140,10 @@ TEST_CASE("convex solids, balls, capsules, triangles, meshes and lines in space 
   };
   expect(box + tilted + R"( "half": [1,1,1]})", "A and O overlap");
   expect(box + tilted + R"( "half": [0.5,0.5,0.5]})", "A and O are disjoint");
-  expect(box + capsule + "5}", "C and A touch");
-  expect(box + capsule + "4.9999999}", "C and A are disjoint");
-  expect(triangle + R"(, {"sphere": "S", "center": [-2,-3,6], "radius": 7})", "S and T touch");
-  expect(triangle + R"(, {"capsule": "C", "p": [2,2,-5], "q": [2,2,5], "r": 0})", "C and T touch");
+  expect(box + capsule + "5}", "A and C touch");
+  expect(box + capsule + "4.9999999}", "A and C are disjoint");
+  expect(triangle + R"(, {"sphere": "S", "center": [-2,-3,6], "radius": 7})", "T and S touch");
+  expect(triangle + R"(, {"capsule": "C", "p": [2,2,-5], "q": [2,2,5], "r": 0})", "T and C touch");
   expect(triangle + R"(, {"triangle": "U", "points": [[1,1,-1],[1,1,1],[2,2,5]]})", "T and U have a common point");
   expect(triangle + R"(, {"triangle": "U", "points": [[1,1,1],[1,1,2],[2,2,5]]})", "T and U are disjoint");
   expect(triangle + R"(, {"point": "p", "at": [4.5,4.5,0]})", "p lies on T");
@@ -152,7 +152,7 @@ TEST_CASE("convex solids, balls, capsules, triangles, meshes and lines in space 
   expect(triangle + tilted + R"( "half": [1,1,2]})", "T and O touch");
   expect(frustum + R"({"point": "p", "at": [2,0,0]})", "p lies inside F");
   expect(frustum + R"({"point": "p", "at": [4.5,0,0]})", "p lies outside F");
-  expect(frustum + R"({"capsule": "C", "p": [5,0,0], "q": [9,0,0], "r": 0.5})", "C and F are disjoint");
+  expect(frustum + R"({"capsule": "C", "p": [5,0,0], "q": [9,0,0], "r": 0.5})", "F and C are disjoint");
   expect(frustum + R"({"segment": "s", "from": [0,0,0], "to": [2,0,0]})", "s meets F");
   expect(R"({"plane": "P", "normal": [1,0,0], "d": -9})" + tilted + R"( "half": [1,1,1]})", "P and O are disjoint");
   expect(R"({"plane": "P", "normal": [1,0,0], "d": -5})" + tilted + R"( "half": [1,1,1]})", "P cuts O");
