@@ -194,9 +194,8 @@ std::vector<std::string> shown(const std::vector<Value>& values) {
 }
 
 std::string figure_title(const Lesson& lesson, const Step& step) {
-  const std::string title = plain(step.title);
-  return title == lesson.title ? title
-                               : fmt::format("{}: {}", lesson.title, title);  // a scene's first step has its own
+  const std::string of_lesson = plain(lesson.title), of_step = plain(step.title);
+  return of_lesson == of_step ? of_step : of_lesson + ": " + of_step;  // a scene's first step has its own
 }
 
 std::string drawn_text(const Walk& walk, const Scene& scene, bool outcome) {

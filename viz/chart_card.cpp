@@ -12,6 +12,8 @@ constexpr double card_pitch = 1.45;     // from line to line, in sizes of the te
 constexpr double row_gap = 0.75;        // from row to row, beyond that
 constexpr double most_enlarged = 1.25;  // of a label's size
 constexpr double narrow = 12;           // in sizes: a text with less room stands below its head
+constexpr std::size_t many = 12;        // rows: as many may stand in several columns
+constexpr std::size_t most_columns = 3;
 
 /// A word, or what stays together, and how wide it is at size 1.
 using Word = std::pair<std::string, double>;
@@ -37,11 +39,12 @@ std::vector<std::string> broken(const std::vector<Word>& words, double room) {
   return lines;
 }
 
-/// The card's texts at one size.
+/// The card's texts at one size, in one column or several, whose rows follow each other downwards.
 struct Typeset {
   double size, column;  ///< where the texts begin; 0: below their heads
   std::vector<std::vector<std::string>> lines;
-  double height = 0;
+  std::size_t columns = 1, rows = 0;  ///< in a column
+  double height = 0;                  ///< of the highest one
 };
 
 class Typesetter {
@@ -53,28 +56,40 @@ class Typesetter {
     }
   }
 
-  Typeset at(double size, double width) const {
-    const double column = width / size - column_ < narrow ? 0 : column_;
-    Typeset s{size, column * size, {}, 0};
+  Typeset at(double size, double width, std::size_t columns = 1) const {
+    const double own = (width - gutter(columns)) / static_cast<double>(columns);
+    const double column = own / size - column_ < narrow ? 0 : column_;
+    Typeset s{size, column * size, {}, columns, (texts_.size() + columns - 1) / columns};
+    double height = 0;
     for (const std::vector<Word>& text : texts_) {
-      s.lines.push_back(broken(text, width / size - column));
+      if (s.lines.size() % s.rows == 0) height = 0;
+      s.lines.push_back(broken(text, own / size - column));
       const std::size_t lines = s.lines.back().size() + (column > 0 ? 0 : 1);
-      s.height += (card_pitch * static_cast<double>(std::max<std::size_t>(lines, 1)) + row_gap) * size;
+      height += (card_pitch * static_cast<double>(std::max<std::size_t>(lines, 1)) + row_gap) * size;
+      s.height = std::max(s.height, height - row_gap * size);
     }
-    s.height -= texts_.empty() ? 0 : row_gap * size;
     return s;
   }
 
-  /// At the largest size that fits.
+  /// At the largest size that fits, with as few columns as that takes.
   Typeset within(const Bounds& room) const {
+    Typeset best = within(room, 1);
+    for (std::size_t columns = 2; columns <= most_columns && texts_.size() >= many; ++columns)
+      if (Typeset s = within(room, columns); s.size > 1.05 * best.size) best = std::move(s);
+    return best;
+  }
+
+  double gutter(std::size_t columns) const { return 2 * label_ * static_cast<double>(columns - 1); }
+
+ private:
+  Typeset within(const Bounds& room, std::size_t columns) const {
     double share = most_enlarged;
-    const auto next = [&] { return at(share * label_, room.right - room.left); };
+    const auto next = [&] { return at(share * label_, room.right - room.left, columns); };
     Typeset s = next();
     while (s.height > room.bottom - room.top && share > 0.3) share *= 0.97, s = next();
     return s;
   }
 
- private:
   double label_, column_ = 0;
   std::vector<std::vector<Word>> texts_;
 };
@@ -82,27 +97,37 @@ class Typesetter {
 }  // namespace
 
 double natural_height(const ChartInk& ink, const Card& card, double width) {
-  return Typesetter(ink, card).at(ink.sizes().label, width).height;
+  const Typesetter typesetter(ink, card);
+  double least = typesetter.at(ink.sizes().label, width).height;
+  for (std::size_t columns = 2; columns <= most_columns && card.rows.size() >= many; ++columns)
+    least = std::min(least, typesetter.at(ink.sizes().label, width, columns).height);
+  return least;
 }
 
 void draw(ChartInk& ink, const Card& card, const Bounds& all) {
   const double side = std::min(1.5 * ink.sizes().label, 0.04 * (all.right - all.left));
   const Bounds room = {all.left + side, all.top, all.right - side, all.bottom};
-  const Typeset s = Typesetter(ink, card).within(room);
-  double y = room.top + std::max(0.0, (room.bottom - room.top - s.height) / 2) + s.size;
+  const Typesetter typesetter(ink, card);
+  const Typeset s = typesetter.within(room);
+  const double top = room.top + std::max(0.0, (room.bottom - room.top - s.height) / 2) + s.size;
+  const double gutter = typesetter.gutter(2);
+  const double width = (room.right - room.left - typesetter.gutter(s.columns)) / static_cast<double>(s.columns);
+  double y = top;
   for (std::size_t i = 0; i < card.rows.size(); ++i) {
     const auto& [head, text] = card.rows[i];
+    const double left = room.left + static_cast<double>(i / s.rows) * (width + gutter);
+    if (i % s.rows == 0) y = top;
     ink.part("row", head);
-    ink.text(head, {room.left, y}, {s.size, Role::first, 0, true});
+    ink.text(head, {left, y}, {s.size, Role::first, 0, true});
     if (s.column == 0) y += card_pitch * s.size;
     for (const std::string& line : s.lines[i]) {
-      ink.text(line, {room.left + s.column, y}, {s.size});
+      ink.text(line, {left + s.column, y}, {s.size});
       y += card_pitch * s.size;
     }
     y += row_gap * s.size;
-    if (i + 1 == card.rows.size()) break;
+    if (i + 1 == card.rows.size() || (i + 1) % s.rows == 0) continue;
     const double rule = y - s.size - 0.5 * row_gap * s.size + 0.1 * s.size;
-    ink.line({{room.left, rule}, {room.right, rule}}, ink.theme().ink(Role::grid), ink.sizes().hairline);
+    ink.line({{left, rule}, {left + width, rule}}, ink.theme().ink(Role::grid), ink.sizes().hairline);
   }
 }
 

@@ -71,13 +71,13 @@ class Teller {
     const bool body = it.hides && is_body(it.role);  // a floor has the colour of a grid, and its name is muted
     const Role role = body && it.role == Role::grid ? Role::muted : it.role;
     if (it.outlined && (body || is_object(it.role, it.pen)))
-      for (const Points& ring : it.rings) corners("polygon", ring, role);
+      for (const Points& ring : it.rings) corners("polygon", ring, role, it.name);
   }
   void operator()(const Solid& it) {
-    if (is_body(it.role)) corners("solid", it.vertices, it.role);
+    if (is_body(it.role)) corners("solid", it.vertices, it.role, it.name);
   }
   void operator()(const Mesh& it) {
-    if (is_body(it.role)) corners("mesh", it.vertices, it.role);
+    if (is_body(it.role)) corners("mesh", it.vertices, it.role, it.name);
   }
   void operator()(const Line& it) {
     if (!it.name.empty()) return;  // a part of what is told as a whole
@@ -179,12 +179,13 @@ class Teller {
     say(kind, centre.empty() ? name_within({c - reach, c + reach}, role, true) : centre,
         fmt::format("centre {}, radius {}", place(c), number(radius)));
   }
-  void corners(const std::string& kind, const Points& points, Role role) {
+  void corners(const std::string& kind, const Points& points, Role role, const std::string& given) {
     if (std::ranges::all_of(points, [&](const Vec3& p) { return is_parameter(p); })) return;  // told already
     const Limits e = limits_of(points);
     const bool within = points.size() > most_vertices;
     if (e.lo == e.hi || (within && kind == "polygon")) return;  // nothing, or a curve
-    const std::string name = name_within(e, role), ends = place(e.lo) + " to " + place(e.hi);
+    const std::string name = given.empty() ? name_within(e, role) : plain(given),
+                      ends = place(e.lo) + " to " + place(e.hi);
     if (is_box(points))
       say(!flat_ && (e.lo.array() == e.hi.array()).any() ? "rectangle" : "box", name, ends);
     else

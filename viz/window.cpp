@@ -319,7 +319,11 @@ void run(Window& window, Input& input, WindowUi& ui, const EndSignals& signals, 
   constexpr int settle = 3;  // frames that Dear ImGui may need to answer an event
   int frames_due = settle;
   std::string title;
-  while (!glfwWindowShouldClose(window.handle()) && !ui.wants_to_close() && !signals.came()) {
+  while (!ui.wants_to_close() && !signals.came()) {
+    if (glfwWindowShouldClose(window.handle())) {
+      if (ui.may_close()) break;
+      glfwSetWindowShouldClose(window.handle(), GLFW_FALSE);
+    }
     // An idle window costs nothing, but a text cursor blinks.
     const double rest = ImGui::GetIO().WantTextInput ? std::min(ui.rest(), 0.25) : ui.rest();
     if (rest <= 0 || input.waiting()) frames_due = settle;

@@ -79,6 +79,9 @@ Answered answered(const Context& c, const PairAsked& asked) {
                   (answer.open ? "" : "Decided exactly for these numbers: ") + answer.verdict.text + ".",
                   answer.verdict};
   if (!answer.note.empty()) out.caption += "\n" + answer.note;
+  for (const std::size_t i : {asked.a, asked.b})
+    if (c.object(i).type == Type::frustum)
+      out.caption += "\nThe planes of " + c.name(i) + " are those of its angle, rounded.";
   out.formula = answer.formula, out.values = answer.values, out.items = std::move(answer.marks);
   out.lit = {asked.a, asked.b};
   out.json = {{"ask", {a.name, b.name}}, {"verdict", viz::plain(answer.verdict.text)}};

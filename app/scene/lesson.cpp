@@ -39,8 +39,9 @@ class Walker {
   /// The answers as JSON go to `answers`, if there is one.
   viz::Walk made(Json* answers = nullptr) {
     viz::Walk walk;
-    walk.alt = "The objects of a scene file.";
     walk.steps.push_back(all_objects());
+    walk.alt = walk.steps[0].caption;
+    for (const Note& note : context_.file.notes) walk.alt += " Note: " + note.text + ".";
     for (const Asked& asked : context_.file.asked) {
       const WalkAsked* const pair = std::get_if<WalkAsked>(&asked);
       if (pair) add(*pair, walk);
@@ -89,8 +90,7 @@ class Walker {
     step.verdict = answer.verdict, step.values = answer.values;
     step.scene = picture(answer.lit);
     std::ranges::move(answer.items, std::back_inserter(step.scene.items));
-    rows_.push_back(
-        {viz::plain(step.title), answer.verdict.text + (answer.formula.empty() ? "" : ": " + answer.formula)});
+    rows_.push_back({step.title, answer.verdict.text + (answer.formula.empty() ? "" : ": " + answer.formula)});
     return step;
   }
 
@@ -104,7 +104,7 @@ class Walker {
                      answered(context_, asked).verdict.text});
     if (!asked.many.empty()) return add_of_many(asked, to);
     const LessonWalk& pair = *walk_of(a.type, b.type, context_.file.flat, one, asked.lesson);
-    viz::Walk walk = scene::walk(pair, context_.setting, a, b);
+    viz::Walk walk = naming_question(asked, [&] { return scene::walk(pair, context_.setting, a, b); });
     const bool first = to.pseudocode.empty();
     if (first) to.pseudocode = walk.pseudocode;
     for (viz::Step& s : walk.steps) {
@@ -117,6 +117,18 @@ class Walker {
                                 pair.name_a, second, s.caption);
       }
       to.steps.push_back(std::move(s));
+    }
+  }
+
+  /// What a lesson refuses is told with its place in the file.
+  template <class Made>
+  viz::Walk naming_question(const WalkAsked& asked, const Made& made) const {
+    try {
+      return made();
+    } catch (const viz::BadInput& e) {
+      const auto at = std::ranges::find_if(context_.file.asked,
+                                           [&](const Asked& one) { return std::get_if<WalkAsked>(&one) == &asked; });
+      throw viz::BadInput(fmt::format("ask[{}]: {}", at - context_.file.asked.begin(), e.what()));
     }
   }
 
@@ -133,7 +145,7 @@ class Walker {
                          ray ? "the ray" : std::to_string(all.size() - 1));
       std::ranges::move(scene::handles(context_.setting, *all.back(), Role::second), std::back_inserter(handles));
     }
-    viz::Walk walk = scene::walk(way, context_.setting, all);
+    viz::Walk walk = naming_question(asked, [&] { return scene::walk(way, context_.setting, all); });
     const bool first = to.pseudocode.empty();
     if (first) to.pseudocode = walk.pseudocode;
     walk.steps.front().caption = fmt::format("Step by step: here {}. {}", who, walk.steps.front().caption);

@@ -241,7 +241,6 @@ std::vector<Pair> pairs_in_plane() {
     table.push_back({point, along, nullptr, In::plane, beside_line, tell_beside_line});
     for (const Type outline : {triangle, polygon, hull})
       table.push_back({along, outline, nullptr, In::plane, along_result, tell_along});
-    if (along != segment) table.push_back({along, segment, nullptr, In::plane, along_result, tell_along});
   }
   for (const Type a : {triangle, polygon, hull, box})  // in both orders, so that they are named as they are asked about
     for (const Type b : {triangle, polygon, hull, box}) {

@@ -459,7 +459,7 @@ std::vector<Pair> pairs_of_solids() {
   for (const Type along : {ray, line, segment}) {
     add(point, along, In::space, point_on, tell_on);
     for (const Type other : {ray, line, segment})
-      add(along, other, along == segment || other == segment ? In::space : In::both, two_lines, tell_two_lines);
+      add(along, other, along == segment && other == segment ? In::space : In::both, two_lines, tell_two_lines);
     add(along, kdop, In::both, line_and_solid, tell_line_and_solid);
     add(along, frustum, In::space, line_and_solid, tell_line_and_solid);
     add(along, capsule, In::both, line_and_round, tell_line_and_solid);

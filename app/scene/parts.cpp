@@ -39,15 +39,22 @@ std::optional<Interval<double>> part_of_line(const Setting& s, const Object& o, 
   return clip(ray, box_of<N>(s, box));
 }
 
+/// What is left of each outline; of one with holes nothing where it has no point in the box.
 template <int N>
-std::vector<Vec3> part_of_outline(const Setting& s, const Object& o, const Object& box) {
-  const std::vector<Vec3> ring = o.type == Type::hull ? outline_of(s, o) : s.rings(o).front();
-  std::vector<Vec3> kept;
-  for (const Point<double, N>& p : clip(points_of<N>(ring), box_of<N>(s, box))) {
-    kept.push_back(Vec3::Zero());
-    kept.back().head<N>() = p;
+std::vector<std::vector<Vec3>> part_of_outline(const Setting& s, const Object& o, const Object& box) {
+  const std::vector<std::vector<Vec3>> rings =
+      o.type == Type::hull ? std::vector<std::vector<Vec3>>{outline_of(s, o)} : s.rings(o);
+  std::vector<std::vector<Vec3>> all;
+  if (rings.size() > 1 && ask(s, o, box).verdict.kind == Verdict::Kind::no) return all;
+  for (const std::vector<Vec3>& ring : rings) {
+    std::vector<Vec3> kept;
+    for (const Point<double, N>& p : clip(points_of<N>(ring), box_of<N>(s, box))) {
+      kept.push_back(Vec3::Zero());
+      kept.back().head<N>() = p;
+    }
+    if (!kept.empty()) all.push_back(std::move(kept));
   }
-  return kept;
+  return all;
 }
 
 void tell_line(const Context& c, const ClipAsked& asked, Answered& out) {
@@ -75,20 +82,29 @@ void tell_line(const Context& c, const ClipAsked& asked, Answered& out) {
 
 void tell_outline(const Context& c, const ClipAsked& asked, Answered& out) {
   const Object &o = c.object(asked.what), &box = c.object(asked.box);
-  const std::vector<Vec3> kept =
+  const std::vector<std::vector<Vec3>> kept =
       c.file.flat ? part_of_outline<2>(c.setting, o, box) : part_of_outline<3>(c.setting, o, box);
-  out.json["vertices"] = Json::array();
-  for (const Vec3& p : kept) out.json["vertices"].push_back(c.setting.list(p));
+  Json rings = Json::array();
+  std::vector<std::size_t> corners;
+  for (const std::vector<Vec3>& ring : kept) {
+    rings.push_back(Json::array());
+    for (const Vec3& p : ring) rings.back().push_back(c.setting.list(p));
+    corners.push_back(ring.size());
+  }
+  const bool holes = o.type == Type::polygon && c.setting.rings(o).size() > 1;
+  out.json[holes ? "rings" : "vertices"] = holes ? rings : kept.empty() ? Json::array() : rings[0];
   if (kept.empty()) {
     out.verdict = {Verdict::Kind::no, fmt::format("nothing of {} lies in {}", c.name(asked.what), c.name(asked.box))};
     return;
   }
   viz::Region region;
-  region.rings = {kept}, region.role = Role::hit, region.pen = viz::Pen::thick, region.corners = true;
+  region.rings = kept, region.role = Role::hit, region.pen = viz::Pen::thick, region.corners = true;
   out.items.push_back(region);
   out.verdict = {Verdict::Kind::yes,
-                 fmt::format("the part of {} in {} has {} {}", c.name(asked.what), c.name(asked.box), kept.size(),
-                             kept.size() == 1 ? "corner" : "corners")};
+                 fmt::format("the part of {} in {} has {}{} {}", c.name(asked.what), c.name(asked.box),
+                             kept.size() > 1 ? fmt::format("{} outlines, of ", kept.size()) : std::string(),
+                             fmt::join(corners, " and "), corners.back() == 1 ? "corner" : "corners")};
+  if (holes) out.caption += " Each outline is cut by itself; what lies within an odd number of them is kept.";
   if (o.type == Type::polygon)
     out.caption += " Of a polygon that is not convex, edges along the box may join what is kept.";
 }
@@ -166,6 +182,11 @@ Answered answered(const Context& c, const HierarchyAsked& asked) {
                   "uppermost nodes are drawn.",
                   n.primitives, n.leaves, n.largest_leaf),
       {Verdict::Kind::yes, fmt::format("{} node{}, depth {}", n.nodes, n.nodes == 1 ? "" : "s", n.depth)}};
+  std::string left_out;
+  for (std::size_t i = 0; i < c.file.objects.size() && !of_mesh; ++i)
+    if (const Type type = c.object(i).type; type == Type::kdop || type == Type::frustum)
+      left_out += (left_out.empty() ? "" : ", ") + c.name(i);
+  if (!left_out.empty()) out.caption += " Without " + left_out + ", whose corners would be rounded.";
   out.lit = asked.objects;
   if (out.lit.size() == 2) out.lit.push_back(asked.objects[0]);  // a set of objects, not a first and a second one
   out.values = {{"nodes", static_cast<double>(n.nodes), "", Role::text, true},

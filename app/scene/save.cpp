@@ -59,8 +59,8 @@ std::string KeptFile::folder() const { return std::filesystem::path(path_).paren
 
 void KeptFile::save(const viz::Parameters& parameters) {
   if (viz::read_regular_file(path_) != text_)
-    throw viz::FileError(
-        fmt::format("cannot write '{}': somebody has changed it since it was opened; open it again", path_));
+    throw viz::FileError(fmt::format(
+        "cannot write '{}': somebody has changed it since it was opened. Ctrl+C copies these numbers", path_));
   const File file = read_scene(text_, folder());
   const std::string text = with_numbers(text_, file, parameters);
   viz::write_file(path_, text);

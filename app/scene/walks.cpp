@@ -125,6 +125,7 @@ constexpr Walk clipped_segment = [](const Setting& s, const Object& a, const Obj
 };
 
 constexpr Walk clipped_polygon = [](const Setting& s, const Object& a, const Object& b) {
+  if (s.rings(a).size() > 1) throw viz::BadInput(a.name + " has holes, and the lesson clips one outline");
   return lessons::clipping_lesson::clip_a_polygon(points_of<2>(s.rings(a).front()), box_of<2>(s, b));
 };
 

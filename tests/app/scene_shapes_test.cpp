@@ -497,9 +497,10 @@ TEST_CASE("outlines, segments and lines in the plane are asked about each other"
   CHECK(verdict(shell, hull + R"({"ray": "r", "origin": [-1,2], "dir": [1,0]})") == "r meets H");
 
   const std::string segment = R"({"segment": "s", "from": [1,0], "to": [1,0.1]}, )";
-  CHECK(verdict(shell, segment + R"({"ray": "r", "origin": [0,0.1], "dir": [1,0]})") == "r meets s");
-  CHECK(verdict(shell, segment + R"({"ray": "r", "origin": [0,0.10000000000000002], "dir": [1,0]})") == "r misses s");
-  CHECK(verdict(shell, segment + R"({"line": "r", "origin": [1,9], "dir": [0,1]})") == "r meets s");
+  CHECK(verdict(shell, segment + R"({"ray": "r", "origin": [0,0.1], "dir": [1,0]})") ==
+        "s and r have one point in common");
+  CHECK(verdict(shell, segment + R"({"ray": "r", "origin": [0,0.10000000000000002], "dir": [1,0]})") == "s misses r");
+  CHECK(verdict(shell, segment + R"({"line": "r", "origin": [1,9], "dir": [0,1]})") == "s and r share a stretch");
   CHECK(answers(shell, segment + R"({"segment": "u", "from": [2,-1], "to": [2,1]},
                                     {"ray": "r", "origin": [0,0.05], "dir": [1,0]})",
                 R"([{"first hit": "r"}])")[0]["verdict"] == "r meets s first, at t = 1");

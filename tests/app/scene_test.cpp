@@ -559,6 +559,59 @@ TEST_CASE("where an outline crosses itself, that is said, and what has no area i
   CHECK_THAT(shell("isect explain s.json").out, Contains("Q crosses or touches itself") && Contains("even-odd rule"));
 }
 
+TEST_CASE("clipping a polygon leaves its holes out", "[scene]") {
+  const Shell shell;
+  const std::string holed =
+      R"({"objects": [{"polygon": "H", "rings": [[[0,0],[6,0],[6,6],[0,6]], [[2,2],[2,4],[4,4],[4,2]]]},
+    {"box": "W", "lo": [2.5,2.5], "hi": [3.5,3.5]}, {"box": "V", "lo": [1,1], "hi": [8,3.5]}], "ask": )";
+  const Json all = answers(shell, holed + R"([{"clip": "H", "to": "W"}, ["H", "W"], {"clip": "H", "to": "V"}]})");
+  CHECK(all[0]["verdict"] == "nothing of H lies in W");  // it lies in the hole
+  CHECK(all[1]["verdict"] == "H and W are disjoint");
+  CHECK(all[2]["verdict"] == "the part of H in V has 2 outlines, of 4 and 4 corners");
+  REQUIRE(all[2]["rings"].size() == 2);
+  const auto area = [](const Json& ring) {
+    double twice = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Json &p = ring[i], &q = ring[(i + 1) % ring.size()];
+      twice += p[0].get<double>() * q[1].get<double>() - p[1].get<double>() * q[0].get<double>();
+    }
+    return std::abs(twice) / 2;
+  };
+  CHECK(area(all[2]["rings"][0]) == 5 * 2.5);
+  CHECK(area(all[2]["rings"][1]) == 2 * 1.5);
+  write(shell.work() / "walk.json", holed + R"([{"walk": ["H", "W"], "lesson": "clipping"}]})");
+  const Ran walk = shell("isect scene walk.json");
+  CHECK(walk.status == 2);
+  CHECK_THAT(walk.err, Contains("ask[0]: ") && Contains("H has holes"));
+}
+
+TEST_CASE("in the plane a line and a segment that lie along each other share a stretch", "[scene]") {
+  const Shell shell;
+  const std::string line = R"({"line": "l", "origin": [0,0], "dir": [1,0]}, )",
+                    ray = R"({"ray": "r", "origin": [2,0], "dir": [-3,0]}, )",
+                    inside = R"({"segment": "q", "from": [1,0], "to": [3,0]})",
+                    behind = R"({"segment": "q", "from": [2.5,0], "to": [6,0]})",
+                    across = R"({"segment": "q", "from": [1,-1], "to": [1,1]})";
+  CHECK(verdict(shell, line + inside) == "l and q share a stretch");
+  CHECK(verdict(shell, ray + inside) == "r and q share a stretch");
+  CHECK(verdict(shell, ray + behind) == "r misses q");
+  CHECK(verdict(shell, line + across) == "l and q have one point in common");
+  const std::string first = R"({"segment": "q", "from": [-1,0], "to": [-4,0]})";
+  CHECK(verdict(shell, ray + first, R"([{"first hit": "r"}])") == "r meets q first, at t = 1");
+}
+
+TEST_CASE("what a hierarchy leaves out is named, and a frustum's planes are said to be rounded", "[scene]") {
+  const Shell shell;
+  write(shell.work() / "s.json", R"({"objects": [{"box": "A", "lo": [0,0,0], "hi": [1,1,1]},
+    {"box": "B", "lo": [2,0,0], "hi": [3,1,1]}, {"point": "P", "at": [3,0,-3]},
+    {"kdop": "D", "normals": [[1,0,0],[0,1,0],[0,0,1]], "lo": [4,0,0], "hi": [5,1,1]},
+    {"frustum": "F", "eye": [0,0,0], "forward": [0,0,-1], "up": [0,1,0], "angle": 90, "near": 1, "far": 6}],
+    "ask": [{"hierarchy": "all"}, ["P", "F"]]})");
+  const std::string words = shell("env COLUMNS=200 isect explain s.json").out;
+  CHECK_THAT(words, Contains("Without D, F, whose corners would be rounded"));
+  CHECK_THAT(words, Contains("planes of F are those of its angle, rounded"));
+}
+
 TEST_CASE("a ray enters a ball and leaves it, within its own range", "[scene]") {
   const Shell shell;
   const auto formula = [&](const std::string& range) {

@@ -269,6 +269,38 @@ TEST_CASE("Ctrl+S writes a scene back into its file, says what failed, and saves
   CHECK(written.size() == 2);
 }
 
+TEST_CASE("a scene that was changed and not saved is left at the second time only", "[window]") {
+  Lesson scene = disc;
+  scene.made_from = "{}";
+  const auto write = [&](const Parameters& p) { scene.presets.front().parameters = p; };
+  const std::vector<const Lesson*> lessons = {&scene, &ball};
+  WindowDriver window(lessons, 1280, 800, {}, {}, {.reduced_motion = true, .save_scene = write});
+  CHECK(window.ui.may_close());
+  window.drag("handle c", 60, 30);
+  SECTION("by the key") {
+    window.key(key::q, true);
+    CHECK_FALSE(window.ui.wants_to_close());
+    CHECK(window.ui.message().find("not saved") != std::string::npos);
+    window.drag("handle c", 30, 30);  // another change is told again
+    window.key(key::q, true);
+    CHECK_FALSE(window.ui.wants_to_close());
+    window.key(key::q, true);
+    CHECK(window.ui.wants_to_close());
+  }
+  SECTION("from outside") {
+    CHECK_FALSE(window.ui.may_close());
+    CHECK(window.ui.may_close());
+  }
+  SECTION("saved") {
+    window.key(key::s, true);
+    CHECK(window.ui.may_close());
+  }
+  SECTION("another lesson keeps no file") {
+    window.type("]");
+    CHECK(window.ui.may_close());
+  }
+}
+
 TEST_CASE("a scene of a file leaves the reader's place among the lessons as it was", "[window]") {
   Lesson scene = disc;
   scene.id = "scene", scene.made_from = "{}";

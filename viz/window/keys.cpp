@@ -36,7 +36,7 @@ void with_control(Session& s) {
   }
   if (pressed(key::v)) paste(s);
   if (pressed(key::s)) save_back(s);
-  if (pressed(key::q)) s.close = true;
+  if (pressed(key::q)) s.close = may_leave(s);
   double& size = s.settings.size;
   if (pressed(key::plus, true) || pressed(key::equal, true) || pressed(key::keypad_plus, true)) size += 0.1;
   if (pressed(key::minus, true) || pressed(key::keypad_minus, true)) size -= 0.1;
@@ -167,6 +167,14 @@ void save_back(Session& s) {
     s.player.reread();
     s.say("Saved into the scene's file");
   });
+}
+
+bool may_leave(Session& s) {
+  const bool saved = !keeps_file(s) || !s.player.preset_id().empty() || s.told_unsaved == s.player.revision();
+  if (saved) return true;
+  s.told_unsaved = s.player.revision();
+  s.complain("This scene is not saved: Ctrl+S saves it; Ctrl+Q once more leaves it as its file is");
+  return false;
 }
 
 void show_map(Session& s) {

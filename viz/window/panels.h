@@ -43,6 +43,8 @@ void keep_recent(Session&);
 /// Whether the lesson lies in a file that can be written to; and writes the setting there, or else opens the sheet that
 /// saves figures. (keys.cpp)
 bool keeps_file(const Session&);
+/// False where numbers of a scene would be lost, once: then that is said.
+bool may_leave(Session&);
 void save_back(Session&);
 /// Shows the lesson's map of cases beside the scene, or no longer; says so where it has none. (keys.cpp)
 void show_map(Session&);

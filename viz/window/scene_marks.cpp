@@ -42,10 +42,10 @@ void verdict_sign(Verdict::Kind kind, float x, float y, ImU32 ink) {
   }
 }
 
-std::string words_of(const Setting& value) {
+std::string words_of(const Setting& value, bool flat) {
   if (const double* x = std::get_if<double>(&value)) return shown(*x);
   if (const Vec3* v = std::get_if<Vec3>(&value))
-    return fmt::format("({}, {}, {})", shown(v->x()), shown(v->y()), shown(v->z()));
+    return fmt::format("({}, {}{})", shown(v->x()), shown(v->y()), flat ? "" : ", " + shown(v->z()));
   return std::get<std::string>(value);
 }
 
@@ -274,7 +274,9 @@ void handle_under_pointer(Session& s, const View& view, const Handle& handle, co
       help = "\n" + p.help;
     }
   const auto value = s.player.parameters().find(handle.parameter);  // what was not moved yet has none
-  tooltip(s.ui, name + " = " + words_of(value == s.player.parameters().end() ? Setting(handle.at) : value->second) +
+  tooltip(s.ui, name + " = " +
+                    words_of(value == s.player.parameters().end() ? Setting(handle.at) : value->second,
+                             s.player.lesson().flat) +
                     help + (forbidden.empty() ? "" : "\n" + forbidden));
 }
 
@@ -285,7 +287,8 @@ void item_under_pointer(Session& s, const View& view, const Vec2& pixel) {
   s.ui.rects["item under pointer"] = {x, y, x + 1, y + 1};
   std::string name = "surface";
   if (const Ball* ball = std::get_if<Ball>(picked->item)) {
-    name = "ball: centre " + words_of(Setting(ball->center)) + ", radius " + shown(ball->radius);
+    name =
+        "ball: centre " + words_of(Setting(ball->center), s.player.lesson().flat) + ", radius " + shown(ball->radius);
     const Vec2 middle = view.project(ball->center).at;
     const double radius = ball->radius * view.scale_at(ball->center);
     s.ui.rects["ball under pointer"] = {
@@ -297,7 +300,7 @@ void item_under_pointer(Session& s, const View& view, const Vec2& pixel) {
     name = fmt::format("mesh: {} triangles", mesh->triangles.size());
   else if (const Region* region = std::get_if<Region>(picked->item))
     name = fmt::format("polygon: {} corners", corners_of(*region));
-  tooltip(s.ui, name + "\nthe viewing ray meets it at " + words_of(Setting(picked->at)));
+  tooltip(s.ui, name + "\nthe viewing ray meets it at " + words_of(Setting(picked->at), s.player.lesson().flat));
 }
 
 }  // namespace isect::viz

@@ -104,9 +104,10 @@ struct Session {
     const Lesson* lesson = nullptr;  ///< that is wanted; null: none
     ImTextureID picture = {};        ///< nothing until it has been drawn
   } pictured = {};
-  bool save_now = false;     ///< this frame's figure shall become a file
-  bool save_preset = false;  ///< the setting shall become a preset file
-  bool close = false;        ///< the reader wants to leave
+  bool save_now = false;                      ///< this frame's figure shall become a file
+  bool save_preset = false;                   ///< the setting shall become a preset file
+  bool close = false;                         ///< the reader wants to leave
+  std::optional<unsigned> told_unsaved = {};  ///< revision of a scene that was not saved when the reader wanted to
   bool full_screen = false;
   std::string search = {};                ///< words in the picker, or among the terms
   std::string width_text = {};            ///< typed into the sheet that saves figures

@@ -330,6 +330,7 @@ double WindowUi::scale() const { return impl_->density * impl_->size; }
 bool WindowUi::full_screen() const { return impl_->session.full_screen; }
 
 bool WindowUi::wants_to_close() const { return impl_->session.close; }
+bool WindowUi::may_close() { return may_leave(impl_->session); }
 
 const std::map<std::string, Rect>& WindowUi::rects() const { return impl_->ui.rects; }
 

@@ -55,6 +55,8 @@ class WindowUi {
   double rest() const;
   /// Ctrl+Q was pressed.
   bool wants_to_close() const;
+  /// Asked when the window is to be closed from outside: false where that is to be thought over.
+  bool may_close();
   /// The widgets of the frame built last, by name, in px.
   const std::map<std::string, Rect>& rects() const;
   /// The labels of the scene drawn last.
