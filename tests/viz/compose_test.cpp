@@ -98,6 +98,31 @@ TEST_CASE("a line through a ball is dashed where it is hidden and solid elsewher
   CHECK(dashed + solid == Approx((view.project({3, 0, 0}).at - view.project({-3, 0, 0}).at).norm()));
 }
 
+TEST_CASE("a named line is hidden where it runs behind a mesh or in it", "[compose]") {
+  Mesh wall;
+  wall.vertices = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+  wall.triangles = {{0, 1, 2}, {0, 2, 3}};
+  Camera front;
+  front.azimuth = 0, front.elevation = 0, front.half_height = 3;
+  const View view(front, 600, 600);
+  const auto dashed = [&](double z, const std::string& name) {
+    Scene scene;
+    scene.items = {wall, Line{{-2, 0.1, z}, {2, 0.1, z}, Role::first, Pen::solid, name}};
+    double hidden = 0;
+    for (const Stroke& s : all<Stroke>(compose(scene, view, theme(ThemeName::screen, 600, 600)).shapes))
+      if (s.dash[0] > 0)
+        for (std::size_t i = 0; i < s.path.segments.size(); ++i)
+          hidden +=
+              (std::get<Vec2>(s.path.segments[i]) - (i == 0 ? s.path.start : std::get<Vec2>(s.path.segments[i - 1])))
+                  .norm();
+    return hidden;
+  };
+  const double width = (view.project({1, 0.1, -1}).at - view.project({-1, 0.1, -1}).at).norm();
+  CHECK(dashed(-1, "**r**") == Approx(width).epsilon(1e-3));
+  CHECK(dashed(1, "**r**") == 0);
+  CHECK(dashed(-1, "") == 0);  // part of a lesson's picture, which is drawn over its mesh
+}
+
 TEST_CASE("grey print hatches the second object, other themes shade it", "[compose]") {
   Scene scene;
   scene.items = {Ball{{0, 0, 0}, 1, Role::second}};

@@ -10,6 +10,9 @@
 
 namespace isect::viz {
 
+/// In front of a mesh of more of them lines are drawn whole: each is held to each facet.
+constexpr std::size_t most_facets = 5000;
+
 Colour mixed(const Colour& a, const Colour& b, double share) {
   return {a.r + share * (b.r - a.r), a.g + share * (b.g - a.g), a.b + share * (b.b - a.b), 1};
 }
@@ -20,6 +23,9 @@ Canvas::Canvas(const Scene& s, const View& v, const Theme& t, bool grips)
     const Item& item = scene.items[i];
     if (std::holds_alternative<Ball>(item)) ball_items.push_back(static_cast<int>(i));
     if (const Solid* solid = std::get_if<Solid>(&item)) occluders.solids.push_back(shell(*solid));
+    if (const Mesh* mesh = std::get_if<Mesh>(&item); mesh && mesh->triangles.size() <= most_facets)
+      for (const auto& [a, b, c] : mesh->triangles)
+        facets.push_back({{mesh->vertices[a], mesh->vertices[b], mesh->vertices[c]}});
     if (const Region* region = std::get_if<Region>(&item); region && region->hides)
       occluders.screens.push_back({region->rings});
   }

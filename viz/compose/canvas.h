@@ -21,9 +21,10 @@ class Canvas {
   const Scene& scene;
   const View& view;
   const Theme& theme;
-  const bool handles;           ///< the grips of the handles are drawn
-  Occluders occluders;          ///< balls far to near
-  std::vector<int> ball_items;  ///< the place of each of them among the scene's items
+  const bool handles;                       ///< the grips of the handles are drawn
+  Occluders occluders;                      ///< balls far to near
+  std::vector<Triangle<double, 3>> facets;  ///< of meshes: they hide the lines and arrows that have names
+  std::vector<int> ball_items;              ///< the place of each of them among the scene's items
 
   // Painter's order: floor, curved fills and rasters, hidden lines, what lies within solids, their front faces, visible
   // lines, markers.

@@ -10,9 +10,26 @@
 namespace isect::viz {
 namespace {
 
-void segment(Canvas& c, const Vec3& from, const Vec3& to, Role role, Pen pen) {
+/// What hides it, with those facets of meshes that the eye sees on both sides of it.
+Occluders with_facets(const Canvas& c, const Vec3& from, const Vec3& to) {
+  Occluders all = c.occluders;
+  const Vec2 p = c.at(from), q = c.at(to), lo = p.cwiseMin(q), hi = p.cwiseMax(q);
+  const auto side = [&](const Vec2& x) { return (q - p).x() * (x - p).y() - (q - p).y() * (x - p).x(); };
+  for (const Triangle<double, 3>& facet : c.facets) {
+    const std::array<Vec2, 3> x = {c.at(facet.vertices[0]), c.at(facet.vertices[1]), c.at(facet.vertices[2])};
+    const Vec2 least = x[0].cwiseMin(x[1]).cwiseMin(x[2]), most = x[0].cwiseMax(x[1]).cwiseMax(x[2]);
+    if ((most.array() < lo.array()).any() || (hi.array() < least.array()).any()) continue;
+    const auto [left, right] = std::minmax({side(x[0]), side(x[1]), side(x[2])});
+    if (left <= 0 && right >= 0) all.screens.push_back({{{facet.vertices[0], facet.vertices[1], facet.vertices[2]}}});
+  }
+  return all;
+}
+
+void segment(Canvas& c, const Vec3& from, const Vec3& to, Role role, Pen pen, bool named = false) {
   if (Canvas::is_split(pen, false))
-    c.curve(stretches(from, to, c.view, c.occluders), c.theme.ink(role), c.width(pen, role), true);
+    c.curve(named && !c.facets.empty() ? stretches(from, to, c.view, with_facets(c, from, to))
+                                       : stretches(from, to, c.view, c.occluders),
+            c.theme.ink(role), c.width(pen, role), true);
   else
     c.plain_line({c.at(from), c.at(to)}, false, role, pen);
 }
@@ -73,12 +90,12 @@ class Head {
 
 }  // namespace
 
-void draw(Canvas& c, const Line& it) { segment(c, it.from, it.to, it.role, it.pen); }
+void draw(Canvas& c, const Line& it) { segment(c, it.from, it.to, it.role, it.pen, !it.name.empty()); }
 
 void draw(Canvas& c, const Arrow& it) {
   const Head head(c, it.from, it.to, c.dot_radius(it.to), it.role, it.pen);
   head.draw_edge(c);
-  segment(c, it.from, head.line_end(), it.role, it.pen);
+  segment(c, it.from, head.line_end(), it.role, it.pen, !it.name.empty());
   head.draw(c);
 }
 
