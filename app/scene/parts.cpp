@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -183,7 +184,9 @@ Answered answered(const Context& c, const HierarchyAsked& asked) {
                   n.primitives, n.leaves, n.largest_leaf),
       {Verdict::Kind::yes, fmt::format("{} node{}, depth {}", n.nodes, n.nodes == 1 ? "" : "s", n.depth)}};
   std::string left_out;
-  for (std::size_t i = 0; i < c.file.objects.size() && !of_mesh; ++i)
+  const auto boxed = std::ranges::count_if(c.file.objects, [](const Object& o) { return has_box(o.type); });
+  const bool of_all = !of_mesh && static_cast<std::size_t>(boxed) == asked.objects.size();
+  for (std::size_t i = 0; i < c.file.objects.size() && of_all; ++i)
     if (const Type type = c.object(i).type; type == Type::kdop || type == Type::frustum)
       left_out += (left_out.empty() ? "" : ", ") + c.name(i);
   if (!left_out.empty()) out.caption += " Without " + left_out + ", whose corners would be rounded.";
