@@ -157,7 +157,7 @@ class TikzWriter {
     return label;
   }
 
-  /// Each label may grow up to the edges of the picture, and halfway to a label beside it.
+  /// Each label may grow up to the edges of the picture, and nearly halfway to a label beside it.
   void place_labels() {
     std::vector<TextBox> boxes;
     for (const Shape& shape : drawing_.shapes)
@@ -171,8 +171,9 @@ class TikzWriter {
       double left = 0, right = drawing_.width;
       for (const TextBox& other : boxes) {
         if (!(other.top < box.bottom && box.top < other.bottom)) continue;
-        if (other.right <= box.left) left = std::max(left, (other.right + box.left) / 2);
-        if (box.right <= other.left) right = std::min(right, (box.right + other.left) / 2);
+        const auto half = [gap = 0.2 * text->size](double space) { return std::max(space / 2 - gap, 0.0); };
+        if (other.right <= box.left) left = std::max(left, box.left - half(box.left - other.right));
+        if (box.right <= other.left) right = std::min(right, box.right + half(other.left - box.right));
       }
       const double before = label.at - left, behind = right - label.at;
       label.room = label.anchor.starts_with(" west") ? behind
