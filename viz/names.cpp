@@ -124,20 +124,12 @@ std::optional<Assignment> assignment_of(const Walk& walk, int step, const std::s
   return found;
 }
 
-std::string words_of(const Setting& setting, bool flat) {
-  if (const auto* word = std::get_if<std::string>(&setting)) return *word;
-  if (const auto* number = std::get_if<double>(&setting)) return shown(*number);
-  const Vec3& v = std::get<Vec3>(setting);
-  const std::string xy = shown(v.x()) + ", " + shown(v.y());
-  return "(" + xy + (flat ? ")" : ", " + shown(v.z()) + ")");
-}
-
 /// Of a knob, or of a point that the picture calls by this name.
 std::string given(const Lesson& lesson, const Parameters& parameters, const Scene& scene, const std::string& key) {
   for (const Parameter& p : lesson.parameters)
     if (const auto value = parameters.find(p.name);
         value != parameters.end() && keys(names_in(p.label)) == std::vector{key})
-      return fmt::format("{} = {}\n{}", plain(p.label), words_of(value->second, lesson.flat), p.help);
+      return fmt::format("{} = {}\n{}", plain(p.label), value_in_words(value->second, lesson.flat), p.help);
   for (const Item& item : scene.items) {
     const Label* label = std::get_if<Label>(&item);
     if (!label || label->until) continue;
@@ -148,12 +140,20 @@ std::string given(const Lesson& lesson, const Parameters& parameters, const Scen
     });
     if (point && names.size() == 1 && names[0].vector && names[0].key == key &&
         names[0].end == plain(label->text).size())
-      return fmt::format("{} = {}", plain(label->text), words_of(label->at, lesson.flat));
+      return fmt::format("{} = {}", plain(label->text), value_in_words(label->at, lesson.flat));
   }
   return {};
 }
 
 }  // namespace
+
+std::string value_in_words(const Setting& setting, bool flat) {
+  if (const auto* word = std::get_if<std::string>(&setting)) return *word;
+  if (const auto* number = std::get_if<double>(&setting)) return shown(*number);
+  const Vec3& v = std::get<Vec3>(setting);
+  const std::string xy = shown(v.x()) + ", " + shown(v.y());
+  return "(" + xy + (flat ? ")" : ", " + shown(v.z()) + ")");
+}
 
 std::vector<Name> names_in(const std::string& markup) {
   std::vector<Name> names;

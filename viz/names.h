@@ -30,6 +30,9 @@ std::set<std::string> names_of(const Lesson&, const Walk&);
 /// What a line of pseudocode is about: what it assigns or, where it assigns nothing, all it names.
 std::vector<std::string> subject_of_line(const std::string& line, const std::set<std::string>& known);
 
+/// "0.25", "(1, 2)" in the plane, "(1, 2, 0)" in space, or the word.
+std::string value_in_words(const Setting&, bool flat);
+
 /// What is known of a name at a step, in plain words: how the pseudocode computes it, and its number: "s = l · d =
 /// 4.472"; of a knob, its value and what it is. Empty: nothing is.
 std::string sum_of(const Lesson&, const Parameters&, const Walk&, int step, const std::string& key);

@@ -40,6 +40,9 @@ Json relation_of_solids(const Setting&, const Object& a, const Object& b);
 /// A segment with both its ends as given, where the tables' test would need a direction; nothing if none does that.
 std::optional<Answer> exact_of_segment(const Setting&, const Object& a, const Object& b);
 
+/// Throws NotDecided: an outline that has no area, crosses or touches itself.
+[[noreturn]] void refuse_outline(const Object&);
+
 /// "relation" of a result.
 void relate(const Setting&, const Object& a, const Object& b, Answer&);
 /// The point a and the shape b: `where` is in, on or out.

@@ -23,14 +23,12 @@ using Triangles = std::vector<Triangle<double, 3>>;
 
 Ring<double, 3> outline_in_space(const Setting& s, const Object& o) { return points_of<3>(s.rings(o).front()); }
 
-constexpr std::size_t most_corners = 2'000;  // cutting takes the square of their number, and more
-
 Triangles surface_of(const Setting& s, const Object& o) {
   if (o.type == Type::triangle) return {triangle_of(s, o)};
   const Ring<double, 3> outline = outline_in_space(s, o);
   if (outline.size() > most_corners) throw NotDecided(fmt::format("{} has more than {} corners", o.name, most_corners));
   Triangles all = triangulated(outline);
-  if (all.empty()) throw NotDecided(fmt::format("the outline of {} has no area, crosses or touches itself", o.name));
+  if (all.empty()) refuse_outline(o);
   return all;
 }
 

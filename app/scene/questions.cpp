@@ -52,6 +52,10 @@ Ray<double, 3> ray_in_space(const Setting& s, const Object& o) {
   return ray;
 }
 
+void refuse_outline(const Object& o) {
+  throw NotDecided(fmt::format("the outline of {} has no area, crosses or touches itself", o.name));
+}
+
 void relate(const Setting&, const Object& a, const Object& b, Answer& out) {
   const std::string r = out.result.value("relation", "");
   const std::string na = shown_name(a.name), nb = shown_name(b.name);
@@ -194,10 +198,8 @@ void tell_off_plane(const Object& b, const Ring<double, 3>& outline, Answer& out
 void ray_meets_polygon(const Setting& s, const Object& a, const Object& b, Answer& out) {
   const bool coplanar = out.result["coplanar"] == true;
   const Ring<double, 3> outline = points_of<3>(s.rings(b).front());
-  if (out.result["hit"].is_null() && !coplanar)
-    throw NotDecided(fmt::format("the outline of {} has no area, crosses or touches itself", b.name));
-  constexpr std::size_t most_looked_at = 2'000;  // it takes the square of their number
-  if (outline.size() <= most_looked_at && !is_simple(outline))
+  if (out.result["hit"].is_null() && !coplanar) refuse_outline(b);
+  if (outline.size() <= most_corners && !is_simple(outline))
     out.note = shown_name(b.name) + " crosses or touches itself: what is inside is told by the even-odd rule.";
   if (coplanar) {
     const auto t = first_in_plane(ray_in_space(s, a), outline);

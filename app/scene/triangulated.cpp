@@ -5,37 +5,21 @@
 #include <utility>
 
 #include <isect/orient.h>
-#include <isect/segment_segment.h>
 
 #include "app/scene/in_plane.h"
+#include "lessons/shared/vertices.h"
 
 namespace isect::program::scene {
 
 namespace {
 
 using Corner = Point<double, 2>;
-using segment_segment::Meeting;
 
 /// The corners of a simple outline, counter-clockwise, of which ears are cut off.
 class Ears {
  public:
   explicit Ears(std::vector<Corner> corners) : corners_(std::move(corners)) {
     for (int i = 0; i < static_cast<int>(corners_.size()); ++i) left_.push_back(i);
-  }
-
-  /// Whether no two edges have more in common than the corner between them.
-  bool simple() const {
-    const std::size_t n = corners_.size();
-    const auto edge = [&](std::size_t i) { return Segment<double, 2>{corners_[i], corners_[(i + 1) % n]}; };
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = i + 1; j < n; ++j) {
-        const Segment<double, 2> a = edge(i), b = edge(j);
-        if (apart(a, b)) continue;
-        const Meeting meeting = intersect(a, b).relation;
-        const bool neighbours = j == i + 1 || (i == 0 && j + 1 == n);
-        if (meeting != Meeting::disjoint && !(neighbours && meeting == Meeting::touch)) return false;
-      }
-    return true;
   }
 
   /// Three corners each.
@@ -56,10 +40,6 @@ class Ears {
   }
 
  private:
-  static bool apart(const Segment<double, 2>& a, const Segment<double, 2>& b) {
-    return (a.p.cwiseMax(a.q).array() < b.p.cwiseMin(b.q).array()).any() ||
-           (b.p.cwiseMax(b.q).array() < a.p.cwiseMin(a.q).array()).any();
-  }
   int left(std::size_t i) const { return left_[i % left_.size()]; }
   const Corner& corner(int i) const { return corners_[static_cast<std::size_t>(i)]; }
 
@@ -82,7 +62,7 @@ class Ears {
 /// An outline counter-clockwise as it is seen, each of its corners once.
 struct Seen {
   Ring<double, 3> ring;
-  std::vector<Corner> corners = {};
+  Ring<double, 2> corners = {};
 
   explicit Seen(const Ring<double, 3>& outline) : ring(outline) {
     const auto [x, y, clockwise] = projection(outline);
@@ -91,7 +71,7 @@ struct Seen {
     if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
     for (const Point<double, 3>& p : ring) corners.emplace_back(p[x], p[y]);
   }
-  bool simple() const { return corners.size() >= 3 && Ears(corners).simple(); }
+  bool simple() const { return lessons::is_simple(corners); }
 };
 
 }  // namespace

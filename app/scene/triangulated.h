@@ -7,6 +7,9 @@
 
 namespace isect::program::scene {
 
+/// What follows takes the square of an outline's corners: no more than these are looked at.
+inline constexpr std::size_t most_corners = 2'000;
+
 /// Triangles whose union is the polygon, if its corners lie in one plane; else the surface that is tested in its place.
 /// They are found by cutting off ears (Meisters, Polygons have ears, 1975) where the corners are seen along the axis of
 /// the normal's largest component, exactly. None if that outline has no area, crosses or touches itself.

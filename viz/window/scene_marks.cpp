@@ -8,6 +8,7 @@
 
 #include "viz/chart.h"
 #include "viz/closing.h"
+#include "viz/names.h"
 #include "viz/objects.h"
 #include "viz/pick.h"
 #include "viz/rich_text.h"
@@ -40,13 +41,6 @@ void verdict_sign(Verdict::Kind kind, float x, float y, ImU32 ink) {
     case Verdict::Kind::open:
       for (const float dot : {-6.0f, 0.0f, 6.0f}) ImGui::GetWindowDrawList()->AddCircleFilled({x + dot, y}, 1.8f, ink);
   }
-}
-
-std::string words_of(const Setting& value, bool flat) {
-  if (const double* x = std::get_if<double>(&value)) return shown(*x);
-  if (const Vec3* v = std::get_if<Vec3>(&value))
-    return fmt::format("({}, {}{})", shown(v->x()), shown(v->y()), flat ? "" : ", " + shown(v->z()));
-  return std::get<std::string>(value);
 }
 
 Rect projection_rect(const Session& s, const Rect& scene) {
@@ -275,8 +269,8 @@ void handle_under_pointer(Session& s, const View& view, const Handle& handle, co
     }
   const auto value = s.player.parameters().find(handle.parameter);  // what was not moved yet has none
   tooltip(s.ui, name + " = " +
-                    words_of(value == s.player.parameters().end() ? Setting(handle.at) : value->second,
-                             s.player.lesson().flat) +
+                    value_in_words(value == s.player.parameters().end() ? Setting(handle.at) : value->second,
+                                   s.player.lesson().flat) +
                     help + (forbidden.empty() ? "" : "\n" + forbidden));
 }
 
@@ -287,8 +281,8 @@ void item_under_pointer(Session& s, const View& view, const Vec2& pixel) {
   s.ui.rects["item under pointer"] = {x, y, x + 1, y + 1};
   std::string name = "surface";
   if (const Ball* ball = std::get_if<Ball>(picked->item)) {
-    name =
-        "ball: centre " + words_of(Setting(ball->center), s.player.lesson().flat) + ", radius " + shown(ball->radius);
+    name = "ball: centre " + value_in_words(Setting(ball->center), s.player.lesson().flat) + ", radius " +
+           shown(ball->radius);
     const Vec2 middle = view.project(ball->center).at;
     const double radius = ball->radius * view.scale_at(ball->center);
     s.ui.rects["ball under pointer"] = {
@@ -300,7 +294,7 @@ void item_under_pointer(Session& s, const View& view, const Vec2& pixel) {
     name = fmt::format("mesh: {} triangles", mesh->triangles.size());
   else if (const Region* region = std::get_if<Region>(picked->item))
     name = fmt::format("polygon: {} corners", corners_of(*region));
-  tooltip(s.ui, name + "\nthe viewing ray meets it at " + words_of(Setting(picked->at), s.player.lesson().flat));
+  tooltip(s.ui, name + "\nthe viewing ray meets it at " + value_in_words(Setting(picked->at), s.player.lesson().flat));
 }
 
 }  // namespace isect::viz
