@@ -97,11 +97,14 @@ bool is_tangled(const Candidate& candidate, const TextBox& box, const PlacedLabe
          (candidate.far && cross(from, candidate.anchor, begin, *other.leads_to));
 }
 
+/// What it disturbs, or the first part of that which is no less than `enough`.
 Fit fit(const Candidate& candidate, const Vec2& half, const std::vector<Vec2>& others,
         const std::vector<PlacedLabel>& placed, const std::vector<Obstacle>& obstacles, const Bounds& bounds,
-        const Sizes& sizes) {
+        const Sizes& sizes, double enough) {
+  Fit result = {candidate.effort, false};
+  if (!(result.cost < enough)) return result;
   const TextBox box = box_around(candidate.middle, half);
-  Fit result = {candidate.effort + (is_ambiguous(candidate, box, others, sizes) ? 500 : 0), false};
+  if (is_ambiguous(candidate, box, others, sizes)) result.cost += 500;
   for (const PlacedLabel& other : placed)
     if (overlap(grown(box, sizes.label_clear), other.box) > 0)
       result.cost += 2000;
@@ -114,6 +117,7 @@ Fit fit(const Candidate& candidate, const Vec2& half, const std::vector<Vec2>& o
 
   const double size = half.x() + half.y();
   for (const Obstacle& o : obstacles) {
+    if (!(result.cost < enough)) return result;
     const double touched = length_inside(o.from, o.to, grown(box, o.radius + 0.5 * sizes.label_clear));
     if (touched <= 0) continue;
     result.cost += (o.firm ? 14 : 6) + (o.firm ? 20 : 8) * touched / size;
@@ -145,9 +149,11 @@ bool cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
 
 // Slabs, N12 per axis.
 double length_inside(const Vec2& from, const Vec2& to, const TextBox& b) {
+  const double low[2] = {b.left - slack, b.top - slack}, high[2] = {b.right + slack, b.bottom + slack};
+  for (int i = 0; i < 2; ++i)  // most are far off
+    if ((from[i] < low[i] && to[i] < low[i]) || (from[i] > high[i] && to[i] > high[i])) return 0;
   double lo = 0, hi = 1;
   const Vec2 d = to - from;
-  const double low[2] = {b.left - slack, b.top - slack}, high[2] = {b.right + slack, b.bottom + slack};
   for (int i = 0; i < 2; ++i) {
     if (d[i] == 0) {
       if (from[i] < low[i] || from[i] > high[i]) return 0;
@@ -178,8 +184,9 @@ std::vector<PlacedLabel> place_labels(const std::vector<Wanted>& labels, const s
     const Candidate* best = nullptr;
     Fit best_fit = {std::numeric_limits<double>::infinity(), false};
     for (const Candidate& candidate : candidates) {
-      const Fit f = fit(candidate, half, wanted.others, placed, obstacles, bounds, sizes);
-      if (f.cost < best_fit.cost - slack) best = &candidate, best_fit = f;  // of equals, the first
+      const double enough = best_fit.cost - slack;  // of equals, the first
+      const Fit f = fit(candidate, half, wanted.others, placed, obstacles, bounds, sizes, enough);
+      if (f.cost < enough) best = &candidate, best_fit = f;
     }
     if (best == nullptr) continue;  // a position that is no number
 

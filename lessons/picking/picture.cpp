@@ -12,7 +12,9 @@ Pointed::Pointed(const Vec3& the_pointer)
       eye(48, 36),
       pointer(plane_x, the_pointer.y(), the_pointer.z()),
       ray(eye.through(pointer)),
-      truth(world.closest(ray)) {}
+      truth(world.closest(ray)) {
+  for (const Object& o : world.objects) balls.push_back(bounding_ball(o.shape));
+}
 
 Mark Known::mark_of(int i) const { return tied() ? Mark::double_disc : i == kept ? Mark::disc : Mark::uncounted; }
 
@@ -29,7 +31,7 @@ void name_beside(const Object& o, Scene& scene) {
 }
 
 void add_volume(const Pointed& s, int i, Scene& scene) {
-  const auto ball = bounding_ball(s.world.object(i).shape);
+  const Sphere<double, 3>& ball = s.balls[i];
   const View outside(from_outside(), 1, 1);  // its outline as seen from there
   scene.items.emplace_back(Circle{.center = ball.center,
                                   .radius = ball.radius,

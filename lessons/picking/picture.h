@@ -9,6 +9,7 @@ struct Pointed {
   explicit Pointed(const viz::Vec3& pointer);  ///< its x is not used
 
   viewing::World world;
+  std::vector<Sphere<double, 3>> balls;  ///< one around each object
   viewing::Eye eye;
   viz::Vec3 pointer;
   viewing::Ray3 ray;
@@ -16,7 +17,7 @@ struct Pointed {
 
   int size() const { return static_cast<int>(world.objects.size()); }
   /// Whether the ray meets the object's bounding ball.
-  bool met(int i) const { return viewing::first_hit(ray, bounding_ball(world.object(i).shape)).has_value(); }
+  bool met(int i) const { return viewing::first_hit(ray, balls[i]).has_value(); }
 };
 
 /// What is known so far.

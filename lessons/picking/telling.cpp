@@ -68,9 +68,9 @@ class Teller {
   /// Ray tests with bounding balls first. A ball is its own, so it takes one test.
   int tests(const Ray3& ray) const {
     int sum = 0;
-    for (const Object& o : s_.world.objects) {
-      const int own = tests_of(o.shape);
-      sum += 1 + (own > 1 && first_hit(ray, bounding_ball(o.shape)) ? own : 0);
+    for (int i = 0; i < s_.size(); ++i) {
+      const int own = tests_of(s_.world.object(i).shape);
+      sum += 1 + (own > 1 && first_hit(ray, s_.balls[i]) ? own : 0);
     }
     return sum;
   }
