@@ -24,7 +24,7 @@ using Event = std::variant<Supported, fit::Extreme, Fallback>;
 
 namespace detail {
 
-/// Whether a is smaller than b; by halves, so that no volume overflows.
+/// Whether a is smaller than b, but for rounding; by halves, so that no volume overflows.
 template <class S, int N>
 bool smaller(const Obb<S, N>& a, const Obb<S, N>& b) {
   const double scale = static_cast<double>(b.half.maxCoeff());
@@ -33,7 +33,7 @@ bool smaller(const Obb<S, N>& a, const Obb<S, N>& b) {
     const Eigen::Matrix<double, N, N> axes = x.axes.template cast<double>();
     return (x.half.template cast<double>() / scale).prod() * std::abs(axes.determinant());
   };
-  return volume(a) < volume(b);
+  return fit::detail::clearly_less(volume(a), volume(b));
 }
 
 }  // namespace detail

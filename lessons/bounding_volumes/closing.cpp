@@ -1,5 +1,6 @@
 // What a reader takes along from bounding volumes, and what there is to do.
 
+#include <isect/fit_tight.h>
 #include <isect/volume.h>
 #include "lessons/bounding_volumes/cheap_first.h"
 
@@ -15,8 +16,8 @@ TriangleMesh<double> mesh_of(const Parameters& p) {
 
 /// The AABB is at most a tenth larger than the OBB.
 bool box_fits(const Parameters& p) {
-  const Fitted fitted(mesh_of(p), 6);
-  return volume(fitted.aabb) <= 1.1 * volume(fitted.obb);
+  const std::vector<Vec3> vertices = mesh_of(p).vertices;
+  return volume(fit_aabb(vertices)) <= 1.1 * volume(fit_obb_tight(vertices));
 }
 
 bool in_void(const Parameters& p) { return cases().branch(p) == 2; }

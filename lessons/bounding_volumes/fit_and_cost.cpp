@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include <isect/fit_tight.h>
 #include <isect/volume.h>
 #include "lessons/bounding_volumes/picture.h"
 #include "lessons/shared/questions.h"
@@ -76,15 +75,10 @@ class Fit {
   }
 
   void sphere() {
-    Record<fit_tight::Event> record;
-    fit_sphere_smallest(mesh_.vertices, record);
-    int farthest = 0;
-    for (const auto& event : record.events)
-      if (const auto* e = std::get_if<fit::Extreme>(&event)) farthest = e->point;
     volume_step(0, 0, "Sphere: a centre and a radius",
                 "The radius reaches to the farthest vertex. When the object turns, only the centre moves with it.\n"
                 "Void is what of a volume the object leaves empty, here in volumes of the object.",
-                radius(fitted_.ball, mesh_.vertices[farthest]), "|**x** − **c**| ≤ *r*");
+                radius(fitted_.ball, farthest(mesh_, fitted_.ball)), "|**x** − **c**| ≤ *r*");
   }
 
   void aabb() {

@@ -37,11 +37,8 @@ Eigen::Matrix3d frame_along(const Vec3& tip) {
   return axes;
 }
 
-/// The point at this angle on the unit circle, rounded to 40 bits: mathematical libraries differ in the last ones.
-Vec2 on_circle(double angle) {
-  const auto rounded = [](double x) { return std::round(x * 0x1p40) * 0x1p-40; };
-  return {rounded(std::cos(angle)), rounded(std::sin(angle))};
-}
+/// The point at this angle on the unit circle.
+Vec2 on_circle(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
 /// Rings of vertices around the first axis, closed by a point at either end. Along runs from -1 to 1.
 Mesh3 revolved(const std::vector<Vec2>& profile, double half_length, const Eigen::Matrix3d& axes) {
@@ -154,8 +151,13 @@ Measured measure(const std::string& name, const Volume& x, const Item& drawn) {
 Mesh3 object(const std::string& name, const Vec3& tip) {
   const Eigen::Matrix3d axes = frame_along(tip);
   const double half_length = std::max(tip.norm(), 0.125);
-  if (name == "bracket") return bracket(half_length, axes);
-  return name == "ball" ? ball(half_length, axes) : pin(half_length, axes);
+  Mesh3 mesh = name == "bracket" ? bracket(half_length, axes)
+               : name == "ball"  ? ball(half_length, axes)
+                                 : pin(half_length, axes);
+  // Sines and sums of products differ from machine to machine in their last digits, and the fits are exact.
+  for (Vec3& vertex : mesh.vertices)
+    vertex = vertex.unaryExpr([](double x) { return std::round(x * 0x1p32) * 0x1p-32; });
+  return mesh;
 }
 
 Fitted::Fitted(const Mesh3& mesh, int k)

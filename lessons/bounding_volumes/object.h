@@ -14,7 +14,7 @@ namespace isect::lessons::bounding_volumes_lesson {
 inline const std::vector<std::string> objects = {"pin", "bracket", "ball"};
 inline const std::vector<std::string> sizes_of_dops = {"6", "14", "18", "26"};
 
-/// The mesh of an object whose long axis runs from -tip to tip.
+/// The mesh of an object whose long axis runs from -tip to tip, in coordinates of 32 binary places.
 TriangleMesh<double> object(const std::string& name, const viz::Vec3& tip);
 
 /// The volumes around a mesh. Every one holds all of its vertices, exactly.

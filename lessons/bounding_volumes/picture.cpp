@@ -55,6 +55,18 @@ Items corners(const Aabb<double, 3>& box) {
   return items;
 }
 
+Vec3 farthest(const TriangleMesh<double>& mesh, const Sphere<double, 3>& ball) {
+  const Vec3 forward = View(camera, 1, 1).forward();
+  Vec3 best = ball.center;
+  float longest = -1;  // of so few digits that equals are equal
+  for (const Vec3& p : mesh.vertices) {
+    const Vec3 d = p - ball.center;
+    const auto seen = static_cast<float>(d.cross(forward).norm());
+    if (d.norm() >= (1 - 1e-9) * ball.radius && seen > longest) best = p, longest = seen;
+  }
+  return best;
+}
+
 Items radius(const Sphere<double, 3>& ball, const Vec3& farthest) {
   Items items = {Line{ball.center, farthest, Role::highlight, Pen::highlight}, Dot{farthest, Mark::disc, Role::hit}};
   append(items, named(ball.center, ball.center + in_view(-1.2 * ball.radius, 0.1), "**c**", true));

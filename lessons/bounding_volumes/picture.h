@@ -16,6 +16,8 @@ viz::Item below(const std::vector<viz::Item>&, const std::string& text);
 
 // A volume's own numbers, drawn on it.
 std::vector<viz::Item> corners(const Aabb<double, 3>&);
+/// The vertex farthest from the centre. Of those that are as far but for rounding, that whose radius is seen longest.
+viz::Vec3 farthest(const TriangleMesh<double>&, const Sphere<double, 3>& ball);
 std::vector<viz::Item> radius(const Sphere<double, 3>&, const viz::Vec3& farthest);
 std::vector<viz::Item> axes(const Obb<double, 3>&);
 /// The two planes of slab i around the object, with its normal.

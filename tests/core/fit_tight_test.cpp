@@ -3,6 +3,7 @@
 #include <isect/fit_tight.h>
 
 #include <limits>
+#include <map>
 
 #include <isect/point_obb.h>
 #include <isect/point_sphere.h>
@@ -249,7 +250,7 @@ Eigen::Matrix3d polished_by_all(Eigen::Matrix3d axes, const Points<double, 3>& q
       const double turn = tries % 2 ? angle : -angle;
       const Eigen::Matrix3d next = Eigen::AngleAxisd(turn, about[tries / 2 % 13].normalized()) * axes;
       const double less = fit::detail::volume_along<3>(next, q);
-      if (less < volume) axes = next, volume = less, since = 0;
+      if (fit::detail::clearly_less(less, volume)) axes = next, volume = less, since = 0;
     }
   return axes;
 }
@@ -257,15 +258,14 @@ Eigen::Matrix3d polished_by_all(Eigen::Matrix3d axes, const Points<double, 3>& q
 /// fit::detail::smallest_along, without bounds.
 std::vector<Eigen::Matrix3d> smallest_of_all(const std::vector<Vector<double, 3>>& bases, const Points<double, 3>& q,
                                              std::size_t most) {
-  std::vector<std::pair<double, Eigen::Matrix3d>> found;
+  std::map<float, Eigen::Matrix3d> found;
   for (const Vector<double, 3>& base : bases) {
     const Eigen::Matrix3d axes = fit::detail::turned_about(base, q);
-    found.push_back({fit::detail::volume_along<3>(axes, q), axes});
+    found.emplace(static_cast<float>(fit::detail::volume_along<3>(axes, q)), axes);  // unless there is one
   }
-  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  if (found.size() > most) found.resize(most);
   std::vector<Eigen::Matrix3d> axes;
-  for (const auto& one : found) axes.push_back(one.second);
+  for (const auto& one : found)
+    if (axes.size() < most) axes.push_back(one.second);
   return axes;
 }
 

@@ -69,10 +69,20 @@ Point<double, N> ball_center(const std::vector<Point<double, N>>& q) {
 /// The box of the points in the frame of these orthonormal axes, rounded.
 template <int N>
 Aabb<double, N> along(const Eigen::Matrix<double, N, N>& axes, const std::vector<Point<double, N>>& q) {
-  Aabb<double, N> box = {axes.transpose() * q[0], axes.transpose() * q[0]};
-  for (const Point<double, N>& x : q) {
-    const Point<double, N> y = axes.transpose() * x;
-    box = {box.lo.cwiseMin(y), box.hi.cwiseMax(y)};
+  const auto coordinate = [](const double* axis, const double* x) {
+    double sum = axis[0] * x[0];
+    for (int k = 1; k < N; ++k) sum += axis[k] * x[k];
+    return sum;
+  };
+  Aabb<double, N> box;
+  for (int i = 0; i < N; ++i) {
+    const double* const axis = axes.data() + i * N;  // a column
+    double lo = coordinate(axis, q[0].data()), hi = lo;
+    for (const Point<double, N>& x : q) {
+      const double at = coordinate(axis, x.data());
+      lo = std::min(lo, at), hi = std::max(hi, at);
+    }
+    box.lo[i] = lo, box.hi[i] = hi;
   }
   return box;
 }

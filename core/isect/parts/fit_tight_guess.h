@@ -17,6 +17,27 @@ namespace isect::fit {
 
 namespace detail {
 
+/// Symmetrical objects have many fits as good as the best. Rounding must not choose among them, as sines, and the order
+/// in which sums are made, differ from machine to machine: what is less by no more than this share is equal, and the
+/// first of equals is taken.
+constexpr double noise = 0x1p-40;
+inline bool clearly_less(double x, double y) { return x < y * (1 - noise); }
+
+/// The first point for which a number, not negative, is greatest.
+template <int N, class Number>
+int first_greatest(const std::vector<Point<double, N>>& q, const Number& number) {
+  int first = 0;
+  double greatest = -1;
+  for (int i = 0; i < static_cast<int>(q.size()); ++i)
+    if (const double x = number(q[i]); clearly_less(greatest, x)) greatest = x, first = i;
+  return first;
+}
+
+template <int N>
+int farthest(const std::vector<Point<double, N>>& q, const Point<double, N>& from) {
+  return first_greatest<N>(q, [&](const Point<double, N>& p) { return (p - from).squaredNorm(); });
+}
+
 /// A ball around points, by the few on its surface that it is the smallest ball of.
 template <int N>
 struct Support {
@@ -57,7 +78,7 @@ Support<N> ball_of_few(const std::vector<Point<double, N>>& q, const std::vector
     const Point<double, N> c = circumcenter<N>(q, through);
     double radius2 = (q[fresh] - c).squaredNorm();
     for (const int i : few) radius2 = std::max(radius2, (q[i] - c).squaredNorm());
-    if (c == c && radius2 < best.radius2) best = {through, c, radius2};
+    if (c == c && clearly_less(radius2, best.radius2)) best = {through, c, radius2};
   }
   return best;
 }
@@ -70,16 +91,12 @@ Support<N> smallest_ball(const std::vector<Point<double, N>>& q) {
   Support<N> now = {{0}, q[0], 0}, best = now;
   double least2 = std::numeric_limits<double>::infinity();
   for (;;) {
-    int farthest = 0;
-    double most2 = -1;
-    for (int i = 0; i < static_cast<int>(q.size()); ++i) {
-      const double distance2 = (q[i] - now.center).squaredNorm();
-      if (distance2 > most2) most2 = distance2, farthest = i;
-    }
-    if (most2 < least2) least2 = most2, best = now;
-    if (!(most2 > now.radius2)) return best;
-    const Support<N> larger = ball_of_few<N>(q, now.points, farthest);
-    if (!(larger.radius2 > now.radius2 && std::isfinite(larger.radius2))) return best;  // only rounding is left
+    const int far = farthest<N>(q, now.center);
+    const double most2 = (q[far] - now.center).squaredNorm();
+    if (clearly_less(most2, least2)) least2 = most2, best = now;
+    if (!clearly_less(now.radius2, most2)) return best;
+    const Support<N> larger = ball_of_few<N>(q, now.points, far);
+    if (!(clearly_less(now.radius2, larger.radius2) && std::isfinite(larger.radius2))) return best;  // rounding is left
     now = larger;
   }
 }
@@ -88,12 +105,7 @@ Support<N> smallest_ball(const std::vector<Point<double, N>>& q) {
 /// Source: Ritter, An efficient bounding sphere, Graphics Gems, 1990.
 template <int N>
 Point<double, N> ritter_center(const std::vector<Point<double, N>>& q) {
-  const auto farthest = [&](const Point<double, N>& from) {
-    return *std::max_element(q.begin(), q.end(), [&](const auto& x, const auto& y) {
-      return (x - from).squaredNorm() < (y - from).squaredNorm();
-    });
-  };
-  const Point<double, N> a = farthest(q[0]), b = farthest(a);
+  const Point<double, N>&a = q[farthest<N>(q, q[0])], &b = q[farthest<N>(q, a)];
   Point<double, N> center = (a + b) / 2;
   double radius = (b - a).norm() / 2;
   for (const Point<double, N>& p : q) {
@@ -155,7 +167,7 @@ inline Vector<double, 2> rectangle(const Ring<double, 2>& points) {
     left = std::max(left, top);
     while (left < i + n && u.dot(at(left + 1) - at(left)) < 0) ++left;
     const double area = u.dot(at(right) - at(left)) * v.dot(at(top) - at(i));
-    if (area < least) least = area, best = u;
+    if (clearly_less(area, least)) least = area, best = u;
   }
   return best;
 }
@@ -227,10 +239,10 @@ inline Eigen::Matrix3d polished(Eigen::Matrix3d axes, const std::vector<Point<do
     for (int since = 0, tries = 0; since < 26 && tries < 200; ++since, ++tries) {
       const double turn = tries % 2 ? angle : -angle;
       const Eigen::Matrix3d next = Eigen::AngleAxisd(turn, about[tries / 2 % 13].normalized()) * axes;
-      if (!(volume_along<3>(next, ends) < volume)) continue;
+      if (!clearly_less(volume_along<3>(next, ends), volume)) continue;
       if (q.size() > few) add_ends(ends, next, q);
       const double less = volume_along<3>(next, q);
-      if (less < volume) axes = next, volume = less, since = 0;
+      if (clearly_less(less, volume)) axes = next, volume = less, since = 0;
     }
   return axes;
 }
@@ -240,12 +252,13 @@ inline std::vector<Point<double, 3>> few_vertices(const std::vector<Point<double
   constexpr int enough = 100;
   if (vertices.size() <= enough) return vertices;
   std::vector<Point<double, 3>> few;
+  double size = 0;
+  for (const Point<double, 3>& p : vertices) size = std::max(size, p.norm());
   constexpr double golden = 2.399963229728653;  // radians: points of a spiral, evenly on the sphere
   for (int i = 0; i < enough; ++i) {
     const double z = (2 * i + 1.0) / enough - 1, r = std::sqrt(1 - z * z);
     const Vector<double, 3> n(r * std::cos(golden * i), r * std::sin(golden * i), z);
-    few.push_back(*std::max_element(vertices.begin(), vertices.end(),
-                                    [&](const auto& p, const auto& q) { return n.dot(p) < n.dot(q); }));
+    few.push_back(vertices[first_greatest<3>(vertices, [&](const auto& p) { return size + n.dot(p); })]);
   }
   return few;
 }
@@ -261,7 +274,26 @@ inline double least_volume(const Vector<double, 3>& base, const Hull3<double>& h
   return (hi - lo) * shadow;
 }
 
-/// The best box along each base, of those that are among the `most` smallest; the earlier base goes first among equals.
+/// The hull's vertices that bound its shadow along `base`, and a few more: those between faces that look up and down.
+inline std::vector<Point<double, 3>> outline(const Vector<double, 3>& base, const Hull3<double>& hull,
+                                             const std::vector<Vector<double, 3>>& normals, double size) {
+  if (hull.dimension < 3) return hull.vertices;
+  const Vector<double, 3> w = unit<3>(base, Vector<double, 3>::UnitZ());
+  const double rounding = 1e-14 * size * size;  // of a normal, many times over: a thin face may look either way
+  enum : unsigned char { up = 1, down = 2 };
+  std::vector<unsigned char> looks(hull.vertices.size());
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    const double rise = normals[i].dot(w);
+    for (const int v : hull.triangles[i]) looks[v] |= (rise > -rounding ? up : 0) | (rise < rounding ? down : 0);
+  }
+  std::vector<Point<double, 3>> points;
+  for (std::size_t v = 0; v < looks.size(); ++v)
+    if (looks[v] == (up | down)) points.push_back(hull.vertices[v]);
+  return points;
+}
+
+/// The best boxes along the bases, the `most` smallest of different volume. Of those of one volume the earliest base's:
+/// a symmetrical hull has many, which are one and the same to a search that starts there.
 inline std::vector<Eigen::Matrix3d> smallest_along(const std::vector<Vector<double, 3>>& bases,
                                                    const Hull3<double>& hull,
                                                    const std::vector<Vector<double, 3>>& normals, std::size_t most) {
@@ -269,20 +301,24 @@ inline std::vector<Eigen::Matrix3d> smallest_along(const std::vector<Vector<doub
   for (std::size_t i = 0; i < bases.size(); ++i) hopeful.push_back({least_volume(bases[i], hull, normals), i});
   std::sort(hopeful.begin(), hopeful.end());
   struct Found {
-    double volume;
+    float volume;  // of so few digits that equals are equal
     std::size_t base;
     Eigen::Matrix3d axes;
-    bool operator<(const Found& other) const { return std::pair(volume, base) < std::pair(other.volume, other.base); }
   };
+  const auto smaller = [](const Found& a, const Found& b) { return a.volume < b.volume; };
   double size = 0;
   for (const Point<double, 3>& p : hull.vertices) size = std::max(size, (p - hull.vertices[0]).norm());
-  const double rounding = 1e-12 * size * size * size;  // of bound and volume together, many times over
-  std::vector<Found> found;                            // ascending
+  const double rounding = 1e-6 * size * size * size;  // of bound and volume together, many times over
+  std::vector<Found> found;                           // ascending
   for (const auto& [least, i] : hopeful) {
     if (found.size() == most && least - rounding > found.back().volume) break;
-    const Eigen::Matrix3d axes = turned_about(bases[i], hull.vertices);
-    const Found one = {volume_along<3>(axes, hull.vertices), i, axes};
-    found.insert(std::upper_bound(found.begin(), found.end(), one), one);
+    const Eigen::Matrix3d axes = turned_about(bases[i], outline(bases[i], hull, normals, size));
+    const Found one = {static_cast<float>(volume_along<3>(axes, hull.vertices)), i, axes};
+    const auto at = std::lower_bound(found.begin(), found.end(), one, smaller);
+    if (at == found.end() || at->volume != one.volume)
+      found.insert(at, one);
+    else if (i < at->base)
+      *at = one;
     if (found.size() > most) found.pop_back();
   }
   std::vector<Eigen::Matrix3d> axes;
@@ -292,10 +328,12 @@ inline std::vector<Eigen::Matrix3d> smallest_along(const std::vector<Vector<doub
 
 /// Axes of a box of small volume. The smallest one has two adjacent faces flush with edges of the hull (O'Rourke);
 /// those with a whole face flush are tried, by calipers in its plane, and those along two edges of a small hull.
-/// What comes near the best is then turned about its axes. Source: O'Rourke, Finding minimal enclosing boxes, 1985;
-/// Chang, Gorissen, Melchior, Fast oriented bounding box optimization on the rotation group, ACM TOG 30 (2011).
+/// What comes near the best is then turned about its axes; all but the last of that is done among a few vertices of a
+/// large hull. Source: O'Rourke, Finding minimal enclosing boxes, 1985; Chang, Gorissen, Melchior, Fast oriented
+/// bounding box optimization on the rotation group, ACM TOG 30 (2011).
 inline Eigen::Matrix3d tight_axes(const std::vector<Point<double, 3>>& q) {
-  const Hull3<double> hull = convex_hull(few_vertices(convex_hull(q).vertices));
+  const std::vector<Point<double, 3>> all = convex_hull(q).vertices;
+  const Hull3<double> hull = convex_hull(few_vertices(all));
   std::vector<Vector<double, 3>> normals, edges;
   for (const auto& [a, b, c] : hull.triangles) {
     const Point<double, 3>&p = hull.vertices[a], &r = hull.vertices[b], &s = hull.vertices[c];
@@ -312,12 +350,15 @@ inline Eigen::Matrix3d tight_axes(const std::vector<Point<double, 3>>& q) {
 
   Eigen::Matrix3d best = Eigen::Matrix3d::Identity();
   double least = std::numeric_limits<double>::infinity();
-  for (Eigen::Matrix3d& axes : smallest_along(bases, hull, normals, 16)) {
-    axes = descended(polished(descended(axes, hull.vertices), hull.vertices), hull.vertices);
-    const double volume = volume_along<3>(axes, hull.vertices);
-    if (volume < least) least = volume, best = axes;
+  const auto refined = [](const Eigen::Matrix3d& axes, const std::vector<Point<double, 3>>& points) {
+    return descended(polished(descended(axes, points), points), points);
+  };
+  for (const Eigen::Matrix3d& start : smallest_along(bases, hull, normals, 8)) {
+    const Eigen::Matrix3d axes = refined(start, hull.vertices);
+    const double volume = volume_along<3>(axes, all);
+    if (clearly_less(volume, least)) least = volume, best = axes;
   }
-  return best;
+  return all.size() > hull.vertices.size() ? refined(best, all) : best;
 }
 
 }  // namespace detail
