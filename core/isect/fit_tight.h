@@ -69,15 +69,37 @@ Sphere<S, N> fit_sphere_ritter(const std::vector<Point<S, N>>& points, Trace&& t
   return fit::detail::least_ball(points, scaled.template original<S>(fit::detail::ritter_center<N>(scaled.q)), trace);
 }
 
+namespace fit_tight::detail {
+
+/// fit_obb's box, or the one along axes(points, scaled to about 1) if it is smaller.
+template <class S, int N, class Axes, class Trace>
+Obb<S, N> box_along(const std::vector<Point<S, N>>& points, const Axes& axes, Trace& trace) {
+  const Obb<S, N> principal = fit_obb(points, trace);
+  if (empty(principal)) return principal;
+  const fit::detail::Scaled<N> scaled = fit::detail::scaled(points, fit_aabb(points));
+  const Obb<S, N> tight = fit::detail::least_box(points, scaled, axes(scaled.q), trace);
+  return smaller(tight, principal) ? tight : principal;
+}
+
+}  // namespace fit_tight::detail
+
 /// An oriented box that holds all points and is no larger than fit_obb's; in 2D the smallest but for rounding, in 3D
 /// the smallest of many local minima. Half-lengths -1 of no points, or with a NaN or an infinity among them.
 template <class S, int N, class Trace = NoTrace>
 Obb<S, N> fit_obb_tight(const std::vector<Point<S, N>>& points, Trace&& trace = {}) {
-  const Obb<S, N> principal = fit_obb(points, trace);
-  if (empty(principal)) return principal;
-  const fit::detail::Scaled<N> scaled = fit::detail::scaled(points, fit_aabb(points));
-  const Obb<S, N> tight = fit::detail::least_box(points, scaled, fit::detail::tight_axes(scaled.q), trace);
-  return fit_tight::detail::smaller(tight, principal) ? tight : principal;
+  return fit_tight::detail::box_along(
+      points, [](const std::vector<Point<double, N>>& q) { return fit::detail::tight_axes(q); }, trace);
+}
+
+/// The same around the vertices of a hull that is known already.
+template <class S, class Trace = NoTrace>
+Obb<S, 3> fit_obb_tight(const Hull3<S>& hull, Trace&& trace = {}) {
+  return fit_tight::detail::box_along(
+      hull.vertices,
+      [&](const std::vector<Point<double, 3>>& q) {
+        return fit::detail::tight_axes(Hull3<double>{q, hull.triangles, hull.dimension});
+      },
+      trace);
 }
 
 }  // namespace isect

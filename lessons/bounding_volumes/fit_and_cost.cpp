@@ -24,7 +24,7 @@ class Fit {
       : mesh_(object(name, tip)),
         k_(k),
         fitted_(mesh_, k),
-        dops_(measured_kdops(mesh_)),
+        dops_(measured_kdops(fitted_.hull)),
         all_(measured(fitted_, dops_[std::ranges::find(sizes_of_dops, std::to_string(k)) - sizes_of_dops.begin()])),
         tip_(tip),
         script_({"Lecture note, bounding volumes; Ericson, Real-Time Collision Detection (2005), ch. 4",

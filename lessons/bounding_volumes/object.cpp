@@ -162,21 +162,21 @@ Mesh3 object(const std::string& name, const Vec3& tip) {
 
 Fitted::Fitted(const Mesh3& mesh, int k)
     : object(volume(mesh.vertices, mesh.triangles)),
-      ball(fit_sphere_smallest(mesh.vertices)),
-      aabb(fit_aabb(mesh.vertices)),
-      obb(fit_obb_tight(mesh.vertices)),
-      kdop(fit_kdop(mesh.vertices, directions<double, 3>(k))),
-      hull(convex_hull(mesh.vertices)) {}
+      hull(convex_hull(mesh.vertices)),
+      ball(fit_sphere_smallest(hull.vertices)),
+      aabb(fit_aabb(hull.vertices)),
+      obb(fit_obb_tight(hull)),
+      kdop(fit_kdop(hull.vertices, directions<double, 3>(k))) {}
 
 Measured measured(const Kdop<double, 3>& kdop) {
   const Polytope<double, 3> shape = polytope(kdop);  // once for both: the slowest part
   return {dop(kdop), volume(shape), numbers_kept(kdop), cost(kdop), solid(shape, Role::second)};
 }
 
-std::vector<Measured> measured_kdops(const Mesh3& mesh) {
+std::vector<Measured> measured_kdops(const Hull3<double>& hull) {
   std::vector<Measured> all;
   for (const std::string& k : sizes_of_dops)
-    all.push_back(measured(fit_kdop(mesh.vertices, directions<double, 3>(std::stoi(k)))));
+    all.push_back(measured(fit_kdop(hull.vertices, directions<double, 3>(std::stoi(k)))));
   return all;
 }
 

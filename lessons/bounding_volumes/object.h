@@ -22,11 +22,11 @@ struct Fitted {
   Fitted(const TriangleMesh<double>&, int k);
 
   double object;  ///< its volume
+  Hull3<double> hull;
   Sphere<double, 3> ball;
   Aabb<double, 3> aabb;
   Obb<double, 3> obb;
   Kdop<double, 3> kdop;
-  Hull3<double> hull;
 };
 
 /// One volume in numbers.
@@ -41,7 +41,7 @@ struct Measured {
 };
 Measured measured(const Kdop<double, 3>&);
 /// The k-DOPs of all sizes around an object.
-std::vector<Measured> measured_kdops(const TriangleMesh<double>&);
+std::vector<Measured> measured_kdops(const Hull3<double>&);
 /// Sphere, AABB, OBB, k-DOP, hull.
 std::vector<Measured> measured(const Fitted&, const Measured& kdop);
 

@@ -189,6 +189,12 @@ TEMPLATE_TEST_CASE_SIG("a tight box of points that are hard to fit holds them an
       REQUIRE(holds_all(tight, points));
       // they are compared in doubles
       REQUIRE(exact_volume(tight) <= exact_volume(principal) * oracle::Rational(1 + 0x1p-49));
+      if constexpr (N == 3) {  // as the hull tells it
+        const Hull3<S> hull = convex_hull(points);
+        const Obb<S, 3> of_hull = fit_obb_tight(hull);
+        REQUIRE(holds_all(of_hull, points));
+        REQUIRE(exact_volume(of_hull) <= exact_volume(fit_obb(hull.vertices)) * oracle::Rational(1 + 0x1p-49));
+      }
     }
 }
 

@@ -247,10 +247,10 @@ inline Eigen::Matrix3d polished(Eigen::Matrix3d axes, const std::vector<Point<do
   return axes;
 }
 
-/// Those of the hull's vertices that are farthest in some of many directions, when there are too many.
+constexpr int enough = 100;  ///< vertices to search among
+
+/// Those of a hull's vertices that are farthest in one of that many directions.
 inline std::vector<Point<double, 3>> few_vertices(const std::vector<Point<double, 3>>& vertices) {
-  constexpr int enough = 100;
-  if (vertices.size() <= enough) return vertices;
   std::vector<Point<double, 3>> few;
   double size = 0;
   for (const Point<double, 3>& p : vertices) size = std::max(size, p.norm());
@@ -331,9 +331,9 @@ inline std::vector<Eigen::Matrix3d> smallest_along(const std::vector<Vector<doub
 /// What comes near the best is then turned about its axes; all but the last of that is done among a few vertices of a
 /// large hull. Source: O'Rourke, Finding minimal enclosing boxes, 1985; Chang, Gorissen, Melchior, Fast oriented
 /// bounding box optimization on the rotation group, ACM TOG 30 (2011).
-inline Eigen::Matrix3d tight_axes(const std::vector<Point<double, 3>>& q) {
-  const std::vector<Point<double, 3>> all = convex_hull(q).vertices;
-  const Hull3<double> hull = convex_hull(few_vertices(all));
+inline Eigen::Matrix3d tight_axes(const Hull3<double>& whole) {
+  const std::vector<Point<double, 3>>& all = whole.vertices;
+  const Hull3<double> hull = all.size() > enough ? convex_hull(few_vertices(all)) : whole;
   std::vector<Vector<double, 3>> normals, edges;
   for (const auto& [a, b, c] : hull.triangles) {
     const Point<double, 3>&p = hull.vertices[a], &r = hull.vertices[b], &s = hull.vertices[c];
@@ -358,8 +358,9 @@ inline Eigen::Matrix3d tight_axes(const std::vector<Point<double, 3>>& q) {
     const double volume = volume_along<3>(axes, all);
     if (clearly_less(volume, least)) least = volume, best = axes;
   }
-  return all.size() > hull.vertices.size() ? refined(best, all) : best;
+  return all.size() > enough ? refined(best, all) : best;
 }
+inline Eigen::Matrix3d tight_axes(const std::vector<Point<double, 3>>& q) { return tight_axes(convex_hull(q)); }
 
 }  // namespace detail
 
