@@ -143,7 +143,7 @@ class PageWriter {
 
  private:
   std::string group(const std::vector<Pair>& shapes) {
-    out_.clear(), stroke_.clear();
+    out_.clear(), stroke_.clear(), area_ = {};
     for (const Pair& pair : shapes)
       std::visit([&](const auto& any) { add(any, part(any, pair.light), part(any, pair.dark)); }, pair.any());
     end_stroke();
@@ -199,7 +199,8 @@ class PageWriter {
     std::string d = svg_letters({fill.path});
     for (const Path& more : fill.more) d += svg_letters({more});
     const std::string rule = fill.more.empty() ? "" : " fill-rule=\"evenodd\"";
-    out_ += fmt::format("<path {}{} d=\"{}\"/>", paint("fill", colour_of(light), colour_of(dark)), rule, d);
+    area_ = {out_.size(), paint("fill", colour_of(light), colour_of(dark)) + rule, d};
+    out_ += element(area_.attributes, d);
   }
 
   void add(const Stroke&, const Stroke* light, const Stroke* dark) {
@@ -214,14 +215,34 @@ class PageWriter {
     if (!stroke.round_cap) attributes += " stroke-linecap=\"butt\"";
     if (stroke.dash[0] > 0 && stroke.dash[1] > 0)
       attributes += fmt::format(" stroke-dasharray=\"{} {}\"", svg_number(stroke.dash[0]), svg_number(stroke.dash[1]));
-    if (attributes != stroke_) end_stroke();
+    if (!paths_.empty() && attributes != stroke_) end_stroke();
     stroke_ = attributes;
     paths_.push_back(stroke.path);
   }
 
-  /// Strokes that look alike, one after the other, are one path.
+  static std::string element(const std::string& attributes, const std::string& letters) {
+    return fmt::format("<path {} d=\"{}\"/>", attributes, letters);
+  }
+
+  /// The attributes of a fill and of a stroke for one element, which has one class.
+  static std::string joined(const std::string& fill, const std::string& stroke) {
+    const std::string_view own = "class=\"";
+    if (!fill.starts_with(own) || !stroke.starts_with(own)) return fill + " " + stroke;
+    const std::size_t end = fill.find('"', own.size());
+    return fill.substr(0, end) + " " + stroke.substr(own.size()) + fill.substr(end + 1);
+  }
+
+  /// Strokes that look alike, one after the other, are one path; one around the area just filled is one with it.
   void end_stroke() {
-    if (!paths_.empty()) out_ += fmt::format("<path {} d=\"{}\"/>", stroke_, svg_letters(paths_));
+    const Area area = std::exchange(area_, {});
+    if (paths_.empty()) return;
+    const std::string letters = svg_letters(paths_);
+    if (area.letters == letters) {
+      out_.resize(area.begin);
+      out_ += element(joined(area.attributes, stroke_), letters);
+    } else {
+      out_ += element(stroke_, letters);
+    }
     paths_.clear(), stroke_.clear();
   }
 
@@ -300,6 +321,11 @@ class PageWriter {
   const Drawing &light_, &dark_;
   std::string out_, stroke_;
   std::vector<Path> paths_;
+  /// What was filled last, if nothing was written since.
+  struct Area {
+    std::size_t begin = 0;  ///< of its element in out_
+    std::string attributes, letters;
+  } area_;
 };
 
 std::string PagePictures::svg(const Drawing& light, const Drawing& dark, const std::string& alt) {

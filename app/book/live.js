@@ -101,14 +101,15 @@ function isect_live(book) {
     keep_address(address);
     if (book.playing() && (frame.at === frame.count - 1 || frame.asks)) book.stop();
   }
+  const unit_of = frame => frame.width / (holder.clientWidth || frame.width);  // of the picture, a px
   function draw(frame) {
-    const box = `0 0 ${frame.width} ${frame.height}`;
+    const box = `0 0 ${frame.width} ${frame.height}`, unit = unit_of(frame);  // while the page is laid out
     holder.innerHTML = frame.picture;
     over.setAttribute("viewBox", box);
     holder.append(over);
     stage.style.setProperty("--least", frame.width > 330 ? `${Math.round(frame.width)}px` : "0");
     lights.replaceChildren();
-    show_grips(frame.handles);
+    show_grips(frame.handles, unit);
     const beside = frame.map && !frame.map.own;
     map.hidden = !beside, pictures.classList.toggle("with-map", Boolean(beside));
     stage.classList.toggle("is-map", Boolean(frame.map && frame.map.own));
@@ -120,9 +121,8 @@ function isect_live(book) {
   }
 
   // Handles: what can be dragged, also by keys.
-  function show_grips(handles) {
+  function show_grips(handles, unit) {
     const known = new Map([...grips.children].map(grip => [grip.dataset.handle, grip]));
-    const unit = now.width / (holder.clientWidth || now.width);  // of the picture, a px
     handles.forEach(handle => {
       let grip = known.get(handle.name);
       known.delete(handle.name);
@@ -381,7 +381,7 @@ function isect_live(book) {
   // Light and dark, paper, and the beginning.
   const dark = matchMedia("(prefers-color-scheme: dark)");
   dark.addEventListener("change", () => look({ dark: dark.matches }));
-  addEventListener("resize", () => now && show_grips(now.handles));
+  addEventListener("resize", () => now && show_grips(now.handles, unit_of(now)));
   addEventListener("beforeprint", () => {
     if (!section.classList.contains("changed")) return;
     section.insertAdjacentHTML("beforeend", `<div class="printed">${book.request({ do: "whole" }).html}</div>`);

@@ -353,7 +353,7 @@ inline Eigen::Matrix3d tight_axes(const Hull3<double>& whole) {
   const auto refined = [](const Eigen::Matrix3d& axes, const std::vector<Point<double, 3>>& points) {
     return descended(polished(descended(axes, points), points), points);
   };
-  for (const Eigen::Matrix3d& start : smallest_along(bases, hull, normals, 8)) {
+  for (const Eigen::Matrix3d& start : smallest_along(bases, hull, normals, 4)) {
     const Eigen::Matrix3d axes = refined(start, hull.vertices);
     const double volume = volume_along<3>(axes, all);
     if (clearly_less(volume, least)) least = volume, best = axes;
