@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <map>
+#include <numbers>
 
 #include <isect/point_obb.h>
 #include <isect/point_sphere.h>
@@ -296,6 +297,22 @@ TEST_CASE("the search for a tight box finds the same by few points and bounds as
     many += hull.vertices.size() > 16;
   }
   CHECK(many > 15);
+}
+
+TEST_CASE("rounding does not choose among the balls and rectangles of symmetrical points", "[fit_tight]") {
+  Points<double, 2> ring;
+  for (int i = 0; i < 12; ++i) ring.push_back({std::cos(std::numbers::pi * i / 6), std::sin(std::numbers::pi * i / 6)});
+  const std::vector<int> support = fit::detail::smallest_ball<2>(ring).points;
+  const Vector<double, 2> side = fit::detail::rectangle(ring);
+  bench::Random random(tests::seed());
+  for (int i = 0; i < 40; ++i) {
+    Points<double, 2> nearly = ring;
+    for (Point<double, 2>& p : nearly)
+      for (double& x : p) x *= 1 + 0x1p-52 * (static_cast<double>(random.below(5)) - 2);
+    INFO("seed " << tests::seed() << ", case " << i);
+    CHECK(fit::detail::smallest_ball<2>(nearly).points == support);
+    CHECK((fit::detail::rectangle(nearly) - side).norm() < 1e-9);
+  }
 }
 
 }  // namespace fit_tight_test

@@ -33,6 +33,25 @@ TEST_CASE("a role's colour is a class, whatever the theme", "[page]") {
   CHECK_THAT(colours.variables(true), Contains("--first: #5fa8ff; "));
 }
 
+TEST_CASE("an area and its outline are one element, unless something stands between", "[page]") {
+  const Path triangle = polyline({{0, 0}, {9, 0}, {0, 9}}, true);
+  const Shape area = Fill{triangle, light.ink(Role::first)}, outline = Stroke{triangle, light.ink(Role::second), 2};
+  const Shape text = Text{"a", {5, 5}, 10, light.ink(Role::text), 0};
+  const auto lone = [](std::vector<Shape> shapes) { return lone_svg(drawing(std::move(shapes)), "", ""); };
+  CHECK_THAT(lone({area, outline}),
+             Contains("<path fill=\"#0b60c8\" stroke=\"#a34e00\" stroke-width=\"2\" d=\"M0 0l9 0l-9 9z\"/>"));
+  CHECK(count(lone({area, outline}), "<path") == 1);
+  CHECK(count(lone({area, text, outline}), "<path") == 2);
+  CHECK(count(lone({area, text, outline}), "<text") == 1);
+  CHECK(count(lone({outline, area}), "<path") == 2);
+  CHECK(count(lone({area, line(light.ink(Role::second), 10), outline}), "<path") == 2);  // the lines are one
+
+  PageColours colours;
+  PagePictures page(colours);
+  CHECK_THAT(page.svg(drawing({area, outline}), drawing({area, outline}), ""),
+             Contains(" d=\"M0 0l9 0l-9 9z\"/>") && Contains("class=\"fill-") && !Contains("\" class="));
+}
+
 TEST_CASE("a colour of no role has a number, and the same pair has the same one", "[page]") {
   PageColours colours;
   const PageColour pair = {hex(0x123456), hex(0x654321)}, other = {hex(0x123456), hex(0x654322)};
