@@ -48,7 +48,8 @@ std::string pseudocode(const Excerpt& e, std::size_t columns) {
       line.insert(at + 1, "  ");
     out += fmt::format("  {:>2}", i + 1) + line.substr(4);
   }
-  for (const std::string& erratum : told_errata(*e.lesson, e.walk)) out += wrapped(erratum, columns, 2);
+  for (const std::string& erratum : told_errata(*e.lesson, e.walk, &viz::Preset::id))
+    out += wrapped(erratum, columns, 2);
   return out + "\n";
 }
 

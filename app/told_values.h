@@ -11,7 +11,8 @@ namespace isect::program {
 /// A parameter's value with all its digits.
 std::string in_full(const viz::Setting&, bool flat);
 
-/// Where the pseudocode of this walk differs from the published one, and why: plain text, one each.
-std::vector<std::string> told_errata(const viz::Lesson&, const viz::Walk&);
+/// Where the pseudocode of this walk differs from the published one, and why: plain text, one each. They name a preset
+/// that shows it, by its id or its title.
+std::vector<std::string> told_errata(const viz::Lesson&, const viz::Walk&, std::string viz::Preset::*name);
 
 }  // namespace isect::program

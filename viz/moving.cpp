@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 
 namespace isect::viz {
 namespace {
@@ -56,7 +57,11 @@ Moved nudge(Player& player, const View& view, const Handle& handle, const Vec2& 
   constexpr double step = 8;  // px
   player.remember((snapping ? "snap " : "nudge ") + handle.parameter);
   if (snapping) return snapping_nudge(player, view, handle, way).settle(player);
-  return refused_by(player.drag_handle(handle, brought(view, handle, view.project(handle.at).at + step * way)));
+  Vec3 to = brought(view, handle, view.project(handle.at).at + step * way);
+  const double rounding = 1e-9 * (to - handle.at).norm();  // of a view: what is not meant to move stays
+  for (int i = 0; i < 3; ++i)
+    if (std::abs(to[i] - handle.at[i]) <= rounding) to[i] = handle.at[i];
+  return refused_by(player.drag_handle(handle, to));
 }
 
 }  // namespace isect::viz

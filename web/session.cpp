@@ -46,9 +46,11 @@ Vec2 way_in(const Json& request) { return {request.at("x").get<double>(), reques
 
 std::string name_of(const viz::Handle& h) { return fmt::format("{}/{}", h.parameter, static_cast<int>(h.kind)); }
 
-/// "1,5" is a number and "1, 5, 2" a point: its coordinates are written as numbers are.
+/// "1,5" is a number, and "1, 5, 2" or "(1, 5, 2)" a point: its coordinates are written as numbers are.
 std::string number_text(const std::string& text) { return viz::to_text(viz::Setting(viz::number_from(text))); }
-std::string point_text(const std::string& text) {
+std::string point_text(std::string text) {
+  const std::size_t first = text.find_first_not_of(' '), last = text.find_last_not_of(' ');
+  if (first != text.npos && text[first] == '(' && text[last] == ')') text = text.substr(first + 1, last - first - 1);
   const char parts_at = text.find(';') != text.npos ? ';' : ',';
   std::string out;
   for (std::size_t from = 0; from <= text.size();) {
@@ -431,6 +433,8 @@ Json Session::frame(Drawn how, const viz::Moved& moved) {
                 {"idle", idle()},
                 {"place", place()},
                 {"map", map_beside()},
+                {"undo", p.can_undo()},
+                {"redo", p.can_redo()},
                 {"told", moved.told},
                 {"refuses", moved.refused}};
   if (how == Drawn::at_rest) {

@@ -101,7 +101,11 @@
     if (!keep_address) try { history.replaceState(null, "", "#" + article.id); } catch { /* nowhere to keep it */ }
     if (playing && (at === list.length - 1 || is_open(article))) toggle_play();
   }
-  function step(by) { stand(position() + by); }
+  function step(by) {
+    stand(position() + by);
+    const shown = live ? live.article : articles(walk)[at], top = shown.getBoundingClientRect().top;
+    if (top < 0 || top > 0.4 * innerHeight) shown.scrollIntoView({ block: "start" });  // on a phone it may be far below
+  }
   function toggle_play() {
     if (playing) clearInterval(playing), playing = 0;
     else {

@@ -93,6 +93,7 @@ function isect_live(book) {
     book.light_code(section, frame);
     if (frame.solved) mark_solved(frame.solved);
     show_values(frame.values, frame.idle);
+    undo.setAttribute("aria-disabled", !frame.undo), redo.setAttribute("aria-disabled", !frame.redo);
     message.textContent = frame.told || frame.refuses || "";
     book.mark_link(changed ? "" : place.origin);
     book.show_controls(frame.asks ? below.querySelector("h3").textContent
@@ -101,12 +102,17 @@ function isect_live(book) {
     keep_address(address);
     if (book.playing() && (frame.at === frame.count - 1 || frame.asks)) book.stop();
   }
+  /// The picture under the handles, which stay where they are: what is moved in a page loses the focus.
+  function put_first(holder, over, picture) {
+    if (holder.lastChild !== over) holder.append(over);
+    if (holder.firstChild !== over) holder.firstElementChild.outerHTML = picture;
+    else over.insertAdjacentHTML("beforebegin", picture);
+  }
   const unit_of = frame => frame.width / (holder.clientWidth || frame.width);  // of the picture, a px
   function draw(frame) {
     const box = `0 0 ${frame.width} ${frame.height}`, unit = unit_of(frame);  // while the page is laid out
-    holder.innerHTML = frame.picture;
+    put_first(holder, over, frame.picture);
     over.setAttribute("viewBox", box);
-    holder.append(over);
     stage.style.setProperty("--least", frame.width > 330 ? `${Math.round(frame.width)}px` : "0");
     lights.replaceChildren();
     show_grips(frame.handles, unit);
@@ -114,9 +120,8 @@ function isect_live(book) {
     map.hidden = !beside, pictures.classList.toggle("with-map", Boolean(beside));
     stage.classList.toggle("is-map", Boolean(frame.map && frame.map.own));
     if (!beside) return;
-    map_holder.innerHTML = frame.map.svg;
+    put_first(map_holder, map_over, frame.map.svg);
     map_over.setAttribute("viewBox", `0 0 ${frame.map.width} ${frame.map.height}`);
-    map_holder.append(map_over);
     html(map_told, frame.map.here);
   }
 
@@ -134,7 +139,8 @@ function isect_live(book) {
       grip.setAttribute("transform", `translate(${handle.x} ${handle.y})`);
       grip.setAttribute("aria-label", handle.label);
       grip.dataset.role = handle.role;
-      grip.firstChild.setAttribute("r", 18 * unit), grip.lastChild.setAttribute("r", 6 * unit);
+      grip.firstChild.setAttribute("r", 18 * unit);
+      grip.lastChild.setAttribute("r", Math.min(6 * unit, 3));  // on a small screen, too, names beside it can be read
     });
     known.forEach(grip => grip.remove());
   }
@@ -226,7 +232,12 @@ function isect_live(book) {
     if (name) light({ do: "light", names: [name.dataset.name] });
     else if (!stage.contains(event.target) && lit) light(null);
   });
-  grips.addEventListener("focusin", event => light({ do: "light", handle: event.target.closest(".grip").dataset.handle }));
+  grips.addEventListener("focusin", event => {
+    const grip = event.target.closest(".grip");
+    if (grip) light({ do: "light", handle: grip.dataset.handle });
+  });
+  // A finger on a handle drags it and never the page: touch-action counts for the whole drawing only, which may be scrolled.
+  grips.addEventListener("touchstart", event => event.preventDefault(), { passive: false });
 
   // The values, typed.
   function make_form(parameters) {

@@ -75,9 +75,12 @@ std::string WalkSection::code(const std::string& line) const {
 std::string WalkSection::algorithm() const {
   if (walk_.pseudocode.empty()) return {};
   std::string out = "<div class=\"algorithm\">\n<h3>Algorithm</h3>\n<ol class=\"code\">\n";
-  for (const std::string& line : walk_.pseudocode) out += fmt::format("<li>{}</li>\n", code(line));
+  for (const std::string& line : walk_.pseudocode) {
+    const std::size_t in = line.size() - viz::unindented(line).size();
+    out += fmt::format("<li{}>{}</li>\n", in > 0 ? fmt::format(" style=\"--in: {}ch\"", in) : "", code(line));
+  }
   out += "</ol>\n";
-  for (const std::string& erratum : told_errata(lesson_, walk_))
+  for (const std::string& erratum : told_errata(lesson_, walk_, &viz::Preset::title))
     out += fmt::format("<p class=\"erratum\">{}</p>\n", xml_escaped(erratum));
   return out + "</div>\n";
 }
@@ -120,8 +123,18 @@ std::string WalkSection::question(int step) const {
   std::string choices;
   for (std::size_t i = 0; i < q.choices.size(); ++i)
     choices += fmt::format("<li{}>{}</li>\n", static_cast<int>(i) == q.answer ? " data-right" : "", text(q.choices[i]));
-  return fmt::format("<h3>Question {}</h3>\n<div class=\"words\">\n{}<ol class=\"choices\">\n{}</ol>\n{}</div>\n",
-                     number_of_question(step), prose(q.prompt), choices, folded("Answer", prose(answer(q))));
+  return fmt::format("<h3>Question {}</h3>\n<div class=\"words\">\n{}<ol class=\"choices\">\n{}</ol>\n{}</div>\n{}",
+                     number_of_question(step), prose(q.prompt), choices, folded("Answer", prose(answer(q))),
+                     known(step));
+}
+
+/// What was found before a step, for its question.
+std::string WalkSection::known(int step) const {
+  if (step == 0) return {};
+  viz::Step before = walk_.steps[step - 1];
+  for (viz::Value& v : before.values) v.fresh = false;
+  const std::string table = values(before);
+  return table.empty() ? table : "<div class=\"numbers\">\n" + table + "</div>\n";
 }
 
 int WalkSection::number_of_question(int step) const {

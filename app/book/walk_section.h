@@ -59,6 +59,7 @@ class WalkSection {
   std::string words(const viz::Step&, int index) const;
   std::string numbers(const viz::Step&) const;
   std::string question(int step) const;
+  std::string known(int step) const;
   int number_of_question(int step) const;
   std::string caption(const viz::Step&) const;
   std::string verdict(const viz::Verdict&) const;

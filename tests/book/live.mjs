@@ -116,7 +116,7 @@ try {
   if (lesson === "sphere-sphere.html") {
     await type("r_a", "2,5");
     check((await look()).values.r_a === "2.5", "a number with a comma is not taken");
-    await type("b", "1/2, 0, 4");
+    await type("b", "(1/2, 0, 4)");
     check((await look()).values.b === "0.5,0,4", "a point is not taken: " + (await look()).values.b);
     await compare(lesson, "typed");
     await type("r_a", "round");
@@ -166,9 +166,19 @@ try {
   await open(lesson);
   await browser.ask(`document.querySelector(".live .grip").scrollIntoView({ block: "center" })`);
   const before = await look(), finger = before.grips[0];
-  await browser.swipe(finger, { x: finger.x - 30, y: finger.y + 20 });
+  const scrolled = await browser.ask("scrollY");
+  await browser.swipe(finger, { x: finger.x, y: finger.y + 60 });
   await rest(100);
-  check(!same((await look()).values, before.values), "a handle does not follow a finger");
+  const dragged = await look(), off = Math.abs(dragged.grips[0].y - finger.y - 60);
+  check(!same(dragged.values, before.values), "a handle does not follow a finger");
+  check(off < 3 && await browser.ask("scrollY") === scrolled, `a handle that a finger drags is ${off} px off, or the page was scrolled`);
+
+  // Keys move a handle for as long as they are pressed: it keeps the focus, and the step stays.
+  await browser.ask(`document.querySelector(".live .grip").focus()`);
+  for (let i = 0; i < 3; ++i) await browser.press("ArrowRight"), await rest(30);
+  await rest(600);
+  check(await browser.ask(`document.activeElement.matches(".grip")`) && (await look()).hash.split("?")[0] === dragged.hash.split("?")[0],
+    "a handle moved by keys loses the focus");
   await browser.send("Emulation.setTouchEmulationEnabled", { enabled: false });
 
   // Play goes on by itself, and stops at a question.
