@@ -26,12 +26,12 @@ std::vector<std::string> told_errata(const viz::Lesson& lesson, const viz::Walk&
     const std::string shown_by = viz::preset(lesson, erratum.preset).*name;
     const bool published = walk.pseudocode[line] == erratum.published;
     if (!published && std::ranges::count(walk.pseudocode, erratum.published) > 0) {
-      all.push_back(fmt::format("Line {} is not in the note. {} (Preset “{}” shows it.)", line + 1, plain(erratum.why),
-                                shown_by));
+      all.push_back(
+          fmt::format("Line {} is not in the note. {} (See the preset “{}”.)", line + 1, plain(erratum.why), shown_by));
       continue;
     }
     const std::string& other = published ? erratum.corrected : erratum.published;
-    all.push_back(fmt::format("Line {} {}: {}. {} (Preset “{}” shows it.)", line + 1,
+    all.push_back(fmt::format("Line {} {}: {}. {} (See the preset “{}”.)", line + 1,
                               published ? "should read" : "was published as", viz::unindented(other),
                               plain(erratum.why), shown_by));
   }

@@ -68,8 +68,10 @@ class Teller {
                         : "common on " + axis + ": " + digits(left, right) + " to " + digits(right, left);
     Step& step = add(std::string("axis-") + "xyz"[e.axis], "Do the intervals on " + axis + " overlap?", 1,
                      axis_caption(e.axis, e.disjoint, a, b), e.axis, formula);
-    Script::decide(step, {(a_later ? "a.min" + i + " > b.max" : "b.min" + i + " > a.max") + i, lo, hi, e.disjoint,
-                          e.disjoint ? "a gap on " + axis : "no gap on " + axis});
+    const std::string a_after_b = "a.min" + i + " > b.max" + i, b_after_a = "b.min" + i + " > a.max" + i;
+    Script::decide(step, {a_later ? a_after_b : b_after_a, lo, hi, e.disjoint,
+                          e.disjoint ? "a gap on " + axis
+                                     : "nor " + (a_later ? b_after_a : a_after_b) + ", so no gap on " + axis});
     // OVERLAP too early: that one common interval is enough, the note's slip.
     step.question = Question{fmt::format("The intervals on {} are compared. What follows?", axis),
                              {"DISJOINT", "OVERLAP", "nothing yet"},
