@@ -33,6 +33,8 @@ function isect_live(book) {
   const message = element("p", { class: "message", role: "status" });
   const wants_map = pressed("Map of cases", () => look({ map: wants_map.getAttribute("aria-pressed") !== "true" }));
   const undo = pressed("Undo", () => act({ do: "undo" })), redo = pressed("Redo", () => act({ do: "redo" }));
+  const snap = pressed("Snap", () => snap.setAttribute("aria-pressed", String(!snaps())));
+  const snaps = event => snap.getAttribute("aria-pressed") === "true" || Boolean(event && event.shiftKey);
   const frame_all = pressed("Whole scene", () => act({ do: "frame all" }));
   const form = element("form"), saved = element("textarea", { readonly: "", "aria-label": "Text to copy", hidden: "" });
   const values = element("details", { class: "changes" }, element("summary", {}, "Change the values"), form);
@@ -42,7 +44,7 @@ function isect_live(book) {
     element("div", { class: "tools" }, pressed("Show this scene", show_scene), pressed("Open a file", () => chosen.click()),
       pressed("Save the scene", () => save(new Blob([scene.value], { type: "application/json" }), example + ".json"))), chosen);
   const share = element("details", { class: "share" }, element("summary", {}, "Save or share"));
-  const tools = element("div", { class: "tools", role: "group", "aria-label": "Tools" }, wants_map, undo, redo, frame_all);
+  const tools = element("div", { class: "tools", role: "group", "aria-label": "Tools" }, wants_map, snap, undo, redo, frame_all);
   const pictures = element("div", { class: "pictures" }, stage, map, message);
   const article = element("article", { class: "step shown" }, above, pictures, below,
     element("div", { class: "workshop" }, tools, own_scene, values, share));
@@ -163,7 +165,7 @@ function isect_live(book) {
     target.addEventListener("pointermove", move);
     ["pointerup", "pointercancel"].forEach(name => target.addEventListener(name, stop));
   }
-  const drag = svg => event => act({ do: "drag", ...place_in(svg, event), snap: event.shiftKey }, "keep");
+  const drag = svg => event => act({ do: "drag", ...place_in(svg, event), snap: snaps(event) }, "keep");
   const drop = () => act({ do: "drop" }, "push");
   stage.addEventListener("pointerdown", event => {
     if (event.button !== 0) return;
@@ -200,7 +202,7 @@ function isect_live(book) {
     const way = ways[event.key], grip = event.target.closest(".grip");
     if (!way || event.ctrlKey || event.altKey || event.metaKey || !(grip || event.target === map_over)) return;
     event.preventDefault(), event.stopPropagation();
-    act({ do: "push", ...(grip ? { handle: grip.dataset.handle } : {}), x: way[0], y: way[1], snap: event.shiftKey }, "keep");
+    act({ do: "push", ...(grip ? { handle: grip.dataset.handle } : {}), x: way[0], y: way[1], snap: snaps(event) }, "keep");
     clearTimeout(pushed), pushed = setTimeout(() => rest(message.textContent), 400);
   });
   /// What was moved by keys is drawn as it is to stay, once they rest.
@@ -409,6 +411,8 @@ function isect_live(book) {
     act(request_from("#" + walk), "keep");
     message.textContent = wrong;
   }
+  snap.title = "Handles stop where the case changes; Shift does that, too";
+  snap.setAttribute("aria-pressed", "false");
   wants_map.addEventListener("click", () => wants_map.setAttribute("aria-pressed", String(!map.hidden)));
   return live;
 }

@@ -142,6 +142,20 @@ try {
   check((await look()).hash.startsWith("#" + await browser.ask(`document.querySelector('nav.settings li:nth-last-child(2) a').hash.slice(1)`) + "/"),
     "the key p does not open the setting before: " + (await look()).hash);
 
+  // Snap: a drag stops where the case changes, by button as by Shift.
+  const ends = [];
+  for (const [button, keys] of [[false, 0], [true, 0], [false, 8]]) {
+    await open(lesson);
+    await browser.ask(`document.querySelector(".live .grip").scrollIntoView({ block: "center" })`);
+    if (button) await click("Snap");
+    const { grips: [, b] } = await look();
+    await browser.drag(b, { x: b.x + 150, y: b.y }, 8, keys);
+    await rest(1000);
+    ends.push((await look()).values);
+  }
+  check(!same(ends[0], ends[1]), "Snap does not hold a handle");
+  check(same(ends[1], ends[2]), "Shift holds a handle elsewhere than Snap");
+
   // The map of cases, lights, a finger.
   await open(lesson);
   await click("Map of cases");
