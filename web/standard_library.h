@@ -1,36 +1,20 @@
 #pragma once
-// What the library of Debian 12's emscripten (libc++ 13) lacks of C++20, as far as we use it: algorithms of
-// std::ranges, numbers as text, std::bit_cast. Included before every file of the web build, and empty where the library
-// has them.
+// What emscripten's library lacks of C++20, as far as we use it: in Debian 12 (libc++ 13) algorithms of std::ranges,
+// numbers as text, std::bit_cast; in Debian 13 (libc++ 19) text as numbers. Included before every file of the web
+// build, and empty where the library has them.
 
 #include <version>
 
-#if defined(_LIBCPP_VERSION) && _LIBCPP_VERSION < 15000
+#if defined(_LIBCPP_VERSION) && _LIBCPP_VERSION < 200000
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
-#include <cstring>
-#include <functional>
-#include <iterator>
-#include <memory>
 #include <string>
 #include <type_traits>
-#include <utility>
 
 namespace std {
-
-template <class To, class From>
-constexpr To bit_cast(const From& from) noexcept {
-  return __builtin_bit_cast(To, from);
-}
-
-template <class T>
-unique_ptr<T> make_unique_for_overwrite(size_t n) {
-  return unique_ptr<T>(new remove_extent_t<T>[n]);
-}
 
 /// Decimal numbers only. The C library's own reading is exact, and its locale never changes here.
 template <class T>
@@ -60,6 +44,37 @@ requires is_floating_point_v<T> from_chars_result from_chars(const char* first, 
   if (!isfinite(read) || (read == 0 && !is_zero)) return {end, errc::result_out_of_range};
   value = read;
   return {end, errc()};
+}
+
+}  // namespace std
+
+#endif
+
+#if defined(_LIBCPP_VERSION) && _LIBCPP_VERSION < 15000
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <functional>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+namespace std {
+
+template <class To, class From>
+constexpr To bit_cast(const From& from) noexcept {
+  return __builtin_bit_cast(To, from);
+}
+
+template <class T>
+unique_ptr<T> make_unique_for_overwrite(size_t n) {
+  return unique_ptr<T>(new remove_extent_t<T>[n]);
 }
 
 /// The fewest digits that are read back as the same number; fixed or with an exponent, whichever is shorter.
