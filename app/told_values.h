@@ -10,6 +10,11 @@ namespace isect::program {
 
 /// A parameter's value with all its digits.
 std::string in_full(const viz::Setting&, bool flat);
+/// The same in a sentence: five digits as viz::shown has them, and all of them where fewer would hide that a number
+/// lies right next to a shorter one.
+std::string in_words(const viz::Setting&, bool flat);
+/// Whether digits are missing there.
+bool rounded_in_words(const viz::Setting&);
 
 /// Where the pseudocode of this walk differs from the published one, and why: plain text, one each. They name a preset
 /// that shows it, by its id or its title.

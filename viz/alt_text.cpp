@@ -56,11 +56,7 @@ std::string counted(std::size_t count, const std::string& what) {
 /// "Fixed: box: (−2, −1.25) to (2, 1.25)." What the parameters tell is left out.
 std::string fixed(const Lesson& lesson, const Parameters& parameters, const Scene& scene) {
   const std::vector<std::string> all = geometry(scene, parameters, lesson.flat);
-  std::string text = fmt::format("{}", fmt::join(all, "; "));
-  for (const char* before : {" ", "("})
-    for (std::size_t at = 0; (at = text.find(before + std::string("-"), at)) != text.npos;)
-      text.replace(at + 1, 1, "−");
-  return all.empty() ? "" : fmt::format("\nFixed: {}.\n", text);
+  return all.empty() ? "" : fmt::format("\nFixed: {}.\n", with_minus_signs(fmt::format("{}", fmt::join(all, "; "))));
 }
 
 /// What of one kind and role stands in the picture: how many, and what they are called.
@@ -224,7 +220,7 @@ std::string alt_text(const Lesson& lesson, const Parameters& parameters, const W
   if (const std::string values = fresh_values(s); !values.empty()) found += fmt::format("New: {}\n", values);
   if (s.comparison) {
     const auto [left, right] = shown_apart(s.comparison->left, s.comparison->right);
-    found += fmt::format("Compared: {}? {}, by {} and {}\n", plain(s.comparison->text),
+    found += fmt::format("Compared: {}? {} ({} against {})\n", plain(s.comparison->text),
                          s.comparison->holds ? "yes" : "no", left, right);
   }
   if (s.verdict.kind != Verdict::Kind::open) found += fmt::format("Verdict: {}\n", plain(s.verdict.text));

@@ -29,7 +29,7 @@ Composed compose(const Scene&, const View&, const Theme&, bool handles = false);
 struct Box2 {
   Vec2 lo, hi;
 };
-Box2 extent(const Scene&, const Camera&);
+Box2 extent(const std::vector<Item>&, const Camera&);
 
 /// A camera like `camera` whose target and half_height frame all the scenes in a viewport of this aspect
 /// (width / height), leaving `margin` (a share of the height) free all round.

@@ -69,10 +69,10 @@ double least_taken(const Scene& scene) {
 
 }  // namespace
 
-Box2 extent(const Scene& scene, const Camera& camera) {
+Box2 extent(const std::vector<Item>& items, const Camera& camera) {
   const View view(camera, 1, 1);
   Extent extent(view);
-  for (const Item& item : scene.items) std::visit(extent, item);
+  for (const Item& item : items) std::visit(extent, item);
   return {extent.lo.head<2>(), extent.hi.head<2>()};
 }
 

@@ -50,7 +50,7 @@ std::vector<Item> in_grid(const std::vector<Inset>& insets, int columns, const C
   std::vector<Box2> boxes;
   Vec2 size = Vec2::Zero();
   for (const Inset& inset : insets) {
-    boxes.push_back(extent({inset.items, {}, {}}, camera));
+    boxes.push_back(extent(inset.items, camera));
     size = size.cwiseMax(boxes.back().hi - boxes.back().lo);
   }
   const double line = 0.2 * size.y(), gap = 0.12 * std::max(size.x(), size.y());

@@ -156,7 +156,7 @@ struct Closing {
   std::string choose;                ///< when to choose it, and what else one would
   std::string used;                  ///< where engines and renderers use it
   std::string bug;                   ///< the mistake usually made
-  std::string bug_preset;            ///< the preset that shows it
+  std::string bug_preset;            ///< a preset whose verdict it would spoil
   std::vector<std::string> reading;  ///< author, title, year, section
   std::vector<Exercise> exercises;   ///< three to five
 };

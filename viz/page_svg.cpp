@@ -39,6 +39,9 @@ struct SamePlace {
   bool operator()(const Text& a, const Text& b) const {
     return a.markup == b.markup && a.at == b.at && a.size == b.size && a.bold == b.bold;
   }
+  bool operator()(const Facets& a, const Facets& b) const {
+    return a.seam == b.seam && std::ranges::equal(a.corners, b.corners);
+  }
   bool operator()(const auto&, const auto&) const { return false; }
 };
 
@@ -52,7 +55,7 @@ struct Pair {
 std::vector<Pair> paired(const std::vector<Shape>& light, const std::vector<Shape>& dark) {
   constexpr std::size_t reach = 4;
   const auto alike = [&](std::size_t i, std::size_t j) {
-    return i < light.size() && j < dark.size() && std::visit(SamePlace{}, light[i], dark[j]);
+    return i < light.size() && j < dark.size() && (&light[i] == &dark[j] || std::visit(SamePlace{}, light[i], dark[j]));
   };
   std::vector<Pair> all;
   std::size_t i = 0, j = 0;
@@ -128,8 +131,7 @@ class PageWriter {
   PageWriter(PagePictures& page, const Drawing& light, const Drawing& dark) : page_(page), light_(light), dark_(dark) {}
 
   std::string write() {
-    const std::vector<Shape> light = expanded(light_.shapes), dark = expanded(dark_.shapes);
-    const std::vector<Pair> all = paired(light, dark);
+    const std::vector<Pair> all = paired(light_.shapes, dark_.shapes);
     std::string out;
     for (std::size_t i = 0; i < all.size();) {
       const int object = object_of(all[i].any());
@@ -200,18 +202,12 @@ class PageWriter {
     for (const Path& more : fill.more) d += svg_letters({more});
     const std::string rule = fill.more.empty() ? "" : " fill-rule=\"evenodd\"";
     area_ = {out_.size(), paint("fill", colour_of(light), colour_of(dark)) + rule, d};
-    out_ += element(area_.attributes, d);
+    write(area_.attributes, d);
   }
 
   void add(const Stroke&, const Stroke* light, const Stroke* dark) {
     const Stroke& stroke = light ? *light : *dark;
-    std::string attributes;
-    if (const std::optional<double> faint =
-            page_.colours_ && light && dark ? faded({light->colour, dark->colour}) : std::nullopt)
-      attributes = "class=\"line-grid\"" + opacity("line", *faint);
-    else
-      attributes = paint("line", colour_of(light), colour_of(dark));
-    attributes += fmt::format(" stroke-width=\"{}\"", svg_number(stroke.width));
+    std::string attributes = line(colour_of(light), colour_of(dark), stroke.width);
     if (!stroke.round_cap) attributes += " stroke-linecap=\"butt\"";
     if (stroke.dash[0] > 0 && stroke.dash[1] > 0)
       attributes += fmt::format(" stroke-dasharray=\"{} {}\"", svg_number(stroke.dash[0]), svg_number(stroke.dash[1]));
@@ -220,8 +216,14 @@ class PageWriter {
     paths_.push_back(stroke.path);
   }
 
-  static std::string element(const std::string& attributes, const std::string& letters) {
-    return fmt::format("<path {} d=\"{}\"/>", attributes, letters);
+  std::string line(const Colour* light, const Colour* dark, double width) {
+    const std::optional<double> faint = page_.colours_ && light && dark ? faded({*light, *dark}) : std::nullopt;
+    return (faint ? "class=\"line-grid\"" + opacity("line", *faint) : paint("line", light, dark)) + " stroke-width=\"" +
+           svg_number(width) + "\"";
+  }
+
+  void write(const std::string& attributes, const std::string& letters) {
+    (out_ += "<path ") += attributes, (out_ += " d=\"") += letters, out_ += "\"/>";
   }
 
   /// The attributes of a fill and of a stroke for one element, which has one class.
@@ -239,9 +241,9 @@ class PageWriter {
     const std::string letters = svg_letters(paths_);
     if (area.letters == letters) {
       out_.resize(area.begin);
-      out_ += element(joined(area.attributes, stroke_), letters);
+      write(joined(area.attributes, stroke_), letters);
     } else {
-      out_ += element(stroke_, letters);
+      write(stroke_, letters);
     }
     paths_.clear(), stroke_.clear();
   }
@@ -270,7 +272,18 @@ class PageWriter {
                         svg_letters({ellipse(g.center, g.major, g.minor)}));
   }
 
-  void add(const Facets&, const Facets*, const Facets*) {}  // never: write() expands them
+  void add(const Facets&, const Facets* light, const Facets* dark) {
+    end_stroke();
+    const Facets& facets = light ? *light : *dark;
+    for (std::size_t i = 0; i < facets.colours.size(); ++i) {
+      const Vec2* const p = &facets.corners[3 * i];
+      const Colour *const on_light = light ? &light->colours[i] : nullptr, *const on_dark =
+                                                                               dark ? &dark->colours[i] : nullptr;
+      const std::string fill = paint("fill", on_light, on_dark);
+      write(facets.seam > 0 ? joined(fill, line(on_light, on_dark, facets.seam)) : fill,
+            svg_letters({polyline({p[0], p[1], p[2]}, true)}));
+    }
+  }
 
   /// A script stands on a line of its own height, and what follows comes back from it.
   void add(const Text&, const Text* light, const Text* dark) {

@@ -185,6 +185,16 @@ std::string unindented(const std::string& line) {
   return line.substr(std::min(line.find_first_not_of(' '), line.size()));
 }
 
+std::string with_minus_signs(std::string text) {
+  const auto digit = [&](std::size_t i) { return i < text.size() && text[i] >= '0' && text[i] <= '9'; };
+  for (std::size_t at = text.find('-'); at != text.npos; at = text.find('-', at + 1)) {
+    const bool first = at == 0 || text[at - 1] == ' ' || text[at - 1] == '(';
+    const bool exponent = at > 1 && text[at - 1] == 'e' && digit(at - 2);
+    if (digit(at + 1) && (first || exponent)) text.replace(at, 1, "−");
+  }
+  return text;
+}
+
 std::string plain(const std::string& markup) {
   const std::vector<Run> runs = parse_markup(markup);
   std::string out;

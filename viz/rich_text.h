@@ -25,6 +25,8 @@ std::string unindented(const std::string& line);
 /// For terminals and screen readers: marks dropped, digits and signs in scripts as Unicode (t₁, m²) where
 /// they exist.
 std::string plain(const std::string& markup);
+/// Hyphens before numbers as minus signs, "(−2, 1.5)".
+std::string with_minus_signs(std::string text);
 /// The parts between which a line may end, in place of the space there: words, but for marks that span several, and
 /// for relations (=, ≤), which end a line rather than begin one, as in print.
 std::vector<std::string> unbreakable(const std::string& markup);

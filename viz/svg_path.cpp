@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
+#include <cstdlib>
 
 namespace isect::viz {
 namespace {
@@ -18,31 +20,41 @@ std::string short_number(double x, int digits) {
 /// Writes points relative to the one before as it was written, so that no error grows along the way.
 class RelativePen {
  public:
-  void move(const Vec2& p) { out_ += started_ ? "m" : "M", tell(p), now_ = to_, started_ = true; }
-  void line(const Vec2& p) { out_ += "l", tell(p), now_ = to_; }
+  void move(const Vec2& p) { out_ += started_ ? 'm' : 'M', tell(p), now_ = to_, started_ = true; }
+  void line(const Vec2& p) { out_ += 'l', tell(p), now_ = to_; }
   void curve(const Path::Cubic& c) {
-    out_ += "c";
+    out_ += 'c';
     for (const Vec2& p : {c.control1, c.control2, c.to}) tell(p);
     now_ = to_;
   }
-  void close(const Vec2& start) { out_ += "z", now_ = rounded(start); }
+  void close(const Vec2& start) { out_ += 'z', now_ = rounded(start); }
   std::string take() { return std::move(out_); }
 
  private:
-  static constexpr double step = 0.01;
-  static Vec2 rounded(const Vec2& p) { return step * (p / step).array().round(); }
+  /// In hundredths.
+  static Vec2 rounded(const Vec2& p) { return (100 * p).array().round(); }
   void tell(const Vec2& p) {
     to_ = rounded(p);
     for (const double x : {to_.x() - now_.x(), to_.y() - now_.y()}) {
-      const std::string number = short_number(x, 2);
-      const bool apart = std::isalpha(static_cast<unsigned char>(out_.back())) || number.front() == '-';
-      if (!apart) out_ += ' ';
-      out_ += number;
+      if (x >= 0 && !std::isalpha(static_cast<unsigned char>(out_.back()))) out_ += ' ';
+      if (std::abs(x) < 1e15)
+        tell(static_cast<long long>(x));
+      else
+        out_ += fmt::format("{:.0f}", x / 100);
     }
+  }
+  void tell(long long hundredths) {
+    if (hundredths < 0) out_ += '-';
+    const auto [whole, part] = std::div(std::abs(hundredths), 100LL);
+    char digits[20];
+    out_.append(digits, std::to_chars(digits, digits + sizeof digits, whole).ptr);
+    if (part == 0) return;
+    out_ += '.', out_ += static_cast<char>('0' + part / 10);
+    if (part % 10 != 0) out_ += static_cast<char>('0' + part % 10);
   }
 
   std::string out_;
-  Vec2 now_ = Vec2::Zero(), to_ = Vec2::Zero();
+  Vec2 now_ = Vec2::Zero(), to_ = Vec2::Zero();  ///< in hundredths
   bool started_ = false;
 };
 

@@ -89,6 +89,17 @@ std::optional<viz::Camera> camera_from(const std::string& text, const viz::Lesso
   return camera;
 }
 
+/// What is wrong with a part of a link is said with its name.
+template <class Read>
+void read_named(const std::string& name, const Read& read) {
+  try {
+    read();
+  } catch (const BadInput& e) {
+    const std::string why = e.what();
+    throw BadInput(why.starts_with(name + ":") ? why : name + ": " + why);
+  }
+}
+
 std::string svg_of(const viz::LitStroke& s) {
   const std::string width = fmt::format("stroke-width=\"{}\"", viz::svg_number(thinner * s.width));
   if (s.radius > 0)
@@ -178,12 +189,14 @@ Json Session::open(const Json& request) {
   place.lesson = lesson.id;
   place.preset = request.value("preset", lesson.presets.front().id);
   viz::Parameters setting = viz::preset(lesson, place.preset).parameters;
-  for (const Json& change : request.value("changes", Json::array()))
-    set_typed(lesson, setting, change.at(0).get<std::string>(), change.at(1).get<std::string>());
+  for (const Json& change : request.value("changes", Json::array())) {
+    const std::string name = change.at(0).get<std::string>();
+    read_named(name, [&] { set_typed(lesson, setting, name, change.at(1).get<std::string>()); });
+  }
   viz::validate(lesson, setting);
   place.parameters = setting;
   if (const std::string camera = request.value("camera", ""); !camera.empty())
-    place.camera = camera_from(camera, lesson);
+    read_named("camera", [&] { place.camera = camera_from(camera, lesson); });
   const bool again = player_ && !scene && !scene_;
   viz::Player fresh = again ? *player_ : viz::Player(scene ? std::vector{&lesson} : lessons_, place, true);
   if (again) fresh.go(place);  // what was done before can be undone
@@ -455,7 +468,7 @@ Json Session::handles() const {
       if (p.name != h.parameter) continue;
       if (label.empty()) label = viz::plain(p.label.empty() ? p.name : p.label);
       if (player_->parameters().contains(p.name))
-        value = program::in_full(player_->parameters().at(p.name), player_->lesson().flat);
+        value = program::in_words(player_->parameters().at(p.name), player_->lesson().flat);
     }
     all.push_back({{"name", name_of(h)},
                    {"label", label + (value.empty() ? "" : " = " + value)},

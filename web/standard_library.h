@@ -52,6 +52,8 @@ requires is_floating_point_v<T> from_chars_result from_chars(const char* first, 
 
 #if defined(_LIBCPP_VERSION) && _LIBCPP_VERSION < 15000
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -77,16 +79,25 @@ unique_ptr<T> make_unique_for_overwrite(size_t n) {
   return unique_ptr<T>(new remove_extent_t<T>[n]);
 }
 
+/// How many digits the shortest decimal number takes that is read back as the same one.
+inline int fewest_digits(double value) {
+  int digits = 0, zeros = 0;
+  for (const char letter : fmt::format("{}", abs(value))) {
+    if (letter == 'e') break;
+    if (letter == '0' || letter == '.')
+      zeros += digits > 0 && letter == '0';
+    else
+      digits += zeros + 1, zeros = 0;
+  }
+  return max(digits, 1);
+}
+
 /// The fewest digits that are read back as the same number; fixed or with an exponent, whichever is shorter.
 inline to_chars_result to_chars(char* first, char* last, double value) {
   char text[64];
   int length = snprintf(text, sizeof text, "%g", value);
   if (isfinite(value)) {
-    int digits = 1;
-    for (; digits < 17; ++digits) {
-      snprintf(text, sizeof text, "%.*e", digits - 1, value);
-      if (strtod(text, nullptr) == value) break;
-    }
+    const int digits = fewest_digits(value);
     length = snprintf(text, sizeof text, "%.*e", digits - 1, value);
     const int exponent = atoi(strchr(text, 'e') + 1), sign = value < 0 || (value == 0 && signbit(value)) ? 1 : 0;
     const int decimals = max(0, digits - 1 - exponent);

@@ -33,7 +33,7 @@
   const play = button("play", toggle_play), next = button("next", () => step(1));
   next.className = "next";
   const last = button("last", () => stand(count() - 1));
-  const all = button("All steps", () => read(!root.classList.contains("reading")));
+  const all = button("Whole page", () => read(!root.classList.contains("reading")));
   const slider = document.createElement("input");
   slider.type = "range", slider.min = 1, slider.setAttribute("aria-label", "Step");
   slider.addEventListener("input", () => stand(Number(slider.value) - 1));
@@ -114,7 +114,7 @@
     }
     name_button(play, playing ? "pause" : "play");
   }
-  /// All steps one below the other, or one at a time.
+  /// All presets and steps one below the other, or one step at a time.
   function read(whole) {
     root.classList.toggle("reading", whole);
     all.setAttribute("aria-pressed", String(whole));

@@ -39,6 +39,16 @@ std::string settings(const std::vector<Excerpt>& presets, const viz::Lesson& les
   return out + (open ? "</ul>\n" : "") + "</nav>\n";
 }
 
+/// The address of the step where an exercise begins: the first in which what is to be moved has a handle.
+std::string start_of(const viz::Lesson& lesson, const viz::Exercise& e) {
+  const std::vector<viz::Step> steps = lesson.walk(viz::preset(lesson, e.preset).parameters).steps;
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    for (const viz::Handle& h : steps[i].scene.handles)
+      if (std::ranges::count(e.by, h.parameter, &std::pair<std::string, std::string>::first) > 0)
+        return i == 0 ? e.preset : fmt::format("{}/{}", e.preset, i + 1);
+  return e.preset;
+}
+
 std::string exercises(const viz::Lesson& lesson) {
   const std::vector<viz::Exercise>& all = lesson.closing->exercises;
   if (all.empty()) return {};
@@ -47,7 +57,7 @@ std::string exercises(const viz::Lesson& lesson) {
   for (const viz::Exercise& e : all) {
     out += "<li>\n" + prose(e.prompt);
     if (!e.preset.empty())
-      out += fmt::format("<p class=\"start\">Start from <a href=\"#{}\">{}</a>.</p>\n", e.preset,
+      out += fmt::format("<p class=\"start\">Start from <a href=\"#{}\">{}</a>.</p>\n", start_of(lesson, e),
                          html_text(viz::preset(lesson, e.preset).title));
     out += folded("Solution", prose(e.solution)) + "</li>\n";
     solutions += html(Blocks{Prose{e.solution, fmt::format("Exercise {}.", ++number)}});
@@ -78,7 +88,8 @@ std::string closing(const viz::Lesson& lesson, bool alone) {
     out += fmt::format("<dt>{}</dt>\n<dd>{}</dd>\n", html_text(head), html_text(text));
   out += same_ideas(lesson, alone) + "</dl>\n";
   if (const std::string& bug = lesson.closing->bug_preset; !bug.empty())
-    out += fmt::format("<p>See the bug: <a href=\"#{}\">{}</a>.</p>\n", bug, html_text(viz::preset(lesson, bug).title));
+    out += fmt::format("<p>Where it matters: <a href=\"#{}\">{}</a>.</p>\n", bug,
+                       html_text(viz::preset(lesson, bug).title));
   out += "</section>\n" + exercises(lesson);
   if (lesson.closing->reading.empty()) return out;
   out += "<section class=\"reading-list\" id=\"reading\">\n<h2>To read</h2>\n<ul>\n";

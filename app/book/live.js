@@ -45,9 +45,9 @@ function isect_live(book) {
       pressed("Save the scene", () => save(new Blob([scene.value], { type: "application/json" }), example + ".json"))), chosen);
   const share = element("details", { class: "share" }, element("summary", {}, "Save or share"));
   const tools = element("div", { class: "tools", role: "group", "aria-label": "Tools" }, wants_map, snap, undo, redo, frame_all);
-  const pictures = element("div", { class: "pictures" }, stage, map, message);
+  const pictures = element("div", { class: "pictures" }, stage, map, message, tools);
   const article = element("article", { class: "step shown" }, above, pictures, below,
-    element("div", { class: "workshop" }, tools, own_scene, values, share));
+    element("div", { class: "workshop" }, own_scene, values, share));
   const section = element("section", { class: "walk live shown", id: "live" }, heading, given, algorithm,
     element("div", { class: "steps" }, article), opinions);
 

@@ -59,12 +59,14 @@ std::string WalkSection::given() const {
   for (const viz::Parameter& p : lesson_.parameters)
     if (parameters_.contains(p.name) && p.name != lesson_.group_by)
       all.push_back(fmt::format("{} = {}", text(p.label.empty() ? p.name : p.label),
-                                xml_escaped(in_full(parameters_.at(p.name), lesson_.flat))));
+                                xml_escaped(in_words(parameters_.at(p.name), lesson_.flat))));
   std::string out = fmt::format("<p class=\"given\"><b class=\"head\">Given</b> {}.", fmt::join(all, ", "));
+  if (std::ranges::any_of(parameters_, [](const auto& p) { return rounded_in_words(p.second); }))
+    out += " Numbers are rounded.";
   const viz::Scene& scene = walk_.steps.front().scene;
   if (!scene.chart)
     for (const std::string& object : viz::geometry(scene, parameters_, lesson_.flat))
-      out += " " + xml_escaped(object.ends_with(".") ? object : object + ".");
+      out += " " + xml_escaped(viz::with_minus_signs(object.ends_with(".") ? object : object + "."));
   return out + "</p>\n";
 }
 
@@ -200,7 +202,7 @@ std::string WalkSection::comparison(const viz::Step& s) const {
   if (!s.comparison) return {};
   const viz::Comparison& c = *s.comparison;
   const auto [left, right] = viz::shown_apart(c.left, c.right);
-  return fmt::format("<p class=\"comparison {}\">{}? <b>{}</b>, by {} and {}{}.</p>\n", c.holds ? "yes" : "no",
+  return fmt::format("<p class=\"comparison {}\">{}? <b>{}</b> ({} against {}){}.</p>\n", c.holds ? "yes" : "no",
                      text(c.text), c.holds ? "Yes" : "No", xml_escaped(left), xml_escaped(right),
                      c.meaning.empty() ? "" : ": " + text(c.meaning));
 }

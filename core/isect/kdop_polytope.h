@@ -10,9 +10,11 @@
 // A bounded polytope has a vertex. So one without is empty: its slabs contradict each other, even where each by
 // itself is none. There are (k choose N) choices, few for a k-DOP. Source: the note, N08.
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <unordered_map>
@@ -85,13 +87,28 @@ Homogeneous<W, 3> meet(const std::array<HalfSpace<3>, 3>& planes) {
   return p;
 }
 
+/// The sign of the determinant of the planes' normals. Doubles hold it exactly when the normals are integers below
+/// 2^16, as those of a k-DOP mostly are: each of its products is below 2^48. Many of these signs are 0.
+template <int N, class Trace>
+int sign_of_normals(const std::array<HalfSpace<N>, N>& planes, Trace&& trace) {
+  const auto small = [](double x) { return std::abs(x) < 0x1p16 && x == std::trunc(x); };
+  const bool exact = std::all_of(planes.begin(), planes.end(), [&](const HalfSpace<N>& plane) {
+    return std::all_of(plane.normal.begin(), plane.normal.end(), small);
+  });
+  if (!exact) return sign_of_long([&]<class W>() -> W { return meet<W>(planes).w; }, trace);
+  Eigen::Matrix<double, N, N> normals;
+  for (int i = 0; i < N; ++i) normals.col(i) = planes[i].normal;
+  const double determinant = normals.determinant();
+  return (determinant > 0) - (determinant < 0);
+}
+
 /// Whether the normals span space: no k-DOP is bounded without.
 template <int N, class Trace>
 bool span(const std::vector<HalfSpace<N>>& planes, Trace&& trace, std::vector<int> chosen = {}) {
   if (chosen.size() == N) {
     std::array<HalfSpace<N>, N> of;
     for (int i = 0; i < N; ++i) of[i] = planes[chosen[i]];
-    return sign_of_long([&]<class W>() -> W { return meet<W>(of).w; }, trace) != 0;
+    return sign_of_normals<N>(of, trace) != 0;
   }
   for (int i = chosen.empty() ? 0 : chosen.back() + 2; i < static_cast<int>(planes.size()); i += 2) {
     chosen.push_back(i);  // one plane of each slab
@@ -122,22 +139,21 @@ int turn(const Corner<N>& a, const Corner<N>& b, const Corner<N>& c, int i, int 
 template <int N, class Trace>
 class Corners {
  public:
-  Corners(const std::vector<HalfSpace<N>>& planes, Trace& trace) : planes_(planes), trace_(trace) { extend({}, 0); }
+  Corners(const std::vector<HalfSpace<N>>& planes, Trace& trace) : planes_(planes), trace_(trace) { extend({}, 0, 0); }
 
   std::vector<Corner<N>> all;
 
  private:
-  /// Tries all choices of N planes that begin with these and go on from `first`.
-  void extend(std::vector<int> chosen, int first) {
-    if (chosen.size() == N) return add(chosen);
-    for (int i = first; i < static_cast<int>(planes_.size()); ++i) {
-      chosen.push_back(i);
-      extend(chosen, i + 1);
-      chosen.pop_back();
-    }
+  using Choice = std::array<int, N>;  ///< of planes, in order
+
+  /// Tries all choices that begin with the `count` first of these and go on from `first`.
+  void extend(Choice chosen, int count, int first) {
+    if (count == N) return add(chosen);
+    for (chosen[count] = first; chosen[count] < static_cast<int>(planes_.size()); ++chosen[count])
+      extend(chosen, count + 1, chosen[count] + 1);
   }
 
-  void add(const std::vector<int>& chosen) {
+  void add(const Choice& chosen) {
     for (const Corner<N>& known : all)
       if (std::includes(known.through.begin(), known.through.end(), chosen.begin(), chosen.end())) return;
     Corner<N> corner;
@@ -170,13 +186,13 @@ class Corners {
   }
 
   /// The sign of the determinant of the planes' normals: found once for slabs, as their lower planes only turn it.
-  int orientation(const std::vector<int>& chosen, const std::array<HalfSpace<N>, N>& of) {
+  int orientation(const Choice& chosen, const std::array<HalfSpace<N>, N>& of) {
     std::size_t slabs = 0;
     int lower = 0;
     for (const int i : chosen) slabs = slabs * (planes_.size() / 2) + i / 2, lower += i % 2;
     const int turned = lower % 2 ? -1 : 1;
     std::optional<int>& known = orientations_[slabs];
-    if (!known) known = turned * sign_of_long([&]<class W>() -> W { return meet<W>(of).w; }, trace_);
+    if (!known) known = turned * sign_of_normals<N>(of, trace_);
     return turned * *known;
   }
 

@@ -27,6 +27,7 @@ class Fit {
         dops_(measured_kdops(fitted_.hull)),
         all_(measured(fitted_, dops_[std::ranges::find(sizes_of_dops, std::to_string(k)) - sizes_of_dops.begin()])),
         tip_(tip),
+        object_(drawn(mesh_, Role::first)),
         script_({"Lecture note, bounding volumes; Ericson, Real-Time Collision Detection (2005), ch. 4",
                  fmt::format("A {} in a sphere, an AABB, an OBB, {} {}-DOP and its convex hull.", name,
                              k == 18 ? "an" : "a", k),
@@ -42,7 +43,8 @@ class Fit {
     add("object", "An object of many parts", -1,
         fmt::format("A mesh of {} triangles: an exact test may have to test them all.\n"
                     "A bounding volume encloses them all, and is cheap to test instead.",
-                    mesh_.triangles.size()));
+                    mesh_.triangles.size()),
+        {}, {}, fmt::format("{} triangles", mesh_.triangles.size()));
     sphere(), aabb(), obb(), slab_of_dop(), dops();
     tightness();
     trade_off();
@@ -50,28 +52,28 @@ class Fit {
   }
 
  private:
+  /// A step of the object in what is drawn around it, and a note below.
   Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption,
-            const std::string& formula = {}) {
+            const std::string& formula, const std::vector<Item>& around, const std::string& note) {
     Step& step = script_.add(slug, title, line, caption, formula);
-    step.scene.items = {drawn(mesh_, Role::first)};
-    step.scene.items.push_back(below(step.scene.items, fmt::format("{} triangles", mesh_.triangles.size())));
+    std::vector<Item>& items = step.scene.items;
+    items.push_back(object_);
+    items.insert(items.end(), around.begin(), around.end());
+    items.push_back(below(items, note));
     step.scene.handles = {{"tip", Handle::Kind::point, tip_, Vec3::Zero(), Role::first}};
     return step;
   }
 
   /// A step about volume `i` of all, with its own numbers drawn on it.
   Step& volume_step(std::size_t i, int line, const std::string& title, const std::string& caption,
-                    const std::vector<Item>& own, const std::string& formula) {
+                    std::vector<Item> own, const std::string& formula) {
     const Measured& m = all_[i];
     script_.value(m.name, m.volume, "volume", Role::second);
     std::string slug = m.name;
     std::ranges::transform(slug, slug.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    Step& step = add(slug, title, line, caption, formula);
-    std::vector<Item>& items = step.scene.items;
-    items = {drawn(mesh_, Role::first), m.drawn};
-    for (const Item& item : own) items.push_back(item);
-    items.push_back(below(items, fmt::format("{} numbers, void {}", m.numbers, void_of(m, fitted_.object))));
-    return step;
+    own.insert(own.begin(), m.drawn);
+    return add(slug, title, line, caption, formula, own,
+               fmt::format("{} numbers, void {}", m.numbers, void_of(m, fitted_.object)));
   }
 
   void sphere() {
@@ -116,27 +118,24 @@ class Fit {
     const Vec3& n = fitted_.kdop.normals[i];
     script_.value("*lo* = −*d*_{max}", s.lo);
     script_.value("*hi* = −*d*_{min}", s.hi);
-    Step& step = add("slab", "A slab between two planes", 3,
-                     "The note's planes are **n** · **x** + *d* = 0, so its slab is −*d*_{max} ≤ **n** · **x** ≤ "
-                     "−*d*_{min}. Note the sign.\n"
-                     "A *k*-DOP (discrete oriented polytope) is the intersection of *k*/2 slabs. The note uses unit "
-                     "normals; integer normals let us decide touching exactly.",
-                     fmt::format("{} ≤ **n** · **x** ≤ {},  **n** = ({}, {}, {})", shown(s.lo), shown(s.hi),
-                                 shown(n.x()), shown(n.y()), shown(n.z())));
-    std::vector<Item>& items = step.scene.items;
-    items = {drawn(mesh_, Role::first)};
-    for (const Item& item : slab(fitted_.kdop, i)) items.push_back(item);
-    items.push_back(below(items, "2 numbers"));
+    add("slab", "A slab between two planes", 3,
+        "The note's planes are **n** · **x** + *d* = 0, so its slab is −*d*_{max} ≤ **n** · **x** ≤ "
+        "−*d*_{min}. Note the sign.\n"
+        "A *k*-DOP (discrete oriented polytope) is the intersection of *k*/2 slabs. The note uses unit "
+        "normals; integer normals let us decide touching exactly.",
+        fmt::format("{} ≤ **n** · **x** ≤ {},  **n** = ({}, {}, {})", shown(s.lo), shown(s.hi), shown(n.x()),
+                    shown(n.y()), shown(n.z())),
+        slab(fitted_.kdop, i), "2 numbers");
   }
 
   void dops() {
     script_.value(all_[3].name, all_[3].volume, "volume", Role::second);
-    Step& step = add("k-dops", "k-DOPs: more slabs, less void", 3,
-                     "*k* is even, as each normal gives a slab with two bounds. More slabs can only cut off more.\n"
-                     "All objects share the normals, so only *k* bounds are stored. With *k* = 6 this is the AABB.",
-                     "*lo_i* ≤ **n***_i* · **x** ≤ *hi_i* for each *i*");
-    step.scene.items = side_by_side(mesh_, fitted_.object, dops_);
-    step.scene.handles.clear();  // the object stands in each small picture, and nowhere else
+    Step& step =
+        script_.add("k-dops", "k-DOPs: more slabs, less void", 3,
+                    "*k* is even, as each normal gives a slab with two bounds. More slabs can only cut off more.\n"
+                    "All objects share the normals, so only *k* bounds are stored. With *k* = 6 this is the AABB.",
+                    "*lo_i* ≤ **n***_i* · **x** ≤ *hi_i* for each *i*");
+    step.scene.items = side_by_side(mesh_, fitted_.object, dops_);  // no handle: the object stands in each of them
     const int k = k_ > 6 ? k_ : 14;
     step.question =
         Question{fmt::format("How much void can {} {}-DOP have, compared with the AABB?", k == 18 ? "an" : "a", k),
@@ -157,12 +156,12 @@ class Fit {
   void tightness() {
     script_.value("hull", all_[4].volume, "volume", Role::second);
     const std::size_t best = tightest();
-    Step& step = add("side-by-side", "Tightness, storage, cost", 4,
-                     "Void is given relative to the object's own volume. No convex volume is tighter than the hull.\n"
-                     "A cell is one stored number, and at most 33 are drawn. Operations are for one test that finds an "
-                     "overlap.");
+    Step& step =
+        script_.add("side-by-side", "Tightness, storage, cost", 4,
+                    "Void is given relative to the object's own volume. No convex volume is tighter than the hull.\n"
+                    "A cell is one stored number, and at most 33 are drawn. Operations are for one test that finds an "
+                    "overlap.");
     step.scene.items = side_by_side(mesh_, fitted_.object, all_);
-    step.scene.handles.clear();
     step.question =
         Question{"Which of these four has the least void?",
                  {all_[0].name, all_[1].name, all_[2].name, all_[3].name},
@@ -208,6 +207,7 @@ class Fit {
   const Fitted fitted_;
   const std::vector<Measured> dops_, all_;
   const Vec3 tip_;
+  const Item object_;
   Script script_;
 };
 

@@ -31,7 +31,7 @@ std::string void_of(const Measured& m, double object) {
 }
 
 Item below(const Items& items, const std::string& text) {
-  const Box2 box = extent({items, {}, {}}, camera);
+  const Box2 box = extent(items, camera);
   return viz::Heading{in_view((box.lo.x() + box.hi.x()) / 2, box.lo.y() - 0.3), text, Role::text, 3, false};
 }
 
@@ -182,11 +182,14 @@ Items side_by_side(const TriangleMesh<double>& mesh, double object, const std::v
   Page page;
   constexpr double room = 1.5;
   double largest = 0, most = 0, tallest = 0;
+  const Item inner = drawn(mesh, Role::first);
+  const Box2 own = extent({inner}, camera);
   std::vector<Box2> extents;
   for (const Measured& m : all) {
     largest = std::max(largest, m.volume);
     most = std::max<double>(most, m.operations());
-    extents.push_back(extent({{drawn(mesh, Role::first), m.drawn}, {}, {}}, camera));
+    const Box2 outer = extent({m.drawn}, camera);
+    extents.push_back({own.lo.cwiseMin(outer.lo), own.hi.cwiseMax(outer.hi)});
     const Vec2 size = extents.back().hi - extents.back().lo;
     tallest = std::max(tallest, size.maxCoeff());
   }
@@ -197,7 +200,7 @@ Items side_by_side(const TriangleMesh<double>& mesh, double object, const std::v
     const double left = x - room / 2, unit = room / largest;
     page.text(x, 1.8, m.name, true);
     const Vec2 middle = k * (extents[i].lo + extents[i].hi) / 2;
-    const Items both = {scaled(drawn(mesh, Role::first), k), scaled(m.drawn, k)};
+    const Items both = {scaled(inner, k), scaled(m.drawn, k)};
     for (const Item& item : moved(both, page.at(x - middle.x(), 0.8 - middle.y()))) page.items.push_back(item);
 
     page.number(left, -0.62, void_of(m, object));

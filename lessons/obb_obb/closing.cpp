@@ -16,7 +16,7 @@ bool only_edges_separate(const Parameters& p) { return cases().branches[cases().
 const std::string& opening() {
   static const std::string text =
       "Do two oriented boxes meet? They fit long, tilted bodies far better than axis-aligned ones.\n"
-      "Each has a centre, three half-lengths and a right-handed frame of unit axes.\n"
+      "Each has a centre, three half-lengths and a right-handed frame of unit axes, made from two given directions.\n"
       "Compact convex sets are disjoint if and only if some axis separates their projections.";
   return text;
 }

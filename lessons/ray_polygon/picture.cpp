@@ -52,9 +52,9 @@ Vec3 facing(const Point<double, 2>& p, double scale) {
 /// Moves the drawing to the middle of the picture in space, so that the camera stands still.
 std::vector<Item> centred(std::vector<Item> items, const Setup& s) {
   const View view(Camera{}, 1, 1);
-  const Box2 own = extent({items, {}, {}}, Camera{});
+  const Box2 own = extent(items, Camera{});
   const Box2 whole =
-      extent(picture(s, {.normal = true, .plane = true, .settled = false}, s.across.cross(s.up)), Camera{});
+      extent(picture(s, {.normal = true, .plane = true, .settled = false}, s.across.cross(s.up)).items, Camera{});
   const Vec2 by = (whole.lo + whole.hi - own.lo - own.hi) / 2;
   return moved(std::move(items), by.x() * view.right() + by.y() * view.up());
 }

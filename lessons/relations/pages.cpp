@@ -30,7 +30,7 @@ constexpr double two_by_two = 0.625, two_rows = 0.375, four_rows = 0.21875;
 /// A grid in the middle of the picture.
 std::vector<Item> centred(const std::vector<Inset>& insets, int columns) {
   const std::vector<Item> items = in_grid(insets, columns, camera);
-  const Box2 box = extent({items, {}, {}}, camera);
+  const Box2 box = extent(items, camera);
   const Vec2 middle = (box.lo + box.hi) / 2;
   return moved(items, in_plane(-middle.x() / axis_length, -middle.y() / axis_length));
 }

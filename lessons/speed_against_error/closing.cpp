@@ -56,7 +56,7 @@ const Closing& closing() {
                   "Computer Graphics Techniques* 2, 2013, pages 65–82."},
       .exercises = {
           {"Choose a test whose exact call is faster than the naive method, beyond the noise.",
-           "Ball and box: the naive method branches on every axis, the exact call does not.",
+           "Ball and box is one: the naive method branches on every axis, the exact call does not.",
            "ray-sphere",
            exact_is_faster,
            {{"test", "sphere-aabb"}}},

@@ -293,7 +293,7 @@ TEST_CASE("the search for a tight box finds the same by few points and bounds as
     const std::vector<Eigen::Matrix3d> best = fit::detail::smallest_along(bases, hull, normals, 16);
     CAPTURE(k, q.size());
     CHECK(best == smallest_of_all(bases, hull.vertices, 16));
-    CHECK(fit::detail::polished(best[0], q) == polished_by_all(best[0], q));
+    CHECK(fit::detail::polished(best[0], q, fit::detail::resolution) == polished_by_all(best[0], q));
     many += hull.vertices.size() > 16;
   }
   CHECK(many > 15);

@@ -237,6 +237,18 @@ TEMPLATE_TEST_CASE_SIG("vertices are those of all choices of planes in rationals
   CHECK(many > 0);
 }
 
+TEST_CASE("normals that are all but dependent span space, whether or not doubles hold their determinant",
+          "[kdop_polytope]") {
+  for (const double n : {0x1p4, 0x1p16 - 1, 0x1p16, 0x1p26, 0x1p26 + 0.5}) {
+    INFO(n);
+    const Vector<double, 3> a(n, n - 1, 0), b(n - 1, n - 2, 0), up(0, 0, 1);  // of determinant -1
+    const Kdop<double, 3> kdop = {{a, b, up}, {{0, 1}, {0, 1}, {0, 1}}};
+    CHECK(polytope(kdop).vertices.size() == 8);
+    CHECK(polytope(kdop).faces.size() == 6);
+    CHECK_THROWS_WITH(polytope(Kdop<double, 3>{{a, 2 * a, up}, kdop.slabs}), isect::test::Contains("unbounded"));
+  }
+}
+
 TEMPLATE_TEST_CASE("rings turn counter-clockwise seen from outside", "[kdop_polytope]", float, double) {
   using S = TestType;
   bench::Random random(tests::seed());

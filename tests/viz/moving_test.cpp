@@ -1,5 +1,6 @@
 // What can be taken hold of: corners of polygons, points of clouds, the end of a segment.
 
+#include "viz/moving.h"
 #include "lessons/lessons.h"
 #include "tests/catch.h"
 #include "tests/viz/window_driver.h"
@@ -81,6 +82,21 @@ TEST_CASE("a corner of a polygon in space stays in its plane under the pointer a
   window.drag("handle p3", 0, -40);  // the notch is gone
   CHECK(window.player().walk().steps.size() == steps);
   CHECK_FALSE(parameters().at("p3") == Setting(Vec3(0, 0, 0)));
+}
+
+TEST_CASE("an arrow key moves a handle along the view, and what it does not mean stays to the last bit", "[player]") {
+  Player player(lessons::all_lessons(), place_at("sphere-sphere", "touching"));
+  const View view(Camera{.azimuth = 0.6, .elevation = 0.4}, 800, 600);
+  const Handle ball = handle(player, "b");
+  const Vec3 along_x = {1, 0, 0};
+  const Vec2 way = (view.project(ball.at + along_x).at - view.project(ball.at).at).normalized();
+  CHECK(nudge(player, View(Camera{.azimuth = 0, .elevation = 0}, 800, 600), ball, {1, 0}, false).refused.empty());
+  const Vec3 there = handle(player, "b").at;
+  CHECK(there.x() > ball.at.x());
+  CHECK(there.y() == ball.at.y());
+  CHECK(there.z() == ball.at.z());
+  CHECK(nudge(player, view, handle(player, "b"), way, false).refused.empty());
+  CHECK(handle(player, "b").at != there);
 }
 
 TEST_CASE("corners that would enclose no area are refused", "[player]") {

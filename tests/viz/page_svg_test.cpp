@@ -3,6 +3,7 @@
 #include "viz/page_svg.h"
 
 #include "tests/catch.h"
+#include "viz/svg_path.h"
 #include "viz/theme.h"
 
 namespace page_svg_test {
@@ -50,6 +51,36 @@ TEST_CASE("an area and its outline are one element, unless something stands betw
   PagePictures page(colours);
   CHECK_THAT(page.svg(drawing({area, outline}), drawing({area, outline}), ""),
              Contains(" d=\"M0 0l9 0l-9 9z\"/>") && Contains("class=\"fill-") && !Contains("\" class="));
+}
+
+TEST_CASE("a facet is one element in its own colour, with its seam", "[page]") {
+  const Facets facets = {.corners = {{0, 0}, {9, 0}, {0, 9}, {9, 0}, {9, 9}, {0, 9}},
+                         .colours = {hex(0x123456), hex(0x654321)},
+                         .seam = 0.5};
+  const std::string svg = lone_svg(drawing({facets}), "", "");
+  CHECK_THAT(svg,
+             Contains("<path fill=\"#123456\" stroke=\"#123456\" stroke-width=\"0.5\" d=\"M0 0l9 0l-9 9z\"/>") &&
+                 Contains("<path fill=\"#654321\" stroke=\"#654321\" stroke-width=\"0.5\" d=\"M9 0l0 9l-9 0z\"/>"));
+  Facets smooth = facets;
+  smooth.seam = 0;
+  CHECK_THAT(lone_svg(drawing({smooth}), "", ""), Contains("<path fill=\"#123456\" d=") && !Contains("stroke=\""));
+
+  PageColours colours;
+  PagePictures page(colours);
+  Facets night = facets;
+  night.colours = {hex(0x223344), hex(0x334455)};
+  CHECK(count(page.svg(drawing({facets}), drawing({night}), ""), "<path") == 2);
+  night.corners[0] = {1, 1};
+  CHECK(count(page.svg(drawing({facets}), drawing({night}), ""), "<path") == 4);
+}
+
+TEST_CASE("steps of an outline are told to the hundredth, however far away it lies", "[page]") {
+  const auto told = [](const Vec2& to) { return svg_letters({polyline({{0, 0}, to})}); };
+  CHECK(told({0.004, -0.006}) == "M0 0l0-0.01");
+  CHECK(told({-0.5, 12.25}) == "M0 0l-0.5 12.25");
+  CHECK(told({1e6, -1e6}) == "M0 0l1000000-1000000");
+  CHECK(told({1e14, 0}) == "M0 0l100000000000000 0");
+  CHECK(svg_letters({polyline({{0.333, 0}, {0.666, 0}, {0.999, 0}})}) == "M0.33 0l0.34 0l0.33 0");  // no error grows
 }
 
 TEST_CASE("a colour of no role has a number, and the same pair has the same one", "[page]") {

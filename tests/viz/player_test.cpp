@@ -291,7 +291,10 @@ TEST_CASE("undo takes changes back one by one, a run of the same as one", "[play
   player.orbit({-5, 0});
   player.open_neighbour(1);
 
+  CHECK(player.can_undo());
+  CHECK_FALSE(player.can_redo());
   REQUIRE(player.undo());
+  CHECK(player.can_redo());
   CHECK(player.lesson().id == "point-disc");
   CHECK(player.preset_id() == "squared-outside");
   REQUIRE(player.undo());
@@ -300,6 +303,7 @@ TEST_CASE("undo takes changes back one by one, a run of the same as one", "[play
   CHECK(player.camera().now().elevation == home.elevation);
   REQUIRE(player.undo());
   CHECK(player.preset_id() == "squared-inside");
+  CHECK_FALSE(player.can_undo());
   CHECK_FALSE(player.undo());
 }
 

@@ -89,6 +89,12 @@ TEST_CASE("characters of several bytes stay whole, broken ones do no harm", "[ri
   CHECK_NOTHROW(pango("\xff_\xe2\x88*\x80*"));
 }
 
+TEST_CASE("hyphens before numbers become minus signs, and no others do", "[rich_text]") {
+  CHECK(with_minus_signs("-2, (-1.25, -3) and 1e-09") == "−2, (−1.25, −3) and 1e−09");
+  CHECK(with_minus_signs("k-dop 6-DOP, side-2, - x, e-mail, axe-1") == "k-dop 6-DOP, side-2, - x, e-mail, axe-1");
+  CHECK(with_minus_signs("").empty());
+}
+
 TEST_CASE("plain text keeps digits and signs of scripts small where Unicode can", "[rich_text]") {
   CHECK(plain("*t*_1 < *t*_2") == "t₁ < t₂");
   CHECK(plain("*t*_{1,2}") == "t₁,₂");

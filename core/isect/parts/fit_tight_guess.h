@@ -131,6 +131,7 @@ inline Ring<double, 2> rounded_hull(Ring<double, 2> points) {
   sort_points(points);
   const auto chain = [](auto first, auto last) {
     Ring<double, 2> kept;
+    kept.reserve(last - first);
     for (auto p = first; p != last; kept.push_back(*p++))
       while (kept.size() > 1) {
         const Vector<double, 2> along = kept.back() - kept[kept.size() - 2], on = *p - kept.back();
@@ -155,21 +156,21 @@ inline Vector<double, 2> rectangle(const Ring<double, 2>& points) {
   Vector<double, 2> best(1, 0);
   if (n == 2) best = unit<2>(hull[1] - hull[0], best);
   if (n < 3) return best;
-  const auto at = [&](int i) -> const Point<double, 2>& { return hull[i % n]; };
+  const auto at = [&](int i) -> const Point<double, 2>& { return hull[i < n ? i : i - n]; };
   double least = std::numeric_limits<double>::infinity();
   int right = 1, top = 1, left = 1;
   for (int i = 0; i < n; ++i) {
-    const Vector<double, 2> u = unit<2>(at(i + 1) - at(i), best), v(-u[1], u[0]);
+    const Vector<double, 2> u = at(i + 1) - at(i), v(-u[1], u[0]);  // of any length
     right = std::max(right, i + 1);
     while (right < i + n && u.dot(at(right + 1) - at(right)) > 0) ++right;
     top = std::max(top, right);
     while (top < i + n && v.dot(at(top + 1) - at(top)) > 0) ++top;
     left = std::max(left, top);
     while (left < i + n && u.dot(at(left + 1) - at(left)) < 0) ++left;
-    const double area = u.dot(at(right) - at(left)) * v.dot(at(top) - at(i));
+    const double area = u.dot(at(right) - at(left)) * v.dot(at(top) - at(i)) / u.squaredNorm();
     if (clearly_less(area, least)) least = area, best = u;
   }
-  return best;
+  return unit<2>(best, Vector<double, 2>(1, 0));
 }
 
 template <int N>
@@ -190,6 +191,7 @@ inline Eigen::Matrix2d tight_axes(const std::vector<Point<double, 2>>& q) {
 inline Eigen::Matrix3d turned_about(const Vector<double, 3>& base, const std::vector<Point<double, 3>>& q) {
   const Vector<double, 3> w = unit<3>(base, Vector<double, 3>::UnitZ()), x = w.unitOrthogonal(), y = w.cross(x);
   Ring<double, 2> flat;
+  flat.reserve(q.size());
   for (const Point<double, 3>& p : q) flat.push_back({x.dot(p), y.dot(p)});
   const Vector<double, 2> u = rectangle(flat);
   Eigen::Matrix3d axes;
@@ -225,17 +227,17 @@ inline void add_ends(std::vector<Point<double, 3>>& ends, const Eigen::Matrix3d&
   }
 }
 
-/// Turns by ever smaller angles, about any of many directions, while that helps: the least volume may be at a ridge,
-/// where no turn about a single axis of the box does. The few points that boxes have rested on so far mostly make a
-/// turned one too large already, and then the others are not looked at.
-inline Eigen::Matrix3d polished(Eigen::Matrix3d axes, const std::vector<Point<double, 3>>& q) {
+/// Turns by ever smaller angles, down to `finest` radians, about any of many directions, while that helps: the least
+/// volume may be at a ridge, where no turn about a single axis of the box does. The few points that boxes have rested
+/// on so far mostly make a turned one too large already, and then the others are not looked at.
+inline Eigen::Matrix3d polished(Eigen::Matrix3d axes, const std::vector<Point<double, 3>>& q, double finest) {
   static const std::vector<Vector<double, 3>> about = directions<double, 3>(26);
   double volume = volume_along<3>(axes, q);
   constexpr std::size_t few = 16;  // are looked at as quickly as they are chosen from
   std::vector<Point<double, 3>> ends;
   if (q.size() <= few) ends = q;
   add_ends(ends, axes, q);
-  for (double angle = 0.2; angle > resolution; angle /= 2)
+  for (double angle = 0.2; angle > finest; angle /= 2)
     for (int since = 0, tries = 0; since < 26 && tries < 200; ++since, ++tries) {
       const double turn = tries % 2 ? angle : -angle;
       const Eigen::Matrix3d next = Eigen::AngleAxisd(turn, about[tries / 2 % 13].normalized()) * axes;
@@ -247,7 +249,8 @@ inline Eigen::Matrix3d polished(Eigen::Matrix3d axes, const std::vector<Point<do
   return axes;
 }
 
-constexpr int enough = 100;  ///< vertices to search among
+constexpr int enough = 100;      ///< vertices to search among
+constexpr double coarse = 0.02;  ///< radians: finer turns are for the best box alone
 
 /// Those of a hull's vertices that are farthest in one of that many directions.
 inline std::vector<Point<double, 3>> few_vertices(const std::vector<Point<double, 3>>& vertices) {
@@ -328,9 +331,9 @@ inline std::vector<Eigen::Matrix3d> smallest_along(const std::vector<Vector<doub
 
 /// Axes of a box of small volume. The smallest one has two adjacent faces flush with edges of the hull (O'Rourke);
 /// those with a whole face flush are tried, by calipers in its plane, and those along two edges of a small hull.
-/// What comes near the best is then turned about its axes; all but the last of that is done among a few vertices of a
-/// large hull. Source: O'Rourke, Finding minimal enclosing boxes, 1985; Chang, Gorissen, Melchior, Fast oriented
-/// bounding box optimization on the rotation group, ACM TOG 30 (2011).
+/// What comes near the best is then turned about its axes, coarsely and among a few vertices of a large hull; at last
+/// the best is, finely and among all. Source: O'Rourke, Finding minimal enclosing boxes, 1985; Chang, Gorissen,
+/// Melchior, Fast oriented bounding box optimization on the rotation group, ACM TOG 30 (2011).
 inline Eigen::Matrix3d tight_axes(const Hull3<double>& whole) {
   const std::vector<Point<double, 3>>& all = whole.vertices;
   const Hull3<double> hull = all.size() > enough ? convex_hull(few_vertices(all)) : whole;
@@ -350,15 +353,15 @@ inline Eigen::Matrix3d tight_axes(const Hull3<double>& whole) {
 
   Eigen::Matrix3d best = Eigen::Matrix3d::Identity();
   double least = std::numeric_limits<double>::infinity();
-  const auto refined = [](const Eigen::Matrix3d& axes, const std::vector<Point<double, 3>>& points) {
-    return descended(polished(descended(axes, points), points), points);
+  const auto refined = [](const Eigen::Matrix3d& axes, const std::vector<Point<double, 3>>& points, double finest) {
+    return descended(polished(descended(axes, points), points, finest), points);
   };
   for (const Eigen::Matrix3d& start : smallest_along(bases, hull, normals, 4)) {
-    const Eigen::Matrix3d axes = refined(start, hull.vertices);
+    const Eigen::Matrix3d axes = refined(start, hull.vertices, coarse);
     const double volume = volume_along<3>(axes, all);
     if (clearly_less(volume, least)) least = volume, best = axes;
   }
-  return all.size() > enough ? refined(best, all) : best;
+  return refined(best, all, resolution);
 }
 inline Eigen::Matrix3d tight_axes(const std::vector<Point<double, 3>>& q) { return tight_axes(convex_hull(q)); }
 

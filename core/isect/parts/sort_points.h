@@ -22,7 +22,8 @@ bool before(const Point<S, 2>& a, const Point<S, 2>& b) {
 template <class S>
 void sort_points(Ring<S, 2>& points) {
   constexpr std::size_t many = 4096, in_column = 8;
-  const auto sort_part = [](auto first, auto last) { std::sort(first, last, before<S>); };
+  const auto inlined = [](const Point<S, 2>& a, const Point<S, 2>& b) { return before<S>(a, b); };
+  const auto sort_part = [&](auto first, auto last) { std::sort(first, last, inlined); };
   if (points.size() < many) return sort_part(points.begin(), points.end());
   const auto [least, most] =
       std::minmax_element(points.begin(), points.end(), [](const auto& a, const auto& b) { return a[0] < b[0]; });
