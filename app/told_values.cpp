@@ -19,12 +19,15 @@ double lost(double x) {
   return x == 0 || !std::isfinite(x) ? 0 : std::abs(std::stod(fmt::format("{:.4e}", x)) / x - 1);
 }
 
-/// Of a number that was typed as a short one and then moved by hardly anything, the last digits matter.
-constexpr double hardly_anything = 1e-9;
+/// All digits are told of a number that has few, and of one next to a number that five digits hold.
+bool wants_all(double x) {
+  constexpr std::size_t few = 12;  // letters
+  constexpr double next = 1e-9;
+  return viz::to_text(x).size() <= few || lost(x) < next;
+}
 
 std::string number_in_words(double x) {
-  if (lost(x) == 0 || lost(x) > hardly_anything) return viz::shown(x);
-  return viz::with_minus_signs(viz::to_text(x));
+  return lost(x) == 0 || !wants_all(x) ? viz::shown(x) : viz::with_minus_signs(viz::to_text(x));
 }
 
 template <class Told>
@@ -44,9 +47,10 @@ std::string in_full(const viz::Setting& setting, bool flat) {
 std::string in_words(const viz::Setting& setting, bool flat) { return each(setting, flat, number_in_words); }
 
 bool rounded_in_words(const viz::Setting& setting) {
-  if (const auto* number = std::get_if<double>(&setting)) return lost(*number) > hardly_anything;
+  const auto rounded = [](double x) { return !wants_all(x); };
+  if (const auto* number = std::get_if<double>(&setting)) return rounded(*number);
   const auto* p = std::get_if<viz::Vec3>(&setting);
-  return p && std::ranges::any_of(*p, [](double x) { return lost(x) > hardly_anything; });
+  return p && std::ranges::any_of(*p, rounded);
 }
 
 std::vector<std::string> told_errata(const viz::Lesson& lesson, const viz::Walk& walk, std::string viz::Preset::*name) {

@@ -10,8 +10,8 @@ namespace isect::program {
 
 /// A parameter's value with all its digits.
 std::string in_full(const viz::Setting&, bool flat);
-/// The same in a sentence: five digits as viz::shown has them, and all of them where fewer would hide that a number
-/// lies right next to a shorter one.
+/// The same in a sentence: all digits of a number that has few, or that lies right next to one of five digits; else
+/// five, as viz::shown has them.
 std::string in_words(const viz::Setting&, bool flat);
 /// Whether digits are missing there.
 bool rounded_in_words(const viz::Setting&);

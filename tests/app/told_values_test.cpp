@@ -9,16 +9,19 @@ using namespace isect::program;
 using isect::viz::Setting;
 using isect::viz::Vec3;
 
-TEST_CASE("numbers in a sentence have five digits, and all where fewer would hide what they are near to", "[told]") {
+TEST_CASE("numbers in a sentence have all their digits where these are few, or where fewer would hide what is next",
+          "[told]") {
   const auto [number, told, rounded] =
       GENERATE(table<double, std::string, bool>({{-1.25, "−1.25", false},
                                                  {0, "0", false},
                                                  {1e-9, "1\u2009·\u200910⁻⁹", false},
-                                                 {0.7372813948, "0.73728", true},
-                                                 {-123456.789, "−123\u2009457", true},
+                                                 {0.73728139481, "0.73728", true},
+                                                 {-123456.789, "−123456.789", false},
+                                                 {-0.962890625, "−0.962890625", false},
+                                                 {-123456.78912345, "−123\u2009457", true},
                                                  {1 + 0x1p-52, "1.0000000000000002", false},
                                                  {-0.1 - 0x1p-56, "−0.10000000000000002", false},
-                                                 {1e-9 * (1 + 0x1p-50), "1.000000000000001e−09", false}}));
+                                                 {1e-9 * (1 + 0x1p-50), "1.0000000000000009e−09", false}}));
   INFO(number);
   CHECK(in_words(Setting(number), false) == told);
   CHECK(rounded_in_words(Setting(number)) == rounded);
