@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 
 #include "viz/rich_text.h"
@@ -183,16 +184,32 @@ class PageWriter {
     return alpha < 1 ? fmt::format(" {}-opacity=\"{}\"", name, svg_number(alpha)) : "";
   }
 
-  /// What fades into the background is one colour, ever fainter, in twelve shades.
-  std::optional<double> faded(const PageColour& c) const {
-    const Theme light = theme(ThemeName::screen, 960, 600), dark = theme(ThemeName::dark, 960, 600);
-    const auto share = [](const Colour& mixed, const Colour& ink, const Colour& ground) {
-      return (mixed.g - ground.g) / (ink.g - ground.g);
-    };
-    const double s = share(c.light, light.ink(Role::grid), light.background);
-    const double t = share(c.dark, dark.ink(Role::grid), dark.background);
-    if (!(std::abs(s - t) < 1e-6 && s > 0 && s < 1)) return {};
-    return std::ceil(12 * s) / 12;
+  /// How much of the grid's ink there is in a colour between it and the background; nothing for any other colour.
+  static std::optional<double> ink(const Colour& c, const Theme& in) {
+    const Colour &full = in.ink(Role::grid), &ground = in.background;
+    const double share = (c.g - ground.g) / (full.g - ground.g);
+    const auto off = [&](double Colour::*part) { return std::abs(c.*part - between(ground, full, share).*part); };
+    constexpr double seen = 1. / 255;
+    if (!(share > 0 && share < 1) || off(&Colour::r) > seen || off(&Colour::b) > seen || c.a != 1) return {};
+    return share;
+  }
+  static Colour between(const Colour& a, const Colour& b, double share) {
+    return {a.r + share * (b.r - a.r), a.g + share * (b.g - a.g), a.b + share * (b.b - a.b)};
+  }
+
+  /// The paint of a line that fades into the background, in one of twelve shades.
+  std::optional<std::string> fading(const Colour& light, const Colour& dark) const {
+    static const Theme day = theme(ThemeName::screen, 960, 600), night = theme(ThemeName::dark, 960, 600);
+    const auto shade = [](double share) { return std::ceil(12 * share) / 12; };
+    if (!page_.colours_) {
+      for (const Theme* in : {&day, &night})
+        if (const std::optional<double> share = ink(light, *in))
+          return painted("line", between(in->background, in->ink(Role::grid), shade(*share)));
+      return {};
+    }
+    const std::optional<double> s = ink(light, day), t = ink(dark, night);
+    if (!s || !t || std::abs(*s - *t) > 1e-6) return {};
+    return "class=\"line-grid\"" + opacity("line", shade(*s));
   }
 
   void add(const Fill&, const Fill* light, const Fill* dark) {
@@ -207,19 +224,20 @@ class PageWriter {
 
   void add(const Stroke&, const Stroke* light, const Stroke* dark) {
     const Stroke& stroke = light ? *light : *dark;
-    std::string attributes = line(colour_of(light), colour_of(dark), stroke.width);
+    const std::optional<std::string> faint = light && dark ? fading(light->colour, dark->colour) : std::nullopt;
+    if (bool(faint) == grid_.empty()) end_stroke();  // a grid begins or ends
+    std::string attributes = line(faint ? *faint : paint("line", colour_of(light), colour_of(dark)), stroke.width);
     if (!stroke.round_cap) attributes += " stroke-linecap=\"butt\"";
     if (stroke.dash[0] > 0 && stroke.dash[1] > 0)
       attributes += fmt::format(" stroke-dasharray=\"{} {}\"", svg_number(stroke.dash[0]), svg_number(stroke.dash[1]));
+    if (faint) return grid_[attributes].push_back(stroke.path);
     if (!paths_.empty() && attributes != stroke_) end_stroke();
     stroke_ = attributes;
     paths_.push_back(stroke.path);
   }
 
-  std::string line(const Colour* light, const Colour* dark, double width) {
-    const std::optional<double> faint = page_.colours_ && light && dark ? faded({*light, *dark}) : std::nullopt;
-    return (faint ? "class=\"line-grid\"" + opacity("line", *faint) : paint("line", light, dark)) + " stroke-width=\"" +
-           svg_number(width) + "\"";
+  static std::string line(const std::string& paint, double width) {
+    return paint + " stroke-width=\"" + svg_number(width) + "\"";
   }
 
   void write(const std::string& attributes, const std::string& letters) {
@@ -234,8 +252,10 @@ class PageWriter {
     return fill.substr(0, end) + " " + stroke.substr(own.size()) + fill.substr(end + 1);
   }
 
-  /// Strokes that look alike, one after the other, are one path; one around the area just filled is one with it.
+  /// Strokes that look alike, one after the other, are one path; so are all of a grid that fade as much. One around the
+  /// area just filled is one with it.
   void end_stroke() {
+    for (const auto& [attributes, paths] : std::exchange(grid_, {})) write(attributes, svg_letters(paths));
     const Area area = std::exchange(area_, {});
     if (paths_.empty()) return;
     const std::string letters = svg_letters(paths_);
@@ -280,7 +300,7 @@ class PageWriter {
       const Colour *const on_light = light ? &light->colours[i] : nullptr, *const on_dark =
                                                                                dark ? &dark->colours[i] : nullptr;
       const std::string fill = paint("fill", on_light, on_dark);
-      write(facets.seam > 0 ? joined(fill, line(on_light, on_dark, facets.seam)) : fill,
+      write(facets.seam > 0 ? joined(fill, line(paint("line", on_light, on_dark), facets.seam)) : fill,
             svg_letters({polyline({p[0], p[1], p[2]}, true)}));
     }
   }
@@ -334,6 +354,7 @@ class PageWriter {
   const Drawing &light_, &dark_;
   std::string out_, stroke_;
   std::vector<Path> paths_;
+  std::map<std::string, std::vector<Path>> grid_;  ///< strokes that fade, by their attributes
   /// What was filled last, if nothing was written since.
   struct Area {
     std::size_t begin = 0;  ///< of its element in out_

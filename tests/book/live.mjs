@@ -87,6 +87,14 @@ try {
     }
     check((await look()).end, `${page}: its end is not reached`);
 
+    // An exercise that begins at a step has something to take hold of there.
+    for (const start of await browser.ask(`[...document.querySelectorAll(".exercises .start a")].map(a => a.hash)`)) {
+      await browser.ask(`location.hash = ${JSON.stringify(start)}`);
+      await rest(30);
+      const now = await look();
+      check(now.hash.startsWith(start) && (now.grips.length > 0 || !start.includes("/")), `${page}: its exercise at ${start} has no handle`);
+    }
+
     // A handle, dragged by mouse and by keys; the verdicts are the native ones; the link opens that very setting.
     await browser.press("Home");
     let now = await look();
@@ -141,6 +149,10 @@ try {
   await rest(50);
   check((await look()).hash.startsWith("#" + await browser.ask(`document.querySelector('nav.settings li:nth-last-child(2) a').hash.slice(1)`) + "/"),
     "the key p does not open the setting before: " + (await look()).hash);
+
+  // A link that is no longer good says which part of it.
+  await open(lesson, first.hash + "?r_a=round");
+  check((await browser.ask(`document.querySelector(".message").textContent`)).startsWith("r_a: "), "a bad link does not say what is wrong");
 
   // Snap: a drag stops where the case changes, by button as by Shift.
   const ends = [];
