@@ -74,6 +74,30 @@ TEST_CASE("a facet is one element in its own colour, with its seam", "[page]") {
   CHECK(count(page.svg(drawing({facets}), drawing({night}), ""), "<path") == 4);
 }
 
+TEST_CASE("lines that fade into the background are as many paths as shades, each where its grid is drawn", "[page]") {
+  const auto faint = [](const Theme& in, double share, double y) {
+    const Colour &full = in.ink(Role::grid), &ground = in.background;
+    const auto part = [&](double Colour::*p) { return ground.*p + share * (full.*p - ground.*p); };
+    return line({part(&Colour::r), part(&Colour::g), part(&Colour::b)}, y, 0.4);
+  };
+  for (const Theme* in : {&light, &dark}) {
+    const auto lone = [&](std::vector<Shape> shapes) {
+      return count(lone_svg(drawing(std::move(shapes)), "", ""), "<path");
+    };
+    const Shape a = faint(*in, 0.48, 1), b = faint(*in, 0.2, 2), like_a = faint(*in, 0.45, 3);
+    CHECK(lone({a, b, like_a}) == 2);
+    CHECK(lone({a, b, line(in->ink(Role::second), 5), like_a}) == 4);
+    CHECK(lone({line(in->background, 5)}) == 1);  // a rim, which hides what it crosses
+    CHECK(lone({faint(*in, 0.999, 1), line(in->ink(Role::grid), 2, 0.4)}) == 2);
+  }
+  PageColours colours;
+  PagePictures page(colours);
+  const std::string svg = page.svg(drawing({faint(light, 0.48, 1), faint(light, 0.2, 2), faint(light, 0.45, 3)}),
+                                   drawing({faint(dark, 0.48, 1), faint(dark, 0.2, 2), faint(dark, 0.45, 3)}), "");
+  CHECK(count(svg, "<path class=\"line-grid\"") == 2);
+  CHECK_THAT(svg, Contains("stroke-opacity=\"0.5\"") && Contains("stroke-opacity=\"0.25\""));
+}
+
 TEST_CASE("steps of an outline are told to the hundredth, however far away it lies", "[page]") {
   const auto told = [](const Vec2& to) { return svg_letters({polyline({{0, 0}, to})}); };
   CHECK(told({0.004, -0.006}) == "M0 0l0-0.01");
