@@ -26,9 +26,8 @@ bool wants_all(double x) {
   return viz::to_text(x).size() <= few || lost(x) < next;
 }
 
-std::string number_in_words(double x) {
-  return lost(x) == 0 || !wants_all(x) ? viz::shown(x) : viz::with_minus_signs(viz::to_text(x));
-}
+std::string all_digits(double x) { return lost(x) == 0 ? viz::shown(x) : viz::with_minus_signs(viz::to_text(x)); }
+std::string number_in_words(double x) { return wants_all(x) ? all_digits(x) : viz::shown(x); }
 
 template <class Told>
 std::string each(const viz::Setting& setting, bool flat, const Told& told) {
@@ -45,6 +44,8 @@ std::string in_full(const viz::Setting& setting, bool flat) {
 }
 
 std::string in_words(const viz::Setting& setting, bool flat) { return each(setting, flat, number_in_words); }
+
+std::string in_words_and_full(const viz::Setting& setting, bool flat) { return each(setting, flat, all_digits); }
 
 bool rounded_in_words(const viz::Setting& setting) {
   const auto rounded = [](double x) { return !wants_all(x); };

@@ -19,7 +19,7 @@ constexpr std::size_t most_vertices = 24, most_objects = 20;
 /// In full where that is short.
 std::string number(double x) {
   const std::string full = to_text(x);
-  if (full.size() <= 10) return full;
+  if (full.size() <= 12) return full;
   std::string text = shown(x);
   if (text.starts_with("−")) text.replace(0, std::string("−").size(), "-");
   return text;

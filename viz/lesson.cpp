@@ -105,6 +105,10 @@ Setting clamped(const Parameter& p, const Handle& handle, const Vec3& to) {
   if (handle.kind == Handle::Kind::length) return std::clamp(arm.norm(), p.lo, p.hi);
   if (handle.kind == Handle::Kind::along) return std::clamp(arm.dot(handle.direction), p.lo, p.hi);
   Vec3 moved = handle.kind == Handle::Kind::point ? to : arm;
+  if (handle.kind == Handle::Kind::on_plane) {
+    const Vec3 n = handle.direction.cross(handle.across);
+    moved = to - n.dot(to - handle.at) / n.squaredNorm() * n;
+  }
   if (handle.kind == Handle::Kind::plane) {
     const Vec3 &u = handle.direction, &v = handle.across;
     const double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), au = arm.dot(u), av = arm.dot(v), det = uu * vv - uv * uv;

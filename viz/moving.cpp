@@ -15,7 +15,8 @@ Moved refused_by(const Condition* forbids) {
 }  // namespace
 
 Vec3 brought(const View& view, const Handle& handle, const Vec2& pixel) {
-  if (handle.kind != Handle::Kind::plane) return view.on_facing_plane(pixel, handle.at);
+  if (handle.kind != Handle::Kind::plane && handle.kind != Handle::Kind::on_plane)
+    return view.on_facing_plane(pixel, handle.at);
   return view.on_plane(pixel, handle.at, handle.direction.cross(handle.across)).value_or(handle.at);
 }
 

@@ -163,20 +163,21 @@ using Item =
 /// What a handle changes when it is dragged to the point p.
 struct Handle {
   enum class Kind {
-    point,   ///< parameter = p
-    vector,  ///< parameter = p - anchor
-    length,  ///< parameter = |p - anchor|
-    along,   ///< parameter = (p - anchor) . direction
-    plane    ///< parameter = (a, b, 0), the point of the plane anchor + a direction + b across that is nearest to p
+    point,     ///< parameter = p
+    vector,    ///< parameter = p - anchor
+    length,    ///< parameter = |p - anchor|
+    along,     ///< parameter = (p - anchor) . direction
+    on_plane,  ///< parameter = p, which stays on the plane through it that `direction` and `across` span
+    plane      ///< parameter = (a, b, 0), the point of the plane anchor + a direction + b across that is nearest to p
   };
   std::string parameter;  ///< the parameter it changes
   Kind kind = Kind::point;
   Vec3 at;  ///< where it stands
   Vec3 anchor = Vec3::Zero();
   Role role = Role::first;
-  Vec3 direction = Vec3::UnitX();  ///< for `along` and `plane`
+  Vec3 direction = Vec3::UnitX();  ///< for `along` and both planes
   std::string one_of = {};         ///< where there are many alike: "a corner"
-  Vec3 across = Vec3::UnitY();     ///< for `plane`: not along `direction`
+  Vec3 across = Vec3::UnitY();     ///< for both planes: not along `direction`
 };
 
 /// The same marks in one dimension: the ray's own t-axis under its picture. Positions are values of t.

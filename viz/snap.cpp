@@ -59,6 +59,13 @@ std::optional<std::size_t> only_difference(Parameters a, Parameters b) {
   return found;
 }
 
+/// How many letters its numbers take.
+std::size_t digits_in(Parameters setting) {
+  std::size_t count = 0;
+  for (const double* x : numbers(setting)) count += to_text(*x).size();
+  return count;
+}
+
 /// Of a way, what does not change much less than something else.
 Vec3 main_part(Vec3 way) {
   constexpr double little = 0.09;  // five degrees
@@ -221,7 +228,11 @@ bool BorderSearch::bisect_number() {
     found_ = Snapped{*far_.setting, true, told_case(lesson_, *far_.setting, *near_.setting) + ", exactly"};
     return false;
   }
-  const Place& side = near_.share < wish_ ? far_ : near_;
+  // A border on a short number is that number, whichever case it belongs to: who looks for it wants to stand on it.
+  const std::size_t near_digits = digits_in(*near_.setting), far_digits = digits_in(*far_.setting);
+  const Place& side = near_digits != far_digits ? (near_digits < far_digits ? near_ : far_)
+                      : near_.share < wish_     ? far_
+                                                : near_;
   found_ = Snapped{*side.setting, false,
                    fmt::format("Between two neighbouring doubles: “{}” on one side, “{}” on the other",
                                told_case(lesson_, *near_.setting, *far_.setting),

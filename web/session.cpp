@@ -96,7 +96,7 @@ void read_named(const std::string& name, const Read& read) {
     read();
   } catch (const BadInput& e) {
     const std::string why = e.what();
-    throw BadInput(why.starts_with(name + ":") ? why : name + ": " + why);
+    throw BadInput(why.find(name) != why.npos ? why : name + ": " + why);
   }
 }
 
@@ -209,7 +209,6 @@ Json Session::open(const Json& request) {
   Json reply = frame(Drawn::at_rest);
   reply["parameters"] = parameters();
   reply["flat"] = lesson.flat;
-  reply["has map"] = lesson.map != nullptr;
   return reply;
 }
 
@@ -446,6 +445,7 @@ Json Session::frame(Drawn how, const viz::Moved& moved) {
                 {"idle", idle()},
                 {"place", place()},
                 {"map", map_beside()},
+                {"has map", p.lesson().map && p.lesson().map->place(p.parameters()).allFinite()},
                 {"undo", p.can_undo()},
                 {"redo", p.can_redo()},
                 {"told", moved.told},

@@ -144,9 +144,13 @@
     place.textContent = right ? "Right." : "Not quite.";
   }
 
+  /// Of an address; as it stands there where it is none that a browser has written.
+  function decoded(text) {
+    try { return decodeURIComponent(text); } catch { return text; }
+  }
   function from_address() {
     if (live) return live.from_address();
-    const id = decodeURIComponent(location.hash.slice(1).split("?")[0]), found = id && document.getElementById(id);
+    const id = decoded(location.hash.slice(1).split("?")[0]), found = id && document.getElementById(id);
     const owner = found && found.closest(".walk");
     if (!owner) return false;
     go(owner, Math.max(0, articles(owner).indexOf(found)), true);
@@ -176,6 +180,11 @@
     event.preventDefault();
   });
   addEventListener("hashchange", from_address);
+  // A link to where one is already goes there, too: the exercise that it stands in lies far below.
+  addEventListener("click", event => {
+    const link = event.target.closest && event.target.closest('a[href^="#"]');
+    if (link && link.hash === location.hash) event.preventDefault(), from_address();
+  });
   if (!from_address()) go(walk, 0, true);
 
   /// The lessons' own code: a script that holds a function from request to answer. Without it all stays as it is.
@@ -198,7 +207,7 @@
     const answer = asked => code.ccall("isect_answer", "string", ["string"], [asked]);
     live = isect_live({
       request: asked => JSON.parse(answer(JSON.stringify(asked))), walks, load, prepare, light_code, mark_link,
-      show_controls, title_of, stop: () => playing && toggle_play(), playing: () => playing !== 0,
+      show_controls, title_of, decoded, stop: () => playing && toggle_play(), playing: () => playing !== 0,
       /// Keeps the page's own walks at the same place, for paper and for reading.
       follow: (id, to) => go(walks.find(w => w.id === id), to, true)
     });

@@ -68,7 +68,7 @@ function isect_live(book) {
   }
   function opened(reply) {
     if (is_scene || form.children.length === 0) make_form(reply.parameters);
-    wants_map.hidden = !reply["has map"], frame_all.hidden = reply.flat, own_scene.hidden = !is_scene;
+    frame_all.hidden = reply.flat, own_scene.hidden = !is_scene;
   }
   function load(preset) { act(is_scene ? scene_request(preset) : { do: "load", preset }, "push"); }
   function look(wanted) { act({ do: "look", ...wanted }, "keep"); }
@@ -95,6 +95,7 @@ function isect_live(book) {
     book.light_code(section, frame);
     if (frame.solved) mark_solved(frame.solved);
     show_values(frame.values, frame.idle);
+    wants_map.hidden = !frame["has map"];
     undo.setAttribute("aria-disabled", !frame.undo), redo.setAttribute("aria-disabled", !frame.redo);
     message.textContent = frame.told || frame.refuses || "";
     book.mark_link(changed ? "" : place.origin);
@@ -324,7 +325,7 @@ function isect_live(book) {
     try { history[how === "push" ? "pushState" : "replaceState"](null, "", address); } catch { /* nowhere to keep it */ }
   }
   function request_from(hash) {
-    const [path, query] = hash.slice(1).split("?"), [preset, step, question] = decodeURIComponent(path).split("/");
+    const [path, query] = hash.slice(1).split("?"), [preset, step, question] = book.decoded(path).split("/");
     if (!book.walks.some(w => w.id === preset)) return null;
     const request = { ...(is_scene ? scene_request(preset) : { do: "open", lesson, preset, changes: [] }),
       step: Math.max(0, Number(step || 1) - 1 || 0), asks: question === "question" };
@@ -406,7 +407,12 @@ function isect_live(book) {
     const station = book.walks.find(w => w.id === walk).querySelectorAll(".steps > article")[at];
     document.getElementById("walks").prepend(section);
     root.classList.add("lively");
-    if (act(request_from(location.hash) ?? request_from("#" + (station ? station.id : walk)), "keep")) return;
+    const asked = request_from(location.hash), name = book.decoded(location.hash.slice(1).split(/[/?]/)[0]);
+    const nowhere = name !== "" && !asked && !document.getElementById(name);
+    if (act(asked ?? request_from("#" + (station ? station.id : walk)), "keep")) {
+      if (nowhere) message.textContent = `This page has no setting “${name}”.`;
+      return;
+    }
     const wrong = message.textContent;  // a link that is no longer good
     act(request_from("#" + walk), "keep");
     message.textContent = wrong;

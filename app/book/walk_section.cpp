@@ -54,15 +54,24 @@ std::string WalkSection::prose(const std::string& markup) const {
   return out;
 }
 
+/// What a preset has is told in full, and what was moved by hand in a few digits. No line ends inside a value.
 std::string WalkSection::given() const {
   std::vector<std::string> all;
-  for (const viz::Parameter& p : lesson_.parameters)
-    if (parameters_.contains(p.name) && p.name != lesson_.group_by)
-      all.push_back(fmt::format("{} = {}", text(p.label.empty() ? p.name : p.label),
-                                xml_escaped(in_words(parameters_.at(p.name), lesson_.flat))));
+  bool rounded = false;
+  for (const viz::Parameter& p : lesson_.parameters) {
+    if (!parameters_.contains(p.name) || p.name == lesson_.group_by || !viz::counts(p, parameters_)) continue;
+    const viz::Setting& setting = parameters_.at(p.name);
+    const bool known = std::ranges::any_of(lesson_.presets, [&](const viz::Preset& preset) {
+      const auto found = preset.parameters.find(p.name);
+      return found != preset.parameters.end() && found->second == setting;
+    });
+    rounded = rounded || (!known && rounded_in_words(setting));
+    std::string value = known ? in_words_and_full(setting, lesson_.flat) : in_words(setting, lesson_.flat);
+    for (std::size_t at = 0; (at = value.find(' ', at)) != value.npos;) value.replace(at, 1, "\u00a0");
+    all.push_back(fmt::format("{}\u00a0=\u00a0{}", text(p.label.empty() ? p.name : p.label), xml_escaped(value)));
+  }
   std::string out = fmt::format("<p class=\"given\"><b class=\"head\">Given</b> {}.", fmt::join(all, ", "));
-  if (std::ranges::any_of(parameters_, [](const auto& p) { return rounded_in_words(p.second); }))
-    out += " Numbers are rounded.";
+  if (rounded) out += " Numbers are rounded.";
   const viz::Scene& scene = walk_.steps.front().scene;
   if (!scene.chart)
     for (const std::string& object : viz::geometry(scene, parameters_, lesson_.flat))

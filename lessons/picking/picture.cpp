@@ -72,7 +72,12 @@ Scene picture(const Pointed& s, const Known& known) {
         scene.items.emplace_back(Dot{s.ray.at(t), known.mark_of(i), i == known.kept ? Role::hit : Role::construction});
   }
   scene.axis = axis(s, known);
-  scene.handles = {{"pointer", Handle::Kind::point, s.pointer, Vec3::Zero(), Role::highlight}};
+  scene.handles = {{.parameter = "pointer",
+                    .kind = Handle::Kind::on_plane,
+                    .at = s.pointer,
+                    .role = Role::highlight,
+                    .direction = Vec3::UnitY(),
+                    .across = Vec3::UnitZ()}};
   return scene;
 }
 

@@ -48,7 +48,7 @@ const Closing& closing() {
                   "Computing Surveys* 23, 1991, pages 5–48."},
       .exercises = {
           {"Place **q** and **r** so that **p** is near **q** and **q** near **r**, but **p** is not near **r**.",
-           "Put **r** beyond **q**, seen from **p**, and at most one tolerance away from **q**.",
+           "Put **r** beyond **q**, seen from **p**: at most one tolerance from **q**, and more than one from **p**.",
            "cube",
            broken_chain,
            {{"question", "chain"}, {"q", "0.75,0,0"}, {"r", "1.5,0,0"}}},

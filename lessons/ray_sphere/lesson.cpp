@@ -83,7 +83,7 @@ const Lesson& lesson() {
       .id = "ray-sphere",
       .title = "Ray and sphere",
       .rows = "N16-N19",
-      .summary = "Where a ray, a segment or a line meets a sphere, by three methods.",
+      .summary = "Where a ray or a segment meets a sphere, by three methods.",
       .parameters = parameters(),
       .conditions = {not_zero("direction")},
       .group_by = "method",

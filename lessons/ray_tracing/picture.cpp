@@ -88,7 +88,11 @@ Scene picture(const OnePixel& s, const Shown& shown) {
     scene.items.emplace_back(Line{s.traced.point, s.lamp, s.traced.blocker ? Role::miss : Role::hit,
                                   s.traced.blocker ? Pen::excluded : Pen::thick});
   scene.axis = axis(s, shown);
-  scene.handles = {{"pixel", Handle::Kind::point, s.handle, Vec3::Zero(), Role::first},
+  scene.handles = {{.parameter = "pixel",
+                    .kind = Handle::Kind::on_plane,
+                    .at = s.handle,
+                    .direction = Vec3::UnitY(),
+                    .across = Vec3::UnitZ()},
                    {"lamp", Handle::Kind::point, s.lamp, Vec3::Zero(), Role::highlight}};
   return scene;
 }

@@ -25,6 +25,7 @@ TEST_CASE("numbers in a sentence have all their digits where these are few, or w
   INFO(number);
   CHECK(in_words(Setting(number), false) == told);
   CHECK(rounded_in_words(Setting(number)) == rounded);
+  if (!rounded) CHECK(in_words_and_full(Setting(number), false) == told);
 }
 
 TEST_CASE("points in a sentence are flat in a flat lesson, and choices are words", "[told]") {
@@ -34,6 +35,7 @@ TEST_CASE("points in a sentence are flat in a flat lesson, and choices are words
   CHECK_FALSE(rounded_in_words(Setting(Vec3(0, -0.0, 0.125))));
   CHECK(in_words(Setting(std::string("k-dop")), false) == "k-dop");
   CHECK_FALSE(rounded_in_words(Setting(std::string("k-dop"))));
+  CHECK(in_words_and_full(Setting(Vec3(-0.73728139481, 1e-9, 0)), true) == "(−0.73728139481, 1\u2009·\u200910⁻⁹)");
   CHECK(in_full(Setting(Vec3(-1, 1e-9, 0)), false) == "(-1, 1e-09, 0)");
 }
 

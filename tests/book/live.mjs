@@ -153,7 +153,12 @@ try {
   // A link that is no longer good says which part of it.
   if (lesson === "sphere-sphere.html") {
     await open(lesson, "#disjoint/1?r_a=round");
-    check((await browser.ask(`document.querySelector(".message").textContent`)).startsWith("r_a: "), "a bad link does not say what is wrong");
+    const told = () => browser.ask(`document.querySelector(".message").textContent`);
+    check((await told()).startsWith("r_a: "), "a bad link does not say what is wrong");
+    for (const hash of ["#nopreset?r_a=1", "#%zz"]) {
+      await open(lesson, hash);
+      check((await told()).includes(hash.slice(1, 4)) && (await look()).grips.length > 0, `${hash} is not refused: ${await told()}`);
+    }
   }
 
   // Snap: a drag stops where the case changes, by button as by Shift.

@@ -1,6 +1,8 @@
 // What can be taken hold of: corners of polygons, points of clouds, the end of a segment.
 
 #include "viz/moving.h"
+#include <algorithm>
+
 #include "lessons/lessons.h"
 #include "tests/catch.h"
 #include "tests/viz/window_driver.h"
@@ -97,6 +99,34 @@ TEST_CASE("an arrow key moves a handle along the view, and what it does not mean
   CHECK(there.z() == ball.at.z());
   CHECK(nudge(player, view, handle(player, "b"), way, false).refused.empty());
   CHECK(handle(player, "b").at != there);
+}
+
+TEST_CASE("a handle on the image plane stays on it, under the pointer", "[player]") {
+  const auto [lesson, preset, name] = GENERATE(
+      table<const char*, const char*, const char*>({{"picking", "front", "pointer"}, {"ray-tracing", "lit", "pixel"}}));
+  INFO(lesson);
+  Player player(lessons::all_lessons(), place_at(lesson, preset));
+  const View view(player.camera().now(), 800, 600);
+  const Handle before = handle(player, name);
+  const Vec2 pixel = view.project(before.at).at + Vec2(7, -5);
+  CHECK(drag_to(player, before, before.at, brought(view, before, pixel), false).refused.empty());
+  const Handle& after = handle(player, name);
+  CHECK(after.at != before.at);
+  CHECK(std::get<Vec3>(player.parameters().at(name)).x() == before.at.x());
+  CHECK((view.project(after.at).at - pixel).norm() < 1e-6);
+}
+
+TEST_CASE("Snap stands on the short number where a border is one", "[player]") {
+  Player player(lessons::all_lessons(), place_at("rays", "segment"));
+  const auto shown = [&] {
+    return std::ranges::any_of(player.scene().handles, [](const Handle& h) { return h.parameter == "wall"; });
+  };
+  for (int step = 0; !shown(); ++step) REQUIRE((player.go_to(step), step < 10));
+  const Handle wall = handle(player, "wall");
+  for (const double to : {0.4, 0.6}) {
+    drag_to(player, wall, wall.at, {to, wall.at.y(), 0}, true);
+    CHECK(std::get<double>(player.parameters().at("wall")) == 0.5);  // where the segment ends
+  }
 }
 
 TEST_CASE("corners that would enclose no area are refused", "[player]") {

@@ -158,7 +158,8 @@ void draw(Canvas& c, const Handle& handle) {
   const Vec2 p = c.at(handle.at);
   const Colour ink = c.theme.ink(handle.role);
   const Sizes& s = c.sizes();
-  if (handle.kind != Handle::Kind::point && handle.kind != Handle::Kind::plane) {  // it hangs on what it measures from
+  using enum Handle::Kind;
+  if (handle.kind == vector || handle.kind == length || handle.kind == along) {  // it hangs on what it measures from
     c.marks.emplace_back(Stroke{polyline({c.at(handle.anchor), p}), ink, s.hairline, s.construction_dash, false});
     c.obstacles.push_back({c.at(handle.anchor), p, s.hairline, false});
   }
