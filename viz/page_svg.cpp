@@ -297,8 +297,8 @@ class PageWriter {
     const Facets& facets = light ? *light : *dark;
     for (std::size_t i = 0; i < facets.colours.size(); ++i) {
       const Vec2* const p = &facets.corners[3 * i];
-      const Colour *const on_light = light ? &light->colours[i] : nullptr, *const on_dark =
-                                                                               dark ? &dark->colours[i] : nullptr;
+      const Colour* const on_light = light ? &light->colours[i] : nullptr;
+      const Colour* const on_dark = dark ? &dark->colours[i] : nullptr;
       const std::string fill = paint("fill", on_light, on_dark);
       write(facets.seam > 0 ? joined(fill, line(paint("line", on_light, on_dark), facets.seam)) : fill,
             svg_letters({polyline({p[0], p[1], p[2]}, true)}));

@@ -154,11 +154,11 @@ class Player {
   void end_action() { action_.clear(); }
   /// Takes the last change of parameters, lesson or camera back; false if there is none. The step stays, unless that
   /// change had chosen one.
-  bool can_undo() const { return !memory_.empty(); }
-  bool can_redo() const { return !undone_.empty(); }
   bool undo() { return travel(&Player::memory_, &Player::undone_); }
   /// Does it again; false if nothing was taken back, or something else was done since.
   bool redo() { return travel(&Player::undone_, &Player::memory_); }
+  bool can_undo() const { return !memory_.empty(); }
+  bool can_redo() const { return !undone_.empty(); }
 
  private:
   struct State {

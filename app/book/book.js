@@ -183,7 +183,7 @@
   // A link to where one is already goes there, too: the exercise that it stands in lies far below.
   addEventListener("click", event => {
     const link = event.target.closest && event.target.closest('a[href^="#"]');
-    if (link && link.hash === location.hash) event.preventDefault(), from_address();
+    if (link && link.hash === location.hash && from_address()) event.preventDefault();
   });
   if (!from_address()) go(walk, 0, true);
 
