@@ -190,8 +190,9 @@ TEST_CASE("where memory runs out that line is an error, and the next lines go on
   const Shell shell;
   isect::test::write(shell.work() / "cases", orient + "\n" + wide + orient + "\n" + wide + orient + "\n");
   const Ran r = shell(R"sh(
-    mkfifo in; isect query <in >/dev/null & exec 3>in
-    kilobytes=$(awk '/^VmPeak/ { print $2 }' /proc/$!/status); exec 3>&-; wait
+    mkfifo in; isect query <in >out & exec 3>in
+    head -n 1 cases >&3; for i in $(seq 1000); do [ -s out ] && break; sleep 0.01; done  # until it waits again
+    kilobytes=$(awk '/^VmSize/ { print $2 }' /proc/$!/status); exec 3>&-; wait
     ulimit -v $((kilobytes + 150000)); isect query <cases; echo $?)sh");
   std::istringstream out(r.out);
   std::vector<std::string> lines;
