@@ -104,7 +104,7 @@ Setting clamped(const Parameter& p, const Handle& handle, const Vec3& to) {
   const Vec3 arm = to - handle.anchor;
   if (handle.kind == Handle::Kind::length) return std::clamp(arm.norm(), p.lo, p.hi);
   if (handle.kind == Handle::Kind::along) return std::clamp(arm.dot(handle.direction), p.lo, p.hi);
-  Vec3 moved = handle.kind == Handle::Kind::point ? to : arm;
+  Vec3 moved = handle.kind == Handle::Kind::point ? to : arm / handle.scale;
   if (handle.kind == Handle::Kind::on_plane) {
     const Vec3 n = handle.direction.cross(handle.across);
     moved = to - n.dot(to - handle.at) / n.squaredNorm() * n;

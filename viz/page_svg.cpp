@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 
+#include "viz/facet_layers.h"
 #include "viz/rich_text.h"
 #include "viz/svg_path.h"
 #include "viz/theme.h"
@@ -292,17 +293,21 @@ class PageWriter {
                         svg_letters({ellipse(g.center, g.major, g.minor)}));
   }
 
+  /// Those of one layer and colour are one path.
   void add(const Facets&, const Facets* light, const Facets* dark) {
     end_stroke();
     const Facets& facets = light ? *light : *dark;
+    const std::vector<int> layer = layers(facets);
+    std::map<std::pair<int, std::string>, std::vector<Path>> gathered;  // by layer and attributes
     for (std::size_t i = 0; i < facets.colours.size(); ++i) {
       const Vec2* const p = &facets.corners[3 * i];
       const Colour* const on_light = light ? &light->colours[i] : nullptr;
       const Colour* const on_dark = dark ? &dark->colours[i] : nullptr;
-      const std::string fill = paint("fill", on_light, on_dark);
-      write(facets.seam > 0 ? joined(fill, line(paint("line", on_light, on_dark), facets.seam)) : fill,
-            svg_letters({polyline({p[0], p[1], p[2]}, true)}));
+      std::string look = paint("fill", on_light, on_dark);
+      if (facets.seam > 0) look = joined(look, line(paint("line", on_light, on_dark), facets.seam));
+      gathered[{layer[i], look}].push_back(polyline({p[0], p[1], p[2]}, true));
     }
+    for (const auto& [place, paths] : gathered) write(place.second, svg_letters(paths));
   }
 
   /// A script stands on a line of its own height, and what follows comes back from it.

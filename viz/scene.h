@@ -164,7 +164,7 @@ using Item =
 struct Handle {
   enum class Kind {
     point,     ///< parameter = p
-    vector,    ///< parameter = p - anchor
+    vector,    ///< parameter = (p - anchor) / scale
     length,    ///< parameter = |p - anchor|
     along,     ///< parameter = (p - anchor) . direction
     on_plane,  ///< parameter = p, which stays on the plane through it that `direction` and `across` span
@@ -178,6 +178,7 @@ struct Handle {
   Vec3 direction = Vec3::UnitX();  ///< for `along` and both planes
   std::string one_of = {};         ///< where there are many alike: "a corner"
   Vec3 across = Vec3::UnitY();     ///< for both planes: not along `direction`
+  double scale = 1;                ///< for `vector`: how large the parameter is drawn
 };
 
 /// The same marks in one dimension: the ray's own t-axis under its picture. Positions are values of t.

@@ -326,4 +326,19 @@ std::string tex_plain(const std::string& text) {
   return out + running(with_roots(atoms));
 }
 
+std::string tex_said(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '\\')
+      out += "\\textbackslash{}";
+    else if (c == '~' || c == '^')
+      (out += '\\') += c, out += "{}";
+    else if (std::string_view("#$%&_{}").find(c) != std::string_view::npos)
+      (out += '\\') += c;
+    else
+      out += c;
+  }
+  return out;
+}
+
 }  // namespace isect::viz

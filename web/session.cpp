@@ -202,11 +202,15 @@ Json Session::open(const Json& request) {
   if (again) fresh.go(place);  // what was done before can be undone
   const std::vector<Station> all = program::book::stations(fresh.walk());
   const Station wanted = {request.value("step", 0), request.value("asks", false)};
+  const bool known = std::ranges::find(all, wanted) != all.end();
   player_ = std::move(fresh);
   scene_ = std::move(scene);
   held_.reset(), map_start_.reset();
-  stand_at(std::ranges::find(all, wanted) != all.end() ? wanted : Station{});
+  stand_at(known ? wanted : Station{});
   Json reply = frame(Drawn::at_rest);
+  if (!known)
+    reply["told"] = wanted.asks ? fmt::format("Nothing is asked at step {} here.", wanted.step + 1)
+                                : fmt::format("There is no step {} here.", wanted.step + 1);
   reply["parameters"] = parameters();
   reply["flat"] = lesson.flat;
   return reply;
@@ -362,7 +366,7 @@ Json Session::copy(const Json&) {
           {"place", viz::to_json(p.place())},
           {"latex", fmt::format("\\begin{{figure}}\n  \\centering\n  \\includegraphics[width=8cm,alt={{{}}}]{{{}}}\n"
                                 "  \\caption{{{}}}\n\\end{{figure}}\n",
-                                viz::tex(viz::as_markup(line)), file, viz::tex(caption))},
+                                viz::tex_said(line), file, viz::tex(caption))},
           {"markdown", fmt::format("![{}]({}.svg)\n\n{}\n", line, file, viz::plain(caption))}};
 }
 

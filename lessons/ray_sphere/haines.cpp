@@ -182,7 +182,7 @@ class HainesTeller : Teller {
 
   void say(const TooFar<C>& e) {
     const bool segment = setup_.segment();
-    if (segment) script_.value("*t*_{max}", e.limit.value, "length", Role::first);
+    if (segment) script_.value("*t*_{max} |**d**|", e.limit.value, "length", Role::first);
     Step& step =
         add("in-range", "Within the ray's range?", 13,
             !segment        ? "A ray has no end, so every *t* ≥ 0 is on it."

@@ -95,7 +95,13 @@ Walk page_of_all(const Pose& pose) {
   same.question = which_value("One pose, four kinds of shape. How many different relations?",
                               static_cast<double>(found.size()), {1, 2, 3, 4}, "The exact test of each kind decides.");
   const Ball& b = std::get<Ball>(same.scene.items[1]);
-  same.scene.handles = {{"size", Handle::Kind::along, b.center + two_by_two * pose.size * upwards(), b.center,
+  same.scene.handles = {{.parameter = "b",
+                         .kind = Handle::Kind::vector,
+                         .at = b.center,
+                         .anchor = b.center - two_by_two * pose.b,
+                         .role = Role::second,
+                         .scale = two_by_two},
+                        {"size", Handle::Kind::along, b.center + two_by_two * pose.size * upwards(), b.center,
                          Role::second, upwards() / (two_by_two * axis_length * axis_length)}};
   script.settle(Verdict::Kind::yes, "six relations, whatever the kind");
   script

@@ -113,6 +113,9 @@ TEST_CASE("dragging a handle moves its parameter and stops at the range's end", 
   const Vec3 anchor(1, 1, 1);
   drag(toy(), p, {"origin", Handle::Kind::point, {}}, Vec3(3, 4, -60));
   CHECK(std::get<Vec3>(p["origin"]) == Vec3(3, 4, -50));
+  drag(toy(), p, {.parameter = "origin", .kind = Handle::Kind::vector, .at = {}, .anchor = anchor, .scale = 0.5},
+       Vec3(2, 3, 4));
+  CHECK(std::get<Vec3>(p["origin"]) == 2 * (Vec3(2, 3, 4) - anchor));
   drag(toy(), p, {"origin", Handle::Kind::vector, {}, anchor}, Vec3(3, 4, 5));
   CHECK(std::get<Vec3>(p["origin"]) == Vec3(2, 3, 4));
   drag(toy(), p, {"radius", Handle::Kind::length, {}, anchor}, Vec3(1, 4, 5));

@@ -53,7 +53,7 @@ TEST_CASE("an area and its outline are one element, unless something stands betw
              Contains(" d=\"M0 0l9 0l-9 9z\"/>") && Contains("class=\"fill-") && !Contains("\" class="));
 }
 
-TEST_CASE("a facet is one element in its own colour, with its seam", "[page]") {
+TEST_CASE("facets of one colour that cover one another nowhere are one element, with their seams", "[page]") {
   const Facets facets = {.corners = {{0, 0}, {9, 0}, {0, 9}, {9, 0}, {9, 9}, {0, 9}},
                          .colours = {hex(0x123456), hex(0x654321)},
                          .seam = 0.5};
@@ -61,6 +61,12 @@ TEST_CASE("a facet is one element in its own colour, with its seam", "[page]") {
   CHECK_THAT(svg,
              Contains("<path fill=\"#123456\" stroke=\"#123456\" stroke-width=\"0.5\" d=\"M0 0l9 0l-9 9z\"/>") &&
                  Contains("<path fill=\"#654321\" stroke=\"#654321\" stroke-width=\"0.5\" d=\"M9 0l0 9l-9 0z\"/>"));
+  Facets alike = facets;  // its third lies on the first, in the colour of the second
+  alike.corners.insert(alike.corners.end(), {{1, 1}, {4, 1}, {1, 4}});
+  alike.colours = {hex(0x123456), hex(0x123456), hex(0x123456)};
+  CHECK_THAT(lone_svg(drawing({alike}), "", ""),
+             Contains("d=\"M0 0l9 0l-9 9zm9 0l0 9l-9 0z\"/>") && Contains("d=\"M1 1l3 0l-3 3z\"/>"));
+
   Facets smooth = facets;
   smooth.seam = 0;
   CHECK_THAT(lone_svg(drawing({smooth}), "", ""), Contains("<path fill=\"#123456\" d=") && !Contains("stroke=\""));

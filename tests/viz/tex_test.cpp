@@ -5,6 +5,7 @@
 namespace tex_test {
 using isect::viz::tex;
 using isect::viz::tex_plain;
+using isect::viz::tex_said;
 
 TEST_CASE("marked letters, signs and scripts become mathematics, words stay words", "[tex]") {
   CHECK(tex("hit at *t* = 3.4") == "hit at $t = 3.4$");
@@ -42,6 +43,11 @@ TEST_CASE("two scripts of one kind in a row are one: TeX refuses a second", "[te
 
 TEST_CASE("a line of pseudocode keeps its indent, and no character of it is a mark", "[tex]") {
   CHECK(tex_plain("  t_min ← −(n · o)") == "~~t\\_min${}\\leftarrow  -($n${}\\cdot {}$o)");
+}
+
+TEST_CASE("an alternative text stays words, and TeX reads none of it as its own", "[tex]") {
+  CHECK(tex_said("t₁ < −2, 50 % of {a_b} & #1^2 ~ $\\") ==
+        "t₁ < −2, 50 \\% of \\{a\\_b\\} \\& \\#1\\^{}2 \\~{} \\$\\textbackslash{}");
 }
 
 }  // namespace tex_test

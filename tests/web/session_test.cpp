@@ -169,12 +169,28 @@ TEST_CASE("a name lights what bears it, and tells what is known of it", "[sessio
   CHECK(ask(session, {{"do", "point"}, {"x", 1}, {"y", 1}}).at("names").empty());
 }
 
+TEST_CASE("a link to a step or a question that is not there opens the setting and says so", "[session]") {
+  Session session = fresh();
+  const auto at = [&](int step, bool asks) {
+    return ask(session, {{"do", "open"}, {"lesson", "sphere-sphere"}, {"step", step}, {"asks", asks}});
+  };
+  Json frame = at(99, false);
+  CHECK(frame.at("told") == "There is no step 100 here.");
+  CHECK((frame.at("at") == 0 && frame.contains("picture")));
+  frame = at(0, true);
+  CHECK(frame.at("told") == "Nothing is asked at step 1 here.");
+  CHECK(frame.at("asks") == false);
+  CHECK(at(1, false).at("told") == "");
+}
+
 TEST_CASE("a step is copied for LaTeX and Markdown with its words", "[session]") {
   Session session = fresh();
   open(session, "sphere-sphere");
   const Json copied = ask(session, {{"do", "copy"}});
   CHECK_THAT(copied.at("latex").get<std::string>(),
              Contains("\\includegraphics[width=8cm,alt={") && Contains("\\caption{From centre to centre."));
+  const std::string latex = copied.at("latex").get<std::string>();
+  CHECK_THAT(latex.substr(0, latex.find("\\caption")), !Contains("$"));  // read out, not set
   CHECK_THAT(copied.at("markdown").get<std::string>(), Contains("](sphere-sphere-01-difference.svg)"));
   CHECK_THAT(copied.at("svg").get<std::string>(), Contains("<svg") && !Contains("var("));
   const Json whole = ask(session, {{"do", "whole"}});

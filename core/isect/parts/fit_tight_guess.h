@@ -249,8 +249,9 @@ inline Eigen::Matrix3d polished(Eigen::Matrix3d axes, const std::vector<Point<do
   return axes;
 }
 
-constexpr int enough = 100;      ///< vertices to search among
-constexpr double coarse = 0.02;  ///< radians: finer turns are for the best box alone
+constexpr int enough = 100;        ///< vertices to search among
+constexpr int enough_tries = 200;  ///< of boxes along a face or an edge, those that may be smallest first
+constexpr double coarse = 0.02;    ///< radians: finer turns are for the best box alone
 
 /// Those of a hull's vertices that are farthest in one of that many directions.
 inline std::vector<Point<double, 3>> few_vertices(const std::vector<Point<double, 3>>& vertices) {
@@ -295,16 +296,17 @@ inline std::vector<Point<double, 3>> outline(const Vector<double, 3>& base, cons
   return points;
 }
 
-/// The best boxes along the bases, the `most` smallest of different volume. Of those of one volume the earliest base's:
-/// a symmetrical hull has many, which are one and the same to a search that starts there.
+/// The best boxes along the bases, the `most` smallest of different volume among those tried. Of those of one volume
+/// the earliest base's: a symmetrical hull has many, which are one and the same to a search that starts there.
 inline std::vector<Eigen::Matrix3d> smallest_along(const std::vector<Vector<double, 3>>& bases,
                                                    const Hull3<double>& hull,
                                                    const std::vector<Vector<double, 3>>& normals, std::size_t most) {
-  std::vector<std::pair<double, std::size_t>> hopeful;
-  for (std::size_t i = 0; i < bases.size(); ++i) hopeful.push_back({least_volume(bases[i], hull, normals), i});
+  std::vector<std::pair<float, std::size_t>> hopeful;  // of so few digits that equals are equal
+  for (std::size_t i = 0; i < bases.size(); ++i)
+    hopeful.push_back({static_cast<float>(least_volume(bases[i], hull, normals)), i});
   std::sort(hopeful.begin(), hopeful.end());
   struct Found {
-    float volume;  // of so few digits that equals are equal
+    float volume;
     std::size_t base;
     Eigen::Matrix3d axes;
   };
@@ -313,8 +315,10 @@ inline std::vector<Eigen::Matrix3d> smallest_along(const std::vector<Vector<doub
   for (const Point<double, 3>& p : hull.vertices) size = std::max(size, (p - hull.vertices[0]).norm());
   const double rounding = 1e-6 * size * size * size;  // of bound and volume together, many times over
   std::vector<Found> found;                           // ascending
+  int tries = 0;
   for (const auto& [least, i] : hopeful) {
-    if (found.size() == most && least - rounding > found.back().volume) break;
+    if (found.size() == most && (least - rounding > found.back().volume || tries >= enough_tries)) break;
+    ++tries;
     const Eigen::Matrix3d axes = turned_about(bases[i], outline(bases[i], hull, normals, size));
     const Found one = {static_cast<float>(volume_along<3>(axes, hull.vertices)), i, axes};
     const auto at = std::lower_bound(found.begin(), found.end(), one, smaller);
