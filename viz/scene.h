@@ -144,6 +144,7 @@ struct Label {
   std::string text;
   Role role = Role::text;
   std::optional<Vec3> until = {};
+  bool at_handle = false;  ///< it keeps off the ring that a handle has there
 };
 
 /// A heading, bold or not, whose middle stands at `at`, come what may: labels keep off it. It shrinks to `room` world

@@ -101,7 +101,7 @@ TEST_CASE("in a small window the name of a grip beside a raster lies beside it, 
         });
         if (raster == scene.items.end()) continue;
         const Raster picture = std::get<Raster>(*raster);
-        for (const Handle& h : scene.handles) scene.items.emplace_back(Label{h.at, h.parameter, h.role});
+        for (const Handle& h : scene.handles) scene.items.emplace_back(Label{h.at, h.parameter, h.role, {}, true});
         const View view(frame(lesson->camera, {&scene}, width / height), width, height);
         const Vec2 corner = view.project(picture.corner).at,
                    opposite = view.project(picture.corner + picture.across + picture.down).at;

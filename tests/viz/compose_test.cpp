@@ -219,6 +219,22 @@ TEST_CASE("a handle does not cover what is marked in its place", "[compose]") {
   CHECK(discs({Vec3::Zero(), Mark::diamond, Role::highlight}) == 0);
 }
 
+TEST_CASE("a name at a handle keeps off its ring, whether that is drawn here or over the picture", "[compose]") {
+  const Theme style = theme(ThemeName::screen, 960, 600);
+  const View view({.half_height = 3}, 960, 600);
+  for (const bool at_handle : {true, false}) {
+    Scene scene;
+    scene.items = {Ball{Vec3::Zero(), 1, Role::second}, Label{Vec3::Zero(), "b", Role::second, {}, at_handle}};
+    const Composed composed = compose(scene, view, style);
+    REQUIRE(composed.labels.size() == 1);
+    const TextBox& b = composed.labels[0].box;
+    const Vec2 p = view.project(Vec3::Zero()).at;
+    const double off =
+        std::hypot(std::max({b.left - p.x(), p.x() - b.right, 0.0}), std::max({b.top - p.y(), p.y() - b.bottom, 0.0}));
+    CHECK((off >= style.sizes.handle_ring) == at_handle);
+  }
+}
+
 TEST_CASE("the ring of a yellow handle is seen on white", "[compose]") {
   Scene scene;
   scene.handles = {{.parameter = "v", .at = Vec3::Zero(), .role = Role::highlight}};

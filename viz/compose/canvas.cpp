@@ -117,9 +117,9 @@ void draw(Canvas& c, const Dot& it) {
 
 void draw(Canvas& c, const Label& it) {
   const Vec2 from = c.at(it.at), to = it.until ? c.at(*it.until) : from;
-  double keep_off = it.until ? c.sizes().outline : c.dot_radius(it.at);
-  for (const Handle& handle : c.scene.handles)
-    if (!it.until && handle.at == it.at && c.handles) keep_off = c.sizes().handle_ring;
+  const double keep_off = it.until       ? c.sizes().outline
+                          : it.at_handle ? std::max(c.dot_radius(it.at), c.sizes().handle_ring)
+                                         : c.dot_radius(it.at);
   c.labels.push_back({it.text, from, to, keep_off, edge_ink(it.role, c.theme)});
 }
 

@@ -12,6 +12,8 @@ bool is_tip(const Scene& scene, const Vec3& at) {
   });
 }
 
+bool stands_at(const Label& label, const Handle& h) { return (label.at - h.at).norm() <= 1e-9 * (1 + h.at.norm()); }
+
 }  // namespace
 
 Scene with_names(const Player& player) {
@@ -24,8 +26,7 @@ Scene with_names(const Player& player) {
     const auto names = [&](const Item& item) {
       const Label* label = std::get_if<Label>(&item);
       if (!label || label->text.find(name) == std::string::npos) return false;
-      const bool here = (label->at - h.at).norm() <= 1e-9 * (1 + h.at.norm());
-      return here || (label->text == name && !is_tip(player.scene(), label->at));
+      return stands_at(*label, h) || (label->text == name && !is_tip(player.scene(), label->at));
     };
     if (std::ranges::any_of(scene.items, names)) continue;
     std::erase_if(scene.items, [&](const Item& item) {
@@ -34,6 +35,9 @@ Scene with_names(const Player& player) {
     });
     scene.items.emplace_back(Label{h.at, name, h.role});
   }
+  for (Item& item : scene.items)
+    if (Label* label = std::get_if<Label>(&item); label && !label->until)
+      label->at_handle = std::ranges::any_of(scene.handles, [&](const Handle& h) { return stands_at(*label, h); });
   return scene;
 }
 
