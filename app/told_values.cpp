@@ -26,7 +26,10 @@ bool wants_all(double x) {
   return viz::to_text(x).size() <= few || lost(x) < next;
 }
 
-std::string all_digits(double x) { return lost(x) == 0 ? viz::shown(x) : viz::with_minus_signs(viz::to_text(x)); }
+std::string all_digits(double x) {
+  if (x == 0 && std::signbit(x)) return "−0";
+  return lost(x) == 0 ? viz::shown(x) : viz::with_minus_signs(viz::to_text(x));
+}
 std::string number_in_words(double x) { return wants_all(x) ? all_digits(x) : viz::shown(x); }
 
 template <class Told>

@@ -76,6 +76,10 @@ void Player::choose(int step) {
   state_.wanted = at_ = step;
   state_.slug = walk().steps[step].slug;
   state_.outcome = step == outcome(walk()) && step > 0;
+  look();
+}
+
+void Player::look() {
   if (!moved_) camera_.glide(opening_view(), seconds_to_move);
 }
 
@@ -120,8 +124,8 @@ Place Player::place() const { return {lesson().id, preset_, index(), parameters(
 
 void Player::go_to(int step) {
   begin_motion();
-  choose(std::clamp(step, 0, count() - 1));
   ask(false);
+  choose(std::clamp(step, 0, count() - 1));
   waited_ = 0;
   action_.clear();
   ++revision_;
@@ -159,6 +163,7 @@ void Player::next() {
   if (!walk().steps[to].question || asked_.contains(to)) return go_to(to);
   begin_motion();
   ask(true);
+  look();
   ++revision_;
 }
 
@@ -166,6 +171,7 @@ void Player::back() {
   if (!asking_) return go_to(index() - 1);
   begin_motion();
   ask(false);
+  look();
   ++revision_;
 }
 

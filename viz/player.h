@@ -200,6 +200,7 @@ class Player {
   bool travel(std::vector<Memory> Player::*from, std::vector<Memory> Player::*to);
   static int step_in(const Walk&, const State&);
   void choose(int step);  ///< of the walk that is shown
+  void look();            ///< towards what is drawn now, unless the reader has moved the camera
   void begin_motion();    ///< from what is shown now
   void ask(bool);         ///< about the next step, if it has a question
   /// The lesson's view of the walk, at the scale that all presets share.

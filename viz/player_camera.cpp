@@ -20,7 +20,7 @@ Camera Player::opening_view() const {
     for (const Scene* scene : scenes_of(*beside_)) scenes.push_back(scene);
     return frame(opening(lesson()), scenes, aspect_);
   }
-  return closer(frame_alike(opening(lesson()), walk(), overview_->samples, aspect_), step().scene, aspect_);
+  return closer(frame_alike(opening(lesson()), walk(), overview_->samples, aspect_), scene(), aspect_);
 }
 
 void Player::set_aspect(double aspect) {

@@ -71,7 +71,7 @@ std::string WalkSection::given() const {
     all.push_back(fmt::format("{}\u00a0=\u00a0{}", text(p.label.empty() ? p.name : p.label), xml_escaped(value)));
   }
   std::string out = fmt::format("<p class=\"given\"><b class=\"head\">Given</b> {}.", fmt::join(all, ", "));
-  if (rounded) out += " Numbers are rounded.";
+  if (rounded) out += " Some numbers are rounded.";
   const viz::Scene& scene = walk_.steps.front().scene;
   if (!scene.chart)
     for (const std::string& object : viz::geometry(scene, parameters_, lesson_.flat))

@@ -115,7 +115,7 @@ class Teller {
       case Relation::disjoint:
         return "Some axis has a gap.";
       case Relation::touching:
-        return "No axis has a gap, but on one they share a single number.";
+        return "No axis has a gap, but on at least one they share a single number.";
       case Relation::equal:
         return "All six numbers agree.";
       case Relation::overlapping:

@@ -118,16 +118,17 @@ class Coarsening {
       script_.value("triangles", static_cast<double>(h_.levels[level].triangles.size()));
       script_.value("triangles tested", tested, {}, Role::first);
       if (k > 0 && level != told) continue;  // as there
-      Step& step =
-          add(fmt::format("search-{}", level), fmt::format("Level {}", level), k == 0 ? 4 : 5,
-              k == 0  ? "The search starts with the two coarsest triangles: one contains **p**."
-              : k > 1 ? fmt::format("From triangle to linked triangle, level by level. Here {} {} linked, shaded.",
-                                    candidates.size(), candidates.size() == 1 ? "is" : "are")
-              : candidates.size() == 1
-                  ? "The triangle did not change: its only link is itself."
-                  : fmt::format("Only {} triangles are linked, shaded here. One of them contains **p**.",
-                                candidates.size()),
-              level);
+      Step& step = add(
+          fmt::format("search-{}", level), fmt::format("Level {}", level), k == 0 ? 4 : 5,
+          k == 0  ? "The search starts with the two coarsest triangles: one contains **p**."
+          : k > 1 ? fmt::format(
+                        "From triangle to linked triangle, level by level; {} not drawn. Here {} {} linked, shaded.",
+                        passed(level), candidates.size(), candidates.size() == 1 ? "is" : "are")
+          : candidates.size() == 1
+              ? "The triangle did not change: its only link is itself."
+              : fmt::format("Only {} triangles are linked, shaded here. One of them contains **p**.",
+                            candidates.size()),
+          level);
       step.decides = true;
     }
     drawn_.done = true;
@@ -138,6 +139,12 @@ class Coarsening {
                                                : "The triangle is one of the rest: outside.") +
             "\nO(lg *n*) levels with a few tests each, O(*n*) space: optimal, with large constants.",
         0);
+  }
+
+  /// The levels between the coarsest and this one.
+  std::string passed(Index level) const {
+    const Index first = h_.levels.size() - 2, last = level + 1;
+    return first == last ? fmt::format("level {} is", first) : fmt::format("levels {} to {} are", first, last);
   }
 
   static constexpr Index told = 1;  ///< of the search, beside the coarsest and the finest

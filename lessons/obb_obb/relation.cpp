@@ -28,7 +28,7 @@ std::string Teller::because() const {
       return gap_ ? "There is an axis on which |**n** · **l**| > *r*_a + *r*_b."
                   : "Without ε, an axis separates the boxes.";
     case Relation::touching:
-      return "No axis separates them, but on one the projections share a single number.";
+      return "No axis separates them, but on at least one the projections share a single number.";
     case Relation::overlapping:
       return "On every axis the projections share more than a number.";
     case Relation::equal:

@@ -85,12 +85,13 @@ class Teller {
     if (left == 0) script_.leave_early();
     const std::string cost = few < all ? fmt::format("\nThat takes {} tests, and {} without the balls.", few, all)
                                        : "\nBoth large objects are left: here the balls cost more than they save.";
-    Step& s = step("volumes", "Bounding balls first", 1,
-                   (left == 0 ? "The ray meets no bounding ball: nothing is there."
-                              : fmt::format("A ray that misses the ball around an object (dashed) misses the object. "
-                                            "{} of {} objects {} left.",
-                                            left, s_.size(), left == 1 ? "is" : "are")) +
-                       cost);
+    Step& s = step(
+        "volumes", "Bounding balls first", 1,
+        (left == 0 ? "The ray meets no bounding ball: nothing is there."
+                   : fmt::format("A ray that misses the ball around an object, drawn as a circle, misses the object. "
+                                 "{} of {} objects {} left.",
+                                 left, s_.size(), left == 1 ? "is" : "are")) +
+            cost);
     s.decides = true;
     s.question = {"How many objects need a closer look?", {}, left, "Those whose bounding ball the ray meets."};
     for (int i = 0; i <= s_.size(); ++i) s.question->choices.push_back(std::to_string(i));

@@ -145,16 +145,15 @@ class Teller {
         add("containment", "One inside the other?", line == 0 ? 3 : line, contained_caption(), Focus::containment,
             fmt::format("a ⊆ b: {},  b ⊆ a: {}", a_in_b ? "yes" : "no", b_in_a ? "yes" : "no"));
     step.decides = true;
-    step.question =
-        Question{"Which set is a subset of the other?",
-                 {"a lies in b", "b lies in a", "each in the other", "neither"},
-                 r == equal ? 2
-                 : a_in_b   ? 0
-                 : b_in_a   ? 1
-                            : 3,
-                 r == equal         ? "No point of one lies outside the other."
-                 : a_in_b || b_in_a ? "A ring marks a point of the larger one that lies outside the smaller."
-                                    : "A ring marks a point of one outside the other."};
+    step.question = Question{"Which set is a subset of the other?",
+                             {"a lies in b", "b lies in a", "each in the other", "neither"},
+                             r == equal ? 2
+                             : a_in_b   ? 0
+                             : b_in_a   ? 1
+                                        : 3,
+                             r == equal         ? "No point of one lies outside the other."
+                             : a_in_b || b_in_a ? "Some point of the larger one lies outside the smaller."
+                                                : "Each has a point that lies outside the other."};
   }
 
   std::string contained_caption() const {

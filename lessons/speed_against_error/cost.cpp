@@ -62,7 +62,8 @@ void Teller::cost() {
 
   const int bucket = noise.empty() ? (usual < 1 ? 0 : usual <= 3 ? 2 : usual <= 10 ? 3 : 4) : 1;
   step.question = Question{
-      "Compared with the naive method, how long does the exact call take on ordinary cases?",
+      "On ordinary cases, not the hard ones told last: how long does the exact call take, compared with the naive "
+      "method?",
       {"clearly less long", "as long, within the noise", "longer, up to 3 times", "3 to 10 times as long",
        "more than 10 times as long"},
       bucket,

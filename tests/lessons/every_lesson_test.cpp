@@ -11,6 +11,7 @@
 #include "viz/case_map.h"
 #include "viz/chart.h"
 #include "viz/compose.h"
+#include "viz/player.h"
 #include "viz/rich_text.h"
 
 namespace every_lesson_test {
@@ -51,6 +52,31 @@ TEST_CASE("labels neither meet nor leave the picture, in any preset, step, theme
         }
       }
     }
+  }
+}
+
+TEST_CASE("a player shows all of what it draws, also while it asks", "[every lesson]") {
+  for (const Lesson* lesson : those_asked_for()) {
+    Player player({lesson}, Place{}, true);
+    for (const Preset& preset : lesson->presets)
+      for (const double aspect : {1.2, 2.0}) {
+        player.load(preset);
+        player.set_aspect(aspect);
+        for (bool more = true; more;) {
+          const Camera camera = player.camera().goal();
+          const View view(camera, 1, 1);
+          const Scene& scene = player.scene();
+          if (!scene.chart && !scene.items.empty() && !camera.perspective) {
+            const Box2 box = extent(scene.items, camera);
+            const Vec2 middle(camera.target.dot(view.right()), camera.target.dot(view.up()));
+            const Vec2 half = camera.half_height * (1 + 1e-9) * Vec2(aspect, 1);
+            INFO(lesson->id << " " << preset.id << ", " << player.step().slug << (player.asked() ? ", asking" : ""));
+            CHECK(((box.lo - middle + half).minCoeff() >= 0 && (middle + half - box.hi).minCoeff() >= 0));
+          }
+          more = !player.at_end();
+          player.next();
+        }
+      }
   }
 }
 
