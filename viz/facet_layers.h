@@ -9,7 +9,7 @@
 namespace isect::viz {
 
 /// The layer of each facet, from 0 at the bottom: it is above that of every earlier one it covers a part of. Facets of
-/// a closed mesh seen from outside have two or three. Above `most_layered` facets each has its own.
+/// a closed mesh seen from outside have few. Above `most_layered` facets each has its own.
 /// Time O(n^2), some 0.1 ms for 450.
 std::vector<int> layers(const Facets&);
 
