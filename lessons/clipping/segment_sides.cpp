@@ -81,11 +81,10 @@ std::string SegmentTeller::caption(int heading, bool narrowed, const Side& side)
   if (known_.left)
     return "The line leaves one side before it has entered the other. No *t* satisfies both: nothing is "
            "left.";
-  const std::string way = heading > 0 ? "The line enters across " + name_of(side) + ": what lies before *t* is cut off."
-                                      : "The line leaves across " + name_of(side) + ": what lies after *t* is cut off.";
-  if (narrowed) return way;
-  return way + (heading > 0 ? "\nThe range begins later already, so *t*_{in} stays: the last entry counts."
-                            : "\nThe range ends earlier already, so *t*_{out} stays: the first exit counts.");
+  const std::string way = (heading > 0 ? "The line enters across " : "The line leaves across ") + name_of(side);
+  if (narrowed) return way + (heading > 0 ? ": what lies before *t* is cut off." : ": what lies after *t* is cut off.");
+  return way + (heading > 0 ? ", but the range begins no earlier.\nSo *t*_{in} stays: the last entry counts."
+                            : ", but the range ends no later.\nSo *t*_{out} stays: the first exit counts.");
 }
 
 std::string SegmentTeller::because(int heading, bool narrowed) const {
