@@ -14,6 +14,7 @@ TEST_CASE("numbers in a sentence have all their digits where these are few, or w
   const auto [number, told, rounded] =
       GENERATE(table<double, std::string, bool>({{-1.25, "−1.25", false},
                                                  {0, "0", false},
+                                                 {-0.0, "−0", false},
                                                  {1e-9, "1\u2009·\u200910⁻⁹", false},
                                                  {0.73728139481, "0.73728", true},
                                                  {-123456.789, "−123456.789", false},

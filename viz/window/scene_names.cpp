@@ -24,7 +24,6 @@ Scene with_names(const Player& player) {
     for (const Parameter& p : player.lesson().parameters)
       if (p.name == h.parameter && !p.label.empty()) name = p.label;
     const auto names = [&](const Item& item) {
-      if (const Heading* heading = std::get_if<Heading>(&item)) return heading->text == name;
       const Label* label = std::get_if<Label>(&item);
       if (!label || label->text.find(name) == std::string::npos) return false;
       return stands_at(*label, h) || (label->text == name && !is_tip(player.scene(), label->at));
