@@ -160,7 +160,8 @@ int whole(const Program& program, const BookOptions& options) {
   if (!live_scenes.empty()) shelf.add(book::live_scenes_file, first_line(book::live_scenes_file) + "\n" + live_scenes);
   if (!live.empty()) {
     shelf.add(book::live_file, first_line(book::live_file) + "\n" + live);
-    shelf.add(letters_file, first_line(letters_file) + "\nvar isect_letters = " + nlohmann::json(fonts).dump() + ";\n");
+    shelf.add(letters_file,
+              first_line(letters_file) + "\nvar isect_letters = " + nlohmann::ordered_json(fonts).dump() + ";\n");
   }
   shelf.remove_stale();
   return done;

@@ -61,7 +61,7 @@ std::string counts(const std::vector<std::pair<std::string, Cases>>& all) {
 }  // namespace
 
 std::string escaped(const std::string& text) {
-  using Value = nlohmann::json;  // its escapes replace broken UTF-8
+  using Value = nlohmann::ordered_json;  // its escapes replace broken UTF-8
   const std::string whole = Value::parse(Value(text).dump(-1, ' ', false, Value::error_handler_t::replace));
   std::string out;
   for (const char c : whole)

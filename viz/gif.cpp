@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "viz/animation.h"
 #include "viz/colour_table.h"
+#include "viz/metadata_text.h"
 #include "viz/most_metadata.h"
 
 namespace isect::viz {
@@ -178,9 +178,7 @@ std::string gif(const std::vector<Picture>& pictures, double seconds, const Meta
                 const Imprint& imprint) {
   need_alike(pictures);
   Writer writer(pictures.front().width, pictures.front().height);
-  if (!metadata.empty())
-    writer.comment(std::string(metadata_mark) +
-                   nlohmann::json(metadata).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace));
+  if (!metadata.empty()) writer.comment(std::string(metadata_mark) + metadata_text(metadata));
   if (!imprint.alt.empty()) writer.comment(imprint.alt);
   for (const Picture& picture : pictures) writer.add(picture, seconds);
   return writer.made();
@@ -190,11 +188,7 @@ Metadata gif_metadata(const std::string& bytes) {
   const std::string text = GifReader(bytes).comment();
   if (text.empty()) return {};
   if (text.size() > most_metadata) throw FileError("broken GIF: its metadata is too long");
-  try {
-    return nlohmann::json::parse(text).get<Metadata>();
-  } catch (const nlohmann::json::exception&) {
-    throw FileError("broken GIF: its metadata cannot be read");
-  }
+  return metadata_of_text(text, "GIF");
 }
 
 }  // namespace isect::viz

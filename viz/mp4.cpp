@@ -15,10 +15,10 @@
 #include <cstdlib>
 #include <cstring>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "viz/animation.h"
+#include "viz/metadata_text.h"
 #include "viz/most_metadata.h"
 
 namespace isect::viz {
@@ -82,10 +82,7 @@ std::vector<std::string> command(int width, int height, const Metadata& metadata
   add({"-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v", "+bitexact", "-threads", "1"});
   add({"-vf", "scale=out_color_matrix=bt709:out_range=tv,format=yuv420p", "-colorspace", "bt709"});
   add({"-color_primaries", "bt709", "-color_trc", "bt709", "-c:v", "libx264", "-crf", "16", "-tune", "stillimage"});
-  if (!metadata.empty())
-    add({"-metadata",
-         fmt::format("comment={}{}", metadata_mark,
-                     nlohmann::json(metadata).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace))});
+  if (!metadata.empty()) add({"-metadata", fmt::format("comment={}{}", metadata_mark, metadata_text(metadata))});
   if (!imprint.title.empty()) add({"-metadata", "title=" + imprint.title});
   if (!imprint.alt.empty()) add({"-metadata", "description=" + imprint.alt});
   add({"-movflags", "+faststart", "-f", "mp4", to});
@@ -198,12 +195,7 @@ Metadata mp4_metadata(const std::string& bytes) {
     for (std::size_t i = at - head; i < at - head + 4; ++i) size = size << 8 | static_cast<unsigned char>(bytes[i]);
     const std::size_t text = size - std::min(size, head);
     if (text < metadata_mark.size() || text > most_mp4_metadata || at + text > bytes.size()) continue;
-    try {
-      return nlohmann::json::parse(bytes.substr(at + metadata_mark.size(), text - metadata_mark.size()))
-          .get<Metadata>();
-    } catch (const nlohmann::json::exception&) {
-      throw FileError("broken MP4: its metadata cannot be read");
-    }
+    return metadata_of_text(bytes.substr(at + metadata_mark.size(), text - metadata_mark.size()), "MP4");
   }
   return {};
 }

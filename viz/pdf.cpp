@@ -5,10 +5,10 @@
 
 #include <charconv>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "viz/cairo_drawing.h"
 #include "viz/files.h"
+#include "viz/metadata_text.h"
 #include "viz/most_metadata.h"
 
 namespace isect::viz {
@@ -24,10 +24,7 @@ cairo_status_t append(void* out, const unsigned char* data, unsigned length) {
 }
 
 /// In ASCII: cairo then writes it byte by byte, or as UTF-16 where there is a bracket in it.
-std::string keywords(const Metadata& metadata) {
-  return std::string(metadata_mark) +
-         nlohmann::json(metadata).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
-}
+std::string keywords(const Metadata& metadata) { return std::string(metadata_mark) + metadata_text(metadata); }
 
 void tell(cairo_surface_t* surface, const Metadata& metadata, const Imprint& imprint) {
   const auto set = [&](cairo_pdf_metadata_t what, const std::string& text) {
@@ -109,11 +106,7 @@ Metadata pdf_metadata(const std::string& bytes) {
     const std::string text = as_ascii(string_at(bytes, at));
     if (!text.starts_with(metadata_mark)) continue;
     if (text.size() > most_metadata) throw FileError("broken PDF: its metadata is too long");
-    try {
-      return nlohmann::json::parse(text.substr(metadata_mark.size())).get<Metadata>();
-    } catch (const nlohmann::json::exception&) {
-      throw FileError("broken PDF: its metadata cannot be read");
-    }
+    return metadata_of_text(text.substr(metadata_mark.size()), "PDF");
   }
   return {};
 }

@@ -14,5 +14,5 @@ set(viz_sources
 # Files, fonts and formats: cairo, Pango, libpng.
 set(viz_file_sources
   cairo_drawing.cpp colour_table.cpp compare.cpp crop.cpp files.cpp font/file.cpp font/subset.cpp formats.cpp gif.cpp
-  mp4.cpp pdf.cpp png.cpp png_metadata.cpp resources.cpp strip.cpp svg.cpp svg_metadata.cpp text.cpp tikz.cpp
+  metadata_text.cpp mp4.cpp pdf.cpp png.cpp png_metadata.cpp resources.cpp strip.cpp svg.cpp svg_metadata.cpp text.cpp tikz.cpp
   typeset.cpp)

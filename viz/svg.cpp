@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "viz/files.h"
 #include "viz/hatch.h"
+#include "viz/metadata_text.h"
 #include "viz/rich_text.h"
 #include "viz/svg_path.h"
 #include "viz/text.h"
@@ -180,7 +180,7 @@ class SvgWriter {
 /// As an attribute of the root: Inkscape, SVGO and scour keep it, whereas most that make a file small drop a <metadata>
 /// element. JSON in ASCII, escaped for XML: control characters and broken UTF-8 never leave JSON's own escapes.
 std::string metadata_attribute(const Metadata& metadata) {
-  std::string json = nlohmann::json(metadata).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+  std::string json = metadata_text(metadata);
   const auto replace_all = [&](const std::string& from, const std::string& to) {
     for (std::size_t at = json.find(from); at != json.npos; at = json.find(from, at + to.size()))
       json.replace(at, from.size(), to);

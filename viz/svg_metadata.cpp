@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "viz/files.h"
+#include "viz/metadata_text.h"
 #include "viz/most_metadata.h"
 
 namespace isect::viz {
@@ -90,12 +90,7 @@ class MetadataReader {
 
 Metadata svg_metadata(const std::string& bytes) {
   const std::string json = MetadataReader().read(bytes);
-  if (json.empty()) return {};
-  try {
-    return nlohmann::json::parse(json).get<Metadata>();
-  } catch (const nlohmann::json::exception&) {
-    throw FileError("broken SVG: its metadata cannot be read");
-  }
+  return json.empty() ? Metadata{} : metadata_of_text(json, "SVG");
 }
 
 }  // namespace isect::viz

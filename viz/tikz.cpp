@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "viz/hatch.h"
+#include "viz/metadata_text.h"
 #include "viz/svg_path.h"
 #include "viz/tex.h"
 #include "viz/text.h"
@@ -237,9 +237,7 @@ std::string tikz(const Drawing& drawing, const Metadata& metadata, const Imprint
   if (!(drawing.width > 0 && drawing.height > 0 && std::isfinite(drawing.width * drawing.height)))
     throw FileError(fmt::format("cannot write TikZ: a drawing of {} x {}", drawing.width, drawing.height));
   std::string head;
-  if (!metadata.empty())
-    head = fmt::format("{}{}\n", tikz_data,
-                       nlohmann::json(metadata).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace));
+  if (!metadata.empty()) head = fmt::format("{}{}\n", tikz_data, metadata_text(metadata));
   head += "% \\usepackage{tikz} in the preamble, \\input where the figure belongs.\n";
   if (!imprint.title.empty()) head += commented(imprint.title);
   if (!imprint.alt.empty()) head += commented(imprint.alt);
@@ -252,11 +250,7 @@ Metadata tikz_metadata(const std::string& bytes) {
   const std::size_t at = bytes.find(tikz_data);
   if (at == bytes.npos) return {};
   const std::size_t begin = at + tikz_data.size();
-  try {
-    return nlohmann::json::parse(bytes.substr(begin, bytes.find('\n', begin) - begin)).get<Metadata>();
-  } catch (const nlohmann::json::exception&) {
-    throw FileError("broken TikZ: its metadata cannot be read");
-  }
+  return metadata_of_text(bytes.substr(begin, bytes.find('\n', begin) - begin), "TikZ");
 }
 
 }  // namespace isect::viz

@@ -10,7 +10,7 @@ namespace isect::query {
 
 namespace {
 
-using Parser = nlohmann::json;
+using Parser = nlohmann::ordered_json;
 
 /// A character of the line that says how far the parser has come.
 class Place {

@@ -116,16 +116,20 @@ std::vector<Json> members(const E& e) {
 
 }  // namespace detail
 
-template <class E>
-Json event(const E& e) {
-  Json object = {{"event", EventNames<E>::name}};
-  std::string_view names = EventNames<E>::members;
-  for (Json& value : detail::members(e)) {
-    const std::size_t end = std::min(names.find(' '), names.size());
-    object[std::string(names.substr(0, end))] = std::move(value);
-    names.remove_prefix(std::min(end + 1, names.size()));
+/// An object of an event's name and its values, under the names of its members.
+inline Json event(std::string_view name, std::string_view members, std::vector<Json> values) {
+  Json object = {{"event", name}};
+  for (Json& value : values) {
+    const std::size_t end = std::min(members.find(' '), members.size());
+    object[std::string(members.substr(0, end))] = std::move(value);
+    members.remove_prefix(std::min(end + 1, members.size()));
   }
   return object;
+}
+
+template <class E>
+Json event(const E& e) {
+  return event(EventNames<E>::name, EventNames<E>::members, detail::members(e));
 }
 
 /// Tells the events as they come, if they are wanted. One that is not heard would be a second call to compile.
