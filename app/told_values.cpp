@@ -27,8 +27,7 @@ bool wants_all(double x) {
 }
 
 std::string all_digits(double x) {
-  if (x == 0 && std::signbit(x)) return "−0";
-  return lost(x) == 0 ? viz::shown(x) : viz::with_minus_signs(viz::to_text(x));
+  return lost(x) == 0 ? viz::shown_with_sign(x) : viz::with_minus_signs(viz::to_text(x));
 }
 std::string number_in_words(double x) { return wants_all(x) ? all_digits(x) : viz::shown(x); }
 

@@ -183,8 +183,7 @@ std::vector<std::string> shown(const std::vector<Value>& values) {
     bool mistaken = false;
     for (std::size_t k = 0; k < n && !std::isnan(value); ++k)
       mistaken |= values[k].value != value && alone[k] == alone[i];
-    const bool is_negative_zero = value == 0 && std::signbit(value);
-    digits.push_back(mistaken ? to_text(value) : is_negative_zero && has_zero ? "−0" : alone[i]);
+    digits.push_back(mistaken ? to_text(value) : has_zero ? shown_with_sign(value) : alone[i]);
   }
   return digits;
 }

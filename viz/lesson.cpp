@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -249,6 +250,8 @@ std::string shown(double value) {
   for (const char digit : std::to_string(std::abs(exponent))) power += raised[digit - '0'];
   return sign + digits + "\u2009·\u200910" + power;
 }
+
+std::string shown_with_sign(double value) { return value == 0 && std::signbit(value) ? "−0" : shown(value); }
 
 std::pair<std::string, std::string> shown_apart(double a, double b) {
   if (a == b || shown(a) != shown(b)) return {shown(a), shown(b)};

@@ -241,6 +241,8 @@ std::string nearest(const std::string& word, const std::vector<std::string>& can
 BadInput unknown(const std::string& field, const std::string& given, const std::vector<std::string>& allowed);
 /// The number as shown to readers: about five significant digits, a real minus, no trailing zeros lost.
 std::string shown(double value);
+/// The same, but -0 keeps its sign.
+std::string shown_with_sign(double value);
 /// Both as shown; in full where they would read alike and are not equal.
 std::pair<std::string, std::string> shown_apart(double a, double b);
 

@@ -10,7 +10,7 @@ namespace isect::viz {
 namespace {
 
 constexpr double seconds_a_step = 1.6, seconds_to_read = 3.2;  ///< the latter: why an answer was right
-constexpr double seconds_to_move = 0.220, seconds_to_light = 0.120;
+constexpr double seconds_to_light = 0.120;
 constexpr std::size_t memories_kept = 100;
 
 Walk walk_of(const Lesson& lesson, const Parameters& parameters) {
@@ -77,10 +77,6 @@ void Player::choose(int step) {
   state_.slug = walk().steps[step].slug;
   state_.outcome = step == outcome(walk()) && step > 0;
   look();
-}
-
-void Player::look() {
-  if (!moved_) camera_.glide(opening_view(), seconds_to_move);
 }
 
 /// The one way the state changes.

@@ -21,6 +21,9 @@ struct Method {
   std::string choice, title;
 };
 
+/// From one step's picture, and its view, to the next.
+constexpr double seconds_to_move = 0.220;
+
 class Player {
  public:
   /// Starts paused at `at`; an empty place is the first lesson with its first preset. Throws BadInput.

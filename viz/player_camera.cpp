@@ -23,6 +23,10 @@ Camera Player::opening_view() const {
   return closer(frame_alike(opening(lesson()), walk(), overview_->samples, aspect_), scene(), aspect_);
 }
 
+void Player::look() {
+  if (!moved_) camera_.glide(opening_view(), seconds_to_move);
+}
+
 void Player::set_aspect(double aspect) {
   if (aspect == aspect_) return;
   all_or_nothing([&](Player& next) {

@@ -51,16 +51,17 @@ using Event = std::variant<Remaining, Added<S>, Removed<S>, Fallback>;
 namespace detail {
 
 /// The chain from the first point to the last that turns left at every vertex and has no point on its right.
-template <class S, class Iterator, class Trace>
-Ring<S, 2> left_turning(Iterator first, Iterator last, Trace&& trace) {
+/// turn(a, b, c) > 0: a left turn.
+template <class S, class Iterator, class Turn, class Trace>
+Ring<S, 2> left_turning(Iterator first, Iterator last, const Turn& turn, Trace&& trace) {
   Ring<S, 2> chain;
+  chain.reserve(last - first);
   for (Iterator p = first; p != last; ++p) {
     while (chain.size() > 1) {
       const Point<S, 2>&a = chain[chain.size() - 2], &b = chain.back();
-      const int turn =
-          orient2d(a.template cast<double>(), b.template cast<double>(), p->template cast<double>(), trace);
-      if (turn > 0) break;
-      trace(Removed<S>{b, *p, turn});
+      const int sign = turn(a, b, *p);
+      if (sign > 0) break;
+      trace(Removed<S>{b, *p, sign});
       chain.pop_back();
     }
     chain.push_back(*p);
@@ -69,19 +70,28 @@ Ring<S, 2> left_turning(Iterator first, Iterator last, Trace&& trace) {
   return chain;
 }
 
+/// Both chains: the hull, if `turn` is right.
+template <class S, class Turn, class Trace>
+Ring<S, 2> chains(Ring<S, 2> points, const Turn& turn, Trace&& trace) {
+  sort_points(points);
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if (points.size() < 2) return points;
+
+  Ring<S, 2> hull = left_turning<S>(points.begin(), points.end(), turn, trace);
+  const Ring<S, 2> back = left_turning<S>(points.rbegin(), points.rend(), turn, trace);
+  hull.insert(hull.end(), back.begin() + 1, back.end() - 1);  // the ends are in both
+  return hull;
+}
+
 }  // namespace detail
 
 /// The hull by sorting.
 template <class S, class Trace = NoTrace>
 Ring<S, 2> monotone_chain(Ring<S, 2> points, Trace&& trace = {}) {
-  sort_points(points);
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  if (points.size() < 2) return points;
-
-  Ring<S, 2> hull = detail::left_turning<S>(points.begin(), points.end(), trace);
-  const Ring<S, 2> back = detail::left_turning<S>(points.rbegin(), points.rend(), trace);
-  hull.insert(hull.end(), back.begin() + 1, back.end() - 1);  // the ends are in both
-  return hull;
+  const auto turn = [&](const Point<S, 2>& a, const Point<S, 2>& b, const Point<S, 2>& c) {
+    return orient2d(a.template cast<double>(), b.template cast<double>(), c.template cast<double>(), trace);
+  };
+  return detail::chains(std::move(points), turn, trace);
 }
 
 namespace detail {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cmath>
 #include <string>
 
 #include "viz/lesson.h"
@@ -9,8 +8,7 @@ namespace isect::lessons {
 
 /// As many digits as tell the number from `other`.
 inline std::string digits(double x, double other) {
-  if (x == 0 && std::signbit(x)) return "−0";
-  return x != other && viz::shown(x) == viz::shown(other) ? viz::to_text(x) : viz::shown(x);
+  return x != other && viz::shown(x) == viz::shown(other) ? viz::to_text(x) : viz::shown_with_sign(x);
 }
 
 /// As shown, but a power of ten without its factor 1: "10⁻⁶".

@@ -9,6 +9,7 @@
 #include <limits>
 #include <vector>
 
+#include <isect/convex_hull.h>
 #include <isect/convex_hull_3d.h>
 #include <isect/directions.h>
 #include <isect/parts/fit_guess.h>
@@ -125,27 +126,14 @@ Vector<double, N> unit(const Vector<double, N>& v, const Vector<double, N>& othe
   return std::abs(u.squaredNorm() - 1) < 0.01 ? u : other;
 }
 
-/// The convex hull but for rounding, by isect/convex_hull.h's chain with rounded turns: shadows of symmetrical objects
-/// have many points that are one in truth, and to tell exactly how rounding has parted them takes long.
+/// The convex hull but for rounding: shadows of symmetrical objects have many points that are one in truth, and to tell
+/// exactly how rounding has parted them takes long.
 inline Ring<double, 2> rounded_hull(Ring<double, 2> points) {
-  sort_points(points);
-  const auto chain = [](auto first, auto last) {
-    Ring<double, 2> kept;
-    kept.reserve(last - first);
-    for (auto p = first; p != last; kept.push_back(*p++))
-      while (kept.size() > 1) {
-        const Vector<double, 2> along = kept.back() - kept[kept.size() - 2], on = *p - kept.back();
-        if (along[0] * on[1] - along[1] * on[0] > 0) break;
-        kept.pop_back();
-      }
-    return kept;
+  const auto turn = [](const Point<double, 2>& a, const Point<double, 2>& b, const Point<double, 2>& c) {
+    const Vector<double, 2> along = b - a, on = c - b;
+    return along[0] * on[1] - along[1] * on[0] > 0 ? 1 : 0;
   };
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  if (points.size() < 2) return points;
-  Ring<double, 2> hull = chain(points.begin(), points.end());
-  const Ring<double, 2> back = chain(points.rbegin(), points.rend());
-  hull.insert(hull.end(), back.begin() + 1, back.end() - 1);
-  return hull;
+  return convex_hull_2d::detail::chains(std::move(points), turn, NoTrace{});
 }
 
 /// The direction of an edge of the points' convex hull, such that the rectangle along it has the least area. All four
@@ -334,10 +322,11 @@ inline std::vector<Eigen::Matrix3d> smallest_along(const std::vector<Vector<doub
 }
 
 /// Axes of a box of small volume. The smallest one has two adjacent faces flush with edges of the hull (O'Rourke);
-/// those with a whole face flush are tried, by calipers in its plane, and those along two edges of a small hull.
-/// What comes near the best is then turned about its axes, coarsely and among a few vertices of a large hull; at last
-/// the best is, finely and among all. Source: O'Rourke, Finding minimal enclosing boxes, 1985; Chang, Gorissen,
-/// Melchior, Fast oriented bounding box optimization on the rotation group, ACM TOG 30 (2011).
+/// those with a whole face flush are tried, by calipers in its plane, and those along two edges of a small hull;
+/// enough_tries of them at most, those that may be the smallest first. What comes near the best is then turned about
+/// its axes, coarsely and among a few vertices of a large hull; at last the best is, finely and among all. Source:
+/// O'Rourke, Finding minimal enclosing boxes, 1985; Chang, Gorissen, Melchior, Fast oriented bounding box optimization
+/// on the rotation group, ACM TOG 30 (2011).
 inline Eigen::Matrix3d tight_axes(const Hull3<double>& whole) {
   const std::vector<Point<double, 3>>& all = whole.vertices;
   const Hull3<double> hull = all.size() > enough ? convex_hull(few_vertices(all)) : whole;
