@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -19,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct CheckOptions {
   Selection asked;
   std::string snapshots, dir, report, junit, update, backend;
   bool json = false;
@@ -69,7 +70,7 @@ std::vector<Failure> choose_own(const Program& program, const std::string& dir, 
   return failures;
 }
 
-std::vector<Excerpt> chosen_of(const Program& program, const Options& options, const Selection& asked) {
+std::vector<Excerpt> chosen_of(const Program& program, const CheckOptions& options, const Selection& asked) {
   if (!options.dir.empty() && asked.files.empty()) return {};  // all of them are broken
   std::vector<Excerpt> chosen = excerpts(program, asked);
   for (const Excerpt& e : chosen)
@@ -103,7 +104,7 @@ void compare(const std::vector<Excerpt>& chosen, const Baselines::Reach& reach, 
 }
 
 /// Reports are written over what is there, but never over what was accepted or drawn, or over one another.
-void require_own_places(const Options& options) {
+void require_own_places(const CheckOptions& options) {
   if (!options.report.empty() && options.report == options.junit)
     throw viz::BadInput(fmt::format("junit: {} is the page of --report too; give each its own", options.junit));
   for (const std::string& file : {options.report, options.junit})
@@ -111,7 +112,7 @@ void require_own_places(const Options& options) {
       throw viz::BadInput(fmt::format("report: {} is a baseline or a figure; give the report another name", file));
 }
 
-int check(const Program& program, const Options& options) {
+int check(const Program& program, const CheckOptions& options) {
   require_own_places(options);
   for (const std::string& name : options.asked.lessons)
     if (std::error_code absent; options.dir.empty() && fs::is_regular_file(name, absent))
@@ -166,7 +167,7 @@ int check(const Program& program, const Options& options) {
 
 void add_check(CLI::App& app, Program& program) {
   CLI::App& sub = *app.add_subcommand("check", "compare every step of every preset with its accepted baseline");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CheckOptions>();
   options->asked.preset = "all";
   add_lesson(sub, program, options->asked, Takes::many, "lessons by id; all if none is given");
   sub.add_option("--preset", options->asked.preset, "only this one; all if not given")

@@ -1,5 +1,6 @@
 // isect explain: the lesson as text, for terminals and screen readers.
 
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "app/terminal.h"

@@ -5,7 +5,6 @@
 #include "app/program.h"
 #include "app/terminal.h"
 #include "lessons/lessons.h"
-#include "viz/place.h"
 #include "viz/resources.h"
 
 namespace isect::program {
@@ -16,12 +15,7 @@ int main(int argc, char** argv) try {
   using namespace isect;
   program::guard_streams();
   viz::share_scarce_heap();
-  program::Program program{"isect", lessons::all_lessons()};
-  if (program::only_lesson) {
-    program.name = program::only_lesson;
-    program.only = &viz::lesson_named(program.lessons, program::only_lesson);
-  }
-  return program::run(program, {argv + 1, argv + argc});
+  return program::run(lessons::all_lessons(), program::only_lesson, {argv + 1, argv + argc});
 } catch (const std::bad_alloc&) {  // before a command was chosen
   isect::program::say("isect: out of memory");
   return isect::program::file_trouble;

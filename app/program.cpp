@@ -110,12 +110,14 @@ int parse_and_run(Program& program, std::vector<std::string> arguments) {
 
 }  // namespace
 
-int run(Program& program, std::vector<std::string> arguments) {
+int run(std::vector<const viz::Lesson*> lessons, const char* only, std::vector<std::string> arguments) {
+  Program program{only ? only : "isect", std::move(lessons)};
   const auto complain = [&](const std::exception& e, int status) {
     say(fmt::format("{}: {}", program.name, e.what()));
     return status;
   };
   try {
+    if (only) program.only = &viz::lesson_named(program.lessons, only);
     return parse_and_run(program, std::move(arguments));
   } catch (const viz::BadInput& e) {
     return complain(e, bad_input);

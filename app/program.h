@@ -5,12 +5,16 @@
 // Each subcommand is one file with one function that adds it to the command line. Parsing sets `chosen`; main
 // calls it.
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "viz/lesson.h"
+namespace CLI {
+class App;
+}
+namespace isect::viz {
+struct Lesson;
+}
 
 namespace isect::program {
 
@@ -44,7 +48,8 @@ void add_query(CLI::App&, Program&);
 void add_bench(CLI::App&, Program&);
 void add_doctor(CLI::App&, Program&);
 
-/// `arguments` without the program's name. The exit status.
-int run(Program&, std::vector<std::string> arguments);
+/// The program of these lessons, or of the one with this id, if it is not null. `arguments` without the program's name.
+/// The exit status.
+int run(std::vector<const viz::Lesson*> lessons, const char* only, std::vector<std::string> arguments);
 
 }  // namespace isect::program

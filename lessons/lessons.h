@@ -3,7 +3,9 @@
 
 #include <vector>
 
-#include "viz/lesson.h"
+namespace isect::viz {
+struct Lesson;
+}
 
 namespace isect::lessons {
 

@@ -6,6 +6,7 @@
 
 #include "lessons/lessons.h"
 #include "tests/catch.h"
+#include "viz/lesson.h"
 
 namespace isect {
 

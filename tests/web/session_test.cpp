@@ -5,6 +5,7 @@
 #include <isect/sphere_sphere.h>
 #include "lessons/lessons.h"
 #include "tests/catch.h"
+#include "viz/lesson.h"
 
 namespace session_test {
 using isect::test::Contains;
