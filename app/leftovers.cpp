@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string beside(const std::string& baseline, const std::string& ending) {
+std::string sibling(const std::string& baseline, const std::string& ending) {
   return baseline.substr(0, baseline.size() - std::string(".png").size()) + ending;
 }
 
@@ -38,13 +38,13 @@ bool is_leftover(const fs::path& file) {
 }
 
 void write_leftovers(Failure& f, const std::string& folder) {
-  f.fresh = write(beside(f.baseline, ".new.png"), f.fresh_png, folder, f);
-  f.difference = write(beside(f.baseline, ".diff.png"), f.difference_png, folder, f);
+  f.fresh = write(sibling(f.baseline, ".new.png"), f.fresh_png, folder, f);
+  f.difference = write(sibling(f.baseline, ".diff.png"), f.difference_png, folder, f);
 }
 
 void remove_leftovers(const std::string& baseline, const std::string& folder) {
   for (const std::string ending : {".new.png", ".diff.png"}) {
-    const std::string file = beside(baseline, ending);
+    const std::string file = sibling(baseline, ending);
     std::error_code ignored;  // nothing is lost where they stay
     if (fs::exists(file, ignored) && made_for(metadata_in(file), folder, {})) fs::remove(file, ignored);
   }

@@ -23,7 +23,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Options {
+struct RenderOptions {
   Selection asked;
   StyleOptions style;
   std::string dir, out = "figures", backend = "auto", each;
@@ -66,7 +66,7 @@ std::vector<Job> jobs_of(const std::vector<Excerpt>& chosen, const Style& style)
 
 /// Each format of a job, given to `take`.
 template <class Take>
-void make(const Job& job, const Options& options, const Style& style, Studio& studio, const Take& take) {
+void make(const Job& job, const RenderOptions& options, const Style& style, Studio& studio, const Take& take) {
   const std::vector<viz::Drawing> drawings = studio.draw(job.e, job.piece.steps);
   for (const viz::Format* format : job.formats) {
     Json about = made_with(style, *format, drawings.front(), studio.renderer(*format));
@@ -78,7 +78,7 @@ void make(const Job& job, const Options& options, const Style& style, Studio& st
   }
 }
 
-int to_stdout(const std::vector<Excerpt>& chosen, const Options& options, const Style& style) {
+int to_stdout(const std::vector<Excerpt>& chosen, const RenderOptions& options, const Style& style) {
   const std::vector<Job> jobs = jobs_of(chosen, style);
   if (jobs.size() != 1 || jobs.front().formats.size() != 1)
     throw viz::BadInput("out: \"-\" takes exactly one figure in one format; give --step N, and one preset and format");
@@ -89,7 +89,7 @@ int to_stdout(const std::vector<Excerpt>& chosen, const Options& options, const 
   return done;
 }
 
-void draw_all(const std::vector<Job>& jobs, const Options& options, const Style& style, Studio& studio,
+void draw_all(const std::vector<Job>& jobs, const RenderOptions& options, const Style& style, Studio& studio,
               Gallery& gallery) {
   Progress progress(jobs.size());
   for (std::size_t i = 0; i < jobs.size(); ++i) {
@@ -106,7 +106,7 @@ void draw_all(const std::vector<Job>& jobs, const Options& options, const Style&
 }
 
 /// The presets of a folder in place of those that words name. Whether all of them can be read: the others are told.
-bool choose_folder(const Program& program, Options& options) {
+bool choose_folder(const Program& program, RenderOptions& options) {
   const PresetFolder folder = preset_folder(options.dir, program);
   say_passed_over(folder);
   for (const BrokenPreset& broken : folder.broken) say(fmt::format("{}: {}", program.name, broken.what));
@@ -114,7 +114,7 @@ bool choose_folder(const Program& program, Options& options) {
   return folder.broken.empty();
 }
 
-int render(const Program& program, Options options) {
+int render(const Program& program, RenderOptions options) {
   const Style style = style_of(options.style);
   if (!options.each.empty()) options.seconds = seconds_of(options.each);
   const bool whole = options.dir.empty() || choose_folder(program, options);
@@ -149,7 +149,7 @@ int render(const Program& program, Options options) {
 
 void add_render(CLI::App& app, Program& program) {
   CLI::App& sub = *app.add_subcommand("render", "figures as files, with alt text and a manifest");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RenderOptions>();
   add_lesson(sub, program, options->asked, Takes::many,
              "one lesson or several, by id; or files of presets, scenes or figures");
   sub.add_flag("--all", options->asked.all, "every lesson, and every preset unless --preset is given");

@@ -27,7 +27,7 @@ struct Tells {
 };
 
 /// Where an item is, whatever part it plays there.
-struct Place {
+struct Positions {
   std::vector<Vec3> operator()(const Dot& it) const { return {it.at}; }
   std::vector<Vec3> operator()(const Line& it) const { return {it.from, it.to}; }
   std::vector<Vec3> operator()(const Arrow& it) const { return {it.from, it.to}; }
@@ -50,7 +50,7 @@ struct Place {
   std::vector<Vec3> operator()(const Heading& it) const { return {it.at}; }
 };
 
-std::vector<Vec3> place(const Item& item) { return std::visit(Place{}, item); }
+std::vector<Vec3> positions(const Item& item) { return std::visit(Positions{}, item); }
 
 /// The part it plays, as far as Tells asks.
 struct Part {
@@ -65,7 +65,7 @@ struct Part {
   }
 };
 
-bool same(const Item& a, const Item& b) {
+bool same_part(const Item& a, const Item& b) {
   if (std::visit(Part{}, a) != std::visit(Part{}, b)) return false;
   if (const Label* label = std::get_if<Label>(&a)) return label->text == std::get<Label>(b).text;
   if (const Heading* heading = std::get_if<Heading>(&a)) return heading->text == std::get<Heading>(b).text;
@@ -74,14 +74,14 @@ bool same(const Item& a, const Item& b) {
 
 bool stands_in(const Scene& scene, const Item& item) {
   return std::ranges::any_of(scene.items, [&](const Item& other) {
-    return other.index() == item.index() && place(other) == place(item) && same(other, item);
+    return other.index() == item.index() && positions(other) == positions(item) && same_part(other, item);
   });
 }
 
 /// What stood in `before` at the item's place, and stands there no more.
 const Item* replaced(const Item& item, const Scene& before, const Scene& after) {
   const auto found = std::ranges::find_if(before.items, [&](const Item& old) {
-    return old.index() == item.index() && place(old) == place(item) && !stands_in(after, old);
+    return old.index() == item.index() && positions(old) == positions(item) && !stands_in(after, old);
   });
   return found == before.items.end() ? nullptr : &*found;
 }
@@ -162,11 +162,11 @@ Scene opening_scene(const Step& first) {
   std::erase_if(scene.items, [&](const Item& item) {
     const Role role = std::visit(Part{}, item).first;
     const bool found = tells(role) || role == Role::highlight;
-    if (found) left_out.push_back(place(item));
+    if (found) left_out.push_back(positions(item));
     return found;
   });
   std::erase_if(scene.items, [&](const Item& item) {
-    return std::holds_alternative<Label>(item) && std::ranges::find(left_out, place(item)) != left_out.end();
+    return std::holds_alternative<Label>(item) && std::ranges::find(left_out, positions(item)) != left_out.end();
   });
   return scene;
 }

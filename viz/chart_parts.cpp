@@ -25,7 +25,7 @@ std::vector<Vec2> star(const Vec2& at, std::vector<double> radii, int corners, d
 }
 
 /// A plus of arms `half` thick, turned by `turn`.
-std::vector<Vec2> cross(const Vec2& at, double r, double turn) {
+std::vector<Vec2> cross_shape(const Vec2& at, double r, double turn) {
   const double h = 0.36 * r, c = std::cos(turn), s = std::sin(turn);
   const Vec2 corners[] = {{h, h},   {h, r},   {-h, r}, {-h, h}, {-r, h}, {-r, -h},
                           {-h, -h}, {-h, -r}, {h, -r}, {h, -h}, {r, -h}, {r, h}};
@@ -55,9 +55,9 @@ Path outline_of(Glyph glyph, const Vec2& at, double r) {
     case Glyph::hexagon:
       return closed(star(at, {1.04 * r}, 6, 0));
     case Glyph::plus:
-      return closed(cross(at, 1.15 * r, 0));
+      return closed(cross_shape(at, 1.15 * r, 0));
     case Glyph::saltire:
-      return closed(cross(at, 1.2 * r, std::numbers::pi / 4));
+      return closed(cross_shape(at, 1.2 * r, std::numbers::pi / 4));
     case Glyph::star:
       return closed(star(at, {1.42 * r, 0.6 * r}, 10));
     case Glyph::star4:

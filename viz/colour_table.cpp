@@ -15,12 +15,12 @@ struct Counted {
 using Iterator = std::vector<Counted>::iterator;
 
 /// Colours that one will stand for.
-struct Group {
+struct ColourGroup {
   Iterator first, last;
   std::array<double, 3> mean = {}, error = {};  ///< squared, of all its pixels, by channel
   double count = 0;
 
-  Group(Iterator from, Iterator to) : first(from), last(to) {
+  ColourGroup(Iterator from, Iterator to) : first(from), last(to) {
     for (auto c = first; c != last; ++c) count += c->count;
     for (std::size_t i = 0; i < 3; ++i) {
       for (auto c = first; c != last; ++c) mean[i] += c->count * c->colour[i] / count;
@@ -45,7 +45,7 @@ struct Group {
   }
 };
 
-bool errs_less(const Group& a, const Group& b) { return a.error[a.widest()] < b.error[b.widest()]; }
+bool errs_less(const ColourGroup& a, const ColourGroup& b) { return a.error[a.widest()] < b.error[b.widest()]; }
 
 }  // namespace
 
@@ -56,17 +56,17 @@ ColourTable colour_table(const Picture& picture, int most) {
   std::vector<Counted> colours;
   for (const auto& [colour, count] : counts) colours.push_back({colour, static_cast<double>(count)});
 
-  std::vector<Group> groups = {{colours.begin(), colours.end()}};
+  std::vector<ColourGroup> groups = {{colours.begin(), colours.end()}};
   while (groups.size() < std::min(static_cast<std::size_t>(most), colours.size())) {
     const auto worst = std::ranges::max_element(groups, errs_less);
     const Iterator middle = worst->halves();
-    const Group upper(middle, worst->last);
-    *worst = Group(worst->first, middle);
+    const ColourGroup upper(middle, worst->last);
+    *worst = ColourGroup(worst->first, middle);
     groups.push_back(upper);
   }
 
   ColourTable table;
-  for (const Group& group : groups) {
+  for (const ColourGroup& group : groups) {
     for (auto c = group.first; c != group.last; ++c) counts[c->colour] = static_cast<int>(table.colours.size());
     table.colours.push_back(group.representative());
   }

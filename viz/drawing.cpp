@@ -40,7 +40,7 @@ void move(Path& path, const Vec2& by) {
   }
 }
 
-struct Moved {
+struct Shift {
   Vec2 by;
   void operator()(Fill& fill) const {
     move(fill.path, by);
@@ -129,7 +129,7 @@ Path ellipse(Vec2 center, Vec2 major, Vec2 minor) {
 
 Path circle(Vec2 center, double radius) { return ellipse(center, {radius, 0}, {0, radius}); }
 
-void move(Shape& shape, const Vec2& by) { std::visit(Moved{by}, shape); }
+void move(Shape& shape, const Vec2& by) { std::visit(Shift{by}, shape); }
 
 std::vector<Vec2> flatten(const Path& path, double tolerance) {
   std::vector<Vec2> points = {path.start};

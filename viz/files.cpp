@@ -134,8 +134,8 @@ std::string name_beside(const std::string& path) {
 
 /// The file at the end of all links, which need not be there. Loops are found before this is asked.
 std::string without_links(std::filesystem::path path) {
-  std::error_code none;  // no link: this is the file
-  for (std::filesystem::path to; to = std::filesystem::read_symlink(path, none), !none;)
+  std::error_code no_link;  // this is the file then
+  for (std::filesystem::path to; to = std::filesystem::read_symlink(path, no_link), !no_link;)
     path = to.is_absolute() ? to : path.parent_path() / to;
   return path;
 }

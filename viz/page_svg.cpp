@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t worth_sharing = 48;  ///< bytes; a reference takes about 20
 
-bool same(const Path& a, const Path& b) {
+bool same_path(const Path& a, const Path& b) {
   const auto same_segment = [](const Path::Segment& s, const Path::Segment& t) {
     if (s.index() != t.index()) return false;
     if (const Vec2* p = std::get_if<Vec2>(&s)) return *p == std::get<Vec2>(t);
@@ -30,10 +30,10 @@ bool same(const Path& a, const Path& b) {
 /// Whether both are the same mark on the page, in whatever colours.
 struct SamePlace {
   bool operator()(const Fill& a, const Fill& b) const {
-    return same(a.path, b.path) && std::ranges::equal(a.more, b.more, same);
+    return same_path(a.path, b.path) && std::ranges::equal(a.more, b.more, same_path);
   }
   bool operator()(const Stroke& a, const Stroke& b) const {
-    return a.width == b.width && a.dash == b.dash && same(a.path, b.path);
+    return a.width == b.width && a.dash == b.dash && same_path(a.path, b.path);
   }
   bool operator()(const Gradient& a, const Gradient& b) const {
     return a.center == b.center && a.major == b.major && a.minor == b.minor && a.focus == b.focus;
@@ -85,7 +85,7 @@ std::string property(const std::string& what) {
 }
 
 /// A paint that one theme lacks is seen through there.
-constexpr Colour none = {0, 0, 0, 0};
+constexpr Colour invisible = {0, 0, 0, 0};
 
 }  // namespace
 
@@ -170,8 +170,8 @@ class PageWriter {
     if (!page_.colours_) return painted(what, a) + more + opacity(what, a.a);
     const bool alike = a.a == b.a;
     PageColour c = {alike ? a.with_alpha(1) : a, alike ? b.with_alpha(1) : b};
-    if (!light) c.light = none;
-    if (!dark) c.dark = none;
+    if (!light) c.light = invisible;
+    if (!dark) c.dark = invisible;
     return fmt::format("class=\"{}{}\"{}", page_.colours_->of(what, c), more, alike ? opacity(what, a.a) : "");
   }
 
@@ -340,7 +340,8 @@ class PageWriter {
       rim = fmt::format(" stroke-width=\"{}\" paint-order=\"stroke\"",
                         svg_number(2 * std::max(rim_light ? light->halo : 0, rim_dark ? dark->halo : 0)));
       if (page_.colours_)
-        rim_class = " " + page_.colours_->of("line", {rim_light ? *rim_light : none, rim_dark ? *rim_dark : none});
+        rim_class =
+            " " + page_.colours_->of("line", {rim_light ? *rim_light : invisible, rim_dark ? *rim_dark : invisible});
       else
         rim_class = " " + painted("line", light->halo_colour);
     }

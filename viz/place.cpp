@@ -106,10 +106,9 @@ Camera camera_of(const Json& object, const Lesson& lesson) {
   const auto number = [&](const std::string& field, double& to, double lo, double hi) {
     if (object.contains(field)) to = number_of(object[field], "camera " + field, lo, hi);
   };
-  constexpr double pi = std::numbers::pi;
   if (object.contains("target")) camera.target = point_of(object["target"], "camera target");
   number("azimuth", camera.azimuth, -1e6, 1e6);
-  number("elevation", camera.elevation, -pi / 2, pi / 2);
+  number("elevation", camera.elevation, -std::numbers::pi / 2, std::numbers::pi / 2);
   number("half_height", camera.half_height, 1e-300, 1e300);
   number("field_of_view", camera.field_of_view, 0.01, 3.1);
   if (object.contains("perspective")) {

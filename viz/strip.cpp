@@ -10,7 +10,7 @@ namespace {
 
 constexpr double caption_pitch = 1.3;  ///< of captions, in their text's size
 constexpr double above_caption = 1;    ///< from a figure's foot to the first baseline, likewise
-constexpr double slack = 1;            ///< of a line: its ink is not quite in its middle
+constexpr double ink_slack = 1;        ///< of a line: its ink is not quite in its middle
 
 class Rows {
  public:
@@ -59,7 +59,7 @@ class Rows {
     const double size = theme_.sizes.label;
     const int object = add_object(out_.drawing.objects, {"page", "caption", Role::text});
     double baseline = top + above_caption * size;
-    for (const std::string& line : wrapped(markup, size, false, width - slack)) {
+    for (const std::string& line : wrapped(markup, size, false, width - ink_slack)) {
       Text text = {line, {left + width / 2, baseline}, size, theme_.ink(Role::text), 0.5};
       text.object = object;
       out_.labels.push_back({plain(line), measure(text)});

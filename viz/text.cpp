@@ -19,21 +19,21 @@ namespace isect::viz {
 namespace {
 
 /// A transparent cairo canvas that becomes a Picture.
-class Canvas {
+class TextCanvas {
  public:
-  Canvas(double width, double height) {
+  TextCanvas(double width, double height) {
     constexpr double most = 32767;  // cairo's limit
     if (!(width <= most && height <= most)) throw std::invalid_argument("text larger than 32767 pixels");
     surface_ = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, static_cast<int>(width), static_cast<int>(height));
     cr_ = cairo_create(surface_);
     cairo_set_antialias(cr_, CAIRO_ANTIALIAS_GOOD);
   }
-  ~Canvas() {
+  ~TextCanvas() {
     cairo_destroy(cr_);
     cairo_surface_destroy(surface_);
   }
-  Canvas(const Canvas&) = delete;
-  Canvas& operator=(const Canvas&) = delete;
+  TextCanvas(const TextCanvas&) = delete;
+  TextCanvas& operator=(const TextCanvas&) = delete;
 
   cairo_t* cr() const { return cr_; }
 
@@ -201,7 +201,7 @@ Rastered raster(const Text& text, double scale) {
   const double rim = std::max(text.halo, 0.0) * scale + 1;
   const double left = std::floor(box.left * scale - rim), top = std::floor(box.top * scale - rim);
   const double right = std::ceil(box.right * scale + rim), bottom = std::ceil(box.bottom * scale + rim);
-  const Canvas canvas(right - left, bottom - top);
+  const TextCanvas canvas(right - left, bottom - top);
   cairo_translate(canvas.cr(), -left, -top);
   cairo_scale(canvas.cr(), scale, scale);
   line.draw(canvas.cr(), TypesetLine::As::outlines);
@@ -216,7 +216,7 @@ Picture raster(const Paragraph& paragraph, double scale) {
   if (paragraph.markup.empty() || !(scale > 0)) return {};
   const Block block = lay_out(paragraph);
   const Vec2 size = pixels(block, paragraph.width, scale);
-  const Canvas canvas(size.x(), size.y());
+  const TextCanvas canvas(size.x(), size.y());
   cairo_t* cr = canvas.cr();
   set_source(cr, paragraph.colour);
   cairo_scale(cr, scale, scale);

@@ -1,5 +1,6 @@
 // How the objects of a scene are drawn, and what of them can be dragged.
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -1,6 +1,7 @@
 // What can be taken hold of: corners of polygons, points of clouds, the end of a segment.
 
 #include "viz/moving.h"
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "lessons/lessons.h"

@@ -15,7 +15,7 @@ namespace isect::viz {
 namespace {
 
 /// Heights of the block's parts: rule with the heading; a line of the comparison's meaning.
-constexpr float heading = 36, meaning_pitch = 19;
+constexpr float block_heading = 36, meaning_pitch = 19;
 
 /// Words on as few lines as fit into `room`.
 std::vector<std::string> lines_of(const Ui& ui, const std::string& words, float room) {
@@ -67,7 +67,7 @@ std::map<std::string, BarScale> scales_of(const Step& step) {
   return scales;
 }
 
-void bar(const Ui& ui, const BarScale& scale, const Value& v, float x0, float x1, float y) {
+void value_bar(const Ui& ui, const BarScale& scale, const Value& v, float x0, float x1, float y) {
   filled({x0, y - 4, x1, y + 4}, ui.palette.card, 4);
   const float zero = scale.at(0, x0, x1), end = scale.at(v.value, x0, x1);
   const float left = std::min(zero, end), right = std::max(zero, end);
@@ -119,7 +119,7 @@ void value_row(Session& s, const Value& v, const std::string& digits, const std:
   const auto scale = scales.find(v.unit);
   const bool room_for_bar = right - room_for_new(s.player.step()) - number - 26 > 20;
   if (scale != scales.end() && room_for_bar)
-    bar(ui, scale->second, v, number + 26, right - room_for_new(s.player.step()), y);
+    value_bar(ui, scale->second, v, number + 26, right - room_for_new(s.player.step()), y);
 }
 
 /// The inequality with its sign, what that means, and both sides as bars. The meaning stands beside the inequality or,
@@ -172,7 +172,7 @@ void comparison_card(Session& s, const Comparison& comparison, const Rect& r) {
 }  // namespace
 
 float values_height(const Ui& ui, const Step& step, float width, float pitch) {
-  const float values = step.values.empty() ? 0 : heading + pitch * static_cast<float>(step.values.size());
+  const float values = step.values.empty() ? 0 : block_heading + pitch * static_cast<float>(step.values.size());
   return values + (step.comparison ? card_height(ui, *step.comparison, width - 20) + 8 : 0);
 }
 
@@ -189,7 +189,7 @@ void values_block(Session& s, const Rect& r, float pitch) {
   if (!step.values.empty()) {
     rule(ui, r.left + 10, r.right - 10, y + 5);
     text(ui.fonts.bold, r.left + 10, y + 22, packed(ui.palette.text), "Values");
-    y += heading;
+    y += block_heading;
     const std::map<std::string, BarScale> scales = scales_of(step);
     const std::vector<std::string> digits = shown(step.values);
     const float indent = s.paired ? 10 : 0, number = number_column(ui, step, digits, {r.left + indent, y, r.right, y});
