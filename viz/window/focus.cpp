@@ -1,6 +1,7 @@
 #include "viz/window/focus.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace isect::viz {
 

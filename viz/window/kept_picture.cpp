@@ -3,6 +3,7 @@
 #include <glad/gl.h>
 
 #include <cstdint>
+#include <initializer_list>
 
 namespace isect::viz {
 
