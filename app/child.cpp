@@ -72,7 +72,7 @@ Child run_child(const std::vector<std::string>& command, const std::function<voi
   words.push_back(nullptr);
   pid_t pid = 0;
   const auto start = std::chrono::steady_clock::now();
-  const int failed = posix_spawn(&pid, words[0], &actions, nullptr, words.data(), environ);
+  const int failed = posix_spawnp(&pid, words[0], &actions, nullptr, words.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   if (failed != 0) throw viz::FileError(fmt::format("{}: {}", command[0], std::strerror(failed)));
   out.close(1), talk.close(1);

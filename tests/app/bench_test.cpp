@@ -75,6 +75,28 @@ TEST_CASE("one test is measured and judged, and its files read back", "[bench]")
   CHECK(shell("isect bench --from all.json --json -").out == contents(shell.work() / "all.json"));
 }
 
+TEST_CASE("what measures is built when it is first asked for, by the cmake in PATH", "[bench]") {
+  const Shell shell;
+  namespace fs = std::filesystem;
+  fs::create_directories(shell.work() / "build/bin");
+  fs::copy_file(ISECT_BIN "/isect", shell.work() / "build/bin/isect");
+  write(shell.work() / "build/CMakeCache.txt", "");
+  const auto cmake = [&](const std::string& does) {
+    write(shell.work() / "tools/cmake", "#!/bin/sh\necho \"$@\" > asked\n" + does + "\n");
+    fs::permissions(shell.work() / "tools/cmake", fs::perms::owner_exec, fs::perm_options::add);
+    return shell("PATH=\"$PWD/tools:$PATH\" build/bin/isect bench ray-plane --quick");
+  };
+  const Ran failed = cmake("echo no compiler >&2; exit 3");
+  CHECK(failed.status == 1);
+  CHECK_THAT(failed.err, Contains("building what measures ray-plane") && Contains("not built (3): no compiler"));
+  CHECK_THAT(contents(shell.work() / "asked"), Contains("--build") && Contains("--target measure_ray_plane"));
+
+  const Ran built = cmake(
+      "mkdir -p build/bin/measure; printf '#!/bin/sh\\nexit 5\\n' > build/bin/measure/ray-plane; chmod +x "
+      "build/bin/measure/ray-plane");
+  CHECK_THAT(built.err, Contains("measure/ray-plane failed (5)"));
+}
+
 TEST_CASE("a seed that is none is refused by name", "[bench]") {
   const Shell shell;
   for (const std::string seed : {"abc", "-1", "1.5", "1 ", "18446744073709551616"}) {
