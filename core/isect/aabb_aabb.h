@@ -6,6 +6,7 @@
 // and z. The note says "or", and its figure returns OVERLAP after the first axis: only the end of the loop may say
 // so. Nothing but comparisons of inputs: exact for free. Source: the note, N13 (corrected), N12.
 
+#include <algorithm>
 #include <limits>
 #include <variant>
 
@@ -68,14 +69,13 @@ bool by_axis(const Aabb<S, N>& a, const Aabb<S, N>& b, Trace&& trace = {}) {
 /// also overflow though no coordinate is infinite, so the coordinates are checked then.
 template <class S, int N, class Trace = NoTrace>
 bool intersects(const Aabb<S, N>& a, const Aabb<S, N>& b, Trace&& trace = {}) {
-  const Aabb<S, N> common = aabb_aabb::common(a, b);
-  trace(aabb_aabb::Common<S, N>{common});
-
-  bool meets = true;
-  for (int axis = 0; axis < N; ++axis) meets &= common.lo[axis] <= common.hi[axis];
+  if constexpr (heard<Trace>) trace(aabb_aabb::Common<S, N>{aabb_aabb::common(a, b)});
 
   const S widths = (a.hi - a.lo).sum() + (b.hi - b.lo).sum();
-  if (!(widths <= std::numeric_limits<S>::max())) return meets && finite(a) && finite(b);
+  bool meets = true;
+  for (int i = 0; i < N; ++i) meets &= std::max(a.lo[i], b.lo[i]) <= std::min(a.hi[i], b.hi[i]);
+  if (!(widths <= std::numeric_limits<S>::max())) [[unlikely]]
+    return meets && finite(a) && finite(b);
   return meets;
 }
 

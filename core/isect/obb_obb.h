@@ -38,11 +38,27 @@ struct Settled {
   bool touching = false;
 };
 
-/// Every axis exactly, up to the first that separates. Finite boxes with independent axes.
+/// Whether the boxes have the same axes, but for order and signs, as boxes along the coordinate axes do: then the face
+/// normals of A are all that there is to ask.
+template <int N>
+bool same_axes(const Obb<double, N>& a, const Obb<double, N>& b) {
+  for (int j = 0; j < N; ++j) {
+    bool found = false;
+    for (int i = 0; i < N; ++i) found |= a.axes.col(i) == b.axes.col(j) || a.axes.col(i) == -b.axes.col(j);
+    if (!found) return false;
+  }
+  return true;
+}
+
+/// Every axis that the first pass left open exactly, up to the first that separates; who listens hears of all. Finite
+/// boxes with independent axes.
 template <int N, class Trace>
-[[gnu::noinline, gnu::cold]] Settled settle(const Obb<double, N>& a, const Obb<double, N>& b, Trace&& trace) {
+[[gnu::noinline, gnu::cold]] Settled settle(const Obb<double, N>& a, const Obb<double, N>& b, unsigned open,
+                                            Trace&& trace) {
   Settled result;
+  if (!heard<Trace> && same_axes(a, b)) open &= (1u << N) - 1;
   for (const Axis& axis : all_axes<N>()) {
+    if (!heard<Trace> && (open >> place<N>(axis) & 1) == 0) continue;
     const Vector<double, N> u = a.axes.col(axis.i), v = b.axes.col(axis.j);
     if (axis.kind == Kind::edges && (u == v || u == -v)) continue;  // parallel, as most parallel edges are
     const int sign = sign_of([&]<class W>() -> W { return gap<W>(a, b, axis); }, trace);
@@ -88,7 +104,7 @@ std::optional<obb_obb::Axis> separating_axis(const Obb<S, N>& a, const Obb<S, N>
   const Obb<double, N>&wide_a = in_doubles(a), &wide_b = in_doubles(b);
   const obb_obb::detail::FirstPass first = obb_obb::detail::first_pass(wide_a, wide_b, trace);
   if (first.separating || first.overlap) return first.separating;
-  return obb_obb::detail::settle(wide_a, wide_b, trace).separating;
+  return obb_obb::detail::settle(wide_a, wide_b, first.open, trace).separating;
 }
 
 /// Whether the boxes have a common point. Exact, for flat boxes too. An empty box, one with dependent axes (there is
@@ -100,7 +116,7 @@ bool intersects(const Obb<S, N>& a, const Obb<S, N>& b, Trace&& trace = {}) {
   if (first.separating || first.overlap) [[likely]]
     return first.overlap;
   if (!obb_obb::detail::exists(a, trace) || !obb_obb::detail::exists(b, trace)) return false;
-  return !obb_obb::detail::settle<N>(in_doubles(a), in_doubles(b), trace).separating;
+  return !obb_obb::detail::settle<N>(in_doubles(a), in_doubles(b), first.open, trace).separating;
 }
 
 /// How the boxes lie. Exact. Equal means the same set, whatever the order, signs and lengths of the axes. A flat box,
@@ -116,7 +132,7 @@ Relation relate(const Obb<S, N>& a, const Obb<S, N>& b, Trace&& trace = {}) {
   obb_obb::detail::Settled settled;
   if (!first.overlap) {
     if (!obb_obb::detail::exists(a, trace) || !obb_obb::detail::exists(b, trace)) return Relation::disjoint;
-    settled = obb_obb::detail::settle(wide_a, wide_b, trace);
+    settled = obb_obb::detail::settle(wide_a, wide_b, first.open, trace);
   }
   if (settled.separating) return Relation::disjoint;
 

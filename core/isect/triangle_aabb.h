@@ -134,12 +134,16 @@ std::optional<int> gap(const Triangle<double, N>& triangle, const Aabb<double, N
   return std::max(before, behind);
 }
 
-/// What all axes say together: 1 some separates, 0 some touches, -1 all overlap.
+/// What all axes say together: 1 some separates, 0 some touches, -1 all overlap. Those that the first pass left open
+/// are asked, all where somebody listens.
 template <int N, class Trace>
-[[gnu::noinline, gnu::cold]] int settle(const Triangle<double, N>& triangle, const Aabb<double, N>& box,
+[[gnu::noinline, gnu::cold]] int settle(const Triangle<double, N>& triangle, const Aabb<double, N>& box, unsigned open,
                                         Trace&& trace) {
   int most = -1;
   for (const Axis& axis : all_axes<N>()) {
+    const bool ask = heard<Trace> || (open & 1) != 0;
+    open >>= 1;
+    if (!ask) continue;
     const std::optional<int> sign = gap(triangle, box, axis, trace);
     if constexpr (heard<Trace>) trace(tested(triangle, box, axis, sign));
     most = std::max(most, sign.value_or(-1));
@@ -151,10 +155,13 @@ template <int N, class Trace>
 /// What `settle` returns; plain doubles answer most cases. A listener hears all axes.
 template <int N, class Trace>
 int outer(const Triangle<double, N>& triangle, const Aabb<double, N>& box, Trace&& trace) {
-  if constexpr (!heard<Trace>)
-    if (const std::optional<int> sign = first_pass(triangle, box)) [[likely]]
-      return *sign;
-  return settle(triangle, box, trace);
+  FirstPass first;
+  if constexpr (!heard<Trace>) {
+    first = first_pass(triangle, box);
+    if (first.sign) [[likely]]
+      return *first.sign;
+  }
+  return settle(triangle, box, first.open, trace);
 }
 
 template <class S, int N>

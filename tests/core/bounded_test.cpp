@@ -6,7 +6,7 @@
 
 #include <isect/numbers/quotient.h>
 #include <isect/orient.h>
-#include "bench/random.h"
+#include "bench/random_shapes.h"
 #include "bench/rational.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
@@ -212,8 +212,41 @@ TEMPLATE_TEST_CASE("a quotient lies within 2 ulp of the truth", "[predicate]", f
     fallbacks += static_cast<int>(record.events.size());
     const Rational truth = ((Rational(a) - Rational(c)) * Rational(b) - Rational(a) * Rational(d)) / Rational(d);
     REQUIRE(oracle::ulps(t, truth) <= 2);
+    REQUIRE(value_of<TestType>(text) == t);
   }
   CHECK(fallbacks > 0);
+}
+
+TEMPLATE_TEST_CASE("three quotients at once lie within 2 ulp of the truth, however many bits they need", "[predicate]",
+                   float, double) {
+  bench::Random random(tests::seed());
+  const double top = std::is_same_v<TestType, float> ? 12 : 100;
+  for (int i = 0; i < 5000; ++i) {
+    INFO("seed " << tests::seed() << ", quotients " << i);
+    const double power = random.one_in(3) ? top : random.one_in(2) ? 15 : 2;
+    std::array<double, 3> x, y;
+    for (double& c : x) c = random.magnitude(-power, power);
+    y = x;
+    y[random.below(3)] = bench::moved(y[0], random.integer(-2, 2));
+    const double d = random.magnitude(-power, power);
+    const auto minor = [&]<class W>(int j, int k) -> W { return W(x[j]) * W(y[k]) - W(x[k]) * W(y[j]); };  // cancels
+    const auto all = [&]<class W>() -> ThreeRatios<W> {
+      return {minor.template operator()<W>(0, 1), minor.template operator()<W>(1, 2) * W(x[0]),
+              minor.template operator()<W>(2, 0), W(d) * W(d)};
+    };
+    const std::array<bool, 3> zero = {false, false, random.one_in(4)};
+    const std::array<TestType, 3> found = values_of<TestType>(all, zero);
+    const auto truth = [&](int j, int k) -> Rational {
+      return Rational(Rational(x[j]) * Rational(y[k]) - Rational(x[k]) * Rational(y[j]));
+    };
+    const Rational den = Rational(d) * Rational(d);
+    REQUIRE(oracle::ulps(found[0], Rational(truth(0, 1) / den)) <= 2);
+    REQUIRE(oracle::ulps(found[1], Rational(truth(1, 2) * Rational(x[0]) / den)) <= 2);
+    if (zero[2])
+      REQUIRE(found[2] == 0);
+    else
+      REQUIRE(oracle::ulps(found[2], Rational(truth(2, 0) / den)) <= 2);
+  }
 }
 
 TEST_CASE("a quotient of numbers beyond the doubles is right all the same", "[predicate]") {

@@ -9,6 +9,7 @@
 
 #include <isect/numbers/counted.h>
 #include <isect/obb_obb_methods.h>
+#include "bench/obb_obb/families.h"
 #include "bench/obb_obb/oracle.h"
 #include "bench/random_obb.h"
 #include "tests/catch.h"
@@ -300,7 +301,7 @@ TEMPLATE_TEST_CASE("the first pass settles ordinary boxes, and is right about al
     };
     const Obb<S, 3> a = box(), b = box();
     const obb_obb::detail::FirstPass first = obb_obb::detail::first_pass(a, b, NoTrace{});
-    const bool truth = !obb_obb::detail::settle<3>(in_doubles(a), in_doubles(b), NoTrace{}).separating;
+    const bool truth = !obb_obb::detail::settle<3>(in_doubles(a), in_doubles(b), ~0u, NoTrace{}).separating;
     if (first.overlap) CHECK(truth);
     if (first.separating) CHECK_FALSE(truth);
     open += !first.overlap && !first.separating, overlap += first.overlap;
@@ -308,6 +309,51 @@ TEMPLATE_TEST_CASE("the first pass settles ordinary boxes, and is right about al
   CHECK(open <= (std::is_same_v<S, float> ? cases / 500 : 0));
   CHECK(overlap > cases / 20);
   CHECK(overlap < cases - cases / 20);
+}
+
+TEMPLATE_TEST_CASE("an axis that the first pass does not leave open neither separates nor touches", "[obb_obb]", float,
+                   double) {
+  using S = TestType;
+  bench::Random random(tests::seed());
+  int closed = 0, open = 0;
+  for (const auto& drawn : bench::obb_obb_draws<S>)
+    for (int i = 0; i < tests::cases(300, 30000); ++i) {
+      bench::OrientedBoxes<S> c = drawn.draw(random);
+      if (random.one_in(2))  // axes as skew as the first pass takes them
+        for (S& x : c.a.axes.reshaped()) x += static_cast<S>(random.magnitude(-18, -4));
+      const obb_obb::detail::FirstPass first = obb_obb::detail::first_pass(c.a, c.b, NoTrace{});
+      if (first.separating) continue;
+      const Obb<double, 3> a = in_doubles(c.a), b = in_doubles(c.b);
+      for (const obb_obb::Axis& axis : obb_obb::detail::all_axes<3>()) {
+        const bool is_open = (first.open >> obb_obb::detail::place<3>(axis) & 1) != 0;
+        is_open ? ++open : ++closed;
+        INFO(drawn.name << ", seed " << tests::seed() << ", case " << i);
+        if (!is_open) REQUIRE(sign_of([&]<class W>() -> W { return obb_obb::detail::gap<W>(a, b, axis); }) < 0);
+      }
+    }
+  CHECK(closed > 0);
+  CHECK(open > 0);
+}
+
+TEST_CASE("boxes with the same axes, in any order and direction, are asked by those alone", "[obb_obb]") {
+  bench::Random random(tests::seed());
+  for (int i = 0; i < tests::cases(2000, 200000); ++i) {
+    Obb<double, 3> a, b;
+    a.axes = random.one_in(2) ? Eigen::Matrix3d(Eigen::Matrix3d::Identity()) : bench::rotation<double, 3>(random, 3);
+    if (random.one_in(3)) a.axes.col(0) += a.axes.col(1);  // not at right angles
+    b.axes = a.axes * bench::permutation<double, 3>(random);
+    for (int k = 0; k < 3; ++k) {
+      a.half[k] = random.integer(1, 3), b.half[k] = random.integer(1, 3);
+      b.center[k] = random.integer(-6, 6);
+    }
+    a.center = Point<double, 3>::Zero();
+    REQUIRE(obb_obb::detail::same_axes(a, b));
+    Record<obb_obb::Event<3>> all;
+    REQUIRE(relate(a, b) == relate(a, b, all));
+    b.axes(0, 0) = std::nextafter(b.axes(0, 0), 2.);
+    REQUIRE_FALSE(obb_obb::detail::same_axes(a, b));
+    REQUIRE(relate(a, b) == relate(a, b, all));
+  }
 }
 
 TEST_CASE("the events tell each axis, an open one twice, and a witness", "[obb_obb]") {

@@ -3,6 +3,7 @@
 #include <isect/triangle_aabb.h>
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 
 #include <isect/numbers/counted.h>
@@ -238,6 +239,32 @@ TEST_CASE("the classical test is right for ordinary shapes, counts, and rounds",
   CHECK(tally().mul > 100);
 }
 
+/// Whether the shapes overlap along all axes that are not among the `open` ones.
+template <int N>
+bool no_closed_axis_touches(const Triangle<double, N>& triangle, const Aabb<double, N>& box, unsigned open) {
+  for (const triangle_aabb::Axis& axis : triangle_aabb::detail::all_axes<N>()) {
+    if ((open & 1) == 0 && triangle_aabb::detail::gap(triangle, box, axis, NoTrace{}).value_or(-1) >= 0) return false;
+    open >>= 1;
+  }
+  return true;
+}
+
+TEST_CASE("an axis that the first pass does not leave open neither separates nor touches", "[triangle_aabb]") {
+  bench::Random random(tests::seed());
+  int few = 0;
+  for (const auto& drawn : bench::triangle_aabb_draws<double>)
+    for (int i = 0; i < tests::cases(500, 50000); ++i) {
+      INFO(drawn.name << ", seed " << tests::seed() << ", case " << i);
+      const auto [triangle, box] = drawn.draw(random);
+      if (triangle_aabb::detail::meaningless(triangle, box)) continue;
+      const triangle_aabb::detail::FirstPass first = triangle_aabb::detail::first_pass(triangle, box);
+      if (first.sign == 1) continue;
+      REQUIRE(no_closed_axis_touches(triangle, box, first.open));
+      few += !first.sign && std::popcount(first.open) < 5;
+    }
+  CHECK(few > 0);
+}
+
 TEMPLATE_TEST_CASE_SIG("the first pass settles ordinary shapes, and is right about all it settles", "[triangle_aabb]",
                        ((int N), N), 2, 3) {
   bench::Random random(tests::seed());
@@ -250,8 +277,9 @@ TEMPLATE_TEST_CASE_SIG("the first pass settles ordinary shapes, and is right abo
     const Triangle<double, N> triangle = {
         {a, b, random.one_in(4) ? a + (b - a) * random.unit() : c}};  // or none to speak of
     const Aabb<double, N> box = {p.cwiseMin(q), p.cwiseMax(q)};
-    const std::optional<int> sign = triangle_aabb::detail::first_pass(triangle, box);
-    if (sign) REQUIRE(*sign == triangle_aabb::detail::settle(triangle, box, NoTrace{}));
+    const auto [sign, left] = triangle_aabb::detail::first_pass(triangle, box);
+    if (sign) REQUIRE(*sign == triangle_aabb::detail::settle(triangle, box, ~0u, NoTrace{}));
+    if (!sign) REQUIRE(no_closed_axis_touches(triangle, box, left));
     open += !sign, apart += sign == 1, overlap += sign == -1;
   }
   CHECK(open < cases / 3);  // of flat triangles, those that are not apart
@@ -266,9 +294,9 @@ TEST_CASE("the first pass takes no infinity or NaN for settled", "[triangle_aabb
     for (int k = 0; k < 9; ++k) {
       Triangle<double, 3> triangle = {
           {Point<double, 3>(5, 5, 5), Point<double, 3>(6, 5, 5), Point<double, 3>(5, 6, 5)}};
-      CHECK(triangle_aabb::detail::first_pass(triangle, box) == 1);
+      CHECK(triangle_aabb::detail::first_pass(triangle, box).sign == 1);
       triangle.vertices[k / 3][k % 3] = bad;
-      CHECK_FALSE(triangle_aabb::detail::first_pass(triangle, box));
+      CHECK_FALSE(triangle_aabb::detail::first_pass(triangle, box).sign);
     }
 }
 

@@ -34,9 +34,9 @@ template <class Text>
 Keeping(Text) -> Keeping<Text>;
 
 namespace detail {
-template <class Text>
-[[gnu::noinline]] std::optional<int> short_sign(const Text& text) {
-  return text.template operator()<ShortExact>().sign();
+template <class W, class Text>
+[[gnu::noinline]] std::optional<int> sign_in(const Text& text) {
+  return text.template operator()<W>().sign();
 }
 template <class Text>
 [[gnu::noinline, gnu::cold]] int exact_sign(const Text& text) {
@@ -69,7 +69,9 @@ template <class Text>
         }))
       return *s;
   if (!in_range || size < 0x1p120 * step)
-    if (const std::optional<int> s = short_sign(text)) return *s;
+    if (const std::optional<int> s = sign_in<ShortExact>(text)) return *s;
+  if (in_range && size < 0x1p248 * step)
+    if (const std::optional<int> s = sign_in<MediumExact>(text)) return *s;
   return exact_sign(text);
 }
 }  // namespace detail

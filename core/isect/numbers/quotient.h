@@ -18,6 +18,11 @@ template <class W>
 struct Ratio {
   W num, den;
 };
+/// Three quotients with one denominator.
+template <class W>
+struct ThreeRatios {
+  W x, y, z, den;
+};
 
 /// The steps of a quotient's text as a text of their own.
 class RecordedRatio {
@@ -88,30 +93,72 @@ template <class V, class Text>
   return std::isfinite(q) ? std::optional(q) : std::nullopt;  // beyond 2^996 DoubleDouble's steps overflow
 }
 
-/// By what doubles found, where num is 0 or both are exact there; then finer.
-template <class Text>
-[[gnu::noinline]] double settled_quotient(const Text& text, double tolerance) {
-  const Ratio<Bounded<double>> quick = text.template operator()<Bounded<double>>();
-  const Bounded<double>&num = quick.num, &den = quick.den;
-  const Ratio<Grid> steps = text.template operator()<Grid>();
-  if (std::abs(num.value()) + num.error() < steps.num.step()) return 0;
-  if (num.error() < steps.num.step() && den.error() < steps.den.step()) return num.value() / den.value();
-  const auto in_range = [](double size) { return 0x1p-800 < size && size < 0x1p900; };
-  if (in_range(num.size()) && in_range(den.size())) {
-    const auto by = [&]<class W>() -> std::optional<double> {
-      const Ratio<W> r = text.template operator()<W>();
-      const Bounded<W> fine_num(r.num, num.size(), num.roundings()), fine_den(r.den, den.size(), den.roundings());
-      if (std::abs(leading(r.num)) + fine_num.error() < steps.num.step()) return 0;
-      if (!fine_num.within(tolerance) || !fine_den.within(tolerance)) return {};
-      const double q = quotient(two_sum(r.num.hi, r.num.lo), two_sum(r.den.hi, r.den.lo));
-      return std::isfinite(q) ? std::optional(q) : std::nullopt;
-    };
-    if (const std::optional<double> q = compensated(by)) return *q;
-  }
-  if (num.roundings() > 64)  // DoubleDouble proves more of long sums
-    if (const std::optional<double> q = bounded_quotient<DoubleDouble>(text, tolerance)) return *q;
-  const Ratio<Exact> r = text.template operator()<Exact>();
-  return near_quotient(r.num, r.den);
+template <class W>
+std::array<const W*, 1> numerators(const Ratio<W>& r) {
+  return {&r.num};
+}
+template <class W>
+std::array<const W*, 3> numerators(const ThreeRatios<W>& r) {
+  return {&r.x, &r.y, &r.z};
+}
+
+/// K quotients with one denominator, those that are not known yet: by what doubles found, where num is 0 or both are
+/// exact there; then finer.
+template <std::size_t K, class Text>
+[[gnu::noinline]] std::array<double, K> settled_quotients(const Text& text, double tolerance,
+                                                          std::array<std::optional<double>, K> q = {}) {
+  const auto settled = [&q](const auto& ratios, const auto& found) {
+    const auto num = numerators(ratios);
+    bool all = true;
+    for (std::size_t i = 0; i < K; ++i) {
+      if (!q[i]) q[i] = found(*num[i], i);
+      all &= q[i].has_value();
+    }
+    return all;
+  };
+  const auto values = [&q] {
+    std::array<double, K> all;
+    for (std::size_t i = 0; i < K; ++i) all[i] = *q[i];
+    return all;
+  };
+
+  const auto quick = text.template operator()<Bounded<double>>();
+  const auto grid = text.template operator()<Grid>();
+  const auto sizes = numerators(quick);
+  const auto steps = numerators(grid);
+  const bool den_is_exact = quick.den.error() < grid.den.step();
+  if (settled(quick, [&](const Bounded<double>& num, std::size_t i) -> std::optional<double> {
+        const double step = steps[i]->step();
+        if (std::abs(num.value()) + num.error() < step) return 0;
+        if (num.error() < step && den_is_exact) return num.value() / quick.den.value();
+        return {};
+      }))
+    return values();
+
+  const auto in_range = [](const Bounded<double>& x) { return 0x1p-800 < x.size() && x.size() < 0x1p900; };
+  const auto by = [&]<class W>() -> bool {
+    const auto fine = text.template operator()<W>();
+    const Bounded<W> den(fine.den, quick.den.size(), quick.den.roundings());
+    return settled(fine, [&](const W& x, std::size_t i) -> std::optional<double> {
+      if (!in_range(*sizes[i])) return {};
+      const Bounded<W> num(x, sizes[i]->size(), sizes[i]->roundings());
+      if (std::abs(leading(x)) + num.error() < steps[i]->step()) return 0;
+      if (!num.within(tolerance) || !den.within(tolerance)) return {};
+      const double value = quotient(two_sum(x.hi, x.lo), two_sum(fine.den.hi, fine.den.lo));
+      return std::isfinite(value) ? std::optional(value) : std::nullopt;
+    });
+  };
+  if (in_range(quick.den) && compensated(by)) return values();
+
+  const auto medium = text.template operator()<MediumExact>();
+  if (settled(medium, [&](const MediumExact& num, std::size_t) -> std::optional<double> {
+        const double value = quotient(num, medium.den);
+        return std::isnan(value) ? std::nullopt : std::optional(value);
+      }))
+    return values();
+  const auto exact = text.template operator()<Exact>();
+  settled(exact, [&](const Exact& num, std::size_t) { return std::optional(near_quotient(num, exact.den)); });
+  return values();
 }
 }  // namespace detail
 
@@ -139,15 +186,9 @@ S value_of(const Text& text, Trace&& trace = {}) {
   } else {
     if (q) return static_cast<S>(*q);
     trace(Fallback{});
-    return static_cast<S>(detail::settled_quotient(text, tolerance));
+    return static_cast<S>(detail::settled_quotients<1>(text, tolerance)[0]);
   }
 }
-
-/// Three quotients with one denominator, not divided yet; den is not zero.
-template <class W>
-struct ThreeRatios {
-  W x, y, z, den;
-};
 
 /// The three quotients, each as value_of finds it; `zero` tells which of them are known to be 0.
 template <class S, class Text, class Trace = NoTrace>
@@ -169,6 +210,12 @@ ISECT_INLINE std::array<S, 3> values_of(const Text& text, const std::array<bool,
     const double z = value(quick.z, fine.z, zero[2]);
     trace.open |= !safe;
     return {x, y, z};
+  } else if constexpr (!first_try<Trace> && !detail::recorded_for<Text, Trace>) {
+    std::array<std::optional<double>, 3> known;
+    for (int i = 0; i < 3; ++i)
+      if (zero[i]) known[i] = 0;
+    const std::array<double, 3> q = detail::settled_quotients<3>(text, std::numeric_limits<S>::epsilon() / 3, known);
+    return {static_cast<S>(q[0]), static_cast<S>(q[1]), static_cast<S>(q[2])};
   } else {
     const auto value = [&](auto part, bool is_zero) -> S {
       const auto ratio = [&]<class W>() -> Ratio<W> {

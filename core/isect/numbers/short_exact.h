@@ -75,7 +75,14 @@ inline DoubleDouble in_doubles(std::uint64_t x) {
 inline DoubleDouble in_doubles(Whole128 x) {
   return in_doubles(static_cast<std::uint64_t>(x >> 64)) * 0x1p64 + in_doubles(static_cast<std::uint64_t>(x));
 }
-inline DoubleDouble in_doubles(const Whole256& x) { return in_doubles(x.high) * 0x1p128 + in_doubles(x.low); }
+inline DoubleDouble in_doubles(const Whole256& x) {
+  const std::uint64_t top = static_cast<std::uint64_t>(x.high >> 64), next = static_cast<std::uint64_t>(x.high);
+  if ((top | next) == 0) return in_doubles(x.low);
+  const int zeros = top != 0 ? std::countl_zero(top) : 64 + std::countl_zero(next);
+  const DoubleDouble leading = in_doubles(shifted(x, zeros).high);  // the 128 highest bits
+  const double scale = std::bit_cast<double>(static_cast<std::uint64_t>(1023 + 128 - zeros) << 52);
+  return {leading.hi * scale, leading.lo * scale};
+}
 }  // namespace detail
 
 /// Whole is Whole128 or Whole256: 127 or 255 bits and a sign.

@@ -75,6 +75,14 @@ constexpr auto all_axes() {
   return axes;
 }
 
+/// Where an axis stands among all of them.
+template <int N>
+constexpr int place(const Axis& axis) {
+  return axis.kind == Kind::face_of_a   ? axis.i
+         : axis.kind == Kind::face_of_b ? N + axis.i
+                                        : 2 * N + N * axis.i + axis.j;
+}
+
 template <Filtered W, int N>
 Components<W, N> direction(const Obb<double, N>& a, const Obb<double, N>& b, const Axis& axis) {
   if constexpr (N == 3) {

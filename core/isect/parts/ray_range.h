@@ -38,11 +38,13 @@ bool holds(const Interval<double>& range, const Text& t, int den, Trace&& trace 
 /// The same for a text whose value is known, as value_of finds it.
 template <class S, class Text, class Trace = NoTrace>
 bool holds_value(const Interval<double>& range, const Text& t, int den, S value, Trace&& trace = {}) {
+  const double x = value, room = std::min(x - range.lo, range.hi - x);
+  const bool clear = std::abs(room) > 4 * std::numeric_limits<S>::epsilon() * std::abs(x) && range.lo <= range.hi;
   if constexpr (first_try<Trace>) {
-    const double x = value, room = std::min(x - range.lo, range.hi - x);
-    trace.open |= !(std::abs(room) > 4 * std::numeric_limits<S>::epsilon() * std::abs(x) && range.lo <= range.hi);
+    trace.open |= !clear;
     return room > 0;
   } else {
+    if (!heard<Trace> && clear) return room > 0;
     return holds(range, t, den, trace);
   }
 }

@@ -20,8 +20,13 @@ namespace detail {
 /// How far an axis is from separating: the triangle reaches from lo to hi along it, the box to `radius` either side.
 inline double gap(double lo, double hi, double radius) { return std::max(lo, -hi) - radius; }
 
-/// 1 when some axis separates, -1 when along all of them the shapes overlap, nothing when doubles leave it open. Any
-/// numbers; the box is not empty.
+/// What plain doubles settle.
+struct FirstPass {
+  std::optional<int> sign;  ///< 1: some axis separates; -1: along all of them the shapes overlap; else some are open
+  unsigned open = ~0u;      ///< bit i: axis i of all_axes may yet separate or touch
+};
+
+/// Any numbers; the box is not empty.
 ///
 /// Margin. With center c and half-lengths h as rounded, let q be the sum of all |c_i|, h_i, |v_i| for the vertices v
 /// from c, and f that of all components of edges. c is off by at most u q, h by u q, each v_i by 2 u q, each edge
@@ -30,7 +35,7 @@ inline double gap(double lo, double hi, double radius) { return std::max(lo, -hi
 /// the largest components, of which q and f are sums. Within the range asked for nothing overflows or underflows but
 /// what is negligible. Products that vanish say nothing; their components are exactly 0.
 template <int N>
-std::optional<int> first_pass(const Triangle<double, N>& triangle, const Aabb<double, N>& box) {
+FirstPass first_pass(const Triangle<double, N>& triangle, const Aabb<double, N>& box) {
   const Vector<double, N> center = 0.5 * (box.lo + box.hi), half = 0.5 * (box.hi - box.lo);
   std::array<Vector<double, N>, 3> v, edges;
   double q = center.cwiseAbs().sum() + half.sum(), f = 0;
@@ -40,37 +45,43 @@ std::optional<int> first_pass(const Triangle<double, N>& triangle, const Aabb<do
   }
   if (!(0x1p-300 < f && q < 0x1p300)) return {};  // or NaN
 
+  unsigned open = 0;
+  int place = 0;
+  const auto told = [&](double here, double margin) {
+    open |= static_cast<unsigned>(!(here < -margin)) << place++;
+    return here;
+  };
   double widest = -q;
-  for (int i = 0; i < N; ++i)
-    widest = std::max(widest, gap(std::min(std::min(v[0][i], v[1][i]), v[2][i]),
-                                  std::max(std::max(v[0][i], v[1][i]), v[2][i]), half[i]));
   const double margin = 8 * unit<double> * q;
-  if (widest > margin) return 1;
-  bool overlap = widest < -margin;
+  for (int i = 0; i < N; ++i)
+    widest = std::max(widest, told(gap(std::min(std::min(v[0][i], v[1][i]), v[2][i]),
+                                       std::max(std::max(v[0][i], v[1][i]), v[2][i]), half[i]),
+                                   margin));
+  if (widest > margin) return {1};
 
   if constexpr (N == 3) {
     const Vector<double, 3> n = edges[0].cross(edges[1]);
     const double height = n.dot(v[0]), normal_gap = std::abs(height) - half.dot(n.cwiseAbs());
     const double normal_margin = 64 * unit<double> * (f * f) * q;
-    if (normal_gap > normal_margin) return 1;
-    overlap &= normal_gap < -normal_margin;
+    if (told(normal_gap, normal_margin) > normal_margin) return {1};
   }
 
   const double edge_margin = 16 * unit<double> * f * q;
   widest = -f * q;
   for (int k = 0; k < 3; ++k)
-    for (int x = 0; x < (N == 3 ? 3 : 1); ++x) {
-      const int y = (x + 1) % N;
+    for (int i = 0; i < (N == 3 ? 3 : 1); ++i) {
+      const int x = N == 3 ? (i + 1) % 3 : 0, y = N == 3 ? (i + 2) % 3 : 1;
       const double f_x = edges[k][x], f_y = edges[k][y];
       const double edge = f_x * v[k][y] - f_y * v[k][x];
       const double apex = f_x * v[(k + 2) % 3][y] - f_y * v[(k + 2) % 3][x];
       const double radius = half[x] * std::abs(f_y) + half[y] * std::abs(f_x);
+      const bool vanishes = (f_x == 0) & (f_y == 0);
       const double here = gap(std::min(edge, apex), std::max(edge, apex), radius);
       widest = std::max(widest, here);
-      overlap &= (here < -edge_margin) | ((f_x == 0) & (f_y == 0));
+      open |= static_cast<unsigned>(!(here < -edge_margin) & !vanishes) << place++;
     }
-  if (widest > edge_margin) return 1;
-  return overlap ? std::optional(-1) : std::nullopt;
+  if (widest > edge_margin) return {1};
+  return {open == 0 ? std::optional(-1) : std::nullopt, open};
 }
 
 }  // namespace detail
