@@ -1,6 +1,7 @@
 #include "bench/maps.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <cmath>
@@ -12,6 +13,8 @@
 #include <isect/ray_sphere_methods.h>
 #include <isect/ray_sphere_stable.h>
 #include <isect/sphere_sphere.h>
+#include "bench/near_edges.h"
+#include "bench/prose.h"
 #include "viz/rich_text.h"
 
 namespace isect::bench {
@@ -202,6 +205,46 @@ Plotted touching_map() {
           {std::move(chart)}};
 }
 
-std::vector<Plotted> maps() { return {orientation_map(), polygon_map(), tangent_map(), touching_map()}; }
+Plotted near_edges_chart() {
+  viz::Mirrored chart;
+  chart.rows_title = "which double beside an edge";
+  chart.rows = {"on it", "1st", "2nd", "4th", "8th", "16th", "32nd"};  // near_edges::steps
+  chart.apart = 1;
+  chart.kinds = {std::pair("called outside, is in", Tone::wrong), std::pair("called inside, is out", Tone::mild)};
+  chart.below = "in % of the points that are inside (left) or outside (right)";
+
+  std::string alt =
+      "Bars of how often each point-in-polygon method is wrong on an edge and at the first doubles beside it: in "
+      "percent of the points outside, called inside, and of those inside, called outside.";
+  int points = 0, wrong = 0;  // of the last method
+  for (const near_edges::Method& method : near_edges::methods()) {
+    viz::Mirrored::Panel panel = {method.name, {}};
+    std::vector<std::string> told;
+    points = wrong = 0;
+    for (const auto& [outside, inside] : method.rows) {
+      told.push_back(fmt::format("{} {} and {}", chart.rows[told.size()], viz::percent_text(outside.percent()),
+                                 viz::percent_text(inside.percent())));
+      panel.pairs.push_back({inside.percent(), outside.percent()});
+      points += outside.points + inside.points, wrong += outside.wrong + inside.wrong;
+    }
+    alt += fmt::format(" {}: {}.", sentence(method.name), fmt::join(told, ", "));
+    chart.panels.push_back(std::move(panel));
+  }
+  return {
+      "map-near-edges",
+      fmt::format("How often point-in-polygon methods are wrong on and near the edges of random polygons of eight "
+                  "vertices, after Schirra (2008). Rows: points exactly on an edge, which the half-open rule of the "
+                  "naive methods puts inside on a left edge and outside on a right one; then the 1st, 2nd, 4th, ... "
+                  "double to the left and to the right of an edge. Winding errs where multiplication does, for it "
+                  "compares the same two products. The exact call is wrong on {} of {} points, and says of those on "
+                  "an edge that they are.",
+                  wrong == 0 ? "none" : count(wrong), count(points)),
+      alt,
+      {std::move(chart)}};
+}
+
+std::vector<Plotted> maps() {
+  return {orientation_map(), polygon_map(), tangent_map(), touching_map(), near_edges_chart()};
+}
 
 }  // namespace isect::bench

@@ -16,6 +16,11 @@ Plotted tangent_map();
 /// Balls that just touch or just miss each other, near the origin and away from it.
 Plotted touching_map();
 
+/// Points on and beside the edges of random polygons: how often each method is wrong, by distance. Not a map, but made
+/// of such neighbours, too. Source: S. Schirra, How reliable are practical point-in-polygon strategies? (ESA 2008).
+Plotted near_edges_chart();
+
+/// All of them, in the order of the report.
 std::vector<Plotted> maps();
 
 }  // namespace isect::bench

@@ -153,10 +153,12 @@ std::string growths(const Report& report, Figures& figures) {
 std::string pictures(Figures& figures) {
   std::string text =
       "## Where naive verdicts fall\n\n"
-      "Each cell is one floating-point neighbour of a point. Yellow and violet cells are wrong. These maps "
-      "are computed, "
-      "not measured: they are the same on every machine that rounds as IEEE 754 asks.\n\n";
-  for (Plotted& map : maps()) text += figures.show(std::move(map), true);
+      "Each cell of a map is one floating-point neighbour of a point. Yellow and violet is what is wrong. These "
+      "figures are computed, not measured: they are the same on every machine that rounds as IEEE 754 asks.\n\n";
+  for (Plotted& map : maps()) {
+    const bool cells = std::holds_alternative<viz::Maps>(map.chart.kind);
+    text += figures.show(std::move(map), cells);
+  }
   return text;
 }
 

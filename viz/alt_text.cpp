@@ -128,6 +128,13 @@ std::string told(const Bars& bars) {
   return fmt::format("A chart of {} rows over {}: {}", bars.bars.size(), plain(bars.x.title), fmt::join(rows, "; "));
 }
 
+std::string told(const Mirrored& chart) {
+  const auto panels = all_plain(chart.panels, [](const Mirrored::Panel& p) { return p.title; });
+  return fmt::format("Bars back to back, in {}: {}. To the left: {}. To the right: {}",
+                     counted(chart.panels.size(), "panel"), fmt::join(panels, ", "), plain(chart.kinds[0].first),
+                     plain(chart.kinds[1].first));
+}
+
 std::string told(const Cases& cases) {
   std::set<int> present;  // the others have no place on this map
   for (const Cases::Patch& patch : cases.patches) present.insert(patch.branch);

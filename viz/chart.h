@@ -1,5 +1,6 @@
 #pragma once
-// Charts as values: small multiples with markers and curves, maps of verdicts, rows against targets, cards of text.
+// Charts as values: small multiples with markers and curves, maps of verdicts, rows against targets, bars back
+// to back, cards of text.
 //
 // A chart says what was measured; the theme makes ink of it, as with scenes. Texts are markup (see rich_text.h).
 
@@ -115,6 +116,26 @@ struct Bars {
   std::string target_name = "target";  ///< in the legend, if any row has one
 };
 
+/// Two opposite faults back to back, a panel a method: to the left of a zero line the one, to the right the other.
+/// Panels share their rows and their scale; each bar has its number.
+struct Mirrored {
+  struct Pair {
+    double left = 0, right = 0;  ///< in percent
+  };
+  struct Panel {
+    std::string title;
+    std::vector<Pair> pairs;  ///< a row each
+  };
+  std::vector<std::string> rows;  ///< names, from the top
+  int apart = 0;                  ///< so many rows stand apart from those below
+  std::string rows_title;
+  std::array<std::pair<std::string, Tone>, 2> kinds;  ///< left and right, as in the legend
+  std::vector<Panel> panels;
+  std::string below;  ///< what the numbers are
+};
+/// A share in percent by two digits: "28", "5.4", "0.06", "<0.01", and "0" for none.
+std::string percent_text(double);
+
 /// A plane of two parameters in regions, one for each branch. viz/case_map.h makes one.
 struct Cases {
   /// The part of a region between two levels: lower left, lower right, upper right, upper left.
@@ -146,7 +167,7 @@ struct Card {
 };
 
 struct Chart {
-  std::variant<Plot, Maps, Bars, Cases, Card> kind;
+  std::variant<Plot, Maps, Bars, Mirrored, Cases, Card> kind;
 };
 
 /// Whether all that a scene shows is a card: it speaks of the whole lesson, not of one setting.

@@ -8,26 +8,6 @@
 namespace isect::viz {
 namespace {
 
-Colour colour_of(Tone tone, const Theme& theme) {
-  if (theme.name == ThemeName::grey) {  // five greys, darkest where a verdict is wrong
-    constexpr double levels[] = {0.03, 0.17, 1, 0.42, 0.85};
-    return tinted(theme, hex(0), levels[static_cast<int>(tone)]);
-  }
-  switch (tone) {
-    case Tone::first:
-      return tinted(theme, theme.ink(Role::first), 0.26);
-    case Tone::second:
-      return tinted(theme, theme.ink(Role::second), 0.22);
-    case Tone::on:
-      return theme.ink(Role::text);
-    case Tone::mild:
-      return theme.ink(Role::highlight);
-    case Tone::wrong:
-      break;
-  }
-  return theme.ink(Role::miss);
-}
-
 struct MapsLayout {
   int columns = 1, rows = 1;
   double side = 0, head = 0, below = 0;

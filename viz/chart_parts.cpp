@@ -229,6 +229,26 @@ Colour tinted(const Theme& theme, const Colour& ink, double share) {
   return {b.r + share * (ink.r - b.r), b.g + share * (ink.g - b.g), b.b + share * (ink.b - b.b), 1};
 }
 
+Colour colour_of(Tone tone, const Theme& theme) {
+  if (theme.name == ThemeName::grey) {  // five greys, darkest where a verdict is wrong
+    constexpr double levels[] = {0.03, 0.17, 1, 0.42, 0.85};
+    return tinted(theme, hex(0), levels[static_cast<int>(tone)]);
+  }
+  switch (tone) {
+    case Tone::first:
+      return tinted(theme, theme.ink(Role::first), 0.26);
+    case Tone::second:
+      return tinted(theme, theme.ink(Role::second), 0.22);
+    case Tone::on:
+      return theme.ink(Role::text);
+    case Tone::mild:
+      return theme.ink(Role::highlight);
+    case Tone::wrong:
+      break;
+  }
+  return theme.ink(Role::miss);
+}
+
 std::array<double, 2> dash_of(int index, const Sizes& s) {
   constexpr std::array<double, 2> dashes[] = {{0, 0}, {6, 2.2}, {3.2, 1.8}, {1.6, 1.6}, {8, 1.4}, {2.2, 3.2}};
   const std::array<double, 2>& d = dashes[static_cast<std::size_t>(index) % std::size(dashes)];

@@ -70,6 +70,8 @@ class ScaleLine {
 
 /// The colour `share` of the way from the background to `ink`, opaque.
 Colour tinted(const Theme&, const Colour& ink, double share);
+/// Of a cell of a map, or of a bar that stands for such cells.
+Colour colour_of(Tone, const Theme&);
 std::array<double, 2> dash_of(int index, const Sizes&);
 /// "0.05", "5", "2 000", "10^{6}": short enough for an axis.
 std::string tick_text(double value);
@@ -91,11 +93,13 @@ void legend(ChartInk&, const std::vector<LegendEntry>&, const Vec2& corner, doub
 void draw(ChartInk&, const Plot&, const Bounds&);
 void draw(ChartInk&, const Maps&, const Bounds&);
 void draw(ChartInk&, const Bars&, const Bounds&);
+void draw(ChartInk&, const Mirrored&, const Bounds&);
 void draw(ChartInk&, const Cases&, const Bounds&);
 void draw(ChartInk&, const Card&, const Bounds&);
 double natural_height(const ChartInk&, const Plot&, double width);
 double natural_height(const ChartInk&, const Maps&, double width);
 double natural_height(const ChartInk&, const Bars&, double width);
+double natural_height(const ChartInk&, const Mirrored&, double width);
 double natural_height(const ChartInk&, const Cases&, double width);
 double natural_height(const ChartInk&, const Card&, double width);
 /// The plane itself, within a chart's rectangle.

@@ -83,6 +83,18 @@ Chart maps(int count) {
   return {chart};
 }
 
+Chart mirrored(int count) {
+  Mirrored chart;
+  chart.rows = {"on it", "1st", "16th"};
+  chart.apart = 1;
+  chart.rows_title = "which double";
+  chart.kinds = {std::pair("called outside, is in", Tone::wrong), std::pair("called inside, is out", Tone::mild)};
+  for (int i = 0; i < count; ++i)
+    chart.panels.push_back({"multiplication", {{100, 0.004}, {20, 10}, {0, 99.0 / (i + 1)}}});
+  chart.below = "in % of the points";
+  return {chart};
+}
+
 /// One panel with these spots, drawn as on paper.
 std::vector<Shape> drawn(const std::vector<Spot>& spots, int series) {
   Plot plot = {{Scale::Kind::log, 1, 100, ""}, {Scale::Kind::linear, 0, 10, ""}, {}, {{"panel", "", spots}}};
@@ -106,7 +118,8 @@ std::vector<Vec2> discs(const std::vector<Shape>& shapes) {
 }  // namespace
 
 TEST_CASE("no label of a chart meets another or leaves the picture, on any theme at any width", "[chart]") {
-  const Chart charts[] = {race(1), race(4), race(8), growth(), rows(), maps(1), maps(2), maps(9)};
+  const Chart charts[] = {race(1), race(4), race(8), growth(),    rows(),
+                          maps(1), maps(2), maps(9), mirrored(1), mirrored(5)};
   for (const Chart& chart : charts)
     for (const ThemeName name : all_themes)
       for (const double width : {227.0, 340.0, 960.0}) {
@@ -126,12 +139,12 @@ TEST_CASE("no label of a chart meets another or leaves the picture, on any theme
 }
 
 TEST_CASE("the text of a chart at 8 cm is never smaller than 6 pt", "[chart]") {
-  for (const Chart& chart : {race(8), growth(), rows(), maps(9)})
+  for (const Chart& chart : {race(8), growth(), rows(), maps(9), mirrored(5)})
     for (const Text& text : all<Text>(chart_figure(chart, ThemeName::print, 227).drawing.shapes)) CHECK(text.size >= 6);
 }
 
 TEST_CASE("the same chart gives the same bytes", "[chart]") {
-  for (const Chart& chart : {race(4), rows(), maps(2)})
+  for (const Chart& chart : {race(4), rows(), maps(2), mirrored(2)})
     CHECK(svg(chart_figure(chart, ThemeName::grey, 227).drawing) ==
           svg(chart_figure(chart, ThemeName::grey, 227).drawing));
 }
@@ -275,6 +288,32 @@ TEST_CASE("every cell of a map shows its own kind", "[chart]") {
     }
     CHECK(different.size() == 5);
   }
+}
+
+TEST_CASE("bars back to back are as long as their shares, each on its own side", "[chart]") {
+  for (const ThemeName name : all_themes) {
+    const Figure figure = chart_figure(mirrored(1), name, 340);
+    std::vector<Bounds> bars;
+    for (const Fill& fill : all<Fill>(figure.drawing.shapes)) {
+      const std::vector<Vec2> c = flatten(fill.path);
+      if (c.size() == 4) bars.push_back({c[0].x(), c[0].y(), c[2].x(), c[2].y()});
+    }
+    REQUIRE(bars.size() == 7);  // two of the legend
+    const double zero = bars[0].right, unit = (bars[0].right - bars[0].left) / 100;
+    CHECK(bars[2].right == Approx(zero));
+    CHECK(zero - bars[2].left == Approx(20 * unit));
+    CHECK(bars[3].left == Approx(zero));
+    CHECK(bars[3].right - zero == Approx(10 * unit));
+    CHECK(bars[4].right - zero == Approx(99 * unit));
+    CHECK(bars[2].top - bars[0].bottom > 1.5 * (bars[4].top - bars[2].bottom));  // the first row stands apart
+  }
+  CHECK(percent_text(0) == "0");
+  CHECK(percent_text(0.004) == "<0.01");
+  CHECK(percent_text(0.061) == "0.06");
+  CHECK(percent_text(0.996) == "1.0");
+  CHECK(percent_text(5.44) == "5.4");
+  CHECK(percent_text(9.96) == "10");
+  CHECK(percent_text(27.6) == "28");
 }
 
 }  // namespace chart_test
