@@ -139,20 +139,13 @@ std::optional<Crossings> wind_points(const Point<S, 2>& p, std::span<const Point
   };
 
   using Fast = Scan<S>;
-  constexpr std::size_t few = 8;  // of which a scan costs more than it saves
-  if (!heard<Trace> && vertices.size() >= few) {
-    const Point<S, 2>* from = vertices.data();
-    std::array<Point<S, 2>, Fast::word> filled;
-    if (vertices.size() < Fast::word) {
-      std::fill(std::copy(vertices.begin(), vertices.end(), filled.begin()), filled.end(), vertices.back());
-      from = filled.data();
-    }
+  if (!heard<Trace> && vertices.size() >= Fast::few) {
     Crossings met;
     for (std::size_t first = 0; first < vertices.size(); first += Fast::most) {
       Scanned scanned;
       const std::size_t last = std::min(first + Fast::most, vertices.size());
       const Point<S, 2>& before = first > 0 ? vertices[first - 1] : vertices.back();
-      simd::run(widest(), Fast{p, from, before, first, last, scanned});
+      simd::run(widest(), Fast{p, vertices, before, first, last, scanned});
       if (!scanned.finite) return {};
       met.crossings += scanned.crossings, met.winding += scanned.winding;
       for (std::size_t word = 0; word < scanned.words; ++word)

@@ -329,7 +329,7 @@ TEMPLATE_TEST_CASE("rings of any length get the same answers in the widest vecto
       REQUIRE(both(w) == both(all));
       REQUIRE(w.crossings == all.crossings);
       ++counts[static_cast<int>(w.even_odd)];
-      if (w.even_odd == Location::on || r.size() < point_polygon::detail::Scan<S>::word) continue;
+      if (w.even_odd == Location::on || r.size() < point_polygon::detail::Scan<S>::few) continue;
 
       for (int set = 0; set <= static_cast<int>(widest()); ++set) {
         int crossings = 0, turns = 0;
@@ -340,7 +340,7 @@ TEMPLATE_TEST_CASE("rings of any length get the same answers in the widest vecto
           point_polygon::detail::Scanned scanned;
           const Point<S, 2>& before = first > 0 ? r[first - 1] : r.back();
           simd::run(static_cast<InstructionSet>(set),
-                    point_polygon::detail::Scan<S>{p, r.data(), before, first, last, scanned});
+                    point_polygon::detail::Scan<S>{p, r, before, first, last, scanned});
           every_finite &= scanned.finite;
           crossings += scanned.crossings, turns += scanned.winding, certain += scanned.crossings;
           for (std::size_t k = 0; k < scanned.words; ++k)

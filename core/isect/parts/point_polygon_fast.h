@@ -15,6 +15,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <span>
 #include <utility>
 
 #include <isect/parts/instruction_set.h>
@@ -44,12 +45,13 @@ struct Scanned {
 /// taken for any.
 template <class S>
 struct Scan {
+  static constexpr std::size_t few = 32 / sizeof(S);               ///< vertices fill the widest vector
   static constexpr std::size_t word = 32;                          ///< vertices of 64 bits
   static constexpr std::size_t most = Scanned::most_words * word;  ///< of one scan
 
   const Point<S, 2>& p;
-  const Point<S, 2>* vertices;  ///< `word` at least; those behind `last` may be made up
-  const Point<S, 2>& before;    ///< the vertex before `first`
+  std::span<const Point<S, 2>> vertices;  ///< of the ring, `few` at least
+  const Point<S, 2>& before;              ///< the vertex before `first`
   std::size_t first, last;
   Scanned& scanned;
 
@@ -61,12 +63,16 @@ struct Scan {
     const auto bits = [&](const auto& test) { return std::uint64_t{test(0)} | std::uint64_t{test(1)} << 1; };
     Word from = {bits([&](int k) { return before[k] > p[k]; }), bits([&](int k) { return before[k] == p[k]; })};
 
+    const std::uint64_t beyond = last < word ? ~std::uint64_t{0} << 2 * last : 0;
+    if (vertices.size() < word) {
+      count(0, read_few<Bytes>(point), from, ~std::uint64_t{0} << 2 * first & ~beyond);
+      return;
+    }
     const std::size_t last_word = std::max(last, word) - word;
-    const std::uint64_t made_up = last < word ? ~std::uint64_t{0} << 2 * last : 0;
     for (std::size_t i = first; i < last; i += word) {
       const std::size_t start = std::min(i, last_word);  // the last word may begin with vertices known already
-      const Word here = read<Bytes>(vertices + start, point);
-      count(start, here, from, ~std::uint64_t{0} << 2 * (i - start) & ~made_up);
+      const Word here = read<Bytes>(vertices.data() + start, point);
+      count(start, here, from, ~std::uint64_t{0} << 2 * (i - start) & ~beyond);
       from = {here.greater >> 62, here.equal >> 62};
     }
   }
@@ -82,29 +88,64 @@ struct Scan {
   [[gnu::always_inline]] Word read(const Point<S, 2>* from, const Vector& point) const {
     using Unaligned = typename simd::Of<S, Bytes>::Unaligned;
     constexpr std::size_t lanes = simd::Of<S, Bytes>::lanes;
-    constexpr std::size_t few = std::min<std::size_t>(8, simd::block / lanes);  // vectors, for want of registers
-    constexpr std::uint64_t all = (std::uint64_t{1} << lanes) - 1;
+    constexpr std::size_t some_vectors = std::min<std::size_t>(8, simd::block / lanes);  // for want of registers
     const S* const numbers = from->data();
     const Vector zero = {};
     Vector product = zero + 1;
     Word here = {0, 0};
     for (std::size_t i = 0; i < simd::block;) {
       std::uint64_t some = 0;
-      for (std::size_t k = 0; k < few; ++k, i += lanes) {
+      for (std::size_t k = 0; k < some_vectors; ++k, i += lanes) {
         const Vector away = *reinterpret_cast<const Unaligned*>(numbers + i) - point;
         product *= away;
         some |= simd::greater(away, zero) << k * lanes;
       }
-      here.greater |= some << (i - few * lanes);
+      here.greater |= some << (i - some_vectors * lanes);
     }
-    if ((simd::equal(product - product, zero) & ~simd::equal(product, zero)) == all) [[likely]]
+    if (unequal<Bytes>(product)) [[likely]]
       return here;
-    for (std::size_t i = 0; i < simd::block; i += lanes) {
-      const Vector v = *reinterpret_cast<const Unaligned*>(numbers + i);
-      scanned.finite &= simd::equal(v - v, zero) == all;
-      here.equal |= simd::equal(v, point) << i;
-    }
+    for (std::size_t i = 0; i < simd::block; i += lanes) look_again<Bytes>(numbers, i, point, here);
     return here;
+  }
+
+  /// Of all vertices, which are less than a word. The last vector may begin with numbers known already.
+  template <int Bytes, class Vector>
+  [[gnu::always_inline]] Word read_few(const Vector& point) const {
+    using Unaligned = typename simd::Of<S, Bytes>::Unaligned;
+    constexpr std::size_t lanes = simd::Of<S, Bytes>::lanes;
+    static_assert(lanes <= 2 * few);
+    const S* const numbers = vertices[0].data();
+    const std::size_t count = 2 * vertices.size();
+    const Vector zero = {};
+    Vector product = zero + 1;
+    Word here = {0, 0};
+    for (std::size_t i = 0; i < count; i += lanes) {
+      const std::size_t start = std::min(i, count - lanes);
+      const Vector away = *reinterpret_cast<const Unaligned*>(numbers + start) - point;
+      product *= away;
+      here.greater |= simd::greater(away, zero) << start;
+    }
+    if (unequal<Bytes>(product)) [[likely]]
+      return here;
+    for (std::size_t i = 0; i < count; i += lanes) look_again<Bytes>(numbers, std::min(i, count - lanes), point, here);
+    return here;
+  }
+
+  /// Whether no difference in the product is 0 or not finite.
+  template <int Bytes, class Vector>
+  [[gnu::always_inline]] static bool unequal(const Vector& product) {
+    constexpr std::uint64_t all = (std::uint64_t{1} << simd::Of<S, Bytes>::lanes) - 1;
+    const Vector zero = {};
+    return (simd::equal(product - product, zero) & ~simd::equal(product, zero)) == all;
+  }
+
+  /// The vector at number i, by its coordinates.
+  template <int Bytes, class Vector>
+  [[gnu::always_inline]] void look_again(const S* numbers, std::size_t i, const Vector& point, Word& here) const {
+    constexpr std::uint64_t all = (std::uint64_t{1} << simd::Of<S, Bytes>::lanes) - 1;
+    const Vector zero = {}, v = *reinterpret_cast<const typename simd::Of<S, Bytes>::Unaligned*>(numbers + i);
+    scanned.finite &= simd::equal(v - v, zero) == all;
+    here.equal |= simd::equal(v, point) << i;
   }
 
   /// Counts the edges to the vertices from `index` on, those of `mask`. The word before ends with `previous`.
