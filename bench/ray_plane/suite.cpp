@@ -66,6 +66,7 @@ void compete(Session& session, const NamedDraw<Case<S>>& drawn) {
 }  // namespace
 
 void measure(Session& session) {
+  session.aim({.work = "ray-plane with t", .test = "ray-plane", .theirs = "naive", .at_most = 1.5});
   for (const auto& drawn : ray_plane_draws<double>) compete<double>(session, drawn);
   for (const auto& drawn : ray_plane_draws<float>) compete<float>(session, drawn);
 }

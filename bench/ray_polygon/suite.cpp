@@ -47,6 +47,7 @@ void compete(Session& session, const NamedDraw<Case<S>>& drawn) {
 }  // namespace
 
 void measure(Session& session) {
+  session.aim({.work = "ray-polygon with t", .test = "ray-polygon", .theirs = "naive", .at_most = 1.5});
   for (const auto& drawn : ray_polygon_draws<double>) compete<double>(session, drawn);
   for (const auto& drawn : ray_polygon_draws<float>) compete<float>(session, drawn);
 }

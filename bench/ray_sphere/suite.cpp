@@ -69,10 +69,8 @@ std::optional<S> haines(const Case<S>& c) {
 }
 
 template <class S>
-void compete(Session& session, const char* name) {
-  const RaySphereDraw<S, 3>& family = ray_sphere_family<S, 3>(name);
-  Contest<S, Case<S>> contest(session, {"ray-sphere", scalar_name<S>, family.name, family.note, family.hard(),
-                                        family.draw, truth<S>, full_precision<S>, residual<S>});
+void compete(Session& session, const CaseFamily<Case<S>>& family) {
+  Contest<S, Case<S>> contest(session, family);
   contest.enter("quadratic", [](const Case<S>& c) { return ray_sphere::quadratic(c.ray, c.sphere); }).standard();
   contest.enter("half-B", [](const Case<S>& c) { return ray_sphere::half_b(c.ray, c.sphere); });
   contest.enter("stable roots", [](const Case<S>& c) { return ray_sphere::stable_roots(c.ray, c.sphere); });
@@ -86,6 +84,27 @@ void compete(Session& session, const char* name) {
   peers::ray_sphere<S>(contest);
 #endif
   contest.run();
+}
+
+template <class S>
+void compete(Session& session, const char* name) {
+  const RaySphereDraw<S, 3>& drawn = ray_sphere_family<S, 3>(name);
+  compete<S>(session, {"ray-sphere", scalar_name<S>, drawn.name, drawn.note, drawn.hard(), drawn.draw, truth<S>,
+                       full_precision<S>, residual<S>});
+}
+
+/// Ordinary rays, of which so many in a hundred hit: a miss is told by a sign, a hit costs a root.
+template <class S>
+void compete(Session& session, int hits) {
+  const auto draw = [hits, any = ray_sphere_family<S, 3>("ordinary").draw](Random& random) -> Case<S> {
+    const bool wanted = random.below(100) < hits;
+    for (;;) {
+      const Case<S> c = any(random);
+      if (intersect(c.ray, c.sphere).surface.has_value() == wanted) return c;
+    }
+  };
+  compete<S>(session, {"ray-sphere, " + (hits == 100 ? "all" : std::to_string(hits) + " %") + " hit", scalar_name<S>,
+                       "ordinary", "", false, draw, truth<S>, full_precision<S>, residual<S>});
 }
 
 /// One ray against 65,536 spheres around it: which are hit.
@@ -126,7 +145,9 @@ void one_ray(Session& session) {
 }  // namespace
 
 void measure(Session& session) {
-  session.aim({.work = "ray-sphere with t, ordinary rays", .test = "ray-sphere", .theirs = "naive", .at_most = 2});
+  session.aim({.work = "ray-sphere with t, ordinary rays", .test = "ray-sphere", .theirs = "naive", .at_most = 1.5});
+  session.aim({.work = "ray-sphere with t, 5 % hit", .test = "ray-sphere, 5 % hit", .theirs = "naive", .at_most = 1.5});
+  session.aim({.work = "ray-sphere with t, all hit", .test = "ray-sphere, all hit", .theirs = "naive", .at_most = 3});
   session.aim({.work = "ray-sphere: wrong verdicts", .kind = Target::wrong, .test = "ray-sphere", .at_most = 0});
   session.aim({.work = "ray-sphere: error of t", .kind = Target::ulps, .test = "ray-sphere", .at_most = 4});
   session.aim({.work = "one ray, many spheres",
@@ -138,6 +159,10 @@ void measure(Session& session) {
                            "direction-length", "zero-radius"}) {
     compete<double>(session, name);
     compete<float>(session, name);
+  }
+  for (const int hits : {5, 100}) {
+    compete<double>(session, hits);
+    compete<float>(session, hits);
   }
   one_ray<double>(session);
   one_ray<float>(session);

@@ -41,6 +41,7 @@ void compete(Session& session, const NamedDraw<Case<S>>& drawn) {
 }  // namespace
 
 void measure(Session& session) {
+  session.aim({.work = "triangle-AABB", .test = "triangle-aabb", .theirs = "naive", .at_most = 0.5});
   for (const auto& drawn : triangle_aabb_draws<double>) compete<double>(session, drawn);
   for (const auto& drawn : triangle_aabb_draws<float>) compete<float>(session, drawn);
 }

@@ -122,7 +122,7 @@ class Crossing {
   PlanePoint<Bounded<double>> quick_;
   template <class... W>
   using Each = std::tuple<std::optional<PlanePoint<W>>...>;
-  mutable Each<Grid, CompensatedBy<false>, Fused, ShortExact, Bounded<DoubleDouble>, Exact> others_;
+  mutable Each<Grid, CompensatedBy<false>, Fused, ShortExact, MediumExact, Exact> others_;
 };
 
 /// The axis of the largest |n_i|, the first of several.

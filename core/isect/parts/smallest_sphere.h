@@ -144,7 +144,7 @@ class Through {
 
   std::vector<Point<double, N>> p_;
   mutable std::tuple<Known<Bounded<double>>, Known<Grid>, Known<CompensatedBy<false>>, Known<Fused>, Known<ShortExact>,
-                     Known<Bounded<DoubleDouble>>, Known<Exact>>
+                     Known<MediumExact>, Known<Bounded<DoubleDouble>>, Known<Exact>>
       known_;
   mutable std::optional<int> den_;
 };
