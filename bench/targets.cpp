@@ -37,10 +37,10 @@ std::optional<double> ratio(const Target& t, const Report& report) {
     const bool own = r->library == "isect";
     if (own && r->method == t.ours) ours = r;
     const bool meant = t.theirs == "naive" ? r->standard : (own ? r->method : r->library) == t.theirs;
-    if (meant && (theirs == nullptr || r->ns < theirs->ns)) theirs = r;  // a library's fastest way
+    if (meant && (theirs == nullptr || r->median < theirs->median)) theirs = r;  // a library's fastest way
   }
-  if (ours == nullptr || theirs == nullptr || !(theirs->ns > 0)) return {};
-  return ours->ns / theirs->ns;
+  if (ours == nullptr || theirs == nullptr || !(theirs->median > 0)) return {};
+  return ours->median / theirs->median;
 }
 
 /// Over all families and both scalars.
