@@ -38,7 +38,7 @@ std::string sides(const std::vector<const Row*>& rows) {
   Sides all;
   for (const Row* r : rows)
     if (r->sides) all.called_on += r->sides->called_on, all.wrong_side += r->sides->wrong_side;
-  if (all.called_on + all.wrong_side == 0) return {};
+  if (all.called_on == 0) return {};  // also of what can only say yes or no
   return fmt::format("Of its wrong verdicts {} call \"on\" what lies on a side, {} name a wrong side. ",
                      count(all.called_on), count(all.wrong_side));
 }

@@ -32,7 +32,9 @@ std::string worst_time(const Findings& d, const Row& exact) {
   const Row* worst = nullptr;
   for (const Row* r : d.of(exact))
     if (r->hard && (worst == nullptr || r->median > worst->median)) worst = r;
-  return worst == nullptr ? "" : fmt::format("{}, {}", number(worst->median), words(worst->family));
+  if (worst == nullptr) return "";
+  return worst->median <= exact.median ? "ordinary"
+                                       : fmt::format("{}, {}", number(worst->median), words(worst->family));
 }
 
 /// Those that no case judged showed wrong, the exact call left out.
@@ -60,13 +62,15 @@ std::string how_it_fails(const Findings& d, const Row& r) {
   return std::ranges::any_of(all, &Row::hard) ? "never wrong here" : "not judged on hard input";
 }
 
-std::string rival_cell(const std::optional<Rival>& best) {
-  if (!best) return "";
-  const std::string as = best->is_faster()                                  ? ""
-                         : faster(*best->exact, *best->row, best->in.noise) ? " (more)"
-                                                                            : " (as much)";
-  return fmt::format("{}: {}{}; {}", brief(*best->row), number(best->row->median), as,
-                     how_it_fails(best->in, *best->row));
+std::string rival_cell(const Findings& d, const std::optional<Rival>& best) {
+  if (best) {
+    const std::string failing = how_it_fails(best->in, *best->row), time = number(best->row->median);
+    return best->is_faster() ? fmt::format("{}: {}; {}", brief(*best->row), time, failing)
+                             : fmt::format("none; least: {}, {}; {}", brief(*best->row), time, failing);
+  }
+  const auto least = std::ranges::min_element(d.ordinary, {}, &Row::median);
+  if ((*least)->exact) return "none";
+  return fmt::format("{}: {}; {}", brief(**least), number((*least)->median), how_it_fails(d, **least));
 }
 
 std::string choice_cell(const std::optional<Choice>& c) {
@@ -97,7 +101,7 @@ std::string summary_text(const Measured& m) {
   std::string text =
       "Times are in ns a call, in double. [a, b] is the 95 % interval of a median; all words are explained at the "
       "end.\n\n"
-      "| question | exact call, ordinary | its worst family | never wrong, too | least time of the rest, and how it "
+      "| question | exact call, ordinary | its worst family | never wrong, too | what takes less, and how it "
       "fails | choose |\n| --- | --: | --- | --- | --- | --- |\n";
   for (const std::string& test : tests_of(m.portable)) {
     const Findings d(m.portable, test, "double");
@@ -106,7 +110,7 @@ std::string summary_text(const Measured& m) {
     text += fmt::format(
         "| [{}](#{}) | {} | {} | {} | {} | {} |\n", test, anchor(test),
         exact == nullptr ? "none" : (exact->method == "exact" ? "" : exact->method + ": ") + time_of(*exact),
-        exact == nullptr ? "" : worst_time(d, *exact), also_right(m, test, d), rival_cell(rival(m, test)),
+        exact == nullptr ? "" : worst_time(d, *exact), also_right(m, test, d), rival_cell(d, rival(m, test)),
         choice_cell(choice(m, test)));
   }
   return text + '\n';

@@ -91,34 +91,20 @@ std::string ratios(const Measured& m, Figures& figures) {
 }
 
 std::string reading() {
-  return "## How to read it\n\n"
-         "- A time is the median of several passes over distinct random inputs, in nanoseconds a call. [a, b] after it "
-         "is its 95 % interval, by the bootstrap over the passes.\n"
-         "- Methods of one family take turns, so that a busy moment of the machine meets them all.\n"
-         "- In turn: the time of a call whose input is not known before the answer of the one before (latency). "
-         "Otherwise the processor may work on several calls at once (throughput).\n"
-         "- A ratio is that of two medians of one run. Its interval is what the ends of theirs allow: the lower end "
-         "of one by the upper end of the other, and the other way round. Without a name it is to the test's naive "
-         "method, which has the ratio 1.\n"
-         "- One time is called more or less than another only if their intervals are apart, and the medians by more "
-         "than "
-         "the noise.\n"
-         "- Noise: how much more than its least a fixed loop takes, at its 95th percentile.\n"
-         "- The least time of the rest: of inexact methods and of other libraries, where these were measured. Of those "
-         "that take as little, the one that is least often wrong.\n"
-         "- A verdict is wrong if it differs from the true one for the numbers as given. Never wrong means in all "
-         "cases "
-         "judged, hard families included.\n"
-         "- Called on, wrong side: where an answer is a sign or a location, a verdict of \"on\" (zero) for what lies "
-         "on a "
-         "side, and a side for what lies on the other one or on. They add up to all wrong verdicts.\n"
-         "- The error of a value is counted in units in the last place (ulp) of the true value, where the verdict is "
-         "right: half the cases lie below the median, all but one in a hundred below the 99th percentile. An error of "
-         "n "
-         "ulp loses about log2(1 + n) bits.\n"
-         "- In a figure, down is more accurate and left takes less time. A method is on the front if no other is both "
-         "at least as fast and at least as accurate. What lies on the tinted side is beaten.\n"
-         "- Growth: the least time at each size. A power of n is fitted to three sizes or more.\n\n";
+  return R"(## How to read it
+
+- A time is the median of several passes over distinct random inputs, in nanoseconds a call. [a, b] after it is its 95 % interval, by the bootstrap over the passes. Methods of one family take turns, so that a busy moment of the machine meets them all.
+- In turn: the time of a call whose input is not known before the answer of the one before (latency). Otherwise the processor may work on several calls at once (throughput).
+- A ratio is that of two medians of one run. Its interval is what the ends of theirs allow: the lower end of one by the upper end of the other, and the other way round. Without a name it is to the test's naive method.
+- One time is called less than another only if their intervals are apart, and the medians by more than the noise. Noise: how much more than its least a fixed loop takes, at its 95th percentile.
+- What takes less: the best of the inexact methods and, where they were measured, of other libraries. That has the least time; of those that take as little, it is the one least often wrong. None: nothing takes less for certain.
+- A verdict is wrong if it differs from the true one for the numbers as given. Never wrong: in all cases judged, those of the hard families included.
+- Called on, wrong side: where an answer is a sign or a location, "on" (zero) for what lies on a side; and a side for what lies on the other one or on. They add up to all wrong verdicts. Who can only say yes or no calls nothing on.
+- The error of a value is counted in units in the last place (ulp) of the true value, where the verdict is right: half the cases lie below the median, all but one in a hundred below the 99th percentile. An error of n ulp loses about log2(1 + n) bits.
+- In a figure, down is more accurate and left takes less time. A method is on the front if no other is both at least as fast and at least as accurate. What lies on the tinted side is beaten.
+- Growth: the least time at each size. A power of n is fitted to three sizes or more.
+
+)";
 }
 
 std::string families(const Report& report) {
@@ -196,20 +182,17 @@ std::string duties(const Report& report, Figures& figures) {
 }
 
 std::string ending() {
-  return "## How to make this report again\n\n"
-         "On an idle machine, from the root of the repository:\n\n"
-         "```\n"
-         "cmake --preset release -DISECT_PEERS=ON && cmake --build --preset release --target isect "
-         "measure_native "
-         "measure_peers\n"
-         "build/release/bin/isect bench --publish bench\n"
-         "```\n\n"
-         "It measures three times: for any machine of the kind, for this machine's own instructions, and "
-         "beside the other "
-         "libraries that are installed. The last two are left out if their programs were not built. "
-         "`--json FILE` keeps a run, `--publish bench --from FILE --from FILE` writes the report from runs "
-         "that were "
-         "kept. Times differ from machine to machine; verdicts and errors do not.\n";
+  return R"(## How to make this report again
+
+On an idle machine, with every change committed, from the root of the repository:
+
+```
+cmake --preset release -DISECT_PEERS=ON && cmake --build --preset release --target isect measure measure_native measure_peers
+build/release/bin/isect bench --publish bench
+```
+
+It measures three times: for any machine of the kind, for this machine's own instructions, and beside the other libraries that are installed. The last two are left out if their programs were not built. `--json FILE` keeps a run, `--publish bench --from FILE --from FILE` writes the report from runs that were kept. Quick runs, noisy ones, and builds of changed sources or of different commits are not published. Times differ from machine to machine; verdicts and errors do not.
+)";
 }
 
 // What may be written over or removed: what was published before.
