@@ -107,6 +107,24 @@ std::optional<Rival> rival(const Measured& m, const std::string& test) {
   return ratio_of(*foreign->row, *foreign->exact).value < ratio_of(*own->row, *own->exact).value ? foreign : own;
 }
 
+namespace {
+
+/// Of other libraries, what promises as much as the exact call and says as much, was never wrong, and is faster for
+/// certain; null if there is nothing.
+const Row* exact_peer(const Findings& peers) {
+  const Row* best = nullptr;
+  if (peers.exact == nullptr || !peers.judged_hard()) return best;
+  const Row& ours = best_exact(peers);
+  for (const Row* r : peers.ordinary)
+    if (r->library != "isect" && r->exact && r->ulps.has_value() == ours.ulps.has_value() &&
+        total_wrong(peers.of(*r)) == 0 && faster(*r, ours, peers.noise) &&
+        (best == nullptr || r->median < best->median))
+      best = r;
+  return best;
+}
+
+}  // namespace
+
 std::optional<Choice> choice(const Measured& m, const std::string& test) {
   const Findings d(m.portable, test, "double");
   if (d.exact == nullptr) return {};
@@ -114,6 +132,14 @@ std::optional<Choice> choice(const Measured& m, const std::string& test) {
   const std::optional<Rival> best = rival(m, test);
   if (!best || !best->is_faster()) return c;
   const Row& other = *best->row;
+  if (m.peers) {
+    const Findings p(*m.peers, test, "double");
+    if (const Row* peer = exact_peer(p)) {
+      c.exact = name_of(*peer), c.peer = peer;
+      const Row* same = p.same_family(*peer, other);  // compared within that run
+      if (same == nullptr || !faster(*same, *peer, p.noise)) return c;
+    }
+  }
   const std::vector<const Row*> all = best->in.of(other);
   c.other = name_of(other), c.no_value = best->exact->ulps && !other.ulps;
   for (const Row* r : broken_by(all)) c.families.push_back(words(r->family));

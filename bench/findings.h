@@ -65,6 +65,7 @@ struct Choice {
   std::string exact, other;           ///< names; `other` is the faster one
   std::vector<std::string> families;  ///< the worst first
   bool all_families = false;          ///< it breaks on most of them
+  const Row* peer = nullptr;          ///< `exact` of another library, which promises and says as much and is faster
   bool no_value = false;              ///< the faster one answers yes or no only
 };
 /// Nothing where there is no exact call.

@@ -96,11 +96,15 @@ std::string runner_up(const Findings& d) {
 std::string advice(const Measured& m, const std::string& test, const Findings& d) {
   const std::optional<Choice> c = choice(m, test);
   if (!c || c->why == Choice::not_judged) return {};
-  const bool own = c->exact != name_of(*d.exact);
-  const std::string exact = own ? c->exact : "the exact call";
+  const bool another = c->exact != name_of(*d.exact);
+  const std::string exact = another ? c->exact : "the exact call";
+  const std::string as_exact = !another ? ""
+                               : c->peer == nullptr
+                                   ? "It is as exact as the exact call. "
+                                   : fmt::format("It is as exact as the exact call, and takes {} of its time. ",
+                                                 ratio_text(*c->peer, best_exact(Findings(*m.peers, test, "double"))));
   if (c->why == Choice::nothing_faster)
-    return fmt::format("**Choose {}.** {}Nothing inexact here takes less time for certain.", exact,
-                       own ? "It is as exact as the exact call. " : "");
+    return fmt::format("**Choose {}.** {}Nothing inexact here takes less time for certain.", exact, as_exact);
   if (c->why == Choice::errs_on_ordinary)
     return fmt::format("**Choose {}.** {} takes less time, but errs on ordinary input already.", exact,
                        sentence(c->other));
@@ -114,6 +118,10 @@ std::string advice(const Measured& m, const std::string& test, const Findings& d
         "**Choose {} where time matters.** It takes {} of the time, and no case judged here broke it; only {} promises "
         "that none does.",
         other, part, exact);
+  if (c->peer != nullptr)
+    return fmt::format("**Choose {}.** {}{} takes less, but {}.", exact, as_exact, sentence(c->other),
+                       c->all_families ? "is for input like the ordinary family only"
+                                       : "not where input may be " + listed(c->families));
   if (c->all_families)
     return fmt::format(
         "**Choose {},** unless all input is like the ordinary family and {} ns a call are worth more than a wrong "

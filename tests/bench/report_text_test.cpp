@@ -275,6 +275,24 @@ TEST_CASE("without hard cases the first page advises nothing but what costs noth
   CHECK(contains(summary_text(m), "| 29 [28.7, 29.3] |  |  | quadratic: 10; not judged on hard input |  |"));
 }
 
+TEST_CASE("another library's method that is exact and faster is chosen", "[report_text]") {
+  Measured m = {report("portable", 29), {}, report("peers", 29)};
+  for (const char* family : {"ordinary", "planet"}) {
+    Row peer = with_error(row("t, EPECK", 20, family, 0, "CGAL"), 0.2, 0.5, 0.5);
+    peer.exact = true;
+    m.peers->rows.push_back(peer);
+  }
+  CHECK(contains(
+      test_text(m, "ray-sphere"),
+      "**Choose CGAL: t, EPECK.** It is as exact as the exact call, and takes 0.69 [0.676, 0.704] of its time. "
+      "CGAL: do_intersect takes less, but is for input like the ordinary family only."));
+  CHECK(
+      contains(summary_text(m), "| CGAL: t, EPECK; CGAL: do_intersect for yes or no only if all input is ordinary |"));
+  for (Row& r : m.peers->rows)
+    if (r.method == "t, EPECK") r.false_no = r.hard;
+  CHECK(contains(test_text(m, "ray-sphere"), "**Choose the exact call,** unless"));  // it was wrong once
+}
+
 TEST_CASE("a test without an exact call has its least time on the first page", "[report_text]") {
   Measured m = {report("portable", 29)};
   std::erase_if(m.portable.rows, &Row::exact);
