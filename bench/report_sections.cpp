@@ -267,11 +267,7 @@ std::string target_text(const Measured& m) {
     std::optional<bool> all;
     for (const Report* r : {&m.portable, m.native ? &*m.native : nullptr, m.peers ? &*m.peers : nullptr}) {
       const std::optional<double> value = r != nullptr ? measured(t, *r) : std::nullopt;
-      row += value ? fmt::format(" {}{} |", number(*value),
-                                 !t.at_most       ? ""
-                                 : met(t, *value) ? " ✓"
-                                                  : " ✗ missed")
-                   : " |";
+      row += value ? fmt::format(" {}{} |", told(t, *r), !t.at_most ? "" : met(t, *value) ? " ✓" : " ✗ missed") : " |";
       if (value && t.at_most) all = all.value_or(true) && met(t, *value);
     }
     text += row + '\n';
@@ -286,7 +282,7 @@ std::string loss_text(const Measured& m) {
     std::vector<std::string> runs;
     for (const Report* r : all_of(m))
       if (const auto value = measured(t, *r); value && !met(t, *value))
-        runs.push_back(fmt::format("{} ({})", number(*value), r->machine.build));
+        runs.push_back(fmt::format("{} ({})", told(t, *r), r->machine.build));
     if (!runs.empty())
       lines.push_back(fmt::format("Target missed: {}: {}; wanted {}.", t.work, listed(runs), wanted(t)));
   }
