@@ -70,7 +70,7 @@ const Row& best_exact(const Findings& d) {
   const Row* best = d.exact;
   for (const Row* r : d.ordinary)
     if (r->exact && r->library == "isect" && r->ulps.has_value() == d.exact->ulps.has_value() &&
-        faster(*r, *best, std::max(d.noise, most_noise)))
+        clearly_faster(*r, *best, d.noise))
       best = r;
   return *best;
 }
@@ -109,15 +109,15 @@ std::optional<Rival> rival(const Measured& m, const std::string& test) {
 
 namespace {
 
-/// Of other libraries, what promises as much as the exact call and says as much, was never wrong, and is faster for
-/// certain; null if there is nothing.
+/// Of other libraries, what promises as much as the exact call and says as much, was never wrong, and is clearly
+/// faster; null if there is nothing.
 const Row* exact_peer(const Findings& peers) {
   const Row* best = nullptr;
   if (peers.exact == nullptr || !peers.judged_hard()) return best;
   const Row& ours = best_exact(peers);
   for (const Row* r : peers.ordinary)
     if (r->library != "isect" && r->exact && r->ulps.has_value() == ours.ulps.has_value() &&
-        total_wrong(peers.of(*r)) == 0 && faster(*r, ours, peers.noise) &&
+        total_wrong(peers.of(*r)) == 0 && clearly_faster(*r, ours, peers.noise) &&
         (best == nullptr || r->median < best->median))
       best = r;
   return best;
@@ -137,7 +137,7 @@ std::optional<Choice> choice(const Measured& m, const std::string& test) {
     if (const Row* peer = exact_peer(p)) {
       c.exact = name_of(*peer), c.peer = peer;
       const Row* same = p.same_family(*peer, other);  // compared within that run
-      if (same == nullptr || !faster(*same, *peer, p.noise)) return c;
+      if (same == nullptr || !clearly_faster(*same, *peer, p.noise)) return c;
     }
   }
   const std::vector<const Row*> all = best->in.of(other);

@@ -1,6 +1,7 @@
 #pragma once
 // What the rows of one test say together: which calls are compared, which is the best of the others, what to choose.
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,7 +39,12 @@ std::vector<std::string> wrong_on(const std::vector<const Row*>& method, std::si
 std::string time_of(const Row&);
 std::string ratio_text(const Row&, const Row& divided_by);
 
-/// The exact call, or another method of isect that is as exact, says as much and is faster for certain.
+/// By so much that a choice may rest on it: by a tenth, as the next build may place a loop in another way.
+inline bool clearly_faster(const Row& a, const Row& b, double noise) {
+  return faster(a, b, std::max(noise, most_noise));
+}
+
+/// The exact call, or another method of isect that is as exact, says as much and is clearly faster.
 const Row& best_exact(const Findings&);
 
 /// The best of those that are inexact or foreign: of the ones that nothing is faster than for certain, the one that is
@@ -47,7 +53,7 @@ struct Rival {
   Findings in;  ///< of its run: other libraries come from the run beside them
   const Row* row;
   const Row* exact;  ///< of isect in that run, as best_exact()
-  bool is_faster() const { return faster(*row, *exact, in.noise); }
+  bool is_faster() const { return clearly_faster(*row, *exact, in.noise); }
 };
 std::optional<Rival> rival(const Measured&, const std::string& test);
 

@@ -104,7 +104,7 @@ std::string advice(const Measured& m, const std::string& test, const Findings& d
                                    : fmt::format("It is as exact as the exact call, and takes {} of its time. ",
                                                  ratio_text(*c->peer, best_exact(Findings(*m.peers, test, "double"))));
   if (c->why == Choice::nothing_faster)
-    return fmt::format("**Choose {}.** {}Nothing inexact here takes less time for certain.", exact, as_exact);
+    return fmt::format("**Choose {}.** {}Nothing inexact here takes clearly less time.", exact, as_exact);
   if (c->why == Choice::errs_on_ordinary)
     return fmt::format("**Choose {}.** {} takes less time, but errs on ordinary input already.", exact,
                        sentence(c->other));
