@@ -161,18 +161,44 @@ void draw(const bench::Report& report, const std::string& folder) {
   }
 }
 
+/// Before a long run: what would refuse its report.
+void require_publishable(const Wanted& wanted, const std::vector<std::string>& builds) {
+  bench::require_quiet(bench::this_machine(ISECT_FLAGS, "portable"));
+  std::vector<bench::Machine> machines;
+  for (const std::string& build : builds) {
+    bench::Report all;
+    for (const std::string& suite : suites(wanted)) {
+      const Child child = run_child({program_of(build, suite), "--commit"}, [](const std::string&) {});
+      bench::Report one;
+      one.machine.commit = child.output.substr(0, child.output.find('\n'));
+      all.add(one);
+    }
+    all.machine.build = build == "measure" ? "portable" : build.substr(build.find('_') + 1);
+    machines.push_back(all.machine);
+  }
+  bench::require_one_commit(machines);
+}
+
 /// The report as text and figures: from the files given, or measured here by every program that was built.
 int publish(const Program& program, const Wanted& wanted) {
-  if (wanted.from.empty()) bench::require_quiet(bench::this_machine(ISECT_FLAGS, "portable"));  // before the long run
+  if (wanted.quick)
+    throw viz::BadInput(
+        "--publish: a quick run judges too few cases to be published; leave out --quick, or keep it by --json");
   std::vector<bench::Report> reports;
   for (const std::string& path : wanted.from) reports.push_back(read_from(path));
   if (wanted.from.empty()) {
-    Wanted one = wanted;
-    reports.push_back(measured(program, one));
-    one.native = true;
-    if (std::filesystem::exists(beside("measure_native"))) reports.push_back(measured(program, one));
-    one.native = false, one.peers = true;
-    if (std::filesystem::exists(beside("measure_peers"))) reports.push_back(measured(program, one));
+    std::vector<std::string> builds = {"measure"};
+    for (const char* other : {"measure_native", "measure_peers"})
+      if (std::filesystem::exists(beside(other))) builds.emplace_back(other);
+    Progress progress(0);
+    build_measurements(not_built("measure", suites(wanted)), progress);
+    for (const std::string& build : builds) require_built(build, suites(wanted));
+    require_publishable(wanted, builds);
+    for (const std::string& build : builds) {
+      Wanted one = wanted;
+      one.native = build == "measure_native", one.peers = build == "measure_peers";
+      reports.push_back(measured(program, one));
+    }
   }
   try {
     bench::publish(bench::measured_of(std::move(reports)), wanted.publish);

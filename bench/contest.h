@@ -6,11 +6,12 @@
 //   contest.enter("exact", [](const Case& c) { return intersect(c.ray, c.sphere).surface; }).exact();
 //   contest.run();
 //
-// A method answers with bool, an int (a sign, a location) or a std::optional of a number. Its whole pass over the cases
+// A method answers with bool, an int (a sign), a Location or a std::optional of a number. Its whole pass over the cases
 // is compiled as one loop, so that it may be inlined; passes of all methods take turns, so that a busy moment of the
-// machine meets them all alike.
+// machine meets them all alike. A second loop makes each call wait for the one before: it measures latency.
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 #include <cmath>
 #include <functional>
@@ -23,6 +24,7 @@
 #include <type_traits>
 #include <vector>
 
+#include <isect/conventions.h>
 #include <isect/trace.h>
 #include "bench/distribution.h"
 #include "bench/oracle.h"
@@ -36,7 +38,14 @@ struct Truth {
   int verdict = 0;                    ///< 0 no, 1 yes; or a sign, or a location as an int
   std::optional<oracle::Real> value;  ///< t or a distance
   double condition = 1;               ///< how much a relative error of the input grows in the value
+  std::optional<int> side = {};       ///< where methods may answer a sign or a location: -1, 0 ("on") or 1
 };
+/// 1 inside, 0 on the boundary, -1 outside.
+inline int side_of(Location l) { return (l == Location::in) - (l == Location::out); }
+/// Of the question whether a closed set holds a point.
+inline Truth truth_of(Location l) { return {l != Location::out, {}, 1, side_of(l)}; }
+/// Of a question whose answer is a sign.
+inline Truth truth_of_sign(int sign) { return {sign, {}, 1, sign}; }
 
 /// A generator of cases and their oracle.
 template <class Case>
@@ -52,16 +61,18 @@ struct CaseFamily {
   long most_cases = std::numeric_limits<long>::max();
 };
 
-/// What a method said: a verdict, and a value where it has one.
+/// What a method said: a verdict, and a value or a side where it has one.
 struct Said {
   int verdict = 0;
-  std::optional<double> value;
+  std::optional<double> value = {};
+  std::optional<int> side = {};
 };
-inline Said said(bool yes) { return {yes, {}}; }
-inline Said said(int verdict) { return {verdict, {}}; }
+inline Said said(bool yes) { return {yes}; }
+inline Said said(int verdict) { return {verdict, {}, verdict}; }
+inline Said said(Location l) { return {l != Location::out, {}, side_of(l)}; }
 template <class S>
 Said said(const std::optional<S>& value) {
-  return {value.has_value(), value ? std::optional<double>(static_cast<double>(*value)) : std::nullopt};
+  return {value.has_value(), value ? std::optional<double>(static_cast<double>(*value)) : std::nullopt, {}};
 }
 inline Said said(const Said& s) { return s; }
 
@@ -71,6 +82,7 @@ struct Sum {
   double values = 0;
   void operator+=(bool yes) { count += yes; }
   void operator+=(int verdict) { count += verdict; }
+  void operator+=(Location l) { count += static_cast<int>(l); }
   void operator+=(const Said& s) {
     count += s.verdict;
     if (s.value) values += *s.value;
@@ -82,6 +94,39 @@ struct Sum {
   }
 };
 
+/// All bits of an answer.
+inline std::uint64_t bits_of(bool yes) { return yes; }
+inline std::uint64_t bits_of(int verdict) { return static_cast<std::uint64_t>(verdict); }
+inline std::uint64_t bits_of(Location l) { return static_cast<std::uint64_t>(l); }
+template <class S>
+std::uint64_t bits_of(const std::optional<S>& value) {
+  return value ? std::bit_cast<std::uint64_t>(static_cast<double>(*value)) : 0;
+}
+inline std::uint64_t bits_of(const Said& s) { return bits_of(s.verdict) ^ bits_of(s.value); }
+
+/// Asks of each case; the processor may work on several at once.
+template <class List, class Answer>
+void ask_all(const List& cases, const Answer& answer) {
+  Sum sum;
+  for (const auto& c : cases) sum += answer(c);
+  asm volatile("" : : "g"(sum.count), "x"(sum.values));
+}
+
+/// The same one after the other: where the next case lies is not known before the last answer. What a branch decides
+/// is foretold all the same, as in a program that branches on the answer.
+template <class List, class Answer>
+void ask_in_turn(const List& cases, const Answer& answer) {
+  Sum sum;
+  std::uint64_t zero = 0;
+  asm volatile("" : "+r"(zero));  // which the compiler can't know
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const auto told = answer(cases[i]);
+    sum += told;
+    i += bits_of(told) & zero;
+  }
+  asm volatile("" : : "g"(sum.count), "x"(sum.values));
+}
+
 /// A method with its type gone: how to make a pass, how to ask one case.
 template <class Case>
 struct Entrant {
@@ -89,6 +134,7 @@ struct Entrant {
   std::function<void()> pass;
   std::function<Said(std::size_t)> ask;
   std::function<bool(const Case&)> falls_back;
+  std::function<void()> pass_in_turn;  ///< empty where all cases are answered at once
   bool is_exact = false, is_standard = false, gives_values = true;
 
   Entrant& exact() { return is_exact = true, *this; }
@@ -118,20 +164,18 @@ class Contest {
   /// answer(case) -> bool, int, std::optional<number> or Said. The Entrant holds until run().
   template <class Method>
   Entrant<Case>& enter(const std::string& name, Method answer, const std::string& library = "isect") {
-    const auto pass = [this, answer] {
-      Sum sum;
-      for (const Case& c : cases_) sum += answer(c);
-      asm volatile("" : : "g"(sum.count), "x"(sum.values));
-    };
-    return enter_pass(
-        name, pass, [this, answer](std::size_t i) { return said(answer(cases_[i])); }, library);
+    Entrant<Case>& entrant = enter_pass(
+        name, [this, answer] { ask_all(cases_, answer); },
+        [this, answer](std::size_t i) { return said(answer(cases_[i])); }, library);
+    entrant.pass_in_turn = [this, answer] { ask_in_turn(cases_, answer); };
+    return entrant;
   }
 
   /// A method that takes all cases at once: `pass` answers them all, `ask` says what it answered for one.
   Entrant<Case>& enter_pass(const std::string& name, std::function<void()> pass, std::function<Said(std::size_t)> ask,
                             const std::string& library = "isect") {
     entrants_.push_back(
-        std::make_unique<Entrant<Case>>(Entrant<Case>{name, library, std::move(pass), std::move(ask), {}}));
+        std::make_unique<Entrant<Case>>(Entrant<Case>{name, library, std::move(pass), std::move(ask), {}, {}}));
     return *entrants_.back();
   }
 
@@ -143,9 +187,9 @@ class Contest {
   }
 
  private:
-  double once(const Entrant<Case>& entrant) const {
+  double once(const std::function<void()>& pass) const {
     const auto start = std::chrono::steady_clock::now();
-    entrant.pass();
+    pass();
     const std::chrono::duration<double, std::nano> passed = std::chrono::steady_clock::now() - start;
     return passed.count() / static_cast<double>(cases_.size());
   }
@@ -156,14 +200,21 @@ class Contest {
     std::vector<std::vector<double>> times(entrants_.size());
     std::vector<int> wanted;
     for (const auto& entrant : entrants_) {
-      const double seconds = once(*entrant) * 1e-9 * static_cast<double>(cases_.size());
+      const double seconds = once(entrant->pass) * 1e-9 * static_cast<double>(cases_.size());
       wanted.push_back(std::clamp(static_cast<int>(effort.seconds / std::max(seconds, 1e-9)), effort.least_passes,
                                   effort.most_passes));
     }
     for (int pass = 0; pass < effort.most_passes; ++pass)
       for (std::size_t k = 0; k < entrants_.size(); ++k)
-        if (pass < wanted[k]) times[k].push_back(once(*entrants_[k]));
+        if (pass < wanted[k]) times[k].push_back(once(entrants_[k]->pass));
     return times;
+  }
+
+  /// The median of three passes.
+  double latency(const Entrant<Case>& entrant) const {
+    std::vector<double> times;
+    for (int pass = 0; pass < 3; ++pass) times.push_back(once(entrant.pass_in_turn));
+    return Distribution(std::move(times)).quantile(0.5);
   }
 
   void judge_all() {
@@ -179,6 +230,9 @@ class Contest {
     r.scalar = family_.scalar, r.family = family_.name;
     r.hard = family_.hard, r.exact = entrant.is_exact, r.standard = entrant.is_standard;
     r.ns = passes.quantile(0), r.median = passes.quantile(0.5);
+    const Range interval = median_interval(passes.sorted);
+    r.lo = interval.lo, r.hi = interval.hi;
+    if (!family_.hard && entrant.pass_in_turn) r.latency = latency(entrant);
     r.spread = (passes.quantile(0.75) - passes.quantile(0.25)) / r.median;
     r.cases = static_cast<long>(cases_.size()), r.judged = static_cast<long>(truths_.size());
     judge(entrant, r);
@@ -202,7 +256,10 @@ class Contest {
     for (std::size_t i = 0; i < truths_.size(); ++i) {
       const Truth& truth = truths_[i];
       const Said answer = entrant.ask(i);
-      if (answer.verdict != truth.verdict) {
+      if (truth.side && !r.sides) r.sides = Sides();
+      const bool other_side = truth.side && answer.side && *answer.side != *truth.side;
+      if (answer.verdict != truth.verdict || other_side) {
+        if (truth.side) ++(answer.side == 0 && *truth.side != 0 ? r.sides->called_on : r.sides->wrong_side);
         ++(truth.verdict == 0 ? r.false_yes : r.false_no);
         if (r.first_wrong.empty()) r.first_wrong = family_.text(cases_[i]);
       } else if (answer.value && truth.value) {

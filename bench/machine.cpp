@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
+#include <iterator>
+#include <sstream>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -13,14 +15,23 @@
 namespace isect::bench {
 namespace {
 
-std::string cpu() {
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);)
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-  return "unknown";
+/// What a line "name : value" of the first processor says; empty if there is none.
+std::string told(const std::string& cpuinfo, const std::string& name) {
+  std::istringstream lines(cpuinfo);
+  for (std::string line; std::getline(lines, line) && !line.empty();)
+    if (line.starts_with(name) && line.find_first_not_of(" \t", name.size()) == line.find(':'))
+      if (const std::size_t at = line.find(": "); at != line.npos) return line.substr(at + 2);
+  return {};
 }
 
 }  // namespace
+
+std::string cpu_of(const std::string& cpuinfo) {
+  std::string cpu = told(cpuinfo, "model name");
+  if (cpu.empty()) cpu = "unknown";
+  const std::string family = told(cpuinfo, "cpu family"), model = told(cpuinfo, "model");
+  return family.empty() || model.empty() ? cpu : cpu + ", family " + family + ", model " + model;
+}
 
 double noise() {
   std::vector<double> times;
@@ -37,7 +48,8 @@ double noise() {
 
 Machine this_machine(const std::string& flags, const std::string& build) {
   Machine m;
-  m.cpu = cpu();
+  std::ifstream info("/proc/cpuinfo");
+  m.cpu = cpu_of({std::istreambuf_iterator<char>(info), {}});
   m.cores = static_cast<int>(std::thread::hardware_concurrency());
   m.compiler = "GCC " __VERSION__;
 #ifdef __clang__

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <exception>
 
+#include "bench/commit.h"
 #include "bench/machine.h"
 #include "bench/session.h"
 
@@ -20,6 +21,7 @@ Report measured(const Effort& effort, unsigned long long seed) {
   Session session(effort, seed);
   session.progress = [](const std::string& next) { std::fprintf(stderr, "%s\n", next.c_str()); };
   session.found.machine = this_machine(ISECT_FLAGS, ISECT_BUILD);
+  session.found.machine.commit = commit;
   measure(session);
   session.found.machine.noise = std::max(session.found.machine.noise, noise());
   return std::move(session.found);
@@ -37,8 +39,10 @@ int main(int argc, char** argv) {
       effort = Effort::quick();
     else if (std::strcmp(argv[i], "--seed") == 0 && i + 1 < argc)
       seed = std::strtoull(argv[++i], nullptr, 10);
+    else if (std::strcmp(argv[i], "--commit") == 0)
+      return std::printf("%s\n", commit) < 0 ? 4 : 0;
     else
-      return std::fprintf(stderr, "usage: %s [--quick] [--seed N]\n", argv[0]), 2;
+      return std::fprintf(stderr, "usage: %s [--quick] [--seed N], or --commit\n", argv[0]), 2;
   }
   try {
     const std::string text = json(measured(effort, seed));

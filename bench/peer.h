@@ -8,7 +8,7 @@
 
 namespace isect::bench::peers {
 
-/// convert(case) -> the library's shapes, ask(shapes) -> bool, int, optional or Said.
+/// convert(case) -> the library's shapes, ask(shapes) -> bool, int, Location, optional or Said.
 template <class S, class Case, class Convert, class Ask>
 Entrant<Case>& enter(Contest<S, Case>& contest, const char* library, const char* method, const Convert& convert,
                      const Ask& ask) {
@@ -16,13 +16,10 @@ Entrant<Case>& enter(Contest<S, Case>& contest, const char* library, const char*
   const auto all = std::make_shared<std::vector<Shapes>>();
   all->reserve(contest.cases().size());
   for (const Case& c : contest.cases()) all->push_back(convert(c));
-  const auto pass = [all, ask] {
-    Sum sum;
-    for (const Shapes& x : *all) sum += ask(x);
-    asm volatile("" : : "g"(sum.count), "x"(sum.values));
-  };
-  return contest.enter_pass(
-      method, pass, [all, ask](std::size_t i) { return said(ask((*all)[i])); }, library);
+  Entrant<Case>& entrant = contest.enter_pass(
+      method, [all, ask] { ask_all(*all, ask); }, [all, ask](std::size_t i) { return said(ask((*all)[i])); }, library);
+  entrant.pass_in_turn = [all, ask] { ask_in_turn(*all, ask); };
+  return entrant;
 }
 
 }  // namespace isect::bench::peers

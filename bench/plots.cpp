@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "bench/prose.h"
@@ -71,7 +72,7 @@ std::string lower(std::string text) {
 
 viz::Scale times(const std::vector<const Row*>& rows) {
   double lo = INFINITY, hi = 0;
-  for (const Row* r : rows) lo = std::min(lo, r->ns), hi = std::max(hi, r->ns);
+  for (const Row* r : rows) lo = std::min(lo, r->median), hi = std::max(hi, r->median);
   return {viz::Scale::Kind::log, lo / 1.5, hi * 1.4, {}};
 }
 
@@ -102,7 +103,7 @@ std::vector<viz::Panel> panels(const std::vector<const Row*>& all, const std::ve
     viz::Panel panel = {viz::as_markup(words(family)), rows.front()->hard ? "hard" : ""};
     for (const Row* r : rows)
       if (std::optional<viz::Spot> s = spot(*r)) {
-        s->series = legend.index(*r), s->x = r->ns;
+        s->series = legend.index(*r), s->x = r->median;
         s->front = std::ranges::find(front, r) != front.end();
         panel.spots.push_back(*s);
       }
@@ -123,7 +124,7 @@ std::string front_in_words(const std::vector<const Row*>& all, const std::vector
     for (const Row* r : all)
       if (r->family == family) rows.push_back(r);
     std::vector<const Row*> front = front_of(rows, by_value);
-    std::ranges::sort(front, {}, &Row::ns);
+    std::ranges::sort(front, {}, &Row::median);
     std::vector<std::string> names;
     for (const Row* r : front) names.push_back(name_of(*r));
     text += fmt::format("{} {}: {}", text.empty() ? " On the front, from fast to right:" : ";", words(family),
@@ -250,29 +251,79 @@ Plotted growth_plot(const Report& report, const std::string& test, const std::st
     if (g.test != test || g.unit != unit || g.n.empty()) continue;
     const std::size_t i = plot.series.size();
     plot.series.push_back({"", glyphs[i % std::size(glyphs)], roles[i % std::size(roles)], static_cast<int>(i)});
-    viz::Curve curve = {static_cast<int>(i),
-                        {},
-                        fmt::format("{}, *n*^{{{}{:.2f}}}", viz::as_markup(name_of(g)), g.exponent < 0 ? "−" : "",
-                                    std::abs(g.exponent))};
+    viz::Curve curve = {
+        static_cast<int>(i),
+        {},
+        viz::as_markup(name_of(g)) +
+            (g.power() ? fmt::format(", *n*^{{{}{:.2f}}}", *g.power() < 0 ? "−" : "", std::abs(*g.power())) : "")};
     for (std::size_t k = 0; k < g.n.size(); ++k) {
       curve.points.emplace_back(g.n[k], g.ns[k]);
       n_lo = std::min(n_lo, g.n[k]), n_hi = std::max(n_hi, g.n[k]), lo = std::min(lo, g.ns[k]),
       hi = std::max(hi, g.ns[k]);
     }
-    alt += fmt::format(" {}: {:.3g} ns at n = {:.0f}, {:.3g} ns at {:.0f}, growing as n to the {:.2f}.", name_of(g),
-                       g.ns.front(), g.n.front(), g.ns.back(), g.n.back(), g.exponent);
+    alt +=
+        fmt::format(" {}: {:.3g} ns at n = {:.0f}, {:.3g} ns at {:.0f}{}.", name_of(g), g.ns.front(), g.n.front(),
+                    g.ns.back(), g.n.back(), g.power() ? fmt::format(", growing as n to the {:.2f}", *g.power()) : "");
     panel.curves.push_back(std::move(curve));
   }
   plot.panels = {panel};
   plot.x = {viz::Scale::Kind::log, n_lo / 1.1, n_hi * 1.1, "number of elements *n*"};
   plot.y = {viz::Scale::Kind::log, lo / 1.6, hi * 1.6, "time, " + unit + " (ns)"};
   return {lower(test + "-" + unit + "-growth"),
-          fmt::format("{}: the time ({}) as the number of elements grows, both logarithmic. Beside each "
-                      "line: the power of "
-                      "n fitted to it.",
+          fmt::format("{}: the time ({}) as the number of elements grows, both logarithmic. Beside a "
+                      "line of three sizes or more: the power of n fitted to it.",
                       test, unit),
           alt,
           {std::move(plot)}};
+}
+
+Plotted ratio_plot(const Report& report) {
+  viz::Bars bars = {{viz::Scale::Kind::log, 0.5, 2, "time of the exact call / time of the library"},
+                    {{"the library was never wrong", Glyph::star, Role::hit},
+                     {"it was wrong in some case judged", Glyph::disc, Role::second}},
+                    {},
+                    "as fast"};
+  std::string alt = "Times of the exact call on ordinary cases in double, divided by those of other libraries.";
+  for (const std::string& test : tests_of(report)) {
+    const std::vector<const Row*> all = rows_of(report, test, "double");
+    const Row* exact = nullptr;
+    std::map<std::string, const Row*> fastest;  // of each library
+    std::vector<std::string> libraries;
+    for (const Row* r : all) {
+      if (r->hard || r->family != all.front()->family) continue;
+      if (r->library == "isect") {
+        if (r->exact && exact == nullptr) exact = r;
+        continue;
+      }
+      const Row*& best = fastest[r->library];
+      if (best == nullptr) libraries.push_back(r->library);
+      if (best == nullptr || r->median < best->median) best = r;
+    }
+    if (exact == nullptr) continue;
+    for (const std::string& library : libraries) {
+      const Row& theirs = *fastest[library];
+      const Ratio ratio = ratio_of(*exact, theirs);
+      long wrong = 0;
+      for (const Row* r : all)
+        if (name_of(*r) == name_of(theirs)) wrong += r->wrong();
+      bars.x.lo = std::min(bars.x.lo, ratio.lo / 1.2), bars.x.hi = std::max(bars.x.hi, ratio.hi * 1.2);
+      bars.bars.push_back({viz::as_markup(test + ": " + library),
+                           {{wrong > 0, ratio.value}},
+                           1.0,
+                           ratio_text(ratio.value),
+                           viz::Verdict::Kind::open,
+                           std::pair(ratio.lo, ratio.hi)});
+      alt += fmt::format(" {}, {}: {}, {}.", test, name_of(theirs), with_interval(ratio.value, ratio.lo, ratio.hi),
+                         wrong > 0 ? "wrong in some case" : "never wrong");
+    }
+  }
+  return {
+      "ratios",
+      "The time of the exact call divided by that of each library's fastest way, on ordinary cases in double, in one "
+      "run. The line through a marker is the interval of the ratio. Left of the bar the exact call is faster. A star "
+      "marks a way that was right in every case judged.",
+      alt,
+      {std::move(bars)}};
 }
 
 Plotted duty_plot(const Report& report) {
@@ -311,6 +362,7 @@ std::vector<Plotted> plots(const Report& report) {
       if (std::ranges::any_of(rows, [](const Row* r) { return r->wrong() > 0; }))
         all.push_back(verdict_plot(report, test, scalar));
     }
+  if (has_peers(report)) all.push_back(ratio_plot(report));
   std::set<std::pair<std::string, std::string>> grown;
   for (const Growth& g : report.growths)
     if (grown.insert({g.test, g.unit}).second) all.push_back(growth_plot(report, g.test, g.unit));

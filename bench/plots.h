@@ -29,6 +29,8 @@ Plotted distribution_plot(const Report&, const std::string& test, const std::str
                           const std::vector<std::string>& families = {});
 /// Time against the number of elements, with the exponent of the fitted power beside each line.
 Plotted growth_plot(const Report&, const std::string& test, const std::string& unit);
+/// The exact call's time divided by that of each library's fastest way, a row a test and library.
+Plotted ratio_plot(const Report&);
 /// What starting, drawing and rendering take, divided by what they may take.
 Plotted duty_plot(const Report&);
 

@@ -51,4 +51,9 @@ std::string ratio_text(double x) {
   return x >= 10 ? number(std::stod(fmt::format("{:.2g}", x))) : fmt::format("{:.2g}", x);
 }
 
+std::string with_interval(double x, double lo, double hi) {
+  const std::string middle = number(x), from = number(lo), to = number(hi);
+  return from == middle && to == middle ? middle : fmt::format("{} [{}, {}]", middle, from, to);
+}
+
 }  // namespace isect::bench

@@ -18,5 +18,7 @@ std::string sentence(std::string);
 std::string count(long);
 /// Two significant digits: "2.9", "0.34", "630".
 std::string ratio_text(double);
+/// "2.06 [2.05, 2.08]"; the number alone where its digits say as much.
+std::string with_interval(double x, double lo, double hi);
 
 }  // namespace isect::bench

@@ -58,11 +58,15 @@ Json value(const Row& r) {
             {"standard", r.standard},
             {"ns", number(r.ns)},
             {"median", number(r.median)},
+            {"lo", number(r.lo)},
+            {"hi", number(r.hi)},
             {"spread", number(r.spread)},
             {"cases", r.cases},
             {"judged", r.judged},
             {"false_yes", r.false_yes},
             {"false_no", r.false_no}};
+  if (r.latency) o["latency"] = number(*r.latency);
+  if (r.sides) o["called_on"] = r.sides->called_on, o["wrong_side"] = r.sides->wrong_side;
   if (!r.first_wrong.empty()) o["first_wrong"] = r.first_wrong;
   if (r.ulps) o["ulps"] = value(*r.ulps);
   if (r.conditioned) o["conditioned"] = value(*r.conditioned);
@@ -78,8 +82,14 @@ Row row(const Json& o) {
   r.scalar = o.at("scalar"), r.family = o.at("family");
   r.hard = o.at("hard"), r.exact = o.at("exact"), r.standard = o.at("standard");
   r.ns = number(o.at("ns")), r.median = number(o.at("median")), r.spread = number(o.at("spread"));
+  if (o.contains("lo"))
+    r.lo = number(o.at("lo")), r.hi = number(o.at("hi"));
+  else  // of an earlier version: the quartiles, about
+    r.lo = r.median * (1 - r.spread / 2), r.hi = r.median * (1 + r.spread / 2);
+  if (o.contains("latency")) r.latency = number(o.at("latency"));
   r.cases = o.at("cases"), r.judged = o.at("judged");
   r.false_yes = o.at("false_yes"), r.false_no = o.at("false_no");
+  if (o.contains("called_on")) r.sides = Sides{o.at("called_on"), o.at("wrong_side")};
   r.first_wrong = o.value("first_wrong", "");
   r.ulps = errors(o, "ulps"), r.conditioned = errors(o, "conditioned"), r.residual = errors(o, "residual");
   if (o.contains("quantiles")) r.quantiles = numbers(o.at("quantiles"));
@@ -132,12 +142,14 @@ Target target(const Json& o) {
 }
 
 Json value(const Machine& m) {
-  return {{"cpu", m.cpu},     {"cores", m.cores},       {"compiler", m.compiler},   {"flags", m.flags},
-          {"build", m.build}, {"load", number(m.load)}, {"noise", number(m.noise)}, {"date", m.date}};
+  Json o = {{"cpu", m.cpu},     {"cores", m.cores},       {"compiler", m.compiler},   {"flags", m.flags},
+            {"build", m.build}, {"load", number(m.load)}, {"noise", number(m.noise)}, {"date", m.date}};
+  if (!m.commit.empty()) o["commit"] = m.commit;
+  return o;
 }
 Machine machine(const Json& o) {
-  return {o.at("cpu"),   o.at("compiler"),     o.at("flags"),         o.at("build"),
-          o.at("cores"), number(o.at("load")), number(o.at("noise")), o.at("date")};
+  return {o.at("cpu"),          o.at("compiler"),      o.at("flags"), o.at("build"),        o.at("cores"),
+          number(o.at("load")), number(o.at("noise")), o.at("date"),  o.value("commit", "")};
 }
 
 /// Each element on a line of its own, so that two files compare line by line.
@@ -159,6 +171,9 @@ std::string csv(const std::optional<Errors>& e) {
   return e ? fmt::format("{:.4g},{:.4g},{:.4g}", e->median, e->p99, e->most) : ",,";
 }
 
+std::string csv(const std::optional<double>& x) { return x ? fmt::format("{:.4g}", *x) : ""; }
+std::string csv(const std::optional<Sides>& s) { return s ? fmt::format("{},{}", s->called_on, s->wrong_side) : ","; }
+
 std::string percent(const std::optional<double>& share) { return share ? fmt::format("{:.2f} %", 100 * *share) : ""; }
 
 }  // namespace
@@ -173,6 +188,19 @@ void Report::add(Report other) {
   append(rows, other.rows), append(growths, other.growths), append(duties, other.duties);
   append(notes, other.notes), append(targets, other.targets);
   machine.noise = std::max(machine.noise, other.machine.noise);
+  for (const std::string& commit : commits(other.machine))
+    if (const auto own = commits(machine); std::ranges::find(own, commit) == own.end())
+      machine.commit += (machine.commit.empty() ? "" : ", ") + commit;
+}
+
+std::vector<std::string> commits(const Machine& m) {
+  std::vector<std::string> all;
+  for (std::size_t at = 0; at < m.commit.size();) {
+    const std::size_t end = std::min(m.commit.find(", ", at), m.commit.size());
+    all.push_back(m.commit.substr(at, end - at));
+    at = end + 2;
+  }
+  return all;
 }
 
 std::string json(const Report& report) {
@@ -206,14 +234,17 @@ Report report_of(const std::string& text) {
 
 std::string csv(const Report& report) {
   std::string text =
-      "test,method,library,scalar,family,hard,ns_least,ns_median,spread,cases,judged,false_yes,false_no,"
+      "test,method,library,scalar,family,hard,ns_least,ns_median,ns_lo,ns_hi,spread,latency,cases,judged,false_yes,"
+      "false_no,"
+      "called_on,wrong_side,"
       "ulps_median,ulps_p99,ulps_max,conditioned_median,conditioned_p99,conditioned_max,"
       "residual_median,residual_p99,residual_max,fallback,first_wrong\r\n";
   for (const Row& r : report.rows)
-    text += fmt::format("{},{},{},{},{},{},{:.4g},{:.4g},{:.4g},{},{},{},{},{},{},{},{},{}\r\n", quoted(r.test),
-                        quoted(r.method), quoted(r.library), r.scalar, quoted(r.family), r.hard ? 1 : 0, r.ns, r.median,
-                        r.spread, r.cases, r.judged, r.false_yes, r.false_no, csv(r.ulps), csv(r.conditioned),
-                        csv(r.residual), r.fallback ? fmt::format("{:.4g}", *r.fallback) : "", quoted(r.first_wrong));
+    text += fmt::format("{},{},{},{},{},{},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{},{},{},{},{},{},{},{},{},{},{}\r\n",
+                        quoted(r.test), quoted(r.method), quoted(r.library), r.scalar, quoted(r.family), r.hard ? 1 : 0,
+                        r.ns, r.median, r.lo, r.hi, r.spread, csv(r.latency), r.cases, r.judged, r.false_yes,
+                        r.false_no, csv(r.sides), csv(r.ulps), csv(r.conditioned), csv(r.residual), csv(r.fallback),
+                        quoted(r.first_wrong));
   return text;
 }
 
@@ -228,13 +259,14 @@ std::string table(const Report& report) {
       for (std::size_t k = i; k < report.rows.size() && report.rows[k].test == r.test &&
                               report.rows[k].scalar == r.scalar && report.rows[k].family == r.family;
            ++k)
-        if (report.rows[k].standard) standard = report.rows[k].ns;
-      text += fmt::format("\n{:<50} {:>9} {:>7} {:>7}  {:>9} {:>9}  {:>8} {:>8} {:>8} {:>9}\n", title, "ns", "spread",
-                          "ratio", "false yes", "false no", "ulp med", "p99", "max", "fallback");
+        if (report.rows[k].standard) standard = report.rows[k].median;
+      text += fmt::format("\n{:<50} {:>9} {:>17} {:>9} {:>7}  {:>9} {:>9}  {:>8} {:>8} {:>8} {:>9}\n", title, "ns",
+                          "95 %", "latency", "ratio", "false yes", "false no", "ulp med", "p99", "max", "fallback");
     }
     const std::string method = r.library == "isect" ? r.method : r.library + ": " + r.method;
-    text += fmt::format("  {:<48} {:>9.2f} {:>5.1f} % {:>7}  {:>9} {:>9}  ", method, r.ns, 100 * r.spread,
-                        standard > 0 ? fmt::format("{:.2f}", r.ns / standard) : "", r.false_yes, r.false_no);
+    text += fmt::format("  {:<48} {:>9.2f} {:>17} {:>9} {:>7}  {:>9} {:>9}  ", method, r.median,
+                        fmt::format("{:.2f} to {:.2f}", r.lo, r.hi), r.latency ? fmt::format("{:.2f}", *r.latency) : "",
+                        standard > 0 ? fmt::format("{:.2f}", r.median / standard) : "", r.false_yes, r.false_no);
     text += r.ulps ? fmt::format("{:>8.3g} {:>8.3g} {:>8.3g}", r.ulps->median, r.ulps->p99, r.ulps->most)
                    : fmt::format("{:>26}", "");
     text += fmt::format(" {:>9}\n", percent(r.fallback));
@@ -242,8 +274,8 @@ std::string table(const Report& report) {
   }
   if (!report.growths.empty()) text += "\ngrowth\n";
   for (const Growth& g : report.growths) {
-    text += fmt::format("  {:<48} n^{:.2f} a {}:",
-                        g.test + ", " + (g.library == "isect" ? "" : g.library + ": ") + g.method, g.exponent, g.unit);
+    text += fmt::format("  {:<48} {}a {}:", g.test + ", " + (g.library == "isect" ? "" : g.library + ": ") + g.method,
+                        g.power() ? fmt::format("n^{:.2f} ", *g.power()) : "", g.unit);
     for (std::size_t i = 0; i < g.n.size(); ++i) text += fmt::format("  {:.0f}: {:.4g} ns", g.n[i], g.ns[i]);
     text += '\n';
   }

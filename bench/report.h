@@ -13,6 +13,12 @@ struct Errors {
   double median = 0, p99 = 0, most = 0;
 };
 
+/// Wrong verdicts of a test that answers a sign or a location.
+struct Sides {
+  long called_on = 0;   ///< "on" (zero) where the truth is a side
+  long wrong_side = 0;  ///< a side where the truth is the other one, or "on"
+};
+
 /// One method of one test, on one family of cases, in one scalar.
 struct Row {
   std::string test;       ///< "ray-sphere"
@@ -24,15 +30,18 @@ struct Row {
   bool exact = false;     ///< promises no wrong verdict at all
   bool standard = false;  ///< what the others' times are divided by
 
-  double ns = 0;      ///< least time of the passes, a query
-  double median = 0;  ///< median of the passes
-  double spread = 0;  ///< (third - first quartile of the passes) / median
-  long cases = 0;     ///< distinct inputs timed, each once a pass
+  double ns = 0;                  ///< least time of the passes, a query
+  double median = 0;              ///< median of the passes
+  double lo = 0, hi = 0;          ///< 95 % interval of that median, by the bootstrap over the passes
+  double spread = 0;              ///< (third - first quartile of the passes) / median
+  std::optional<double> latency;  ///< ns a call where each call's input depends on the answer before
+  long cases = 0;                 ///< distinct inputs timed, each once a pass
 
-  long judged = 0;          ///< of these, how many the oracle judged
-  long false_yes = 0;       ///< verdicts other than the truth where the truth is no (or zero)
-  long false_no = 0;        ///< all other wrong verdicts
-  std::string first_wrong;  ///< the first case judged wrong, in full precision; empty if none
+  long judged = 0;             ///< of these, how many the oracle judged
+  long false_yes = 0;          ///< verdicts other than the truth where the truth is no (or zero)
+  long false_no = 0;           ///< all other wrong verdicts
+  std::optional<Sides> sides;  ///< the same wrong verdicts by another count, where the test has sides
+  std::string first_wrong;     ///< the first case judged wrong, in full precision; empty if none
 
   std::optional<Errors> ulps;         ///< of t or the distance, where method and truth both have one
   std::optional<Errors> conditioned;  ///< the relative error divided by u times the condition number
@@ -52,6 +61,9 @@ struct Growth {
   std::string unit;  ///< what one time is of: "query", "build", "all pairs"
   std::vector<double> n, ns;
   double exponent = 0;  ///< slope of log time against log n, fitted by least squares
+
+  /// The exponent where it says something: two sizes give one, too, but can't contradict it.
+  std::optional<double> power() const { return n.size() < 3 ? std::nullopt : std::optional(exponent); }
 };
 
 /// A time that is no query's: starting the program, rendering a figure, a frame.
@@ -70,7 +82,7 @@ struct Note {
 /// A number that was set out to be reached, and the most that it may be.
 struct Target {
   enum Kind {
-    ratio,   ///< ours / theirs: least times of the ordinary family, in one run
+    ratio,   ///< ours / theirs: medians of the ordinary family, in one run
     growth,  ///< the same at `n` elements
     time,    ///< ours in ns, at `n` elements
     wrong,   ///< wrong verdicts of ours, all families together
@@ -92,6 +104,7 @@ struct Machine {
   double load = 0;   ///< of the last minute, when the run began
   double noise = 0;  ///< how much slower than its least a fixed loop's 95th percentile is: 0.03 = 3 %
   std::string date;
+  std::string commit = {};  ///< what was built, "-dirty" if changed since; ", " between several; empty: unknown
 };
 
 struct Report {
@@ -109,6 +122,9 @@ struct Report {
   /// What another run of the same build found as well; the noisier machine counts.
   void add(Report other);
 };
+
+/// Those that its programs were built of; none where that is unknown.
+std::vector<std::string> commits(const Machine&);
 
 std::string json(const Report&);            ///< one row a line; doubles to four significant digits
 Report report_of(const std::string& json);  ///< Throws std::runtime_error that names what is wrong.

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 
+#include "bench/findings.h"
 #include "bench/prose.h"
 #include "bench/report_text.h"
 #include "bench/rows.h"
@@ -13,66 +13,34 @@
 namespace isect::bench {
 namespace {
 
-constexpr double beyond_noise = 1 + most_noise;  ///< the least ratio of times that says something
-
-/// All rows of one method over the families of a test in one scalar, with the two that are compared.
-struct Findings {
-  std::vector<const Row*> rows, ordinary;
-  const Row *naive = nullptr, *exact = nullptr;
-
-  Findings(const Report& report, const std::string& test, const std::string& scalar)
-      : rows(rows_of(report, test, scalar)) {
-    for (const Row* r : rows)
-      if (!r->hard && (ordinary.empty() || r->family == ordinary.front()->family)) ordinary.push_back(r);
-    naive = standard_of(ordinary), exact = exact_of(ordinary);
-  }
-  std::vector<const Row*> of(const Row& method) const {
-    std::vector<const Row*> all;
-    for (const Row* r : rows)
-      if (name_of(*r) == name_of(method)) all.push_back(r);
-    return all;
-  }
-  const Row* same_family(const Row& r, const Row& method) const {
-    const auto found = std::ranges::find_if(
-        rows, [&](const Row* q) { return q->family == r.family && name_of(*q) == name_of(method); });
-    return found == rows.end() ? nullptr : *found;
-  }
-};
-
-long total_wrong(const std::vector<const Row*>& rows) {
-  long sum = 0;
-  for (const Row* r : rows) sum += r->wrong();
-  return sum;
-}
-long total_judged(const std::vector<const Row*>& rows) {
-  long sum = 0;
-  for (const Row* r : rows) sum += r->judged;
-  return sum;
-}
-
-/// The families on which a method is wrong, the worst first: "24 % of far small".
-std::vector<std::string> wrong_on(std::vector<const Row*> rows, std::size_t most) {
-  std::ranges::stable_sort(rows, std::greater{}, &Row::wrong_per_million);
-  std::vector<std::string> parts;
-  for (const Row* r : rows)
-    if (r->hard && r->wrong() > 0 && parts.size() < most)
-      parts.push_back(fmt::format("{} of {}", share(static_cast<double>(r->wrong()), static_cast<double>(r->judged)),
-                                  words(r->family)));
-  return parts;
-}
-
-std::string cost(const Findings& d, const Findings& f) {
+std::string cost(const Measured& m, const std::string& test, const Findings& d, const Findings& f) {
   std::string text =
       fmt::format("On ordinary cases in double the exact call takes {} ns and {} {} ns: a ratio of {}. ",
-                  number(d.exact->ns), name_of(*d.naive), number(d.naive->ns), ratio_text(d.exact->ns / d.naive->ns));
+                  time_of(*d.exact), name_of(*d.naive), time_of(*d.naive), ratio_text(*d.exact, *d.naive));
+  if (const auto best = rival(m, test); best && best->row != d.naive && name_of(*best->row) != name_of(*d.naive))
+    text += fmt::format("Of what is inexact or not ours {} is best, at {} ns: a ratio of {}. ", name_of(*best->row),
+                        time_of(*best->row), ratio_text(*best->in.exact, *best->row));
+  if (d.exact->latency && d.naive->latency)
+    text += fmt::format("In turn, each waiting for the answer before, they take {} and {} ns. ",
+                        number(*d.exact->latency), number(*d.naive->latency));
   if (f.exact != nullptr && f.naive != nullptr)
-    text += fmt::format("In float they take {} and {} ns. ", number(f.exact->ns), number(f.naive->ns));
+    text += fmt::format("In float they take {} and {} ns. ", number(f.exact->median), number(f.naive->median));
   std::vector<std::string> equals;
   for (const Row* r : d.ordinary)
     if (r->exact && r != d.exact && r->library == "isect")
-      equals.push_back(fmt::format("{} ({} ns a case)", name_of(*r), number(r->ns)));
+      equals.push_back(fmt::format("{} ({} ns a case)", name_of(*r), number(r->median)));
   if (!equals.empty()) text += fmt::format("Equally exact: {}. ", listed(equals));
   return text;
+}
+
+/// How the wrong verdicts divide, where a test has sides.
+std::string sides(const std::vector<const Row*>& rows) {
+  Sides all;
+  for (const Row* r : rows)
+    if (r->sides) all.called_on += r->sides->called_on, all.wrong_side += r->sides->wrong_side;
+  if (all.called_on == 0) return {};  // also of what can only say yes or no
+  return fmt::format("Of its wrong verdicts {} call \"on\" what lies on a side, {} name a wrong side. ",
+                     count(all.called_on), count(all.wrong_side));
 }
 
 std::string naive_errors(const Findings& d) {
@@ -83,7 +51,7 @@ std::string naive_errors(const Findings& d) {
                          : fmt::format("{} is right on all {} ordinary cases judged. ", who, count(d.naive->judged));
   const std::vector<std::string> parts = wrong_on(d.of(*d.naive), 3);
   if (!parts.empty()) text += fmt::format("Of the hard families it gets wrong {}. ", listed(parts));
-  return text;
+  return text + sides(d.of(*d.naive));
 }
 
 std::string exact_promise(const Findings& d, const Findings& f) {
@@ -104,10 +72,10 @@ std::string exact_promise(const Findings& d, const Findings& f) {
     text += fmt::format("Of the ordinary calls {} need more than floating point. ", share(*d.exact->fallback, 1));
   const Row* slowest = nullptr;
   for (const Row* r : d.of(*d.exact))
-    if (r->hard && (slowest == nullptr || r->ns > slowest->ns)) slowest = r;
-  if (slowest != nullptr && slowest->ns > 1.5 * d.exact->ns)
+    if (r->hard && (slowest == nullptr || r->median > slowest->median)) slowest = r;
+  if (slowest != nullptr && slowest->median > 1.5 * d.exact->median && faster(*d.exact, *slowest, d.noise))
     text += fmt::format(
-        "It is slowest on {}: {} ns{}. ", words(slowest->family), number(slowest->ns),
+        "It is slowest on {}: {} ns{}. ", words(slowest->family), number(slowest->median),
         slowest->fallback && d.exact->fallback ? fmt::format(", where {} do", share(*slowest->fallback, 1)) : "");
   return text;
 }
@@ -121,87 +89,125 @@ std::string runner_up(const Findings& d) {
   if (best == nullptr || best == d.naive || total_wrong(d.of(*best)) >= total_wrong(d.of(*d.naive))) return {};
   const std::vector<std::string> parts = wrong_on(d.of(*best), 2);
   return fmt::format("Of the inexact methods {} errs least, at a ratio of {}: {}. ", name_of(*best),
-                     ratio_text(best->ns / d.naive->ns),
-                     parts.empty() ? "on no case judged" : "still on " + listed(parts));
+                     ratio_text(*best, *d.naive), parts.empty() ? "on no case judged" : "still on " + listed(parts));
 }
 
-/// The exact call, or another method that is as exact, says as much and is clearly faster.
-const Row& best_exact(const Findings& d) {
-  const Row* best = d.exact;
-  for (const Row* r : d.ordinary)
-    if (r->exact && r->library == "isect" && r->ulps.has_value() == d.exact->ulps.has_value() &&
-        r->ns * beyond_noise < best->ns)
-      best = r;
-  return *best;
-}
-
-/// What to choose; nothing where no hard case was judged and exactness costs.
-std::string choice(const Findings& d) {
-  const Row& best = best_exact(d);
-  const bool other = &best != d.exact;
-  const double slower = best.ns / d.naive->ns;
-  const std::string naive = name_of(*d.naive), exact = other ? name_of(best) : "the exact call";
-  if (slower <= beyond_noise)
-    return fmt::format("**Choose {}.** It costs no more than {}{}.", exact, naive,
-                       other ? " and is as exact as the exact call" : "");
-  if (d.naive->wrong() > 0)
-    return fmt::format("**Choose {}.** {} errs on ordinary input already.", exact, sentence(naive));
-  if (std::ranges::none_of(d.of(*d.naive), &Row::hard)) return {};
-  if (total_wrong(d.of(*d.naive)) == 0)
+/// What to choose; nothing where what is faster met no hard case.
+std::string advice(const Measured& m, const std::string& test, const Findings& d) {
+  const std::optional<Choice> c = choice(m, test);
+  if (!c || c->why == Choice::not_judged) return {};
+  const bool another = c->exact != name_of(*d.exact);
+  const std::string exact = another ? c->exact : "the exact call";
+  const std::string as_exact = !another ? ""
+                               : c->peer == nullptr
+                                   ? "It is as exact as the exact call. "
+                                   : fmt::format("It is as exact as the exact call, and takes {} of its time. ",
+                                                 ratio_text(*c->peer, best_exact(Findings(*m.peers, test, "double"))));
+  if (c->why == Choice::nothing_faster)
+    return fmt::format("**Choose {}.** {}Nothing inexact here takes clearly less time.", exact, as_exact);
+  if (c->why == Choice::errs_on_ordinary)
+    return fmt::format("**Choose {}.** {} takes less time, but errs on ordinary input already.", exact,
+                       sentence(c->other));
+  const Rival best = *rival(m, test);
+  const std::string other = c->other + (c->no_value ? ", where yes or no is enough" : "");
+  const std::string saved = number(best.exact->median - best.row->median), part = ratio_text(*best.row, *best.exact);
+  if (c->why == Choice::as_exact)
+    return fmt::format("**Choose {}.** It is as exact, and takes {} of the time.", other, part);
+  if (c->why == Choice::never_broken)
     return fmt::format(
-        "**Choose {} where time matters.** It takes 1/{} of the time, and no case judged here broke it; only {} "
-        "promises "
+        "**Choose {} where time matters.** It takes {} of the time, and no case judged here broke it; only {} promises "
         "that none does.",
-        naive, ratio_text(slower), exact);
-  return fmt::format(
-      "**Choose {},** unless all input is like the ordinary family and {} ns a call are worth more than a wrong "
-      "verdict.",
-      exact, number(best.ns - d.naive->ns));
+        other, part, exact);
+  if (c->peer != nullptr)
+    return fmt::format("**Choose {}.** {}{} takes less, but {}.", exact, as_exact, sentence(c->other),
+                       c->all_families ? "is for input like the ordinary family only"
+                                       : "not where input may be " + listed(c->families));
+  if (c->all_families)
+    return fmt::format(
+        "**Choose {},** unless all input is like the ordinary family and {} ns a call are worth more than a wrong "
+        "verdict: as much is saved by {}.",
+        exact, saved, other);
+  return fmt::format("**Choose {},** or {} where no input is {}: it saves {} ns a call.", exact, other,
+                     listed(c->families), saved);
 }
 
 std::string beside_peers(const Measured& m, const std::string& test) {
   if (!m.peers) return {};
   const Findings p(*m.peers, test, "double");
-  if (p.exact == nullptr) return {};
-  std::vector<std::string> parts;
+  if (p.exact == nullptr || std::ranges::none_of(p.ordinary, [](const Row* r) { return r->library != "isect"; }))
+    return {};
+  std::string text =
+      "| beside other libraries, in one run | ns | in turn | exact call / it | wrong, ordinary | wrong, worst "
+      "family |\n| --- | --: | --: | --: | --: | --- |\n";
   for (const Row* r : p.ordinary) {
-    if (r->library == "isect") continue;
-    const std::vector<const Row*> all = p.of(*r);
-    const std::vector<std::string> wrong = wrong_on(all, 1);
-    parts.push_back(fmt::format("{} {} ns ({})", name_of(*r), number(r->ns),
-                                wrong.empty() ? total_wrong(all) == 0 ? "no wrong verdict" : "wrong on ordinary cases"
-                                              : "wrong on " + wrong.front()));
+    if (r->library == "isect" && r != p.exact) continue;
+    const std::vector<std::string> worst = wrong_on(p.of(*r), 1);
+    text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", name_of(*r), time_of(*r),
+                        r->latency ? number(*r->latency) : "", r == p.exact ? "1" : ratio_text(*p.exact, *r),
+                        wrong_share({r}), worst.empty() ? "none" : worst.front());
   }
-  if (parts.empty()) return {};
-  return fmt::format("Beside other libraries, in one run, where the exact call takes {} ns: {}.\n\n",
-                     number(p.exact->ns), listed(parts));
+  return text + '\n';
 }
 
-std::string table(const Findings& d) {
-  const bool values = std::ranges::any_of(d.rows, [](const Row* r) { return r->ulps.has_value(); });
-  std::string text = fmt::format(
-      "| double, ordinary cases | ns | ratio | wrong | wrong, all hard cases |{}\n| --- | --: | --: | --: | "
-      "--: |{}\n",
-      values ? " ulp, median | 99th percentile | most, hard |" : "", values ? " --: | --: | --: |" : "");
-  for (const Row* r : d.ordinary) {
-    std::vector<const Row*> hard;
-    double most = -1;
-    for (const Row* q : d.of(*r))
-      if (q->hard) {
-        hard.push_back(q);
-        if (q->ulps) most = std::max(most, q->ulps->most);
-      }
-    text += fmt::format(
-        "| {} | {} | {} | {} | {} |", name_of(*r), number(r->ns),
-        d.naive != nullptr ? fmt::format("{:.2g}", r->ns / d.naive->ns) : "",
-        share(static_cast<double>(r->wrong()), static_cast<double>(r->judged)),
-        hard.empty() ? "" : share(static_cast<double>(total_wrong(hard)), static_cast<double>(total_judged(hard))));
-    if (values)
-      text += r->ulps ? fmt::format(" {} | {} | {} |", number(r->ulps->median), number(r->ulps->p99),
-                                    most < 0 ? "" : number(most))
-                      : " | | |";
-    text += '\n';
+/// Beside the times: what the test has numbers of.
+struct Columns {
+  bool latency = false, values = false, sides = false;
+  const Row* best = nullptr;  ///< the rival of ours that ratios are given to, beside the standard method
+
+  explicit Columns(const Measured& m, const std::string& test, const Findings& d) {
+    for (const Row* r : d.rows) {
+      latency = latency || r->latency;
+      values = values || r->ulps;
+      sides = sides || r->sides;
+    }
+    const std::optional<Rival> other = rival(m, test);
+    if (!other || d.naive == nullptr) return;
+    for (const Row* r : d.ordinary)
+      if (r != d.naive && name_of(*r) == name_of(*other->row)) best = r;
   }
+  std::string head() const {
+    std::string names = "| double, ordinary cases | ns |", rules = "| --- | --: |";
+    const auto add = [&](bool shown, const std::string& name) {
+      if (shown) names += ' ' + name + " |", rules += " --: |";
+    };
+    add(latency, "in turn");
+    add(true, "ratio");
+    add(best != nullptr, best == nullptr ? "" : "to " + name_of(*best));
+    add(true, "wrong"), add(true, "wrong, all hard cases");
+    add(sides, "called on"), add(sides, "wrong side");
+    add(values, "ulp, median"), add(values, "99th percentile"), add(values, "most, hard");
+    return names + '\n' + rules + '\n';
+  }
+};
+
+std::string line(const Findings& d, const Columns& columns, const Row& r) {
+  std::vector<const Row*> hard;
+  double most = -1;
+  Sides sides;
+  for (const Row* q : d.of(r)) {
+    if (q->sides) sides.called_on += q->sides->called_on, sides.wrong_side += q->sides->wrong_side;
+    if (!q->hard) continue;
+    hard.push_back(q);
+    if (q->ulps) most = std::max(most, q->ulps->most);
+  }
+  std::string text = fmt::format("| {} | {} |", name_of(r), time_of(r));
+  const auto add = [&](bool shown, const std::string& cell) {
+    if (shown) text += cell.empty() ? " |" : ' ' + cell + " |";
+  };
+  add(columns.latency, r.latency ? number(*r.latency) : "");
+  add(true, d.naive == nullptr ? "" : &r == d.naive ? "1" : ratio_text(r, *d.naive));
+  if (columns.best != nullptr) add(true, &r == columns.best ? "1" : ratio_text(r, *columns.best));
+  add(true, wrong_share({&r})), add(true, hard.empty() ? "" : wrong_share(hard));
+  add(columns.sides, r.sides ? count(sides.called_on) : ""), add(columns.sides, r.sides ? count(sides.wrong_side) : "");
+  add(columns.values, r.ulps ? number(r.ulps->median) : ""), add(columns.values, r.ulps ? number(r.ulps->p99) : "");
+  add(columns.values, r.ulps && most >= 0 ? number(most) : "");
+  return text + '\n';
+}
+
+std::string table(const Measured& m, const std::string& test, const Findings& d) {
+  const Columns columns(m, test, d);
+  std::string text = columns.head();
+  for (const Row* r : d.ordinary) text += line(d, columns, *r);
   return text + '\n';
 }
 
@@ -214,9 +220,9 @@ std::vector<const Report*> all_of(const Measured& m) {
 
 std::string machine_line(const Report& r) {
   const Machine& m = r.machine;
-  return fmt::format("- {} build: {}, `{}`, seed {}, {}; load {}, noise {:.1f} %{}\n", m.build, m.compiler, m.flags,
-                     r.seed, m.date, number(m.load), 100 * m.noise,
-                     r.quick ? "; a quick run, in which fewer cases are judged" : "");
+  return fmt::format("- {} build of {}: {}, `{}`, seed {}, {}; load {}, noise {:.1f} %{}\n", m.build,
+                     m.commit.empty() ? "an unknown commit" : "commit " + m.commit, m.compiler, m.flags, r.seed, m.date,
+                     number(m.load), 100 * m.noise, r.quick ? "; a quick run, in which fewer cases are judged" : "");
 }
 
 }  // namespace
@@ -228,25 +234,25 @@ std::string machine_text(const Measured& m) {
     if (*other) text += machine_line(**other);
   if (!m.native) text += "- native build: not measured\n";
   if (!m.peers) text += "- beside other libraries: not measured\n";
-  return text + "\nNoise is how much more than its least a fixed loop takes, at its 95th percentile.\n\n";
+  return text + '\n';
 }
 
 std::string test_text(const Measured& m, const std::string& test) {
   const Findings d(m.portable, test, "double"), f(m.portable, test, "float");
   std::string text;
-  if (d.naive != nullptr && d.exact != nullptr && d.naive != d.exact) {
-    text = cost(d, f) + naive_errors(d) + exact_promise(d, f) + runner_up(d);
+  if (d.comparable()) {
+    text = cost(m, test, d, f) + naive_errors(d) + exact_promise(d, f) + runner_up(d);
     text.pop_back();
     text += "\n\n";
-    if (const std::string advice = choice(d); !advice.empty()) text += advice + "\n\n";
+    if (const std::string words = advice(m, test, d); !words.empty()) text += words + "\n\n";
     if (m.native) {
       const Findings n(*m.native, test, "double");
       if (n.naive != nullptr && n.exact != nullptr)
         text += fmt::format("Compiled for this machine: {} {} ns, exact {} ns.\n\n", name_of(*n.naive),
-                            number(n.naive->ns), number(n.exact->ns));
+                            time_of(*n.naive), time_of(*n.exact));
     }
   }
-  return text + beside_peers(m, test) + (d.ordinary.empty() ? "" : table(d));
+  return text + (d.ordinary.empty() ? "" : table(m, test, d)) + beside_peers(m, test);
 }
 
 std::string target_text(const Measured& m) {
@@ -261,11 +267,7 @@ std::string target_text(const Measured& m) {
     std::optional<bool> all;
     for (const Report* r : {&m.portable, m.native ? &*m.native : nullptr, m.peers ? &*m.peers : nullptr}) {
       const std::optional<double> value = r != nullptr ? measured(t, *r) : std::nullopt;
-      row += value ? fmt::format(" {}{} |", number(*value),
-                                 !t.at_most       ? ""
-                                 : met(t, *value) ? " ✓"
-                                                  : " ✗ missed")
-                   : " |";
+      row += value ? fmt::format(" {}{} |", told(t, *r), !t.at_most ? "" : met(t, *value) ? " ✓" : " ✗ missed") : " |";
       if (value && t.at_most) all = all.value_or(true) && met(t, *value);
     }
     text += row + '\n';
@@ -280,7 +282,7 @@ std::string loss_text(const Measured& m) {
     std::vector<std::string> runs;
     for (const Report* r : all_of(m))
       if (const auto value = measured(t, *r); value && !met(t, *value))
-        runs.push_back(fmt::format("{} ({})", number(*value), r->machine.build));
+        runs.push_back(fmt::format("{} ({})", told(t, *r), r->machine.build));
     if (!runs.empty())
       lines.push_back(fmt::format("Target missed: {}: {}; wanted {}.", t.work, listed(runs), wanted(t)));
   }
@@ -290,20 +292,20 @@ std::string loss_text(const Measured& m) {
     const Row* worst = nullptr;
     double most = 0;
     for (const Row* r : d.of(*d.exact))
-      if (const Row* naive = d.same_family(*r, *d.naive); naive != nullptr && r->ns / naive->ns > most)
-        worst = r, most = r->ns / naive->ns;
-    if (worst != nullptr && most > 2)
+      if (const Row* naive = d.same_family(*r, *d.naive); naive != nullptr && r->median / naive->median > most)
+        worst = r, most = r->median / naive->median;
+    if (worst != nullptr && most > 2 && faster(*d.same_family(*worst, *d.naive), *worst, d.noise))
       lines.push_back(fmt::format("{}: the exact call takes up to {} times the time of {} ({}: {} ns).", sentence(test),
-                                  ratio_text(most), name_of(*d.naive), words(worst->family), number(worst->ns)));
+                                  ratio_text(most), name_of(*d.naive), words(worst->family), number(worst->median)));
   }
   if (m.peers)
     for (const std::string& test : tests_of(*m.peers)) {
       const Findings p(*m.peers, test, "double");
       if (p.exact == nullptr) continue;
       for (const Row* r : p.ordinary)
-        if (r->library != "isect" && r->ns < p.exact->ns)
+        if (r->library != "isect" && faster(*r, *p.exact, p.noise))
           lines.push_back(fmt::format("{}: {} is faster on ordinary cases, {} ns against {} ns{}.", sentence(test),
-                                      name_of(*r), number(r->ns), number(p.exact->ns),
+                                      name_of(*r), number(r->median), number(p.exact->median),
                                       total_wrong(p.of(*r)) == 0
                                           ? ", and was never wrong"
                                           : fmt::format("; it is wrong on {} of all cases judged",

@@ -81,29 +81,34 @@ std::string opening(const Measured& m) {
          "made to break it. `isect bench` measures, an exact oracle judges, and this text, its tables and "
          "its figures "
          "are written from the measurements by one command (at the end).\n\n" +
-         machine_text(m);
+         machine_text(m) + summary_text(m);
+}
+
+/// Other libraries' times at a glance.
+std::string ratios(const Measured& m, Figures& figures) {
+  if (!m.peers || !has_peers(*m.peers)) return {};
+  return "## Beside other libraries\n\n" + figures.show(ratio_plot(*m.peers));
 }
 
 std::string reading() {
-  return "## How to read it\n\n"
-         "A time is the least of several passes over distinct random inputs, in nanoseconds a call. Methods "
-         "of one "
-         "family take turns, so that a busy moment of the machine meets them all. A ratio compares times of "
-         "one run "
-         "only.\n\n"
-         "A verdict is wrong if it differs from the true one for the numbers as given. The error of a value "
-         "is counted "
-         "in units in the last place (ulp) of the true value, where the verdict is right: half the cases lie "
-         "below the "
-         "median, all but one in a hundred below the 99th percentile. An error of n ulp loses about log2(1 + "
-         "n) bits.\n\n"
-         "In a figure, down is more accurate and left is faster. A method is on the front if no other is "
-         "both at least "
-         "as fast and at least as accurate. What lies on the tinted side is beaten.\n\n";
+  return R"(## How to read it
+
+- A time is the median of several passes over distinct random inputs, in nanoseconds a call. [a, b] after it is its 95 % interval, by the bootstrap over the passes. Methods of one family take turns, so that a busy moment of the machine meets them all.
+- In turn: the time of a call whose input is not known before the answer of the one before (latency). Otherwise the processor may work on several calls at once (throughput).
+- A ratio is that of two medians of one run. Its interval is what the ends of theirs allow: the lower end of one by the upper end of the other, and the other way round. Without a name it is to the test's naive method.
+- One time is called less than another only if their intervals are apart, and the medians by more than the noise; a choice asks for a tenth, as the next build may place a loop in another way. Noise: how much more than its least a fixed loop takes, at its 95th percentile.
+- What takes less: the best of the inexact methods and, where they were measured, of other libraries. That has the least time; of those that take as little, it is the one least often wrong. None: nothing takes clearly less.
+- A verdict is wrong if it differs from the true one for the numbers as given. Never wrong: in all cases judged, those of the hard families included.
+- Called on, wrong side: where an answer is a sign or a location, "on" (zero) for what lies on a side; and a side for what lies on the other one or on. They add up to all wrong verdicts. Who can only say yes or no calls nothing on.
+- The error of a value is counted in units in the last place (ulp) of the true value, where the verdict is right: half the cases lie below the median, all but one in a hundred below the 99th percentile. An error of n ulp loses about log2(1 + n) bits.
+- In a figure, down is more accurate and left takes less time. A method is on the front if no other is both at least as fast and at least as accurate. What lies on the tinted side is beaten.
+- Growth: the least time at each size. A power of n is fitted to three sizes or more.
+
+)";
 }
 
 std::string families(const Report& report) {
-  std::string text = "## The hard families\n\n";
+  std::string text = "### The hard families\n\n";
   std::string last;
   std::set<std::string> told;
   for (const Row& r : report.rows) {
@@ -142,7 +147,9 @@ std::string growths(const Report& report, Figures& figures) {
     for (const Growth& other : report.growths)
       if (other.test == g.test && other.unit == g.unit && !other.n.empty()) all.push_back(&other);
     std::vector<std::string> parts;
-    for (const Growth* other : all) parts.push_back(fmt::format("{} as n^{:.2f}", name_of(*other), other->exponent));
+    for (const Growth* other : all)
+      if (other->power()) parts.push_back(fmt::format("{} as n^{:.2f}", name_of(*other), *other->power()));
+    if (parts.empty()) parts.emplace_back("too few sizes for a power of n");
     const std::string unit = g.test.find(g.unit) == std::string::npos ? ", " + g.unit : "";
     text += fmt::format("{}{}: {}.\n\n", sentence(g.test), unit, listed(parts));
     text += figures.show(growth_plot(report, g.test, g.unit));
@@ -177,20 +184,17 @@ std::string duties(const Report& report, Figures& figures) {
 }
 
 std::string ending() {
-  return "## How to make this report again\n\n"
-         "On an idle machine, from the root of the repository:\n\n"
-         "```\n"
-         "cmake --preset release -DISECT_PEERS=ON && cmake --build --preset release --target isect "
-         "measure_native "
-         "measure_peers\n"
-         "build/release/bin/isect bench --publish bench\n"
-         "```\n\n"
-         "It measures three times: for any machine of the kind, for this machine's own instructions, and "
-         "beside the other "
-         "libraries that are installed. The last two are left out if their programs were not built. "
-         "`--json FILE` keeps a run, `--publish bench --from FILE --from FILE` writes the report from runs "
-         "that were "
-         "kept. Times differ from machine to machine; verdicts and errors do not.\n";
+  return R"(## How to make this report again
+
+On an idle machine, with every change committed, from the root of the repository:
+
+```
+cmake --preset release -DISECT_PEERS=ON && cmake --build --preset release --target isect measure measure_native measure_peers
+build/release/bin/isect bench --publish bench
+```
+
+It measures three times: for any machine of the kind, for this machine's own instructions, and beside the other libraries that are installed. The last two are left out if their programs were not built. `--json FILE` keeps a run, `--publish bench --from FILE --from FILE` writes the report from runs that were kept. Quick runs, noisy ones, and builds of changed sources or of different commits are not published. Times differ from machine to machine; verdicts and errors do not.
+)";
 }
 
 // What may be written over or removed: what was published before.
@@ -238,12 +242,13 @@ Measured measured_of(std::vector<Report> reports) {
 Publication publication(const Measured& m) {
   Figures figures;
   const Report& growing = m.peers && !m.peers->growths.empty() ? *m.peers : m.portable;
-  std::string text = opening(m) + reading() + families(m.portable);
+  std::string text = opening(m);
+  text += ratios(m, figures);
   text += tests(m, figures);
   text += growths(growing, figures);
   text += pictures(figures);
   text += duties(m.portable, figures);
-  text += target_text(m) + loss_text(m) + ending();
+  text += target_text(m) + loss_text(m) + reading() + families(m.portable) + ending();
   return {text, std::move(figures.files)};
 }
 
@@ -254,7 +259,7 @@ Report lesson_excerpt(const Report& report) {
   for (Row r : report.rows) {
     if (!tests.contains(r.test) || (r.scalar != "double" && r.test != "ray-sphere")) continue;
     r.first_wrong.clear(), r.quantiles.clear();
-    r.conditioned.reset(), r.residual.reset();
+    r.conditioned.reset(), r.residual.reset(), r.latency.reset(), r.sides.reset();
     excerpt.rows.push_back(std::move(r));
   }
   for (const Note& n : report.notes)
@@ -270,10 +275,46 @@ void require_quiet(const Machine& m) {
                     m.build, 100 * m.noise, 100 * most_noise));
 }
 
-void publish(const Measured& m, const std::string& folder) {
-  require_quiet(m.portable.machine);
+void require_one_commit(const std::vector<Machine>& builds) {
+  for (const Machine& m : builds) {
+    if (commits(m).size() > 1)
+      throw std::runtime_error(
+          fmt::format("the programs of the {} build come from several commits ({}): build all of them "
+                      "again",
+                      m.build, m.commit));
+    if (m.commit.ends_with("-dirty"))
+      throw std::runtime_error(
+          fmt::format("the {} build has changes that no commit has ({}): commit them, then build and measure again",
+                      m.build, m.commit));
+  }
+  const auto known = [](const Machine& m) { return m.commit.empty() ? "an unknown commit" : m.commit; };
+  for (const Machine& m : builds)
+    if (m.commit != builds.front().commit)
+      throw std::runtime_error(
+          fmt::format("the builds come from different commits, {} from {} and {} from {}: measure "
+                      "them again",
+                      builds.front().build, known(builds.front()), m.build, known(m)));
+}
+
+void require_publishable(const Measured& m) {
+  std::vector<const Report*> all = {&m.portable};
   for (const std::optional<Report>* other : {&m.native, &m.peers})
-    if (*other) require_quiet((*other)->machine);
+    if (*other) all.push_back(&**other);
+  std::vector<Machine> builds;
+  for (const Report* r : all) {
+    require_quiet(r->machine);
+    if (r->quick)
+      throw std::runtime_error(
+          fmt::format("the run of the {} build was quick, with few passes and few cases judged: "
+                      "measure it without --quick",
+                      r->machine.build));
+    builds.push_back(r->machine);
+  }
+  require_one_commit(builds);
+}
+
+void publish(const Measured& m, const std::string& folder) {
+  require_publishable(m);
   const std::string pictures = folder + "/report", results = folder + "/results.json", text = folder + "/REPORT.md";
   if (!are_results_of_ours(results)) not_ours(results);
   if (!is_text_of_ours(text)) not_ours(text);

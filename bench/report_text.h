@@ -29,7 +29,9 @@ Publication publication(const Measured&);
 
 // Its parts.
 std::string machine_text(const Measured&);
-/// What one test found: a paragraph, what to choose, a table.
+/// The first page: a line a test with its times, who is right, and what to choose.
+std::string summary_text(const Measured&);
+/// What one test found: a paragraph, what to choose, tables.
 std::string test_text(const Measured&, const std::string& test);
 /// Which targets were met and which missed, as a table.
 std::string target_text(const Measured&);
@@ -43,9 +45,14 @@ Report lesson_excerpt(const Report&);
 constexpr double most_noise = 0.1;
 /// Throws std::runtime_error where a machine is noisier.
 void require_quiet(const Machine&);
+/// Throws std::runtime_error where builds come from different commits, or one from changed sources. Unknown commits are
+/// equal.
+void require_one_commit(const std::vector<Machine>&);
+/// Throws std::runtime_error that says which run can't be published and why: besides those, a quick one.
+void require_publishable(const Measured&);
 
 /// Writes REPORT.md, report/* and results.json into `folder`; figures of an earlier report go. Throws viz::FileError,
-/// and std::runtime_error where one of the machines was too noisy.
+/// and std::runtime_error where a run is not publishable.
 void publish(const Measured&, const std::string& folder);
 
 }  // namespace isect::bench

@@ -35,6 +35,13 @@ std::vector<std::string> scalars_of(const Report& report, const std::string& tes
   return all;
 }
 
+bool has_peers(const Report& report) {
+  return std::ranges::any_of(report.rows, [&](const Row& r) {
+    return r.library != "isect" && !r.hard && r.scalar == "double" &&
+           exact_of(rows_of(report, r.test, r.scalar, r.family)) != nullptr;
+  });
+}
+
 std::vector<std::string> families_of(const std::vector<const Row*>& rows) {
   std::vector<std::string> all;
   for (const Row* r : rows) add_once(all, r->family);
@@ -55,13 +62,17 @@ std::vector<std::string> methods_of(const std::vector<const Row*>& rows) {
 std::vector<const Row*> front_of(const std::vector<const Row*>& family, bool by_value) {
   std::vector<viz::Vec2> points;
   for (const Row* r : family)
-    points.emplace_back(r->ns, !by_value ? r->wrong_per_million() : r->ulps ? bits(r->ulps->p99) : NAN);
+    points.emplace_back(r->median, !by_value ? r->wrong_per_million() : r->ulps ? bits(r->ulps->p99) : NAN);
   const std::vector<bool> front = viz::pareto_front(points);
   std::vector<const Row*> rows;
   for (std::size_t i = 0; i < family.size(); ++i)
     if (front[i]) rows.push_back(family[i]);
   return rows;
 }
+
+Ratio ratio_of(const Row& a, const Row& b) { return {a.median / b.median, a.lo / b.hi, a.hi / b.lo}; }
+
+bool faster(const Row& a, const Row& b, double noise) { return a.hi < b.lo && a.median * (1 + noise) < b.median; }
 
 const Row* standard_of(const std::vector<const Row*>& rows) {
   const auto found = std::ranges::find_if(rows, [](const Row* r) { return r->standard; });

@@ -13,6 +13,8 @@ std::vector<const Row*> rows_of(const Report&, const std::string& test, const st
                                 const std::string& family = {});
 std::vector<std::string> tests_of(const Report&);
 std::vector<std::string> scalars_of(const Report&, const std::string& test);
+/// Whether another library was measured beside an exact call, on ordinary cases in double.
+bool has_peers(const Report&);
 std::vector<std::string> families_of(const std::vector<const Row*>&);
 /// "half-B"; a peer's with its library before it: "CGAL: do_intersect".
 std::string name_of(const Row&);
@@ -23,6 +25,16 @@ std::vector<std::string> methods_of(const std::vector<const Row*>&);
 /// Those that no other row of the same family beats: none is at most as slow and at most as wrong (or, `by_value`, as
 /// far off at its 99th percentile), and better in one of both.
 std::vector<const Row*> front_of(const std::vector<const Row*>& family, bool by_value);
+/// a's time divided by b's: of the medians, and what it may be: a's lower end by b's upper one, and the other way
+/// round.
+struct Ratio {
+  double value, lo, hi;
+};
+Ratio ratio_of(const Row& a, const Row& b);
+/// Whether a takes less time than b for certain: their intervals are apart, and so are their medians by more than the
+/// noise of the machine.
+bool faster(const Row& a, const Row& b, double noise);
+
 /// The row that the others are compared with, and the first of isect's that promises no wrong verdict; null if none.
 const Row* standard_of(const std::vector<const Row*>&);
 const Row* exact_of(const std::vector<const Row*>&);

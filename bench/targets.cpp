@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "bench/prose.h"
 #include "bench/rows.h"
 
 namespace isect::bench {
@@ -30,17 +31,17 @@ std::optional<double> at(const Target& t, const Report& report, const std::strin
   return least;
 }
 
-std::optional<double> ratio(const Target& t, const Report& report) {
+std::optional<Ratio> ratio(const Target& t, const Report& report) {
   const std::vector<const Row*> rows = rows_of(report, t.test, "double", "ordinary");
   const Row *ours = nullptr, *theirs = nullptr;
   for (const Row* r : rows) {
     const bool own = r->library == "isect";
     if (own && r->method == t.ours) ours = r;
     const bool meant = t.theirs == "naive" ? r->standard : (own ? r->method : r->library) == t.theirs;
-    if (meant && (theirs == nullptr || r->ns < theirs->ns)) theirs = r;  // a library's fastest way
+    if (meant && (theirs == nullptr || r->median < theirs->median)) theirs = r;  // a library's fastest way
   }
-  if (ours == nullptr || theirs == nullptr || !(theirs->ns > 0)) return {};
-  return ours->ns / theirs->ns;
+  if (ours == nullptr || theirs == nullptr || !(theirs->median > 0)) return {};
+  return ratio_of(*ours, *theirs);
 }
 
 /// Over all families and both scalars.
@@ -58,8 +59,10 @@ std::optional<double> worst(const Target& t, const Report& report) {
 
 std::optional<double> measured(const Target& t, const Report& report) {
   switch (t.kind) {
-    case Target::ratio:
-      return ratio(t, report);
+    case Target::ratio: {
+      const auto found = ratio(t, report);
+      return found ? std::optional<double>(found->value) : std::nullopt;
+    }
     case Target::growth: {
       const auto ours = at(t, report, t.ours, true), theirs = at(t, report, t.theirs, false);
       return ours && theirs && *theirs > 0 ? std::optional<double>(*ours / *theirs) : std::nullopt;
@@ -71,6 +74,14 @@ std::optional<double> measured(const Target& t, const Report& report) {
       break;
   }
   return worst(t, report);
+}
+
+std::string told(const Target& t, const Report& report) {
+  const std::optional<double> value = measured(t, report);
+  if (!value) return {};
+  if (t.kind != Target::ratio) return number(*value);
+  const Ratio found = *ratio(t, report);
+  return with_interval(found.value, found.lo, found.hi);
 }
 
 std::string wanted(const Target& t) {

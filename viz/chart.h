@@ -107,7 +107,8 @@ struct Bar {
   std::vector<std::pair<int, double>> dots;  ///< series, value
   std::optional<double> target = {};
   std::string text = {};
-  Verdict::Kind kind = Verdict::Kind::open;  ///< sign and colour of the text
+  Verdict::Kind kind = Verdict::Kind::open;                ///< sign and colour of the text
+  std::optional<std::pair<double, double>> interval = {};  ///< a line through the first marker
 };
 struct Bars {
   Scale x;

@@ -79,6 +79,13 @@ void draw(ChartInk& ink, const Bars& chart, const Bounds& room) {
       const double p = x.at(*bar.target), h = 0.5 * s.label;
       ink.line({{p, middle - h}, {p, middle + h}}, t.ink(Role::text), s.shared);
     }
+    if (bar.interval) {
+      const double lo = x.at(bar.interval->first), hi = x.at(bar.interval->second), h = 0.3 * s.label;
+      const Colour& ink_of_interval = t.ink(Role::text);
+      ink.line({{lo, middle}, {hi, middle}}, ink_of_interval, s.outline);
+      for (const double end_of : {lo, hi})
+        ink.line({{end_of, middle - h}, {end_of, middle + h}}, ink_of_interval, s.construction);
+    }
     for (std::size_t k = bar.dots.size(); k-- > 0;) {
       const Series& series = chart.series[bar.dots[k].first];
       ink.glyph(series.glyph, {x.at(bar.dots[k].second), middle}, ink.glyph_radius(), t.ink(series.role),

@@ -74,25 +74,24 @@ struct Family {
 template <class S>
 void compete(Session& session, const Family<S>& family, int n) {
   const std::string test = "convex-polygon" + (n == 64 ? std::string() : ", n = " + std::to_string(n));
-  Contest<S, Case<S>> contest(session, {test,
-                                        scalar_name<S>,
-                                        family.name,
-                                        family.note,
-                                        std::string_view(family.name) != "ordinary",
-                                        [&](Random& random) { return family.draw(random); },
-                                        [](const Case<S>& c) -> Truth {
-                                          return {oracle::location(c.point, c.polygon->vertices) != Location::out, {}};
-                                        },
-                                        [](const Case<S>& c) {
-                                          const Ring<S, 2>& v = c.polygon->vertices;
-                                          return text("point", c.point, "vertex 0", v[0], "vertex 1", v[1],
-                                                      "last vertex", v.back(), "of", v.size());
-                                        },
-                                        {},
-                                        n > 100'000 ? 1 << 12 : 1 << 16});  // the oracle looks at all vertices
+  Contest<S, Case<S>> contest(
+      session, {test,
+                scalar_name<S>,
+                family.name,
+                family.note,
+                std::string_view(family.name) != "ordinary",
+                [&](Random& random) { return family.draw(random); },
+                [](const Case<S>& c) -> Truth { return truth_of(oracle::location(c.point, c.polygon->vertices)); },
+                [](const Case<S>& c) {
+                  const Ring<S, 2>& v = c.polygon->vertices;
+                  return text("point", c.point, "vertex 0", v[0], "vertex 1", v[1], "last vertex", v.back(), "of",
+                              v.size());
+                },
+                {},
+                n > 100'000 ? 1 << 12 : 1 << 16});  // the oracle looks at all vertices
   contest.enter("wedges", [](const Case<S>& c) { return point_convex_polygon::wedge_naive(c.point, *c.polygon); })
       .standard();
-  contest.enter("exact", [](const Case<S>& c) { return locate(c.point, *c.polygon) != Location::out; })
+  contest.enter("exact", [](const Case<S>& c) { return locate(c.point, *c.polygon); })
       .exact()
       .fallback(
           [](const Case<S>& c) { return fell_back([&](const auto& trace) { locate(c.point, *c.polygon, trace); }); });

@@ -36,12 +36,10 @@ int exact(const Case<S>& t, Trace&& trace = {}) {
 template <class S>
 void compete(Session& session, const NamedDraw<OrientCase<S>>& family) {
   using orient::Corner;
-  Contest<S, Case<S>> contest(session,
-                              {"orient2d", scalar_name<S>, family.name, family.note, family.hard(), family.draw,
-                               [](const Case<S>& t) -> Truth {
-                                 return {oracle::orientation(t.a, t.b, t.c), {}};
-                               },
-                               [](const Case<S>& t) { return text("a", t.a, "b", t.b, "c", t.c); }});
+  Contest<S, Case<S>> contest(
+      session, {"orient2d", scalar_name<S>, family.name, family.note, family.hard(), family.draw,
+                [](const Case<S>& t) -> Truth { return truth_of_sign(oracle::orientation(t.a, t.b, t.c)); },
+                [](const Case<S>& t) { return text("a", t.a, "b", t.b, "c", t.c); }});
   contest.enter("pivot c", [](const Case<S>& t) { return sign(orient::pivoted<Corner::c>(t.a, t.b, t.c)); }).standard();
   contest.enter("pivot b", [](const Case<S>& t) { return sign(orient::pivoted<Corner::b>(t.a, t.b, t.c)); });
   contest.enter("pivot a", [](const Case<S>& t) { return sign(orient::pivoted<Corner::a>(t.a, t.b, t.c)); });

@@ -22,7 +22,7 @@ using Case = PolygonCase<S>;
 
 template <class S, class Map>
 void enter_map(Contest<S, Case<S>>& contest, const char* name, const Map& map) {
-  contest.enter(name, [&map](const Case<S>& c) { return locate(c.point, map) != Location::out; })
+  contest.enter(name, [&map](const Case<S>& c) { return locate(c.point, map); })
       .exact()
       .fallback([&map](const Case<S>& c) {
         return fell_back([&](const auto& trace) { locate(c.point, map, FillRule::even_odd, trace); });
@@ -34,21 +34,19 @@ void compete(Session& session, const char* name, int n) {
   using slab_map::Abscissa;
   const PolygonFamily<S> family = polygon_family<S>(name, n);
   const Ring<S, 2>& ring = family.rings.at(0);
-  Contest<S, Case<S>> contest(session, {"point-location",
-                                        scalar_name<S>,
-                                        name,
-                                        family.note,
-                                        std::string_view(name) != "ordinary",
-                                        [&](Random& random) { return family.draw(random); },
-                                        [](const Case<S>& c) -> Truth {
-                                          return {oracle::location(c.point, *c.ring) != Location::out, {}};
-                                        },
-                                        [](const Case<S>& c) {
-                                          return text("point", c.point, "in the polygon of the family, of edges",
-                                                      c.ring->size());
-                                        },
-                                        {},
-                                        1 << 13});  // the oracle looks at all edges
+  Contest<S, Case<S>> contest(
+      session, {"point-location",
+                scalar_name<S>,
+                name,
+                family.note,
+                std::string_view(name) != "ordinary",
+                [&](Random& random) { return family.draw(random); },
+                [](const Case<S>& c) -> Truth { return truth_of(oracle::location(c.point, *c.ring)); },
+                [](const Case<S>& c) {
+                  return text("point", c.point, "in the polygon of the family, of edges", c.ring->size());
+                },
+                {},
+                1 << 13});  // the oracle looks at all edges
   const auto lines = slab_map::make_naive_slabs(ring, Abscissa::line),
              interpolated = slab_map::make_naive_slabs(ring, Abscissa::interpolated);
   contest.enter("slabs, interpolated", [&](const Case<S>& c) { return slab_map::slabs_naive(c.point, interpolated); })

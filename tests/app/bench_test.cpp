@@ -256,6 +256,40 @@ TEST_CASE("a run on a noisy machine is not published", "[bench]") {
   CHECK_FALSE(std::filesystem::exists(shell.work() / "out"));
 }
 
+TEST_CASE("a quick run is not published, nor are changed sources", "[bench]") {
+  const Shell shell;
+  const Ran now = shell("isect bench --quick --publish out");
+  CHECK(now.status == 2);
+  CHECK_THAT(now.err, Contains("--publish: a quick run judges too few cases to be published"));
+  Report report;
+  report.machine.build = "portable", report.quick = true;
+  isect::test::write(shell.work() / "quick.json", isect::bench::json(report));
+  const Ran quick = shell("isect bench --publish out --from quick.json");
+  CHECK(quick.status == 2);
+  CHECK_THAT(quick.err, Contains("--publish: the run of the portable build was quick"));
+  report.quick = false, report.machine.commit = "0123abc-dirty";
+  isect::test::write(shell.work() / "dirty.json", isect::bench::json(report));
+  const Ran dirty = shell("isect bench --publish out --from dirty.json");
+  CHECK(dirty.status == 2);
+  CHECK_THAT(dirty.err, Contains("--publish: the portable build has changes that no commit has (0123abc-dirty)"));
+  CHECK_FALSE(std::filesystem::exists(shell.work() / "out"));
+}
+
+TEST_CASE("what is to be published is asked for its commit before it is measured", "[bench]") {
+  const Shell shell;
+  copy_program(shell);
+  const auto program = [&](const std::string& build, const std::string& commit) {
+    isect::test::write(shell.work() / build / "orient2d",
+                       "#!/bin/sh\ntest \"$1\" = --commit && echo " + commit + " || echo measured >> ran\n");
+  };
+  program("measure", "0123abc"), program("measure_native", "4567def");
+  const Ran ran = shell("chmod +x measure*/*; ./alone bench orient2d --publish out");
+  CHECK(ran.status != 0);
+  if (ran.err.find("% noise") == std::string::npos)
+    CHECK_THAT(ran.err, Contains("different commits, portable from 0123abc and native from 4567def"));
+  CHECK_FALSE(std::filesystem::exists(shell.work() / "ran"));
+}
+
 TEST_CASE("the help lists every test", "[bench]") {
   const Shell shell;
   const Ran ran = shell("isect bench --help");

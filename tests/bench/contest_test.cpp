@@ -2,6 +2,7 @@
 
 #include "bench/contest.h"
 
+#include "bench/machine.h"
 #include "tests/catch.h"
 
 namespace contest_test {
@@ -52,6 +53,8 @@ TEST_CASE("a right method is never counted as wrong, and its values have no erro
   CHECK_FALSE(r.residual);
   CHECK_FALSE(r.fallback);
   CHECK((r.ns > 0 && r.median >= r.ns && r.spread >= 0));
+  CHECK((r.lo >= r.ns && r.lo <= r.median && r.median <= r.hi));
+  CHECK_FALSE(r.sides);
 }
 
 TEST_CASE("a method that always says yes is wrong wherever the truth is no, and the other way round", "[contest]") {
@@ -78,6 +81,52 @@ TEST_CASE("signs count as wrong when they differ, zero as no", "[contest]") {
   CHECK(r.false_yes > 80);  // a zero taken for positive
   CHECK(r.false_no > 80);   // a negative taken for positive
   CHECK(r.wrong() < 400);
+}
+
+TEST_CASE("where a test has sides, calling a point on and telling the wrong side are counted apart", "[contest]") {
+  CaseFamily<Case> signs = family();
+  signs.truth = [](const Case& c) -> Truth { return truth_of_sign(c.x < 0.25 ? -1 : c.x < 0.5 ? 0 : 1); };
+  const auto judged = [&](int sign) {
+    const Row r =
+        only_row([&](auto& contest) { contest.enter("always", [sign](const Case&) { return sign; }); }, signs);
+    REQUIRE(r.sides);
+    CHECK(r.sides->called_on + r.sides->wrong_side == r.wrong());
+    return r;
+  };
+  const Row zero = judged(0), plus = judged(1);
+  CHECK((zero.sides->called_on > 300 && zero.sides->wrong_side == 0));
+  CHECK((plus.sides->called_on == 0 && plus.sides->wrong_side > 200 && plus.false_yes > 80));
+
+  CaseFamily<Case> places = family();
+  places.truth = [](const Case& c) { return truth_of(c.x < 0.5 ? Location::in : Location::out); };
+  const auto located = [&](const auto& answer) {
+    return only_row([&](auto& contest) { contest.enter("one", answer); }, places);
+  };
+  const Row on = located([](const Case&) { return Location::on; }), yes = located([](const Case&) { return true; });
+  CHECK((on.wrong() == 500 && on.sides->called_on == 500));  // "on" is no "in", though both say yes
+  CHECK((yes.wrong() < 300 && yes.sides->called_on == 0 && yes.sides->wrong_side == yes.wrong()));
+  CHECK(located([](const Case& c) { return c.x < 0.5 ? Location::in : Location::out; }).wrong() == 0);
+}
+
+TEST_CASE("on ordinary cases each call is timed after the answer before, too", "[contest]") {
+  CHECK_FALSE(only_row([](auto& contest) { contest.enter("right", right); }).latency);  // hard
+  CaseFamily<Case> ordinary = family();
+  ordinary.hard = false;
+  const Row r = only_row([](auto& contest) { contest.enter("right", right); }, ordinary);
+  REQUIRE(r.latency);
+  CHECK(*r.latency > 0);
+  const Row batch = only_row(
+      [](Contest<double, Case>& contest) {
+        contest.enter_pass(
+            "batch", [] {}, [&](std::size_t i) { return said(right(contest.cases()[i])); });
+      },
+      ordinary);
+  CHECK_FALSE(batch.latency);
+
+  std::vector<int> asked;
+  ask_in_turn(std::vector{3, 1, 2}, [&](int x) { return asked.push_back(x), x; });
+  CHECK(asked == std::vector{3, 1, 2});
+  CHECK((bits_of(std::optional(1.5)) != 0 && bits_of(std::optional<float>()) == 0 && bits_of(Said{1}) == 1));
 }
 
 TEST_CASE("errors are in ulps of the truth, and divided by the condition", "[contest]") {
@@ -165,6 +214,34 @@ TEST_CASE("quantiles are by the nearest rank", "[contest]") {
   CHECK(Distribution({7}).quantile(0.01) == 7);
   CHECK(Distribution({}).quantile(0.5) == 0);
   CHECK(Distribution({1, std::numeric_limits<double>::infinity()}).errors().median == 1);
+}
+
+TEST_CASE("the interval of a median holds it, narrows with more values, and is the same each time", "[contest]") {
+  Random random(5);
+  std::vector<double> few_values, many_values;
+  for (int i = 0; i < 1000; ++i) (i < 9 ? few_values : many_values).push_back(random.uniform(1, 3));
+  const Range few_range = median_interval(few_values), many_range = median_interval(many_values);
+  const double median = Distribution(many_values).quantile(0.5);
+  CHECK((many_range.lo < median && median < many_range.hi));
+  CHECK(many_range.hi - many_range.lo < (few_range.hi - few_range.lo) / 3);
+  CHECK((median_interval(few_values).lo == few_range.lo && median_interval(few_values).hi == few_range.hi));
+  CHECK((median_interval({7}).lo == 7 && median_interval({7}).hi == 7 && median_interval({}).hi == 0));
+  // Of values from 1 to 3 the median is 2: it lies within the interval for about 19 of 20 samples.
+  int within = 0;
+  for (int sample = 0; sample < 200; ++sample) {
+    std::vector<double> values;
+    for (int i = 0; i < 31; ++i) values.push_back(random.uniform(1, 3));
+    const Range range = median_interval(values);
+    within += range.lo <= 2 && 2 <= range.hi;
+  }
+  CHECK((within > 180 && within < 200));
+}
+
+TEST_CASE("a processor is told by name, family and model", "[contest]") {
+  CHECK(cpu_of("processor\t: 0\ncpu family\t: 25\nmodel\t\t: 17\nmodel name\t: A CPU\n\nmodel\t: 3\n") ==
+        "A CPU, family 25, model 17");
+  CHECK(cpu_of("model name : A CPU\n") == "A CPU");
+  CHECK(cpu_of("") == "unknown");
 }
 
 TEST_CASE("a case is told in full precision", "[contest]") {

@@ -21,7 +21,8 @@ Row full_row() {
   Row r;
   r.test = "ray-sphere", r.method = "half-B", r.library = "isect", r.scalar = "double", r.family = "near-tangent";
   r.hard = true, r.exact = false, r.standard = true;
-  r.ns = 2.5, r.median = 2.75, r.spread = 0.125, r.cases = 65536;
+  r.ns = 2.5, r.median = 2.75, r.lo = 2.625, r.hi = 2.875, r.spread = 0.125, r.latency = 8.5, r.cases = 65536;
+  r.sides = Sides{2, 6};
   r.judged = 1024, r.false_yes = 3, r.false_no = 5, r.first_wrong = "origin (1, 2, 3) \"x\"\nradius 0.1";
   r.ulps = Errors{0.5, 12, inf}, r.conditioned = Errors{0.25, 1, 2}, r.residual = Errors{0, 1e-300, nan};
   for (int i = 0; i <= 40; ++i) r.quantiles.push_back(i);
@@ -36,10 +37,10 @@ Row bare_row() {
 }
 Report full_report() {
   Report report;
-  report.machine = {"a cpu", "a compiler", "-O3", "portable", 2, 0.5, 0.03, "2026-01-31"};
+  report.machine = {"a cpu", "a compiler", "-O3", "portable", 2, 0.5, 0.03, "2026-01-31", "0123abc"};
   report.seed = 18446744073709551615u, report.quick = true;
   report.rows = {full_row(), bare_row()};
-  report.growths = {{"all pairs", "sweep", "isect", "all pairs", {1000, 10000}, {1.5e5, 3e6}, 1.301}};
+  report.growths = {{"all pairs", "sweep", "isect", "all pairs", {1000, 10000, 1e5}, {1.5e5, 3e6, 6e7}, 1.301}};
   report.duties = {{"isect --help", 12.5, "ms", 30.0}, {"memory", 40, "MB", {}}};
   report.notes = {{"ray-sphere", "near-tangent", "rays that all but touch."}};
   report.targets = {{.work = "pairs",
@@ -65,6 +66,9 @@ void check_same(const Row& a, const Row& b) {
   CHECK((a.hard == b.hard && a.exact == b.exact && a.standard == b.standard));
   CHECK((a.ns == b.ns && a.median == b.median && a.spread == b.spread && a.cases == b.cases));
   CHECK((a.judged == b.judged && a.false_yes == b.false_yes && a.false_no == b.false_no));
+  CHECK((a.lo == b.lo && a.hi == b.hi && a.latency == b.latency && a.sides.has_value() == b.sides.has_value()));
+  if (a.sides && b.sides)
+    CHECK((a.sides->called_on == b.sides->called_on && a.sides->wrong_side == b.sides->wrong_side));
   CHECK(a.first_wrong == b.first_wrong);
   CHECK((same(a.ulps, b.ulps) && same(a.conditioned, b.conditioned) && same(a.residual, b.residual)));
   CHECK((a.quantiles == b.quantiles && a.fallback == b.fallback));
@@ -98,6 +102,11 @@ TEST_CASE("reports of several suites add up, and the noisier machine counts", "[
   all.add(other);
   CHECK((all.rows.size() == 3 && all.growths.size() == 2 && all.duties.size() == 4));
   CHECK((all.notes.size() == 2 && all.targets.size() == 4 && all.machine.noise == 0.07));
+  CHECK(commits(all.machine) == std::vector<std::string>{"0123abc"});
+  other = full_report(), other.machine.commit = "4567def-dirty";
+  all.add(other);
+  CHECK(commits(all.machine) == std::vector<std::string>{"0123abc", "4567def-dirty"});
+  CHECK(commits(Machine()).empty());
 }
 
 TEST_CASE("a report reads back from its JSON, infinities and all", "[report]") {
@@ -107,6 +116,7 @@ TEST_CASE("a report reads back from its JSON, infinities and all", "[report]") {
   CHECK(read.machine.cpu == "a cpu");
   CHECK(read.machine.compiler == "a compiler");
   CHECK((read.machine.flags == "-O3" && read.machine.build == "portable" && read.machine.date == "2026-01-31"));
+  CHECK(read.machine.commit == "0123abc");
   CHECK((read.machine.cores == 2 && read.machine.load == 0.5 && read.machine.noise == 0.03));
   CHECK((read.seed == wrote.seed && read.quick));
   REQUIRE(read.growths.size() == 1);
@@ -116,6 +126,20 @@ TEST_CASE("a report reads back from its JSON, infinities and all", "[report]") {
   CHECK((read.duties[0].what == "isect --help" && read.duties[0].value == 12.5));
   CHECK((read.duties[0].target == 30.0 && !read.duties[1].target));
   CHECK(json(read) == json(wrote));
+}
+
+TEST_CASE("a report of an earlier version reads, its quartiles as the interval", "[report]") {
+  std::string old = json(full_report());
+  for (const char* part : {",\"lo\":2.625,\"hi\":2.875", ",\"latency\":8.5", ",\"called_on\":2,\"wrong_side\":6",
+                           ",\"commit\":\"0123abc\""}) {
+    const std::size_t at = old.find(part);
+    REQUIRE(at != std::string::npos);
+    old.erase(at, std::string(part).size());
+  }
+  const Report read = report_of(old);
+  const Row& r = read.rows[0];
+  CHECK((r.lo == Approx(2.75 * (1 - 0.0625)) && r.hi == Approx(2.75 * (1 + 0.0625))));
+  CHECK((!r.latency && !r.sides && read.machine.commit.empty() && r.wrong() == 8));
 }
 
 TEST_CASE("numbers keep four digits, of any size", "[report]") {
@@ -137,12 +161,12 @@ TEST_CASE("what is no report is refused, with a word on what is wrong", "[report
        {std::string(), std::string("{"), std::string("[]"), std::string("null"), std::string("{}"),
         std::string(R"({"machine": {}, "seed": 1, "quick": true, "rows": [], "growths": [], "duties": []})"),
         with("\"seed\": 18446744073709551615", "\"seed\": \"many\""),
-        with("\"ns\":2.5", "\"ns\":\"fast\""),             // inf, -inf and nan are the only words
-        with("\"ns\":2.5", "\"ns\":1e999"),                // beyond every double
-        with("\"judged\":1024", "\"judged\":true"),        //
-        with("[0.5,12.0,\"inf\"]", "[0.5,12.0]"),          // a median, a percentile and no maximum
-        with("\"quantiles\":[0.0,", "\"quantiles\":["),    // 40 of 41
-        with("\"n\":[1000.0,10000.0]", "\"n\":[1000.0]"),  // two times of one size
+        with("\"ns\":2.5", "\"ns\":\"fast\""),                      // inf, -inf and nan are the only words
+        with("\"ns\":2.5", "\"ns\":1e999"),                         // beyond every double
+        with("\"judged\":1024", "\"judged\":true"),                 //
+        with("[0.5,12.0,\"inf\"]", "[0.5,12.0]"),                   // a median, a percentile and no maximum
+        with("\"quantiles\":[0.0,", "\"quantiles\":["),             // 40 of 41
+        with("\"n\":[1000.0,10000.0,100000.0]", "\"n\":[1000.0]"),  // two times of one size
         with("\"rows\": [", "\"rows\": [[],"), std::string(100'000, '[')}) {
     INFO(text.substr(0, 300));
     CHECK_THROWS_WITH(report_of(text), Contains("not a report of measurements: "));
@@ -169,9 +193,10 @@ TEST_CASE("CSV has one line a row, and quotes what needs it", "[report]") {
 TEST_CASE("the table shows each row beside its standard, growths and duties", "[report]") {
   Report report = full_report();
   Row slower = full_row();
-  slower.method = "exact", slower.standard = false, slower.ns = 5, slower.first_wrong.clear(), slower.fallback = {};
+  slower.method = "exact", slower.standard = false, slower.median = 5.5, slower.first_wrong.clear(),
+  slower.fallback = {};
   Row peer = slower;
-  peer.library = "CGAL", peer.method = "EPICK", peer.ns = 10;
+  peer.library = "CGAL", peer.method = "EPICK", peer.median = 11;
   report.rows = {slower, full_row(), peer};  // the standard need not stand first
   const std::string text = table(report);
   CHECK_THAT(text, Contains("ray-sphere, double, near-tangent"));
@@ -180,12 +205,23 @@ TEST_CASE("the table shows each row beside its standard, growths and duties", "[
     REQUIRE(at != std::string::npos);
     return text.substr(at, text.find('\n', at) - at);
   };
-  CHECK_THAT(line("exact"), Contains("5.00") && Contains("2.00"));
-  CHECK_THAT(line("half-B"), Contains("2.50") && Contains("1.00") && Contains("6.25 %"));
-  CHECK_THAT(line("CGAL: EPICK"), Contains("10.00") && Contains("4.00"));
+  CHECK_THAT(line("exact"), Contains("5.50") && Contains("2.00"));
+  CHECK_THAT(line("half-B"), Contains("2.75") && Contains("2.62 to 2.88") && Contains("8.50") && Contains("1.00") &&
+                                 Contains("6.25 %"));
+  CHECK_THAT(line("CGAL: EPICK"), Contains("11.00") && Contains("4.00"));
   CHECK_THAT(text, Contains("first wrong: origin (1, 2, 3)"));
   CHECK_THAT(text, Contains("n^1.30") && Contains("10000: 3e+06 ns"));
   CHECK_THAT(text, Contains("isect --help") && Contains("12.5 ms  (target 30)"));
+}
+
+TEST_CASE("two sizes give no exponent", "[report]") {
+  Growth g = {"all pairs", "sweep", "isect", "query", {10, 100}, {1, 9}, 0.954};
+  CHECK_FALSE(g.power());
+  Report report;
+  report.growths = {g};
+  CHECK(table(report).find("n^") == std::string::npos);
+  g.n.push_back(1000), g.ns.push_back(81);
+  CHECK(g.power() == 0.954);
 }
 
 TEST_CASE("the fitted exponent is the power in an exact power law, and the least squares' otherwise", "[report]") {

@@ -1,5 +1,6 @@
 #include "bench/report_text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <regex>
@@ -9,6 +10,7 @@
 #include "bench/targets.h"
 #include "tests/catch.h"
 #include "tests/scratch.h"
+#include "tests/viz/drawn.h"
 #include "viz/files.h"
 
 namespace report_text_test {
@@ -18,12 +20,17 @@ using isect::test::Contains;
 
 namespace {
 
+/// All passes within 1 % of their median, the least far from it.
+Row timed(Row r, double ns) {
+  r.ns = 0.8 * ns, r.median = ns, r.lo = 0.99 * ns, r.hi = 1.01 * ns;
+  return r;
+}
 Row row(const std::string& method, double ns, const std::string& family, long wrong,
         const std::string& library = "isect") {
   Row r;
   r.test = "ray-sphere", r.method = method, r.library = library, r.scalar = "double", r.family = family;
-  r.hard = family != "ordinary", r.ns = r.median = ns, r.cases = 65536, r.judged = 1000, r.false_no = wrong;
-  return r;
+  r.hard = family != "ordinary", r.cases = 65536, r.judged = 1000, r.false_no = wrong;
+  return timed(r, ns);
 }
 
 Row with_error(Row r, double median, double p99, double most) {
@@ -34,7 +41,7 @@ Row with_error(Row r, double median, double p99, double most) {
 
 Report report(const std::string& build, double exact_ns) {
   Report r;
-  r.machine = {"a machine", "a compiler", "-O3", build, 2, 0.01, 0.02, "2026-01-02"};
+  r.machine = {"a machine", "a compiler", "-O3", build, 2, 0.01, 0.02, "2026-01-02", "0123abc"};
   r.seed = 7;
   for (const char* family : {"ordinary", "planet", "near-tangent"}) {
     const bool hard = std::string(family) != "ordinary";
@@ -45,9 +52,9 @@ Report report(const std::string& build, double exact_ns) {
     r.rows.insert(r.rows.end(), {naive, with_error(row("robust", 14, family, hard ? 10 : 0), 0.6, 6, 50), exact});
     if (build == "peers") r.rows.push_back(row("do_intersect", 5, family, hard ? 3 : 0, "CGAL"));
   }
-  r.growths.push_back({"all pairs", "overlapping_pairs", "isect", "all pairs", {1e3, 1e6}, {1e5, 1e8}, 1});
+  r.growths.push_back({"all pairs", "overlapping_pairs", "isect", "all pairs", {1e3, 1e4, 1e6}, {1e5, 1e6, 1e8}, 1});
   if (build == "peers")
-    r.growths.push_back({"all pairs", "rtcCollide", "Embree", "all pairs", {1e3, 1e6}, {6e5, 1e9}, 1.07});
+    r.growths.push_back({"all pairs", "rtcCollide", "Embree", "all pairs", {1e3, 1e4, 1e6}, {6e5, 6e6, 1e9}, 1.07});
   r.duties = {{"start the program", 20, "ms", 100.0}, {"window", 25, "frames/s", 30.0}, {"memory", 90, "MB", {}}};
   r.notes = {{"ray-sphere", "planet", "an eye above a planet."}};
   r.targets = {{.work = "times of rays", .test = "ray-sphere", .theirs = "naive", .at_most = 2},
@@ -91,24 +98,29 @@ TEST_CASE("numbers read as words of a sentence", "[report_text]") {
   CHECK(listed({"a", "b", "c"}) == "a, b and c");
   CHECK(ratio_text(2.94) == "2.9");
   CHECK(ratio_text(634) == "630");
+  CHECK(with_interval(2.06, 2.05, 2.08) == "2.06 [2.05, 2.08]");
+  CHECK(with_interval(2.061, 2.0601, 2.0604) == "2.06");
 }
 
 TEST_CASE("what to choose follows from the times and the verdicts", "[report_text]") {
   Measured m = {report("portable", 29)};
-  CHECK(contains(test_text(m, "ray-sphere"), "exact call takes 29 ns and quadratic 10 ns: a ratio of 2.9."));
+  CHECK(contains(test_text(m, "ray-sphere"),
+                 "exact call takes 29 [28.7, 29.3] ns and quadratic 10 [9.9, 10.1] ns: a ratio of 2.9 [2.84, 2.96]."));
   CHECK(contains(test_text(m, "ray-sphere"),
                  "Choose the exact call,** unless all input is like the ordinary family and 19 ns"));
   CHECK(contains(test_text(m, "ray-sphere"), "right on all 3,000 cases judged"));
   CHECK(contains(test_text(m, "ray-sphere"), "gets wrong 25 % of planet and 25 % of near tangent"));
-  CHECK(contains(test_text(m, "ray-sphere"), "robust errs least, at a ratio of 1.4: still on 1 % of planet"));
+  CHECK(contains(test_text(m, "ray-sphere"),
+                 "robust errs least, at a ratio of 1.4 [1.37, 1.43]: still on 1 % of planet"));
 
-  m.portable = report("portable", 10.5);
-  CHECK(contains(test_text(m, "ray-sphere"), "It costs no more than quadratic"));
+  m.portable = report("portable", 10.9);
+  CHECK(
+      contains(test_text(m, "ray-sphere"), "**Choose the exact call.** Nothing inexact here takes clearly less time."));
 
   m.portable = report("portable", 29);
   for (Row& r : m.portable.rows)
     if (r.standard && !r.hard) r.false_yes = 1;
-  CHECK(contains(test_text(m, "ray-sphere"), "Quadratic errs on ordinary input already"));
+  CHECK(contains(test_text(m, "ray-sphere"), "Quadratic takes less time, but errs on ordinary input already"));
 
   m.portable = report("portable", 29);
   for (Row& r : m.portable.rows) r.false_no = 0;
@@ -134,6 +146,7 @@ TEST_CASE("targets are met, missed or not measured", "[report_text]") {
   CHECK_FALSE(measured(target("boxes"), peers).has_value());
 
   CHECK(contains(target_text({portable}), "3 met, 0 missed"));
+  CHECK(contains(target_text({portable}), "| times of rays | at most 2 × naive | 1.9 [1.86, 1.94] ✓ |"));
   CHECK(contains(target_text({slow}), "2 met, 1 missed"));
   CHECK(contains(target_text({slow, {}, peers}), "3 met, 1 missed"));
 }
@@ -142,7 +155,7 @@ TEST_CASE("the report says where others are ahead", "[report_text]") {
   const std::string text = loss_text({report("portable", 21), {}, report("peers", 21)});
   CAPTURE(text);
   CHECK(contains(text,
-                 "Target missed: times of rays: 2.1 (portable) and 2.1 (peers); wanted at "
+                 "Target missed: times of rays: 2.1 [2.06, 2.14] (portable) and 2.1 [2.06, 2.14] (peers); wanted at "
                  "most 2 × naive."));
   CHECK(contains(text,
                  "CGAL: do_intersect is faster on ordinary cases, 5 ns against 21 ns; it is wrong on 0.2 % "
@@ -166,6 +179,7 @@ TEST_CASE("the text names every figure once, with alt text and caption, and no f
     bytes += p.files[i].second.size();
   }
   CHECK(bytes < 1500000);
+  CHECK(named.front() == "ratios.svg");
   CHECK(contains(p.text, "rtcCollide as n^1.07"));
   CHECK(contains(p.text, "| window | 25 frames/s | at least 30 frames/s |"));
   CHECK_FALSE(std::regex_search(p.text, std::regex(R"(\bnan\b)")));
@@ -195,9 +209,12 @@ TEST_CASE("without hard cases nothing is advised but what costs nothing", "[repo
   Measured m = {report("portable", 29)};
   std::erase_if(m.portable.rows, &Row::hard);
   CHECK_FALSE(contains(test_text(m, "ray-sphere"), "Choose"));
-  m.portable = report("portable", 10.5);
-  std::erase_if(m.portable.rows, &Row::hard);
-  CHECK(contains(test_text(m, "ray-sphere"), "**Choose the exact call.** It costs no more than quadratic."));
+  for (const double exact_ns : {10.5, 9.0}) {
+    m.portable = report("portable", exact_ns);
+    std::erase_if(m.portable.rows, &Row::hard);
+    CHECK(contains(test_text(m, "ray-sphere"),
+                   "**Choose the exact call.** Nothing inexact here takes clearly less time."));
+  }
 }
 
 TEST_CASE("an exact method that is faster and says as much is chosen", "[report_text]") {
@@ -206,9 +223,9 @@ TEST_CASE("an exact method that is faster and says as much is chosen", "[report_
   batch.exact = true;
   m.portable.rows.push_back(batch);
   CHECK(contains(test_text(m, "ray-sphere"),
-                 "**Choose batch.** It costs no more than quadratic and is as exact as the exact call."));
+                 "**Choose batch.** It is as exact as the exact call. Nothing inexact here takes clearly less time."));
 
-  m.portable.rows.back().ns = 27;  // within the noise
+  m.portable.rows.back() = timed(m.portable.rows.back(), 27);  // within the noise
   CHECK(contains(test_text(m, "ray-sphere"), "**Choose the exact call,** unless"));
 
   m.portable.rows.back() = row("yes or no", 2, "ordinary", 0);
@@ -216,9 +233,176 @@ TEST_CASE("an exact method that is faster and says as much is chosen", "[report_
   CHECK(contains(test_text(m, "ray-sphere"), "**Choose the exact call,** unless"));
 }
 
+TEST_CASE("two methods that fail on few families are told apart by these", "[report_text]") {
+  Measured m = {report("portable", 29)};
+  for (Row& r : m.portable.rows)
+    if (r.family == "planet" && !r.exact) r.false_no = 0;
+  CHECK(contains(test_text(m, "ray-sphere"),
+                 "**Choose the exact call,** or quadratic where no input is near tangent: it saves 19 ns a call."));
+  CHECK(contains(summary_text(m), "| exact; quadratic if no input is near tangent |"));
+
+  Row peer = row("do_intersect, EPICK", 15, "ordinary", 0, "CGAL"),
+      hard = row("do_intersect, EPICK", 15, "planet", 0, "CGAL");
+  peer.exact = hard.exact = true;
+  m.peers = report("peers", 29);
+  std::erase_if(m.peers->rows, [](const Row& r) { return r.library != "isect"; });
+  m.peers->rows.insert(m.peers->rows.end(), {peer, hard});
+  CHECK(contains(summary_text(m), "| CGAL, EPICK | quadratic: 10; wrong on 25 % of near tangent |"));  // it takes less
+  m.portable.rows[0] = timed(m.portable.rows[0], 20), m.portable.rows[1] = timed(m.portable.rows[1], 20);
+  CHECK(contains(summary_text(m), "| CGAL, EPICK: 15; never wrong here | CGAL: do_intersect, EPICK for yes or no |"));
+}
+
+TEST_CASE("the first page has a line a test", "[report_text]") {
+  Measured m = {report("portable", 29), {}, report("peers", 29)};
+  CHECK(contains(
+      summary_text(m),
+      "| [ray-sphere](#ray-sphere) | 29 [28.7, 29.3] | 900, planet | none | CGAL: 5; wrong on 0.3 % of planet, and "
+      "on 1 more | exact; CGAL: do_intersect for yes or no only if all input is ordinary |"));
+  for (Row& r : m.portable.rows)
+    if (!r.exact) r.false_no = 0;
+  for (Row& r : m.peers->rows) r.false_no = 0;
+  CHECK(contains(summary_text(m), "| quadratic, robust and CGAL | CGAL: 5; never wrong here |"));
+  const std::string text = publication(m).text;
+  const auto at = [&](const std::string& part) { return text.find(part); };
+  CHECK((at("| [ray-sphere](#ray-sphere)") < at("## Test by test") && at("## Test by test") < at("## How to read it")));
+  CHECK((at("## How to read it") < at("### The hard families") &&
+         at("### The hard families") < at("## How to make this report again")));
+}
+
+TEST_CASE("without hard cases the first page advises nothing but what costs nothing", "[report_text]") {
+  Measured m = {report("portable", 29)};
+  std::erase_if(m.portable.rows, &Row::hard);
+  CHECK(contains(summary_text(m), "| 29 [28.7, 29.3] |  |  | quadratic: 10; not judged on hard input |  |"));
+}
+
+TEST_CASE("another library's method that is exact and faster is chosen", "[report_text]") {
+  Measured m = {report("portable", 29), {}, report("peers", 29)};
+  for (const char* family : {"ordinary", "planet"}) {
+    Row peer = with_error(row("t, EPECK", 20, family, 0, "CGAL"), 0.2, 0.5, 0.5);
+    peer.exact = true;
+    m.peers->rows.push_back(peer);
+  }
+  CHECK(contains(
+      test_text(m, "ray-sphere"),
+      "**Choose CGAL: t, EPECK.** It is as exact as the exact call, and takes 0.69 [0.676, 0.704] of its time. "
+      "CGAL: do_intersect takes less, but is for input like the ordinary family only."));
+  CHECK(
+      contains(summary_text(m), "| CGAL: t, EPECK; CGAL: do_intersect for yes or no only if all input is ordinary |"));
+  for (Row& r : m.peers->rows)
+    if (r.method == "t, EPECK") r.false_no = r.hard;
+  CHECK(contains(test_text(m, "ray-sphere"), "**Choose the exact call,** unless"));  // it was wrong once
+}
+
+TEST_CASE("a test without an exact call has its least time on the first page", "[report_text]") {
+  Measured m = {report("portable", 29)};
+  std::erase_if(m.portable.rows, &Row::exact);
+  CHECK(contains(summary_text(m), "| none |  | none | quadratic: 10; wrong on 25 % of planet, and on 1 more |  |"));
+}
+
+TEST_CASE("each test's table has both kinds of time, and ratios to the standard and to the best other",
+          "[report_text]") {
+  Measured m = {report("portable", 29), {}, report("peers", 29)};
+  for (Row& r : m.portable.rows) {
+    if (r.method == "robust") r = timed(r, 8);
+    if (!r.hard) r.latency = 3 * r.median;
+  }
+  const std::string text = test_text(m, "ray-sphere");
+  CAPTURE(text);
+  CHECK(contains(text, "In turn, each waiting for the answer before, they take 87 and 30 ns."));
+  CHECK(contains(text, "| double, ordinary cases | ns | in turn | ratio | wrong |"));
+  CHECK(contains(text, "| exact | 29 [28.7, 29.3] | 87 | 2.9 [2.84, 2.96] | none | none |"));
+  CHECK(contains(text, "is best, at 5 [4.95, 5.05] ns: a ratio of 5.8 [5.69, 5.92]."));  // CGAL's, from its run
+  CHECK(contains(text, "| CGAL: do_intersect | 5 [4.95, 5.05] |  | 5.8 [5.69, 5.92] | none | 0.3 % of planet |"));
+
+  m.peers.reset();
+  CHECK(contains(test_text(m, "ray-sphere"), "| ratio | to robust | wrong |"));
+  CHECK(contains(test_text(m, "ray-sphere"), "| exact | 29 [28.7, 29.3] | 87 | 2.9 [2.84, 2.96] | 3.62 [3.55, 3.7] |"));
+}
+
+TEST_CASE("calling on and telling the wrong side stand apart in the table", "[report_text]") {
+  Measured m = {report("portable", 29)};
+  for (Row& r : m.portable.rows) r.sides = Sides{r.wrong() / 10, r.wrong() - r.wrong() / 10};
+  const std::string text = test_text(m, "ray-sphere");
+  CAPTURE(text);
+  CHECK(contains(text, "| wrong, all hard cases | called on | wrong side |"));
+  CHECK(contains(text, "| none | 25 % | 50 | 450 |"));
+  CHECK(contains(text, "Of its wrong verdicts 50 call \"on\" what lies on a side, 450 name a wrong side."));
+}
+
+TEST_CASE("of times whose intervals overlap none is called less or more", "[report_text]") {
+  for (const double exact_ns : {10.0, 10.1, 9.9, 10.15}) {
+    Measured m = {report("portable", exact_ns), report("native", exact_ns), report("peers", exact_ns)};
+    for (std::optional<Report>* r : {&m.native, &m.peers}) REQUIRE(r->has_value());
+    for (Report* r : {&m.portable, &*m.native, &*m.peers}) {
+      r->targets.clear(), r->machine.noise = 0;  // so that only the intervals tell
+      for (Row& one : r->rows)
+        one = timed(one, one.exact ? exact_ns : 10 + 0.01 * static_cast<double>(one.wrong() % 7));
+    }
+    const std::string text = summary_text(m) + test_text(m, "ray-sphere") + loss_text(m);
+    CAPTURE(text);
+    std::string claims = std::regex_replace(text, std::regex("(takes clearly less time|what takes less)"), "");
+    CHECK_FALSE(std::regex_search(
+        claims, std::regex(R"(\b(faster|fastest|slower|slowest|less time|saves|times the time|costs|is behind)\b)")));
+    CHECK(contains(text, "**Choose the exact call.** Nothing inexact here takes clearly less time."));
+    CHECK(contains(text, "| none; least: "));
+  }
+  const Row a = timed({}, 10), near = timed({}, 10.15), far = timed({}, 10.5);
+  CHECK_FALSE(faster(a, near, 0));
+  CHECK(faster(a, far, 0.02));
+  CHECK_FALSE(faster(a, far, 0.06));  // apart, but for what the machine adds
+  CHECK_FALSE(faster(far, a, 0));
+}
+
+TEST_CASE("two sizes give no power of n", "[report_text]") {
+  Measured m = {report("portable", 29)};
+  Growth& g = m.portable.growths[0];
+  g.n.pop_back(), g.ns.pop_back();
+  const std::string text = publication(m).text;
+  CHECK_FALSE(contains(text, "n^"));
+  CHECK_FALSE(contains(text, "growing as n"));
+  CHECK(contains(text, "All pairs: too few sizes for a power of n."));
+}
+
+TEST_CASE("a quick run, changed sources and several commits are not published", "[report_text]") {
+  const std::string folder = isect::test::scratch("isect-refused-report-test").string();
+  std::filesystem::remove_all(folder);
+  const auto refused = [&](const std::string& native_commit, bool quick, const std::string& why) {
+    Measured m = {report("portable", 29), report("native", 29)};
+    m.native->machine.commit = native_commit, m.native->quick = quick;
+    CHECK_THROWS_WITH(publish(m, folder), Contains(why));
+    CHECK_FALSE(std::filesystem::exists(folder));
+  };
+  refused("0123abc", true, "the run of the native build was quick, with few passes and few cases judged: measure it");
+  refused("0123abc-dirty", false, "the native build has changes that no commit has (0123abc-dirty): commit them");
+  refused("4567def", false, "different commits, portable from 0123abc and native from 4567def");
+  refused("", false, "different commits, portable from 0123abc and native from an unknown commit");
+  refused("0123abc, 4567def", false, "the native build come from several commits (0123abc, 4567def)");
+  Measured unknown = {report("portable", 29), report("native", 29)};
+  unknown.portable.machine.commit = unknown.native->machine.commit = "";
+  CHECK_NOTHROW(require_publishable(unknown));
+}
+
+TEST_CASE("a row of the ratios' chart is the library's fastest way, with its interval", "[report_text]") {
+  Report r = report("peers", 29);
+  r.rows.push_back(row("slow", 50, "ordinary", 0, "CGAL"));
+  const viz::Bars bars = std::get<viz::Bars>(ratio_plot(r).chart.kind);
+  REQUIRE(bars.bars.size() == 1);
+  const viz::Bar& bar = bars.bars[0];
+  CHECK(bar.name == "ray-sphere: CGAL");
+  const viz::Figure figure = viz::chart_figure(ratio_plot(r).chart, viz::ThemeName::grey, 340);
+  for (std::size_t i = 0; i < figure.labels.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) CHECK_FALSE(viz::meet(figure.labels[i].box, figure.labels[j].box));
+  REQUIRE((bar.dots.size() == 1 && bar.interval && bar.target == 1.0));
+  CHECK((bar.dots[0].first == 1 && bar.dots[0].second == Approx(5.8)));  // wrong in some case
+  CHECK((bar.interval->first == Approx(28.71 / 5.05) && bar.interval->second == Approx(29.29 / 4.95)));
+  CHECK((bars.x.lo < bar.interval->first && bar.interval->second < bars.x.hi));
+  CHECK(std::ranges::count(plots(r), std::string("ratios"), &Plotted::name) == 1);
+  CHECK(std::ranges::count(plots(report("portable", 29)), std::string("ratios"), &Plotted::name) == 0);
+}
+
 TEST_CASE("the text says of each hard family what it is made of", "[report_text]") {
   CHECK(contains(publication({report("portable", 29)}).text,
-                 "## The hard families\n\nRay-sphere:\n\n- planet: an eye above a planet.\n\n"));
+                 "### The hard families\n\nRay-sphere:\n\n- planet: an eye above a planet.\n\n"));
 }
 
 TEST_CASE("reports are sorted by their build", "[report_text]") {

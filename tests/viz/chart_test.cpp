@@ -138,6 +138,21 @@ TEST_CASE("no label of a chart meets another or leaves the picture, on any theme
       }
 }
 
+TEST_CASE("the interval of a row ends at its two values", "[chart]") {
+  Bars bars = {{Scale::Kind::log, 0.1, 10, ""}, {{"", Glyph::disc, Role::hit}}, {{"row", {{0, 1.0}}}}};
+  const auto strokes = [&] { return all<Stroke>(chart_figure({bars}, ThemeName::print, 340).drawing.shapes); };
+  const std::size_t without = strokes().size();
+  bars.bars[0].interval = {0.1, 10};
+  const std::vector<Stroke> with = strokes();
+  REQUIRE(with.size() >= without + 3);
+  const auto points = [](const Stroke& s) { return flatten(s.path); };
+  // the row's own line reaches from end to end, and so does an interval over the whole scale
+  const auto as_long = [&](const Stroke& s) {
+    return points(s).front().x() == points(with[0]).front().x() && points(s).back().x() == points(with[0]).back().x();
+  };
+  CHECK(std::ranges::count_if(with, as_long) >= 2);
+}
+
 TEST_CASE("the text of a chart at 8 cm is never smaller than 6 pt", "[chart]") {
   for (const Chart& chart : {race(8), growth(), rows(), maps(9), mirrored(5)})
     for (const Text& text : all<Text>(chart_figure(chart, ThemeName::print, 227).drawing.shapes)) CHECK(text.size >= 6);
