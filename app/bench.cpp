@@ -79,16 +79,16 @@ void require_built(const std::string& build, const std::vector<std::string>& sui
   const std::vector<std::string> missing = not_built(build, suites);
   if (missing.empty()) return;
   const bool peers = build == "measure_peers", native = build == "measure_native";
-  throw viz::BadInput(fmt::format("{}: {} was not built for {}. {}",
-                                  peers    ? "--peers"
-                                  : native ? "--native"
-                                           : "bench",
-                                  build, fmt::join(missing, ", "),
-                                  peers
-                                      ? "It needs other libraries (libcgal-dev libbullet-dev libfcl-dev libembree-dev "
-                                        "libgeos-dev): cmake --preset release -DISECT_PEERS=ON && cmake --build "
-                                        "--preset release --target measure_peers"
-                                      : "Build it: cmake --build --preset release --target " + build));
+  throw viz::BadInput(
+      fmt::format("{}: {} was not built for {}. {}",
+                  peers    ? "--peers"
+                  : native ? "--native"
+                           : "bench",
+                  build, fmt::join(missing, ", "),
+                  peers ? "It needs other libraries (libcgal-dev libbullet-dev libfcl-dev libembree-dev "
+                          "libgeos++-dev libqhull-dev): cmake --preset release -DISECT_PEERS=ON && cmake --build "
+                          "--preset release --target measure_peers"
+                        : "Build it: cmake --build --preset release --target " + build));
 }
 
 bench::Report measured_by(const std::string& build, const std::string& suite, const Wanted& wanted,

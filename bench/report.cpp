@@ -127,7 +127,7 @@ constexpr const char* kinds[] = {"ratio", "growth", "time", "wrong", "ulps"};  /
 
 Json value(const Target& t) {
   Json o = {{"work", t.work},     {"kind", kinds[t.kind]}, {"test", t.test}, {"ours", t.ours},
-            {"theirs", t.theirs}, {"n", number(t.n)},      {"unit", t.unit}};
+            {"theirs", t.theirs}, {"n", number(t.n)},      {"unit", t.unit}, {"scalar", t.scalar}};
   if (t.at_most) o["at_most"] = *t.at_most;
   return o;
 }
@@ -137,6 +137,7 @@ Target target(const Json& o) {
   if (found == std::end(kinds)) throw std::runtime_error("\"" + kind + "\" is no kind of target");
   Target t = {.work = o.at("work"), .kind = static_cast<Target::Kind>(found - std::begin(kinds)), .test = o.at("test")};
   t.ours = o.at("ours"), t.theirs = o.at("theirs"), t.n = number(o.at("n")), t.unit = o.at("unit");
+  t.scalar = o.value("scalar", t.scalar);
   if (o.contains("at_most")) t.at_most = number(o.at("at_most"));
   return t;
 }

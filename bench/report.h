@@ -95,6 +95,7 @@ struct Target {
   std::string theirs = {};             ///< method of isect, or library; "naive": the row that others are divided by
   double n = 0;                        ///< of Growth
   std::string unit = {};               ///< of Growth: "query", "build"; empty: any
+  std::string scalar = "double";       ///< of Row
   std::optional<double> at_most = {};  ///< none: reported only
 };
 

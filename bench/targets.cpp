@@ -32,7 +32,7 @@ std::optional<double> at(const Target& t, const Report& report, const std::strin
 }
 
 std::optional<Ratio> ratio(const Target& t, const Report& report) {
-  const std::vector<const Row*> rows = rows_of(report, t.test, "double", "ordinary");
+  const std::vector<const Row*> rows = rows_of(report, t.test, t.scalar, "ordinary");
   const Row *ours = nullptr, *theirs = nullptr;
   for (const Row* r : rows) {
     const bool own = r->library == "isect";

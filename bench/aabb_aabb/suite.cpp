@@ -73,6 +73,7 @@ void one_box(Session& session) {
 
 void measure(Session& session) {
   session.aim({.work = "AABB-AABB", .test = "aabb-aabb", .theirs = "Eigen", .at_most = 0.4});
+  session.aim({.work = "AABB-AABB, float", .test = "aabb-aabb", .theirs = "Eigen", .scalar = "float", .at_most = 0.4});
   session.aim({.work = "one AABB, many AABBs",
                .test = "aabb-aabb, one box",
                .ours = "batch",

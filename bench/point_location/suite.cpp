@@ -128,7 +128,7 @@ void measure(Session& session) {
   session.aim({.work = "point in a spiky polygon, preprocessed, 10^6",
                .kind = Target::growth,
                .test = "point location, spiky",
-               .ours = "grid",
+               .ours = "trapezoids",
                .theirs = "CGAL",
                .n = 1e6,
                .unit = "query",
@@ -141,6 +141,14 @@ void measure(Session& session) {
                .n = 1e6,
                .unit = "build",
                .at_most = 1.5});
+  session.aim({.work = "trapezoids of a smooth polygon, built, 10^6",
+               .kind = Target::growth,
+               .test = "point location, smooth",
+               .ours = "trapezoids",
+               .theirs = "GEOS",
+               .n = 1e6,
+               .unit = "build",
+               .at_most = 3});
   for (const char* name : {"ordinary", "near-edge", "on-vertex", "near-horizontal", "near-vertical", "coincident"})
     compete<double>(session, name, 256);
   for (const char* name : {"ordinary", "near-edge", "coincident"}) compete<float>(session, name, 256);

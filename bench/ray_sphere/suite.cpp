@@ -148,6 +148,11 @@ void measure(Session& session) {
   session.aim({.work = "ray-sphere with t, ordinary rays", .test = "ray-sphere", .theirs = "naive", .at_most = 1.5});
   session.aim({.work = "ray-sphere with t, 5 % hit", .test = "ray-sphere, 5 % hit", .theirs = "naive", .at_most = 1.5});
   session.aim({.work = "ray-sphere with t, all hit", .test = "ray-sphere, all hit", .theirs = "naive", .at_most = 3});
+  session.aim({.work = "ray-sphere with t, ordinary rays, float",
+               .test = "ray-sphere",
+               .theirs = "naive",
+               .scalar = "float",
+               .at_most = 1.2});
   session.aim({.work = "ray-sphere: wrong verdicts", .kind = Target::wrong, .test = "ray-sphere", .at_most = 0});
   session.aim({.work = "ray-sphere: error of t", .kind = Target::ulps, .test = "ray-sphere", .at_most = 4});
   session.aim({.work = "one ray, many spheres",
