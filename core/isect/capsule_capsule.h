@@ -19,6 +19,7 @@
 #include <isect/numbers/predicate.h>
 #include <isect/orient.h>
 #include <isect/parts/point_segment.h>
+#include <isect/parts/unit_of_length.h>
 #include <isect/shapes.h>
 #include <isect/trace.h>
 
@@ -118,7 +119,12 @@ template <class S, int N, class Trace = NoTrace>
 bool intersects(const Capsule<S, N>& a, const Capsule<S, N>& b, Trace&& trace = {}) {
   if (empty(a) || empty(b) || !finite(a) || !finite(b)) return false;
   return in_doubles_first(
-      [&](auto& listener) { return capsule_capsule::detail::compare<N>(in_doubles(a), in_doubles(b), listener) <= 0; },
+      [&](auto& listener) {
+        return settled_in_own_unit<decltype(listener)>(
+            in_doubles(a), in_doubles(b), [&](const Capsule<double, N>& x, const Capsule<double, N>& y) {
+              return capsule_capsule::detail::compare<N>(x, y, listener) <= 0;
+            });
+      },
       trace);
 }
 

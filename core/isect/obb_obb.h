@@ -13,6 +13,7 @@
 #include <isect/numbers/predicate.h>
 #include <isect/parts/obb_obb_axes.h>
 #include <isect/parts/obb_obb_first_pass.h>
+#include <isect/parts/unit_of_length.h>
 #include <isect/point_obb.h>
 #include <isect/shapes.h>
 #include <isect/trace.h>
@@ -116,7 +117,10 @@ bool intersects(const Obb<S, N>& a, const Obb<S, N>& b, Trace&& trace = {}) {
   if (first.separating || first.overlap) [[likely]]
     return first.overlap;
   if (!obb_obb::detail::exists(a, trace) || !obb_obb::detail::exists(b, trace)) return false;
-  return !obb_obb::detail::settle<N>(in_doubles(a), in_doubles(b), first.open, trace).separating;
+  const auto settled = [&](const Obb<double, N>& x, const Obb<double, N>& y) {
+    return !obb_obb::detail::settle<N>(x, y, first.open, trace).separating;
+  };
+  return settled_in_own_unit<Trace>(in_doubles(a), in_doubles(b), settled);
 }
 
 /// How the boxes lie. Exact. Equal means the same set, whatever the order, signs and lengths of the axes. A flat box,

@@ -16,6 +16,7 @@
 #include <variant>
 
 #include <isect/parts/slabs.h>
+#include <isect/parts/unit_of_length.h>
 #include <isect/point_obb.h>
 
 namespace isect {
@@ -111,7 +112,9 @@ std::optional<Interval<S>> meet(const Ray<S, N>& ray, const Obb<S, N>& box, Trac
     return slabs::detail::stretch<S, N>(ray.range, seen, Faces<N>{wide, bounds}, trace);
   } else {
     if (!finite(ray) || !finite(box) || !point_obb::detail::independent(bounds.axes, trace)) return {};
-    return slabs::detail::clip<S, N>(ray.range, Slabs<N>{wide, bounds}, trace);
+    return settled_in_own_unit<Trace>(wide, bounds, [&](const Ray<double, N>& x, const Obb<double, N>& y) {
+      return slabs::detail::clip<S, N>(ray.range, Slabs<N>{x, y}, trace);
+    });
   }
 }
 

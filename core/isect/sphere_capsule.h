@@ -13,6 +13,7 @@
 
 #include <isect/numbers/predicate.h>
 #include <isect/parts/point_segment.h>
+#include <isect/parts/unit_of_length.h>
 #include <isect/shapes.h>
 #include <isect/trace.h>
 
@@ -65,10 +66,12 @@ bool intersects(const Sphere<S, N>& sphere, const Capsule<S, N>& capsule, Trace&
   if (empty(sphere) || empty(capsule) || !finite(sphere) || !finite(capsule)) return false;
   return in_doubles_first(
       [&](auto& listener) {
-        const sphere_capsule::Reach reach =
-            sphere_capsule::detail::reach<N>(in_doubles(sphere), in_doubles(capsule), listener);
-        listener(reach);
-        return reach.sign <= 0;
+        return settled_in_own_unit<decltype(listener)>(
+            in_doubles(sphere), in_doubles(capsule), [&](const Sphere<double, N>& x, const Capsule<double, N>& y) {
+              const sphere_capsule::Reach reach = sphere_capsule::detail::reach<N>(x, y, listener);
+              listener(reach);
+              return reach.sign <= 0;
+            });
       },
       trace);
 }

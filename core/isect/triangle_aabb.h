@@ -21,6 +21,7 @@
 
 #include <isect/numbers/predicate.h>
 #include <isect/parts/triangle_aabb_first_pass.h>
+#include <isect/parts/unit_of_length.h>
 #include <isect/shapes.h>
 #include <isect/trace.h>
 
@@ -155,13 +156,18 @@ template <int N, class Trace>
 /// What `settle` returns; plain doubles answer most cases. A listener hears all axes.
 template <int N, class Trace>
 int outer(const Triangle<double, N>& triangle, const Aabb<double, N>& box, Trace&& trace) {
-  FirstPass first;
-  if constexpr (!heard<Trace>) {
-    first = first_pass(triangle, box);
+  if constexpr (heard<Trace>) {
+    return settle(triangle, box, ~0u, trace);
+  } else {
+    const FirstPass first = first_pass(triangle, box);
     if (first.sign) [[likely]]
       return *first.sign;
+    if (first.open != ~0u) return settle(triangle, box, first.open, trace);
+    return in_own_unit(triangle, box, [&](const Triangle<double, N>& t, const Aabb<double, N>& b) {
+      const FirstPass own = first_pass(t, b);
+      return own.sign ? *own.sign : settle(t, b, own.open, trace);
+    });
   }
-  return settle(triangle, box, first.open, trace);
 }
 
 template <class S, int N>

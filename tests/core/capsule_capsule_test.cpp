@@ -1,5 +1,8 @@
 #include <isect/capsule_capsule.h>
 
+#include <utility>
+
+#include <isect/parts/unit_of_length.h>
 #include <isect/sphere_capsule.h>
 #include "bench/capsule_capsule/families.h"
 #include "bench/capsule_capsule/oracle.h"
@@ -229,6 +232,31 @@ TEMPLATE_TEST_CASE_SIG("two capsules: relations are those of rational arithmetic
       ++seen[static_cast<int>(r)];
     }
   for (const int count : seen) CHECK(count > 50);
+}
+
+TEST_CASE("capsules in their own unit of length lie as they did, and keep every bit", "[capsule_capsule]") {
+  using Ends = Capsule<double, 3>;
+  const auto in_own = [](const Ends& a, const Ends& b) {
+    return in_own_unit(a, b, [](const Ends& x, const Ends& y) { return std::pair(x, y); });
+  };
+  const auto same = [](const Ends& x, const Ends& y) { return x.p == y.p && x.q == y.q && x.radius == y.radius; };
+  const Ends a = {{1, 2, 3}, {4, 5, 6}, 1}, b = {{7, 8, 9}, {1, 0, 0}, 0.5};
+  CHECK(same(in_own(a, b).first, a));  // of ordinary size
+  for (const int power : {-1000, -200, 200, 1000}) {
+    const auto scaled = [&](Ends x) {
+      bench::scale(power, x.p, x.q, x.radius);
+      return x;
+    };
+    const auto [x, y] = in_own(scaled(a), scaled(b));
+    CHECK((same(x, {a.p / 8, a.q / 8, a.radius / 8}) && same(y, {b.p / 8, b.q / 8, b.radius / 8})));
+  }
+
+  // 1e300 away and 1e-300 thick: no unit holds both, so the shapes stay as they are
+  const double large = 1e300, small = 1e-300;
+  const Ends far = {{large, 0, 0}, {large, 1, 0}, small}, thin = {{large, 0, small}, {large, 1, small}, 0};
+  CHECK(same(in_own(far, thin).first, far));
+  CHECK(relate(far, thin) == Relation::b_inside_a);
+  CHECK(relate(far, Ends{{large, 0, 2 * small}, {large, 1, 2 * small}, small / 2}) == Relation::disjoint);
 }
 
 }  // namespace capsule_capsule_test

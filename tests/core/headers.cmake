@@ -36,7 +36,8 @@ set(tested_by
   sphere_half_spaces=half_spaces
   triangle_aabb_first_pass=triangle_aabb
   triangle_aabb_methods=triangle_aabb
-  triangle_half_spaces=half_spaces)
+  triangle_half_spaces=half_spaces
+  unit_of_length=capsule_capsule)
 
 # All files of ours that a file includes.
 function(includes_of file result)

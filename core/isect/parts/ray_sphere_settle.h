@@ -6,6 +6,7 @@
 #include <isect/numbers/exact.h>
 #include <isect/numbers/short_exact.h>
 #include <isect/parts/ray_sphere_roots.h>
+#include <isect/parts/unit_of_length.h>
 
 namespace isect::ray_sphere {
 
@@ -28,20 +29,12 @@ std::optional<Scaled<N>> scaled(const Ray<double, N>& ray, const Sphere<double, 
       exponent(std::max({ray.origin.cwiseAbs().maxCoeff(), sphere.center.cwiseAbs().maxCoeff(), sphere.radius}));
   if (std::abs(along) < 40 && std::abs(across) < 40) return {};
 
-  bool exact = true;
-  const auto shrunk = [&exact](double x, int by) {
-    const double y = std::ldexp(x, -by);
-    exact = exact && std::ldexp(y, by) == x;
-    return y;
-  };
-  Scaled<N> s = {ray, sphere, across - along};
-  for (int i = 0; i < N; ++i) {
-    s.ray.direction[i] = shrunk(ray.direction[i], along);
-    s.ray.origin[i] = shrunk(ray.origin[i], across);
-    s.sphere.center[i] = shrunk(sphere.center[i], across);
-  }
-  s.sphere.radius = shrunk(sphere.radius, across);
-  s.ray.range = {shrunk(ray.range.lo, s.exponent), shrunk(ray.range.hi, s.exponent)};
+  UnitOfLength lengths(across), directions(along), parameters(across - along);
+  const Scaled<N> s = {
+      {lengths(ray.origin), directions(ray.direction), {parameters(ray.range.lo), parameters(ray.range.hi)}},
+      lengths(sphere),
+      across - along};
+  const bool exact = lengths.exact() && directions.exact() && parameters.exact();
   return exact ? std::optional(s) : std::nullopt;
 }
 

@@ -1,0 +1,112 @@
+#pragma once
+// Shapes in another unit of length, a power of two: how they lie stays the same, but squares and products neither
+// overflow nor vanish, and all that is faster than big numbers serves. For the core's own use.
+
+#include <algorithm>
+#include <cmath>
+
+#include <isect/numbers/predicate.h>
+#include <isect/shapes.h>
+
+namespace isect {
+
+/// Lengths divided by 2^exponent; `exact` stays true as long as none of them loses a bit.
+class UnitOfLength {
+ public:
+  explicit UnitOfLength(int the_exponent) : exponent_(the_exponent) {}
+
+  double operator()(double x) {
+    const double y = std::ldexp(x, -exponent_);
+    exact_ &= std::ldexp(y, exponent_) == x;
+    return y;
+  }
+  template <int N>
+  Vector<double, N> operator()(const Vector<double, N>& x) {
+    return x.unaryExpr([this](double c) { return (*this)(c); });
+  }
+  template <int N>
+  Sphere<double, N> operator()(const Sphere<double, N>& x) {
+    return {(*this)(x.center), (*this)(x.radius)};
+  }
+  template <int N>
+  Capsule<double, N> operator()(const Capsule<double, N>& x) {
+    return {(*this)(x.p), (*this)(x.q), (*this)(x.radius)};
+  }
+  template <int N>
+  Triangle<double, N> operator()(const Triangle<double, N>& x) {
+    return {{(*this)(x.vertices[0]), (*this)(x.vertices[1]), (*this)(x.vertices[2])}};
+  }
+  template <int N>
+  Aabb<double, N> operator()(const Aabb<double, N>& x) {
+    return {(*this)(x.lo), (*this)(x.hi)};
+  }
+  /// Its axes are numbers without a unit.
+  template <int N>
+  Obb<double, N> operator()(const Obb<double, N>& x) {
+    return {(*this)(x.center), x.axes, (*this)(x.half)};
+  }
+  /// In the same unit as the origin the direction, too, so that t is what it was.
+  template <int N>
+  Ray<double, N> operator()(const Ray<double, N>& x) {
+    return {(*this)(x.origin), (*this)(x.direction), x.range};
+  }
+
+  bool exact() const { return exact_; }
+
+ private:
+  int exponent_;
+  bool exact_ = true;
+};
+
+// The largest length of a shape, without sign.
+
+template <int N>
+double largest_length(const Sphere<double, N>& x) {
+  return std::max(x.center.cwiseAbs().maxCoeff(), x.radius);
+}
+template <int N>
+double largest_length(const Capsule<double, N>& x) {
+  return std::max({x.p.cwiseAbs().maxCoeff(), x.q.cwiseAbs().maxCoeff(), x.radius});
+}
+template <int N>
+double largest_length(const Triangle<double, N>& x) {
+  double most = 0;
+  for (const Point<double, N>& v : x.vertices) most = std::max(most, v.cwiseAbs().maxCoeff());
+  return most;
+}
+template <int N>
+double largest_length(const Aabb<double, N>& x) {
+  return std::max(x.lo.cwiseAbs().maxCoeff(), x.hi.cwiseAbs().maxCoeff());
+}
+template <int N>
+double largest_length(const Obb<double, N>& x) {
+  return std::max(x.center.cwiseAbs().maxCoeff(), x.half.maxCoeff());
+}
+template <int N>
+double largest_length(const Ray<double, N>& x) {
+  return x.origin.cwiseAbs().maxCoeff();
+}
+
+/// answer(a, b), where a and b are very large or small in a unit in which they are not, if no bit is lost by that.
+template <class A, class B, class Answer>
+auto in_own_unit(const A& a, const B& b, const Answer& answer) {
+  const double size = std::max(largest_length(a), largest_length(b));
+  if (size > 0 && !(0x1p-100 < size && size < 0x1p100)) {
+    UnitOfLength unit(std::ilogb(size));
+    const A own_a = unit(a);
+    const B own_b = unit(b);
+    if (unit.exact()) return answer(own_a, own_b);
+  }
+  return answer(a, b);
+}
+
+/// The same for an algorithm that runs in doubles first, and may be listened to: then shapes stay as they are.
+template <class Trace, class A, class B, class Answer>
+auto settled_in_own_unit(const A& a, const B& b, const Answer& answer) {
+  if constexpr (first_try<Trace> || heard<Trace>)
+    return answer(a, b);
+  else
+    return in_own_unit(a, b, answer);
+}
+
+}  // namespace isect
