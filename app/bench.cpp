@@ -102,14 +102,26 @@ bench::Report measured_by(const std::string& build, const std::string& suite, co
   return bench::report_of(child.output);
 }
 
+/// A thorough run that met more noise than a report may have is made again, up to five times, and the quietest counts:
+/// a moment's disturbance would spoil one suite of two dozen.
+bench::Report measured_quietly(const std::string& build, const std::string& suite, const Wanted& wanted,
+                               Progress& progress) {
+  bench::Report best = measured_by(build, suite, wanted, progress);
+  for (int again = 0; again < 5 && !wanted.quick && best.machine.noise > bench::most_noise; ++again) {
+    bench::Report next = measured_by(build, suite, wanted, progress);
+    if (next.machine.noise < best.machine.noise) best = std::move(next);
+  }
+  return best;
+}
+
 /// A report by the programs of one build.
 bench::Report measured_by(const std::string& build, const Wanted& wanted, Progress& progress) {
   const std::vector<std::string> all = suites(wanted);
   if (build == "measure") build_measurements(not_built(build, all), progress);
   require_built(build, all);
   if (all.empty()) return {bench::this_machine(ISECT_FLAGS, "portable"), wanted.seed, wanted.quick};
-  bench::Report report = measured_by(build, all[0], wanted, progress);
-  for (std::size_t i = 1; i < all.size(); ++i) report.add(measured_by(build, all[i], wanted, progress));
+  bench::Report report = measured_quietly(build, all[0], wanted, progress);
+  for (std::size_t i = 1; i < all.size(); ++i) report.add(measured_quietly(build, all[i], wanted, progress));
   return report;
 }
 
@@ -163,7 +175,9 @@ void draw(const bench::Report& report, const std::string& folder) {
 
 /// Before a long run: what would refuse its report.
 void require_publishable(const Wanted& wanted, const std::vector<std::string>& builds) {
-  bench::require_quiet(bench::this_machine(ISECT_FLAGS, "portable"));
+  bench::Machine machine = bench::this_machine(ISECT_FLAGS, "portable");
+  for (int again = 0; again < 5 && machine.noise > bench::most_noise; ++again) machine.noise = bench::noise();
+  bench::require_quiet(machine);
   std::vector<bench::Machine> machines;
   for (const std::string& build : builds) {
     bench::Report all;

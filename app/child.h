@@ -20,8 +20,8 @@ struct Child {
   /// The most memory it had at once, in MB; never less than what this program had when it started it, as Linux counts.
   double peak = 0;
 };
-/// Runs a program, by its path or found in PATH, to its end; `told` gets each line of its stderr as it comes. Throws viz::FileError where it can't be
-/// started.
+/// Runs a program, by its path or found in PATH, to its end; `told` gets each line of its stderr as it comes. Throws
+/// viz::FileError where it can't be started.
 Child run_child(const std::vector<std::string>& command, const std::function<void(const std::string&)>& told);
 
 }  // namespace isect::program

@@ -75,6 +75,29 @@ TEST_CASE("one test is measured and judged, and its files read back", "[bench]")
   CHECK(shell("isect bench --from all.json --json -").out == contents(shell.work() / "all.json"));
 }
 
+TEST_CASE("a thorough run that met noise is made again, a quick one is not", "[bench]") {
+  const Shell shell;
+  namespace fs = std::filesystem;
+  fs::create_directories(shell.work() / "bin");
+  fs::copy_file(ISECT_BIN "/isect", shell.work() / "bin/isect");
+  isect::bench::Report report;
+  for (const double noise : {0.5, 0.01}) {
+    report.machine.noise = noise;
+    write(shell.work() / (noise > 0.1 ? "noisy" : "quiet"), isect::bench::json(report));
+  }
+  write(shell.work() / "bin/measure/ray-plane",
+        "#!/bin/sh\necho >> runs\ncase $(wc -l < runs) in 3) cat quiet ;; *) cat noisy ;; esac\n");
+  fs::permissions(shell.work() / "bin/measure/ray-plane", fs::perms::owner_exec, fs::perm_options::add);
+  const auto noise_of = [&](const std::string& options) {
+    CHECK(shell("rm -f runs; bin/isect bench ray-plane --json out.json" + options).status == 0);
+    return isect::bench::report_of(contents(shell.work() / "out.json")).machine.noise;
+  };
+  CHECK(noise_of("") == 0.01);
+  CHECK(lines(contents(shell.work() / "runs")) == 3);
+  CHECK(noise_of(" --quick") == 0.5);
+  CHECK(lines(contents(shell.work() / "runs")) == 1);
+}
+
 TEST_CASE("what measures is built when it is first asked for, by the cmake in PATH", "[bench]") {
   const Shell shell;
   namespace fs = std::filesystem;
