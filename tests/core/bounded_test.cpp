@@ -236,6 +236,10 @@ TEMPLATE_TEST_CASE("three quotients at once lie within 2 ulp of the truth, howev
     };
     const std::array<bool, 3> zero = {false, false, random.one_in(4)};
     const std::array<TestType, 3> found = values_of<TestType>(all, zero);
+    REQUIRE(found[0] == value_of<TestType>([&]<class W>() -> Ratio<W> {  // the same bits as alone
+              const ThreeRatios<W> r = all.template operator()<W>();
+              return {r.x, r.den};
+            }));
     const auto truth = [&](int j, int k) -> Rational {
       return Rational(Rational(x[j]) * Rational(y[k]) - Rational(x[k]) * Rational(y[j]));
     };

@@ -2,6 +2,7 @@
 // The other question that an algorithm asks of arithmetic: what is this quotient of two polynomials? For the first,
 // what sign one has, see isect/numbers/predicate.h.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -102,6 +103,34 @@ std::array<const W*, 3> numerators(const ThreeRatios<W>& r) {
   return {&r.x, &r.y, &r.z};
 }
 
+/// Those of the three quotients that value_of finds without settling; the others stay as they are.
+template <class S, class Text>
+[[gnu::noinline]] void find_ordinary(const Text& text, double tolerance, std::array<std::optional<double>, 3>& q) {
+  const ThreeRatios<Bounded<double>> quick = text.template operator()<Bounded<double>>();
+  const auto rough = numerators(quick);
+  const auto each = [&q](const auto& find) {
+    for (std::size_t i = 0; i < 3; ++i)
+      if (!q[i]) q[i] = find(i);
+  };
+  if constexpr (std::is_same_v<S, float>)
+    each([&](std::size_t i) {
+      const bool good = rough[i]->within(tolerance) && quick.den.within(tolerance);
+      return good ? std::optional(rough[i]->value() / quick.den.value()) : std::nullopt;
+    });
+  else
+    compensated([&]<class W>() {
+      const ThreeRatios<W> fine = text.template operator()<W>();
+      const auto num = numerators(fine);
+      each([&](std::size_t i) {
+        const double value = quotient(*num[i], fine.den);
+        const bool good = (ordinary(*rough[i], *num[i]) | (rough[i]->size() == 0)) & ordinary(quick.den, fine.den) &
+                          (std::abs(value) <= std::numeric_limits<double>::max());
+        return good ? std::optional(value) : std::nullopt;
+      });
+      return true;
+    });
+}
+
 /// K quotients with one denominator, those that are not known yet: by what doubles found, where num is 0 or both are
 /// exact there; then finer.
 template <std::size_t K, class Text>
@@ -122,6 +151,7 @@ template <std::size_t K, class Text>
     return all;
   };
 
+  if (std::ranges::all_of(q, [](const auto& x) { return x.has_value(); })) return values();
   const auto quick = text.template operator()<Bounded<double>>();
   const auto grid = text.template operator()<Grid>();
   const auto sizes = numerators(quick);
@@ -211,10 +241,12 @@ ISECT_INLINE std::array<S, 3> values_of(const Text& text, const std::array<bool,
     trace.open |= !safe;
     return {x, y, z};
   } else if constexpr (!first_try<Trace> && !detail::recorded_for<Text, Trace>) {
+    constexpr double tolerance = std::numeric_limits<S>::epsilon() / 3;
     std::array<std::optional<double>, 3> known;
     for (int i = 0; i < 3; ++i)
       if (zero[i]) known[i] = 0;
-    const std::array<double, 3> q = detail::settled_quotients<3>(text, std::numeric_limits<S>::epsilon() / 3, known);
+    detail::find_ordinary<S>(text, tolerance, known);
+    const std::array<double, 3> q = detail::settled_quotients<3>(text, tolerance, known);
     return {static_cast<S>(q[0]), static_cast<S>(q[1]), static_cast<S>(q[2])};
   } else {
     const auto value = [&](auto part, bool is_zero) -> S {
