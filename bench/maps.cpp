@@ -23,21 +23,21 @@ namespace {
 using Point2 = Point<double, 2>;
 using viz::Tone;
 
-constexpr int side = 256;
+constexpr int cells_a_side = 256;
 
 /// The cell for each neighbour (i, j): `kind(i, j)` indexes the kinds of the chart, of which the last `wrong` are
 /// wrong.
 template <class Kind>
 viz::Map map_of(const std::string& title, int kinds, int wrong, const Kind& kind) {
-  viz::Map map = {title, {}, side, side, {}};
+  viz::Map map = {title, {}, cells_a_side, cells_a_side, {}};
   long bad = 0;
-  for (int j = 0; j < side; ++j)
-    for (int i = 0; i < side; ++i) {
+  for (int j = 0; j < cells_a_side; ++j)
+    for (int i = 0; i < cells_a_side; ++i) {
       const int k = kind(i, j);
       bad += k >= kinds - wrong;
       map.cells.push_back(static_cast<unsigned char>(k));
     }
-  map.note = fmt::format("{:.1f} % wrong", 100.0 * static_cast<double>(bad) / (side * side));
+  map.note = fmt::format("{:.1f} % wrong", 100.0 * static_cast<double>(bad) / (cells_a_side * cells_a_side));
   return map;
 }
 
@@ -123,7 +123,7 @@ Plotted polygon_map() {
                      "cell: the point moved by *i u* and *j u*, *u* = 2^{−53}"};
   const auto add = [&](const std::string& title, const auto& inside) {
     chart.maps.push_back(map_of(title, 5, 2, [&](int i, int j) {
-      const Point2 p = at + Point2((i - side / 2) * 0x1p-53, (j - side / 2) * 0x1p-53);
+      const Point2 p = at + Point2((i - cells_a_side / 2) * 0x1p-53, (j - cells_a_side / 2) * 0x1p-53);
       const Location truth = locate(p, triangle);
       return yes_kind(inside(p), truth == Location::in, truth == Location::on);
     }));
@@ -153,7 +153,7 @@ Plotted tangent_map() {
                      "cell: the ray's origin moved by *i u* and *j u*, *u* = 2^{−48}"};
   const auto add = [&](const std::string& title, const auto& hits) {
     chart.maps.push_back(map_of(title, 5, 2, [&](int i, int j) {
-      const Ray2 ray = {from + Point2((i - side / 2) * 0x1p-48, (j - side / 2) * 0x1p-48), along};
+      const Ray2 ray = {from + Point2((i - cells_a_side / 2) * 0x1p-48, (j - cells_a_side / 2) * 0x1p-48), along};
       const auto truth = intersect(ray, ball);
       return yes_kind(hits(ray), truth.line_roots > 0, truth.line_roots == 1);
     }));
@@ -191,7 +191,7 @@ Plotted touching_map() {
     chart.maps.push_back(map_of(second_ball.name, 5, 2, [&](int i, int j) {
       const double radius = second_ball.radius, step = second_ball.step;
       const Point2 at = first.center * (1 - first.radius - radius);
-      const Ball second = {at + Point2((i - side / 2) * step, (j - side / 2) * step), radius};
+      const Ball second = {at + Point2((i - cells_a_side / 2) * step, (j - cells_a_side / 2) * step), radius};
       const Relation truth = relate(first, second);
       return yes_kind(sphere_sphere::squared_distance(first, second), truth != Relation::disjoint,
                       truth == Relation::touching);

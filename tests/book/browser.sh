@@ -11,7 +11,8 @@ done
   { echo "skipped: no $live: ./run book makes it, where Debian's emscripten is or can be installed"; exit 77; }
 rm -rf "$scratch"
 if [ -n "$live" ]; then
-  ! command -v emcc >/dev/null || cmake --build "$(dirname "$live")" --target isect scenes >/dev/null
+  ! command -v emcc >/dev/null || told=$(cmake --build "$(dirname "$live")" --target isect scenes 2>&1) ||
+    { echo "$told"; exit 1; }
   "$isect" book --live "$live" --live-scenes "$(dirname "$live")/live_scenes.js" --out "$scratch/site" >/dev/null
   node "$here/told.mjs" "$scratch/site"
   node "$here/scene.mjs" "$scratch/site" "$isect"
