@@ -241,7 +241,11 @@ Measured measured_of(std::vector<Report> reports) {
 
 Publication publication(const Measured& m) {
   Figures figures;
-  const Report& growing = m.peers && !m.peers->growths.empty() ? *m.peers : m.portable;
+  Report growing = m.peers ? *m.peers : m.portable;
+  const std::vector<Growth> beside_others = growing.growths;
+  for (const Growth& g : m.portable.growths)  // of what was not measured beside other libraries
+    if (std::ranges::none_of(beside_others, [&](const Growth& o) { return o.test == g.test && o.unit == g.unit; }))
+      growing.growths.push_back(g);
   std::string text = opening(m);
   text += ratios(m, figures);
   text += tests(m, figures);
