@@ -363,6 +363,14 @@ TEST_CASE("two sizes give no power of n", "[report_text]") {
   CHECK(contains(text, "All pairs: too few sizes for a power of n."));
 }
 
+TEST_CASE("growth that was not measured beside other libraries is shown from the portable build", "[report_text]") {
+  Measured m = {report("portable", 29), {}, report("peers", 29)};
+  m.portable.growths.push_back({"hulls", "exact", "isect", "set of points", {1e3, 1e4, 1e5}, {1e5, 1e6, 1e7}, 1});
+  const std::string text = publication(m).text;
+  CHECK(contains(text, "Hulls, set of points: exact as n^1.00"));
+  CHECK(contains(text, "rtcCollide"));  // of what was, the curves of that run
+}
+
 TEST_CASE("a quick run, changed sources and several commits are not published", "[report_text]") {
   const std::string folder = isect::test::scratch("isect-refused-report-test").string();
   std::filesystem::remove_all(folder);

@@ -87,7 +87,8 @@ double largest_length(const Ray<double, N>& x) {
   return x.origin.cwiseAbs().maxCoeff();
 }
 
-/// answer(a, b), where a and b are very large or small in a unit in which they are not, if no bit is lost by that.
+/// answer(a, b); shapes that are very large or very small are first given a unit in which they are neither, unless that
+/// would lose a bit.
 template <class A, class B, class Answer>
 auto in_own_unit(const A& a, const B& b, const Answer& answer) {
   const double size = std::max(largest_length(a), largest_length(b));
