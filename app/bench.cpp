@@ -193,6 +193,19 @@ void require_publishable(const Wanted& wanted, const std::vector<std::string>& b
   bench::require_one_commit(machines);
 }
 
+/// Keeps what was measured and can't be published, beside what is there: a run takes ten minutes and more. Returns where.
+std::vector<std::string> keep(const std::vector<bench::Report>& reports, const std::string& folder) {
+  std::vector<std::string> files;
+  for (const bench::Report& r : reports) {
+    const std::string start = folder + "/measured-" + r.machine.build;
+    std::string file = start + ".json";
+    for (int n = 2; viz::is_there(file); ++n) file = fmt::format("{}-{}.json", start, n);
+    viz::write_file(file, bench::json(r));
+    files.push_back(file);
+  }
+  return files;
+}
+
 /// The report as text and figures: from the files given, or measured here by every program that was built.
 int publish(const Program& program, const Wanted& wanted) {
   if (wanted.quick)
@@ -215,12 +228,13 @@ int publish(const Program& program, const Wanted& wanted) {
     }
   }
   try {
-    bench::publish(bench::measured_of(std::move(reports)), wanted.publish);
+    bench::publish(bench::measured_of(reports), wanted.publish);
   } catch (const viz::FileError&) {
     throw;
   } catch (const std::runtime_error& e) {
-    if (wanted.from.empty()) throw;
-    throw viz::BadInput(fmt::format("--publish: {}", e.what()));
+    if (!wanted.from.empty()) throw viz::BadInput(fmt::format("--publish: {}", e.what()));
+    throw std::runtime_error(fmt::format("{}. What was measured is kept, for --publish {} --from FILE...: {}", e.what(),
+                                         wanted.publish, fmt::join(keep(reports, wanted.publish), ", ")));
   }
   return done;
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bench/session.h"
@@ -28,21 +29,31 @@ inline double processor_time() {
   return 1e9 * static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec);
 }
 
-/// Nanoseconds of one call of run(), which returns something that depends on its work: the least of so many passes as
-/// take half a second, three at least; in a quick run, as fit the session's effort.
+template <class Result>
+struct Timed {
+  Result result;
+  double ns;
+};
+/// What run() returns and the nanoseconds of one call: the least of so many passes as take half a second, three at
+/// least unless they take 20 seconds; in a quick run, as fit the session's effort.
 template <class Run>
-double least_time(const Session& session, const Run& run) {
+auto timed(const Session& session, const Run& run) -> Timed<decltype(run())> {
   double least = std::numeric_limits<double>::infinity(), spent = 0;
   const double budget = session.effort.all_sizes ? 0.5e9 : 1e9 * session.effort.seconds;
   const int passes = session.effort.all_sizes ? 3 : 1;
-  for (int pass = 0; pass < passes || (spent < budget && pass < session.effort.most_passes); ++pass) {
+  for (int pass = 1;; ++pass) {
     const double start = processor_time();
-    const auto result = run();
+    auto result = run();
     asm volatile("" : : "r"(&result) : "memory");
     const double passed = processor_time() - start;
     least = std::min(least, passed), spent += passed;
+    const bool enough = (pass >= passes && spent >= budget) || pass >= session.effort.most_passes || spent >= 20e9;
+    if (enough) return {std::move(result), least};
   }
-  return least;
+}
+template <class Run>
+double least_time(const Session& session, const Run& run) {
+  return timed(session, run).ns;
 }
 
 /// Nanoseconds of one of the cases: the least pass over all of them, answer(case) -> a number to add up. Where one

@@ -129,6 +129,7 @@ Json value(const Target& t) {
   Json o = {{"work", t.work},     {"kind", kinds[t.kind]}, {"test", t.test}, {"ours", t.ours},
             {"theirs", t.theirs}, {"n", number(t.n)},      {"unit", t.unit}, {"scalar", t.scalar}};
   if (t.at_most) o["at_most"] = *t.at_most;
+  if (!t.limit.empty()) o["limit"] = t.limit;
   return o;
 }
 Target target(const Json& o) {
@@ -139,6 +140,7 @@ Target target(const Json& o) {
   t.ours = o.at("ours"), t.theirs = o.at("theirs"), t.n = number(o.at("n")), t.unit = o.at("unit");
   t.scalar = o.value("scalar", t.scalar);
   if (o.contains("at_most")) t.at_most = number(o.at("at_most"));
+  if (o.contains("limit")) t.limit = o.at("limit");
   return t;
 }
 
@@ -185,6 +187,7 @@ std::string Report::note(const std::string& test, const std::string& family) con
 }
 
 void Report::add(Report other) {
+  quick |= other.quick;
   const auto append = [](auto& all, auto& more) { std::ranges::move(more, std::back_inserter(all)); };
   append(rows, other.rows), append(growths, other.growths), append(duties, other.duties);
   append(notes, other.notes), append(targets, other.targets);

@@ -97,6 +97,7 @@ struct Target {
   std::string unit = {};               ///< of Growth: "query", "build"; empty: any
   std::string scalar = "double";       ///< of Row
   std::optional<double> at_most = {};  ///< none: reported only
+  std::string limit = {};              ///< where it may be missed: what takes the time, as sentences
 };
 
 struct Machine {

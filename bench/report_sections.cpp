@@ -284,7 +284,8 @@ std::string loss_text(const Measured& m) {
       if (const auto value = measured(t, *r); value && !met(t, *value))
         runs.push_back(fmt::format("{} ({})", told(t, *r), r->machine.build));
     if (!runs.empty())
-      lines.push_back(fmt::format("Target missed: {}: {}; wanted {}.", t.work, listed(runs), wanted(t)));
+      lines.push_back(fmt::format("Target missed: {}: {}; wanted {}.{}{}", t.work, listed(runs), wanted(t),
+                                  t.limit.empty() ? "" : " ", t.limit));
   }
   for (const std::string& test : tests_of(m.portable)) {
     const Findings d(m.portable, test, "double");

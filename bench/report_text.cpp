@@ -220,23 +220,34 @@ bool is_figure_of_ours(const std::filesystem::path& file) try {
   return false;
 }
 
+/// Those with rows and those with growth.
+std::set<std::string> all_tests(const Report& r) {
+  const std::vector<std::string> tests = tests_of(r);
+  std::set<std::string> all(tests.begin(), tests.end());
+  for (const Growth& g : r.growths) all.insert(g.test);
+  return all;
+}
+
 }  // namespace
 
 Measured measured_of(std::vector<Report> reports) {
-  std::optional<Measured> measured;
-  for (Report& r : reports)
-    if (r.machine.build == "portable") {
-      if (measured) throw std::runtime_error("two reports of the portable build were given");
-      measured = Measured{std::move(r)};
-    }
-  if (!measured) throw std::runtime_error("none of the reports is of the portable build");
+  std::map<std::string, Report> builds;
   for (Report& r : reports) {
-    if (r.machine.build == "portable" || r.machine.build.empty()) continue;
-    std::optional<Report>& place = r.machine.build == "native" ? measured->native : measured->peers;
-    if (place) throw std::runtime_error("two reports of the " + r.machine.build + " build were given");
-    place = std::move(r);
+    const std::string build = r.machine.build;
+    const auto [place, first] = builds.try_emplace(build, r);
+    if (first) continue;
+    const std::set<std::string> known = all_tests(place->second);
+    for (const std::string& test : all_tests(r))
+      if (known.contains(test)) throw std::runtime_error(fmt::format("two reports of the {} build have {}", build, test));
+    place->second.add(std::move(r));
   }
-  return std::move(*measured);
+  const auto taken = [&](const char* build) -> std::optional<Report> {
+    const auto place = builds.find(build);
+    return place == builds.end() ? std::nullopt : std::optional(std::move(place->second));
+  };
+  std::optional<Report> portable = taken("portable");
+  if (!portable) throw std::runtime_error("none of the reports is of the portable build");
+  return {std::move(*portable), taken("native"), taken("peers")};
 }
 
 Publication publication(const Measured& m) {

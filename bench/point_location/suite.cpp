@@ -76,9 +76,9 @@ class Preparation {
   template <class Prepare, class Ask>
   void add(const Ring<double, 2>& ring, const Ring<double, 2>& points, const Prepare& prepare, const Ask& ask) {
     const double n = static_cast<double>(ring.size());
-    build_.add(n, least_time(session_, [&] { return prepare(ring); }));
-    const auto prepared = prepare(ring);
-    query_.add(n, least_each(session_, points, [&](const auto& p) { return ask(prepared, p); }));
+    const auto prepared = timed(session_, [&] { return prepare(ring); });
+    build_.add(n, prepared.ns);
+    query_.add(n, least_each(session_, points, [&](const auto& p) { return ask(prepared.result, p); }));
   }
   void report() { build_.report(session_), query_.report(session_); }
 

@@ -31,16 +31,16 @@ using Event = std::variant<Coordinate<S>, Distance, Fallback>;
 
 namespace detail {
 
-/// The sign of |p - q|^2 - tolerance^2, where doubles do not settle it.
+/// The sign of |p - q|^2 - tolerance^2, computed as x - y, where that does not settle it.
 template <class S, int N, class Trace>
-[[gnu::noinline]] int settled(const Point<S, N>& p, const Point<S, N>& q, const S& tolerance, Trace&& trace) {
+[[gnu::noinline]] int settled(const Point<S, N>& p, const Point<S, N>& q, S tolerance, double x, double y,
+                              Trace&& trace) {
   const Point<double, N> wide_p = p.template cast<double>(), wide_q = q.template cast<double>();
-  return sign_of(
-      [&]<class W>() -> W {
-        const Components<W, N> f = difference<W, N>(wide_p, wide_q);
-        return dot(f, f) - W(tolerance) * W(tolerance);
-      },
-      trace);
+  const auto text = [&]<class W>() -> W {
+    const Components<W, N> f = difference<W, N>(wide_p, wide_q);
+    return dot(f, f) - W(tolerance) * W(tolerance);
+  };
+  return settled_squares(text, x, y, trace);
 }
 
 }  // namespace detail
@@ -68,8 +68,9 @@ bool nearly_equal(const Point<S, N>& p, const Point<S, N>& q, S tolerance, Trace
 
   const double distance2 = (p.template cast<double>() - q.template cast<double>()).squaredNorm();
   const double tolerance2 = double(tolerance) * double(tolerance);
-  const int sign = order_of_squares(distance2, tolerance2,
-                                    [&] { return point_point::detail::settled<S, N>(p, q, tolerance, trace); });
+  const int sign = order_of_squares(distance2, tolerance2, [&] {
+    return point_point::detail::settled<S, N>(p, q, tolerance, distance2, tolerance2, trace);
+  });
   trace(point_point::Distance{sign});
   return sign <= 0;
 }

@@ -15,6 +15,7 @@
 #include <optional>
 #include <variant>
 
+#include <isect/numbers/found_once.h>
 #include <isect/parts/slabs.h>
 #include <isect/parts/unit_of_length.h>
 #include <isect/point_obb.h>
@@ -27,15 +28,16 @@ using Event = std::variant<slabs::Outside, slabs::Stretch, Fallback>;
 
 namespace detail {
 
-/// The slabs of an oriented box, as lo <= n_i.d t <= hi.
+/// The slabs of an oriented box, as lo <= n_i.d t <= hi, each n_i the way of u_i. `sign` is that of D = n_0.u_0. What
+/// they have of the axes alone is found once in the arithmetics that most signs are settled in.
 template <int N>
-struct Slabs {
-  const Ray<double, N>& ray;
-  const Obb<double, N>& box;
+class Slabs {
+ public:
+  Slabs(const Ray<double, N>& ray, const Obb<double, N>& box, int sign) : ray_(ray), box_(box), sign_(sign) {}
 
   template <Filtered W>
   W rate(int i) const {
-    return dot(point_obb::detail::normal<W>(box.axes, i), exactly<W>(ray.direction));
+    return turned(i, dot(normal<W>(i), exactly<W>(ray_.direction)));
   }
   template <Filtered W>
   W lo(int i) const {
@@ -45,26 +47,81 @@ struct Slabs {
   W hi(int i) const {
     return reach<W>(i) - along<W>(i);
   }
+
+ private:
+  /// The normals, and |D|.
+  template <class W>
+  struct OfAxes {
+    std::array<Components<W, N>, N> normals;
+    W size;
+  };
+  template <Filtered W>
+  const OfAxes<W>& of_axes() const {
+    return of_axes_.template in<W>([&]() -> OfAxes<W> {
+      OfAxes<W> found;
+      for (int i = 0; i < N; ++i) found.normals[i] = point_obb::detail::normal<W>(box_.axes, i);
+      found.size = abs(dot(found.normals[0], exactly<W, N>(box_.axes.col(0))));
+      return found;
+    });
+  }
+  template <class W>
+  static constexpr bool kept = std::is_same_v<W, Bounded<double>> || std::is_same_v<W, Grid> || is_compensated<W>;
+  template <Filtered W>
+  std::conditional_t<kept<W>, const Components<W, N>&, Components<W, N>> normal(int i) const {
+    if constexpr (!kept<W>)
+      return point_obb::detail::normal<W>(box_.axes, i);
+    else
+      return of_axes<W>().normals[i];
+  }
+  template <Filtered W>
+  std::conditional_t<kept<W>, const W&, W> size() const {
+    if constexpr (!kept<W>)
+      return abs(point_obb::detail::volume<W>(box_.axes, 0));
+    else
+      return of_axes<W>().size;
+  }
   template <Filtered W>
   W reach(int i) const {
-    return W(box.half[i]) * abs(point_obb::detail::volume<W>(box.axes, 0));
+    return W(box_.half[i]) * size<W>();
+  }
+  template <Filtered W>
+  W along(int i) const {
+    return turned(i, dot(normal<W>(i), difference<W>(ray_.origin, box_.center)));
+  }
+  /// n.x for the n_i that has the way of u_i: in the plane n_1.u_1 is -D.
+  template <Filtered W>
+  W turned(int i, const W& along_normal) const {
+    return (sign_ < 0) != (N == 2 && i == 1) ? -along_normal : along_normal;
+  }
+
+  const Ray<double, N>& ray_;
+  const Obb<double, N>& box_;
+  int sign_;
+  FoundOnce<OfAxes> of_axes_;
+};
+
+/// The slabs by the faces at -half_i and half_i, whichever comes first along n_i: so lo may be the larger. For a first
+/// try, which asks for two of them.
+template <int N>
+struct Faces {
+  const Ray<double, N>& ray;
+  const Obb<double, N>& box;
+
+  template <Filtered W>
+  W rate(int i) const {
+    return dot(point_obb::detail::normal<W>(box.axes, i), exactly<W>(ray.direction));
+  }
+  template <Filtered W>
+  W lo(int i) const {
+    return -W(box.half[i]) * point_obb::detail::volume<W>(box.axes, i) - along<W>(i);
+  }
+  template <Filtered W>
+  W hi(int i) const {
+    return W(box.half[i]) * point_obb::detail::volume<W>(box.axes, i) - along<W>(i);
   }
   template <Filtered W>
   W along(int i) const {
     return dot(point_obb::detail::normal<W>(box.axes, i), difference<W>(ray.origin, box.center));
-  }
-};
-
-/// The slabs by the faces at -half_i and half_i, whichever comes first along n_i: so lo may be the larger.
-template <int N>
-struct Faces : Slabs<N> {
-  template <Filtered W>
-  W lo(int i) const {
-    return -W(this->box.half[i]) * point_obb::detail::volume<W>(this->box.axes, i) - this->template along<W>(i);
-  }
-  template <Filtered W>
-  W hi(int i) const {
-    return W(this->box.half[i]) * point_obb::detail::volume<W>(this->box.axes, i) - this->template along<W>(i);
   }
 };
 
@@ -111,9 +168,17 @@ std::optional<Interval<S>> meet(const Ray<S, N>& ray, const Obb<S, N>& box, Trac
     if (seen.meets <= 0) return {};
     return slabs::detail::stretch<S, N>(ray.range, seen, Faces<N>{wide, bounds}, trace);
   } else {
-    if (!finite(ray) || !finite(box) || !point_obb::detail::independent(bounds.axes, trace)) return {};
+    if (!finite(ray) || !finite(box)) return {};
+    const int sign = sign_of([&]<class W>() -> W { return point_obb::detail::volume<W>(bounds.axes, 0); }, trace);
+    if (sign == 0) return {};
     return settled_in_own_unit<Trace>(wide, bounds, [&](const Ray<double, N>& x, const Obb<double, N>& y) {
-      return slabs::detail::clip<S, N>(ray.range, Slabs<N>{x, y}, trace);
+      const Slabs<N> of_box(x, y, sign);
+      if constexpr (!heard<Trace>) {
+        const slabs::detail::Estimate<N> seen = slabs::detail::estimate<S, N>(ray.range, QuickSlabs<N>(x, y));
+        return slabs::detail::clip<S, N>(ray.range, of_box, trace, &seen);
+      } else {
+        return slabs::detail::clip<S, N>(ray.range, of_box, trace);
+      }
     });
   }
 }

@@ -62,7 +62,7 @@ RayPlane<S> meet(const Ray<S, N>& ray, const Plane<S, N>& plane, Trace& trace) {
     return ray_plane::detail::parameter<W>(wide, wall);
   };
 
-  const auto [ahead, heading] = signs_of<S>(t, trace);
+  const auto [ahead, heading, value] = signs_of<S>(t, trace);
   const int side = -ahead;
   trace(ray_plane::Decision{heading, side});
 
@@ -73,7 +73,7 @@ RayPlane<S> meet(const Ray<S, N>& ray, const Plane<S, N>& plane, Trace& trace) {
     return result;
   }
 
-  result.line = value_of<S>(t, trace);
+  result.line = value ? *value : value_of<S>(t, trace);
   result.meets = ray_range::holds_value(wide.range, t, heading, *result.line, trace);
   trace(ray_plane::Hit<S>{*result.line, result.meets});
   if (result.meets) result.t = ray_range::clamped(*result.line, ray.range);

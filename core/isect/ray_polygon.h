@@ -18,9 +18,9 @@
 #include <Eigen/Geometry>
 #include <optional>
 #include <span>
-#include <tuple>
 #include <variant>
 
+#include <isect/numbers/found_once.h>
 #include <isect/parts/ray_range.h>
 #include <isect/point_polygon.h>
 
@@ -84,15 +84,10 @@ class Crossing {
 
   template <Filtered W>
   kept_t<W, PlanePoint<W>> point() const {
-    if constexpr (std::is_same_v<W, Recorded>) {
-      return plane_point<W>(ray_, ring_);
-    } else if constexpr (std::is_same_v<W, Bounded<double>>) {
+    if constexpr (std::is_same_v<W, Bounded<double>>)
       return quick_;
-    } else {
-      std::optional<PlanePoint<W>>& kept = std::get<std::optional<PlanePoint<W>>>(others_);
-      if (!kept) kept = plane_point<W>(ray_, ring_);
-      return *kept;
-    }
+    else
+      return others_.template in<W>([&] { return plane_point<W>(ray_, ring_); });
   }
   template <Filtered W>
   Ratio<W> parameter() const {
@@ -120,9 +115,7 @@ class Crossing {
   const Ray<double, 3>& ray_;
   const Ring<S, 3>& ring_;
   PlanePoint<Bounded<double>> quick_;
-  template <class... W>
-  using Each = std::tuple<std::optional<PlanePoint<W>>...>;
-  mutable Each<Grid, CompensatedBy<false>, Fused, ShortExact, MediumExact, Exact> others_;
+  FoundOnce<PlanePoint> others_;
 };
 
 /// The axis of the largest |n_i|, the first of several.

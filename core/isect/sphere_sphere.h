@@ -41,29 +41,19 @@ W gap(const Sphere<double, N>& a, const Sphere<double, N>& b, const Radii& radii
   return dot(f, f) - reach * reach;
 }
 
-/// The sign of the text, whose terms doubles have found: x - y, as in isect/numbers/squares.h, is not certain. Six
-/// roundings lead to it. Finite arguments.
-template <class S, class Text, class Trace>
-int settled(const Text& text, S x, S y, Trace&& trace) {
-  if constexpr (std::is_same_v<S, double> && !heard<Trace>)
-    return isect::detail::settled_sign(text, Bounded<double>(x - y, x + y + 0x1p-950, 6));
-  else
-    return sign_of(text, trace);
-}
-
 /// The sign of |a - b|^2 - (r + s)^2, computed as x - y; 1 for NaN and infinite coordinates, near which nothing lies.
 /// Not inlined: the machine code of the rare path stays out of the common one's.
 template <class S, int N, class Trace>
 [[gnu::noinline]] int settled_outer(const Sphere<S, N>& a, const Sphere<S, N>& b, S x, S y, Trace&& trace) {
   if (!(x + y <= std::numeric_limits<S>::max()) && (!finite(a) || !finite(b))) return 1;
   const auto text = [&]<class W>() -> W { return gap<W, N>(in_doubles(a), in_doubles(b), std::plus<W>()); };
-  return settled(text, x, y, trace);
+  return settled_squares(text, x, y, trace);
 }
 /// The sign of |a - b|^2 - (r - s)^2, for finite balls.
 template <class S, int N, class Trace>
 [[gnu::noinline]] int settled_inner(const Sphere<S, N>& a, const Sphere<S, N>& b, S x, S y, Trace&& trace) {
   const auto text = [&]<class W>() -> W { return gap<W, N>(in_doubles(a), in_doubles(b), std::minus<W>()); };
-  return settled(text, x, y, trace);
+  return settled_squares(text, x, y, trace);
 }
 
 template <class S, int N>

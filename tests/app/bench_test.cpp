@@ -313,6 +313,27 @@ TEST_CASE("what is to be published is asked for its commit before it is measured
   CHECK_FALSE(std::filesystem::exists(shell.work() / "ran"));
 }
 
+TEST_CASE("what was measured and can't be published is kept, and nothing is written over", "[bench]") {
+  const Shell shell;
+  copy_program(shell);
+  Report noisy;
+  noisy.machine.build = "portable", noisy.machine.noise = 0.5;
+  noisy.rows.resize(1), noisy.rows[0].test = "orient2d";
+  isect::test::write(shell.work() / "measure/orient2d",
+                     "#!/bin/sh\ntest \"$1\" = --commit && exit\ncat <<'END'\n" + isect::bench::json(noisy) + "END\n");
+  isect::test::write(shell.work() / "out/measured-portable.json", "mine\n");
+  const Ran ran = shell("chmod +x measure/*; ./alone bench orient2d --publish out");
+  CHECK(ran.status == 1);
+  if (ran.err.find("kept") == std::string::npos) {  // this machine itself is too noisy to begin
+    CHECK_THAT(ran.err, Contains("% noise"));
+    return;
+  }
+  CHECK_THAT(ran.err, Contains("the portable build was measured at 50 % noise") &&
+                          Contains("--publish out --from FILE...: out/measured-portable-2.json"));
+  CHECK(isect::bench::report_of(contents(shell.work() / "out/measured-portable-2.json")).rows.size() == 1);
+  CHECK(contents(shell.work() / "out/measured-portable.json") == "mine\n");
+}
+
 TEST_CASE("the help lists every test", "[bench]") {
   const Shell shell;
   const Ran ran = shell("isect bench --help");

@@ -423,6 +423,39 @@ TEST_CASE("reports are sorted by their build", "[report_text]") {
   CHECK_THROWS_AS(measured_of({report("portable", 1), report("peers", 1), report("peers", 1)}), std::runtime_error);
 }
 
+TEST_CASE("runs of one build that have no test in common are one report", "[report_text]") {
+  Report other = report("portable", 29), native = report("native", 1);
+  for (Row& r : other.rows) r.test = "orient2d";
+  other.growths.clear();
+  other.machine.noise = 0.07;
+  const Measured m = measured_of({report("portable", 29), native, other});
+  CHECK(m.portable.rows.size() == 2 * native.rows.size());
+  CHECK(m.portable.machine.noise == 0.07);
+  CHECK(m.native->rows.size() == native.rows.size());
+
+  other.quick = true;
+  CHECK_THROWS_WITH(require_publishable(measured_of({report("portable", 29), other})), Contains("was quick"));
+  other.quick = false, other.machine.commit = "4567def";
+  CHECK_THROWS_WITH(require_publishable(measured_of({report("portable", 29), other})),
+                    Contains("several commits (0123abc, 4567def)"));
+  other.growths.push_back({"trees", "build", "isect", "build", {1, 2}, {1, 2}, 1});
+  Report third = report("portable", 29);
+  third.rows.clear(), third.growths = other.growths;
+  CHECK_THROWS_WITH(measured_of({other, third}), "two reports of the portable build have trees");
+}
+
+TEST_CASE("a target that is missed says what takes the time", "[report_text]") {
+  Report r = report("portable", 29);
+  Target target = {.work = "ray-sphere", .test = "ray-sphere", .theirs = "naive", .at_most = 1.5};
+  target.limit = "Two sums in place of one.";
+  r.targets = {target};
+  const std::string told = "wanted at most 1.5 × naive. Two sums in place of one.\n";
+  CHECK(contains(publication({r}).text, told));
+  CHECK(contains(publication({report_of(json(r))}).text, told));
+  r.targets[0].at_most = 5;
+  CHECK_FALSE(contains(publication({r}).text, "Two sums"));
+}
+
 TEST_CASE("publishing writes text, figures and the lesson's rows, and clears figures of an earlier report",
           "[report_text]") {
   const std::string folder = isect::test::scratch("isect-report-test").string();

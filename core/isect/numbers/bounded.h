@@ -28,7 +28,7 @@
 
 namespace isect {
 
-/// T is double or DoubleDouble; or Compensated, for a number found otherwise.
+/// T is double or DoubleDouble; or Compensated or Threefold, for a number found otherwise.
 template <class T>
 class Bounded {
  public:
@@ -71,7 +71,11 @@ class Bounded {
   /// |value - truth| <= error(); infinite or NaN where nothing is known.
   ISECT_INLINE double error() const {
     const double k = roundings_ + 1;
-    return is_compensated<T> ? 2 * k * k * unit<double> * unit<double> * size_ : k * unit<T> * size_;
+    constexpr double u = unit<double>;
+    if constexpr (is_threefold<T>)
+      return 8 * (k * k * k) * (u * u * u) * size_;
+    else
+      return is_compensated<T> ? 2 * k * k * u * u * size_ : k * unit<T> * size_;
   }
 
  private:
@@ -122,7 +126,7 @@ class Recorded;
 /// What the polynomial texts of predicates run in: one after the other.
 template <class W>
 concept Filtered = std::same_as<W, Bounded<double>> || std::same_as<W, Grid> || std::same_as<W, Recorded> ||
-    is_compensated<W> || std::same_as<W, Bounded<DoubleDouble>> || std::same_as<W, ShortExact> ||
+    is_compensated<W> || is_threefold<W> || std::same_as<W, Bounded<DoubleDouble>> || std::same_as<W, ShortExact> ||
     std::same_as<W, MediumExact> || std::same_as<W, Exact>;
 
 /// x - y of two doubles.

@@ -100,6 +100,13 @@ ISECT_INLINE double quotient(const CompensatedBy<fused>& x, const CompensatedBy<
 }
 }  // namespace detail
 
+/// hi + lo with |lo| <= u |hi|, rounded once where it must be.
+template <bool fused>
+ISECT_INLINE CompensatedBy<fused> in_two(const CompensatedBy<fused>& x) {
+  const DoubleDouble s = two_sum(x.hi, x.lo);
+  return {s.hi, s.lo};
+}
+
 /// x / y for |lo| <= 2^-32 |hi| in y, within 2^-60 (|hi| + |lo|) / |y| of x before the last rounding; NaN or infinite
 /// where it overflows, or 1 / y.
 template <bool fused>

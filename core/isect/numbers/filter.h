@@ -18,6 +18,7 @@
 #include <isect/numbers/double_double.h>
 #include <isect/numbers/exact.h>
 #include <isect/numbers/short_exact.h>
+#include <isect/numbers/threefold.h>
 #include <isect/shapes.h>
 
 namespace isect {
@@ -70,6 +71,10 @@ inline double leading(const DoubleDouble& x) { return x.hi; }
 template <bool fused>
 double leading(const CompensatedBy<fused>& x) {
   return x.hi + x.lo;
+}
+template <bool fused>
+double leading(const ThreefoldBy<fused>& x) {
+  return in_two(x).hi;
 }
 template <Unrounded W>
 double leading(const W&) {

@@ -8,8 +8,8 @@
 //
 // It runs in Bounded<double>, whose proved error bound settles nearly every sign. Where that leaves it open, the text
 // runs on: in Grid, which knows a zero where nothing was rounded, as on integers; in Compensated, about 100 bits by the
-// sizes that doubles found; in ShortExact or MediumExact, where 127 or 255 bits hold all of it; and at last in Exact,
-// where every sign is certain. So the algorithms above read like the book's, branch on true signs alone, and are right
+// sizes that doubles found; in Threefold, about 150; in ShortExact or MediumExact, where 127 or 255 bits hold all of it;
+// and at last in Exact, where every sign is certain. So the algorithms above read like the book's, branch on true signs alone, and are right
 // for all finite input of any magnitude. Arguments must be finite.
 //
 // An algorithm that asks several signs passes its listener on to each, and is run by in_doubles_first: then all of it
@@ -56,23 +56,38 @@ template <class Text, class Trace>
 inline constexpr bool recorded_for = small_code || heard<Trace>;
 template <class Text, class Trace>
 inline constexpr bool recorded_for<Keeping<Text>, Trace> = false;
+/// The sign in W, Compensated or finer, by the size and the roundings that doubles found.
+template <class W, class Text>
+ISECT_INLINE std::optional<int> sign_on_grid(const Text& text, const Bounded<double>& quick, double step) {
+  return sign_on_grid(Bounded<W>(text.template operator()<W>(), quick.size(), quick.roundings()), step);
+}
+ISECT_INLINE bool in_range(const Bounded<double>& x) { return 0x1p-800 < x.size() && x.size() < 0x1p900; }
+
+/// What two doubles leave open, too.
+template <class Text>
+[[gnu::noinline]] int settled_finer(const Text& text, const Bounded<double>& quick, double step) {
+  if (!in_range(quick)) {
+    if (const std::optional<int> s = sign_in<ShortExact>(text)) return *s;
+    return exact_sign(text);
+  }
+  if (step > 0)  // nothing underflows
+    if (const std::optional<int> s =
+            compensated([&]<class W>() { return sign_on_grid<finer_than_t<W>>(text, quick, step); }))
+      return *s;
+  if (quick.size() < 0x1p248 * step)
+    if (const std::optional<int> s = sign_in<MediumExact>(text)) return *s;
+  return exact_sign(text);
+}
 /// Apart and not inlined: the machine code of the slow path stays out of the fast one's way. `quick` is what doubles
 /// found: its size and its roundings, too, serve the stages that follow.
 template <class Text>
 [[gnu::noinline]] int settled_sign(const Text& text, const Bounded<double>& quick) {
-  const double step = text.template operator()<Grid>().step(), size = quick.size();
+  const double step = text.template operator()<Grid>().step();
   if (std::abs(quick.value()) + quick.error() < step) return 0;
-  const bool in_range = 0x1p-800 < size && size < 0x1p900;
-  if (in_range)
-    if (const std::optional<int> s = compensated([&]<class W>() -> std::optional<int> {
-          return sign_on_grid(Bounded<W>(text.template operator()<W>(), size, quick.roundings()), step);
-        }))
+  if (in_range(quick))
+    if (const std::optional<int> s = compensated([&]<class W>() { return sign_on_grid<W>(text, quick, step); }))
       return *s;
-  if (!in_range || size < 0x1p120 * step)
-    if (const std::optional<int> s = sign_in<ShortExact>(text)) return *s;
-  if (in_range && size < 0x1p248 * step)
-    if (const std::optional<int> s = sign_in<MediumExact>(text)) return *s;
-  return exact_sign(text);
+  return settled_finer(text, quick, step);
 }
 }  // namespace detail
 

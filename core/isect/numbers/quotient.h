@@ -95,100 +95,109 @@ template <class V, class Text>
 }
 
 template <class W>
-std::array<const W*, 1> numerators(const Ratio<W>& r) {
-  return {&r.num};
+std::array<const W*, 2> terms(const Ratio<W>& r) {
+  return {&r.num, &r.den};
 }
 template <class W>
-std::array<const W*, 3> numerators(const ThreeRatios<W>& r) {
-  return {&r.x, &r.y, &r.z};
+std::array<const W*, 4> terms(const ThreeRatios<W>& r) {
+  return {&r.x, &r.y, &r.z, &r.den};
 }
 
-/// Those of the three quotients that value_of finds without settling; the others stay as they are.
-template <class S, class Text>
-[[gnu::noinline]] void find_ordinary(const Text& text, double tolerance, std::array<std::optional<double>, 3>& q) {
-  const ThreeRatios<Bounded<double>> quick = text.template operator()<Bounded<double>>();
-  const auto rough = numerators(quick);
-  const auto each = [&q](const auto& find) {
-    for (std::size_t i = 0; i < 3; ++i)
-      if (!q[i]) q[i] = find(i);
-  };
-  if constexpr (std::is_same_v<S, float>)
-    each([&](std::size_t i) {
-      const bool good = rough[i]->within(tolerance) && quick.den.within(tolerance);
-      return good ? std::optional(rough[i]->value() / quick.den.value()) : std::nullopt;
-    });
-  else
-    compensated([&]<class W>() {
-      const ThreeRatios<W> fine = text.template operator()<W>();
-      const auto num = numerators(fine);
-      each([&](std::size_t i) {
-        const double value = quotient(*num[i], fine.den);
-        const bool good = (ordinary(*rough[i], *num[i]) | (rough[i]->size() == 0)) & ordinary(quick.den, fine.den) &
-                          (std::abs(value) <= std::numeric_limits<double>::max());
-        return good ? std::optional(value) : std::nullopt;
-      });
-      return true;
-    });
-}
+/// What is known of K quotients with one denominator.
+template <std::size_t K>
+struct Known {
+  std::array<std::optional<int>, K + 1> signs = {};  ///< those of the numerators and that of the denominator
+  std::array<std::optional<double>, K> values = {};  ///< where the denominator is not 0
 
-/// K quotients with one denominator, those that are not known yet: by what doubles found, where num is 0 or both are
-/// exact there; then finer.
-template <std::size_t K, class Text>
-[[gnu::noinline]] std::array<double, K> settled_quotients(const Text& text, double tolerance,
-                                                          std::array<std::optional<double>, K> q = {}) {
-  const auto settled = [&q](const auto& ratios, const auto& found) {
-    const auto num = numerators(ratios);
-    bool all = true;
-    for (std::size_t i = 0; i < K; ++i) {
-      if (!q[i]) q[i] = found(*num[i], i);
-      all &= q[i].has_value();
-    }
-    return all;
-  };
-  const auto values = [&q] {
-    std::array<double, K> all;
-    for (std::size_t i = 0; i < K; ++i) all[i] = *q[i];
-    return all;
-  };
+  bool all() const {
+    const auto known = [](const auto& x) { return x.has_value(); };
+    return signs[K] == 0 ? std::ranges::all_of(signs, known) : signs[K] && std::ranges::all_of(values, known);
+  }
 
-  if (std::ranges::all_of(q, [](const auto& x) { return x.has_value(); })) return values();
-  const auto quick = text.template operator()<Bounded<double>>();
-  const auto grid = text.template operator()<Grid>();
-  const auto sizes = numerators(quick);
-  const auto steps = numerators(grid);
-  const bool den_is_exact = quick.den.error() < grid.den.step();
-  if (settled(quick, [&](const Bounded<double>& num, std::size_t i) -> std::optional<double> {
-        const double step = steps[i]->step();
-        if (std::abs(num.value()) + num.error() < step) return 0;
-        if (num.error() < step && den_is_exact) return num.value() / quick.den.value();
-        return {};
-      }))
-    return values();
+  /// Looks at the K + 1 numbers for what is not known yet: sign(x, i) and value(num, den, i) may find nothing.
+  template <class Ratios, class Sign, class Value>
+  bool learn(const Ratios& ratios, const Sign& sign, const Value& value) {
+    const auto x = terms(ratios);
+    for (std::size_t i = 0; i <= K; ++i)
+      if (!signs[i]) signs[i] = sign(*x[i], i);
+    for (std::size_t i = 0; i < K; ++i)
+      if (!values[i] && signs[K] && signs[K] != 0) values[i] = signs[i] == 0 ? 0 : value(*x[i], *x[K], i);
+    return all();
+  }
+};
 
-  const auto in_range = [](const Bounded<double>& x) { return 0x1p-800 < x.size() && x.size() < 0x1p900; };
+/// All of it. Each stage keeps what those before it found: doubles; two of them, about 100 bits, where what is known to
+/// be a whole multiple of a step is 0 or not; three of them, about 150; then whole numbers.
+template <class S, std::size_t K, class Text>
+[[gnu::noinline]] Known<K> settled(const Text& text, Known<K> known = {}) {
+  using Value = std::optional<double>;
+  constexpr double tolerance = std::numeric_limits<S>::epsilon() / 3;
+  const auto finite_only = [](double q) { return std::isfinite(q) ? Value(q) : std::nullopt; };
+  const auto by_doubles = text.template operator()<Bounded<double>>();
+  const auto quick = terms(by_doubles);
+  if (known.learn(
+          by_doubles, [](const auto& x, std::size_t) { return x.sign(); },
+          [&](const auto& num, const auto& den, std::size_t) -> Value {
+            if (!num.within(tolerance) || !den.within(tolerance)) return {};
+            return num.value() / den.value();
+          }))
+    return known;
+
   const auto by = [&]<class W>() -> bool {
     const auto fine = text.template operator()<W>();
-    const Bounded<W> den(fine.den, quick.den.size(), quick.den.roundings());
-    return settled(fine, [&](const W& x, std::size_t i) -> std::optional<double> {
-      if (!in_range(*sizes[i])) return {};
-      const Bounded<W> num(x, sizes[i]->size(), sizes[i]->roundings());
-      if (std::abs(leading(x)) + num.error() < steps[i]->step()) return 0;
-      if (!num.within(tolerance) || !den.within(tolerance)) return {};
-      const double value = quotient(two_sum(x.hi, x.lo), two_sum(fine.den.hi, fine.den.lo));
-      return std::isfinite(value) ? std::optional(value) : std::nullopt;
-    });
-  };
-  if (in_range(quick.den) && compensated(by)) return values();
+    if (std::is_same_v<S, double> &&
+        known.learn(
+            fine, [](const W&, std::size_t) { return std::optional<int>(); },
+            [&](const W& num, const W& den, std::size_t i) -> Value {
+              if (!ordinary(*quick[i], num) || !ordinary(*quick[K], den)) return {};
+              return finite_only(quotient(num, den));
+            }))
+      return true;
 
-  const auto medium = text.template operator()<MediumExact>();
-  if (settled(medium, [&](const MediumExact& num, std::size_t) -> std::optional<double> {
-        const double value = quotient(num, medium.den);
-        return std::isnan(value) ? std::nullopt : std::optional(value);
-      }))
-    return values();
-  const auto exact = text.template operator()<Exact>();
-  settled(exact, [&](const Exact& num, std::size_t) { return std::optional(near_quotient(num, exact.den)); });
-  return values();
+    const auto grids = text.template operator()<Grid>();
+    const auto grid = terms(grids);
+    if (known.learn(
+            by_doubles, [&](const auto& x, std::size_t i) { return sign_on_grid(x, grid[i]->step()); },
+            [&](const auto& num, const auto& den, std::size_t i) -> Value {
+              if (num.error() < grid[i]->step() && den.error() < grid[K]->step()) return num.value() / den.value();
+              return {};
+            }))
+      return true;
+
+    const auto in_range = [&](std::size_t i) { return 0x1p-800 < quick[i]->size() && quick[i]->size() < 0x1p900; };
+    const auto learn_from = [&]<class T>(const auto& ratios, const T&) -> bool {
+      const auto bounded = [&](const T& x, std::size_t i) {
+        return Bounded<T>(x, quick[i]->size(), quick[i]->roundings());
+      };
+      return known.learn(
+          ratios,
+          [&](const T& x, std::size_t i) {
+            return in_range(i) ? sign_on_grid(bounded(x, i), grid[i]->step()) : std::nullopt;
+          },
+          [&](const T& num, const T& den, std::size_t i) -> Value {
+            if (!in_range(i) || !in_range(K)) return {};
+            if (!bounded(num, i).within(tolerance) || !bounded(den, K).within(tolerance)) return {};
+            return finite_only(quotient(in_two(num), in_two(den)));
+          });
+    };
+    if (learn_from(fine, W())) return true;
+    for (const Grid* const g : grid)
+      if (!(g->step() > 0)) return false;  // something may underflow
+    using Finer = finer_than_t<W>;
+    return learn_from(text.template operator()<Finer>(), Finer());
+  };
+  if (compensated(by)) return known;
+
+  const auto sign = [](const auto& x, std::size_t) { return x.sign(); };
+  if (known.learn(text.template operator()<MediumExact>(), sign,
+                  [](const MediumExact& num, const MediumExact& den, std::size_t) -> Value {
+                    const double q = quotient(num, den);
+                    return std::isnan(q) ? std::nullopt : Value(q);
+                  }))
+    return known;
+  known.learn(text.template operator()<Exact>(), sign,
+              [](const Exact& num, const Exact& den, std::size_t) { return Value(near_quotient(num, den)); });
+  return known;
 }
 }  // namespace detail
 
@@ -216,7 +225,7 @@ S value_of(const Text& text, Trace&& trace = {}) {
   } else {
     if (q) return static_cast<S>(*q);
     trace(Fallback{});
-    return static_cast<S>(detail::settled_quotients<1>(text, tolerance)[0]);
+    return static_cast<S>(*detail::settled<S, 1>(text).values[0]);
   }
 }
 
@@ -241,13 +250,11 @@ ISECT_INLINE std::array<S, 3> values_of(const Text& text, const std::array<bool,
     trace.open |= !safe;
     return {x, y, z};
   } else if constexpr (!first_try<Trace> && !detail::recorded_for<Text, Trace>) {
-    constexpr double tolerance = std::numeric_limits<S>::epsilon() / 3;
-    std::array<std::optional<double>, 3> known;
+    detail::Known<3> known;
     for (int i = 0; i < 3; ++i)
-      if (zero[i]) known[i] = 0;
-    detail::find_ordinary<S>(text, tolerance, known);
-    const std::array<double, 3> q = detail::settled_quotients<3>(text, tolerance, known);
-    return {static_cast<S>(q[0]), static_cast<S>(q[1]), static_cast<S>(q[2])};
+      if (zero[i]) known.values[i] = 0;
+    known = detail::settled<S>(text, known);
+    return {static_cast<S>(*known.values[0]), static_cast<S>(*known.values[1]), static_cast<S>(*known.values[2])};
   } else {
     const auto value = [&](auto part, bool is_zero) -> S {
       const auto ratio = [&]<class W>() -> Ratio<W> {
@@ -262,19 +269,26 @@ ISECT_INLINE std::array<S, 3> values_of(const Text& text, const std::array<bool,
   }
 }
 
-/// The signs of num and den.
-struct Signs {
+/// The signs of num and den; and the quotient, as value_of finds it, if it was found on the way.
+template <class S>
+struct SignsAndValue {
   int num, den;
+  std::optional<S> value = {};
 };
 template <class S, class Text, class Trace = NoTrace>
-ISECT_INLINE Signs signs_of(const Text& text, Trace&& trace = {}) {
+ISECT_INLINE SignsAndValue<S> signs_of(const Text& text, Trace&& trace = {}) {
   if constexpr (first_try<Trace> && std::is_same_v<S, double>) {  // those of what value_of finds, too
     const detail::FineRatio r = detail::fine_ratio<typename std::remove_cvref_t<Trace>::Fine>(text);
     trace.open |= !r.safe;
     return {(r.num > 0) - (r.num < 0), (r.den > 0) - (r.den < 0)};
-  } else {
+  } else if constexpr (first_try<Trace> || detail::recorded_for<Text, Trace>) {
     const int den = sign_of([&]<class W>() -> W { return text.template operator()<W>().den; }, trace);
     return {sign_of([&]<class W>() -> W { return text.template operator()<W>().num; }, trace), den};
+  } else {
+    const detail::Known<1> known = detail::settled<S, 1>(text);
+    SignsAndValue<S> found = {*known.signs[0], *known.signs[1]};
+    if (found.den != 0) found.value = static_cast<S>(*known.values[0]);
+    return found;
   }
 }
 

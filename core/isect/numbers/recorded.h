@@ -141,8 +141,5 @@ class RecordedSum {
  private:
   Recording steps_;
 };
-/// How a text gets at what it keeps in W between its runs: by reference, or anew where its steps are recorded.
-template <class W, class Kept>
-using kept_t = std::conditional_t<std::is_same_v<W, Recorded>, Kept, const Kept&>;
 
 }  // namespace isect

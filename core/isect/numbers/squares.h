@@ -15,7 +15,7 @@
 #include <concepts>
 #include <limits>
 
-#include <isect/numbers/filter.h>
+#include <isect/numbers/predicate.h>
 
 namespace isect {
 
@@ -34,6 +34,16 @@ int order_of_squares(S x, S y, const Settle& settle) {
   if (ordered(x, y)) [[likely]]
     return x < y ? -1 : 1;
   return settle();
+}
+
+/// The sign of X - Y as the text finds it, where that of x - y can't be trusted. Six roundings lead to x - y, which
+/// serves the text for what doubles find of it. Finite arguments.
+template <std::floating_point S, class Text, class Trace>
+int settled_squares(const Text& text, S x, S y, Trace&& trace) {
+  if constexpr (std::is_same_v<S, double> && !heard<Trace>)
+    return detail::settled_sign(text, Bounded<double>(x - y, x + y + 0x1p-950, 6));
+  else
+    return sign_of(text, trace);
 }
 
 }  // namespace isect

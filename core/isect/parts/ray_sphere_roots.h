@@ -271,6 +271,15 @@ std::optional<double> double_root(const Ray<double, N>& ray, const Sphere<double
   return std::isnan(t) ? std::nullopt : std::optional(t);
 }
 
+/// The roots of a line that starts on the sphere, as C = 0 there: 0 and -2 B / A, with double_root's bound.
+template <Arithmetic W, int N>
+std::optional<Interval<double>> roots_from_surface(const Ray<double, N>& ray, const Sphere<double, N>& sphere,
+                                                   double tolerance) {
+  const std::optional<double> middle = double_root<W>(ray, sphere, tolerance);
+  if (!middle) return {};
+  return Interval<double>{std::min(0.0, 2 * *middle), std::max(0.0, 2 * *middle)};
+}
+
 /// The roots of a line that has `count` of them, as `roots` and `double_root` give them.
 template <Arithmetic W, int N>
 std::optional<Interval<double>> roots(const Ray<double, N>& ray, const Sphere<double, N>& sphere, double tolerance,

@@ -91,8 +91,13 @@ template <class S, int N, class Trace>
 
   // What touches on integers or on a grid is settled in 127 bits; its values are then as easy as any others.
   const std::optional<Verdict> verdict = known ? known : decide<ShortExact>(ray, sphere, trace);
-  if (verdict && verdict->origin == Location::on)  // a root at 0, which no rounded number can promise
+  if (verdict && verdict->origin == Location::on) {  // a root at 0, which no rounded number can promise
+    if (const auto t = roots_from_surface<DoubleDouble>(ray, sphere, tolerance<S>)) {
+      trace(Values{*t});
+      return report(range, *verdict, *t);
+    }
     if (const auto answer = attempt<MediumExact, MediumExact>(ray, sphere, range, 0, verdict, trace)) return *answer;
+  }
   if (const std::optional<Scaled<N>> s = scaled(ray, sphere)) {
     if (const auto answer = attempt<double, Compensated>(s->ray, s->sphere, range, s->exponent, verdict, trace))
       return *answer;

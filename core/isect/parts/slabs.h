@@ -24,45 +24,6 @@ struct Stretch {
 
 namespace detail {
 
-/// The slabs, whose coefficients in the arithmetic of the filter are found once.
-template <int N, class Slabs>
-class Kept {
- public:
-  explicit Kept(const Slabs& slabs) : slabs_(slabs) {
-    for (int i = 0; i < N; ++i) {
-      rate_[i] = slabs.template rate<Quick>(i);
-      lo_[i] = slabs.template lo<Quick>(i), hi_[i] = slabs.template hi<Quick>(i);
-    }
-  }
-
-  template <Filtered W>
-  W rate(int i) const {
-    if constexpr (std::is_same_v<W, Quick>)
-      return rate_[i];
-    else
-      return slabs_.template rate<W>(i);
-  }
-  template <Filtered W>
-  W lo(int i) const {
-    if constexpr (std::is_same_v<W, Quick>)
-      return lo_[i];
-    else
-      return slabs_.template lo<W>(i);
-  }
-  template <Filtered W>
-  W hi(int i) const {
-    if constexpr (std::is_same_v<W, Quick>)
-      return hi_[i];
-    else
-      return slabs_.template hi<W>(i);
-  }
-
- private:
-  using Quick = Bounded<double>;
-  const Slabs& slabs_;
-  std::array<Quick, N> rate_, lo_, hi_;
-};
-
 /// Two quotients of polynomials: the sign of a - b, when the dens have these signs.
 template <class A, class B, class Trace>
 int compare(const A& a, int den_a, const B& b, int den_b, Trace&& trace) {
@@ -73,13 +34,14 @@ int compare(const A& a, int den_a, const B& b, int den_b, Trace&& trace) {
   return den_a * den_b * sign_of(cross, trace);
 }
 
-/// What doubles find of a line and slabs: the t at which it enters and leaves each, off by `error` in all.
+/// What doubles find of a line and slabs: the t at which it enters and leaves each.
 template <int N>
 struct Estimate {
   std::array<double, N> entries, exits;
   std::array<bool, N> backwards;
-  double error;
-  int meets;  ///< 1: some t of the range is in all slabs; -1: none is; 0: rounding may decide, or NaN
+  std::array<bool, N> sound;  ///< the line does not run beside the slab
+  double error;               ///< of those that are sound
+  int meets;                  ///< 1: some t of the range is in all slabs; -1: none is; 0: rounding may decide, or NaN
 };
 
 /// Uses the slabs in doubles only; their lo may be the larger.
@@ -97,11 +59,14 @@ Estimate<N> estimate(const Interval<S>& range, const Slabs& slabs) {
     const Bounded<double> rate = slabs.template rate<Bounded<double>>(i), lo = slabs.template lo<Bounded<double>>(i),
                           hi = slabs.template hi<Bounded<double>>(i);
     const double size = std::abs(rate.value()), inverse = 1 / rate.value();
-    certain &= 4 * rate.error() < size && 0x1p-1000 < size && size < 0x1p1000;  // else beside the slab, or nearly
+    const bool sound = 4 * rate.error() < size && 0x1p-1000 < size && size < 0x1p1000;  // else beside the slab, or nearly
 
     const double t1 = lo.value() * inverse, t2 = hi.value() * inverse;
     const double both = std::max(lo.error(), hi.error()) + (std::abs(t1) + std::abs(t2)) * rate.error();
-    error += 4 * both * std::abs(inverse);
+    const double off = 4 * both * std::abs(inverse);
+    error += sound ? off : 0;
+    certain &= sound;
+    seen.sound[i] = sound;
     seen.backwards[i] = inverse < 0;
     seen.entries[i] = std::min(t1, t2), seen.exits[i] = std::max(t1, t2);
     in = std::max(in, seen.entries[i]), out = std::min(out, seen.exits[i]);
@@ -126,6 +91,8 @@ Interval<S> stretch(const Interval<S>& range, const Estimate<N>& seen, const Sla
   for (int i = 0; i < N; ++i)
     contenders += (in - seen.entries[i] <= 2 * seen.error) + (seen.exits[i] - out <= 2 * seen.error);
   first.open |= contenders > 2;
+  if (first.open) [[unlikely]]
+    return range;
 
   const auto crossing = [&](int i, bool at_lo) {
     return [&slabs, i, at_lo]<class W>() -> Ratio<W> {
@@ -139,15 +106,20 @@ Interval<S> stretch(const Interval<S>& range, const Estimate<N>& seen, const Sla
   return {lo, std::max(lo, hi)};
 }
 
-/// The t of the range in all slabs. `of_box` has N of them, as templates rate<W>(i), lo<W>(i), hi<W>(i), lo <= hi.
+/// The t of the range in all slabs. `slabs` has N of them, as templates rate<W>(i), lo<W>(i), hi<W>(i), lo <= hi.
 /// Verdict exact; the ends within 2 ulp of S, in the range, in order. The whole range for a line beside all slabs.
+/// What is clear from `seen` is not asked again.
 template <class S, int N, class Slabs, class Trace>
-std::optional<Interval<S>> clip(const Interval<S>& range, const Slabs& of_box, Trace&& trace) {
+std::optional<Interval<S>> clip(const Interval<S>& range, const Slabs& slabs, Trace&& trace,
+                                const Estimate<N>* seen = nullptr) {
   if (!ray_range::has_points(range)) return {};
-  const Kept<N, Slabs> slabs(of_box);
 
   std::array<int, N> rates;
   for (int i = 0; i < N; ++i) {
+    if (seen && seen->sound[i]) {
+      rates[i] = seen->backwards[i] ? -1 : 1;
+      continue;
+    }
     rates[i] = sign_of([&]<class W>() -> W { return slabs.template rate<W>(i); }, trace);
     if (rates[i] != 0) continue;
     const bool outside = sign_of([&]<class W>() -> W { return slabs.template lo<W>(i); }, trace) > 0 ||
@@ -163,29 +135,40 @@ std::optional<Interval<S>> clip(const Interval<S>& range, const Slabs& of_box, T
       return {at_lo ? slabs.template lo<W>(i) : slabs.template hi<W>(i), slabs.template rate<W>(i)};
     };
   };
+  const auto about = [&](int i, bool entry) -> double {
+    return seen && seen->sound[i] ? (entry ? seen->entries : seen->exits)[i] : std::numeric_limits<double>::quiet_NaN();
+  };
+  const auto clear = [&](double x, double y) -> int {  // the sign of x - y, or 0 where it may be another
+    return seen ? (x - y > 2 * seen->error) - (y - x > 2 * seen->error) : 0;
+  };
+  const auto order = [&](int i, bool entry, int j, bool other_entry) -> int {
+    const int sign = clear(about(i, entry), about(j, other_entry));
+    return sign ? sign : compare(crossing(i, entry), rates[i], crossing(j, other_entry), rates[j], trace);
+  };
+  const auto order_of_end = [&](int i, bool entry, double end) -> int {
+    const int sign = clear(about(i, entry), end);
+    return sign ? sign : ray_range::compare(crossing(i, entry), rates[i], end, trace);
+  };
+
   int last = -1, first = -1;  // the slab entered last, the slab left first
   for (int i = 0; i < N; ++i) {
     if (rates[i] == 0) continue;
-    const auto order = [&](int j, bool entry) -> int {
-      return compare(crossing(i, entry), rates[i], crossing(j, entry), rates[j], trace);
-    };
-    if (last < 0 || order(last, true) > 0) last = i;
-    if (first < 0 || order(first, false) < 0) first = i;
+    if (last < 0 || order(i, true, last, true) > 0) last = i;
+    if (first < 0 || order(i, false, first, false) < 0) first = i;
   }
   if (last < 0) return range;
   trace(Stretch{last, first});
 
-  const auto entry = crossing(last, true), exit = crossing(first, false);
-  if (last != first && compare(entry, rates[last], exit, rates[first], trace) > 0) return {};
+  if (last != first && order(last, true, first, false) > 0) return {};
   const Interval<double> wide = cast<double>(range);
-  if (ray_range::compare(entry, rates[last], wide.hi, trace) > 0) return {};
-  if (ray_range::compare(exit, rates[first], wide.lo, trace) < 0) return {};
+  if (order_of_end(last, true, wide.hi) > 0) return {};
+  if (order_of_end(first, false, wide.lo) < 0) return {};
 
   // an end of the range is taken as it is; two ends that are equal may round apart, but not out of order
-  const bool from_inside = ray_range::compare(entry, rates[last], wide.lo, trace) <= 0;
-  const bool to_inside = ray_range::compare(exit, rates[first], wide.hi, trace) >= 0;
-  const S in = from_inside ? range.lo : ray_range::clamped(value_of<S>(entry, trace), range);
-  const S out = to_inside ? range.hi : ray_range::clamped(value_of<S>(exit, trace), range);
+  const bool from_inside = order_of_end(last, true, wide.lo) <= 0;
+  const bool to_inside = order_of_end(first, false, wide.hi) >= 0;
+  const S in = from_inside ? range.lo : ray_range::clamped(value_of<S>(crossing(last, true), trace), range);
+  const S out = to_inside ? range.hi : ray_range::clamped(value_of<S>(crossing(first, false), trace), range);
   return Interval<S>{in, std::max(in, out)};
 }
 

@@ -15,9 +15,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <tuple>
 #include <vector>
 
+#include <isect/numbers/found_once.h>
 #include <isect/numbers/predicate.h>
 #include <isect/numbers/quotient.h>
 #include <isect/parts/fit_tight_guess.h>
@@ -55,13 +55,7 @@ class Through {
   /// The way from the first point to the center. Found once in each arithmetic, as many points are compared with it.
   template <Filtered W>
   kept_t<W, Way<W, N>> way() const {
-    if constexpr (std::is_same_v<W, Recorded>) {
-      return found<W>();
-    } else {
-      Known<W>& known = std::get<Known<W>>(known_);
-      if (!known) known = found<W>();
-      return *known;
-    }
+    return way_.template in<W>([&] { return found<W>(); });
   }
 
   /// Whether p lies outside. The points must be independent. Asked where doubles leave it in doubt.
@@ -140,12 +134,10 @@ class Through {
   }
 
   template <class W>
-  using Known = std::optional<Way<W, N>>;
+  using WayIn = Way<W, N>;
 
   std::vector<Point<double, N>> p_;
-  mutable std::tuple<Known<Bounded<double>>, Known<Grid>, Known<CompensatedBy<false>>, Known<Fused>, Known<ShortExact>,
-                     Known<MediumExact>, Known<Bounded<DoubleDouble>>, Known<Exact>>
-      known_;
+  FoundOnce<WayIn> way_;
   mutable std::optional<int> den_;
 };
 
