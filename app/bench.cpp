@@ -193,7 +193,8 @@ void require_publishable(const Wanted& wanted, const std::vector<std::string>& b
   bench::require_one_commit(machines);
 }
 
-/// Keeps what was measured and can't be published, beside what is there: a run takes ten minutes and more. Returns where.
+/// Keeps what was measured and can't be published, beside what is there: a run takes ten minutes and more. Returns
+/// where.
 std::vector<std::string> keep(const std::vector<bench::Report>& reports, const std::string& folder) {
   std::vector<std::string> files;
   for (const bench::Report& r : reports) {

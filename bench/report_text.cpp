@@ -238,7 +238,8 @@ Measured measured_of(std::vector<Report> reports) {
     if (first) continue;
     const std::set<std::string> known = all_tests(place->second);
     for (const std::string& test : all_tests(r))
-      if (known.contains(test)) throw std::runtime_error(fmt::format("two reports of the {} build have {}", build, test));
+      if (known.contains(test))
+        throw std::runtime_error(fmt::format("two reports of the {} build have {}", build, test));
     place->second.add(std::move(r));
   }
   const auto taken = [&](const char* build) -> std::optional<Report> {

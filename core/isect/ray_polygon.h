@@ -18,6 +18,7 @@
 #include <Eigen/Geometry>
 #include <optional>
 #include <span>
+#include <utility>
 #include <variant>
 
 #include <isect/numbers/found_once.h>
@@ -65,9 +66,14 @@ PlanePoint<W> plane_point(const Ray<double, 3>& ray, const Ring<S, 3>& ring) {
   const auto vertex = [&](std::size_t i) -> Point<double, 3> { return ring[i].template cast<double>(); };
   PlanePoint<W> result = {};
   const Point<double, 3> first = vertex(0);
-  for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
-    const Components<W, 3> area = cross(difference<W>(vertex(i), first), difference<W>(vertex(i + 1), first));
-    for (int k = 0; k < 3; ++k) result.normal[k] = i == 1 ? area[k] : result.normal[k] + area[k];
+  Components<W, 3> side = {};  // from the first vertex to the one before
+  for (std::size_t i = 1; i < ring.size(); ++i) {
+    Components<W, 3> next = difference<W>(vertex(i), first);
+    if (i > 1) {
+      const Components<W, 3> area = cross(side, next);
+      for (int k = 0; k < 3; ++k) result.normal[k] = i == 2 ? area[k] : result.normal[k] + area[k];
+    }
+    side = std::move(next);
   }
   result.num = dot(result.normal, difference<W>(first, ray.origin));
   result.den = dot(result.normal, exactly<W>(ray.direction));

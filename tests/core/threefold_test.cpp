@@ -117,8 +117,8 @@ TEST_CASE("what two doubles leave is kept in the third", "[threefold]") {
   CHECK(in_two(far).hi == 0x1p-120);
   CHECK(quotient(far, sum) == 0x1p-120);
   const Split cube = Split(1 + 0x1p-40) * Split(1 + 0x1p-40) * Split(1 + 0x1p-40);
-  CHECK(rational(cube) == (Rational(1) + Rational(0x1p-40)) * (Rational(1) + Rational(0x1p-40)) *
-                              (Rational(1) + Rational(0x1p-40)));
+  CHECK(rational(cube) ==
+        (Rational(1) + Rational(0x1p-40)) * (Rational(1) + Rational(0x1p-40)) * (Rational(1) + Rational(0x1p-40)));
 }
 
 TEST_CASE("quotients are within 0.51 ulp, however the three parts cancel", "[threefold]") {

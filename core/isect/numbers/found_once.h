@@ -2,6 +2,7 @@
 // What a text needs again and again, found once in each arithmetic that asks for it: a normal, a point by numerator and
 // denominator. Where steps are recorded it is found anew, as it is no number yet.
 
+#include <memory>
 #include <new>
 #include <tuple>
 #include <type_traits>
@@ -15,28 +16,47 @@ template <class W, class Kept>
 using kept_t = std::conditional_t<std::is_same_v<W, Recorded>, Kept, const Kept&>;
 
 namespace detail {
-/// Like std::optional, which would fill its memory with zeros first: an Exact takes 1,700 bytes.
+/// Memory for a T. An optional one would be filled with zeros first, and an Exact takes 1,700 bytes.
 template <class T>
-class Found {
- public:
-  Found() {}
-  Found(const Found&) {}  // a copy finds anew
-  ~Found() {
-    if (known_) value_.~T();
-  }
+union Place {
+  T value;
 
-  template <class Find>
-  ISECT_INLINE const T& once(const Find& find) {
-    if (!known_) new (&value_) T(find());
-    known_ = true;
-    return value_;
+  Place() {}
+  ~Place() {}
+};
+
+/// One Value<W> for each W, those that were found.
+template <template <class> class Value, class... W>
+class FoundIn {
+ public:
+  FoundIn() = default;
+  FoundIn(const FoundIn&) {}  // a copy finds anew
+  FoundIn& operator=(const FoundIn&) = delete;
+  ~FoundIn() { (forget<W>(), ...); }
+
+  template <class V, class Find>
+  ISECT_INLINE const Value<V>& once(const Find& find) {
+    Value<V>& value = std::get<Place<Value<V>>>(places_).value;
+    if ((known_ & bit<V>) == 0) new (&value) Value<V>(find());
+    known_ |= bit<V>;
+    return value;
   }
 
  private:
-  bool known_ = false;
-  union {
-    T value_;
-  };
+  template <class V>
+  static constexpr unsigned bit = [] {
+    unsigned mine = 0, next = 1;
+    ((mine |= std::is_same_v<V, W> ? next : 0, next <<= 1), ...);
+    return mine;
+  }();
+  template <class V>
+  void forget() {
+    if constexpr (!std::is_trivially_destructible_v<Value<V>>)
+      if ((known_ & bit<V>) != 0) std::destroy_at(&std::get<Place<Value<V>>>(places_).value);
+  }
+
+  unsigned known_ = 0;
+  std::tuple<Place<Value<W>>...> places_;
 };
 }  // namespace detail
 
@@ -49,15 +69,12 @@ class FoundOnce {
     if constexpr (std::is_same_v<W, Recorded>)
       return find();
     else
-      return std::get<Found<W>>(found_).once(find);
+      return found_.template once<W>(find);
   }
 
  private:
-  template <class W>
-  using Found = detail::Found<Value<W>>;
-  mutable std::tuple<Found<Bounded<double>>, Found<Grid>, Found<CompensatedBy<false>>, Found<CompensatedBy<true>>,
-                     Found<ThreefoldBy<false>>, Found<ThreefoldBy<true>>, Found<Bounded<DoubleDouble>>,
-                     Found<ShortExact>, Found<MediumExact>, Found<Exact>>
+  mutable detail::FoundIn<Value, Bounded<double>, Grid, CompensatedBy<false>, CompensatedBy<true>, ThreefoldBy<false>,
+                          ThreefoldBy<true>, Bounded<DoubleDouble>, ShortExact, MediumExact, Exact>
       found_;
 };
 

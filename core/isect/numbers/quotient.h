@@ -145,13 +145,12 @@ template <class S, std::size_t K, class Text>
 
   const auto by = [&]<class W>() -> bool {
     const auto fine = text.template operator()<W>();
-    if (std::is_same_v<S, double> &&
-        known.learn(
-            fine, [](const W&, std::size_t) { return std::optional<int>(); },
-            [&](const W& num, const W& den, std::size_t i) -> Value {
-              if (!ordinary(*quick[i], num) || !ordinary(*quick[K], den)) return {};
-              return finite_only(quotient(num, den));
-            }))
+    if (std::is_same_v<S, double> && known.learn(
+                                         fine, [](const W&, std::size_t) { return std::optional<int>(); },
+                                         [&](const W& num, const W& den, std::size_t i) -> Value {
+                                           if (!ordinary(*quick[i], num) || !ordinary(*quick[K], den)) return {};
+                                           return finite_only(quotient(num, den));
+                                         }))
       return true;
 
     const auto grids = text.template operator()<Grid>();

@@ -5,7 +5,8 @@
 // long.
 //
 // Bound. Let s be the sum of the products' sizes and k the count of roundings, as in isect/numbers/bounded.h; k < 2^20.
-// Then |lo| <= k u s, |rest| <= 2 k^2 u^2 s and |truth - (hi + lo + rest)| <= 8 k^3 u^3 s, but for factors of 1 + O(k u):
+// Then |lo| <= k u s, |rest| <= 2 k^2 u^2 s and |truth - (hi + lo + rest)| <= 8 k^3 u^3 s, but for factors of 1 + O(k
+// u):
 //
 //   difference of doubles    k = 1: |lo| <= u |hi|, no rest, no error.
 //   sum                      rest: 2 k^2 u^2 s of the two, and (2 k + 1) u^2 s that two sums of lo leave; below
@@ -13,9 +14,9 @@
 //                            8 (k + 1)^3 for k > 0; for k = 0 nothing is rounded.
 //   product                  let K = j + k + 1. rest: 2 (j^2 + k^2) u^2 s s' of the two rests, j k of lo lo', and
 //                            3 (j + k) + 1 that the products and sums of lo leave; below 2 K^2. What is dropped,
-//                            lo rest' and rest lo', is 2 j k (j + k) u^3 s s'; the products round by j k + 2 j^2 + 2 k^2,
-//                            six sums by 2 K^2 each. With the two errors, 8 (j^3 + k^3), that is below 8 K^3 unless
-//                            j = k = 0, where nothing is rounded.
+//                            lo rest' and rest lo', is 2 j k (j + k) u^3 s s'; the products round by j k + 2 j^2 + 2
+//                            k^2, six sums by 2 K^2 each. With the two errors, 8 (j^3 + k^3), that is below 8 K^3
+//                            unless j = k = 0, where nothing is rounded.
 //
 // Nothing underflows where the grid of the whole is known, isect/numbers/grid.h: all terms that are exact are multiples
 // of theirs. Where something overflows, a part becomes NaN or infinite.

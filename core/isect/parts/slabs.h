@@ -59,7 +59,8 @@ Estimate<N> estimate(const Interval<S>& range, const Slabs& slabs) {
     const Bounded<double> rate = slabs.template rate<Bounded<double>>(i), lo = slabs.template lo<Bounded<double>>(i),
                           hi = slabs.template hi<Bounded<double>>(i);
     const double size = std::abs(rate.value()), inverse = 1 / rate.value();
-    const bool sound = 4 * rate.error() < size && 0x1p-1000 < size && size < 0x1p1000;  // else beside the slab, or nearly
+    const bool sound =
+        4 * rate.error() < size && 0x1p-1000 < size && size < 0x1p1000;  // else beside the slab, or nearly
 
     const double t1 = lo.value() * inverse, t2 = hi.value() * inverse;
     const double both = std::max(lo.error(), hi.error()) + (std::abs(t1) + std::abs(t2)) * rate.error();
