@@ -287,17 +287,28 @@ TEMPLATE_TEST_CASE_SIG("the first pass settles ordinary shapes, and is right abo
   CHECK(overlap > cases / 10);
 }
 
-TEST_CASE("the first pass takes no infinity or NaN for settled", "[triangle_aabb]") {
+TEST_CASE("the first pass leaves open what is too large, and nobody asks it about infinity or NaN", "[triangle_aabb]") {
   const Aabb<double, 3> box = {{-1, -1, -1}, {1, 1, 1}};
-  for (const double bad : {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
-                           std::numeric_limits<double>::quiet_NaN()})
-    for (int k = 0; k < 9; ++k) {
-      Triangle<double, 3> triangle = {
-          {Point<double, 3>(5, 5, 5), Point<double, 3>(6, 5, 5), Point<double, 3>(5, 6, 5)}};
-      CHECK(triangle_aabb::detail::first_pass(triangle, box).sign == 1);
-      triangle.vertices[k / 3][k % 3] = bad;
+  const Triangle<double, 3> beside = {
+      {Point<double, 3>(5, 5, 5), Point<double, 3>(6, 5, 5), Point<double, 3>(5, 6, 5)}};
+  const Triangle<double, 3> within = {
+      {Point<double, 3>(0, 0, 0), Point<double, 3>(0.5, 0, 0), Point<double, 3>(0, 0.5, 0)}};
+  CHECK(triangle_aabb::detail::first_pass(beside, box).sign == 1);
+  CHECK(triangle_aabb::detail::first_pass(within, box).sign == -1);
+  const double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+  for (int k = 0; k < 9; ++k) {
+    for (const double large : {1e300, -1e300}) {
+      Triangle<double, 3> triangle = beside;
+      triangle.vertices[k / 3][k % 3] = large;
       CHECK_FALSE(triangle_aabb::detail::first_pass(triangle, box).sign);
     }
+    for (const double bad : {infinity, -infinity, nan})
+      for (Triangle<double, 3> triangle : {beside, within}) {
+        triangle.vertices[k / 3][k % 3] = bad;
+        CHECK_FALSE(intersects(triangle, box));
+        CHECK(relate(triangle, box) == Relation::disjoint);
+      }
+  }
 }
 
 }  // namespace triangle_aabb_test

@@ -26,24 +26,25 @@ struct FirstPass {
   unsigned open = ~0u;      ///< bit i: axis i of all_axes may yet separate or touch
 };
 
-/// Any numbers; the box is not empty.
+/// Finite numbers; the box is not empty.
 ///
-/// Margin. With center c and half-lengths h as rounded, let q be the sum of all |c_i|, h_i, |v_i| for the vertices v
-/// from c, and f that of all components of edges. c is off by at most u q, h by u q, each v_i by 2 u q, each edge
-/// component by a relative u. So gaps along the box's normals are off by at most 5 u q, along products with an edge by
-/// 14 u f q, along the triangle's normal, whose components are off by 8 u f^2, by 60 u f^2 q: each term less than by
-/// the largest components, of which q and f are sums. Within the range asked for nothing overflows or underflows but
-/// what is negligible. Products that vanish say nothing; their components are exactly 0.
+/// Margin. With center c and half-lengths h as rounded, let v be the vertices from c, q the sum over the axes of |c_i|,
+/// h_i and the largest |v_i|, and f that of the triangle's extents, and 4 u q. c is off by at most u q, h by u q, each
+/// v_i by 2 u q, each edge component by a relative u. The extents of the rounded v are those of the triangle but for 2
+/// u q, so f is at least the sum of the components of any edge. So gaps along the box's normals are off by at most 5 u
+/// q, along products with an edge by 14 u f q, along the triangle's normal, whose components are at most f^2 / 2 and
+/// off by 8 u f^2, by 60 u f^2 q. As f >= 4 u q, nothing overflows or underflows but what is negligible within the
+/// range asked for. Products that vanish say nothing; their components are exactly 0.
 template <int N>
 FirstPass first_pass(const Triangle<double, N>& triangle, const Aabb<double, N>& box) {
   const Vector<double, N> center = 0.5 * (box.lo + box.hi), half = 0.5 * (box.hi - box.lo);
   std::array<Vector<double, N>, 3> v, edges;
-  double q = center.cwiseAbs().sum() + half.sum(), f = 0;
-  for (int k = 0; k < 3; ++k) {
+  for (int k = 0; k < 3; ++k)
     v[k] = triangle.vertices[k] - center, edges[k] = triangle.vertices[(k + 1) % 3] - triangle.vertices[k];
-    q += v[k].cwiseAbs().sum(), f += edges[k].cwiseAbs().sum();
-  }
-  if (!(0x1p-300 < f && q < 0x1p300)) return {};  // or NaN
+  const Vector<double, N> lo = v[0].cwiseMin(v[1]).cwiseMin(v[2]), hi = v[0].cwiseMax(v[1]).cwiseMax(v[2]);
+  const double q = center.cwiseAbs().sum() + half.sum() + hi.cwiseMax(-lo).sum(),
+               f = (hi - lo).sum() + 4 * unit<double> * q;
+  if (!(0x1p-300 < f && q < 0x1p300)) return {};
 
   unsigned open = 0;
   int place = 0;
@@ -53,10 +54,7 @@ FirstPass first_pass(const Triangle<double, N>& triangle, const Aabb<double, N>&
   };
   double widest = -q;
   const double margin = 8 * unit<double> * q;
-  for (int i = 0; i < N; ++i)
-    widest = std::max(widest, told(gap(std::min(std::min(v[0][i], v[1][i]), v[2][i]),
-                                       std::max(std::max(v[0][i], v[1][i]), v[2][i]), half[i]),
-                                   margin));
+  for (int i = 0; i < N; ++i) widest = std::max(widest, told(gap(lo[i], hi[i], half[i]), margin));
   if (widest > margin) return {1};
 
   if constexpr (N == 3) {
