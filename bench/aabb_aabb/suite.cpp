@@ -78,7 +78,9 @@ void measure(Session& session) {
                .test = "aabb-aabb, one box",
                .ours = "batch",
                .theirs = "Eigen",
-               .at_most = 0.06});
+               .at_most = 0.06,
+               .limit = "A box is 48 bytes, and one core reads 92 GB/s of those that its cache of the second level "
+                        "does not hold: that alone is 0.06 × Eigen."});
   for (const auto& drawn : aabb_aabb_draws<double>) compete<double>(session, drawn);
   for (const auto& drawn : aabb_aabb_draws<float>) compete<float>(session, drawn);
   one_box<double>(session);

@@ -34,20 +34,26 @@ struct Curves {
 }  // namespace
 
 void measure(Session& session) {
-  session.aim({.work = "building a hierarchy of 10^6 triangles",
-               .kind = Target::growth,
-               .test = "bvh",
-               .theirs = "Embree",
-               .n = 1e6,
-               .unit = "build",
-               .at_most = 1.2});
-  session.aim({.work = "closest hit among 10^6 triangles",
-               .kind = Target::growth,
-               .test = "bvh",
-               .theirs = "Embree",
-               .n = 1e6,
-               .unit = "query",
-               .at_most = 1.5});
+  session.aim(
+      {.work = "building a hierarchy of 10^6 triangles",
+       .kind = Target::growth,
+       .test = "bvh",
+       .theirs = "Embree",
+       .n = 1e6,
+       .unit = "build",
+       .at_most = 1.2,
+       .limit = "Boxes of doubles are binned, as any x86-64 can; Embree bins boxes of floats by AVX. Four fifths of it "
+                "are bins and splits."});
+  session.aim(
+      {.work = "closest hit among 10^6 triangles",
+       .kind = Target::growth,
+       .test = "bvh",
+       .theirs = "Embree",
+       .n = 1e6,
+       .unit = "query",
+       .at_most = 1.5,
+       .limit = "Embree asks eight boxes at a time and triangles of floats, by AVX, and errs at edges. Here it is four "
+                "boxes, as any x86-64 can, and triangles of doubles, 72 bytes each, settled by exact signs."});
   Curves plain("hierarchy"), prepared("exact");  // the latter is what many rays should ask
   Grown brute("bvh", "brute force", "query");
   const std::vector<Ray<double, 3>> rays = rays_inwards<double>(1 << 16), few(rays.begin(), rays.begin() + 64);

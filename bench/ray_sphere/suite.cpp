@@ -145,9 +145,25 @@ void one_ray(Session& session) {
 }  // namespace
 
 void measure(Session& session) {
-  session.aim({.work = "ray-sphere with t, ordinary rays", .test = "ray-sphere", .theirs = "naive", .at_most = 1.5});
-  session.aim({.work = "ray-sphere with t, 5 % hit", .test = "ray-sphere, 5 % hit", .theirs = "naive", .at_most = 1.5});
-  session.aim({.work = "ray-sphere with t, all hit", .test = "ray-sphere, all hit", .theirs = "naive", .at_most = 3});
+  const std::string refined =
+      "Doubles alone promise no t: the bounds of B and of the discriminant, 5 u and 32 u, are beyond 4 ulp by "
+      "themselves. A step of Newton with C(t) in two doubles makes good for it, in some 90 operations.";
+  session.aim({.work = "ray-sphere with t, ordinary rays",
+               .test = "ray-sphere",
+               .theirs = "naive",
+               .at_most = 1.5,
+               .limit = refined});
+  session.aim({.work = "ray-sphere with t, 5 % hit",
+               .test = "ray-sphere, 5 % hit",
+               .theirs = "naive",
+               .at_most = 1.5,
+               .limit = "95 of 100 rays miss. The naive discriminant takes 24 operations; Lagrange's, which does not "
+                        "cancel, takes 45 with its bound."});
+  session.aim({.work = "ray-sphere with t, all hit",
+               .test = "ray-sphere, all hit",
+               .theirs = "naive",
+               .at_most = 3,
+               .limit = refined});
   session.aim({.work = "ray-sphere with t, ordinary rays, float",
                .test = "ray-sphere",
                .theirs = "naive",
@@ -159,7 +175,9 @@ void measure(Session& session) {
                .test = "ray-sphere, one ray",
                .ours = "batch",
                .theirs = "naive",
-               .at_most = 0.04});
+               .at_most = 0.04,
+               .limit = "A sphere takes 0.57 ns even from the first cache, by vectors as wide as the machine has them; "
+                        "to read its 32 bytes alone, from where 65,536 spheres lie, would be 0.07 × naive."});
   for (const char* name : {"ordinary", "far-small", "planet", "near-tangent", "exact-tangent", "on-surface",
                            "direction-length", "zero-radius"}) {
     compete<double>(session, name);

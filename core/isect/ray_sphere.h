@@ -55,7 +55,7 @@ ISECT_INLINE RaySphere<S> intersect(const Ray<S, N>& ray, const Sphere<S, N>& sp
   if (!(sphere.radius >= 0)) return {};  // empty, or NaN
   const Ray<double, N>& wide = in_doubles(ray);
   const Sphere<double, N>& ball = in_doubles(sphere);
-  if constexpr (!small_code && std::is_same_v<S, double> && !heard<Trace>) {
+  if constexpr (!small_code && !heard<Trace>) {
     RaySphere<S> answer;
     if (!quick_answer(wide, ball, ray.range, answer)) [[unlikely]]
       answer = settled_step_by_step(wide, ball, ray.range, trace);

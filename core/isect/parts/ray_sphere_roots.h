@@ -188,14 +188,15 @@ std::optional<Interval<double>> roots(const Ray<double, N>& ray, const Sphere<do
 template <int N>
 struct Plain {
   Offset<double, N> f;
-  double a, b, rr, reach, arr, cross;  ///< reach: f.f + r^2
+  double a, b, ff, rr, reach, arr, cross;  ///< reach: f.f + r^2
 
   ISECT_INLINE Plain(const Ray<double, N>& ray, const Sphere<double, N>& sphere)
       : f(from_center<double>(ray, sphere)),
         a(dot<double, N>(ray.direction, ray.direction)),
         b(dot<double, N>(f, ray.direction)),
+        ff(dot<double, N>(f, f)),
         rr(sphere.radius * sphere.radius),
-        reach(dot<double, N>(f, f) + rr),
+        reach(ff + rr),
         arr(a * rr),
         cross(cross_squared<double, N>(f, ray.direction)) {}
 
@@ -289,6 +290,18 @@ std::optional<Interval<double>> roots(const Ray<double, N>& ray, const Sphere<do
   return t ? std::optional(Interval<double>{*t, *t}) : std::nullopt;
 }
 
+/// As `roots`, of what doubles have made already: exact enough for floats. D is off by 32 u H at most here, too.
+template <int N>
+ISECT_INLINE std::optional<Interval<double>> plain_roots(const Plain<N>& plain, double tolerance) {
+  constexpr double u = unit<double>;
+  const double c = plain.ff - plain.rr, discriminant = plain.arr - plain.cross, size = plain.a * plain.reach;
+  const double s = std::sqrt(discriminant), q = std::abs(plain.b) + s, far = q / plain.a, near = c / q;
+  const bool safe = in_range<double>(plain.a) & in_range<double>(plain.reach) & (discriminant >= 2048 * u * size) &
+                    (s * q * tolerance >= 33 * u * size) & (std::abs(c) * tolerance >= 8 * u * plain.reach);
+  if (!safe) return {};
+  return plain.b < 0 ? Interval<double>{near, far} : Interval<double>{-far, -near};
+}
+
 /// The roots of a line that has two, for ordinary rays.
 template <class S, int N>
 ISECT_INLINE std::optional<Interval<double>> quick_roots(const Ray<double, N>& ray, const Sphere<double, N>& sphere) {
@@ -334,11 +347,14 @@ ISECT_INLINE bool quick_answer(const Ray<double, N>& ray, const Sphere<double, N
   const Plain<N> plain(ray, sphere);
   const int meets = plain.meets();
   if (meets <= 0) return meets < 0;
-  const std::optional<Interval<double>> t = ordinary_roots(ray, sphere, plain);
+  constexpr bool is_float = std::is_same_v<S, float>;
+  const std::optional<Interval<double>> t =
+      is_float ? plain_roots(plain, tolerance<S>) : ordinary_roots(ray, sphere, plain);
   if (!t) return false;
 
   bool certain = true;
-  const double near_lo = 0x1p-50 * std::abs(t->lo), near_hi = 0x1p-50 * std::abs(t->hi);
+  constexpr double near = is_float ? 2 * tolerance<S> : 0x1p-50;
+  const double near_lo = near * std::abs(t->lo), near_hi = near * std::abs(t->hi);
   const auto among = [&](double e) -> AmongRoots {
     certain &= (std::abs(e - t->lo) > near_lo) & (std::abs(e - t->hi) > near_hi);
     return static_cast<AmongRoots>(2 * ((e > t->lo) + (e > t->hi)));
