@@ -302,13 +302,14 @@ ISECT_INLINE std::optional<Interval<double>> plain_roots(const Plain<N>& plain, 
   return plain.b < 0 ? Interval<double>{near, far} : Interval<double>{-far, -near};
 }
 
-/// The roots of a line that has two, for ordinary rays.
+/// The roots of a line that has two, for ordinary rays, by what doubles have made of it.
 template <class S, int N>
-ISECT_INLINE std::optional<Interval<double>> quick_roots(const Ray<double, N>& ray, const Sphere<double, N>& sphere) {
+ISECT_INLINE std::optional<Interval<double>> quick_roots(const Ray<double, N>& ray, const Sphere<double, N>& sphere,
+                                                         const Plain<N>& plain) {
   if constexpr (std::is_same_v<S, float>)
-    return roots<double>(ray, sphere, tolerance<S>);
+    return plain_roots(plain, tolerance<S>);
   else
-    return ordinary_roots(ray, sphere, Plain<N>(ray, sphere));
+    return ordinary_roots(ray, sphere, plain);
 }
 
 /// The answer for the part of the line that the range holds.
@@ -347,13 +348,11 @@ ISECT_INLINE bool quick_answer(const Ray<double, N>& ray, const Sphere<double, N
   const Plain<N> plain(ray, sphere);
   const int meets = plain.meets();
   if (meets <= 0) return meets < 0;
-  constexpr bool is_float = std::is_same_v<S, float>;
-  const std::optional<Interval<double>> t =
-      is_float ? plain_roots(plain, tolerance<S>) : ordinary_roots(ray, sphere, plain);
+  const std::optional<Interval<double>> t = quick_roots<S>(ray, sphere, plain);
   if (!t) return false;
 
   bool certain = true;
-  constexpr double near = is_float ? 2 * tolerance<S> : 0x1p-50;
+  constexpr double near = std::is_same_v<S, float> ? 2 * tolerance<S> : 0x1p-50;
   const double near_lo = near * std::abs(t->lo), near_hi = near * std::abs(t->hi);
   const auto among = [&](double e) -> AmongRoots {
     certain &= (std::abs(e - t->lo) > near_lo) & (std::abs(e - t->hi) > near_hi);

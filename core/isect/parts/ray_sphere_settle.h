@@ -43,7 +43,7 @@ template <class V, class S, int N>
 std::optional<Interval<double>> roots_by(const Ray<double, N>& ray, const Sphere<double, N>& sphere, int count) {
   if constexpr (std::is_same_v<V, Compensated>) {
     if (count == 1) return roots<DoubleDouble>(ray, sphere, tolerance<S>, count);
-    return ordinary_roots(ray, sphere, Plain<N>(ray, sphere));
+    return quick_roots<S>(ray, sphere, Plain<N>(ray, sphere));
   } else {
     return roots<V>(ray, sphere, tolerance<S>, count);
   }
@@ -119,7 +119,7 @@ RaySphere<S> step_by_step(const Ray<double, N>& ray, const Sphere<double, N>& sp
   const std::optional<Verdict> verdict = decide<double>(ray, sphere, trace);
   if (verdict) {
     if (verdict->line_roots == 0) return {};
-    if (const std::optional<Interval<double>> t = quick_roots<S>(ray, sphere)) {
+    if (const std::optional<Interval<double>> t = quick_roots<S>(ray, sphere, Plain<N>(ray, sphere))) {
       trace(Values{*t});
       return report(range, *verdict, *t);
     }
