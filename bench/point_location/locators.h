@@ -53,9 +53,11 @@ inline std::unique_ptr<Triangulation> make_cgal(const Ring<double, 2>& ring) {
   auto t = std::make_unique<Triangulation>();
   std::vector<Kernel::Point_2> points;
   for (const Point<double, 2>& v : ring) points.emplace_back(v[0], v[1]);
-  t->insert(points.begin(), points.end());  // in an order of its own, along a curve
-  for (std::size_t i = 0; i < points.size(); ++i)
-    t->insert_constraint(points[i], points[i + 1 < points.size() ? i + 1 : 0]);
+  t->insert(points.begin(), points.end());             // in an order of its own, along a curve
+  std::vector<Triangulation::Vertex_handle> vertices;  // by the hierarchy; from points a constraint would walk to them
+  for (const Kernel::Point_2& p : points) vertices.push_back(t->insert(p));
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    t->insert_constraint(vertices[i], vertices[i + 1 < vertices.size() ? i + 1 : 0]);
 
   for (auto f = t->all_faces_begin(); f != t->all_faces_end(); ++f) f->info() = -1;
   std::deque<Triangulation::Face_handle> next = {t->infinite_face()};

@@ -7,6 +7,7 @@
 
 #include <isect/sphere_aabb_methods.h>
 #include "bench/ordinary_shapes.h"
+#include "bench/prose.h"
 #include "bench/rows.h"
 #include "lessons/rules_of_thumb/experiment.h"
 #include "lessons/shared/script.h"
@@ -71,10 +72,10 @@ class Measuring {
     for (const Method& m : methods_) script_.value(m.name + ", time", m.ns, "ns", Role::first);
     Step& step =
         show("before", "What the clock says", 1,
-             fmt::format("Times as measured on {}, as shares of the first.\nThat machine was busy: a loop took up to "
-                         "{} % longer than its least.",
+             fmt::format("Times as measured on {}, as shares of the first.\nThere the same loop takes up to {} longer "
+                         "than its least.",
                          speed_against_error_lesson::results().machine.cpu,
-                         percent(speed_against_error_lesson::results().machine.noise)),
+                         bench::share(speed_against_error_lesson::results().machine.noise, 1)),
              bars(true));
     step.question = question();
     show("how", "Counts are not times", 2, farthest(), bars(true));

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <isect/orient.h>
+#include "bench/prose.h"
 #include "bench/rational.h"
 #include "bench/rows.h"
 #include "lessons/lessons.h"
@@ -133,6 +134,14 @@ TEST_CASE("the chart of times is that of the measurements", "[rules-of-thumb les
     if (s.slug != viz::closing_slug)
       CHECK_THAT(s.source, isect::test::Contains(lessons::speed_against_error_lesson::results().machine.cpu));
   }
+}
+
+TEST_CASE("the noise of the measurements is told, however small it is", "[rules-of-thumb lesson]") {
+  const viz::Walk walk = walk_of("7-measure");
+  const std::string& caption = walk.steps.at(1).caption;
+  const std::string noise = bench::share(lessons::speed_against_error_lesson::results().machine.noise, 1);
+  CHECK_THAT(caption, isect::test::Contains("up to " + noise + " longer"));
+  CHECK_FALSE(noise.starts_with("0 "));
 }
 
 TEST_CASE("the rounded sign errs as often as the lesson says", "[rules-of-thumb lesson]") {
