@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <variant>
 
 #include <isect/numbers/filter.h>
@@ -53,9 +54,9 @@ using Offset = std::array<W, N>;
 
 template <Arithmetic W, int N>
 ISECT_INLINE Offset<W, N> from_center(const Ray<double, N>& ray, const Sphere<double, N>& sphere) {
-  Offset<W, N> f;
-  for (int i = 0; i < N; ++i) f[i] = difference<W>(ray.origin[i], sphere.center[i]);
-  return f;
+  return [&]<int... i>(std::integer_sequence<int, i...>) {  // no loop, which GCC would vectorise by way of memory
+    return Offset<W, N>{difference<W>(ray.origin[i], sphere.center[i])...};
+  }(std::make_integer_sequence<int, N>());
 }
 
 /// x.y
