@@ -56,7 +56,8 @@ template <Arithmetic W, int N>
 ISECT_INLINE Offset<W, N> from_center(const Ray<double, N>& ray, const Sphere<double, N>& sphere) {
   return [&]<int... i>(std::integer_sequence<int, i...>) {  // no loop, which GCC would vectorise by way of memory
     return Offset<W, N>{difference<W>(ray.origin[i], sphere.center[i])...};
-  }(std::make_integer_sequence<int, N>());
+  }
+  (std::make_integer_sequence<int, N>());
 }
 
 /// x.y
