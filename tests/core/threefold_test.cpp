@@ -159,12 +159,12 @@ TEST_CASE("signs and quotient come together as they do alone", "[threefold]") {
     const Ratio<Exact> truth = text.operator()<Exact>();
     REQUIRE(both.num == truth.num.sign());
     REQUIRE(both.den == truth.den.sign());
-    REQUIRE(both.value.has_value() == (both.den != 0));
+    REQUIRE(both.value.has_value() == (!small_code && both.den != 0));  // small code finds it by itself
     if (both.value) REQUIRE(*both.value == value_of<double>(text));
     zeros += both.num == 0, found += both.value.has_value();
   }
   CHECK(zeros > 100);
-  CHECK(found > 10000);
+  CHECK((small_code || found > 10000));
 }
 
 }  // namespace threefold_test
