@@ -248,6 +248,10 @@ Measured measured_of(std::vector<Report> reports) {
   };
   std::optional<Report> portable = taken("portable");
   if (!portable) throw std::runtime_error("none of the reports is of the portable build");
+  for (const auto& [build, r] : builds)
+    if (build != "portable" && build != "native" && build != "peers")
+      throw std::runtime_error(
+          fmt::format("a report is of the build \"{}\"; known are portable, native and peers", build));
   return {std::move(*portable), taken("native"), taken("peers")};
 }
 

@@ -419,6 +419,7 @@ TEST_CASE("reports are sorted by their build", "[report_text]") {
   CHECK(m.peers.has_value());
   CHECK_FALSE(m.native.has_value());
   CHECK_THROWS_AS(measured_of({report("native", 1)}), std::runtime_error);
+  CHECK_THROWS_WITH(measured_of({report("portable", 1), report("other", 1)}), Contains("build \"other\""));
   CHECK_THROWS_AS(measured_of({report("portable", 1), report("portable", 1)}), std::runtime_error);
   CHECK_THROWS_AS(measured_of({report("portable", 1), report("peers", 1), report("peers", 1)}), std::runtime_error);
 }

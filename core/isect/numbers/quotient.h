@@ -163,7 +163,6 @@ template <class S, std::size_t K, class Text>
             }))
       return true;
 
-    const auto in_range = [&](std::size_t i) { return 0x1p-800 < quick[i]->size() && quick[i]->size() < 0x1p900; };
     const auto learn_from = [&]<class T>(const auto& ratios, const T&) -> bool {
       const auto bounded = [&](const T& x, std::size_t i) {
         return Bounded<T>(x, quick[i]->size(), quick[i]->roundings());
@@ -171,10 +170,10 @@ template <class S, std::size_t K, class Text>
       return known.learn(
           ratios,
           [&](const T& x, std::size_t i) {
-            return in_range(i) ? sign_on_grid(bounded(x, i), grid[i]->step()) : std::nullopt;
+            return in_range(*quick[i]) ? sign_on_grid(bounded(x, i), grid[i]->step()) : std::nullopt;
           },
           [&](const T& num, const T& den, std::size_t i) -> Value {
-            if (!in_range(i) || !in_range(K)) return {};
+            if (!in_range(*quick[i]) || !in_range(*quick[K])) return {};
             if (!bounded(num, i).within(tolerance) || !bounded(den, K).within(tolerance)) return {};
             return finite_only(quotient(in_two(num), in_two(den)));
           });

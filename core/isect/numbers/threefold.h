@@ -5,8 +5,8 @@
 // long.
 //
 // Bound. Let s be the sum of the products' sizes and k the count of roundings, as in isect/numbers/bounded.h; k < 2^20.
-// Then |lo| <= k u s, |rest| <= 2 k^2 u^2 s and |truth - (hi + lo + rest)| <= 8 k^3 u^3 s, but for factors of 1 + O(k
-// u):
+// Then |lo| <= k u s, |rest| <= 2 k^2 u^2 s and |truth - (hi + lo + rest)| <= 8 k^3 u^3 s, but for factors
+// near 1:
 //
 //   difference of doubles    k = 1: |lo| <= u |hi|, no rest, no error.
 //   sum                      rest: 2 k^2 u^2 s of the two, and (2 k + 1) u^2 s that two sums of lo leave; below
@@ -91,7 +91,7 @@ ISECT_INLINE ThreefoldBy<fused> operator*(const ThreefoldBy<fused>& x, const Thr
   return {p.hi, d.hi, plus(plus(plus(plus(second, a.lo), b.lo), c.lo), d.lo)};
 }
 
-/// hi + lo + rest in two doubles, within u (|lo| + |rest|) u of it.
+/// hi + lo + rest in two doubles, within u^2 (|lo| + |rest|) of it.
 template <bool fused>
 inline DoubleDouble in_two(const ThreefoldBy<fused>& x) {
   const DoubleDouble a = two_sum(x.lo, x.rest), b = two_sum(x.hi, a.hi), c = two_sum(b.lo, a.lo);
