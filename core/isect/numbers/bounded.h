@@ -131,6 +131,6 @@ concept Filtered = std::same_as<W, Bounded<double>> || std::same_as<W, Grid> || 
 
 /// x - y of two doubles.
 template <Filtered W>
-requires(!Arithmetic<W>) W difference(double x, double y) { return W::difference(x, y); }
+requires(!Arithmetic<W>) ISECT_INLINE W difference(double x, double y) { return W::difference(x, y); }
 
 }  // namespace isect
