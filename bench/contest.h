@@ -179,11 +179,13 @@ class Contest {
     return *entrants_.back();
   }
 
-  /// Times and judges every entrant, and adds their rows to the session.
+  /// Times and judges every entrant, as far as the session's effort goes, and adds their rows to the session.
   void run() {
     const std::vector<std::vector<double>> times = timed();
     judge_all();
-    for (std::size_t k = 0; k < entrants_.size(); ++k) session_.found.rows.push_back(row(*entrants_[k], times[k]));
+    for (std::size_t k = 0; k < entrants_.size(); ++k)
+      if (session_.effort.timed() || entrants_[k]->is_exact)
+        session_.found.rows.push_back(row(*entrants_[k], times[k]));
   }
 
  private:
@@ -223,17 +225,20 @@ class Contest {
     for (std::size_t i = 0; i < count; ++i) truths_.push_back(family_.truth(cases_[i]));
   }
 
-  Row row(const Entrant<Case>& entrant, std::vector<double> times) const {
-    const Distribution passes(std::move(times));
-    Row r;
-    r.test = family_.test, r.method = entrant.name, r.library = entrant.library;
-    r.scalar = family_.scalar, r.family = family_.name;
-    r.hard = family_.hard, r.exact = entrant.is_exact, r.standard = entrant.is_standard;
+  void clock(const Entrant<Case>& entrant, const Distribution& passes, Row& r) const {
     r.ns = passes.quantile(0), r.median = passes.quantile(0.5);
     const Range interval = median_interval(passes.sorted);
     r.lo = interval.lo, r.hi = interval.hi;
     if (!family_.hard && entrant.pass_in_turn) r.latency = latency(entrant);
     r.spread = (passes.quantile(0.75) - passes.quantile(0.25)) / r.median;
+  }
+
+  Row row(const Entrant<Case>& entrant, std::vector<double> times) const {
+    Row r;
+    r.test = family_.test, r.method = entrant.name, r.library = entrant.library;
+    r.scalar = family_.scalar, r.family = family_.name;
+    r.hard = family_.hard, r.exact = entrant.is_exact, r.standard = entrant.is_standard;
+    if (!times.empty()) clock(entrant, Distribution(std::move(times)), r);
     r.cases = static_cast<long>(cases_.size()), r.judged = static_cast<long>(truths_.size());
     judge(entrant, r);
     if (entrant.falls_back) {

@@ -23,7 +23,7 @@ Report measured(const Effort& effort, unsigned long long seed) {
   session.found.machine = this_machine(ISECT_FLAGS, ISECT_BUILD);
   session.found.machine.commit = commit;
   measure(session);
-  session.found.machine.noise = std::max(session.found.machine.noise, noise());
+  if (effort.timed()) session.found.machine.noise = std::max(session.found.machine.noise, noise());
   return std::move(session.found);
 }
 
@@ -37,12 +37,14 @@ int main(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     if (std::strcmp(argv[i], "--quick") == 0)
       effort = Effort::quick();
+    else if (std::strcmp(argv[i], "--verdicts") == 0)
+      effort = Effort::verdicts();
     else if (std::strcmp(argv[i], "--seed") == 0 && i + 1 < argc)
       seed = std::strtoull(argv[++i], nullptr, 10);
     else if (std::strcmp(argv[i], "--commit") == 0)
       return std::printf("%s\n", commit) < 0 ? 4 : 0;
     else
-      return std::fprintf(stderr, "usage: %s [--quick] [--seed N], or --commit\n", argv[0]), 2;
+      return std::fprintf(stderr, "usage: %s [--quick | --verdicts] [--seed N], or --commit\n", argv[0]), 2;
   }
   try {
     const std::string text = json(measured(effort, seed));

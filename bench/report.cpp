@@ -123,7 +123,8 @@ Duty duty(const Json& o) {
 Json value(const Note& n) { return {{"test", n.test}, {"family", n.family}, {"text", n.text}}; }
 Note note(const Json& o) { return {o.at("test"), o.at("family"), o.at("text")}; }
 
-constexpr const char* kinds[] = {"ratio", "growth", "time", "wrong", "ulps"};  // as Target::Kind counts them
+constexpr const char* kinds[] = {"ratio", "growth", "time", "wrong",
+                                 "ulps",  "hard",   "touch"};  // as Target::Kind counts them
 
 Json value(const Target& t) {
   Json o = {{"work", t.work},     {"kind", kinds[t.kind]}, {"test", t.test}, {"ours", t.ours},

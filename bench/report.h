@@ -86,7 +86,9 @@ struct Target {
     growth,  ///< the same at `n` elements
     time,    ///< ours in ns, at `n` elements
     wrong,   ///< wrong verdicts of ours, all families together
-    ulps     ///< greatest error of ours, all families together
+    ulps,    ///< greatest error of ours, all families together
+    hard,    ///< ours / naive where that is greatest: over all hard families, in double and float
+    touch    ///< ours where shapes touch exactly, as of integers or tenths, / ours on the ordinary family; likewise
   };
   std::string work;  ///< what is done, for the table
   Kind kind = ratio;

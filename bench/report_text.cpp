@@ -255,7 +255,7 @@ Measured measured_of(std::vector<Report> reports) {
   return {std::move(*portable), taken("native"), taken("peers")};
 }
 
-Publication publication(const Measured& m) {
+Publication publication(const Measured& m, const std::optional<Proof>& proof) {
   Figures figures;
   Report growing = m.peers ? *m.peers : m.portable;
   const std::vector<Growth> beside_others = growing.growths;
@@ -268,7 +268,8 @@ Publication publication(const Measured& m) {
   text += growths(growing, figures);
   text += pictures(figures);
   text += duties(m.portable, figures);
-  text += target_text(m) + loss_text(m) + reading() + families(m.portable) + ending();
+  text +=
+      target_text(m) + loss_text(m) + (proof ? proof_text(*proof) : "") + reading() + families(m.portable) + ending();
   return {text, std::move(figures.files)};
 }
 
@@ -338,7 +339,9 @@ void publish(const Measured& m, const std::string& folder) {
   const std::string pictures = folder + "/report", results = folder + "/results.json", text = folder + "/REPORT.md";
   if (!are_results_of_ours(results)) not_ours(results);
   if (!is_text_of_ours(text)) not_ours(text);
-  const Publication p = publication(m);
+  std::optional<Proof> proof;
+  if (const std::string file = folder + "/proof.json"; viz::is_there(file)) proof = proof_of(viz::read_file(file));
+  const Publication p = publication(m, proof);
   std::set<std::string> named;
   for (const auto& [name, bytes] : p.files) {
     const std::string file = pictures + '/' + name;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bench/plots.h"
+#include "bench/proof.h"
 #include "bench/report.h"
 
 namespace isect::bench {
@@ -25,7 +26,7 @@ struct Publication {
   std::string text;
   std::vector<std::pair<std::string, std::string>> files;  ///< name in the folder report/, bytes
 };
-Publication publication(const Measured&);
+Publication publication(const Measured&, const std::optional<Proof>& = {});
 
 // Its parts.
 std::string machine_text(const Measured&);
@@ -51,7 +52,8 @@ void require_one_commit(const std::vector<Machine>&);
 /// Throws std::runtime_error that says which run can't be published and why: besides those, a quick one.
 void require_publishable(const Measured&);
 
-/// Writes REPORT.md, report/* and results.json into `folder`; figures of an earlier report go. Throws viz::FileError,
+/// Writes REPORT.md, report/* and results.json into `folder`; figures of an earlier report go. The long proof is told
+/// if the folder has one, proof.json. Throws viz::FileError,
 /// and std::runtime_error where a run is not publishable.
 void publish(const Measured&, const std::string& folder);
 

@@ -17,6 +17,9 @@ struct Effort {
   double seconds = 0.06;  ///< aimed at for all passes of one method
   bool all_sizes = true;  ///< growth up to a million
   static Effort quick() { return {1 << 16, 1 << 10, 2, 7, 0.008, false}; }
+  /// Nothing is timed, and only what promises to be exact is judged.
+  static Effort verdicts() { return {1 << 16, 1 << 16, 0, 0, 0, false}; }
+  bool timed() const { return most_passes > 0; }
 };
 
 class Session {
@@ -27,6 +30,16 @@ class Session {
 
   /// What this suite set out to reach; the report says what came of it.
   void aim(Target target) { found.targets.push_back(std::move(target)); }
+  /// What every test set out to reach where input is hard; `limit` is that of the worst family.
+  void aim_on_hard_input(const std::string& test, std::string limit = {}) {
+    aim({.work = test + ", worst family",
+         .kind = Target::hard,
+         .test = test,
+         .theirs = "naive",
+         .at_most = 30,
+         .limit = std::move(limit)});
+    aim({.work = test + ", exact touch", .kind = Target::touch, .test = test, .theirs = "ordinary", .at_most = 10});
+  }
 
   const Effort effort;
   const unsigned long long seed;

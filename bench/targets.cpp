@@ -55,6 +55,33 @@ std::optional<double> worst(const Target& t, const Report& report) {
   return sum;
 }
 
+/// Whether the shapes of a family are of integers or tenths, as users type them, and touch exactly.
+bool touches(const std::string& family) {
+  constexpr const char* names[] = {"touching",   "exact-touch", "exact-tangent", "grid",
+                                   "grid touch", "decimal",     "decimal touch"};
+  return std::ranges::find(names, family) != std::end(names);
+}
+
+/// A ratio of ours on one family.
+struct OnFamily {
+  double value;
+  const Row* row;
+};
+/// The greatest over the families that the target is about, in both scalars.
+std::optional<OnFamily> hardest(const Target& t, const Report& report) {
+  std::optional<OnFamily> most;
+  for (const Row& r : report.rows) {
+    if (r.test != t.test || r.library != "isect" || r.method != t.ours || !r.hard) continue;
+    if (t.kind == Target::touch && !touches(r.family)) continue;
+    for (const Row* other : rows_of(report, t.test, r.scalar, t.kind == Target::touch ? "ordinary" : r.family)) {
+      const bool meant = t.kind == Target::touch ? other->method == t.ours : other->standard;
+      if (!meant || !(other->median > 0)) continue;
+      if (const double value = r.median / other->median; !most || value > most->value) most = {value, &r};
+    }
+  }
+  return most;
+}
+
 }  // namespace
 
 std::optional<double> measured(const Target& t, const Report& report) {
@@ -69,6 +96,11 @@ std::optional<double> measured(const Target& t, const Report& report) {
     }
     case Target::time:
       return at(t, report, t.ours, true);
+    case Target::hard:
+    case Target::touch: {
+      const auto found = hardest(t, report);
+      return found ? std::optional<double>(found->value) : std::nullopt;
+    }
     case Target::wrong:
     case Target::ulps:
       break;
@@ -79,6 +111,9 @@ std::optional<double> measured(const Target& t, const Report& report) {
 std::string told(const Target& t, const Report& report) {
   const std::optional<double> value = measured(t, report);
   if (!value) return {};
+  if (const auto on = hardest(t, report); on && (t.kind == Target::hard || t.kind == Target::touch))
+    return fmt::format("{} ({}{})", ratio_text(*value), on->row->scalar == "float" ? "float, " : "",
+                       words(on->row->family));
   if (t.kind != Target::ratio) return number(*value);
   const Ratio found = *ratio(t, report);
   return with_interval(found.value, found.lo, found.hi);

@@ -38,6 +38,9 @@ void compete(Session& session, const NamedDraw<Case<S>>& drawn) {
 }  // namespace
 
 void measure(Session& session) {
+  session.aim_on_hard_input("capsule-capsule",
+                            "Integers touch where a polynomial of degree 6 is 0, and it takes up to 255 bits to know: "
+                            "7,200 instructions, with no function that takes more than a seventh of them.");
   session.aim(
       {.work = "capsule-capsule: wrong verdicts", .kind = Target::wrong, .test = "capsule-capsule", .at_most = 0});
   for (const auto& drawn : capsule_capsule_draws<double>) compete<double>(session, drawn);

@@ -142,6 +142,7 @@ void measure(Session& session) {
                .n = 1e6,
                .unit = "query",
                .at_most = 60});
+  session.aim_on_hard_input("convex-polygon");
   compete_all<double>(session);
   compete_all<float>(session);
   using polygon_families::anywhere, polygon_families::near_edge;

@@ -35,6 +35,7 @@ void compete(Session& session, const NamedDraw<Intervals<S>>& drawn) {
 }  // namespace
 
 void measure(Session& session) {
+  session.aim_on_hard_input("interval-interval");
   for (const auto& drawn : interval_draws<double>) compete<double>(session, drawn);
   for (const auto& drawn : interval_draws<float>) compete<float>(session, drawn);
 }

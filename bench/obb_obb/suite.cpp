@@ -49,6 +49,7 @@ void measure(Session& session) {
                .limit = "A fifth of the time finds how far the axes are from orthonormal, which Bullet takes for "
                         "granted: without that it would be 1.04 × Bullet, in double."});
   session.aim({.work = "OBB-OBB: wrong verdicts", .kind = Target::wrong, .test = "obb-obb", .at_most = 0});
+  session.aim_on_hard_input("obb-obb");
   for (const auto& drawn : obb_obb_draws<double>) compete<double>(session, drawn);
   for (const auto& drawn : obb_obb_draws<float>) compete<float>(session, drawn);
 }

@@ -58,6 +58,7 @@ void compete(Session& session, const NamedDraw<OrientCase<S>>& family) {
 }  // namespace
 
 void measure(Session& session) {
+  session.aim_on_hard_input("orient2d");
   for (const auto& family : orient2d_draws<double>) compete<double>(session, family);
   for (const auto& family : orient2d_draws<float>) compete<float>(session, family);
 }

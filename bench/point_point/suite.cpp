@@ -70,6 +70,8 @@ void measure_all(Session& session) {
 }  // namespace
 
 void measure(Session& session) {
+  session.aim_on_hard_input("point-point");
+  session.aim_on_hard_input("point-point, within a tolerance");
   measure_all<double>(session);
   measure_all<float>(session);
 }

@@ -125,6 +125,7 @@ void measure(Session& session) {
                .limit =
                    "From 8 to 24 vertices take the same time, 18 to 20 ns: it is the call's beginning and end, where "
                    "instructions are chosen and crossings counted."});
+  session.aim_on_hard_input("point-polygon");
   for (const auto& [n, written] : {std::pair(1e2, "100"), std::pair(1e4, "10^4"), std::pair(1e6, "10^6")})
     session.aim(
         {.work = std::string("point in polygon, ") + written + " vertices",

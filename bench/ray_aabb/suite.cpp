@@ -56,6 +56,7 @@ void compete(Session& session, const NamedDraw<Case<S>>& drawn) {
 }  // namespace
 
 void measure(Session& session) {
+  session.aim_on_hard_input("ray-aabb");
   for (const auto& drawn : ray_aabb_draws<double>) compete<double>(session, drawn);
   for (const auto& drawn : ray_aabb_draws<float>) compete<float>(session, drawn);
 }

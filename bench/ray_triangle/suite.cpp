@@ -83,6 +83,7 @@ void shared_edge(Session& session) {
 
 void measure(Session& session) {
   session.aim({.work = "ray-triangle with t", .test = "ray-triangle", .theirs = "naive", .at_most = 1.3});
+  session.aim_on_hard_input("ray-triangle");
   for (const auto& drawn : ray_triangle_draws<double>) compete<double>(session, drawn);
   for (const auto& drawn : ray_triangle_draws<float>) compete<float>(session, drawn);
   shared_edge<double>(session);

@@ -45,6 +45,7 @@ void measure(Session& session) {
                .at_most = 0.15,
                .limit = "The clamp alone takes 0.07 × CGAL. As much again goes into the proof that rounding can't have "
                         "decided, and that neither ball nor box is empty or infinite."});
+  session.aim_on_hard_input("sphere-aabb");
   for (const auto& drawn : sphere_aabb_draws<double>) compete<double>(session, drawn);
   for (const auto& drawn : sphere_aabb_draws<float>) compete<float>(session, drawn);
 }

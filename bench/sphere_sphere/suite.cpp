@@ -68,6 +68,10 @@ void measure(Session& session) {
                .limit =
                    "The naive test is 11 operations. That rounding can't have decided takes six more, that no ball "
                    "is empty two."});
+  session.aim_on_hard_input("sphere-sphere",
+                            "The naive test is 11 operations. Of tenths that touch, all need two doubles and some "
+                            "three: 490 instructions.");
+  session.aim_on_hard_input("sphere-sphere relation");
   measure_all<double>(session);
   measure_all<float>(session);
 }

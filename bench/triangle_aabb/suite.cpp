@@ -46,6 +46,7 @@ void measure(Session& session) {
                .theirs = "naive",
                .at_most = 0.5,
                .limit = "A quarter of the time is the margin, and which of 13 axes it leaves open."});
+  session.aim_on_hard_input("triangle-aabb");
   for (const auto& drawn : triangle_aabb_draws<double>) compete<double>(session, drawn);
   for (const auto& drawn : triangle_aabb_draws<float>) compete<float>(session, drawn);
 }

@@ -73,6 +73,30 @@ TEST_CASE("a method that always says yes is wrong wherever the truth is no, and 
   CHECK_FALSE(yes.ulps);  // it told no value
 }
 
+TEST_CASE("for verdicts alone nothing is timed, and only what promises to be exact is judged", "[contest]") {
+  Effort effort = Effort::verdicts();
+  effort.cases = 2000, effort.judged = 500;
+  Session session(effort, 1);
+  Contest<double, Case> contest(session, family());
+  std::vector<bool> batch;
+  contest.enter("no", [](const Case&) { return false; });
+  contest.enter("exact", [](const Case&) { return false; }).exact();
+  contest
+      .enter_pass(
+          "batch",
+          [&] {
+            for (const Case& c : contest.cases()) batch.push_back(c.x >= 0.5);
+          },
+          [&](std::size_t i) { return said(static_cast<bool>(batch[i])); })
+      .exact();
+  contest.run();
+  REQUIRE(session.found.rows.size() == 2);
+  const Row &wrong = session.found.rows[0], &right = session.found.rows[1];
+  CHECK((wrong.method == "exact" && wrong.judged == 500 && wrong.wrong() > 100 && wrong.median == 0));
+  CHECK((right.method == "batch" && right.judged == 500 && right.wrong() == 0 && !right.latency));
+  CHECK(batch.size() == 2000);  // one pass
+}
+
 TEST_CASE("signs count as wrong when they differ, zero as no", "[contest]") {
   CaseFamily<Case> signs = family();
   signs.truth = [](const Case& c) -> Truth { return {c.x < 0.25 ? -1 : c.x < 0.5 ? 0 : 1, {}}; };

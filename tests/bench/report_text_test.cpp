@@ -7,6 +7,7 @@
 
 #include "bench/prose.h"
 #include "bench/rows.h"
+#include "bench/session.h"
 #include "bench/targets.h"
 #include "tests/catch.h"
 #include "tests/scratch.h"
@@ -455,6 +456,62 @@ TEST_CASE("a target that is missed says what takes the time", "[report_text]") {
   CHECK(contains(publication({report_of(json(r))}).text, told));
   r.targets[0].at_most = 5;
   CHECK_FALSE(contains(publication({r}).text, "Two sums"));
+}
+
+TEST_CASE("a target on hard input is about the worst family, and about those that touch exactly", "[report_text]") {
+  Session session(Effort(), 1);
+  session.aim_on_hard_input("ray-sphere", "It climbs.");
+  REQUIRE(session.found.targets.size() == 2);
+  const Target worst = session.found.targets[0], touch = session.found.targets[1];
+  Report r = report("portable", 29);
+  r.targets = session.found.targets;
+  CHECK(measured(worst, r).value() == Approx(90));
+  CHECK_FALSE(met(worst, 90));
+  CHECK(told(worst, r) == "90 (planet)");
+  CHECK_FALSE(measured(touch, r).has_value());
+  CHECK_FALSE(contains(target_text({r}), "exact touch"));
+  CHECK(contains(loss_text({r}), "wanted at most 30 × naive. It climbs."));
+
+  for (Row& row : r.rows)
+    if (row.family == "planet") row.family = "decimal", row.scalar = "float";
+  r.rows.push_back(row("exact", 290, "grid", 0));
+  CHECK_FALSE(told(touch, r) == "");
+  CHECK(told(touch, r) == "10 (grid)");  // floats have no ordinary family here
+  CHECK(measured(touch, r).value() == Approx(10));
+  CHECK(
+      contains(target_text({report_of(json(r))}), "| ray-sphere, exact touch | at most 10 × ordinary | 10 (grid) ✓ |"));
+}
+
+TEST_CASE("the long proof is told with its commit, and what was wrong", "[report_text]") {
+  const std::string kept =
+      R"({"commit": "0123abc", "date": "2026-01-02",
+          "verdicts": {"seeds": 2, "cases": 3000, "judged": 5000, "wrong": 0,
+                       "tests": [{"test": "ray-sphere", "cases": 1000, "judged": 1000},
+                                 {"test": "orient2d", "cases": 2000, "judged": 4000}]},
+          "tests": {"run": 2790, "skipped": 2, "wrong": 0, "seconds": 601},
+          "fuzz": [{"target": "query", "minutes": 30, "inputs": 123456, "wrong": 0},
+                   {"target": "cases", "minutes": 30, "inputs": 7, "wrong": 1}]})";
+  const std::string text = proof_text(proof_of(kept));
+  CAPTURE(text);
+  CHECK(contains(text, "on commit 0123abc, 2026-01-02"));
+  CHECK(contains(text, "**3,000 cases**"));
+  CHECK(contains(text, "5,000 answers of the exact calls, none wrong"));
+  CHECK(contains(text, "2,790 tests in 11 minutes, 2 skipped, none failed"));
+  CHECK(contains(text, "`query` ran for 30 minutes: 123,456 inputs, no fault"));
+  CHECK(contains(text, "`cases` ran for 30 minutes: 7 inputs, a fault"));
+  CHECK(contains(text, "| orient2d | 2,000 | 4,000 |"));
+  CHECK_THROWS_WITH(proof_of("{}"), Contains("no long proof"));
+
+  const std::string folder = isect::test::scratch("isect-proof-test").string();
+  std::filesystem::remove_all(folder);
+  publish({report("portable", 29)}, folder);
+  CHECK_FALSE(contains(viz::read_file(folder + "/REPORT.md"), "long proof"));
+  viz::write_file(folder + "/proof.json", kept);
+  publish({report("portable", 29)}, folder);
+  CHECK(contains(viz::read_file(folder + "/REPORT.md"), text));
+  viz::write_file(folder + "/proof.json", "[]");
+  CHECK_THROWS_WITH(publish({report("portable", 29)}, folder), Contains("no long proof"));
+  CHECK(contains(viz::read_file(folder + "/REPORT.md"), text));
 }
 
 TEST_CASE("publishing writes text, figures and the lesson's rows, and clears figures of an earlier report",

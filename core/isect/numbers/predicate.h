@@ -78,16 +78,32 @@ template <class Text>
     if (const std::optional<int> s = sign_in<MediumExact>(text)) return *s;
   return exact_sign(text);
 }
+/// What doubles and their grid leave open; `step` is that of the grid, or 0 if it was not asked for yet.
+template <class Text>
+[[gnu::noinline]] int settled_fine(const Text& text, const Bounded<double>& quick, double step) {
+  struct Fine {
+    double value, error;
+  };
+  const auto [value, error] = compensated([&]<class W>() -> Fine {
+    const Bounded<W> x(text.template operator()<W>(), quick.size(), quick.roundings());
+    return {leading(x.value()), x.error()};
+  });
+  if (std::abs(value) - error > 0) return value > 0 ? 1 : -1;
+  if (step == 0) step = text.template operator()<Grid>().step();
+  const double most = std::min(std::abs(quick.value()) + quick.error(), std::abs(value) + error);
+  return most < step ? 0 : settled_finer(text, quick, step);
+}
 /// Apart and not inlined: the machine code of the slow path stays out of the fast one's way. `quick` is what doubles
-/// found: its size and its roundings, too, serve the stages that follow.
+/// found: its size and its roundings, too, serve the stages that follow. The grid is asked first where they found 0, as
+/// of shapes that touch on integers, and after two doubles otherwise.
 template <class Text>
 [[gnu::noinline]] int settled_sign(const Text& text, const Bounded<double>& quick) {
-  const double step = text.template operator()<Grid>().step();
-  if (std::abs(quick.value()) + quick.error() < step) return 0;
-  if (in_range(quick))
-    if (const std::optional<int> s = compensated([&]<class W>() { return sign_on_grid<W>(text, quick, step); }))
-      return *s;
-  return settled_finer(text, quick, step);
+  double step = 0;
+  if (quick.value() == 0) {
+    step = text.template operator()<Grid>().step();
+    if (quick.error() < step) return 0;
+  }
+  return in_range(quick) ? settled_fine(text, quick, step) : settled_finer(text, quick, step);
 }
 }  // namespace detail
 

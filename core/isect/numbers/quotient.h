@@ -127,7 +127,8 @@ struct Known {
 };
 
 /// All of it. Each stage keeps what those before it found: doubles; two of them, about 100 bits, where what is known to
-/// be a whole multiple of a step is 0 or not; three of them, about 150; then whole numbers.
+/// be a whole multiple of a step is 0 or not; three of them, about 150; then whole numbers. The steps are asked for
+/// first where doubles found 0, as of shapes that touch on integers, and after two doubles otherwise.
 template <class S, std::size_t K, class Text>
 [[gnu::noinline]] Known<K> settled(const Text& text, Known<K> known = {}) {
   using Value = std::optional<double>;
@@ -153,16 +154,18 @@ template <class S, std::size_t K, class Text>
                                          }))
       return true;
 
-    const auto grids = text.template operator()<Grid>();
-    const auto grid = terms(grids);
-    if (known.learn(
-            by_doubles, [&](const auto& x, std::size_t i) { return sign_on_grid(x, grid[i]->step()); },
-            [&](const auto& num, const auto& den, std::size_t i) -> Value {
-              if (num.error() < grid[i]->step() && den.error() < grid[K]->step()) return num.value() / den.value();
-              return {};
-            }))
-      return true;
-
+    std::array<double, K + 1> steps = {};  // of the grids: 0 until they are asked
+    const auto ask_grids = [&]() -> bool {
+      const auto grids = text.template operator()<Grid>();
+      const auto grid = terms(grids);
+      for (std::size_t i = 0; i <= K; ++i) steps[i] = grid[i]->step();
+      return known.learn(
+          by_doubles, [&](const auto& x, std::size_t i) { return sign_on_grid(x, steps[i]); },
+          [&](const auto& num, const auto& den, std::size_t i) -> Value {
+            if (num.error() < steps[i] && den.error() < steps[K]) return num.value() / den.value();
+            return {};
+          });
+    };
     const auto learn_from = [&]<class T>(const auto& ratios, const T&) -> bool {
       const auto bounded = [&](const T& x, std::size_t i) {
         return Bounded<T>(x, quick[i]->size(), quick[i]->roundings());
@@ -170,7 +173,7 @@ template <class S, std::size_t K, class Text>
       return known.learn(
           ratios,
           [&](const T& x, std::size_t i) {
-            return in_range(*quick[i]) ? sign_on_grid(bounded(x, i), grid[i]->step()) : std::nullopt;
+            return in_range(*quick[i]) ? sign_on_grid(bounded(x, i), steps[i]) : std::nullopt;
           },
           [&](const T& num, const T& den, std::size_t i) -> Value {
             if (!in_range(*quick[i]) || !in_range(*quick[K])) return {};
@@ -178,9 +181,13 @@ template <class S, std::size_t K, class Text>
             return finite_only(quotient(in_two(num), in_two(den)));
           });
     };
+    bool seems_zero = false;
+    for (std::size_t i = 0; i <= K; ++i) seems_zero |= !known.signs[i] && quick[i]->value() == 0;
+    if (seems_zero && ask_grids()) return true;
     if (learn_from(fine, W())) return true;
-    for (const Grid* const g : grid)
-      if (!(g->step() > 0)) return false;  // something may underflow
+    if (!seems_zero && (ask_grids() || learn_from(fine, W()))) return true;
+    for (const double step : steps)
+      if (!(step > 0)) return false;  // something may underflow
     using Finer = finer_than_t<W>;
     return learn_from(text.template operator()<Finer>(), Finer());
   };

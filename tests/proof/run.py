@@ -1,0 +1,143 @@
+#!/usr/bin/env python3
+"""The long proof: many times the cases of an ordinary run, all on one commit. The report tells what came of it.
+
+    tests/proof/run.py [PART...] [--cases N] [--minutes N] [--build DIR] [--out FILE]
+
+Parts; all, if none is named, one after the other:
+
+    verdicts   the exact calls of every suite against its oracle in rational arithmetic, N cases in all (100 million)
+    tests      every test with ISECT_LONG=1
+    fuzz       each fuzz target for N minutes (30); fuzz:query, fuzz:cases or fuzz:polygon is one of them
+    gather     what the parts found, written to FILE (bench/proof.json), if all are there and of this commit
+
+Parts may run side by side. They are kept under DIR/proof (DIR is build/release), with the commit that they are of. Exit: 0
+all is well; 1 something was wrong; 2 the sources have changes that no commit has, or a part is missing.
+"""
+
+import argparse
+import collections
+import datetime
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import time
+import xml.etree.ElementTree
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+TARGETS = ["query", "cases", "polygon"]
+
+
+def commit():
+    def git(*words):
+        return subprocess.run(["git", "-C", ROOT, *words], check=True, capture_output=True, text=True).stdout.strip()
+
+    if changed := git("status", "--porcelain"):
+        sys.exit(refused(f"changes that no commit has; commit them first:\n{changed}"))
+    return git("rev-parse", "HEAD")[:12]
+
+
+def refused(why):
+    print(f"proof: {why}", file=sys.stderr)
+    return 2
+
+
+def said(what):
+    print(f"proof: {what}", file=sys.stderr, flush=True)
+
+
+def verdicts(build, cases):
+    """Rounds over all suites, each with a seed of its own, until there are as many cases as asked for."""
+    subprocess.run(["cmake", "--build", build, "--target", "measure"], check=True, stdout=sys.stderr)
+    programs = sorted((build / "bin" / "measure").iterdir())
+    found, seed, wrong = collections.Counter(), 0, []
+    judged = collections.Counter()
+    while found.total() < cases and not wrong:
+        seed += 1
+        for program in programs:
+            run = subprocess.run([program, "--verdicts", "--seed", str(seed)], check=True, capture_output=True, text=True)
+            drawn = {}  # a family is drawn once, however many exact calls answer it
+            for row in json.loads(run.stdout)["rows"]:
+                test = row["test"].split(",")[0]
+                drawn[row["test"], row["scalar"], row["family"]] = test, row["judged"]
+                judged[test] += row["judged"]
+                if row["false_yes"] + row["false_no"]:
+                    wrong.append(f"{row['test']}, {row['method']}, {row['scalar']}: {row['first_wrong']}")
+            for test, count in drawn.values():
+                found[test] += count
+        said(f"seed {seed}: {found.total():,} cases, {len(wrong)} wrong")
+    for line in wrong:
+        said(f"wrong: {line}")
+    tests = [{"test": test, "cases": found[test], "judged": judged[test]} for test in found]
+    return {"seeds": seed, "cases": found.total(), "judged": judged.total(), "wrong": len(wrong), "tests": tests}
+
+
+def tests(build):
+    subprocess.run(["cmake", "--build", build], check=True, stdout=sys.stderr)
+    told = build / "proof" / "tests.xml"
+    start = time.monotonic()
+    subprocess.run(["ctest", "--test-dir", build, "--output-junit", told, "--timeout", "7200", "--output-on-failure"],
+                   env=os.environ | {"ISECT_LONG": "1"}, stdout=sys.stderr)
+    suite = xml.etree.ElementTree.parse(told).getroot()
+    failed, skipped = int(suite.get("failures")), int(suite.get("skipped")) + int(suite.get("disabled"))
+    for case in suite.iter("testcase"):
+        if case.get("status") not in ("run", "notrun", "disabled"):
+            said(f"failed: {case.get('name')}")
+    return {"run": int(suite.get("tests")) - skipped, "skipped": skipped, "wrong": failed,
+            "seconds": round(time.monotonic() - start)}
+
+
+def fuzz(target, minutes):
+    program = f"{target}_fuzz"
+    log = ROOT / "build" / "fuzz" / f"{program}.log"
+    run = subprocess.run([ROOT / "tests/fuzz/run.sh", str(60 * minutes), program])
+    inputs = re.search(r"number_of_executed_units: *(\d+)", log.read_text())
+    return {"target": target, "minutes": minutes, "inputs": int(inputs[1]) if inputs else 0,
+            "wrong": int(run.returncode != 0)}
+
+
+def gather(kept, of, out):
+    def part(name):
+        file = kept / f"{name}.json"
+        found = json.loads(file.read_text()) if file.exists() else None
+        if not found or found.pop("commit") != of:
+            raise LookupError(f"{name} was not run on commit {of}")
+        return found
+
+    try:
+        whole = {"commit": of, "date": datetime.date.today().isoformat(), "verdicts": part("verdicts"),
+                 "tests": part("tests"), "fuzz": [part(f"fuzz-{target}") for target in TARGETS]}
+    except LookupError as e:
+        return refused(e)
+    out.write_text(json.dumps(whole, indent=1) + "\n")
+    return 0
+
+
+def main():
+    known = ["verdicts", "tests", *(f"fuzz:{t}" for t in TARGETS), "gather"]
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("parts", nargs="*", metavar="PART", choices=[*known, "fuzz", []])
+    parser.add_argument("--cases", type=int, default=100_000_000)
+    parser.add_argument("--minutes", type=int, default=30)
+    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release")
+    parser.add_argument("--out", type=pathlib.Path, default=ROOT / "bench" / "proof.json")
+    args = parser.parse_args()
+    parts = [p for part in args.parts or known for p in (known[2:-1] if part == "fuzz" else [part])]
+
+    of, kept, wrong = commit(), args.build / "proof", 0
+    kept.mkdir(parents=True, exist_ok=True)
+    for part in parts:
+        if part == "gather":
+            return gather(kept, of, args.out) or int(wrong > 0)
+        said(part)
+        found = (verdicts(args.build, args.cases) if part == "verdicts" else tests(args.build) if part == "tests"
+                 else fuzz(part.removeprefix("fuzz:"), args.minutes))
+        wrong += found["wrong"]
+        (kept / f"{part.replace(':', '-')}.json").write_text(json.dumps({"commit": of} | found))
+    return int(wrong > 0)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
