@@ -118,13 +118,15 @@ def gather(kept, of, out):
 def main():
     known = ["verdicts", "tests", *(f"fuzz:{t}" for t in TARGETS), "gather"]
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("parts", nargs="*", metavar="PART", choices=[*known, "fuzz", []])
+    parser.add_argument("parts", nargs="*", metavar="PART")
     parser.add_argument("--cases", type=int, default=100_000_000)
     parser.add_argument("--minutes", type=int, default=30)
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release")
     parser.add_argument("--out", type=pathlib.Path, default=ROOT / "bench" / "proof.json")
     args = parser.parse_args()
     parts = [p for part in args.parts or known for p in (known[2:-1] if part == "fuzz" else [part])]
+    if unknown := [p for p in parts if p not in known]:
+        parser.error(f"unknown PART {unknown[0]}; there are: {' '.join(known)} fuzz")
 
     of, kept, wrong = commit(), args.build / "proof", 0
     kept.mkdir(parents=True, exist_ok=True)
