@@ -139,7 +139,7 @@ class Document::Reader {
       put({type, 0, std::numeric_limits<std::uint32_t>::max()});  // its end, as long as it is open
       open_.push_back(to_.values_.size() - 1);
     } else {
-      complain(to_.path(open_[1]),
+      complain(open_[1],
                "lists and objects nest deeper than the " + std::to_string(most_levels) + " levels that are allowed");
       id_behind_ = nullptr;  // of that depth it would be the reader's end, if not ours
     }
@@ -175,11 +175,12 @@ class Document::Reader {
     const auto same = [](const auto& a, const auto& b) { return a.first == b.first; };
     const auto twice = std::ranges::adjacent_find(keys, same);
     if (twice == keys.end()) return;
-    complain(to_.path(twice->second + 1), "it is given twice");
+    complain(twice->second + 1, "it is given twice");
   }
 
-  void complain(const std::string& field, const std::string& what) {
-    if (trouble_.empty()) trouble_ = "field \"" + field + "\": " + what;
+  /// Of the first only: a path takes time in proportion to what comes before it.
+  void complain(std::size_t value, const std::string& what) {
+    if (trouble_.empty()) trouble_ = "field \"" + to_.path(value) + "\": " + what;
   }
 
   Document& to_;

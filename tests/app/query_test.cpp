@@ -109,6 +109,21 @@ TEST_CASE("a line that nests too deep is one error that names the field, and the
   CHECK(r.lines[6]["result"]["sign"] == 1);
 }
 
+TEST_CASE("a wide line that is wrong over and over is told the first of it, and soon", "[query]") {
+  const auto often = [](const std::string& part) {
+    std::string all;
+    for (int i = 0; i < 150'000; ++i) all += (i > 0 ? "," : "") + part;
+    return all;
+  };
+  std::string keys;
+  for (int i = 0; i < 150'000; ++i) keys += "\"k" + std::to_string(i) + "\":0,";
+  const Replies r = ask("{" + keys + "\"deep\":" + std::string(63, '[') + often("[]") + std::string(63, ']') + "}\n" +
+                        "[" + often(R"({"y":1,"y":2})") + "]\n");
+  REQUIRE(r.lines.size() == 2);
+  CHECK_THAT(r.lines[0]["error"].get<std::string>(), Contains("field \"deep\"") && Contains("64 levels"));
+  CHECK(r.lines[1]["error"] == "field \"[0].y\": it is given twice");
+}
+
 TEST_CASE("an id comes back as it was sent, to the letter", "[query]") {
   for (const std::string id : {"123456789012345678901234567890", "-0", "0.1000000000000000055511151231257827", "1e-400",
                                "1E+5", R"("\u0041\n\"\\")", R"({"b" : [1,-0, "x"], "a":null})", "true", "\"\u00e9\""}) {
