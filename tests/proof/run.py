@@ -8,7 +8,7 @@ Parts; all, if none is named, one after the other:
     verdicts   the exact calls of every suite against its oracle in rational arithmetic, N cases in all (100 million)
     tests      every test with ISECT_LONG=1
     fuzz       each fuzz target for N minutes (30); fuzz:query, fuzz:cases or fuzz:polygon is one of them
-    gather     what the parts found, written to FILE (bench/proof.json), if all are there and of this commit
+    gather     what the parts found, written to FILE (bench/proof.json), if all are there and of one commit
 
 Parts may run side by side. They are kept under DIR/proof (DIR is build/release), with the commit that they are of. Exit: 0
 all is well; 1 something was wrong; 2 the sources have changes that no commit has, or a part is missing.
@@ -98,19 +98,19 @@ def fuzz(target, minutes):
             "wrong": int(run.returncode != 0)}
 
 
-def gather(kept, of, out):
-    def part(name):
-        file = kept / f"{name}.json"
-        found = json.loads(file.read_text()) if file.exists() else None
-        if not found or found.pop("commit") != of:
-            raise LookupError(f"{name} was not run on commit {of}")
-        return found
-
-    try:
-        whole = {"commit": of, "date": datetime.date.today().isoformat(), "verdicts": part("verdicts"),
-                 "tests": part("tests"), "fuzz": [part(f"fuzz-{target}") for target in TARGETS]}
-    except LookupError as e:
-        return refused(e)
+def gather(kept, out):
+    names = ["verdicts", "tests", *(f"fuzz-{target}" for target in TARGETS)]
+    files = {name: kept / f"{name}.json" for name in names}
+    if missing := [name for name in names if not files[name].exists()]:
+        return refused(f"not run yet: {', '.join(missing)}")
+    found = {name: json.loads(file.read_text()) for name, file in files.items()}
+    commits = {name: part.pop("commit") for name, part in found.items()}
+    if len(set(commits.values())) > 1:
+        return refused("run on several commits: " + ", ".join(f"{name} on {of}" for name, of in commits.items()))
+    last = max(file.stat().st_mtime for file in files.values())
+    whole = {"commit": commits["tests"], "date": datetime.date.fromtimestamp(last).isoformat(),
+             "verdicts": found["verdicts"], "tests": found["tests"],
+             "fuzz": [found[f"fuzz-{target}"] for target in TARGETS]}
     out.write_text(json.dumps(whole, indent=1) + "\n")
     return 0
 
@@ -128,11 +128,12 @@ def main():
     if unknown := [p for p in parts if p not in known]:
         parser.error(f"unknown PART {unknown[0]}; there are: {' '.join(known)} fuzz")
 
-    of, kept, wrong = commit(), args.build / "proof", 0
+    kept, wrong = args.build / "proof", 0
+    of = commit() if parts != ["gather"] else None
     kept.mkdir(parents=True, exist_ok=True)
     for part in parts:
         if part == "gather":
-            return gather(kept, of, args.out) or int(wrong > 0)
+            return gather(kept, args.out) or int(wrong > 0)
         said(part)
         found = (verdicts(args.build, args.cases) if part == "verdicts" else tests(args.build) if part == "tests"
                  else fuzz(part.removeprefix("fuzz:"), args.minutes))
