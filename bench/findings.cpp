@@ -29,7 +29,9 @@ const Row* Findings::same_family(const Row& r, const Row& method) const {
   return found == rows.end() ? nullptr : *found;
 }
 
-bool Findings::judged_hard() const {
+bool Findings::judged_hard() const { return is_judged_on_hard(rows); }
+
+bool is_judged_on_hard(const std::vector<const Row*>& rows) {
   return std::ranges::any_of(rows, [](const Row* r) { return r->hard && r->judged > 0; });
 }
 
@@ -77,6 +79,12 @@ const Row& best_exact(const Findings& d) {
 
 namespace {
 
+/// The share of all cases judged that a method gets wrong.
+double wrong_of(const Findings& d, const Row& method) {
+  const std::vector<const Row*> all = d.of(method);
+  return static_cast<double>(total_wrong(all)) / static_cast<double>(std::max(1L, total_judged(all)));
+}
+
 /// Of one run; `foreign`: other libraries only, else isect's own methods only.
 std::optional<Rival> rival(const Report& report, const std::string& test, bool foreign) {
   Findings d(report, test, "double");
@@ -89,11 +97,7 @@ std::optional<Rival> rival(const Report& report, const std::string& test, bool f
   if (others.empty()) return {};
   const Row& least = **std::ranges::min_element(others, {}, &Row::median);
   std::erase_if(others, [&](const Row* r) { return faster(least, *r, d.noise); });
-  const auto wrong = [&](const Row* r) {
-    const std::vector<const Row*> all = d.of(*r);
-    return static_cast<double>(total_wrong(all)) / static_cast<double>(std::max(1L, total_judged(all)));
-  };
-  const Row* best = *std::ranges::min_element(others, {}, wrong);
+  const Row* best = *std::ranges::min_element(others, {}, [&](const Row* r) { return wrong_of(d, *r); });
   const Row* exact = &best_exact(d);
   return Rival{std::move(d), best, exact};
 }
@@ -104,7 +108,10 @@ std::optional<Rival> rival(const Measured& m, const std::string& test) {
   std::optional<Rival> own = rival(m.portable, test, false), foreign;
   if (m.peers) foreign = rival(*m.peers, test, true);
   if (!own || !foreign) return own ? own : foreign;
-  return ratio_of(*foreign->row, *foreign->exact).value < ratio_of(*own->row, *own->exact).value ? foreign : own;
+  const Ratio theirs = ratio_of(*foreign->row, *foreign->exact), ours = ratio_of(*own->row, *own->exact);
+  if (theirs.hi < ours.lo) return foreign;
+  if (ours.hi < theirs.lo) return own;
+  return wrong_of(foreign->in, *foreign->row) < wrong_of(own->in, *own->row) ? foreign : own;
 }
 
 namespace {

@@ -28,6 +28,8 @@ struct Findings {
 
 long total_wrong(const std::vector<const Row*>&);
 long total_judged(const std::vector<const Row*>&);
+/// Whether some hard case was judged.
+bool is_judged_on_hard(const std::vector<const Row*>& method);
 /// "24 %", "none".
 std::string wrong_share(const std::vector<const Row*>&);
 /// The hard families on which a method is wrong, the worst first.

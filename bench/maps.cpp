@@ -99,7 +99,7 @@ Plotted orientation_map() {
       }));
   const std::string percent = percentages(chart.maps);
   return {"map-orientation",
-          "On which side of the line through q and r a point p lies, by three texts of one determinant, for "
+          "On which side of the line through q and r a point p lies, by three ways of writing one determinant, for "
           "256 x 256 "
           "neighbours of p. Lines 1 to 3 are those of Kettner et al. (2004). The exact call is right in "
           "every cell.",
@@ -163,7 +163,7 @@ Plotted tangent_map() {
   add("robust", [&](const Ray2& ray) { return ray_sphere::robust(ray, ball).has_value(); });
   const std::string percent = percentages(chart.maps);
   return {"map-ray-sphere",
-          "Whether a ray that all but touches a circle hits it, by two of the note's methods and by a stable "
+          "Whether a ray that all but touches a circle hits it, by two textbook methods and by a stable "
           "one, for "
           "256 x 256 origins 2⁻⁴⁸ "
           "apart. The exact call is right in every cell.",

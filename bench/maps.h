@@ -6,7 +6,7 @@
 
 namespace isect::bench {
 
-/// Which side of a line, by three texts of the same determinant on three lines. Source: Kettner, Mehlhorn, Pion,
+/// Which side of a line, by three ways of writing the same determinant on three lines. Source: Kettner, Mehlhorn, Pion,
 /// Schirra, Yap, Classroom examples of robustness problems in geometric computations (ESA 2004).
 Plotted orientation_map();
 /// Points beside an edge of a triangle, by crossings and by winding.

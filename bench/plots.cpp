@@ -280,7 +280,8 @@ Plotted growth_plot(const Report& report, const std::string& test, const std::st
 Plotted ratio_plot(const Report& report) {
   viz::Bars bars = {{viz::Scale::Kind::log, 0.5, 2, "time of the exact call / time of the library"},
                     {{"the library was never wrong", Glyph::star, Role::hit},
-                     {"it was wrong in some case judged", Glyph::disc, Role::second}},
+                     {"it was wrong in some case judged", Glyph::disc, Role::second},
+                     {"it met no hard case", Glyph::plus, Role::second}},
                     {},
                     "as fast"};
   std::string alt = "Times of the exact call on ordinary cases in double, divided by those of other libraries.";
@@ -304,24 +305,30 @@ Plotted ratio_plot(const Report& report) {
       const Row& theirs = *fastest[library];
       const Ratio ratio = ratio_of(*exact, theirs);
       long wrong = 0;
+      bool hard = false;
       for (const Row* r : all)
-        if (name_of(*r) == name_of(theirs)) wrong += r->wrong();
+        if (name_of(*r) == name_of(theirs)) wrong += r->wrong(), hard = hard || (r->hard && r->judged > 0);
       bars.x.lo = std::min(bars.x.lo, ratio.lo / 1.2), bars.x.hi = std::max(bars.x.hi, ratio.hi * 1.2);
       bars.bars.push_back({viz::as_markup(test + ": " + library),
-                           {{wrong > 0, ratio.value}},
+                           {{wrong > 0 ? 1u
+                             : hard    ? 0u
+                                       : 2u,
+                             ratio.value}},
                            1.0,
                            ratio_text(ratio.value),
                            viz::Verdict::Kind::open,
                            std::pair(ratio.lo, ratio.hi)});
       alt += fmt::format(" {}, {}: {}, {}.", test, name_of(theirs), with_interval(ratio.value, ratio.lo, ratio.hi),
-                         wrong > 0 ? "wrong in some case" : "never wrong");
+                         wrong > 0 ? "wrong in some case"
+                         : hard    ? "never wrong"
+                                   : "not judged on hard cases");
     }
   }
   return {
       "ratios",
       "The time of the exact call divided by that of each library's fastest way, on ordinary cases in double, in one "
       "run. The line through a marker is the interval of the ratio. Left of the bar the exact call is faster. A star "
-      "marks a way that was right in every case judged.",
+      "marks a way that was right in every case judged, hard ones among them.",
       alt,
       {std::move(bars)}};
 }

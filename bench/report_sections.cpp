@@ -18,13 +18,17 @@ std::string cost(const Measured& m, const std::string& test, const Findings& d, 
       fmt::format("On ordinary cases in double the exact call takes {} ns and {} {} ns: a ratio of {}. ",
                   time_of(*d.exact), name_of(*d.naive), time_of(*d.naive), ratio_text(*d.exact, *d.naive));
   if (const auto best = rival(m, test); best && best->row != d.naive && name_of(*best->row) != name_of(*d.naive))
-    text += fmt::format("Of what is inexact or not ours {} is best, at {} ns: a ratio of {}. ", name_of(*best->row),
-                        time_of(*best->row), ratio_text(*best->in.exact, *best->row));
+    text +=
+        fmt::format("Of what is inexact or not ours {} is best, at {} ns: the time of {}, divided by that{}, is {}. ",
+                    name_of(*best->row), time_of(*best->row),
+                    best->exact == best->in.exact ? "the exact call" : name_of(*best->exact),
+                    best->row->library == "isect" ? "" : " in one run", ratio_text(*best->exact, *best->row));
   if (d.exact->latency && d.naive->latency)
-    text += fmt::format("In turn, each waiting for the answer before, they take {} and {} ns. ",
-                        number(*d.exact->latency), number(*d.naive->latency));
+    text += fmt::format("Latency: the exact call {} ns, {} {} ns. ", number(*d.exact->latency), name_of(*d.naive),
+                        number(*d.naive->latency));
   if (f.exact != nullptr && f.naive != nullptr)
-    text += fmt::format("In float they take {} and {} ns. ", number(f.exact->median), number(f.naive->median));
+    text += fmt::format("In float: the exact call {} ns, {} {} ns. ", number(f.exact->median), name_of(*f.naive),
+                        number(f.naive->median));
   std::vector<std::string> equals;
   for (const Row* r : d.ordinary)
     if (r->exact && r != d.exact && r->library == "isect")
@@ -56,26 +60,28 @@ std::string naive_errors(const Findings& d) {
 
 std::string exact_promise(const Findings& d, const Findings& f) {
   std::vector<const Row*> rows = d.of(*d.exact);
+  const long in_double = total_judged(rows);
   for (const Row* r : f.rows)
     if (name_of(*r) == name_of(*d.exact)) rows.push_back(r);
-  const long wrong = total_wrong(rows);
-  std::string text = wrong == 0 ? fmt::format("The exact call is right on all {} cases judged of all families. ",
-                                              count(total_judged(rows)))
-                                : fmt::format("The exact call is wrong on {} of {} cases judged: a fault. ",
-                                              count(wrong), count(total_judged(rows)));
+  const long wrong = total_wrong(rows), in_float = total_judged(rows) - in_double;
+  std::string text =
+      wrong == 0 ? fmt::format("The exact call is right on all {} cases of all families judged in double{}. ",
+                               count(in_double), in_float > 0 ? fmt::format(", and {} in float", count(in_float)) : "")
+                 : fmt::format("The exact call is wrong on {} of {} cases judged: a fault. ", count(wrong),
+                               count(total_judged(rows)));
   double most = -1;
   for (const Row* r : rows)
     if (r->ulps) most = std::max(most, r->ulps->most);
   if (most >= 0) text += fmt::format("Its value is never further off than {} ulp. ", number(most));
 
   if (d.exact->fallback)
-    text += fmt::format("Of the ordinary calls {} need more than floating point. ", share(*d.exact->fallback, 1));
+    text += fmt::format("Of the ordinary calls {} need more than one pass in doubles. ", share(*d.exact->fallback, 1));
   const Row* slowest = nullptr;
   for (const Row* r : d.of(*d.exact))
     if (r->hard && (slowest == nullptr || r->median > slowest->median)) slowest = r;
   if (slowest != nullptr && slowest->median > 1.5 * d.exact->median && faster(*d.exact, *slowest, d.noise))
     text += fmt::format(
-        "It is slowest on {}: {} ns{}. ", words(slowest->family), number(slowest->median),
+        "It is slowest on \"{}\": {} ns{}. ", words(slowest->family), number(slowest->median),
         slowest->fallback && d.exact->fallback ? fmt::format(", where {} do", share(*slowest->fallback, 1)) : "");
   return text;
 }
@@ -88,8 +94,9 @@ std::string runner_up(const Findings& d) {
       best = r;
   if (best == nullptr || best == d.naive || total_wrong(d.of(*best)) >= total_wrong(d.of(*d.naive))) return {};
   const std::vector<std::string> parts = wrong_on(d.of(*best), 2);
-  return fmt::format("Of the inexact methods {} errs least, at a ratio of {}: {}. ", name_of(*best),
-                     ratio_text(*best, *d.naive), parts.empty() ? "on no case judged" : "still on " + listed(parts));
+  return fmt::format("Of the inexact methods {} errs least: it takes {} of the time of {}, and is wrong on {}. ",
+                     name_of(*best), ratio_text(*best, *d.naive), name_of(*d.naive),
+                     parts.empty() ? "no case judged" : listed(parts));
 }
 
 /// What to choose; nothing where what is faster met no hard case.
@@ -124,9 +131,10 @@ std::string advice(const Measured& m, const std::string& test, const Findings& d
                                        : "not where input may be " + listed(c->families));
   if (c->all_families)
     return fmt::format(
-        "**Choose {},** unless all input is like the ordinary family and {} ns a call are worth more than a wrong "
-        "verdict: as much is saved by {}.",
-        exact, saved, other);
+        "**Choose {}.** Use {} only if all input is like the ordinary family, and to save {} ns a call outweighs a "
+        "wrong "
+        "verdict.",
+        exact, other, saved);
   return fmt::format("**Choose {},** or {} where no input is {}: it saves {} ns a call.", exact, other,
                      listed(c->families), saved);
 }
@@ -137,7 +145,7 @@ std::string beside_peers(const Measured& m, const std::string& test) {
   if (p.exact == nullptr || std::ranges::none_of(p.ordinary, [](const Row* r) { return r->library != "isect"; }))
     return {};
   std::string text =
-      "| beside other libraries, in one run | ns | in turn | exact call / it | wrong, ordinary | wrong, worst "
+      "| beside other libraries, in one run | ns | latency | exact call / it | wrong, ordinary | wrong, worst "
       "family |\n| --- | --: | --: | --: | --: | --- |\n";
   for (const Row* r : p.ordinary) {
     if (r->library == "isect" && r != p.exact) continue;
@@ -170,7 +178,7 @@ struct Columns {
     const auto add = [&](bool shown, const std::string& name) {
       if (shown) names += ' ' + name + " |", rules += " --: |";
     };
-    add(latency, "in turn");
+    add(latency, "latency");
     add(true, "ratio");
     add(best != nullptr, best == nullptr ? "" : "to " + name_of(*best));
     add(true, "wrong"), add(true, "wrong, all hard cases");
@@ -201,6 +209,14 @@ std::string line(const Findings& d, const Columns& columns, const Row& r) {
   add(columns.sides, r.sides ? count(sides.called_on) : ""), add(columns.sides, r.sides ? count(sides.wrong_side) : "");
   add(columns.values, r.ulps ? number(r.ulps->median) : ""), add(columns.values, r.ulps ? number(r.ulps->p99) : "");
   add(columns.values, r.ulps && most >= 0 ? number(most) : "");
+  return text + '\n';
+}
+
+/// Of a test without ordinary cases: each family.
+std::string families_table(const Findings& d) {
+  std::string text = "| double | family | ns | wrong |\n| --- | --- | --: | --: |\n";
+  for (const Row* r : d.rows)
+    text += fmt::format("| {} | {} | {} | {} |\n", name_of(*r), words(r->family), time_of(*r), wrong_share({r}));
   return text + '\n';
 }
 
@@ -252,12 +268,13 @@ std::string test_text(const Measured& m, const std::string& test) {
                             time_of(*n.naive), time_of(*n.exact));
     }
   }
-  return text + (d.ordinary.empty() ? "" : table(m, test, d)) + beside_peers(m, test);
+  if (d.rows.empty()) return text;
+  return text + (d.ordinary.empty() ? families_table(d) : table(m, test, d)) + beside_peers(m, test);
 }
 
 std::string target_text(const Measured& m) {
   std::string text =
-      "## Targets\n\nSet before the work began, as ratios within one run. Rows that name another library "
+      "## Targets\n\nRatios are within one run. Rows that name another library "
       "come from the run "
       "beside other libraries. Worst family: the exact call's time divided by the naive method's, in double or float, "
       "where "
@@ -310,13 +327,14 @@ std::string loss_text(const Measured& m) {
       if (p.exact == nullptr) continue;
       for (const Row* r : p.ordinary)
         if (r->library != "isect" && faster(*r, *p.exact, p.noise))
-          lines.push_back(fmt::format("{}: {} is faster on ordinary cases, {} ns against {} ns{}.", sentence(test),
-                                      name_of(*r), number(r->median), number(p.exact->median),
-                                      total_wrong(p.of(*r)) == 0
-                                          ? ", and was never wrong"
-                                          : fmt::format("; it is wrong on {} of all cases judged",
-                                                        share(static_cast<double>(total_wrong(p.of(*r))),
-                                                              static_cast<double>(total_judged(p.of(*r)))))));
+          lines.push_back(
+              fmt::format("{}: {} is faster on ordinary cases, {} ns against {} ns{}.", sentence(test), name_of(*r),
+                          number(r->median), number(p.exact->median),
+                          total_wrong(p.of(*r)) == 0
+                              ? is_judged_on_hard(p.of(*r)) ? ", and was never wrong" : "; it met no hard case"
+                              : fmt::format("; it is wrong on {} of all cases judged",
+                                            share(static_cast<double>(total_wrong(p.of(*r))),
+                                                  static_cast<double>(total_judged(p.of(*r)))))));
     }
   if (lines.empty()) return {};
   std::string text = "## Where isect is behind\n\n";

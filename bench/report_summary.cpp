@@ -33,23 +33,44 @@ std::string worst_time(const Findings& d, const Row& exact) {
   for (const Row* r : d.of(exact))
     if (r->hard && (worst == nullptr || r->median > worst->median)) worst = r;
   if (worst == nullptr) return "";
-  return worst->median <= exact.median ? "ordinary"
+  return worst->median <= exact.median ? "none takes more"
                                        : fmt::format("{}, {}", number(worst->median), words(worst->family));
 }
 
-/// Those that no case judged showed wrong, the exact call left out.
+/// The hard families that the exact call was asked and this was not: " (not asked: invalid, scale)".
+std::string gaps(const Findings& d, const Row& r) {
+  std::string names;
+  for (const Row* asked : d.of(*d.exact))
+    if (asked->judged > 0)
+      if (const Row* same = d.same_family(*asked, r); same == nullptr || same->judged == 0)
+        names += (names.empty() ? " (not asked: " : ", ") + words(asked->family);
+  return names.empty() ? names : names + ")";
+}
+
+/// Those that no case judged showed wrong, the row's own call left out.
 std::string also_right(const Measured& m, const std::string& test, const Findings& d) {
   std::vector<std::string> names;
   const auto gather = [&](const Findings& f, bool foreign) {
-    if (!f.judged_hard()) return;
+    if (!f.judged_hard() || f.exact == nullptr) return;
     for (const Row* r : f.ordinary)
-      if (r != f.exact && (r->library != "isect") == foreign && total_wrong(f.of(*r)) == 0 &&
-          std::ranges::find(names, brief(*r)) == names.end())
-        names.push_back(brief(*r));
+      if (r != &best_exact(f) && (r->library != "isect") == foreign && total_wrong(f.of(*r)) == 0 &&
+          is_judged_on_hard(f.of(*r)))
+        if (const std::string name = brief(*r) + gaps(f, *r); std::ranges::find(names, name) == names.end())
+          names.push_back(name);
   };
   gather(d, false);
   if (m.peers) gather(Findings(*m.peers, test, "double"), true);
   return fmt::format("{}", d.judged_hard() ? names.empty() ? "none" : listed(names) : "");
+}
+
+/// ", each a false yes", where all that a yes-or-no method gets wrong is of one kind.
+std::string kind_of_errors(const std::vector<const Row*>& all) {
+  long yes = 0, no = 0;
+  for (const Row* r : all) {
+    if (r->sides) return "";
+    yes += r->false_yes, no += r->false_no;
+  }
+  return yes > 0 && no == 0 ? ", each a false yes" : no > 0 && yes == 0 ? ", each a false no" : "";
 }
 
 std::string how_it_fails(const Findings& d, const Row& r) {
@@ -58,13 +79,17 @@ std::string how_it_fails(const Findings& d, const Row& r) {
   const std::vector<const Row*> broken = broken_by(all);
   if (!broken.empty())
     return fmt::format("wrong on {} of {}{}", wrong_share({broken[0]}), words(broken[0]->family),
-                       broken.size() > 1 ? fmt::format(", and on {} more", broken.size() - 1) : "");
+                       broken.size() > 1 ? fmt::format(", and on {} more", broken.size() - 1) : "") +
+           kind_of_errors(all);
   return std::ranges::any_of(all, &Row::hard) ? "never wrong here" : "not judged on hard input";
 }
 
 std::string rival_cell(const Findings& d, const std::optional<Rival>& best) {
   if (best) {
-    const std::string failing = how_it_fails(best->in, *best->row), time = number(best->row->median);
+    const std::string failing = how_it_fails(best->in, *best->row);
+    const std::string time =
+        number(best->row->median) +
+        (best->row->library == "isect" ? "" : fmt::format(" (the exact call there: {})", number(best->exact->median)));
     return best->is_faster() ? fmt::format("{}: {}; {}", brief(*best->row), time, failing)
                              : fmt::format("none; least: {}, {}; {}", brief(*best->row), time, failing);
   }
@@ -95,13 +120,49 @@ std::string choice_cell(const std::optional<Choice>& c) {
   return fmt::format("{}; {} if no input is {}", c->exact, other, listed(some));
 }
 
+/// Beside what is chosen: what is as exact and takes much less where no value is asked for, or on the worst family.
+std::string besides(const Findings& d) {
+  const Row& chosen = best_exact(d);
+  std::string text;
+  const Row* worst = nullptr;
+  for (const Row* r : d.of(chosen))
+    if (r->hard && (worst == nullptr || r->median > worst->median)) worst = r;
+  const Row* better = nullptr;
+  for (const Row* r : d.ordinary) {
+    if (!r->exact || r->library != "isect" || r == &chosen) continue;
+    if (chosen.ulps && !r->ulps && clearly_faster(*r, chosen, d.noise))
+      text += fmt::format("; {} ({}) where t is not needed", r->method, number(r->median));
+    if (worst == nullptr || chosen.ulps.has_value() != r->ulps.has_value()) continue;
+    if (const Row* there = d.same_family(*worst, *r); there != nullptr && 2 * there->median < worst->median)
+      if (better == nullptr || there->median < better->median) better = there;
+  }
+  if (better != nullptr && worst->median > chosen.median)
+    text += fmt::format("; {} ({}) for input like {}", better->method, number(better->median), words(better->family));
+  return text;
+}
+
+/// Of a test without an exact call: what never misses a contact.
+std::string safe_side(const Findings& d) {
+  for (const Row* r : d.ordinary) {
+    long missed = 0;
+    for (const Row* q : d.of(*r)) missed += q->false_no;
+    if (missed == 0) return r->method + " where none may be missed";
+  }
+  return "";
+}
+
 }  // namespace
 
 std::string summary_text(const Measured& m) {
   std::string text =
-      "Times are in ns a call, in double. [a, b] is the 95 % interval of a median; all words are explained at the "
-      "end.\n\n"
-      "| question | exact call, ordinary | its worst family | never wrong, too | what takes less, and how it "
+      "Times are in ns a call, in double, of the portable build; those of other libraries are of the peers build, "
+      "which "
+      "changes some of our times too, so that the exact call's time there stands beside them. Ordinary cases are "
+      "random; "
+      "hard families are made to break naive methods. [a, b] is the 95 % interval of a median over the passes of one "
+      "program. All words are explained at the end.\n\n"
+      "| question | exact call, ordinary | its worst hard family | no error found, either | what takes less, and how "
+      "it "
       "fails | choose |\n| --- | --: | --- | --- | --- | --- |\n";
   for (const std::string& test : tests_of(m.portable)) {
     const Findings d(m.portable, test, "double");
@@ -111,7 +172,7 @@ std::string summary_text(const Measured& m) {
         "| [{}](#{}) | {} | {} | {} | {} | {} |\n", test, anchor(test),
         exact == nullptr ? "none" : (exact->method == "exact" ? "" : exact->method + ": ") + time_of(*exact),
         exact == nullptr ? "" : worst_time(d, *exact), also_right(m, test, d), rival_cell(d, rival(m, test)),
-        choice_cell(choice(m, test)));
+        exact == nullptr ? safe_side(d) : choice_cell(choice(m, test)) + besides(d));
   }
   return text + '\n';
 }
