@@ -79,8 +79,8 @@ std::string alarm_words(const Session& s) {
 float alarm_width(const Session& s) { return 46 + text_width(s.ui.fonts.small, alarm_words(s)); }
 
 /// On one line if there is room, else on several.
-Paragraph verdict_words(Session& s, const Rect& scene) {
-  Paragraph words{.markup = s.player.step().verdict.text, .colour = s.ui.palette.text};
+Paragraph verdict_words(Session& s, const Rect& scene, const std::string& verdict) {
+  Paragraph words{.markup = verdict, .colour = s.ui.palette.text};
   if (is_low(scene)) words.size = 13, words.line_pitch = 19;
   const float alarm = is_low(scene) && has_alarm(s) ? alarm_width(s) + 12 : 0;
   const float room = scene.width() - 60 - 2 * edge(scene) - alarm;
@@ -89,17 +89,24 @@ Paragraph verdict_words(Session& s, const Rect& scene) {
 }
 
 /// 0: there is none.
-float verdict_height(Session& s, const Rect& scene) {
-  if (s.player.step().verdict.text.empty() || is_card(s.player.step().scene)) return 0;
-  return s.ui.texts.size_of(verdict_words(s, scene)).y + (is_low(scene) ? 9.0f : 13.0f);
+float verdict_height(Session& s, const Rect& scene, const Step& step) {
+  if (step.verdict.text.empty() || is_card(step.scene)) return 0;
+  return s.ui.texts.size_of(verdict_words(s, scene, step.verdict.text)).y + (is_low(scene) ? 9.0f : 13.0f);
 }
+float verdict_height(Session& s, const Rect& scene) { return verdict_height(s, scene, s.player.step()); }
 
 }  // namespace
 
-float steady_head(const Session& s, const Rect& scene) {
-  const bool says = std::ranges::any_of(s.player.walk().steps, [](const Step& it) { return !it.verdict.text.empty(); });
-  if (is_low(scene)) return says || s.player.methods_differ() ? low_head : 0;
-  return says ? high_head : 0;
+float steady_head(Session& s, const Rect& scene) {
+  const bool low = is_low(scene);
+  float tallest = 0;  // of the verdicts, which may take several lines
+  const std::string* last = nullptr;
+  for (const Step& step : s.player.walk().steps) {
+    if (last == nullptr || *last != step.verdict.text) tallest = std::max(tallest, verdict_height(s, scene, step));
+    last = &step.verdict.text;
+  }
+  if (tallest > 0) return std::max(low ? low_head : high_head, edge(scene) + tallest + 5);
+  return low && s.player.methods_differ() ? low_head : 0;
 }
 
 float head_of(Session& s, const Rect& scene) {
@@ -115,7 +122,7 @@ void verdict_chip(Session& s, const Rect& scene) {
   if (height == 0) return;
   Ui& ui = s.ui;
   const Colour& ink = ink_of(ui.palette, verdict.kind);
-  const Paragraph words = verdict_words(s, scene);
+  const Paragraph words = verdict_words(s, scene, verdict.text);
   const ImVec2 size = ui.texts.size_of(words);
   const Rect r{scene.left + in, scene.top + in, scene.left + in + 60 + size.x, scene.top + in + height};
   ui.rects["verdict"] = r;

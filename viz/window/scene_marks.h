@@ -12,7 +12,7 @@ inline bool is_low(const Rect& scene) { return scene.height() < 340; }
 /// step, as they would cover much of it.
 float head_of(Session&, const Rect& scene);
 /// The part of that which does not change from step to step.
-float steady_head(const Session&, const Rect& scene);
+float steady_head(Session&, const Rect& scene);
 /// The verdict in a chip at the top left.
 void verdict_chip(Session&, const Rect& scene);
 /// Below it, or beside it in a low scene, where methods that should agree do not: how many differ, and with the pointer
