@@ -1,17 +1,18 @@
 #!/usr/bin/env python3
 """The long proof: many times the cases of an ordinary run, all on one commit. The report tells what came of it.
 
-    tests/proof/run.py [PART...] [--cases N] [--minutes N] [--build DIR] [--out FILE]
+    tests/proof/run.py [PART...] [--cases N] [--minutes N] [--jobs N] [--build DIR] [--out FILE]
 
 Parts; all, if none is named, one after the other:
 
     verdicts   the exact calls of every suite against its oracle in rational arithmetic, N cases in all (100 million)
-    tests      every test with ISECT_LONG=1
+    tests      every test with ISECT_LONG=1, N at a time (1)
     fuzz       each fuzz target for N minutes (30); fuzz:query, fuzz:cases or fuzz:polygon is one of them
     gather     what the parts found, written to FILE (bench/proof.json), if all are there and of one commit
 
-Parts may run side by side. They are kept under DIR/proof (DIR is build/release), with the commit that they are of. Exit: 0
-all is well; 1 something was wrong; 2 the sources have changes that no commit has, or a part is missing.
+All of it takes some three hours of processor time. Parts may run side by side. What they found is kept under DIR/proof
+(DIR is build/release), with the commit that it is of. Exit: 0 all is well; 1 something was wrong; 2 the sources have
+changes that no commit has, or a part is missing.
 """
 
 import argparse
@@ -57,7 +58,8 @@ def verdicts(build, cases):
     while found.total() < cases and not wrong:
         seed += 1
         for program in programs:
-            run = subprocess.run([program, "--verdicts", "--seed", str(seed)], check=True, capture_output=True, text=True)
+            run = subprocess.run([program, "--verdicts", "--seed", str(seed)], check=True, stdout=subprocess.PIPE,
+                                 stderr=subprocess.DEVNULL, text=True)
             drawn = {}  # a family is drawn once, however many exact calls answer it
             for row in json.loads(run.stdout)["rows"]:
                 test = row["test"].split(",")[0]
@@ -74,12 +76,12 @@ def verdicts(build, cases):
     return {"seeds": seed, "cases": found.total(), "judged": judged.total(), "wrong": len(wrong), "tests": tests}
 
 
-def tests(build):
+def tests(build, jobs):
     subprocess.run(["cmake", "--build", build], check=True, stdout=sys.stderr)
     told = build / "proof" / "tests.xml"
     start = time.monotonic()
-    subprocess.run(["ctest", "--test-dir", build, "--output-junit", told, "--timeout", "7200", "--output-on-failure"],
-                   env=os.environ | {"ISECT_LONG": "1"}, stdout=sys.stderr)
+    subprocess.run(["ctest", "--test-dir", build, "-j", str(jobs), "--output-junit", told, "--timeout", "7200",
+                    "--output-on-failure"], env=os.environ | {"ISECT_LONG": "1"}, stdout=sys.stderr)
     suite = xml.etree.ElementTree.parse(told).getroot()
     failed, skipped = int(suite.get("failures")), int(suite.get("skipped")) + int(suite.get("disabled"))
     for case in suite.iter("testcase"):
@@ -121,6 +123,7 @@ def main():
     parser.add_argument("parts", nargs="*", metavar="PART")
     parser.add_argument("--cases", type=int, default=100_000_000)
     parser.add_argument("--minutes", type=int, default=30)
+    parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release")
     parser.add_argument("--out", type=pathlib.Path, default=ROOT / "bench" / "proof.json")
     args = parser.parse_args()
@@ -135,8 +138,12 @@ def main():
         if part == "gather":
             return gather(kept, args.out) or int(wrong > 0)
         said(part)
-        found = (verdicts(args.build, args.cases) if part == "verdicts" else tests(args.build) if part == "tests"
-                 else fuzz(part.removeprefix("fuzz:"), args.minutes))
+        if part == "verdicts":
+            found = verdicts(args.build, args.cases)
+        elif part == "tests":
+            found = tests(args.build, args.jobs)
+        else:
+            found = fuzz(part.removeprefix("fuzz:"), args.minutes)
         wrong += found["wrong"]
         (kept / f"{part.replace(':', '-')}.json").write_text(json.dumps({"commit": of} | found))
     return int(wrong > 0)
