@@ -1,5 +1,7 @@
 #include "bench/machine.h"
 
+#include <unistd.h>
+
 #include <chrono>
 #include <cstdlib>
 #include <ctime>
@@ -33,6 +35,14 @@ std::string cpu_of(const std::string& cpuinfo) {
   return family.empty() || model.empty() ? cpu : cpu + ", family " + family + ", model " + model;
 }
 
+namespace {
+/// "1 MB of L2": one core's.
+std::string cache(const char* level, int name) {
+  const long bytes = sysconf(name);
+  return bytes <= 0 ? "" : std::to_string((bytes + (1 << 19)) >> 20) + " MB of " + level;
+}
+}  // namespace
+
 double noise() {
   std::vector<double> times;
   for (int k = 0; k < 401; ++k) {
@@ -56,6 +66,9 @@ Machine this_machine(const std::string& flags, const std::string& build) {
   m.compiler = __VERSION__;
 #endif
   m.flags = flags, m.build = build;
+  m.caches = cache("L2", _SC_LEVEL2_CACHE_SIZE);
+  if (const std::string l3 = cache("L3", _SC_LEVEL3_CACHE_SIZE); !l3.empty())
+    m.caches += (m.caches.empty() ? "" : ", ") + l3;
   double load[1] = {0};
   if (getloadavg(load, 1) == 1) m.load = load[0];
   const std::time_t now = std::time(nullptr);

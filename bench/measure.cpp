@@ -22,6 +22,9 @@ Report measured(const Effort& effort, unsigned long long seed) {
   session.progress = [](const std::string& next) { std::fprintf(stderr, "%s\n", next.c_str()); };
   session.found.machine = this_machine(ISECT_FLAGS, ISECT_BUILD);
   session.found.machine.commit = commit;
+#ifdef ISECT_LIBRARIES
+  session.found.machine.libraries = ISECT_LIBRARIES;
+#endif
   measure(session);
   if (effort.timed()) session.found.machine.noise = std::max(session.found.machine.noise, noise());
   return std::move(session.found);

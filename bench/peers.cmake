@@ -10,6 +10,21 @@ find_library(EMBREE_LIBRARY embree3)
 find_library(GEOS_LIBRARY geos)
 find_library(QHULL_LIBRARY qhull_r)
 
+# Their versions, for the report: "CGAL 5.5.1, Boost 1.74.0"; as far as Debian's packages tell.
+set(peers_versions)
+foreach(peer CGAL:libcgal-dev Boost:libboost-dev Eigen:libeigen3-dev Bullet:libbullet-dev FCL:libfcl-dev
+    Embree:libembree-dev GEOS:libgeos++-dev Qhull:libqhull-dev)
+  string(REPLACE ":" ";" peer ${peer})
+  list(GET peer 0 name)
+  list(GET peer 1 package)
+  execute_process(COMMAND dpkg-query -W -f "\${source:Upstream-Version}" ${package} OUTPUT_VARIABLE version ERROR_QUIET)
+  if(version)
+    string(REGEX REPLACE "[+].*" "" version ${version})
+    list(APPEND peers_versions "${name} ${version}")
+  endif()
+endforeach()
+list(JOIN peers_versions ", " peers_versions)
+
 function(isect_add_peers target)
   target_compile_options(${target} PRIVATE -w -Wno-error)  # other people's headers
   # packaged FCL was compiled for 16 bytes; wider instructions would raise it

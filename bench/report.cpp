@@ -148,12 +148,16 @@ Target target(const Json& o) {
 Json value(const Machine& m) {
   Json o = {{"cpu", m.cpu},     {"cores", m.cores},       {"compiler", m.compiler},   {"flags", m.flags},
             {"build", m.build}, {"load", number(m.load)}, {"noise", number(m.noise)}, {"date", m.date}};
-  if (!m.commit.empty()) o["commit"] = m.commit;
+  const std::pair<const char*, const std::string&> maybe[] = {
+      {"commit", m.commit}, {"caches", m.caches}, {"libraries", m.libraries}};
+  for (const auto& [name, text] : maybe)
+    if (!text.empty()) o[name] = text;
   return o;
 }
 Machine machine(const Json& o) {
-  return {o.at("cpu"),          o.at("compiler"),      o.at("flags"), o.at("build"),        o.at("cores"),
-          number(o.at("load")), number(o.at("noise")), o.at("date"),  o.value("commit", "")};
+  return {o.at("cpu"),           o.at("compiler"),      o.at("flags"),           o.at("build"),
+          o.at("cores"),         number(o.at("load")),  number(o.at("noise")),   o.at("date"),
+          o.value("commit", ""), o.value("caches", ""), o.value("libraries", "")};
 }
 
 /// Each element on a line of its own, so that two files compare line by line.

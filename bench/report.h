@@ -108,7 +108,9 @@ struct Machine {
   double load = 0;   ///< of the last minute, when the run began
   double noise = 0;  ///< how much slower than its least a fixed loop's 95th percentile is: 0.03 = 3 %
   std::string date;
-  std::string commit = {};  ///< what was built, "-dirty" if changed since; ", " between several; empty: unknown
+  std::string commit = {};     ///< what was built, "-dirty" if changed since; ", " between several; empty: unknown
+  std::string caches = {};     ///< "1 MB of L2, 32 MB of L3"; empty: unknown
+  std::string libraries = {};  ///< those measured beside, with their versions: "CGAL 5.5.1, ..."; empty: none
 };
 
 struct Report {

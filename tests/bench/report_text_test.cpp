@@ -498,6 +498,15 @@ TEST_CASE("a target that is missed says what takes the time", "[report_text]") {
   CHECK_FALSE(contains(publication({r}).text, "Two sums"));
 }
 
+TEST_CASE("the report names caches, and the libraries with their versions", "[report_text]") {
+  Measured m = {report("portable", 29), {}, report("peers", 29)};
+  CHECK(contains(machine_text(m), "Measured on a machine with 2 cores:"));
+  m.portable.machine.caches = "1 MB of L2", m.peers->machine.libraries = "CGAL 5.5.1, Boost 1.74.0";
+  m = {report_of(json(m.portable)), {}, report_of(json(*m.peers))};
+  CHECK(contains(machine_text(m), "Measured on a machine with 2 cores, 1 MB of L2:"));
+  CHECK(contains(machine_text(m), "noise 2.0 %; beside CGAL 5.5.1, Boost 1.74.0\n"));
+}
+
 TEST_CASE("a target on hard input is about the worst family, and about those that touch exactly", "[report_text]") {
   Session session(Effort(), 1);
   session.aim_on_hard_input("ray-sphere", "It climbs.");
