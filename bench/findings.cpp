@@ -62,6 +62,13 @@ std::vector<std::string> wrong_on(const std::vector<const Row*>& rows, std::size
   return parts;
 }
 
+const Row* slowest_hard(const std::vector<const Row*>& rows) {
+  const Row* slowest = nullptr;
+  for (const Row* r : rows)
+    if (r->hard && (slowest == nullptr || r->median > slowest->median)) slowest = r;
+  return slowest;
+}
+
 std::string time_of(const Row& r) { return with_interval(r.median, r.lo, r.hi); }
 std::string ratio_text(const Row& a, const Row& b) {
   const Ratio r = ratio_of(a, b);

@@ -37,6 +37,9 @@ std::vector<const Row*> broken_by(std::vector<const Row*> method);
 /// "24 % of far small", at most so many.
 std::vector<std::string> wrong_on(const std::vector<const Row*>& method, std::size_t most);
 
+/// A method's row on the hard family that takes it longest; null if there is none.
+const Row* slowest_hard(const std::vector<const Row*>& method);
+
 /// With their intervals.
 std::string time_of(const Row&);
 std::string ratio_text(const Row&, const Row& divided_by);

@@ -76,9 +76,7 @@ std::string exact_promise(const Findings& d, const Findings& f) {
 
   if (d.exact->fallback)
     text += fmt::format("Of the ordinary calls {} need more than one pass in doubles. ", share(*d.exact->fallback, 1));
-  const Row* slowest = nullptr;
-  for (const Row* r : d.of(*d.exact))
-    if (r->hard && (slowest == nullptr || r->median > slowest->median)) slowest = r;
+  const Row* slowest = slowest_hard(d.of(*d.exact));
   if (slowest != nullptr && slowest->median > 1.5 * d.exact->median && faster(*d.exact, *slowest, d.noise))
     text += fmt::format(
         "It is slowest on \"{}\": {} ns{}. ", words(slowest->family), number(slowest->median),

@@ -29,9 +29,7 @@ std::string brief(const Row& r) {
 }
 
 std::string worst_time(const Findings& d, const Row& exact) {
-  const Row* worst = nullptr;
-  for (const Row* r : d.of(exact))
-    if (r->hard && (worst == nullptr || r->median > worst->median)) worst = r;
+  const Row* worst = slowest_hard(d.of(exact));
   if (worst == nullptr) return "";
   return worst->median <= exact.median ? "none takes more"
                                        : fmt::format("{}, {}", number(worst->median), words(worst->family));
@@ -123,11 +121,8 @@ std::string choice_cell(const std::optional<Choice>& c) {
 /// Beside what is chosen: what is as exact and takes much less where no value is asked for, or on the worst family.
 std::string besides(const Findings& d) {
   const Row& chosen = best_exact(d);
+  const Row *worst = slowest_hard(d.of(chosen)), *better = nullptr;
   std::string text;
-  const Row* worst = nullptr;
-  for (const Row* r : d.of(chosen))
-    if (r->hard && (worst == nullptr || r->median > worst->median)) worst = r;
-  const Row* better = nullptr;
   for (const Row* r : d.ordinary) {
     if (!r->exact || r->library != "isect" || r == &chosen) continue;
     if (chosen.ulps && !r->ulps && clearly_faster(*r, chosen, d.noise))
