@@ -30,15 +30,20 @@ class Session {
 
   /// What this suite set out to reach; the report says what came of it.
   void aim(Target target) { found.targets.push_back(std::move(target)); }
-  /// What every test set out to reach where input is hard; `limit` is that of the worst family.
-  void aim_on_hard_input(const std::string& test, std::string limit = {}) {
+  /// What every test set out to reach where input is hard: in its worst family, and where shapes touch exactly.
+  void aim_on_hard_input(const std::string& test, std::string worst_limit = {}, std::string touch_limit = {}) {
     aim({.work = test + ", worst family",
          .kind = Target::hard,
          .test = test,
          .theirs = "naive",
          .at_most = 30,
-         .limit = std::move(limit)});
-    aim({.work = test + ", exact touch", .kind = Target::touch, .test = test, .theirs = "ordinary", .at_most = 10});
+         .limit = std::move(worst_limit)});
+    aim({.work = test + ", exact touch",
+         .kind = Target::touch,
+         .test = test,
+         .theirs = "ordinary",
+         .at_most = 10,
+         .limit = std::move(touch_limit)});
   }
 
   const Effort effort;

@@ -72,9 +72,9 @@ void one_box(Session& session) {
 }  // namespace
 
 void measure(Session& session) {
-  session.aim({.work = "AABB-AABB", .test = "aabb-aabb", .theirs = "Eigen", .at_most = 0.4});
+  session.aim({.work = "aabb-aabb", .test = "aabb-aabb", .theirs = "Eigen", .at_most = 0.4});
   session.aim(
-      {.work = "AABB-AABB, float",
+      {.work = "aabb-aabb, float",
        .test = "aabb-aabb",
        .theirs = "Eigen",
        .scalar = "float",

@@ -42,13 +42,13 @@ void compete(Session& session, const NamedDraw<Case<S>>& drawn) {
 }  // namespace
 
 void measure(Session& session) {
-  session.aim({.work = "OBB-OBB",
+  session.aim({.work = "obb-obb",
                .test = "obb-obb",
                .theirs = "Bullet",
                .at_most = 1,
                .limit = "A fifth of the time finds how far the axes are from orthonormal, which Bullet takes for "
                         "granted: without that it would be 1.04 × Bullet, in double."});
-  session.aim({.work = "OBB-OBB: wrong verdicts", .kind = Target::wrong, .test = "obb-obb", .at_most = 0});
+  session.aim({.work = "obb-obb: wrong verdicts", .kind = Target::wrong, .test = "obb-obb", .at_most = 0});
   session.aim_on_hard_input("obb-obb");
   for (const auto& drawn : obb_obb_draws<double>) compete<double>(session, drawn);
   for (const auto& drawn : obb_obb_draws<float>) compete<float>(session, drawn);

@@ -40,7 +40,7 @@ void compete(Session& session, const NamedDraw<Case<S>>& drawn) {
 
 void measure(Session& session) {
   session.aim(
-      {.work = "sphere-AABB",
+      {.work = "sphere-aabb",
        .test = "sphere-aabb",
        .theirs = "CGAL",
        .at_most = 0.15,

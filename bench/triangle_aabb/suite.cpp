@@ -41,7 +41,7 @@ void compete(Session& session, const NamedDraw<Case<S>>& drawn) {
 }  // namespace
 
 void measure(Session& session) {
-  session.aim({.work = "triangle-AABB",
+  session.aim({.work = "triangle-aabb",
                .test = "triangle-aabb",
                .theirs = "naive",
                .at_most = 0.5,
