@@ -126,7 +126,7 @@ std::string besides(const Findings& d) {
   for (const Row* r : d.ordinary) {
     if (!r->exact || r->library != "isect" || r == &chosen) continue;
     if (chosen.ulps && !r->ulps && clearly_faster(*r, chosen, d.noise))
-      text += fmt::format("; {} ({}) where t is not needed", r->method, number(r->median));
+      text += fmt::format("; {} ({}) where that is enough", r->method, number(r->median));
     if (worst == nullptr || chosen.ulps.has_value() != r->ulps.has_value()) continue;
     if (const Row* there = d.same_family(*worst, *r); there != nullptr && 2 * there->median < worst->median)
       if (better == nullptr || there->median < better->median) better = there;

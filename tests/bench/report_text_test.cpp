@@ -319,8 +319,8 @@ TEST_CASE("the first page says what is as exact and takes less where no value is
     m.portable.rows.insert(m.portable.rows.end(), {yes_or_no, prepared});
   }
   CHECK(contains(summary_text(m), "| exact, yes or no and prepared |"));
-  CHECK(contains(summary_text(m),
-                 "; exact, yes or no (12) where t is not needed; prepared (40) for input like planet |"));
+  CHECK(
+      contains(summary_text(m), "; exact, yes or no (12) where that is enough; prepared (40) for input like planet |"));
 }
 
 TEST_CASE("a test without an exact call names what never says no wrongly", "[report_text]") {
