@@ -47,7 +47,7 @@ double noise() {
   std::vector<double> times;
   for (int k = 0; k < 401; ++k) {
     const auto start = std::chrono::steady_clock::now();
-    double x = 1;
+    double x = 2;  // 1 would stay 1, and need no loop
     for (int i = 0; i < 20000; ++i) x = x * 0.999 + 1e-3;
     asm volatile("" : : "x"(x));
     times.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
