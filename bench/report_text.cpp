@@ -12,6 +12,7 @@
 #include "bench/maps.h"
 #include "bench/prose.h"
 #include "bench/rows.h"
+#include "bench/suite_names.h"
 #include "viz/files.h"
 #include "viz/formats.h"
 
@@ -239,9 +240,17 @@ std::set<std::string> all_tests(const Report& r) {
   return all;
 }
 
+/// Where a report belongs: to the suite whose test it begins with; behind all if it begins with none.
+std::ptrdiff_t place_of(const Report& r) {
+  const std::vector<std::string>& suites = suite_names();
+  const auto begins = [&](const std::string& suite) { return !r.rows.empty() && r.rows[0].test.starts_with(suite); };
+  return std::ranges::find_if(suites, begins) - suites.begin();
+}
+
 }  // namespace
 
 Measured measured_of(std::vector<Report> reports) {
+  std::ranges::stable_sort(reports, {}, place_of);
   std::map<std::string, Report> builds;
   for (Report& r : reports) {
     const std::string build = r.machine.build;

@@ -17,8 +17,8 @@ struct Measured {
   Report portable;
   std::optional<Report> native = {}, peers = {};
 };
-/// Sorts reports by their build; several of one are put together. Throws std::runtime_error if none is portable, or two
-/// of one build have the same test.
+/// Sorts reports by their build; several of one are put together, in the order of the suites. Throws std::runtime_error
+/// if none is portable, or two of one build have the same test.
 Measured measured_of(std::vector<Report>);
 
 /// The text and the figures that it names: as SVG, maps as PNG.

@@ -112,7 +112,7 @@ std::string told(const Target& t, const Report& report) {
   const std::optional<double> value = measured(t, report);
   if (!value) return {};
   if (const auto on = hardest(t, report); on && (t.kind == Target::hard || t.kind == Target::touch))
-    return fmt::format("{} ({}{})", ratio_text(*value), on->row->scalar == "float" ? "float, " : "",
+    return fmt::format("{} ({}{})", number(*value), on->row->scalar == "float" ? "float, " : "",
                        words(on->row->family));
   if (t.kind != Target::ratio) return number(*value);
   const Ratio found = *ratio(t, report);

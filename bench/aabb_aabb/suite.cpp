@@ -85,8 +85,8 @@ void measure(Session& session) {
                .ours = "batch",
                .theirs = "Eigen",
                .at_most = 0.06,
-               .limit = "A box is 48 bytes, and one core reads 92 GB/s of those that its cache of the second level "
-                        "does not hold: that alone is 0.09 × Eigen, above the target."});
+               .limit = "A box is 48 bytes. To read those alone, from beyond the cache of the second level, would be "
+                        "some 0.09 × Eigen."});
   session.aim_on_hard_input("aabb-aabb");
   for (const auto& drawn : aabb_aabb_draws<double>) compete<double>(session, drawn);
   for (const auto& drawn : aabb_aabb_draws<float>) compete<float>(session, drawn);

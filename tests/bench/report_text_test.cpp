@@ -474,6 +474,7 @@ TEST_CASE("runs of one build that have no test in common are one report", "[repo
   CHECK(m.portable.rows.size() == 2 * native.rows.size());
   CHECK(m.portable.machine.noise == 0.07);
   CHECK(m.native->rows.size() == native.rows.size());
+  CHECK(measured_of({other, report("portable", 29)}).portable.rows[0].test == "ray-sphere");  // as suites are ordered
 
   other.quick = true;
   CHECK_THROWS_WITH(require_publishable(measured_of({report("portable", 29), other})), Contains("was quick"));
@@ -526,6 +527,9 @@ TEST_CASE("a target on hard input is about the worst family, and about those tha
   r.rows.push_back(row("exact", 290, "grid", 0));
   CHECK(told(touch, r) == "10 (grid)");  // floats have no ordinary family here
   CHECK(measured(touch, r).value() == Approx(10));
+  r.rows.back().median = 293;
+  CHECK(told(touch, r) == "10.1 (grid)");  // not 10, as it is missed
+  r.rows.back().median = 290;
   CHECK(
       contains(target_text({report_of(json(r))}), "| ray-sphere, exact touch | at most 10 × ordinary | 10 (grid) ✓ |"));
 }
