@@ -86,15 +86,48 @@ const Row& best_exact(const Findings& d) {
 
 namespace {
 
+std::vector<const Row*> exact_alternatives(const Findings& d, const Row& chosen) {
+  std::vector<const Row*> all = d.ordinary;
+  std::erase_if(all, [&](const Row* r) {
+    return !r->exact || r->library != "isect" || r == &chosen || r->ulps.has_value() != chosen.ulps.has_value();
+  });
+  return all;
+}
+
 /// The share of all cases judged that a method gets wrong.
 double wrong_of(const Findings& d, const Row& method) {
   const std::vector<const Row*> all = d.of(method);
   return static_cast<double>(total_wrong(all)) / static_cast<double>(std::max(1L, total_judged(all)));
 }
 
-/// Of one run; `foreign`: other libraries only, else isect's own methods only.
-std::optional<Rival> rival(const Report& report, const std::string& test, bool foreign) {
-  Findings d(report, test, "double");
+}  // namespace
+
+std::vector<Better> better_where(const Findings& d) {
+  const Row& chosen = best_exact(d);
+  std::vector<Better> all;
+  for (const Row* there : d.of(chosen)) {
+    if (!there->hard || there->median <= chosen.median) continue;
+    const Row* best = nullptr;
+    for (const Row* r : exact_alternatives(d, chosen))
+      if (const Row* same = d.same_family(*there, *r); same != nullptr && 2 * same->median < there->median)
+        if (best == nullptr || same->median < best->median) best = same;
+    if (best != nullptr) all.push_back({best, there});
+  }
+  std::ranges::stable_sort(all, std::greater{}, [](const Better& b) { return b.chosen->median; });
+  return all;
+}
+
+std::string not_asked(const Findings& d, const Row& method) {
+  std::string names;
+  for (const Row* asked : d.of(*d.exact))
+    if (asked->judged > 0)
+      if (const Row* same = d.same_family(*asked, method); same == nullptr || same->judged == 0)
+        names += (names.empty() ? " (not asked: " : ", ") + words(asked->family);
+  return names.empty() ? names : names + ")";
+}
+
+std::optional<Rival> rival(const Report& report, const std::string& test, const std::string& scalar, bool foreign) {
+  Findings d(report, test, scalar);
   if (d.exact == nullptr) return {};
   std::vector<const Row*> others = d.ordinary;
   std::erase_if(others, [&](const Row* r) {
@@ -109,11 +142,9 @@ std::optional<Rival> rival(const Report& report, const std::string& test, bool f
   return Rival{std::move(d), best, exact};
 }
 
-}  // namespace
-
 std::optional<Rival> rival(const Measured& m, const std::string& test) {
-  std::optional<Rival> own = rival(m.portable, test, false), foreign;
-  if (m.peers) foreign = rival(*m.peers, test, true);
+  std::optional<Rival> own = rival(m.portable, test, "double", false), foreign;
+  if (m.peers) foreign = rival(*m.peers, test, "double", true);
   if (!own || !foreign) return own ? own : foreign;
   const Ratio theirs = ratio_of(*foreign->row, *foreign->exact), ours = ratio_of(*own->row, *own->exact);
   if (theirs.hi < ours.lo) return foreign;

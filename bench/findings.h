@@ -52,6 +52,16 @@ inline bool clearly_faster(const Row& a, const Row& b, double noise) {
 /// The exact call, or another method of isect that is as exact, says as much and is clearly faster.
 const Row& best_exact(const Findings&);
 
+/// Where another method of isect that is as exact and says as much takes less than half of its time: on hard families
+/// that take longer than ordinary input, the slowest first.
+struct Better {
+  const Row *row, *chosen;  ///< of one family
+};
+std::vector<Better> better_where(const Findings&);
+
+/// The hard families that the exact call was asked and this was not: " (not asked: invalid, scale)".
+std::string not_asked(const Findings&, const Row& method);
+
 /// The best of those that are inexact or foreign: of the ones that nothing is faster than for certain, the one that is
 /// least often wrong.
 struct Rival {
@@ -61,6 +71,8 @@ struct Rival {
   bool is_faster() const { return clearly_faster(*row, *exact, in.noise); }
 };
 std::optional<Rival> rival(const Measured&, const std::string& test);
+/// The same of one run: other libraries only if `foreign`, else isect's own methods only.
+std::optional<Rival> rival(const Report&, const std::string& test, const std::string& scalar, bool foreign);
 
 /// What to choose.
 struct Choice {

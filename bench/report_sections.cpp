@@ -1,8 +1,10 @@
 // The sentences and tables of the report: machine, tests, targets, losses.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "bench/findings.h"
 #include "bench/prose.h"
@@ -32,8 +34,8 @@ std::string cost(const Measured& m, const std::string& test, const Findings& d, 
   std::vector<std::string> equals;
   for (const Row* r : d.ordinary)
     if (r->exact && r != d.exact && r->library == "isect")
-      equals.push_back(fmt::format("{} ({} ns a case)", name_of(*r), number(r->median)));
-  if (!equals.empty()) text += fmt::format("Equally exact: {}. ", listed(equals));
+      equals.push_back(fmt::format("{}, {} ns a case{}", name_of(*r), number(r->median), not_asked(d, *r)));
+  if (!equals.empty()) text += fmt::format("As exact: {}. ", fmt::join(equals, "; "));
   return text;
 }
 
@@ -92,9 +94,32 @@ std::string runner_up(const Findings& d) {
       best = r;
   if (best == nullptr || best == d.naive || total_wrong(d.of(*best)) >= total_wrong(d.of(*d.naive))) return {};
   const std::vector<std::string> parts = wrong_on(d.of(*best), 2);
-  return fmt::format("Of the inexact methods {} errs least: it takes {} of the time of {}, and is wrong on {}. ",
-                     name_of(*best), ratio_text(*best, *d.naive), name_of(*d.naive),
-                     parts.empty() ? "no case judged" : listed(parts));
+  return fmt::format(
+      "Of the inexact methods {} errs least: its time, divided by that of {}, is {}, and it is wrong on {}. ",
+      name_of(*best), name_of(*d.naive), ratio_text(*best, *d.naive), parts.empty() ? "no case judged" : listed(parts));
+}
+
+/// Where something inexact takes less, though not in double in the portable build.
+std::string elsewhere(const Measured& m, const std::string& test) {
+  std::string text;
+  const auto look = [&](const Report& report, const std::string& scalar, const std::string& where) {
+    if (const auto best = rival(report, test, scalar, false); best && best->is_faster())
+      text += fmt::format(" {} {} does, {} ns against {}.", where, name_of(*best->row), number(best->row->median),
+                          number(best->exact->median));
+  };
+  look(m.portable, "float", "In float");
+  if (m.native) look(*m.native, "double", "Compiled for this machine");
+  if (m.native) look(*m.native, "float", "Compiled for this machine, in float");
+  return text;
+}
+
+/// Where another method that is as exact takes much less.
+std::string exceptions(const Findings& d) {
+  std::string text;
+  for (const Better& b : better_where(d))
+    text += fmt::format(" On \"{}\" {} takes {} ns, against {}.", words(b.row->family), name_of(*b.row),
+                        number(b.row->median), number(b.chosen->median));
+  return text;
 }
 
 /// What to choose; nothing where what is faster met no hard case.
@@ -103,18 +128,20 @@ std::string advice(const Measured& m, const std::string& test, const Findings& d
   if (!c || c->why == Choice::not_judged) return {};
   const bool another = c->exact != name_of(*d.exact);
   const std::string exact = another ? c->exact : "the exact call";
-  const std::string as_exact = !another ? ""
-                               : c->peer == nullptr
-                                   ? "It is as exact as the exact call. "
-                                   : fmt::format("It is as exact as the exact call, and takes {} of its time. ",
-                                                 ratio_text(*c->peer, best_exact(Findings(*m.peers, test, "double"))));
+  const std::string as_exact =
+      !another             ? ""
+      : c->peer == nullptr ? d.judged_hard() ? "It is as exact as the exact call. "
+                                             : "It promises what the exact call does; it was judged on ordinary input. "
+                           : fmt::format("It is as exact as the exact call, and takes {} of its time. ",
+                                         ratio_text(*c->peer, best_exact(Findings(*m.peers, test, "double"))));
   if (c->why == Choice::nothing_faster)
-    return fmt::format("**Choose {}.** {}Nothing inexact here takes clearly less time.", exact, as_exact);
+    return fmt::format("**Choose {}.** {}In double nothing inexact takes clearly less time.{}{}", exact, as_exact,
+                       elsewhere(m, test), exceptions(d));
   if (c->why == Choice::errs_on_ordinary)
     return fmt::format("**Choose {}.** {} takes less time, but errs on ordinary input already.", exact,
                        sentence(c->other));
   const Rival best = *rival(m, test);
-  const std::string other = c->other + (c->no_value ? ", where yes or no is enough" : "");
+  const std::string other = c->other + (c->no_value ? " (yes or no only)" : "");
   const std::string saved = number(best.exact->median - best.row->median), part = ratio_text(*best.row, *best.exact);
   if (c->why == Choice::as_exact)
     return fmt::format("**Choose {}.** It is as exact, and takes {} of the time.", other, part);
@@ -129,9 +156,8 @@ std::string advice(const Measured& m, const std::string& test, const Findings& d
                                        : "not where input may be " + listed(c->families));
   if (c->all_families)
     return fmt::format(
-        "**Choose {}.** Use {} only if all input is like the ordinary family, and to save {} ns a call outweighs a "
-        "wrong "
-        "verdict.",
+        "**Choose {}.** Use {} only if all input is like the ordinary family, and saving {} ns a call outweighs a "
+        "wrong verdict.",
         exact, other, saved);
   return fmt::format("**Choose {},** or {} where no input is {}: it saves {} ns a call.", exact, other,
                      listed(c->families), saved);
@@ -225,6 +251,37 @@ std::string table(const Measured& m, const std::string& test, const Findings& d)
   return text + '\n';
 }
 
+/// Of isect, at one size: what is called exact if there is such a method, else what takes least. Null if there is none.
+struct AtSize {
+  const Growth* of = nullptr;
+  double ns = 0;
+};
+AtSize least_of_ours(const Report& report, const Growth& theirs, double n) {
+  AtSize best;
+  for (const Growth& g : report.growths) {
+    if (g.library != "isect" || g.test != theirs.test || g.unit != theirs.unit) continue;
+    const auto at = std::ranges::find(g.n, n);
+    if (at == g.n.end() || (best.of != nullptr && best.of->method == "exact")) continue;
+    const double ns = g.ns[static_cast<std::size_t>(at - g.n.begin())];
+    if (best.of == nullptr || g.method == "exact" || ns < best.ns) best = {&g, ns};
+  }
+  return best;
+}
+
+/// Where another library takes a tenth less than isect, at the largest size that it was asked.
+std::vector<std::string> growth_losses(const Report& report) {
+  std::vector<std::string> lines;
+  for (const Growth& g : report.growths) {
+    if (g.library == "isect" || g.n.empty()) continue;
+    const AtSize ours = least_of_ours(report, g, g.n.back());
+    if (ours.of != nullptr && g.ns.back() < 0.9 * ours.ns)
+      lines.push_back(fmt::format("{}{}, n = 10^{:g}: {} takes {} of the time of {}.", sentence(g.test),
+                                  g.test.find(g.unit) == g.test.npos ? ", " + g.unit : "", std::log10(g.n.back()),
+                                  name_of(g), ratio_text(g.ns.back() / ours.ns), name_of(*ours.of)));
+  }
+  return lines;
+}
+
 std::vector<const Report*> all_of(const Measured& m) {
   std::vector<const Report*> all = {&m.portable};
   if (m.native) all.push_back(&*m.native);
@@ -274,17 +331,20 @@ std::string test_text(const Measured& m, const std::string& test) {
 
 std::string target_text(const Measured& m) {
   std::string text =
-      "## Targets\n\nRatios are within one run. Rows that name another library "
-      "come from the run "
-      "beside other libraries. Worst family: the exact call's time divided by the naive method's, in double or float, "
-      "where "
-      "that is most. Exact touch: its time on shapes of integers or tenths that touch, divided by that on ordinary "
-      "cases.\n\n| work | target | portable | native | beside others |\n| --- | --- | --- | "
+      "## Targets\n\nRatios are within one run. Rows that name another library come from the run beside other "
+      "libraries; `-frounding-math`, which some of those need, slows some naive methods. Worst family: the exact "
+      "call's "
+      "time divided by the naive method's, in double or float, where that is most. Exact touch: its time on shapes of "
+      "integers or tenths that touch, divided by that on ordinary cases.\n\n| work | target | portable | native | "
+      "beside others |\n| --- | --- | --- | "
       "--- | --- |\n";
-  int reached = 0, missed = 0, open = 0;
+  int reached = 0, missed = 0, open = 0, absent = 0;
   for (const Target& t : m.portable.targets) {
     const bool on_hard_input = t.kind == Target::hard || t.kind == Target::touch;
-    if (on_hard_input && !measured(t, m.portable)) continue;  // the test has no such family
+    if (on_hard_input && !measured(t, m.portable)) {  // the test has no such family
+      ++absent;
+      continue;
+    }
     std::string row = fmt::format("| {} | {} |", t.work, wanted(t));
     std::optional<bool> all;
     for (const Report* r : {&m.portable, m.native ? &*m.native : nullptr, m.peers ? &*m.peers : nullptr}) {
@@ -295,7 +355,9 @@ std::string target_text(const Measured& m) {
     text += row + '\n';
     if (t.at_most) ++(!all ? open : *all ? reached : missed);
   }
-  return text + fmt::format("\n{} met, {} missed, {} not measured.\n\n", reached, missed, open);
+  text += fmt::format("\n{} met, {} missed, {} not measured.", reached, missed, open);
+  return text + (absent > 0 ? fmt::format(" {} more are about families that their test does not have.", absent) : "") +
+         "\n\n";
 }
 
 std::string loss_text(const Measured& m) {
@@ -318,7 +380,7 @@ std::string loss_text(const Measured& m) {
       if (const Row* naive = d.same_family(*r, *d.naive); naive != nullptr && r->median / naive->median > most)
         worst = r, most = r->median / naive->median;
     if (worst != nullptr && most > 2 && faster(*d.same_family(*worst, *d.naive), *worst, d.noise))
-      lines.push_back(fmt::format("{}: the exact call takes up to {} times the time of {} ({}: {} ns).", sentence(test),
+      lines.push_back(fmt::format("{}: the exact call takes {} times the time of {} on \"{}\" ({} ns).", sentence(test),
                                   ratio_text(most), name_of(*d.naive), words(worst->family), number(worst->median)));
   }
   if (m.peers)
@@ -336,8 +398,12 @@ std::string loss_text(const Measured& m) {
                                             share(static_cast<double>(total_wrong(p.of(*r))),
                                                   static_cast<double>(total_judged(p.of(*r)))))));
     }
+  if (m.peers)
+    for (const std::string& line : growth_losses(*m.peers)) lines.push_back(line);
   if (lines.empty()) return {};
-  std::string text = "## Where isect is behind\n\n";
+  std::string text =
+      "## Where isect is behind\n\nTargets in any build; then, in double, the family on which the exact call takes "
+      "more than twice the time of the naive method, portable; then other libraries, beside them.\n\n";
   for (const std::string& line : lines) text += "- " + line + '\n';
   return text + '\n';
 }

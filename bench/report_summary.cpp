@@ -1,6 +1,7 @@
 // The first page of the report: a line a test.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -35,14 +36,11 @@ std::string worst_time(const Findings& d, const Row& exact) {
                                        : fmt::format("{}, {}", number(worst->median), words(worst->family));
 }
 
-/// The hard families that the exact call was asked and this was not: " (not asked: invalid, scale)".
-std::string gaps(const Findings& d, const Row& r) {
-  std::string names;
-  for (const Row* asked : d.of(*d.exact))
-    if (asked->judged > 0)
-      if (const Row* same = d.same_family(*asked, r); same == nullptr || same->judged == 0)
-        names += (names.empty() ? " (not asked: " : ", ") + words(asked->family);
-  return names.empty() ? names : names + ")";
+/// As `listed`; names that have a comma themselves are set apart by semicolons.
+std::string listed_apart(const std::vector<std::string>& names) {
+  if (std::ranges::none_of(names, [](const std::string& name) { return name.find(',') != name.npos; }))
+    return listed(names);
+  return fmt::format("{}", fmt::join(names, "; "));
 }
 
 /// Those that no case judged showed wrong, the row's own call left out.
@@ -53,12 +51,12 @@ std::string also_right(const Measured& m, const std::string& test, const Finding
     for (const Row* r : f.ordinary)
       if (r != &best_exact(f) && (r->library != "isect") == foreign && total_wrong(f.of(*r)) == 0 &&
           is_judged_on_hard(f.of(*r)))
-        if (const std::string name = brief(*r) + gaps(f, *r); std::ranges::find(names, name) == names.end())
+        if (const std::string name = brief(*r) + not_asked(f, *r); std::ranges::find(names, name) == names.end())
           names.push_back(name);
   };
   gather(d, false);
   if (m.peers) gather(Findings(*m.peers, test, "double"), true);
-  return fmt::format("{}", d.judged_hard() ? names.empty() ? "none" : listed(names) : "");
+  return fmt::format("{}", d.judged_hard() ? names.empty() ? "none" : listed_apart(names) : "");
 }
 
 /// ", each a false yes", where all that a yes-or-no method gets wrong is of one kind.
@@ -79,7 +77,8 @@ std::string how_it_fails(const Findings& d, const Row& r) {
     return fmt::format("wrong on {} of {}{}", wrong_share({broken[0]}), words(broken[0]->family),
                        broken.size() > 1 ? fmt::format(", and on {} more", broken.size() - 1) : "") +
            kind_of_errors(all);
-  return std::ranges::any_of(all, &Row::hard) ? "never wrong here" : "not judged on hard input";
+  return std::ranges::any_of(all, &Row::hard) ? fmt::format("never wrong in {} cases", count(total_judged(all)))
+                                              : "not judged on hard input";
 }
 
 std::string rival_cell(const Findings& d, const std::optional<Rival>& best) {
@@ -87,7 +86,10 @@ std::string rival_cell(const Findings& d, const std::optional<Rival>& best) {
     const std::string failing = how_it_fails(best->in, *best->row);
     const std::string time =
         number(best->row->median) +
-        (best->row->library == "isect" ? "" : fmt::format(" (the exact call there: {})", number(best->exact->median)));
+        (best->row->library == "isect"
+             ? ""
+             : fmt::format(" ({} there: {})", best->exact->method == "exact" ? "the exact call" : best->exact->method,
+                           number(best->exact->median)));
     return best->is_faster() ? fmt::format("{}: {}; {}", brief(*best->row), time, failing)
                              : fmt::format("none; least: {}, {}; {}", brief(*best->row), time, failing);
   }
@@ -118,21 +120,20 @@ std::string choice_cell(const std::optional<Choice>& c) {
   return fmt::format("{}; {} if no input is {}", c->exact, other, listed(some));
 }
 
-/// Beside what is chosen: what is as exact and takes much less where no value is asked for, or on the worst family.
+/// Beside what is chosen: what is as exact and takes much less where no value is asked for, or on some hard family.
 std::string besides(const Findings& d) {
   const Row& chosen = best_exact(d);
-  const Row *worst = slowest_hard(d.of(chosen)), *better = nullptr;
   std::string text;
-  for (const Row* r : d.ordinary) {
-    if (!r->exact || r->library != "isect" || r == &chosen) continue;
-    if (chosen.ulps && !r->ulps && clearly_faster(*r, chosen, d.noise))
+  for (const Row* r : d.ordinary)
+    if (r->exact && r->library == "isect" && chosen.ulps && !r->ulps && clearly_faster(*r, chosen, d.noise))
       text += fmt::format("; {} ({}) where that is enough", r->method, number(r->median));
-    if (worst == nullptr || chosen.ulps.has_value() != r->ulps.has_value()) continue;
-    if (const Row* there = d.same_family(*worst, *r); there != nullptr && 2 * there->median < worst->median)
-      if (better == nullptr || there->median < better->median) better = there;
+  std::vector<std::pair<std::string, std::vector<std::string>>> families;  // of a method, with its times
+  for (const Better& b : better_where(d)) {
+    auto place = std::ranges::find(families, b.row->method, &decltype(families)::value_type::first);
+    if (place == families.end()) place = families.insert(place, {b.row->method, {}});
+    place->second.push_back(fmt::format("{} ({})", words(b.row->family), number(b.row->median)));
   }
-  if (better != nullptr && worst->median > chosen.median)
-    text += fmt::format("; {} ({}) for input like {}", better->method, number(better->median), words(better->family));
+  for (const auto& [method, where] : families) text += fmt::format("; {} for input like {}", method, listed(where));
   return text;
 }
 
@@ -155,8 +156,8 @@ std::string summary_text(const Measured& m) {
       "changes some of our times too, so that the exact call's time there stands beside them. Ordinary cases are "
       "random; "
       "hard families are made to break naive methods. [a, b] is the 95 % interval of a median over the passes of one "
-      "program. All words are explained at the end.\n\n"
-      "| question | exact call, ordinary | its worst hard family | no error found, either | what takes less, and how "
+      "program. Words are explained at the end.\n\n"
+      "| question | exact call, ordinary | its worst hard family | also without error | what takes less, and how "
       "it "
       "fails | choose |\n| --- | --: | --- | --- | --- | --- |\n";
   for (const std::string& test : tests_of(m.portable)) {

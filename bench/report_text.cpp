@@ -93,7 +93,8 @@ std::string ratios(const Measured& m, Figures& figures) {
          "conversion "
          "rounds: a squared radius and a ray by two points (CGAL, but for EPECK), a capsule by frame and length (FCL), "
          "floats (Bullet, Embree). The verdict is judged against our input all the same, so such errors are the "
-         "interface's, not the predicate's. CGAL's tests of rays answer yes or no; the exact call also finds t.\n\n";
+         "interface's, not the predicate's. Boost's `within` leaves out the boundary by its contract. CGAL's tests of "
+         "rays answer yes or no; the exact call also finds t.\n\n";
 }
 
 std::string reading() {
@@ -104,12 +105,13 @@ std::string reading() {
 - A ratio is that of two medians of one run. Its interval is what the ends of theirs allow: the lower end of one by the upper end of the other, and the other way round. Without a name it is to the test's naive method.
 - One time is called less than another only if their intervals are apart, and the medians by more than the noise; a choice asks for a tenth, as the next build may place a loop in another way. Noise: how much more than its least a fixed loop takes, at its 95th percentile, before a suite and after it; a suite that met more than 10 % is measured again.
 - What takes less: the best of the inexact methods and, where they were measured, of other libraries. That has the least time; of those that take as little, it is the one least often wrong. None: nothing takes clearly less.
-- Ordinary: up to 65,536 random cases of like sizes, not made to be hard: more than a branch predictor can learn. Hard families: mostly 8,192 cases each, of which it may learn some; so compare times within a family only.
+- Ordinary: 65,536 random cases of like sizes, not made to be hard: more than a branch predictor can learn. Of large polygons there are fewer. Hard families: mostly 8,192 cases each, of which it may learn some; so compare times within a family only.
 - The exact call is `intersects(a, b)`; for rays `intersect(ray, shape)`, which also finds t (yes or no: `intersects`); for relations `relate(a, b)`; for points in polygons `locate`. Batch: the same for many shapes at once. Grid, slabs, trapezoids: a polygon prepared for many points. Polygons have the number of vertices n that is named; without one point-polygon has 100, convex-polygon 64, point-location 256.
 - The oracle: rational numbers (GMP) and roots of 400 digits (MPFR), which share no arithmetic with the library.
 - A verdict is wrong if it differs from the true one for the numbers as given. Never wrong: in all cases judged, those of the hard families included. Not asked: families that would stop the library's program, or that it does not allow.
 - Called on, wrong side: where an answer is a sign or a location, "on" (zero) for what lies on a side; and a side for what lies on the other one or on. They add up to all wrong verdicts. A method that answers yes or no never answers "on".
 - The error of a value is counted in units in the last place (ulp) of the true value, where the verdict is right: half the cases lie below the median, all but one in a hundred below the 99th percentile. An error of n ulp loses about log2(1 + n) bits.
+- Like boxes are all of one size; of heavy-tailed ones a few are much larger. A smooth polygon has five waves, a spiky one a random radius at each vertex. A hierarchy is a tree of boxes. u is 2^-53, half the distance from 1 to the next double.
 - In a figure, down is more accurate and left takes less time. A method is on the front if no other is both at least as fast and at least as accurate. What lies on the tinted side is beaten.
 - Growth: processor time of one thread, the least of a few passes at each size, from the run beside other libraries where there is one; all pairs and Embree in float. So these times are not to be compared with the medians above. A power of n is fitted to three sizes or more; it tells the sizes shown, not the complexity.
 

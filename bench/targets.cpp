@@ -114,6 +114,7 @@ std::string told(const Target& t, const Report& report) {
   if (const auto on = hardest(t, report); on && (t.kind == Target::hard || t.kind == Target::touch))
     return fmt::format("{} ({}{})", number(*value), on->row->scalar == "float" ? "float, " : "",
                        words(on->row->family));
+  if (t.kind == Target::growth && t.ours != "exact") return fmt::format("{} ({})", number(*value), t.ours);
   if (t.kind != Target::ratio) return number(*value);
   const Ratio found = *ratio(t, report);
   return with_interval(found.value, found.lo, found.hi);

@@ -74,8 +74,8 @@ void measure(Session& session) {
                    "Each sum of three products that t is made of may be off by more than 2 ulp in doubles, so both "
                    "are found in two doubles: 42 operations in place of 12, and 26 for their bounds."});
   session.aim_on_hard_input("ray-plane",
-                            "Where n.d cancels to its last bit, t to 2 ulp takes three doubles, 1,450 instructions a "
-                            "call; where products overflow, whole numbers, 4,200. The naive call is 30.");
+                            "Where n.d, or n.o less the plane's offset, cancels to its last bit, t to 2 ulp takes "
+                            "three doubles: 1,450 instructions. The naive call is 30.");
   for (const auto& drawn : ray_plane_draws<double>) compete<double>(session, drawn);
   for (const auto& drawn : ray_plane_draws<float>) compete<float>(session, drawn);
 }
