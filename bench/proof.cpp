@@ -32,8 +32,9 @@ std::string proof_text(const Proof& p) {
   for (const Proof::Judged& t : p.judged) cases += t.cases, judged += t.judged;
   const auto told = [](long wrong) { return wrong == 0 ? std::string("none") : count(wrong); };
   std::string text = fmt::format(
-      "## The long proof\n\nNothing here is timed. All of it was run on commit {}, {}, and written by "
-      "`tests/proof/run.py`.\n\n"
+      "## The long proof\n\nNothing here is timed. All of it was run on commit {}, {}, or on one with the same core "
+      "and "
+      "program, by `tests/proof/run.py`.\n\n"
       "- **{} cases** of all families, {} of them for each seed of {}, were judged by the oracles: {} answers of the "
       "exact calls, {} wrong.\n"
       "- Every test was run with `ISECT_LONG=1`, which draws up to a thousand times the random shapes: {} tests in {} "

@@ -27,6 +27,7 @@ TEMPLATE_TEST_CASE_SIG("two capsules: every method agrees with rationals on ordi
     const auto a = bench::capsule<S, N>(random, bench::Numbers::ordinary),
                b = bench::capsule<S, N>(random, bench::Numbers::ordinary);
     if (empty(a) || empty(b) || b.p == b.q) continue;
+    if (a.radius + b.radius == 0) continue;  // segments: rounding decides whether they meet
     const bool meet = oracle::relation(a, b) != Relation::disjoint;
     if (clamped(a, b) != meet) FAIL("clamped is wrong");
     if (sunday(a, b, S(small)) != meet) FAIL("sunday is wrong");

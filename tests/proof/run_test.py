@@ -96,12 +96,19 @@ class Proof(unittest.TestCase):
         self.assertEqual(code, 2)
         self.assertIn("not run yet: verdicts, tests, fuzz-query, fuzz-cases, fuzz-polygon", said)
         self.run_proof("verdicts", "fuzz", "--cases", "1")
+        self.program("core/intersects.h", "true")
         self.commit()
         self.run_proof("tests")
         code, said = self.run_proof("gather")
         self.assertEqual(code, 2)
-        self.assertIn("run on several commits: verdicts on ", said)
+        self.assertIn("run on commits that differ in core/ or app/: verdicts on ", said)
         self.assertFalse((self.root / "bench/proof.json").exists())
+
+    def test_a_change_beside_what_is_proved_needs_no_new_proof(self):
+        self.run_proof("verdicts", "fuzz", "--cases", "1")
+        self.commit()
+        self.run_proof("tests")
+        self.assertEqual(self.run_proof("gather")[0], 0)
 
     def test_changes_without_a_commit_and_unknown_parts_are_refused(self):
         (self.root / "new").write_text("new")
