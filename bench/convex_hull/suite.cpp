@@ -36,8 +36,12 @@ void measure(Session& session) {
                .theirs = "CGAL",
                .n = 1e6,
                .at_most = 1.1});
-  session.aim(
-      {.work = "hull of 10^6 points in space", .kind = Target::growth, .test = "hull 3D", .theirs = "qhull", .n = 1e6});
+  session.aim({.work = "hull of 10^6 points in space",
+               .kind = Target::growth,
+               .test = "hull 3D",
+               .theirs = "qhull",
+               .n = 1e6,
+               .at_most = 1});
   const auto hull2 = [](const Ring<double, 2>& points) { return convex_hull(points); };
   const auto hull3 = [](const Points& points) { return convex_hull(points); };
   grow(session, "hull 2D, disc", "exact", unit, in_disc, hull2);

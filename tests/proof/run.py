@@ -3,10 +3,11 @@
 
     tests/proof/run.py [PART...] [--cases N] [--minutes N] [--jobs N] [--build DIR] [--out FILE]
 
-Parts; all, if none is named, one after the other:
+Parts; all but `again`, if none is named, one after the other:
 
     verdicts   the exact calls of every suite against its oracle in rational arithmetic, N cases in all (100 million)
     tests      every test with ISECT_LONG=1, N at a time (1)
+    again      those that failed, once they were mended: for a test that asked too much; not part of all
     fuzz       each fuzz target for N minutes (30); fuzz:query, fuzz:cases or fuzz:polygon is one of them
     gather     what the parts found, written to FILE (bench/proof.json), if all are there and of one commit, or of commits
                that differ in neither core/ nor app/
@@ -77,12 +78,18 @@ def verdicts(build, cases):
     return {"seeds": seed, "cases": found.total(), "judged": judged.total(), "wrong": len(wrong), "tests": tests}
 
 
-def tests(build, jobs):
+def same_program(one, other):
+    """Whether two commits differ in neither core/ nor app/."""
+    differ = ["git", "-C", ROOT, "diff", "--quiet", one, other, "--", "core", "app"]
+    return subprocess.run(differ).returncode == 0
+
+
+def tests(build, jobs, *options):
     subprocess.run(["cmake", "--build", build], check=True, stdout=sys.stderr)
     told = build / "proof" / "tests.xml"
     start = time.monotonic()
     subprocess.run(["ctest", "--test-dir", build, "-j", str(jobs), "--output-junit", told, "--timeout", "7200",
-                    "--output-on-failure"], env=os.environ | {"ISECT_LONG": "1"}, stdout=sys.stderr)
+                    "--output-on-failure", *options], env=os.environ | {"ISECT_LONG": "1"}, stdout=sys.stderr)
     suite = xml.etree.ElementTree.parse(told).getroot()
     failed, skipped = int(suite.get("failures")), int(suite.get("skipped")) + int(suite.get("disabled"))
     for case in suite.iter("testcase"):
@@ -90,6 +97,16 @@ def tests(build, jobs):
             said(f"failed: {case.get('name')}")
     return {"run": int(suite.get("tests")) - skipped, "skipped": skipped, "wrong": failed,
             "seconds": round(time.monotonic() - start)}
+
+
+def again(build, jobs, kept, of):
+    before = json.loads((kept / "tests.json").read_text())
+    if not same_program(before["commit"], of):
+        sys.exit(refused(f"core/ or app/ has changed since the tests were run on {before['commit']}; run them all"))
+    now = tests(build, jobs, "--rerun-failed")
+    if now["run"] < before["wrong"]:
+        sys.exit(refused(f"{before['wrong']} tests had failed, and {now['run']} were run"))
+    return before | {"wrong": now["wrong"], "seconds": before["seconds"] + now["seconds"], "commit": of}
 
 
 def fuzz(target, minutes):
@@ -108,11 +125,9 @@ def gather(kept, out):
         return refused(f"not run yet: {', '.join(missing)}")
     found = {name: json.loads(file.read_text()) for name, file in files.items()}
     commits = {name: part.pop("commit") for name, part in found.items()}
-    for of in set(commits.values()):
-        differ = ["git", "-C", ROOT, "diff", "--quiet", commits["tests"], of, "--", "core", "app"]
-        if subprocess.run(differ).returncode != 0:
-            return refused("run on commits that differ in core/ or app/: " +
-                           ", ".join(f"{name} on {of}" for name, of in commits.items()))
+    if not all(same_program(commits["tests"], of) for of in commits.values()):
+        return refused("run on commits that differ in core/ or app/: " +
+                       ", ".join(f"{name} on {of}" for name, of in commits.items()))
     last = max(file.stat().st_mtime for file in files.values())
     whole = {"commit": commits["tests"], "date": datetime.date.fromtimestamp(last).isoformat(),
              "verdicts": found["verdicts"], "tests": found["tests"],
@@ -132,8 +147,8 @@ def main():
     parser.add_argument("--out", type=pathlib.Path, default=ROOT / "bench" / "proof.json")
     args = parser.parse_args()
     parts = [p for part in args.parts or known for p in (known[2:-1] if part == "fuzz" else [part])]
-    if unknown := [p for p in parts if p not in known]:
-        parser.error(f"unknown PART {unknown[0]}; there are: {' '.join(known)} fuzz")
+    if unknown := [p for p in parts if p not in [*known, "again"]]:
+        parser.error(f"unknown PART {unknown[0]}; there are: {' '.join(known)} fuzz again")
 
     kept, wrong = args.build / "proof", 0
     of = commit() if parts != ["gather"] else None
@@ -146,6 +161,8 @@ def main():
             found = verdicts(args.build, args.cases)
         elif part == "tests":
             found = tests(args.build, args.jobs)
+        elif part == "again":
+            part, found = "tests", again(args.build, args.jobs, kept, of)
         else:
             found = fuzz(part.removeprefix("fuzz:"), args.minutes)
         wrong += found["wrong"]

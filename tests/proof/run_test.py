@@ -104,6 +104,23 @@ class Proof(unittest.TestCase):
         self.assertIn("run on commits that differ in core/ or app/: verdicts on ", said)
         self.assertFalse((self.root / "bench/proof.json").exists())
 
+    def test_tests_that_failed_are_run_again_once_mended(self):
+        self.set(failed=2)
+        self.commit()
+        self.assertEqual(self.run_proof("tests")[0], 1)
+        self.set()
+        self.commit()
+        self.assertEqual(self.run_proof("again")[0], 0)
+        kept = json.loads((self.build / "proof/tests.json").read_text())
+        self.assertEqual((kept["run"], kept["wrong"]), (7, 0))
+        head = subprocess.run(["git", "-C", self.root, "rev-parse", "HEAD"], capture_output=True, text=True).stdout
+        self.assertTrue(head.startswith(kept["commit"]))
+        self.program("app/main.cpp", "int main() {}")
+        self.commit()
+        code, said = self.run_proof("again")
+        self.assertEqual(code, 2)
+        self.assertIn("core/ or app/ has changed since", said)
+
     def test_a_change_beside_what_is_proved_needs_no_new_proof(self):
         self.run_proof("verdicts", "fuzz", "--cases", "1")
         self.commit()
