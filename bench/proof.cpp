@@ -18,7 +18,8 @@ Proof proof_of(const std::string& json) try {
   p.commit = o.at("commit"), p.date = o.at("date");
   p.seeds = verdicts.at("seeds"), p.wrong_verdicts = verdicts.at("wrong");
   for (const Json& t : verdicts.at("tests")) p.judged.push_back({t.at("test"), t.at("cases"), t.at("judged")});
-  p.tests = tests.at("run"), p.skipped = tests.at("skipped"), p.failed = tests.at("wrong");
+  p.tests = tests.at("run"), p.skipped = tests.at("skipped"), p.failed = tests.at("wrong"),
+  p.again = tests.value("again", 0L);
   p.seconds = tests.at("seconds");
   for (const Json& f : o.at("fuzz"))
     p.fuzzed.push_back({f.at("target"), f.at("minutes"), f.at("inputs"), f.at("wrong")});
@@ -38,9 +39,10 @@ std::string proof_text(const Proof& p) {
       "- **{} cases** of all families, {} of them for each seed of {}, were judged by the oracles: {} answers of the "
       "exact calls, {} wrong.\n"
       "- Every test was run with `ISECT_LONG=1`, which draws up to a thousand times the random shapes: {} tests in {} "
-      "minutes, {} skipped, {} failed.\n",
+      "minutes, {} skipped, {} failed{}.\n",
       p.commit, p.date, count(cases), count(p.seeds > 0 ? cases / p.seeds : cases), count(p.seeds), count(judged),
-      told(p.wrong_verdicts), count(p.tests), count((p.seconds + 59) / 60), told(p.skipped), told(p.failed));
+      told(p.wrong_verdicts), count(p.tests), count((p.seconds + 59) / 60), told(p.skipped), told(p.failed),
+      p.again > 0 ? fmt::format("; {} had failed, were mended and run again", count(p.again)) : "");
   for (const Proof::Fuzzed& f : p.fuzzed)
     text += fmt::format("- The fuzz target `{}` ran for {} minutes: {} inputs, {}.\n", f.target, count(f.minutes),
                         count(f.inputs), f.wrong == 0 ? "no fault" : "a fault");

@@ -20,7 +20,8 @@ struct Proof {
   std::string commit, date;
   long seeds = 0, wrong_verdicts = 0;
   std::vector<Judged> judged;
-  long tests = 0, skipped = 0, failed = 0, seconds = 0;  ///< of the tests in a long run
+  /// Of the tests in a long run; `again`: had failed, and were run again once they were mended.
+  long tests = 0, skipped = 0, failed = 0, again = 0, seconds = 0;
   std::vector<Fuzzed> fuzzed;
 };
 

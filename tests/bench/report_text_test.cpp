@@ -542,7 +542,7 @@ TEST_CASE("the long proof is told with its commit, and what was wrong", "[report
           "verdicts": {"seeds": 2, "cases": 3000, "judged": 5000, "wrong": 0,
                        "tests": [{"test": "ray-sphere", "cases": 1000, "judged": 1000},
                                  {"test": "orient2d", "cases": 2000, "judged": 4000}]},
-          "tests": {"run": 2790, "skipped": 2, "wrong": 0, "seconds": 601},
+          "tests": {"run": 2790, "skipped": 2, "wrong": 0, "again": 3, "seconds": 601},
           "fuzz": [{"target": "query", "minutes": 30, "inputs": 123456, "wrong": 0},
                    {"target": "cases", "minutes": 30, "inputs": 7, "wrong": 1}]})";
   const std::string text = proof_text(proof_of(kept));
@@ -550,7 +550,7 @@ TEST_CASE("the long proof is told with its commit, and what was wrong", "[report
   CHECK(contains(text, "on commit 0123abc, 2026-01-02"));
   CHECK(contains(text, "**3,000 cases**"));
   CHECK(contains(text, "5,000 answers of the exact calls, none wrong"));
-  CHECK(contains(text, "2,790 tests in 11 minutes, 2 skipped, none failed"));
+  CHECK(contains(text, "2,790 tests in 11 minutes, 2 skipped, none failed; 3 had failed, were mended and run again."));
   CHECK(contains(text, "`query` ran for 30 minutes: 123,456 inputs, no fault"));
   CHECK(contains(text, "`cases` ran for 30 minutes: 7 inputs, a fault"));
   CHECK(contains(text, "| orient2d | 2,000 | 4,000 |"));

@@ -106,7 +106,8 @@ def again(build, jobs, kept, of):
     now = tests(build, jobs, "--rerun-failed")
     if now["run"] < before["wrong"]:
         sys.exit(refused(f"{before['wrong']} tests had failed, and {now['run']} were run"))
-    return before | {"wrong": now["wrong"], "seconds": before["seconds"] + now["seconds"], "commit": of}
+    return before | {"wrong": now["wrong"], "again": before.get("again", 0) + now["run"],
+                     "seconds": before["seconds"] + now["seconds"], "commit": of}
 
 
 def fuzz(target, minutes):

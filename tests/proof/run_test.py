@@ -112,7 +112,7 @@ class Proof(unittest.TestCase):
         self.commit()
         self.assertEqual(self.run_proof("again")[0], 0)
         kept = json.loads((self.build / "proof/tests.json").read_text())
-        self.assertEqual((kept["run"], kept["wrong"]), (7, 0))
+        self.assertEqual((kept["run"], kept["wrong"], kept["again"]), (7, 0, 7))
         head = subprocess.run(["git", "-C", self.root, "rev-parse", "HEAD"], capture_output=True, text=True).stdout
         self.assertTrue(head.startswith(kept["commit"]))
         self.program("app/main.cpp", "int main() {}")
