@@ -166,6 +166,41 @@ TEST_CASE("the report says where others are ahead", "[report_text]") {
   CHECK(contains(text, "Ray-sphere: the exact call takes 90 times the time of quadratic on \"planet\" (900 ns)."));
 }
 
+TEST_CASE("where others are ahead as n grows, the report says at the largest size that they were asked",
+          "[report_text]") {
+  Measured m = {report("portable", 29), {}, report("peers", 29)};
+  CHECK_FALSE(contains(loss_text(m), "n = 10^"));  // Embree takes ten times as long
+  m.peers->growths.push_back({"all pairs", "sweep", "isect", "all pairs", {1e3, 1e4}, {9e4, 2e6}, 1});
+  m.peers->growths.push_back({"all pairs", "btDbvt", "Bullet", "all pairs", {1e3, 1e4}, {1e6, 8e5}, 1});
+  CHECK(contains(loss_text(m), "- All pairs, n = 10^4: Bullet: btDbvt takes 0.8 of the time of overlapping_pairs."));
+  m.peers->growths.push_back({"all pairs", "exact", "isect", "all pairs", {1e3, 1e4}, {9e6, 4e6}, 1});
+  CHECK(contains(loss_text(m), "Bullet: btDbvt takes 0.2 of the time of exact."));  // what is fast may be inexact
+  m.peers->growths[3].ns[1] = 3.9e6;                                                // less than a tenth more is no loss
+  CHECK_FALSE(contains(loss_text(m), "btDbvt takes"));
+}
+
+TEST_CASE("advice for double says where it is another one, and where another exact method takes less",
+          "[report_text]") {
+  Measured m = {report("portable", 5), report("native", 29)};
+  for (Row* r : {&m.portable.rows[0], &m.portable.rows[1]}) *r = timed(*r, 10);
+  const auto in_float = [](Row r, double ns) {
+    r.scalar = "float";
+    return timed(r, ns);
+  };
+  for (const Row& r : std::vector(m.portable.rows)) m.portable.rows.push_back(in_float(r, r.exact ? 29 : 10));
+  Row prepared = with_error(row("prepared", 20, "ordinary", 0), 0.2, 0.5, 0.5);
+  prepared.exact = true;
+  m.portable.rows.push_back(prepared);
+  prepared.family = "planet", prepared.hard = true;
+  m.portable.rows.push_back(timed(prepared, 40));
+  const std::string text = test_text(m, "ray-sphere");
+  CAPTURE(text);
+  CHECK(contains(text,
+                 "**Choose the exact call.** In double nothing inexact takes clearly less time. In float robust "
+                 "does, 10 ns against 29. Compiled for this machine quadratic does, 10 ns against 29. On \"planet\" "
+                 "prepared takes 40 ns, against 900."));
+}
+
 TEST_CASE("the text names every figure once, with alt text and caption, and no figure is missing", "[report_text]") {
   const Publication p = publication({report("portable", 29), report("native", 20), report("peers", 29)});
   std::vector<std::string> named;
