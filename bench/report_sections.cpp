@@ -402,8 +402,9 @@ std::string loss_text(const Measured& m) {
     for (const std::string& line : growth_losses(*m.peers)) lines.push_back(line);
   if (lines.empty()) return {};
   std::string text =
-      "## Where isect is behind\n\nTargets in any build; then, in double, the family on which the exact call takes "
-      "more than twice the time of the naive method, portable; then other libraries, beside them.\n\n";
+      "## Where isect is behind\n\nFirst the targets that some build missed. Then, for each test, the family on which "
+      "the exact call takes most beside the naive method, if it takes more than twice as long: in double, in the "
+      "portable build. Then what other libraries do in less time.\n\n";
   for (const std::string& line : lines) text += "- " + line + '\n';
   return text + '\n';
 }
