@@ -222,6 +222,11 @@ bool BorderSearch::bisect_number() {
       return true;
     }
   }
+  next_ = &BorderSearch::tell;
+  return true;
+}
+
+bool BorderSearch::tell() {
   next_ = &BorderSearch::end;
   // The first setting of another case is the border itself where it is neither of the two that meet there.
   if (far_.is != beyond_) {

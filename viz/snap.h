@@ -57,6 +57,7 @@ class BorderSearch {
   bool look_for_change();
   bool bisect();
   bool bisect_number();
+  bool tell();  // a step of its own: it asks about both sides
   bool end();
 
   const Lesson& lesson_;

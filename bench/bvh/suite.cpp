@@ -26,6 +26,14 @@ struct Curves {
   explicit Curves(const std::string& method)
       : build("bvh", method, "build"), closest("bvh", method, "query"), any("bvh", method, "any hit") {}
 
+  template <class Rays, class Make, class Closest, class Any>
+  void add(const Session& session, double size, const Rays& rays, const Make& make, const Closest& closest_of,
+           const Any& any_of) {
+    build.add(size, least_time(session, make));
+    closest.add(size, least_each(session, rays, [&](const auto& ray) { return closest_of(ray).has_value(); }));
+    any.add(size, least_each(session, rays, any_of));
+  }
+
   void report(Session& session) {
     for (Grown* g : {&build, &closest, &any}) g->report(session);
   }
@@ -41,10 +49,10 @@ void grow_prepared(Session& session, const std::string& method) {
     const TriangleMesh<S> mesh = bumpy_sphere<S>(side_of(n));
     const double size = static_cast<double>(mesh.triangles.size());
     const RayMesh<S> prepared = make_ray_mesh(mesh);
-    curves.build.add(size, least_time(session, [&] { return make_ray_mesh(mesh); }));
-    curves.closest.add(size,
-                       least_each(session, rays, [&](const auto& r) { return closest_hit(prepared, r).has_value(); }));
-    curves.any.add(size, least_each(session, rays, [&](const auto& r) { return any_hit(prepared, r); }));
+    curves.add(
+        session, size, rays, [&] { return make_ray_mesh(mesh); },
+        [&](const auto& ray) { return closest_hit(prepared, ray); },
+        [&](const auto& ray) { return any_hit(prepared, ray); });
   }
   curves.report(session);
 }
@@ -93,10 +101,10 @@ void measure(Session& session) {
     const double size = static_cast<double>(mesh.triangles.size());
 
     const Bvh<double, 3> bvh = build_bvh(boxes(mesh));
-    plain.build.add(size, least_time(session, [&] { return build_bvh(boxes(mesh)); }));
-    plain.closest.add(size,
-                      least_each(session, rays, [&](const auto& r) { return closest_hit(bvh, mesh, r).has_value(); }));
-    plain.any.add(size, least_each(session, rays, [&](const auto& r) { return any_hit(bvh, mesh, r); }));
+    plain.add(
+        session, size, rays, [&] { return build_bvh(boxes(mesh)); },
+        [&](const auto& ray) { return closest_hit(bvh, mesh, ray); },
+        [&](const auto& ray) { return any_hit(bvh, mesh, ray); });
 
     if (n <= 10'000)
       brute.add(size, least_each(session, few, [&](const auto& r) { return brute_force(mesh, r).has_value(); }));

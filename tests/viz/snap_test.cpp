@@ -255,9 +255,9 @@ TEST_CASE("the setting snaps to a border of the map, too", "[window]") {
 }
 
 TEST_CASE("a frame asks a slow lesson a few questions, and the snap comes when all are asked", "[window]") {
-  // A frame begins no question after an eightieth of a second, four of them; the last search may then ask three: the
-  // middle, and both sides that it tells of. So no clock is needed to see that they are few.
-  constexpr int most = 7;
+  // A frame begins no question after an eightieth of a second, four of them; the last step of the search may then ask
+  // two. So no clock is needed to see that they are few.
+  constexpr int most = 6;
   WindowDriver window({&slow()}, 1280, 800);
   const auto x = [&] { return number(window.player(), "x"); };
   const auto asked_in = [&](const auto& action) {
