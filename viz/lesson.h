@@ -75,6 +75,7 @@ struct Question {
   int answer = 0;                    ///< index into choices
   std::string because;               ///< markup, shown with the answer
   std::optional<Scene> over = {};    ///< what is drawn while it is open; none: see viz/asking.h
+  std::vector<Value> given = {};     ///< numbers that it needs, as they are before its step: shown while it is open
 };
 
 /// What is known at this step.
@@ -186,7 +187,8 @@ struct Lesson {
   std::string group_by;         ///< name of the choice parameter that groups the presets, may be empty
   std::vector<Preset> presets;  ///< the first one is loaded at the start
   Camera camera;                ///< see opening(); target and scale are set by framing all presets alike
-  std::function<Walk(const Parameters&)> steps = nullptr;  ///< asked by `walk`
+  /// Asked by `walk`. Throws BadInput where it refuses a setting that keeps ranges and conditions.
+  std::function<Walk(const Parameters&)> steps = nullptr;
   /// All lies in z = 0 and is seen straight on, whatever `camera` says: a drag pans, nothing turns.
   bool flat = false;
   /// Methods that should agree, asked side by side; the first is exact. None where a lesson has one method.
@@ -204,7 +206,7 @@ struct Lesson {
   std::string made_from = {};  ///< the text of the scene file that this was made of; empty: it is built in
 
   /// What the lesson tells of a setting: its steps, its map of cases, its closing card. The lesson must outlive the
-  /// walk.
+  /// walk. Throws as `steps` does.
   Walk walk(const Parameters&) const;
 };
 
