@@ -60,6 +60,9 @@ struct Comparison {
   double left = 0, right = 0;
   bool holds = false;
   std::string meaning;  ///< "the line meets the ball"
+  /// The inequalities that a condition joins, "*s* < 0 and *l*^2 > *r*^2", each with its own sides and no meaning; the
+  /// condition's own `left` and `right` say nothing then. Empty: it is one inequality.
+  std::vector<Comparison> parts = {};
 };
 
 /// Operations done so far, counted by running the same algorithm on a counting scalar.
