@@ -376,7 +376,7 @@ Json Session::whole(const Json&) {
   const auto picture = [&](const Station& at) {
     stand_at(at);
     const viz::Figure drawn = composed(Drawn::at_rest);
-    return fmt::format("<figure{}>{}</figure>\n", program::book::attributes_of_picture(drawn.drawing.width),
+    return fmt::format("<figure{}>{}</figure>\n", program::book::attributes_of_picture(drawn.drawing.width, drawn.drawing.height),
                        viz::lone_svg(drawn.drawing, viz::drawn_text(player_->walk(), player_->scene(), !at.asks),
                                      fmt::format("whole-{}-{}-", at.step, at.asks)));
   };
@@ -436,11 +436,11 @@ Json Session::frame(Drawn how, const viz::Moved& moved) {
                 {"picture", viz::lone_svg(figure_.drawing, viz::drawn_text(p.walk(), p.scene(), !here.asks), "live-")},
                 {"width", figure_.drawing.width},
                 {"height", figure_.drawing.height},
-                {"figure", program::book::attributes_of_picture(figure_.drawing.width)},
                 {"above", told.above(here)},
                 {"below", told.below(here)},
                 {"given", told.given()},
                 {"opinions", told.opinions()},
+                {"outcome", told.outcome()},
                 {"line", p.step().line},
                 {"refused", p.step().refused},
                 {"untaken", p.step().untaken},

@@ -42,6 +42,32 @@
   bar.append(first, back, play, next, last, slider, all, place);
   document.getElementById("walks").append(bar);
 
+  // What a lesson is about, and its settings, each in a line: the picture begins on the first screen.
+  const about = document.querySelector(".about"), summary = document.querySelector(".opening .summary");
+  if (about && summary) {
+    const more = document.createElement("button");
+    const unfold = open => {
+      about.classList.toggle("open", open);
+      more.textContent = open ? "Less" : "More", more.setAttribute("aria-expanded", String(open));
+    };
+    more.type = "button", more.className = "more", more.addEventListener("click", () => unfold(!about.classList.contains("open")));
+    about.id = "about", more.setAttribute("aria-controls", about.id);
+    unfold(false), summary.append(" ", more);
+  }
+  const lists = [...document.querySelectorAll("nav.settings ul")], methods = document.createElement("select");
+  const links_of = list => [...list.querySelectorAll("a")];
+  if (lists.length > 1) {
+    methods.className = "methods", methods.setAttribute("aria-label", "Kind of setting");
+    document.querySelectorAll("nav.settings h2").forEach(head => methods.append(new Option(head.textContent)));
+    /// The setting of the same name, or the first.
+    methods.addEventListener("change", () => {
+      const now = links.find(link => link.hash === "#" + opened), others = links_of(lists[methods.selectedIndex]);
+      const to = others.find(link => now && link.textContent === now.textContent) ?? others[0];
+      open_walk(walks.find(w => "#" + w.id === to.hash));
+    });
+    document.querySelector("nav.settings").prepend(methods);
+  }
+
   const is_open = article => article.classList.contains("ask") && !article.classList.contains("told");
   /// Without its number.
   const title_of = article => [...article.querySelector("h3").childNodes].slice(1).map(n => n.textContent).join("").trim();
@@ -54,8 +80,14 @@
 
   const count = () => live ? live.count : articles(walk).length;
   const position = () => live ? live.at : at;
-  function stand(to) { live ? live.go(Math.max(0, Math.min(to, count() - 1))) : go(walk, to); }
-  function open_walk(to) { live ? live.load(to.id) : go(to, 0); }
+  function stand(to) {
+    if (live) live.go(Math.max(0, Math.min(to, count() - 1))); else go(walk, to);
+    show_picture();
+  }
+  function open_walk(to) {
+    if (live) live.load(to.id); else go(to, 0);
+    show_picture();
+  }
 
   /// The code and the links, for a station of a walk: `lines` are what data-line, data-refused and data-untaken say.
   function light_code(section, lines) {
@@ -67,11 +99,25 @@
       else line.removeAttribute("aria-current");
     });
   }
-  function mark_link(id) {
+  const shown = () => live ? live.article : articles(walk)[at];
+  let opened = "";  // the setting that is shown; "": none of the page's
+  function mark_link(id) { opened = id, mark(); }
+  /// A setting's name may be the answer: while a question is open, it is not told.
+  function mark() {
+    const asks = is_open(shown());
+    root.classList.toggle("asking", asks);
     links.forEach(link => {
-      if (link.hash === "#" + id) link.setAttribute("aria-current", "true");
+      if (link.hash === "#" + opened && !asks) link.setAttribute("aria-current", "true");
       else link.removeAttribute("aria-current");
     });
+    const link = links.find(link => link.hash === "#" + opened), list = link && link.closest("ul");
+    if (!link) return;
+    lists.forEach((other, i) => {
+      other.classList.toggle("other", other !== list);
+      if (other === list && methods.options.length) methods.selectedIndex = i;
+    });
+    const here = link.getBoundingClientRect(), room = list.getBoundingClientRect();
+    if (here.left < room.left || here.right > room.right) list.scrollLeft += here.left - room.left - 40;
   }
   function show_controls(told) {
     const here = position(), end = count() - 1;
@@ -98,13 +144,18 @@
     if (live) return;
     mark_link(walk.id);
     show_controls(told(article, list));
-    if (!keep_address) try { history.replaceState(null, "", "#" + article.id); } catch { /* nowhere to keep it */ }
+    if (!keep_address) keep("#" + article.id);
     if (playing && (at === list.length - 1 || is_open(article))) toggle_play();
   }
-  function step(by) {
-    stand(position() + by);
-    const shown = live ? live.article : articles(walk)[at], top = shown.getBoundingClientRect().top;
-    if (top < 0 || top > 0.4 * innerHeight) shown.scrollIntoView({ block: "start" });  // on a phone it may be far below
+  function step(by) { stand(position() + by); }
+  function scroll_by(way) { scrollBy({ top: way, behavior: "instant" }); }  // this page, and none around it
+  const top_of = element => element.getBoundingClientRect().top;
+  /// Scrolls where the picture is not whole on the screen; to its setting's name, if both have room.
+  function show_picture() {
+    if (root.classList.contains("reading")) return scroll_by(top_of(articles(walk)[at].querySelector("h3")) - 8);
+    const article = shown(), box = article.querySelector(".picture, .words").getBoundingClientRect();
+    const bottom = top_of(bar), head = top_of(article.closest(".walk"));
+    if (box.top < 0 || box.bottom > bottom) scroll_by(box.bottom - head <= bottom ? head : box.top - 8);
   }
   function toggle_play() {
     if (playing) clearInterval(playing), playing = 0;
@@ -118,7 +169,7 @@
   function read(whole) {
     root.classList.toggle("reading", whole);
     all.setAttribute("aria-pressed", String(whole));
-    (whole || !live ? articles(walk)[at] : live.article).scrollIntoView({ block: "nearest" });
+    show_picture();
   }
 
   /// A choice is a button; the first that is pressed is the answer.
@@ -142,20 +193,31 @@
     if (!right) choices[chosen].classList.add("wrong");
     ask.querySelector("details").open = true;
     place.textContent = right ? "Right." : "Not quite.";
+    mark();
   }
 
   /// Of an address; as it stands there where it is none that a browser has written.
   function decoded(text) {
     try { return decodeURIComponent(text); } catch { return text; }
   }
+  const names_a_walk = hash => walks.some(w => w.id === decoded(hash.slice(1).split(/[/?]/)[0]));
+  /// What this entry of the browser's history shows, also where its address names another part of the page.
+  const address = () => names_a_walk(location.hash) ? location.hash : history.state?.shown ?? "";
+  function keep(shown, push = false, url = shown) {
+    try { history[push ? "pushState" : "replaceState"]({ shown }, "", url); } catch { /* nowhere to keep it */ }
+  }
   function from_address() {
     if (live) return live.from_address();
-    const id = decoded(location.hash.slice(1).split("?")[0]), found = id && document.getElementById(id);
+    const asked = address(), id = decoded(asked.slice(1).split("?")[0]), found = id && document.getElementById(id);
     const owner = found && found.closest(".walk");
     if (!owner) return false;
     go(owner, Math.max(0, articles(owner).indexOf(found)), true);
-    owner.scrollIntoView({ block: "start" });
+    if (location.hash === "" || asked === location.hash) show_picture();
     return true;
+  }
+  /// The browser's own jump has scrolled, unless what it leads to is shown by us.
+  function follow_address() {
+    if (!from_address()) keep("#" + (live ? live.place : articles(walk)[at].id), false, location.href);
   }
   const keys = {
     ArrowRight: () => step(1), ArrowLeft: () => step(-1), Home: () => stand(0), End: () => stand(count() - 1),
@@ -170,22 +232,28 @@
     if (event.ctrlKey || event.altKey || event.metaKey || root.classList.contains("reading")) return;
     const on = event.target;
     if (on.matches("input, textarea, select") || (on.matches("button, a, summary") && event.key === " ")) return;
-    const shown = live ? live.article : articles(walk)[at];
-    const choice = is_open(shown) && /^[a-h]$/.test(event.key)
-        ? shown.querySelectorAll(".choices button")[event.key.charCodeAt(0) - 97] : null;
+    const choice = is_open(shown()) && /^[a-h]$/.test(event.key)
+        ? shown().querySelectorAll(".choices button")[event.key.charCodeAt(0) - 97] : null;
     if (choice) choice.click();
     else if (/^[1-9]$/.test(event.key) && walks[event.key - 1]) open_walk(walks[event.key - 1]);
     else if (keys[event.key]) keys[event.key]();
     else return;
     event.preventDefault();
   });
-  addEventListener("hashchange", from_address);
+  addEventListener("hashchange", follow_address);
   // A link to where one is already goes there, too: the exercise that it stands in lies far below.
   addEventListener("click", event => {
     const link = event.target.closest && event.target.closest('a[href^="#"]');
     if (link && link.hash === location.hash && from_address()) event.preventDefault();
   });
+  // A browser scrolls to what an address names, and with it the page around this one: until it has, it is asked for nothing.
+  if (names_a_walk(location.hash)) keep(location.hash, false, location.pathname + location.search);
   if (!from_address()) go(walk, 0, true);
+  function keep_first() {
+    const here = "#" + (live ? live.place : articles(walk)[at].id);
+    if (location.hash === "") keep(history.state?.shown ?? here);
+  }
+  if (document.readyState === "complete") keep_first(); else addEventListener("load", () => setTimeout(keep_first));
 
   /// The lessons' own code: a script that holds a function from request to answer. Without it all stays as it is.
   function load(script) {
@@ -207,7 +275,8 @@
     const answer = asked => code.ccall("isect_answer", "string", ["string"], [asked]);
     live = isect_live({
       request: asked => JSON.parse(answer(JSON.stringify(asked))), walks, load, prepare, light_code, mark_link,
-      show_controls, title_of, decoded, stop: () => playing && toggle_play(), playing: () => playing !== 0,
+      show_controls, show_picture, title_of, decoded, address, keep, stop: () => playing && toggle_play(),
+      playing: () => playing !== 0,
       /// Keeps the page's own walks at the same place, for paper and for reading.
       follow: (id, to) => go(walks.find(w => w.id === id), to, true)
     });

@@ -24,13 +24,14 @@ function isect_live(book) {
   const above = element("div", { class: "above" }), below = element("div", { class: "below" });
   const lights = element("g", { class: "lights" }), grips = element("g");
   const over = element("svg", { class: "over" }, lights, grips);
-  const holder = element("div", { class: "holder" });
+  const holder = element("div", { class: "holder" }, over);
   const stage = element("figure", { class: "stage" }, holder);
   const map_over = element("svg", { class: "over", tabindex: "0", role: "application",
     "aria-label": "Map of cases; the arrow keys move the setting" });
   const map_holder = element("div", { class: "holder" }), map_told = element("figcaption");
   const map = element("figure", { class: "map", hidden: "" }, map_holder, map_told);
   const message = element("p", { class: "message", role: "status" });
+  const outcome = element("div", { class: "outcome", role: "status" });  // of a setting of the reader's own, at every step
   const wants_map = pressed("Map of cases", () => look({ map: wants_map.getAttribute("aria-pressed") !== "true" }));
   const undo = pressed("Undo", () => act({ do: "undo" })), redo = pressed("Redo", () => act({ do: "redo" }));
   const snap = pressed("Snap", () => snap.setAttribute("aria-pressed", String(!snaps())));
@@ -45,7 +46,8 @@ function isect_live(book) {
       pressed("Save the scene", () => save(new Blob([scene.value], { type: "application/json" }), example + ".json"))), chosen);
   const share = element("details", { class: "share" }, element("summary", {}, "Save or share"));
   const tools = element("div", { class: "tools", role: "group", "aria-label": "Tools" }, wants_map, snap, undo, redo, frame_all);
-  const pictures = element("div", { class: "pictures" }, stage, map, message, tools);
+  const pictures = element("div", { class: "pictures" }, stage, map,
+    element("div", { class: "told-below" }, outcome, message), tools);
   const article = element("article", { class: "step shown" }, above, pictures, below,
     element("div", { class: "workshop" }, own_scene, values, share));
   const section = element("section", { class: "walk live shown", id: "live" }, heading, given, algorithm,
@@ -80,10 +82,11 @@ function isect_live(book) {
     const changed = place.preset === "";
     now = frame;
     live.at = frame.at, live.count = frame.count;
-    section.classList.toggle("changed", changed);
+    section.classList.toggle("changed", changed), section.classList.toggle("over", frame.at === frame.count - 1);
     article.classList.toggle("ask", frame.asks), article.classList.toggle("step", !frame.asks);
     if (fresh) article.classList.remove("told");
-    html(heading, place["preset title"] + (changed ? ", changed" : "") +
+    const name = place["preset title"], own = is_scene ? name + ", changed" : `Changed from “${name}”`;
+    html(heading, (changed ? own : name) +
       (place.method && place.method !== place["preset title"] ? ` <small>${place.method}</small>` : ""));
     draw(frame);
     html(given, frame.given), html(opinions, frame.opinions), html(above, frame.above);
@@ -97,6 +100,7 @@ function isect_live(book) {
     show_values(frame.values, frame.idle);
     wants_map.hidden = !frame["has map"];
     undo.setAttribute("aria-disabled", !frame.undo), redo.setAttribute("aria-disabled", !frame.redo);
+    html(outcome, changed ? frame.outcome : "");
     message.textContent = frame.told || frame.refuses || "";
     book.mark_link(changed ? "" : place.origin);
     book.show_controls(frame.asks ? below.querySelector("h3").textContent
@@ -111,11 +115,16 @@ function isect_live(book) {
     if (holder.firstChild !== over) holder.firstElementChild.outerHTML = picture;
     else over.insertAdjacentHTML("beforebegin", picture);
   }
-  const unit_of = frame => frame.width / (holder.clientWidth || frame.width);  // of the picture, a px
+  /// Of the picture, a px: it is as wide as its holder, if that is not too high.
+  function unit_of(frame) {
+    const high = parseFloat(getComputedStyle(holder.firstChild).maxHeight);
+    return Math.max(frame.width / (holder.clientWidth || frame.width), frame.height / (high || Infinity));
+  }
   function draw(frame) {
     const box = `0 0 ${frame.width} ${frame.height}`, unit = unit_of(frame);  // while the page is laid out
     put_first(holder, over, frame.picture);
     over.setAttribute("viewBox", box);
+    stage.toggleAttribute("data-tall", frame.height > frame.width);
     stage.style.setProperty("--least", frame.width > 330 ? `${Math.round(frame.width)}px` : "0");
     lights.replaceChildren();
     show_grips(frame.handles, unit);
@@ -167,13 +176,17 @@ function isect_live(book) {
     ["pointerup", "pointercancel"].forEach(name => target.addEventListener(name, stop));
   }
   const drag = svg => event => act({ do: "drag", ...place_in(svg, event), snap: snaps(event) }, "keep");
-  const drop = () => act({ do: "drop" }, "push");
+  /// What a pointer has moved keeps no focus: the arrow keys step again.
+  function drop() {
+    act({ do: "drop" }, "push");
+    if (document.activeElement && section.contains(document.activeElement.closest(".over"))) document.activeElement.blur();
+  }
   stage.addEventListener("pointerdown", event => {
     if (event.button !== 0) return;
     const grip = event.target.closest(".grip"), at = place_in(over, event);
     if (grip || stage.classList.contains("is-map")) {
-      if (grip) grip.focus({ preventScroll: true });
       event.preventDefault();
+      if (grip) light({ do: "light", handle: grip.dataset.handle });
       act({ do: "take", ...(grip ? { handle: grip.dataset.handle } : {}), ...at }, "keep");
       follow(stage, event, drag(over), drop);
     } else if (event.pointerType === "mouse" && event.target.closest(".holder")) {
@@ -189,7 +202,7 @@ function isect_live(book) {
   stage.addEventListener("dblclick", event => event.target.closest(".grip") || act({ do: "frame all" }));
   map.addEventListener("pointerdown", event => {
     if (event.button !== 0 || !event.target.closest(".holder")) return;
-    event.preventDefault(), map_over.focus({ preventScroll: true });
+    event.preventDefault();
     act({ do: "take", ...place_in(map_over, event) }, "keep");
     follow(map, event, drag(map_over), drop);
   });
@@ -321,8 +334,8 @@ function isect_live(book) {
   }
   function keep_address(how) {
     const address = address_of(now);
-    if (how === "keep" || address === location.hash) return;
-    try { history[how === "push" ? "pushState" : "replaceState"](null, "", address); } catch { /* nowhere to keep it */ }
+    live.place = address.slice(1);
+    if (how !== "keep" && address !== location.hash) book.keep(address, how === "push");
   }
   function request_from(hash) {
     const [path, query] = hash.slice(1).split("?"), [preset, step, question] = book.decoded(path).split("/");
@@ -335,11 +348,9 @@ function isect_live(book) {
     return request;
   }
   function from_address() {
-    const request = request_from(location.hash);
-    if (!request) return false;
-    const reply = act(request, "keep");
-    if (!reply) return false;
-    section.scrollIntoView({ block: "start" });
+    const asked = book.address(), request = request_from(asked);
+    if (!request || !act(request, "keep")) return false;
+    if (location.hash === "" || asked === location.hash) book.show_picture();
     return true;
   }
 
@@ -362,7 +373,9 @@ function isect_live(book) {
     const address = URL.createObjectURL(bytes), link = element("a", { href: address, download: name });
     link.click();
     setTimeout(() => URL.revokeObjectURL(address), 10000);
-    message.textContent = `${name} is saved.`;
+    // A browser tells no script that it has refused.
+    message.textContent = window === top ? `${name} is saved.`
+        : `${name} was given to the browser to save. Where the page around this one forbids that, open this one by itself.`;
   }
   async function save_svg() {
     const made = await figure();
@@ -395,7 +408,8 @@ function isect_live(book) {
   // Light and dark, paper, and the beginning.
   const dark = matchMedia("(prefers-color-scheme: dark)");
   dark.addEventListener("change", () => look({ dark: dark.matches }));
-  addEventListener("resize", () => now && show_grips(now.handles, unit_of(now)));
+  const resized = () => now && show_grips(now.handles, unit_of(now));
+  addEventListener("resize", resized);
   addEventListener("beforeprint", () => {
     if (!section.classList.contains("changed")) return;
     section.insertAdjacentHTML("beforeend", `<div class="printed">${book.request({ do: "whole" }).html}</div>`);
@@ -407,9 +421,11 @@ function isect_live(book) {
     const station = book.walks.find(w => w.id === walk).querySelectorAll(".steps > article")[at];
     document.getElementById("walks").prepend(section);
     root.classList.add("lively");
-    const asked = request_from(location.hash), name = book.decoded(location.hash.slice(1).split(/[/?]/)[0]);
+    const asked = request_from(book.address()), name = book.decoded(location.hash.slice(1).split(/[/?]/)[0]);
     const nowhere = name !== "" && !asked && !document.getElementById(name);
     if (act(asked ?? request_from("#" + (station ? station.id : walk)), "keep")) {
+      resized();
+      if (asked) book.show_picture();
       if (nowhere) message.textContent = `This page has no setting “${name}”.`;
       return;
     }

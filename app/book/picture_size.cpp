@@ -20,8 +20,9 @@ viz::PaperSize picture_size(const viz::Scene& scene) {
   return size;
 }
 
-std::string attributes_of_picture(double wide) {
-  return wide > shrinks_below ? fmt::format(" tabindex=\"0\" style=\"--least: {:.0f}px\"", wide) : std::string();
+std::string attributes_of_picture(double wide, double high) {
+  const std::string tall = high > wide ? " data-tall" : "";
+  return tall + (wide > shrinks_below ? fmt::format(" tabindex=\"0\" style=\"--least: {:.0f}px\"", wide) : "");
 }
 
 }  // namespace isect::program::book

@@ -11,6 +11,6 @@ namespace isect::program::book {
 /// across.
 viz::PaperSize picture_size(const viz::Scene&);
 /// The attributes of its <figure>: a wider picture is moved rather than made smaller where there is less room.
-std::string attributes_of_picture(double width);
+std::string attributes_of_picture(double width, double height);
 
 }  // namespace isect::program::book

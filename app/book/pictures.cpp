@@ -39,7 +39,8 @@ std::string Pictures::figure(int step, const std::string& alt, bool asked) {
   const std::string svg = page_.svg(light->figure.drawing, dark.drawing, alt);
 
   const std::string kind = !asked ? "" : page_.repeated() ? " class=\"asked again\"" : " class=\"asked\"";
-  return fmt::format("<figure{}{}>{}</figure>\n", kind, attributes_of_picture(light->figure.drawing.width), svg);
+  const viz::Drawing& drawn = light->figure.drawing;
+  return fmt::format("<figure{}{}>{}</figure>\n", kind, attributes_of_picture(drawn.width, drawn.height), svg);
 }
 
 }  // namespace isect::program::book

@@ -227,6 +227,16 @@ std::string WalkSection::opinions() const {
   return fmt::format("<table class=\"opinions\">\n<caption>Methods side by side</caption>\n{}</table>\n", rows);
 }
 
+std::string WalkSection::outcome() const {
+  const std::string told = verdict(walk_.steps[viz::outcome(walk_)].verdict);
+  if (told.empty() || !lesson_.opinions) return told;
+  const std::vector<viz::Opinion> all = lesson_.opinions(parameters_);
+  const auto differ = std::ranges::count(all, false, &viz::Opinion::agrees);
+  if (differ == 0) return told;
+  return told + fmt::format("<p class=\"differ\">✗ {} of {} methods {}</p>\n", differ, all.size(),
+                            differ == 1 ? "differs" : "differ");
+}
+
 std::string WalkSection::answers() const {
   std::string out;
   int number = 0;

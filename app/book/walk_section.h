@@ -45,6 +45,8 @@ class WalkSection {
   std::string algorithm() const;
   /// What the methods say that should agree.
   std::string opinions() const;
+  /// What the walk ends with, and how many methods say otherwise; empty: it ends with no verdict.
+  std::string outcome() const;
   /// What stands above a station's picture, and below it.
   std::string above(const Station&) const;
   std::string below(const Station&) const;

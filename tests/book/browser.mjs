@@ -11,7 +11,7 @@ export class Browser {
     browser.profile = mkdtempSync(join(tmpdir(), "isect-browser-"));
     browser.process = spawn(program,
       ["--headless=new", "--remote-debugging-pipe", "--no-sandbox", "--disable-gpu", "--hide-scrollbars",
-        "--disable-dev-shm-usage", "--no-first-run", `--user-data-dir=${browser.profile}`, "about:blank"],
+        "--disable-dev-shm-usage", "--no-first-run", "--disable-ipc-flooding-protection", `--user-data-dir=${browser.profile}`, "about:blank"],
       { stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"] });
     browser.process.on("exit", () => browser.waiting.forEach(w => w.reject(new Error("the browser ended"))));
     browser.process.on("error", e => browser.waiting.forEach(w => w.reject(e)));

@@ -13,8 +13,9 @@ const shown = `(() => {
     return { name: g.dataset.handle, label: g.getAttribute("aria-label"), x: box.x + box.width / 2, y: box.y + box.height / 2 };
   });
   const values = Object.fromEntries([...document.querySelectorAll(".live form [name]")].map(f => [f.name, f.value]));
-  return { hash: location.hash, title: text("h3"), heading: text("h2"), verdict: text(".verdict"),
-    yes: document.querySelector(".live .verdict.yes") !== null, no: document.querySelector(".live .verdict.no") !== null,
+  return { hash: location.hash, title: text("h3"), heading: text("h2"), verdict: text(".below .verdict"),
+    yes: document.querySelector(".live .below .verdict.yes") !== null, no: document.querySelector(".live .below .verdict.no") !== null,
+    outcome: text(".outcome .verdict"),
     asks: document.querySelector(".live article").classList.contains("ask"),
     told: document.querySelector(".live article").classList.contains("told"),
     right: [...document.querySelectorAll(".live .choices li")].findIndex(li => "right" in li.dataset),

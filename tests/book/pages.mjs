@@ -111,12 +111,15 @@ try {
           check(now.line === (now.wanted === null ? 0 : 1), `${at}: ${now.line} lines are lit`);
         check(now.end === (i + 1 === articles), `${at}: the end is ${now.end}`);
         if (now.id.endsWith("/question")) {
+          const told = await browser.ask(`({ named: getComputedStyle(document.querySelector(".walk.shown > h2")).visibility === "visible",
+            marked: document.querySelectorAll("nav.settings [aria-current]").length })`);
+          check(!told.named && told.marked === 0, `${at}: the setting's name is told beside a question`);
           const right = await browser.ask(`[...document.querySelectorAll(".walk.shown .steps > .shown .choices li")].findIndex(li => "right" in li.dataset)`);
           await browser.press("abcdefgh"[w % 2 ? right : 0]);
-          const told = await browser.ask(`({ told: document.querySelector(".walk.shown .steps > .shown").classList.contains("told"),
+          const answer = await browser.ask(`({ told: document.querySelector(".walk.shown .steps > .shown").classList.contains("told"),
             wrong: document.querySelectorAll(".walk.shown .steps > .shown .wrong").length, answer: document.querySelector(".walk.shown .steps > .shown details").open })`);
-          check(told.told && told.answer, `${at}: the answer is not told`);
-          check(told.wrong === (w % 2 || right === 0 ? 0 : 1), `${at}: ${told.wrong} choices are wrong`);
+          check(answer.told && answer.answer, `${at}: the answer is not told`);
+          check(answer.wrong === (w % 2 || right === 0 ? 0 : 1), `${at}: ${answer.wrong} choices are wrong`);
         }
         for (const fault of i % 4 === 0 ? await browser.ask(overflow) : []) check(false, `${at}: ${fault}`);
         await browser.press("ArrowRight");
@@ -131,12 +134,21 @@ try {
   const step = "tangent/3";
   await browser.open(address(lesson, "#" + step));
   check((await browser.ask(shown)).id === step, "a link opens another step");
-  check(await browser.ask(`document.querySelector("#walks").getBoundingClientRect().top <= 1`), "a link does not go to the step");
+  const whole = `(() => { const box = document.querySelector(".walk.shown > .steps > .shown .picture").getBoundingClientRect();
+    return box.top >= 0 && box.bottom <= document.querySelector(".transport").getBoundingClientRect().top; })()`;
+  check(await browser.ask(whole), "a link does not go to the step");
   await browser.ask(`document.querySelector(".transport .next").click()`);
   check((await browser.ask(shown)).id.startsWith("tangent/4"), "the button does not go on");
   await browser.ask(`document.querySelector('nav.settings a[href="#miss"]').click()`);
   await browser.ask(`new Promise(resolve => setTimeout(resolve, 100))`);
   check((await browser.ask(shown)).id.startsWith("miss/1"), "a setting is not opened by its link");
+  await browser.ask(`history.back()`);
+  await browser.ask(`new Promise(resolve => setTimeout(resolve, 100))`);
+  check((await browser.ask(shown)).id.startsWith("tangent/4"), "Back does not bring the setting before");
+  await browser.ask(`scrollTo(0, 0), document.querySelector(".more").click()`);
+  check(await browser.ask(`document.querySelector(".about").getBoundingClientRect().height > 0`), "what a lesson is about is not unfolded");
+  await browser.press("ArrowRight");
+  check(await browser.ask(whole), "a step does not bring the picture back");
   await browser.ask(`[...document.querySelectorAll(".transport button")].at(-1).click()`);
   const every = `[...document.querySelectorAll(".step")].filter(s => s.getBoundingClientRect().height > 0).length`;
   const steps = await browser.ask(`document.querySelectorAll(".step").length`);
