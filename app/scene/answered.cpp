@@ -10,6 +10,7 @@
 
 #include <isect/all_pairs.h>
 #include <isect/convex_hull.h>
+#include "app/query/reply.h"
 #include "app/scene/questions.h"
 #include "app/scene/shapes.h"
 #include "app/scene/walks.h"
@@ -22,23 +23,56 @@ namespace {
 struct Hit {
   std::size_t object;
   double t;
+  double place;  ///< t, or what orders hits where t is beyond the range of numbers
 };
 
 /// Whether it stands where a ray can reach it: no other ray, and no point.
 bool can_be_first(Type t) { return t == Type::segment || !(runs_along_a_line(t) || t == Type::point); }
 
-/// By rising t; those that no test decides go to `open`.
-std::vector<Hit> hits_of(const Context& c, std::size_t ray, std::vector<std::size_t>& open) {
+/// The scene with the ray's direction about as long as 1, so that t is about the distance. Nothing where that would
+/// lose a bit, and for a segment, whose t lies between 0 and 1.
+std::optional<viz::Parameters> with_direction_of_one(const Context& c, const Object& ray) {
+  if (ray.type == Type::segment) return {};
+  viz::Parameters parameters = c.setting.parameters;
+  viz::Vec3& direction = std::get<viz::Vec3>(parameters.at(ray.name + ".dir"));
+  const int exponent = std::ilogb(direction.cwiseAbs().maxCoeff());
+  bool exact = true;
+  const auto scale = [&exact](double& x, int by) {
+    const double scaled = std::ldexp(x, by);
+    exact &= std::ldexp(scaled, -by) == x;
+    x = scaled;
+  };
+  for (double& x : direction) scale(x, -exponent);
+  for (const char* end : {"tmin", "tmax"})
+    if (c.setting.has(ray, end)) scale(std::get<double>(parameters.at(ray.name + "." + end)), exponent);
+  return exact ? std::optional(std::move(parameters)) : std::nullopt;
+}
+
+/// Of these objects, by rising t; those that no test decides go to `open`.
+std::vector<Hit> hits_of(const Context& c, std::size_t ray, const std::vector<std::size_t>& objects,
+                         std::vector<std::size_t>& open) {
   std::vector<Hit> hits;
-  for (std::size_t i = 0; i < c.file.objects.size(); ++i) {
-    if (i == ray || !can_be_first(c.object(i).type)) continue;
+  for (const std::size_t i : objects) {
     const Answer answer = ask(c.setting, c.object(ray), c.object(i));
-    if (answer.first_hit) hits.push_back({i, *answer.first_hit});
+    if (answer.first_hit) hits.push_back({i, *answer.first_hit, *answer.first_hit});
     if (answer.open) open.push_back(i);
   }
-  std::ranges::stable_sort(hits, {}, &Hit::t);
+  // Beyond the numbers, or among the least, or 0: several of them may differ
+  if (std::ranges::count_if(hits, [](const Hit& hit) { return !std::isnormal(hit.t); }) > 1)
+    if (const auto parameters = with_direction_of_one(c, c.object(ray)))
+      for (Hit& hit : hits)
+        hit.place = ask({*parameters, c.setting.flat}, c.object(ray), c.object(hit.object)).first_hit.value_or(hit.t);
+  std::ranges::stable_sort(hits, {}, &Hit::place);
   return hits;
 }
+std::vector<Hit> hits_of(const Context& c, std::size_t ray, std::vector<std::size_t>& open) {
+  std::vector<std::size_t> objects;
+  for (std::size_t i = 0; i < c.file.objects.size(); ++i)
+    if (i != ray && can_be_first(c.object(i).type)) objects.push_back(i);
+  return hits_of(c, ray, objects, open);
+}
+
+std::string shown_t(double t) { return std::isinf(t) ? "a number too large for a double" : viz::shown(t); }
 
 /// Each t is within 4 ulp of the true one, so closer ones are not told apart.
 viz::Verdict first_of(const Context& c, std::size_t ray, const std::vector<Hit>& hits,
@@ -52,12 +86,15 @@ viz::Verdict first_of(const Context& c, std::size_t ray, const std::vector<Hit>&
   }
   if (hits.empty()) return {viz::Verdict::Kind::no, c.name(ray) + " meets none of them"};
   const std::string first = c.name(hits[0].object);
-  constexpr double apart = 8 * std::numeric_limits<double>::epsilon();
-  if (hits.size() > 1 && hits[1].t - hits[0].t <= apart * std::max(std::abs(hits[0].t), std::abs(hits[1].t)))
+  const auto apart = [](double x, double y) {
+    using Limits = std::numeric_limits<double>;
+    return y - x > 8 * (Limits::epsilon() * std::max(std::abs(x), std::abs(y)) + Limits::denorm_min());
+  };
+  if (hits.size() > 1 && !apart(hits[0].place, hits[1].place))
     return {viz::Verdict::Kind::on, fmt::format("{} meets {} and {} at the same *t*, as far as rounding tells",
                                                 c.name(ray), first, c.name(hits[1].object))};
   return {viz::Verdict::Kind::yes,
-          fmt::format("{} meets {} first, at *t* = {}", c.name(ray), first, viz::shown(hits[0].t))};
+          fmt::format("{} meets {} first, at *t* = {}", c.name(ray), first, shown_t(hits[0].t))};
 }
 
 }  // namespace
@@ -100,10 +137,10 @@ Answered answered(const Context& c, const FirstHitAsked& asked) {
       {"first hit", c.object(asked.ray).name}, {"verdict", viz::plain(out.verdict.text)}, {"hits", Json::array()}};
   std::string order;
   for (const Hit& hit : hits) {
-    order += fmt::format("{}{} at {}", order.empty() ? "" : ", ", c.name(hit.object), viz::shown(hit.t));
-    out.values.push_back({"*t* of " + c.name(hit.object), hit.t, "t", viz::Role::hit, true});
+    order += fmt::format("{}{} at {}", order.empty() ? "" : ", ", c.name(hit.object), shown_t(hit.t));
+    if (std::isfinite(hit.t)) out.values.push_back({"*t* of " + c.name(hit.object), hit.t, "t", viz::Role::hit, true});
     out.lit.push_back(hit.object);
-    out.json["hits"].push_back({{"object", c.object(hit.object).name}, {"t", hit.t}});
+    out.json["hits"].push_back({{"object", c.object(hit.object).name}, {"t", query::number(hit.t)}});
     Answer answer = ask(c.setting, c.object(asked.ray), c.object(hit.object));
     if (!answer.marks.empty()) out.items.push_back(answer.marks.front());
   }
@@ -148,14 +185,12 @@ Answered of_hierarchy(const Context& c, const WalkAsked& asked) {
   Json result;
   if (asked.with_ray) {
     const std::size_t ray = asked.many.back();
-    std::vector<Hit> hits;
-    for (std::size_t i = 0; i < boxes; ++i)
-      if (const auto t = ask(c.setting, c.object(ray), c.object(asked.many[i])).first_hit)
-        hits.push_back({asked.many[i], *t});
-    std::ranges::stable_sort(hits, {}, &Hit::t);
-    out.verdict = first_of(c, ray, hits, {});
+    std::vector<std::size_t> open;
+    const std::vector<Hit> hits = hits_of(c, ray, {asked.many.begin(), asked.many.end() - 1}, open);
+    out.verdict = first_of(c, ray, hits, open);
     result["hits"] = Json::array();
-    for (const Hit& hit : hits) result["hits"].push_back({{"object", c.object(hit.object).name}, {"t", hit.t}});
+    for (const Hit& hit : hits)
+      result["hits"].push_back({{"object", c.object(hit.object).name}, {"t", query::number(hit.t)}});
   } else {
     std::vector<const Object*> all;
     for (const std::size_t i : asked.many) all.push_back(&c.object(i));

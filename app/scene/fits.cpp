@@ -9,6 +9,7 @@
 #include <isect/kdop_polytope.h>
 #include <isect/volume.h>
 
+#include "app/query/reply.h"
 #include "app/scene/answered.h"
 #include "app/scene/shapes.h"
 #include "viz/rich_text.h"
@@ -174,7 +175,7 @@ Answered answered(const Context& c, const FitAsked& asked) {
     Fitted one = flat ? fitted<2>(points, volume) : fitted<3>(points, volume);
     const std::string words = in_words(volume, flat);
     out.values.push_back({size + " of the " + words, one.size, flat ? "units^2" : "units^3", Role::second, true});
-    out.json["volumes"].push_back({{"fitted", volume}, {size, one.size}, {"result", one.json}});
+    out.json["volumes"].push_back({{"fitted", volume}, {size, query::number(one.size)}, {"result", one.json}});
     if (wanted.size() == 1) {
       out.slug += "-" + volume;
       out.title = fmt::format("The {} of {}", words, c.name(asked.object));

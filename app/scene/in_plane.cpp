@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <isect/numbers/exact.h>
+#include <isect/parts/ray_range.h>
 
 namespace isect::program::scene {
 
@@ -22,6 +23,7 @@ Exact3 difference(const Point<double, 3>& a, const Point<double, 3>& b) {
 Exact cross(const Exact2& a, const Exact2& b) { return a[0] * b[1] - a[1] * b[0]; }
 Exact dot(const Exact2& a, const Exact2& b) { return a[0] * b[0] + a[1] * b[1]; }
 Exact2 operator-(const Exact2& a, const Exact2& b) { return {a[0] - b[0], a[1] - b[1]}; }
+Exact dot(const Exact3& a, const Exact3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 Exact3 normal_of(const Ring<double, 3>& outline) {
   Exact3 n;
@@ -47,6 +49,20 @@ struct Place {
 /// Its corners, from the ray's origin.
 using Outline = std::vector<Exact2>;
 
+/// Where the origin lies, by the edges right of it.
+Location location_of_origin(const std::vector<Outline>& outlines) {
+  bool inside = false;
+  for (const Outline& o : outlines)
+    for (std::size_t i = 0; i < o.size(); ++i) {
+      const Exact2 &a = o[i], &b = o[(i + 1) % o.size()];
+      const int turn = cross(a, b).sign();
+      if (turn == 0 && dot(a, b).sign() <= 0) return Location::on;
+      const bool rises = a[1].sign() <= 0 && b[1].sign() > 0, falls = a[1].sign() > 0 && b[1].sign() <= 0;
+      if ((rises && turn > 0) || (falls && turn < 0)) inside = !inside;
+    }
+  return inside ? Location::in : Location::out;
+}
+
 class InPlane {
  public:
   InPlane(const Interval<double>& range, Exact2 direction, std::vector<Outline> outlines)
@@ -54,8 +70,9 @@ class InPlane {
 
   std::optional<double> first() {
     if (!(range_.lo <= range_.hi) || range_.lo == HUGE_VAL || range_.hi == -HUGE_VAL) return {};
-    for (const Outline& o : outlines_)
-      for (std::size_t i = 0; i < o.size(); ++i) edge(o[i], o[(i + 1) % o.size()]);
+    if (direction_[0].sign() != 0 || direction_[1].sign() != 0)
+      for (const Outline& o : outlines_)
+        for (std::size_t i = 0; i < o.size(); ++i) edge(o[i], o[(i + 1) % o.size()]);
     if (std::isfinite(range_.lo) && starts_inside()) return range_.lo;
     if (!first_) return {};
     return std::clamp(quotient(first_->num, first_->den), range_.lo, range_.hi);
@@ -81,17 +98,13 @@ class InPlane {
     if (!first_ || place.beyond(*first_) < 0) first_ = place;
   }
 
-  /// By the edges right of the range's lower end; on the boundary any answer does, as that is an edge's.
+  /// At the range's lower end.
   bool starts_inside() const {
     const Exact2 p = {Exact(range_.lo) * direction_[0], Exact(range_.lo) * direction_[1]};
-    bool inside = false;
-    for (const Outline& o : outlines_)
-      for (std::size_t i = 0; i < o.size(); ++i) {
-        const Exact2 a = o[i] - p, b = o[(i + 1) % o.size()] - p;
-        const bool rises = a[1].sign() <= 0 && b[1].sign() > 0, falls = a[1].sign() > 0 && b[1].sign() <= 0;
-        if ((rises && cross(a, b).sign() > 0) || (falls && cross(a, b).sign() < 0)) inside = !inside;
-      }
-    return inside;
+    std::vector<Outline> from_there = outlines_;
+    for (Outline& o : from_there)
+      for (Exact2& corner : o) corner = corner - p;
+    return location_of_origin(from_there) != Location::out;
   }
 
   Interval<double> range_;
@@ -123,14 +136,27 @@ Projection projection(const Ring<double, 3>& outline) {
   return {(axis + 1) % 3, (axis + 2) % 3, n[axis].sign() < 0};
 }
 
-std::optional<double> first_in_plane(const Ray<double, 3>& ray, const Ring<double, 3>& outline) {
+namespace {
+
+std::optional<double> first_in_plane(const Point<double, 3>& origin, const Exact3& direction,
+                                     const Interval<double>& range, const Ring<double, 3>& outline) {
   const auto [x, y, clockwise] = projection(outline);
   Outline corners;
   for (const Point<double, 3>& v : outline) {
-    const Exact3 from_origin = difference(v, ray.origin);
+    const Exact3 from_origin = difference(v, origin);
     corners.push_back({from_origin[x], from_origin[y]});
   }
-  return InPlane(ray.range, {Exact(ray.direction[x]), Exact(ray.direction[y])}, {corners}).first();
+  return InPlane(range, {direction[x], direction[y]}, {corners}).first();
+}
+
+}  // namespace
+
+std::optional<double> first_in_plane(const Ray<double, 3>& ray, const Ring<double, 3>& outline) {
+  const Vector<double, 3>& d = ray.direction;
+  return first_in_plane(ray.origin, {Exact(d[0]), Exact(d[1]), Exact(d[2])}, ray.range, outline);
+}
+std::optional<double> first_in_plane(const Segment<double, 3>& segment, const Ring<double, 3>& outline) {
+  return first_in_plane(segment.p, difference(segment.q, segment.p), {0, 1}, outline);
 }
 
 std::optional<double> first_in_plane(const Ray<double, 2>& ray, const std::vector<Ring<double, 2>>& outlines) {
@@ -142,16 +168,68 @@ std::optional<double> first_in_plane(const Segment<double, 2>& segment, const st
   return InPlane({0, 1}, difference(segment.q, segment.p), seen_from(segment.p, outlines)).first();
 }
 
+Location locate_corner(const Kdop<double, 2>& kdop, const std::vector<Ring<double, 2>>& outlines) {
+  const auto normal = [&](std::size_t i) -> Exact2 { return {Exact(kdop.normals[i][0]), Exact(kdop.normals[i][1])}; };
+  for (std::size_t i = 0; i < kdop.slabs.size(); ++i)
+    for (std::size_t j = i + 1; j < kdop.slabs.size(); ++j) {
+      const Exact2 m = normal(i), n = normal(j);
+      const Exact w = cross(m, n);
+      if (w.sign() == 0) continue;
+      for (const double c : {kdop.slabs[i].lo, kdop.slabs[i].hi})
+        for (const double d : {kdop.slabs[j].lo, kdop.slabs[j].hi}) {
+          const Exact2 x = {Exact(c) * n[1] - m[1] * Exact(d), m[0] * Exact(d) - Exact(c) * n[0]};  // times w
+          const auto holds = [&](std::size_t k) {
+            const Exact at = dot(normal(k), x);
+            return (at - Exact(kdop.slabs[k].lo) * w).sign() * w.sign() >= 0 &&
+                   (at - Exact(kdop.slabs[k].hi) * w).sign() * w.sign() <= 0;
+          };
+          bool corner = true;
+          for (std::size_t k = 0; k < kdop.slabs.size() && corner; ++k) corner = k == i || k == j || holds(k);
+          if (!corner) continue;
+          std::vector<Outline> from_there;
+          for (const Ring<double, 2>& ring : outlines) {
+            from_there.emplace_back();
+            for (const Point<double, 2>& v : ring)
+              from_there.back().push_back(Exact2{Exact(v[0]) * w, Exact(v[1]) * w} - x);
+          }
+          return location_of_origin(from_there);
+        }
+    }
+  return Location::out;
+}
+
+RayPolygon<double> across_plane(const Segment<double, 3>& segment, const Ring<double, 3>& outline) {
+  RayPolygon<double> result;
+  const Exact3 n = normal_of(outline), direction = difference(segment.q, segment.p);
+  result.flat = std::ranges::all_of(n, [](const Exact& x) { return x.sign() == 0; });
+  if (result.flat) return result;
+  const Exact num = dot(n, difference(outline[0], segment.p)), den = dot(n, direction);
+  result.coplanar = num.sign() == 0 && den.sign() == 0;
+  if (den.sign() == 0) return result;
+  result.line = quotient(num, den);
+
+  // The corners from the plane's point at t = num / den, times den
+  const auto [x, y, clockwise] = projection(outline);
+  Outline corners;
+  for (const Point<double, 3>& v : outline) {
+    const Exact3 from_p = difference(v, segment.p);
+    corners.push_back({from_p[x] * den - num * direction[x], from_p[y] * den - num * direction[y]});
+  }
+  result.location = location_of_origin({corners});
+  const bool beyond_p = num.sign() * den.sign()<0, beyond_q = (num - den).sign() * den.sign()> 0;
+  if (result.location != Location::out && !beyond_p && !beyond_q)
+    result.t = ray_range::clamped(*result.line, Interval<double>{0, 1});
+  return result;
+}
+
 double off_plane(const Ring<double, 3>& outline) {
   const Exact3 n = normal_of(outline);
-  const double length = std::hypot(n[0].rounded(), n[1].rounded(), n[2].rounded());
+  const Exact length = sqrt(dot(n, n));
   double farthest = 0;
   for (const Point<double, 3>& v : outline) {
-    const Exact3 d = difference(v, outline[0]);
-    const Exact height = n[0] * d[0] + n[1] * d[1] + n[2] * d[2];
+    const Exact height = dot(n, difference(v, outline[0]));
     if (height.sign() == 0) continue;
-    const double off = std::abs(height.rounded()) / length;
-    farthest = std::max({farthest, off, std::numeric_limits<double>::min()});
+    farthest = std::max({farthest, near_quotient(abs(height), length), std::numeric_limits<double>::denorm_min()});
   }
   return farthest;
 }

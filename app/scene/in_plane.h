@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include <isect/ray_polygon.h>
 #include <isect/shapes.h>
 
 namespace isect::program::scene {
@@ -15,10 +16,21 @@ namespace isect::program::scene {
 /// lies in its plane.
 std::optional<double> first_in_plane(const Ray<double, 3>&, const Ring<double, 3>& outline);
 
-/// The same in the plane, of outlines and their holes; of a segment of any length but 0 the share of it, from 0 to 1. A
+/// The same of a segment with both ends as given, which may be one point: t of [0, 1].
+std::optional<double> first_in_plane(const Segment<double, 3>&, const Ring<double, 3>& outline);
+
+/// What `intersect` of isect/ray_polygon.h says of a ray, of a segment with both ends as given, by the even-odd rule: t
+/// of [0, 1], the nearest double. All is finite.
+RayPolygon<double> across_plane(const Segment<double, 3>&, const Ring<double, 3>& outline);
+
+/// What first_in_plane says, in the plane, of outlines and their holes; of a segment the share of it, from 0 to 1. A
 /// ring of two corners is a segment.
 std::optional<double> first_in_plane(const Ray<double, 2>&, const std::vector<Ring<double, 2>>& outlines);
 std::optional<double> first_in_plane(const Segment<double, 2>&, const std::vector<Ring<double, 2>>& outlines);
+
+/// Where a corner of the k-DOP lies among outlines and their holes, by the even-odd rule: `out` if it has none. Exact,
+/// though no double may be that corner. All is finite.
+Location locate_corner(const Kdop<double, 2>&, const std::vector<Ring<double, 2>>& outlines);
 
 /// The axes that are left of a projection along the largest |n_i|, and whether the outline runs clockwise there.
 struct Projection {
@@ -28,7 +40,8 @@ struct Projection {
 Projection projection(const Ring<double, 3>& outline);
 
 /// The farthest that a vertex lies off the plane that the core's test takes for the outline's: through the first
-/// vertex, with Newell's normal. 0 if and only if all lie in it, exactly; else rounded. The outline has an area.
+/// vertex, with Newell's normal. 0 if and only if all lie in it, exactly; else within 2 ulp, or the least double. The
+/// outline has an area.
 double off_plane(const Ring<double, 3>& outline);
 
 }  // namespace isect::program::scene

@@ -37,8 +37,9 @@ std::vector<Pair> pairs_of_polygons();
 
 /// How two convex solids lie, or a ball or a capsule and one, as "relation".
 Json relation_of_solids(const Setting&, const Object& a, const Object& b);
-/// A segment with both its ends as given, where the tables' test would need a direction; nothing if none does that.
-std::optional<Answer> exact_of_segment(const Setting&, const Object& a, const Object& b);
+/// What the pair's query says, of segment a with both its ends as given, where their difference is no vector of
+/// floating-point numbers; nothing if there is no such test.
+std::optional<Json> exact_of_segment(const Setting&, const Object& a, const Object& b);
 
 /// Throws NotDecided: an outline that has no area, crosses or touches itself.
 [[noreturn]] void refuse_outline(const Object&);
@@ -53,7 +54,10 @@ bool lies_on(const Setting&, const viz::Vec3&, const Object&);
 viz::Vec3 origin_of(const Setting&, const Object& a);
 viz::Vec3 direction_of(const Setting&, const Object& a);
 Ray<double, 3> ray_in_space(const Setting&, const Object& a);
-/// Where b is reached, on a's line.
+/// The same of a segment, with both ends as given.
+Segment<double, 3> segment_of(const Setting&, const Object& a);
+/// Where b is reached, on a's line, by rising t. As a query writes t: infinite beyond the largest number, and null
+/// where there is none.
 void add_hit(const Setting&, const Object& a, Answer&, const char* name, const Json& t, viz::Mark);
 /// The verdict of whatever runs along a line, after its hits.
 void meets(const Object& a, const Object& b, Answer&, bool hit);

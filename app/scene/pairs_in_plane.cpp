@@ -13,6 +13,7 @@
 #include <isect/point_polygon.h>
 #include <isect/segment_segment.h>
 
+#include "app/query/reply.h"
 #include "app/scene/in_plane.h"
 #include "app/scene/pairs.h"
 #include "app/scene/shapes.h"
@@ -55,19 +56,13 @@ Json along_result(const Setting& s, const Object& a, const Object& b) {
     t = first_in_plane(Ray<double, 2>{point_of<2>(ray.origin), point_of<2>(ray.direction), ray.range}, rings);
   }
   Json result = {{"hit", t.has_value()}};
-  if (t) result["t"] = *t;
+  if (t) result["t"] = query::number(*t);
   return result;
 }
 
 void tell_along(const Setting& s, const Object& a, const Object& b, Answer& out) {
   const bool hit = out.result["hit"] == true;
-  if (hit) {
-    const Vec3 from = origin_of(s, a),
-               along = a.type == Type::segment ? Vec3(s.point(a, "to") - from) : s.point(a, "dir");
-    const double t = out.result["t"];
-    out.values.push_back({"*t*", t, "t", viz::Role::hit, true});
-    if (std::isfinite(t)) out.marks.push_back(viz::Dot{from + t * along, viz::Mark::disc, viz::Role::hit});
-  }
+  if (hit) add_hit(s, a, out, "*t*", out.result["t"], viz::Mark::disc);
   meets(a, b, out, hit);
 }
 

@@ -21,6 +21,7 @@
 #include <isect/sphere_frustum.h>
 #include <isect/triangle_aabb.h>
 
+#include "app/query/reply.h"
 #include "app/scene/along_triangle.h"
 #include "app/scene/pairs.h"
 #include "app/scene/shapes.h"
@@ -161,7 +162,8 @@ Json cloud_on_result(const Setting& s, const Object& a, const Object& b) {
 
 // What a ray meets first of many triangles.
 
-Json ray_result(const Setting& s, const Object& a, const TriangleMesh<double>& mesh) {
+Json ray_and_mesh(const Setting& s, const Object& a, const Object& b) {
+  const TriangleMesh<double> mesh = mesh_of(b);
   const Ray<double, 3> ray = ray_in_space(s, a);
   const auto hit = closest_hit(build_bvh(boxes(mesh)), ray, [&](int i) {
     const Triangle<double, 3> x = triangle(mesh, i);
@@ -170,17 +172,14 @@ Json ray_result(const Setting& s, const Object& a, const TriangleMesh<double>& m
     return left_open ? first_in(ray, x) : found.t;
   });
   if (!hit) return {{"hit", false}};
-  return {{"hit", true}, {"t", hit->t}, {"triangle", hit->primitive}};
-}
-Json ray_and_mesh(const Setting& s, const Object& a, const Object& b) { return ray_result(s, a, mesh_of(b)); }
-Json ray_and_hull(const Setting& s, const Object& a, const Object& b) {
-  const Hull3<double> hull = hull_of(s, b);
-  return ray_result(s, a, {hull.vertices, hull.triangles});
+  return {{"hit", true}, {"t", query::number(hit->t)}, {"triangle", hit->primitive}};
 }
 void tell_ray(const Setting& s, const Object& a, const Object& b, Answer& out) {
   const bool hit = out.result["hit"] == true;
   if (hit) add_hit(s, a, out, "*t*", out.result["t"], viz::Mark::disc);
   meets(a, b, out, hit);
+  if (!hit)  // it may lie within
+    out.verdict.text = fmt::format("{} meets no triangle of {}", shown_name(a.name), shown_name(b.name));
 }
 
 // Frusta and k-DOPs.
@@ -269,7 +268,6 @@ std::vector<Pair> pairs_of_many_numbers() {
   table.push_back({cloud, triangle, nullptr, In::space, cloud_on_result, tell_cloud_on});
   for (const Type along : {ray, line, segment}) {
     table.push_back({along, mesh, nullptr, In::space, ray_and_mesh, tell_ray});
-    table.push_back({along, hull, nullptr, In::space, ray_and_hull, tell_ray});
   }
   return table;
 }

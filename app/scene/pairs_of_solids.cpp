@@ -18,8 +18,10 @@
 #include <isect/ray_half_spaces.h>
 #include <isect/sphere_triangle.h>
 
+#include "app/query/reply.h"
 #include "app/scene/along_capsule.h"
 #include "app/scene/along_triangle.h"
+#include "app/scene/in_plane.h"
 #include "app/scene/pairs.h"
 #include "app/scene/shapes.h"
 #include "viz/rich_text.h"
@@ -231,24 +233,16 @@ Json point_on(const Setting& s, const Object& a, const Object& b) { return {{"on
 
 // What runs along a line.
 
-/// The point at t, as drawn.
-void add_point(const Setting& s, const Object& a, Answer& out, const char* name, double t, viz::Mark mark) {
-  const Vec3 from = origin_of(s, a),
-             along = a.type == Type::segment ? Vec3(s.point(a, "to") - from) : s.point(a, "dir");
-  out.values.push_back({name, t, "t", Role::hit, true});
-  if (std::isfinite(t)) out.marks.push_back(viz::Dot{from + t * along, mark, Role::hit});
-}
-
 Json two_lines(const Setting& s, const Object& a, const Object& b) {
   static constexpr const char* names[] = {"skew", "parallel", "apart", "point", "stretch"};
   const line_line::Result r = intersect(straight(s, a), straight(s, b));
   Json result = {{"meeting", names[static_cast<int>(r.meeting)]}};
-  if (r.t) result["t"] = *r.t;
+  if (r.t) result["t"] = query::number(*r.t);
   return result;
 }
 void tell_two_lines(const Setting& s, const Object& a, const Object& b, Answer& out) {
   const std::string both = shown_name(a.name) + " and " + shown_name(b.name), r = out.result["meeting"];
-  if (out.result.contains("t")) add_point(s, a, out, "*t*", out.result["t"], viz::Mark::disc);
+  if (out.result.contains("t")) add_hit(s, a, out, "*t*", out.result["t"], viz::Mark::disc);
   meets(a, b, out, r == "point" || r == "stretch");
   if (r == "point") out.verdict.text = both + " have one point in common";
   if (r == "stretch") out.verdict.text = both + " share a stretch";
@@ -256,41 +250,36 @@ void tell_two_lines(const Setting& s, const Object& a, const Object& b, Answer& 
   if (r == "parallel") out.verdict.text = both + " are parallel";
 }
 
-Segment<double, 3> segment_of(const Setting& s, const Object& o) { return {s.point(o, "from"), s.point(o, "to")}; }
-
 Json part_of_line(const std::optional<Interval<double>>& part) {
   if (!part) return {{"hit", false}};
-  Json result = {{"hit", true}};
-  if (std::isfinite(part->lo)) result["t_in"] = part->lo;
-  if (std::isfinite(part->hi)) result["t_out"] = part->hi;
-  return result;
+  return {{"hit", true}, {"t_in", query::number(part->lo)}, {"t_out", query::number(part->hi)}};
 }
+/// The hull by its facets: a thousand of them cost a thousand signs.
 Json line_and_solid(const Setting& s, const Object& a, const Object& b) {
   const HalfSpaces solid = faces_of(s, b);
   return part_of_line(a.type == Type::segment ? intersect(segment_of(s, a), solid)
                                               : intersect(ray_in_space(s, a), solid));
 }
 void tell_line_and_solid(const Setting& s, const Object& a, const Object& b, Answer& out) {
-  if (out.result.contains("t_in")) add_point(s, a, out, "*t*_{in}", out.result["t_in"], viz::Mark::disc);
-  if (out.result.contains("t_out")) add_point(s, a, out, "*t*_{out}", out.result["t_out"], viz::Mark::ring);
-  meets(a, b, out, out.result["hit"] == true);
+  const bool hit = out.result["hit"] == true;
+  if (hit) {
+    add_hit(s, a, out, "*t*_{in}", out.result["t_in"], viz::Mark::disc);
+    add_hit(s, a, out, "*t*_{out}", out.result["t_out"], viz::Mark::ring);
+  }
+  meets(a, b, out, hit);
 }
 
-/// A capsule or a ball.
-Json line_and_round(const Setting& s, const Object& a, const Object& b) {
+bool meets_round(const Segment<double, 3>& segment, const Capsule<double, 3>& capsule) {
+  return intersects(Capsule<double, 3>{segment.p, segment.q, 0}, capsule);
+}
+bool meets_round(const Ray<double, 3>& ray, const Capsule<double, 3>& capsule) { return intersects(ray, capsule); }
+
+Json line_and_capsule(const Setting& s, const Object& a, const Object& b) {
   const Capsule<double, 3> capsule = capsule_in_space(s, b);
-  const auto part = [&](const auto& line, bool hit) -> std::optional<Interval<double>> {
-    if (!hit) return {};
-    const Interval<double> in = part_in(line, capsule);
-    if (!finite(in)) throw NotDecided("the numbers are too large or too small to tell where they meet");
-    return in;
+  const auto part = [&](const auto& line) {
+    return part_of_line(meets_round(line, capsule) ? std::optional(part_in(line, capsule)) : std::nullopt);
   };
-  if (a.type != Type::segment) {
-    const Ray<double, 3> ray = ray_in_space(s, a);
-    return part_of_line(part(ray, intersects(ray, capsule)));
-  }
-  const Segment<double, 3> segment = segment_of(s, a);
-  return part_of_line(part(segment, intersects(Capsule<double, 3>{segment.p, segment.q, 0}, capsule)));
+  return a.type == Type::segment ? part(segment_of(s, a)) : part(ray_in_space(s, a));
 }
 
 // In the plane: outlines, which need not be convex, against what is no outline.
@@ -303,17 +292,11 @@ std::vector<Ring2> plane_rings(const Setting& s, const Object& o) {
   return rings;
 }
 
-/// Some point of it, for certain.
-Vec3 some_point(const Setting& s, const Object& o) {
-  if (o.type == Type::segment) return s.point(o, "from");
-  if (o.type == Type::obb) return s.point(o, "center");
-  if (is_round(o.type)) return capsule_in_space(s, o).p;
-  Vec3 sum = Vec3::Zero();
-  const std::vector<Vec3> corners = outline_of(s, o);
-  for (const Vec3& c : corners) sum += c / static_cast<double>(corners.size());
-  if (locate(sum, faces_of(s, o)) == Location::out)
-    throw NotDecided(o.name + " is too thin for a point of it in floating-point numbers");
-  return sum;
+/// Where some point of it lies.
+Location locate_some_point(const Setting& s, const Object& o, const std::vector<Ring2>& rings) {
+  if (o.type == Type::kdop) return locate_corner(kdop_of<2>(s, o), rings);
+  const Vec3 point = o.type == Type::obb ? s.point(o, "center") : capsule_in_space(s, o).p;
+  return locate(point_of<2>(point), Polygon<double, 2>{rings});
 }
 
 Json outline_result(const Setting& s, const Object& a, const Object& b) {
@@ -328,8 +311,7 @@ Json outline_result(const Setting& s, const Object& a, const Object& b) {
                 : intersects(capsule_in_space(s, a), Capsule<double, 3>{p, q, 0}))
         return {{"meet", true}};
     }
-  const Vec3 inner = some_point(s, a);
-  return {{"meet", locate(point_of<2>(inner), Polygon<double, 2>{rings}) != Location::out}};
+  return {{"meet", locate_some_point(s, a, rings) != Location::out}};
 }
 
 /// How many triangles of one mesh have a point in the other; those of a closed one that hold the other have none.
@@ -376,44 +358,72 @@ void tell_mesh(const Setting&, const Object& a, const Object& b, Answer& out) {
 
 Json relation_of_solids(const Setting& s, const Object& a, const Object& b) { return solids_result(s, a, b); }
 
-std::optional<Answer> exact_of_segment(const Setting& s, const Object& a, const Object& b) {
-  if (b.type == Type::sphere) {
-    Answer out;
-    out.result = line_and_round(s, a, b);
-    tell_line_and_solid(s, a, b, out);
-    return out;
-  }
+namespace {
+
+// Segments with both ends as given, told as queries tell rays.
+
+Json segment_and_ball(const Segment<double, 3>& segment, const Capsule<double, 3>& ball) {
+  const LineAndBall line = line_and_ball(segment, {ball.p, ball.radius});
+  const bool hit = meets_round(segment, ball);
+  const auto root = [&](double t) { return line.roots > 0 ? query::number(t) : Json(nullptr); };
+  return {{"line_roots", line.roots},
+          {"t0", root(line.t.lo)},
+          {"t1", root(line.t.hi)},
+          {"ray_hit", hit},
+          {"t_enter_solid", hit ? query::number(part_in(segment, ball).lo) : Json(nullptr)}};
+}
+
+Json segment_and_plane(const Segment<double, 3>& segment, const Plane<double, 3>& plane) {
+  const auto height = [&](const Vec3& x) { return dot(exactly<Exact>(plane.normal), exactly<Exact>(x)) + plane.d; };
+  const Exact p = height(segment.p), q = height(segment.q), fall = p - q;
+  const bool parallel = fall.sign() == 0, coplanar = parallel && p.sign() == 0;
+  return {{"parallel", parallel},
+          {"coplanar", coplanar},
+          {"line_hit", !parallel || coplanar},
+          {"t", parallel ? Json(nullptr) : query::number(near_quotient(p, fall))},
+          {"ray_hit", p.sign() * q.sign() <= 0}};
+}
+
+Json segment_and_outline(const Segment<double, 3>& segment, const Ring<double, 3>& outline) {
+  const RayPolygon<double> shared = across_plane(segment, outline);
+  return {{"parallel", !shared.line},
+          {"coplanar", shared.coplanar},
+          {"hit", shared.flat || shared.coplanar ? Json(nullptr) : Json(shared.t.has_value())},
+          {"t", query::number(shared.line)},
+          {"plane_point_location", shared.line ? query::name(shared.location) : Json(nullptr)}};
+}
+
+Json segment_and_mesh(const Segment<double, 3>& segment, const TriangleMesh<double>& mesh) {
+  Json result = {{"hit", false}};
+  std::optional<double> first;
+  for (int i = 0; i < static_cast<int>(mesh.triangles.size()); ++i)
+    if (const auto t = first_in(segment, triangle(mesh, i)); t && (!first || *t < *first)) {
+      first = t;
+      result = {{"hit", true}, {"t", *t}, {"triangle", i}};
+    }
+  return result;
+}
+
+}  // namespace
+
+std::optional<Json> exact_of_segment(const Setting& s, const Object& a, const Object& b) {
   const Segment<double, 3> segment = segment_of(s, a);
-  std::optional<Interval<double>> part;
-  const auto of_triangle = [&](const Triangle<double, 3>& x) -> std::optional<Interval<double>> {
-    const std::optional<double> t = first_in(segment, x);
-    return t ? std::optional(Interval<double>{*t, 1}) : std::nullopt;
-  };
-  if (b.type == Type::box || b.type == Type::obb || b.type == Type::hull)
-    part = intersect(segment, faces_of(s, b));
-  else if (b.type == Type::triangle)
-    part = of_triangle(triangle_of(s, b));
-  else if (b.type == Type::plane) {
-    half_spaces::Face face = {half_spaces::Level{s.point(b, "normal"), s.number(b, "d")}};
-    HalfSpaces plane = {{face}};
-    face.turned = true;
-    plane.faces.push_back(face);
-    part = intersect(segment, plane);
-  } else if (b.type == Type::mesh) {
-    const TriangleMesh<double> mesh = mesh_of(b);
-    for (int i = 0; i < static_cast<int>(mesh.triangles.size()); ++i)
-      if (const auto here = of_triangle(triangle(mesh, i)); here && (!part || here->lo < part->lo)) part = here;
-  } else {
-    return {};
+  switch (b.type) {
+    case Type::sphere:
+      return segment_and_ball(segment, capsule_in_space(s, b));
+    case Type::box:
+    case Type::obb:
+      return part_of_line(intersect(segment, faces_of(s, b)));
+    case Type::plane:
+      return segment_and_plane(segment, {s.point(b, "normal"), s.number(b, "d")});
+    case Type::triangle:
+    case Type::polygon:
+      return segment_and_outline(segment, points_of<3>(s.rings(b).front()));
+    case Type::mesh:
+      return segment_and_mesh(segment, mesh_of(b));
+    default:
+      return {};
   }
-  Answer out;
-  out.result = {{"hit", part.has_value()}};
-  if (part) {
-    out.result["t"] = part->lo;
-    add_point(s, a, out, "*t*", part->lo, viz::Mark::disc);
-  }
-  meets(a, b, out, part.has_value());
-  return out;
 }
 
 std::vector<Pair> pairs_of_solids() {
@@ -462,7 +472,8 @@ std::vector<Pair> pairs_of_solids() {
       add(along, other, along == segment && other == segment ? In::space : In::both, two_lines, tell_two_lines);
     add(along, kdop, In::both, line_and_solid, tell_line_and_solid);
     add(along, frustum, In::space, line_and_solid, tell_line_and_solid);
-    add(along, capsule, In::both, line_and_round, tell_line_and_solid);
+    add(along, hull, In::space, line_and_solid, tell_line_and_solid);
+    add(along, capsule, In::both, line_and_capsule, tell_line_and_solid);
   }
   return table;
 }

@@ -12,9 +12,13 @@
 #include <isect/clip_segment.h>
 #include <isect/convex_hull.h>
 #include <isect/fit.h>
+#include <isect/numbers/exact.h>
+#include <isect/numbers/quotient.h>
 
+#include "app/query/reply.h"
 #include "app/scene/answered.h"
 #include "app/scene/fits.h"
+#include "app/scene/pairs.h"
 #include "app/scene/questions.h"
 #include "app/scene/shapes.h"
 #include "viz/rich_text.h"
@@ -40,6 +44,35 @@ std::optional<Interval<double>> part_of_line(const Setting& s, const Object& o, 
   return clip(ray, box_of<N>(s, box));
 }
 
+/// Whether no more than a point of the line is left, which has some: rounded, both its ends may be one number.
+bool leaves_one_point(const Setting& s, const Object& o, const Object& box) {
+  const bool segment = o.type == Type::segment;
+  const Vec3 from = origin_of(s, o), lo = s.point(box, "lo"), hi = s.point(box, "hi");
+  Ratio<Exact> first = {Exact(0.0), Exact(0.0)}, last = first;  // den 0: none yet
+  const auto take = [](Ratio<Exact>& end, const Ratio<Exact>& t, int side) {
+    if (end.den.sign() == 0 || (t.num * end.den - end.num * t.den).sign() * side > 0) end = t;
+  };
+  const auto limit = [&](const Exact& rate, const Exact& reach, int side) {  // t rate against reach
+    const int way = rate.sign();
+    const Ratio<Exact> t = way < 0 ? Ratio<Exact>{-reach, -rate} : Ratio<Exact>{reach, rate};
+    if (way * side > 0) take(first, t, 1);
+    if (way * side < 0) take(last, t, -1);
+  };
+  bool still = true;
+  for (int i = 0; i < 3; ++i) {
+    const Exact rate = segment ? Exact(s.point(o, "to")[i]) - Exact(from[i]) : Exact(s.point(o, "dir")[i]);
+    still &= rate.sign() == 0;
+    if (i == 2 && s.flat) continue;
+    limit(rate, Exact(lo[i]) - Exact(from[i]), 1), limit(rate, Exact(hi[i]) - Exact(from[i]), -1);
+  }
+  const auto end = [&](double t, int side) {
+    if (std::isfinite(t)) limit(Exact(1.0), Exact(t), side);
+  };
+  end(s.has(o, "tmin") ? s.number(o, "tmin") : o.type == Type::line ? -HUGE_VAL : 0, 1);
+  end(s.has(o, "tmax") ? s.number(o, "tmax") : segment ? 1 : HUGE_VAL, -1);
+  return still || (first.num * last.den - last.num * first.den).sign() == 0;
+}
+
 /// What is left of each outline; of one with holes nothing where it has no point in the box.
 template <int N>
 std::vector<std::vector<Vec3>> part_of_outline(const Setting& s, const Object& o, const Object& box) {
@@ -62,7 +95,7 @@ void tell_line(const Context& c, const ClipAsked& asked, Answered& out) {
   const Setting& s = c.setting;
   const Object &o = c.object(asked.what), &box = c.object(asked.box);
   const auto part = s.flat ? part_of_line<2>(s, o, box) : part_of_line<3>(s, o, box);
-  out.json["range"] = part ? Json{part->lo, part->hi} : Json(nullptr);
+  out.json["range"] = part ? Json{query::number(part->lo), query::number(part->hi)} : Json(nullptr);
   if (!part) {
     out.verdict = {Verdict::Kind::no, fmt::format("nothing of {} lies in {}", c.name(asked.what), c.name(asked.box))};
     return;
@@ -74,7 +107,7 @@ void tell_line(const Context& c, const ClipAsked& asked, Answered& out) {
   for (const Vec3& end : {a, b}) out.items.push_back(viz::Dot{end, viz::Mark::disc, Role::hit});
   out.values = {{"*t*_{in}", part->lo, "t", Role::hit, true}, {"*t*_{out}", part->hi, "t", Role::hit, true}};
   const auto [lo, hi] = viz::shown_apart(part->lo, part->hi);
-  out.verdict = part->lo == part->hi
+  out.verdict = leaves_one_point(s, o, box)
                     ? Verdict{Verdict::Kind::on, fmt::format("of {} one point lies in {}: *t* = {}", c.name(asked.what),
                                                              c.name(asked.box), lo)}
                     : Verdict{Verdict::Kind::yes, fmt::format("of {} the part from *t* = {} to {} lies in {}",

@@ -9,6 +9,8 @@
 #include <stdexcept>
 
 #include "app/query/query.h"
+#include "app/query/reply.h"
+#include "app/scene/along_triangle.h"
 #include "app/scene/in_plane.h"
 #include "app/scene/pairs.h"
 #include "app/scene/shapes.h"
@@ -75,12 +77,18 @@ void relate(const Setting&, const Object& a, const Object& b, Answer& out) {
     out.verdict = {Verdict::Kind::yes, names(a, b) + " overlap"};
 }
 
-/// Where it is reached, on the first object's line.
+Segment<double, 3> segment_of(const Setting& s, const Object& o) { return {s.point(o, "from"), s.point(o, "to")}; }
+
 void add_hit(const Setting& s, const Object& a, Answer& out, const char* name, const Json& t, viz::Mark mark) {
-  if (!t.is_number()) return;
-  const double value = t.get<double>();
+  if (t.is_null()) return;
+  const double value = t.is_number() ? t.get<double>() : t == "inf" ? HUGE_VAL : -HUGE_VAL;
+  if (!out.first_hit) out.first_hit = value;
+  if (std::isinf(value)) return;
+  const Vec3 from = origin_of(s, a),
+             along = a.type == Type::segment ? Vec3(s.point(a, "to") - from) : s.point(a, "dir"),
+             at = from + value * along;
   out.values.push_back({name, value, "t", Role::hit, true});
-  out.marks.push_back(viz::Dot{origin_of(s, a) + value * direction_of(s, a), mark, Role::hit});
+  if (at.allFinite()) out.marks.push_back(viz::Dot{at, mark, Role::hit});
 }
 
 /// The verdict of whatever runs along a line.
@@ -89,7 +97,6 @@ void meets(const Object& a, const Object& b, Answer& out, bool hit) {
   out.verdict = {hit ? Verdict::Kind::yes : Verdict::Kind::no, pair};
   for (const viz::Value& v : out.values)
     out.formula += fmt::format("{}{} = {}", out.formula.empty() ? "" : ", ", v.name, viz::shown(v.value));
-  if (hit && !out.values.empty()) out.first_hit = out.values.front().value;
 }
 
 void locate(const Object& a, const Object& b, Answer& out, const std::string& where) {
@@ -158,8 +165,10 @@ void ray_meets_sphere(const Setting& s, const Object& a, const Object& b, Answer
   const bool tangent = out.result["line_roots"] == 1;
   add_hit(s, a, out, tangent ? "*t*" : "*t*_{in}", out.result["t_enter_solid"], viz::Mark::disc);
   if (hit && !tangent) {
-    const double last = a.type == Type::segment ? 1 : s.has(a, "tmax") ? s.number(a, "tmax") : INFINITY;
-    add_hit(s, a, out, "*t*_{out}", std::min(out.result["t1"].get<double>(), last), viz::Mark::ring);
+    const double last = a.type == Type::segment ? 1 : s.has(a, "tmax") ? s.number(a, "tmax") : HUGE_VAL;
+    const Json& t1 = out.result["t1"];  // none of what is a point, "inf" beyond the largest number
+    add_hit(s, a, out, "*t*_{out}", query::number(t1.is_number() ? std::min(t1.get<double>(), last) : last),
+            viz::Mark::ring);
   }
   meets(a, b, out, hit);
   if (tangent && hit) out.verdict = {Verdict::Kind::on, out.verdict.text + " in one point"};
@@ -198,13 +207,22 @@ void tell_off_plane(const Object& b, const Ring<double, 3>& outline, Answer& out
 void ray_meets_polygon(const Setting& s, const Object& a, const Object& b, Answer& out) {
   const bool coplanar = out.result["coplanar"] == true;
   const Ring<double, 3> outline = points_of<3>(s.rings(b).front());
-  if (out.result["hit"].is_null() && !coplanar) refuse_outline(b);
+  const auto hit_by = [&](const auto& test) {
+    return a.type == Type::segment ? test(segment_of(s, a)) : test(ray_in_space(s, a));
+  };
+  if (out.result["hit"].is_null() && !coplanar) {
+    if (b.type != Type::triangle) refuse_outline(b);
+    const auto t = hit_by([&](const auto& along) { return first_in(along, triangle_of(s, b)); });
+    out.result["hit_without_area"] = t.has_value();
+    if (t) add_hit(s, a, out, "*t*", query::number(*t), viz::Mark::disc);
+    return meets(a, b, out, t.has_value());
+  }
   if (outline.size() <= most_corners && !is_simple(outline))
     out.note = shown_name(b.name) + " crosses or touches itself: what is inside is told by the even-odd rule.";
   if (coplanar) {
-    const auto t = first_in_plane(ray_in_space(s, a), outline);
+    const auto t = hit_by([&](const auto& along) { return first_in_plane(along, outline); });
     out.result["hit_in_plane"] = t.has_value();
-    if (t) add_hit(s, a, out, "*t*", *t, viz::Mark::disc);
+    if (t) add_hit(s, a, out, "*t*", query::number(*t), viz::Mark::disc);
     meets(a, b, out, t.has_value());
     out.verdict.text += ", in whose plane it lies";
     return tell_off_plane(b, outline, out);
@@ -350,18 +368,33 @@ const Pair* pair_of(Type a, Type b, bool flat) {
 
 Answer asked_in_order(const Setting& s, const Object& a, const Object& b, const Pair& pair) {
   Answer out;
-  if (!pair.kind) {
-    out.result = pair.written(s, a, b);
-    pair.tell(s, a, b, out);
-    return out;
+  try {
+    Json result = pair.written(s, a, b);
+    if (pair.kind) {
+      out.query = merged({{"kind", pair.kind}}, result);
+      const Json reply = Json::parse(query::answer(out.query.dump()).text);
+      if (reply.contains("error"))
+        throw viz::BadInput(fmt::format("{} and {}: {}", a.name, b.name, reply["error"].get<std::string>()));
+      result = reply["result"];
+    }
+    out.result = std::move(result);
+  } catch (const NotDecided&) {
+    std::optional<Json> exact = a.type == Type::segment ? exact_of_segment(s, a, b) : std::nullopt;
+    if (!exact) throw;
+    out.result = std::move(*exact);
   }
-  out.query = merged({{"kind", pair.kind}}, pair.written(s, a, b));
-  const Json reply = Json::parse(query::answer(out.query.dump()).text);
-  if (reply.contains("error"))
-    throw viz::BadInput(fmt::format("{} and {}: {}", a.name, b.name, reply["error"].get<std::string>()));
-  out.result = reply["result"];
   pair.tell(s, a, b, out);
   return out;
+}
+
+/// The result of the pair in the other order.
+void turn_round(Json& result) {
+  const auto found = result.find("relation");
+  if (found == result.end()) return;
+  if (*found == "a_contains_b")
+    *found = "b_contains_a";
+  else if (*found == "b_contains_a")
+    *found = "a_contains_b";
 }
 
 }  // namespace
@@ -374,16 +407,11 @@ Answer ask(const Setting& s, const Object& a, const Object& b) {
     Answer out = ask(s, b, a);
     if (const std::string other = names(b, a); out.verdict.text.starts_with(other))
       out.verdict.text.replace(0, other.size(), names(a, b));  // in the order of the question
+    if (out.query.is_null()) turn_round(out.result);           // what a query says is of its own fields
     return out;
   }
   try {
-    try {
-      return asked_in_order(s, a, b, *pair);
-    } catch (const NotDecided&) {
-      std::optional<Answer> exact = a.type == Type::segment ? exact_of_segment(s, a, b) : std::nullopt;
-      if (!exact) throw;
-      return std::move(*exact);
-    }
+    return asked_in_order(s, a, b, *pair);
   } catch (const NotDecided& why) {
     Answer out;
     out.open = true;

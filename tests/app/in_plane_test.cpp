@@ -83,7 +83,14 @@ TEST_CASE("how far corners lie off one plane is told, and 0 is said of none that
   square[2].z() = 1e-300;
   CHECK(off_plane(square) > 0);
   square[2].z() = 0.25;
-  CHECK(off_plane(square) == Approx(0.125).epsilon(0.01));  // the normal leans half way
+  CHECK(off_plane(square) == Approx(0.125).epsilon(0.01));                // the normal leans half way
+  for (const int exponent : {-1060, -900, -570, -300, 300, 570, 1000}) {  // far beyond what squares can be
+    Ring<double, 3> scaled = square;
+    for (Vec3& v : scaled) v *= std::ldexp(1, exponent);
+    INFO(exponent);
+    CHECK(std::ldexp(off_plane(scaled), -exponent) ==
+          Approx(off_plane(square)).epsilon(exponent < -1000 ? 0.1 : 1e-15));
+  }
 }
 
 }  // namespace in_plane_test
