@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "viz/chart_parts.h"
+#include "viz/paper.h"
 #include "viz/rich_text.h"
 
 namespace isect::viz {
@@ -49,7 +50,7 @@ struct Typeset {
 
 class Typesetter {
  public:
-  Typesetter(const ChartInk& ink, const Card& card) : label_(ink.sizes().label) {
+  Typesetter(const ChartInk& ink, const Card& card) : label_(ink.sizes().label), one_size_(has_one_size(ink.theme())) {
     for (const Card::Row& row : card.rows) {
       column_ = std::max(column_, ink.width(row.head, 1, true) + 1.2);
       texts_.push_back(words_of(ink, row.text));
@@ -75,7 +76,8 @@ class Typesetter {
   Typeset within(const Bounds& room) const {
     Typeset best = within(room, 1);
     for (std::size_t columns = 2; columns <= most_columns && texts_.size() >= many; ++columns)
-      if (Typeset s = within(room, columns); s.size > 1.05 * best.size) best = std::move(s);
+      if (Typeset s = within(room, columns); s.size > 1.05 * best.size || (one_size_ && s.height < best.height))
+        best = std::move(s);
     return best;
   }
 
@@ -85,19 +87,25 @@ class Typesetter {
   Typeset within(const Bounds& room, std::size_t columns) const {
     double share = most_enlarged;
     const auto next = [&] { return at(share * label_, room.right - room.left, columns); };
+    if (one_size_) return at(label_, room.right - room.left, columns);
     Typeset s = next();
     while (s.height > room.bottom - room.top && share > 0.3) share *= 0.97, s = next();
     return s;
   }
 
   double label_, column_ = 0;
+  bool one_size_;
   std::vector<std::vector<Word>> texts_;
 };
 
 }  // namespace
 
-double natural_height(const ChartInk& ink, const Card& card, double width) {
+/// The empty margin of a card on either side.
+static double side_of(const ChartInk& ink, double width) { return std::min(1.5 * ink.sizes().label, 0.04 * width); }
+
+double natural_height(const ChartInk& ink, const Card& card, double whole) {
   const Typesetter typesetter(ink, card);
+  const double width = whole - 2 * side_of(ink, whole);
   double least = typesetter.at(ink.sizes().label, width).height;
   for (std::size_t columns = 2; columns <= most_columns && card.rows.size() >= many; ++columns)
     least = std::min(least, typesetter.at(ink.sizes().label, width, columns).height);
@@ -105,7 +113,7 @@ double natural_height(const ChartInk& ink, const Card& card, double width) {
 }
 
 void draw(ChartInk& ink, const Card& card, const Bounds& all) {
-  const double side = std::min(1.5 * ink.sizes().label, 0.04 * (all.right - all.left));
+  const double side = side_of(ink, all.right - all.left);
   const Bounds room = {all.left + side, all.top, all.right - side, all.bottom};
   const Typesetter typesetter(ink, card);
   const Typeset s = typesetter.within(room);

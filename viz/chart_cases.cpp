@@ -7,6 +7,7 @@
 #include "viz/case_names.h"
 #include "viz/chart_parts.h"
 #include "viz/marks.h"
+#include "viz/paper.h"
 
 namespace isect::viz {
 namespace {
@@ -31,13 +32,26 @@ bool is_thin(const Cases& cases, int branch) {
 
 class PlaneOfCases {
  public:
-  PlaneOfCases(ChartInk& ink, const Cases& cases, const Bounds& b, double room_for_numbers)
+  /// `names`: what is written for the branches, one each.
+  PlaneOfCases(ChartInk& ink, const Cases& cases, const Bounds& b, double room_for_numbers,
+               std::vector<std::string> names)
       : ink_(ink),
         cases_(cases),
+        names_(std::move(names)),
         b_(b),
         room_for_numbers_(room_for_numbers),
         x_(cases.x, b.left, b.right),
         y_(cases.y, b.bottom, b.top) {}
+
+  /// Whether each name stands in its region, or right beside its setting.
+  bool has_room_for_names() const {
+    CaseNames room(cases_, b_);
+    keep_off_marks(room);
+    std::vector<int> order;
+    for (int i = 0; i < branches(); ++i)
+      if (!is_thin(cases_, i)) order.push_back(i);
+    return arranged(order, true, room).in_place || arranged(order, false, room).in_place;
+  }
 
   void draw() {
     regions();
@@ -141,16 +155,18 @@ class PlaneOfCases {
     std::vector<std::pair<int, NamePlace>> places = {};
     bool lines_first = true;
     double cost = 0;
+    bool in_place = true;  ///< without a leader, and on no border
   };
 
   Names arranged(const std::vector<int>& order, bool lines_first, CaseNames room) const {
-    Names all = {{}, lines_first, 0};
+    Names all = {{}, lines_first, 0, true};
     std::vector<PlacedLabel> there = ink_.labels();
     const auto lines = [&] {
       std::vector<Shape> unseen;
       const std::size_t before = there.size();
       there = place_labels(names_of_lines(), obstacles(there), b_, ink_.theme(), unseen, std::move(there));
       for (const PlacedLabel& label : std::span(there).subspan(before)) {
+        all.in_place = all.in_place && !label.leads_to;
         if (label.leads_to) all.cost += room.in_the_way(nearest_in(label.box, *label.leads_to), *label.leads_to);
         take(room, label);
       }
@@ -162,6 +178,7 @@ class PlaneOfCases {
       take(room, there.back());
       all.places.emplace_back(branch, place);
       all.cost += place.cost;
+      all.in_place = all.in_place && !place.leads_to && !place.on_border;
     }
     if (!lines_first) lines();
     return all;
@@ -177,7 +194,7 @@ class PlaneOfCases {
     std::vector<Wanted> all;
     for (int i = 0; i < branches(); ++i)
       if (const Cases::Spot* spot = is_thin(cases_, i) ? first_on(i) : nullptr)
-        all.push_back({cases_.branches[i], at(spot->at), at(spot->at), mark_radius(Mark::diamond, ink_.sizes()),
+        all.push_back({names_[i], at(spot->at), at(spot->at), mark_radius(Mark::diamond, ink_.sizes()),
                        ink_.theme().ink(ink_.theme().name == ThemeName::grey ? Role::text : Role::muted), no_object,
                        others(*spot)});
     return all;
@@ -193,7 +210,7 @@ class PlaneOfCases {
 
   Vec2 size_of_name(int branch) const {
     const Sizes& s = ink_.sizes();
-    return {ink_.width(cases_.branches[branch], s.label) + 0.5 * s.label, 1.4 * s.label};
+    return {ink_.width(names_[branch], s.label) + 0.5 * s.label, 1.4 * s.label};
   }
 
   /// A region's name, with its leader if it has one.
@@ -207,7 +224,7 @@ class PlaneOfCases {
     }
     const double halo = place.on_border ? s.label_halo : 0;
     const Vec2 baseline = place.middle + Vec2(0, 0.33 * s.label);
-    return ink_.text(cases_.branches[branch], baseline, {s.label, Role::text, 0.5, false, halo}, place.leads_to);
+    return ink_.text(names_[branch], baseline, {s.label, Role::text, 0.5, false, halo}, place.leads_to);
   }
 
   int branches() const { return static_cast<int>(cases_.branches.size()); }
@@ -263,6 +280,7 @@ class PlaneOfCases {
 
   ChartInk& ink_;
   const Cases& cases_;
+  const std::vector<std::string> names_;
   const Bounds b_;
   const double room_for_numbers_;  ///< left of the plane
   const ScaleLine x_, y_;
@@ -288,31 +306,103 @@ struct Titles {
   double below() const { return pitch * (std::max<double>(static_cast<double>(x.size()), 1) - 1); }
 };
 
-}  // namespace
+/// What explains the numbers that stand in place of names where a small map on paper has no room for these.
+struct Key {
+  std::vector<std::string> numbers;  ///< of each branch; of one that is nowhere on the map, its name
+  std::vector<std::vector<std::string>> rows;
+  static constexpr double pitch = 1.35, between = 1.4;  ///< rows and entries, in their size
 
-Bounds plane_within(const ChartInk& ink, const Cases& cases, const Bounds& room) {
+  Key(const ChartInk& ink, const Cases& cases, double width) : numbers(cases.branches) {
+    const double size = ink.sizes().label;
+    double used = 0;
+    for (int i = 0, next = 1; i < static_cast<int>(cases.branches.size()); ++i) {
+      if (!is_shown(cases, i)) continue;
+      numbers[i] = std::to_string(next++);
+      const std::string entry = "**" + numbers[i] + "** " + cases.branches[i];
+      const double own = ink.width(entry, size);
+      if (rows.empty() || used + between * size + own > width) rows.emplace_back(), used = -between * size;
+      rows.back().push_back(entry);
+      used += between * size + own;
+    }
+  }
+
+  double height(const ChartInk& ink) const {
+    return (0.3 + pitch * static_cast<double>(rows.size())) * ink.sizes().label;
+  }
+
+  /// In centred rows, from `top` down.
+  void draw(ChartInk& ink, double left, double right, double top) const {
+    const double size = ink.sizes().label;
+    ink.part("chart", "key");
+    double y = top + size;
+    for (const std::vector<std::string>& row : rows) {
+      double width = between * size * static_cast<double>(row.size() - 1);
+      for (const std::string& entry : row) width += ink.width(entry, size);
+      double x = (left + right - width) / 2;
+      for (const std::string& entry : row) {
+        ink.text(entry, {x, y}, {size});
+        x += ink.width(entry, size) + between * size;
+      }
+      y += pitch * size;
+    }
+  }
+
+ private:
+  static bool is_shown(const Cases& cases, int branch) {
+    const auto here = [&](const Cases::Spot& spot) { return spot.branch == branch; };
+    return !is_thin(cases, branch) || std::ranges::any_of(cases.presets, here) || (cases.here && here(*cases.here));
+  }
+};
+
+Bounds plane_above(const ChartInk& ink, const Cases& cases, const Bounds& room, double key) {
   const double axis = ink.sizes().axis;
   const Titles titles(ink, cases, room.right - room.left);
   const Bounds b = {room.left + left_of(ink, cases), room.top + (1.9 + titles.above()) * axis, room.right - axis,
-                    room.bottom - (3.4 + titles.below()) * axis};
+                    room.bottom - (3.4 + titles.below()) * axis - key};
   if (!cases.one_scale) return b;
   const Vec2 size(cases.x.hi - cases.x.lo, cases.y.hi - cases.y.lo), place(b.right - b.left, b.bottom - b.top);
   const Vec2 spare = (place - place.cwiseQuotient(size).minCoeff() * size) / 2;
   return {b.left + spare.x(), b.top + spare.y(), b.right - spare.x(), b.bottom - spare.y()};
 }
 
-double natural_height(const ChartInk& ink, const Cases& cases, double width) {
+/// On paper, where not every name has its place: a map as wide as a page has room for leaders.
+std::optional<Key> key_for(const ChartInk& ink, const Cases& cases, const Bounds& room) {
+  constexpr double roomy = 40;  // in sizes of the names
+  if (!has_one_size(ink.theme()) || cases.named != Cases::Named::all) return {};
+  if (room.right - room.left >= roomy * ink.sizes().label) return {};
+  ChartInk unseen(ink.theme());
+  const Bounds b = plane_above(ink, cases, room, 0);
+  if (!(b.right > b.left && b.bottom > b.top)) return {};
+  if (PlaneOfCases(unseen, cases, b, left_of(ink, cases), cases.branches).has_room_for_names()) return {};
+  return Key(ink, cases, room.right - room.left);
+}
+
+double height_without_key(const ChartInk& ink, const Cases& cases, double width) {
   const Titles titles(ink, cases, width - 2 * ink.sizes().margin);
   const double axis = ink.sizes().axis, across = width - left_of(ink, cases) - axis;
   const double plane = cases.one_scale ? across * (cases.y.hi - cases.y.lo) / (cases.x.hi - cases.x.lo) : 0.58 * width;
   return std::min(plane, 0.8 * width) + (5.3 + titles.above() + titles.below()) * axis;
 }
 
+}  // namespace
+
+Bounds plane_within(const ChartInk& ink, const Cases& cases, const Bounds& room) {
+  const std::optional<Key> key = key_for(ink, cases, room);
+  return plane_above(ink, cases, room, key ? key->height(ink) : 0);
+}
+
+double natural_height(const ChartInk& ink, const Cases& cases, double width) {
+  const double height = height_without_key(ink, cases, width);
+  const std::optional<Key> key = key_for(ink, cases, {0, 0, width, height});
+  return height + (key ? key->height(ink) : 0);
+}
+
 void draw(ChartInk& ink, const Cases& cases, const Bounds& room) {
   const Sizes& s = ink.sizes();
   const Theme& t = ink.theme();
-  const Bounds b = plane_within(ink, cases, room);
-  PlaneOfCases plane(ink, cases, b, left_of(ink, cases));
+  const std::optional<Key> key = key_for(ink, cases, room);
+  const Bounds b = plane_above(ink, cases, room, key ? key->height(ink) : 0);
+  PlaneOfCases plane(ink, cases, b, left_of(ink, cases), key ? key->numbers : cases.branches);
   plane.draw();
   ink.part("chart", "scales");
   ink.line({{b.left, b.top}, {b.right, b.top}, {b.right, b.bottom}, {b.left, b.bottom}, {b.left, b.top}},
@@ -330,6 +420,7 @@ void draw(ChartInk& ink, const Cases& cases, const Bounds& room) {
   for (std::size_t i = 0; i < titles.x.size(); ++i)
     ink.text(titles.x[i], {middle, b.bottom + (2.7 + Titles::pitch * static_cast<double>(i)) * s.axis},
              {s.axis, Role::muted, 0.5});
+  if (key) key->draw(ink, room.left, room.right, b.bottom + (3.1 + titles.below()) * s.axis);
 }
 
 }  // namespace isect::viz

@@ -7,6 +7,7 @@
 #include "viz/chart.h"
 #include "viz/compose.h"
 #include "viz/marks.h"
+#include "viz/paper.h"
 #include "viz/rich_text.h"
 #include "viz/t_axis.h"
 #include "viz/text.h"
@@ -20,6 +21,19 @@ constexpr double verdict_sign = 1.3;  ///< room for the sign before a verdict, i
 double line_pitch(const PageLayout& layout) { return layout.wraps ? 1.3 : 1.65; }
 /// For a line of text.
 double room(const PageLayout& layout) { return layout.width - 2 * layout.theme.sizes.margin; }
+
+/// On as few lines as fit, which are about equally long.
+std::vector<std::string> balanced(const std::string& markup, double size, bool bold, double room) {
+  std::vector<std::string> lines = wrapped(markup, size, bold, room);
+  if (lines.size() < 2) return lines;
+  const double least = room / static_cast<double>(lines.size());
+  for (double narrower = 0.95 * room; narrower > least; narrower *= 0.95) {
+    std::vector<std::string> now = wrapped(markup, size, bold, narrower);
+    if (now.size() > lines.size()) break;
+    lines = std::move(now);
+  }
+  return lines;
+}
 
 class Page {
  public:
@@ -72,7 +86,7 @@ class Page {
   /// In the middle, on as many lines as it takes where lines wrap. Returns the box of the first.
   TextBox text(const std::string& markup, const Vec2& at, const Style& style, double indent = 0) {
     const std::vector<std::string> lines =
-        layout_.wraps ? wrapped(markup, style.size, style.bold, room(layout_) - indent) : std::vector{markup};
+        layout_.wraps ? balanced(markup, style.size, style.bold, room(layout_) - indent) : std::vector{markup};
     std::optional<TextBox> first;
     for (std::size_t i = 0; i < lines.size(); ++i) {
       const Vec2 below(0, line_pitch(layout_) * static_cast<double>(i) * style.size);
@@ -84,7 +98,7 @@ class Page {
 
   TextBox one_line(const std::string& markup, const Vec2& at, const Style& style) {
     Text t = {markup, at, style.size, style.colour, 0.5, style.bold, 0, {}};
-    const TextBox box = fit_width(t, room(layout_));
+    const TextBox box = has_one_size(theme_) ? measure(t) : fit_width(t, room(layout_));
     add(t);
     out_->labels.push_back({plain(markup), box});
     return box;

@@ -150,8 +150,9 @@ void add_halos(std::vector<Shape>& shapes, const Theme& theme) {
   }
 }
 
-void add_halos_over_lines(std::vector<Shape>& shapes, const Theme& theme) {
-  const auto meets = [](const Stroke& stroke, const TextBox& box) {
+bool stands_on_line(const std::vector<Shape>& shapes, std::size_t text, const Theme& theme) {
+  const TextBox box = grown(measure(std::get<Text>(shapes[text])), theme.sizes.label_halo);
+  const auto meets = [&](const Stroke& stroke) {
     const TextBox wide = grown(box, stroke.width / 2), all = grown(around(stroke.path), stroke.width / 2);
     if (!(all.left <= box.right && box.left <= all.right && all.top <= box.bottom && box.top <= all.bottom))
       return false;
@@ -161,15 +162,17 @@ void add_halos_over_lines(std::vector<Shape>& shapes, const Theme& theme) {
       if (length_inside(line[i - 1], line[i], wide) > 0) return true;
     return false;
   };
+  return std::any_of(shapes.begin(), shapes.begin() + static_cast<std::ptrdiff_t>(text), [&](const Shape& s) {
+    const Stroke* stroke = std::get_if<Stroke>(&s);
+    return stroke && meets(*stroke);
+  });
+}
+
+void add_halos_over_lines(std::vector<Shape>& shapes, const Theme& theme) {
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     Text* text = std::get_if<Text>(&shapes[i]);
-    if (!text || text->halo > 0) continue;
-    const TextBox box = grown(measure(*text), theme.sizes.label_halo);
-    const bool met = std::any_of(shapes.begin(), shapes.begin() + static_cast<std::ptrdiff_t>(i), [&](const Shape& s) {
-      const Stroke* stroke = std::get_if<Stroke>(&s);
-      return stroke && meets(*stroke, box);
-    });
-    if (!met) continue;
+    if (!text || text->halo > 0 || !stands_on_line(shapes, i, theme)) continue;
+    const TextBox box = measure(*text);
     const Vec2 middle((box.left + box.right) / 2, (box.top + box.bottom) / 2);
     Colour below = theme.background;
     for (std::size_t k = 0; k < i; ++k) below = drawn_on(below, shapes[k], middle);

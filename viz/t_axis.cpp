@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "viz/marks.h"
+#include "viz/paper.h"
 #include "viz/rich_text.h"
 #include "viz/text.h"
 
@@ -54,7 +55,7 @@ class AxisPart {
     return {markup, at, s().axis, colour, 0.5, false, 0, {}};
   }
   void add(Text t) {
-    const TextBox box = fit_width(t, most_);
+    const TextBox box = has_one_size(theme_) ? measure(t) : fit_width(t, most_);
     out_.shapes.push_back(t);
     out_.labels.push_back({plain(t.markup), box});
   }

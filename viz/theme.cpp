@@ -161,7 +161,7 @@ Theme theme(ThemeName name, double width, double height) {
 Theme paper_theme(ThemeName name, double text_size) {
   Sizes sizes = scaled(paper, text_size / usual_text_size);  // lines are as thin as they were designed
   const Sizes texts = scaled(paper, text_size / paper.label);
-  sizes.title = texts.title, sizes.label = texts.label, sizes.axis = texts.axis;
+  sizes.title = sizes.label = sizes.axis = text_size;
   sizes.label_offset = texts.label_offset, sizes.label_clear = texts.label_clear, sizes.label_halo = texts.label_halo;
   return theme_with(name, sizes);
 }

@@ -30,6 +30,7 @@ class TikzWriter {
   std::string write() {
     std::string body;
     std::swap(body, out_);
+    find_signs();
     place_labels();
     int named = no_object;
     if (drawing_.background.a > 0)
@@ -41,7 +42,10 @@ class TikzWriter {
         out_ += fmt::format("% {}\n", full_name(drawing_.objects.at(static_cast<std::size_t>(object))));
         named = object;
       }
-      std::visit([this](const auto& s) { add(s); }, shape);
+      if (const auto sign = signs_.find(&shape); sign != signs_.end())
+        add_sign(shape, sign->second);
+      else
+        std::visit([this](const auto& s) { add(s); }, shape);
     }
     std::swap(body, out_);
     out_ += "\\begin{tikzpicture}[x=1bp, y=-1bp, line join=round, inner sep=0pt]\n";
@@ -129,6 +133,51 @@ class TikzWriter {
         path(ellipse(g.center, g.major, g.minor)));
   }
 
+  /// A verdict's first line and the sign before it: one node in the middle, whatever font the document has.
+  struct Signed {
+    int number = 0;  ///< of the node's name
+    const Text* text = nullptr;
+    double left = INFINITY;  ///< of the sign
+  };
+
+  /// The outlines of a sign: what of a verdict is no text.
+  static void reach_left(const Shape& shape, double& left) {
+    const auto look = [&](const Path& path, double by) {
+      for (const Vec2& p : flatten(path)) left = std::min(left, p.x() - by);
+    };
+    if (const Fill* fill = std::get_if<Fill>(&shape)) look(fill->path, 0);
+    if (const Stroke* stroke = std::get_if<Stroke>(&shape)) look(stroke->path, stroke->width / 2);
+  }
+
+  void find_signs() {
+    std::map<int, Signed> verdicts;  // by object
+    const auto is_verdict = [&](int object) {
+      return object != no_object && drawing_.objects.at(static_cast<std::size_t>(object)).name == "verdict";
+    };
+    for (const Shape& shape : drawing_.shapes) {
+      if (!is_verdict(object_of(shape))) continue;
+      Signed& verdict = verdicts[object_of(shape)];
+      if (const Text* text = std::get_if<Text>(&shape); text && !verdict.text) verdict.text = text;
+      reach_left(shape, verdict.left);
+    }
+    std::erase_if(verdicts, [](const auto& v) { return !v.second.text || !std::isfinite(v.second.left); });
+    for (const Shape& shape : drawing_.shapes) {
+      const auto found = verdicts.find(object_of(shape));
+      if (found == verdicts.end()) continue;
+      if (!found->second.number) found->second.number = ++verdicts_;
+      if (!std::holds_alternative<Text>(shape)) signs_.emplace(&shape, found->second);
+      if (std::get_if<Text>(&shape) == found->second.text) signed_.emplace(found->second.text, found->second);
+    }
+  }
+
+  /// It hangs on its verdict's node.
+  void add_sign(Shape shape, const Signed& verdict) {
+    move(shape, {-verdict.left, -verdict.text->at.y()});
+    out_ += fmt::format("\\begin{{scope}}[shift={{(isectverdict{}.base west)}}]\n", verdict.number);
+    std::visit([this](const auto& s) { add(s); }, shape);
+    out_ += "\\end{scope}\n";
+  }
+
   /// A label as LaTeX is to set it: where it is held, and how wide it may become.
   struct Label {
     TextBox box;
@@ -136,23 +185,26 @@ class TikzWriter {
     std::string anchor = {};
     double scale = 1;
     double room = 0;
+    double before = 0;  ///< it begins with so much space, for a sign
   };
 
   /// Held where its middle stood: whatever font the document has, it grows to both sides alike; away from an edge of
-  /// the picture that it would run over. A verdict grows away from the sign before it. What stands in a chart, a map or
-  /// a card keeps its own end, and is small enough for its room.
+  /// the picture that it would run over. What stands in a chart, a map or a card keeps its own end, and is small enough
+  /// for its room.
   Label held(const Text& text) const {
     Label label = {measure(text)};
+    if (const auto verdict = signed_.find(&text); verdict != signed_.end())
+      label.before = label.box.left - verdict->second.left, label.box.left = verdict->second.left;
     const TextBox& box = label.box;
     const Object* const object =
         text.object == no_object ? nullptr : &drawing_.objects.at(static_cast<std::size_t>(text.object));
-    const bool verdict = object && object->name == "verdict", chart = object && is_of_chart(*object);
+    const bool chart = object && is_of_chart(*object);
     const double middle = (box.left + box.right) / 2, reach = wider * (box.right - box.left) / 2;
-    const bool west = verdict || (chart && text.align == 0) || middle - reach < 0;
+    const bool west = (chart && text.align == 0) || middle - reach < 0;
     const bool east = !west && ((chart && text.align == 1) || middle + reach > drawing_.width);
     const bool by_its_end = chart && (text.align == 0 || text.align == 1);
     label.at = by_its_end ? text.at.x() : west ? box.left : east ? box.right : middle;
-    label.anchor = verdict ? " west, inner xsep=0" : west ? " west" : east ? " east" : "";
+    label.anchor = west ? " west" : east ? " east" : "";
     if (chart || text.size < shrunk * largest_) label.scale = text.size / largest_ / wider;
     return label;
   }
@@ -193,8 +245,12 @@ class TikzWriter {
                            number(text.halo));
     if (text.bold) style += ", font=\\bfseries\\boldmath";
     if (label.scale != 1) style += fmt::format(", scale={:.2f}", label.scale);
-    out_ += fmt::format("\\node[{}] at {} {{\\isectfitted{{{}bp}}{{{}}}}};\n", style, point({label.at, text.at.y()}),
-                        number(label.room / label.scale), tex(text.markup));
+    const auto verdict = signed_.find(&text);
+    const bool is_signed = verdict != signed_.end();
+    out_ += fmt::format("\\node[{}]{} at {} {{\\isectfitted{{{}bp}}{{{}{}}}}};\n", style,
+                        is_signed ? fmt::format(" (isectverdict{})", verdict->second.number) : "",
+                        point({label.at, text.at.y()}), number(label.room / label.scale),
+                        is_signed ? fmt::format("\\hspace*{{{}bp}}", number(label.before)) : "", tex(text.markup));
   }
 
   static bool is_of_chart(const Object& object) {
@@ -217,7 +273,10 @@ class TikzWriter {
   const Drawing& drawing_;
   const double scale_;
   double largest_ = 0;
-  std::map<const Text*, Label> labels_;  ///< of the drawing's texts
+  std::map<const Text*, Label> labels_;   ///< of the drawing's texts
+  std::map<const Shape*, Signed> signs_;  ///< what is drawn before a verdict
+  std::map<const Text*, Signed> signed_;
+  int verdicts_ = 0;
   std::string out_;
   std::map<std::string, std::string> colours_;
   int shadings_ = 0;

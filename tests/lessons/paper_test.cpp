@@ -1,11 +1,19 @@
 // Figures on paper: from 3 cm to a page's width their texts have one size, and no label meets another.
 
+#include <zlib.h>
+
+#include <cmath>
+#include <cstdlib>
 #include <map>
+#include <set>
+#include <sstream>
 
 #include "lessons/lessons.h"
 #include "tests/catch.h"
 #include "viz/closing.h"
+#include "viz/files.h"
 #include "viz/paper.h"
+#include "viz/rich_text.h"
 #include "viz/strip.h"
 #include "viz/tex.h"
 
@@ -18,7 +26,66 @@ namespace {
 constexpr double points_a_cm = 72 / 2.54;
 constexpr double widths[] = {3, 5, 8, 12, 16};
 
+/// What a compressed stream of a PDF holds.
+std::string inflated(const std::string& bytes) {
+  std::string out(std::size_t{1} << 22, '\0');
+  uLongf size = out.size();
+  if (uncompress(reinterpret_cast<Bytef*>(out.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
+                 bytes.size()) != Z_OK)
+    return {};
+  out.resize(size);
+  return out;
+}
+
+/// The sizes of all letters of a page in hundredths of a point: "9 0 0 -9 72.1 70.2 Tm" sets them at 9.
+std::set<int> sizes_in(const std::string& pdf) {
+  std::set<int> sizes;
+  for (std::size_t at = pdf.find("stream\n"); at != pdf.npos; at = pdf.find("stream\n", at + 1)) {
+    const std::size_t begin = at + 7, end = pdf.find("endstream", begin);
+    if (pdf.compare(at - 3, 3, "end") == 0 || end == pdf.npos) continue;
+    std::istringstream words(inflated(pdf.substr(begin, end - begin)));
+    std::vector<std::string> before;
+    for (std::string word; words >> word; before.push_back(word))
+      if (word == "Tm" && before.size() >= 6)
+        sizes.insert(static_cast<int>(std::lround(100 * std::abs(std::stod(before[before.size() - 6])))));
+  }
+  return sizes;
+}
+
 }  // namespace
+
+TEST_CASE("every letter on paper has the size that is told, scripts the one below it, as the PDF says", "[paper]") {
+  const bool all_presets = std::getenv("ISECT_LONG") != nullptr;
+  int scripts = 0, figures = 0;
+  for (const Lesson* lesson : all_lessons()) {
+    std::vector<Walk> walks;
+    for (const Preset& p : lesson->presets) walks.push_back(lesson->walk(p.parameters));
+    for (std::size_t i = 0; i < (all_presets ? walks.size() : 1); ++i)
+      for (const double width : {5, 8, 16})
+        for (int step = 0; step < static_cast<int>(walks[i].steps.size()); ++step) {
+          const Step& shown = walks[i].steps[step];
+          const auto camera = [&](double aspect) {
+            return closer(frame_alike(opening(*lesson), walks[i], walks, aspect), shown.scene, aspect);
+          };
+          INFO(lesson->id << "/" << lesson->presets[i].id << ", " << shown.slug << " at " << width << " cm");
+          const auto made = readable_figure(walks[i], step, ThemeName::print, {width * points_a_cm, 0}, true, camera);
+          REQUIRE(made);
+          Imprint imprint;
+          imprint.width_pt = made->figure.drawing.width;
+          const std::set<int> sizes = sizes_in(pdf(made->figure.drawing, {}, imprint));
+          REQUIRE_FALSE(sizes.empty());
+          for (const int size : sizes) {
+            const bool text = std::abs(size - 900) <= 1, script = std::abs(size - 900 * script_size) <= 5;
+            INFO(size / 100.0 << " pt");
+            CHECK((text || script));
+            scripts += script;
+          }
+          ++figures;
+        }
+  }
+  CHECK(figures > 500);
+  CHECK(scripts > 20);  // the others are found, too
+}
 
 TEST_CASE("labels on paper neither meet nor leave at 3, 5, 8, 12 and 16 cm, or the figure is wider", "[paper]") {
   std::map<double, int> drawn, wider;

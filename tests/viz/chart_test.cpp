@@ -331,4 +331,39 @@ TEST_CASE("bars back to back are as long as their shares, each on its own side",
   CHECK(percent_text(27.6) == "28");
 }
 
+TEST_CASE("a small map on paper has numbers, and a key that names them; a large one its names", "[chart]") {
+  Cases cases;
+  cases.x = {Scale::Kind::linear, 0, 4, "start of the ray", {}};
+  cases.y = {Scale::Kind::linear, 0, 2, "distance", {}};
+  cases.branches = {"no real root", "two hits, both of them", "from inside", "tangent", "nowhere here"};
+  const auto patch = [](double x0, double y0, double x1, double y1, int branch) {
+    return Cases::Patch{{Vec2(x0, y0), Vec2(x1, y0), Vec2(x1, y1), Vec2(x0, y1)}, branch};
+  };
+  cases.patches = {patch(0, 1, 4, 2, 0), patch(0, 0, 3.4, 1, 1), patch(3.4, 0, 4, 1, 2)};
+  cases.presets = {{{1, 1}, 3}};  // a line
+  const auto texts = [&](double width) {
+    const Theme theme = paper_theme(ThemeName::print);
+    const double height = natural_height(Chart{cases}, width, theme);
+    const Composed map = compose(Chart{cases}, Vec2::Zero(), width, height, theme);
+    const Drawing drawing = {width, height, theme.background, map.shapes, map.objects};
+    CHECK(label_faults(drawing, map.labels).empty());
+    std::multiset<std::string> all;
+    for (const PlacedLabel& label : map.labels) all.insert(label.text);
+    return all;
+  };
+  const auto small = texts(160), large = texts(500);
+  for (const char* number : {"1", "2", "3", "4"}) CHECK(small.contains(number));
+  for (const char* entry : {"1 no real root", "2 two hits, both of them", "3 from inside", "4 tangent"})
+    CHECK(small.count(entry) == 1);
+  for (int i = 0; i < 4; ++i) {
+    CHECK_FALSE(small.contains(cases.branches[i]));
+    CHECK(large.count(cases.branches[i]) == 1);
+  }
+  CHECK_FALSE(small.contains("5 nowhere here"));
+  CHECK_FALSE(large.contains("1 no real root"));
+  // Where the names have room, a small map keeps them.
+  cases.branches = {"no", "two", "in", "on", ""};
+  CHECK(texts(160).contains("two"));
+}
+
 }  // namespace chart_test

@@ -121,13 +121,22 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a verdict of TikZ begins after its sign, however wide the document's letters are", "[tikz]") {
-  Drawing drawing = everything();
-  drawing.objects = {{"page", "verdict", Role::text}};
-  std::get<Text>(drawing.shapes.back()).object = 0;
-  const TextBox box = measure(std::get<Text>(drawing.shapes.back()));
+TEST_CASE("a verdict of TikZ and the sign before it stand in the middle as one, in whatever font", "[tikz]") {
+  Drawing drawing = {200, 100, {1, 1, 1, 1}, {}, {{"page", "verdict", Role::text}}};
+  const Text verdict = {
+      .markup = "the polygons overlap", .at = {104, 80}, .size = 9, .colour = blue, .align = 0.5, .object = 0};
+  const TextBox box = measure(verdict);
+  const double sign = box.left - 8;
+  drawing.shapes = {verdict,
+                    Stroke{polyline({{sign + 1, 76}, {sign + 3, 79}, {sign + 6, 72}}), blue, 2, {0, 0}, true, 0},
+                    Text{.markup = "and more", .at = {104, 92}, .size = 9, .colour = blue, .align = 0.5, .object = 0}};
   const std::string text = tikz(drawing, {}, of_width(200));
-  CHECK_THAT(text, Contains("anchor=base west, inner xsep=0") && Contains("at (" + svg_number(box.left) + ","));
+  const std::string middle = svg_number((sign + box.right) / 2);
+  CHECK_THAT(text, Contains("\\node[anchor=base, text=isect2] (isectverdict1) at (" + middle + ",80) {") &&
+                       Contains("{\\hspace*{8bp}the polygons overlap}"));
+  CHECK_THAT(text, Contains("\\begin{scope}[shift={(isectverdict1.base west)}]\n\\draw[") &&
+                       Contains("(1,-4) -- (3,-1) -- (6,-8);\n\\end{scope}"));
+  CHECK_THAT(text, !Contains("hspace*{8bp}and more"));
 }
 
 TEST_CASE("a TikZ picture carries its metadata, and says what it shows", "[tikz]") {

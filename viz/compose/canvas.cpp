@@ -5,6 +5,7 @@
 
 #include "viz/in_box_or_triangle.h"
 #include "viz/marks.h"
+#include "viz/paper.h"
 #include "viz/rich_text.h"
 #include "viz/text.h"
 
@@ -128,7 +129,7 @@ void draw(Canvas& c, const Heading& it) {
       it.text, c.at(it.at), it.bold ? c.sizes().title : c.sizes().label, c.theme.ink(it.role), it.lean, it.bold, 0, {}};
   TextBox box = measure(text);
   const double room = it.room * c.view.scale_at(it.at);
-  if (room > 0 && box.right - box.left > room) text.size *= room / (box.right - box.left);
+  if (room > 0 && !has_one_size(c.theme) && box.right - box.left > room) text.size *= room / (box.right - box.left);
   text.at.y() += 0.34 * text.size;  // half the height of capitals, so that headings side by side share a baseline
   box = measure(text);
   for (const Handle& handle : c.scene.handles)  // which would cover it: it stands beside, as labels do
