@@ -112,7 +112,10 @@ int deck(const Program& program, const PageOptions& options) {
     const Piece piece = piece_of(e, step);
     const viz::Drawing drawing = studio.draw(e, step);
     gallery.add(e, piece, tikz.name, studio.write(piece, drawing, tikz),
-                {{"theme", options.theme}, {"width_pt", drawing.width}});
+                {{"theme", options.theme},
+                 {"width_pt", drawing.width},
+                 {"height_pt", drawing.height},
+                 {"text_pt", beside.paper->text_size}});
     Image shown = image(e, step);
     shown.svg = studio.write(piece, drawing, svg);
     shown.fits = true;

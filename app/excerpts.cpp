@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <iterator>
 #include <set>
+#include <sstream>
 
 #include "app/figure_place.h"
 #include "app/options.h"
@@ -16,6 +17,7 @@
 #include "app/terminal.h"
 #include "viz/files.h"
 #include "viz/place.h"
+#include "viz/spelling.h"
 
 namespace isect::program {
 
@@ -92,7 +94,7 @@ Excerpt at(const std::vector<const viz::Lesson*>& lessons, const viz::Place& pla
   return e;
 }
 
-/// The preset of a file, or the place where a figure was made; the file's name becomes the folder's.
+/// The preset of a file, whose name becomes the folder's; or the place where a figure was made, and its folder.
 Excerpt from_file(const Program& program, const PresetFile& file) {
   if (std::error_code absent; fs::is_directory(file.path, absent))
     throw viz::FileError(
@@ -102,6 +104,8 @@ Excerpt from_file(const Program& program, const PresetFile& file) {
     const FigurePlace found = place_in_figure(program, file.path, *format, lessons);
     Excerpt e = at(lessons, found.place, file);
     e.several = found.steps;
+    e.style = found.style;
+    if (!found.folder.empty()) e.folder = found.folder;
     return e;
   }
   viz::Place place;
@@ -124,6 +128,10 @@ std::vector<std::string> ids_of(const Program& program) {
   return ids;
 }
 
+bool is_lesson(const Program& program, const std::string& id) {
+  return std::ranges::any_of(program.lessons, [&](const viz::Lesson* lesson) { return lesson->id == id; });
+}
+
 /// The lessons asked for; none if the answer is left to a preset's file.
 std::vector<const viz::Lesson*> lessons_of(const Program& program, const Selection& asked) {
   if (program.only) return {program.only};
@@ -133,6 +141,11 @@ std::vector<const viz::Lesson*> lessons_of(const Program& program, const Selecti
   for (const std::string& id : asked.lessons) {
     if (id.find('=') != id.npos)
       throw viz::BadInput(fmt::format("lesson: \"{0}\" is none; to change a parameter write --set {0}", id));
+    for (const viz::Lesson* before : lessons)
+      if (std::ranges::find(before->presets, id, &viz::Preset::id) != before->presets.end() && !is_lesson(program, id))
+        throw viz::BadInput(fmt::format(
+            "lesson: \"{0}\" is none, but a preset of {1}; several are joined by commas, such as --preset {2},{0}", id,
+            before->id, asked.presets.empty() ? before->presets.front().id : asked.presets.back()));
     const viz::Lesson* lesson = &viz::lesson_named(program.lessons, id);
     if (std::ranges::find(lessons, lesson) == lessons.end()) lessons.push_back(lesson);
   }
@@ -164,20 +177,41 @@ std::vector<PresetFile> named_files(const std::vector<std::string>& paths) {
   return files;
 }
 
+std::vector<std::string> step_names(const viz::Walk& walk) {
+  std::vector<std::string> names;
+  for (const viz::Step& step : walk.steps) names.push_back(step.slug);
+  if (std::ranges::find(names, verdict_step) == names.end()) names.emplace_back(verdict_step);
+  return names;
+}
+
+/// The first part of it that a walk has no step for.
+std::string without_step(const std::string& asked, const viz::Walk& walk) {
+  std::istringstream parts(asked);
+  for (std::string part; std::getline(parts, part, ',');)
+    if (const std::optional<Steps> one = Steps::read(part); !one || !one->all_in(walk)) return part;
+  return asked;
+}
+
 void walk(Excerpt& e, const std::string& asked, bool one_of_many) {
   e.walk = e.lesson->walk(e.parameters);
-  const int count = static_cast<int>(e.walk.steps.size());
   const std::string text = !asked.empty()       ? asked
                            : !e.several.empty() ? e.several
                            : e.step             ? std::to_string(*e.step + 1)
                                                 : "all";
   one_of_many = one_of_many && !asked.empty();  // the step that a file names must be there
   const std::optional<Steps> wanted = Steps::read(text);
-  if (!wanted || (!one_of_many && !wanted->all_in(count)))
+  if (!wanted || (!one_of_many && !wanted->all_in(e.walk))) {
+    const std::string part = without_step(text, e.walk);
+    const std::vector<std::string> names = step_names(e.walk);
     throw viz::BadInput(
-        fmt::format("step: \"{}\" is unknown; {} has steps 1 to {}: give one, some (3-6, or 3,5,7-9) or all", text,
-                    e.folder, count));
-  e.steps = wanted->of(count);
+        fmt::format("step: \"{}\" is unknown{}", part,
+                    spelling::instead(
+                        part, names,
+                        fmt::format("{} has steps 1 to {}: give one, some (3-6, or 3,5,7-9), -1 for the last, all, or "
+                                    "a name: {}",
+                                    e.folder, e.walk.steps.size(), spelling::listed(names)))));
+  }
+  e.steps = wanted->of(e.walk);
 }
 
 /// One line on what was asked for and is not there, as it is not in every preset.
@@ -190,7 +224,7 @@ void say_skipped(const std::vector<Excerpt>& found, const std::string& asked) {
     std::size_t all = 0;
     std::vector<std::string> without;
     for (; e != found.end() && e->lesson == lesson; ++e, ++all)
-      if (!wanted->all_in(static_cast<int>(e->walk.steps.size()))) without.push_back(e->folder);
+      if (!wanted->all_in(e->walk)) without.push_back(e->folder);
     if (without.empty()) continue;
     const bool few = without.size() <= 3 && without.size() < all;
     lessons.push_back(fmt::format("{} ({})", lesson->id,
@@ -198,17 +232,42 @@ void say_skipped(const std::vector<Excerpt>& found, const std::string& asked) {
                                   : without.size() == all ? fmt::format("all {}", all)
                                                           : fmt::format("{} of {}", without.size(), all)));
   }
-  if (!lessons.empty())
-    say(fmt::format("step {}: these presets have fewer steps: {}", asked, fmt::join(lessons, ", ")));
+  if (!lessons.empty()) say(fmt::format("step {}: not in these presets: {}", asked, fmt::join(lessons, ", ")));
+}
+
+/// None of the presets has it.
+viz::BadInput no_such_step(const std::vector<Excerpt>& found, const std::string& asked) {
+  std::set<std::string> names;
+  std::size_t most = 0;
+  for (const Excerpt& e : found) {
+    std::ranges::copy(step_names(e.walk), std::inserter(names, names.end()));
+    most = std::max(most, e.walk.steps.size());
+  }
+  return viz::BadInput(
+      fmt::format("step: \"{}\" is unknown{}", asked,
+                  spelling::instead(
+                      asked, {names.begin(), names.end()},
+                      fmt::format("no preset has it; they have {} steps at most, and verdict is one of each", most))));
+}
+
+/// One figure in two formats, or two steps of one setting, may be given side by side.
+bool same_setting(const Excerpt& a, const Excerpt& b) {
+  return a.lesson == b.lesson && a.folder == b.folder && !a.style.empty() && a.style == b.style &&
+         a.parameters == b.parameters;
 }
 
 /// No two may be written to the same place.
-void require_own_folders(const std::vector<Excerpt>& found) {
-  std::set<std::pair<std::string, std::string>> taken;
-  for (const Excerpt& e : found)
-    if (!taken.emplace(e.lesson->id, e.folder).second)
-      throw viz::BadInput(fmt::format("preset: two are called {} and would be written to {}/{}; rename a file",
-                                      e.folder, e.lesson->id, e.folder));
+void require_own_places(std::vector<Excerpt>& found) {
+  for (std::size_t i = 0; i < found.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const Excerpt &a = found[i], &b = found[j];
+      if (a.lesson->id != b.lesson->id || a.folder != b.folder) continue;
+      if (!same_setting(a, b))
+        throw viz::BadInput(fmt::format("preset: two are called {0} and would be written to {1}/{0}; rename a file",
+                                        a.folder, a.lesson->id));
+      std::erase_if(found[i].steps, [&](int step) { return std::ranges::find(b.steps, step) != b.steps.end(); });
+    }
+  std::erase_if(found, [](const Excerpt& e) { return e.steps.empty(); });
 }
 
 /// The presets of a folder: all, or those for the lessons asked for.
@@ -239,9 +298,23 @@ std::vector<Excerpt> named(const viz::Lesson& lesson, const std::vector<std::str
   return found;
 }
 
+/// Presets may be joined by commas, as formats are. A file of that very name is meant itself.
+std::vector<std::string> each_of(const std::vector<std::string>& words) {
+  std::vector<std::string> all;
+  for (const std::string& word : words) {
+    if (std::error_code absent; fs::exists(word, absent)) {
+      all.push_back(word);
+      continue;
+    }
+    std::istringstream parts(word + ",");
+    for (std::string part; std::getline(parts, part, ',');) all.push_back(part);
+  }
+  return all;
+}
+
 /// The presets that words name: files, and names in each of the lessons.
 std::vector<Excerpt> from_words(const Program& program, Selection asked) {
-  std::vector<std::string> names = asked.presets, files;
+  std::vector<std::string> names = each_of(asked.presets), files;
   if (!asked.preset.empty()) names.push_back(asked.preset);
   for (std::vector<std::string>* words : {&names, &asked.lessons}) {
     std::ranges::copy_if(*words, std::back_inserter(files), is_file);
@@ -295,14 +368,16 @@ std::vector<Excerpt> excerpts(const Program& program, const Selection& asked) {
     walk(e, asked.step, found.size() > 1);
   }
   if (std::ranges::all_of(found, [](const Excerpt& e) { return e.steps.empty(); }))
-    throw viz::BadInput(fmt::format("step: \"{}\" is unknown; no preset has so many", asked.step));
-  require_own_folders(found);
+    throw no_such_step(found, asked.step);
   say_skipped(found, asked.step);
+  require_own_places(found);
   return found;
 }
 
 Excerpt excerpt(const Program& program, const Selection& asked) {
   if (asked.preset == "all") throw viz::BadInput("preset: \"all\" is not allowed here; name one");
+  if (const std::size_t several = each_of({asked.preset}).size(); several > 1)
+    throw viz::BadInput(fmt::format("preset: \"{}\" names {}; here is room for one", asked.preset, several));
   return std::move(excerpts(program, asked).front());
 }
 

@@ -14,7 +14,9 @@ void add_explain(CLI::App& app, Program& program) {
   add_lesson(sub, program, *asked, Takes::one, "a lesson's id");
   add_preset(sub, *asked, Takes::one, "a preset, or a file with one (its step is honoured);\nthe first if not given");
   add_step(sub, *asked, Takes::many,
-           "counted from 1: 3, 3-6, 3,5,7-9 or all; if not given, that of\nthe preset's file, or all");
+           "counted from 1: 3, 3-6, 3,5,7-9 or all; -1 is the last; or by\nname: intersect; verdict is the last before "
+           "map and "
+           "card. If\nnot given, that of the preset's file, or all");
   add_scene_file(sub, program, *asked);
   add_set(sub, *asked);
   const auto how = std::make_shared<Telling>();

@@ -2,11 +2,29 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <filesystem>
+
 #include "app/piece.h"
 #include "app/scene/lesson.h"
 #include "viz/files.h"
 
 namespace isect::program {
+
+namespace {
+
+/// Of the file as which it was made, "ray-sphere/tangent/03-distance": "tangent". None that leads elsewhere.
+std::string folder_in(const viz::Metadata& data, const std::string& lesson) {
+  const auto file = data.find("file");
+  if (file == data.end() || !file->second.starts_with(lesson + "/") || file->second.find('\0') != std::string::npos)
+    return {};
+  const std::filesystem::path folder = std::filesystem::path(file->second.substr(lesson.size() + 1)).parent_path();
+  if (folder.is_absolute() || std::ranges::any_of(folder, [](const auto& part) { return part == ".." || part == "."; }))
+    return {};
+  return folder.string();
+}
+
+}  // namespace
 
 FigurePlace place_in_figure(const Program& program, const std::string& path, const viz::Format& format,
                             std::vector<const viz::Lesson*>& to) {
@@ -20,7 +38,9 @@ FigurePlace place_in_figure(const Program& program, const std::string& path, con
                       "Name its place instead: {}--preset P --step N",
                       program.only ? "" : "LESSON "));
     if (data.contains("scene")) to.push_back(&scene::kept_lesson_of(data.at("scene"), ""));
-    return {viz::place_from_metadata(data, to), steps_of(data)};
+    viz::Place place = viz::place_from_metadata(data, to);
+    const std::string folder = folder_in(data, place.lesson);
+    return {std::move(place), steps_of(data), folder, data.contains("style") ? data.at("style") : ""};
   } catch (const viz::BadInput& e) {
     throw viz::BadInput(fmt::format("{}: {}", path, e.what()));
   } catch (const viz::FileError& e) {

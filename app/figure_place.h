@@ -12,7 +12,9 @@ namespace isect::program {
 
 struct FigurePlace {
   viz::Place place;
-  std::string steps = {};  ///< of a strip or an animation: all of them, "2-4"; else empty
+  std::string steps = {};   ///< of a strip or an animation: all of them, "2-4"; else empty
+  std::string folder = {};  ///< as Excerpt::folder; empty where it does not say
+  std::string style = {};   ///< how it was asked for (see app/style.h); empty where it does not say
 };
 /// The place where a figure was made; the lesson of a scene goes `to` the others. Throws viz::BadInput, also where it
 /// carries none, and viz::FileError.

@@ -86,7 +86,10 @@ int handout(const Program& program, const PageOptions& options) {
     const Piece piece = piece_of(e, step);
     for (const viz::Format* format : style.formats)
       gallery.add(e, piece, format->name, studio.write(piece, drawing, *format),
-                  {{"theme", viz::name_of(style.theme)}, {"width_pt", drawing.width}});
+                  {{"theme", viz::name_of(style.theme)},
+                   {"width_pt", drawing.width},
+                   {"height_pt", drawing.height},
+                   {"text_pt", style.paper->text_size}});
   }
   gallery.list();
   const Blocks blocks = contents(e);

@@ -15,11 +15,11 @@ void add_preset(CLI::App& sub, Selection& to, Takes takes, const std::string& he
   if (takes == Takes::one)
     sub.add_option("--preset", to.preset, help)->type_name("NAME|FILE")->check(not_empty());
   else
-    sub.add_option("--preset", to.presets, help)->type_name("NAME|FILE...")->allow_extra_args(false);
+    sub.add_option("--preset", to.presets, help)->type_name("NAME|FILE,...")->allow_extra_args(false);
 }
 
 void add_step(CLI::App& sub, Selection& to, Takes takes, const std::string& help) {
-  sub.add_option("--step", to.step, help)->type_name(takes == Takes::one ? "N" : "N|A-B|all");
+  sub.add_option("--step", to.step, help)->type_name(takes == Takes::one ? "N|NAME" : "N|A-B|NAME|all");
 }
 
 void add_scene_file(CLI::App& sub, const Program& program, Selection& to) {

@@ -24,7 +24,7 @@ struct Selection {
   std::vector<std::string> lessons;  ///< or presets' files
   bool all = false;
   std::string preset;                ///< empty: the lesson's first (every one with `all`)
-  std::vector<std::string> presets;  ///< several, in place of one
+  std::vector<std::string> presets;  ///< several, in place of one; those of a word joined by commas
   std::string scene;                 ///< a scene's file, whose objects the lesson is to take; empty: none
   std::string step;                  ///< empty: the step of the preset's file, or all where it names none
   std::vector<std::string> changes;  ///< name=value

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -16,6 +17,7 @@
 #include "app/surroundings.h"
 #include "app/terminal.h"
 #include "viz/files.h"
+#include "viz/rich_text.h"
 
 namespace isect::program {
 
@@ -38,12 +40,48 @@ Json made_with(const Style& style, const viz::Format& format, const viz::Drawing
     made["width_pt"] = drawing.width;
     made["height_pt"] = drawing.height;
     made["text_pt"] = style.paper->text_size;
+    made["script_pt"] = viz::script_size * style.paper->text_size;
     if (format.pixels) made["dpi"] = style.dpi;
   } else {
     made["size"] = fmt::format("{}x{}", std::ceil(drawing.width), std::ceil(drawing.height));
   }
   return made;
 }
+
+/// What draws each excerpt: as was asked, or as the figure was that it comes from.
+class Studios {
+ public:
+  Studios(const std::vector<Excerpt>& all, const RenderOptions& options) : backend_(options.backend) {
+    for (const Excerpt& e : all) {
+      if (made_.contains(e.style)) continue;
+      StyleOptions own = options.style;
+      if (!e.style.empty()) fill_in(own, e.style);
+      if (!own.columns.empty()) own.width = options.style.width, own.columns.clear();  // it was a strip of several
+      if (!made_.empty() && own.font != font_)
+        throw viz::BadInput("font: these figures are set in several, and a run sets all in one; give --font");
+      font_ = own.font;
+      made_[e.style].style = style_of(own);
+    }
+  }
+  const Style& style(const Excerpt& e) const { return made_.at(e.style).style; }
+  Studio& of(const Excerpt& e) {
+    Made& made = made_.at(e.style);
+    if (!made.studio) made.studio = std::make_unique<Studio>(made.style, backend_);
+    return *made.studio;
+  }
+  void say_widened() const {
+    for (const auto& [words, made] : made_)
+      if (made.studio) program::say_widened(*made.studio);
+  }
+
+ private:
+  struct Made {
+    Style style;
+    std::unique_ptr<Studio> studio;
+  };
+  std::string backend_, font_;
+  std::map<std::string, Made> made_;  ///< by the words of a figure, "" for all else
+};
 
 /// A file of the run: a step, or all steps of an excerpt in one that moves.
 struct Job {
@@ -52,11 +90,11 @@ struct Job {
   std::vector<const viz::Format*> formats;
 };
 
-std::vector<Job> jobs_of(const std::vector<Excerpt>& chosen, const Style& style) {
-  std::vector<const viz::Format*> still, moving;
-  for (const viz::Format* format : style.formats) (format->film ? moving : still).push_back(format);
+std::vector<Job> jobs_of(const std::vector<Excerpt>& chosen, const Studios& studios) {
   std::vector<Job> jobs;
   for (const Excerpt& e : chosen) {
+    std::vector<const viz::Format*> still, moving;
+    for (const viz::Format* format : studios.style(e).formats) (format->film ? moving : still).push_back(format);
     for (const int step : e.steps)
       if (!still.empty()) jobs.push_back({e, piece_of(e, step), still});
     if (!moving.empty() && !e.steps.empty()) jobs.push_back({e, piece_of(e, "steps"), moving});
@@ -66,7 +104,9 @@ std::vector<Job> jobs_of(const std::vector<Excerpt>& chosen, const Style& style)
 
 /// Each format of a job, given to `take`.
 template <class Take>
-void make(const Job& job, const RenderOptions& options, const Style& style, Studio& studio, const Take& take) {
+void make(const Job& job, const RenderOptions& options, Studios& studios, const Take& take) {
+  const Style& style = studios.style(job.e);
+  Studio& studio = studios.of(job.e);
   const std::vector<viz::Drawing> drawings = studio.draw(job.e, job.piece.steps);
   for (const viz::Format* format : job.formats) {
     Json about = made_with(style, *format, drawings.front(), studio.renderer(*format));
@@ -78,23 +118,19 @@ void make(const Job& job, const RenderOptions& options, const Style& style, Stud
   }
 }
 
-int to_stdout(const std::vector<Excerpt>& chosen, const RenderOptions& options, const Style& style) {
-  const std::vector<Job> jobs = jobs_of(chosen, style);
+int to_stdout(const std::vector<Job>& jobs, const RenderOptions& options, Studios& studios) {
   if (jobs.size() != 1 || jobs.front().formats.size() != 1)
     throw viz::BadInput("out: \"-\" takes exactly one figure in one format; give --step N, and one preset and format");
-  Studio studio(style, options.backend);
-  make(jobs.front(), options, style, studio,
-       [](const viz::Format&, const std::string& bytes, const Json&) { print(bytes); });
-  say_widened(studio);
+  make(jobs.front(), options, studios, [](const viz::Format&, const std::string& bytes, const Json&) { print(bytes); });
+  studios.say_widened();
   return done;
 }
 
-void draw_all(const std::vector<Job>& jobs, const RenderOptions& options, const Style& style, Studio& studio,
-              Gallery& gallery) {
+void draw_all(const std::vector<Job>& jobs, const RenderOptions& options, Studios& studios, Gallery& gallery) {
   Progress progress(jobs.size());
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     const Job& job = jobs[i];
-    make(job, options, style, studio, [&](const viz::Format& format, const std::string& bytes, const Json& about) {
+    make(job, options, studios, [&](const viz::Format& format, const std::string& bytes, const Json& about) {
       print(gallery.add(job.e, job.piece, format.name, bytes, about) + "\n");
     });
     progress.done(job.piece.stem);
@@ -115,21 +151,20 @@ bool choose_folder(const Program& program, RenderOptions& options) {
 }
 
 int render(const Program& program, RenderOptions options) {
-  const Style style = style_of(options.style);
   if (!options.each.empty()) options.seconds = seconds_of(options.each);
   const bool whole = options.dir.empty() || choose_folder(program, options);
   if (!whole && options.asked.files.empty()) return bad_input;
   const std::vector<Excerpt> chosen = excerpts(program, options.asked);
+  Studios studios(chosen, options);  // a font is chosen before any is looked at
   need_surroundings(program);
-  if (options.out == "-") return to_stdout(chosen, options, style);
+  const std::vector<Job> jobs = jobs_of(chosen, studios);
+  if (options.out == "-") return to_stdout(jobs, options, studios);
 
-  const std::vector<Job> jobs = jobs_of(chosen, style);
   Gallery gallery(options.out, program);
   for (const Job& job : jobs)
     for (const viz::Format* format : job.formats) gallery.need_ours(job.piece, *format);
-  Studio studio(style, options.backend);
   try {
-    draw_all(jobs, options, style, studio, gallery);
+    draw_all(jobs, options, studios, gallery);
   } catch (...) {
     try {
       gallery.list();  // what stands by now
@@ -139,7 +174,7 @@ int render(const Program& program, RenderOptions options) {
     throw;
   }
   gallery.list();
-  say_widened(studio);
+  studios.say_widened();
   for (const std::string& text : gallery.left_alone())
     say(fmt::format("left alone: {} was edited; remove it to have isect's own text again", text));
   return whole ? done : bad_input;
@@ -153,14 +188,17 @@ void add_render(CLI::App& app, Program& program) {
   add_lesson(sub, program, options->asked, Takes::many,
              "one lesson or several, by id; or files of presets, scenes or figures");
   sub.add_flag("--all", options->asked.all, "every lesson, and every preset unless --preset is given");
-  add_preset(sub, options->asked, Takes::many,
-             "presets, files with one each, or all; the first if not given.\nA word that ends in .json or "
-             "has a slash is a file, whose\nstep and camera are honoured");
+  add_preset(
+      sub, options->asked, Takes::many,
+      "presets, files with one each, or all; the first if not given.\nSeveral are joined by commas, or each has its "
+      "--preset. A word\nthat ends in .json or has a slash is a file, whose step and\ncamera are honoured");
   add_path(sub, "--dir", options->dir, "all preset files of this folder and of those below it", "DIR")
       ->excludes("--preset")
       ->excludes("--all");
   add_step(sub, options->asked, Takes::many,
-           "counted from 1: 3, 3-6, 3,5,7-9 or all; if not given, that of\nthe preset's file, or all");
+           "counted from 1: 3, 3-6, 3,5,7-9 or all; -1 is the last; or by\nname: intersect; verdict is the last before "
+           "map and "
+           "card. If\nnot given, that of the preset's file, or all");
   add_scene_file(sub, program, options->asked);
   add_set(sub, options->asked);
   add_style(sub, options->style, viz::format_names());

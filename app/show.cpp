@@ -97,7 +97,9 @@ void add_show(CLI::App& app, Program& program) {
                          fmt::join(viz::format_names(), ", .")));
   add_preset(sub, *asked, Takes::one,
              "a preset, or a file with one (its step and camera are\nhonoured); the first if not given");
-  add_step(sub, *asked, Takes::one, "counted from 1; if not given, that of the preset's file, or 1");
+  add_step(
+      sub, *asked, Takes::one,
+      "counted from 1, -1 is the last; or by name: intersect, verdict;\nif not given, that of the preset's file, or 1");
   add_scene_file(sub, program, *asked);
   add_set(sub, *asked);
   sub.footer(program.only ? "Example: " + program.name + " show --step 3"

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "app/ownership.h"
@@ -64,36 +65,74 @@ Studio::Studio(const Style& style, const std::string& backend) : style_(style) {
   if (std::ranges::any_of(style.formats, &viz::Format::pixels)) offscreen_ = std::make_unique<viz::Offscreen>(wanted);
 }
 
-viz::Drawing Studio::draw(const Excerpt& e, int step) {
-  const viz::PageLayout page =
-      viz::page_layout(e.walk, style_.theme, style_.size.width, style_.size.height, style_.title);
-  viz::Drawing drawing;
-  if (style_.paper) {
-    viz::OnPaper made = on_paper(e, e.walk, step, *style_.paper, style_.title);
-    if (made.size.width > style_.paper->width) widened_.push_back(told(file_of(e, step), made.size.width));
-    drawing = std::move(made.figure.drawing);
-  } else {
-    drawing = composed(e, step, page).drawing;
-  }
-  if (style_.crop) drawing = viz::cropped(drawing, style_.paper ? 1 : page.theme.sizes.margin);
-  if (style_.transparent) drawing.background.a = 0;
-  return drawing;
-}
+viz::Drawing Studio::draw(const Excerpt& e, int step) { return draw(e, std::vector{step}).front(); }
 
 std::vector<viz::Drawing> Studio::draw(const Excerpt& e, const std::vector<int>& steps) {
-  std::vector<viz::Drawing> drawings;
+  Drawings drawings;
+  if (!style_.paper) {
+    const viz::PageLayout page =
+        viz::page_layout(e.walk, style_.theme, style_.size.width, style_.size.height, style_.title);
+    for (const int step : steps) drawings.push_back(composed(e, step, page).drawing);
+    if (style_.crop) drawings = viz::cropped(std::move(drawings), page.theme.sizes.margin);
+  } else if (style_.crop) {
+    drawings = cropped_to_paper([&](const viz::PaperSize& size) { return whole(e, steps, size); });
+  } else {
+    drawings = whole(e, steps, *style_.paper);
+  }
+  if (style_.paper) tell_widened(steps.size() == 1 ? file_of(e, steps.front()) : folder_of(e), drawings.front().width);
+  for (viz::Drawing& drawing : drawings)
+    if (style_.transparent) drawing.background.a = 0;
+  return drawings;
+}
+
+std::vector<viz::Drawing> Studio::whole(const Excerpt& e, const std::vector<int>& steps, const viz::PaperSize& size) {
+  Drawings drawings;
   double width = 0, height = 0;
   for (const int step : steps) {
-    drawings.push_back(draw(e, step));
+    drawings.push_back(on_paper(e, e.walk, step, size, style_.title).figure.drawing);
     width = std::max(width, drawings.back().width), height = std::max(height, drawings.back().height);
   }
-  for (viz::Drawing& drawing : drawings) {
-    const viz::Vec2 by((width - drawing.width) / 2, (height - drawing.height) / 2);
-    if (!by.isZero(0))
-      for (viz::Shape& shape : drawing.shapes) viz::move(shape, by);
-    drawing.width = width, drawing.height = height;
-  }
+  for (viz::Drawing& drawing : drawings) drawing = viz::centred(std::move(drawing), width, height);
   return drawings;
+}
+
+std::vector<viz::Drawing> Studio::cropped_to_paper(const std::function<Drawings(const viz::PaperSize&)>& draw) const {
+  constexpr int most_rounds = 12;
+  constexpr double widest = 4, near = 0.05;
+  const viz::PaperSize& asked = *style_.paper;
+  const double margin = viz::paper_theme(style_.theme, asked.text_size).sizes.margin;
+  const bool for_width = style_.sides != Style::Sides::height, for_height = style_.sides != Style::Sides::width;
+  viz::PaperSize size = asked;
+  Drawings best;
+  double best_over = INFINITY;
+  for (int round = 0; round < most_rounds; ++round) {
+    const Drawings now = viz::cropped(draw(size), margin);
+    const double wide = for_width ? now.front().width - asked.width : 0;
+    const double high = for_height ? now.front().height - asked.height : 0;
+    const double over = !for_height ? wide : !for_width ? high : std::max(wide, high);
+    // Too large is worse than too small, of which the largest is best.
+    const bool better = over > near ? over < best_over : best_over > near || over > best_over;
+    if (better) best = now, best_over = over;
+    if (std::abs(over) <= near && (!for_width || !for_height || std::min(wide, high) >= -near)) break;
+    if (for_width) size.width -= wide;
+    if (for_height) size.height -= high;
+    if (!for_width) size.width = asked.width / asked.height * size.height;
+    if (!(size.width > 0.2 * asked.width && size.width < widest * asked.width)) break;
+    if (for_height && !(size.height > 0.2 * asked.height && size.height < widest * asked.height)) break;
+  }
+  const double width = for_width ? std::max(asked.width, best.front().width - near) : best.front().width;
+  const double height = for_height ? std::max(asked.height, best.front().height - near) : best.front().height;
+  for (viz::Drawing& drawing : best) drawing = viz::centred(std::move(drawing), width, height);
+  return best;
+}
+
+bool Studio::is_widened(double width) const {
+  constexpr double more = 0.1;
+  return style_.sides != Style::Sides::height && width > style_.paper->width + more;
+}
+
+void Studio::tell_widened(const std::string& which, double width) {
+  if (is_widened(width)) widened_.push_back(told(which, width));
 }
 
 viz::OnPaper Studio::on_paper(const Excerpt& e, const viz::Walk& walk, int step, const viz::PaperSize& size,
@@ -108,12 +147,24 @@ viz::OnPaper Studio::on_paper(const Excerpt& e, const viz::Walk& walk, int step,
   return std::move(*made);
 }
 
-viz::Drawing Studio::draw_strip(const Excerpt& e, int columns, bool captions) {
-  const viz::Theme theme = viz::paper_theme(style_.theme, style_.paper->text_size);
-  const double gap = strip_gap * style_.paper->text_size;
-  viz::PaperSize each = *style_.paper;
+viz::Drawing Studio::draw_strip(const Excerpt& e, int columns, bool fewer, bool captions) {
+  const auto at = [&](const viz::PaperSize& size) { return whole_strip(e, columns, captions, size); };
+  const auto drawn = [&] {
+    if (!style_.crop) return at(*style_.paper);
+    return cropped_to_paper([&](const viz::PaperSize& size) { return Drawings{at(size)}; }).front();
+  };
+  viz::Drawing drawing = drawn();
+  while (fewer && columns > 1 && is_widened(drawing.width)) --columns, drawing = drawn();
+  tell_widened(folder_of(e), drawing.width);
+  if (style_.transparent) drawing.background.a = 0;
+  return drawing;
+}
+
+viz::Drawing Studio::whole_strip(const Excerpt& e, int columns, bool captions, const viz::PaperSize& size) {
+  const viz::Theme theme = viz::paper_theme(style_.theme, size.text_size);
+  const double gap = strip_gap * size.text_size;
+  viz::PaperSize each = size;
   each.width = (each.width - (columns - 1) * gap) / columns;
-  const double asked = each.width;
   viz::Walk part = e.walk;  // rows that none of these steps needs take no room
   part.steps.clear();
   for (const int step : e.steps) part.steps.push_back(e.walk.steps[step]);
@@ -127,10 +178,7 @@ viz::Drawing Studio::draw_strip(const Excerpt& e, int columns, bool captions) {
     const viz::Step& step = part.steps[i];
     frames.push_back({std::move(made.figure), captions ? with_caption(*e.lesson, step) : step.title});
   }
-  viz::Drawing drawing = viz::strip(frames, columns, theme, gap).drawing;
-  if (each.width > asked) widened_.push_back(told(folder_of(e), drawing.width));
-  if (style_.transparent) drawing.background.a = 0;
-  return drawing;
+  return viz::strip(frames, columns, theme, gap).drawing;
 }
 
 viz::Imprint Studio::imprint_of(const Piece& piece, const viz::Drawing& drawing) const {
@@ -140,12 +188,18 @@ viz::Imprint Studio::imprint_of(const Piece& piece, const viz::Drawing& drawing)
   return imprint;
 }
 
+viz::Metadata Studio::metadata_of(const Piece& piece) const {
+  viz::Metadata data = piece.metadata;
+  data.emplace("style", style_.words);
+  return data;
+}
+
 std::string Studio::write(const Piece& piece, const viz::Drawing& drawing, const viz::Format& format) {
   const double scale = pixels_a_unit();
   if (format.pixels)
     need_pixels_in_bounds(drawing.width * drawing.height * scale * scale,
                           "give a smaller --size or fewer --dpi, or --format svg or pdf");
-  return format.write(drawing, piece.metadata, imprint_of(piece, drawing),
+  return format.write(drawing, metadata_of(piece), imprint_of(piece, drawing),
                       [&](const viz::Drawing& d) { return offscreen_->render(d, scale); });
 }
 
@@ -158,7 +212,7 @@ std::string Studio::film(const Piece& piece, const std::vector<viz::Drawing>& dr
   std::vector<viz::Picture> pictures;
   for (const viz::Drawing& drawing : drawings)
     pictures.push_back(viz::pixels_of(drawing, [&](const viz::Drawing& d) { return offscreen_->render(d, scale); }));
-  return format.film(pictures, seconds, piece.metadata, imprint_of(piece, first));
+  return format.film(pictures, seconds, metadata_of(piece), imprint_of(piece, first));
 }
 
 std::string Studio::renderer(const viz::Format& format) const { return format.pixels ? offscreen_->driver() : "cairo"; }

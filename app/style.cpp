@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "viz/lesson.h"
 #include "viz/offscreen.h"
@@ -22,6 +23,7 @@ constexpr double usual_tex_size = 11;
 constexpr double usual_width = 8 * 72 / 2.54;
 
 bool is_tikz(const viz::Format* format) { return format->name == "tikz"; }
+bool is_opaque(const viz::Format* format) { return format->name == "gif" || format->name == "mp4"; }
 
 /// LaTeX sets the labels of TikZ, and of nothing else.
 Letters letters_of(const std::string& labels, const std::vector<const viz::Format*>& formats) {
@@ -32,6 +34,19 @@ Letters letters_of(const std::string& labels, const std::vector<const viz::Forma
   if (std::ranges::any_of(formats, is_tikz))
     throw viz::BadInput(fmt::format("labels: those of tikz are set by LaTeX (tex); {} is for svg and pdf", labels));
   return labels == "text" ? Letters::glyphs : Letters::outlines;
+}
+
+/// Options that make a figure look as it does, by name, whatever its format.
+template <class Options, class Take>
+void each_kept(Options& options, const Take& take) {
+  take("theme", options.theme), take("size", options.size), take("width", options.width);
+  take("height", options.height), take("text-size", options.text_size), take("font", options.font);
+  take("columns", options.columns);
+}
+template <class Options, class Take>
+void each_kept_flag(Options& options, const Take& take) {
+  take("no-title", options.no_title), take("crop", options.crop), take("transparent", options.transparent);
+  take("captions", options.captions);
 }
 
 viz::PaperSize paper_of(const StyleOptions& options) {
@@ -45,6 +60,36 @@ viz::PaperSize paper_of(const StyleOptions& options) {
 
 }  // namespace
 
+std::string words_of(const StyleOptions& options) {
+  nlohmann::ordered_json words = nlohmann::ordered_json::object();
+  each_kept(options, [&](const char* name, const std::string& value) {
+    if (!value.empty()) words[name] = value;
+  });
+  each_kept_flag(options, [&](const char* name, bool value) {
+    if (value) words[name] = true;
+  });
+  return words.dump();
+}
+
+void fill_in(StyleOptions& options, const std::string& text) {
+  const auto words = nlohmann::json::parse(text, nullptr, false);
+  if (!words.is_object()) throw viz::BadInput(fmt::format("style: the figure says {}, which is no JSON object", text));
+  const StyleOptions asked = options;
+  const bool sized = !options.size.empty() || !options.width.empty() || !options.height.empty();
+  each_kept(options, [&](const std::string& name, std::string& value) {
+    const bool of_size = name == "size" || name == "width" || name == "height";
+    const bool of_paper = name == "text-size" && !options.size.empty();
+    if (!value.empty() || (sized && of_size) || of_paper) return;
+    if (const auto found = words.find(name); found != words.end() && found->is_string()) value = *found;
+  });
+  each_kept_flag(options, [&](const char* name, bool& value) {
+    if (const auto found = words.find(name); found != words.end()) value = value || *found == true;
+  });
+  const std::vector<const viz::Format*> formats = formats_of(options.format);  // which may not have it
+  if (std::ranges::all_of(formats, is_tikz)) options.font = asked.font;
+  if (std::ranges::any_of(formats, is_opaque)) options.transparent = asked.transparent;
+}
+
 Style style_of(const StyleOptions& options) {
   const bool on_paper = !options.width.empty() || !options.height.empty();
   if (!options.size.empty() && on_paper)
@@ -54,9 +99,11 @@ Style style_of(const StyleOptions& options) {
       throw viz::BadInput(fmt::format("{}: holds of figures on paper; give their --width, such as 8cm", name));
   Style style;
   style.formats = formats_of(options.format);
-  style.theme = viz::theme_named(options.theme);
+  style.theme = options.theme.empty() ? viz::ThemeName::screen : viz::theme_named(options.theme);
   if (!options.size.empty()) style.size = size_of(options.size);
   if (on_paper) style.paper = paper_of(options), style.dpi = usual_dpi;
+  if (options.width.empty() && on_paper) style.sides = Style::Sides::height;
+  if (!options.width.empty() && !options.height.empty()) style.sides = Style::Sides::both;
   if (!on_paper && options.size.empty() && std::ranges::all_of(style.formats, is_tikz))
     style.paper = viz::PaperSize{usual_width, 0}, style.dpi = usual_dpi;
   if (style.paper && options.text_size.empty() && std::ranges::all_of(style.formats, is_tikz))
@@ -72,9 +119,19 @@ Style style_of(const StyleOptions& options) {
           "format: {0} is written by {1}, which is not here; apt-get install {1}, or give --format gif or apng",
           format->name, format->program));
   for (const viz::Format* format : style.formats)
-    if (options.transparent && (format->name == "gif" || format->name == "mp4"))
+    if (options.transparent && is_opaque(format))
       throw viz::BadInput(
           fmt::format("transparent: {} has no half-transparent pixels; give --format apng", format->name));
+  StyleOptions kept = options;
+  const auto in_points = [](std::string& length, double points) {  // one text, however it was written
+    if (!length.empty()) length = fmt::format("{:.12g}pt", points);
+  };
+  if (style.paper && !on_paper) kept.width = "8cm";
+  if (style.paper) {
+    in_points(kept.width, style.paper->width), in_points(kept.height, style.paper->height);
+    in_points(kept.text_size, style.paper->text_size);
+  }
+  style.words = words_of(kept);
   style.title = !options.no_title, style.crop = options.crop, style.transparent = options.transparent;
   return style;
 }
@@ -99,7 +156,8 @@ void add_style(CLI::App& sub, StyleOptions& options, const std::vector<std::stri
   sub.add_option("--font", options.font, "the family of all letters, as fontconfig calls it; STIXGeneral if\nnot given")
       ->type_name("NAME");
   sub.add_flag("--no-title", options.no_title, "without the step's title");
-  sub.add_flag("--crop", options.crop, "cut off what is empty all round");
+  sub.add_flag("--crop", options.crop,
+               "cut off what is empty all round, but for a small margin; what is\nleft has the --width asked for");
   sub.add_flag("--transparent", options.transparent, "without a ground");
 }
 

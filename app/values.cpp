@@ -4,8 +4,12 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
+#include <numeric>
 
+#include "viz/closing.h"
 #include "viz/lesson.h"
+#include "viz/snapshot.h"
 
 namespace isect::program {
 
@@ -108,26 +112,52 @@ std::optional<Steps> Steps::read(const std::string& text) {
   Steps steps;
   if (text == "all") return steps;
   for (const std::string& part : split(text, ',')) {
-    const std::size_t dash = part.find('-');
+    const bool named = std::ranges::any_of(part, [](char c) { return c >= 'a' && c <= 'z'; });
+    if (named) {
+      steps.parts_.push_back({0, 0, part});
+      continue;
+    }
+    const std::size_t dash = part.find('-', 1);
     const std::optional<int> from = number<int>(part.substr(0, dash));
     const std::optional<int> to = dash == part.npos ? from : number<int>(part.substr(dash + 1));
-    if (!from || !to || *from < 1 || *to < *from) return {};
-    steps.ranges_.emplace_back(*from, *to);
+    if (!from || !to || *from == 0 || *to < *from || (*from < 0 && dash != part.npos)) return {};
+    steps.parts_.push_back({*from, *to});
   }
   return steps;
 }
 
-std::vector<int> Steps::of(int count) const {
+std::vector<int> Steps::of(const Part& part, const viz::Walk& walk) {
+  const int count = static_cast<int>(walk.steps.size());
+  std::vector<int> found;
+  if (part.from != 0) {
+    const int past = part.from < 0 ? count + 1 : 0;
+    for (int step = std::max(part.from + past, 1); step <= std::min(part.to + past, count); ++step)
+      found.push_back(step - 1);
+    return found;
+  }
+  for (int step = 0; step < count; ++step)
+    if (part.name == walk.steps[step].slug || part.name == viz::file_stem(step, walk.steps[step]))
+      found.push_back(step);
+  if (part.name == verdict_step) return {viz::outcome(walk)};  // whatever it is called
+  return found;
+}
+
+std::vector<int> Steps::of(const viz::Walk& walk) const {
   std::vector<int> chosen;
-  for (int step = 1; step <= count; ++step)
-    if (ranges_.empty() ||
-        std::ranges::any_of(ranges_, [&](const auto& r) { return r.first <= step && step <= r.second; }))
-      chosen.push_back(step - 1);
+  for (const Part& part : parts_) std::ranges::copy(of(part, walk), std::back_inserter(chosen));
+  if (parts_.empty()) {
+    chosen.resize(walk.steps.size());
+    std::iota(chosen.begin(), chosen.end(), 0);
+  }
+  std::ranges::sort(chosen);
+  const auto repeats = std::ranges::unique(chosen);
+  chosen.erase(repeats.begin(), repeats.end());
   return chosen;
 }
 
-bool Steps::all_in(int count) const {
-  return std::ranges::all_of(ranges_, [&](const auto& r) { return r.second <= count; });
+bool Steps::all_in(const viz::Walk& walk) const {
+  const int count = static_cast<int>(walk.steps.size());
+  return std::ranges::all_of(parts_, [&](const Part& part) { return part.to <= count && !of(part, walk).empty(); });
 }
 
 }  // namespace isect::program

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "viz/formats.h"
+#include "viz/lesson.h"
 
 namespace isect::program {
 
@@ -30,18 +31,27 @@ double seconds_of(const std::string& text);
 /// "png,svg" as names without repeats.
 std::vector<const viz::Format*> formats_of(const std::string& text);
 
-/// Chosen steps, counted from 1.
+/// Chosen steps of a walk.
 class Steps {
  public:
-  /// "3", "3-6", "3,5,7-9" or "all"; none where the text is nothing of that kind.
+  /// "3", "-1" (the last), "3-6", "verdict", a step's name ("intersect", "11-intersect"), several of them joined by
+  /// commas, or "all"; none where the text is nothing of that kind.
   static std::optional<Steps> read(const std::string& text);
-  /// Those of a walk of so many steps, from 0, in order and without repeats.
-  std::vector<int> of(int count) const;
-  /// Whether a walk of so many steps has all of them.
-  bool all_in(int count) const;
+  /// Those of a walk, from 0, in order and without repeats.
+  std::vector<int> of(const viz::Walk&) const;
+  /// Whether a walk has all of them.
+  bool all_in(const viz::Walk&) const;
 
  private:
-  std::vector<std::pair<int, int>> ranges_;  ///< from 1, ends included; empty: all
+  struct Part {
+    int from = 0, to = 0;  ///< from 1, ends included; below 0 as many from the end; 0: the name says which
+    std::string name = {};
+  };
+  static std::vector<int> of(const Part&, const viz::Walk&);
+  std::vector<Part> parts_;  ///< empty: all
 };
+
+/// The word of --step for the step that tells the answer: the last that shows the scene itself.
+inline constexpr const char* verdict_step = "verdict";
 
 }  // namespace isect::program

@@ -46,14 +46,32 @@ TextBox ink_box(const Drawing& drawing) {
   return {0, 0, drawing.width, drawing.height};
 }
 
-Drawing cropped(const Drawing& drawing, double margin) {
-  const TextBox ink = ink_box(drawing);
-  const double left = std::max(ink.left - margin, 0.0), top = std::max(ink.top - margin, 0.0);
-  Drawing part = drawing;
-  part.width = std::min(ink.right + margin, drawing.width) - left;
-  part.height = std::min(ink.bottom + margin, drawing.height) - top;
-  for (Shape& shape : part.shapes) move(shape, {-left, -top});
-  return part;
+std::vector<Drawing> cropped(std::vector<Drawing> drawings, double margin) {
+  if (drawings.empty()) return drawings;
+  TextBox ink = ink_box(drawings.front());
+  for (const Drawing& drawing : drawings) {
+    const TextBox own = ink_box(drawing);
+    ink = {std::min(ink.left, own.left), std::min(ink.top, own.top), std::max(ink.right, own.right),
+           std::max(ink.bottom, own.bottom)};
+  }
+  const double width = drawings.front().width, height = drawings.front().height;
+  const double left = ink.left > 0 ? ink.left - margin : 0, right = ink.right < width ? ink.right + margin : width;
+  const double top = ink.top > 0 ? ink.top - margin : 0, bottom = ink.bottom < height ? ink.bottom + margin : height;
+  for (Drawing& part : drawings) {
+    part.width = right - left, part.height = bottom - top;
+    for (Shape& shape : part.shapes) move(shape, {-left, -top});
+  }
+  return drawings;
+}
+
+Drawing cropped(const Drawing& drawing, double margin) { return cropped(std::vector{drawing}, margin).front(); }
+
+Drawing centred(Drawing drawing, double width, double height) {
+  const Vec2 by((width - drawing.width) / 2, (height - drawing.height) / 2);
+  if (!by.isZero(0))
+    for (Shape& shape : drawing.shapes) move(shape, by);
+  drawing.width = width, drawing.height = height;
+  return drawing;
 }
 
 }  // namespace isect::viz

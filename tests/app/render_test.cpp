@@ -109,10 +109,52 @@ TEST_CASE("a figure loses its title, its ground and its empty rim where that is 
   CHECK_THAT(drawn(""), Contains("<g id=\"page-title\"") || Contains("inkscape:label=\"page title\""));
   CHECK_THAT(drawn("--no-title"), !Contains("inkscape:label=\"page title\""));
   CHECK_THAT(drawn("--transparent"), !Contains("<rect"));
-  CHECK_THAT(drawn("--theme print --width 8cm --crop").substr(0, 300), !Contains("width=\"226.7717pt\""));
   const viz::Picture png = viz::read_png(shell("isect render ray-sphere --step 3 --transparent --out -").out);
   CHECK(png.rgba[3] == 0);
   CHECK(std::ranges::any_of(png.rgba, [](int byte) { return byte == 255; }));
+}
+
+TEST_CASE("a cropped figure has the size on paper that was asked for, with a margin all round", "[render]") {
+  const Shell shell;
+  const auto cropped = [&](const std::string& more) {
+    const Ran r = shell("isect render --theme print --transparent --crop --format png --out - --dpi 144 " + more);
+    INFO(more << r.err);
+    REQUIRE(r.status == 0);
+    CHECK(r.err.empty());
+    return viz::read_png(r.out);
+  };
+  const auto rim = [](const viz::Picture& p) {  // of empty pixels: left and right, above and below
+    int left = p.width, top = p.height, right = p.width, bottom = p.height;
+    for (int y = 0; y < p.height; ++y)
+      for (int x = 0; x < p.width; ++x)
+        if (p.rgba[4 * (static_cast<std::size_t>(y) * p.width + x) + 3] > 0) {
+          left = std::min(left, x), right = std::min(right, p.width - 1 - x);
+          top = std::min(top, y), bottom = std::min(bottom, p.height - 1 - y);
+        }
+    return std::array{left, right, top, bottom};
+  };
+  constexpr int least = 2 * 1.5, most = 2 * 3.5;  // pixels of half a point: about 2 points
+  for (const std::string figure :
+       {"relations --preset polygon-overlapping --step 3", "ray-sphere --step 3", "ray-sphere --step 11 --no-title",
+        "obb-obb --preset edges --step 4", "crossings --step 5", "bounding-volumes --step 2"})
+    for (const auto& [width, pixels] : {std::pair{"8cm", 454}, {"12cm", 681}}) {
+      const viz::Picture p = cropped(figure + " --width " + width);
+      CHECK(p.width == pixels);
+      const auto [left, right, top, bottom] = rim(p);
+      INFO(figure << ": " << left << " " << right << " " << top << " " << bottom);
+      CHECK((least <= left && left <= most && least <= right && right <= most));
+      CHECK((least <= top && top <= most && least <= bottom && bottom <= most));
+    }
+  CHECK(cropped("ray-sphere --step 3 --height 5cm").height == 284);
+  const viz::Picture both = cropped("ray-sphere --step 3 --width 9cm --height 6cm");
+  CHECK((both.width == 511 && both.height == 341));
+
+  const auto manifest = [&](const std::string& words) {
+    REQUIRE(shell("isect " + words).status == 0);
+    return nlohmann::json::parse(contents(shell.work() / "figures/manifest.json"))["figures"].back();
+  };
+  CHECK(manifest("strip ray-sphere --step 2-4 --crop --width 14cm --format svg")["width_pt"].get<double>() ==
+        Approx(14 * 72 / 2.54));
 }
 
 TEST_CASE("figures are set in the family asked for, if it is installed", "[render]") {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "app/values.h"
 #include "lessons/lessons.h"
 #include "tests/app/shell.h"
 #include "tests/catch.h"
@@ -68,9 +69,9 @@ TEST_CASE("a figure is taken as a preset's file is: with its lesson, step, numbe
   const std::string ball = "made/ray-sphere/p+radius=1.5/03-distance.png", scene = "made/scene/s/02-a-p.svg";
   const std::string points = fs::exists(shell.work() / scene) ? scene : "made/scene/s/02-p-a.svg";
   CHECK(shell("isect render " + ball + " --format png --out again").out ==
-        "again/ray-sphere/03-distance/03-distance.png\n");
+        "again/ray-sphere/p+radius=1.5/03-distance.png\n");
   CHECK(viz::compare(viz::read_png(contents(shell.work() / ball)),
-                     viz::read_png(contents(shell.work() / "again/ray-sphere/03-distance/03-distance.png")))
+                     viz::read_png(contents(shell.work() / "again/ray-sphere/p+radius=1.5/03-distance.png")))
             .over_1 == 0);
   CHECK(shell("isect render --preset " + points + " --format svg --out again").status == 0);
   CHECK_THAT(shell("isect explain " + ball).out, Contains("Step 3 of") && Contains("= 1.5"));
@@ -116,8 +117,63 @@ TEST_CASE("a figure of any format is drawn again as it was, one of several steps
   }
   REQUIRE(shell("isect strip ray-sphere --step 2-3 --format pdf --out made").status == 0);
   CHECK(shell("isect strip made/ray-sphere/two-roots/strip-02-03.pdf --out again").out ==
-        "again/ray-sphere/strip-02-03/strip-02-03.png\n");
+        "again/ray-sphere/two-roots/strip-02-03.png\n");
   CHECK_THAT(shell("isect show made/ray-sphere/two-roots/strip-02-03.pdf --step 99").err, Contains("step: \"99\""));
+}
+
+TEST_CASE("a figure drawn again keeps its width, its theme, its title and its folder, in any format", "[select]") {
+  const Shell shell;
+  const auto entry = [&](const std::string& words) {
+    REQUIRE(shell(words + " --out made").status == 0);
+    const auto manifest = nlohmann::json::parse(contents(shell.work() / "made/manifest.json"));
+    return manifest["figures"].back();
+  };
+  const std::string figure = " obb-obb --preset edges --step 4 --theme print --width 8cm --text-size 8pt --no-title";
+  for (const std::string from : {"svg", "png", "pdf", "tikz"})
+    for (const std::string to : {"pdf", "svg", "tikz"}) {
+      INFO(from << " as " << to);
+      const Shell again;
+      const std::string made = "f/obb-obb/edges/04-";
+      REQUIRE(again("isect render" + figure + " --format " + from + "," + to + " --out f").status == 0);
+      std::string file;
+      for (const auto& f : fs::directory_iterator(again.work() / "f/obb-obb/edges"))
+        if (f.path().extension() == "." + from) file = f.path().string();
+      const std::string stem = fs::path(file).stem().string();
+      const Ran r = again("isect render " + file + " --format " + to + " --out g");
+      CHECK(r.out == "g/obb-obb/edges/" + stem + "." + to + "\n");
+      CHECK(contents(again.work() / r.out.substr(0, r.out.size() - 1)) ==
+            contents(again.work() / ("f/obb-obb/edges/" + stem + "." + to)));
+    }
+
+  // What is asked for now counts.
+  const Ran drawn = shell("isect render" + figure + " --format svg --out f");
+  const std::string svg = drawn.out.substr(0, drawn.out.size() - 1);
+  const auto now = entry("isect render " + svg + " --width 10cm --theme grey --format svg");
+  CHECK(now["width_pt"].get<double>() == Approx(283.465));
+  CHECK(now["theme"] == "grey");
+  CHECK(now["text_pt"] == 8);
+  CHECK(entry("isect render " + svg + " --size 480x300 --format svg")["size"] == "480x300");
+  CHECK(entry("isect render " + svg + " --text-size 7pt --format svg")["text_pt"] == 7);
+
+  // One figure in two formats is one, and steps of one setting lie side by side.
+  REQUIRE(shell("isect render ray-sphere --step 2-3 --format svg,pdf --width 8cm --out f").status == 0);
+  CHECK(lines_of(shell("isect render f/ray-sphere/two-roots/*.svg f/ray-sphere/two-roots/*.pdf --format tikz").out)
+            .size() == 2);
+
+  // A strip is a strip again.
+  const std::string strip = " --step 2-4 --columns 2 --captions --theme grey --width 12cm --format svg,pdf --out s";
+  REQUIRE(shell("isect strip ray-sphere" + strip).status == 0);
+  REQUIRE(shell("isect strip s/ray-sphere/two-roots/strip-02-04.pdf --format svg --out t").status == 0);
+  CHECK(contents(shell.work() / "t/ray-sphere/two-roots/strip-02-04.svg") ==
+        contents(shell.work() / "s/ray-sphere/two-roots/strip-02-04.svg"));
+
+  // A folder that leads elsewhere is none.
+  std::string evil = contents(shell.work() / svg);
+  const std::string honest = "obb-obb/edges/04-";
+  for (std::size_t at = evil.find(honest); at != evil.npos; at = evil.find(honest, at + 1))
+    evil.replace(at, honest.size(), "obb-obb/../../04");
+  write(shell.work() / "evil.svg", evil);
+  CHECK_THAT(shell("isect render evil.svg --format svg --out made").out, StartsWith("made/obb-obb/evil/04-"));
 }
 
 TEST_CASE("a file's step that a changed parameter takes away is refused", "[select]") {
@@ -236,14 +292,64 @@ TEST_CASE("steps are given one by one, as ranges and as lists", "[select]") {
   CHECK(steps("3,5,7-9") == List{3, 5, 7, 8, 9});
   CHECK(steps("7-9,8,3") == List{3, 7, 8, 9});
   CHECK(steps("all").size() == 13);
+  CHECK(steps("-1") == List{13});
+  CHECK(steps("-13,-2,-2") == List{1, 12});
+  CHECK(steps("intersect") == List{11});
+  CHECK(steps("11-intersect") == List{11});
+  CHECK(steps("verdict,2-3,closing") == List{2, 3, 11, 13});
   CHECK(lines_of(shell("isect render ray-sphere --step 3-6 --format svg").out).size() == 4);
-  for (const std::string bad : {"6-3", "0-3", "3-", "-3", "3-14", "3,,5", "a-b", "1.5", "'3;5'", "99999999999"}) {
+  for (const std::string bad : {"6-3", "0-3", "3-", "-14", "-3-5", "3-14", "3,,5", "a-b", "1.5", "'3;5'", "99999999999",
+                                "10-intersect", "verdicts", "0"}) {
     INFO(bad);
     const Ran r = shell("isect explain ray-sphere --step " + bad);
     CHECK(r.status == 2);
-    CHECK_THAT(r.err, Contains("step") && Contains("1 to 13") && Contains("3-6"));
+    CHECK_THAT(r.err, Contains("step") && Contains("1 to 13") && Contains("3-6") && Contains("verdict"));
   }
+  CHECK_THAT(shell("isect explain ray-sphere --step itersect").err, Contains("did you mean \"intersect\"?"));
   CHECK(shell("isect show ray-sphere --step 3-6").status == 2);
+  CHECK(shell("isect show ray-sphere --step verdict").status == 77);  // nothing is missing but a display
+}
+
+TEST_CASE("the verdict is the step that tells the answer, in every preset of every lesson", "[select]") {
+  const Shell shell;
+  const std::vector<std::string> figures =
+      lines_of(shell("isect render ray-sphere --preset two-roots,tangent,miss --step verdict --format svg").out);
+  REQUIRE(figures.size() == 3);
+  for (const std::string& figure : figures) CHECK_THAT(figure, !Contains("cases") && !Contains("closing"));
+  for (const viz::Lesson* lesson : isect::lessons::all_lessons())
+    for (const viz::Preset& p : lesson->presets) {
+      INFO(lesson->id << "/" << p.id);
+      const viz::Walk walk = lesson->walk(p.parameters);
+      const std::vector<int> found = isect::program::Steps::read("verdict")->of(walk);
+      REQUIRE(found.size() == 1);
+      CHECK(walk.steps[found.front()].verdict.kind != viz::Verdict::Kind::open);
+      for (std::size_t i = 0; i < walk.steps.size(); ++i)  // where a step is called so, it is that one
+        if (walk.steps[i].slug == "verdict") CHECK(static_cast<int>(i) == found.front());
+    }
+}
+
+TEST_CASE("several presets are joined by commas, as formats are", "[select]") {
+  const Shell shell;
+  const std::string both = shell("isect render ray-sphere --preset tangent,two-roots --step 1 --format svg").out;
+  CHECK(lines_of(both).size() == 2);
+  CHECK(both == shell("isect render ray-sphere --preset tangent --preset two-roots --step 1 --format svg").out);
+  write(shell.work() / "p.json", tangent);
+  write(shell.work() / "a,b.json", tangent);
+  CHECK(lines_of(shell("isect render ray-sphere --preset p.json,two-roots --step 1 --format svg").out).size() == 2);
+  CHECK(shell("isect render --preset a,b.json --step 1 --format svg").out ==
+        "figures/ray-sphere/a,b/01-to-center.svg\n");  // a file of that name
+
+  const Ran apart = shell("isect render ray-sphere --preset tangent two-roots --step 1");
+  CHECK(apart.status == 2);
+  CHECK_THAT(apart.err,
+             Contains("\"two-roots\" is none, but a preset of ray-sphere") && Contains("--preset tangent,two-roots"));
+  const Ran unknown = shell("isect render ray-sphere --preset tangent,two-rots");
+  CHECK(unknown.status == 2);
+  CHECK_THAT(unknown.err, Contains("two-rots") && Contains("two-roots"));
+  const Ran one = shell("isect strip ray-sphere --preset tangent,two-roots");
+  CHECK(one.status == 2);
+  CHECK_THAT(one.err, Contains("preset: \"tangent,two-roots\" names 2"));
+  CHECK(shell("isect render ray-sphere --preset tangent, --step 1").status == 2);
 }
 
 TEST_CASE("what is asked for and not there is told once, in few words", "[select]") {
@@ -252,7 +358,7 @@ TEST_CASE("what is asked for and not there is told once, in few words", "[select
   CHECK(r.status == 0);
   CHECK_FALSE(r.out.empty());
   CHECK(lines_of(r.err).size() == 1);
-  CHECK_THAT(r.err, StartsWith("step 20: ") && Contains("fewer steps") && Contains("ray-sphere (all 30)"));
+  CHECK_THAT(r.err, StartsWith("step 20: ") && Contains("not in these presets") && Contains("ray-sphere (all 30)"));
   CHECK(r.err.size() < 1500);
   CHECK(shell("isect render --all --step 1 --format svg").err.empty());
 }

@@ -55,6 +55,20 @@ TEST_CASE("a strip is one figure of several steps, with letters, captions and me
              StartsWith("(a) ") && Contains("(c) ") && Contains("? (") && !Contains("?."));
 }
 
+TEST_CASE("a strip goes up to the verdict, unless other steps are asked for", "[strip]") {
+  const Shell shell;
+  const std::string strip = "isect strip relations --format svg";
+  const std::string stem = "figures/relations/polygon-overlapping/strip-";
+  const Ran r = shell(strip);
+  CHECK(r.out == stem + "01-05.svg\n");  // map and card are steps 6 and 7
+  CHECK(r.err.empty());                  // two a row: with three, headings would run together
+  CHECK_THAT(contents(shell.work() / (stem + "01-05.svg")), Contains("width=\"453.5433pt\""));
+  CHECK(shell(strip + " --step all").out == stem + "01-07.svg\n");
+  CHECK(shell(strip + " --step 2-verdict").status == 2);
+  CHECK(shell(strip + " --step 2,verdict").out == stem + "02+05.svg\n");
+  CHECK_THAT(shell(strip + " --columns 4").err, Contains("wider"));
+}
+
 TEST_CASE("strips and animations stay when the steps beside them are rendered again", "[strip]") {
   const Shell shell;
   REQUIRE(shell("isect strip ray-sphere --step 2-3").status == 0);

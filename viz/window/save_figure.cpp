@@ -87,6 +87,12 @@ std::string free_stem(const std::string& wanted, const std::string& format, cons
 
 }  // namespace
 
+/// How it was asked for, as `isect render` reads it again.
+static std::string words_of(const Settings& settings) {
+  const std::string width = settings.save_width_cm > 0 ? fmt::format(R"(,"width":"{}cm")", settings.save_width_cm) : "";
+  return fmt::format(R"({{"theme":"{}"{}}})", name_of(settings.save_theme), width);
+}
+
 std::string save_figure(const Player& player, const Settings& settings, Renderer& renderer, const std::string& folder) {
   const Place place = player.place();
   const std::string preset = place.preset.empty() ? "changed" : place.preset;
@@ -94,8 +100,10 @@ std::string save_figure(const Player& player, const Settings& settings, Renderer
   Made made = settings.save_width_cm > 0 ? on_paper(player, settings) : for_screen(player, settings);
   made.imprint.title = figure_title(player.lesson(), player.step());
   made.imprint.alt = alt_text(player.lesson(), player.parameters(), player.walk(), player.index());
+  Metadata data = metadata(place);
+  data["style"] = words_of(settings);
   const std::string figure =
-      format_named(settings.save_format).write(made.drawing, metadata(place), made.imprint, [&](const Drawing& d) {
+      format_named(settings.save_format).write(made.drawing, data, made.imprint, [&](const Drawing& d) {
         renderer.draw(d, 2 * made.scale);
         return halved(renderer.read());
       });
