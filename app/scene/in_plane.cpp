@@ -138,8 +138,8 @@ Projection projection(const Ring<double, 3>& outline) {
 
 namespace {
 
-std::optional<double> first_in_plane(const Point<double, 3>& origin, const Exact3& direction,
-                                     const Interval<double>& range, const Ring<double, 3>& outline) {
+std::optional<double> first_along(const Point<double, 3>& origin, const Exact3& direction,
+                                  const Interval<double>& range, const Ring<double, 3>& outline) {
   const auto [x, y, clockwise] = projection(outline);
   Outline corners;
   for (const Point<double, 3>& v : outline) {
@@ -153,10 +153,10 @@ std::optional<double> first_in_plane(const Point<double, 3>& origin, const Exact
 
 std::optional<double> first_in_plane(const Ray<double, 3>& ray, const Ring<double, 3>& outline) {
   const Vector<double, 3>& d = ray.direction;
-  return first_in_plane(ray.origin, {Exact(d[0]), Exact(d[1]), Exact(d[2])}, ray.range, outline);
+  return first_along(ray.origin, {Exact(d[0]), Exact(d[1]), Exact(d[2])}, ray.range, outline);
 }
 std::optional<double> first_in_plane(const Segment<double, 3>& segment, const Ring<double, 3>& outline) {
-  return first_in_plane(segment.p, difference(segment.q, segment.p), {0, 1}, outline);
+  return first_along(segment.p, difference(segment.q, segment.p), {0, 1}, outline);
 }
 
 std::optional<double> first_in_plane(const Ray<double, 2>& ray, const std::vector<Ring<double, 2>>& outlines) {
