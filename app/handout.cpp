@@ -32,7 +32,8 @@ constexpr const char* html_style =
     "body { max-width: 42em; margin: 2em auto; padding: 0 1em; font: 11pt/1.45 serif; }\n"
     "h1, h2 { line-height: 1.2; } h2 { margin-top: 2em; break-after: avoid; }\n"
     "figure { margin: 1em 0; text-align: center; break-inside: avoid; } img { max-width: 100%; }\n"
-    "ol.code { font: 10pt/1.35 monospace; } ol.code li { white-space: pre-wrap; }\n"
+    "ol.code { font: 10pt/1.35 monospace; } ol.code li { white-space: pre-wrap; padding-left: 2em; text-indent: -2em; "
+    "}\n"
     "ol.choices { list-style: lower-alpha; }\n";
 
 Prose exercise(const viz::Exercise& e, int number) {

@@ -10,7 +10,6 @@
 #include "app/studio.h"
 #include "app/surroundings.h"
 #include "app/terminal.h"
-#include "viz/closing.h"
 #include "viz/files.h"
 
 namespace isect::program {
@@ -31,7 +30,7 @@ struct StripOptions {
 /// Unless they are asked for, without the map and the card, which tell no step.
 Excerpt excerpt_of(const Program& program, const Selection& asked) {
   Excerpt e = excerpt(program, asked);
-  if (asked.step.empty() && e.several.empty() && !e.step) e.steps.resize(viz::outcome(e.walk) + 1);
+  if (asked.step.empty() && e.several.empty() && !e.step) e.steps.resize(verdict_of(e.walk) + 1);
   return e;
 }
 

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <numeric>
 
+#include "viz/chart.h"
 #include "viz/closing.h"
 #include "viz/lesson.h"
 #include "viz/snapshot.h"
@@ -108,6 +109,12 @@ std::vector<const viz::Format*> formats_of(const std::string& text) {
   return formats;
 }
 
+int verdict_of(const viz::Walk& walk) {
+  int step = viz::outcome(walk);
+  while (step > 0 && viz::is_card(walk.steps[step].scene)) --step;  // of a scene's answers
+  return step;
+}
+
 std::optional<Steps> Steps::read(const std::string& text) {
   Steps steps;
   if (text == "all") return steps;
@@ -138,7 +145,7 @@ std::vector<int> Steps::of(const Part& part, const viz::Walk& walk) {
   for (int step = 0; step < count; ++step)
     if (part.name == walk.steps[step].slug || part.name == viz::file_stem(step, walk.steps[step]))
       found.push_back(step);
-  if (part.name == verdict_step) return {viz::outcome(walk)};  // whatever it is called
+  if (part.name == verdict_step) return {verdict_of(walk)};  // whatever it is called
   return found;
 }
 

@@ -53,5 +53,7 @@ class Steps {
 
 /// The word of --step for the step that tells the answer: the last that shows the scene itself.
 inline constexpr const char* verdict_step = "verdict";
+/// Which that is, from 0.
+int verdict_of(const viz::Walk&);
 
 }  // namespace isect::program

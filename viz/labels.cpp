@@ -42,13 +42,15 @@ std::vector<Candidate> beside_point(const Wanted& wanted, const Vec2& half, cons
   static const double rings[] = {0.16, 0.45, 0.9, 1.6, 2.6};
   std::vector<Candidate> candidates;
   double effort = 0;
+  if (wanted.at_place) candidates.push_back({wanted.from, wanted.from, effort++, false});
   for (const double ring : rings) {
+    if (wanted.at_place && ring < 0.9) continue;  // no room for a leader
     const double gap = wanted.keep_off + ring * sizes.label_offset;
     for (const Vec2& d : compass) {
       const bool diagonal = d.x() != 0 && d.y() != 0;
       const double reach = diagonal ? 0.72 * gap : gap;
       const Vec2 middle = wanted.from + Vec2(d.x() * (half.x() + reach), d.y() * (half.y() + reach));
-      candidates.push_back({middle, wanted.from, effort, ring > 1});
+      candidates.push_back({middle, wanted.from, effort, wanted.at_place || ring > 1});
       effort += 0.6;
     }
     effort += 4;
@@ -196,6 +198,11 @@ std::vector<PlacedLabel> place_labels(const std::vector<Wanted>& labels, const s
     texts.emplace_back(text);
     placed.push_back({plain(wanted.markup), box_around(best->middle, half)});
     if (best->far) placed.back().leads_to = best->anchor;
+    if (best->far && wanted.at_place)  // where nothing else may be
+      leaders.emplace_back(Fill{.path = circle(best->anchor, 0.4 * sizes.disc),
+                                .colour = theme.ink(Role::construction),
+                                .hatch_colour = {},
+                                .object = wanted.object});
     if (best->far) {
       const Vec2 d = (best->middle - best->anchor).normalized();
       const double room = (best->middle - best->anchor).norm() - support(half, d) - sizes.label_clear / 2;

@@ -23,6 +23,7 @@ struct Wanted {
   Colour colour;
   int object = no_object;
   std::vector<Vec2> others = {};  ///< points that it must not seem to name: beside its own, or with a leader
+  bool at_place = false;          ///< it stands on its point, or else a leader leads there, however near it is
 };
 
 struct Bounds {

@@ -99,8 +99,8 @@ std::vector<std::string> installed_families() {
   FcObjectSet* wanted = FcObjectSetBuild(FC_FAMILY, nullptr);
   FcFontSet* found = FcFontList(nullptr, any, wanted);
   for (int i = 0; found && i < found->nfont; ++i) {
-    FcChar8* family = nullptr;
-    if (FcPatternGetString(found->fonts[i], FC_FAMILY, 0, &family) == FcResultMatch)
+    FcChar8* family = nullptr;  // a font may have several: "Latin Modern Roman" is "LM Roman 10", too
+    for (int k = 0; FcPatternGetString(found->fonts[i], FC_FAMILY, k, &family) == FcResultMatch; ++k)
       all.emplace_back(reinterpret_cast<const char*>(family));
   }
   if (found) FcFontSetDestroy(found);

@@ -55,6 +55,13 @@ class Walker {
   }
 
  private:
+  /// Whether several objects would all look alike, as two bodies do.
+  bool of_one_role() const {
+    const auto role_of = [](const Object& o) { return usual_role(o.type); };
+    const std::vector<Object>& all = context_.file.objects;
+    return all.size() > 1 && std::ranges::all_of(all, [&](const Object& o) { return role_of(o) == role_of(all[0]); });
+  }
+
   /// The two asked about in colour, the others as lines in grey.
   viz::Scene picture(const std::vector<std::size_t>& lit) const {
     viz::Scene scene;
@@ -62,12 +69,14 @@ class Walker {
       const Object& o = context_.object(i);
       const auto at = std::ranges::find(lit, i);
       Role role = usual_role(o.type);
+      if (lit.empty() && of_one_role()) role = i % 2 == 0 ? Role::first : Role::second;
       if (!lit.empty() && at == lit.end()) role = Role::muted;
       if (lit.size() == 2 && at != lit.end()) role = at == lit.begin() ? Role::first : Role::second;
       std::ranges::move(drawn(context_.setting, o, context_.room, role), std::back_inserter(scene.items));
       std::ranges::move(handles(context_.setting, o, role), std::back_inserter(scene.handles));
     }
-    for (const Note& note : context_.file.notes) scene.items.push_back(viz::Label{note.at, note.text, Role::text});
+    for (const Note& note : context_.file.notes)  // each on its point
+      scene.items.push_back(viz::Label{note.at, note.text, Role::text, note.at});
     return scene;
   }
 

@@ -167,6 +167,26 @@ TEST_CASE("figures are set in the family asked for, if it is installed", "[rende
   CHECK(wrong.status == 2);
   CHECK_THAT(wrong.err, Contains("font: ") && Contains("did you mean \"DejaVu Sans\"?"));
   CHECK_THAT(shell("isect render ray-sphere --format tikz --font 'DejaVu Sans'").err, Contains("font: LaTeX sets"));
+  // Any of the names that fc-list has for a font will do: "Latin Modern Roman,LM Roman 10".
+  std::istringstream families(shell("fc-list : family").out);
+  for (std::string line; std::getline(families, line);) {
+    const std::size_t comma = line.find(',');
+    const std::string second = comma == line.npos ? "" : line.substr(comma + 1, line.find(',', comma + 1) - comma - 1);
+    if (second.empty() ||
+        second.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789 ") != second.npos)
+      continue;
+    INFO(second);
+    CHECK(shell(command + "'" + second + "' --out named").status == 0);
+    break;
+  }
+}
+
+TEST_CASE("bodies of a scene of one's own do not all have one colour", "[render]") {
+  const Shell shell;
+  write(shell.work() / "s.json", R"({"objects": [{"sphere": "S", "center": [0, 0, 0], "radius": 1},
+                                                 {"box": "T", "lo": [1, -1, -1], "hi": [3, 0, 1]}]})");
+  const std::string svg = shell("isect render s.json --step 1 --theme print --format svg --out -").out;
+  CHECK_THAT(svg, Contains("#0b60c8") && Contains("#a34e00"));
 }
 
 TEST_CASE("captions in the manifest are LaTeX, too", "[render]") {

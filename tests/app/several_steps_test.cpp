@@ -67,6 +67,12 @@ TEST_CASE("a strip goes up to the verdict, unless other steps are asked for", "[
   CHECK(shell(strip + " --step 2-verdict").status == 2);
   CHECK(shell(strip + " --step 2,verdict").out == stem + "02+05.svg\n");
   CHECK_THAT(shell(strip + " --columns 4").err, Contains("wider"));
+  // In a scene the card of all answers is what a strip goes without.
+  write(shell.work() / "s.json", R"({"objects": [{"polygon": "A", "points": [[0, 0], [4, 0], [0, 4]]},
+                                                 {"point": "P", "at": [1, 1]}, {"point": "Q", "at": [3, 3]}],
+                                     "ask": [["P", "A"], ["Q", "A"]]})");
+  CHECK(shell("isect strip s.json --format svg").out == "figures/scene/s/strip-01-03.svg\n");
+  CHECK_THAT(shell("isect render s.json --step verdict --format svg").out, Contains("/03-") && !Contains("answers"));
 }
 
 TEST_CASE("strips and animations stay when the steps beside them are rendered again", "[strip]") {

@@ -247,4 +247,44 @@ TEST_CASE("the ring of a yellow handle is seen on white", "[compose]") {
   }
 }
 
+TEST_CASE("a note stands on its point; where something else is, beside it with a leader that ends there", "[compose]") {
+  const Vec3 at(0.3, 0.2, 0);
+  Scene scene;
+  scene.items = {Region{.rings = {{{-2, -1, 0}, {2, -1, 0}, {2, 1, 0}, {-2, 1, 0}}}},
+                 Label{at, "a note", Role::text, at}};
+  Camera front;
+  front.azimuth = 0, front.elevation = 0, front.half_height = 1.5;
+  const View view(front, 400, 300);
+  const Vec2 point = view.project(at).at;
+  const auto placed = [&] { return compose(scene, view, theme(ThemeName::print, 400, 300)).labels.back(); };
+  const PlacedLabel alone = placed();
+  CHECK((alone.box.left + alone.box.right) / 2 == Approx(point.x()));
+  CHECK((alone.box.top + alone.box.bottom) / 2 == Approx(point.y()));
+  CHECK_FALSE(alone.leads_to);
+
+  scene.items.push_back(Line{at - Vec3(0.4, 0, 0), at + Vec3(0.4, 0, 0), Role::first, Pen::solid});
+  scene.items.push_back(Dot{at});
+  const PlacedLabel beside = placed();
+  REQUIRE(beside.leads_to);
+  CHECK((*beside.leads_to - point).norm() < 1e-9);
+  CHECK_FALSE((beside.box.left <= point.x() && point.x() <= beside.box.right && beside.box.top <= point.y() &&
+               point.y() <= beside.box.bottom));
+}
+
+TEST_CASE("a ball is brightest where it faces the light, on light ground as on dark", "[compose]") {
+  Scene scene;
+  scene.items = {Ball{{0, 0, 0}, 1, Role::second}};
+  const View view(frame({}, {&scene}, 1.6), 960, 600);
+  for (const ThemeName name : {ThemeName::screen, ThemeName::print, ThemeName::dark}) {
+    const Theme style = theme(name, 960, 600);
+    const std::vector<Gradient> balls = all<Gradient>(compose(scene, view, style).shapes);
+    REQUIRE(!balls.empty());  // the first may be its shadow
+    const auto brightness = [&](const Colour& c) {
+      const Colour& b = style.background;
+      return (b.r + b.g + b.b) * (1 - c.a) + (c.r + c.g + c.b) * c.a;
+    };
+    CHECK(brightness(balls.back().inner) > brightness(balls.back().outer));
+  }
+}
+
 }  // namespace compose_test

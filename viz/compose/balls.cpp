@@ -46,8 +46,10 @@ void draw_ball(Canvas& c, int index) {
   } else {
     const double radius = edge.major.norm();
     const Vec2 lit = edge.center + 0.42 * radius * Vec2(-0.35, -0.55);  // towards the light, upper left
-    c.fills.emplace_back(Gradient{edge.center, edge.major, edge.minor, lit, ink.with_alpha(0.3 * c.theme.fill_alpha),
-                                  ink.with_alpha(1.9 * c.theme.fill_alpha)});
+    const bool on_dark = c.theme.name == ThemeName::dark;               // there ink is light
+    const double inner = on_dark ? 1.9 : 0.3, outer = on_dark ? 0.6 : 1.9;
+    c.fills.emplace_back(Gradient{edge.center, edge.major, edge.minor, lit, ink.with_alpha(inner * c.theme.fill_alpha),
+                                  ink.with_alpha(outer * c.theme.fill_alpha)});
   }
 
   const Vec3 u = b.radius * Vec3::UnitX(), v = b.radius * Vec3::UnitZ();

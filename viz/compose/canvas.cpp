@@ -118,10 +118,13 @@ void draw(Canvas& c, const Dot& it) {
 
 void draw(Canvas& c, const Label& it) {
   const Vec2 from = c.at(it.at), to = it.until ? c.at(*it.until) : from;
-  const double keep_off = it.until       ? c.sizes().outline
+  const bool at_place = it.until && *it.until == it.at;
+  const double keep_off = at_place       ? 0
+                          : it.until     ? c.sizes().outline
                           : it.at_handle ? std::max(c.dot_radius(it.at), c.sizes().handle_ring)
                                          : c.dot_radius(it.at);
   c.labels.push_back({it.text, from, to, keep_off, edge_ink(it.role, c.theme)});
+  c.labels.back().at_place = at_place;
 }
 
 void draw(Canvas& c, const Heading& it) {
