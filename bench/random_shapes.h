@@ -17,10 +17,15 @@ enum class Numbers {
   distant,   ///< grid points 1e8 away
   wide,      ///< sizes from 1e-300 to 1e300, mixed
   tiny,      ///< grid times 2^-996
-  huge       ///< grid times 2^993
+  huge,      ///< grid times 2^993
+  ends       ///< the least and the largest numbers, 0 and 1: so few that they are often equal
 };
 inline constexpr Numbers all_numbers[] = {Numbers::ordinary, Numbers::grid, Numbers::nudged, Numbers::decimal,
                                           Numbers::distant,  Numbers::wide, Numbers::tiny,   Numbers::huge};
+/// With the ends of the range: sums and differences of two such numbers may be no number of S.
+inline constexpr Numbers all_numbers_and_ends[] = {Numbers::ordinary, Numbers::grid,    Numbers::nudged,
+                                                   Numbers::decimal,  Numbers::distant, Numbers::wide,
+                                                   Numbers::tiny,     Numbers::huge,    Numbers::ends};
 
 /// x moved by `steps` representable numbers of S.
 template <class S>
@@ -50,6 +55,11 @@ S number(Random& random, Numbers numbers) {
       return static_cast<S>(random.magnitude(is_float ? -37 : -300, is_float ? 37 : 300));
     case Numbers::tiny:
       return static_cast<S>(std::ldexp(grid, is_float ? -120 : -996));
+    case Numbers::ends: {
+      using Limits = std::numeric_limits<S>;
+      const S sizes[] = {0, 1, Limits::max(), Limits::max() / 2, Limits::min(), Limits::denorm_min()};
+      return sizes[random.below(6)] * static_cast<S>(random.sign());
+    }
     default:
       return static_cast<S>(std::ldexp(grid, is_float ? 124 : 993));
   }

@@ -50,6 +50,14 @@ using Event = std::variant<Remaining, Added<S>, Removed<S>, Fallback>;
 
 namespace detail {
 
+/// Throws where a coordinate is NaN or infinite.
+template <class S>
+void demand_finite(std::span<const Point<S, 2>> points) {
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!finite(points[i]))
+      throw std::invalid_argument("convex_hull: point " + std::to_string(i) + " has a NaN or infinite coordinate");
+}
+
 /// The chain from the first point to the last that turns left at every vertex and has no point on its right.
 /// turn(a, b, c) > 0: a left turn.
 template <class S, class Iterator, class Turn, class Trace>
@@ -85,9 +93,10 @@ Ring<S, 2> chains(Ring<S, 2> points, const Turn& turn, Trace&& trace) {
 
 }  // namespace detail
 
-/// The hull by sorting.
+/// The hull by sorting. Throws std::invalid_argument where a coordinate is NaN or infinite.
 template <class S, class Trace = NoTrace>
 Ring<S, 2> monotone_chain(Ring<S, 2> points, Trace&& trace = {}) {
+  detail::demand_finite<S>(points);
   const auto turn = [&](const Point<S, 2>& a, const Point<S, 2>& b, const Point<S, 2>& c) {
     return orient2d(a.template cast<double>(), b.template cast<double>(), c.template cast<double>(), trace);
   };
@@ -140,14 +149,6 @@ struct Columns {
     return (x_lo <= x) & (x <= x_hi) & (y_lo <= y) & (y <= y_hi);
   }
 };
-
-/// Throws where a coordinate is NaN or infinite.
-template <class S>
-void demand_finite(std::span<const Point<S, 2>> points) {
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (!finite(points[i]))
-      throw std::invalid_argument("convex_hull: point " + std::to_string(i) + " has a NaN or infinite coordinate");
-}
 
 /// The points, without many that are certainly not vertices of their hull. Throws where a coordinate is NaN or
 /// infinite.

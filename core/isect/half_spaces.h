@@ -11,6 +11,7 @@
 //
 // A shape of the plane counts as the prism over it, which has no end in z.
 
+#include <cassert>
 #include <cstddef>
 #include <variant>
 #include <vector>
@@ -169,8 +170,10 @@ HalfSpaces half_spaces_of(const Obb<S, N>& box) {
   return result;
 }
 
+/// There must be as many slabs as normals.
 template <class S, int N>
 HalfSpaces half_spaces_of(const Kdop<S, N>& kdop) {
+  assert(kdop.normals.size() == kdop.slabs.size());
   if (empty(kdop) || !finite(kdop)) return {{half_spaces::detail::nothing()}, N};
   HalfSpaces result = {{}, N};
   for (std::size_t i = 0; i < kdop.slabs.size(); ++i) {

@@ -100,10 +100,11 @@ std::optional<FineAreaVector> quick_area_vector(const Ring<S, 3>& ring) {
     n = newell<W>(ring);
   double largest = 0, error = 0;
   for (int i = 0; i < 3; ++i) {
-    largest = std::max(largest, std::abs(leading(n[i])));
-    error = std::max(error, Bounded<W>(n[i], quick[i].size(), quick[i].roundings()).error());
+    const double size = std::abs(leading(n[i])), off = Bounded<W>(n[i], quick[i].size(), quick[i].roundings()).error();
+    if (!std::isfinite(size) || !std::isfinite(off)) return {};  // std::max passes NaN over
+    largest = std::max(largest, size), error = std::max(error, off);
   }
-  if (!(error <= std::numeric_limits<S>::epsilon() / 8 * largest)) return {};  // true for NaN
+  if (error > std::numeric_limits<S>::epsilon() / 8 * largest) return {};
   if (largest == 0) return FineAreaVector{{}, 0};
   if (!(0x1p-800 < largest && largest < 0x1p900)) return {};
   const double unit = std::ldexp(1, std::ilogb(largest));

@@ -50,9 +50,11 @@ namespace segment_segment {
 
 /// The bounding boxes are disjoint.
 struct Apart {};
-/// The sides of r and s beside a = pq, of p and q beside b = rs, as orient2d gives them.
+/// The sides of r and s beside a = pq, of p and q beside b = rs, as orient2d gives them. Those of p and q are not asked
+/// where r and s lie on one side of a.
 struct Sides {
-  int r, s, p, q;
+  int r, s;
+  std::optional<int> p = {}, q = {};
 };
 using Event = std::variant<Apart, Sides, Fallback>;
 
@@ -72,7 +74,7 @@ bool boxes_apart(const Segment<S, 2>& a, const Segment<S, 2>& b) {
 
 template <class Trace>
 Sides sides(const Segment<double, 2>& a, const Segment<double, 2>& b, Trace&& trace) {
-  Sides s = {orient2d(a.p, a.q, b.p, trace), orient2d(a.p, a.q, b.q, trace), 0, 0};
+  Sides s = {orient2d(a.p, a.q, b.p, trace), orient2d(a.p, a.q, b.q, trace)};
   if (s.r * s.s <= 0) s.p = orient2d(b.p, b.q, a.p, trace), s.q = orient2d(b.p, b.q, a.q, trace);
   return s;
 }
@@ -147,7 +149,7 @@ SegmentSegment<S> intersect(const Segment<S, 2>& a, const Segment<S, 2>& b, Trac
 
   const segment_segment::Sides side = segment_segment::detail::sides(cast<double>(a), cast<double>(b), trace);
   trace(side);
-  if (side.r * side.s > 0 || side.p * side.q > 0) return {};
+  if (!side.p || *side.p * *side.q > 0) return {};
   if (side.r == 0 && side.s == 0 && side.p == 0 && side.q == 0) return segment_segment::detail::collinear(a, b);
 
   if (side.p == 0) return {Meeting::touch, a.p, {}};
@@ -168,7 +170,7 @@ bool intersects(const Segment<S, 2>& a, const Segment<S, 2>& b, Trace&& trace = 
   }
   const segment_segment::Sides side = segment_segment::detail::sides(cast<double>(a), cast<double>(b), trace);
   trace(side);
-  return side.r * side.s <= 0 && side.p * side.q <= 0;  // collinear ones with common boxes meet
+  return side.p && *side.p * *side.q <= 0;  // collinear ones with common boxes meet
 }
 
 }  // namespace isect

@@ -42,7 +42,7 @@ inline viz::Condition not_zero(const std::string& name, bool flat = false,
   return {name, flat ? "a vector that is not 0 in the plane" : "a vector of any length but 0",
           [=](const viz::Parameters& values) {
             const viz::Vec3& v = std::get<viz::Vec3>(values.at(name));
-            return (where && !where(values)) || (flat ? v.head<2>().norm() : v.norm()) > 0;
+            return (where && !where(values)) || !(flat ? v.head<2>().isZero(0) : v.isZero(0));  // a norm may underflow
           }};
 }
 

@@ -301,7 +301,7 @@ TEST_CASE("of a line one point lies in a box only where it is one, not where rou
 TEST_CASE("where a line enters a capsule and leaves it is known to 2 ulp, in numbers of any size", "[scene]") {
   bench::Random random(tests::seed());
   int checked = 0;
-  for (const bench::Numbers numbers : bench::all_numbers)
+  for (const bench::Numbers numbers : bench::all_numbers_and_ends)
     for (int i = 0; i < tests::cases(1500, 100000); ++i) {
       Capsule<double, 3> c = bench::capsule<double, 3>(random, numbers);
       Ray<double, 3> line = {bench::vector<double, 3>(random, numbers), bench::vector<double, 3>(random, numbers),

@@ -179,6 +179,33 @@ TEST_CASE("nothing is certain of infinities and NaN", "[bounded]") {
     }
 }
 
+TEST_CASE("a size that overflowed and was multiplied by 0 hides no error beside it", "[bounded]") {
+  // (1 - 2^-60) - 1 + 2^-70 is less than 0, and 2^-70 in doubles; before it stands 0, of whose size nothing is known
+  const auto text = []<class W>() -> W {
+    const W overflown = (W(1e308) - W(1e308) + W(1)) * W(0);
+    return overflown + W(1 + 0x1p-30) * W(1 - 0x1p-30) - W(1) + W(0x1p-70);
+  };
+  CHECK(sign_of(text) == -1);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto vector = [&]<class W>() -> Components<W, 3> {
+      Components<W, 3> x = {W(0), W(0), W(0)};
+      x[i] = text.template operator()<W>();
+      return x;
+    };
+    const auto ones = []<class W>() -> Components<W, 3> { return {W(1), W(1), W(1)}; };
+    const auto in_dot = [&]<class W>() -> W {
+      return dot(vector.template operator()<W>(), ones.template operator()<W>());
+    };
+    const auto in_cross = [&]<class W>() -> W {
+      return cross(vector.template operator()<W>(), ones.template operator()<W>())[(i + 2) % 3];
+    };
+    INFO(i);
+    CHECK(sign_of(in_dot) == -1);
+    CHECK(sign_of_long(in_dot) == -1);
+    CHECK(sign_of(in_cross) == -1);
+  }
+}
+
 TEST_CASE("differences of doubles have certain signs, equal ones too", "[bounded]") {
   CHECK(Bounded<double>::difference(.3, .1 + .2).sign() == -1);
   CHECK(Bounded<double>::difference(5e-324, 0).sign() == 1);

@@ -106,6 +106,17 @@ TEMPLATE_TEST_CASE_SIG("one primitive is a leaf at the root", "[bvh]", ((class S
   CHECK(statistics(one).cost == 1);
 }
 
+TEMPLATE_TEST_CASE_SIG("a leaf for less than one primitive holds one", "[bvh]", ((class S, int N), S, N), (float, 2),
+                       (float, 3), (double, 2), (double, 3)) {
+  for (const auto& boxes : {row<S, N>({3}), row<S, N>({3, 3, 3}), row<S, N>({1, 2, 5, 9})})
+    for (const int least : {0, -1}) {
+      const Bvh<S, N> bvh = build_bvh(boxes, {.largest_leaf = least}), one = build_bvh(boxes, {.largest_leaf = 1});
+      CHECK(statistics(bvh).largest_leaf == 1);
+      CHECK(bvh.primitives == one.primitives);
+      CHECK(bvh.nodes.size() == one.nodes.size());
+    }
+}
+
 TEMPLATE_TEST_CASE_SIG("two heaps far apart are split between them", "[bvh]", ((class S, int N), S, N), (float, 2),
                        (float, 3), (double, 2), (double, 3)) {
   const auto boxes = row<S, N>({0, 100, 1, 101, 2, 102});

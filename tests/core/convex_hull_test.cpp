@@ -62,6 +62,7 @@ TEMPLATE_TEST_CASE("a NaN or infinite coordinate is refused by its number", "[co
     Ring<S, 2> r = points<S>({{0, 0}, {1, 0}, {0, 1}});
     r[2][1] = bad;
     CHECK_THROWS_WITH(convex_hull(r), isect::test::Contains("point 2"));
+    CHECK_THROWS_WITH(convex_hull_2d::monotone_chain(r), isect::test::Contains("point 2"));
   }
 }
 

@@ -77,6 +77,24 @@ TEMPLATE_TEST_CASE("the least and the largest polygons have normals", "[polygon]
   CHECK(area(Ring<S, 3>{{0, 0, 0}, {most, 0, 0}, {0, 2, 0}}) == most);
 }
 
+TEST_CASE("outlines at the end of the range keep their normal where a corner is given twice", "[polygon]") {
+  using Ring3 = Ring<double, 3>;
+  for (const double most : {1e308, std::numeric_limits<double>::max()}) {
+    const Ring3 open = {{-most, 0, 0}, {most, 0, 0}, {most, 1, 0}};
+    Ring3 closed = open, twice = open;
+    closed.push_back(open[0]), twice.insert(twice.begin(), open[0]);
+    for (const Ring3& r : {open, closed, twice}) {
+      CHECK(normal(r) == Vector<double, 3>(0, 0, 1));
+      CHECK(area(r) == most);
+    }
+  }
+  const Ring3 slanted = {{-1e308, 1, 2}, {1e308, 0, 0}, {0, 1, 1}},
+              twice = {slanted[0], slanted[0], slanted[1], slanted[2]};
+  CHECK(normal(slanted) == Vector<double, 3>(1e-308, 0, 1));
+  CHECK(normal(twice) == normal(slanted));
+  CHECK(area(twice) == area(slanted));
+}
+
 TEST_CASE("a small tilted quad far away keeps its normal, and Newell's own sum does not", "[polygon]") {
   const Ring<float, 3> quad = ring<float, 3>(
       {{10000, 10000, 10000}, {10000.1, 10000, 10000.05}, {10000.1, 10000.1, 10000.1}, {10000, 10000.1, 10000.05}});
@@ -95,7 +113,7 @@ TEMPLATE_TEST_CASE("areas and normals agree with rationals", "[polygon]", float,
   const Rational eps(std::numeric_limits<S>::epsilon());
   int none = 0, all = 0;
   Rational worst = 0;
-  for (const Numbers numbers : bench::all_numbers)
+  for (const Numbers numbers : bench::all_numbers_and_ends)
     for (int i = 0; i < tests::cases(800, 120000); ++i) {
       INFO("seed " << tests::seed() << ", family " << static_cast<int>(numbers) << ", case " << i);
       const Ring<S, 2> flat = random_ring<S, 2>(random, numbers);

@@ -124,6 +124,20 @@ TEST_CASE("a recording within a recording leaves both whole", "[recorded]") {
   CHECK(RecordedSum(outer).operator()<Exact>().sign() == 0);
 }
 
+TEST_CASE("a recording that an exception ends leaves the one around it whole", "[recorded]") {
+  const auto inner = []<class W>() -> W {
+    const W two(2);
+    if constexpr (std::is_same_v<W, Recorded>) throw std::bad_alloc();
+    return two;
+  };
+  const auto outer = [&]<class W>() -> W {
+    const W five(5);
+    REQUIRE_THROWS_AS(RecordedSum(inner), std::bad_alloc);
+    return five - W(7);
+  };
+  CHECK(RecordedSum(outer).operator()<Exact>().sign() == -1);
+}
+
 TEST_CASE("a long sum of exact numbers needs few places", "[recorded]") {
   struct Long {
     Recording steps = Recording([] {

@@ -219,4 +219,15 @@ TEMPLATE_TEST_CASE("order, orientation, axes, scale and a listener change no ans
   }
 }
 
+TEST_CASE("the sides that were not asked are not told", "[segment_segment]") {
+  Record<segment_segment::Event> record;
+  intersect(Segment<double, 2>{{0, 0}, {4, 1}}, {{1, 1}, {2, 3}}, record);  // both left of a
+  const auto apart = std::get<segment_segment::Sides>(record.events.back());
+  CHECK((apart.r == 1 && apart.s == 1 && !apart.p && !apart.q));
+  record.events.clear();
+  intersects(Segment<double, 2>{{0, 0}, {4, 1}}, {{1, 1}, {2, -3}}, record);
+  const auto crossed = std::get<segment_segment::Sides>(record.events.back());
+  CHECK((crossed.r == 1 && crossed.s == -1 && crossed.p == -1 && crossed.q == 1));
+}
+
 }  // namespace segment_segment_test

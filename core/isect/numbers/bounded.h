@@ -9,13 +9,16 @@
 //   leaf x             value x            size |x|             0 roundings    (x is a double, taken exactly)
 //   difference(x, y)   x - y              |x - y|              1              (its error is relative: no cancellation)
 //   a + b, a - b       value              size a + size b      max + 1
-//   a b                value              size a size b + tiny sum + 1
+//   a b                value              size a size b        sum + 1         (tiny, where that is less)
 //
-// Underflow: a product errs by at most 2^-1075 more in double, 2^-1072 in DoubleDouble and Compensated, which is below
-// u tiny, or u^2 tiny. tiny is so large that no error is subnormal, which would take the machine ten times as long.
-// Overflow makes the size infinite or the value NaN, and nothing certain. The size's own roundings, two for each of the
-// value's, and those of the last comparison are paid by one more u: (k + 1) u >= g(k) (1 - u)^-2k (1 + u)^4 for k <
-// 2^20.
+// Underflow: a product errs by at most 2^-1075 more in double, which is below 2^-62 u tiny: what a product of size tiny
+// or more has to spare. In DoubleDouble and Compensated it is 2^-1072, below u^2 tiny, which is added. tiny is so large
+// that no error is subnormal, which would take the machine ten times as long. Overflow makes the size infinite or the
+// value NaN, and nothing certain. But no size is NaN, which std::max would pass over: only 0 has the size 0, so an
+// infinite size times that is the size of 0.
+//
+// The size's own roundings, two for each of the value's, and those of the last comparison are paid by one more u:
+// (k + 1) u >= g(k) (1 - u)^-2k (1 + u)^4 for k < 2^20.
 
 #include <algorithm>
 #include <array>
@@ -27,6 +30,11 @@
 #include <isect/numbers/short_exact.h>
 
 namespace isect {
+
+namespace detail {
+/// Of a product of sizes; tiny where that is NaN, infinity times 0.
+ISECT_INLINE double at_least_tiny(double size) { return std::max(0x1p-960, size); }
+}  // namespace detail
 
 /// T is double or DoubleDouble; or Compensated or Threefold, for a number found otherwise.
 template <class T>
@@ -50,7 +58,7 @@ class Bounded {
     return {a.value_ - b.value_, a.size_ + b.size_, std::max(a.roundings_, b.roundings_) + 1};
   }
   ISECT_INLINE friend Bounded operator*(const Bounded& a, const Bounded& b) {
-    return {a.value_ * b.value_, a.size_ * b.size_ + underflow(a, b), a.roundings_ + b.roundings_ + 1};
+    return {a.value_ * b.value_, size_of_product(a.size_, b.size_), a.roundings_ + b.roundings_ + 1};
   }
   ISECT_INLINE friend Bounded operator-(const Bounded& a) { return {-a.value_, a.size_, a.roundings_}; }
   ISECT_INLINE friend Bounded abs(const Bounded& a) { return leading(a.value_) < 0 ? -a : a; }
@@ -68,7 +76,7 @@ class Bounded {
   const T& value() const { return value_; }
   double size() const { return size_; }
   int roundings() const { return roundings_; }
-  /// |value - truth| <= error(); infinite or NaN where nothing is known.
+  /// |value - truth| <= error(), if the value is finite; infinite where nothing is known.
   ISECT_INLINE double error() const {
     const double k = roundings_ + 1;
     constexpr double u = unit<double>;
@@ -79,13 +87,13 @@ class Bounded {
   }
 
  private:
-  /// What a product may lose, in units of u. Nothing when a factor is zero: that would make no sum of zeros certain. In
-  /// double asking for it would cost more than it saves.
-  static double underflow(const Bounded& a, const Bounded& b) {
+  /// In DoubleDouble that of a product with 0 is 0: else no sum of zeros would be certain. In double asking for it
+  /// would cost more than it saves.
+  static double size_of_product(double a, double b) {
     if constexpr (std::is_same_v<T, DoubleDouble>)
-      return a.size_ == 0 || b.size_ == 0 ? 0 : 0x1p-960;
+      return a == 0 || b == 0 ? 0 : a * b + 0x1p-960;
     else
-      return 0x1p-960;
+      return detail::at_least_tiny(a * b);
   }
 
   T value_ = {};
@@ -103,7 +111,7 @@ ISECT_INLINE Bounded<double> dot(const std::array<Bounded<double>, N>& x, const 
     largest_x = std::max(largest_x, x[i].size()), largest_y = std::max(largest_y, y[i].size());
     roundings = std::max(roundings, x[i].roundings() + y[i].roundings());
   }
-  return {sum, N * (largest_x * largest_y) + 0x1p-960, roundings + static_cast<int>(N)};
+  return {sum, detail::at_least_tiny(N * (largest_x * largest_y)), roundings + static_cast<int>(N)};
 }
 
 /// x times y, likewise.
@@ -111,7 +119,7 @@ ISECT_INLINE std::array<Bounded<double>, 3> cross(const std::array<Bounded<doubl
                                                   const std::array<Bounded<double>, 3>& y) {
   const double largest_x = std::max(std::max(x[0].size(), x[1].size()), x[2].size()),
                largest_y = std::max(std::max(y[0].size(), y[1].size()), y[2].size());
-  const double size = 2 * (largest_x * largest_y) + 0x1p-960;
+  const double size = detail::at_least_tiny(2 * (largest_x * largest_y));
   const int roundings = std::max(std::max(x[0].roundings(), x[1].roundings()), x[2].roundings()) +
                         std::max(std::max(y[0].roundings(), y[1].roundings()), y[2].roundings()) + 2;
   const auto minor = [&](int i, int j) -> Bounded<double> {

@@ -162,7 +162,7 @@ template <class S, std::size_t K, class Text>
       return known.learn(
           by_doubles, [&](const auto& x, std::size_t i) { return sign_on_grid(x, steps[i]); },
           [&](const auto& num, const auto& den, std::size_t i) -> Value {
-            if (num.error() < steps[i] && den.error() < steps[K]) return num.value() / den.value();
+            if (num.error() < steps[i] && den.error() < steps[K]) return finite_only(num.value() / den.value());
             return {};
           });
     };

@@ -61,9 +61,10 @@ class Recording {
   /// `text` finds its numbers in Recorded and returns them as a list.
   template <class Text>
   explicit Recording(const Text& text) {
-    std::vector<detail::Step>* const outer = std::exchange(detail::recording, &steps_);
-    for (const Recorded& x : text()) results_.push_back(x.step());
-    detail::recording = outer;
+    {
+      const Turn turn(&steps_);
+      for (const Recorded& x : text()) results_.push_back(x.step());
+    }
     share_places();
   }
 
@@ -82,6 +83,17 @@ class Recording {
 
  private:
   using Kind = detail::Step::Kind;
+
+  /// What is recorded goes there, until its end: by an exception, too.
+  class Turn {
+   public:
+    explicit Turn(std::vector<detail::Step>* steps) : outer_(std::exchange(detail::recording, steps)) {}
+    ~Turn() { detail::recording = outer_; }
+    Turn(const Turn&) = delete;
+
+   private:
+    std::vector<detail::Step>* const outer_;
+  };
 
   template <class W>
   W found(const detail::Step& step, const std::vector<W>& at) const {

@@ -24,7 +24,7 @@
 namespace isect {
 
 struct BvhOptions {
-  int largest_leaf = 4;  ///< primitives; 1 or more
+  int largest_leaf = 4;  ///< primitives; less than 1 counts as 1
   double visit = 1;      ///< what it costs to visit a node, in primitive tests
 };
 
@@ -164,7 +164,7 @@ template <class S, int N>
 std::optional<Split<S>> split(std::span<Item<S, N>> items, const Bounds<S, N>& around, int depth,
                               const BvhOptions& options) {
   const int count = static_cast<int>(items.size());
-  const bool may_rest = count <= options.largest_leaf;
+  const bool may_rest = count <= std::max(options.largest_leaf, 1);
   Split<S> result = {};
   const Vector<S, N> reach = around.centers.hi / 2 - around.centers.lo / 2;
   const S half = reach.maxCoeff(&result.axis);

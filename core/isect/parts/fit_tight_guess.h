@@ -189,7 +189,7 @@ inline Eigen::Matrix3d turned_about(const Vector<double, 3>& base, const std::ve
 
 /// What a search is fine enough at: turning a box in its least place by this much, or shrinking it by this share,
 /// changes its volume by no more than about its own rounding, as the change there is of second order.
-inline const double resolution = std::sqrt(std::numeric_limits<double>::epsilon());
+inline constexpr double resolution = 0x1p-26;  // the square root of a double's epsilon
 
 /// Turns about one axis after the other, each time as well as can be, until none helps.
 inline Eigen::Matrix3d descended(Eigen::Matrix3d axes, const std::vector<Point<double, 3>>& q) {
