@@ -25,8 +25,8 @@ Vec3 corner(const Box& box, int i) {
 /// A right-handed frame: u normalised, w orthogonal to u and v, and v made orthogonal to both.
 Box box_of(const Vec3& center, const Vec3& half, const Vec3& u, const Vec3& v) {
   Box box = {center, {}, half};
-  box.axes.col(0) = u.normalized();
-  box.axes.col(2) = box.axes.col(0).cross(v).normalized();
+  box.axes.col(0) = u.stableNormalized();
+  box.axes.col(2) = box.axes.col(0).cross(v.stableNormalized()).normalized();
   box.axes.col(1) = box.axes.col(2).cross(box.axes.col(0));
   return box;
 }
@@ -156,7 +156,8 @@ Scene picture(const Setup& s, Focus focus, const std::optional<obb_obb::Axis>& a
   scene.items.push_back(Dot{b, Mark::disc, Role::second});
   scene.items.push_back(Label{a, "**a**", Role::first});
   scene.items.push_back(Label{b, "**b**", Role::second});
-  const Vec3 face_of_a = a + s.a.half.x() * s.a_u.normalized(), face_of_b = b + s.b.half.x() * s.b_u.normalized();
+  const Vec3 face_of_a = a + s.a.half.x() * s.a_u.stableNormalized(),
+             face_of_b = b + s.b.half.x() * s.b_u.stableNormalized();
   scene.handles = {{"a", Handle::Kind::point, a, Vec3::Zero(), Role::first},
                    {"a_u", Handle::Kind::vector, face_of_a, a, Role::first},
                    {"b", Handle::Kind::point, b, Vec3::Zero(), Role::second},

@@ -66,7 +66,7 @@ const CaseMap& cases() {
 
 std::vector<Opinion> opinions(const Parameters& p) {
   const Setup s = setup(p, false), unit = setup(p, true);
-  const double length = s.ray.direction.norm();
+  const double length = s.ray.direction.stableNorm();
   const bool lengths = std::get<std::string>(p.at("method")) == "haines";  // as that walk counts
   const double scale = lengths ? length : 1;
   const auto says = [&](const std::optional<double>& t) {

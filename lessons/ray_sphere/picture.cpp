@@ -32,7 +32,7 @@ Setup setup(const Parameters& parameters, bool unit_direction) {
 
   s.truth = intersect(s.ray,
                       s.sphere);  // of the direction as given: a rounded unit vector may miss what it touches
-  const double length = s.ray.direction.norm();
+  const double length = s.ray.direction.stableNorm();
   if (!unit_direction || !(length > 0)) return s;
 
   s.lengths = true;

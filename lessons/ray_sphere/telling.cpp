@@ -22,7 +22,7 @@ void Teller::settle(viz::Verdict::Kind kind) {
 bool Teller::right(const std::optional<double>& found) const {
   const std::optional<double>& truth = setup_.truth.surface;
   if (!found || !truth) return found.has_value() == truth.has_value();
-  const double speed = setup_.ray.direction.norm();
+  const double speed = setup_.ray.direction.stableNorm();
   return std::abs(*found - *truth) <= 1e-6 * (std::abs(*truth) + setup_.sphere.radius / speed);
 }
 
