@@ -40,7 +40,7 @@ class Slides {
     all_.push_back({lesson.title, {Prose{lesson.summary}}, {}, {}, true});
     const bool is_step = e_.walk.steps.front().slug == viz::opening_slug;
     if (!lesson.opening.empty() && !is_step) all_.push_back({lesson.title, {Prose{lesson.opening}}, {}, {}});
-    if (!e_.walk.pseudocode.empty()) all_.push_back({"Algorithm", {Code{e_.walk.pseudocode}}, {}, {}});
+    if (!e_.walk.pseudocode.empty()) all_.push_back({"Algorithm", {code(e_)}, {}, {}});
     for (const int index : e_.steps) {
       const viz::Step& step = e_.walk.steps[index];
       if (step.question) ask(*step.question, index);
@@ -65,7 +65,7 @@ class Slides {
 
   void show(const viz::Step& step, int index) {
     Slide slide = {step.title, {picture_(index)}, {}, {}};
-    if (step.line >= 0 && !step.scene.chart) slide.right.push_back(Code{e_.walk.pseudocode, step.line});
+    if (step.line >= 0 && !step.scene.chart) slide.right.push_back(code(e_, step.line));
     slide.below.push_back(Prose{viz::own_caption(*e_.lesson, step)});  // the opening has a slide of its own
     all_.push_back(std::move(slide));
   }

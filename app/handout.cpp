@@ -44,7 +44,7 @@ Prose exercise(const viz::Exercise& e, int number) {
 /// The steps in order; a step's question stands before its picture, which shows the answer.
 Blocks contents(const Excerpt& e) {
   Blocks all = {Prose{e.lesson->summary}};
-  if (!e.walk.pseudocode.empty()) all.push_back(Code{e.walk.pseudocode});
+  if (!e.walk.pseudocode.empty()) all.push_back(code(e));
   Blocks answers;
   int questions = 0;
   for (const int index : e.steps) {

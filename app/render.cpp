@@ -16,6 +16,7 @@
 #include "app/studio.h"
 #include "app/surroundings.h"
 #include "app/terminal.h"
+#include "viz/chart.h"
 #include "viz/files.h"
 #include "viz/rich_text.h"
 
@@ -102,17 +103,27 @@ std::vector<Job> jobs_of(const std::vector<Excerpt>& chosen, const Studios& stud
   return jobs;
 }
 
+/// What moves shows a card of text for longer than a picture.
+std::vector<viz::Drawing> time_to_read(const std::vector<viz::Drawing>& drawings, const Job& job) {
+  constexpr int as_long = 4;
+  std::vector<viz::Drawing> frames;
+  for (std::size_t i = 0; i < drawings.size(); ++i)
+    frames.insert(frames.end(), viz::is_card(job.e.walk.steps[job.piece.steps[i]].scene) ? as_long : 1, drawings[i]);
+  return frames;
+}
+
 /// Each format of a job, given to `take`.
 template <class Take>
 void make(const Job& job, const RenderOptions& options, Studios& studios, const Take& take) {
   const Style& style = studios.style(job.e);
   Studio& studio = studios.of(job.e);
   const std::vector<viz::Drawing> drawings = studio.draw(job.e, job.piece.steps);
+  const std::vector<viz::Drawing> frames = time_to_read(drawings, job);
   for (const viz::Format* format : job.formats) {
     Json about = made_with(style, *format, drawings.front(), studio.renderer(*format));
     if (format->film) about["seconds"] = options.seconds;
     take(*format,
-         format->film ? studio.film(job.piece, drawings, options.seconds, *format)
+         format->film ? studio.film(job.piece, frames, options.seconds, *format)
                       : studio.write(job.piece, drawings.front(), *format),
          about);
   }
@@ -202,7 +213,9 @@ void add_render(CLI::App& app, Program& program) {
   add_scene_file(sub, program, options->asked);
   add_set(sub, options->asked);
   add_style(sub, options->style, viz::format_names());
-  sub.add_option("--seconds", options->each, "of each step in gif, apng and mp4; 2.5 if not given")->type_name("N");
+  sub.add_option("--seconds", options->each,
+                 "of each step in gif, apng and mp4; 2.5 if not given; a card of\ntext stays four times as long")
+      ->type_name("N");
   add_path(sub, "--out", options->out, "folder (figures if not given); - is stdout, for one figure", "DIR|-");
   sub.add_option("--backend", options->backend, "auto (if not given), osmesa or egl")->type_name("NAME");
   sub.footer(

@@ -16,9 +16,9 @@ struct Heading {
 struct Prose {
   std::string text, head = {};
 };
-/// Pseudocode, plain text; `current` is lit, from 0, -1 for none.
+/// Pseudocode, its names set as in the text; `current` is lit, from 0, -1 for none.
 struct Code {
-  std::vector<std::string> lines;
+  std::vector<std::string> lines;  ///< markup, but for the spaces that indent them
   int current = -1;
 };
 struct Image {
@@ -47,5 +47,6 @@ Blocks question(const viz::Question&, int number);
 /// "(b) It misses. The reason why."
 std::string answer(const viz::Question&);
 Image image(const Excerpt&, int step);
+Code code(const Excerpt&, int current = -1);
 
 }  // namespace isect::program

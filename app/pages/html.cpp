@@ -23,7 +23,7 @@ struct AsHtml {
     std::string out = "<ol class=\"code\">\n";
     for (std::size_t i = 0; i < c.lines.size(); ++i)
       out += fmt::format("<li{}>{}</li>\n", static_cast<int>(i) == c.current ? " class=\"current\"" : "",
-                         viz::xml_escaped(c.lines[i]));
+                         html_text(c.lines[i]));
     return out + "</ol>\n";
   }
   std::string operator()(const Image& image) const {

@@ -14,6 +14,14 @@ std::string lit(const std::string& line) {
          "}}\\hspace*{-\\fboxsep}\\par\n";
 }
 
+/// A line of markup after the spaces that it begins with.
+std::string indented(const std::string& line) {
+  const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
+  std::string spaces;
+  for (std::size_t i = 0; i < indent; ++i) spaces += "~";
+  return spaces + viz::tex(line.substr(indent));
+}
+
 std::string fitted(const std::string& picture) {
   return "\\resizebox{\\ifdim\\width>\\linewidth \\linewidth\\else\\width\\fi}{!}{" + picture + "}";
 }
@@ -28,8 +36,8 @@ struct AsLatex {
   std::string operator()(const Code& c) const {
     std::string out = "{\\raggedright\n";
     for (std::size_t i = 0; i < c.lines.size(); ++i) {
-      const std::string line = fmt::format("\\hangindent=3em \\makebox[1.3em][r]{{\\scriptsize {}}}\\quad {}", i + 1,
-                                           viz::tex_plain(c.lines[i]));
+      const std::string line =
+          fmt::format("\\hangindent=3em \\makebox[1.3em][r]{{\\scriptsize {}}}\\quad {}", i + 1, indented(c.lines[i]));
       out += static_cast<int>(i) == c.current ? lit(line) : line + "\\par\n";
     }
     return out + "}\n";

@@ -31,6 +31,9 @@ TEST_CASE("a handout has pictures, captions, pseudocode, questions, and the answ
     CHECK(text.find("Answers") > text.rfind("03-distance"));
     CHECK(text.find("**") == text.npos);  // no mark is left
   }
+  // Pseudocode has its names as the text has them.
+  CHECK_THAT(tex, Contains("if $t > t_{\\mathrm{max}}$") && Contains("\\mathbf{l} \\cdot") && !Contains("t\\_max"));
+  CHECK_THAT(html, Contains("<i>t</i><sub>max</sub>") && Contains("text-indent"));
   CHECK(std::filesystem::exists(folder + "03-distance.tikz"));
   CHECK(std::filesystem::exists(folder + "03-distance.svg"));
   CHECK(std::filesystem::exists(shell.work() / "handouts/manifest.json"));

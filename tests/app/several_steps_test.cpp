@@ -128,6 +128,10 @@ TEST_CASE("gif and apng show the steps in turn, one file a preset", "[animation]
   const auto manifest = nlohmann::json::parse(contents(shell.work() / "figures/manifest.json"));
   CHECK(manifest["figures"][3]["file"] == "ray-sphere/tangent/steps-02-04.apng");
   CHECK(manifest["figures"][3]["seconds"] == 1);
+  // A card of text stays four times as long.
+  const std::string card =
+      shell("isect render ray-sphere --step verdict,closing --format apng --size 320x200 --out -").out;
+  CHECK(count(card, "fcTL") == 1 + 4);
 
   const std::string again = "isect render ray-sphere --preset tangent --step 2-4 --format gif --size 320x200 --out ";
   CHECK(shell(again + "-").out == shell("TZ=Asia/Tokyo LP_NUM_THREADS=1 " + again + "-").out);
