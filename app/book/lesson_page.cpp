@@ -127,10 +127,11 @@ Page lesson_page(const viz::Lesson& lesson, const std::vector<Excerpt>& presets,
   for (std::size_t i = 0; i < presets.size(); ++i)
     walks += walk_section(presets[i], lesson.presets[i], i == 0, pictures);
   Page page = {file_of(lesson), viz::plain(lesson.title), viz::plain(lesson.summary), {}, neighbours, false, lesson.id};
-  page.body = fmt::format("<div class=\"opening\">\n<h1>{}</h1>\n<p class=\"summary\">{}</p>\n"
-                          "<div class=\"about\">\n{}{}</div>\n</div>\n",
-                          html_text(lesson.title), html_text(lesson.summary), prose(lesson.opening),
-                          builds_on(lesson, course, neighbours.alone)) +
+  page.body = fmt::format(
+                  "<div class=\"opening\">\n<h1>{}</h1>\n<p class=\"summary\">{}</p>\n"
+                  "<div class=\"about\">\n{}{}</div>\n</div>\n",
+                  html_text(lesson.title), html_text(lesson.summary), prose(lesson.opening),
+                  builds_on(lesson, course, neighbours.alone)) +
               pictures.shared() + settings(presets, lesson) + "<div id=\"walks\">\n" + walks + "</div>\n" +
               closing(lesson, neighbours.alone);
   return page;

@@ -88,6 +88,41 @@ TEST_CASE("a dragged handle changes its value alone, and the verdict is the exac
   CHECK(frame.at("values") != before);
 }
 
+TEST_CASE("a drag at the first step tells the verdict at once", "[session]") {
+  Session session = fresh();
+  const Json opened = open(session, "sphere-sphere", "disjoint"), b = handle(opened, "b");
+  ask(session, {{"do", "take"}, {"handle", b.at("name")}, {"x", b.at("x")}, {"y", b.at("y")}});
+  int met = 0;
+  for (int i = 0; i < 12; ++i) {
+    const Json frame = ask(session, {{"do", "drag"}, {"x", b.at("x").get<double>() - 8 * i}, {"y", b.at("y")}});
+    const bool truth = meet(frame.at("values"));
+    met += truth;
+    CHECK(frame.at("at") == 0);
+    const std::string told = frame.at("outcome");
+    CHECK((told.find("disjoint") == told.npos) == truth);
+    CHECK((told.find("verdict no") == told.npos) == truth);
+  }
+  CHECK(met > 0);
+  CHECK(met < 12);
+}
+
+TEST_CASE("a verdict that other methods contradict says so", "[session]") {
+  Session session = fresh();
+  int differ = 0;
+  for (const isect::viz::Lesson* lesson : isect::lessons::all_lessons()) {
+    if (!lesson->opinions) continue;
+    for (const isect::viz::Preset& preset : lesson->presets) {
+      const auto all = lesson->opinions(preset.parameters);
+      const bool one = std::ranges::any_of(all, [](const isect::viz::Opinion& o) { return !o.agrees; });
+      differ += one;
+      INFO(lesson->id << " " << preset.id);
+      const std::string told = open(session, lesson->id, preset.id).at("outcome");
+      CHECK((told.find(" methods differ") != told.npos) == one);
+    }
+  }
+  CHECK(differ > 5);
+}
+
 TEST_CASE("what changes nothing in a setting is named, and when it would is told", "[session]") {
   Session session = fresh();
   const Json opened = open(session, "ray-sphere", "tangent");
