@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "app/figure_place.h"
+#include "app/named_file.h"
 #include "app/options.h"
 #include "app/preset_folder.h"
 #include "app/scene/lesson.h"
@@ -70,7 +71,7 @@ Excerpt from_scene_for(const viz::Lesson& lesson, const std::string& method, con
   require_utf8(file);
   try {
     Excerpt e;
-    const std::string text = viz::read_file(file.path);
+    const std::string text = read_named_file(file.path);
     e.lesson = scene::naming_scene(file.path, [&] {
       return &scene::kept_walks_of(lesson, method, text, fs::path(file.path).parent_path().string());
     });
@@ -111,7 +112,7 @@ Excerpt from_file(const Program& program, const PresetFile& file) {
   viz::Place place;
   try {
     require_utf8(file);
-    const std::string text = viz::read_file(file.path);
+    const std::string text = read_named_file(file.path);
     if (scene::is_scene(text)) return from_scene(text, file);
     place = viz::place_from_json(text, program.lessons);
   } catch (const viz::BadInput& e) {

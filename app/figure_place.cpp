@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "app/named_file.h"
 #include "app/piece.h"
 #include "app/scene/lesson.h"
 #include "viz/files.h"
@@ -28,7 +29,7 @@ std::string folder_in(const viz::Metadata& data, const std::string& lesson) {
 
 FigurePlace place_in_figure(const Program& program, const std::string& path, const viz::Format& format,
                             std::vector<const viz::Lesson*>& to) {
-  const std::string bytes = viz::read_file(path);
+  const std::string bytes = read_named_file(path);
   try {
     const viz::Metadata data = format.metadata(bytes);
     if (data.empty())
