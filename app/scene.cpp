@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "app/named_file.h"
 #include "app/options.h"
 #include "app/program.h"
 #include "app/scene/file.h"
@@ -38,14 +39,18 @@ void save(const SceneOptions& options, const std::string& text, const scene::Fil
 
 int tell(const SceneOptions& options) {
   try {
-    const std::string text = viz::read_file(options.path), folder = fs::path(options.path).parent_path().string();
+    const std::string text = read_named_file(options.path), folder = fs::path(options.path).parent_path().string();
     const scene::Opened opened = scene::naming_scene(options.path, [&] { return scene::opened(text, folder); });
-    scene::File file = scene::read_scene(text, folder);
-    const viz::Parameters to = changed(opened.lesson, file.parameters, options.asked.changes);
-    if (!options.save.empty()) save(options, text, file, to);
-    const bool same = to == file.parameters;
-    file.parameters = to;
-    const scene::Json all = same ? opened.answers : scene::answers(file);
+    const viz::Parameters to = changed(opened.lesson, opened.file->parameters, options.asked.changes);
+    if (!options.save.empty()) save(options, text, *opened.file, to);
+    scene::Json all = opened.answers;
+    if (to != opened.file->parameters) {
+      scene::File file = *opened.file;
+      file.parameters = to;
+      all = scene::answers(file);
+    }
+    for (const scene::Object& o : opened.file->objects)
+      if (!o.note.empty()) say(fmt::format("{}: {}: {}", options.path, o.name, o.note));
     if (options.json) {
       print(all.dump(2) + "\n");
       return done;

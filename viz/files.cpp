@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstring>
@@ -151,8 +152,9 @@ int replace(const std::string& path, const std::string& bytes, const struct stat
 }
 
 /// All that comes. Throws FileError, also where that is more than `most` bytes.
-std::string receive(int descriptor, const std::string& path, std::size_t most) {
+std::string receive(int descriptor, const std::string& path, std::size_t most, std::size_t expected = 0) {
   std::string bytes;
+  bytes.reserve(expected);
   char block[1 << 16];
   while (true) {
     const ssize_t n = ::read(descriptor, block, sizeof block);
@@ -198,7 +200,8 @@ std::string read_regular_file(const std::string& path) {
   if (!file.open() || ::fstat(file.get(), &there) != 0) fail("read", path, errno);
   if (S_ISDIR(there.st_mode)) fail("read", path, EISDIR);
   if (!S_ISREG(there.st_mode)) throw FileError("cannot read '" + path + "': not a regular file");
-  return receive(file.get(), path, std::string::npos);
+  constexpr std::size_t most_reserved = std::size_t{1} << 30;  // it may have holes, and be as large as it likes
+  return receive(file.get(), path, std::string::npos, std::min(static_cast<std::size_t>(there.st_size), most_reserved));
 }
 
 bool is_there(const std::string& path) {

@@ -89,6 +89,8 @@ class Walker {
       list += fmt::format("{}{} {}{}", list.empty() ? "" : ", ", in_words(o.type, context_.file.flat),
                           shown_name(o.name), how_many(o));
     step.caption = fmt::format("The scene holds {}.", list);
+    for (const Object& o : context_.file.objects)
+      if (!o.note.empty()) step.caption += fmt::format(" {}: {}", shown_name(o.name), viz::as_markup(o.note));
     step.scene = picture({});
     return step;
   }
@@ -230,8 +232,8 @@ std::vector<viz::Condition> conditions_of(const File& file) {
 }  // namespace
 
 Opened opened(const std::string& text, const std::string& folder) {
-  Opened opened;
   const auto file = std::make_shared<const File>(read_scene(text, folder));
+  Opened opened = {.file = file, .lesson = {}};
   viz::Lesson& lesson = opened.lesson;
   lesson.id = "scene";
   lesson.title = file->title;

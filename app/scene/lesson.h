@@ -1,6 +1,7 @@
 #pragma once
 // A scene file as a lesson: its objects, then a step for each question, then all answers.
 
+#include <memory>
 #include <string>
 
 #include "app/scene/file.h"
@@ -8,8 +9,9 @@
 
 namespace isect::program::scene {
 
-/// The lesson with the answers to all questions, as JSON: names, verdict in words, query and result.
+/// A scene, the lesson of it, and the answers to all questions, as JSON: names, verdict in words, query and result.
 struct Opened {
+  std::shared_ptr<const File> file;
   viz::Lesson lesson;
   Json answers = Json::array();
 };

@@ -68,6 +68,7 @@ struct Object {
   std::vector<std::string> fields = {};  ///< those that the file gives, without the object's name
   std::vector<int> rings = {};           ///< of what is made of points: how many each outline has
   Fixed fixed = {};
+  std::string note = {};  ///< what is read otherwise than its file may mean it, as plain sentences
 };
 /// A ray, a line or a segment.
 bool runs_along_a_line(Type);

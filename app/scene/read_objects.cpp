@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <set>
 
-#include "app/scene/shape_file.h"
+#include "app/scene/files/shape_file.h"
 #include "viz/files.h"
 #include "viz/spelling.h"
 
@@ -160,7 +160,7 @@ class ObjectReader {
     std::vector<std::vector<viz::Vec3>> rings;
     const std::size_t least = mesh || outline ? 3 : 1, most = o.type == Type::triangle ? 3 : most_vertices;
     if (json.contains("file"))
-      rings.push_back(from_file(json, below(path, "file"), o));
+      rings = from_file(json, below(path, "file"), o);
     else if (json.contains("points"))
       rings.push_back(ring(json["points"], below(path, "points"), least, most));
     else
@@ -185,6 +185,9 @@ class ObjectReader {
 
   std::vector<viz::Vec3> ring(const Json& json, const Path& path, std::size_t least, std::size_t most) {
     std::vector<viz::Vec3> all;
+    if (json.is_array() && json.size() > most_vertices && most == most_vertices)
+      source_.refuse(path, fmt::format("{} points; here {} are the most, in a \"file\" {}", json.size(), most_vertices,
+                                       most_in_file));
     source_.list(json, path, least, most, "points");
     for (std::size_t i = 0; i < json.size(); ++i)
       all.push_back(source_.vector(json[i], below(path, std::to_string(i))));
@@ -207,7 +210,7 @@ class ObjectReader {
     return all;
   }
 
-  std::vector<viz::Vec3> from_file(const Json& json, const Path& path, Object& o) {
+  std::vector<std::vector<viz::Vec3>> from_file(const Json& json, const Path& path, Object& o) {
     const std::string name = source_.text(json["file"], path);
     const std::string file = (std::filesystem::path(folder_) / name).lexically_normal().string();
     ShapeFile shape;
@@ -220,11 +223,28 @@ class ObjectReader {
     }
     source_.need_dimension(shape.flat ? 2 : 3, path);
     if (o.type == Type::mesh && shape.triangles.empty()) source_.refuse(path, file + " holds no triangles");
-    if (o.type == Type::polygon && shape.points.size() < 3)
-      source_.refuse(path, file + " holds fewer than three points");
+    if (o.type == Type::polygon) become_outlines(shape, file, path);
     if (o.type == Type::mesh) o.fixed.triangles = shape.triangles;
+    o.note = shape.note;
     take_along(shape, file, o.type);
-    return std::move(shape.points);
+    std::vector<std::vector<viz::Vec3>> rings;
+    auto from = shape.points.begin();
+    for (const int size : shape.rings) rings.emplace_back(from, from + size), from += size;
+    if (rings.empty() || o.type != Type::polygon) rings = {std::move(shape.points)};
+    return rings;
+  }
+
+  /// The corners of a polygon, of a mesh's only face, or points in their order.
+  void become_outlines(ShapeFile& shape, const std::string& file, const Path& path) const {
+    if (!shape.triangles.empty()) {
+      if (shape.only_face.empty())
+        source_.refuse(path, file + " holds more than one face; a polygon is one, a \"mesh\" has many");
+      std::vector<viz::Vec3> corners;
+      for (const int i : shape.only_face) corners.push_back(shape.points[static_cast<std::size_t>(i)]);
+      shape.points = std::move(corners);
+      shape.note.clear();
+    }
+    if (shape.points.size() < 3) source_.refuse(path, file + " holds fewer than three points");
   }
 
   void take_along(const ShapeFile& shape, const std::string& file, Type type) {
@@ -234,11 +254,17 @@ class ObjectReader {
       return;
     }
     json.erase("file");
+    Json points = Json::array();
     for (const viz::Vec3& p : shape.points) {
-      Json at = {p.x(), p.y()};
-      if (!shape.flat) at.push_back(p.z());
-      json["points"].push_back(at);
+      points.push_back({p.x(), p.y()});
+      if (!shape.flat) points.back().push_back(p.z());
     }
+    if (type == Type::polygon && shape.rings.size() > 1) {
+      auto from = points.begin();
+      for (const int size : shape.rings) json["rings"].push_back(Json(from, from + size)), from += size;
+      return;
+    }
+    json["points"] = std::move(points);
     if (type == Type::mesh) json["triangles"] = shape.triangles;
   }
 

@@ -226,7 +226,7 @@ TEST_CASE("meshes come from OBJ, STL and PLY, clouds from CSV, with the numbers 
     CHECK(heights == std::set<double>{0, file == "t.obj" ? 0.1 : 0.5, 2});  // 0.1 is no float
     CHECK(all[1]["volumes"][0]["fitted"] == "hull");
   }
-  write(shell.work() / "in/p.csv", "x;y\n# a comment\n0,0\n1;0\n\n0.1\t1e-1\n");
+  write(shell.work() / "in/p.csv", "x;y\n# a comment\n0,0;0\n1;0\n\n0.1; 1e-1\n");
   const Json fit = answers(shell, R"({"cloud": "C", "file": "in/p.csv"})", R"([{"fit": "C", "volume": "box"}])");
   CHECK(fit[0]["volumes"][0]["result"] == Json::parse(R"({"lo": [0.0, 0.0], "hi": [1.0, 0.1]})"));
 }
@@ -695,15 +695,18 @@ TEST_CASE("what is wrong with many numbers is told by line and field, or by the 
   CHECK_THAT(file("a.obj", "v 0 0 0\nv 1 0 0\nf 1 2\n"), Contains("line 3: a face has three"));
   CHECK_THAT(file("a.obj", "v 0 0 0\n"), Contains("a.obj holds no triangles"));
   CHECK_THAT(file("a.obj", ""), Contains("no points"));
-  CHECK_THAT(file("a.stl", "hello"), Contains("neither a binary STL"));
+  CHECK_THAT(file("a.stl", "hello"), Contains("nor a binary STL"));
   CHECK_THAT(file("a.stl", binary_stl().substr(0, 200)), Contains("solid") || Contains("no points"));
-  CHECK_THAT(file("a.ply", "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nend_header\n1\n"),
-             Contains("ends early"));
+  CHECK_THAT(
+      file("a.ply", "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nend_header\n1 2\n"),
+      Contains("ends early"));
   CHECK_THAT(file("b.ply", binary_ply(false).substr(0, 260)), Contains("ends early"));
   CHECK_THAT(file("c.ply", "ply\nformat ascii 1.0\nelement vertex 99999999999\nend_header\n"), Contains("line 3: "));
-  CHECK_THAT(file("m.txt", "1 2 3"), Contains(".csv, .obj, .stl or .ply"));
+  CHECK_THAT(file("m.step", "1 2 3"), Contains("a name that ends in one of these is expected: .csv, .geojson, "));
+  CHECK_THAT(file("m.txt", "1 2 3"), Contains("m.txt holds no triangles"));
   write(shell.work() / "p.csv", "0,0\n1,2,3\n");
-  CHECK_THAT(refused(shell, R"({"cloud": "C", "file": "p.csv"})"), Contains("p.csv: line 2: 3 numbers"));
+  CHECK_THAT(refused(shell, R"({"cloud": "C", "file": "p.csv"})"),
+             Contains("p.csv: line 2: 3 columns, and 2 in the first row"));
   CHECK_THAT(shell("isect scene absent.json").err, Contains("absent.json"));
   write(shell.work() / "absent.json", R"({"objects": [{"cloud": "C", "file": "gone.csv"}]})");
   const Ran gone = shell("isect scene absent.json");

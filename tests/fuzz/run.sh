@@ -30,7 +30,17 @@ seed wide-then-deep "{$(seq -s ' ' 3000 | sed 's/[0-9]*/"&":0,/g')\"z\":$(printf
 seed wide-points '{"kind":"convex_hull2d","points":[[0,0]' ',[%d,0.%d]' 20000 ']}'
 seed wide-ring '{"kind":"pip","variant":"trapezoids","point":[1,1],"rings":[[[0,9]' ',[%d,0.%d]' 5000 ']]}'
 seed long-text '{"id":"' 'abcdefgh' 60000 '"}'
-for target in ${*:-query_fuzz cases_fuzz polygon_fuzz}; do
+
+# Each file of every dialect, behind the number of its reader.
+mkdir -p seeds/files_fuzz
+for file in "$root"/tests/files/*.*; do
+  case ${file##*.} in
+    csv | tsv | txt) reader=0 ;; xyz) reader=1 ;; obj | OBJ) reader=2 ;; stl | STL) reader=3 ;; ply | PLY) reader=4 ;;
+    off) reader=5 ;; geojson | json) reader=6 ;; wkt) reader=7 ;; *) continue ;;
+  esac
+  { printf "\\00$reader"; cat "$file"; } >"seeds/files_fuzz/${file##*/}"
+done
+for target in ${*:-query_fuzz cases_fuzz polygon_fuzz files_fuzz}; do
   mkdir -p "corpus/$target" "seeds/$target"
   echo "fuzz: $target for $seconds s" >&2
   size=4096 words=-verbosity=1  # the others draw numbers from the bytes, and need no more

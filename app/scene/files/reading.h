@@ -1,0 +1,109 @@
+#pragma once
+// What the readers of shape files share: lines, words and numbers of a text, numbers of a binary file, and what is
+// wrong told by its place.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "app/scene/files/shape_file.h"
+#include "viz/lesson.h"
+
+namespace isect::program::scene {
+
+[[noreturn]] inline void refuse(const std::string& file, const std::string& why) {
+  throw viz::BadInput(file + ": " + why);
+}
+
+/// A piece of a file as a message shows it, in double quotes: short, control characters written out.
+std::string in_quotes(std::string_view piece);
+/// In small letters, of ASCII.
+std::string lower(std::string_view);
+/// The double nearest to a decimal number; none of what is no finite number.
+std::optional<double> decimal(std::string_view);
+/// Without blanks and tabs at its ends.
+std::string_view trimmed(std::string_view);
+
+/// A text, line by line. Lines end by LF, CR LF or CR; a byte order mark is no part of the first.
+class TextFile {
+ public:
+  /// Refuses UTF-16.
+  TextFile(std::string_view bytes, const std::string& file);
+
+  /// Goes to the next line; false where there is none.
+  bool next();
+  /// The same, where a line that ends by \ goes on in the next one, unless that stands in a comment.
+  bool next_joined();
+
+  std::string_view line() const { return line_; }
+  std::size_t offset() const { return at_; }  ///< of the byte behind the line
+  int number() const { return number_; }      ///< of the line, from 1
+
+  /// The next word of the line; empty where there is none.
+  std::string_view word();
+  bool ended() const { return trimmed(rest_).empty(); }
+  /// What stands behind `mark` is no part of the line.
+  void drop_comment(std::string_view mark);
+
+  double real(std::string_view word) const;
+  double real() { return real(word()); }
+  long whole(std::string_view word) const;
+  viz::Vec3 point();
+  /// Nothing is left, or it is refused.
+  void end_line();
+
+  [[noreturn]] void refuse(const std::string& why) const;
+
+ private:
+  bool read_line(std::string_view& line);
+
+  std::string_view bytes_, line_, rest_;
+  const std::string& file_;
+  std::size_t at_ = 0;
+  int number_ = 0, lines_ = 0;
+  std::string joined_;
+};
+
+/// Numbers of a binary file, one after the other.
+class Bytes {
+ public:
+  Bytes(const std::string& bytes, const std::string& file, std::size_t at, bool big_endian = false)
+      : bytes_(bytes), file_(file), at_(at), swap_(big_endian != (std::endian::native == std::endian::big)) {}
+
+  template <class T>
+  T next() {
+    std::array<char, sizeof(T)> raw = {};
+    if (bytes_.size() - at_ < sizeof(T)) refuse(file_, fmt::format("it ends early, at byte {}", bytes_.size()));
+    std::memcpy(raw.data(), bytes_.data() + at_, sizeof(T));
+    if (swap_) std::ranges::reverse(raw);
+    at_ += sizeof(T);
+    return std::bit_cast<T>(raw);
+  }
+  void skip(std::size_t count) { at_ += std::min(count, bytes_.size() - at_); }
+  std::size_t left() const { return bytes_.size() - at_; }
+
+ private:
+  const std::string& bytes_;
+  const std::string& file_;
+  std::size_t at_;
+  bool swap_;
+};
+
+/// A file's bytes, and its name for messages.
+using Reader = ShapeFile (*)(const std::string& bytes, const std::string& file);
+ShapeFile read_table(const std::string& bytes, const std::string& file);    ///< CSV and the like
+ShapeFile read_xyz(const std::string& bytes, const std::string& file);      ///< a table of x, y, z and more
+ShapeFile read_obj(const std::string& bytes, const std::string& file);      ///< Wavefront OBJ
+ShapeFile read_stl(const std::string& bytes, const std::string& file);      ///< text or binary
+ShapeFile read_ply(const std::string& bytes, const std::string& file);      ///< text or binary
+ShapeFile read_off(const std::string& bytes, const std::string& file);      ///< text
+ShapeFile read_geojson(const std::string& bytes, const std::string& file);  ///< RFC 7946
+ShapeFile read_wkt(const std::string& bytes, const std::string& file);      ///< OGC 06-103r4, and with an SRID
+
+}  // namespace isect::program::scene

@@ -1,0 +1,39 @@
+#pragma once
+// Points, meshes and polygons from files of other programs. Coordinates are the doubles nearest to what a text says;
+// binary files hold floats, or doubles. What is not understood is refused with its place in the file, never passed
+// over.
+//
+// Readers of our own: those packaged for Debian read floats (assimp, ADMesh), or doubles that are not the nearest, and
+// take a word that is no number for 0 (tinyobjloader); none of them tells the line of all that it leaves out.
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "viz/scene.h"
+
+namespace isect::program::scene {
+
+struct ShapeFile {
+  std::vector<viz::Vec3> points;              ///< z = 0 in the plane
+  std::vector<std::array<int, 3>> triangles;  ///< indices of points; of larger faces, what they are cut into
+  std::vector<int> only_face;                 ///< the corners of a mesh's face, if it has but one
+  std::vector<int> rings;                     ///< of polygons: how many of the points each outline has, in order
+  bool flat = false;                          ///< two coordinates a point
+  std::string note;                           ///< what is read otherwise than it may be meant, as plain sentences
+};
+
+/// The most points, and the most triangles, of a file.
+constexpr std::size_t most_in_file = 1'000'000;
+
+/// The endings of names that can be read: ".csv, .obj, ...".
+std::string readable_endings();
+
+/// By its name's ending: points from .csv, .tsv, .txt and .xyz; meshes from .obj, .stl, .ply and .off; polygons from
+/// .geojson, .json and .wkt. Equal corners of an STL's facets are one point. Throws viz::FileError where it can't be
+/// read, viz::BadInput with its name and line, face or byte, where it is broken.
+ShapeFile read_shape_file(const std::string& path);
+/// The same of what such a file holds. Throws viz::BadInput.
+ShapeFile read_shape(const std::string& bytes, const std::string& name);
+
+}  // namespace isect::program::scene
