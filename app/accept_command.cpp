@@ -20,8 +20,13 @@ std::string option(const std::string& name, const std::string& value) {
   return fmt::format(" {}{}{}", name, value.starts_with("-") ? "=" : " ", quoted(value));
 }
 
+/// A preset's own name as --preset takes it: there "all" is every one, and an ending .json is a file's.
+std::string as_asked(const std::string& preset, const Asked& asked) {
+  return !asked.dir.empty() && (preset == "all" || preset.ends_with(".json")) ? preset + ".json" : preset;
+}
+
 std::string command(const Asked& asked, bool only_missing) {
-  std::string text = asked.program + " check";
+  std::string text = quoted(asked.program) + " check";
   for (const std::string& lesson : asked.lessons) text += " " + quoted(lesson);
   return text + option("--preset", asked.preset) + option("--dir", asked.dir) + option("--snapshots", asked.snapshots) +
          option("--backend", asked.backend) + (only_missing ? " --update=missing" : " --update=failed");
@@ -31,7 +36,7 @@ std::string command(const Asked& asked, bool only_missing) {
 std::vector<std::string> lessons_to_name(const Report& r) {
   constexpr std::size_t most = 8;
   std::vector<std::string> failed;
-  for (const std::string& lesson : r.lessons)
+  for (const std::string& lesson : r.by_name)
     if (std::ranges::any_of(r.failures, [&](const Failure& f) { return acceptable(f) && f.lesson == lesson; }))
       failed.push_back(lesson);
   const bool all_known = std::ranges::none_of(r.failures, [&](const Failure& f) {
@@ -58,7 +63,7 @@ bool may_be_accepted(const Failure& f) { return !f.foreign && f.kind != Kind::bl
 std::string accept_command(const Report& r) {
   if (std::ranges::none_of(r.failures, acceptable)) return {};
   Asked asked = r.asked;
-  if (asked.lessons.empty() && r.takes_lessons) asked.lessons = lessons_to_name(r);
+  if (asked.lessons.empty()) asked.lessons = lessons_to_name(r);
   return command(asked, std::ranges::all_of(
                             r.failures, [](const Failure& f) { return !acceptable(f) || f.kind == Kind::missing; }));
 }
@@ -68,8 +73,8 @@ std::string accept_command(const Report& r, const Failure& f) {
   Asked asked = r.asked;
   const bool known = std::ranges::find(r.checked, std::pair(f.lesson, f.preset)) != r.checked.end();
   // What belongs to no preset is looked for only where all presets are.
-  if (known) asked.preset = f.preset;
-  if (r.takes_lessons && std::ranges::find(r.lessons, f.lesson) != r.lessons.end()) asked.lessons = {f.lesson};
+  if (known) asked.preset = as_asked(f.preset, asked);
+  if (std::ranges::find(r.by_name, f.lesson) != r.by_name.end()) asked.lessons = {f.lesson};
   return command(asked, f.kind == Kind::missing);
 }
 

@@ -41,9 +41,14 @@ Failure failure(Kind kind, const std::string& what, const std::string& baseline)
   return f;
 }
 
-/// What is not of one step first: a parameter that changed explains the steps.
-std::vector<std::string> in_words(std::vector<viz::Change> changes) {
-  std::stable_partition(changes.begin(), changes.end(), [](const viz::Change& c) { return c.step < 0; });
+/// The pointer stands where the file itself is to be.
+Failure lfs_pointer(const std::string& baseline) {
+  Failure f = failure(Kind::unreadable, "a Git LFS pointer, not the file itself; git lfs pull fetches that", baseline);
+  f.pointer = true;
+  return f;
+}
+
+std::vector<std::string> in_words(const std::vector<viz::Change>& changes) {
   std::vector<std::string> lines;
   for (const viz::Change& c : changes)
     lines.push_back((c.step < 0 ? "" : fmt::format("step {}: ", c.step + 1)) + c.what);
@@ -56,16 +61,18 @@ std::string drawn(const std::vector<viz::Change>& changes, int step) {
   std::string text;
   int count = 0;
   for (const viz::Change& c : changes)
-    if (c.drawn && c.step == step && ++count <= enough) text += (text.empty() ? "" : "; ") + c.what;
+    if (c.of == viz::Change::Of::drawing && c.step == step && ++count <= enough)
+      text += (text.empty() ? "" : "; ") + c.what;
   if (count > enough) text += fmt::format("; {} more", count - enough);
   return text.empty() ? text : text + ": ";
 }
 
 }  // namespace
 
+bool is_own(const Excerpt& e) { return !e.path.empty() || e.folder != e.preset; }
+
 bool has_picture(const Excerpt& e, int step) {
-  const bool own_file = e.folder != e.preset;
-  if (own_file || step == viz::outcome(e.walk)) return true;
+  if (is_own(e) || step == viz::outcome(e.walk)) return true;
   const std::vector<viz::Preset>& presets = e.lesson->presets;
   const std::string& group = viz::preset(*e.lesson, e.preset).group;
   const auto first = std::ranges::find(presets, group, &viz::Preset::group);
@@ -73,7 +80,8 @@ bool has_picture(const Excerpt& e, int step) {
 }
 
 std::string name_of(Kind kind) {
-  constexpr std::array names = {"missing", "trace", "picture", "size", "blank", "unreadable", "orphan", "preset"};
+  constexpr std::array names = {"missing",    "trace",  "picture", "size", "blank",
+                                "unreadable", "orphan", "preset",  "moved"};
   return names.at(static_cast<std::size_t>(kind));
 }
 
@@ -105,7 +113,6 @@ bool Baselines::accepts(Kind kind) const {
 
 std::vector<viz::Drawing> Baselines::drawings_of(const Excerpt& e) const {
   std::vector<viz::Drawing> drawings(e.walk.steps.size());
-  if (!viz::is_there(path(e, "")) && !accepts(Kind::missing) && !keep_pictures_) return drawings;
   const double aspect = viz::picture_aspect(e.walk, theme, picture_size.width, picture_size.height);
   for (int i = 0; i < static_cast<int>(drawings.size()); ++i)
     drawings[i] = viz::figure(e.walk.steps[i], camera_for(e, e.walk.steps[i], aspect), theme, picture_size.width,
@@ -114,9 +121,15 @@ std::vector<viz::Drawing> Baselines::drawings_of(const Excerpt& e) const {
   return drawings;
 }
 
+std::string Baselines::trace_now(const Excerpt& e, const std::vector<viz::Drawing>& drawings) const {
+  return viz::trace_json(*e.lesson, e.folder, e.parameters, e.walk, drawings, stamp_,
+                         is_own(e) ? viz::Tells::walk : viz::Tells::lesson);
+}
+
 std::vector<Failure> Baselines::check(const Excerpt& e) {
   std::vector<Failure> found;
-  const std::vector<viz::Drawing> drawings = drawings_of(e);
+  const bool seen = viz::is_there(path(e, "")) || accepts(Kind::missing) || keep_pictures_;
+  const std::vector<viz::Drawing> drawings = seen ? drawings_of(e) : std::vector<viz::Drawing>(e.walk.steps.size());
   const std::vector<viz::Change> changes = check_trace(e, drawings, found);
   for (int step = 0; step < static_cast<int>(e.walk.steps.size()); ++step)
     if (has_picture(e, step)) check_picture(e, step, drawings[step], changes, found);
@@ -144,9 +157,7 @@ bool Baselines::settle(const std::string& baseline, bool ours, std::optional<Fai
 std::vector<viz::Change> Baselines::check_trace(const Excerpt& e, const std::vector<viz::Drawing>& drawings,
                                                 std::vector<Failure>& found) {
   const std::string baseline = path(e, "trace.json");
-  const std::string now = viz::is_there(baseline) || accepts(Kind::missing)
-                              ? viz::trace_json(*e.lesson, e.folder, e.parameters, e.walk, drawings, stamp_)
-                              : "";
+  const std::string now = viz::is_there(baseline) || accepts(Kind::missing) ? trace_now(e, drawings) : "";
   const bool ours = trace_of(folder_of(e)).has_value() || !viz::is_there(baseline);
   std::optional<Failure> f;
   std::vector<viz::Change> changes;
@@ -154,9 +165,13 @@ std::vector<viz::Change> Baselines::check_trace(const Excerpt& e, const std::vec
     f = about(e, -1, failure(Kind::missing, "no trace was accepted yet", baseline));
   } else {
     try {
-      changes = viz::compare_traces(viz::read_regular_file(baseline), now);
-      std::stable_partition(changes.begin(), changes.end(),
-                            [](const viz::Change& c) { return !c.drawn; });  // said, then drawn
+      const std::string was = viz::read_regular_file(baseline);
+      if (is_lfs_pointer(was)) {
+        f = about(e, -1, lfs_pointer(baseline));
+      } else {
+        changes = viz::compare_traces(was, now);
+        std::ranges::stable_sort(changes, {}, &viz::Change::of);
+      }
       if (!changes.empty()) {
         f = about(e, changes[0].step, failure(Kind::trace, changes[0].what, baseline));
         f->more = in_words({changes.begin() + 1, changes.end()});
@@ -177,6 +192,7 @@ std::optional<Failure> Baselines::compare_with_baseline(const viz::Picture& now,
   viz::Picture accepted;
   try {
     bytes = viz::read_regular_file(baseline);
+    if (is_lfs_pointer(bytes)) return lfs_pointer(baseline);
     accepted = viz::read_png(bytes);
   } catch (const viz::FileError& error) {
     return failure(Kind::unreadable, error.what(), baseline);

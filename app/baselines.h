@@ -19,7 +19,7 @@ namespace isect::program {
 
 /// One thing `check` complains of.
 struct Failure {
-  enum class Kind { missing, trace, picture, size, blank, unreadable, orphan, preset };
+  enum class Kind { missing, trace, picture, size, blank, unreadable, orphan, preset, moved };
   Kind kind;
   std::string lesson, preset;
   int step = -1;                            ///< from 0; -1: not of one step
@@ -31,6 +31,7 @@ struct Failure {
   std::vector<std::string> more = {};   ///< further differences, in words
   std::vector<std::string> notes = {};  ///< what could not be done about it, and why
   bool foreign = false;                 ///< isect did not make the file in the baseline's place
+  bool pointer = false;                 ///< ... but Git LFS did, in place of the baseline itself
   bool accepted = false;                ///< by --update; an orphan is removed
   /// The pictures themselves, as PNG, where a report asks for them.
   std::string accepted_png = {}, fresh_png = {}, difference_png = {};
@@ -41,6 +42,9 @@ std::string name_of(Failure::Kind);
 enum class Update { none, missing, failed, all };
 std::vector<std::string> update_names();
 Update update_named(const std::string&);
+
+/// A preset of one's own, from a file, whatever that is called.
+bool is_own(const Excerpt&);
 
 /// Each step of the first preset of each group has a picture, and each step of presets of one's own. Of the other
 /// presets, whose traces are kept whole, the last picture is enough.
@@ -59,6 +63,13 @@ class Baselines {
     bool all_lessons = false, all_presets = false;  ///< also of lessons and presets that there are no more
     std::set<std::string> spared = {};              ///< presets whose steps nobody knows
   };
+  /// Presets without a baseline that say and show what one did that is no more: most likely it was renamed.
+  struct Move {
+    std::string lesson, from, to;  ///< presets' names
+  };
+  std::vector<Move> moves(const std::vector<Excerpt>&, const Reach&);
+  /// What is missing of such a preset and left over of the other becomes one failure.
+  void join(const std::vector<Move>&, std::vector<Failure>&) const;
   /// Pictures and traces that isect made and that belong to no step of these presets.
   std::vector<Failure> orphans(const std::vector<Excerpt>&, const Reach&);
 
@@ -72,13 +83,16 @@ class Baselines {
   const std::optional<OwnTrace>& trace_of(const std::string& folder);
   /// Whether the file is to be replaced by what is new. Marks the failure, if there is one.
   bool settle(const std::string& baseline, bool ours, std::optional<Failure>&);
-  /// One for each step; empty ones where nothing was accepted or will be, for nobody would see them.
+  /// One for each step.
   std::vector<viz::Drawing> drawings_of(const Excerpt&) const;
+  std::string trace_now(const Excerpt&, const std::vector<viz::Drawing>&) const;
   /// Returns what differs.
   std::vector<viz::Change> check_trace(const Excerpt&, const std::vector<viz::Drawing>&, std::vector<Failure>&);
   void check_picture(const Excerpt&, int step, const viz::Drawing&, const std::vector<viz::Change>&,
                      std::vector<Failure>&);
   std::optional<Failure> compare_with_baseline(const viz::Picture& now, const std::string& baseline) const;
+  /// Folders with baselines in reach, as lesson and preset.
+  std::vector<std::pair<std::string, std::string>> in_reach(const std::vector<Excerpt>&, const Reach&) const;
   void orphans_in(const std::string& lesson, const std::string& preset, const std::set<std::filesystem::path>& wanted,
                   std::vector<Failure>& found);
 

@@ -4,6 +4,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 
@@ -13,6 +15,7 @@
 #include "app/report.h"
 #include "app/surroundings.h"
 #include "app/terminal.h"
+#include "viz/writable.h"
 
 namespace isect::program {
 
@@ -27,6 +30,12 @@ struct CheckOptions {
 };
 
 const char* const default_snapshots = "snapshots";
+
+/// As a shell would find the program again: "isect", "./run", "build/release/bin/isect".
+std::string called() {
+  const char* const by_run = std::getenv("ISECT_CALLED");  // set by ./run, which is the shorter way
+  return by_run ? by_run : program_invocation_name;
+}
 
 /// Before they had a folder of their own, baselines of presets of one's own lay directly in theirs. Says how to move
 /// them.
@@ -45,6 +54,15 @@ bool say_old_layout(const Program& program, const std::string& dir) {
   return true;
 }
 
+/// The one of the names that is meant: the file's own, with or without its ending.
+std::string named_as(const std::string& asked, const std::vector<std::string>& names) {
+  const std::string ending = ".json";
+  for (const std::string& name :
+       {asked, asked.ends_with(ending) ? asked.substr(0, asked.size() - ending.size()) : asked})
+    if (std::ranges::find(names, name) != names.end()) return name;
+  throw viz::unknown("preset", asked, names);
+}
+
 /// Leaves the presets of a folder that are asked for in `asked`. The broken ones are failures of their own.
 std::vector<Failure> choose_own(const Program& program, const std::string& dir, Selection& asked) {
   PresetFolder folder = preset_folder(dir, program);
@@ -53,9 +71,7 @@ std::vector<Failure> choose_own(const Program& program, const std::string& dir, 
     std::vector<std::string> names;
     for (const PresetFile& file : folder.presets) names.push_back(file.name);
     for (const BrokenPreset& broken : folder.broken) names.push_back(broken.file.name);
-    const std::string name =
-        asked.preset.ends_with(".json") ? asked.preset.substr(0, asked.preset.size() - 5) : asked.preset;
-    if (std::ranges::find(names, name) == names.end()) throw viz::unknown("preset", asked.preset, names);
+    const std::string name = named_as(asked.preset, names);
     std::erase_if(folder.presets, [&](const PresetFile& file) { return file.name != name; });
     std::erase_if(folder.broken, [&](const BrokenPreset& broken) { return broken.file.name != name; });
   }
@@ -74,13 +90,18 @@ std::vector<Excerpt> chosen_of(const Program& program, const CheckOptions& optio
   if (!options.dir.empty() && asked.files.empty()) return {};  // all of them are broken
   std::vector<Excerpt> chosen = excerpts(program, asked);
   for (const Excerpt& e : chosen)
-    if (e.folder != e.preset && options.dir.empty())
+    if (is_own(e) && options.dir.empty())
       throw viz::BadInput("preset: only the lesson's own presets have baselines here; for files of yours give --dir");
   return chosen;
 }
 
-bool nothing_there(const std::string& folder, const std::vector<Excerpt>& chosen) {
-  return std::ranges::none_of(chosen, [&](const Excerpt& e) { return viz::is_there(fs::path(folder) / folder_of(e)); });
+/// Neither of these presets nor of one that may have been called otherwise.
+bool nothing_there(const std::string& folder, const std::vector<Excerpt>& chosen, const Baselines::Reach& reach) {
+  if (reach.all_lessons && trace_below(folder)) return false;
+  return std::ranges::none_of(chosen, [&](const Excerpt& e) {
+    return viz::is_there(fs::path(folder) / folder_of(e)) ||
+           (reach.all_presets && trace_below(fs::path(folder) / e.lesson->id));
+  });
 }
 
 /// What is missing altogether, without a look at a single step.
@@ -94,22 +115,40 @@ void all_is_missing(const std::vector<Excerpt>& chosen, Report& report) {
 }
 
 void compare(const std::vector<Excerpt>& chosen, const Baselines::Reach& reach, Baselines& baselines, Report& report) {
+  const std::vector<Baselines::Move> moves = baselines.moves(chosen, reach);
   Progress progress(chosen.size());
   for (const Excerpt& e : chosen) {
     for (Failure& f : baselines.check(e)) report.failures.push_back(std::move(f));
     progress.done(e.lesson->id + " " + e.folder);
   }
   for (Failure& f : baselines.orphans(chosen, reach)) report.failures.push_back(std::move(f));
+  baselines.join(moves, report.failures);
   report.left_alone = baselines.left_alone();
 }
 
-/// Reports are written over what is there, but never over what was accepted or drawn, or over one another.
+/// Reports are written over what is there, but never over what was accepted or drawn, or over one another. Whether they
+/// can be is tried before the work.
 void require_own_places(const CheckOptions& options) {
   if (!options.report.empty() && options.report == options.junit)
     throw viz::BadInput(fmt::format("junit: {} is the page of --report too; give each its own", options.junit));
   for (const std::string& file : {options.report, options.junit})
     if (own_trace(file) || metadata_in(file).contains("lesson"))
       throw viz::BadInput(fmt::format("report: {} is a baseline or a figure; give the report another name", file));
+  for (const std::string& file : {options.report, options.junit})
+    if (!file.empty()) viz::need_writable(file);
+}
+
+/// The result is told even where a report of it can't be kept.
+void tell(const Report& report, const CheckOptions& options) {
+  const std::string result = options.json ? to_json(report) : to_text(report);
+  try {
+    if (!options.report.empty()) viz::write_file(options.report, to_html(report));
+    if (!options.junit.empty()) viz::write_file(options.junit, to_junit(report));
+  } catch (const viz::FileError&) {
+    print(result);
+    throw;
+  }
+  print(result);
 }
 
 int check(const Program& program, const CheckOptions& options) {
@@ -126,9 +165,8 @@ int check(const Program& program, const CheckOptions& options) {
   if (own && say_old_layout(program, options.dir)) return baseline_missing;
 
   Report report;
-  report.asked = {program.name, options.asked.lessons, options.asked.preset == "all" ? "" : options.asked.preset,
-                  options.dir,  options.snapshots,     options.backend};
-  report.takes_lessons = !program.only;
+  report.asked = {called(),    options.asked.lessons, options.asked.preset == "all" ? "" : options.asked.preset,
+                  options.dir, options.snapshots,     options.backend};
   report.folder = own                         ? (fs::path(options.dir) / "snapshots").string()
                   : options.snapshots.empty() ? default_snapshots
                                               : options.snapshots;
@@ -142,12 +180,16 @@ int check(const Program& program, const CheckOptions& options) {
 
   const std::vector<Excerpt> chosen = chosen_of(program, options, asked);
   for (const Excerpt& e : chosen) {
-    if (report.lessons.empty() || report.lessons.back() != e.lesson->id) report.lessons.push_back(e.lesson->id);
+    if (report.lessons.empty() || report.lessons.back() != e.lesson->id) {
+      report.lessons.push_back(e.lesson->id);
+      const bool listed = std::ranges::find(program.lessons, e.lesson) != program.lessons.end();  // a scene is not
+      if (listed && !program.only) report.by_name.push_back(e.lesson->id);
+    }
     report.checked.push_back({e.lesson->id, e.folder});
     for (int step = 0; step < static_cast<int>(e.walk.steps.size()); ++step) report.pictures += has_picture(e, step);
   }
   const bool pages = !options.report.empty() || !options.junit.empty() || options.json;
-  report.nothing_there = update == Update::none && !chosen.empty() && nothing_there(report.folder, chosen);
+  report.nothing_there = update == Update::none && !chosen.empty() && nothing_there(report.folder, chosen, reach);
   if (report.nothing_there && !pages) {
     all_is_missing(chosen, report);
   } else if (!chosen.empty()) {
@@ -157,9 +199,7 @@ int check(const Program& program, const CheckOptions& options) {
     compare(chosen, reach, baselines, report);
   }
 
-  if (!options.report.empty()) viz::write_file(options.report, to_html(report));
-  if (!options.junit.empty()) viz::write_file(options.junit, to_junit(report));
-  print(options.json ? to_json(report) : to_text(report));
+  tell(report, options);
   return status(report);
 }
 

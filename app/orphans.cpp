@@ -1,9 +1,12 @@
 // Baselines that nothing is compared with any more.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "app/baselines.h"
 #include "app/leftovers.h"
+#include "viz/place.h"
 #include "viz/snapshot.h"
 
 namespace isect::program {
@@ -37,27 +40,78 @@ std::vector<fs::path> folders_below(const fs::path& folder) {
 
 }  // namespace
 
-std::vector<Failure> Baselines::orphans(const std::vector<Excerpt>& checked, const Reach& reach) {
-  std::set<fs::path> wanted;
+std::vector<std::pair<std::string, std::string>> Baselines::in_reach(const std::vector<Excerpt>& checked,
+                                                                     const Reach& reach) const {
   std::set<std::string> lessons, folders;
-  for (const Excerpt& e : checked) {
-    lessons.insert(e.lesson->id);
-    folders.insert(folder_of(e));
-    wanted.insert(path(e, "trace.json"));
-    for (int i = 0; i < static_cast<int>(e.walk.steps.size()); ++i)
-      if (has_picture(e, i)) wanted.insert(path(e, viz::file_stem(i, e.walk.steps[i]) + ".png"));
-  }
-  std::vector<Failure> found;
+  for (const Excerpt& e : checked) lessons.insert(e.lesson->id), folders.insert(folder_of(e));
+  std::vector<std::pair<std::string, std::string>> found;
   for (const fs::path& lesson : sorted_children(folder_)) {
     const std::string id = lesson.filename();
     if (!reach.all_lessons && !lessons.contains(id)) continue;
     for (const fs::path& folder : folders_below(lesson)) {
       const std::string preset = folder.lexically_relative(lesson);
       if ((reach.all_presets && !reach.spared.contains(preset)) || folders.contains(id + "/" + preset))
-        orphans_in(id, preset, wanted, found);
+        found.emplace_back(id, preset);
     }
   }
   return found;
+}
+
+std::vector<Failure> Baselines::orphans(const std::vector<Excerpt>& checked, const Reach& reach) {
+  std::set<fs::path> wanted;
+  for (const Excerpt& e : checked) {
+    wanted.insert(path(e, "trace.json"));
+    for (int i = 0; i < static_cast<int>(e.walk.steps.size()); ++i)
+      if (has_picture(e, i)) wanted.insert(path(e, viz::file_stem(i, e.walk.steps[i]) + ".png"));
+  }
+  std::vector<Failure> found;
+  for (const auto& [lesson, preset] : in_reach(checked, reach)) orphans_in(lesson, preset, wanted, found);
+  return found;
+}
+
+std::vector<Baselines::Move> Baselines::moves(const std::vector<Excerpt>& checked, const Reach& reach) {
+  std::set<std::string> folders;
+  for (const Excerpt& e : checked) folders.insert(folder_of(e));
+  std::vector<std::pair<std::string, std::string>> left = in_reach(checked, reach);
+  std::erase_if(left, [&](const auto& place) { return folders.contains(place.first + "/" + place.second); });
+
+  std::vector<Move> found;
+  for (const Excerpt& e : checked) {
+    if (left.empty()) break;
+    if (viz::is_there(path(e, ""))) continue;
+    std::string now;  // drawn where another one's parameters are the same
+    const auto from = std::ranges::find_if(left, [&](const auto& place) {
+      if (place.first != e.lesson->id) return false;
+      const std::optional<OwnTrace>& trace = trace_of(place.first + "/" + place.second);
+      if (!trace || trace->parameters != viz::to_json(e.parameters)) return false;
+      if (now.empty()) now = trace_now(e, drawings_of(e));
+      const std::string was = viz::read_regular_file(fs::path(folder_) / place.first / place.second / "trace.json");
+      const std::vector<viz::Change> changes = viz::compare_traces(was, now);
+      return changes.size() == 1 && changes[0].what == fmt::format("preset was {}, is {}", place.second, e.folder);
+    });
+    if (from == left.end()) continue;
+    found.push_back({from->first, from->second, e.folder});
+    left.erase(from);
+  }
+  return found;
+}
+
+void Baselines::join(const std::vector<Move>& moves, std::vector<Failure>& failures) const {
+  if (update_ == Update::missing) return;  // takes one half of it
+  for (const Move& move : moves) {
+    const auto of = [&](const Failure& f) {
+      return f.lesson == move.lesson && ((f.kind == Failure::Kind::missing && f.preset == move.to) ||
+                                         (f.kind == Failure::Kind::orphan && f.preset == move.from));
+    };
+    const auto first = std::ranges::find_if(failures, of);
+    if (first == failures.end()) continue;
+    Failure whole{Failure::Kind::moved, move.lesson, move.to};
+    whole.what = fmt::format("says and shows what {} did, which is no more", move.from);
+    whole.baseline = (fs::path(folder_) / move.lesson / move.from).string();
+    whole.accepted = std::ranges::all_of(failures, [&](const Failure& f) { return !of(f) || f.accepted; });
+    *first = whole;
+    std::erase_if(failures, of);
+  }
 }
 
 void Baselines::orphans_in(const std::string& lesson, const std::string& preset, const std::set<fs::path>& wanted,

@@ -60,6 +60,8 @@ std::optional<OwnTrace> own_trace(const fs::path& file) try {
   return {};  // not to be read as one
 }
 
+bool is_lfs_pointer(const std::string& bytes) { return bytes.starts_with("version https://git-lfs.github.com/spec/"); }
+
 bool made_for(const viz::Metadata& data, const std::string& folder, const std::optional<OwnTrace>& beside) {
   if (const std::string file = at(data, "file"); !file.empty()) return fs::path(file).parent_path() == folder;
   if (at(data, "lesson").empty()) return false;

@@ -31,6 +31,9 @@ struct OwnTrace {
 /// Nothing where the file is no such trace.
 std::optional<OwnTrace> own_trace(const std::filesystem::path& file);
 
+/// What Git LFS leaves in a file's place until that is fetched.
+bool is_lfs_pointer(const std::string& bytes);
+
 /// isect made this picture for this folder. One from before pictures named their file is known by its preset, or by the
 /// parameters it shares with the trace beside it.
 bool made_for(const viz::Metadata&, const std::string& folder, const std::optional<OwnTrace>& beside);

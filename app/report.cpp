@@ -24,6 +24,14 @@ std::string counted(std::size_t n, const std::string& what) {
   return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
 }
 
+/// "2 failures in 5 pictures and the trace of 1 preset"
+std::string failed(const Report& r) {
+  const std::string failures = counted(open_failures(r), "failure");
+  if (r.checked.empty()) return failures;  // none could be read
+  return fmt::format("{} in {} and the trace{} of {}", failures, counted(r.pictures, "picture"),
+                     r.checked.size() == 1 ? "" : "s", counted(r.checked.size(), "preset"));
+}
+
 /// Not one file of the preset is there, which is told in one line.
 bool all_missing(const Failure& f) {
   return f.kind == Kind::missing && !viz::is_there(std::filesystem::path(f.baseline).parent_path());
@@ -32,13 +40,15 @@ bool all_missing(const Failure& f) {
 std::string text_of(const Failure& f) {
   if (f.accepted)
     return fmt::format("{} {}: {}\n", inked(Ink::good, f.kind == Kind::orphan ? "removed" : "accepted"), where(f),
-                       f.baseline);
+                       f.kind == Kind::moved ? "moved from " + f.baseline : f.baseline);
+  if (f.kind == Kind::moved) return fmt::format("{} {}: {}\n", inked(Ink::bad, "MOVED"), where(f), f.what);
   if (all_missing(f)) {
     if (f.step >= 0) return {};
     return fmt::format("{} {}: {}\n", inked(Ink::bad, "MISSING"), where(f),
                        std::filesystem::path(f.baseline).parent_path().string());
   }
   if (f.kind == Kind::missing) return fmt::format("{} {}: {}\n", inked(Ink::bad, "MISSING"), where(f), f.baseline);
+  if (f.pointer) return fmt::format("{} {}: {} is {}\n", inked(Ink::bad, "FAILED"), where(f), f.baseline, f.what);
   std::string text = fmt::format("{} {}: {}: {}\n", inked(Ink::bad, "FAILED"), where(f), name_of(f.kind), f.what);
   constexpr std::size_t enough = 4;
   for (std::size_t i = 0; i < std::min(enough, f.more.size()); ++i) text += fmt::format("    {}\n", f.more[i]);
@@ -67,8 +77,9 @@ std::string where(const Failure& f) {
 }
 
 std::string summary(const Report& r) {
-  const std::string looked = counted(r.pictures, "picture") + " of " + counted(r.checked.size(), "preset");
-  std::string text = open_failures(r) == 0 ? "ok: " + looked : counted(open_failures(r), "failure") + " in " + looked;
+  std::string text = open_failures(r) > 0 ? failed(r)
+                                          : fmt::format("ok: {} of {}", counted(r.pictures, "picture"),
+                                                        counted(r.checked.size(), "preset"));
   const auto settled = [&](bool removed) {
     return std::ranges::count_if(r.failures,
                                  [&](const Failure& f) { return f.accepted && (f.kind == Kind::orphan) == removed; });
@@ -84,11 +95,18 @@ std::vector<std::string> details(const Failure& f) {
   if (!f.fresh.empty()) lines.push_back("new         " + f.fresh);
   if (!f.difference.empty()) lines.push_back("difference  " + f.difference);
   for (const std::string& note : f.notes) lines.push_back("note        " + note);
-  if (f.foreign)
+  if (f.foreign && !f.pointer)
     lines.push_back(
         "note        the file in its place was not made by isect, so nothing replaces it; move it away "
         "first");
   return lines;
+}
+
+std::string told_left_alone(const std::string& file) try {
+  return file + (is_lfs_pointer(viz::read_regular_file(file)) ? " is a Git LFS pointer; git lfs pull fetches the file"
+                                                              : " was not made by isect");
+} catch (const viz::FileError& e) {
+  return e.what();
 }
 
 int status(const Report& r) {
@@ -105,7 +123,7 @@ std::string to_text(const Report& r) {
   for (const Failure& f : r.failures)
     if (!(r.nothing_there && f.kind == Kind::missing)) text += text_of(f);
   if (r.nothing_there) return text + nothing_there(r);
-  for (const std::string& file : r.left_alone) text += fmt::format("left alone: {} was not made by isect\n", file);
+  for (const std::string& file : r.left_alone) text += fmt::format("left alone: {}\n", told_left_alone(file));
   if (const std::string command = accept_command(r); !command.empty())
     text += fmt::format("to accept {}: {}\n", open_failures(r) == 1 ? "it" : "all of it", command);
   return text + summary(r) + "\n";

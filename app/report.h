@@ -23,12 +23,12 @@ struct Report {
   Asked asked;
   std::string folder;                                             ///< of the baselines
   std::vector<std::string> lessons = {};                          ///< in order, those that were checked
+  std::vector<std::string> by_name = {};                          ///< those of them that a command line can name
   std::vector<std::pair<std::string, std::string>> checked = {};  ///< lesson and preset
   std::size_t pictures = 0;
   std::vector<Failure> failures = {};
   std::set<std::string> left_alone = {};  ///< files among the baselines that are not isect's
   bool nothing_there = false;             ///< none of the presets has a baseline
-  bool takes_lessons = true;              ///< the program is for more than one
 };
 
 /// 0, 1, 2 or 3: a failed check, then a broken preset file, then a missing baseline. What was accepted counts for
@@ -55,10 +55,12 @@ std::string to_junit(const Report&);
 
 /// "ray-sphere tangent, step 3 (foot)"
 std::string where(const Failure&);
-/// "2 failures in 12 pictures of 1 preset; 3 accepted"
+/// "2 failures in 12 pictures and the trace of 1 preset; 3 accepted"
 std::string summary(const Report&);
 /// What there is to know of a failure besides its first difference, a line each.
 std::vector<std::string> details(const Failure&);
+/// Why a file among the baselines is left alone.
+std::string told_left_alone(const std::string& file);
 /// For XML and HTML: what they hold no way or would read as their own is replaced.
 std::string escaped(const std::string&);
 

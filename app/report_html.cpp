@@ -76,7 +76,7 @@ std::string to_html(const Report& r) {
   std::string sections;
   for (const Failure& f : r.failures) sections += section(r, f);
   for (const std::string& file : r.left_alone)
-    sections += fmt::format("<p>Left alone: {} was not made by isect.</p>\n", escaped(file));
+    sections += fmt::format("<p>Left alone: {}.</p>\n", escaped(told_left_alone(file)));
   std::string head = escaped(summary(r));
   if (const std::string command = accept_command(r); !command.empty())
     head += fmt::format("</p>\n<p>To accept all of it: <code>{}</code>", escaped(command));

@@ -32,7 +32,7 @@ std::vector<std::pair<std::string, Cases>> suites(const Report& r) {
   return found;
 }
 
-std::string test_case(const std::string& lesson, const std::string& preset, const Case& failures) {
+std::string test_case(const Report& r, const std::string& lesson, const std::string& preset, const Case& failures) {
   const std::string head = fmt::format("    <testcase classname=\"{}\" name=\"{}\"", escaped(lesson), escaped(preset));
   if (failures.empty()) return head + "/>\n";
   std::string text;
@@ -41,6 +41,11 @@ std::string test_case(const std::string& lesson, const std::string& preset, cons
     for (const std::string& more : f->more) text += "  " + more + "\n";
     for (const std::string& line : details(*f)) text += "  " + line + "\n";
   }
+  std::string accept;  // all of the preset, if anything can be
+  for (const Failure* f : failures)
+    if (accept.empty() || f->kind != Kind::missing)
+      if (const std::string command = accept_command(r, *f); !command.empty()) accept = command;
+  if (!accept.empty()) text += "to accept: " + accept + "\n";
   const Failure& first = *failures.front();
   const char* tag = first.kind == Kind::preset ? "error" : "failure";
   return fmt::format("{0}>\n      <{1} type=\"{2}\" message=\"{3}\">{4}</{1}>\n    </testcase>\n", head, tag,
@@ -80,7 +85,7 @@ std::string to_junit(const Report& r) {
   xml += fmt::format("<testsuites name=\"isect check\" {}>\n", counts(all));
   for (const auto& suite : all) {
     xml += fmt::format("  <testsuite name=\"{}\" {}>\n", escaped(suite.first), counts({suite}));
-    for (const auto& [preset, failures] : suite.second) xml += test_case(suite.first, preset, failures);
+    for (const auto& [preset, failures] : suite.second) xml += test_case(r, suite.first, preset, failures);
     xml += "  </testsuite>\n";
   }
   return xml + "</testsuites>\n";

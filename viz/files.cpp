@@ -10,6 +10,9 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <optional>
+
+#include "viz/writable.h"
 
 namespace isect::viz {
 namespace {
@@ -151,6 +154,26 @@ int replace(const std::string& path, const std::string& bytes, const struct stat
   }
 }
 
+/// What is there, if anything. Throws FileError where it may not be written to.
+std::optional<struct stat> stat_to_write(const std::string& path) {
+  struct stat there;
+  const bool exists = ::stat(path.c_str(), &there) == 0;
+  if (!exists && (errno != ENOENT || path.empty())) fail("write", path, errno);
+  if (!exists) return {};
+  if (S_ISDIR(there.st_mode)) fail("write", path, EISDIR);
+  if (own_stream(there) < 0 && ::euidaccess(path.c_str(), W_OK) != 0) fail("write", path, errno);  // rename won't ask
+  return there;
+}
+
+bool is_written_in_place(const struct stat& there) { return !S_ISREG(there.st_mode) || own_stream(there) >= 0; }
+
+void make_folder_of(const std::string& path) {
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  std::error_code error;
+  if (!folder.empty()) std::filesystem::create_directories(folder, error);
+  if (error) fail("write", path, error.value());
+}
+
 /// All that comes. Throws FileError, also where that is more than `most` bytes.
 std::string receive(int descriptor, const std::string& path, std::size_t most, std::size_t expected = 0) {
   std::string bytes;
@@ -169,23 +192,24 @@ std::string receive(int descriptor, const std::string& path, std::size_t most, s
 }  // namespace
 
 void write_file(const std::string& path, const std::string& bytes) {
-  struct stat there;
-  const bool exists = ::stat(path.c_str(), &there) == 0;
-  if (!exists && (errno != ENOENT || path.empty())) fail("write", path, errno);
-  if (exists && S_ISDIR(there.st_mode)) fail("write", path, EISDIR);
-  if (exists && (!S_ISREG(there.st_mode) || own_stream(there) >= 0)) {
-    if (const int reason = write_in_place(path, there, bytes); reason != 0) fail("write", path, reason);
+  const std::optional<struct stat> there = stat_to_write(path);
+  if (there && is_written_in_place(*there)) {
+    if (const int reason = write_in_place(path, *there, bytes); reason != 0) fail("write", path, reason);
     return;
   }
-  if (exists && ::euidaccess(path.c_str(), W_OK) != 0) fail("write", path, errno);  // rename would not ask
-
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  std::error_code error;
-  if (!folder.empty()) std::filesystem::create_directories(folder, error);
-  if (error) fail("write", path, error.value());
+  make_folder_of(path);
   const std::string target = without_links(path);
-  if (const int reason = replace(target, bytes, exists ? &there : nullptr); reason != 0)
+  if (const int reason = replace(target, bytes, there ? &*there : nullptr); reason != 0)
     fail("write", target == path ? path : path + "', a link to '" + target, reason);
+}
+
+void need_writable(const std::string& path) {
+  const std::optional<struct stat> there = stat_to_write(path);
+  if (there && is_written_in_place(*there)) return;  // a pipe's reader would take a trial for the end
+  make_folder_of(path);
+  const std::string target = name_beside(without_links(path));
+  if (const NewFile trial(target); trial.reason() != 0) fail("write", path, trial.reason());
+  ::unlink(target.c_str());
 }
 
 std::string read_file(const std::string& path, std::size_t most) {

@@ -77,19 +77,22 @@ void compare_all_steps(const Json& were, const Json& are, Changes& changes) {
   Json look_was, look_is;
   for (std::size_t i = 0; i < std::min(were.size(), are.size()); ++i) {
     changes.of_step(static_cast<int>(i));
+    changes.are_of(Change::Of::course);
     compare_steps(without_drawing(were[i]), without_drawing(are[i]), changes);
     look_was = snap::after(std::move(look_was), at(were[i], "drawing"));
     look_is = snap::after(std::move(look_is), at(are[i], "drawing"));
-    for (const std::string& what : snap::differences(look_was, look_is)) changes.add(what, true);
+    changes.are_of(Change::Of::drawing);
+    for (const std::string& what : snap::differences(look_was, look_is)) changes.add(what);
   }
   changes.of_step(-1);
+  changes.are_of(Change::Of::course);
   if (were.size() != are.size()) changes.add(fmt::format("{} steps became {}", were.size(), are.size()));
 }
 
 }  // namespace
 
 std::string trace_json(const Lesson& lesson, const std::string& preset, const Parameters& parameters, const Walk& walk,
-                       const std::vector<Drawing>& drawings, const Stamp& stamp) {
+                       const std::vector<Drawing>& drawings, const Stamp& stamp, Tells tells) {
   std::string text = fmt::format("{{\n\"format\": {},\n\"lesson\": {},\n\"preset\": {},\n", format_version,
                                  Json(lesson.id).dump(), Json(preset).dump());
   const Json made = {{"renderer", stamp.renderer}, {"font", stamp.font}, {"theme", stamp.theme}, {"size", stamp.size}};
@@ -97,7 +100,8 @@ std::string trace_json(const Lesson& lesson, const std::string& preset, const Pa
                       to_json(parameters), Json(walk.method).dump(), lines_of(walk.pseudocode));
   text += fmt::format("\"alt\": {},\n", Json(walk.alt).dump());
   if (lesson.opinions) text += fmt::format("\"opinions\": {},\n", lines_of(snap::said(lesson.opinions(parameters))));
-  if (!lesson.presets.empty() && preset == lesson.presets.front().id) {  // what is the same for all, said once
+  if (tells == Tells::lesson && !lesson.presets.empty() &&
+      preset == lesson.presets.front().id) {  // what is the same for all, said once
     if (lesson.closing) text += fmt::format("\"exercises\": {},\n", lines_of(snap::said(lesson.closing->exercises)));
     if (!lesson.errata.empty()) text += fmt::format("\"errata\": {},\n", lines_of(snap::said(lesson.errata)));
   }
@@ -126,14 +130,17 @@ std::vector<Change> compare_traces(const std::string& accepted, const std::strin
                              snap::shown(at(was, "format")), at(is, "format").dump())}};
 
   Changes changes;
+  changes.are_of(Change::Of::setting);
   changes.compare_all("", at(was, "made with").is_object() ? was["made with"] : Json::object(), is["made with"]);
-  compare_all_steps(was["steps"], is["steps"], changes);
   for (const std::string key : {"lesson", "preset", "method"}) changes.compare(key, at(was, key), is[key]);
   changes.compare_all("parameter ", at(was, "parameters").is_object() ? was["parameters"] : Json::object(),
                       is["parameters"]);
+  compare_all_steps(was["steps"], is["steps"], changes);
+  changes.are_of(Change::Of::course);
   compare_pseudocode(at(was, "pseudocode"), is["pseudocode"], changes);
-  changes.compare_texts("alt text", at(was, "alt"), is["alt"]);
   compare_opinions(at(was, "opinions"), at(is, "opinions"), changes);
+  changes.are_of(Change::Of::wording);
+  changes.compare_texts("alt text", at(was, "alt"), is["alt"]);
   compare_lists("exercise", at(was, "exercises"), at(is, "exercises"), changes);
   compare_lists("erratum", at(was, "errata"), at(is, "errata"), changes);
   return changes.take();

@@ -16,20 +16,26 @@ struct Stamp {
   std::string renderer, font, theme, size;
 };
 
+/// Whether a trace tells, besides its walk, what the lesson says of itself: exercises and errata, which stand in that of
+/// its first preset.
+enum class Tells { lesson, walk };
+
 /// One walk as JSON: all that its steps say, numbers to nine significant digits, and what their drawings show, object
 /// by object (viz/snapshot/look.h), each told where it is first drawn and where it changes. Same walk, same bytes.
 /// `drawings`: one a step.
 std::string trace_json(const Lesson&, const std::string& preset, const Parameters&, const Walk&,
-                       const std::vector<Drawing>& drawings, const Stamp&);
+                       const std::vector<Drawing>& drawings, const Stamp&, Tells = Tells::lesson);
 
 /// One thing that differs, in words: "m² < r² became = r²", "the ball b moved 3 px".
 struct Change {
   int step = -1;  ///< from 0; -1: not of one step
   std::string what;
-  bool drawn = false;  ///< seen in the drawing
+  /// What it is a change of, what explains most first: what the walk was made with, what its steps compute and decide,
+  /// how they put it, what they show.
+  enum class Of { setting, course, wording, drawing } of = Of::course;
 };
-/// What leads from the accepted trace to the new one, what explains most first: stamp, then steps in order, what each
-/// says before what it shows, then parameters and pseudocode. Empty if the traces say the same, though a drawing's
+/// What leads from the accepted trace to the new one: stamp and parameters, then steps in order, then pseudocode and
+/// what belongs to no step. Empty if the traces say the same, though a drawing's
 /// numbers may be rounded otherwise. An accepted trace that is damaged or of another format is one change.
 std::vector<Change> compare_traces(const std::string& accepted, const std::string& fresh);
 

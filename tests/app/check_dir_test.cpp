@@ -100,6 +100,64 @@ TEST_CASE("a preset that is broken is named, and its baselines are kept", "[chec
   CHECK(shell("isect check --dir course").status == 1);
 }
 
+TEST_CASE("a preset's file may be called as one of the lesson's own, and is guarded as any other", "[check]") {
+  const Shell shell;
+  const std::string text = R"({"lesson": "intervals", "preset": "touching"})";
+  for (const std::string name : {"touching", "my-touching"}) write(shell.work() / name / (name + ".json"), text);
+  for (const std::string name : {"touching", "my-touching"})
+    CHECK(shell("isect check --dir " + name + " --update=missing").status == 0);
+  const auto files = [&](const std::string& name) {
+    return isect::test::files_in(shell.work() / name / "snapshots/intervals" / name);
+  };
+  CHECK(files("touching").size() == 1 + 6);  // the trace, and a picture of each step
+  CHECK(files("touching") == files("my-touching"));
+
+  // What the lesson says of itself is told in the trace of its first preset, not in that of a file called so.
+  write(shell.work() / "first/overlapping.json", scene("overlapping"));
+  CHECK(shell("isect check --dir first --update=missing").status == 0);
+  CHECK_THAT(isect::test::contents(shell.work() / "first/snapshots/intervals/overlapping/trace.json"),
+             !Contains("\"exercises\""));
+  const Ran without = shell("isect check --preset touching/touching.json");
+  CHECK(without.status == 2);
+  CHECK_THAT(without.err, Contains("for files of yours give --dir"));
+}
+
+TEST_CASE("a preset that was moved is told as moved, in a line, and is accepted as such", "[check]") {
+  const AcceptedCourse shell;
+  fs::create_directories(shell.work() / "course/new");
+  fs::rename(shell.work() / "course/week-3.json", shell.work() / "course/new/week-4.json");
+  const Ran r = shell("isect check --dir course");
+  CHECK(r.status == 1);
+  CHECK_THAT(r.out, StartsWith("MOVED intervals new/week-4: says and shows what week-3 did, which is no more\n"
+                               "to accept it: isect check intervals --dir course --update=failed\n1 failure in "));
+  const auto result = nlohmann::json::parse(shell("isect check --dir course --json").out);
+  REQUIRE(result["failures"].size() == 1);
+  CHECK(result["failures"][0]["kind"] == "moved");
+
+  CHECK(shell(result["failures"][0]["accept"].get<std::string>()).status == 0);
+  CHECK_THAT(shell("isect check --dir course").out, StartsWith("ok: "));
+  CHECK_FALSE(fs::exists(shell.work() / "course/snapshots/intervals/week-3"));
+  CHECK(fs::exists(shell.work() / "course/snapshots/intervals/new/week-4/trace.json"));
+
+  // What says anything else is not the same preset under another name.
+  fs::remove(shell.work() / "course/new/week-4.json");
+  write(shell.work() / "course/week-5.json", scene("b-after-a"));
+  CHECK_THAT(shell("isect check --dir course").out,
+             Contains("MISSING intervals week-5") && Contains("belongs to no step") && !Contains("MOVED"));
+}
+
+TEST_CASE("a folder's only preset that was moved still has its baselines", "[check]") {
+  const Shell shell;
+  write(shell.work() / "notes/a.json", scene("overlapping"));
+  CHECK(shell("isect check --dir notes --update=missing").status == 0);
+  fs::rename(shell.work() / "notes/a.json", shell.work() / "notes/b.json");
+  const Ran r = shell("isect check --dir notes");
+  CHECK(r.status == 1);
+  CHECK_THAT(r.out, StartsWith("MOVED intervals b: ") && !Contains("no baselines"));
+  CHECK(shell(accept_command(r.out)).status == 0);
+  CHECK_THAT(shell("isect check --dir notes").out, StartsWith("ok: "));
+}
+
 TEST_CASE("figures go beside the presets without touching the baselines", "[check]") {
   const AcceptedCourse shell;
   const auto before = all_in(shell.work() / "course/snapshots");

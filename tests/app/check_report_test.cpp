@@ -1,5 +1,8 @@
 // What a check leaves to read: one command that accepts, a page, JUnit XML, and a word where there is nothing.
 
+#include <cstring>
+#include <set>
+
 #include "tests/app/accepted.h"
 
 namespace check_report_test {
@@ -48,6 +51,106 @@ TEST_CASE("one command accepts all that failed, word by word", "[check]") {
   fs::remove(shell.work() / "my 'notes'/b.json");
   follow(dir);
   CHECK_FALSE(fs::exists(shell.work() / "my 'notes'/snapshots/clipping"));
+}
+
+TEST_CASE("each command that is printed accepts, for presets and scenes of any name", "[check]") {
+  const std::vector<std::string> names = {"a",     "all", "a.json", "-x",   "two words", "it's",
+                                          "$(id)", "{b}", "[1,2]",  "a;b",  "über",      "sub/a",
+                                          "=",     "%s",  "#1",     "a\nb", "touching"};
+  const std::string box = R"({"objects": [{"box": "A", "lo": [0, 0, 0], "hi": [1, 1, 1]},
+                                          {"point": "p", "at": [0.5, 0.5, )";
+  const auto change = [&](const Shell& shell, const std::string& number) {
+    for (std::size_t i = 0; i < names.size(); ++i)
+      write(shell.work() / "figs" / (names[i] + ".json"),
+            i % 2 == 0 ? box + number + "]}], \"ask\": [[\"p\", \"A\"]]}"
+                       : R"({"lesson": "intervals", "preset": "touching", "parameters": {"b_max": )" + number + "}}");
+  };
+  const Shell shell;
+  change(shell, "4");
+  REQUIRE(shell("isect check --dir figs --update=missing").status == 0);
+  const std::string check_all = "isect check --dir figs";
+  const auto failing = [&] { return nlohmann::json::parse(shell(check_all + " --json").out)["failures"]; };
+  const auto preset_of = [](const nlohmann::json& f) { return f["preset"].get<std::string>(); };
+
+  change(shell, "5");
+  fs::remove(shell.work() / "figs/snapshots/scene/a/trace.json");
+  REQUIRE(shell(check_all + " --junit all.xml --report all.html").status == 1);
+  const std::string xml = contents(shell.work() / "all.xml"), html = contents(shell.work() / "all.html");
+  const auto plain = [](std::string text) {
+    for (const auto& [entity, c] : {std::pair{"&quot;", "\""}, {"&lt;", "<"}, {"&gt;", ">"}, {"&amp;", "&"}})
+      for (std::size_t at = 0; (at = text.find(entity, at)) != text.npos;) text.replace(at, std::strlen(entity), c);
+    return text;
+  };
+  nlohmann::json failures = failing();
+  std::set<std::string> seen;
+  for (const nlohmann::json& f : failures) {
+    if (!seen.insert(preset_of(f)).second) continue;
+    const std::string command = f["accept"];
+    INFO(command);
+    CHECK_THAT(plain(html), Contains("To accept: <code>" + command + "</code>"));
+    CHECK_THAT(plain(xml), Contains(preset_of(f) == "a" ? "isect check --preset a --dir figs --update=failed\n"
+                                                        : "to accept: " + command + "\n"));
+    for (const nlohmann::json& other : failures)  // what this one does not accept
+      if (preset_of(other) == preset_of(f) && other["accept"] != command) CHECK(shell(other["accept"]).status <= 1);
+    CHECK(shell(command).status == 0);
+    for (const nlohmann::json& left : failing()) CHECK(preset_of(left) != preset_of(f));
+  }
+  CHECK(seen.size() == names.size());
+  CHECK_THAT(shell(check_all).out, StartsWith("ok: "));
+  change(shell, "6");
+  CHECK(shell(accept_command(shell(check_all).out)).status == 0);
+  CHECK_THAT(shell(check_all).out, StartsWith("ok: "));
+}
+
+TEST_CASE("the command that accepts names the program as it was called", "[check]") {
+  const Shell shell;
+  const std::string elsewhere = "PATH=/usr/bin:/bin\n";
+  fs::create_directory(shell.work() / "my bin");
+  fs::create_symlink(ISECT_BIN "/isect", shell.work() / "my bin/isect");
+  const Ran r = shell(elsewhere + "'my bin/isect' check intervals --preset touching");
+  CHECK(accept_command(r.out) == "'my bin/isect' check intervals --preset touching --update=missing");
+  CHECK(shell(elsewhere + accept_command(r.out)).status == 0);
+}
+
+TEST_CASE("a baseline that Git LFS has not fetched yet is told as such, and is not replaced", "[check]") {
+  const Accepted shell;
+  const std::string pointer =
+      "version https://git-lfs.github.com/spec/v1\n"
+      "oid sha256:4d7a214614ab2935c943f9e0ff69d22eadbb8f32b1258daaa5e2ca24d17e2393\nsize 12345\n";
+  for (const std::string name : {"04-relation.png", "trace.json", "09-gone.png"}) {
+    write(shell.file(name), pointer);
+    const Ran r = shell(check);
+    INFO(r.out);
+    CHECK_THAT(r.out, Contains(isect::test::baselines + "/" + name + " is a Git LFS pointer") &&
+                          Contains("git lfs pull") && !Contains("not made by isect") && !Contains("move it away"));
+    if (name != "09-gone.png") CHECK(r.status == 1);
+    CHECK_THAT(shell(check + " --update=all").out, !Contains("not made by isect"));
+    CHECK(contents(shell.file(name)) == pointer);
+    fs::remove(shell.file(name));
+    REQUIRE(shell(check + " --update=missing").status == 0);
+  }
+}
+
+TEST_CASE("a report that can't be written is told before the work, and the result even where it fails after",
+          "[check]") {
+  const Accepted shell;
+  accept_other_interval(shell);
+  for (const std::string option : {"--report ", "--junit "}) {
+    write(shell.work() / "file", "");
+    const Ran early = shell(check + " " + option + "file/page");
+    CHECK(early.status == 4);
+    CHECK_THAT(early.err, Contains("file/page"));
+    CHECK(early.out.empty());
+    CHECK_FALSE(fs::exists(shell.file("04-relation.new.png")));  // nothing was drawn
+
+    const Ran late = shell(check + " " + option + "/dev/full");
+    CHECK(late.status == 4);
+    CHECK_THAT(late.err, Contains("No space left"));
+    CHECK_THAT(late.out,
+               Contains("parameter b_min was") && Contains("failures in 6 pictures and the trace of 1 preset"));
+    CHECK(accept_command(late.out) == check + " --update=failed");
+    fs::remove(shell.file("04-relation.new.png"));
+  }
 }
 
 TEST_CASE("where nothing can be written a difference is still told in words", "[check]") {

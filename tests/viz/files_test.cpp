@@ -1,4 +1,5 @@
 #include "viz/files.h"
+#include "viz/writable.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -180,6 +181,19 @@ TEST_CASE("a path that cannot be written is named with the reason", "[files]") {
   CHECK(contains(message_of([&] { write_file(folder / "full", "y"); }), "Is a directory"));
   CHECK(folder.entries() == 2);
   CHECK(contains(message_of([] { write_file("", "y"); }), "cannot write ''"));
+}
+
+TEST_CASE("whether a file can be written is known before there is anything to write", "[files]") {
+  const Folder folder;
+  write_file(folder / "file", "x");
+  fs::create_directory(folder / "full");
+  for (const std::string path : {folder / "file/below", folder / "full", std::string()})
+    CHECK(message_of([&] { need_writable(path); }) == message_of([&] { write_file(path, "y"); }));
+  for (const std::string path : {folder / "file", folder / "new", folder / "made/new", std::string("/dev/full")})
+    need_writable(path);
+  CHECK(read_file(folder / "file") == "x");
+  CHECK(folder.entries() == 3);  // the folder, which is made, and nothing in it
+  CHECK(fs::is_empty(folder / "made"));
 }
 
 TEST_CASE("a link is written through and stays, to a file, to a link, and to a file yet to be made", "[files]") {

@@ -21,6 +21,7 @@ struct Saying {
   Said kind;
   std::string subject, verb;  ///< "the ball b", "moved"
   double pixels = 0;          ///< how far, where that is said
+  std::string what = {};      ///< of the subject the verb is said: "width"; empty: of itself
 };
 
 bool is_colour(const std::string& key) { return key.ends_with("colour") || key == "rim"; }
@@ -108,16 +109,19 @@ std::string in_words(const Json& colour) {
   return t[3] == 255 ? text : text + fmt::format(" at {:.1f} %", t[3] / 2.55);
 }
 
-/// "is dashed now", "is 2.1 px wide, was 2".
-std::string style_saying(const std::string& key, const Json& was, const Json& is) {
+/// "is dashed now"; empty where it is told in values.
+std::string turn_of_style(const std::string& key, const Json& was, const Json& is) {
   const auto absent = [](const Json& j) { return j.is_string() && j == "absent"; };
   if (key == "dash" && absent(was)) return "is dashed now";
   if (key == "dash" && absent(is)) return "is solid now";
   if (key == "hatch" && absent(was)) return "is hatched now";
   if (key == "hatch" && absent(is)) return "is not hatched any more";
-  if (key == "width") return fmt::format("is {} px wide, was {}", is.dump(), was.dump());
-  if (is_colour(key)) return fmt::format("has the {} {}, was {}", key, in_words(is), in_words(was));
-  return fmt::format("has {} {}, was {}", key, shown(is), shown(was));
+  return {};
+}
+
+std::string style_value(const std::string& key, const Json& value) {
+  if (key == "width") return value.dump() + " px";
+  return is_colour(key) ? in_words(value) : shown(value);
 }
 
 /// Collects what is said of one object.
@@ -126,8 +130,7 @@ class Comparer {
   Comparer(const std::string& name, std::vector<Saying>& out) : subject_("the " + name), out_(out) {}
 
   void compare(const Json& was, const Json& is) {
-    if (at(was, "role") != at(is, "role"))
-      say(Said::role, fmt::format("plays the part {}, was {}", shown(at(is, "role")), shown(at(was, "role"))));
+    if (at(was, "role") != at(is, "role")) say_value(Said::role, "role", shown(at(was, "role")), shown(at(is, "role")));
     std::vector<Json> old_parts = parts_of(was), new_parts = parts_of(is);
     match(old_parts, new_parts);
     for (const auto& [a, b] : pairs_) compare_parts(a, b);
@@ -175,10 +178,14 @@ class Comparer {
         moved = true;
       } else if (key == "text") {
         const std::string old_text = plain(shown(a)), new_text = plain(shown(b));
-        say(Said::text, old_text == new_text ? fmt::format("says {}, said {}", b.dump(), a.dump())
-                                             : fmt::format("says “{}”, said “{}”", new_text, old_text));
+        if (old_text == new_text)
+          say_value(Said::text, "markup", a.dump(), b.dump());
+        else
+          say_value(Said::text, "text", "“" + old_text + "”", "“" + new_text + "”");
+      } else if (const std::string turn = turn_of_style(key, a, b); !turn.empty()) {
+        say(Said::style, turn);
       } else {
-        say(Said::style, style_saying(key, a, b));
+        say_value(Said::style, key, style_value(key, a), style_value(key, b));
       }
     };
     for (const auto& item : is.items()) one(item.key(), at(was, item.key()), item.value());
@@ -205,6 +212,9 @@ class Comparer {
       say(Said::shape, motion_.most >= 0.02 ? "changed its shape" : "changed its inner shape", motion_.most);
   }
   void say(Said kind, const std::string& verb, double pixels = 0) { out_.push_back({kind, subject_, verb, pixels}); }
+  void say_value(Said kind, const std::string& what, const std::string& was, const std::string& is) {
+    out_.push_back({kind, subject_, fmt::format("was {}, is {}", was, is), 0, what});
+  }
 
   std::string subject_;
   std::vector<Saying>& out_;
@@ -286,7 +296,7 @@ std::string joined(const std::vector<std::string>& subjects) {
 
 std::string of_several(const std::string& verb) {
   constexpr std::pair<std::string_view, std::string_view> forms[] = {
-      {"is ", "are "}, {"has ", "have "}, {"says ", "say "}, {"plays ", "play "}, {"lies ", "lie "}};
+      {"is ", "are "}, {"has ", "have "}, {"lies ", "lie "}};
   for (const auto& [one, many] : forms)
     if (verb.starts_with(one)) return std::string(many) + verb.substr(one.size());
   return verb;
@@ -302,12 +312,13 @@ std::vector<std::string> sentences(std::vector<Saying> sayings) {
     const Saying first = sayings.front();
     std::vector<std::string> subjects;
     std::erase_if(sayings, [&](const Saying& s) {
-      if (s.kind != first.kind || s.verb != first.verb) return false;
+      if (s.kind != first.kind || s.what != first.what || s.verb != first.verb) return false;
       if (std::ranges::find(subjects, s.subject) == subjects.end()) subjects.push_back(s.subject);
       return true;
     });
-    std::string text = joined(subjects) + ' ' + first.verb;
-    if (subjects.size() > 1) text = joined(subjects) + ' ' + of_several(first.verb);
+    const bool many = subjects.size() > 1 && first.what.empty();
+    std::string text = (first.what.empty() ? "" : "the " + first.what + " of ") + joined(subjects) + ' ' +
+                       (many ? of_several(first.verb) : first.verb);
     if (first.pixels > 0)
       text += fmt::format(" {}{:.2g} px", subjects.size() > 1 || first.kind == Said::shape ? "by up to " : "",
                           first.pixels);

@@ -20,8 +20,9 @@ Json said(const std::vector<Erratum>&);
 class Changes {
  public:
   void of_step(int step) { step_ = step; }
+  void are_of(Change::Of what) { of_ = what; }
   /// What is said already (a value that is also compared) is not said twice.
-  void add(const std::string& what, bool drawn = false);
+  void add(const std::string& what);
   void compare(const std::string& name, const Json& was, const Json& is);
   /// A text with markup: shows the words around what differs.
   void compare_texts(const std::string& name, const Json& was, const Json& is);
@@ -32,6 +33,7 @@ class Changes {
 
  private:
   int step_ = -1;
+  Change::Of of_ = Change::Of::course;
   std::vector<Change> found_;
 };
 

@@ -98,9 +98,9 @@ void compare_questions(const Json& was, const Json& is, Changes& changes) {
 
 }  // namespace
 
-void Changes::add(const std::string& what, bool drawn) {
+void Changes::add(const std::string& what) {
   const auto known = [&](const Change& c) { return c.step == step_ && c.what == what; };
-  if (std::ranges::none_of(found_, known)) found_.push_back({step_, what, drawn});
+  if (std::ranges::none_of(found_, known)) found_.push_back({step_, what, of_});
 }
 
 void Changes::compare(const std::string& name, const Json& was, const Json& is) {
@@ -135,6 +135,7 @@ void compare_steps(const Json& was, const Json& is, Changes& changes) {
   for (const std::string key : {"title", "formula"}) changes.compare_texts(key, at(was, key), at(is, key));
   compare_values(at(was, "values"), at(is, "values"), changes);
   if (at(was, "counters").is_object()) changes.compare_all("count of ", at(was, "counters"), at(is, "counters"));
+  changes.are_of(Change::Of::wording);
   compare_questions(at(was, "question"), at(is, "question"), changes);
   for (const std::string key : {"caption", "source"}) changes.compare_texts(key, at(was, key), at(is, key));
   if (changes.count() == before) changes.add("is written differently");
