@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <locale>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "app/gallery.h"
 #include "app/options.h"
@@ -17,6 +19,7 @@
 #include "app/surroundings.h"
 #include "app/terminal.h"
 #include "viz/chart.h"
+#include "viz/direction.h"
 #include "viz/files.h"
 #include "viz/rich_text.h"
 
@@ -29,7 +32,7 @@ using Json = nlohmann::ordered_json;
 struct RenderOptions {
   Selection asked;
   StyleOptions style;
-  std::string dir, out = "figures", backend = "auto", each;
+  std::string dir, out = "figures", backend = "auto", each, camera;
   double seconds = 2.5;  ///< of each step, where they move
 };
 
@@ -161,11 +164,31 @@ bool choose_folder(const Program& program, RenderOptions& options) {
   return folder.broken.empty();
 }
 
+/// All seen from there. A lesson of one plane is refused.
+void turn(std::vector<Excerpt>& chosen, const std::string& direction) {
+  double azimuth = 0, elevation = 0;
+  char comma = 0, more = 0;
+  std::istringstream text(direction);
+  text.imbue(std::locale::classic());
+  if (!(text >> azimuth >> comma >> elevation) || comma != ',' || text >> more ||
+      !(std::abs(azimuth) <= 360 && std::abs(elevation) <= 90))
+    throw viz::BadInput(
+        fmt::format("camera: \"{}\" is not allowed; give AZIMUTH,ELEVATION in degrees, -360 to 360 and "
+                    "-90 to 90, such as 70,35",
+                    direction));
+  for (Excerpt& e : chosen) {
+    if (e.lesson->flat)
+      throw viz::BadInput(fmt::format("camera: {} lies in one plane and is seen straight on", e.lesson->id));
+    e.camera = viz::seen_from(*e.lesson, e.walk, azimuth, elevation);
+  }
+}
+
 int render(const Program& program, RenderOptions options) {
   if (!options.each.empty()) options.seconds = seconds_of(options.each);
   const bool whole = options.dir.empty() || choose_folder(program, options);
   if (!whole && options.asked.files.empty()) return bad_input;
-  const std::vector<Excerpt> chosen = excerpts(program, options.asked);
+  std::vector<Excerpt> chosen = excerpts(program, options.asked);
+  if (!options.camera.empty()) turn(chosen, options.camera);
   Studios studios(chosen, options);  // a font is chosen before any is looked at
   need_surroundings(program);
   const std::vector<Job> jobs = jobs_of(chosen, studios);
@@ -202,7 +225,8 @@ void add_render(CLI::App& app, Program& program) {
   add_preset(
       sub, options->asked, Takes::many,
       "presets, files with one each, or all; the first if not given.\nSeveral are joined by commas, or each has its "
-      "--preset. A word\nthat ends in .json or has a slash is a file, whose step and\ncamera are honoured");
+      "--preset. A word\nthat ends in .json or has a slash is a file, whose step and\ncamera (angles in degrees) are "
+      "honoured");
   add_path(sub, "--dir", options->dir, "all preset files of this folder and of those below it", "DIR")
       ->excludes("--preset")
       ->excludes("--all");
@@ -212,6 +236,11 @@ void add_render(CLI::App& app, Program& program) {
            "card. If\nnot given, that of the preset's file, or all");
   add_scene_file(sub, program, options->asked);
   add_set(sub, options->asked);
+  sub.add_option(
+         "--camera", options->camera,
+         "where space is seen from, in degrees: azimuth, 0 from +z and 90\nfrom +x, and elevation, 90 from above")
+      ->type_name("AZ,EL")
+      ->check(not_empty());
   add_style(sub, options->style, viz::format_names());
   sub.add_option("--seconds", options->each,
                  "of each step in gif, apng and mp4; 2.5 if not given; a card of\ntext stays four times as long")

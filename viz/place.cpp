@@ -7,6 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "viz/compose.h"
+#include "viz/direction.h"
+
 namespace isect::viz {
 
 namespace {
@@ -29,10 +32,30 @@ Json json(const Parameters& parameters) {
   return object;
 }
 
+constexpr double pi = std::numbers::pi;
+
+double in_radians(double degrees) { return degrees * pi / 180; }
+
+/// The number of fewest digits that is read as this angle, so that 30 stays 30; the nearest where none is.
+double in_degrees(double radians) {
+  const double exact = radians / pi * 180;
+  for (int digits = 1; digits <= 17; ++digits) {
+    const double degrees = std::stod(fmt::format("{:.{}g}", exact, digits));
+    if (in_radians(degrees) == radians) return degrees;
+  }
+  return exact;
+}
+
+double within_a_turn(double radians) { return std::abs(radians) > 2 * pi ? std::remainder(radians, 2 * pi) : radians; }
+
 Json json(const Camera& camera) {
-  return {{"target", json(camera.target)},     {"azimuth", camera.azimuth},
-          {"elevation", camera.elevation},     {"half_height", camera.half_height},
-          {"perspective", camera.perspective}, {"field_of_view", camera.field_of_view}};
+  return {{"angles", "degrees"},
+          {"target", json(camera.target)},
+          {"azimuth", in_degrees(within_a_turn(camera.azimuth))},
+          {"elevation", in_degrees(camera.elevation)},
+          {"half_height", camera.half_height},
+          {"perspective", camera.perspective},
+          {"field_of_view", in_degrees(camera.field_of_view)}};
 }
 
 /// Nothing of ours nests deeper. What does would crash whoever shows it: the library writes JSON by recursion.
@@ -67,10 +90,11 @@ std::string text_of(const Json& value, const std::string& field) {
   return value.get<std::string>();
 }
 
-double number_of(const Json& value, const std::string& field, double lo, double hi) {
+double number_of(const Json& value, const std::string& field, double lo, double hi,
+                 const std::string& unit = "a number") {
   const double x = value.is_number() ? value.get<double>() : NAN;
   if (!(x >= lo && x <= hi))
-    throw BadInput(fmt::format("{}: {} is not allowed; give a number from {} to {}", field, value.dump(), lo, hi));
+    throw BadInput(fmt::format("{}: {} is not allowed; give {} from {} to {}", field, value.dump(), unit, lo, hi));
   return x;
 }
 
@@ -100,17 +124,58 @@ Parameters parameters_of(const Json& object, const Lesson& lesson, Parameters pa
   return parameters;
 }
 
-Camera camera_of(const Json& object, const Lesson& lesson) {
-  only_fields(object, "camera", {"target", "azimuth", "elevation", "half_height", "perspective", "field_of_view"});
+enum class Angles { degrees, radians };
+constexpr double widest_in_radians = 3.1;
+
+/// Degrees, but that isect wrote radians once. Its files of that time name the field of view, which is at most 3.1
+/// there and no such slit in degrees; what people wrote themselves may be either where all angles are as small as
+/// radians are.
+Angles angles_of(const Json& camera, const Lesson& lesson) {
+  if (camera.contains("angles")) {
+    const std::string unit = text_of(camera["angles"], "camera angles");
+    if (unit != "degrees" && unit != "radians") throw unknown("camera angles", unit, {"degrees", "radians"});
+    return unit == "degrees" ? Angles::degrees : Angles::radians;
+  }
+  const auto of = [&](const std::string& field) {
+    return camera.contains(field) && camera[field].is_number() ? camera[field].get<double>() : 0;
+  };
+  if (camera.contains("field_of_view"))
+    return of("field_of_view") > widest_in_radians ? Angles::degrees : Angles::radians;
+  const double most = std::max(std::abs(of("azimuth")), std::abs(of("elevation")));
+  if (most == 0 || most > 3.15 || lesson.flat) return Angles::degrees;
+  const std::string field = std::abs(of("azimuth")) == most ? "azimuth" : "elevation";
+  throw BadInput(
+      fmt::format("camera {}: {} can be degrees, or radians as in older files; add \"angles\": \"degrees\" or "
+                  "\"angles\": \"radians\" to the camera",
+                  field, camera[field].dump()));
+}
+
+/// All of the walk in the frame.
+Camera framed(const Camera& direction, const Walk& walk) {
+  return frame_alike(direction, walk, {walk}, picture_aspect(walk, ThemeName::screen, 960, 600));
+}
+
+/// Where only a direction is given, in degrees, the walk is framed from there.
+Camera camera_of(const Json& object, const Lesson& lesson, const Parameters& parameters) {
+  only_fields(object, "camera",
+              {"angles", "target", "azimuth", "elevation", "half_height", "perspective", "field_of_view"});
   Camera camera = opening(lesson);
-  const auto number = [&](const std::string& field, double& to, double lo, double hi) {
-    if (object.contains(field)) to = number_of(object[field], "camera " + field, lo, hi);
+  const bool degrees = angles_of(object, lesson) == Angles::degrees;
+  struct Range {
+    double lo, hi;
+  };
+  const auto angle = [&](const std::string& field, double& to, Range of_degrees, Range of_radians) {
+    if (!object.contains(field)) return;
+    const auto& [lo, hi] = degrees ? of_degrees : of_radians;
+    const double given = number_of(object[field], "camera " + field, lo, hi, degrees ? "degrees" : "radians");
+    to = degrees ? in_radians(given) : given;
   };
   if (object.contains("target")) camera.target = point_of(object["target"], "camera target");
-  number("azimuth", camera.azimuth, -1e6, 1e6);
-  number("elevation", camera.elevation, -std::numbers::pi / 2, std::numbers::pi / 2);
-  number("half_height", camera.half_height, 1e-300, 1e300);
-  number("field_of_view", camera.field_of_view, 0.01, 3.1);
+  angle("azimuth", camera.azimuth, {-360, 360}, {-1e6, 1e6});
+  angle("elevation", camera.elevation, {-90, 90}, {-pi / 2, pi / 2});
+  angle("field_of_view", camera.field_of_view, {0.5, 178}, {0.01, widest_in_radians});
+  if (object.contains("half_height"))
+    camera.half_height = number_of(object["half_height"], "camera half_height", 1e-300, 1e300);
   if (object.contains("perspective")) {
     const Json& value = object["perspective"];
     if (!value.is_boolean())
@@ -121,7 +186,9 @@ Camera camera_of(const Json& object, const Lesson& lesson) {
     throw BadInput(fmt::format(
         "camera: {} lies in one plane and is seen straight on; leave azimuth, elevation and perspective out",
         lesson.id));
-  return camera;
+  const bool turned = object.contains("azimuth") || object.contains("elevation");
+  const bool placed = object.contains("target") || object.contains("half_height");
+  return degrees && turned && !placed ? framed(camera, lesson.walk(parameters)) : camera;
 }
 
 int step_of(const Json& value, std::size_t steps) {
@@ -162,13 +229,19 @@ Place place_of(const Json& object, const std::vector<const Lesson*>& lessons) {
   if (object.contains("parameters")) parameters = parameters_of(object["parameters"], lesson, parameters);
   place.parameters = parameters;
 
-  if (object.contains("camera")) place.camera = camera_of(object["camera"], lesson);
+  if (object.contains("camera")) place.camera = camera_of(object["camera"], lesson, parameters);
   if (object.contains("beside")) place.beside = beside_of(object["beside"], lesson);
   if (object.contains("step")) place.step = step_of(object["step"], lesson.walk(parameters).steps.size());
   return place;
 }
 
 }  // namespace
+
+Camera seen_from(const Lesson& lesson, const Walk& walk, double azimuth, double elevation) {
+  Camera camera = opening(lesson);
+  camera.azimuth = in_radians(azimuth), camera.elevation = in_radians(elevation);
+  return framed(camera, walk);
+}
 
 std::string to_json(const Parameters& parameters) { return json(parameters).dump(); }
 

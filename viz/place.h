@@ -27,8 +27,8 @@ struct Place {
 };
 
 std::string to_json(const Place&);
-/// Reads what to_json writes, and less: parameters that are not given keep the values of the preset, or of
-/// the lesson where none is named, and what a camera leaves out is the lesson's own. Throws BadInput naming the field.
+/// Reads what to_json writes, and less: what is left out is the preset's, or the lesson's own. A camera's angles are in
+/// degrees; those of older files, in radians, are read as such (viz/direction.h). Throws BadInput naming the field.
 Place place_from_json(const std::string& text, const std::vector<const Lesson*>&);
 
 /// What a figure carries inside: lesson, preset, step, parameters, camera and version.

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <set>
 
 #include "app/values.h"
@@ -28,7 +29,7 @@ namespace {
 const std::string tangent = R"({"lesson": "ray-sphere", "preset": "tangent"})";
 const std::string from_above =
     R"({"lesson": "ray-sphere", "preset": "tangent", "step": 3,
-        "camera": {"target": [0, 0, 0], "azimuth": 0.5, "elevation": 1.25, "half_height": 4}})";
+        "camera": {"target": [0, 0, 0], "azimuth": 30, "elevation": 70, "half_height": 4}})";
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
@@ -197,8 +198,55 @@ TEST_CASE("the camera of a preset's file is the one that is drawn with", "[selec
   // The figure carries it on, so that `show FIGURE.png` sees the same.
   const viz::Place place = viz::place_from_metadata(viz::png_metadata(png), isect::lessons::all_lessons());
   REQUIRE(place.camera);
-  CHECK(place.camera->elevation == 1.25);
+  CHECK(place.camera->elevation == 70 * std::numbers::pi / 180);
   CHECK(place.camera->half_height == 4);
+}
+
+TEST_CASE("a file from before angles were degrees is drawn to the pixel as it was", "[select]") {
+  const Shell shell;
+  // What Ctrl+C copied then, and what a figure carried: all six numbers, the angles in radians.
+  const auto with = [](const std::string& camera) {
+    return R"({"lesson": "obb-obb", "preset": "edges", "step": 4, "camera": {)" + camera + "}}";
+  };
+  write(shell.work() / "old.json",
+        with(R"("target":[0.25,0.5,0.0],"azimuth":1.1344640137963142,"elevation":0.4886921905584123,
+                "half_height":2.5,"perspective":true,"field_of_view":0.6108652381980153)"));
+  write(shell.work() / "new.json", with(R"("angles":"degrees","target":[0.25,0.5,0.0],"azimuth":65.0,"elevation":28.0,
+                "half_height":2.5,"perspective":true,"field_of_view":35.0)"));
+  const auto drawn = [&](const std::string& file) {
+    const Ran r = shell("isect render --preset " + file + " --out - --format png");
+    CHECK(r.err.empty());
+    return viz::read_png(r.out).rgba;
+  };
+  CHECK(drawn("old.json") == drawn("new.json"));
+  write(shell.work() / "small.json", with(R"("azimuth": 0.5, "elevation": 0.35)"));
+  const Ran either = shell("isect render --preset small.json");
+  CHECK(either.status == 2);
+  CHECK_THAT(either.err, Contains("small.json: camera azimuth: 0.5 can be degrees, or radians"));
+}
+
+TEST_CASE("another direction is asked for in degrees, and all is in the frame", "[select]") {
+  const Shell shell;
+  const auto drawn = [&](const std::string& words) {
+    const Ran r = shell("isect render " + words + " --step 4 --out - --format png");
+    INFO(words << ": " << r.err);
+    REQUIRE(r.status == 0);
+    return r.out;
+  };
+  const auto pixels = [&](const std::string& png) { return viz::read_png(png).rgba; };
+  const std::string turned = drawn("obb-obb --preset edges --camera 70,35");
+  CHECK(pixels(turned) != pixels(drawn("obb-obb --preset edges")));
+  CHECK(pixels(drawn("obb-obb --preset edges --camera -30,-35")) != pixels(turned));
+  write(shell.work() / "p.json",
+        R"({"lesson": "obb-obb", "preset": "edges", "camera": {"azimuth": 70, "elevation": 35}})");
+  CHECK(pixels(drawn("--preset p.json")) == pixels(turned));
+  write(shell.work() / "turned.png", turned);
+  CHECK(pixels(drawn("turned.png")) == pixels(turned));  // a figure is drawn anew from where it was seen
+
+  for (const std::string wrong : {"70", "70,95", "400,0", "a,b", "1,2,3", "nan,0", "''"})
+    CHECK_THAT(shell("isect render obb-obb --camera " + wrong).err, Contains("camera"));
+  CHECK(shell("isect render obb-obb --camera 70,95").status == 2);
+  CHECK_THAT(shell("isect render rays --camera 70,35").err, Contains("camera: rays lies in one plane"));
 }
 
 TEST_CASE("a flat lesson is seen straight on, whatever a file says", "[select]") {

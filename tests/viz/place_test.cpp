@@ -2,8 +2,15 @@
 
 #include "viz/place.h"
 
+#include <cmath>
+#include <numbers>
+
+#include "bench/random.h"
 #include "tests/catch.h"
+#include "tests/settings.h"
 #include "tests/viz/toy_lesson.h"
+#include "viz/compose.h"
+#include "viz/direction.h"
 
 namespace place_test {
 using namespace isect::viz;
@@ -33,12 +40,14 @@ void check_same(const Place& a, const Place& b) {
   REQUIRE(a.camera.has_value() == b.camera.has_value());
   if (!a.camera) return;
   CHECK(a.camera->target == b.camera->target);
-  CHECK(a.camera->azimuth == b.camera->azimuth);
-  CHECK(a.camera->elevation == b.camera->elevation);
+  CHECK_THAT(a.camera->azimuth, Catch::Matchers::WithinULP(b.camera->azimuth, 1));  // not all angles are degrees
+  CHECK_THAT(a.camera->elevation, Catch::Matchers::WithinULP(b.camera->elevation, 1));
   CHECK(a.camera->half_height == b.camera->half_height);
   CHECK(a.camera->perspective == b.camera->perspective);
-  CHECK(a.camera->field_of_view == b.camera->field_of_view);
+  CHECK_THAT(a.camera->field_of_view, Catch::Matchers::WithinULP(b.camera->field_of_view, 1));
 }
+
+Place seen(const std::string& camera) { return read("{\"lesson\": \"toy\", \"camera\": " + camera + "}"); }
 
 }  // namespace
 
@@ -52,6 +61,73 @@ TEST_CASE("a place goes through JSON and through a figure's metadata unchanged",
   check_same(place_from_metadata(metadata(preset), lessons), preset);
   CHECK(metadata(preset).at("version") == version());
   CHECK(metadata(preset).at("step") == "2");  // counted from 1, as people do
+}
+
+TEST_CASE("a camera's angles are degrees, and those that were typed come back as they were", "[place]") {
+  const Camera degrees = *seen(R"({"azimuth": 70, "elevation": 35, "field_of_view": 30})").camera;
+  CHECK(degrees.azimuth == 70 * std::numbers::pi / 180);
+  CHECK(degrees.elevation == 35 * std::numbers::pi / 180);
+  CHECK(degrees.field_of_view == 30 * std::numbers::pi / 180);
+  CHECK_THAT(to_json(Place{"toy", "", {}, {}, Camera{}}),
+             Contains(R"("angles":"degrees","azimuth":30.0,"elevation":22.0)") && Contains(R"("field_of_view":35.0)"));
+  CHECK(seen(R"({"elevation": 90})").camera->elevation == std::numbers::pi / 2);
+
+  isect::bench::Random random(isect::bench::stream(isect::tests::seed(), "camera"));
+  for (int i = 0; i < 10000; ++i) {
+    Place place = full_place();
+    place.camera->azimuth = random.uniform(-7, 7), place.camera->elevation = random.uniform(-1.5, 1.5);
+    const Place once = read(to_json(place)), twice = read(to_json(once));
+    CHECK_THAT(std::remainder(once.camera->azimuth - place.camera->azimuth, 2 * std::numbers::pi),
+               Catch::Matchers::WithinAbs(0, 2e-15));
+    CHECK(once.camera->elevation == twice.camera->elevation);  // nothing drifts
+    CHECK(once.camera->azimuth == twice.camera->azimuth);
+  }
+}
+
+TEST_CASE("a camera from before angles were degrees is read as it was", "[place]") {
+  const Camera old = *seen(R"({"target":[0.1,2.0,-3.0],"azimuth":0.52359877559829882,"elevation":-1.25,
+                               "half_height":2.5,"perspective":true,"field_of_view":0.6108652381980153})")
+                          .camera;
+  CHECK(old.azimuth == 0.52359877559829882);
+  CHECK(old.elevation == -1.25);
+  CHECK(old.field_of_view == 0.6108652381980153);
+  CHECK(place_from_metadata({{"lesson", "toy"}, {"camera", R"({"azimuth":70.0,"field_of_view":0.61})"}}, lessons)
+            .camera->azimuth == 70);
+  CHECK(seen(R"({"angles": "radians", "azimuth": 0.5})").camera->azimuth == 0.5);
+  CHECK(seen(R"({"angles": "degrees", "azimuth": 0.5})").camera->azimuth == 0.5 * std::numbers::pi / 180);
+
+  // What people wrote themselves can be either where all angles are small; nobody guesses.
+  for (const std::string small : {R"({"azimuth": 0.5, "elevation": 1.25})", R"({"elevation": -1, "half_height": 2})"})
+    CHECK_THROWS_WITH(seen(small), Contains("can be degrees, or radians as in older files") &&
+                                       Contains("\"angles\": \"degrees\" or \"angles\": \"radians\""));
+  for (const std::string sure : {R"({"azimuth": 0, "elevation": 0})", R"({"azimuth": 1, "elevation": 20})"})
+    CHECK_NOTHROW(seen(sure));
+}
+
+TEST_CASE("messages about angles name the unit", "[place]") {
+  CHECK_THROWS_WITH(seen(R"({"elevation": 95})"),
+                    Contains("camera elevation: 95") && Contains("degrees from -90 to 90"));
+  CHECK_THROWS_WITH(seen(R"({"azimuth": 361})"), Contains("degrees from -360 to 360"));
+  CHECK_THROWS_WITH(seen(R"({"field_of_view": 179})"), Contains("degrees from 0.5 to 178"));
+  CHECK_THROWS_WITH(seen(R"({"elevation": 35, "field_of_view": 0.6})"), Contains("radians from -1.57"));
+  CHECK_THROWS_WITH(seen(R"({"angles": "degress", "azimuth": 3})"), Contains("mean \"degrees\""));
+}
+
+TEST_CASE("a camera with nothing but a direction has all in its frame, and keeps it", "[place]") {
+  const Place turned = seen(R"({"azimuth": 70, "elevation": 35})");
+  const Walk walk = toy().walk(*turned.parameters);
+  for (const Step& step : walk.steps) {
+    const Box2 box = extent(step.scene.items, *turned.camera);
+    CHECK(box.hi.y() - box.lo.y() <= 2 * turned.camera->half_height);
+    CHECK(box.hi.x() - box.lo.x() <= 2 * turned.camera->half_height * 1.6);
+  }
+  CHECK(turned.camera == seen_from(toy(), walk, 70, 35));
+  check_same(read(to_json(turned)), turned);
+  check_same(place_from_metadata(metadata(turned), lessons), turned);
+  CHECK(seen(R"({"azimuth": 70, "half_height": 2})").camera->half_height == 2);
+  // What says nothing of the direction, or is in radians, is read as it always was.
+  for (const std::string plain : {R"({"perspective": true})", R"({"angles": "radians", "azimuth": 0.5})"})
+    CHECK(seen(plain).camera->half_height == opening(toy()).half_height);
 }
 
 TEST_CASE("what a file leaves out comes from the preset, or from the lesson", "[place]") {
@@ -85,7 +161,7 @@ TEST_CASE("a wrong field of a place is named", "[place]") {
   CHECK_THROWS_WITH(read(R"({"lesson": "toy", "parameters": {"origin": [1, 2, "x"]}})"), Contains("origin"));
   for (const std::string step : {"0", "4", "-1", "1.5", "\"2\"", "99999999999999999999"})
     CHECK_THROWS_WITH(read(R"({"lesson": "toy", "step": )" + step + "}"), Contains("step") && Contains("1 to 3"));
-  for (const std::string camera : {"3", R"({"target": 1})", R"({"half_height": 0})", R"({"elevation": 2})",
+  for (const std::string camera : {"3", R"({"target": 1})", R"({"half_height": 0})", R"({"elevation": 95})",
                                    R"({"perspective": 1})", R"({"azimut": 1})"})
     CHECK_THROWS_WITH(read(R"({"lesson": "toy", "camera": )" + camera + "}"), Contains("camera"));
 }
