@@ -98,14 +98,14 @@ void write_line(const std::string& text) {
     printing_failed();
 }
 
-query::Answer answer(Lines::Next next, const std::string& line) {
+query::Answer answer(Lines::Next next, const std::string& line, std::size_t number) {
   switch (next) {
     case Lines::Next::too_long:
-      return query::too_long();
+      return query::too_long(number);
     case Lines::Next::out_of_memory:
-      return query::out_of_memory();
+      return query::out_of_memory(number);
     default:
-      return query::answer(line);
+      return query::answer(line, number);
   }
 }
 
@@ -119,11 +119,11 @@ int answer_all(const std::string& path) {
   const auto flush = [] {
     if (std::fflush(stdout) != 0) printing_failed();
   };
-  for (;;) {
+  for (std::size_t number = 1;; ++number) {
     const Lines::Next next = lines.next(line, flush);
     if (next == Lines::Next::end) break;
     if (next == Lines::Next::line && query::blank(line)) continue;
-    const query::Answer reply = answer(next, line);
+    const query::Answer reply = answer(next, line, number);
     write_line(reply.text);
     errors = errors || reply.error;
     if (line.capacity() > (1 << 20)) std::string().swap(line);  // a long one leaves no memory behind
@@ -141,7 +141,7 @@ std::string footer() {
 Every case is an object on one line: "kind", the kind's inputs ([those] may be missing), and if wanted "id", "scalar" ("f64"
 or "f32"), "variant" and "trace" (true). A point is a list of 2 or 3 numbers; a and b of obb_obb are {{"c", "u", "e"}}, of
 kdop_kdop {{"lo", "hi"}}. Numbers may be "inf" or "-inf" where a range or a box ends; each is rounded once, to the scalar.
-The id comes back as it was sent, to the letter; null for a line that is no JSON.
+The id comes back as it was sent, to the letter; null for a line that is no JSON. An error without an id names its line.
 These fields may stand beside them and are not looked at: {}.
 Any other field, a field given twice, and bytes behind the end are errors. Lines of blanks get no answer.
 Limits, beyond which an error answers: a line of {} MiB; {} levels of lists and objects; slabs that would take 256 MiB;

@@ -39,8 +39,27 @@ bool part_of_number(char c) {
 }
 bool blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
 std::string out_of_place(std::size_t character, const char* what) {
   return "no JSON: character " + std::to_string(character) + what;
+}
+
+/// The parser stops at a character of what other programs write for a number that is none, if that is what stands there.
+std::string no_number(std::string_view line, std::size_t at) {
+  std::size_t begin = std::min(at, line.size()), end = begin;
+  while (begin > 0 && is_letter(line[begin - 1])) --begin;
+  while (end < line.size() && is_letter(line[end])) ++end;
+  const std::string_view word = line.substr(begin, end - begin);
+  const auto stands = [&](std::string_view why) {
+    return "no JSON: " + std::string(word) + " at character " + std::to_string(begin + 1) + " is no number" +
+           std::string(why);
+  };
+  for (const std::string_view nan : {"NaN", "nan", "NAN"})
+    if (word == nan) return stands("; a number is expected");
+  for (const std::string_view infinite : {"Infinity", "inf", "Inf", "INF", "infinity"})
+    if (word == infinite) return stands("; where a range or a box ends, write \"inf\" or \"-inf\" in quotes");
+  return {};
 }
 
 }  // namespace
@@ -94,6 +113,8 @@ class Document::Reader {
     }
     to_.id = "null";
     const auto* parse = dynamic_cast<const Parser::parse_error*>(&e);
+    if (parse && parse->byte > 0) to_.error = no_number(line_, parse->byte - 1);
+    if (!to_.error.empty()) return false;
     to_.error = !parse                       ? "no JSON"
                 : parse->byte > line_.size() ? "no JSON: the line ends too early"
                                              : out_of_place(parse->byte, " is out of place");

@@ -86,31 +86,36 @@ std::string solved(const Field& fields) {
   return reply;
 }
 
-Answer failed(const std::string& id, const std::string& what) {
-  return {"{\"id\":" + id + ",\"error\":" + written(what) + "}", true};
+Answer failed(const std::string& id, std::size_t number, const std::string& what) {
+  const std::string where = id == "null" && number > 0 ? "line " + std::to_string(number) + ": " : "";
+  return {"{\"id\":" + id + ",\"error\":" + written(where + what) + "}", true};
+}
+/// ... with the line as a whole.
+Answer failed(std::size_t number, const std::string& what) {
+  return failed("null", number, number > 0 ? what : "the line: " + what);
 }
 
-Answer answered(const std::string& line) {
+Answer answered(const std::string& line, std::size_t number) {
   const Document document(line);
-  if (!document.error.empty()) return failed(document.id, document.error);
+  if (!document.error.empty()) return failed(document.id, number, document.error);
   try {
     const Field fields(document, 0);
     return {"{\"id\":" + document.id + "," + solved(fields) + "}", false};
   } catch (const BadCase& e) {
-    return failed(document.id, e.what());
+    return failed(document.id, number, e.what());
   }
 }
 
 }  // namespace
 
-Answer answer(const std::string& line) {
-  if (line.size() > most_bytes()) return too_long();
+Answer answer(const std::string& line, std::size_t number) {
+  if (line.size() > most_bytes()) return too_long(number);
   try {
-    return answered(line);
+    return answered(line, number);
   } catch (const std::bad_alloc&) {  // all that the line took is given back
-    return out_of_memory();
+    return out_of_memory(number);
   } catch (const std::exception& e) {
-    return failed("null", std::string("the line: ") + e.what());
+    return failed(number, e.what());
   }
 }
 
@@ -119,12 +124,11 @@ bool blank(std::string_view line) { return line.find_first_not_of(" \t\r\n") == 
 int most_levels() { return Document::most_levels; }
 std::size_t most_bytes() { return Document::most_bytes; }
 
-Answer too_long() {
-  return failed("null",
-                "the line: it is longer than the " + std::to_string(most_bytes() >> 20) + " MiB that are allowed");
+Answer too_long(std::size_t number) {
+  return failed(number, "it is longer than the " + std::to_string(most_bytes() >> 20) + " MiB that are allowed");
 }
 
-Answer out_of_memory() { return failed("null", "the line: there is not enough memory to answer it"); }
+Answer out_of_memory(std::size_t number) { return failed(number, "there is not enough memory to answer it"); }
 
 const std::vector<std::string>& notes() {
   static const std::vector<std::string> names = {"name",        "note", "comment",  "source",       "license",

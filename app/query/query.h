@@ -18,8 +18,9 @@ struct Answer {
 /// {"id", "result"[, "trace"]} or {"id", "error"}; the id is the text that was sent. Never throws, even for lack of
 /// memory, as long as there is some for the error. No state, so any number may run at once. O(n log n) time for a line
 /// of n bytes, and about 30 n bytes of memory for most, whatever it holds; what would take more is refused. A trace
-/// takes as many bytes more as it is long.
-Answer answer(const std::string& line);
+/// takes as many bytes more as it is long. An error without an id to be known by tells the line's `number`; 0: it has
+/// none.
+Answer answer(const std::string& line, std::size_t number = 0);
 
 /// Nothing but blanks: no case, and no answer.
 bool blank(std::string_view line);
@@ -28,9 +29,9 @@ bool blank(std::string_view line);
 int most_levels();
 /// What a line of more bytes than that gets.
 std::size_t most_bytes();
-Answer too_long();
+Answer too_long(std::size_t number = 0);
 /// What a line gets for which the memory does not do.
-Answer out_of_memory();
+Answer out_of_memory(std::size_t number = 0);
 
 /// The kinds in order, each with its inputs, [optional] ones in brackets, and its variants, the exact default first.
 struct Kind {

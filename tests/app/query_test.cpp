@@ -44,7 +44,9 @@ std::string error(const std::string& line) {
   INFO(r.lines[0].dump());
   REQUIRE(r.lines[0].contains("error"));
   CHECK_FALSE(r.lines[0].contains("result"));
-  return r.lines[0]["error"];
+  const std::string what = r.lines[0]["error"], place = "line 1: ";  // by which an error without an id is known
+  CHECK(what.starts_with(place) == r.lines[0]["id"].is_null());
+  return what.starts_with(place) ? what.substr(place.size()) : what;
 }
 
 }  // namespace
@@ -75,7 +77,7 @@ TEST_CASE("a bad line is an error by itself, and the next line goes on", "[query
   CHECK(r.status == 1);
   REQUIRE(r.lines.size() == 4);
   CHECK(r.lines[0]["id"].is_null());
-  CHECK(r.lines[0].contains("error"));
+  CHECK(r.lines[0]["error"] == "line 1: no JSON: character 1 is out of place");
   CHECK(r.lines[1]["result"]["sign"] == 1);
   CHECK(r.lines[2]["id"] == 3);
   CHECK(r.lines[2]["error"] == "field \"kind\" is missing");
@@ -121,7 +123,7 @@ TEST_CASE("a wide line that is wrong over and over is told the first of it, and 
                         "[" + often(R"({"y":1,"y":2})") + "]\n");
   REQUIRE(r.lines.size() == 2);
   CHECK_THAT(r.lines[0]["error"].get<std::string>(), Contains("field \"deep\"") && Contains("64 levels"));
-  CHECK(r.lines[1]["error"] == "field \"[0].y\": it is given twice");
+  CHECK(r.lines[1]["error"] == "line 2: field \"[0].y\": it is given twice");
 }
 
 TEST_CASE("an id comes back as it was sent, to the letter", "[query]") {
@@ -215,7 +217,8 @@ TEST_CASE("where memory runs out that line is an error, and the next lines go on
   REQUIRE(lines.size() == 6);
   for (const int i : {0, 2, 4}) CHECK(lines[i] == R"({"id":null,"result":{"sign":1}})");
   for (const int i : {1, 3})
-    CHECK(lines[i] == R"({"id":null,"error":"the line: there is not enough memory to answer it"})");
+    CHECK(lines[i] ==
+          R"({"id":null,"error":"line )" + std::to_string(i + 1) + R"(: there is not enough memory to answer it"})");
   CHECK(lines[5] == "1");
 }
 #endif
@@ -223,6 +226,15 @@ TEST_CASE("where memory runs out that line is an error, and the next lines go on
 TEST_CASE("an error names the field, what is allowed and what was found", "[query]") {
   CHECK(error("{\"kind\": \"orient2d\", \"a\": [0, 0") == "no JSON: the line ends too early");
   CHECK_THAT(error("{\"kind\": orient2d}"), Contains("no JSON: character 10"));
+  const auto with = [](const std::string& word) {
+    return R"({"kind": "orient2d", "a": [0, 0], "b": [1, 0], "c": [0, )" + word + "]}";
+  };
+  for (const std::string word : {"NaN", "nan"})
+    CHECK(error(with(word)) == "no JSON: " + word + " at character 58 is no number; a number is expected");
+  for (const std::string word : {"Infinity", "-Infinity", "inf"})
+    CHECK_THAT(error(with(word)), Contains("nfinity at character 5") || Contains("inf at character 58"));
+  CHECK_THAT(error(with("Infinity")), Contains("write \"inf\" or \"-inf\" in quotes"));
+  for (const std::string word : {"NaNs", "no", "\"NaN"}) CHECK_THAT(error(with(word)), !Contains("is no number;"));
   CHECK_THAT(error("[1, 2]"), Contains("an object is expected, not a list of 2"));
   CHECK_THAT(error("7"), Contains("an object is expected, not the number 7"));
   CHECK_THAT(error(R"({"kind": "orient4d"})"), Contains("\"kind\"") && Contains("orient4d") && Contains("ray_sphere"));
