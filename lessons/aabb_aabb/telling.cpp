@@ -125,6 +125,8 @@ class Teller {
     }
   }
 
+  static bool flat(const Box& box) { return (box.lo.array() == box.hi.array()).any(); }
+
   std::string end_caption() const {
     if (empty(s_.a) || empty(s_.b))
       return "A box with exchanged corners has no point in it, so it meets nothing.\n"
@@ -136,8 +138,9 @@ class Teller {
                            : "The note's figure returns OVERLAP after the first axis. It would be wrong here.\n"
                              "OVERLAP may be returned only after the loop.";
       case Relation::touching:
-        return "They share boundary points, but no interior point. Closed sets include their boundary, so touching "
-               "counts as OVERLAP.";
+        return std::string(flat(s_.a) || flat(s_.b) ? "A flat box has no interior, so no point is interior to both."
+                                                    : "They share boundary points, but no interior point.") +
+               " Closed sets include their boundary, so touching counts as OVERLAP.";
       case Relation::equal:
         return "All six numbers agree: the boxes are the same set.";
       case Relation::overlapping:

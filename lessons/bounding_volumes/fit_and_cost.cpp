@@ -136,19 +136,27 @@ class Fit {
                     "All objects share the normals, so only *k* bounds are stored. With *k* = 6 this is the AABB.",
                     "*lo_i* ≤ **n***_i* · **x** ≤ *hi_i* for each *i*");
     step.scene.items = side_by_side(mesh_, fitted_.object, dops_);  // no handle: the object stands in each of them
-    const int k = k_ > 6 ? k_ : 14;
-    step.question =
-        Question{fmt::format("How much void can {} {}-DOP have, compared with the AABB?", k == 18 ? "an" : "a", k),
-                 {"never more", "always less", "more, for some objects"},
-                 0,
-                 fmt::format("Its normals are those of the AABB and {} more, which may cut nothing off.", k / 2 - 3)};
+    step.question = k_ > 6 ? void_of_dop() : void_of_6_dop();
     keep_picture(script_.walk());
   }
 
-  /// The tightest of the four, the hull apart.
+  Question void_of_dop() const {
+    return {fmt::format("How much void can {} {}-DOP have, compared with the AABB?", k_ == 18 ? "an" : "a", k_),
+            {"never more", "always less", "more, for some objects"},
+            0,
+            fmt::format("Its normals are those of the AABB and {} more, which may cut nothing off.", k_ / 2 - 3)};
+  }
+  static Question void_of_6_dop() {
+    return {"How much void does the 6-DOP have, compared with the AABB?",
+            {"less", "just as much", "more"},
+            1,
+            "Its three normals are those of the AABB, and so are its slabs."};
+  }
+
+  /// The tightest of the four, the hull apart. A 6-DOP is the AABB again.
   std::size_t tightest() const {
     std::size_t best = 0;
-    for (std::size_t i = 1; i < 4; ++i)
+    for (std::size_t i = 1; i < (k_ == 6 ? 3 : 4); ++i)
       if (all_[i].volume < all_[best].volume) best = i;
     return best;
   }
@@ -162,9 +170,13 @@ class Fit {
                     "A cell is one stored number, and at most 33 are drawn. Operations are for one test that finds an "
                     "overlap.");
     step.scene.items = side_by_side(mesh_, fitted_.object, all_);
+    std::vector<std::string> names = {all_[0].name, all_[1].name, all_[2].name, all_[3].name};
+    if (k_ == 6) {  // the AABB twice
+      names[1] = "AABB, 6-DOP";
+      names.pop_back();
+    }
     step.question =
-        Question{"Which of these four has the least void?",
-                 {all_[0].name, all_[1].name, all_[2].name, all_[3].name},
+        Question{k_ == 6 ? "Which of these has the least void?" : "Which of these four has the least void?", names,
                  static_cast<int>(best),
                  fmt::format("Its void is {} × the object.", shown(all_[best].volume / fitted_.object - 1))};
     keep_picture(script_.walk());

@@ -157,24 +157,24 @@ class Teller {
     if (meet) script_.refuse(4, {});
     if (meet && !inside) script_.refuse(5, {});
     shown_.settled = true;
-    const bool equal = s_.truth == Relation::touching && !pierced();
     Step& step = add("relation", "How they relate",
                      !meet    ? 4
                      : inside ? 5
                               : 6,
-                     end_caption(s_),
-                     fmt::format("*d* {} {} = *R*",
-                                 !meet       ? ">"
-                                 : equal     ? "="
-                                 : sum() > 0 ? "<"
-                                             : "=",
-                                 shown(sum())));
+                     end_caption(s_), fmt::format("*d* {} {} = *R*", meet ? compared() : ">", shown(sum())));
     if ((least_ <= sum()) == meet)  // else rounding hides the difference
       Script::decide(step, {"*d* > *R*", least_, sum(), !meet,
-                            !meet        ? "a gap between them"
-                            : is_least() ? "they share a point"
-                                         : "they share a point, and the distance may be less still"});
+                            !meet                       ? "a gap between them"
+                            : is_least() || least_ == 0 ? "they share a point"
+                                                        : "they share a point, and the distance may be less still"});
     step.question = relation_question(s_.truth, "the two capsules", because(s_));
+  }
+
+  /// Of d, which is R at most, and R.
+  const char* compared() const {
+    const bool all_as_far = is_least() && !crossed_ && !nearer();
+    if (sum() == 0 || all_as_far || (s_.truth == Relation::touching && !pierced())) return "=";
+    return crossed_ || nearer() || s_.truth == Relation::overlapping ? "<" : "≤";
   }
 
   /// Whether d is the segments' distance: no endpoint was left out.

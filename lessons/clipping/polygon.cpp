@@ -9,7 +9,6 @@
 #include <isect/point_convex_polygon.h>
 #include <isect/point_polygon.h>
 #include <isect/segment_segment.h>
-#include "lessons/shared/plural.h"
 
 namespace isect::lessons::clipping_lesson {
 
@@ -33,17 +32,31 @@ bool share_a_point(const Ring<double, 2>& ring, const Box& box) {
   return winding(box.lo, ring).even_odd != Location::out;
 }
 
+/// Different vertices of what the polygon and the box share, by what the method returns; 0 for bridges along nothing.
+std::size_t count_kept(const Ring<double, 2>& ring, const Box& box, const Ring<double, 2>& returned) {
+  if (!share_a_point(ring, box)) return 0;
+  Ring<double, 2> different;
+  for (const Point<double, 2>& v : returned)
+    if (!among(different, v)) different.push_back(v);
+  return different.size();
+}
+
+std::string shared(std::size_t kept) {
+  return kept == 0   ? "No part of it lies in the box."
+         : kept == 1 ? "They share one point."
+         : kept == 2 ? "They share a segment."
+                     : fmt::format("The part in the box has {} vertices.", kept);
+}
+
 }  // namespace
 
 PolygonTeller::PolygonTeller(const Ring<double, 2>& ring, const Box& box)
     : box_(box),
       truth_(isect::clip(ring, box)),
+      kept_(count_kept(ring, box, truth_)),
       script_({"Lecture note, uses of intersection detection; Sutherland and Hodgman, Communications of the ACM 17 "
                "(1974)",
-               fmt::format("A polygon of {} vertices and a box. {}", ring.size(),
-                           truth_.empty() ? "No part of it lies in the box."
-                                          : "The part in the box has " +
-                                                plural(static_cast<long long>(truth_.size()), "vertex") + "."),
+               fmt::format("A polygon of {} vertices and a box. {}", ring.size(), shared(kept_)),
                {
                    "if all vertices lie in the box: return the polygon",              // 0
                    "if all lie beyond one and the same side",                         // 1
@@ -122,11 +135,8 @@ void PolygonTeller::end() {
   astray_ = known_.ring.empty() != truth_.empty();
   const bool none = known_.ring.empty();
   if (known_.ring.empty() == truth_.empty()) known_.ring = truth_;
-  Ring<double, 2> different;
-  for (const Point<double, 2>& v : truth_)
-    if (!among(different, v)) different.push_back(v);
-  const std::size_t n = share_a_point(known_.original, box_) ? different.size() : 0;
-  bridges_ = n == 0 && !different.empty();
+  const std::size_t n = kept_;
+  bridges_ = n == 0 && !truth_.empty();
   script_.forget({"removed", "new"});  // which were of the last cut
   script_.value("vertices", static_cast<double>(n), {}, n > 0 ? Role::hit : Role::muted);
   script_.settle(n == 0  ? Verdict::Kind::no
@@ -134,7 +144,7 @@ void PolygonTeller::end() {
                          : Verdict::Kind::yes,
                  n == 0   ? "nothing is kept"
                  : n == 1 ? "one point is kept"
-                 : n == 2 ? "an edge is kept"
+                 : n == 2 ? "a segment is kept"
                           : fmt::format("kept: {} vertices", n));
   const int line = trivial_ ? script_.walk().steps.back().line : none ? 6 : 7;
   script_.add("kept", n == 0 ? "Nothing is kept" : "What is kept", line, end_caption(n)).scene = picture(known_);

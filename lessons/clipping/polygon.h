@@ -25,6 +25,7 @@ class PolygonTeller {
 
   const Box box_;
   const Ring<double, 2> truth_;
+  const std::size_t kept_;  ///< different vertices of what the two share
   Script script_;
   Rest known_;
   bool trivial_ = false, astray_ = false, bridges_ = false;

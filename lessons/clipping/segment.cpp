@@ -17,7 +17,7 @@ SegmentTeller::SegmentTeller(const Segment<double, 2>& segment, const Box& box)
     : box_(box),
       truth_(isect::clip(segment, box)),
       script_({"Lecture note, uses of intersection detection; Liang and Barsky, ACM Transactions on Graphics 3 (1984)",
-               alt(),
+               alt(segment),
                {
                    "if p and q lie in the box: return [0, 1]",                    // 0
                    "if p and q lie beyond one and the same side",                 // 1
@@ -43,11 +43,11 @@ Walk SegmentTeller::tell() {
   return std::move(script_.walk());
 }
 
-std::string SegmentTeller::alt() const {
+std::string SegmentTeller::alt(const Segment<double, 2>& s) const {
   return std::string("A segment from p to q and a box. ") +
-         (!truth_                    ? "No part of the segment lies in the box."
-          : truth_->lo == truth_->hi ? "They share one point."
-                                     : "The part of the segment in the box is drawn thick.");
+         (!truth_                                  ? "No part of the segment lies in the box."
+          : truth_->lo == truth_->hi || s.p == s.q ? "They share one point."
+                                                   : "The part of the segment in the box is drawn thick.");
 }
 
 void SegmentTeller::say(const clip_segment::Outcodes& e) {
@@ -91,14 +91,16 @@ void SegmentTeller::say(const clip_segment::Outcodes& e) {
 void SegmentTeller::end() {
   known_.settled = true, known_.left = !truth_, known_.started = true;
   known_.range = truth_.value_or(Interval<double>{0, 0});
-  const bool one = truth_ && truth_->lo == truth_->hi;
+  const bool one = truth_ && (truth_->lo == truth_->hi || is_a_point());
   const auto [lo, hi] = shown_apart(known_.range.lo, known_.range.hi);
-  script_.settle(!truth_                                          ? Verdict::Kind::no
-                 : one || runs_along_a_side(known_.segment, box_) ? Verdict::Kind::on
-                                                                  : Verdict::Kind::yes,
-                 !truth_ ? "nothing is kept"
-                 : one   ? "one point is kept: *t* = " + shown(known_.range.lo)
-                         : fmt::format("kept: *t* from {} to {}", lo, hi));
+  const bool touches = runs_along_a_side(known_.segment, box_) || (one && !is_a_point());
+  script_.settle(!truth_   ? Verdict::Kind::no
+                 : touches ? Verdict::Kind::on
+                           : Verdict::Kind::yes,
+                 !truth_        ? "nothing is kept"
+                 : is_a_point() ? "the point is kept"
+                 : one          ? "one point is kept: *t* = " + shown(known_.range.lo)
+                                : fmt::format("kept: *t* from {} to {}", lo, hi));
   const int last = script_.walk().steps.back().line;
   const int line = trivial_ || !found_ ? last : 9;
   script_
@@ -114,6 +116,10 @@ std::string SegmentTeller::end_caption(bool one) const {
   if (!truth_)
     return trivial_ ? "In a large scene most segments are rejected this way. So comparisons come first."
                     : "No side has both ends beyond it, yet the segment misses the box: it passes a corner.";
+  if (is_a_point())
+    return std::string("**p** and **q** are equal, so the segment is a point. It lies ") +
+           (runs_along_a_side(known_.segment, box_) ? "on the boundary, which belongs to the box: the sets are closed."
+                                                    : "in the box.");
   if (one)
     return std::string("Last entry and first exit are the same *t*: the segment touches the box ") +
            (truth_->lo == 0   ? "with its end **p**.\n"

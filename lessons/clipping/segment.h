@@ -14,10 +14,11 @@ class SegmentTeller {
 
  private:
   // segment.cpp
-  std::string alt() const;
+  std::string alt(const Segment<double, 2>&) const;
   void say(const clip_segment::Outcodes&);
   void end();
   std::string end_caption(bool one) const;
+  bool is_a_point() const { return known_.segment.p == known_.segment.q; }
 
   // segment_sides.cpp
   void say(const clip_segment::Narrowed<Counted<double>>&);

@@ -51,7 +51,7 @@ class Flight {
     script_.value("step", step, "length", Role::first);
     script_.value("wall + box", reach, "length", Role::second);
     Step& first =
-        add("motion", "A moving box", 0,
+        add("motion", step > 0 ? "A moving box" : "A box at rest", 0,
             fmt::format("{} it is tested every {} s.\n",
                         step > 0 ? "It moves to the right at constant speed;" : "Its speed is 0;", duration / times) +
                 (step > reach ? "One step is longer than wall and box together, so it can jump the wall unseen."
@@ -139,27 +139,32 @@ class Flight {
     const bool may = may_collide(bullet_, wall_, duration), meet = truth_.has_value();
     Step& step =
         add("swept", "The swept volume", 3,
-            !may   ? "A box around the whole path misses the wall: they cannot collide."
+            !may ? "A box around the whole path misses the wall: they cannot collide."
+            : rests() && meet
+                ? "The box stays where it is, so it sweeps no more than itself. It meets the wall: they do meet."
             : meet ? "A box around the whole path meets the wall. The box moves along an axis, so it sweeps just "
                      "that box: they do meet.\n"
                      "On a slanted path the box around it is larger than what is swept, and they might not."
                    : "A box around the whole path, rounded outwards, meets the wall: they may collide.");
     step.decides = true;
     // 2: that it is so on a slanted path
-    step.question = Question{"The discrete times are over. What does a box around the whole path show?",
-                             {"they never meet", "they meet, though not when", "nothing for certain"},
-                             !may   ? 0
-                             : meet ? 1
-                                    : 2,
-                             "It is one box from the first place to the last one. Along an axis it is just what the "
-                             "moving box sweeps."};
+    if (!rests())  // else the first test has told it
+      step.question = Question{"The discrete times are over. What does a box around the whole path show?",
+                               {"they never meet", "they meet, though not when", "nothing for certain"},
+                               !may   ? 0
+                               : meet ? 1
+                                      : 2,
+                               "It is one box from the first place to the last one. Along an axis it is just what the "
+                               "moving box sweeps."};
     if (may) {
       script_.refuse(3, {4});
       return true;
     }
     script_.settle(Verdict::Kind::no, "they never meet");
     script_.leave_early();
-    add("never", "No collision", 4, "One test of two boxes has settled the whole flight: a trivial reject.");
+    add("never", "No collision", 4,
+        rests() ? "The box stays where it is, so one test of two boxes has settled all of it: a trivial reject."
+                : "One test of two boxes has settled the whole flight: a trivial reject.");
     return false;
   }
 
@@ -172,13 +177,13 @@ class Flight {
                    !truth_ ? "they never meet"
                    : lasts ? fmt::format("they meet from *t* = {} until the motion ends", shown(truth_->lo))
                            : fmt::format("they meet from *t* = {} to {}", shown(truth_->lo), shown(truth_->hi)));
-    Step& step =
-        add("ray", "The box as a ray", 5,
-            std::string("Expand the wall by the box (their Minkowski sum), and the box becomes a point on a ray.\n") +
-                (tunnels                 ? "The discrete times missed it: the box tunnelled through."
-                 : !truth_               ? "The ray misses the expanded wall."
-                 : truth_->lo == hits[0] ? "The discrete times saw its first moment, too."
-                                         : "The discrete times saw it too, but later than it began."));
+    Step& step = add("ray", "The box as a ray", 5,
+                     std::string("Expand the wall by the box (their Minkowski sum), and the box becomes a point") +
+                         (rests() ? ": a ray of direction 0.\n" : " on a ray.\n") +
+                         (tunnels                 ? "The discrete times missed it: the box tunnelled through."
+                          : !truth_               ? "The ray misses the expanded wall."
+                          : truth_->lo == hits[0] ? "The discrete times saw its first moment, too."
+                                                  : "The discrete times saw it too, but later than it began."));
     if (!truth_ || truth_->lo <= 0) return;
     const double gap = wall_.shape.lo.x() - bullet_.shape.hi.x(), v = bullet_.velocity.x();
     // the first discrete time that saw it; from centre to centre; when they part
@@ -187,6 +192,7 @@ class Flight {
                                 "The gap between box and wall, divided by the speed.");
   }
 
+  bool rests() const { return bullet_.velocity.x() == 0; }
   static double width(const Box& b) { return b.hi.x() - b.lo.x(); }
   double reach() const { return width(bullet_.shape) + width(wall_.shape); }
 

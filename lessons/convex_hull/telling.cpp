@@ -5,6 +5,7 @@
 #include <isect/convex_hull.h>
 #include "lessons/convex_hull/picture.h"
 #include "lessons/shared/flat.h"
+#include "lessons/shared/plural.h"
 #include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"
 
@@ -22,7 +23,7 @@ class Teller {
       : points_(points),
         hull_(isect::convex_hull(points)),
         script_({"Lecture note, bounding volumes; Andrew, Information Processing Letters 9 (1979)",
-                 fmt::format("{} points and their convex hull of {} vertices.", points.size(), hull_.size()),
+                 fmt::format("{} points and their convex hull of {}.", points.size(), vertices()),
                  {"sort the points by x, then y; for each q, there and back:",       // 0
                   "    while the chain makes no left turn towards q: drop its end",  // 1
                   "    append q to the chain",                                       // 2
@@ -38,8 +39,9 @@ class Teller {
     different.erase(std::unique(different.begin(), different.end()), different.end());
     const bool twice = different.size() < points_.size();
     if (twice) script_.value("different points", static_cast<double>(different.size()));
-    const std::string kept =
-        twice ? fmt::format("Equal points are kept once: {} are left.\n", different.size()) : std::string();
+    const std::string kept = twice ? fmt::format("Equal points are kept once: {} {} left.\n", different.size(),
+                                                 different.size() == 1 ? "is" : "are")
+                                   : std::string();
     add("points", "Points", 0,
         kept +
             "Think of a rubber band around nails. Sorting by *x*, then *y*, dominates the time: O(*n* lg *n*).\n"
@@ -147,10 +149,12 @@ class Teller {
     area_ = area(hull_);
     script_.value("vertices", static_cast<double>(hull_.size()));
     script_.value("hull", area_, "area", Role::hit);
-    script_.settle(Verdict::Kind::yes, fmt::format("a hull of {} vertices", hull_.size()));
+    script_.settle(Verdict::Kind::yes, "a hull of " + vertices());
     add("hull", "The hull", 3,
         std::string("Every convex set that contains the points contains each segment between them, and so the hull.") +
-            (area_ > 0 ? "\n" : " Here it is a segment, of area 0.\n") +
+            (hull_.size() == 1   ? " Here it is a point, of area 0.\n"
+             : hull_.size() == 2 ? " Here it is a segment, of area 0.\n"
+                                 : "\n") +
             "The note defines it for point sets and polygonal objects only. Every set has a convex hull.");
   }
 
@@ -164,7 +168,9 @@ class Teller {
         add(m.slug, std::string("Against the ") + m.name, -1,
             fmt::format("The {} is kept in {} numbers, the hull in {}.\n", m.name, m.numbers, 2 * hull_.size()) +
                 (same ? "Both have the same area, so it leaves no void beyond the hull."
-                      : "Its area outside the hull is void: the price of fewer numbers and a simpler test.") +
+                 : m.numbers < 2 * hull_.size()
+                     ? "Its area outside the hull is void: the price of fewer numbers and a simpler test."
+                     : "Its area outside the hull is void: the price of a simpler test.") +
                 (what == Bounding::obb && area_ > 0
                      ? "\nOne of its sides lies along an edge of the hull; rotating calipers find it in O(*n*)."
                      : ""),
@@ -183,6 +189,8 @@ class Teller {
       ++step.question->answer;
     }
   }
+
+  std::string vertices() const { return plural(static_cast<long long>(hull_.size()), "vertex"); }
 
   const Ring<double, 2>& points_;
   const Ring<double, 2> hull_;

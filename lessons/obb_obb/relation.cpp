@@ -54,9 +54,10 @@ std::string Teller::end_caption() const {
                  ? fmt::format("Disjoint after {} of 15 axes. Rejecting is cheap; accepting takes them all.", asked_)
                  : "Disjoint by the last of 15 axes.";
     case Relation::touching:
-      return "They share boundary points, but no interior point. Closed sets include their boundary, so touching "
-             "counts "
-             "as OVERLAP.";
+      return std::string((s_.a.half.array() == 0).any() || (s_.b.half.array() == 0).any()
+                             ? "A flat box has no interior, so no point is interior to both."
+                             : "They share boundary points, but no interior point.") +
+             " Closed sets include their boundary, so touching counts as OVERLAP.";
     case Relation::overlapping:
       return "All 15 axes had to be tested. Green marks what the boxes share.";
     case Relation::equal:

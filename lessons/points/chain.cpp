@@ -28,21 +28,24 @@ class Chain {
     const bool pr = nearly_equal(s_.tp, s_.tr, s_.tested_within);
     ask("p-r", "First and third", 2, s_.p, s_.r, pr, "p", "r");
     const bool broken = pq && qr && !pr;
-    // "At most the tolerance" is what transitivity would give.
-    script_.walk().steps.back().question =
-        Question{"How far may **r** be from **p**, if both are near to **q**?",
-                 {"at most the tolerance", "at most twice the tolerance", "any distance"},
-                 1,
-                 "By the triangle inequality |**p** − **r**| ≤ |**p** − **q**| + |**q** − **r**|, and both may be the "
-                 "tolerance."};
+    // "At most the tolerance" is what transitivity would give; twice 0 is no more.
+    if (s_.tested_within > 0)
+      script_.walk().steps.back().question = Question{
+          "How far may **r** be from **p**, if both are near to **q**?",
+          {"at most the tolerance", "at most twice the tolerance", "any distance"},
+          1,
+          "By the triangle inequality |**p** − **r**| ≤ |**p** − **q**| + |**q** − **r**|, and both may be the "
+          "tolerance."};
     script_.settle(broken ? Verdict::Kind::no : Verdict::Kind::yes,
                    broken ? "not transitive: **p** near **q**, **q** near **r**, but **p** not near **r**"
                           : "no contradiction here");
     Step& step = script_.add(
         "verdict", broken ? "Nearness is not transitive" : "No contradiction", 3,
-        broken     ? "Nearness is not an equivalence relation: clusters depend on the order of merging.\n"
-                     "If **q** joins **p** first, **r** stays alone; if it joins **r** first, **p** does. Equality has no "
-                     "such trouble."
+        broken ? "Nearness is not an equivalence relation: clusters depend on the order of merging.\n"
+                 "If **q** joins **p** first, **r** stays alone; if it joins **r** first, **p** does. Equality has no "
+                 "such trouble."
+        : pq && qr && s_.tested_within == 0
+            ? "All three are equal. With tolerance 0 near means equal, and equality is transitive."
         : pq && qr ? "All three are near to each other. Drag **r** away from **p**, but keep it near to **q**."
                    : "Transitivity is about two near pairs that share **q**. Here one of them is not near.");
     step.scene = picture(s_.p);

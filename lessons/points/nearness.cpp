@@ -128,7 +128,7 @@ class Nearness {
     if (std::isinf(left))
       return method == 0 ? "The squared distance overflows: it is infinite."
                          : "The square under the root has overflowed, so the distance is infinite.";
-    if (method == 0 && left == 0 && right == 0 && apart)
+    if (method == 0 && left == 0 && right == 0 && apart && s_.tested_within > 0)
       return "Both squares underflow to 0, and 0 ≤ 0 holds however far apart the points are.";
     if (left == 0 && apart)
       return method == 0 ? "The squared distance underflows to 0: it is too small for a double."
@@ -164,8 +164,11 @@ class Nearness {
     else if (s_.extreme())
       text += " Where squares leave the range, the exact test takes wider numbers.";
     else if (on_sphere())
-      text += " **q** lies on the sphere. The ball is closed, so it counts as near.";
-    text += "\nThe exact test takes the sign of |**p** − **q**|^2 − tolerance^2, without rounding.";
+      text += s_.tested_within > 0 ? " **q** lies on the sphere. The ball is closed, so it counts as near."
+                                   : " **q** equals **p**, and with tolerance 0 near means equal.";
+    text += s_.is_nan ? "\nThe exact test takes the sign of |**p** − **q**|^2 − tolerance^2. Here that is not a number "
+                        "and has no sign."
+                      : "\nThe exact test takes the sign of |**p** − **q**|^2 − tolerance^2, without rounding.";
     Step& step = add("verdict", "The exact answer", 4, text, {});
     step.decides = true;
   }

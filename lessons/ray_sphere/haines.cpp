@@ -119,8 +119,10 @@ class HainesTeller : Teller {
   void say(const PassesBy<C>& e) {
     const bool tangent = line_roots() == 1;
     Step& step = add("passes-by", "Does the line meet the ball?", 6,
-                     e.holds != (line_roots() == 0) ? astray_line()
-                     : e.holds                      ? "The line stays farther than *r* from the centre: it misses."
+                     e.holds != (line_roots() == 0)   ? astray_line()
+                     : e.holds                        ? "The line stays farther than *r* from the centre: it misses."
+                     : tangent && setup_.is_a_point() ? "The line passes through the centre, and *r* is 0: the ball is "
+                                                        "that one point. It counts."
                      : tangent ? "The line passes at exactly *r*: it touches the ball in one point. Touching counts."
                                : "The line passes nearer than *r*: it meets the ball.",
                      Focus::passing);
@@ -153,7 +155,8 @@ class HainesTeller : Teller {
                                   "*q*, else *s* + *q*: "
                                   "both give 0.\nThe note only checks *l*^2 > *r*^2, and so returns the exit "
                                   "for a ray that heads inwards."
-            : line_roots() == 1 ? "Both roots are the same: the line touches the ball."
+            : line_roots() == 1 ? (setup_.is_a_point() ? "Both roots are the same: the ball is a point of the line."
+                                                       : "Both roots are the same: the line touches the ball.")
             : e.holds           ? "From outside the ray enters first, at *s* − *q*."
                                 : "From inside the entry lies behind: the ray leaves at *s* + *q*.",
             Focus::none, "*t*_1 = *s* − *q*,  *t*_2 = *s* + *q*");
@@ -173,7 +176,8 @@ class HainesTeller : Teller {
   void say(const Nearest<C>& e) {
     script_.value("*t*", e.t.value, "length", Role::hit);
     add("nearest-root", "The nearest root", from_outside_ ? 10 : 12,
-        line_roots() == 1 ? "The line touches the ball at the foot."
+        line_roots() == 1 ? (setup_.is_a_point() ? "The foot is the ball, which is a point."
+                                                 : "The line touches the ball at the foot.")
         : from_outside_   ? "The line enters the ball half a chord before the foot." + cancellation(e.t.value)
                           : "The line leaves the ball half a chord after the foot.",
         from_outside_ ? Focus::first_root : Focus::second_root,

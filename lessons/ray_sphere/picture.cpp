@@ -212,6 +212,10 @@ std::string alt_text(const Setup& s) {
     case 0:
       return what + " passes a ball without touching it.";
     case 1:
+      if (s.is_a_point())
+        return what + (!s.truth.surface                 ? "'s line passes through a point outside its range."
+                       : s.truth.origin == Location::on ? " starts at a point, a ball of radius 0."
+                                                        : " passes through a point, a ball of radius 0.");
       return what + (s.truth.surface ? " touches a ball in one point." : "'s line touches a ball outside its range.");
     default:
       break;

@@ -17,6 +17,7 @@ struct Setup {
 
   double foot() const;   ///< t of the line's point nearest to the center
   bool segment() const;  ///< the range is finite
+  bool is_a_point() const { return sphere.radius == 0; }
 };
 
 /// Reads the parameters. `unit_direction`: the direction is normalised and the range's end measured in

@@ -135,6 +135,8 @@ class QuadraticTeller : Teller {
         add("real-roots", "Are there real roots?", 5,
             !as_true     ? astray_line()
             : roots == 0 ? "*Δ* is negative, so there is no real root: the line misses the sphere."
+            : roots == 1 && setup_.is_a_point()
+                ? "*Δ* is exactly zero: both roots coincide. The sphere is a point of the line."
             : roots == 1 ? "*Δ* is exactly zero: both roots coincide, and the line touches the sphere."
                          : "*Δ* is positive: the line meets the sphere twice. Whether the *ray* does is still open.",
             Focus::passing);

@@ -83,6 +83,8 @@ std::string miss_caption(const Setup& s) {
     return "The segment lies wholly inside. It shares points with the solid ball, but none with its surface.";
   if (s.truth.line_roots == 0) return "The line has no point in common with the sphere, so the ray has none.";
   const char* const what = s.segment() ? "segment" : "ray";
+  if (s.is_a_point())
+    return std::string("The sphere is a point of the line, but not of the ") + what + ". A real root alone is no hit.";
   return s.truth.line_roots == 1
              ? std::string("The line touches the sphere, but outside the ") + what + ". A real root alone is no hit."
              : std::string("The line meets the sphere, but outside the ") + what + ". Real roots alone are no hit.";

@@ -101,12 +101,15 @@ class Teller {
   void settle() { script_.settle(verdict_kind(pair_.truth), words(pair_.truth, they_)); }
 
   void yes_or_no() {
-    Step& step =
-        add("yes-or-no", "A common point?", 0,
-            pair_.meet ? "Yes: some point lies in both. The note's pseudocode stops here and returns OVERLAP."
-                       : "No point lies in both. Here \"no\" is enough: only one of the six relations is left.\n"
-                         "The note calls it exclusion.",
-            Focus::none, pair_.meet ? "a ∩ b ≠ ∅" : "a ∩ b = ∅");
+    Step& step = add(
+        "yes-or-no", "A common point?", 0,
+        pair_.meet && pair_.kind == Kind::balls && pair_.truth == Relation::touching
+            ? "Yes: some point lies in both. The note's pseudocode stops here; of spheres that only touch it returns "
+              "DISJOINT."
+        : pair_.meet ? "Yes: some point lies in both. The note's pseudocode stops here and returns OVERLAP."
+                     : "No point lies in both. Here \"no\" is enough: only one of the six relations is left.\n"
+                       "The note calls it exclusion.",
+        Focus::none, pair_.meet ? "a ∩ b ≠ ∅" : "a ∩ b = ∅");
     step.decides = true;
     // 1 after a yes: that "they meet" means "they overlap"; 2: the note's partial intersection and containment.
     step.question = which_value(
