@@ -36,7 +36,9 @@ class Flight {
                  "5.5",
                  std::string(speed > 0 ? "A small box flies to the right; a thin wall stands in the middle. "
                                        : "A small box rests; a thin wall stands in the middle. ") +
-                     (truth_ ? "They meet along its path." : "They never meet."),
+                     (!truth_     ? "They never meet."
+                      : speed > 0 ? "They meet along its path."
+                                  : "They meet."),
                  {"for each time t ← 0, dt, 2 dt, ...",                       // 0
                   "    move the box to its place at t",                       // 1
                   "    if box and wall overlap: record t",                    // 2

@@ -128,13 +128,14 @@ viz::Question Teller::question(const Group& group, const Compared& e) const {
   const Vec3 along = s_.b.axes.transpose() * s_.a.axes.col(e.axis.i);
   const Vec3& h = s_.b.half;
   const double reach = h.dot(along.cwiseAbs());
-  return which_value(
-      fmt::format("**n** = {}: |**b**_u · **n**| = {}, |**b**_v · **n**| = {}, |**b**_w · **n**| = {}. "
-                  "What is *r*_b{}?",
-                  name_of(e.axis), shown(std::abs(along.x())), shown(std::abs(along.y())), shown(std::abs(along.z())),
-                  shown(reach) == shown(e.radius_b.value) ? "" : ", before ε is added"),
-      reach, {h.sum(), h.norm(), h.maxCoeff(), std::abs(h.dot(along))},
-      "*r*_b = Σ *h*_j |**b**_j · **n**|, where ε is added to each |**b**_j · **n**|.");
+  const bool widened = shown(reach) != shown(e.radius_b.value);
+  return which_value(fmt::format("**n** = {}: |**b**_u · **n**| = {}, |**b**_v · **n**| = {}, |**b**_w · **n**| = {}. "
+                                 "What is *r*_b{}?",
+                                 name_of(e.axis), shown(std::abs(along.x())), shown(std::abs(along.y())),
+                                 shown(std::abs(along.z())), widened ? ", before ε is added" : ""),
+                     reach, {h.sum(), h.norm(), h.maxCoeff(), std::abs(h.dot(along))},
+                     widened ? "*r*_b = Σ *h*_j |**b**_j · **n**|. Then ε is added to each |**b**_j · **n**|."
+                             : "*r*_b = Σ *h*_j |**b**_j · **n**|, where ε is added to each |**b**_j · **n**|.");
 }
 
 std::string Teller::separated(const Group& group, const Compared& e, double l, int asked) const {
