@@ -187,9 +187,9 @@ TEST_CASE("whether a file can be written is known before there is anything to wr
   const Folder folder;
   write_file(folder / "file", "x");
   fs::create_directory(folder / "full");
-  for (const std::string path : {folder / "file/below", folder / "full", std::string()})
+  for (const std::string& path : {folder / "file/below", folder / "full", std::string()})
     CHECK(message_of([&] { need_writable(path); }) == message_of([&] { write_file(path, "y"); }));
-  for (const std::string path : {folder / "file", folder / "new", folder / "made/new", std::string("/dev/full")})
+  for (const std::string& path : {folder / "file", folder / "new", folder / "made/new", std::string("/dev/full")})
     need_writable(path);
   CHECK(read_file(folder / "file") == "x");
   CHECK(folder.entries() == 3);  // the folder, which is made, and nothing in it
