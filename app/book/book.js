@@ -136,8 +136,7 @@
     list.forEach((article, i) => article.classList.toggle("shown", i === at));
     const article = list[at];
     walk.classList.toggle("over", at === list.length - 1);
-    const stepped = article.classList.contains("ask") ? list[at - 1] ?? article : article;  // the code waits, too
-    const numbers = name => (stepped.dataset[name] ?? "").split(" ").filter(Boolean).map(Number);
+    const numbers = name => (article.dataset[name] ?? "").split(" ").filter(Boolean).map(Number);
     light_code(walk, {
       line: numbers("line")[0] ?? -1, refused: numbers("refused"), untaken: numbers("untaken")
     });

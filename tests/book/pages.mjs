@@ -113,6 +113,7 @@ try {
         if (now.id.endsWith("/question")) {
           const told = await browser.ask(`({ named: getComputedStyle(document.querySelector(".walk.shown > h2")).visibility === "visible",
             marked: document.querySelectorAll("nav.settings [aria-current]").length })`);
+          check(now.line === 0, `${at}: a line of code is lit beside a question`);
           check(!told.named && told.marked === 0, `${at}: the setting's name is told beside a question`);
           const right = await browser.ask(`[...document.querySelectorAll(".walk.shown .steps > .shown .choices li")].findIndex(li => "right" in li.dataset)`);
           await browser.press("abcdefgh"[w % 2 ? right : 0]);
