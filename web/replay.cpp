@@ -57,9 +57,9 @@ int replay(const std::string& snapshots) {
       ++presets, steps += static_cast<int>(walks[i].steps.size());
       bool in_words = false;
       for (const viz::Change& change : changes) {
-        std::cout << lesson->id << "/" << p.id << ", step " << change.step + 1 << (change.drawn ? " (drawn)" : "")
-                  << ": " << change.what << "\n";
-        in_words = in_words || !change.drawn;
+        std::cout << lesson->id << "/" << p.id << ", step " << change.step + 1
+                  << (change.of == viz::Change::Of::drawing ? " (drawn)" : "") << ": " << change.what << "\n";
+        in_words = in_words || change.of != viz::Change::Of::drawing;
       }
       differ += !changes.empty(), said += in_words;
     }
