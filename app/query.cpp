@@ -141,6 +141,12 @@ std::string footer() {
 Every case is an object on one line: "kind", the kind's inputs ([those] may be missing), and if wanted "id", "scalar" ("f64"
 or "f32"), "variant" and "trace" (true). A point is a list of 2 or 3 numbers; a and b of obb_obb are {{"c", "u", "e"}}, of
 kdop_kdop {{"lo", "hi"}}. Numbers may be "inf" or "-inf" where a range or a box ends; each is rounded once, to the scalar.
+How two shapes lie is "relation", as seen from a: disjoint, equal, a_contains_b, b_contains_a (a touch from within is
+containment), touch (common points, none interior to both), overlap. A shape without thickness has its interior within the
+line or plane that it spans: a plate that pierces a box overlaps it. "interiors_intersect" of box_box says whether on
+every axis each box begins before the other ends. A box with lo above hi is empty: "empty" names it.
+The sphere of bounding_volume_fit has a center near that of the smallest ball, and the least radius for it;
+smallest_sphere is the smallest ball, but for rounding. robust of ray_sphere is another name of exact.
 The id comes back as it was sent, to the letter; null for a line that is no JSON. An error without an id names its line.
 These fields may stand beside them and are not looked at: {}.
 Any other field, a field given twice, and bytes behind the end are errors. Lines of blanks get no answer.

@@ -2,6 +2,7 @@
 
 #include <isect/convex_hull.h>
 #include <isect/fit.h>
+#include <isect/fit_tight.h>
 #include <isect/point_convex_polygon.h>
 #include <isect/point_polygon.h>
 #include <isect/polygon.h>
@@ -157,8 +158,8 @@ Json bounding_volume_fit(Job& job) {
       const Aabb<S, N> b = fit_aabb(points);
       return {{"lo", numbers<S, N>(b.lo)}, {"hi", numbers<S, N>(b.hi)}};
     }
-    if (volume == "sphere") {
-      const Sphere<S, N> ball = fit_sphere(points);
+    if (volume == "sphere" || volume == "smallest_sphere") {
+      const Sphere<S, N> ball = volume == "sphere" ? fit_sphere(points) : fit_sphere_smallest(points);
       return {{"center", numbers<S, N>(ball.center)}, {"radius", number(ball.radius)}};
     }
     if (volume == "obb") {
@@ -168,7 +169,7 @@ Json bounding_volume_fit(Job& job) {
       return {{"c", numbers<S, N>(b.center)}, {"u", axes}, {"e", numbers<S, N>(b.half)}};
     }
     if (volume == "kdop") return kdop_around(job, points);
-    job.fields["volume"].complain("aabb, sphere, obb or kdop is expected");
+    job.fields["volume"].complain("aabb, sphere, smallest_sphere, obb or kdop is expected");
   });
 }
 

@@ -37,7 +37,8 @@ Relation by_points(const Aabb<S, N>& a, const Aabb<S, N>& b) {
       const auto& [a_lo, a_hi, b_lo, b_hi] = ends[i];
       in_a &= a_lo <= x && x <= a_hi;
       in_b &= b_lo <= x && x <= b_hi;
-      inner &= a_lo < x && x < a_hi && b_lo < x && x < b_hi;
+      const auto within = [x](int lo, int hi) { return lo == hi ? x == lo : lo < x && x < hi; };
+      inner &= within(a_lo, a_hi) && within(b_lo, b_hi);
     }
     common |= in_a && in_b;
     interiors |= inner;

@@ -25,6 +25,20 @@ bool inside(const Stretch<N>& a, const Rational& r, const Stretch<N>& b, const R
   return at_most(distance2(a.p, b), s - r) && at_most(distance2(end, b), s - r);
 }
 
+/// Whether some point is interior to both segments, which have a common point and do not contain each other: where they
+/// are parallel the middle of what they share, else the point where their lines meet.
+template <int N>
+bool interiors_meet(const Stretch<N>& a, const Stretch<N>& b) {
+  const Coordinates<N> w = b.p - a.p;
+  const Rational uu = dot(a.d, a.d), uv = dot(a.d, b.d), vv = dot(b.d, b.d), determinant = uu * vv - uv * uv;
+  if (determinant == 0) {
+    const Rational from = dot(w, a.d) / uu, to = from + uv / uu;  // the ends of b, as places on a
+    return std::max<Rational>(0, std::min(from, to)) < std::min<Rational>(1, std::max(from, to));
+  }
+  const Rational s = (dot(a.d, w) * vv - uv * dot(b.d, w)) / determinant, t = (s * uv - dot(b.d, w)) / vv;
+  return 0 < s && s < 1 && 0 < t && t < 1;
+}
+
 /// What is empty, NaN or infinite is disjoint from all.
 template <class S, int N>
 Relation relation(const Capsule<S, N>& a, const Capsule<S, N>& b) {
@@ -38,8 +52,8 @@ Relation relation(const Capsule<S, N>& a, const Capsule<S, N>& b) {
   const bool a_inside = inside(x, r, y, s), b_inside = inside(y, s, x, r);
   if (a_inside) return b_inside ? Relation::equal : Relation::a_inside_b;
   if (b_inside) return Relation::b_inside_a;
-  const bool thin = r == 0 || s == 0;
-  return thin || d2 == (r + s) * (r + s) ? Relation::touching : Relation::overlapping;
+  const bool overlap = r == 0 && s == 0 ? interiors_meet<N>(x, y) : d2 < (r + s) * (r + s);
+  return overlap ? Relation::overlapping : Relation::touching;
 }
 
 }  // namespace isect::oracle

@@ -68,9 +68,6 @@ inline Sides both(Sides a, const Sides& b) {
 inline bool holds(const Sides& solid, const Place& x) {
   return std::ranges::all_of(solid, [&](const Side& s) { return s.at(x) >= 0; });
 }
-inline bool holds_within(const Sides& solid, const Place& x) {
-  return std::ranges::all_of(solid, [&](const Side& s) { return s.at(x) > 0; });
-}
 
 inline std::optional<Place> meeting(const Side& p, const Side& q, const Side& r) {
   const Place qr = cross(q.normal, r.normal);
@@ -86,6 +83,13 @@ inline std::vector<Place> corners(const Sides& solid) {
       for (std::size_t k = j + 1; k < solid.size(); ++k)
         if (const auto x = meeting(solid[i], solid[j], solid[k]); x && holds(solid, *x)) all.push_back(*x);
   return all;
+}
+/// Whether x is interior to it: beside no face, but for those that it lies on as a whole.
+inline bool holds_within(const Sides& solid, const Place& x) {
+  const std::vector<Place> all = corners(solid);
+  return std::ranges::all_of(solid, [&](const Side& s) {
+    return s.at(x) > 0 || (s.at(x) == 0 && std::ranges::all_of(all, [&](const Place& c) { return s.at(c) == 0; }));
+  });
 }
 /// A point within what the corners span.
 inline Place middle(const std::vector<Place>& corners) {
@@ -103,7 +107,8 @@ inline Relation relation(const Sides& a, const Sides& b) {
   const bool a_in_b = inside(a, b), b_in_a = inside(b, a);
   if (a_in_b) return b_in_a ? Relation::equal : Relation::a_inside_b;
   if (b_in_a) return Relation::b_inside_a;
-  return holds_within(both(a, b), middle(common)) ? Relation::overlapping : Relation::touching;
+  const Place inner = middle(common);
+  return holds_within(a, inner) && holds_within(b, inner) ? Relation::overlapping : Relation::touching;
 }
 
 /// Of the nearest among all feet of perpendiculars on planes, on lines of two planes, and corners, that the solid
@@ -152,8 +157,6 @@ inline Rational distance2(const Stretch<3>& segment, const Sides& solid) {
   return least;
 }
 
-inline bool thin(const Sides& solid) { return !holds_within(solid, middle(corners(solid))); }
-
 /// Of the ball around a segment's points; p = q for a ball.
 inline Relation relation(const Capsule<double, 3>& capsule, const Sides& solid) {
   const Rational r(capsule.radius);
@@ -170,7 +173,10 @@ inline Relation relation(const Capsule<double, 3>& capsule, const Sides& solid) 
   const bool b_in_a = std::ranges::all_of(all, [&](const Place& c) { return distance2<3>(c, s) <= r * r; });
   if (a_in_b) return b_in_a ? Relation::equal : Relation::a_inside_b;
   if (b_in_a) return Relation::b_inside_a;
-  return d2 == r * r || r == 0 || thin(solid) ? Relation::touching : Relation::overlapping;
+  if (r > 0) return d2 == r * r ? Relation::touching : Relation::overlapping;
+  const auto [lo, hi] = *part(s.p, s.at(1), solid);
+  const Rational t = (lo + hi) / 2;
+  return 0 < t && t < 1 && holds_within(solid, s.at(t)) ? Relation::overlapping : Relation::touching;
 }
 
 /// What is left of the triangle, clipped by one side after the other.
@@ -189,14 +195,6 @@ inline std::vector<Place> clipped(const Triangle<double, 3>& triangle, const Sid
   }
   return left;
 }
-inline Relation relation(const Triangle<double, 3>& triangle, const Sides& solid) {
-  const std::vector<Place> left = clipped(triangle, solid);
-  if (left.empty()) return Relation::disjoint;
-  if (std::ranges::all_of(triangle.vertices, [&](const auto& v) { return holds(solid, rational(v)); }))
-    return Relation::a_inside_b;
-  return holds_within(solid, middle(left)) ? Relation::overlapping : Relation::touching;
-}
-
 /// Its plane twice, and a side for each edge; the triangle has an area.
 inline Sides sides(const Triangle<double, 3>& triangle) {
   std::array<Place, 3> v;
@@ -208,6 +206,29 @@ inline Sides sides(const Triangle<double, 3>& triangle) {
     all.push_back({inward, -dot(inward, v[i])});
   }
   return all;
+}
+
+/// By what clipping leaves of the triangle or, beside a solid without a volume, by the corners that both have in
+/// common.
+inline Relation relation(const Triangle<double, 3>& triangle, const Sides& solid) {
+  const std::vector<Place> all = corners(solid);
+  if (all.empty()) return Relation::disjoint;
+  std::array<Place, 3> v;
+  for (std::size_t i = 0; i < 3; ++i) v[i] = rational(triangle.vertices[i]);
+  const Place n = cross(v[1] - v[0], v[2] - v[0]);
+  if (dot(n, n) == 0) {  // the segment between the corners that are farthest apart
+    std::size_t from = 0;
+    for (std::size_t i = 1; i < 3; ++i)
+      if (distance2<3>(v[i], v[(i + 1) % 3]) > distance2<3>(v[from], v[(from + 1) % 3])) from = i;
+    return relation(Capsule<double, 3>{triangle.vertices[from], triangle.vertices[(from + 1) % 3], 0}, solid);
+  }
+  const Place inner = middle(all);
+  if (!std::ranges::all_of(solid, [&](const Side& s) { return s.at(inner) > 0; }))
+    return relation(sides(triangle), solid);
+  const std::vector<Place> left = clipped(triangle, solid);
+  if (left.empty()) return Relation::disjoint;
+  if (std::ranges::all_of(v, [&](const Place& x) { return holds(solid, x); })) return Relation::a_inside_b;
+  return holds_within(solid, middle(left)) ? Relation::overlapping : Relation::touching;
 }
 
 }  // namespace isect::oracle

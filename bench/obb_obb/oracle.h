@@ -20,7 +20,6 @@ struct Exactly {
   Coordinates<N> center, half;
   std::array<Coordinates<N>, N> axes;
   std::vector<Coordinates<N>> corners;
-  bool flat = false;
 
   static Rational power(int exponent) { return std::ldexp(1.0, exponent); }
 
@@ -34,7 +33,6 @@ struct Exactly {
       std::vector<Coordinates<N>> next;
       for (const Coordinates<N>& c : corners) next.insert(next.end(), {c + half[i] * axes[i], c - half[i] * axes[i]});
       corners = next;
-      flat = flat || half[i] == 0;
     }
   }
 };
@@ -78,7 +76,7 @@ bool holds(const Exactly<N>& box, const Exactly<N>& inner) {
   return true;
 }
 
-/// 1 apart, 0 touching, -1 overlapping along l: from the projections of all corners.
+/// 1 apart, 0 touching, -1 overlapping along l, as two equal points do: from the projections of all corners.
 template <int N>
 int along(const Coordinates<N>& l, const Exactly<N>& a, const Exactly<N>& b) {
   const auto range = [&](const Exactly<N>& box) {
@@ -89,6 +87,7 @@ int along(const Coordinates<N>& l, const Exactly<N>& a, const Exactly<N>& b) {
   };
   const auto [a_lo, a_hi] = range(a);
   const auto [b_lo, b_hi] = range(b);
+  if (a_lo == a_hi && b_lo == b_hi && a_lo == b_lo) return -1;
   return std::max(sign(b_lo - a_hi), sign(a_lo - b_hi));
 }
 
@@ -119,7 +118,7 @@ Relation relation(int outer, const Exactly<N>& a, const Exactly<N>& b) {
   const bool a_in_b = holds(b, a), b_in_a = holds(a, b);
   if (a_in_b && b_in_a) return Relation::equal;
   if (a_in_b || b_in_a) return a_in_b ? Relation::a_inside_b : Relation::b_inside_a;
-  return outer == 0 || a.flat || b.flat ? Relation::touching : Relation::overlapping;
+  return outer == 0 ? Relation::touching : Relation::overlapping;
 }
 
 /// By projections. All products of two edges are asked, in no order.
@@ -157,7 +156,7 @@ bool meet_by_projection(const Obb<S, N>& a, const Obb<S, N>& b) {
 }
 
 /// By the vertices of the common part: points of the frame of A where N of the 4 N faces meet. Without one the boxes
-/// are apart; if all lie in one plane, they have no common interior. No separating axis is used.
+/// are apart; their middle is interior to both, if any point is. No separating axis is used.
 template <int N>
 Relation by_vertices(const Exactly<N>& a, const Exactly<N>& b) {
   if (!exists(a) || !exists(b)) return Relation::disjoint;
@@ -199,20 +198,17 @@ Relation by_vertices(const Exactly<N>& a, const Exactly<N>& b) {
       }
     }
   if (vertices.empty()) return Relation::disjoint;
-  // Volume: some N edges from the first vertex are independent.
-  Coordinates<N> s;
-  bool volume = false;
-  const std::size_t n = vertices.size();
-  for (std::size_t i = 1; i < n && !volume; ++i)
-    for (std::size_t j = 1; j < i && !volume; ++j) {
-      const Coordinates<N> p = vertices[i] - vertices[0], q = vertices[j] - vertices[0];
-      if constexpr (N == 2) {
-        volume = solve<N>({p, q}, p, s);
-      } else {
-        for (std::size_t k = 1; k < j && !volume; ++k) volume = solve<N>({p, q, vertices[k] - vertices[0]}, p, s);
-      }
-    }
-  return relation(volume ? -1 : 0, a, b);
+  Coordinates<N> middle = {};
+  for (const Coordinates<N>& v : vertices) middle = middle + v;
+  middle = (Rational(1) / static_cast<int>(vertices.size())) * middle;
+  const auto interior = [](const Rational& x, const Rational& half) { return half == 0 ? x == 0 : abs(x) < half; };
+  bool inner = true;
+  for (int i = 0; i < N; ++i) {
+    Rational in_b = origin[i];
+    for (int j = 0; j < N; ++j) in_b += image[j][i] * middle[j];
+    inner = inner && interior(middle[i], a.half[i]) && interior(in_b, b.half[i]);
+  }
+  return relation(inner ? -1 : 0, a, b);
 }
 
 }  // namespace isect::oracle::obb

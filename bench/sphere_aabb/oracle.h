@@ -14,7 +14,7 @@ Relation relation(const Sphere<S, N>& sphere, const Aabb<S, N>& box) {
   const Rational r = sphere.radius;
   if (r < 0) return Relation::disjoint;
   Rational outside2 = 0, corner2 = 0;
-  bool ball_inside = true, flat = false;
+  bool ball_inside = true;
   for (int i = 0; i < N; ++i) {
     if (lo[i] > hi[i]) return Relation::disjoint;
     const Rational outside = c[i] < lo[i]   ? Rational(lo[i] - c[i])
@@ -22,7 +22,6 @@ Relation relation(const Sphere<S, N>& sphere, const Aabb<S, N>& box) {
                                             : Rational(0);
     outside2 += outside * outside;
     ball_inside &= lo[i] <= c[i] - r && c[i] + r <= hi[i];
-    flat |= lo[i] == hi[i];
   }
   for (int corner = 0; corner < 1 << N; ++corner) {
     Rational d2 = 0;
@@ -37,7 +36,7 @@ Relation relation(const Sphere<S, N>& sphere, const Aabb<S, N>& box) {
   if (ball_inside && box_inside) return Relation::equal;
   if (ball_inside) return Relation::a_inside_b;
   if (box_inside) return Relation::b_inside_a;
-  return flat || outside2 == r * r ? Relation::touching : Relation::overlapping;
+  return outside2 == r * r ? Relation::touching : Relation::overlapping;
 }
 
 }  // namespace isect::oracle

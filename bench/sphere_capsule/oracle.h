@@ -51,7 +51,7 @@ Relation relation(const Sphere<S, N>& sphere, const Capsule<S, N>& capsule) {
   const bool in_capsule = at_most(d2, s - r), in_ball = at_most(farthest2, r - s);
   if (in_capsule) return in_ball ? Relation::equal : Relation::a_inside_b;
   if (in_ball) return Relation::b_inside_a;
-  return s == 0 || d2 == (r + s) * (r + s) ? Relation::touching : Relation::overlapping;
+  return d2 == (r + s) * (r + s) ? Relation::touching : Relation::overlapping;
 }
 
 }  // namespace isect::oracle

@@ -1,6 +1,7 @@
 #pragma once
 // How a triangle and a box lie: by what clipping leaves of the triangle, in rationals.
 
+#include <algorithm>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -49,6 +50,30 @@ bool reaches_inside(const std::type_identity_t<Corners<N>>& part, const Aabb<S, 
   return true;
 }
 
+/// Whether some point of the common part is interior to both: its centroid is, if any point is.
+template <class S, int N>
+bool interiors_meet(const std::type_identity_t<Corners<N>>& part, const Triangle<S, N>& triangle,
+                    const Aabb<S, N>& box) {
+  Coordinates<N> x = part[0];
+  for (std::size_t i = 1; i < part.size(); ++i) x = x + part[i];
+  x = (Rational(1) / static_cast<int>(part.size())) * x;
+  for (int k = 0; k < N; ++k) {
+    const Rational lo = box.lo[k], hi = box.hi[k];
+    if (lo == hi ? x[k] != lo : x[k] <= lo || x[k] >= hi) return false;
+  }
+  const Coordinates<N> origin = rational<S, N>(triangle.vertices[0]);
+  const Coordinates<N> a = rational<S, N>(triangle.vertices[1]) - origin,
+                       b = rational<S, N>(triangle.vertices[2]) - origin, w = x - origin;
+  const Rational aa = dot(a, a), ab = dot(a, b), bb = dot(b, b), d = aa * bb - ab * ab;
+  if (d != 0) {
+    const Rational s = dot(w, a) * bb - dot(w, b) * ab, t = dot(w, b) * aa - dot(w, a) * ab;
+    return s > 0 && t > 0 && s + t < d;
+  }
+  const Coordinates<N>& along = aa > bb ? a : b;  // a segment or a point
+  const auto [lo, hi] = std::minmax({Rational(0), dot(a, along), dot(b, along)});
+  return lo == hi || (lo < dot(w, along) && dot(w, along) < hi);
+}
+
 template <class S, int N>
 Relation relation(const Triangle<S, N>& triangle, const Aabb<S, N>& box) {
   const Corners<N> part = common(triangle, box);
@@ -62,7 +87,7 @@ Relation relation(const Triangle<S, N>& triangle, const Aabb<S, N>& box) {
   }
   if (a_in_b && b_in_a) return Relation::equal;
   if (a_in_b || b_in_a) return a_in_b ? Relation::a_inside_b : Relation::b_inside_a;
-  return reaches_inside(part, box) ? Relation::overlapping : Relation::touching;
+  return interiors_meet(part, triangle, box) ? Relation::overlapping : Relation::touching;
 }
 
 }  // namespace isect::oracle::triangle_aabb

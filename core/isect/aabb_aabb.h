@@ -79,15 +79,18 @@ bool intersects(const Aabb<S, N>& a, const Aabb<S, N>& b, Trace&& trace = {}) {
   return meets;
 }
 
-/// Whether the boxes have a common interior point. Exact; a flat box has no interior.
+/// Whether some point is interior to both boxes; of a flat box within the plane, line or point that it spans. Exact.
 template <class S, int N>
 bool interiors_intersect(const Aabb<S, N>& a, const Aabb<S, N>& b) {
-  const Aabb<S, N> common = aabb_aabb::common(a, b);
-  return finite(a) && finite(b) && (common.lo.array() < common.hi.array()).all();
+  if (empty(a) || empty(b) || !finite(a) || !finite(b)) return false;
+  for (int i = 0; i < N; ++i) {
+    const bool one_point = a.lo[i] == b.hi[i] && a.hi[i] == b.lo[i];
+    if (!one_point && !(a.lo[i] < b.hi[i] && b.lo[i] < a.hi[i])) return false;
+  }
+  return true;
 }
 
-/// How the boxes lie. Exact. Flat boxes have no interior: two that share points touch, unless one contains the other.
-/// An empty box, NaN or an infinite coordinate: disjoint.
+/// How the boxes lie. Exact, for flat boxes too. An empty box, NaN or an infinite coordinate: disjoint.
 template <class S, int N, class Trace = NoTrace>
 Relation relate(const Aabb<S, N>& a, const Aabb<S, N>& b, Trace&& trace = {}) {
   if (!finite(a) || !finite(b)) return Relation::disjoint;

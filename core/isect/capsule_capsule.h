@@ -99,6 +99,21 @@ int compare(const Capsule<double, N>& a, const Capsule<double, N>& b, Trace&& tr
   return least;
 }
 
+/// Whether some point is interior to both of two segments that have a common point, and neither of which contains the
+/// other: they cross between their ends, or an end of each lies on the other and these are two points.
+template <int N, class Trace>
+bool segments_overlap(const Capsule<double, N>& a, const Capsule<double, N>& b, Trace&& trace) {
+  if (between(a, b, trace).holds) return true;
+  const auto on = [&](const Point<double, N>& end, const Capsule<double, N>& other) {
+    const Nearest nearest = point_segment::detail::nearest<N>(end, other.p, other.q, trace);
+    return point_segment::detail::compare<N>(end, other.p, other.q, nearest, 0.0, 0.0, std::plus<>(), trace) == 0;
+  };
+  for (const Point<double, N>* const of_a : {&a.p, &a.q})
+    for (const Point<double, N>* const of_b : {&b.p, &b.q})
+      if (*of_a != *of_b && on(*of_a, b) && on(*of_b, a)) return true;
+  return false;
+}
+
 /// Whether a lies in b.
 template <int N, class Trace>
 bool inside(const Capsule<double, N>& a, const Capsule<double, N>& b, Trace&& trace) {
@@ -128,9 +143,9 @@ bool intersects(const Capsule<S, N>& a, const Capsule<S, N>& b, Trace&& trace = 
       trace);
 }
 
-/// How the capsules lie. Exact. Equal means the same set: the ends may be swapped. A capsule of radius 0 is a segment,
-/// which has no interior: it lies inside the other, or touches it. An empty one, NaN or an infinite coordinate:
-/// disjoint.
+/// How the capsules lie. Exact. Equal means the same set: the ends may be swapped. A capsule of radius 0 is a segment:
+/// two of them overlap where they cross between their ends or share a stretch. An empty one, NaN or an infinite
+/// coordinate: disjoint.
 template <class S, int N, class Trace = NoTrace>
 Relation relate(const Capsule<S, N>& a, const Capsule<S, N>& b, Trace&& trace = {}) {
   if (empty(a) || empty(b) || !finite(a) || !finite(b)) return Relation::disjoint;
@@ -145,8 +160,10 @@ Relation relate(const Capsule<S, N>& a, const Capsule<S, N>& b, Trace&& trace = 
         listener(inside);
         if (inside.a) return inside.b ? Relation::equal : Relation::a_inside_b;
         if (inside.b) return Relation::b_inside_a;
-        const bool thin = a.radius == 0 || b.radius == 0;
-        return reach == 0 || thin ? Relation::touching : Relation::overlapping;
+        const bool segments = a.radius == 0 && b.radius == 0;
+        const bool overlap =
+            segments ? capsule_capsule::detail::segments_overlap<N>(wide_a, wide_b, listener) : reach < 0;
+        return overlap ? Relation::overlapping : Relation::touching;
       },
       trace);
 }

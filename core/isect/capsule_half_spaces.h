@@ -115,14 +115,14 @@ bool intersects(const Capsule<S, N>& capsule, const HalfSpaces& solid, Trace&& t
   return capsule_half_spaces::detail::distance(capsule_half_spaces::detail::in_space<S, N>(capsule), solid, trace) <= 0;
 }
 
-/// How the capsule (A) and the solid lie. Exact. A capsule of radius 0 and a solid without a volume have no interior:
-/// they lie inside the other, or touch it. What is empty, NaN or infinite is disjoint from all.
+/// How the capsule (A) and the solid lie. Exact, for a solid without a volume, too; a capsule of radius 0 is a segment.
+/// What is empty, NaN or infinite is disjoint from all.
 template <class S, int N, class Trace = NoTrace>
 Relation relate(const Capsule<S, N>& capsule, const HalfSpaces& solid, Trace&& trace = {}) {
   if (empty(capsule) || !finite(capsule)) return Relation::disjoint;
-  const int room = half_spaces::detail::common(solid.faces, false, trace);
-  if (room < 0) return Relation::disjoint;
+  if (!has_a_point(solid, trace)) return Relation::disjoint;
   const Capsule<double, 3> wide = capsule_half_spaces::detail::in_space<S, N>(capsule);
+  if (wide.radius == 0) return relate(half_spaces::detail::segment(wide.p, wide.q, solid.dimension), solid, trace);
   const int reach = capsule_half_spaces::detail::distance(wide, solid, trace);
   if (reach > 0) return Relation::disjoint;
 
@@ -131,7 +131,7 @@ Relation relate(const Capsule<S, N>& capsule, const HalfSpaces& solid, Trace&& t
   const bool b_in_a = capsule_half_spaces::detail::holds(wide, solid, trace);
   if (a_in_b) return b_in_a ? Relation::equal : Relation::a_inside_b;
   if (b_in_a) return Relation::b_inside_a;
-  return reach == 0 || room == 0 || wide.radius == 0 ? Relation::touching : Relation::overlapping;
+  return reach == 0 ? Relation::touching : Relation::overlapping;
 }
 
 }  // namespace isect

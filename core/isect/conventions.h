@@ -1,16 +1,16 @@
 #pragma once
 // The words and the rules that every test shares.
-//
 // Sets        All shapes are closed: a common point, even a single one, is an intersection.
 // Exactness   Every verdict is the true one for the real numbers that the floating-point arguments denote.
 //             There is no hidden epsilon; a tolerance is a named argument.
 // Rays        r(t) = o + t d with t in a closed range, in units of |d|. A zero direction makes the ray a point.
 // Empty       An interval with lo > hi, a box with one of those, or a sphere with r < 0 has no point: it is
 //             disjoint from everything.
+// Thin sets   A segment, a triangle in space or a flat box has its interior within the line or plane that it spans, a
+//             point is its own: a plate that pierces a solid overlaps it, one on its face touches it.
 // NaN, inf    A shape with a coordinate that is NaN or infinite meets nothing, even where its numbers are only
 //             compared. Only the range of a ray and an interval by itself may be infinite.
-// Signs       -0 equals +0.
-// Frame       Right-handed, y up, radians, counter-clockwise seen from outside.
+// Signs       -0 equals +0. Frame: right-handed, y up, radians, counter-clockwise seen from outside.
 
 #include <cfloat>
 
@@ -28,8 +28,8 @@ enum class Relation {
   equal,       ///< the same set
   a_inside_b,  ///< A is a subset of B, inner tangency included
   b_inside_a,  ///< B is a subset of A, inner tangency included
-  touching,    ///< common points, but no common interior point
-  overlapping  ///< common interior points, and neither contains the other
+  touching,    ///< common points, but none is interior to both
+  overlapping  ///< some point is interior to both, and neither contains the other
 };
 
 /// The relation of B to A, from that of A to B.

@@ -43,8 +43,10 @@ bool usable(const std::vector<Point<S, N>>& points) {
 template <class S, int N, class Farther>
 std::size_t extreme(const std::vector<Point<S, N>>& points, const Farther& farther) {
   std::size_t best = 0;
-  for (std::size_t i = 1; i < points.size(); ++i)
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (points[i] == points[best]) continue;  // which only exact arithmetic would tell
     if (farther(points[i].template cast<double>(), points[best].template cast<double>())) best = i;
+  }
   return best;
 }
 
@@ -87,6 +89,7 @@ Sphere<S, N> least_ball(const std::vector<Point<S, N>>& points, const Point<S, N
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!(rounded2(points[i]) >= enough2)) continue;
     const bool first = farthest == points.size();
+    if (!first && points[i] == points[farthest]) continue;
     if (first || farther(points[i].template cast<double>(), points[farthest].template cast<double>())) farthest = i;
   }
   trace(Extreme{0, 1, static_cast<int>(farthest)});

@@ -41,10 +41,19 @@ struct Behind {
 struct Beside {
   Point<double, 3> a, b, c;
 };
+/// From a on in the direction of b.
+struct Beyond {
+  Point<double, 3> a, b;
+};
+/// On one side of the plane through a and b along coordinate axis `i`.
+struct Along {
+  Point<double, 3> a, b;
+  int i;
+};
 
 /// One half-space; turned it is the other side of the same plane.
 struct Face {
-  std::variant<Level, BoxFace, Behind, Beside> form;
+  std::variant<Level, BoxFace, Behind, Beside, Beyond, Along> form;
   bool turned = false;
 };
 
@@ -92,6 +101,16 @@ inequalities::Row<W> row(const Beside& face) {
 }
 
 template <Filtered W>
+inequalities::Row<W> row(const Beyond& face) {
+  return through<W>(face.a, difference<W>(face.b, face.a));
+}
+template <Filtered W>
+inequalities::Row<W> row(const Along& face) {
+  const Vector<double, 3> axis = Vector<double, 3>::Unit(face.i);
+  return through<W>(face.a, cross(difference<W>(face.b, face.a), exactly<W>(axis)));
+}
+
+template <Filtered W>
 inequalities::Row<W> row(const Face& face) {
   inequalities::Row<W> r = std::visit([](const auto& form) { return row<W>(form); }, face.form);
   if (face.turned)
@@ -136,6 +155,31 @@ bool inside(const HalfSpaces& a, Face face, Trace&& trace) {
   face.turned = !face.turned;
   faces.push_back(face);
   return common(faces, true, trace) <= 0;
+}
+
+/// Whether A, which is not empty, lies in B.
+template <class Trace>
+bool inside(const HalfSpaces& a, const HalfSpaces& b, Trace&& trace) {
+  for (const Face& face : b.faces)
+    if (!inside(a, face, trace)) return false;
+  return true;
+}
+
+/// Whether some point is interior to both solids, which have a common point: of a thin one within the plane or line
+/// that it spans, so that the faces that it lies on as a whole do not count.
+template <class Trace>
+bool interiors_meet(const HalfSpaces& a, const HalfSpaces& b, Trace&& trace) {
+  std::vector<char> strict;
+  for (const HalfSpaces* const solid : {&a, &b}) {
+    const bool thin = common(solid->faces, false, trace) == 0;
+    for (Face face : solid->faces) {
+      face.turned = !face.turned;
+      strict.push_back(!thin || !inside(*solid, face, trace));
+    }
+  }
+  const std::vector<Face> faces = both(a, b).faces;
+  const auto is_strict = [&](int i) { return strict[static_cast<std::size_t>(i)] != 0; };
+  return inequalities::common(count(faces), text_of(faces), false, is_strict, trace) > 0;
 }
 
 }  // namespace detail
@@ -192,6 +236,29 @@ HalfSpaces half_spaces_of(const Frustum<S>& frustum) {
   return result;
 }
 
+namespace half_spaces::detail {
+
+/// What half_spaces_of makes of a segment; finite.
+inline HalfSpaces segment(const Point<double, 3>& p, const Point<double, 3>& q, int dimension) {
+  if (p == q)
+    return dimension == 2 ? half_spaces_of(Aabb<double, 2>{p.head<2>(), p.head<2>()})
+                          : half_spaces_of(Aabb<double, 3>{p, p});
+  HalfSpaces result = {{{Beyond{p, q}}, {Beyond{q, p}}}, dimension};
+  for (int i = dimension == 2 ? 2 : 0; i < 3; ++i)
+    for (const bool turned : {false, true}) result.faces.push_back({Along{p, q, i}, turned});
+  return result;
+}
+
+}  // namespace half_spaces::detail
+
+/// Its ends may be the same.
+template <class S, int N>
+HalfSpaces half_spaces_of(const Segment<S, N>& segment) {
+  using namespace half_spaces::detail;
+  if (!finite(segment)) return {{nothing()}, N};
+  return half_spaces::detail::segment(in_space<S, N>(segment.p), in_space<S, N>(segment.q), N);
+}
+
 /// Of a triangle in space that has an area: its plane from both sides, and a side for each edge.
 template <class S>
 HalfSpaces half_spaces_of(const Triangle<S, 3>& triangle) {
@@ -225,21 +292,15 @@ bool has_a_point(const HalfSpaces& a, Trace&& trace = {}) {
   return half_spaces::detail::common(a.faces, false, trace) >= 0;
 }
 
-/// How two solids lie. Exact. One without a volume has no interior: it lies inside the other, or touches it. One
-/// without a point is disjoint from all.
+/// How two solids lie. Exact, for those without a volume, too. One without a point is disjoint from all.
 template <class Trace = NoTrace>
 Relation relate(const HalfSpaces& a, const HalfSpaces& b, Trace&& trace = {}) {
   const int meet = half_spaces::detail::common(half_spaces::detail::both(a, b).faces, false, trace);
   if (meet < 0) return Relation::disjoint;
-  const auto holds = [&](const HalfSpaces& outer, const HalfSpaces& inner) {
-    for (const half_spaces::Face& face : outer.faces)
-      if (!half_spaces::detail::inside(inner, face, trace)) return false;
-    return true;
-  };
-  const bool a_in_b = holds(b, a), b_in_a = holds(a, b);
+  const bool a_in_b = half_spaces::detail::inside(a, b, trace), b_in_a = half_spaces::detail::inside(b, a, trace);
   if (a_in_b) return b_in_a ? Relation::equal : Relation::a_inside_b;
   if (b_in_a) return Relation::b_inside_a;
-  return meet == 0 ? Relation::touching : Relation::overlapping;
+  return meet > 0 || half_spaces::detail::interiors_meet(a, b, trace) ? Relation::overlapping : Relation::touching;
 }
 
 /// How the plane (A) and the solid lie: disjoint, touching, or overlapping, when the solid has points on both sides.

@@ -24,13 +24,14 @@ namespace obb_obb {
 
 namespace detail {
 
-/// Whether the product of two edges vanishes: they are parallel.
+/// Whether both boxes lie in one plane across the axis, or the axis is the product of two parallel edges, which
+/// vanishes: then a gap of 0 says nothing.
 template <int N>
-bool vanishes(const Obb<double, N>& a, const Obb<double, N>& b, const Axis& axis) {
-  if (axis.kind != Kind::edges) return false;
-  for (int k = 0; k < N; ++k)
-    if (sign_of([&]<class W>() -> W { return direction<W>(a, b, axis)[k]; }) != 0) return false;
-  return true;
+bool says_nothing(const Obb<double, N>& a, const Obb<double, N>& b, const Axis& axis) {
+  return sign_of([&]<class W>() -> W {
+           const Components<W, N> l = direction<W>(a, b, axis);
+           return radius<W, N>(l, a) + radius<W, N>(l, b);
+         }) == 0;
 }
 
 /// What all axes say together: the one that separates, or whether one touches.
@@ -65,7 +66,7 @@ template <int N, class Trace>
     const int sign = sign_of([&]<class W>() -> W { return gap<W>(a, b, axis); }, trace);
     if constexpr (heard<Trace>) trace(tested(a, b, axis, sign));
     if (sign > 0) return {axis, false};
-    if (sign == 0 && !result.touching) result.touching = !vanishes(a, b, axis);
+    if (sign == 0 && !result.touching) result.touching = !says_nothing(a, b, axis);
   }
   return result;
 }
@@ -123,9 +124,8 @@ bool intersects(const Obb<S, N>& a, const Obb<S, N>& b, Trace&& trace = {}) {
   return settled_in_own_unit<Trace>(in_doubles(a), in_doubles(b), settled);
 }
 
-/// How the boxes lie. Exact. Equal means the same set, whatever the order, signs and lengths of the axes. A flat box,
-/// some half_i = 0, has no interior: it lies inside the other, or touches it. Nothing meets an empty box, one with
-/// dependent axes, NaN or an infinite coordinate.
+/// How the boxes lie. Exact, for flat boxes too, some half_i = 0. Equal means the same set, whatever the order, signs
+/// and lengths of the axes. Nothing meets an empty box, one with dependent axes, NaN or an infinite coordinate.
 template <class S, int N, class Trace = NoTrace>
 Relation relate(const Obb<S, N>& a, const Obb<S, N>& b, Trace&& trace = {}) {
   if (empty(a) || empty(b)) return Relation::disjoint;
@@ -144,8 +144,7 @@ Relation relate(const Obb<S, N>& a, const Obb<S, N>& b, Trace&& trace = {}) {
              b_in_a = obb_obb::detail::inside(wide_b, wide_a, trace);
   if (a_in_b) return b_in_a ? Relation::equal : Relation::a_inside_b;
   if (b_in_a) return Relation::b_inside_a;
-  const bool flat = a.half.minCoeff() == 0 || b.half.minCoeff() == 0;
-  return settled.touching || flat ? Relation::touching : Relation::overlapping;
+  return settled.touching ? Relation::touching : Relation::overlapping;
 }
 
 }  // namespace isect

@@ -134,8 +134,8 @@ bool intersects(const Sphere<S, N>& sphere, const Aabb<S, N>& box, Trace&& trace
   return (distance2 < radius2) & (std::min(widths.minCoeff(), sphere.radius) >= 0);  // neither is empty
 }
 
-/// How the ball and the box lie, the ball being a. Exact. A flat box has no interior, so that the ball can only touch
-/// it or contain it; a ball of radius 0 is a point. An empty one, NaN or an infinite coordinate: disjoint.
+/// How the ball and the box lie, the ball being a. Exact, for a flat box too; a ball of radius 0 is a point. An empty
+/// one, NaN or an infinite coordinate: disjoint.
 template <class S, int N, class Trace = NoTrace>
 Relation relate(const Sphere<S, N>& sphere, const Aabb<S, N>& box, Trace&& trace = {}) {
   if (empty(sphere) || empty(box) || !finite(sphere) || !finite(box)) return Relation::disjoint;
@@ -152,8 +152,7 @@ Relation relate(const Sphere<S, N>& sphere, const Aabb<S, N>& box, Trace&& trace
   if (nearest > 0) return Relation::disjoint;
   if (ball_inside) return farthest <= 0 ? Relation::equal : Relation::a_inside_b;  // both: the same single point
   if (farthest <= 0) return Relation::b_inside_a;
-  const bool flat = (box.lo.array() == box.hi.array()).any();
-  return nearest == 0 || flat ? Relation::touching : Relation::overlapping;
+  return nearest == 0 ? Relation::touching : Relation::overlapping;
 }
 
 }  // namespace isect

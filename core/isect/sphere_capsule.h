@@ -77,8 +77,7 @@ bool intersects(const Sphere<S, N>& sphere, const Capsule<S, N>& capsule, Trace&
 }
 
 /// How the ball and the capsule lie, the ball being a. Exact. A ball of radius 0 is a point, and a capsule of radius 0
-/// a segment, which has no interior: the ball can only touch or contain it. An empty one, NaN or an infinite
-/// coordinate: disjoint.
+/// a segment. An empty one, NaN or an infinite coordinate: disjoint.
 template <class S, int N, class Trace = NoTrace>
 Relation relate(const Sphere<S, N>& sphere, const Capsule<S, N>& capsule, Trace&& trace = {}) {
   if (empty(sphere) || empty(capsule) || !finite(sphere) || !finite(capsule)) return Relation::disjoint;
@@ -95,7 +94,7 @@ Relation relate(const Sphere<S, N>& sphere, const Capsule<S, N>& capsule, Trace&
         listener(inside);
         if (inside.ball) return inside.capsule ? Relation::equal : Relation::a_inside_b;
         if (inside.capsule) return Relation::b_inside_a;
-        return reach.sign == 0 || capsule.radius == 0 ? Relation::touching : Relation::overlapping;
+        return reach.sign == 0 ? Relation::touching : Relation::overlapping;
       },
       trace);
 }

@@ -60,13 +60,12 @@ bool bounded(const HalfSpaces& solid, Trace&& trace) {
 
 }  // namespace sphere_half_spaces
 
-/// How the ball (A) and the solid lie. Exact. A solid without a volume has no interior: the ball can only touch or
-/// contain it, or be a point of it. What is empty, NaN or infinite is disjoint from all.
+/// How the ball (A) and the solid lie. Exact, for a solid without a volume, too; a ball of radius 0 is a point. What is
+/// empty, NaN or infinite is disjoint from all.
 template <class S, int N, class Trace = NoTrace>
 Relation relate(const Sphere<S, N>& sphere, const HalfSpaces& solid, Trace&& trace = {}) {
   if (empty(sphere) || !finite(sphere)) return Relation::disjoint;
-  const int room = half_spaces::detail::common(solid.faces, false, trace);
-  if (room < 0) return Relation::disjoint;
+  if (!has_a_point(solid, trace)) return Relation::disjoint;
   const Point<double, 3> center = half_spaces::detail::in_space<S, N>(sphere.center);
   const double r = sphere.radius;
   const int count = half_spaces::detail::count(solid.faces);
@@ -89,7 +88,7 @@ Relation relate(const Sphere<S, N>& sphere, const HalfSpaces& solid, Trace&& tra
                       sphere_half_spaces::detail::bounded(solid, trace);
   if (a_in_b) return b_in_a ? Relation::equal : Relation::a_inside_b;
   if (b_in_a) return Relation::b_inside_a;
-  return reach == 0 || room == 0 ? Relation::touching : Relation::overlapping;
+  return reach == 0 ? Relation::touching : Relation::overlapping;
 }
 
 /// Whether they have a common point. Exact.

@@ -81,20 +81,19 @@ int compare(const Capsule<double, 3>& capsule, const Triangle<double, 3>& x, Tra
   return through ? (capsule.radius > 0 ? -1 : 0) : least;
 }
 
-/// `reach` is the sign of a distance less a radius.
-inline Relation relation(int reach, bool held, bool thin) {
+/// Of what has a volume; `reach` is the sign of a distance less a radius.
+inline Relation relation(int reach, bool held) {
   if (reach > 0) return Relation::disjoint;
   if (held) return Relation::b_inside_a;
-  return reach == 0 || thin ? Relation::touching : Relation::overlapping;
+  return reach == 0 ? Relation::touching : Relation::overlapping;
 }
 
 }  // namespace detail
 
 }  // namespace sphere_triangle
 
-/// How the ball (A) and the triangle lie. Exact; degenerate triangles are segments or points. A triangle has no
-/// interior of its own: `touching` means that no point of it lies in the interior of the ball, so also that a ball of
-/// radius 0 is a point of it. An empty ball, NaN or an infinite coordinate: disjoint.
+/// How the ball (A) and the triangle lie. Exact; degenerate triangles are segments or points, and a ball of radius 0 is
+/// a point. An empty ball, NaN or an infinite coordinate: disjoint.
 template <class S, class Trace = NoTrace>
 Relation relate(const Sphere<S, 3>& sphere, const Triangle<S, 3>& triangle, Trace&& trace = {}) {
   if (empty(sphere) || !finite(sphere) || !finite(triangle)) return Relation::disjoint;
@@ -102,7 +101,8 @@ Relation relate(const Sphere<S, 3>& sphere, const Triangle<S, 3>& triangle, Trac
   const Triangle<double, 3> x = cast<double>(triangle);
   const int reach = sphere_triangle::detail::compare(ball.center, ball.radius, x, trace);
   const bool held = reach <= 0 && sphere_triangle::detail::holds({ball.center, ball.center, ball.radius}, x, trace);
-  return sphere_triangle::detail::relation(reach, held, ball.radius == 0);
+  if (ball.radius == 0 && reach <= 0) return held ? Relation::equal : Relation::a_inside_b;
+  return sphere_triangle::detail::relation(reach, held);
 }
 
 /// Whether the ball and the triangle have a common point. Exact.
@@ -113,15 +113,18 @@ bool intersects(const Sphere<S, 3>& sphere, const Triangle<S, 3>& triangle, Trac
   return sphere_triangle::detail::compare(ball.center, ball.radius, cast<double>(triangle), trace) <= 0;
 }
 
-/// How the capsule (A) and the triangle lie; as for a ball.
+/// How the capsule (A) and the triangle lie; as for a ball. A capsule of radius 0 is a segment.
 template <class S, class Trace = NoTrace>
 Relation relate(const Capsule<S, 3>& capsule, const Triangle<S, 3>& triangle, Trace&& trace = {}) {
   if (empty(capsule) || !finite(capsule) || !finite(triangle)) return Relation::disjoint;
   const Capsule<double, 3> wide = cast<double>(capsule);
   const Triangle<double, 3> x = cast<double>(triangle);
+  if (wide.radius == 0)
+    return relate(half_spaces_of(Segment<double, 3>{wide.p, wide.q}),
+                  triangle_half_spaces::detail::solid_of(x, 3, trace), trace);
   const int reach = sphere_triangle::detail::compare(wide, x, trace);
   const bool held = reach <= 0 && sphere_triangle::detail::holds(wide, x, trace);
-  return sphere_triangle::detail::relation(reach, held, wide.radius == 0);
+  return sphere_triangle::detail::relation(reach, held);
 }
 
 /// Whether the capsule and the triangle have a common point. Exact.

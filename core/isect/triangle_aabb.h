@@ -132,6 +132,7 @@ std::optional<int> gap(const Triangle<double, N>& triangle, const Aabb<double, N
     if (behind >= 0) behind = std::min(behind, apart(v, last));
     if (before < 0 && behind < 0) return -1;
   }
+  if (before == 0 && behind == 0) return -1;  // both lie in one plane across the axis, which parts no interiors
   return std::max(before, behind);
 }
 
@@ -214,9 +215,8 @@ bool intersects_interior(const Triangle<S, N>& triangle, const Aabb<S, N>& box, 
   return triangle_aabb::detail::outer(cast<double>(triangle), cast<double>(box), trace) < 0;
 }
 
-/// How triangle (A) and box (B) lie. Exact. A triangle in space has no interior of its own, so here `touching` means
-/// that no point of it lies in the interior of the box, and `overlapping` that some does; in the plane that is the
-/// general rule, degenerate triangles apart. Only a flat box can lie in a triangle in space.
+/// How triangle (A) and box (B) lie. Exact, for flat boxes and degenerate triangles too. Only a flat box can lie in a
+/// triangle in space.
 template <class S, int N, class Trace = NoTrace>
 Relation relate(const Triangle<S, N>& triangle, const Aabb<S, N>& box, Trace&& trace = {}) {
   if (triangle_aabb::detail::meaningless(triangle, box)) return Relation::disjoint;
@@ -229,8 +229,7 @@ Relation relate(const Triangle<S, N>& triangle, const Aabb<S, N>& box, Trace&& t
              b_in_a = triangle_aabb::detail::holds(wide_triangle, wide_box);
   if (a_in_b) return b_in_a ? Relation::equal : Relation::a_inside_b;
   if (b_in_a) return Relation::b_inside_a;
-  const bool flat = (box.lo.array() == box.hi.array()).any();
-  return outer == 0 || flat ? Relation::touching : Relation::overlapping;
+  return outer == 0 ? Relation::touching : Relation::overlapping;
 }
 
 }  // namespace isect

@@ -116,23 +116,42 @@ Capsule<double, 3> as_segment(const Triangle<double, 3>& x, Trace&& trace) {
   return {x.vertices[0], x.vertices[0], 0};
 }
 
+/// Of any triangle; in the plane the prism over it.
+template <class Trace>
+HalfSpaces solid_of(const Triangle<double, 3>& x, int dimension, Trace&& trace) {
+  if (degenerate(x, trace)) {
+    const Capsule<double, 3> segment = as_segment(x, trace);
+    return half_spaces::detail::segment(segment.p, segment.q, dimension);
+  }
+  HalfSpaces result = half_spaces_of(x);
+  result.dimension = dimension;
+  if (dimension == 2) result.faces.erase(result.faces.begin(), result.faces.begin() + 2);  // its plane
+  return result;
+}
+
 }  // namespace detail
 
 }  // namespace triangle_half_spaces
 
-/// How triangle (A) and solid lie. Exact; degenerate triangles are segments or points. Here `touching` means that no
-/// point of the triangle lies in the interior of the solid, also where a solid without a volume lies in the triangle.
-/// What is empty, NaN or infinite is disjoint from all.
+/// How triangle (A) and solid lie. Exact, for a solid without a volume, too; degenerate triangles are segments or
+/// points. What is empty, NaN or infinite is disjoint from all.
 template <class S, int N, class Trace = NoTrace>
 Relation relate(const Triangle<S, N>& triangle, const HalfSpaces& solid, Trace&& trace = {}) {
   if (!finite(triangle)) return Relation::disjoint;
-  const int meet =
-      triangle_half_spaces::detail::common(triangle_half_spaces::detail::in_space<S, N>(triangle), solid.faces, trace);
+  const Triangle<double, 3> x = triangle_half_spaces::detail::in_space<S, N>(triangle);
+  const int meet = triangle_half_spaces::detail::common(x, solid.faces, trace);
   if (meet < 0) return Relation::disjoint;
   const bool inside = std::ranges::all_of(
       triangle.vertices, [&](const Point<S, N>& v) { return locate<S, N>(v, solid, trace) != Location::out; });
-  if (inside) return Relation::a_inside_b;
-  return meet == 0 ? Relation::touching : Relation::overlapping;
+  if (solid.dimension == 3 &&
+      half_spaces::detail::common(solid.faces, false, trace) > 0)  // it has a volume: no triangle holds it
+    return inside ? Relation::a_inside_b : meet > 0 ? Relation::overlapping : Relation::touching;
+  const HalfSpaces own = triangle_half_spaces::detail::solid_of(x, solid.dimension, trace);
+  const bool held = half_spaces::detail::inside(solid, own, trace);
+  if (inside) return held ? Relation::equal : Relation::a_inside_b;
+  if (held) return Relation::b_inside_a;
+  return meet > 0 || half_spaces::detail::interiors_meet(own, solid, trace) ? Relation::overlapping
+                                                                            : Relation::touching;
 }
 
 /// Whether they have a common point. Exact.

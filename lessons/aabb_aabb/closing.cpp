@@ -56,8 +56,9 @@ const Closing& closing() {
           {"Write containment of b in a as comparisons. How many are needed?",
            "a.min_i ≤ b.min_i and b.max_i ≤ a.max_i for each of three axes: six, if both boxes have points."},
           {"What changes if touching boxes should count as disjoint?",
-           "Each > becomes ≥. A flat box has no interior and should meet nothing, but these comparisons let it meet "
-           "what it lies inside: ask first whether a box is flat."},
+           "Each > becomes ≥. A flat box still meets what it pierces. Two flat boxes in one plane share more than a "
+           "rim, "
+           "but these comparisons call them disjoint: ask first whether both are flat there."},
       }};
   return closing;
 }

@@ -138,7 +138,7 @@ class Teller {
                            : "The note's figure returns OVERLAP after the first axis. It would be wrong here.\n"
                              "OVERLAP may be returned only after the loop.";
       case Relation::touching:
-        return std::string(flat(s_.a) || flat(s_.b) ? "A flat box has no interior, so no point is interior to both."
+        return std::string(flat(s_.a) || flat(s_.b) ? "They share points, but none is interior to both."
                                                     : "They share boundary points, but no interior point.") +
                " Closed sets include their boundary, so touching counts as OVERLAP.";
       case Relation::equal:

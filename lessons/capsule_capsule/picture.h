@@ -16,6 +16,7 @@ struct Setup {
   Relation truth;
 
   bool thin() const { return a.radius == 0 || b.radius == 0; }
+  bool segments() const { return a.radius == 0 && b.radius == 0; }
   /// The points of both segments that are nearest to each other, rounded.
   std::pair<viz::Vec2, viz::Vec2> closest() const;
   /// That end, and the other segment's point nearest to it, rounded.

@@ -11,10 +11,10 @@ std::string because(const Setup& s) {
     case Relation::disjoint:
       return "No end comes within *R* of the other segment, and they do not cross.";
     case Relation::touching:
-      return s.a.radius == 0 && s.b.radius == 0 ? "Both are segments, which have no interior."
-             : s.thin()                         ? "One of them is a segment, which has no interior."
-                                                : "An end is exactly *R* away, and none is nearer.";
+      return s.segments() ? "An end of one lies on the other, and they share no other point."
+                          : "An end is exactly *R* away, and none is nearer.";
     case Relation::overlapping:
+      if (s.segments()) return "They share a point that is an end of neither.";
       return "They come nearer than *R*, but neither contains the balls at both ends of the other.";
     default:
       return "One capsule contains the balls at both ends of the other. It is convex, so it contains everything "
@@ -23,23 +23,20 @@ std::string because(const Setup& s) {
 }
 
 std::string end_caption(const Setup& s) {
+  const std::string segments = "A capsule of radius 0 is a segment. Its interior is all of it but its ends.\n",
+                    missed = "\nIf a common point is not a double, methods that compute it may miss it.";
   switch (s.truth) {
     case Relation::disjoint:
       return "The segments are more than *R* apart: a gap is left.\n"
              "The exact test compares squares, multiplied out, so it needs no division and no square root.";
     case Relation::touching:
-      if (s.thin())
-        return std::string(
-                   "A capsule of radius 0 is a segment. In the plane it has no interior: if the two meet, they "
-                   "touch, unless one contains the other.") +
-               (s.a.radius == 0 && s.b.radius == 0
-                    ? "\nIf a common point is not a double, methods that compute it may miss it."
-                    : "");
+      if (s.segments()) return segments + "They share one point, and it is an end." + missed;
       return "The distance is exactly *R*: the exact test takes the sign of *d* − *R* without rounding.\n"
              "They share boundary points, and no interior point.";
     case Relation::overlapping:
-      return "They share interior points, and neither contains the other.\n"
-             "Green marks what they share.";
+      if (s.segments()) return segments + "They share such a point, and neither contains the other." + missed;
+      return std::string("They share interior points, and neither contains the other.") +
+             (s.thin() ? "" : "\nGreen marks what they share.");
     case Relation::equal:
       return "Each lies inside the other: they are the same set. The ends may be swapped.";
     default: {

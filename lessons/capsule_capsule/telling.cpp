@@ -173,15 +173,14 @@ class Teller {
   /// Of d, which is R at most, and R.
   const char* compared() const {
     const bool all_as_far = is_least() && !crossed_ && !nearer();
-    if (sum() == 0 || all_as_far || (s_.truth == Relation::touching && !pierced())) return "=";
+    if (sum() == 0 || all_as_far || s_.truth == Relation::touching) return "=";
     return crossed_ || nearer() || s_.truth == Relation::overlapping ? "<" : "≤";
   }
 
   /// Whether d is the segments' distance: no endpoint was left out.
   bool is_least() const { return crossed_ || shown_.earlier.size() == 4; }
 
-  /// A segment without thickness in the other's interior.
-  bool pierced() const { return s_.thin() && sum() > 0 && (crossed_ || nearer()); }
+  /// Whether an end comes nearer than R.
   bool nearer() const {
     return std::ranges::any_of(shown_.earlier, [](const End& e) { return e.sign < 0; });
   }

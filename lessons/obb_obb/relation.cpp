@@ -55,7 +55,7 @@ std::string Teller::end_caption() const {
                  : "Disjoint by the last of 15 axes.";
     case Relation::touching:
       return std::string((s_.a.half.array() == 0).any() || (s_.b.half.array() == 0).any()
-                             ? "A flat box has no interior, so no point is interior to both."
+                             ? "They share points, but none is interior to both."
                              : "They share boundary points, but no interior point.") +
              " Closed sets include their boundary, so touching counts as OVERLAP.";
     case Relation::overlapping:

@@ -163,7 +163,7 @@ class Teller {
     if (!meets && near) return "The note's comparison is wrong here: a square has been rounded.";
     switch (s_.truth) {
       case Relation::touching:
-        return near ? "A box without thickness has no interior, so the two can only touch."
+        return near ? "The note's comparison is wrong here: a square has been rounded."
                     : "The note's strict < calls this DISJOINT, yet for boxes it calls touching OVERLAP.\n"
                       "Closed sets include their boundary, so the comparison must be *d*^2 ≤ *r*^2.";
       case Relation::disjoint:

@@ -356,6 +356,65 @@ TEST_CASE("query's files and usage", "[query]") {
   CHECK_THAT(shell("isect query --help").out, Contains("ray_sphere") && Contains("haines") && Contains("Example"));
 }
 
+TEST_CASE("query tells by one rule how thin shapes lie", "[query]") {
+  const auto relation = [](const std::string& request) { return ask(request).lines.at(0)["result"]; };
+  const auto boxes = [&](const std::string& alo, const std::string& ahi) {
+    return relation(R"({"kind": "box_box", "blo": [-1,-1,-1], "bhi": [1,1,1], "alo": )" + alo + ", \"ahi\": " + ahi +
+                    "}");
+  };
+  const auto expect = [](const Json& result, const char* told, bool interiors) {
+    CHECK(result["relation"] == told);
+    CHECK(result["interiors_intersect"] == interiors);
+    CHECK_FALSE(result.contains("empty"));
+  };
+  expect(boxes("[-2,0,-2]", "[2,0,2]"), "overlap", true);  // a plate pierces
+  expect(boxes("[-2,1,-2]", "[2,1,2]"), "touch", false);   // on a face
+  expect(boxes("[1,0,0]", "[2,0,0]"), "touch", false);     // a rod
+  expect(boxes("[0,0,0]", "[2,0,0]"), "overlap", true);    //
+  expect(boxes("[0,0,0]", "[0,0,0]"), "b_contains_a", true);
+  expect(boxes("[1,1,1]", "[1,1,1]"), "b_contains_a", false);
+  const auto triangle = [&](const std::string& points) {
+    return relation(R"({"kind": "triangle_box", "lo": [-2,-2,-2], "hi": [2,2,2], "tri": )" + points + "}")["relation"];
+  };
+  CHECK(triangle("[[0,0,0],[1,0,0],[0,1,0]]") == "b_contains_a");
+  CHECK(triangle("[[0,0,2],[1,0,2],[0,1,2]]") == "b_contains_a");
+  CHECK(triangle("[[0,0,0],[5,0,0],[0,1,0]]") == "overlap");
+  CHECK(triangle("[[0,0,2],[5,0,2],[0,1,2]]") == "touch");
+  CHECK(triangle("[[3,0,2],[5,0,2],[4,1,2]]") == "disjoint");
+  CHECK(relation(R"({"kind": "triangle_box", "lo": [0,0], "hi": [1,1], "tri": [[-9,-9],[9,-9],[0,99]]})")["relation"] ==
+        "a_contains_b");
+}
+
+TEST_CASE("query says which box is empty", "[query]") {
+  const auto empty = [](const std::string& request) { return ask(request).lines.at(0)["result"].value("empty", ""); };
+  const std::string good = R"([0,0], "bhi": [1,1]})", bad = R"([1,0], "bhi": [0,1]})";
+  CHECK(empty(R"({"kind": "box_box", "alo": [0,0], "ahi": [1,1], "blo": )" + good) == "");
+  CHECK(empty(R"({"kind": "box_box", "alo": [0,0], "ahi": [1,1], "blo": )" + bad) == "b");
+  CHECK(empty(R"({"kind": "box_box", "alo": [2,0], "ahi": [1,1], "blo": )" + good) == "a");
+  CHECK(empty(R"({"kind": "box_box", "alo": [2,0], "ahi": [1,1], "blo": )" + bad) == "a and b");
+  CHECK(empty(R"({"kind": "sphere_box", "center": [0,0], "radius": 1, "lo": [1,1], "hi": [2,0]})") == "box");
+  CHECK(empty(R"({"kind": "triangle_box", "tri": [[0,0],[1,0],[0,1]], "lo": [1,1], "hi": [2,0]})") == "box");
+}
+
+TEST_CASE("query fits the smallest ball where it is asked for", "[query]") {
+  const auto fit = [](const std::string& volume) {
+    return ask(R"({"kind": "bounding_volume_fit", "points": [[0,0],[0.5,0.01],[1,0]], "volume": ")" + volume + "\"}")
+        .lines.at(0)["result"];
+  };
+  CHECK(fit("smallest_sphere")["radius"] == 0.5);
+  CHECK(fit("smallest_sphere")["center"] == Json::parse("[0.5, 0.0]"));
+  CHECK(fit("sphere")["radius"].get<double>() > 0.5);
+  CHECK_THAT(Shell()("isect query --help").out, Contains("smallest_sphere") && Contains("another name of exact"));
+}
+
+TEST_CASE("the variant robust of a ray and a ball is the exact call by another name", "[query]") {
+  const std::string request = R"({"kind": "ray_sphere", "origin": [-100000000.0000001,0.1,0], "dir": [1,0.3,0], )"
+                              R"("center": [0,0,0], "radius": 1e8, "variant": )";
+  const Replies r = ask(request + "\"robust\"}\n" + request + "\"exact\"}");
+  REQUIRE(r.lines.size() == 2);
+  CHECK(r.lines[0]["result"] == r.lines[1]["result"]);
+}
+
 TEST_CASE("a trace tells a choice by its name", "[query]") {
   const Replies r = ask(
       R"({"kind": "sphere_capsule", "center": [1, 4.5], "radius": 2, "p": [-3, 0], "q": [3, 0], "r": 2, "trace": true})"

@@ -13,15 +13,16 @@ namespace {
 
 using oracle::dot, oracle::rational, oracle::operator-;
 
-/// A box without thickness that pierces another overlaps it here, as in most suites.
 template <class S, int N>
 Case boxes(const Aabb<S, N>& a, const Aabb<S, N>& b) {
   const Json in = both(fields(a, "alo", "ahi"), fields(b, "blo", "bhi"));
   if (!finite(a) || !finite(b)) return policy(in, is_f32<S>);
-  bool meet = !empty(a) && !empty(b), more = meet, a_in_b = meet, b_in_a = meet;
+  bool meet = !empty(a) && !empty(b), more = meet, interiors = meet, a_in_b = meet, b_in_a = meet;
   for (int i = 0; i < N; ++i) {
     meet &= a.lo[i] <= b.hi[i] && b.lo[i] <= a.hi[i];
-    more &= a.lo[i] < b.hi[i] && b.lo[i] < a.hi[i];
+    const bool one_point = a.lo[i] == a.hi[i] && a.lo[i] == b.lo[i] && a.lo[i] == b.hi[i];
+    const bool more_here = a.lo[i] < b.hi[i] && b.lo[i] < a.hi[i];
+    more &= more_here, interiors &= more_here || one_point;
     a_in_b &= b.lo[i] <= a.lo[i] && a.hi[i] <= b.hi[i];
     b_in_a &= a.lo[i] <= b.lo[i] && b.hi[i] <= a.hi[i];
   }
@@ -29,7 +30,7 @@ Case boxes(const Aabb<S, N>& a, const Aabb<S, N>& b) {
                             : a_in_b && b_in_a ? Relation::equal
                             : a_in_b           ? Relation::a_inside_b
                             : b_in_a           ? Relation::b_inside_a
-                            : more             ? Relation::overlapping
+                            : interiors        ? Relation::overlapping
                                                : Relation::touching;
   Json expected = {{"intersects", meet},
                    {"interiors_intersect", more},

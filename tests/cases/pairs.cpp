@@ -57,10 +57,10 @@ Case triangle_and_box(const Triangle<S, N>& triangle, const Aabb<S, N>& box) {
   namespace clip = oracle::triangle_aabb;
   Json corners = Json::array();
   for (const Point<S, N>& v : triangle.vertices) corners.push_back(json<S, N>(v));
-  const auto part = clip::common(triangle, box);
-  const bool meet = !empty(box) && !part.empty();
-  const char* relation = !meet ? "disjoint" : clip::reaches_inside<S, N>(part, box) ? "overlap" : "touch";
-  return {both({{"tri", corners}}, fields(box)), {{"intersects", meet}, {"relation", relation}}, is_f32<S>};
+  const Relation r = empty(box) ? Relation::disjoint : clip::relation(triangle, box);
+  return {both({{"tri", corners}}, fields(box)),
+          {{"intersects", r != Relation::disjoint}, {"relation", word(r)}},
+          is_f32<S>};
 }
 
 /// A triangle in a plane that touches the box at a corner, or with an edge that touches one of the box's, but for

@@ -71,13 +71,20 @@ TEMPLATE_TEST_CASE_SIG("boxes touch in a face, an edge or a corner, and an ulp p
   }
 }
 
-TEMPLATE_TEST_CASE_SIG("flat boxes and points have no interior", "[aabb_aabb]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("flat boxes have their interior within the plane that they span", "[aabb_aabb]",
+                       FLOATS_AND_DIMENSIONS) {
   const Aabb<S, N> a = bar<S, N>(0, 2, 0, 2);
-  CHECK(related(a, bar<S, N>(1, 1, 1, 0)) == Relation::b_inside_a);  // a point inside
-  CHECK(related(a, bar<S, N>(2, 2, 2, 0)) == Relation::b_inside_a);  // a corner
-  CHECK(related(a, bar<S, N>(1, 1, 1, 3)) == Relation::touching);    // a plate that sticks out
-  CHECK_FALSE(interiors_intersect(a, bar<S, N>(1, 1, 0, 1)));
-  CHECK(related(bar<S, N>(1, 1, 0, 2), bar<S, N>(1, 1, 1, 2)) == Relation::touching);  // in one plane
+  CHECK(related(a, bar<S, N>(1, 1, 1, 0)) == Relation::b_inside_a);   // a point inside
+  CHECK(related(a, bar<S, N>(2, 2, 2, 0)) == Relation::b_inside_a);   // a corner
+  CHECK(related(a, bar<S, N>(1, 1, 1, 3)) == Relation::overlapping);  // a plate that sticks out
+  CHECK(related(a, bar<S, N>(1, 1, 2, 3)) == Relation::touching);     // its edge on a face
+  CHECK(related(a, bar<S, N>(2, 2, 1, 3)) == Relation::touching);     // on a face
+  CHECK(interiors_intersect(a, bar<S, N>(1, 1, 0, 1)));
+  CHECK_FALSE(interiors_intersect(a, bar<S, N>(2, 2, 0, 1)));
+  CHECK(related(bar<S, N>(1, 1, 0, 2), bar<S, N>(1, 1, 1, 2)) == Relation::overlapping);  // in one plane
+  CHECK(related(bar<S, N>(1, 1, 0, 2), bar<S, N>(1, 1, 2, 2)) == Relation::touching);
+  CHECK(related(bar<S, N>(1, 1, 0, 2), bar<S, N>(0, 2, 1, 0)) == Relation::overlapping);  // a rod through a plate
+  CHECK(related(bar<S, N>(1, 1, 0, 2), bar<S, N>(1, 2, 1, 0)) == Relation::touching);
   CHECK(related(bar<S, N>(1, 1, 0, 0), bar<S, N>(1, 1, -0.0, 0)) == Relation::equal);
 }
 

@@ -8,6 +8,8 @@
 
 #include <isect/aabb_aabb.h>
 #include <isect/obb_obb.h>
+#include <isect/sphere_aabb.h>
+#include <isect/triangle_aabb.h>
 #include "bench/half_spaces/oracle.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
@@ -125,6 +127,41 @@ TEST_CASE("boxes and oriented boxes lie as half-spaces as their own tests say", 
     REQUIRE(relate(half_spaces_of(p), half_spaces_of(q)) == relate(p, q));
     REQUIRE(relate(half_spaces_of(a), half_spaces_of(a)) == Relation::equal);
   });
+}
+
+TEST_CASE("thin sets lie as half-spaces as their own tests say", "[half_spaces]") {
+  std::mt19937_64 random(tests::seed());
+  const auto number = [&](int lo, int hi) -> double { return std::uniform_int_distribution<int>(lo, hi)(random); };
+  const auto vector = [&]() -> Vec { return {number(-2, 2), number(-2, 2), number(-2, 2)}; };
+  const auto box = [&]() -> Aabb<double, 3> {
+    const Vec p = vector(), q = vector();
+    return {p.cwiseMin(q), p.cwiseMax(q)};
+  };
+  const auto tilted = [&]() -> Obb<double, 3> {
+    const Eigen::Matrix3d axes[] = {Eigen::Matrix3d::Identity(), Eigen::Matrix3d{{1, 1, 0}, {-1, 1, 0}, {0, 0, 1}},
+                                    Eigen::Matrix3d{{2, 0, 1}, {0, 1, 0}, {1, 0, 3}}};
+    return {vector(), axes[random() % 3], {number(0, 2), number(0, 2), number(0, 2)}};
+  };
+  std::array<int, 6> seen = {};
+  for (int round = 0; round < tests::cases(1500, 50000); ++round) {
+    CAPTURE(round);
+    const Aabb<double, 3> a = box(), b = round % 50 == 0 ? a : box();
+    const Relation boxes = relate(a, b);
+    REQUIRE(relate(half_spaces_of(a), half_spaces_of(b)) == boxes);
+    const Obb<double, 3> p = tilted(), q = tilted();
+    const Relation tilts = relate(p, q);
+    REQUIRE(relate(half_spaces_of(p), half_spaces_of(q)) == tilts);
+    const Segment<double, 3> s = {vector(), vector()}, t = {vector(), vector()};
+    const Relation segments = relate(Capsule<double, 3>{s.p, s.q, 0}, Capsule<double, 3>{t.p, t.q, 0});
+    REQUIRE(relate(half_spaces_of(s), half_spaces_of(t)) == segments);
+    Triangle<double, 3> triangle = {{vector(), vector(), vector()}};
+    if (round % 5 == 0) triangle.vertices[2] = triangle.vertices[round % 2];
+    const Relation with_box = relate(triangle, a);
+    REQUIRE(relate(triangle, half_spaces_of(a)) == with_box);
+    const Relation with_ball = relate(Sphere<double, 3>{s.p, number(0, 3)}, a);
+    for (const Relation r : {boxes, tilts, segments, with_box, with_ball}) ++seen[static_cast<std::size_t>(r)];
+  }
+  CHECK(*std::ranges::min_element(seen) > 0);
 }
 
 TEST_CASE("an ulp decides how a box lies to a frustum, a ball and a capsule", "[half_spaces]") {

@@ -79,7 +79,8 @@ TEMPLATE_TEST_CASE_SIG("degenerate triangles are segments and points", "[triangl
   CHECK(with(at<S, N>(1, 1.5), at<S, N>(1, 1.5)) == Relation::disjoint);
 }
 
-TEMPLATE_TEST_CASE_SIG("flat boxes lie in a triangle, or touch it", "[triangle_aabb]", FLOATS_AND_DIMENSIONS) {
+TEMPLATE_TEST_CASE_SIG("flat boxes lie in a triangle, overlap it, or touch it", "[triangle_aabb]",
+                       FLOATS_AND_DIMENSIONS) {
   const Triangle<S, N> triangle = {{at<S, N>(0, 0), at<S, N>(4, 0), at<S, N>(0, 4)}};
   const auto with = [&](double x, double y, double X, double Y) {
     return relate<S, N>(triangle, {at<S, N>(x, y), at<S, N>(X, Y)});
@@ -87,7 +88,17 @@ TEMPLATE_TEST_CASE_SIG("flat boxes lie in a triangle, or touch it", "[triangle_a
   CHECK(with(1, 1, 2, 2) == Relation::b_inside_a);
   CHECK(with(2, 2, 2, 2) == Relation::b_inside_a);
   CHECK(with(3, 3, 3, 3) == Relation::disjoint);
-  CHECK(with(1, 1, 1, 5) == Relation::touching);
+  CHECK(with(1, 1, 1, 5) == Relation::overlapping);
+  CHECK(with(1, 3, 1, 5) == Relation::touching);
+  CHECK(with(-1, 0, 5, 0) == Relation::touching);
+  if constexpr (N == 3) {
+    CHECK(relate<S, N>(triangle, {at<S, N>(1, 1, -1), at<S, N>(1, 1, 1)}) ==
+          Relation::overlapping);                                                                 // a rod through it
+    CHECK(relate<S, N>(triangle, {at<S, N>(1, 1, 0), at<S, N>(1, 1, 1)}) == Relation::touching);  // on it
+    CHECK(relate<S, N>(triangle, {at<S, N>(0, 1, -1), at<S, N>(0, 1, 1)}) == Relation::touching);
+    CHECK(relate<S, N>(triangle, {at<S, N>(1, -9, -1), at<S, N>(1, 9, 1)}) == Relation::overlapping);  // a plate
+    CHECK(relate<S, N>(triangle, {at<S, N>(1, -9, 0), at<S, N>(1, 9, 1)}) == Relation::touching);
+  }
   CHECK(relate<S, N>({{at<S, N>(1, 1), at<S, N>(2, 1), at<S, N>(1, 1)}}, {at<S, N>(1, 1), at<S, N>(2, 1)}) ==
         Relation::equal);
 }

@@ -85,10 +85,11 @@ Components<W, 3> corner(const Row<W>& x, const Row<W>& y, const Row<W>& z) {
 
 }  // namespace detail
 
-/// 1: they have a common interior point. 0: a common point, but no interior one. -1: none. `text` is
-/// operator()<W>(i) -> Row<W>. With `last` asked only for contradictions in which the last row has a weight.
-template <class Text, class Trace>
-int common(int count, const Text& text, bool last, Trace&& trace) {
+/// 1: they have a common point at which none of the `strict` ones is an equation. 0: a common point, but no such one.
+/// -1: none. `text` is operator()<W>(i) -> Row<W>, `strict` i -> bool. With `last` asked only for contradictions in
+/// which the last row has a weight.
+template <class Text, class Strict, class Trace>
+int common(int count, const Text& text, bool last, const Strict& strict, Trace&& trace) {
   using namespace detail;
   const auto padded = [&]<class W>(int i) -> Row<W> { return row_or_unit<W>(text, count, i); };
   const Rows rows(count + 3, padded);
@@ -115,10 +116,12 @@ int common(int count, const Text& text, bool last, Trace&& trace) {
           const auto [lo, hi] = std::minmax_element(weight.begin(), weight.end());
           if (*lo == *hi ? *lo == 0 : *lo < 0 && *hi > 0) continue;
           bool counts = !last;
-          bool idle = true;  // the unit vectors
+          bool idle = true;    // the unit vectors
+          bool parts = false;  // some strict one has a weight, so that a sum of 0 contradicts it
           for (std::size_t m = 0; m < 4; ++m) {
             if (of[m] >= count) idle &= weight[m] == 0;
             if (of[m] == count - 1) counts |= weight[m] != 0;
+            if (of[m] < count && weight[m] != 0) parts |= strict(of[m]);
           }
           if (!counts || !idle) continue;
           const int sum = sign_of_long(
@@ -129,10 +132,17 @@ int common(int count, const Text& text, bool last, Trace&& trace) {
                        (c[3] * determinant(a, b, d) - d[3] * determinant(a, b, c));
               },
               trace);
-          least = std::min(least, *hi > 0 ? sum : -sum);
+          if (sum != 0 || parts) least = std::min(least, *hi > 0 ? sum : -sum);
           if (least < 0) return least;
         }
   return least;
+}
+
+/// 1: they have a common interior point. 0: a common point, but no interior one. -1: none.
+template <class Text, class Trace>
+int common(int count, const Text& text, bool last, Trace&& trace) {
+  return common(
+      count, text, last, [](int) { return true; }, trace);
 }
 
 /// The sign of d - r, where d is the origin's distance from the common points, of which there is one; r >= 0.

@@ -17,6 +17,9 @@
 // the two tell whether 0 lies on its line, the third whether between its ends; if it is a polygon, one of the two is
 // not normal to its plane, so that it serves as the edge's normal, and a product of two edges is normal to the plane.
 // If it is a point, the normals of A tell whether that is 0.
+//
+// The interiors, of flat boxes within the plane or line that each spans, have no common point iff 0 lies on the rim of
+// the difference: iff some gap is 0 along a direction in which the difference reaches anywhere, r_A + r_B > 0.
 
 #include <array>
 #include <optional>
