@@ -40,16 +40,13 @@ void save(const SceneOptions& options, const std::string& text, const scene::Fil
 int tell(const SceneOptions& options) {
   try {
     const std::string text = read_named_file(options.path), folder = fs::path(options.path).parent_path().string();
-    const scene::Opened opened = scene::naming_scene(options.path, [&] { return scene::opened(text, folder); });
-    const viz::Parameters to = changed(opened.lesson, opened.file->parameters, options.asked.changes);
-    if (!options.save.empty()) save(options, text, *opened.file, to);
-    scene::Json all = opened.answers;
-    if (to != opened.file->parameters) {
-      scene::File file = *opened.file;
-      file.parameters = to;
-      all = scene::answers(file);
-    }
-    for (const scene::Object& o : opened.file->objects)
+    const scene::File file = scene::naming_scene(options.path, [&] { return scene::read_scene(text, folder); });
+    const viz::Parameters to = changed(scene::without_steps(file), file.parameters, options.asked.changes);
+    scene::File asked = file;
+    asked.parameters = to;
+    const scene::Json all = scene::answers(asked);
+    if (!options.save.empty()) save(options, text, file, to);
+    for (const scene::Object& o : file.objects)
       if (!o.note.empty()) say(fmt::format("{}: {}: {}", options.path, o.name, o.note));
     if (options.json) {
       print(all.dump(2) + "\n");

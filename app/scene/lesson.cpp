@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <deque>
 #include <iterator>
+#include <map>
 #include <memory>
+#include <mutex>
 
 #include "app/scene/answered.h"
 #include "app/scene/save.h"
@@ -31,27 +33,88 @@ std::string how_many(const Object& o) {
   return o.fixed.points.empty() ? "" : fmt::format(" of {} points", o.fixed.points.size());
 }
 
+/// The answers about pairs, kept while their objects stay: of many objects one is moved at a time.
+class PairAnswers {
+ public:
+  using Answer = std::shared_ptr<const Answered>;
+
+  /// From now on with these numbers.
+  void move_to(const File& file, const viz::Parameters& parameters) {
+    for (const Object& o : file.objects)
+      if (!same(o, parameters))
+        std::erase_if(known_, [&](const auto& one) {
+          return &file.objects[one.first.first] == &o || &file.objects[one.first.second] == &o;
+        });
+    numbers_ = parameters;
+  }
+  Answer of(const Context& context, const PairAsked& asked) {
+    Answer& answer = known_[{asked.a, asked.b}];
+    if (answer) return answer;
+    Answered made = answered(context, asked);
+    made.json = {};  // of no use to a step
+    return answer = std::make_shared<const Answered>(std::move(made));
+  }
+
+ private:
+  bool same(const Object& o, const viz::Parameters& parameters) const {
+    return std::ranges::all_of(o.fields, [&](const std::string& field) {
+      const auto was = numbers_.find(o.name + "." + field), is = parameters.find(o.name + "." + field);
+      return was != numbers_.end() && is != parameters.end() && was->second == is->second;
+    });
+  }
+
+  viz::Parameters numbers_;
+  std::map<std::pair<std::size_t, std::size_t>, Answer> known_;
+};
+
+/// Of more pairs, those with the same first object are told in one step.
+constexpr std::ptrdiff_t most_steps_of_pairs = 200;
+/// So many of their answers in full.
+constexpr std::size_t most_told = 12;
+
 class Walker {
  public:
   Walker(const File& file, const viz::Parameters& parameters)
       : context_{file, {parameters, file.flat}, room({parameters, file.flat}, file.objects)} {}
 
-  /// The answers as JSON go to `answers`, if there is one.
-  viz::Walk made(Json* answers = nullptr) {
+  viz::Walk made(PairAnswers& pairs) {
+    const auto asked_of_pairs = std::ranges::count_if(
+        context_.file.asked, [](const Asked& asked) { return std::holds_alternative<PairAsked>(asked); });
     viz::Walk walk;
     walk.steps.push_back(all_objects());
     walk.alt = walk.steps[0].caption;
     for (const Note& note : context_.file.notes) walk.alt += " Note: " + note.text + ".";
-    for (const Asked& asked : context_.file.asked) {
-      const WalkAsked* const pair = std::get_if<WalkAsked>(&asked);
-      if (pair) add(*pair, walk);
-      if (pair && !answers) continue;
-      Answered answer = std::visit([&](const auto& a) { return answered(context_, a); }, asked);
-      if (answers) answers->push_back(answer.json);
-      if (!pair) walk.steps.push_back(step(std::move(answer)));
-    }
+    const std::vector<Asked>& all = context_.file.asked;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (const WalkAsked* const walked = std::get_if<WalkAsked>(&all[i])) {
+        add(*walked, walk);
+      } else if (const PairAsked* const pair = std::get_if<PairAsked>(&all[i])) {
+        std::vector<PairAnswers::Answer> answers = {pairs.of(context_, *pair)};
+        if (asked_of_pairs > most_steps_of_pairs)
+          for (; i + 1 < all.size(); ++i) {
+            const PairAsked* const next = std::get_if<PairAsked>(&all[i + 1]);
+            if (!next || next->a != pair->a) break;
+            answers.push_back(pairs.of(context_, *next));
+          }
+        walk.steps.push_back(step(answers.size() == 1 ? *answers[0] : together(pair->a, answers)));
+      } else {
+        walk.steps.push_back(step(answer_to(all[i])));
+      }
     if (rows_.size() > 1) walk.steps.push_back(summary());
     return walk;
+  }
+
+  /// As JSON, without a step.
+  Json answers() {
+    for (const Object& o : context_.file.objects)  // what can't be drawn is refused
+      static_cast<void>(drawn(context_.setting, o, context_.room, Role::first));
+    Json all = Json::array();
+    for (const Asked& asked : context_.file.asked) {
+      viz::Walk unseen;
+      if (const WalkAsked* const walked = std::get_if<WalkAsked>(&asked)) add(*walked, unseen);
+      all.push_back(answer_to(asked).json);
+    }
+    return all;
   }
 
  private:
@@ -60,6 +123,37 @@ class Walker {
     const auto role_of = [](const Object& o) { return usual_role(o.type); };
     const std::vector<Object>& all = context_.file.objects;
     return all.size() > 1 && std::ranges::all_of(all, [&](const Object& o) { return role_of(o) == role_of(all[0]); });
+  }
+
+  Answered answer_to(const Asked& asked) const {
+    return std::visit([&](const auto& a) { return answered(context_, a); }, asked);
+  }
+
+  /// What an object is told to meet, of all that it was asked about with.
+  Answered together(std::size_t object, const std::vector<PairAnswers::Answer>& answers) const {
+    const std::string name = context_.name(object);
+    Answered out = {slug_of(context_.object(object).name + "-and-others"),
+                    fmt::format("{} and {} others", name, answers.size()),
+                    "Decided exactly for these numbers.",
+                    {viz::Verdict::Kind::no, ""}};
+    out.lit = {object};
+    std::size_t met = 0, open = 0;
+    std::string told;
+    for (const PairAnswers::Answer& answer : answers) {
+      if (answer->verdict.kind == viz::Verdict::Kind::no) continue;
+      ++(answer->verdict.kind == viz::Verdict::Kind::open ? open : met);
+      if (out.lit.size() <= most_told) told += (told.empty() ? "\n" : " ") + answer->verdict.text + ".";
+      out.lit.push_back(answer->lit.front() == object ? answer->lit.back() : answer->lit.front());
+      std::ranges::copy(answer->items, std::back_inserter(out.items));
+    }
+    out.caption += told;
+    if (met + open > most_told) out.caption += fmt::format(" And {} more.", met + open - most_told);
+    out.verdict = {met > 0    ? viz::Verdict::Kind::yes
+                   : open > 0 ? viz::Verdict::Kind::open
+                              : viz::Verdict::Kind::no,
+                   fmt::format("{} meets {} of {} others", name, met, answers.size())};
+    if (open > 0) out.verdict.text += fmt::format(", and of {} it is not decided", open);
+    return out;
   }
 
   /// The two asked about in colour, the others as lines in grey.
@@ -231,30 +325,42 @@ std::vector<viz::Condition> conditions_of(const File& file) {
 
 }  // namespace
 
-Opened opened(const std::string& text, const std::string& folder) {
-  const auto file = std::make_shared<const File>(read_scene(text, folder));
-  Opened opened = {.file = file, .lesson = {}};
-  viz::Lesson& lesson = opened.lesson;
+viz::Lesson without_steps(const File& file) {
+  viz::Lesson lesson;
   lesson.id = "scene";
-  lesson.title = file->title;
-  lesson.summary = fmt::format("A scene of {} object{}, and {} question{} about {}.", file->objects.size(),
-                               file->objects.size() == 1 ? "" : "s", file->asked.size(),
-                               file->asked.size() == 1 ? "" : "s", file->objects.size() == 1 ? "it" : "them");
-  lesson.parameters = parameters_of(*file);
-  lesson.conditions = conditions_of(*file);
-  lesson.presets = {{"file", "As in the file", "", file->parameters}};
-  lesson.camera = file->camera;
-  lesson.flat = file->flat;
-  // Whatever the core refuses is told now; a large mesh is asked once.
-  const auto first = std::make_shared<const viz::Walk>(Walker(*file, file->parameters).made(&opened.answers));
-  lesson.steps = [file, first](const viz::Parameters& parameters) {
-    return parameters == file->parameters ? *first : Walker(*file, parameters).made();
-  };
-  lesson.made_from = file->text;
-  return opened;
+  lesson.title = file.title;
+  lesson.summary = fmt::format("A scene of {} object{}, and {} question{} about {}.", file.objects.size(),
+                               file.objects.size() == 1 ? "" : "s", file.asked.size(),
+                               file.asked.size() == 1 ? "" : "s", file.objects.size() == 1 ? "it" : "them");
+  lesson.parameters = parameters_of(file);
+  lesson.conditions = conditions_of(file);
+  lesson.presets = {{"file", "As in the file", "", file.parameters}};
+  lesson.camera = file.camera;
+  lesson.flat = file.flat;
+  lesson.made_from = file.text;
+  return lesson;
 }
 
-viz::Lesson lesson_of(const std::string& text, const std::string& folder) { return opened(text, folder).lesson; }
+viz::Lesson lesson_of(const std::string& text, const std::string& folder) {
+  const auto file = std::make_shared<const File>(read_scene(text, folder));
+  struct Kept {
+    std::mutex busy;
+    PairAnswers pairs;
+  };
+  const auto kept = std::make_shared<Kept>();
+  const auto walk = [file, kept](const viz::Parameters& parameters) {
+    const std::lock_guard lock(kept->busy);
+    kept->pairs.move_to(*file, parameters);
+    return Walker(*file, parameters).made(kept->pairs);
+  };
+  viz::Lesson lesson = without_steps(*file);
+  // Whatever the core refuses is told now; a large mesh is asked once.
+  lesson.steps = [file, walk, first = std::make_shared<const viz::Walk>(walk(file->parameters))](
+                     const viz::Parameters& parameters) {
+    return parameters == file->parameters ? *first : walk(parameters);
+  };
+  return lesson;
+}
 
 namespace {
 
@@ -330,10 +436,6 @@ const viz::Lesson& kept_walks_of(const viz::Lesson& lesson, const std::string& m
   return kept_lesson_of(scene.dump(), folder);
 }
 
-Json answers(const File& file) {
-  Json all = Json::array();
-  static_cast<void>(Walker(file, file.parameters).made(&all));
-  return all;
-}
+Json answers(const File& file) { return Walker(file, file.parameters).answers(); }
 
 }  // namespace isect::program::scene

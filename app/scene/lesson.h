@@ -9,16 +9,12 @@
 
 namespace isect::program::scene {
 
-/// A scene, the lesson of it, and the answers to all questions, as JSON: names, verdict in words, query and result.
-struct Opened {
-  std::shared_ptr<const File> file;
-  viz::Lesson lesson;
-  Json answers = Json::array();
-};
-Opened opened(const std::string& text, const std::string& folder);
-
-/// Called "scene". `folder` and what is thrown are as in read_scene.
+/// Called "scene". `folder` and what is thrown are as in read_scene. Each answer is a step; of more
+/// than 200 pairs those with the same first object are one.
 viz::Lesson lesson_of(const std::string& text, const std::string& folder);
+
+/// All of it but its steps, for which the core would be asked.
+viz::Lesson without_steps(const File&);
 
 /// The same, kept as long as the program runs.
 const viz::Lesson& kept_lesson_of(const std::string& text, const std::string& folder);
@@ -32,7 +28,7 @@ void keep(const viz::Lesson& kept, const std::string& folder, const viz::Paramet
 const viz::Lesson& kept_walks_of(const viz::Lesson&, const std::string& method, const std::string& text,
                                  const std::string& folder);
 
-/// The answers with the file's parameters.
+/// The answers to all questions with the file's parameters: names, verdict in words, query and result.
 Json answers(const File&);
 
 }  // namespace isect::program::scene
