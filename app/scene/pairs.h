@@ -35,6 +35,12 @@ std::vector<Pair> pairs_of_polygons();
 
 // What the tables share.
 
+/// As "relation".
+Json told(Relation);
+/// The corners of an outline that goes once round a convex area, counter-clockwise, however often it names a corner or
+/// a point of a side; nothing of another outline.
+std::optional<Ring<double, 2>> convex_corners(const Ring<double, 2>&);
+
 /// How two convex solids lie, or a ball or a capsule and one, as "relation".
 Json relation_of_solids(const Setting&, const Object& a, const Object& b);
 /// What the pair's query says, of segment a with both its ends as given, where their difference is no vector of
@@ -44,7 +50,11 @@ std::optional<Json> exact_of_segment(const Setting&, const Object& a, const Obje
 /// Throws NotDecided: an outline that has no area, crosses or touches itself.
 [[noreturn]] void refuse_outline(const Object&);
 
-/// "relation" of a result.
+/// How many half-spaces two solids may have in all for their own test: its price rises with the fourth power. Beyond,
+/// hulls are asked facet by facet, for the same answer or for less.
+constexpr std::size_t many_facets = 40;
+
+/// "relation" of a result; where it has none, whether they meet.
 void relate(const Setting&, const Object& a, const Object& b, Answer&);
 /// The point a and the shape b: `where` is in, on or out.
 void locate(const Object& a, const Object& b, Answer&, const std::string& where);

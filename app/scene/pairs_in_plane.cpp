@@ -10,6 +10,7 @@
 #include <isect/convex_hull.h>
 #include <isect/convex_polygons.h>
 #include <isect/numbers/exact.h>
+#include <isect/orient.h>
 #include <isect/point_polygon.h>
 #include <isect/segment_segment.h>
 
@@ -71,17 +72,8 @@ void tell_along(const Setting& s, const Object& a, const Object& b, Answer& out)
 /// Counter-clockwise, if it is convex and has an area.
 std::optional<ConvexPolygon<double>> convex(const std::vector<Ring2>& rings) {
   if (rings.size() != 1) return {};
-  Ring2 ring = rings.front();
-  const Ring2 hull = convex_hull(ring);
-  if (hull.size() < 3) return {};
-  for (int way = 0; way < 2; ++way) {
-    const auto first = std::ranges::find(ring, hull.front());
-    if (first == ring.end()) return {};
-    std::rotate(ring.begin(), first, ring.end());
-    if (ring == hull) return ConvexPolygon<double>{ring};
-    std::ranges::reverse(ring);
-  }
-  return {};
+  const std::optional<Ring2> corners = convex_corners(rings.front());
+  return corners ? std::optional(ConvexPolygon<double>{*corners}) : std::nullopt;
 }
 
 /// Whether edges of both have a common point.
@@ -113,19 +105,8 @@ bool holds_a_corner(const std::vector<Ring2>& outer, const std::vector<Ring2>& i
 Json outlines_result(const Setting& s, const Object& a, const Object& b) {
   const std::vector<Ring2> p = outlines_of(s, a), q = outlines_of(s, b);
   const auto convex_p = convex(p), convex_q = convex(q);
-  if (convex_p && convex_q) {
-    static constexpr const char* names[] = {"disjoint", "equal", "b_contains_a", "a_contains_b", "touch", "overlap"};
-    return {{"relation", names[static_cast<int>(relate(*convex_p, *convex_q))]}};
-  }
+  if (convex_p && convex_q) return told(relate(*convex_p, *convex_q));
   return {{"meet", edges_meet(p, q) || holds_a_corner(p, q) || holds_a_corner(q, p)}};
-}
-
-void tell_outlines(const Setting& s, const Object& a, const Object& b, Answer& out) {
-  if (out.result.contains("relation")) return relate(s, a, b, out);
-  const bool meet = out.result["meet"] == true;
-  const std::string both = shown_name(a.name) + " and " + shown_name(b.name);
-  out.verdict = meet ? Verdict{Verdict::Kind::yes, both + " have a common point"}
-                     : Verdict{Verdict::Kind::no, both + " are disjoint"};
 }
 
 // A point beside a line or a plane.
@@ -225,6 +206,32 @@ void tell_beside_line(const Setting&, const Object& a, const Object& b, Answer& 
 
 }  // namespace
 
+std::optional<Ring2> convex_corners(const Ring2& outline) {
+  // A corner named again and a point of a side, between its neighbours, change nothing of the set.
+  Ring2 ring;
+  const auto says_nothing = [](const Point<double, 2>& a, const Point<double, 2>& b, const Point<double, 2>& c) {
+    return b == c || (orient2d(a, b, c) == 0 && (a.cwiseMin(c).array() <= b.array()).all() &&
+                      (b.array() <= a.cwiseMax(c).array()).all());
+  };
+  for (const Point<double, 2>& p : outline) {
+    while (ring.size() > 1 && says_nothing(ring[ring.size() - 2], ring.back(), p)) ring.pop_back();
+    if (ring.empty() || ring.back() != p) ring.push_back(p);
+  }
+  while (ring.size() > 2 && says_nothing(ring[ring.size() - 2], ring.back(), ring.front())) ring.pop_back();
+  while (ring.size() > 2 && says_nothing(ring.back(), ring.front(), ring[1])) ring.erase(ring.begin());
+
+  const Ring2 hull = convex_hull(ring);
+  if (hull.size() < 3) return {};
+  for (int way = 0; way < 2; ++way) {
+    const auto first = std::ranges::find(ring, hull.front());
+    if (first == ring.end()) return {};
+    std::rotate(ring.begin(), first, ring.end());
+    if (ring == hull) return hull;
+    std::ranges::reverse(ring);
+  }
+  return {};
+}
+
 std::vector<Pair> pairs_in_plane() {
   using enum Type;
   using In = Pair::In;
@@ -240,7 +247,7 @@ std::vector<Pair> pairs_in_plane() {
   for (const Type a : {triangle, polygon, hull, box})  // in both orders, so that they are named as they are asked about
     for (const Type b : {triangle, polygon, hull, box}) {
       const bool has_query = (a == box && b == box) || (a == box && b == triangle) || (a == triangle && b == box);
-      if (!has_query) table.push_back({a, b, nullptr, In::plane, outlines_result, tell_outlines});
+      if (!has_query) table.push_back({a, b, nullptr, In::plane, outlines_result, relate});
     }
   return table;
 }

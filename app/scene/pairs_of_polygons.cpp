@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include <isect/bvh_pairs.h>
+#include <isect/orient.h>
 #include <isect/ray_polygon.h>
 #include <isect/sphere_triangle.h>
 
@@ -81,8 +82,73 @@ bool meet(const Setting& s, const Triangles& triangles, const Object& b) {
   }
 }
 
+/// A convex outline all in one plane, or a triangle, as half-spaces; nothing of another outline.
+std::optional<HalfSpaces> plate(const Setting& s, const Object& o) {
+  if (o.type == Type::triangle) return triangle_half_spaces::detail::solid_of(triangle_of(s, o), 3, NoTrace());
+  const Ring<double, 3> outline = outline_in_space(s, o);
+  const Projection along = projection(outline);
+  const auto seen = [&](const Vec3& v) { return Point<double, 2>(v[along.x], v[along.y]); };
+  Ring<double, 2> shadow;
+  for (const Vec3& v : outline) shadow.push_back(seen(v));
+  const std::optional<Ring<double, 2>> convex = convex_corners(shadow);
+  if (!convex) return {};
+  Ring<double, 3> corners;
+  for (const Point<double, 2>& c : *convex) corners.push_back(*std::ranges::find(outline, c, seen));
+  const auto at = [&](std::size_t i) { return corners[i % corners.size()]; };
+  if (!std::ranges::all_of(outline, [&](const Vec3& v) { return orient3d(at(0), at(1), at(2), v) == 0; })) return {};
+  using half_spaces::Behind, half_spaces::Beside;
+  HalfSpaces result = {{{Behind{at(0), at(1), at(2)}}, {Behind{at(0), at(1), at(2)}, true}}};
+  for (std::size_t i = 0; i < corners.size(); ++i) result.faces.push_back({Beside{at(i), at(i + 1), at(i + 2)}});
+  return result;
+}
+
+/// A ball or a capsule that has a volume.
+Relation to_round(const Triangles& triangles, const Capsule<double, 3>& round) {
+  bool inside = true, touch = false, overlap = false;
+  for (const Triangle<double, 3>& t : triangles) {
+    const Relation r = relate(round, t);
+    inside &= r == Relation::b_inside_a, touch |= r == Relation::touching;
+    overlap |= r == Relation::b_inside_a || r == Relation::overlapping;
+  }
+  return inside    ? Relation::a_inside_b
+         : overlap ? Relation::overlapping
+         : touch   ? Relation::touching
+                   : Relation::disjoint;
+}
+
+/// A convex solid that has a volume, of few faces: the surface reaches into it iff one of its triangles does.
+Relation to_solid(const Triangles& triangles, const HalfSpaces& solid) {
+  const auto in_solid = [&](const Triangle<double, 3>& t) {
+    return std::ranges::all_of(t.vertices, [&](const Vec3& v) { return locate(v, solid) != Location::out; });
+  };
+  if (std::ranges::all_of(triangles, in_solid)) return Relation::a_inside_b;
+  int most = -1;
+  for (const Triangle<double, 3>& t : triangles)
+    most = std::max(most, triangle_half_spaces::detail::common(t, solid.faces, NoTrace()));
+  return most > 0 ? Relation::overlapping : most == 0 ? Relation::touching : Relation::disjoint;
+}
+
+/// How they lie, where the exact test is at hand; else whether they meet.
 Json polygon_result(const Setting& s, const Object& a, const Object& b) {
-  return {{"meet", meet(s, surface_of(s, a), b)}};
+  const Triangles triangles = surface_of(s, a);
+  const bool round = b.type == Type::sphere || b.type == Type::capsule;
+  if (round && capsule_in_space(s, b).radius > 0) return told(to_round(triangles, capsule_in_space(s, b)));
+
+  const std::optional<HalfSpaces> flat = plate(s, a);
+  std::optional<HalfSpaces> other;
+  if (round) {
+    const Capsule<double, 3> segment = capsule_in_space(s, b);
+    other = half_spaces_of(Segment<double, 3>{segment.p, segment.q});
+  } else if (b.type == Type::triangle || b.type == Type::polygon) {
+    if (b.type == Type::polygon) static_cast<void>(surface_of(s, b));  // refuses one without an area
+    other = plate(s, b);
+  } else {
+    other = faces_of(s, b);
+  }
+  if (other && flat && flat->faces.size() + other->faces.size() <= many_facets) return told(relate(*flat, *other));
+  const bool few = other && other->faces.size() <= many_facets;
+  if (few && half_spaces::detail::common(other->faces, false, NoTrace()) > 0) return told(to_solid(triangles, *other));
+  return {{"meet", meet(s, triangles, b)}};
 }
 
 /// How many triangles of the mesh have a point in the polygon.
@@ -124,7 +190,7 @@ std::vector<Pair> pairs_of_polygons() {
                              {cloud, polygon, nullptr, in, cloud_and_polygon, tell_it<tell_cloud_on>},
                              {mesh, polygon, nullptr, in, mesh_and_polygon, tell_it<tell_mesh>}};
   for (const Type other : {sphere, box, obb, capsule, triangle, polygon, kdop, hull, frustum})
-    table.push_back({polygon, other, nullptr, in, polygon_result, tell_it<tell_meeting>});
+    table.push_back({polygon, other, nullptr, in, polygon_result, tell_it<relate>});
   return table;
 }
 

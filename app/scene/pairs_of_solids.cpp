@@ -11,6 +11,7 @@
 #include <isect/capsule_half_spaces.h>
 #include <isect/convex_hull.h>
 #include <isect/line_line.h>
+#include <isect/numbers/exact.h>
 #include <isect/plane_sphere.h>
 #include <isect/point_mesh.h>
 #include <isect/point_polygon.h>
@@ -34,13 +35,6 @@ using viz::Role;
 using viz::Vec3;
 using viz::Verdict;
 
-Json told(Relation r) {
-  static constexpr const char* names[] = {"disjoint", "equal", "b_contains_a", "a_contains_b", "touch", "overlap"};
-  return {{"relation", names[static_cast<int>(r)]}};
-}
-
-constexpr std::size_t many_facets = 40;  // the price of two solids rises with the fourth power of their faces
-
 bool is_round(Type t) { return t == Type::sphere || t == Type::capsule; }
 
 Relation relate_round(const Setting& s, const Object& o, const HalfSpaces& solid) {
@@ -58,14 +52,42 @@ std::vector<Triangle<double, 3>> facets(const Hull3<double>& hull) {
   return all;
 }
 
-/// How it lies to the hull (B), by how it lies to each facet and whether either holds the other.
-template <class ToFacet>
-Relation to_hull(const Hull3<double>& hull, bool in_hull, bool hull_in, const ToFacet& to_facet) {
-  if (in_hull) return hull_in ? Relation::equal : Relation::a_inside_b;
-  if (hull_in) return Relation::b_inside_a;
+/// What of the open segment p q is strictly inside all faces: whether anything is, told by the last face that it enters
+/// and the first that it leaves.
+bool passes_within(const Vec3& p, const Vec3& q, const HalfSpaces& solid) {
+  struct Place {
+    Exact num, den;  // den > 0
+    bool after(const Place& x) const { return (num * x.den - x.num * den).sign() > 0; }
+  };
+  std::optional<Place> last_entry, first_exit;
+  for (const half_spaces::Face& face : solid.faces) {
+    const inequalities::Row<Exact> row = half_spaces::detail::row<Exact>(face);
+    const auto at = [&](const Vec3& x) {
+      return row[0] * Exact(x[0]) + row[1] * Exact(x[1]) + row[2] * Exact(x[2]) + row[3];
+    };
+    const Exact from = at(p), to = at(q);
+    if (from.sign() <= 0 && to.sign() <= 0) return false;
+    if (from.sign() > 0 && to.sign() > 0) continue;
+    if (from.sign() <= 0) {
+      if (const Place t = {-from, to - from}; !last_entry || t.after(*last_entry)) last_entry = t;
+    } else {
+      if (const Place t = {from, from - to}; !first_exit || first_exit->after(t)) first_exit = t;
+    }
+  }
+  return !last_entry || !first_exit || first_exit->after(*last_entry);
+}
+
+/// Neither the capsule nor the hull, which has a volume, holds the other: then the capsule reaches into the hull iff it
+/// does so through a facet.
+Relation beside_hull(const Capsule<double, 3>& capsule, const Hull3<double>& hull, const HalfSpaces& solid) {
+  if (capsule.radius == 0 && passes_within(capsule.p, capsule.q, solid)) return Relation::overlapping;
   Relation result = Relation::disjoint;
   for (const Triangle<double, 3>& facet : facets(hull)) {
-    const Relation r = to_facet(facet);
+    if (capsule.radius == 0) {
+      if (intersects(capsule, facet)) return Relation::touching;
+      continue;
+    }
+    const Relation r = relate(capsule, facet);
     if (r == Relation::touching) result = r;
     if (r != Relation::touching && r != Relation::disjoint) return Relation::overlapping;
   }
@@ -79,26 +101,48 @@ Relation round_to_hull(const Setting& s, const Object& a, const Object& b) {
   const auto end_in = [&](const Vec3& end) {
     return sphere_half_spaces::detail::contained(end, capsule.radius, solid, NoTrace());
   };
-  const auto to_facet = [&](const Triangle<double, 3>& facet) { return relate(capsule, facet); };
+  if (end_in(capsule.p) && end_in(capsule.q)) return Relation::a_inside_b;
   const bool holds_hull = std::ranges::all_of(
-      facets(hull), [&](const Triangle<double, 3>& f) { return to_facet(f) == Relation::b_inside_a; });
-  return to_hull(hull, end_in(capsule.p) && end_in(capsule.q), holds_hull, to_facet);
+      facets(hull), [&](const Triangle<double, 3>& f) { return relate(capsule, f) == Relation::b_inside_a; });
+  return holds_hull ? Relation::b_inside_a : beside_hull(capsule, hull, solid);
 }
 
-Relation solid_to_hull(const Setting& s, const HalfSpaces& a, const Object& b) {
+/// Those of a hull in space; in the plane its sides, as triangles that are segments.
+std::vector<Triangle<double, 3>> facets(const Setting& s, const Object& hull) {
+  if (!s.flat) return facets(hull_of(s, hull));
+  const std::vector<Vec3> corners = outline_of(s, hull);
+  std::vector<Triangle<double, 3>> all;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vec3& next = corners[i + 1 < corners.size() ? i + 1 : 0];
+    all.push_back({{corners[i], next, next}});
+  }
+  return all;
+}
+
+/// How convex solid A lies to hull B. Of many facets each is asked whether it reaches into A. So it is not told of a
+/// solid without a volume how it meets such a hull, unless the hull holds it.
+Json solid_to_hull(const Setting& s, const HalfSpaces& a, const Object& b, bool turned) {
+  const auto as_asked = [turned](Relation r) { return told(turned ? reversed(r) : r); };
   const HalfSpaces solid = faces_of(s, b);
-  if (a.faces.size() + solid.faces.size() <= many_facets) return relate(a, solid);
-  if (a.faces.size() > many_facets || s.flat)
+  if (a.faces.size() + solid.faces.size() <= many_facets) return as_asked(relate(a, solid));
+  if (a.faces.size() > many_facets)
     throw NotDecided(fmt::format("the test of two such solids is made for {} faces at most", many_facets));
-  const Hull3<double> hull = hull_of(s, b);
-  const bool in_hull = has_a_point(a) && std::ranges::all_of(solid.faces, [&](const half_spaces::Face& face) {
-                         return half_spaces::detail::inside(a, face, NoTrace());
-                       });
-  const bool hull_in = std::ranges::all_of(hull.vertices, [&](const Vec3& v) { return locate(v, a) != Location::out; });
-  return to_hull(hull, in_hull, hull_in, [&](const Triangle<double, 3>& facet) {
-    const Relation r = relate(facet, a);
-    return r == Relation::a_inside_b ? Relation::overlapping : r;  // the hull is not in it, so more of it is
+  const int room = half_spaces::detail::common(a.faces, false, NoTrace());
+  if (room < 0) return as_asked(Relation::disjoint);
+  const std::vector<Triangle<double, 3>> rim = facets(s, b);
+  const bool hull_in = std::ranges::all_of(rim, [&](const Triangle<double, 3>& facet) {
+    return std::ranges::all_of(facet.vertices, [&](const Vec3& v) { return locate(v, a) != Location::out; });
   });
+  if (half_spaces::detail::inside(a, solid, NoTrace()))
+    return as_asked(hull_in ? Relation::equal : Relation::a_inside_b);
+  if (hull_in) return as_asked(Relation::b_inside_a);
+  int most = -1;
+  for (const Triangle<double, 3>& facet : rim) {
+    most = std::max(most, triangle_half_spaces::detail::common(facet, a.faces, NoTrace()));
+    if (most > 0) return as_asked(Relation::overlapping);
+  }
+  if (room == 0 && most == 0) return {{"meet", true}};
+  return as_asked(most == 0 ? Relation::touching : Relation::disjoint);
 }
 
 Json solids_result(const Setting& s, const Object& a, const Object& b) {
@@ -106,8 +150,8 @@ Json solids_result(const Setting& s, const Object& a, const Object& b) {
   if (is_round(a.type))
     return told(b.type == Type::hull && !s.flat ? round_to_hull(s, a, b) : relate_round(s, a, faces_of(s, b)));
   if (a.type == Type::triangle) return told(relate(triangle_of(s, a), faces_of(s, b)));
-  if (b.type == Type::hull) return told(solid_to_hull(s, faces_of(s, a), b));
-  if (a.type == Type::hull) return told(reversed(solid_to_hull(s, faces_of(s, b), a)));
+  if (b.type == Type::hull) return solid_to_hull(s, faces_of(s, a), b, false);
+  if (a.type == Type::hull) return solid_to_hull(s, faces_of(s, b), a, true);
   return told(relate(faces_of(s, a), faces_of(s, b)));
 }
 
@@ -116,7 +160,10 @@ Json round_and_triangle(const Setting& s, const Object& a, const Object& b) {
 }
 
 Json two_triangles(const Setting& s, const Object& a, const Object& b) {
-  return {{"meet", intersects(triangle_of(s, a), triangle_of(s, b))}};
+  const auto solid = [&](const Object& o) {
+    return triangle_half_spaces::detail::solid_of(triangle_of(s, o), 3, NoTrace());
+  };
+  return told(relate(solid(a), solid(b)));
 }
 
 // Planes.
@@ -327,6 +374,11 @@ Json two_meshes(const Setting&, const Object& a, const Object& b) {
 
 }  // namespace
 
+Json told(Relation r) {
+  static constexpr const char* names[] = {"disjoint", "equal", "b_contains_a", "a_contains_b", "touch", "overlap"};
+  return {{"relation", names[static_cast<int>(r)]}};
+}
+
 void tell_meeting(const Setting&, const Object& a, const Object& b, Answer& out) {
   const bool meet = out.result["meet"] == true;
   const std::string both = shown_name(a.name) + " and " + shown_name(b.name);
@@ -459,7 +511,7 @@ std::vector<Pair> pairs_of_solids() {
   }
   for (const Type solid : {obb, kdop}) add(solid, polygon, In::plane, outline_result, tell_meeting);
   add(mesh, triangle, In::space, mesh_result, tell_mesh);
-  add(triangle, triangle, In::space, two_triangles, tell_meeting);
+  add(triangle, triangle, In::space, two_triangles, relate);
   add(mesh, mesh, In::space, two_meshes, tell_mesh);
   add(plane, capsule, In::both, plane_result, tell_plane);
   add(plane, plane, In::both, two_planes, tell_two_planes);

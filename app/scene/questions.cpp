@@ -58,7 +58,8 @@ void refuse_outline(const Object& o) {
   throw NotDecided(fmt::format("the outline of {} has no area, crosses or touches itself", o.name));
 }
 
-void relate(const Setting&, const Object& a, const Object& b, Answer& out) {
+void relate(const Setting& s, const Object& a, const Object& b, Answer& out) {
+  if (out.result.contains("meet")) return tell_meeting(s, a, b, out);
   const std::string r = out.result.value("relation", "");
   const std::string na = shown_name(a.name), nb = shown_name(b.name);
   if (r == "disjoint")

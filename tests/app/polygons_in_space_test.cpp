@@ -116,17 +116,17 @@ TEST_CASE("a polygon in space meets what has a point in it", "[scene]") {
   expect(R"({"point": "q", "at": [2,3,0]})", "q lies on P");
   expect(R"({"point": "q", "at": [1,3,0]})", "q does not lie on P");
   expect(R"({"point": "q", "at": [1,1,1e-300]})", "q does not lie on P");
-  expect(R"({"sphere": "S", "center": [1,3,0], "radius": 1})", "P and S have a common point");
+  expect(R"({"sphere": "S", "center": [1,3,0], "radius": 1})", "P and S touch");
   expect(R"({"sphere": "S", "center": [1,3,0], "radius": 0.9999999999999999})", "P and S are disjoint");
-  expect(R"({"sphere": "S", "center": [1,1,3], "radius": 3})", "P and S have a common point");
+  expect(R"({"sphere": "S", "center": [1,1,3], "radius": 3})", "P and S touch");
   expect(R"({"box": "A", "lo": [0.5,2.5,-1], "hi": [1.5,3.5,1]})", "P and A are disjoint");
-  expect(R"({"box": "A", "lo": [0.5,2,-1], "hi": [1.5,3.5,1]})", "P and A have a common point");
-  expect(R"({"box": "A", "lo": [-1,-1,-1], "hi": [9,9,1]})", "P and A have a common point");
+  expect(R"({"box": "A", "lo": [0.5,2,-1], "hi": [1.5,3.5,1]})", "P and A touch");
+  expect(R"({"box": "A", "lo": [-1,-1,-1], "hi": [9,9,1]})", "P lies in A");
   expect(R"({"obb": "O", "center": [1,3,0], "u": [0.6,0.8,0], "v": [-0.8,0.6,0], "w": [0,0,1], "half": [0.5,0.5,1]})",
          "P and O are disjoint");
   expect(R"({"obb": "O", "center": [1,3,0], "u": [0.6,0.8,0], "v": [-0.8,0.6,0], "w": [0,0,1], "half": [1,0.5,1]})",
-         "P and O have a common point");
-  expect(R"({"capsule": "C", "p": [1,3,-5], "q": [1,3,5], "r": 1})", "P and C have a common point");
+         "P and O overlap");
+  expect(R"({"capsule": "C", "p": [1,3,-5], "q": [1,3,5], "r": 1})", "P and C touch");
   expect(R"({"capsule": "C", "p": [1,3,-5], "q": [1,3,5], "r": 0.99})", "P and C are disjoint");
   expect(R"({"triangle": "T", "points": [[1,3,-1],[1,3,1],[1.5,3.5,0]]})", "P and T are disjoint");
   expect(R"({"triangle": "T", "points": [[1,3,-1],[1,3,1],[2.5,3,0]]})", "P and T have a common point");
@@ -135,14 +135,14 @@ TEST_CASE("a polygon in space meets what has a point in it", "[scene]") {
   expect(R"({"kdop": "K", "normals": [[1,0,0],[0,1,0],[0,0,1]], "lo": [0,2.5,-1], "hi": [1,3,1]})",
          "P and K are disjoint");
   expect(R"({"kdop": "K", "normals": [[1,0,0],[0,1,0],[0,0,1]], "lo": [0,2,-1], "hi": [1,3,1]})",
-         "P and K have a common point");
+         "P and K touch");
   expect(R"({"hull": "H", "points": [[1,3,-1],[1.5,3,1],[1,3.5,1],[0.5,3,1]]})", "P and H are disjoint");
-  expect(R"({"hull": "H", "points": [[1,3,-1],[4,3,1],[1,3.5,1],[0.5,3,1]]})", "P and H have a common point");
-  expect(R"({"hull": "H", "points": [[-9,-9,-9],[90,0,-9],[0,90,-9],[0,0,90]]})", "P and H have a common point");
+  expect(R"({"hull": "H", "points": [[1,3,-1],[4,3,1],[1,3.5,1],[0.5,3,1]]})", "P and H overlap");
+  expect(R"({"hull": "H", "points": [[-9,-9,-9],[90,0,-9],[0,90,-9],[0,0,90]]})", "P lies in H");
   expect(R"({"frustum": "F", "eye": [1,3,9], "forward": [0,0,-1], "up": [0,1,0], "angle": 2, "near": 1, "far": 10})",
          "P and F are disjoint");
   expect(R"({"frustum": "F", "eye": [1,3,9], "forward": [0,0,-1], "up": [0,1,0], "angle": 20, "near": 1, "far": 10})",
-         "P and F have a common point");
+         "P and F overlap");
   expect(R"({"cloud": "D", "points": [[1,1,0],[1,3,0],[4,4,0]]})", "2 of 3 points of D lie on P");
   expect(R"({"mesh": "M", "points": [[1,3,-1],[1,3,1],[1.5,3.5,0],[3,1,0]], "triangles": [[0,1,2],[0,1,3]]})",
          "P meets 1 of 2 triangles of M");
@@ -225,7 +225,7 @@ TEST_CASE("a polygon that has no surface is not decided, and one that is not pla
              Contains("not decided, as the outline of P has no area, crosses or touches itself"));
   const Json bent = answer(shell, R"({"polygon": "P", "points": [[0,0,0],[4,0,0],[4,4,1],[0,4,0]]}, )"
                                   R"({"sphere": "S", "center": [0,0,0], "radius": 1})");
-  CHECK(bent["verdict"] == "P and S have a common point");
+  CHECK(bent["verdict"] == "P and S overlap");
   CHECK(bent["result"]["off_plane"].get<double>() > 0.4);
 }
 

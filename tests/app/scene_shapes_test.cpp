@@ -143,8 +143,8 @@ TEST_CASE("convex solids, balls, capsules, triangles, meshes and lines in space 
   expect(box + capsule + "5}", "A and C touch");
   expect(box + capsule + "4.9999999}", "A and C are disjoint");
   expect(triangle + R"(, {"sphere": "S", "center": [-2,-3,6], "radius": 7})", "T and S touch");
-  expect(triangle + R"(, {"capsule": "C", "p": [2,2,-5], "q": [2,2,5], "r": 0})", "T and C touch");
-  expect(triangle + R"(, {"triangle": "U", "points": [[1,1,-1],[1,1,1],[2,2,5]]})", "T and U have a common point");
+  expect(triangle + R"(, {"capsule": "C", "p": [2,2,-5], "q": [2,2,5], "r": 0})", "T and C overlap");
+  expect(triangle + R"(, {"triangle": "U", "points": [[1,1,-1],[1,1,1],[2,2,5]]})", "T and U overlap");
   expect(triangle + R"(, {"triangle": "U", "points": [[1,1,1],[1,1,2],[2,2,5]]})", "T and U are disjoint");
   expect(triangle + R"(, {"point": "p", "at": [4.5,4.5,0]})", "p lies on T");
   expect(triangle + R"(, {"point": "p", "at": [5,4.5,0]})", "p does not lie on T");
