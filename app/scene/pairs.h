@@ -36,7 +36,7 @@ std::vector<Pair> pairs_of_polygons();
 // What the tables share.
 
 /// As "relation".
-Json told(Relation);
+Json as_relation(Relation);
 /// The corners of an outline that goes once round a convex area, counter-clockwise, however often it names a corner or
 /// a point of a side; nothing of another outline.
 std::optional<Ring<double, 2>> convex_corners(const Ring<double, 2>&);

@@ -105,7 +105,7 @@ bool holds_a_corner(const std::vector<Ring2>& outer, const std::vector<Ring2>& i
 Json outlines_result(const Setting& s, const Object& a, const Object& b) {
   const std::vector<Ring2> p = outlines_of(s, a), q = outlines_of(s, b);
   const auto convex_p = convex(p), convex_q = convex(q);
-  if (convex_p && convex_q) return told(relate(*convex_p, *convex_q));
+  if (convex_p && convex_q) return as_relation(relate(*convex_p, *convex_q));
   return {{"meet", edges_meet(p, q) || holds_a_corner(p, q) || holds_a_corner(q, p)}};
 }
 

@@ -132,7 +132,7 @@ Relation to_solid(const Triangles& triangles, const HalfSpaces& solid) {
 Json polygon_result(const Setting& s, const Object& a, const Object& b) {
   const Triangles triangles = surface_of(s, a);
   const bool round = b.type == Type::sphere || b.type == Type::capsule;
-  if (round && capsule_in_space(s, b).radius > 0) return told(to_round(triangles, capsule_in_space(s, b)));
+  if (round && capsule_in_space(s, b).radius > 0) return as_relation(to_round(triangles, capsule_in_space(s, b)));
 
   const std::optional<HalfSpaces> flat = plate(s, a);
   std::optional<HalfSpaces> other;
@@ -145,9 +145,11 @@ Json polygon_result(const Setting& s, const Object& a, const Object& b) {
   } else {
     other = faces_of(s, b);
   }
-  if (other && flat && flat->faces.size() + other->faces.size() <= many_facets) return told(relate(*flat, *other));
+  if (other && flat && flat->faces.size() + other->faces.size() <= many_facets)
+    return as_relation(relate(*flat, *other));
   const bool few = other && other->faces.size() <= many_facets;
-  if (few && half_spaces::detail::common(other->faces, false, NoTrace()) > 0) return told(to_solid(triangles, *other));
+  if (few && half_spaces::detail::common(other->faces, false, NoTrace()) > 0)
+    return as_relation(to_solid(triangles, *other));
   return {{"meet", meet(s, triangles, b)}};
 }
 

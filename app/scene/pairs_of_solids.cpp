@@ -122,7 +122,7 @@ std::vector<Triangle<double, 3>> facets(const Setting& s, const Object& hull) {
 /// How convex solid A lies to hull B. Of many facets each is asked whether it reaches into A. So it is not told of a
 /// solid without a volume how it meets such a hull, unless the hull holds it.
 Json solid_to_hull(const Setting& s, const HalfSpaces& a, const Object& b, bool turned) {
-  const auto as_asked = [turned](Relation r) { return told(turned ? reversed(r) : r); };
+  const auto as_asked = [turned](Relation r) { return as_relation(turned ? reversed(r) : r); };
   const HalfSpaces solid = faces_of(s, b);
   if (a.faces.size() + solid.faces.size() <= many_facets) return as_asked(relate(a, solid));
   if (a.faces.size() > many_facets)
@@ -146,31 +146,31 @@ Json solid_to_hull(const Setting& s, const HalfSpaces& a, const Object& b, bool 
 }
 
 Json solids_result(const Setting& s, const Object& a, const Object& b) {
-  if (is_round(b.type)) return told(reversed(relate_round(s, b, faces_of(s, a))));
+  if (is_round(b.type)) return as_relation(reversed(relate_round(s, b, faces_of(s, a))));
   if (is_round(a.type))
-    return told(b.type == Type::hull && !s.flat ? round_to_hull(s, a, b) : relate_round(s, a, faces_of(s, b)));
-  if (a.type == Type::triangle) return told(relate(triangle_of(s, a), faces_of(s, b)));
+    return as_relation(b.type == Type::hull && !s.flat ? round_to_hull(s, a, b) : relate_round(s, a, faces_of(s, b)));
+  if (a.type == Type::triangle) return as_relation(relate(triangle_of(s, a), faces_of(s, b)));
   if (b.type == Type::hull) return solid_to_hull(s, faces_of(s, a), b, false);
   if (a.type == Type::hull) return solid_to_hull(s, faces_of(s, b), a, true);
-  return told(relate(faces_of(s, a), faces_of(s, b)));
+  return as_relation(relate(faces_of(s, a), faces_of(s, b)));
 }
 
 Json round_and_triangle(const Setting& s, const Object& a, const Object& b) {
-  return told(relate(capsule_in_space(s, a), triangle_of(s, b)));
+  return as_relation(relate(capsule_in_space(s, a), triangle_of(s, b)));
 }
 
 Json two_triangles(const Setting& s, const Object& a, const Object& b) {
   const auto solid = [&](const Object& o) {
     return triangle_half_spaces::detail::solid_of(triangle_of(s, o), 3, NoTrace());
   };
-  return told(relate(solid(a), solid(b)));
+  return as_relation(relate(solid(a), solid(b)));
 }
 
 // Planes.
 
 Json plane_result(const Setting& s, const Object& a, const Object& b) {
   const Plane<double, 3> plane = {s.point(a, "normal"), s.number(a, "d")};
-  if (b.type != Type::capsule) return told(relate(plane, faces_of(s, b)));
+  if (b.type != Type::capsule) return as_relation(relate(plane, faces_of(s, b)));
   const Capsule<double, 3> capsule = capsule_in_space(s, b);
   std::array<int, 2> signs = {};  // of the ends, 0 where the ball there meets the plane; and whether one is cut
   bool cut = false, touch = false;
@@ -182,7 +182,7 @@ Json plane_result(const Setting& s, const Object& a, const Object& b) {
         sign_of([&]<class W>() -> W { return dot(exactly<W>(plane.normal), exactly<W>(end)) + W(plane.d); });
   }
   cut |= signs[0] * signs[1] < 0;
-  return told(cut ? Relation::overlapping : touch ? Relation::touching : Relation::disjoint);
+  return as_relation(cut ? Relation::overlapping : touch ? Relation::touching : Relation::disjoint);
 }
 void tell_plane(const Setting& s, const Object& a, const Object& b, Answer& out) {
   relate(s, a, b, out);
@@ -374,7 +374,7 @@ Json two_meshes(const Setting&, const Object& a, const Object& b) {
 
 }  // namespace
 
-Json told(Relation r) {
+Json as_relation(Relation r) {
   static constexpr const char* names[] = {"disjoint", "equal", "b_contains_a", "a_contains_b", "touch", "overlap"};
   return {{"relation", names[static_cast<int>(r)]}};
 }
