@@ -136,9 +136,15 @@ BorderSearch::BorderSearch(const Lesson& lesson, Way way, double begin, double e
 
 bool BorderSearch::go_on() { return (this->*next_)(); }
 
+/// Where the lesson refuses a setting there is none.
 BorderSearch::Place BorderSearch::of(double share, std::optional<Parameters> setting) const {
   Place place = {share, std::move(setting)};
-  if (place.setting) place.is = case_of(lesson_, *place.setting);
+  if (!place.setting) return place;
+  try {
+    place.is = case_of(lesson_, *place.setting);
+  } catch (const BadInput&) {
+    place.setting.reset();
+  }
   return place;
 }
 
@@ -167,7 +173,7 @@ bool BorderSearch::ask_at(const Landmark& landmark) {
     return true;
   }
   const std::string& is = about_[0].is;
-  const bool own = places_[part].is != is && places_[part + 1].is != is;
+  const bool own = about_[0].setting && places_[part].is != is && places_[part + 1].is != is;
   if (own && about_.size() < 3) {
     about_.push_back(at(landmark.share + (about_.size() == 1 ? -beside : beside)));
     return true;
@@ -217,9 +223,11 @@ bool BorderSearch::bisect_number() {
     if (x != number(near_) && x != number(far_)) {
       Place middle = near_;
       number(middle) = x;
-      middle.is = case_of(lesson_, *middle.setting);
-      (middle.is == near_.is ? near_ : far_) = std::move(middle);
-      return true;
+      middle = of(middle.share, std::move(middle.setting));
+      if (middle.setting) {
+        (middle.is == near_.is ? near_ : far_) = std::move(middle);
+        return true;
+      }
     }
   }
   next_ = &BorderSearch::tell;

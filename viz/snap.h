@@ -32,7 +32,8 @@ struct Landmark {
 };
 
 /// Looks for the border nearest to `wish` on a part of a way, or the landmark that is a case of its own. It asks the
-/// lesson about a hundred settings: a window does that over several frames. The lesson must outlive it.
+/// lesson about a hundred settings: a window does that over several frames. A setting that the lesson refuses counts as
+/// none. The lesson must outlive it.
 class BorderSearch {
  public:
   BorderSearch(const Lesson&, Way, double begin, double end, double wish, std::vector<Landmark> = {});

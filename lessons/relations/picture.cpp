@@ -94,6 +94,36 @@ Items part(const ConvexPolygon<double>& a, const ConvexPolygon<double>& b) {
   return {flat_part(in_space(ring))};
 }
 
+// A point that two touching shapes share, where rounding leaves nothing of what they share.
+
+Vec3 nearest(const Aabb<double, 3>& box, const Vec3& x) { return x.cwiseMax(box.lo).cwiseMin(box.hi); }
+Vec3 nearest(const Obb<double, 3>& box, const Vec3& x) {
+  Vec3 point = box.center;
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 axis = box.axes.col(i);
+    point += std::clamp(axis.dot(x - box.center) / axis.squaredNorm(), -box.half[i], box.half[i]) * axis;
+  }
+  return point;
+}
+
+/// By going to and fro between both.
+template <class Box>
+Items contact(const Box& a, const Box& b) {
+  Vec3 p = nearest(a, Vec3::Zero());
+  for (int i = 0; i < 500; ++i) p = nearest(a, nearest(b, p));
+  return {Dot{p, Mark::disc, Role::hit}};
+}
+Items contact(const Sphere<double, 3>& a, const Sphere<double, 3>& b) {
+  const Vec3 l = b.center - a.center;
+  return {Dot{l.isZero(0) ? a.center : Vec3(a.center + a.radius * l.normalized()), Mark::disc, Role::hit}};
+}
+Items contact(const ConvexPolygon<double>& a, const ConvexPolygon<double>& b) {
+  for (const auto& [of, other] : {std::pair(&a, &b), std::pair(&b, &a)})
+    for (const Point<double, 2>& p : of->vertices)
+      if (locate(p, *other) != Location::out) return {Dot{in_space(p), Mark::disc, Role::hit}};
+  return {};
+}
+
 // The points that decide whether one shape lies in the other.
 
 std::vector<Vec3> corners(const Aabb<double, 3>& box) { return solid(box, Role::first).vertices; }
@@ -154,7 +184,14 @@ Items shared(const Pair& pair) {
   if (!pair.meet) return {};
   if (pair.truth != Relation::touching && pair.truth != Relation::overlapping)
     return {};  // one of the two, which is drawn already
-  return std::visit([&]<class T>(const T& x) { return part(x, std::get<T>(pair.b)); }, pair.a);
+  return std::visit(
+      [&]<class T>(const T& x) {
+        const T& y = std::get<T>(pair.b);
+        const bool point = pair.truth == Relation::touching && std::is_same_v<T, Sphere<double, 3>>;
+        const Items common = point ? Items() : part(x, y);
+        return common.empty() && pair.truth == Relation::touching ? contact(x, y) : common;
+      },
+      pair.a);
 }
 
 Items drawn(const Pair& pair, bool with_shared) {

@@ -70,6 +70,34 @@ const Lesson& slow() {
   return lesson;
 }
 
+/// Is x at least a third? Told for x up to 1 only, which no parameter's range says.
+const Lesson& refusing() {
+  static const Lesson lesson = {
+      .id = "refusing",
+      .title = "Refusing",
+      .rows = "N00",
+      .summary = "Whether a number is at least a third, if it is at most 1.",
+      .parameters = {{.name = "x", .label = "*x*", .help = "A number.", .initial = 0.0, .lo = -9, .hi = 9}},
+      .group_by = "",
+      .presets = {{"less", "less", "", {{"x", 0.0}}}, {"more", "more", "", {{"x", 0.5}}}},
+      .camera = {},
+      .steps =
+          [](const Parameters& p) {
+            const double x = std::get<double>(p.at("x"));
+            if (x > 1) throw BadInput("x is more than 1");
+            Walk walk;
+            Step step;
+            step.slug = "told", step.title = "Told";
+            step.verdict = {Verdict::Kind::yes, 3 * x >= 1 ? "more" : "less"};
+            step.scene.items = {Ball{Vec3::Zero(), 1}};
+            step.scene.handles = {{.parameter = "x", .kind = Handle::Kind::along, .at = Vec3(x, 0, 0)}};
+            walk.steps = {step};
+            return walk;
+          },
+      .flat = true};
+  return lesson;
+}
+
 /// The case where a number is one double less, and where it is one more.
 std::pair<std::string, std::string> beside(const Player& player, const std::string& name) {
   Parameters less = player.parameters(), more = less;
@@ -332,6 +360,73 @@ TEST_CASE("what is done meanwhile ends the search for a border", "[window]") {
   CHECK(window.ui.message().empty());
   rest(window);
   CHECK(number(window.player(), "x") == x);
+}
+
+TEST_CASE("a search goes around settings that the lesson refuses, whether they are places or landmarks", "[snap]") {
+  const auto at = [](double x) { return Parameters{{"x", x}}; };
+  const Way way = [&](double share) { return at(4 * share); };  // refused from a quarter on
+  const auto border = find_border(refusing(), way, 0, 1, 1);
+  REQUIRE(border);
+  CHECK(std::abs(3 * std::get<double>(border->setting.at("x")) - 1) < 1e-15);
+  const Way beyond = [&](double share) { return at(0.5 + 4 * share); };  // all that is told is one case
+  CHECK_FALSE(find_border(refusing(), beyond, 0, 1, 1, {{0.3, at(1.7)}, {0.6, at(2.9)}}));
+}
+
+TEST_CASE("a drag into what the lesson refuses is refused in words, with Shift as without", "[window]") {
+  Place start = place_at("refusing", "more");
+  WindowDriver window({&refusing()}, 1280, 800, start);
+  const Rect r = window.rect("handle x");
+  const float away = 4 * (r.middle_x() - window.rect("scene").middle_x());  // from 0.5 to 2 or more
+  REQUIRE(away != 0);
+  for (const bool shift : {false, true}) {
+    CAPTURE(shift);
+    window.move(r.middle_x(), r.middle_y());
+    window.button(true);
+    window.modifiers(false, shift);
+    window.move(r.middle_x() + away, r.middle_y());
+    rest(window);
+    CHECK(window.ui.message() == "x is more than 1");
+    CHECK(number(window.player(), "x") == 0.5);
+    window.modifiers(false, false);
+    window.button(false);
+    window.wait(20);  // until the words have gone
+    CHECK(window.ui.message().empty());
+  }
+}
+
+TEST_CASE("wherever a shape is brought to touch another one, the picture marks what they share", "[snap]") {
+  const Lesson& relations = lesson_named(lessons::all_lessons(), "relations");
+  const auto kind = std::ranges::find(relations.parameters, "kind", &Parameter::name);
+  REQUIRE(kind != relations.parameters.end());
+  int touching = 0;
+  for (const std::string& choice : kind->choices)
+    for (const Vec3& to : {Vec3(1, 0, 0), Vec3(-1, 2, 0), Vec3(2, 1, -1), Vec3(0, 1, 1), Vec3(0.3, 0.7, 0.2)}) {
+      Parameters setting = preset(relations, "ball-overlapping").parameters;
+      setting["kind"] = choice;
+      const Walk walk = relations.walk(setting);
+      const auto& handles = walk.steps.front().scene.handles;
+      const auto handle = std::ranges::find(handles, "b", &Handle::parameter);
+      if (handle == handles.end()) continue;  // of all kinds together
+      const auto found =
+          find_border(relations, way_of(relations, setting, *handle, handle->at, handle->at + 5 * to), 0, 1, 0);
+      if (!found) continue;
+      const Walk there = relations.walk(found->setting);
+      const Step& last = there.steps[static_cast<std::size_t>(outcome(there))];
+      if (last.verdict.text.find("touch") == std::string::npos) continue;
+      ++touching;
+      CAPTURE(choice, to.transpose(), last.verdict.text, found->told);
+      CHECK(std::ranges::any_of(last.scene.items, [](const Item& item) {
+        return std::visit(
+            [](const auto& it) {
+              if constexpr (requires { it.role; })
+                return it.role == Role::hit;
+              else
+                return false;
+            },
+            item);
+      }));
+    }
+  CHECK(touching > 5);
 }
 
 TEST_CASE("in every lesson a drag that changes the case snaps to a border between cases", "[snap]") {
