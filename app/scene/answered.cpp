@@ -2,6 +2,8 @@
 
 #include "app/scene/answered.h"
 
+#include "app/scene/contact.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -120,6 +122,7 @@ Answered answered(const Context& c, const PairAsked& asked) {
     if (c.object(i).type == Type::frustum)
       out.caption += "\nThe planes of " + c.name(i) + " are those of its angle, rounded.";
   out.formula = answer.formula, out.values = answer.values, out.items = std::move(answer.marks);
+  if (out.items.empty()) out.items = contact(c.setting, a, b, answer.result);
   out.lit = {asked.a, asked.b};
   out.json = {{"ask", {a.name, b.name}}, {"verdict", viz::plain(answer.verdict.text)}};
   if (!answer.query.is_null()) out.json["query"] = answer.query;

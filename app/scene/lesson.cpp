@@ -215,7 +215,7 @@ class Walker {
     for (viz::Step& s : walk.steps) {
       s.slug = slug_of(one ? fmt::format("{}-{}", a.name, s.slug) : fmt::format("{}-{}-{}", a.name, b.name, s.slug));
       if (!first) s.line = -1;
-      if (!s.scene.handles.empty()) s.scene.handles = handles_of(a, b);
+      give_handles(s, handles_of(a, b));
       if (&s == &walk.steps.front()) {
         const std::string second = one ? "" : fmt::format(", and {} is {}", shown_name(b.name), pair.name_b);
         s.caption = fmt::format("Step by step: here {} {} {}{}. {}", shown_name(a.name), one ? "are" : "is",
@@ -257,12 +257,18 @@ class Walker {
     for (viz::Step& s : walk.steps) {
       s.slug = slug_of(fmt::format("{}-{}", way.lesson, s.slug));
       if (!first) s.line = -1;
-      if (!s.scene.handles.empty()) s.scene.handles = handles;
+      give_handles(s, handles);
       to.steps.push_back(std::move(s));
     }
   }
 
-  /// In place of the lesson's, whose parameters have other names.
+  /// In place of the lesson's, whose parameters have other names: in the step's picture and in its question's.
+  static void give_handles(viz::Step& step, const std::vector<viz::Handle>& handles) {
+    if (!step.scene.handles.empty()) step.scene.handles = handles;
+    if (step.question && step.question->over && !step.question->over->handles.empty())
+      step.question->over->handles = handles;
+  }
+
   std::vector<viz::Handle> handles_of(const Object& a, const Object& b) const {
     std::vector<viz::Handle> all = handles(context_.setting, a, Role::first);
     if (&a == &b) return all;

@@ -1,0 +1,15 @@
+#pragma once
+// Where two objects touch, for the picture.
+
+#include <vector>
+
+#include "app/scene/objects.h"
+
+namespace isect::program::scene {
+
+/// The mark of a contact, if `result`, of `isect query`, says that the objects touch: what two boxes share, a point,
+/// an edge or a face; of other balls, capsules, boxes, oriented boxes, segments and points a point of it, rounded. None
+/// for other types.
+std::vector<viz::Item> contact(const Setting&, const Object& a, const Object& b, const Json& result);
+
+}  // namespace isect::program::scene

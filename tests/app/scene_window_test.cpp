@@ -1,0 +1,206 @@
+// Scenes of one's own in the window: their handles, their contacts, and what a walk of a lesson refuses.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ctime>
+#include <filesystem>
+
+#include "app/scene/lesson.h"
+#include "lessons/lessons.h"
+#include "tests/catch.h"
+#include "tests/viz/window_driver.h"
+#include "viz/asking.h"
+#include "viz/files.h"
+
+namespace scene_window_test {
+using namespace isect::viz;
+using isect::program::scene::kept_lesson_of;
+using isect::program::scene::kept_walks_of;
+using isect::test::Contains;
+
+namespace {
+
+/// Those of the examples, and each as a walk of the lessons that take it.
+std::vector<const Lesson*> all_scenes() {
+  std::vector<const Lesson*> all;
+  for (const auto& entry : std::filesystem::directory_iterator(ISECT_EXAMPLE_SCENES)) {
+    if (entry.path().extension() != ".json") continue;
+    const std::string text = read_file(entry.path().string());
+    all.push_back(&kept_lesson_of(text, ISECT_EXAMPLE_SCENES));
+    for (const Lesson* lesson : isect::lessons::all_lessons()) {
+      try {
+        all.push_back(&kept_walks_of(*lesson, "", text, ISECT_EXAMPLE_SCENES));
+      } catch (const BadInput&) {
+        continue;  // it takes none of these objects
+      }
+    }
+  }
+  return all;
+}
+
+/// The marks that the picture of the first question adds to the objects.
+std::vector<Item> marks_of(const std::string& objects, const std::string& asked) {
+  const Lesson& scene = kept_lesson_of(R"({"objects": [)" + objects + R"(], "ask": [)" + asked + "]}", "");
+  const Walk walk = scene.steps(scene.presets.front().parameters);
+  std::vector<Item> marks;
+  for (const Item& item : walk.steps.at(1).scene.items)
+    std::visit(
+        [&](const auto& it) {
+          if constexpr (requires { it.role; })
+            if (it.role == Role::hit) marks.push_back(item);
+        },
+        item);
+  return marks;
+}
+
+}  // namespace
+
+TEST_CASE("the handles of a walk through a scene are the scene's own, also while a question is open", "[scene]") {
+  int asked = 0;
+  for (const Lesson* lesson : all_scenes()) {
+    const Walk walk = lesson->walk(lesson->presets.front().parameters);
+    const auto known = [&](const Handle& handle) {
+      INFO(lesson->title << ": " << handle.parameter);
+      return std::ranges::find(lesson->parameters, handle.parameter, &Parameter::name) != lesson->parameters.end();
+    };
+    for (int k = 0; k < static_cast<int>(walk.steps.size()); ++k) {
+      const Step& step = walk.steps[static_cast<std::size_t>(k)];
+      CAPTURE(lesson->title, step.slug);
+      CHECK(std::ranges::all_of(step.scene.handles, known));
+      if (!step.question) continue;
+      ++asked;
+      CHECK(std::ranges::all_of(question_scene(walk, k).handles, known));
+    }
+  }
+  CHECK(asked > 20);
+}
+
+TEST_CASE("a ray's handle is dragged while a question of its walk is open", "[scene]") {
+  const Lesson& scene = kept_lesson_of(read_file(ISECT_EXAMPLE_SCENES "/crates-and-a-ray.json"), ISECT_EXAMPLE_SCENES);
+  WindowDriver window({&scene}, 1280, 800);
+  for (int i = 0; i < 20 && !window.player().asked(); ++i) window.key(key::right);
+  REQUIRE(window.player().asked());
+  window.frames(2);
+  const Vec3 before = std::get<Vec3>(window.player().parameters().at("r.origin"));
+  window.drag("handle r.origin", 20, 10);
+  CHECK(std::get<Vec3>(window.player().parameters().at("r.origin")) != before);
+  CHECK(window.ui.message().empty());
+}
+
+TEST_CASE("a drag of a corner to where its lesson refuses the polygon is refused in words, with Shift, too",
+          "[scene]") {
+  const Lesson& scene = kept_lesson_of(R"({"objects": [{"point": "p", "at": [0, 0]},
+    {"polygon": "P", "points": [[-2, -2], [2, -2], [2, 2], [-2, 2]]}],
+    "ask": [{"walk": ["p", "P"], "lesson": "convex-polygon"}]})",
+                                       "");
+  for (const bool shift : {false, true}) {
+    CAPTURE(shift);
+    WindowDriver window({&scene}, 1280, 800);
+    const Rect r = window.rect("handle P.3");
+    window.move(r.middle_x(), r.middle_y());
+    window.button(true);
+    window.modifiers(false, shift);
+    for (const float way : {100.0f, 200.0f}) {
+      window.move(r.middle_x() - way, r.middle_y() + way);
+      for (int i = 0; i < 400 && window.ui.rest() == 0; ++i) window.frames();
+    }
+    CHECK_THAT(window.ui.message(), Contains("P is not convex"));
+    window.modifiers(false, false);
+    window.button(false);
+    window.frames(2);
+    CHECK(scene.walk(window.player().parameters()).steps.size() == static_cast<std::size_t>(window.player().count()));
+  }
+}
+
+namespace {
+
+/// Balls in rows, not far from each other.
+std::string many_balls(int n, const std::string& ask) {
+  std::string objects;
+  for (int i = 0; i < n; ++i)
+    objects += fmt::format(R"({}{{"sphere": "b{}", "center": [{}, {}, {}], "radius": 0.4}})", i == 0 ? "" : ",", i,
+                           i % 10, i / 10 % 10, i / 100);
+  return R"({"objects": [)" + objects + R"(], "ask": )" + ask + "}";
+}
+
+double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+}  // namespace
+
+TEST_CASE("a scene of two hundred objects shows names by need", "[scene]") {
+  const Lesson& scene = kept_lesson_of(many_balls(200, R"([["b0", "b1"], ["b5", "b6"], ["b20", "b199"]])"), "");
+  WindowDriver window({&scene}, 1280, 800);
+  window.frames(3);
+  CHECK(window.ui.labels().empty());
+  CHECK(window.rect("lesson words").height() > 400);  // the hint takes one line
+  window.key(key::right);
+  window.frames(3);
+  std::vector<std::string> names;
+  for (const PlacedLabel& label : window.ui.labels()) names.push_back(label.text);
+  std::ranges::sort(names);
+  CHECK(names == std::vector<std::string>{"b_{0}", "b_{1}"});
+  const Rect ball = window.rect("handle b0.center");  // the pointer asks for others
+  window.move(ball.middle_x(), ball.middle_y());
+  CHECK(window.has("tooltip"));
+}
+
+TEST_CASE("six boxes keep the names of their corners for the pointer and the keyboard's ring", "[scene]") {
+  const Lesson& scene = kept_lesson_of(read_file(ISECT_EXAMPLE_SCENES "/crates-and-a-ray.json"), ISECT_EXAMPLE_SCENES);
+  WindowDriver window({&scene}, 1280, 800);
+  window.frames(2);
+  for (const PlacedLabel& label : window.ui.labels()) CHECK(label.text.find('.') == std::string::npos);
+  for (int i = 0; i < 40 && !window.ui.focus().starts_with("handle"); ++i) window.key(key::down);
+  REQUIRE(window.ui.focus().starts_with("handle"));
+  window.frames(2);
+  CHECK(window.has("name of the ringed handle"));
+}
+
+TEST_CASE("the window opens on all pairs of two hundred objects, and answers keys", "[scene]") {
+  const double begun = processor_seconds();
+  const Lesson& scene = kept_lesson_of(many_balls(200, R"("all pairs")"), "");
+  WindowDriver window({&scene}, 1280, 800);
+  CHECK(processor_seconds() - begun < 20);
+  REQUIRE(window.player().count() > 19'900);
+  const double opened = processor_seconds();
+  for (int i = 0; i < 20; ++i) window.key(key::right);
+  window.key(key::end);
+  window.key(key::home);
+  CHECK((processor_seconds() - opened) / 22 < 1);
+  CHECK(window.player().index() == 0);
+}
+
+TEST_CASE("where two objects touch, the picture marks it", "[scene]") {
+  const auto dot = [](const std::vector<Item>& marks) {
+    REQUIRE(marks.size() == 1);
+    const Dot* only = std::get_if<Dot>(&marks[0]);
+    REQUIRE(only);
+    return only->at;
+  };
+  const auto ball = [](const char* name, const char* center, const char* radius) {
+    return std::string(R"({"sphere": ")") + name + R"(", "center": )" + center + R"(, "radius": )" + radius + "}";
+  };
+  const std::string a = R"({"box": "A", "lo": [0, 0, 0], "hi": [4, 3, 2]})";
+  const std::string two = R"(["A", "B"])";
+  CHECK(dot(marks_of(ball("A", "[0, 0]", "2") + "," + ball("B", "[3, 4]", "3"), two)).isApprox(Vec3(1.2, 1.6, 0)));
+  CHECK(dot(marks_of(a + "," + ball("B", "[2, 2, 5]", "3"), two)).isApprox(Vec3(2, 2, 2)));
+  CHECK(dot(marks_of(a + "," + R"({"box": "B", "lo": [4, 3, 2], "hi": [5, 5, 5]})", two)) == Vec3(4, 3, 2));
+  CHECK(dot(marks_of(R"({"capsule": "A", "p": [0, 0, 0], "q": [4, 0, 0], "r": 1},
+    {"capsule": "B", "p": [2, 3, 0], "q": [2, 6, 0], "r": 2})",
+                     two))
+            .isApprox(Vec3(2, 1, 0)));
+
+  const std::vector<Item> edge = marks_of(a + "," + R"({"box": "B", "lo": [4, 1, 2], "hi": [6, 5, 5]})", two);
+  REQUIRE(edge.size() == 1);
+  REQUIRE(std::holds_alternative<Chain>(edge[0]));
+  CHECK(std::get<Chain>(edge[0]).points == std::vector<Vec3>{{4, 1, 2}, {4, 3, 2}});
+  const std::vector<Item> face = marks_of(a + "," + R"({"box": "B", "lo": [4, 1, 1], "hi": [6, 5, 5]})", two);
+  REQUIRE(face.size() == 1);
+  REQUIRE(std::holds_alternative<Region>(face[0]));
+  CHECK(std::get<Region>(face[0]).rings[0] == std::vector<Vec3>{{4, 1, 1}, {4, 3, 1}, {4, 3, 2}, {4, 1, 2}});
+
+  CHECK(marks_of(a + "," + ball("B", "[9, 9, 9]", "1"), two).empty());
+  CHECK(marks_of(a + "," + R"({"box": "B", "lo": [3, 1, 1], "hi": [6, 5, 5]})", two).empty());
+}
+
+}  // namespace scene_window_test
